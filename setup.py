@@ -27,11 +27,24 @@ def source_of_build():
     module = os.path.join(build, "python", "arenite", "_core" + sysconfig.get_config_var("EXT_SUFFIX"))
     for file in (os.path.join(build, "arenite"), module):
         if not os.path.exists(file):
-            sys.exit(f"ARENITE_BUILD={build}: there is no {os.path.relpath(file, build)}; `make build` makes it for /usr/bin/python3")
+            sys.exit(
+                f"ARENITE_BUILD={build}: there is no {os.path.relpath(file, build)}; `make build` makes it for /usr/bin/python3"
+            )
     return os.path.join("cmake", "wheel"), [f"-DARENITE_BUILD={build}", f"-DARENITE_MODULE={module}"]
 
 
 source, arguments = source_of_build()
-files = [os.path.relpath(f, os.path.join(here, "python", "arenite")) for kind in ("*.pyi", "py.typed") for f in glob.glob(os.path.join(here, "python", "arenite", kind))]
-setup(version=version(), packages=["arenite", "arenite.figures"], package_dir={"": "python"}, package_data={"arenite": files},
-      cmake_source_dir=source, cmake_args=["-DCMAKE_BUILD_TYPE=Release", *arguments], zip_safe=False)
+files = [
+    os.path.relpath(f, os.path.join(here, "python", "arenite"))
+    for kind in ("*.pyi", "py.typed")
+    for f in glob.glob(os.path.join(here, "python", "arenite", kind))
+]
+setup(
+    version=version(),
+    packages=["arenite", "arenite.figures"],
+    package_dir={"": "python"},
+    package_data={"arenite": files},
+    cmake_source_dir=source,
+    cmake_args=["-DCMAKE_BUILD_TYPE=Release", *arguments],
+    zip_safe=False,
+)

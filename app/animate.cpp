@@ -23,9 +23,15 @@ struct Colouring {
   Dimension dimension;
   const char* unit;
 };
-constexpr Colouring colourings[] = {{"material", dimension::none, ""},         {"forces", dimension::none, ""},      {"pressure", dimension::pressure, "kPa"},
-                                    {"deviator", dimension::pressure, "kPa"},  {"z", dimension::none, ""},           {"velocity", dimension::velocity, "mm/s"},
-                                    {"displacement", dimension::length, "mm"}, {"rotation", dimension::none, "deg"}, {"mobilisation", dimension::none, ""}};
+constexpr Colouring colourings[] = {{"material", dimension::none, ""},
+                                    {"forces", dimension::none, ""},
+                                    {"pressure", dimension::pressure, "kPa"},
+                                    {"deviator", dimension::pressure, "kPa"},
+                                    {"z", dimension::none, ""},
+                                    {"velocity", dimension::velocity, "mm/s"},
+                                    {"displacement", dimension::length, "mm"},
+                                    {"rotation", dimension::none, "deg"},
+                                    {"mobilisation", dimension::none, ""}};
 
 std::vector<std::string> names() {
   std::vector<std::string> list;
@@ -64,20 +70,28 @@ void film(const AnimateArguments& a) {
 void add_animate(Options& command, int&) {
   const auto a = std::make_shared<AnimateArguments>();
   command.add("result", a->result, "Folder of a run, or a file of it").required().type("RESULT");
-  command.add("--out", a->out, "File to write, .mp4 (by ffmpeg) or .gif (default: animation.mp4 in the result's folder)").type("FILE");
-  command.add("--by", a->by, "Quantity that colours the grains (default: material); forces: bars only; displacement and rotation since the first state")
+  command
+      .add("--out", a->out, "File to write, .mp4 (by ffmpeg) or .gif (default: animation.mp4 in the result's folder)")
+      .type("FILE");
+  command
+      .add("--by", a->by,
+           "Quantity that colours the grains (default: material); forces: bars only; displacement and rotation since "
+           "the first state")
       .among(names())
       .type("WHAT");
   command.add("--chains", a->chains, "Also draw contact forces as bars over the grains");
   command.add("--stage", a->stage, "Only the states of this stage; all if not given").type("NAME");
   command.add("--map", a->map, "Colour map of Matplotlib, e.g. viridis").type("NAME");
-  command.add("--low", a->low, "Lower end of the colour scale, e.g. \"0 kPa\"; taken from the states if not given").type("VALUE");
-  command.add("--high", a->high, "Upper end of the colour scale, e.g. \"200 kPa\"; taken from the states if not given").type("VALUE");
+  command.add("--low", a->low, "Lower end of the colour scale, e.g. \"0 kPa\"; taken from the states if not given")
+      .type("VALUE");
+  command.add("--high", a->high, "Upper end of the colour scale, e.g. \"200 kPa\"; taken from the states if not given")
+      .type("VALUE");
   command.add("--fps", a->per_second, "States per second (default: 10)").between(0.01, 100).type("NUMBER");
   command.add("--size", a->size, "Size in pixels (default: 800x800, with a curve 1200x800)").type("WIDTHxHEIGHT");
   command
       .add("--curve{test}", a->curve,
-           "Draw a curve beside the grains, with the current state marked: X,Y, e.g. axial_strain,top_force, or test: q/p or mu against strain")
+           "Draw a curve beside the grains, with the current state marked: X,Y, e.g. axial_strain,top_force, or test: "
+           "q/p or mu against strain")
       .type("X,Y");
   command.work = [a] { film(*a); };
 }

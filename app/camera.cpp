@@ -46,13 +46,18 @@ int execute(const CameraArguments& a) {
 
 void add_camera(Options& command, int& status) {
   const auto a = std::make_shared<CameraArguments>();
-  command.add("result", a->result, "Folder of a run, or a stage file (.h5), whose states are filmed").required().type("RESULT");
-  command.add("--recipe", a->recipe, "Recipe of the film, with a section [camera] (TOML)").required().type("RECIPE.toml");
+  command.add("result", a->result, "Folder of a run, or a stage file (.h5), whose states are filmed")
+      .required()
+      .type("RESULT");
+  command.add("--recipe", a->recipe, "Recipe of the film, with a section [camera] (TOML)")
+      .required()
+      .type("RECIPE.toml");
   add_overrides(command, a->overrides);
   command.add("--out", a->out, "Folder of the film, its references and its recipe (default: out/film)").type("DIR");
   command.add("--format", a->format, "Format of the films").among(io::film_formats_to_write());
   command.add("--blind", a->blind,
-              "Omit from film.toml what no laboratory knows exactly: lens blur, surroundings, phase of the load, displacement of the wall");
+              "Omit from film.toml what no laboratory knows exactly: lens blur, surroundings, phase of the load, "
+              "displacement of the wall");
   command.add("--quiet", a->quiet, "No progress");
   command.work = [a, &status] { status = execute(*a); };
 }

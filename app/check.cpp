@@ -40,12 +40,14 @@ void check_simulation(const recipe::Recipe& recipe, bool json) {
   std::string why_not;
   const auto prediction = predicted(recipe, why_not);
   if (json) {
-    Numbers numbers = prediction ? workflow::numbers(*prediction) : Numbers::tree({{"warnings", std::vector<std::string>{why_not}}});
+    Numbers numbers =
+        prediction ? workflow::numbers(*prediction) : Numbers::tree({{"warnings", std::vector<std::string>{why_not}}});
     numbers["recipe"] = text;
     put(stdout, to_json(numbers, 2) + "\n");
     return;
   }
-  put(stderr, prediction ? prediction_text(*prediction) : fmt::format("\nwarning: `arenite run` will refuse this: {}\n", why_not));
+  put(stderr, prediction ? prediction_text(*prediction)
+                         : fmt::format("\nwarning: `arenite run` will refuse this: {}\n", why_not));
   if (recipe.has_field()) put(stderr, "cement, grid and loads are not included in this estimate\n");
 }
 
@@ -74,7 +76,9 @@ void check(const CheckArguments& a) {
 
 void add_check(Options& command, int&) {
   const auto arguments = std::make_shared<CheckArguments>();
-  command.add("recipe", arguments->recipe, "Recipe to read (TOML), of a simulation or of a film").required().type("RECIPE.toml");
+  command.add("recipe", arguments->recipe, "Recipe to read (TOML), of a simulation or of a film")
+      .required()
+      .type("RECIPE.toml");
   add_overrides(command, arguments->overrides);
   command.add("--json", arguments->json, "Print the prediction as JSON, with the recipe");
   command.add("--quiet", arguments->quiet, "Print problems only").not_with("--json");

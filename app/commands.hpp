@@ -27,8 +27,9 @@ std::vector<CommandText> command_texts();
 /// Exit statuses of the program.
 enum Status : int { done = 0, other_failure = 1, bad_input = 2, not_converged = 3 };
 
-/// One command of the program. `add` fills the table of its arguments and gives it the work, which prints its result on stdout, and
-/// sets `status` where the end is not `done`. InputError is let through: main prints it and exits with `bad_input`.
+/// One command of the program. `add` fills the table of its arguments and gives it the work, which prints its result on
+/// stdout, and sets `status` where the end is not `done`. InputError is let through: main prints it and exits with
+/// `bad_input`.
 struct Command {
   const char* name;
   const char* sentence;

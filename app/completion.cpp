@@ -11,7 +11,8 @@ namespace {
 
 std::vector<std::string> option_names(const CommandText& command) {
   std::vector<std::string> names;
-  for (const auto& argument : command.arguments) names.insert(names.end(), argument.names.begin(), argument.names.end());
+  for (const auto& argument : command.arguments)
+    names.insert(names.end(), argument.names.begin(), argument.names.end());
   return names;
 }
 
@@ -38,14 +39,16 @@ std::string bash(const std::vector<CommandText>& tree) {
   for (const auto& command : tree) {
     for (const auto& argument : command.arguments) {
       for (const auto& name : argument.names) {
-        if (!argument.choices.empty()) { script += fmt::format("    '{} {}') words='{}' ;;\n", command.name, name, list_of(argument.choices, " ")); }
+        if (!argument.choices.empty()) {
+          script += fmt::format("    '{} {}') words='{}' ;;\n", command.name, name, list_of(argument.choices, " "));
+        }
       }
     }
   }
   for (const auto& command : tree) {
     std::vector<std::string> words = positional_choices(command);
-    script +=
-        fmt::format("    '{} '*) words='{}'; [[ $word == -* ]] && words='{}' ;;\n", command.name, list_of(words, " "), list_of(option_names(command), " "));
+    script += fmt::format("    '{} '*) words='{}'; [[ $word == -* ]] && words='{}' ;;\n", command.name,
+                          list_of(words, " "), list_of(option_names(command), " "));
   }
   return script +
          "  esac\n"
@@ -69,15 +72,19 @@ std::string zsh_safe(std::string text) {
 
 std::string zsh(const std::vector<CommandText>& tree) {
   std::string script = "#compdef arenite\n_arenite() {\n  local -a commands\n  commands=(\n";
-  for (const auto& command : tree) { script += "    " + quoted(command.name + ":" + zsh_safe(command.sentence)) + "\n"; }
-  script += "  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n  case $words[2] in\n";
+  for (const auto& command : tree) {
+    script += "    " + quoted(command.name + ":" + zsh_safe(command.sentence)) + "\n";
+  }
+  script +=
+      "  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n  case $words[2] in\n";
   for (const auto& command : tree) {
     script += fmt::format("    {}) _arguments", command.name);
     for (const auto& argument : command.arguments) {
       const std::string action = argument.choices.empty() ? "_files" : "(" + list_of(argument.choices, " ") + ")";
       const std::string value = argument.value.empty() ? "" : fmt::format(":{}:{}", zsh_safe(argument.value), action);
       for (const auto& name : argument.names) {
-        script += " \\\n      " + quoted(fmt::format("{}{}[{}]{}", argument.repeats ? "*" : "", name, zsh_safe(argument.sentence), value));
+        script += " \\\n      " + quoted(fmt::format("{}{}[{}]{}", argument.repeats ? "*" : "", name,
+                                                     zsh_safe(argument.sentence), value));
       }
       if (argument.names.empty()) script += " \\\n      " + quoted("*" + value);
     }
@@ -89,14 +96,16 @@ std::string zsh(const std::vector<CommandText>& tree) {
 std::string fish(const std::vector<CommandText>& tree) {
   std::string script;
   for (const auto& command : tree) {
-    script += fmt::format("complete -c arenite -n __fish_use_subcommand -a {} -d {}\n", command.name, quoted(command.sentence));
+    script += fmt::format("complete -c arenite -n __fish_use_subcommand -a {} -d {}\n", command.name,
+                          quoted(command.sentence));
     const std::string here = fmt::format("complete -c arenite -n '__fish_seen_subcommand_from {}'", command.name);
     for (const auto& argument : command.arguments) {
       const std::string values = argument.choices.empty() ? "" : " -xa " + quoted(list_of(argument.choices, " "));
       if (argument.names.empty() && !values.empty()) script += here + values + "\n";
       for (const auto& name : argument.names) {
         const std::string option = name.starts_with("--") ? "-l " + name.substr(2) : "-s " + name.substr(1);
-        script += fmt::format("{} {}{}{} -d {}\n", here, option, argument.value.empty() ? "" : " -r", values, quoted(argument.sentence));
+        script += fmt::format("{} {}{}{} -d {}\n", here, option, argument.value.empty() ? "" : " -r", values,
+                              quoted(argument.sentence));
       }
     }
   }

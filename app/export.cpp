@@ -25,7 +25,8 @@ void write_export(const ExportArguments& a) {
   refuse_no_result(a.result);
   const auto folder = a.out.empty() ? default_folder(a) : std::filesystem::path(a.out);
   const auto files = workflow::export_result(a.result, *io::export_named(a.format), folder, a.last);
-  print("{} {} in {}; the last is {}\n", files.size(), files.size() == 1 ? "file" : "files", folder.string(), files.back().filename().string());
+  print("{} {} in {}; the last is {}\n", files.size(), files.size() == 1 ? "file" : "files", folder.string(),
+        files.back().filename().string());
 }
 
 }  // namespace
@@ -41,7 +42,8 @@ void add_export(Options& command, int&) {
   }
   command.add("result", arguments->result, "Stage file (.h5) or folder of a run").required().type("RESULT");
   command.add("--to", arguments->format, sentences).required().among(io::export_names());
-  command.add("--out", arguments->out, "Folder to write to; default: one named after the format, beside the result").type("DIR");
+  command.add("--out", arguments->out, "Folder to write to; default: one named after the format, beside the result")
+      .type("DIR");
   command.add("--last", arguments->last, "Export the last state only, not the whole loading");
   command.work = [arguments] { write_export(*arguments); };
 }

@@ -47,7 +47,9 @@ int execute(const FilmArguments& a) {
     return other_failure;
   }
   const fs::path page = folder / "report.html";
-  report::write_page(page, {.stages = outcome.simulation.stages, .films = {&outcome.result, 1}, .measured = &outcome.simulation.measured});
+  report::write_page(
+      page,
+      {.stages = outcome.simulation.stages, .films = {&outcome.result, 1}, .measured = &outcome.simulation.measured});
   print("{}", a.json ? to_json(report::film_numbers(outcome.result), 2) + "\n" : report::film_text(outcome.result));
   if (!a.json) print("\nresult: {}\npage:   {}   (open it in a browser)\n", outcome.file.string(), page.string());
   return outcome.result.converged ? done : not_converged;
@@ -58,11 +60,15 @@ int execute(const FilmArguments& a) {
 void add_film(Options& command, int& status) {
   const auto a = std::make_shared<FilmArguments>();
   command.add("film", a->film, "Film of a cyclically loaded packing: " + io::film_formats()).required().type("FILM");
-  command.add("--recipe", a->recipe, "Recipe of the film (TOML); `arenite init film` writes one").required().type("RECIPE.toml");
+  command.add("--recipe", a->recipe, "Recipe of the film (TOML); `arenite init film` writes one")
+      .required()
+      .type("RECIPE.toml");
   add_overrides(command, a->overrides);
   a->reading.add_to(command);
   command.add("--out", a->out, "Folder of the result, the simulation and the page (default: out/NAME)").type("DIR");
-  command.add("--threads", a->threads, "Threads (default: 1); the results do not depend on their number").between(1, 1024).type("N");
+  command.add("--threads", a->threads, "Threads (default: 1); the results do not depend on their number")
+      .between(1, 1024)
+      .type("N");
   command.add("--json", a->json, "Print all numbers as JSON");
   command.add("--quiet", a->quiet, "Show no progress");
   command.work = [a, &status] { status = execute(*a); };

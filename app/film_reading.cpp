@@ -19,9 +19,13 @@ double above_zero(const char* option, const std::string& text, Dimension dimensi
 
 void FilmReading::add_to(Options& command) {
   command.add("--frame-rate", frame_rate, "Frame rate, overriding the film's own, e.g. \"148 Hz\"").type("FREQUENCY");
-  command.add("--scale", scale, "Temperature per level, e.g. \"0.01 K\": temperature = scale x level + offset").type("TEMPERATURE");
+  command.add("--scale", scale, "Temperature per level, e.g. \"0.01 K\": temperature = scale x level + offset")
+      .type("TEMPERATURE");
   command.add("--offset", offset, "Temperature of level 0, e.g. \"273.15 K\"").type("TEMPERATURE");
-  command.add("--dataset", dataset, "Dataset to read from an HDF5 file that holds several, or channel of a TIFF hyperstack (\"channel 2\")").type("NAME");
+  command
+      .add("--dataset", dataset,
+           "Dataset to read from an HDF5 file that holds several, or channel of a TIFF hyperstack (\"channel 2\")")
+      .type("NAME");
 }
 
 io::FilmChoice FilmReading::choice() const {
@@ -29,7 +33,8 @@ io::FilmChoice FilmReading::choice() const {
   choice.dataset = dataset;
   if (!frame_rate.empty()) choice.frame_rate = above_zero("--frame-rate", frame_rate, dimension::frequency, "Hz");
   if (!scale.empty()) choice.scale = above_zero("--scale", scale, dimension::temperature, "K");
-  if (!offset.empty()) choice.offset = option_value("--offset", [&] { return parse_si(offset, dimension::temperature, "K"); });
+  if (!offset.empty())
+    choice.offset = option_value("--offset", [&] { return parse_si(offset, dimension::temperature, "K"); });
   return choice;
 }
 
@@ -57,7 +62,8 @@ Numbers medians(const FilmMaps& maps, const FilmInfo& film) {
   for (const auto& [name, unit, values] : maps.maps) {
     if (values->empty()) continue;
     const std::string own = *unit == 'K' ? unit_of(film) + (unit + 1) : unit;
-    all[name] = statistics::described(median_of_finite(*values), own.c_str(), fmt::format("Median of the map \"{}\" over all pixels", name).c_str());
+    all[name] = statistics::described(median_of_finite(*values), own.c_str(),
+                                      fmt::format("Median of the map \"{}\" over all pixels", name).c_str());
   }
   return all;
 }

@@ -25,7 +25,8 @@ struct GrainsArguments {
 double pixel_of(const GrainsArguments& a) {
   if (a.pixel.empty()) return 0;
   const double pixel = option_value("--pixel", [&] { return parse_si(a.pixel, dimension::length, "mm"); });
-  if (!(pixel > 0)) throw InputError("--pixel: the width of a pixel on the sample must be positive, for example \"1.6 mm\"");
+  if (!(pixel > 0))
+    throw InputError("--pixel: the width of a pixel on the sample must be positive, for example \"1.6 mm\"");
   return pixel;
 }
 
@@ -35,9 +36,13 @@ std::vector<double> radii_of(const GrainsArguments& a, double pixel) {
   if (a.radii.empty()) return radii;
   for (const std::string& part : parts_of(a.radii)) {
     const auto number = io::to_number(part);
-    if (!number && pixel == 0) throw InputError("--radii: \"" + part + "\" needs the width of a pixel; give --pixel, for example --pixel \"1.6 mm\"");
-    radii.push_back(number ? *number : option_value("--radii", [&] { return parse_si(part, dimension::length, "mm"); }) / pixel);
-    if (!(radii.back() >= 1)) throw InputError("--radii: \"" + part + "\" is less than a pixel; such grains cannot be found");
+    if (!number && pixel == 0)
+      throw InputError("--radii: \"" + part +
+                       "\" needs the width of a pixel; give --pixel, for example --pixel \"1.6 mm\"");
+    radii.push_back(number ? *number
+                           : option_value("--radii", [&] { return parse_si(part, dimension::length, "mm"); }) / pixel);
+    if (!(radii.back() >= 1))
+      throw InputError("--radii: \"" + part + "\" is less than a pixel; such grains cannot be found");
   }
   return radii;
 }
@@ -46,26 +51,33 @@ std::vector<double> radii_of(const GrainsArguments& a, double pixel) {
 Vec2 corner_of(const GrainsArguments& a, const FloatImage& image) {
   if (a.origin.empty()) return {-0.5, image.height - 0.5};
   const auto parts = parts_of(a.origin);
-  const auto column = parts.size() == 2 ? io::to_number(parts[0]) : std::nullopt, row = parts.size() == 2 ? io::to_number(parts[1]) : std::nullopt;
-  if (!column || !row) throw InputError("--origin: expected column and row of a pixel, counted from the upper left, for example 50,228");
+  const auto column = parts.size() == 2 ? io::to_number(parts[0]) : std::nullopt,
+             row = parts.size() == 2 ? io::to_number(parts[1]) : std::nullopt;
+  if (!column || !row)
+    throw InputError("--origin: expected column and row of a pixel, counted from the upper left, for example 50,228");
   return {*column, *row};
 }
 
-imaging::CircleOptions circle_options(const GrainsArguments& a, double pixel, const std::vector<std::string>& materials) {
+imaging::CircleOptions circle_options(const GrainsArguments& a, double pixel,
+                                      const std::vector<std::string>& materials) {
   imaging::CircleOptions options;
   options.radii = radii_of(a, pixel);
   options.materials = materials.size();
   options.least_score = a.least_score;
-  if (a.contrast != "found") options.contrast = a.contrast == "bright" ? imaging::GrainContrast::bright : imaging::GrainContrast::dark;
+  if (a.contrast != "found")
+    options.contrast = a.contrast == "bright" ? imaging::GrainContrast::bright : imaging::GrainContrast::dark;
   return options;
 }
 
 imaging::FoundCircles find(const FloatImage& image, const imaging::CircleOptions& options) {
   imaging::FoundCircles found = imaging::find_circles(image, options);
-  if (found.grains.size() == 0) throw InputError("no grains were found; give their radii with --radii, --contrast bright or dark, or a lower --least-score");
+  if (found.grains.size() == 0)
+    throw InputError(
+        "no grains were found; give their radii with --radii, --contrast bright or dark, or a lower --least-score");
   if (found.report.materials.size() < options.materials)
-    throw InputError("--materials names " + std::to_string(options.materials) + " materials, but the grains show only " +
-                     std::to_string(found.report.materials.size()) + " levels of brightness; name fewer, or give another --channel");
+    throw InputError("--materials names " + std::to_string(options.materials) +
+                     " materials, but the grains show only " + std::to_string(found.report.materials.size()) +
+                     " levels of brightness; name fewer, or give another --channel");
   return found;
 }
 
@@ -75,7 +87,8 @@ void store(const GrainsArguments& a, const report::FoundGrains& grains) {
   io::write_png(folder / "grains.png", report::grains_overlay(grains));
   io::write_atomically(folder / "grains.json", report::grains_json(grains));
   io::write_atomically(folder / "grains.csv", report::grains_csv(grains));
-  if (!a.json) print("\ntable:   {}\npicture: {}\n", (folder / "grains.csv").string(), (folder / "grains.png").string());
+  if (!a.json)
+    print("\ntable:   {}\npicture: {}\n", (folder / "grains.csv").string(), (folder / "grains.png").string());
 }
 
 void find_grains(const GrainsArguments& a) {
@@ -100,23 +113,48 @@ void find_grains(const GrainsArguments& a) {
 
 void add_grains(Options& command, int&) {
   const auto a = std::make_shared<GrainsArguments>();
-  command.add("picture", a->picture, "Picture (" + io::picture_formats() + ") or film of the grains").required().type("IMAGE");
-  command.add("--frame", a->frame, "Frame of a film, or slice of a stack, counted from 0; default: the mean of all frames").between(0, 1e12).type("N");
+  command.add("picture", a->picture, "Picture (" + io::picture_formats() + ") or film of the grains")
+      .required()
+      .type("IMAGE");
+  command
+      .add("--frame", a->frame, "Frame of a film, or slice of a stack, counted from 0; default: the mean of all frames")
+      .between(0, 1e12)
+      .type("N");
   command.add("--mean", a->mean, "Use the mean of all frames of a film (the default)").not_with("--frame");
-  command.add("--radii", a->radii, "Grain radii expected in the picture, e.g. \"5.25 mm,8.2 mm\", or in pixels \"3.3,5.1\"; found automatically if not given")
+  command
+      .add("--radii", a->radii,
+           "Grain radii expected in the picture, e.g. \"5.25 mm,8.2 mm\", or in pixels \"3.3,5.1\"; found "
+           "automatically if not given")
       .type("LENGTHS");
-  command.add("--pixel", a->pixel, "Width of a pixel on the sample, e.g. \"1.6 mm\"; if not given, lengths are in pixels").type("LENGTH");
-  command.add("--materials", a->materials, "Materials by brightness, darkest first, e.g. POM,HDPE; if not given, the classes are found automatically")
+  command
+      .add("--pixel", a->pixel, "Width of a pixel on the sample, e.g. \"1.6 mm\"; if not given, lengths are in pixels")
+      .type("LENGTH");
+  command
+      .add("--materials", a->materials,
+           "Materials by brightness, darkest first, e.g. POM,HDPE; if not given, the classes are found automatically")
       .type("NAMES");
-  command.add("--channel", a->channel, "Colour channel that is used; default grey").among(io::channel_names()).type("NAME");
-  command.add("--contrast", a->contrast, "Whether grains are brighter or darker than their surroundings; default: found automatically")
+  command.add("--channel", a->channel, "Colour channel that is used; default grey")
+      .among(io::channel_names())
+      .type("NAME");
+  command
+      .add("--contrast", a->contrast,
+           "Whether grains are brighter or darker than their surroundings; default: found automatically")
       .among({"found", "bright", "dark"})
       .type("WAY");
-  command.add("--least-score", a->least_score, "Fraction of a grain's rim that must be visible; default 0.5").between(0.0, 1.0).type("NUMBER");
-  command.add("--origin", a->origin, "Pixel at which x = y = 0, column and row counted from the upper left; default: the lower left corner of the picture")
+  command.add("--least-score", a->least_score, "Fraction of a grain's rim that must be visible; default 0.5")
+      .between(0.0, 1.0)
+      .type("NUMBER");
+  command
+      .add("--origin", a->origin,
+           "Pixel at which x = y = 0, column and row counted from the upper left; default: the lower left corner of "
+           "the picture")
       .type("COLUMN,ROW");
   command.add("--dataset", a->dataset, "Dataset to read from an HDF5 file that holds several").type("NAME");
-  command.add("--out", a->out, "Folder for the table (grains.csv), the picture with the circles found (grains.png) and all numbers (grains.json)").type("DIR");
+  command
+      .add("--out", a->out,
+           "Folder for the table (grains.csv), the picture with the circles found (grains.png) and all numbers "
+           "(grains.json)")
+      .type("DIR");
   command.add("--json", a->json, "Print everything as JSON, grain by grain");
   command.work = [a] { find_grains(*a); };
 }

@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 using LedgerClock = std::chrono::steady_clock;
 
 /// Runs what is missing of a study, until the deadline if there is one.
-LedgerEnd complete(const campaign::Study& study, const campaign::StudyFolder& folder, const VerifyArguments& a, Deadline deadline) {
+LedgerEnd complete(const campaign::Study& study, const campaign::StudyFolder& folder, const VerifyArguments& a,
+                   Deadline deadline) {
   campaign::StudyOptions options;
   options.jobs = a.jobs;
   options.keep_fields = a.keep == "all";
@@ -30,13 +31,15 @@ LedgerEnd complete(const campaign::Study& study, const campaign::StudyFolder& fo
 }
 
 /// The films that the study's figures show; false if it was asked to stop.
-bool make_ledger_films(const campaign::Study& study, const campaign::StudyFolder& folder, const campaign::CollectedTable& table) {
+bool make_ledger_films(const campaign::Study& study, const campaign::StudyFolder& folder,
+                       const campaign::CollectedTable& table) {
   const auto filmed = report::filmed_runs(read_study_figures(study), table);
   workflow::RunOptions options;
   options.notice = [](const std::string& sentence) { print(stderr, "{}\n", sentence); };
   options.asked_to_stop = stop_requested;
-  return std::ranges::all_of(
-      study.runs, [&](const campaign::StudyRun& run) { return std::ranges::count(filmed, run.name) == 0 || campaign::make_film(study, folder, run, options); });
+  return std::ranges::all_of(study.runs, [&](const campaign::StudyRun& run) {
+    return std::ranges::count(filmed, run.name) == 0 || campaign::make_film(study, folder, run, options);
+  });
 }
 
 /// Whose claims are judged.
@@ -82,8 +85,10 @@ std::vector<validation::SeedsWanted> wanted_of(const validation::Ledger& ledger,
 /// "T20, signed a_c of A-A contacts: about 80 further runs, to 19 seeds of thesis-ch5".
 std::string in_words(const validation::SeedsWanted& wanted) {
   std::string seeds;
-  for (const auto& [draw, count] : wanted.next) seeds += fmt::format("{}{} seeds of {}", seeds.empty() ? "" : ", ", count, validation::in_words(draw));
-  return fmt::format("{}, {}: about {:.0f} further runs; next, {}", wanted.claim, wanted.what, std::ceil(wanted.runs), seeds);
+  for (const auto& [draw, count] : wanted.next)
+    seeds += fmt::format("{}{} seeds of {}", seeds.empty() ? "" : ", ", count, validation::in_words(draw));
+  return fmt::format("{}, {}: about {:.0f} further runs; next, {}", wanted.claim, wanted.what, std::ceil(wanted.runs),
+                     seeds);
 }
 
 }  // namespace
@@ -118,7 +123,8 @@ const validation::SeededStudy* LedgerStudies::find(const std::string& name) {
 
 LedgerEnd run_ledger(LedgerStudies& studies, const VerifyArguments& a, Deadline deadline) {
   for (const std::string& source : a.sources)
-    if (const LedgerEnd end = run_studies(letter_of(source), studies, a, deadline); end != LedgerEnd::complete) return end;
+    if (const LedgerEnd end = run_studies(letter_of(source), studies, a, deadline); end != LedgerEnd::complete)
+      return end;
   return LedgerEnd::complete;
 }
 

@@ -19,7 +19,8 @@ namespace {
 using statistics::described;
 
 struct LockinArguments {
-  std::string film, frequency, out, convention = "amplitude", format = "tiff", diffusivity = "0.1 mm^2/s", pixel, reference_phase;
+  std::string film, frequency, out, convention = "amplitude", format = "tiff", diffusivity = "0.1 mm^2/s", pixel,
+                                    reference_phase;
   FilmReading reading;
   thermography::LockinOptions options;
   bool nearest_bin = false, no_refinement = false, by_lock_in_line = false, json = false, quiet = false;
@@ -48,21 +49,27 @@ double read_phase(const std::string& text) {
   const Quantity phase = option_value("--reference-phase", [&] { return parse_quantity(text); });
   if (phase.dimension != dimension::none) throw InputError("--reference-phase: must be an angle, such as \"90 deg\"");
   if (phase.unit.empty())
-    print(stderr, "--reference-phase {0} is taken to be in radians; write \"{0} rad\" or an angle in degrees, such as \"90 deg\"\n", text);
+    print(stderr,
+          "--reference-phase {0} is taken to be in radians; write \"{0} rad\" or an angle in degrees, such as \"90 "
+          "deg\"\n",
+          text);
   return phase.value;
 }
 
 thermography::Adiabatic adiabatic(const LockinArguments& a, double frequency) {
-  thermography::Adiabatic check(above_zero("--diffusivity", a.diffusivity, dimension::area / dimension::time, "mm^2/s"), frequency);
+  thermography::Adiabatic check(above_zero("--diffusivity", a.diffusivity, dimension::area / dimension::time, "mm^2/s"),
+                                frequency);
   if (!a.pixel.empty()) check.pixel = above_zero("--pixel", a.pixel, dimension::length, "mm");
   return check;
 }
 
-Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& film, const thermography::Adiabatic& heat) {
+Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& film,
+                const thermography::Adiabatic& heat) {
   const std::string unit = unit_of(film);
   Numbers j{
       {"frequency_Hz", described(m.frequency, "Hz", "Frequency of the load")},
-      {"frequency_error_Hz", described(m.frequency_error, "Hz", "Its standard error; unknown where the film does not show the load")},
+      {"frequency_error_Hz",
+       described(m.frequency_error, "Hz", "Its standard error; unknown where the film does not show the load")},
       {"method", a.nearest_bin ? "nearest_bin" : "least_squares"},
       {"frames", described(m.frames, "", "Frames used")},
       {"blank_frames", described(m.blank, "", "Frames that hold no picture and are left out")},
@@ -72,25 +79,35 @@ Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& f
       {"harmonics", described(m.harmonics, "", "Harmonics of the load frequency that were fitted")},
       {"convention", name_of(m.convention)},
       {"unit", unit},
-      {"reference_phase_deg", described(m.reference_phase * degrees, "deg", "Phase of the load: the angle still to go to its maximum at the first frame")},
-      {"reference", a.by_lock_in_line           ? "the film's lock-in line"
-                    : a.options.reference_phase ? "given"
-                                                : "found on the film; its sign is such that pixels warm with the load on average"}};
+      {"reference_phase_deg", described(m.reference_phase * degrees, "deg",
+                                        "Phase of the load: the angle still to go to its maximum at the first frame")},
+      {"reference", a.by_lock_in_line ? "the film's lock-in line"
+                    : a.options.reference_phase
+                        ? "given"
+                        : "found on the film; its sign is such that pixels warm with the load on average"}};
   const std::vector<float> phase = phase_in_degrees(m);
   j["median"] = medians(maps_of(m, phase), film);
-  j["noise_ratio"] = described(m.noise_ratio, "", "Variance of the noise at this frequency over that of white noise of the same residual");
-  j["shows_load"] = described(thermography::shows_load(m), "", "Whether pixels oscillate in one phase, and more than noise does");
+  j["noise_ratio"] = described(m.noise_ratio, "",
+                               "Variance of the noise at this frequency over that of white noise of the same residual");
+  j["shows_load"] =
+      described(thermography::shows_load(m), "", "Whether pixels oscillate in one phase, and more than noise does");
   j["chance_of_noise"] = described(m.chance, "", "Probability that noise alone has as much amplitude in one phase");
-  j["share_in_one_phase"] = described(m.one_phase, "", "Share of the amplitude above the noise that has one phase, or its opposite");
-  j["lost_frames"] = described(m.lost_frames, "", "Frames missing without a time stamp that shows it, found by the phase of the load");
-  j["common_error"] = described(m.common_error, unit == "K" ? "K" : "", "Standard error of in_phase that all pixels share");
-  j["column_error"] = described(m.column_error, unit == "K" ? "K" : "", "Standard error of in_phase that the pixels of a column share");
+  j["share_in_one_phase"] =
+      described(m.one_phase, "", "Share of the amplitude above the noise that has one phase, or its opposite");
+  j["lost_frames"] =
+      described(m.lost_frames, "", "Frames missing without a time stamp that shows it, found by the phase of the load");
+  j["common_error"] =
+      described(m.common_error, unit == "K" ? "K" : "", "Standard error of in_phase that all pixels share");
+  j["column_error"] =
+      described(m.column_error, unit == "K" ? "K" : "", "Standard error of in_phase that the pixels of a column share");
   if (m.other_frequency > 0)
-    j["other_frequency_Hz"] = described(m.other_frequency, "Hz", "Frequency at which the film oscillates where that of the load shows nothing");
+    j["other_frequency_Hz"] = described(m.other_frequency, "Hz",
+                                        "Frequency at which the film oscillates where that of the load shows nothing");
   j["diffusion_length_m"] = described(heat.length, "m", "Length over which heat diffuses within a cycle");
   if (heat.pixel <= 0) return j;
   j["adiabatic"] = described(heat.holds(), "", "Whether that is below a fifth of a pixel");
-  j["amplitude_lost_in_finest_detail"] = described(heat.lost(), "", "Share of its amplitude that the finest detail of the picture loses to it");
+  j["amplitude_lost_in_finest_detail"] =
+      described(heat.lost(), "", "Share of its amplitude that the finest detail of the picture loses to it");
   return j;
 }
 
@@ -115,7 +132,8 @@ int execute(LockinArguments& a) {
   LockinMaps maps;
   try {
     ProgressLine line(a.quiet || a.json);
-    if (const auto load = workflow::load_signal_of(a.film, film->info(), o.frequency, [&](const std::string& sentence) { line.notice(sentence); })) {
+    if (const auto load = workflow::load_signal_of(a.film, film->info(), o.frequency,
+                                                   [&](const std::string& sentence) { line.notice(sentence); })) {
       o.frequency = load->frequency;
       if (!o.reference_phase) o.reference_phase = load->phase, a.by_lock_in_line = true;
     }
@@ -128,9 +146,11 @@ int execute(LockinArguments& a) {
   }
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps, phase_in_degrees(maps)));
   if (!maps.blank.empty()) print(stderr, "{}: {}\n", a.film, thermography::blank_frames_sentence(maps.blank));
-  if (!thermography::shows_load(maps)) print(stderr, "{}: {}\n", a.film, workflow::no_load_sentence(maps, maps.frequency, "--frequency"));
+  if (!thermography::shows_load(maps))
+    print(stderr, "{}: {}\n", a.film, workflow::no_load_sentence(maps, maps.frequency, "--frequency"));
   else if (maps.other_frequency > 0)
-    print(stderr, "{}: the amplitude is larger at {:.4g} Hz than at {:.6g} Hz, a multiple of it\n", a.film, maps.other_frequency, maps.frequency);
+    print(stderr, "{}: the amplitude is larger at {:.4g} Hz than at {:.6g} Hz, a multiple of it\n", a.film,
+          maps.other_frequency, maps.frequency);
   for (const std::string& sentence : maps.disturbances) print(stderr, "{}: {}\n", a.film, sentence);
   const thermography::Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds()) print(stderr, "{}\n", heat.sentence());
@@ -144,24 +164,36 @@ int execute(LockinArguments& a) {
 void add_lockin(Options& command, int& status) {
   const auto a = std::make_shared<LockinArguments>();
   command.add("film", a->film, "Film of a cyclically loaded sample").required().type("FILM");
-  command.add("--frequency", a->frequency, "Frequency of the load, e.g. \"3 Hz\"; refined on the film").required().type("FREQUENCY");
+  command.add("--frequency", a->frequency, "Frequency of the load, e.g. \"3 Hz\"; refined on the film")
+      .required()
+      .type("FREQUENCY");
   command.add("--out", a->out, "Folder for the maps; if not given, nothing is stored").type("DIR");
   command.add("--format", a->format, "Format of the maps").among(io::film_formats_to_write(true));
-  command.add("--drift", a->options.drift_order, "Order of the polynomial that describes the drift of pixels; default 4").type("N");
+  command
+      .add("--drift", a->options.drift_order, "Order of the polynomial that describes the drift of pixels; default 4")
+      .type("N");
   command.add("--harmonics", a->options.harmonics, "Number of harmonics of the load frequency; default 2").type("N");
-  command.add("--convention", a->convention, "Convention of the maps: the amplitude (default) or peak to peak, twice the amplitude")
+  command
+      .add("--convention", a->convention,
+           "Convention of the maps: the amplitude (default) or peak to peak, twice the amplitude")
       .among({"amplitude", "peak-to-peak"})
       .formerly("half", "amplitude")
       .formerly("full", "peak-to-peak");
   command
       .add("--reference-phase", a->reference_phase,
-           "Phase of the load at the first frame, i.e. the angle from there to its maximum, e.g. \"90 deg\"; if not given, found on the film up to its sign")
+           "Phase of the load at the first frame, i.e. the angle from there to its maximum, e.g. \"90 deg\"; if not "
+           "given, found on the film up to its sign")
       .type("ANGLE");
   command.add("--nearest-bin", a->nearest_bin, "Plain Fourier transform at the nearest bin, mean image subtracted");
   command.add("--no-refinement", a->no_refinement, "Keep the frequency as given");
-  command.add("--diffusivity", a->diffusivity, "Thermal diffusivity of the grains, for the adiabatic check; default \"0.1 mm^2/s\", about that of plastics")
+  command
+      .add("--diffusivity", a->diffusivity,
+           "Thermal diffusivity of the grains, for the adiabatic check; default \"0.1 mm^2/s\", about that of plastics")
       .type("QUANTITY");
-  command.add("--pixel", a->pixel, "Side of a pixel on the sample, e.g. \"1.6 mm\": warns where the diffusion length of a cycle approaches it").type("LENGTH");
+  command
+      .add("--pixel", a->pixel,
+           "Side of a pixel on the sample, e.g. \"1.6 mm\": warns where the diffusion length of a cycle approaches it")
+      .type("LENGTH");
   a->reading.add_to(command);
   command.add("--threads", a->options.threads, "Threads (default: 1)").between(1, 256).type("N");
   command.add("--json", a->json, "Print all numbers as JSON");

@@ -40,19 +40,21 @@ int main(int argc, char** argv) {
     status = app::not_converged;
   } catch (const NumbersError&) {  // in a file with a right seal: of another version, or written by another hand
     app::print(stderr,
-               "{}: the numbers stored in the result are not those that this version writes; compute the result again with "
-               "`arenite run`\n",
+               "{}: the numbers stored in the result are not those that this version writes; compute the result again "
+               "with `arenite run`\n",
                speaker(argc, argv));
     status = app::bad_input;
   } catch (const std::filesystem::filesystem_error& error) {
     app::print(stderr, "{}: {}; check its permissions\n", error.path1().string(), error.code().message());
     status = app::bad_input;
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "%s: out of memory; request fewer grains or fewer stored states\n", speaker(argc, argv).c_str());
+    std::fprintf(stderr, "%s: out of memory; request fewer grains or fewer stored states\n",
+                 speaker(argc, argv).c_str());
   } catch (const std::exception& error) { app::print(stderr, "{}: {}\n", speaker(argc, argv), error.what()); }
   // A full disk behind a redirected output shows only when the last bytes leave.
   if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
-    app::print(stderr, "{}: the output could not be written ({}); make room or write elsewhere\n", speaker(argc, argv), std::strerror(errno));
+    app::print(stderr, "{}: the output could not be written ({}); make room or write elsewhere\n", speaker(argc, argv),
+               std::strerror(errno));
     return app::bad_input;
   }
   return status;

@@ -68,14 +68,17 @@ void print_page(const std::vector<CommandText>& tree) {
 }
 
 /// A table in Markdown of a family of formats: the heads of its columns, and what each format has in them.
-template <class Family, class Row> void print_formats(const char* title, const std::vector<std::string>& heads, const Family& all, Row row) {
-  print("\n## {}\n\n| {} |\n|{}\n", title, list_of(heads, " | "), list_of(std::vector<std::string>(heads.size(), "---|"), ""));
+template <class Family, class Row>
+void print_formats(const char* title, const std::vector<std::string>& heads, const Family& all, Row row) {
+  print("\n## {}\n\n| {} |\n|{}\n", title, list_of(heads, " | "),
+        list_of(std::vector<std::string>(heads.size(), "---|"), ""));
   for (const auto* format : all) print("| `{}` | {} |\n", format->name, list_of(row(*format), " | "));
 }
 
 /// What the formats of a family state, a row for each thing; formats that state nothing have none.
 template <class Family> void print_statements(const char* heads, const Family& all) {
-  if (std::ranges::none_of(all, [](const auto* format) { return format->states.begin() != format->states.end(); })) return;
+  if (std::ranges::none_of(all, [](const auto* format) { return format->states.begin() != format->states.end(); }))
+    return;
   print("\n| format | {} |\n|---|---|---|\n", heads);
   for (const auto* format : all)
     for (const io::Stated& row : format->states) print("| `{}` | {} | {} |\n", format->name, row.what, row.done);
@@ -87,22 +90,26 @@ void print_format_reference() {
   using Cells = std::vector<std::string>;
   const auto yes = [](bool holds) { return std::string(holds ? "yes" : ""); };
   print(
-      "# File formats\n\nThis page is generated from the declarations of the formats: `arenite man --formats`. [extend.md](extend.md) adds one; results of "
-      "Arenite are\ndescribed in [hdf5.md](hdf5.md). Files are recognised by their content.\n");
-  print_formats("Films", {"format", "what it is", "endings of new films", "written", "temperatures", "several datasets"}, io::films::all,
-                [&](const io::FilmFormat& f) {
-                  const Cells endings = {std::string(f.endings[0]), std::string(f.endings[1])};
-                  return Cells{std::string(f.sentence), endings[1].empty() ? endings[0] : list_of(endings), yes(f.create != nullptr),
-                               yes(f.create != nullptr && !f.levels_only), yes(f.has_datasets)};
-                });
+      "# File formats\n\nThis page is generated from the declarations of the formats: `arenite man --formats`. "
+      "[extend.md](extend.md) adds one; results of Arenite are\ndescribed in [hdf5.md](hdf5.md). Files are recognised "
+      "by their content.\n");
+  print_formats(
+      "Films", {"format", "what it is", "endings of new films", "written", "temperatures", "several datasets"},
+      io::films::all, [&](const io::FilmFormat& f) {
+        const Cells endings = {std::string(f.endings[0]), std::string(f.endings[1])};
+        return Cells{std::string(f.sentence), endings[1].empty() ? endings[0] : list_of(endings),
+                     yes(f.create != nullptr), yes(f.create != nullptr && !f.levels_only), yes(f.has_datasets)};
+      });
   print_statements(read_heads, io::films::all);
-  print_formats("Pictures", {"format", "what it is", "exact values", "several datasets"}, io::pictures::all, [&](const io::PictureFormat& f) {
-    return Cells{std::string(f.sentence), yes(!f.blurs), yes(f.has_datasets)};
-  });
+  print_formats("Pictures", {"format", "what it is", "exact values", "several datasets"}, io::pictures::all,
+                [&](const io::PictureFormat& f) {
+                  return Cells{std::string(f.sentence), yes(!f.blurs), yes(f.has_datasets)};
+                });
   print_statements(read_heads, io::pictures::all);
-  print_formats("Grains and contacts", {"format", "grains", "contacts"}, io::samples::all, [](const io::SampleFormat& f) {
-    return Cells{std::string(f.grains_are), std::string(f.contacts_are)};
-  });
+  print_formats("Grains and contacts", {"format", "grains", "contacts"}, io::samples::all,
+                [](const io::SampleFormat& f) {
+                  return Cells{std::string(f.grains_are), std::string(f.contacts_are)};
+                });
   print_statements(read_heads, io::samples::all);
   print_formats("Exports", {"format", "what for", "fields on nodes"}, io::exports::all, [&](const io::ExportFormat& f) {
     return Cells{std::string(f.sentence), yes(f.of_field != nullptr)};
@@ -113,7 +120,8 @@ void print_format_reference() {
 }  // namespace
 
 void add_man(Options& command, int&) {
-  const auto keys = std::make_shared<bool>(false), film_keys = std::make_shared<bool>(false), formats = std::make_shared<bool>(false);
+  const auto keys = std::make_shared<bool>(false), film_keys = std::make_shared<bool>(false),
+             formats = std::make_shared<bool>(false);
   command.add("--keys", *keys, "Print the reference of all keys of a recipe instead (Markdown)");
   command.add("--film-keys", *film_keys, "Print the reference of all keys of a film's recipe instead (Markdown)");
   command.add("--formats", *formats, "Print the reference of all file formats instead (Markdown)");

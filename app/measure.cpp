@@ -21,7 +21,8 @@ namespace {
 
 struct MeasureArguments {
   stress::StressOptions stress;
-  std::string grains, contacts, format = "auto", length_unit, force_unit, box, origin, periodic, thickness, materials, doubled = "error";
+  std::string grains, contacts, format = "auto", length_unit, force_unit, box, origin, periodic, thickness, materials,
+                                doubled = "error";
   std::string grain_columns, contact_columns, pixel, touching;
   texture::Options texture;
   double load_axis_deg = -1;
@@ -34,12 +35,13 @@ double length_of(const std::string& text, double unit) {
   return parse_si(text, dimension::length, "mm");
 }
 
-std::vector<double> lengths_of(const char* option, const std::string& text, double unit, std::size_t least, std::size_t most) {
+std::vector<double> lengths_of(const char* option, const std::string& text, double unit, std::size_t least,
+                               std::size_t most) {
   std::vector<double> values;
   for (const auto& part : parts_of(text)) values.push_back(option_value(option, [&] { return length_of(part, unit); }));
   if (values.size() < least || values.size() > most)
-    throw InputError(std::string(option) + ": expected " + (least == most ? "" : "two or ") + (most == 3 ? "three" : "two") +
-                     " lengths separated by commas, for example \"350 mm,350 mm\"");
+    throw InputError(std::string(option) + ": expected " + (least == most ? "" : "two or ") +
+                     (most == 3 ? "three" : "two") + " lengths separated by commas, for example \"350 mm,350 mm\"");
   return values;
 }
 
@@ -54,8 +56,10 @@ io::SampleOptions sample_options(const MeasureArguments& a) {
   o.format = a.format;
   o.grain_columns = a.grain_columns;
   o.contact_columns = a.contact_columns;
-  if (!a.length_unit.empty()) o.length_unit = option_value("--length-unit", [&] { return io::unit_factor(a.length_unit, dimension::length); });
-  if (!a.force_unit.empty()) o.force_unit = option_value("--force-unit", [&] { return io::unit_factor(a.force_unit, dimension::force); });
+  if (!a.length_unit.empty())
+    o.length_unit = option_value("--length-unit", [&] { return io::unit_factor(a.length_unit, dimension::length); });
+  if (!a.force_unit.empty())
+    o.force_unit = option_value("--force-unit", [&] { return io::unit_factor(a.force_unit, dimension::force); });
   const double unit = o.length_unit.value_or(1);
   if (!a.pixel.empty()) o.pixel = positive("--pixel", a.pixel, unit, "the width of a pixel on the sample");
   if (!a.box.empty()) {
@@ -77,16 +81,19 @@ io::SampleOptions sample_options(const MeasureArguments& a) {
   return o;
 }
 
-/// Where no contacts are given: those between surfaces no further apart than the gap that was asked for, without forces.
+/// Where no contacts are given: those between surfaces no further apart than the gap that was asked for, without
+/// forces.
 void propose_contacts(const MeasureArguments& a, io::Sample& sample, texture::Options& options) {
   imaging::ContactTolerance tolerance;
   tolerance.floor = 1;
-  tolerance.pixel = positive("--touching", a.touching, sample_options(a).length_unit.value_or(1), "the widest gap of a contact");
+  tolerance.pixel =
+      positive("--touching", a.touching, sample_options(a).length_unit.value_or(1), "the widest gap of a contact");
   const std::vector<double>& radius = sample.packing.grains.radius;
   const double mean_radius = std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
   if (tolerance.pixel > mean_radius)
-    throw InputError(
-        fmt::format("--touching: {} is wider than the mean radius of the grains, {:.4g} m; grains so far apart do not touch", a.touching, mean_radius));
+    throw InputError(fmt::format(
+        "--touching: {} is wider than the mean radius of the grains, {:.4g} m; grains so far apart do not touch",
+        a.touching, mean_radius));
   sample.packing.contacts = imaging::propose_contacts(sample.packing.grains, sample.packing.domain, {}, tolerance);
   options.rattler_contacts = 0;
   sample.notes.push_back("Grains are taken to touch where their surfaces are within " + a.touching +
@@ -103,40 +110,59 @@ void measure(const MeasureArguments& a) {
   if (a.contacts.empty()) texture::forget_forces(t);
   t.notes.insert(t.notes.begin(), sample.notes.begin(), sample.notes.end());
   if (sample.doubled_rows > 0)
-    t.notes.insert(t.notes.begin(), std::to_string(sample.doubled_rows) + " rows repeat a contact that is already listed, and were merged with it.");
+    t.notes.insert(t.notes.begin(), std::to_string(sample.doubled_rows) +
+                                        " rows repeat a contact that is already listed, and were merged with it.");
   const std::string text = a.json ? to_json(texture::numbers(t, a.curves), 2) + "\n" : texture::to_text(t);
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
 void add_units(Options& command, MeasureArguments& a) {
-  command.add("--length-unit", a.length_unit, "Unit of lengths in columns without a unit, e.g. mm; default m").type("UNIT");
-  command.add("--pixel", a.pixel, "Width of a pixel on the sample, e.g. \"1.6 mm\", for a table in pixels").type("LENGTH");
-  command.add("--force-unit", a.force_unit, "Unit of forces in columns without a unit, e.g. kN; default N").type("UNIT");
+  command.add("--length-unit", a.length_unit, "Unit of lengths in columns without a unit, e.g. mm; default m")
+      .type("UNIT");
+  command.add("--pixel", a.pixel, "Width of a pixel on the sample, e.g. \"1.6 mm\", for a table in pixels")
+      .type("LENGTH");
+  command.add("--force-unit", a.force_unit, "Unit of forces in columns without a unit, e.g. kN; default N")
+      .type("UNIT");
 }
 
 void add_frame(Options& command, MeasureArguments& a) {
-  command.add("--box", a.box, "Width and height of the sample, and tilt of a sheared periodic cell, e.g. \"350 mm,350 mm\"").type("LX,LY[,tilt]");
-  command.add("--origin", a.origin, "Lower left corner of the box; default 0,0, or around the centres if they lie elsewhere").type("X,Y");
+  command
+      .add("--box", a.box,
+           "Width and height of the sample, and tilt of a sheared periodic cell, e.g. \"350 mm,350 mm\"")
+      .type("LX,LY[,tilt]");
+  command
+      .add("--origin", a.origin,
+           "Lower left corner of the box; default 0,0, or around the centres if they lie elsewhere")
+      .type("X,Y");
   command.add("--periodic{xy}", a.periodic, "Periodic boundaries; --periodic=x or --periodic=y for one direction");
-  command.add("--thickness", a.thickness, "Out-of-plane length of the cylinders, e.g. \"60 mm\"; stresses need it").type("LENGTH");
-  command.add("--materials", a.materials, "Table of materials (material,name,density,...) or of the material of each grain (id,material)").type("FILE");
+  command.add("--thickness", a.thickness, "Out-of-plane length of the cylinders, e.g. \"60 mm\"; stresses need it")
+      .type("LENGTH");
+  command
+      .add("--materials", a.materials,
+           "Table of materials (material,name,density,...) or of the material of each grain (id,material)")
+      .type("FILE");
 }
 
 void add_reading(Options& command, MeasureArguments& a) {
   auto formats = io::words_of(io::samples::all, &io::SampleFormat::name);
   formats.insert(formats.begin(), "auto");
   command.add("--format", a.format, "Format of the files; auto: by their first line").among(formats).type("NAME");
-  command.add("--grain-columns", a.grain_columns, "Columns of a grain table without header, e.g. \"id,x,y,-,radius\"").type("NAMES");
-  command
-      .add("--columns", a.contact_columns,
-           "Columns of a contact table without header, e.g. \"i,j,-,ft [N],fn [N]\" or \"i,j,fx,fy\"; or of a LAMMPS dump with computes other than those in "
-           "docs/measure.md, e.g. \"-,patom1,patom2,fx,fy,p1,p2\"")
+  command.add("--grain-columns", a.grain_columns, "Columns of a grain table without header, e.g. \"id,x,y,-,radius\"")
       .type("NAMES");
   command
-      .add("--touching", a.touching, "Without a file of contacts: widest gap between the surfaces of grains that are taken to touch; forces are then not known")
+      .add("--columns", a.contact_columns,
+           "Columns of a contact table without header, e.g. \"i,j,-,ft [N],fn [N]\" or \"i,j,fx,fy\"; or of a LAMMPS "
+           "dump with computes other than those in docs/measure.md, e.g. \"-,patom1,patom2,fx,fy,p1,p2\"")
+      .type("NAMES");
+  command
+      .add("--touching", a.touching,
+           "Without a file of contacts: widest gap between the surfaces of grains that are taken to touch; forces are "
+           "then not known")
       .type("LENGTH");
   command.add("--y-down", a.y_down, "y counts image rows, which point down; y is flipped, fn and ft are kept");
-  command.add("--doubled", a.doubled, "What to do with a contact listed twice: error, or merge (taken once, with the mean of its forces)")
+  command
+      .add("--doubled", a.doubled,
+           "What to do with a contact listed twice: error, or merge (taken once, with the mean of its forces)")
       .among({"error", "merge"})
       .type("WAY");
 }
@@ -144,23 +170,34 @@ void add_reading(Options& command, MeasureArguments& a) {
 /// The stresses of a stored field, measured anew.
 void measure_field(const MeasureArguments& a) {
   const FieldResult field = io::read_field(a.grains);
-  if (field.field.size() == 0) throw InputError(a.grains, 0, "is a sample that was not loaded and has no stresses; give the file of a load");
+  if (field.field.size() == 0)
+    throw InputError(a.grains, 0, "is a sample that was not loaded and has no stresses; give the file of a load");
   stress::StressOptions options = a.stress;
-  options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy, stress::Component::hydrostatic};
+  options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy,
+                        stress::Component::hydrostatic};
   const auto statistics = stress::measure(field.map, field.field, options);
   put(stdout, a.json ? to_json(stress::numbers(statistics, a.curves), 2) + "\n" : stress::to_text(statistics));
 }
 
 void add_field_statistics(Options& command, MeasureArguments& a) {
-  command.add("--clamp-rows", a.stress.clamp_rows, "Fields: rows to leave out at the lower and the upper edge; default 4").between(0, 1 << 20).type("N");
-  command.add("--leave-out-surface", a.stress.leave_out_surface, "Fields: exclude nodes that border another phase or grain");
+  command
+      .add("--clamp-rows", a.stress.clamp_rows, "Fields: rows to leave out at the lower and the upper edge; default 4")
+      .between(0, 1 << 20)
+      .type("N");
+  command.add("--leave-out-surface", a.stress.leave_out_surface,
+              "Fields: exclude nodes that border another phase or grain");
   command.add("--leave-out-unloaded", a.stress.leave_out_unloaded, "Fields: exclude nodes that carry no stress");
-  command.add("--mean-over-area", a.stress.mean_over_area, "Fields: count the void as zero stress in the mean of the sample");
+  command.add("--mean-over-area", a.stress.mean_over_area,
+              "Fields: count the void as zero stress in the mean of the sample");
 }
 
 void add_statistics(Options& command, MeasureArguments& a) {
-  command.add("--border", a.texture.border, "Width of the strip left out along walls, in mean diameters; default 2.5").between(0.0, 1000.0).type("NUMBER");
-  command.add("--load-axis", a.load_axis_deg, "Direction of the load for signed anisotropies, in degrees from x; default: greatest compression")
+  command.add("--border", a.texture.border, "Width of the strip left out along walls, in mean diameters; default 2.5")
+      .between(0.0, 1000.0)
+      .type("NUMBER");
+  command
+      .add("--load-axis", a.load_axis_deg,
+           "Direction of the load for signed anisotropies, in degrees from x; default: greatest compression")
       .between(0.0, 180.0)
       .type("DEGREES");
   command.add("--seed", a.texture.seed, "Seed of the random positions of windows; default 1").type("NUMBER");
@@ -174,12 +211,14 @@ void add_measure(Options& command, int&) {
   const auto a = std::make_shared<MeasureArguments>();
   command
       .add("grains", a->grains,
-           "Grains: " + list_of(io::words_of(io::samples::all, &io::SampleFormat::grains_are), "; ") + "; or the file of a load (.h5) for its stresses")
+           "Grains: " + list_of(io::words_of(io::samples::all, &io::SampleFormat::grains_are), "; ") +
+               "; or the file of a load (.h5) for its stresses")
       .required()
       .type("GRAINS");
   command
       .add("contacts", a->contacts,
-           "Contacts: " + list_of(io::words_of(io::samples::all, &io::SampleFormat::contacts_are), "; ") + "; none for a field, or with --touching")
+           "Contacts: " + list_of(io::words_of(io::samples::all, &io::SampleFormat::contacts_are), "; ") +
+               "; none for a field, or with --touching")
       .type("CONTACTS");
   add_statistics(command, *a);
   add_frame(command, *a);
@@ -189,9 +228,10 @@ void add_measure(Options& command, int&) {
   command.work = [a] {
     if (io::stored_kind(a->grains) == "field") return measure_field(*a);
     if (a->contacts.empty() == a->touching.empty())
-      throw InputError(a->touching.empty() ? "give the file of contacts after that of the grains, or --touching with the widest gap between grains that touch, "
-                                             "for example --touching \"0.2 mm\""
-                                           : "--touching: for grains without a file of contacts; leave out one of the two");
+      throw InputError(a->touching.empty()
+                           ? "give the file of contacts after that of the grains, or --touching with the widest gap "
+                             "between grains that touch, for example --touching \"0.2 mm\""
+                           : "--touching: for grains without a file of contacts; leave out one of the two");
     measure(*a);
   };
 }

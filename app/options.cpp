@@ -21,10 +21,12 @@ void overview() {
   std::puts(
       "\nFour workflows:\n"
       "  composite packings       arenite init composite r.toml, then arenite run r.toml\n"
-      "  cemented packings        arenite init cemented r.toml, then arenite run r.toml; a map of your own: arenite load MAP\n"
+      "  cemented packings        arenite init cemented r.toml, then arenite run r.toml; a map of your own: arenite "
+      "load MAP\n"
       "  a loaded packing's film  arenite init film r.toml, then arenite film FILM --recipe r.toml\n"
       "  many runs                arenite init study r.toml, then arenite study run r.toml\n"
-      "\nA run writes a page, report.html, in its folder; a study writes study.html, with the figures declared in a figures.toml\n"
+      "\nA run writes a page, report.html, in its folder; a study writes study.html, with the figures declared in a "
+      "figures.toml\n"
       "beside its recipe. In Python, `import arenite` has every step as a function. More: `arenite COMMAND --help`.");
 }
 
@@ -37,7 +39,8 @@ bool unknown_command(const std::string& word) {
     names.emplace_back(command.name);
   }
   const std::string near = nearest(word, names);
-  print(stderr, "arenite: unknown command \"{}\"; {}\n", word, near.empty() ? "`arenite` lists the commands" : "did you mean `arenite " + near + "`?");
+  print(stderr, "arenite: unknown command \"{}\"; {}\n", word,
+        near.empty() ? "`arenite` lists the commands" : "did you mean `arenite " + near + "`?");
   return true;
 }
 
@@ -58,7 +61,8 @@ template <class T> CLI::Option* declare(CLI::App& to, const Option& option, cons
   }
 }
 
-/// What is wrong with a number's text, "" where nothing is: "nan" compares false with both ends of a range, and no option means it.
+/// What is wrong with a number's text, "" where nothing is: "nan" compares false with both ends of a range, and no
+/// option means it.
 std::string out_of_range(const Option& option, const std::string& text) {
   double value = 0;
   if (!CLI::detail::lexical_cast(text, value)) return {};  // the reading of the value says so
@@ -70,7 +74,8 @@ std::string out_of_range(const Option& option, const std::string& text) {
 CLI::Option* declare(CLI::App& to, const Option& option, const std::string& name) {
   CLI::Option* declared = std::visit([&](auto* target) { return declare(to, option, name, *target); }, option.to);
   if (!option.choices.empty()) declared->check(CLI::IsMember(option.choices));
-  if (option.is_real() || option.range) declared->check(CLI::Validator([option](std::string& text) { return out_of_range(option, text); }, ""));
+  if (option.is_real() || option.range)
+    declared->check(CLI::Validator([option](std::string& text) { return out_of_range(option, text); }, ""));
   const auto now = [former = option.former_choices](std::string& word) {
     if (const auto at = former.find(word); at != former.end()) word = at->second;
     return std::string();
@@ -98,10 +103,14 @@ void declare(CLI::App& to, const Options& options) {
 Option& Option::required() { return is_required = true, *this; }
 Option& Option::type(std::string_view text) { return value = text, *this; }
 Option& Option::among(const std::vector<std::string>& words) { return choices = words, *this; }
-Option& Option::among(std::initializer_list<const char*> words) { return choices.assign(words.begin(), words.end()), *this; }
+Option& Option::among(std::initializer_list<const char*> words) {
+  return choices.assign(words.begin(), words.end()), *this;
+}
 Option& Option::between(double low, double high) { return range = {low, high}, *this; }
 Option& Option::formerly(std::string_view former) { return former_names.emplace_back(former), *this; }
-Option& Option::formerly(std::string_view word, std::string_view now) { return former_choices.emplace(word, now), *this; }
+Option& Option::formerly(std::string_view word, std::string_view now) {
+  return former_choices.emplace(word, now), *this;
+}
 Option& Option::not_with(std::string_view other) { return without.emplace_back(other), *this; }
 Option& Option::each() { return one_at_a_time = true, *this; }
 

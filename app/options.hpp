@@ -15,11 +15,12 @@
 
 namespace arenite::app {
 
-/// One argument of a command: its name ("result" takes its place in the line, "--out" is named; "--periodic{xy}" means xy where nothing
-/// follows it), what it sets, and its sentence in the help. What is no `bool` takes a value.
+/// One argument of a command: its name ("result" takes its place in the line, "--out" is named; "--periodic{xy}" means
+/// xy where nothing follows it), what it sets, and its sentence in the help. What is no `bool` takes a value.
 struct Option {
-  using Target = std::variant<bool*, std::string*, std::vector<std::string>*, int*, unsigned*, std::int64_t*, std::uint64_t*, double*, std::optional<int>*,
-                              std::optional<std::int64_t>*, std::optional<std::uint64_t>*, std::optional<double>*>;
+  using Target = std::variant<bool*, std::string*, std::vector<std::string>*, int*, unsigned*, std::int64_t*,
+                              std::uint64_t*, double*, std::optional<int>*, std::optional<std::int64_t>*,
+                              std::optional<std::uint64_t>*, std::optional<double>*>;
 
   std::string name;
   Target to;
@@ -34,7 +35,9 @@ struct Option {
   bool is_named() const { return name.starts_with('-'); }
   bool is_flag() const { return std::holds_alternative<bool*>(to) || name.ends_with('}'); }
   /// Whether its value is a real number; such a value is finite, whatever its range.
-  bool is_real() const { return std::holds_alternative<double*>(to) || std::holds_alternative<std::optional<double>*>(to); }
+  bool is_real() const {
+    return std::holds_alternative<double*>(to) || std::holds_alternative<std::optional<double>*>(to);
+  }
   bool repeats() const { return std::holds_alternative<std::vector<std::string>*>(to); }
 
   // What a table says of an option; none is inline, for each of the many calls would compile it again.
@@ -57,10 +60,13 @@ struct Options {
   std::function<void()> work;
 
   Option& add(std::string_view name, Option::Target to, std::string_view sentence);
-  template <class T> Option& add(std::string_view name, T& to, std::string_view sentence) { return add(name, Option::Target(&to), sentence); }
+  template <class T> Option& add(std::string_view name, T& to, std::string_view sentence) {
+    return add(name, Option::Target(&to), sentence);
+  }
 };
 
-/// Reads the command line and does the work of the command that it names; exit status, with a sentence on stderr where it is not understood.
+/// Reads the command line and does the work of the command that it names; exit status, with a sentence on stderr where
+/// it is not understood.
 int read_command_line(int argc, char** argv);
 
 /// What `read` gives; an error of a value, which has no place, as one of its option.

@@ -14,12 +14,13 @@ using workflow::StagePrediction;
 using workflow::StepLimit;
 
 std::string collision_text(const Prediction& p) {
-  return fmt::format("collision ({:.3g} s; {}, {}, radius {:.3g} mm)", p.collision.time, p.collision.with_wall ? "a grain and a wall" : "two grains",
-                     p.material, 1e3 * p.collision.radius);
+  return fmt::format("collision ({:.3g} s; {}, {}, radius {:.3g} mm)", p.collision.time,
+                     p.collision.with_wall ? "a grain and a wall" : "two grains", p.material, 1e3 * p.collision.radius);
 }
 
 std::string limit_text(const Prediction& p) {
-  const std::string share = fmt::format("1/{:.3g} of the shortest {}", p.collision.time / p.time_step, collision_text(p));
+  const std::string share =
+      fmt::format("1/{:.3g} of the shortest {}", p.collision.time / p.time_step, collision_text(p));
   switch (p.limit) {
     case StepLimit::collision: return share;
     case StepLimit::stiffness: return "the largest that the stiffness of the contacts allows, " + share;
@@ -43,16 +44,18 @@ std::string flow_text(const StagePrediction& stage) {
 
 std::string stage_line(const StagePrediction& s) {
   return fmt::format("{:<12} {:>12} {:>10} {:>9}  {:<22} {:>8}\n", s.name, count_text(s.steps, s.exact),
-                     fmt::format("{}{:.3g} s", s.exact ? "" : "~", s.duration), "~" + duration_text(s.seconds), flow_text(s),
-                     s.stiffness_number ? fmt::format("{:.2g}", *s.stiffness_number) : "");
+                     fmt::format("{}{:.3g} s", s.exact ? "" : "~", s.duration), "~" + duration_text(s.seconds),
+                     flow_text(s), s.stiffness_number ? fmt::format("{:.2g}", *s.stiffness_number) : "");
 }
 
 }  // namespace
 
 std::string prediction_text(const Prediction& p) {
-  std::string text = fmt::format("\ntime step    {:.3g} s: {}; stable up to {:.3g} s\n", p.time_step, limit_text(p), p.largest_step);
+  std::string text =
+      fmt::format("\ntime step    {:.3g} s: {}; stable up to {:.3g} s\n", p.time_step, limit_text(p), p.largest_step);
   if (p.stages.empty()) return text;
-  text += fmt::format("{:<12} {:>12} {:>10} {:>9}  {:<22} {:>8}\n", "stage", "steps", "simulated", "CPU time", "inertial number", "k/P");
+  text += fmt::format("{:<12} {:>12} {:>10} {:>9}  {:<22} {:>8}\n", "stage", "steps", "simulated", "CPU time",
+                      "inertial number", "k/P");
   bool all_exact = true;
   std::int64_t steps = 0;
   for (const StagePrediction& stage : p.stages) {
@@ -60,12 +63,14 @@ std::string prediction_text(const Prediction& p) {
     all_exact = all_exact && stage.exact;
     steps += stage.steps;
   }
-  const std::string from =
-      p.sample < p.grains ? fmt::format("a sample of {} grains, for about {}", p.sample, p.grains) : fmt::format("its {} grains", p.grains);
-  text += fmt::format("total        {:>12} steps, about {} on one free core, at {:.2g} s per step timed on {}\n", count_text(steps, all_exact),
-                      duration_text(p.seconds()), p.seconds_per_step, from);
+  const std::string from = p.sample < p.grains ? fmt::format("a sample of {} grains, for about {}", p.sample, p.grains)
+                                               : fmt::format("its {} grains", p.grains);
+  text += fmt::format("total        {:>12} steps, about {} on one free core, at {:.2g} s per step timed on {}\n",
+                      count_text(steps, all_exact), duration_text(p.seconds()), p.seconds_per_step, from);
   if (!all_exact)
-    text += "~ marks an estimate: a stage that ends at equilibrium lasts until the sample stops oscillating, which may take half or twice as long\n";
+    text +=
+        "~ marks an estimate: a stage that ends at equilibrium lasts until the sample stops oscillating, which may "
+        "take half or twice as long\n";
   for (const std::string& warning : p.warnings) text += "warning: " + warning + "\n";
   return text;
 }

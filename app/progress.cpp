@@ -18,7 +18,9 @@ volatile std::sig_atomic_t requested = 0;
 void stop_by_signal(int) { requested = 1; }
 
 /// As duration_text, without tenths.
-std::string whole_seconds(double seconds) { return seconds < 10 ? fmt::format("{:.0f} s", seconds) : duration_text(seconds); }
+std::string whole_seconds(double seconds) {
+  return seconds < 10 ? fmt::format("{:.0f} s", seconds) : duration_text(seconds);
+}
 
 std::string bar(double share) {
   constexpr int width = 24;
@@ -44,7 +46,10 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600);
 }
 
-StatusLine::StatusLine(bool quiet) : quiet_(quiet), terminal_(isatty(fileno(stderr)) != 0), last_shown_(Clock::now() - std::chrono::hours(1)) {}
+StatusLine::StatusLine(bool quiet)
+    : quiet_(quiet),
+      terminal_(isatty(fileno(stderr)) != 0),
+      last_shown_(Clock::now() - std::chrono::hours(1)) {}
 
 void StatusLine::end() {
   if (open_) std::fputc('\n', stderr);
@@ -76,7 +81,9 @@ bool StageClock::see(const workflow::Progress& progress) {
   return true;
 }
 
-double StageClock::seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count(); }
+double StageClock::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+}
 
 double StageClock::seconds_left(double share) const {
   const double gained = share - share_at_start_, elapsed = seconds();
@@ -89,8 +96,8 @@ std::string ProgressLine::text(const workflow::Progress& progress) const {
   if (progress.reused) return line + " taken from an earlier run";
   line += fmt::format(" {} {:3.0f} %", bar(progress.share), 100 * progress.share);
   if (progress.step > 0)
-    line += fmt::format("  {} {}  {} {:.1e}", progress.field ? "iteration" : "step", progress.step, progress.field ? "residual" : "unbalanced",
-                        progress.unbalanced_ratio);
+    line += fmt::format("  {} {}  {} {:.1e}", progress.field ? "iteration" : "step", progress.step,
+                        progress.field ? "residual" : "unbalanced", progress.unbalanced_ratio);
   if (progress.share >= 1) return line + fmt::format("  {} total", whole_seconds(clock_.seconds()));
   const double left = clock_.seconds_left(progress.share);
   return std::isnan(left) ? line : line + fmt::format("  about {} left", whole_seconds(left));

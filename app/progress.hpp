@@ -55,8 +55,8 @@ class StageClock {
   std::chrono::steady_clock::time_point began_;
 };
 
-/// Shows where a run stands: on a terminal with a bar and the time left; elsewhere a plain line when a stage begins or ends
-/// and at most one every ten seconds.
+/// Shows where a run stands: on a terminal with a bar and the time left; elsewhere a plain line when a stage begins or
+/// ends and at most one every ten seconds.
 class ProgressLine : public StatusLine {
  public:
   using StatusLine::StatusLine;

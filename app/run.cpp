@@ -42,16 +42,19 @@ fs::path folder_for(const std::string& recipe, const RunArguments& arguments) {
 }
 
 /// What only the run finds wrong with a key that --set gave is no slip of the recipe.
-InputError blame_overrides(const InputError& error, const std::string& recipe, const std::vector<std::string>& overrides) {
+InputError blame_overrides(const InputError& error, const std::string& recipe,
+                           const std::vector<std::string>& overrides) {
   auto problems = error.problems();
   for (auto& problem : problems)
     for (const auto& assignment : overrides)
-      if (problem.file == recipe && problem.message.starts_with(assignment.substr(0, assignment.find('=')) + " ")) problem.file = "--set " + assignment;
+      if (problem.file == recipe && problem.message.starts_with(assignment.substr(0, assignment.find('=')) + " "))
+        problem.file = "--set " + assignment;
   return InputError(std::move(problems));
 }
 
 /// The run itself, with its line and its status file.
-workflow::RunOutcome carry_out(const recipe::Recipe& recipe, const fs::path& folder, const RunArguments& arguments, StatusFile& status) {
+workflow::RunOutcome carry_out(const recipe::Recipe& recipe, const fs::path& folder, const RunArguments& arguments,
+                               StatusFile& status) {
   workflow::RunOptions options;
   options.out = folder;
   options.checkpoint_seconds = arguments.checkpoint_seconds;
@@ -90,17 +93,17 @@ Status run_one(const recipe::Recipe& recipe, const fs::path& folder, const RunAr
   const auto page = folder / "report.html";
   report::write_page(page, {.stages = outcome.stages, .fields = outcome.fields, .measured = &outcome.measured});
   status.finish();
-  print("\nresults: {0}\npage:    {1}   (open it in a browser)\nnumbers: arenite show {0}\n", folder.string(), page.string());
+  print("\nresults: {0}\npage:    {1}   (open it in a browser)\nnumbers: arenite show {0}\n", folder.string(),
+        page.string());
   return outcome.converged ? done : not_converged;
 }
 
 recipe::Recipe read(const std::string& file, const std::vector<std::string>& overrides) {
   if (recipe::describes_film(io::read_file(file)))
-    throw InputError(
-        file, 0,
-        fmt::format(
-            "is the recipe of a film (`arenite film FILM --recipe {}`), not of a simulation; `arenite init composite r.toml` writes one of a simulation",
-            file));
+    throw InputError(file, 0,
+                     fmt::format("is the recipe of a film (`arenite film FILM --recipe {}`), not of a simulation; "
+                                 "`arenite init composite r.toml` writes one of a simulation",
+                                 file));
   return recipe::read_recipe(file, overrides);
 }
 
@@ -126,13 +129,21 @@ int execute(const RunArguments& arguments) {
 
 void add_run(Options& command, int& status) {
   auto arguments = std::make_shared<RunArguments>();
-  command.add("recipe", arguments->recipes, "Recipe to run (TOML); several are run one after the other").required().type("RECIPE.toml");
+  command.add("recipe", arguments->recipes, "Recipe to run (TOML); several are run one after the other")
+      .required()
+      .type("RECIPE.toml");
   add_overrides(command, arguments->overrides);
-  command.add("--out", arguments->out, "Output folder; with several recipes, one subfolder each (default: out/NAME)").type("DIR");
-  command.add("--threads", arguments->threads, "Threads (default: 1); the results do not depend on their number").between(1, 1024).type("N");
+  command.add("--out", arguments->out, "Output folder; with several recipes, one subfolder each (default: out/NAME)")
+      .type("DIR");
+  command.add("--threads", arguments->threads, "Threads (default: 1); the results do not depend on their number")
+      .between(1, 1024)
+      .type("N");
   command.add("--kernel", arguments->kernel, "Kernel of the contact loop: auto, portable, avx2, avx512").type("NAME");
-  command.add("--checkpoint-every", arguments->checkpoint_seconds, "Seconds between two checkpoints").between(0.0, 1e9).type("S");
-  command.add("--watch", arguments->watch, "Serve a live page of the run to browsers on this machine, and print its address");
+  command.add("--checkpoint-every", arguments->checkpoint_seconds, "Seconds between two checkpoints")
+      .between(0.0, 1e9)
+      .type("S");
+  command.add("--watch", arguments->watch,
+              "Serve a live page of the run to browsers on this machine, and print its address");
   command.add("--quiet", arguments->quiet, "Show no progress");
   command.work = [arguments, &status] { status = execute(*arguments); };
 }

@@ -38,7 +38,8 @@ fs::path request_in(const fs::path& folder) { return folder / ".stop"; }
 Numbers walls_of(const workflow::Progress& p) {
   Numbers walls = Numbers::tree();
   for (std::size_t side = 0; side < 4; ++side)
-    if (p.wall[side].present) walls[side_names[side]] = Numbers::tree({{"position_m", p.wall[side].position}, {"force_N", p.wall[side].force}});
+    if (p.wall[side].present)
+      walls[side_names[side]] = Numbers::tree({{"position_m", p.wall[side].position}, {"force_N", p.wall[side].force}});
   return walls;
 }
 
@@ -46,7 +47,11 @@ Numbers walls_of(const workflow::Progress& p) {
 void add_rows(std::string& text, const std::string& name, const Numbers& n) {
   if (n.is_tree())
     for (const auto& [own, item] : n.items()) add_rows(text, name.empty() ? own : name + "." + own, item);
-  else text += fmt::format("{},{}\n", name, n.is_text() ? io::quoted_cell(n.get<std::string>()) : n.is_known() ? to_json(n) : "unknown");
+  else
+    text += fmt::format("{},{}\n", name,
+                        n.is_text()    ? io::quoted_cell(n.get<std::string>())
+                        : n.is_known() ? to_json(n)
+                                       : "unknown");
 }
 
 /// Throws std::out_of_range for the file of another program.
@@ -55,7 +60,9 @@ RunStatus status_from(const std::string& text) {
   std::map<std::string, std::string> cells;
   for (const auto& row : io::read_table(text, "", problems).rows)
     if (row.cells.size() == 2) cells.emplace(row.cells[0], row.cells[1]);
-  const auto number = [&](const std::string& name) { return io::to_number(cells.at(name)).value_or(std::numeric_limits<double>::quiet_NaN()); };
+  const auto number = [&](const std::string& name) {
+    return io::to_number(cells.at(name)).value_or(std::numeric_limits<double>::quiet_NaN());
+  };
   const auto whole = [&](const std::string& name) { return io::to_integer(cells.at(name)).value_or(0); };
   RunStatus s;
   workflow::Progress& p = s.progress;
@@ -87,7 +94,9 @@ RunStatus status_from(const std::string& text) {
   return s;
 }
 
-std::string clock_text(double seconds) { return fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::localtime(static_cast<std::time_t>(seconds))); }
+std::string clock_text(double seconds) {
+  return fmt::format("{:%Y-%m-%d %H:%M:%S}", fmt::localtime(static_cast<std::time_t>(seconds)));
+}
 
 std::string where(const workflow::Progress& p) {
   std::string text = fmt::format("stage {} of {}, {}", p.stage + 1, p.stages, p.name);
@@ -152,21 +161,30 @@ Numbers run_status_numbers(const RunStatus& s) {
 std::string run_status_text(const fs::path& folder) {
   const auto status = read_run_status(folder);
   if (!status) return "";
-  const std::string process = fmt::format("process {} on {}", status->process, status->host), at = where(status->progress);
+  const std::string process = fmt::format("process {} on {}", status->process, status->host),
+                    at = where(status->progress);
   const std::string heard = fmt::format("last update {}", clock_text(status->heard));
   switch (life_of(*status, folder)) {
     case Life::running: {
-      const std::string left = std::isnan(status->seconds_left) ? "" : fmt::format(", about {} left of the stage", duration_text(status->seconds_left));
-      return fmt::format("Running: {}{}\n  since {}, this stage since {}; {}\n", at, left, clock_text(status->began), clock_text(status->stage_began), process);
+      const std::string left = std::isnan(status->seconds_left)
+                                   ? ""
+                                   : fmt::format(", about {} left of the stage", duration_text(status->seconds_left));
+      return fmt::format("Running: {}{}\n  since {}, this stage since {}; {}\n", at, left, clock_text(status->began),
+                         clock_text(status->stage_began), process);
     }
-    case Life::stopped: return fmt::format("Stopped: {}\n  {}; the same command continues from the checkpoint\n", at, heard);
-    case Life::died: return fmt::format("Died: {}\n  {} is gone, {}; the same command continues from the last checkpoint\n", at, process, heard);
+    case Life::stopped:
+      return fmt::format("Stopped: {}\n  {}; the same command continues from the checkpoint\n", at, heard);
+    case Life::died:
+      return fmt::format("Died: {}\n  {} is gone, {}; the same command continues from the last checkpoint\n", at,
+                         process, heard);
     case Life::unknown: return fmt::format("Unknown whether it is still running: {}\n  {}, {}\n", at, process, heard);
   }
   return "";
 }
 
-StatusFile::StatusFile(fs::path folder, std::function<void()> stop) : folder_(std::move(folder)), stop_(std::move(stop)) {
+StatusFile::StatusFile(fs::path folder, std::function<void()> stop)
+    : folder_(std::move(folder)),
+      stop_(std::move(stop)) {
   status_.process = ::getpid();
   status_.host = host_name();
   status_.began = status_.stage_began = now();

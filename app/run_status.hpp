@@ -31,8 +31,8 @@ std::optional<RunStatus> read_run_status(const std::filesystem::path& folder);
 enum class Life { running, stopped, died, unknown };  ///< unknown: of another machine, and not heard of for a minute
 Life life_of(const RunStatus& status, const std::filesystem::path& folder);
 
-/// Asks the run in this folder to write its checkpoint and leave, by a file that it looks for; no process is signalled by a
-/// number that stands in a file. False where none runs on this machine.
+/// Asks the run in this folder to write its checkpoint and leave, by a file that it looks for; no process is signalled
+/// by a number that stands in a file. False where none runs on this machine.
 bool ask_to_stop(const std::filesystem::path& folder);
 
 /// What is running, in lines for people; empty for a folder without a status.
@@ -40,9 +40,10 @@ std::string run_status_text(const std::filesystem::path& folder);
 /// The same for programs.
 Numbers run_status_numbers(const RunStatus& status);
 
-/// Keeps `status.csv` of a run, at most every half second and by a thread of its own, so that the run never waits for the disk. Nothing is written
-/// before the folder is there, or where it cannot be; a run that ends whole removes it, one that is stopped leaves it. Meanwhile it holds a lock
-/// beside the file, by which others see that the run lives, and calls `stop` where it is asked to leave.
+/// Keeps `status.csv` of a run, at most every half second and by a thread of its own, so that the run never waits for
+/// the disk. Nothing is written before the folder is there, or where it cannot be; a run that ends whole removes it,
+/// one that is stopped leaves it. Meanwhile it holds a lock beside the file, by which others see that the run lives,
+/// and calls `stop` where it is asked to leave.
 class StatusFile {
  public:
   StatusFile(std::filesystem::path folder, std::function<void()> stop);

@@ -23,7 +23,8 @@ struct ShowArguments {
   bool json = false, all = false, states = false, numbers = false;
 };
 
-constexpr const char* give_a_result = "give the folder that `arenite run`, `arenite film` or `arenite load --out` wrote, or a .h5 file of it";
+constexpr const char* give_a_result =
+    "give the folder that `arenite run`, `arenite film` or `arenite load --out` wrote, or a .h5 file of it";
 
 bool is_study(const fs::path& folder) {
   std::error_code error;
@@ -34,7 +35,9 @@ bool holds_maps(const fs::path& folder) {
   std::error_code error;
   for (const std::string& ending : io::film_endings_to_write(true))
     for (const char* map : {"in_phase", "jump"})
-      if (fs::exists(folder / (std::string(map) + ending), error) && fs::exists(folder / ("standard_error" + ending), error)) return true;
+      if (fs::exists(folder / (std::string(map) + ending), error) &&
+          fs::exists(folder / ("standard_error" + ending), error))
+        return true;
   return false;
 }
 
@@ -43,7 +46,8 @@ bool may_hold_something(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    if (!entry->is_directory(error) && (name.ends_with(".h5") || std::any_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; })))
+    if (!entry->is_directory(error) &&
+        (name.ends_with(".h5") || std::any_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; })))
       return true;
   }
   return static_cast<bool>(error);
@@ -56,22 +60,27 @@ void refuse(const fs::path& path, bool study_passes) {
     if (is_study(path)) {
       if (study_passes) return;
       throw InputError(name, 0,
-                       fmt::format("is the folder of a study, not a result; give one of its runs, {}/runs/NAME; `arenite study status RECIPE --out {}` "
-                                   "reports its progress",
+                       fmt::format("is the folder of a study, not a result; give one of its runs, {}/runs/NAME; "
+                                   "`arenite study status RECIPE --out {}` reports its progress",
                                    name, name));
     }
-    if (holds_maps(path)) throw InputError(name, 0, fmt::format("contains the maps of a film, one image each, and is not a result; {}", give_a_result));
+    if (holds_maps(path))
+      throw InputError(
+          name, 0, fmt::format("contains the maps of a film, one image each, and is not a result; {}", give_a_result));
     if (!may_hold_something(path)) throw InputError(name, 0, fmt::format("is not a result; {}", give_a_result));
     return;
   }
   if (fs::is_regular_file(path, error)) {
     // A recipe as text may look like a film as text.
-    if (path.extension() == ".toml") throw InputError(name, 0, fmt::format("is a recipe, not a result; {}", give_a_result));
+    if (path.extension() == ".toml")
+      throw InputError(name, 0, fmt::format("is a recipe, not a result; {}", give_a_result));
     return;
   }
   const auto* source = validation::find_study(name);
   if (source && source->has_runs())
-    throw InputError(name, 0, "is a built-in study, not a result; `arenite verify` runs it, and the folder of each of its runs is a result");
+    throw InputError(
+        name, 0,
+        "is a built-in study, not a result; `arenite verify` runs it, and the folder of each of its runs is a result");
 }
 
 std::string shown(const ShowArguments& a) {
@@ -106,14 +115,22 @@ void refuse_neither_result_nor_study(const std::string& path) { refuse(path, tru
 
 void add_show(Options& command, int&) {
   const auto a = std::make_shared<ShowArguments>();
-  command.add("result", a->result, "Stage file (.h5) or folder of a run, or a film: a file, a folder of frames, or a name with *").required().type("RESULT");
-  command.add("--json", a->json, "Print everything as JSON: provenance, stages, statistics of the last state; or the metadata of a film");
+  command
+      .add("result", a->result,
+           "Stage file (.h5) or folder of a run, or a film: a file, a folder of frames, or a name with *")
+      .required()
+      .type("RESULT");
+  command.add("--json", a->json,
+              "Print everything as JSON: provenance, stages, statistics of the last state; or the metadata of a film");
   command.add("--all", a->all, "Print every number, not only the headlines").not_with("--json");
-  command.add("--numbers", a->numbers, "Print every number under its name in files and tables, with its error, unit and meaning")
+  command
+      .add("--numbers", a->numbers,
+           "Print every number under its name in files and tables, with its error, unit and meaning")
       .not_with("--json")
       .not_with("--all")
       .not_with("--states");
-  command.add("--states", a->states, "Print one row per stored state as CSV: strains, stress and fabric along the loading")
+  command
+      .add("--states", a->states, "Print one row per stored state as CSV: strains, stress and fabric along the loading")
       .not_with("--json")
       .not_with("--all");
   a->reading.add_to(command);

@@ -33,25 +33,33 @@ FilmMaps maps_of(const thermography::StepMaps& m) {
 }
 
 Numbers numbers(const thermography::StepMaps& m, const StepArguments& a, const FilmInfo& film) {
-  const auto relaxation = [](double time, const char* sentence) { return described(time > 0 ? Numbers(time) : Numbers(), "s", sentence); };
+  const auto relaxation = [](double time, const char* sentence) {
+    return described(time > 0 ? Numbers(time) : Numbers(), "s", sentence);
+  };
   return {{"time_s", described(m.time, "s", "Middle of the step after the first frame")},
           {"time", a.time.empty() ? "found on the film" : "given"},
-          {"rise_s", described(m.rise, "s", "Time for which the film shows the load on its way; frames in between are left out")},
+          {"rise_s",
+           described(m.rise, "s", "Time for which the film shows the load on its way; frames in between are left out")},
           {"frames_before", described(m.before, "", "Frames used before the step")},
           {"frames_after", described(m.after, "", "Frames used after it")},
           {"blank_frames", described(m.blank, "", "Frames that hold no picture and are left out")},
           {"width", described(m.width, "", "Pixels along x")},
           {"height", described(m.height, "", "Pixels along y")},
-          {"drift_order", described(m.drift_order, "", "Order of the polynomial that describes the drift of a pixel on each side")},
+          {"drift_order",
+           described(m.drift_order, "", "Order of the polynomial that describes the drift of a pixel on each side")},
           {"unit", unit_of(film)},
-          {"relaxation_before_s", relaxation(m.relaxation_before, "Time of the exponential by which pixels relax before the step")},
-          {"relaxation_after_s", relaxation(m.relaxation_after, "Time of the exponential by which pixels relax after the step")},
+          {"relaxation_before_s",
+           relaxation(m.relaxation_before, "Time of the exponential by which pixels relax before the step")},
+          {"relaxation_after_s",
+           relaxation(m.relaxation_after, "Time of the exponential by which pixels relax after the step")},
           {"median", medians(maps_of(m), film)}};
 }
 
 int execute(StepArguments& a) {
   thermography::StepOptions& o = a.options;
-  const auto seconds = [](const char* option, const std::string& text) { return option_value(option, [&] { return parse_si(text, dimension::time, "s"); }); };
+  const auto seconds = [](const char* option, const std::string& text) {
+    return option_value(option, [&] { return parse_si(text, dimension::time, "s"); });
+  };
   if (!a.time.empty()) o.time = seconds("--time", a.time);
   o.rise = seconds("--rise", a.rise);
   if (!a.window.empty()) o.window = seconds("--window", a.window);
@@ -81,10 +89,18 @@ int execute(StepArguments& a) {
 void add_step(Options& command, int& status) {
   const auto a = std::make_shared<StepArguments>();
   command.add("film", a->film, "Film of a sample whose load steps once").required().type("FILM");
-  command.add("--time", a->time, "Time of the middle of the step after the first frame, e.g. \"2.5 s\"; if not given, found on the film").type("TIME");
-  command.add("--rise", a->rise, "Time that the load takes to change; frames within it are left out; default 0 s").type("TIME");
-  command.add("--window", a->window, "Time before and after the step that is used; default: the whole film").type("TIME");
-  command.add("--drift", a->options.drift_order, "Order of the polynomial that describes the drift of pixels on each side; default 1").type("N");
+  command
+      .add("--time", a->time,
+           "Time of the middle of the step after the first frame, e.g. \"2.5 s\"; if not given, found on the film")
+      .type("TIME");
+  command.add("--rise", a->rise, "Time that the load takes to change; frames within it are left out; default 0 s")
+      .type("TIME");
+  command.add("--window", a->window, "Time before and after the step that is used; default: the whole film")
+      .type("TIME");
+  command
+      .add("--drift", a->options.drift_order,
+           "Order of the polynomial that describes the drift of pixels on each side; default 1")
+      .type("N");
   command.add("--out", a->out, "Folder for the maps; if not given, nothing is stored").type("DIR");
   command.add("--format", a->format, "Format of the maps").among(io::film_formats_to_write(true));
   a->reading.add_to(command);

@@ -24,7 +24,8 @@ std::size_t cores() { return std::max(1u, std::thread::hardware_concurrency()); 
 campaign::StudyFolder folder_of(const StudyArguments& arguments) {
   const auto recipe = fs::absolute(arguments.recipe);
   const fs::path name = recipe.stem() == "recipe" ? recipe.parent_path().filename() : recipe.stem();
-  return campaign::StudyFolder(arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out), arguments.store);
+  return campaign::StudyFolder(arguments.out.empty() ? fs::path("out") / name : fs::path(arguments.out),
+                               arguments.store);
 }
 
 /// "2/4": the second of four.
@@ -37,8 +38,10 @@ void read_shard(const std::string& text, campaign::StudyOptions& options) {
     return error == std::errc{} && end == digits.data() + digits.size();
   };
   const std::string_view view(text);
-  if (slash == std::string::npos || !whole(view.substr(0, slash), part) || !whole(view.substr(slash + 1), options.shards) || part < 1 || part > options.shards)
-    throw InputError(fmt::format("--shard {}: write the part and the number of parts, counted from 1, for example 2/4", text));
+  if (slash == std::string::npos || !whole(view.substr(0, slash), part) ||
+      !whole(view.substr(slash + 1), options.shards) || part < 1 || part > options.shards)
+    throw InputError(
+        fmt::format("--shard {}: write the part and the number of parts, counted from 1, for example 2/4", text));
   options.shard = part - 1;
 }
 
@@ -62,7 +65,8 @@ int run_command(const StudyArguments& arguments, const campaign::Study& study, c
   return outcome.not_done > 0 ? not_converged : done;
 }
 
-int collect_command(const StudyArguments& arguments, const campaign::Study& study, const campaign::StudyFolder& folder) {
+int collect_command(const StudyArguments& arguments, const campaign::Study& study,
+                    const campaign::StudyFolder& folder) {
   auto table = campaign::collect(study, folder);
   std::string name = "numbers";
   if (!arguments.by.empty()) {
@@ -87,8 +91,8 @@ int execute(const StudyArguments& arguments) {
     if (!arguments.slurm) throw InputError("script: name the scheduler; only --slurm is supported");
     if (!arguments.shard.empty() || arguments.retry)
       throw InputError(
-          fmt::format("{} is an option of run; each task of the script does one of the --tasks parts, and failed runs are repeated by `arenite "
-                      "study run --retry`",
+          fmt::format("{} is an option of run; each task of the script does one of the --tasks parts, and failed runs "
+                      "are repeated by `arenite study run --retry`",
                       arguments.shard.empty() ? "--retry" : "--shard"));
     const auto study = campaign::read_study(arguments.recipe, arguments.overrides);  // so that slips show here
     workflow::make_folder(folder.out);
@@ -96,8 +100,10 @@ int execute(const StudyArguments& arguments) {
     return done;
   }
   if (arguments.what != "run" && !fs::exists(folder.out))
-    throw InputError(folder.out.string(), 0,
-                     fmt::format("there is no such study; `arenite study run {}` creates it, or give its folder with --out", arguments.recipe));
+    throw InputError(
+        folder.out.string(), 0,
+        fmt::format("there is no such study; `arenite study run {}` creates it, or give its folder with --out",
+                    arguments.recipe));
   // Slips of the recipe leave no folder.
   if (!fs::exists(folder.out)) static_cast<void>(campaign::read_study(arguments.recipe, arguments.overrides));
   workflow::make_folder(folder.out);
@@ -117,24 +123,40 @@ int execute(const StudyArguments& arguments) {
 void add_study(Options& command, int& status) {
   auto a = std::make_shared<StudyArguments>();
   a->jobs = cores();
-  command.add("what", a->what, "Action: list the runs, run them, report progress, collect their numbers, draw the figures, write a script for a cluster")
+  command
+      .add("what", a->what,
+           "Action: list the runs, run them, report progress, collect their numbers, draw the figures, write a script "
+           "for a cluster")
       .required()
       .type("WHAT")
       .among({"plan", "run", "status", "collect", "page", "script"});
   command.add("recipe", a->recipe, "Recipe with a section [sweep] (TOML)").required().type("RECIPE.toml");
   add_overrides(command, a->overrides);
   command.add("--out", a->out, "Folder of the study (default: out/NAME)").type("DIR");
-  command.add("--store", a->store, "Folder of stages shared by runs (default: store in the study's folder)").type("DIR");
-  command.add("--jobs", a->jobs, "Concurrent runs, each in its own process (default: all cores)").between(1, 4096).type("J");
-  command.add("--threads", a->threads, "Threads in each run (default: 1); the results do not depend on their number").between(1, 1024).type("N");
+  command.add("--store", a->store, "Folder of stages shared by runs (default: store in the study's folder)")
+      .type("DIR");
+  command.add("--jobs", a->jobs, "Concurrent runs, each in its own process (default: all cores)")
+      .between(1, 4096)
+      .type("J");
+  command.add("--threads", a->threads, "Threads in each run (default: 1); the results do not depend on their number")
+      .between(1, 1024)
+      .type("N");
   command.add("--shard", a->shard, "run: do only one part of the runs, e.g. 2/4").type("I/N");
   command.add("--retry", a->retry, "run: repeat failed runs");
-  command.add("--keep", a->keep, "run: keep all files, or only the numbers of cemented samples and loads").type("WHAT").among({"all", "numbers"});
-  command.add("--checkpoint-every", a->checkpoint_seconds, "run: seconds between two checkpoints of a run").between(0.0, 1e9).type("S");
+  command.add("--keep", a->keep, "run: keep all files, or only the numbers of cemented samples and loads")
+      .type("WHAT")
+      .among({"all", "numbers"});
+  command.add("--checkpoint-every", a->checkpoint_seconds, "run: seconds between two checkpoints of a run")
+      .between(0.0, 1e9)
+      .type("S");
   command.add("--quiet", a->quiet, "run, script: show no progress");
-  command.add("--by", a->by, "collect: average over runs with equal values of this swept key; may be repeated").each().type("KEY");
+  command.add("--by", a->by, "collect: average over runs with equal values of this swept key; may be repeated")
+      .each()
+      .type("KEY");
   command.add("--slurm", a->slurm, "script: for Slurm");
-  command.add("--tasks", a->tasks, "script: number of tasks of the array, each of which does its part of the runs").between(1, 100000).type("N");
+  command.add("--tasks", a->tasks, "script: number of tasks of the array, each of which does its part of the runs")
+      .between(1, 100000)
+      .type("N");
   command.add("--time", a->time, "script: wall time of a task").type("H:MM:SS");
   command.work = [a, &status] { status = execute(*a); };
 }

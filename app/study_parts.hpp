@@ -25,9 +25,10 @@ std::string status_text(const campaign::Study& study, const campaign::StudyFolde
 /// A script for Slurm that runs the study as an array of tasks.
 std::string slurm_script(const StudyArguments& arguments, const campaign::StudyFolder& folder);
 
-/// Does the runs that are left, with `options` for what the user chose; shows progress unless `quiet`, tells notices, and
-/// leaves at a signal, or where `options` asks to.
-campaign::StudyOutcome run_missing(const campaign::Study& study, const campaign::StudyFolder& folder, campaign::StudyOptions options, bool quiet);
+/// Does the runs that are left, with `options` for what the user chose; shows progress unless `quiet`, tells notices,
+/// and leaves at a signal, or where `options` asks to.
+campaign::StudyOutcome run_missing(const campaign::Study& study, const campaign::StudyFolder& folder,
+                                   campaign::StudyOptions options, bool quiet);
 
 /// Where the figures of a study are declared: figures.toml beside its recipe.
 std::filesystem::path figures_of(const campaign::Study& study);

@@ -22,7 +22,9 @@ namespace {
 
 using campaign::RunState;
 
-std::string counted(std::size_t n, const char* one, const char* many) { return fmt::format("{} {}", n, n == 1 ? one : many); }
+std::string counted(std::size_t n, const char* one, const char* many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
 
 /// Every stage by its name, in the order of the runs.
 std::string stage_lines(const campaign::Study& study, const campaign::StudyFolder& folder) {
@@ -37,7 +39,8 @@ std::string stage_lines(const campaign::Study& study, const campaign::StudyFolde
     for (const auto& planned : run.stages) {
       Stage& stage = stages[planned.name];
       if (stage.wanted++ == 0) order.push_back(planned.name);
-      if (stage.different.insert(planned.hash).second) stage.there += std::filesystem::exists(workflow::stored_file(folder.store, planned.hash), error);
+      if (stage.different.insert(planned.hash).second)
+        stage.there += std::filesystem::exists(workflow::stored_file(folder.store, planned.hash), error);
     }
   std::string text = fmt::format("{:<16} {:>8} {:>10} {:>14}\n", "stage", "wanted", "different", "in the store");
   for (const auto& name : order) {
@@ -50,8 +53,9 @@ std::string stage_lines(const campaign::Study& study, const campaign::StudyFolde
 std::string saved_line(const campaign::StudyFolder& folder) {
   const auto account = workflow::read_account(folder.store);
   if (account.computed + account.reused == 0) return {};
-  return fmt::format("store: {} computed in {} of CPU time; {} reused, which saved {} of CPU time\n", counted(account.computed, "stage", "stages"),
-                     duration_text(account.seconds_computed), account.reused, duration_text(account.seconds_saved));
+  return fmt::format("store: {} computed in {} of CPU time; {} reused, which saved {} of CPU time\n",
+                     counted(account.computed, "stage", "stages"), duration_text(account.seconds_computed),
+                     account.reused, duration_text(account.seconds_saved));
 }
 
 }  // namespace
@@ -65,11 +69,12 @@ std::string plan_text(const campaign::Study& study, const campaign::StudyFolder&
   if (runs.size() < study.runs.size()) text += fmt::format(", {} of them different", runs.size());
   text += "\n\n" + stage_lines(study, folder) + "\n";
   const double seconds = campaign::seconds_of_missing(study, runs, folder);
-  if (std::isnan(seconds)) text += "time: not known until the first run has ended, because some stages have not been timed yet\n";
+  if (std::isnan(seconds))
+    text += "time: not known until the first run has ended, because some stages have not been timed yet\n";
   else if (seconds == 0) text += "time: all stages are in the store\n";
   else
-    text += fmt::format("time: about {} of CPU time left, {} with {} at a time\n", duration_text(seconds), duration_text(seconds / static_cast<double>(jobs)),
-                        counted(jobs, "run", "runs"));
+    text += fmt::format("time: about {} of CPU time left, {} with {} at a time\n", duration_text(seconds),
+                        duration_text(seconds / static_cast<double>(jobs)), counted(jobs, "run", "runs"));
   return text;
 }
 
@@ -84,18 +89,22 @@ std::string status_text(const campaign::Study& study, const campaign::StudyFolde
     const RunState state = at == states.end() ? RunState{} : at->second;
     ++count[state.kind];
     if (state.kind == RunState::Kind::failed || state.kind == RunState::Kind::unfinished)
-      failures += fmt::format("{}  {} ({}): {}\n", run.name, campaign::word_for(state.kind), campaign::describe(run), state.reason);
+      failures += fmt::format("{}  {} ({}): {}\n", run.name, campaign::word_for(state.kind), campaign::describe(run),
+                              state.reason);
   }
   std::string text = fmt::format("{}:", counted(seen.size(), "run", "runs"));
   const char* separator = " ";
-  for (const auto kind : {RunState::Kind::done, RunState::Kind::running, RunState::Kind::waiting, RunState::Kind::unfinished, RunState::Kind::failed})
-    if (count[kind] > 0) text += fmt::format("{}{} {}", std::exchange(separator, ", "), count[kind], campaign::word_for(kind));
+  for (const auto kind : {RunState::Kind::done, RunState::Kind::running, RunState::Kind::waiting,
+                          RunState::Kind::unfinished, RunState::Kind::failed})
+    if (count[kind] > 0)
+      text += fmt::format("{}{} {}", std::exchange(separator, ", "), count[kind], campaign::word_for(kind));
   text += "\n" + saved_line(folder);
   if (!failures.empty()) text += "\n" + failures + "`--retry` repeats these\n";
   return text;
 }
 
-campaign::StudyOutcome run_missing(const campaign::Study& study, const campaign::StudyFolder& folder, campaign::StudyOptions options, bool quiet) {
+campaign::StudyOutcome run_missing(const campaign::Study& study, const campaign::StudyFolder& folder,
+                                   campaign::StudyOptions options, bool quiet) {
   options.numbers = [](const workflow::RunOutcome& outcome) { return report::Summary(outcome).numbers(); };
   options.asked_to_stop = [also = options.asked_to_stop] { return stop_requested() || also(); };
   options.notice = [](const std::string& sentence) { print(stderr, "{}\n", sentence); };
@@ -105,13 +114,17 @@ campaign::StudyOutcome run_missing(const campaign::Study& study, const campaign:
   return campaign::run_study(study, folder, options);
 }
 
-std::filesystem::path figures_of(const campaign::Study& study) { return std::filesystem::path(study.file).parent_path() / "figures.toml"; }
+std::filesystem::path figures_of(const campaign::Study& study) {
+  return std::filesystem::path(study.file).parent_path() / "figures.toml";
+}
 
 std::vector<report::Figure> read_study_figures(const campaign::Study& study) {
   const std::filesystem::path declared = figures_of(study);
   std::ifstream in(declared, std::ios::binary);
   if (!in && !std::filesystem::exists(declared)) return {};
-  if (!in) throw InputError(declared.string(), 0, "cannot be read; it declares the figures of the study, each as one [[figures]] (docs/studies.md)");
+  if (!in)
+    throw InputError(declared.string(), 0,
+                     "cannot be read; it declares the figures of the study, each as one [[figures]] (docs/studies.md)");
   std::vector<std::string> notices;
   auto figures = report::read_figures({std::istreambuf_iterator<char>(in), {}}, declared.string(), &notices);
   for (const std::string& sentence : notices) print(stderr, "{}: {}\n", declared.string(), sentence);
@@ -122,10 +135,13 @@ namespace {
 
 constexpr std::size_t most_pages = 24;  // of runs, each some megabytes
 
-/// The page of a run, made where it is not there; relative to the study's page. Of many runs the folder, which a browser lists.
+/// The page of a run, made where it is not there; relative to the study's page. Of many runs the folder, which a
+/// browser lists.
 std::string link_to_run(const campaign::StudyFolder& folder, const std::string& run, bool with_page) {
   const std::filesystem::path of_run = folder.run(run), page = of_run / "report.html";
-  const auto from_study = [&](const std::filesystem::path& path) { return path.lexically_relative(folder.out).generic_string(); };
+  const auto from_study = [&](const std::filesystem::path& path) {
+    return path.lexically_relative(folder.out).generic_string();
+  };
   if (std::filesystem::exists(page)) return from_study(page);
   if (!std::filesystem::exists(of_run)) return {};
   // Another shard may be at that run: a page of what there is by now would stay.
@@ -148,13 +164,16 @@ std::filesystem::path write_study_figures(const campaign::Study& study, const ca
   auto figures = read_study_figures(study);
   if (figures.empty()) figures = report::default_figures(table);
   const bool few = table.rows.size() <= most_pages;
-  report::StudyPage page{
-      study.title,
-      std::move(figures),
-      std::move(table),
-      [&](const std::string& run, const std::string& path, const report::Figure& figure) { return numbers.with(folder.run(run), path, figure); },
-      [&](const std::string& run, const report::Figure& figure) { return report::run_drawing(folder.run(run), figure); },
-      [&](const std::string& run) { return link_to_run(folder, run, few); }};
+  report::StudyPage page{study.title,
+                         std::move(figures),
+                         std::move(table),
+                         [&](const std::string& run, const std::string& path, const report::Figure& figure) {
+                           return numbers.with(folder.run(run), path, figure);
+                         },
+                         [&](const std::string& run, const report::Figure& figure) {
+                           return report::run_drawing(folder.run(run), figure);
+                         },
+                         [&](const std::string& run) { return link_to_run(folder, run, few); }};
   const std::filesystem::path file = folder.out / "study.html";
   report::write_study_page(file, page);
   return file;

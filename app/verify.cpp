@@ -43,24 +43,24 @@ std::string heading(const VerifyArguments& a) {
   return fmt::format(
       "# The ledger of claims\n\n{}Written by `arenite verify`, version {}, on {}, {} cores of {}.\n\n"
       "Errors (±) are standard errors over runs with different seeds. A check holds where the 95 % interval (Student's "
-      "t) lies within the claimed range, "
-      "fails where it lies outside, and is undecided where it contains a bound. Many numbers of one kind, such as "
-      "those of all pairs, form one check: it holds "
-      "if each of them holds, and fails if one lies outside after Holm's correction; the value shown is the worst "
-      "case. Independence of a parameter means that "
-      "the change lies within a margin. *Decided by* names what a verdict depends on: more seeds, the grid, the "
-      "protocol (friction, damping, equilibrium, load), the reading of "
-      "a sentence or a rule of the source, the source's own tables, or data that it did not keep. Law S has a "
-      "tangential spring; law R is the thesis's regularised friction, which has no static friction. "
-      "{}\n\n",
-      a.small ? "**From the small studies: this is not the ledger.**\n\n" : "", version, date, std::thread::hardware_concurrency(), processor_name(),
-      a.csv.empty() ? "`--csv FILE` writes all checks and all choices."
-                    : fmt::format("All checks, and all choices, are in [{0}]({0}).", fs::path(a.csv).filename().string()));
+      "t) lies within the claimed range, fails where it lies outside, and is undecided where it contains a bound. Many "
+      "numbers of one kind, such as those of all pairs, form one check: it holds if each of them holds, and fails if "
+      "one lies outside after Holm's correction; the value shown is the worst case. Independence of a parameter means "
+      "that the change lies within a margin. *Decided by* names what a verdict depends on: more seeds, the grid, the "
+      "protocol (friction, damping, equilibrium, load), the reading of a sentence or a rule of the source, the "
+      "source's own tables, or data that it did not keep. Law S has a tangential spring; law R is the thesis's "
+      "regularised friction, which has no static friction. {}\n\n",
+      a.small ? "**From the small studies: this is not the ledger.**\n\n" : "", version, date,
+      std::thread::hardware_concurrency(), processor_name(),
+      a.csv.empty()
+          ? "`--csv FILE` writes all checks and all choices."
+          : fmt::format("All checks, and all choices, are in [{0}]({0}).", fs::path(a.csv).filename().string()));
 }
 
 bool fails(const validation::Ledger& ledger) {
-  return std::any_of(ledger.claims.begin(), ledger.claims.end(),
-                     [](const auto& judged) { return judged.judgement.verdict() == validation::Verdict::not_reproduced; });
+  return std::any_of(ledger.claims.begin(), ledger.claims.end(), [](const auto& judged) {
+    return judged.judgement.verdict() == validation::Verdict::not_reproduced;
+  });
 }
 
 /// The page, and its pictures in a folder of its name beside it; those of claims that have none any more go.
@@ -84,7 +84,8 @@ void write_page(const validation::Ledger& ledger, const VerifyArguments& a) {
 int execute(const VerifyArguments& a) {
   const fs::path out = !a.out.empty() ? a.out : a.small ? "out/ledger-small" : "out/ledger";
   const bool draws = !a.budget.empty();
-  const double budget = draws ? option_value("--budget", [&] { return parse_si(a.budget, dimension::time, "min"); }) : 0;
+  const double budget =
+      draws ? option_value("--budget", [&] { return parse_si(a.budget, dimension::time, "min"); }) : 0;
   watch_for_signals();
   LedgerStudies studies(out, a);
   // All runs come before the pages: a process that has solved for a field or for forces can start no other that solves,
@@ -110,25 +111,37 @@ int execute(const VerifyArguments& a) {
 void add_verify(Options& command, int& status) {
   auto a = std::make_shared<VerifyArguments>();
   a->jobs = std::max(1u, std::thread::hardware_concurrency());
-  command.add("source", a->sources, "Source of the claims: the thesis, the paper, or both").required().type("SOURCE").among({"thesis", "paper"});
+  command.add("source", a->sources, "Source of the claims: the thesis, the paper, or both")
+      .required()
+      .type("SOURCE")
+      .among({"thesis", "paper"});
   command.add("--small", a->small, "Smaller samples and fewer seeds: minutes instead of hours");
   command.add("--json", a->json, "Print the ledger as JSON");
-  command.add("--markdown", a->markdown, "Also write the ledger as a Markdown page, with its pictures in a folder of the same name").type("FILE");
+  command
+      .add("--markdown", a->markdown,
+           "Also write the ledger as a Markdown page, with its pictures in a folder of the same name")
+      .type("FILE");
   command.add("--csv", a->csv, "Also write all checks and all choices as a table").type("FILE");
   command.add("--verdicts", a->verdicts, "Write only the verdicts, to compare later ones with").type("FILE");
-  command.add("--expect", a->expected, "Exit with status 3 when a verdict differs from this file, not when a claim is not reproduced").type("FILE");
+  command
+      .add("--expect", a->expected,
+           "Exit with status 3 when a verdict differs from this file, not when a claim is not reproduced")
+      .type("FILE");
   command.add("--out", a->out, "Folder of the studies (default: out/ledger, or out/ledger-small)").type("DIR");
-  command.add("--jobs", a->jobs, "Concurrent runs, each in its own process (default: all cores)").between(1, 4096).type("J");
+  command.add("--jobs", a->jobs, "Concurrent runs, each in its own process (default: all cores)")
+      .between(1, 4096)
+      .type("J");
   command.add("--only", a->only, "Run and read only this study; may be repeated").each().type("STUDY");
   command.add("--read", a->read_only, "Run nothing: judge the existing runs");
   command
       .add("--budget", a->budget,
            "Then draw further seeds for checks that they can decide, until these are decided or this time on the clock "
-           "is over; "
-           "the same command continues")
+           "is over; the same command continues")
       .type("TIME")
       .not_with("--read");
-  command.add("--keep", a->keep, "Keep all files, or only the numbers of cemented samples and loads (default)").type("WHAT").among({"all", "numbers"});
+  command.add("--keep", a->keep, "Keep all files, or only the numbers of cemented samples and loads (default)")
+      .type("WHAT")
+      .among({"all", "numbers"});
   command.add("--quiet", a->quiet, "Show no progress");
   add_overrides(command, a->overrides);
   command.work = [a, &status] { status = execute(*a); };

@@ -22,7 +22,8 @@ struct WatchArguments {
 void watch(const WatchArguments& a) {
   const bool runs = read_run_status(a.folder).has_value();
   if (!runs) refuse_no_result(a.folder);
-  if (!std::filesystem::is_directory(a.folder)) throw InputError(a.folder, 0, "is not a folder; give the one that `arenite run` writes");
+  if (!std::filesystem::is_directory(a.folder))
+    throw InputError(a.folder, 0, "is not a folder; give the one that `arenite run` writes");
   watch_for_signals();
   const auto tell = [&](const std::string& url) {
     if (!runs) print("the run in {} has ended; its page: ", a.folder);
@@ -37,7 +38,9 @@ void watch(const WatchArguments& a) {
 void add_watch(Options& command, int&) {
   const auto arguments = std::make_shared<WatchArguments>();
   command.add("folder", arguments->folder, "Folder of a run, in progress or ended").required().type("FOLDER");
-  command.add("--port", arguments->port, "Port on the loopback address (default: a free one)").between(1, 65535).type("N");
+  command.add("--port", arguments->port, "Port on the loopback address (default: a free one)")
+      .between(1, 65535)
+      .type("N");
   command.work = [arguments] { watch(*arguments); };
 }
 

@@ -1,6 +1,7 @@
 #include "watch_server.hpp"
 
-// Debian compiles httplib into a library: its classes are as large as here only under the same definitions. No TLS is spoken.
+// Debian compiles httplib into a library: its classes are as large as here only under the same definitions. No TLS is
+// spoken.
 #define CPPHTTPLIB_OPENSSL_SUPPORT
 #define CPPHTTPLIB_ZLIB_SUPPORT
 #define CPPHTTPLIB_BROTLI_SUPPORT
@@ -39,12 +40,16 @@ std::string new_token() {
 /// Takes as long wherever they differ.
 bool same(const std::string& a, const std::string& b) {
   unsigned difference = a.size() == b.size() ? 0 : 1;
-  for (std::size_t k = 0; k < a.size() && k < b.size(); ++k) difference |= static_cast<unsigned char>(a[k]) ^ static_cast<unsigned char>(b[k]);
+  for (std::size_t k = 0; k < a.size() && k < b.size(); ++k)
+    difference |= static_cast<unsigned char>(a[k]) ^ static_cast<unsigned char>(b[k]);
   return difference == 0;
 }
 
-/// The name that a browser was led here by must be this machine's own, or a page from elsewhere could have its name point here.
-bool is_own_host(const std::string& host, int port) { return host == fmt::format("{}:{}", loopback, port) || host == fmt::format("localhost:{}", port); }
+/// The name that a browser was led here by must be this machine's own, or a page from elsewhere could have its name
+/// point here.
+bool is_own_host(const std::string& host, int port) {
+  return host == fmt::format("{}:{}", loopback, port) || host == fmt::format("localhost:{}", port);
+}
 
 void harden(httplib::Response& response) {
   response.set_header("Cache-Control", "no-store");
@@ -56,10 +61,12 @@ void harden(httplib::Response& response) {
 
 /// A page may run what stands in it and speak to `to` alone; that of a result compiles a function of its own.
 void send_page(httplib::Response& response, const std::string& page, const char* scripts, const char* to) {
-  response.set_header("Content-Security-Policy",
-                      fmt::format("default-src 'none'; script-src 'unsafe-inline'{}; style-src 'unsafe-inline'; img-src data: blob:; font-src data:; "
-                                  "worker-src blob:; connect-src {}; form-action 'none'; base-uri 'none'; frame-ancestors 'none'",
-                                  scripts, to));
+  response.set_header(
+      "Content-Security-Policy",
+      fmt::format(
+          "default-src 'none'; script-src 'unsafe-inline'{}; style-src 'unsafe-inline'; img-src data: blob:; font-src "
+          "data:; worker-src blob:; connect-src {}; form-action 'none'; base-uri 'none'; frame-ancestors 'none'",
+          scripts, to));
   response.set_content(page, "text/html; charset=utf-8");
 }
 
@@ -77,7 +84,8 @@ class Answers {
   void answer(const httplib::Request& request, httplib::Response& response) {
     harden(response);
     const std::size_t slash = request.path.find('/', 1);
-    const std::string given = request.path.substr(request.path.empty() ? 0 : 1, slash == std::string::npos ? slash : slash - 1);
+    const std::string given =
+        request.path.substr(request.path.empty() ? 0 : 1, slash == std::string::npos ? slash : slash - 1);
     if (!is_own_host(request.get_header_value("Host"), port) || !same(given, token_)) return refuse(response, 403);
     const std::string what = slash == std::string::npos ? "?" : request.path.substr(slash + 1);
     try {
@@ -103,7 +111,8 @@ class Answers {
 
   void stop(const httplib::Request& request, httplib::Response& response) {
     const std::string origin = request.get_header_value("Origin");
-    if (!origin.empty() && !(origin.starts_with("http://") && is_own_host(origin.substr(7), port))) return refuse(response, 403);
+    if (!origin.empty() && !(origin.starts_with("http://") && is_own_host(origin.substr(7), port)))
+      return refuse(response, 403);
     const std::lock_guard lock(mutex_);
     if (!state_.stop()) return refuse(response, 409);
     response.set_content("{\"stopping\":true}", "application/json");
@@ -116,7 +125,8 @@ class Answers {
 
 }  // namespace
 
-void serve_watch(const std::filesystem::path& folder, int port, const std::function<void(const std::string& url)>& tell, const std::function<bool()>& is_over) {
+void serve_watch(const std::filesystem::path& folder, int port, const std::function<void(const std::string& url)>& tell,
+                 const std::function<bool()>& is_over) {
   httplib::Server server;
   // Connections that send nothing take a thread each, so there are many, and for a second only.
   server.new_task_queue = [] { return new httplib::ThreadPool(64); };
@@ -131,14 +141,16 @@ void serve_watch(const std::filesystem::path& folder, int port, const std::funct
   const std::string token = new_token();
   Answers answers(folder, token);
   server.set_pre_routing_handler([&](const httplib::Request& request, httplib::Response& response) {
-    // Answers are whole: hundreds of ranges of one page would be hundreds of pages. The request is the server's own, which
-    // cuts what is answered by these.
+    // Answers are whole: hundreds of ranges of one page would be hundreds of pages. The request is the server's own,
+    // which cuts what is answered by these.
     const_cast<httplib::Request&>(request).ranges.clear();
     answers.answer(request, response);
     return httplib::Server::HandlerResponse::Handled;
   });
   answers.port = port == 0 ? server.bind_to_any_port(loopback) : server.bind_to_port(loopback, port) ? port : -1;
-  if (answers.port <= 0) throw InputError(fmt::format("--port {}: not available on this machine; leave the option out to use a free port", port));
+  if (answers.port <= 0)
+    throw InputError(
+        fmt::format("--port {}: not available on this machine; leave the option out to use a free port", port));
   std::thread listener([&] { server.listen_after_bind(); });
   tell(fmt::format("http://{}:{}/{}/", loopback, answers.port, token));
   while (!is_over()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -169,7 +181,8 @@ void let_go_of_output() {
 Watcher::Watcher(const std::filesystem::path& folder) {
   int ends[2];
   std::fflush(nullptr);
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw InputError("--watch: the system cannot create a pipe; run `arenite watch` separately");
+  if (::pipe2(ends, O_CLOEXEC) != 0)
+    throw InputError("--watch: the system cannot create a pipe; run `arenite watch` separately");
   const pid_t child = ::fork();
   if (child < 0) throw InputError("--watch: the system cannot create a process; run `arenite watch` separately");
   if (child > 0) {

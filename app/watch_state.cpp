@@ -71,7 +71,8 @@ std::string page_of(const std::vector<fs::path>& files, const std::string& title
 
 std::vector<WatchState::Row> WatchState::rows_of(const History& history) {
   const auto column = [&](std::string_view name) -> const std::vector<double>* {
-    const auto at = std::find_if(history.columns.begin(), history.columns.end(), [&](const auto& c) { return c.name == name; });
+    const auto at =
+        std::find_if(history.columns.begin(), history.columns.end(), [&](const auto& c) { return c.name == name; });
     return at == history.columns.end() ? nullptr : &at->values;
   };
   const auto* time = column("time");
@@ -94,21 +95,25 @@ std::vector<fs::path> WatchState::files() const {
   std::error_code error;
   std::vector<fs::path> found;
   for (fs::directory_iterator entry(folder_, error), end; !error && entry != end; entry.increment(error))
-    if (entry->path().extension() == ".h5" && !entry->path().filename().string().starts_with('.')) found.push_back(entry->path());
+    if (entry->path().extension() == ".h5" && !entry->path().filename().string().starts_with('.'))
+      found.push_back(entry->path());
   std::sort(found.begin(), found.end());
   return found;
 }
 
 void WatchState::read_stages() {
   const auto there = files();
-  std::erase_if(stages_, [&](const auto& known) { return std::find(there.begin(), there.end(), folder_ / known.first) == there.end(); });
+  std::erase_if(stages_, [&](const auto& known) {
+    return std::find(there.begin(), there.end(), folder_ / known.first) == there.end();
+  });
   for (const fs::path& file : there) {
     const std::string name = file.filename().string();
     if (stages_.contains(name)) continue;
     try {
       const auto any = io::read_result(file);
       stages_[name] = {name, "", {}};
-      if (const auto* stage = std::get_if<StageResult>(&any)) stages_[name] = {stage->name, stage->outcome, rows_of(stage->history)};
+      if (const auto* stage = std::get_if<StageResult>(&any))
+        stages_[name] = {stage->name, stage->outcome, rows_of(stage->history)};
       if (const auto* field = std::get_if<FieldResult>(&any)) stages_[name] = {field->name, field->outcome, {}};
     } catch (const InputError&) {  // damaged, or moved aside meanwhile
     }
@@ -134,7 +139,8 @@ void WatchState::read_checkpoint(const RunStatus& status) {
 void WatchState::add_now(const RunStatus& status) {
   const workflow::Progress& p = status.progress;
   if (p.field || !(p.time > 0)) return;
-  if ((!now_.empty() && p.time <= now_.back().time) || (!checkpoint_.empty() && p.time <= checkpoint_.back().time)) return;
+  if ((!now_.empty() && p.time <= now_.back().time) || (!checkpoint_.empty() && p.time <= checkpoint_.back().time))
+    return;
   Row row{p.time, std::vector<double>(curve_names.size(), unknown)};
   for (std::size_t side = 0; side < 4; ++side) {
     if (!p.wall[side].present) continue;
@@ -160,7 +166,8 @@ Numbers WatchState::curves() const {
   add(now_);
   Numbers curves = Numbers::tree({{"time", time}});
   for (std::size_t c = 0; c < values.size(); ++c)
-    if (std::any_of(values[c].begin(), values[c].end(), [](double v) { return std::isfinite(v); })) curves[curve_names[c]] = values[c];
+    if (std::any_of(values[c].begin(), values[c].end(), [](double v) { return std::isfinite(v); }))
+      curves[curve_names[c]] = values[c];
   return curves;
 }
 
@@ -181,7 +188,8 @@ Numbers WatchState::numbers() {
   n["life"] = status ? word_of(life_of(*status, folder_)) : stages_.empty() ? "waiting" : "ended";
   if (status) n["status"] = run_status_numbers(*status);
   n["stages"] = Numbers::list();
-  for (const auto& [file, stage] : stages_) n["stages"].push_back(Numbers::tree({{"name", stage.name}, {"outcome", stage.outcome}}));
+  for (const auto& [file, stage] : stages_)
+    n["stages"].push_back(Numbers::tree({{"name", stage.name}, {"outcome", stage.outcome}}));
   n["curves"] = curves();
   return n;
 }

@@ -14,7 +14,8 @@ namespace arenite::app {
 /// The status page, which asks for `state` beside it every second.
 std::string watch_page();
 
-/// What the page shows of a run's folder. Files are read once, and the checkpoint when it is new and not large. For one thread at a time.
+/// What the page shows of a run's folder. Files are read once, and the checkpoint when it is new and not large. For one
+/// thread at a time.
 class WatchState {
  public:
   explicit WatchState(std::filesystem::path folder) : folder_(std::move(folder)) {}

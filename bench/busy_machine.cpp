@@ -42,7 +42,9 @@ class BusyLoops {
 
 /// Steps a second during about a fifth of a second.
 double speed(dem::Engine& engine) {
-  const auto now = [] { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); };
+  const auto now = [] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  };
   const auto first = engine.step();
   const double start = now();
   while (now() < start + 0.2) engine.advance(20);
@@ -66,7 +68,15 @@ void beside(benchmark::State& state) {
   state.counters["gain"] = together / alone;
 }
 
-BENCHMARK(beside)->ArgName("loops")->Arg(0)->Arg(1)->Arg(2)->Arg(4)->Iterations(10)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(beside)
+    ->ArgName("loops")
+    ->Arg(0)
+    ->Arg(1)
+    ->Arg(2)
+    ->Arg(4)
+    ->Iterations(10)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 

@@ -16,9 +16,9 @@
 #include "io/results/results.hpp"
 #include "workflow/run_film.hpp"
 
-/// camera_table STATES CAMERA.toml SCRATCH [THREADS [WORDS...]]: films simulated states with one property of the camera changed at a
-/// time, measures each film without knowing what was drawn, and prints what grains, stresses and forces are off by. Where
-/// grains are not found, it goes on with a list of their true places.
+/// camera_table STATES CAMERA.toml SCRATCH [THREADS [WORDS...]]: films simulated states with one property of the camera
+/// changed at a time, measures each film without knowing what was drawn, and prints what grains, stresses and forces
+/// are off by. Where grains are not found, it goes on with a list of their true places.
 namespace {
 
 using namespace arenite;
@@ -38,7 +38,10 @@ struct Truth {
   std::map<Pair, Vec2> force;  ///< peak to peak, of contacts, N
   std::vector<std::uint8_t> considered;
 
-  Truth(Packing released, Packing loaded) : low(std::move(released)), high(std::move(loaded)), stress(high.grains.size(), 0.0) {
+  Truth(Packing released, Packing loaded)
+      : low(std::move(released)),
+        high(std::move(loaded)),
+        stress(high.grains.size(), 0.0) {
     corner = low.domain.corner();
     add(high, 1);
     add(low, -1);
@@ -65,7 +68,8 @@ struct Truth {
 
 Packing last_state(const fs::path& states, const std::string& stage) {
   for (const auto& file : io::stage_files(states))
-    if (file.filename().string().find("-" + stage + "-") != std::string::npos) return io::read_stage(file).snapshots.back().packing;
+    if (file.filename().string().find("-" + stage + "-") != std::string::npos)
+      return io::read_stage(file).snapshots.back().packing;
   throw std::runtime_error("no stage " + stage);
 }
 
@@ -104,7 +108,8 @@ Errors compare(const Truth& truth, const FilmResult& film) {
   std::vector<double> change;
   double square = 0;
   for (std::size_t i = 0; i < grains; ++i) {
-    const Vec2 at = film.origin + Vec2{film.grains.centre[i].x * film.pixel, -film.grains.centre[i].y * film.pixel} + truth.corner;
+    const Vec2 at =
+        film.origin + Vec2{film.grains.centre[i].x * film.pixel, -film.grains.centre[i].y * film.pixel} + truth.corner;
     for (std::size_t k = 1; k < seen.size(); ++k)
       if (norm(truth.low.grains.position[k] - at) < norm(truth.low.grains.position[match[i]] - at)) match[i] = k;
     const std::size_t k = match[i];
@@ -130,18 +135,21 @@ Truth resting(const Truth& truth) {
   return {unloaded, truth.high};
 }
 
-/// Grains as one lists them who finds them in a fine picture; lengths count from the container's lower left inner corner.
+/// Grains as one lists them who finds them in a fine picture; lengths count from the container's lower left inner
+/// corner.
 void list_grains(const fs::path& file, const Truth& truth) {
   const Grains& grains = truth.low.grains;
   std::ofstream table(file);
   table << "id,x [m],y [m],radius [m],material\n";
   for (std::size_t i = 0; i < grains.size(); ++i)
-    table << i + 1 << ',' << grains.position[i].x - truth.corner.x << ',' << grains.position[i].y - truth.corner.y << ',' << grains.radius[i] << ','
-          << truth.low.materials[static_cast<std::size_t>(grains.material[i])].name << '\n';
+    table << i + 1 << ',' << grains.position[i].x - truth.corner.x << ',' << grains.position[i].y - truth.corner.y
+          << ',' << grains.radius[i] << ',' << truth.low.materials[static_cast<std::size_t>(grains.material[i])].name
+          << '\n';
 }
 
 /// True if most grains were found.
-bool row(const char* name, const std::vector<std::string>& changes, const Truth& truth, bool listed, char** argv, int threads) {
+bool row(const char* name, const std::vector<std::string>& changes, const Truth& truth, bool listed, char** argv,
+         int threads) {
   const fs::path folder = fs::path(argv[3]) / "film";
   fs::remove_all(folder);
   const auto recipe = recipe::read_film_recipe(argv[2], changes);
@@ -153,10 +161,12 @@ bool row(const char* name, const std::vector<std::string>& changes, const Truth&
   run.threads = threads;
   std::vector<std::string> given{"forces.state=false"};
   if (listed) list_grains(folder / "grains.csv", truth), given.emplace_back("picture.grains=\"grains.csv\"");
-  const auto outcome = workflow::run_film(folder / "film.ptw", recipe::read_film_recipe((folder / "film.toml").string(), given), run);
+  const auto outcome =
+      workflow::run_film(folder / "film.ptw", recipe::read_film_recipe((folder / "film.toml").string(), given), run);
   const Errors e = compare(truth, outcome.result);
-  std::printf("| %s%s | %zu | %zu | %zu | %.3f | %.4f | %.4f | %.4f | %.1f | %.1f |\n", name, listed ? ", grains listed" : "", e.found, e.missed,
-              e.wrong_material, e.centres, e.stress.relation.pearson.value, e.stress.rms_sigma_norm, e.stress.relation.line.slope, 100 * e.normal,
+  std::printf("| %s%s | %zu | %zu | %zu | %.3f | %.4f | %.4f | %.4f | %.1f | %.1f |\n", name,
+              listed ? ", grains listed" : "", e.found, e.missed, e.wrong_material, e.centres,
+              e.stress.relation.pearson.value, e.stress.rms_sigma_norm, e.stress.relation.line.slope, 100 * e.normal,
               100 * e.tangential);
   std::fflush(stdout);
   return 10 * e.missed < e.found;
@@ -186,9 +196,11 @@ std::vector<Row> rows() {
           {"nothing moves", {at_rest}},
           {"no noise", {no_noise[0], no_noise[1], no_noise[2]}},
           {"no blur", {"camera.blur=0"}},
-          {"no spread of pixels, none bad", {"camera.gain_spread=\"0 %\"", "camera.offset_spread=\"0 %\"", "camera.bad_share=\"0 %\""}},
+          {"no spread of pixels, none bad",
+           {"camera.gain_spread=\"0 %\"", "camera.offset_spread=\"0 %\"", "camera.bad_share=\"0 %\""}},
           {"no drift, harmonic, lost frames; frequency true",
-           {"camera.drift=\"0 mK/s\"", "camera.second_harmonic=\"0 %\"", "camera.dropped=\"0 %\"", "camera.frequency_error=\"0 %\""}},
+           {"camera.drift=\"0 mK/s\"", "camera.second_harmonic=\"0 %\"", "camera.dropped=\"0 %\"",
+            "camera.frequency_error=\"0 %\""}},
           {"places and radii true", {}, 1.6, true},
           {"contacts press over arcs of 0.1 rad", {"camera.contact_arc=0.1"}},
           {"NETD 5 mK", {"camera.netd=\"5 mK\"", "camera.electrons=1.2e8", "camera.full_well=2.4e8"}},
@@ -203,7 +215,8 @@ void table(char** argv, int threads, const std::vector<std::string>& words) {
   const auto recipe = recipe::read_film_recipe(argv[2]);
   const Truth truth(last_state(argv[1], recipe.camera->low), last_state(argv[1], recipe.camera->high));
   std::printf(
-      "| camera | grains | missed | wrong material | centres, px | correlation | rms of sigma_norm | slope | normal, %% | tangential, %% |\n"
+      "| camera | grains | missed | wrong material | centres, px | correlation | rms of sigma_norm | slope | normal, "
+      "%% | tangential, %% |\n"
       "|---|---|---|---|---|---|---|---|---|---|\n");
   const Truth still = resting(truth);
   const auto film_one = [&](Row r) {
@@ -230,8 +243,8 @@ void table(char** argv, int threads, const std::vector<std::string>& words) {
 int main(int argc, char** argv) {
   if (argc < 4)
     return std::fprintf(stderr,
-                        "camera_table STATES CAMERA.toml SCRATCH [THREADS [WORDS...]]: folder of the simulated states, recipe of the camera, folder for films, "
-                        "words that name rows (all rows)\n"),
+                        "camera_table STATES CAMERA.toml SCRATCH [THREADS [WORDS...]]: folder of the simulated states, "
+                        "recipe of the camera, folder for films, words that name rows (all rows)\n"),
            2;
   try {
     table(argv, argc > 4 ? std::atoi(argv[4]) : 1, {argv + std::min(argc, 5), argv + argc});

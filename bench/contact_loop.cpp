@@ -20,7 +20,8 @@ dem::Engine engine_of(const Packing& packing, dem::IntegratorKind integrator, in
 }
 
 /// Advances by `steps` an iteration, calling `before_each` first.
-template <class Prepare> void measure(benchmark::State& state, dem::Engine& engine, std::int64_t steps, Prepare&& before_each) {
+template <class Prepare>
+void measure(benchmark::State& state, dem::Engine& engine, std::int64_t steps, Prepare&& before_each) {
   engine.advance(100);
   const auto builds = engine.list_builds();
   const auto first = engine.step();
@@ -45,7 +46,8 @@ void at_rest(benchmark::State& state, const Packing& (*packing)(), dem::Integrat
   measure(state, engine, 2'000'000 / static_cast<std::int64_t>(engine.grain_count()), [] {});
 }
 
-/// Springs of friction and rolling resistance at every contact, as LAMMPS's granular style with linear_history and sds has them; and bonds besides.
+/// Springs of friction and rolling resistance at every contact, as LAMMPS's granular style with linear_history and sds
+/// has them; and bonds besides.
 void rolling(benchmark::State& state, dem::IntegratorKind integrator, bool bonded) {
   dem::ContactParameters contact = bench::contact_parameters();
   contact.friction_law = dem::CundallStrack{};
@@ -69,13 +71,15 @@ void compaction(benchmark::State& state, dem::IntegratorKind integrator) {
   double speed = -0.5 * engine.skin() / (21 * engine.time_step());
   measure(state, engine, 200, [&] {
     using Kind = dem::WallDrive::Kind;
-    engine.set_drives({{{Kind::velocity, speed}, {Kind::velocity, -speed}, {Kind::velocity, speed}, {Kind::velocity, -speed}}});
+    engine.set_drives(
+        {{{Kind::velocity, speed}, {Kind::velocity, -speed}, {Kind::velocity, speed}, {Kind::velocity, -speed}}});
     speed = -speed;
   });
 }
 
 constexpr auto verlet = dem::IntegratorKind::velocity_verlet, gear = dem::IntegratorKind::gear5;
-#define ARENITE_CASE(name, ...) BENCHMARK_CAPTURE(__VA_ARGS__)->Name(name)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()
+#define ARENITE_CASE(name, ...) \
+  BENCHMARK_CAPTURE(__VA_ARGS__)->Name(name)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()
 ARENITE_CASE("walls_4000/verlet", at_rest, a, bench::walls_4000, verlet, 1);
 ARENITE_CASE("walls_4000/gear", at_rest, b, bench::walls_4000, gear, 1);
 ARENITE_CASE("walls_4000/verlet/two_threads", at_rest, c, bench::walls_4000, verlet, 2)->UseRealTime();
@@ -91,11 +95,13 @@ ARENITE_CASE("rolling_4000/verlet", rolling, i, verlet, false);
 ARENITE_CASE("rolling_4000/gear", rolling, j, gear, false);
 ARENITE_CASE("bonded_4000/verlet", rolling, k, verlet, true);
 
-/// Two meetings of two threads with nothing to do, as a step has them: what a step of two threads pays beside its own work.
+/// Two meetings of two threads with nothing to do, as a step has them: what a step of two threads pays beside its own
+/// work.
 void meetings(benchmark::State& state) {
   const ThreadPool pool(2);
   for (auto _ : state)
-    for (int meeting = 0; meeting < 2; ++meeting) pool.for_ranges(4000, [](std::size_t begin, std::size_t) { benchmark::DoNotOptimize(begin); });
+    for (int meeting = 0; meeting < 2; ++meeting)
+      pool.for_ranges(4000, [](std::size_t begin, std::size_t) { benchmark::DoNotOptimize(begin); });
 }
 BENCHMARK(meetings)->Name("two_meetings/two_threads")->Unit(benchmark::kMicrosecond)->UseRealTime();
 

@@ -7,8 +7,8 @@
 
 #include "support/laboratory_film.hpp"
 
-/// film_disturbances [GRAINS [SEED [NAME...]]]: films of one sample, each with one property of the laboratory off, measured by its recipe and held against the
-/// truth: a row of the table in docs/forces.md each.
+/// film_disturbances [GRAINS [SEED [NAME...]]]: films of one sample, each with one property of the laboratory off,
+/// measured by its recipe and held against the truth: a row of the table in docs/forces.md each.
 namespace {
 
 using namespace arenite;
@@ -32,8 +32,11 @@ const std::vector<Row> rows{
      }},
     {"A of POM told +5 %", {}, [](auto& r) { r.materials[0].thermoelastic_factor *= 1.05; }},
     {"thickness told +5 %", {}, [](auto& r) { r.container.thickness *= 1.05; }},
-    {"load told +3 %, error 3 %", {}, [](auto& r) { r.container.load_peak_to_peak *= 1.03, r.container.load_error = 0.03; }},
-    {"emissivity of HDPE told +5 %", [](auto& f) { f.emissivity[1] /= 1.05; }, [](auto& r) { r.materials[1].emissivity = 0.75; }},
+    {"load told +3 %, error 3 %",
+     {},
+     [](auto& r) { r.container.load_peak_to_peak *= 1.03, r.container.load_error = 0.03; }},
+    {"emissivity of HDPE told +5 %", [](auto& f) { f.emissivity[1] /= 1.05; },
+     [](auto& r) { r.materials[1].emissivity = 0.75; }},
     {"emissivity +-3 % by grain", [](auto& f) { f.emissivity_scatter = 0.03; }, {}},
     {"left off by 0.6 px", {}, [](auto& r) { *r.container.left += 0.6; }},
     {"left off by 1.2 px", {}, [](auto& r) { *r.container.left += 1.2; }},
@@ -55,13 +58,15 @@ void report(const Row& row, const LaboratorySample& sample, std::uint64_t seed) 
   if (row.laboratory) row.laboratory(recipe);
   try {
     const test::FilmAccuracy a = measured(sample, how, drawn, recipe);
-    std::printf("| %-28s | %3zu | %3zu/%3zu | %.3f/%.3f | %5.2f/%5.2f | %.2f/%.2f | %5.2f/%5.2f | %.2f/%.2f |\n", row.name, a.grains, a.contacts,
-                a.true_contacts, a.centres, a.centres_told, 100 * a.stress, 100 * a.stress_told, a.stress_within_one, a.stress_within_two, 100 * a.force,
-                100 * a.force_told, a.within_one, a.within_two);
+    std::printf("| %-28s | %3zu | %3zu/%3zu | %.3f/%.3f | %5.2f/%5.2f | %.2f/%.2f | %5.2f/%5.2f | %.2f/%.2f |\n",
+                row.name, a.grains, a.contacts, a.true_contacts, a.centres, a.centres_told, 100 * a.stress,
+                100 * a.stress_told, a.stress_within_one, a.stress_within_two, 100 * a.force, 100 * a.force_told,
+                a.within_one, a.within_two);
     for (const auto& sentence : a.said) std::printf("    %s\n", sentence.c_str());
     for (std::size_t m = 0; m < a.result.fit.factor_scale.size(); ++m)
       std::printf("    scale %zu %.4f +- %.4f\n", m, a.result.fit.factor_scale[m], a.result.fit.factor_scale_error[m]);
-    std::printf("    over noise %.2f, model error %.4f, blur %.3f\n", a.result.fit.over_noise, a.result.fit.model_error, a.result.rim_blur);
+    std::printf("    over noise %.2f, model error %.4f, blur %.3f\n", a.result.fit.over_noise, a.result.fit.model_error,
+                a.result.rim_blur);
   } catch (const std::exception& e) { std::printf("| %-28s | refused: %s\n", row.name, e.what()); }
   std::fflush(stdout);
 }

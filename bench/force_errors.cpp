@@ -10,8 +10,8 @@
 #include "io/results/results.hpp"
 #include "thermal/inference/contact_forces.hpp"
 
-/// force_errors LOW.h5 HIGH.h5: draws the difference of two simulated states as a film would show it, with every source of
-/// error, then with one switched off at a time, and prints what the inferred forces are off by.
+/// force_errors LOW.h5 HIGH.h5: draws the difference of two simulated states as a film would show it, with every source
+/// of error, then with one switched off at a time, and prints what the inferred forces are off by.
 namespace {
 
 using namespace arenite;
@@ -40,15 +40,18 @@ Packing difference(const Packing& low, const Packing& high) {
       continue;
     }
     Vec2 n = low.contacts.normal[c];
-    if (j >= 0) n = high.grains.position[static_cast<std::size_t>(i)] - high.grains.position[static_cast<std::size_t>(j)];
-    change.contacts.add(i, j, (1 / norm(n)) * n, -low.contacts.fn[c], -low.contacts.ft[c], low.contacts.arm_i[c], low.contacts.arm_j[c]);
+    if (j >= 0)
+      n = high.grains.position[static_cast<std::size_t>(i)] - high.grains.position[static_cast<std::size_t>(j)];
+    change.contacts.add(i, j, (1 / norm(n)) * n, -low.contacts.fn[c], -low.contacts.ft[c], low.contacts.arm_i[c],
+                        low.contacts.arm_j[c]);
   }
   return change;
 }
 
 void offer(Packing& found, double gap) {
   std::map<Pair, bool> known;
-  for (std::size_t c = 0; c < found.contacts.size(); ++c) known[std::minmax(found.contacts.i[c], found.contacts.j[c])] = true;
+  for (std::size_t c = 0; c < found.contacts.size(); ++c)
+    known[std::minmax(found.contacts.i[c], found.contacts.j[c])] = true;
   const auto n = static_cast<int>(found.grains.size());
   for (int i = 0; i < n; ++i)
     for (int j = i + 1; j < n; ++j) {
@@ -86,24 +89,31 @@ void report(const char* name, const Packing& low, const Packing& high, const Sou
   }
   inference::ForceOptions options;
   options.blur = s.assumed_blur;
-  const InferredForces f = inference::infer_from_pixels({test::without_forces(found), factor, {{bottom, (1 + s.wall) * load, 0.005 * load}}}, picture, options);
+  const InferredForces f = inference::infer_from_pixels(
+      {test::without_forces(found), factor, {{bottom, (1 + s.wall) * load, 0.005 * load}}}, picture, options);
   Packing given = truth;  // offered contacts carry nothing
   given.contacts.fn.resize(f.contacts.size()), given.contacts.ft.resize(f.contacts.size());
   double above = 0, found_above = 0, kept = 0, score = 0;
   for (std::size_t c = 0; c < f.contacts.size(); ++c) {
-    score += std::pow((f.contacts.fn[c] - given.contacts.fn[c]) / f.fn_error[c], 2) / static_cast<double>(f.contacts.size());
+    score +=
+        std::pow((f.contacts.fn[c] - given.contacts.fn[c]) / f.fn_error[c], 2) / static_cast<double>(f.contacts.size());
     if (c >= truth.contacts.size()) kept += f.present[c];
     else above += given.contacts.fn[c] > mean, found_above += f.contacts.fn[c] > mean;
   }
   const auto real = static_cast<double>(truth.contacts.size()), offered = static_cast<double>(f.contacts.size()) - real;
-  std::printf("| %s | %.2f | %.2f | %+.3f | %.1f | %.0f of %.0f |\n", name, 100 * test::relative_error(f.contacts.fn, given.contacts.fn),
-              100 * test::relative_error(f.contacts.ft, given.contacts.ft), (found_above - above) / real, std::sqrt(score), kept, offered);
+  std::printf("| %s | %.2f | %.2f | %+.3f | %.1f | %.0f of %.0f |\n", name,
+              100 * test::relative_error(f.contacts.fn, given.contacts.fn),
+              100 * test::relative_error(f.contacts.ft, given.contacts.ft), (found_above - above) / real,
+              std::sqrt(score), kept, offered);
 }
 
 int run(const char* low_file, const char* high_file) {
-  const Packing low = io::read_stage(low_file).snapshots.back().packing, high = io::read_stage(high_file).snapshots.back().packing;
+  const Packing low = io::read_stage(low_file).snapshots.back().packing,
+                high = io::read_stage(high_file).snapshots.back().packing;
   std::printf("%zu grains, %zu contacts\n", high.grains.size(), high.contacts.size());
-  std::printf("| source | fn, %% | ft, %% | share above the mean | error over standard error | spurious kept |\n|---|---|---|---|---|---|\n");
+  std::printf(
+      "| source | fn, %% | ft, %% | share above the mean | error over standard error | spurious kept "
+      "|\n|---|---|---|---|---|---|\n");
   const auto with = [&](const char* name, const std::function<void(Sources&)>& change) {
     Sources s;
     change(s);
@@ -132,7 +142,8 @@ int run(const char* low_file, const char* high_file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) return std::fprintf(stderr, "force_errors LOW.h5 HIGH.h5: stage files of the smallest and the largest load\n"), 2;
+  if (argc != 3)
+    return std::fprintf(stderr, "force_errors LOW.h5 HIGH.h5: stage files of the smallest and the largest load\n"), 2;
   try {
     return run(argv[1], argv[2]);
   } catch (const std::exception& e) { return std::fprintf(stderr, "%s\n", e.what()), 2; }

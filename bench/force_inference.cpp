@@ -24,7 +24,8 @@ struct Sample {
       if (!truth.contacts.is_wall(c)) sigma[static_cast<std::size_t>(truth.contacts.j[c])] -= truth.contacts.fn[c];
     }
     for (std::size_t g = 0; g < sigma.size(); ++g) {
-      found.grains.position[g].x += 0.1 * picture.pixel * random.normal(), found.grains.position[g].y += 0.1 * picture.pixel * random.normal();
+      found.grains.position[g].x += 0.1 * picture.pixel * random.normal(),
+          found.grains.position[g].y += 0.1 * picture.pixel * random.normal();
       sigma[g] /= 2 * std::numbers::pi * truth.grains.radius[g] * truth.domain.thickness;
     }
     error.assign(sigma.size(), 0.01 * std::abs(sigma[0]));

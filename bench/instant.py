@@ -27,8 +27,13 @@ def settings(**values):
 
 def small_states(build, folder):
     """The example's sample with 42 grains, loaded by a twentieth of its forces."""
-    keys = {"populations__0__count": 20, "populations__1__count": 22, "container__width": '"95 mm"', "packing__solid_fraction": 0.7,
-            "integration__track_energy": "false"}
+    keys = {
+        "populations__0__count": 20,
+        "populations__1__count": 22,
+        "container__width": '"95 mm"',
+        "packing__solid_fraction": 0.7,
+        "integration__track_energy": "false",
+    }
     for stage, force in ((1, 16), (2, 1.6), (3, 16)):
         keys[f"stages__{stage}__bottom__force"] = f'"{force} kN"'
         keys[f"stages__{stage}__increments"] = 2
@@ -42,7 +47,14 @@ def run_tables(build):
         files = small_states(build, folder / "states")
         forces = run(build / "bench" / "force_errors", files[-2], files[-1])
         assert forces.count("\n") > 5, forces
-        camera = run(build / "bench" / "camera_table", folder / "states", small_camera(folder), folder / "films", 1, "nothing moves")
+        camera = run(
+            build / "bench" / "camera_table",
+            folder / "states",
+            small_camera(folder),
+            folder / "films",
+            1,
+            "nothing moves",
+        )
         assert "| nothing moves" in camera, camera
 
 

@@ -36,11 +36,13 @@ const Film& film(std::size_t frames) {
   RandomStream random(1, Purpose::test);
   for (float& v : noise) v = static_cast<float>(4 * random.normal());
   for (std::size_t n = 0; n < frames; ++n) {
-    const double t = static_cast<double>(n) / rate, signal = 10 * std::cos(2 * std::numbers::pi * load * 1.0003 * t), drift = 8000 + 2 * t;
+    const double t = static_cast<double>(n) / rate, signal = 10 * std::cos(2 * std::numbers::pi * load * 1.0003 * t),
+                 drift = 8000 + 2 * t;
     const std::size_t from = static_cast<std::size_t>(random.below(noise.size() - pixels));
     for (std::size_t p = 0; p < pixels; ++p)
       f.level[n * pixels + p] =
-          static_cast<std::uint16_t>(drift + static_cast<double>(p % 320) + signal * static_cast<double>(p % 7) / 7 + static_cast<double>(noise[from + p]));
+          static_cast<std::uint16_t>(drift + static_cast<double>(p % 320) + signal * static_cast<double>(p % 7) / 7 +
+                                     static_cast<double>(noise[from + p]));
   }
   return f;
 }
@@ -105,6 +107,11 @@ void lock_in_film(benchmark::State& state) {
 
 }  // namespace
 
-BENCHMARK(lock_in_film)->Args({2, 8880})->Args({1, 8880})->Iterations(7)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(lock_in_film)
+    ->Args({2, 8880})
+    ->Args({1, 8880})
+    ->Iterations(7)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
 
 BENCHMARK_MAIN();

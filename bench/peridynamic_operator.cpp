@@ -32,7 +32,8 @@ template <class Pass> void measure(benchmark::State& state, const PhaseMap& map,
   const double start = cpu_seconds();
   for (auto _ : state) pass();
   const double seconds = cpu_seconds() - start;
-  state.counters["ns_per_node"] = 1e9 * seconds / static_cast<double>(state.iterations()) / static_cast<double>(map.size());
+  state.counters["ns_per_node"] =
+      1e9 * seconds / static_cast<double>(state.iterations()) / static_cast<double>(map.size());
   state.counters["S_m"] = test::matrix_saturation(map);
 }
 
@@ -44,7 +45,8 @@ template <class T> void force_of_bonds(benchmark::State& state) {
   Field<T> f(bonds.grid.padded_size());
   const Kernels& k = kernels();
   measure(state, map, [&] {
-    if constexpr (std::is_same_v<T, double>) benchmark::DoNotOptimize(k.force(bonds, prescribed.data(), plane(u), plane(f)));
+    if constexpr (std::is_same_v<T, double>)
+      benchmark::DoNotOptimize(k.force(bonds, prescribed.data(), plane(u), plane(f)));
     else benchmark::DoNotOptimize(k.force_float(bonds, prescribed.data(), plane(u), plane(f)));
   });
   state.SetLabel(k.name);
@@ -57,7 +59,9 @@ void chebyshev_step(benchmark::State& state) {
   const Field<float> z = ramp<float>(bonds.grid), r = ramp<float>(bonds.grid);
   Field<float> older(n);
   Buffer<float> xx(n), xy(n), yy(n);
-  measure(state, map, [&] { kernels().chebyshev(bonds, plane(z), plane(older), plane(r), {xx.data(), xy.data(), yy.data()}, 0.3f, 0.2f); });
+  measure(state, map, [&] {
+    kernels().chebyshev(bonds, plane(z), plane(older), plane(r), {xx.data(), xy.data(), yy.data()}, 0.3f, 0.2f);
+  });
 }
 
 void explicit_step(benchmark::State& state) {

@@ -59,7 +59,8 @@ Packing loose_shapes(std::size_t n, const packing::GrainShape& kind) {
 
 double pressure(const dem::Engine& engine) {
   const Domain& d = engine.domain();
-  return 0.5 * ((d.wall[left].force + d.wall[right].force) / (2 * d.height()) + (d.wall[bottom].force + d.wall[top].force) / (2 * d.width()));
+  return 0.5 * ((d.wall[left].force + d.wall[right].force) / (2 * d.height()) +
+                (d.wall[bottom].force + d.wall[top].force) / (2 * d.width()));
 }
 
 dem::WallDrives closing(double speed) {
@@ -98,7 +99,8 @@ Packing tiled(const Packing& cell, int times) {
         p.grains.position[k] = {cell.grains.position[q].x + column * width, cell.grains.position[q].y + row * height};
         p.grains.radius[k] = cell.grains.radius[q];
         p.grains.angle[k] = cell.grains.angle[q];
-        if (!cell.grains.shapes.empty()) add_shape(p.grains.shapes, shape_of(cell.grains, q), cell.grains.shapes.gyration[q]);
+        if (!cell.grains.shapes.empty())
+          add_shape(p.grains.shapes, shape_of(cell.grains, q), cell.grains.shapes.gyration[q]);
       }
   p.domain.wall[right].position = p.domain.wall[left].position + times * width;
   p.domain.wall[top].position = p.domain.wall[bottom].position + times * height;

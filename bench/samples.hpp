@@ -15,7 +15,8 @@ const Packing& periodic_4000();
 /// The periodic sample five by five times, 100 000 disks.
 const Packing& periodic_100000();
 
-/// 4000 grains in a periodic cell, two by two times a jammed one: two disks each, 1.4 times as long as wide; pentagons with rounded corners.
+/// 4000 grains in a periodic cell, two by two times a jammed one: two disks each, 1.4 times as long as wide; pentagons
+/// with rounded corners.
 const Packing& clumps_4000();
 const Packing& polygons_4000();
 

@@ -71,6 +71,10 @@ BENCHMARK(static_solve)
     ->ArgNames({"nodes", "gamma", "bridge"})
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
-BENCHMARK(adaptive_relaxation)->Args({1024, 250, 40})->ArgNames({"nodes", "gamma", "bridge"})->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(adaptive_relaxation)
+    ->Args({1024, 250, 40})
+    ->ArgNames({"nodes", "gamma", "bridge"})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
 
 BENCHMARK_MAIN();

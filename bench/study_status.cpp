@@ -16,9 +16,11 @@ campaign::Study study_of(std::size_t runs) {
   study.keys = {"bidisperse.size_ratio", "cement.width", "seed"};
   const std::string hash(32, 'a');
   for (std::size_t r = 0; r < runs; ++r) {
-    campaign::StudyRun run{
-        "0123456789" + std::to_string(100'000 + r), {{"bidisperse.size_ratio", "1.25"}, {"cement.width", "0.2"}, {"seed", std::to_string(r)}}, {}};
-    for (const char* stage : {"packing", "compact", "rest", "cement", "tension"}) run.stages.push_back({stage, hash, {}, false});
+    campaign::StudyRun run{"0123456789" + std::to_string(100'000 + r),
+                           {{"bidisperse.size_ratio", "1.25"}, {"cement.width", "0.2"}, {"seed", std::to_string(r)}},
+                           {}};
+    for (const char* stage : {"packing", "compact", "rest", "cement", "tension"})
+      run.stages.push_back({stage, hash, {}, false});
     study.runs.push_back(std::move(run));
   }
   return study;
@@ -31,8 +33,10 @@ void StatusOfRuns(benchmark::State& state) {
   campaign::Study study = study_of(runs);
   {
     const io::AppendLog journal(folder.journal());
-    for (const auto& run : study.runs) campaign::note_state(journal, run.name, {campaign::RunState::Kind::running, 0, {}});
-    for (const auto& run : study.runs) campaign::note_state(journal, run.name, {campaign::RunState::Kind::done, 1.25, {}});
+    for (const auto& run : study.runs)
+      campaign::note_state(journal, run.name, {campaign::RunState::Kind::running, 0, {}});
+    for (const auto& run : study.runs)
+      campaign::note_state(journal, run.name, {campaign::RunState::Kind::done, 1.25, {}});
   }
   io::write_atomically(path / "recipe.toml", "seed = 1\n");
   study.file = path / "recipe.toml";

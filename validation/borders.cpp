@@ -9,9 +9,12 @@
 
 namespace arenite::validation {
 
-std::string with_border(const std::string& study, double border) { return fmt::format("{}, border {:g}", study, border); }
+std::string with_border(const std::string& study, double border) {
+  return fmt::format("{}, border {:g}", study, border);
+}
 
-void add_with_border(Results& results, const std::string& study, double border, const std::function<bool(const Run&)>& wanted) {
+void add_with_border(Results& results, const std::string& study, double border,
+                     const std::function<bool(const Run&)>& wanted) {
   campaign::CollectedTable table;
   table.keys = results.table(study).keys;
   std::map<std::string, std::size_t> columns;
@@ -20,7 +23,8 @@ void add_with_border(Results& results, const std::string& study, double border, 
     auto row = run.study->table().rows[run.row];
     row.numbers.assign(table.names.size(), {});
     try {
-      for (const auto& [name, estimate, meaning] : campaign::flat_numbers(workflow::numbers(workflow::final_state(run.folder(), {.border = border}), false))) {
+      for (const auto& [name, estimate, meaning] :
+           campaign::flat_numbers(workflow::numbers(workflow::final_state(run.folder(), {.border = border}), false))) {
         const auto [column, added] = columns.try_emplace(name, table.names.size());
         if (added) table.names.push_back(name);
         row.numbers.resize(table.names.size());

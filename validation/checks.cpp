@@ -39,7 +39,8 @@ Check between(std::string what, std::string source, const Value& ours, double lo
 }
 
 Check within(std::string what, const Value& ours, double source, double tolerance, std::string unit) {
-  Check within = between(std::move(what), fmt::format("{:.4g}", source), ours, source - tolerance, source + tolerance, std::move(unit));
+  Check within = between(std::move(what), fmt::format("{:.4g}", source), ours, source - tolerance, source + tolerance,
+                         std::move(unit));
   within.wanted = fmt::format("{:.4g} +- {:.3g}", source, tolerance);
   return within;
 }
@@ -101,11 +102,14 @@ void add_beside(Judgement& judgement, const std::string& conditions, const std::
     if (check.outcome == Outcome::unknown) continue;
     ++known;
     hold += check.outcome == Outcome::holds;
-    if (check.outcome == Outcome::fails) fail += fmt::format("{} {} ({})", fail.empty() ? "; failing:" : ",", check.what, text_of(check.ours));
+    if (check.outcome == Outcome::fails)
+      fail += fmt::format("{} {} ({})", fail.empty() ? "; failing:" : ",", check.what, text_of(check.ours));
     check.what += ", " + conditions;
     judgement.checks.push_back(beside(std::move(check)));
   }
-  if (known > 0) judgement.findings.push_back(capital(fmt::format("{}, {} of {} corresponding checks hold{}.", conditions, hold, known, fail)));
+  if (known > 0)
+    judgement.findings.push_back(
+        capital(fmt::format("{}, {} of {} corresponding checks hold{}.", conditions, hold, known, fail)));
 }
 
 }  // namespace arenite::validation

@@ -6,9 +6,9 @@
 
 namespace arenite::validation {
 
-/// Holds if the 95 % interval of `ours` (Student's t) lies in the range, fails if it lies outside; undecided where an end of the
-/// range lies within it, or where the error is not known. So a range about zero asks for equivalence (two one-sided tests): a
-/// difference that is merely not significant is no equality.
+/// Holds if the 95 % interval of `ours` (Student's t) lies in the range, fails if it lies outside; undecided where an
+/// end of the range lies within it, or where the error is not known. So a range about zero asks for equivalence (two
+/// one-sided tests): a difference that is merely not significant is no equality.
 Outcome outcome_of(const Value& ours, const Range& range);
 
 // Checks of one number, of the kind trend.
@@ -38,7 +38,8 @@ std::string capital(std::string text);
 /// A value that nothing is wanted of.
 Check reported(std::string what, const Value& ours, std::string unit = "");
 
-/// Adds checks that were made under other conditions ("under law R") as reported only, and says in a finding how many of them hold.
+/// Adds checks that were made under other conditions ("under law R") as reported only, and says in a finding how many
+/// of them hold.
 void add_beside(Judgement& judgement, const std::string& conditions, const std::vector<Check>& checks);
 
 }  // namespace arenite::validation

@@ -6,11 +6,13 @@ namespace arenite::validation {
 namespace {
 
 std::size_t count(const std::vector<Check>& checks, Kind kind) {
-  return static_cast<std::size_t>(std::count_if(checks.begin(), checks.end(), [=](const Check& c) { return c.kind == kind; }));
+  return static_cast<std::size_t>(
+      std::count_if(checks.begin(), checks.end(), [=](const Check& c) { return c.kind == kind; }));
 }
 
 bool any(const std::vector<Check>& checks, Kind kind, Outcome outcome) {
-  return std::any_of(checks.begin(), checks.end(), [=](const Check& c) { return c.kind == kind && c.outcome == outcome; });
+  return std::any_of(checks.begin(), checks.end(),
+                     [=](const Check& c) { return c.kind == kind && c.outcome == outcome; });
 }
 
 bool any_known(const std::vector<Check>& checks) {
@@ -38,12 +40,14 @@ const char* word_for(Kind kind) {
 }
 
 const char* word_for(Decider decider) {
-  constexpr const char* words[] = {"none found", "seeds", "grid", "protocol", "reading", "source", "lost data", "missing runs"};
+  constexpr const char* words[] = {"none found", "seeds",  "grid",      "protocol",
+                                   "reading",    "source", "lost data", "missing runs"};
   return words[static_cast<int>(decider)];
 }
 
 const char* word_for(Verdict verdict) {
-  constexpr const char* words[] = {"reproduced", "trend reproduced, numbers not", "undecided", "not reproduced", "source inconsistent", "not testable",
+  constexpr const char* words[] = {"reproduced",     "trend reproduced, numbers not", "undecided",
+                                   "not reproduced", "source inconsistent",           "not testable",
                                    "unknown"};
   return words[static_cast<int>(verdict)];
 }

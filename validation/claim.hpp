@@ -84,15 +84,16 @@ enum class Verdict {
   unknown
 };
 const char* word_for(Verdict verdict);  ///< "reproduced", "trend reproduced, numbers not", ...
-inline constexpr Verdict all_verdicts[] = {Verdict::reproduced,          Verdict::trend_reproduced, Verdict::undecided, Verdict::not_reproduced,
-                                           Verdict::source_inconsistent, Verdict::not_testable,     Verdict::unknown};
+inline constexpr Verdict all_verdicts[] = {Verdict::reproduced,     Verdict::trend_reproduced,    Verdict::undecided,
+                                           Verdict::not_reproduced, Verdict::source_inconsistent, Verdict::not_testable,
+                                           Verdict::unknown};
 
 /// What is said of a claim.
 struct Judgement {
   std::vector<Check> checks;
-  std::string ours;                        ///< beside the source's number, as short as can be; empty: that of the deciding check
-  std::string decides;                     ///< the fact that decides it, if it is no choice: a sentence
-  std::string untestable;                  ///< why no run can test it: a sentence; empty: runs can
+  std::string ours;        ///< beside the source's number, as short as can be; empty: that of the deciding check
+  std::string decides;     ///< the fact that decides it, if it is no choice: a sentence
+  std::string untestable;  ///< why no run can test it: a sentence; empty: runs can
   std::vector<std::string> findings;       ///< what else is worth telling: sentences with numbers
   std::vector<Sensitivity> sensitivities;  ///< to friction, damping and what else is not stated
 
@@ -102,7 +103,8 @@ struct Judgement {
   Verdict verdict() const;
 };
 
-/// The check that decides its verdict: of the first that ends like it; the first of all if it is reproduced. nullptr if it has none.
+/// The check that decides its verdict: of the first that ends like it; the first of all if it is reproduced. nullptr if
+/// it has none.
 const Check* deciding_check(const Judgement& judgement);
 /// What kind of thing decides its verdict: what the deciding check says of itself; otherwise the choices that turn a
 /// number that is not as wanted beyond the errors of both. A number that is undecided and that grids move from one end

@@ -44,7 +44,8 @@ const std::vector<Claim>& claims() {
        "chapters 3 to 6",
        "Beyond the mean, stresses and forces decay exponentially, whatever the material, type of contact or zone",
        "a line in a semi-logarithmic plot",
-       {"thesis-ch3", "thesis-ch4", "thesis-ch4-r", "thesis-ch5", "thesis-ch6", "thesis-choices", "thesis-choices-ratio", "thesis-choices-glue"},
+       {"thesis-ch3", "thesis-ch4", "thesis-ch4-r", "thesis-ch5", "thesis-ch6", "thesis-choices",
+        "thesis-choices-ratio", "thesis-choices-glue"},
        "tails-a-8",
        judge_t6},
       {"T7",
@@ -72,7 +73,8 @@ const std::vector<Claim>& claims() {
        "chapters 4 and 5, figures 4.4 and 5.4",
        "About 40 % of the contacts carry more than the mean force, of all and of each type",
        "0.40",
-       {"thesis-ch4", "thesis-ch4-r", "thesis-ch5", "thesis-ch5-r", "thesis-ch5-smooth", "thesis-choices-ratio", "thesis-choices-stiffness"},
+       {"thesis-ch4", "thesis-ch4-r", "thesis-ch5", "thesis-ch5-r", "thesis-ch5-smooth", "thesis-choices-ratio",
+        "thesis-choices-stiffness"},
        "share",
        judge_t10},
       {"T11",
@@ -120,7 +122,13 @@ const std::vector<Claim>& claims() {
        {"thesis-ch6", "thesis-choices-glue"},
        "orientations-a",
        judge_t16},
-      {"T17", "chapter 3, figure 3.4", "A film of a loaded sample reproduces the normalised stresses of its grains", "-", {"thesis-film"}, "grains", judge_t17},
+      {"T17",
+       "chapter 3, figure 3.4",
+       "A film of a loaded sample reproduces the normalised stresses of its grains",
+       "-",
+       {"thesis-film"},
+       "grains",
+       judge_t17},
       {"T18",
        "chapter 3, figure 3.6",
        "The solid fraction has a plateau for windows of 20 to 90 % of the area (#11)",
@@ -131,8 +139,8 @@ const std::vector<Claim>& claims() {
       {"T19",
        "chapter 4, figures 4.4 and 4.5",
        "As the ratio grows, the share of all contacts that is strong and HDPE-HDPE rises, that which is strong and "
-       "POM-POM falls, and that which is strong "
-       "and POM-HDPE first rises and then falls; POM-POM contacts carry the largest forces",
+       "POM-POM falls, and that which is strong and POM-HDPE first rises and then falls; POM-POM contacts carry the "
+       "largest forces",
        "-",
        {"thesis-ch4", "thesis-ch4-r", "thesis-choices-ratio"},
        "share",
@@ -170,8 +178,7 @@ const std::vector<Claim>& claims() {
       {"P2",
        "paper III.B, figure 5",
        "Z and Z_l rise with gamma, Z_l from 4 to 14; Z_s lies between 3.1 and 4.2, first falls and then rises; Z_ls "
-       "rises nearly linearly, Z_ss rises, Z_sl "
-       "and Z_ll fall; Z_ll is below 1 for small theta and large gamma",
+       "rises nearly linearly, Z_ss rises, Z_sl and Z_ll fall; Z_ll is below 1 for small theta and large gamma",
        "Z_l 4 to 14, Z_s 3.1 to 4.2",
        {"paper", "paper-choices"},
        "coordination",
@@ -187,8 +194,7 @@ const std::vector<Claim>& claims() {
       {"P4",
        "paper III.C, figures 7 and 8",
        "Partly filled samples: the mean single-void volume is largest at medium S_m; its CV rises up to S_m of about "
-       "0.4, drops below 1 and rises again; the "
-       "peak of the pdf at small voids vanishes above 0.4",
+       "0.4, drops below 1 and rises again; the peak of the pdf at small voids vanishes above 0.4",
        "medium S_m, CV < 1",
        {"paper", "paper-choices"},
        "voids",
@@ -196,8 +202,7 @@ const std::vector<Claim>& claims() {
       {"P5",
        "paper IV.A, figure 9",
        "Full samples: the largest stresses are about twice the mean; the mean stress of the matrix is below, that of "
-       "large grains above the sample's mean, and "
-       "the pdf of large grains is narrower than that of small ones",
+       "large grains above the sample's mean, and the pdf of large grains is narrower than that of small ones",
        "about 2",
        {"paper", "paper-choices", "paper-loads"},
        "stress-full",
@@ -228,8 +233,7 @@ const std::vector<Claim>& claims() {
       {"P9",
        "paper IV.B, figures 14 and 15",
        "Partly filled samples: stress tails are exponential in large and small grains; their slope s grows with S_m, "
-       "and the effect of gamma on s grows "
-       "with S_m; the pdf of the matrix is broad and has no peak at low S_m",
+       "and the effect of gamma on s grows with S_m; the pdf of the matrix is broad and has no peak at low S_m",
        "exponential",
        {"paper", "paper-choices", "paper-loads"},
        "tails",
@@ -242,7 +246,13 @@ const std::vector<Claim>& claims() {
        {"paper", "paper-choices", "paper-loads"},
        "stress-partial",
        judge_p10},
-      {"P11", "paper II.D", "The response is linear at the applied strain", "linear", {"paper-linearity"}, "linearity", judge_p11},
+      {"P11",
+       "paper II.D",
+       "The response is linear at the applied strain",
+       "linear",
+       {"paper-linearity"},
+       "linearity",
+       judge_p11},
       {"P12",
        "paper IV, not shown",
        "q of the q-Gaussian grows with gamma; excess kurtosis in large grains is highest at the largest gamma",

@@ -20,7 +20,8 @@ std::string listed(Words words) {
     words.push_back(fmt::format("{} others", more));
   }
   std::string text;
-  for (std::size_t k = 0; k < words.size(); ++k) text += (k == 0 ? "" : k + 1 == words.size() ? " and " : ", ") + words[k];
+  for (std::size_t k = 0; k < words.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == words.size() ? " and " : ", ") + words[k];
   return text;
 }
 
@@ -52,7 +53,8 @@ bool is_open(const Sensitivity& found) {
 /// Whether a number that is not as wanted is known with another choice.
 bool is_scanned(const std::vector<Sensitivity>& all) {
   return std::ranges::any_of(all, [](const Sensitivity& found) {
-    return is_open(found) && std::any_of(found.entries.begin() + 1, found.entries.end(), [](const Entry& entry) { return entry.outcome != Outcome::unknown; });
+    return is_open(found) && std::any_of(found.entries.begin() + 1, found.entries.end(),
+                                         [](const Entry& entry) { return entry.outcome != Outcome::unknown; });
   });
 }
 
@@ -71,7 +73,8 @@ Decider kind_that_turns(const std::vector<Sensitivity>& all, Outcome from) {
 const Sensitivity* moved_by_grids(const std::vector<Sensitivity>& all) {
   for (const Sensitivity& found : all) {
     const auto ends = [&](Outcome outcome) {
-      return std::ranges::any_of(turned_to(found, outcome), [](const Entry* entry) { return entry->kind == Decider::grid; });
+      return std::ranges::any_of(turned_to(found, outcome),
+                                 [](const Entry* entry) { return entry->kind == Decider::grid; });
     };
     if (is_open(found) && ends(Outcome::holds) && ends(Outcome::fails)) return &found;
   }
@@ -87,7 +90,8 @@ std::string grids_in_words(const Sensitivity& found) {
   std::ranges::stable_sort(shown, {}, [](const Entry* entry) { return entry->value.value; });
   Words words;
   for (const Entry* entry : shown)
-    words.push_back(fmt::format("{} {}", text_of(entry->value), entry->choice.empty() ? "with the reference settings" : entry->choice));
+    words.push_back(fmt::format("{} {}", text_of(entry->value),
+                                entry->choice.empty() ? "with the reference settings" : entry->choice));
   return fmt::format("The grid decides it. {}: {}, required {}.", capital(found.what), listed(words), found.wanted);
 }
 
@@ -97,7 +101,8 @@ std::string what_mends(const std::vector<Sensitivity>& all) {
   for (const Sensitivity& found : all) {
     if (!is_open(found)) continue;
     if (const Words words = words_of(turned_to(found, Outcome::holds)); !words.empty())
-      text += fmt::format("{}{} meets its criterion ({}) {}", text.empty() ? "" : "; ", found.what, found.wanted, listed(words));
+      text += fmt::format("{}{} meets its criterion ({}) {}", text.empty() ? "" : "; ", found.what, found.wanted,
+                          listed(words));
   }
   return text.empty() ? text : text + ".";
 }
@@ -110,13 +115,16 @@ std::string what_spoils(const std::vector<Sensitivity>& all) {
     if (found.wanted.empty() || found.entries.front().outcome != Outcome::holds) continue;
     for (std::size_t k = 1; k < found.entries.size(); ++k) choices += found.entries[k].outcome != Outcome::unknown;
     if (const Words words = words_of(turned_to(found, Outcome::fails)); !words.empty())
-      text += fmt::format("{}{} no longer meets its criterion ({}) {}", text.empty() ? "" : "; ", found.what, found.wanted, listed(words));
+      text += fmt::format("{}{} no longer meets its criterion ({}) {}", text.empty() ? "" : "; ", found.what,
+                          found.wanted, listed(words));
   }
   if (!text.empty()) return text + ".";
   return choices > 0 ? "None of the choices tried reverses it." : "No other choices were tried.";
 }
 
-std::string in_words(const Check& check) { return fmt::format("{}: {}, required {}.", capital(check.what), text_of(check.ours), check.wanted); }
+std::string in_words(const Check& check) {
+  return fmt::format("{}: {}, required {}.", capital(check.what), text_of(check.ours), check.wanted);
+}
 
 /// "About 1.8 times as many seeds would decide it."
 std::string seeds_in_words(const Check& check) {
@@ -134,7 +142,8 @@ std::string without_choice(const Judgement& judgement, const Check& check) {
     case Decider::reading: return "The reading of the source decides it. " + in_words(check);
     default: break;
   }
-  const char* tried = is_scanned(judgement.sensitivities) ? "None of the choices tried meets the criterion. " : "No other choices were tried for it. ";
+  const char* tried = is_scanned(judgement.sensitivities) ? "None of the choices tried meets the criterion. "
+                                                          : "No other choices were tried for it. ";
   return tried + in_words(check);
 }
 
@@ -155,14 +164,17 @@ Decider decider_of(const Judgement& judgement) {
     case Verdict::not_reproduced: break;
   }
   if (knows_itself) return check->decider;
-  return moved_by_grids(judgement.sensitivities) ? Decider::grid : kind_that_turns(judgement.sensitivities, Outcome::fails);
+  return moved_by_grids(judgement.sensitivities) ? Decider::grid
+                                                 : kind_that_turns(judgement.sensitivities, Outcome::fails);
 }
 
 double seeds_factor(const Check& check) {
   const auto& [value, error, freedom] = check.ours;
   const double inside = std::min(value - check.range.low, check.range.high - value), distance = std::abs(inside);
   if (!(error > 0) || !(freedom > 0) || !std::isfinite(distance)) return statistics::unknown;
-  const auto half_with = [&](double times) { return half_interval({value, error / std::sqrt(times), (freedom + 1) * times - 1}); };
+  const auto half_with = [&](double times) {
+    return half_interval({value, error / std::sqrt(times), (freedom + 1) * times - 1});
+  };
   double times = 1;
   while (times < most_times_seeds && half_with(times) > distance) times *= 1.02;
   return std::min(times, most_times_seeds);

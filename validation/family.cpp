@@ -12,7 +12,9 @@ namespace {
 constexpr double one_side = 0.025;  ///< of the 95 % interval that a check alone is judged by
 
 /// Value over error; sides of zero without one.
-double sureness(const Value& v, double distance) { return v.error > 0 ? distance / v.error : std::copysign(HUGE_VAL, distance); }
+double sureness(const Value& v, double distance) {
+  return v.error > 0 ? distance / v.error : std::copysign(HUGE_VAL, distance);
+}
 
 /// How far inside the range a member lies, in its errors.
 double margin(const Value& v, const Range& range) {
@@ -35,11 +37,14 @@ std::vector<bool> outside(const Family& family, const Range& range) {
 Range this_way(int direction) { return direction > 0 ? Range{.low = 0} : Range{.high = 0}; }
 
 std::size_t count_inside(const Family& family, const Range& range) {
-  return static_cast<std::size_t>(std::count_if(family.begin(), family.end(), [&](const Member& m) { return outcome_of(m.value, range) == Outcome::holds; }));
+  return static_cast<std::size_t>(std::count_if(
+      family.begin(), family.end(), [&](const Member& m) { return outcome_of(m.value, range) == Outcome::holds; }));
 }
 
 Family::const_iterator least_sure(const Family& family, const Range& range) {
-  return std::min_element(family.begin(), family.end(), [&](const Member& a, const Member& b) { return margin(a.value, range) < margin(b.value, range); });
+  return std::min_element(family.begin(), family.end(), [&](const Member& a, const Member& b) {
+    return margin(a.value, range) < margin(b.value, range);
+  });
 }
 
 /// Those that go the other way beyond chance: "gamma 5, theta 6 (-0.31 +- 0.04)".
@@ -59,7 +64,8 @@ std::vector<bool> holm(const std::vector<double>& chances, double level) {
   const auto known = [&](std::size_t k) { return std::isnan(chances[k]) ? 1.0 : chances[k]; };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return known(a) < known(b); });
   std::vector<bool> rejected(chances.size(), false);
-  for (std::size_t k = 0; k < order.size() && known(order[k]) < level / static_cast<double>(order.size() - k); ++k) rejected[order[k]] = true;
+  for (std::size_t k = 0; k < order.size() && known(order[k]) < level / static_cast<double>(order.size() - k); ++k)
+    rejected[order[k]] = true;
   return rejected;
 }
 
@@ -78,7 +84,8 @@ std::vector<Draw> draws_of(const Family& family, const Range& range) {
 
 }  // namespace
 
-Check every(const std::string& what, const std::string& source, const Family& family, const Range& range, const std::string& unit) {
+Check every(const std::string& what, const std::string& source, const Family& family, const Range& range,
+            const std::string& unit) {
   Check check = between(what, source, {}, range.low, range.high, unit);
   if (std::isinf(range.low)) check = below(what, source, {}, range.high, unit);
   if (std::isinf(range.high)) check = above(what, source, {}, range.low, unit);
@@ -100,11 +107,13 @@ Check every(const std::string& what, const std::string& source, const Family& fa
   return check;
 }
 
-Check on_the_whole(const std::string& what, const std::string& source, const Value& size, const Family& differences, int direction) {
+Check on_the_whole(const std::string& what, const std::string& source, const Value& size, const Family& differences,
+                   int direction) {
   Check check = trend(what, source, size, differences, direction);
   if (differences.size() > 1)
-    check.what += fmt::format(", mean of {}, {} of them beyond their error; worst case {}", differences.size(), count_inside(differences, this_way(direction)),
-                              least_sure(differences, this_way(direction))->name);
+    check.what +=
+        fmt::format(", mean of {}, {} of them beyond their error; worst case {}", differences.size(),
+                    count_inside(differences, this_way(direction)), least_sure(differences, this_way(direction))->name);
   return check;
 }
 
@@ -114,7 +123,8 @@ Check on_the_whole(const std::string& what, const std::string& source, const Fam
   return on_the_whole(what, source, terms.empty() ? Value() : weighted_sum(terms), differences, direction);
 }
 
-Check trend(const std::string& what, const std::string& source, const Value& size, const Family& against, int direction) {
+Check trend(const std::string& what, const std::string& source, const Value& size, const Family& against,
+            int direction) {
   Check check = direction > 0 ? positive(what, source, size) : negative(what, source, size);
   check.draws = draws_of(against, this_way(direction));
   if (check.outcome == Outcome::unknown) return check;

@@ -71,7 +71,9 @@ std::size_t seeds_of(const campaign::Study& study) {
 
 /// Whether all that `draw` has is among what `extension` draws.
 bool covers(const Draw& extension, const Draw& draw) {
-  return extension.study == draw.study && std::ranges::all_of(extension.where, [&](const auto& value) { return std::ranges::count(draw.where, value) > 0; });
+  return extension.study == draw.study && std::ranges::all_of(extension.where, [&](const auto& value) {
+           return std::ranges::count(draw.where, value) > 0;
+         });
 }
 
 std::size_t seeds_now(const Draw& draw, const SeededStudy& study, const SeedPlan& plan) {
@@ -93,7 +95,8 @@ SeedPlan read_plan(const std::filesystem::path& file) {
   for (const auto& row : table.rows) {
     const auto seeds = row.cells.size() == 3 ? io::to_integer(row.cells[2]) : std::nullopt;
     if (!seeds || *seeds < 1 || *seeds > 1'000'000)
-      throw InputError(file.string(), row.line, "must hold a study, its values and the number of seeds; take the file away to begin anew");
+      throw InputError(file.string(), row.line,
+                       "must hold a study, its values and the number of seeds; take the file away to begin anew");
     plan.push_back({{std::string(row.cells[0]), from_cell(row.cells[1])}, static_cast<std::size_t>(*seeds)});
   }
   return plan;
@@ -102,12 +105,13 @@ SeedPlan read_plan(const std::filesystem::path& file) {
 void write_plan(const std::filesystem::path& file, const SeedPlan& plan) {
   std::string text = "study,where,seeds\n";
   for (const Extension& extension : plan)
-    text += fmt::format("{},{},{}\n", extension.draw.study, io::quoted_cell(in_cell(extension.draw.where)), extension.seeds);
+    text += fmt::format("{},{},{}\n", extension.draw.study, io::quoted_cell(in_cell(extension.draw.where)),
+                        extension.seeds);
   io::write_atomically(file, text);
 }
 
-SeededStudy::SeededStudy(const StudySource& source, const std::filesystem::path& folder, bool small, const std::vector<std::string>& overrides,
-                         const SeedPlan& plan)
+SeededStudy::SeededStudy(const StudySource& source, const std::filesystem::path& folder, bool small,
+                         const std::vector<std::string>& overrides, const SeedPlan& plan)
     : folder_(folder),
       planned_(unpack_study(source, folder, small, overrides)) {
   own_runs_ = planned_.runs.size();
@@ -124,8 +128,9 @@ SeededStudy::SeededStudy(const StudySource& source, const std::filesystem::path&
   const campaign::Study all = unpack_study(source, folder, small, more);
   for (std::size_t seed = own_seeds_; seed < most; ++seed)
     for (std::size_t at = seed; at < all.runs.size(); at += most) {
-      const bool is_planned =
-          std::ranges::any_of(plan_, [&](const Extension& extension) { return seed < extension.seeds && fits(all.runs[at], extension.draw.where); });
+      const bool is_planned = std::ranges::any_of(plan_, [&](const Extension& extension) {
+        return seed < extension.seeds && fits(all.runs[at], extension.draw.where);
+      });
       if (!is_planned) continue;
       further_.push_back({planned_.runs.size(), seed});
       planned_.runs.push_back(all.runs[at]);
@@ -154,10 +159,12 @@ campaign::Study SeededStudy::whole() const {
 
 std::size_t SeededStudy::runs_a_seed(const Where& where) const {
   const auto own = std::span(planned_.runs).first(own_runs_);
-  return static_cast<std::size_t>(std::ranges::count_if(own, [&](const auto& run) { return fits(run, where); })) / own_seeds_;
+  return static_cast<std::size_t>(std::ranges::count_if(own, [&](const auto& run) { return fits(run, where); })) /
+         own_seeds_;
 }
 
-std::vector<SeedsWanted> seeds_wanted(const Ledger& ledger, const SeedPlan& plan, const std::function<const SeededStudy*(const std::string&)>& study) {
+std::vector<SeedsWanted> seeds_wanted(const Ledger& ledger, const SeedPlan& plan,
+                                      const std::function<const SeededStudy*(const std::string&)>& study) {
   std::vector<SeedsWanted> all;
   for (const auto& [claim, judgement] : ledger.claims) {
     if (judgement.verdict() != Verdict::undecided || decider_of(judgement) != Decider::seeds) continue;

@@ -27,7 +27,8 @@ void write_plan(const std::filesystem::path& file, const SeedPlan& plan);
 /// A study with the further seeds that a plan has of it.
 class SeededStudy {
  public:
-  SeededStudy(const StudySource& source, const std::filesystem::path& folder, bool small, const std::vector<std::string>& overrides, const SeedPlan& plan);
+  SeededStudy(const StudySource& source, const std::filesystem::path& folder, bool small,
+              const std::vector<std::string>& overrides, const SeedPlan& plan);
 
   std::size_t own_seeds() const { return own_seeds_; }
   /// Its own runs, then those that are planned, seed by seed.
@@ -58,7 +59,8 @@ struct SeedsWanted {
 /// Of every check that is undecided and that seeds can decide, the one that needs fewest runs first; equal ones in the
 /// order of the ledger. Checks that even most_times_seeds would not decide are left out. `study` gives a study by its
 /// name, or nullptr.
-std::vector<SeedsWanted> seeds_wanted(const Ledger& ledger, const SeedPlan& plan, const std::function<const SeededStudy*(const std::string&)>& study);
+std::vector<SeedsWanted> seeds_wanted(const Ledger& ledger, const SeedPlan& plan,
+                                      const std::function<const SeededStudy*(const std::string&)>& study);
 
 /// "thesis-ch6 (contact.surface_energy = 1.060)".
 std::string in_words(const Draw& draw);

@@ -26,7 +26,8 @@ PooledMode pooled_mode(const std::vector<Run>& runs, const std::string& set, int
   PooledMode pooled;
   double samples = 0;
   for (const Run& run : runs) {
-    const double contacts = run(path + ".contacts"), amplitude = run(mode + ".amplitude"), phase = run(mode + ".phase_deg");
+    const double contacts = run(path + ".contacts"), amplitude = run(mode + ".amplitude"),
+                 phase = run(mode + ".phase_deg");
     if (!std::isfinite(contacts * amplitude * phase)) continue;
     const auto vector = contacts * std::polar(amplitude, m * phase * degree);
     sum += vector;
@@ -47,7 +48,8 @@ PooledMode pooled_mode(const std::vector<Run>& runs, const std::string& set, int
   }
   const double spread = n > 1 ? std::sqrt(n / (n - 1)) : statistics::unknown;
   pooled.amplitude = {std::abs(mean), spread * std::sqrt(along), n - 1};
-  pooled.phase_deg = {phase < 0 ? phase + 360.0 / m : phase, spread * std::sqrt(across) / std::abs(mean) / m / degree, n - 1};
+  pooled.phase_deg = {phase < 0 ? phase + 360.0 / m : phase, spread * std::sqrt(across) / std::abs(mean) / m / degree,
+                      n - 1};
   pooled.noise = 0.886 / std::sqrt(pooled.contacts);
   pooled.noise_of_one = pooled.noise * std::sqrt(samples);
   return pooled;
@@ -58,7 +60,9 @@ Value pooled_along(const std::vector<Run>& runs, const std::string& set, int m, 
   std::map<std::string, std::pair<double, double>> seeds;  // sum and contacts
   double sum = 0, all = 0;
   for (const Run& run : runs) {
-    const double contacts = run(path + ".contacts"), along = contacts * run(mode + ".amplitude") * std::cos(m * (run(mode + ".phase_deg") - axis_deg) * degree);
+    const double contacts = run(path + ".contacts"),
+                 along =
+                     contacts * run(mode + ".amplitude") * std::cos(m * (run(mode + ".phase_deg") - axis_deg) * degree);
     if (!std::isfinite(along)) continue;
     sum += along;
     all += contacts;
@@ -73,7 +77,9 @@ Value pooled_along(const std::vector<Run>& runs, const std::string& set, int m, 
   return {sum / all, n > 1 ? std::sqrt(squares * n / (n - 1)) : statistics::unknown, n - 1};
 }
 
-double angle_between(double a_deg, double b_deg, double period) { return std::abs(std::remainder(a_deg - b_deg, period)); }
+double angle_between(double a_deg, double b_deg, double period) {
+  return std::abs(std::remainder(a_deg - b_deg, period));
+}
 
 Value angle_from(const PooledMode& mode, double wanted_deg, double period) {
   return {angle_between(mode.phase_deg.value, wanted_deg, period), mode.phase_deg.error, mode.phase_deg.freedom};
@@ -102,7 +108,8 @@ Value slope_over_seeds(const std::vector<Run>& runs, const Number& x, const Numb
   }
   std::vector<double> slopes;
   for (const auto& [seed, xy] : seeds)
-    if (const double slope = statistics::fit_line(xy.first, xy.second).slope; std::isfinite(slope)) slopes.push_back(slope);
+    if (const double slope = statistics::fit_line(xy.first, xy.second).slope; std::isfinite(slope))
+      slopes.push_back(slope);
   return mean_of(slopes);
 }
 
@@ -110,14 +117,17 @@ Value paired_change(const std::vector<Run>& some, const std::vector<Run>& others
   std::vector<double> changes;
   for (const Run& one : some)
     for (const Run& other : others)
-      if (const double change = number.of(one) / number.of(other) - 1; seed_of(one) == seed_of(other) && std::isfinite(change)) changes.push_back(change);
+      if (const double change = number.of(one) / number.of(other) - 1;
+          seed_of(one) == seed_of(other) && std::isfinite(change))
+        changes.push_back(change);
   return mean_of(changes);
 }
 
 Hump hump_over_seeds(const std::vector<Run>& runs, const Number& x, const Number& y) {
   std::map<std::string, std::map<double, double>> seeds;
   for (const Run& run : runs)
-    if (const double at = x.of(run), value = y.of(run); std::isfinite(at) && std::isfinite(value)) seeds[seed_of(run)][at] = value;
+    if (const double at = x.of(run), value = y.of(run); std::isfinite(at) && std::isfinite(value))
+      seeds[seed_of(run)][at] = value;
   std::vector<double> rises, falls;
   for (const auto& [seed, own] : seeds) {
     std::map<double, std::vector<double>> others;
@@ -125,7 +135,8 @@ Hump hump_over_seeds(const std::vector<Run>& runs, const Number& x, const Number
       for (const auto& [at, value] : values)
         if ((other != seed || seeds.size() == 1) && own.contains(at)) others[at].push_back(value);
     if (others.size() < 3 || others.size() < own.size()) continue;
-    const auto greatest = std::ranges::max_element(others, {}, [](const auto& point) { return mean_of(point.second).value; });
+    const auto greatest =
+        std::ranges::max_element(others, {}, [](const auto& point) { return mean_of(point.second).value; });
     rises.push_back(own.at(greatest->first) - own.begin()->second);
     falls.push_back(own.at(greatest->first) - own.rbegin()->second);
   }
@@ -133,7 +144,8 @@ Hump hump_over_seeds(const std::vector<Run>& runs, const Number& x, const Number
 }
 
 PooledTail pooled_tail(const std::vector<Run>& runs, const std::string& name) {
-  return {mean_over_seeds(runs, name + ".log_likelihood_ratio"), mean_over_seeds(runs, name + ".line_r2"), mean_over_seeds(runs, name + ".beta")};
+  return {mean_over_seeds(runs, name + ".log_likelihood_ratio"), mean_over_seeds(runs, name + ".line_r2"),
+          mean_over_seeds(runs, name + ".beta")};
 }
 
 }  // namespace arenite::validation

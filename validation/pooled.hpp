@@ -7,7 +7,8 @@
 
 namespace arenite::validation {
 
-/// |<exp(i m theta)>| of the contact orientations of several runs together, with what as many random directions would give.
+/// |<exp(i m theta)>| of the contact orientations of several runs together, with what as many random directions would
+/// give.
 struct PooledMode {
   double contacts = 0;
   Value amplitude, phase_deg;  ///< phase in [0, 360/m); errors from the scatter of seeds
@@ -17,8 +18,8 @@ struct PooledMode {
 /// `set`: "" for all contacts, or "POM-POM", "strong", ...; runs without it are left out.
 PooledMode pooled_mode(const std::vector<Run>& runs, const std::string& set, int m);
 
-/// <cos m(theta - axis)> of the same: how far directions lie along the axis, negative where they lie between. Unlike an amplitude it
-/// is not above zero for random directions; errors from the scatter of seeds.
+/// <cos m(theta - axis)> of the same: how far directions lie along the axis, negative where they lie between. Unlike an
+/// amplitude it is not above zero for random directions; errors from the scatter of seeds.
 Value pooled_along(const std::vector<Run>& runs, const std::string& set, int m, double axis_deg);
 
 /// Smallest distance of two directions that repeat every `period` degrees.
@@ -27,10 +28,11 @@ double angle_between(double a_deg, double b_deg, double period);
 /// The same of a mode's direction and another, with the error of the mode's.
 Value angle_from(const PooledMode& mode, double wanted_deg, double period);
 
-/// Means over the runs of each seed, then over seeds, with the standard error from the scatter of seeds: runs with one seed
-/// share their packing.
+/// Means over the runs of each seed, then over seeds, with the standard error from the scatter of seeds: runs with one
+/// seed share their packing.
 Value mean_over_seeds(const std::vector<Run>& runs, const Number& number);
-/// The same of the slope of y against x that each seed gives by itself; seeds with fewer than three points are left out.
+/// The same of the slope of y against x that each seed gives by itself; seeds with fewer than three points are left
+/// out.
 Value slope_over_seeds(const std::vector<Run>& runs, const Number& x, const Number& y);
 
 /// A number in some runs over that in others of the same seed, minus 1: mean over seeds. Of one packing treated in two

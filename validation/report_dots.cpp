@@ -19,11 +19,15 @@ constexpr std::size_t in_a_strip = 3, title_letters = 27;
 
 /// Light first; the second of each pair in the dark.
 constexpr const char* style = R"(<style>
-.ground{fill:#ffffff}.band{fill:#dcefe0}.frame{fill:none;stroke:#c9c9c9}.grid{stroke:#ececec}.usual{stroke:#8a8a8a;stroke-dasharray:3 3}
+.ground{fill:#ffffff}.band{fill:#dcefe0}.frame{fill:none;stroke:#c9c9c9}.grid{stroke:#ececec}
+.usual{stroke:#8a8a8a;stroke-dasharray:3 3}
 text{font:12px system-ui,sans-serif;fill:#222222}.tick,.note{font-size:11px;fill:#595959}.title{font-weight:600}
-.bar{stroke:#444444}.holds{fill:#1b7a3d;stroke:#1b7a3d}.undecided{fill:#ffffff;stroke:#946300;stroke-width:1.6}.fails{stroke:#b3261e;stroke-width:1.8;fill:none}
-@media (prefers-color-scheme:dark){.ground{fill:#16181c}.band{fill:#1f3a2a}.frame{stroke:#4a4d52}.grid{stroke:#2a2d31}.usual{stroke:#8f949b}
-text{fill:#e6e6e6}.tick,.note{fill:#a9adb3}.bar{stroke:#c4c7cc}.holds{fill:#5fcf8a;stroke:#5fcf8a}.undecided{fill:#16181c;stroke:#e0b050}.fails{stroke:#ff8a80}}
+.bar{stroke:#444444}.holds{fill:#1b7a3d;stroke:#1b7a3d}.undecided{fill:#ffffff;stroke:#946300;stroke-width:1.6}
+.fails{stroke:#b3261e;stroke-width:1.8;fill:none}
+@media (prefers-color-scheme:dark){
+.ground{fill:#16181c}.band{fill:#1f3a2a}.frame{stroke:#4a4d52}.grid{stroke:#2a2d31}.usual{stroke:#8f949b}
+text{fill:#e6e6e6}.tick,.note{fill:#a9adb3}.bar{stroke:#c4c7cc}.holds{fill:#5fcf8a;stroke:#5fcf8a}
+.undecided{fill:#16181c;stroke:#e0b050}.fails{stroke:#ff8a80}}
 </style>
 )";
 
@@ -65,44 +69,58 @@ std::vector<double> ticks(const Axis& axis) {
   const double rough = (axis.high - axis.low) / 3.5, power = std::pow(10, std::floor(std::log10(rough)));
   const double step = power * (rough / power < 1.5 ? 1 : rough / power < 3.5 ? 2 : rough / power < 7.5 ? 5 : 10);
   std::vector<double> at;
-  for (double x = std::ceil(axis.low / step) * step; x <= axis.high; x += step) at.push_back(std::abs(x) < 1e-9 * step ? 0 : x);
+  for (double x = std::ceil(axis.low / step) * step; x <= axis.high; x += step)
+    at.push_back(std::abs(x) < 1e-9 * step ? 0 : x);
   return at;
 }
 
 std::string text_at(double x, double y, const char* kind, const char* anchor, const std::string& text) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"{}\" text-anchor=\"{}\">{}</text>\n", x, y, kind, anchor, report::html_text(text));
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"{}\" text-anchor=\"{}\">{}</text>\n", x, y, kind, anchor,
+                     report::html_text(text));
 }
 
 std::string line(double x0, double y0, double x1, double y1, const char* kind) {
-  return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" class=\"{}\"/>\n", x0, y0, x1, y1, kind);
+  return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" class=\"{}\"/>\n", x0, y0, x1, y1,
+                     kind);
 }
 
 /// A full dot, a hollow one, a cross: not distinguished by colour alone.
 std::string mark(double x, double y, Outcome outcome) {
-  if (outcome == Outcome::fails) return fmt::format("<path d=\"M{:.1f} {:.1f}l7 7m0 -7l-7 7\" class=\"fails\"/>\n", x - 3.5, y - 3.5);
-  return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.6\" class=\"{}\"/>\n", x, y, outcome == Outcome::holds ? "holds" : "undecided");
+  if (outcome == Outcome::fails)
+    return fmt::format("<path d=\"M{:.1f} {:.1f}l7 7m0 -7l-7 7\" class=\"fails\"/>\n", x - 3.5, y - 3.5);
+  return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.6\" class=\"{}\"/>\n", x, y,
+                     outcome == Outcome::holds ? "holds" : "undecided");
 }
 
-std::string panel(const Sensitivity& found, const std::vector<std::size_t>& rows, double left, double top, std::size_t title_lines) {
+std::string panel(const Sensitivity& found, const std::vector<std::size_t>& rows, double left, double top,
+                  std::size_t title_lines) {
   const Axis axis = axis_of(found, left);
-  const double first = top + title_line * static_cast<double>(title_lines) + 6, height = row_height * static_cast<double>(rows.size());
+  const double first = top + title_line * static_cast<double>(title_lines) + 6,
+               height = row_height * static_cast<double>(rows.size());
   std::string svg;
   const auto title = wrapped(found.what, title_letters);
-  for (std::size_t k = 0; k < title.size(); ++k) svg += text_at(left, top + title_line * static_cast<double>(k + 1) - 3, "title", "start", title[k]);
-  svg += text_at(left, top + title_line * static_cast<double>(title.size() + 1) - 3, "note", "start", "required " + found.wanted);
-  const double from = axis.place(std::max(found.range.low, axis.low)), to = axis.place(std::min(found.range.high, axis.high));
-  svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" class=\"band\"/>\n", from, first, to - from, height);
+  for (std::size_t k = 0; k < title.size(); ++k)
+    svg += text_at(left, top + title_line * static_cast<double>(k + 1) - 3, "title", "start", title[k]);
+  svg += text_at(left, top + title_line * static_cast<double>(title.size() + 1) - 3, "note", "start",
+                 "required " + found.wanted);
+  const double from = axis.place(std::max(found.range.low, axis.low)),
+               to = axis.place(std::min(found.range.high, axis.high));
+  svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" class=\"band\"/>\n", from,
+                     first, to - from, height);
   for (const double tick : ticks(axis)) {
     svg += line(axis.place(tick), first, axis.place(tick), first + height, "grid");
     svg += text_at(axis.place(tick), first + height + 14, "tick", "middle", fmt::format("{:.4g}", tick));
   }
-  svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" class=\"frame\"/>\n", left, first, panel_width, height);
-  svg += line(axis.place(found.entries.front().value.value), first, axis.place(found.entries.front().value.value), first + height, "usual");
+  svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" class=\"frame\"/>\n", left,
+                     first, panel_width, height);
+  svg += line(axis.place(found.entries.front().value.value), first, axis.place(found.entries.front().value.value),
+              first + height, "usual");
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const auto& entry = found.entries[rows[k]];
     const double y = first + row_height * (static_cast<double>(k) + 0.5), error = entry.value.error;
     if (!std::isfinite(entry.value.value)) continue;
-    if (std::isfinite(error)) svg += line(axis.place(entry.value.value - error), y, axis.place(entry.value.value + error), y, "bar");
+    if (std::isfinite(error))
+      svg += line(axis.place(entry.value.value - error), y, axis.place(entry.value.value + error), y, "bar");
     svg += mark(axis.place(entry.value.value), y, entry.outcome);
   }
   return svg;
@@ -111,7 +129,8 @@ std::string panel(const Sensitivity& found, const std::vector<std::size_t>& rows
 bool is_drawn(const Sensitivity& found) { return !found.wanted.empty() && found.entries.size() > 1; }
 
 bool same_choices(const Sensitivity& a, const Sensitivity& b) {
-  return std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(), b.entries.end(), [](const auto& x, const auto& y) { return x.choice == y.choice; });
+  return std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(), b.entries.end(),
+                    [](const auto& x, const auto& y) { return x.choice == y.choice; });
 }
 
 /// Numbers with the same choices, as many as stand side by side.
@@ -120,8 +139,9 @@ std::vector<Strip> strips_of(const validation::Judgement& judgement) {
   std::vector<Strip> strips;
   for (const Sensitivity& found : judgement.sensitivities) {
     if (!is_drawn(found)) continue;
-    const auto at =
-        std::find_if(strips.begin(), strips.end(), [&](const Strip& strip) { return strip.size() < in_a_strip && same_choices(*strip.front(), found); });
+    const auto at = std::find_if(strips.begin(), strips.end(), [&](const Strip& strip) {
+      return strip.size() < in_a_strip && same_choices(*strip.front(), found);
+    });
     if (at == strips.end()) strips.push_back({&found});
     else at->push_back(&found);
   }
@@ -132,7 +152,9 @@ std::vector<Strip> strips_of(const validation::Judgement& judgement) {
 std::vector<std::size_t> rows_of(const Strip& strip) {
   std::vector<std::size_t> rows;
   for (std::size_t k = 0; k < strip.front()->entries.size(); ++k)
-    if (std::any_of(strip.begin(), strip.end(), [=](const Sensitivity* found) { return std::isfinite(found->entries[k].value.value); })) rows.push_back(k);
+    if (std::any_of(strip.begin(), strip.end(),
+                    [=](const Sensitivity* found) { return std::isfinite(found->entries[k].value.value); }))
+      rows.push_back(k);
   return rows;
 }
 
@@ -140,13 +162,14 @@ std::vector<std::size_t> rows_of(const Strip& strip) {
 std::string draw(const Strip& strip, double& top) {
   const auto rows = rows_of(strip);
   std::size_t title_lines = 1;
-  for (const Sensitivity* found : strip) title_lines = std::max(title_lines, wrapped(found->what, title_letters).size() + 1);
+  for (const Sensitivity* found : strip)
+    title_lines = std::max(title_lines, wrapped(found->what, title_letters).size() + 1);
   const double first = top + title_line * static_cast<double>(title_lines) + 6;
   std::string svg;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const std::string& choice = strip.front()->entries[rows[k]].choice;
-    svg += text_at(edge + label_width - 8, first + row_height * (static_cast<double>(k) + 0.5) + 4, choice.empty() ? "title" : "choice", "end",
-                   choice.empty() ? "reference" : choice);
+    svg += text_at(edge + label_width - 8, first + row_height * (static_cast<double>(k) + 0.5) + 4,
+                   choice.empty() ? "title" : "choice", "end", choice.empty() ? "reference" : choice);
   }
   for (std::size_t k = 0; k < strip.size(); ++k)
     svg += panel(*strip[k], rows, edge + label_width + (panel_width + gap) * static_cast<double>(k), top, title_lines);
@@ -157,7 +180,8 @@ std::string draw(const Strip& strip, double& top) {
 std::string legend(double top) {
   std::string svg;
   double x = edge + 8;
-  for (const auto& [outcome, words] : {std::pair{Outcome::holds, "met"}, {Outcome::undecided, "undecided"}, {Outcome::fails, "not met"}}) {
+  for (const auto& [outcome, words] :
+       {std::pair{Outcome::holds, "met"}, {Outcome::undecided, "undecided"}, {Outcome::fails, "not met"}}) {
     svg += mark(x, top, outcome) + text_at(x + 9, top + 4, "note", "start", words);
     x += 100;
   }
@@ -166,7 +190,9 @@ std::string legend(double top) {
 
 }  // namespace
 
-bool has_dots(const validation::Judgement& judgement) { return std::any_of(judgement.sensitivities.begin(), judgement.sensitivities.end(), is_drawn); }
+bool has_dots(const validation::Judgement& judgement) {
+  return std::any_of(judgement.sensitivities.begin(), judgement.sensitivities.end(), is_drawn);
+}
 
 std::string ledger_dots(const validation::Judgement& judgement) {
   const auto strips = strips_of(judgement);
@@ -178,9 +204,11 @@ std::string ledger_dots(const validation::Judgement& judgement) {
     body += draw(strip, top);
   }
   body += legend(top);
-  const double width = std::max(2 * edge + label_width + (panel_width + gap) * static_cast<double>(panels), 660.0), height = top + edge + 6;
+  const double width = std::max(2 * edge + label_width + (panel_width + gap) * static_cast<double>(panels), 660.0),
+               height = top + edge + 6;
   return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\">\n{2}<rect width=\"100%\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
+      "{1:.0f}\">\n{2}<rect width=\"100%\" "
       "height=\"100%\" class=\"ground\" rx=\"6\"/>\n{3}</svg>\n",
       width, height, style, body);
 }

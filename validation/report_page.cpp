@@ -47,7 +47,8 @@ std::string runs_of(const std::vector<validation::StudyState>& studies) {
     if (study.done < study.runs || (study.runs == 0 && progress_of(study) == "not started"))
       missing += fmt::format("{}`{}` ({})", missing.empty() ? "" : ", ", study.name, progress_of(study));
   }
-  return missing.empty() ? fmt::format("All {} runs of the studies are done.", done) : "Runs are missing: " + missing + ".";
+  return missing.empty() ? fmt::format("All {} runs of the studies are done.", done)
+                         : "Runs are missing: " + missing + ".";
 }
 
 /// Which runs the verdicts are from.
@@ -65,7 +66,8 @@ std::string studies_of_ledger(const validation::Ledger& ledger) {
 std::string counts(const validation::Ledger& ledger) {
   std::string text;
   for (const Verdict verdict : all_verdicts) {
-    const auto count = std::count_if(ledger.claims.begin(), ledger.claims.end(), [=](const Judged& judged) { return judged.judgement.verdict() == verdict; });
+    const auto count = std::count_if(ledger.claims.begin(), ledger.claims.end(),
+                                     [=](const Judged& judged) { return judged.judgement.verdict() == verdict; });
     if (count > 0) text += fmt::format("{}{} *{}*", text.empty() ? "" : "; ", count, word_for(verdict));
   }
   return text;
@@ -75,10 +77,11 @@ std::string table_of(const validation::Ledger& ledger) {
   std::string text = "| claim | | source | ours | verdict | decided by | reason |\n|---|---|---|---|---|---|---|\n";
   for (const Judged& judged : ledger.claims) {
     const std::string id = judged.claim->id;
-    text +=
-        fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", simply_reproduced(judged) ? id : fmt::format("[{}](#{})", id, anchor_of(id)),
-                    cell(judged.claim->sentence), cell(judged.claim->number), cell(with_signs(ours_text(judged.judgement))),
-                    word_for(judged.judgement.verdict()), word_for(decider_of(judged.judgement)), cell(with_signs(validation::what_decides(judged.judgement))));
+    text += fmt::format(
+        "| {} | {} | {} | {} | {} | {} | {} |\n",
+        simply_reproduced(judged) ? id : fmt::format("[{}](#{})", id, anchor_of(id)), cell(judged.claim->sentence),
+        cell(judged.claim->number), cell(with_signs(ours_text(judged.judgement))), word_for(judged.judgement.verdict()),
+        word_for(decider_of(judged.judgement)), cell(with_signs(validation::what_decides(judged.judgement))));
   }
   return text;
 }
@@ -88,8 +91,8 @@ std::string open_checks(const std::vector<Check>& checks) {
   std::string rows;
   for (const Check& check : checks)
     if (check.kind != Kind::beside && check.outcome != Outcome::holds)
-      rows += fmt::format("| {} | {} | {} | {} | {} |\n", cell(with_signs(check.what)), cell(check.source), cell(with_signs(ours_text(check))),
-                          cell(with_signs(check.wanted)), word_for(check.outcome));
+      rows += fmt::format("| {} | {} | {} | {} | {} |\n", cell(with_signs(check.what)), cell(check.source),
+                          cell(with_signs(ours_text(check))), cell(with_signs(check.wanted)), word_for(check.outcome));
   return rows.empty() ? rows : "\n| what | source | ours | required | |\n|---|---|---|---|---|\n" + rows;
 }
 
@@ -97,18 +100,21 @@ std::string section_of(const Judged& judged, const std::string& pictures) {
   const auto& [claim, judgement] = judged;
   const std::string figure = validation::figure_place(*claim);
   std::string text =
-      fmt::format("\n### {}\n\n**{}** (decided by: {}). {} ({}{}). {}", claim->id, word_for(judgement.verdict()), word_for(decider_of(judgement)),
-                  claim->sentence, claim->where, figure.empty() ? "" : fmt::format("; figure: `{}`", figure), validation::what_decides(judgement));
+      fmt::format("\n### {}\n\n**{}** (decided by: {}). {} ({}{}). {}", claim->id, word_for(judgement.verdict()),
+                  word_for(decider_of(judgement)), claim->sentence, claim->where,
+                  figure.empty() ? "" : fmt::format("; figure: `{}`", figure), validation::what_decides(judgement));
   for (const auto& finding : judgement.findings) text += " " + finding;
   text = with_signs(text) + "\n" + open_checks(judgement.checks);
-  if (has_dots(judgement)) text += fmt::format("\n![{}: open choices and the required range]({}/{}.svg)\n", claim->id, pictures, claim->id);
+  if (has_dots(judgement))
+    text += fmt::format("\n![{}: open choices and the required range]({}/{}.svg)\n", claim->id, pictures, claim->id);
   return text;
 }
 
 }  // namespace
 
 std::string ledger_page(const validation::Ledger& ledger, const std::string& pictures) {
-  std::string text = fmt::format("{} {}.\n\n{}{}", runs_of(ledger.studies), counts(ledger), table_of(ledger), studies_of_ledger(ledger));
+  std::string text = fmt::format("{} {}.\n\n{}{}", runs_of(ledger.studies), counts(ledger), table_of(ledger),
+                                 studies_of_ledger(ledger));
   const bool all = std::all_of(ledger.claims.begin(), ledger.claims.end(), simply_reproduced);
   if (!all) text += "\n## Claims not fully reproduced\n";
   for (const Judged& judged : ledger.claims)

@@ -17,13 +17,14 @@ using validation::Sensitivity;
 
 std::string line_of(const Check& check) {
   if (check.wanted.empty()) return fmt::format("    {:<9} {}: {}\n", "", check.what, ours_text(check));
-  return fmt::format("    {:<9} {}: {} (source {}, required {}; {})\n", word_for(check.outcome), check.what, ours_text(check), check.source, check.wanted,
-                     word_for(check.kind));
+  return fmt::format("    {:<9} {}: {} (source {}, required {}; {})\n", word_for(check.outcome), check.what,
+                     ours_text(check), check.source, check.wanted, word_for(check.kind));
 }
 
 std::string line_of(const Sensitivity& found) {
-  std::string text = fmt::format("    {}{}: {}", found.what, found.wanted.empty() ? "" : fmt::format(" (required {})", found.wanted),
-                                 validation::text_of(found.entries.front().value));
+  std::string text =
+      fmt::format("    {}{}: {}", found.what, found.wanted.empty() ? "" : fmt::format(" (required {})", found.wanted),
+                  validation::text_of(found.entries.front().value));
   for (std::size_t k = 1; k < found.entries.size(); ++k) {
     const auto& entry = found.entries[k];
     if (!std::isfinite(entry.value.value)) continue;
@@ -58,14 +59,16 @@ std::string ledger_text(const validation::Ledger& ledger) {
   for (const auto& study : ledger.studies) text += fmt::format("{:<24} {}\n", study.name, progress_of(study));
   for (const Judged& judged : ledger.claims) {
     const validation::Judgement& judgement = judged.judgement;
-    text += fmt::format("\n{}  {}\n  {}\n  {} (decided by: {}): source {}, ours {}\n  {}\n", judged.claim->id, judged.claim->sentence, judged.claim->where,
-                        word_for(judgement.verdict()), word_for(decider_of(judgement)), judged.claim->number, ours_text(judgement),
+    text += fmt::format("\n{}  {}\n  {}\n  {} (decided by: {}): source {}, ours {}\n  {}\n", judged.claim->id,
+                        judged.claim->sentence, judged.claim->where, word_for(judgement.verdict()),
+                        word_for(decider_of(judgement)), judged.claim->number, ours_text(judgement),
                         validation::what_decides(judgement));
     for (const Check& check : judgement.checks) text += line_of(check);
     for (const auto& finding : judgement.findings) text += fmt::format("  {}\n", finding);
     if (!judgement.sensitivities.empty()) text += "  open choices, one at a time:\n";
     for (const auto& found : judgement.sensitivities) text += line_of(found);
-    if (const std::string figure = validation::figure_place(*judged.claim); !figure.empty()) text += fmt::format("  figure: {}\n", figure);
+    if (const std::string figure = validation::figure_place(*judged.claim); !figure.empty())
+      text += fmt::format("  figure: {}\n", figure);
   }
   return text;
 }

@@ -19,7 +19,9 @@ bool fits(const Run& run, const Where& where) {
 
 }  // namespace
 
-StudyResults::StudyResults(campaign::CollectedTable table, std::filesystem::path folder) : table_(std::move(table)), folder_(std::move(folder)) {
+StudyResults::StudyResults(campaign::CollectedTable table, std::filesystem::path folder)
+    : table_(std::move(table)),
+      folder_(std::move(folder)) {
   for (std::size_t row = 0; row < table_.rows.size(); ++row)
     if (table_.rows[row].status == "done") done_.push_back(row);
   for (std::size_t column = 0; column < table_.names.size(); ++column) columns_.emplace(table_.names[column], column);

@@ -24,8 +24,9 @@ class StudyResults {
   const std::filesystem::path& folder() const { return folder_; }  ///< of the study; empty for made-up tables
   const std::vector<std::size_t>& done() const { return done_; }   ///< places of the rows that are done
   bool complete() const { return !table_.rows.empty() && done_.size() == table_.rows.size(); }
-  double number(std::size_t row, std::string_view name) const;     ///< NaN if the run does not have it
-  std::string value(std::size_t row, std::string_view key) const;  ///< of a swept key, without the unit; empty if there is none
+  double number(std::size_t row, std::string_view name) const;  ///< NaN if the run does not have it
+  std::string value(std::size_t row,
+                    std::string_view key) const;  ///< of a swept key, without the unit; empty if there is none
 
  private:
   campaign::CollectedTable table_;
@@ -67,7 +68,8 @@ class Results {
 };
 
 /// Mean over runs and its standard error from their scatter; runs without the number are left out.
-statistics::Measured mean(const Results& results, const std::string& study, const Number& number, const Where& where = {});
+statistics::Measured mean(const Results& results, const std::string& study, const Number& number,
+                          const Where& where = {});
 
 /// Means over the runs of each value of a swept key, in rising order of the key.
 struct Point {
@@ -77,7 +79,8 @@ struct Point {
 };
 using Series = std::vector<Point>;
 /// `x` gives what runs are put together by; usually Number that reads a swept key, see swept().
-Series series(const Results& results, const std::string& study, const Number& x, const Number& y, const Where& where = {});
+Series series(const Results& results, const std::string& study, const Number& x, const Number& y,
+              const Where& where = {});
 /// A swept key as a number.
 Number swept(std::string key);
 

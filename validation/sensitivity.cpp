@@ -23,8 +23,9 @@ Wanted wanted_different(double margin) {
   return [=](const Value& v) { return differs("", "", v, margin); };
 }
 
-void add_sensitivity(Judgement& judgement, const std::string& what, const Choice& usual, const std::vector<Choice>& choices,
-                     const std::function<Value(const Choice&)>& value, const Wanted& wanted) {
+void add_sensitivity(Judgement& judgement, const std::string& what, const Choice& usual,
+                     const std::vector<Choice>& choices, const std::function<Value(const Choice&)>& value,
+                     const Wanted& wanted) {
   const Check none = wanted ? wanted({}) : Check{};
   Sensitivity found{what, none.wanted, none.range, {}};
   const auto add = [&](const Choice& choice) {

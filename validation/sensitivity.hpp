@@ -38,9 +38,10 @@ Wanted wanted_equivalent(double margin);
 /// Other than zero.
 Wanted wanted_different(double margin);
 
-/// `value` of the runs with the usual choices, and with each of `choices` instead. Nothing is added where it is not known with
-/// the usual ones.
-void add_sensitivity(Judgement& judgement, const std::string& what, const Choice& usual, const std::vector<Choice>& choices,
-                     const std::function<Value(const Choice&)>& value, const Wanted& wanted);
+/// `value` of the runs with the usual choices, and with each of `choices` instead. Nothing is added where it is not
+/// known with the usual ones.
+void add_sensitivity(Judgement& judgement, const std::string& what, const Choice& usual,
+                     const std::vector<Choice>& choices, const std::function<Value(const Choice&)>& value,
+                     const Wanted& wanted);
 
 }  // namespace arenite::validation

@@ -85,7 +85,8 @@ void unpack(const StudySource& source, const fs::path& folder) {
   }
 }
 
-campaign::Study unpack_study(const StudySource& source, const fs::path& folder, bool small, const std::vector<std::string>& overrides) {
+campaign::Study unpack_study(const StudySource& source, const fs::path& folder, bool small,
+                             const std::vector<std::string>& overrides) {
   unpack(source, folder);
   std::vector<std::string> all = small ? source.small : std::vector<std::string>{};
   all.insert(all.end(), overrides.begin(), overrides.end());

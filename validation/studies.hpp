@@ -24,10 +24,12 @@ const StudySource* find_study(const std::string& name);
 /// Text of a file of validation/studies/NAME; empty if there is none.
 std::string embedded_text(const std::string& study, const std::string& file);
 
-/// Puts the files of a study into `folder`, and the recipe that its own is laid over beside it. Files that are the same already are left alone.
+/// Puts the files of a study into `folder`, and the recipe that its own is laid over beside it. Files that are the same
+/// already are left alone.
 void unpack(const StudySource& source, const std::filesystem::path& folder);
 /// The same, and reads the study from there.
-campaign::Study unpack_study(const StudySource& source, const std::filesystem::path& folder, bool small, const std::vector<std::string>& overrides = {});
+campaign::Study unpack_study(const StudySource& source, const std::filesystem::path& folder, bool small,
+                             const std::vector<std::string>& overrides = {});
 
 /// What cmake/embed_studies.cmake makes of studies/: study, file and text, in order of the names.
 struct EmbeddedFile {

@@ -77,14 +77,16 @@ double spearman(const Series& points) {
 Family steps(const Series& points) {
   Family all;
   for (std::size_t k = 1; k < points.size(); ++k)
-    all.push_back({fmt::format("from {:g} to {:g}", points[k - 1].x, points[k].x), difference(value_of(points[k]), value_of(points[k - 1]))});
+    all.push_back({fmt::format("from {:g} to {:g}", points[k - 1].x, points[k].x),
+                   difference(value_of(points[k]), value_of(points[k - 1]))});
   return all;
 }
 
 Family leads_of_last(const Series& points) {
   Family all;
   for (std::size_t k = 0; k + 1 < points.size(); ++k)
-    all.push_back({fmt::format("{:g} minus {:g}", points.back().x, points[k].x), difference(value_of(points.back()), value_of(points[k]))});
+    all.push_back({fmt::format("{:g} minus {:g}", points.back().x, points[k].x),
+                   difference(value_of(points.back()), value_of(points[k]))});
   return all;
 }
 

@@ -9,8 +9,8 @@ Value value_of(const Point& point);
 
 /// Last mean minus first.
 Value rise(const Series& points);
-/// Slope of a least-squares line through the means, its error from those of the means where all are known, otherwise from
-/// their scatter about the line. Needs three points, or two with errors.
+/// Slope of a least-squares line through the means, its error from those of the means where all are known, otherwise
+/// from their scatter about the line. Needs three points, or two with errors.
 Value slope(const Series& points);
 /// R^2 of that line.
 double line_r2(const Series& points);

@@ -7,12 +7,12 @@
 
 namespace arenite::validation {
 
-/// A number with its standard error and the degrees of freedom behind that: seeds or samples less one. Infinite: the error is
-/// known for certain; error 0: so is the number.
+/// A number with its standard error and the degrees of freedom behind that: seeds or samples less one. Infinite: the
+/// error is known for certain; error 0: so is the number.
 using Value = statistics::Measured;
 
-/// Sum of weights times independent values; degrees of freedom after Welch and Satterthwaite. One error that is not known makes
-/// the sum's unknown.
+/// Sum of weights times independent values; degrees of freedom after Welch and Satterthwaite. One error that is not
+/// known makes the sum's unknown.
 Value weighted_sum(const std::vector<std::pair<double, Value>>& terms);
 Value difference(const Value& a, const Value& b);
 Value ratio(const Value& a, const Value& b);

@@ -3,8 +3,8 @@
 
 namespace arenite::validation {
 
-/// Mean share that lies further than `strip` from both ends of a unit length, of a window of length `window` at a random place
-/// wholly in it. `strip` at most 1/2.
+/// Mean share that lies further than `strip` from both ends of a unit length, of a window of length `window` at a
+/// random place wholly in it. `strip` at most 1/2.
 double share_of_interior(double window, double strip);
 
 /// Solid fraction in a strip along the walls, and within that which the statistics leave out.

@@ -22,7 +22,7 @@ def draw(frames):
     film = np.empty((frames, PIXELS), np.uint16)
     for n in range(frames):
         at = int(rng.integers(noise.size - PIXELS))
-        film[n] = column + 2 * n / RATE + noise[at:at + PIXELS] + 10 * np.cos(2 * np.pi * LOAD * 1.0003 * n / RATE)
+        film[n] = column + 2 * n / RATE + noise[at : at + PIXELS] + 10 * np.cos(2 * np.pi * LOAD * 1.0003 * n / RATE)
     return film
 
 
@@ -37,8 +37,8 @@ def natural(film, w):
     sums = np.zeros((w.shape[0], PIXELS))
     squares = np.zeros(PIXELS)
     for at in range(0, len(film), 888):  # in parts, since the film in doubles is four times as large
-        part = film[at:at + 888]
-        sums += np.tensordot(w[:, at:at + 888], part, axes=1)
+        part = film[at : at + 888]
+        sums += np.tensordot(w[:, at : at + 888], part, axes=1)
         squares += np.einsum("np,np->p", part, part, dtype=np.float64)
     return sums, squares
 
@@ -48,12 +48,12 @@ def fastest(film, w, block=16, tile=9600):
     sums = np.zeros((w.shape[0], PIXELS), np.float32)
     squares = np.zeros(PIXELS, np.float32)
     for p in range(0, PIXELS, tile):
-        base = film[0, p:p + tile].astype(np.float32)
+        base = film[0, p : p + tile].astype(np.float32)
         for at in range(0, len(film), block):
-            d = film[at:at + block, p:p + tile].astype(np.float32)
+            d = film[at : at + block, p : p + tile].astype(np.float32)
             d -= base
-            sums[:, p:p + tile] += w[:, at:at + block] @ d
-            squares[p:p + tile] += np.einsum("np,np->p", d, d)
+            sums[:, p : p + tile] += w[:, at : at + block] @ d
+            squares[p : p + tile] += np.einsum("np,np->p", d, d)
     return sums, squares
 
 
@@ -67,7 +67,9 @@ def main():
             way(film, w)
             wall.append(time.perf_counter() - wall_0)
             cpu.append(time.process_time() - cpu_0)
-        print(f"{way.__name__:<8} {min(wall):7.3f} s wall  {min(cpu):7.3f} s CPU  {film.nbytes / min(wall) / 1e9:6.2f} GB/s")
+        print(
+            f"{way.__name__:<8} {min(wall):7.3f} s wall  {min(cpu):7.3f} s CPU  {film.nbytes / min(wall) / 1e9:6.2f} GB/s"
+        )
 
 
 if __name__ == "__main__":

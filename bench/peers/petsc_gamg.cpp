@@ -65,7 +65,8 @@ struct System {
       around.push_back({e, d, true});
       around.push_back({{-e.x, -e.y}, d, false});
     }
-    std::sort(around.begin(), around.end(), [](const Neighbour& a, const Neighbour& b) { return a.e.y != b.e.y ? a.e.y < b.e.y : a.e.x < b.e.x; });
+    std::sort(around.begin(), around.end(),
+              [](const Neighbour& a, const Neighbour& b) { return a.e.y != b.e.y ? a.e.y < b.e.y : a.e.x < b.e.x; });
     const Grid& grid = bonds.grid;
     right.assign(2 * node.size(), 0);
     start.assign(2 * node.size(), 0);
@@ -216,12 +217,11 @@ int main(int argc, char** argv) {
   must(PetscInitialize(&none, nullptr, nullptr, nullptr));
   const Outcome peer = solve_with_petsc(map);
   std::printf(
-      "{\"S_m\": %.3f, \"ours_seconds\": %.3f, \"ours_iterations\": %d, \"ours_residual\": %.2e, "
-      "\"ours_peak_MB\": %.0f, \"petsc_assembly_seconds\": %.3f, \"petsc_setup_seconds\": %.3f, "
-      "\"petsc_solve_seconds\": %.3f, \"petsc_iterations\": %d, \"petsc_residual\": %.2e, "
-      "\"petsc_peak_MB\": %.0f, \"modulus_difference\": %.2e}\n",
-      test::matrix_saturation(map), seconds, ours.iterations, ours.residual, memory, peer.assembly, peer.setup, peer.solve, static_cast<int>(peer.iterations),
-      peer.residual, peak_megabytes(), peer.modulus / ours.modulus - 1);
+      "{\"S_m\": %.3f, \"ours_seconds\": %.3f, \"ours_iterations\": %d, \"ours_residual\": %.2e, \"ours_peak_MB\": "
+      "%.0f, \"petsc_assembly_seconds\": %.3f, \"petsc_setup_seconds\": %.3f, \"petsc_solve_seconds\": %.3f, "
+      "\"petsc_iterations\": %d, \"petsc_residual\": %.2e, \"petsc_peak_MB\": %.0f, \"modulus_difference\": %.2e}\n",
+      test::matrix_saturation(map), seconds, ours.iterations, ours.residual, memory, peer.assembly, peer.setup,
+      peer.solve, static_cast<int>(peer.iterations), peer.residual, peak_megabytes(), peer.modulus / ours.modulus - 1);
   must(PetscFinalize());
   return ours.ending == Ending::solved ? 0 : 3;
 }

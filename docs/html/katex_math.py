@@ -18,7 +18,12 @@ require('readline').createInterface({input: process.stdin}).on('line', line => {
 });
 """
 # Browsers show mathvariant as plain letters; Unicode has letters of their own.
-VARIANTS = {"bold": (0x1D400, 0x1D41A, 0x1D7CE), "bold-italic": (0x1D468, 0x1D482, None), "double-struck": (0x1D538, 0x1D552, 0x1D7D8), "script": (0x1D49C, 0x1D4B6, None)}
+VARIANTS = {
+    "bold": (0x1D400, 0x1D41A, 0x1D7CE),
+    "bold-italic": (0x1D468, 0x1D482, None),
+    "double-struck": (0x1D538, 0x1D552, 0x1D7D8),
+    "script": (0x1D49C, 0x1D4B6, None),
+}
 logger = logging.getLogger(__name__)
 worker = None
 
@@ -31,6 +36,7 @@ def letters(match):
             if base and 0 <= ord(letter) - ord(first) < count:
                 return chr(base + ord(letter) - ord(first))
         return letter
+
     return f'<{match[1]} mathvariant="normal">' + "".join(map(other, match[3])) + f"</{match[1]}>"
 
 
@@ -38,7 +44,9 @@ def render(tex, display, node):
     global worker
     if worker is None:
         try:
-            worker = subprocess.Popen(["node", "-e", WORKER, KATEX], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+            worker = subprocess.Popen(
+                ["node", "-e", WORKER, KATEX], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+            )
         except OSError as error:
             raise ExtensionError(f"formulas need Node.js: {error}") from error
     worker.stdin.write(json.dumps([tex, display]) + "\n")
@@ -47,7 +55,9 @@ def render(tex, display, node):
     if "error" in answer:
         logger.warning("%s", answer["error"], location=node)
         return ""
-    return re.sub(r'<(mi|mn|mtext) mathvariant="(%s)">([^<]*)</(?:mi|mn|mtext)>' % "|".join(VARIANTS), letters, answer["html"])
+    return re.sub(
+        r'<(mi|mn|mtext) mathvariant="(%s)">([^<]*)</(?:mi|mn|mtext)>' % "|".join(VARIANTS), letters, answer["html"]
+    )
 
 
 def inline(visitor, node):

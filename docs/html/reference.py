@@ -37,7 +37,9 @@ def member(node, owner):
     thing = vars(owner).get(node.name)
     thing = thing.__func__ if isinstance(thing, staticmethod) else thing
     if "property" in names(node):
-        return f"   .. py:property:: {node.name}\n      :type: {ast.unparse(node.returns)}\n" + described(thing, "      ")
+        return f"   .. py:property:: {node.name}\n      :type: {ast.unparse(node.returns)}\n" + described(
+            thing, "      "
+        )
     option = "      :staticmethod:\n" if "staticmethod" in names(node) else ""
     return f"   .. py:method:: {signature(node)}\n{option}" + described(thing, "      ")
 
@@ -45,7 +47,7 @@ def member(node, owner):
 def class_text(node, module):
     owner = getattr(module, node.name)
     members = [m for m in node.body if isinstance(m, ast.FunctionDef)]
-    made = next((signature(m)[len("__init__"):].removesuffix(" -> None") for m in members if m.name == "__init__"), "")
+    made = next((signature(m)[len("__init__") :].removesuffix(" -> None") for m in members if m.name == "__init__"), "")
     text = f".. py:class:: {node.name}{made}\n" + described(owner, "   ")
     if made:
         text += described(owner.__init__, "   ")
@@ -60,11 +62,23 @@ def python_pages(root):
     functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
     classes = [node for node in tree.body if isinstance(node, ast.ClassDef)]
     text = heading("Python") + plain(arenite.__doc__) + "\n\n.. py:module:: arenite\n\n" + heading("Functions", "-")
-    text += "".join(f".. py:function:: {signature(node)}\n" + described(getattr(arenite, node.name), "   ") for node in functions)
-    text += ".. autofunction:: arenite.run_study\n\n" + heading("Classes", "-") + "".join(class_text(node, arenite) for node in classes)
+    text += "".join(
+        f".. py:function:: {signature(node)}\n" + described(getattr(arenite, node.name), "   ") for node in functions
+    )
+    text += (
+        ".. autofunction:: arenite.run_study\n\n"
+        + heading("Classes", "-")
+        + "".join(class_text(node, arenite) for node in classes)
+    )
     figures = heading("Figures in Python") + ".. automodule:: arenite.figures\n   :members:\n   :imported-members:\n"
-    text += "".join(f"\n{heading(title, '-')}.. automodule:: arenite.{name}\n   :members: {members}\n\n" for name, title, members in (
-        ("curves", "Curves of a test", "along, of_states, of_cycles, rheology, Curve"), ("animate", "Films of a run", "save"), ("compare", "Two results", "rows, save_page, save_table, Row")))
+    text += "".join(
+        f"\n{heading(title, '-')}.. automodule:: arenite.{name}\n   :members: {members}\n\n"
+        for name, title, members in (
+            ("curves", "Curves of a test", "along, of_states, of_cycles, rheology, Curve"),
+            ("animate", "Films of a run", "save"),
+            ("compare", "Two results", "rows, save_page, save_table, Row"),
+        )
+    )
     return {"python": text, "figures": figures}
 
 
@@ -85,27 +99,45 @@ def directive(member, owner):
 def parts_of_headers(xml):
     """What Doxygen found, by header: structures first, then what is free in a namespace, in its order."""
     index = ElementTree.parse(xml / "index.xml").getroot()
-    compounds = [ElementTree.parse(xml / (c.get("refid") + ".xml")).find("compounddef") for c in index if c.get("kind") in ("struct", "class", "namespace")]
+    compounds = [
+        ElementTree.parse(xml / (c.get("refid") + ".xml")).find("compounddef")
+        for c in index
+        if c.get("kind") in ("struct", "class", "namespace")
+    ]
     known = {c.findtext("compoundname") for c in compounds if c.get("kind") != "namespace"}
     classes, members = {}, {}
     for compound in compounds:
         name = compound.findtext("compoundname")
         if compound.get("kind") != "namespace":
-            if compound.get("prot") == "public" and name.rpartition("::")[0] not in known:  # what is within another is shown with it
+            if (
+                compound.get("prot") == "public" and name.rpartition("::")[0] not in known
+            ):  # what is within another is shown with it
                 members_of = "   :members:\n\n"
-                classes.setdefault(compound.find("location").get("file"), []).append(f".. doxygen{compound.get('kind')}:: {name}\n{members_of}")
+                classes.setdefault(compound.find("location").get("file"), []).append(
+                    f".. doxygen{compound.get('kind')}:: {name}\n{members_of}"
+                )
             continue
         for member in compound.iter("memberdef"):
             at = member.find("location")
-            members.setdefault(at.get("declfile") or at.get("file"), []).append((int(at.get("declline") or at.get("line")), directive(member, name)))
-    return {file: "".join(classes.get(file, [])) + "".join(text for _, text in sorted(members.get(file, []))) for file in {*classes, *members}}
+            members.setdefault(at.get("declfile") or at.get("file"), []).append(
+                (int(at.get("declline") or at.get("line")), directive(member, name))
+            )
+    return {
+        file: "".join(classes.get(file, [])) + "".join(text for _, text in sorted(members.get(file, [])))
+        for file in {*classes, *members}
+    }
 
 
 def cpp_pages(root, xml):
-    index = heading("C++") + "What an installed library offers; ``<arenite/arenite.hpp>`` includes all of it.\n\n.. toctree::\n\n"
+    index = (
+        heading("C++")
+        + "What an installed library offers; ``<arenite/arenite.hpp>`` includes all of it.\n\n.. toctree::\n\n"
+    )
     pages, parts = {}, parts_of_headers(xml)
     for header in public_headers(root):
         name = "cpp-" + header.removesuffix(".hpp").replace("/", "-")
         index += f"   {name}\n"
-        pages[name] = heading(header) + f".. code-block:: cpp\n\n   #include <arenite/{header}>\n\n" + parts[f"src/{header}"]
+        pages[name] = (
+            heading(header) + f".. code-block:: cpp\n\n   #include <arenite/{header}>\n\n" + parts[f"src/{header}"]
+        )
     return {"cpp": index, **pages}

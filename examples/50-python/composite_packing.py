@@ -9,7 +9,9 @@ import numpy as np
 import arenite
 from arenite import figures
 
-recipe = arenite.Recipe.template("composite", {"container.width": "140 mm", "populations.0.count": 48, "populations.1.count": 64})
+recipe = arenite.Recipe.template(
+    "composite", {"container.width": "140 mm", "populations.0.count": 48, "populations.1.count": 64}
+)
 print(recipe.title, recipe.stages)
 
 # %% Pack, then load stage by stage; every stage takes the packing of the one before.

@@ -8,7 +8,9 @@ from matplotlib.figure import Figure
 import arenite
 from arenite import figures
 
-recipe = arenite.Recipe.template("composite", {"container.width": "120 mm", "populations.0.count": 30, "populations.1.count": 40})
+recipe = arenite.Recipe.template(
+    "composite", {"container.width": "120 mm", "populations.0.count": 30, "populations.1.count": 40}
+)
 file, out = pathlib.Path("recipe.toml"), pathlib.Path("study")
 file.write_text(recipe.toml() + '\n[sweep]\nreplicates = 2\n[sweep.grid]\n"contact.friction" = [0.05, 0.3, 0.6]\n')
 

@@ -1,4 +1,5 @@
-// A cemented packing with the library: packed, loaded by its walls, cemented, discretised into nodes, loaded in tension, measured, stored and read back.
+// A cemented packing with the library: packed, loaded by its walls, cemented, discretised into nodes, loaded in
+// tension, measured, stored and read back.
 #include <arenite/arenite.hpp>
 #include <cstdio>
 #include <numeric>
@@ -10,7 +11,8 @@ namespace {
 recipe::Recipe small_recipe() {
   for (const auto& known : recipe::recipe_templates())
     if (std::string(known.name) == "cemented")
-      return recipe::parse_recipe(recipe::to_toml(known.make()), "cemented", {"bidisperse.box_area=80", "bidisperse.size_ratio=1.67"});
+      return recipe::parse_recipe(recipe::to_toml(known.make()), "cemented",
+                                  {"bidisperse.box_area=80", "bidisperse.size_ratio=1.67"});
   throw InputError("there is no template \"cemented\"");
 }
 
@@ -25,7 +27,8 @@ StageResult run_stage(const Packing& start, const recipe::Recipe& recipe, const 
 
 /// Large and small grains, divided at the mean radius.
 std::vector<GrainClass> classes(const Grains& grains) {
-  const double mean = std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0) / static_cast<double>(grains.size());
+  const double mean =
+      std::accumulate(grains.radius.begin(), grains.radius.end(), 0.0) / static_cast<double>(grains.size());
   std::vector<GrainClass> classes;
   for (const double r : grains.radius) classes.push_back(r > mean ? GrainClass::large : GrainClass::small);
   return classes;
@@ -44,7 +47,8 @@ void stretch(const Packing& packing) {
   std::printf("matrix saturation %.3f, modulus %.3f GPa\n", report.saturation, loaded.report.modulus / 1e9);
   const Numbers stresses = stress::measure(map, loaded.field).numbers;
   for (const auto& [phase, found] : stresses["sigma_yy"]["sets"].items())
-    std::printf("sigma_yy, %s: mean %.0f +- %.0f Pa\n", phase.c_str(), found["mean_Pa"]["value"].get<double>(), found["mean_Pa"]["error"].get<double>());
+    std::printf("sigma_yy, %s: mean %.0f +- %.0f Pa\n", phase.c_str(), found["mean_Pa"]["value"].get<double>(),
+                found["mean_Pa"]["error"].get<double>());
 }
 
 }  // namespace
@@ -60,7 +64,8 @@ int main() try {
   }
   const texture::Texture texture = texture::measure(packing);
   const Numbers& z = texture.numbers["coordination"]["all"];
-  std::printf("%zu grains, z = %.2f +- %.2f\n", packing.grains.size(), z["value"].get<double>(), z["error"].get<double>());
+  std::printf("%zu grains, z = %.2f +- %.2f\n", packing.grains.size(), z["value"].get<double>(),
+              z["error"].get<double>());
 
   io::write_stage("compacted.h5", result);
   stretch(io::read_stage("compacted.h5").snapshots.back().packing);

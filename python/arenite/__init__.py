@@ -10,8 +10,10 @@ import importlib.util as _importlib_util
 import sys as _sys
 
 if not _importlib_util.find_spec(__name__ + "._core"):
-    raise ImportError("arenite: the compiled module _core is not built for this Python; `make build` in the source folder builds it (`make demo` does not) "
-                      "for /usr/bin/python3")
+    raise ImportError(
+        "arenite: the compiled module _core is not built for this Python; `make build` in the source folder builds it (`make demo` does not) "
+        "for /usr/bin/python3"
+    )
 
 from . import _core, _html
 from ._core import *  # noqa: F401,F403
@@ -25,6 +27,13 @@ for _class, _draw in _html.pictures.items():
 
 # As a program (`python3 -m arenite.figures`) figures must say in a sentence what they lack; their package cannot, since it is
 # imported before its __main__. Python's argv[0] is "-m" as long as it looks for the module.
-if _sys.argv[:1] == ["-m"] and "arenite.figures" in getattr(_sys, "orig_argv", []) and not _importlib_util.find_spec("matplotlib"):
-    print("arenite: figures need Matplotlib, which is not installed (Debian: apt-get install python3-matplotlib)", file=_sys.stderr)
+if (
+    _sys.argv[:1] == ["-m"]
+    and "arenite.figures" in getattr(_sys, "orig_argv", [])
+    and not _importlib_util.find_spec("matplotlib")
+):
+    print(
+        "arenite: figures need Matplotlib, which is not installed (Debian: apt-get install python3-matplotlib)",
+        file=_sys.stderr,
+    )
     _sys.exit(2)

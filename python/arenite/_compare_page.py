@@ -23,16 +23,30 @@ def page(a, b, names):
     """HTML of two results called `names`."""
     found = compare.rows(a, b)
     pairs = compare.pairs_of(a, b)
-    marked = [f'<span class="{letter.lower()}">{letter}</span> {html.escape(name)}' for letter, name in zip("AB", names)]
-    parts = [f"<h1>{marked[0]} &nbsp; {marked[1]}</h1>", about(a, b), f"<p>{html.escape(compare.summary(found))}</p>", settings(pairs), figure(pairs),
-             '<h2>Numbers</h2><input type="checkbox" id="only" checked> <label for="only">only differences beyond their errors</label>']
+    marked = [
+        f'<span class="{letter.lower()}">{letter}</span> {html.escape(name)}' for letter, name in zip("AB", names)
+    ]
+    parts = [
+        f"<h1>{marked[0]} &nbsp; {marked[1]}</h1>",
+        about(a, b),
+        f"<p>{html.escape(compare.summary(found))}</p>",
+        settings(pairs),
+        figure(pairs),
+        '<h2>Numbers</h2><input type="checkbox" id="only" checked> <label for="only">only differences beyond their errors</label>',
+    ]
     parts += [section(name, [row for row in found if row.part == name]) for name, *_ in pairs]
-    return ("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">"
-            f"<title>{html.escape(' and '.join(names))}</title><style>{style}</style></head><body>\n" + "\n".join(parts) + "\n</body></html>\n")
+    return (
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">"
+        f"<title>{html.escape(' and '.join(names))}</title><style>{style}</style></head><body>\n"
+        + "\n".join(parts)
+        + "\n</body></html>\n"
+    )
 
 
 def about(a, b):
-    lines = [f"<li>{letter}: {html.escape(result.title or 'without a title')}</li>" for letter, result in zip("AB", (a, b))]
+    lines = [
+        f"<li>{letter}: {html.escape(result.title or 'without a title')}</li>" for letter, result in zip("AB", (a, b))
+    ]
     return f"<ul>{''.join(lines)}</ul>"
 
 
@@ -47,7 +61,12 @@ def settings(pairs):
     differing = [key for key in {**recipes[0], **recipes[1]} if recipes[0].get(key) != recipes[1].get(key)]
     if not differing:
         return "<h2>Settings</h2><p>No setting differs.</p>" if any(recipes) else ""
-    body = [f"<tr><td><code>{html.escape(key)}</code></td>" + "".join(f"<td>{html.escape(recipe.get(key, '-'))}</td>" for recipe in recipes) + "</tr>" for key in differing]
+    body = [
+        f"<tr><td><code>{html.escape(key)}</code></td>"
+        + "".join(f"<td>{html.escape(recipe.get(key, '-'))}</td>" for recipe in recipes)
+        + "</tr>"
+        for key in differing
+    ]
     return "<h2>Settings that differ</h2>" + table(["key", "A", "B"], body)
 
 
@@ -65,7 +84,9 @@ def keys(node, path=""):
     items = node.items() if isinstance(node, dict) else enumerate(node) if isinstance(node, list) else None
     if items is None:
         return {path: str(node)}
-    return {name: text for key, value in items for name, text in keys(value, f"{path}.{key}" if path else str(key)).items()}
+    return {
+        name: text for key, value in items for name, text in keys(value, f"{path}.{key}" if path else str(key)).items()
+    }
 
 
 def section(name, found):
@@ -76,7 +97,12 @@ def section(name, found):
 
 
 def numbers_of(row):
-    cells = [compare.with_error(row.a, row.a_error), compare.with_error(row.b, row.b_error), compare.number(row.difference), compare.in_errors(row)]
+    cells = [
+        compare.with_error(row.a, row.a_error),
+        compare.with_error(row.b, row.b_error),
+        compare.number(row.difference),
+        compare.in_errors(row),
+    ]
     numbers = "".join(f'<td class="n">{html.escape(cell)}</td>' for cell in cells)
     return f'<tr class="{"beyond" if row.verdict == compare.beyond else "other"}"><td><code>{html.escape(row.name)}</code></td>{numbers}<td>{row.verdict}</td></tr>'
 
@@ -98,8 +124,17 @@ def stage_curves(stage):
     found = {}
     if curves.has_history(stage):
         path = curves.curves_of(curves.Test(stage, None))
-        x, words = ("shear_strain", "shear strain, %") if "mu" in path else ("axial_strain", "axial strain since the first row, %")
-        for name, label, factor in (("mu", "$\\mu$", 1), ("q_over_p", "$q/p$", 1), ("p", "$p$, kPa", 1e3), ("volumetric_strain", "volumetric strain, %", 0.01)):
+        x, words = (
+            ("shear_strain", "shear strain, %")
+            if "mu" in path
+            else ("axial_strain", "axial strain since the first row, %")
+        )
+        for name, label, factor in (
+            ("mu", "$\\mu$", 1),
+            ("q_over_p", "$q/p$", 1),
+            ("p", "$p$, kPa", 1e3),
+            ("volumetric_strain", "volumetric strain, %", 0.01),
+        ):
             if name in path and np.ptp(path[x].values) > 1e-5:
                 found[words, label, "linear"] = (100 * path[x].values, path[name].values / factor)
     return {**found, **texture_curves(measure(stage.packing))}
@@ -108,12 +143,18 @@ def stage_curves(stage):
 def texture_curves(texture):
     """Distributions of forces and stresses, contact orientations and numbers of contacts."""
     found = {}
-    for name, label in (("force", "$F_{\\mathrm{n}}/\\langle F_{\\mathrm{n}}\\rangle$"), ("sigma_norm", "$\\sigma_{\\mathrm{norm}}$")):
+    for name, label in (
+        ("force", "$F_{\\mathrm{n}}/\\langle F_{\\mathrm{n}}\\rangle$"),
+        ("sigma_norm", "$\\sigma_{\\mathrm{norm}}$"),
+    ):
         if "cumulative" in texture.get(name, {}):
             found[label, "fraction above", "log"] = tuple(np.array(texture[name]["cumulative"][axis]) for axis in "xy")
     sectors = np.array(texture.get("fabric", {}).get("sectors", []), float)
     if sectors.sum() > 0:
-        found["contact orientation, °", "fraction over isotropic", "linear"] = (180 * (np.arange(len(sectors)) + 0.5) / len(sectors), sectors / sectors.mean())
+        found["contact orientation, °", "fraction over isotropic", "linear"] = (
+            180 * (np.arange(len(sectors)) + 0.5) / len(sectors),
+            sectors / sectors.mean(),
+        )
     histogram = np.array(texture.get("coordination", {}).get("histogram", []))
     if len(histogram) > 1:
         found["contacts per grain", "fraction of grains", "linear"] = (np.arange(len(histogram)), histogram)
@@ -123,18 +164,26 @@ def texture_curves(texture):
 def field_curves(field):
     found = {}
     if len(field.curve.get("strain", [])) > 1:
-        found["strain, $10^{-3}$", "stress, MPa", "linear"] = (1e3 * field.curve["strain"], 1e-6 * field.curve["stress"])
+        found["strain, $10^{-3}$", "stress, MPa", "linear"] = (
+            1e3 * field.curve["strain"],
+            1e-6 * field.curve["stress"],
+        )
     if field.loaded:
         statistics = field.statistics()
         for name, about in statistics.get("components", statistics).items():
             pdf = about["sets"]["all"].get("pdf") if isinstance(about, dict) and "sets" in about else None
             if pdf:
-                found[f"{name} over its {about['normalised_by']}", "probability density", "log"] = tuple(np.array(pdf[axis]) for axis in "xy")
+                found[f"{name} over its {about['normalised_by']}", "probability density", "log"] = tuple(
+                    np.array(pdf[axis]) for axis in "xy"
+                )
     for kind in ("pores", "voids"):
         pdf = field.numbers.get(kind, {}).get("pdf")
         if pdf and not field.loaded:
             edge = np.array(pdf["edge"])
-            found[f"area of {kind} over that of a large grain", "probability density", "log log"] = (np.sqrt(edge[1:] * edge[:-1]), np.array(pdf["density"]))
+            found[f"area of {kind} over that of a large grain", "probability density", "log log"] = (
+                np.sqrt(edge[1:] * edge[:-1]),
+                np.array(pdf["density"]),
+            )
     return found
 
 
@@ -156,8 +205,16 @@ def picture(drawn, columns=3):
             axes = canvas.add_subplot(across, columns, k + 1)
             for letter, colour, (x, y) in zip("AB", colours, both):
                 seen = np.isfinite(y) & ((y > 0) | (scales == "linear"))
-                draw_curve(axes, x[seen], y[seen], colour, letter, 2.0 if letter == "A" else 0.9)  # equal ones are both seen
-            axes.set(title=plain(part), xlabel=x_label, ylabel=y_label, xscale="log" if scales == "log log" else "linear", yscale="linear" if scales == "linear" else "log")
+                draw_curve(
+                    axes, x[seen], y[seen], colour, letter, 2.0 if letter == "A" else 0.9
+                )  # equal ones are both seen
+            axes.set(
+                title=plain(part),
+                xlabel=x_label,
+                ylabel=y_label,
+                xscale="log" if scales == "log log" else "linear",
+                yscale="linear" if scales == "linear" else "log",
+            )
             axes.legend()
         store = io.BytesIO()
         canvas.savefig(store, format="svg", metadata={"Date": None})

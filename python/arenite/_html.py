@@ -21,7 +21,10 @@ def _picture(name, *objects, **options):
 
 
 def _table(rows):
-    cells = "".join(f"<tr><th style='text-align: left'>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>" for name, value in rows)
+    cells = "".join(
+        f"<tr><th style='text-align: left'>{html.escape(name)}</th><td>{html.escape(value)}</td></tr>"
+        for name, value in rows
+    )
     return f"<table>{cells}</table>"
 
 
@@ -29,12 +32,20 @@ def _measured(statistic, unit="", scale=1.0):
     if not statistic or statistic.get("value") is None:
         return "unknown"
     error = statistic.get("error")
-    return f"{statistic['value'] * scale:.4g}" + (f" ± {error * scale:.2g}" if error else "") + (f" {unit}" if unit else "")
+    return (
+        f"{statistic['value'] * scale:.4g}"
+        + (f" ± {error * scale:.2g}" if error else "")
+        + (f" {unit}" if unit else "")
+    )
 
 
 def packing(self):
     domain = self.domain
-    rows = [("grains", str(len(self))), ("contacts", str(len(self.contacts))), ("container", f"{1e3 * domain['width']:.4g} mm × {1e3 * domain['height']:.4g} mm")]
+    rows = [
+        ("grains", str(len(self))),
+        ("contacts", str(len(self.contacts))),
+        ("container", f"{1e3 * domain['width']:.4g} mm × {1e3 * domain['height']:.4g} mm"),
+    ]
     return _table(rows) + _picture("draw_packing", self)
 
 
@@ -42,20 +53,29 @@ def stage(self):
     texture = self.texture
     rows = [("stage", self.name), ("outcome", self.outcome)]
     if texture:
-        rows += [("solid fraction", _measured(texture.get("solid_fraction"))), ("coordination", _measured(texture.get("coordination", {}).get("all")))]
+        rows += [
+            ("solid fraction", _measured(texture.get("solid_fraction"))),
+            ("coordination", _measured(texture.get("coordination", {}).get("all"))),
+        ]
     return _table(rows) + (_picture("draw_packing", self.packing) if self.snapshots else "")
 
 
 def field(self):
-    return _table([("result", self.name), ("outcome", self.outcome)]) + _picture("draw_field" if self.loaded else "draw_phases", self)
+    return _table([("result", self.name), ("outcome", self.outcome)]) + _picture(
+        "draw_field" if self.loaded else "draw_phases", self
+    )
 
 
 def phase_map(self):
-    return _table([("nodes", f"{self.width} × {self.height}"), ("spacing", f"{1e3 * self.dx:.4g} mm")]) + _picture("draw_phases", self)
+    return _table([("nodes", f"{self.width} × {self.height}"), ("spacing", f"{1e3 * self.dx:.4g} mm")]) + _picture(
+        "draw_phases", self
+    )
 
 
 def lockin_maps(self):
-    return _table([("frequency", f"{self.frequency:.6g} Hz"), ("frames", str(self.frames))]) + _picture("draw_map", self.in_phase, label="signed amplitude")
+    return _table([("frequency", f"{self.frequency:.6g} Hz"), ("frames", str(self.frames))]) + _picture(
+        "draw_map", self.in_phase, label="signed amplitude"
+    )
 
 
 def film_result(self):

@@ -15,7 +15,21 @@ no_ffmpeg = "ffmpeg is not installed (Debian: apt-get install ffmpeg), so this i
 colourings = ("material", "forces", "pressure", "deviator", "z", "velocity", "displacement", "rotation", "mobilisation")
 
 
-def save(result, path, by="material", *, stage=None, chains=False, colour_map=None, low=None, high=None, fps=10.0, size=(800, 800), curve=None, progress=None):
+def save(
+    result,
+    path,
+    by="material",
+    *,
+    stage=None,
+    chains=False,
+    colour_map=None,
+    low=None,
+    high=None,
+    fps=10.0,
+    size=(800, 800),
+    curve=None,
+    progress=None,
+):
     """Writes the stored states of a result (a Result or its path), or of one `stage`, as an animation; returns its path, which ends in .gif
     instead of .mp4 if ffmpeg is not installed.
 
@@ -36,7 +50,9 @@ def save(result, path, by="material", *, stage=None, chains=False, colour_map=No
         path = path.with_suffix(".gif")
     with journal_style(**moving.text_size):
         even = [2 * (n // 2) for n in size]  # video codecs halve both sides
-        pictures = moving.Pictures(shots, by, chains, colour_map, low, high, even, curve and moving.Beside(result, curve))
+        pictures = moving.Pictures(
+            shots, by, chains, colour_map, low, high, even, curve and moving.Beside(result, curve)
+        )
         path.parent.mkdir(parents=True, exist_ok=True)
         with written_whole(path) as beside:
             write = write_mp4 if path.suffix == ".mp4" else write_gif
@@ -53,7 +69,9 @@ def refuse(by, path, colour_map, fps, size):
     if path.suffix not in (".mp4", ".gif"):
         raise ValueError(f"{path}: give a name that ends in .mp4 or .gif")
     if colour_map is not None and colour_map not in matplotlib.colormaps:
-        raise ValueError(f"Matplotlib has no colour map {colour_map}; examples are viridis, magma_r, RdBu_r, cividis and turbo")
+        raise ValueError(
+            f"Matplotlib has no colour map {colour_map}; examples are viridis, magma_r, RdBu_r, cividis and turbo"
+        )
     if not 0 < fps <= 100:
         raise ValueError(f"{fps:g} states per second cannot be shown; give up to 100")
     if not all(100 <= n <= 4000 for n in size):
@@ -70,7 +88,9 @@ def write_mp4(path, pictures, fps, progress):
     """With ffmpeg, which receives the images as they are drawn; in a format that every player and presentation program reads."""
     from matplotlib import animation
 
-    writer = animation.FFMpegWriter(fps=fps, codec="h264", extra_args=["-pix_fmt", "yuv420p", "-crf", "20", "-movflags", "+faststart"])
+    writer = animation.FFMpegWriter(
+        fps=fps, codec="h264", extra_args=["-pix_fmt", "yuv420p", "-crf", "20", "-movflags", "+faststart"]
+    )
     with writer.saving(pictures.figure, os.fspath(path), pictures.figure.dpi):
         for k in range(len(pictures)):
             pictures.image(k)
@@ -85,7 +105,9 @@ def write_gif(path, pictures, fps, progress):
     def image(k):
         return Image.fromarray(pictures.image(k)[..., :3].copy())
 
-    palette = palette_of([image(k) for k in (0, len(pictures) // 2, len(pictures) - 1)], pictures.style.get("colour_map"))
+    palette = palette_of(
+        [image(k) for k in (0, len(pictures) // 2, len(pictures) - 1)], pictures.style.get("colour_map")
+    )
     frames = []
     for k in range(len(pictures)):
         frames.append(image(k).quantize(palette=palette, dither=Image.Dither.NONE))
@@ -109,22 +131,50 @@ def palette_of(images, colour_map=None, scale=176):
     if colour_map is not None:
         fixed += matplotlib.colormaps.get_cmap(colour_map)(np.linspace(0, 1, scale), bytes=True)[:, :3].ravel().tolist()
     palette = Image.new("P", (1, 1))
-    palette.putpalette(fixed + sample.quantize(256 - len(fixed) // 3).getpalette()[:3 * 256 - len(fixed)])
+    palette.putpalette(fixed + sample.quantize(256 - len(fixed) // 3).getpalette()[: 3 * 256 - len(fixed)])
     return palette
 
 
-def main(result, out=None, by="material", stage=None, chains=False, map=None, low=None, high=None, fps=10, size=None, curve=None):
+def main(
+    result,
+    out=None,
+    by="material",
+    stage=None,
+    chains=False,
+    map=None,
+    low=None,
+    high=None,
+    fps=10,
+    size=None,
+    curve=None,
+):
     """Implements `arenite animate`, whose options are declared by the program: prints the path; status 2 and a message on stderr for bad input."""
     folder = pathlib.Path(result) if os.path.isdir(result) else pathlib.Path(result).parent
     try:
-        written = save(result, out or folder / "animation.mp4", by, stage=stage, chains=chains, colour_map=map, low=low, high=high, fps=fps,
-                       size=size or (1200 if curve else 800, 800), curve=curve and pair(curve), progress=progress_on(sys.stderr))
+        written = save(
+            result,
+            out or folder / "animation.mp4",
+            by,
+            stage=stage,
+            chains=chains,
+            colour_map=map,
+            low=low,
+            high=high,
+            fps=fps,
+            size=size or (1200 if curve else 800, 800),
+            curve=curve and pair(curve),
+            progress=progress_on(sys.stderr),
+        )
     except ValueError as error:
         return said(str(error))
     except ImportError as error:
-        return said(f"an animation needs Matplotlib and Pillow (Debian: apt-get install python3-matplotlib python3-pil): {error}")
+        return said(
+            f"an animation needs Matplotlib and Pillow (Debian: apt-get install python3-matplotlib python3-pil): {error}"
+        )
     except OSError as error:
-        return said(f"{error.filename or out}: cannot be written ({error.strerror or error}); choose another file with --out")
+        return said(
+            f"{error.filename or out}: cannot be written ({error.strerror or error}); choose another file with --out"
+        )
     if written.suffix == ".gif" and not (out or "").endswith(".gif"):
         tell(f"arenite: {no_ffmpeg}", sys.stderr)
     tell(f"{written}")
@@ -145,7 +195,9 @@ def progress_on(stream):
     """Progress on a terminal, none elsewhere."""
     if not stream.isatty():
         return None
-    return lambda share, name: print(f"\r{name} {100 * share:3.0f} %", end="\n" if share == 1 else "", file=stream, flush=True)
+    return lambda share, name: print(
+        f"\r{name} {100 * share:3.0f} %", end="\n" if share == 1 else "", file=stream, flush=True
+    )
 
 
 if __name__ == "__main__":

@@ -64,7 +64,11 @@ def turn_of(name):
 def parts_of(result):
     """[(kind, name, numbers, part)]: texture of every stage, numbers of every sample, load and film."""
     found = [("stage", part.name, part.texture, part) for part in result.stages if len(part.texture) > 0]
-    return found + [(kind, part.name, part.numbers, part) for kind, parts in (("field", result.fields), ("film", result.films)) for part in parts]
+    return found + [
+        (kind, part.name, part.numbers, part)
+        for kind, parts in (("field", result.fields), ("film", result.films))
+        for part in parts
+    ]
 
 
 def pairs_of(a, b):
@@ -73,7 +77,10 @@ def pairs_of(a, b):
     parts, others = parts_of(a), parts_of(b)
     pairs = [(one[1], one, other) for one in parts for other in others if one[:2] == other[:2]]
     for kind in ("stage", "field", "film"):
-        left, right = ([part for part in every if part[0] == kind and not any(part in pair[1:] for pair in pairs)] for every in (parts, others))
+        left, right = (
+            [part for part in every if part[0] == kind and not any(part in pair[1:] for pair in pairs)]
+            for every in (parts, others)
+        )
         if left and right:
             pairs.append((f"{left[-1][1]} / {right[-1][1]}", left[-1], right[-1]))
     if not pairs:
@@ -111,7 +118,11 @@ def flattened(numbers, path=""):
 
 
 def is_curve(numbers):
-    lists = [value for value in numbers.values() if isinstance(value, (list, tuple)) and all(is_number(v) or v is None for v in value)]
+    lists = [
+        value
+        for value in numbers.values()
+        if isinstance(value, (list, tuple)) and all(is_number(v) or v is None for v in value)
+    ]
     return len(lists) > 1 and "value" not in numbers
 
 
@@ -131,7 +142,9 @@ def opened(result):
 
 def counted(found):
     """{verdict: how many rows}."""
-    return {verdict: sum(row.verdict == verdict for row in found) for verdict in (beyond, within, equal, unjudged, alone)}
+    return {
+        verdict: sum(row.verdict == verdict for row in found) for verdict in (beyond, within, equal, unjudged, alone)
+    }
 
 
 def summary(found):
@@ -147,7 +160,18 @@ def summary(found):
 def text_table(found):
     """The rows as text in columns."""
     shown = [("part", "number", "A", "B", "B - A", "standard errors", "")]
-    shown += [(r.part, r.name, with_error(r.a, r.a_error), with_error(r.b, r.b_error), number(r.difference), in_errors(r), r.verdict) for r in found]
+    shown += [
+        (
+            r.part,
+            r.name,
+            with_error(r.a, r.a_error),
+            with_error(r.b, r.b_error),
+            number(r.difference),
+            in_errors(r),
+            r.verdict,
+        )
+        for r in found
+    ]
     widths = [max(len(row[k]) for row in shown) for k in range(len(shown[0]))]
     return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in shown)
 
@@ -177,7 +201,14 @@ def save_table(found, path):
         table.writerow(["part", "name", "a", "a_error", "b", "b_error", "difference", "difference_error", "verdict"])
         for row in found:
             cells = (row.a, row.a_error, row.b, row.b_error, row.difference, row.error)
-            table.writerow([plain(row.part), plain(row.name), *("" if math.isnan(v) else repr(float(v)) for v in cells), row.verdict])
+            table.writerow(
+                [
+                    plain(row.part),
+                    plain(row.name),
+                    *("" if math.isnan(v) else repr(float(v)) for v in cells),
+                    row.verdict,
+                ]
+            )
 
 
 def save_page(a, b, path, names=None):
@@ -211,7 +242,9 @@ def main(a, b, out="compare.html", csv=None, all=False):
     except ImportError as error:
         return said(f"the page's curves need Matplotlib (Debian: apt-get install python3-matplotlib): {error}")
     except OSError as error:
-        return said(f"{error.filename or out}: cannot be written ({error.strerror or error}); choose another file with --out or --csv")
+        return said(
+            f"{error.filename or out}: cannot be written ({error.strerror or error}); choose another file with --out or --csv"
+        )
     shown = found if all else [row for row in found if row.verdict == beyond]
     if shown:
         tell(text_table(shown))

@@ -39,8 +39,12 @@ def find_test(result, stage=None):
     found = [k for k, part in enumerate(stages) if has_history(part) and stage in (None, part.name)]
     if not found:
         names = ", ".join(part.name for part in stages)
-        raise ValueError(f"there is no stage {stage} with a history; there are {names}" if stage else "this result holds no loading stage with a history")
-    earlier = [snapshot.packing for part in stages[:found[-1]] for snapshot in part.snapshots[-1:]]
+        raise ValueError(
+            f"there is no stage {stage} with a history; there are {names}"
+            if stage
+            else "this result holds no loading stage with a history"
+        )
+    earlier = [snapshot.packing for part in stages[: found[-1]] for snapshot in part.snapshots[-1:]]
     return Test(stages[found[-1]], earlier[-1] if earlier else None)
 
 
@@ -54,7 +58,8 @@ def along(result, stage=None):
     `sigma_xx`, `sigma_yy`, `tau`, `p`, `q`, `q_over_p` and, if a cell is sheared or a wall slides, `mu`, shear over normal stress
     there, negative for shear to the left; ratios are NaN if the
     sides are almost unloaded; `solid_fraction` of the whole box, `inertial_number`; for runs with
-    track_energy `dissipated_energy` and `work` since the first row. Raises ValueError for a result without such a stage."""
+    track_energy `dissipated_energy` and `work` since the first row. Raises ValueError for a result without such a stage.
+    """
     return curves_of(find_test(result, stage))
 
 
@@ -87,11 +92,20 @@ def strains(test, snapshots=None):
     if snapshots is None:
         size = {axis: extent(history, axis) for axis in "xy"}
     else:
-        size = {axis: np.array([snapshot.packing.domain[name] for snapshot in snapshots]) for axis, name in (("x", "width"), ("y", "height"))}
+        size = {
+            axis: np.array([snapshot.packing.domain[name] for snapshot in snapshots])
+            for axis, name in (("x", "width"), ("y", "height"))
+        }
         shear = None if shear is None else np.interp([snapshot.time for snapshot in snapshots], history["time"], shear)
     x, y = (1 - size[axis] / start[axis] for axis in "xy")
     axial, lateral = (y, x) if is_upright else (x, y)
-    named = {"strain_x": x, "strain_y": y, "axial_strain": axial, "volumetric_strain": 1 - (1 - x) * (1 - y), "shear_strain": axial - lateral if shear is None else shear}
+    named = {
+        "strain_x": x,
+        "strain_y": y,
+        "axial_strain": axial,
+        "volumetric_strain": 1 - (1 - x) * (1 - y),
+        "shear_strain": axial - lateral if shear is None else shear,
+    }
     return {name: Curve(values, "1") for name, values in named.items()}
 
 
@@ -120,7 +134,11 @@ def slides(stage):
     """{side: m/s} of sliding walls, from the stage's recipe; the initial value if a programme drives them."""
     own = stage_recipe(stage)
     speeds = {side: speed_of(text) for side, text in own.get("slide", {}).items()}
-    driven = {programme["of"].removeprefix("slide.") for programme in own.get("programmes", []) if programme["of"].startswith("slide.")}
+    driven = {
+        programme["of"].removeprefix("slide.")
+        for programme in own.get("programmes", [])
+        if programme["of"].startswith("slide.")
+    }
     return {side: speed for side, speed in speeds.items() if speed or side in driven}
 
 
@@ -160,8 +178,11 @@ def stresses(test):
     yy = 0.5 * (history["bottom_force"] + history["top_force"]) / over["y"]
     aside = sides_shear(test)
     # Positive where the top, or the right side, is held back from going right, or up.
-    tau = 0.5 * ((history["left_shear_force"] - history["right_shear_force"]) / over["x"] if aside else
-                 (history["bottom_shear_force"] - history["top_shear_force"]) / over["y"])
+    tau = 0.5 * (
+        (history["left_shear_force"] - history["right_shear_force"]) / over["x"]
+        if aside
+        else (history["bottom_shear_force"] - history["top_shear_force"]) / over["y"]
+    )
     known = {name: Curve(values, "Pa") for name, values in (("sigma_xx", xx), ("sigma_yy", yy)) if np.any(values)}
     if not known:
         return {}
@@ -196,13 +217,18 @@ def inertial_number(found, pressure, packing):
     rate = np.gradient(found["shear_strain"].values, found["time"].values)
     density = np.array([material.density for material in packing.materials])[packing.material]
     mean_density = np.sum(density * packing.radius**2) / np.sum(packing.radius**2)
-    return np.abs(rate) * 2 * np.mean(packing.radius) * np.sqrt(ratio(np.full(len(rate), mean_density), loaded(pressure)))
+    return (
+        np.abs(rate) * 2 * np.mean(packing.radius) * np.sqrt(ratio(np.full(len(rate), mean_density), loaded(pressure)))
+    )
 
 
 def energies(history):
     """Relative to the first row; empty if the run did not track energies."""
     none = np.zeros(len(history["time"]))
-    spent, work = (sum((history.get(name, none) for name in names), none) for names in (dissipations, ["work_walls", "work_gravity"]))
+    spent, work = (
+        sum((history.get(name, none) for name in names), none)
+        for names in (dissipations, ["work_walls", "work_gravity"])
+    )
     if not np.any(spent) and not np.any(work):
         return {}
     return {"dissipated_energy": Curve(spent - spent[0], "J"), "work": Curve(work - work[0], "J")}
@@ -238,8 +264,13 @@ def of_states(result, stage=None):
 def states_of(test):
     """As `of_states`, of a Test."""
     snapshots = test.stage.snapshots
-    found = {"time": Curve(np.array([snapshot.time for snapshot in snapshots]) - test.stage.history["time"][0], "s"), **strains(test, snapshots)}
-    measured = [measure(snapshot.packing, curves=False) if len(snapshot.packing.contacts) > 0 else {} for snapshot in snapshots]
+    found = {
+        "time": Curve(np.array([snapshot.time for snapshot in snapshots]) - test.stage.history["time"][0], "s"),
+        **strains(test, snapshots),
+    }
+    measured = [
+        measure(snapshot.packing, curves=False) if len(snapshot.packing.contacts) > 0 else {} for snapshot in snapshots
+    ]
     for (name, unit), path in textures.items():
         values, errors = np.array([statistic(about, path) for about in measured], float).reshape(-1, 2).T
         if np.any(np.isfinite(values)):
@@ -263,7 +294,8 @@ def statistic(about, path):
 def of_cycles(result, stage=None):
     """Curves over the cycles of a stage with `cycles`: `cycle`, and every curve of `of_states` at the largest and at the
     smallest load of each, `axial_strain_maximum`, `z_minimum`; `strain_amplitude` between the two; `accumulated_strain` at the
-    smallest load since the end of the first cycle; `dissipated_energy` in each cycle. Raises ValueError for a stage without cycles."""
+    smallest load since the end of the first cycle; `dissipated_energy` in each cycle. Raises ValueError for a stage without cycles.
+    """
     return cycles_of(find_test(result, stage))
 
 
@@ -271,7 +303,11 @@ def whole_cycles(stage):
     """{number: (place of the maximum, place of the minimum)} of the stored states of whole cycles."""
     labels = [re.fullmatch(r"cycle (\d+) (maximum|minimum)", snapshot.label) for snapshot in stage.snapshots]
     place = {(int(found[1]), found[2]): k for k, found in enumerate(labels) if found}
-    return {n: (place[n, "maximum"], k) for (n, end), k in sorted(place.items()) if end == "minimum" and (n, "maximum") in place}
+    return {
+        n: (place[n, "maximum"], k)
+        for (n, end), k in sorted(place.items())
+        if end == "minimum" and (n, "maximum") in place
+    }
 
 
 def cycles_of(test):
@@ -287,7 +323,9 @@ def cycles_of(test):
     found["strain_amplitude"], found["accumulated_strain"] = Curve(high - low, "1"), Curve(low - low[0], "1")
     spent = energies(test.stage.history).get("dissipated_energy")
     if spent:
-        found["dissipated_energy"] = Curve(np.diff(np.interp(ends_of(test.stage, cycles), test.stage.history["time"], spent.values)), "J")
+        found["dissipated_energy"] = Curve(
+            np.diff(np.interp(ends_of(test.stage, cycles), test.stage.history["time"], spent.values)), "J"
+        )
     return found
 
 
@@ -303,8 +341,12 @@ def every_cycle_of(test):
     table, history = dict(getattr(test.stage, "cycles", {})), test.stage.history
     if not table:
         raise ValueError(f"the stage {test.stage.name} has no complete cycle")
-    before = test.before or types.SimpleNamespace(domain={"width": extent(history, "x")[0], "height": extent(history, "y")[0]})
-    rows = types.SimpleNamespace(name=test.stage.name, history=table, snapshots=test.stage.snapshots, provenance=test.stage.provenance)
+    before = test.before or types.SimpleNamespace(
+        domain={"width": extent(history, "x")[0], "height": extent(history, "y")[0]}
+    )
+    rows = types.SimpleNamespace(
+        name=test.stage.name, history=table, snapshots=test.stage.snapshots, provenance=test.stage.provenance
+    )
     of_rows = curves_of(Test(rows, before))
     if "shear_strain" in table:
         of_rows["shear_strain"] = Curve(table["shear_strain"] - history["shear_strain"][0], "1")
@@ -312,10 +354,14 @@ def every_cycle_of(test):
     found = {"cycle": Curve(table["cycle"][1::2][:whole], "1")}
     for name, curve in of_rows.items():
         if name not in ("time", "inertial_number"):
-            found[f"{name}_maximum"], found[f"{name}_minimum"] = Curve(curve.values[0:2 * whole:2], curve.unit), Curve(curve.values[1:2 * whole:2], curve.unit)
+            found[f"{name}_maximum"], found[f"{name}_minimum"] = Curve(
+                curve.values[0 : 2 * whole : 2], curve.unit
+            ), Curve(curve.values[1 : 2 * whole : 2], curve.unit)
     own = stage_recipe(test.stage)
     side = own.get("strain_cycles", {}).get("of") or own.get("cycles", {}).get("side")
-    for end in ("maximum", "minimum") if side in ("left", "right", "bottom", "top") else ():  # which axis cycles, not which has shortened in the end
+    for end in (
+        ("maximum", "minimum") if side in ("left", "right", "bottom", "top") else ()
+    ):  # which axis cycles, not which has shortened in the end
         found[f"axial_strain_{end}"] = found[f"strain_{'x' if side in ('left', 'right') else 'y'}_{end}"]
     low = found["axial_strain_minimum"].values
     found["accumulated_strain"] = Curve(low - low[0], "1")
@@ -325,7 +371,9 @@ def every_cycle_of(test):
 def ends_of(stage, cycles):
     """Time of the state before the first cycle, or of the first row, and of the ends of all cycles."""
     before = [snapshot.time for snapshot in stage.snapshots if not snapshot.label.startswith("cycle")]
-    return np.array([before[-1] if before else stage.history["time"][0]] + [stage.snapshots[low].time for _, low in cycles.values()])
+    return np.array(
+        [before[-1] if before else stage.history["time"][0]] + [stage.snapshots[low].time for _, low in cycles.values()]
+    )
 
 
 def steady(values):
@@ -374,4 +422,7 @@ def rheology(results, stage=None):
         friction, density = steady_ratio(*parts_of_ratio(test, found)), steady(found["solid_fraction"].values)
         rows.append([steady(found["inertial_number"].values)[0], *friction, *density])
     table = np.array(sorted(rows), float).reshape(-1, 5).T
-    return {name: Curve(values, "1") for name, values in zip(["inertial_number", "mu", "mu_error", "solid_fraction", "solid_fraction_error"], table)}
+    return {
+        name: Curve(values, "1")
+        for name, values in zip(["inertial_number", "mu", "mu_error", "solid_fraction", "solid_fraction_error"], table)
+    }

@@ -44,14 +44,26 @@ def runouts(results):
     rows = []
     for n in (last_numbers(result, "surface") for result in results):
         if "runout_over_width" in n:
-            rows.append([n["aspect_ratio_before"], *estimate(n["runout_over_width"]), n["height_over_width"], *estimate(n.get("angle_deg", {}))])
-    return table(rows, [(name, "1") for name in ("aspect_ratio", "runout", "runout_error", "height")] + [("angle", "deg"), ("angle_error", "deg")])
+            rows.append(
+                [
+                    n["aspect_ratio_before"],
+                    *estimate(n["runout_over_width"]),
+                    n["height_over_width"],
+                    *estimate(n.get("angle_deg", {})),
+                ]
+            )
+    return table(
+        rows,
+        [(name, "1") for name in ("aspect_ratio", "runout", "runout_error", "height")]
+        + [("angle", "deg"), ("angle_error", "deg")],
+    )
 
 
 def gravity_of(stage):
     """Acceleration of gravity in a stage, m/s^2, as its recipe has it: at the end of its programme, if it has one; 9.81 m/s^2
     unless given."""
     own = curves.stage_recipe(stage)
+
     def in_si(text):
         return float(str(text).split()[0])
 
@@ -74,9 +86,18 @@ def silo_state(result):
     weight = gravity_of(stage) * np.pi * thickness * np.sum(density * packing.radius**2)
     surface = free_surface(packing)
     sides = np.mean(history["left_force"][half]) + np.mean(history["right_force"][half])
-    states = [snapshot.packing for snapshot in stage.snapshots[len(stage.snapshots) // 2:]]
+    states = [snapshot.packing for snapshot in stage.snapshots[len(stage.snapshots) // 2 :]]
     sigma = sum(mean_stress(state) for state in states)
-    return [np.mean(surface["height"]) - surface["bottom"], floor, error, weight, (weight - floor) / sides, sigma[0] / sigma[1], width, thickness]
+    return [
+        np.mean(surface["height"]) - surface["bottom"],
+        floor,
+        error,
+        weight,
+        (weight - floor) / sides,
+        sigma[0] / sigma[1],
+        width,
+        thickness,
+    ]
 
 
 def block_mean(values, blocks=10):
@@ -87,7 +108,7 @@ def block_mean(values, blocks=10):
 
 def late_mean(values):
     """block_mean of the second half of a series."""
-    return block_mean(values[len(values) // 2:])
+    return block_mean(values[len(values) // 2 :])
 
 
 def mean_stress(packing):
@@ -103,8 +124,21 @@ def silos(results):
     last stage."""
     rows = []
     for height, force, error, weight, friction, ratio, width, depth in map(silo_state, results):
-        rows.append([height, force / (width * depth), error / (width * depth), weight / (width * depth), friction, ratio, width])
-    return table(rows, [("height", "m"), ("pressure", "Pa"), ("pressure_error", "Pa"), ("hydrostatic", "Pa"), ("wall_friction", "1"), ("ratio", "1"), ("width", "m")])
+        rows.append(
+            [height, force / (width * depth), error / (width * depth), weight / (width * depth), friction, ratio, width]
+        )
+    return table(
+        rows,
+        [
+            ("height", "m"),
+            ("pressure", "Pa"),
+            ("pressure_error", "Pa"),
+            ("hydrostatic", "Pa"),
+            ("wall_friction", "1"),
+            ("ratio", "1"),
+            ("width", "m"),
+        ],
+    )
 
 
 def friction_of(result):
@@ -131,7 +165,10 @@ def critical_states(results, stage=None):
             friction = block_mean(curves.about_ratio_of_means(shear[half:], normal[half:]))
         density = (plateaus[1]["mean"], plateaus[1]["error"]) if plateaus[1]["reached"] else late_mean(solid)
         rows.append([friction_of(result), *friction, *density, all(plateau["reached"] for plateau in plateaus)])
-    return table(rows, [(name, "1") for name in ("friction", "mu", "mu_error", "solid_fraction", "solid_fraction_error", "reached")])
+    return table(
+        rows,
+        [(name, "1") for name in ("friction", "mu", "mu_error", "solid_fraction", "solid_fraction_error", "reached")],
+    )
 
 
 def fit(model, start, x, y, error, rounds=200):
@@ -139,12 +176,18 @@ def fit(model, start, x, y, error, rounds=200):
     errors), scaled up if the points scatter more than their errors. Unknown errors are set to the largest known one,
     or all equal."""
     known = np.isfinite(error) & (error > 0)
-    scale = np.where(known, error, np.max(error[known])) if np.any(known) else np.full(len(y), np.std(y) if len(y) > 1 else 1.0)
+    scale = (
+        np.where(known, error, np.max(error[known]))
+        if np.any(known)
+        else np.full(len(y), np.std(y) if len(y) > 1 else 1.0)
+    )
     p, damping = np.array(start, float), 1e-3
     residual = (y - model(x, p)) / scale
     for _ in range(rounds):
         steps = 1e-6 * np.maximum(np.abs(p), 1e-9)
-        slope = np.array([(model(x, p + step) - model(x, p - step)) / (2 * np.max(step)) / scale for step in np.diag(steps)]).T
+        slope = np.array(
+            [(model(x, p + step) - model(x, p - step)) / (2 * np.max(step)) / scale for step in np.diag(steps)]
+        ).T
         normal = slope.T @ slope
         trial = p + np.linalg.solve(normal + damping * np.diag(np.diag(normal)), slope.T @ residual)
         new = (y - model(x, trial)) / scale
@@ -166,7 +209,8 @@ def named(names, found):
 
 def fit_beverloo(found, exponent=None):
     """W = a (D - w)^n of `discharges`: `factor` a, `lost_width` w (m; k d) and, unless given, `exponent` n. In two dimensions n = 3/2
-    (Beverloo, Leniger and van de Velde, Chem. Eng. Sci. 15, 260, 1961) and a = C rho_b sqrt(g) times the out-of-plane length."""
+    (Beverloo, Leniger and van de Velde, Chem. Eng. Sci. 15, 260, 1961) and a = C rho_b sqrt(g) times the out-of-plane length.
+    """
     x, y, error = (found[name].values for name in ("opening", "rate", "rate_error"))
     n = 1.5 if exponent is None else exponent
     slope, intercept = np.polyfit(x, y ** (1 / n), 1)
@@ -175,7 +219,9 @@ def fit_beverloo(found, exponent=None):
     def model(d, p):
         return p[0] * np.maximum(d - p[1], 1e-9) ** (p[2] if len(p) > 2 else n)
 
-    return named(["factor", "lost_width", "exponent"], fit(model, start + ([n] if exponent is None else []), x, y, error))
+    return named(
+        ["factor", "lost_width", "exponent"], fit(model, start + ([n] if exponent is None else []), x, y, error)
+    )
 
 
 def fit_power(x, y, error):
@@ -187,7 +233,8 @@ def fit_power(x, y, error):
 def fit_runout(found, low=2.5, high=2.5):
     """Power laws of `runouts` below and above aspect ratios: {"low": ..., "high": ...} as fit_power gives them. Grains on a plane spread by
     about a below 2 to 3 and by a^(2/3) to a^0.7 above (Lube et al., Phys. Rev. E 72, 041301, 2005; Lajeunesse, Monnier and Homsy, Phys. Fluids
-    17, 103302, 2005; Staron and Hinch, J. Fluid Mech. 545, 1, 2005). The points have equal weights: the front scatters, not the measurement of its position."""
+    17, 103302, 2005; Staron and Hinch, J. Fluid Mech. 545, 1, 2005). The points have equal weights: the front scatters, not the measurement of its position.
+    """
     x, y = found["aspect_ratio"].values, found["runout"].values
     parts = {"low": x <= low, "high": x >= high}
     return {name: fit_power(x[part], y[part], 0.05 * y[part]) for name, part in parts.items() if np.sum(part) > 2}
@@ -195,11 +242,15 @@ def fit_runout(found, low=2.5, high=2.5):
 
 def fit_janssen(found):
     """p = p_s (1 - exp(-H/l)) of `silos` (Janssen 1895): `saturation` p_s (Pa), `length` l (m); `length_by_stresses`, W/(2 mu_w K) with the wall
-    friction and the ratio of stresses measured in the taller half of the fillings, which represent the saturated part."""
+    friction and the ratio of stresses measured in the taller half of the fillings, which represent the saturated part.
+    """
     x, y, error = (found[name].values for name in ("height", "pressure", "pressure_error"))
     start = [np.max(y), np.max(y) / max(np.max(found["hydrostatic"].values / x), 1e-300)]
     result = named(["saturation", "length"], fit(lambda h, p: p[0] * -np.expm1(-h / p[1]), start, x, y, error))
     upper = slice(len(x) // 2, None)
     lengths = (found["width"].values / (2 * found["wall_friction"].values * found["ratio"].values))[upper]
-    result["length_by_stresses"] = (float(np.mean(lengths)), float(np.std(lengths, ddof=1) / np.sqrt(len(lengths))) if len(lengths) > 1 else np.nan)
+    result["length_by_stresses"] = (
+        float(np.mean(lengths)),
+        float(np.std(lengths, ddof=1) / np.sqrt(len(lengths))) if len(lengths) > 1 else np.nan,
+    )
     return result

@@ -10,13 +10,26 @@ from typing import Any, Callable, Dict, Optional, Union
 from . import _core
 
 
-def run_study(recipe: Union[str, os.PathLike], out: Union[str, os.PathLike], *, jobs: int = 1, progress: Optional[Callable[[float, str], Any]] = None) -> Dict[str, int]:
+def run_study(
+    recipe: Union[str, os.PathLike],
+    out: Union[str, os.PathLike],
+    *,
+    jobs: int = 1,
+    progress: Optional[Callable[[float, str], Any]] = None,
+) -> Dict[str, int]:
     """Runs a recipe with [sweep], each run in its own process; finished runs are not repeated.
 
     `progress(share, "runs")` is called meanwhile. Returns the numbers of runs that are done, not done (failed or without
     equilibrium) and left. Raises ValueError with the program's message.
     """
-    command = [sys.executable, "-c", "from arenite import studies; studies._main()", os.fspath(recipe), os.fspath(out), str(jobs)]
+    command = [
+        sys.executable,
+        "-c",
+        "from arenite import studies; studies._main()",
+        os.fspath(recipe),
+        os.fspath(out),
+        str(jobs),
+    ]
     last = {}
     with subprocess.Popen(command, stdout=subprocess.PIPE, env=_environment()) as process:
         try:
@@ -59,4 +72,3 @@ def _main():
         say(**_core._run_study(recipe, out, jobs=int(jobs), progress=lambda share, _: say(share=share)))
     except ValueError as error:
         say(error=str(error))
-

@@ -15,8 +15,8 @@ double number_or_text(const Quantity& quantity, Dimension wanted) {
   if (!PyErr_Occurred()) return value;
   PyErr_Clear();
   const std::string unit = si_unit(wanted);
-  throw InputError(
-      fmt::format("is of type {}; give a number{}", Py_TYPE(quantity.ptr())->tp_name, unit.empty() ? "" : fmt::format(" ({}), or text with a unit", unit)));
+  throw InputError(fmt::format("is of type {}; give a number{}", Py_TYPE(quantity.ptr())->tp_name,
+                               unit.empty() ? "" : fmt::format(" ({}), or text with a unit", unit)));
 }
 
 }  // namespace
@@ -41,7 +41,8 @@ std::vector<double> si(const std::vector<Quantity>& quantities, Dimension wanted
 
 std::pair<bool, bool> periodic_directions(const std::string& word) {
   if (word != "" && word != "x" && word != "y" && word != "xy")
-    throw InputError(fmt::format("periodic is \"{}\"; give \"x\", \"y\", \"xy\", or \"\" for walls on all sides", word));
+    throw InputError(
+        fmt::format("periodic is \"{}\"; give \"x\", \"y\", \"xy\", or \"\" for walls on all sides", word));
   return {word.starts_with('x'), word.ends_with('y')};
 }
 

@@ -63,9 +63,19 @@ std::pair<bool, bool> periodic_directions(const std::string& word);
 }  // namespace arenite::python
 
 namespace pybind11::detail {
-template <> struct handle_type_name<arenite::python::Quantity> { static constexpr auto name = const_name("Union[float, str]"); };
-template <> struct handle_type_name<arenite::python::ArrayLike> { static constexpr auto name = const_name("ArrayLike"); };
-template <> struct handle_type_name<arenite::python::FilmLike> { static constexpr auto name = const_name("Union[str, os.PathLike, ArrayLike]"); };
-template <> struct handle_type_name<arenite::python::MeasuredLike> { static constexpr auto name = const_name("Union[float, str, Tuple[float, float]]"); };
-template <> struct handle_type_name<arenite::python::Progress> { static constexpr auto name = const_name("Optional[Callable[[float, str], Any]]"); };
+template <> struct handle_type_name<arenite::python::Quantity> {
+  static constexpr auto name = const_name("Union[float, str]");
+};
+template <> struct handle_type_name<arenite::python::ArrayLike> {
+  static constexpr auto name = const_name("ArrayLike");
+};
+template <> struct handle_type_name<arenite::python::FilmLike> {
+  static constexpr auto name = const_name("Union[str, os.PathLike, ArrayLike]");
+};
+template <> struct handle_type_name<arenite::python::MeasuredLike> {
+  static constexpr auto name = const_name("Union[float, str, Tuple[float, float]]");
+};
+template <> struct handle_type_name<arenite::python::Progress> {
+  static constexpr auto name = const_name("Optional[Callable[[float, str], Any]]");
+};
 }  // namespace pybind11::detail

@@ -15,7 +15,9 @@
 namespace arenite::python {
 
 /// An array of this shape over `values`, which `owner` holds. It cannot be written to: results are what was computed.
-template <class T, std::size_t N> py::array_t<T> shaped_view(const std::vector<T>& values, const std::array<py::ssize_t, N>& shape, const py::object& owner) {
+template <class T, std::size_t N>
+py::array_t<T> shaped_view(const std::vector<T>& values, const std::array<py::ssize_t, N>& shape,
+                           const py::object& owner) {
   py::array_t<T> array(std::vector<py::ssize_t>(shape.begin(), shape.end()), values.data(), owner);
   array.attr("setflags")(py::arg("write") = false);
   return array;
@@ -26,14 +28,17 @@ template <class T> py::array_t<T> view(const std::vector<T>& values, const py::o
 }
 
 /// Rows x columns; an empty vector gives an array without rows.
-template <class T> py::array_t<T> image_view(const std::vector<T>& values, int rows, int columns, const py::object& owner) {
+template <class T>
+py::array_t<T> image_view(const std::vector<T>& values, int rows, int columns, const py::object& owner) {
   return shaped_view<T, 2>(values, {values.empty() ? 0 : rows, columns}, owner);
 }
 
 /// One member of every record of a vector, which `owner` holds.
-template <class T, class Record> py::array_t<T> member_view(const std::vector<Record>& records, T Record::*member, const py::object& owner) {
+template <class T, class Record>
+py::array_t<T> member_view(const std::vector<Record>& records, T Record::*member, const py::object& owner) {
   const T* first = records.empty() ? nullptr : &(records.front().*member);
-  py::array_t<T> array({static_cast<py::ssize_t>(records.size())}, {static_cast<py::ssize_t>(sizeof(Record))}, first, owner);
+  py::array_t<T> array({static_cast<py::ssize_t>(records.size())}, {static_cast<py::ssize_t>(sizeof(Record))}, first,
+                       owner);
   array.attr("setflags")(py::arg("write") = false);
   return array;
 }
@@ -60,10 +65,12 @@ template <class Class, class Part> void array_property(Class& c, const char* nam
 }
 
 /// The same, one coordinate of vectors.
-template <class Class, class Part> void coordinate_property(Class& c, const char* name, Part part, double Vec2::*axis, const char* doc) {
+template <class Class, class Part>
+void coordinate_property(Class& c, const char* name, Part part, double Vec2::*axis, const char* doc) {
   using Owner = typename Class::type;
   c.def_property_readonly(
-      name, [part, axis](const py::object& self) { return member_view(part(self.cast<const Owner&>()), axis, self); }, doc);
+      name, [part, axis](const py::object& self) { return member_view(part(self.cast<const Owner&>()), axis, self); },
+      doc);
 }
 
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
@@ -83,6 +90,7 @@ std::vector<double> to_vector(const ArrayLike& values, const std::string& name);
 /// The same, every number finite.
 std::vector<double> finite_numbers(const ArrayLike& values, const std::string& name);
 /// The same, every number whole and from `least` to `most`; `dimensions` as they are said, values in C order.
-std::vector<std::int32_t> whole_numbers(const ArrayLike& values, std::int32_t least, std::int32_t most, const std::string& name, int dimensions = 1);
+std::vector<std::int32_t> whole_numbers(const ArrayLike& values, std::int32_t least, std::int32_t most,
+                                        const std::string& name, int dimensions = 1);
 
 }  // namespace arenite::python

@@ -31,20 +31,24 @@ py::object critical_state(const StageResult& stage) {
 
 void bind_curves(py::module_& m) {
   m.def(
-      "size_curve", [](const Packing& packing) { return curve_of(packing::measured_size_curve(packing.grains, packing.materials)); }, py::arg("packing"),
-      "Grading curve of the grains: diameter (m, increasing) and passing, the fraction of the mass in grains no wider; it keeps its value from one point to "
-      "the "
-      "next.");
+      "size_curve",
+      [](const Packing& packing) { return curve_of(packing::measured_size_curve(packing.grains, packing.materials)); },
+      py::arg("packing"),
+      "Grading curve of the grains: diameter (m, increasing) and passing, the fraction of the mass in grains no wider; "
+      "it keeps its value from one point to the next.");
   m.def(
       "asked_size_curve",
       [](const recipe::Recipe& recipe) {
         Call call;
-        return curve_of(call.without_lock([&] { return packing::asked_size_curve(recipe.populations, recipe.materials, recipe.packing.grains); }));
+        return curve_of(call.without_lock(
+            [&] { return packing::asked_size_curve(recipe.populations, recipe.materials, recipe.packing.grains); }));
       },
-      py::arg("recipe"), "The same for the size laws of a recipe's populations. Raises ValueError for a recipe without populations.");
+      py::arg("recipe"),
+      "The same for the size laws of a recipe's populations. Raises ValueError for a recipe without populations.");
   m.def("critical_state", &critical_state, py::arg("stage"),
-        "The critical state of a test: `strain` (its name), `from` and `to`, and value, error, low_95 and high_95 of `mu` (shear over normal stress on the "
-        "sides) or `q_over_p`, and of `solid_fraction`; None if the ratio does not settle.");
+        "The critical state of a test: `strain` (its name), `from` and `to`, and value, error, low_95 and high_95 of "
+        "`mu` (shear over normal stress on the sides) or `q_over_p`, and of `solid_fraction`; None if the ratio does "
+        "not settle.");
 }
 
 }  // namespace arenite::python

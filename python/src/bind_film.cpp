@@ -19,8 +19,9 @@
 namespace arenite::python {
 namespace {
 
-LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const Quantity& frame_rate, const std::optional<ArrayLike>& time, bool refine,
-                     int drift_order, int harmonics, bool peak_to_peak, const std::optional<Quantity>& reference_phase, bool nearest_bin, int threads,
+LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const Quantity& frame_rate,
+                     const std::optional<ArrayLike>& time, bool refine, int drift_order, int harmonics,
+                     bool peak_to_peak, const std::optional<Quantity>& reference_phase, bool nearest_bin, int threads,
                      const Progress& progress) {
   thermography::LockinOptions o;
   o.frequency = frequency.si(dimension::frequency, "frequency");
@@ -37,11 +38,13 @@ LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const Quan
     call.tell(progress, share, "lock-in");
     return !call.asked_to_stop();
   };
-  return call.without_lock([&] { return nearest_bin ? thermography::nearest_bin_transform(*source, o) : thermography::lock_in(*source, o); });
+  return call.without_lock([&] {
+    return nearest_bin ? thermography::nearest_bin_transform(*source, o) : thermography::lock_in(*source, o);
+  });
 }
 
-py::dict stepped(const FilmLike& film, const std::optional<Quantity>& time, const Quantity& rise, const Quantity& window, int drift_order,
-                 const Quantity& frame_rate) {
+py::dict stepped(const FilmLike& film, const std::optional<Quantity>& time, const Quantity& rise,
+                 const Quantity& window, int drift_order, const Quantity& frame_rate) {
   thermography::StepOptions o;
   o.time = si(time, dimension::time, "time");
   o.rise = rise.si(dimension::time, "rise");
@@ -83,8 +86,10 @@ py::dict film_info(const Path& path) {
 py::array film_frames(const Path& path, std::int64_t first, std::int64_t count) {
   const auto film = io::open_film(path);
   const FilmInfo& i = film->info();
-  if (first < 0 || first >= i.frames) throw InputError(path.string(), 0, fmt::format("the film has frames 0 to {}; first is {}", i.frames - 1, first));
-  if (count < 1) throw InputError(path.string(), 0, fmt::format("count is {}; give the number of frames, at least 1", count));
+  if (first < 0 || first >= i.frames)
+    throw InputError(path.string(), 0, fmt::format("the film has frames 0 to {}; first is {}", i.frames - 1, first));
+  if (count < 1)
+    throw InputError(path.string(), 0, fmt::format("count is {}; give the number of frames, at least 1", count));
   count = std::min(count, i.frames - first);
   FrameBlock block;
   Call call;
@@ -97,14 +102,17 @@ py::array film_frames(const Path& path, std::int64_t first, std::int64_t count) 
   return taken_over(std::move(block.level), std::move(shape));
 }
 
-PictureGrains circles(const ArrayLike& pixels, const std::vector<double>& radii, double smallest, double largest, std::size_t materials,
-                      const std::string& contrast) {
+PictureGrains circles(const ArrayLike& pixels, const std::vector<double>& radii, double smallest, double largest,
+                      std::size_t materials, const std::string& contrast) {
   const Floats image = floats(pixels, 2, "image");
   for (const double radius : radii)
-    if (!(radius > 0) || !std::isfinite(radius)) throw InputError(fmt::format("radii holds {}; give radii above 0, pixels", radius));
+    if (!(radius > 0) || !std::isfinite(radius))
+      throw InputError(fmt::format("radii holds {}; give radii above 0, pixels", radius));
   if (!(smallest > 0) || !(largest >= 0))
-    throw InputError(fmt::format("smallest is {} and largest {}; give radii above 0, pixels (largest 0: half the picture)", smallest, largest));
-  FloatImage picture{static_cast<int>(image.shape(1)), static_cast<int>(image.shape(0)), {image.data(), image.data() + image.size()}};
+    throw InputError(fmt::format(
+        "smallest is {} and largest {}; give radii above 0, pixels (largest 0: half the picture)", smallest, largest));
+  FloatImage picture{
+      static_cast<int>(image.shape(1)), static_cast<int>(image.shape(0)), {image.data(), image.data() + image.size()}};
   imaging::CircleOptions o;
   o.radii = radii;
   o.smallest = smallest;
@@ -119,7 +127,8 @@ PictureGrains circles(const ArrayLike& pixels, const std::vector<double>& radii,
 
 Packing touching(const Packing& packing, const Quantity& position_error, const Quantity& radius_error) {
   const std::size_t n = packing.grains.size();
-  const std::vector<double> position(n, position_error.si(dimension::length, "position_error")), radius(n, radius_error.si(dimension::length, "radius_error"));
+  const std::vector<double> position(n, position_error.si(dimension::length, "position_error")),
+      radius(n, radius_error.si(dimension::length, "radius_error"));
   Packing result = packing;
   result.contacts = imaging::propose_contacts(packing.grains, packing.domain, {position, radius});
   return result;
@@ -130,7 +139,8 @@ std::vector<inference::WallLoad> wall_loads(const std::map<std::string, Quantity
   std::vector<inference::WallLoad> loads;
   for (const auto& [name, force] : walls) {
     const auto side = std::find(side_names.begin(), side_names.end(), name);
-    if (side == side_names.end()) throw InputError(fmt::format("walls has \"{}\"; sides are left, right, bottom, top", name));
+    if (side == side_names.end())
+      throw InputError(fmt::format("walls has \"{}\"; sides are left, right, bottom, top", name));
     const double newtons = force.si(dimension::force, "walls: " + name);
     loads.push_back({static_cast<int>(side - side_names.begin()), newtons, std::max(1e-3 * std::abs(newtons), 1e-6)});
   }
@@ -140,8 +150,9 @@ std::vector<inference::WallLoad> wall_loads(const std::map<std::string, Quantity
 inference::ThermoelasticPicture picture_of(const ArrayLike& signal, const ArrayLike& error, double pixel, Vec2 first) {
   const Floats value = floats(signal, 2, "signal"), errors = floats(error, 2, "error");
   if (value.shape(0) != errors.shape(0) || value.shape(1) != errors.shape(1))
-    throw InputError(fmt::format("the signal has {} x {} pixels and its error {} x {} (height x width); give both the same shape", value.shape(0),
-                                 value.shape(1), errors.shape(0), errors.shape(1)));
+    throw InputError(
+        fmt::format("the signal has {} x {} pixels and its error {} x {} (height x width); give both the same shape",
+                    value.shape(0), value.shape(1), errors.shape(0), errors.shape(1)));
   return {static_cast<int>(value.shape(1)),
           static_cast<int>(value.shape(0)),
           pixel,
@@ -150,8 +161,9 @@ inference::ThermoelasticPicture picture_of(const ArrayLike& signal, const ArrayL
           {errors.data(), errors.data() + errors.size()}};
 }
 
-py::dict inferred(const Packing& packing, const ArrayLike& signal, const ArrayLike& error, const Quantity& pixel, const std::pair<Quantity, Quantity>& first,
-                  const std::vector<Quantity>& factor, const std::map<std::string, Quantity>& walls, double blur) {
+py::dict inferred(const Packing& packing, const ArrayLike& signal, const ArrayLike& error, const Quantity& pixel,
+                  const std::pair<Quantity, Quantity>& first, const std::vector<Quantity>& factor,
+                  const std::map<std::string, Quantity>& walls, double blur) {
   const Vec2 corner{first.first.si(dimension::length, "first"), first.second.si(dimension::length, "first")};
   const auto picture = picture_of(signal, error, pixel.si(dimension::length, "pixel"), corner);
   inference::ForceProblem problem{packing, si(factor, dimension::thermoelastic_factor, "factor"), wall_loads(walls)};
@@ -173,38 +185,39 @@ py::dict inferred(const Packing& packing, const ArrayLike& signal, const ArrayLi
 }  // namespace
 
 void bind_film(py::module_& m) {
-  m.def("lock_in", &locked_in, py::arg("film"), py::arg("frequency"), py::kw_only(), py::arg("frame_rate") = 0.0, py::arg("time") = py::none(),
-        py::arg("refine") = true, py::arg("drift_order") = 4, py::arg("harmonics") = 2, py::arg("peak_to_peak") = false,
-        py::arg("reference_phase") = py::none(), py::arg("nearest_bin") = false, py::arg("threads") = 1, py::arg("progress") = py::none(),
-        "Lock-in of a film: a file, or an array (frames, height, width), uint16 or float32, which is not copied, with its `frame_rate` (Hz) or the `time` of "
-        "every frame (s). Least squares "
-        "on polynomial drift and harmonics with the frequency (Hz) refined on the film; `reference_phase`: of the load, rad or with its unit (\"90 deg\"); "
+  m.def("lock_in", &locked_in, py::arg("film"), py::arg("frequency"), py::kw_only(), py::arg("frame_rate") = 0.0,
+        py::arg("time") = py::none(), py::arg("refine") = true, py::arg("drift_order") = 4, py::arg("harmonics") = 2,
+        py::arg("peak_to_peak") = false, py::arg("reference_phase") = py::none(), py::arg("nearest_bin") = false,
+        py::arg("threads") = 1, py::arg("progress") = py::none(),
+        "Lock-in of a film: a file, or an array (frames, height, width), uint16 or float32, which is not copied, with "
+        "its `frame_rate` (Hz) or the `time` of every frame (s). Least squares on polynomial drift and harmonics with "
+        "the frequency (Hz) refined on the film; `reference_phase`: of the load, rad or with its unit (\"90 deg\"); "
         "`nearest_bin`: the plain transform of T 1.4.");
-  m.def("step_load", &stepped, py::arg("film"), py::kw_only(), py::arg("time") = py::none(), py::arg("rise") = 0.0, py::arg("window") = 0.0,
-        py::arg("drift_order") = 1, py::arg("frame_rate") = 0.0,
+  m.def("step_load", &stepped, py::arg("film"), py::kw_only(), py::arg("time") = py::none(), py::arg("rise") = 0.0,
+        py::arg("window") = 0.0, py::arg("drift_order") = 1, py::arg("frame_rate") = 0.0,
         "The jump of every pixel at a step of the load (s after the first frame; found on the film if not given): time "
-        "(s), jump, standard_error, residual "
-        "(height, width), in the film's unit; blank_frames, which hold no picture and were left out.");
+        "(s), jump, standard_error, residual (height, width), in the film's unit; blank_frames, which hold no picture "
+        "and were left out.");
   m.def("film_info", &film_info, py::arg("path"),
-        "Metadata of a film: width, height, frames, frame_rate (Hz), integration (s), bits, format, "
-        "camera, and remarks, sentences on what the file states that should be known.");
+        "Metadata of a film: width, height, frames, frame_rate (Hz), integration (s), bits, format, camera, and "
+        "remarks, sentences on what the file states that should be known.");
   m.def("read_film", &film_frames, py::arg("path"), py::arg("first") = 0, py::arg("count") = 1,
         "Frames of a film as an array (frames, height, width), top row first.");
-  m.def("find_grains", &circles, py::arg("image"), py::kw_only(), py::arg("radii") = std::vector<double>{}, py::arg("smallest") = 2.5, py::arg("largest") = 0.0,
-        py::arg("materials") = 0, py::arg("contrast") = "found",
-        "Circles in a picture (height, width): centres, radii, material by brightness. `radii`: of the size classes, pixels, if known; `materials`: "
-        "number of levels of brightness.");
-  m.def("propose_contacts", &touching, py::arg("packing"), py::kw_only(), py::arg("position_error") = 0.0, py::arg("radius_error") = 0.0,
+  m.def("find_grains", &circles, py::arg("image"), py::kw_only(), py::arg("radii") = std::vector<double>{},
+        py::arg("smallest") = 2.5, py::arg("largest") = 0.0, py::arg("materials") = 0, py::arg("contrast") = "found",
+        "Circles in a picture (height, width): centres, radii, material by brightness. `radii`: of the size classes, "
+        "pixels, if known; `materials`: number of levels of brightness.");
+  m.def("propose_contacts", &touching, py::arg("packing"), py::kw_only(), py::arg("position_error") = 0.0,
+        py::arg("radius_error") = 0.0,
         "The packing with contacts where surfaces are no farther apart than three standard errors (m); forces are 0.");
-  m.def("infer_forces", &inferred, py::arg("packing"), py::arg("signal"), py::arg("error"), py::kw_only(), py::arg("pixel"), py::arg("first"),
-        py::arg("factor"), py::arg("walls") = std::map<std::string, Quantity>{}, py::arg("blur") = 0.5,
-        "Contact forces (N) from a picture of the thermoelastic signal, peak to peak (K, rows from the top): `pixel` (m), `first`: centre of the upper left "
-        "pixel (m), "
-        "`factor`: A of every "
-        "material (K/Pa), `walls`: wall forces by side, peak to peak, {\"bottom\": 1000.0} (N, taken as known to 0.1 %); each a number or text with a unit. "
-        "Gives "
-        "fn, ft, fn_error, "
-        "ft_error (N), presence (probability that a contact exists), present (bool: the most probable contacts, as many as expected), residual.");
+  m.def("infer_forces", &inferred, py::arg("packing"), py::arg("signal"), py::arg("error"), py::kw_only(),
+        py::arg("pixel"), py::arg("first"), py::arg("factor"), py::arg("walls") = std::map<std::string, Quantity>{},
+        py::arg("blur") = 0.5,
+        "Contact forces (N) from a picture of the thermoelastic signal, peak to peak (K, rows from the top): `pixel` "
+        "(m), `first`: centre of the upper left pixel (m), `factor`: A of every material (K/Pa), `walls`: wall forces "
+        "by side, peak to peak, {\"bottom\": 1000.0} (N, taken as known to 0.1 %); each a number or text with a unit. "
+        "Gives fn, ft, fn_error, ft_error (N), presence (probability that a contact exists), present (bool: the most "
+        "probable contacts, as many as expected), residual.");
 }
 
 }  // namespace arenite::python

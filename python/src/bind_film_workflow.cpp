@@ -43,7 +43,8 @@ recipe::FilmRecipe recipe_of(const RecipeLike& recipe, const py::dict& changes) 
   return changed;
 }
 
-FilmResult film(const Path& path, const RecipeLike& recipe, const Path& out, const py::dict& changes, int threads, const Progress& progress) {
+FilmResult film(const Path& path, const RecipeLike& recipe, const Path& out, const py::dict& changes, int threads,
+                const Progress& progress) {
   const auto asked = recipe_of(recipe, changes);
   Call call;
   return call.without_lock([&] {
@@ -56,8 +57,8 @@ FilmResult film(const Path& path, const RecipeLike& recipe, const Path& out, con
   });
 }
 
-std::vector<std::string> camera(const Path& result, const RecipeLike& recipe, const Path& out, const std::string& format, const py::dict& changes,
-                                const Progress& progress) {
+std::vector<std::string> camera(const Path& result, const RecipeLike& recipe, const Path& out,
+                                const std::string& format, const py::dict& changes, const Progress& progress) {
   const auto asked = recipe_of(recipe, changes);
   Call call;
   return call.without_lock([&] {
@@ -77,23 +78,28 @@ std::vector<std::string> camera(const Path& result, const RecipeLike& recipe, co
 }  // namespace
 
 void bind_film_workflow(py::module_& m) {
-  py::class_<FilmResult> c(m, "FilmResult", "Results of a film of a loaded packing: maps in kelvin (height, width), grains, their stresses, contact forces.");
+  py::class_<FilmResult> c(
+      m, "FilmResult",
+      "Results of a film of a loaded packing: maps in kelvin (height, width), grains, their stresses, contact forces.");
   c.def_readonly("name", &FilmResult::name, "Name of the film.")
       .def_readonly("outcome", &FilmResult::outcome, "Outcome in a sentence.")
       .def_readonly("pixel", &FilmResult::pixel, "Side of a pixel on the sample, m.")
       .def_property_readonly(
-          "origin", [](const FilmResult& f) { return py::make_tuple(f.origin.x, f.origin.y); }, "Centre of the upper left pixel, m; y up.")
+          "origin", [](const FilmResult& f) { return py::make_tuple(f.origin.x, f.origin.y); },
+          "Centre of the upper left pixel, m; y up.")
       .def_property_readonly(
-          "maps", [](const FilmResult& f) -> const LockinMaps& { return f.maps; }, py::return_value_policy::reference_internal,
-          "The lock-in, in K, peak to peak.")
+          "maps", [](const FilmResult& f) -> const LockinMaps& { return f.maps; },
+          py::return_value_policy::reference_internal, "The lock-in, in K, peak to peak.")
       .def_property_readonly(
-          "grains", [](const FilmResult& f) -> const PictureGrains& { return f.grains; }, py::return_value_policy::reference_internal,
-          "Grains at the smallest load, in pixels.")
+          "grains", [](const FilmResult& f) -> const PictureGrains& { return f.grains; },
+          py::return_value_policy::reference_internal, "Grains at the smallest load, in pixels.")
       .def_property_readonly(
-          "packing", [](const FilmResult& f) -> const Packing& { return f.packing; }, py::return_value_policy::reference_internal,
+          "packing", [](const FilmResult& f) -> const Packing& { return f.packing; },
+          py::return_value_policy::reference_internal,
           "Grains in metres at the largest load; contact forces are peak to peak.")
-      .def_property_readonly("simulation", &simulation_of,
-                             "sigma_hyd (Pa) of the companion simulation of the same grains: peak_to_peak and state; empty without one.")
+      .def_property_readonly(
+          "simulation", &simulation_of,
+          "sigma_hyd (Pa) of the companion simulation of the same grains: peak_to_peak and state; empty without one.")
       .def_property_readonly(
           "numbers", [](const FilmResult& f) { return to_python(report::film_numbers(f)); },
           "As `arenite show --json` prints them; the end of a name is its unit.");
@@ -101,30 +107,35 @@ void bind_film_workflow(py::module_& m) {
       c, "sigma_hyd", [](const FilmResult& f) -> auto& { return f.peak_to_peak.sigma_hyd; },
       "Peak-to-peak hydrostatic stress of every grain, Pa, tension positive.");
   array_property(
-      c, "sigma_hyd_error", [](const FilmResult& f) -> auto& { return f.peak_to_peak.error; }, "Its standard error, Pa.");
+      c, "sigma_hyd_error", [](const FilmResult& f) -> auto& { return f.peak_to_peak.error; },
+      "Its standard error, Pa.");
   array_property(
-      c, "fn_error", [](const FilmResult& f) -> auto& { return f.fn_error; }, "Standard error of every normal force, N.");
+      c, "fn_error", [](const FilmResult& f) -> auto& { return f.fn_error; },
+      "Standard error of every normal force, N.");
   array_property(
-      c, "ft_error", [](const FilmResult& f) -> auto& { return f.ft_error; }, "Standard error of every tangential force, N.");
+      c, "ft_error", [](const FilmResult& f) -> auto& { return f.ft_error; },
+      "Standard error of every tangential force, N.");
   array_property(
-      c, "presence", [](const FilmResult& f) -> auto& { return f.presence; }, "Probability that a contact exists, for the contacts accepted.");
+      c, "presence", [](const FilmResult& f) -> auto& { return f.presence; },
+      "Probability that a contact exists, for the contacts accepted.");
   image_property(
-      c, "picture", [](const FilmResult& f) -> auto& { return f.picture; }, "Mean of the frames at the smallest load, K.");
+      c, "picture", [](const FilmResult& f) -> auto& { return f.picture; },
+      "Mean of the frames at the smallest load, K.");
   image_property(
       c, "bad", [](const FilmResult& f) -> auto& { return f.bad; },
       "1 for pixels that were replaced by their neighbours, 0 for others; (height, width), uint8.");
   image_property(
       c, "fitted", [](const FilmResult& f) -> auto& { return f.fit.picture; },
-      "Image reconstructed from the contact forces, K (height, width), for comparison with maps.in_phase; NaN outside grains.");
-  m.def("film", &film, py::arg("film"), py::arg("recipe"), py::arg("out"), py::arg("changes") = py::dict(), py::kw_only(), py::arg("threads") = 1,
-        py::arg("progress") = py::none(),
-        "The whole workflow from a film (a file) to grain stresses and contact forces, as `arenite film` runs it; `recipe`: a FilmRecipe or its file "
-        "(docs/film-recipe.md).");
-  m.def("camera", &camera, py::arg("result"), py::arg("recipe"), py::arg("out"), py::arg("format") = "ptw", py::arg("changes") = py::dict(), py::kw_only(),
-        py::arg("progress") = py::none(),
-        "Films simulated states of a run's folder with a virtual infrared camera, according to [camera] of the recipe (a FilmRecipe or its file); returns the "
-        "files "
-        "written.");
+      "Image reconstructed from the contact forces, K (height, width), for comparison with maps.in_phase; NaN outside "
+      "grains.");
+  m.def("film", &film, py::arg("film"), py::arg("recipe"), py::arg("out"), py::arg("changes") = py::dict(),
+        py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
+        "The whole workflow from a film (a file) to grain stresses and contact forces, as `arenite film` runs it; "
+        "`recipe`: a FilmRecipe or its file (docs/film-recipe.md).");
+  m.def("camera", &camera, py::arg("result"), py::arg("recipe"), py::arg("out"), py::arg("format") = "ptw",
+        py::arg("changes") = py::dict(), py::kw_only(), py::arg("progress") = py::none(),
+        "Films simulated states of a run's folder with a virtual infrared camera, according to [camera] of the recipe "
+        "(a FilmRecipe or its file); returns the files written.");
 }
 
 }  // namespace arenite::python

@@ -34,16 +34,18 @@ py::array_t<double> tensors(const std::vector<Tensor2>& values, Shape shape) {
   return taken_over(std::move(flat), std::move(shape));
 }
 
-py::dict coarse_grained(const Packing& packing, const Quantity& width, const std::optional<Quantity>& spacing, const std::string& kernel,
-                        const std::optional<double>& tilt_rate) {
+py::dict coarse_grained(const Packing& packing, const Quantity& width, const std::optional<Quantity>& spacing,
+                        const std::string& kernel, const std::optional<double>& tilt_rate) {
   fields::CoarseGraining choice;
   choice.width = width.si(dimension::length, "width");
   choice.tilt_rate = tilt_rate;
-  if (kernel != "lucy" && kernel != "gaussian") throw InputError("kernel \"" + kernel + "\" is neither \"lucy\" nor \"gaussian\"");
+  if (kernel != "lucy" && kernel != "gaussian")
+    throw InputError("kernel \"" + kernel + "\" is neither \"lucy\" nor \"gaussian\"");
   choice.kernel = kernel == "lucy" ? fields::KernelShape::lucy : fields::KernelShape::gaussian;
   const double between = spacing ? spacing->si(dimension::length, "spacing") : choice.width;
   Call call;
-  auto f = call.without_lock([&] { return fields::coarse_grain(packing, fields::grid_over(packing.domain, between), choice); });
+  auto f = call.without_lock(
+      [&] { return fields::coarse_grain(packing, fields::grid_over(packing.domain, between), choice); });
   const Shape shape{f.grid.rows, f.grid.columns};
   std::vector<double> x, y;
   for (int c = 0; c < f.grid.columns; ++c) x.push_back(f.grid.point(c, 0).x);
@@ -64,7 +66,9 @@ py::dict coarse_grained(const Packing& packing, const Quantity& width, const std
 
 py::dict force_chains(const Packing& packing, double stress_factor, double angle, std::size_t least) {
   Call call;
-  const auto found = call.without_lock([&] { return fields::find_force_chains(packing, {stress_factor, angle, least}); });
+  const auto found = call.without_lock([&] {
+    return fields::find_force_chains(packing, {stress_factor, angle, least});
+  });
   py::dict d;
   d["chains"] = found.chains;
   d["mean_length"] = found.mean_length;
@@ -100,7 +104,8 @@ py::dict loops(const Packing& packing, bool bearing_only) {
 py::dict nonaffine(const Packing& before, const Packing& after, const Quantity& range) {
   const double reach = range.si(dimension::length, "range");
   Call call;
-  auto [local, global] = call.without_lock([&] { return std::pair(fields::local_deformation(before, after, reach), fields::affine_fit(before, after)); });
+  auto [local, global] = call.without_lock(
+      [&] { return std::pair(fields::local_deformation(before, after, reach), fields::affine_fit(before, after)); });
   const Shape grains{static_cast<py::ssize_t>(local.d2min.size())};
   py::dict d;
   d["neighbours"] = taken_over(std::move(local.neighbours));
@@ -154,7 +159,9 @@ py::dict discharge(const ArrayLike& time, const ArrayLike& passed) {
 py::dict free_surface(const Packing& packing, const Quantity& gravity_angle, double gap) {
   const double turned = gravity_angle.si(dimension::none, "gravity_angle");
   Call call;
-  auto found = call.without_lock([&] { return fields::find_free_surface(packing, {std::sin(turned), -std::cos(turned)}, gap); });
+  auto found = call.without_lock([&] {
+    return fields::find_free_surface(packing, {std::sin(turned), -std::cos(turned)}, gap);
+  });
   const auto angle = [](const statistics::Estimate& e) { return py::make_tuple(e.value, e.error); };
   py::dict d;
   d["place"] = taken_over(std::move(found.place));
@@ -175,46 +182,42 @@ py::dict free_surface(const Packing& packing, const Quantity& gravity_angle, dou
 void bind_grain_fields(py::module_& m) {
   m.def("discharge", &discharge, py::arg("time"), py::arg("passed"),
         "Discharge rate from the amounts passed at given times (`passed_mass` of a history): rate (value, error) of "
-        "the steady part between begin and end "
-        "(s), without its onset and end; steady: whether there is such a part; otherwise the rate has no error; "
-        "stopped: whether nothing passes any more in "
-        "the end.");
-  m.def("free_surface", &free_surface, py::arg("packing"), py::kw_only(), py::arg("gravity_angle") = 0.0, py::arg("gap") = 0.1,
-        "Surface of the largest connected set of grains (surfaces nearer than `gap` mean diameters): position and height (m) of its upper rim, grains, "
-        "left, right, bottom, top (m), and the angle of its flanks in rad by a line through the middle of their height, each (value, error). "
-        "`gravity_angle`: angle of gravity from straight down, counter-clockwise, rad or text with a unit.");
-  m.def("coarse_grained", &coarse_grained, py::arg("packing"), py::arg("width"), py::arg("spacing") = py::none(), py::kw_only(), py::arg("kernel") = "lucy",
-        py::arg("tilt_rate") = py::none(),
+        "the steady part between begin and end (s), without its onset and end; steady: whether there is such a part; "
+        "otherwise the rate has no error; stopped: whether nothing passes any more in the end.");
+  m.def("free_surface", &free_surface, py::arg("packing"), py::kw_only(), py::arg("gravity_angle") = 0.0,
+        py::arg("gap") = 0.1,
+        "Surface of the largest connected set of grains (surfaces nearer than `gap` mean diameters): position and "
+        "height (m) of its upper rim, grains, left, right, bottom, top (m), and the angle of its flanks in rad by a "
+        "line through the middle of their height, each (value, error). `gravity_angle`: angle of gravity from straight "
+        "down, counter-clockwise, rad or text with a unit.");
+  m.def("coarse_grained", &coarse_grained, py::arg("packing"), py::arg("width"), py::arg("spacing") = py::none(),
+        py::kw_only(), py::arg("kernel") = "lucy", py::arg("tilt_rate") = py::none(),
         "Coarse-grained fields of a state (Goldhirsch 2010) on a grid of points x, y (m), arrays of rows from below: "
-        "density (kg/m^3), solid_fraction, "
-        "velocity (m/s), "
-        "velocity_gradient (1/s), contact_stress, kinetic_stress of fluctuations about the mean flow, and "
-        "gradient_stress of its own differences within the width (Pa, "
-        "tension positive), wall_force (N/m^3). `width`: standard deviation of the kernel, m "
-        "or text with a unit; "
-        "`spacing` of the points, the width unless given; `tilt_rate` of a sheared cell, m/s.");
-  m.def("force_chains", &force_chains, py::arg("packing"), py::kw_only(), py::arg("stress_factor") = 1.0, py::arg("angle") = 45.0, py::arg("least") = 3,
-        "Force chains (Peters et al. 2005): chains (lists of grains in order), mean_length (grains), grain_share, mean_stress_Pa. `stress_factor`: of the mean "
-        "major principal "
-        "stress; `angle`, degrees; `least` grains of a chain.");
+        "density (kg/m^3), solid_fraction, velocity (m/s), velocity_gradient (1/s), contact_stress, kinetic_stress of "
+        "fluctuations about the mean flow, and gradient_stress of its own differences within the width (Pa, tension "
+        "positive), wall_force (N/m^3). `width`: standard deviation of the kernel, m or text with a unit; `spacing` of "
+        "the points, the width unless given; `tilt_rate` of a sheared cell, m/s.");
+  m.def("force_chains", &force_chains, py::arg("packing"), py::kw_only(), py::arg("stress_factor") = 1.0,
+        py::arg("angle") = 45.0, py::arg("least") = 3,
+        "Force chains (Peters et al. 2005): chains (lists of grains in order), mean_length (grains), grain_share, "
+        "mean_stress_Pa. `stress_factor`: of the mean major principal stress; `angle`, degrees; `least` grains of a "
+        "chain.");
   m.def("strong_clusters", &strong_clusters, py::arg("packing"), py::kw_only(), py::arg("factor") = 1.0,
-        "Clusters of grains joined by contacts above `factor` times the mean force, the largest first: threshold_N, fraction of strong contacts, grains and "
-        "contacts of each, of (cluster of every grain, -1: none).");
+        "Clusters of grains joined by contacts above `factor` times the mean force, the largest first: threshold_N, "
+        "fraction of strong contacts, grains and contacts of each, of (cluster of every grain, -1: none).");
   m.def("loops", &loops, py::arg("packing"), py::kw_only(), py::arg("bearing_only") = true,
-        "Smallest cycles of the contact network without rattlers: edges (contacts of each), area (m^2), histogram by number of contacts, mean_edges.");
+        "Smallest cycles of the contact network without rattlers: edges (contacts of each), area (m^2), histogram by "
+        "number of contacts, mean_edges.");
   m.def("nonaffine", &nonaffine, py::arg("before"), py::arg("after"), py::arg("range"),
-        "Deformation between two states of the same grains: strain and rotation of every grain's surroundings within `range` (m or text with a unit), d2min "
-        "(m^2, mean over neighbours; "
-        "Falk and Langer 1998), and of all grains the gradient, residual displacements (m) and their root mean square, fluctuation.");
-  m.def(
-      "friction_state", &friction, py::arg("packing"), py::arg("mu"), py::arg("wall_mu") = py::none(),
-      "Friction at the contacts: mobilisation (tangential force over mu times the normal one) and power_W of each; mean and sliding (fraction of contacts that "
-      "slide), each (value, error); total_power_W.");
+        "Deformation between two states of the same grains: strain and rotation of every grain's surroundings within "
+        "`range` (m or text with a unit), d2min (m^2, mean over neighbours; Falk and Langer 1998), and of all grains "
+        "the gradient, residual displacements (m) and their root mean square, fluctuation.");
+  m.def("friction_state", &friction, py::arg("packing"), py::arg("mu"), py::arg("wall_mu") = py::none(),
+        "Friction at the contacts: mobilisation (tangential force over mu times the normal one) and power_W of each; "
+        "mean and sliding (fraction of contacts that slide), each (value, error); total_power_W.");
   m.def("steady_state", &steady, py::arg("series"),
-        "The stationary part of an evenly sampled series, in which it only fluctuates: reached, first (sample), mean with its error, which allows for "
-        "correlation, low_95 "
-        "and "
-        "high_95, deviation.");
+        "The stationary part of an evenly sampled series, in which it only fluctuates: reached, first (sample), mean "
+        "with its error, which allows for correlation, low_95 and high_95, deviation.");
 }
 
 }  // namespace arenite::python

@@ -26,7 +26,8 @@ constexpr std::int32_t most_index = std::numeric_limits<std::int32_t>::max() - 1
 
 void check_container(const OwnContainer& container) {
   const auto positive = [](double value, const char* name, bool or_zero) {
-    if (!std::isfinite(value) || value < 0 || (value == 0 && !or_zero)) throw InputError(fmt::format("{} is {} m; give a length above 0", name, value));
+    if (!std::isfinite(value) || value < 0 || (value == 0 && !or_zero))
+      throw InputError(fmt::format("{} is {} m; give a length above 0", name, value));
   };
   positive(container.width, "width", false);
   positive(container.height, "height", false);
@@ -34,8 +35,10 @@ void check_container(const OwnContainer& container) {
 }
 
 io::RawGrains rows_of(const ArrayLike& x, const ArrayLike& y, const ArrayLike& radius, const OwnContainer& container) {
-  const auto centre_x = finite_numbers(x, "x"), centre_y = finite_numbers(y, "y"), radii = finite_numbers(radius, "radius");
-  if (centre_y.size() != centre_x.size() || radii.size() != centre_x.size()) throw InputError("x, y, radius and material must have equal lengths");
+  const auto centre_x = finite_numbers(x, "x"), centre_y = finite_numbers(y, "y"),
+             radii = finite_numbers(radius, "radius");
+  if (centre_y.size() != centre_x.size() || radii.size() != centre_x.size())
+    throw InputError("x, y, radius and material must have equal lengths");
   io::RawGrains grains;
   const Vec2 low = container.corner, high = container.corner + Vec2{container.width, container.height};
   grains.lay_box(low, high);
@@ -43,11 +46,12 @@ io::RawGrains rows_of(const ArrayLike& x, const ArrayLike& y, const ArrayLike& r
   std::tie(periodic[0], periodic[1]) = periodic_directions(container.periodic);
   for (std::size_t k = 0; k < radii.size(); ++k) {
     const Vec2 centre{centre_x[k], centre_y[k]};
-    const bool outside_x = !periodic[0] && (centre.x < low.x || centre.x > high.x), outside_y = !periodic[1] && (centre.y < low.y || centre.y > high.y);
+    const bool outside_x = !periodic[0] && (centre.x < low.x || centre.x > high.x),
+               outside_y = !periodic[1] && (centre.y < low.y || centre.y > high.y);
     if (outside_x || outside_y)
       throw InputError(
-          fmt::format("the centre of grain {}, ({:g}, {:g}) m, lies outside the container, which extends from ({:g}, {:g}) to ({:g}, {:g}) m; "
-                      "correct the centre, or origin, width and height",
+          fmt::format("the centre of grain {}, ({:g}, {:g}) m, lies outside the container, which extends from ({:g}, "
+                      "{:g}) to ({:g}, {:g}) m; correct the centre, or origin, width and height",
                       k, centre.x, centre.y, low.x, low.y, high.x, high.y));
     grains.rows.push_back({static_cast<std::int64_t>(k), Vec3{centre.x, centre.y, 0}, centre, radii[k], {}, 0, 0});
   }
@@ -57,7 +61,8 @@ io::RawGrains rows_of(const ArrayLike& x, const ArrayLike& y, const ArrayLike& r
 class Columns {
  public:
   explicit Columns(const py::object& table) : table_(table), ours_(py::isinstance<Contacts>(table)) {
-    if (!ours_ && !py::hasattr(table, "__contains__")) throw InputError("contacts: give a dict of arrays i, j and, where they are known, fn, ft, nx, ny");
+    if (!ours_ && !py::hasattr(table, "__contains__"))
+      throw InputError("contacts: give a dict of arrays i, j and, where they are known, fn, ft, nx, ny");
   }
   std::optional<ArrayLike> find(const char* name) const {
     if (ours_) return ArrayLike(table_.attr(name));
@@ -66,14 +71,17 @@ class Columns {
   }
   ArrayLike need(const char* name) const {
     if (auto column = find(name)) return *column;
-    throw InputError(fmt::format("contacts has no \"{}\"; give a dict of arrays i, j and, where they are known, fn, ft, nx, ny", name));
+    throw InputError(fmt::format(
+        "contacts has no \"{}\"; give a dict of arrays i, j and, where they are known, fn, ft, nx, ny", name));
   }
   /// Zeros where there is none.
   std::vector<double> numbers(const char* name, std::size_t size) const {
     const auto column = find(name);
-    auto values = column ? finite_numbers(*column, fmt::format("contacts[\"{}\"]", name)) : std::vector<double>(size, 0.0);
+    auto values =
+        column ? finite_numbers(*column, fmt::format("contacts[\"{}\"]", name)) : std::vector<double>(size, 0.0);
     if (values.size() != size)
-      throw InputError(fmt::format("contacts[\"{}\"] has {} values for {} contacts; give arrays of equal length", name, values.size(), size));
+      throw InputError(fmt::format("contacts[\"{}\"] has {} values for {} contacts; give arrays of equal length", name,
+                                   values.size(), size));
     return values;
   }
 
@@ -84,7 +92,8 @@ class Columns {
 
 io::RawContacts rows_of(const py::object& table) {
   const Columns columns(table);
-  const auto i = whole_numbers(columns.need("i"), 0, most_index, "contacts[\"i\"]"), j = whole_numbers(columns.need("j"), -4, most_index, "contacts[\"j\"]");
+  const auto i = whole_numbers(columns.need("i"), 0, most_index, "contacts[\"i\"]"),
+             j = whole_numbers(columns.need("j"), -4, most_index, "contacts[\"j\"]");
   if (i.size() != j.size()) throw InputError("contacts: i and j must have equal lengths");
   const std::size_t n = i.size();
   const auto fn = columns.numbers("fn", n), ft = columns.numbers("ft", n);
@@ -105,33 +114,37 @@ void take_materials(Packing& packing, const std::optional<ArrayLike>& material, 
   const auto last = static_cast<std::int32_t>(std::max<std::size_t>(materials.size(), 1)) - 1;
   auto& numbers = packing.grains.material;
   const std::size_t n = numbers.size();
-  numbers = material ? whole_numbers(*material, 0, last, "material (a place in `materials`)") : std::vector<std::int32_t>(n, 0);
+  numbers = material ? whole_numbers(*material, 0, last, "material (a place in `materials`)")
+                     : std::vector<std::int32_t>(n, 0);
   if (numbers.size() != n) throw InputError("x, y, radius and material must have equal lengths");
   packing.materials = materials.empty() ? Materials{{"grain"}} : std::move(materials);
 }
 
-/// A packing of arrays. `contacts` is None, or anything with columns i and j, and perhaps fn, ft, nx, ny: a dict, a table of
-/// pandas, Contacts. Throws InputError with every row that cannot be meant.
-Packing own_packing(const ArrayLike& x, const ArrayLike& y, const ArrayLike& radius, const std::optional<ArrayLike>& material, std::vector<Material> materials,
+/// A packing of arrays. `contacts` is None, or anything with columns i and j, and perhaps fn, ft, nx, ny: a dict, a
+/// table of pandas, Contacts. Throws InputError with every row that cannot be meant.
+Packing own_packing(const ArrayLike& x, const ArrayLike& y, const ArrayLike& radius,
+                    const std::optional<ArrayLike>& material, std::vector<Material> materials,
                     const OwnContainer& container, const py::object& contacts) {
   check_container(container);
   io::SampleOptions options;
   options.thickness = container.thickness;
   io::Sample sample;
   Problems of_grains, of_contacts("contacts");
-  io::assemble(rows_of(x, y, radius, container), contacts.is_none() ? io::RawContacts{} : rows_of(contacts), options, sample, of_grains, of_contacts);
+  io::assemble(rows_of(x, y, radius, container), contacts.is_none() ? io::RawContacts{} : rows_of(contacts), options,
+               sample, of_grains, of_contacts);
   take_materials(sample.packing, material, std::move(materials));
   return std::move(sample.packing);
 }
 
-Packing make(const ArrayLike& x, const ArrayLike& y, const ArrayLike& radius, const std::optional<ArrayLike>& material, std::vector<Material> materials,
-             const Quantity& width, const Quantity& height, const Quantity& thickness, const std::string& periodic, const py::object& contacts,
-             const std::pair<Quantity, Quantity>& origin) {
-  const OwnContainer container{{origin.first.si(dimension::length, "origin"), origin.second.si(dimension::length, "origin")},
-                               width.si(dimension::length, "width"),
-                               height.si(dimension::length, "height"),
-                               thickness.si(dimension::length, "thickness"),
-                               periodic};
+Packing make(const ArrayLike& x, const ArrayLike& y, const ArrayLike& radius, const std::optional<ArrayLike>& material,
+             std::vector<Material> materials, const Quantity& width, const Quantity& height, const Quantity& thickness,
+             const std::string& periodic, const py::object& contacts, const std::pair<Quantity, Quantity>& origin) {
+  const OwnContainer container{
+      {origin.first.si(dimension::length, "origin"), origin.second.si(dimension::length, "origin")},
+      width.si(dimension::length, "width"),
+      height.si(dimension::length, "height"),
+      thickness.si(dimension::length, "thickness"),
+      periodic};
   return own_packing(x, y, radius, material, std::move(materials), container, contacts);
 }
 
@@ -221,19 +234,23 @@ py::array_t<double> levers_of(const Contacts& contacts) {
 /// One array a grain; of disks, too.
 py::list outlines_of(const Packing& packing) {
   py::list all;
-  for (std::size_t g = 0; g < packing.grains.size(); ++g) all.append(rows_of_points(outline_of(packing.grains, g, 0.1)));
+  for (std::size_t g = 0; g < packing.grains.size(); ++g)
+    all.append(rows_of_points(outline_of(packing.grains, g, 0.1)));
   return all;
 }
 
 void bind_contacts(py::module_& m) {
   py::class_<Contacts> c(m, "Contacts",
-                         "Contacts, each once: arrays of equal length. n points from grain j to grain i, t is n rotated by +90 degrees, and the "
-                         "force on i is fn n + ft t, fn > 0 repulsive. j = -1, -2, -3, -4 stands for the left, right, bottom, top wall.");
+                         "Contacts, each once: arrays of equal length. n points from grain j to grain i, t is n "
+                         "rotated by +90 degrees, and the force on i is fn n + ft t, fn > 0 repulsive. j = -1, -2, -3, "
+                         "-4 stands for the left, right, bottom, top wall.");
   c.def("__len__", &Contacts::size, "Number of contacts.");
   array_property(
-      c, "i", [](const Contacts& k) -> auto& { return k.i; }, "First grain, its index in the packing's arrays (not its id), int32.");
+      c, "i", [](const Contacts& k) -> auto& { return k.i; },
+      "First grain, its index in the packing's arrays (not its id), int32.");
   array_property(
-      c, "j", [](const Contacts& k) -> auto& { return k.j; }, "Second grain, its index in the packing's arrays, or a wall if negative, int32.");
+      c, "j", [](const Contacts& k) -> auto& { return k.j; },
+      "Second grain, its index in the packing's arrays, or a wall if negative, int32.");
   coordinate_property(
       c, "nx", [](const Contacts& k) -> auto& { return k.normal; }, &Vec2::x, "Normal, x.");
   coordinate_property(
@@ -243,18 +260,22 @@ void bind_contacts(py::module_& m) {
   array_property(
       c, "ft", [](const Contacts& k) -> auto& { return k.ft; }, "Tangential force, N.");
   array_property(
-      c, "arm_i", [](const Contacts& k) -> auto& { return k.arm_i; }, "Distance of the contact point from the centre of i, m.");
+      c, "arm_i", [](const Contacts& k) -> auto& { return k.arm_i; },
+      "Distance of the contact point from the centre of i, m.");
   array_property(
-      c, "arm_j", [](const Contacts& k) -> auto& { return k.arm_j; }, "Distance from the centre of j, m; 0 for a wall.");
+      c, "arm_j", [](const Contacts& k) -> auto& { return k.arm_j; },
+      "Distance from the centre of j, m; 0 for a wall.");
   array_property(
       c, "overlap", [](const Contacts& k) -> auto& { return k.overlap; }, "Overlap h, m; NaN if not known.");
   array_property(
-      c, "sliding_velocity", [](const Contacts& k) -> auto& { return k.sliding_velocity; }, "Tangential velocity at the contact point, m/s; NaN if not known.");
+      c, "sliding_velocity", [](const Contacts& k) -> auto& { return k.sliding_velocity; },
+      "Tangential velocity at the contact point, m/s; NaN if not known.");
   array_property(
       c, "glued", [](const Contacts& k) -> auto& { return k.glued; }, "1 where adhesion acts.");
   c.def_property_readonly(
       "points", [](const Contacts& k) { return levers_of(k); },
-      "Contact points from the centre of grain i, m, n x 2; not on the normal through the centre if grains are not disks.");
+      "Contact points from the centre of grain i, m, n x 2; not on the normal through the centre if grains are not "
+      "disks.");
 }
 
 void bind_grains(py::class_<Packing>& c) {
@@ -265,79 +286,94 @@ void bind_grains(py::class_<Packing>& c) {
   coordinate_property(
       c, "y", [](const Packing& p) -> auto& { return p.grains.position; }, &Vec2::y, "Centres, m.");
   array_property(
-      c, "radius", [](const Packing& p) -> auto& { return p.grains.radius; }, "Radii, m; for grains that are not disks, those of the disks of equal area.");
+      c, "radius", [](const Packing& p) -> auto& { return p.grains.radius; },
+      "Radii, m; for grains that are not disks, those of the disks of equal area.");
   array_property(
-      c, "material", [](const Packing& p) -> auto& { return p.grains.material; }, "Index in `materials` of every grain, int32.");
+      c, "material", [](const Packing& p) -> auto& { return p.grains.material; },
+      "Index in `materials` of every grain, int32.");
   array_property(
-      c, "zone", [](const Packing& p) -> auto& { return p.grains.zone; }, "0, or the number of a region: 1 is the glued agglomerate.");
+      c, "zone", [](const Packing& p) -> auto& { return p.grains.zone; },
+      "0, or the number of a region: 1 is the glued agglomerate.");
   array_property(
-      c, "angle", [](const Packing& p) -> auto& { return p.grains.angle; }, "Rotations since the start, rad, counter-clockwise.");
+      c, "angle", [](const Packing& p) -> auto& { return p.grains.angle; },
+      "Rotations since the start, rad, counter-clockwise.");
   coordinate_property(
       c, "vx", [](const Packing& p) -> auto& { return p.grains.velocity; }, &Vec2::x, "Velocities, m/s.");
   coordinate_property(
       c, "vy", [](const Packing& p) -> auto& { return p.grains.velocity; }, &Vec2::y, "Velocities, m/s.");
   array_property(
-      c, "omega", [](const Packing& p) -> auto& { return p.grains.omega; }, "Angular velocities, rad/s, counter-clockwise.");
+      c, "omega", [](const Packing& p) -> auto& { return p.grains.omega; },
+      "Angular velocities, rad/s, counter-clockwise.");
 }
 
 }  // namespace
 
 void bind_packing(py::module_& m) {
   py::class_<Material>(m, "Material", "A material of grains.")
-      .def(py::init(&material), py::arg("name"), py::arg("density") = 0.0, py::arg("stiffness") = 0.0, py::arg("thermoelastic_factor") = 0.0,
-           "Density (kg/m^3), contact stiffness k (N/m) and thermoelastic factor A (K/Pa), or text with a unit; 0: not known.")
+      .def(py::init(&material), py::arg("name"), py::arg("density") = 0.0, py::arg("stiffness") = 0.0,
+           py::arg("thermoelastic_factor") = 0.0,
+           "Density (kg/m^3), contact stiffness k (N/m) and thermoelastic factor A (K/Pa), or text with a unit; 0: not "
+           "known.")
       .def_readonly("name", &Material::name, "Name in recipes, tables and figures.")
       .def_readonly("density", &Material::density, "kg/m^3")
       .def_readonly("stiffness", &Material::stiffness, "Contact stiffness k, N/m (T ch. 2).")
       .def_readonly("thermoelastic_factor", &Material::thermoelastic_factor, "A, K/Pa (T ch. 2).")
-      .def_readonly("youngs_modulus", &Material::youngs_modulus, "Young's modulus E, Pa; None if not given in the recipe.")
+      .def_readonly("youngs_modulus", &Material::youngs_modulus,
+                    "Young's modulus E, Pa; None if not given in the recipe.")
       .def_readonly("poisson", &Material::poisson, "Poisson's ratio nu; None if not given in the recipe.")
       .def("__repr__", [](const Material& of) { return "<arenite.Material " + of.name + ">"; });
   bind_contacts(m);
-  py::class_<Packing> packing(m, "Packing", "Grains in their container, with the contacts between them if known. Arrays refer to the packing's own memory.");
+  py::class_<Packing> packing(
+      m, "Packing",
+      "Grains in their container, with the contacts between them if known. Arrays refer to the packing's own memory.");
   packing
-      .def(py::init(&make), py::arg("x"), py::arg("y"), py::arg("radius"), py::arg("material") = py::none(), py::arg("materials") = std::vector<Material>{},
-           py::kw_only(), py::arg("width"), py::arg("height"), py::arg("thickness") = 1.0, py::arg("periodic") = "", py::arg("contacts") = py::none(),
+      .def(py::init(&make), py::arg("x"), py::arg("y"), py::arg("radius"), py::arg("material") = py::none(),
+           py::arg("materials") = std::vector<Material>{}, py::kw_only(), py::arg("width"), py::arg("height"),
+           py::arg("thickness") = 1.0, py::arg("periodic") = "", py::arg("contacts") = py::none(),
            py::arg("origin") = std::pair(0.0, 0.0),
-           "A packing from your own data: centres and radii (m), width and height of the container, its depth (m, or text with a unit; 0: not known) and lower "
-           "left "
-           "corner `origin`; `periodic` is "
-           "\"\", \"x\", \"y\" or \"xy\". `contacts`: a dict, a table of pandas or Contacts with i and j (grains from 0; j = -1, -2, -3, -4: left, right, "
-           "bottom, top "
-           "wall) and, where known, fn and ft (N) and the normal nx, ny from j to i, which follows from the centres otherwise.")
+           "A packing from your own data: centres and radii (m), width and height of the container, its depth (m, or "
+           "text with a unit; 0: not known) and lower left corner `origin`; `periodic` is \"\", \"x\", \"y\" or "
+           "\"xy\". `contacts`: a dict, a table of pandas or Contacts with i and j (grains from 0; j = -1, -2, -3, -4: "
+           "left, right, bottom, top wall) and, where known, fn and ft (N) and the normal nx, ny from j to i, which "
+           "follows from the centres otherwise.")
       .def(
           "__len__", [](const Packing& p) { return p.grains.size(); }, "Number of grains.")
       .def_property_readonly(
-          "contacts", [](const Packing& p) -> const Contacts& { return p.contacts; }, py::return_value_policy::reference_internal,
-          "Known contacts, including those with walls.")
-      .def_property_readonly(
-          "bonds", &bonds_of,
-          "Bonds by name, arrays of equal length: grains i < j (indices into the arrays), broken (0 intact, 1 in tension, 2 in bending, 3 in "
-          "shear), time (s) and "
-          "position x, y (m) of the break, current fn, ft (N, signs as for contacts) and moment on i (N m), energy (J, at the break), load "
-          "(stress over strength), "
-          "length (m, initial).")
-      .def_property_readonly(
-          "cohesive", &cohesive_of,
-          "Pairs joined by adhesion or a liquid bridge, by name, arrays of equal length: grains i < j (indices into the arrays), gap (m, negative "
-          "if they overlap), pull (attraction, N; for touching grains part of the contact's fn), energy (J, 0 at the onset of the attraction).")
+          "contacts", [](const Packing& p) -> const Contacts& { return p.contacts; },
+          py::return_value_policy::reference_internal, "Known contacts, including those with walls.")
+      .def_property_readonly("bonds", &bonds_of,
+                             "Bonds by name, arrays of equal length: grains i < j (indices into the arrays), broken (0 "
+                             "intact, 1 in tension, 2 in bending, 3 in shear), time (s) and position x, y (m) of the "
+                             "break, current fn, ft (N, signs as for contacts) and moment on i (N m), energy (J, at "
+                             "the break), load (stress over strength), length (m, initial).")
+      .def_property_readonly("cohesive", &cohesive_of,
+                             "Pairs joined by adhesion or a liquid bridge, by name, arrays of equal length: grains i < "
+                             "j (indices into the arrays), gap (m, negative if they overlap), pull (attraction, N; for "
+                             "touching grains part of the contact's fn), energy (J, 0 at the onset of the attraction).")
       .def_property_readonly(
           "materials", [](const Packing& p) { return p.materials; }, "Materials, to which `material` refers by index.")
-      .def_property_readonly("domain", &domain_of, "The container: position (m), velocity (m/s) and force (N) of every wall, width, height, thickness (m).")
+      .def_property_readonly(
+          "domain", &domain_of,
+          "The container: position (m), velocity (m/s) and force (N) of every wall, width, height, thickness (m).")
       .def_property_readonly(
           "are_disks", [](const Packing& p) { return p.grains.shapes.empty(); }, "Whether all grains are disks.")
-      .def("outlines", &outlines_of, "Points along the outline of every grain at its position, m: a list of arrays n x 2, counter-clockwise, not closed.")
+      .def("outlines", &outlines_of,
+           "Points along the outline of every grain at its position, m: a list of arrays n x 2, counter-clockwise, not "
+           "closed.")
       .def_property_readonly(
           "gyration",
           [](const Packing& p) {
             const Grains& g = p.grains;
             py::array_t<double> radii(static_cast<py::ssize_t>(g.size()));
             for (std::size_t k = 0; k < g.size(); ++k)
-              radii.mutable_at(static_cast<py::ssize_t>(k)) = g.shapes.empty() ? g.radius[k] / std::numbers::sqrt2 : g.shapes.gyration[k];
+              radii.mutable_at(static_cast<py::ssize_t>(k)) =
+                  g.shapes.empty() ? g.radius[k] / std::numbers::sqrt2 : g.shapes.gyration[k];
             return radii;
           },
           "Radius of gyration of every grain about its centre of mass, m.")
-      .def("__repr__", [](const Packing& p) { return fmt::format("<arenite.Packing of {} grains and {} contacts>", p.grains.size(), p.contacts.size()); });
+      .def("__repr__", [](const Packing& p) {
+        return fmt::format("<arenite.Packing of {} grains and {} contacts>", p.grains.size(), p.contacts.size());
+      });
   bind_grains(packing);
 }
 

@@ -38,25 +38,35 @@ FilmRecipe changed(const FilmRecipe& recipe, const py::dict& changes) {
 
 void bind_film_recipe(py::module_& m) {
   py::class_<FilmRecipe>(m, "FilmRecipe",
-                         "Input of `arenite film` and `arenite camera`: materials, container, picture, correction, temperature, lock-in, forces, simulation, "
-                         "camera (docs/film-recipe.md).")
-      .def(py::init([](const Path& file, const py::dict& changes) { return recipe::read_film_recipe(file.string(), overrides_of(changes)); }), py::arg("file"),
-           py::arg("changes") = py::dict(), "Reads a film's recipe from a file; `changes` as for Recipe.")
+                         "Input of `arenite film` and `arenite camera`: materials, container, picture, correction, "
+                         "temperature, lock-in, forces, simulation, camera (docs/film-recipe.md).")
+      .def(py::init([](const Path& file, const py::dict& changes) {
+             return recipe::read_film_recipe(file.string(), overrides_of(changes));
+           }),
+           py::arg("file"), py::arg("changes") = py::dict(),
+           "Reads a film's recipe from a file; `changes` as for Recipe.")
       .def_static(
           "template",
-          [](const py::dict& changes) { return recipe::parse_film_recipe(recipe::to_toml(recipe::film_template()), "film", overrides_of(changes)); },
+          [](const py::dict& changes) {
+            return recipe::parse_film_recipe(recipe::to_toml(recipe::film_template()), "film", overrides_of(changes));
+          },
           py::arg("changes") = py::dict(), "The template that `arenite init film` writes.")
       .def_static(
-          "from_text", [](const std::string& text, const py::dict& changes) { return recipe::parse_film_recipe(text, "recipe", overrides_of(changes)); },
+          "from_text",
+          [](const std::string& text, const py::dict& changes) {
+            return recipe::parse_film_recipe(text, "recipe", overrides_of(changes));
+          },
           py::arg("text"), py::arg("changes") = py::dict(), "A film's recipe from TOML text.")
-      .def("changed", py::overload_cast<const FilmRecipe&, const py::dict&>(&changed), py::arg("changes"), "The same recipe with these keys changed.")
+      .def("changed", py::overload_cast<const FilmRecipe&, const py::dict&>(&changed), py::arg("changes"),
+           "The same recipe with these keys changed.")
       .def(
-          "toml", [](const FilmRecipe& r) { return recipe::to_toml(r); }, "The resolved recipe as TOML, every key with its unit.")
+          "toml", [](const FilmRecipe& r) { return recipe::to_toml(r); },
+          "The resolved recipe as TOML, every key with its unit.")
       .def_readonly("title", &FilmRecipe::title, "As pages show it.")
       .def_readonly("seed", &FilmRecipe::seed, "Seed of the virtual camera's noise.")
       .def(
-          "__eq__", [](const FilmRecipe& a, const FilmRecipe& b) { return recipe::to_toml(a) == recipe::to_toml(b); }, py::is_operator(), py::arg("other"),
-          "Whether all keys are equal.")
+          "__eq__", [](const FilmRecipe& a, const FilmRecipe& b) { return recipe::to_toml(a) == recipe::to_toml(b); },
+          py::is_operator(), py::arg("other"), "Whether all keys are equal.")
       .def("__repr__", [](const FilmRecipe& r) { return "<arenite.FilmRecipe \"" + r.title + "\">"; });
 }
 
@@ -64,17 +74,28 @@ void bind_film_recipe(py::module_& m) {
 
 void bind_recipe(py::module_& m) {
   bind_film_recipe(m);
-  py::class_<Recipe>(m, "Recipe", "Input of `arenite run`: materials, container, packing, stages of loading, cement, grid, loads (docs/recipe.md).")
-      .def(py::init([](const Path& file, const py::dict& changes) { return recipe::read_recipe(file.string(), overrides_of(changes)); }), py::arg("file"),
-           py::arg("changes") = py::dict(),
-           "Reads a recipe from a file; `changes` are {\"dotted.key\": value}, with units in text: {\"container.width\": \"35 cm\"}.")
-      .def_static("template", &from_template, py::arg("name"), py::arg("changes") = py::dict(), "A template; `templates()` lists them.")
+  py::class_<Recipe>(
+      m, "Recipe",
+      "Input of `arenite run`: materials, container, packing, stages of loading, cement, grid, loads (docs/recipe.md).")
+      .def(py::init([](const Path& file, const py::dict& changes) {
+             return recipe::read_recipe(file.string(), overrides_of(changes));
+           }),
+           py::arg("file"), py::arg("changes") = py::dict(),
+           "Reads a recipe from a file; `changes` are {\"dotted.key\": value}, with units in text: "
+           "{\"container.width\": \"35 cm\"}.")
+      .def_static("template", &from_template, py::arg("name"), py::arg("changes") = py::dict(),
+                  "A template; `templates()` lists them.")
       .def_static(
-          "from_text", [](const std::string& text, const py::dict& changes) { return recipe::parse_recipe(text, "recipe", overrides_of(changes)); },
+          "from_text",
+          [](const std::string& text, const py::dict& changes) {
+            return recipe::parse_recipe(text, "recipe", overrides_of(changes));
+          },
           py::arg("text"), py::arg("changes") = py::dict(), "A recipe from TOML text.")
-      .def("changed", py::overload_cast<const Recipe&, const py::dict&>(&changed), py::arg("changes"), "The same recipe with these keys changed.")
+      .def("changed", py::overload_cast<const Recipe&, const py::dict&>(&changed), py::arg("changes"),
+           "The same recipe with these keys changed.")
       .def(
-          "toml", [](const Recipe& r) { return recipe::to_toml(r); }, "The resolved recipe as TOML, every key with its unit.")
+          "toml", [](const Recipe& r) { return recipe::to_toml(r); },
+          "The resolved recipe as TOML, every key with its unit.")
       .def_readonly("title", &Recipe::title, "As pages show it.")
       .def_readonly("seed", &Recipe::seed, "Seed of all random numbers.")
       .def_property_readonly(
@@ -94,8 +115,8 @@ void bind_recipe(py::module_& m) {
           },
           "Names of the loads of the cemented sample.")
       .def(
-          "__eq__", [](const Recipe& a, const Recipe& b) { return recipe::to_toml(a) == recipe::to_toml(b); }, py::is_operator(), py::arg("other"),
-          "Whether all keys are equal.")
+          "__eq__", [](const Recipe& a, const Recipe& b) { return recipe::to_toml(a) == recipe::to_toml(b); },
+          py::is_operator(), py::arg("other"), "Whether all keys are equal.")
       .def("__repr__", [](const Recipe& r) { return "<arenite.Recipe \"" + r.title + "\">"; });
   m.def(
       "templates",

@@ -47,13 +47,15 @@ void bind_stage_results(py::module_& m) {
       .def_readonly("step", &Snapshot::step, "Time steps since the start of the run.")
       .def_readonly("label", &Snapshot::label, "\"increment 3 of 10\", \"cycle 2 maximum\".")
       .def_property_readonly(
-          "packing", [](const Snapshot& f) -> const Packing& { return f.packing; }, py::return_value_policy::reference_internal,
-          "Grains and contacts in this state.")
+          "packing", [](const Snapshot& f) -> const Packing& { return f.packing; },
+          py::return_value_policy::reference_internal, "Grains and contacts in this state.")
       .def_property_readonly("energies", &energies_of, "By name, J.")
       .def_property_readonly(
-          "unbalanced_ratio", [](const Snapshot& f) { return f.equilibrium.unbalanced_ratio; }, "Mean resultant force on a grain over the mean contact force.")
+          "unbalanced_ratio", [](const Snapshot& f) { return f.equilibrium.unbalanced_ratio; },
+          "Mean resultant force on a grain over the mean contact force.")
       .def_property_readonly(
-          "kinetic_ratio", [](const Snapshot& f) { return f.equilibrium.kinetic_ratio; }, "Kinetic over elastic energy.")
+          "kinetic_ratio", [](const Snapshot& f) { return f.equilibrium.kinetic_ratio; },
+          "Kinetic over elastic energy.")
       .def("__repr__", [](const Snapshot& f) { return "<arenite.Snapshot \"" + f.label + "\">"; });
   py::class_<StageResult>(m, "Stage", "The result of one stage of packing or loading.")
       .def_readonly("name", &StageResult::name, "Name in the recipe.")
@@ -81,12 +83,15 @@ void bind_stage_results(py::module_& m) {
           "history", [](const py::object& self) { return columns_of(self.cast<const StageResult&>().history, self); },
           "Scalars sampled while the stage ran, as arrays by name; `history_units` has their units.")
       .def_property_readonly(
-          "history_units", [](const StageResult& s) { return history_units(s.history); }, "Unit of every column of `history`; empty: none.")
+          "history_units", [](const StageResult& s) { return history_units(s.history); },
+          "Unit of every column of `history`; empty: none.")
       .def_property_readonly(
           "cycles", [](const py::object& self) { return columns_of(self.cast<const StageResult&>().cycles, self); },
-          "For a stage with cycles: `cycle` (from 1), `at_maximum` (1 or 0) and the columns of `history` at the end of each half cycle.")
+          "For a stage with cycles: `cycle` (from 1), `at_maximum` (1 or 0) and the columns of `history` at the end of "
+          "each half cycle.")
       .def_property_readonly(
-          "texture", [](const StageResult& s) { return to_python(s.texture); }, "Stored statistics of the last state, without curves; names as in `measure`.")
+          "texture", [](const StageResult& s) { return to_python(s.texture); },
+          "Stored statistics of the last state, without curves; names as in `measure`.")
       .def_property_readonly(
           "provenance", [](const StageResult& s) { return provenance_of(s.provenance); },
           "Provenance: version, stage, input_hash, recipe, seed, kernel, options.")
@@ -104,30 +109,38 @@ py::dict cracks_of(const py::object& self) {
 }
 
 void bind_fields(py::module_& m) {
-  py::class_<FieldResult> c(m, "Field", "A cemented sample, or its stresses under load. Arrays are (height, width), the bottom row first.");
+  py::class_<FieldResult> c(
+      m, "Field", "A cemented sample, or its stresses under load. Arrays are (height, width), the bottom row first.");
   c.def_readonly("name", &FieldResult::name, "Name in the recipe.")
       .def_readonly("converged", &FieldResult::converged, "Equilibrium was reached within the tolerance.")
       .def_readonly("outcome", &FieldResult::outcome, "Outcome in a sentence.")
       .def_property_readonly(
-          "map", [](const FieldResult& f) -> const PhaseMap& { return f.map; }, py::return_value_policy::reference_internal, "Phases and grains of the nodes.")
+          "map", [](const FieldResult& f) -> const PhaseMap& { return f.map; },
+          py::return_value_policy::reference_internal, "Phases and grains of the nodes.")
       .def_property_readonly(
-          "packing", [](const FieldResult& f) -> const Packing& { return f.packing; }, py::return_value_policy::reference_internal,
+          "packing", [](const FieldResult& f) -> const Packing& { return f.packing; },
+          py::return_value_policy::reference_internal,
           "The packing that was discretised, in the map's coordinates; no grains if the map came from a picture.")
       .def_property_readonly(
-          "loaded", [](const FieldResult& f) { return f.field.size() > 0; }, "False for a sample that was not loaded and has no stresses.")
+          "loaded", [](const FieldResult& f) { return f.field.size() > 0; },
+          "False for a sample that was not loaded and has no stresses.")
       .def_property_readonly(
           "numbers", [](const FieldResult& f) { return to_python(f.numbers); },
           "Report and statistics as `arenite show --json` prints them; the end of a name is its unit.")
       .def_property_readonly(
-          "convergence", [](const py::object& self) { return columns_of(self.cast<const FieldResult&>().convergence, self); },
+          "convergence",
+          [](const py::object& self) { return columns_of(self.cast<const FieldResult&>().convergence, self); },
           "iteration, residual (relative).")
       .def_property_readonly(
           "curve", [](const py::object& self) { return columns_of(self.cast<const FieldResult&>().curve, self); },
-          "Of a test to failure: strain, stress, work, elastic and released energy (per metre of depth), broken bonds; `curve_units` has their units.")
+          "Of a test to failure: strain, stress, work, elastic and released energy (per metre of depth), broken bonds; "
+          "`curve_units` has their units.")
       .def_property_readonly(
-          "curve_units", [](const FieldResult& f) { return history_units(f.curve); }, "Unit of every column of `curve`; \"1\": none.")
+          "curve_units", [](const FieldResult& f) { return history_units(f.curve); },
+          "Unit of every column of `curve`; \"1\": none.")
       .def_property_readonly("cracks", &cracks_of,
-                             "Broken bonds in the order of breaking: x, y (m, float32), type (1 matrix, 2 interface, 3 particle), strain of the sample.")
+                             "Broken bonds in the order of breaking: x, y (m, float32), type (1 matrix, 2 interface, 3 "
+                             "particle), strain of the sample.")
       .def_property_readonly(
           "provenance", [](const FieldResult& f) { return provenance_of(f.provenance); },
           "Provenance: version, stage, input_hash, recipe, seed, kernel, options.")
@@ -136,13 +149,15 @@ void bind_fields(py::module_& m) {
           [](const FieldResult& f, bool curves) {
             Call call;
             stress::StressOptions options;
-            options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy, stress::Component::hydrostatic};
-            return to_arrays(call.without_lock([&] { return stress::numbers(stress::measure(f.map, f.field, options), curves); }));
+            options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy,
+                                  stress::Component::hydrostatic};
+            return to_arrays(
+                call.without_lock([&] { return stress::numbers(stress::measure(f.map, f.field, options), curves); }));
           },
           py::kw_only(), py::arg("curves") = true,
-          "Distributions of node stresses by phase (P IV) as a dict: by component (sigma_yy, sigma_xx, sigma_xy, sigma_hyd) and set, each statistic "
-          "{\"value\", \"error\"}; the end of a name is its unit "
-          "(_Pa); all others are relative to the mean of the sample or of the set.")
+          "Distributions of node stresses by phase (P IV) as a dict: by component (sigma_yy, sigma_xx, sigma_xy, "
+          "sigma_hyd) and set, each statistic {\"value\", \"error\"}; the end of a name is its unit (_Pa); all others "
+          "are relative to the mean of the sample or of the set.")
       .def("__repr__", [](const FieldResult& f) { return "<arenite.Field \"" + f.name + "\": " + f.outcome + ">"; });
   const auto component = [&c](const char* name, std::vector<double> StressField::*member, const char* doc) {
     c.def_property_readonly(

@@ -19,7 +19,9 @@
 namespace arenite::python {
 namespace {
 
-Numbers numbers_of(const Result& r) { return r.films.empty() ? report::Summary(r.run).numbers() : report::film_numbers(r.films.back()); }
+Numbers numbers_of(const Result& r) {
+  return r.films.empty() ? report::Summary(r.run).numbers() : report::film_numbers(r.films.back());
+}
 
 /// Tells of the share of all stages.
 workflow::RunOptions run_options(Call& call, const Progress& progress) {
@@ -58,7 +60,8 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "arenite-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw InputError("no temporary folder can be created; set TMPDIR to a writable folder");
+    if (!::mkdtemp(name.data()))
+      throw InputError("no temporary folder can be created; set TMPDIR to a writable folder");
     path_ = name;
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -96,7 +99,9 @@ std::size_t stage_number(const Recipe& recipe, const py::object& stage) {
     if (k >= 0 && static_cast<std::size_t>(k) < recipe.stages.size()) return static_cast<std::size_t>(k);
     throw InputError(fmt::format("there is no stage {}; the recipe has {}, counted from 0", k, recipe.stages.size()));
   }
-  if (!py::isinstance<py::str>(stage)) throw InputError(fmt::format("stage is of type {}; give its name, or its number from 0", Py_TYPE(stage.ptr())->tp_name));
+  if (!py::isinstance<py::str>(stage))
+    throw InputError(
+        fmt::format("stage is of type {}; give its name, or its number from 0", Py_TYPE(stage.ptr())->tp_name));
   const auto name = stage.cast<std::string>();
   for (std::size_t k = 0; k < recipe.stages.size(); ++k)
     if (recipe.stages[k].name == name) return k;
@@ -105,14 +110,16 @@ std::size_t stage_number(const Recipe& recipe, const py::object& stage) {
   throw InputError(fmt::format("the recipe has no stage \"{}\"; there are {}", name, known));
 }
 
-StageResult load_stage(const Packing& packing, Recipe recipe, const py::object& stage, int threads, const Progress& progress) {
+StageResult load_stage(const Packing& packing, Recipe recipe, const py::object& stage, int threads,
+                       const Progress& progress) {
   const std::size_t place = stage_number(recipe, stage) + 1;
   recipe.integration.threads = threads;
   Call call;
   return call.without_lock([&]() -> StageResult {
     dem::Engine engine(packing, recipe.contact, recipe.integration);
-    auto loaded = workflow::load_stage({recipe, place, workflow::stage_key(recipe, place, engine.save()), &packing}, engine, {}, run_options(call, progress),
-                                       {.stages = 1, .name = recipe.stages[place - 1].name});
+    auto loaded =
+        workflow::load_stage({recipe, place, workflow::stage_key(recipe, place, engine.save()), &packing}, engine, {},
+                             run_options(call, progress), {.stages = 1, .name = recipe.stages[place - 1].name});
     return loaded ? std::move(*loaded) : StageResult{};
   });
 }
@@ -121,20 +128,23 @@ StageResult load_stage(const Packing& packing, Recipe recipe, const py::object& 
 
 void bind_store(py::module_& m) {
   py::class_<Result>(m, "Result", "Contents of a folder or file of results, or parts computed separately.")
-      .def(py::init(&result_of), py::arg("stages") = std::vector<StageResult>{}, py::arg("fields") = std::vector<FieldResult>{},
-           py::arg("films") = std::vector<FilmResult>{}, py::kw_only(), py::arg("title") = "",
-           "Parts (copied) as one result, for figures, `save`, `page` and `export`.")
+      .def(py::init(&result_of), py::arg("stages") = std::vector<StageResult>{},
+           py::arg("fields") = std::vector<FieldResult>{}, py::arg("films") = std::vector<FilmResult>{}, py::kw_only(),
+           py::arg("title") = "", "Parts (copied) as one result, for figures, `save`, `page` and `export`.")
       .def_readonly("path", &Result::path, "Path it was read from; empty if assembled from parts.")
       .def_readonly("title", &Result::title, "Title of the recipe.")
       .def_property_readonly(
           "converged", [](const Result& r) { return r.run.converged; }, "Every part reached its equilibrium.")
       .def_property_readonly(
-          "stages", [](const Result& r) -> const std::vector<StageResult>& { return r.run.stages; }, "Packing first, then the stages of loading.")
+          "stages", [](const Result& r) -> const std::vector<StageResult>& { return r.run.stages; },
+          "Packing first, then the stages of loading.")
       .def_property_readonly(
-          "fields", [](const Result& r) -> const std::vector<FieldResult>& { return r.run.fields; }, "The cemented sample and its loads.")
+          "fields", [](const Result& r) -> const std::vector<FieldResult>& { return r.run.fields; },
+          "The cemented sample and its loads.")
       .def_readonly("films", &Result::films, "Results of films.")
       .def_property_readonly(
-          "numbers", [](const Result& r) { return to_python(numbers_of(r)); }, "As `arenite show --json` prints them; the end of a name is its unit.")
+          "numbers", [](const Result& r) { return to_python(numbers_of(r)); },
+          "As `arenite show --json` prints them; the end of a name is its unit.")
       .def_property_readonly(
           "meanings",
           [](const Result& r) {
@@ -144,11 +154,11 @@ void bind_store(py::module_& m) {
               if (meaning) meanings[py::str(name)] = py::make_tuple(meaning->unit, meaning->sentence);
             return meanings;
           },
-          "Unit and sentence of each number by its dotted name, {\"texture.solid_fraction\": (\"\", \"Solid fraction, area of grains over area of the "
-          "sample\"), ...}.")
+          "Unit and sentence of each number by its dotted name, {\"texture.solid_fraction\": (\"\", \"Solid fraction, "
+          "area of grains over area of the sample\"), ...}.")
       .def("__repr__", [](const Result& r) {
-        return fmt::format("<arenite.Result {}: {} stages, {} fields, {} films>", r.path.empty() ? r.title : r.path, r.run.stages.size(), r.run.fields.size(),
-                           r.films.size());
+        return fmt::format("<arenite.Result {}: {} stages, {} fields, {} films>", r.path.empty() ? r.title : r.path,
+                           r.run.stages.size(), r.run.fields.size(), r.films.size());
       });
   m.def(
       "open",
@@ -157,9 +167,10 @@ void bind_store(py::module_& m) {
         return call.without_lock([&] { return open_result(path); });
       },
       py::arg("path"), "Reads a run's folder, or one file of it.");
-  m.def("run", &run, py::arg("recipe"), py::arg("out"), py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
-        "Runs a recipe: packing, loading stage by stage, cement, grid, loads. Stages already in `out` are not computed again. `progress(share, name)` is "
-        "called meanwhile.");
+  m.def("run", &run, py::arg("recipe"), py::arg("out"), py::kw_only(), py::arg("threads") = 1,
+        py::arg("progress") = py::none(),
+        "Runs a recipe: packing, loading stage by stage, cement, grid, loads. Stages already in `out` are not computed "
+        "again. `progress(share, name)` is called meanwhile.");
   m.def(
       "save",
       [](const py::object& what, const Path& folder) {
@@ -168,14 +179,13 @@ void bind_store(py::module_& m) {
         return names_of(call.without_lock([&] { return save(result, folder); }));
       },
       py::arg("result"), py::arg("folder"),
-      "Stores a Result, Stage, Field, FilmResult or Packing as result files in a folder, which `open`, `arenite show`, `arenite export` and "
-      "`arenite figures` "
-      "read; returns the files. Other results in the folder are moved to earlier/.");
-  m.def(
-      "export", &exported, py::arg("result"), py::arg("folder"), py::arg("format") = "vtk", py::kw_only(), py::arg("last") = false,
-      "Writes a result (its folder or file, a Result, Stage, Field, FilmResult or Packing) as `arenite export` does, in one of the formats in docs/formats.md; "
-      "returns the files. `last`: the "
-      "last state only.");
+      "Stores a Result, Stage, Field, FilmResult or Packing as result files in a folder, which `open`, `arenite show`, "
+      "`arenite export` and `arenite figures` read; returns the files. Other results in the folder are moved to "
+      "earlier/.");
+  m.def("export", &exported, py::arg("result"), py::arg("folder"), py::arg("format") = "vtk", py::kw_only(),
+        py::arg("last") = false,
+        "Writes a result (its folder or file, a Result, Stage, Field, FilmResult or Packing) as `arenite export` does, "
+        "in one of the formats in docs/formats.md; returns the files. `last`: the last state only.");
   m.def(
       "page",
       [](const py::object& what, const Path& file) {
@@ -187,7 +197,9 @@ void bind_store(py::module_& m) {
           return 0;
         });
       },
-      py::arg("result"), py::arg("file"), "Writes the page (self-contained HTML) of a Result, Stage, Field, FilmResult or Packing, or of a folder of results.");
+      py::arg("result"), py::arg("file"),
+      "Writes the page (self-contained HTML) of a Result, Stage, Field, FilmResult or Packing, or of a folder of "
+      "results.");
 }
 
 void bind_stages(py::module_& m) {
@@ -197,12 +209,13 @@ void bind_stages(py::module_& m) {
         Call call;
         return call.without_lock([&] { return workflow::make_packing(recipe).snapshots.back().packing; });
       },
-      py::arg("recipe"), "The grains in their container before any loading: drawn, placed and relaxed, or read from a file ([packing] of the recipe).");
-  m.def("load_stage", &load_stage, py::arg("packing"), py::arg("recipe"), py::arg("stage") = 0, py::kw_only(), py::arg("threads") = 1,
-        py::arg("progress") = py::none(),
-        "Takes a packing through one stage of the recipe, by number or name: compaction or loading by discrete elements. `progress(share, name)` is called "
-        "meanwhile. Velocities are kept, "
-        "the contact history is not.");
+      py::arg("recipe"),
+      "The grains in their container before any loading: drawn, placed and relaxed, or read from a file ([packing] of "
+      "the recipe).");
+  m.def("load_stage", &load_stage, py::arg("packing"), py::arg("recipe"), py::arg("stage") = 0, py::kw_only(),
+        py::arg("threads") = 1, py::arg("progress") = py::none(),
+        "Takes a packing through one stage of the recipe, by number or name: compaction or loading by discrete "
+        "elements. `progress(share, name)` is called meanwhile. Velocities are kept, the contact history is not.");
 }
 
 }  // namespace arenite::python

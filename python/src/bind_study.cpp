@@ -42,8 +42,8 @@ template <class Value> py::object by_row(const campaign::CollectedTable& table, 
   return list;
 }
 
-/// The columns of the CSV by the CSV's names: swept keys, numbers, and "NAME_error" where any run has an error. Where a number is
-/// itself called so ("beta_error" beside "beta"), the error of the column before it is kept.
+/// The columns of the CSV by the CSV's names: swept keys, numbers, and "NAME_error" where any run has an error. Where a
+/// number is itself called so ("beta_error" beside "beta"), the error of the column before it is kept.
 py::dict columns_of(const campaign::CollectedTable& table) {
   py::dict d;
   if (!table.means) {
@@ -91,14 +91,14 @@ void bind_study(py::module_& m) {
         return columns_of(table);
       },
       py::arg("recipe"), py::arg("out"), py::arg("by") = std::vector<std::string>{},
-      "The runs of a study as columns, by the names that `arenite study collect` gives them, without units: run, status, swept keys (numbers where they are, "
-      "in SI: \"container.width\" in m), "
-      "then all numbers of `arenite show --json` by dotted names, with \"NAME_error\"; NaN if a run has none. `by`: means over runs with equal "
-      "values of these keys, and "
-      "`runs`, their number.");
+      "The runs of a study as columns, by the names that `arenite study collect` gives them, without units: run, "
+      "status, swept keys (numbers where they are, in SI: \"container.width\" in m), then all numbers of `arenite show "
+      "--json` by dotted names, with \"NAME_error\"; NaN if a run has none. `by`: means over runs with equal values of "
+      "these keys, and `runs`, their number.");
   m.def(
       "_study_figures", [](const Path& page) { return to_python(report::figures_on(page)); }, py::arg("page"),
-      "Contents of the page of a study, from the numbers that `arenite study page` writes beside it: its title and its figures; empty if there are none.");
+      "Contents of the page of a study, from the numbers that `arenite study page` writes beside it: its title and its "
+      "figures; empty if there are none.");
   m.def(
       "_run_study",
       [](const Path& recipe, const Path& out, std::size_t jobs, const Progress& progress) {
@@ -110,7 +110,9 @@ void bind_study(py::module_& m) {
           options.jobs = jobs;
           options.numbers = [](const workflow::RunOutcome& run) { return report::Summary(run).numbers(); };
           options.progress = [&](const campaign::StudyProgress& p) {
-            call.tell(progress, static_cast<double>(p.done + p.not_done) / static_cast<double>(std::max<std::size_t>(p.runs, 1)), "runs");
+            call.tell(progress,
+                      static_cast<double>(p.done + p.not_done) / static_cast<double>(std::max<std::size_t>(p.runs, 1)),
+                      "runs");
           };
           options.asked_to_stop = [&] { return call.asked_to_stop(); };
           return campaign::run_study(study, campaign::StudyFolder(out), options);
@@ -122,7 +124,8 @@ void bind_study(py::module_& m) {
         return d;
       },
       py::arg("recipe"), py::arg("out"), py::kw_only(), py::arg("jobs") = 1, py::arg("progress") = py::none(),
-      "Runs a recipe with [sweep], each run in its own process; finished runs are not repeated. Returns how many are done, not done, left.");
+      "Runs a recipe with [sweep], each run in its own process; finished runs are not repeated. Returns how many are "
+      "done, not done, left.");
 }
 
 }  // namespace arenite::python

@@ -15,19 +15,23 @@ namespace arenite::python {
 namespace {
 
 texture::Options options_of(double border) {
-  if (!(border >= 0) || !std::isfinite(border)) throw InputError(fmt::format("border is {}; give mean diameters, 0 or more", border));
+  if (!(border >= 0) || !std::isfinite(border))
+    throw InputError(fmt::format("border is {}; give mean diameters, 0 or more", border));
   texture::Options options;
   options.border = border;
   return options;
 }
 
-py::dict measured(const Packing& packing, double border, const std::optional<double>& load_axis, bool curves, const std::optional<ArrayLike>& sigma_hyd) {
+py::dict measured(const Packing& packing, double border, const std::optional<double>& load_axis, bool curves,
+                  const std::optional<ArrayLike>& sigma_hyd) {
   texture::Options options = options_of(border);
   if (sigma_hyd) {
     options.grain_sigma_hyd = to_vector(*sigma_hyd, "sigma_hyd");
-    if (options.grain_sigma_hyd.empty()) throw InputError("sigma_hyd holds no value; give one per grain, or leave it out");
+    if (options.grain_sigma_hyd.empty())
+      throw InputError("sigma_hyd holds no value; give one per grain, or leave it out");
   }
-  if (load_axis && !std::isfinite(*load_axis)) throw InputError("load_axis is not finite; give degrees, or leave it out");
+  if (load_axis && !std::isfinite(*load_axis))
+    throw InputError("load_axis is not finite; give degrees, or leave it out");
   if (load_axis) options.load_axis = *load_axis * std::numbers::pi / 180;
   Call call;
   return to_arrays(call.without_lock([&] { return texture::numbers(texture::measure(packing, options), curves); }));
@@ -62,10 +66,12 @@ std::optional<Vec2> lengths_of(const Pair& pair, const char* name) {
   return Vec2{pair->first.si(dimension::length, name), pair->second.si(dimension::length, name)};
 }
 
-Packing packing_of_files(const Path& grains, const std::optional<Path>& contacts, const std::string& format, const Pair& box, const Pair& origin,
-                         const std::optional<Quantity>& thickness, const std::string& periodic, const std::optional<std::string>& length_unit,
-                         const std::optional<std::string>& force_unit, const std::optional<Quantity>& pixel, const std::optional<Path>& materials,
-                         const std::string& grain_columns, const std::string& contact_columns, bool y_down, bool merge_doubled) {
+Packing packing_of_files(const Path& grains, const std::optional<Path>& contacts, const std::string& format,
+                         const Pair& box, const Pair& origin, const std::optional<Quantity>& thickness,
+                         const std::string& periodic, const std::optional<std::string>& length_unit,
+                         const std::optional<std::string>& force_unit, const std::optional<Quantity>& pixel,
+                         const std::optional<Path>& materials, const std::string& grain_columns,
+                         const std::string& contact_columns, bool y_down, bool merge_doubled) {
   io::SampleOptions o;
   o.format = format;
   o.box = lengths_of(box, "box");
@@ -89,34 +95,31 @@ Packing packing_of_files(const Path& grains, const std::optional<Path>& contacts
 }  // namespace
 
 void bind_texture(py::module_& m) {
-  m.def("measure", &measured, py::arg("packing"), py::kw_only(), py::arg("border") = 2.5, py::arg("load_axis") = py::none(), py::arg("curves") = true,
-        py::arg("sigma_hyd") = py::none(),
-        "Fabric, forces and stress of a packing as a dict: solid_fraction, rev, coordination (contacts of a grain), fabric, force, stress, sigma_norm, "
-        "local_order, "
-        "quality. Each "
-        "statistic is {\"value\", \"error\"}, its standard error. The end of a name is its unit: _N, _Pa, _m, _deg; all other numbers have none (fractions, "
-        "ratios, x over the mean "
-        "of its set). Curves are arrays. `border`: strip left out along walls, mean diameters (T 3.2.4). `load_axis`: degrees from x; taken from the stress if "
-        "not given. "
-        "`sigma_hyd`: measured stress of every grain, Pa, NaN if not known, instead of that from its contacts.");
+  m.def("measure", &measured, py::arg("packing"), py::kw_only(), py::arg("border") = 2.5,
+        py::arg("load_axis") = py::none(), py::arg("curves") = true, py::arg("sigma_hyd") = py::none(),
+        "Fabric, forces and stress of a packing as a dict: solid_fraction, rev, coordination (contacts of a grain), "
+        "fabric, force, stress, sigma_norm, local_order, quality. Each statistic is {\"value\", \"error\"}, its "
+        "standard error. The end of a name is its unit: _N, _Pa, _m, _deg; all other numbers have none (fractions, "
+        "ratios, x over the mean of its set). Curves are arrays. `border`: strip left out along walls, mean diameters "
+        "(T 3.2.4). `load_axis`: degrees from x; taken from the stress if not given. `sigma_hyd`: measured stress of "
+        "every grain, Pa, NaN if not known, instead of that from its contacts.");
   m.def("measure_grains", &per_grain, py::arg("packing"), py::kw_only(), py::arg("border") = 2.5,
-        "Statistics of every grain, as writable arrays: considered, rattler (bool), contacts, sigma_hyd (Pa, tension positive), sigma_norm (over "
-        "the mean of the "
-        "considered), psi6.");
+        "Statistics of every grain, as writable arrays: considered, rattler (bool), contacts, sigma_hyd (Pa, tension "
+        "positive), sigma_norm (over the mean of the considered), psi6.");
   m.def("grain_stresses", &stresses_of, py::arg("packing"),
-        "Mean stress tensor of every grain over its own volume, from its contacts, bonds and attraction across gaps (T eq. 1.11), Pa, tension positive, as an "
-        "array "
-        "(grain, 2, 2); first index that of the force.");
-  m.def("read_packing", &packing_of_files, py::arg("grains"), py::arg("contacts") = py::none(), py::arg("format") = "auto", py::kw_only(),
-        py::arg("box") = py::none(), py::arg("origin") = py::none(), py::arg("thickness") = py::none(), py::arg("periodic") = "",
-        py::arg("length_unit") = py::none(), py::arg("force_unit") = py::none(), py::arg("pixel") = py::none(), py::arg("materials") = py::none(),
-        py::arg("grain_columns") = "", py::arg("contact_columns") = "", py::arg("y_down") = false, py::arg("merge_doubled") = false,
-        "Grains and contacts from files of YADE, LAMMPS, MercuryDPM or CSV, as `arenite measure` reads them. Data missing in the files: `box` (width, height) "
-        "and its lower left "
-        "corner `origin`, `thickness` of the cylinders (m, or text with a unit), `periodic` (\"x\", \"y\", \"xy\"), units of columns without a unit, `pixel` "
-        "for tables in pixels, a table "
-        "of `materials`, columns of tables without header (\"id,x,y,-,radius\"). `y_down`: y counts image rows. `merge_doubled`: a contact listed twice is "
-        "taken once, with the mean of its forces.");
+        "Mean stress tensor of every grain over its own volume, from its contacts, bonds and attraction across gaps (T "
+        "eq. 1.11), Pa, tension positive, as an array (grain, 2, 2); first index that of the force.");
+  m.def("read_packing", &packing_of_files, py::arg("grains"), py::arg("contacts") = py::none(),
+        py::arg("format") = "auto", py::kw_only(), py::arg("box") = py::none(), py::arg("origin") = py::none(),
+        py::arg("thickness") = py::none(), py::arg("periodic") = "", py::arg("length_unit") = py::none(),
+        py::arg("force_unit") = py::none(), py::arg("pixel") = py::none(), py::arg("materials") = py::none(),
+        py::arg("grain_columns") = "", py::arg("contact_columns") = "", py::arg("y_down") = false,
+        py::arg("merge_doubled") = false,
+        "Grains and contacts from files of YADE, LAMMPS, MercuryDPM or CSV, as `arenite measure` reads them. Data "
+        "missing in the files: `box` (width, height) and its lower left corner `origin`, `thickness` of the cylinders "
+        "(m, or text with a unit), `periodic` (\"x\", \"y\", \"xy\"), units of columns without a unit, `pixel` for "
+        "tables in pixels, a table of `materials`, columns of tables without header (\"id,x,y,-,radius\"). `y_down`: y "
+        "counts image rows. `merge_doubled`: a contact listed twice is taken once, with the mean of its forces.");
 }
 
 }  // namespace arenite::python

@@ -22,7 +22,8 @@ std::string literal_of(const std::string& key, const py::handle& value) {
     return json.attr("dumps")(value, py::arg("default") = py::cpp_function(&as_plain)).cast<std::string>();
   } catch (const py::error_already_set&) {
     throw InputError(
-        fmt::format("changes: {} is of type {}; give a number, text with a unit, True or False, or a list of these", key, Py_TYPE(value.ptr())->tp_name));
+        fmt::format("changes: {} is of type {}; give a number, text with a unit, True or False, or a list of these",
+                    key, Py_TYPE(value.ptr())->tp_name));
   }
 }
 
@@ -47,12 +48,15 @@ py::object value_of(const Numbers& n) {
 }
 
 bool holds_numbers(const py::handle& value) {
-  if (py::isinstance<py::list>(value)) return py::len(value) > 0 && std::all_of(value.begin(), value.end(), holds_numbers);
+  if (py::isinstance<py::list>(value))
+    return py::len(value) > 0 && std::all_of(value.begin(), value.end(), holds_numbers);
   return value.is_none() || PyFloat_Check(value.ptr()) != 0 || PyLong_Check(value.ptr()) != 0;
 }
 
 py::object with_arrays(const py::object& value) {
-  if (py::isinstance<py::list>(value)) return holds_numbers(value) ? py::module_::import("numpy").attr("array")(value, py::arg("dtype") = "float64") : value;
+  if (py::isinstance<py::list>(value))
+    return holds_numbers(value) ? py::module_::import("numpy").attr("array")(value, py::arg("dtype") = "float64")
+                                : value;
   if (!py::isinstance<py::dict>(value)) return value;
   const py::dict d(value);
   for (const auto& item : d) d[item.first] = with_arrays(py::reinterpret_borrow<py::object>(item.second));

@@ -21,8 +21,8 @@ py::dict to_arrays(const Numbers& numbers);
 /// {"container.width": "350 mm"} as the list of "key=value" that the library takes.
 std::vector<std::string> overrides_of(const py::dict& changes);
 
-/// Runs `work` without Python's lock. Ctrl-C in the meantime makes `asked_to_stop` true and is raised when `work` has left.
-/// Processes that `work` forks have no thread of Python's, so nothing is told or asked there.
+/// Runs `work` without Python's lock. Ctrl-C in the meantime makes `asked_to_stop` true and is raised when `work` has
+/// left. Processes that `work` forks have no thread of Python's, so nothing is told or asked there.
 class Call {
  public:
   template <class Work> auto without_lock(Work&& work) {

@@ -10,8 +10,10 @@ namespace {
 class ArrayFilm : public FilmSource {
  public:
   ArrayFilm(const py::array& frames, double rate, std::vector<double> time) {
-    if (frames.ndim() != 3 || frames.size() == 0) throw InputError("a film is an array (frames, height, width) with at least one pixel");
-    if (py::isinstance<py::array_t<std::uint16_t>>(frames)) held_ = py::array_t<std::uint16_t, py::array::c_style>::ensure(frames);
+    if (frames.ndim() != 3 || frames.size() == 0)
+      throw InputError("a film is an array (frames, height, width) with at least one pixel");
+    if (py::isinstance<py::array_t<std::uint16_t>>(frames))
+      held_ = py::array_t<std::uint16_t, py::array::c_style>::ensure(frames);
     else held_ = floats(ArrayLike(frames), 3, "film");
     info_.floating = held_.itemsize() == 4;
     info_.frames = held_.shape(0);
@@ -30,7 +32,9 @@ class ArrayFilm : public FilmSource {
     if (info_.floating) block.value.assign(values_in_memory() + begin, values_in_memory() + end);
     else block.level.assign(levels_in_memory() + begin, levels_in_memory() + end);
   }
-  const std::uint16_t* levels_in_memory() const override { return info_.floating ? nullptr : static_cast<const std::uint16_t*>(data_); }
+  const std::uint16_t* levels_in_memory() const override {
+    return info_.floating ? nullptr : static_cast<const std::uint16_t*>(data_);
+  }
   const float* values_in_memory() const override { return info_.floating ? static_cast<const float*>(data_) : nullptr; }
 
  private:
@@ -40,7 +44,8 @@ class ArrayFilm : public FilmSource {
 };
 
 Path path_of(const FilmLike& film) {
-  if (!py::isinstance<py::str>(film) && !py::hasattr(film, "__fspath__")) throw InputError("a film is a file, or an array (frames, height, width)");
+  if (!py::isinstance<py::str>(film) && !py::hasattr(film, "__fspath__"))
+    throw InputError("a film is a file, or an array (frames, height, width)");
   return film.cast<Path>();
 }
 
@@ -49,7 +54,8 @@ Path path_of(const FilmLike& film) {
 std::unique_ptr<FilmSource> film_of(const FilmLike& film, double frame_rate, const std::optional<ArrayLike>& time) {
   if (!(frame_rate >= 0)) throw InputError("frame_rate is below 0; give frames a second");
   if (py::isinstance<py::array>(film))
-    return std::make_unique<ArrayFilm>(py::array(unmasked(film)), frame_rate, time ? to_vector(*time, "time") : std::vector<double>{});
+    return std::make_unique<ArrayFilm>(py::array(unmasked(film)), frame_rate,
+                                       time ? to_vector(*time, "time") : std::vector<double>{});
   if (time) throw InputError("the time of frames is for arrays; a file has its own times, or give its frame_rate");
   io::FilmChoice choice;
   if (frame_rate > 0) choice.frame_rate = frame_rate;

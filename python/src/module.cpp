@@ -13,13 +13,14 @@ namespace arenite::python {
 namespace {
 
 /// Options whose argument has another name than they have; longer ones first.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 7> renamed{{{"--temperature-convention amplitude", "temperature_amplitudes"},
-                                                                                {"--doubled merge", "merge_doubled"},
-                                                                                {"--touching", "propose_contacts"},
-                                                                                {"--columns", "contact_columns"},
-                                                                                {"--radius", "radii"},
-                                                                                {"--set", "changes"},
-                                                                                {"--k ", "stiffness "}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> renamed{
+    {{"--temperature-convention amplitude", "temperature_amplitudes"},
+     {"--doubled merge", "merge_doubled"},
+     {"--touching", "propose_contacts"},
+     {"--columns", "contact_columns"},
+     {"--radius", "radii"},
+     {"--set", "changes"},
+     {"--k ", "stiffness "}}};
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
@@ -65,8 +66,8 @@ std::string with_arguments(const std::string& sentence) {
 PYBIND11_MODULE(_core, m) {
   namespace py = pybind11;
   m.doc() =
-      "Micromechanics of composite and cemented granular materials. All numbers are in SI units; stresses are positive in tension, "
-      "contact forces in compression.";
+      "Micromechanics of composite and cemented granular materials. All numbers are in SI units; stresses are positive "
+      "in tension, contact forces in compression.";
   m.attr("__version__") = arenite::version;
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
@@ -74,7 +75,9 @@ PYBIND11_MODULE(_core, m) {
     } catch (const arenite::InputError& error) {
       PyErr_SetString(PyExc_ValueError, arenite::python::with_arguments(error.what()).c_str());
     } catch (const arenite::NumbersError&) {
-      PyErr_SetString(PyExc_ValueError, "the numbers stored in the result are not those that this version writes; compute the result again");
+      PyErr_SetString(
+          PyExc_ValueError,
+          "the numbers stored in the result are not those that this version writes; compute the result again");
     }
   });
   // What is given comes before what takes it, so that docstrings name types as Python does.

@@ -1,7 +1,8 @@
 #pragma once
 #include <pybind11/pybind11.h>
 
-/// The Python module, one file a part of the workflow; every part binds plain functions and the data that they take and give.
+/// The Python module, one file a part of the workflow; every part binds plain functions and the data that they take and
+/// give.
 namespace arenite::python {
 
 void bind_packing(pybind11::module_& m);

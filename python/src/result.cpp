@@ -43,14 +43,16 @@ std::vector<std::string> file_names(const Result& result) {
 
 }  // namespace
 
-Result result_of(std::vector<StageResult> stages, std::vector<FieldResult> fields, std::vector<FilmResult> films, std::string title) {
+Result result_of(std::vector<StageResult> stages, std::vector<FieldResult> fields, std::vector<FilmResult> films,
+                 std::string title) {
   Result r;
   r.run.stages = std::move(stages);
   r.run.fields = std::move(fields);
   r.films = std::move(films);
   r.run.converged = all_converged(r.run.stages) && all_converged(r.run.fields) && all_converged(r.films);
   for (const auto& name : file_names(r)) r.run.files.emplace_back(name);
-  r.title = title.empty() ? report::title_of({.stages = r.run.stages, .fields = r.run.fields, .films = r.films}) : std::move(title);
+  r.title = title.empty() ? report::title_of({.stages = r.run.stages, .fields = r.run.fields, .films = r.films})
+                          : std::move(title);
   return r;
 }
 
@@ -58,12 +60,14 @@ Result open_result(const Path& path) {
   std::tuple<std::vector<StageResult>, std::vector<FieldResult>, std::vector<FilmResult>> parts;
   auto files = io::stage_files(path);
   for (const auto& file : files)
-    std::visit([&]<class Part>(Part&& part) { std::get<std::vector<Part>>(parts).push_back(std::move(part)); }, io::read_result(file));
+    std::visit([&]<class Part>(Part&& part) { std::get<std::vector<Part>>(parts).push_back(std::move(part)); },
+               io::read_result(file));
   auto& [stages, fields, films] = parts;
   Result r = result_of(std::move(stages), std::move(fields), std::move(films), {});
   r.path = path.string();
   r.run.files = std::move(files);
-  if (const Path simulation = path / "simulation"; !r.films.empty() && !r.films.front().simulation.empty() && std::filesystem::is_directory(simulation))
+  if (const Path simulation = path / "simulation";
+      !r.films.empty() && !r.films.front().simulation.empty() && std::filesystem::is_directory(simulation))
     for (const auto& file : io::stage_files(simulation)) r.companion.push_back(io::read_stage(file));
   return r;
 }
@@ -80,7 +84,8 @@ Result any_result(const py::object& what) {
 
 std::vector<Path> save(const Result& result, const Path& folder) {
   const auto names = file_names(result);
-  if (names.empty()) throw InputError(folder.string(), 0, "there is nothing to store; give a result with at least one part");
+  if (names.empty())
+    throw InputError(folder.string(), 0, "there is nothing to store; give a result with at least one part");
   const workflow::ResultFolder out(folder, names);
   std::vector<Path> files;
   const auto next = [&] { return files.emplace_back(out / names[files.size()]); };

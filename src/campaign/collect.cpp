@@ -28,15 +28,18 @@ double number_in(const Numbers* j) { return j && is_number(*j) ? j->get<double>(
 
 /// Tensors and pairs, not curves.
 bool is_short(const Numbers& list) {
-  return list.size() <= most_items &&
-         std::all_of(list.begin(), list.end(), [](const Numbers& item) { return is_number(item) || (item.is_list() && is_short(item)); });
+  return list.size() <= most_items && std::all_of(list.begin(), list.end(), [](const Numbers& item) {
+           return is_number(item) || (item.is_list() && is_short(item));
+         });
 }
 
 /// A value and the error beside it, or a list of them.
-void flatten_value(const Numbers& value, const Numbers* error, const std::string& name, const Meaning* meaning, Flat& out) {
+void flatten_value(const Numbers& value, const Numbers* error, const std::string& name, const Meaning* meaning,
+                   Flat& out) {
   if (!value.is_list()) return out.push_back({name, {number_in(&value), number_in(error)}, meaning});
   for (std::size_t i = 0; i < value.size(); ++i)
-    flatten_value(value[i], error && error->is_list() && i < error->size() ? &(*error)[i] : nullptr, name + "." + std::to_string(i), meaning, out);
+    flatten_value(value[i], error && error->is_list() && i < error->size() ? &(*error)[i] : nullptr,
+                  name + "." + std::to_string(i), meaning, out);
 }
 
 void flatten(const Numbers& j, const std::string& name, const Meaning* of_group, Flat& out) {
@@ -87,13 +90,16 @@ std::string cell_of(const std::string& literal) {
 bool says(const std::string& name, const std::string& unit) {
   const auto ends_a_step = [&](const char* over) {
     std::string text;
-    for (const char c : unit.substr(unit.starts_with("1/") ? 2 : 0)) text += c == '/' ? over : c == ' ' ? "_" : c == '^' ? "" : std::string(1, c);
+    for (const char c : unit.substr(unit.starts_with("1/") ? 2 : 0))
+      text += c == '/' ? over : c == ' ' ? "_" : c == '^' ? "" : std::string(1, c);
     return (name + ".").find("_" + text + ".") != std::string::npos;
   };
   return ends_a_step("_") || ends_a_step("_per_");
 }
 
-std::string head(const std::string& name, const std::string& unit) { return io::quoted_cell(unit.empty() ? name : fmt::format("{} [{}]", name, unit)); }
+std::string head(const std::string& name, const std::string& unit) {
+  return io::quoted_cell(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
+}
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
 
@@ -129,7 +135,8 @@ CollectedTable collect(const Study& study, const StudyFolder& folder) {
     row.run = run.name;
     row.status = word_for(result.state.kind);
     for (const auto& key : study.keys) {
-      const auto at = std::find_if(run.values.begin(), run.values.end(), [&](const auto& value) { return value.first == key; });
+      const auto at =
+          std::find_if(run.values.begin(), run.values.end(), [&](const auto& value) { return value.first == key; });
       row.values.push_back(at == run.values.end() ? "" : cell_of(at->second));
     }
     for (const auto& [name, estimate, meaning] : flat_numbers(result.numbers)) {
@@ -155,7 +162,8 @@ CollectedTable averaged(const CollectedTable& table, const std::vector<std::stri
   const auto known = mapped(table.keys, &CollectedTable::Key::name);
   for (const auto& key : keys) {
     const auto at = std::find(known.begin(), known.end(), key);
-    if (at == known.end()) throw InputError(fmt::format("--by {}: is not swept; the swept keys are: {}", key, list_of(known)));
+    if (at == known.end())
+      throw InputError(fmt::format("--by {}: is not swept; the swept keys are: {}", key, list_of(known)));
     places.push_back(static_cast<std::size_t>(at - known.begin()));
     result.keys.push_back(table.keys[places.back()]);
   }
@@ -222,7 +230,8 @@ std::string CollectedTable::json() const {
       Numbers plain = value.kind == recipe::Node::Kind::integer ? Numbers(value.integer)
                       : value.kind == recipe::Node::Kind::real  ? Numbers(value.real)
                                                                 : Numbers(row.values[k]);
-      swept[keys[k].name] = keys[k].unit.empty() ? std::move(plain) : Numbers{{"value", std::move(plain)}, {"unit", keys[k].unit}};
+      swept[keys[k].name] =
+          keys[k].unit.empty() ? std::move(plain) : Numbers{{"value", std::move(plain)}, {"unit", keys[k].unit}};
     }
     for (std::size_t c = 0; c < names.size(); ++c) {
       const auto [value, error] = row.numbers[c];

@@ -10,17 +10,19 @@ namespace arenite::campaign {
 
 using statistics::Estimate;
 
-/// A single number of a run by its dotted name ("texture.coordination"), with its meaning or that of the group it is in.
+/// A single number of a run by its dotted name ("texture.coordination"), with its meaning or that of the group it is
+/// in.
 struct FlatNumber {
   std::string name;
   Estimate estimate;
   const Meaning* meaning = nullptr;
 };
-/// All of them, in the run's order; it must outlive them. {"value", "error"} is one number; of lists those of at most four numbers are taken (tensors,
-/// counted from 0), and those of things with a "name", by it.
+/// All of them, in the run's order; it must outlive them. {"value", "error"} is one number; of lists those of at most
+/// four numbers are taken (tensors, counted from 0), and those of things with a "name", by it.
 std::vector<FlatNumber> flat_numbers(const Numbers& numbers);
 
-/// Runs as rows: first the swept keys, then numbers. Empty cells are empty texts and numbers that are not known of a run.
+/// Runs as rows: first the swept keys, then numbers. Empty cells are empty texts and numbers that are not known of a
+/// run.
 struct CollectedTable {
   struct Row {
     std::string run, status;          ///< empty in means
@@ -45,8 +47,8 @@ struct CollectedTable {
 
 CollectedTable collect(const Study& study, const StudyFolder& folder);
 
-/// The rows with equal values of `keys` as one: means over runs, and their standard errors from the scatter of the runs (none of
-/// one run). Throws InputError for a key that is not swept.
+/// The rows with equal values of `keys` as one: means over runs, and their standard errors from the scatter of the runs
+/// (none of one run). Throws InputError for a key that is not swept.
 CollectedTable averaged(const CollectedTable& table, const std::vector<std::string>& keys);
 
 }  // namespace arenite::campaign

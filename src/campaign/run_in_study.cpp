@@ -24,7 +24,8 @@ namespace arenite::campaign {
 Worker::Worker(const std::function<std::string()>& work) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-    throw InputError(std::string("cannot create a pipe to a new process: ") + std::strerror(errno) + "; use fewer --jobs");
+    throw InputError(std::string("cannot create a pipe to a new process: ") + std::strerror(errno) +
+                     "; use fewer --jobs");
   std::fflush(nullptr);  // or the new process would write what waits here a second time
   const pid_t parent = ::getpid();
   process_ = ::fork();
@@ -78,7 +79,8 @@ std::string why_unfinished(const workflow::RunOutcome& outcome) {
   return "it did not converge";
 }
 
-RunState attempt(const Study& study, const StudyRun& run, const StudyFolder& folder, const workflow::Store& store, const StudyOptions& options) {
+RunState attempt(const Study& study, const StudyRun& run, const StudyFolder& folder, const workflow::Store& store,
+                 const StudyOptions& options) {
   recipe::Recipe recipe = recipe_of(study, run);
   recipe.integration.threads = options.threads;
   const workflow::RunOutcome outcome = workflow::run(recipe, {.out = folder.run(run.name),
@@ -92,23 +94,26 @@ RunState attempt(const Study& study, const StudyRun& run, const StudyFolder& fol
   return {Kind::unfinished, 0, why_unfinished(outcome)};
 }
 
-RunState attempt_whatever_happens(const Study& study, const StudyRun& run, const StudyFolder& folder, const workflow::Store& store,
-                                  const StudyOptions& options) {
+RunState attempt_whatever_happens(const Study& study, const StudyRun& run, const StudyFolder& folder,
+                                  const workflow::Store& store, const StudyOptions& options) {
   try {
     return attempt(study, run, folder, store, options);
-  } catch (const std::bad_alloc&) { return {Kind::failed, 0, "out of memory; run fewer at a time (--jobs)"}; } catch (const std::exception& error) {
-    return {Kind::failed, 0, error.what()};
-  }
+  } catch (const std::bad_alloc&) {
+    return {Kind::failed, 0, "out of memory; run fewer at a time (--jobs)"};
+  } catch (const std::exception& error) { return {Kind::failed, 0, error.what()}; }
 }
 
 }  // namespace
 
-std::optional<RunState> run_in_study(const Study& study, const StudyRun& run, const StudyFolder& folder, const workflow::Store& store,
-                                     const io::AppendLog& journal, const StudyOptions& options) {
+std::optional<RunState> run_in_study(const Study& study, const StudyRun& run, const StudyFolder& folder,
+                                     const workflow::Store& store, const io::AppendLog& journal,
+                                     const StudyOptions& options) {
   const auto lock = io::FileLock::try_take(folder.lock(run.name));
   if (!lock) return std::nullopt;
   // Another process may have done it since it was chosen.
-  if (const auto status = read_status(folder, run.name); status && status->settled() && !(options.retry && status->kind != Kind::done)) return status;
+  if (const auto status = read_status(folder, run.name);
+      status && status->settled() && !(options.retry && status->kind != Kind::done))
+    return status;
   note_state(journal, run.name, {Kind::running, 0, {}});
   const std::clock_t began = std::clock();
   RunState state = attempt_whatever_happens(study, run, folder, store, options);

@@ -41,9 +41,12 @@ double seconds_of_missing(const Study& study, const std::vector<std::size_t>& ru
   double seconds = 0;
   for (const std::size_t run : runs)
     for (const workflow::PlannedStage& stage : study.runs[run].stages) {
-      if (!counted.insert(stage.hash).second || std::filesystem::exists(workflow::stored_file(folder.store, stage.hash), error)) continue;
+      if (!counted.insert(stage.hash).second ||
+          std::filesystem::exists(workflow::stored_file(folder.store, stage.hash), error))
+        continue;
       const auto mean = account.by_name.find(stage.name);
-      seconds += mean == account.by_name.end() ? std::numeric_limits<double>::quiet_NaN() : mean->second.sum / static_cast<double>(mean->second.count);
+      seconds += mean == account.by_name.end() ? std::numeric_limits<double>::quiet_NaN()
+                                               : mean->second.sum / static_cast<double>(mean->second.count);
     }
   return seconds;
 }
@@ -93,7 +96,8 @@ class Scheduler {
       show(false);
     }
     show(true);
-    return {progress_.done, progress_.not_done, total_ - progress_.done - progress_.not_done, stopping_ && total_ > progress_.done + progress_.not_done};
+    return {progress_.done, progress_.not_done, total_ - progress_.done - progress_.not_done,
+            stopping_ && total_ > progress_.done + progress_.not_done};
   }
 
  private:
@@ -154,10 +158,12 @@ class Scheduler {
       pending_.push_back(run);
       return;
     }
-    const RunState state{Kind::failed, 0,
-                         end.signal != 0
-                             ? fmt::format("its process was ended by signal {} ({}); perhaps it ran out of memory", end.signal, ::strsignal(end.signal))
-                             : fmt::format("its process ended with status {} without a message; perhaps the disk is full", end.status)};
+    const RunState state{
+        Kind::failed, 0,
+        end.signal != 0
+            ? fmt::format("its process was ended by signal {} ({}); perhaps it ran out of memory", end.signal,
+                          ::strsignal(end.signal))
+            : fmt::format("its process ended with status {} without a message; perhaps the disk is full", end.status)};
     workflow::make_folder(folder_.run(study_.runs[run].name));
     write_status(folder_, study_.runs[run].name, state);
     note_state(journal_, study_.runs[run].name, state);
@@ -169,8 +175,8 @@ class Scheduler {
     if (!options_.keep_fields) drop_fields(study_.runs[run]);
   }
 
-  /// Takes the field files of a run (cemented samples and loads), whose numbers are kept, away; those of the store when all runs that share them are
-  /// settled.
+  /// Takes the field files of a run (cemented samples and loads), whose numbers are kept, away; those of the store when
+  /// all runs that share them are settled.
   void drop_fields(const StudyRun& run) const {
     const auto is_settled = [&](const std::string& name) {
       const auto status = read_status(folder_, name);
@@ -197,7 +203,8 @@ class Scheduler {
       const auto began = Clock::now();
       auto left = pending_;
       for (const Job& job : jobs_) left.push_back(job.run);
-      progress_.seconds_left = seconds_of_missing(study_, left, folder_) / static_cast<double>(options_.jobs * static_cast<std::size_t>(options_.threads));
+      progress_.seconds_left = seconds_of_missing(study_, left, folder_) /
+                               static_cast<double>(options_.jobs * static_cast<std::size_t>(options_.threads));
       next_estimate_ = Clock::now() + std::max<Clock::duration>(std::chrono::seconds(1), 50 * (Clock::now() - began));
     }
     options_.progress(progress_);
@@ -208,8 +215,9 @@ class Scheduler {
   const StudyOptions& options_;
   const workflow::Store store_;
   const io::AppendLog journal_;
-  std::unordered_map<std::string, std::vector<std::string>> field_users_;  ///< names of runs, by hash of the stage; of fields that are not kept
-  std::vector<std::size_t> pending_, next_;                                ///< next_: first stage of each run that may be missing
+  std::unordered_map<std::string, std::vector<std::string>>
+      field_users_;                          ///< names of runs, by hash of the stage; of fields that are not kept
+  std::vector<std::size_t> pending_, next_;  ///< next_: first stage of each run that may be missing
   std::vector<Job> jobs_;
   StudyProgress progress_;
   std::size_t total_ = 0;
@@ -219,6 +227,8 @@ class Scheduler {
 
 }  // namespace
 
-StudyOutcome run_study(const Study& study, const StudyFolder& folder, const StudyOptions& options) { return Scheduler(study, folder, options).work(); }
+StudyOutcome run_study(const Study& study, const StudyFolder& folder, const StudyOptions& options) {
+  return Scheduler(study, folder, options).work();
+}
 
 }  // namespace arenite::campaign

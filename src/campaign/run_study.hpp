@@ -16,8 +16,9 @@ namespace arenite::campaign {
 
 /// Where a study, or this process's shard of it, stands.
 struct StudyProgress {
-  std::size_t runs = 0, done = 0, not_done = 0, running = 0;       ///< not_done: failed or without equilibrium
-  double seconds_left = std::numeric_limits<double>::quiet_NaN();  ///< by what stages of the same name cost; nan: not known yet
+  std::size_t runs = 0, done = 0, not_done = 0, running = 0;  ///< not_done: failed or without equilibrium
+  double seconds_left =
+      std::numeric_limits<double>::quiet_NaN();  ///< by what stages of the same name cost; nan: not known yet
 };
 
 struct StudyOptions {
@@ -27,7 +28,9 @@ struct StudyOptions {
   bool retry = false;                 ///< runs that failed or found no equilibrium are done again
   bool keep_fields = true;            ///< false: field files go when their numbers are kept
   double checkpoint_seconds = 30;
-  std::function<Numbers(const workflow::RunOutcome&)> numbers = [](const workflow::RunOutcome&) { return Numbers::tree(); };
+  std::function<Numbers(const workflow::RunOutcome&)> numbers = [](const workflow::RunOutcome&) {
+    return Numbers::tree();
+  };
   std::function<void(const StudyProgress&)> progress = [](const StudyProgress&) {};
   std::function<void(const std::string&)> notice = [](const std::string&) {};
   std::function<bool()> asked_to_stop = [] { return false; };  ///< true: checkpoint and leave; asked in every process
@@ -38,12 +41,13 @@ struct StudyOutcome {
   bool interrupted = false;
 };
 
-/// Runs a study, each run in a process of its own; what was done before is not done again. No run's failure ends the others: its reason is in the
-/// journal and in its status file. Several processes, on several machines that share the disk, may work on one study at once.
+/// Runs a study, each run in a process of its own; what was done before is not done again. No run's failure ends the
+/// others: its reason is in the journal and in its status file. Several processes, on several machines that share the
+/// disk, may work on one study at once.
 [[nodiscard]] StudyOutcome run_study(const Study& study, const StudyFolder& folder, const StudyOptions& options);
 
-/// The runs of one shard, by their places in the study: an equal part, runs of one packing side by side. Of runs with the same
-/// name only the first is in any.
+/// The runs of one shard, by their places in the study: an equal part, runs of one packing side by side. Of runs with
+/// the same name only the first is in any.
 std::vector<std::size_t> shard_of(const Study& study, std::size_t shard, std::size_t shards);
 
 /// The CPU seconds of what is not in the store, by what stages of the same name cost; nan if one never ran.
@@ -74,9 +78,10 @@ class Worker {
   std::string heard_;
 };
 
-/// Does one run of a study in this process, and writes its numbers, status and journal. Nothing if another process is at it.
-/// No exception leaves it: what goes wrong is the run's state. `waiting` says that it was asked to stop.
-std::optional<RunState> run_in_study(const Study& study, const StudyRun& run, const StudyFolder& folder, const workflow::Store& store,
-                                     const io::AppendLog& journal, const StudyOptions& options);
+/// Does one run of a study in this process, and writes its numbers, status and journal. Nothing if another process is
+/// at it. No exception leaves it: what goes wrong is the run's state. `waiting` says that it was asked to stop.
+std::optional<RunState> run_in_study(const Study& study, const StudyRun& run, const StudyFolder& folder,
+                                     const workflow::Store& store, const io::AppendLog& journal,
+                                     const StudyOptions& options);
 
 }  // namespace arenite::campaign

@@ -36,7 +36,8 @@ class RunProblems {
       const auto& [line, column, file, message] = key;
       std::string where;
       if (found.runs < runs && !found.first.empty())
-        where = fmt::format(" (run with {}{})", found.first, found.runs > 1 ? fmt::format(", and {} more", found.runs - 1) : "");
+        where = fmt::format(" (run with {}{})", found.first,
+                            found.runs > 1 ? fmt::format(", and {} more", found.runs - 1) : "");
       problems.push_back({file, line, column, message + where});
     }
     throw InputError(std::move(problems));
@@ -53,10 +54,13 @@ class RunProblems {
 
 /// The tree of the recipe, its overrides applied; its [sweep] is taken out of it.
 Sweep take_sweep(Study& study, recipe::Reading& reading) {
-  study.tree = recipe::read_tree(io::read_file(study.file), reading, study.overrides, recipe::recipe_keys(), "composite");
+  study.tree =
+      recipe::read_tree(io::read_file(study.file), reading, study.overrides, recipe::recipe_keys(), "composite");
   study.notices = reading.notices;
   const auto section = study.tree.take("sweep");
-  if (!section) refuse(study.file, "has no section [sweep], so it is one run: `arenite run {}`; docs/studies.md describes [sweep]", study.file);
+  if (!section)
+    refuse(study.file, "has no section [sweep], so it is one run: `arenite run {}`; docs/studies.md describes [sweep]",
+           study.file);
   const recipe::Entry* seed = study.tree.find("seed");
   const bool has_seed = seed && seed->value.kind == recipe::Node::Kind::integer;
   return read_sweep(section->value, reading, has_seed ? static_cast<std::uint64_t>(seed->value.integer) : 1);
@@ -74,7 +78,8 @@ recipe::Node with(recipe::Node tree, const Point& point, const recipe::Reading& 
     try {
       set_value(tree, key, value, recipe::recipe_keys());
     } catch (const InputError& error) {
-      throw InputError({Problem{file_of(value.place, reading), value.place.line, value.place.column, fmt::format("{}: {}", key, error.what())}});
+      throw InputError({Problem{file_of(value.place, reading), value.place.line, value.place.column,
+                                fmt::format("{}: {}", key, error.what())}});
     }
   }
   return tree;
@@ -82,14 +87,18 @@ recipe::Node with(recipe::Node tree, const Point& point, const recipe::Reading& 
 
 class Expansion {
  public:
-  Expansion(Study& study, const recipe::Reading& reading, const Sweep& sweep) : study_(study), reading_(reading), sweep_(sweep) {}
+  Expansion(Study& study, const recipe::Reading& reading, const Sweep& sweep)
+      : study_(study),
+        reading_(reading),
+        sweep_(sweep) {}
 
   void add(const Point& point) {
     StudyRun run;
     for (const auto& [key, value] : point) run.values.emplace_back(key, toml_literal(value));
     try {
       recipe::Recipe recipe = recipe_from(with(study_.tree, point, reading_), study_.file);
-      if (recipe.packing.method == recipe::PackingParameters::Method::file) files_.insert(recipe.beside(recipe.packing.file).string());
+      if (recipe.packing.method == recipe::PackingParameters::Method::file)
+        files_.insert(recipe.beside(recipe.packing.file).string());
       const recipe::Recipe base = recipe;
       for (std::int64_t r = 0; r < std::max<std::int64_t>(sweep_.replicates, 1); ++r) {
         StudyRun replicate = run;
@@ -145,11 +154,13 @@ Study read_study(const std::string& file, const std::vector<std::string>& overri
   for (const auto& table : sweep.files) study.inputs.emplace_back(table, content_hash(io::read_file(table)));
   study.keys = sweep.keys();
   if (sweep.replicates > 0) study.keys.emplace_back("seed");
-  if (const recipe::Entry* title = study.tree.find("title"); title && title->value.kind == recipe::Node::Kind::text) study.title = title->value.text;
+  if (const recipe::Entry* title = study.tree.find("title"); title && title->value.kind == recipe::Node::Kind::text)
+    study.title = title->value.text;
 
   Expansion expansion(study, reading, sweep);
   const std::size_t combinations = sweep.combinations();
-  for (std::size_t index = 0; index < combinations && !expansion.enough(); ++index) expansion.add(sweep.combination(index));
+  for (std::size_t index = 0; index < combinations && !expansion.enough(); ++index)
+    expansion.add(sweep.combination(index));
   expansion.end(combinations);
   if (folder.empty()) return study;
   note_runs_of_version_0_1(folder, study);

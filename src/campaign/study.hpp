@@ -34,7 +34,8 @@ struct Sweep {
   std::vector<std::string> keys() const;  ///< in the order of the axes, each once
 };
 
-/// Reads the section [sweep]. `seed` is the recipe's own: it seeds the Latin hypercube. Problems are collected in `reading`.
+/// Reads the section [sweep]. `seed` is the recipe's own: it seeds the Latin hypercube. Problems are collected in
+/// `reading`.
 Sweep read_sweep(const recipe::Node& section, recipe::Reading& reading, std::uint64_t seed);
 
 /// More runs than anybody means to ask for.
@@ -47,12 +48,14 @@ std::vector<Point> latin_hypercube_points(const recipe::Node& section, recipe::R
 
 /// One run of a study.
 struct StudyRun {
-  std::string name;                                         ///< hash of all that its results depend on, 16 digits
-  std::vector<std::pair<std::string, std::string>> values;  ///< swept keys and their values as TOML, in the order of the sweep
-  std::vector<workflow::PlannedStage> stages;               ///< packing first
+  std::string name;  ///< hash of all that its results depend on, 16 digits
+  std::vector<std::pair<std::string, std::string>>
+      values;                                  ///< swept keys and their values as TOML, in the order of the sweep
+  std::vector<workflow::PlannedStage> stages;  ///< packing first
 };
 
-/// A recipe with [sweep] and the runs that it becomes. Runs that differ in nothing that their results depend on have one name.
+/// A recipe with [sweep] and the runs that it becomes. Runs that differ in nothing that their results depend on have
+/// one name.
 struct Study {
   std::string file, title;
   std::vector<std::string> overrides;  ///< as given with --set
@@ -63,10 +66,11 @@ struct Study {
   recipe::Node tree;                                        ///< of the recipe without [sweep]
 };
 
-/// Reads a recipe with [sweep] and all of its runs; with a folder, which must exist, runs are taken from its runs.tsv where that was written for the
-/// same inputs, and written there else. Throws InputError with every problem of every run, each once, with its place and, where not all runs have it,
-/// the values of the first run that does.
-Study read_study(const std::string& file, const std::vector<std::string>& overrides = {}, const std::filesystem::path& folder = {});
+/// Reads a recipe with [sweep] and all of its runs; with a folder, which must exist, runs are taken from its runs.tsv
+/// where that was written for the same inputs, and written there else. Throws InputError with every problem of every
+/// run, each once, with its place and, where not all runs have it, the values of the first run that does.
+Study read_study(const std::string& file, const std::vector<std::string>& overrides = {},
+                 const std::filesystem::path& folder = {});
 
 /// Adds a notice if there are runs in the study's folder that version 0.1 did, which are not taken up.
 void note_runs_of_version_0_1(const std::filesystem::path& folder, Study& study);

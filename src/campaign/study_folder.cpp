@@ -14,8 +14,8 @@
 #include "io/table/table.hpp"
 #include "workflow/result_folder.hpp"
 
-// runs.tsv: lines of cells with tabs between them. First what it was made from, then one line a run: name, swept values, and
-// for each stage its hash, "field" or "stage", and its name.
+// runs.tsv: lines of cells with tabs between them. First what it was made from, then one line a run: name, swept
+// values, and for each stage its hash, "field" or "stage", and its name.
 
 namespace arenite::campaign {
 
@@ -75,7 +75,8 @@ std::string made_with(const Study& study) {
 std::string line_of(const StudyRun& run) {
   std::string line = fmt::format("run\t{}\t{}", run.name, run.values.size());
   for (const auto& [key, value] : run.values) line += fmt::format("\t{}\t{}", key, value);
-  for (const workflow::PlannedStage& stage : run.stages) line += fmt::format("\t{}\t{}\t{}", stage.hash, stage.field ? "field" : "stage", stage.name);
+  for (const workflow::PlannedStage& stage : run.stages)
+    line += fmt::format("\t{}\t{}\t{}", stage.hash, stage.field ? "field" : "stage", stage.name);
   return line + "\n";
 }
 
@@ -85,8 +86,8 @@ StudyRun run_in(const std::vector<std::string_view>& cells) {
   const auto values = parse_number<std::size_t>(cells[2]).value_or(0);
   for (std::size_t v = 0; v < values; ++v) run.values.emplace_back(cells[3 + 2 * v], cells[4 + 2 * v]);
   for (std::size_t at = 3 + 2 * values; at + 2 < cells.size(); at += 3) {
-    run.stages.push_back(
-        workflow::planned_stage(static_cast<int>(run.stages.size()) + 1, std::string(cells[at + 2]), std::string(cells[at]), cells[at + 1] == "field"));
+    run.stages.push_back(workflow::planned_stage(static_cast<int>(run.stages.size()) + 1, std::string(cells[at + 2]),
+                                                 std::string(cells[at]), cells[at + 1] == "field"));
   }
   return run;
 }
@@ -101,17 +102,20 @@ bool is_as_it_was(const std::string& file, std::string_view hash) {
 
 const char* word_for(RunState::Kind kind) { return words[static_cast<std::size_t>(kind)]; }
 
-StudyFolder::StudyFolder(fs::path folder, fs::path shared) : out(std::move(folder)), store(shared.empty() ? out / "store" : std::move(shared)) {}
+StudyFolder::StudyFolder(fs::path folder, fs::path shared)
+    : out(std::move(folder)),
+      store(shared.empty() ? out / "store" : std::move(shared)) {}
 
 void note_state(const io::AppendLog& journal, const std::string& run, const RunState& state) {
-  const auto now = std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch());
+  const auto now =
+      std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch());
   journal.add(fmt::format("{}\t{}\t{}", now.count(), run, text_of(state)));
 }
 
 namespace {
 
-/// Of a run that was begun more than once, or has not ended by its journal: its lock says whether it runs, its own file how
-/// it ended, and the journal what that cost.
+/// Of a run that was begun more than once, or has not ended by its journal: its lock says whether it runs, its own file
+/// how it ended, and the journal what that cost.
 RunState state_now(const StudyFolder& folder, const std::string& run, const std::vector<RunState>& ended) {
   if (io::FileLock::is_held(folder.lock(run))) return {Kind::running, 0, {}};
   RunState state = read_status(folder, run).value_or(RunState{});
@@ -171,7 +175,8 @@ RunResult result_of(const StudyFolder& folder, const StudyRun& run) {
   result.state = read_status(folder, run.name).value_or(RunState{});
   std::error_code error;
   for (const workflow::PlannedStage& stage : run.stages)
-    if (const fs::path file = result.folder / stage.file; fs::is_regular_file(file, error)) (stage.field ? result.fields : result.stages).push_back(file);
+    if (const fs::path file = result.folder / stage.file; fs::is_regular_file(file, error))
+      (stage.field ? result.fields : result.stages).push_back(file);
   result.numbers = numbers_of(result.folder);
   return result;
 }
@@ -183,7 +188,8 @@ void note_runs_of_version_0_1(const fs::path& out, Study& study) {
     count += fs::exists(entry.path() / "numbers.json", error) && !fs::exists(entry.path() / "numbers.hdf5", error);
   if (count == 0) return;
   study.notices.push_back(
-      fmt::format("runs of version 0.1 in {} ({}) are not reused; all runs are computed again beside them", (out / "runs").string(), count));
+      fmt::format("runs of version 0.1 in {} ({}) are not reused; all runs are computed again beside them",
+                  (out / "runs").string(), count));
 }
 
 void write_runs(const std::filesystem::path& file, const Study& study) {

@@ -21,8 +21,9 @@ struct RunState {
 };
 const char* word_for(RunState::Kind kind);
 
-/// A study on disk: runs.tsv (the runs), runs/NAME/ (stage files, recipe.toml, numbers.hdf5, the same for people as numbers.json, and status of each), store/
-/// (stages that runs share) unless that lies elsewhere, journal/ (what happened when), locks/.
+/// A study on disk: runs.tsv (the runs), runs/NAME/ (stage files, recipe.toml, numbers.hdf5, the same for people as
+/// numbers.json, and status of each), store/ (stages that runs share) unless that lies elsewhere, journal/ (what
+/// happened when), locks/.
 struct StudyFolder {
   std::filesystem::path out, store;
   explicit StudyFolder(std::filesystem::path folder, std::filesystem::path shared = {});
@@ -32,7 +33,8 @@ struct StudyFolder {
   std::filesystem::path lock(const std::string& name) const { return out / "locks" / name; }
 };
 
-/// How each run stands by the journal, by name; runs that never began are not there. A run that its process left without a word counts as waiting.
+/// How each run stands by the journal, by name; runs that never began are not there. A run that its process left
+/// without a word counts as waiting.
 using RunStates = std::unordered_map<std::string, RunState>;
 RunStates read_states(const StudyFolder& folder);
 
@@ -51,8 +53,9 @@ struct RunResult {
   RunState state;
   std::filesystem::path folder;
   std::vector<std::filesystem::path> stages;  ///< files with a StageResult (io::read_stage), packing first
-  std::vector<std::filesystem::path> fields;  ///< files with a FieldResult (io::read_field), cemented sample first; empty where they were dropped
-  Numbers numbers;                            ///< as `show --json` gives them; not known if the run has not ended
+  std::vector<std::filesystem::path>
+      fields;       ///< files with a FieldResult (io::read_field), cemented sample first; empty where they were dropped
+  Numbers numbers;  ///< as `show --json` gives them; not known if the run has not ended
 };
 RunResult result_of(const StudyFolder& folder, const StudyRun& run);
 

@@ -35,22 +35,28 @@ void read_runs_table(const recipe::Node& file, recipe::Reading& reading, Sweep& 
     for (const auto& row : table.rows) {
       Point point;
       for (std::size_t c = 0; c < table.columns.size(); ++c)
-        if (!row.cells[c].empty()) point.push_back({table.columns[c].written, value_of(row.cells[c], table.columns[c].unit, path, row.line)});
+        if (!row.cells[c].empty())
+          point.push_back({table.columns[c].written, value_of(row.cells[c], table.columns[c].unit, path, row.line)});
       points.push_back(std::move(point));
     }
-    if (points.empty()) add_problem(reading, file.place, "sweep.table", fmt::format("{} holds no run; add rows below its header", path));
-  } catch (const InputError& error) { reading.problems.insert(reading.problems.end(), error.problems().begin(), error.problems().end()); }
+    if (points.empty())
+      add_problem(reading, file.place, "sweep.table", fmt::format("{} holds no run; add rows below its header", path));
+  } catch (const InputError& error) {
+    reading.problems.insert(reading.problems.end(), error.problems().begin(), error.problems().end());
+  }
 }
 
 const auto no_table = [](const recipe::Node&) { return false; };
 
 void read_grid(const recipe::Node& section, recipe::Reading& reading, Sweep& sweep) {
   if (section.kind != recipe::Node::Kind::table) {
-    return add_problem(reading, section.place, "sweep.grid", fmt::format("is {}, but must be a section [sweep.grid] of keys with lists", kind_name(section)));
+    return add_problem(reading, section.place, "sweep.grid",
+                       fmt::format("is {}, but must be a section [sweep.grid] of keys with lists", kind_name(section)));
   }
   for (auto& [key, values] : flattened(section, no_table)) {
     if (values.kind != recipe::Node::Kind::array || values.items.empty()) {
-      add_problem(reading, values.place, "sweep.grid." + key, "must be a list of the values that the key takes, for example [1, 1.25, 1.67]");
+      add_problem(reading, values.place, "sweep.grid." + key,
+                  "must be a list of the values that the key takes, for example [1, 1.25, 1.67]");
       continue;
     }
     sweep.axes.push_back(mapped(values.items, [&key = key](const recipe::Node& value) { return Point{{key, value}}; }));
@@ -60,20 +66,25 @@ void read_grid(const recipe::Node& section, recipe::Reading& reading, Sweep& swe
 void read_list(const recipe::Node& list, recipe::Reading& reading, Sweep& sweep) {
   std::vector<Point> axis;
   if (list.kind != recipe::Node::Kind::array || list.items.empty()) {
-    return add_problem(reading, list.place, "sweep.list", "must be tables [[sweep.list]], one per run, of keys with their values");
+    return add_problem(reading, list.place, "sweep.list",
+                       "must be tables [[sweep.list]], one per run, of keys with their values");
   }
   for (const auto& item : list.items) {
     if (item.kind == recipe::Node::Kind::table) axis.push_back(flattened(item, no_table));
-    else add_problem(reading, item.place, "sweep.list", fmt::format("holds {}, but must hold tables [[sweep.list]]", kind_name(item)));
+    else
+      add_problem(reading, item.place, "sweep.list",
+                  fmt::format("holds {}, but must hold tables [[sweep.list]]", kind_name(item)));
   }
   sweep.axes.push_back(std::move(axis));
 }
 
 void read_replicates(const recipe::Node& value, recipe::Reading& reading, Sweep& sweep) {
-  if (value.kind == recipe::Node::Kind::integer && value.integer >= 1 && value.integer <= static_cast<std::int64_t>(most_runs)) {
+  if (value.kind == recipe::Node::Kind::integer && value.integer >= 1 &&
+      value.integer <= static_cast<std::int64_t>(most_runs)) {
     sweep.replicates = value.integer;
   } else {
-    add_problem(reading, value.place, "sweep.replicates", "must be a whole number of at least 1, the number of seeds of each combination");
+    add_problem(reading, value.place, "sweep.replicates",
+                "must be a whole number of at least 1, the number of seeds of each combination");
   }
 }
 
@@ -81,7 +92,8 @@ void read_seeds(const recipe::Node& value, recipe::Reading& reading, Sweep& swee
   if (value.kind == recipe::Node::Kind::text && value.text == "hashed") sweep.seeds = Sweep::Seeds::hashed;
   else if (value.kind != recipe::Node::Kind::text || value.text != "consecutive")
     add_problem(reading, value.place, "sweep.seeds",
-                "must be \"consecutive\" (seed, seed + 1, ... for every combination) or \"hashed\" (every packing has seeds of its own)");
+                "must be \"consecutive\" (seed, seed + 1, ... for every combination) or \"hashed\" (every packing has "
+                "seeds of its own)");
 }
 
 /// A key may be swept in one way only.
@@ -91,8 +103,10 @@ void refuse_doubles(const Sweep& sweep, recipe::Reading& reading) {
     for (const Point& point : sweep.axes[a])
       for (const auto& [key, value] : point) {
         if (sweep.replicates > 0 && key == "seed")
-          add_problem(reading, value.place, "sweep", "seed: replicates give each run its seed; leave out one of the two");
-        if (axis_of.emplace(key, a).first->second != a) add_problem(reading, value.place, "sweep", fmt::format("{}: is swept twice; keep one", key));
+          add_problem(reading, value.place, "sweep",
+                      "seed: replicates give each run its seed; leave out one of the two");
+        if (axis_of.emplace(key, a).first->second != a)
+          add_problem(reading, value.place, "sweep", fmt::format("{}: is swept twice; keep one", key));
       }
 }
 
@@ -124,7 +138,8 @@ Point Sweep::combination(std::size_t index) const {
     index /= axis->size();
   }
   Point point;
-  for (auto part = parts.rbegin(); part != parts.rend(); ++part) point.insert(point.end(), (*part)->begin(), (*part)->end());
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part)
+    point.insert(point.end(), (*part)->begin(), (*part)->end());
   return point;
 }
 
@@ -140,7 +155,8 @@ std::vector<std::string> Sweep::keys() const {
 Sweep read_sweep(const recipe::Node& section, recipe::Reading& reading, std::uint64_t seed) {
   Sweep sweep;
   if (section.kind != recipe::Node::Kind::table) {
-    add_problem(reading, section.place, "sweep", fmt::format("is {}, but must be a section [sweep]", kind_name(section)));
+    add_problem(reading, section.place, "sweep",
+                fmt::format("is {}, but must be a section [sweep]", kind_name(section)));
     return sweep;
   }
   const std::vector<std::string> known{"grid", "latin_hypercube", "list", "replicates", "seeds", "table"};
@@ -154,8 +170,10 @@ Sweep read_sweep(const recipe::Node& section, recipe::Reading& reading, std::uin
     else {
       const std::string near = nearest(key, known);
       add_problem(reading, place, "sweep." + key,
-                  near.empty() ? fmt::format("unknown key; the keys here are: {}; keys of the recipe go into [sweep.grid]", list_of(known))
-                               : fmt::format("unknown key; did you mean {}?", near));
+                  near.empty()
+                      ? fmt::format("unknown key; the keys here are: {}; keys of the recipe go into [sweep.grid]",
+                                    list_of(known))
+                      : fmt::format("unknown key; did you mean {}?", near));
     }
   }
   refuse_doubles(sweep, reading);
@@ -163,7 +181,9 @@ Sweep read_sweep(const recipe::Node& section, recipe::Reading& reading, std::uin
   if (runs > most_runs || runs * static_cast<std::size_t>(std::max<std::int64_t>(sweep.replicates, 1)) > most_runs)
     add_problem(reading, section.place, "sweep", fmt::format("gives more than {} runs; sweep fewer values", most_runs));
   if (reading.problems.empty() && sweep.axes.empty() && sweep.replicates == 0)
-    add_problem(reading, section.place, "sweep", "holds nothing to sweep; add [sweep.grid], [[sweep.list]], table, [sweep.latin_hypercube] or replicates");
+    add_problem(
+        reading, section.place, "sweep",
+        "holds nothing to sweep; add [sweep.grid], [[sweep.list]], table, [sweep.latin_hypercube] or replicates");
   return sweep;
 }
 

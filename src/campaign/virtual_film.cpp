@@ -48,7 +48,8 @@ std::string hash_of(const StudyRun& run, const std::string& stage) {
 
 Packing state_of(const fs::path& run, const std::string& stage) {
   if (auto state = workflow::last_state(run, stage)) return std::move(*state);
-  throw InputError(run.string(), 0, "there is no stage \"" + stage + "\" of this run; remove its folder and run the study again");
+  throw InputError(run.string(), 0,
+                   "there is no stage \"" + stage + "\" of this run; remove its folder and run the study again");
 }
 
 /// Of every grain found at the smallest load the simulated one that lies nearest in that state.
@@ -59,7 +60,8 @@ std::vector<std::size_t> simulated_grains(const FilmResult& film, const Packing&
     const Vec2 found = film.origin + Vec2{film.grains.centre[i].x * film.pixel, -film.grains.centre[i].y * film.pixel};
     std::size_t best = 0;
     for (std::size_t j = 1; j < start.grains.size(); ++j)
-      if (norm(start.grains.position[j] - corner - found) < norm(start.grains.position[best] - corner - found)) best = j;
+      if (norm(start.grains.position[j] - corner - found) < norm(start.grains.position[best] - corner - found))
+        best = j;
     nearest.push_back(best);
   }
   return nearest;
@@ -67,7 +69,8 @@ std::vector<std::size_t> simulated_grains(const FilmResult& film, const Packing&
 
 /// Stress of these grains in `high` less that in `low`, if there is one.
 std::vector<double> true_change(const std::vector<std::size_t>& grains, const Packing* low, const Packing& high) {
-  const auto loaded = workflow::stress_of_disks(high), released = low ? workflow::stress_of_disks(*low) : std::vector<double>(loaded.size(), 0.0);
+  const auto loaded = workflow::stress_of_disks(high),
+             released = low ? workflow::stress_of_disks(*low) : std::vector<double>(loaded.size(), 0.0);
   std::vector<double> change;
   for (const std::size_t g : grains) change.push_back(loaded[g] - released[g]);
   return change;
@@ -78,7 +81,8 @@ Numbers found_grains(const FilmResult& film, const std::vector<double>& truth) {
   const Grains& grains = film.packing.grains;
   const auto found = statistics::over_mean(film.peak_to_peak.sigma_hyd), simulated = statistics::over_mean(truth);
   Numbers j = Numbers::tree();
-  for (const char* name : {"x", "y", "radius", "material", "zone", "sigma_norm", "simulation"}) j[name] = Numbers::list();
+  for (const char* name : {"x", "y", "radius", "material", "zone", "sigma_norm", "simulation"})
+    j[name] = Numbers::list();
   for (std::size_t i = 0; i < grains.size(); ++i) {
     if (!std::isfinite(found[i]) || !std::isfinite(simulated[i])) continue;
     j["x"].push_back(grains.position[i].x);
@@ -102,7 +106,8 @@ Numbers curves_of(const FilmResult& film) {
 /// Renders the film into `folder` and measures it; nothing if it was stopped.
 std::optional<FilmResult> measured_film(const recipe::FilmRecipe& camera, const fs::path& run, const fs::path& folder,
                                         const std::function<bool()>& asked_to_stop) {
-  const auto files = workflow::render_film(camera, run, {.out = folder, .progress = [&](double) { return !asked_to_stop(); }});
+  const auto files =
+      workflow::render_film(camera, run, {.out = folder, .progress = [&](double) { return !asked_to_stop(); }});
   if (files.empty()) return std::nullopt;
   workflow::FilmRunOptions measuring;
   measuring.out = folder / "result";
@@ -113,7 +118,8 @@ std::optional<FilmResult> measured_film(const recipe::FilmRecipe& camera, const 
 }
 
 /// The film of a run, how it agrees with the run's states, and nothing if it was stopped.
-std::optional<Numbers> filmed(const recipe::FilmRecipe& camera, const fs::path& run, const std::function<bool()>& asked_to_stop) {
+std::optional<Numbers> filmed(const recipe::FilmRecipe& camera, const fs::path& run,
+                              const std::function<bool()>& asked_to_stop) {
   const fs::path folder = run / "film";
   auto film = measured_film(camera, run, folder, asked_to_stop);
   if (!film) return std::nullopt;
@@ -124,7 +130,8 @@ std::optional<Numbers> filmed(const recipe::FilmRecipe& camera, const fs::path& 
   const auto truth = true_change(simulated, low ? &*low : nullptr, high);
   film->packing.grains.zone.assign(simulated.size(), 0);  // who glues grains knows which
   for (std::size_t i = 0; i < simulated.size(); ++i) film->packing.grains.zone[i] = high.grains.zone[simulated[i]];
-  const auto found = workflow::agreement(film->peak_to_peak.sigma_hyd, truth, std::vector<std::uint8_t>(truth.size(), 1));
+  const auto found =
+      workflow::agreement(film->peak_to_peak.sigma_hyd, truth, std::vector<std::uint8_t>(truth.size(), 1));
   fs::remove_all(folder);
   Numbers numbers = workflow::numbers(found);
   numbers["found"] = found_grains(*film, truth);
@@ -134,10 +141,14 @@ std::optional<Numbers> filmed(const recipe::FilmRecipe& camera, const fs::path& 
 
 }  // namespace
 
-bool make_film(const Study& study, const StudyFolder& folder, const StudyRun& run, const workflow::RunOptions& options) {
-  const auto camera = recipe::read_film_recipe((folder.out / "camera.toml").string(), {fmt::format("seed={}", recipe_of(study, run).seed)});
-  if (!camera.camera) refuse(camera.source_file, "there is no section [camera]; add it with high = \"NAME\" of the stage that is filmed");
-  const std::string hash = workflow::virtual_film_key(camera, hash_of(run, camera.camera->low), hash_of(run, camera.camera->high));
+bool make_film(const Study& study, const StudyFolder& folder, const StudyRun& run,
+               const workflow::RunOptions& options) {
+  const auto camera = recipe::read_film_recipe((folder.out / "camera.toml").string(),
+                                               {fmt::format("seed={}", recipe_of(study, run).seed)});
+  if (!camera.camera)
+    refuse(camera.source_file, "there is no section [camera]; add it with high = \"NAME\" of the stage that is filmed");
+  const std::string hash =
+      workflow::virtual_film_key(camera, hash_of(run, camera.camera->low), hash_of(run, camera.camera->high));
   const auto make = [&](const fs::path&) -> std::optional<KeptFilm> {
     auto numbers = filmed(camera, folder.run(run.name), options.asked_to_stop);
     if (!numbers) return std::nullopt;
@@ -149,14 +160,16 @@ bool make_film(const Study& study, const StudyFolder& folder, const StudyRun& ru
   workflow::RunOptions shared = options;
   shared.store = &store;
   bool reused = false;
-  const workflow::StageRecord<KeptFilm> stage{{"film", hash, {}}, file_in(folder.run(run.name)), make, write, read, "the film is made again"};
+  const workflow::StageRecord<KeptFilm> stage{{"film", hash, {}},      file_in(folder.run(run.name)), make, write, read,
+                                              "the film is made again"};
   return carry_out(stage, shared, reused).has_value();
 }
 
 bool has_film(const fs::path& run) { return fs::exists(file_in(run)); }
 
 Numbers film_numbers(const fs::path& run) {
-  if (!has_film(run)) throw InputError(run.string(), 0, "no film of this run was made; arenite verify thesis without --small makes it");
+  if (!has_film(run))
+    throw InputError(run.string(), 0, "no film of this run was made; arenite verify thesis without --small makes it");
   return read(file_in(run)).numbers;
 }
 

@@ -6,8 +6,8 @@
 
 #include "core/error.hpp"
 
-/// States as bytes of this machine, for checkpoints and between processes. Both archives are called with each member in turn, so that one list of
-/// members serves both ways.
+/// States as bytes of this machine, for checkpoints and between processes. Both archives are called with each member in
+/// turn, so that one list of members serves both ways.
 namespace arenite {
 
 /// A vector of such values, or a text.
@@ -50,7 +50,9 @@ class ByteReader {
   }
   std::size_t left() const { return bytes_.size() - at_; }
   bool at_end() const { return left() == 0; }
-  [[noreturn]] static void fail() { throw InputError("the stored state is cut short or damaged; run the stage again from its start"); }
+  [[noreturn]] static void fail() {
+    throw InputError("the stored state is cut short or damaged; run the stage again from its start");
+  }
 
  private:
   void take(void* target, std::size_t size) {

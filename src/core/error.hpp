@@ -33,8 +33,8 @@ class InputError : public std::exception {
 /// The same problems, those without a file as problems of `file`: for who knows the name where the finder did not.
 InputError in_file(const InputError& error, const std::string& file);
 
-/// A run that cannot go on although its input could be: grains that leave what holds them, an iteration that does not end. `main` prints it and exits
-/// with status 3.
+/// A run that cannot go on although its input could be: grains that leave what holds them, an iteration that does not
+/// end. `main` prints it and exits with status 3.
 class CannotGoOn : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

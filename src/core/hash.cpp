@@ -23,8 +23,12 @@ std::string content_hash(std::string_view bytes) {
 
 HashBuilder& HashBuilder::add(std::string_view key, std::string_view value) { return add_part('s', key, value); }
 HashBuilder& HashBuilder::add(std::string_view key, double value) { return add_part('d', key, bytes_of(&value, 1)); }
-HashBuilder& HashBuilder::add(std::string_view key, std::int64_t value) { return add_part('i', key, bytes_of(&value, 1)); }
-HashBuilder& HashBuilder::add(std::string_view key, const std::vector<double>& values) { return add_part('a', key, bytes_of(values.data(), values.size())); }
+HashBuilder& HashBuilder::add(std::string_view key, std::int64_t value) {
+  return add_part('i', key, bytes_of(&value, 1));
+}
+HashBuilder& HashBuilder::add(std::string_view key, const std::vector<double>& values) {
+  return add_part('a', key, bytes_of(values.data(), values.size()));
+}
 
 HashBuilder& HashBuilder::add_part(char type, std::string_view key, std::string_view bytes) {
   text_ += type;

@@ -9,8 +9,8 @@ namespace arenite {
 /// 128 bits of content as 32 hexadecimal digits (XXH3): the same on every machine and in every version.
 std::string content_hash(std::string_view bytes);
 
-/// Hash of key = value parts in the order they were added: what a result depends on, so that its file can be named by it. Lengths are hashed too, so
-/// ("ab", "c") and ("a", "bc") differ; doubles are hashed by their bits.
+/// Hash of key = value parts in the order they were added: what a result depends on, so that its file can be named by
+/// it. Lengths are hashed too, so ("ab", "c") and ("a", "bc") differ; doubles are hashed by their bits.
 class HashBuilder {
  public:
   HashBuilder& add(std::string_view key, std::string_view value);

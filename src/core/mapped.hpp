@@ -9,7 +9,8 @@
 
 namespace arenite {
 
-/// `of` of every item of a range, in its order: a function, or a member of the items. With a type given, the results are turned into it.
+/// `of` of every item of a range, in its order: a function, or a member of the items. With a type given, the results
+/// are turned into it.
 template <class As = void, class Range, class Of> auto mapped(const Range& range, Of of) {
   using Result = std::decay_t<decltype(std::invoke(of, *std::begin(range)))>;
   std::vector<std::conditional_t<std::is_void_v<As>, Result, As>> results;

@@ -15,7 +15,9 @@ template <class Iterator> double median_in_place(Iterator begin, Iterator end) {
 }
 
 /// The same; `none` where there is no value.
-template <class T> double median(std::vector<T> values, double none = 0) { return values.empty() ? none : median_in_place(values.begin(), values.end()); }
+template <class T> double median(std::vector<T> values, double none = 0) {
+  return values.empty() ? none : median_in_place(values.begin(), values.end());
+}
 
 /// Of the values that are finite; NaN where none is.
 template <class T> double median_of_finite(std::vector<T> values) {
@@ -33,7 +35,8 @@ inline double weighted_median(std::vector<std::pair<double, double>> weighed, do
   return none;
 }
 
-/// Medians over the standard deviation: of the size of a normal variable, and of the distance in the plane of a place whose coordinates are normal.
+/// Medians over the standard deviation: of the size of a normal variable, and of the distance in the plane of a place
+/// whose coordinates are normal.
 inline constexpr double median_of_normal_size = 0.6744897501960817, median_of_plane_distance = 1.1774100225154747;
 
 }  // namespace arenite

@@ -7,8 +7,9 @@
 
 namespace arenite {
 
-/// Zeroed memory straight from the system, in large pages where it gives them: a walk over many rows at once would run out of address translations
-/// with small pages, and the system takes longer to hand out thousands of these than a lock-in takes to fit them.
+/// Zeroed memory straight from the system, in large pages where it gives them: a walk over many rows at once would run
+/// out of address translations with small pages, and the system takes longer to hand out thousands of these than a
+/// lock-in takes to fit them.
 template <class T> struct Pages {
   using value_type = T;
   bool operator==(const Pages&) const = default;

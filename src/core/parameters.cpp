@@ -10,8 +10,11 @@ namespace arenite {
 
 std::string to_string(const Range& range, std::string_view unit) {
   const bool below = std::isfinite(range.min), above = std::isfinite(range.max);
-  const std::string min = below ? format_quantity(range.min, unit) : "", max = above ? format_quantity(range.max, unit) : "";
-  if (below && above) { return range.min_excluded ? fmt::format("above {}, up to {}", min, max) : fmt::format("from {} to {}", min, max); }
+  const std::string min = below ? format_quantity(range.min, unit) : "",
+                    max = above ? format_quantity(range.max, unit) : "";
+  if (below && above) {
+    return range.min_excluded ? fmt::format("above {}, up to {}", min, max) : fmt::format("from {} to {}", min, max);
+  }
   if (below) return fmt::format("{} {}", range.min_excluded ? "above" : "at least", min);
   return above ? fmt::format("at most {}", max) : std::string();
 }

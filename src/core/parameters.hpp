@@ -60,12 +60,14 @@ struct Form {
 
 class ParameterVisitor;
 
-/// What is done with a visitor, handed down for one call. Unlike std::function it refers to what it is made of and copies nothing, for the
-/// hundreds of sections and conditions of a recipe would each compile a copy.
+/// What is done with a visitor, handed down for one call. Unlike std::function it refers to what it is made of and
+/// copies nothing, for the hundreds of sections and conditions of a recipe would each compile a copy.
 class Visit {
  public:
   template <class F>
-  requires(!std::is_same_v<F, Visit>) Visit(const F& f) : what_(&f), call_([](const void* what, ParameterVisitor& v) { (*static_cast<const F*>(what))(v); }) {}
+  requires(!std::is_same_v<F, Visit>) Visit(const F& f)
+      : what_(&f),
+        call_([](const void* what, ParameterVisitor& v) { (*static_cast<const F*>(what))(v); }) {}
   void operator()(ParameterVisitor& visitor) const { call_(what_, visitor); }
 
  private:
@@ -81,8 +83,9 @@ struct Elements {
   std::function<std::string&(std::size_t)> name;  ///< empty for a list
 };
 
-/// Declares parameters: a struct's declaration calls one function a key, and what that does is up to the visitor: read a recipe, print the resolved
-/// one, document the keys. Each key is thus declared once. Values are in SI; `unit` is how the value is written and says its dimension.
+/// Declares parameters: a struct's declaration calls one function a key, and what that does is up to the visitor: read
+/// a recipe, print the resolved one, document the keys. Each key is thus declared once. Values are in SI; `unit` is how
+/// the value is written and says its dimension.
 class ParameterVisitor {
  public:
   virtual ~ParameterVisitor() = default;
@@ -111,8 +114,8 @@ class ParameterVisitor {
   /// Keys that exist only if `active`; documentation shows them all, and reading says why one does not belong.
   virtual void when(bool active, std::string_view condition, const Visit& inside) = 0;
 
-  /// A check over several keys of the table at hand: false is a problem of the first of `keys`, placed at the first that
-  /// is there. Keys that were wrong by themselves silence it.
+  /// A check over several keys of the table at hand: false is a problem of the first of `keys`, placed at the first
+  /// that is there. Keys that were wrong by themselves silence it.
   virtual void require(bool, std::initializer_list<std::string_view>, std::string_view) {}
 
   void number(const Key& key, double& value, std::string_view unit, const Range& range) {
@@ -139,7 +142,8 @@ class ParameterVisitor {
     choice(key, index, words);
     value = static_cast<Enum>(index);
   }
-  /// One member of a family of types. Each has its `word` and declares its own parameters, which exist only where it is chosen.
+  /// One member of a family of types. Each has its `word` and declares its own parameters, which exist only where it is
+  /// chosen.
   template <class... Member> void member(const Key& key, std::variant<Member...>& value) {
     int index = static_cast<int>(value.index());
     choice(key, index, {Member::word...});
@@ -149,7 +153,8 @@ class ParameterVisitor {
     for (auto& each : members)
       std::visit(
           [&](auto& it) {
-            when(&each == &chosen, std::string(key.name) + " = \"" + std::string(it.word.word) + "\"", [&](ParameterVisitor& visitor) { it.declare(visitor); });
+            when(&each == &chosen, std::string(key.name) + " = \"" + std::string(it.word.word) + "\"",
+                 [&](ParameterVisitor& visitor) { it.declare(visitor); });
           },
           each);
     value = chosen;
@@ -158,13 +163,16 @@ class ParameterVisitor {
     bool present = true;
     section(key, present, inside);
   }
-  template <class T> void optional_section(const Key& key, std::optional<T>& value, const std::function<void(ParameterVisitor&, T&)>& inside) {
+  template <class T>
+  void optional_section(const Key& key, std::optional<T>& value,
+                        const std::function<void(ParameterVisitor&, T&)>& inside) {
     T holder = value.value_or(T{});
     bool present = value.has_value();
     section(key, present, [&](ParameterVisitor& visitor) { inside(visitor, holder); });
     value = present ? std::optional<T>(std::move(holder)) : std::nullopt;
   }
-  template <class T> void list(const Key& key, std::vector<T>& values, const std::function<void(ParameterVisitor&, T&)>& inside) {
+  template <class T>
+  void list(const Key& key, std::vector<T>& values, const std::function<void(ParameterVisitor&, T&)>& inside) {
     sections(key, {[&] { return values.size(); },
                    [&](std::size_t n) { values.resize(n); },
                    [&](ParameterVisitor& visitor, std::size_t i) { inside(visitor, values[i]); },

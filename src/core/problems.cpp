@@ -20,7 +20,8 @@ InputError::InputError(std::vector<Problem> problems) : problems_(std::move(prob
 
 InputError::InputError(std::string message) : InputError({Problem{{}, 0, 0, std::move(message)}}) {}
 
-InputError::InputError(std::string file, int line, std::string message) : InputError({Problem{std::move(file), line, 0, std::move(message)}}) {}
+InputError::InputError(std::string file, int line, std::string message)
+    : InputError({Problem{std::move(file), line, 0, std::move(message)}}) {}
 
 InputError in_file(const InputError& error, const std::string& file) {
   auto problems = error.problems();
@@ -32,7 +33,8 @@ InputError in_file(const InputError& error, const std::string& file) {
 void Problems::raise(std::initializer_list<Problems*> inputs) {
   std::vector<Problem> all;
   for (Problems* of : inputs) {
-    if (of->count_ > most) of->list_.push_back({of->file_, 0, 0, "and " + std::to_string(of->count_ - most) + " more problems like these"});
+    if (of->count_ > most)
+      of->list_.push_back({of->file_, 0, 0, "and " + std::to_string(of->count_ - most) + " more problems like these"});
     std::move(of->list_.begin(), of->list_.end(), std::back_inserter(all));
   }
   if (!all.empty()) throw InputError(std::move(all));
@@ -64,7 +66,8 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   for (const auto& candidate : candidates) {
     // The case weighs less than a letter, so that "mpa" finds "MPa" before "Pa".
     const std::size_t distance = edit_distance(wanted, lower_case(candidate));
-    const bool as_close = distance == best_distance && !best.empty() && edit_distance(word, candidate) < edit_distance(word, best);
+    const bool as_close =
+        distance == best_distance && !best.empty() && edit_distance(word, candidate) < edit_distance(word, best);
     if (distance >= best_distance && !as_close) continue;
     best = candidate;
     best_distance = distance;

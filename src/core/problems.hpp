@@ -11,16 +11,19 @@
 
 namespace arenite {
 
-/// An error of one sentence that fmt puts together, to be thrown; with the file and line that it is about (line 0: unknown).
+/// An error of one sentence that fmt puts together, to be thrown; with the file and line that it is about (line 0:
+/// unknown).
 template <class... T> InputError refusal(fmt::format_string<T...> sentence, T&&... values) {
   return InputError(fmt::format(sentence, std::forward<T>(values)...));
 }
-template <class... T> InputError refusal_at(const std::string& file, int line, fmt::format_string<T...> sentence, T&&... values) {
+template <class... T>
+InputError refusal_at(const std::string& file, int line, fmt::format_string<T...> sentence, T&&... values) {
   return {file, line, fmt::format(sentence, std::forward<T>(values)...)};
 }
 
 /// Throws what is wrong with a file, and how to fix it.
-template <class... T> [[noreturn]] void refuse(const std::string& file, fmt::format_string<T...> sentence, T&&... values) {
+template <class... T>
+[[noreturn]] void refuse(const std::string& file, fmt::format_string<T...> sentence, T&&... values) {
   throw refusal_at(file, 0, sentence, std::forward<T>(values)...);
 }
 
@@ -35,7 +38,8 @@ class Problems {
     if (++count_ <= most) list_.push_back({file_, line, 0, std::move(message)});
   }
   void add(std::string message) { add(0, std::move(message)); }
-  template <class First, class... T> void add(int line, fmt::format_string<First, T...> text, First&& first, T&&... values) {
+  template <class First, class... T>
+  void add(int line, fmt::format_string<First, T...> text, First&& first, T&&... values) {
     add(line, fmt::format(text, std::forward<First>(first), std::forward<T>(values)...));
   }
   template <class First, class... T> void add(fmt::format_string<First, T...> text, First&& first, T&&... values) {

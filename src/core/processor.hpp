@@ -5,7 +5,9 @@ namespace arenite {
 
 /// What the vector kernels ask of the processor: AVX2 with fused multiply-add; AVX-512 F, DQ and VL.
 inline bool machine_has_avx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
-inline bool machine_has_avx512() { return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"); }
+inline bool machine_has_avx512() {
+  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+}
 
 /// One set of inner loops, compiled for several processors. Those that the compiler cannot make are null.
 template <class Kernels> struct KernelChoice {

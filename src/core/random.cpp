@@ -17,7 +17,8 @@ std::uint64_t RandomStream::bits() {
     has_spare_ = false;
     return spare_;
   }
-  const r123::Philox4x32::ctr_type counter{{draw_++, purpose_, static_cast<std::uint32_t>(index_), static_cast<std::uint32_t>(index_ >> 32)}};
+  const r123::Philox4x32::ctr_type counter{
+      {draw_++, purpose_, static_cast<std::uint32_t>(index_), static_cast<std::uint32_t>(index_ >> 32)}};
   const r123::Philox4x32::key_type key{{static_cast<std::uint32_t>(seed_), static_cast<std::uint32_t>(seed_ >> 32)}};
   const auto r = r123::Philox4x32{}(counter, key);
   spare_ = (std::uint64_t{r[3]} << 32) | r[2];

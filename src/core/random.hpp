@@ -23,8 +23,9 @@ enum class Purpose : std::uint32_t {
   test = 99
 };
 
-/// Counter-based random numbers (Philox 4x32-10): the n-th number of a stream depends only on (seed, purpose, index, n), never on which thread asks
-/// or in which order. Distributions are our own, because the standard library's differ between platforms.
+/// Counter-based random numbers (Philox 4x32-10): the n-th number of a stream depends only on (seed, purpose, index,
+/// n), never on which thread asks or in which order. Distributions are our own, because the standard library's differ
+/// between platforms.
 class RandomStream {
  public:
   RandomStream(std::uint64_t seed, Purpose purpose, std::uint64_t index = 0);

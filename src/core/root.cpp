@@ -18,7 +18,9 @@ template <class Real> Real bracketed_root(const std::function<Real(Real)>& f, Re
       (like_a ? a : b) = x;
       return (like_a ? fa : fb) = y;
     };
-    const auto closed = [](Real low, Real high) { return high - low <= 2 * std::numeric_limits<Real>::epsilon() * std::min(std::abs(low), std::abs(high)); };
+    const auto closed = [](Real low, Real high) {
+      return high - low <= 2 * std::numeric_limits<Real>::epsilon() * std::min(std::abs(low), std::abs(high));
+    };
     std::uintmax_t most = 200;
     boost::math::tools::toms748_solve(value, left, right, f_left, f_right, closed, most);
   }
@@ -30,6 +32,7 @@ double minimum_between(const std::function<double(double)>& f, double a, double 
 }
 
 template double bracketed_root(const std::function<double(double)>&, double, double, double, double);
-template long double bracketed_root(const std::function<long double(long double)>&, long double, long double, long double, long double);
+template long double bracketed_root(const std::function<long double(long double)>&, long double, long double,
+                                    long double, long double);
 
 }  // namespace arenite

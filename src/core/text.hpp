@@ -31,8 +31,8 @@ inline std::vector<std::string_view> split_blanks(std::string_view line) {
 
 /// Words one after the other, with this between two of them.
 template <std::ranges::range Words>
-requires std::convertible_to<std::ranges::range_reference_t<const Words>, std::string_view> std::string list_of(const Words& words,
-                                                                                                                std::string_view between = ", ") {
+requires std::convertible_to<std::ranges::range_reference_t<const Words>, std::string_view> std::string list_of(
+    const Words& words, std::string_view between = ", ") {
   std::string list;
   std::string_view gap;
   for (const std::string_view word : words) list.append(gap).append(word), gap = between;
@@ -48,8 +48,12 @@ inline std::string lower_case(std::string_view text) {
 }
 
 /// What plain names are made of, which stand in files, keys and commands without quotes: letters, digits, _ and -.
-inline bool is_name_character(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-'; }
-inline bool is_plain_name(std::string_view name) { return !name.empty() && std::all_of(name.begin(), name.end(), is_name_character); }
+inline bool is_name_character(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+}
+inline bool is_plain_name(std::string_view name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), is_name_character);
+}
 
 /// Whether all of it is well-formed (RFC 3629): no byte is missing or too many, no character is longer than it need be.
 inline bool is_utf8(std::string_view text) {
@@ -64,14 +68,15 @@ inline bool is_utf8(std::string_view text) {
       if (next >> 6 != 2) return false;
       code = code << 6 | (next & 0x3fu);
     }
-    if (code < least[more] || code > 0x10ffff || code >> 11 == 0x1b) return false;  // halves of UTF-16 are no characters
+    if (code < least[more] || code > 0x10ffff || code >> 11 == 0x1b)
+      return false;  // halves of UTF-16 are no characters
   }
   return true;
 }
 
-/// For a terminal: what would move its cursor, change its colours or its title, or speak for the user is shown as a sign that
-/// does nothing: control characters as their pictures (U+2400 and on), what is no character of UTF-8 as U+FFFD. Line ends and
-/// tabs stay.
+/// For a terminal: what would move its cursor, change its colours or its title, or speak for the user is shown as a
+/// sign that does nothing: control characters as their pictures (U+2400 and on), what is no character of UTF-8 as
+/// U+FFFD. Line ends and tabs stay.
 inline std::string printable(std::string_view text) {
   std::string shown;
   for (std::size_t at = 0; at < text.size();) {

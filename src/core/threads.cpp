@@ -15,15 +15,16 @@ using Clock = std::chrono::steady_clock;
 /// Parts of the work of one member: of so many, the last one to be finished is waited for.
 constexpr std::size_t parts_of_a_member = 8, most_parts = 65535;
 
-/// Parts of a round that are still to be begun, first .. last - 1, in one word: who changes it has taken a part, and whoever still looks at a former
-/// round finds another word.
+/// Parts of a round that are still to be begun, first .. last - 1, in one word: who changes it has taken a part, and
+/// whoever still looks at a former round finds another word.
 struct Open {
   std::uint32_t round;
   std::uint16_t first, last;
 
   std::uint64_t word() const { return std::uint64_t{round} << 32 | std::uint64_t{first} << 16 | last; }
   static Open of(std::uint64_t word) {
-    return {static_cast<std::uint32_t>(word >> 32), static_cast<std::uint16_t>(word >> 16), static_cast<std::uint16_t>(word)};
+    return {static_cast<std::uint32_t>(word >> 32), static_cast<std::uint16_t>(word >> 16),
+            static_cast<std::uint16_t>(word)};
   }
 };
 
@@ -31,8 +32,8 @@ struct alignas(64) Share {
   std::atomic<std::uint64_t> open{0};
 };
 
-/// Waits in a loop for about 0.05 ms, longer than members ever wait for each other within a step, then goes to sleep: whoever is late by more has
-/// lost its processor, and may need this one.
+/// Waits in a loop for about 0.05 ms, longer than members ever wait for each other within a step, then goes to sleep:
+/// whoever is late by more has lost its processor, and may need this one.
 template <class T> void wait_while(const std::atomic<T>& value, T old) {
   for (int turn = 0; turn < 2000; ++turn) {
     if (value.load(std::memory_order_acquire) != old) return;
@@ -41,9 +42,9 @@ template <class T> void wait_while(const std::atomic<T>& value, T old) {
   value.wait(old, std::memory_order_acquire);
 }
 
-/// Whether the others pay. What waiting for them has cost beyond the time that they saved is a debt, and for a debt the caller works alone for twenty
-/// times as long: on whatever machine, the pool loses a twentieth at most. What they saved is not saved up, for it is told by a clock that also runs
-/// while the caller itself has lost its processor.
+/// Whether the others pay. What waiting for them has cost beyond the time that they saved is a debt, and for a debt the
+/// caller works alone for twenty times as long: on whatever machine, the pool loses a twentieth at most. What they
+/// saved is not saved up, for it is told by a clock that also runs while the caller itself has lost its processor.
 class Worth {
  public:
   bool alone(Clock::time_point now) const { return now < until_; }
@@ -63,8 +64,8 @@ class Worth {
 
 }  // namespace
 
-/// Members watch `round`; the caller watches `done`. Each on a cache line of its own. What a round is about is written while none of its parts is
-/// open, and read by whoever then takes one.
+/// Members watch `round`; the caller watches `done`. Each on a cache line of its own. What a round is about is written
+/// while none of its parts is open, and read by whoever then takes one.
 struct ThreadPool::Shared {
   alignas(64) std::atomic<std::uint32_t> round{0};
   alignas(64) std::atomic<std::size_t> done{0};
@@ -85,12 +86,14 @@ struct ThreadPool::Shared {
     done.store(0, std::memory_order_relaxed);
     const std::uint32_t next = round.load(std::memory_order_relaxed) + 1;
     const auto cut = [&](std::size_t member) { return static_cast<std::uint16_t>(new_parts * member / share.size()); };
-    for (std::size_t m = 0; m < share.size(); ++m) share[m].open.store(Open{next, cut(m), cut(m + 1)}.word(), std::memory_order_release);
+    for (std::size_t m = 0; m < share.size(); ++m)
+      share[m].open.store(Open{next, cut(m), cut(m + 1)}.word(), std::memory_order_release);
     round.store(next, std::memory_order_release);
     round.notify_all();
   }
 
-  /// Does one part of a share, the first if it is one's own (what lies side by side stays with one member), else the last. False if none was open.
+  /// Does one part of a share, the first if it is one's own (what lies side by side stays with one member), else the
+  /// last. False if none was open.
   bool take(Share& from, bool own, std::size_t& of) {
     std::uint64_t word = from.open.load(std::memory_order_acquire);
     while (true) {
@@ -102,7 +105,8 @@ struct ThreadPool::Shared {
       Open left = now;
       const std::size_t part = own ? left.first++ : --left.last;
       // Succeeds in the round of `word` only, and then what was read is of that round.
-      if (!from.open.compare_exchange_weak(word, left.word(), std::memory_order_acq_rel, std::memory_order_acquire)) continue;
+      if (!from.open.compare_exchange_weak(word, left.word(), std::memory_order_acq_rel, std::memory_order_acquire))
+        continue;
       const auto cut = [&](std::size_t at) { return at == all ? n : n * at / all / 8 * 8; };
       todo(with, cut(part), cut(part + 1));
       of = all;
@@ -121,7 +125,8 @@ struct ThreadPool::Shared {
 };
 
 ThreadPool::ThreadPool(int size) : shared_(std::make_unique<Shared>(static_cast<std::size_t>(std::max(size, 1)))) {
-  for (std::size_t member = 1; member < shared_->share.size(); ++member) members_.emplace_back([shared = shared_.get(), member] { serve(*shared, member); });
+  for (std::size_t member = 1; member < shared_->share.size(); ++member)
+    members_.emplace_back([shared = shared_.get(), member] { serve(*shared, member); });
 }
 
 ThreadPool::~ThreadPool() {

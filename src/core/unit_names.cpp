@@ -37,7 +37,8 @@ constexpr NamedDimension named_dimensions[] = {{dimension::none, "a number witho
                                                {dimension::toughness, "a fracture toughness", "Pa m^0.5"}};
 
 const NamedDimension* find_name(Dimension d) {
-  const auto* named = std::find_if(std::begin(named_dimensions), std::end(named_dimensions), [&](const auto& known) { return known.dimension == d; });
+  const auto* named = std::find_if(std::begin(named_dimensions), std::end(named_dimensions),
+                                   [&](const auto& known) { return known.dimension == d; });
   return named == std::end(named_dimensions) ? nullptr : named;
 }
 
@@ -49,12 +50,15 @@ struct NamedUnit {
 
 constexpr double pi = 3.141592653589793;
 constexpr NamedUnit units[] = {
-    {"m", {1, 0, dimension::length}, true},      {"g", {1, -3, dimension::mass}, true},    {"t", {1, 3, dimension::mass}, false},
-    {"s", {1, 0, dimension::time}, true},        {"min", {60, 0, dimension::time}, false}, {"h", {3600, 0, dimension::time}, false},
-    {"K", {1, 0, dimension::temperature}, true}, {"N", {1, 0, dimension::force}, true},    {"Pa", {1, 0, dimension::pressure}, true},
-    {"bar", {1, 5, dimension::pressure}, true},  {"J", {1, 0, dimension::energy}, true},   {"W", {1, 0, dimension::energy / dimension::time}, true},
-    {"Hz", {1, 0, dimension::frequency}, true},  {"rad", {1, 0, dimension::none}, false},  {"deg", {pi / 180, 0, dimension::none}, false},
-    {"%", {1, -2, dimension::none}, false},      {"1", {1, 0, dimension::none}, false}};
+    {"m", {1, 0, dimension::length}, true},         {"g", {1, -3, dimension::mass}, true},
+    {"t", {1, 3, dimension::mass}, false},          {"s", {1, 0, dimension::time}, true},
+    {"min", {60, 0, dimension::time}, false},       {"h", {3600, 0, dimension::time}, false},
+    {"K", {1, 0, dimension::temperature}, true},    {"N", {1, 0, dimension::force}, true},
+    {"Pa", {1, 0, dimension::pressure}, true},      {"bar", {1, 5, dimension::pressure}, true},
+    {"J", {1, 0, dimension::energy}, true},         {"W", {1, 0, dimension::energy / dimension::time}, true},
+    {"Hz", {1, 0, dimension::frequency}, true},     {"rad", {1, 0, dimension::none}, false},
+    {"deg", {pi / 180, 0, dimension::none}, false}, {"%", {1, -2, dimension::none}, false},
+    {"1", {1, 0, dimension::none}, false}};
 
 struct Prefix {
   std::string_view symbol;
@@ -74,8 +78,9 @@ std::vector<std::string> all_symbols() {
 
 [[noreturn]] void unknown_unit(std::string_view symbol) {
   const std::string near = nearest(symbol, all_symbols());
-  throw InputError(near.empty() ? fmt::format("unknown unit \"{}\"; units are written like mm, kN/mm, kg/m^3, K/MPa or %", symbol)
-                                : fmt::format("unknown unit \"{}\"; did you mean {}?", symbol, near));
+  throw InputError(
+      near.empty() ? fmt::format("unknown unit \"{}\"; units are written like mm, kN/mm, kg/m^3, K/MPa or %", symbol)
+                   : fmt::format("unknown unit \"{}\"; did you mean {}?", symbol, near));
 }
 
 Unit find_unit(std::string_view symbol) {
@@ -98,13 +103,16 @@ Unit raised(Unit unit, double power) {
   const double decade = unit.decade * power, whole = std::trunc(decade);
   return {std::pow(unit.factor, power) * std::pow(10, decade - whole),
           static_cast<int>(whole),
-          {unit.dimension.mass * power, unit.dimension.length * power, unit.dimension.time * power, unit.dimension.temperature * power}};
+          {unit.dimension.mass * power, unit.dimension.length * power, unit.dimension.time * power,
+           unit.dimension.temperature * power}};
 }
 
-Unit operator*(const Unit& a, const Unit& b) { return {a.factor * b.factor, a.decade + b.decade, a.dimension * b.dimension}; }
+Unit operator*(const Unit& a, const Unit& b) {
+  return {a.factor * b.factor, a.decade + b.decade, a.dimension * b.dimension};
+}
 
-/// Recursive descent over: expression = factor {("*" | "·" | " " | "/") factor}; factor = (symbol | "(" expression ")") ["^" power | superscript]; a
-/// power is a whole number or ends in .5.
+/// Recursive descent over: expression = factor {("*" | "·" | " " | "/") factor}; factor = (symbol | "(" expression ")")
+/// ["^" power | superscript]; a power is a whole number or ends in .5.
 class UnitReader {
  public:
   explicit UnitReader(std::string_view text) : text_(text), rest_(text) {}
@@ -165,8 +173,8 @@ class UnitReader {
     std::size_t length = 0;
     while (length < rest_.size()) {
       const std::string_view here = rest_.substr(length);
-      const bool ends =
-          std::string_view(" */^()").find(here.front()) != std::string_view::npos || here.starts_with("·") || here.starts_with("²") || here.starts_with("³");
+      const bool ends = std::string_view(" */^()").find(here.front()) != std::string_view::npos ||
+                        here.starts_with("·") || here.starts_with("²") || here.starts_with("³");
       if (ends) break;
       ++length;
     }
@@ -183,7 +191,8 @@ class UnitReader {
     if (!take("^")) return 1;
     skip_spaces();
     double value = 0;
-    const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value, std::chars_format::fixed);
+    const auto [end, error] =
+        std::from_chars(rest_.data(), rest_.data() + rest_.size(), value, std::chars_format::fixed);
     if (error != std::errc{} || std::abs(value) > largest_power || std::trunc(2 * value) != 2 * value)
       fail(fmt::format("the power must be a whole number from -{0} to {0}, or a half such as 0.5", largest_power));
     rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));

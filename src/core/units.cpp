@@ -80,18 +80,22 @@ double parse_si(std::string_view text, Dimension wanted, std::string_view unit) 
   const Quantity quantity = parse_quantity(text);
   if (quantity.dimension == wanted && (!quantity.unit.empty() || wanted == dimension::none)) return quantity.value;
   const std::string suggested = unit.empty() ? si_unit(wanted) : std::string(unit);
-  if (quantity.unit.empty()) throw refusal("\"{0}\" has no unit; write it with its unit, for example \"{0} {1}\"", trimmed(text), suggested);
-  throw InputError(suggested.empty() ? fmt::format("\"{}\" is {}, but a number without unit is needed", trimmed(text), with_unit(quantity.dimension))
-                                     : fmt::format("\"{}\" is {}, but {} is needed; write it in {}", trimmed(text), with_unit(quantity.dimension),
-                                                   with_unit(wanted), suggested));
+  if (quantity.unit.empty())
+    throw refusal("\"{0}\" has no unit; write it with its unit, for example \"{0} {1}\"", trimmed(text), suggested);
+  throw InputError(suggested.empty() ? fmt::format("\"{}\" is {}, but a number without unit is needed", trimmed(text),
+                                                   with_unit(quantity.dimension))
+                                     : fmt::format("\"{}\" is {}, but {} is needed; write it in {}", trimmed(text),
+                                                   with_unit(quantity.dimension), with_unit(wanted), suggested));
 }
 
 std::string format_quantity(double value, std::string_view unit) {
-  if (const double factor = unit.empty() ? 1 : parse_unit(unit).factor; factor != 1) return fmt::format("{:.15g} {}", value / factor, unit);
+  if (const double factor = unit.empty() ? 1 : parse_unit(unit).factor; factor != 1)
+    return fmt::format("{:.15g} {}", value / factor, unit);
   // The shortest digits of the SI value with their exponent moved read back as the very same double.
   const int decade = unit.empty() ? 0 : parse_unit(unit).decade;
   std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific).ptr;
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific).ptr;
   const std::string_view digits(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
   const std::size_t mark = digits.find('e');
   int exponent = 0;

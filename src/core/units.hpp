@@ -9,8 +9,12 @@ struct Dimension {
   double mass = 0, length = 0, time = 0, temperature = 0;
   constexpr bool operator==(const Dimension&) const = default;
 };
-constexpr Dimension operator*(Dimension a, Dimension b) { return {a.mass + b.mass, a.length + b.length, a.time + b.time, a.temperature + b.temperature}; }
-constexpr Dimension operator/(Dimension a, Dimension b) { return {a.mass - b.mass, a.length - b.length, a.time - b.time, a.temperature - b.temperature}; }
+constexpr Dimension operator*(Dimension a, Dimension b) {
+  return {a.mass + b.mass, a.length + b.length, a.time + b.time, a.temperature + b.temperature};
+}
+constexpr Dimension operator/(Dimension a, Dimension b) {
+  return {a.mass - b.mass, a.length - b.length, a.time - b.time, a.temperature - b.temperature};
+}
 
 namespace dimension {
 inline constexpr Dimension none{}, mass{1, 0, 0, 0}, length{0, 1, 0, 0}, time{0, 0, 1, 0}, temperature{0, 0, 0, 1};
@@ -22,8 +26,8 @@ inline constexpr Dimension thermoelastic_factor = temperature / pressure;
 inline constexpr Dimension toughness{1, -0.5, -2, 0};
 }  // namespace dimension
 
-/// A unit such as "kN/mm": SI value = number * factor * 10^decade. The decade is kept apart so that "16.4 mm" is the double nearest to 0.0164, with
-/// no rounding of its own.
+/// A unit such as "kN/mm": SI value = number * factor * 10^decade. The decade is kept apart so that "16.4 mm" is the
+/// double nearest to 0.0164, with no rounding of its own.
 struct Unit {
   double factor = 1;
   int decade = 0;
@@ -37,23 +41,23 @@ struct Quantity {
   std::string unit;  ///< as it is written; empty for a bare number
 };
 
-/// Reads products, quotients and powers of units with SI prefixes: "kN/mm", "kg/m^3", "N s/m", "K/MPa", "%", "1/s", "MPa m^0.5". Throws InputError
-/// (without place) for what it does not know, offering the nearest known unit.
+/// Reads products, quotients and powers of units with SI prefixes: "kN/mm", "kg/m^3", "N s/m", "K/MPa", "%", "1/s",
+/// "MPa m^0.5". Throws InputError (without place) for what it does not know, offering the nearest known unit.
 Unit parse_unit(std::string_view text);
 
-/// Whether an SI value is 0 or of a magnitude, 1e-60 to 1e60, that is computed with: fourth powers of such numbers are still plain doubles, and no
-/// quantity that is measured lies beyond.
+/// Whether an SI value is 0 or of a magnitude, 1e-60 to 1e60, that is computed with: fourth powers of such numbers are
+/// still plain doubles, and no quantity that is measured lies beyond.
 bool is_in_reach(double value);
 
 /// Reads "27.35 kN/mm". Throws InputError (without place) for anything that is not one number in reach and a unit.
 Quantity parse_quantity(std::string_view text);
 
-/// The SI value of a quantity that must have `wanted` as its dimension; a bare number is refused unless the dimension is none. `unit` is the unit
-/// that messages suggest (default: the SI unit). Throws InputError without place.
+/// The SI value of a quantity that must have `wanted` as its dimension; a bare number is refused unless the dimension
+/// is none. `unit` is the unit that messages suggest (default: the SI unit). Throws InputError without place.
 double parse_si(std::string_view text, Dimension wanted, std::string_view unit = {});
 
-/// The value written in `unit`, shortest text that reads back as the same double: format_quantity(0.0164, "mm") = "16.4 mm". An empty unit gives the
-/// bare number. For units that are powers of ten of SI.
+/// The value written in `unit`, shortest text that reads back as the same double: format_quantity(0.0164, "mm") = "16.4
+/// mm". An empty unit gives the bare number. For units that are powers of ten of SI.
 std::string format_quantity(double value, std::string_view unit);
 
 /// The SI unit in its usual spelling ("N/m", "Pa", "kg/m^3"); empty for no dimension.

@@ -68,7 +68,9 @@ template <int D, class V> V norm(Vec<D, V> a) {
 }
 /// Out-of-plane component of the cross product.
 template <class V> constexpr V cross(Vec<2, V> a, Vec<2, V> b) { return a.x * b.y - a.y * b.x; }
-template <class V> constexpr Vec<3, V> cross(Vec<3, V> a, Vec<3, V> b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+template <class V> constexpr Vec<3, V> cross(Vec<3, V> a, Vec<3, V> b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 /// The same of a vector out of the plane, given by its length, and one in it.
 template <class V> constexpr Vec<2, V> cross(std::type_identity_t<V> a, Vec<2, V> b) { return {-(a * b.y), a * b.x}; }
 /// a turned by +90 degrees (counter-clockwise).

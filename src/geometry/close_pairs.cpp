@@ -23,7 +23,8 @@ struct Neighbours {
 };
 
 /// Calls `see` for the cell of a place and those around it, in a row of them already chosen along the later axes.
-template <int Axis, int D, class See> void for_cells(const CellGrid<D>& grid, const Box<D>& box, const Vec<D>& place, std::int32_t row, See& see) {
+template <int Axis, int D, class See>
+void for_cells(const CellGrid<D>& grid, const Box<D>& box, const Vec<D>& place, std::int32_t row, See& see) {
   for (const auto at : Neighbours(grid.along(Axis, place[Axis]), grid.count[Axis], box.periodic[Axis])) {
     const std::int32_t cell = row * grid.count[Axis] + at;
     if constexpr (Axis == 0) see(cell);
@@ -33,7 +34,9 @@ template <int Axis, int D, class See> void for_cells(const CellGrid<D>& grid, co
 
 }  // namespace
 
-template <int D> std::vector<Pair> close_pairs(std::span<const Vec<D>> centre, std::span<const double> radius, const Box<D>& box, double gap) {
+template <int D>
+std::vector<Pair> close_pairs(std::span<const Vec<D>> centre, std::span<const double> radius, const Box<D>& box,
+                              double gap) {
   std::vector<Pair> pairs;
   if (centre.empty()) return pairs;
   // A trifle wider than pairs reach, so that rounding parts none of them by a whole cell.
@@ -57,7 +60,8 @@ template <int D> std::vector<Pair> close_pairs(std::span<const Vec<D>> centre, s
     for (const auto j : partners) pairs.push_back({i, j});
     if (pairs.size() > 1'000'000 + 256 * centre.size())
       throw InputError(
-          "grains lie so deep in each other, or the gap is so wide, that they have hundreds of neighbours each; correct the unit of the radii, or the gap");
+          "grains lie so deep in each other, or the gap is so wide, that they have hundreds of neighbours each; "
+          "correct the unit of the radii, or the gap");
   }
   return pairs;
 }

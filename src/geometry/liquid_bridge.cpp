@@ -11,15 +11,17 @@ namespace {
 
 using std::numbers::pi;
 
-/// One disk as seen from its centre: the direction to the arc's centre at (along, y), turned back to the point where the arc ends. Primes are
-/// derivatives by the arc's radius.
+/// One disk as seen from its centre: the direction to the arc's centre at (along, y), turned back to the point where
+/// the arc ends. Primes are derivatives by the arc's radius.
 struct Wetting {
   double filling = 0, slope = 0;  ///< angle from the joining line to the end of the arc, rad; its derivative, rad/m
 };
-Wetting wetting(double radius, double contact_angle, double arc, double along, double y, double along_prime, double y_prime) {
+Wetting wetting(double radius, double contact_angle, double arc, double along, double y, double along_prime,
+                double y_prime) {
   const double c = std::cos(contact_angle), s = std::sin(contact_angle);
   const double squared = along * along + y * y;  // r^2 + R^2 + 2 r R cos(theta)
-  return {std::atan2(y, along) - std::atan2(arc * s, radius + arc * c), (y_prime * along - y * along_prime - radius * s) / squared};
+  return {std::atan2(y, along) - std::atan2(arc * s, radius + arc * c),
+          (y_prime * along - y * along_prime - radius * s) / squared};
 }
 
 /// Where a function that grows with its argument is 0; `low` is below it.
@@ -48,8 +50,10 @@ BridgeState bridge_state(const LiquidBridge& b, double gap, double arc) {
   state.neck = y - arc;
   state.energy = 2 * arc * turn - 2 * c * (ri * i.filling + rj * j.filling);
   state.pull = 2 * y / arc;
-  // At constant radius of the arc d area/d gap = 2 (y - R y'), for the surfaces' energy and the liquid's have one potential.
-  const double area_prime = distance * y_prime - s * (ri + rj) - ri * ri * i.slope - rj * rj * j.slope - 2 * arc * turn + arc * arc * (i.slope + j.slope);
+  // At constant radius of the arc d area/d gap = 2 (y - R y'), for the surfaces' energy and the liquid's have one
+  // potential.
+  const double area_prime = distance * y_prime - s * (ri + rj) - ri * ri * i.slope - rj * rj * j.slope -
+                            2 * arc * turn + arc * arc * (i.slope + j.slope);
   const double area_by_gap = 2 * (y - arc * y_prime), pull_prime = 2 * (y_prime - y / arc) / arc;
   state.slope = -2 / arc * x * (1 - x / distance) / y - pull_prime * area_by_gap / area_prime;
   return state;
@@ -71,10 +75,14 @@ double arc_radius(const LiquidBridge& b, double gap, double area) {
 }
 
 double rupture_gap(const LiquidBridge& b, double area) {
-  const auto excess = [&](double gap) { return gap > 0 ? bridge_state(b, gap, thinnest_arc(b, gap)).area - area : -area; };
+  const auto excess = [&](double gap) {
+    return gap > 0 ? bridge_state(b, gap, thinnest_arc(b, gap)).area - area : -area;
+  };
   return root_above(excess, 0, std::sqrt(area));
 }
 
-double straight_bridge_area(const LiquidBridge& b) { return bridge_state(b, 0, 1e3 * std::fmax(b.radius_i, b.radius_j)).area; }
+double straight_bridge_area(const LiquidBridge& b) {
+  return bridge_state(b, 0, 1e3 * std::fmax(b.radius_i, b.radius_j)).area;
+}
 
 }  // namespace arenite::geometry

@@ -18,7 +18,8 @@ MeniscusAngles meniscus_angles(const MeniscusDisks& d, double curvature) {
   // Half angles of the triangle with sides r_i + R, r_j + R, distance; divided by R so that R may be infinite.
   const double difference = d.radius_i - d.radius_j, skew = (d.distance - difference) / (d.distance + difference);
   const double perimeter = 0.5 * (d.radius_i + d.radius_j + d.distance);
-  const double ratio = std::isinf(curvature) ? -0.5 * d.gap() / perimeter : (1 - 0.5 * curvature * d.gap()) / (1 + curvature * perimeter);
+  const double ratio = std::isinf(curvature) ? -0.5 * d.gap() / perimeter
+                                             : (1 - 0.5 * curvature * d.gap()) / (1 + curvature * perimeter);
   const double root = std::max(ratio, 0.0);
   return {2 * std::atan(std::sqrt(root * skew)), 2 * std::atan(std::sqrt(root / skew))};
 }
@@ -29,7 +30,8 @@ struct TouchPoints {
 };
 
 TouchPoints touch_points(const MeniscusDisks& d, const MeniscusAngles& angle) {
-  return {{d.radius_i * std::cos(angle.i), d.radius_i * std::sin(angle.i)}, {d.distance - d.radius_j * std::cos(angle.j), d.radius_j * std::sin(angle.j)}};
+  return {{d.radius_i * std::cos(angle.i), d.radius_i * std::sin(angle.i)},
+          {d.distance - d.radius_j * std::cos(angle.j), d.radius_j * std::sin(angle.j)}};
 }
 
 /// Area common to two overlapping disks.
@@ -79,7 +81,8 @@ double largest_meniscus_curvature(const MeniscusDisks& d) {
 
 bool MeniscusShape::contains(Vec2 p) const {
   const Vec2 j{length, 0};
-  if (cross(touch_j - j, p - j) < 0 || cross(touch_i - touch_j, p - touch_j) < 0 || cross(-touch_i, p - touch_i) < 0) return false;
+  if (cross(touch_j - j, p - j) < 0 || cross(touch_i - touch_j, p - touch_j) < 0 || cross(-touch_i, p - touch_i) < 0)
+    return false;
   return radius == 0 || dot(p - centre, p - centre) >= radius * radius;
 }
 

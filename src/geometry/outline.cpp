@@ -49,7 +49,8 @@ struct Points {
 /// Curves that all but touch are cut where they come closest, so that no part's middle lies there.
 constexpr double nearly = 1e-6;
 
-/// Whichever of two curves is cut by the other, these are the same points to the last bit; else near a tangent the two boundaries would not close.
+/// Whichever of two curves is cut by the other, these are the same points to the last bit; else near a tangent the two
+/// boundaries would not close.
 Points on_line_and_circle(Vec2 p, Vec2 q, Vec2 centre, double radius) {
   const Vec2 d = q - p;
   const double length2 = dot(d, d);
@@ -79,7 +80,8 @@ Points on_two_circles(Vec2 a, double ra, Vec2 b, double rb) {
 }
 
 void cut_by_circle(const Edge& edge, Vec2 centre, double radius, Cuts& cuts) {
-  const Points points = edge.straight() ? on_line_and_circle(edge.a, edge.b, centre, radius) : on_two_circles(edge.centre, edge.radius, centre, radius);
+  const Points points = edge.straight() ? on_line_and_circle(edge.a, edge.b, centre, radius)
+                                        : on_two_circles(edge.centre, edge.radius, centre, radius);
   for (int k = 0; k < points.count; ++k) add_point(edge, points.at[k], cuts);
 }
 
@@ -93,7 +95,8 @@ void cut_by_line(const Edge& edge, Vec2 p, Vec2 q, Cuts& cuts) {
   for (int k = 0; k < points.count; ++k) add_point(edge, points.at[k], cuts);
 }
 
-template <class IsCovered> void add_where(const Edge& edge, Cuts& cuts, IsCovered&& is_covered, std::vector<Part>& parts) {
+template <class IsCovered>
+void add_where(const Edge& edge, Cuts& cuts, IsCovered&& is_covered, std::vector<Part>& parts) {
   cuts.close();
   for (int k = 0; k + 1 < cuts.count; ++k) {
     const double t0 = cuts.at[k], t1 = cuts.at[k + 1];
@@ -107,7 +110,9 @@ template <class IsCovered> void add_where(const Edge& edge, Cuts& cuts, IsCovere
 
 double circular_segment_area(double radius, double angle) {
   const double square = angle * angle;
-  const double series = angle * square / 6 * (1 - square / 20 * (1 - square / 42 * (1 - square / 72 * (1 - square / 110 * (1 - square / 156)))));
+  const double series =
+      angle * square / 6 *
+      (1 - square / 20 * (1 - square / 42 * (1 - square / 72 * (1 - square / 110 * (1 - square / 156)))));
   const double difference = std::abs(angle) > 0.3 ? angle - std::sin(angle) : series;
   return 0.5 * radius * radius * difference;
 }
@@ -120,7 +125,9 @@ bool contains(const Outline& o, Vec2 p) {
   return o.kind == Outline::Kind::quadrilateral || dot(d, d) >= o.radius * o.radius;
 }
 
-Rectangle bounds(const Outline& o) { return o.kind == Outline::Kind::disk ? square_about(o.centre, o.radius) : bounds(o.corner); }
+Rectangle bounds(const Outline& o) {
+  return o.kind == Outline::Kind::disk ? square_about(o.centre, o.radius) : bounds(o.corner);
+}
 
 Vec2 Edge::at(double t) const {
   if (straight()) return a + t * (b - a);
@@ -174,7 +181,8 @@ void merge(std::vector<Part>& parts) {
   if (!parts.empty()) parts.resize(last + 1);
 }
 
-void add_covered_parts(const Edge& edge, const Outline& outline, CoveredSide side, double step, std::vector<Part>& parts) {
+void add_covered_parts(const Edge& edge, const Outline& outline, CoveredSide side, double step,
+                       std::vector<Part>& parts) {
   Cuts cuts;
   if (outline.kind != Outline::Kind::quadrilateral) cut_by_circle(edge, outline.centre, outline.radius, cuts);
   if (outline.kind != Outline::Kind::disk)
@@ -194,7 +202,8 @@ void add_parts_outside(const Edge& edge, const Rectangle& w, double step, std::v
   for (std::size_t k = 0; k < 4; ++k) cut_by_line(edge, corner[k], corner[(k + 1) & 3], cuts);
   const auto inside = [&](Vec2 p) { return p.x > w.x_min && p.x < w.x_max && p.y > w.y_min && p.y < w.y_max; };
   add_where(
-      edge, cuts, [&](Vec2 p, Vec2 outward) { return !inside(p + step * outward) || !inside(p - step * outward); }, parts);
+      edge, cuts, [&](Vec2 p, Vec2 outward) { return !inside(p + step * outward) || !inside(p - step * outward); },
+      parts);
 }
 
 }  // namespace arenite::geometry

@@ -8,12 +8,12 @@
 
 namespace arenite::geometry {
 
-/// Area between an arc that turns by `angle` (rad, its sign is the area's) and its chord, radius^2 (angle - sin angle)/2, without loss of digits
-/// where the arc is nearly straight.
+/// Area between an arc that turns by `angle` (rad, its sign is the area's) and its chord, radius^2 (angle - sin
+/// angle)/2, without loss of digits where the arc is nearly straight.
 double circular_segment_area(double radius, double angle);
 
-/// A shape bounded by straight lines and arcs: a disk; a convex quadrilateral; or one that a circle has hollowed along the edge from corner 2 to
-/// corner 3, whose ends lie on that circle.
+/// A shape bounded by straight lines and arcs: a disk; a convex quadrilateral; or one that a circle has hollowed along
+/// the edge from corner 2 to corner 3, whose ends lie on that circle.
 struct Outline {
   enum class Kind { disk, quadrilateral, hollow };
   Kind kind = Kind::disk;
@@ -30,8 +30,8 @@ bool contains(const Outline& outline, Vec2 point);
 /// The smallest upright rectangle around it.
 Rectangle bounds(const Outline& outline);
 
-/// A piece of a boundary, from `a` to `b` with the inside on its left; an arc turns by `sweep` about `centre` (positive: counter-clockwise), a line
-/// has radius 0.
+/// A piece of a boundary, from `a` to `b` with the inside on its left; an arc turns by `sweep` about `centre`
+/// (positive: counter-clockwise), a line has radius 0.
 struct Edge {
   Vec2 a, b, centre;
   double radius = 0, from = 0, sweep = 0;
@@ -72,19 +72,21 @@ template <class See> void each_rest(std::vector<Part>& parts, See&& see) {
   if (from < 1) see(from, 1.0);
 }
 
-/// Which side of an edge an outline has to cover for the edge to be no boundary of the union. Beside its own shape's (outside) this settles edges of
-/// two shapes that coincide: `either` gives the edge to the other shape.
+/// Which side of an edge an outline has to cover for the edge to be no boundary of the union. Beside its own shape's
+/// (outside) this settles edges of two shapes that coincide: `either` gives the edge to the other shape.
 enum class CoveredSide { outside, either, inside };
 
-/// Appends the parts of `edge` along which `outline` covers that side. Sides are looked at `step` (m) off the edge, far less than the shapes' size
-/// and far more than rounding.
-void add_covered_parts(const Edge& edge, const Outline& outline, CoveredSide side, double step, std::vector<Part>& parts);
+/// Appends the parts of `edge` along which `outline` covers that side. Sides are looked at `step` (m) off the edge, far
+/// less than the shapes' size and far more than rounding.
+void add_covered_parts(const Edge& edge, const Outline& outline, CoveredSide side, double step,
+                       std::vector<Part>& parts);
 
 /// Appends the parts of `edge` that do not lie inside the window (on its border counts as not inside).
 void add_parts_outside(const Edge& edge, const Rectangle& window, double step, std::vector<Part>& parts);
 
-/// Area of the part of a window that at least one outline covers, by Green's theorem over those pieces of the boundaries that no other outline
-/// covers; exact to rounding, boundaries that coincide included. Cost is linear in the number of outlines for shapes of like size.
+/// Area of the part of a window that at least one outline covers, by Green's theorem over those pieces of the
+/// boundaries that no other outline covers; exact to rounding, boundaries that coincide included. Cost is linear in the
+/// number of outlines for shapes of like size.
 double union_area(std::span<const Outline> outlines, const Rectangle& window);
 
 /// Area, centroid and second moment of a region.
@@ -94,8 +96,8 @@ struct Moments {
   double polar = 0;  ///< integral of the squared distance from the centroid, m^4
 };
 
-/// The boundary of the union of disks: arcs with the inside on their left, loop after loop, each arc beginning where the one before it ends. Holes are
-/// loops, too.
+/// The boundary of the union of disks: arcs with the inside on their left, loop after loop, each arc beginning where
+/// the one before it ends. Holes are loops, too.
 std::vector<Edge> rim_of_disks(const std::vector<Vec2>& centre, const std::vector<double>& radius);
 
 /// The boundary of a convex polygon, corners counter-clockwise, widened by a radius: sides and arcs by turns.

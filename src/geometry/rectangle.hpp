@@ -21,15 +21,20 @@ struct Rectangle {
   bool holds(Vec2 p) const { return p.x >= x_min && p.x <= x_max && p.y >= y_min && p.y <= y_max; }
 };
 
-constexpr Rectangle operator+(const Rectangle& r, Vec2 by) { return {r.x_min + by.x, r.x_max + by.x, r.y_min + by.y, r.y_max + by.y}; }
+constexpr Rectangle operator+(const Rectangle& r, Vec2 by) {
+  return {r.x_min + by.x, r.x_max + by.x, r.y_min + by.y, r.y_max + by.y};
+}
 
 /// As far as `reach` from a place to every side.
-constexpr Rectangle square_about(Vec2 place, double reach) { return {place.x - reach, place.x + reach, place.y - reach, place.y + reach}; }
+constexpr Rectangle square_about(Vec2 place, double reach) {
+  return {place.x - reach, place.x + reach, place.y - reach, place.y + reach};
+}
 
 /// The smallest upright rectangle around points, one at least.
 inline Rectangle bounds(std::span<const Vec2> points) {
   Rectangle box{points[0].x, points[0].x, points[0].y, points[0].y};
-  for (const Vec2 p : points) box = {std::min(box.x_min, p.x), std::max(box.x_max, p.x), std::min(box.y_min, p.y), std::max(box.y_max, p.y)};
+  for (const Vec2 p : points)
+    box = {std::min(box.x_min, p.x), std::max(box.x_max, p.x), std::min(box.y_min, p.y), std::max(box.y_max, p.y)};
   return box;
 }
 
@@ -39,7 +44,8 @@ inline Rectangle bounds(std::span<const Vec2> centres, std::span<const double> r
   for (std::size_t i = 0; i < centres.size(); ++i) {
     const auto [x, y] = centres[i];
     const double r = radii[i];
-    box = {std::min(box.x_min, x - r), std::max(box.x_max, x + r), std::min(box.y_min, y - r), std::max(box.y_max, y + r)};
+    box = {std::min(box.x_min, x - r), std::max(box.x_max, x + r), std::min(box.y_min, y - r),
+           std::max(box.y_max, y + r)};
   }
   return box;
 }
@@ -50,7 +56,9 @@ inline Vec2 nearest_on_segment(Vec2 a, Vec2 b, Vec2 place) {
   return a + std::clamp(dot(place - a, along) / dot(along, along), 0.0, 1.0) * along;
 }
 
-constexpr bool overlap(const Rectangle& a, const Rectangle& b) { return a.x_min <= b.x_max && b.x_min <= a.x_max && a.y_min <= b.y_max && b.y_min <= a.y_max; }
+constexpr bool overlap(const Rectangle& a, const Rectangle& b) {
+  return a.x_min <= b.x_max && b.x_min <= a.x_max && a.y_min <= b.y_max && b.y_min <= a.y_max;
+}
 
 /// Area that a disk and a rectangle have in common, exact to rounding (union_area.cpp).
 double disk_window_area(Vec2 centre, double radius, const Rectangle& window);

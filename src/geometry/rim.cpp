@@ -17,7 +17,9 @@ std::vector<Edge> chained(std::vector<Edge> open) {
   Vec2 end;
   while (!open.empty()) {
     auto next = open.begin();
-    if (!rim.empty()) next = std::min_element(open.begin(), open.end(), [&](const Edge& p, const Edge& q) { return norm(p.a - end) < norm(q.a - end); });
+    if (!rim.empty())
+      next = std::min_element(open.begin(), open.end(),
+                              [&](const Edge& p, const Edge& q) { return norm(p.a - end) < norm(q.a - end); });
     end = next->b;
     rim.push_back(*next);
     open.erase(next);
@@ -25,9 +27,11 @@ std::vector<Edge> chained(std::vector<Edge> open) {
   return rim;
 }
 
-/// Integral of f over the directed edge, f a polynomial in sines and cosines of low degree; Gauss's five points in each of eight parts.
+/// Integral of f over the directed edge, f a polynomial in sines and cosines of low degree; Gauss's five points in each
+/// of eight parts.
 template <class Integrand> double integral(const Edge& edge, Integrand f) {
-  constexpr std::array<double, 3> node{0, 0.5384693101056831, 0.9061798459386640}, weight{0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+  constexpr std::array<double, 3> node{0, 0.5384693101056831, 0.9061798459386640},
+      weight{0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
   constexpr int parts = 8;
   const double half = 0.5 / parts;
   double sum = 0;
@@ -57,8 +61,8 @@ std::vector<Edge> rim_of_disks(const std::vector<Vec2>& centre, const std::vecto
         std::vector<Part> covered;
         for (std::size_t other = 0; other < centre.size(); ++other)
           if (other != k)
-            add_covered_parts(arc, Outline::disk(centre[other], radius[other]), other < k ? CoveredSide::either : CoveredSide::outside, 1e-9 * radius[k],
-                              covered);
+            add_covered_parts(arc, Outline::disk(centre[other], radius[other]),
+                              other < k ? CoveredSide::either : CoveredSide::outside, 1e-9 * radius[k], covered);
         each_rest(covered, [&](double from, double to) { open.push_back(part_of(arc, from, to)); });
       }
   }
@@ -72,7 +76,8 @@ std::vector<Edge> rim_of_polygon(const std::vector<Vec2>& corner, double radius)
   for (std::size_t k = 0; k < n; ++k) {
     const Vec2 here = normal(k), next = normal(k + 1), to = corner[(k + 1) % n];
     rim.push_back(straight_edge(corner[k] + radius * here, to + radius * here));
-    rim.push_back({to + radius * here, to + radius * next, to, radius, std::atan2(here.y, here.x), std::atan2(cross(here, next), dot(here, next))});
+    rim.push_back({to + radius * here, to + radius * next, to, radius, std::atan2(here.y, here.x),
+                   std::atan2(cross(here, next), dot(here, next))});
   }
   return rim;
 }

@@ -140,7 +140,8 @@ double union_area(std::span<const Outline> outlines, const Rectangle& window) {
       if (!is_inside(box, w)) add_parts_outside(edge, w, step, covered);
       for (const auto other : near) {
         if (other == self || !overlap(index.boxes[other], box)) continue;
-        add_covered_parts(edge, index.outline[other], other < self ? CoveredSide::either : CoveredSide::outside, step, covered);
+        add_covered_parts(edge, index.outline[other], other < self ? CoveredSide::either : CoveredSide::outside, step,
+                          covered);
         if (!covered.empty() && covered.back().from == 0 && covered.back().to == 1) break;
       }
       double uncovered = 0;
@@ -154,7 +155,8 @@ double union_area(std::span<const Outline> outlines, const Rectangle& window) {
     const Rectangle box = bounds(side);
     index.find(box, near);
     covered.clear();
-    for (const auto other : near) add_covered_parts(side, index.outline[other], CoveredSide::inside, step_of(index.boxes[other]), covered);
+    for (const auto other : near)
+      add_covered_parts(side, index.outline[other], CoveredSide::inside, step_of(index.boxes[other]), covered);
     merge(covered);
     for (const Part& part : covered) area += side.area_under(part.from, part.to);
   }

@@ -39,7 +39,9 @@ struct Stated {
 class Statements {
  public:
   constexpr Statements() = default;
-  constexpr Statements(std::initializer_list<Stated> list) : count_(list.size()) { std::copy(list.begin(), list.end(), all_.begin()); }
+  constexpr Statements(std::initializer_list<Stated> list) : count_(list.size()) {
+    std::copy(list.begin(), list.end(), all_.begin());
+  }
   constexpr const Stated* begin() const { return all_.data(); }
   constexpr const Stated* end() const { return all_.data() + count_; }
 
@@ -59,14 +61,16 @@ template <class Family> auto format_named(const Family& all, std::string_view na
 }
 template <class Family> auto format_ending(const Family& all, const std::filesystem::path& path) {
   const std::string ending = path.extension().string();
-  return first_format(all, [&](const auto& format) { return !ending.empty() && std::ranges::count(format.endings, ending) > 0; });
+  return first_format(
+      all, [&](const auto& format) { return !ending.empty() && std::ranges::count(format.endings, ending) > 0; });
 }
 
 struct Any {
   bool operator()(const auto&) const { return true; }
 };
 /// Names or sentences of all formats of a family, or of those that fit.
-template <class Family, class Word, class Fits = Any> std::vector<std::string> words_of(const Family& all, Word word, Fits fits = {}) {
+template <class Family, class Word, class Fits = Any>
+std::vector<std::string> words_of(const Family& all, Word word, Fits fits = {}) {
   std::vector<std::string> words;
   for (const auto* format : all)
     if (fits(*format)) words.emplace_back(std::invoke(word, *format));

@@ -29,14 +29,17 @@ template <int D = 2> constexpr Vec<D> inward_normal(int side) {
   return normal;
 }
 
-/// What lies along a side: in the plane a number, y of left and right and x of bottom and top, in space a vector without the component along the normal.
+/// What lies along a side: in the plane a number, y of left and right and x of bottom and top, in space a vector
+/// without the component along the normal.
 template <int D> using Along = std::conditional_t<D == 2, double, Vec<D>>;
 
 /// Of a vector along the normal of a side, and along the side itself.
 template <int D> constexpr double across(int side, Vec<D> v) { return v[axis_of(side)]; }
 constexpr double along(int side, Vec2 v) { return v[1 - axis_of(side)]; }
 /// The vector of which these are the two.
-constexpr Vec2 of_side(int side, double across, double along) { return axis_of(side) == 0 ? Vec2{across, along} : Vec2{along, across}; }
+constexpr Vec2 of_side(int side, double across, double along) {
+  return axis_of(side) == 0 ? Vec2{across, along} : Vec2{along, across};
+}
 constexpr Vec3 of_side(int side, double across, Vec3 along) {
   along[axis_of(side)] = across;
   return along;
@@ -53,8 +56,8 @@ template <int D> struct WallIn {
 };
 using Wall = WallIn<2>;
 
-/// A rigid boundary of straight segments within the container: a hopper, a gate, a drum, an intruder. It is thin, with grains on either side, and moves as
-/// it is told, whatever the grains do. Like a wall it may be absent.
+/// A rigid boundary of straight segments within the container: a hopper, a gate, a drum, an intruder. It is thin, with
+/// grains on either side, and moves as it is told, whatever the grains do. Like a wall it may be absent.
 struct Boundary {
   std::string name;
   std::vector<Vec2> points;  ///< m; a segment joins each with the next
@@ -74,8 +77,8 @@ Vec2 mean_point(const std::vector<Vec2>& points);
 /// So many periodic cells along each axis.
 template <int D> using Cells = Vec<D, std::int32_t>;
 
-/// What holds a sample along its axes: a wall at either end, or periodic sides (then the walls of that direction are absent, and their positions are the
-/// edges of the cell).
+/// What holds a sample along its axes: a wall at either end, or periodic sides (then the walls of that direction are
+/// absent, and their positions are the edges of the cell).
 template <int D> struct Container {
   std::array<WallIn<D>, sides_in<D>> wall;
   std::array<bool, D> periodic{};  ///< by axis
@@ -92,7 +95,9 @@ template <int D> struct Container {
   bool is_periodic(int side) const { return periodic[axis_of(side)]; }
   bool is_cell() const { return std::ranges::any_of(periodic, std::identity()); }  ///< along one axis at least
   /// How far a place lies within the plane of a side, m.
-  double depth(int side, Vec<D> place) const { return side % 2 == 0 ? across(side, place) - wall[side].position : wall[side].position - across(side, place); }
+  double depth(int side, Vec<D> place) const {
+    return side % 2 == 0 ? across(side, place) - wall[side].position : wall[side].position - across(side, place);
+  }
 
   /// From a place to its image so many cells on, m.
   Vec<D> way(Cells<D> cells) const {
@@ -100,7 +105,8 @@ template <int D> struct Container {
     way.x += cells.y * tilt;
     return way;
   }
-  /// In which cell a place lies, counted from the one of now; 0 along axes that are not periodic. The place moved from there into the one of now.
+  /// In which cell a place lies, counted from the one of now; 0 along axes that are not periodic. The place moved from
+  /// there into the one of now.
   Cells<D> cell_of(Vec<D> place) const { return whole(floors(place)); }
   Vec<D> wrapped(Vec<D> place) const { return moved_back(place, floors(place)); }
   /// By how many cells a vector between two points is longer than the one to the nearest periodic image, and that one.
@@ -110,7 +116,9 @@ template <int D> struct Container {
   bool is_near(Vec<D> place, double reach) const {
     bool near = true;
     for (int axis = 0; axis < D; ++axis)
-      if (periodic[axis]) near = near && place[axis] > wall[2 * axis].position - reach && place[axis] < wall[2 * axis + 1].position + reach;
+      if (periodic[axis])
+        near =
+            near && place[axis] > wall[2 * axis].position - reach && place[axis] < wall[2 * axis + 1].position + reach;
     return near;
   }
   /// Calls `see` for the cell of now, 0, and those around it, along x first.
@@ -155,8 +163,8 @@ struct Domain : Container<2> {
   double height() const { return extent(1); }
   double area() const { return width() * height(); }
   double length(int side) const { return extent(1 - axis_of(side)); }  ///< along it
-  /// How many elements the boundaries have: two a point, the point itself and the segment from it to the next, counted through all boundaries. The
-  /// last segment of an open boundary counts, though nothing touches it.
+  /// How many elements the boundaries have: two a point, the point itself and the segment from it to the next, counted
+  /// through all boundaries. The last segment of an open boundary counts, though nothing touches it.
   int elements() const;
   /// The boundary that an element belongs to; -1 for a number beyond them.
   int boundary_of(int element) const;

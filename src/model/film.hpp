@@ -29,14 +29,15 @@ struct FilmInfo {
   std::vector<double> time;            ///< s after the first frame, one a frame, where frames are stamped; else empty
   /// Stamp of the first frame, s from any moment that files of one recording share; NaN without stamps.
   double start = std::numeric_limits<double>::quiet_NaN();
-  std::vector<std::int64_t> number;  ///< of every frame, from 0, where frames are counted and some are missing; else empty
+  std::vector<std::int64_t>
+      number;  ///< of every frame, from 0, where frames are counted and some are missing; else empty
   std::vector<std::string> remarks;  ///< what a user should know about this film, each a sentence
 
   std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };
 
-/// Frames of a film in memory, one after the other, each row by row from the top left. One of the two arrays is filled: `level` where pixels are
-/// 16-bit whole numbers, `value` where they are floating.
+/// Frames of a film in memory, one after the other, each row by row from the top left. One of the two arrays is filled:
+/// `level` where pixels are 16-bit whole numbers, `value` where they are floating.
 struct FrameBlock {
   std::int64_t first = 0;  ///< number of the first frame, from 0
   std::size_t frames = 0;
@@ -59,19 +60,21 @@ class FilmSource {
   virtual const FilmInfo& info() const = 0;
   /// Frames first .. first + count - 1 into `block`, whose memory is used again. Throws InputError for a damaged file.
   virtual void read(std::int64_t first, std::size_t count, FrameBlock& block) = 0;
-  /// All frames, one after the other, where they are in memory already: they are looked at there and not copied. Null for films that are read, and
-  /// for pixels of the other kind.
+  /// All frames, one after the other, where they are in memory already: they are looked at there and not copied. Null
+  /// for films that are read, and for pixels of the other kind.
   virtual const std::uint16_t* levels_in_memory() const { return nullptr; }
   virtual const float* values_in_memory() const { return nullptr; }
 };
 
-/// Calls visit(pixels, n, some) for `count` frames from `first` on, some at a time, of which the first is number n of the `count`: where they are in
-/// memory, or read into a few megabytes, which the caches hold until they are looked at. Ends with false where that is false.
+/// Calls visit(pixels, n, some) for `count` frames from `first` on, some at a time, of which the first is number n of
+/// the `count`: where they are in memory, or read into a few megabytes, which the caches hold until they are looked at.
+/// Ends with false where that is false.
 template <class Visit> bool read_frames(FilmSource& film, std::size_t first, std::size_t count, Visit&& visit) {
   const std::uint16_t* levels = film.levels_in_memory();
   const float* values = film.values_in_memory();
   const bool in_memory = levels || values;
-  const std::size_t pixels = film.info().pixels(), bytes = std::max<std::size_t>(1, pixels * (film.info().floating ? 4 : 2));
+  const std::size_t pixels = film.info().pixels(),
+                    bytes = std::max<std::size_t>(1, pixels * (film.info().floating ? 4 : 2));
   const std::size_t at_once = std::max<std::size_t>(16, (std::size_t{in_memory ? 256U : 8U} << 20) / bytes / 16 * 16);
   FrameBlock block;
   for (std::size_t n = 0; n < count; n += at_once) {
@@ -102,16 +105,22 @@ struct Film : FilmSource {
   const float* values_in_memory() const override { return value.empty() ? nullptr : value.data(); }
 };
 
-/// How the size of an oscillation is given: the amplitude of its cosine, or twice that, from its smallest to its largest value.
+/// How the size of an oscillation is given: the amplitude of its cosine, or twice that, from its smallest to its
+/// largest value.
 enum class AmplitudeConvention { amplitude, peak_to_peak };
 
 /// "amplitude" or "peak_to_peak", as in files and JSON.
-inline const char* name_of(AmplitudeConvention convention) { return convention == AmplitudeConvention::peak_to_peak ? "peak_to_peak" : "amplitude"; }
+inline const char* name_of(AmplitudeConvention convention) {
+  return convention == AmplitudeConvention::peak_to_peak ? "peak_to_peak" : "amplitude";
+}
 /// What makes a value of this convention peak to peak.
-inline double to_peak_to_peak(AmplitudeConvention convention) { return convention == AmplitudeConvention::peak_to_peak ? 1 : 2; }
+inline double to_peak_to_peak(AmplitudeConvention convention) {
+  return convention == AmplitudeConvention::peak_to_peak ? 1 : 2;
+}
 
-/// What a lock-in finds in every pixel of a film, in the film's unit (digital level or K), rows from the top. The oscillation at the load frequency f is a_1
-/// cos(2 pi f t - phase); `in_phase` is a_1 cos(phase - reference): signed, positive where the pixel warms when the load rises.
+/// What a lock-in finds in every pixel of a film, in the film's unit (digital level or K), rows from the top. The
+/// oscillation at the load frequency f is a_1 cos(2 pi f t - phase); `in_phase` is a_1 cos(phase - reference): signed,
+/// positive where the pixel warms when the load rises.
 struct LockinMaps {
   int width = 0, height = 0;
   double frequency = 0;             ///< refined, Hz
@@ -119,21 +128,22 @@ struct LockinMaps {
   double reference_phase = 0;       ///< rad
   std::size_t frames = 0;           ///< used
   std::vector<std::int64_t> blank;  ///< frames of the film that hold no picture and were left out
-  double noise_ratio = 1;           ///< variance of the noise at the load's frequency over what the residual would be there if it were white
+  double noise_ratio =
+      1;  ///< variance of the noise at the load's frequency over what the residual would be there if it were white
   /// How often noise alone has as much amplitude in one phase as the pixels have at this frequency; NaN: unknown.
   double chance = std::numeric_limits<double>::quiet_NaN();
   /// Share of the amplitude above the noise that has one phase, or its opposite, in all pixels; NaN: unknown.
   double one_phase = std::numeric_limits<double>::quiet_NaN();
-  double other_frequency = 0;          ///< Hz, at which the film oscillates where the load's frequency shows nothing; 0: none
+  double other_frequency = 0;  ///< Hz, at which the film oscillates where the load's frequency shows nothing; 0: none
   int drift_order = 0, harmonics = 1;  ///< that were fitted
-  double own_share = 1;                ///< of the variance of a pixel's noise at the load's frequency, that no other pixel shares
+  double own_share = 1;  ///< of the variance of a pixel's noise at the load's frequency, that no other pixel shares
   double common_error = 0,
          column_error = 0;  ///< standard errors of in_phase that all pixels share, and those of a column
   std::vector<double> shared_cosine,
-      shared_sine;                                                  ///< of what was taken off every pixel of a column; empty: nothing was
-  std::size_t lost_frames = 0;                                      ///< that no time stamp shows, but the phase of the load does
-  std::vector<double> time;                                         ///< of all frames where some were lost so, s after the first; else as the film says
-  std::vector<std::string> disturbances;                            ///< what the film shows beside the load and its drift, each a sentence
+      shared_sine;              ///< of what was taken off every pixel of a column; empty: nothing was
+  std::size_t lost_frames = 0;  ///< that no time stamp shows, but the phase of the load does
+  std::vector<double> time;     ///< of all frames where some were lost so, s after the first; else as the film says
+  std::vector<std::string> disturbances;  ///< what the film shows beside the load and its drift, each a sentence
   AmplitudeConvention convention = AmplitudeConvention::amplitude;  ///< of every amplitude below
   std::vector<float> mean;                                          ///< at the middle of the film
   std::vector<float> drift;                                         ///< slope of the mean, unit/s
@@ -163,8 +173,8 @@ inline constexpr std::array lockin_maps{LockinMap{"mean", "K", &LockinMaps::mean
                                         LockinMap{"second_harmonic", "K", &LockinMaps::second_harmonic},
                                         LockinMap{"residual", "K", &LockinMaps::residual}};
 
-/// Motion of every grain about its mean place at the load frequency, in pixels (y down): cosine cos(2 pi f t) + sine sin(2 pi f t), t in s after the
-/// first frame.
+/// Motion of every grain about its mean place at the load frequency, in pixels (y down): cosine cos(2 pi f t) + sine
+/// sin(2 pi f t), t in s after the first frame.
 struct GrainMotion {
   std::vector<Vec2> cosine, sine;
   std::vector<double> error;  ///< standard error of each of the four coordinates
@@ -173,7 +183,8 @@ struct GrainMotion {
   Vec2 at(std::size_t grain, double c, double s) const { return c * cosine[grain] + s * sine[grain]; }
 };
 
-/// Peak-to-peak change of temperature and stress of every grain between the smallest and the largest load, as a film shows it.
+/// Peak-to-peak change of temperature and stress of every grain between the smallest and the largest load, as a film
+/// shows it.
 struct PeakToPeak {
   std::vector<double> temperature;  ///< of the mean over the grain's centre, K
   std::vector<double> sigma_hyd;    ///< of (sigma_1 + sigma_2)/2, Pa; tension positive

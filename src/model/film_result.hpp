@@ -21,15 +21,17 @@ struct FilmSimulation {
 
 /// How contact forces agree with what they were inferred from, and with what was given beside the film.
 struct ForceFit {
-  std::size_t proposed = 0;                              ///< contacts
-  double present = 0, present_error = 0;                 ///< number of contacts that are there, as far as forces and gaps show
-  std::vector<float> picture;                            ///< peak to peak, as the forces make the maps show it, K, rows from the top; no number outside grains
-  double over_noise = 0;                                 ///< root mean square of measured less fitted over the measured noise alone (chi)
-  double over_signal = 0;                                ///< median size of measured less fitted over that of the measured
-  double load = 0;                                       ///< on the lower wall by forces inferred without it, N; 0: not known
-  double model_error = 0;                                ///< error of the disks' fields, share of the signal, that makes the two agree
-  std::vector<double> factor_scale, factor_scale_error;  ///< one a material: the film asks for a factor so many times larger
-  double factor_scatter = 0;                             ///< by which factors of grains scatter about those of their materials, relative
+  std::size_t proposed = 0;               ///< contacts
+  double present = 0, present_error = 0;  ///< number of contacts that are there, as far as forces and gaps show
+  std::vector<float>
+      picture;  ///< peak to peak, as the forces make the maps show it, K, rows from the top; no number outside grains
+  double over_noise = 0;   ///< root mean square of measured less fitted over the measured noise alone (chi)
+  double over_signal = 0;  ///< median size of measured less fitted over that of the measured
+  double load = 0;         ///< on the lower wall by forces inferred without it, N; 0: not known
+  double model_error = 0;  ///< error of the disks' fields, share of the signal, that makes the two agree
+  std::vector<double> factor_scale,
+      factor_scale_error;     ///< one a material: the film asks for a factor so many times larger
+  double factor_scatter = 0;  ///< by which factors of grains scatter about those of their materials, relative
 };
 
 /// Light that lens and housing scatter far.
@@ -47,8 +49,8 @@ struct FilmWalls {
   double travel = 0;        ///< of the lower wall, as grains show it, m; 0: as given
 };
 
-/// What a film of a loaded packing gives: maps in kelvin, rows from the top, and grains. Grains and contacts with their inferred forces are
-/// `packing`; the arrays beside it follow its order. One file in the store.
+/// What a film of a loaded packing gives: maps in kelvin, rows from the top, and grains. Grains and contacts with their
+/// inferred forces are `packing`; the arrays beside it follow its order. One file in the store.
 struct FilmResult : ResultHead {
   FilmInfo film;                  ///< without time stamps
   double pixel = 0;               ///< m
@@ -61,12 +63,13 @@ struct FilmResult : ResultHead {
   PeakToPeak peak_to_peak;
   Packing packing;                         ///< in metres at the largest load; forces are peak to peak
   std::vector<double> fn_error, ft_error;  ///< N, one a contact
-  std::vector<double> presence;            ///< probability that each of the packing's contacts is there; the others that were proposed are not kept
-  ForceFit fit;                            ///< how well the forces agree with the film and the load; empty without forces
-  double rim_blur = 0;                     ///< of the lens as the rims show it, pixels; 0: not known
-  FilmHalo halo;                           ///< that was taken off
-  FilmWalls walls;                         ///< where the rims show the container, against where it was said to be
-  std::vector<std::string> doubts;         ///< what the film says against what was given beside it, one sentence each
+  std::vector<double> presence;     ///< probability that each of the packing's contacts is there; the others that were
+                                    ///< proposed are not kept
+  ForceFit fit;                     ///< how well the forces agree with the film and the load; empty without forces
+  double rim_blur = 0;              ///< of the lens as the rims show it, pixels; 0: not known
+  FilmHalo halo;                    ///< that was taken off
+  FilmWalls walls;                  ///< where the rims show the container, against where it was said to be
+  std::vector<std::string> doubts;  ///< what the film says against what was given beside it, one sentence each
   FilmSimulation simulation;
   Numbers numbers;
 };

@@ -8,8 +8,8 @@ namespace arenite {
 /// What broke a bond: the pull on its whole section, the pull on the fibre that bending stretches most, or shear.
 enum class BondBreak : std::int32_t { none = 0, tension = 1, bending = 2, shear = 3 };
 
-/// A beam of cement between grains i < j, free of stress where it was made, which breaks for good. Signs are those of Contacts: n points from j to i,
-/// the force on i is fn n + ft t, fn > 0 pushes.
+/// A beam of cement between grains i < j, free of stress where it was made, which breaks for good. Signs are those of
+/// Contacts: n points from j to i, the force on i is fn n + ft t, fn > 0 pushes.
 struct Bond {
   std::int32_t i = 0, j = 0;
   double length = 0;                ///< of the branch when it was made, m
@@ -27,7 +27,8 @@ struct Bond {
 /// Two grains i < j that a liquid bridge joins, or that attract each other by adhesion, touching or not.
 struct CohesivePair {
   std::int32_t i = 0, j = 0;
-  double gap = 0;     ///< between the surfaces, m; negative where they overlap. The force of such a contact has the pull in it
+  double gap =
+      0;  ///< between the surfaces, m; negative where they overlap. The force of such a contact has the pull in it
   double pull = 0;    ///< along the line that joins them, N
   double energy = 0;  ///< J, 0 where it begins to act
 };

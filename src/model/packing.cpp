@@ -15,7 +15,8 @@ template <int D> double GrainsIn<D>::area() const requires(D == 2) {
 }
 
 template <int D> double GrainsIn<D>::mean_diameter() const {
-  return radius.empty() ? 0 : 2 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
+  return radius.empty() ? 0
+                        : 2 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
 }
 
 template <int D> void GrainsIn<D>::resize(std::size_t n) {
@@ -48,7 +49,8 @@ Grains picked(const Grains& from, const std::vector<std::int32_t>& which, Vec2 o
 }
 
 template <int D>
-void ContactsIn<D>::add(std::int32_t a, std::int32_t b, Vec<D> n, double normal_force, Turning<D> tangential_force, double arm_a, double arm_b) {
+void ContactsIn<D>::add(std::int32_t a, std::int32_t b, Vec<D> n, double normal_force, Turning<D> tangential_force,
+                        double arm_a, double arm_b) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   i.push_back(a);
   j.push_back(b);

@@ -31,30 +31,33 @@ template <class Named> std::size_t index_of(const std::vector<Named>& all, std::
   return static_cast<std::size_t>(std::ranges::find(all, name, &Named::name) - all.begin());
 }
 
-/// What grains are that are no single disks (shapes.hpp): rigid, of several disks each. Grain g has the disks first[g] to first[g + 1] - 1. Empty where
-/// all grains are disks; else a grain that is one has itself.
+/// What grains are that are no single disks (shapes.hpp): rigid, of several disks each. Grain g has the disks first[g]
+/// to first[g + 1] - 1. Empty where all grains are disks; else a grain that is one has itself.
 struct Shapes {
   std::vector<std::int32_t> first;   ///< by grain, and one more
   std::vector<Vec2> place;           ///< by disk: from the grain's centre of mass where the grain's angle is 0, m
   std::vector<double> radius;        ///< by disk, m
-  std::vector<std::uint8_t> filled;  ///< by grain; 1: the convex polygon of its disks' centres, counter-clockwise, widened by their common radius
+  std::vector<std::uint8_t> filled;  ///< by grain; 1: the convex polygon of its disks' centres, counter-clockwise,
+                                     ///< widened by their common radius
   std::vector<double> gyration;      ///< by grain: radius of gyration about the centre of mass, m
   bool empty() const { return first.empty(); }
   bool operator==(const Shapes&) const = default;
 };
 
-/// Grains as a structure of arrays: cylinders of equal length seen end on, so disks unless `shapes` says otherwise; in space spheres. All arrays have one length.
-/// Index = position in these arrays = what Contacts refer to; `id` is the user's name for a grain.
+/// Grains as a structure of arrays: cylinders of equal length seen end on, so disks unless `shapes` says otherwise; in
+/// space spheres. All arrays have one length. Index = position in these arrays = what Contacts refer to; `id` is the
+/// user's name for a grain.
 template <int D> struct GrainsIn {
   std::vector<std::int64_t> id;
   std::vector<Vec<D>> position;        ///< of the centre of mass, m
   std::vector<double> radius;          ///< m; of a grain that is no disk that of the disk of its area
   std::vector<std::int32_t> material;  ///< index into Materials
-  std::vector<Turning<D>> angle;       ///< rotation since the start, rad, counter-clockwise; of spheres the integral of omega
-  std::vector<Vec<D>> velocity;        ///< m/s
-  std::vector<Turning<D>> omega;       ///< rad/s
-  std::vector<std::uint8_t> zone;      ///< 0: none; > 0: number of a region (1: glued agglomerate)
-  Shapes shapes;                       ///< in the plane alone
+  std::vector<Turning<D>>
+      angle;                     ///< rotation since the start, rad, counter-clockwise; of spheres the integral of omega
+  std::vector<Vec<D>> velocity;  ///< m/s
+  std::vector<Turning<D>> omega;   ///< rad/s
+  std::vector<std::uint8_t> zone;  ///< 0: none; > 0: number of a region (1: glued agglomerate)
+  Shapes shapes;                   ///< in the plane alone
 
   std::size_t size() const { return position.size(); }
   double area() const requires(D == 2);  ///< of all disks, m^2
@@ -67,7 +70,8 @@ using Grains = GrainsIn<2>;
 /// Those of the grains, at rest, with centres counted from `origin`.
 Grains picked(const Grains& from, const std::vector<std::int32_t>& grains, Vec2 origin = {});
 
-/// What Contacts::j says of a partner that is no grain: below 0 stand the four sides, and behind them the elements of boundaries.
+/// What Contacts::j says of a partner that is no grain: below 0 stand the four sides, and behind them the elements of
+/// boundaries.
 constexpr std::int32_t wall_partner(int side) { return -1 - side; }
 constexpr std::int32_t boundary_partner(int element) { return wall_partner(top) - 1 - element; }
 constexpr bool is_wall(std::int32_t partner) { return partner < 0; }  ///< of a boundary as well
@@ -75,11 +79,12 @@ constexpr bool is_boundary(std::int32_t partner) { return partner < wall_partner
 constexpr int wall_side(std::int32_t partner) { return -1 - partner; }  ///< 4 and more: of a boundary
 constexpr int element_of(std::int32_t partner) { return wall_partner(top) - 1 - partner; }
 
-/// Contacts as a structure of arrays, each physical contact once. A contact joins grain i with grain j, or with a wall: then j = wall_partner(side) <
-/// 0, which goes on behind the four sides with the elements of boundaries, boundary_partner(element). n points from j to i, t is n turned by +90 degrees,
-/// and the force on i is fn n + ft t (fn > 0 pushes apart), in space fn n + ft x n; the force on j is the opposite.
-/// The contact point lies at x_i - arm_i n and, for two disks, at x_j + arm_j n, so the branch vector from j to i is (arm_i + arm_j) n. The arms of
-/// grains that are no disks begin off their centres, and two of them may meet in more than one contact.
+/// Contacts as a structure of arrays, each physical contact once. A contact joins grain i with grain j, or with a wall:
+/// then j = wall_partner(side) < 0, which goes on behind the four sides with the elements of boundaries,
+/// boundary_partner(element). n points from j to i, t is n turned by +90 degrees, and the force on i is fn n + ft t (fn
+/// > 0 pushes apart), in space fn n + ft x n; the force on j is the opposite. The contact point lies at x_i - arm_i n
+/// and, for two disks, at x_j + arm_j n, so the branch vector from j to i is (arm_i + arm_j) n. The arms of grains that
+/// are no disks begin off their centres, and two of them may meet in more than one contact.
 template <int D> struct ContactsIn {
   std::vector<std::int32_t> i, j;
   std::vector<Vec<D>> normal;
@@ -89,7 +94,8 @@ template <int D> struct ContactsIn {
   std::vector<double> overlap;               ///< h, m; NaN where the source of the data does not say
   std::vector<Turning<D>> sliding_velocity;  ///< v_s, m/s, counted as ft; NaN where unknown
   std::vector<std::uint8_t> glued;           ///< 1 where adhesion acts
-  std::vector<Vec<D>> off_i, off_j;          ///< from the centre to where the arm begins, m; empty where all grains are disks or spheres
+  std::vector<Vec<D>> off_i,
+      off_j;  ///< from the centre to where the arm begins, m; empty where all grains are disks or spheres
 
   std::size_t size() const { return i.size(); }
   bool is_wall(std::size_t c) const { return arenite::is_wall(j[c]); }
@@ -107,14 +113,16 @@ template <int D> struct ContactsIn {
     return off_j.empty() ? arm : off_j[c] + arm;
   }
   /// From the centre of grain i to that of grain j, or to the wall, m.
-  Vec<D> branch(std::size_t c) const { return off_i.empty() ? -(arm_i[c] + arm_j[c]) * normal[c] : lever_i(c) - lever_j(c); }
+  Vec<D> branch(std::size_t c) const {
+    return off_i.empty() ? -(arm_i[c] + arm_j[c]) * normal[c] : lever_i(c) - lever_j(c);
+  }
   /// Adds one contact; overlap and sliding velocity unknown, not glued.
   void add(std::int32_t i, std::int32_t j, Vec<D> normal, double fn, Turning<D> ft, double arm_i, double arm_j);
 };
 using Contacts = ContactsIn<2>;
 
-/// Grains in their container, with the contacts between them where these are known. This is what one stage hands to the next, and what texture, exports
-/// and figures read, whether it was simulated or measured.
+/// Grains in their container, with the contacts between them where these are known. This is what one stage hands to the
+/// next, and what texture, exports and figures read, whether it was simulated or measured.
 template <int D> struct PackingIn {
   Materials materials;
   DomainIn<D> domain;

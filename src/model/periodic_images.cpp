@@ -11,7 +11,9 @@ namespace {
 int turns(double reach, double length, bool periodic) {
   constexpr double most = 1000;
   if (!periodic) return 0;
-  if (!(reach < most * length)) throw InputError("grains are a thousand times larger than their periodic cell; correct the unit of the radii, or the cell");
+  if (!(reach < most * length))
+    throw InputError(
+        "grains are a thousand times larger than their periodic cell; correct the unit of the radii, or the cell");
   return 1 + static_cast<int>(reach / length);
 }
 
@@ -26,16 +28,20 @@ void PeriodicImages::add(Vec2 place, double r, std::int32_t disk) {
 std::vector<geometry::Pair> PeriodicImages::close_pairs(double gap) const {
   if (centre.empty()) return {};
   const auto box = geometry::bounds(centre);
-  return geometry::close_pairs(centre, radius, {{box.x_min, box.y_min}, {std::max(box.width(), radius[0]), std::max(box.height(), radius[0])}}, gap);
+  return geometry::close_pairs(
+      centre, radius, {{box.x_min, box.y_min}, {std::max(box.width(), radius[0]), std::max(box.height(), radius[0])}},
+      gap);
 }
 
 PeriodicImages images_of(std::span<const Vec2> centre, std::span<const double> radius, const Domain& d, double gap) {
   const double largest = radius.empty() ? 0 : *std::max_element(radius.begin(), radius.end());
   PeriodicImages images;
-  for (std::size_t g = 0; g < centre.size(); ++g) images.add(d.wrapped(centre[g]), radius[g], static_cast<std::int32_t>(g));
+  for (std::size_t g = 0; g < centre.size(); ++g)
+    images.add(d.wrapped(centre[g]), radius[g], static_cast<std::int32_t>(g));
   for (std::size_t g = 0; g < centre.size(); ++g) {
     const double reach = radius[g] + largest + gap;
-    const int ny = turns(reach, d.height(), d.periodic[1]), nx = d.periodic[0] ? turns(reach, d.width(), true) + (d.tilt != 0 ? ny : 0) : 0;
+    const int ny = turns(reach, d.height(), d.periodic[1]),
+              nx = d.periodic[0] ? turns(reach, d.width(), true) + (d.tilt != 0 ? ny : 0) : 0;
     for (int iy = -ny; iy <= ny; ++iy)
       for (int ix = -nx; ix <= nx; ++ix) {
         const Vec2 p = images.centre[g] + d.way({ix, iy});
@@ -43,8 +49,8 @@ PeriodicImages images_of(std::span<const Vec2> centre, std::span<const double> r
       }
     if (images.centre.size() > 1'000'000 + 256 * centre.size())
       throw InputError(
-          "grains or the gap are so wide compared with the periodic cell that each grain has hundreds of images; correct the unit of the radii, the gap or the "
-          "cell");
+          "grains or the gap are so wide compared with the periodic cell that each grain has hundreds of images; "
+          "correct the unit of the radii, the gap or the cell");
   }
   return images;
 }

@@ -12,7 +12,9 @@
 namespace arenite {
 
 /// What holds a sample as a rectangle.
-inline geometry::Rectangle box_of(const Domain& d) { return {d.wall[left].position, d.wall[right].position, d.wall[bottom].position, d.wall[top].position}; }
+inline geometry::Rectangle box_of(const Domain& d) {
+  return {d.wall[left].position, d.wall[right].position, d.wall[bottom].position, d.wall[top].position};
+}
 
 /// One periodic image: so many widths and heights away, and by how much that moves a point, m.
 struct ImageShift {
@@ -20,18 +22,25 @@ struct ImageShift {
   Vec2 shift;
 };
 
-/// Calls `visit` for every image of a cell (the cell itself among them) in which something that fills `extent` overlaps `window`. Rows of a
-/// tilted cell are moved along x by `Domain::tilt` each (Lees-Edwards). Where nothing is periodic that is at most the thing itself.
-template <class Visit> void for_each_image(const Domain& domain, const geometry::Rectangle& extent, const geometry::Rectangle& window, Visit&& visit) {
+/// Calls `visit` for every image of a cell (the cell itself among them) in which something that fills `extent` overlaps
+/// `window`. Rows of a tilted cell are moved along x by `Domain::tilt` each (Lees-Edwards). Where nothing is periodic
+/// that is at most the thing itself.
+template <class Visit>
+void for_each_image(const Domain& domain, const geometry::Rectangle& extent, const geometry::Rectangle& window,
+                    Visit&& visit) {
   const auto range = [](double low, double high, double period, bool periodic) {
-    if (periodic) return std::pair{static_cast<int>(std::ceil(low / period)), static_cast<int>(std::floor(high / period))};
+    if (periodic)
+      return std::pair{static_cast<int>(std::ceil(low / period)), static_cast<int>(std::floor(high / period))};
     return std::pair{0, low <= 0 && high >= 0 ? 0 : -1};
   };
-  const auto [row0, row1] = range(window.y_min - extent.y_max, window.y_max - extent.y_min, domain.height(), domain.periodic[1]);
+  const auto [row0, row1] =
+      range(window.y_min - extent.y_max, window.y_max - extent.y_min, domain.height(), domain.periodic[1]);
   for (int row = row0; row <= row1; ++row) {
     const double along = row * domain.tilt;
-    const auto [column0, column1] = range(window.x_min - extent.x_max - along, window.x_max - extent.x_min - along, domain.width(), domain.periodic[0]);
-    for (int column = column0; column <= column1; ++column) visit(ImageShift{column, row, {column * domain.width() + along, row * domain.height()}});
+    const auto [column0, column1] = range(window.x_min - extent.x_max - along, window.x_max - extent.x_min - along,
+                                          domain.width(), domain.periodic[0]);
+    for (int column = column0; column <= column1; ++column)
+      visit(ImageShift{column, row, {column * domain.width() + along, row * domain.height()}});
   }
 }
 
@@ -47,8 +56,11 @@ struct PeriodicImages {
 };
 
 /// `gap`: the widest that is asked about, m. Throws InputError for disks far larger than the cell.
-PeriodicImages images_of(std::span<const Vec2> centre, std::span<const double> radius, const Domain& domain, double gap);
-inline PeriodicImages images_of(const Grains& grains, const Domain& domain, double gap) { return images_of(grains.position, grains.radius, domain, gap); }
+PeriodicImages images_of(std::span<const Vec2> centre, std::span<const double> radius, const Domain& domain,
+                         double gap);
+inline PeriodicImages images_of(const Grains& grains, const Domain& domain, double gap) {
+  return images_of(grains.position, grains.radius, domain, gap);
+}
 
 /// Every pair of grains whose surface gap (nearest image, sheared cells too) is at most `gap`, m, by (i, j), i < j.
 std::vector<geometry::Pair> pairs_within(const Grains& grains, const Domain& domain, double gap);

@@ -18,11 +18,13 @@ PhaseMap make_phase_map(int width, int height, double dx) {
 void check(const PhaseMap& map) {
   Problems problems;
   const bool has_nodes = map.width > 0 && map.height > 0;
-  problems.unless(has_nodes, "a phase map of {} x {} nodes is empty; give at least one node in each direction", map.width, map.height);
-  problems.unless(map.dx > 0 && std::isfinite(map.dx), "the node spacing of a phase map is {:g} m; give a positive length", map.dx);
+  problems.unless(has_nodes, "a phase map of {} x {} nodes is empty; give at least one node in each direction",
+                  map.width, map.height);
+  problems.unless(map.dx > 0 && std::isfinite(map.dx),
+                  "the node spacing of a phase map is {:g} m; give a positive length", map.dx);
   problems.unless(!has_nodes || (map.phase.size() == map.size() && map.grain.size() == map.size()),
-                  "a phase map of {} x {} nodes has {} phases and {} labels; give one of each per node", map.width, map.height, map.phase.size(),
-                  map.grain.size());
+                  "a phase map of {} x {} nodes has {} phases and {} labels; give one of each per node", map.width,
+                  map.height, map.phase.size(), map.grain.size());
   problems.raise();
 
   const auto grains = static_cast<std::int32_t>(map.grain_class.size());
@@ -31,8 +33,10 @@ void check(const PhaseMap& map) {
     const auto label = map.grain[i];
     if (particle ? label >= 0 && label < grains : label == -1) continue;
     const auto x = i % static_cast<std::size_t>(map.width), y = i / static_cast<std::size_t>(map.width);
-    throw InputError(particle ? fmt::format("the particle node ({}, {}) has grain label {}; labels run from 0 to {}", x, y, label, grains - 1)
-                              : fmt::format("the node ({}, {}) is not a particle but has grain label {}; give it -1", x, y, label));
+    throw InputError(
+        particle ? fmt::format("the particle node ({}, {}) has grain label {}; labels run from 0 to {}", x, y, label,
+                               grains - 1)
+                 : fmt::format("the node ({}, {}) is not a particle but has grain label {}; give it -1", x, y, label));
   }
 }
 

@@ -13,8 +13,8 @@ enum class Phase : std::uint8_t { empty = 0, matrix = 1, particle = 2 };
 /// Size class of a grain (P II.B); `none` where classes mean nothing, as in a foreign map.
 enum class GrainClass : std::uint8_t { none = 0, small = 1, large = 2 };
 
-/// A cemented packing on a square lattice of nodes, row by row from the bottom: node (x, y) has index x + width y. Nodes of one particle carry the
-/// same grain label, an index into `grain_class`; -1 where there is no particle.
+/// A cemented packing on a square lattice of nodes, row by row from the bottom: node (x, y) has index x + width y.
+/// Nodes of one particle carry the same grain label, an index into `grain_class`; -1 where there is no particle.
 struct PhaseMap {
   int width = 0, height = 0;            ///< nodes
   double dx = 1;                        ///< distance between neighbouring nodes, m
@@ -23,7 +23,9 @@ struct PhaseMap {
   std::vector<GrainClass> grain_class;  ///< one a grain
 
   std::size_t size() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
-  std::size_t index(int x, int y) const { return static_cast<std::size_t>(x) + static_cast<std::size_t>(width) * static_cast<std::size_t>(y); }
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(x) + static_cast<std::size_t>(width) * static_cast<std::size_t>(y);
+  }
 };
 
 /// All nodes empty, no grains.

@@ -13,7 +13,8 @@
 
 namespace arenite {
 
-/// Energies of a sample, J. Closed when kinetic + elastic + adhesive = work_walls + work_gravity - dissipated_* + what was there at the start.
+/// Energies of a sample, J. Closed when kinetic + elastic + adhesive = work_walls + work_gravity - dissipated_* + what
+/// was there at the start.
 struct Energies {
   double kinetic = 0;              ///< translation and rotation of grains, motion of servo walls
   double elastic = 0;              ///< springs of contacts and bonds
@@ -31,15 +32,16 @@ struct EnergyTerm {
   const char *name, *phrase;
   double Energies::*value;
 };
-inline constexpr EnergyTerm energy_terms[] = {{"kinetic", "kinetic energy", &Energies::kinetic},
-                                              {"elastic", "elastic energy", &Energies::elastic},
-                                              {"adhesive", "adhesive energy", &Energies::adhesive},
-                                              {"dissipated_normal", "dissipated by dashpots", &Energies::dissipated_normal},
-                                              {"dissipated_friction", "dissipated by friction", &Energies::dissipated_friction},
-                                              {"dissipated_drag", "dissipated by drag and wall damping", &Energies::dissipated_drag},
-                                              {"dissipated_breakage", "dissipated by broken bonds", &Energies::dissipated_breakage},
-                                              {"work_walls", "work of the sides", &Energies::work_walls},
-                                              {"work_gravity", "work of gravity", &Energies::work_gravity}};
+inline constexpr EnergyTerm energy_terms[] = {
+    {"kinetic", "kinetic energy", &Energies::kinetic},
+    {"elastic", "elastic energy", &Energies::elastic},
+    {"adhesive", "adhesive energy", &Energies::adhesive},
+    {"dissipated_normal", "dissipated by dashpots", &Energies::dissipated_normal},
+    {"dissipated_friction", "dissipated by friction", &Energies::dissipated_friction},
+    {"dissipated_drag", "dissipated by drag and wall damping", &Energies::dissipated_drag},
+    {"dissipated_breakage", "dissipated by broken bonds", &Energies::dissipated_breakage},
+    {"work_walls", "work of the sides", &Energies::work_walls},
+    {"work_gravity", "work of gravity", &Energies::work_gravity}};
 
 /// How far a state is from rest.
 struct Equilibrium {
@@ -47,8 +49,10 @@ struct Equilibrium {
   double kinetic_ratio = 0;     ///< kinetic over elastic energy; grains with fewer than two pressed contacts left out
   double mobilisation = 0;      ///< mean |F_t|/F_n of contacts with F_n > 0
   double wall_speed = 0;        ///< fastest wall or point of a boundary, m/s
-  double falling = 0;           ///< share of grains that weigh, have fewer than two pressed contacts, and whose weight nothing holds
-  double loose_kinetic = 0;     ///< kinetic energy of the grains with fewer than two pressed contacts over the elastic energy
+  double falling =
+      0;  ///< share of grains that weigh, have fewer than two pressed contacts, and whose weight nothing holds
+  double loose_kinetic =
+      0;  ///< kinetic energy of the grains with fewer than two pressed contacts over the elastic energy
 };
 
 /// One stored state of a stage.
@@ -61,8 +65,8 @@ struct Snapshot {
   Equilibrium equilibrium;
 };
 
-/// Scalars sampled often while a stage runs; all columns have one length. Columns have fixed names, e.g. "time", "bottom_position", "bottom_force",
-/// "kinetic", "unbalanced_ratio"; units beside them.
+/// Scalars sampled often while a stage runs; all columns have one length. Columns have fixed names, e.g. "time",
+/// "bottom_position", "bottom_force", "kinetic", "unbalanced_ratio"; units beside them.
 struct History {
   struct Column {
     std::string name, unit;
@@ -71,7 +75,8 @@ struct History {
   std::vector<Column> columns;
   /// The values of the column of that name; null where there is none.
   const std::vector<double>* find(std::string_view name) const {
-    const auto at = std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
+    const auto at =
+        std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
     return at == columns.end() ? nullptr : &at->values;
   }
 };
@@ -99,9 +104,11 @@ struct ResultHead {
 struct StageResult : ResultHead {
   std::vector<Snapshot> snapshots;  ///< in time order; the last is the state handed on
   History history;
-  History cycles;                          ///< of a stage with cycles: a row at the end of each half, as in the history, behind "cycle" and "at_maximum"
-  Numbers texture;                         ///< texture of the last state, as `show --json` gives it; empty if not measured
-  std::vector<std::uint8_t> continuation;  ///< the engine's state at the end, for the next stage; empty if there is none
+  History cycles;   ///< of a stage with cycles: a row at the end of each half, as in the history, behind "cycle" and
+                    ///< "at_maximum"
+  Numbers texture;  ///< texture of the last state, as `show --json` gives it; empty if not measured
+  std::vector<std::uint8_t>
+      continuation;  ///< the engine's state at the end, for the next stage; empty if there is none
 };
 
 /// A bond that broke in a test to failure.
@@ -116,9 +123,9 @@ struct FieldResult : ResultHead {
   Packing packing;  ///< what was rasterised, in the map's coordinates; no grains if the map came from an image
   Cement cement;    ///< of that packing
   PhaseMap map;
-  StressField field;          ///< empty (size 0) if nothing was loaded; for a test to failure that at the largest stress
-  History convergence;        ///< columns "iteration", "residual"
-  History curve;              ///< of a test to failure: "strain", "stress", "work", "elastic", "released", "broken"
+  StressField field;    ///< empty (size 0) if nothing was loaded; for a test to failure that at the largest stress
+  History convergence;  ///< columns "iteration", "residual"
+  History curve;        ///< of a test to failure: "strain", "stress", "work", "elastic", "released", "broken"
   std::vector<Crack> cracks;  ///< in the order of breaking
   Numbers numbers;            ///< report and statistics as `show --json` gives them
 };

@@ -8,7 +8,8 @@
 namespace arenite {
 
 std::vector<geometry::Edge> rim_of(const Shape& shape) {
-  return shape.filled ? geometry::rim_of_polygon(shape.place, shape.radius.front()) : geometry::rim_of_disks(shape.place, shape.radius);
+  return shape.filled ? geometry::rim_of_polygon(shape.place, shape.radius.front())
+                      : geometry::rim_of_disks(shape.place, shape.radius);
 }
 
 Shape scaled_to(const Shape& shape, double radius) {
@@ -71,7 +72,8 @@ Vec2 direction(double angle) {
     for (int n = 1; n < 17; ++n) inverse[n] = 1.0 / (n * (n + 1));
     return inverse;
   }();
-  // Quarter turns are taken off with pi/2 in two parts, the rest is at most pi/4, where the series end below the last bit.
+  // Quarter turns are taken off with pi/2 in two parts, the rest is at most pi/4, where the series end below the last
+  // bit.
   constexpr double quarter = 1.5707963267948966, rest_of_quarter = 6.123233995736766e-17;
   const double quarters = std::nearbyint(angle / quarter);
   const double x = (angle - quarters * quarter) - quarters * rest_of_quarter, square = x * x;

@@ -7,7 +7,8 @@
 
 namespace arenite {
 
-/// A rigid grain by its disks: their union, or, filled, the convex polygon of their centres (counter-clockwise) widened by their common radius.
+/// A rigid grain by its disks: their union, or, filled, the convex polygon of their centres (counter-clockwise) widened
+/// by their common radius.
 struct Shape {
   std::vector<Vec2> place;     ///< m
   std::vector<double> radius;  ///< m

@@ -31,7 +31,8 @@ struct Node {
   double real = 0;
   std::string text = {};
   std::vector<Node> items = {};  ///< array
-  std::vector<Entry> entries;    ///< table, in the order of the text; no initialiser, which would need the whole Entry here
+  std::vector<Entry>
+      entries;  ///< table, in the order of the text; no initialiser, which would need the whole Entry here
   Place place = {};
 
   const Entry* find(std::string_view key) const;
@@ -53,8 +54,8 @@ void each_place(Node& node, const std::function<void(Place&)>& visit);
 
 /// The parts of a dotted key. Throws InputError for an empty part, and for more than any recipe has.
 std::vector<std::string> parts_of(std::string_view key);
-/// Puts a value at the place that these parts lead to, items of arrays counted from 0, and its place with it; tables are made where there are none.
-/// Throws InputError without place for a key that leads nowhere.
+/// Puts a value at the place that these parts lead to, items of arrays counted from 0, and its place with it; tables
+/// are made where there are none. Throws InputError without place for a key that leads nowhere.
 void put(Node& root, const std::vector<std::string>& parts, Node value);
 
 /// Reads TOML. Throws InputError with line and column for what is not TOML.
@@ -120,7 +121,9 @@ struct Written {
   Reading& reading;
   /// Adds a problem; nothing is what has been read.
   std::nullopt_t refuse(const std::string& message) const { return refuse(node.place, message); }
-  std::nullopt_t refuse(const Place& place, const std::string& message) const { return reading.add(place, path, message), std::nullopt; }
+  std::nullopt_t refuse(const Place& place, const std::string& message) const {
+    return reading.add(place, path, message), std::nullopt;
+  }
   /// Whether it is what is wanted; a problem says so where it is not.
   bool is(bool what, const std::string& wanted) const {
     if (!what) refuse(std::string("is ") + kind_name(node) + ", but must be " + wanted);
@@ -130,7 +133,8 @@ struct Written {
   Written item(std::size_t i) const { return {node.items[i], path + "." + std::to_string(i), reading}; }
 };
 
-/// Knows of every kind of value how it is written and how it is read, both in one place; what is done with the two is up to those that inherit it.
+/// Knows of every kind of value how it is written and how it is read, both in one place; what is done with the two is
+/// up to those that inherit it.
 class KeyVisitor : public ParameterVisitor {
  public:
   void number(const Key& key, std::optional<double>& value, std::string_view unit, const Range& range) override;
@@ -147,13 +151,15 @@ class KeyVisitor : public ParameterVisitor {
 
  protected:
   void visit_text(const Key& key, std::string& value, bool names_file);
-  /// One key that holds a value: `record` says what is there now, and `read` takes over what is written, or adds what is wrong with it.
+  /// One key that holds a value: `record` says what is there now, and `read` takes over what is written, or adds what
+  /// is wrong with it.
   virtual void visit(Record record, const std::function<void(const Written&)>& read) = 0;
 };
 
-/// The tree that a text, its base and its overrides make, under the names that `keys` have now; problems of base and overrides are collected. For an
-/// empty text the InputError names the template that `arenite init` writes.
-Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides, const RecordTable& keys, std::string_view start_from);
+/// The tree that a text, its base and its overrides make, under the names that `keys` have now; problems of base and
+/// overrides are collected. For an empty text the InputError names the template that `arenite init` writes.
+Node read_tree(std::string_view text, Reading& reading, const std::vector<std::string>& overrides,
+               const RecordTable& keys, std::string_view start_from);
 
 /// Puts a value at a dotted key into the tree (`put`); names of before become those of now, as `keys` knows them.
 void set_value(Node& root, const std::string& key, Node value, const RecordTable& keys);
@@ -167,7 +173,8 @@ const RecordTable& recipe_keys();
 // Former names: keys and words say theirs where they are declared.
 /// Adds the sentence that `former` is now called `now`, once.
 void note_former_name(std::vector<std::string>& notices, std::string_view former, std::string_view now);
-/// Gives keys and words that stand under a name of before the one of now; a notice says so of each. Where both stand, the former is left as it is.
+/// Gives keys and words that stand under a name of before the one of now; a notice says so of each. Where both stand,
+/// the former is left as it is.
 void rename_former_keys(Node& root, const RecordTable& keys, std::vector<std::string>& notices);
 /// The records under the names that keys and words had first, from which names of results and seeds of samples follow.
 RecordTable under_former_names(RecordTable table);
@@ -175,8 +182,8 @@ RecordTable under_former_names(RecordTable table);
 /// The keys that are set, as TOML.
 std::string write_toml(const RecordTable& root);
 
-/// The keys that are not as in `all`, one a line with its whole path: what results are named by, so that neither a key at its
-/// default nor one that a later version adds changes a name.
+/// The keys that are not as in `all`, one a line with its whole path: what results are named by, so that neither a key
+/// at its default nor one that a later version adds changes a name.
 std::string write_changes(const RecordTable& root, const RecordTable& all);
 
 /// As write_toml for people: explained, and keys that are as in `all` as comments.

@@ -24,10 +24,10 @@ struct FilmMaterial {
 /// The container that holds the grains; walls are contact partners and carry the load.
 struct FilmContainer {
   double width = 0, height = 0, thickness = 0;  ///< m
-  std::optional<double> left, top;              ///< its inner upper left corner in the picture, pixels; centred if not given
-  double load_peak_to_peak = 0;                 ///< force on the lower wall, largest less smallest, N; 0: not known
-  double load_error = 0.005;                    ///< standard error of that force, relative
-  double travel = 0;                            ///< of the lower wall, upwards, from the smallest to the largest load, m
+  std::optional<double> left, top;  ///< its inner upper left corner in the picture, pixels; centred if not given
+  double load_peak_to_peak = 0;     ///< force on the lower wall, largest less smallest, N; 0: not known
+  double load_error = 0.005;        ///< standard error of that force, relative
+  double travel = 0;                ///< of the lower wall, upwards, from the smallest to the largest load, m
 };
 
 struct PictureSection {
@@ -51,7 +51,7 @@ struct TemperatureSection {
   std::optional<double> emissivity;          ///< of materials that do not say theirs; 0.9 unless given
   std::optional<double> ambient;             ///< of what grains mirror, K; 296 unless given
   std::optional<double> assumed_emissivity;  ///< that the temperatures of a film in kelvin were made with
-  std::vector<double> band;                  ///< shortest and longest wavelength, m; empty: what the film says, or 3.6 to 5.1 um
+  std::vector<double> band;  ///< shortest and longest wavelength, m; empty: what the film says, or 3.6 to 5.1 um
 };
 
 struct LockinSection {
@@ -108,7 +108,9 @@ struct FilmRecipe {
   ForcesSection forces;
   std::optional<SimulationSection> simulation;
   std::optional<CameraSection> camera;
-  std::filesystem::path beside(const std::string& file) const { return std::filesystem::path(source_file).parent_path() / file; }  ///< that it names
+  std::filesystem::path beside(const std::string& file) const {
+    return std::filesystem::path(source_file).parent_path() / file;
+  }  ///< that it names
 };
 
 /// Emissivity of every material: its own, that of [temperature], or 0.9.
@@ -117,20 +119,23 @@ std::vector<double> emissivities(const FilmRecipe& recipe);
 /// False where temperatures are to come from the two black-body references (the default) and these are not given.
 bool has_references(const FilmRecipe& recipe);
 inline constexpr const char* needs_references =
-    "from is \"references\" unless given, and needs correction.cold, correction.warm and their temperatures, the second above the "
-    "first; give them, or write [temperature] with from = \"film\" (it holds temperatures), \"curve\" or \"radiometry\"";
+    "from is \"references\" unless given, and needs correction.cold, correction.warm and their temperatures, the "
+    "second above the first; give them, or write [temperature] with from = \"film\" (it holds temperatures), \"curve\" "
+    "or \"radiometry\"";
 
 /// Of a film in kelvin of which nothing says how these were made.
 inline constexpr const char* unread_emissivity =
-    "emissivity, ambient and band are not used if the film already holds temperatures, unless the emissivity assumed in them is known; give "
-    "temperature.assumed_emissivity (1 if they are those of a black body), or remove them";
+    "emissivity, ambient and band are not used if the film already holds temperatures, unless the emissivity assumed "
+    "in them is known; give temperature.assumed_emissivity (1 if they are those of a black body), or remove them";
 
-/// Whether this text is meant for `arenite film` or `arenite camera`, and not for a simulation; false for what is not TOML.
+/// Whether this text is meant for `arenite film` or `arenite camera`, and not for a simulation; false for what is not
+/// TOML.
 bool describes_film(std::string_view text);
 
 /// As read_recipe (recipe/recipe.hpp), for films.
 FilmRecipe read_film_recipe(const std::string& file, const std::vector<std::string>& overrides = {});
-FilmRecipe parse_film_recipe(std::string_view text, const std::string& file_name, const std::vector<std::string>& overrides = {});
+FilmRecipe parse_film_recipe(std::string_view text, const std::string& file_name,
+                             const std::vector<std::string>& overrides = {});
 std::string to_toml(const FilmRecipe& recipe);
 std::string to_commented_toml(const FilmRecipe& recipe);
 std::string changed_keys(const FilmRecipe& recipe);

@@ -19,19 +19,24 @@ namespace {
 
 void declare(Visitor& v, Material& material) {
   v.number({"density", "Mass density.", true}, material.density, "kg/m^3", range::positive);
-  v.number({"youngs_modulus", "Young's modulus E, for contact.normal = \"hertz_mindlin\"."}, material.youngs_modulus, "GPa", range::positive);
-  v.number({"poisson", "Poisson's ratio nu, for contact.normal = \"hertz_mindlin\"."}, material.poisson, "", range::between(0, 0.5));
+  v.number({"youngs_modulus", "Young's modulus E, for contact.normal = \"hertz_mindlin\"."}, material.youngs_modulus,
+           "GPa", range::positive);
+  v.number({"poisson", "Poisson's ratio nu, for contact.normal = \"hertz_mindlin\"."}, material.poisson, "",
+           range::between(0, 0.5));
   const bool elastic = material.youngs_modulus && material.poisson;
-  v.number_above_0({"stiffness", "Contact stiffness k of two grains of this material; not needed if the normal law takes E and nu.", !elastic},
-                   material.stiffness, "kN/mm");
-  v.number({"thermoelastic_factor", "Temperature rise per decrease of the sum of principal stresses; 0: not known."}, material.thermoelastic_factor, "K/MPa",
-           range::not_negative);
+  v.number_above_0(
+      {"stiffness", "Contact stiffness k of two grains of this material; not needed if the normal law takes E and nu.",
+       !elastic},
+      material.stiffness, "kN/mm");
+  v.number({"thermoelastic_factor", "Temperature rise per decrease of the sum of principal stresses; 0: not known."},
+           material.thermoelastic_factor, "K/MPa", range::not_negative);
 }
 
 /// Names that stand in a column of a CSV.
 bool is_label(const std::string& name) {
-  return !name.empty() &&
-         std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == 127 || c == ',' || c == '"' || c == '\'' || c == ';'; });
+  return !name.empty() && std::none_of(name.begin(), name.end(), [](unsigned char c) {
+    return c < ' ' || c == 127 || c == ',' || c == '"' || c == '\'' || c == ';';
+  });
 }
 
 void require_known_material(Visitor& v, const Population& population, const Materials& materials) {
@@ -39,27 +44,34 @@ void require_known_material(Visitor& v, const Population& population, const Mate
   const bool known = names.empty() || std::find(names.begin(), names.end(), population.material) != names.end();
   const std::string near = nearest(population.material, names);
   v.require(known, {"material"},
-            fmt::format("there is no section [materials.{}]; {}", population.material, near.empty() ? "add it" : fmt::format("did you mean \"{}\"?", near)));
+            fmt::format("there is no section [materials.{}]; {}", population.material,
+                        near.empty() ? "add it" : fmt::format("did you mean \"{}\"?", near)));
 }
 
 void declare(Visitor& v, ContainerParameters& container, PackingParameters::Method method) {
-  v.when(method != PackingParameters::Method::poisson, "packing.method other than \"poisson\", which makes its own box", [&](Visitor& inner) {
-    inner.number({"width", "Inner width of the container, or of the periodic cell.", true}, container.width, "mm", range::positive);
-    inner.number_above_0({"height", "Inner height at the start; if not given, it follows from packing.solid_fraction."}, container.height, "mm");
-  });
-  v.number({"thickness", "Length of the cylinders, out of the plane.", true}, container.thickness, "mm", range::positive);
+  v.when(method != PackingParameters::Method::poisson, "packing.method other than \"poisson\", which makes its own box",
+         [&](Visitor& inner) {
+           inner.number({"width", "Inner width of the container, or of the periodic cell.", true}, container.width,
+                        "mm", range::positive);
+           inner.number_above_0(
+               {"height", "Inner height at the start; if not given, it follows from packing.solid_fraction."},
+               container.height, "mm");
+         });
+  v.number({"thickness", "Length of the cylinders, out of the plane.", true}, container.thickness, "mm",
+           range::positive);
   v.flag({"periodic_x", "Periodic in x: no walls on the left and right."}, container.periodic[0]);
   v.flag({"periodic_y", "Periodic in y: no walls at the bottom and top."}, container.periodic[1]);
 }
 
 void declare_fill_area(Visitor& v, std::optional<FillArea>& area) {
-  v.optional_section<FillArea>({"area", "Part of the container to fill, for containers with boundaries; needs container.height."}, area,
-                               [](Visitor& inner, FillArea& edges) {
-                                 inner.number({"left", "Edge, from the container's left side."}, edges.left, "mm", range::not_negative);
-                                 inner.number({"right", "Edge, from the container's left side."}, edges.right, "mm", range::positive);
-                                 inner.number({"bottom", "Edge, from the container's bottom."}, edges.bottom, "mm", range::not_negative);
-                                 inner.number({"top", "Edge, from the container's bottom."}, edges.top, "mm", range::positive);
-                               });
+  v.optional_section<FillArea>(
+      {"area", "Part of the container to fill, for containers with boundaries; needs container.height."}, area,
+      [](Visitor& inner, FillArea& edges) {
+        inner.number({"left", "Edge, from the container's left side."}, edges.left, "mm", range::not_negative);
+        inner.number({"right", "Edge, from the container's left side."}, edges.right, "mm", range::positive);
+        inner.number({"bottom", "Edge, from the container's bottom."}, edges.bottom, "mm", range::not_negative);
+        inner.number({"top", "Edge, from the container's bottom."}, edges.top, "mm", range::positive);
+      });
 }
 
 void declare(Visitor& v, PackingParameters& packing) {
@@ -69,13 +81,17 @@ void declare(Visitor& v, PackingParameters& packing) {
             {"lattice", "stacked row by row as a triangular lattice"},
             {"file", "read from a CSV of centres, radii and materials"},
             {"poisson", "two size classes by fast Poisson disk sampling, defined in [bidisperse]"}});
-  v.when(packing.method == Method::random || packing.method == Method::lattice, "method = \"random\" or \"lattice\"", [&](Visitor& inner) {
-    inner.integer({"grains", "Total number of grains, if populations give ratios."}, packing.grains, {0, 100'000'000});
-    declare_fill_area(inner, packing.area);
-  });
+  v.when(packing.method == Method::random || packing.method == Method::lattice, "method = \"random\" or \"lattice\"",
+         [&](Visitor& inner) {
+           inner.integer({"grains", "Total number of grains, if populations give ratios."}, packing.grains,
+                         {0, 100'000'000});
+           declare_fill_area(inner, packing.area);
+         });
   v.when(packing.method == Method::random, "method = \"random\"", [&](Visitor& inner) {
-    inner.number({"solid_fraction", "Target solid fraction (area of grains over area of the box) of the random filling; loading compacts it."},
-                 packing.solid_fraction, "", range::above(0, 0.9));
+    inner.number(
+        {"solid_fraction",
+         "Target solid fraction (area of grains over area of the box) of the random filling; loading compacts it."},
+        packing.solid_fraction, "", range::above(0, 0.9));
   });
   v.when(packing.method == Method::file, "method = \"file\"", [&](Visitor& inner) {
     inner.file({"file", "CSV of the grains: id, x, y, radius, material.", true}, packing.file);
@@ -87,10 +103,15 @@ void declare(Visitor& v, BidisperseSection& classes, const Materials& materials)
   v.text({"large", "Material of the large disks, a section of [materials]."}, classes.large);
   v.text({"small", "Material of the small disks, another section of [materials]."}, classes.small);
   for (const auto& [key, name] : {std::pair{"large", classes.large}, {"small", classes.small}})
-    v.require(materials.empty() || std::ranges::count(materials, name, &Material::name) > 0, {key},
-              fmt::format("there is no section [materials.{0}]; add it, or name the material of the {1} disks with bidisperse.{1}", name, key));
+    v.require(
+        materials.empty() || std::ranges::count(materials, name, &Material::name) > 0, {key},
+        fmt::format(
+            "there is no section [materials.{0}]; add it, or name the material of the {1} disks with bidisperse.{1}",
+            name, key));
   v.require(classes.large != classes.small, {"small", "large"},
-            fmt::format("both classes are made of \"{}\"; give each its own material, with the same numbers if they are alike", classes.small));
+            fmt::format(
+                "both classes are made of \"{}\"; give each its own material, with the same numbers if they are alike",
+                classes.small));
 }
 
 void require_grains(Visitor& v, const Recipe& recipe) {
@@ -103,47 +124,58 @@ void require_grains(Visitor& v, const Recipe& recipe) {
             "the grains come from [bidisperse]; leave out [[populations]], or choose another packing.method");
   v.require(!from_file || populations.empty(), {"populations", "packing"},
             "the grains come from packing.file; leave out [[populations]], or choose another packing.method");
-  v.require(!from_file || recipe.container.height > 0, {"container"}, "grains from a file need a height; write height = \"... mm\"");
-  const bool shares = std::any_of(populations.begin(), populations.end(), [](const auto& p) { return p.ratio.has_value(); });
+  v.require(!from_file || recipe.container.height > 0, {"container"},
+            "grains from a file need a height; write height = \"... mm\"");
+  const bool shares =
+      std::any_of(populations.begin(), populations.end(), [](const auto& p) { return p.ratio.has_value(); });
   std::int64_t counted = 0;
   for (const auto& population : populations) counted += population.count.value_or(0);
-  v.require(!shares || recipe.packing.grains > counted, {"packing", "populations"},
-            fmt::format("populations with a ratio share packing.grains minus the {} counted grains; set it higher", counted));
+  v.require(
+      !shares || recipe.packing.grains > counted, {"packing", "populations"},
+      fmt::format("populations with a ratio share packing.grains minus the {} counted grains; set it higher", counted));
 }
 
 void require_fill_area(Visitor& v, const Recipe& recipe) {
   const ContainerParameters& container = recipe.container;
   const auto& area = recipe.packing.area;
   if (!area) return;
-  v.require(container.height > 0, {"container", "packing"}, "a part of it can be filled only if its height is given; write height = \"... mm\"");
-  v.require((!container.periodic[0] || (!area->left && !area->right)) && (!container.periodic[1] || (!area->bottom && !area->top)), {"packing"},
-            "packing.area cannot end before a periodic side; leave out its edges there");
+  v.require(container.height > 0, {"container", "packing"},
+            "a part of it can be filled only if its height is given; write height = \"... mm\"");
+  v.require((!container.periodic[0] || (!area->left && !area->right)) &&
+                (!container.periodic[1] || (!area->bottom && !area->top)),
+            {"packing"}, "packing.area cannot end before a periodic side; leave out its edges there");
   const auto fits = [](std::optional<double> low, std::optional<double> high, double size) {
     return low.value_or(0) < high.value_or(size) && high.value_or(size) <= size;
   };
-  v.require(fits(area->left, area->right, container.width) && fits(area->bottom, area->top, container.height), {"packing"},
-            "packing.area must lie in the container, left before right and bottom below top");
+  v.require(fits(area->left, area->right, container.width) && fits(area->bottom, area->top, container.height),
+            {"packing"}, "packing.area must lie in the container, left before right and bottom below top");
 }
 
 /// What only disks can be part of.
 void require_movable_shapes(Visitor& v, const Recipe& recipe) {
-  const bool disks = std::ranges::all_of(recipe.populations, [](const auto& p) { return std::holds_alternative<packing::DiskShape>(p.shape); });
-  const bool rough = std::any_of(recipe.stages.begin(), recipe.stages.end(), [](const Stage& stage) { return stage.rough != std::array<bool, 4>{}; });
-  v.require(disks || !recipe.has_field(), {"populations", "cement"},
-            "grains other than disks cannot be cemented and loaded as a field; leave out [cement], [grid] and [[loads]]");
+  const bool disks = std::ranges::all_of(
+      recipe.populations, [](const auto& p) { return std::holds_alternative<packing::DiskShape>(p.shape); });
+  const bool rough = std::any_of(recipe.stages.begin(), recipe.stages.end(),
+                                 [](const Stage& stage) { return stage.rough != std::array<bool, 4>{}; });
+  v.require(
+      disks || !recipe.has_field(), {"populations", "cement"},
+      "grains other than disks cannot be cemented and loaded as a field; leave out [cement], [grid] and [[loads]]");
   v.require(disks || dem::integrator_of(recipe.integration.integrator).moves_bodies, {"populations", "integration"},
             "grains other than disks need integration.integrator = " + dem::integrators_of_bodies());
-  v.require(disks || !recipe.contact.has_bonds(), {"populations", "contact"}, "bonds join disks only; leave contact.bonds at \"none\"");
+  v.require(disks || !recipe.contact.has_bonds(), {"populations", "contact"},
+            "bonds join disks only; leave contact.bonds at \"none\"");
   v.require(disks || !recipe.contact.is_cohesive(), {"populations", "contact"},
             "cohesion is not implemented for grains other than disks; leave contact.cohesion at \"none\"");
-  v.require(disks || !rough, {"populations", "stages"}, "rough walls work with disks only; use smooth walls with friction for clumps and polygons");
+  v.require(disks || !rough, {"populations", "stages"},
+            "rough walls work with disks only; use smooth walls with friction for clumps and polygons");
 }
 
 void declare_materials(Visitor& v, Materials& materials) {
   v.sections({"materials", "Constitutive materials of the grains, by name.", true},
              {[&] { return materials.size(); }, [&](std::size_t n) { materials.resize(n); },
               [&](Visitor& inner, std::size_t i) {
-                inner.require(is_label(materials[i].name), {}, "a material's name must not be empty or hold commas, quotes or control characters");
+                inner.require(is_label(materials[i].name), {},
+                              "a material's name must not be empty or hold commas, quotes or control characters");
                 declare(inner, materials[i]);
               },
               [&](std::size_t i) -> std::string& { return materials[i].name; }});
@@ -154,11 +186,13 @@ void require_constants(Visitor& v, const Recipe& recipe) {
   for (const Material& m : recipe.materials) {
     if (by_moduli) {
       v.require(m.youngs_modulus && m.poisson, {"contact", "materials"},
-                fmt::format("normal = \"{}\" needs E and nu; write youngs_modulus and poisson in [materials.{}]", recipe.contact.normal.word(), m.name));
+                fmt::format("normal = \"{}\" needs E and nu; write youngs_modulus and poisson in [materials.{}]",
+                            recipe.contact.normal.word(), m.name));
     } else {
-      v.require(m.stiffness > 0, {"contact", "materials"},
-                fmt::format("the normal law needs a stiffness; write it in [materials.{}], or use normal = \"{}\"", m.name,
-                            dem::NormalLaw::word_where([]<class L>(const L&) { return dem::ElasticContact<L>; })));
+      v.require(
+          m.stiffness > 0, {"contact", "materials"},
+          fmt::format("the normal law needs a stiffness; write it in [materials.{}], or use normal = \"{}\"", m.name,
+                      dem::NormalLaw::word_where([]<class L>(const L&) { return dem::ElasticContact<L>; })));
     }
   }
 }
@@ -169,48 +203,61 @@ void declare(Visitor& v, Population& population, const Recipe& recipe) {
   v.text({"material", "Name of a section of [materials].", true}, population.material);
   require_known_material(v, population, recipe.materials);
   v.integer({"count", "Number of grains."}, population.count, {1, 100'000'000});
-  v.number({"ratio", "Fraction by number of packing.grains, relative to the ratios of the other populations."}, population.ratio, "", range::positive);
-  v.require(population.count.has_value() != population.ratio.has_value(), {"ratio", "count"}, "give either count or ratio");
+  v.number({"ratio", "Fraction by number of packing.grains, relative to the ratios of the other populations."},
+           population.ratio, "", range::positive);
+  v.require(population.count.has_value() != population.ratio.has_value(), {"ratio", "count"},
+            "give either count or ratio");
 
   auto& size = population.size;
   auto* const fixed = std::get_if<packing::FixedSize>(&size);
   std::optional<double> diameter = fixed && fixed->diameter > 0 ? std::optional(fixed->diameter) : std::nullopt;
-  v.number({"diameter", "Diameter of every grain; short for size = { law = \"fixed\", ... }."}, diameter, "mm", range::positive);
+  v.number({"diameter", "Diameter of every grain; short for size = { law = \"fixed\", ... }."}, diameter, "mm",
+           range::positive);
   if (diameter && fixed) fixed->diameter = *diameter;
   bool has_law = !fixed;
   v.section({"size", "Size law of the grains, if they are not all equal."}, has_law, [&](Visitor& inner) {
     inner.member({"law", "Distribution of the diameters.", true}, size);
   });
   v.require(diameter.has_value() != has_law, {"size", "diameter"}, "give either diameter or size");
-  v.member({"shape", "Shape of the grains; the diameter of a grain that is not a disk is that of the disk of equal area."}, population.shape);
+  v.member(
+      {"shape", "Shape of the grains; the diameter of a grain that is not a disk is that of the disk of equal area."},
+      population.shape);
   const double width = recipe.container.width, largest = std::visit([](const auto&law) { return law.largest(); }, size);
   v.require(width <= 0 || largest <= width, {"diameter", "size"},
-            fmt::format("the largest grain ({}) is wider than the container ({})", format_quantity(largest, "mm"), format_quantity(width, "mm")));
+            fmt::format("the largest grain ({}) is wider than the container ({})", format_quantity(largest, "mm"),
+                        format_quantity(width, "mm")));
 }
 
 void declare(Visitor& v, Recipe& recipe) {
   v.text({"title", "Title of reports, one line."}, recipe.title);
-  v.integer({"seed", "Seed of all random numbers: the same seed gives the same sample."}, recipe.seed, {0, std::numeric_limits<std::int64_t>::max()});
-  v.section({"packing", "Initial packing of the grains in the container."}, [&](Visitor& inner) { declare(inner, recipe.packing); });
+  v.integer({"seed", "Seed of all random numbers: the same seed gives the same sample."}, recipe.seed,
+            {0, std::numeric_limits<std::int64_t>::max()});
+  v.section({"packing", "Initial packing of the grains in the container."},
+            [&](Visitor& inner) { declare(inner, recipe.packing); });
   v.section({"container", "The box, or periodic cell, that holds the grains.", true, "frame"},
             [&](Visitor& inner) { declare(inner, recipe.container, recipe.packing.method); });
   declare_materials(v, recipe.materials);
   const bool sampled = recipe.packing.method == PackingParameters::Method::poisson;
   v.when(sampled, "packing.method = \"poisson\"", [&](Visitor& outer) {
-    outer.optional_section<BidisperseSection>({"bidisperse", "Two size classes of disks in a square box of their own.", sampled}, recipe.bidisperse,
-                                              [&](Visitor& inner, BidisperseSection& classes) { declare(inner, classes, recipe.materials); });
+    outer.optional_section<BidisperseSection>(
+        {"bidisperse", "Two size classes of disks in a square box of their own.", sampled}, recipe.bidisperse,
+        [&](Visitor& inner, BidisperseSection& classes) { declare(inner, classes, recipe.materials); });
   });
   v.list<Population>({"populations", "Grains of one material and one size law."}, recipe.populations,
                      [&](Visitor& inner, Population& population) { declare(inner, population, recipe); });
   require_grains(v, recipe);
-  v.section({"contact", "Forces between grains, and between grains and walls."}, [&](Visitor& inner) { recipe.contact.declare(inner); });
+  v.section({"contact", "Forces between grains, and between grains and walls."},
+            [&](Visitor& inner) { recipe.contact.declare(inner); });
   require_constants(v, recipe);
   v.section({"integration", "Newton's equations in time."}, [&](Visitor& inner) { recipe.integration.declare(inner); });
-  v.optional_section<Region>({"glued", "Region in which grains are glued to each other."}, recipe.glued, [&](Visitor& inner, Region& region) {
-    region.declare(inner);
-    inner.require(recipe.container.width <= 0 || region.centre.x <= recipe.container.width, {"x"}, "must lie inside the container");
-    inner.require(recipe.container.height <= 0 || region.centre.y <= recipe.container.height, {"y"}, "must lie inside the container");
-  });
+  v.optional_section<Region>({"glued", "Region in which grains are glued to each other."}, recipe.glued,
+                             [&](Visitor& inner, Region& region) {
+                               region.declare(inner);
+                               inner.require(recipe.container.width <= 0 || region.centre.x <= recipe.container.width,
+                                             {"x"}, "must lie inside the container");
+                               inner.require(recipe.container.height <= 0 || region.centre.y <= recipe.container.height,
+                                             {"y"}, "must lie inside the container");
+                             });
   v.require(!recipe.glued || recipe.contact.adheres() || recipe.contact.has_bonds(), {"glued", "contact"},
             "there is nothing to glue with; set contact.adhesion and contact.surface_energy, or contact.bonds");
   declare_boundaries(v, recipe);

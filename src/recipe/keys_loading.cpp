@@ -4,7 +4,6 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "grains/dem/integrators/integrators.hpp"
 #include "model/packing.hpp"
 #include "recipe/recipe.hpp"
 
@@ -20,9 +19,13 @@ std::vector<Word> words(cement::CementParameters::Kind) {
           {"menisci", "between two arcs that touch both neighbours, like a liquid"}};
 }
 
-std::vector<Word> words(peridynamics::Loading) { return {{"tension", "away from it"}, {"compression", "towards it"}, {"shear", "along it, to the right"}}; }
+std::vector<Word> words(peridynamics::Loading) {
+  return {{"tension", "away from it"}, {"compression", "towards it"}, {"shear", "along it, to the right"}};
+}
 
-std::vector<Word> words(peridynamics::LowerEdge) { return {{"fixed", "nothing moves"}, {"sliding", "free along the row"}}; }
+std::vector<Word> words(peridynamics::LowerEdge) {
+  return {{"fixed", "nothing moves"}, {"sliding", "free along the row"}};
+}
 
 std::vector<Word> words(peridynamics::Method) {
   return {{"static_solve", "conjugate gradients with a coarse space divided by grain: seconds"},
@@ -32,22 +35,19 @@ std::vector<Word> words(peridynamics::Method) {
 
 std::vector<Word> words(Load::Axis) { return {{"y", ""}, {"x", ""}}; }
 
-std::vector<Word> words(grid::Cavity) { return {{"pore", "space between grains, matrix or empty"}, {"void", "empty space"}}; }
+std::vector<Word> words(grid::Cavity) {
+  return {{"pore", "space between grains, matrix or empty"}, {"void", "empty space"}};
+}
 
 namespace {
-
-/// A section with a value for each of the four sides.
-void declare_sides(Visitor& v, const Key& key, const std::function<void(Visitor&, std::size_t)>& one) {
-  v.section(key, [&](Visitor& inner) {
-    for (std::size_t side = 0; side < 4; ++side) one(inner, side);
-  });
-}
 
 void declare(Visitor& v, cement::CementParameters& law) {
   using Kind = cement::CementParameters::Kind;
   v.choice({"kind", "Where the matrix is placed."}, law.kind, words(law.kind));
-  v.number({"gap", "Widest surface gap that is bridged, and at which two grains count as neighbours; unless given, 0.075 of the mean large radius."}, law.gap,
-           "mm", range::not_negative);
+  v.number({"gap",
+            "Widest surface gap that is bridged, and at which two grains count as neighbours; unless given, 0.075 of "
+            "the mean large radius."},
+           law.gap, "mm", range::not_negative);
   const bool is_free = law.kind == Kind::bridges || law.kind == Kind::coating || law.kind == Kind::menisci;
   v.when(is_free, "kind = \"bridges\", \"coating\" or \"menisci\"", [&](Visitor& inner) {
     inner.number({"saturation",
@@ -60,7 +60,8 @@ void declare(Visitor& v, cement::CementParameters& law) {
     inner.flag({"full_width", "width is the full base of a neck over the radius, not half of it."}, law.full_width);
   });
   v.when(law.kind == Kind::bridges && given, "kind = \"bridges\" without saturation", [&](Visitor& inner) {
-    inner.number({"width", "eta: half base of a neck over the radius of its grain."}, law.width, "", range::above(0, 2));
+    inner.number({"width", "eta: half base of a neck over the radius of its grain."}, law.width, "",
+                 range::above(0, 2));
   });
   v.when(law.kind == Kind::coating && given, "kind = \"coating\" without saturation", [&](Visitor& inner) {
     inner.number({"thickness", "Thickness of the layer.", true}, law.thickness, "mm", range::positive);
@@ -77,41 +78,60 @@ void declare(Visitor& v, GridSection& grid) {
             "the largest square inside the sample."},
            grid.crop, "mm", range::positive);
   v.flag({"eight_connected", "Pores and voids are also connected across corners."}, grid.cavities.eight_connected);
-  v.integer({"fewest_nodes", "Pores and voids of fewer nodes are artefacts of the grid and left out."}, grid.cavities.fewest_nodes, {1, 1'000'000});
-  v.flag({"leave_out_border", "Pores and voids that touch the edge are cut, and left out."}, grid.cavities.leave_out_border);
+  v.integer({"fewest_nodes", "Pores and voids of fewer nodes are artefacts of the grid and left out."},
+            grid.cavities.fewest_nodes, {1, 1'000'000});
+  v.flag({"leave_out_border", "Pores and voids that touch the edge are cut, and left out."},
+         grid.cavities.leave_out_border);
 }
 
 void declare(Visitor& v, StiffnessSection& stiffness) {
-  v.number({"matrix", "Young's modulus of bonds between two nodes of matrix."}, stiffness.matrix, "GPa", range::positive);
-  v.number({"interface", "Young's modulus of bonds between two grains, or grain and matrix; unless given, the matrix's."}, stiffness.interface, "GPa",
+  v.number({"matrix", "Young's modulus of bonds between two nodes of matrix."}, stiffness.matrix, "GPa",
            range::positive);
-  v.number({"particle", "Young's modulus of bonds inside a grain; unless given, four times the matrix's."}, stiffness.particle, "GPa", range::positive);
-  v.flag({"calibrated", "The modulus of the lattice along its axes has the prescribed value; false: the continuum formula, 6 % stiffer."},
+  v.number(
+      {"interface", "Young's modulus of bonds between two grains, or grain and matrix; unless given, the matrix's."},
+      stiffness.interface, "GPa", range::positive);
+  v.number({"particle", "Young's modulus of bonds inside a grain; unless given, four times the matrix's."},
+           stiffness.particle, "GPa", range::positive);
+  v.flag({"calibrated",
+          "The modulus of the lattice along its axes has the prescribed value; false: the continuum formula, 6 % "
+          "stiffer."},
          stiffness.calibrated);
 }
 
 void declare(Visitor& v, ToughnessSection& toughness) {
-  v.number({"matrix", "Fracture toughness of the matrix; it sets the scale of the load."}, toughness.matrix, "MPa m^0.5", range::positive);
-  v.number({"interface", "Fracture toughness of the interfaces; unless given, the matrix's."}, toughness.interface, "MPa m^0.5", range::positive);
-  v.number({"particle", "Fracture toughness of the grains; unless given, 3.5 times the matrix's."}, toughness.particle, "MPa m^0.5", range::positive);
+  v.number({"matrix", "Fracture toughness of the matrix; it sets the scale of the load."}, toughness.matrix,
+           "MPa m^0.5", range::positive);
+  v.number({"interface", "Fracture toughness of the interfaces; unless given, the matrix's."}, toughness.interface,
+           "MPa m^0.5", range::positive);
+  v.number({"particle", "Fracture toughness of the grains; unless given, 3.5 times the matrix's."}, toughness.particle,
+           "MPa m^0.5", range::positive);
 }
 
 void declare(Visitor& v, StrengthSection& strength) {
-  v.number({"matrix", "Tensile strength of the matrix; unless given, toughness alone breaks its bonds."}, strength.matrix, "MPa", range::positive);
-  v.number({"interface", "Tensile strength of the interfaces; unless given, the matrix's."}, strength.interface, "MPa", range::positive);
-  v.number({"particle", "Tensile strength of the grains; unless given, 3.5 times the matrix's."}, strength.particle, "MPa", range::positive);
+  v.number({"matrix", "Tensile strength of the matrix; unless given, toughness alone breaks its bonds."},
+           strength.matrix, "MPa", range::positive);
+  v.number({"interface", "Tensile strength of the interfaces; unless given, the matrix's."}, strength.interface, "MPa",
+           range::positive);
+  v.number({"particle", "Tensile strength of the grains; unless given, 3.5 times the matrix's."}, strength.particle,
+           "MPa", range::positive);
 }
 
 void declare(Visitor& v, stress::StressOptions& statistics) {
-  v.integer({"clamp_rows", "Rows of nodes left out at the lower and the upper edge."}, statistics.clamp_rows, {0, 10'000});
-  v.flag({"leave_out_surface", "Leave out nodes with a neighbour of another phase or grain."}, statistics.leave_out_surface);
-  v.flag({"leave_out_unloaded", "Leave out nodes without any stress: parts not connected to both edges."}, statistics.leave_out_unloaded);
-  v.flag({"mean_over_area", "The sample's mean counts the void as zero stress; otherwise it is that of particles and matrix."}, statistics.mean_over_area);
+  v.integer({"clamp_rows", "Rows of nodes left out at the lower and the upper edge."}, statistics.clamp_rows,
+            {0, 10'000});
+  v.flag({"leave_out_surface", "Leave out nodes with a neighbour of another phase or grain."},
+         statistics.leave_out_surface);
+  v.flag({"leave_out_unloaded", "Leave out nodes without any stress: parts not connected to both edges."},
+         statistics.leave_out_unloaded);
+  v.flag({"mean_over_area",
+          "The sample's mean counts the void as zero stress; otherwise it is that of particles and matrix."},
+         statistics.mean_over_area);
 }
 
 void require_own_name(Visitor& v, const Load& load, const Recipe& recipe) {
   v.require(is_plain_name(load.name), {"name"}, "must be made of letters, digits, _ and -");
-  const auto same = std::ranges::count(recipe.loads, load.name, &Load::name) + std::ranges::count(recipe.stages, load.name, &Stage::name);
+  const auto same = std::ranges::count(recipe.loads, load.name, &Load::name) +
+                    std::ranges::count(recipe.stages, load.name, &Stage::name);
   v.require(same <= 1, {"name"}, fmt::format("another stage or load is called \"{}\"; names must differ", load.name));
 }
 
@@ -119,48 +139,72 @@ void declare(Visitor& v, Load& load, const Recipe& recipe) {
   using peridynamics::Loading;
   v.text({"name", "Name of the load, used for its file: letters, digits, _ and -.", true}, load.name);
   require_own_name(v, load, recipe);
-  v.choice({"loading", "Direction in which the top row is moved relative to the bottom row."}, load.loading, words(load.loading));
-  v.choice({"axis", "Axis from the bottom row to the top row; x loads the rotated sample."}, load.axis, words(load.axis));
+  v.choice({"loading", "Direction in which the top row is moved relative to the bottom row."}, load.loading,
+           words(load.loading));
+  v.choice({"axis", "Axis from the bottom row to the top row; x loads the rotated sample."}, load.axis,
+           words(load.axis));
   v.choice({"lower", "Support of the bottom row."}, load.lower, words(load.lower));
   v.require(load.loading != Loading::shear || load.lower == peridynamics::LowerEdge::fixed, {"lower", "loading"},
             "a sliding lower edge carries no shear; fix it, or choose tension or compression");
   v.member({"bond_law", "Law of the bonds between nodes."}, load.law);
   v.flag({"stop_at_voids",
-          "No bond passes through a void node, so that a crack of one node cuts; otherwise bonds reach across voids thinner than the horizon of 3 nodes."},
+          "No bond passes through a void node, so that a crack of one node cuts; otherwise bonds reach across voids "
+          "thinner than the horizon of 3 nodes."},
          load.stop_at_voids);
   v.flag({"failure",
-          "Load to failure: bonds break at the critical stretch of their type, load by load. In compression a sample splits and keeps carrying load: "
-          "max_strain ends the test."},
+          "Load to failure: bonds break at the critical stretch of their type, load by load. In compression a sample "
+          "splits and keeps carrying load: max_strain ends the test."},
          load.failure);
   v.when(!load.failure, "failure = false", [&](Visitor& inner) {
-    inner.number({"strain", "Nominal strain: displacement of the top row over the height."}, load.strain, "", range::above(0, 0.5));
+    inner.number({"strain", "Nominal strain: displacement of the top row over the height."}, load.strain, "",
+                 range::above(0, 0.5));
     inner.choice({"method", "Solution method for the equilibrium field."}, load.method, words(load.method));
-    inner.flag({"exact_stretch", "Exact stretch of the rotated bond, as printed in the paper; otherwise linearised."}, load.exact_stretch);
-    inner.flag({"moduli", "Also load along both axes and in shear, for the apparent moduli and Poisson's ratios between rigid clamps."}, load.moduli);
-    inner.integer({"max_iterations", "Iterations after which a solve gives up; 0: 50, or a million steps of dynamics."}, load.max_iterations,
-                  {0, 1'000'000'000});
+    inner.flag({"exact_stretch", "Exact stretch of the rotated bond, as printed in the paper; otherwise linearised."},
+               load.exact_stretch);
+    inner.flag(
+        {"moduli",
+         "Also load along both axes and in shear, for the apparent moduli and Poisson's ratios between rigid clamps."},
+        load.moduli);
+    inner.integer({"max_iterations", "Iterations after which a solve gives up; 0: 50, or a million steps of dynamics."},
+                  load.max_iterations, {0, 1'000'000'000});
   });
-  v.number({"tolerance", "Residual, relative to that of uniform strain, at which equilibrium is reached."}, load.tolerance, "", range::between(1e-12, 0.1));
+  v.number({"tolerance", "Residual, relative to that of uniform strain, at which equilibrium is reached."},
+           load.tolerance, "", range::between(1e-12, 0.1));
   v.when(load.failure, "failure = true", [&](Visitor& inner) {
     inner.number({"max_strain", "Strain at which the test ends."}, load.max_strain, "", range::above(0, 1));
-    inner.number({"end_stress", "The test also ends when the stress has fallen to this fraction of its maximum."}, load.end_stress, "", range::above(0, 1));
-    inner.number({"band", "Bonds within this fraction of the one furthest beyond its critical stretch break in one round: larger is faster and coarser."},
+    inner.number({"end_stress", "The test also ends when the stress has fallen to this fraction of its maximum."},
+                 load.end_stress, "", range::above(0, 1));
+    inner.number({"band",
+                  "Bonds within this fraction of the one furthest beyond its critical stretch break in one round: "
+                  "larger is faster and coarser."},
                  load.band, "", range::between(0, 1));
-    inner.flag({"cracks_stay_open", "A broken bond is gone; otherwise faces that have parted push where they meet again."}, load.cracks_stay_open);
-    inner.section({"toughness", "Fracture toughness: bonds break at the critical stretch that it sets, which grows as the node spacing to the power -1/2."},
+    inner.flag(
+        {"cracks_stay_open", "A broken bond is gone; otherwise faces that have parted push where they meet again."},
+        load.cracks_stay_open);
+    inner.section({"toughness",
+                   "Fracture toughness: bonds break at the critical stretch that it sets, which grows as the node "
+                   "spacing to the power -1/2."},
                   [&](Visitor& section) { declare(section, load.toughness); });
-    inner.section({"strength", "Tensile strength: bonds break at its strain where that is below the critical stretch of the toughness, on any grid."},
+    inner.section({"strength",
+                   "Tensile strength: bonds break at its strain where that is below the critical stretch of the "
+                   "toughness, on any grid."},
                   [&](Visitor& section) { declare(section, load.strength); });
   });
-  v.section({"stiffness", "Young's moduli of the bonds by type."}, [&](Visitor& inner) { declare(inner, load.stiffness); });
-  v.section({"statistics", "Nodes that the statistics leave out."}, [&](Visitor& inner) { declare(inner, load.statistics); });
+  v.section({"stiffness", "Young's moduli of the bonds by type."},
+            [&](Visitor& inner) { declare(inner, load.stiffness); });
+  v.section({"statistics", "Nodes that the statistics leave out."},
+            [&](Visitor& inner) { declare(inner, load.statistics); });
 }
 
 }  // namespace
 
-peridynamics::Stiffness StiffnessSection::resolved() const { return {matrix, interface.value_or(matrix), particle.value_or(4 * matrix), calibrated}; }
+peridynamics::Stiffness StiffnessSection::resolved() const {
+  return {matrix, interface.value_or(matrix), particle.value_or(4 * matrix), calibrated};
+}
 
-peridynamics::Toughness ToughnessSection::resolved() const { return {matrix, interface.value_or(matrix), particle.value_or(3.5 * matrix)}; }
+peridynamics::Toughness ToughnessSection::resolved() const {
+  return {matrix, interface.value_or(matrix), particle.value_or(3.5 * matrix)};
+}
 
 peridynamics::Strength StrengthSection::resolved() const {
   const double of_matrix = matrix.value_or(HUGE_VAL);
@@ -168,82 +212,14 @@ peridynamics::Strength StrengthSection::resolved() const {
 }
 
 void declare_field(Visitor& v, Recipe& recipe) {
-  v.optional_section<cement::CementParameters>({"cement", "Binding matrix between the grains, added after the last stage."}, recipe.cement,
-                                               [](Visitor& inner, cement::CementParameters& law) { declare(inner, law); });
-  v.optional_section<GridSection>({"grid", "Square grid of nodes that discretises the cemented packing.", false, "raster"}, recipe.grid,
-                                  [](Visitor& inner, GridSection& grid) { declare(inner, grid); });
+  v.optional_section<cement::CementParameters>(
+      {"cement", "Binding matrix between the grains, added after the last stage."}, recipe.cement,
+      [](Visitor& inner, cement::CementParameters& law) { declare(inner, law); });
+  v.optional_section<GridSection>(
+      {"grid", "Square grid of nodes that discretises the cemented packing.", false, "raster"}, recipe.grid,
+      [](Visitor& inner, GridSection& grid) { declare(inner, grid); });
   v.list<Load>({"loads", "Loads on the cemented sample by peridynamics, each from the unloaded state."}, recipe.loads,
                [&](Visitor& inner, Load& load) { declare(inner, load, recipe); });
-}
-
-void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
-  v.text({"name", "Name of the stage, used for its file: letters, digits, _ and -.", true}, stage.name);
-  v.require(is_plain_name(stage.name), {"name"}, "must be made of letters, digits, _ and -");
-  v.require(std::ranges::count(recipe.stages, stage.name, &Stage::name) <= 1, {"name"},
-            fmt::format("another stage is called \"{}\"; names must differ", stage.name));
-  v.flag({"gravity", "Gravity acts on the grains."}, stage.gravity);
-  v.when(stage.gravity, "gravity = true", [&](Visitor& inner) {
-    inner.number({"gravity_size", "Acceleration of gravity."}, stage.gravity_size, "m/s^2", range::not_negative);
-    inner.number({"gravity_angle", "Angle of gravity from straight down, counter-clockwise."}, stage.gravity_angle, "deg", range::any);
-  });
-  declare_sides(v, {"slide", "Walls that slide in their own plane; positive: left and right upwards, bottom and top to the right."},
-                [&](Visitor& inner, std::size_t side) {
-                  inner.number({side_names[side], "Sliding velocity."}, stage.slide[side], "mm/s", range::any);
-                });
-  declare_sides(v, {"rough", "Rough walls: grains nearer than half their radius at the start of the stage move with the wall."},
-                [&](Visitor& inner, std::size_t side) {
-                  inner.flag({side_names[side], "This wall is rough."}, stage.rough[side]);
-                });
-  v.number({"shear_rate", "Shear rate du_x/dy of a cell that is periodic in x and y (Lees and Edwards); its top and bottom may also apply a pressure."},
-           stage.shear_rate, "1/s", range::any);
-  for (std::size_t side = 0; side < 4; ++side) {
-    auto& drive = stage.side[side];
-    int form = static_cast<int>(drive.kind);
-    v.tagged(
-        {side_names[side], "Motion of this side, or the force on it."}, form, drive.value,
-        {{"fixed", "", "stays where it is", range::any},
-         {"velocity", "mm/s", "moves inward at this speed", range::any},
-         {"force", "kN", "presses on the sample, reached in the stage's increments; of two periodic edges one presses and one is fixed", range::not_negative},
-         {"pressure", "kPa", "presses on the sample, acting in full at once; of two periodic edges one presses and one is fixed", range::not_negative}});
-    drive.kind = static_cast<SideDrive::Kind>(form);
-  }
-  declare_programmes(v, stage, recipe);
-  declare_openings(v, stage, recipe);
-  v.integer({"increments", "Equal steps in which forces are applied, each ending in equilibrium."}, stage.increments, {1, 1'000'000});
-  v.number({"duration", "Time after which the stage ends, whether in equilibrium or not; needed where a side moves."}, stage.duration, "s", range::positive);
-  v.integer({"snapshots", "States stored during a stage with a duration; other stages store one per increment.", false, "frames"}, stage.snapshots,
-            {1, 1'000'000});
-  v.number({"friction", "Coefficient mu during this stage only, for example 0 to densify."}, stage.friction, "", range::not_negative);
-  v.number({"drag", "Viscous drag during this stage, as a rate: the force on a grain is -drag m v."}, stage.drag, "1/s", range::not_negative);
-  v.number({"critical_drag",
-            "Additional drag, as a fraction of the rate that critically damps the slowest wave of a crystal of this size. About 0.2 brings a jammed packing of "
-            "any size "
-            "to equilibrium fastest; it hinders rearrangement, so compact without it first."},
-           stage.critical_drag, "", range::not_negative);
-  v.choice({"mass_scaling",
-            "Masses of the grains in the equations of motion of this stage. Without friction, equilibria do not depend on them; with friction they depend on "
-            "the path.",
-            false, "masses"},
-           stage.mass_scaling,
-           {{"none", "their own", "own"},
-            {"uniform", "such that k/m of all grains equals the largest one: a polydisperse sample compacts in far fewer steps; not with gravity", "even"}});
-  v.require(!stage.gravity || stage.mass_scaling == dem::MassScaling::none, {"mass_scaling", "gravity"},
-            "gravity acts on the true masses; leave gravity or mass_scaling out");
-  v.number({"inertial_number",
-            "Speed to which a side under force or pressure is damped where nothing else drives the sample, over "
-            "sqrt(force times width over mass): larger compacts faster and overshoots more; 1 suits a compaction at "
-            "P/k of 1e-3 or less. Where something drives the sample at least 1 is used."},
-           stage.inertial_number, "", range::positive);
-  v.flag({"glue", "Adhesion acts from this stage on."}, stage.glue);
-  v.require(!stage.glue || recipe.contact.adheres(), {"glue"}, "no adhesion is defined; set contact.adhesion and contact.surface_energy");
-  v.flag({"bond", "Grains that touch, or nearly (bond_gap), at the start of the stage are bonded; if glued grains are marked, only those."}, stage.bond);
-  v.require(!stage.bond || recipe.contact.has_bonds(), {"bond"}, "no bonds are defined; set contact.bonds = \"parallel\"");
-  v.optional_section<Cycles>({"cycles", "Force cycles on one side after the ramp."}, stage.cycles,
-                             [](Visitor& inner, Cycles& cycles) { cycles.declare(inner); });
-  declare_strain_cycles(v, stage, recipe);
-  require_boundary_loads(v, stage, recipe);
-  v.section({"equilibrium", "Criteria that end an increment.", false, "rest"}, [&](Visitor& inner) { stage.equilibrium.declare(inner); });
-  require_usable_sides(v, stage, recipe.container);
 }
 
 }  // namespace arenite::recipe

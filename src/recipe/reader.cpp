@@ -11,7 +11,9 @@
 namespace arenite::recipe {
 namespace {
 
-std::string below(const std::string& section, std::string_view key) { return section.empty() ? std::string(key) : fmt::format("{}.{}", section, key); }
+std::string below(const std::string& section, std::string_view key) {
+  return section.empty() ? std::string(key) : fmt::format("{}.{}", section, key);
+}
 
 /// A sentence as a part of another.
 std::string as_phrase(std::string_view sentence) {
@@ -24,40 +26,50 @@ std::string as_phrase(std::string_view sentence) {
 std::string example_of(const Record& record) {
   if (!record.example.empty()) return record.example;
   std::string literal = record.choices.empty() ? record.form : record.choices.front().literal;
-  if (const auto dots = literal.find("..."); dots != literal.npos && literal != "\"...\"") literal.replace(dots, 3, "1");
+  if (const auto dots = literal.find("..."); dots != literal.npos && literal != "\"...\"")
+    literal.replace(dots, 3, "1");
   return literal;
 }
 
-/// Reads one table of a recipe into what the declarations name; sub-tables get readers of their own. Problems are collected; whatever is wrong keeps
-/// its default.
+/// Reads one table of a recipe into what the declarations name; sub-tables get readers of their own. Problems are
+/// collected; whatever is wrong keeps its default.
 class Reader : public KeyVisitor {
  public:
-  Reader(const Node& table, std::string path, Reading& reading) : table_(table), path_(std::move(path)), reading_(reading) {}
+  Reader(const Node& table, std::string path, Reading& reading)
+      : table_(table),
+        path_(std::move(path)),
+        reading_(reading) {}
 
   void section(const Key& key, bool& present, const Visit& inside) override {
     const Entry* entry = find(key);
     const std::string path = path_of(key.name);
     present = entry != nullptr;
-    if (!entry && key.required) return refuse(key, table_.place, fmt::format("is missing; add the section [{}] ({})", path, as_phrase(key.sentence)));
+    if (!entry && key.required)
+      return refuse(key, table_.place,
+                    fmt::format("is missing; add the section [{}] ({})", path, as_phrase(key.sentence)));
     if (!entry) return;
     if (entry->value.kind != Node::Kind::table)
-      return refuse(key, entry->value.place, fmt::format("is {}, but must be a section [{}]", kind_name(entry->value), path));
+      return refuse(key, entry->value.place,
+                    fmt::format("is {}, but must be a section [{}]", kind_name(entry->value), path));
     watch(key, [&] { read_table(entry->value, path, inside); });
   }
 
   void sections(const Key& key, const Elements& elements) override {
     const Entry* entry = find(key);
     const bool named = static_cast<bool>(elements.name);
-    const std::string path = path_of(key.name), heading = named ? fmt::format("[{}.NAME]", path) : fmt::format("[[{}]]", path);
+    const std::string path = path_of(key.name),
+                      heading = named ? fmt::format("[{}.NAME]", path) : fmt::format("[[{}]]", path);
     if (entry && entry->value.kind != (named ? Node::Kind::table : Node::Kind::array))
-      return refuse(key, entry->value.place, fmt::format("is {}, but must be sections {}", kind_name(entry->value), heading));
+      return refuse(key, entry->value.place,
+                    fmt::format("is {}, but must be sections {}", kind_name(entry->value), heading));
     std::vector<std::pair<std::string, const Node*>> nodes;
     if (entry && named)
       for (const Entry& each : entry->value.entries) nodes.emplace_back(each.key, &each.value);
     else if (entry)
       for (const Node& item : entry->value.items) nodes.emplace_back(std::to_string(nodes.size()), &item);
     if (nodes.empty() && key.required)
-      refuse(key, entry ? entry->value.place : table_.place, fmt::format("is missing; add a section {} ({})", heading, as_phrase(key.sentence)));
+      refuse(key, entry ? entry->value.place : table_.place,
+             fmt::format("is missing; add a section {} ({})", heading, as_phrase(key.sentence)));
     // Named sections have no order of their own: sorted, the same recipe gives the same indices however it is written.
     if (named) std::sort(nodes.begin(), nodes.end());
     elements.resize(nodes.size());
@@ -104,9 +116,10 @@ class Reader : public KeyVisitor {
       const auto conditional = conditional_.find(entry.key);
       const std::string near = nearest(entry.key, names);
       reading_.add(entry.place, path_of(entry.key),
-                   conditional != conditional_.end() ? fmt::format("this key is only valid with {}; leave it out or change that", conditional->second)
-                   : near.empty()                    ? fmt::format("unknown key; the keys here are: {}", list_of(names))
-                                                     : fmt::format("unknown key; did you mean {}?", near));
+                   conditional != conditional_.end()
+                       ? fmt::format("this key is only valid with {}; leave it out or change that", conditional->second)
+                   : near.empty() ? fmt::format("unknown key; the keys here are: {}", list_of(names))
+                                  : fmt::format("unknown key; did you mean {}?", near));
     }
   }
 
@@ -114,7 +127,8 @@ class Reader : public KeyVisitor {
   void visit(Record record, const std::function<void(const Written&)>& read) override {
     const Key& key = record.key;
     if (const Entry* entry = find(key)) watch(key, [&] { read({entry->value, path_of(key.name), reading_}); });
-    else if (key.required) refuse(key, table_.place, fmt::format("is missing; write for example {} = {}", key.name, example_of(record)));
+    else if (key.required)
+      refuse(key, table_.place, fmt::format("is missing; write for example {} = {}", key.name, example_of(record)));
   }
 
   const Entry* find(const Key& key) {
@@ -153,7 +167,9 @@ class Reader : public KeyVisitor {
 
 /// What is declared of a key by its name of now or before; nothing where there is none.
 const Record* declared(const RecordTable& keys, std::string_view name) {
-  const auto at = std::ranges::find_if(keys, [&](const Record& record) { return record.key.name == name || (!name.empty() && record.key.former == name); });
+  const auto at = std::ranges::find_if(keys, [&](const Record& record) {
+    return record.key.name == name || (!name.empty() && record.key.former == name);
+  });
   return at == keys.end() ? nullptr : &*at;
 }
 
@@ -187,7 +203,8 @@ void rename_in_table(Node& table, const RecordTable& keys, const std::string& pa
 }  // namespace
 
 void Reading::add(const Place& place, const std::string& path, const std::string& message) {
-  problems.push_back({file_of(place, *this), place.line, place.column, path.empty() ? message : fmt::format("{}: {}", path, message)});
+  problems.push_back(
+      {file_of(place, *this), place.line, place.column, path.empty() ? message : fmt::format("{}: {}", path, message)});
 }
 
 const std::string& file_of(const Place& place, const Reading& reading) {
@@ -197,8 +214,9 @@ const std::string& file_of(const Place& place, const Reading& reading) {
 void add_problem(Reading& reading, const Place& place, const std::string& path, const std::string& message) {
   reading.add(place, path, message);
   const Problem& last = reading.problems.back();
-  const auto same =
-      std::ranges::count_if(reading.problems, [&](const Problem& p) { return p.message == last.message && p.line == last.line && p.file == last.file; });
+  const auto same = std::ranges::count_if(reading.problems, [&](const Problem& p) {
+    return p.message == last.message && p.line == last.line && p.file == last.file;
+  });
   if (same > 1) reading.problems.pop_back();
 }
 
@@ -207,7 +225,9 @@ void note_former_name(std::vector<std::string>& notices, std::string_view former
   if (std::ranges::find(notices, sentence) == notices.end()) notices.push_back(std::move(sentence));
 }
 
-void rename_former_keys(Node& root, const RecordTable& keys, std::vector<std::string>& notices) { rename_in_table(root, keys, "", notices); }
+void rename_former_keys(Node& root, const RecordTable& keys, std::vector<std::string>& notices) {
+  rename_in_table(root, keys, "", notices);
+}
 
 RecordTable under_former_names(RecordTable table) {
   for (Record& record : table) {
@@ -224,7 +244,8 @@ void set_value(Node& root, const std::string& key, Node value, const RecordTable
   const RecordTable* table = &keys;  // that the next part is a key of; none where it is an item or nothing is declared
   const Record* record = nullptr;    // what is declared of the last part
   for (auto& part : parts) {
-    const RecordTable* const of_item = !table && record && record->kind == Record::Kind::sections ? &record->tables.front() : nullptr;
+    const RecordTable* const of_item =
+        !table && record && record->kind == Record::Kind::sections ? &record->tables.front() : nullptr;
     record = table ? declared(*table, part) : nullptr;
     table = record && record->kind == Record::Kind::section ? &record->tables.front() : of_item;
     if (record) part = record->name();

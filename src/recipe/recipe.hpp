@@ -110,8 +110,9 @@ struct Load : peridynamics::LoadCase, peridynamics::FieldChoices, peridynamics::
   bool operator==(const Load&) const = default;
 };
 
-/// What a recipe says, checked and in SI. The declaration of every key (name, unit, range, sentence) is in recipe/keys*.cpp, or with the struct that it
-/// fills (`declare`); reading, checks, the resolved recipe and docs/recipe.md follow from it.
+/// What a recipe says, checked and in SI. The declaration of every key (name, unit, range, sentence) is in
+/// recipe/keys*.cpp, or with the struct that it fills (`declare`); reading, checks, the resolved recipe and
+/// docs/recipe.md follow from it.
 struct Recipe {
   std::string title;
   std::uint64_t seed = 1;
@@ -134,7 +135,9 @@ struct Recipe {
   cement::CementParameters cement_or_none() const;
   GridSection grid_or_default() const { return grid.value_or(GridSection{}); }
   bool has_field() const { return cement || grid || !loads.empty(); }  ///< goes on to cement, grid and loads
-  std::filesystem::path beside(const std::string& file) const { return std::filesystem::path(source_file).parent_path() / file; }  ///< that it names
+  std::filesystem::path beside(const std::string& file) const {
+    return std::filesystem::path(source_file).parent_path() / file;
+  }  ///< that it names
   bool operator==(const Recipe&) const = default;
 };
 
@@ -149,16 +152,19 @@ Recipe recipe_from(const Node& root, const std::string& file);
 
 /// The same from text in memory; `file_name` is what problems are reported under. Files that the recipe names are not
 /// looked for.
-Recipe parse_recipe(std::string_view text, const std::string& file_name, const std::vector<std::string>& overrides = {});
+Recipe parse_recipe(std::string_view text, const std::string& file_name,
+                    const std::vector<std::string>& overrides = {});
 
 /// The resolved recipe as TOML: every key that is set, defaults included, with units, in a fixed order. Reading it
 /// back gives an equal recipe, but for what a recipe does not say (`source_file`, `integration.threads`).
 std::string to_toml(const Recipe& recipe);
 
-/// The keys that differ from their defaults, one a line with its path, under their names of version 0.1: what the names of results follow from.
+/// The keys that differ from their defaults, one a line with its path, under their names of version 0.1: what the names
+/// of results follow from.
 std::string changed_keys(const Recipe& recipe);
 
-/// The resolved recipe of a packing, without stages and loads, as version 0.1 wrote it: what seeds of a study's runs follow from.
+/// The resolved recipe of a packing, without stages and loads, as version 0.1 wrote it: what seeds of a study's runs
+/// follow from.
 std::string to_toml_of_version_0_1(const Recipe& recipe);
 
 /// As to_toml for people: sections and keys are explained, and keys at their default are there as comments.
@@ -170,13 +176,14 @@ std::string title_in(const std::string& text);
 /// Documentation of every key (Markdown), generated from the declarations.
 std::string key_reference();
 
-/// Every key of a recipe: its name, unit, range and meaning, and what must hold between keys. The structs that come from elsewhere declare their own.
+/// Every key of a recipe: its name, unit, range and meaning, and what must hold between keys. The structs that come
+/// from elsewhere declare their own.
 void declare(ParameterVisitor& visitor, Recipe& recipe);
 // Its parts. Where a part's keys must agree with others, it gets the recipe as far as it is known by then.
 void declare(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
 void declare_boundaries(ParameterVisitor& visitor, Recipe& recipe);
-/// Of a stage, tables in time that drive it, which sides are open, how boundaries move, what is counted as having passed, and cycles of strain; and
-/// what boundaries ask of a stage whose keys have all been read.
+/// Of a stage, tables in time that drive it, which sides are open, how boundaries move, what is counted as having
+/// passed, and cycles of strain; and what boundaries ask of a stage whose keys have all been read.
 void declare_programmes(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
 void declare_openings(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
 void declare_strain_cycles(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
@@ -194,12 +201,15 @@ std::vector<Word> words(Load::Axis);
 std::vector<Word> words(grid::Cavity);
 
 /// The word for a value.
-template <class Enum> std::string word_of(Enum value) { return std::string(words(value)[static_cast<std::size_t>(value)].word); }
+template <class Enum> std::string word_of(Enum value) {
+  return std::string(words(value)[static_cast<std::size_t>(value)].word);
+}
 
 /// All words without their sentences, as a check of a command line wants them.
 template <class Enum> std::vector<std::string> plain_words() { return mapped<std::string>(words(Enum{}), &Word::word); }
 
-/// The value that a word stands for. Throws InputError, which calls the choice `what`, for a word that is not among them.
+/// The value that a word stands for. Throws InputError, which calls the choice `what`, for a word that is not among
+/// them.
 template <class Enum> Enum chosen(std::string_view word, std::string_view what) {
   const auto known = words(Enum{});
   std::string list;

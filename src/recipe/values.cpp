@@ -20,7 +20,9 @@ std::string number_literal(double value, std::string_view unit) {
 }
 
 /// A literal with this in the place of the number.
-std::string with_unit(std::string_view number, std::string_view unit) { return unit.empty() ? std::string(number) : fmt::format("\"{} {}\"", number, unit); }
+std::string with_unit(std::string_view number, std::string_view unit) {
+  return unit.empty() ? std::string(number) : fmt::format("\"{} {}\"", number, unit);
+}
 
 /// In brackets; nothing without items.
 template <class Items, class Literal> std::optional<std::string> list_literal(const Items& items, Literal literal) {
@@ -28,9 +30,12 @@ template <class Items, class Literal> std::optional<std::string> list_literal(co
   return fmt::format("[{}]", list_of(mapped(items, literal)));
 }
 
-Record record_of_rows(const Key& key, const std::vector<Vec2>& rows, std::string_view unit_x, std::string_view unit_y, const std::string& example) {
+Record record_of_rows(const Key& key, const std::vector<Vec2>& rows, std::string_view unit_x, std::string_view unit_y,
+                      const std::string& example) {
   Record record{key, fmt::format("[[{}, {}], ...]", with_unit("...", unit_x), with_unit("...", unit_y)), {}, example};
-  record.literal = list_literal(rows, [&](Vec2 row) { return fmt::format("[{}, {}]", number_literal(row.x, unit_x), number_literal(row.y, unit_y)); });
+  record.literal = list_literal(rows, [&](Vec2 row) {
+    return fmt::format("[{}, {}]", number_literal(row.x, unit_x), number_literal(row.y, unit_y));
+  });
   return record;
 }
 
@@ -52,17 +57,25 @@ std::optional<double> read_number(const Written& at, std::string_view unit, cons
       value = parse_si(node.text, wanted, unit);
     } catch (const InputError& error) { return at.refuse(error.what()); }
   } else {
-    if (!at.is(is_number(node), "a number, such as " + with_unit(unit.empty() ? "0.5" : "1", unit))) return std::nullopt;
+    if (!at.is(is_number(node), "a number, such as " + with_unit(unit.empty() ? "0.5" : "1", unit)))
+      return std::nullopt;
     value = node.kind == Node::Kind::integer ? static_cast<double>(node.integer) : node.real;
     if (!std::isfinite(value)) return at.refuse("must be a finite number");
-    if (!is_in_reach(value)) return at.refuse(fmt::format("{} is beyond the range of numbers; write 0 or a magnitude from 1e-60 to 1e60", as_written(node)));
+    if (!is_in_reach(value))
+      return at.refuse(fmt::format("{} is beyond the range of numbers; write 0 or a magnitude from 1e-60 to 1e60",
+                                   as_written(node)));
     if (unit == "deg")
       return at.refuse(
-          fmt::format("{} has no unit; write an angle with its unit, for example \"90 deg\" (of a part of a cycle 360 times as much: \"{:.6g} deg\")",
+          fmt::format("{} has no unit; write an angle with its unit, for example \"90 deg\" (of a part of a cycle 360 "
+                      "times as much: \"{:.6g} deg\")",
                       as_written(node), 360 * value));
-    if (wanted != dimension::none) return at.refuse(fmt::format("{0} has no unit; write it with its unit, for example \"{0} {1}\"", as_written(node), unit));
+    if (wanted != dimension::none)
+      return at.refuse(
+          fmt::format("{0} has no unit; write it with its unit, for example \"{0} {1}\"", as_written(node), unit));
   }
-  return range.contains(value) ? std::optional(value) : at.refuse(fmt::format("{} is out of range; it must be {}", as_written(node), to_string(range, unit)));
+  return range.contains(value)
+             ? std::optional(value)
+             : at.refuse(fmt::format("{} is out of range; it must be {}", as_written(node), to_string(range, unit)));
 }
 
 template <class T, class Read> void read_items(const Written& list, std::vector<T>& values, Read read) {
@@ -71,7 +84,8 @@ template <class T, class Read> void read_items(const Written& list, std::vector<
     if (const std::optional<T> item = read(list.item(i))) values.push_back(*item);
 }
 
-void read_rows(const Written& list, std::vector<Vec2>& rows, std::array<std::string_view, 2> unit, const std::string& wanted) {
+void read_rows(const Written& list, std::vector<Vec2>& rows, std::array<std::string_view, 2> unit,
+               const std::string& wanted) {
   read_items(list, rows, [&](const Written& row) -> std::optional<Vec2> {
     if (row.node.kind != Node::Kind::array || row.node.items.size() != 2) return list.refuse(row.node.place, wanted);
     const auto x = read_number(row.item(0), unit[0], range::any), y = read_number(row.item(1), unit[1], range::any);
@@ -83,8 +97,11 @@ void read_series_file(const Written& at, std::vector<Vec2>& rows, std::string_vi
   const auto place = (std::filesystem::path(at.reading.folder) / at.node.text).string();
   try {
     io::LaboratoryTable table(place);
-    if (table.columns() != 2) throw InputError(place, table.header_line(), fmt::format("has {} columns; a programme has two, time and value", table.columns()));
-    const auto x = table.values(0, {{"time"}, dimension::time, "s"}), y = table.values(1, {{table.title(1)}, dimension_of(unit), unit});
+    if (table.columns() != 2)
+      throw InputError(place, table.header_line(),
+                       fmt::format("has {} columns; a programme has two, time and value", table.columns()));
+    const auto x = table.values(0, {{"time"}, dimension::time, "s"}),
+               y = table.values(1, {{table.title(1)}, dimension_of(unit), unit});
     for (std::size_t row = 0; row < x.size(); ++row) rows.push_back({x[row], y[row]});
     for (const std::string& note : table.notes()) at.reading.notices.push_back(fmt::format("{}: {}", place, note));
   } catch (const InputError& error) { at.refuse(error.what()); }
@@ -93,7 +110,8 @@ void read_series_file(const Written& at, std::vector<Vec2>& rows, std::string_vi
 /// The entry of a table that must hold just one; of several, an override wins over the file.
 const Entry* only_entry(const Node& table) {
   if (table.entries.size() == 1) return &table.entries.front();
-  const auto last = std::find_if(table.entries.rbegin(), table.entries.rend(), [](const Entry& entry) { return entry.place.wins; });
+  const auto last =
+      std::find_if(table.entries.rbegin(), table.entries.rend(), [](const Entry& entry) { return entry.place.wins; });
   return last == table.entries.rend() ? nullptr : &*last;
 }
 
@@ -101,7 +119,8 @@ const Entry* only_entry(const Node& table) {
 std::string tag_of_quantity(const std::string& text, const std::vector<Form>& forms) {
   try {
     const Dimension dimension = parse_quantity(text).dimension;
-    const auto at = std::ranges::find_if(forms, [&](const Form& form) { return !form.unit.empty() && parse_unit(form.unit).dimension == dimension; });
+    const auto at = std::ranges::find_if(
+        forms, [&](const Form& form) { return !form.unit.empty() && parse_unit(form.unit).dimension == dimension; });
     return at == forms.end() ? "" : std::string(at->word);
   } catch (const InputError&) { return {}; }  // no quantity
 }
@@ -112,7 +131,8 @@ std::string form_literal(const Form& form, const std::string& quantity) {
 
 void read_form(const Written& at, int& form, double& value, const std::vector<Form>& forms) {
   const Node& node = at.node;
-  const std::string ways = list_of(mapped(forms, [](const Form& each) { return form_literal(each, with_unit("1", each.unit)); }));
+  const std::string ways =
+      list_of(mapped(forms, [](const Form& each) { return form_literal(each, with_unit("1", each.unit)); }));
   const bool is_bare = node.kind == Node::Kind::text;
   const Entry* const only = node.kind == Node::Kind::table ? only_entry(node) : nullptr;
   if (!is_bare && !only) return void(at.refuse("must be one of: " + ways));
@@ -123,13 +143,16 @@ void read_form(const Written& at, int& form, double& value, const std::vector<Fo
     if (forms[i].unit.empty() != is_bare) continue;
     alike.emplace_back(forms[i].word);
     if (forms[i].word != word) continue;
-    const std::optional<double> read = is_bare ? 0 : read_number({only->value, path, at.reading}, forms[i].unit, forms[i].range);
+    const std::optional<double> read =
+        is_bare ? 0 : read_number({only->value, path, at.reading}, forms[i].unit, forms[i].range);
     if (read) form = static_cast<int>(i), value = *read;
     return;
   }
   const std::string near = nearest(word, alike);
   if (!is_bare)
-    return at.reading.add(only->place, path, near.empty() ? "unknown key; write one of: " + ways : fmt::format("unknown key; did you mean {}?", near));
+    return at.reading.add(
+        only->place, path,
+        near.empty() ? "unknown key; write one of: " + ways : fmt::format("unknown key; did you mean {}?", near));
   const std::string tag = tag_of_quantity(word, forms);
   at.refuse(!tag.empty()   ? fmt::format("write {{ {} = \"{}\" }}", tag, word)
             : near.empty() ? fmt::format("unknown word \"{}\"; write one of: {}", word, ways)
@@ -151,11 +174,14 @@ void KeyVisitor::integer(const Key& key, std::optional<std::int64_t>& value, con
   if (value) record.literal = std::to_string(*value);
   visit(std::move(record), [&](const Written& at) {
     const Node& node = at.node;
-    const bool is_whole = node.kind == Node::Kind::real && std::floor(node.real) == node.real && std::abs(node.real) < 1e15;
+    const bool is_whole =
+        node.kind == Node::Kind::real && std::floor(node.real) == node.real && std::abs(node.real) < 1e15;
     const std::int64_t read = is_whole ? static_cast<std::int64_t>(node.real) : node.integer;
     if (!at.is(is_number(node), "a whole number")) return;
-    if (node.kind == Node::Kind::real && !is_whole) at.refuse(fmt::format("{} is not a whole number", as_written(node)));
-    else if (read < range.min || read > range.max) at.refuse(fmt::format("{} is out of range; it must be {}", read, to_string(range)));
+    if (node.kind == Node::Kind::real && !is_whole)
+      at.refuse(fmt::format("{} is not a whole number", as_written(node)));
+    else if (read < range.min || read > range.max)
+      at.refuse(fmt::format("{} is out of range; it must be {}", read, to_string(range)));
     else value = read;
   });
 }
@@ -176,7 +202,8 @@ void KeyVisitor::visit_text(const Key& key, std::string& value, bool names_file)
     if (!at.is_a(Node::Kind::text, "a text in quotes")) return;
     value = at.node.text;
     if (std::error_code error;
-        names_file && at.reading.look_for_files && !std::filesystem::is_regular_file(std::filesystem::path(at.reading.folder) / value, error))
+        names_file && at.reading.look_for_files &&
+        !std::filesystem::is_regular_file(std::filesystem::path(at.reading.folder) / value, error))
       at.refuse(fmt::format("there is no file \"{}\"; paths are relative to the folder of the recipe", value));
   });
 }
@@ -187,18 +214,23 @@ void KeyVisitor::numbers(const Key& key, std::vector<double>& values, std::strin
                 fmt::format("[{}, {}]", with_unit("1", unit), with_unit("2", unit))};
   record.literal = list_literal(values, [&](double value) { return number_literal(value, unit); });
   visit(std::move(record), [&](const Written& at) {
-    if (at.is_a(Node::Kind::array, "a list")) read_items(at, values, [&](const Written& item) { return read_number(item, unit, range); });
+    if (at.is_a(Node::Kind::array, "a list"))
+      read_items(at, values, [&](const Written& item) { return read_number(item, unit, range); });
   });
 }
 
 void KeyVisitor::pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) {
   Record record{key, "[[0, 1], ...]", {}, "[[0, 1], [1, 2]]"};
-  record.literal = list_literal(values, [](const auto& pair) { return fmt::format("[{}, {}]", pair.first, pair.second); });
+  record.literal =
+      list_literal(values, [](const auto& pair) { return fmt::format("[{}, {}]", pair.first, pair.second); });
   visit(std::move(record), [&](const Written& at) {
-    const auto is_index = [](const Node& n) { return n.kind == Node::Kind::integer && n.integer >= 0 && n.integer <= INT32_MAX; };
+    const auto is_index = [](const Node& n) {
+      return n.kind == Node::Kind::integer && n.integer >= 0 && n.integer <= INT32_MAX;
+    };
     const auto pair = [&](const Written& item) -> std::optional<std::pair<std::int32_t, std::int32_t>> {
       const auto& two = item.node.items;
-      if (item.node.kind == Node::Kind::array && two.size() == 2 && std::ranges::all_of(two, is_index) && two[0].integer != two[1].integer)
+      if (item.node.kind == Node::Kind::array && two.size() == 2 && std::ranges::all_of(two, is_index) &&
+          two[0].integer != two[1].integer)
         return std::pair(static_cast<std::int32_t>(two[0].integer), static_cast<std::int32_t>(two[1].integer));
       return at.refuse(item.node.place, "each pair must be two different grain indices from 0, such as [0, 1]");
     };
@@ -234,14 +266,15 @@ void KeyVisitor::choice(const Key& key, int& index, const std::vector<Word>& wor
     const auto found = std::ranges::find(names, at.node.text);
     if (found != names.end()) return void(index = static_cast<int>(found - names.begin()));
     const std::string near = nearest(at.node.text, names);
-    at.refuse(fmt::format("unknown word \"{}\"; {}it must be one of: {}", at.node.text, near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near),
-                          list_of(names)));
+    at.refuse(fmt::format("unknown word \"{}\"; {}it must be one of: {}", at.node.text,
+                          near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near), list_of(names)));
   });
 }
 
 void KeyVisitor::tagged(const Key& key, int& form, double& value, const std::vector<Form>& forms) {
   Record record{key, "..."};
-  for (const auto& each : forms) record.choices.push_back({form_literal(each, with_unit("...", each.unit)), std::string(each.sentence)});
+  for (const auto& each : forms)
+    record.choices.push_back({form_literal(each, with_unit("...", each.unit)), std::string(each.sentence)});
   const Form& chosen = forms[static_cast<std::size_t>(form)];
   record.literal = form_literal(chosen, number_literal(value, chosen.unit));
   visit(std::move(record), [&](const Written& at) { read_form(at, form, value, forms); });

@@ -16,7 +16,11 @@ class Recorder : public KeyVisitor {
   RecordTable table;
 
   void section(const Key& key, bool& present, const Visit& inside) override {
-    add({.key = key, .form = "{ ... }", .kind = Record::Kind::section, .present = present, .tables = {record_of(inside, every_key_)}});
+    add({.key = key,
+         .form = "{ ... }",
+         .kind = Record::Kind::section,
+         .present = present,
+         .tables = {record_of(inside, every_key_)}});
   }
   void sections(const Key& key, const Elements& elements) override {
     Record record{.key = key, .form = "...", .kind = Record::Kind::sections, .named = static_cast<bool>(elements.name)};
@@ -57,13 +61,16 @@ std::vector<std::string> assignments(const RecordTable& table) {
 
 std::string inline_table(const RecordTable& table) { return fmt::format("{{ {} }}", list_of(assignments(table))); }
 
-/// { a = 1, b = "... mm" } with a form to fill in for each required key, and for every key where none has a value of its own.
+/// { a = 1, b = "... mm" } with a form to fill in for each required key, and for every key where none has a value of
+/// its own.
 std::string inline_form(const RecordTable& table) {
-  const bool bare = std::none_of(table.begin(), table.end(), [](const Record& record) { return record.key.required || record.literal; });
+  const bool bare = std::none_of(table.begin(), table.end(),
+                                 [](const Record& record) { return record.key.required || record.literal; });
   std::vector<std::string> items;
   for (const auto& record : table)
     if (bare || record.key.required || record.literal)
-      items.push_back(fmt::format("{} = {}", record.key.name, bare || record.key.required ? record.form : *record.literal));
+      items.push_back(
+          fmt::format("{} = {}", record.key.name, bare || record.key.required ? record.form : *record.literal));
   return fmt::format("{{ {} }}", list_of(items));
 }
 
@@ -71,7 +78,8 @@ std::string inline_form(const RecordTable& table) {
 std::optional<std::string> value_of(const Record& record) {
   if (record.kind == Record::Kind::value) return record.literal;
   if (!record.present || record.tables.empty()) return std::nullopt;
-  return record.kind == Record::Kind::section ? inline_table(record.tables.front()) : fmt::format("[{}]", list_of(mapped(record.tables, inline_table)));
+  return record.kind == Record::Kind::section ? inline_table(record.tables.front())
+                                              : fmt::format("[{}]", list_of(mapped(record.tables, inline_table)));
 }
 
 void write_table(std::string& text, const RecordTable& table) {
@@ -109,10 +117,12 @@ std::string explanation(const Record& record) {
 }
 
 /// The lines of one table; keys at their default are comments, and appear only if `explain`.
-void write_commented_table(std::string& text, const RecordTable& table, const RecordTable& defaults, bool explain, bool active) {
+void write_commented_table(std::string& text, const RecordTable& table, const RecordTable& defaults, bool explain,
+                           bool active) {
   for (const auto& record : table) {
     const Record& standard = record_named(defaults, record.key.name);
-    const auto differences = mapped(record.tables, [&](const RecordTable& inner) { return changed(inner, standard.tables.front()); });
+    const auto differences =
+        mapped(record.tables, [&](const RecordTable& inner) { return changed(inner, standard.tables.front()); });
     bool set = active;
     std::string value;
     if (record.kind == Record::Kind::section) {
@@ -120,7 +130,8 @@ void write_commented_table(std::string& text, const RecordTable& table, const Re
       value = set ? inline_table(differences.front()) : inline_form(record.tables.front());
     } else if (record.kind == Record::Kind::sections) {
       set = set && !differences.empty();
-      value = set ? fmt::format("[{}]", list_of(mapped(differences, inline_table))) : fmt::format("[{}]", inline_form(standard.tables.front()));
+      value = set ? fmt::format("[{}]", list_of(mapped(differences, inline_table)))
+                  : fmt::format("[{}]", inline_form(standard.tables.front()));
     } else {
       set = set && is_changed(record, defaults);
       value = record.literal && !(record.key.required && !active) ? *record.literal : record.form;
@@ -137,13 +148,16 @@ void add_changes(std::string& text, const std::string& path, const RecordTable& 
     const Record& standard = record_named(defaults, record.key.name);
     const std::string key = path + toml_key(record.name());
     if (record.kind == Record::Kind::value) {
-      if (record.key.required || record.literal != standard.literal) text += fmt::format("{} = {}\n", key, record.literal.value_or("not set"));
+      if (record.key.required || record.literal != standard.literal)
+        text += fmt::format("{} = {}\n", key, record.literal.value_or("not set"));
       continue;
     }
     const bool is_list = record.kind == Record::Kind::sections;
     if (!record.present && standard.present) text += fmt::format("{} = not set\n", key);
     for (std::size_t i = 0; record.present && i < record.tables.size(); ++i) {
-      const std::string inner = !is_list ? key : fmt::format("{}.{}", key, record.named ? toml_key(record.table_names[i]) : std::to_string(i));
+      const std::string inner =
+          !is_list ? key
+                   : fmt::format("{}.{}", key, record.named ? toml_key(record.table_names[i]) : std::to_string(i));
       if (is_list || !standard.present) text += fmt::format("[{}]\n", inner);
       add_changes(text, inner + ".", record.tables[i], standard.tables.front());
     }
@@ -163,7 +177,8 @@ std::string meaning_of(const Record& record) {
   std::string text = cell(record.key.sentence);
   if (!record.condition.empty()) text += " With " + in_code(record.condition) + ".";
   if (!record.allowed.empty()) text += fmt::format(" Allowed: {}.", cell(record.allowed));
-  for (const auto& [literal, meaning, word] : record.choices) text += "<br>" + in_code(literal) + (meaning.empty() ? "" : ": " + cell(meaning));
+  for (const auto& [literal, meaning, word] : record.choices)
+    text += "<br>" + in_code(literal) + (meaning.empty() ? "" : ": " + cell(meaning));
   return text;
 }
 
@@ -172,8 +187,8 @@ void write_rows(std::string& text, const RecordTable& table) {
   for (const auto& record : table) {
     if (record.kind == Record::Kind::sections) continue;
     if (record.kind == Record::Kind::section) {
-      text +=
-          fmt::format("| `{}` | `{{ ... }}` | {} | {} See below. |\n", record.key.name, record.present ? "its keys' defaults" : "-", cell(record.key.sentence));
+      text += fmt::format("| `{}` | `{{ ... }}` | {} | {} See below. |\n", record.key.name,
+                          record.present ? "its keys' defaults" : "-", cell(record.key.sentence));
       continue;
     }
     const std::string form = !record.choices.empty()                  ? record.choices.front().literal
@@ -232,7 +247,8 @@ std::string write_commented_toml(const RecordTable& root, const RecordTable& all
     for (std::size_t i = 0; i < record.tables.size(); ++i) {
       if (i > 0) text += "\n";
       text += (record.present ? "" : "# ") + heading(record, record.name(), i) + "\n";
-      write_commented_table(text, record.tables[i], record_named(all, record.key.name).tables.front(), i == 0, record.present);
+      write_commented_table(text, record.tables[i], record_named(all, record.key.name).tables.front(), i == 0,
+                            record.present);
     }
   }
   return text;

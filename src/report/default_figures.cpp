@@ -34,16 +34,19 @@ std::vector<Swept> swept_keys(const campaign::CollectedTable& table) {
     if (table.keys[k].name == "seed") continue;
     std::set<std::string> values;
     for (const auto& row : table.rows) values.insert(row.values[k]);
-    const bool numeric = std::ranges::all_of(values, [](const std::string& v) { return parse_number<double>(v).has_value(); });
+    const bool numeric =
+        std::ranges::all_of(values, [](const std::string& v) { return parse_number<double>(v).has_value(); });
     keys.push_back({k, label_of(table, table.keys[k].name), table.keys[k].name, values.size(), numeric});
   }
-  std::ranges::stable_sort(keys, [](const Swept& a, const Swept& b) { return a.numeric != b.numeric ? a.numeric : a.values > b.values; });
+  std::ranges::stable_sort(
+      keys, [](const Swept& a, const Swept& b) { return a.numeric != b.numeric ? a.numeric : a.values > b.values; });
   return keys;
 }
 
 /// Over more than a decade and without zero.
 bool is_wide(const campaign::CollectedTable& table, const Swept& key) {
-  const auto [low, high] = std::ranges::minmax(mapped(table.rows, [&](const auto& row) { return parse_number<double>(row.values[key.place]).value_or(0); }));
+  const auto [low, high] = std::ranges::minmax(
+      mapped(table.rows, [&](const auto& row) { return parse_number<double>(row.values[key.place]).value_or(0); }));
   return low > 0 && high >= 30 * low;
 }
 
@@ -60,11 +63,15 @@ std::vector<std::string> main_numbers(const campaign::CollectedTable& table) {
 }  // namespace
 
 std::string label_of(const campaign::CollectedTable& table, const std::string& name) {
-  const auto with_unit = [](const std::string& words, const std::string& unit) { return unit.empty() ? words : words + ", " + unit; };
+  const auto with_unit = [](const std::string& words, const std::string& unit) {
+    return unit.empty() ? words : words + ", " + unit;
+  };
   for (const auto& key : table.keys)
     if (key.name == name) return with_unit(name, key.unit);
   const auto at = table.meanings.find(name);
-  return at == table.meanings.end() ? name : with_unit(at->second.sentence.substr(0, at->second.sentence.find_first_of(",:;")), at->second.unit);
+  return at == table.meanings.end()
+             ? name
+             : with_unit(at->second.sentence.substr(0, at->second.sentence.find_first_of(",:;")), at->second.unit);
 }
 
 std::vector<Figure> default_figures(const campaign::CollectedTable& table) {
@@ -76,27 +83,34 @@ std::vector<Figure> default_figures(const campaign::CollectedTable& table) {
     figure.id = name;
     std::ranges::replace(figure.id, '.', '-');
     figure.title = label_of(table, name);
-    if (const auto at = table.meanings.find(name); at != table.meanings.end()) figure.caption = at->second.sentence + ".";
+    if (const auto at = table.meanings.find(name); at != table.meanings.end())
+      figure.caption = at->second.sentence + ".";
     figure.x = keys.front().name;
     figure.x_axis = {keys.front().label, is_wide(table, keys.front()), {}, {}};
     figure.y = {name};
-    if (keys.size() > 1 && keys[1].values > 1 && keys[1].values <= most_curves) figure.by = keys[1].name, figure.by_label = keys[1].label;
+    if (keys.size() > 1 && keys[1].values > 1 && keys[1].values <= most_curves)
+      figure.by = keys[1].name, figure.by_label = keys[1].label;
     figures.push_back(std::move(figure));
   }
   return figures;
 }
 
-Numbers runs_table(const campaign::CollectedTable& table, const std::function<std::string(const std::string& run)>& link) {
+Numbers runs_table(const campaign::CollectedTable& table,
+                   const std::function<std::string(const std::string& run)>& link) {
   const auto numbers = main_numbers(table);
-  const auto columns =
-      mapped(numbers, [&](const std::string& name) { return static_cast<std::size_t>(std::ranges::find(table.names, name) - table.names.begin()); });
+  const auto columns = mapped(numbers, [&](const std::string& name) {
+    return static_cast<std::size_t>(std::ranges::find(table.names, name) - table.names.begin());
+  });
   const auto row_of = [&](const campaign::CollectedTable::Row& row) {
     const auto number_in = [&](std::size_t c) {
       const auto number = c < row.numbers.size() ? row.numbers[c] : statistics::Estimate();
       return std::isfinite(number.value) ? Numbers{number.value, number.error} : Numbers();
     };
-    return Numbers{
-        {"run", row.run}, {"status", row.status}, {"link", link ? link(row.run) : ""}, {"values", row.values}, {"numbers", mapped(columns, number_in)}};
+    return Numbers{{"run", row.run},
+                   {"status", row.status},
+                   {"link", link ? link(row.run) : ""},
+                   {"values", row.values},
+                   {"numbers", mapped(columns, number_in)}};
   };
   return {{"keys", mapped(table.keys, [&](const auto& key) { return label_of(table, key.name); })},
           {"names", mapped(numbers, [&](const std::string& name) { return label_of(table, name); })},

@@ -15,8 +15,8 @@ template <class T> std::vector<std::uint32_t> labels_of(const std::vector<T>& la
   return mapped(kept.node, [&](std::size_t node) { return static_cast<std::uint32_t>(label[node] + 1); });
 }
 
-/// "voids" and "pores" of a map: label of every node on the page (0: none) and nodes of each, by the rules that the result's numbers state, which have
-/// their volumes too; without these by the rules' defaults.
+/// "voids" and "pores" of a map: label of every node on the page (0: none) and nodes of each, by the rules that the
+/// result's numbers state, which have their volumes too; without these by the rules' defaults.
 Numbers cavities_of(const PhaseMap& map, const Numbers& numbers, const Thinning& kept, NumberBlock& block) {
   const Numbers said = numbers.value("cavity_rules", Numbers::tree());
   grid::CavityRules rules;
@@ -36,7 +36,8 @@ Numbers cavities_of(const PhaseMap& map, const Numbers& numbers, const Thinning&
 }
 
 bool same_map(const PhaseMap& a, const PhaseMap& b) {
-  return a.width == b.width && a.height == b.height && a.dx == b.dx && a.phase == b.phase && a.grain == b.grain && a.grain_class == b.grain_class;
+  return a.width == b.width && a.height == b.height && a.dx == b.dx && a.phase == b.phase && a.grain == b.grain &&
+         a.grain_class == b.grain_class;
 }
 
 Numbers map_of(const PhaseMap& map, const Numbers& numbers, const Thinning& kept, NumberBlock& block) {
@@ -52,20 +53,22 @@ Numbers map_of(const PhaseMap& map, const Numbers& numbers, const Thinning& kept
 }
 
 /// One component on the page's nodes, with mean and extremes over all nodes of the map that are not void.
-Numbers component(const PhaseMap& map, const Thinning& kept, const std::vector<std::uint8_t>& solid, const std::vector<double>& values, bool companded,
-                  NumberBlock& block) {
+Numbers component(const PhaseMap& map, const Thinning& kept, const std::vector<std::uint8_t>& solid,
+                  const std::vector<double>& values, bool companded, NumberBlock& block) {
   std::vector<double> inside;
   for (std::size_t k = 0; k < values.size(); ++k)
     if (map.phase[k] != Phase::empty) inside.push_back(values[k]);
   const auto [least, most] = inside.empty() ? std::ranges::min_max_result<double>{0, 0} : std::ranges::minmax(inside);
   const double sum = std::accumulate(inside.begin(), inside.end(), 0.0);
   Numbers out = numbers_of(code_field(kept.width, kept.height, kept.of(values), solid, companded), block);
-  out.update(Numbers{{"mean", sum / static_cast<double>(std::max<std::size_t>(1, inside.size()))}, {"least", least}, {"most", most}});
+  out.update(Numbers{
+      {"mean", sum / static_cast<double>(std::max<std::size_t>(1, inside.size()))}, {"least", least}, {"most", most}});
   return out;
 }
 
 Numbers components_of(const FieldResult& result, const Thinning& kept, NumberBlock& block) {
-  const auto solid = mapped<std::uint8_t>(kept.node, [&](std::size_t node) { return result.map.phase[node] != Phase::empty; });
+  const auto solid =
+      mapped<std::uint8_t>(kept.node, [&](std::size_t node) { return result.map.phase[node] != Phase::empty; });
   Numbers all = Numbers::tree();
   for (const auto& column : io::field_columns) {
     const bool is_stress = std::string_view(column.unit) == "Pa";  // which has tails; displacements have none
@@ -79,10 +82,16 @@ Numbers components_of(const FieldResult& result, const Thinning& kept, NumberBlo
 
 /// Nodes, centres and mean stresses of all grains; no stresses without a field.
 Numbers grains_of(const stress::GrainStresses& g, bool loaded, NumberBlock& block) {
-  const auto column = [&](const auto& rows, auto member, const char* unit) { return block.add_reals(mapped(rows, member), unit); };
-  Numbers out{{"nodes", block.add_indices(g.nodes)}, {"x", column(g.centre, &Vec2::x, "m")}, {"y", column(g.centre, &Vec2::y, "m")}};
+  const auto column = [&](const auto& rows, auto member, const char* unit) {
+    return block.add_reals(mapped(rows, member), unit);
+  };
+  Numbers out{{"nodes", block.add_indices(g.nodes)},
+              {"x", column(g.centre, &Vec2::x, "m")},
+              {"y", column(g.centre, &Vec2::y, "m")}};
   if (loaded)
-    out.update({{"xx", column(g.stress, &Tensor2::xx, "Pa")}, {"yy", column(g.stress, &Tensor2::yy, "Pa")}, {"xy", column(g.stress, &Tensor2::xy, "Pa")}});
+    out.update({{"xx", column(g.stress, &Tensor2::xx, "Pa")},
+                {"yy", column(g.stress, &Tensor2::yy, "Pa")},
+                {"xy", column(g.stress, &Tensor2::xy, "Pa")}});
   return out;
 }
 
@@ -117,11 +126,14 @@ std::pair<Numbers, stress::GrainStresses> measured(const FieldResult& result) {
       auto statistics = stress::measure(result.map, result.field, options);
       return {stress::numbers(statistics, true), std::move(statistics.grains)};
     }
-  } catch (const InputError& error) { notes["notes"] = Numbers::list({error.what()}); }  // a sample without any stress has a page too
+  } catch (const InputError& error) {
+    notes["notes"] = Numbers::list({error.what()});
+  }  // a sample without any stress has a page too
   return {std::move(notes), stress::measure_grains(result.map, result.field, options.clamp_rows, options.blocks)};
 }
 
-Numbers field_of(const FieldResult& r, const stress::Statistics* known, std::size_t map, const Thinning& kept, NumberBlock& block) {
+Numbers field_of(const FieldResult& r, const stress::Statistics* known, std::size_t map, const Thinning& kept,
+                 NumberBlock& block) {
   const auto [densities, grains] = known ? std::pair(stress::numbers(*known, true), known->grains) : measured(r);
   Numbers out{{"name", r.name},
               {"converged", r.converged},
@@ -143,12 +155,15 @@ Numbers field_of(const FieldResult& r, const stress::Statistics* known, std::siz
 
 Thinning::Thinning(const PhaseMap& map, std::size_t most) {
   const auto left = [](int nodes, int by) { return std::max(1, nodes / by); };
-  while (static_cast<std::size_t>(left(map.width, stride)) * static_cast<std::size_t>(left(map.height, stride)) > most) ++stride;
+  while (static_cast<std::size_t>(left(map.width, stride)) * static_cast<std::size_t>(left(map.height, stride)) > most)
+    ++stride;
   width = map.width > 0 ? left(map.width, stride) : 0;
   height = map.height > 0 ? left(map.height, stride) : 0;
   const int first = stride / 2;
   for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) node.push_back(map.index(std::min(map.width - 1, first + x * stride), std::min(map.height - 1, first + y * stride)));
+    for (int x = 0; x < width; ++x)
+      node.push_back(
+          map.index(std::min(map.width - 1, first + x * stride), std::min(map.height - 1, first + y * stride)));
 }
 
 void add_fields(Numbers& document, const PageData& data, NumberBlock& block) {
@@ -158,13 +173,15 @@ void add_fields(Numbers& document, const PageData& data, NumberBlock& block) {
     const FieldResult& result = data.fields[f];
     const PhaseMap& map = result.map;
     const Thinning kept(map);
-    const auto at = std::find_if(known.begin(), known.end(), [&](const PhaseMap* other) { return same_map(*other, map); });
+    const auto at =
+        std::find_if(known.begin(), known.end(), [&](const PhaseMap* other) { return same_map(*other, map); });
     const auto place = static_cast<std::size_t>(at - known.begin());
     if (at == known.end()) {
       known.push_back(&map);
       maps.push_back(map_of(map, shortened(result.numbers), kept, block));
     }
-    list.push_back(field_of(result, known_of(data.measured, &workflow::KnownStatistics::fields, f), place, kept, block));
+    list.push_back(
+        field_of(result, known_of(data.measured, &workflow::KnownStatistics::fields, f), place, kept, block));
   }
   document["maps"] = std::move(maps);
   document["fields"] = std::move(list);

@@ -17,10 +17,13 @@ constexpr double rounding = 1e-6;  // nodes, of a centre that lies on one
 /// Nodes of a map from its lower left corner: every `step`th.
 struct View {
   int x = 0, y = 0, width = 0, height = 0, step = 1;
-  std::size_t node(const PhaseMap& map, int column, int row_from_top) const { return map.index(x + column * step, y + (height - 1 - row_from_top) * step); }
+  std::size_t node(const PhaseMap& map, int column, int row_from_top) const {
+    return map.index(x + column * step, y + (height - 1 - row_from_top) * step);
+  }
   Numbers json(const PhaseMap& map) const {
     const double mm = 1e3 * map.dx * step;
-    return {{"size", {std::round(1e4 * width * mm) / 1e4, std::round(1e4 * height * mm) / 1e4}}, {"nodes", {width, height}}};
+    return {{"size", {std::round(1e4 * width * mm) / 1e4, std::round(1e4 * height * mm) / 1e4}},
+            {"nodes", {width, height}}};
   }
 };
 
@@ -116,7 +119,9 @@ Numbers zoom_drawing(const FieldResult& load) {
   for (int row = 0; row < view.height; ++row)
     for (int column = 0; column < view.width; ++column) {
       const std::size_t node = view.node(load.map, column, row);
-      stress.push_back(load.map.phase[node] == Phase::empty ? Numbers() : Numbers(std::round(100 * load.field.yy[node] / mean) / 100));
+      stress.push_back(load.map.phase[node] == Phase::empty
+                           ? Numbers()
+                           : Numbers(std::round(100 * load.field.yy[node] / mean) / 100));
     }
   j["stress"] = std::move(stress);
   j["edges"] = edges_of(load.map, view);
@@ -124,13 +129,15 @@ Numbers zoom_drawing(const FieldResult& load) {
 }
 
 Numbers cracks_drawing(const FieldResult& test) {
-  if (test.cracks.empty()) throw InputError("no bond of this run is broken; `failure = true` in [[loads]] loads the sample to failure");
+  if (test.cracks.empty())
+    throw InputError("no bond of this run is broken; `failure = true` in [[loads]] loads the sample to failure");
   const View view = whole(test.map);
   const double node = test.map.dx * view.step;
   const auto rounded = [](double v) { return std::round(10 * v) / 10; };
   Numbers j = phases_of(test.map, view);
   j["cracks"] = {{"x", mapped(test.cracks, [&](const Crack& c) { return rounded(static_cast<double>(c.x) / node); })},
-                 {"y", mapped(test.cracks, [&](const Crack& c) { return rounded(view.height - static_cast<double>(c.y) / node); })},
+                 {"y", mapped(test.cracks,
+                              [&](const Crack& c) { return rounded(view.height - static_cast<double>(c.y) / node); })},
                  {"type", mapped(test.cracks, &Crack::type)}};
   return j;
 }

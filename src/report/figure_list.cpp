@@ -43,7 +43,10 @@ template <> constexpr const char* wanted<std::vector<double>> = "is a list of nu
 /// Reads the keys of one table; what is left over is unknown.
 class Table {
  public:
-  Table(const Node& node, const std::string& file, std::vector<Problem>& problems) : node_(node), file_(file), problems_(problems) {}
+  Table(const Node& node, const std::string& file, std::vector<Problem>& problems)
+      : node_(node),
+        file_(file),
+        problems_(problems) {}
 
   template <class T> void read(const std::string& key, T& value, bool needed = false) {
     const Entry* entry = take(key);
@@ -65,7 +68,8 @@ class Table {
   void refuse_unknown() {
     for (const Entry& entry : node_.entries)
       if (!known_.contains(entry.key))
-        problems_.push_back({file_, entry.place.line, entry.place.column, fmt::format("`{}` is not a key of a figure", entry.key)});
+        problems_.push_back(
+            {file_, entry.place.line, entry.place.column, fmt::format("`{}` is not a key of a figure", entry.key)});
   }
   void refuse(const Node& node, const std::string& key, const std::string& message) {
     problems_.push_back({file_, node.place.line, node.place.column, fmt::format("`{}` {}", key, message)});
@@ -78,11 +82,13 @@ class Table {
   std::set<std::string, std::less<>> known_;
 };
 
-constexpr std::array words = {"plot", "rose", "map", "grains", "forces", "stresses", "film", "phases", "zoom", "cracks"};
+constexpr std::array words = {"plot",     "rose", "map",    "grains", "forces",
+                              "stresses", "film", "phases", "zoom",   "cracks"};
 constexpr std::array spreads = {"error", "deviation"};
 
 /// One of the words that the values of an enumeration have in their order.
-template <class Choice> void read_choice(Table& table, const Node& node, const char* key, const auto& among, Choice& choice) {
+template <class Choice>
+void read_choice(Table& table, const Node& node, const char* key, const auto& among, Choice& choice) {
   std::string word = among[static_cast<std::size_t>(choice)];
   table.read(key, word);
   const auto at = std::find(among.begin(), among.end(), word);
@@ -93,16 +99,20 @@ template <class Choice> void read_choice(Table& table, const Node& node, const c
 /// What the kind of figure needs.
 void check_figure(Table& table, const Node& node, const Figure& figure) {
   const bool points = !figure.x.empty() && !figure.y.empty();
-  if (figure.kind == FigureKind::plot && figure.curves.empty() && !points) table.refuse(node, "x", "and `y`, or `curves`, are needed");
+  if (figure.kind == FigureKind::plot && figure.curves.empty() && !points)
+    table.refuse(node, "x", "and `y`, or `curves`, are needed");
   if (figure.kind == FigureKind::rose && figure.curves.empty()) table.refuse(node, "curves", "are needed for a rose");
   if (figure.kind == FigureKind::map && (!points || figure.by.empty() || figure.y.size() != 1))
     table.refuse(node, "x", ", `by` and one `y` are needed for a map");
-  if (const std::size_t n = figure.curves.empty() ? figure.y.size() : figure.curves.size(); !figure.names.empty() && figure.names.size() != n)
+  if (const std::size_t n = figure.curves.empty() ? figure.y.size() : figure.curves.size();
+      !figure.names.empty() && figure.names.size() != n)
     table.refuse(node, "names", fmt::format("must be as many as the curves drawn: {}", n));
-  if (const double n = figure.sectors.value_or(18); !(n >= 2 && n <= 360 && n == std::floor(n))) table.refuse(node, "sectors", "is a whole number, 2 to 360");
+  if (const double n = figure.sectors.value_or(18); !(n >= 2 && n <= 360 && n == std::floor(n)))
+    table.refuse(node, "sectors", "is a whole number, 2 to 360");
   if (const double share = figure.window.value_or(1); !(share > 0 && share <= 1))
     table.refuse(node, "window", "is a fraction of the area, above 0 and up to 1");
-  if (!figure.fits.empty() && figure.fits.size() != figure.curves.size()) table.refuse(node, "fits", "must be as many as `curves`");
+  if (!figure.fits.empty() && figure.fits.size() != figure.curves.size())
+    table.refuse(node, "fits", "must be as many as `curves`");
 }
 
 std::string cell_of(const Node& node) { return node.kind == Kind::text ? node.text : recipe::toml_literal(node); }
@@ -119,7 +129,8 @@ void read_where(Table& table, Where& read) {
 
 /// Reads every table of the list at `key`.
 template <class T, class Read>
-void read_each(Table& table, const char* key, const std::string& file, std::vector<Problem>& problems, std::vector<T>& values, Read read) {
+void read_each(Table& table, const char* key, const std::string& file, std::vector<Problem>& problems,
+               std::vector<T>& values, Read read) {
   const Entry* list = table.take(key);
   if (!list) return;
   for (const Node& item : list->value.items) {
@@ -130,20 +141,21 @@ void read_each(Table& table, const char* key, const std::string& file, std::vect
 }
 
 /// What numbers were called in version 0.1, and are called now.
-constexpr std::pair<std::string_view, std::string_view> former_names[] = {{"twin", "simulation"},
-                                                                          {"raster", "grid"},
-                                                                          {"even_pdf", "histogram"},
-                                                                          {"own_even_pdf", "own_histogram"},
-                                                                          {"directions", "contact_orientations"},
-                                                                          {"joints", "necks"},
-                                                                          {"lost_joints", "lost_necks"},
-                                                                          {"thinnest_joint_nodes", "thinnest_neck_nodes"},
-                                                                          {"identity_defect", "reaction_balance_error"},
-                                                                          {"energy_defect", "energy_balance_error"},
-                                                                          {"share_above_mean", "fraction_above_mean"},
-                                                                          {"share_above_own_mean", "fraction_above_own_mean"},
-                                                                          {"share_above_sample_mean", "fraction_above_sample_mean"},
-                                                                          {"share_above_mean_of_all", "fraction_above_mean_of_all"}};
+constexpr std::pair<std::string_view, std::string_view> former_names[] = {
+    {"twin", "simulation"},
+    {"raster", "grid"},
+    {"even_pdf", "histogram"},
+    {"own_even_pdf", "own_histogram"},
+    {"directions", "contact_orientations"},
+    {"joints", "necks"},
+    {"lost_joints", "lost_necks"},
+    {"thinnest_joint_nodes", "thinnest_neck_nodes"},
+    {"identity_defect", "reaction_balance_error"},
+    {"energy_defect", "energy_balance_error"},
+    {"share_above_mean", "fraction_above_mean"},
+    {"share_above_own_mean", "fraction_above_own_mean"},
+    {"share_above_sample_mean", "fraction_above_sample_mean"},
+    {"share_above_mean_of_all", "fraction_above_mean_of_all"}};
 
 /// Numbers under their names of now, each step of a dotted path.
 void rename_former(std::vector<std::string*> paths, std::vector<std::string>& notices) {
@@ -157,7 +169,8 @@ void rename_former(std::vector<std::string*> paths, std::vector<std::string>& no
     }
 }
 
-Figure read_figure(const Node& node, const std::string& file, std::vector<Problem>& problems, std::vector<std::string>& notices) {
+Figure read_figure(const Node& node, const std::string& file, std::vector<Problem>& problems,
+                   std::vector<std::string>& notices) {
   Figure figure;
   Table table(node, file, problems);
   table.read("id", figure.id, true);
@@ -189,20 +202,22 @@ Figure read_figure(const Node& node, const std::string& file, std::vector<Proble
     table.read(prefix + "high", axis->high);
   }
   read_where(table, figure.where);
-  read_each(table, "references", file, problems, figure.references, [](Table& inner, const Node&, FigureReference& reference) {
-    inner.read("x", reference.x);
-    inner.read("y", reference.y);
-    inner.read("slope", reference.slope);
-    inner.read("label", reference.label);
-  });
-  read_each(table, "source_points", file, problems, figure.source_points, [](Table& inner, const Node& item, SourcePoints& points) {
-    inner.read("name", points.name, true);
-    inner.read("part", points.part);
-    inner.read("film", points.film);
-    inner.read("x", points.x);
-    inner.read("y", points.y);
-    if (points.x.size() != points.y.size()) inner.refuse(item, "y", "must be as many as `x`");
-  });
+  read_each(table, "references", file, problems, figure.references,
+            [](Table& inner, const Node&, FigureReference& reference) {
+              inner.read("x", reference.x);
+              inner.read("y", reference.y);
+              inner.read("slope", reference.slope);
+              inner.read("label", reference.label);
+            });
+  read_each(table, "source_points", file, problems, figure.source_points,
+            [](Table& inner, const Node& item, SourcePoints& points) {
+              inner.read("name", points.name, true);
+              inner.read("part", points.part);
+              inner.read("film", points.film);
+              inner.read("x", points.x);
+              inner.read("y", points.y);
+              if (points.x.size() != points.y.size()) inner.refuse(item, "y", "must be as many as `x`");
+            });
   read_each(table, "beside", file, problems, figure.beside, [](Table& inner, const Node&, BesideCurve& curve) {
     inner.read("name", curve.name, true);
     inner.read("x", curve.x, true);
@@ -230,7 +245,8 @@ std::vector<Figure> read_figures(const std::string& text, const std::string& fil
   std::vector<Figure> figures;
   for (const Entry& entry : root.entries) {
     if (entry.key != "figures" || entry.value.kind != Kind::array) {
-      problems.push_back({file, entry.place.line, entry.place.column, fmt::format("`{}` is unknown; figures are written as [[figures]]", entry.key)});
+      problems.push_back({file, entry.place.line, entry.place.column,
+                          fmt::format("`{}` is unknown; figures are written as [[figures]]", entry.key)});
       continue;
     }
     for (const Node& node : entry.value.items) figures.push_back(read_figure(node, file, problems, former));

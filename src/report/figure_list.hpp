@@ -13,7 +13,8 @@ struct FigureAxis {
   std::optional<double> low, high;  ///< unless given, as far as the points reach
 };
 
-/// What the text of the source says of a figure: a level, an abscissa or, with both, a point; or a line through the origin.
+/// What the text of the source says of a figure: a level, an abscissa or, with both, a point; or a line through the
+/// origin.
 struct FigureReference {
   std::optional<double> x, y, slope;
   std::string label;
@@ -39,9 +40,9 @@ struct BesideCurve {
 /// What bars show of the scatter over samples: the standard error of the mean or the standard deviation.
 enum class Spread { error, deviation };
 
-/// How a figure is drawn: points and lines; `curves` as sectors of directions over half a turn; `y` as a colour over x and
-/// `by`; or one run's state: its grains, their forces, their stresses, the stresses that a film of it gives, its phases on the
-/// grid, the stresses of nodes in and about one grain, or its broken bonds.
+/// How a figure is drawn: points and lines; `curves` as sectors of directions over half a turn; `y` as a colour over x
+/// and `by`; or one run's state: its grains, their forces, their stresses, the stresses that a film of it gives, its
+/// phases on the grid, the stresses of nodes in and about one grain, or its broken bonds.
 enum class FigureKind { plot, rose, map, grains, forces, stresses, film, phases, zoom, cracks };
 const char* word_for(FigureKind kind);
 /// Whether it shows one run.
@@ -74,8 +75,9 @@ struct Figure {
   std::vector<BesideCurve> beside;
 };
 
-/// Reads figures.toml. Former names of keys and of numbers count as those of now; each adds a sentence to `notices`. Throws InputError with every
-/// problem.
-std::vector<Figure> read_figures(const std::string& text, const std::string& file, std::vector<std::string>* notices = nullptr);
+/// Reads figures.toml. Former names of keys and of numbers count as those of now; each adds a sentence to `notices`.
+/// Throws InputError with every problem.
+std::vector<Figure> read_figures(const std::string& text, const std::string& file,
+                                 std::vector<std::string>* notices = nullptr);
 
 }  // namespace arenite::report

@@ -8,14 +8,17 @@
 namespace arenite::report {
 namespace {
 
-/// Which maps the page has, with the steps of their codes over their middle half width: noise does not deflate, so maps of nothing else have coarse
-/// ones; a phase comes to a tenth of a degree.
+/// Which maps the page has, with the steps of their codes over their middle half width: noise does not deflate, so maps
+/// of nothing else have coarse ones; a phase comes to a tenth of a degree.
 constexpr double picture_steps = 2000, fine = 500, coarse = 125;
 constexpr std::pair<std::string_view, double> steps_of_maps[] = {
-    {"amplitude", fine}, {"phase", 1000}, {"in_phase", fine}, {"second_harmonic", coarse}, {"standard_error", coarse}, {"residual", coarse}};
+    {"amplitude", fine},        {"phase", 1000},     {"in_phase", fine}, {"second_harmonic", coarse},
+    {"standard_error", coarse}, {"residual", coarse}};
 
 /// Kelvin are digital levels in a film of these.
-std::string unit_in(const FilmInfo& film, const std::string& unit) { return unit == "K" && film.quantity == FilmQuantity::digital_level ? "DL" : unit; }
+std::string unit_in(const FilmInfo& film, const std::string& unit) {
+  return unit == "K" && film.quantity == FilmQuantity::digital_level ? "DL" : unit;
+}
 
 std::vector<std::uint32_t> places_of_ones(const std::vector<std::uint8_t>& marks) {
   std::vector<std::uint32_t> places;
@@ -82,10 +85,12 @@ PictureGrains circles_of(const FilmResult& r) {
   return out;
 }
 
-/// Way of each grain from the smallest to the largest load along one axis, pixels: the load goes as cos(2 pi f t - phase).
+/// Way of each grain from the smallest to the largest load along one axis, pixels: the load goes as cos(2 pi f t -
+/// phase).
 std::vector<double> way(const GrainMotion& motion, double phase, double Vec2::*axis) {
   std::vector<double> out;
-  for (std::size_t g = 0; g < motion.size(); ++g) out.push_back(2 * (motion.at(g, std::cos(phase), std::sin(phase)).*axis));
+  for (std::size_t g = 0; g < motion.size(); ++g)
+    out.push_back(2 * (motion.at(g, std::cos(phase), std::sin(phase)).*axis));
   return out;
 }
 
@@ -118,7 +123,8 @@ Numbers contacts_of(const FilmResult& r, NumberBlock& block) {
   Numbers out = pairs_of(r.packing, block);
   out["count"] = contacts.size();
   add_columns(out, contacts, io::contact_columns, {"nx", "ny", "fn", "ft"}, block);
-  for (const auto& [name, values, unit] : {std::tuple{"fn_error", &r.fn_error, "N"}, {"ft_error", &r.ft_error, "N"}, {"presence", &r.presence, ""}})
+  for (const auto& [name, values, unit] :
+       {std::tuple{"fn_error", &r.fn_error, "N"}, {"ft_error", &r.ft_error, "N"}, {"presence", &r.presence, ""}})
     if (values->size() == contacts.size()) out[name] = block.add_reals(*values, unit);
   return out;
 }
@@ -135,12 +141,15 @@ Numbers container_of(const FilmResult& r) {
 Numbers stresses_of(const workflow::FilmStresses& stresses, NumberBlock& block) {
   Numbers all = Numbers::tree();
   for (const workflow::GrainStresses& s : stresses.sources)
-    all[s.source] = {{"mean", s.mean}, {"sigma_hyd", block.add_reals(s.sigma_hyd, "Pa")}, {"sigma_norm", block.add_reals(s.sigma_norm)}};
+    all[s.source] = {{"mean", s.mean},
+                     {"sigma_hyd", block.add_reals(s.sigma_hyd, "Pa")},
+                     {"sigma_norm", block.add_reals(s.sigma_norm)}};
   return all;
 }
 
 Numbers one_film(const FilmResult& r, const texture::Texture* texture, NumberBlock& block) {
-  const workflow::FilmStresses stresses = texture ? workflow::film_stresses(r, texture->per_grain.considered) : workflow::FilmStresses{};
+  const workflow::FilmStresses stresses =
+      texture ? workflow::film_stresses(r, texture->per_grain.considered) : workflow::FilmStresses{};
   Numbers out{{"name", r.name},
               {"converged", r.converged},
               {"outcome", r.outcome},

@@ -19,14 +19,14 @@ struct FoundGrains {
   std::string file;
 };
 
-/// Table id, x, y, radius, material (read by packing.method = "file" and `measure`), with standard errors, brightness and
-/// score; lengths in mm, or in pixels where a pixel's width is not known.
+/// Table id, x, y, radius, material (read by packing.method = "file" and `measure`), with standard errors, brightness
+/// and score; lengths in mm, or in pixels where a pixel's width is not known.
 std::string grains_csv(const FoundGrains& grains);
 std::string grains_text(const FoundGrains& grains);
 std::string grains_json(const FoundGrains& grains);
 
-/// The picture in grey with the grains' circles on it, coloured by material; small pictures are drawn up to four times as
-/// large.
+/// The picture in grey with the grains' circles on it, coloured by material; small pictures are drawn up to four times
+/// as large.
 io::ColourPicture grains_overlay(const FoundGrains& grains);
 
 }  // namespace arenite::report

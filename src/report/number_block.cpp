@@ -35,7 +35,8 @@ CodedField coding_of(std::vector<double> sample, bool companded, double levels) 
   const double low = at(companded ? 0.001 : 0), high = at(companded ? 0.999 : 1);
   const double half = (high - low) / 2;
   // A field of one value has no range to divide.
-  return {companded, (low + high) / 2, half > 0 ? half : std::max(1e-300, std::abs(low)), companded ? levels : fine_codes};
+  return {companded, (low + high) / 2, half > 0 ? half : std::max(1e-300, std::abs(low)),
+          companded ? levels : fine_codes};
 }
 
 }  // namespace
@@ -101,7 +102,8 @@ std::string base64(std::span<const std::uint8_t> bytes) {
   return text;
 }
 
-CodedField code_field(int width, int height, const std::vector<double>& values, const std::vector<std::uint8_t>& known, bool companded, double levels) {
+CodedField code_field(int width, int height, const std::vector<double>& values, const std::vector<std::uint8_t>& known,
+                      bool companded, double levels) {
   std::vector<double> sample;
   for (std::size_t k = 0; k < values.size(); ++k)
     if (known[k] && std::isfinite(values[k])) sample.push_back(values[k]);
@@ -112,7 +114,9 @@ CodedField code_field(int width, int height, const std::vector<double>& values, 
     for (int x = 0; x < width; ++x, ++k) {
       const std::int32_t guess = median_prediction(code, width, x, y);
       const double t = (values[k] - out.centre) / out.width;
-      code[k] = known[k] && std::isfinite(t) ? static_cast<std::int32_t>(std::lround(out.levels * (companded ? std::asinh(t) : t))) : guess;
+      code[k] = known[k] && std::isfinite(t)
+                    ? static_cast<std::int32_t>(std::lround(out.levels * (companded ? std::asinh(t) : t)))
+                    : guess;
       const std::int32_t off = code[k] - guess;
       out.residual.push_back(static_cast<std::uint32_t>(off) << 1 ^ static_cast<std::uint32_t>(off >> 31));
     }
@@ -120,8 +124,11 @@ CodedField code_field(int width, int height, const std::vector<double>& values, 
 }
 
 Numbers numbers_of(const CodedField& c, NumberBlock& block) {
-  return {
-      {"law", c.companded ? "sinh" : "linear"}, {"centre", c.centre}, {"width", c.width}, {"levels", c.levels}, {"residual", block.add_indices(c.residual)}};
+  return {{"law", c.companded ? "sinh" : "linear"},
+          {"centre", c.centre},
+          {"width", c.width},
+          {"levels", c.levels},
+          {"residual", block.add_indices(c.residual)}};
 }
 
 }  // namespace arenite::report

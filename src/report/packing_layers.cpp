@@ -16,7 +16,8 @@ Numbers curve_of(const packing::SizeCurve& curve, NumberBlock& block) {
   return {{"diameter", block.add_reals(curve.diameter, "m")}, {"passing", block.add_coarse(curve.passing)}};
 }
 
-/// Rims of grains that are no disks, from their centres where their angles are 0: those of grain g are points first[g] to first[g + 1] - 1.
+/// Rims of grains that are no disks, from their centres where their angles are 0: those of grain g are points first[g]
+/// to first[g + 1] - 1.
 Numbers shapes_of(Grains grains, NumberBlock& block) {
   grains.angle.assign(grains.size(), 0.0);
   std::vector<std::uint32_t> first{0};
@@ -25,11 +26,14 @@ Numbers shapes_of(Grains grains, NumberBlock& block) {
     for (const Vec2& p : outline_of(grains, g, 0.3)) rim.push_back(p - grains.position[g]);
     first.push_back(static_cast<std::uint32_t>(rim.size()));
   }
-  return {{"first", block.add_indices(first)}, {"x", block.add_reals(mapped(rim, &Vec2::x), "m")}, {"y", block.add_reals(mapped(rim, &Vec2::y), "m")}};
+  return {{"first", block.add_indices(first)},
+          {"x", block.add_reals(mapped(rim, &Vec2::x), "m")},
+          {"y", block.add_reals(mapped(rim, &Vec2::y), "m")}};
 }
 
-/// What the page knows of every grain in a state: place and angle, pressure p = -sigma_hyd and deviator q of its stress (half the sum and half the
-/// difference of the principal ones), velocity and spin. Of a state at rest the last two are left out.
+/// What the page knows of every grain in a state: place and angle, pressure p = -sigma_hyd and deviator q of its stress
+/// (half the sum and half the difference of the principal ones), velocity and spin. Of a state at rest the last two are
+/// left out.
 void add_grain_values(Numbers& out, const Packing& packing, const std::vector<Tensor2>& stresses, NumberBlock& block) {
   std::vector<double> pressure, deviator;
   for (const Tensor2& stress : stresses) {
@@ -85,9 +89,13 @@ Numbers contacts_of(const Packing& packing, NumberBlock& block) {
 
 Numbers domain_of(const Domain& domain, NumberBlock& block) {
   const auto walls = mapped(domain.wall, [](const Wall& wall) {
-    return Numbers{{"present", wall.present}, {"position", wall.position}, {"force", wall.force}, {"shear", wall.shear_force}};
+    return Numbers{
+        {"present", wall.present}, {"position", wall.position}, {"force", wall.force}, {"shear", wall.shear_force}};
   });
-  Numbers out{{"walls", walls}, {"periodic", {domain.periodic[0], domain.periodic[1]}}, {"tilt", domain.tilt}, {"thickness", domain.thickness}};
+  Numbers out{{"walls", walls},
+              {"periodic", {domain.periodic[0], domain.periodic[1]}},
+              {"tilt", domain.tilt},
+              {"thickness", domain.thickness}};
   if (!domain.boundaries.empty()) out["boundaries"] = boundaries_of(domain, block);
   return out;
 }
@@ -117,7 +125,9 @@ Numbers texture_of(const texture::Texture& texture, const Numbers& known, Number
 }  // namespace
 
 Numbers materials_of(const Materials& materials) {
-  return mapped(materials, [](const Material& m) { return Numbers{{"name", m.name}, {"density", m.density}, {"stiffness", m.stiffness}}; });
+  return mapped(materials, [](const Material& m) {
+    return Numbers{{"name", m.name}, {"density", m.density}, {"stiffness", m.stiffness}};
+  });
 }
 
 Numbers grains_of(const Grains& grains, NumberBlock& block) {
@@ -135,11 +145,13 @@ Numbers pairs_of(const Packing& packing, NumberBlock& block) {
   const auto grains = static_cast<std::uint32_t>(packing.grains.size());
   std::vector<std::uint32_t> partner(contacts.size());
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    partner[c] = contacts.is_wall(c) ? grains + static_cast<std::uint32_t>(contacts.wall_side(c)) : static_cast<std::uint32_t>(contacts.j[c]);
+    partner[c] = contacts.is_wall(c) ? grains + static_cast<std::uint32_t>(contacts.wall_side(c))
+                                     : static_cast<std::uint32_t>(contacts.j[c]);
   return {{"i", block.add_indices(contacts.i)}, {"j", block.add_indices(partner)}};
 }
 
-Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::Texture* texture, const Numbers& also_known, NumberBlock& block) {
+Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::Texture* texture,
+                    const Numbers& also_known, NumberBlock& block) {
   Numbers out{{"stage", stage},
               {"label", snapshot.label},
               {"time", snapshot.time},
@@ -147,7 +159,8 @@ Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::
               {"domain", domain_of(snapshot.packing.domain, block)},
               {"contacts", contacts_of(snapshot.packing, block)}};
   const bool known = texture && !texture->per_grain.sigma.empty();
-  add_grain_values(out, snapshot.packing, known ? texture->per_grain.sigma : texture::grain_stresses(snapshot.packing), block);
+  add_grain_values(out, snapshot.packing, known ? texture->per_grain.sigma : texture::grain_stresses(snapshot.packing),
+                   block);
   if (!snapshot.packing.bonds.empty()) out["bonds"] = bonds_of(snapshot.packing, block);
   if (!snapshot.packing.cohesive.empty()) out["cohesive"] = cohesive_of(snapshot.packing, block);
   if (texture) out["texture"] = texture_of(*texture, also_known, block);
@@ -160,17 +173,22 @@ Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock&
   const double spacing = std::max(packing.grains.mean_diameter(), std::sqrt(packing.domain.area() / most_cells));
   const auto f = fields::coarse_fields(packing, shear_rate, spacing, spacing);
   const auto& b = f.grid.bounds;
-  Numbers out{{"bounds", {b.x_min, b.x_max, b.y_min, b.y_max}}, {"columns", f.grid.columns}, {"rows", f.grid.rows}, {"width", spacing}};
+  Numbers out{{"bounds", {b.x_min, b.x_max, b.y_min, b.y_max}},
+              {"columns", f.grid.columns},
+              {"rows", f.grid.rows},
+              {"width", spacing}};
   out["solid_fraction"] = block.add_coarse(f.solid_fraction);
   out["density"] = block.add_coarse(f.density, "kg/m^3");
   const auto add = [&](const char* name, auto of_stresses) {  // of contacts and kinetic
     std::vector<double> values;
-    for (std::size_t k = 0; k < f.grid.size(); ++k) values.push_back(of_stresses(f.contact_stress[k], f.kinetic_stress[k]));
+    for (std::size_t k = 0; k < f.grid.size(); ++k)
+      values.push_back(of_stresses(f.contact_stress[k], f.kinetic_stress[k]));
     out[name] = block.add_coarse(values, "Pa");
   };
   using Stress = const Tensor2&;
   add("pressure", [](Stress c, Stress t) { return -0.5 * (trace(c) + trace(t)); });
-  add("deviator", [](Stress c, Stress t) { return 0.5 * std::hypot(c.xx + t.xx - c.yy - t.yy, c.xy + c.yx + t.xy + t.yx); });
+  add("deviator",
+      [](Stress c, Stress t) { return 0.5 * std::hypot(c.xx + t.xx - c.yy - t.yy, c.xy + c.yx + t.xy + t.yx); });
   add("shear", [](Stress c, Stress t) { return 0.5 * (c.xy + c.yx + t.xy + t.yx); });
   if (std::ranges::all_of(f.kinetic_stress, [](Stress t) { return trace(t) == 0; })) return out;
   out["vx"] = block.add_coarse(mapped(f.velocity, &Vec2::x), "m/s");
@@ -184,7 +202,8 @@ Numbers size_curves_of(const Packing& packing, const std::string& recipe, Number
     const recipe::Recipe asked = recipe::parse_recipe(recipe, "recipe");
     if (asked.populations.empty()) return {};
     return {{"measured", curve_of(packing::measured_size_curve(packing.grains, packing.materials), block)},
-            {"asked", curve_of(packing::asked_size_curve(asked.populations, asked.materials, asked.packing.grains), block)}};
+            {"asked",
+             curve_of(packing::asked_size_curve(asked.populations, asked.materials, asked.packing.grains), block)}};
   } catch (const InputError&) {
     return {};  // a packing that no recipe made
   }

@@ -51,13 +51,15 @@ std::string page(const PageData& given) {
   if (data.title.empty()) data.title = title_of(data);
   const PageDocument document = page_document(data);
   const auto* json = reinterpret_cast<const std::uint8_t*>(document.json.data());
-  return filled(page_template(),
-                {{"__TITLE__", html_text(data.title)}, {"__DOCUMENT__", packed_text({json, document.json.size()})}, {"__NUMBERS__", document.numbers}});
+  return filled(page_template(), {{"__TITLE__", html_text(data.title)},
+                                  {"__DOCUMENT__", packed_text({json, document.json.size()})},
+                                  {"__NUMBERS__", document.numbers}});
 }
 
 void write_page(const std::filesystem::path& path, const PageData& data) { io::write_atomically(path, page(data)); }
 
-void write_page(const std::filesystem::path& path, const std::vector<std::filesystem::path>& files, const std::string& title) {
+void write_page(const std::filesystem::path& path, const std::vector<std::filesystem::path>& files,
+                const std::string& title) {
   std::vector<StageResult> stages;
   std::vector<FieldResult> fields;
   std::vector<FilmResult> films;

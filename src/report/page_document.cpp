@@ -34,7 +34,8 @@ void shorten(Numbers& value) {
   value = std::move(kept);
 }
 
-/// Unit and sentence of each number that a statistic declares, by its dotted name: {"solid_fraction": ["", "Area of grains over ..."]}.
+/// Unit and sentence of each number that a statistic declares, by its dotted name: {"solid_fraction": ["", "Area of
+/// grains over ..."]}.
 Numbers meanings_of(const Numbers& numbers) {
   Numbers out = Numbers::tree();
   for (const auto& [name, number, meaning] : named_numbers(numbers))
@@ -44,8 +45,9 @@ Numbers meanings_of(const Numbers& numbers) {
 
 Numbers test_of(const TestCurves& curves, NumberBlock& block) {
   Numbers out{{"strain_name", curves.strain_name}, {"ratio_name", curves.ratio_name()}};
-  for (const auto& [name, values, unit] :
-       {std::tuple{"strain", &curves.strain, ""}, {"ratio", &curves.ratio, curves.ratio_unit()}, {"volume", &curves.volume, ""}})
+  for (const auto& [name, values, unit] : {std::tuple{"strain", &curves.strain, ""},
+                                           {"ratio", &curves.ratio, curves.ratio_unit()},
+                                           {"volume", &curves.volume, ""}})
     out[name] = block.add_reals(thinned(*values), unit);
   if (const auto state = critical_state(curves)) out["critical_state"] = shortened(numbers_of(curves, *state));
   return out;
@@ -96,7 +98,8 @@ std::vector<ShownStage> stages_of(const PageData& data, const std::deque<std::op
   for (const auto& film : films)
     if (film) shown.push_back({&film->stage, {}, film->texture});
   for (std::size_t s = 0; s < data.stages.size(); ++s)
-    shown.push_back({&data.stages[s], workflow::texture_options(data.stages[s]), known_of(data.measured, &workflow::KnownStatistics::stages, s)});
+    shown.push_back({&data.stages[s], workflow::texture_options(data.stages[s]),
+                     known_of(data.measured, &workflow::KnownStatistics::stages, s)});
   return shown;
 }
 
@@ -111,12 +114,15 @@ std::size_t states_per_fields(const std::vector<ShownStage>& stages) {
   constexpr std::size_t most = 60'000;  // cells
   std::size_t cells = 0;
   for (const ShownStage& stage : stages)
-    for (const Snapshot& snapshot : stage.result->snapshots) cells += std::min<std::size_t>(snapshot.packing.grains.size(), 2500);
+    for (const Snapshot& snapshot : stage.result->snapshots)
+      cells += std::min<std::size_t>(snapshot.packing.grains.size(), 2500);
   return 1 + cells / most;
 }
 
-/// The states of one stage that have as many grains as the last one of all, with the textures of all in a small sample, and fields of some.
-void add_states(Numbers& snapshots, Numbers& meanings, const ShownStage& stage, std::size_t s, std::size_t grains, std::size_t every, NumberBlock& block) {
+/// The states of one stage that have as many grains as the last one of all, with the textures of all in a small sample,
+/// and fields of some.
+void add_states(Numbers& snapshots, Numbers& meanings, const ShownStage& stage, std::size_t s, std::size_t grains,
+                std::size_t every, NumberBlock& block) {
   constexpr std::size_t small = 10'000;
   const auto& states = stage.result->snapshots;
   for (std::size_t f = 0; f < states.size(); ++f) {
@@ -130,7 +136,8 @@ void add_states(Numbers& snapshots, Numbers& meanings, const ShownStage& stage, 
     if (is_last) meanings.update(meanings_of(snapshots.back()["texture"]));
     if (!is_last && f % every != 0) continue;
     const double rate = fields::shear_rate_at(stage.result->history, states[f].time);
-    if (Numbers fields = coarse_fields_of(packing, rate, block); fields.is_known()) snapshots.back()["fields"] = std::move(fields);
+    if (Numbers fields = coarse_fields_of(packing, rate, block); fields.is_known())
+      snapshots.back()["fields"] = std::move(fields);
   }
 }
 
@@ -138,7 +145,8 @@ void add_states(Numbers& snapshots, Numbers& meanings, const ShownStage& stage, 
 
 Numbers history_of(const History& history, NumberBlock& block) {
   Numbers columns = Numbers::tree();
-  for (const History::Column& column : history.columns) columns[column.name] = block.add_reals(thinned(column.values), column.unit);
+  for (const History::Column& column : history.columns)
+    columns[column.name] = block.add_reals(thinned(column.values), column.unit);
   return columns;
 }
 
@@ -177,11 +185,13 @@ PageDocument page_document(const PageData& data) {
     if (last) add_states(snapshots, document["meanings"], shown[s], s, last->packing.grains.size(), every, block);
   }
   if (last)
-    if (Numbers sizes = size_curves_of(last->packing, shown.back().result->provenance.recipe, block); sizes.is_known()) document["sizes"] = std::move(sizes);
+    if (Numbers sizes = size_curves_of(last->packing, shown.back().result->provenance.recipe, block); sizes.is_known())
+      document["sizes"] = std::move(sizes);
   document["stages"] = std::move(stages);
   document["snapshots"] = std::move(snapshots);
   if (!data.fields.empty()) add_fields(document, data, block);
-  for (std::size_t f = 0; f < films.size(); ++f) add_film(document, data.films[f], films[f] ? films[f]->texture : nullptr, block);
+  for (std::size_t f = 0; f < films.size(); ++f)
+    add_film(document, data.films[f], films[f] ? films[f]->texture : nullptr, block);
   return {to_json(document), block.text()};
 }
 

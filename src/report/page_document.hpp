@@ -14,8 +14,9 @@
 
 namespace arenite::report {
 
-/// The data of a page: a JSON text in which arrays of numbers by grain or contact are {"at": byte, "n": count, "as": type, "unit"} into the block
-/// `numbers` (NumberBlock::text), and what statistics measured has unit and sentence beside it (`add_numbers`).
+/// The data of a page: a JSON text in which arrays of numbers by grain or contact are {"at": byte, "n": count, "as":
+/// type, "unit"} into the block `numbers` (NumberBlock::text), and what statistics measured has unit and sentence
+/// beside it (`add_numbers`).
 struct PageDocument {
   std::string json;
   std::string numbers;
@@ -25,9 +26,11 @@ PageDocument page_document(const PageData& data);
 
 // Pieces that packings, fields and films write alike.
 
-/// Those of an owner's declared columns that have these names, with their units, as `add` writes them; a column without values is left out.
+/// Those of an owner's declared columns that have these names, with their units, as `add` writes them; a column without
+/// values is left out.
 template <class Owner, std::size_t N>
-void add_columns(Numbers& out, const Owner& owner, const io::Column<Owner> (&declared)[N], std::initializer_list<std::string_view> names, NumberBlock& block,
+void add_columns(Numbers& out, const Owner& owner, const io::Column<Owner> (&declared)[N],
+                 std::initializer_list<std::string_view> names, NumberBlock& block,
                  NumberRef (NumberBlock::*add)(std::span<const double>, std::string) = &NumberBlock::add_reals) {
   for (const io::Column<Owner>& column : declared)
     if (std::ranges::count(names, std::string_view(column.name)) > 0)
@@ -41,7 +44,8 @@ Numbers history_of(const History& history, NumberBlock& block);
 Numbers provenance_of(const Provenance& provenance);
 /// Adds "numbers", shortened, and their "meanings": from these the page names all that it shows of them.
 void add_numbers(Numbers& out, const Numbers& numbers);
-/// With six significant digits: more than a figure or a standard error can use, and a third of the bytes. A tree where nothing is known.
+/// With six significant digits: more than a figure or a standard error can use, and a third of the bytes. A tree where
+/// nothing is known.
 Numbers shortened(Numbers numbers);
 
 /// Which nodes of a large map the page draws: every `stride`-th in both directions, from the middle of the first block.
@@ -61,16 +65,18 @@ struct Thinning {
 
 /// What a run measured of the part at this place of a list of results; nothing where it did not.
 template <class Part>
-const Part* known_of(const workflow::KnownStatistics* measured, std::vector<std::optional<Part>> workflow::KnownStatistics::*parts, std::size_t at) {
+const Part* known_of(const workflow::KnownStatistics* measured,
+                     std::vector<std::optional<Part>> workflow::KnownStatistics::*parts, std::size_t at) {
   return measured && at < (measured->*parts).size() && (measured->*parts)[at] ? &*(measured->*parts)[at] : nullptr;
 }
 
-/// Adds "maps" (every phase map once) and "fields" (one a result) to the page's document. Densities of stresses that are not known are measured as those
-/// in the result's numbers were; all components are shown, whichever these name.
+/// Adds "maps" (every phase map once) and "fields" (one a result) to the page's document. Densities of stresses that
+/// are not known are measured as those in the result's numbers were; all components are shown, whichever these name.
 void add_fields(Numbers& document, const PageData& data, NumberBlock& block);
 
-/// Adds a film to "films" of the page's document: maps, grains in pixels, contacts and, where there are any, the stresses of grains beside those of the
-/// companion simulation. `texture` is the film's (workflow::texture_of), if it has grains.
+/// Adds a film to "films" of the page's document: maps, grains in pixels, contacts and, where there are any, the
+/// stresses of grains beside those of the companion simulation. `texture` is the film's (workflow::texture_of), if it
+/// has grains.
 void add_film(Numbers& document, const FilmResult& film, const texture::Texture* texture, NumberBlock& block);
 
 // What the page shows of packings.
@@ -79,12 +85,15 @@ Numbers materials_of(const Materials& materials);
 /// What is the same of all states: names, radii, materials, zones and shapes of the grains.
 Numbers grains_of(const Grains& grains, NumberBlock& block);
 
-/// One state: its container, grains, contacts, bonds and pulls, and its texture, where that is known, with what else is.
-Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::Texture* texture, const Numbers& also_known, NumberBlock& block);
+/// One state: its container, grains, contacts, bonds and pulls, and its texture, where that is known, with what else
+/// is.
+Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::Texture* texture,
+                    const Numbers& also_known, NumberBlock& block);
 
-/// The coarse-grained fields of a state on a grid over its box: {bounds, columns, rows, width of the kernel} and arrays of solid fraction,
-/// density, velocity, pressure and deviator of the whole stress, its shear and the kinetic pressure. The kernel is as wide as the mean grain,
-/// or as a cell where the sample has many. `shear_rate`, 1/s: of a cell that is sheared. Not known without grains or box.
+/// The coarse-grained fields of a state on a grid over its box: {bounds, columns, rows, width of the kernel} and arrays
+/// of solid fraction, density, velocity, pressure and deviator of the whole stress, its shear and the kinetic pressure.
+/// The kernel is as wide as the mean grain, or as a cell where the sample has many. `shear_rate`, 1/s: of a cell that
+/// is sheared. Not known without grains or box.
 Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock& block);
 
 /// Asked and measured size curve of the grains that the recipe asked a size law for; not known where it asked for none.

@@ -75,13 +75,16 @@ Numbers sample_drawing(const workflow::FinalState& state, FigureKind kind) {
 }
 
 Numbers film_drawing(const Numbers& film) {
-  if (!film.contains("found")) throw InputError("the stored results of the film have no grains; remove virtual-film.hdf5 of this run, and make the film again");
+  if (!film.contains("found"))
+    throw InputError(
+        "the stored results of the film have no grains; remove virtual-film.hdf5 of this run, and make the film again");
   const Numbers& found = film["found"];
   const auto list = [&](const char* name) { return found[name].get<std::vector<double>>(); };
   const std::vector<double> x = list("x"), y = list("y");
   std::vector<Vec2> centre;
   for (std::size_t g = 0; g < x.size(); ++g) centre.push_back({x[g], y[g]});
-  Numbers j = disks_json({centre, list("radius"), found["material"].get<std::vector<std::int32_t>>(), found["zone"].get<std::vector<std::uint8_t>>()});
+  Numbers j = disks_json({centre, list("radius"), found["material"].get<std::vector<std::int32_t>>(),
+                          found["zone"].get<std::vector<std::uint8_t>>()});
   j["stress"] = stress_json(list("sigma_norm"));
   return j;
 }
@@ -99,7 +102,8 @@ Numbers run_drawing(const fs::path& run, const Figure& figure) {
 
 Numbers RunNumbers::with(const fs::path& run, const std::string& path, const Figure& figure) {
   if (is_of_film(path)) return campaign::has_film(run) ? Numbers{{"film", campaign::film_numbers(run)}} : Numbers{};
-  if (path.starts_with("window.")) return io::stage_files(run).empty() ? Numbers{} : windows_of(run, figure.window.value_or(1));
+  if (path.starts_with("window."))
+    return io::stage_files(run).empty() ? Numbers{} : windows_of(run, figure.window.value_or(1));
   Numbers numbers = campaign::numbers_of(run);
   if (path.empty() || has_numbers(numbers, path) || io::stage_files(run).empty()) return numbers;
   const auto sectors = static_cast<int>(figure.sectors.value_or(texture::Options{}.sectors));

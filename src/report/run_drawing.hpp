@@ -8,36 +8,39 @@
 
 namespace arenite::report {
 
-/// One state as JSON for a figure: `size` of the box in mm; `x`, `y`, `r` of the grains in mm from its lower left corner,
-/// their `material`, a place in `materials`, and 1 for those that are `glued`; for FigureKind::forces the contacts between grains
-/// `i`, `j` with their normal force `f` over the mean push, for FigureKind::stresses `stress` of the grains over the mean.
+/// One state as JSON for a figure: `size` of the box in mm; `x`, `y`, `r` of the grains in mm from its lower left
+/// corner, their `material`, a place in `materials`, and 1 for those that are `glued`; for FigureKind::forces the
+/// contacts between grains `i`, `j` with their normal force `f` over the mean push, for FigureKind::stresses `stress`
+/// of the grains over the mean.
 Numbers sample_drawing(const workflow::FinalState& state, FigureKind kind);
 
-/// The same of the grains that a film shows, with `stress` as it gives them over their mean; `film` is what is kept of it
-/// (campaign/virtual_film.hpp). Throws InputError if that is no film's.
+/// The same of the grains that a film shows, with `stress` as it gives them over their mean; `film` is what is kept of
+/// it (campaign/virtual_film.hpp). Throws InputError if that is no film's.
 Numbers film_drawing(const Numbers& film);
 
-/// A cemented sample as JSON for a figure: `size` of the picture in mm, `nodes` across and up, from the top row on runs of equal
-/// phase, [phase, how many, ...]: 0 void, 1 matrix, 2 particle, 3 small grain, 4 large one.
+/// A cemented sample as JSON for a figure: `size` of the picture in mm, `nodes` across and up, from the top row on runs
+/// of equal phase, [phase, how many, ...]: 0 void, 1 matrix, 2 particle, 3 small grain, 4 large one.
 Numbers phases_drawing(const FieldResult& sample);
 
-/// Vertical stress of the nodes in and about the large grain (any grain, where there are no classes) whose middle is nearest to
-/// the sample's: as above, with `stress` over the mean of all nodes that are not void, null in the void, and `edges` between nodes
-/// of different grains or of grain and matrix, [x, y, 1 where it is upright] in nodes from the upper left corner.
+/// Vertical stress of the nodes in and about the large grain (any grain, where there are no classes) whose middle is
+/// nearest to the sample's: as above, with `stress` over the mean of all nodes that are not void, null in the void, and
+/// `edges` between nodes of different grains or of grain and matrix, [x, y, 1 where it is upright] in nodes from the
+/// upper left corner.
 Numbers zoom_drawing(const FieldResult& load);
 
-/// A test to failure: its phases as above, and `cracks`, the middles of its broken bonds in the order of breaking: `x` and `y` in
-/// nodes of the picture from its upper left corner, `type` 1 matrix, 2 interface, 3 particle. InputError where nothing broke.
+/// A test to failure: its phases as above, and `cracks`, the middles of its broken bonds in the order of breaking: `x`
+/// and `y` in nodes of the picture from its upper left corner, `type` 1 matrix, 2 interface, 3 particle. InputError
+/// where nothing broke.
 Numbers cracks_drawing(const FieldResult& test);
 
 /// What a figure shows of one run, from the files in its folder, as JSON: sample_drawing, film_drawing, phases_drawing,
 /// zoom_drawing or cracks_drawing by the figure's kind. Throws InputError where the run does not have it.
 Numbers run_drawing(const std::filesystem::path& run, const Figure& figure);
 
-/// The numbers of a run as figures read them: those that the study keeps; for paths that begin with "film." what is kept of its film, as
-/// "film"; for those that begin with "window." the solid fraction of windows of `Figure::window` at 50 random places, as "window"
-/// with {"place", "solid_fraction"}; and for other paths that are not among these the texture of its last state with all
-/// curves, measured again with directions in `Figure::sectors`.
+/// The numbers of a run as figures read them: those that the study keeps; for paths that begin with "film." what is
+/// kept of its film, as "film"; for those that begin with "window." the solid fraction of windows of `Figure::window`
+/// at 50 random places, as "window" with {"place", "solid_fraction"}; and for other paths that are not among these the
+/// texture of its last state with all curves, measured again with directions in `Figure::sectors`.
 class RunNumbers {
  public:
   Numbers with(const std::filesystem::path& run, const std::string& path, const Figure& figure);

@@ -37,7 +37,8 @@ Density read(const Numbers& j) {
     d.edge = j.value("edge", std::vector<double>{});
     return d;
   }
-  const double low = middles ? 0 : j["low"].get<double>(), width = middles ? 2 * j["x"].front().get<double>() : j["width"].get<double>();
+  const double low = middles ? 0 : j["low"].get<double>(),
+               width = middles ? 2 * j["x"].front().get<double>() : j["width"].get<double>();
   const std::size_t bins = middles ? j["x"].size() : d.density.size();
   for (std::size_t k = 0; k <= bins; ++k) d.edge.push_back(low + static_cast<double>(k) * width);
   return d;
@@ -113,7 +114,8 @@ double mean_number(const std::vector<Numbers>& runs, const std::string& path) {
 double level_of(const statistics::Curve& density, double slope, const std::vector<double>& weight) {
   double sum = 0, count = 0;
   for (std::size_t k = 0; k < density.x.size(); ++k)
-    if (weight[k] > 0 && density.y[k] > 0) sum += weight[k] * (std::log(density.y[k]) + slope * density.x[k]), count += weight[k];
+    if (weight[k] > 0 && density.y[k] > 0)
+      sum += weight[k] * (std::log(density.y[k]) + slope * density.x[k]), count += weight[k];
   return count > 0 ? sum / count : statistics::unknown;
 }
 
@@ -147,7 +149,8 @@ SampleMean mean_density(const std::vector<Numbers>& runs, const std::string& pat
   const auto densities = densities_of(runs, path);
   if (densities.empty()) return {};
   auto x = places(densities);
-  const auto lists = mapped(densities, [&](const Density& d) { return mapped(x, [&](double at) { return d.at(at); }); });
+  const auto lists =
+      mapped(densities, [&](const Density& d) { return mapped(x, [&](double at) { return d.at(at); }); });
   return mean_of_lists(std::move(x), lists);
 }
 
@@ -167,7 +170,8 @@ SampleMean mean_survival(const std::vector<Numbers>& runs, const std::string& pa
   return mean_of_lists(mapped(middles, [&](double at) { return std::round((at - 0.5 * width) * 1e9) * 1e-9; }), lists);
 }
 
-SampleMean mean_list(const std::vector<Numbers>& runs, const std::string& path_x, const std::string& path, Sectors sectors) {
+SampleMean mean_list(const std::vector<Numbers>& runs, const std::string& path_x, const std::string& path,
+                     Sectors sectors) {
   std::vector<std::vector<double>> lists;
   std::vector<double> x;
   for (const Numbers& run : runs) {
@@ -177,7 +181,8 @@ SampleMean mean_list(const std::vector<Numbers>& runs, const std::string& path_x
     if (path_x.empty()) list = shared_out(list, sectors.count);
     if (!lists.empty() && list.size() != lists.front().size()) continue;
     lists.push_back(std::move(list));
-    if (const Numbers* at = path_x.empty() ? nullptr : find(run, path_x); at && x.empty()) x = at->get<std::vector<double>>();
+    if (const Numbers* at = path_x.empty() ? nullptr : find(run, path_x); at && x.empty())
+      x = at->get<std::vector<double>>();
   }
   if (lists.empty()) return {};
   if (path_x.empty()) x = middles_of_sectors(lists.front().size());
@@ -198,8 +203,10 @@ double number_at(const Numbers& run, const std::string& path) {
 
 bool has_numbers(const Numbers& run, const std::string& path) { return find(run, path) != nullptr; }
 
-statistics::Curve tail_line(const std::vector<Numbers>& runs, const std::string& path, const statistics::Curve& density) {
-  const double slope = mean_number(runs, path + ".slope"), low = mean_number(runs, path + ".low"), high = mean_number(runs, path + ".high");
+statistics::Curve tail_line(const std::vector<Numbers>& runs, const std::string& path,
+                            const statistics::Curve& density) {
+  const double slope = mean_number(runs, path + ".slope"), low = mean_number(runs, path + ".low"),
+               high = mean_number(runs, path + ".high");
   if (!std::isfinite(slope)) return regression(mean_number(runs, path + ".beta_line"), density);
   const auto weight = mapped<double>(density.x, [&](double x) { return x > low && x < high; });
   return line_between(low, high, slope, level_of(density, slope, weight), 1);

@@ -10,7 +10,9 @@ namespace arenite::report {
 namespace {
 
 /// The loads by side; nothing of a stage without, or whose numbers were stored before there were any.
-const Numbers* loads_of(const StageResult& stage) { return stage.texture.is_tree() && stage.texture.contains("loads") ? &stage.texture["loads"] : nullptr; }
+const Numbers* loads_of(const StageResult& stage) {
+  return stage.texture.is_tree() && stage.texture.contains("loads") ? &stage.texture["loads"] : nullptr;
+}
 
 std::string in_words(const std::string& side, const Numbers& load) {
   const std::string unit = load.contains("asked_Pa") ? "Pa" : "N";
@@ -19,9 +21,12 @@ std::string in_words(const std::string& side, const Numbers& load) {
   const bool is_large = std::abs(asked) >= 1000;
   const double scale = is_large ? 1e-3 : 1;
   const std::string shown = (is_large ? "k" : "") + unit;
-  const statistics::Estimate found{reached["value"].get<double>(), reached["error"].is_number() ? reached["error"].get<double>() : statistics::unknown};
-  std::string text = fmt::format("{}: {} {} reached, {:.4g} {} asked for", side, statistics::with_error(found, scale), shown, scale * asked, shown);
-  if (load.contains("spread_" + unit)) text += fmt::format(", spread {:.2g} {}", scale * load["spread_" + unit].get<double>(), shown);
+  const statistics::Estimate found{reached["value"].get<double>(),
+                                   reached["error"].is_number() ? reached["error"].get<double>() : statistics::unknown};
+  std::string text = fmt::format("{}: {} {} reached, {:.4g} {} asked for", side, statistics::with_error(found, scale),
+                                 shown, scale * asked, shown);
+  if (load.contains("spread_" + unit))
+    text += fmt::format(", spread {:.2g} {}", scale * load["spread_" + unit].get<double>(), shown);
   return text;
 }
 

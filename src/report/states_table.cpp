@@ -12,9 +12,9 @@
 namespace arenite::report {
 namespace {
 
-/// Names of columns, and the numbers of the texture that stand below them, whose units are those of the heads; q/p, the sine of the mobilised angle of
-/// friction, is of the two before it. Anisotropies have a sign against the axis of loading, or of greatest compression where there are several; `show`
-/// without --states prints how large they are.
+/// Names of columns, and the numbers of the texture that stand below them, whose units are those of the heads; q/p, the
+/// sine of the mobilised angle of friction, is of the two before it. Anisotropies have a sign against the axis of
+/// loading, or of greatest compression where there are several; `show` without --states prints how large they are.
 constexpr std::pair<const char*, const char*> columns[] = {{"p", "stress_details.pressure_Pa"},
                                                            {"q", "stress_details.deviator_Pa"},
                                                            {"q_over_p", ""},
@@ -39,11 +39,14 @@ std::string heads_of(const Numbers& texture) {
   return heads + ",mobilisation\n";
 }
 
-/// Strains are compression positive since the state before the stage; those of the volume are negative where the sample dilates.
+/// Strains are compression positive since the state before the stage; those of the volume are negative where the sample
+/// dilates.
 std::vector<double> row_of(const Snapshot& snapshot, const Domain& start, const Numbers& texture) {
   const Domain& now = snapshot.packing.domain;
-  std::vector<double> row{snapshot.time, 1 - now.width() / start.width(), 1 - now.height() / start.height(), 1 - now.area() / start.area()};
-  for (const auto& [head, name] : columns) row.push_back(*name ? number_at(texture, name) : row.back() / row[row.size() - 2]);
+  std::vector<double> row{snapshot.time, 1 - now.width() / start.width(), 1 - now.height() / start.height(),
+                          1 - now.area() / start.area()};
+  for (const auto& [head, name] : columns)
+    row.push_back(*name ? number_at(texture, name) : row.back() / row[row.size() - 2]);
   row.push_back(snapshot.equilibrium.mobilisation);
   return row;
 }
@@ -54,7 +57,8 @@ std::vector<StageResult> stages_of(const std::filesystem::path& result) {
     auto any = io::read_result(file);
     if (auto* stage = std::get_if<StageResult>(&any)) stages.push_back(std::move(*stage));
   }
-  if (stages.empty()) throw InputError(result.string(), 0, "holds no stages of loading, so there is no stress path; leave out --states");
+  if (stages.empty())
+    throw InputError(result.string(), 0, "holds no stages of loading, so there is no stress path; leave out --states");
   return stages;
 }
 
@@ -73,7 +77,8 @@ std::string states_table(const std::filesystem::path& result) {
     for (const Snapshot& snapshot : stage.snapshots) {
       last = texture::numbers(texture::measure(snapshot.packing, options));
       rows += fmt::format("{},{}", stage.name, snapshot.label);
-      for (const double value : row_of(snapshot, start, last)) rows += std::isfinite(value) ? fmt::format(",{:.6g}", value + 0.0) : ",";
+      for (const double value : row_of(snapshot, start, last))
+        rows += std::isfinite(value) ? fmt::format(",{:.6g}", value + 0.0) : ",";
       rows += "\n";
     }
     before = &stage.snapshots.back().packing.domain;

@@ -26,7 +26,8 @@ std::size_t key_of(const StudyTable& table, const std::string& key, const Figure
 bool is_wanted(const StudyTable& table, const Row& row, const Figure& figure) {
   return std::ranges::all_of(figure.where, [&](const auto& where) {
     const std::string& here = row.values[key_of(table, where.first, figure)];
-    return std::ranges::any_of(where.second, [&](const std::string& value) { return value == here || number_of(value) == number_of(here); });
+    return std::ranges::any_of(
+        where.second, [&](const std::string& value) { return value == here || number_of(value) == number_of(here); });
   });
 }
 
@@ -49,11 +50,14 @@ std::vector<Group> groups_of(const StudyTable& table, const Figure& figure) {
     at->rows.push_back(&row);
   }
   if (figure.by.empty()) return groups;
-  std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return number_of(a.value) < number_of(b.value); });
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const Group& a, const Group& b) { return number_of(a.value) < number_of(b.value); });
   for (Group& group : groups) {
     const std::string& unit = table.keys[k].unit;
     const std::string with_unit = unit.empty() ? group.value : group.value + " " + unit;
-    group.name = group.value.empty() ? figure.by_empty : figure.by_label.empty() ? with_unit : figure.by_label + " = " + with_unit;
+    group.name = group.value.empty()       ? figure.by_empty
+                 : figure.by_label.empty() ? with_unit
+                                           : figure.by_label + " = " + with_unit;
   }
   return groups;
 }
@@ -70,23 +74,31 @@ void add_curve(std::vector<FigureCurve>& curves, FigureCurve curve) {
 
 SampleMean mean_of(const Figure& figure, const std::vector<Numbers>& found, const std::string& path) {
   const Sectors sectors{static_cast<std::size_t>(figure.sectors.value_or(0)), !figure.counts};
-  if (figure.kind == FigureKind::rose || !figure.curve_x.empty()) return mean_list(found, figure.curve_x, path, sectors);
+  if (figure.kind == FigureKind::rose || !figure.curve_x.empty())
+    return mean_list(found, figure.curve_x, path, sectors);
   return figure.survival ? mean_survival(found, path) : mean_density(found, path);
 }
 
-/// Curves of lists and densities, with what is fitted to them; errors become deviations where the figure asks for these.
+/// Curves of lists and densities, with what is fitted to them; errors become deviations where the figure asks for
+/// these.
 std::vector<FigureCurve> list_curves(const Figure& figure, const StudyTable& table, const NumbersOf& numbers) {
   std::vector<FigureCurve> curves;
   std::size_t place = 0;
   for (const Group& group : groups_of(table, figure)) {
     for (std::size_t k = 0; k < figure.curves.size(); ++k) {
       const bool film = is_of_film(figure.curves[k]);
-      const auto found = mapped(group.rows, [&](const Row* row) { return numbers(row->run, figure.curves[k], figure); });
+      const auto found =
+          mapped(group.rows, [&](const Row* row) { return numbers(row->run, figure.curves[k], figure); });
       SampleMean mean = mean_of(figure, found, figure.curves[k]);
       if (figure.spread == Spread::deviation)
         for (double& error : mean.error) error *= std::sqrt(static_cast<double>(mean.samples));
-      FigureCurve curve{
-          .name = name_of(figure, group, k), .points = mean, .group = place, .part = k, .film = film, .fewest = mean.samples, .most = mean.samples};
+      FigureCurve curve{.name = name_of(figure, group, k),
+                        .points = mean,
+                        .group = place,
+                        .part = k,
+                        .film = film,
+                        .fewest = mean.samples,
+                        .most = mean.samples};
       FigureCurve fit{.group = place, .part = k, .film = film, .fit = true};
       if (k < figure.fits.size() && !figure.fits[k].empty()) fit.points = tail_line(found, figure.fits[k], mean);
       add_curve(curves, std::move(curve));
@@ -127,7 +139,8 @@ class MeanRows {
   StudyTable table;
 
   /// Points of `figure.x` and y by rising x, with their errors or deviations and the number of runs.
-  void set_points(FigureCurve& curve, const std::vector<const Row*>& rows, const Figure& figure, const std::string& y) const {
+  void set_points(FigureCurve& curve, const std::vector<const Row*>& rows, const Figure& figure,
+                  const std::string& y) const {
     struct Point {
       double x, y, error;
     };
@@ -149,7 +162,8 @@ class MeanRows {
   std::size_t samples(const Row& mean, const std::string& y) const {
     const auto at = of_values_.find(mean.values);
     if (at == of_values_.end()) return 0;
-    return static_cast<std::size_t>(std::ranges::count_if(at->second, [&](const Row* row) { return std::isfinite(value_of(runs_, *row, y).value); }));
+    return static_cast<std::size_t>(std::ranges::count_if(
+        at->second, [&](const Row* row) { return std::isfinite(value_of(runs_, *row, y).value); }));
   }
 
   const StudyTable& runs_;
@@ -176,20 +190,26 @@ std::vector<FigureCurve> point_curves(const Figure& figure, const StudyTable& ta
 void add_beside(std::vector<FigureCurve>& curves, const Figure& figure, const StudyTable& table) {
   for (const BesideCurve& beside : figure.beside) {
     Figure alone;
-    alone.id = figure.id, alone.x = beside.x, alone.y = {beside.y}, alone.where = beside.where, alone.spread = figure.spread, alone.names = {beside.name};
+    alone.id = figure.id, alone.x = beside.x, alone.y = {beside.y}, alone.where = beside.where,
+    alone.spread = figure.spread, alone.names = {beside.name};
     for (FigureCurve& curve : point_curves(alone, table)) {
       curve.beside = true;
       curves.push_back(std::move(curve));
     }
   }
   for (const SourcePoints& points : figure.source_points) {
-    FigureCurve curve{.name = points.name, .part = static_cast<std::size_t>(points.part.value_or(0)), .film = points.film, .source = true};
+    FigureCurve curve{.name = points.name,
+                      .part = static_cast<std::size_t>(points.part.value_or(0)),
+                      .film = points.film,
+                      .source = true};
     curve.points = {points.x, points.y, std::vector<double>(points.x.size(), statistics::unknown)};
     add_curve(curves, std::move(curve));
   }
 }
 
-bool is_shown(const StudyTable& table, const Row& row, const Figure& figure) { return row.status == "done" && is_wanted(table, row, figure); }
+bool is_shown(const StudyTable& table, const Row& row, const Figure& figure) {
+  return row.status == "done" && is_wanted(table, row, figure);
+}
 
 }  // namespace
 
@@ -204,13 +224,15 @@ std::vector<std::string> filmed_runs(const std::vector<Figure>& figures, const S
   std::vector<std::string> runs;
   for (const Figure& figure : figures)
     for (const Row& row : table.rows)
-      if (figure.kind == FigureKind::film && is_shown(table, row, figure) && std::find(runs.begin(), runs.end(), row.run) == runs.end())
+      if (figure.kind == FigureKind::film && is_shown(table, row, figure) &&
+          std::find(runs.begin(), runs.end(), row.run) == runs.end())
         runs.push_back(row.run);
   return runs;
 }
 
 std::string run_of(const Figure& figure, const StudyTable& table) {
-  const auto at = std::find_if(table.rows.begin(), table.rows.end(), [&](const Row& row) { return is_shown(table, row, figure); });
+  const auto at =
+      std::find_if(table.rows.begin(), table.rows.end(), [&](const Row& row) { return is_shown(table, row, figure); });
   return at == table.rows.end() ? "" : at->run;
 }
 

@@ -33,7 +33,8 @@ Samples samples_of(const std::vector<FigureCurve>& curves, bool film) {
 
 std::string number_of(const Samples& samples) {
   if (samples.most == 1) return "one sample";
-  return samples.fewest == samples.most ? fmt::format("{} samples", samples.most) : fmt::format("{} to {} samples", samples.fewest, samples.most);
+  return samples.fewest == samples.most ? fmt::format("{} samples", samples.most)
+                                        : fmt::format("{} to {} samples", samples.fewest, samples.most);
 }
 
 const char* marks_of(const Figure& figure) {
@@ -66,13 +67,19 @@ Numbers domain(const FigureAxis& axis, const Reach& reach) {
   return {axis.low.value_or(low), axis.high.value_or(high)};
 }
 
-Numbers axis_json(const FigureAxis& axis, const std::string& name, const Reach& reach, const campaign::CollectedTable& table) {
-  return {{"label", axis.label.empty() ? label_of(table, name) : axis.label}, {"log", axis.logarithmic}, {"domain", domain(axis, reach)}};
+Numbers axis_json(const FigureAxis& axis, const std::string& name, const Reach& reach,
+                  const campaign::CollectedTable& table) {
+  return {{"label", axis.label.empty() ? label_of(table, name) : axis.label},
+          {"log", axis.logarithmic},
+          {"domain", domain(axis, reach)}};
 }
 
-bool within(const FigureAxis& axis, double value) { return value >= axis.low.value_or(value) && value <= axis.high.value_or(value); }
+bool within(const FigureAxis& axis, double value) {
+  return value >= axis.low.value_or(value) && value <= axis.high.value_or(value);
+}
 
-Numbers figure_json(const Figure& figure, const std::vector<FigureCurve>& curves, const campaign::CollectedTable& table) {
+Numbers figure_json(const Figure& figure, const std::vector<FigureCurve>& curves,
+                    const campaign::CollectedTable& table) {
   Reach x, y;
   Numbers series = Numbers::list();
   const bool density = !figure.curves.empty() && figure.curve_x.empty();
@@ -82,7 +89,8 @@ Numbers figure_json(const Figure& figure, const std::vector<FigureCurve>& curves
       const double at = curve.points.x[k], value = curve.points.y[k], error = curve.points.error[k];
       if (!can_show(figure.x_axis, at) || !within(figure.x_axis, at)) continue;
       if (!can_show(figure.y_axis, value) || (density && !curve.fit && !within(figure.y_axis, value))) {
-        if (density && !points.empty() && points.back()[1].is_known()) points.push_back({at, nullptr, 0.0});  // the line is broken there
+        if (density && !points.empty() && points.back()[1].is_known())
+          points.push_back({at, nullptr, 0.0});  // the line is broken there
         continue;
       }
       x.add(at);
@@ -133,8 +141,10 @@ std::string absent(const Figure& figure, const std::vector<FigureCurve>& curves)
   const auto& wanted = figure.curves.empty() ? figure.y : figure.curves;
   std::string names;
   for (std::size_t k = 0; k < wanted.size(); ++k)
-    if (std::none_of(curves.begin(), curves.end(), [&](const FigureCurve& curve) { return curve.part == k && !curve.beside && !curve.source; }))
-      names += (names.empty() ? "" : ", ") + (k < figure.names.size() && !figure.names[k].empty() ? figure.names[k] : wanted[k]);
+    if (std::none_of(curves.begin(), curves.end(),
+                     [&](const FigureCurve& curve) { return curve.part == k && !curve.beside && !curve.source; }))
+      names += (names.empty() ? "" : ", ") +
+               (k < figure.names.size() && !figure.names[k].empty() ? figure.names[k] : wanted[k]);
   return names;
 }
 
@@ -146,17 +156,22 @@ void add_drawing(Numbers& shown, const Figure& figure, const std::string& run, c
   }
   try {
     if (page.drawing) shown["sample"] = page.drawing(run, figure);
-  } catch (const InputError& error) { shown["missing"] = fmt::format("Not drawn: {}.", error.problems().front().message); }
+  } catch (const InputError& error) {
+    shown["missing"] = fmt::format("Not drawn: {}.", error.problems().front().message);
+  }
 }
 
 /// All that the page shows.
 Numbers document_of(const StudyPage& page) {
   Numbers about{{"title", page.title}};
   const auto done = std::ranges::count(page.table.rows, "done", &campaign::CollectedTable::Row::status);
-  about["runs"] = fmt::format("{} of {} runs; the caption of each figure explains its bars, bands and ticks", done, page.table.rows.size());
-  const bool has_source =
-      std::ranges::any_of(page.figures, [](const Figure& f) { return !f.source.empty() || !f.references.empty() || !f.source_points.empty(); });
-  about["made"] = fmt::format("Arenite {}.{}", version, has_source ? " Dashed lines and crosses show statements and tables of the source." : "");
+  about["runs"] = fmt::format("{} of {} runs; the caption of each figure explains its bars, bands and ticks", done,
+                              page.table.rows.size());
+  const bool has_source = std::ranges::any_of(page.figures, [](const Figure& f) {
+    return !f.source.empty() || !f.references.empty() || !f.source_points.empty();
+  });
+  about["made"] = fmt::format("Arenite {}.{}", version,
+                              has_source ? " Dashed lines and crosses show statements and tables of the source." : "");
   about["table"] = runs_table(page.table, page.link);
   about["figures"] = Numbers::list();
   campaign::CollectedTable table = page.table;
@@ -174,7 +189,8 @@ Numbers document_of(const StudyPage& page) {
 std::string html_of(const Numbers& document) {
   std::string json = to_json(document, -1);
   for (std::size_t at = 0; (at = json.find("</", at)) != std::string::npos; at += 3) json.replace(at, 2, "<\\/");
-  return filled(study_template(), {{"__TITLE__", html_text(document["title"].get<std::string>())}, {"__FIGURES__", json}});
+  return filled(study_template(),
+                {{"__TITLE__", html_text(document["title"].get<std::string>())}, {"__FIGURES__", json}});
 }
 
 fs::path numbers_beside(fs::path page) { return page.replace_extension(".hdf5"); }
@@ -186,9 +202,11 @@ std::string spread_text(const Figure& figure, const std::vector<FigureCurve>& cu
   const std::size_t most = std::max(ours.most, film.most);
   if (most == 0 || figure.kind == FigureKind::map) return "";
   if (most == 1) return "One sample";
-  std::string text = fmt::format("{}: {} over {}", marks_of(figure), figure.spread == Spread::deviation ? "standard deviation" : "standard error",
+  std::string text = fmt::format("{}: {} over {}", marks_of(figure),
+                                 figure.spread == Spread::deviation ? "standard deviation" : "standard error",
                                  number_of(ours.most > 0 ? ours : film));
-  if (ours.most > 0 && film.most > 0 && (film.fewest != ours.fewest || film.most != ours.most)) text += fmt::format("; of the film: {}", number_of(film));
+  if (ours.most > 0 && film.most > 0 && (film.fewest != ours.fewest || film.most != ours.most))
+    text += fmt::format("; of the film: {}", number_of(film));
   return text;
 }
 

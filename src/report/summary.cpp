@@ -20,8 +20,9 @@ using statistics::described;
 
 std::string made_by(const Provenance& p) {
   const std::string title = recipe::title_in(p.recipe);
-  return fmt::format("{}{}Made by Arenite {}, {}{}seed {}; input {}\n", title, title.empty() ? "" : "\n", p.version, p.kernel.empty() ? "" : "kernel ",
-                     p.kernel.empty() ? "" : p.kernel + ", ", p.seed, p.input_hash.substr(0, 12));
+  return fmt::format("{}{}Made by Arenite {}, {}{}seed {}; input {}\n", title, title.empty() ? "" : "\n", p.version,
+                     p.kernel.empty() ? "" : "kernel ", p.kernel.empty() ? "" : p.kernel + ", ", p.seed,
+                     p.input_hash.substr(0, 12));
 }
 
 Numbers provenance(const Provenance& p) {
@@ -31,7 +32,8 @@ Numbers provenance(const Provenance& p) {
 }
 
 Numbers equilibrium(const Equilibrium& now) {
-  return {{"unbalanced_ratio", described(now.unbalanced_ratio, "", "Mean resultant force on a grain over the mean contact force")},
+  return {{"unbalanced_ratio",
+           described(now.unbalanced_ratio, "", "Mean resultant force on a grain over the mean contact force")},
           {"kinetic_ratio", described(now.kinetic_ratio, "", "Kinetic over elastic energy")},
           {"loose_kinetic_ratio", described(now.loose_kinetic, "", "The same for grains that carry no load")},
           {"falling", described(now.falling, "", "Fraction of grains that are falling")},
@@ -66,7 +68,8 @@ Numbers boundaries(const Domain& domain) {
 
 Numbers state(const Snapshot& snapshot) {
   Numbers energies = Numbers::tree();
-  for (const EnergyTerm& term : energy_terms) energies[term.name] = described(snapshot.energies.*term.value, "J", term.phrase);
+  for (const EnergyTerm& term : energy_terms)
+    energies[term.name] = described(snapshot.energies.*term.value, "J", term.phrase);
   Numbers j{{"label", snapshot.label},
             {"time_s", described(snapshot.time, "s", "Time since the run began")},
             {"step", described(snapshot.step, "", "Steps since the run began")},
@@ -77,11 +80,17 @@ Numbers state(const Snapshot& snapshot) {
   return j;
 }
 
-Numbers converged(const ResultHead& head) { return described(head.converged, "", "Whether equilibrium, or a solution, was reached"); }
+Numbers converged(const ResultHead& head) {
+  return described(head.converged, "", "Whether equilibrium, or a solution, was reached");
+}
 
 /// What the list of stages says of every kind of result.
 Numbers entry(const ResultHead& head, const std::string& file) {
-  return {{"name", head.name}, {"file", file}, {"input_hash", head.provenance.input_hash}, {"converged", converged(head)}, {"outcome", head.outcome}};
+  return {{"name", head.name},
+          {"file", file},
+          {"input_hash", head.provenance.input_hash},
+          {"converged", converged(head)},
+          {"outcome", head.outcome}};
 }
 
 /// As stored, or measured now.
@@ -96,7 +105,8 @@ std::string grains_of(const Packing& packing) {
   if (packing.materials.size() < 2) return std::to_string(all);
   std::string parts;
   for (std::size_t m = 0; m < packing.materials.size(); ++m) {
-    const auto count = std::count(packing.grains.material.begin(), packing.grains.material.end(), static_cast<std::int32_t>(m));
+    const auto count =
+        std::count(packing.grains.material.begin(), packing.grains.material.end(), static_cast<std::int32_t>(m));
     parts += fmt::format("{}{} {}", m > 0 ? ", " : "", count, packing.materials[m].name);
   }
   return fmt::format("{}: {}", all, parts);
@@ -150,11 +160,12 @@ std::string doubts_of(const StageResult& stage) {
 /// The numbers that one asks for first, of grains, of what flows and of nodes, as rows of a table.
 std::string headlines(const Numbers& numbers) {
   return rows_of(numbers,
-                 "contacts wall_contacts solid_fraction coordination.all coordination.without_rattlers coordination.all,* "
-                 "coordination.rattlers coordination.Z fabric.a_c fabric.a_c_noise long_axes.order long_axes.noise force.mean_N "
-                 "force.strong_share force.beta stress_details.pressure_Pa stress_details.deviator_Pa critical_state discharge "
-                 "surface floor cohesion map.lengths grains.all phases.void phases.matrix S_m pores.count pores.mean voids.count "
-                 "modulus_Pa poisson apparent_moduli strength_Pa failure.strain_at_strength stress.sigma_yy.sets.*.mean_over_sample_mean");
+                 "contacts wall_contacts solid_fraction coordination.all coordination.without_rattlers "
+                 "coordination.all,* coordination.rattlers coordination.Z fabric.a_c fabric.a_c_noise long_axes.order "
+                 "long_axes.noise force.mean_N force.strong_share force.beta stress_details.pressure_Pa "
+                 "stress_details.deviator_Pa critical_state discharge surface floor cohesion map.lengths grains.all "
+                 "phases.void phases.matrix S_m pores.count pores.mean voids.count modulus_Pa poisson apparent_moduli "
+                 "strength_Pa failure.strain_at_strength stress.sigma_yy.sets.*.mean_over_sample_mean");
 }
 
 }  // namespace
@@ -180,7 +191,9 @@ void Summary::add(const std::filesystem::path& file, const StageResult& stage) {
   stages_.push_back({file.filename().string(), std::move(kept), stage.snapshots.size()});
 }
 
-void Summary::add(const std::filesystem::path& file, const FieldResult& field) { fields_.push_back({file.filename().string(), field, field.numbers}); }
+void Summary::add(const std::filesystem::path& file, const FieldResult& field) {
+  fields_.push_back({file.filename().string(), field, field.numbers});
+}
 
 const ResultHead& Summary::last() const { return fields_.empty() ? stages_.back().result : fields_.back().head; }
 
@@ -195,7 +208,8 @@ Numbers Summary::numbers() const {
     one["states"] = described(stage.states, "", "Stored states");
     if (!stage.result.snapshots.empty()) one["last_state"] = state(stage.result.snapshots.back());
     if (const auto curves = test_curves(stage.result))
-      if (const auto critical = critical_state(*curves)) one["critical_state"] = j["critical_state"] = numbers_of(*curves, *critical);
+      if (const auto critical = critical_state(*curves))
+        one["critical_state"] = j["critical_state"] = numbers_of(*curves, *critical);
     j["stages"].push_back(one);
   }
   for (const Field& field : fields_) {
@@ -208,13 +222,15 @@ Numbers Summary::numbers() const {
 std::string Summary::how_stages_ended() const {
   std::string text = made_by(last().provenance) + "\nStages\n";
   for (const Stage& stage : stages_) {
-    text += fmt::format("  {:<32} {}{}\n", stage.result.name, stage.result.converged ? "" : "NOT IN EQUILIBRIUM: ", stage.result.outcome);
+    text += fmt::format("  {:<32} {}{}\n", stage.result.name,
+                        stage.result.converged ? "" : "NOT IN EQUILIBRIUM: ", stage.result.outcome);
     for (const std::string& load : loads_in_words(stage.result)) text += fmt::format("  {:<32} {}\n", "", load);
     text += doubts_of(stage.result);
     text += fmt::format("  {:<32} {} {} in {}\n", "", stage.states, stage.states == 1 ? "state" : "states", stage.file);
   }
   for (const Field& field : fields_)
-    text += fmt::format("  {:<32} {}{}\n  {:<32} {}\n", field.head.name, field.head.converged ? "" : "NOT SOLVED: ", field.head.outcome, "", field.file);
+    text += fmt::format("  {:<32} {}{}\n  {:<32} {}\n", field.head.name,
+                        field.head.converged ? "" : "NOT SOLVED: ", field.head.outcome, "", field.file);
   return text;
 }
 
@@ -222,14 +238,16 @@ std::string Summary::text() const {
   if (!films_.empty()) return all();
   const bool has_state = fields_.empty() && !stages_.back().result.snapshots.empty();
   if (fields_.empty() && !has_state) return how_stages_ended();
-  return how_stages_ended() + (has_state ? state_text(stages_.back().result) : "") + "\nNumbers, each +- its standard error\n" + headlines(numbers()) +
+  return how_stages_ended() + (has_state ? state_text(stages_.back().result) : "") +
+         "\nNumbers, each +- its standard error\n" + headlines(numbers()) +
          "\n`arenite show RESULT --all` prints every number, `--json` the same for programs.\n";
 }
 
 std::string Summary::all() const {
   if (!films_.empty()) return made_by(films_.back().provenance) + film_text(films_.back());
   std::string text = how_stages_ended();
-  if (fields_.empty() && !stages_.back().result.snapshots.empty()) text += "\nLast state\n" + to_text(state(stages_.back().result.snapshots.back()));
+  if (fields_.empty() && !stages_.back().result.snapshots.empty())
+    text += "\nLast state\n" + to_text(state(stages_.back().result.snapshots.back()));
   return text + "\nNumbers, each +- its standard error\n" + to_text(numbers(), {"provenance"});
 }
 

@@ -12,8 +12,8 @@ struct RunOutcome;
 namespace arenite::report {
 
 /// A result in a few numbers: what made it, how every stage ended, and the last state with its walls, equilibrium,
-/// energies and texture. The JSON's texture is the one stored with the result, or measured now if none is. Where the run went
-/// on to nodes, the numbers are those of the last result on them; of a film, they are the film's.
+/// energies and texture. The JSON's texture is the one stored with the result, or measured now if none is. Where the
+/// run went on to nodes, the numbers are those of the last result on them; of a film, they are the film's.
 class Summary {
  public:
   /// Reads a stage file or the stage files of a run's folder. Throws InputError for anything else.
@@ -23,7 +23,8 @@ class Summary {
 
   std::string text() const;  ///< for people: how the stages ended, and the headlines, each with its meaning
   std::string all() const;   ///< for people: every number
-  Numbers numbers() const;   ///< for programs: the texture's fields, or a field's numbers with "texture", and "provenance" and "stages" beside them
+  Numbers numbers() const;   ///< for programs: the texture's fields, or a field's numbers with "texture", and
+                             ///< "provenance" and "stages" beside them
 
  private:
   std::string how_stages_ended() const;
@@ -49,15 +50,16 @@ class Summary {
 std::string field_summary(const FieldResult& result);
 Numbers field_numbers(const FieldResult& result);
 
-/// A film in a few numbers: size, times and missing frames, what the camera says, levels and noise of the first frames, up to `most_frames` of them.
+/// A film in a few numbers: size, times and missing frames, what the camera says, levels and noise of the first frames,
+/// up to `most_frames` of them.
 Numbers film_summary(FilmSource& film, std::size_t most_frames = 64);
 
 /// What a film gave, as a table for people and as JSON for programs.
 std::string film_text(const FilmResult& result);
 Numbers film_numbers(const FilmResult& result);
 
-/// The stress path through the stages of a run's folder as CSV: one row a stored state, units in the heads of the columns.
-/// Throws InputError for what holds no such stages.
+/// The stress path through the stages of a run's folder as CSV: one row a stored state, units in the heads of the
+/// columns. Throws InputError for what holds no such stages.
 std::string states_table(const std::filesystem::path& result);
 
 }  // namespace arenite::report

@@ -28,16 +28,19 @@ dem::Stage asked_for(const StageResult& stage) {
 /// How far a wall has slid along itself since the stage began, m, at every row: by its programme, or at its speed.
 std::vector<double> slid(const dem::Stage& stage, int side, const std::vector<double>& time) {
   const auto& programmes = stage.programmes;
-  const auto own = std::ranges::find_if(programmes, [&](const auto& p) { return p.of == dem::Programme::slide + side; });
+  const auto own =
+      std::ranges::find_if(programmes, [&](const auto& p) { return p.of == dem::Programme::slide + side; });
   const double begin = stage.duration ? time.back() - *stage.duration : time.front();
   std::vector<double> way;
-  for (const double t : time) way.push_back(own == programmes.end() ? stage.slide[side] * (t - begin) : dem::integral(*own, t - begin));
+  for (const double t : time)
+    way.push_back(own == programmes.end() ? stage.slide[side] * (t - begin) : dem::integral(*own, t - begin));
   return way;
 }
 
 /// Strain by two sides that slide: the difference of their ways over their distance, row by row. Empty where neither
 /// slides.
-std::vector<double> strain_between(const dem::Stage& stage, int one, int other, const std::vector<double>& time, const std::vector<double>& distance) {
+std::vector<double> strain_between(const dem::Stage& stage, int one, int other, const std::vector<double>& time,
+                                   const std::vector<double>& distance) {
   const auto near = slid(stage, one, time), far = slid(stage, other, time);
   std::vector<double> strain(time.size(), 0.0);
   bool slides = false;
@@ -51,7 +54,8 @@ std::vector<double> strain_between(const dem::Stage& stage, int one, int other, 
   return strain;
 }
 
-/// Along the axis of compression of a confined sample, which may grow by more across it as it dilates; else along that of the greater strain.
+/// Along the axis of compression of a confined sample, which may grow by more across it as it dilates; else along that
+/// of the greater strain.
 void strain_by_sides(TestCurves& curves, const fields::SideStresses& s) {
   const double x = 1 - s.width.back() / s.width.front(), y = 1 - s.height.back() / s.height.front();
   const bool upright = curves.confined ? y >= x : std::abs(y) >= std::abs(x);
@@ -64,7 +68,8 @@ void strain_by_sides(TestCurves& curves, const fields::SideStresses& s) {
 std::vector<double> ratio(const std::vector<double>& a, const std::vector<double>& b) {
   const double least = unloaded * *std::ranges::max_element(b);
   std::vector<double> result;
-  for (std::size_t k = 0; k < a.size(); ++k) result.push_back(b[k] > least && b[k] > 0 ? std::abs(a[k]) / b[k] : statistics::unknown);
+  for (std::size_t k = 0; k < a.size(); ++k)
+    result.push_back(b[k] > least && b[k] > 0 ? std::abs(a[k]) / b[k] : statistics::unknown);
   return result;
 }
 
@@ -74,14 +79,17 @@ bool is_drawn(const std::vector<double>& size, const std::vector<double>& stress
   return size.back() > (1 + least_strain) * size.front() && -tension > unloaded * std::abs(pressure);
 }
 
-/// The stress along the axis, Pa, of a test in which nothing presses across it, or which draws the sample apart; nothing of any other.
+/// The stress along the axis, Pa, of a test in which nothing presses across it, or which draws the sample apart;
+/// nothing of any other.
 std::optional<std::vector<double>> uniaxial_stress(const fields::SideStresses& s, double thickness) {
   std::vector<double> x, y;
   for (std::size_t k = 0; k < s.time.size(); ++k) {
     x.push_back(s.xx[k] / thickness);
     y.push_back(s.yy[k] / thickness);
   }
-  const auto largest = [](const std::vector<double>& v) { return std::abs(*std::ranges::max_element(v, {}, [](double a) { return std::abs(a); })); };
+  const auto largest = [](const std::vector<double>& v) {
+    return std::abs(*std::ranges::max_element(v, {}, [](double a) { return std::abs(a); }));
+  };
   if (largest(x) <= unloaded * largest(y) || is_drawn(s.height, y)) return y;
   if (largest(y) <= unloaded * largest(x) || is_drawn(s.width, x)) return x;
   return {};
@@ -96,7 +104,8 @@ void take_ratio(TestCurves& curves, std::vector<double> shear, std::vector<doubl
 /// Shear along the sides, in a cell that is sheared or between walls that slide. False where neither is.
 bool strain_by_shear(TestCurves& curves, const StageResult& stage, const fields::SideStresses& s) {
   const dem::Stage asked = asked_for(stage);
-  auto along_x = strain_between(asked, bottom, top, s.time, s.height), along_y = strain_between(asked, left, right, s.time, s.width);
+  auto along_x = strain_between(asked, bottom, top, s.time, s.height),
+       along_y = strain_between(asked, left, right, s.time, s.width);
   const bool upright = along_x.empty() && !along_y.empty();
   if (const auto* sheared = stage.history.find("shear_strain"))
     for (const double v : *sheared) curves.strain.push_back(std::abs(v - sheared->front()));
@@ -127,7 +136,8 @@ statistics::Measured over(const std::vector<double>& values, std::size_t first, 
 
 Numbers with_interval(const statistics::Measured& m, const char* sentence) {
   const auto interval = statistics::confidence_95(m);
-  return statistics::described({{"value", m.value}, {"error", m.error}, {"low_95", interval.low}, {"high_95", interval.high}}, "", sentence);
+  return statistics::described(
+      {{"value", m.value}, {"error", m.error}, {"low_95", interval.low}, {"high_95", interval.high}}, "", sentence);
 }
 
 }  // namespace
@@ -159,7 +169,9 @@ std::optional<CriticalState> critical_state(const TestCurves& curves) {
   const auto offset = static_cast<std::size_t>(loaded - curves.ratio.begin());
   const std::vector<double> ratio(loaded, curves.ratio.end());
   const double last = curves.strain.back(), farthest = *std::ranges::max_element(curves.strain);
-  if (ratio.size() < 60 || !(last >= 0.95 * farthest) || std::ranges::any_of(ratio, [](double v) { return !std::isfinite(v); })) return {};
+  if (ratio.size() < 60 || !(last >= 0.95 * farthest) ||
+      std::ranges::any_of(ratio, [](double v) { return !std::isfinite(v); }))
+    return {};
   const auto steady = fields::find_steady_state(ratio);
   const auto solid = fields::find_steady_state(std::span(curves.solid_fraction).subspan(offset));
   const std::size_t first = offset + std::max(steady.first, solid.first);
@@ -171,15 +183,19 @@ std::optional<CriticalState> critical_state(const TestCurves& curves) {
 }
 
 Numbers numbers_of(const TestCurves& curves, const CriticalState& state) {
-  return {{"strain", curves.strain_name},
-          {"from", statistics::described(state.from, "", "Strain beyond which the ratio and the volume only fluctuate")},
-          {"to", statistics::described(state.to, "", "Last strain of the test")},
-          {"sure", statistics::described(state.sure, "",
-                                         "\"no\": too few fluctuations to tell the errors well, so that they and the "
-                                         "intervals are wide; shear further or repeat with other seeds")},
-          {curves.ratio_name(), with_interval(state.ratio, curves.sheared ? "Mean shear over mean normal stress on the sides in the critical state"
-                                                                          : "Mean q over mean p in the critical state, from the forces on the sides")},
-          {"solid_fraction", with_interval(state.solid_fraction, "Solid fraction of the whole box, mean over the critical state")}};
+  return {
+      {"strain", curves.strain_name},
+      {"from", statistics::described(state.from, "", "Strain beyond which the ratio and the volume only fluctuate")},
+      {"to", statistics::described(state.to, "", "Last strain of the test")},
+      {"sure", statistics::described(state.sure, "",
+                                     "\"no\": too few fluctuations to tell the errors well, so that they and the "
+                                     "intervals are wide; shear further or repeat with other seeds")},
+      {curves.ratio_name(),
+       with_interval(state.ratio, curves.sheared
+                                      ? "Mean shear over mean normal stress on the sides in the critical state"
+                                      : "Mean q over mean p in the critical state, from the forces on the sides")},
+      {"solid_fraction",
+       with_interval(state.solid_fraction, "Solid fraction of the whole box, mean over the critical state")}};
 }
 
 }  // namespace arenite::report

@@ -10,9 +10,11 @@ namespace arenite::report {
 
 /// What was sampled while a stage strained its sample, row by row of its history.
 struct TestCurves {
-  std::string strain_name;             ///< "shear strain", "strain of the height", "strain of the width"
-  bool sheared = false;                ///< along the sides: the ratio is shear over normal stress there, "mu"; else q over p of the sides, "q_over_p"
-  bool confined = true;                ///< across its axis, too, and not drawn apart; else instead of the ratio there is the stress along the axis, Pa
+  std::string strain_name;  ///< "shear strain", "strain of the height", "strain of the width"
+  bool sheared = false;  ///< along the sides: the ratio is shear over normal stress there, "mu"; else q over p of the
+                         ///< sides, "q_over_p"
+  bool confined = true;  ///< across its axis, too, and not drawn apart; else instead of the ratio there is the stress
+                         ///< along the axis, Pa
   std::vector<double> strain;          ///< since the first row, positive where a side shortens
   std::vector<double> ratio;           ///< NaN where the sides are all but unloaded
   std::vector<double> shear, normal;   ///< what it is the ratio of, N/m; empty of a stress
@@ -23,7 +25,8 @@ struct TestCurves {
   const char* ratio_unit() const { return sheared || confined ? "" : "Pa"; }
 };
 
-/// From the forces on the sides and their places. Nothing for a stage that strains by less than 0.2 %, or kept no history of its sides.
+/// From the forces on the sides and their places. Nothing for a stage that strains by less than 0.2 %, or kept no
+/// history of its sides.
 std::optional<TestCurves> test_curves(const StageResult& stage);
 
 /// The critical state: the part of a test in which its ratio and the volume only fluctuate while the strain goes on.
@@ -31,14 +34,16 @@ struct CriticalState {
   double from = 0, to = 0;  ///< strain
   statistics::Measured ratio,
       solid_fraction;  ///< the ratio of the means of shear and normal stress, not the mean of their ratio
-  bool sure = true;    ///< both errors are of blocks that are independent; else one or both are the largest of few long blocks
+  bool sure =
+      true;  ///< both errors are of blocks that are independent; else one or both are the largest of few long blocks
 };
 
-/// Where the transients of both have ended (fields::find_steady_state). Nothing where the test was cyclic, where its strain all but stops, or where
-/// the ratio or the solid fraction drifts to the end.
+/// Where the transients of both have ended (fields::find_steady_state). Nothing where the test was cyclic, where its
+/// strain all but stops, or where the ratio or the solid fraction drifts to the end.
 std::optional<CriticalState> critical_state(const TestCurves& curves);
 
-/// As `arenite show` and the page have it: from, to, whether it is sure, and value, error, low_95, high_95 of the ratio, by its name, and of the solid fraction.
+/// As `arenite show` and the page have it: from, to, whether it is sure, and value, error, low_95, high_95 of the
+/// ratio, by its name, and of the solid fraction.
 Numbers numbers_of(const TestCurves& curves, const CriticalState& state);
 
 }  // namespace arenite::report

@@ -50,12 +50,15 @@ std::vector<std::vector<std::size_t>> partings(const Sums& sums, std::size_t n, 
   return ends;
 }
 
-Clusters classes_of(const std::vector<double>& sorted, const std::vector<std::size_t>& ends, const Sums& sums, double floor) {
+Clusters classes_of(const std::vector<double>& sorted, const std::vector<std::size_t>& ends, const Sums& sums,
+                    double floor) {
   Clusters result;
   std::size_t a = 0;
   for (const std::size_t b : ends) {
     const double n = static_cast<double>(b - a);
-    result.mean.push_back(std::accumulate(sorted.begin() + static_cast<std::ptrdiff_t>(a), sorted.begin() + static_cast<std::ptrdiff_t>(b), 0.0) / n);
+    result.mean.push_back(std::accumulate(sorted.begin() + static_cast<std::ptrdiff_t>(a),
+                                          sorted.begin() + static_cast<std::ptrdiff_t>(b), 0.0) /
+                          n);
     result.spread.push_back(std::max(floor, b - a > 1 ? std::sqrt(sums.scatter(a, b) / (n - 1)) : 0.0));
     result.members.push_back(b - a);
     a = b;

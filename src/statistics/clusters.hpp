@@ -20,9 +20,10 @@ struct ClusterOptions {
   std::size_t least_members = 2;
 };
 
-/// The finest parting in which all neighbouring classes stand apart. Partings are those with the least sum of squares (exact, by dynamic
-/// programming); two classes stand apart if D = |m_1 - m_2|/sqrt((s_1^2 + s_2^2)/2) > separation (K. M. Ashman et al., Astron. J. 108, 2348, 1994).
-/// One normal law cut in two has D = 2.65, one uniform law 3.46, so 4 finds one class in either. No values: no classes.
+/// The finest parting in which all neighbouring classes stand apart. Partings are those with the least sum of squares
+/// (exact, by dynamic programming); two classes stand apart if D = |m_1 - m_2|/sqrt((s_1^2 + s_2^2)/2) > separation (K.
+/// M. Ashman et al., Astron. J. 108, 2348, 1994). One normal law cut in two has D = 2.65, one uniform law 3.46, so 4
+/// finds one class in either. No values: no classes.
 Clusters cluster(const std::vector<double>& values, const ClusterOptions& options = {});
 
 }  // namespace arenite::statistics

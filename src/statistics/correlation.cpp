@@ -32,7 +32,8 @@ Line fit_line(const std::vector<double>& x, const std::vector<double>& y) {
   if (xx <= 0 || yy <= 0) return {};
   const double slope = xy / xx, residual = std::max(0.0, yy - slope * xy);
   const double variance = residual / (n - 2);
-  return {slope, std::sqrt(variance / xx), 1 - residual / yy, my - slope * mx, std::sqrt(variance * (1 / n + mx * mx / xx))};
+  return {slope, std::sqrt(variance / xx), 1 - residual / yy, my - slope * mx,
+          std::sqrt(variance * (1 / n + mx * mx / xx))};
 }
 
 std::vector<double> ranks(const std::vector<double>& values) {
@@ -73,13 +74,17 @@ double pearson(const std::vector<double>& x, const std::vector<double>& y) {
 double spearman(const std::vector<double>& x, const std::vector<double>& y) { return pearson(ranks(x), ranks(y)); }
 
 Relation relate(const std::vector<double>& x, const std::vector<double>& y) {
-  if (x.size() != y.size()) throw refusal("a correlation of {} values with {} has no pairs; give as many of one as of the other", x.size(), y.size());
+  if (x.size() != y.size())
+    throw refusal("a correlation of {} values with {} has no pairs; give as many of one as of the other", x.size(),
+                  y.size());
   Items known;
   for (std::size_t k = 0; k < x.size(); ++k)
     if (std::isfinite(x[k]) && std::isfinite(y[k])) known.push_back(k);
   std::vector<int> own(x.size());  // each a block of its own
   std::iota(own.begin(), own.end(), 0);
-  const auto of = [](const Items& rows, const std::vector<double>& values) { return mapped(rows, [&](std::size_t k) { return values[k]; }); };
+  const auto of = [](const Items& rows, const std::vector<double>& values) {
+    return mapped(rows, [&](std::size_t k) { return values[k]; });
+  };
   const auto e = jackknife(known, own, [&](const Items& rows) {
     const auto p = of(rows, x), q = of(rows, y);
     return std::vector<double>{pearson(p, q), spearman(p, q)};

@@ -10,9 +10,9 @@ namespace arenite::statistics {
 
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// A statistic and its standard error; NaN where it is not known. Errors of means over grains, contacts and nodes come from leaving out one block of
-/// the sample at a time (jackknife.hpp), which holds for neighbours that are not independent; those of maximum-likelihood fits to grains and contacts
-/// are those of the likelihood.
+/// A statistic and its standard error; NaN where it is not known. Errors of means over grains, contacts and nodes come
+/// from leaving out one block of the sample at a time (jackknife.hpp), which holds for neighbours that are not
+/// independent; those of maximum-likelihood fits to grains and contacts are those of the likelihood.
 struct Estimate {
   double value = unknown, error = unknown;
 };

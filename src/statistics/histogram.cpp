@@ -104,7 +104,8 @@ Histogram histogram(const std::vector<double>& x, double factor) {
     const double at = value * scale - shift;
     if (at >= 0 && at < end) ++in[static_cast<std::size_t>(at)];
   }
-  for (const std::size_t n : in) result.density.push_back(static_cast<double>(n) / (static_cast<double>(x.size()) * bins.width));
+  for (const std::size_t n : in)
+    result.density.push_back(static_cast<double>(n) / (static_cast<double>(x.size()) * bins.width));
   return result;
 }
 

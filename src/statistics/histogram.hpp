@@ -41,9 +41,9 @@ struct Spread {
   double minimum = 0, low = 0, lower_quarter = 0, upper_quarter = 0, high = 0, maximum = 0;
 };
 
-/// Bins for a pdf. Their width is 1/N of low..high, or of 5.5 times lower..upper quarter (the same for a Gaussian) where that is finer, but not below
-/// 1/1000 of low..high; N = 0.8 n^0.4, 10 to 200. They reach the extremes, but not farther than twice low..high beyond. No bins where all values are
-/// equal.
+/// Bins for a pdf. Their width is 1/N of low..high, or of 5.5 times lower..upper quarter (the same for a Gaussian)
+/// where that is finer, but not below 1/1000 of low..high; N = 0.8 n^0.4, 10 to 200. They reach the extremes, but not
+/// farther than twice low..high beyond. No bins where all values are equal.
 Bins pdf_bins(std::size_t n, const Spread& spread);
 
 BlockCounts count(const BlockedSample& sample, const Bins& bins);

@@ -27,7 +27,8 @@ double standard_error(const std::vector<double>& values) {
   return std::sqrt(squares / (n * (n - 1)));
 }
 
-std::vector<Estimate> with_errors(const std::vector<double>& values, const std::vector<std::vector<double>>& replicates, const std::vector<double>& periods) {
+std::vector<Estimate> with_errors(const std::vector<double>& values, const std::vector<std::vector<double>>& replicates,
+                                  const std::vector<double>& periods) {
   std::vector<Estimate> result(values.size());
   const double n = static_cast<double>(replicates.size());
   for (std::size_t s = 0; s < values.size(); ++s) {
@@ -46,7 +47,8 @@ std::vector<Estimate> with_errors(const std::vector<double>& values, const std::
   return result;
 }
 
-std::vector<Estimate> jackknife(const Items& items, const std::vector<int>& block_of, const std::function<std::vector<double>(const Items&)>& statistics,
+std::vector<Estimate> jackknife(const Items& items, const std::vector<int>& block_of,
+                                const std::function<std::vector<double>(const Items&)>& statistics,
                                 const std::vector<double>& periods) {
   std::vector<std::vector<double>> replicates;
   Items rest;
@@ -59,12 +61,16 @@ std::vector<Estimate> jackknife(const Items& items, const std::vector<int>& bloc
   return with_errors(statistics(items), replicates, periods);
 }
 
-std::vector<Estimate> jackknife_of_sums(const Items& items, const std::vector<int>& block_of, std::size_t terms,
-                                        const std::function<void(std::size_t, double*)>& add,
-                                        const std::function<std::vector<double>(const std::vector<double>&)>& statistics, const std::vector<double>& periods) {
+std::vector<Estimate> jackknife_of_sums(
+    const Items& items, const std::vector<int>& block_of, std::size_t terms,
+    const std::function<void(std::size_t, double*)>& add,
+    const std::function<std::vector<double>(const std::vector<double>&)>& statistics,
+    const std::vector<double>& periods) {
   const std::vector<int> used = used_blocks(items, block_of);
   std::vector<std::vector<double>> sums(used.size(), std::vector<double>(terms, 0.0));
-  for (const std::size_t i : items) add(i, sums[static_cast<std::size_t>(std::lower_bound(used.begin(), used.end(), block_of[i]) - used.begin())].data());
+  for (const std::size_t i : items)
+    add(i,
+        sums[static_cast<std::size_t>(std::lower_bound(used.begin(), used.end(), block_of[i]) - used.begin())].data());
   std::vector<double> total(terms, 0.0);
   for (const auto& block : sums)
     for (std::size_t t = 0; t < terms; ++t) total[t] += block[t];

@@ -12,9 +12,13 @@ template <class T> using Dense = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic
 
 Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
-template <class T> Eigen::Map<const Dense<T>> seen(const MatrixOf<T>& a) { return {a.column(0), index(a.rows()), index(a.columns())}; }
+template <class T> Eigen::Map<const Dense<T>> seen(const MatrixOf<T>& a) {
+  return {a.column(0), index(a.rows()), index(a.columns())};
+}
 
-template <class T> Eigen::Map<Dense<T>> seen(MatrixOf<T>& a) { return {a.column(0), index(a.rows()), index(a.columns())}; }
+template <class T> Eigen::Map<Dense<T>> seen(MatrixOf<T>& a) {
+  return {a.column(0), index(a.rows()), index(a.columns())};
+}
 
 template <class T> MatrixOf<T> product(const MatrixOf<T>& a, const MatrixOf<T>& b) {
   MatrixOf<T> c(a.rows(), b.columns());
@@ -67,9 +71,13 @@ double dot(const double* a, const double* b, std::size_t count) {
 
 double squares(const Matrix& a) { return dot(a.column(0), a.column(0), a.size()); }
 
-Matrix solve(const Matrix& a, const Matrix& right) { return solved(Eigen::PartialPivLU<Dense<double>>(seen(a)), right); }
+Matrix solve(const Matrix& a, const Matrix& right) {
+  return solved(Eigen::PartialPivLU<Dense<double>>(seen(a)), right);
+}
 
-Matrix solve_symmetric(const Matrix& a, const Matrix& right) { return solved(Eigen::LDLT<Dense<double>>(seen(a)), right); }
+Matrix solve_symmetric(const Matrix& a, const Matrix& right) {
+  return solved(Eigen::LDLT<Dense<double>>(seen(a)), right);
+}
 
 Matrix solve_sparse(const std::vector<Entry>& a, const Matrix& right) {
   std::vector<Eigen::Triplet<double>> entries;

@@ -5,7 +5,8 @@
 
 namespace arenite::statistics {
 
-/// Numbers in columns, one after the other; 0 at first. What works on all of them is compiled once, in least_squares.cpp.
+/// Numbers in columns, one after the other; 0 at first. What works on all of them is compiled once, in
+/// least_squares.cpp.
 template <class T> class MatrixOf {
  public:
   MatrixOf() = default;
@@ -56,7 +57,8 @@ double squares(const Matrix& a);
 
 /// x of a x = right, column by column, by LU with partial pivoting.
 Matrix solve(const Matrix& a, const Matrix& right);
-/// The same of a symmetric matrix that is not indefinite, by L D L^T with pivoting; of its triangles the lower one is read.
+/// The same of a symmetric matrix that is not indefinite, by L D L^T with pivoting; of its triangles the lower one is
+/// read.
 Matrix solve_symmetric(const Matrix& a, const Matrix& right);
 
 /// An entry of a sparse matrix; those of one place are added.

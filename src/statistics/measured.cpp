@@ -10,7 +10,8 @@ namespace {
 
 using namespace boost::math::policies;
 /// What is not known stays so: no exceptions.
-using Quiet = policy<domain_error<ignore_error>, overflow_error<ignore_error>, evaluation_error<ignore_error>, promote_double<false>>;
+using Quiet = policy<domain_error<ignore_error>, overflow_error<ignore_error>, evaluation_error<ignore_error>,
+                     promote_double<false>>;
 using Student = boost::math::students_t_distribution<double, Quiet>;
 
 double square(double x) { return x * x; }
@@ -34,7 +35,8 @@ double student_share(double t, double freedom) { return cdf(Student(freedom), t)
 double student_quantile(double p, double freedom) { return quantile(Student(freedom), p); }
 
 double fisher_survival(double f, double freedom_between, double freedom_within) {
-  return boost::math::ibeta(0.5 * freedom_within, 0.5 * freedom_between, freedom_within / (freedom_within + freedom_between * f), Quiet());
+  return boost::math::ibeta(0.5 * freedom_within, 0.5 * freedom_between,
+                            freedom_within / (freedom_within + freedom_between * f), Quiet());
 }
 
 Interval confidence_95(const Measured& m) {
@@ -77,7 +79,8 @@ double chance_of_equal_means(const std::vector<std::vector<double>>& groups) {
   if (groups.size() < 2 || all.size() <= groups.size() || !(within > 0)) return unknown;
   const double mean = plain_mean(all);
   for (const auto& group : groups) between += static_cast<double>(group.size()) * square(plain_mean(group) - mean);
-  const double of_groups = static_cast<double>(groups.size() - 1), of_values = static_cast<double>(all.size() - groups.size());
+  const double of_groups = static_cast<double>(groups.size() - 1),
+               of_values = static_cast<double>(all.size() - groups.size());
   return fisher_survival(between / of_groups / (within / of_values), of_groups, of_values);
 }
 

@@ -7,8 +7,8 @@
 
 namespace arenite::statistics {
 
-/// A measured quantity: value, standard error (NaN: not known), and the degrees of freedom that the error was found with (infinite: the error is
-/// known for certain).
+/// A measured quantity: value, standard error (NaN: not known), and the degrees of freedom that the error was found
+/// with (infinite: the error is known for certain).
 struct Measured {
   double value = unknown, error = unknown;
   double freedom = std::numeric_limits<double>::infinity();
@@ -23,11 +23,12 @@ Interval confidence_95(const Measured& m);
 /// Mean of values alike, its standard error from their scatter, n - 1 degrees of freedom. One value has no error.
 Measured mean_of(const std::vector<double>& values);
 
-/// Product of independent quantities to powers: relative errors add in squares, degrees of freedom after Welch and Satterthwaite. Quantities whose
-/// error is not known add none; if that holds for all, the product's is not known.
+/// Product of independent quantities to powers: relative errors add in squares, degrees of freedom after Welch and
+/// Satterthwaite. Quantities whose error is not known add none; if that holds for all, the product's is not known.
 Measured product(const std::vector<std::pair<Measured, double>>& factors);
 
-/// How often groups that are alike would have means as far apart as these (analysis of variance), NaN where fewer than two groups or no scatter tell.
+/// How often groups that are alike would have means as far apart as these (analysis of variance), NaN where fewer than
+/// two groups or no scatter tell.
 double chance_of_equal_means(const std::vector<std::vector<double>>& groups);
 
 /// Share of Student's t distribution below t. `freedom` > 0 need not be whole; infinity gives the normal distribution.

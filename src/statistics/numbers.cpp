@@ -33,7 +33,8 @@ Json json_of(const Numbers& numbers) {
 
 void add_named(std::vector<NamedNumber>& all, const std::string& name, const Numbers& node, const Meaning* of_group) {
   const Meaning* meaning = node.meaning() ? node.meaning() : of_group;
-  if (node.is_number() || node.is_truth() || (node.is_tree() && node.contains("value"))) all.push_back({name, &node, meaning});
+  if (node.is_number() || node.is_truth() || (node.is_tree() && node.contains("value")))
+    all.push_back({name, &node, meaning});
   else if (node.is_tree())
     for (const auto& [own, item] : node.items()) add_named(all, name.empty() ? own : name + "." + own, item, meaning);
 }
@@ -64,7 +65,8 @@ Numbers::Numbers(const statistics::Estimate& e) {
 }
 
 Numbers::Numbers(const statistics::TensorEstimate& t) {
-  if (std::isfinite(t.value.xx)) *this = Numbers{{"value", matrix(t.value)}, {"error", std::isfinite(t.error.xx) ? matrix(t.error) : Numbers()}};
+  if (std::isfinite(t.value.xx))
+    *this = Numbers{{"value", matrix(t.value)}, {"error", std::isfinite(t.error.xx) ? matrix(t.error) : Numbers()}};
 }
 
 Numbers::Numbers(const statistics::Curve& c) : Numbers{{"x", c.x}, {"y", c.y}, {"error", c.error}} {}
@@ -101,7 +103,9 @@ std::size_t Numbers::size() const {
   return is_list() || is_tree() ? items_.size() : 1;
 }
 
-std::vector<std::pair<const std::string&, const Numbers&>> Numbers::items() const { return beside<const Numbers>(names_, items_); }
+std::vector<std::pair<const std::string&, const Numbers&>> Numbers::items() const {
+  return beside<const Numbers>(names_, items_);
+}
 std::vector<std::pair<const std::string&, Numbers&>> Numbers::items() { return beside<Numbers>(names_, items_); }
 
 Numbers::Items::const_iterator Numbers::find(std::string_view name) const {
@@ -171,8 +175,10 @@ const Numbers& Numbers::expect(bool holds, const char* what) const {
 }
 
 bool operator==(const Numbers& a, const Numbers& b) {
-  if (a.is_number() && b.is_number()) return a.is_real() || b.is_real() ? a.get<double>() == b.get<double>() : a.integer_ == b.integer_;
-  return a.kind_ == b.kind_ && a.integer_ == b.integer_ && a.text_ == b.text_ && a.names_ == b.names_ && a.items_ == b.items_;
+  if (a.is_number() && b.is_number())
+    return a.is_real() || b.is_real() ? a.get<double>() == b.get<double>() : a.integer_ == b.integer_;
+  return a.kind_ == b.kind_ && a.integer_ == b.integer_ && a.text_ == b.text_ && a.names_ == b.names_ &&
+         a.items_ == b.items_;
 }
 
 std::vector<NamedNumber> named_numbers(const Numbers& tree) {
@@ -189,7 +195,9 @@ void erase_if(Numbers& tree, const std::function<bool(std::string_view, const Nu
   for (const std::string& name : names) tree.erase(name);
 }
 
-std::string to_json(const Numbers& numbers, int indent) { return json_of(numbers).dump(indent, ' ', false, Json::error_handler_t::replace); }
+std::string to_json(const Numbers& numbers, int indent) {
+  return json_of(numbers).dump(indent, ' ', false, Json::error_handler_t::replace);
+}
 
 }  // namespace arenite
 

@@ -28,9 +28,10 @@ struct Meaning {
   std::string unit, sentence;
 };
 
-/// What is measured, as an ordered tree: a node is a value (truth, integer, real, text), a list of nodes, or nodes with names. Braces make trees as
-/// they are written in JSON: {{"z", 3.9}, {"sectors", {1, 2, 3}}}. A number that is not finite is not known. Files, tables, pages and Python are made
-/// of it (`json`, io/hdf5, report, python/src). A value that a statistic declares, alone or as {"value", "error"}, has a meaning.
+/// What is measured, as an ordered tree: a node is a value (truth, integer, real, text), a list of nodes, or nodes with
+/// names. Braces make trees as they are written in JSON: {{"z", 3.9}, {"sectors", {1, 2, 3}}}. A number that is not
+/// finite is not known. Files, tables, pages and Python are made of it (`json`, io/hdf5, report, python/src). A value
+/// that a statistic declares, alone or as {"value", "error"}, has a meaning.
 class Numbers {
  public:
   enum class Kind : std::uint8_t { unknown, truth, integer, natural, real, text, list, tree };
@@ -41,7 +42,9 @@ class Numbers {
   Numbers(bool value) : kind_(Kind::truth), integer_(value ? 1 : 0) {}
   template <std::signed_integral T> Numbers(T value) : kind_(Kind::integer), integer_(value) {}
   template <std::unsigned_integral T>
-  requires(!std::same_as<T, bool>) Numbers(T value) : kind_(Kind::natural), integer_(static_cast<std::int64_t>(value)) {}
+  requires(!std::same_as<T, bool>) Numbers(T value)
+      : kind_(Kind::natural),
+        integer_(static_cast<std::int64_t>(value)) {}
   template <std::floating_point T> Numbers(T value) : Numbers(real_of(static_cast<double>(value))) {}
   Numbers(std::string text) : kind_(Kind::text), text_(std::move(text)) {}
   Numbers(const char* text) : Numbers(std::string(text)) {}
@@ -119,7 +122,8 @@ class Numbers {
     else if constexpr (std::same_as<T, Numbers>) return *this;
     else {
       T values;
-      for (const Numbers& item : expect(is_list(), "not a list").items_) values.push_back(item.get<typename T::value_type>());
+      for (const Numbers& item : expect(is_list(), "not a list").items_)
+        values.push_back(item.get<typename T::value_type>());
       return values;
     }
   }
@@ -138,7 +142,8 @@ class Numbers {
   const Numbers& expect(bool holds, const char* what) const;
   template <class T> T as_number() const {
     if (kind_ == Kind::natural) return static_cast<T>(static_cast<std::uint64_t>(integer_));
-    return kind_ == Kind::real ? static_cast<T>(real_) : static_cast<T>(expect(is_integer() || is_truth(), "not a number").integer_);
+    return kind_ == Kind::real ? static_cast<T>(real_)
+                               : static_cast<T>(expect(is_integer() || is_truth(), "not a number").integer_);
   }
 
   Kind kind_ = Kind::unknown;
@@ -150,7 +155,8 @@ class Numbers {
   std::shared_ptr<const Meaning> meaning_;
 };
 
-/// A number of a tree by its dotted name ("coordination.all"), alone or as {"value", "error"}. Its meaning is its own, or that of the group it is in.
+/// A number of a tree by its dotted name ("coordination.all"), alone or as {"value", "error"}. Its meaning is its own,
+/// or that of the group it is in.
 struct NamedNumber {
   std::string name;
   const Numbers* number = nullptr;
@@ -165,14 +171,17 @@ void erase_if(Numbers& tree, const std::function<bool(std::string_view name, con
 /// As JSON, in one line or with `indent` spaces a level. Text that is not UTF-8 is written with marks in its place.
 std::string to_json(const Numbers& numbers, int indent = -1);
 
-/// What is left out of a table: nodes with one of these names, or whose names end with one of these words, separated by blanks.
+/// What is left out of a table: nodes with one of these names, or whose names end with one of these words, separated by
+/// blanks.
 struct LeftOut {
   std::string_view names, endings = {};
 };
-/// For people: a row for each value in the tree's order, "name  value +- error unit  what it is", under the names that files, CSV and Python have;
-/// texts too, and tensors, but no longer lists. A set of things that is all of what it is a part of repeats it and has no rows. Notes stand last.
+/// For people: a row for each value in the tree's order, "name  value +- error unit  what it is", under the names that
+/// files, CSV and Python have; texts too, and tensors, but no longer lists. A set of things that is all of what it is a
+/// part of repeats it and has no rows. Notes stand last.
 std::string to_text(const Numbers& tree, const LeftOut& left_out = {});
-/// The rows at these dotted names alone, separated by blanks, in this order: a number's, or a whole group's; "*" at the end of a step stands for anything.
+/// The rows at these dotted names alone, separated by blanks, in this order: a number's, or a whole group's; "*" at the
+/// end of a step stands for anything.
 std::string rows_of(const Numbers& tree, std::string_view names);
 
 }  // namespace arenite
@@ -186,11 +195,12 @@ Numbers described(Numbers value, const char* unit, const char* sentence);
 /// Adds a value, with its unit and what it is, unless it is not known.
 void put(Numbers& to, const std::string& name, Numbers value, const char* unit, const char* sentence);
 
-/// "value +- error" with two digits of the error, and the value to the same place. The value alone where the error is not known, or is that of
-/// rounding (at most 1e-12 of the value).
+/// "value +- error" with two digits of the error, and the value to the same place. The value alone where the error is
+/// not known, or is that of rounding (at most 1e-12 of the value).
 std::string with_error(const Estimate& e, double scale = 1);
 
-/// Takes out the curves of these names, separated by blanks, at any depth: lists, and trees of lists. A set that somebody gave such a name stays.
+/// Takes out the curves of these names, separated by blanks, at any depth: lists, and trees of lists. A set that
+/// somebody gave such a name stays.
 void erase_curves(Numbers& tree, std::string_view names);
 
 }  // namespace arenite::statistics

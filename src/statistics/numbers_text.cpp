@@ -25,17 +25,20 @@ double largest_of(const Numbers& value) {
   return largest;
 }
 
-/// A number with its error, or the items of a tensor: one after the other, rows parted by semicolons. Empty for what is no number.
+/// A number with its error, or the items of a tensor: one after the other, rows parted by semicolons. Empty for what is
+/// no number.
 std::string number_text(const Numbers& value, const Numbers* error, double scale) {
   if (value.is_integer()) return to_json(value);
   if (value.is_real()) {
     const double number = scale * value.get<double>();
-    return error && error->is_number() ? statistics::with_error({number, scale * error->get<double>()}) : fmt::format("{:.5g}", number + 0.0);
+    return error && error->is_number() ? statistics::with_error({number, scale * error->get<double>()})
+                                       : fmt::format("{:.5g}", number + 0.0);
   }
   if (!value.is_list() || value.empty() || value.size() > most_items) return {};
   std::vector<std::string> items;
   for (std::size_t i = 0; i < value.size(); ++i) {
-    items.push_back(number_text(value[i], error && error->is_list() && i < error->size() ? &(*error)[i] : nullptr, scale));
+    items.push_back(
+        number_text(value[i], error && error->is_list() && i < error->size() ? &(*error)[i] : nullptr, scale));
     if (items.back().empty()) return {};
   }
   return fmt::format("{}", list_of(items, value.front().is_list() ? "; " : ", "));
@@ -55,7 +58,8 @@ std::string value_text(const Numbers& node, const std::string& unit) {
   if (text.empty()) return text;
   if (*prefixed) text += fmt::format(" {}", prefixed);
   if (is_estimate && node.contains("low_95") && node["low_95"].is_number())
-    text += fmt::format(" (95 %: {:.4g} to {:.4g})", scale * node["low_95"].get<double>(), scale * node["high_95"].get<double>());
+    text += fmt::format(" (95 %: {:.4g} to {:.4g})", scale * node["low_95"].get<double>(),
+                        scale * node["high_95"].get<double>());
   return text;
 }
 
@@ -69,7 +73,8 @@ std::string row(const std::string& name, const Numbers& node, const Meaning* mea
 
 bool is_left_out(const std::string& name, const LeftOut& left_out) {
   const auto names = split_blanks(left_out.names), endings = split_blanks(left_out.endings);
-  return std::ranges::count(names, name) > 0 || std::ranges::any_of(endings, [&](std::string_view end) { return name.ends_with(fmt::format(" {}", end)); });
+  return std::ranges::count(names, name) > 0 ||
+         std::ranges::any_of(endings, [&](std::string_view end) { return name.ends_with(fmt::format(" {}", end)); });
 }
 
 /// Whether a set is all of what it is a part of: both begin with the same count.

@@ -22,13 +22,18 @@ double log_normalisation(double q) {
   const double log_root_pi = 0.5 * std::log(std::numbers::pi), e = q - 1;
   if (std::abs(e) < 1e-6) return log_root_pi;
   if (e > 0) return log_root_pi - 0.5 * std::log(e) + log_gamma_quotient((3 - q) / (2 * e), 1 / e);
-  return std::log(2.0) + log_root_pi - std::log(3 - q) - 0.5 * std::log(-e) + log_gamma_quotient(-1 / e, (3 - q) / (-2 * e));
+  return std::log(2.0) + log_root_pi - std::log(3 - q) - 0.5 * std::log(-e) +
+         log_gamma_quotient(-1 / e, (3 - q) / (-2 * e));
 }
 
 /// One set of parameters, ready for many x.
 class Density {
  public:
-  explicit Density(const Parameters& p) : centre_(p[0]), beta_(std::exp(p[1])), e_(p[2] - 1), height_(std::exp(0.5 * p[1] - log_normalisation(p[2]))) {}
+  explicit Density(const Parameters& p)
+      : centre_(p[0]),
+        beta_(std::exp(p[1])),
+        e_(p[2] - 1),
+        height_(std::exp(0.5 * p[1] - log_normalisation(p[2]))) {}
   double operator()(double x) const {
     const double d2 = beta_ * (x - centre_) * (x - centre_);
     if (std::abs(e_) < 1e-6) return height_ * std::exp(-d2);
@@ -77,7 +82,8 @@ std::vector<Parameters> slopes(const Points& points, const Parameters& p) {
   for (Eigen::Index k = 0; k < 3; ++k) {
     const Parameters shift = step[k] * Parameters::Unit(k);
     const Density up(p + shift), down(p - shift);
-    for (std::size_t i = 0; i < points.x.size(); ++i) result[i][k] = (up(points.x[i]) - down(points.x[i])) / (2 * step[k]);
+    for (std::size_t i = 0; i < points.x.size(); ++i)
+      result[i][k] = (up(points.x[i]) - down(points.x[i])) / (2 * step[k]);
   }
   return result;
 }
@@ -106,7 +112,8 @@ bool minimise(const Points& points, Parameters& p, int iterations) {
     Parameters d;
     for (bool better = false; !better; lambda *= 10) {
       if (lambda > 1e9 || !solve(normal, lambda, g, d)) return p[2] > lowest_q && p[2] < highest_q;
-      const Parameters trial{p[0] + d[0], p[1] + std::clamp(d[1], -1.0, 1.0), std::clamp(p[2] + std::clamp(d[2], -0.3, 0.3), lowest_q, highest_q)};
+      const Parameters trial{p[0] + d[0], p[1] + std::clamp(d[1], -1.0, 1.0),
+                             std::clamp(p[2] + std::clamp(d[2], -0.3, 0.3), lowest_q, highest_q)};
       const double then = cost(points, trial);
       better = then < now;
       if (!better) continue;
@@ -119,13 +126,16 @@ bool minimise(const Points& points, Parameters& p, int iterations) {
   return p[2] > lowest_q && p[2] < highest_q;
 }
 
-/// Half the second derivatives of the cost, by differences of its gradient: unlike the normal matrix they hold where the density is not a good one.
+/// Half the second derivatives of the cost, by differences of its gradient: unlike the normal matrix they hold where
+/// the density is not a good one.
 Eigen::Matrix3d curvature(const Points& points, const Parameters& p) {
   Eigen::Matrix3d result;
   for (Eigen::Index l = 0; l < 3; ++l) {
     const double h = l == 0 ? 1e-4 * std::exp(-0.5 * p[1]) : 1e-4;
     const Parameters shift = h * Parameters::Unit(l), up = p + shift, down = p - shift;
-    result.col(l) = (gradient(slopes(points, down), residuals(points, down)) - gradient(slopes(points, up), residuals(points, up))) / (2 * h);
+    result.col(l) = (gradient(slopes(points, down), residuals(points, down)) -
+                     gradient(slopes(points, up), residuals(points, up))) /
+                    (2 * h);
   }
   return result;
 }
@@ -145,14 +155,17 @@ double r2_of(const Points& points, const Parameters& p) {
 
 }  // namespace
 
-double q_gaussian_density(double x, double centre, double beta, double q) { return Density(Parameters(centre, std::log(beta), q))(x); }
+double q_gaussian_density(double x, double centre, double beta, double q) {
+  return Density(Parameters(centre, std::log(beta), q))(x);
+}
 
 QGaussian fit_q_gaussian(const BlockCounts& counts, const std::vector<double>& replicate_mean) {
   QGaussian fit;
   if (counts.bins.count < 10) return fit;
   const Points points = points_of(counts.bins, counts.all);
   const auto peak = std::max_element(points.y.begin(), points.y.end());
-  Parameters p{points.x[static_cast<std::size_t>(peak - points.y.begin())], std::log(std::numbers::pi * *peak * *peak), 1.2};
+  Parameters p{points.x[static_cast<std::size_t>(peak - points.y.begin())], std::log(std::numbers::pi * *peak * *peak),
+               1.2};
   if (!minimise(points, p, 100)) return fit;
   const std::vector<Parameters> slope = slopes(points, p);
   const Eigen::Matrix3d half_hessian = curvature(points, p);
@@ -164,7 +177,8 @@ QGaussian fit_q_gaussian(const BlockCounts& counts, const std::vector<double>& r
     std::vector<double> change = density(counts.bins, rest);  // one Newton step away from the fit to all
     for (std::size_t k = 0; k < change.size(); ++k) change[k] -= points.y[k];
     Parameters d;
-    if (solve(half_hessian, 0, gradient(slope, change), d)) replicates.push_back({p[2] + d[2], std::exp(p[1] + d[1]) * m * m, (p[0] + d[0]) / m});
+    if (solve(half_hessian, 0, gradient(slope, change), d))
+      replicates.push_back({p[2] + d[2], std::exp(p[1] + d[1]) * m * m, (p[0] + d[0]) / m});
   }
   const auto estimates = with_errors({p[2], std::exp(p[1]), p[0]}, replicates);
   fit.q = estimates[0];

@@ -17,7 +17,8 @@ double lead_over_half_gaussian(const std::vector<double>& y, double beta) {
   double variance = 0, sum = 0;
   const double n = static_cast<double>(y.size());
   for (const double v : y) variance += v * v / n;
-  for (const double v : y) sum += (std::log(beta) - beta * v) - (0.5 * std::log(2 / (std::numbers::pi * variance)) - v * v / (2 * variance));
+  for (const double v : y)
+    sum += (std::log(beta) - beta * v) - (0.5 * std::log(2 / (std::numbers::pi * variance)) - v * v / (2 * variance));
   return sum;
 }
 
@@ -64,7 +65,8 @@ void compare(const std::vector<TailSums>& sums, TailSums all, TailRange range, d
   }
   const double blocks = static_cast<double>(sums.size());
   fit.likelihood_ratio.value = lead;
-  if (blocks > 1) fit.likelihood_ratio.error = std::sqrt(std::max(0.0, (squares - lead * lead / blocks) * blocks / (blocks - 1)));
+  if (blocks > 1)
+    fit.likelihood_ratio.error = std::sqrt(std::max(0.0, (squares - lead * lead / blocks) * blocks / (blocks - 1)));
   fit.p_value = chance_of_lead(fit.likelihood_ratio);
 }
 
@@ -103,7 +105,9 @@ double weak_exponent(const std::vector<double>& sorted) {
   return count < 2 ? unknown : 1 - count / sum;
 }
 
-double chance_of_lead(const Estimate& lead) { return lead.error > 0 ? 0.5 * std::erfc(lead.value / lead.error / std::numbers::sqrt2) : unknown; }
+double chance_of_lead(const Estimate& lead) {
+  return lead.error > 0 ? 0.5 * std::erfc(lead.value / lead.error / std::numbers::sqrt2) : unknown;
+}
 
 double cut_exponential_rate(double mean, double length) {
   // The mean over the length falls from 1 to 0 as a = s length rises.
@@ -180,8 +184,10 @@ Numbers numbers(const TailFit& fit) {
   put(j, "low", fit.low, "", "x from which the pdf stays below 0.1 of its peak");
   put(j, "high", fit.high, "", "x where the pdf first falls below 0.001 of its peak");
   put(j, "count", fit.count, "", "Values between low and high");
-  put(j, "log_likelihood_ratio", fit.likelihood_ratio, "", "ln L(exponential) - ln L(Gaussian about the mean), both truncated at both ends");
-  put(j, "p_value", fit.p_value, "", "Probability that the exponential fits better by chance, from the scatter between blocks, one-sided");
+  put(j, "log_likelihood_ratio", fit.likelihood_ratio, "",
+      "ln L(exponential) - ln L(Gaussian about the mean), both truncated at both ends");
+  put(j, "p_value", fit.p_value, "",
+      "Probability that the exponential fits better by chance, from the scatter between blocks, one-sided");
   return j;
 }
 

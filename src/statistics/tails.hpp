@@ -31,22 +31,25 @@ double weak_exponent(const std::vector<double>& sorted);
 /// one-sided; unknown without an error.
 double chance_of_lead(const Estimate& lead);
 
-/// From `low`, beyond which the pdf stays below 0.1 of its peak, to `high`, where it first falls below 0.001 of it (P IV.B; edges of pdf_bins, running
-/// mean of three bins); {NaN, NaN} where there are no bins.
+/// From `low`, beyond which the pdf stays below 0.1 of its peak, to `high`, where it first falls below 0.001 of it (P
+/// IV.B; edges of pdf_bins, running mean of three bins); {NaN, NaN} where there are no bins.
 struct TailRange {
   double low = unknown, high = unknown;
 };
 TailRange tail_range(const Bins& bins, const Counts& counts);
 
-/// Fits the tail of x in that range. Errors come from leaving out one block at a time with the range held; `replicate_mean` is the mean of x without each block (1
-/// where x is over the mean of the rest), by which the slope is set right. Unknown for fewer than 30 values or three bins.
+/// Fits the tail of x in that range. Errors come from leaving out one block at a time with the range held;
+/// `replicate_mean` is the mean of x without each block (1 where x is over the mean of the rest), by which the slope is
+/// set right. Unknown for fewer than 30 values or three bins.
 TailFit fit_tail(const BlockedSample& sample, const BlockCounts& counts, const std::vector<double>& replicate_mean);
 Numbers numbers(const TailFit& fit);
 
-/// Rate s of the exponential exp(-s y) on 0 <= y <= length that has this mean: the maximum-likelihood fit. Negative where it rises.
+/// Rate s of the exponential exp(-s y) on 0 <= y <= length that has this mean: the maximum-likelihood fit. Negative
+/// where it rises.
 double cut_exponential_rate(double mean, double length);
 
-/// theta >= 0 of exp(-theta u^2) on a <= u <= b that is likeliest for values of this mean square; 0 where none that falls is.
+/// theta >= 0 of exp(-theta u^2) on a <= u <= b that is likeliest for values of this mean square; 0 where none that
+/// falls is.
 double cut_gaussian_rate(double mean_square, double a, double b);
 
 /// ln of the integral of exp(-s y) over 0..length.
@@ -55,8 +58,8 @@ double log_integral_exponential(double s, double length);
 /// ln of the integral of exp(-theta u^2) over a..b.
 double log_integral_gaussian(double theta, double a, double b);
 
-/// f(x) = sqrt(beta)/C_q [1 + (q - 1) beta (x - mu)^2]^(-1/(q - 1)), a Gaussian for q = 1 (beta = 1/(2 variance)), with power-law tails for 1 < q < 3
-/// and of bounded support below 1 (P IV.A; Tsallis).
+/// f(x) = sqrt(beta)/C_q [1 + (q - 1) beta (x - mu)^2]^(-1/(q - 1)), a Gaussian for q = 1 (beta = 1/(2 variance)), with
+/// power-law tails for 1 < q < 3 and of bounded support below 1 (P IV.A; Tsallis).
 struct QGaussian {
   Estimate q, beta, centre;
   double r2 = unknown;
@@ -66,9 +69,10 @@ Numbers numbers(const QGaussian& fit);
 /// The density above, q < 3, beta > 0.
 double q_gaussian_density(double x, double centre, double beta, double q);
 
-/// Least squares on the pdf, all bins alike (Levenberg-Marquardt from the pdf's peak): always the same path, no random start. Errors by leaving out
-/// one block at a time (one Newton step from the fit to all); `replicate_mean` as in fit_tail, by which beta and centre are set right. Unknown where
-/// there are fewer than 10 bins or where the best q lies outside -2..2.95.
+/// Least squares on the pdf, all bins alike (Levenberg-Marquardt from the pdf's peak): always the same path, no random
+/// start. Errors by leaving out one block at a time (one Newton step from the fit to all); `replicate_mean` as in
+/// fit_tail, by which beta and centre are set right. Unknown where there are fewer than 10 bins or where the best q
+/// lies outside -2..2.95.
 QGaussian fit_q_gaussian(const BlockCounts& counts, const std::vector<double>& replicate_mean);
 
 }  // namespace arenite::statistics

@@ -37,7 +37,12 @@ History convergence_of(const std::vector<double>& residuals) {
 }
 
 History curve_of(const std::vector<peridynamics::DamageState>& states) {
-  History curve{{{"strain", "1", {}}, {"stress", "Pa", {}}, {"work", "J/m", {}}, {"elastic", "J/m", {}}, {"released", "J/m", {}}, {"broken", "1", {}}}};
+  History curve{{{"strain", "1", {}},
+                 {"stress", "Pa", {}},
+                 {"work", "J/m", {}},
+                 {"elastic", "J/m", {}},
+                 {"released", "J/m", {}},
+                 {"broken", "1", {}}}};
   for (const auto& s : states) {
     const double row[] = {s.strain, s.stress, s.work, s.elastic, s.released, static_cast<double>(s.broken)};
     for (std::size_t c = 0; c < curve.columns.size(); ++c) curve.columns[c].values.push_back(row[c]);
@@ -49,7 +54,8 @@ std::vector<Crack> cracks_of(const std::vector<peridynamics::BrokenBond>& broken
   std::vector<Crack> cracks;
   for (const auto& bond : broken) {
     const auto step = peridynamics::half_bonds[bond.direction];
-    cracks.push_back({static_cast<float>((bond.x + 0.5 + 0.5 * step.x) * dx), static_cast<float>((bond.y + 0.5 + 0.5 * step.y) * dx), bond.type, bond.strain});
+    cracks.push_back({static_cast<float>((bond.x + 0.5 + 0.5 * step.x) * dx),
+                      static_cast<float>((bond.y + 0.5 + 0.5 * step.y) * dx), bond.type, bond.strain});
   }
   return cracks;
 }
@@ -61,7 +67,8 @@ StressField as_stored(StressField field) {
   return field;
 }
 
-void measure_stress(const recipe::Load& load, FieldResult& result, std::optional<stress::Statistics>* measured, const std::vector<Tensor2>* known) {
+void measure_stress(const recipe::Load& load, FieldResult& result, std::optional<stress::Statistics>* measured,
+                    const std::vector<Tensor2>* known) {
   if (result.field.size() == 0) return;
   stress::StressOptions options = load.statistics;
   if (load.loading == peridynamics::Loading::shear) options.components = {stress::Component::xy};
@@ -77,18 +84,22 @@ void measure_stress(const recipe::Load& load, FieldResult& result, std::optional
       if (Numbers agreement = stress::compare(result.map, statistics.grains, contacts); !agreement.empty())
         result.numbers["grain_stress_against_contacts"] = std::move(agreement);
     if (measured) *measured = std::move(statistics);
-  } catch (const InputError& error) { result.numbers["notes"].push_back(fmt::format("no statistics of stress: {}", error.what())); }
+  } catch (const InputError& error) {
+    result.numbers["notes"].push_back(fmt::format("no statistics of stress: {}", error.what()));
+  }
 }
 
-std::optional<FieldResult> load_until_failure(const recipe::Load& load, FieldResult result, const peridynamics::Watch& watch,
-                                              const FailureCheckpoint& checkpoint) {
+std::optional<FieldResult> load_until_failure(const recipe::Load& load, FieldResult result,
+                                              const peridynamics::Watch& watch, const FailureCheckpoint& checkpoint) {
   using Ending = peridynamics::DamageResult::Ending;
-  peridynamics::DamageOptions options{load, load, load.stiffness.resolved(), watch, load.toughness.resolved(), load.strength.resolved()};
+  peridynamics::DamageOptions options{
+      load, load, load.stiffness.resolved(), watch, load.toughness.resolved(), load.strength.resolved()};
   options.keep = checkpoint.keep;
   if (checkpoint.resume) options.resume = &*checkpoint.resume;
   auto tested = peridynamics::load_to_failure(result.map, options);
   if (tested.ending == Ending::stopped) return std::nullopt;
-  result.converged = tested.ending == Ending::severed || tested.ending == Ending::dropped || tested.ending == Ending::strain_reached;
+  result.converged =
+      tested.ending == Ending::severed || tested.ending == Ending::dropped || tested.ending == Ending::strain_reached;
   result.outcome = tested.sentence;
   result.curve = curve_of(tested.curve);
   result.cracks = cracks_of(tested.broken, result.map.dx);
@@ -100,7 +111,8 @@ std::optional<FieldResult> load_until_failure(const recipe::Load& load, FieldRes
 
 }  // namespace
 
-std::vector<Tensor2> contact_stresses(const FieldResult& sample, const Packing& cemented, const std::vector<Tensor2>& known) {
+std::vector<Tensor2> contact_stresses(const FieldResult& sample, const Packing& cemented,
+                                      const std::vector<Tensor2>& known) {
   const Packing& packing = sample.packing;
   if (packing.contacts.size() == 0 || !(packing.domain.thickness > 0)) return {};
   std::vector<Tensor2> sigma;
@@ -115,8 +127,9 @@ std::vector<Tensor2> contact_stresses(const FieldResult& sample, const Packing& 
   return sigma;
 }
 
-std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
-                                      const FailureCheckpoint& checkpoint, std::optional<stress::Statistics>* measured,
+std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample,
+                                      const peridynamics::Watch& watch, const FailureCheckpoint& checkpoint,
+                                      std::optional<stress::Statistics>* measured,
                                       const std::vector<Tensor2>* contact_stresses) {
   FieldResult result = upright(sample, load.axis);
   // A map that is too narrow for bonds is refused for that.
@@ -203,14 +216,24 @@ MapOutcome load_map(const MapSource& source, const recipe::Load& load, const Run
   auto* measured = options.page_follows ? &outcome.measured.fields.emplace_back() : nullptr;
   const auto make = [&](const fs::path& checkpoint) {
     const FieldResult sample = read_sample(source, options);
-    auto result = apply_load(load, sample, watch_of(progress, options),
-                             load.failure && is_stored ? failure_checkpoint(checkpoint, stage.hash, options) : FailureCheckpoint{}, measured);
-    if (result) result->provenance = {version, load.name, stage.hash, "", 0, "", {{"map", source.file.filename().string()}, {"options", source.asked}}};
+    auto result = apply_load(
+        load, sample, watch_of(progress, options),
+        load.failure && is_stored ? failure_checkpoint(checkpoint, stage.hash, options) : FailureCheckpoint{},
+        measured);
+    if (result)
+      result->provenance = {version,
+                            load.name,
+                            stage.hash,
+                            "",
+                            0,
+                            "",
+                            {{"map", source.file.filename().string()}, {"options", source.asked}}};
     return result;
   };
   if (is_stored) {
     outcome.file = options.out / stage.file;
-    outcome.field = carry_out<FieldResult>({stage, outcome.file, make, io::write_field, io::read_field}, options, progress.reused);
+    outcome.field =
+        carry_out<FieldResult>({stage, outcome.file, make, io::write_field, io::read_field}, options, progress.reused);
   } else {
     outcome.field = make({});
   }

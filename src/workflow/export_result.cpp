@@ -21,7 +21,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-template <class T> std::vector<double> as_doubles(const std::vector<T>& values) { return {values.begin(), values.end()}; }
+template <class T> std::vector<double> as_doubles(const std::vector<T>& values) {
+  return {values.begin(), values.end()};
+}
 
 void add_components(std::vector<io::GrainField>& fields, const std::vector<Tensor2>& stress,
                     std::initializer_list<std::pair<const char*, double Tensor2::*>> wanted) {
@@ -34,11 +36,15 @@ void add_components(std::vector<io::GrainField>& fields, const std::vector<Tenso
 /// What texture knows of every grain; tension is positive.
 std::vector<io::GrainField> derived_fields(const Packing& packing) {
   const texture::PerGrain rows = texture::measure(packing, {.rev_sizes = 0}).per_grain;
-  std::vector<io::GrainField> fields{
-      {"contacts", "1", as_doubles(rows.contacts)}, {"rattler", "1", as_doubles(rows.rattler)}, {"sigma_norm", "1", rows.sigma_norm}, {"psi6", "1", rows.psi6}};
+  std::vector<io::GrainField> fields{{"contacts", "1", as_doubles(rows.contacts)},
+                                     {"rattler", "1", as_doubles(rows.rattler)},
+                                     {"sigma_norm", "1", rows.sigma_norm},
+                                     {"psi6", "1", rows.psi6}};
   if (rows.sigma.empty()) return fields;
   fields.push_back({"sigma_hyd", "Pa", rows.sigma_hyd});
-  add_components(fields, rows.sigma, {{"sigma_xx", &Tensor2::xx}, {"sigma_xy", &Tensor2::xy}, {"sigma_yx", &Tensor2::yx}, {"sigma_yy", &Tensor2::yy}});
+  add_components(
+      fields, rows.sigma,
+      {{"sigma_xx", &Tensor2::xx}, {"sigma_xy", &Tensor2::xy}, {"sigma_yx", &Tensor2::yx}, {"sigma_yy", &Tensor2::yy}});
   return fields;
 }
 
@@ -62,17 +68,21 @@ std::vector<io::GrainField> derived_fields(const FieldResult& result) {
   const bool loaded = result.field.size() > 0;
   StressField none;
   if (!loaded)
-    for (auto* component : {&none.ux, &none.uy, &none.xx, &none.yy, &none.xy}) component->assign(result.map.size(), 0.0);
+    for (auto* component : {&none.ux, &none.uy, &none.xx, &none.yy, &none.xy})
+      component->assign(result.map.size(), 0.0);
   const auto rows = stress::measure_grains(result.map, loaded ? result.field : none, 0, 1);
   std::vector<double> x, y;
   for (const Vec2& centre : rows.centre) x.push_back(centre.x), y.push_back(centre.y);
-  std::vector<io::GrainField> fields{{"nodes", "1", as_doubles(rows.nodes)}, {"whole", "1", as_doubles(rows.whole)}, {"x", "m", x}, {"y", "m", y}};
-  if (loaded) add_components(fields, rows.stress, {{"sigma_xx", &Tensor2::xx}, {"sigma_yy", &Tensor2::yy}, {"sigma_xy", &Tensor2::xy}});
+  std::vector<io::GrainField> fields{
+      {"nodes", "1", as_doubles(rows.nodes)}, {"whole", "1", as_doubles(rows.whole)}, {"x", "m", x}, {"y", "m", y}};
+  if (loaded)
+    add_components(fields, rows.stress,
+                   {{"sigma_xx", &Tensor2::xx}, {"sigma_yy", &Tensor2::yy}, {"sigma_xy", &Tensor2::xy}});
   return fields;
 }
 
-/// Collects files and writes each when it cannot grow any more. Unless it gets to its end, what it wrote goes again: half
-/// of a loading looks like a whole one.
+/// Collects files and writes each when it cannot grow any more. Unless it gets to its end, what it wrote goes again:
+/// half of a loading looks like a whole one.
 class ExportFolder {
  public:
   explicit ExportFolder(fs::path folder) : folder_(std::move(folder)) {
@@ -128,16 +138,19 @@ class ExportFolder {
 
 /// Smeared over a mean diameter, two points a diameter.
 io::GridFields grid_fields(const Packing& packing, double shear_rate) {
-  if (!fields::has_fields(packing)) throw InputError("this result has no box of known thickness, which coarse-grained fields need");
+  if (!fields::has_fields(packing))
+    throw InputError("this result has no box of known thickness, which coarse-grained fields need");
   const double width = packing.grains.mean_diameter();
   const auto f = fields::coarse_fields(packing, shear_rate, width, 0.5 * width);
   const auto& b = f.grid.bounds;
   io::GridFields g{b.x_min, b.y_min, b.width() / f.grid.columns, b.height() / f.grid.rows, f.grid.columns, f.grid.rows};
-  g.scalars = {{"solid_fraction", "1", f.solid_fraction}, {"density", "kg/m^3", f.density}, {"kinetic_pressure", "Pa", {}}};
+  g.scalars = {
+      {"solid_fraction", "1", f.solid_fraction}, {"density", "kg/m^3", f.density}, {"kinetic_pressure", "Pa", {}}};
   for (std::size_t k = 0; k < f.grid.size(); ++k) {
     const Tensor2 c = f.contact_stress[k], t = f.kinetic_stress[k];
     g.velocity.push_back(f.velocity[k]);
-    g.stress_xx.push_back(c.xx + t.xx), g.stress_yy.push_back(c.yy + t.yy), g.stress_xy.push_back(0.5 * (c.xy + c.yx + t.xy + t.yx));
+    g.stress_xx.push_back(c.xx + t.xx), g.stress_yy.push_back(c.yy + t.yy),
+        g.stress_xy.push_back(0.5 * (c.xy + c.yx + t.xy + t.yx));
     g.scalars.back().values.push_back(-0.5 * trace(t));
   }
   return g;
@@ -156,11 +169,13 @@ class Loading {
   /// A stage begins with the state that the one before it ended with, which is there already.
   bool has(double time) const { return !times_.empty() && time == times_.back(); }
 
-  void add(const std::string& stage, Snapshot snapshot, std::vector<io::GrainField> fields, std::vector<io::GrainField> of_contacts, double shear_rate = 0) {
+  void add(const std::string& stage, Snapshot snapshot, std::vector<io::GrainField> fields,
+           std::vector<io::GrainField> of_contacts, double shear_rate = 0) {
     times_.push_back(snapshot.time);
     move_to(snapshot.packing);
     snapshots_.push_back(std::move(snapshot));
-    io::ExportSnapshot one{static_cast<int>(times_.size()) - 1, stage, &snapshots_.back(), std::move(fields), std::move(of_contacts)};
+    io::ExportSnapshot one{static_cast<int>(times_.size()) - 1, stage, &snapshots_.back(), std::move(fields),
+                           std::move(of_contacts)};
     if (times_.size() > 1) one.displacement = displacement_;
     if (format_.wants_grid) one.grid = grid_fields(snapshots_.back().packing, shear_rate);
     if (format_.of_loading) {
@@ -180,8 +195,8 @@ class Loading {
   }
 
  private:
-  /// Adds up displacements from state to state, so that grains which left a periodic cell on one side and came back on the other
-  /// moved by what they did.
+  /// Adds up displacements from state to state, so that grains which left a periodic cell on one side and came back on
+  /// the other moved by what they did.
   void move_to(const Packing& now) {
     const Grains& g = now.grains;
     if (g.id != last_.id) displacement_.assign(g.size(), {});
@@ -205,7 +220,8 @@ class Loading {
 
 }  // namespace
 
-std::vector<fs::path> export_result(const fs::path& result, const io::ExportFormat& format, const fs::path& folder, bool last_only) {
+std::vector<fs::path> export_result(const fs::path& result, const io::ExportFormat& format, const fs::path& folder,
+                                    bool last_only) {
   auto files = io::stage_files(result);
   if (last_only) files.erase(files.begin(), files.end() - 1);
   Loading loading(format, folder);
@@ -216,7 +232,9 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
       if (!format.of_field) {
         if (files.size() == 1)
           refuse(file.string(), "holds a field on nodes, and {} holds grains only; choose {}", format.name,
-                 list_of(io::words_of(io::exports::all, &io::ExportFormat::name, [](const auto& other) { return other.of_field != nullptr; }), " or "));
+                 list_of(io::words_of(io::exports::all, &io::ExportFormat::name,
+                                      [](const auto& other) { return other.of_field != nullptr; }),
+                         " or "));
         continue;
       }
       const FieldResult field = io::read_field(file);
@@ -227,12 +245,14 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
     if (io::stored_kind(file) == "film") {
       const FilmResult film = io::read_film_result(file);
       last = film.provenance;
-      loading.add(film.name, std::move(measured_stage(film).snapshots.front()), derived_fields(film), fields_of_contacts(film));
+      loading.add(film.name, std::move(measured_stage(film).snapshots.front()), derived_fields(film),
+                  fields_of_contacts(film));
       continue;
     }
     StageResult stage = io::read_stage(file);
     last = stage.provenance;
-    if (last_only && stage.snapshots.size() > 1) stage.snapshots.erase(stage.snapshots.begin(), stage.snapshots.end() - 1);
+    if (last_only && stage.snapshots.size() > 1)
+      stage.snapshots.erase(stage.snapshots.begin(), stage.snapshots.end() - 1);
     for (Snapshot& snapshot : stage.snapshots) {
       if (loading.has(snapshot.time)) continue;
       const double rate = fields::shear_rate_at(stage.history, snapshot.time);
@@ -240,7 +260,8 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
       loading.add(stage.name, std::move(snapshot), std::move(fields), {}, rate);
     }
   }
-  if (loading.is_empty() && !has_field) throw InputError(result.string(), 0, "holds no state to export; run the recipe to its end first");
+  if (loading.is_empty() && !has_field)
+    throw InputError(result.string(), 0, "holds no state to export; run the recipe to its end first");
   try {
     return loading.finish(last);
   } catch (const InputError& error) { throw in_file(error, result.string()); }

@@ -38,7 +38,8 @@ Numbers support(const peridynamics::Support& s) {
 /// Those that are finite.
 Numbers limits(const peridynamics::Strength& f) {
   Numbers j = Numbers::tree();
-  for (const auto& [type, value] : {std::pair{"matrix", f.matrix}, std::pair{"interface", f.interface}, std::pair{"particle", f.particle}})
+  for (const auto& [type, value] :
+       {std::pair{"matrix", f.matrix}, std::pair{"interface", f.interface}, std::pair{"particle", f.particle}})
     if (std::isfinite(value)) j[type] = value;
   return described(std::move(j), "Pa", "Tensile strength of these bonds");
 }
@@ -47,14 +48,20 @@ Numbers as_asked(const recipe::Load& load) {
   const peridynamics::Stiffness e = load.stiffness.resolved();
   return {{"loading", recipe::word_of(load.loading)},
           {"axis", recipe::word_of(load.axis)},
-          {"stiffness_Pa", described({{"matrix", e.matrix}, {"interface", e.interface}, {"particle", e.particle}}, "Pa", "Young's modulus of these bonds")}};
+          {"stiffness_Pa", described({{"matrix", e.matrix}, {"interface", e.interface}, {"particle", e.particle}}, "Pa",
+                                     "Young's modulus of these bonds")}};
 }
 
 /// Of Young's modulus, by the phases' shares. The lattice's Poisson's ratio is 1/3.
 Numbers bounds(const Numbers& phases, const peridynamics::Stiffness& e) {
-  const auto b = elasticity::modulus_bounds(
-      {{phases["particle"].get<double>(), e.particle}, {phases["matrix"].get<double>(), e.matrix}, {phases["void"].get<double>(), 0}}, 1.0 / 3);
-  return {{"voigt", b.voigt}, {"hashin_shtrikman_upper", b.shtrikman_upper}, {"hashin_shtrikman_lower", b.shtrikman_lower}, {"reuss", b.reuss}};
+  const auto b = elasticity::modulus_bounds({{phases["particle"].get<double>(), e.particle},
+                                             {phases["matrix"].get<double>(), e.matrix},
+                                             {phases["void"].get<double>(), 0}},
+                                            1.0 / 3);
+  return {{"voigt", b.voigt},
+          {"hashin_shtrikman_upper", b.shtrikman_upper},
+          {"hashin_shtrikman_lower", b.shtrikman_lower},
+          {"reuss", b.reuss}};
 }
 
 // In the order of peridynamics::Ending.
@@ -68,66 +75,81 @@ void add_reports(Numbers& j, const SampleReports& reports) {
   const auto kind = static_cast<std::size_t>(reports.law.kind);
   const char* off = "Area of the nodes over the exact area, minus 1";
   j["area_error"] = described({{"particle", r.particle_area_error}, {"matrix", r.matrix_area_error}}, "", off);
-  j["exact"] = {{"solid_fraction", described(c.areas.particle / c.areas.window, "", "Fraction of the area in grains, by exact areas")},
-                {"S_m", described(c.saturation, "", "Fraction of the space between grains filled by matrix, by exact areas")}};
+  j["exact"] = {
+      {"solid_fraction",
+       described(c.areas.particle / c.areas.window, "", "Fraction of the area in grains, by exact areas")},
+      {"S_m", described(c.saturation, "", "Fraction of the space between grains filled by matrix, by exact areas")}};
   Numbers cement{{"kind", recipe::word_of(reports.law.kind)},
                  {"gap_m", described(*reports.law.gap, "m", "Largest gap bridged by a neck")},
                  {"necks", described(c.necks, "", "Pairs of grains with a neck")}};
-  if (const auto& [name, unit, sentence] = parameters[kind]; *name != '\0') cement[name] = described(c.parameter, unit, sentence);
-  if (reports.law.saturation) cement["saturation_error"] = described(c.saturation_error, "", "S_m minus the prescribed value");
+  if (const auto& [name, unit, sentence] = parameters[kind]; *name != '\0')
+    cement[name] = described(c.parameter, unit, sentence);
+  if (reports.law.saturation)
+    cement["saturation_error"] = described(c.saturation_error, "", "S_m minus the prescribed value");
   if (reports.law.kind == cement::CementParameters::Kind::menisci)
-    cement.update({{"ruptured", described(c.ruptured, "", "Menisci too small to span their gap, left out")},
-                   {"capped", described(c.capped, "", "Menisci with less than the prescribed volume, with straight arcs")}});
+    cement.update(
+        {{"ruptured", described(c.ruptured, "", "Menisci too small to span their gap, left out")},
+         {"capped", described(c.capped, "", "Menisci with less than the prescribed volume, with straight arcs")}});
   j["cement"] = cement;
-  j["grid"] = {{"corner_m", described({r.window.x_min, r.window.y_min}, "m", "Lower left corner of the window in the sample")},
-               {"side_m", described(r.window.width(), "m", "Side of the window")},
-               {"necks", described(r.necks, "", "Necks in the window")},
-               {"lost_necks", described(r.lost_necks, "", "Necks without a node")},
-               {"lost_area_m2", described(r.lost_area, "m^2", "Their area")},
-               {"thinnest_neck_nodes", described(r.thinnest_neck, "", "Nodes across the thinnest neck")},
-               {"smallest_grain_nodes", described(r.smallest_grain, "", "Nodes across the smallest grain")}};
+  j["grid"] = {
+      {"corner_m", described({r.window.x_min, r.window.y_min}, "m", "Lower left corner of the window in the sample")},
+      {"side_m", described(r.window.width(), "m", "Side of the window")},
+      {"necks", described(r.necks, "", "Necks in the window")},
+      {"lost_necks", described(r.lost_necks, "", "Necks without a node")},
+      {"lost_area_m2", described(r.lost_area, "m^2", "Their area")},
+      {"thinnest_neck_nodes", described(r.thinnest_neck, "", "Nodes across the thinnest neck")},
+      {"smallest_grain_nodes", described(r.smallest_grain, "", "Nodes across the smallest grain")}};
   if (!reports.coordination.empty()) j["coordination"] = reports.coordination;
 }
 
-void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadReport& report, const std::optional<peridynamics::EffectiveModuli>& moduli) {
+void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadReport& report,
+              const std::optional<peridynamics::EffectiveModuli>& moduli) {
   Numbers l = as_asked(load);
-  l.update(
-      {{"strain", described(load.strain, "", "Strain of the sample")},
-       {"method", recipe::word_of(load.method)},
-       {"ending", endings[static_cast<int>(report.ending)]},
-       {"iterations", described(report.iterations, "", "Iterations of the solver")},
-       {"residual", described(report.residual, "", "Out-of-balance force over that of uniform strain")},
-       {"reaction_balance_error", described(report.identity_defect, "", "Volume integral of sigma_yy over the product of clamp force and height, minus 1")},
-       {"top_force_N_per_m", described({report.top_force.x, report.top_force.y}, "N/m", "Force of the upper clamp on the sample, per metre of depth")},
-       {"nodes", support(report.support)},
-       {"loose_nodes", described(report.loose_nodes, "", "Nodes without stiffness in some direction")},
-       {"hinges", described(report.hinges.size(), "", "Nodes about which a part of the sample can rotate")}});
+  l.update({{"strain", described(load.strain, "", "Strain of the sample")},
+            {"method", recipe::word_of(load.method)},
+            {"ending", endings[static_cast<int>(report.ending)]},
+            {"iterations", described(report.iterations, "", "Iterations of the solver")},
+            {"residual", described(report.residual, "", "Out-of-balance force over that of uniform strain")},
+            {"reaction_balance_error",
+             described(report.identity_defect, "",
+                       "Volume integral of sigma_yy over the product of clamp force and height, minus 1")},
+            {"top_force_N_per_m", described({report.top_force.x, report.top_force.y}, "N/m",
+                                            "Force of the upper clamp on the sample, per metre of depth")},
+            {"nodes", support(report.support)},
+            {"loose_nodes", described(report.loose_nodes, "", "Nodes without stiffness in some direction")},
+            {"hinges", described(report.hinges.size(), "", "Nodes about which a part of the sample can rotate")}});
   j["load"] = l;
   if (report.ending == peridynamics::Ending::solved) {
     j["modulus_Pa"] = described(report.modulus, "Pa", "Apparent modulus, mean stress over strain");
-    if (load.loading != peridynamics::Loading::shear) j["poisson"] = described(report.poisson, "", "Apparent Poisson's ratio, of the middle half");
+    if (load.loading != peridynamics::Loading::shear)
+      j["poisson"] = described(report.poisson, "", "Apparent Poisson's ratio, of the middle half");
     if (j.contains("phases"))
-      j["modulus_bounds_Pa"] = described(bounds(j["phases"], load.stiffness.resolved()), "Pa", "Bound of Young's modulus from the phase fractions");
+      j["modulus_bounds_Pa"] = described(bounds(j["phases"], load.stiffness.resolved()), "Pa",
+                                         "Bound of Young's modulus from the phase fractions");
   }
   if (moduli)
-    j["apparent_moduli"] = {{"E_x_Pa", described(moduli->young_x, "Pa", "Apparent Young's modulus along x, between rigid clamps")},
-                            {"E_y_Pa", described(moduli->young_y, "Pa", "Apparent Young's modulus along y, between rigid clamps")},
-                            {"nu_xy", described(moduli->poisson_xy, "", "Apparent Poisson's ratio for tension along x, of the middle half")},
-                            {"nu_yx", described(moduli->poisson_yx, "", "Apparent Poisson's ratio for tension along y, of the middle half")},
-                            {"G_Pa", described(moduli->shear, "Pa", "Apparent shear modulus between rigid clamps, with free sides")}};
+    j["apparent_moduli"] = {
+        {"E_x_Pa", described(moduli->young_x, "Pa", "Apparent Young's modulus along x, between rigid clamps")},
+        {"E_y_Pa", described(moduli->young_y, "Pa", "Apparent Young's modulus along y, between rigid clamps")},
+        {"nu_xy",
+         described(moduli->poisson_xy, "", "Apparent Poisson's ratio for tension along x, of the middle half")},
+        {"nu_yx",
+         described(moduli->poisson_yx, "", "Apparent Poisson's ratio for tension along y, of the middle half")},
+        {"G_Pa", described(moduli->shear, "Pa", "Apparent shear modulus between rigid clamps, with free sides")}};
 }
 
 void note_bonds_across_voids(Numbers& j, const recipe::Load& load, const PhaseMap& upright) {
   if (load.stop_at_voids) return;
   const std::size_t across = peridynamics::bonds_across_voids(upright);
-  j["load"]["bonds_across_voids"] = described(across, "", "Bonds that pass through a void node: they carry load across cracks thinner than 3 nodes");
+  j["load"]["bonds_across_voids"] =
+      described(across, "", "Bonds that pass through a void node: they carry load across cracks thinner than 3 nodes");
   const Numbers* carrying = j.at_path("/load/nodes/carrying");
   const bool carries = carrying ? carrying->get<double>() > 0 : j["strength_Pa"].get<double>() > 0;
   // What bonds join that stop at voids is joined side by side: solid where voids go through corners.
   if (across == 0 || !carries || grid::find_percolation(upright, true).solid_bottom_top) return;
   j["notes"].push_back(
-      "no solid joins the two clamps: all load passes through bonds that reach across voids thinner than 3 nodes; stop_at_voids "
-      "(--stop-at-voids) lets no bond pass");
+      "no solid joins the two clamps: all load passes through bonds that reach across voids thinner than 3 nodes; "
+      "stop_at_voids (--stop-at-voids) lets no bond pass");
 }
 
 namespace {
@@ -140,13 +162,17 @@ void add_criterion(Numbers& j, const recipe::Load& load, double dx) {
   options.strength = load.strength.resolved();
   const auto s = peridynamics::critical_stretches(options, dx);
   const auto governs = [&](std::size_t type) { return s[type] < of_toughness[type] ? "strength" : "toughness"; };
-  j["failure"]["critical_stretch"] =
-      described({{"matrix", s[1]}, {"interface", s[2]}, {"particle", s[3]}}, "", "Stretch at which these bonds break on this grid");
+  j["failure"]["critical_stretch"] = described({{"matrix", s[1]}, {"interface", s[2]}, {"particle", s[3]}}, "",
+                                               "Stretch at which these bonds break on this grid");
   j["failure"]["governed_by"] = {{"matrix", governs(1)}, {"interface", governs(2)}, {"particle", governs(3)}};
   const bool tough = s[1] == of_toughness[1] || s[2] == of_toughness[2];
-  j["notes"].push_back(fmt::format("the strength is that of this grid, of node spacing {:.4g} m: {}; compare samples at one spacing (docs/peridynamics.md)", dx,
-                                   tough ? "bonds break at a stretch that follows from their toughness and grows as the spacing to the power -1/2"
-                                         : "bonds break at the strength given, which is reached the sooner where stress concentrates the finer the grid"));
+  j["notes"].push_back(fmt::format(
+      "the strength is that of this grid, of node spacing {:.4g} m: {}; compare samples at one spacing "
+      "(docs/peridynamics.md)",
+      dx,
+      tough ? "bonds break at a stretch that follows from their toughness and grows as the spacing to the power -1/2"
+            : "bonds break at the strength given, which is reached the sooner where stress concentrates the finer the "
+              "grid"));
 }
 
 }  // namespace
@@ -154,10 +180,12 @@ void add_criterion(Numbers& j, const recipe::Load& load, double dx) {
 void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::DamageResult& result, double dx) {
   Numbers l = as_asked(load);
   const peridynamics::Toughness k = load.toughness.resolved();
-  l["toughness_Pa_m0.5"] =
-      described({{"matrix", k.matrix}, {"interface", k.interface}, {"particle", k.particle}}, "Pa m^0.5", "Fracture toughness of these bonds");
-  if (load.strength.matrix || load.strength.interface || load.strength.particle) l["strength_Pa"] = limits(load.strength.resolved());
-  l["cracks_stay_open"] = described(load.cracks_stay_open, "", "Whether faces that have parted do not push where they meet again");
+  l["toughness_Pa_m0.5"] = described({{"matrix", k.matrix}, {"interface", k.interface}, {"particle", k.particle}},
+                                     "Pa m^0.5", "Fracture toughness of these bonds");
+  if (load.strength.matrix || load.strength.interface || load.strength.particle)
+    l["strength_Pa"] = limits(load.strength.resolved());
+  l["cracks_stay_open"] =
+      described(load.cracks_stay_open, "", "Whether faces that have parted do not push where they meet again");
   l.update({{"ending", peridynamics::damage_endings[static_cast<std::size_t>(result.ending)].word},
             {"solves", described(result.solves, "", "Static solutions")},
             {"iterations", described(result.iterations, "", "Iterations of the solver")}});
@@ -166,15 +194,20 @@ void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::Damag
   j["strength_Pa"] = described(result.strength, "Pa", "Strength, largest mean stress");
   std::array<std::size_t, 4> by_type{};
   for (const auto& bond : result.broken) ++by_type[bond.type & 3u];
-  Numbers failure{{"broken", described({{"matrix", by_type[1]}, {"interface", by_type[2]}, {"particle", by_type[3]}}, "", "Bonds broken")},
-                  {"energy_balance_error", described(result.energy_defect, "", "Largest |work - elastic - released energy| over the work")}};
+  Numbers failure{{"broken", described({{"matrix", by_type[1]}, {"interface", by_type[2]}, {"particle", by_type[3]}},
+                                       "", "Bonds broken")},
+                  {"energy_balance_error",
+                   described(result.energy_defect, "", "Largest |work - elastic - released energy| over the work")}};
   for (const auto& state : result.curve)
-    if (state.stress == result.strength) failure["strain_at_strength"] = described(state.strain, "", "Strain at the largest mean stress");
+    if (state.stress == result.strength)
+      failure["strain_at_strength"] = described(state.strain, "", "Strain at the largest mean stress");
   if (!result.curve.empty()) {
     const auto& last = result.curve.back();
     failure.update({{"work_J_per_m", described(last.work, "J/m", "Work of the load, per metre of depth")},
-                    {"released_J_per_m", described(last.released, "J/m", "Elastic energy released by breaking bonds, per metre of depth")},
-                    {"bond_energy_J_per_m", described(last.bond_energy, "J/m", "Part of it that was stored in the broken bonds")}});
+                    {"released_J_per_m",
+                     described(last.released, "J/m", "Elastic energy released by breaking bonds, per metre of depth")},
+                    {"bond_energy_J_per_m",
+                     described(last.bond_energy, "J/m", "Part of it that was stored in the broken bonds")}});
   }
   j["failure"] = failure;
   add_criterion(j, load, dx);

@@ -23,12 +23,13 @@
 #include "thermal/imaging/label_grains.hpp"
 #include "workflow/run.hpp"
 
-/// The second half of a run: cement, grid, loads (P II.B to IV), and what they give as numbers, each statistic as value and error.
+/// The second half of a run: cement, grid, loads (P II.B to IV), and what they give as numbers, each statistic as value
+/// and error.
 
 namespace arenite::workflow {
 
-/// Materials of the large and of the small grains: those of [bidisperse], or of two materials the one with the larger mean
-/// radius; nothing where a packing has no two classes.
+/// Materials of the large and of the small grains: those of [bidisperse], or of two materials the one with the larger
+/// mean radius; nothing where a packing has no two classes.
 struct ClassMaterials {
   std::int32_t large = 0, small = 1;
 };
@@ -47,19 +48,23 @@ struct FailureCheckpoint {
   std::optional<peridynamics::FailureState> resume{};
 };
 
-/// Stress of every grain that a sample's map labels, from the contact forces of its packing, Pa, in the order of the labels; empty without. `known` are
-/// those of all grains of the packing that was cemented, where a texture has them (with bonds and cohesion, which the sample leaves out).
-std::vector<Tensor2> contact_stresses(const FieldResult& sample, const Packing& cemented = {}, const std::vector<Tensor2>& known = {});
+/// Stress of every grain that a sample's map labels, from the contact forces of its packing, Pa, in the order of the
+/// labels; empty without. `known` are those of all grains of the packing that was cemented, where a texture has them
+/// (with bonds and cohesion, which the sample leaves out).
+std::vector<Tensor2> contact_stresses(const FieldResult& sample, const Packing& cemented = {},
+                                      const std::vector<Tensor2>& known = {});
 
-/// Loads a cemented sample. An unfinished field has `converged` false and says why; nothing if the watch stopped it. The numbers have the statistics of
-/// the load's own component of stress; those of all are in `measured`, if that is given. Stresses of grains are compared with the sample's
-/// `contact_stresses`, which are measured here unless they are given.
-std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample, const peridynamics::Watch& watch,
-                                      const FailureCheckpoint& checkpoint = {}, std::optional<stress::Statistics>* measured = nullptr,
+/// Loads a cemented sample. An unfinished field has `converged` false and says why; nothing if the watch stopped it.
+/// The numbers have the statistics of the load's own component of stress; those of all are in `measured`, if that is
+/// given. Stresses of grains are compared with the sample's `contact_stresses`, which are measured here unless they are
+/// given.
+std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample,
+                                      const peridynamics::Watch& watch, const FailureCheckpoint& checkpoint = {},
+                                      std::optional<stress::Statistics>* measured = nullptr,
                                       const std::vector<Tensor2>* contact_stresses = nullptr);
 
-/// A sample for apply_load from anybody's phase map: its phases, pores and voids as numbers, their volumes over the mean
-/// area of a grain. Throws InputError unless the map is sound.
+/// A sample for apply_load from anybody's phase map: its phases, pores and voids as numbers, their volumes over the
+/// mean area of a grain. Throws InputError unless the map is sound.
 FieldResult sample_of_map(PhaseMap map, const grid::CavityRules& rules = {});
 
 /// Anybody's phase map, and how it is read; a field of ours (.h5) says all of it by itself.
@@ -68,7 +73,7 @@ struct MapSource {
   io::PhaseMapOptions reading;
   bool has_length = false;                         ///< `reading.dx` was given; else lengths are in nodes
   std::optional<imaging::LabelOptions> labelling;  ///< of particles without labels; unset: all are one grain
-  std::string asked;                               ///< all this in words, which name the result with the bytes of the files
+  std::string asked;  ///< all this in words, which name the result with the bytes of the files
 };
 
 struct MapOutcome {
@@ -77,8 +82,9 @@ struct MapOutcome {
   KnownStatistics measured;
 };
 
-/// Loads such a map as apply_load does a cemented sample. The field is one file in `options.out`, taken from there if it was computed before; without
-/// that folder nothing is stored. Throws InputError for what cannot be read as a phase map.
+/// Loads such a map as apply_load does a cemented sample. The field is one file in `options.out`, taken from there if
+/// it was computed before; without that folder nothing is stored. Throws InputError for what cannot be read as a phase
+/// map.
 MapOutcome load_map(const MapSource& source, const recipe::Load& load, const RunOptions& options);
 
 /// What is known of a cemented packing beyond its map.
@@ -93,10 +99,12 @@ struct SampleReports {
 void add_reports(Numbers& numbers, const SampleReports& reports);
 
 /// Add numbers of a load to those of its sample.
-void add_load(Numbers& numbers, const recipe::Load& load, const peridynamics::LoadReport& report, const std::optional<peridynamics::EffectiveModuli>& moduli);
+void add_load(Numbers& numbers, const recipe::Load& load, const peridynamics::LoadReport& report,
+              const std::optional<peridynamics::EffectiveModuli>& moduli);
 void add_failure(Numbers& numbers, const recipe::Load& load, const peridynamics::DamageResult& result, double dx);
 
-/// Tells how many bonds reach across voids, and notes where nothing else ties the clamps of a map, upright as it was loaded.
+/// Tells how many bonds reach across voids, and notes where nothing else ties the clamps of a map, upright as it was
+/// loaded.
 void note_bonds_across_voids(Numbers& numbers, const recipe::Load& load, const PhaseMap& upright);
 
 }  // namespace arenite::workflow

@@ -19,8 +19,8 @@ constexpr double hottest = 1000;
 constexpr double largest_amplitude = 5;
 /// Of a cycle: what rims, integration and heat leave at most; and where most of the amplitude is lost.
 constexpr double phase_doubted = 0.03, phase_refused = 0.125;
-/// Standard errors of the factors as given and as fitted together, from which on they disagree; fitted factors that are off by so much are doubted even
-/// where they are asked for; four times are refused.
+/// Standard errors of the factors as given and as fitted together, from which on they disagree; fitted factors that are
+/// off by so much are doubted even where they are asked for; four times are refused.
 constexpr double errors_doubted = 3, fitted_doubted = 1.1, scale_refused = 4;
 constexpr double blur_doubted = 0.15;  // pixels
 /// Share of the signal that fields of real grains may be off by, and of what clean films leave in their pixels.
@@ -43,7 +43,8 @@ struct Scale {
 std::vector<Scale> known_scales(const FilmResult& r) {
   std::vector<Scale> scales;
   for (std::size_t m = 0; m < r.fit.factor_scale.size(); ++m) {
-    const auto grains = std::count(r.packing.grains.material.begin(), r.packing.grains.material.end(), static_cast<std::int32_t>(m));
+    const auto grains =
+        std::count(r.packing.grains.material.begin(), r.packing.grains.material.end(), static_cast<std::int32_t>(m));
     const double scale = r.fit.factor_scale[m], error = r.fit.factor_scale_error[m] / scale;
     if (grains >= 3 && scale > 0) scales.push_back({m, std::log(scale), error});
   }
@@ -53,58 +54,68 @@ std::vector<Scale> known_scales(const FilmResult& r) {
 /// What factors differ by beyond what their errors and that of the recipe's factors allow; above 0 where they disagree.
 double beyond(const recipe::FilmRecipe& recipe, double log, double error, double given) {
   const bool fitted = recipe.forces.factors == recipe::ForcesSection::Factors::fit;
-  return std::abs(log) - errors_doubted * std::hypot(error, fitted ? 0 : given) - (fitted ? std::log(fitted_doubted) : 0);
+  return std::abs(log) - errors_doubted * std::hypot(error, fitted ? 0 : given) -
+         (fitted ? std::log(fitted_doubted) : 0);
 }
 
 /// The two materials whose factors fit if each takes the other's; common: what all are off by.
-const Scale* taken_for(const std::vector<Scale>& scales, const Scale& one, const recipe::FilmRecipe& recipe, double common) {
+const Scale* taken_for(const std::vector<Scale>& scales, const Scale& one, const recipe::FilmRecipe& recipe,
+                       double common) {
   const auto factor = [&](const Scale& s) { return std::log(recipe.materials[s.material].thermoelastic_factor); };
   for (const Scale& other : scales) {
     if (&other == &one) continue;
     const double apart = factor(other) - factor(one);
-    if (std::abs(one.log - common - apart) < 0.25 * std::abs(apart) && std::abs(other.log - common + apart) < 0.25 * std::abs(apart)) return &other;
+    if (std::abs(one.log - common - apart) < 0.25 * std::abs(apart) &&
+        std::abs(other.log - common + apart) < 0.25 * std::abs(apart))
+      return &other;
   }
   return nullptr;
 }
 
-std::string unequal(const recipe::FilmRecipe& recipe, const std::vector<Scale>& scales, const Scale& low, const Scale& high) {
+std::string unequal(const recipe::FilmRecipe& recipe, const std::vector<Scale>& scales, const Scale& low,
+                    const Scale& high) {
   const std::string &first = recipe.materials[low.material].name, &second = recipe.materials[high.material].name;
   const double ratio = std::exp(high.log - low.log);
   if (taken_for(scales, low, recipe, 0.5 * (low.log + high.log)))
     return fmt::format(
-        "forces between {0} and {1} agree only if each has the other's thermoelastic factor: the two materials are probably swapped; check their "
-        "brightness (or the list of grains) and their factors",
+        "forces between {0} and {1} agree only if each has the other's thermoelastic factor: the two materials are "
+        "probably swapped; check their brightness (or the list of grains) and their factors",
         first, second);
   return fmt::format(
-      "forces between {0} and {1} agree only if the ratio of the factors of {1} and {0} is {2} that of the recipe; check thermoelastic_factor "
-      "and emissivity of both",
+      "forces between {0} and {1} agree only if the ratio of the factors of {1} and {0} is {2} that of the recipe; "
+      "check thermoelastic_factor and emissivity of both",
       first, second, percent(ratio));
 }
 
 std::string off_scale(const recipe::FilmRecipe& recipe, double scale) {
   const double load = 1e-3 * recipe.container.load_peak_to_peak;
   return fmt::format(
-      "the film's temperatures give {} the forces that the peak-to-peak load of {:.4g} kN allows; the likely causes are load_peak_to_peak or all thermoelastic "
-      "factors (given as {} their true values), the calibration of temperatures, or thickness",
+      "the film's temperatures give {} the forces that the peak-to-peak load of {:.4g} kN allows; the likely causes "
+      "are load_peak_to_peak or all thermoelastic factors (given as {} their true values), the calibration of "
+      "temperatures, or thickness",
       percent(scale), load, percent(1 / scale));
 }
 
 void add_scales(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vector<std::string>& doubts) {
   const auto scales = known_scales(r);
   if (scales.empty()) return;
-  const auto [low, high] = std::minmax_element(scales.begin(), scales.end(), [](const Scale& a, const Scale& b) { return a.log < b.log; });
+  const auto [low, high] =
+      std::minmax_element(scales.begin(), scales.end(), [](const Scale& a, const Scale& b) { return a.log < b.log; });
   const double given = recipe.forces.factor_error, load = recipe.container.load_error;
-  const bool alike = beyond(recipe, high->log - low->log, std::hypot(high->error, low->error), std::sqrt(2.0) * given) < 0;
+  const bool alike =
+      beyond(recipe, high->log - low->log, std::hypot(high->error, low->error), std::sqrt(2.0) * given) < 0;
   if (!alike && std::hypot(high->error, low->error) < 1) doubts.push_back(unequal(recipe, scales, *low, *high));
   if (recipe.container.load_peak_to_peak <= 0) return;
   double sum = 0, weight = 0;
   for (const Scale& s : scales) sum += s.log / (s.error * s.error), weight += 1 / (s.error * s.error);
   const double common = alike ? sum / weight : 0.5 * (low->log + high->log);
   if (beyond(recipe, common, 1 / std::sqrt(weight), std::hypot(given, load)) < 0) return;
-  // Where materials stand for each other their mean is off by what their factors and numbers make it: nothing more to say.
+  // Where materials stand for each other their mean is off by what their factors and numbers make it: nothing more to
+  // say.
   if (!alike && std::abs(common) < 0.5 * (high->log - low->log)) return;
   const std::string sentence = off_scale(recipe, std::exp(common));
-  if (std::abs(common) > std::log(scale_refused)) throw InputError(sentence + "; no forces are inferred from such a film");
+  if (std::abs(common) > std::log(scale_refused))
+    throw InputError(sentence + "; no forces are inferred from such a film");
   doubts.push_back(sentence);
 }
 
@@ -114,37 +125,47 @@ void add_walls(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vecto
   const auto& c = recipe.container;
   const FilmPlace given{r.origin + w.shift, r.pixel}, found{r.origin, r.pixel};
   const Vec2 corner{0, c.height}, was = given.pixels(corner), is = found.pixels(corner);
-  const auto elsewhere = [&](const char* side, const char* line, double at, double from, double error, const char* key, bool said) {
+  const auto elsewhere = [&](const char* side, const char* line, double at, double from, double error, const char* key,
+                             bool said) {
     doubts.push_back(
-        fmt::format("the rims of the grains show the container's {} side at {} {:.2f} (+- {:.2f}), not at {:.2f} as {}; it is taken there; give {}", side, line,
-                    at, error / r.pixel, from, said ? fmt::format("container.{} says", key) : "in the middle of the film", key));
+        fmt::format("the rims of the grains show the container's {} side at {} {:.2f} (+- {:.2f}), not at {:.2f} as "
+                    "{}; it is taken there; give {}",
+                    side, line, at, error / r.pixel, from,
+                    said ? fmt::format("container.{} says", key) : "in the middle of the film", key));
   };
   if (w.shift.x != 0) elsewhere("left", "column", is.x, was.x, w.shift_error.x, "left", c.left.has_value());
   if (w.shift.y != 0) elsewhere("upper", "row", is.y, was.y, w.shift_error.y, "top", c.top.has_value());
   const auto smaller = [&](double by, const char* sides, const char* key) {
     if (by != 0)
-      doubts.push_back(fmt::format("grains touch {} only if the container is {:.2g} mm {} than container.{} says; check it, and picture.pixel", sides,
-                                   1e3 * std::abs(by), by > 0 ? "smaller" : "larger", key));
+      doubts.push_back(fmt::format(
+          "grains touch {} only if the container is {:.2g} mm {} than container.{} says; check it, and picture.pixel",
+          sides, 1e3 * std::abs(by), by > 0 ? "smaller" : "larger", key));
   };
-  smaller(w.smaller.x, "both its left and its right side", "width"), smaller(w.smaller.y, "both its upper and its lower side", "height");
+  smaller(w.smaller.x, "both its left and its right side", "width"),
+      smaller(w.smaller.y, "both its upper and its lower side", "height");
   if (w.travel != 0 && c.travel != 0)
-    doubts.push_back(fmt::format("grains show that the lower wall travels {:.2g} mm, not {:.2g} mm as container.travel says", 1e3 * w.travel, 1e3 * c.travel));
+    doubts.push_back(
+        fmt::format("grains show that the lower wall travels {:.2g} mm, not {:.2g} mm as container.travel says",
+                    1e3 * w.travel, 1e3 * c.travel));
 }
 
 /// What the lens and the surfaces of single grains do.
 void add_optics(const recipe::FilmRecipe& recipe, const FilmResult& r, std::vector<std::string>& doubts) {
   if (r.rim_blur > 0 && std::abs(r.rim_blur - recipe.forces.blur) > blur_doubted)
-    doubts.push_back(fmt::format("the rims of grains show a blur of {:.2g} pixels, but forces.blur is {:.2g}; give the blur of the camera's lens", r.rim_blur,
-                                 recipe.forces.blur));
+    doubts.push_back(
+        fmt::format("the rims of grains show a blur of {:.2g} pixels, but forces.blur is {:.2g}; give the blur of the "
+                    "camera's lens",
+                    r.rim_blur, recipe.forces.blur));
   if (r.halo.share > halo_told && !recipe.forces.halo)
     doubts.push_back(
-        fmt::format("the grains show that the lens scatters {:.2g} % (+- {:.1g} %) of the light over about {:.2g} pixels (a halo); it is removed, without "
-                    "which stresses would be off by {:.2g} % of their mean; clean the lens, or give forces.halo",
+        fmt::format("the grains show that the lens scatters {:.2g} % (+- {:.1g} %) of the light over about {:.2g} "
+                    "pixels (a halo); it is removed, without which stresses would be off by {:.2g} % of their mean; "
+                    "clean the lens, or give forces.halo",
                     100 * r.halo.share, std::max(0.1, 100 * r.halo.error), r.halo.width, 100 * r.halo.cost));
   if (r.fit.factor_scatter > scatter_told)
     doubts.push_back(
-        fmt::format("grains of one material differ by {:.2g} % in what they warm by under the forces that balance them; the likely causes are uneven "
-                    "emissivity or paint; errors include it",
+        fmt::format("grains of one material differ by {:.2g} % in what they warm by under the forces that balance "
+                    "them; the likely causes are uneven emissivity or paint; errors include it",
                     100 * r.fit.factor_scatter));
 }
 
@@ -154,28 +175,30 @@ void refuse_temperatures(const recipe::FilmRecipe& recipe, const std::filesystem
   if (!has_references(recipe)) refuse(recipe.source_file, "temperature: {}", recipe::needs_references);
   if (recipe.temperature.from == recipe::TemperatureSection::From::film && film.quantity == FilmQuantity::digital_level)
     refuse(path.string(),
-           "states that it holds digital levels, and temperature.from = \"film\" of {} takes them for kelvin; "
-           "choose \"references\", \"curve\" or \"radiometry\" there",
+           "states that it holds digital levels, and temperature.from = \"film\" of {} takes them for kelvin; choose "
+           "\"references\", \"curve\" or \"radiometry\" there",
            recipe.source_file);
 }
 
 std::string no_load_sentence(const LockinMaps& maps, double frequency, std::string_view given_by) {
   if (maps.other_frequency > 0)
-    return fmt::format("the film shows only noise at {:.6g} Hz, but an oscillation at {:.4g} Hz; if that is the load, give its frequency ({})", frequency,
-                       maps.other_frequency, given_by);
+    return fmt::format(
+        "the film shows only noise at {:.6g} Hz, but an oscillation at {:.4g} Hz; if that is the load, give its "
+        "frequency ({})",
+        frequency, maps.other_frequency, given_by);
   if (std::isnan(maps.chance))
     return fmt::format(
         "no pixel of the film has numbers in all frames and noise, so nothing is known of a load at {:.6g} Hz; give a "
-        "film "
-        "of a loaded sample as the camera recorded it",
+        "film of a loaded sample as the camera recorded it",
         frequency);
   if (maps.chance < 0.01)
     return fmt::format(
-        "the signal at {:.6g} Hz does not have a common phase, as under a load, but is a spectral line of the camera; give the frequency of the load ({}), or "
-        "a film of "
-        "a loaded sample",
+        "the signal at {:.6g} Hz does not have a common phase, as under a load, but is a spectral line of the camera; "
+        "give the frequency of the load ({}), or a film of a loaded sample",
         frequency, given_by);
-  return fmt::format("the film shows only noise at {:.6g} Hz; give the frequency of the load ({}), or a film of a loaded sample", frequency, given_by);
+  return fmt::format(
+      "the film shows only noise at {:.6g} Hz; give the frequency of the load ({}), or a film of a loaded sample",
+      frequency, given_by);
 }
 
 void refuse_without_load(const LockinMaps& maps, double given_frequency) {
@@ -198,14 +221,14 @@ void refuse_impossible(const LockinMaps& maps) {
   const double level = median_of_finite(maps.mean);
   if (level > hottest)
     throw refusal(
-        "its values are about {:.4g}, which cannot be temperatures of a sample in kelvin: camera levels are taken for kelvin; "
-        "choose temperature.from = \"references\", \"curve\" or \"radiometry\", or give the scale of the film",
+        "its values are about {:.4g}, which cannot be temperatures of a sample in kelvin: camera levels are taken for "
+        "kelvin; choose temperature.from = \"references\", \"curve\" or \"radiometry\", or give the scale of the film",
         level);
   const double amplitude = median_of_finite(maps.amplitude);
   if (amplitude > largest_amplitude)
     throw refusal(
-        "half of its pixels have amplitudes above {:.3g} K, impossible for elastic grains: camera levels are taken for kelvin, or "
-        "the calibration is wrong; check [temperature]",
+        "half of its pixels have amplitudes above {:.3g} K, impossible for elastic grains: camera levels are taken for "
+        "kelvin, or the calibration is wrong; check [temperature]",
         amplitude);
 }
 
@@ -214,9 +237,12 @@ void refuse_wrong_phase(const recipe::FilmRecipe& recipe, const LockinMaps& maps
   const double given = *recipe.lockin.phase / (2 * std::numbers::pi), off = phase_off(maps, given);  // in cycles
   if (std::abs(off) > phase_refused)
     throw refusal(
-        "it warms {:.4g} deg {} the phase that lockin.phase = \"{:.4g} deg\" gives ({}); give \"{:.4g} deg\", or leave lockin.phase out to have it found",
+        "it warms {:.4g} deg {} the phase that lockin.phase = \"{:.4g} deg\" gives ({}); give \"{:.4g} deg\", or leave "
+        "lockin.phase out to have it found",
         360 * std::abs(off), off > 0 ? "after" : "before", 360 * given,
-        std::abs(off) > 0.5 - phase_refused ? "half a cycle: it cools where it should warm" : "warming is in phase with its load", 360 * wrapped(given + off));
+        std::abs(off) > 0.5 - phase_refused ? "half a cycle: it cools where it should warm"
+                                            : "warming is in phase with its load",
+        360 * wrapped(given + off));
 }
 
 std::vector<std::string> film_doubts(const recipe::FilmRecipe& recipe, const FilmResult& r) {
@@ -225,20 +251,22 @@ std::vector<std::string> film_doubts(const recipe::FilmRecipe& recipe, const Fil
     const double off = phase_off(r.maps, *recipe.lockin.phase / (2 * std::numbers::pi));
     if (std::abs(off) > phase_doubted)
       doubts.push_back(
-          fmt::format("grains warm {:.3g} deg off the phase that lockin.phase gives; check it, and that heat does not diffuse over pixels "
-                      "within a cycle (`arenite lockin --diffusivity --pixel`)",
+          fmt::format("grains warm {:.3g} deg off the phase that lockin.phase gives; check it, and that heat does not "
+                      "diffuse over pixels within a cycle (`arenite lockin --diffusivity --pixel`)",
                       360 * std::abs(off)));
   }
-  if (const thermography::Adiabatic heat(recipe.lockin.diffusivity, r.maps.frequency, r.pixel); !heat.holds()) doubts.push_back(heat.sentence());
+  if (const thermography::Adiabatic heat(recipe.lockin.diffusivity, r.maps.frequency, r.pixel); !heat.holds())
+    doubts.push_back(heat.sentence());
   add_walls(recipe, r, doubts);
   add_optics(recipe, r, doubts);
   if (r.packing.contacts.size() == 0) return doubts;
   add_scales(recipe, r, doubts);
   if (r.fit.model_error > field_doubted || r.fit.over_noise > noise_doubted)
-    doubts.push_back(fmt::format(
-        "forces and pixels agree only if the stress fields of disks are off by {:.0f} % of their signal: the residual is {:.0f} % of the signal and "
-        "{:.3g} times the noise; the likely causes are wrong circles, a wrong blur, materials or grains that are not cylinders",
-        100 * r.fit.model_error, 100 * r.fit.over_signal, r.fit.over_noise));
+    doubts.push_back(
+        fmt::format("forces and pixels agree only if the stress fields of disks are off by {:.0f} % of their signal: "
+                    "the residual is {:.0f} % of the signal and {:.3g} times the noise; the likely causes are wrong "
+                    "circles, a wrong blur, materials or grains that are not cylinders",
+                    100 * r.fit.model_error, 100 * r.fit.over_signal, r.fit.over_noise));
   return doubts;
 }
 

@@ -23,8 +23,11 @@ void add_fit_error(FilmResult& r, const PictureGrains& shown, double share) {
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const auto m = static_cast<std::size_t>(shown.material[i]);
     const double radius = shown.radius[i] * std::sqrt(share);
-    const auto mean = [&](const std::vector<float>& map) { return thermography::disk_mean(r.maps, map, shown.centre[i], radius).mean; };
-    const double off = std::abs(to_full * mean(r.maps.in_phase) - mean(r.fit.picture)) / (2 * r.packing.materials[m].thermoelastic_factor);
+    const auto mean = [&](const std::vector<float>& map) {
+      return thermography::disk_mean(r.maps, map, shown.centre[i], radius).mean;
+    };
+    const double off = std::abs(to_full * mean(r.maps.in_phase) - mean(r.fit.picture)) /
+                       (2 * r.packing.materials[m].thermoelastic_factor);
     if (!std::isfinite(off)) continue;
     difference[i] = off;
     of[m].push_back(off);
@@ -33,7 +36,8 @@ void add_fit_error(FilmResult& r, const PictureGrains& shown, double share) {
   for (auto& values : of) common.push_back(median(std::move(values)) / median_of_normal_size);
   for (std::size_t i = 0; i < shown.size(); ++i)
     if (std::isfinite(difference[i]))
-      r.peak_to_peak.error[i] = std::hypot(r.peak_to_peak.error[i], common[static_cast<std::size_t>(shown.material[i])], 0.5 * difference[i]);
+      r.peak_to_peak.error[i] =
+          std::hypot(r.peak_to_peak.error[i], common[static_cast<std::size_t>(shown.material[i])], 0.5 * difference[i]);
 }
 
 void add_halo_error(FilmResult& r, const PeakToPeak& scattered) {

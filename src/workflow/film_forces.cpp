@@ -16,8 +16,9 @@
 namespace arenite::workflow {
 namespace {
 
-constexpr double least_place_error = 0.05;  // pixels: places of found circles are known better than motion and lens allow
-constexpr double surface_error = 0.05;      // pixels: of where a grain's rim is, along a line through its centre
+constexpr double least_place_error =
+    0.05;                               // pixels: places of found circles are known better than motion and lens allow
+constexpr double surface_error = 0.05;  // pixels: of where a grain's rim is, along a line through its centre
 
 imaging::ContactTolerance tolerance_of(double pixel) { return {.pixel = pixel, .wall_error = 0.1 * pixel}; }
 
@@ -35,7 +36,8 @@ Contacts touching_at_either_load(const Domain& start, const FilmResult& r) {
   std::set<std::pair<std::int32_t, std::int32_t>> known;
   for (std::size_t c = 0; c < contacts.size(); ++c) known.emplace(contacts.i[c], contacts.j[c]);
   for (std::size_t c = 0; c < opened.size(); ++c)
-    if (known.emplace(opened.i[c], opened.j[c]).second) contacts.add(opened.i[c], opened.j[c], opened.normal[c], 0, 0, opened.arm_i[c], opened.arm_j[c]);
+    if (known.emplace(opened.i[c], opened.j[c]).second)
+      contacts.add(opened.i[c], opened.j[c], opened.normal[c], 0, 0, opened.arm_i[c], opened.arm_j[c]);
   return contacts;
 }
 
@@ -50,12 +52,14 @@ inference::ForceOptions force_options(const recipe::FilmRecipe& recipe, const Pi
   const bool fitted = recipe.forces.factors == recipe::ForcesSection::Factors::fit;
   options.factor_error = fitted ? 0 : recipe.forces.factor_error;
   options.fit_factors = fitted || options.factor_error > 0;
-  options.position_error = std::max(least_place_error, statistics::mean_of(grains.position_error).value);  // the least where none is known
+  options.position_error =
+      std::max(least_place_error, statistics::mean_of(grains.position_error).value);  // the least where none is known
   return options;
 }
 
 inference::ThermoelasticPicture picture_of(const FilmResult& r) {
-  inference::ThermoelasticPicture picture{r.film.width, r.film.height, r.pixel, r.origin, r.maps.in_phase, r.maps.standard_error};
+  inference::ThermoelasticPicture picture{r.film.width, r.film.height,   r.pixel,
+                                          r.origin,     r.maps.in_phase, r.maps.standard_error};
   const auto to_full = static_cast<float>(to_peak_to_peak(r.maps.convention));
   for (auto* values : {&picture.value, &picture.error})
     for (float& v : *values) v *= to_full;
@@ -63,10 +67,12 @@ inference::ThermoelasticPicture picture_of(const FilmResult& r) {
 }
 
 constexpr const char* nothing_presses =
-    "no contact between grains is compressed as the load rises; check lockin.phase, the positions of the grains and the film";
+    "no contact between grains is compressed as the load rises; check lockin.phase, the positions of the grains and "
+    "the film";
 
 /// Those contacts of the packing that are wanted, with their forces; `also` is thinned out likewise.
-void keep(Contacts& contacts, const std::vector<std::uint8_t>& wanted, std::initializer_list<std::vector<double>*> also) {
+void keep(Contacts& contacts, const std::vector<std::uint8_t>& wanted,
+          std::initializer_list<std::vector<double>*> also) {
   const Contacts all = std::move(contacts);
   contacts = {};
   for (std::size_t c = 0; c < all.size(); ++c) {
@@ -86,23 +92,29 @@ double load_on(int side, const Contacts& contacts) {
 }
 
 /// The load by forces that are inferred without it, with the factors as given.
-double load_of_film(inference::ForceProblem problem, const inference::ThermoelasticPicture& picture, inference::ForceOptions options) {
+double load_of_film(inference::ForceProblem problem, const inference::ThermoelasticPicture& picture,
+                    inference::ForceOptions options) {
   options.inequality = inference::Inequality::none, options.fit_factors = false;
   const auto walls = std::exchange(problem.walls, {});
-  return walls.empty() ? 0 : load_on(walls.front().side, inference::infer_from_pixels(problem, picture, options).contacts);
+  return walls.empty() ? 0
+                       : load_on(walls.front().side, inference::infer_from_pixels(problem, picture, options).contacts);
 }
 
-/// The most by which fitted factors differ from the given ones beyond what their own errors explain, relative; 0 where these explain it.
+/// The most by which fitted factors differ from the given ones beyond what their own errors explain, relative; 0 where
+/// these explain it.
 double difference_of_factors(const ForceFit& fit) {
   constexpr double errors = 3;
   double most = 0;
   for (std::size_t m = 0; m < fit.factor_scale.size(); ++m)
-    if (const double off = std::abs(std::log(fit.factor_scale[m])); off > errors * fit.factor_scale_error[m] / fit.factor_scale[m]) most = std::max(most, off);
+    if (const double off = std::abs(std::log(fit.factor_scale[m]));
+        off > errors * fit.factor_scale_error[m] / fit.factor_scale[m])
+      most = std::max(most, off);
   return most;
 }
 
 /// The factors that fit the film, whatever those given are.
-ForceFit fit_of_factors(const inference::ForceProblem& problem, const inference::ThermoelasticPicture& picture, inference::ForceOptions options) {
+ForceFit fit_of_factors(const inference::ForceProblem& problem, const inference::ThermoelasticPicture& picture,
+                        inference::ForceOptions options) {
   options.inequality = inference::Inequality::none;
   options.fit_factors = true, options.factor_error = 0, options.iterations = 10;
   return inference::infer_from_pixels(problem, picture, options).fit;
@@ -116,12 +128,14 @@ void infer_film_forces(const recipe::FilmRecipe& recipe, const Domain& start, Fi
   r.packing.contacts = touching_at_either_load(start, r);
   inference::ForceProblem problem{r.packing, mapped(recipe.materials, &recipe::FilmMaterial::thermoelastic_factor), {}};
   const auto& container = recipe.container;
-  if (container.load_peak_to_peak > 0) problem.walls.push_back({bottom, container.load_peak_to_peak, container.load_error * container.load_peak_to_peak});
+  if (container.load_peak_to_peak > 0)
+    problem.walls.push_back({bottom, container.load_peak_to_peak, container.load_error * container.load_peak_to_peak});
   auto options = force_options(recipe, r.grains);
   options.widest_gap = widest_gap(r.pixel);
   const auto infer = [&](const inference::ForceOptions& o) {
-    return recipe.forces.from == From::pixels ? inference::infer_from_pixels(problem, picture_of(r), o)
-                                              : inference::infer_from_means(problem, r.peak_to_peak.sigma_hyd, r.peak_to_peak.error, o);
+    return recipe.forces.from == From::pixels
+               ? inference::infer_from_pixels(problem, picture_of(r), o)
+               : inference::infer_from_means(problem, r.peak_to_peak.sigma_hyd, r.peak_to_peak.error, o);
   };
   // Contacts that carry nothing only take from the others' accuracy; those that opened on the way lost a force.
   // They are told apart before a cone bends their forces.
@@ -142,7 +156,8 @@ void infer_film_forces(const recipe::FilmRecipe& recipe, const Domain& start, Fi
   if (recipe.forces.from == From::pixels && recipe.forces.factors == recipe::ForcesSection::Factors::given) {
     free = fit_of_factors(problem, picture_of(r), options);
     // Film and load that disagree with the factors say how far these may be off.
-    if (options.fit_factors && !problem.walls.empty()) options.factor_error = std::max(options.factor_error, difference_of_factors(*free));
+    if (options.fit_factors && !problem.walls.empty())
+      options.factor_error = std::max(options.factor_error, difference_of_factors(*free));
   }
   InferredForces kept = infer(options);
   if (recipe.forces.from == From::pixels) kept.fit.load = load_of_film(problem, picture_of(r), options);

@@ -15,8 +15,10 @@ namespace arenite::workflow {
 
 FilmPlace place_of(const recipe::FilmRecipe& recipe, const FilmInfo& film) {
   const double pixel = recipe.picture.pixel;
-  const double left_edge = recipe.container.left.value_or(0.5 * (film.width - 1) - 0.5 * recipe.container.width / pixel);
-  const double top_edge = recipe.container.top.value_or(0.5 * (film.height - 1) - 0.5 * recipe.container.height / pixel);
+  const double left_edge =
+      recipe.container.left.value_or(0.5 * (film.width - 1) - 0.5 * recipe.container.width / pixel);
+  const double top_edge =
+      recipe.container.top.value_or(0.5 * (film.height - 1) - 0.5 * recipe.container.height / pixel);
   return {{-left_edge * pixel, recipe.container.height + top_edge * pixel}, pixel};
 }
 
@@ -30,7 +32,9 @@ Domain container_at(const recipe::FilmRecipe& recipe, double share) {
 }
 
 Materials materials_of(const recipe::FilmRecipe& recipe) {
-  return mapped(recipe.materials, [](const recipe::FilmMaterial& m) { return Material{m.name, 0, m.stiffness, m.thermoelastic_factor}; });
+  return mapped(recipe.materials, [](const recipe::FilmMaterial& m) {
+    return Material{m.name, 0, m.stiffness, m.thermoelastic_factor};
+  });
 }
 
 Grains in_metres(const PictureGrains& found, const FilmPlace& place) {
@@ -58,7 +62,8 @@ template <class Stays> void keep(PictureGrains& grains, const Stays& stays) {
     };
     (thin(arrays), ...);
   };
-  filter(grains.centre, grains.radius, grains.position_error, grains.radius_error, grains.brightness, grains.score, grains.material, grains.size_class);
+  filter(grains.centre, grains.radius, grains.position_error, grains.radius_error, grains.brightness, grains.score,
+         grains.material, grains.size_class);
 }
 
 /// Screws and edges of the container look round, too.
@@ -74,17 +79,20 @@ void keep_inside(const recipe::FilmRecipe& recipe, const FilmPlace& place, Pictu
 constexpr double most_overlap = 0.3;
 
 /// Calls see(i, j, overlap) for disks i and j < i that overlap by more than load can press them.
-template <class See> void each_overlap(const std::vector<Vec2>& centre, const std::vector<double>& radius, const See& see) {
+template <class See>
+void each_overlap(const std::vector<Vec2>& centre, const std::vector<double>& radius, const See& see) {
   for (std::size_t i = 0; i < centre.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (const double overlap = radius[i] + radius[j] - norm(centre[i] - centre[j]); overlap > most_overlap * std::min(radius[i], radius[j]))
+      if (const double overlap = radius[i] + radius[j] - norm(centre[i] - centre[j]);
+          overlap > most_overlap * std::min(radius[i], radius[j]))
         see(i, j, overlap);
 }
 
 /// Of two circles that overlap so much the one whose rim shows less is no grain.
 void drop_overlapping(PictureGrains& grains) {
   std::vector<std::uint8_t> kept(grains.size(), 1);
-  each_overlap(grains.centre, grains.radius, [&](std::size_t i, std::size_t j, double) { kept[grains.score[i] < grains.score[j] ? i : j] = 0; });
+  each_overlap(grains.centre, grains.radius,
+               [&](std::size_t i, std::size_t j, double) { kept[grains.score[i] < grains.score[j] ? i : j] = 0; });
   keep(grains, [&](std::size_t i) { return kept[i]; });
 }
 
@@ -97,7 +105,8 @@ double quantile(std::vector<double> values, double share) {
 /// A pore between three grains may have a round rim, but it is as dark as what is behind the grains.
 void drop_pores(const std::vector<float>& frame, bool bright, PictureGrains& grains) {
   const std::vector<double> levels(frame.begin(), frame.end());
-  const double behind = quantile(levels, bright ? 0.02 : 0.98), halfway = 0.5 * (behind + quantile(grains.brightness, 0.5));
+  const double behind = quantile(levels, bright ? 0.02 : 0.98),
+               halfway = 0.5 * (behind + quantile(grains.brightness, 0.5));
   keep(grains, [&](std::size_t i) { return bright ? grains.brightness[i] > halfway : grains.brightness[i] < halfway; });
 }
 
@@ -105,8 +114,8 @@ void drop_pores(const std::vector<float>& frame, bool bright, PictureGrains& gra
 void refuse_overlapping(const std::string& file, const Grains& grains) {
   Problems problems(file);
   each_overlap(grains.position, grains.radius, [&](std::size_t i, std::size_t j, double overlap) {
-    problems.add("grains {} and {} overlap by {:.3g} mm, more than the load can cause; correct their centres or radii", grains.id[j], grains.id[i],
-                 1e3 * overlap);
+    problems.add("grains {} and {} overlap by {:.3g} mm, more than the load can cause; correct their centres or radii",
+                 grains.id[j], grains.id[i], 1e3 * overlap);
   });
   problems.raise();
 }
@@ -125,20 +134,22 @@ PictureGrains read_list(const recipe::FilmRecipe& recipe, const FilmPlace& place
 }
 
 /// Grains in a container fill three quarters of it and more; less means that grains were not found.
-void warn_of_gaps(const recipe::FilmRecipe& recipe, const FilmPlace& place, const PictureGrains& grains, std::vector<std::string>& notes) {
+void warn_of_gaps(const recipe::FilmRecipe& recipe, const FilmPlace& place, const PictureGrains& grains,
+                  std::vector<std::string>& notes) {
   constexpr double loose = 0.65;
   double area = 0;
   for (const double r : grains.radius) area += std::numbers::pi * r * r * place.pixel * place.pixel;
   const double share = area / (recipe.container.width * recipe.container.height);
   if (share < loose)
     notes.push_back(
-        fmt::format("the {} grains that were found cover {:.0f} % of the container; if the sample fills it, give a sharper or finer optical picture "
-                    "(picture.optical) or a list of the grains (picture.grains)",
+        fmt::format("the {} grains that were found cover {:.0f} % of the container; if the sample fills it, give a "
+                    "sharper or finer optical picture (picture.optical) or a list of the grains (picture.grains)",
                     grains.size(), 100 * share));
 }
 
 /// Circles of the film's own picture, without pores.
-PictureGrains film_grains(const recipe::FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film, const std::vector<float>& frame) {
+PictureGrains film_grains(const recipe::FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film,
+                          const std::vector<float>& frame) {
   auto found = circles_of(recipe, {film.width, film.height, frame}, place.pixel);
   keep_inside(recipe, place, found.grains);
   drop_overlapping(found.grains);
@@ -148,13 +159,18 @@ PictureGrains film_grains(const recipe::FilmRecipe& recipe, const FilmPlace& pla
 
 }  // namespace
 
-PictureGrains find_film_grains(const recipe::FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film, const std::vector<float>& frame,
-                               const LockinMaps& maps, std::vector<std::string>& notes) {
+PictureGrains find_film_grains(const recipe::FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film,
+                               const std::vector<float>& frame, const LockinMaps& maps,
+                               std::vector<std::string>& notes) {
   if (!recipe.picture.grains.empty()) return read_list(recipe, place);
   const bool optical = !recipe.picture.optical.empty();
-  PictureGrains grains = optical ? optical_grains(recipe, place, film, frame, maps, notes) : film_grains(recipe, place, film, frame);
+  PictureGrains grains =
+      optical ? optical_grains(recipe, place, film, frame, maps, notes) : film_grains(recipe, place, film, frame);
   if (optical) keep_inside(recipe, place, grains), drop_overlapping(grains);
-  if (grains.size() == 0) throw InputError("the film shows no grains inside the container; give a list of the grains (picture.grains), or correct [container]");
+  if (grains.size() == 0)
+    throw InputError(
+        "the film shows no grains inside the container; give a list of the grains (picture.grains), or correct "
+        "[container]");
   warn_of_gaps(recipe, place, grains, notes);
   take_materials(recipe, optical ? recipe.picture.optical : "the film", grains);
   return grains;

@@ -45,19 +45,23 @@ Numbers lockin_of(const FilmResult& r) {
   Numbers j{{"convention", name_of(m.convention)}, {"frames", described(m.frames, "", "Frames of whole cycles")}};
   j["blank_frames"] = described(m.blank, "", "Frames that hold no picture and are left out");
   put(j, "frequency_Hz", Estimate{m.frequency, m.frequency_error}, "Hz", "Frequency of the load");
-  put(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi, "deg", "Phase of the load at the first frame");
+  put(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi, "deg",
+      "Phase of the load at the first frame");
   put(j, "standard_error_K", median_of_finite(m.standard_error), "K", "Median standard error of a pixel's amplitude");
   put(j, "residual_K", median_of_finite(m.residual), "K", "Median residual of the fit in a pixel");
-  if (!m.second_harmonic.empty()) put(j, "second_harmonic_K", median_of_finite(m.second_harmonic), "K", "Median amplitude at twice the frequency");
+  if (!m.second_harmonic.empty())
+    put(j, "second_harmonic_K", median_of_finite(m.second_harmonic), "K", "Median amplitude at twice the frequency");
   return j;
 }
 
 Numbers grains_of(const FilmResult& r) {
   Numbers j{{"all", described(r.packing.grains.size(), "", "Grains found")}};
   for (std::size_t m = 0; m < r.packing.materials.size(); ++m)
-    j[r.packing.materials[m].name] = described(std::ranges::count(r.packing.grains.material, static_cast<std::int32_t>(m)), "", "Grains of this material");
+    j[r.packing.materials[m].name] = described(
+        std::ranges::count(r.packing.grains.material, static_cast<std::int32_t>(m)), "", "Grains of this material");
   if (!r.grains.position_error.empty())
-    put(j, "position_error_pixels", median(r.grains.position_error, statistics::unknown), "pixels", "Median standard error of a grain's position");
+    put(j, "position_error_pixels", median(r.grains.position_error, statistics::unknown), "pixels",
+        "Median standard error of a grain's position");
   return j;
 }
 
@@ -69,9 +73,12 @@ Numbers motion_of(const FilmResult& r) {
   }
   Numbers j = Numbers::tree();
   if (travel.empty()) return j;
-  put(j, "median_travel_pixels", median(travel, statistics::unknown), "pixels", "Median displacement of a grain, peak to peak");
-  put(j, "largest_travel_pixels", *std::max_element(travel.begin(), travel.end()), "pixels", "Largest displacement of a grain, peak to peak");
-  put(j, "standard_error_pixels", median(r.motion.error, statistics::unknown), "pixels", "Median standard error of the displacement");
+  put(j, "median_travel_pixels", median(travel, statistics::unknown), "pixels",
+      "Median displacement of a grain, peak to peak");
+  put(j, "largest_travel_pixels", *std::max_element(travel.begin(), travel.end()), "pixels",
+      "Largest displacement of a grain, peak to peak");
+  put(j, "standard_error_pixels", median(r.motion.error, statistics::unknown), "pixels",
+      "Median standard error of the displacement");
   return j;
 }
 
@@ -98,7 +105,8 @@ Numbers forces_of(const FilmResult& r) {
     // Of the sample's contacts by blocks, and of how many there are: one more or less of those that carry next to
     // nothing.
     const double counted = both[0].value * r.fit.present_error / static_cast<double>(between.size());
-    put(j, "mean_N", Estimate{both[0].value, std::hypot(both[0].error, counted)}, "N", "Mean normal force between grains, peak to peak");
+    put(j, "mean_N", Estimate{both[0].value, std::hypot(both[0].error, counted)}, "N",
+        "Mean normal force between grains, peak to peak");
     put(j, "fraction_above_mean", both[1], "", "Fraction of contacts above the mean force");
   }
   put(j, "fn_error_N", median(r.fn_error, statistics::unknown), "N", "Median standard error of a normal force");
@@ -113,7 +121,8 @@ void add_walls(Numbers& j, const FilmResult& r) {
     put(j["container"], "right_pixels", Estimate{w.shift.x / r.pixel, w.shift_error.x / r.pixel}, "pixels",
         "Shift of the container to the right, from the recipe's");
   if (w.shift_error.y > 0)
-    put(j["container"], "up_pixels", Estimate{w.shift.y / r.pixel, w.shift_error.y / r.pixel}, "pixels", "Shift of the container upwards, from the recipe's");
+    put(j["container"], "up_pixels", Estimate{w.shift.y / r.pixel, w.shift_error.y / r.pixel}, "pixels",
+        "Shift of the container upwards, from the recipe's");
 }
 
 /// How forces, film and load agree.
@@ -123,15 +132,20 @@ Numbers checks_of(const FilmResult& r) {
   if (fit.over_noise > 0) {
     put(j, "misfit_over_noise", fit.over_noise, "", "Residual of the force fit in a pixel over its noise");
     put(j, "misfit_over_signal", fit.over_signal, "", "The same over the signal");
-    put(j, "field_error_that_agrees", fit.model_error, "", "Relative model error of the grains' fields that would explain the misfit");
+    put(j, "field_error_that_agrees", fit.model_error, "",
+        "Relative model error of the grains' fields that would explain the misfit");
   }
   if (r.halo.share > 0) {
-    put(j["halo"], "share", Estimate{r.halo.share, r.halo.error}, "", "Fraction of the light that is scattered over many pixels; it was removed");
+    put(j["halo"], "share", Estimate{r.halo.share, r.halo.error}, "",
+        "Fraction of the light that is scattered over many pixels; it was removed");
     put(j["halo"], "width_pixels", r.halo.width, "pixels", "Standard deviation of the scattered light");
-    put(j["halo"], "cost", r.halo.cost, "", "Root mean square change of the grain stresses by its removal, over the mean stress");
+    put(j["halo"], "cost", r.halo.cost, "",
+        "Root mean square change of the grain stresses by its removal, over the mean stress");
   }
   add_walls(j, r);
-  if (fit.factor_scatter > 0) put(j, "factor_scatter", fit.factor_scatter, "", "Relative scatter of the thermoelastic factors of single grains of a material");
+  if (fit.factor_scatter > 0)
+    put(j, "factor_scatter", fit.factor_scatter, "",
+        "Relative scatter of the thermoelastic factors of single grains of a material");
   if (r.rim_blur > 0) put(j, "blur_of_rims_pixels", r.rim_blur, "pixels", "Blur seen at the rims of grains");
   if (fit.load != 0) put(j, "load_by_forces_N", fit.load, "N", "Load from the forces on the walls, peak to peak");
   for (std::size_t m = 0; m < fit.factor_scale.size(); ++m)
@@ -148,7 +162,8 @@ bool knows_as_many(const std::vector<double>& a, const std::vector<double>& b) {
 
 /// Of the film itself they are in its texture already, where no other source knows fewer grains.
 Numbers statistics_of(const GrainStresses& source, const FilmResult& r, const texture::Texture& texture) {
-  if (source.source == "film" && knows_as_many(source.sigma_hyd, r.peak_to_peak.sigma_hyd)) return texture.numbers.value("sigma_norm", Numbers::tree());
+  if (source.source == "film" && knows_as_many(source.sigma_hyd, r.peak_to_peak.sigma_hyd))
+    return texture.numbers.value("sigma_norm", Numbers::tree());
   return texture::stress_distribution(r.packing, source.sigma_hyd);
 }
 
@@ -171,9 +186,14 @@ texture::Texture texture_of(const FilmResult& film, bool rev) {
 }
 
 Numbers film_numbers(const FilmResult& r, const texture::Texture& texture, const texture::Texture* simulation) {
-  Numbers j{{"film", film_of(r)}, {"lockin", lockin_of(r)}, {"grains", grains_of(r)}, {"motion", motion_of(r)}, {"forces", forces_of(r)}};
+  Numbers j{{"film", film_of(r)},
+            {"lockin", lockin_of(r)},
+            {"grains", grains_of(r)},
+            {"motion", motion_of(r)},
+            {"forces", forces_of(r)}};
   if (r.fit.proposed > 0) j["checks"] = checks_of(r);
-  if (auto orientations = orientations_of(texture, simulation); !orientations.empty()) j["contact_orientations"] = std::move(orientations);
+  if (auto orientations = orientations_of(texture, simulation); !orientations.empty())
+    j["contact_orientations"] = std::move(orientations);
   if (r.peak_to_peak.size() == 0) return j;
   j["texture"] = texture::numbers(texture);
   add_stresses(j, r, texture);

@@ -17,7 +17,8 @@ std::vector<std::uint8_t> known_in_all(const std::vector<GrainStresses>& sources
 }
 
 /// Forgets the stress of grains that are not known, and fills in what follows from the others.
-void normalise(GrainStresses& source, const std::vector<std::uint8_t>& known, const std::vector<std::uint8_t>& considered) {
+void normalise(GrainStresses& source, const std::vector<std::uint8_t>& known,
+               const std::vector<std::uint8_t>& considered) {
   for (std::size_t g = 0; g < known.size(); ++g)
     if (!known[g]) source.sigma_hyd[g] = statistics::unknown;
   source.mean = statistics::mean_of_known(source.sigma_hyd, considered);
@@ -44,7 +45,8 @@ FilmStresses film_stresses(const FilmResult& result, const std::vector<std::uint
   return out;
 }
 
-Agreement agreement(const std::vector<double>& film, const std::vector<double>& simulation, const std::vector<std::uint8_t>& counts) {
+Agreement agreement(const std::vector<double>& film, const std::vector<double>& simulation,
+                    const std::vector<std::uint8_t>& counts) {
   std::vector<double> a, b;
   for (std::size_t g = 0; g < film.size(); ++g) {
     if (!counts[g] || !std::isfinite(film[g]) || !std::isfinite(simulation[g])) continue;
@@ -52,7 +54,8 @@ Agreement agreement(const std::vector<double>& film, const std::vector<double>& 
     b.push_back(simulation[g]);
   }
   if (a.size() < 2) return {};
-  return {statistics::relate(b, a), statistics::rms_difference(a, b), statistics::rms_difference(statistics::over_mean(a), statistics::over_mean(b))};
+  return {statistics::relate(b, a), statistics::rms_difference(a, b),
+          statistics::rms_difference(statistics::over_mean(a), statistics::over_mean(b))};
 }
 
 Numbers numbers(const Agreement& a) {
@@ -70,7 +73,8 @@ Numbers agreement_of(const Packing& packing, const FilmStresses& stresses, const
   Numbers all = Numbers::tree();
   const auto add = [&](const std::string& set, int material) {
     auto counts = stresses.considered;
-    for (std::size_t g = 0; g < counts.size(); ++g) counts[g] = counts[g] && (material < 0 || packing.grains.material[g] == material);
+    for (std::size_t g = 0; g < counts.size(); ++g)
+      counts[g] = counts[g] && (material < 0 || packing.grains.material[g] == material);
     const Agreement a = agreement(stresses.sources[0].sigma_hyd, simulation.sigma_hyd, counts);
     if (a.relation.count >= 3) all[set] = numbers(a);
   };

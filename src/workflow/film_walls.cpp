@@ -7,9 +7,11 @@
 namespace arenite::workflow {
 
 Domain settle_walls(const recipe::FilmRecipe& recipe, const PictureGrains& loaded, FilmPlace& place, FilmResult& r) {
-  constexpr double rim_error = 0.08, reach = 3, least = 0.15, errors = 4;  // pixels, and standard errors from which on a shift is believed
+  constexpr double rim_error = 0.08, reach = 3, least = 0.15,
+                   errors = 4;  // pixels, and standard errors from which on a shift is believed
   const auto fitted = [&](const PictureGrains& grains, double share) {
-    auto walls = imaging::fit_walls(in_metres(grains, place), container_at(recipe, share), rim_error * place.pixel, reach * place.pixel);
+    auto walls = imaging::fit_walls(in_metres(grains, place), container_at(recipe, share), rim_error * place.pixel,
+                                    reach * place.pixel);
     for (auto& wall : walls)
       if (std::abs(wall.shift) < std::max(least * place.pixel, errors * wall.error)) wall.shift = 0;
     return walls;
@@ -34,8 +36,10 @@ Domain settle_walls(const recipe::FilmRecipe& recipe, const PictureGrains& loade
     return std::abs(by) > 2 * least * place.pixel ? by : 0;
   };
   r.walls.smaller = {smaller(left), smaller(bottom)};
-  for (std::size_t side = 0; side < after.size(); ++side) r.walls.inward[side] = after[side].known() ? after[side].shift : 0;
-  if (share > 0 && r.walls.inward[bottom] != 0) r.walls.travel = recipe.container.travel + r.walls.inward[bottom] - before[bottom].shift;
+  for (std::size_t side = 0; side < after.size(); ++side)
+    r.walls.inward[side] = after[side].known() ? after[side].shift : 0;
+  if (share > 0 && r.walls.inward[bottom] != 0)
+    r.walls.travel = recipe.container.travel + r.walls.inward[bottom] - before[bottom].shift;
   r.packing.domain = imaging::with_fitted_walls(container_at(recipe, share), after);
   return imaging::with_fitted_walls(container_at(recipe, 0), before);
 }

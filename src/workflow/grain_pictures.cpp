@@ -16,8 +16,8 @@
 namespace arenite::workflow {
 namespace {
 
-constexpr double enough = 2;                               // pixels of the optical picture along one of the film give centres to a hundredth
-constexpr double margin = 10;                              // pixels of the film round the container in which its grains may lie
+constexpr double enough = 2;   // pixels of the optical picture along one of the film give centres to a hundredth
+constexpr double margin = 10;  // pixels of the film round the container in which its grains may lie
 constexpr double least_correlation = 0.3, most_rms = 0.5;  // of an overlay that is believed; pixels of the film
 
 /// Part of a picture; pixels count from there.
@@ -27,7 +27,9 @@ struct Part {
 
 /// The container and what is near it, in the middle of the picture: what is round it costs time and looks round, too.
 Part part_near_container(const recipe::FilmRecipe& recipe, const Image& image, double pixel) {
-  const auto side = [&](double inner, int all) { return std::min(all, static_cast<int>(std::ceil((inner + 2 * margin * recipe.picture.pixel) / pixel))); };
+  const auto side = [&](double inner, int all) {
+    return std::min(all, static_cast<int>(std::ceil((inner + 2 * margin * recipe.picture.pixel) / pixel)));
+  };
   Part part{0, 0, image.width, image.height};
   if (recipe.container.left || recipe.container.top) return part;
   part.width = side(recipe.container.width, image.width);
@@ -44,7 +46,9 @@ FloatImage coarser(const Image& image, const Part& part, int times) {
     for (int column = 0; column < out.width; ++column) {
       double sum = 0;
       for (int r = 0; r < times; ++r)
-        for (int c = 0; c < times; ++c) sum += static_cast<double>(image.value[image.index(part.column + column * times + c, part.row + row * times + r)]);
+        for (int c = 0; c < times; ++c)
+          sum += static_cast<double>(
+              image.value[image.index(part.column + column * times + c, part.row + row * times + r)]);
       out.value.push_back(static_cast<float>(sum / (times * times)));
     }
   return out;
@@ -53,23 +57,30 @@ FloatImage coarser(const Image& image, const Part& part, int times) {
 /// Both pictures have one middle and the scales that the recipe gives.
 imaging::Similarity as_given(const Image& whole, const Part& part, int times, const FilmInfo& film, double scale) {
   const auto first = [&](int begin, int all) { return (begin + 0.5 * (times - 1) - 0.5 * (all - 1)) / times; };
-  return {scale, 0, {0.5 * (film.width - 1) + scale * first(part.column, whole.width), 0.5 * (film.height - 1) + scale * first(part.row, whole.height)}, false};
+  return {scale,
+          0,
+          {0.5 * (film.width - 1) + scale * first(part.column, whole.width),
+           0.5 * (film.height - 1) + scale * first(part.row, whole.height)},
+          false};
 }
 
-/// What a picture's noise does not tell of the errors of circles shows in the radii of one class, which are alike: by how much they scatter more than
-/// their errors say.
+/// What a picture's noise does not tell of the errors of circles shows in the radii of one class, which are alike: by
+/// how much they scatter more than their errors say.
 double scatter_of_radii(const imaging::FoundCircles& found) {
   std::vector<double> off;
   for (std::size_t i = 0; i < found.grains.size(); ++i)
     if (const auto k = found.grains.size_class[i]; k >= 0 && found.grains.radius_error[i] > 0)
-      off.push_back(std::abs(found.grains.radius[i] - found.report.sizes.mean[static_cast<std::size_t>(k)]) / found.grains.radius_error[i]);
+      off.push_back(std::abs(found.grains.radius[i] - found.report.sizes.mean[static_cast<std::size_t>(k)]) /
+                    found.grains.radius_error[i]);
   return std::clamp(median(std::move(off)) / median_of_normal_size, 1.0, 10.0);
 }
 
-bool fits(const imaging::Overlay& overlay) { return std::abs(overlay.correlation) >= least_correlation && overlay.rms <= most_rms; }
+bool fits(const imaging::Overlay& overlay) {
+  return std::abs(overlay.correlation) >= least_correlation && overlay.rms <= most_rms;
+}
 
-/// Where pixels warm and cool with the load: grains, however alike their rims are to what is behind them. Bright spots at contacts count no more than
-/// most of a grain's pixels.
+/// Where pixels warm and cool with the load: grains, however alike their rims are to what is behind them. Bright spots
+/// at contacts count no more than most of a grain's pixels.
 FloatImage warming_of(const LockinMaps& maps) {
   FloatImage warming{maps.width, maps.height, maps.amplitude};
   std::vector<float> sorted = warming.value;
@@ -80,7 +91,8 @@ FloatImage warming_of(const LockinMaps& maps) {
 }
 
 /// Grains of an optical picture when the load is largest.
-PictureGrains when_loaded(const recipe::FilmRecipe& recipe, const FilmPlace& place, PictureGrains grains, const imaging::Similarity& first) {
+PictureGrains when_loaded(const recipe::FilmRecipe& recipe, const FilmPlace& place, PictureGrains grains,
+                          const imaging::Similarity& first) {
   const imaging::Similarity back = first.inverse();
   for (Vec2& centre : grains.centre) {
     const Vec2 at = first(centre);
@@ -90,20 +102,24 @@ PictureGrains when_loaded(const recipe::FilmRecipe& recipe, const FilmPlace& pla
   return grains;
 }
 
-imaging::Overlay lay_over_grains(const PictureGrains& grains, const imaging::Similarity& first, const FloatImage& frame) {
+imaging::Overlay lay_over_grains(const PictureGrains& grains, const imaging::Similarity& first,
+                                 const FloatImage& frame) {
   auto overlay = imaging::lay_over(grains, first, frame);
   if (fits(overlay)) return overlay;
   try {
     const auto shown = imaging::find_circles(frame);
-    overlay = imaging::lay_over(grains, imaging::register_circles(grains, shown.grains, {.scale = first.scale}).transform, frame, {2, 0});
+    overlay = imaging::lay_over(
+        grains, imaging::register_circles(grains, shown.grains, {.scale = first.scale}).transform, frame, {2, 0});
   } catch (const InputError&) { overlay.rms = 2 * most_rms; }
   return overlay;
 }
 
 constexpr const char* laid_over_warming =
-    "the film's frames show no contrast between grains and background; the optical picture is laid over the amplitude map, and the positions of grains are "
-    "known to about 0.1 pixels";
-constexpr double warming_rms = 1.2, warming_error = 0.1;  // pixels: circles that are fitted one by one to uneven warming, and all of them together
+    "the film's frames show no contrast between grains and background; the optical picture is laid over the amplitude "
+    "map, and the positions of grains are known to about 0.1 pixels";
+constexpr double warming_rms = 1.2,
+                 warming_error =
+                     0.1;  // pixels: circles that are fitted one by one to uneven warming, and all of them together
 
 /// Photographs, which open as films of one frame, too, where they are grey.
 bool is_photograph(const std::filesystem::path& path) {
@@ -138,14 +154,16 @@ GrainPicture picture_of_film(const std::filesystem::path& path, const io::ImageC
 
 }  // namespace
 
-imaging::FoundCircles circles_of(const recipe::FilmRecipe& recipe, const FloatImage& picture, double pixel, imaging::CircleOptions options) {
+imaging::FoundCircles circles_of(const recipe::FilmRecipe& recipe, const FloatImage& picture, double pixel,
+                                 imaging::CircleOptions options) {
   for (const double r : recipe.picture.radii) options.radii.push_back(r / pixel);
   auto found = imaging::find_circles(picture, options);
   const double times = scatter_of_radii(found);
   for (auto* errors : {&found.grains.position_error, &found.grains.radius_error})
     for (double& error : *errors) error *= times;
   for (std::size_t i = 0; i < found.grains.size(); ++i)
-    if (const auto k = found.grains.size_class[i]; k >= 0) found.grains.radius[i] = found.report.sizes.mean[static_cast<std::size_t>(k)];
+    if (const auto k = found.grains.size_class[i]; k >= 0)
+      found.grains.radius[i] = found.report.sizes.mean[static_cast<std::size_t>(k)];
   return found;
 }
 
@@ -154,15 +172,16 @@ void take_materials(const recipe::FilmRecipe& recipe, const std::string& where, 
   const auto classes = statistics::cluster(grains.brightness, {.most = order.size()});
   if (classes.size() != order.size())
     throw refusal(
-        "grains in {} have {} {} of brightness, and the recipe {} materials; give an optical picture in which they differ "
-        "(picture.optical) or a list of the grains (picture.grains)",
+        "grains in {} have {} {} of brightness, and the recipe {} materials; give an optical picture in which they "
+        "differ (picture.optical) or a list of the grains (picture.grains)",
         where, classes.size(), classes.size() == 1 ? "kind" : "kinds", order.size());
   grains.material.clear();
-  for (const auto k : classes.of) grains.material.push_back(static_cast<std::int32_t>(order[static_cast<std::size_t>(k)]));
+  for (const auto k : classes.of)
+    grains.material.push_back(static_cast<std::int32_t>(order[static_cast<std::size_t>(k)]));
 }
 
-PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film, const std::vector<float>& frame,
-                             const LockinMaps& maps, std::vector<std::string>& notes) {
+PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film,
+                             const std::vector<float>& frame, const LockinMaps& maps, std::vector<std::string>& notes) {
   const auto file = recipe.beside(recipe.picture.optical).string();
   const double fine = recipe.picture.optical_pixel > 0 ? recipe.picture.optical_pixel : recipe.picture.pixel;
   const int times = std::max(1, static_cast<int>(recipe.picture.pixel / (enough * fine) + 1e-6));
@@ -170,27 +189,36 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmPlace& 
   const Part part = part_near_container(recipe, whole, fine);
   const FloatImage image = coarser(whole, part, times);
   const double pixel = times * fine;
-  auto found = circles_of(recipe, image, pixel, {.largest = 0.25 * std::min(recipe.container.width, recipe.container.height) / pixel});
+  auto found = circles_of(recipe, image, pixel,
+                          {.largest = 0.25 * std::min(recipe.container.width, recipe.container.height) / pixel});
   if (found.grains.size() < 3)
-    refuse(file, "shows {} grains; give a picture in which they stand out, or a list of the grains (picture.grains)", found.grains.size());
+    refuse(file, "shows {} grains; give a picture in which they stand out, or a list of the grains (picture.grains)",
+           found.grains.size());
   const auto first = as_given(whole, part, times, film, pixel / recipe.picture.pixel);
   auto overlay = lay_over_grains(found.grains, first, {film.width, film.height, frame});
   bool by_warming = false;
   if (!fits(overlay)) {
     overlay = imaging::lay_over(when_loaded(recipe, place, found.grains, first), first, warming_of(maps));
     by_warming = overlay.correlation >= least_correlation && overlay.rms <= warming_rms;
-    if (!by_warming) refuse(file, "does not fit on the film; take it at the smallest load from the same side, and give its scale (picture.optical_pixel)");
+    if (!by_warming)
+      refuse(file,
+             "does not fit on the film; take it at the smallest load from the same side, and give its scale "
+             "(picture.optical_pixel)");
     notes.push_back(laid_over_warming);
   }
-  const Vec2 middle = first.inverse()({0.5 * (film.width - 1), 0.5 * (film.height - 1)}), off = overlay.transform(middle) - first(middle);
-  notes.push_back(fmt::format(
-      "the optical picture shows {} grains; it is shifted by {:.2f} pixels of the film to the left and {:.2f} upwards, rotated by {:.2f} degrees, "
-      "its scale is {:+.2f} % off, and grains in the film are {:.2f} pixels (rms) from their positions in it",
-      found.grains.size(), off.x, off.y, overlay.transform.rotation * 180 / std::numbers::pi, 100 * (overlay.transform.scale / first.scale - 1), overlay.rms));
+  const Vec2 middle = first.inverse()({0.5 * (film.width - 1), 0.5 * (film.height - 1)}),
+             off = overlay.transform(middle) - first(middle);
+  notes.push_back(
+      fmt::format("the optical picture shows {} grains; it is shifted by {:.2f} pixels of the film to the left and "
+                  "{:.2f} upwards, rotated by {:.2f} degrees, its scale is {:+.2f} % off, and grains in the film are "
+                  "{:.2f} pixels (rms) from their positions in it",
+                  found.grains.size(), off.x, off.y, overlay.transform.rotation * 180 / std::numbers::pi,
+                  100 * (overlay.transform.scale / first.scale - 1), overlay.rms));
   auto grains = imaging::apply(overlay.transform, std::move(found.grains));
   const Vec2 centre = mean_point(grains.centre);
   for (std::size_t i = 0; i < grains.size(); ++i) {
-    const double laid = std::hypot(overlay.shift_error, overlay.turn_error * norm(grains.centre[i] - centre), by_warming ? warming_error : 0);
+    const double laid = std::hypot(overlay.shift_error, overlay.turn_error * norm(grains.centre[i] - centre),
+                                   by_warming ? warming_error : 0);
     grains.position_error[i] = std::hypot(grains.position_error[i], laid);
   }
   return grains;

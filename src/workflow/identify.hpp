@@ -20,9 +20,9 @@ struct StiffnessRequest {
   std::string stated;            ///< file of what a source states for the same groups; or empty
 };
 
-/// Contact stiffness of every group of a file. Records (columns displacement, force; perhaps a group and a test) are cut into
-/// cycles; tables hold slopes already found, one a row (column stiffness) or a column a group. A group's error is the
-/// scatter of its tests; of a single test, that of its slope. Throws InputError with file and line.
+/// Contact stiffness of every group of a file. Records (columns displacement, force; perhaps a group and a test) are
+/// cut into cycles; tables hold slopes already found, one a row (column stiffness) or a column a group. A group's error
+/// is the scatter of its tests; of a single test, that of its slope. Throws InputError with file and line.
 identify::Identification identify_stiffness(const std::string& file, const StiffnessRequest& request);
 
 struct AdhesionRequest {
@@ -46,8 +46,9 @@ struct FactorRequest {
   std::string stated;
 };
 
-/// Thermoelastic factor A of every group (material) of a file, by what its columns allow: stress or force against temperature,
-/// strain against temperature, or alpha, T_0, rho and c_p; the constant A' where a raw signal stands for the temperature.
+/// Thermoelastic factor A of every group (material) of a file, by what its columns allow: stress or force against
+/// temperature, strain against temperature, or alpha, T_0, rho and c_p; the constant A' where a raw signal stands for
+/// the temperature.
 identify::Identification identify_factor(const std::string& file, const FactorRequest& request);
 
 namespace quantity {
@@ -77,8 +78,9 @@ struct TestGroup {
 };
 /// What is said of a value that is not above 0.
 using Refusal = std::function<std::string(const std::string& group, const std::string& test, double value)>;
-/// How the tests of a file are found: in `records` of force against the first of these quantities that it has, each group of them by `cut`; or as values
-/// that it holds, one a row, or a column a group. A file of neither kind is refused by what it `needs`.
+/// How the tests of a file are found: in `records` of force against the first of these quantities that it has, each
+/// group of them by `cut`; or as values that it holds, one a row, or a column a group. A file of neither kind is
+/// refused by what it `needs`.
 struct TestsWanted {
   std::vector<io::Quantity> against;
   std::function<decltype(TestGroup::tests)(const RecordGroup&)> cut;
@@ -88,8 +90,9 @@ struct TestsWanted {
 };
 std::vector<TestGroup> tests_in(io::LaboratoryTable& table, const TestsWanted& wanted);
 
-/// Adds the table's notes to what was found, and puts what the file `stated` (or none) says beside the findings of the same name: its first column
-/// names a group, or "all".
-identify::Identification finished(identify::Identification found, const io::LaboratoryTable& table, const std::string& stated);
+/// Adds the table's notes to what was found, and puts what the file `stated` (or none) says beside the findings of the
+/// same name: its first column names a group, or "all".
+identify::Identification finished(identify::Identification found, const io::LaboratoryTable& table,
+                                  const std::string& stated);
 
 }  // namespace arenite::workflow

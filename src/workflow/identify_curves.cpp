@@ -19,8 +19,8 @@ const Constant stiffness{"stiffness", "kN/mm", "k, force over displacement, T eq
     stiffness_per_length{"stiffness_per_length", "MPa", "k over the length of the cylinders"};
 const io::Quantity stiffness_quantity{{"stiffness", "k"}, dimension::stiffness, "kN/mm"};
 constexpr const char* needs_of_stiffness =
-    "has no columns for a stiffness; give displacement and force (a record), or stiffness (a table), or a table with the load or specimen in its first column "
-    "and the stiffnesses of one group in each other";
+    "has no columns for a stiffness; give displacement and force (a record), or stiffness (a table), or a table with "
+    "the load or specimen in its first column and the stiffnesses of one group in each other";
 
 using Tests = decltype(TestGroup::tests);
 
@@ -30,7 +30,8 @@ std::vector<double> values_of(const Tests& tests) {
 
 /// Its findings are those of the tests' mean, or of the only one; the first of them is what each test has, too.
 template <class Findings> Group group_of(const std::string& name, const Tests& tests, const Findings& findings) {
-  Group group{name.empty() ? "all" : name, tests.size(), findings(tests.size() == 1 ? tests.front().second : statistics::mean_of(values_of(tests)))};
+  Group group{name.empty() ? "all" : name, tests.size(),
+              findings(tests.size() == 1 ? tests.front().second : statistics::mean_of(values_of(tests)))};
   if (tests.size() == 1) return group;
   for (const auto& [test, each] : tests) {
     group.tests.push_back({test, 0, {group.findings.front()}});
@@ -41,7 +42,8 @@ template <class Findings> Group group_of(const std::string& name, const Tests& t
 
 std::vector<Finding> findings_of(const Measured& k, const StiffnessRequest& request) {
   std::vector<Finding> findings{{stiffness, k}};
-  if (request.length) findings.push_back({stiffness_per_length, statistics::product({{k, 1}, {{*request.length}, -1}})});
+  if (request.length)
+    findings.push_back({stiffness_per_length, statistics::product({{k, 1}, {{*request.length}, -1}})});
   return findings;
 }
 
@@ -52,7 +54,8 @@ Tests slopes_of(const RecordGroup& group, const identify::StiffnessOptions& opti
     const auto cycles = identify::cycles_of(test, options);
     for (std::size_t c = 0; c < cycles.size(); ++c) {
       const std::string number = cycles.size() > 1 ? fmt::format("cycle {}", c + 1) : "";
-      slopes.emplace_back(fmt::format("{}{}{} to {:.4g} kN", test.name, test.name.empty() || number.empty() ? "" : ", ", number, cycles[c].peak / 1e3),
+      slopes.emplace_back(fmt::format("{}{}{} to {:.4g} kN", test.name, test.name.empty() || number.empty() ? "" : ", ",
+                                      number, cycles[c].peak / 1e3),
                           cycles[c].stiffness);
       worst_r2 = std::min(worst_r2, cycles[c].r2);
     }
@@ -68,8 +71,9 @@ void add_all(Identification& found, const std::vector<TestGroup>& groups, const 
   found.all = Group{"all", all.size(), findings_of(statistics::mean_of(all), request)};
   const double chance = statistics::chance_of_equal_means(values);
   if (std::isfinite(chance))
-    found.notes.push_back(fmt::format("equal groups would differ this much in {:.2g} % of cases (analysis of variance){}", 100 * chance,
-                                      chance < 0.05 ? ": they are not equal, and the error of the mean of all is too small" : ""));
+    found.notes.push_back(
+        fmt::format("equal groups would differ this much in {:.2g} % of cases (analysis of variance){}", 100 * chance,
+                    chance < 0.05 ? ": they are not equal, and the error of the mean of all is too small" : ""));
 }
 
 }  // namespace
@@ -79,11 +83,16 @@ Identification identify_stiffness(const std::string& file, const StiffnessReques
   Identification found{"stiffness", file, {}};
   double worst_r2 = 1;
   const auto slopes = [&](const RecordGroup& group) { return slopes_of(group, request.curve, worst_r2); };
-  const auto refusal = [](const auto&, const auto&, double value) { return fmt::format("the stiffness is {:.4g} N/m; it must be above 0", value); };
-  const auto groups = tests_in(table, {{quantity::displacement}, slopes, stiffness_quantity, needs_of_stiffness, refusal});
+  const auto refusal = [](const auto&, const auto&, double value) {
+    return fmt::format("the stiffness is {:.4g} N/m; it must be above 0", value);
+  };
+  const auto groups =
+      tests_in(table, {{quantity::displacement}, slopes, stiffness_quantity, needs_of_stiffness, refusal});
   if (worst_r2 < 0.99)
-    found.notes.push_back(fmt::format("the records are not linear (smallest R^2 {:.3f}): k is the mean slope between preload and peak", worst_r2));
-  for (const auto& [name, tests] : groups) found.groups.push_back(group_of(name, tests, [&](const Measured& k) { return findings_of(k, request); }));
+    found.notes.push_back(fmt::format(
+        "the records are not linear (smallest R^2 {:.3f}): k is the mean slope between preload and peak", worst_r2));
+  for (const auto& [name, tests] : groups)
+    found.groups.push_back(group_of(name, tests, [&](const Measured& k) { return findings_of(k, request); }));
   add_all(found, groups, request);
   return finished(std::move(found), table, request.stated);
 }
@@ -94,17 +103,20 @@ const Constant separation_force{"separation_force", "N", "F_c, the largest tensi
     surface_energy{"surface_energy", "kN/mm", "gamma = sqrt(4 k F_c/r_eff), T eq. 1.25"},
     threshold_force{"threshold_force", "N", "r_eff gamma^2/(4 k), the tension at which the law separates"},
     overlap_without_force{"overlap_without_force", "um", "r_eff gamma^2/k^2, where attraction and repulsion balance"},
-    stiffness_over_surface_energy{"stiffness_over_surface_energy", "", "k/gamma; above 50 cohesion has no effect on the mechanics, T 2.4.3"};
-const io::Quantity separation_quantity{{"separation_force", "mean_separation_force", "pull_off_force"}, dimension::force, ""};
+    stiffness_over_surface_energy{"stiffness_over_surface_energy", "",
+                                  "k/gamma; above 50 cohesion has no effect on the mechanics, T 2.4.3"};
+const io::Quantity separation_quantity{
+    {"separation_force", "mean_separation_force", "pull_off_force"}, dimension::force, ""};
 constexpr const char* needs_of_adhesion =
-    "has no columns for an adhesion; give displacement (or time) and force (a record), or separation_force (a table), or a table with the specimen in its "
-    "first column and the separation forces of one glue in each other";
+    "has no columns for an adhesion; give displacement (or time) and force (a record), or separation_force (a table), "
+    "or a table with the specimen in its first column and the separation forces of one glue in each other";
 constexpr double no_trace = 50;  // k/gamma above which cohesion does not show in the mechanics (T 2.4.3)
 
 std::vector<Finding> findings_of(const Measured& force, const AdhesionRequest& request) {
   std::vector<Finding> findings{{separation_force, force}};
   if (!request.stiffness || !request.radii) return findings;
-  const double radius = identify::effective_radius(request.effective_radius, request.radii->first, request.radii->second);
+  const double radius =
+      identify::effective_radius(request.effective_radius, request.radii->first, request.radii->second);
   const Measured gamma = identify::surface_energy(force, *request.stiffness, radius);
   const auto at = identify::threshold(gamma.value, request.stiffness->value, radius);
   findings.push_back({surface_energy, gamma});
@@ -118,7 +130,9 @@ void add_group(Identification& found, const std::string& name, const Tests& forc
   found.groups.push_back(group_of(name, forces, [&](const Measured& force) { return findings_of(force, request); }));
   const Group& group = found.groups.back();
   if (request.stiffness && request.radii && group.findings.back().value.value > no_trace)
-    found.notes.push_back(fmt::format("{}: with k/gamma above {:.0f} cohesion is not expected to affect the mechanics of a packing", group.name, no_trace));
+    found.notes.push_back(
+        fmt::format("{}: with k/gamma above {:.0f} cohesion is not expected to affect the mechanics of a packing",
+                    group.name, no_trace));
 }
 
 /// The peaks of one group's records.
@@ -128,8 +142,9 @@ Tests peaks_of(const RecordGroup& group, std::vector<std::string>& notes) {
     const auto peak = identify::pull_off(test);
     const std::string name = test.name.empty() ? fmt::format("record {}", peaks.size() + 1) : test.name;
     if (!peak.separated)
-      notes.push_back(fmt::format("{}{}{}: the record ends before the force has fallen to half of its peak; the bond may have held more", group.name,
-                                  group.name.empty() ? "" : ", ", name));
+      notes.push_back(fmt::format(
+          "{}{}{}: the record ends before the force has fallen to half of its peak; the bond may have held more",
+          group.name, group.name.empty() ? "" : ", ", name));
     peaks.emplace_back(name, peak.force);
   }
   return peaks;
@@ -142,12 +157,15 @@ Identification identify_adhesion(const std::string& file, const AdhesionRequest&
   Identification found{"adhesion", file, {}};
   const auto peaks = [&](const RecordGroup& group) { return peaks_of(group, found.notes); };
   const auto refusal = [](const std::string& group, const std::string& test, double value) {
-    return fmt::format("{}{}{}: the separation force is {:.4g} N; write tension as a positive force", group, test.empty() ? "" : ", ", test, value);
+    return fmt::format("{}{}{}: the separation force is {:.4g} N; write tension as a positive force", group,
+                       test.empty() ? "" : ", ", test, value);
   };
-  const auto groups = tests_in(table, {{quantity::displacement, quantity::time}, peaks, separation_quantity, needs_of_adhesion, refusal});
+  const auto groups = tests_in(
+      table, {{quantity::displacement, quantity::time}, peaks, separation_quantity, needs_of_adhesion, refusal});
   for (const auto& group : groups) add_group(found, group.name, group.tests, request);
   if (!request.stiffness || !request.radii)
-    found.notes.push_back("the surface energy needs the stiffness of the pair and the radii: --k \"27.35 kN/mm\" --radius \"6.2 mm\"");
+    found.notes.push_back(
+        "the surface energy needs the stiffness of the pair and the radii: --k \"27.35 kN/mm\" --radius \"6.2 mm\"");
   return finished(std::move(found), table, request.stated);
 }
 

@@ -17,21 +17,29 @@ using io::Quantity;
 using statistics::Measured;
 using Column = std::vector<double>;
 
-const Quantity stress_quantity{{"stress", "sigma", "stress_peak_to_peak", "stress_amplitude", "stress_swing"}, dimension::pressure, ""};
-const Quantity force_quantity{{"force", "f", "force_peak_to_peak", "force_amplitude", "force_swing"}, dimension::force, ""};
+const Quantity stress_quantity{
+    {"stress", "sigma", "stress_peak_to_peak", "stress_amplitude", "stress_swing"}, dimension::pressure, ""};
+const Quantity force_quantity{
+    {"force", "f", "force_peak_to_peak", "force_amplitude", "force_swing"}, dimension::force, ""};
 const Quantity force_max_quantity{{"force_max", "f_max", "max_force"}, dimension::force, ""},
     force_min_quantity{{"force_min", "f_min", "min_force"}, dimension::force, ""};
 const Quantity section_quantity{{"section", "area"}, dimension::area, ""};
 const Quantity strain_quantity{{"strain", "eps"}, dimension::none, ""};
-const Quantity first_strain_quantity{{"strain_1", "strain_x"}, dimension::none, ""}, second_strain_quantity{{"strain_2", "strain_y"}, dimension::none, ""};
+const Quantity first_strain_quantity{{"strain_1", "strain_x"}, dimension::none, ""},
+    second_strain_quantity{{"strain_2", "strain_y"}, dimension::none, ""};
 const Quantity temperature_quantity{
-    {"temperature", "dt", "temperature_peak_to_peak", "temperature_amplitude", "temperature_swing"}, dimension::temperature, "", Quantity::Kind::difference};
+    {"temperature", "dt", "temperature_peak_to_peak", "temperature_amplitude", "temperature_swing"},
+    dimension::temperature,
+    "",
+    Quantity::Kind::difference};
 const Quantity signal_quantity{{"signal", "s"}, dimension::none, ""};
 constexpr const char* needs =
-    "has no columns for a factor; give a cause (stress, or force_min and force_max, or strain) and a response (temperature or signal), or the properties "
-    "alpha, temperature, density and heat_capacity";
+    "has no columns for a factor; give a cause (stress, or force_min and force_max, or strain) and a response "
+    "(temperature or signal), or the properties alpha, temperature, density and heat_capacity";
 
-const char* words_of(AmplitudeConvention convention) { return convention == AmplitudeConvention::peak_to_peak ? "peak-to-peak values" : "amplitudes"; }
+const char* words_of(AmplitudeConvention convention) {
+  return convention == AmplitudeConvention::peak_to_peak ? "peak-to-peak values" : "amplitudes";
+}
 
 void scale(Column& values, double factor) {
   for (double& v : values) v *= factor;
@@ -61,11 +69,13 @@ Column stresses(io::LaboratoryTable& table, const FactorRequest& request, std::s
   }
   const auto section = table.find(section_quantity);
   if (!section && !request.section)
-    throw InputError(table.file(), table.header_line(),
-                     "forces need the specimen's section; give a column \"section [mm^2]\" or --section \"30.9 mm x 4.9 mm\"");
+    throw InputError(
+        table.file(), table.header_line(),
+        "forces need the specimen's section; give a column \"section [mm^2]\" or --section \"30.9 mm x 4.9 mm\"");
   const Column area = section ? table.values(*section, section_quantity) : Column(force.size(), *request.section);
   for (std::size_t k = 0; k < force.size(); ++k) {
-    if (!(area[k] > 0)) throw InputError(table.file(), table.line(k), "the section is not above 0; give the area that carries the force");
+    if (!(area[k] > 0))
+      throw InputError(table.file(), table.line(k), "the section is not above 0; give the area that carries the force");
     force[k] /= area[k];
   }
   return force;
@@ -85,7 +95,8 @@ Column strains(io::LaboratoryTable& table, const FactorRequest& request) {
   }
   if (!request.young || !request.poisson)
     throw InputError(table.file(), table.header_line(),
-                     "strains need the modulus and Poisson's ratio of the specimen; give --young \"2.8 +- 0.1 GPa\" --poisson \"0.35 +- 0.02\"");
+                     "strains need the modulus and Poisson's ratio of the specimen; give --young \"2.8 +- 0.1 GPa\" "
+                     "--poisson \"0.35 +- 0.02\"");
   scale(strain, to_peak_to_peak(request.load));
   return strain;
 }
@@ -97,37 +108,48 @@ Column picked(const Column& from, const RowGroup& group) {
 [[noreturn]] void refuse_fit(const io::LaboratoryTable& table, const RowGroup& group, bool through_origin) {
   const std::string of = group.name.empty() ? "" : group.name + ": ";
   if (group.rows.size() <= (through_origin ? 1U : 2U))
-    throw refusal_at(table.file(), table.line(group.rows.back()), "{}{} points are too few for a slope with an error; give at least {}", of, group.rows.size(),
+    throw refusal_at(table.file(), table.line(group.rows.back()),
+                     "{}{} points are too few for a slope with an error; give at least {}", of, group.rows.size(),
                      through_origin ? "two" : "three, or --through-origin");
-  throw InputError(table.file(), table.line(group.rows.front()),
-                   of + "the load is the same in every row, or there is no response to it; give tests at several loads");
+  throw InputError(
+      table.file(), table.line(group.rows.front()),
+      of + "the load is the same in every row, or there is no response to it; give tests at several loads");
 }
 
 const Constant factor{"factor", "K/MPa", "A of dT = -A d(sigma_kk), T eq. 1.55"},
     factor_from_strain{"factor_from_strain", "K/MPa", "A from the stresses that follow from strains, T eq. 1.70"},
     signal_constant{"signal_constant", "MPa", "A' of sigma_kk = A' S, the stress of one level of signal, T eq. 1.69"},
-    signal_constant_from_strain{"signal_constant_from_strain", "MPa", "A' from the stresses that follow from strains, T eq. 1.71"},
-    signal_constant_direct{"signal_constant_direct", "MPa", "A' = D R F/(T eps A) with R of a detector of all wavelengths, T eq. 1.68"},
+    signal_constant_from_strain{"signal_constant_from_strain", "MPa",
+                                "A' from the stresses that follow from strains, T eq. 1.71"},
+    signal_constant_direct{"signal_constant_direct", "MPa",
+                           "A' = D R F/(T eps A) with R of a detector of all wavelengths, T eq. 1.68"},
     signal_constant_direct_in_band{"signal_constant_direct_in_band", "MPa", "The same with R of the band"},
     exitance_exponent{"exitance_exponent", "", "n of the photons N ~ T^n in the band"};
 
 /// The findings of one slope: what it is, and its intercept, which a linear answer has at 0.
-void put_slope(Group& group, Identification& found, const Constant& constant, const Factor& f, const char* intercept_unit) {
+void put_slope(Group& group, Identification& found, const Constant& constant, const Factor& f,
+               const char* intercept_unit) {
   group.findings.push_back({constant, f.factor});
   const auto& intercept = f.line.intercept;
   if (!std::isfinite(intercept.error)) return;
-  group.findings.push_back({{constant.name + "_intercept", intercept_unit, "Intercept of the line at zero load; 0 for a linear response"}, intercept});
+  group.findings.push_back(
+      {{constant.name + "_intercept", intercept_unit, "Intercept of the line at zero load; 0 for a linear response"},
+       intercept});
   const auto range = statistics::confidence_95(intercept);
   if (range.low > 0 || range.high < 0)
-    found.notes.push_back(fmt::format("{}: the line misses the origin beyond its error; check whether the response is linear in the load", group.name));
+    found.notes.push_back(
+        fmt::format("{}: the line misses the origin beyond its error; check whether the response is linear in the load",
+                    group.name));
 }
 
 /// `value` of the factor, a copy: it may stand in the group that grows.
 void put_direct(Group& group, const FactorRequest& request, const Measured value) {
   if (!request.detector) return;
   const auto& d = *request.detector;
-  group.findings.push_back({signal_constant_direct, identify::direct_constant(d, identify::printed_correction(d), value)});
-  group.findings.push_back({signal_constant_direct_in_band, identify::direct_constant(d, identify::band_correction(d), value)});
+  group.findings.push_back(
+      {signal_constant_direct, identify::direct_constant(d, identify::printed_correction(d), value)});
+  group.findings.push_back(
+      {signal_constant_direct_in_band, identify::direct_constant(d, identify::band_correction(d), value)});
   group.findings.push_back({exitance_exponent, {radiometry::exitance_exponent(d.band, d.surface)}});
 }
 
@@ -136,20 +158,28 @@ struct Columns {
   Column stress, strain, temperature, signal;
 };
 
-void put_group(const io::LaboratoryTable& table, const RowGroup& rows, const Columns& columns, const FactorRequest& request, Identification& found) {
+void put_group(const io::LaboratoryTable& table, const RowGroup& rows, const Columns& columns,
+               const FactorRequest& request, Identification& found) {
   Group group{rows.name.empty() ? "all" : rows.name, rows.rows.size(), {}};
   const auto put = [&](bool warms, bool strained, Factor f) {
     if (!std::isfinite(f.factor.value) || !(f.factor.value > 0)) refuse_fit(table, rows, request.through_origin);
-    if (strained && !warms) f.factor = statistics::product({{f.factor, 1}, {identify::stress_over_strain({*request.young, *request.poisson}), 1}});
+    if (strained && !warms)
+      f.factor =
+          statistics::product({{f.factor, 1}, {identify::stress_over_strain({*request.young, *request.poisson}), 1}});
     const bool beside = strained && !columns.stress.empty();
-    const Constant& constant = warms ? (beside ? factor_from_strain : factor) : beside ? signal_constant_from_strain : signal_constant;
+    const Constant& constant = warms    ? (beside ? factor_from_strain : factor)
+                               : beside ? signal_constant_from_strain
+                                        : signal_constant;
     put_slope(group, found, constant, f, warms ? "K" : "");
   };
   const auto of = [&](const Column& column) { return picked(column, rows); };
   const bool origin = request.through_origin, stressed = !columns.stress.empty(), strained = !columns.strain.empty();
   if (!columns.temperature.empty()) {
     if (stressed) put(true, false, identify::factor_from_stress(of(columns.stress), of(columns.temperature), origin));
-    if (strained) put(true, true, identify::factor_from_strain(of(columns.strain), of(columns.temperature), {*request.young, *request.poisson}, origin));
+    if (strained)
+      put(true, true,
+          identify::factor_from_strain(of(columns.strain), of(columns.temperature), {*request.young, *request.poisson},
+                                       origin));
     put_direct(group, request, group.findings.front().value);
   }
   if (!columns.signal.empty()) {
@@ -171,29 +201,38 @@ void from_properties(io::LaboratoryTable& table, const FactorRequest& request, I
       {&identify::Properties::temperature,
        {{"temperature", "t0", "t_0"}, dimension::temperature, "", Quantity::Kind::absolute_temperature},
        {{"temperature_error", "t0_error", "t_0_error"}, dimension::temperature, "", Quantity::Kind::difference}},
-      {&identify::Properties::density, {{"density", "rho"}, dimension::density, ""}, {{"density_error", "rho_error"}, dimension::density, ""}},
+      {&identify::Properties::density,
+       {{"density", "rho"}, dimension::density, ""},
+       {{"density_error", "rho_error"}, dimension::density, ""}},
       {&identify::Properties::heat_capacity,
        {{"heat_capacity", "cp", "c_p"}, dimension::energy / dimension::mass / dimension::temperature, ""},
-       {{"heat_capacity_error", "cp_error", "c_p_error"}, dimension::energy / dimension::mass / dimension::temperature, ""}}};
+       {{"heat_capacity_error", "cp_error", "c_p_error"},
+        dimension::energy / dimension::mass / dimension::temperature,
+        ""}}};
   std::vector<identify::Properties> rows(table.rows());
   for (const auto& p : properties) {
     const auto column = table.find(p.quantity), error = table.find(p.error);
     const std::string name(p.quantity.names.front());
-    if (!column) throw refusal_at(table.file(), table.header_line(), "there is no column {}; the factor is alpha T_0/(rho c_p)", name);
-    const Column values = table.values(*column, p.quantity), errors = error ? table.values(*error, p.error) : Column(table.rows(), statistics::unknown);
+    if (!column)
+      throw refusal_at(table.file(), table.header_line(), "there is no column {}; the factor is alpha T_0/(rho c_p)",
+                       name);
+    const Column values = table.values(*column, p.quantity),
+                 errors = error ? table.values(*error, p.error) : Column(table.rows(), statistics::unknown);
     if (!error) found.notes.push_back(fmt::format("{} has no error (column {}_error); none is assumed", name, name));
     for (std::size_t r = 0; r < rows.size(); ++r) {
-      if (!(values[r] > 0)) throw refusal_at(table.file(), table.line(r), "{} is {}; it must be above 0", name, values[r]);
+      if (!(values[r] > 0))
+        throw refusal_at(table.file(), table.line(r), "{} is {}; it must be above 0", name, values[r]);
       rows[r].*p.member = {values[r], errors[r]};
     }
   }
   for (const auto& group : groups_of(table)) {
     for (const std::size_t row : group.rows) {
       const Measured of_properties = identify::factor_from_properties(rows[row]);
-      Group one{
-          group.rows.size() > 1 || group.name.empty() ? fmt::format("{}line {}", group.name.empty() ? "" : group.name + ", ", table.line(row)) : group.name,
-          1,
-          {{factor, of_properties}}};
+      Group one{group.rows.size() > 1 || group.name.empty()
+                    ? fmt::format("{}line {}", group.name.empty() ? "" : group.name + ", ", table.line(row))
+                    : group.name,
+                1,
+                {{factor, of_properties}}};
       put_direct(one, request, of_properties);
       found.groups.push_back(std::move(one));
     }
@@ -211,16 +250,18 @@ Identification identify_factor(const std::string& file, const FactorRequest& req
     const auto temperature_column = table.find(temperature_quantity), signal_column = table.find(signal_quantity);
     std::string way;
     Columns columns{stresses(table, request, way), strains(table, request), {}, {}};
-    if ((!temperature_column && !signal_column) || (columns.stress.empty() && columns.strain.empty())) throw InputError(file, table.header_line(), needs);
+    if ((!temperature_column && !signal_column) || (columns.stress.empty() && columns.strain.empty()))
+      throw InputError(file, table.header_line(), needs);
     if (temperature_column) columns.temperature = table.values(*temperature_column, temperature_quantity);
     if (signal_column) columns.signal = table.values(*signal_column, signal_quantity);
-    for (Column* response : {&columns.temperature, &columns.signal}) scale(*response, to_peak_to_peak(request.temperature));
+    for (Column* response : {&columns.temperature, &columns.signal})
+      scale(*response, to_peak_to_peak(request.temperature));
     for (const auto& group : groups_of(table)) put_group(table, group, columns, request, found);
     if (!columns.stress.empty()) found.notes.push_back("the stress is " + way);
-    found.notes.push_back(
-        fmt::format("responses are taken as {}, loads as {}; the factor is that of peak-to-peak values (maximum minus minimum) on both sides, as the "
-                    "thesis's: give --temperature-convention amplitude for the amplitudes of a sine",
-                    words_of(request.temperature), words_of(request.load)));
+    found.notes.push_back(fmt::format(
+        "responses are taken as {}, loads as {}; the factor is that of peak-to-peak values (maximum minus minimum) on "
+        "both sides, as the thesis's: give --temperature-convention amplitude for the amplitudes of a sine",
+        words_of(request.temperature), words_of(request.load)));
   }
   return finished(std::move(found), table, request.stated);
 }

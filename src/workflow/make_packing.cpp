@@ -38,19 +38,24 @@ Domain area_of(const Domain& container, const std::optional<recipe::FillArea>& a
   Domain part = container;
   if (!area) return part;
   const std::optional<double> edges[] = {area->left, area->right, area->bottom, area->top};
-  for (int side = 0; side < sides; ++side) part.wall[side].position = edges[side].value_or(container.wall[side].position);
+  for (int side = 0; side < sides; ++side)
+    part.wall[side].position = edges[side].value_or(container.wall[side].position);
   return part;
 }
 
 std::string describe(const packing::RelaxReport& report) {
-  return fmt::format("relaxed in {} iterations, largest move {:.3g} mm, largest overlap left {:.2g} % of the mean radius of two grains", report.iterations,
-                     1e3 * report.largest_move, 100 * report.overlap_after);
+  return fmt::format(
+      "relaxed in {} iterations, largest move {:.3g} mm, largest overlap left {:.2g} % of the mean radius of two "
+      "grains",
+      report.iterations, 1e3 * report.largest_move, 100 * report.overlap_after);
 }
 
 /// While it lives, the grains are the circles around them, so that they may be put anywhere at any angle.
 class Circles {
  public:
-  explicit Circles(Grains& grains) : grains_(grains), own_(packing::circle_radii(grains)) { std::swap(grains_.radius, own_); }
+  explicit Circles(Grains& grains) : grains_(grains), own_(packing::circle_radii(grains)) {
+    std::swap(grains_.radius, own_);
+  }
   ~Circles() { std::swap(grains_.radius, own_); }
   Circles(const Circles&) = delete;
   Circles& operator=(const Circles&) = delete;
@@ -63,8 +68,8 @@ class Circles {
     for (const double r : own_) within += std::numbers::pi * r * r / domain.area();
     if (!grains_.shapes.empty() && around > most)
       throw InputError(
-          fmt::format("the circumscribed circles of the grains cover {:.3g} of the container; start from a packing.solid_fraction of {:.2f} or less and let a "
-                      "loading stage compact it",
+          fmt::format("the circumscribed circles of the grains cover {:.3g} of the container; start from a "
+                      "packing.solid_fraction of {:.2f} or less and let a loading stage compact it",
                       around, std::floor(100 * within * most / around) / 100));
   }
 
@@ -78,7 +83,8 @@ std::string fill(const recipe::Recipe& recipe, Packing& packing) {
   packing.grains = packing::draw_grains(recipe.populations, recipe.materials, recipe.packing.grains, recipe.seed);
   double& height = packing.domain.wall[top].position;
   const bool height_given = recipe.container.height > 0, at_random = recipe.packing.method == Method::random;
-  if (at_random && !height_given) height = packing::height_for(grains, recipe.container.width, recipe.packing.solid_fraction);
+  if (at_random && !height_given)
+    height = packing::height_for(grains, recipe.container.width, recipe.packing.solid_fraction);
   const Domain part = area_of(packing.domain, recipe.packing.area);
   const Circles circles(grains);
   if (at_random) {
@@ -88,8 +94,9 @@ std::string fill(const recipe::Recipe& recipe, Packing& packing) {
   const double filled = packing::fill_lattice(grains, part), room = part.height();
   if (!height_given) height = filled;
   else if (filled > room * (1 + 1e-12))
-    throw InputError(
-        fmt::format("the lattice is {:g} mm high and the container only {:g} mm; raise container.height or leave it out", 1e3 * filled, 1e3 * room));
+    throw InputError(fmt::format(
+        "the lattice is {:g} mm high and the container only {:g} mm; raise container.height or leave it out",
+        1e3 * filled, 1e3 * room));
   return "triangular lattice";
 }
 
@@ -107,12 +114,13 @@ std::string sample(const recipe::Recipe& recipe, Packing& packing) {
   const std::size_t material[] = {index_of(recipe.materials, classes.large), index_of(recipe.materials, classes.small)};
   for (auto& m : packing.grains.material) m = static_cast<std::int32_t>(material[m]);
   packing.materials = recipe.materials;
-  const std::string left_out = report.left_out > 0 ? fmt::format(", {} small disks removed for this", report.left_out) : "";
+  const std::string left_out =
+      report.left_out > 0 ? fmt::format(", {} small disks removed for this", report.left_out) : "";
   return fmt::format(
-      "{} large and {} small disks sampled in two steps, mean radii {:.4g} and {:.4g} mm; theta {:.4g} (prescribed {:g}, error {:+.1g} %) "
-      "with a gap of {:.3g} mm between large ones{}; solid fraction {:.3f}",
-      report.large, report.small, 1e3 * report.mean_large, 1e3 * report.mean_small, report.volume_ratio, classes.law.volume_ratio,
-      100 * report.volume_ratio_error, 1e3 * report.gap, left_out, report.solid_fraction);
+      "{} large and {} small disks sampled in two steps, mean radii {:.4g} and {:.4g} mm; theta {:.4g} (prescribed "
+      "{:g}, error {:+.1g} %) with a gap of {:.3g} mm between large ones{}; solid fraction {:.3f}",
+      report.large, report.small, 1e3 * report.mean_large, 1e3 * report.mean_small, report.volume_ratio,
+      classes.law.volume_ratio, 100 * report.volume_ratio_error, 1e3 * report.gap, left_out, report.solid_fraction);
 }
 
 }  // namespace

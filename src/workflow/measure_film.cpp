@@ -18,7 +18,10 @@ namespace {
 
 class Measurement {
  public:
-  Measurement(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& source) : recipe_(recipe), options_(options), source_(source) {}
+  Measurement(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& source)
+      : recipe_(recipe),
+        options_(options),
+        source_(source) {}
 
   /// False if it was stopped.
   bool run(FilmResult& r) {
@@ -55,8 +58,9 @@ class Measurement {
 
   bool lock_in(FilmSource& film, FilmResult& r) {
     const auto options = lockin_options("lock-in", 1);
-    r.maps = recipe_.lockin.method == recipe::LockinSection::Method::nearest_bin ? thermography::nearest_bin_transform(film, options)
-                                                                                 : thermography::lock_in(film, options);
+    r.maps = recipe_.lockin.method == recipe::LockinSection::Method::nearest_bin
+                 ? thermography::nearest_bin_transform(film, options)
+                 : thermography::lock_in(film, options);
     if (r.maps.size() == 0) return false;
     if (!r.maps.blank.empty()) options_.notice(thermography::blank_frames_sentence(r.maps.blank));
     refuse_without_load(r.maps, recipe_.lockin.frequency);
@@ -113,12 +117,14 @@ class Measurement {
     r.halo = {halo.share, halo.error, halo.width, 0};
   }
 
-  /// Fits the grains' motion and locks in where they are. Grains are found at the smallest load; in the middle of the cycle they are half their
-  /// travel further. The largest amplitude is that of the largest load: contacts are as they are then, so the maps show the grains there.
+  /// Fits the grains' motion and locks in where they are. Grains are found at the smallest load; in the middle of the
+  /// cycle they are half their travel further. The largest amplitude is that of the largest load: contacts are as they
+  /// are then, so the maps show the grains there.
   void follow(thermography::PhasePictures& pictures, FilmResult& r) {
     PictureGrains middle = r.grains;
     const auto followed = [&](double blur) {
-      return thermography::follow_grains(pictures, r.maps, middle, r.motion, loaded_, recipe_.lockin.phase, options_.threads, blur);
+      return thermography::follow_grains(pictures, r.maps, middle, r.motion, loaded_, recipe_.lockin.phase,
+                                         options_.threads, blur);
     };
     if (r.halo.share > 0) {
       fit_motion(pictures, r, middle);
@@ -149,7 +155,8 @@ class Measurement {
     }
   }
 
-  /// Of grains whose rims have no contrast nothing is seen of their motion: they go with the lower wall, the less the higher they are.
+  /// Of grains whose rims have no contrast nothing is seen of their motion: they go with the lower wall, the less the
+  /// higher they are.
   void move_with_wall(FilmResult& r, PictureGrains& middle) {
     const double largest = r.maps.reference_phase, travel = recipe_.container.travel / place_.pixel;
     for (std::size_t i = 0; i < r.grains.size(); ++i) {
@@ -160,14 +167,15 @@ class Measurement {
     }
     take_motion(r, middle);
     options_.notice(
-        fmt::format("the rims of the grains have no contrast, so that their motion is not seen; they are taken to move with the lower wall, by "
-                    "container.travel ({:.3g} mm)",
+        fmt::format("the rims of the grains have no contrast, so that their motion is not seen; they are taken to move "
+                    "with the lower wall, by container.travel ({:.3g} mm)",
                     1e3 * recipe_.container.travel));
   }
 
   bool measure(FilmResult& r) {
     options_.progress({3, 5, "grains", 0, 0, 0, false, false});
-    const thermography::GrainMeanOptions means{recipe_.forces.central_share, mapped(recipe_.materials, &recipe::FilmMaterial::thermoelastic_factor)};
+    const thermography::GrainMeanOptions means{recipe_.forces.central_share,
+                                               mapped(recipe_.materials, &recipe::FilmMaterial::thermoelastic_factor)};
     // Places at the largest load are those found plus all of the way that was fitted.
     PictureGrains uncertain = loaded_;
     for (std::size_t i = 0; i < r.motion.size(); ++i)
@@ -203,7 +211,9 @@ class Measurement {
       r.peak_to_peak.error[i] = std::numeric_limits<double>::infinity();
     }
     if (const auto count = std::count(lost.begin(), lost.end(), 1); count > 0)
-      options_.notice(fmt::format("the motion of {} of {} grains is not visible well enough in the film; their stress is unknown", count, lost.size()));
+      options_.notice(
+          fmt::format("the motion of {} of {} grains is not visible well enough in the film; their stress is unknown",
+                      count, lost.size()));
   }
 
   const recipe::FilmRecipe& recipe_;
@@ -219,7 +229,8 @@ class Measurement {
 
 }  // namespace
 
-bool measure_film(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& film, FilmResult& result) {
+bool measure_film(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmSource& film,
+                  FilmResult& result) {
   return Measurement(recipe, options, film).run(result);
 }
 

@@ -17,22 +17,30 @@
 
 namespace arenite::workflow {
 
-double collision_time(double reduced_mass, double stiffness) { return std::numbers::pi * std::sqrt(reduced_mass / stiffness); }
+double collision_time(double reduced_mass, double stiffness) {
+  return std::numbers::pi * std::sqrt(reduced_mass / stiffness);
+}
 
-double inertial_number(double rate, double diameter, double density, double pressure) { return std::abs(rate) * diameter * std::sqrt(density / pressure); }
+double inertial_number(double rate, double diameter, double density, double pressure) {
+  return std::abs(rate) * diameter * std::sqrt(density / pressure);
+}
 
-std::string_view flow_regime(double number) { return number < 1e-3 ? "quasi-static" : number <= 0.1 ? "dense flow" : "inertial"; }
+std::string_view flow_regime(double number) {
+  return number < 1e-3 ? "quasi-static" : number <= 0.1 ? "dense flow" : "inertial";
+}
 
 double overlap_under(const dem::NormalLaw& law, double stiffness, double diameter, double force) {
   const auto excess = [&](double h) {
     double memory = 0;
-    return std::visit([&](const auto& normal) { return normal.elastic(h, stiffness, 4 / diameter, memory); }, law) - force;
+    return std::visit([&](const auto& normal) { return normal.elastic(h, stiffness, 4 / diameter, memory); }, law) -
+           force;
   };
   const double most = excess(diameter);
   return most <= 0 ? diameter : bracketed_root<double>(excess, 0, -force, diameter, most);
 }
 
-double stiffness_number(const dem::NormalLaw& law, double stiffness, double diameter, double thickness, double pressure) {
+double stiffness_number(const dem::NormalLaw& law, double stiffness, double diameter, double thickness,
+                        double pressure) {
   return diameter / overlap_under(law, stiffness, diameter, pressure * thickness * diameter);
 }
 
@@ -93,7 +101,9 @@ std::size_t count_of(const recipe::Recipe& recipe) {
 /// The same with fewer grains in a frame that is smaller alike.
 recipe::Recipe with_fewer(recipe::Recipe recipe, double share) {
   if (recipe.bidisperse) recipe.bidisperse->law.box_area *= share;
-  const auto fewer = [share](std::int64_t count) { return std::max<std::int64_t>(1, std::llround(share * static_cast<double>(count))); };
+  const auto fewer = [share](std::int64_t count) {
+    return std::max<std::int64_t>(1, std::llround(share * static_cast<double>(count)));
+  };
   for (auto& population : recipe.populations)
     if (population.count) population.count = fewer(*population.count);
   recipe.packing.grains = fewer(recipe.packing.grains);
@@ -105,22 +115,29 @@ recipe::Recipe with_fewer(recipe::Recipe recipe, double share) {
 void warn(Prediction& p, const recipe::Recipe& recipe) {
   constexpr double tiny = 0.01;
   if (p.time_step < tiny * p.collision.time)
-    p.warnings.push_back(fmt::format("a collision takes {:.0f} steps; a step of a tenth of its duration would suffice{}", p.collision.time / p.time_step,
-                                     p.limit == StepLimit::damping ? ", but damping prevents it: use weaker dashpots or less drag" : ""));
+    p.warnings.push_back(fmt::format(
+        "a collision takes {:.0f} steps; a step of a tenth of its duration would suffice{}",
+        p.collision.time / p.time_step,
+        p.limit == StepLimit::damping ? ", but damping prevents it: use weaker dashpots or less drag" : ""));
   for (std::size_t s = 0; s < p.stages.size(); ++s) {
     const StagePrediction& stage = p.stages[s];
     if (stage.overlap && *stage.overlap > 0.01)
-      p.warnings.push_back(fmt::format("stage {}: grains overlap by about {:.2g} % of their diameter (k/P = {:.3g}); they are hard above 1e4", stage.name,
-                                       100 * *stage.overlap, *stage.stiffness_number));
+      p.warnings.push_back(fmt::format(
+          "stage {}: grains overlap by about {:.2g} % of their diameter (k/P = {:.3g}); they are hard above 1e4",
+          stage.name, 100 * *stage.overlap, *stage.stiffness_number));
     const auto& sides = recipe.stages[s].side;
-    const bool closes = std::any_of(sides.begin(), sides.end(), [](const auto& side) { return side.kind == dem::SideDrive::Kind::velocity; });
+    const bool closes = std::any_of(sides.begin(), sides.end(),
+                                    [](const auto& side) { return side.kind == dem::SideDrive::Kind::velocity; });
     if (stage.inertial_number && *stage.inertial_number > 0.1 && closes)
-      p.warnings.push_back(fmt::format("stage {}: I = {:.2g}: the sample is deformed faster than grains can rearrange; below 1e-3 it would be quasi-static",
-                                       stage.name, *stage.inertial_number));
-    if (const double each = static_cast<double>(stage.steps) / static_cast<double>(dem::increment_count(recipe.stages[s]));
-        !stage.exact && each > static_cast<double>(recipe.stages[s].equilibrium.max_steps))
       p.warnings.push_back(
-          fmt::format("stage {}: an increment may need more than equilibrium.max_steps = {}", stage.name, recipe.stages[s].equilibrium.max_steps));
+          fmt::format("stage {}: I = {:.2g}: the sample is deformed faster than grains can rearrange; below 1e-3 it "
+                      "would be quasi-static",
+                      stage.name, *stage.inertial_number));
+    if (const double each =
+            static_cast<double>(stage.steps) / static_cast<double>(dem::increment_count(recipe.stages[s]));
+        !stage.exact && each > static_cast<double>(recipe.stages[s].equilibrium.max_steps))
+      p.warnings.push_back(fmt::format("stage {}: an increment may need more than equilibrium.max_steps = {}",
+                                       stage.name, recipe.stages[s].equilibrium.max_steps));
   }
 }
 
@@ -140,7 +157,8 @@ Numbers numbers_of(const StagePrediction& s) {
     j["flow"] = flow_regime(*s.inertial_number);
   }
   if (s.stiffness_number) {
-    j["stiffness_number"] = described(*s.stiffness_number, "", "Diameter over overlap under the pressure, k/(P L) of a linear law");
+    j["stiffness_number"] =
+        described(*s.stiffness_number, "", "Diameter over overlap under the pressure, k/(P L) of a linear law");
     j["overlap_over_diameter"] = described(*s.overlap, "", "Overlap under the pressure over the diameter");
   }
   return j;
@@ -153,10 +171,12 @@ ShortestCollision shortest_collision(const Packing& packing, const dem::ContactP
   ShortestCollision shortest;
   for (std::size_t k = 0; k < packing.grains.size(); ++k) {
     const std::int32_t material = packing.grains.material[k];
-    const dem::DiskRecord disk{.radius = packing.grains.radius[k], .mass = texture::mass_of(packing, k), .material = material};
+    const dem::DiskRecord disk{
+        .radius = packing.grains.radius[k], .mass = texture::mass_of(packing, k), .material = material};
     const double pair = collision_time(0.5 * disk.mass, tangent(contact, table.pair_stiffness(disk, disk)));
     const double wall = collision_time(disk.mass, tangent(contact, table.wall_stiffness(disk)));
-    if (const double time = std::min(pair, wall); shortest.time == 0 || time < shortest.time) shortest = {time, disk.radius, material, wall < pair};
+    if (const double time = std::min(pair, wall); shortest.time == 0 || time < shortest.time)
+      shortest = {time, disk.radius, material, wall < pair};
   }
   return shortest;
 }
@@ -177,7 +197,8 @@ Numbers numbers(const Prediction& p) {
            {{"time_s", described(p.collision.time, "s", "Duration of the collision without damping")},
             {"material", p.material},
             {"radius_m", described(p.collision.radius, "m", "Radius of its grain")},
-            {"with_wall", described(p.collision.with_wall, "", "Whether it is with a wall; otherwise with an equal grain")}}},
+            {"with_wall",
+             described(p.collision.with_wall, "", "Whether it is with a wall; otherwise with an equal grain")}}},
           {"grains", described(p.grains, "", "Grains of the recipe")},
           {"grains_timed", described(p.sample, "", "Grains of the sample that was timed")},
           {"seconds_per_step", described(p.seconds_per_step, "s", "CPU time of one step on one free core")},
@@ -204,12 +225,15 @@ Prediction predict(const recipe::Recipe& recipe) {
   bulk.width *= bulk.larger;
   bulk.height *= bulk.larger;
   Pressures pressures;
-  for (const dem::Stage& stage : recipe.stages) p.stages.push_back(predict_stage(engine, recipe, stage, bulk, pressures));
+  for (const dem::Stage& stage : recipe.stages)
+    p.stages.push_back(predict_stage(engine, recipe, stage, bulk, pressures));
   if (recipe.stages.empty()) return p;
   try {
     dem::Engine timed(start, recipe.contact, recipe.integration);
     p.seconds_per_step = measured_step(timed, recipe.stages.front()) / share;
-  } catch (const CannotGoOn& error) { p.warnings.push_back(fmt::format("stage {}: {}", recipe.stages.front().name, error.what())); }
+  } catch (const CannotGoOn& error) {
+    p.warnings.push_back(fmt::format("stage {}: {}", recipe.stages.front().name, error.what()));
+  }
   for (StagePrediction& stage : p.stages) stage.seconds = p.seconds_per_step * static_cast<double>(stage.steps);
   warn(p, recipe);
   return p;

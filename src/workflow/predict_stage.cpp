@@ -23,7 +23,8 @@ template <class Drive> double largest(const dem::Stage& stage, double value, Dri
 
 /// What a side does at its most.
 double largest_drive(const dem::Stage& stage, std::size_t side) {
-  return largest(stage, stage.side[side].value, [&](const auto& p) { return p.drives_side() && p.side() == static_cast<int>(side); });
+  return largest(stage, stage.side[side].value,
+                 [&](const auto& p) { return p.drives_side() && p.side() == static_cast<int>(side); });
 }
 
 /// Along x (axis 0) or y (1): Pa, the larger of what its two sides press with; 0 where none presses.
@@ -34,7 +35,8 @@ double pressure_along(const dem::Stage& stage, const Bulk& bulk, std::size_t axi
     const dem::SideDrive& drive = stage.side[side];
     if (drive.kind == Kind::pressure) pressure = std::max(pressure, largest_drive(stage, side));
     if (drive.kind == Kind::force) pressure = std::max(pressure, largest_drive(stage, side) / loaded);
-    if (drive.kind == Kind::force && stage.cycles && stage.cycles->side == static_cast<int>(side)) pressure = std::max(pressure, stage.cycles->max / loaded);
+    if (drive.kind == Kind::force && stage.cycles && stage.cycles->side == static_cast<int>(side))
+      pressure = std::max(pressure, stage.cycles->max / loaded);
   }
   return pressure;
 }
@@ -70,8 +72,8 @@ Pressures pressures_of(const dem::Stage& stage, const Bulk& bulk, const Pressure
   return {std::max({x, y, w}), std::max(x > 0 && y > 0 ? std::min(x, y) : x + y, w)};
 }
 
-/// Time in which a loose sample is pressed together, s: its sides come in at some 2 I sqrt(F H/M) (dem/walls.hpp; measured on examples/01 and 05).
-/// `bulk` is then as dense as that leaves it.
+/// Time in which a loose sample is pressed together, s: its sides come in at some 2 I sqrt(F H/M) (dem/walls.hpp;
+/// measured on examples/01 and 05). `bulk` is then as dense as that leaves it.
 double closing_time(const dem::Stage& stage, const Pressures& pressures, bool without_friction, Bulk& bulk) {
   const double dense = without_friction ? 0.84 : 0.81;  // random packings of disks, with little and with some friction
   const bool x = pressure_along(stage, bulk, 0) > 0, y = pressure_along(stage, bulk, 1) > 0;
@@ -99,18 +101,23 @@ Bulk bulk_of(const Packing& packing, const dem::ContactParameters& contact) {
   bulk.density = mass / (area * bulk.thickness);
   bulk.solid_fraction = area / packing.domain.area();
   const dem::CoefficientTable table(packing.materials, g.material, contact);
-  const auto there = [&](std::size_t m) { return std::find(g.material.begin(), g.material.end(), static_cast<int>(m)) != g.material.end(); };
+  const auto there = [&](std::size_t m) {
+    return std::find(g.material.begin(), g.material.end(), static_cast<int>(m)) != g.material.end();
+  };
   for (std::size_t a = 0; a < packing.materials.size(); ++a)
     for (std::size_t b = 0; b <= a; ++b)
       if (there(a) && there(b)) {
-        const auto mean_grain = [&](std::size_t material) { return dem::DiskRecord{.radius = bulk.diameter / 2, .material = static_cast<int>(material)}; };
+        const auto mean_grain = [&](std::size_t material) {
+          return dem::DiskRecord{.radius = bulk.diameter / 2, .material = static_cast<int>(material)};
+        };
         const double k = table.pair_stiffness(mean_grain(a), mean_grain(b));
         bulk.stiffness = bulk.stiffness == 0 ? k : std::min(bulk.stiffness, k);
       }
   return bulk;
 }
 
-StagePrediction predict_stage(dem::Engine& engine, const recipe::Recipe& recipe, const dem::Stage& stage, Bulk& bulk, Pressures& pressures) {
+StagePrediction predict_stage(dem::Engine& engine, const recipe::Recipe& recipe, const dem::Stage& stage, Bulk& bulk,
+                              Pressures& pressures) {
   dem::begin_stage(engine, stage);
   StagePrediction p;
   p.name = stage.name;
@@ -118,10 +125,12 @@ StagePrediction predict_stage(dem::Engine& engine, const recipe::Recipe& recipe,
   pressures = pressures_of(stage, bulk, pressures);
   p.pressure = pressures.largest;
   if (p.pressure > 0) {
-    p.stiffness_number = stiffness_number(recipe.contact.normal, bulk.stiffness, bulk.diameter, bulk.thickness, p.pressure);
+    p.stiffness_number =
+        stiffness_number(recipe.contact.normal, bulk.stiffness, bulk.diameter, bulk.thickness, p.pressure);
     p.overlap = 1 / *p.stiffness_number;
   }
-  if (const double rate = std::max(closing_rate(stage, bulk), shear_rate(stage, bulk)); rate > 0 && pressures.confining > 0)
+  if (const double rate = std::max(closing_rate(stage, bulk), shear_rate(stage, bulk));
+      rate > 0 && pressures.confining > 0)
     p.inertial_number = inertial_number(rate, bulk.diameter, bulk.density, pressures.confining);
   p.exact = stage.duration || stage.strain_cycles;
   if (p.exact) {
@@ -135,8 +144,9 @@ StagePrediction predict_stage(dem::Engine& engine, const recipe::Recipe& recipe,
   const double drag = recipe.integration.drag + stage.drag + stage.critical_drag * critical;
   const auto increments = static_cast<double>(dem::increment_count(stage));
   const bool without_friction = stage.friction.value_or(recipe.contact.friction) < 0.05;
-  const bool all_round =
-      std::all_of(stage.side.begin(), stage.side.end(), [](const auto& side) { return side.kind == Kind::force || side.kind == Kind::pressure; });
+  const bool all_round = std::all_of(stage.side.begin(), stage.side.end(), [](const auto& side) {
+    return side.kind == Kind::force || side.kind == Kind::pressure;
+  });
   const double settling = settling_time(4 * std::numbers::pi / critical, drag, stage.equilibrium.unbalanced, all_round);
   p.duration = closing_time(stage, pressures, without_friction, bulk) + increments * settling;
   p.steps = dem::steps_of(p.duration, p.time_step);

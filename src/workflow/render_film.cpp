@@ -33,7 +33,10 @@ struct Filmed {
 
 class Rendering {
  public:
-  Rendering(const recipe::FilmRecipe& recipe, const fs::path& result, const RenderOptions& options) : recipe_(recipe), result_(result), options_(options) {}
+  Rendering(const recipe::FilmRecipe& recipe, const fs::path& result, const RenderOptions& options)
+      : recipe_(recipe),
+        result_(result),
+        options_(options) {}
 
   /// Films, pictures and recipe of the state or field that the camera looks at; none if it was stopped.
   std::vector<fs::path> run() {
@@ -44,7 +47,9 @@ class Rendering {
 
     make_folder(options_.out);
     const auto quietly = [&](double) { return options_.progress(0); };
-    const auto reference = [&](double temperature) { return camera::uniform_film(p_, temperature, section_.reference_frames, recipe_.seed); };
+    const auto reference = [&](double temperature) {
+      return camera::uniform_film(p_, temperature, section_.reference_frames, recipe_.seed);
+    };
     if (!io::write_film(film("cold"), *reference(section_.reference_cold), {}, quietly)) return {};
     if (!io::write_film(film("warm"), *reference(section_.reference_warm), {}, quietly)) return {};
     const fs::path optical = options_.out / "optical.tif", lab = options_.out / "film.toml";
@@ -58,7 +63,8 @@ class Rendering {
   fs::path film(const std::string& name) const { return options_.out / (name + "." + options_.format); }
 
   Filmed of_field(FieldResult& field) {
-    if (!section_.low.empty()) refuse(recipe_.source_file, "a load of a cemented sample is filmed from no load; leave out camera.low");
+    if (!section_.low.empty())
+      refuse(recipe_.source_file, "a load of a cemented sample is filmed from no load; leave out camera.low");
     take_materials(field.packing);
     Filmed filmed{camera::scene_of_field(field, p_), {}};
     Packing window;
@@ -73,7 +79,8 @@ class Rendering {
     if (!section_.low.empty() && !(low = last_state(result_, section_.low))) refuse_stage(result_, section_.low);
     if (low) take_materials(*low);
     take_materials(high);
-    return {low ? camera::scene_between(*low, high, p_) : camera::scene_of_state(high, p_), laboratory_recipe(low ? &*low : nullptr, high)};
+    return {low ? camera::scene_between(*low, high, p_) : camera::scene_of_state(high, p_),
+            laboratory_recipe(low ? &*low : nullptr, high)};
   }
 
   /// Factors and emissivities as the recipe gives them, in the order of the packing's materials.
@@ -83,7 +90,8 @@ class Rendering {
     for (Material& material : packing.materials) {
       const std::size_t at = index_of(recipe_.materials, material.name);
       if (at == recipe_.materials.size())
-        refuse(recipe_.source_file, "there is no section [materials.{0}], which grains of the sample are made of; add it", material.name);
+        refuse(recipe_.source_file,
+               "there is no section [materials.{0}], which grains of the sample are made of; add it", material.name);
       material.thermoelastic_factor = recipe_.materials[at].thermoelastic_factor;
       p_.surroundings.emissivity.push_back(emissivity_[at]);
       brightness_.push_back(recipe_.materials[at].brightness);
@@ -111,13 +119,15 @@ class Rendering {
     lab.picture.pixel = p_.optics.pixel;
     lab.picture.optical = "optical.tif";
     lab.picture.optical_pixel = p_.photograph.pixel;
-    lab.correction = {"cold." + options_.format, "warm." + options_.format, section_.reference_cold, section_.reference_warm, true};
+    lab.correction = {"cold." + options_.format, "warm." + options_.format, section_.reference_cold,
+                      section_.reference_warm, true};
     lab.temperature = {};
     lab.temperature.from = recipe::TemperatureSection::From::references;
     lab.temperature.band = {p_.band.low, p_.band.high};
     lab.lockin.frequency = p_.timing.load_frequency;
     lab.forces.state = low == nullptr;
-    // What only the virtual camera knows for sure: its lens, its surroundings, when the load is largest, and the wall's way.
+    // What only the virtual camera knows for sure: its lens, its surroundings, when the load is largest, and the wall's
+    // way.
     if (options_.blind) {
       lab.lockin.phase.reset();
       lab.forces.blur = recipe::FilmRecipe{}.forces.blur;
@@ -141,8 +151,10 @@ class Rendering {
 
 }  // namespace
 
-std::vector<fs::path> render_film(const recipe::FilmRecipe& recipe, const fs::path& result, const RenderOptions& options) {
-  if (!recipe.camera) refuse(recipe.source_file, "there is no section [camera]; add it with high = \"NAME\" of the stage that is filmed");
+std::vector<fs::path> render_film(const recipe::FilmRecipe& recipe, const fs::path& result,
+                                  const RenderOptions& options) {
+  if (!recipe.camera)
+    refuse(recipe.source_file, "there is no section [camera]; add it with high = \"NAME\" of the stage that is filmed");
   return Rendering(recipe, result, options).run();
 }
 

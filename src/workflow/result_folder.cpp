@@ -44,7 +44,8 @@ bool is_foreign(const fs::path& file) {
 std::vector<fs::path> other_results(const fs::path& folder, const std::vector<std::string>& names) {
   std::vector<fs::path> others;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".h5" && std::ranges::count(names, entry.path().filename().string()) == 0 && !is_foreign(entry.path()))
+    if (entry.path().extension() == ".h5" && std::ranges::count(names, entry.path().filename().string()) == 0 &&
+        !is_foreign(entry.path()))
       others.push_back(entry.path());
   std::ranges::sort(others);
   return others;
@@ -62,7 +63,8 @@ namespace {
 io::FileLock lock_in(const fs::path& folder) {
   make_folder(folder);
   if (auto lock = io::FileLock::try_take(folder / ".lock")) return std::move(*lock);
-  refuse(folder.string(), "another run writes into this folder; wait for its end, stop it, or choose another folder with --out");
+  refuse(folder.string(),
+         "another run writes into this folder; wait for its end, stop it, or choose another folder with --out");
 }
 
 }  // namespace
@@ -95,10 +97,12 @@ std::string ResultFolder::what_was_put_aside() const {
   auto exports = io::words_of(io::exports::all, &io::ExportFormat::name);
   exports.emplace_back("figures");
   for (const auto& name : exports)
-    if (std::error_code error; fs::is_directory(out_ / name, error)) stale += (stale.empty() ? "" : ", ") + (out_ / name).string();
+    if (std::error_code error; fs::is_directory(out_ / name, error))
+      stale += (stale.empty() ? "" : ", ") + (out_ / name).string();
   const bool is_old = is_of_version_0_1(out_ / "earlier" / put_aside_.front());
   return fmt::format("{} of {} moved to {} and kept there: {}{}", put_aside_.size() == 1 ? "a result" : "results",
-                     is_old ? "version 0.1, from which no run can continue," : "other settings", (out_ / "earlier").string(), list_of(put_aside_),
+                     is_old ? "version 0.1, from which no run can continue," : "other settings",
+                     (out_ / "earlier").string(), list_of(put_aside_),
                      stale.empty() ? "" : fmt::format("; still from those settings, so write again: {}", stale));
 }
 
@@ -121,8 +125,10 @@ std::optional<StageResult> stage_named(const fs::path& result, const std::string
 }
 
 const recipe::Load& load_of(const recipe::Recipe& recipe, const fs::path& run, const std::string& name) {
-  const auto at = std::find_if(recipe.loads.begin(), recipe.loads.end(), [&](const recipe::Load& load) { return name == "*" || load.name == name; });
-  if (at == recipe.loads.end()) refuse(run.string(), "there is no load \"{}\" of this run; name one of its recipe", name);
+  const auto at = std::find_if(recipe.loads.begin(), recipe.loads.end(),
+                               [&](const recipe::Load& load) { return name == "*" || load.name == name; });
+  if (at == recipe.loads.end())
+    refuse(run.string(), "there is no load \"{}\" of this run; name one of its recipe", name);
   return *at;
 }
 
@@ -166,15 +172,21 @@ texture::Options texture_options(const StageResult& made) {
   try {
     recipe = recipe::parse_recipe(made.provenance.recipe, "recipe");
   } catch (const InputError&) { return {}; }
-  const auto at = std::find_if(recipe.stages.begin(), recipe.stages.end(), [&](const auto& stage) { return stage.name == made.provenance.stage; });
-  return texture_options(recipe, at == recipe.stages.end() ? 0 : static_cast<std::size_t>(at - recipe.stages.begin()) + 1, made);
+  const auto at = std::find_if(recipe.stages.begin(), recipe.stages.end(),
+                               [&](const auto& stage) { return stage.name == made.provenance.stage; });
+  return texture_options(
+      recipe, at == recipe.stages.end() ? 0 : static_cast<std::size_t>(at - recipe.stages.begin()) + 1, made);
 }
 
 FinalState final_state(const fs::path& run, const StateOptions& wanted) {
   auto result = stage_named(run, wanted.stage);
-  if (!result && wanted.stage.empty()) refuse(run.string(), "there are no stage files of this run; remove its folder and run the study again");
-  if (!result) refuse(run.string(), "there is no stage \"{}\" of this run; name one of its recipe, or run the study again", wanted.stage);
-  if (result->snapshots.empty()) refuse(run.string(), "stage {} holds no state; remove its file and run the study again", result->name);
+  if (!result && wanted.stage.empty())
+    refuse(run.string(), "there are no stage files of this run; remove its folder and run the study again");
+  if (!result)
+    refuse(run.string(), "there is no stage \"{}\" of this run; name one of its recipe, or run the study again",
+           wanted.stage);
+  if (result->snapshots.empty())
+    refuse(run.string(), "stage {} holds no state; remove its file and run the study again", result->name);
   texture::Options options = texture_options(*result);
   if (!wanted.rev) options.rev_sizes = 0;
   options.sectors = wanted.sectors;

@@ -18,9 +18,11 @@ namespace arenite::workflow {
 void make_folder(const std::filesystem::path& folder);
 
 /// Files of results in a folder that have none of these names; HDF5 files of other programs are none.
-std::vector<std::filesystem::path> other_results(const std::filesystem::path& folder, const std::vector<std::string>& names);
+std::vector<std::filesystem::path> other_results(const std::filesystem::path& folder,
+                                                 const std::vector<std::string>& names);
 
-/// Whether a result was made by version 0.1, which named results otherwise: they can be shown and exported, but nothing goes on with them.
+/// Whether a result was made by version 0.1, which named results otherwise: they can be shown and exported, but nothing
+/// goes on with them.
 bool is_of_version_0_1(const std::filesystem::path& file);
 
 /// A run's folder: result files of this recipe on top, those of other versions of it under earlier/, from where they
@@ -72,9 +74,9 @@ FinalState final_state(const std::filesystem::path& run, const StateOptions& opt
 /// Its texture without values by grain; `curves` adds histograms and distributions.
 Numbers numbers(FinalState state, bool curves);
 
-/// The cemented sample of a run, or with `load` the load of that name ("*": its first). Where its file was dropped it is made
-/// again from the packing that was kept: the same recipe gives the same bytes, after as long as the load took. Throws InputError
-/// for a run without its packing or without such a load.
+/// The cemented sample of a run, or with `load` the load of that name ("*": its first). Where its file was dropped it
+/// is made again from the packing that was kept: the same recipe gives the same bytes, after as long as the load took.
+/// Throws InputError for a run without its packing or without such a load.
 FieldResult field_of(const std::filesystem::path& run, const std::string& load = "");
 
 }  // namespace arenite::workflow

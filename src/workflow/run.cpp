@@ -22,7 +22,8 @@ namespace {
 void look_at(const dem::Engine& engine, const dem::Stage& stage, const dem::StageRun& run, Progress& progress) {
   progress.share = dem::share_done(stage, run);
   if (stage.duration && !run.finished)  // finer than by the states that are stored
-    progress.share = std::max(progress.share, std::min(0.999, static_cast<double>(run.steps_in_increment) * engine.time_step() / *stage.duration));
+    progress.share = std::max(progress.share, std::min(0.999, static_cast<double>(run.steps_in_increment) *
+                                                                  engine.time_step() / *stage.duration));
   progress.increment = std::min(run.increment + 1, progress.increments);
   progress.unbalanced_ratio = run.latest.unbalanced_ratio;
   progress.step = engine.step();
@@ -65,7 +66,8 @@ class Run {
     const Packing* const before = has_before ? &outcome_.stages.back().snapshots.back().packing : nullptr;
     const GrainStage stage{recipe_, s, plan_[s].hash, before, &outcome_.measured.stages.emplace_back()};
     const auto made = [&](const fs::path& checkpoint) { return make(stage, checkpoint); };
-    auto result = carry_out_stage<StageResult>({plan_[s], folder_ / plan_[s].file, made, io::write_stage, io::read_stage});
+    auto result =
+        carry_out_stage<StageResult>({plan_[s], folder_ / plan_[s].file, made, io::write_stage, io::read_stage});
     if (!result) {
       outcome_.measured.stages.pop_back();
       return false;
@@ -80,10 +82,12 @@ class Run {
     const auto shown = [&](const fs::path& checkpoint) {
       options_.progress(progress_);
       std::optional<FieldResult> made = make(checkpoint);
-      if (made) made->provenance = {version, plan_[s].name, plan_[s].hash, to_toml(part_of(recipe_, s)), recipe_.seed, "", {}};
+      if (made)
+        made->provenance = {version, plan_[s].name, plan_[s].hash, to_toml(part_of(recipe_, s)), recipe_.seed, "", {}};
       return made;
     };
-    auto result = carry_out_stage<FieldResult>({plan_[s], folder_ / plan_[s].file, shown, io::write_field, io::read_field});
+    auto result =
+        carry_out_stage<FieldResult>({plan_[s], folder_ / plan_[s].file, shown, io::write_field, io::read_field});
     if (!result) return false;
     show_done();
     outcome_.converged = outcome_.converged && result->converged;
@@ -108,7 +112,9 @@ class Run {
   }
 
   bool pack() {
-    const auto make = [&](const GrainStage& stage, const fs::path&) { return std::optional(measure_stage(stage, make_packing(recipe_))); };
+    const auto make = [&](const GrainStage& stage, const fs::path&) {
+      return std::optional(measure_stage(stage, make_packing(recipe_)));
+    };
     if (!add_stage(0, make)) return false;
     show_done();
     io::write_atomically(folder_ / "recipe.toml", to_toml(recipe_));
@@ -138,7 +144,8 @@ class Run {
   void load_nodes() {
     const std::size_t first = recipe_.stages.size() + 1;
     const Packing& packing = outcome_.stages.back().snapshots.back().packing;
-    if (!add_field(first, [&](const fs::path&) { return std::optional(make_cemented_sample(recipe_, packing)); })) return;
+    if (!add_field(first, [&](const fs::path&) { return std::optional(make_cemented_sample(recipe_, packing)); }))
+      return;
     const auto& texture = outcome_.measured.stages.back();
     std::optional<std::vector<Tensor2>> contacts;  // for all loads that are made
     const auto watch = watch_of(progress_, options_);
@@ -146,9 +153,12 @@ class Run {
     for (const recipe::Load& load : recipe_.loads) {
       ++s;
       const auto make = [&](const fs::path& kept) {
-        if (!contacts) contacts = contact_stresses(outcome_.fields.front(), packing, texture ? texture->per_grain.sigma : std::vector<Tensor2>{});
+        if (!contacts)
+          contacts = contact_stresses(outcome_.fields.front(), packing,
+                                      texture ? texture->per_grain.sigma : std::vector<Tensor2>{});
         const auto checkpoint = load.failure ? failure_checkpoint(kept, plan_[s].hash, options_) : FailureCheckpoint{};
-        return apply_load(load, outcome_.fields.front(), watch, checkpoint, options_.page_follows ? &outcome_.measured.fields.back() : nullptr, &*contacts);
+        return apply_load(load, outcome_.fields.front(), watch, checkpoint,
+                          options_.page_follows ? &outcome_.measured.fields.back() : nullptr, &*contacts);
       };
       if (!add_field(s, make)) return;
     }
@@ -170,12 +180,14 @@ StageResult measure_stage(const GrainStage& stage, StageResult made, const std::
   if (made.snapshots.empty()) return made;
   const texture::Options measuring = texture_options(recipe, place, made);
   texture::Texture texture = texture::measure(made.snapshots.back().packing, measuring);
-  made.texture = fields::stage_numbers({made, place > 0 ? recipe.stages[place - 1] : dem::Stage{}, place > 1 ? before : nullptr, texture, &measuring});
+  made.texture = fields::stage_numbers(
+      {made, place > 0 ? recipe.stages[place - 1] : dem::Stage{}, place > 1 ? before : nullptr, texture, &measuring});
   if (known) *known = std::move(texture);
   return made;
 }
 
-std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engine, const fs::path& checkpoint, const RunOptions& options, Progress progress) {
+std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engine, const fs::path& checkpoint,
+                                      const RunOptions& options, Progress progress) {
   const dem::Stage& asked = stage.recipe.stages[stage.place - 1];
   dem::StageRun run = begun_or_kept(engine, asked, stage.hash, checkpoint, options);
   progress.increments = asked.duration ? 0 : dem::increment_count(asked);

@@ -42,13 +42,15 @@ struct RunOptions {
   std::function<void(const std::string&)> notice = [](const std::string&) {};  ///< a sentence the user should see
   std::function<bool()> asked_to_stop = [] { return false; };                  ///< true: checkpoint and leave
   double checkpoint_seconds = 30;                                              ///< between two checkpoints
-  const Store* store = nullptr;                                                ///< stages that are there are taken from it, and what is computed is put there
-  bool page_follows = false;                                                   ///< of stresses, what a page alone shows is measured with the rest
+  const Store* store = nullptr;  ///< stages that are there are taken from it, and what is computed is put there
+  bool page_follows = false;     ///< of stresses, what a page alone shows is measured with the rest
 };
 
-/// What a run measured of its results, in their order, for the page to take over; nothing where a result was there already.
+/// What a run measured of its results, in their order, for the page to take over; nothing where a result was there
+/// already.
 struct KnownStatistics {
-  std::vector<std::optional<texture::Texture>> stages{};    ///< of the last state of each, as texture_options of the recipe asks
+  std::vector<std::optional<texture::Texture>>
+      stages{};  ///< of the last state of each, as texture_options of the recipe asks
   std::vector<std::optional<stress::Statistics>> fields{};  ///< of all components; only where a page follows
   std::vector<std::optional<texture::Texture>> films{};     ///< texture_of
 };
@@ -62,14 +64,15 @@ struct RunOutcome {
   KnownStatistics measured;
 };
 
-/// Runs a recipe: packing, then its stages one after the other; every stage ends as one file in `options.out`, named by the hash of all that it
-/// depends on. A stage whose file is there is read, not computed again; a run that was killed goes on from its last checkpoint and ends with the same
-/// bytes. Of runs that share a store and want the same stage at once, one computes it and the others wait. A damaged file counts as none, with a
-/// notice. A stage that finds no equilibrium ends the run; loads of the cemented sample are independent of each other, and the next is tried.
+/// Runs a recipe: packing, then its stages one after the other; every stage ends as one file in `options.out`, named by
+/// the hash of all that it depends on. A stage whose file is there is read, not computed again; a run that was killed
+/// goes on from its last checkpoint and ends with the same bytes. Of runs that share a store and want the same stage at
+/// once, one computes it and the others wait. A damaged file counts as none, with a notice. A stage that finds no
+/// equilibrium ends the run; loads of the cemented sample are independent of each other, and the next is tried.
 [[nodiscard]] RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options);
 
-/// How the texture of a stage's states is measured; stage 0 is the packing. Signs refer to the axis along which the stage's
-/// sides load, where they load along one only; of a stage that ends in motion the history tells how its stress
+/// How the texture of a stage's states is measured; stage 0 is the packing. Signs refer to the axis along which the
+/// stage's sides load, where they load along one only; of a stage that ends in motion the history tells how its stress
 /// fluctuates.
 texture::Options texture_options(const recipe::Recipe& recipe, std::size_t stage, const StageResult& made);
 /// The same of a stored stage, by the recipe that made it; as of a packing where another version wrote that.
@@ -78,18 +81,20 @@ texture::Options texture_options(const StageResult& made);
 /// A stage of grains on its own, as a run and Python take it.
 struct GrainStage {
   const recipe::Recipe& recipe;
-  std::size_t place = 0;                               ///< 0 is the packing
-  std::string hash;                                    ///< names its result
-  const Packing* before = nullptr;                     ///< the state that it begins with; null for the packing
-  std::optional<texture::Texture>* texture = nullptr;  ///< gets that of the last state, whose numbers the result has; nothing without states
+  std::size_t place = 0;            ///< 0 is the packing
+  std::string hash;                 ///< names its result
+  const Packing* before = nullptr;  ///< the state that it begins with; null for the packing
+  std::optional<texture::Texture>* texture =
+      nullptr;  ///< gets that of the last state, whose numbers the result has; nothing without states
 };
 
 /// Measures what was made of a stage by all that fields::stage_numbers knows, and says where it comes from.
 StageResult measure_stage(const GrainStage& stage, StageResult made, const std::string& kernel = {});
 
-/// Takes the grains of an engine through a stage of loading and measures it. It is kept in the file `checkpoint` on its way, unless that is empty, and
-/// goes on from there; nothing if it was asked to stop.
-std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engine, const std::filesystem::path& checkpoint, const RunOptions& options,
+/// Takes the grains of an engine through a stage of loading and measures it. It is kept in the file `checkpoint` on its
+/// way, unless that is empty, and goes on from there; nothing if it was asked to stop.
+std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engine,
+                                      const std::filesystem::path& checkpoint, const RunOptions& options,
                                       Progress progress);
 
 /// The grains in their box before any loading: drawn, placed and relaxed, or read from a file (recipe's [packing]).

@@ -56,10 +56,13 @@ recipe::Recipe companion_recipe(const recipe::FilmRecipe& recipe, const fs::path
   return companion;
 }
 
-/// The two stages that [simulation] names, at the smallest and at the largest load, by their places; nothing if one is missing.
-std::optional<std::pair<std::size_t, std::size_t>> compared_stages(const RunOutcome& outcome, const recipe::SimulationSection& simulation) {
+/// The two stages that [simulation] names, at the smallest and at the largest load, by their places; nothing if one is
+/// missing.
+std::optional<std::pair<std::size_t, std::size_t>> compared_stages(const RunOutcome& outcome,
+                                                                   const recipe::SimulationSection& simulation) {
   const auto place = [&](const std::string& name) {
-    return static_cast<std::size_t>(std::ranges::find(outcome.stages, name, &StageResult::name) - outcome.stages.begin());
+    return static_cast<std::size_t>(std::ranges::find(outcome.stages, name, &StageResult::name) -
+                                    outcome.stages.begin());
   };
   const std::pair found{place(simulation.low), place(simulation.high)};
   return std::max(found.first, found.second) < outcome.stages.size() ? std::optional(found) : std::nullopt;
@@ -68,13 +71,15 @@ std::optional<std::pair<std::size_t, std::size_t>> compared_stages(const RunOutc
 /// What the ends of these two stages give.
 FilmSimulation stresses_of(const Packing& low, const Packing& high) {
   FilmSimulation stresses{stress_of_disks(low), stress_of_disks(high)};
-  std::transform(stresses.state.begin(), stresses.state.end(), stresses.peak_to_peak.begin(), stresses.peak_to_peak.begin(), std::minus());
+  std::transform(stresses.state.begin(), stresses.state.end(), stresses.peak_to_peak.begin(),
+                 stresses.peak_to_peak.begin(), std::minus());
   return stresses;
 }
 
-/// Simulates the grains that were found in a film, from their places at the smallest load, by the recipe that [simulation] names: its packing is
-/// replaced, its container, laws and stages are kept. False if it was stopped.
-bool add_companion(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmResult& film, RunOutcome& outcome) {
+/// Simulates the grains that were found in a film, from their places at the smallest load, by the recipe that
+/// [simulation] names: its packing is replaced, its container, laws and stages are kept. False if it was stopped.
+bool add_companion(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmResult& film,
+                   RunOutcome& outcome) {
   RunOptions companion = options;
   companion.out = options.out / "simulation";
   companion.progress = [&](const Progress& p) {
@@ -91,30 +96,39 @@ bool add_companion(const recipe::FilmRecipe& recipe, const FilmRunOptions& optio
   if (outcome.interrupted) return false;
   const auto& stages = outcome.stages;
   if (const auto ends = compared_stages(outcome, *recipe.simulation))
-    film.simulation = stresses_of(stages[ends->first].snapshots.back().packing, stages[ends->second].snapshots.back().packing);
-  if (!outcome.converged) options.notice("the companion simulation did not reach equilibrium: " + (stages.empty() ? std::string() : stages.back().outcome));
+    film.simulation =
+        stresses_of(stages[ends->first].snapshots.back().packing, stages[ends->second].snapshots.back().packing);
+  if (!outcome.converged)
+    options.notice("the companion simulation did not reach equilibrium: " +
+                   (stages.empty() ? std::string() : stages.back().outcome));
   return true;
 }
 
-/// Fills in the film's texture and numbers. That of the companion simulation at the largest load is the run's own, unless its stage was there already.
+/// Fills in the film's texture and numbers. That of the companion simulation at the largest load is the run's own,
+/// unless its stage was there already.
 void measure_grains(const recipe::FilmRecipe& recipe, FilmOutcome& outcome, FilmResult& film) {
-  const auto& texture = outcome.simulation.measured.films.emplace_back(film.packing.grains.size() > 0 ? texture_of(film) : texture::Texture{});
+  const auto& texture = outcome.simulation.measured.films.emplace_back(
+      film.packing.grains.size() > 0 ? texture_of(film) : texture::Texture{});
   std::optional<texture::Texture> simulation;
   if (recipe.simulation)
     if (const auto ends = compared_stages(outcome.simulation, *recipe.simulation)) {
       simulation = outcome.simulation.measured.stages[ends->second];
-      if (!simulation) simulation = texture::measure(outcome.simulation.stages[ends->second].snapshots.back().packing, {.rev_sizes = 0});
+      if (!simulation)
+        simulation =
+            texture::measure(outcome.simulation.stages[ends->second].snapshots.back().packing, {.rev_sizes = 0});
     }
   film.numbers = film_numbers(film, *texture, simulation ? &*simulation : nullptr);
 }
 
 /// What was doubted of a stored film.
 std::vector<std::string> doubts_of(const FilmResult& r) {
-  return r.numbers.contains("checks") ? r.numbers["checks"].value("doubts", std::vector<std::string>{}) : std::vector<std::string>{};
+  return r.numbers.contains("checks") ? r.numbers["checks"].value("doubts", std::vector<std::string>{})
+                                      : std::vector<std::string>{};
 }
 
 /// The film as it came to be known: maps, grains, forces. Nothing if it was stopped.
-std::optional<FilmResult> measured(const fs::path& film, FilmSource& source, const recipe::FilmRecipe& recipe, const FilmRunOptions& options) {
+std::optional<FilmResult> measured(const fs::path& film, FilmSource& source, const recipe::FilmRecipe& recipe,
+                                   const FilmRunOptions& options) {
   FilmResult result;
   result.name = "film";
   try {
@@ -137,7 +151,8 @@ std::vector<double> stress_of_disks(const Packing& packing) {
     pushed[static_cast<std::size_t>(contacts.i[c])] += contacts.fn[c];
     if (!contacts.is_wall(c)) pushed[static_cast<std::size_t>(contacts.j[c])] += contacts.fn[c];
   }
-  for (std::size_t i = 0; i < pushed.size(); ++i) pushed[i] /= -2 * std::numbers::pi * packing.grains.radius[i] * packing.domain.thickness;
+  for (std::size_t i = 0; i < pushed.size(); ++i)
+    pushed[i] /= -2 * std::numbers::pi * packing.grains.radius[i] * packing.domain.thickness;
   return pushed;
 }
 
@@ -168,13 +183,16 @@ FilmOutcome run_film(const fs::path& film, const recipe::FilmRecipe& recipe, con
     if (!result) return std::nullopt;
     if (recipe.simulation && !add_companion(recipe, options, *result, outcome.simulation)) return std::nullopt;
     measure_grains(recipe, outcome, *result);
-    result->outcome =
-        fmt::format("{} grains and {} contacts at {:.6g} Hz", result->packing.grains.size(), result->packing.contacts.size(), result->maps.frequency);
-    result->provenance = {version, "film", stage.hash, to_toml(recipe), recipe.seed, "", {{"film", film.filename().string()}}};
+    result->outcome = fmt::format("{} grains and {} contacts at {:.6g} Hz", result->packing.grains.size(),
+                                  result->packing.contacts.size(), result->maps.frequency);
+    result->provenance = {
+        version, "film", stage.hash, to_toml(recipe), recipe.seed, "", {{"film", film.filename().string()}}};
     return result;
   };
   bool reused = false;
-  auto result = carry_out<FilmResult>({stage, outcome.file, make, io::write_film_result, io::read_film_result, "the film is measured again"}, options, reused);
+  auto result = carry_out<FilmResult>(
+      {stage, outcome.file, make, io::write_film_result, io::read_film_result, "the film is measured again"}, options,
+      reused);
   outcome.interrupted = !result;
   if (!result) return outcome;
   outcome.result = std::move(*result);

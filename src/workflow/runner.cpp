@@ -17,10 +17,11 @@ namespace {
 
 std::string force_at_start(int side) { return fmt::format("force_at_start {}", side_names[side]); }
 
-constexpr std::pair<const char*, std::int64_t dem::StageRun::*> counts[] = {{"increment", &dem::StageRun::increment},
-                                                                            {"steps_in_increment", &dem::StageRun::steps_in_increment},
-                                                                            {"sample_every", &dem::StageRun::sample_every},
-                                                                            {"checks", &dem::StageRun::checks}};
+constexpr std::pair<const char*, std::int64_t dem::StageRun::*> counts[] = {
+    {"increment", &dem::StageRun::increment},
+    {"steps_in_increment", &dem::StageRun::steps_in_increment},
+    {"sample_every", &dem::StageRun::sample_every},
+    {"checks", &dem::StageRun::checks}};
 
 io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run, const std::string& key) {
   io::Checkpoint checkpoint;
@@ -57,7 +58,9 @@ Turn wait_for_turn(const PlannedStage& stage, const fs::path& file, const RunOpt
   return {.fetched = true};
 }
 
-CheckpointTimes::CheckpointTimes(const RunOptions& options) : options_(options), last_(std::chrono::steady_clock::now()) {}
+CheckpointTimes::CheckpointTimes(const RunOptions& options)
+    : options_(options),
+      last_(std::chrono::steady_clock::now()) {}
 
 bool CheckpointTimes::is_due() {
   const auto now = std::chrono::steady_clock::now();
@@ -77,9 +80,11 @@ peridynamics::Watch watch_of(Progress& progress, const RunOptions& options) {
   };
 }
 
-dem::StageRun begun_or_kept(dem::Engine& engine, const dem::Stage& stage, const std::string& key, const fs::path& file, const RunOptions& options) {
+dem::StageRun begun_or_kept(dem::Engine& engine, const dem::Stage& stage, const std::string& key, const fs::path& file,
+                            const RunOptions& options) {
   dem::StageRun run = dem::begin_stage(engine, stage);
-  const auto kept = unless_damaged(file, options, "the stage starts again", [&] { return io::read_checkpoint(file, key); });
+  const auto kept =
+      unless_damaged(file, options, "the stage starts again", [&] { return io::read_checkpoint(file, key); });
   if (kept && *kept) restore_from(**kept, engine, run);
   return run;
 }
@@ -88,9 +93,11 @@ void keep(const dem::Engine& engine, const dem::StageRun& run, const std::string
   if (!file.empty()) io::write_checkpoint(file, to_checkpoint(engine, run, key));
 }
 
-FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const std::string& key, const RunOptions& options) {
+FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const std::string& key,
+                                     const RunOptions& options) {
   FailureCheckpoint checkpoint;
-  const auto stored = unless_damaged(file, options, "the test starts again", [&] { return io::read_checkpoint(file, key); });
+  const auto stored =
+      unless_damaged(file, options, "the test starts again", [&] { return io::read_checkpoint(file, key); });
   if (stored && *stored) checkpoint.resume = peridynamics::failure_state_of((*stored)->blobs.at("pull"));
   checkpoint.keep = [file, key, times = CheckpointTimes(options)](const auto& state) mutable {
     if (!times.is_due()) return;

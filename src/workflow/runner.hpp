@@ -21,7 +21,8 @@ namespace arenite::workflow {
 
 /// What `read` gives; nothing, and a notice, if its file is damaged.
 template <class Read>
-auto unless_damaged(const std::filesystem::path& file, const RunOptions& options, const char* instead, Read read) -> std::optional<decltype(read())> {
+auto unless_damaged(const std::filesystem::path& file, const RunOptions& options, const char* instead, Read read)
+    -> std::optional<decltype(read())> {
   try {
     return read();
   } catch (const io::DamagedFile&) {
@@ -39,7 +40,8 @@ struct Turn {
 /// Waits until one of these is so.
 Turn wait_for_turn(const PlannedStage& stage, const std::filesystem::path& file, const RunOptions& options);
 
-/// A stage: what it is called, where its result lies, and how that is made, written and read. A new kind of stage is one such record.
+/// A stage: what it is called, where its result lies, and how that is made, written and read. A new kind of stage is
+/// one such record.
 template <class Result> struct StageRecord {
   PlannedStage key;
   std::filesystem::path file;
@@ -49,9 +51,11 @@ template <class Result> struct StageRecord {
   const char* again = "this stage is computed again";  ///< what is said to follow where a file is damaged
 };
 
-/// Carries out a stage: its result comes from the run's folder, or from the store, or is made, written and read, so that what follows
-/// sees the same numbers either way. Of those who want it at once one makes it. `reused` says that it was there; nothing if it was stopped.
-template <class Result> std::optional<Result> carry_out(const StageRecord<Result>& stage, const RunOptions& options, bool& reused) {
+/// Carries out a stage: its result comes from the run's folder, or from the store, or is made, written and read, so
+/// that what follows sees the same numbers either way. Of those who want it at once one makes it. `reused` says that it
+/// was there; nothing if it was stopped.
+template <class Result>
+std::optional<Result> carry_out(const StageRecord<Result>& stage, const RunOptions& options, bool& reused) {
   const auto look = [&]() -> std::optional<Result> {
     if (!std::filesystem::exists(stage.file)) return std::nullopt;
     auto found = unless_damaged(stage.file, options, stage.again, [&] { return stage.read(stage.file); });
@@ -94,7 +98,8 @@ template <class Result> std::optional<Result> carry_out(const StageRecord<Result
   return stage.read(stage.file);
 }
 
-/// When a stage that takes long is kept on its way, so that it goes on there when it was killed: every `checkpoint_seconds`, and when it is asked to stop.
+/// When a stage that takes long is kept on its way, so that it goes on there when it was killed: every
+/// `checkpoint_seconds`, and when it is asked to stop.
 class CheckpointTimes {
  public:
   explicit CheckpointTimes(const RunOptions& options);
@@ -111,12 +116,15 @@ class CheckpointTimes {
 peridynamics::Watch watch_of(Progress& progress, const RunOptions& options);
 
 /// A stage of loading by discrete elements, at its begin or where it was kept by its file.
-dem::StageRun begun_or_kept(dem::Engine& engine, const dem::Stage& stage, const std::string& key, const std::filesystem::path& file, const RunOptions& options);
+dem::StageRun begun_or_kept(dem::Engine& engine, const dem::Stage& stage, const std::string& key,
+                            const std::filesystem::path& file, const RunOptions& options);
 
 /// Keeps it there; nowhere if `file` is empty.
-void keep(const dem::Engine& engine, const dem::StageRun& run, const std::string& key, const std::filesystem::path& file);
+void keep(const dem::Engine& engine, const dem::StageRun& run, const std::string& key,
+          const std::filesystem::path& file);
 
 /// Where a killed test stood by its file, and how this one is kept there.
-FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const std::string& key, const RunOptions& options);
+FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const std::string& key,
+                                     const RunOptions& options);
 
 }  // namespace arenite::workflow

@@ -55,7 +55,9 @@ void add_file(HashBuilder& hash, const fs::path& path) {
     hash.add("part", content_hash(std::string_view(part).substr(0, static_cast<std::size_t>(file.gcount()))));
 }
 
-template <class T> std::string_view bytes_of(const std::vector<T>& values) { return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)}; }
+template <class T> std::string_view bytes_of(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
 
 void add_frames(HashBuilder& hash, FilmSource& source) {
   const std::int64_t frames = source.info().frames;
@@ -98,29 +100,34 @@ recipe::Recipe packing_part(const recipe::Recipe& recipe) {
 std::string packing_key(const recipe::Recipe& recipe, const std::string& part) {
   HashBuilder hash;
   hash.add("packing version", packing_version).add("recipe", part);
-  if (recipe.packing.method == recipe::PackingParameters::Method::file) hash.add("file", content_hash(io::read_file(recipe.beside(recipe.packing.file))));
+  if (recipe.packing.method == recipe::PackingParameters::Method::file)
+    hash.add("file", content_hash(io::read_file(recipe.beside(recipe.packing.file))));
   return hash.hex();
 }
 
 /// Its walls are those of a driven sample (dem/walls.hpp), or its anisotropies have the signs of shear.
 bool presses_while_driven_or_shears(const dem::Stage& stage) {
   using Kind = dem::SideDrive::Kind;
-  const auto is_of = [&](auto... kinds) { return std::ranges::any_of(stage.side, [&](const dem::SideDrive& side) { return ((side.kind == kinds) || ...); }); };
+  const auto is_of = [&](auto... kinds) {
+    return std::ranges::any_of(stage.side, [&](const dem::SideDrive& side) { return ((side.kind == kinds) || ...); });
+  };
   const auto moves = [](const dem::BoundaryMotion& b) { return b.velocity != Vec2{} || b.spin != 0; };
   const bool shears = stage.shear_rate != 0 || stage.slide != BySide<double>{};
-  const bool driven = is_of(Kind::velocity) || stage.strain_cycles || !stage.programmes.empty() || std::ranges::any_of(stage.boundaries, moves);
+  const bool driven = is_of(Kind::velocity) || stage.strain_cycles || !stage.programmes.empty() ||
+                      std::ranges::any_of(stage.boundaries, moves);
   return shears || (driven && is_of(Kind::force, Kind::pressure));
 }
 
-/// Of all that stage `s` (0-based) depends on: the packing, laws, integration, the stages up to it. What changes no bit (title, number of threads, kernel,
-/// later stages) is not in it.
+/// Of all that stage `s` (0-based) depends on: the packing, laws, integration, the stages up to it. What changes no bit
+/// (title, number of threads, kernel, later stages) is not in it.
 std::string stage_key(const recipe::Recipe& recipe, std::size_t s, const std::string& packing_hash) {
   recipe::Recipe part = without_field(without_what_changes_no_bit(recipe));
   part.stages.resize(s + 1);
   HashBuilder hash;
   hash.add("loading version", loading_version).add("packing", packing_hash).add("recipe", changed_keys(part));
   if (!recipe.contact.attractive_dashpot) hash.add("clipped dashpot version", clipped_dashpot_version);
-  if (std::ranges::any_of(part.stages, presses_while_driven_or_shears)) hash.add("driven loading version", driven_loading_version);
+  if (std::ranges::any_of(part.stages, presses_while_driven_or_shears))
+    hash.add("driven loading version", driven_loading_version);
   return hash.hex();
 }
 
@@ -158,7 +165,9 @@ std::string load_key(const recipe::Load& load, const std::string& cement_hash) {
   return hash.hex();
 }
 
-PlannedStage planned_stage(int place, std::string name, std::string hash, bool field) { return {name, hash, io::stage_file_name(place, name, hash), field}; }
+PlannedStage planned_stage(int place, std::string name, std::string hash, bool field) {
+  return {name, hash, io::stage_file_name(place, name, hash), field};
+}
 
 std::vector<PlannedStage> plan_of(const recipe::Recipe& recipe) {
   std::vector<PlannedStage> plan;
@@ -166,7 +175,8 @@ std::vector<PlannedStage> plan_of(const recipe::Recipe& recipe) {
     plan.push_back(planned_stage(static_cast<int>(plan.size()) + 1, name, hash, field));
   };
   add("packing", packing_key(recipe, changed_keys(packing_part(recipe))), false);
-  for (std::size_t s = 0; s < recipe.stages.size(); ++s) add(recipe.stages[s].name, stage_key(recipe, s, plan.front().hash), false);
+  for (std::size_t s = 0; s < recipe.stages.size(); ++s)
+    add(recipe.stages[s].name, stage_key(recipe, s, plan.front().hash), false);
   if (!recipe.has_field()) return plan;
   add("cement", cement_key(recipe, plan.back().hash), true);
   const std::string sample = plan.back().hash;
@@ -192,8 +202,8 @@ recipe::Recipe part_of(const recipe::Recipe& recipe, std::size_t s) {
 }
 
 std::string key_versions() {
-  return fmt::format("changed keys {} {} {} {} {} {} {}", packing_version, loading_version, cement_version, load_version, clipped_dashpot_version,
-                     closing_version, driven_loading_version);
+  return fmt::format("changed keys {} {} {} {} {} {} {}", packing_version, loading_version, cement_version,
+                     load_version, clipped_dashpot_version, closing_version, driven_loading_version);
 }
 
 std::string film_key(const fs::path& film, FilmSource& source, const recipe::FilmRecipe& recipe) {
@@ -201,7 +211,9 @@ std::string film_key(const fs::path& film, FilmSource& source, const recipe::Fil
   hash.add("film version", film_version).add("recipe", changed_keys(recipe));
   add_film(hash, "film", film, source);
   const auto add_reference = [&](const char* name, const std::string& file) {
-    if (!file.empty()) add_film(hash, name, recipe.beside(file), *io::open_film(recipe.beside(file), recipe.film.value_or(io::FilmChoice{})));
+    if (!file.empty())
+      add_film(hash, name, recipe.beside(file),
+               *io::open_film(recipe.beside(file), recipe.film.value_or(io::FilmChoice{})));
   };
   const auto add = [&](const char* name, const std::string& file) {
     if (!file.empty()) hash.add(name, content_hash(io::read_file(recipe.beside(file))));
@@ -217,7 +229,9 @@ std::string film_key(const fs::path& film, FilmSource& source, const recipe::Fil
 
 std::string virtual_film_key(const recipe::FilmRecipe& camera, const std::string& low, const std::string& high) {
   HashBuilder hash;
-  hash.add("virtual film version", virtual_film_version).add("film version", film_version).add("recipe", changed_keys(camera));
+  hash.add("virtual film version", virtual_film_version)
+      .add("film version", film_version)
+      .add("recipe", changed_keys(camera));
   return hash.add("low", low).add("high", high).hex();
 }
 

@@ -41,7 +41,9 @@ fs::path Store::checkpoint(const std::string& hash) const {
 }
 bool Store::has(const std::string& hash) const { return ::access(file(hash).c_str(), F_OK) == 0; }
 bool Store::is_busy(const std::string& hash) const { return io::FileLock::is_held(folder_ / "locks" / hash); }
-std::optional<io::FileLock> Store::try_claim(const std::string& hash) const { return io::FileLock::try_take(folder_ / "locks" / hash); }
+std::optional<io::FileLock> Store::try_claim(const std::string& hash) const {
+  return io::FileLock::try_take(folder_ / "locks" / hash);
+}
 
 bool Store::fetch(const std::string& hash, const fs::path& to) const {
   if (!has(hash)) return false;
@@ -58,7 +60,8 @@ void Store::put(const std::string& hash, const fs::path& from) const {
 void Store::drop(const std::string& hash) const { ::unlink(file(hash).c_str()); }
 
 void Store::note(Event event, const PlannedStage& stage, double seconds) const {
-  account_.add(fmt::format("{}\t{}\t{}\t{:.6g}", events[static_cast<std::size_t>(event)], stage.hash, stage.name, seconds));
+  account_.add(
+      fmt::format("{}\t{}\t{}\t{:.6g}", events[static_cast<std::size_t>(event)], stage.hash, stage.name, seconds));
 }
 
 StoreAccount read_account(const fs::path& store) {

@@ -15,8 +15,9 @@ namespace arenite::workflow {
 /// Where a stage lies, or would lie, in a store.
 std::filesystem::path stored_file(const std::filesystem::path& store, const std::string& hash);
 
-/// Stages that runs share: a folder with one file a stage, named by its hash, put there whole or not at all by any number
-/// of processes. Who computes a stage holds its lock meanwhile. What was computed and what was taken instead is noted.
+/// Stages that runs share: a folder with one file a stage, named by its hash, put there whole or not at all by any
+/// number of processes. Who computes a stage holds its lock meanwhile. What was computed and what was taken instead is
+/// noted.
 class Store {
  public:
   /// Makes the folder. Throws InputError if that cannot be. `notice` hears what is lost from the account.

@@ -41,10 +41,11 @@ double number(const Row& row, const char* name) { return std::stod(row.at(name))
 TEST(BiaxialExample, ADenseSampleShearsAtTheSidePressureMobilisesFrictionAndDilates) {
   const TemporaryFolder folder;
   const std::string out = (folder / "out").string();
-  const auto run = arenite("run " ARENITE_SOURCE_DIR
-                           "/examples/05-biaxial-test/recipe.toml --quiet --set packing.grains=200 "
-                           "--set 'container.width=\"90 mm\"' --set 'stages.1.duration=\"0.06 s\"' --set stages.1.snapshots=12 --out " +
-                           out);
+  const auto run =
+      arenite("run " ARENITE_SOURCE_DIR
+              "/examples/05-biaxial-test/recipe.toml --quiet --set packing.grains=200 --set 'container.width=\"90 "
+              "mm\"' --set 'stages.1.duration=\"0.06 s\"' --set stages.1.snapshots=12 --out " +
+              out);
   ASSERT_EQ(run.status, 0) << run.err;
   const auto shown = arenite("show " + out + " --states");
   ASSERT_EQ(shown.status, 0) << shown.err;
@@ -69,8 +70,9 @@ TEST(BiaxialExample, ADenseSampleShearsAtTheSidePressureMobilisesFrictionAndDila
     share += number(shear[i], "strong_share") / 10;
     peak = std::max(peak, number(shear[i], "q_over_p"));
   }
-  EXPECT_NEAR(side, 50e3, 0.15 * 50e3);  // the smaller principal stress is the pressure on the side, but for fluctuations
-  EXPECT_GT(peak, 0.25);                 // below the sine of what mu = 0.5 and dilation allow, above that of smooth grains
+  EXPECT_NEAR(side, 50e3,
+              0.15 * 50e3);  // the smaller principal stress is the pressure on the side, but for fluctuations
+  EXPECT_GT(peak, 0.25);     // below the sine of what mu = 0.5 and dilation allow, above that of smooth grains
   EXPECT_LT(peak, 0.75);
   EXPECT_LT(number(shear.back(), "volume_strain"), -0.003);  // dense: dilates
   EXPECT_GT(strong, weak + 0.2);                             // strong contacts lean to the compression

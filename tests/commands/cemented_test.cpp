@@ -16,7 +16,9 @@ namespace fs = std::filesystem;
 const std::string recipe = ARENITE_SOURCE_DIR "/examples/07-cemented-packing/recipe.toml";
 const std::string small = " --quiet --set bidisperse.box_area=60 --set grid.nodes=160 --set 'grid.crop=\"8 mm\"'";
 
-std::string run(const fs::path& out, const std::string& more = "") { return "run " + recipe + small + " " + more + " --out " + out.string(); }
+std::string run(const fs::path& out, const std::string& more = "") {
+  return "run " + recipe + small + " " + more + " --out " + out.string();
+}
 
 Json shown(const fs::path& result) { return Json::parse(arenite("show --json " + result.string()).out); }
 
@@ -30,16 +32,19 @@ TEST(Cemented, ExampleGoesFromSamplingToStressesByPhase) {
   const TemporaryFolder folder;
   const auto ran = arenite(run(folder / "out", "--set loads.0.statistics.clamp_rows=8"));
   ASSERT_EQ(ran.status, 0) << ran.err;
-  for (const char* stage : {"packing", "compact", "rest", "cement", "tension"}) EXPECT_FALSE(file_of(folder / "out", stage).empty()) << stage;
+  for (const char* stage : {"packing", "compact", "rest", "cement", "tension"})
+    EXPECT_FALSE(file_of(folder / "out", stage).empty()) << stage;
   EXPECT_TRUE(fs::exists(folder / "out/report.html"));
   const Json loaded = test::document_of_page(folder / "out/report.html")["fields"][1];
   EXPECT_EQ(loaded["statistics"]["options"]["clamp_rows"], 8);
-  EXPECT_EQ(loaded["statistics"]["sigma_yy"]["sample_mean_Pa"], loaded["numbers"]["stress"]["sigma_yy"]["sample_mean_Pa"]);
+  EXPECT_EQ(loaded["statistics"]["sigma_yy"]["sample_mean_Pa"],
+            loaded["numbers"]["stress"]["sigma_yy"]["sample_mean_Pa"]);
   const Json j = shown(folder / "out");
   EXPECT_EQ(j["map"]["width"], 160);
   EXPECT_NEAR(j["map"]["dx_m"].get<double>(), 8e-3 / 160, 1e-12);
   const Json& phases = j["phases"];
-  EXPECT_NEAR(phases["particle"].get<double>() + phases["matrix"].get<double>() + phases["void"].get<double>(), 1, 1e-12);
+  EXPECT_NEAR(phases["particle"].get<double>() + phases["matrix"].get<double>() + phases["void"].get<double>(), 1,
+              1e-12);
   EXPECT_NEAR(j["S_m"].get<double>(), phases["matrix"].get<double>() / (1 - phases["particle"].get<double>()), 1e-12);
   EXPECT_GT(phases["particle"].get<double>(), 0.7);
   EXPECT_GT(j["coordination"]["Z_l"]["value"].get<double>(), j["coordination"]["Z_s"]["value"].get<double>());
@@ -59,7 +64,8 @@ TEST(Cemented, ExampleGoesFromSamplingToStressesByPhase) {
   EXPECT_TRUE(j.contains("texture"));
   const auto text = arenite("show --all " + (folder / "out").string());
   ASSERT_EQ(text.status, 0) << text.err;
-  for (const char* words : {"S_m", "Apparent modulus", "stress.sigma_yy.sample_mean_Pa", "matrix"}) EXPECT_NE(text.out.find(words), std::string::npos) << words;
+  for (const char* words : {"S_m", "Apparent modulus", "stress.sigma_yy.sample_mean_Pa", "matrix"})
+    EXPECT_NE(text.out.find(words), std::string::npos) << words;
 }
 
 TEST(Cemented, StoredStagesAreReusedAndDamagedOnesMadeAgainWithTheSameBytes) {
@@ -95,21 +101,23 @@ TEST(Cemented, ExportsOpenInVtkAndAsTables) {
   const fs::path file = file_of(folder / "out", "tension");
   const auto done = arenite("export " + file.string() + " --to vtk --out " + (folder / "vtk").string());
   ASSERT_EQ(done.status, 0) << done.err;
-  const auto read =
-      test::shell("/usr/bin/python3 " ARENITE_SOURCE_DIR "/tests/commands/compare_vti.py " + file.string() + " " + (folder / "vtk/tension.vti").string());
+  const auto read = test::shell("/usr/bin/python3 " ARENITE_SOURCE_DIR "/tests/commands/compare_vti.py " +
+                                file.string() + " " + (folder / "vtk/tension.vti").string());
   EXPECT_EQ(read.status, 0) << read.err;
   ASSERT_EQ(arenite("export " + file.string() + " --to csv --out " + (folder / "csv").string()).status, 0);
   const std::string nodes = io::read_file(folder / "csv/tension_nodes.csv");
   EXPECT_TRUE(nodes.starts_with("x [m],y [m],phase,grain,class,ux [m],uy [m],sigma_xx [Pa]"));
   EXPECT_EQ(std::count(nodes.begin(), nodes.end(), '\n'), 160 * 160 + 1);
-  EXPECT_TRUE(io::read_file(folder / "csv/tension_grains.csv").starts_with("label,class,nodes,whole,x [m],y [m],sigma_xx [Pa]"));
+  EXPECT_TRUE(io::read_file(folder / "csv/tension_grains.csv")
+                  .starts_with("label,class,nodes,whole,x [m],y [m],sigma_xx [Pa]"));
   const auto refused = arenite("export " + file.string() + " --to lammps --out " + (folder / "lammps").string());
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("lammps holds grains only"), std::string::npos) << refused.err;
   EXPECT_FALSE(fs::exists(folder / "lammps"));
   const auto all = arenite("export " + (folder / "out").string() + " --to vtk --out " + (folder / "all").string());
   ASSERT_EQ(all.status, 0) << all.err;
-  for (const char* name : {"loading.pvd", "cement.vti", "tension.vti"}) EXPECT_TRUE(fs::exists(folder / "all" / name)) << name;
+  for (const char* name : {"loading.pvd", "cement.vti", "tension.vti"})
+    EXPECT_TRUE(fs::exists(folder / "all" / name)) << name;
 }
 
 TEST(Cemented, FailureExampleBreaks) {
@@ -123,61 +131,71 @@ TEST(Cemented, FailureExampleBreaks) {
   EXPECT_GT(j["strength_Pa"].get<double>(), 0);
   EXPECT_GT(j["failure"]["broken"]["matrix"].get<int>() + j["failure"]["broken"]["interface"].get<int>(), 0);
   EXPECT_LT(j["failure"]["energy_balance_error"].get<double>(), 1e-3);
-  ASSERT_EQ(arenite("export " + file_of(folder / "out", "failure").string() + " --to csv --out " + (folder / "csv").string()).status, 0);
+  ASSERT_EQ(
+      arenite("export " + file_of(folder / "out", "failure").string() + " --to csv --out " + (folder / "csv").string())
+          .status,
+      0);
   EXPECT_TRUE(io::read_file(folder / "csv/failure_curve.csv").starts_with("strain,stress [Pa],work [J/m]"));
-  ASSERT_EQ(arenite("export " + file_of(folder / "out", "failure").string() + " --to vtk --out " + (folder / "vtk").string()).status, 0);
-  const auto read = test::shell("/usr/bin/python3 " ARENITE_SOURCE_DIR "/tests/commands/compare_cracks.py " + file_of(folder / "out", "failure").string() +
-                                " " + (folder / "vtk/failure-cracks.vtp").string());
+  ASSERT_EQ(
+      arenite("export " + file_of(folder / "out", "failure").string() + " --to vtk --out " + (folder / "vtk").string())
+          .status,
+      0);
+  const auto read =
+      test::shell("/usr/bin/python3 " ARENITE_SOURCE_DIR "/tests/commands/compare_cracks.py " +
+                  file_of(folder / "out", "failure").string() + " " + (folder / "vtk/failure-cracks.vtp").string());
   EXPECT_EQ(read.status, 0) << read.err;
 }
 
 TEST(Cemented, BreaksInShearAndSplitsInCompression) {
   const TemporaryFolder folder;
   for (const char* loading : {"shear", "compression"}) {
-    const auto ran = arenite("run " ARENITE_SOURCE_DIR
-                             "/examples/08-failure/recipe.toml --quiet --set bidisperse.box_area=30 --set grid.nodes=48 "
-                             "--set 'grid.crop=\"5 mm\"' --set loads.0.band=0.2 --set loads.0.max_strain=4e-3 --set loads.0.loading=" +
-                             std::string(loading) + " --out " + (folder / loading).string());
+    const auto ran =
+        arenite("run " ARENITE_SOURCE_DIR
+                "/examples/08-failure/recipe.toml --quiet --set bidisperse.box_area=30 --set grid.nodes=48 --set "
+                "'grid.crop=\"5 mm\"' --set loads.0.band=0.2 --set loads.0.max_strain=4e-3 --set loads.0.loading=" +
+                std::string(loading) + " --out " + (folder / loading).string());
     ASSERT_EQ(ran.status, 0) << ran.err;
     const Json j = shown(folder / loading);
     EXPECT_GT(j["strength_Pa"].get<double>(), 0) << loading;
-    EXPECT_GT(j["failure"]["broken"]["matrix"].get<int>() + j["failure"]["broken"]["interface"].get<int>(), 0) << loading;
+    EXPECT_GT(j["failure"]["broken"]["matrix"].get<int>() + j["failure"]["broken"]["interface"].get<int>(), 0)
+        << loading;
     EXPECT_LT(j["failure"]["energy_balance_error"].get<double>(), 1e-3) << loading;
   }
 }
 
 TEST(Cemented, ThesisSampleInThreeLoadings) {
   const TemporaryFolder folder;
-  const auto ran =
-      arenite("run " ARENITE_SOURCE_DIR
-              "/examples/09-cemented-thesis-sample/recipe.toml --quiet --set populations.0.count=40 "
-              "--set populations.1.count=44 --set 'container.width=\"120 mm\"' --set 'stages.1.bottom.force=\"17 kN\"' --set grid.nodes=160 --out " +
-              (folder / "out").string());
+  const auto ran = arenite("run " ARENITE_SOURCE_DIR
+                           "/examples/09-cemented-thesis-sample/recipe.toml --quiet --set populations.0.count=40 --set "
+                           "populations.1.count=44 --set 'container.width=\"120 mm\"' --set "
+                           "'stages.1.bottom.force=\"17 kN\"' --set grid.nodes=160 --out " +
+                           (folder / "out").string());
   ASSERT_EQ(ran.status, 0) << ran.err;
   const Json j = shown(folder / "out");
   EXPECT_NEAR(j["exact"]["S_m"].get<double>(), 0.5, 1e-4);
   EXPECT_EQ(j["load"]["loading"], "shear");
   EXPECT_TRUE(j["stress"].contains("sigma_xy"));
   const Json tension = shown(file_of(folder / "out", "tension"));
-  for (const char* name : {"E_x_Pa", "E_y_Pa", "G_Pa"}) EXPECT_GT(tension["apparent_moduli"][name].get<double>(), 0) << name;
+  for (const char* name : {"E_x_Pa", "E_y_Pa", "G_Pa"})
+    EXPECT_GT(tension["apparent_moduli"][name].get<double>(), 0) << name;
   EXPECT_DOUBLE_EQ(tension["apparent_moduli"]["E_y_Pa"].get<double>(), tension["modulus_Pa"].get<double>());
   EXPECT_LT(tension["apparent_moduli"]["G_Pa"].get<double>(), tension["apparent_moduli"]["E_y_Pa"].get<double>());
 }
 
 TEST(Cemented, SlipsAreOneSentenceEachAndLeaveNothing) {
   const TemporaryFolder folder;
-  for (const auto& [slip, words] :
-       std::vector<std::pair<std::string, std::string>>{{"--set bidisperse.volume_ratio=90", "out of reach"},
-                                                        {"--set bidisperse.size_ratio=0.5", "out of range"},
-                                                        {"--set 'loads.0.stiffness.matrix=\"-1 GPa\"'", "above 0"},
-                                                        {"--set 'loads.0.stiffness.matrix=\"1 kN\"'", "a pressure"},
-                                                        {"--set loads.0.loading=twist", "unknown word"},
-                                                        {"--set loads.0.loading=shear --set loads.0.lower=sliding", "carries no shear"},
-                                                        {"--set loads.0.name=compact", "names must differ"},
-                                                        {"--set bidisperse.small=large", "give each its own material"},
-                                                        {"--set 'container.width=\"3 mm\"'", "is only valid with"},
-                                                        {"--set cement.kind=coating", "cement.thickness: is missing"},
-                                                        {"--set cement.kind=full --set cement.saturation=0.5", "is only valid with"}}) {
+  for (const auto& [slip, words] : std::vector<std::pair<std::string, std::string>>{
+           {"--set bidisperse.volume_ratio=90", "out of reach"},
+           {"--set bidisperse.size_ratio=0.5", "out of range"},
+           {"--set 'loads.0.stiffness.matrix=\"-1 GPa\"'", "above 0"},
+           {"--set 'loads.0.stiffness.matrix=\"1 kN\"'", "a pressure"},
+           {"--set loads.0.loading=twist", "unknown word"},
+           {"--set loads.0.loading=shear --set loads.0.lower=sliding", "carries no shear"},
+           {"--set loads.0.name=compact", "names must differ"},
+           {"--set bidisperse.small=large", "give each its own material"},
+           {"--set 'container.width=\"3 mm\"'", "is only valid with"},
+           {"--set cement.kind=coating", "cement.thickness: is missing"},
+           {"--set cement.kind=full --set cement.saturation=0.5", "is only valid with"}}) {
     const auto refused = arenite(run(folder / "none", slip));
     EXPECT_EQ(refused.status, 2) << slip;
     EXPECT_NE(refused.err.find(words), std::string::npos) << slip << "\n" << refused.err;

@@ -15,13 +15,17 @@ with h5py.File(stage_file) as file, xarray.open_dataset(exported) as loading:
     np.testing.assert_array_equal(loading.time, [f.attrs["time [s]"] for f in frames])
     np.testing.assert_array_equal(loading.grain, sample["id"])
     np.testing.assert_array_equal(loading.radius, sample["radius"])
-    assert loading.stage.dims == ("time",) and [str(s) for s in loading.label.values] == [f.attrs["label"].decode() for f in frames]
+    assert loading.stage.dims == ("time",) and [str(s) for s in loading.label.values] == [
+        f.attrs["label"].decode() for f in frames
+    ]
     for t, frame in enumerate(frames):
         now = loading.isel(time=t)
         for name in ("x", "y", "angle", "vx", "vy", "omega"):
             np.testing.assert_array_equal(now[name], frame["grains"][name])
         np.testing.assert_allclose(now.ux, frame["grains/x"][:] - frames[0]["grains/x"][:], atol=1e-15)
-        np.testing.assert_array_equal(now.wall_force, [frame["domain"][side].attrs["force [N]"] for side in ("left", "right", "bottom", "top")])
+        np.testing.assert_array_equal(
+            now.wall_force, [frame["domain"][side].attrs["force [N]"] for side in ("left", "right", "bottom", "top")]
+        )
         assert now.unbalanced_ratio == frame["equilibrium"].attrs["unbalanced_ratio"]
         assert now.energy_elastic == frame["energies"].attrs["elastic [J]"]
         here = loading.isel(contact=np.flatnonzero(loading.contact_state.values == t))

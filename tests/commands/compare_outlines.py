@@ -55,5 +55,10 @@ def check(data, centre, angle, shapes):
 with h5py.File(stage_file) as file:
     for state, frame in enumerate(file["frames"].values()):
         shapes = {name: file["grains/shapes"][name][:] for name in ("first", "x", "y", "radius", "filled")}
-        check(outlines_of(state), np.column_stack([frame["grains/x"], frame["grains/y"]]), frame["grains/angle"][:], shapes)
+        check(
+            outlines_of(state),
+            np.column_stack([frame["grains/x"], frame["grains/y"]]),
+            frame["grains/angle"][:],
+            shapes,
+        )
 print("checked", state + 1, "states")

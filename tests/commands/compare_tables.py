@@ -21,7 +21,7 @@ def dump_frames(path):
                 frames.append({})
             if frames:
                 current = frames[-1].setdefault(name, [])
-                frames[-1][name + " header"] = line[len("ITEM: ") + len(name):].split()
+                frames[-1][name + " header"] = line[len("ITEM: ") + len(name) :].split()
         elif frames:
             current.append(line.split())
     return frames
@@ -39,7 +39,10 @@ def check_lammps(file):
         assert float(g["TIME"][0][0]) == frame.attrs["time [s]"] and int(g["TIMESTEP"][0][0]) == frame.attrs["step"]
         assert g["BOX BOUNDS header"] == ["ff", "ff", "pp"]
         side = frame["domain"]
-        assert [float(v) for v in g["BOX BOUNDS"][0]] == [side["left"].attrs["position [m]"], side["right"].attrs["position [m]"]]
+        assert [float(v) for v in g["BOX BOUNDS"][0]] == [
+            side["left"].attrs["position [m]"],
+            side["right"].attrs["position [m]"],
+        ]
         atoms = columns(g, "ATOMS")
         np.testing.assert_array_equal(atoms["id"], file["grains/id"])
         np.testing.assert_array_equal(atoms["type"], file["grains/material"][:] + 1)
@@ -63,7 +66,7 @@ def check_extxyz(file):
     n = len(file["grains/id"])
     assert len(lines) == len(file["frames"]) * (n + 2)
     for k, frame in enumerate(file["frames"].values()):
-        block = lines[k * (n + 2):(k + 1) * (n + 2)]
+        block = lines[k * (n + 2) : (k + 1) * (n + 2)]
         assert int(block[0]) == n
         keys = dict((m.group(1), m.group(2).strip('"')) for m in re.finditer(r'(\w+)=("[^"]*"|\S+)', block[1]))
         assert float(keys["Time"]) == frame.attrs["time [s]"]
@@ -76,7 +79,7 @@ def check_extxyz(file):
         assert all(len(row) == sum(widths) for row in rows)
         assert {row[0] for row in rows} == {"X"}
         assert keys["Materials"] == "1:POM 2:HDPE"
-        material = sum(widths[:properties[::3].index("material")])
+        material = sum(widths[: properties[::3].index("material")])
         np.testing.assert_array_equal([int(row[material]) for row in rows], file["grains/material"][:] + 1)
         np.testing.assert_array_equal([float(row[1]) for row in rows], frame["grains/x"])
         np.testing.assert_array_equal([float(row[4]) for row in rows], file["grains/radius"])

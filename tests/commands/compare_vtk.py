@@ -34,7 +34,9 @@ def check_blocks(name):
 
 
 def arrays(attributes):
-    return {attributes.GetArrayName(k): vtk_to_numpy(attributes.GetArray(k)) for k in range(attributes.GetNumberOfArrays())}
+    return {
+        attributes.GetArrayName(k): vtk_to_numpy(attributes.GetArray(k)) for k in range(attributes.GetNumberOfArrays())
+    }
 
 
 def same(a, b):
@@ -77,7 +79,9 @@ def check_contacts(data, frame, sample):
     i, j = contacts["i"][:], contacts["j"][:]
     pairs = j >= 0
     nx, ny, fn, ft = (contacts[name][:] for name in ("nx", "ny", "fn", "ft"))
-    np.testing.assert_allclose(fields["force"], np.column_stack([fn * nx - ft * ny, fn * ny + ft * nx, 0 * fn]), rtol=1e-14, atol=1e-12)
+    np.testing.assert_allclose(
+        fields["force"], np.column_stack([fn * nx - ft * ny, fn * ny + ft * nx, 0 * fn]), rtol=1e-14, atol=1e-12
+    )
     same(fields["i"], sample["id"][:][i])
     same(fields["j"], np.where(pairs, sample["id"][:][np.maximum(j, 0)], j))
     mean = contacts["fn"][:][pairs & (contacts["fn"][:] > 0)].mean()
@@ -106,13 +110,19 @@ def check_walls(data, frame):
 
 with h5py.File(stage_file) as file:
     times = [frame.attrs["time [s]"] for frame in file["frames"].values()]
-    listed = [(float(d.get("timestep")), d.get("file")) for d in ElementTree.parse(os.path.join(folder, "loading.pvd")).iter("DataSet")]
+    listed = [
+        (float(d.get("timestep")), d.get("file"))
+        for d in ElementTree.parse(os.path.join(folder, "loading.pvd")).iter("DataSet")
+    ]
     assert [t for t, _ in listed] == times, listed
     for _, name in listed:
         check_blocks(name)
     first = None
     for name in ("grains", "contacts", "walls"):
-        alone = [(float(d.get("timestep")), d.get("file")) for d in ElementTree.parse(os.path.join(folder, name + ".pvd")).iter("DataSet")]
+        alone = [
+            (float(d.get("timestep")), d.get("file"))
+            for d in ElementTree.parse(os.path.join(folder, name + ".pvd")).iter("DataSet")
+        ]
         assert alone == [(t, f"{name}_{k:04}.vtp") for k, t in enumerate(times)]
         for (time, path), frame in zip(alone, file["frames"].values()):
             assert math.isclose(time, frame.attrs["time [s]"], rel_tol=0, abs_tol=0)

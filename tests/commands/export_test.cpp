@@ -17,7 +17,9 @@ using test::TemporaryFolder;
 std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
 
 /// The distribution's Python, which has h5py and VTK.
-std::string python(const std::string& script) { return "/usr/bin/python3 " ARENITE_SOURCE_DIR "/tests/commands/" + script + " "; }
+std::string python(const std::string& script) {
+  return "/usr/bin/python3 " ARENITE_SOURCE_DIR "/tests/commands/" + script + " ";
+}
 
 class Export : public testing::Test {
  protected:
@@ -43,9 +45,10 @@ TEST_F(Export, VtkReadsArraysOfMoreThanOneCompressedBlock) {
 
 /// A square, a pair of disks and a disk by turns.
 void give_shapes(Grains& grains) {
-  const Shape kinds[] = {{{{0.006, 0.006}, {-0.006, 0.006}, {-0.006, -0.006}, {0.006, -0.006}}, {0.002, 0.002, 0.002, 0.002}, true},
-                         {{{-0.003, 0}, {0.003, 0}}, {0.005, 0.005}, false},
-                         {{{0, 0}}, {0.0101}, false}};
+  const Shape kinds[] = {
+      {{{0.006, 0.006}, {-0.006, 0.006}, {-0.006, -0.006}, {0.006, -0.006}}, {0.002, 0.002, 0.002, 0.002}, true},
+      {{{-0.003, 0}, {0.003, 0}}, {0.005, 0.005}, false},
+      {{{0, 0}}, {0.0101}, false}};
   for (std::size_t g = 0; g < grains.size(); ++g) add_shape(grains.shapes, kinds[g % 3], gyration_of(kinds[g % 3]));
 }
 
@@ -79,9 +82,10 @@ TEST_F(Export, ALoadingWhoseGrainsChangeFitsInNoArray) {
 
 TEST_F(Export, LammpsItselfReadsTheDumpAtItsStep) {
   ASSERT_EQ(arenite("export " + file.string() + " --to lammps").status, 0);
-  std::ofstream(folder / "in") << "units si\ndimension 2\natom_style sphere\nboundary f f p\nregion b block 0 1 0 1 -0.1 0.1\ncreate_box 2 b\n"
-                                  "read_dump lammps/grains.dump 2000 x y vx vy box yes add yes\n"
-                                  "write_dump all custom out.dump type x y vy modify sort id format float %.17g\n";
+  std::ofstream(folder / "in")
+      << "units si\ndimension 2\natom_style sphere\nboundary f f p\nregion b block 0 1 0 1 -0.1 0.1\ncreate_box 2 b\n"
+         "read_dump lammps/grains.dump 2000 x y vx vy box yes add yes\n"
+         "write_dump all custom out.dump type x y vy modify sort id format float %.17g\n";
   const auto run = shell("cd " + folder.path().string() + " && lmp -in in -log none");
   ASSERT_EQ(run.status, 0) << run.out << run.err;
   const auto grains = test::two_snapshots(6).snapshots[1].packing.grains;
@@ -113,7 +117,8 @@ TEST_F(Export, AseReadsExtendedXyzWhateverMaterialsAreCalled) {
 }
 
 TEST_F(Export, FormatsAreAskedForByTheProgramsThatReadThem) {
-  for (const auto& [program, format] : {std::pair{"ovito", "lammps"}, {"xarray", "netcdf"}, {"paraview", "vtk"}, {"ase", "extxyz"}}) {
+  for (const auto& [program, format] :
+       {std::pair{"ovito", "lammps"}, {"xarray", "netcdf"}, {"paraview", "vtk"}, {"ase", "extxyz"}}) {
     const auto done = arenite("export " + file.string() + " --to " + program);
     EXPECT_EQ(done.status, 0) << done.err;
     const auto named = arenite("export " + file.string() + " --to " + format + " --out " + (folder / "named").string());
@@ -155,12 +160,14 @@ TEST_F(Export, MeasureReadsTheTablesAndTheDumpsAndFindsTheTextureThatShowTells) 
   io::write_stage(file, result);
   const auto shown = nlohmann::json::parse(arenite("show --json " + file.string()).out);
   ASSERT_EQ(arenite("export --last --to csv " + file.string()).status, 0);
-  const auto tables = arenite("measure --json --box 0.13,0.05 --origin=-0.01,0 --thickness 0.06 " + (folder / "csv/grains_0000.csv").string() + " " +
-                              (folder / "csv/contacts_0000.csv").string());
+  const auto tables =
+      arenite("measure --json --box 0.13,0.05 --origin=-0.01,0 --thickness 0.06 " +
+              (folder / "csv/grains_0000.csv").string() + " " + (folder / "csv/contacts_0000.csv").string());
   ASSERT_EQ(tables.status, 0) << tables.err;
   EXPECT_GT(compare_numbers(shown, nlohmann::json::parse(tables.out), "tables"), 60u);
   ASSERT_EQ(arenite("export --last --to lammps " + file.string()).status, 0);
-  const auto dumps = arenite("measure --json --thickness 0.06 " + (folder / "lammps/grains.dump").string() + " " + (folder / "lammps/contacts.dump").string());
+  const auto dumps = arenite("measure --json --thickness 0.06 " + (folder / "lammps/grains.dump").string() + " " +
+                             (folder / "lammps/contacts.dump").string());
   ASSERT_EQ(dumps.status, 0) << dumps.err;
   const auto read = nlohmann::json::parse(dumps.out);  // a local dump has no walls, so what these decide differs
   using Pointer = nlohmann::json::json_pointer;
@@ -176,7 +183,8 @@ TEST_F(Export, AFolderOfStagesIsOneLoadingAndASharedStateIsWrittenOnce) {
   const auto done = arenite("export " + folder.path().string() + " --to vtk");
   ASSERT_EQ(done.status, 0) << done.err;
   const std::string list = io::read_file(folder / "vtk/grains.pvd");
-  for (const std::string time : {"0.125", "0.375", "1.5"}) EXPECT_NE(list.find("timestep=\"" + time + "\""), std::string::npos) << list;
+  for (const std::string time : {"0.125", "0.375", "1.5"})
+    EXPECT_NE(list.find("timestep=\"" + time + "\""), std::string::npos) << list;
   EXPECT_TRUE(std::filesystem::exists(folder / "vtk/walls_0002.vtp"));
   EXPECT_FALSE(std::filesystem::exists(folder / "vtk/walls_0003.vtp"));
 }
@@ -191,8 +199,12 @@ TEST_F(Export, LastWritesOnlyTheLastState) {
 TEST_F(Export, SameResultGivesTheSameBytes) {
   for (const std::string format : {"vtk", "lammps", "extxyz", "netcdf", "csv"}) {
     for (const std::string where : {"a", "b"})
-      ASSERT_EQ(arenite("export " + file.string() + " --to " + format + " --out " + (folder / (where + format)).string()).status, 0);
-    EXPECT_EQ(shell("diff -r " + (folder / ("a" + format)).string() + " " + (folder / ("b" + format)).string()).status, 0);
+      ASSERT_EQ(
+          arenite("export " + file.string() + " --to " + format + " --out " + (folder / (where + format)).string())
+              .status,
+          0);
+    EXPECT_EQ(shell("diff -r " + (folder / ("a" + format)).string() + " " + (folder / ("b" + format)).string()).status,
+              0);
   }
 }
 

@@ -16,9 +16,11 @@ using test::VirtualFilm;
 using Json = nlohmann::json;
 
 constexpr const char* factors_times_one_and_a_half =
-    "--set materials.POM.thermoelastic_factor='\"0.0225 K/MPa\"' --set materials.HDPE.thermoelastic_factor='\"0.0387 K/MPa\"'";
+    "--set materials.POM.thermoelastic_factor='\"0.0225 K/MPa\"' --set materials.HDPE.thermoelastic_factor='\"0.0387 "
+    "K/MPa\"'";
 constexpr const char* factors_exchanged =
-    "--set materials.POM.thermoelastic_factor='\"0.0258 K/MPa\"' --set materials.HDPE.thermoelastic_factor='\"0.015 K/MPa\"'";
+    "--set materials.POM.thermoelastic_factor='\"0.0258 K/MPa\"' --set materials.HDPE.thermoelastic_factor='\"0.015 "
+    "K/MPa\"'";
 
 double given_load(const VirtualFilm& of) {
   const std::string text = test::slurp(of.at("film/film.toml"));
@@ -32,7 +34,8 @@ TEST(FilmOutside, AFilmThatAgreesIsNotDoubted) {
   const Json checks = Json::parse(done.out).at("checks");
   EXPECT_EQ(checks.at("doubts").size(), 0u) << checks.dump(2);
   EXPECT_NEAR(checks.at("load_by_forces_N").get<double>() / (1e3 * given_load(of)), 1, 0.05);
-  for (const auto& [name, scale] : checks.at("factor_scale").items()) EXPECT_NEAR(scale.at("value").get<double>(), 1, 0.08) << name;
+  for (const auto& [name, scale] : checks.at("factor_scale").items())
+    EXPECT_NEAR(scale.at("value").get<double>(), 1, 0.08) << name;
 }
 
 TEST(FilmOutside, MistakesOfALaboratoryAreFound) {
@@ -65,8 +68,8 @@ TEST(FilmOutside, CountsTakenForKelvinAreRefused) {
   film.level = test::all_of(*source).level;
   io::write_film(of.at("film/counts.tif"), film);
   of.edit("kelvin.toml", "from = \"references\"", "from = \"film\"\nassumed_emissivity = 1");
-  const auto done = test::arenite("film " + of.at("film/counts.tif").string() + " --recipe " + of.at("film/kelvin.toml").string() + " --quiet --out " +
-                                  of.at("result").string());
+  const auto done = test::arenite("film " + of.at("film/counts.tif").string() + " --recipe " +
+                                  of.at("film/kelvin.toml").string() + " --quiet --out " + of.at("result").string());
   EXPECT_EQ(done.status, 2) << done.err;
   EXPECT_NE(done.err.find("kelvin"), std::string::npos) << done.err;
 }
@@ -85,7 +88,9 @@ Judged judged(const VirtualFilm& of, const Json& j) {
   double within = 0, known = 0;
   for (std::size_t i = 0; i < match.size(); ++i) {
     if (!std::isfinite(film.peak_to_peak.error[i])) continue;
-    within += std::abs(film.peak_to_peak.sigma_hyd[i] - (loaded[match[i]] - released[match[i]])) < 2 * film.peak_to_peak.error[i], ++known;
+    within += std::abs(film.peak_to_peak.sigma_hyd[i] - (loaded[match[i]] - released[match[i]])) <
+              2 * film.peak_to_peak.error[i],
+        ++known;
   }
   out.covered = within / known;
   out.contacts = static_cast<double>(film.packing.contacts.size());
@@ -98,7 +103,8 @@ Judged judged(const VirtualFilm& of, const Json& j) {
 TEST(FilmOutside, ContactsAndTheirMeanForceDoNotFollowTheNoise) {
   std::vector<Judged> all;
   double truth = 0;
-  for (const char* camera : {"--set camera.netd='\"10 mK\"' --set camera.electrons=2.4e7 --set camera.full_well=4.8e7", "", "--set camera.netd='\"40 mK\"'"}) {
+  for (const char* camera : {"--set camera.netd='\"10 mK\"' --set camera.electrons=2.4e7 --set camera.full_well=4.8e7",
+                             "", "--set camera.netd='\"40 mK\"'"}) {
     const VirtualFilm of(camera);
     const auto done = of.film("--json");
     ASSERT_EQ(done.status, 0) << done.err;

@@ -27,7 +27,8 @@ TEST(FilmCommand, GivesBackTheStressesOfTheSimulationThatWasFilmed) {
   EXPECT_EQ(j["grains"]["POM"], 20);
   EXPECT_EQ(j["grains"]["HDPE"], 22);
   EXPECT_EQ(j["lockin"]["convention"], "peak_to_peak");
-  EXPECT_NEAR(j["lockin"]["frequency_Hz"]["value"].get<double>(), 3.003, 3 * j["lockin"]["frequency_Hz"]["error"].get<double>());
+  EXPECT_NEAR(j["lockin"]["frequency_Hz"]["value"].get<double>(), 3.003,
+              3 * j["lockin"]["frequency_Hz"]["error"].get<double>());
   EXPECT_GT(j["motion"]["largest_travel_pixels"].get<double>(), 1.5);
 
   const Packing low = virtual_film.state("low"), high = virtual_film.state("high");
@@ -43,11 +44,12 @@ TEST(FilmCommand, GivesBackTheStressesOfTheSimulationThatWasFilmed) {
     change.push_back(loaded[match[i]] - released[match[i]]);
     EXPECT_EQ(film.packing.materials[static_cast<std::size_t>(film.packing.grains.material[i])].name,
               high.materials[static_cast<std::size_t>(high.grains.material[match[i]])].name);
-    const Vec2 found = film.origin + Vec2{film.grains.centre[i].x * film.pixel, -film.grains.centre[i].y * film.pixel}, moved = film.packing.grains.position[i];
+    const Vec2 found = film.origin + Vec2{film.grains.centre[i].x * film.pixel, -film.grains.centre[i].y * film.pixel},
+               moved = film.packing.grains.position[i];
     off_at_low += std::pow(norm(low.grains.position[match[i]] - corner - found) / film.pixel, 2) / 42;
     const double border = 0.010;
-    if (moved.x < border || moved.x > 0.095 - border || moved.y < high.domain.wall[bottom].position - corner.y + border ||
-        moved.y > low.domain.height() - border)
+    if (moved.x < border || moved.x > 0.095 - border ||
+        moved.y < high.domain.wall[bottom].position - corner.y + border || moved.y > low.domain.height() - border)
       continue;
     off_at_high += std::pow(norm(high.grains.position[match[i]] - corner - moved) / film.pixel, 2);
     ++away;
@@ -62,7 +64,8 @@ TEST(FilmCommand, GivesBackTheStressesOfTheSimulationThatWasFilmed) {
   EXPECT_NEAR(agreement.relation.line.slope, 1, 0.03);
 }
 
-/// Stress of the grains of one material from the film over that of the simulation, and how far off each is in its errors.
+/// Stress of the grains of one material from the film over that of the simulation, and how far off each is in its
+/// errors.
 struct OfMaterial {
   double slope = 0, off_in_errors = 0;
 };
@@ -86,7 +89,8 @@ OfMaterial of_material(const VirtualFilm& of, std::int32_t material) {
 
 TEST(FilmCommand, UnequalEmissivitiesComeBackWithinTheErrors) {
   const std::string quiet = "--set camera.motion=false ";
-  const VirtualFilm alike(quiet), unlike(quiet + "--set materials.HDPE.emissivity=0.8 --set materials.POM.emissivity=0.95");
+  const VirtualFilm alike(quiet),
+      unlike(quiet + "--set materials.HDPE.emissivity=0.8 --set materials.POM.emissivity=0.95");
   ASSERT_EQ(alike.film().status, 0);
   ASSERT_EQ(unlike.film().status, 0);
   for (const std::int32_t material : {0, 1}) {
@@ -97,14 +101,16 @@ TEST(FilmCommand, UnequalEmissivitiesComeBackWithinTheErrors) {
   }
   // The same with a curve of black bodies a kelvin apart instead of Planck's law between two.
   const auto level_of = [&](const char* name) {
-    return thermography::reference_level(thermography::frame_statistics(*io::open_film(unlike.at(std::string("film/") + name))));
+    return thermography::reference_level(
+        thermography::frame_statistics(*io::open_film(unlike.at(std::string("film/") + name))));
   };
   const double cold = level_of("cold.ptw"), warm = level_of("warm.ptw");
   const auto photons = [](double t) { return radiometry::photon_exitance({}, t); };
   std::ofstream curve(unlike.at("film/curve.csv"));
   curve.precision(12);
   curve << "level,temperature\n";
-  for (double t = 285; t <= 305; ++t) curve << cold + (photons(t) - photons(291)) * (warm - cold) / (photons(301) - photons(291)) << "," << t << "\n";
+  for (double t = 285; t <= 305; ++t)
+    curve << cold + (photons(t) - photons(291)) * (warm - cold) / (photons(301) - photons(291)) << "," << t << "\n";
   curve.close();
   unlike.edit("curve.toml", "from = \"references\"", "from = \"curve\"\ncurve = \"curve.csv\"");
   std::filesystem::remove_all(unlike.at("result"));
@@ -116,8 +122,8 @@ TEST(FilmCommand, UnequalEmissivitiesComeBackWithinTheErrors) {
 TEST(FilmCommand, TakesABareArrayThatIsToldWhatItIs) {
   const VirtualFilm of("--set camera.motion=false --format npy");
   ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
-  const std::string film =
-      "film " + of.at("film/film.npy").string() + " --recipe " + of.at("film/film.toml").string() + " --quiet --out " + of.at("result").string();
+  const std::string film = "film " + of.at("film/film.npy").string() + " --recipe " + of.at("film/film.toml").string() +
+                           " --quiet --out " + of.at("result").string();
   const auto bare = arenite::test::arenite(film);
   EXPECT_EQ(bare.status, 2);
   EXPECT_NE(bare.err.find("give it (--frame-rate, frame_rate in [film] of a recipe"), std::string::npos) << bare.err;
@@ -126,7 +132,8 @@ TEST(FilmCommand, TakesABareArrayThatIsToldWhatItIs) {
   const auto slip = arenite::test::arenite(film + " --frame-rate 148");
   EXPECT_EQ(slip.status, 2);
   EXPECT_NE(slip.err.find("--frame-rate"), std::string::npos) << slip.err;
-  const auto kelvin = arenite::test::arenite(film + " --frame-rate 148Hz --set temperature.from=film --set temperature.assumed_emissivity=1");
+  const auto kelvin = arenite::test::arenite(
+      film + " --frame-rate 148Hz --set temperature.from=film --set temperature.assumed_emissivity=1");
   EXPECT_EQ(kelvin.status, 2);
   EXPECT_NE(kelvin.err.find("of unknown quantity"), std::string::npos) << kelvin.err;
 }
@@ -144,7 +151,8 @@ TEST(FilmCommand, PutsASimulationOfTheSameGrainsBesideTheFilm) {
   const VirtualFilm of;
   ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
   of.edit("companion.toml", "[picture]",
-          "[simulation]\nrecipe = \"" + (of.at("states") / "recipe.toml").string() + "\"\nlow = \"low\"\nhigh = \"high\"\n\n[picture]");
+          "[simulation]\nrecipe = \"" + (of.at("states") / "recipe.toml").string() +
+              "\"\nlow = \"low\"\nhigh = \"high\"\n\n[picture]");
   const auto done = of.film("--json", "film", "companion.toml");
   ASSERT_EQ(done.status, 0) << done.err;
   const Json j = Json::parse(done.out);
@@ -153,10 +161,14 @@ TEST(FilmCommand, PutsASimulationOfTheSameGrainsBesideTheFilm) {
     if (file.filename().string().find("-high-") != std::string::npos) {
       const auto loaded = test::stress_by_forces(io::read_stage(file).snapshots.back().packing);
       ASSERT_EQ(film.simulation.state.size(), loaded.size());
-      for (std::size_t i = 0; i < loaded.size(); ++i) EXPECT_NEAR(film.simulation.state[i], loaded[i], 1e-9 * std::abs(loaded[i])) << i;
+      for (std::size_t i = 0; i < loaded.size(); ++i)
+        EXPECT_NEAR(film.simulation.state[i], loaded[i], 1e-9 * std::abs(loaded[i])) << i;
     }
   ASSERT_EQ(film.simulation.state.size(), 42u);
-  EXPECT_GT(workflow::agreement(film.peak_to_peak.sigma_hyd, film.simulation.peak_to_peak, std::vector<std::uint8_t>(42, 1)).relation.pearson.value, 0.2);
+  EXPECT_GT(
+      workflow::agreement(film.peak_to_peak.sigma_hyd, film.simulation.peak_to_peak, std::vector<std::uint8_t>(42, 1))
+          .relation.pearson.value,
+      0.2);
   for (const char* what : {"film", "simulation"}) {
     const Json& orientations = j.at("contact_orientations").at(what);  // of the few contacts away from the border
     EXPECT_GT(orientations.at("contacts"), 0) << what;
@@ -192,18 +204,23 @@ TEST(FilmCommand, RefusesWhatTheFilmDoesNotShow) {
   const VirtualFilm of("--set camera.high='\"low\"'");
   ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
   expect_refused(of, of.film(), "film.ptw: the film shows only noise at 3 Hz");
-  expect_refused(of, of.film("--set lockin.frequency='\"80 Hz\"'"), "film.ptw: the load frequency of 80 Hz is at or above the Nyquist frequency");
-  expect_refused(of, of.film("--set lockin.frequency='\"0.2 Hz\"'"), "film.ptw: the film of 2.027 s holds 0.404 cycles");
+  expect_refused(of, of.film("--set lockin.frequency='\"80 Hz\"'"),
+                 "film.ptw: the load frequency of 80 Hz is at or above the Nyquist frequency");
+  expect_refused(of, of.film("--set lockin.frequency='\"0.2 Hz\"'"),
+                 "film.ptw: the film of 2.027 s holds 0.404 cycles");
   const auto cold = [&](const std::string& to) { std::filesystem::copy_file(of.at("film/cold.ptw"), of.at(to)); };
   std::filesystem::create_directory(of.at("plate"));
   cold("plate/film.ptw");
-  expect_refused(of, of.film("--set lockin.frequency='\"30 Hz\"'", "plate"), "film.ptw: the film shows only noise at 30 Hz");
+  expect_refused(of, of.film("--set lockin.frequency='\"30 Hz\"'", "plate"),
+                 "film.ptw: the film shows only noise at 30 Hz");
   ASSERT_EQ(of.camera("wide", "--set camera.width=80").status, 0);
-  expect_refused(of, of.film("--set correction.warm='\"../wide/warm.ptw\"'"), "warm.ptw: has frames of 80 x 96 pixels, and the film of 96 x 96");
+  expect_refused(of, of.film("--set correction.warm='\"../wide/warm.ptw\"'"),
+                 "warm.ptw: has frames of 80 x 96 pixels, and the film of 96 x 96");
 }
 
 /// The film's frames with every level made another, in a folder of its own under the same name.
-void change_levels(const VirtualFilm& of, const std::string& name, const std::string& to, std::uint16_t (*change)(std::uint16_t)) {
+void change_levels(const VirtualFilm& of, const std::string& name, const std::string& to,
+                   std::uint16_t (*change)(std::uint16_t)) {
   const auto source = io::open_film(of.at("film/" + name));
   Film film;
   film.about = source->info();
@@ -217,11 +234,13 @@ TEST(FilmCommand, RefusesPixelsThatTellNothing) {
   const VirtualFilm of;
   ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
   change_levels(of, "film.ptw", "saturated", [](std::uint16_t) { return std::uint16_t{16383}; });
-  expect_refused(of, of.film("", "saturated"), "film.ptw: 9216 of 9216 pixels reach the top of the camera's range (16383)");
+  expect_refused(of, of.film("", "saturated"),
+                 "film.ptw: 9216 of 9216 pixels reach the top of the camera's range (16383)");
   change_levels(of, "film.ptw", "constant", [](std::uint16_t) { return std::uint16_t{5000}; });
   expect_refused(of, of.film("", "constant"), "film.ptw: 9216 of 9216 pixels are constant in the first 200 frames");
   change_levels(of, "warm.ptw", "saturated", [](std::uint16_t) { return std::uint16_t{16383}; });
-  expect_refused(of, of.film("--set correction.warm='\"../saturated/warm.ptw\"'"), "warm.ptw: 9216 of 9216 pixels reach the top");
+  expect_refused(of, of.film("--set correction.warm='\"../saturated/warm.ptw\"'"),
+                 "warm.ptw: 9216 of 9216 pixels reach the top");
   expect_refused(of, of.film("--set correction.warm='\"cold.ptw\"'"), "the two references show the same level");
 }
 
@@ -234,15 +253,16 @@ TEST(FilmCommand, RefusesASixteenBitFilmAtItsCeiling) {
   for (auto& level : film.level) level = 65535;
   io::write_film(of.at("film/white.tif"), film);
   expect_refused(of,
-                 test::arenite("film " + of.at("film/white.tif").string() + " --recipe " + of.at("film/film.toml").string() + " --quiet --out " +
-                               of.at("result").string()),
+                 test::arenite("film " + of.at("film/white.tif").string() + " --recipe " +
+                               of.at("film/film.toml").string() + " --quiet --out " + of.at("result").string()),
                  "white.tif: 9216 of 9216 pixels reach the top of the camera's range (65535)");
 }
 
 TEST(FilmCommand, RefusesAListWithOverlappingCircles) {
   const VirtualFilm of;
   ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
-  std::ofstream(of.at("film/list.csv")) << "id,x [mm],y [mm],radius [mm],material\n1,20,20,5,POM\n7,26,20,5,HDPE\n3,60,20,5,POM\n4,69,20,5,POM\n";
+  std::ofstream(of.at("film/list.csv"))
+      << "id,x [mm],y [mm],radius [mm],material\n1,20,20,5,POM\n7,26,20,5,HDPE\n3,60,20,5,POM\n4,69,20,5,POM\n";
   expect_refused(of, of.film("--set picture.grains='\"list.csv\"'"), "list.csv: grains 1 and 7 overlap by 4 mm");
 }
 
@@ -252,8 +272,10 @@ TEST(FilmCommand, RefusesRecipesThatDoNotFit) {
   of.edit("no-factor.toml", "thermoelastic_factor = \"0.015 K/MPa\"\n", "");
   expect_refused(of, of.film("", "film", "no-factor.toml"), "materials.POM.thermoelastic_factor: is missing");
   of.edit("companion.toml", "[picture]",
-          "[simulation]\nrecipe = \"" + VirtualFilm::example("sample.toml") + "\"\nlow = \"none\"\nhigh = \"high\"\n\n[picture]");
-  expect_refused(of, of.film("", "film", "companion.toml"), "sample.toml: has no stage \"none\", which [simulation] of ");
+          "[simulation]\nrecipe = \"" + VirtualFilm::example("sample.toml") +
+              "\"\nlow = \"none\"\nhigh = \"high\"\n\n[picture]");
+  expect_refused(of, of.film("", "film", "companion.toml"),
+                 "sample.toml: has no stage \"none\", which [simulation] of ");
   std::ofstream(of.at("film/none.csv")) << "id,x [mm],y [mm],radius [mm],material\n";
   expect_refused(of, of.film("--set picture.grains='\"none.csv\"'"), "none.csv: lists no grains");
   of.edit("empty.toml", "[container]", "[container]\nleft = 200.0");
@@ -264,28 +286,33 @@ TEST(FilmCommand, RefusesLevelsThatNothingTurnsIntoTemperatures) {
   const VirtualFilm of;
   ASSERT_EQ(of.filmed.status, 0) << of.filmed.err;
   expect_refused(of,
-                 test::arenite("film " + of.at("film/film.ptw").string() + " --recipe " + VirtualFilm::example("camera.toml") + " --quiet --out " +
-                               of.at("none").string()),
+                 test::arenite("film " + of.at("film/film.ptw").string() + " --recipe " +
+                               VirtualFilm::example("camera.toml") + " --quiet --out " + of.at("none").string()),
                  "camera.toml: temperature: from is \"references\" unless given, and needs correction.cold");
   std::string text = test::slurp(of.at("film/film.toml"));
   const auto section = text.find("[temperature]");
   text.erase(section, text.find("\n[", section) - section);
   std::ofstream(of.at("film/kelvin.toml")) << text << "\n[temperature]\nfrom = \"film\"\nassumed_emissivity = 1\n";
-  expect_refused(of, of.film("", "film", "kelvin.toml"), "film.ptw: states that it holds digital levels, and temperature.from = \"film\" of ");
+  expect_refused(of, of.film("", "film", "kelvin.toml"),
+                 "film.ptw: states that it holds digital levels, and temperature.from = \"film\" of ");
 }
 
 TEST(CameraCommand, RefusesInOneSentence) {
   const VirtualFilm of;
   const auto none = [&](const std::string& overrides) { return of.camera("none", overrides); };
-  expect_refused(of, none("--set camera.high='\"nowhere\"'"), "states: has no stage \"nowhere\"; those there are: compact, high, low, packing, prepare");
+  expect_refused(of, none("--set camera.high='\"nowhere\"'"),
+                 "states: has no stage \"nowhere\"; those there are: compact, high, low, packing, prepare");
   std::string text = test::slurp(VirtualFilm::example("camera.toml"));
   const auto pom = text.find("[materials.POM]");
   std::ofstream(of.at("no-pom.toml")) << text.erase(pom, text.find("[container]") - pom);
   const std::string tail = " --quiet --out " + of.at("none").string();
-  expect_refused(of, test::arenite("camera " + of.states() + " --recipe " + of.at("no-pom.toml").string() + tail), "there is no section [materials.POM]");
-  expect_refused(of, test::arenite("camera " + of.states() + " --recipe " + of.at("film/film.toml").string() + tail), "there is no section [camera]");
-  expect_refused(of, test::arenite("camera " + of.at("film").string() + " --recipe " + VirtualFilm::example("camera.toml") + tail),
-                 "film: holds no stage file");
+  expect_refused(of, test::arenite("camera " + of.states() + " --recipe " + of.at("no-pom.toml").string() + tail),
+                 "there is no section [materials.POM]");
+  expect_refused(of, test::arenite("camera " + of.states() + " --recipe " + of.at("film/film.toml").string() + tail),
+                 "there is no section [camera]");
+  expect_refused(
+      of, test::arenite("camera " + of.at("film").string() + " --recipe " + VirtualFilm::example("camera.toml") + tail),
+      "film: holds no stage file");
 }
 
 }  // namespace

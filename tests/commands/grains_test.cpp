@@ -27,7 +27,8 @@ std::vector<test::DrawnDisk> some_disks() {
 void write_picture(const std::filesystem::path& path, const std::vector<test::DrawnDisk>& disks, double noise = 0.01) {
   const FloatImage image = test::draw(disks, {.width = 100, .height = 70, .background = 0.1, .noise = noise});
   io::ColourPicture picture{image.width, image.height, {}};
-  for (const float v : image.value) picture.rgb.insert(picture.rgb.end(), 3, static_cast<std::uint8_t>(std::clamp(std::lround(200 * v), 0L, 255L)));
+  for (const float v : image.value)
+    picture.rgb.insert(picture.rgb.end(), 3, static_cast<std::uint8_t>(std::clamp(std::lround(200 * v), 0L, 255L)));
   io::write_png(path, picture);
 }
 
@@ -42,8 +43,10 @@ void expect_refused(const std::string& arguments, const std::string& file, const
 TEST(GrainsCommand, WritesATableThatASimulationStartsFrom) {
   const TemporaryFolder folder;
   write_picture(folder / "a.png", some_disks());
-  const auto run = arenite("grains " + (folder / "a.png").string() +
-                           " --radii \"8 mm,12.8 mm\" --pixel \"1.6 mm\" --materials POM,HDPE --origin 5,55 --json --out " + (folder / "o").string());
+  const auto run =
+      arenite("grains " + (folder / "a.png").string() +
+              " --radii \"8 mm,12.8 mm\" --pixel \"1.6 mm\" --materials POM,HDPE --origin 5,55 --json --out " +
+              (folder / "o").string());
   ASSERT_EQ(run.status, 0) << run.err;
   const Json j = Json::parse(run.out);
   EXPECT_EQ(j["grains"], 12);
@@ -54,12 +57,14 @@ TEST(GrainsCommand, WritesATableThatASimulationStartsFrom) {
   Domain frame;
   frame.wall[right].position = 0.15;
   frame.wall[top].position = 0.08;
-  const Grains grains = io::read_placed_grains(folder / "o" / "grains.csv", {{"HDPE", 950, 6e6, 0}, {"POM", 1400, 27e6, 0}}, frame);
+  const Grains grains =
+      io::read_placed_grains(folder / "o" / "grains.csv", {{"HDPE", 950, 6e6, 0}, {"POM", 1400, 27e6, 0}}, frame);
   ASSERT_EQ(grains.size(), 12u);
   for (const auto& d : some_disks()) {
     int at = 0;
     for (std::size_t g = 0; g < grains.size(); ++g)
-      if (std::hypot(grains.position[g].x - (d.x - 5) * 1.6e-3, grains.position[g].y - (55 - d.y) * 1.6e-3) < 0.05 * 1.6e-3 &&
+      if (std::hypot(grains.position[g].x - (d.x - 5) * 1.6e-3, grains.position[g].y - (55 - d.y) * 1.6e-3) <
+              0.05 * 1.6e-3 &&
           std::abs(grains.radius[g] - d.radius * 1.6e-3) < 0.1e-3) {
         ++at;
         EXPECT_EQ(grains.material[g], d.level < 0.8 ? 1 : 0);
@@ -74,7 +79,9 @@ TEST(GrainsCommand, WritesATableThatASimulationStartsFrom) {
 TEST(GrainsCommand, CountsFromTheLowerLeftCornerOfThePicture) {
   const TemporaryFolder folder;
   write_picture(folder / "a.png", some_disks());
-  ASSERT_EQ(arenite("grains " + (folder / "a.png").string() + " --contrast bright --out " + folder.path().string()).status, 0);
+  ASSERT_EQ(
+      arenite("grains " + (folder / "a.png").string() + " --contrast bright --out " + folder.path().string()).status,
+      0);
   const std::string table = test::slurp(folder / "grains.csv");
   EXPECT_EQ(table.substr(0, table.find('\n')), "id,x,y,radius,material,position_error,radius_error,brightness,score");
   EXPECT_NE(table.find("class1"), std::string::npos);
@@ -98,7 +105,8 @@ TEST(GrainsCommand, WritesATableInPixelsThatMeasureReads) {
   const std::string table = (folder / "grains.csv").string();
   const auto refused = arenite("measure " + table);
   EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("give the file of contacts after that of the grains, or --touching"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("give the file of contacts after that of the grains, or --touching"), std::string::npos)
+      << refused.err;
   const auto in_pixels = arenite("measure " + table + " --touching \"0.8 mm\"");
   EXPECT_EQ(in_pixels.status, 2);
   EXPECT_NE(in_pixels.err.find("grains.csv:1: lengths are in pixels (px)"), std::string::npos) << in_pixels.err;

@@ -14,7 +14,9 @@ using test::arenite;
 using test::TemporaryFolder;
 using Json = nlohmann::json;
 
-std::string data(const std::string& name) { return std::string(ARENITE_SOURCE_DIR) + "/examples/data/thesis-identification/" + name; }
+std::string data(const std::string& name) {
+  return std::string(ARENITE_SOURCE_DIR) + "/examples/data/thesis-identification/" + name;
+}
 
 Json found(const std::string& arguments) {
   const auto run = arenite("identify " + arguments + " --json");
@@ -41,22 +43,27 @@ TEST(Identify, AdhesionOfTheThesissTable) {
     EXPECT_GT(gamma["confidence_95"][1], gamma["value"]);
     EXPECT_EQ(gamma["unit"], "N/m");
   }
-  const Json wide = found("adhesion " + data("separation-force.csv") + " --k '27.35 +- 0.80 kN/mm' --radius '6.2 mm,8.2 mm' --effective-radius sum");
-  EXPECT_NEAR(wide["groups"][0]["surface_energy"]["value"].get<double>() / j["groups"][0]["surface_energy"]["value"].get<double>(), std::sqrt(12.4 / 14.4),
-              1e-12);
+  const Json wide = found("adhesion " + data("separation-force.csv") +
+                          " --k '27.35 +- 0.80 kN/mm' --radius '6.2 mm,8.2 mm' --effective-radius sum");
+  EXPECT_NEAR(wide["groups"][0]["surface_energy"]["value"].get<double>() /
+                  j["groups"][0]["surface_energy"]["value"].get<double>(),
+              std::sqrt(12.4 / 14.4), 1e-12);
   const auto forces = arenite("identify adhesion " + data("separation-force.csv"));
   EXPECT_EQ(forces.status, 0);
   EXPECT_NE(forces.out.find("8.14 +- 0.83 N"), std::string::npos) << forces.out;
-  EXPECT_NE(forces.out.find("note: the surface energy needs the stiffness of the pair and the radii: --k"), std::string::npos);
+  EXPECT_NE(forces.out.find("note: the surface energy needs the stiffness of the pair and the radii: --k"),
+            std::string::npos);
 }
 
 TEST(Identify, StiffnessBesideWhatIsPrinted) {
-  const auto run = arenite("identify stiffness " + data("contact-stiffness-pom.csv") + " --stated " + data("stated-stiffness-pom.csv"));
+  const auto run = arenite("identify stiffness " + data("contact-stiffness-pom.csv") + " --stated " +
+                           data("stated-stiffness-pom.csv"));
   ASSERT_EQ(run.status, 0) << run.err;
-  for (const char* words :
-       {"stated 29.27: agrees", "stated 25.45, here 25.63: differs by +0.180 (+0.71 %)", "stated 27.33: agrees", "stated 27.35, here 27.41: differs"})
+  for (const char* words : {"stated 29.27: agrees", "stated 25.45, here 25.63: differs by +0.180 (+0.71 %)",
+                            "stated 27.33: agrees", "stated 27.35, here 27.41: differs"})
     EXPECT_NE(run.out.find(words), std::string::npos) << words << "\n" << run.out;
-  const Json j = found("stiffness " + data("contact-stiffness-hdpe.csv") + " --length '60 mm' --stated " + data("stated-stiffness-hdpe.csv"));
+  const Json j = found("stiffness " + data("contact-stiffness-hdpe.csv") + " --length '60 mm' --stated " +
+                       data("stated-stiffness-hdpe.csv"));
   EXPECT_EQ(j["groups"][0]["stiffness"]["stated"]["agrees"], false);
   EXPECT_NEAR(j["groups"][0]["stiffness_per_length"]["value"].get<double>(), 38.5e6 / 6 / 0.06, 1);
 }
@@ -70,7 +77,8 @@ std::string records() {
       for (int p = 0; p < 100; ++p) {
         const double force = 0.08 * p;
         text += std::to_string(diameter) + "," + std::to_string(repeat) + "," +
-                std::to_string(-0.1 - force / (diameter < 10 ? 30.0 : 25.0) + 1e-3 * random.normal()) + "," + std::to_string(-force) + "\n";
+                std::to_string(-0.1 - force / (diameter < 10 ? 30.0 : 25.0) + 1e-3 * random.normal()) + "," +
+                std::to_string(-force) + "\n";
       }
   return text;
 }
@@ -93,7 +101,8 @@ TEST(Identify, AdhesionOfRecords) {
   std::string text = "specimen,displacement [mm],force [N]\n";
   for (const double peak : {100.0, 130.0})
     for (int p = 0; p < 60; ++p)
-      text += std::to_string(int(peak)) + "," + std::to_string(0.01 * p) + "," + std::to_string(p <= 40 ? peak * p / 40 : 0.0) + "\n";
+      text += std::to_string(int(peak)) + "," + std::to_string(0.01 * p) + "," +
+              std::to_string(p <= 40 ? peak * p / 40 : 0.0) + "\n";
   const auto file = (folder / "pull.csv").string();
   test::spill(file, text);
   const Json j = found("adhesion " + file + " --k '27.35 kN/mm' --radius '6.2 mm'");
@@ -108,7 +117,8 @@ std::string calibration(double of_peak_to_peak) {
   int k = 0;
   for (const double force : {200.0, 400.0, 600.0, 800.0})
     text += "POM," + std::to_string(0.1 * force) + "," + std::to_string(force) + "," +
-            std::to_string(of_peak_to_peak * 1e3 * (0.0150 * 0.9 * force / (30.9 * 4.9) + (k++ % 2 ? 2e-4 : -2e-4))) + "\n";
+            std::to_string(of_peak_to_peak * 1e3 * (0.0150 * 0.9 * force / (30.9 * 4.9) + (k++ % 2 ? 2e-4 : -2e-4))) +
+            "\n";
   return text;
 }
 
@@ -122,7 +132,8 @@ TEST(Identify, FactorByStressAndItsConventions) {
              b = found("factor " + half + section + " --temperature-convention amplitude")["groups"][0]["factor"];
   EXPECT_NEAR(a["value"].get<double>() * 1e6, 0.0150, 3e-4);
   EXPECT_NEAR(a["value"].get<double>(), b["value"].get<double>(), 1e-12);
-  EXPECT_EQ(found("factor " + half + section + " --temperature-swing half --load-swing full")["groups"][0]["factor"], b);  // former names
+  EXPECT_EQ(found("factor " + half + section + " --temperature-swing half --load-swing full")["groups"][0]["factor"],
+            b);  // former names
   EXPECT_LT(a["confidence_95"][0].get<double>() * 1e6, 0.0150);
   EXPECT_GT(a["confidence_95"][1].get<double>() * 1e6, 0.0150);
   EXPECT_EQ(a["unit"], "K/Pa");
@@ -135,7 +146,8 @@ TEST(Identify, FactorByStrainPropertiesAndSignal) {
   const TemporaryFolder folder;
   const auto file = (folder / "strain.csv").string();
   test::spill(file, "strain [%],temperature [K],signal\n0.01,0.006,10\n0.02,0.012,20\n0.03,0.018,30\n");
-  const Json j = found("factor " + file + " --young '2.6 +- 0.1 GPa' --poisson 0.35 --responsivity '0.6 mK'")["groups"][0];
+  const Json j =
+      found("factor " + file + " --young '2.6 +- 0.1 GPa' --poisson 0.35 --responsivity '0.6 mK'")["groups"][0];
   const double modulus = 2.6e9 / 0.65;
   EXPECT_NEAR(j["factor"]["value"].get<double>(), 60 / modulus, 1e-15);
   EXPECT_NEAR(j["factor"]["error"].get<double>() / j["factor"]["value"].get<double>(), 0.1 / 2.6, 1e-9);
@@ -156,15 +168,21 @@ TEST(Identify, BadInputIsOneSentenceAndStatusTwo) {
   };
   refused("time [s],pressure [Pa]\n1,2\n", "stiffness " + file, "a.csv:1: has no columns for a stiffness");
   refused("specimen,force [N]\n1,2\n", "stiffness " + file, "a.csv:1: has no columns for a stiffness");
-  refused("displacement [N],force [N]\n1,2\n", "stiffness " + file, "a.csv:1: column displacement: \"N\" is not a length");
-  refused("displacement [mm],force [N]\n1,200\n2,400\n3,600\n", "stiffness " + file, "a.csv:4: the force never exceeds the preload of 1000 N");
-  refused("displacement [mm],force [kN]\n1,0\n2,2\n3,4\n", "stiffness " + file, "a.csv:4: a cycle has 2 points beyond the preload");
+  refused("displacement [N],force [N]\n1,2\n", "stiffness " + file,
+          "a.csv:1: column displacement: \"N\" is not a length");
+  refused("displacement [mm],force [N]\n1,200\n2,400\n3,600\n", "stiffness " + file,
+          "a.csv:4: the force never exceeds the preload of 1000 N");
+  refused("displacement [mm],force [kN]\n1,0\n2,2\n3,4\n", "stiffness " + file,
+          "a.csv:4: a cycle has 2 points beyond the preload");
   refused("displacement [mm],force [kN]\n1,2\n2,3\n3,4\n4,5\n5,4\n6,5\n7,6\n8,7\n", "stiffness " + file,
           "a.csv:6: the force falls from 5000 to 4000 N and rises again");
-  refused("displacement [mm],force [kN]\n1,2\n2,x\n", "stiffness " + file, "a.csv:3: force is \"x\", which is not a finite number");
-  refused("repeat,stiffness [kN/mm]\n1,2\n2,0\n", "stiffness " + file, "a.csv:3: the stiffness is 0 N/m; it must be above 0");
+  refused("displacement [mm],force [kN]\n1,2\n2,x\n", "stiffness " + file,
+          "a.csv:3: force is \"x\", which is not a finite number");
+  refused("repeat,stiffness [kN/mm]\n1,2\n2,0\n", "stiffness " + file,
+          "a.csv:3: the stiffness is 0 N/m; it must be above 0");
   refused("specimen,force [N]\n1,2\n", "adhesion " + file, "a.csv:1: has no columns for an adhesion");
-  refused("specimen,latex [N]\n1,-2\n", "adhesion " + file, "a.csv:2: latex, specimen 1: the separation force is -2 N; write tension as a positive force");
+  refused("specimen,latex [N]\n1,-2\n", "adhesion " + file,
+          "a.csv:2: latex, specimen 1: the separation force is -2 N; write tension as a positive force");
   refused("stress [MPa],dT [K]\n1,2\n2,3\n", "factor " + file, "a.csv:3: 2 points are too few for a slope");
   refused("stress [MPa],dT [K]\n1,2\n1,3\n1,4\n", "factor " + file, "a.csv:2: the load is the same in every row");
   refused("force [N],dT [K]\n1,2\n", "factor " + file, "a.csv:1: forces need the specimen's section");
@@ -174,7 +192,8 @@ TEST(Identify, BadInputIsOneSentenceAndStatusTwo) {
   expect_refused("stiffness " + (folder / "none.csv").string(), "none.csv");
   expect_refused("adhesion " + data("separation-force.csv") + " --k '27.35 mm'", "--k: \"27.35 mm\" is a length");
   expect_refused("adhesion " + data("separation-force.csv") + " --radius '0 mm'", "--radius: \"0 mm\" must be above 0");
-  expect_refused("stiffness " + data("contact-stiffness-pom.csv") + " --stated " + data("stated-surface-energy.csv"), "states none of the quantities found");
+  expect_refused("stiffness " + data("contact-stiffness-pom.csv") + " --stated " + data("stated-surface-energy.csv"),
+                 "states none of the quantities found");
   expect_refused("hardness " + file, "what: hardness not in");
 }
 

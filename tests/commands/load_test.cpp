@@ -14,8 +14,10 @@ namespace fs = std::filesystem;
 
 /// A picture made by an expression of Python over x and y (y down), read back as PNG by anybody.
 std::string picture(const fs::path& file, int width, int height, const std::string& value) {
-  const auto made = test::shell("/usr/bin/python3 -c \"import h5py, numpy as np; y, x = np.mgrid[0:" + std::to_string(height) + ", 0:" + std::to_string(width) +
-                                "]; h5py.File('" + file.string() + "', 'w')['map'] = np.where(" + value + ").astype(np.uint8)\"");
+  const auto made =
+      test::shell("/usr/bin/python3 -c \"import h5py, numpy as np; y, x = np.mgrid[0:" + std::to_string(height) +
+                  ", 0:" + std::to_string(width) + "]; h5py.File('" + file.string() + "', 'w')['map'] = np.where(" +
+                  value + ").astype(np.uint8)\"");
   EXPECT_EQ(made.status, 0) << made.err;
   return file.string();
 }
@@ -25,7 +27,8 @@ std::string layers(const fs::path& file) { return picture(file, 60, 60, "(x // 1
 TEST(Load, LayersInParallelHaveTheMeanModulus) {
   const TemporaryFolder folder;
   const std::string map = layers(folder / "map.h5");
-  const auto loaded = arenite("load " + map + " --phases 1=particle,2=matrix --stiffness 'matrix=1 GPa,particle=4 GPa,interface=1 GPa' --json");
+  const auto loaded = arenite(
+      "load " + map + " --phases 1=particle,2=matrix --stiffness 'matrix=1 GPa,particle=4 GPa,interface=1 GPa' --json");
   ASSERT_EQ(loaded.status, 0) << loaded.err;
   const Json j = Json::parse(loaded.out);
   EXPECT_NEAR(j["modulus_Pa"].get<double>(), 2.5e9, 0.25e9);
@@ -38,7 +41,8 @@ TEST(Load, LayersInParallelHaveTheMeanModulus) {
 
 TEST(Load, StoresFieldAndPageAndMeasuresThemAgain) {
   const TemporaryFolder folder;
-  const auto loaded = arenite("load " + layers(folder / "map.h5") + " --phases 1=particle,2=matrix --moduli --out " + (folder / "out").string());
+  const auto loaded = arenite("load " + layers(folder / "map.h5") + " --phases 1=particle,2=matrix --moduli --out " +
+                              (folder / "out").string());
   ASSERT_EQ(loaded.status, 0) << loaded.err;
   EXPECT_NE(loaded.out.find("Apparent modulus"), std::string::npos);
   EXPECT_NE(loaded.out.find("in nodes, since --dx was not given"), std::string::npos) << loaded.out;
@@ -53,7 +57,8 @@ TEST(Load, StoresFieldAndPageAndMeasuresThemAgain) {
   const auto measured = arenite("measure " + file.string() + " --json --clamp-rows 10 --leave-out-surface");
   ASSERT_EQ(measured.status, 0) << measured.err;
   EXPECT_EQ(Json::parse(measured.out)["options"]["clamp_rows"], 10);
-  const auto shear = arenite("load " + file.string() + " --loading shear"), quiet = arenite("load " + file.string() + " --loading shear --quiet");
+  const auto shear = arenite("load " + file.string() + " --loading shear"),
+             quiet = arenite("load " + file.string() + " --loading shear --quiet");
   EXPECT_EQ(shear.status, 0);
   EXPECT_NE(shear.err.find("shear"), std::string::npos) << shear.err;
   EXPECT_EQ(quiet.status, 0);
@@ -63,8 +68,10 @@ TEST(Load, StoresFieldAndPageAndMeasuresThemAgain) {
 
 TEST(Load, IsTakenFromItsFolderTheSecondTime) {
   const TemporaryFolder folder;
-  const std::string map = layers(folder / "map.h5"), labels = picture(folder / "labels.h5", 60, 60, "(x // 10) % 2 == 0, 1 + x // 20, 0");
-  const std::string command = "load " + map + " --phases 1=particle,2=matrix --labels " + labels + " --out " + (folder / "out").string();
+  const std::string map = layers(folder / "map.h5"),
+                    labels = picture(folder / "labels.h5", 60, 60, "(x // 10) % 2 == 0, 1 + x // 20, 0");
+  const std::string command =
+      "load " + map + " --phases 1=particle,2=matrix --labels " + labels + " --out " + (folder / "out").string();
   const auto files = [&] { return std::distance(fs::directory_iterator(folder / "out"), fs::directory_iterator()); };
   const auto first = arenite(command), second = arenite(command);
   ASSERT_EQ(second.status, 0) << second.err;
@@ -73,27 +80,32 @@ TEST(Load, IsTakenFromItsFolderTheSecondTime) {
   EXPECT_EQ(second.out, first.out);
   EXPECT_EQ(files(), 2) << "the field and its page";
   picture(labels, 60, 60, "(x // 10) % 2 == 0, 1 + x // 40, 0");
-  EXPECT_EQ(arenite(command).err.find("taken from an earlier run"), std::string::npos) << "other labels are another sample";
+  EXPECT_EQ(arenite(command).err.find("taken from an earlier run"), std::string::npos)
+      << "other labels are another sample";
   EXPECT_EQ(files(), 3);
 }
 
 TEST(Load, PageMeasuresStressesAsTheNumbersDo) {
   const TemporaryFolder folder;
   const auto loaded =
-      arenite("load " + layers(folder / "map.h5") + " --phases 1=particle,2=matrix --clamp-rows 8 --leave-out-surface --out " + (folder / "out").string());
+      arenite("load " + layers(folder / "map.h5") +
+              " --phases 1=particle,2=matrix --clamp-rows 8 --leave-out-surface --out " + (folder / "out").string());
   ASSERT_EQ(loaded.status, 0) << loaded.err;
   const Json field = test::document_of_page(folder / "out/report.html")["fields"][0];
   const Json &page = field["statistics"], &numbers = field["numbers"]["stress"];
   EXPECT_EQ(page["options"]["clamp_rows"], 8);
   EXPECT_EQ(page["options"], numbers["options"]);
-  for (const char* name : {"sample_mean_Pa", "mean_over_area_Pa"}) EXPECT_EQ(page["sigma_yy"][name], numbers["sigma_yy"][name]) << name;
+  for (const char* name : {"sample_mean_Pa", "mean_over_area_Pa"})
+    EXPECT_EQ(page["sigma_yy"][name], numbers["sigma_yy"][name]) << name;
   for (const char* set : {"all", "matrix"})
-    for (const char* name : {"count", "mean_Pa", "variance"}) EXPECT_EQ(page["sigma_yy"]["sets"][set][name], numbers["sigma_yy"]["sets"][set][name]) << name;
+    for (const char* name : {"count", "mean_Pa", "variance"})
+      EXPECT_EQ(page["sigma_yy"]["sets"][set][name], numbers["sigma_yy"]["sets"][set][name]) << name;
 }
 
 TEST(Load, SeveredAndEmptySamplesEndWithStatus3AndAName) {
   const TemporaryFolder folder;
-  const auto cut = arenite("load " + picture(folder / "cut.h5", 40, 60, "(y > 25) & (y < 35), 0, 1") + " --phases 0=void,1=particle --json");
+  const auto cut = arenite("load " + picture(folder / "cut.h5", 40, 60, "(y > 25) & (y < 35), 0, 1") +
+                           " --phases 0=void,1=particle --json");
   EXPECT_EQ(cut.status, 3) << cut.err;
   const Json j = Json::parse(cut.out);
   EXPECT_EQ(j["load"]["ending"], "severed");
@@ -120,9 +132,11 @@ TEST(Load, HairlineCrackIsToldAndStopsBondsWhereAsked) {
 
 TEST(Load, TellsWhatTheStrengthHangsOn) {
   const TemporaryFolder folder;
-  const std::string map = picture(folder / "plate.h5", 24, 24, "x < 12, 1, 2") + " --phases 1=matrix,2=particle --dx '1 mm'";
+  const std::string map =
+      picture(folder / "plate.h5", 24, 24, "x < 12, 1, 2") + " --phases 1=matrix,2=particle --dx '1 mm'";
   const std::string line = "load " + map + " --failure --json --max-strain 1e-2 ";
-  const Json hangs = Json::parse(arenite(line).out), own = Json::parse(arenite(line + "--strength 'matrix=0.5 MPa'").out);
+  const Json hangs = Json::parse(arenite(line).out),
+             own = Json::parse(arenite(line + "--strength 'matrix=0.5 MPa'").out);
   EXPECT_EQ(hangs["failure"]["governed_by"]["matrix"], "toughness");
   ASSERT_TRUE(hangs.contains("notes"));
   EXPECT_NE(hangs["notes"][0].get<std::string>().find("spacing to the power -1/2"), std::string::npos);
@@ -136,26 +150,26 @@ TEST(Load, SlipsAreOneSentenceEach) {
   const std::string map = layers(folder / "map.h5"), thin = picture(folder / "thin.h5", 4, 4, "x < 2, 1, 2");
   const std::string three = picture(folder / "three.h5", 40, 40, "x < 20, y // 20, 2");
   const std::string of_one = picture(folder / "one.h5", 40, 40, "x < 90, 0, 1");
-  for (const auto& [arguments, words] :
-       std::vector<std::pair<std::string, std::string>>{{three, "--phases"},
-                                                        {map + " --phases 1=particle", "2"},
-                                                        {map + " --phases 1=particle,2=glue", "glue"},
-                                                        {of_one + " --phases 0=void", "one"},
-                                                        {thin + " --phases 1=particle,2=matrix", "7"},
-                                                        {map + " --phases 1=particle,2=matrix --stiffness 'matrix=-1 GPa'", "above 0"},
-                                                        {map + " --phases 1=particle,2=matrix --stiffness 'matrix=1 kN'", "a pressure"},
-                                                        {map + " --phases 1=particle,2=matrix --stiffness soft", "not of the form"},
-                                                        {map + " --phases 1=particle,2=matrix --failure", "--dx"},
-                                                        {map + " --phases 1=particle,2=matrix --loading shear --lower sliding", "carries no shear"},
-                                                        {map + " --phases 1=particle,2=matrix --strain -1", "strain"},
-                                                        {map + " --phases 1=particle,2=matrix --crop 50,50,20,20", "crop"},
-                                                        {map + " --phases 1=particle,2=matrix --dx '0 um'", "above 0"},
-                                                        {map + " --phases 1=particle,2=matrix --clamp-rows -1", "--clamp-rows"},
-                                                        {map + " --phases 1=particle,2=matrix --clamp-rows 2147483647", "--clamp-rows"},
-                                                        {map + " --phases 1=particle,2=matrix --clamp-rows 30", "30 rows"},
-                                                        {map + " --phases 1=particle,2=matrix --strain nan", "--strain"},
-                                                        {map + " --phases 1=particle,2=matrix --dx '1 mm' --failure --strength 'matrix=0 MPa'", "above 0"},
-                                                        {(folder / "none.png").string(), "none.png"}}) {
+  for (const auto& [arguments, words] : std::vector<std::pair<std::string, std::string>>{
+           {three, "--phases"},
+           {map + " --phases 1=particle", "2"},
+           {map + " --phases 1=particle,2=glue", "glue"},
+           {of_one + " --phases 0=void", "one"},
+           {thin + " --phases 1=particle,2=matrix", "7"},
+           {map + " --phases 1=particle,2=matrix --stiffness 'matrix=-1 GPa'", "above 0"},
+           {map + " --phases 1=particle,2=matrix --stiffness 'matrix=1 kN'", "a pressure"},
+           {map + " --phases 1=particle,2=matrix --stiffness soft", "not of the form"},
+           {map + " --phases 1=particle,2=matrix --failure", "--dx"},
+           {map + " --phases 1=particle,2=matrix --loading shear --lower sliding", "carries no shear"},
+           {map + " --phases 1=particle,2=matrix --strain -1", "strain"},
+           {map + " --phases 1=particle,2=matrix --crop 50,50,20,20", "crop"},
+           {map + " --phases 1=particle,2=matrix --dx '0 um'", "above 0"},
+           {map + " --phases 1=particle,2=matrix --clamp-rows -1", "--clamp-rows"},
+           {map + " --phases 1=particle,2=matrix --clamp-rows 2147483647", "--clamp-rows"},
+           {map + " --phases 1=particle,2=matrix --clamp-rows 30", "30 rows"},
+           {map + " --phases 1=particle,2=matrix --strain nan", "--strain"},
+           {map + " --phases 1=particle,2=matrix --dx '1 mm' --failure --strength 'matrix=0 MPa'", "above 0"},
+           {(folder / "none.png").string(), "none.png"}}) {
     const auto refused = arenite("load " + arguments + " --out " + (folder / "out").string());
     EXPECT_EQ(refused.status, 2) << arguments << refused.out;
     EXPECT_NE(refused.err.find(words), std::string::npos) << arguments << "\n" << refused.err;

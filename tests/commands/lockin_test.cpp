@@ -37,7 +37,9 @@ std::string rows_without_meaning(const std::string& text, const Json& numbers, c
   return without;
 }
 
-std::string film_of_others(const char* name) { return (std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/films" / name).string() + " --frame-rate 30Hz"; }
+std::string film_of_others(const char* name) {
+  return (std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/films" / name).string() + " --frame-rate 30Hz";
+}
 
 /// The film as it is without the frame that is NaN gives the same numbers, and the frame is named.
 TEST(LockInCommand, AFrameOfNaNIsLeftOutAndNamed) {
@@ -91,7 +93,8 @@ TEST(LockInCommand, TextAndJsonHaveTheSameNumbersEachWithItsMeaning) {
 
 TEST(LockInCommand, PrintsNumbersAndWritesMaps) {
   const TemporaryFolder folder;
-  const auto done = arenite("lockin " + film_in(folder) + " --frequency 3.001Hz --json --out " + (folder / "maps").string());
+  const auto done =
+      arenite("lockin " + film_in(folder) + " --frequency 3.001Hz --json --out " + (folder / "maps").string());
   ASSERT_EQ(done.status, 0) << done.err;
   const Json j = Json::parse(done.out);
   EXPECT_NEAR(j["frequency_Hz"].get<double>(), 3, 5 * j["frequency_error_Hz"].get<double>());
@@ -122,7 +125,9 @@ TEST(LockInCommand, SaysWhereTheFilmShowsNoLoad) {
   EXPECT_EQ(loaded.err, "");
   EXPECT_EQ(Json::parse(loaded.out)["shows_load"], true);
   EXPECT_EQ(elsewhere.status, 2);
-  EXPECT_NE(elsewhere.err.find("film.h5: the film shows only noise at 30 Hz, but an oscillation at 3 Hz"), std::string::npos) << elsewhere.err;
+  EXPECT_NE(elsewhere.err.find("film.h5: the film shows only noise at 30 Hz, but an oscillation at 3 Hz"),
+            std::string::npos)
+      << elsewhere.err;
   const auto kept = arenite("lockin " + film_in(folder) + " --frequency 30Hz --no-refinement --json");
   EXPECT_EQ(kept.status, 0);
   EXPECT_NE(kept.err.find("but an oscillation at 3"), std::string::npos) << kept.err;
@@ -131,7 +136,8 @@ TEST(LockInCommand, SaysWhereTheFilmShowsNoLoad) {
 }
 
 TEST(LockInCommand, ShowsNoLoadInAFilmOfACameraAtRest) {
-  const auto still = arenite("lockin " + test::infrared("PyradiSampleMWIR.ptw").string() + " --frequency 4.67Hz --json");
+  const auto still =
+      arenite("lockin " + test::infrared("PyradiSampleMWIR.ptw").string() + " --frequency 4.67Hz --json");
   EXPECT_EQ(still.status, 0) << still.err;  // a line of the electronics is there
   EXPECT_EQ(Json::parse(still.out)["shows_load"], false);
   EXPECT_LT(Json::parse(still.out)["share_in_one_phase"].get<double>(), 0.5);
@@ -144,9 +150,13 @@ TEST(LockInCommand, RefusesACycleThatDriftCouldBe) {
   oscillating.frames = 50;
   Film film = oscillating.draw();
   io::write_film(folder / "film.h5", film);
-  const auto refused = arenite("lockin " + (folder / "film.h5").string() + " --frame-rate 148Hz --frequency 3Hz --out " + (folder / "none").string());
+  const auto refused = arenite("lockin " + (folder / "film.h5").string() +
+                               " --frame-rate 148Hz --frequency 3Hz --out " + (folder / "none").string());
   EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("holds 1.01 cycles of 3 Hz, too few to separate the load from a drift of order 4; use a lower drift order"), std::string::npos)
+  EXPECT_NE(
+      refused.err.find(
+          "holds 1.01 cycles of 3 Hz, too few to separate the load from a drift of order 4; use a lower drift order"),
+      std::string::npos)
       << refused.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "none"));
 }
@@ -154,7 +164,8 @@ TEST(LockInCommand, RefusesACycleThatDriftCouldBe) {
 TEST(LockInCommand, PhasesAreAnglesInDegrees) {
   const TemporaryFolder folder;
   const std::string lockin = "lockin " + film_in(folder) + " --frequency 3Hz --json --reference-phase ";
-  const auto degrees = arenite(lockin + "90deg"), radians = arenite(lockin + "1.5707963267948966rad"), bare = arenite(lockin + "1.5707963267948966");
+  const auto degrees = arenite(lockin + "90deg"), radians = arenite(lockin + "1.5707963267948966rad"),
+             bare = arenite(lockin + "1.5707963267948966");
   ASSERT_EQ(degrees.status, 0) << degrees.err;
   EXPECT_EQ(degrees.err, "");
   EXPECT_NEAR(Json::parse(degrees.out)["reference_phase_deg"].get<double>(), 90, 1e-9);
@@ -169,7 +180,8 @@ TEST(LockInCommand, IsLedByTheLockInLineOfAFilm) {
   test::OscillatingFilm oscillating;
   oscillating.noise = 0.1;
   Film film = oscillating.draw();
-  // The same film as levels, with a line above it that holds the mark and the load: its frequency, a quarter of a cycle ahead.
+  // The same film as levels, with a line above it that holds the mark and the load: its frequency, a quarter of a cycle
+  // ahead.
   Film with_line;
   with_line.about = film.about;
   with_line.about.floating = false;
@@ -179,9 +191,11 @@ TEST(LockInCommand, IsLedByTheLockInLineOfAFilm) {
   for (std::int64_t f = 0; f < film.about.frames; ++f) {
     const double angle = 2 * 3.14159265358979 * 3 * static_cast<double>(f) / 148;
     for (std::size_t x = 0; x < width; ++x)
-      with_line.level.push_back(x < 4 ? mark[x] : static_cast<std::uint16_t>(std::lround(8000 + 1000 * std::cos(angle - 0.7))));
+      with_line.level.push_back(x < 4 ? mark[x]
+                                      : static_cast<std::uint16_t>(std::lround(8000 + 1000 * std::cos(angle - 0.7))));
     for (std::size_t p = 0; p < pixels; ++p)
-      with_line.level.push_back(static_cast<std::uint16_t>(std::lround(5000 + 100 * film.value[static_cast<std::size_t>(f) * pixels + p])));
+      with_line.level.push_back(
+          static_cast<std::uint16_t>(std::lround(5000 + 100 * film.value[static_cast<std::size_t>(f) * pixels + p])));
   }
   test::spill(folder / "a.ptw", test::ptw(with_line, 1 / 148.0));
   const auto led = arenite("lockin " + (folder / "a.ptw").string() + " --frequency 3.3Hz --frame-rate 148Hz --json");
@@ -203,23 +217,28 @@ TEST(LockInCommand, TakesAStackOfTiffThatIsToldItsFrameRateAndScale) {
   const auto bare = arenite("lockin " + (folder / "stack.tif").string() + " --frequency 3Hz");
   EXPECT_EQ(bare.status, 2);
   EXPECT_NE(bare.err.find("does not state its frame rate"), std::string::npos) << bare.err;
-  const auto plain = arenite("lockin " + (folder / "stack.tif").string() + " --frequency 3Hz --frame-rate 148Hz --json");
+  const auto plain =
+      arenite("lockin " + (folder / "stack.tif").string() + " --frequency 3Hz --frame-rate 148Hz --json");
   ASSERT_EQ(plain.status, 0) << plain.err;
-  const auto scaled = arenite("lockin " + (folder / "stack.tif").string() + " --frequency 3Hz --frame-rate 148Hz --scale 10mK --offset 273K --json");
+  const auto scaled = arenite("lockin " + (folder / "stack.tif").string() +
+                              " --frequency 3Hz --frame-rate 148Hz --scale 10mK --offset 273K --json");
   ASSERT_EQ(scaled.status, 0) << scaled.err;
   EXPECT_EQ(Json::parse(scaled.out)["unit"], "K");
-  EXPECT_NEAR(Json::parse(scaled.out)["median"]["amplitude"].get<double>(), 0.01 * Json::parse(plain.out)["median"]["amplitude"].get<double>(), 1e-5);
+  EXPECT_NEAR(Json::parse(scaled.out)["median"]["amplitude"].get<double>(),
+              0.01 * Json::parse(plain.out)["median"]["amplitude"].get<double>(), 1e-5);
 }
 
 TEST(LockInCommand, NamesTheOptionOfAValueThatHasNoUnit) {
   const auto refused = arenite("lockin film.ptw --frequency 3");
   EXPECT_EQ(refused.status, 2);
-  EXPECT_EQ(refused.err, "arenite lockin: --frequency: \"3\" has no unit; write it with its unit, for example \"3 Hz\"\n");
+  EXPECT_EQ(refused.err,
+            "arenite lockin: --frequency: \"3\" has no unit; write it with its unit, for example \"3 Hz\"\n");
 }
 
 TEST(LockInCommand, SaysWhetherTheSignalIsAdiabatic) {
   const TemporaryFolder folder;
-  const std::string lockin = "lockin " + film_in(folder) + " --frequency 3Hz --no-refinement --json --diffusivity '0.1 mm^2/s' --pixel ";
+  const std::string lockin =
+      "lockin " + film_in(folder) + " --frequency 3Hz --no-refinement --json --diffusivity '0.1 mm^2/s' --pixel ";
   const auto coarse = arenite(lockin + "1.6mm"), fine = arenite(lockin + "0.3mm");
   ASSERT_EQ(coarse.status, 0) << coarse.err;
   EXPECT_EQ(coarse.err, "");
@@ -228,7 +247,8 @@ TEST(LockInCommand, SaysWhetherTheSignalIsAdiabatic) {
   EXPECT_NE(fine.err.find("over 0.343 pixels within a cycle"), std::string::npos) << fine.err;
   EXPECT_EQ(fine.status, 0);
   EXPECT_EQ(Json::parse(fine.out)["adiabatic"], false);
-  EXPECT_NEAR(Json::parse(fine.out)["amplitude_lost_in_finest_detail"].get<double>(), 1 - 1 / std::sqrt(1 + std::pow(0.5818, 2)), 1e-3);
+  EXPECT_NEAR(Json::parse(fine.out)["amplitude_lost_in_finest_detail"].get<double>(),
+              1 - 1 / std::sqrt(1 + std::pow(0.5818, 2)), 1e-3);
 }
 
 TEST(StepCommand, MeasuresTheJumpAndWritesMaps) {
@@ -241,7 +261,8 @@ TEST(StepCommand, MeasuresTheJumpAndWritesMaps) {
   for (std::size_t i = 400 * 45; i < film.value.size(); ++i) film.value[i] += 0.75F;
   io::write_film(folder / "film.npy", film);
   const std::string step = "step " + (folder / "film.npy").string() + " --frame-rate 148Hz --json";
-  const auto found = arenite(step + " --out " + (folder / "maps").string()), given = arenite(step + " --time 2.7s --rise 0.02s --window 1s");
+  const auto found = arenite(step + " --out " + (folder / "maps").string()),
+             given = arenite(step + " --time 2.7s --rise 0.02s --window 1s");
   ASSERT_EQ(found.status, 0) << found.err;
   EXPECT_NEAR(Json::parse(found.out)["time_s"].get<double>(), 399.5 / 148, 1e-6);
   EXPECT_NEAR(Json::parse(found.out)["median"]["jump"].get<double>(), 0.75, 0.01);
@@ -277,7 +298,8 @@ TEST(LockInCommand, RefusesInOneSentence) {
   const TemporaryFolder folder;
   const std::string film = film_in(folder);
   for (const char* frequency : {"80Hz", "0.05Hz", "0Hz", "3K"}) {
-    const auto refused = arenite("lockin " + film + " --frequency " + frequency + " --out " + (folder / "none").string());
+    const auto refused =
+        arenite("lockin " + film + " --frequency " + frequency + " --out " + (folder / "none").string());
     EXPECT_EQ(refused.status, 2) << frequency;
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "none"));

@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 const std::string examples = ARENITE_SOURCE_DIR "/examples/";
 
-/// What needs no meaning of its own, and why. Lists need none either: they are curves, with their axes beside them, or rows by grain.
+/// What needs no meaning of its own, and why. Lists need none either: they are curves, with their axes beside them, or
+/// rows by grain.
 const std::map<std::string, const char*> excused{{"provenance", "what made the result"},
                                                  {"options", "what was asked for"},
                                                  {"cavity_rules", "what was asked for"},
@@ -57,13 +58,15 @@ Numbers numbers_of_run(const std::string& recipe, const std::string& settings) {
 }
 
 TEST(Meanings, OfGrainsThatFlowThroughAnOpening) {
-  const Numbers silo = numbers_of_run("12-silo/recipe.toml", " --set populations.0.count=120 --set 'stages.1.duration=\"0.6 s\"'");
+  const Numbers silo =
+      numbers_of_run("12-silo/recipe.toml", " --set populations.0.count=120 --set 'stages.1.duration=\"0.6 s\"'");
   EXPECT_TRUE(silo.contains("discharge")) << to_json(silo);
   EXPECT_EQ(without_meaning(silo), "");
 }
 
 TEST(Meanings, OfGrainsThatCohereAndAreDrawnApart) {
-  const Numbers wet = numbers_of_run("19-wet-grains/recipe.toml", " --set populations.0.count=60 --set 'container.width=\"20 mm\"'");
+  const Numbers wet =
+      numbers_of_run("19-wet-grains/recipe.toml", " --set populations.0.count=60 --set 'container.width=\"20 mm\"'");
   EXPECT_TRUE(wet.contains("cohesion")) << to_json(wet);
   EXPECT_EQ(without_meaning(wet), "");
 }
@@ -74,23 +77,27 @@ TEST(Meanings, OfASampleThatIsShearedToItsCriticalState) {
 
 TEST(Meanings, OfALoadedCementedSample) {
   for (const char* cement : {"", " --set cement.kind=menisci --set cement.saturation=0.2"}) {
-    const Numbers loaded =
-        numbers_of_run("07-cemented-packing/recipe.toml",
-                       " --set bidisperse.box_area=60 --set grid.nodes=96 --set 'grid.crop=\"8 mm\"' --set loads.0.moduli=true" + std::string(cement));
+    const Numbers loaded = numbers_of_run(
+        "07-cemented-packing/recipe.toml",
+        " --set bidisperse.box_area=60 --set grid.nodes=96 --set 'grid.crop=\"8 mm\"' --set loads.0.moduli=true" +
+            std::string(cement));
     EXPECT_TRUE(loaded.contains("stress"));
     EXPECT_EQ(without_meaning(loaded), "") << cement;
   }
 }
 
 TEST(Meanings, OfATestToFailure) {
-  const Numbers broken = numbers_of_run("08-failure/recipe.toml", " --set bidisperse.box_area=30 --set grid.nodes=48 --set 'grid.crop=\"5 mm\"'");
+  const Numbers broken = numbers_of_run("08-failure/recipe.toml",
+                                        " --set bidisperse.box_area=30 --set grid.nodes=48 --set 'grid.crop=\"5 mm\"'");
   EXPECT_TRUE(broken.contains("strength_Pa"));
   EXPECT_EQ(without_meaning(broken), "");
 }
 
 TEST(Meanings, OfAFilmAndOfItsAgreementWithTheSimulation) {
   const test::VirtualFilm example;
-  example.edit("compared.toml", "[picture]", "[simulation]\nrecipe = \"" + example.states() + "/recipe.toml\"\nlow = \"low\"\nhigh = \"high\"\n\n[picture]");
+  example.edit(
+      "compared.toml", "[picture]",
+      "[simulation]\nrecipe = \"" + example.states() + "/recipe.toml\"\nlow = \"low\"\nhigh = \"high\"\n\n[picture]");
   ASSERT_EQ(example.film("", "film", "compared.toml").status, 0);
   Numbers film = report::Summary(example.at("result")).numbers();
   EXPECT_EQ(without_meaning(film), "");
@@ -101,7 +108,9 @@ TEST(Meanings, OfAFilmAndOfItsAgreementWithTheSimulation) {
 }
 
 TEST(Meanings, OfAPredictionAndOfWhatTestsOfTheLaboratoryGive) {
-  EXPECT_EQ(without_meaning(workflow::numbers(workflow::predict(recipe::parse_recipe(test::small_cemented_recipe, "recipe.toml")))), "");
+  EXPECT_EQ(without_meaning(
+                workflow::numbers(workflow::predict(recipe::parse_recipe(test::small_cemented_recipe, "recipe.toml")))),
+            "");
   const auto found = workflow::identify_adhesion(examples + "data/thesis-identification/separation-force.csv", {});
   EXPECT_EQ(without_meaning(identify::numbers(found)), "");
 }
@@ -116,7 +125,8 @@ TEST(Meanings, OfEveryColumnThatAStudyCollects) {
   ASSERT_GT(table.names.size(), 100u);
   std::string without;
   for (const auto& name : table.names)
-    if (!table.meanings.contains(name) && std::ranges::none_of(excused, [&](const auto& part) { return test::contains(name, part.first); }))
+    if (!table.meanings.contains(name) &&
+        std::ranges::none_of(excused, [&](const auto& part) { return test::contains(name, part.first); }))
       without += name + " ";
   EXPECT_EQ(without, "");
   EXPECT_TRUE(test::contains(table.csv(), ",texture.stress.0.0 [Pa],")) << table.csv().substr(0, 2000);

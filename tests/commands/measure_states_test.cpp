@@ -19,7 +19,8 @@ std::string borders(const std::string& files) {
   const std::string folder = ARENITE_SOURCE_DIR "/tests/data/borders/";
   std::string line = "measure --border 0";
   std::istringstream words(files);
-  for (std::string word; words >> word;) line += " " + (word.find('.') != word.npos && word.front() != '-' ? folder + word : word);
+  for (std::string word; words >> word;)
+    line += " " + (word.find('.') != word.npos && word.front() != '-' ? folder + word : word);
   return line;
 }
 
@@ -41,7 +42,8 @@ void expect_note(const Json& t, const std::string& words) {
   EXPECT_NE(t["notes"].dump().find(words), std::string::npos) << words << " is not in " << t["notes"];
 }
 
-/// The crystal of 16 disks: z and the stress of 10 N along x and 30 N along y, `unit` N each and a cell of 3.96 `length` m.
+/// The crystal of 16 disks: z and the stress of 10 N along x and 30 N along y, `unit` N each and a cell of 3.96
+/// `length` m.
 void expect_crystal(const Json& t, double length = 1, double force = 1, double thickness = 1) {
   EXPECT_EQ(t["contacts"], 32);
   EXPECT_EQ(t["wall_contacts"], 0);
@@ -80,8 +82,10 @@ TEST(MeasureStates, GrainsAndContactsAreOfTheSameStep) {
 
 TEST(MeasureStates, OpaqueColumnsAreUnderstoodByTheirContentOrRefused) {
   for (const char* file : {"crystal-id-force.dump", "crystal-dist.dump"})
-    expect_refusal(std::string("crystal.dump ") + file + " --thickness 1m", {"it is not known which of the columns", "--columns"});
-  const Json t = measured_borders("crystal.dump crystal-id-force.dump --thickness 1m --columns patom1,patom2,-,fx,fy,-");
+    expect_refusal(std::string("crystal.dump ") + file + " --thickness 1m",
+                   {"it is not known which of the columns", "--columns"});
+  const Json t =
+      measured_borders("crystal.dump crystal-id-force.dump --thickness 1m --columns patom1,patom2,-,fx,fy,-");
   EXPECT_NEAR(t["stress"]["value"][1][1].get<double>(), -30.30, 0.01);
   EXPECT_NEAR(t["stress"]["value"][0][0].get<double>(), -10.10, 0.01);
 }
@@ -117,15 +121,18 @@ TEST(MeasureStates, ARunOfClumpsThatIsExportedAndMeasuredAgainHasItsStress) {
   const Json shown = Json::parse(arenite("show --json " + out).out);
   const Domain domain = io::read_stage(io::stage_files(out).back()).snapshots.back().packing.domain;
   const auto both = [](double a, double b) { return fmt::format("{},{}", a, b); };
-  const Outcome again =
-      arenite(fmt::format("measure --json {0}/csv/grains_0000.csv {0}/csv/contacts_0000.csv --box {1} --origin={2} --thickness {3}", out,
-                          both(domain.width(), domain.height()), both(domain.wall[left].position, domain.wall[bottom].position), domain.thickness));
+  const Outcome again = arenite(fmt::format(
+      "measure --json {0}/csv/grains_0000.csv {0}/csv/contacts_0000.csv --box {1} --origin={2} --thickness {3}", out,
+      both(domain.width(), domain.height()), both(domain.wall[left].position, domain.wall[bottom].position),
+      domain.thickness));
   ASSERT_EQ(again.status, 0) << again.err;
   const Json read = Json::parse(again.out);
   EXPECT_EQ(read["contacts"], shown["contacts"]);
   EXPECT_EQ(read["wall_contacts"], shown["wall_contacts"]);
   for (int a = 0; a < 2; ++a)
-    for (int b = 0; b < 2; ++b) EXPECT_NEAR(read["stress"]["value"][a][b].get<double>(), shown["stress"]["value"][a][b].get<double>(), 1e-6);  // of 10 kPa
+    for (int b = 0; b < 2; ++b)
+      EXPECT_NEAR(read["stress"]["value"][a][b].get<double>(), shown["stress"]["value"][a][b].get<double>(),
+                  1e-6);  // of 10 kPa
 }
 
 }  // namespace

@@ -26,11 +26,13 @@ double error(const Json& statistic) { return statistic.at("error").get<double>()
 
 Json sheared(const char* state, const char* tilt) {
   const std::string folder = source + "/examples/20-dem-shear-periodic/";
-  return measured(folder + "grains-" + state + ".csv " + folder + "contacts-" + state + ".csv --periodic --box 62.7755,62.7755," + tilt + " --thickness 1");
+  return measured(folder + "grains-" + state + ".csv " + folder + "contacts-" + state +
+                  ".csv --periodic --box 62.7755,62.7755," + tilt + " --thickness 1");
 }
 
 TEST(MeasureShearedPacking, FindsItsSolidFractionFrictionAndBalance) {
-  for (const auto& [state, tilt, contacts] : {std::tuple{"5000", "31.38775", 1928}, std::tuple{"5005", "31.419138", 1930}}) {
+  for (const auto& [state, tilt, contacts] :
+       {std::tuple{"5000", "31.38775", 1928}, std::tuple{"5005", "31.419138", 1930}}) {
     const Json t = sheared(state, tilt);
     EXPECT_EQ(t["grains"], 1024);
     EXPECT_EQ(t["contacts"], contacts);
@@ -59,12 +61,15 @@ TEST(MeasureShearedPacking, LeansToTheCompressionOfShearAndObeysStressForceFabri
   EXPECT_GT(value(t["fabric"]["sets"]["strong"]["a_c_signed"]), value(t["fabric"]["sets"]["weak"]["a_c_signed"]) + 0.2);
   // The sum over grains is the sum over contacts.
   for (int a = 0; a < 2; ++a)
-    for (int b = 0; b < 2; ++b) EXPECT_NEAR(t["stress_details"]["sum_over_grains"][a][b].get<double>(), stress[a][b].get<double>(), 1e-12 * std::abs(xx));
+    for (int b = 0; b < 2; ++b)
+      EXPECT_NEAR(t["stress_details"]["sum_over_grains"][a][b].get<double>(), stress[a][b].get<double>(),
+                  1e-12 * std::abs(xx));
 }
 
 TEST(MeasureShearedPacking, DoesNotDependOnTheLineThatCutsTheCell) {
   const std::string folder = source + "/examples/20-dem-shear-periodic/";
-  const std::string files = folder + "grains-5000.csv " + folder + "contacts-5000.csv --periodic --box 62.7755,62.7755,31.38775 --thickness 1";
+  const std::string files = folder + "grains-5000.csv " + folder +
+                            "contacts-5000.csv --periodic --box 62.7755,62.7755,31.38775 --thickness 1";
   const Json a = measured(files), b = measured(files + " --origin 11,-7");
   EXPECT_NEAR(value(a["solid_fraction"]), value(b["solid_fraction"]), 1e-12);
   EXPECT_NEAR(a["stress"]["value"][0][1].get<double>(), b["stress"]["value"][0][1].get<double>(), 1e-17);
@@ -73,13 +78,15 @@ TEST(MeasureShearedPacking, DoesNotDependOnTheLineThatCutsTheCell) {
 TEST(MeasureShearBox, SeesShearBuildUpAndSaysThatGrainsAreNotInBalance) {
   const std::string folder = source + "/examples/21-force-network-shear-box/DSC";
   const auto state = [&](const std::string& name) {
-    return measured(folder + name + "_ParticleData.dlm " + folder + name + "_bonds.txt --y-down --grain-columns \"-,x,y,radius,-\" --columns \"i,j,-,ft,fn\"");
+    return measured(folder + name + "_ParticleData.dlm " + folder + name +
+                    "_bonds.txt --y-down --grain-columns \"-,x,y,radius,-\" --columns \"i,j,-,ft,fn\"");
   };
   const Json first = state("05384"), last = state("05410");
   EXPECT_EQ(first["grains"], 826);
   EXPECT_EQ(first["contacts"], 785);
   EXPECT_EQ(last["contacts"], 1024);
-  EXPECT_GT(value(last["coordination"]["all"]), value(first["coordination"]["all"]) + 3 * error(first["coordination"]["all"]));
+  EXPECT_GT(value(last["coordination"]["all"]),
+            value(first["coordination"]["all"]) + 3 * error(first["coordination"]["all"]));
   EXPECT_NEAR(first["quality"]["median_imbalance"], 0.5, 0.05);
   EXPECT_FALSE(first.contains("stress"));
   EXPECT_FALSE(first.contains("solid_fraction"));
@@ -93,9 +100,11 @@ TEST(Measure, GrainsWithNeighboursWithoutEndAreRefused) {
   const auto refusal = [&](const char* radius, const char* more) {
     std::ofstream table(folder / "grains.csv");
     table << "id,x [m],y [m],radius [m]\n";
-    for (int k = 0; k < 1000; ++k) table << k << ',' << 0.01 * (k % 32) + 0.02 << ',' << 0.01 * (k / 32) + 0.02 << ',' << radius << '\n';
+    for (int k = 0; k < 1000; ++k)
+      table << k << ',' << 0.01 * (k % 32) + 0.02 << ',' << 0.01 * (k / 32) + 0.02 << ',' << radius << '\n';
     table.close();
-    const Outcome run = arenite("measure " + (folder / "grains.csv").string() + " --box 0.36,0.36 --thickness 1 " + more);
+    const Outcome run =
+        arenite("measure " + (folder / "grains.csv").string() + " --box 0.36,0.36 --thickness 1 " + more);
     EXPECT_EQ(run.status, 2);
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     return run.err;
@@ -106,10 +115,12 @@ TEST(Measure, GrainsWithNeighboursWithoutEndAreRefused) {
 
 TEST(MeasureAnnulus, ReportsDoubledRowsNegativeForcesAndImbalance) {
   const std::string folder = source + "/examples/22-force-network-annulus/";
-  const std::string files = folder + "positions-1.txt " + folder + "forces-1.txt --y-down --grain-columns \"-,id,x,y,radius,-\" --columns \"-,i,j,ft,fn\"";
+  const std::string files = folder + "positions-1.txt " + folder +
+                            "forces-1.txt --y-down --grain-columns \"-,id,x,y,radius,-\" --columns \"-,i,j,ft,fn\"";
   const Outcome refused = arenite("measure " + files);
   EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("forces-1.txt:17: the contact of 7 and 23 is already in line 5"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("forces-1.txt:17: the contact of 7 and 23 is already in line 5"), std::string::npos)
+      << refused.err;
   EXPECT_NE(refused.err.find("and 1213 more"), std::string::npos);
   const Json t = measured(files + " --doubled merge");
   EXPECT_EQ(t["contacts"], 1233);
@@ -117,7 +128,8 @@ TEST(MeasureAnnulus, ReportsDoubledRowsNegativeForcesAndImbalance) {
   EXPECT_EQ(t["quality"]["negative_forces"], 26);
   EXPECT_GT(t["quality"]["median_imbalance"], 0.2);
   const std::string notes = t["notes"].dump();
-  for (const char* part : {"1233 rows repeat", "26 of 1233 normal forces are tensile", "not in balance", "times the mean"})
+  for (const char* part :
+       {"1233 rows repeat", "26 of 1233 normal forces are tensile", "not in balance", "times the mean"})
     EXPECT_NE(notes.find(part), std::string::npos) << part;
 }
 
@@ -134,7 +146,8 @@ TEST(MeasureLammps, GivesLammpsOwnStress) {
 }
 
 TEST(MeasureYade, AContactAcrossAPeriodicSideIsNeverTakenForAWalls) {
-  const std::string files = source + "/tests/data/yade/periodic-spheres.txt " + source + "/tests/data/yade/periodic-interactions.vtk --thickness 1 ";
+  const std::string files = source + "/tests/data/yade/periodic-spheres.txt " + source +
+                            "/tests/data/yade/periodic-interactions.vtk --thickness 1 ";
   const Json t = measured(files + "--box 0.6167414232494,0.6167414232494 --periodic");
   EXPECT_EQ(t["contacts"], 130);
   EXPECT_EQ(t["wall_contacts"], 0);
@@ -150,14 +163,16 @@ TEST(MeasureYade, AContactAcrossAPeriodicSideIsNeverTakenForAWalls) {
 
 TEST(MeasureYade, FindsGrainsInBalanceUnderTheirFrictionCap) {
   const std::string folder = source + "/tests/data/yade/";
-  const Json t = measured(folder + "spheres.txt " + folder + "interactions.vtk --box 1,1 --origin 0,0 --thickness 1 --border 0");
+  const Json t =
+      measured(folder + "spheres.txt " + folder + "interactions.vtk --box 1,1 --origin 0,0 --thickness 1 --border 0");
   EXPECT_EQ(t["grains"], 121);
   EXPECT_EQ(t["wall_contacts"], 39);
   EXPECT_LT(t["quality"]["median_imbalance"], 1e-5);  // YADE writes six digits
   EXPECT_LE(t["quality"]["friction_ratio_max"], std::tan(0.4) + 1e-4);
   const Json whole = t["stress"]["value"], walls = t["stress_details"]["from_walls_and_weight"];
   for (int a = 0; a < 2; ++a)
-    for (int b = 0; b < 2; ++b) EXPECT_NEAR(whole[a][b].get<double>(), walls[a][b].get<double>(), 0.1) << a << b;  // of 3700 Pa
+    for (int b = 0; b < 2; ++b)
+      EXPECT_NEAR(whole[a][b].get<double>(), walls[a][b].get<double>(), 0.1) << a << b;  // of 3700 Pa
 }
 
 TEST(MeasureCommand, PrintsTheSameBytesTwiceAndATableWithoutJson) {

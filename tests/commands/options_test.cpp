@@ -22,7 +22,8 @@ std::set<std::string> options_with_a_number(const std::string& command) {
 
 TEST(Options, NoNumberIsNan) {
   std::size_t options = 0;
-  for (const char* command : {"run", "study", "verify", "load", "measure", "grains", "lockin", "step", "film", "camera", "animate", "watch"})
+  for (const char* command :
+       {"run", "study", "verify", "load", "measure", "grains", "lockin", "step", "film", "camera", "animate", "watch"})
     for (const std::string& option : options_with_a_number(command))
       for (const char* value : {"nan", "-nan", "NAN"}) {
         const auto refused = arenite(std::string(command) + " " + option + "=" + value);

@@ -15,7 +15,8 @@ TEST(Page, IsPaintedAndAnswersInABrowserFromTheDisk) {
   const test::TemporaryFolder folder;
   const test::PageSample sample;
   report::write_page(folder / "page.html", sample.data);
-  const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/page.test.mjs " + (folder / "page.html").string());
+  const auto outcome =
+      test::shell("node " ARENITE_SOURCE_DIR "/web/test/page.test.mjs " + (folder / "page.html").string());
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 
@@ -23,7 +24,8 @@ TEST(Page, OfACementedSampleIsPaintedAndAnswersInABrowser) {
   const test::TemporaryFolder folder;
   const test::FieldPageSample sample;
   report::write_page(folder / "page.html", sample.data);
-  const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/field_page.test.mjs " + (folder / "page.html").string());
+  const auto outcome =
+      test::shell("node " ARENITE_SOURCE_DIR "/web/test/field_page.test.mjs " + (folder / "page.html").string());
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 
@@ -31,7 +33,8 @@ TEST(Page, OfAFilmIsPaintedAndAnswersInABrowser) {
   const test::TemporaryFolder folder;
   const test::FilmPageSample sample;
   report::write_page(folder / "page.html", sample.data);
-  const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/film_page.test.mjs " + (folder / "page.html").string());
+  const auto outcome =
+      test::shell("node " ARENITE_SOURCE_DIR "/web/test/film_page.test.mjs " + (folder / "page.html").string());
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 
@@ -43,13 +46,17 @@ TEST(Page, OfAStudyIsPaintedInABrowser) {
   for (const char* gamma : {"1", "5"})
     for (const char* width : {"", "0.2"})
       for (const char* seed : {"1", "2"})
-        table.rows.push_back({seed, "done", {gamma, width, seed}, 1, {campaign::Estimate{10 + std::stod(gamma) + std::stod(seed)}}});
+        table.rows.push_back(
+            {seed, "done", {gamma, width, seed}, 1, {campaign::Estimate{10 + std::stod(gamma) + std::stod(seed)}}});
   const auto figures = report::read_figures(
-      "[[figures]]\nid = \"points\"\ntitle = \"Points\"\nx = \"gamma\"\ny = [\"z\"]\nby = \"width\"\nby_label = \"\u03b7\"\nby_empty = \"full\"\n"
+      "[[figures]]\nid = \"points\"\ntitle = \"Points\"\nx = \"gamma\"\ny = [\"z\"]\nby = \"width\"\nby_label = "
+      "\"\u03b7\"\nby_empty = \"full\"\n"
       "x_label = \"gamma\"\nreferences = [ { y = 15, label = \"source: 15\" } ]\n"
       "[[figures]]\nid = \"density\"\ntitle = \"Density\"\ncurves = [\"pdf\"]\n"
-      "[[figures]]\nid = \"rose\"\ntitle = \"Rose\"\nkind = \"rose\"\ncurves = [\"sectors\", \"strong\"]\nby = \"width\"\n"
-      "[[figures]]\nid = \"map\"\ntitle = \"Map\"\nkind = \"map\"\nx = \"gamma\"\ny = [\"z\"]\nby = \"width\"\nby_empty = \"full\"\n"
+      "[[figures]]\nid = \"rose\"\ntitle = \"Rose\"\nkind = \"rose\"\ncurves = [\"sectors\", \"strong\"]\nby = "
+      "\"width\"\n"
+      "[[figures]]\nid = \"map\"\ntitle = \"Map\"\nkind = \"map\"\nx = \"gamma\"\ny = [\"z\"]\nby = "
+      "\"width\"\nby_empty = \"full\"\n"
       "[[figures]]\nid = \"forces\"\ntitle = \"Forces\"\nkind = \"forces\"\n"
       "[[figures]]\nid = \"stresses\"\ntitle = \"Stresses\"\nkind = \"stresses\"\n"
       "[[figures]]\nid = \"grains\"\ntitle = \"Grains\"\nkind = \"grains\"\n"
@@ -59,27 +66,36 @@ TEST(Page, OfAStudyIsPaintedInABrowser) {
       "[[figures]]\nid = \"film\"\ntitle = \"Film\"\nkind = \"film\"\n"
       "[[figures]]\nid = \"beside\"\ntitle = \"Beside\"\ncurves = [\"pdf\", \"film.pdf\"]\nlines = false\n"
       "[[figures]]\nid = \"counts\"\ntitle = \"Counts\"\nkind = \"rose\"\ncounts = true\ncurves = [\"sectors\"]\n"
-      "[[figures]]\nid = \"source\"\ntitle = \"Source\"\nx = \"gamma\"\ny = [\"z\"]\nwhere = { width = \"\" }\nspread = \"deviation\"\n"
-      "beside = [{ name = \"0.2\", x = \"gamma\", y = \"z\", where = { width = 0.2 } }]\nsource_points = [{ name = \"T\", x = [1, 5], y = [12, 16] }]\n"
-      "[[figures]]\nid = \"tails\"\ntitle = \"Tails\"\ncurves = [\"pdf\"]\nfits = [\"tail\"]\nreferences = [{ slope = 1 }]\n",
+      "[[figures]]\nid = \"source\"\ntitle = \"Source\"\nx = \"gamma\"\ny = [\"z\"]\nwhere = { width = \"\" }\nspread "
+      "= \"deviation\"\n"
+      "beside = [{ name = \"0.2\", x = \"gamma\", y = \"z\", where = { width = 0.2 } }]\nsource_points = [{ name = "
+      "\"T\", x = [1, 5], y = [12, 16] }]\n"
+      "[[figures]]\nid = \"tails\"\ntitle = \"Tails\"\ncurves = [\"pdf\"]\nfits = [\"tail\"]\nreferences = [{ slope = "
+      "1 }]\n",
       "figures.toml");
   const auto numbers = [](const std::string& run, const std::string&, const report::Figure&) {
-    return test::numbers_of(
-        std::string(run == "1" ? R"({"pdf":{"low":0,"width":1,"density":[0.2,0.5,0.3]},)" : R"({"pdf":{"low":0,"width":1,"density":[0.3,0.5,0.2]},)") +
-        R"("sectors":[1,3,2,2],"strong":[4,1,1,2],"film":{"pdf":{"low":0,"width":1,"density":[0.3,0.4,0.3]}},"tail":{"slope":1,"low":0.5,"high":2.5}})");
+    return test::numbers_of(std::string(run == "1" ? R"({"pdf":{"low":0,"width":1,"density":[0.2,0.5,0.3]},)"
+                                                   : R"({"pdf":{"low":0,"width":1,"density":[0.3,0.5,0.2]},)") +
+                            R"("sectors":[1,3,2,2],"strong":[4,1,1,2],
+            "film":{"pdf":{"low":0,"width":1,"density":[0.3,0.4,0.3]}},"tail":{"slope":1,"low":0.5,"high":2.5}})");
   };
   const auto drawing = [](const std::string&, const report::Figure& figure) -> Numbers {
     if (figure.kind == report::FigureKind::film) throw InputError("no film of this run was made");
-    if (figure.kind == report::FigureKind::phases) return test::numbers_of(R"({"size":[2,1],"nodes":[4,2],"phases":[0,3,1,4,4,1]})");
+    if (figure.kind == report::FigureKind::phases)
+      return test::numbers_of(R"({"size":[2,1],"nodes":[4,2],"phases":[0,3,1,4,4,1]})");
     if (figure.kind == report::FigureKind::cracks)
-      return test::numbers_of(R"({"size":[4,2],"nodes":[4,2],"phases":[1,6,4,2],"cracks":{"x":[1,2.5,3],"y":[0.5,1,2],"type":[1,2,1]}})");
-    if (figure.kind == report::FigureKind::zoom) return test::numbers_of(R"({"size":[2,1],"nodes":[2,1],"stress":[0.5,null],"edges":[[1,0,1]]})");
+      return test::numbers_of(
+          R"({"size":[4,2],"nodes":[4,2],"phases":[1,6,4,2],"cracks":{"x":[1,2.5,3],"y":[0.5,1,2],"type":[1,2,1]}})");
+    if (figure.kind == report::FigureKind::zoom)
+      return test::numbers_of(R"({"size":[2,1],"nodes":[2,1],"stress":[0.5,null],"edges":[[1,0,1]]})");
     const std::string grains = R"({"size":[20,10],"x":[5,15],"y":[5,5],"r":[5,5],"material":[0,1],"glued":[0,1],)";
     if (figure.kind == report::FigureKind::grains) return test::numbers_of(grains + R"("materials":["POM","HDPE"]})");
-    return test::numbers_of(grains + (figure.kind == report::FigureKind::forces ? R"("i":[0],"j":[1],"f":[-0.5]})" : R"("stress":[0.5,1.5]})"));
+    return test::numbers_of(grains + (figure.kind == report::FigureKind::forces ? R"("i":[0],"j":[1],"f":[-0.5]})"
+                                                                                : R"("stress":[0.5,1.5]})"));
   };
   report::write_study_page(folder / "study.html", {"A study", figures, table, numbers, drawing});
-  const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/study_page.test.mjs " + (folder / "study.html").string());
+  const auto outcome =
+      test::shell("node " ARENITE_SOURCE_DIR "/web/test/study_page.test.mjs " + (folder / "study.html").string());
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 

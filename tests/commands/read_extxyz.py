@@ -19,15 +19,15 @@ def states_by_the_rules(path):
         properties = keys["Properties"].split(":")
         names, of_kind, widths = properties[::3], properties[1::3], [int(w) for w in properties[2::3]]
         assert len(set(names)) == len(names)
-        rows = [line.split() for line in lines[2:2 + count]]
+        rows = [line.split() for line in lines[2 : 2 + count]]
         columns, at = {}, 0
         for name, kind, width in zip(names, of_kind, widths):
-            columns[name] = [row[at:at + width] for row in rows]
+            columns[name] = [row[at : at + width] for row in rows]
             assert all(kinds[kind].fullmatch(cell) for row in columns[name] for cell in row), name
             at += width
         assert all(len(row) == at for row in rows)
         yield keys, columns
-        lines = lines[2 + count:]
+        lines = lines[2 + count :]
 
 
 for path in sys.argv[1:]:

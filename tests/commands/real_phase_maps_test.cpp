@@ -11,8 +11,10 @@ using test::TemporaryFolder;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-const std::string electrode = ARENITE_SOURCE_DIR "/examples/30-electrode/electrode.tiff --phases 0=void,85=particle,170=matrix --labels watershed";
-const std::string sandstone = ARENITE_SOURCE_DIR "/examples/31-sandstone/OffshoreMiocene_20_1_mask.png --phases 0=void,1=particle,2=matrix";
+const std::string electrode = ARENITE_SOURCE_DIR
+    "/examples/30-electrode/electrode.tiff --phases 0=void,85=particle,170=matrix --labels watershed";
+const std::string sandstone =
+    ARENITE_SOURCE_DIR "/examples/31-sandstone/OffshoreMiocene_20_1_mask.png --phases 0=void,1=particle,2=matrix";
 
 /// The numbers of a load that must be solved; its page must be there.
 Json loaded(const std::string& what, const fs::path& out) {
@@ -46,12 +48,14 @@ TEST(RealPhaseMaps, SlicesOfAnElectrode) {
 TEST(RealPhaseMaps, PartOfASandstone) {
   const TemporaryFolder folder;
   for (const char* loading : {"tension", "shear"}) {
-    const Json j = loaded(sandstone + " --crop 1900,700,400,400 --tolerance 1e-9 --loading " + loading, folder / loading);
+    const Json j =
+        loaded(sandstone + " --crop 1900,700,400,400 --tolerance 1e-9 --loading " + loading, folder / loading);
     expect_sound(j);
     EXPECT_EQ(j["load"]["loading"], loading);
   }
   // Outlines part the grains, so connected pixels are one grain each.
-  const auto exported = arenite("export " + (folder / "tension").string() + " --to csv --out " + (folder / "csv").string());
+  const auto exported =
+      arenite("export " + (folder / "tension").string() + " --to csv --out " + (folder / "csv").string());
   EXPECT_EQ(exported.status, 0) << exported.err;
 }
 

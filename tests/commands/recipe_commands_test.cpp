@@ -43,7 +43,8 @@ TEST(Check, BadRecipeGivesOneLineAProblemOnStderrAndStatusTwo) {
   const TemporaryFolder folder;
   const auto recipe = (folder / "a.toml").string();
   ASSERT_EQ(arenite("init composite " + recipe).status, 0);
-  const auto refused = arenite("check " + recipe + " --set container.width=350 --set sed=3 --set 'contact.friction=-1'");
+  const auto refused =
+      arenite("check " + recipe + " --set container.width=350 --set sed=3 --set 'contact.friction=-1'");
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(refused.out, "");
   EXPECT_EQ(lines_of(refused.err), 3) << refused.err;
@@ -96,7 +97,8 @@ TEST(Check, PredictsTheRunOnStderrAndAsNumbers) {
   ASSERT_EQ(arenite("init composite " + recipe).status, 0);
   const auto text = arenite("check " + recipe);
   EXPECT_EQ(text.status, 0);
-  for (const char* part : {"time step ", "prepare ", "load ", "total ", "warning: stage load: grains overlap"}) EXPECT_TRUE(contains(text.err, part)) << part;
+  for (const char* part : {"time step ", "prepare ", "load ", "total ", "warning: stage load: grains overlap"})
+    EXPECT_TRUE(contains(text.err, part)) << part;
   const auto json = nlohmann::json::parse(arenite("check --json " + recipe).out);
   EXPECT_EQ(json["grains"], 705);
   EXPECT_GT(json["time_step_s"], 0);
@@ -152,7 +154,8 @@ TEST(Output, FullDiskBehindStdoutIsReported) {
 }
 
 TEST(Man, ThePageOfFileFormatsIsWhatTheFormatsSay) {
-  EXPECT_EQ(slurp(ARENITE_SOURCE_DIR "/docs/formats.md"), arenite("man --formats").out) << "write it anew: build/arenite man --formats > docs/formats.md";
+  EXPECT_EQ(slurp(ARENITE_SOURCE_DIR "/docs/formats.md"), arenite("man --formats").out)
+      << "write it anew: build/arenite man --formats > docs/formats.md";
 }
 
 TEST(CommandLine, WithoutArgumentsEveryCommandHasItsLine) {
@@ -180,7 +183,8 @@ TEST(CommandLine, UnknownCommandOffersTheNearestAndUnknownOptionIsBadInput) {
 TEST(Doctor, NamesVersionsKernelsAndThreads) {
   const auto report = arenite("doctor");
   EXPECT_EQ(report.status, 0);
-  for (const char* line : {"arenite ", "kernels ", "threads ", "HDF5 "}) EXPECT_TRUE(contains(report.out, line)) << line;
+  for (const char* line : {"arenite ", "kernels ", "threads ", "HDF5 "})
+    EXPECT_TRUE(contains(report.out, line)) << line;
 }
 
 TEST(Completion, ScriptsAreAcceptedByTheirShellAndKnowEveryCommand) {
@@ -188,7 +192,9 @@ TEST(Completion, ScriptsAreAcceptedByTheirShellAndKnowEveryCommand) {
   EXPECT_EQ(bash.status, 0);
   const std::string load = "source <(" + std::string(ARENITE_BINARY) + " completion bash); ";
   const auto words = [&](const std::string& line, int word) {
-    return shell("bash -c '" + load + "COMP_WORDS=(" + line + "); COMP_CWORD=" + std::to_string(word) + "; _arenite; echo \"${COMPREPLY[@]}\"'").out;
+    return shell("bash -c '" + load + "COMP_WORDS=(" + line + "); COMP_CWORD=" + std::to_string(word) +
+                 "; _arenite; echo \"${COMPREPLY[@]}\"'")
+        .out;
   };
   EXPECT_EQ(words("arenite che", 1), "check\n");
   EXPECT_TRUE(contains(words("arenite check --", 2), "--set"));

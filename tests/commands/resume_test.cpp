@@ -54,12 +54,13 @@ void kill_at_random_moments(const fs::path& file, std::size_t files, int ended, 
   for (int attempt = 0; attempt < 40 && (attempt < ended || kills <= killed); ++attempt) {
     const auto out = folder / ("killed" + std::to_string(attempt));
     test::Outcome outcome;
-    // Every life gets a random share of the whole run's time; checkpoints at every look keep what it won. Lives grow longer, in
-    // case that the machine became busier since and the program does not even start in the share it had.
+    // Every life gets a random share of the whole run's time; checkpoints at every look keep what it won. Lives grow
+    // longer, in case that the machine became busier since and the program does not even start in the share it had.
     for (int life = 0; life < 200; ++life) {
       const double seconds = whole * moments.uniform(0.1, 0.7) * (1 + 0.05 * life);
       const auto born = clock::now();
-      outcome = test::shell("timeout -s KILL " + std::to_string(seconds) + " " + ARENITE_BINARY + " " + run_line(file, out, "--checkpoint-every 0"));
+      outcome = test::shell("timeout -s KILL " + std::to_string(seconds) + " " + ARENITE_BINARY + " " +
+                            run_line(file, out, "--checkpoint-every 0"));
       // The first run may have been a slow one on a busy machine: lives must end before their runs do.
       if (outcome.status == 0 && life == 0) whole = std::chrono::duration<double>(clock::now() - born).count();
       if (outcome.status == 0) break;

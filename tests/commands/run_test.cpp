@@ -20,7 +20,8 @@ using arenite::test::TemporaryFolder;
 std::string recipe(const std::string& container, const std::string& stages) {
   return "title = \"A small sample\"\n[container]\nwidth = \"120 mm\"\nthickness = \"60 mm\"\n" + container +
          "[materials.POM]\ndensity = \"1410 kg/m^3\"\nstiffness = \"27.35 kN/mm\"\n"
-         "[[populations]]\nmaterial = \"POM\"\ncount = 60\nsize = { law = \"uniform\", min = \"10 mm\", max = \"16 mm\" }\n"
+         "[[populations]]\nmaterial = \"POM\"\ncount = 60\nsize = { law = \"uniform\", min = \"10 mm\", max = \"16 "
+         "mm\" }\n"
          "[contact]\nrestitution = 0.5\nfriction_law = \"cundall_strack\"\n" +
          stages;
 }
@@ -33,9 +34,11 @@ std::string write(const TemporaryFolder& folder, const std::string& text) {
 
 TEST(PeriodicCell, PressureOnBothDirectionsEndsAtRestWithTheStressAsked) {
   const TemporaryFolder folder;
-  const auto file = write(folder, recipe("periodic_x = true\nperiodic_y = true\n",
-                                         "[[stages]]\nname = \"isotropic\"\nright = { pressure = \"100 kPa\" }\ntop = { pressure = \"100 kPa\" }\n"
-                                         "[[stages]]\nname = \"biaxial\"\nleft = { pressure = \"100 kPa\" }\ntop = { pressure = \"140 kPa\" }\n"));
+  const auto file = write(
+      folder,
+      recipe("periodic_x = true\nperiodic_y = true\n",
+             "[[stages]]\nname = \"isotropic\"\nright = { pressure = \"100 kPa\" }\ntop = { pressure = \"100 kPa\" }\n"
+             "[[stages]]\nname = \"biaxial\"\nleft = { pressure = \"100 kPa\" }\ntop = { pressure = \"140 kPa\" }\n"));
   const auto out = (folder / "out").string();
   const auto run = arenite("run " + file + " --quiet --out " + out);
   ASSERT_EQ(run.status, 0) << run.err;
@@ -56,7 +59,9 @@ fs::path stage_file(const fs::path& out, const std::string& stage) {
 
 TEST(DamagedStageFile, IsComputedAgainWithANoticeAndTheSameBytes) {
   const TemporaryFolder folder;
-  const auto file = write(folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nequilibrium = { max_steps = 400 }\n"));
+  const auto file =
+      write(folder,
+            recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nequilibrium = { max_steps = 400 }\n"));
   const auto out = folder / "out";
   ASSERT_EQ(arenite("run " + file + " --quiet --out " + out.string()).status, 3);
   for (const std::string stage : {"packing", "load"}) {
@@ -77,7 +82,8 @@ TEST(DamagedStageFile, IsComputedAgainWithANoticeAndTheSameBytes) {
   }
 }
 
-const char* const short_load = "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nequilibrium = { max_steps = 400 }\n";
+const char* const short_load =
+    "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nequilibrium = { max_steps = 400 }\n";
 
 TEST(RunFolder, SaysWhatItPutsAsideAndWhichExportsAreStale) {
   const TemporaryFolder folder;
@@ -111,18 +117,21 @@ TEST(RunFolder, AFileWhoseNameAgreesButWhoseHashDoesNotIsMadeAnew) {
 
 TEST(StageWithoutEquilibrium, EndsWithStatusThreeAndSaysWhatItReached) {
   const TemporaryFolder folder;
-  const auto file = write(folder, recipe("",
-                                         "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nequilibrium = { max_steps = 400 }\n"
-                                         "[[stages]]\nname = \"more\"\ntop = { force = \"2 kN\" }\n"));
+  const auto file = write(
+      folder, recipe("",
+                     "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nequilibrium = { max_steps = 400 }\n"
+                     "[[stages]]\nname = \"more\"\ntop = { force = \"2 kN\" }\n"));
   const auto run = arenite("run " + file + " --quiet --out " + (folder / "out").string());
   EXPECT_EQ(run.status, 3) << run.err;
-  EXPECT_TRUE(contains(run.out, "no equilibrium within 400 steps (equilibrium.max_steps): unbalanced force ratio")) << run.out;
+  EXPECT_TRUE(contains(run.out, "no equilibrium within 400 steps (equilibrium.max_steps): unbalanced force ratio"))
+      << run.out;
   EXPECT_FALSE(contains(run.out, "more")) << "no stage starts from one that is not at rest";
 }
 
 TEST(StageOverATime, SpeaksOfForcesOnSidesOnlyWhereItMeasuresThem) {
   const TemporaryFolder folder;
-  const auto file = write(folder, recipe("", "[[stages]]\nname = \"shove\"\ntop = { velocity = \"10 mm/s\" }\nduration = \"1 ms\"\n"));
+  const auto file = write(
+      folder, recipe("", "[[stages]]\nname = \"shove\"\ntop = { velocity = \"10 mm/s\" }\nduration = \"1 ms\"\n"));
   const auto run = arenite("run " + file + " --quiet --out " + (folder / "out").string());
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "0.001 s passed; unbalanced force ratio")) << run.out;
@@ -131,7 +140,9 @@ TEST(StageOverATime, SpeaksOfForcesOnSidesOnlyWhereItMeasuresThem) {
 
 TEST(Show, BeginsWithTheTitleAndLeavesOutWhatASampleWithoutContactsHasNot) {
   const TemporaryFolder folder;
-  const auto file = write(folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nequilibrium = { max_steps = 400 }\n"));
+  const auto file =
+      write(folder,
+            recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nequilibrium = { max_steps = 400 }\n"));
   const auto out = folder / "out";
   ASSERT_EQ(arenite("run " + file + " --quiet --out " + out.string()).status, 3);
   const auto shown = arenite("show " + stage_file(out, "packing").string());
@@ -143,23 +154,28 @@ TEST(Show, BeginsWithTheTitleAndLeavesOutWhatASampleWithoutContactsHasNot) {
 
 TEST(RunThatCannotStart, IsOneLineWithItsPlaceAndLeavesNoFolder) {
   const TemporaryFolder folder;
-  const auto file = write(folder, recipe("height = \"20 mm\"\n", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\n"));
+  const auto file =
+      write(folder, recipe("height = \"20 mm\"\n", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\n"));
   const auto out = folder / "out";
   const auto refused = arenite("run " + file + " --quiet --out " + out.string());
   EXPECT_EQ(refused.status, 2);
-  EXPECT_TRUE(refused.err.starts_with(file + ": the grains cover ") && contains(refused.err, "container.height")) << refused.err;
+  EXPECT_TRUE(refused.err.starts_with(file + ": the grains cover ") && contains(refused.err, "container.height"))
+      << refused.err;
   EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
   EXPECT_FALSE(fs::exists(out));
-  const auto late = arenite("run " + file + " --quiet --out " + out.string() + " --set 'container.height=200 mm' --set 'integration.time_step=1 s'");
+  const auto late = arenite("run " + file + " --quiet --out " + out.string() +
+                            " --set 'container.height=200 mm' --set 'integration.time_step=1 s'");
   EXPECT_EQ(late.status, 2);
-  EXPECT_TRUE(late.err.starts_with("--set integration.time_step=1 s: integration.time_step of 1 s is too long for this packing: ") &&
+  EXPECT_TRUE(late.err.starts_with(
+                  "--set integration.time_step=1 s: integration.time_step of 1 s is too long for this packing: ") &&
               contains(late.err, " s, or leave the key out"))
       << late.err;
   EXPECT_EQ(std::count(late.err.begin(), late.err.end(), '\n'), 1) << late.err;
 }
 
 TEST(CommandLine, ThatCannotBeReadIsOneLine) {
-  for (const char* line : {"run", "run x.toml --threads 0", "run x.toml --thread 2", "export x --to xls", "init granite"}) {
+  for (const char* line :
+       {"run", "run x.toml --threads 0", "run x.toml --thread 2", "export x --to xls", "init granite"}) {
     const auto refused = arenite(line);
     EXPECT_EQ(refused.status, 2) << line;
     EXPECT_TRUE(refused.err.starts_with("arenite ") && contains(refused.err, " --help`")) << refused.err;
@@ -169,12 +185,14 @@ TEST(CommandLine, ThatCannotBeReadIsOneLine) {
 
 TEST(ExportThatCannotEnd, TakesBackWhatItWrote) {
   const TemporaryFolder folder;
-  const auto file = write(
-      folder, recipe("", "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nincrements = 2\nequilibrium = { unbalanced = 0.01, kinetic = 0.01 }\n"));
+  const auto file = write(folder, recipe("",
+                                         "[[stages]]\nname = \"load\"\ntop = { force = \"1 kN\" }\nincrements = "
+                                         "2\nequilibrium = { unbalanced = 0.01, kinetic = 0.01 }\n"));
   const auto out = (folder / "out").string();
   ASSERT_EQ(arenite("run " + file + " --quiet --out " + out).status, 0);
   // In units of 512 bytes: the loose packing's tables fit below the limit, those of the loaded states do not.
-  const auto refused = arenite::test::shell("ulimit -f 18; " + std::string(ARENITE_BINARY) + " export " + out + " --to csv --out " + out + "/csv");
+  const auto refused = arenite::test::shell("ulimit -f 18; " + std::string(ARENITE_BINARY) + " export " + out +
+                                            " --to csv --out " + out + "/csv");
   EXPECT_EQ(refused.status, 2) << refused.out;
   EXPECT_TRUE(contains(refused.err, "csv: ") || contains(refused.err, ".csv: cannot be written: ")) << refused.err;
   EXPECT_FALSE(fs::exists(out + "/csv"));
@@ -182,7 +200,9 @@ TEST(ExportThatCannotEnd, TakesBackWhatItWrote) {
 
 TEST(Run, ThatCannotGoOnHasAStatusOfItsOwn) {
   const TemporaryFolder folder;
-  const auto file = write(folder, recipe("height = \"200 mm\"\n", "[[stages]]\nname = \"shoot\"\nduration = \"1 s\"\nbottom = { velocity = \"1e6 m/s\" }\n"));
+  const auto file =
+      write(folder, recipe("height = \"200 mm\"\n",
+                           "[[stages]]\nname = \"shoot\"\nduration = \"1 s\"\nbottom = { velocity = \"1e6 m/s\" }\n"));
   const auto run = arenite("run " + file + " --quiet --out " + (folder / "out").string());
   EXPECT_EQ(run.status, 3) << run.err;
   EXPECT_TRUE(contains(run.err, "has left the container through a wall at step")) << run.err;

@@ -33,19 +33,25 @@ TEST(ShowFilm, JsonOfARealFilm) {
 TEST(ShowFilm, TextNamesWhatIsMissingAndDoubtful) {
   const TemporaryFolder folder;
   Film film = test::counted(6, 4, 9);
-  for (std::size_t i = 0; i < film.level.size(); ++i) film.level[i] = i % 24 == 3 ? 16383 : static_cast<std::uint16_t>(i % 24 == 4 ? 7 : i);
+  for (std::size_t i = 0; i < film.level.size(); ++i)
+    film.level[i] = i % 24 == 3 ? 16383 : static_cast<std::uint16_t>(i % 24 == 4 ? 7 : i);
   test::spill(folder / "a.ptw", test::ptw(film, 0.02));
   const auto shown = arenite("show " + (folder / "a.ptw").string());
   ASSERT_EQ(shown.status, 0) << shown.err;
-  for (const char* words : {"format                           ptw", "frames                           9 ", "width                            6 ", "100 Hz",
-                            "0.02 s", "stamped                          yes", "dropped_frames                   0 ", "pixels.constant                  2 ",
-                            "pixels.saturated                 1 "})
+  for (const char* words : {"format                           ptw", "frames                           9 ",
+                            "width                            6 ", "100 Hz", "0.02 s",
+                            "stamped                          yes", "dropped_frames                   0 ",
+                            "pixels.constant                  2 ", "pixels.saturated                 1 "})
     EXPECT_NE(shown.out.find(words), std::string::npos) << words << "\n" << shown.out;
 }
 
 TEST(ShowFilm, WhatFilesOfOthersStateIsShown) {
-  const auto data = [](const char* name) { return (std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/films" / name).string(); };
-  const auto json = [](const std::string& of) { return Json::parse(arenite("show " + of + " --frame-rate 30Hz --json").out); };
+  const auto data = [](const char* name) {
+    return (std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/films" / name).string();
+  };
+  const auto json = [](const std::string& of) {
+    return Json::parse(arenite("show " + of + " --frame-rate 30Hz --json").out);
+  };
   EXPECT_EQ(json(data("imagej-one-directory.tif"))["frames"], 120);
   const auto channels = arenite("show " + data("imagej-two-channels.tif"));
   EXPECT_EQ(channels.status, 2);
@@ -63,7 +69,9 @@ TEST(ShowFilm, ADamagedFilmIsOneSentenceAndStatusTwo) {
   const auto shown = arenite("show " + (folder / "a.ptw").string() + " --json");
   EXPECT_EQ(shown.status, 2);
   EXPECT_EQ(shown.out, "");
-  EXPECT_NE(shown.err.find("a.ptw: is cut short: it declares 3 frames of 5 x 4 pixels and holds 1; copy it again"), std::string::npos) << shown.err;
+  EXPECT_NE(shown.err.find("a.ptw: is cut short: it declares 3 frames of 5 x 4 pixels and holds 1; copy it again"),
+            std::string::npos)
+      << shown.err;
 }
 
 TEST(ShowFilm, WhatIsNoFilmIsNamedForWhatItIs) {
@@ -84,7 +92,8 @@ TEST(ShowFilm, WhatIsNoFilmIsNamedForWhatItIs) {
 
 TEST(ShowFilm, FoldersOfFramesAreFilms) {
   const TemporaryFolder folder;
-  for (int f = 0; f < 3; ++f) test::spill(folder / ("f" + std::to_string(f) + ".csv"), "1,2\n3," + std::to_string(f) + "\n");
+  for (int f = 0; f < 3; ++f)
+    test::spill(folder / ("f" + std::to_string(f) + ".csv"), "1,2\n3," + std::to_string(f) + "\n");
   EXPECT_EQ(Json::parse(arenite("show --json " + folder.path().string()).out)["frames"], 3);
   EXPECT_EQ(Json::parse(arenite("show --json '" + (folder / "f*.csv").string() + "'").out)["frames"], 3);
 }

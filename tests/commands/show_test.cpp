@@ -39,7 +39,8 @@ TEST(Show, JsonHasProvenanceStagesAndTheTextureOfTheLastState) {
   EXPECT_EQ(j["contacts"], 5);
   EXPECT_NEAR(j["coordination"]["all"]["value"], 2.0 * 5 / 6, 1e-12);
   EXPECT_NEAR(j["force"]["mean_N"]["value"], 110, 1e-9);
-  for (const char* field : {"solid_fraction", "fabric", "stress", "sigma_norm"}) EXPECT_TRUE(j.contains(field)) << field;
+  for (const char* field : {"solid_fraction", "fabric", "stress", "sigma_norm"})
+    EXPECT_TRUE(j.contains(field)) << field;
 }
 
 TEST(Show, NumbersHaveTheirErrorUnitAndSentence) {
@@ -84,7 +85,8 @@ TEST(Show, SaysWhatStandsThereWhereItIsNoResult) {
   fs::create_directories(folder / "study/runs/0123");
   fs::create_directories(folder / "maps");
   io::write_atomically(folder / "study/runs.tsv", "");
-  for (const char* map : {"amplitude.tif", "in_phase.tif", "standard_error.tif"}) io::write_atomically(folder / "maps" / map, "");
+  for (const char* map : {"amplitude.tif", "in_phase.tif", "standard_error.tif"})
+    io::write_atomically(folder / "maps" / map, "");
   io::write_atomically(folder / "r.toml", "seed = 1\n");
   io::write_atomically(folder / "words.txt", "version 2\n");
   const auto at = [&](const char* name) { return (folder / name).string(); };
@@ -94,7 +96,8 @@ TEST(Show, SaysWhatStandsThereWhereItIsNoResult) {
     expect_refused(command + at("maps"), "maps: contains the maps of a film");
     expect_refused(command + at("r.toml"), "r.toml: is a recipe, not a result");
     expect_refused(command + "thesis-ch4", "thesis-ch4: is a built-in study");
-    if (command != "figures ") expect_refused(command + at("study"), "study: is the folder of a study, not a result; give one of its runs");
+    if (command != "figures ")
+      expect_refused(command + at("study"), "study: is the folder of a study, not a result; give one of its runs");
   }
   expect_refused("show " + at("words.txt"), "words.txt: holds no rows of numbers");
 }
@@ -104,10 +107,10 @@ TEST(Show, StatesHaveTheirUnitsInTheHeads) {
   io::write_stage(folder / "01-compact.h5", sample());
   const auto shown = arenite("show --states " + (folder / "01-compact.h5").string());
   ASSERT_EQ(shown.status, 0) << shown.err;
-  EXPECT_EQ(
-      shown.out.substr(0, shown.out.find('\n')),
-      "stage,label,time [s],strain_x,strain_y,volume_strain,p [Pa],q [Pa],q_over_p,solid_fraction,z,z_without_rattlers,rattlers,a_c_signed,a_c_signed_strong,"
-      "a_c_signed_weak,strong_share,q_on_strong,mobilisation");
+  EXPECT_EQ(shown.out.substr(0, shown.out.find('\n')),
+            "stage,label,time [s],strain_x,strain_y,volume_strain,p [Pa],q "
+            "[Pa],q_over_p,solid_fraction,z,z_without_rattlers,rattlers,a_c_signed,a_c_signed_strong,"
+            "a_c_signed_weak,strong_share,q_on_strong,mobilisation");
   EXPECT_EQ(std::count(shown.out.begin(), shown.out.end(), '\n'), 3);  // and one row for each of two states
 }
 
@@ -149,8 +152,8 @@ TEST(Show, IsShortAndSaysWhatItsSymbolsMean) {
   ASSERT_EQ(all.status, 0) << all.err;
   EXPECT_LE(std::count(shown.out.begin(), shown.out.end(), '\n'), 30) << shown.out;
   EXPECT_GT(all.out.size(), shown.out.size());
-  for (const char* part :
-       {"coordination.all ", "Mean number of contacts per grain", "fabric.a_c ", "Contact anisotropy", "force.mean_N ", "P ~ exp(-beta x)", "--all"})
+  for (const char* part : {"coordination.all ", "Mean number of contacts per grain", "fabric.a_c ",
+                           "Contact anisotropy", "force.mean_N ", "P ~ exp(-beta x)", "--all"})
     EXPECT_NE(shown.out.find(part), std::string::npos) << part << "\n" << shown.out;
   EXPECT_NE(all.out.find("dissipated by friction"), std::string::npos) << all.out;
 }
@@ -163,7 +166,9 @@ TEST(Show, SaysThatAStateMovesThoughItsStageEndedByItsTime) {
   result.snapshots.back().equilibrium.kinetic_ratio = 69;
   io::write_stage(folder / "r.h5", result);
   const auto moving = arenite("show " + (folder / "r.h5").string());
-  EXPECT_NE(moving.out.find("NOT IN EQUILIBRIUM: unbalanced force ratio 1.0e-05, kinetic over elastic energy 6.9e+01"), std::string::npos) << moving.out;
+  EXPECT_NE(moving.out.find("NOT IN EQUILIBRIUM: unbalanced force ratio 1.0e-05, kinetic over elastic energy 6.9e+01"),
+            std::string::npos)
+      << moving.out;
   result.snapshots.back().equilibrium.kinetic_ratio = 1e-9;
   io::write_stage(folder / "r.h5", result);
   EXPECT_NE(arenite("show " + (folder / "r.h5").string()).out.find("in equilibrium: "), std::string::npos);
@@ -176,8 +181,10 @@ TEST(Show, BadFilesGiveStatus2AndOneSentence) {
   io::write_atomically(folder / "cut.h5", whole.substr(0, whole.size() / 3));
   io::write_atomically(folder / "foreign.h5", whole.substr(512));
   io::write_atomically(folder / "empty.h5", "");
-  for (const auto& [name, words] :
-       std::map<std::string, std::string>{{"cut.h5", "truncated"}, {"foreign.h5", "another program"}, {"empty.h5", "is empty"}, {"none.h5", "no such file"}}) {
+  for (const auto& [name, words] : std::map<std::string, std::string>{{"cut.h5", "truncated"},
+                                                                      {"foreign.h5", "another program"},
+                                                                      {"empty.h5", "is empty"},
+                                                                      {"none.h5", "no such file"}}) {
     const auto shown = arenite("show " + (folder / name).string());
     EXPECT_EQ(shown.status, 2) << name;
     EXPECT_NE(shown.err.find(words), std::string::npos) << shown.err;

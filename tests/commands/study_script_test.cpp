@@ -26,12 +26,14 @@ TEST(StudyScript, NamesOfFilesBecomeNoLinesOfIt) {
   const TemporaryFolder folder;
   const auto recipe = (folder / "my\ntouch broken\n#").string() + ".toml";
   std::ofstream(recipe) << arenite::test::small_study;
-  const auto script = arenite("study script --slurm '" + recipe + "' --out '" + (folder / "two words %j").string() + "'");
+  const auto script =
+      arenite("study script --slurm '" + recipe + "' --out '" + (folder / "two words %j").string() + "'");
   ASSERT_EQ(script.status, 0) << script.err;
   EXPECT_TRUE(contains(script.out, "#SBATCH --job-name=my_touch_broken_")) << script.out;
   EXPECT_TRUE(contains(script.out, "two words %%j/slurm-%A-%a.log\"\n")) << script.out;
   EXPECT_FALSE(contains(script.out, "\ntouch broken\n#SBATCH")) << script.out;
-  const auto refused = arenite("study script --slurm '" + recipe + "' --out '" + (folder / "out").string() + "' --time '1:00\ntouch x'");
+  const auto refused =
+      arenite("study script --slurm '" + recipe + "' --out '" + (folder / "out").string() + "' --time '1:00\ntouch x'");
   EXPECT_EQ(refused.status, 2) << refused.out;
   EXPECT_TRUE(contains(refused.err, "--time")) << refused.err;
 }
@@ -42,7 +44,8 @@ TEST(StudyScript, RefusesWhatItsTasksDecideThemselves) {
   std::ofstream(recipe) << arenite::test::small_study;
   for (const char* each : {"--shard 1/2", "--retry"}) {
     const std::string option = each;
-    const auto refused = arenite("study script --slurm " + recipe + " --out " + (folder / "out").string() + " " + option);
+    const auto refused =
+        arenite("study script --slurm " + recipe + " --out " + (folder / "out").string() + " " + option);
     EXPECT_EQ(refused.status, 2) << option;
     EXPECT_EQ(refused.out, "");
     EXPECT_TRUE(contains(refused.err, option.substr(0, option.find(' ')) + " is an option of run")) << refused.err;

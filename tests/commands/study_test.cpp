@@ -39,7 +39,8 @@ std::string account(const fs::path& study) {
   return text;
 }
 
-std::string study_line(const std::string& what, const std::string& recipe, const fs::path& out, const std::string& more = "") {
+std::string study_line(const std::string& what, const std::string& recipe, const fs::path& out,
+                       const std::string& more = "") {
   return "study " + what + " " + recipe + " --out " + out.string() + " " + more;
 }
 
@@ -55,12 +56,16 @@ TEST(Study, TheSamePackingUnderSeveralCementsIsMadeOnceAndTheResultsAreThoseOfSi
   for (const auto& [stage, made] : {std::pair("packing", 2u), {"prepare", 2u}, {"cement", 6u}, {"tension", 6u}}) {
     std::size_t computed = 0;
     std::istringstream lines(account(out));
-    for (std::string line; std::getline(lines, line);) computed += line.starts_with("computed") && contains(line, stage);
+    for (std::string line; std::getline(lines, line);)
+      computed += line.starts_with("computed") && contains(line, stage);
     EXPECT_EQ(computed, made) << stage;
   }
   const auto one = folder / "single.toml";
   std::ofstream(one) << small_cemented_recipe;
-  ASSERT_EQ(arenite("run " + one.string() + " --quiet --set seed=4 --set cement.width=0.4 --out " + (folder / "single").string()).status, 0);
+  ASSERT_EQ(arenite("run " + one.string() + " --quiet --set seed=4 --set cement.width=0.4 --out " +
+                    (folder / "single").string())
+                .status,
+            0);
   const auto files = arenite::test::files_of_runs(out);
   EXPECT_EQ(files.size(), 6u * 9);  // with the page of each run
   int compared = 0;
@@ -102,8 +107,9 @@ TEST(Study, AskedToStopItLeavesAndGoesOnLater) {
   const auto file = write_study(folder, small_study);
   const auto out = folder / "out";
   // Not before the study has begun: until then a signal ends the program as any other.
-  const auto stopped = shell(ARENITE_BINARY " " + study_line("run", file, out, "--quiet --jobs 1") + " & for i in $(seq 500); do [ -d " +
-                             (out / "journal").string() + " ] && break; sleep 0.01; done; kill -TERM $!; wait $!; echo ended $?");
+  const auto stopped =
+      shell(ARENITE_BINARY " " + study_line("run", file, out, "--quiet --jobs 1") + " & for i in $(seq 500); do [ -d " +
+            (out / "journal").string() + " ] && break; sleep 0.01; done; kill -TERM $!; wait $!; echo ended $?");
   if (contains(stopped.out, "ended 0\n")) GTEST_SKIP() << "this machine ran the study before it could be stopped";
   EXPECT_TRUE(contains(stopped.err, "stopped; the same command continues with the ")) << stopped.err;
   EXPECT_TRUE(shell("pgrep -f '[s]tudy run .*" + out.string() + "'").out.empty()) << "no process stays behind";
@@ -142,19 +148,24 @@ TEST(Study, ShardsDoTheirPartsAtOnceAndTogetherTheWhole) {
                           study_line("run", file, out, "--quiet --jobs 1 --shard 2/2") + " && wait $!");
   EXPECT_EQ(both.status, 0) << both.err;
   EXPECT_EQ(arenite::test::files_of_runs(out), arenite::test::files_of_runs(folder / "whole"));
-  for (const std::string shard : {"0/2", "3/2", "2", "1/x"}) EXPECT_EQ(arenite(study_line("run", file, out, "--shard " + shard)).status, 2) << shard;
+  for (const std::string shard : {"0/2", "3/2", "2", "1/x"})
+    EXPECT_EQ(arenite(study_line("run", file, out, "--shard " + shard)).status, 2) << shard;
 }
 
 TEST(Study, AFailingRunIsListedWithItsReasonAndStopsNoOther) {
   const TemporaryFolder folder;
-  const auto file =
-      write_study(folder, small_cemented_recipe + "[sweep.grid]\n\"grid.crop\" = [\"80 mm\", \"5 m\"]\n\"stages.0.equilibrium.max_steps\" = [20, 10000000]\n");
+  const auto file = write_study(
+      folder,
+      small_cemented_recipe +
+          "[sweep.grid]\n\"grid.crop\" = [\"80 mm\", \"5 m\"]\n\"stages.0.equilibrium.max_steps\" = [20, 10000000]\n");
   const auto out = folder / "out";
   const auto run = arenite(study_line("run", file, out, "--quiet"));
   EXPECT_EQ(run.status, 3) << run.err;
   EXPECT_TRUE(contains(run.out, "4 runs: 1 done, 2 unfinished, 1 failed\n")) << run.out;
-  EXPECT_TRUE(contains(run.out, "failed (grid.crop = \"5 m\", stages.0.equilibrium.max_steps = 10000000): ")) << run.out;
-  EXPECT_TRUE(contains(run.out, "unfinished (grid.crop = \"80 mm\", stages.0.equilibrium.max_steps = 20): prepare: ")) << run.out;
+  EXPECT_TRUE(contains(run.out, "failed (grid.crop = \"5 m\", stages.0.equilibrium.max_steps = 10000000): "))
+      << run.out;
+  EXPECT_TRUE(contains(run.out, "unfinished (grid.crop = \"80 mm\", stages.0.equilibrium.max_steps = 20): prepare: "))
+      << run.out;
   const auto computed = count(account(out), "computed");
   EXPECT_EQ(arenite(study_line("run", file, out, "--quiet")).status, 3) << "failed runs are done again on demand only";
   EXPECT_EQ(count(account(out), "reused") + computed, count(account(out), "\n"));
@@ -176,10 +187,12 @@ TEST(Study, NumbersCanBeKeptWithoutTheFieldsTheyCameFrom) {
   std::size_t left = 0;
   for (const auto& entry : fs::recursive_directory_iterator(folder / "few")) {
     left += entry.path().extension() == ".h5";
-    EXPECT_FALSE(contains(entry.path().string(), "cement") || contains(entry.path().string(), "tension")) << entry.path();
+    EXPECT_FALSE(contains(entry.path().string(), "cement") || contains(entry.path().string(), "tension"))
+        << entry.path();
   }
   EXPECT_EQ(left, 6u * 2 + 4) << "packings and loadings stay, in runs and store";
-  for (const std::string study : {"all", "few"}) ASSERT_EQ(arenite(study_line("collect", file, folder / study)).status, 0);
+  for (const std::string study : {"all", "few"})
+    ASSERT_EQ(arenite(study_line("collect", file, folder / study)).status, 0);
   EXPECT_EQ(slurp(folder / "all" / "numbers.csv"), slurp(folder / "few" / "numbers.csv"));
   EXPECT_TRUE(contains(slurp(folder / "all" / "numbers.csv"), "run,status,cement.width,seed,"));
   EXPECT_EQ(count(slurp(folder / "all" / "numbers.csv"), "\n"), 7u);
@@ -192,13 +205,14 @@ TEST(Study, FiguresShowOneRunsStatesAndFieldsWhetherTheseWereKeptOrNot) {
   std::string recipe = small_study;
   recipe.insert(recipe.find("[sweep]"), "[[loads]]\nname = \"break\"\nfailure = true\n");
   const auto file = write_study(folder, recipe);
-  std::ofstream(folder / "figures.toml") << "[[figures]]\nid = \"start\"\ntitle = \"Start\"\nkind = \"grains\"\nstage = \"packing\"\n"
-                                            "[[figures]]\nid = \"end\"\ntitle = \"End\"\nkind = \"forces\"\nstage = \"prepare\"\n"
-                                            "[[figures]]\nid = \"none\"\ntitle = \"None\"\nkind = \"grains\"\nstage = \"nowhere\"\n"
-                                            "[[figures]]\nid = \"phases\"\ntitle = \"Phases\"\nkind = \"phases\"\n"
-                                            "[[figures]]\nid = \"zoom\"\ntitle = \"Zoom\"\nkind = \"zoom\"\n"
-                                            "[[figures]]\nid = \"cracks\"\ntitle = \"Cracks\"\nkind = \"cracks\"\nstage = \"break\"\n"
-                                            "[[figures]]\nid = \"film\"\ntitle = \"Film\"\nkind = \"film\"\n";
+  std::ofstream(folder / "figures.toml")
+      << "[[figures]]\nid = \"start\"\ntitle = \"Start\"\nkind = \"grains\"\nstage = \"packing\"\n"
+         "[[figures]]\nid = \"end\"\ntitle = \"End\"\nkind = \"forces\"\nstage = \"prepare\"\n"
+         "[[figures]]\nid = \"none\"\ntitle = \"None\"\nkind = \"grains\"\nstage = \"nowhere\"\n"
+         "[[figures]]\nid = \"phases\"\ntitle = \"Phases\"\nkind = \"phases\"\n"
+         "[[figures]]\nid = \"zoom\"\ntitle = \"Zoom\"\nkind = \"zoom\"\n"
+         "[[figures]]\nid = \"cracks\"\ntitle = \"Cracks\"\nkind = \"cracks\"\nstage = \"break\"\n"
+         "[[figures]]\nid = \"film\"\ntitle = \"Film\"\nkind = \"film\"\n";
   ASSERT_EQ(arenite(study_line("run", file, folder / "all", "--quiet")).status, 0);
   ASSERT_EQ(arenite(study_line("run", file, folder / "few", "--quiet --keep numbers")).status, 0);
   const std::string page = slurp(folder / "all" / "study.html");
@@ -217,10 +231,12 @@ TEST(Study, WithoutFiguresOfItsOwnHasAPageOfItsRunsAndMainNumbers) {
   ASSERT_EQ(ran.status, 0) << ran.err;
   EXPECT_TRUE(contains(ran.out, "page:    ")) << ran.out;
   const std::string page = slurp(folder / "out" / "study.html");
-  for (const char* part : {"\"id\":\"modulus_Pa\"", "\"id\":\"S_m\"", "\"keys\":[\"cement.width\",\"seed\"]"}) EXPECT_TRUE(contains(page, part)) << part;
+  for (const char* part : {"\"id\":\"modulus_Pa\"", "\"id\":\"S_m\"", "\"keys\":[\"cement.width\",\"seed\"]"})
+    EXPECT_TRUE(contains(page, part)) << part;
   EXPECT_FALSE(contains(page, "tables of the source"));
   EXPECT_EQ(count(page, "\"link\":\"runs/"), 6u);
-  for (const auto& run : fs::directory_iterator(folder / "out" / "runs")) EXPECT_TRUE(contains(slurp(run.path() / "report.html"), "</html>"));
+  for (const auto& run : fs::directory_iterator(folder / "out" / "runs"))
+    EXPECT_TRUE(contains(slurp(run.path() / "report.html"), "</html>"));
 }
 
 TEST(Study, ThePlanTellsRunsSharedStagesAndTimeWithoutTouchingTheDisk) {
@@ -234,7 +250,8 @@ TEST(Study, ThePlanTellsRunsSharedStagesAndTimeWithoutTouchingTheDisk) {
   EXPECT_TRUE(contains(before.out, "time: not known until")) << before.out;
   EXPECT_FALSE(fs::exists(out));
   ASSERT_EQ(arenite(study_line("run", file, out, "--quiet --shard 1/2")).status, 0);
-  EXPECT_TRUE(contains(arenite(study_line("plan", file, out)).out, "time: about ")) << "costs of the first half estimate the second";
+  EXPECT_TRUE(contains(arenite(study_line("plan", file, out)).out, "time: about "))
+      << "costs of the first half estimate the second";
   ASSERT_EQ(arenite(study_line("run", file, out, "--quiet --shard 2/2")).status, 0);
   EXPECT_TRUE(contains(arenite(study_line("plan", file, out)).out, "time: all stages are in the store\n"));
 }
@@ -245,7 +262,9 @@ TEST(Study, WhereARecipeIsOneRunOrManyTheOtherCommandIsNamed) {
   for (const std::string command : {"run ", "check "}) {
     const auto refused = arenite(command + file);
     EXPECT_EQ(refused.status, 2);
-    EXPECT_TRUE(contains(refused.err, "study.toml:28:2: sweep: this recipe is a study of many runs; `arenite study plan ")) << refused.err;
+    EXPECT_TRUE(
+        contains(refused.err, "study.toml:28:2: sweep: this recipe is a study of many runs; `arenite study plan "))
+        << refused.err;
   }
   const auto single = write_study(folder, small_cemented_recipe);
   const auto refused = arenite(study_line("run", single, folder / "out"));
@@ -253,7 +272,8 @@ TEST(Study, WhereARecipeIsOneRunOrManyTheOtherCommandIsNamed) {
   EXPECT_TRUE(contains(refused.err, "has no section [sweep], so it is one run: `arenite run ")) << refused.err;
   EXPECT_FALSE(fs::exists(folder / "out"));
   EXPECT_EQ(arenite(study_line("status", single, folder / "out")).status, 2);
-  EXPECT_EQ(arenite("study script " + file + " --out " + (folder / "out").string()).status, 2) << "for which scheduler?";
+  EXPECT_EQ(arenite("study script " + file + " --out " + (folder / "out").string()).status, 2)
+      << "for which scheduler?";
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ std::string read_only(const test::TemporaryFolder& folder, const std::string& mo
 TEST(Verify, WithoutRunsJudgesTheSourcesTablesAndSaysWhatIsMissing) {
   const test::TemporaryFolder folder;
   const auto page = folder.path() / "ledger.md", table = folder.path() / "ledger.csv";
-  const auto outcome = test::arenite(read_only(folder, "--json --markdown " + page.string() + " --csv " + table.string()));
+  const auto outcome =
+      test::arenite(read_only(folder, "--json --markdown " + page.string() + " --csv " + table.string()));
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto claims = nlohmann::json::parse(outcome.out).at("claims");
   EXPECT_EQ(claims.size(), 34u);
@@ -51,7 +52,8 @@ TEST(Verify, HoldsVerdictsAgainstEarlierOnesOfTheSameSize) {
   const std::string file = (folder.path() / "verdicts.csv").string();
   ASSERT_EQ(test::arenite(read_only(folder, "--verdicts " + file)).status, 0);
   EXPECT_EQ(test::arenite(read_only(folder, "--expect " + file)).status, 0);
-  const auto small = test::arenite(read_only(folder, "--expect " ARENITE_SOURCE_DIR "/tests/ledger/expected-small.csv"));
+  const auto small =
+      test::arenite(read_only(folder, "--expect " ARENITE_SOURCE_DIR "/tests/ledger/expected-small.csv"));
   EXPECT_EQ(small.status, 2);
   EXPECT_NE(small.err.find("small studies"), std::string::npos) << small.err;
 }

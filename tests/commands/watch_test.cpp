@@ -54,7 +54,8 @@ bool becomes(const std::function<bool()>& condition) {
 class Background {
  public:
   Background(const std::string& arguments, const fs::path& out, const fs::path& err) {
-    const std::string line = "exec " ARENITE_BINARY " " + arguments + " >" + out.string() + " 2>" + err.string() + " </dev/null";
+    const std::string line =
+        "exec " ARENITE_BINARY " " + arguments + " >" + out.string() + " 2>" + err.string() + " </dev/null";
     process_ = ::fork();
     if (process_ == 0) {
       ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
@@ -97,14 +98,17 @@ int connection_to(int port) {
 }
 
 /// One request, as it stands.
-Answer ask(int port, const std::string& method, const std::string& path, const std::string& host, const std::string& more = "") {
+Answer ask(int port, const std::string& method, const std::string& path, const std::string& host,
+           const std::string& more = "") {
   const int connection = connection_to(port);
   std::string all;
   if (connection >= 0) {
-    const std::string request = method + " " + path + " HTTP/1.1\r\nHost: " + host + "\r\n" + more + "Connection: close\r\nContent-Length: 0\r\n\r\n";
+    const std::string request = method + " " + path + " HTTP/1.1\r\nHost: " + host + "\r\n" + more +
+                                "Connection: close\r\nContent-Length: 0\r\n\r\n";
     if (::send(connection, request.data(), request.size(), MSG_NOSIGNAL) > 0) {
       char part[4096];
-      for (ssize_t n = 0; (n = ::recv(connection, part, sizeof part, 0)) > 0;) all.append(part, static_cast<std::size_t>(n));
+      for (ssize_t n = 0; (n = ::recv(connection, part, sizeof part, 0)) > 0;)
+        all.append(part, static_cast<std::size_t>(n));
     }
   }
   if (connection >= 0) ::close(connection);
@@ -118,7 +122,10 @@ class Page {
  public:
   /// Waits for the address in what a program prints.
   explicit Page(const fs::path& printed) {
-    becomes([&] { return test::slurp(printed).find("/\n") != std::string::npos || test::slurp(printed).find("/page\n") != std::string::npos; });
+    becomes([&] {
+      return test::slurp(printed).find("/\n") != std::string::npos ||
+             test::slurp(printed).find("/page\n") != std::string::npos;
+    });
     const std::string text = test::slurp(printed), begin = "http://127.0.0.1:";
     const auto at = text.find(begin);
     if (at == std::string::npos) return;
@@ -128,7 +135,9 @@ class Page {
     host = "127.0.0.1:" + std::to_string(port);
   }
   Answer get(const std::string& what) const { return ask(port, "GET", path + what, host); }
-  Answer post(const std::string& what, const std::string& more = "") const { return ask(port, "POST", path + what, host, more); }
+  Answer post(const std::string& what, const std::string& more = "") const {
+    return ask(port, "POST", path + what, host, more);
+  }
   nlohmann::json state() const { return nlohmann::json::parse(get("state").text, nullptr, false); }
   int port = 0;
   std::string path, host;
@@ -161,7 +170,8 @@ TEST(Watch, ShowsARunAsItGrowsAndStopsIt) {
   EXPECT_NE(page.get("page").text.find("<html"), std::string::npos);
   const auto shown = test::arenite("show " + out.string());
   EXPECT_EQ(shown.out.find("Running: stage 3 of 3, shear"), 0u) << shown.out;
-  EXPECT_EQ(test::arenite("watch " + out.string() + " --port " + std::to_string(page.port)).status, 2) << "the port is taken";
+  EXPECT_EQ(test::arenite("watch " + out.string() + " --port " + std::to_string(page.port)).status, 2)
+      << "the port is taken";
 
   EXPECT_EQ(page.post("stop").status, 200);
   EXPECT_EQ(run.status(), 1);
@@ -183,7 +193,9 @@ TEST(Watch, ARunThatIsWatchedAndStoppedEndsWithTheBytesOfOneThatIsNot) {
     Background run(line + out.string() + " --watch", folder / "run.out", printed);
     const Page page(printed);
     ASSERT_GT(page.port, 0) << test::slurp(printed);
-    if (stops < 2 && becomes([&] { return share_of(page.state()) > 0.2 * (stops + 1) || fs::exists(out / "report.html"); })) page.post("stop");
+    if (stops < 2 &&
+        becomes([&] { return share_of(page.state()) > 0.2 * (stops + 1) || fs::exists(out / "report.html"); }))
+      page.post("stop");
     if (run.status() == 0) break;
     ++stops;
   }
@@ -209,7 +221,8 @@ TEST(Watch, RefusesWhoLacksTheTokenComesByAnotherNameOrAsksForAnythingElse) {
   EXPECT_NE(page.get("page").text.find("<html"), std::string::npos);
   for (const std::string path : {"/", "/state", "//state", "/00000000000000000000000000000000/state", "/..", ""})
     EXPECT_EQ(ask(page.port, "GET", path.empty() ? page.path.substr(0, 20) : path, page.host).status, 403) << path;
-  for (const std::string& host : {std::string("example.org"), std::string("127.0.0.1"), "evil.localhost:" + std::to_string(page.port)})
+  for (const std::string& host :
+       {std::string("example.org"), std::string("127.0.0.1"), "evil.localhost:" + std::to_string(page.port)})
     EXPECT_EQ(ask(page.port, "GET", page.path, host).status, 403) << host;
   EXPECT_EQ(ask(page.port, "GET", page.path, "localhost:" + std::to_string(page.port)).status, 200);
   EXPECT_EQ(page.get("../recipe.toml").status, 404);
@@ -225,8 +238,9 @@ std::string status_naming(long process) {
   char host[256] = {};
   ::gethostname(host, sizeof host - 1);
   std::string text = "name,value\n";
-  for (const char* cell : {"stage,1", "stages,2", "name,shear", "share,0.5", "step,7", "unbalanced_ratio,0.1", "field,false", "key,k", "increment,1",
-                           "increments,1", "time_s,1", "stopped,false", "began,1", "stage_began,1", "heard,1", "seconds_left,unknown", "process_start,"})
+  for (const char* cell : {"stage,1", "stages,2", "name,shear", "share,0.5", "step,7", "unbalanced_ratio,0.1",
+                           "field,false", "key,k", "increment,1", "increments,1", "time_s,1", "stopped,false",
+                           "began,1", "stage_began,1", "heard,1", "seconds_left,unknown", "process_start,"})
     text += std::string(cell) + "\n";
   return text + "process," + std::to_string(process) + "\nhost," + host + "\n";
 }
@@ -290,7 +304,8 @@ TEST(Run, ASecondOneIntoTheSameFolderIsRefused) {
 TEST(Watch, OfWhatIsNoResultIsBadInput) {
   const test::TemporaryFolder folder;
   fs::create_directory(folder / "empty");
-  for (const auto& path : {folder / "none", folder / "empty"}) EXPECT_EQ(test::arenite("watch " + path.string()).status, 2) << path;
+  for (const auto& path : {folder / "none", folder / "empty"})
+    EXPECT_EQ(test::arenite("watch " + path.string()).status, 2) << path;
 }
 
 TEST(Status, OfARunThatWasKilledSaysThatItsProcessIsGone) {

@@ -36,7 +36,9 @@ TEST(CohesionLaws, PullIsTheGradientOfTheEnergyAtEveryGap) {
   each_curve([](const auto&, const Pair&, const PullCurve& curve) {
     for (double share = 0.003; share < 0.99; share *= 1.07) {
       const double gap = share * curve.reach(), d = 1e-4 * gap;
-      const double slope = (curve.energy(gap - 2 * d) - 8 * curve.energy(gap - d) + 8 * curve.energy(gap + d) - curve.energy(gap + 2 * d)) / (12 * d);
+      const double slope = (curve.energy(gap - 2 * d) - 8 * curve.energy(gap - d) + 8 * curve.energy(gap + d) -
+                            curve.energy(gap + 2 * d)) /
+                           (12 * d);
       EXPECT_NEAR(curve.pull(gap), slope, 1e-7 * slope) << share;
     }
     const double h = 1e-3 * curve.reach();
@@ -94,7 +96,8 @@ TEST(CohesionLaws, BridgesBetweenDisksAreTheExactOnes) {
       EXPECT_NEAR(curve.reach(), geometry::rupture_gap(bridge, 2e-9), 1e-12 * curve.reach());
       for (double share = 0.001; share < 1; share += 0.0137) {
         const double gap = share * curve.reach();
-        const double pull = law.surface_tension * thickness * geometry::bridge_state(bridge, gap, geometry::arc_radius(bridge, gap, 2e-9)).pull;
+        const double pull = law.surface_tension * thickness *
+                            geometry::bridge_state(bridge, gap, geometry::arc_radius(bridge, gap, 2e-9)).pull;
         EXPECT_NEAR(curve.pull(gap), pull, 3e-6 * pull) << share;
       }
     }
@@ -106,7 +109,8 @@ TEST(CohesionLaws, BridgesBetweenSpheresAreThoseOfWillett) {
   law.volume = 1e-12;
   for (const Pair& pair : pairs) {
     const PullCurve curve = law.curve(pair.i, pair.j, thickness);
-    const double radius = 2 * pair.i * pair.j / (pair.i + pair.j), most = 2 * pi * radius * law.surface_tension * std::cos(0.5);
+    const double radius = 2 * pair.i * pair.j / (pair.i + pair.j),
+                 most = 2 * pi * radius * law.surface_tension * std::cos(0.5);
     EXPECT_NEAR(curve.reach(), 1.25 * 1e-4, 1e-18);
     for (double share = 0; share < 1; share += 0.0137) {
       const double s = share * curve.reach() * std::sqrt(radius / law.volume);

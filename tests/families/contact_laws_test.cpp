@@ -17,7 +17,9 @@ const std::vector<Adhesion> adhesion_laws = members(Adhesion{});
 const std::vector<FrictionLaw> friction_laws_there_are = members(FrictionLaw{});
 
 /// Elastic force on a contact that remembers `memory` (a fresh one: 0), which is left as it was.
-template <class L> double elastic(const L& law, double h, double k, double curvature, double memory = 0) { return law.elastic(h, k, curvature, memory); }
+template <class L> double elastic(const L& law, double h, double k, double curvature, double memory = 0) {
+  return law.elastic(h, k, curvature, memory);
+}
 /// What a contact remembers that was once twice as deep.
 template <class L> double pressed_before(const L& law, double h, double k, double curvature) {
   double memory = 0;
@@ -39,11 +41,13 @@ TEST(NormalLaws, ForceIsMinusTheGradientOfEnergy) {
           [&](const auto& law) {
             const double d = 1e-4 * h, memory = pressed_before(law, h, k, curvature);
             const auto energy = [&](double at) { return law.energy(at, k, curvature, memory); };
-            const double slope = (energy(h - 2 * d) - 8 * energy(h - d) + 8 * energy(h + d) - energy(h + 2 * d)) / (12 * d);
+            const double slope =
+                (energy(h - 2 * d) - 8 * energy(h - d) + 8 * energy(h + d) - energy(h + 2 * d)) / (12 * d);
             EXPECT_NEAR(elastic(law, h, k, curvature, memory), slope, 1e-9 * std::abs(slope)) << law.word.word;
             EXPECT_EQ(law.energy(0.0, k, curvature, 0.0), 0);
             const double tangent = (elastic(law, h + d, k, curvature) - elastic(law, h - d, k, curvature)) / (2 * d);
-            if (law.remembers) EXPECT_GE(law.tangent(h, k, curvature), std::max(tangent, slope / h) * (1 - 1e-6)) << law.word.word;
+            if (law.remembers)
+              EXPECT_GE(law.tangent(h, k, curvature), std::max(tangent, slope / h) * (1 - 1e-6)) << law.word.word;
             else EXPECT_NEAR(law.tangent(h, k, curvature), tangent, 1e-6 * tangent) << law.word.word;
           },
           choice);
@@ -67,7 +71,8 @@ TEST(NormalLaws, AContactMetAtRestGoesOnWithTheForceThatItHas) {
           if constexpr (L::remembers) {
             const double h = 1e-5, k = 1e7, curvature = 200, memory = pressed_before(law, h, k, curvature);
             const double force = elastic(law, h, k, curvature, memory);
-            EXPECT_NEAR(elastic(law, h, k, curvature, law.recall(force, h, k, curvature)), force, 1e-9 * force) << law.word.word;
+            EXPECT_NEAR(elastic(law, h, k, curvature, law.recall(force, h, k, curvature)), force, 1e-9 * force)
+                << law.word.word;
           }
         },
         choice);
@@ -81,9 +86,9 @@ TEST(AdhesionLaws, ForceIsMinusTheGradientOfEnergy) {
       std::visit(
           [&](const auto& law) {
             const double d = 1e-4 * h;
-            const double slope =
-                (law.energy(h - 2 * d, strength) - 8 * law.energy(h - d, strength) + 8 * law.energy(h + d, strength) - law.energy(h + 2 * d, strength)) /
-                (12 * d);
+            const double slope = (law.energy(h - 2 * d, strength) - 8 * law.energy(h - d, strength) +
+                                  8 * law.energy(h + d, strength) - law.energy(h + 2 * d, strength)) /
+                                 (12 * d);
             EXPECT_NEAR(law.attraction(h, strength), -slope, 1e-9 * std::abs(slope)) << law.word.word;
             EXPECT_GE(law.attraction(h, strength), 0);
             EXPECT_EQ(law.attraction(h, 0.0), 0);
@@ -130,7 +135,8 @@ TEST(AdhesionLaws, TheCapIsRaisedByThePullOffForceOfTheNormalLaw) {
           choice);
     }
   const double strength = 1.06e6 * std::sqrt(0.0124), curvature = 2 / 0.0062;
-  EXPECT_NEAR(Hertz{}.pull_off(strength, 27.35e6, curvature), 2.0 / 3 * strength * std::sqrt(strength / std::sqrt(curvature) / (3 * 27.35e6)), 1e-9);
+  EXPECT_NEAR(Hertz{}.pull_off(strength, 27.35e6, curvature),
+              2.0 / 3 * strength * std::sqrt(strength / std::sqrt(curvature) / (3 * 27.35e6)), 1e-9);
 }
 
 TEST(AdhesionLaws, FrictionHoldsWhileGluedGrainsStillPull) {
@@ -155,7 +161,8 @@ TEST(AdhesionLaws, FrictionHoldsWhileGluedGrainsStillPull) {
               ContactLaws shared;
               shared.cap_sign = sign;
               const auto force = contact_force(shared, law, GeometricalAdhesion{}, RegularisedCoulomb{}, c, memory);
-              EXPECT_NEAR(std::abs(force.tangential), 0.3 * std::max(force.normal + sign * fc, 0.0), 1e-6 * fc) << law.word.word;
+              EXPECT_NEAR(std::abs(force.tangential), 0.3 * std::max(force.normal + sign * fc, 0.0), 1e-6 * fc)
+                  << law.word.word;
             }
           }
         },

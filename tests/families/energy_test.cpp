@@ -22,8 +22,8 @@ struct Balance {
   double gap, throughput;
 };
 
-/// A crowd that starts with overlaps, is pushed by a servo wall and a moving one, falls, is dragged, has its gravity and
-/// drives changed and its glue taken away on the road.
+/// A crowd that starts with overlaps, is pushed by a servo wall and a moving one, falls, is dragged, has its gravity
+/// and drives changed and its glue taken away on the road.
 Balance run(const Case& c, double safety) {
   Packing p = testing::crowd(7, 7, 5, 0.0125);
   p.domain.periodic[0] = p.domain.periodic[1] = c.periodic;
@@ -55,8 +55,10 @@ Balance run(const Case& c, double safety) {
   engine.set_drives(drives);
   engine.advance(half);
   const Energies after = engine.energies();
-  const double stored = after.kinetic + after.elastic + after.adhesive - before.kinetic - before.elastic - before.adhesive;
-  const double lost = after.dissipated_normal + after.dissipated_friction + after.dissipated_drag + after.dissipated_breakage;
+  const double stored =
+      after.kinetic + after.elastic + after.adhesive - before.kinetic - before.elastic - before.adhesive;
+  const double lost =
+      after.dissipated_normal + after.dissipated_friction + after.dissipated_drag + after.dissipated_breakage;
   EXPECT_GT(after.dissipated_normal, 0);
   EXPECT_GT(after.dissipated_drag, 0);
   EXPECT_GE(after.dissipated_friction, 0);
@@ -76,16 +78,22 @@ TEST_P(EnergyBalance, ClosesAndConverges) {
   EXPECT_GT(order, c.order);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, EnergyBalance,
-    ::testing::Values(Case{"verlet", IntegratorKind::velocity_verlet, dem::Linear{}, dem::RegularisedCoulomb{}, dem::NoAdhesion{}, false, 1.7},
-                      Case{"verlet_springs_glue", IntegratorKind::velocity_verlet, dem::Linear{}, dem::CundallStrack{}, dem::GeometricalAdhesion{}, false, 1.0},
-                      Case{"verlet_breaking", IntegratorKind::velocity_verlet, dem::Linear{}, dem::CundallStrack{}, dem::BreakingAdhesion{}, false, 1.0},
-                      Case{"verlet_periodic", IntegratorKind::velocity_verlet, dem::Linear{}, dem::CundallStrack{}, dem::NoAdhesion{}, true, 1.7},
-                      Case{"leapfrog_hertz", IntegratorKind::leapfrog, dem::Hertz{}, dem::RegularisedCoulomb{}, dem::NoAdhesion{}, false, 1.7},
-                      Case{"gear", IntegratorKind::gear5, dem::Linear{}, dem::RegularisedCoulomb{}, dem::NoAdhesion{}, false, 1.0},
-                      Case{"gear_hertz_periodic", IntegratorKind::gear5, dem::Hertz{}, dem::RegularisedCoulomb{}, dem::NoAdhesion{}, true, 1.0}),
-    [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(All, EnergyBalance,
+                         ::testing::Values(Case{"verlet", IntegratorKind::velocity_verlet, dem::Linear{},
+                                                dem::RegularisedCoulomb{}, dem::NoAdhesion{}, false, 1.7},
+                                           Case{"verlet_springs_glue", IntegratorKind::velocity_verlet, dem::Linear{},
+                                                dem::CundallStrack{}, dem::GeometricalAdhesion{}, false, 1.0},
+                                           Case{"verlet_breaking", IntegratorKind::velocity_verlet, dem::Linear{},
+                                                dem::CundallStrack{}, dem::BreakingAdhesion{}, false, 1.0},
+                                           Case{"verlet_periodic", IntegratorKind::velocity_verlet, dem::Linear{},
+                                                dem::CundallStrack{}, dem::NoAdhesion{}, true, 1.7},
+                                           Case{"leapfrog_hertz", IntegratorKind::leapfrog, dem::Hertz{},
+                                                dem::RegularisedCoulomb{}, dem::NoAdhesion{}, false, 1.7},
+                                           Case{"gear", IntegratorKind::gear5, dem::Linear{}, dem::RegularisedCoulomb{},
+                                                dem::NoAdhesion{}, false, 1.0},
+                                           Case{"gear_hertz_periodic", IntegratorKind::gear5, dem::Hertz{},
+                                                dem::RegularisedCoulomb{}, dem::NoAdhesion{}, true, 1.0}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace arenite::dem

@@ -38,7 +38,8 @@ double error_of(const Swing& c, int steps) {
   const double fall = std::exp(-decay * end);
   const double x = amplitude * fall * (std::cos(turn * end) + decay / turn * std::sin(turn * end));
   const double v = -amplitude * fall * omega * omega / turn * std::sin(turn * end);
-  const double ex = after.grains.position[0].x - 0.5 * p.domain.width() - x, ev = (after.grains.velocity[0].x - v) / omega;
+  const double ex = after.grains.position[0].x - 0.5 * p.domain.width() - x,
+               ev = (after.grains.velocity[0].x - v) / omega;
   return std::hypot(ex, ev) / amplitude;
 }
 
@@ -56,8 +57,10 @@ TEST_P(Integrators, ConvergeAtTheirOrderOnAContactThatSwings) {
 INSTANTIATE_TEST_SUITE_P(All, Integrators,
                          ::testing::Values(Swing{"verlet", IntegratorKind::velocity_verlet, 0, 1.9},
                                            Swing{"verlet_damped", IntegratorKind::velocity_verlet, 0.05, 1.9},
-                                           Swing{"leapfrog", IntegratorKind::leapfrog, 0, 1.9}, Swing{"leapfrog_damped", IntegratorKind::leapfrog, 0.05, 0.9},
-                                           Swing{"gear", IntegratorKind::gear5, 0, 3.9}, Swing{"gear_damped", IntegratorKind::gear5, 0.05, 3.9}),
+                                           Swing{"leapfrog", IntegratorKind::leapfrog, 0, 1.9},
+                                           Swing{"leapfrog_damped", IntegratorKind::leapfrog, 0.05, 0.9},
+                                           Swing{"gear", IntegratorKind::gear5, 0, 3.9},
+                                           Swing{"gear_damped", IntegratorKind::gear5, 0.05, 3.9}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

@@ -27,7 +27,8 @@ void examine(const Packing& packing) {
   const Grains& grains = packing.grains;
   const Contacts& contacts = packing.contacts;
   for (std::size_t g = 0; g < grains.size(); ++g) {
-    if (!std::isfinite(grains.position[g].x) || !std::isfinite(grains.position[g].y) || !(grains.radius[g] > 0)) std::abort();
+    if (!std::isfinite(grains.position[g].x) || !std::isfinite(grains.position[g].y) || !(grains.radius[g] > 0))
+      std::abort();
   }
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const auto n = static_cast<std::int32_t>(grains.size());
@@ -44,7 +45,8 @@ void read(char format, const Files& files) {
   io::SampleOptions options;
   options.merge_doubled = true;
   if (bare) options.grain_columns = "id,x,y,radius", options.contact_columns = "i,j,fn,ft";
-  const auto* known = io::first_format(io::samples::all, [&](const io::SampleFormat& one) { return one.name.front() == format; });
+  const auto* known =
+      io::first_format(io::samples::all, [&](const io::SampleFormat& one) { return one.name.front() == format; });
   const io::SampleFormat& of = bare || known == nullptr ? io::samples::csv : *known;
   io::RawGrains grains = of.grains({files.grains, 0, options, grain_problems});
   if (!grain_problems.any()) io::lay_in_plane(grains, grain_problems);
@@ -58,8 +60,8 @@ void read(char format, const Files& files) {
 
 }  // namespace
 
-/// Any bytes are grains and contacts or an InputError. The first letter says the format by its name's, or h: table without
-/// header.
+/// Any bytes are grains and contacts or an InputError. The first letter says the format by its name's, or h: table
+/// without header.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const std::string_view text(reinterpret_cast<const char*>(data), size);

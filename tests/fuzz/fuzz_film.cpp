@@ -17,7 +17,8 @@ constexpr std::int64_t most_pixels = 1 << 14;
 
 void examine(FilmSource& film) {
   const FilmInfo& info = film.info();
-  if (info.width <= 0 || info.height <= 0 || info.frames <= 0 || static_cast<std::int64_t>(info.pixels()) > most_pixels) std::abort();
+  if (info.width <= 0 || info.height <= 0 || info.frames <= 0 || static_cast<std::int64_t>(info.pixels()) > most_pixels)
+    std::abort();
   if (!info.time.empty() && static_cast<std::int64_t>(info.time.size()) != info.frames) std::abort();
   for (std::size_t i = 1; i < info.time.size(); ++i)
     if (!(info.time[i] > info.time[i - 1])) std::abort();
@@ -38,7 +39,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   io::FilmChoice choice;
   choice.most_pixels = most_pixels;
   try {
-    examine(*io::films::ARENITE_FILM_FORMAT.open(io::bytes_in_memory(std::string(reinterpret_cast<const char*>(data), size), "film"), choice));
+    examine(*io::films::ARENITE_FILM_FORMAT.open(
+        io::bytes_in_memory(std::string(reinterpret_cast<const char*>(data), size), "film"), choice));
   } catch (const InputError& error) {
     if (error.problems().empty()) std::abort();
   }

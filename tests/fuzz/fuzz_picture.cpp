@@ -19,7 +19,8 @@ io::PhaseMapOptions options_of(unsigned way) {
   options.image.most_pixels = most_pixels;
   if ((way & 1) != 0) options.image.slice = way >> 4;
   options.image.channel = static_cast<io::Channel>((way >> 4) % 6);
-  if ((way & 2) != 0) options.phases = {{0, Phase::empty}, {85, Phase::particle}, {170, Phase::matrix}, {255, Phase::matrix}};
+  if ((way & 2) != 0)
+    options.phases = {{0, Phase::empty}, {85, Phase::particle}, {170, Phase::matrix}, {255, Phase::matrix}};
   if ((way & 4) != 0) options.crop = io::Crop{1, 0, 3, 2};
   return options;
 }
@@ -45,9 +46,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const io::PhaseMapOptions options = options_of(data[0]);
   try {
-    const Image image = io::decode_image(std::string(reinterpret_cast<const char*>(data) + 1, size - 1), "picture", options.image);
+    const Image image =
+        io::decode_image(std::string(reinterpret_cast<const char*>(data) + 1, size - 1), "picture", options.image);
     examine(image);
-    io::ForeignMap read = io::make_phase_map(image, (data[0] & 8) != 0 ? &image : nullptr, options, "picture", "labels");
+    io::ForeignMap read =
+        io::make_phase_map(image, (data[0] & 8) != 0 ? &image : nullptr, options, "picture", "labels");
     label_and_examine(read);
   } catch (const InputError& error) {
     if (error.problems().empty()) std::abort();

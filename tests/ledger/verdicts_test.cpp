@@ -1,5 +1,5 @@
-// The small studies give the verdicts that expected-small.csv has; one that changes is looked at by somebody before it is
-// written there. They are of small samples and few seeds: no ledger.
+// The small studies give the verdicts that expected-small.csv has; one that changes is looked at by somebody before it
+// is written there. They are of small samples and few seeds: no ledger.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -54,4 +54,5 @@ TEST_P(Ledger, OfSmallStudiesHasTheVerdictsThatAreExpected) {
   EXPECT_EQ(ours.size(), wanted.size()) << "expected-small.csv has claims that are no more";
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Ledger, ::testing::Values("thesis", "paper"), [](const auto& source) { return std::string(source.param); });
+INSTANTIATE_TEST_SUITE_P(All, Ledger, ::testing::Values("thesis", "paper"),
+                         [](const auto& source) { return std::string(source.param); });

@@ -18,8 +18,10 @@ def installed(build, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def flags(installed):
-    folder, = installed.glob("lib*/**/pkgconfig")
-    return run("pkg-config", "--cflags", "--libs", "arenite", env={**os.environ, "PKG_CONFIG_PATH": str(folder)}).split()
+    (folder,) = installed.glob("lib*/**/pkgconfig")
+    return run(
+        "pkg-config", "--cflags", "--libs", "arenite", env={**os.environ, "PKG_CONFIG_PATH": str(folder)}
+    ).split()
 
 
 def test_every_public_header_compiles_alone(installed, flags, tmp_path):
@@ -65,6 +67,8 @@ def test_an_example_links_it(installed, flags, tmp_path):
 
 
 def test_another_version_is_refused(installed, tmp_path):
-    (tmp_path / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\nproject(other LANGUAGES NONE)\nfind_package(Arenite 9 REQUIRED)\n")
+    (tmp_path / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.25)\nproject(other LANGUAGES NONE)\nfind_package(Arenite 9 REQUIRED)\n"
+    )
     said = run("cmake", "-S", tmp_path, "-B", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={installed}", ok=False)
     assert 'compatible with requested version "9"' in " ".join(said.split())

@@ -19,6 +19,9 @@ def test_ci_asks_for_it(tmp_path):
     fake = tmp_path / "make"
     fake.write_text('#!/bin/sh\nexec /usr/bin/make -n "$@"\n')
     fake.chmod(0o755)
-    said = run(root / ".ci/run", env={**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}", "CMAKE_FLAGS": "-DARENITE_BENCH=ON"})
-    configure, = [line for line in said.splitlines() if line.startswith(("cmake -S", "@cmake -S"))]
+    said = run(
+        root / ".ci/run",
+        env={**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}", "CMAKE_FLAGS": "-DARENITE_BENCH=ON"},
+    )
+    (configure,) = [line for line in said.splitlines() if line.startswith(("cmake -S", "@cmake -S"))]
     assert "-DARENITE_WERROR=ON" in configure and "-DARENITE_BENCH=ON" in configure

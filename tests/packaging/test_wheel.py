@@ -27,13 +27,33 @@ def environment(tmp_path_factory, source, build):
     """A virtual environment that sees the system's NumPy and has the wheel."""
     folder = tmp_path_factory.mktemp("environment")
     run(sys.executable, "-m", "venv", "--system-site-packages", folder)
-    run(folder / "bin/pip", "install", "--no-index", "--no-build-isolation", "--no-cache-dir", source, env={**clean, "ARENITE_BUILD": str(build)})
+    run(
+        folder / "bin/pip",
+        "install",
+        "--no-index",
+        "--no-build-isolation",
+        "--no-cache-dir",
+        source,
+        env={**clean, "ARENITE_BUILD": str(build)},
+    )
     return folder
 
 
 def test_wheel_holds_module_figures_types_and_program(tmp_path, source, build):
-    run(sys.executable, "-m", "pip", "wheel", "--no-index", "--no-deps", "--no-build-isolation", "--wheel-dir", tmp_path, source, env={**clean, "ARENITE_BUILD": str(build)})
-    wheel, = tmp_path.glob("arenite-*.whl")
+    run(
+        sys.executable,
+        "-m",
+        "pip",
+        "wheel",
+        "--no-index",
+        "--no-deps",
+        "--no-build-isolation",
+        "--wheel-dir",
+        tmp_path,
+        source,
+        env={**clean, "ARENITE_BUILD": str(build)},
+    )
+    (wheel,) = tmp_path.glob("arenite-*.whl")
     names = zipfile.ZipFile(wheel).namelist()
     for file in (root / "python/arenite").rglob("*"):
         if file.suffix in (".py", ".pyi", ".typed"):
@@ -43,11 +63,18 @@ def test_wheel_holds_module_figures_types_and_program(tmp_path, source, build):
 
 
 def test_module_works_in_a_virtual_environment(environment, tmp_path):
-    said = run(environment / "bin/python", "-c", "import arenite, numpy; print(arenite.__file__); print(len(arenite.pack(arenite.Recipe.template('composite'))), arenite.__version__)",
-               cwd=tmp_path, env=clean).splitlines()
+    said = run(
+        environment / "bin/python",
+        "-c",
+        "import arenite, numpy; print(arenite.__file__); print(len(arenite.pack(arenite.Recipe.template('composite'))), arenite.__version__)",
+        cwd=tmp_path,
+        env=clean,
+    ).splitlines()
     assert said[0].startswith(str(environment))
     count, version = said[1].split()
-    assert int(count) > 100 and f"arenite-{version}.dist-info" in [f.name for f in environment.glob("lib/python3*/site-packages/*")]
+    assert int(count) > 100 and f"arenite-{version}.dist-info" in [
+        f.name for f in environment.glob("lib/python3*/site-packages/*")
+    ]
 
 
 def test_program_works_and_draws_by_the_module_beside_it(environment, tmp_path):
@@ -61,5 +88,7 @@ def test_program_works_and_draws_by_the_module_beside_it(environment, tmp_path):
 
 
 def test_a_build_of_another_python_is_refused_in_a_sentence(source, tmp_path):
-    said = run(sys.executable, "setup.py", "bdist_wheel", cwd=source, env={**clean, "ARENITE_BUILD": str(tmp_path)}, ok=False)
+    said = run(
+        sys.executable, "setup.py", "bdist_wheel", cwd=source, env={**clean, "ARENITE_BUILD": str(tmp_path)}, ok=False
+    )
     assert "there is no arenite; `make build` makes it for /usr/bin/python3" in said.splitlines()[-1]

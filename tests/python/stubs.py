@@ -26,7 +26,11 @@ words = [
     (r"\bdict\b", "Dict[str, Any]"),
     (r"\bobject\b", "Any"),
 ]
-exact = {"Stage.snapshots": "List[Snapshot]", "Stage.frames": "List[Snapshot]", "FilmResult.origin": "Tuple[float, float]"}
+exact = {
+    "Stage.snapshots": "List[Snapshot]",
+    "Stage.frames": "List[Snapshot]",
+    "FilmResult.origin": "Tuple[float, float]",
+}
 
 
 def typed(text):
@@ -65,7 +69,11 @@ def shown(name):
 def described(module):
     """What a reader of the module may use: functions, and classes with their members."""
     public = {name: thing for name, thing in vars(module).items() if not name.startswith("_")}
-    classes = {name: {n: t for n, t in vars(thing).items() if shown(n) and not (t.__doc__ or "").startswith("Initialize self")} for name, thing in public.items() if inspect.isclass(thing)}
+    classes = {
+        name: {n: t for n, t in vars(thing).items() if shown(n) and not (t.__doc__ or "").startswith("Initialize self")}
+        for name, thing in public.items()
+        if inspect.isclass(thing)
+    }
     return {name: thing for name, thing in public.items() if name not in classes}, classes
 
 
@@ -78,7 +86,9 @@ def stub(module, pictured):
             text += "".join(f"    {line}\n" for line in lines)
         if name in pictured:
             text += "    def _repr_html_(self) -> str: ...\n"
-    return text + "\n" + "".join("\n".join(function(name, functions[name].__doc__)) + "\n" for name in sorted(functions))
+    return (
+        text + "\n" + "".join("\n".join(function(name, functions[name].__doc__)) + "\n" for name in sorted(functions))
+    )
 
 
 if __name__ == "__main__":

@@ -15,8 +15,16 @@ PIL = pytest.importorskip("PIL.Image")
 
 def a_packing(shift=0.0, tilt=0.0, periodic="", omega=0.0):
     """Three grains in a row, pressed, in a box of 4 by 4; `shift` moves them to the right."""
-    own = arenite.Packing([0.5 + shift, 1.5 + shift, 2.5 + shift], [1, 1, 3.8], [0.5, 0.5, 0.4], width=4, height=4, thickness=0.1, periodic=periodic,
-                          contacts={"i": [0], "j": [1], "fn": [10.0], "ft": [3.0]})
+    own = arenite.Packing(
+        [0.5 + shift, 1.5 + shift, 2.5 + shift],
+        [1, 1, 3.8],
+        [0.5, 0.5, 0.4],
+        width=4,
+        height=4,
+        thickness=0.1,
+        periodic=periodic,
+        contacts={"i": [0], "j": [1], "fn": [10.0], "ft": [3.0]},
+    )
     names = ("x", "y", "radius", "material", "materials", "contacts", "vx", "vy")
     told = {name: getattr(own, name) for name in names}
     return Shown(own, domain={**own.domain, "tilt": tilt}, angle=np.array([omega, 0.0, 0.0]), **told)
@@ -33,14 +41,29 @@ class Shown(types.SimpleNamespace):
 @pytest.fixture(autouse=True)
 def stresses_of_the_packing_behind(monkeypatch):
     """The module measures its own packings, which what is shown here stands for."""
-    monkeypatch.setattr(motion, "grain_stresses", lambda packing: arenite.grain_stresses(getattr(packing, "own", packing)))
+    monkeypatch.setattr(
+        motion, "grain_stresses", lambda packing: arenite.grain_stresses(getattr(packing, "own", packing))
+    )
 
 
 def a_result(*packings, recipe="", **history):
     n = len(packings)
-    frames = [types.SimpleNamespace(time=float(k), label=f"{k + 1} of {n}", packing=packing) for k, packing in enumerate(packings)]
+    frames = [
+        types.SimpleNamespace(time=float(k), label=f"{k + 1} of {n}", packing=packing)
+        for k, packing in enumerate(packings)
+    ]
     columns = {"time": np.arange(n, dtype=float), **{name: np.array(values, float) for name, values in history.items()}}
-    return types.SimpleNamespace(stages=[types.SimpleNamespace(name="shear", snapshots=frames, history=columns, history_units={name: "1" for name in columns}, provenance={"recipe": recipe})])
+    return types.SimpleNamespace(
+        stages=[
+            types.SimpleNamespace(
+                name="shear",
+                snapshots=frames,
+                history=columns,
+                history_units={name: "1" for name in columns},
+                provenance={"recipe": recipe},
+            )
+        ]
+    )
 
 
 def test_stresses_and_contacts_of_grains_are_those_of_the_module(result):
@@ -60,8 +83,14 @@ def test_mobilised_friction_is_over_that_of_the_stage():
 
 
 def test_displacements_go_on_across_periodic_sides():
-    ways = motion.displacements(motion.shots_of(a_result(a_packing(0, periodic="x"), a_packing(1.5, periodic="x"), a_packing(-1, periodic="x"))))
-    assert ways[1][:, 0] == pytest.approx([1.5] * 3) and ways[2][:, 0] == pytest.approx([3.0] * 3) and ways[2][:, 1] == pytest.approx([0] * 3)
+    ways = motion.displacements(
+        motion.shots_of(a_result(a_packing(0, periodic="x"), a_packing(1.5, periodic="x"), a_packing(-1, periodic="x")))
+    )
+    assert (
+        ways[1][:, 0] == pytest.approx([1.5] * 3)
+        and ways[2][:, 0] == pytest.approx([3.0] * 3)
+        and ways[2][:, 1] == pytest.approx([0] * 3)
+    )
 
 
 def test_the_shear_of_a_cell_is_no_displacement():
@@ -80,7 +109,9 @@ def test_images_of_a_sheared_cell_lie_aside():
 
 def test_what_was_drawn_can_be_taken_away():
     axes = saving.Canvas().add_subplot()
-    for artist in motion.draw_shot(axes, motion.shots_of(a_result(a_packing(), a_packing()))[0], "material", mean=5.0, spoked=True):
+    for artist in motion.draw_shot(
+        axes, motion.shots_of(a_result(a_packing(), a_packing()))[0], "material", mean=5.0, spoked=True
+    ):
         artist.remove()
     assert not axes.collections and not axes.patches
 
@@ -105,7 +136,13 @@ def test_every_colouring_is_drawn(by):
 
 def test_a_gif_has_a_picture_a_state(tmp_path):
     told = []
-    path = animate.save(a_result(*(a_packing(0.1 * k) for k in range(4))), tmp_path / "a.gif", size=(201, 160), fps=5, progress=lambda share, name: told.append(share))
+    path = animate.save(
+        a_result(*(a_packing(0.1 * k) for k in range(4))),
+        tmp_path / "a.gif",
+        size=(201, 160),
+        fps=5,
+        progress=lambda share, name: told.append(share),
+    )
     film = PIL.open(path)
     assert film.n_frames == 4 and film.size == (200, 160) and film.info["duration"] == 200 and told[-1] == 1
 
@@ -113,7 +150,11 @@ def test_a_gif_has_a_picture_a_state(tmp_path):
 def test_a_mark_moves_along_the_curve():
     stage = a_result(a_packing(), a_packing(0.2)).stages[0]
     beside = moving.Beside(None, ("time", "load"))
-    beside.axes, beside.stage, beside.columns = saving.Canvas().add_subplot(), None, {"shear": [(np.array([0.0, 1.0]), "time, s"), (np.array([5.0, 7.0]), "load")]}
+    beside.axes, beside.stage, beside.columns = (
+        saving.Canvas().add_subplot(),
+        None,
+        {"shear": [(np.array([0.0, 1.0]), "time, s"), (np.array([5.0, 7.0]), "load")]},
+    )
     for k, load in enumerate((5.0, 7.0)):
         beside.show(types.SimpleNamespace(stage=stage, snapshot=stage.snapshots[k]))
         assert [float(v[0]) for v in beside.mark.get_data()] == [k, load]
@@ -121,7 +162,9 @@ def test_a_mark_moves_along_the_curve():
 
 def test_without_ffmpeg_it_is_a_gif(tmp_path, monkeypatch):
     monkeypatch.setattr(animate, "has_ffmpeg", lambda: False)
-    assert animate.save(a_result(a_packing(), a_packing(0.1)), tmp_path / "a.mp4", size=(100, 100)) == tmp_path / "a.gif"
+    assert (
+        animate.save(a_result(a_packing(), a_packing(0.1)), tmp_path / "a.mp4", size=(100, 100)) == tmp_path / "a.gif"
+    )
 
 
 def test_ffmpeg_is_given_every_state(tmp_path, monkeypatch):
@@ -136,8 +179,13 @@ def test_ffmpeg_is_given_every_state(tmp_path, monkeypatch):
 
 def test_bad_requests_are_refused_in_one_sentence(tmp_path, capsys):
     film = a_result(a_packing(), a_packing(0.1))
-    for options, sentence in (({"by": "taste"}, "cannot be coloured by taste; there are material"), ({"colour_map": "no"}, "no colour map no"), ({"fps": 0}, "states per second"),
-                              ({"size": (5, 5)}, "100 to 4000 pixels"), ({"stage": "other"}, "no stage other; there are shear")):
+    for options, sentence in (
+        ({"by": "taste"}, "cannot be coloured by taste; there are material"),
+        ({"colour_map": "no"}, "no colour map no"),
+        ({"fps": 0}, "states per second"),
+        ({"size": (5, 5)}, "100 to 4000 pixels"),
+        ({"stage": "other"}, "no stage other; there are shear"),
+    ):
         with pytest.raises(ValueError, match=sentence):
             animate.save(film, tmp_path / "a.gif", **options)
     with pytest.raises(ValueError, match="ends in .mp4 or .gif"):

@@ -12,7 +12,9 @@ import pytest
 
 def grains(n=6, radius=1e-3, **options):
     x, y = np.meshgrid((2 * np.arange(n) + 1) * radius, (2 * np.arange(n) + 1) * radius)
-    return arenite.Packing(x.ravel(), y.ravel(), np.full(n * n, radius), width=2 * n * radius, height=2 * n * radius, **options)
+    return arenite.Packing(
+        x.ravel(), y.ravel(), np.full(n * n, radius), width=2 * n * radius, height=2 * n * radius, **options
+    )
 
 
 @pytest.mark.parametrize("sigma", [[-1.0, -2.0], [], [[-1.0] * 36]], ids=["too few", "none", "two dimensions"])
@@ -21,25 +23,50 @@ def test_measured_stresses_are_one_a_grain(sigma):
         arenite.measure(grains(), sigma_hyd=sigma)
 
 
-@pytest.mark.parametrize("change, sentence", [
-    (dict(radius=[-1e-3]), "radius"), (dict(radius=[np.nan]), "finite"), (dict(x=[np.inf]), "finite"), (dict(width=0), "width"), (dict(periodic="z"), "periodic"),
-    (dict(x=[5.0]), "outside the container"), (dict(material=[1]), "whole numbers from 0 to 0"), (dict(material=[0.5]), "whole numbers"), (dict(x=["a"]), "x: give numbers"),
-    (dict(x=[[1e-3]]), "one dimension"), (dict(width="3 kg"), "width.*length"), (dict(width=[1]), "width.*type list"), (dict(thickness=np.nan), "thickness")])
+@pytest.mark.parametrize(
+    "change, sentence",
+    [
+        (dict(radius=[-1e-3]), "radius"),
+        (dict(radius=[np.nan]), "finite"),
+        (dict(x=[np.inf]), "finite"),
+        (dict(width=0), "width"),
+        (dict(periodic="z"), "periodic"),
+        (dict(x=[5.0]), "outside the container"),
+        (dict(material=[1]), "whole numbers from 0 to 0"),
+        (dict(material=[0.5]), "whole numbers"),
+        (dict(x=["a"]), "x: give numbers"),
+        (dict(x=[[1e-3]]), "one dimension"),
+        (dict(width="3 kg"), "width.*length"),
+        (dict(width=[1]), "width.*type list"),
+        (dict(thickness=np.nan), "thickness"),
+    ],
+)
 def test_packings_that_cannot_be_are_refused(change, sentence):
     given = {"x": [1e-3], "y": [1e-3], "radius": [1e-3], "width": 2e-3, "height": 2e-3, **change}
     with pytest.raises(ValueError, match=sentence):
         arenite.Packing(**given)
 
 
-@pytest.mark.parametrize("phase", [[[0, 1.7]], [[0, 258]], [[0, -1]], [[0, np.nan]], [0, 1], np.zeros((0, 4)), [["a", "b"]]])
+@pytest.mark.parametrize(
+    "phase", [[[0, 1.7]], [[0, 258]], [[0, -1]], [[0, np.nan]], [0, 1], np.zeros((0, 4)), [["a", "b"]]]
+)
 def test_phases_are_0_1_or_2(phase):
     with pytest.raises(ValueError, match="phase"):
         arenite.PhaseMap(phase, dx=1e-3)
 
 
-@pytest.mark.parametrize("options, sentence", [
-    (dict(dx=0), "spacing"), (dict(dx=np.nan), "finite"), (dict(dx="1 kg"), "length"), (dict(dx=1, grain=[[0, 0.5]]), "whole"), (dict(dx=1, grain=[[0, 2**31 - 1]]), "whole numbers from -1 to 1"),
-    (dict(dx=1, grain=[[0], [0]]), "shape"), (dict(dx=1, grain=[[-1, -1]]), "label")])
+@pytest.mark.parametrize(
+    "options, sentence",
+    [
+        (dict(dx=0), "spacing"),
+        (dict(dx=np.nan), "finite"),
+        (dict(dx="1 kg"), "length"),
+        (dict(dx=1, grain=[[0, 0.5]]), "whole"),
+        (dict(dx=1, grain=[[0, 2**31 - 1]]), "whole numbers from -1 to 1"),
+        (dict(dx=1, grain=[[0], [0]]), "shape"),
+        (dict(dx=1, grain=[[-1, -1]]), "label"),
+    ],
+)
 def test_maps_that_cannot_be_are_refused(options, sentence):
     with pytest.raises(ValueError, match=sentence):
         arenite.PhaseMap([[2, 2]], **options)
@@ -50,10 +77,21 @@ def test_pictures_of_a_signal_and_its_error_have_one_shape():
     with pytest.raises(ValueError, match="the same shape"):
         arenite.infer_forces(packing, np.zeros((40, 60)), np.ones((60, 40)), pixel=1e-3, first=(0, 0), factor=[15e-9])
     with pytest.raises(ValueError, match="walls has \"botom\""):
-        arenite.infer_forces(packing, np.zeros((40, 60)), np.ones((40, 60)), pixel="1 mm", first=(0, 0), factor=["0.015 K/MPa"], walls={"botom": 1.0})
+        arenite.infer_forces(
+            packing,
+            np.zeros((40, 60)),
+            np.ones((40, 60)),
+            pixel="1 mm",
+            first=(0, 0),
+            factor=["0.015 K/MPa"],
+            walls={"botom": 1.0},
+        )
 
 
-@pytest.mark.parametrize("options", [dict(radii=[-1.0]), dict(radii=[np.nan]), dict(smallest=-1.0), dict(smallest=np.nan), dict(contrast="x")])
+@pytest.mark.parametrize(
+    "options",
+    [dict(radii=[-1.0]), dict(radii=[np.nan]), dict(smallest=-1.0), dict(smallest=np.nan), dict(contrast="x")],
+)
 def test_circles_have_radii(options):
     with pytest.raises(ValueError, match="radii|contrast"):
         arenite.find_grains(np.eye(20), **options)
@@ -88,14 +126,18 @@ def test_changes_take_numbers_of_numpy_and_paths(recipe):
 def test_quantities_are_numbers_or_text_with_a_unit():
     phase = np.ones((16, 16), np.uint8)
     map = arenite.PhaseMap(phase, dx="1 mm")
-    assert np.array_equal(arenite.load(map, strain="1e-4", matrix=1e9).sigma_yy, arenite.load(map, strain=1e-4, matrix="1 GPa").sigma_yy)
+    assert np.array_equal(
+        arenite.load(map, strain="1e-4", matrix=1e9).sigma_yy, arenite.load(map, strain=1e-4, matrix="1 GPa").sigma_yy
+    )
     with pytest.raises(ValueError, match="strain.*number without unit"):
         arenite.load(map, strain="1 mm")
     with pytest.raises(ValueError, match="gap.*unit"):
         arenite.cement(grains(), gap="0.1")
     t = np.arange(200) / 50
     film = (100 + 5 * np.cos(2 * np.pi * 3 * t)[:, None, None] + np.zeros((1, 4, 4))).astype(np.float32)
-    assert arenite.lock_in(film, "3 Hz", frame_rate="50 Hz").frequency == arenite.lock_in(film, 3, frame_rate=50).frequency
+    assert (
+        arenite.lock_in(film, "3 Hz", frame_rate="50 Hz").frequency == arenite.lock_in(film, 3, frame_rate=50).frequency
+    )
 
 
 def test_a_stage_is_a_name_or_a_number(recipe):

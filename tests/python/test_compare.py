@@ -12,7 +12,14 @@ from arenite import _compare_page, compare
 
 def a_result(texture, name="load", title="a sample"):
     packing = arenite.Packing([1, 2, 3], [1, 1, 1], [0.5, 0.5, 0.5], width=4, height=2)
-    stage = types.SimpleNamespace(name=name, texture=texture, packing=packing, history={}, snapshots=[], provenance={"recipe": f'title = "{title}"\n[contact]\nfriction = 0.{len(title)}\n'})
+    stage = types.SimpleNamespace(
+        name=name,
+        texture=texture,
+        packing=packing,
+        history={},
+        snapshots=[],
+        provenance={"recipe": f'title = "{title}"\n[contact]\nfriction = 0.{len(title)}\n'},
+    )
     return types.SimpleNamespace(stages=[stage], fields=[], films=[], path="", title=title)
 
 
@@ -21,10 +28,24 @@ def measured(value, error=None):
 
 
 def test_a_tree_becomes_numbers_with_their_errors():
-    tree = {"z": measured(3.0, 0.1), "phi": measured([[1, 2], [3, 4]], [[0.1, 0.2], [0.3, 0.4]]), "list": [7, 8], "count": 5, "ok": True, "text": "x", "none": None,
-            "pdf": {"x": [1, 2], "y": [3, 4]}, "provenance": {"seed": 1}}
+    tree = {
+        "z": measured(3.0, 0.1),
+        "phi": measured([[1, 2], [3, 4]], [[0.1, 0.2], [0.3, 0.4]]),
+        "list": [7, 8],
+        "count": 5,
+        "ok": True,
+        "text": "x",
+        "none": None,
+        "pdf": {"x": [1, 2], "y": [3, 4]},
+        "provenance": {"seed": 1},
+    }
     found = compare.flattened(tree)
-    assert found["z"] == (3, 0.1) and found["phi.1.0"] == (3, 0.3) and found["list.1"][0] == 8 and math.isnan(found["count"][1])
+    assert (
+        found["z"] == (3, 0.1)
+        and found["phi.1.0"] == (3, 0.3)
+        and found["list.1"][0] == 8
+        and math.isnan(found["count"][1])
+    )
     assert set(found) == {"z", "phi.0.0", "phi.0.1", "phi.1.0", "phi.1.1", "list.0", "list.1", "count"}
 
 
@@ -33,7 +54,9 @@ def test_differences_count_beyond_two_standard_errors():
         return compare.Row("load", "z", *numbers).verdict
 
     assert verdict(1.0, 0.3, 2.01, 0.4) == compare.beyond and verdict(1.0, 0.3, 1.99, 0.4) == compare.within
-    assert verdict(1.0, 0.3, 2.0, math.nan) == compare.beyond and verdict(1.0, math.nan, 2.0, math.nan) == compare.unjudged
+    assert (
+        verdict(1.0, 0.3, 2.0, math.nan) == compare.beyond and verdict(1.0, math.nan, 2.0, math.nan) == compare.unjudged
+    )
     assert verdict(1.0, 0.0, 2.0, 0.0) == compare.unjudged and verdict(1.0, math.nan, 1.0, math.nan) == compare.equal
     assert verdict(1.0, 0.1, math.nan, math.nan) == compare.alone
 
@@ -47,7 +70,7 @@ def test_directions_differ_by_the_shorter_way():
 def test_parts_are_paired_by_name_and_others_by_their_place():
     one, other = a_result({"z": measured(3.0, 0.1)}), a_result({"z": measured(4.0, 0.1)}, "press")
     assert [name for name, *_ in compare.pairs_of(one, other)] == ["load / press"]
-    row, = compare.rows(one, other)
+    (row,) = compare.rows(one, other)
     assert (row.part, row.name, row.difference) == ("load / press", "z", 1) and row.error == pytest.approx(0.02**0.5)
     nothing = types.SimpleNamespace(stages=[], fields=[], films=[])
     with pytest.raises(ValueError, match="nothing in common: one holds load, the other nothing measured"):
@@ -61,14 +84,23 @@ def test_the_table_says_what_is_beyond(tmp_path):
     compare.save_table(found, tmp_path / "t.csv")
     with open(tmp_path / "t.csv", newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    assert [row["name"] for row in rows] == ["z", "n"] and float(rows[0]["difference"]) == 1 and rows[1]["a_error"] == ""
+    assert (
+        [row["name"] for row in rows] == ["z", "n"] and float(rows[0]["difference"]) == 1 and rows[1]["a_error"] == ""
+    )
 
 
 def test_the_page_needs_no_other_file(tmp_path):
-    one, other = a_result({"z": measured(3.0, 0.1)}, title="dense <1>"), a_result({"z": measured(4.0, 0.1)}, title="loose")
+    one, other = a_result({"z": measured(3.0, 0.1)}, title="dense <1>"), a_result(
+        {"z": measured(4.0, 0.1)}, title="loose"
+    )
     path = compare.save_page(one, other, tmp_path / "deep" / "page.html", ["first", "second"])
     page = path.read_text(encoding="utf-8")
-    assert "dense &lt;1&gt;" in page and "<1>" not in page and "Settings that differ" in page and "contact.friction" in page
+    assert (
+        "dense &lt;1&gt;" in page
+        and "<1>" not in page
+        and "Settings that differ" in page
+        and "contact.friction" in page
+    )
     assert not re.search(r'(src|href)="(?!data:)', page) and 'class="beyond"' in page
 
 

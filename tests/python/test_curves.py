@@ -10,24 +10,43 @@ from arenite import curves
 from arenite.figures import loadings, saving
 
 density, thickness = 1000.0, 0.1
-packing = arenite.Packing([1, 3, 1, 3], [1, 1, 3, 3], [1, 1, 1, 1], materials=[arenite.Material("clay", density=density)], width=4, height=4, thickness=thickness)
+packing = arenite.Packing(
+    [1, 3, 1, 3],
+    [1, 1, 3, 3],
+    [1, 1, 1, 1],
+    materials=[arenite.Material("clay", density=density)],
+    width=4,
+    height=4,
+    thickness=thickness,
+)
 
 
 def a_stage(width, height, forces=None, shear=None, name="test", recipe="", labels=None, **columns):
     """A stage whose box has this `width` and `height` in time 0, 1, 2, ...; `forces` and `shear` of its sides, N."""
     n = len(height)
-    history = {"time": np.arange(n, dtype=float), "left_position": np.zeros(n), "right_position": np.array(width, float), "bottom_position": np.zeros(n), "top_position": np.array(height, float)}
+    history = {
+        "time": np.arange(n, dtype=float),
+        "left_position": np.zeros(n),
+        "right_position": np.array(width, float),
+        "bottom_position": np.zeros(n),
+        "top_position": np.array(height, float),
+    }
     for side in ("left", "right", "bottom", "top"):
         history[f"{side}_force"] = np.broadcast_to((forces or {}).get(side, 0.0), n).astype(float)
         history[f"{side}_shear_force"] = np.broadcast_to((shear or {}).get(side, 0.0), n).astype(float)
     history.update({key: np.array(values, float) for key, values in columns.items()})
-    frames = [types.SimpleNamespace(time=float(k), label=(labels or ["state"] * n)[k], packing=a_box(width[k], height[k])) for k in range(n)]
+    frames = [
+        types.SimpleNamespace(time=float(k), label=(labels or ["state"] * n)[k], packing=a_box(width[k], height[k]))
+        for k in range(n)
+    ]
     return types.SimpleNamespace(name=name, history=history, snapshots=frames, provenance={"recipe": recipe})
 
 
 def a_box(width, height):
     domain = {**packing.domain, "width": float(width), "height": float(height)}
-    return types.SimpleNamespace(domain=domain, radius=packing.radius, material=packing.material, materials=packing.materials, contacts=[])
+    return types.SimpleNamespace(
+        domain=domain, radius=packing.radius, material=packing.material, materials=packing.materials, contacts=[]
+    )
 
 
 def alone(stage, *before):
@@ -35,7 +54,9 @@ def alone(stage, *before):
 
 
 def test_strains_are_those_since_the_state_before():
-    before = types.SimpleNamespace(name="packing", history={}, snapshots=[types.SimpleNamespace(time=-1.0, label="start", packing=a_box(4, 4))])
+    before = types.SimpleNamespace(
+        name="packing", history={}, snapshots=[types.SimpleNamespace(time=-1.0, label="start", packing=a_box(4, 4))]
+    )
     found = curves.along(alone(a_stage([4.0, 4.2, 4.4], [4.0, 3.8, 3.6]), before))
     assert found["axial_strain"].values == pytest.approx([0, 0.05, 0.1])
     assert found["strain_x"].values == pytest.approx([0, -0.05, -0.1])
@@ -52,7 +73,9 @@ def test_the_axis_is_the_one_that_shortens():
 
 
 def test_stresses_follow_from_the_forces_on_the_sides():
-    found = curves.along(alone(a_stage([4.0] * 3, [4.0, 3.9, 3.8], {"left": 30.0, "right": 50.0, "bottom": 120.0, "top": 120.0})))
+    found = curves.along(
+        alone(a_stage([4.0] * 3, [4.0, 3.9, 3.8], {"left": 30.0, "right": 50.0, "bottom": 120.0, "top": 120.0}))
+    )
     height = np.array([4.0, 3.9, 3.8])
     xx, yy = 40 / (height * thickness), 120 / (4 * thickness) * np.ones(3)
     assert found["sigma_xx"].values == pytest.approx(xx) and found["sigma_yy"].values == pytest.approx(yy)
@@ -62,12 +85,26 @@ def test_stresses_follow_from_the_forces_on_the_sides():
 
 
 def test_ratios_are_unknown_where_nothing_presses():
-    found = curves.along(alone(a_stage([4.0] * 3, [4.0, 3.9, 3.8], {side: np.array([0.0, 1e-3, 100.0]) for side in ("left", "right", "bottom", "top")})))
+    found = curves.along(
+        alone(
+            a_stage(
+                [4.0] * 3,
+                [4.0, 3.9, 3.8],
+                {side: np.array([0.0, 1e-3, 100.0]) for side in ("left", "right", "bottom", "top")},
+            )
+        )
+    )
     assert list(np.isnan(found["q_over_p"].values)) == [True, True, False]
 
 
 def test_a_sheared_cell_tells_its_friction():
-    stage = a_stage([4.0] * 3, [4.0] * 3, {"left": 40.0, "right": 40.0, "bottom": 40.0, "top": 40.0}, {"bottom": 12.0, "top": -12.0}, shear_strain=[1.0, 1.5, 2.0])
+    stage = a_stage(
+        [4.0] * 3,
+        [4.0] * 3,
+        {"left": 40.0, "right": 40.0, "bottom": 40.0, "top": 40.0},
+        {"bottom": 12.0, "top": -12.0},
+        shear_strain=[1.0, 1.5, 2.0],
+    )
     found = curves.along(alone(stage))
     assert found["shear_strain"].values == pytest.approx([0, 0.5, 1]) and found["mu"].values == pytest.approx([0.3] * 3)
     assert found["q_over_p"].values == pytest.approx([0.3] * 3)
@@ -76,7 +113,9 @@ def test_a_sheared_cell_tells_its_friction():
 
 def test_walls_that_slide_shear_the_sample():
     recipe = '[[stages]]\nname = "press"\n[[stages]]\nname = "test"\nslide = { left = "0 mm/s", top = "50 mm/s", bottom = "-0.15 m/s" }\n'
-    stage = a_stage([4.0] * 3, [4.0, 4.0, 2.0], {"bottom": 40.0, "top": 40.0}, {"bottom": 8.0, "top": -8.0}, recipe=recipe)
+    stage = a_stage(
+        [4.0] * 3, [4.0, 4.0, 2.0], {"bottom": 40.0, "top": 40.0}, {"bottom": 8.0, "top": -8.0}, recipe=recipe
+    )
     found = curves.along(alone(stage))
     assert found["shear_strain"].values == pytest.approx([0, 0.05, 0.05 + 0.075])
     assert found["mu"].values == pytest.approx([0.2] * 3) and found["tau"].values == pytest.approx([20.0] * 3)
@@ -84,21 +123,34 @@ def test_walls_that_slide_shear_the_sample():
 
 
 def test_energies_are_counted_from_the_first_row():
-    stage = a_stage([4.0] * 2, [4.0] * 2, dissipated_normal=[1.0, 2.0], dissipated_friction=[1.0, 5.0], work_walls=[0.0, 7.0])
+    stage = a_stage(
+        [4.0] * 2, [4.0] * 2, dissipated_normal=[1.0, 2.0], dissipated_friction=[1.0, 5.0], work_walls=[0.0, 7.0]
+    )
     found = curves.along(alone(stage))
     assert found["dissipated_energy"] == (pytest.approx([0, 5]), "J") and found["work"].values == pytest.approx([0, 7])
 
 
 def a_cyclic_stage():
-    labels = ["equilibrium", "cycle 1 maximum", "cycle 1 minimum", "cycle 2 maximum", "cycle 2 minimum", "cycle 3 maximum"]
+    labels = [
+        "equilibrium",
+        "cycle 1 maximum",
+        "cycle 1 minimum",
+        "cycle 2 maximum",
+        "cycle 2 minimum",
+        "cycle 3 maximum",
+    ]
     return a_stage([4.0] * 6, [4.0, 3.6, 3.8, 3.5, 3.7, 3.4], labels=labels, dissipated_friction=[0, 1, 3, 4, 5, 9])
 
 
 def test_cycles_are_whole_ones():
     found = curves.of_cycles(alone(a_cyclic_stage()))
     assert list(found["cycle"].values) == [1, 2]
-    assert found["axial_strain_maximum"].values == pytest.approx([0.1, 0.125]) and found["axial_strain_minimum"].values == pytest.approx([0.05, 0.075])
-    assert found["strain_amplitude"].values == pytest.approx([0.05, 0.05]) and found["accumulated_strain"].values == pytest.approx([0, 0.025])
+    assert found["axial_strain_maximum"].values == pytest.approx([0.1, 0.125]) and found[
+        "axial_strain_minimum"
+    ].values == pytest.approx([0.05, 0.075])
+    assert found["strain_amplitude"].values == pytest.approx([0.05, 0.05]) and found[
+        "accumulated_strain"
+    ].values == pytest.approx([0, 0.025])
     assert found["dissipated_energy"].values == pytest.approx([3, 2])
     with pytest.raises(ValueError, match="the stage test has no complete load cycle"):
         curves.of_cycles(alone(a_stage([4.0] * 2, [4.0, 3.9])))
@@ -114,10 +166,20 @@ def test_what_is_not_there_is_one_sentence():
 def test_rheology_is_in_the_order_of_the_rate():
     def run(rate, friction):
         time = np.arange(40)
-        return alone(a_stage([4.0] * 40, [4.0] * 40, {side: 40.0 for side in ("left", "right", "bottom", "top")}, {"bottom": 40 * friction, "top": -40 * friction}, shear_strain=rate * time))
+        return alone(
+            a_stage(
+                [4.0] * 40,
+                [4.0] * 40,
+                {side: 40.0 for side in ("left", "right", "bottom", "top")},
+                {"bottom": 40 * friction, "top": -40 * friction},
+                shear_strain=rate * time,
+            )
+        )
 
     found = curves.rheology([run(0.4, 0.5), run(0.1, 0.3)])
-    assert found["mu"].values == pytest.approx([0.3, 0.5]) and found["mu_error"].values == pytest.approx([0, 0], abs=1e-12)
+    assert found["mu"].values == pytest.approx([0.3, 0.5]) and found["mu_error"].values == pytest.approx(
+        [0, 0], abs=1e-12
+    )
     assert found["inertial_number"].values == pytest.approx(np.array([0.1, 0.4]) * 2 * np.sqrt(density / 100))
     canvas = saving.Canvas()
     figures.draw_against_rate(canvas.add_subplot(), found, "mu")
@@ -142,7 +204,9 @@ def test_errors_of_steady_means_respect_what_goes_together():
 def test_stages_of_a_study_that_strain_at_a_rate():
     assert loadings.is_driven({"top": {"velocity": "75 mm/s"}}) and loadings.is_driven({"shear_rate": "2 1/s"})
     assert loadings.is_driven({"slide": {"top": "1 mm/s", "left": "0 mm/s"}})
-    assert not loadings.is_driven({"top": {"force": "1 kN"}, "shear_rate": "0 1/s", "slide": {"top": "0 mm/s"}, "left": "fixed"})
+    assert not loadings.is_driven(
+        {"top": {"force": "1 kN"}, "shear_rate": "0 1/s", "slide": {"top": "0 mm/s"}, "left": "fixed"}
+    )
 
 
 def test_running_means_keep_what_is_straight():
@@ -174,7 +238,9 @@ def test_figures_of_a_test_show_its_curves(result):
     loadings.stress_strain(canvas, state)
     found = curves.along(result, state.stage.name)
     friction = canvas.axes[0].lines[0]
-    assert friction.get_ydata() == pytest.approx(found["q_over_p"].values, nan_ok=True) and friction.get_xdata() == pytest.approx(100 * found["axial_strain"].values)
+    assert friction.get_ydata() == pytest.approx(
+        found["q_over_p"].values, nan_ok=True
+    ) and friction.get_xdata() == pytest.approx(100 * found["axial_strain"].values)
 
 
 def test_a_study_whose_runs_are_strained_at_a_rate_has_its_rheology(tmp_path, monkeypatch):
@@ -194,7 +260,7 @@ def test_a_study_whose_runs_are_strained_at_a_rate_has_its_rheology(tmp_path, mo
 
     monkeypatch.setattr(loadings, "open_result", opened)
     assert list(loadings.rheology_of(loadings.driven_runs(tmp_path))["mu"].values) == pytest.approx([0.3, 0.4])
-    path, = figures.save_all(tmp_path, tmp_path / "figures", names="rheology")
+    (path,) = figures.save_all(tmp_path, tmp_path / "figures", names="rheology")
     assert path.read_bytes().startswith(b"%PDF")
     (tmp_path / "runs" / "later" / "recipe.toml").write_text('[[stages]]\nname = "test"\ntop = { force = "1 kN" }\n')
     assert not loadings.driven_runs(tmp_path)

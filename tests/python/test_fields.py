@@ -70,17 +70,27 @@ def test_statistics_say_what_the_field_says(result):
     solid = inner & (field.map.phase > 0)
     large = solid & (field.map.grain >= 0) & (field.map.grain_class[np.maximum(field.map.grain, 0)] == 2)
     ratio = field.sigma_yy[large].mean() / field.sigma_yy[solid].mean()
-    sets = field.statistics()["components"]["sigma_yy"]["sets"] if "components" in field.statistics() else field.statistics()["sigma_yy"]["sets"]
+    sets = (
+        field.statistics()["components"]["sigma_yy"]["sets"]
+        if "components" in field.statistics()
+        else field.statistics()["sigma_yy"]["sets"]
+    )
     assert sets["large"]["mean_over_sample_mean"]["value"] == pytest.approx(ratio, rel=1e-4)
 
 
 def test_pictures_are_read_as_the_program_reads_them(examples):
     file = examples / "30-electrode" / "electrode.tiff"
-    map = arenite.read_phase_map(file, dx="1 um", phases={0: "void", 85: "particle", 170: "matrix"}, slice=0, labels="watershed")
+    map = arenite.read_phase_map(
+        file, dx="1 um", phases={0: "void", 85: "particle", 170: "matrix"}, slice=0, labels="watershed"
+    )
     assert len(map.grain_class) == 79 and map.phase.shape == (256, 256)
-    text = arenite.read_phase_map(file, dx="1 um", phases="0=void,85=particle,170=matrix", slice=0, crop=(0, 0, 100, 50))
+    text = arenite.read_phase_map(
+        file, dx="1 um", phases="0=void,85=particle,170=matrix", slice=0, crop=(0, 0, 100, 50)
+    )
     assert np.array_equal(text.phase, map.phase[-50:, :100])
-    one = arenite.read_phase_map(file, dx="1 um", phases={0: "void", 85: "particle", 170: "matrix"}, slice=0, labels="none")
+    one = arenite.read_phase_map(
+        file, dx="1 um", phases={0: "void", 85: "particle", 170: "matrix"}, slice=0, labels="none"
+    )
     assert len(one.grain_class) == 1 and np.array_equal(one.grain == 0, one.phase == 2)
     with pytest.raises(ValueError, match=r"choose one with slice 0 to 255"):
         arenite.read_phase_map(file, dx="1 um")
@@ -96,7 +106,9 @@ def test_curves_and_cracks_look_into_the_field():
     field = arenite.load(arenite.PhaseMap(phase, dx="0.1 mm"), failure=True)
     assert len(field.cracks["x"]) == field.curve["broken"][-1] > 0
     for columns, again in [(field.curve, field.curve), (field.cracks, field.cracks)]:
-        assert all(np.shares_memory(columns[name], again[name]) and not columns[name].flags.writeable for name in columns)
+        assert all(
+            np.shares_memory(columns[name], again[name]) and not columns[name].flags.writeable for name in columns
+        )
     assert np.all(np.diff(field.cracks["strain"]) >= 0) and set(field.cracks["type"]) == {1}
     assert np.all((field.cracks["x"] >= 0) & (field.cracks["x"] <= 3.2e-3))
 

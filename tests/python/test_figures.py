@@ -12,22 +12,71 @@ import arenite
 import arenite.figures as figures
 import numpy as np
 import pytest
-from arenite.figures import catalogue, densities, fields, film_forces, films, histories, loadings, motion, packings, panels, samples, saving, style
+from arenite.figures import (
+    catalogue,
+    densities,
+    fields,
+    film_forces,
+    films,
+    histories,
+    loadings,
+    motion,
+    packings,
+    panels,
+    samples,
+    saving,
+    style,
+)
 
 # The figures of the page by their ids, and the journal's: of a stage, a field or a film.
 cards = {
-    "fabric": ("stage", "contact-orientations"), "sigma-norm": ("stage", "sigma-norm"), "forces": ("stage", "forces"), "coordination": ("stage", "coordination"),
-    "grain-scatter": ("stage", "grain-scatter"), "size-curve": ("stage", "size-curve"), "coarse-fields": ("stage", "coarse-fields"),
-    "contact-numbers": ("stage", "contact-numbers"), "rev": ("stage", "rev"), "threshold": ("stage", "threshold"), "stress-path": ("stage", "stress-path"),
-    "wall-forces": ("stage", "wall-forces"), "travel": ("stage", "travel"), "energies": ("stage", "energies"), "equilibrium": ("stage", "equilibrium"),
-    "test-curves": ("stage", "stress-strain"), "grain-bonds": ("stage", "broken-bonds"), "discharge": ("stage", "discharge"), "stress-strain": ("field", "stress-strain"), "broken-bonds": ("field", "broken-bonds"), "energy-balance": ("field", "energy-balance"),
-    "stress-pdf": ("field", "stress-pdf"), "cavities": ("field", "cavities"), "convergence": ("field", "convergence"),
-    "film-maps": ("film", "beside-simulation"), "film-fit": ("film", "film-fit"), "film-simulation": ("film", "against-simulation"), "film-tails": ("film", "tails"), "film-orientations": ("film", "contact-orientations"),
-    "film-forces": ("film", "forces"), "film-certainty": ("film", "certainty"), "film-stresses": ("film", "stresses"),
+    "fabric": ("stage", "contact-orientations"),
+    "sigma-norm": ("stage", "sigma-norm"),
+    "forces": ("stage", "forces"),
+    "coordination": ("stage", "coordination"),
+    "grain-scatter": ("stage", "grain-scatter"),
+    "size-curve": ("stage", "size-curve"),
+    "coarse-fields": ("stage", "coarse-fields"),
+    "contact-numbers": ("stage", "contact-numbers"),
+    "rev": ("stage", "rev"),
+    "threshold": ("stage", "threshold"),
+    "stress-path": ("stage", "stress-path"),
+    "wall-forces": ("stage", "wall-forces"),
+    "travel": ("stage", "travel"),
+    "energies": ("stage", "energies"),
+    "equilibrium": ("stage", "equilibrium"),
+    "test-curves": ("stage", "stress-strain"),
+    "grain-bonds": ("stage", "broken-bonds"),
+    "discharge": ("stage", "discharge"),
+    "stress-strain": ("field", "stress-strain"),
+    "broken-bonds": ("field", "broken-bonds"),
+    "energy-balance": ("field", "energy-balance"),
+    "stress-pdf": ("field", "stress-pdf"),
+    "cavities": ("field", "cavities"),
+    "convergence": ("field", "convergence"),
+    "film-maps": ("film", "beside-simulation"),
+    "film-fit": ("film", "film-fit"),
+    "film-simulation": ("film", "against-simulation"),
+    "film-tails": ("film", "tails"),
+    "film-orientations": ("film", "contact-orientations"),
+    "film-forces": ("film", "forces"),
+    "film-certainty": ("film", "certainty"),
+    "film-stresses": ("film", "stresses"),
 }
 # What the page shows in its pictures and not on cards.
-pictures = {("stage", "packing"), ("stage", "sigma-norm-map"), ("stage", "force-network"), ("stage", "cracks"), ("field", "phases"), ("field", "stress"), ("field", "displacement"), ("field", "cracks"),
-            ("film", "maps"), ("film", "grains"), ("film", "force-network")}
+pictures = {
+    ("stage", "packing"),
+    ("stage", "sigma-norm-map"),
+    ("stage", "force-network"),
+    ("stage", "cracks"),
+    ("field", "phases"),
+    ("field", "stress"),
+    ("field", "displacement"),
+    ("field", "cracks"),
+    ("film", "maps"),
+    ("film", "grains"),
+    ("film", "force-network"),
+}
 # What the page has no cards of.
 printed = {("stage", "cycles")}
 components = {("field", f"stress-pdf-{name}") for name in ("xx", "xy", "hyd")}
@@ -39,9 +88,13 @@ def axes():
 
 def test_every_card_of_the_page_has_its_figure():
     page = pathlib.Path(__file__).resolve().parents[2] / "web/src/figures"
-    ids = [name for file in page.glob("*.js") for name in re.findall(r'^  id: "([a-z-]+)", title:', file.read_text(), re.M)]
+    ids = [
+        name for file in page.glob("*.js") for name in re.findall(r'^  id: "([a-z-]+)", title:', file.read_text(), re.M)
+    ]
     assert sorted(ids) == sorted(cards)
-    assert {(figure.kind, figure.name) for figure in figures.figures} == set(cards.values()) | pictures | printed | components
+    assert {(figure.kind, figure.name) for figure in figures.figures} == set(
+        cards.values()
+    ) | pictures | printed | components
 
 
 @pytest.fixture(scope="module")
@@ -51,9 +104,21 @@ def drawn(result, tmp_path_factory):
 
 
 def test_every_figure_of_a_run_is_drawn_and_embeds_its_fonts(drawn):
-    stage = {name for kind, name in set(cards.values()) | pictures | printed if kind == "stage"} - {"stress-path", "cycles", "stress-strain", "discharge", "size-curve", "broken-bonds", "cracks"}
+    stage = {name for kind, name in set(cards.values()) | pictures | printed if kind == "stage"} - {
+        "stress-path",
+        "cycles",
+        "stress-strain",
+        "discharge",
+        "size-curve",
+        "broken-bonds",
+        "cracks",
+    }
     field = {"stress", "displacement", "stress-pdf", "convergence"}
-    expected = {f"rest-{name}" for name in stage} | {"cement-phases", "cement-cavities"} | {f"tension-{name}" for name in field}
+    expected = (
+        {f"rest-{name}" for name in stage}
+        | {"cement-phases", "cement-cavities"}
+        | {f"tension-{name}" for name in field}
+    )
     assert {p.stem for p in drawn} - {f"tension-{name}" for _, name in components} - {"rest-stress-path"} == expected
     for path in drawn:
         content = path.read_bytes()
@@ -65,20 +130,22 @@ def test_every_figure_of_a_run_is_drawn_and_embeds_its_fonts(drawn):
 
 
 def test_formulas_in_an_svg_are_the_letters_that_are_meant(result, tmp_path):
-    path, = figures.save_all(result, tmp_path, "svg", "sigma-norm")
+    (path,) = figures.save_all(result, tmp_path, "svg", "sigma-norm")
     letters = "".join(re.findall(r"<tspan[^>]*>([^<]*)<", html.unescape(path.read_text())))
     assert "σ" in letters and "β" in letters and "norm" in letters
 
 
 def test_former_names_of_figures_are_read_with_a_notice(result, tmp_path):
     with pytest.warns(FutureWarning, match="contact-directions is now called contact-orientations"):
-        path, = figures.save_all(result, tmp_path, "svg", "contact-directions")
+        (path,) = figures.save_all(result, tmp_path, "svg", "contact-directions")
     assert path.stem == "rest-contact-orientations"
     assert figures.draw_course is figures.draw_stress_path and figures.draw_rest is figures.draw_equilibrium
 
 
 def test_the_same_result_gives_the_same_bytes(result, drawn, tmp_path):
-    again = figures.save_all(result, tmp_path, ("pdf", "svg"), ["force-network", "contact-orientations", "cavities", "stress-pdf"])
+    again = figures.save_all(
+        result, tmp_path, ("pdf", "svg"), ["force-network", "contact-orientations", "cavities", "stress-pdf"]
+    )
     first = {path.name: path for path in drawn}
     assert len(again) == 8 and all(path.read_bytes() == first[path.name].read_bytes() for path in again)
 
@@ -89,14 +156,33 @@ def test_widths_are_those_of_columns(result, tmp_path):
 
 
 def test_the_command_draws(result, tmp_path):
-    run = subprocess.run([os.environ["ARENITE"], "figures", result.path, "--out", str(tmp_path), "--format", "png", "--only", "packing", "--width", "60 mm"], capture_output=True, text=True)
+    run = subprocess.run(
+        [
+            os.environ["ARENITE"],
+            "figures",
+            result.path,
+            "--out",
+            str(tmp_path),
+            "--format",
+            "png",
+            "--only",
+            "packing",
+            "--width",
+            "60 mm",
+        ],
+        capture_output=True,
+        text=True,
+    )
     assert run.returncode == 0, run.stderr
     assert (tmp_path / "rest-packing.png").exists()
 
 
 def test_files_of_the_current_folder_are_not_run(result, tmp_path):
     (tmp_path / "json.py").write_text("import pathlib\npathlib.Path('ran').touch()\n")
-    for line in (["figures", result.path, "--out", "f", "--format", "png", "--only", "packing"], ["compare", result.path, result.path, "--out", "c.html"]):
+    for line in (
+        ["figures", result.path, "--out", "f", "--format", "png", "--only", "packing"],
+        ["compare", result.path, result.path, "--out", "c.html"],
+    ):
         run = subprocess.run([os.environ["ARENITE"], *line], cwd=tmp_path, capture_output=True, text=True)
         assert run.returncode == 0, run.stderr
     assert not (tmp_path / "ran").exists()
@@ -104,17 +190,39 @@ def test_files_of_the_current_folder_are_not_run(result, tmp_path):
 
 def test_files_are_whole_or_not_there(result, tmp_path):
     (tmp_path / "compare.html").write_text("before")
-    for line in (f"figures {result.path} --out {tmp_path} --format png --only packing", f"compare {result.path} {result.path} --out {tmp_path}/compare.html"):
-        run = subprocess.run(["bash", "-c", f"ulimit -f 1; exec {os.environ['ARENITE']} {line}"], capture_output=True, text=True)
+    for line in (
+        f"figures {result.path} --out {tmp_path} --format png --only packing",
+        f"compare {result.path} {result.path} --out {tmp_path}/compare.html",
+    ):
+        run = subprocess.run(
+            ["bash", "-c", f"ulimit -f 1; exec {os.environ['ARENITE']} {line}"], capture_output=True, text=True
+        )
         assert run.returncode == 2 and run.stderr.count("\n") == 1 and "cannot be written" in run.stderr, run.stderr
-    assert [path.name for path in tmp_path.iterdir()] == ["compare.html"] and (tmp_path / "compare.html").read_text() == "before"
-    full = subprocess.run(["bash", "-c", f"exec {os.environ['ARENITE']} compare {result.path} {result.path} --out {tmp_path}/c.html > /dev/full"], capture_output=True, text=True)
+    assert [path.name for path in tmp_path.iterdir()] == ["compare.html"] and (
+        tmp_path / "compare.html"
+    ).read_text() == "before"
+    full = subprocess.run(
+        [
+            "bash",
+            "-c",
+            f"exec {os.environ['ARENITE']} compare {result.path} {result.path} --out {tmp_path}/c.html > /dev/full",
+        ],
+        capture_output=True,
+        text=True,
+    )
     assert full.returncode == 2 and full.stderr.count("\n") == 1, full.stderr
 
 
 def test_names_are_no_formulas(tmp_path):
-    packing = arenite.Packing([1e-3, 3e-3], [1e-3, 1e-3], [1e-3, 1e-3], width=4e-3, height=2e-3, material=[0, 1],
-                              materials=[arenite.Material("$_{$"), arenite.Material("$a")])
+    packing = arenite.Packing(
+        [1e-3, 3e-3],
+        [1e-3, 1e-3],
+        [1e-3, 1e-3],
+        width=4e-3,
+        height=2e-3,
+        material=[0, 1],
+        materials=[arenite.Material("$_{$"), arenite.Material("$a")],
+    )
     figure = catalogue.Figure("key", "stage", lambda canvas, part: packings.material_key(canvas.add_subplot(), part))
     saving.save(figure, packing, tmp_path / "key.svg")
     assert (tmp_path / "key.svg").stat().st_size > 0
@@ -130,7 +238,12 @@ def test_bad_requests_are_refused_in_one_sentence(result, tmp_path):
         figures.save_all(result, tmp_path, stage="nothing")
     with pytest.raises(ValueError, match="no stored state 99; this result has"):
         figures.save_all(result, tmp_path, state=99)
-    run = subprocess.run([sys.executable, "-m", "arenite.figures", json.dumps({"result": str(tmp_path)})], capture_output=True, text=True, env={**os.environ, "PYTHONPATH": os.environ["ARENITE_PYTHONPATH"]})
+    run = subprocess.run(
+        [sys.executable, "-m", "arenite.figures", json.dumps({"result": str(tmp_path)})],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "PYTHONPATH": os.environ["ARENITE_PYTHONPATH"]},
+    )
     assert run.returncode == 2 and run.stderr.count("\n") == 1 and "Traceback" not in run.stderr
 
 
@@ -154,14 +267,25 @@ def test_libraries_are_quiet_within_the_style_and_as_before_after_it():
 
 def test_materials_have_one_colour_in_all_figures():
     names = ["POM", "HDPE"]
-    assert [style.colour_of(name, names) for name in ("POM", "HDPE", "POM-POM", "HDPE-POM", "POM-HDPE", "all")] == [*style.colours[:2], style.colours[0], style.colours[2], style.colours[2], style.strong]
+    assert [style.colour_of(name, names) for name in ("POM", "HDPE", "POM-POM", "HDPE-POM", "POM-HDPE", "all")] == [
+        *style.colours[:2],
+        style.colours[0],
+        style.colours[2],
+        style.colours[2],
+        style.strong,
+    ]
 
 
 def a_field(by, value=-2.0):
     """Four nodes; what its statistics say of sigma_yy only."""
     every = {"mean_Pa": {"value": -4.0}, "mean_over_sample_mean": {"value": -4.0 / value}}
-    return types.SimpleNamespace(numbers={"stress": {"sigma_yy": {"normalised_by": by, "sets": {"all": every}}}}, map=types.SimpleNamespace(phase=np.array([[1, 2], [2, 0]])),
-                                 sigma_yy=np.array([[-2.0, -4.0], [-6.0, 99.0]]), sigma_xx=np.array([[4.0, 0.0], [2.0, 99.0]]), sigma_xy=np.zeros((2, 2)))
+    return types.SimpleNamespace(
+        numbers={"stress": {"sigma_yy": {"normalised_by": by, "sets": {"all": every}}}},
+        map=types.SimpleNamespace(phase=np.array([[1, 2], [2, 0]])),
+        sigma_yy=np.array([[-2.0, -4.0], [-6.0, 99.0]]),
+        sigma_xx=np.array([[4.0, 0.0], [2.0, 99.0]]),
+        sigma_xy=np.zeros((2, 2)),
+    )
 
 
 def test_stresses_are_centred_where_their_statistics_say():
@@ -180,7 +304,9 @@ def test_the_colours_of_a_stress_lie_evenly_about_its_mean(result):
     for component in ("sigma_yy", "sigma_xy"):
         low, high = figures.draw_field(axes(), field, component).get_clim()
         mean = field.numbers["stress"]["sigma_yy"]["sample_mean_Pa"]["value"]
-        assert (low + high) / 2 == pytest.approx(1 if component == "sigma_yy" else field.sigma_xy[field.map.phase > 0].mean() / mean, abs=1e-6)
+        assert (low + high) / 2 == pytest.approx(
+            1 if component == "sigma_yy" else field.sigma_xy[field.map.phase > 0].mean() / mean, abs=1e-6
+        )
 
 
 def test_cavities_are_those_that_are_stored(result):
@@ -190,7 +316,9 @@ def test_cavities_are_those_that_are_stored(result):
     for kind, line in zip(("pores", "voids"), shown.lines):
         density = [y for y in stored[kind]["pdf"]["density"] if y > 0]
         assert list(line.get_ydata()) == density
-    assert [text.get_text() for text in shown.get_legend().get_texts()] == [f"{kind} ({stored[kind]['count']})" for kind in ("pores", "voids")]
+    assert [text.get_text() for text in shown.get_legend().get_texts()] == [
+        f"{kind} ({stored[kind]['count']})" for kind in ("pores", "voids")
+    ]
     assert not densities.has_cavities({"pores": {"count": 0}})
 
 
@@ -202,7 +330,9 @@ def test_a_map_that_was_loaded_shows_its_phases_and_cavities(result):
 
 
 def test_fits_hold_what_was_counted():
-    x, y = densities.q_gaussian_of({"q_gaussian": {"q": {"value": 1.0}, "beta": {"value": 0.5}, "centre": {"value": 1.0}}}, -9, 11)
+    x, y = densities.q_gaussian_of(
+        {"q_gaussian": {"q": {"value": 1.0}, "beta": {"value": 0.5}, "centre": {"value": 1.0}}}, -9, 11
+    )
     assert y.max() == pytest.approx(1 / np.sqrt(2 * np.pi), rel=1e-3) and np.trapz(y, x) == pytest.approx(1, rel=1e-3)
     x, y = densities.tail_of({"count": 100, "tail": {"count": 20, "slope": {"value": 2.0}, "low": 1.0, "high": 3.0}})
     assert (x[0], x[-1]) == (1, 3) and np.trapz(y, x) == pytest.approx(0.2, rel=1e-3)
@@ -211,7 +341,15 @@ def test_fits_hold_what_was_counted():
 
 def test_other_components_are_drawn_where_they_are_measured(result):
     measured = result.fields[-1].statistics()
-    parts = types.SimpleNamespace(statistics=lambda: {**measured, "sigma_xy": {"normalised_by": "root mean square", "sets": {"all": {"pdf": {"x": [-1, 0, 1], "y": [0.1, 0.5, 0.1]}}}}})
+    parts = types.SimpleNamespace(
+        statistics=lambda: {
+            **measured,
+            "sigma_xy": {
+                "normalised_by": "root mean square",
+                "sets": {"all": {"pdf": {"x": [-1, 0, 1], "y": [0.1, 0.5, 0.1]}}},
+            },
+        }
+    )
     assert panels.density_rows(parts, "sigma_xy") == [False]
     assert panels.density_rows(parts, "sigma_yy") == [False, True]
     canvas = saving.Canvas()
@@ -220,7 +358,10 @@ def test_other_components_are_drawn_where_they_are_measured(result):
 
 
 def test_forces_across_a_periodic_side_are_seen_from_both_grains():
-    packing = arenite.propose_contacts(arenite.Packing([1e-3, 9.1e-3], [5e-3, 5e-3], [1e-3, 1e-3], width=1e-2, height=1e-2, periodic="x"), position_error=1e-5)
+    packing = arenite.propose_contacts(
+        arenite.Packing([1e-3, 9.1e-3], [5e-3, 5e-3], [1e-3, 1e-3], width=1e-2, height=1e-2, periodic="x"),
+        position_error=1e-5,
+    )
     here, there = packings.segments(packing)
     ends = sorted(float(end[0, 0]) for end in (*here, *there))
     assert ends == pytest.approx([-0.9e-3, 1e-3, 9.1e-3, 11e-3], abs=2e-5)
@@ -242,7 +383,10 @@ def test_roses_are_of_all_of_strong_and_weak_contacts_and_of_types(result):
 
 
 def test_directions_of_a_film_and_its_simulation_are_on_one_scale():
-    sets = {"film": {"contacts": 18, "sectors": [1] * 18}, "simulation": {"contacts": 18, "sectors": [3, 1, 0] * 4 + [0, 0, 0, 0, 0, 2]}}
+    sets = {
+        "film": {"contacts": 18, "sectors": [1] * 18},
+        "simulation": {"contacts": 18, "sectors": [3, 1, 0] * 4 + [0, 0, 0, 0, 0, 2]},
+    }
     canvas = saving.Canvas()
     panels.film_roses(canvas, types.SimpleNamespace(numbers={"contact_orientations": sets}))
     film, simulation = canvas.axes
@@ -254,9 +398,18 @@ def test_tails_of_a_film_are_those_of_the_stresses_that_it_gives(result):
     packing = result.stages[-1].packing
     sigma = arenite.measure_grains(packing)["sigma_hyd"]
     canvas = saving.Canvas()
-    panels.film_tails(canvas, types.SimpleNamespace(packing=packing, sigma_hyd=sigma, simulation={"peak_to_peak": 2 * sigma, "state": sigma**2}))
+    panels.film_tails(
+        canvas,
+        types.SimpleNamespace(
+            packing=packing, sigma_hyd=sigma, simulation={"peak_to_peak": 2 * sigma, "state": sigma**2}
+        ),
+    )
     film, change, state = [line for line in canvas.axes[0].lines if not line.get_label().startswith("_")]
-    assert [line.get_label().split(", $")[0] for line in (film, change, state)] == ["film", "simulation, peak to peak", "simulation, state"]
+    assert [line.get_label().split(", $")[0] for line in (film, change, state)] == [
+        "film",
+        "simulation, peak to peak",
+        "simulation, state",
+    ]
     assert film.get_xydata() == pytest.approx(change.get_xydata())  # over their means
     stored = arenite.measure(packing)["sigma_norm"]
     shown = [x for x, y in zip(stored["cumulative"]["x"], stored["cumulative"]["y"]) if y >= 0.7 / stored["count"]]
@@ -269,14 +422,25 @@ def test_tails_of_a_film_are_those_of_the_stresses_that_it_gives(result):
 def a_film(amplitude=1.0):
     """Two by two pixels whose signal is late by a quarter, on time, opposite, and lost in noise."""
     phase, size = np.array([[1.0, 0.5], [0.5 - np.pi, 3.0]]), (2, 2)
-    maps = types.SimpleNamespace(phase=phase, reference_phase=0.5, amplitude=np.array([[amplitude] * 2, [amplitude, 0.01]]), standard_error=np.full(size, 0.02), in_phase=np.array([[0.1, 0.4], [-0.2, 0.0]]),
-                                 second_harmonic=np.zeros((0, 2)), residual=np.ones(size))
+    maps = types.SimpleNamespace(
+        phase=phase,
+        reference_phase=0.5,
+        amplitude=np.array([[amplitude] * 2, [amplitude, 0.01]]),
+        standard_error=np.full(size, 0.02),
+        in_phase=np.array([[0.1, 0.4], [-0.2, 0.0]]),
+        second_harmonic=np.zeros((0, 2)),
+        residual=np.ones(size),
+    )
     return types.SimpleNamespace(picture=np.full(size, 300.0), maps=maps, pixel=1e-3, bad=np.array([[0, 1], [0, 0]]))
 
 
 def test_phases_of_a_film_are_those_after_the_load():
     angle = films.phase_after_load(a_film().maps)
-    assert angle[0] == pytest.approx([np.degrees(0.5), 0]) and angle[1, 0] == pytest.approx(180) and np.abs(angle).max() <= 180
+    assert (
+        angle[0] == pytest.approx([np.degrees(0.5), 0])
+        and angle[1, 0] == pytest.approx(180)
+        and np.abs(angle).max() <= 180
+    )
     shown = axes()
     figures.draw_phase(shown, a_film().maps)
     colours = shown.images[0].get_array()
@@ -287,15 +451,28 @@ def test_maps_of_a_film_are_those_that_it_holds():
     canvas = saving.Canvas()
     panels.film_maps(canvas, a_film())
     titles = [a.get_title() for a in canvas.axes if a.get_title()]
-    assert titles == ["smallest load, K", "amplitude, mK", "phase relative to the load, °", "warming with the load, mK", "standard error, mK", "residual of the fit, mK", "1 pixels replaced"]
-    signed, = [a.images[0] for a in canvas.axes if a.get_title().startswith("warming")]
+    assert titles == [
+        "smallest load, K",
+        "amplitude, mK",
+        "phase relative to the load, °",
+        "warming with the load, mK",
+        "standard error, mK",
+        "residual of the fit, mK",
+        "1 pixels replaced",
+    ]
+    (signed,) = [a.images[0] for a in canvas.axes if a.get_title().startswith("warming")]
     low, high = signed.get_clim()
     assert low == -high and high > 300
 
 
 def a_film_of_forces():
     contacts = types.SimpleNamespace(fn=np.array([100.0, 50.0, 1.0, -3.0, 9.0]), ft=np.zeros(5))
-    return types.SimpleNamespace(packing=types.SimpleNamespace(contacts=contacts), fn_error=np.ones(5), ft_error=np.ones(5), presence=np.array([1, 1, 0.6, 1, 0.9]))
+    return types.SimpleNamespace(
+        packing=types.SimpleNamespace(contacts=contacts),
+        fn_error=np.ones(5),
+        ft_error=np.ones(5),
+        presence=np.array([1, 1, 0.6, 1, 0.9]),
+    )
 
 
 def test_contacts_that_may_be_absent_are_told_apart():
@@ -323,15 +500,26 @@ def test_numbers_of_another_shape_are_one_sentence(tmp_path):
     packing = arenite.Packing([1, 2, 3], [1, 1, 1], [0.5, 0.5, 0.5], width=4, height=2)
     (file,) = arenite.save(packing, tmp_path)
     program = "import json, sys, arenite.figures.catalogue as c\nc.save_all = lambda *a: {}['mean']\nsys.argv = ['figures', json.dumps({'result': sys.argv[1]})]\nimport runpy; runpy.run_module('arenite.figures', run_name='__main__')"
-    done = subprocess.run([sys.executable, "-c", program, file], capture_output=True, text=True, env={**os.environ, "PYTHONPATH": os.environ["ARENITE_PYTHONPATH"]})
-    assert done.returncode == 2 and done.stderr.count("\n") == 1 and "compute the result again" in done.stderr, done.stderr
+    done = subprocess.run(
+        [sys.executable, "-c", program, file],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "PYTHONPATH": os.environ["ARENITE_PYTHONPATH"]},
+    )
+    assert (
+        done.returncode == 2 and done.stderr.count("\n") == 1 and "compute the result again" in done.stderr
+    ), done.stderr
 
 
 def test_broken_bonds_are_counted_by_type_up_to_each_step():
     shown = axes()
     part = types.SimpleNamespace(curve={"broken": [0, 2, 5]}, cracks={"type": np.array([1, 1, 2, 3, 1])})
     figures.draw_broken_bonds(shown, part)
-    assert {line.get_label(): list(line.get_ydata()) for line in shown.lines} == {"matrix": [0, 2, 3], "interface": [0, 0, 1], "particle": [0, 0, 1]}
+    assert {line.get_label(): list(line.get_ydata()) for line in shown.lines} == {
+        "matrix": [0, 2, 3],
+        "interface": [0, 0, 1],
+        "particle": [0, 0, 1],
+    }
 
 
 def test_stored_states_lie_on_the_travel_of_the_wall(result):
@@ -340,7 +528,9 @@ def test_stored_states_lie_on_the_travel_of_the_wall(result):
     figures.draw_travel(shown, stage.history, stage.snapshots)
     assert len(stage.frames) == len(stage.snapshots)  # the former name
     line, states = shown.lines
-    assert len(states.get_xdata()) == len(stage.snapshots) and states.get_xdata()[-1] == pytest.approx(line.get_xdata()[-1], abs=1e-3 * np.ptp(line.get_xdata()))
+    assert len(states.get_xdata()) == len(stage.snapshots) and states.get_xdata()[-1] == pytest.approx(
+        line.get_xdata()[-1], abs=1e-3 * np.ptp(line.get_xdata())
+    )
 
 
 def test_the_mass_that_has_passed_is_drawn_over_the_time():
@@ -377,7 +567,9 @@ top = { pressure = "1 kPa" }
     packing = arenite.pack(recipe)
     measured = arenite.size_curve(packing)
     whole = np.sum(packing.radius**2)
-    assert [np.interp(x, measured["diameter"], measured["passing"]) for x in d] == pytest.approx([np.sum(packing.radius[2 * packing.radius <= x]**2) / whole for x in d], abs=0.012)
+    assert [np.interp(x, measured["diameter"], measured["passing"]) for x in d] == pytest.approx(
+        [np.sum(packing.radius[2 * packing.radius <= x] ** 2) / whole for x in d], abs=0.012
+    )
     shown = axes()
     figures.draw_size_curve(shown, measured, asked)
     assert [line.get_label() for line in shown.lines] == ["measured", "asked"] and shown.lines[0].get_ydata()[-1] == 100
@@ -385,8 +577,12 @@ top = { pressure = "1 kPa" }
 
 def test_a_critical_state_is_drawn_where_it_was_found():
     shown = axes()
-    loadings.draw_critical_state(shown, {"from": 0.2, "to": 1.0, "mu": {"value": 0.4, "error": 0.01, "low_95": 0.38, "high_95": 0.42}})
-    assert shown.lines[0].get_xdata() == pytest.approx([20, 100]) and shown.lines[0].get_ydata() == pytest.approx([0.4, 0.4])
+    loadings.draw_critical_state(
+        shown, {"from": 0.2, "to": 1.0, "mu": {"value": 0.4, "error": 0.01, "low_95": 0.38, "high_95": 0.42}}
+    )
+    assert shown.lines[0].get_xdata() == pytest.approx([20, 100]) and shown.lines[0].get_ydata() == pytest.approx(
+        [0.4, 0.4]
+    )
     assert "0.400 ± 0.020" in shown.lines[0].get_label()
 
 

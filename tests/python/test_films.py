@@ -75,16 +75,33 @@ def test_grains_of_a_picture():
 def test_forces_of_a_compressed_disk():
     """A disk between two walls: sigma_kk by superposed Flamant fields gives back the load."""
     radius, length, force, pixel = 10e-3, 60e-3, 1000.0, 0.5e-3
-    packing = arenite.propose_contacts(arenite.Packing([15e-3], [10e-3], [radius], width=30e-3, height=20e-3, thickness=length), position_error=1e-6)
+    packing = arenite.propose_contacts(
+        arenite.Packing([15e-3], [10e-3], [radius], width=30e-3, height=20e-3, thickness=length), position_error=1e-6
+    )
     n = 60
     first = (pixel / 2, 20e-3 - pixel / 2)
     column, row = np.meshgrid(np.arange(n), np.arange(40))
     x, y = first[0] + pixel * column - 15e-3, first[1] - pixel * row - 10e-3
     with np.errstate(divide="ignore"):
-        field = -2 * force / (np.pi * length) * ((radius - y) / (x**2 + (radius - y) ** 2) + (radius + y) / (x**2 + (radius + y) ** 2)) + 2 * force / (np.pi * 2 * radius * length) * 2
+        field = (
+            -2
+            * force
+            / (np.pi * length)
+            * ((radius - y) / (x**2 + (radius - y) ** 2) + (radius + y) / (x**2 + (radius + y) ** 2))
+            + 2 * force / (np.pi * 2 * radius * length) * 2
+        )
     inside = np.hypot(x, y) < radius
     signal = np.where(inside & np.isfinite(field), -field * 15e-9, 0)
-    found = arenite.infer_forces(packing, signal, np.where(inside, 1e-5, 0), pixel=pixel, first=first, factor=[15e-9], walls={"bottom": force, "top": force}, blur=0.0)
+    found = arenite.infer_forces(
+        packing,
+        signal,
+        np.where(inside, 1e-5, 0),
+        pixel=pixel,
+        first=first,
+        factor=[15e-9],
+        walls={"bottom": force, "top": force},
+        blur=0.0,
+    )
     assert np.allclose(found["fn"], force, rtol=0.02)
 
 

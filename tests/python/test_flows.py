@@ -10,7 +10,9 @@ from arenite.figures import flows as drawings
 
 
 def points(x, y, error, names, units):
-    return {name: curves.Curve(np.array(values, float), unit) for name, values, unit in zip(names, (x, y, error), units)}
+    return {
+        name: curves.Curve(np.array(values, float), unit) for name, values, unit in zip(names, (x, y, error), units)
+    }
 
 
 def a_run(**parts):
@@ -20,11 +22,15 @@ def a_run(**parts):
 def test_beverloos_law_is_found_again():
     opening = np.array([0.03, 0.04, 0.055, 0.075, 0.1])
     rate = 33 * (opening - 0.0096) ** 1.5
-    runs = [a_run(discharge={"opening_m": d, "rate_kg_s": {"value": w, "error": 0.01 * w}}) for d, w in zip(opening, rate)]
+    runs = [
+        a_run(discharge={"opening_m": d, "rate_kg_s": {"value": w, "error": 0.01 * w}}) for d, w in zip(opening, rate)
+    ]
     found = flows.discharges([runs[k] for k in (3, 0, 4, 1, 2)] + [a_run()])
     assert found["opening"].values == pytest.approx(opening) and found["rate"].unit == "kg/s"
     law = flows.fit_beverloo(found)
-    assert law["exponent"][0] == pytest.approx(1.5, abs=1e-4) and law["lost_width"][0] == pytest.approx(0.0096, abs=1e-5)
+    assert law["exponent"][0] == pytest.approx(1.5, abs=1e-4) and law["lost_width"][0] == pytest.approx(
+        0.0096, abs=1e-5
+    )
     assert 0.02 < law["exponent"][1] < 0.2
     assert flows.fit_beverloo(found, exponent=1.5)["factor"][0] == pytest.approx(33, rel=1e-6)
 
@@ -32,7 +38,10 @@ def test_beverloos_law_is_found_again():
 def test_errors_of_fits_are_those_of_many_samples():
     generator = np.random.default_rng(1)
     x = np.array([1.0, 2, 3, 5, 8, 13])
-    fits = [flows.fit_power(x, 2 * x**0.7 * (1 + 0.05 * generator.normal(size=6)), 0.05 * 2 * x**0.7)["exponent"] for _ in range(300)]
+    fits = [
+        flows.fit_power(x, 2 * x**0.7 * (1 + 0.05 * generator.normal(size=6)), 0.05 * 2 * x**0.7)["exponent"]
+        for _ in range(300)
+    ]
     values, errors = np.array(fits).T
     assert np.mean(values) == pytest.approx(0.7, abs=0.01)
     assert np.mean(errors) == pytest.approx(np.std(values), rel=0.35)
@@ -41,15 +50,29 @@ def test_errors_of_fits_are_those_of_many_samples():
 def test_both_regimes_of_run_out_are_found_again():
     aspect = np.array([0.5, 0.8, 1.3, 2, 3, 4.5, 7, 11, 17])
     way = np.where(aspect < 2.5, 2 * aspect, 2 * 2.5 ** (1 / 3) * aspect ** (2 / 3))
-    surface = [{"aspect_ratio_before": a, "runout_over_width": {"value": r, "error": 0.02}, "height_over_width": 1.0} for a, r in zip(aspect, way)]
+    surface = [
+        {"aspect_ratio_before": a, "runout_over_width": {"value": r, "error": 0.02}, "height_over_width": 1.0}
+        for a, r in zip(aspect, way)
+    ]
     laws = flows.fit_runout(flows.runouts([a_run(surface=s) for s in surface]))
-    assert laws["low"]["exponent"][0] == pytest.approx(1, abs=1e-4) and laws["high"]["exponent"][0] == pytest.approx(2 / 3, abs=1e-4)
+    assert laws["low"]["exponent"][0] == pytest.approx(1, abs=1e-4) and laws["high"]["exponent"][0] == pytest.approx(
+        2 / 3, abs=1e-4
+    )
 
 
 def test_janssens_law_is_found_again():
     height = np.array([0.05, 0.1, 0.2, 0.3, 0.5, 0.8])
-    found = {"height": curves.Curve(height, "m"), "pressure": curves.Curve(900 * -np.expm1(-height / 0.12), "Pa"), "pressure_error": curves.Curve(np.full(6, 5.0), "Pa")}
-    found.update(hydrostatic=curves.Curve(7500 * height, "Pa"), wall_friction=curves.Curve(np.full(6, 0.4), "1"), ratio=curves.Curve(np.full(6, 0.8), "1"), width=curves.Curve(np.full(6, 0.08), "m"))
+    found = {
+        "height": curves.Curve(height, "m"),
+        "pressure": curves.Curve(900 * -np.expm1(-height / 0.12), "Pa"),
+        "pressure_error": curves.Curve(np.full(6, 5.0), "Pa"),
+    }
+    found.update(
+        hydrostatic=curves.Curve(7500 * height, "Pa"),
+        wall_friction=curves.Curve(np.full(6, 0.4), "1"),
+        ratio=curves.Curve(np.full(6, 0.8), "1"),
+        width=curves.Curve(np.full(6, 0.08), "m"),
+    )
     law = flows.fit_janssen(found)
     assert law["saturation"][0] == pytest.approx(900, rel=1e-4) and law["length"][0] == pytest.approx(0.12, rel=1e-4)
     assert law["length_by_stresses"][0] == pytest.approx(0.08 / 0.64)
@@ -58,10 +81,22 @@ def test_janssens_law_is_found_again():
 def test_a_silo_tells_what_its_walls_carry():
     x, y = np.meshgrid(np.arange(4) + 0.5, np.arange(6) + 0.5)
     material = arenite.Material("clay", density=1000.0)
-    packing = arenite.Packing(0.01 * x.ravel(), 0.01 * y.ravel(), np.full(24, 0.005), materials=[material], width=0.04, height=0.1, thickness=0.1)
+    packing = arenite.Packing(
+        0.01 * x.ravel(),
+        0.01 * y.ravel(),
+        np.full(24, 0.005),
+        materials=[material],
+        width=0.04,
+        height=0.1,
+        thickness=0.1,
+    )
     weight = 1.62 * 1000 * 0.1 * 24 * np.pi * 0.005**2  # on the moon
     recipe = '[[stages]]\nname = "sink"\ngravity = true\ngravity_size = "1.62 m/s^2"\n'
-    history = {"bottom_force": 0.6 * weight + 1e-3 * np.cos(np.arange(200.0) * 2.1), "left_force": np.full(200, 0.5 * weight), "right_force": np.full(200, 0.5 * weight)}
+    history = {
+        "bottom_force": 0.6 * weight + 1e-3 * np.cos(np.arange(200.0) * 2.1),
+        "left_force": np.full(200, 0.5 * weight),
+        "right_force": np.full(200, 0.5 * weight),
+    }
     snapshots = [types.SimpleNamespace(packing=packing)]
     stage = types.SimpleNamespace(name="sink", provenance={"recipe": recipe}, history=history, snapshots=snapshots)
     with pytest.warns(RuntimeWarning):  # no contact tells the ratio of stresses
@@ -90,21 +125,31 @@ def test_a_plateau_is_told_with_its_error_whether_it_is_sure_or_not(monkeypatch)
     for change, reached in ((0, 1), (0.2, 0)):
         normal = 100 * (1 + noise[1])  # fluctuates as the shear stress does not
         shear = 100 * (-0.26 - noise[0])
-        found = {"mu": curves.Curve(shear / normal, "1"), "tau": curves.Curve(shear, "Pa"),
-                 "sigma_yy": curves.Curve(normal, "Pa"),
-                 "solid_fraction": curves.Curve(0.81 + noise[1] + change * drift, "1")}
+        found = {
+            "mu": curves.Curve(shear / normal, "1"),
+            "tau": curves.Curve(shear, "Pa"),
+            "sigma_yy": curves.Curve(normal, "Pa"),
+            "solid_fraction": curves.Curve(0.81 + noise[1] + change * drift, "1"),
+        }
         monkeypatch.setattr(curves, "find_test", lambda result, stage=None: None)
         monkeypatch.setattr(curves, "curves_of", lambda test, found=found: found)
         monkeypatch.setattr(curves, "sides_shear", lambda test: False)
         states = flows.critical_states([result])
         assert states["reached"].values == [reached] and states["friction"].values == [0.4]
         assert abs(states["mu"].values[0] - 0.26) < 4 * states["mu_error"].values[0] < 0.004
-        assert states["solid_fraction"].values[0] == pytest.approx(0.81 + 0.75 * change, abs=2e-3) and states["solid_fraction_error"].values[0] > 1e-4
+        assert (
+            states["solid_fraction"].values[0] == pytest.approx(0.81 + 0.75 * change, abs=2e-3)
+            and states["solid_fraction_error"].values[0] > 1e-4
+        )
 
 
 def test_figures_know_which_study_is_which(tmp_path):
-    stages = {"beverloo": 'gravity = true\ncount_below = "1 mm"', "runout": "gravity = true\nopen = { right = true }", "janssen": 'gravity = true\nbottom = { velocity = "-5 mm/s" }',
-              "critical-state": 'shear_rate = "1 1/s"'}
+    stages = {
+        "beverloo": 'gravity = true\ncount_below = "1 mm"',
+        "runout": "gravity = true\nopen = { right = true }",
+        "janssen": 'gravity = true\nbottom = { velocity = "-5 mm/s" }',
+        "critical-state": 'shear_rate = "1 1/s"',
+    }
     for kind, stage in stages.items():
         for k in range(3):
             run = tmp_path / kind / "runs" / str(k)

@@ -8,7 +8,16 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "src"
 
 # From the ground up. A room includes its own files and those of floors below; the rooms of one floor do not know each other.
-FLOORS = [["core"], ["geometry", "statistics"], ["model"], ["io", "grains", "solid", "thermal"], ["recipe"], ["workflow"], ["campaign"], ["report"]]
+FLOORS = [
+    ["core"],
+    ["geometry", "statistics"],
+    ["model"],
+    ["io", "grains", "solid", "thermal"],
+    ["recipe"],
+    ["workflow"],
+    ["campaign"],
+    ["report"],
+]
 # The chambers of a room, from left to right: one includes itself and those before it.
 CHAMBERS = {
     "grains": ["packing", "dem", "texture", "fields"],
@@ -49,13 +58,26 @@ def test_every_room_has_its_floor():
 
 
 def test_arrows_of_inclusion_point_down():
-    wrong = [f"{file.relative_to(ROOT)} includes {other}" for file in files() for other in included_by(file)
-             if not is_allowed(file.relative_to(SOURCES), other)]
+    wrong = [
+        f"{file.relative_to(ROOT)} includes {other}"
+        for file in files()
+        for other in included_by(file)
+        if not is_allowed(file.relative_to(SOURCES), other)
+    ]
     assert not wrong, "\n".join(wrong)
 
 
 # Headers that take long to compile, and how many sources of the library and the program include each at most.
-HEAVY = {"CLI/": 2, "Eigen/": 5, "boost/": 2, "httplib.h": 1, "nlohmann/": 1, "toml++/": 1, "fmt/format.h": 0, "fmt/ranges.h": 0}
+HEAVY = {
+    "CLI/": 2,
+    "Eigen/": 5,
+    "boost/": 2,
+    "httplib.h": 1,
+    "nlohmann/": 1,
+    "toml++/": 1,
+    "fmt/format.h": 0,
+    "fmt/ranges.h": 0,
+}
 
 
 def test_heavy_headers_are_in_few_sources():
@@ -68,7 +90,7 @@ def test_heavy_headers_are_in_few_sources():
 
 
 def test_folders_and_files_stay_small():
-    """At most twelve rooms, forty files in a folder, three folders deep, 250 lines in a file."""
+    """At most twelve rooms, forty files in a folder, three folders deep, 300 lines in a file, 120 columns."""
     assert len(list(SOURCES.iterdir())) <= 12
     counts = {}
     for file in files():
@@ -77,7 +99,7 @@ def test_folders_and_files_stay_small():
     crowded = [f"{folder.relative_to(ROOT)}: {count} files" for folder, count in sorted(counts.items()) if count > 40]
     assert not crowded, "\n".join(crowded)
     lengths = {file.relative_to(ROOT): len(file.read_text().splitlines()) for file in files()}
-    assert max(lengths.values()) <= 250, [str(file) for file, lines in lengths.items() if lines > 250]
+    assert max(lengths.values()) <= 300, [str(file) for file, lines in lengths.items() if lines > 300]
 
 
 def test_unit_tests_mirror_sources():
@@ -124,12 +146,20 @@ def code_of(file):
 def defines(file, name):
     """Whether a class of this name, or a function of this name with its body, stands in a file."""
     code = code_of(file)
-    return re.search(rf"\b(class|struct) {name}\b[^;]*?{{", code) or re.search(rf"\b{name}\([^;{{}}]*(\{{[^;]*?\}}[^;{{}}]*)?\)[^;{{}}()]*(\([^()]*\))?[^;{{}}]*{{", code)
+    return re.search(rf"\b(class|struct) {name}\b[^;]*?{{", code) or re.search(
+        rf"\b{name}\([^;{{}}]*(\{{[^;]*?\}}[^;{{}}]*)?\)[^;{{}}()]*(\([^()]*\))?[^;{{}}]*{{", code
+    )
 
 
 def test_sources_are_formatted():
     rooms = ["app", "bench", "python", "src", "tests", "validation"]
     sources = [str(p) for room in rooms for p in sorted((ROOT / room).rglob("*.?pp"))]
     assert len(sources) > 500
-    outcome = subprocess.run(["clang-format-14", "--dry-run", "-Werror", *sources], cwd=ROOT, capture_output=True, text=True)
-    assert outcome.returncode == 0, "run clang-format-14 -i on these:\n" + "\n".join(sorted({line.split(":")[0] for line in outcome.stderr.splitlines() if ": error:" in line}))
+    wide = [name for name in sources if any(len(line) > 120 for line in pathlib.Path(name).read_text().splitlines())]
+    assert not wide, wide
+    outcome = subprocess.run(
+        ["clang-format-14", "--dry-run", "-Werror", *sources], cwd=ROOT, capture_output=True, text=True
+    )
+    assert outcome.returncode == 0, "run clang-format-14 -i on these:\n" + "\n".join(
+        sorted({line.split(":")[0] for line in outcome.stderr.splitlines() if ": error:" in line})
+    )

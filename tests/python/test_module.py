@@ -28,18 +28,36 @@ def test_the_package_shows_nothing_of_its_own_imports():
 
 def test_without_its_compiled_part_it_says_what_builds_it(tmp_path):
     shutil.copytree(package, tmp_path / "arenite", ignore=shutil.ignore_patterns("_core*.so", "__pycache__"))
-    found = subprocess.run([sys.executable, "-c", "import arenite"], env={"PYTHONPATH": str(tmp_path)}, cwd=tmp_path, capture_output=True, text=True)
+    found = subprocess.run(
+        [sys.executable, "-c", "import arenite"],
+        env={"PYTHONPATH": str(tmp_path)},
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
     assert found.returncode == 1
     assert "`make build` in the source folder builds it" in found.stderr.splitlines()[-1]
 
 
 def test_a_packing_has_its_velocities_and_its_contacts_theirs():
-    recipe = arenite.Recipe.template("composite", {"populations.0.count": 20, "populations.1.count": 20, "container.width": "90 mm", "packing.solid_fraction": 0.7, "stages.0.equilibrium.max_steps": 2000})
+    recipe = arenite.Recipe.template(
+        "composite",
+        {
+            "populations.0.count": 20,
+            "populations.1.count": 20,
+            "container.width": "90 mm",
+            "packing.solid_fraction": 0.7,
+            "stages.0.equilibrium.max_steps": 2000,
+        },
+    )
     state = arenite.load_stage(arenite.pack(recipe), recipe, "prepare").packing
     for name in ("vx", "vy", "omega"):
         assert getattr(state, name).shape == state.x.shape
     assert np.hypot(state.vx, state.vy).max() > 0
-    assert state.contacts.sliding_velocity.shape == state.contacts.fn.shape and np.isfinite(state.contacts.sliding_velocity).all()
+    assert (
+        state.contacts.sliding_velocity.shape == state.contacts.fn.shape
+        and np.isfinite(state.contacts.sliding_velocity).all()
+    )
 
 
 def described(docstring):
@@ -52,7 +70,11 @@ def test_everything_has_a_docstring():
     silent = [name for name, thing in functions.items() if not described(thing.__doc__)]
     for name, members in classes.items():
         silent += [name] * (not vars(arenite)[name].__doc__)
-        silent += [f"{name}.{member}" for member, thing in members.items() if not described((thing.__func__ if isinstance(thing, staticmethod) else thing).__doc__)]
+        silent += [
+            f"{name}.{member}"
+            for member, thing in members.items()
+            if not described((thing.__func__ if isinstance(thing, staticmethod) else thing).__doc__)
+        ]
     assert not silent
 
 
@@ -91,7 +113,9 @@ def test_identification_reads_the_thesis_tables(examples):
 
 
 def test_a_study_becomes_a_table(tmp_path):
-    recipe = arenite.Recipe.template("cemented", {"bidisperse.box_area": 40, "bidisperse.size_ratio": 1.25, "grid.nodes": 64, "grid.crop": "6 mm"})
+    recipe = arenite.Recipe.template(
+        "cemented", {"bidisperse.box_area": 40, "bidisperse.size_ratio": 1.25, "grid.nodes": 64, "grid.crop": "6 mm"}
+    )
     file = tmp_path / "recipe.toml"
     file.write_text(recipe.toml() + "\n[sweep.grid]\n\"cement.width\" = [0.2, 0.8]\n")
     done = arenite.run_study(str(file), str(tmp_path / "out"))
@@ -103,12 +127,19 @@ def test_a_study_becomes_a_table(tmp_path):
 
 
 def test_a_table_has_the_names_of_the_programs(tmp_path):
-    recipe = arenite.Recipe.template("cemented", {"bidisperse.box_area": 40, "bidisperse.size_ratio": 1.25, "grid.nodes": 64, "grid.crop": "6 mm"})
+    recipe = arenite.Recipe.template(
+        "cemented", {"bidisperse.box_area": 40, "bidisperse.size_ratio": 1.25, "grid.nodes": 64, "grid.crop": "6 mm"}
+    )
     file, out = tmp_path / "recipe.toml", tmp_path / "out"
     file.write_text(recipe.toml() + '\n[sweep.grid]\n"cement.gap" = ["50 um", "80 um"]\n"cement.kind" = ["bridges"]\n')
     arenite.run_study(file, out)
     for by, names in [([], []), (["cement.gap"], ["--by", "cement.gap"])]:
-        written = subprocess.run([os.environ["ARENITE"], "study", "collect", str(file), "--out", str(out), *names], capture_output=True, text=True, check=True).stdout
+        written = subprocess.run(
+            [os.environ["ARENITE"], "study", "collect", str(file), "--out", str(out), *names],
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout
         csv = pathlib.Path(written.splitlines()[0]).read_text()
         table = arenite.study_table(file, out, by=by)
         assert list(table) == list(dict.fromkeys(name.split(" [")[0] for name in csv.splitlines()[0].split(",")))

@@ -18,11 +18,20 @@ def test_there_is_one_for_each_part():
 def test_notebook_runs_as_it_stands(path, tmp_path, monkeypatch):
     notebook = nbformat.read(path, as_version=4)
     nbformat.validate(notebook)
-    assert not [cell.id for cell in notebook.cells if cell.cell_type == "code" and (cell.outputs or cell.execution_count)]
-    for name, value in {"PYTHONPATH": os.environ["ARENITE_PYTHONPATH"], "TMPDIR": str(tmp_path), "IPYTHONDIR": str(tmp_path), "MPLBACKEND": "module://matplotlib_inline.backend_inline"}.items():
+    assert not [
+        cell.id for cell in notebook.cells if cell.cell_type == "code" and (cell.outputs or cell.execution_count)
+    ]
+    for name, value in {
+        "PYTHONPATH": os.environ["ARENITE_PYTHONPATH"],
+        "TMPDIR": str(tmp_path),
+        "IPYTHONDIR": str(tmp_path),
+        "MPLBACKEND": "module://matplotlib_inline.backend_inline",
+    }.items():
         monkeypatch.setenv(name, value)
     before = set(folder.iterdir())
-    nbclient.NotebookClient(notebook, timeout=300, kernel_name="python3", resources={"metadata": {"path": str(folder)}}).execute()
+    nbclient.NotebookClient(
+        notebook, timeout=300, kernel_name="python3", resources={"metadata": {"path": str(folder)}}
+    ).execute()
     shown = [output for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs]
     assert [o for o in shown if o.output_type == "display_data" and "image/png" in o.data]
     assert set(folder.iterdir()) == before

@@ -76,7 +76,9 @@ def test_a_stage_alone_has_all_numbers_of_a_runs_stage(tmp_path):
     assert pour.texture == run[1].texture and pour.provenance["recipe"] == run[1].provenance["recipe"]
     fall = arenite.load_stage(pour.packing, recipe, "fall").texture
     assert {"discharge", "surface", "cohesion"} <= fall.keys() and "width_before_m" in fall["surface"]
-    assert {part: set(fall[part]) for part in fall if isinstance(fall[part], dict)} == {part: set(run[2].texture[part]) for part in fall if isinstance(fall[part], dict)}
+    assert {part: set(fall[part]) for part in fall if isinstance(fall[part], dict)} == {
+        part: set(run[2].texture[part]) for part in fall if isinstance(fall[part], dict)
+    }
 
 
 def test_forces_balance(result):
@@ -135,19 +137,47 @@ def test_python_threads_are_not_stopped_by_a_run(recipe):
 def test_contacts_of_ones_own_are_measured_as_those_of_a_run(result):
     p = result.stages[-1].packing
     d = p.domain
-    frame = {"width": d["width"], "height": d["height"], "thickness": d["thickness"], "origin": (d["left"]["position"], d["bottom"]["position"])}
+    frame = {
+        "width": d["width"],
+        "height": d["height"],
+        "thickness": d["thickness"],
+        "origin": (d["left"]["position"], d["bottom"]["position"]),
+    }
     own = arenite.Packing(p.x, p.y, p.radius, p.material, p.materials, contacts=p.contacts, **frame)
-    columns = arenite.Packing(p.x, p.y, p.radius, p.material, p.materials, contacts={name: getattr(p.contacts, name) for name in ("i", "j", "fn", "ft")}, **frame)
+    columns = arenite.Packing(
+        p.x,
+        p.y,
+        p.radius,
+        p.material,
+        p.materials,
+        contacts={name: getattr(p.contacts, name) for name in ("i", "j", "fn", "ft")},
+        **frame,
+    )
     for other in (own, columns):
-        assert np.allclose(other.contacts.nx, p.contacts.nx, atol=1e-9) and np.array_equal(other.contacts.fn, p.contacts.fn)
-        assert arenite.measure(other)["stress_details"]["pressure_Pa"] == pytest.approx(arenite.measure(p)["stress_details"]["pressure_Pa"], rel=1e-6)
+        assert np.allclose(other.contacts.nx, p.contacts.nx, atol=1e-9) and np.array_equal(
+            other.contacts.fn, p.contacts.fn
+        )
+        assert arenite.measure(other)["stress_details"]["pressure_Pa"] == pytest.approx(
+            arenite.measure(p)["stress_details"]["pressure_Pa"], rel=1e-6
+        )
         assert arenite.measure(other)["coordination"]["all"] == arenite.measure(p)["coordination"]["all"]
 
 
-@pytest.mark.parametrize("contacts, sentence", [
-    ({"i": [0], "j": [99]}, "not among the grains"), ({"i": [0], "j": [0]}, "touch itself"), ({"i": [0], "j": [-5]}, "whole numbers from -4"), ({"i": [-1], "j": [0]}, "whole numbers from 0"),
-    ({"i": [0]}, 'no "j"'), ({"i": [0], "j": [1], "fn": [1.0, 2.0]}, "equal length"), ({"i": [0], "j": [1], "fn": [np.nan]}, "finite"), (3, "a dict"), ({"i": [0], "j": [30], "fn": [1.0]}, "apart"),
-    ({"i": [0, 1], "j": [1, 0]}, "already")])
+@pytest.mark.parametrize(
+    "contacts, sentence",
+    [
+        ({"i": [0], "j": [99]}, "not among the grains"),
+        ({"i": [0], "j": [0]}, "touch itself"),
+        ({"i": [0], "j": [-5]}, "whole numbers from -4"),
+        ({"i": [-1], "j": [0]}, "whole numbers from 0"),
+        ({"i": [0]}, 'no "j"'),
+        ({"i": [0], "j": [1], "fn": [1.0, 2.0]}, "equal length"),
+        ({"i": [0], "j": [1], "fn": [np.nan]}, "finite"),
+        (3, "a dict"),
+        ({"i": [0], "j": [30], "fn": [1.0]}, "apart"),
+        ({"i": [0, 1], "j": [1, 0]}, "already"),
+    ],
+)
 def test_contacts_that_cannot_be_are_refused(contacts, sentence):
     x, y = np.meshgrid(np.arange(1, 13, 2) * 1e-3, np.arange(1, 13, 2) * 1e-3)
     with pytest.raises(ValueError, match=sentence):
@@ -157,7 +187,9 @@ def test_contacts_that_cannot_be_are_refused(contacts, sentence):
 def test_files_are_read_with_what_they_do_not_say(tmp_path):
     (tmp_path / "grains.csv").write_text("id,x,y,radius\n0,1,1,1\n1,3,1,1\n")
     (tmp_path / "contacts.csv").write_text("i,j,fn\n0,1,5\n")
-    p = arenite.read_packing(tmp_path / "grains.csv", tmp_path / "contacts.csv", box=("4 mm", "2 mm"), length_unit="mm", thickness="10 mm")
+    p = arenite.read_packing(
+        tmp_path / "grains.csv", tmp_path / "contacts.csv", box=("4 mm", "2 mm"), length_unit="mm", thickness="10 mm"
+    )
     assert p.domain["width"] == 4e-3 and p.domain["thickness"] == 10e-3 and list(p.x) == [1e-3, 3e-3]
     with pytest.raises(ValueError, match=r"correct its centre, box or origin"):
         arenite.read_packing(tmp_path / "grains.csv", box=(2e-3, 2e-3), origin=(0, 0), length_unit="mm")
@@ -186,7 +218,10 @@ def test_stages_are_stored_exported_and_shown_as_a_page(recipe, result, tmp_path
     assert result.title == recipe.title and result.converged == stage.converged
     (file,) = arenite.save(result, tmp_path / "stored")
     again = arenite.open(tmp_path / "stored")
-    assert np.array_equal(again.stages[0].packing.x, stage.packing.x) and again.numbers["provenance"] == result.numbers["provenance"]
+    assert (
+        np.array_equal(again.stages[0].packing.x, stage.packing.x)
+        and again.numbers["provenance"] == result.numbers["provenance"]
+    )
     for what in (file, stage, stage.packing, result):
         files = arenite.export(what, tmp_path / "exported", "csv", last=True)
         assert files and all(pathlib.Path(f).parent == tmp_path / "exported" for f in files)
@@ -202,7 +237,8 @@ def test_stages_are_stored_exported_and_shown_as_a_page(recipe, result, tmp_path
 
 
 def test_forces_follow_from_the_moduli_of_the_materials(tmp_path):
-    recipe = arenite.Recipe.from_text("""[container]
+    recipe = arenite.Recipe.from_text(
+        """[container]
 width = "30 mm"
 height = "30 mm"
 thickness = "10 mm"
@@ -229,7 +265,8 @@ name = "press"
 right = { force = "20 N" }
 top = { force = "20 N" }
 equilibrium = { unbalanced = 1e-5, kinetic = 1e-10 }
-""")
+"""
+    )
     packing = arenite.open(arenite.run(recipe, str(tmp_path / "out")).path).stages[-1].packing  # as stored
     constants = {m.name: (m.youngs_modulus, m.poisson) for m in packing.materials}
     assert constants == {"hard": (0.7e9, 0.22), "soft": (0.1e9, 0.45)} and arenite.Material("other").poisson is None

@@ -18,6 +18,6 @@ def test_of_a_run_and_of_a_load(recipe, tmp_path):
     (tmp_path / "recipe.toml").write_text(recipe.toml())
     program("run", "recipe.toml", "--out", "out", folder=tmp_path)
     check_page(tmp_path / "out")
-    sample, = (tmp_path / "out").glob("*cement*.h5")
+    (sample,) = (tmp_path / "out").glob("*cement*.h5")
     program("load", str(sample), "--out", "loaded", folder=tmp_path)
     check_page(tmp_path / "loaded")

@@ -11,7 +11,9 @@ _head = f"import sys; sys.path.insert(0, {os.environ['ARENITE_PYTHONPATH']!r})\n
 
 def run(program, *arguments):
     """What the program prints; a program that hangs fails the test."""
-    done = subprocess.run([sys.executable, "-c", _head + program, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+    done = subprocess.run(
+        [sys.executable, "-c", _head + program, *map(str, arguments)], capture_output=True, text=True, timeout=300
+    )
     assert done.returncode == 0, done.stderr
     return done.stdout.split()
 

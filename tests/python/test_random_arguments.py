@@ -20,11 +20,17 @@ def grains(n):
 
 def film():
     t, phase = np.arange(60) / 30.0, np.linspace(0, 1, 48).reshape(1, 6, 8)
-    return 300 + 0.1 * phase * np.cos(2 * np.pi * 3 * t)[:, None, None] + 0.001 * np.sin(np.arange(60 * 48).reshape(60, 6, 8) ** 1.5)
+    return (
+        300
+        + 0.1 * phase * np.cos(2 * np.pi * 3 * t)[:, None, None]
+        + 0.001 * np.sin(np.arange(60 * 48).reshape(60, 6, 8) ** 1.5)
+    )
 
 
 def small_recipe():
-    return arenite.Recipe.template("composite", {"populations.0.count": 6, "populations.1.count": 6, "container.width": "60 mm"})
+    return arenite.Recipe.template(
+        "composite", {"populations.0.count": 6, "populations.1.count": 6, "container.width": "60 mm"}
+    )
 
 
 def things(folder):
@@ -32,15 +38,59 @@ def things(folder):
     maps = arenite.lock_in(film(), 3.0, frame_rate=30.0)
     phase = np.full((12, 12), 1)
     phase[4:8, 4:8] = 2
-    return [None, True, -1, 0, 1, 7, 2**31, -2**63, 0.5, 1e-3, 1e300, float("nan"), float("inf"), "", "x", "1 mm", "3 Hz", "\x00", "a" * 300, b"bytes",
-            [], [1.0, 2.0], [[1.0], [2.0]], {}, {"a": 1}, (0, 0), object(), np.zeros(0), np.eye(4), np.full((6, 8), np.nan), np.zeros((2, 3, 4)), film(),
-            grains(1), grains(5), maps, maps.mean, arenite.PhaseMap(phase, dx=1e-3), small_recipe(), os.fspath(folder),
-            os.fspath(folder / "none.h5"), lambda *_: None]
+    return [
+        None,
+        True,
+        -1,
+        0,
+        1,
+        7,
+        2**31,
+        -(2**63),
+        0.5,
+        1e-3,
+        1e300,
+        float("nan"),
+        float("inf"),
+        "",
+        "x",
+        "1 mm",
+        "3 Hz",
+        "\x00",
+        "a" * 300,
+        b"bytes",
+        [],
+        [1.0, 2.0],
+        [[1.0], [2.0]],
+        {},
+        {"a": 1},
+        (0, 0),
+        object(),
+        np.zeros(0),
+        np.eye(4),
+        np.full((6, 8), np.nan),
+        np.zeros((2, 3, 4)),
+        film(),
+        grains(1),
+        grains(5),
+        maps,
+        maps.mean,
+        arenite.PhaseMap(phase, dx=1e-3),
+        small_recipe(),
+        os.fspath(folder),
+        os.fspath(folder / "none.h5"),
+        lambda *_: None,
+    ]
 
 
 def functions():
     names = [name for name in dir(arenite._core) if not name.startswith("_") and callable(getattr(arenite._core, name))]
-    return [name for name in names if not isinstance(getattr(arenite._core, name), type) or not issubclass(getattr(arenite._core, name), BaseException)]
+    return [
+        name
+        for name in names
+        if not isinstance(getattr(arenite._core, name), type)
+        or not issubclass(getattr(arenite._core, name), BaseException)
+    ]
 
 
 @pytest.mark.parametrize("name", functions())

@@ -93,13 +93,16 @@ kind = "map"
 x = "solid_fraction"
 y = ["S_m"]
 by = "cement.width"
-""" + "".join(f"""
+""" + "".join(
+    f"""
 [[figures]]
 id = "{kind}"
 title = "One run"
 kind = "{kind}"
 {'stage = "break"' if kind == "cracks" else ""}
-""" for kind in ["grains", "forces", "stresses", "phases", "zoom", "cracks", "film"])
+"""
+    for kind in ["grains", "forces", "stresses", "phases", "zoom", "cracks", "film"]
+)
 
 
 @pytest.fixture(scope="module")
@@ -107,11 +110,29 @@ def study(tmp_path_factory):
     folder = tmp_path_factory.mktemp("study")
     (folder / "small.toml").write_text(recipe)
     (folder / "figures.toml").write_text(declared)
-    subprocess.run([os.environ["ARENITE"], "study", "run", "small.toml", "--out", "out", "--quiet"], cwd=folder, check=True, capture_output=True)
+    subprocess.run(
+        [os.environ["ARENITE"], "study", "run", "small.toml", "--out", "out", "--quiet"],
+        cwd=folder,
+        check=True,
+        capture_output=True,
+    )
     return folder / "out"
 
 
-drawn = {"saturation", "density", "rose", "counts", "window", "map", "grains", "forces", "stresses", "phases", "zoom", "cracks"}
+drawn = {
+    "saturation",
+    "density",
+    "rose",
+    "counts",
+    "window",
+    "map",
+    "grains",
+    "forces",
+    "stresses",
+    "phases",
+    "zoom",
+    "cracks",
+}
 
 
 def test_every_figure_of_the_page_is_drawn_in_column_width_with_its_fonts(study, tmp_path):
@@ -128,28 +149,43 @@ def test_every_figure_of_the_page_is_drawn_in_column_width_with_its_fonts(study,
 
 def test_the_same_study_gives_the_same_bytes(study, tmp_path):
     for form in ("pdf", "svg", "png"):
-        first, second = (figures.save_all(study, tmp_path / turn, (form,), ["density", "zoom", "forces"]) for turn in "ab")
+        first, second = (
+            figures.save_all(study, tmp_path / turn, (form,), ["density", "zoom", "forces"]) for turn in "ab"
+        )
         assert [p.read_bytes() for p in first] == [p.read_bytes() for p in second]
 
 
 def test_numbers_are_those_of_the_page(study):
     document = figures.study_document(study)
     assert document == figures.study_document(study / "study.html")
-    page = json.loads((study / "study.html").read_text().split('<script type="application/json" id="figures">')[1].split("</script>")[0])
+    page = json.loads(
+        (study / "study.html")
+        .read_text()
+        .split('<script type="application/json" id="figures">')[1]
+        .split("</script>")[0]
+    )
     assert document == {name: page[name] for name in ("title", "figures")}
     (shown,) = [f for f in document["figures"] if f["id"] == "saturation"]
     canvas = figures.catalogue.Canvas()
     figures.draw_study_plot(canvas.add_subplot(), shown)
     bars = canvas.axes[0].containers
     assert [bar.get_label() for bar in bars] == ["S$_\\mathrm{m}$", "ρ$_\\mathrm{p}$", "beside"]
-    assert [list(point) for point in bars[0].lines[0].get_xydata()] == [point[:2] for point in shown["series"][0]["points"]]
+    assert [list(point) for point in bars[0].lines[0].get_xydata()] == [
+        point[:2] for point in shown["series"][0]["points"]
+    ]
 
 
 def test_bands_and_ticks_show_the_scatter_over_samples(study):
     shown = {figure["id"]: figure for figure in figures.study_document(study)["figures"]}
     canvas = figures.catalogue.Canvas()
     figures.draw_study_plot(canvas.add_subplot(), shown["density"])
-    assert sum(type(part).__name__ in ("PolyCollection", "FillBetweenPolyCollection") for part in canvas.axes[0].collections) == 3
+    assert (
+        sum(
+            type(part).__name__ in ("PolyCollection", "FillBetweenPolyCollection")
+            for part in canvas.axes[0].collections
+        )
+        == 3
+    )
     canvas = figures.catalogue.Canvas()
     figures.draw_study_rose(canvas.add_subplot(projection="polar"), shown["counts"])
     assert len(canvas.axes[0].collections) == 2
@@ -160,10 +196,14 @@ def test_bands_and_ticks_show_the_scatter_over_samples(study):
 
 
 def test_the_command_draws_and_tells_what_it_cannot(study, tmp_path):
-    run = subprocess.run([os.environ["ARENITE"], "figures", str(study), "--out", str(tmp_path)], capture_output=True, text=True)
+    run = subprocess.run(
+        [os.environ["ARENITE"], "figures", str(study), "--out", str(tmp_path)], capture_output=True, text=True
+    )
     assert run.returncode == 0, run.stderr
     assert len(run.stdout.splitlines()) == len(drawn)
-    assert run.stderr == "film: Not drawn: no film of this run was made; arenite verify thesis without --small makes it.\n"
+    assert (
+        run.stderr == "film: Not drawn: no film of this run was made; arenite verify thesis without --small makes it.\n"
+    )
 
 
 def test_wrong_requests_are_refused_in_one_sentence(study, tmp_path):
@@ -171,7 +211,11 @@ def test_wrong_requests_are_refused_in_one_sentence(study, tmp_path):
         figures.save_all(study, tmp_path, names=["nothing"])
     (tmp_path / "runs.tsv").write_text("")
     run = subprocess.run([os.environ["ARENITE"], "figures", str(tmp_path)], capture_output=True, text=True)
-    assert run.returncode == 2 and run.stderr.count("\n") == 1 and "this study has no page yet; `arenite study page" in run.stderr
+    assert (
+        run.returncode == 2
+        and run.stderr.count("\n") == 1
+        and "this study has no page yet; `arenite study page" in run.stderr
+    )
     shutil.copy(study / "study.html", tmp_path)
     for page_alone in (tmp_path / "study.html", tmp_path):
         with pytest.raises(ValueError, match="study.hdf5, are missing beside it; give the study's folder"):

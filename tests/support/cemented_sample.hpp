@@ -53,7 +53,9 @@ inline Grains pressed_disks(const CementedSample& sample, double side) {
   domain.periodic[0] = domain.periodic[1] = true;
   for (auto& wall : domain.wall) wall.present = false;
   domain.wall[right].position = domain.wall[top].position = side;
-  for (std::size_t i = 0; i < grains.size(); ++i) { grains.position[i] = {random.uniform(0, side), random.uniform(0, side)}; }
+  for (std::size_t i = 0; i < grains.size(); ++i) {
+    grains.position[i] = {random.uniform(0, side), random.uniform(0, side)};
+  }
   packing::relax(grains, domain, 1e-4, 400);
   return grains;
 }
@@ -62,12 +64,15 @@ inline PhaseMap cemented_sample(const CementedSample& sample) {
   const double side = 25.6, per_node = side / sample.nodes;
   const Grains grains = pressed_disks(sample, side);
   PhaseMap map = make_phase_map(sample.nodes, sample.nodes, 1e-3 * per_node);
-  for (std::size_t g = 0; g < grains.size(); ++g) map.grain_class.push_back(grains.material[g] ? GrainClass::large : GrainClass::small);
+  for (std::size_t g = 0; g < grains.size(); ++g)
+    map.grain_class.push_back(grains.material[g] ? GrainClass::large : GrainClass::small);
 
   std::vector<double> depth(map.size(), 0);
   const auto visit = [&](double x0, double x1, double y0, double y1, auto&& node) {
     const auto low = [&](double a) { return std::max(0, static_cast<int>(std::ceil(a / per_node - 0.5))); };
-    const auto high = [&](double a) { return std::min(sample.nodes - 1, static_cast<int>(std::floor(a / per_node - 0.5))); };
+    const auto high = [&](double a) {
+      return std::min(sample.nodes - 1, static_cast<int>(std::floor(a / per_node - 0.5)));
+    };
     for (int y = low(y0); y <= high(y1); ++y)
       for (int x = low(x0); x <= high(x1); ++x) node(map.index(x, y), (x + 0.5) * per_node, (y + 0.5) * per_node);
   };
@@ -90,16 +95,19 @@ inline PhaseMap cemented_sample(const CementedSample& sample) {
     for (auto& p : map.phase) p = p == Phase::empty ? Phase::matrix : p;
     return map;
   }
-  for (const auto [a, b] : geometry::close_pairs(grains.position, grains.radius, {{}, {side, side}, {true, true}}, sample.gap))
+  for (const auto [a, b] :
+       geometry::close_pairs(grains.position, grains.radius, {{}, {side, side}, {true, true}}, sample.gap))
     images([&](double sx, double sy) {
       const double ax = grains.position[a].x + sx, ay = grains.position[a].y + sy;
       const double dx = std::remainder(grains.position[b].x - grains.position[a].x, side),
                    dy = std::remainder(grains.position[b].y - grains.position[a].y, side);
       const double l2 = dx * dx + dy * dy, wide = sample.bridge * std::max(grains.radius[a], grains.radius[b]);
-      visit(std::min(ax, ax + dx) - wide, std::max(ax, ax + dx) + wide, std::min(ay, ay + dy) - wide, std::max(ay, ay + dy) + wide,
-            [&](std::size_t i, double x, double y) {
-              const double t = ((x - ax) * dx + (y - ay) * dy) / l2, across = std::abs((x - ax) * dy - (y - ay) * dx) / std::sqrt(l2);
-              if (t < 0 || t > 1 || across > sample.bridge * ((1 - t) * grains.radius[a] + t * grains.radius[b])) return;
+      visit(std::min(ax, ax + dx) - wide, std::max(ax, ax + dx) + wide, std::min(ay, ay + dy) - wide,
+            std::max(ay, ay + dy) + wide, [&](std::size_t i, double x, double y) {
+              const double t = ((x - ax) * dx + (y - ay) * dy) / l2,
+                           across = std::abs((x - ax) * dy - (y - ay) * dx) / std::sqrt(l2);
+              if (t < 0 || t > 1 || across > sample.bridge * ((1 - t) * grains.radius[a] + t * grains.radius[b]))
+                return;
               if (map.phase[i] == Phase::empty) map.phase[i] = Phase::matrix;
             });
     });

@@ -11,10 +11,12 @@
 
 namespace arenite::test {
 
-/// 1/f noise of standard deviation 1 over so many samples: white noise through the filter (1 - z^-1)^(-1/2) (Kasdin 1995).
+/// 1/f noise of standard deviation 1 over so many samples: white noise through the filter (1 - z^-1)^(-1/2) (Kasdin
+/// 1995).
 inline std::vector<double> flicker(std::size_t samples, RandomStream& random) {
   std::vector<double> tap(samples, 1), white(samples), noise(samples);
-  for (std::size_t k = 1; k < samples; ++k) tap[k] = tap[k - 1] * (static_cast<double>(k) - 0.5) / static_cast<double>(k);
+  for (std::size_t k = 1; k < samples; ++k)
+    tap[k] = tap[k - 1] * (static_cast<double>(k) - 0.5) / static_cast<double>(k);
   for (double& w : white) w = random.normal();
   double mean = 0, square = 0;
   for (std::size_t n = 0; n < samples; ++n) {
@@ -26,8 +28,9 @@ inline std::vector<double> flicker(std::size_t samples, RandomStream& random) {
   return noise;
 }
 
-/// A film of a laboratory in kelvin: in the middle a sample of 12 squares whose pixels have amplitudes of 10 to 54 mK, all in
-/// phase, and a little second harmonic; round it a holder that no load reaches. Each disturbance has a random generator of its own.
+/// A film of a laboratory in kelvin: in the middle a sample of 12 squares whose pixels have amplitudes of 10 to 54 mK,
+/// all in phase, and a little second harmonic; round it a holder that no load reaches. Each disturbance has a random
+/// generator of its own.
 struct DisturbedFilm {
   int width = 56, height = 44, border = 8;  ///< pixels
   std::size_t frames = 1480;                ///< that the camera took
@@ -51,9 +54,11 @@ struct DisturbedFilm {
   }
 
   Film draw() const {
-    RandomStream shared(seed, Purpose::test, 1), by_column(seed, Purpose::test, 2), own(seed, Purpose::test, 3), pattern(seed, Purpose::test, 4);
+    RandomStream shared(seed, Purpose::test, 1), by_column(seed, Purpose::test, 2), own(seed, Purpose::test, 3),
+        pattern(seed, Purpose::test, 4);
     const std::vector<double> all = common > 0 ? flicker(frames, shared) : std::vector<double>(frames);
-    std::vector<std::vector<double>> column(static_cast<std::size_t>(width), std::vector<double>(columns > 0 ? 0 : frames));
+    std::vector<std::vector<double>> column(static_cast<std::size_t>(width),
+                                            std::vector<double>(columns > 0 ? 0 : frames));
     if (columns > 0)
       for (auto& each : column) each = flicker(frames, by_column);
     Film film;
@@ -70,8 +75,10 @@ struct DisturbedFilm {
         const double a = amplitude(p), white = own.normal();
         if (!kept) continue;
         const double load = a * std::cos(angle - phase) + 0.02 * a * std::cos(2 * angle - 1);
-        const double shift = common * all[n] + columns * column[p % static_cast<std::size_t>(width)][n] + (n >= jump_frame ? step[p] : 0);
-        film.value.push_back(static_cast<float>(296 + 0.1 * static_cast<double>(p % 7) + slope * t + drift(t) + load + shift + noise * white));
+        const double shift = common * all[n] + columns * column[p % static_cast<std::size_t>(width)][n] +
+                             (n >= jump_frame ? step[p] : 0);
+        film.value.push_back(static_cast<float>(296 + 0.1 * static_cast<double>(p % 7) + slope * t + drift(t) + load +
+                                                shift + noise * white));
       }
     }
     return film;

@@ -28,9 +28,11 @@ struct Drawing {
   std::uint64_t seed = 1;
 };
 
-/// Grains of a packing kept in tests/data/packings as a camera with pixels of this width (m) sees them; "POM" is material 0.
+/// Grains of a packing kept in tests/data/packings as a camera with pixels of this width (m) sees them; "POM" is
+/// material 0.
 inline std::vector<DrawnDisk> packing_in_pixels(const std::string& name, double pixel, double left, double floor_row) {
-  const std::filesystem::path path = std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/packings" / (name + ".csv");
+  const std::filesystem::path path =
+      std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/packings" / (name + ".csv");
   Problems problems(path.string());
   const std::string text = io::read_file(path);
   std::vector<DrawnDisk> disks;
@@ -38,7 +40,8 @@ inline std::vector<DrawnDisk> packing_in_pixels(const std::string& name, double 
   io::RawGrains grains = io::samples::csv.grains({text, 0, options, problems});
   io::lay_in_plane(grains, problems);
   for (const io::RawGrain& row : grains.rows)
-    disks.push_back({left + row.centre.x / pixel, floor_row - row.centre.y / pixel, row.radius / pixel, 1, row.material == "POM" ? 0 : 1});
+    disks.push_back({left + row.centre.x / pixel, floor_row - row.centre.y / pixel, row.radius / pixel, 1,
+                     row.material == "POM" ? 0 : 1});
   problems.raise();
   return disks;
 }
@@ -60,7 +63,8 @@ inline FloatImage draw(const std::vector<DrawnDisk>& disks, const Drawing& how) 
   for (std::size_t i = 0; i < image.size(); ++i) {
     const float over = std::max(1.0F, covered.value[i]);  // overlaps count once
     image.value[i] = image.value[i] / over + std::max(0.0F, 1 - covered.value[i]) * static_cast<float>(how.background);
-    image.value[i] *= static_cast<float>(1 - how.slope * static_cast<double>(i % static_cast<std::size_t>(how.width)) / how.width);
+    image.value[i] *=
+        static_cast<float>(1 - how.slope * static_cast<double>(i % static_cast<std::size_t>(how.width)) / how.width);
   }
   image = imaging::blurred(image, how.blur);
   RandomStream random(how.seed, Purpose::test);

@@ -46,7 +46,8 @@ struct FieldPageSample {
     load.provenance.input_hash = "00112233445566bb";
     load.field = std::move(field);
     load.convergence.columns = {{"iteration", "1", {}}, {"residual", "1", report.history}};
-    for (std::size_t k = 0; k < report.history.size(); ++k) load.convergence.columns[0].values.push_back(static_cast<double>(k));
+    for (std::size_t k = 0; k < report.history.size(); ++k)
+      load.convergence.columns[0].values.push_back(static_cast<double>(k));
     workflow::add_load(load.numbers, {}, report, {});
     load.numbers["stress"] = stress::numbers(stress::measure(load.map, load.field, {}));
   }
@@ -63,16 +64,18 @@ struct FieldPageSample {
     pull.provenance.stage = "failure";
     pull.provenance.input_hash = "00112233445566cc";
     pull.field = load.field;
-    pull.curve.columns = {{"strain", "1", {}}, {"stress", "Pa", {}}, {"work", "J/m", {}}, {"elastic", "J/m", {}}, {"released", "J/m", {}}, {"broken", "1", {}}};
+    pull.curve.columns = {{"strain", "1", {}},    {"stress", "Pa", {}},    {"work", "J/m", {}},
+                          {"elastic", "J/m", {}}, {"released", "J/m", {}}, {"broken", "1", {}}};
     for (const auto& state : result.curve) {
-      const double row[6] = {state.strain, state.stress, state.work, state.elastic, state.released, static_cast<double>(state.broken)};
+      const double row[6] = {state.strain,  state.stress,   state.work,
+                             state.elastic, state.released, static_cast<double>(state.broken)};
       for (std::size_t c = 0; c < 6; ++c) pull.curve.columns[c].values.push_back(row[c]);
     }
     const double dx = pull.map.dx;
     for (const auto& bond : result.broken) {
       const auto& step = peridynamics::half_bonds[bond.direction];
-      pull.cracks.push_back(
-          {static_cast<float>((bond.x + 0.5 * (1 + step.x)) * dx), static_cast<float>((bond.y + 0.5 * (1 + step.y)) * dx), bond.type, bond.strain});
+      pull.cracks.push_back({static_cast<float>((bond.x + 0.5 * (1 + step.x)) * dx),
+                             static_cast<float>((bond.y + 0.5 * (1 + step.y)) * dx), bond.type, bond.strain});
     }
   }
 };

@@ -5,7 +5,8 @@
 
 namespace arenite::test {
 
-/// A result on a small grid with numbers that distinguish every field from every other: two grains with a bridge between them.
+/// A result on a small grid with numbers that distinguish every field from every other: two grains with a bridge
+/// between them.
 inline FieldResult small_field(int width = 12, int height = 9) {
   FieldResult r;
   r.provenance = {"0.1.0", "tension", "0123456789abcdef", "title = \"field\"\n", 5, "portable", {{"key", "value"}}};

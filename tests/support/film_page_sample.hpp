@@ -13,9 +13,9 @@
 
 namespace arenite::test {
 
-/// What a film of a container with disks of two materials might have given: warming as the closed form has it, with noise;
-/// forces and grain stresses are the true ones with errors as large as they say. Some contacts are not there; two
-/// pixels are bad. Beside it the maps alone, as of a film without grains, and the grains' stresses alone.
+/// What a film of a container with disks of two materials might have given: warming as the closed form has it, with
+/// noise; forces and grain stresses are the true ones with errors as large as they say. Some contacts are not there;
+/// two pixels are bad. Beside it the maps alone, as of a film without grains, and the grains' stresses alone.
 struct FilmPageSample {
   std::array<FilmResult, 3> results;
   FilmResult &maps_only = results[0], &stresses_only = results[1], &film = results[2];
@@ -48,7 +48,8 @@ struct FilmPageSample {
     stresses_only.packing = film.packing;
     stresses_only.packing.contacts = {};
     stresses_only.peak_to_peak = film.peak_to_peak;
-    for (FilmResult* part : {&maps_only, &stresses_only}) part->numbers = workflow::film_numbers(*part, workflow::texture_of(*part));
+    for (FilmResult* part : {&maps_only, &stresses_only})
+      part->numbers = workflow::film_numbers(*part, workflow::texture_of(*part));
     data.films = results;
   }
 
@@ -72,16 +73,19 @@ struct FilmPageSample {
     film.film.format = "ptw";
     film.film.camera = "JADE III";
     film.film.quantity = FilmQuantity::kelvin;
-    film.origin = {box.wall[left].position - (border - 0.5) * film.pixel, box.wall[top].position + (border - 0.5) * film.pixel};
+    film.origin = {box.wall[left].position - (border - 0.5) * film.pixel,
+                   box.wall[top].position + (border - 0.5) * film.pixel};
   }
 
   std::vector<elasticity::Disk> disks() const {
     std::vector<elasticity::Disk> all;
-    for (const double r : truth_.grains.radius) all.push_back({r, truth_.domain.thickness, {}, elasticity::Traction::point});
+    for (const double r : truth_.grains.radius)
+      all.push_back({r, truth_.domain.thickness, {}, elasticity::Traction::point});
     const Contacts& c = truth_.contacts;
     for (std::size_t k = 0; k < c.size(); ++k) {
       all[static_cast<std::size_t>(c.i[k])].forces.push_back({c.normal[k], c.fn[k], c.ft[k], 0});
-      if (!c.is_wall(k)) all[static_cast<std::size_t>(c.j[k])].forces.push_back({-1 * c.normal[k], c.fn[k], c.ft[k], 0});
+      if (!c.is_wall(k))
+        all[static_cast<std::size_t>(c.j[k])].forces.push_back({-1 * c.normal[k], c.fn[k], c.ft[k], 0});
     }
     return all;
   }
@@ -122,7 +126,8 @@ struct FilmPageSample {
         maps.in_phase.push_back(real(cosine));
         maps.quadrature.push_back(real(sine));
         maps.amplitude.push_back(real(std::hypot(cosine, sine)));
-        maps.phase.push_back(real(std::remainder(maps.reference_phase + std::atan2(sine, cosine), 2 * std::numbers::pi)));
+        maps.phase.push_back(
+            real(std::remainder(maps.reference_phase + std::atan2(sine, cosine), 2 * std::numbers::pi)));
         maps.residual.push_back(real(0.022 * (1 + 0.03 * random_.normal()) + 0.02 * std::abs(amplitude)));
         maps.standard_error.push_back(real(maps.residual.back() / 18 * (1 + 0.05 * random_.normal())));
         maps.second_harmonic.push_back(real(std::hypot(noise_ * random_.normal(), noise_ * random_.normal())));
@@ -137,7 +142,8 @@ struct FilmPageSample {
     const Grains& grains = truth_.grains;
     const auto all = disks();
     for (std::size_t g = 0; g < grains.size(); ++g) {
-      film.grains.centre.push_back({(grains.position[g].x - film.origin.x) / film.pixel, (film.origin.y - grains.position[g].y) / film.pixel});
+      film.grains.centre.push_back(
+          {(grains.position[g].x - film.origin.x) / film.pixel, (film.origin.y - grains.position[g].y) / film.pixel});
       film.grains.radius.push_back(grains.radius[g] / film.pixel);
       film.grains.position_error.push_back(0.06);
       film.grains.radius_error.push_back(0.05);
@@ -150,8 +156,10 @@ struct FilmPageSample {
       film.peak_to_peak.temperature.push_back(-2 * factor_[grains.material[g]] * film.peak_to_peak.sigma_hyd.back());
       film.peak_to_peak.error.push_back(error);
       film.peak_to_peak.pixels.push_back(40);
-      film.simulation.peak_to_peak.push_back(sigma * (1 + 0.18 * random_.normal()) - 0.05e6 * std::abs(random_.normal()));
-      film.simulation.state.push_back(1.15 * film.simulation.peak_to_peak.back() * (1 + 0.1 * random_.normal()) - 0.04e6);
+      film.simulation.peak_to_peak.push_back(sigma * (1 + 0.18 * random_.normal()) -
+                                             0.05e6 * std::abs(random_.normal()));
+      film.simulation.state.push_back(1.15 * film.simulation.peak_to_peak.back() * (1 + 0.1 * random_.normal()) -
+                                      0.04e6);
     }
   }
 
@@ -178,7 +186,8 @@ struct FilmPageSample {
     film.fit.proposed = c.size() + 5, film.fit.present = static_cast<double>(c.size()), film.fit.present_error = 2;
     film.fit.picture = film.maps.in_phase;
     film.fit.over_noise = 1.4, film.fit.over_signal = 0.05, film.fit.model_error = 0.02, film.fit.load = 54e3;
-    film.fit.factor_scale.assign(film.packing.materials.size(), 1.01), film.fit.factor_scale_error.assign(film.packing.materials.size(), 0.01);
+    film.fit.factor_scale.assign(film.packing.materials.size(), 1.01),
+        film.fit.factor_scale_error.assign(film.packing.materials.size(), 0.01);
   }
 
   /// The nearest grain beyond those that touch.

@@ -12,7 +12,8 @@ namespace arenite::test {
 class FilmedStudy {
  public:
   explicit FilmedStudy(const VirtualFilm& example) : folder_(example.at("study")) {
-    std::ofstream(example.at("study.toml")) << slurp(example.states() + "/recipe.toml") << "\n[sweep]\nreplicates = 1\n";
+    std::ofstream(example.at("study.toml"))
+        << slurp(example.states() + "/recipe.toml") << "\n[sweep]\nreplicates = 1\n";
     study_ = campaign::read_study(example.at("study.toml").string());
     const workflow::Store store(folder_.store);
     workflow::RunOptions options;

@@ -11,12 +11,20 @@
 /// Small films, written byte by byte or made in memory.
 namespace arenite::test {
 
-inline std::filesystem::path infrared(const std::string& name) { return std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/infrared" / name; }
+inline std::filesystem::path infrared(const std::string& name) {
+  return std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/infrared" / name;
+}
 
-inline void spill(const std::filesystem::path& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+inline void spill(const std::filesystem::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
 
-template <class T> void add(std::string& bytes, T value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof(T)); }
-template <class T> void set(std::string& bytes, std::size_t at, T value) { std::memcpy(bytes.data() + at, &value, sizeof(T)); }
+template <class T> void add(std::string& bytes, T value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
+}
+template <class T> void set(std::string& bytes, std::size_t at, T value) {
+  std::memcpy(bytes.data() + at, &value, sizeof(T));
+}
 
 /// A film whose every number is given by its place: 1000 frame + 10 row + column.
 inline Film counted(int width = 5, int height = 4, int frames = 3, bool floating = false) {
@@ -63,7 +71,8 @@ inline std::string ptw(const Film& film, double step = 0.01, std::size_t main = 
   set(bytes, 403, 0.01F);
   for (std::int64_t f = 0; f < film.about.frames; ++f) {
     std::string header(head, '\0');
-    const auto us = static_cast<std::uint64_t>(86399.99e6 + static_cast<double>(f) * step * 1e6 + 0.5) % 86400000000ULL;  // midnight comes
+    const auto us = static_cast<std::uint64_t>(86399.99e6 + static_cast<double>(f) * step * 1e6 + 0.5) %
+                    86400000000ULL;  // midnight comes
     if (head >= 163) {
       header[81] = static_cast<char>(us / 3600000000ULL);
       header[80] = static_cast<char>(us / 60000000 % 60);
@@ -73,7 +82,9 @@ inline std::string ptw(const Film& film, double step = 0.01, std::size_t main = 
       set(header, 161, static_cast<std::uint16_t>(us % 1000));
     }
     bytes += header;
-    bytes.append(reinterpret_cast<const char*>(film.level.data()) + static_cast<std::size_t>(f) * film.about.pixels() * 2, film.about.pixels() * 2);
+    bytes.append(
+        reinterpret_cast<const char*>(film.level.data()) + static_cast<std::size_t>(f) * film.about.pixels() * 2,
+        film.about.pixels() * 2);
   }
   return bytes;
 }
@@ -82,7 +93,9 @@ inline std::string ptw(const Film& film, double step = 0.01, std::size_t main = 
 inline std::string hcc(const Film& film, int mode = 1, int exponent = 0, float shift = 0, std::uint32_t gap = 80000) {
   std::string bytes;
   for (std::int64_t f = 0; f < film.about.frames; ++f) {
-    std::string header(static_cast<std::size_t>(2 * film.about.width) * ((256 + 2 * film.about.width - 1) / (2 * film.about.width)), '\0');
+    std::string header(
+        static_cast<std::size_t>(2 * film.about.width) * ((256 + 2 * film.about.width - 1) / (2 * film.about.width)),
+        '\0');
     header.replace(0, 2, "TC");
     set(header, 4, static_cast<std::uint16_t>(header.size()));
     set(header, 8, static_cast<std::uint32_t>(f));
@@ -97,21 +110,25 @@ inline std::string hcc(const Film& film, int mode = 1, int exponent = 0, float s
     set(header, 100, 1700000000U + tick / 10000000U);
     set(header, 104, tick % 10000000U);
     bytes += header;
-    bytes.append(reinterpret_cast<const char*>(film.level.data()) + static_cast<std::size_t>(f) * film.about.pixels() * 2, film.about.pixels() * 2);
+    bytes.append(
+        reinterpret_cast<const char*>(film.level.data()) + static_cast<std::size_t>(f) * film.about.pixels() * 2,
+        film.about.pixels() * 2);
   }
   return bytes;
 }
 
 inline std::string sfmov(const Film& film, const std::string& more = "") {
-  std::string bytes = "HdSize auto\r\nxPixls " + std::to_string(film.about.width) + "\r\nyPixls " + std::to_string(film.about.height) + "\r\nNumDPs " +
-                      std::to_string(film.about.frames) + "\r\n" + (film.about.floating ? "DaType Flt32\r\n" : "DaType UINT16\r\n") + more +
+  std::string bytes = "HdSize auto\r\nxPixls " + std::to_string(film.about.width) + "\r\nyPixls " +
+                      std::to_string(film.about.height) + "\r\nNumDPs " + std::to_string(film.about.frames) + "\r\n" +
+                      (film.about.floating ? "DaType Flt32\r\n" : "DaType UINT16\r\n") + more +
                       "saf_padding ............\r\nDATA\r\n";
   if (film.about.floating) bytes.append(reinterpret_cast<const char*>(film.value.data()), film.value.size() * 4);
   else bytes.append(reinterpret_cast<const char*>(film.level.data()), film.level.size() * 2);
   return bytes;
 }
 
-inline std::string npy(const std::string& type, const std::string& shape, const std::string& data, const std::string& fortran = "False") {
+inline std::string npy(const std::string& type, const std::string& shape, const std::string& data,
+                       const std::string& fortran = "False") {
   std::string header = "{'descr': '" + type + "', 'fortran_order': " + fortran + ", 'shape': " + shape + ", }";
   header.resize(((header.size() + 10) / 64 + 1) * 64 - 10 - 1, ' ');
   header += '\n';

@@ -18,8 +18,9 @@
 
 namespace arenite::test {
 
-/// How a film of a sample under a cyclic load is drawn, by another way than the program's virtual camera: every frame of the cycle is the exact field of
-/// the disks at the share of the load, drawn on a fine grid where the grains are then, blurred and summed into pixels.
+/// How a film of a sample under a cyclic load is drawn, by another way than the program's virtual camera: every frame
+/// of the cycle is the exact field of the disks at the share of the load, drawn on a fine grid where the grains are
+/// then, blurred and summed into pixels.
 struct LaboratoryFilm {
   double pixel = 1.2e-3;            ///< m
   int fine = 4;                     ///< points along a pixel
@@ -57,14 +58,16 @@ class DrawnFilm {
     film.about.height = static_cast<int>((p_.domain.wall[top].position) / px + 2 * how.margin + how.travel);
     left = how.margin + 0.2, top_row = how.margin - 0.3;
     film.about.frame_rate = how.rate, film.about.floating = true, film.about.quantity = FilmQuantity::kelvin;
-    film.about.frames = static_cast<std::int64_t>(std::lround(static_cast<double>(how.cycles) * how.rate / how.frequency));
+    film.about.frames =
+        static_cast<std::int64_t>(std::lround(static_cast<double>(how.cycles) * how.rate / how.frequency));
     surfaces();
     disks();
     draw();
   }
 
   Film film;
-  double left = 0, top_row = 0;  ///< column and row of the container's inner corner; centres of pixels count whole numbers
+  double left = 0,
+         top_row = 0;  ///< column and row of the container's inner corner; centres of pixels count whole numbers
 
  private:
   struct Level {
@@ -74,13 +77,15 @@ class DrawnFilm {
     const radiometry::Band band;
     const radiometry::Surface s{emissivity, how_.ambient};
     const double t = radiometry::temperature_of_exitance(band, radiometry::seen_exitance(band, s, how_.temperature));
-    return {t, emissivity * radiometry::photon_exitance_slope(band, how_.temperature) / radiometry::photon_exitance_slope(band, t)};
+    return {t, emissivity * radiometry::photon_exitance_slope(band, how_.temperature) /
+                   radiometry::photon_exitance_slope(band, t)};
   }
 
   void surfaces() {
     RandomStream random(how_.seed, Purpose::test, 72);
     for (const auto m : p_.grains.material)
-      grain_.push_back(level(how_.emissivity[static_cast<std::size_t>(m)] * (1 + how_.emissivity_scatter * random.normal())));
+      grain_.push_back(
+          level(how_.emissivity[static_cast<std::size_t>(m)] * (1 + how_.emissivity_scatter * random.normal())));
   }
 
   void disks() {
@@ -112,10 +117,12 @@ class DrawnFilm {
   /// The picture at a share of the load, K above the sample's temperature.
   std::vector<double> picture(double share) const {
     const int f = how_.fine, w = film.about.width * f, h = film.about.height * f;
-    const double cell = how_.pixel / f, x0 = -(left + 0.5) * how_.pixel + 0.5 * cell, y0 = height() + (top_row + 0.5) * how_.pixel - 0.5 * cell;
+    const double cell = how_.pixel / f, x0 = -(left + 0.5) * how_.pixel + 0.5 * cell,
+                 y0 = height() + (top_row + 0.5) * how_.pixel - 0.5 * cell;
     const double floor = lower_wall(share);
     const Level behind = level(how_.background), frame = level(how_.frame);
-    std::vector<double> scene(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)), covered(scene.size(), 0.0), light(scene.size(), 0.0);
+    std::vector<double> scene(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)), covered(scene.size(), 0.0),
+        light(scene.size(), 0.0);
     for (int r = 0; r < h; ++r)
       for (int c = 0; c < w; ++c) {
         const double x = x0 + c * cell, y = y0 - r * cell;
@@ -125,13 +132,16 @@ class DrawnFilm {
     for (std::size_t i = 0; i < p_.grains.size(); ++i) {
       const Vec2 at = low_[i] + share * (p_.grains.position[i] - low_[i]);
       const double radius = p_.grains.radius[i];
-      const int c0 = static_cast<int>((at.x - radius - x0) / cell) - 1, c1 = static_cast<int>((at.x + radius - x0) / cell) + 2;
-      const int r0 = static_cast<int>((y0 - at.y - radius) / cell) - 1, r1 = static_cast<int>((y0 - at.y + radius) / cell) + 2;
+      const int c0 = static_cast<int>((at.x - radius - x0) / cell) - 1,
+                c1 = static_cast<int>((at.x + radius - x0) / cell) + 2;
+      const int r0 = static_cast<int>((y0 - at.y - radius) / cell) - 1,
+                r1 = static_cast<int>((y0 - at.y + radius) / cell) + 2;
       const double factor = p_.materials[static_cast<std::size_t>(p_.grains.material[i])].thermoelastic_factor;
       for (int r = r0; r <= r1; ++r)
         for (int c = c0; c <= c1; ++c) {
           const Vec2 x = Vec2{x0 + c * cell, y0 - r * cell} - at;
-          const double part = std::clamp(0.5 + (radius - norm(x)) / cell, 0.0, 1.0);  // a point at a rim shows both sides
+          const double part =
+              std::clamp(0.5 + (radius - norm(x)) / cell, 0.0, 1.0);  // a point at a rim shows both sides
           if (part <= 0) continue;
           const std::size_t k = index(c, r, w);
           covered[k] += part;
@@ -166,7 +176,8 @@ class DrawnFilm {
     for (int r = 0; r < down; ++r)
       for (int k = 0; k < static_cast<int>(tap.size()); ++k) {
         const int from = std::clamp(r * f - reach + k, 0, h - 1);
-        for (int c = 0; c < across; ++c) out[index(c, r, across)] += tap[static_cast<std::size_t>(k)] * rows[index(c, from, across)];
+        for (int c = 0; c < across; ++c)
+          out[index(c, r, across)] += tap[static_cast<std::size_t>(k)] * rows[index(c, from, across)];
       }
     return out;
   }
@@ -177,14 +188,18 @@ class DrawnFilm {
     const int w = film.about.width, h = film.about.height, reach = static_cast<int>(std::ceil(4 * how_.halo_width));
     std::vector<double> tap, rows(picture.size(), 0.0), wide(picture.size(), 0.0), out(picture.size());
     double all = 0;
-    for (int k = -reach; k <= reach; ++k) tap.push_back(std::exp(-0.5 * k * k / (how_.halo_width * how_.halo_width))), all += tap.back();
+    for (int k = -reach; k <= reach; ++k)
+      tap.push_back(std::exp(-0.5 * k * k / (how_.halo_width * how_.halo_width))), all += tap.back();
     for (int r = 0; r < h; ++r)
       for (int c = 0; c < w; ++c)
         for (int k = -reach; k <= reach; ++k)
-          rows[index(c, r, w)] += tap[static_cast<std::size_t>(k + reach)] / all * picture[index(std::clamp(c + k, 0, w - 1), r, w)];
+          rows[index(c, r, w)] +=
+              tap[static_cast<std::size_t>(k + reach)] / all * picture[index(std::clamp(c + k, 0, w - 1), r, w)];
     for (int r = 0; r < h; ++r)
       for (int k = -reach; k <= reach; ++k)
-        for (int c = 0; c < w; ++c) wide[index(c, r, w)] += tap[static_cast<std::size_t>(k + reach)] / all * rows[index(c, std::clamp(r + k, 0, h - 1), w)];
+        for (int c = 0; c < w; ++c)
+          wide[index(c, r, w)] +=
+              tap[static_cast<std::size_t>(k + reach)] / all * rows[index(c, std::clamp(r + k, 0, h - 1), w)];
     for (std::size_t k = 0; k < out.size(); ++k) out[k] = (1 - how_.halo) * picture[k] + how_.halo * wide[k];
     return out;
   }
@@ -194,16 +209,20 @@ class DrawnFilm {
     RandomStream random(how_.seed, Purpose::test, 73);
     film.value.reserve(film.about.pixels() * static_cast<std::size_t>(film.about.frames));
     for (std::int64_t n = 0; n < film.about.frames; ++n) {
-      const double share = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * how_.frequency * static_cast<double>(n) / how_.rate);
+      const double share =
+          0.5 - 0.5 * std::cos(2 * std::numbers::pi * how_.frequency * static_cast<double>(n) / how_.rate);
       const long key = std::lround(1e9 * share);
       if (!drawn.contains(key)) drawn[key] = picture(share);
-      for (const double v : drawn[key]) film.value.push_back(static_cast<float>(how_.temperature + v + how_.noise * random.normal()));
+      for (const double v : drawn[key])
+        film.value.push_back(static_cast<float>(how_.temperature + v + how_.noise * random.normal()));
     }
   }
 
   double height() const { return p_.domain.wall[top].position; }
   double lower_wall(double share) const { return -(1 - share) * how_.travel * how_.pixel; }
-  static std::size_t index(int c, int r, int w) { return static_cast<std::size_t>(r) * static_cast<std::size_t>(w) + static_cast<std::size_t>(c); }
+  static std::size_t index(int c, int r, int w) {
+    return static_cast<std::size_t>(r) * static_cast<std::size_t>(w) + static_cast<std::size_t>(c);
+  }
 
   struct Pull {
     Vec2 back, force;
@@ -217,12 +236,14 @@ class DrawnFilm {
 };
 
 /// The recipe of a laboratory that knows everything of such a film but where its grains are.
-inline recipe::FilmRecipe laboratory_recipe(const LaboratorySample& sample, const LaboratoryFilm& how, const DrawnFilm& drawn) {
+inline recipe::FilmRecipe laboratory_recipe(const LaboratorySample& sample, const LaboratoryFilm& how,
+                                            const DrawnFilm& drawn) {
   recipe::FilmRecipe recipe;
   const Packing& p = sample.packing;
   const double travel = how.travel * how.pixel;
   for (std::size_t m = 0; m < 2; ++m)
-    recipe.materials.push_back({p.materials[m].name, p.materials[m].thermoelastic_factor, how.emissivity[m], how.emissivity[m], p.materials[m].stiffness});
+    recipe.materials.push_back({p.materials[m].name, p.materials[m].thermoelastic_factor, how.emissivity[m],
+                                how.emissivity[m], p.materials[m].stiffness});
   // In the recipe the lower wall rests at height 0 at the smallest load.
   recipe.container = {.width = p.domain.wall[right].position,
                       .height = p.domain.wall[top].position + travel,
@@ -240,8 +261,10 @@ inline recipe::FilmRecipe laboratory_recipe(const LaboratorySample& sample, cons
   return recipe;
 }
 
-/// An ordinary camera's picture of the grains at the smallest load, three pixels to one of the film and with the same middle: black and white grains on grey.
-inline std::string optical_picture(const LaboratorySample& sample, const LaboratoryFilm& how, const DrawnFilm& drawn, const TemporaryFolder& folder) {
+/// An ordinary camera's picture of the grains at the smallest load, three pixels to one of the film and with the same
+/// middle: black and white grains on grey.
+inline std::string optical_picture(const LaboratorySample& sample, const LaboratoryFilm& how, const DrawnFilm& drawn,
+                                   const TemporaryFolder& folder) {
   constexpr int times = 3;
   const Packing& p = sample.packing;
   Film picture;
@@ -251,7 +274,8 @@ inline std::string optical_picture(const LaboratorySample& sample, const Laborat
   const auto low = how.start(p);
   const auto fine = [&](double film_pixels) { return times * (film_pixels + 0.5) - 0.5; };
   for (std::size_t i = 0; i < low.size(); ++i) {
-    const Vec2 centre{fine(drawn.left + low[i].x / how.pixel), fine(drawn.top_row + (p.domain.wall[top].position - low[i].y) / how.pixel)};
+    const Vec2 centre{fine(drawn.left + low[i].x / how.pixel),
+                      fine(drawn.top_row + (p.domain.wall[top].position - low[i].y) / how.pixel)};
     const double radius = times * p.grains.radius[i] / how.pixel;
     each_pixel_near(centre, radius + 2, picture.about.width, picture.about.height, [&](int x, int y, std::size_t at) {
       const double inside = 0.5 * std::erfc((std::hypot(x - centre.x, y - centre.y) - radius) / 0.8);
@@ -259,7 +283,9 @@ inline std::string optical_picture(const LaboratorySample& sample, const Laborat
     });
   }
   RandomStream random(how.seed, Purpose::test, 74);
-  for (const double g : grey) picture.level.push_back(static_cast<std::uint16_t>(std::lround(65535 * std::clamp(0.9 * g + 0.01 * random.normal(), 0.0, 1.0))));
+  for (const double g : grey)
+    picture.level.push_back(
+        static_cast<std::uint16_t>(std::lround(65535 * std::clamp(0.9 * g + 0.01 * random.normal(), 0.0, 1.0))));
   const auto file = folder / "optical.tif";
   io::write_film(file, picture);
   return file.string();
@@ -277,7 +303,8 @@ struct FilmAccuracy {
   FilmResult result;
 };
 
-inline FilmAccuracy judged(const Packing& truth, const LaboratoryFilm& how, FilmResult result, std::vector<std::string> said) {
+inline FilmAccuracy judged(const Packing& truth, const LaboratoryFilm& how, FilmResult result,
+                           std::vector<std::string> said) {
   FilmAccuracy a;
   a.said = std::move(said);
   const Packing& found = result.packing;
@@ -285,7 +312,8 @@ inline FilmAccuracy judged(const Packing& truth, const LaboratoryFilm& how, Film
   std::map<std::size_t, std::size_t> true_of;   // of the grains found
   for (std::size_t i = 0; i < found.grains.size(); ++i)
     for (std::size_t j = 0; j < truth.grains.size(); ++j)
-      if (norm(found.grains.position[i] - truth.grains.position[j] - shift) < 0.5 * truth.grains.radius[j]) true_of[i] = j;
+      if (norm(found.grains.position[i] - truth.grains.position[j] - shift) < 0.5 * truth.grains.radius[j])
+        true_of[i] = j;
   a.grains = true_of.size();
   std::vector<double> sigma(truth.grains.size(), 0.0);
   std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> contact_of;
@@ -345,7 +373,8 @@ inline FilmAccuracy judged(const Packing& truth, const LaboratoryFilm& how, Film
 }
 
 /// Measures the film by the recipe and holds it against the sample.
-inline FilmAccuracy measured(const LaboratorySample& sample, const LaboratoryFilm& how, DrawnFilm& drawn, const recipe::FilmRecipe& recipe) {
+inline FilmAccuracy measured(const LaboratorySample& sample, const LaboratoryFilm& how, DrawnFilm& drawn,
+                             const recipe::FilmRecipe& recipe) {
   workflow::FilmRunOptions options;
   std::vector<std::string> said;
   options.notice = [&](const std::string& sentence) { said.push_back(sentence); };
@@ -355,7 +384,8 @@ inline FilmAccuracy measured(const LaboratorySample& sample, const LaboratoryFil
 }
 
 /// Writes the true grains at the smallest load, as a list made by hand.
-inline std::string list_of_grains(const LaboratorySample& sample, const LaboratoryFilm& how, const TemporaryFolder& folder) {
+inline std::string list_of_grains(const LaboratorySample& sample, const LaboratoryFilm& how,
+                                  const TemporaryFolder& folder) {
   const auto file = (folder / "grains.csv").string();
   std::ofstream out(file);
   out.precision(12);
@@ -363,8 +393,8 @@ inline std::string list_of_grains(const LaboratorySample& sample, const Laborato
   const Packing& p = sample.packing;
   const auto low = how.start(p);
   for (std::size_t i = 0; i < low.size(); ++i)
-    out << p.grains.id[i] << ',' << low[i].x << ',' << low[i].y + how.travel * how.pixel << ',' << p.grains.radius[i] << ','
-        << p.materials[static_cast<std::size_t>(p.grains.material[i])].name << '\n';
+    out << p.grains.id[i] << ',' << low[i].x << ',' << low[i].y + how.travel * how.pixel << ',' << p.grains.radius[i]
+        << ',' << p.materials[static_cast<std::size_t>(p.grains.material[i])].name << '\n';
   return file;
 }
 

@@ -15,7 +15,8 @@ namespace arenite::test {
 /// program's discrete elements has a part in it.
 class LaboratorySample {
  public:
-  explicit LaboratorySample(std::size_t grains, std::uint64_t seed = 1, double mean_force = 1300) : random_(seed, Purpose::test, 61) {
+  explicit LaboratorySample(std::size_t grains, std::uint64_t seed = 1, double mean_force = 1300)
+      : random_(seed, Purpose::test, 61) {
     packing.materials = {{"POM", 1410, 27.35e6, 0.0150e-6}, {"HDPE", 950, 6.43e6, 0.0258e-6}};
     packing.domain.thickness = 0.06;
     scatter(grains);
@@ -68,7 +69,8 @@ class LaboratorySample {
         if (const double over = g().radius[a] + g().radius[b] - norm(d); over > 0) see(i, j, (1 / norm(d)) * d, over);
       }
       for (int side = 0; side < sides; ++side)
-        if (const double over = g().radius[a] - packing.domain.depth(side, g().position[a]); over > 0) see(i, wall_partner(side), inward_normal(side), over);
+        if (const double over = g().radius[a] - packing.domain.depth(side, g().position[a]); over > 0)
+          see(i, wall_partner(side), inward_normal(side), over);
     }
   }
 
@@ -99,7 +101,8 @@ class LaboratorySample {
   void list_contacts() {
     each_overlap([&](std::int32_t i, std::int32_t j, Vec2 n, double over) {
       const double r = g().radius[static_cast<std::size_t>(i)];
-      packing.contacts.add(i, j, n, over, 0, r - 0.5 * over, j >= 0 ? g().radius[static_cast<std::size_t>(j)] - 0.5 * over : 0);
+      packing.contacts.add(i, j, n, over, 0, r - 0.5 * over,
+                           j >= 0 ? g().radius[static_cast<std::size_t>(j)] - 0.5 * over : 0);
     });
   }
 
@@ -113,7 +116,8 @@ class LaboratorySample {
       }
       packing.contacts = {};
       for (std::size_t c = 0; c < all.size(); ++c) {
-        const bool loose = touches[static_cast<std::size_t>(all.i[c])] < 3 || (!all.is_wall(c) && touches[static_cast<std::size_t>(all.j[c])] < 3);
+        const bool loose = touches[static_cast<std::size_t>(all.i[c])] < 3 ||
+                           (!all.is_wall(c) && touches[static_cast<std::size_t>(all.j[c])] < 3);
         if (!loose) packing.contacts.add(all.i[c], all.j[c], all.normal[c], all.fn[c], 0, all.arm_i[c], all.arm_j[c]);
       }
       again = packing.contacts.size() < all.size();

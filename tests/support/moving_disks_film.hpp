@@ -8,9 +8,9 @@
 
 namespace arenite::test {
 
-/// Disks of two emissivities before a background, at rest in one half of their cycle and away in the other: disk i moves
-/// by (1 - cos)/2 of a travel that grows down the picture and differs from disk to disk. They warm by
-/// thermal (1 + tilt x/R), K, with the load. Rims are blurred as by a lens.
+/// Disks of two emissivities before a background, at rest in one half of their cycle and away in the other: disk i
+/// moves by (1 - cos)/2 of a travel that grows down the picture and differs from disk to disk. They warm by thermal (1
+/// + tilt x/R), K, with the load. Rims are blurred as by a lens.
 struct MovingDisks {
   int width = 90, height = 70;
   std::size_t frames = 400;
@@ -22,7 +22,8 @@ struct MovingDisks {
   double contrast = 1.5;  ///< K
   double radius = 4.6;
   double gap = 0.1;               ///< pixels between neighbours
-  double curve = 0, warm_up = 0;  ///< K by which the scene warms, as the square of the time, and exponentially within a fifth of the film
+  double curve = 0, warm_up = 0;  ///< K by which the scene warms, as the square of the time, and exponentially within a
+                                  ///< fifth of the film
   std::uint64_t seed = 7;
 
   double drift(double share) const { return curve * share * share - warm_up * std::expm1(-5 * share); }
@@ -33,7 +34,8 @@ struct MovingDisks {
     const double step = 2 * radius + gap;
     for (int row = 0; row < static_cast<int>((height - 12) / (step * 0.87)); ++row)
       for (int k = 0; k < static_cast<int>((width - 12 - step / 2) / step); ++k) {
-        g.centre.push_back({8 + radius + step * (k + 0.5 * (row % 2)) + 0.05 * random.normal(), 6 + radius + step * 0.87 * row + 0.05 * random.normal()});
+        g.centre.push_back({8 + radius + step * (k + 0.5 * (row % 2)) + 0.05 * random.normal(),
+                            6 + radius + step * 0.87 * row + 0.05 * random.normal()});
         g.radius.push_back(radius);
         g.material.push_back(static_cast<std::int32_t>(random.below(2)));
         g.position_error.push_back(0.02);
@@ -43,7 +45,8 @@ struct MovingDisks {
 
   Vec2 amplitude(const PictureGrains& g, std::size_t i) const {
     const auto number = static_cast<double>(i);
-    return {-0.5 * apart * std::sin(2.0 * number), 0.5 * (travel * g.centre[i].y / height + apart * std::sin(1.3 * number))};
+    return {-0.5 * apart * std::sin(2.0 * number),
+            0.5 * (travel * g.centre[i].y / height + apart * std::sin(1.3 * number))};
   }
   double warming(const PictureGrains& g, std::size_t i, double x) const {
     return thermal * (1 + 0.5 * std::sin(static_cast<double>(i))) * (1 + tilt * (x - g.centre[i].x) / radius);
@@ -66,11 +69,15 @@ struct MovingDisks {
       for (std::size_t i = 0; i < g.size(); ++i) {
         const Vec2 moved = s * amplitude(g, i), centre = g.centre[i] + moved;
         const double reach = radius + 3;
-        for (int row = std::max(0, static_cast<int>(centre.y - reach)); row < std::min<double>(height, centre.y + reach); ++row)
-          for (int column = std::max(0, static_cast<int>(centre.x - reach)); column < std::min<double>(width, centre.x + reach); ++column) {
-            const double x = column - moved.x, y = row - moved.y, out = std::hypot(x - g.centre[i].x, y - g.centre[i].y) - radius;
+        for (int row = std::max(0, static_cast<int>(centre.y - reach));
+             row < std::min<double>(height, centre.y + reach); ++row)
+          for (int column = std::max(0, static_cast<int>(centre.x - reach));
+               column < std::min<double>(width, centre.x + reach); ++column) {
+            const double x = column - moved.x, y = row - moved.y,
+                         out = std::hypot(x - g.centre[i].x, y - g.centre[i].y) - radius;
             const double inside = 0.5 * std::erfc(out / 0.8);
-            frame[static_cast<std::size_t>(row * width + column)] += inside * (contrast * (g.material[i] ? 1 : 0.6) + 0.5 * s * warming(g, i, x));
+            frame[static_cast<std::size_t>(row * width + column)] +=
+                inside * (contrast * (g.material[i] ? 1 : 0.6) + 0.5 * s * warming(g, i, x));
           }
       }
       RandomStream random(seed, Purpose::test, 100 + n);

@@ -52,9 +52,12 @@ inline double error_of(const Numbers& tree, const std::string& path) { return va
 /// A tensor or the value of its estimate.
 inline Tensor2 tensor_of(const Numbers& tree, const std::string& path) {
   const std::string at = tree.at_path("/" + path + "/value") ? path + "/value/" : path + "/";
-  return {value_of(tree, at + "0/0"), value_of(tree, at + "0/1"), value_of(tree, at + "1/0"), value_of(tree, at + "1/1")};
+  return {value_of(tree, at + "0/0"), value_of(tree, at + "0/1"), value_of(tree, at + "1/0"),
+          value_of(tree, at + "1/1")};
 }
 
-inline std::vector<double> list_of(const Numbers& tree, const std::string& path) { return tree.at_path("/" + path)->get<std::vector<double>>(); }
+inline std::vector<double> list_of(const Numbers& tree, const std::string& path) {
+  return tree.at_path("/" + path)->get<std::vector<double>>();
+}
 
 }  // namespace arenite::test

@@ -22,13 +22,14 @@ template <class Pixels> Film draw_film(const Pixels& of) {
   for (std::size_t n = 0; n < static_cast<std::size_t>(film.about.frames); ++n) {
     RandomStream random(of.seed, Purpose::test, n);
     const double t = of.time.empty() ? static_cast<double>(n) / of.rate : of.time[n];
-    for (std::size_t p = 0; p < pixels; ++p) film.value.push_back(static_cast<float>(of.at(p, t) + (of.noise > 0 ? of.noise * random.normal() : 0)));
+    for (std::size_t p = 0; p < pixels; ++p)
+      film.value.push_back(static_cast<float>(of.at(p, t) + (of.noise > 0 ? of.noise * random.normal() : 0)));
   }
   return film;
 }
 
-/// A film whose pixels oscillate in a known way: pixel p has the mean 20 + p, the slope `drift`, a curve, and the amplitudes
-/// and phases below.
+/// A film whose pixels oscillate in a known way: pixel p has the mean 20 + p, the slope `drift`, a curve, and the
+/// amplitudes and phases below.
 struct OscillatingFilm {
   int width = 9, height = 5;
   std::size_t frames = 800;
@@ -46,7 +47,8 @@ struct OscillatingFilm {
   double phase_of(std::size_t p) const { return p % 2 ? -phase : phase; }
   double at(std::size_t p, double t) const {
     const double a = amplitude_of(p), angle = 2 * std::numbers::pi * frequency * t;
-    return mean + static_cast<double>(p % 100) + drift * t + curve * t * t + a * std::cos(angle - phase_of(p)) + second * a * std::cos(2 * angle + 1);
+    return mean + static_cast<double>(p % 100) + drift * t + curve * t * t + a * std::cos(angle - phase_of(p)) +
+           second * a * std::cos(2 * angle + 1);
   }
   double when(std::size_t n) const { return time.empty() ? static_cast<double>(n) / rate : time[n]; }
 
@@ -56,7 +58,8 @@ struct OscillatingFilm {
   Film levels(double scale) const {
     Film film = draw();
     film.about.floating = false;
-    for (const float v : film.value) film.level.push_back(static_cast<std::uint16_t>(std::lround(static_cast<double>(v) * scale)));
+    for (const float v : film.value)
+      film.level.push_back(static_cast<std::uint16_t>(std::lround(static_cast<double>(v) * scale)));
     film.value.clear();
     return film;
   }

@@ -23,10 +23,13 @@ inline Contacts elastic_contacts(const Grains& grains, const Domain& domain, dou
   }
   for (std::size_t g = 0; g < grains.size(); ++g) {
     const double r = grains.radius[g];
-    const double gap[4] = {grains.position[g].x - domain.wall[left].position, domain.wall[right].position - grains.position[g].x,
-                           grains.position[g].y - domain.wall[bottom].position, domain.wall[top].position - grains.position[g].y};
+    const double gap[4] = {
+        grains.position[g].x - domain.wall[left].position, domain.wall[right].position - grains.position[g].x,
+        grains.position[g].y - domain.wall[bottom].position, domain.wall[top].position - grains.position[g].y};
     for (int side = 0; side < 4; ++side)
-      if (gap[side] < r) contacts.add(static_cast<std::int32_t>(g), wall_partner(side), inward_normal(side), stiffness * (r - gap[side]), 0, gap[side], 0);
+      if (gap[side] < r)
+        contacts.add(static_cast<std::int32_t>(g), wall_partner(side), inward_normal(side), stiffness * (r - gap[side]),
+                     0, gap[side], 0);
   }
   return contacts;
 }
@@ -34,7 +37,8 @@ inline Contacts elastic_contacts(const Grains& grains, const Domain& domain, dou
 inline void load_walls(Packing& packing) {
   for (Wall& wall : packing.domain.wall) wall.force = 0;
   for (std::size_t c = 0; c < packing.contacts.size(); ++c)
-    if (packing.contacts.is_wall(c)) packing.domain.wall[static_cast<std::size_t>(packing.contacts.wall_side(c))].force += packing.contacts.fn[c];
+    if (packing.contacts.is_wall(c))
+      packing.domain.wall[static_cast<std::size_t>(packing.contacts.wall_side(c))].force += packing.contacts.fn[c];
 }
 
 /// A run of five states as it might come from the store; the first contact of the last state pulls.
@@ -82,7 +86,8 @@ bottom = { pressure = "1 kPa" }
     domain.thickness = 0.06;
     domain.wall[right].position = domain.wall[top].position = std::sqrt(area / 0.72);
     packing::fill_at_random(grains, domain, 7);
-    const double lowest = domain.height() * (1 - 0.72 / 0.845), step = (domain.height() * (1 - 0.72 / 0.9) - lowest) / 4;
+    const double lowest = domain.height() * (1 - 0.72 / 0.845),
+                 step = (domain.height() * (1 - 0.72 / 0.9) - lowest) / 4;
     History history{{{"time", "s", {}},
                      {"bottom_position", "m", {}},
                      {"bottom_force", "N", {}},
@@ -98,7 +103,8 @@ bottom = { pressure = "1 kPa" }
       const double before = domain.wall[bottom].position;
       domain.wall[bottom].position = lowest + k * step;
       for (std::size_t g = 0; g < count; ++g)
-        grains.position[g].y += (domain.wall[bottom].position - before) * (1 - grains.position[g].y / domain.wall[top].position);
+        grains.position[g].y +=
+            (domain.wall[bottom].position - before) * (1 - grains.position[g].y / domain.wall[top].position);
       packing::relax(grains, domain, 1e-9, 4000);
       stage.snapshots.push_back(state(grains, domain, k));
       record(history, stage.snapshots.back());
@@ -125,7 +131,12 @@ bottom = { pressure = "1 kPa" }
     snapshot.time = 0.1 * (k + 1);
     snapshot.step = 10000 * (k + 1);
     snapshot.label = "increment " + std::to_string(k + 1) + " of 5";
-    snapshot.packing = {{{"POM", 1410, 27.35e6, 0.015e-6}, {"HDPE", 950, 6.43e6, 0.0258e-6}}, domain, grains, elastic_contacts(grains, domain, 6e6), {}, {}};
+    snapshot.packing = {{{"POM", 1410, 27.35e6, 0.015e-6}, {"HDPE", 950, 6.43e6, 0.0258e-6}},
+                        domain,
+                        grains,
+                        elastic_contacts(grains, domain, 6e6),
+                        {},
+                        {}};
     load_walls(snapshot.packing);
     // Moves to the right the faster the higher, and turns clockwise.
     for (std::size_t g = 0; g < grains.size(); ++g) {
@@ -139,8 +150,17 @@ bottom = { pressure = "1 kPa" }
     const auto& wall = snapshot.packing.domain.wall;
     double elastic = 0;
     for (const double fn : snapshot.packing.contacts.fn) elastic += fn * fn / (2 * 6e6);
-    const double row[] = {snapshot.time, wall[bottom].position, wall[bottom].force, wall[top].force,     wall[left].force,    wall[right].force,
-                          elastic,       1e-6 * elastic,        wall[top].position, wall[left].position, wall[right].position};
+    const double row[] = {snapshot.time,
+                          wall[bottom].position,
+                          wall[bottom].force,
+                          wall[top].force,
+                          wall[left].force,
+                          wall[right].force,
+                          elastic,
+                          1e-6 * elastic,
+                          wall[top].position,
+                          wall[left].position,
+                          wall[right].position};
     for (std::size_t c = 0; c < history.columns.size(); ++c) history.columns[c].values.push_back(row[c]);
   }
 };

@@ -46,17 +46,19 @@ inline std::string exif(char orientation, bool low_first) {
 enum PngKind : char { grey = 0, colour = 2, palette = 3, grey_alpha = 4, colour_alpha = 6 };
 
 /// A PNG file of rows of packed samples, each without its leading filter byte.
-inline std::string png(std::uint32_t width, std::uint32_t height, char bits, PngKind kind, const std::vector<std::string>& rows,
-                       const std::string& colours = "") {
+inline std::string png(std::uint32_t width, std::uint32_t height, char bits, PngKind kind,
+                       const std::vector<std::string>& rows, const std::string& colours = "") {
   std::string raw;
   for (const std::string& row : rows) raw += '\0' + row;
   uLongf size = compressBound(static_cast<uLong>(raw.size()));
   std::string packed(size, '\0');
-  compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(raw.data()), static_cast<uLong>(raw.size()));
+  compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(raw.data()),
+           static_cast<uLong>(raw.size()));
   packed.resize(size);
-  const std::string header = big_endian(width) + big_endian(height) + std::string{bits, static_cast<char>(kind), 0, 0, 0};
-  return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", header) + (colours.empty() ? "" : png_chunk("PLTE", colours)) + png_chunk("IDAT", packed) +
-         png_chunk("IEND", "");
+  const std::string header =
+      big_endian(width) + big_endian(height) + std::string{bits, static_cast<char>(kind), 0, 0, 0};
+  return "\x89PNG\r\n\x1a\n" + png_chunk("IHDR", header) + (colours.empty() ? "" : png_chunk("PLTE", colours)) +
+         png_chunk("IDAT", packed) + png_chunk("IEND", "");
 }
 
 inline std::string grey_png(std::uint32_t width, std::uint32_t height, const std::string& pixels) {
@@ -66,7 +68,8 @@ inline std::string grey_png(std::uint32_t width, std::uint32_t height, const std
 }
 
 /// A JPEG file of best quality: 1 (grey), 3 (red, green, blue) or 4 (inks) samples a pixel.
-inline std::string jpeg(unsigned width, unsigned height, int samples, const std::string& pixels, bool progressive = false) {
+inline std::string jpeg(unsigned width, unsigned height, int samples, const std::string& pixels,
+                        bool progressive = false) {
   jpeg_compress_struct to{};
   jpeg_error_mgr errors{};
   to.err = jpeg_std_error(&errors);
@@ -85,7 +88,8 @@ inline std::string jpeg(unsigned width, unsigned height, int samples, const std:
   jpeg_start_compress(&to, TRUE);
   std::string copy = pixels;
   while (to.next_scanline < height) {
-    auto* row = reinterpret_cast<JSAMPROW>(copy.data() + std::size_t{to.next_scanline} * width * static_cast<unsigned>(samples));
+    auto* row = reinterpret_cast<JSAMPROW>(copy.data() +
+                                           std::size_t{to.next_scanline} * width * static_cast<unsigned>(samples));
     jpeg_write_scanlines(&to, &row, 1);
   }
   jpeg_finish_compress(&to);
@@ -97,7 +101,8 @@ inline std::string jpeg(unsigned width, unsigned height, int samples, const std:
 
 struct TiffPage {
   std::uint32_t width = 0, height = 0;
-  std::uint16_t bits = 8, samples = 1, photometric = PHOTOMETRIC_MINISBLACK, format = SAMPLEFORMAT_UINT, compression = COMPRESSION_NONE;
+  std::uint16_t bits = 8, samples = 1, photometric = PHOTOMETRIC_MINISBLACK, format = SAMPLEFORMAT_UINT,
+                compression = COMPRESSION_NONE;
   std::uint16_t orientation = ORIENTATION_TOPLEFT;
   std::uint32_t tile = 0;           ///< side of square tiles; 0: strips
   std::vector<std::uint8_t> bytes;  ///< of all rows, or of all tiles one after the other
@@ -118,7 +123,8 @@ inline void write_tiff(const std::filesystem::path& path, std::vector<TiffPage> 
     TIFFSetField(tiff, TIFFTAG_ORIENTATION, page.orientation);
     if (page.photometric == PHOTOMETRIC_PALETTE) {
       std::vector<std::uint16_t> ramp;
-      for (std::uint32_t i = 0; i < 1u << page.bits; ++i) ramp.push_back(static_cast<std::uint16_t>((i * 10 % 256) << 8));
+      for (std::uint32_t i = 0; i < 1u << page.bits; ++i)
+        ramp.push_back(static_cast<std::uint16_t>((i * 10 % 256) << 8));
       TIFFSetField(tiff, TIFFTAG_COLORMAP, ramp.data(), ramp.data(), ramp.data());
     }
     if (page.tile > 0) {
@@ -126,7 +132,8 @@ inline void write_tiff(const std::filesystem::path& path, std::vector<TiffPage> 
       TIFFSetField(tiff, TIFFTAG_TILELENGTH, page.tile);
       const auto size = static_cast<std::size_t>(TIFFTileSize(tiff));
       for (std::size_t t = 0; t < page.bytes.size() / size; ++t)
-        TIFFWriteEncodedTile(tiff, static_cast<std::uint32_t>(t), page.bytes.data() + t * size, static_cast<tmsize_t>(size));
+        TIFFWriteEncodedTile(tiff, static_cast<std::uint32_t>(t), page.bytes.data() + t * size,
+                             static_cast<tmsize_t>(size));
     } else {
       TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, 2);
       const std::size_t row = page.bytes.size() / page.height;

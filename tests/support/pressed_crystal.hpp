@@ -53,11 +53,13 @@ inline Packing pressed_crystal(int columns, int rows, double radius, std::uint64
       if (!border && random.uniform() < 0.1) continue;
       const std::size_t g = p.grains.size();
       p.grains.resize(g + 1);
-      p.grains.position[g].x = radius * (1 + 2 * c + (r % 2)), p.grains.position[g].y = radius + height * r, p.grains.radius[g] = radius;
+      p.grains.position[g].x = radius * (1 + 2 * c + (r % 2)), p.grains.position[g].y = radius + height * r,
+      p.grains.radius[g] = radius;
       p.grains.material[g] = static_cast<std::int32_t>(random.below(2));
     }
   p.domain.thickness = 0.06;
-  p.domain.wall[right].position = radius * (2 * columns + 1), p.domain.wall[top].position = 2 * radius + height * (rows - 1);
+  p.domain.wall[right].position = radius * (2 * columns + 1),
+  p.domain.wall[top].position = 2 * radius + height * (rows - 1);
   const auto n = static_cast<std::int32_t>(p.grains.size());
   for (std::int32_t i = 0; i < n; ++i) {
     const Vec2 a = p.grains.position[static_cast<std::size_t>(i)];
@@ -82,7 +84,8 @@ inline Packing without_forces(Packing p) {
 /// Root of the sum of squared differences over that of squares.
 inline double relative_error(const std::vector<double>& found, const std::vector<double>& truth) {
   double difference = 0, size = 0;
-  for (std::size_t k = 0; k < truth.size(); ++k) difference += (found[k] - truth[k]) * (found[k] - truth[k]), size += truth[k] * truth[k];
+  for (std::size_t k = 0; k < truth.size(); ++k)
+    difference += (found[k] - truth[k]) * (found[k] - truth[k]), size += truth[k] * truth[k];
   return std::sqrt(difference / size);
 }
 

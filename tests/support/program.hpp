@@ -35,7 +35,9 @@ inline Outcome shell(const std::string& line) {
 }
 
 /// Runs the program under test with these arguments.
-inline Outcome arenite(const std::string& arguments) { return shell(std::string(ARENITE_BINARY " ").append(arguments)); }
+inline Outcome arenite(const std::string& arguments) {
+  return shell(std::string(ARENITE_BINARY " ").append(arguments));
+}
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 

@@ -8,7 +8,8 @@
 
 namespace arenite::test {
 
-/// Grains in a row that touch each other and stand on the bottom wall, with numbers that tell every field from every other.
+/// Grains in a row that touch each other and stand on the bottom wall, with numbers that tell every field from every
+/// other.
 inline Packing row_of_grains(int n, double shift = 0) {
   Packing packing;
   packing.materials = {{"POM", 1410, 27.35e6, 0.0150e-6}, {"HDPE", 950, 6.43e6, 0.0258e-6}};
@@ -36,7 +37,8 @@ inline Packing row_of_grains(int n, double shift = 0) {
     if (i > 0) {
       const Vec2 branch = grains.position[i - 1] - grains.position[i];
       const double half = 0.5 * norm(branch);
-      packing.contacts.add(static_cast<std::int32_t>(i) - 1, static_cast<std::int32_t>(i), 0.5 / half * branch, 10.0 * k * k, 0.1 * k, half, half);
+      packing.contacts.add(static_cast<std::int32_t>(i) - 1, static_cast<std::int32_t>(i), 0.5 / half * branch,
+                           10.0 * k * k, 0.1 * k, half, half);
     }
     packing.contacts.add(static_cast<std::int32_t>(i), wall_partner(bottom), {0, 1}, 5.0 + k, -0.25,
                          grains.position[i].y - packing.domain.wall[bottom].position, 0);
@@ -47,7 +49,9 @@ inline Packing row_of_grains(int n, double shift = 0) {
 
 inline StageResult two_snapshots(int n = 5) {
   StageResult result;
-  result.provenance = {"0.1.0", "load", "0123456789abcdef0123456789abcdef", "title = \"two snapshots\"\n", 7, "portable", {{"threads", "1"}}};
+  result.provenance = {
+      "0.1.0",           "load", "0123456789abcdef0123456789abcdef", "title = \"two snapshots\"\n", 7, "portable",
+      {{"threads", "1"}}};
   result.name = "compact";
   result.outcome = "at rest after 2 increments";
   for (int f = 0; f < 2; ++f) {
@@ -60,7 +64,8 @@ inline StageResult two_snapshots(int n = 5) {
     snapshot.equilibrium = {1e-5, 1e-7, 0.21, 1e-6};
     result.snapshots.push_back(snapshot);
   }
-  result.history.columns = {{"time", "s", {0.125, 0.25, 0.375}}, {"bottom_force", "N", {1, 2, 3}}, {"age", "1", {0, 0, 0}}};
+  result.history.columns = {
+      {"time", "s", {0.125, 0.25, 0.375}}, {"bottom_force", "N", {1, 2, 3}}, {"age", "1", {0, 0, 0}}};
   result.texture = test::numbers_of("{\"grains\": 5}");
   return result;
 }

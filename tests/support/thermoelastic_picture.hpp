@@ -10,8 +10,8 @@
 
 namespace arenite::test {
 
-/// How a picture is drawn from known forces. Everything is painted on a fine grid, blurred there and summed into pixels:
-/// in another way than the inverse does, which knows no grid.
+/// How a picture is drawn from known forces. Everything is painted on a fine grid, blurred there and summed into
+/// pixels: in another way than the inverse does, which knows no grid.
 struct ThermoelasticDrawing {
   double pixel = 1.6e-3;
   double blur = 0.5;        ///< pixels
@@ -26,11 +26,13 @@ struct ThermoelasticDrawing {
 
 inline std::vector<elasticity::Disk> loaded_disks(const Packing& p, const ThermoelasticDrawing& drawing) {
   std::vector<elasticity::Disk> disks;
-  for (std::size_t g = 0; g < p.grains.size(); ++g) disks.push_back({p.grains.radius[g], p.domain.thickness, {}, drawing.traction});
+  for (std::size_t g = 0; g < p.grains.size(); ++g)
+    disks.push_back({p.grains.radius[g], p.domain.thickness, {}, drawing.traction});
   for (std::size_t c = 0; c < p.contacts.size(); ++c) {
     const elasticity::RimForce f{p.contacts.normal[c], p.contacts.fn[c], p.contacts.ft[c], drawing.half_angle};
     disks[static_cast<std::size_t>(p.contacts.i[c])].forces.push_back(f);
-    if (!p.contacts.is_wall(c)) disks[static_cast<std::size_t>(p.contacts.j[c])].forces.push_back({-f.normal, f.fn, f.ft, f.half_angle});
+    if (!p.contacts.is_wall(c))
+      disks[static_cast<std::size_t>(p.contacts.j[c])].forces.push_back({-f.normal, f.fn, f.ft, f.half_angle});
   }
   return disks;
 }
@@ -50,13 +52,17 @@ inline std::vector<double> lens_weights(const ThermoelasticDrawing& d, int& befo
   return w;
 }
 
-/// The picture of a packing whose contacts hold peak-to-peak forces, four pixels wider on every side than the grains need.
-inline inference::ThermoelasticPicture draw_thermoelastic(const Packing& p, const std::vector<double>& factor, const ThermoelasticDrawing& d) {
+/// The picture of a packing whose contacts hold peak-to-peak forces, four pixels wider on every side than the grains
+/// need.
+inline inference::ThermoelasticPicture draw_thermoelastic(const Packing& p, const std::vector<double>& factor,
+                                                          const ThermoelasticDrawing& d) {
   const Grains& grains = p.grains;
   double x0 = 1e9, x1 = -1e9, y0 = 1e9, y1 = -1e9;
   for (std::size_t g = 0; g < grains.size(); ++g) {
-    x0 = std::min(x0, grains.position[g].x - grains.radius[g]), x1 = std::max(x1, grains.position[g].x + grains.radius[g]);
-    y0 = std::min(y0, grains.position[g].y - grains.radius[g]), y1 = std::max(y1, grains.position[g].y + grains.radius[g]);
+    x0 = std::min(x0, grains.position[g].x - grains.radius[g]),
+    x1 = std::max(x1, grains.position[g].x + grains.radius[g]);
+    y0 = std::min(y0, grains.position[g].y - grains.radius[g]),
+    y1 = std::max(y1, grains.position[g].y + grains.radius[g]);
   }
   inference::ThermoelasticPicture picture;
   picture.pixel = d.pixel;
@@ -69,13 +75,16 @@ inline inference::ThermoelasticPicture draw_thermoelastic(const Packing& p, cons
   const std::vector<elasticity::Disk> disks = loaded_disks(p, d);
   for (std::size_t g = 0; g < grains.size(); ++g) {
     const double r = grains.radius[g], a = factor[static_cast<std::size_t>(grains.material[g])];
-    const int c0 = static_cast<int>((grains.position[g].x - r - corner.x) / cell), c1 = static_cast<int>((grains.position[g].x + r - corner.x) / cell) + 1;
-    const int r0 = static_cast<int>((corner.y - grains.position[g].y - r) / cell), r1 = static_cast<int>((corner.y - grains.position[g].y + r) / cell) + 1;
+    const int c0 = static_cast<int>((grains.position[g].x - r - corner.x) / cell),
+              c1 = static_cast<int>((grains.position[g].x + r - corner.x) / cell) + 1;
+    const int r0 = static_cast<int>((corner.y - grains.position[g].y - r) / cell),
+              r1 = static_cast<int>((corner.y - grains.position[g].y + r) / cell) + 1;
     for (int row = r0; row <= r1; ++row)
       for (int c = c0; c <= c1; ++c) {
         const Vec2 x = Vec2{corner.x + c * cell, corner.y - row * cell} - grains.position[g];
         const double inside = r - norm(x);
-        const std::size_t k = static_cast<std::size_t>(row) * static_cast<std::size_t>(fw) + static_cast<std::size_t>(c);
+        const std::size_t k =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(fw) + static_cast<std::size_t>(c);
         if (inside <= depth[k]) continue;  // the grain that holds the place deepest is seen
         depth[k] = inside;
         const bool close = inside < 2 * cell && d.traction == elasticity::Traction::point;
@@ -89,7 +98,9 @@ inline inference::ThermoelasticPicture draw_thermoelastic(const Packing& p, cons
     for (int c = 0; c < picture.width; ++c)
       for (std::size_t k = 0; k < w.size(); ++k) {
         const int from = c * d.fine - before + static_cast<int>(k);
-        if (from >= 0 && from < fw) half[static_cast<std::size_t>(row * picture.width + c)] += w[k] * fine[static_cast<std::size_t>(row * fw + from)];
+        if (from >= 0 && from < fw)
+          half[static_cast<std::size_t>(row * picture.width + c)] +=
+              w[k] * fine[static_cast<std::size_t>(row * fw + from)];
       }
   RandomStream random(d.seed, Purpose::test, 77);
   for (int row = 0; row < picture.height; ++row)

@@ -14,28 +14,38 @@ namespace arenite::test {
 class VirtualFilm {
  public:
   explicit VirtualFilm(const std::string& overrides = "") {
-    const std::string force = " --set stages.1.bottom.force='\"16 kN\"' --set stages.2.bottom.force='\"1.6 kN\"' --set stages.3.bottom.force='\"16 kN\"'";
-    const std::string increments = " --set stages.1.increments=2 --set stages.2.increments=2 --set stages.3.increments=2 --set integration.track_energy=false";
-    simulated = arenite("run " + example("sample.toml") + " --quiet --out " + states() + " --set populations.0.count=20 --set populations.1.count=22" +
+    const std::string force =
+        " --set stages.1.bottom.force='\"16 kN\"' --set stages.2.bottom.force='\"1.6 kN\"' --set "
+        "stages.3.bottom.force='\"16 kN\"'";
+    const std::string increments =
+        " --set stages.1.increments=2 --set stages.2.increments=2 --set stages.3.increments=2 --set "
+        "integration.track_energy=false";
+    simulated = arenite("run " + example("sample.toml") + " --quiet --out " + states() +
+                        " --set populations.0.count=20 --set populations.1.count=22" +
                         " --set container.width='\"95 mm\"' --set packing.solid_fraction=0.7" + force + increments);
     filmed = camera("film", overrides);
   }
 
-  static std::string example(const std::string& file) { return std::string(ARENITE_SOURCE_DIR) + "/examples/40-virtual-experiment/" + file; }
+  static std::string example(const std::string& file) {
+    return std::string(ARENITE_SOURCE_DIR) + "/examples/40-virtual-experiment/" + file;
+  }
   static std::string small_camera() {
-    return " --set camera.width=96 --set camera.height=96 --set camera.pixel='\"1.2 mm\"' --set camera.frames=300 --set camera.reference_frames=30";
+    return " --set camera.width=96 --set camera.height=96 --set camera.pixel='\"1.2 mm\"' --set camera.frames=300 "
+           "--set camera.reference_frames=30";
   }
 
   std::string states() const { return (folder / "states").string(); }
   std::filesystem::path at(const std::string& name) const { return folder / name; }
 
   Outcome camera(const std::string& to, const std::string& overrides = "") const {
-    return arenite("camera " + states() + " --recipe " + example("camera.toml") + " --quiet --out " + at(to).string() + small_camera() + " " + overrides);
+    return arenite("camera " + states() + " --recipe " + example("camera.toml") + " --quiet --out " + at(to).string() +
+                   small_camera() + " " + overrides);
   }
   /// `arenite film` of the film in that folder by the recipe there, into the folder "result".
-  Outcome film(const std::string& more = "", const std::string& from = "film", const std::string& recipe = "film.toml") const {
-    return arenite("film " + at(from + "/film.ptw").string() + " --recipe " + at("film/" + recipe).string() + " --quiet --out " + at("result").string() + " " +
-                   more);
+  Outcome film(const std::string& more = "", const std::string& from = "film",
+               const std::string& recipe = "film.toml") const {
+    return arenite("film " + at(from + "/film.ptw").string() + " --recipe " + at("film/" + recipe).string() +
+                   " --quiet --out " + at("result").string() + " " + more);
   }
   /// The recipe of the film with one piece of text in place of another, beside it under this name.
   void edit(const std::string& name, const std::string& from, const std::string& to) const {
@@ -48,7 +58,8 @@ class VirtualFilm {
   /// Last state of a simulated stage.
   Packing state(const std::string& stage) const {
     for (const auto& file : io::stage_files(states()))
-      if (file.filename().string().find("-" + stage + "-") != std::string::npos) return io::read_stage(file).snapshots.back().packing;
+      if (file.filename().string().find("-" + stage + "-") != std::string::npos)
+        return io::read_stage(file).snapshots.back().packing;
     return {};
   }
 
@@ -77,7 +88,9 @@ inline std::vector<std::size_t> nearest_of(const Grains& found, const Grains& tr
   for (std::size_t i = 0; i < found.size(); ++i) {
     std::size_t best = 0;
     for (std::size_t j = 1; j < truth.size(); ++j)
-      if (norm(truth.position[j] - corner - found.position[i]) < norm(truth.position[best] - corner - found.position[i])) best = j;
+      if (norm(truth.position[j] - corner - found.position[i]) <
+          norm(truth.position[best] - corner - found.position[i]))
+        best = j;
     nearest.push_back(best);
   }
   return nearest;

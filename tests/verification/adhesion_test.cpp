@@ -65,8 +65,9 @@ TEST(Adhesion, ForceIsKhMinusGammaRootRh) {
 }
 
 TEST(Adhesion, EffectiveRadiusIsFourReducedByDefaultAndTheOthersOnRequest) {
-  const std::pair<EffectiveRadius, double> options[] = {
-      {EffectiveRadius::four_reduced, 4 * ra * rb / (ra + rb)}, {EffectiveRadius::sum, ra + rb}, {EffectiveRadius::geometric_mean, 2 * std::sqrt(ra * rb)}};
+  const std::pair<EffectiveRadius, double> options[] = {{EffectiveRadius::four_reduced, 4 * ra * rb / (ra + rb)},
+                                                        {EffectiveRadius::sum, ra + rb},
+                                                        {EffectiveRadius::geometric_mean, 2 * std::sqrt(ra * rb)}};
   const double h = 1e-5;
   for (const auto& [option, r_eff] : options) {
     dem::ContactParameters law = glued(dem::GeometricalAdhesion{});
@@ -110,7 +111,8 @@ TEST(Adhesion, PullOffForceIsRGammaSquaredOver4kAtItsOverlap) {
 }
 
 TEST(Adhesion, ADampedPairRestsAtTheOverlapOfZeroForce) {
-  for (const dem::Adhesion& kind : std::initializer_list<dem::Adhesion>{dem::GeometricalAdhesion{}, dem::BreakingAdhesion{}}) {
+  for (const dem::Adhesion& kind :
+       std::initializer_list<dem::Adhesion>{dem::GeometricalAdhesion{}, dem::BreakingAdhesion{}}) {
     Engine engine(pair(0.6 * bond.equilibrium()), glued(kind, 0.2), with_step(fine_step()));
     engine.advance(60000);
     // Positions of half a metre stop moving when a step's way is below their last bit: 1e-13 m.
@@ -126,7 +128,8 @@ TEST(Adhesion, EscapeSpeedIsThatOfTheBondEnergyAndTheRestIsKept) {
   for (const auto integrator : integrators)
     for (const double share : {0.99, 1.01, 1.25}) {
       SCOPED_TRACE(std::string(name(integrator)) + ", " + std::to_string(share));
-      Engine engine(pair(bond.equilibrium(), share * escape), glued(dem::GeometricalAdhesion{}), with_step(fine_step(), integrator));
+      Engine engine(pair(bond.equilibrium(), share * escape), glued(dem::GeometricalAdhesion{}),
+                    with_step(fine_step(), integrator));
       double farthest = bond.equilibrium();
       for (int part = 0; part < 400; ++part) {
         engine.advance(100);
@@ -137,7 +140,8 @@ TEST(Adhesion, EscapeSpeedIsThatOfTheBondEnergyAndTheRestIsKept) {
       } else {
         const Packing p = engine.packing();
         EXPECT_EQ(p.contacts.size(), 0u);
-        const double speed = p.grains.velocity[1].x - p.grains.velocity[0].x, expected = escape * std::sqrt(share * share - 1);
+        const double speed = p.grains.velocity[1].x - p.grains.velocity[0].x,
+                     expected = escape * std::sqrt(share * share - 1);
         EXPECT_NEAR(speed, expected, 2e-3 * escape);
       }
     }
@@ -169,7 +173,9 @@ TEST(Adhesion, CarriesAWeightJustBelowThePullOffForceAndDropsOneJustAbove) {
     engine.advance(20000);
     const Packing now = engine.packing();
     EXPECT_EQ(find_contact(now, 0, 1).has_value(), share < 1) << share;
-    if (const auto c = find_contact(now, 0, 1)) { EXPECT_NEAR(now.contacts.fn[*c], -share * bond.pull_off(), 1e-3 * bond.pull_off()); }
+    if (const auto c = find_contact(now, 0, 1)) {
+      EXPECT_NEAR(now.contacts.fn[*c], -share * bond.pull_off(), 1e-3 * bond.pull_off());
+    }
   }
 }
 
@@ -247,8 +253,10 @@ TEST(Adhesion, RaisesTheFrictionCapByThePullOffForceAndLowersItAsPrinted) {
 
 TEST(Adhesion, CanBeSetLaterAndBreakingBondsThenJoinOnlyThePairsThatTouch) {
   Packing p = pair(bond.equilibrium());
-  add(p, {{0.5, 0.5 - ra - rb - 1e-5}, rb, pom, {0, 0.05}, 0, 1});  // comes near from below, touches after the glue is set
-  for (const dem::Adhesion& kind : std::initializer_list<dem::Adhesion>{dem::GeometricalAdhesion{}, dem::BreakingAdhesion{}}) {
+  add(p,
+      {{0.5, 0.5 - ra - rb - 1e-5}, rb, pom, {0, 0.05}, 0, 1});  // comes near from below, touches after the glue is set
+  for (const dem::Adhesion& kind :
+       std::initializer_list<dem::Adhesion>{dem::GeometricalAdhesion{}, dem::BreakingAdhesion{}}) {
     Engine engine(p, glued(kind), with_step(fine_step()));
     engine.set_glue(false);
     engine.advance(2);

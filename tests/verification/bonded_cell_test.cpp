@@ -27,12 +27,15 @@ dem::ContactParameters cemented(double damping, double strength = 1e30) {
 Packing lattice(int columns, int rows) {
   Packing p = periodic_cell(2 * grain_radius * columns, 2 * grain_radius * std::sqrt(0.75) * rows);
   for (int r = 0; r < rows; ++r)
-    for (int c = 0; c < columns; ++c) add(p, {{2 * grain_radius * (c + 0.25 + 0.5 * (r % 2)), 2 * grain_radius * std::sqrt(0.75) * (r + 0.5)}, grain_radius});
+    for (int c = 0; c < columns; ++c)
+      add(p, {{2 * grain_radius * (c + 0.25 + 0.5 * (r % 2)), 2 * grain_radius * std::sqrt(0.75) * (r + 0.5)},
+              grain_radius});
   return p;
 }
 
 TEST(BondedCell, LatticeIsAsStiffAsItsBonds) {
-  // Pulled along y: sigma_yy = sqrt(3)/4 (3 k_n + k_s) e/t, sigma_xx = sqrt(3)/4 (k_n - k_s) e/t, with k_n = E t (l = 2 R) and k_s = k_n/2.5.
+  // Pulled along y: sigma_yy = sqrt(3)/4 (3 k_n + k_s) e/t, sigma_xx = sqrt(3)/4 (k_n - k_s) e/t, with k_n = E t (l = 2
+  // R) and k_s = k_n/2.5.
   const Packing start = lattice(8, 8);
   Engine engine(start, cemented(0.3), {});
   engine.make_bonds();
@@ -43,8 +46,10 @@ TEST(BondedCell, LatticeIsAsStiffAsItsBonds) {
   engine.set_drives({});
   engine.advance(20000);
   const Domain& cell = engine.domain();
-  const double strain = (cell.height() - start.domain.height()) / start.domain.height(), unit = std::sqrt(3) / 4 * modulus * strain;
-  const double yy = -cell.wall[top].force / (cell.width() * cell.thickness), xx = -cell.wall[right].force / (cell.height() * cell.thickness);
+  const double strain = (cell.height() - start.domain.height()) / start.domain.height(),
+               unit = std::sqrt(3) / 4 * modulus * strain;
+  const double yy = -cell.wall[top].force / (cell.width() * cell.thickness),
+               xx = -cell.wall[right].force / (cell.height() * cell.thickness);
   EXPECT_GT(strain, 5e-5);
   EXPECT_NEAR(yy, unit * (3 + 0.4), 2 * strain * yy);
   EXPECT_NEAR(xx, unit * (1 - 0.4), 10 * strain * yy);
@@ -64,7 +69,8 @@ TEST(BondedCell, EnergyIsClosedWhileItIsShearedAndPressedToPieces) {
     engine.set_drives({dem::WallDrive{}, {}, {}, moved(-0.3)});
     engine.set_shear_rate(50);
     const auto imbalance = [](const Energies& e) {
-      return e.kinetic + e.elastic + e.dissipated_normal + e.dissipated_friction + e.dissipated_drag + e.dissipated_breakage - e.work_walls;
+      return e.kinetic + e.elastic + e.dissipated_normal + e.dissipated_friction + e.dissipated_drag +
+             e.dissipated_breakage - e.work_walls;
     };
     const Energies before = engine.energies();
     engine.advance(15000);

@@ -42,7 +42,8 @@ Sag sag_of_cantilever(int bonds, double stiffness_ratio) {
   dem::ParallelBond bond = unbreakable(1e9);
   bond.stiffness_ratio = stiffness_ratio;
   const Packing start = row(bonds + 1);
-  const double length = 2 * radius, area = 2 * radius * thickness, shear = bond.modulus * area / length / stiffness_ratio;
+  const double length = 2 * radius, area = 2 * radius * thickness,
+               shear = bond.modulus * area / length / stiffness_ratio;
   const double inertia = 2.0 / 3 * std::pow(radius, 3) * thickness, rigidity = bond.modulus * inertia;
   const double weight = mass(start, 0) * gravity, whole = length * bonds;
 
@@ -54,8 +55,8 @@ Sag sag_of_cantilever(int bonds, double stiffness_ratio) {
   engine.set_drag(2 * slowest);
   while (engine.time() < 40 / slowest) engine.advance(1000);
 
-  // Timoshenko's beam under point loads at a: P a^2 (3 L - a)/(6 E I) + P a/(kappa G A), in which a bond that shears by 1/k_s has its own bending,
-  // l^3/(12 E I).
+  // Timoshenko's beam under point loads at a: P a^2 (3 L - a)/(6 E I) + P a/(kappa G A), in which a bond that shears by
+  // 1/k_s has its own bending, l^3/(12 E I).
   const double shear_compliance = (1 / shear - std::pow(length, 3) / (12 * rigidity)) / length;
   Sag sag{0.5 - engine.packing().grains.position[static_cast<std::size_t>(bonds)].y, 0};
   for (int m = 1; m <= bonds; ++m) {
@@ -78,7 +79,8 @@ TEST(Bonds, TensionHoldsASpinningPair) {
   // Two equal disks about their middle: T = m omega^2 l/2.
   Packing p = box(1, 1);
   const double spin = 300;
-  for (const double side : {-1.0, 1.0}) add(p, {{0.5 + side * radius, 0.5}, radius, pom, {0, side * spin * radius}, spin});
+  for (const double side : {-1.0, 1.0})
+    add(p, {{0.5 + side * radius, 0.5}, radius, pom, {0, side * spin * radius}, spin});
   Engine engine(p, cemented(unbreakable(1e9, 0.2)), {});
   engine.make_bonds();
   const double before = angular_momentum(p, {0.5, 0.5});
@@ -132,7 +134,9 @@ TEST(Bonds, KeepMomentumAndAngularMomentum) {
     engine.advance(3000);
     const Packing end = engine.packing();
     const double scale = 36 * mass(p, 0) * 1;
-    EXPECT_EQ(std::any_of(end.bonds.begin(), end.bonds.end(), [](const Bond& b) { return b.broken != BondBreak::none; }), strength < 1e10);
+    EXPECT_EQ(
+        std::any_of(end.bonds.begin(), end.bonds.end(), [](const Bond& b) { return b.broken != BondBreak::none; }),
+        strength < 1e10);
     EXPECT_LT(norm(momentum(end) - momentum(p)), 1e-12 * scale);
     EXPECT_NEAR(angular_momentum(end, {0.43, 0.43}), angular_momentum(p, {0.43, 0.43}), 1e-12 * scale * 0.06);
   }
@@ -144,7 +148,8 @@ struct PressBalance {
 };
 
 /// Two walls close in on a cemented block that fills its box.
-PressBalance press(const dem::ParallelBond& bond, IntegratorKind kind, double friction, double share_of_contact_time = 500) {
+PressBalance press(const dem::ParallelBond& bond, IntegratorKind kind, double friction,
+                   double share_of_contact_time = 500) {
   Packing start = shaken_lattice(7, 7, 1);
   dem::ContactParameters law;
   law.friction = friction;
@@ -160,8 +165,9 @@ PressBalance press(const dem::ParallelBond& bond, IntegratorKind kind, double fr
   engine.advance(static_cast<std::int64_t>(30 * share_of_contact_time));
   const Energies after = engine.energies();
   const dem::BondCount count = engine.bond_count();
-  return {stored(after) - stored(before) + lost(after) - lost(before) - after.work_walls + before.work_walls, after.work_walls - before.work_walls,
-          after.dissipated_breakage, after.dissipated_normal, count.made() - count.intact};
+  return {stored(after) - stored(before) + lost(after) - lost(before) - after.work_walls + before.work_walls,
+          after.work_walls - before.work_walls, after.dissipated_breakage, after.dissipated_normal,
+          count.made() - count.intact};
 }
 
 TEST(Bonds, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {

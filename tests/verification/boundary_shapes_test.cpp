@@ -25,7 +25,8 @@ dem::ContactParameters rubbing(double mu, double restitution = 0.2) {
   return law;
 }
 
-/// Slides down a plate of this slope that has points in between: its acceleration along the plate between 0.1 and 0.2 s, m/s^2.
+/// Slides down a plate of this slope that has points in between: its acceleration along the plate between 0.1 and 0.2
+/// s, m/s^2.
 template <class Grain> double acceleration_on(double slope, double mu, Grain grain, double above) {
   const Vec2 along{std::cos(slope), -std::sin(slope)}, up = perpendicular(along), start{0.2, 1.8};
   Packing p = box(2, 2);
@@ -102,7 +103,8 @@ TEST(BoundaryShapes, ForceIsMinusTheGradientOfTheEnergy) {
     Packing packing;
     std::size_t contacts;
   };
-  for (const Case& c : {Case{on_a_tip(1e-3, 0.01), 1}, Case{on_segment, 1}, Case{corner, 2}, Case{on_a_tip(half + 0.3e-3, 0, 0.1e-3), 2}}) {
+  for (const Case& c : {Case{on_a_tip(1e-3, 0.01), 1}, Case{on_segment, 1}, Case{corner, 2},
+                        Case{on_a_tip(half + 0.3e-3, 0, 0.1e-3), 2}}) {
     dem::IntegrationParameters how;
     how.safety = 1e-4;
     const auto energy = [&](double dx, double dy, double turn) {
@@ -114,7 +116,8 @@ TEST(BoundaryShapes, ForceIsMinusTheGradientOfTheEnergy) {
     };
     Engine engine(c.packing, elastic(), how);
     EXPECT_EQ(engine.packing().contacts.size(), c.contacts);
-    const double dt = engine.time_step(), m = mass(c.packing, 0), inertia = m * std::pow(c.packing.grains.shapes.gyration[0], 2);
+    const double dt = engine.time_step(), m = mass(c.packing, 0),
+                 inertia = m * std::pow(c.packing.grains.shapes.gyration[0], 2);
     engine.advance(1);
     engine.set_gravity({1e-30, 0});
     const Packing end = engine.packing();
@@ -132,7 +135,9 @@ TEST(BoundaryShapes, ForceIsContinuousWhereASideSlidesOffATip) {
   Packing alone = box(1, 1);
   add(alone, Polygon{});
   const double half = half_side(alone, 0);
-  const auto force = [&](double beyond) { return Engine(on_a_tip(half + beyond), elastic(), {}).domain().boundaries[0].force; };
+  const auto force = [&](double beyond) {
+    return Engine(on_a_tip(half + beyond), elastic(), {}).domain().boundaries[0].force;
+  };
   EXPECT_GT(norm(force(0)), 100);
   EXPECT_LT(norm(force(1e-9) - force(-1e-9)), 1e-4 * norm(force(0)));
 }
@@ -143,7 +148,9 @@ TEST(BoundaryShapes, APointWithinAPolygonIsRefused) {
     Engine(p, elastic(), {});
     FAIL();
   } catch (const std::exception& error) {
-    EXPECT_NE(std::string(error.what()).find("a point of the boundary \"plate\" lies within polygon 0 before the first step"), std::string::npos)
+    EXPECT_NE(
+        std::string(error.what()).find("a point of the boundary \"plate\" lies within polygon 0 before the first step"),
+        std::string::npos)
         << error.what();
   }
 }
@@ -154,17 +161,21 @@ Packing drum(int side) {
   const Vec2 middle{0.5 * size, 0.5 * size};
   Packing p = box(size, size);
   std::vector<Vec2> points;
-  for (int n = 0; n < 24; ++n) points.push_back(middle + (n % 6 == 0 ? radius - 10e-3 : radius) * direction(2 * pi * n / 24));
+  for (int n = 0; n < 24; ++n)
+    points.push_back(middle + (n % 6 == 0 ? radius - 10e-3 : radius) * direction(2 * pi * n / 24));
   p.domain.boundaries.push_back(boundary(points, true));
   p.domain.boundaries.back().name = "drum";
   RandomStream random(3, Purpose::test);
   for (int q = 0; q < side * side; ++q) {
     const Vec2 at = middle + Vec2{(q % side + 0.5 - 0.5 * side) * pitch, (q / side + 0.5 - 0.5 * side) * pitch};
-    const bool at_a_rib = std::any_of(points.begin(), points.end(), [&](Vec2 point) { return norm(at - point) < 8.5e-3; });
+    const bool at_a_rib =
+        std::any_of(points.begin(), points.end(), [&](Vec2 point) { return norm(at - point) < 8.5e-3; });
     if (at_a_rib || norm(at - middle) > std::cos(pi / 24) * radius - 9e-3) continue;
     const Vec2 v{random.uniform(-15, 15), random.uniform(-15, 15)};
     if (q % 3 == 0) add(p, Clump{dumbbell, at, 5e-3, random.uniform(0, 6), v, random.uniform(-50, 50)});
-    else add(p, Polygon{3 + q % 4, at, random.uniform(0, 6), v, random.uniform(-50, 50), 5.5e-3, q % 2 == 0 ? 1.0 : 1.5, 0.15});
+    else
+      add(p, Polygon{3 + q % 4, at, random.uniform(0, 6), v, random.uniform(-50, 50), 5.5e-3, q % 2 == 0 ? 1.0 : 1.5,
+                     0.15});
   }
   return p;
 }
@@ -195,7 +206,9 @@ Packing pressed_by_teeth() {
   for (int q = 0; q < 36; ++q) {
     const Vec2 at{(q % 6 + 0.5) * pitch, (q / 6 + 0.5) * pitch}, v{random.uniform(-1, 1), random.uniform(-1, 1)};
     if (q % 3 == 0) add(p, Clump{dumbbell, at, 5.5e-3, random.uniform(0, 6), v, random.uniform(-50, 50)});
-    else add(p, Polygon{3 + q % 4, at, random.uniform(0, 6), v, random.uniform(-50, 50), 5.5e-3, q % 2 == 0 ? 1.0 : 1.5, 0.15});
+    else
+      add(p, Polygon{3 + q % 4, at, random.uniform(0, 6), v, random.uniform(-50, 50), 5.5e-3, q % 2 == 0 ? 1.0 : 1.5,
+                     0.15});
   }
   Engine engine(p, rubbing(0, 0.3), {});
   engine.set_drives({moved(2), moved(-2), {}, moved(-2)});
@@ -217,10 +230,12 @@ TEST(BoundaryShapes, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
   engine.advance(15'000);
   const Packing end = engine.packing();
   std::size_t teeth = 0;
-  for (std::size_t c = 0; c < end.contacts.size(); ++c) teeth += end.contacts.is_boundary(c) && end.contacts.element(c) % 2 == 0;
+  for (std::size_t c = 0; c < end.contacts.size(); ++c)
+    teeth += end.contacts.is_boundary(c) && end.contacts.element(c) % 2 == 0;
   EXPECT_GE(teeth, 2U);
   const Energies after = engine.energies();
-  const double stored = after.kinetic + after.elastic - before.kinetic - before.elastic, work = after.work_walls - before.work_walls;
+  const double stored = after.kinetic + after.elastic - before.kinetic - before.elastic,
+               work = after.work_walls - before.work_walls;
   const double lost = after.dissipated_normal + after.dissipated_friction;
   EXPECT_GT(after.dissipated_friction, 0);
   EXPECT_GT(after.elastic, 5 * before.elastic);

@@ -69,12 +69,14 @@ TEST(Clumps, CollisionKeepsMomentumAndAngularMomentum) {
   EXPECT_EQ(engine.packing().contacts.size(), 0U);
 }
 
-/// Two dumbbells, each at right angles to the way, meet with one disk each, a lever b beside both centres. Equal grains with radius of gyration i that
-/// meet at +v and -v, without friction or loss, exchange the impulse 2 m v/(1 + b^2/i^2).
+/// Two dumbbells, each at right angles to the way, meet with one disk each, a lever b beside both centres. Equal grains
+/// with radius of gyration i that meet at +v and -v, without friction or loss, exchange the impulse 2 m v/(1 +
+/// b^2/i^2).
 TEST(Clumps, ImpulseAndSpinOfAnEccentricCollisionAreTheClosedForm) {
   Packing p = box(1, 1);
   add(p, Clump{dumbbell, {0.3, 0.4}, 6.2e-3, pi / 2, {1, 0}});
-  const double lever = p.grains.shapes.place[1].x, disk = p.grains.shapes.radius[0], gyration = p.grains.shapes.gyration[0];
+  const double lever = p.grains.shapes.place[1].x, disk = p.grains.shapes.radius[0],
+               gyration = p.grains.shapes.gyration[0];
   add(p, Clump{dumbbell, {0.3 + 2 * disk + 1e-5, 0.4 + 2 * lever}, 6.2e-3, pi / 2, {-1, 0}});
   dem::IntegrationParameters how;
   how.safety = 0.001;
@@ -82,7 +84,8 @@ TEST(Clumps, ImpulseAndSpinOfAnEccentricCollisionAreTheClosedForm) {
   while (engine.packing().contacts.size() == 0) engine.advance(50);
   while (engine.packing().contacts.size() > 0) engine.advance(50);
   const Packing end = engine.packing();
-  const double impulse = 2 / (1 + lever * lever / (gyration * gyration)), spin = impulse * lever / (gyration * gyration);
+  const double impulse = 2 / (1 + lever * lever / (gyration * gyration)),
+               spin = impulse * lever / (gyration * gyration);
   EXPECT_NEAR(end.grains.velocity[0].x, 1 - impulse, 1e-3);
   EXPECT_NEAR(end.grains.velocity[1].x, impulse - 1, 1e-3);
   EXPECT_NEAR(end.grains.omega[0] / spin, 1, 1e-3);
@@ -94,7 +97,11 @@ TEST(Clumps, CentralCollisionHasTheRestitutionThatIsAsked) {
   for (const double restitution : {1.0, 0.7, 0.3}) {
     Packing p = box(1, 1);
     add(p, Clump{dumbbell, {0.3, 0.4}, 6.2e-3, 0, {1, 0}});
-    add(p, Clump{dumbbell, {0.3 + 2 * (p.grains.shapes.place[1].x + p.grains.shapes.radius[1]) + 1e-5, 0.4}, 6.2e-3, 0, {-1, 0}});
+    add(p, Clump{dumbbell,
+                 {0.3 + 2 * (p.grains.shapes.place[1].x + p.grains.shapes.radius[1]) + 1e-5, 0.4},
+                 6.2e-3,
+                 0,
+                 {-1, 0}});
     dem::ContactParameters law;
     law.restitution = restitution;
     dem::IntegrationParameters how;
@@ -140,7 +147,12 @@ Packing crowd(bool periodic, std::uint64_t seed = 1, int side = 6) {
   RandomStream random(seed, Purpose::test);
   for (int q = 0; q < side * side; ++q) {
     const Vec2 at{(q % side + 0.5) * pitch, (q / side + 0.5) * pitch};
-    add(p, Clump{q % 3 == 0 ? dumbbell : bent, at, 5e-3, random.uniform(0, 6), {random.uniform(-1, 1), random.uniform(-1, 1)}, random.uniform(-50, 50)});
+    add(p, Clump{q % 3 == 0 ? dumbbell : bent,
+                 at,
+                 5e-3,
+                 random.uniform(0, 6),
+                 {random.uniform(-1, 1), random.uniform(-1, 1)},
+                 random.uniform(-50, 50)});
   }
   return p;
 }
@@ -153,7 +165,8 @@ Packing pressed_clumps(bool periodic, int side = 6) {
   Engine engine(crowd(periodic, 1, side), smooth, {});
   const double speed = side > 6 ? 100 : 2;
   engine.set_drives({moved(speed), moved(-speed), moved(speed), moved(-speed)});
-  while (engine.packing().contacts.size() < static_cast<std::size_t>((side > 6 ? 1 : 2.5) * side * side)) engine.advance(50);
+  while (engine.packing().contacts.size() < static_cast<std::size_t>((side > 6 ? 1 : 2.5) * side * side))
+    engine.advance(50);
   return engine.packing();
 }
 
@@ -171,7 +184,8 @@ TEST(Clumps, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
     const Energies before = engine.energies();
     engine.advance(15'000);
     const Energies after = engine.energies();
-    const double stored = after.kinetic + after.elastic - before.kinetic - before.elastic, work = after.work_walls - before.work_walls;
+    const double stored = after.kinetic + after.elastic - before.kinetic - before.elastic,
+                 work = after.work_walls - before.work_walls;
     const double lost = after.dissipated_normal + after.dissipated_friction + after.dissipated_drag;
     EXPECT_GT(after.dissipated_friction, 0);
     EXPECT_GT(after.elastic, 5 * before.elastic);
@@ -235,7 +249,8 @@ TEST(Clumps, DisksAmongThemTouchAtTheirOwnCentresArms) {
   EXPECT_GT(disks, 100U);
 }
 
-/// The force on a clump is minus the slope of the elastic energy: without friction and dashpots, against moving it by hand.
+/// The force on a clump is minus the slope of the elastic energy: without friction and dashpots, against moving it by
+/// hand.
 TEST(Clumps, ForceIsMinusTheGradientOfTheEnergy) {
   dem::ContactParameters law;
   law.friction = 0;
@@ -288,7 +303,8 @@ TEST(Clumps, ALyingDumbbellSlidesAboveTheAngleOfFriction) {
     if (slope < std::atan(mu)) EXPECT_NEAR(end.grains.velocity[0].x, 0, 1e-6);
     else EXPECT_NEAR(acceleration / (gravity * (std::sin(slope) - mu * std::cos(slope))), 1, 1e-5);
     ASSERT_EQ(end.contacts.size(), 2U);
-    EXPECT_NEAR(end.contacts.fn[0] + end.contacts.fn[1], mass(p, 0) * gravity * std::cos(slope), 1e-3 * mass(p, 0) * gravity);
+    EXPECT_NEAR(end.contacts.fn[0] + end.contacts.fn[1], mass(p, 0) * gravity * std::cos(slope),
+                1e-3 * mass(p, 0) * gravity);
     EXPECT_NEAR(end.grains.angle[0], 0, 1e-5);
   }
 }

@@ -76,7 +76,8 @@ TEST(Cohesion, DmtPullsOffAtTwoPiWRAndDoesTheWorkOfAdhesion) {
     EXPECT_NEAR(curve[n].force, expected, 1e-6 * most) << gap;
   }
   EXPECT_NEAR(strongest, most, 2e-3 * most);
-  EXPECT_NEAR(work, 0.5 * most * 1e-6, 2e-3 * work);  // pi w d R: the energy of flat surfaces, w a unit of area, over the caps
+  EXPECT_NEAR(work, 0.5 * most * 1e-6,
+              2e-3 * work);  // pi w d R: the energy of flat surfaces, w a unit of area, over the caps
 }
 
 TEST(Cohesion, AWetPairPulledApartFollowsTheExactBridgeUntilItBreaks) {
@@ -84,12 +85,14 @@ TEST(Cohesion, AWetPairPulledApartFollowsTheExactBridgeUntilItBreaks) {
     for (const double angle : {0.0, 0.8}) {
       const dem::CapillaryDisks law = water(angle);
       const geometry::LiquidBridge bridge{wet_radius, radius_j, angle};
-      const double area = law.volume / wet_thickness, reach = geometry::rupture_gap(bridge, area), unit = law.surface_tension * wet_thickness;
+      const double area = law.volume / wet_thickness, reach = geometry::rupture_gap(bridge, area),
+                   unit = law.surface_tension * wet_thickness;
       const auto curve = pulled_apart(law, 1.2 * reach, radius_j, 1e-9);
       double last = 0;
       for (const auto& [gap, force] : curve) {
         if (gap <= 0) continue;
-        const double expected = gap < reach ? unit * geometry::bridge_state(bridge, gap, geometry::arc_radius(bridge, gap, area)).pull : 0;
+        const double expected =
+            gap < reach ? unit * geometry::bridge_state(bridge, gap, geometry::arc_radius(bridge, gap, area)).pull : 0;
         EXPECT_NEAR(force, expected, 1e-5 * unit) << gap / reach;
         if (force != 0) last = gap;
       }
@@ -118,7 +121,8 @@ TEST(Cohesion, BridgesFormAtTheTouchAndNotBefore) {
   const Energies after = engine.energies();
   EXPECT_NEAR(after.dissipated_breakage, curve.energy(curve.reach()), 1e-3 * curve.energy(curve.reach()));
   EXPECT_NEAR(before - after.kinetic, curve.energy(curve.reach()), 1e-3 * curve.energy(curve.reach()));
-  EXPECT_LT(std::abs(before - after.kinetic - after.dissipated_breakage - after.elastic - after.adhesive), 1e-6 * before);
+  EXPECT_LT(std::abs(before - after.kinetic - after.dissipated_breakage - after.elastic - after.adhesive),
+            1e-6 * before);
 }
 
 TEST(Cohesion, FrictionIsCappedByMuTimesTheForceAbovePullOff) {
@@ -155,8 +159,8 @@ struct DrivenBalance {
 };
 
 /// A sample driven for some contact times, with friction and dashpots.
-DrivenBalance driven(const Packing& start, const dem::Cohesion& law, IntegratorKind kind, const std::array<bool, 4>& rough, const dem::WallDrives& drives,
-                     int contact_times) {
+DrivenBalance driven(const Packing& start, const dem::Cohesion& law, IntegratorKind kind,
+                     const std::array<bool, 4>& rough, const dem::WallDrives& drives, int contact_times) {
   constexpr std::int64_t share = 500;
   dem::ContactParameters contact;
   contact.friction = 0.5;
@@ -175,15 +179,16 @@ DrivenBalance driven(const Packing& start, const dem::Cohesion& law, IntegratorK
   }
   const Energies after = engine.energies();
   const std::size_t joined = engine.cohesion_count().joined;
-  return {stored(after) - stored(before) + lost(after) - lost(before) - after.work_walls + before.work_walls, after.work_walls - before.work_walls,
-          after.dissipated_breakage, joined, most - joined};
+  return {stored(after) - stored(before) + lost(after) - lost(before) - after.work_walls + before.work_walls,
+          after.work_walls - before.work_walls, after.dissipated_breakage, joined, most - joined};
 }
 
 TEST(Cohesion, EnergyIsClosedToAMillionthOfTheWorkWhereGrainsMeet) {
   for (const dem::Cohesion& law : all_laws)
     for (const auto kind : integrators) {
       SCOPED_TRACE(std::string(law.word()) + ", " + name(kind));
-      const DrivenBalance b = driven(shaken_lattice(7, 7, 1, false, 1), law, kind, {}, {dem::WallDrive{}, moved(-0.8), moved(1.1), dem::WallDrive{}}, 30);
+      const DrivenBalance b = driven(shaken_lattice(7, 7, 1, false, 1), law, kind, {},
+                                     {dem::WallDrive{}, moved(-0.8), moved(1.1), dem::WallDrive{}}, 30);
       EXPECT_GT(b.joined, 60u);
       EXPECT_GT(b.work, 1);
       EXPECT_LT(std::abs(b.imbalance), 1e-6 * b.work);
@@ -195,7 +200,8 @@ Packing touching_lattice(int columns, int rows) {
   const double r = 6e-3, pitch = 2 * r - 1e-7;
   Packing p = box(pitch * (columns + 0.5), 2 * r + pitch * std::sqrt(0.75) * (rows - 1));
   for (int row = 0; row < rows; ++row)
-    for (int c = 0; c < columns; ++c) add(p, {{r + pitch * (c + 0.5 * (row % 2)), r + pitch * std::sqrt(0.75) * row}, r});
+    for (int c = 0; c < columns; ++c)
+      add(p, {{r + pitch * (c + 0.5 * (row % 2)), r + pitch * std::sqrt(0.75) * row}, r});
   return p;
 }
 
@@ -206,7 +212,8 @@ TEST(Cohesion, EnergyIsClosedToAMillionthOfTheWorkWhereGrainsPart) {
       SCOPED_TRACE(std::string(law.word()) + ", " + name(kind));
       const bool breaks = law.word() != std::string(dem::Dmt::word.word);
       const double speed = breaks ? 2 : 0.2;  // adhesion reaches less far
-      const DrivenBalance b = driven(touching_lattice(7, 7), law, kind, {false, false, true, true}, {dem::WallDrive{}, {}, {}, moved(speed)}, 60);
+      const DrivenBalance b = driven(touching_lattice(7, 7), law, kind, {false, false, true, true},
+                                     {dem::WallDrive{}, {}, {}, moved(speed)}, 60);
       EXPECT_GT(b.fewer, 5u);
       EXPECT_GT(b.work, 1e-3);
       EXPECT_EQ(b.broken > 0.05 * b.work, breaks);
@@ -235,7 +242,8 @@ TEST(Cohesion, KeepsMomentumAndAngularMomentum) {
     EXPECT_GT(engine.cohesion_count().joined, 0u);
     const double scale = 36 * mass(p, 0) * 1;
     EXPECT_LT(norm(momentum(engine.packing()) - momentum(p)), 1e-12 * scale);
-    EXPECT_NEAR(angular_momentum(engine.packing(), {0.43, 0.43}), angular_momentum(p, {0.43, 0.43}), 1e-12 * scale * 0.06);
+    EXPECT_NEAR(angular_momentum(engine.packing(), {0.43, 0.43}), angular_momentum(p, {0.43, 0.43}),
+                1e-12 * scale * 0.06);
   }
 }
 

@@ -30,8 +30,8 @@ struct Outcome {
 };
 
 /// Steps until a contact came and went.
-Outcome collide(const Packing& start, const dem::ContactParameters& law, const dem::IntegrationParameters& how, double approach,
-                const std::function<double(const Packing&)>& separation_speed) {
+Outcome collide(const Packing& start, const dem::ContactParameters& law, const dem::IntegrationParameters& how,
+                double approach, const std::function<double(const Packing&)>& separation_speed) {
   Engine engine(start, law, how);
   Outcome out;
   int in_contact = 0;
@@ -113,7 +113,8 @@ TEST(Collision, RestitutionOnAWallIsTheOneAskedForWithTheWholeMassAndTheStiffest
           p.grains.position[0] = centre;
           p.grains.velocity[0] = {-speed * n.x, -speed * n.y};
           add(p, {{0.05, 0.05}, r, pom});  // out of the way; walls are as stiff as the stiffest grain of the sample
-          const Outcome out = collide(p, frictionless(e), with_step(dt, kind), speed, [&](const Packing& now) { return dot(velocity(now, 0), n); });
+          const Outcome out = collide(p, frictionless(e), with_step(dt, kind), speed,
+                                      [&](const Packing& now) { return dot(velocity(now, 0), n); });
           EXPECT_NEAR(out.restitution, e, restitution_tolerance(e, pi / 2000, kind));
           const double zeta = damping_ratio(e);
           EXPECT_NEAR(out.duration, tc / std::sqrt(1 - zeta * zeta), 3 * dt);
@@ -127,7 +128,8 @@ TEST(Collision, DeepestOverlapAndForceOfAnElasticCollisionAreVOverOmegaAndKTimes
     const double m = reduced(mass(probe, 0), mass(probe, 1));
     const double omega = std::sqrt(pair.k / m), dt = pi / omega / 1000, speed = 0.8;
     const Outcome out = collide(head_on(pair, speed, dt), frictionless(1), with_step(dt), speed, separation);
-    // At its top the overlap is sampled within half a step: (omega dt/2)^2/2; the integrator adds its own (omega dt)^2/8.
+    // At its top the overlap is sampled within half a step: (omega dt/2)^2/2; the integrator adds its own (omega
+    // dt)^2/8.
     EXPECT_NEAR(out.deepest, speed / omega, 1e-5 * speed / omega);
     EXPECT_NEAR(out.stiffest, pair.k * speed / omega, 1e-5 * pair.k * speed / omega);
   }
@@ -137,7 +139,8 @@ TEST(Collision, DeepestOverlapAndForceOfAnElasticCollisionAreVOverOmegaAndKTimes
 /// (Schwager and Poeschel, Granular Matter 9, 465, 2007).
 double clipped_restitution(double zeta) {
   const double s = std::sqrt(1 - zeta * zeta);
-  const double angle = zeta < std::sqrt(0.5) ? pi - std::atan2(2 * zeta * s, 1 - 2 * zeta * zeta) : std::atan2(2 * zeta * s, 2 * zeta * zeta - 1);
+  const double angle = zeta < std::sqrt(0.5) ? pi - std::atan2(2 * zeta * s, 1 - 2 * zeta * zeta)
+                                             : std::atan2(2 * zeta * s, 2 * zeta * zeta - 1);
   return std::exp(-zeta / s * angle);
 }
 
@@ -153,7 +156,8 @@ TEST(Collision, ClippingTheAttractiveDashpotRaisesTheRestitutionToItsOwnClosedFo
     const double omega_dt = pi / 4000, speed = 0.5;
     law.attractive_dashpot = false;
     const double clipped = collide(head_on(pair, speed, dt), law, with_step(dt), speed, separation).restitution;
-    EXPECT_NEAR(clipped, clipped_restitution(zeta), clipped_restitution(zeta) * (2 * zeta * omega_dt + omega_dt * omega_dt));
+    EXPECT_NEAR(clipped, clipped_restitution(zeta),
+                clipped_restitution(zeta) * (2 * zeta * omega_dt + omega_dt * omega_dt));
     law.attractive_dashpot = true;
     const double kept = collide(head_on(pair, speed, dt), law, with_step(dt), speed, separation).restitution;
     const double e = std::exp(-pi * zeta / std::sqrt(1 - zeta * zeta));
@@ -182,7 +186,8 @@ TEST(Collision, RestitutionIsTheOneAskedForWhereTheDashpotCannotPullEither) {
   for (const dem::NormalLaw& normal : std::initializer_list<dem::NormalLaw>{dem::Linear{}, dem::Hertz{}})
     for (const auto kind : integrators)
       for (const double e : {1.0, 0.9, 0.5, 0.1, 0.02}) {
-        SCOPED_TRACE(std::string(name(kind)) + (normal == dem::Hertz{} ? ", Hertz" : "") + ", e = " + std::to_string(e));
+        SCOPED_TRACE(std::string(name(kind)) + (normal == dem::Hertz{} ? ", Hertz" : "") +
+                     ", e = " + std::to_string(e));
         const Pair pair = pairs()[2];
         Packing probe = head_on(pair, 1, 0);
         const double dt = contact_time(reduced(mass(probe, 0), mass(probe, 1)), pair.k) / 20000, omega_dt = pi / 20000;

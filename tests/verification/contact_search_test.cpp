@@ -26,7 +26,8 @@ std::map<std::pair<std::int32_t, std::int32_t>, double> all_overlaps(const Packi
     for (int side = 0; side < 4; ++side) {
       const Wall& wall = p.domain.wall[static_cast<std::size_t>(side)];
       if (!wall.present) continue;
-      const Vec2 plane = side < 2 ? Vec2{wall.position, p.grains.position[a].y} : Vec2{p.grains.position[a].x, wall.position};
+      const Vec2 plane =
+          side < 2 ? Vec2{wall.position, p.grains.position[a].y} : Vec2{p.grains.position[a].x, wall.position};
       const double overlap = p.grains.radius[a] - dot(p.grains.position[a] - plane, inward_normal(side));
       if (overlap > 0) found[{i, wall_partner(side)}] = overlap;
     }
@@ -47,10 +48,11 @@ Packing gas(bool periodic_x, bool periodic_y, double tilt) {
     disk.centre = {random.uniform(disk.radius, 0.16 - disk.radius), random.uniform(disk.radius, 0.12 - disk.radius)};
     disk.velocity = {random.uniform(-30, 30), random.uniform(-30, 30)};
     disk.material = random.uniform() < 0.5 ? pom : hdpe;
-    const bool free = std::none_of(p.grains.position.begin(), p.grains.position.end(), [&, i = std::size_t{0}](Vec2 other) mutable {
-      const Vec2 d = p.domain.nearest_image(other - disk.centre);
-      return norm(d) < 0.95 * (p.grains.radius[i++] + disk.radius);
-    });
+    const bool free =
+        std::none_of(p.grains.position.begin(), p.grains.position.end(), [&, i = std::size_t{0}](Vec2 other) mutable {
+          const Vec2 d = p.domain.nearest_image(other - disk.centre);
+          return norm(d) < 0.95 * (p.grains.radius[i++] + disk.radius);
+        });
     if (free) add(p, disk);
   }
   return p;
@@ -61,8 +63,10 @@ TEST(ContactSearch, MissesNoneOfTheContactsThatTryingAllPairsFinds) {
     bool x, y;
     double tilt;
   };
-  for (const Cell cell : {Cell{false, false, 0}, Cell{true, false, 0}, Cell{false, true, 0}, Cell{true, true, 0}, Cell{true, true, 0.05}}) {
-    SCOPED_TRACE(std::string(cell.x ? "periodic in x " : "") + (cell.y ? "periodic in y " : "") + std::to_string(cell.tilt));
+  for (const Cell cell : {Cell{false, false, 0}, Cell{true, false, 0}, Cell{false, true, 0}, Cell{true, true, 0},
+                          Cell{true, true, 0.05}}) {
+    SCOPED_TRACE(std::string(cell.x ? "periodic in x " : "") + (cell.y ? "periodic in y " : "") +
+                 std::to_string(cell.tilt));
     Engine engine(gas(cell.x, cell.y, cell.tilt), frictionless(0.9), with_step(2e-7));
     std::size_t seen = 0;
     for (int part = 0; part < 300; ++part) {

@@ -17,13 +17,15 @@ Packing crystal(int columns, int rows) {
   const double d = 2 * disk_radius;
   Packing p = periodic_cell(columns * d, rows * d * std::sqrt(0.75));
   for (int r = 0; r < rows; ++r)
-    for (int c = 0; c < columns; ++c) add(p, {{d * (0.25 + c + 0.5 * (r % 2)), d * std::sqrt(0.75) * (r + 0.5)}, disk_radius});
+    for (int c = 0; c < columns; ++c)
+      add(p, {{d * (0.25 + c + 0.5 * (r % 2)), d * std::sqrt(0.75) * (r + 0.5)}, disk_radius});
   return p;
 }
 
 TEST(Crystal, HasTheModuliOfATriangularLatticeOfNormalAndTangentialSprings) {
   // Sums over the three bond directions: C11 = (sqrt 3/4)(3 k + k_t), C12 = (sqrt 3/4)(k - k_t), N/m of the plane.
-  for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::NoFriction{}, dem::CundallStrack{}})
+  for (const dem::FrictionLaw& friction :
+       std::initializer_list<dem::FrictionLaw>{dem::NoFriction{}, dem::CundallStrack{}})
     for (const Vec2 strain : {Vec2{1e-5, 1e-5}, Vec2{1e-5, 3e-5}, Vec2{2.5e-5, 1e-5}}) {
       const Packing start = crystal(8, 8);
       dem::ContactParameters law;
@@ -33,7 +35,8 @@ TEST(Crystal, HasTheModuliOfATriangularLatticeOfNormalAndTangentialSprings) {
       Engine engine(start, law, with_step(contact_time(0.5 * mass(start, 0), k_pom) / 100));
       const std::int64_t steps = 5000;
       const double t = static_cast<double>(steps) * engine.time_step();
-      engine.set_drives({dem::WallDrive{}, moved(-strain.x * start.domain.width() / t), dem::WallDrive{}, moved(-strain.y * start.domain.height() / t)});
+      engine.set_drives({dem::WallDrive{}, moved(-strain.x * start.domain.width() / t), dem::WallDrive{},
+                         moved(-strain.y * start.domain.height() / t)});
       engine.advance(steps);
       engine.set_drives({});
       engine.advance(10000);
@@ -41,7 +44,8 @@ TEST(Crystal, HasTheModuliOfATriangularLatticeOfNormalAndTangentialSprings) {
       EXPECT_NEAR(1 - p.domain.width() / start.domain.width(), strain.x, 1e-7 * strain.x);
       Tensor2 s;
       for (std::size_t c = 0; c < p.contacts.size(); ++c)
-        s += 1 / p.domain.area() * outer(p.contacts.force_on_i(c), (p.contacts.arm_i[c] + p.contacts.arm_j[c]) * p.contacts.normal[c]);
+        s += 1 / p.domain.area() *
+             outer(p.contacts.force_on_i(c), (p.contacts.arm_i[c] + p.contacts.arm_j[c]) * p.contacts.normal[c]);
       const double kt = friction == dem::NoFriction{} ? 0 : 0.8 * k_pom;
       const double c11 = std::sqrt(3) / 4 * (3 * k_pom + kt), c12 = std::sqrt(3) / 4 * (k_pom - kt);
       // Small strain: corrections of its own order; the springs' sum by the trapezoidal rule.
@@ -63,7 +67,8 @@ TEST(Crystal, CarriesSoundAtTheSpeedOfItsStiffness) {
   for (double& r : p.grains.radius) r *= 1.001;  // pressed, so that no contact opens
   const double width = p.domain.width(), q = 2 * pi / width, d = 2 * disk_radius;
   const double m = mass(p, 0), c11 = std::sqrt(3) / 4 * 3 * k_pom, rho = m / (std::sqrt(0.75) * d * d);
-  for (std::size_t i = 0; i < p.grains.size(); ++i) p.grains.velocity[i].x = 1e-3 * std::sin(q * p.grains.position[i].x);
+  for (std::size_t i = 0; i < p.grains.size(); ++i)
+    p.grains.velocity[i].x = 1e-3 * std::sin(q * p.grains.position[i].x);
   const double period = 2 * pi / (q * std::sqrt(c11 / rho));
   const std::int64_t quarter = 2000;
   Engine engine(p, elastic(), with_step(period / (4 * quarter)));
@@ -74,7 +79,8 @@ TEST(Crystal, CarriesSoundAtTheSpeedOfItsStiffness) {
     overlap += half.grains.velocity[i].x * p.grains.velocity[i].x;
     norm_of_start += p.grains.velocity[i].x * p.grains.velocity[i].x;
   }
-  // cos(omega t) at omega t = pi (1 - delta), delta < (q d)^2/16 and the prestress's 1e-3: nearly -1; a speed wrong by 5 % gives -0.988.
+  // cos(omega t) at omega t = pi (1 - delta), delta < (q d)^2/16 and the prestress's 1e-3: nearly -1; a speed wrong by
+  // 5 % gives -0.988.
   EXPECT_LT(overlap / norm_of_start, -0.998);
   EXPECT_GT(overlap / norm_of_start, -1.0001);
   engine.advance(quarter);  // three quarters: at rest

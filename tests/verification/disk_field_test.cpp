@@ -33,7 +33,8 @@ double difference(int n, double part) {
   EXPECT_EQ(loaded.report.ending, peridynamics::Ending::solved) << loaded.report.sentence;
   const double force = -loaded.report.top_force.y;
   const double radius = 0.5 * n * map.dx, chord = std::acos(1 - 2.0 / n);
-  const elasticity::Disk disk{radius, 1, {{{0, 1}, force, 0, chord}, {{0, -1}, force, 0, chord}}, elasticity::Traction::uniform};
+  const elasticity::Disk disk{
+      radius, 1, {{{0, 1}, force, 0, chord}, {{0, -1}, force, 0, chord}}, elasticity::Traction::uniform};
   double error = 0, sum = 0;
   for (int y = 0; y < n; ++y) {
     for (int x = 0; x < n; ++x) {

@@ -21,8 +21,8 @@ struct Balance {
 
 /// Two walls close in on some tens of disks at a metre a second, until overlaps reach some parts in a thousand. (The
 /// share that is lost track of at each new contact grows with the speed.)
-Balance compress(const dem::ContactParameters& law, IntegratorKind kind, double share_of_contact_time, const Packing& start = shaken_lattice(7, 7, 1),
-                 Vec2 g = {}, double drag = 0) {
+Balance compress(const dem::ContactParameters& law, IntegratorKind kind, double share_of_contact_time,
+                 const Packing& start = shaken_lattice(7, 7, 1), Vec2 g = {}, double drag = 0) {
   dem::IntegrationParameters how = with_step(shortest_contact_time() / share_of_contact_time, kind);
   how.track_energy = true;
   how.drag = drag;
@@ -32,20 +32,23 @@ Balance compress(const dem::ContactParameters& law, IntegratorKind kind, double 
   const Energies before = engine.energies();
   engine.advance(static_cast<std::int64_t>(30 * share_of_contact_time));
   const Energies after = engine.energies();
-  return {stored(after) - stored(before) + lost(after) - lost(before) - work(after) + work(before), std::abs(work(after) - work(before)),
-          lost(after) - lost(before)};
+  return {stored(after) - stored(before) + lost(after) - lost(before) - work(after) + work(before),
+          std::abs(work(after) - work(before)), lost(after) - lost(before)};
 }
 
 std::string describe(NormalLaw normal, FrictionLaw friction, Adhesion adhesion, IntegratorKind kind) {
-  return std::string(normal.word()) + ", friction " + std::string(friction.word()) + ", adhesion " + std::string(adhesion.word()) + ", " + name(kind);
+  return std::string(normal.word()) + ", friction " + std::string(friction.word()) + ", adhesion " +
+         std::string(adhesion.word()) + ", " + name(kind);
 }
 
 TEST(Energy, IsClosedToAMillionthOfTheWorkAtAStepOfTcOver500ForEveryLaw) {
   Packing start = shaken_lattice(7, 7, 1);
   for (std::size_t i = 0; i < start.grains.size(); ++i) start.grains.zone[i] = i % 3 != 0;
   for (const dem::NormalLaw& normal : std::initializer_list<dem::NormalLaw>{dem::Linear{}, dem::Hertz{}})
-    for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::NoFriction{}, dem::RegularisedCoulomb{}, dem::CundallStrack{}})
-      for (const dem::Adhesion& adhesion : std::initializer_list<dem::Adhesion>{dem::NoAdhesion{}, dem::GeometricalAdhesion{}, dem::BreakingAdhesion{}})
+    for (const dem::FrictionLaw& friction :
+         std::initializer_list<dem::FrictionLaw>{dem::NoFriction{}, dem::RegularisedCoulomb{}, dem::CundallStrack{}})
+      for (const dem::Adhesion& adhesion :
+           std::initializer_list<dem::Adhesion>{dem::NoAdhesion{}, dem::GeometricalAdhesion{}, dem::BreakingAdhesion{}})
         for (const auto kind : integrators) {
           SCOPED_TRACE(describe(normal, friction, adhesion, kind));
           dem::ContactParameters law;
@@ -62,7 +65,8 @@ TEST(Energy, IsClosedToAMillionthOfTheWorkAtAStepOfTcOver500ForEveryLaw) {
 }
 
 TEST(Energy, OfRollingIsClosedToo) {
-  for (const dem::RollingLaw& rolling : std::initializer_list<dem::RollingLaw>{dem::ConstantTorque{0.3}, dem::ElasticPlasticRolling{0.3, 0.3}})
+  for (const dem::RollingLaw& rolling :
+       std::initializer_list<dem::RollingLaw>{dem::ConstantTorque{0.3}, dem::ElasticPlasticRolling{0.3, 0.3}})
     for (const auto kind : integrators) {
       SCOPED_TRACE(std::string(rolling.word()) + ", " + name(kind));
       dem::ContactParameters law;
@@ -167,7 +171,8 @@ TEST(Energy, StaysClosedUnderServoWallsPeriodicEdgesAndLoadsThatChange) {
   for (const auto kind : integrators)
     for (const bool periodic : {false, true})
       // A load changed at once starts Gear's higher derivatives anew.
-      EXPECT_LT(imbalance_under_changing_loads(kind, periodic), 2e-6) << name(kind) << (periodic ? ", periodic" : ", walls");
+      EXPECT_LT(imbalance_under_changing_loads(kind, periodic), 2e-6)
+          << name(kind) << (periodic ? ", periodic" : ", walls");
 }
 
 TEST(Energy, OfAnElasticGasStaysWhereItIs) {
@@ -204,7 +209,8 @@ std::pair<double, double> law_at(double h, const dem::ContactParameters& law, bo
 
 TEST(Energy, NormalForceIsMinusItsGradientForEveryLaw) {
   for (const dem::NormalLaw& normal : std::initializer_list<dem::NormalLaw>{dem::Linear{}, dem::Hertz{}})
-    for (const dem::Adhesion& adhesion : std::initializer_list<dem::Adhesion>{dem::NoAdhesion{}, dem::GeometricalAdhesion{}, dem::BreakingAdhesion{}})
+    for (const dem::Adhesion& adhesion :
+         std::initializer_list<dem::Adhesion>{dem::NoAdhesion{}, dem::GeometricalAdhesion{}, dem::BreakingAdhesion{}})
       for (const bool wall : {false, true})
         for (const double h : {3e-6, 2e-5, 2e-4}) {
           SCOPED_TRACE(describe(normal, dem::NoFriction{}, adhesion, IntegratorKind::velocity_verlet));
@@ -244,7 +250,8 @@ TEST(Energy, TheTangentialSpringStoresHalfTheSquareOfItsForceOverItsStiffness) {
 }
 
 TEST(Momentum, IsConservedInAPeriodicCellWhateverTheContactsDissipate) {
-  for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}})
+  for (const dem::FrictionLaw& friction :
+       std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}})
     for (const auto kind : integrators) {
       const Packing start = shaken_lattice(10, 10, 2, true, 2);
       dem::ContactParameters law;

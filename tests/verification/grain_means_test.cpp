@@ -22,14 +22,16 @@ PictureGrains one_grain(double x, double y, double radius) {
 
 /// A map whose pixels are means of a harmonic field over their squares: value + a x + b y + c (x^2 - y^2) + d x y about
 /// (x0, y0). Outside of radius 1.2 R there is something else.
-LockinMaps harmonic(double value, double x0, double y0, double radius, double a = 3, double b = -2, double c = 0.4, double d = 0.7) {
+LockinMaps harmonic(double value, double x0, double y0, double radius, double a = 3, double b = -2, double c = 0.4,
+                    double d = 0.7) {
   LockinMaps maps;
   maps.width = 40;
   maps.height = 30;
   for (int row = 0; row < 30; ++row)
     for (int column = 0; column < 40; ++column) {
       const double x = column - x0, y = row - y0;
-      maps.in_phase.push_back(static_cast<float>(std::hypot(x, y) < 1.2 * radius ? value + a * x + b * y + c * (x * x - y * y) + d * x * y : 1e3));
+      maps.in_phase.push_back(static_cast<float>(
+          std::hypot(x, y) < 1.2 * radius ? value + a * x + b * y + c * (x * x - y * y) + d * x * y : 1e3));
     }
   maps.mean.resize(maps.in_phase.size());
   maps.standard_error.assign(maps.in_phase.size(), 0.01f);
@@ -71,7 +73,8 @@ TEST(GrainMeans, DiskUnderContactForcesHasItsMeanStress) {
       for (int column = 0; column < 25; ++column) {
         const Vec2 centre{(column - x0) * pixel, (row - y0) * pixel};
         const bool inside = std::hypot(centre.x, centre.y) < radius - 0.71 * pixel;
-        maps.in_phase.push_back(inside ? static_cast<float>(-factor * elasticity::square_mean(disk, centre, pixel)) : 7.f);
+        maps.in_phase.push_back(inside ? static_cast<float>(-factor * elasticity::square_mean(disk, centre, pixel))
+                                       : 7.f);
       }
     maps.convention = AmplitudeConvention::peak_to_peak;
     maps.standard_error.assign(maps.in_phase.size(), 0.f);

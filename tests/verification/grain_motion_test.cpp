@@ -27,7 +27,8 @@ Seen look(const test::MovingDisks& disks) {
   seen.motion = grain_motion(pictures, seen.grains);
   seen.moving = follow_grains(pictures, seen.still, seen.grains, seen.motion, seen.grains);
   for (std::size_t i = 0; i < seen.grains.size(); ++i) {
-    const double off = std::hypot(norm(seen.motion.cosine[i] + disks.amplitude(seen.grains, i)), norm(seen.motion.sine[i]));
+    const double off =
+        std::hypot(norm(seen.motion.cosine[i] + disks.amplitude(seen.grains, i)), norm(seen.motion.sine[i]));
     seen.worst_motion = std::max(seen.worst_motion, off);
     seen.rms_motion += off * off / static_cast<double>(seen.grains.size());
   }
@@ -41,7 +42,8 @@ double error_of_means(const test::MovingDisks& disks, const Seen& seen, const Lo
   o.factor = {1e-8, 1e-8};
   const PeakToPeak found = grain_means(maps, seen.grains, o);
   double sum = 0;
-  for (std::size_t i = 0; i < found.size(); ++i) sum += std::pow(found.temperature[i] - disks.warming(seen.grains, i, seen.grains.centre[i].x), 2);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    sum += std::pow(found.temperature[i] - disks.warming(seen.grains, i, seen.grains.centre[i].x), 2);
   return std::sqrt(sum / static_cast<double>(found.size()));
 }
 
@@ -99,7 +101,8 @@ TEST(GrainMotion, LeavesLittleBelowRims) {
   motion.sine.resize(grains.size());
   motion.error.resize(grains.size());
   const LockinMaps followed = follow_grains(phase_pictures(film, maps, o), maps, grains, motion, grains);
-  EXPECT_LT(error_below_rims(disks, grains, followed), 3.4e-3);  // noise alone: 2.8 mK; 10.5 mK if rims are resampled with the rest
+  EXPECT_LT(error_below_rims(disks, grains, followed),
+            3.4e-3);  // noise alone: 2.8 mK; 10.5 mK if rims are resampled with the rest
 }
 
 TEST(GrainMotion, OfGrainsAtRestIsNone) {

@@ -27,7 +27,9 @@ Packing elastic_box() {
 double modulus(const Packing& p, std::int32_t m) { return *p.materials[static_cast<std::size_t>(m)].youngs_modulus; }
 double poisson(const Packing& p, std::int32_t m) { return *p.materials[static_cast<std::size_t>(m)].poisson; }
 double compliance(const Packing& p, std::int32_t m) { return (1 - poisson(p, m) * poisson(p, m)) / modulus(p, m); }
-double shear_compliance(const Packing& p, std::int32_t m) { return 2 * (2 - poisson(p, m)) * (1 + poisson(p, m)) / modulus(p, m); }
+double shear_compliance(const Packing& p, std::int32_t m) {
+  return 2 * (2 - poisson(p, m)) * (1 + poisson(p, m)) / modulus(p, m);
+}
 
 dem::ContactParameters mindlin(double restitution) {
   dem::ContactParameters law = frictionless(restitution);
@@ -58,7 +60,9 @@ TEST(HertzMindlin, AWallIsARigidPlane) {
   const double r = 3e-3, h = 2e-6;
   add(p, {{r - h, 0.5}, r, rubber});
   const Packing now = Engine(p, mindlin(1), with_step(1e-9)).packing();
-  EXPECT_NEAR(now.contacts.fn.at(0) * compliance(p, rubber) / (4.0 / 3 * std::sqrt(r) * std::pow(now.contacts.overlap.at(0), 1.5)), 1, 1e-12);
+  EXPECT_NEAR(now.contacts.fn.at(0) * compliance(p, rubber) /
+                  (4.0 / 3 * std::sqrt(r) * std::pow(now.contacts.overlap.at(0), 1.5)),
+              1, 1e-12);
 }
 
 /// Two spheres that meet head on: restitution, time of contact, largest force and overlap.
@@ -89,7 +93,8 @@ Outcome collide(const dem::ContactParameters& law, std::int32_t a, std::int32_t 
 
 /// Hertz: 2.94 h_max/v, in which h_max^(5/2) = (15/16) m v^2/(E* sqrt(R*)).
 double classical_time(const Packing& p, std::int32_t a, std::int32_t b, double speed) {
-  const double e = 1 / (compliance(p, a) + compliance(p, b)), r = reduced(p.grains.radius[0], p.grains.radius[1]), m = reduced(mass(p, 0), mass(p, 1));
+  const double e = 1 / (compliance(p, a) + compliance(p, b)), r = reduced(p.grains.radius[0], p.grains.radius[1]),
+               m = reduced(mass(p, 0), mass(p, 1));
   return 2.943275 * std::pow(15.0 / 16, 0.4) * std::pow(m * m / (r * e * e * speed), 0.2);
 }
 
@@ -133,7 +138,8 @@ double sliding_stiffness(Packing p, double& normal_force) {
   const Packing now = engine.packing();
   normal_force = now.contacts.fn.at(0);
   const double force = now.contacts.ft.at(0), slip = steps * dt * spin * (p.grains.radius[0] + p.grains.radius[1]);
-  EXPECT_NEAR(Engine(now, sticking(), with_step(dt)).packing().contacts.ft.at(0), force, 1e-9 * std::abs(force));  // as a next stage begins
+  EXPECT_NEAR(Engine(now, sticking(), with_step(dt)).packing().contacts.ft.at(0), force,
+              1e-9 * std::abs(force));  // as a next stage begins
   return std::abs(force) / slip;
 }
 
@@ -147,7 +153,8 @@ TEST(HertzMindlin, TheSpringOfFrictionIsMindlins) {
       EXPECT_NEAR(kt / (8 * g * root), 1, 1e-3) << a << b << " " << h;
       if (a != b) continue;
       const double nu = poisson(p, a);
-      EXPECT_NEAR(kt / (1.5 * fn / h), 2 * (1 - nu) / (2 - nu), 1e-3);  // k_t over the tangent stiffness of like spheres
+      EXPECT_NEAR(kt / (1.5 * fn / h), 2 * (1 - nu) / (2 - nu),
+                  1e-3);  // k_t over the tangent stiffness of like spheres
     }
 }
 
@@ -185,7 +192,9 @@ TEST(HertzMindlin, AMaterialWithoutTheConstantsIsRefusedInOneSentence) {
   Packing p = pressed_pair(glass, rubber, 2e-3, 5e-3, 0);
   EXPECT_EQ(sentence(p), "accepted");
   p.materials[rubber].poisson.reset();
-  EXPECT_NE(sentence(p).find("material \"rubber\" has no poisson, which the normal law \"hertz_mindlin\" needs"), std::string::npos) << sentence(p);
+  EXPECT_NE(sentence(p).find("material \"rubber\" has no poisson, which the normal law \"hertz_mindlin\" needs"),
+            std::string::npos)
+      << sentence(p);
   p.materials[rubber].youngs_modulus.reset();
   EXPECT_NE(sentence(p).find("material \"rubber\" has no youngs_modulus"), std::string::npos) << sentence(p);
 }

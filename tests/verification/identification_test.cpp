@@ -9,7 +9,9 @@ namespace {
 using namespace arenite;
 using identify::Finding;
 
-std::string table(const std::string& name) { return std::string(ARENITE_SOURCE_DIR) + "/examples/data/thesis-identification/" + name; }
+std::string table(const std::string& name) {
+  return std::string(ARENITE_SOURCE_DIR) + "/examples/data/thesis-identification/" + name;
+}
 
 const Finding& finding(const identify::Group& group, const std::string& name) {
   for (const auto& f : group.findings)
@@ -27,7 +29,8 @@ TEST(Identification, SurfaceEnergiesOfTable23ToThreeDigits) {
   request.stiffness = statistics::Measured{27.35e6};
   request.radii = {6.2e-3, 6.2e-3};
   request.stated = table("stated-surface-energy.csv");
-  for (const auto kind : {identify::EffectiveRadius::four_reduced, identify::EffectiveRadius::sum, identify::EffectiveRadius::geometric_mean}) {
+  for (const auto kind : {identify::EffectiveRadius::four_reduced, identify::EffectiveRadius::sum,
+                          identify::EffectiveRadius::geometric_mean}) {
     request.effective_radius = kind;
     const auto found = workflow::identify_adhesion(table("separation-force.csv"), request);
     ASSERT_EQ(found.groups.size(), 4U);

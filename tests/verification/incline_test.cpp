@@ -73,7 +73,8 @@ TEST(Incline, ADiskSlidesAndTurnsBeyondThreeTimesTheFrictionAngle) {
     const Incline incline(std::atan(3 * mu) + 0.2);
     Engine engine = incline.engine(rough(friction, mu));
     const double a = gravity * (std::sin(incline.slope) - mu * std::cos(incline.slope));
-    const double turn = mu * gravity * std::cos(incline.slope) * incline.m * (radius - incline.overlap) / disk_inertia(incline.start, 0);
+    const double turn = mu * gravity * std::cos(incline.slope) * incline.m * (radius - incline.overlap) /
+                        disk_inertia(incline.start, 0);
     const Acceleration is = measured(engine, 80000);
     EXPECT_NEAR(is.linear, a, 1e-6 * a);
     EXPECT_NEAR(is.angular, -turn, 1e-6 * turn);  // down the slope towards +x: clockwise

@@ -18,8 +18,8 @@ struct Convergence {
   double order(int i) const { return std::log2(error[i] / error[i + 1]); }
 };
 
-Convergence converge(const Packing& start, const dem::ContactParameters& law, IntegratorKind kind, double end, int n, double g,
-                     const std::function<Vec2(const Packing&)>& error) {
+Convergence converge(const Packing& start, const dem::ContactParameters& law, IntegratorKind kind, double end, int n,
+                     double g, const std::function<Vec2(const Packing&)>& error) {
   Convergence c{};
   for (int level = 0; level < 3; ++level) {
     const int steps = n << level;
@@ -35,7 +35,8 @@ Convergence converge(const Packing& start, const dem::ContactParameters& law, In
 double least_order(IntegratorKind kind) { return kind == IntegratorKind::gear5 ? 4.6 : 1.9; }
 
 void expect_convergence(const Convergence& c, double order, double finest, IntegratorKind kind) {
-  for (int i = 0; i < 2; ++i) EXPECT_GT(c.order(i), order) << name(kind) << ", errors " << c.error[i] << " " << c.error[i + 1];
+  for (int i = 0; i < 2; ++i)
+    EXPECT_GT(c.order(i), order) << name(kind) << ", errors " << c.error[i] << " " << c.error[i + 1];
   EXPECT_LT(c.error[2], finest) << name(kind);
 }
 
@@ -63,7 +64,8 @@ TEST(IntegratorOrder, UndampedOscillationConvergesWithTheStepSquaredOrBetter) {
   const OnTheWall disk;
   const double end = 2.3 * 2 * pi / disk.omega;
   for (const auto kind : integrators) {
-    const Convergence c = converge(disk.start, elastic(), kind, end, 150, disk.g, [&](const Packing& p) { return disk.error(p, 0, end); });
+    const Convergence c = converge(disk.start, elastic(), kind, end, 150, disk.g,
+                                   [&](const Packing& p) { return disk.error(p, 0, end); });
     expect_convergence(c, least_order(kind), 0.02, kind);
   }
 }
@@ -75,7 +77,8 @@ TEST(IntegratorOrder, DampingLowersItForLeapfrogOnly) {
   dem::ContactParameters law = elastic();
   law.normal_damping = 2 * zeta * std::sqrt(k_pom * mass(disk.start, 0));
   for (const auto kind : integrators) {
-    const Convergence c = converge(disk.start, law, kind, end, 200, disk.g, [&](const Packing& p) { return disk.error(p, zeta, end); });
+    const Convergence c =
+        converge(disk.start, law, kind, end, 200, disk.g, [&](const Packing& p) { return disk.error(p, zeta, end); });
     expect_convergence(c, kind == IntegratorKind::leapfrog ? 0.95 : least_order(kind), 0.01, kind);
   }
 }
@@ -85,7 +88,8 @@ Vec2 runge_kutta(Vec2 state, double end, int steps, const std::function<double(d
   const double dt = end / steps;
   const auto rate = [&](Vec2 s) { return Vec2{s.y, f(s.x, s.y)}; };
   for (int i = 0; i < steps; ++i) {
-    const Vec2 a = rate(state), b = rate(state + 0.5 * dt * a), c = rate(state + 0.5 * dt * b), d = rate(state + dt * c);
+    const Vec2 a = rate(state), b = rate(state + 0.5 * dt * a), c = rate(state + 0.5 * dt * b),
+               d = rate(state + dt * c);
     state += dt / 6 * (a + 2 * b + 2 * c + d);
   }
   return state;
@@ -101,11 +105,13 @@ TEST(IntegratorOrder, HoldsForTheNonlinearGluedPair) {
   law.adhesion = dem::GeometricalAdhesion{};
   law.surface_energy = gamma;
   const double m = 0.5 * mass(p, 0), end = 2.3 * 2 * pi / std::sqrt(0.5 * k_pom / m);
-  const Vec2 exact = runge_kutta({h0, 0}, end, 40000, [&](double h, double) { return -(k_pom * h - gamma * std::sqrt(r_eff * h)) / m; });
+  const Vec2 exact = runge_kutta({h0, 0}, end, 40000,
+                                 [&](double h, double) { return -(k_pom * h - gamma * std::sqrt(r_eff * h)) / m; });
   for (const auto kind : integrators) {
     const Convergence c = converge(p, law, kind, end, 150, 0, [&](const Packing& now) {
       const double h = 2 * ball_radius - (now.grains.position[1].x - now.grains.position[0].x);
-      return Vec2{(h - exact.x) / h_eq, (now.grains.velocity[0].x - now.grains.velocity[1].x - exact.y) / (h_eq * std::sqrt(k_pom / m))};
+      return Vec2{(h - exact.x) / h_eq,
+                  (now.grains.velocity[0].x - now.grains.velocity[1].x - exact.y) / (h_eq * std::sqrt(k_pom / m))};
     });
     expect_convergence(c, least_order(kind), 0.01, kind);
   }
@@ -121,10 +127,12 @@ TEST(IntegratorOrder, HoldsForHertz) {
   const double m = mass(p, 0), g = 0.7 * k_hertz * std::pow(h0, 1.5) / m;
   const double period = 2 * pi / std::sqrt(1.5 * k_hertz * std::sqrt(h0) / m);
   const double end = 2.3 * period;
-  const Vec2 exact = runge_kutta({h0, 0}, end, 40000, [&](double h, double) { return g - k_hertz / m * std::pow(h, 1.5); });
+  const Vec2 exact =
+      runge_kutta({h0, 0}, end, 40000, [&](double h, double) { return g - k_hertz / m * std::pow(h, 1.5); });
   for (const auto kind : integrators) {
     const Convergence c = converge(p, law, kind, end, 300, g, [&](const Packing& now) {
-      return Vec2{(ball_radius - now.grains.position[0].y - exact.x) / h0, (-now.grains.velocity[0].y - exact.y) * period / h0};
+      return Vec2{(ball_radius - now.grains.position[0].y - exact.x) / h0,
+                  (-now.grains.velocity[0].y - exact.y) * period / h0};
     });
     expect_convergence(c, least_order(kind), 0.01, kind);
   }

@@ -26,7 +26,8 @@ class Laboratory {
     const TemporaryFolder folder;
     if (grains == Grains::listed) recipe.picture.grains = list_of_grains(sample, how, folder);
     if (grains == Grains::optical) {
-      recipe.picture.optical = optical_picture(sample, how, drawn, folder), recipe.picture.optical_pixel = how.pixel / 3;
+      recipe.picture.optical = optical_picture(sample, how, drawn, folder),
+      recipe.picture.optical_pixel = how.pixel / 3;
       recipe.materials[0].brightness = 0.1, recipe.materials[1].brightness = 0.9;
     }
     if (told) told(recipe);
@@ -40,9 +41,12 @@ std::string all(const FilmAccuracy& a) {
   return text;
 }
 
-void expect_said(const FilmAccuracy& a, const std::string& words) { EXPECT_NE(all(a).find(words), std::string::npos) << all(a); }
+void expect_said(const FilmAccuracy& a, const std::string& words) {
+  EXPECT_NE(all(a).find(words), std::string::npos) << all(a);
+}
 
-/// Errors told cover those made: of about 75 forces 0.60 to 0.76 are wanted within one and 0.90 to 0.98 within two, give or take what so few scatter by.
+/// Errors told cover those made: of about 75 forces 0.60 to 0.76 are wanted within one and 0.90 to 0.98 within two,
+/// give or take what so few scatter by.
 void expect_covered(const FilmAccuracy& a) {
   EXPECT_GT(a.within_one, 0.5) << all(a);
   EXPECT_GT(a.within_two, 0.87) << all(a);
@@ -103,7 +107,8 @@ TEST(LaboratoryFilm, EmissivitiesThatScatterByGrainAreInTheErrors) {
 
 TEST(LaboratoryFilm, AWrongCornerOfTheContainerIsFoundWithItsOwnCause) {
   const FilmAccuracy right = Laboratory::measures();
-  const FilmAccuracy moved = Laboratory::measures({}, [](auto& r) { *r.container.left += 1.2, *r.container.top -= 0.6; });
+  const FilmAccuracy moved =
+      Laboratory::measures({}, [](auto& r) { *r.container.left += 1.2, *r.container.top -= 0.6; });
   expect_said(moved, "container's left side at column 9.");
   expect_said(moved, "not at 10.40 as container.left says");
   expect_said(moved, "not at 8.10 as container.top says");
@@ -111,7 +116,8 @@ TEST(LaboratoryFilm, AWrongCornerOfTheContainerIsFoundWithItsOwnCause) {
 }
 
 TEST(LaboratoryFilm, AnIsothermalSampleIsMeasuredFromAListOfGrains) {
-  const FilmAccuracy a = Laboratory::measures([](auto& f) { f.ambient = f.temperature; }, {}, Laboratory::Grains::listed);
+  const FilmAccuracy a =
+      Laboratory::measures([](auto& f) { f.ambient = f.temperature; }, {}, Laboratory::Grains::listed);
   expect_said(a, "they are taken to move with the lower wall");
   EXPECT_LT(a.force, 0.025);
   EXPECT_GT(a.within_two, 0.87);

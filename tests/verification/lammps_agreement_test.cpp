@@ -14,8 +14,8 @@ namespace {
 
 using verification::pi;
 
-/// The same law in both codes: LAMMPS multiplies its damping rates by the reduced mass, ours are given as they are. With
-/// equal masses and half the rates at the walls the two mean the same.
+/// The same law in both codes: LAMMPS multiplies its damping rates by the reduced mass, ours are given as they are.
+/// With equal masses and half the rates at the walls the two mean the same.
 struct Law {
   double damping = 0;    ///< alpha_n, N s/m
   double viscosity = 0;  ///< gamma_s, N s/m
@@ -53,21 +53,24 @@ void write_input(const std::filesystem::path& folder, const Packing& p, const La
        << fmt::format("{0} {1} xlo xhi\n{0} {1} ylo yhi\n-0.01 0.01 zlo zhi\n\nAtoms # sphere\n\n", -size, 2 * size);
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
     const double r = p.grains.radius[k];  // LAMMPS takes the density of a sphere
-    data << fmt::format("{} 1 {:.17g} {:.17g} {:.17g} {:.17g} 0\n", k + 1, 2 * r, 0.75 * mass / (pi * r * r * r), p.grains.position[k].x,
-                        p.grains.position[k].y);
+    data << fmt::format("{} 1 {:.17g} {:.17g} {:.17g} {:.17g} 0\n", k + 1, 2 * r, 0.75 * mass / (pi * r * r * r),
+                        p.grains.position[k].x, p.grains.position[k].y);
   }
   data << "\nVelocities\n\n";
   for (std::size_t k = 0; k < p.grains.size(); ++k)
-    data << fmt::format("{} {:.17g} {:.17g} 0 0 0 {:.17g}\n", k + 1, p.grains.velocity[k].x, p.grains.velocity[k].y, p.grains.omega[k]);
+    data << fmt::format("{} {:.17g} {:.17g} 0 0 0 {:.17g}\n", k + 1, p.grains.velocity[k].x, p.grains.velocity[k].y,
+                        p.grains.omega[k]);
 
   const auto coefficients = [&](double reduced_mass) {
-    return fmt::format("{:.17g} 0 {:.17g} {:.17g} {:.17g} 1", stiffness, law.damping / reduced_mass, law.viscosity / reduced_mass, law.friction);
+    return fmt::format("{:.17g} 0 {:.17g} {:.17g} {:.17g} 1", stiffness, law.damping / reduced_mass,
+                       law.viscosity / reduced_mass, law.friction);
   };
   std::ofstream(folder / "in") << "units si\ndimension 2\natom_style sphere\nnewton off\ncomm_modify vel yes\n"
                                   "boundary f f p\nread_data data\n"
                                << "pair_style gran/hooke " << coefficients(0.5 * mass) << "\npair_coeff * *\n"
                                << "neighbor 2e-3 bin\nneigh_modify delay 0 every 1 check yes\n"
-                               << fmt::format("timestep {:.17g}\n", time_step()) << "fix weight all gravity 9.81 vector 0 -1 0\nfix move all nve/sphere disc\n"
+                               << fmt::format("timestep {:.17g}\n", time_step())
+                               << "fix weight all gravity 9.81 vector 0 -1 0\nfix move all nve/sphere disc\n"
                                << "fix sides all wall/gran hooke " << coefficients(mass) << " xplane 0 " << size << "\n"
                                << "fix ends all wall/gran hooke " << coefficients(mass) << " yplane 0 " << size << "\n"
                                << "fix plane all enforce2d\ndump state all custom " << steps << " state id x y fx fy\n"
@@ -150,8 +153,12 @@ void expect_agreement(const Law& law) {
 }
 
 // LAMMPS caps friction by mu |F_n| also where a dashpot pulls, ours by 0 there: the two parts of the law apart.
-TEST(LammpsAgreement, FrictionOfDisksWithoutNormalDamping) { expect_agreement({.damping = 0, .viscosity = 20, .friction = 0.3}); }
-TEST(LammpsAgreement, NormalDampingWithoutFriction) { expect_agreement({.damping = 30, .viscosity = 0, .friction = 0}); }
+TEST(LammpsAgreement, FrictionOfDisksWithoutNormalDamping) {
+  expect_agreement({.damping = 0, .viscosity = 20, .friction = 0.3});
+}
+TEST(LammpsAgreement, NormalDampingWithoutFriction) {
+  expect_agreement({.damping = 30, .viscosity = 0, .friction = 0});
+}
 
 }  // namespace
 }  // namespace arenite

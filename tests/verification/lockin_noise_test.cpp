@@ -50,7 +50,8 @@ double actual_over_reported(const OscillatingFilm& oscillating, CorrelatedNoise 
 TEST(LockInNoise, ErrorsHoldWhereFramesFollowOnEachOther) {
   for (const double correlation : {0.0, 0.5, 0.8, -0.4})
     for (const std::size_t frames : {300u, 1200u})
-      EXPECT_NEAR(actual_over_reported(plain(0.05, frames), {0.02, 0, correlation}), 1, 0.08) << correlation << " " << frames;
+      EXPECT_NEAR(actual_over_reported(plain(0.05, frames), {0.02, 0, correlation}), 1, 0.08)
+          << correlation << " " << frames;
 }
 
 TEST(LockInNoise, ErrorsHoldBesideALineOfTheCamera) {
@@ -66,7 +67,9 @@ TEST(LockInNoise, ErrorsHoldBesideALineOfTheCamera) {
   const LockinMaps maps = lock_in(film, o);
   EXPECT_TRUE(shows_load(maps));
   EXPECT_NEAR(maps.frequency, 3, 4e-3);
-  EXPECT_NEAR(static_cast<double>(maps.standard_error[5]) / (static_cast<double>(maps.residual[5]) * std::sqrt(2.0 / 800)), 1, 0.5);
+  EXPECT_NEAR(
+      static_cast<double>(maps.standard_error[5]) / (static_cast<double>(maps.residual[5]) * std::sqrt(2.0 / 800)), 1,
+      0.5);
 }
 
 /// Films of 100 that show a load though there is none.
@@ -107,8 +110,9 @@ TEST(LockInNoise, ALineOverTheRowsIsNoLoad) {
   Film film = oscillating.draw();
   CorrelatedNoise{}.add_to(film);
   for (std::size_t i = 0; i < film.value.size(); ++i)
-    film.value[i] += static_cast<float>(
-        0.03 * std::cos(2 * std::numbers::pi * (3 * static_cast<double>(i / 1024) / oscillating.rate + 0.19 * static_cast<double>(i % 1024 / 32))));
+    film.value[i] += static_cast<float>(0.03 * std::cos(2 * std::numbers::pi *
+                                                        (3 * static_cast<double>(i / 1024) / oscillating.rate +
+                                                         0.19 * static_cast<double>(i % 1024 / 32))));
   LockinOptions o;
   o.frequency = 3;
   const LockinMaps maps = lock_in(film, o);
@@ -172,9 +176,14 @@ TEST(LockInFrequency, OfFewCyclesIsKeptAndNoAmplitudeRunsAway) {
           if (cycles < 2) { EXPECT_EQ(maps.frequency, 3); }
           EXPECT_NEAR(maps.frequency, 3, 0.1);
           for (std::size_t p = 0; p < maps.size(); ++p)
-            EXPECT_NEAR(maps.amplitude[p], oscillating.amplitude_of(p), 6 * static_cast<double>(maps.standard_error[p]) + 2e-3) << cycles << " " << drift;
+            EXPECT_NEAR(maps.amplitude[p], oscillating.amplitude_of(p),
+                        6 * static_cast<double>(maps.standard_error[p]) + 2e-3)
+                << cycles << " " << drift;
         } catch (const InputError& error) {
-          EXPECT_TRUE(std::string(error.what()).find("too few to separate the load from a drift") != std::string::npos && drift > 1) << error.what();
+          EXPECT_TRUE(std::string(error.what()).find("too few to separate the load from a drift") !=
+                          std::string::npos &&
+                      drift > 1)
+              << error.what();
         }
       }
 }

@@ -31,8 +31,10 @@ LockinOptions at(double frequency, bool refine = true) {
 std::pair<double, double> worst(const LockinMaps& maps, const OscillatingFilm& truth, double factor = 1) {
   double amplitude = 0, phase = 0;
   for (std::size_t p = 0; p < maps.size(); ++p) {
-    amplitude = std::max(amplitude, std::abs(static_cast<double>(maps.amplitude[p]) / (factor * truth.amplitude_of(p)) - 1));
-    phase = std::max(phase, std::abs(std::remainder(static_cast<double>(maps.phase[p]) - truth.phase_of(p), 2 * std::numbers::pi)));
+    amplitude =
+        std::max(amplitude, std::abs(static_cast<double>(maps.amplitude[p]) / (factor * truth.amplitude_of(p)) - 1));
+    phase = std::max(
+        phase, std::abs(std::remainder(static_cast<double>(maps.phase[p]) - truth.phase_of(p), 2 * std::numbers::pi)));
   }
   return {amplitude, phase};
 }
@@ -75,11 +77,12 @@ TEST(LockIn, FindsTheFrequencyThatTheFilmHas) {
   }
 }
 
-/// Smallest standard error of a frequency from N frames in T seconds with white noise s and amplitudes a that is possible:
-/// sqrt(24/(N sum a^2)) s/(2 pi T), Hz.
+/// Smallest standard error of a frequency from N frames in T seconds with white noise s and amplitudes a that is
+/// possible: sqrt(24/(N sum a^2)) s/(2 pi T), Hz.
 double cramer_rao(const OscillatingFilm& f) {
   double power = 0;
-  for (std::size_t p = 0; p < static_cast<std::size_t>(f.width * f.height); ++p) power += f.amplitude_of(p) * f.amplitude_of(p);
+  for (std::size_t p = 0; p < static_cast<std::size_t>(f.width * f.height); ++p)
+    power += f.amplitude_of(p) * f.amplitude_of(p);
   const auto frames = static_cast<double>(f.frames);
   return std::sqrt(24 / frames / power) * f.noise / (2 * std::numbers::pi * frames / f.rate);
 }
@@ -105,7 +108,8 @@ TEST(LockIn, ErrorIsTheNoiseTimesRootOfTwoOverFrames) {
   const LockinMaps maps = lock_in(film, at(3));
   std::vector<double> in_phase, reported;
   for (std::size_t p = 0; p < maps.size(); ++p) {
-    in_phase.push_back(static_cast<double>(maps.in_phase[p]) - truth.amplitude_of(p) * std::cos(truth.phase_of(p) - maps.reference_phase));
+    in_phase.push_back(static_cast<double>(maps.in_phase[p]) -
+                       truth.amplitude_of(p) * std::cos(truth.phase_of(p) - maps.reference_phase));
     reported.push_back(static_cast<double>(maps.standard_error[p]));
   }
   EXPECT_NEAR(rms(in_phase), 0.020 * std::sqrt(2.0 / 800), 0.06e-3);
@@ -120,7 +124,8 @@ TEST(LockIn, NoiseFloorIsWhatPixelsWithoutLoadShow) {
   Film film = truth.draw();
   const LockinMaps maps = lock_in(film, at(3, false));
   double shown = 0, reported = 0;
-  for (std::size_t p = 0; p < maps.size(); ++p) shown += static_cast<double>(maps.amplitude[p]), reported += static_cast<double>(maps.noise_floor[p]);
+  for (std::size_t p = 0; p < maps.size(); ++p)
+    shown += static_cast<double>(maps.amplitude[p]), reported += static_cast<double>(maps.noise_floor[p]);
   EXPECT_NEAR(shown / reported, 1, 0.05);
 }
 
@@ -199,7 +204,8 @@ TEST(LockIn, LevelsFarFromZeroLoseNothingToRounding) {
   for (const std::size_t p : {0u, 13u, 44u}) {  // beside plain sums in double precision, less the drift that was drawn
     std::complex<double> sum = 0;
     for (std::size_t n = 0; n < truth.frames; ++n) {
-      const double t = truth.when(n), rest = static_cast<double>(film.level[n * 45 + p]) - truth.mean - static_cast<double>(p) - truth.drift * t;
+      const double t = truth.when(n), rest = static_cast<double>(film.level[n * 45 + p]) - truth.mean -
+                                             static_cast<double>(p) - truth.drift * t;
       sum += rest * std::polar(1.0, 2 * std::numbers::pi * 3 * t);
     }
     EXPECT_NEAR(maps.amplitude[p], std::abs(sum) / 3000, 0.1 * static_cast<double>(maps.standard_error[p])) << p;
@@ -233,7 +239,9 @@ TEST(LockIn, SignsFollowTheReference) {
   EXPECT_NEAR(reported.in_phase[3], truth.amplitude_of(3) * std::cos(1.0), 1e-5);
   EXPECT_NEAR(reported.quadrature[3], -truth.amplitude_of(3) * std::sin(1.0), 1e-5);
   for (const double c : {1.0, 0.3, -2.0}) {  // most pixels follow the load, some the other way
-    EXPECT_NEAR(std::remainder(reference_phase({3 * std::cos(c), -std::cos(c), 2 * std::cos(c)}, {3 * std::sin(c), -std::sin(c), 2 * std::sin(c)}) - c,
+    EXPECT_NEAR(std::remainder(reference_phase({3 * std::cos(c), -std::cos(c), 2 * std::cos(c)},
+                                               {3 * std::sin(c), -std::sin(c), 2 * std::sin(c)}) -
+                                   c,
                                2 * std::numbers::pi),
                 0, 1e-12);
   }
@@ -264,7 +272,8 @@ TEST(LockIn, NearestBinIsTheTransformOfTheFilmLessItsMeanImage) {
   for (std::size_t n = 0; n < 777; ++n) mean += static_cast<double>(film.value[n * 45 + p]) / 777;
   std::complex<double> sum = 0;
   for (std::size_t n = 0; n < 777; ++n)
-    sum += (static_cast<double>(film.value[n * 45 + p]) - mean) * std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(bin * n) / 777);
+    sum += (static_cast<double>(film.value[n * 45 + p]) - mean) *
+           std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(bin * n) / 777);
   EXPECT_NEAR(plain.amplitude[p], 2 * std::abs(sum) / 777, 1e-5);
   EXPECT_NEAR(plain.phase[p], std::arg(sum), 1e-5);
 }

@@ -18,10 +18,13 @@ struct Oblique {
   Packing before, after;
   double m_eff = 0, k = 0;
   double normal_impulse() const { return mass(before, 0) * (before.grains.velocity[0].x - after.grains.velocity[0].x); }
-  double tangential_impulse() const { return mass(before, 0) * (before.grains.velocity[0].y - after.grains.velocity[0].y); }
+  double tangential_impulse() const {
+    return mass(before, 0) * (before.grains.velocity[0].y - after.grains.velocity[0].y);
+  }
 };
 
-Oblique run(double tangential_speed, dem::ContactParameters law, double spin0 = 0, double spin1 = 0, double steps_in_contact = 4000) {
+Oblique run(double tangential_speed, dem::ContactParameters law, double spin0 = 0, double spin1 = 0,
+            double steps_in_contact = 4000) {
   Oblique o;
   Packing p = box(1, 1);
   const double ra = 8.2e-3, rb = 5.25e-3;
@@ -41,7 +44,8 @@ Oblique run(double tangential_speed, dem::ContactParameters law, double spin0 = 
 }
 
 TEST(ObliqueCollision, ConservesMomentumAndAngularMomentumAboutAnyPoint) {
-  for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}}) {
+  for (const dem::FrictionLaw& friction :
+       std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}}) {
     dem::ContactParameters law;
     law.friction_law = friction;
     law.restitution = 0.5;
@@ -74,7 +78,8 @@ TEST(ObliqueCollision, FullRadiusArmsTurnTheDisksMoreByTheOverlapOnly) {
 
 TEST(ObliqueCollision, SlidingThroughoutCarriesMuTimesTheNormalImpulse) {
   // Disks slide to the end if v_t > 3 mu (1 + e) v_n; the line of centres turns by some 1e-5.
-  for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}})
+  for (const dem::FrictionLaw& friction :
+       std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}})
     for (const double mu : {0.1, 0.3, 0.7}) {
       dem::ContactParameters law;
       law.friction_law = friction;
@@ -107,7 +112,8 @@ TEST(ObliqueCollision, FrictionStopsWhereTheDashpotPulls) {
     law.attractive_dashpot = attractive;
     const Oblique o = run(14 * mu * normal_speed, law);
     // Onset of the dashpot within one step: 2 zeta omega dt.
-    EXPECT_NEAR(o.tangential_impulse(), mu * m * normal_speed * (1 + clipped), mu * m * normal_speed * 2 * zeta * pi / 4000 * 2)
+    EXPECT_NEAR(o.tangential_impulse(), mu * m * normal_speed * (1 + clipped),
+                mu * m * normal_speed * 2 * zeta * pi / 4000 * 2)
         << (attractive ? "attractive dashpot kept" : "clipped");
   }
 }

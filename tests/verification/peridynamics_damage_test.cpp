@@ -46,7 +46,8 @@ double running_strain_over_griffith(int height) {
   double strain = 0;
   for (const auto& state : result.curve) strain = std::max(strain, state.strain);
   const double micromodulus = nominal_micromodulus * calibration_factor();
-  const double stretch = ElasticBrittle{}.critical_stretch(weak.matrix, 1, map.dx), toughness = crack_energy_axis(micromodulus) * stretch * stretch * map.dx;
+  const double stretch = ElasticBrittle{}.critical_stretch(weak.matrix, 1, map.dx),
+               toughness = crack_energy_axis(micromodulus) * stretch * stretch * map.dx;
   const double griffith = std::sqrt(2 * toughness / (lattice_moduli(micromodulus).c1111 * (height - 1) * map.dx));
   return strain / griffith;
 }
@@ -67,7 +68,8 @@ TEST(Damage, PlateBreaksAlongItsNotch) {
   options.cuts = {{{-1, 23.5}, {24, 23.5}}};
   options.end_stress = 1e-3;
   const auto result = load_to_failure(map, options);
-  EXPECT_TRUE(result.ending == DamageResult::Ending::severed || result.ending == DamageResult::Ending::dropped) << result.sentence;
+  EXPECT_TRUE(result.ending == DamageResult::Ending::severed || result.ending == DamageResult::Ending::dropped)
+      << result.sentence;
   EXPECT_GT(result.broken.size(), 24u * 10);
   std::size_t astray = 0;  // a few give at the corners of the clamps, where the plate may not contract
   for (const auto& bond : result.broken) astray += std::abs(bond.y + half_bonds[bond.direction].y / 2.0 - 23.5) > 4;
@@ -79,7 +81,8 @@ TEST(Damage, PlateBreaksAlongItsNotch) {
 TEST(Damage, CementedPackingBreaksInMatrixAndInterfaceNotInGrains) {
   const PhaseMap map = test::cemented_sample({.nodes = 64, .size_ratio = 2, .bridge = 0.4});
   const auto result = load_to_failure(map, of_weak_bonds());
-  EXPECT_TRUE(result.ending == DamageResult::Ending::severed || result.ending == DamageResult::Ending::dropped) << result.sentence;
+  EXPECT_TRUE(result.ending == DamageResult::Ending::severed || result.ending == DamageResult::Ending::dropped)
+      << result.sentence;
   std::size_t in_grains = 0;
   for (const auto& bond : result.broken) in_grains += bond.type == particle_bond;
   EXPECT_LT(in_grains, result.broken.size() / 10);
@@ -93,8 +96,10 @@ double largest_stretch(const StressField& field) {
     for (int x = 0; x < field.width; ++x)
       for (const Offset e : half_bonds) {
         if (x + e.x < 0 || x + e.x >= field.width || y + e.y >= field.height) continue;
-        const auto i = static_cast<std::size_t>(x + field.width * y), j = static_cast<std::size_t>(x + e.x + field.width * (y + e.y));
-        largest = std::max(largest, (e.x * (field.ux[j] - field.ux[i]) + e.y * (field.uy[j] - field.uy[i])) / ((e.x * e.x + e.y * e.y) * field.dx));
+        const auto i = static_cast<std::size_t>(x + field.width * y),
+                   j = static_cast<std::size_t>(x + e.x + field.width * (y + e.y));
+        largest = std::max(largest, (e.x * (field.ux[j] - field.ux[i]) + e.y * (field.uy[j] - field.uy[i])) /
+                                        ((e.x * e.x + e.y * e.y) * field.dx));
       }
   return largest;
 }
@@ -147,8 +152,8 @@ DamageResult cut_plate(Loading loading, std::vector<Cut> cuts, bool stays_open =
 }
 
 TEST(ClosingCracks, CutPlateIsAsStiffAsAWholeOneInCompressionAndCarriesNothingInTension) {
-  // Of the bonds across the cut those along (2, 1) lie so flat that the plate's bulging stretches them, by (4 nu - 1)/5 of the
-  // compression, a fifteenth: these do not pull, which costs less than 1e-4.
+  // Of the bonds across the cut those along (2, 1) lie so flat that the plate's bulging stretches them, by (4 nu - 1)/5
+  // of the compression, a fifteenth: these do not pull, which costs less than 1e-4.
   const std::vector<Cut> across = {{{-1, 15.5}, {41, 15.5}}};
   EXPECT_NEAR(cut_plate(Loading::compression, across).modulus / cut_plate(Loading::compression, {}).modulus, 1, 1e-4);
   EXPECT_EQ(cut_plate(Loading::tension, across).ending, DamageResult::Ending::no_path);
@@ -160,8 +165,8 @@ TEST(ClosingCracks, CutPlateIsAsStiffAsAWholeOneInCompressionAndCarriesNothingIn
   EXPECT_NEAR(cut_plate(Loading::tension, notch).modulus / cut_plate(Loading::tension, notch, true).modulus, 1, 0.02);
 }
 
-/// Energy of a sample with parted bonds at displacements of unit strain, by its definition: of every bond that is whole or
-/// shortened.
+/// Energy of a sample with parted bonds at displacements of unit strain, by its definition: of every bond that is whole
+/// or shortened.
 double least_energy_by_descent(const Bonds& whole, const Bonds& uncut, Field<double>& u) {
   const Grid& grid = whole.grid;
   const auto each = [&](const auto& visit) {
@@ -201,7 +206,9 @@ TEST(ClosingCracks, SlantedCrackComesToRestWhereDampedMotionDoes) {
     const auto result = load_to_failure(map, options);
     Bonds uncut = make_bonds(map, {}), whole = uncut;
     make_cuts(whole, slanted);
-    const Vec2 way = loading == Loading::tension ? Vec2{0, 1} : loading == Loading::compression ? Vec2{0, -1} : Vec2{1, 0};
+    const Vec2 way = loading == Loading::tension       ? Vec2{0, 1}
+                     : loading == Loading::compression ? Vec2{0, -1}
+                                                       : Vec2{1, 0};
     Field<double> u(whole.grid.padded_size());
     whole.grid.each([&](std::ptrdiff_t i, int y) { u.set(i, y * map.dx * way); });
     const double energy = least_energy_by_descent(whole, uncut, u), height = (map.height - 1) * map.dx;
@@ -212,7 +219,8 @@ TEST(ClosingCracks, SlantedCrackComesToRestWhereDampedMotionDoes) {
 
 TEST(ClosingCracks, EnergyIsBalancedThroughTestsThatPartAndCloseFaces) {
   // A plate with two slanted cracks, whose faces press and slide: as they cannot do where cracks stay open.
-  const PhaseMap plate = test::homogeneous_sample(40, 40), packing = test::cemented_sample({.nodes = 64, .size_ratio = 2, .bridge = 0.4});
+  const PhaseMap plate = test::homogeneous_sample(40, 40),
+                 packing = test::cemented_sample({.nodes = 64, .size_ratio = 2, .bridge = 0.4});
   for (const PhaseMap* map : {&plate, &packing})
     for (const Loading loading : {Loading::compression, Loading::shear}) {
       DamageOptions options = of_weak_bonds(loading, 120);
@@ -230,13 +238,15 @@ TEST(ClosingCracks, EnergyIsBalancedThroughTestsThatPartAndCloseFaces) {
 }
 
 TEST(Strength, BreaksUnnotchedPlatesAtOneStressOnEveryGrid) {
-  // As a tensile bar between heads that do not break: what clamps concentrate stays away from the gauge of uniform stress.
+  // As a tensile bar between heads that do not break: what clamps concentrate stays away from the gauge of uniform
+  // stress.
   const auto strength = [](int nodes, double limit) {
     PhaseMap map = test::homogeneous_sample(nodes, 3 * nodes);
     map.dx = 0.04 / nodes;
     for (int y = 0; y < map.height; ++y)
       for (int x = 0; x < nodes; ++x)
-        if (y < nodes || y >= 2 * nodes) map.phase[map.index(x, y)] = Phase::particle, map.grain[map.index(x, y)] = y >= nodes;
+        if (y < nodes || y >= 2 * nodes)
+          map.phase[map.index(x, y)] = Phase::particle, map.grain[map.index(x, y)] = y >= nodes;
     map.grain_class.assign(2, GrainClass::none);
     DamageOptions options = of_weak_bonds();
     options.stiffness = {1, 1, 1};
@@ -245,11 +255,13 @@ TEST(Strength, BreaksUnnotchedPlatesAtOneStressOnEveryGrid) {
     options.end_stress = 0.9;
     return load_to_failure(map, options).strength;
   };
-  const double limit = 1e-5, free_sides = 1 - 0.5669 / 20;  // sides have fewer bonds: a strip of 20 nodes is softer by that
+  const double limit = 1e-5,
+               free_sides = 1 - 0.5669 / 20;  // sides have fewer bonds: a strip of 20 nodes is softer by that
   const double coarse = strength(20, limit), fine = strength(40, limit);
   EXPECT_NEAR(coarse / limit, free_sides, 0.01);
   EXPECT_NEAR(fine / coarse, 1, 0.02);
-  EXPECT_NEAR(strength(40, HUGE_VAL) / strength(20, HUGE_VAL), std::sqrt(2.0), 0.03) << "toughness alone: as dx to the power -1/2";
+  EXPECT_NEAR(strength(40, HUGE_VAL) / strength(20, HUGE_VAL), std::sqrt(2.0), 0.03)
+      << "toughness alone: as dx to the power -1/2";
 }
 
 TEST(Strength, LowerOfTheTwoStretchesBreaksABond) {
@@ -308,7 +320,9 @@ TEST(Damage, NonsenseIsRefused) {
   EXPECT_THROW(load_to_failure(map, {{}, {.band = -0.1}}), InputError);
 }
 
-TEST(Damage, SampleWithoutAPathIsNamed) { EXPECT_EQ(load_to_failure(make_phase_map(20, 20, 1), {}).ending, DamageResult::Ending::no_path); }
+TEST(Damage, SampleWithoutAPathIsNamed) {
+  EXPECT_EQ(load_to_failure(make_phase_map(20, 20, 1), {}).ending, DamageResult::Ending::no_path);
+}
 
 }  // namespace
 }  // namespace arenite::peridynamics

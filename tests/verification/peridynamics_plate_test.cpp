@@ -30,7 +30,8 @@ double strain_in_the_middle(const StressField& field) {
   const int low = field.height / 2 - 10, high = field.height / 2 + 10;
   double sum = 0;
   for (int x = 0; x < field.width; ++x)
-    sum += field.uy[static_cast<std::size_t>(high * field.width + x)] - field.uy[static_cast<std::size_t>(low * field.width + x)];
+    sum += field.uy[static_cast<std::size_t>(high * field.width + x)] -
+           field.uy[static_cast<std::size_t>(low * field.width + x)];
   return sum / (field.width * (high - low) * field.dx);
 }
 
@@ -77,7 +78,9 @@ TEST(Plate, NominalMicromodulusIsStifferByTheLatticesFactor) {
 }
 
 TEST(Plate, ParticleIsStifferThanMatrixByTheRatioOfModuli) {
-  EXPECT_NEAR(pull(test::homogeneous_sample(24, 48, Phase::particle)).report.modulus / pull(test::homogeneous_sample(24, 48)).report.modulus, 4, 1e-8);
+  EXPECT_NEAR(pull(test::homogeneous_sample(24, 48, Phase::particle)).report.modulus /
+                  pull(test::homogeneous_sample(24, 48)).report.modulus,
+              4, 1e-8);
 }
 
 PhaseMap two_blocks(int side, bool in_series) {

@@ -169,7 +169,8 @@ TEST(Robustness, LittleCementFewIterations) {
 void expect_finite(const LoadResult& result) {
   for (const auto* values : {&result.field.ux, &result.field.uy, &result.field.xx, &result.field.yy, &result.field.xy})
     EXPECT_TRUE(std::all_of(values->begin(), values->end(), [](double v) { return std::isfinite(v); }));
-  EXPECT_TRUE(std::isfinite(result.report.modulus) && std::isfinite(result.report.residual) && std::isfinite(result.report.identity_defect));
+  EXPECT_TRUE(std::isfinite(result.report.modulus) && std::isfinite(result.report.residual) &&
+              std::isfinite(result.report.identity_defect));
 }
 
 void put(PhaseMap& map, int x0, int x1, int y0, int y1, Phase phase) {

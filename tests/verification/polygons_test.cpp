@@ -15,8 +15,10 @@ TEST(Polygons, AreaAndInertiaOfARoundedSquareAreTheClosedForm) {
   const geometry::Moments m = geometry::moments_within(rim_of(shape));
   EXPECT_NEAR(m.area, a * a + 4 * a * r + pi * r * r, 1e-13);
   EXPECT_NEAR(norm(m.centre), 0, 1e-15);
-  // Square, four strips, four quarter disks about their corners: a quarter disk's centroid is 4 r/3 pi off the corner both ways.
-  const double strip = a * r * ((a * a + r * r) / 12 + std::pow((a + r) / 2, 2)), quarter = pi * r * r / 4, off = 4 * r / (3 * pi);
+  // Square, four strips, four quarter disks about their corners: a quarter disk's centroid is 4 r/3 pi off the corner
+  // both ways.
+  const double strip = a * r * ((a * a + r * r) / 12 + std::pow((a + r) / 2, 2)), quarter = pi * r * r / 4,
+               off = 4 * r / (3 * pi);
   const double corner = pi * r * r * r * r / 8 + quarter * (2 * std::pow(a / 2 + off, 2) - 2 * off * off);
   EXPECT_NEAR(m.polar, std::pow(a, 4) / 6 + 4 * strip + 4 * corner, 1e-12);
   const Shape equal = scaled_to(packing::PolygonShape{5, 1.7, 0.2}.make(), 1);
@@ -134,7 +136,8 @@ TEST(Polygons, ASquareSlidesAboveTheAngleOfFriction) {
   }
 }
 
-/// What a stage hands to the next: an engine built from a packing with its contacts goes on with the friction that it found.
+/// What a stage hands to the next: an engine built from a packing with its contacts goes on with the friction that it
+/// found.
 TEST(Polygons, TangentialForcesOfAPackingAreTakenUp) {
   const double slope = 0.2;
   Packing p = box(2, 1);
@@ -169,7 +172,8 @@ TEST(Polygons, ForceIsMinusTheGradientOfTheEnergy) {
   };
   Packing alone = box(1, 1);
   add(alone, Polygon{});
-  const double half = half_side(alone, 0), r = rounding(alone, 0), deep = 1e-5, diagonal = (2 * r - deep) / std::sqrt(2);
+  const double half = half_side(alone, 0), r = rounding(alone, 0), deep = 1e-5,
+               diagonal = (2 * r - deep) / std::sqrt(2);
   const Pose poses[] = {{{0.3 + half + 2 * r + half * std::sqrt(2.0) - deep, 0.4003}, pi / 4, 1},
                         {{0.3 + 2 * half + 2 * r - deep, 0.4011}, 1e-4, 2},
                         {{0.3 + 2 * half + diagonal, 0.4 + 2 * half + diagonal}, 0.002, 2}};
@@ -245,7 +249,8 @@ Packing squeezed_crowd(bool periodic, int side = 6) {
   Engine engine(crowd(periodic, 1, side), smooth, {});
   const double speed = side > 6 ? 100 : 2;
   engine.set_drives({moved(speed), moved(-speed), moved(speed), moved(-speed)});
-  while (engine.packing().contacts.size() < static_cast<std::size_t>((side > 6 ? 1 : 2.5) * side * side)) engine.advance(50);
+  while (engine.packing().contacts.size() < static_cast<std::size_t>((side > 6 ? 1 : 2.5) * side * side))
+    engine.advance(50);
   return engine.packing();
 }
 
@@ -263,11 +268,13 @@ TEST(Polygons, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
     const Energies before = engine.energies();
     engine.advance(15'000);
     const Energies after = engine.energies();
-    const double stored = after.kinetic + after.elastic - before.kinetic - before.elastic, work = after.work_walls - before.work_walls;
+    const double stored = after.kinetic + after.elastic - before.kinetic - before.elastic,
+                 work = after.work_walls - before.work_walls;
     const double lost = after.dissipated_normal + after.dissipated_friction + after.dissipated_drag;
     EXPECT_GT(after.dissipated_friction, 0);
     EXPECT_GT(after.elastic, 5 * before.elastic);
-    EXPECT_NEAR((stored + lost - work) / work, 0, 1e-6) << boundary << " work " << work << " lost " << lost << " stored " << stored;
+    EXPECT_NEAR((stored + lost - work) / work, 0, 1e-6)
+        << boundary << " work " << work << " lost " << lost << " stored " << stored;
   }
 }
 

@@ -51,7 +51,8 @@ void expect_equilibrium(const PhaseMap& map, Loading loading) {
   const double voigt = matrix * options.stiffness.matrix + particle * options.stiffness.particle;
   EXPECT_GT(r.modulus, 0);  // Reuss's bound of a sample with void
   EXPECT_LT(r.modulus, voigt);
-  EXPECT_LT(std::hypot(r.top_force.x + r.bottom_force.x, r.top_force.y + r.bottom_force.y), 1e-6 * std::hypot(r.top_force.x, r.top_force.y));
+  EXPECT_LT(std::hypot(r.top_force.x + r.bottom_force.x, r.top_force.y + r.bottom_force.y),
+            1e-6 * std::hypot(r.top_force.x, r.top_force.y));
 }
 
 TEST(Electrode, HasTheSharesOfItsSourceInEverySlice) {

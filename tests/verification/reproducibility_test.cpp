@@ -37,7 +37,8 @@ struct Case {
 };
 
 template <class F> void for_each_run(F f) {
-  for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}})
+  for (const dem::FrictionLaw& friction :
+       std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}})
     for (const auto kind : integrators)
       for (const bool periodic : {false, true}) {
         SCOPED_TRACE(std::string(name(kind)) + (periodic ? ", periodic" : ", walls") +
@@ -113,7 +114,8 @@ TEST(Reproducibility, EveryKernelGivesTheBitsOfThePortableOne) {
       EXPECT_EQ(a.contacts.fn, b.contacts.fn) << fast.kernel();
       EXPECT_EQ(a.contacts.ft, b.contacts.ft) << fast.kernel();
       for (const int side : {left, right, bottom, top})
-        EXPECT_EQ(fast.domain().wall[static_cast<std::size_t>(side)].position, portable.domain().wall[static_cast<std::size_t>(side)].position);
+        EXPECT_EQ(fast.domain().wall[static_cast<std::size_t>(side)].position,
+                  portable.domain().wall[static_cast<std::size_t>(side)].position);
     }
   });
 }
@@ -148,7 +150,8 @@ TEST(Reproducibility, AnElasticSampleRunsBackToItsStartWhenVelocitiesAreTurnedRo
     Engine back(turned, elastic(), how);
     back.advance(1000);
     const Packing end = back.packing();
-    for (std::size_t i = 0; i < end.grains.size(); ++i) EXPECT_LT(norm(end.grains.position[i] - start.grains.position[i]), 1e-8 * 6e-3) << name(kind);
+    for (std::size_t i = 0; i < end.grains.size(); ++i)
+      EXPECT_LT(norm(end.grains.position[i] - start.grains.position[i]), 1e-8 * 6e-3) << name(kind);
   }
 }
 

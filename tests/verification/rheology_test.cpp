@@ -41,11 +41,13 @@ Packing cell_of_disks(int across, int up) {
   p.materials = {{"glass", density, stiffness, 0}};
   p.domain.thickness = length;
   p.domain.periodic[0] = p.domain.periodic[1] = true;
-  const double width = p.domain.wall[right].position = 20 * diameter * across / 19, height = p.domain.wall[top].position = 20 * diameter * up / 19;
+  const double width = p.domain.wall[right].position = 20 * diameter * across / 19,
+               height = p.domain.wall[top].position = 20 * diameter * up / 19;
   const int n = across * up;
   p.grains.resize(static_cast<std::size_t>(n));
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
-    p.grains.radius[k] = 0.5 * diameter * (0.8 + 0.4 * static_cast<double>((k * 7919) % static_cast<std::size_t>(n)) / n);
+    p.grains.radius[k] =
+        0.5 * diameter * (0.8 + 0.4 * static_cast<double>((k * 7919) % static_cast<std::size_t>(n)) / n);
     p.grains.position[k] = {(static_cast<double>(k % static_cast<std::size_t>(across)) + 0.5) * width / across,
                             (static_cast<double>(k / static_cast<std::size_t>(across)) + 0.5) * height / up};
   }
@@ -90,7 +92,8 @@ Steady sheared(double inertial_number, double strain) {
   return found;
 }
 
-// Their mu(I) begins at 0.26 +- 0.02 and rises by about I, their phi(I) falls from 0.81 by about 0.3 I; cells of 361 grains scatter by 0.02.
+// Their mu(I) begins at 0.26 +- 0.02 and rises by about I, their phi(I) falls from 0.81 by about 0.3 I; cells of 361
+// grains scatter by 0.02.
 TEST(Rheology, FrictionAndSolidFractionOfDisksAreThePublishedOnes) {
   const Steady slow = sheared(0.02, 4), quick = sheared(0.1, 12);
   EXPECT_NEAR(slow.mu.mean.value, 0.29, 0.035);
@@ -103,11 +106,14 @@ TEST(Rheology, FrictionAndSolidFractionOfDisksAreThePublishedOnes) {
   expect_pressure(quick, 0.25);
 }
 
-/// q/p and solid fraction over the plateau of a cell that is pressed together along y at a constant speed while x yields to the pressure.
+/// q/p and solid fraction over the plateau of a cell that is pressed together along y at a constant speed while x
+/// yields to the pressure.
 Steady compressed() {
   const Packing p = cell_of_disks(13, 27);
   dem::Engine engine(p, contact_of(0.3), {});
-  const auto pressed = [](double area) { return dem::WallDrive{dem::WallDrive::Kind::force, pressure * area * length}; };
+  const auto pressed = [](double area) {
+    return dem::WallDrive{dem::WallDrive::Kind::force, pressure * area * length};
+  };
   dem::WallDrives drives;
   engine.set_friction(0);
   for (int n = 0; n < 200; ++n) {
@@ -136,9 +142,9 @@ Steady compressed() {
   return found;
 }
 
-// Simple shear of 500 such disks at the same I has the critical friction 0.264 +- 0.005 and solid fraction 0.8133 +- 0.0007
-// (examples/10-sheared-cell/critical). Where stress and strain rate have the same axes and the volume stays, the sheared plane lies at 45 degrees to the
-// axes of stress: tau/sigma_n = sin(phi_mc) = (s1 - s2)/(s1 + s2).
+// Simple shear of 500 such disks at the same I has the critical friction 0.264 +- 0.005 and solid fraction 0.8133 +-
+// 0.0007 (examples/10-sheared-cell/critical). Where stress and strain rate have the same axes and the volume stays, the
+// sheared plane lies at 45 degrees to the axes of stress: tau/sigma_n = sin(phi_mc) = (s1 - s2)/(s1 + s2).
 TEST(Rheology, BiaxialCompressionHasTheCriticalStateOfSimpleShear) {
   const Steady found = compressed();
   EXPECT_NEAR(found.mu.mean.value, 0.264, 0.02);

@@ -22,7 +22,9 @@ double crystal_step() {
   return contact_time(0.5 * mass(p, 0), k_pom) / 20;
 }
 
-dem::WallDrives bottom_pressed(double force) { return {dem::WallDrive{}, dem::WallDrive{}, pressed(force), dem::WallDrive{}}; }
+dem::WallDrives bottom_pressed(double force) {
+  return {dem::WallDrive{}, dem::WallDrive{}, pressed(force), dem::WallDrive{}};
+}
 
 TEST(Servo, AStepOfForceIsReachedWithoutMoreThanAFifthOfOvershootOnEitherWall) {
   Engine engine(crystal(), frictionless(0.1), with_step(crystal_step()));
@@ -78,7 +80,8 @@ TEST(Servo, CyclesFrom6To60KiloNewtonComeBackToTheSameStateInAnElasticFrictionle
   const Packing last = engine.packing();
   EXPECT_GT(travelled, 1e-3);
   EXPECT_NEAR(last.domain.wall[bottom].position, first.domain.wall[bottom].position, 1e-6 * travelled);
-  for (std::size_t i = 0; i < last.grains.size(); ++i) EXPECT_LT(norm(last.grains.position[i] - first.grains.position[i]), 1e-6 * travelled);
+  for (std::size_t i = 0; i < last.grains.size(); ++i)
+    EXPECT_LT(norm(last.grains.position[i] - first.grains.position[i]), 1e-6 * travelled);
 }
 
 TEST(Servo, HoldsItsForceWhileTheOppositeWallPushesTheSampleAlong) {
@@ -148,7 +151,8 @@ TEST(Servo, AWallDrivenByVelocityMovesByItExactly) {
   const double t = engine.time();
   const Packing start = crystal();
   const double speeds[] = {-0.2, 0.3, -0.4, 0.5};
-  for (int side = 0; side < 4; ++side) EXPECT_NEAR(engine.domain().wall[side].position - start.domain.wall[side].position, speeds[side] * t, 1e-12);
+  for (int side = 0; side < 4; ++side)
+    EXPECT_NEAR(engine.domain().wall[side].position - start.domain.wall[side].position, speeds[side] * t, 1e-12);
 }
 
 }  // namespace

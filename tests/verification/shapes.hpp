@@ -18,16 +18,22 @@ struct Polygon {
 };
 
 inline void add(Packing& p, const Polygon& polygon) {
-  const Shape shape = scaled_to(packing::PolygonShape{polygon.corners, polygon.aspect, polygon.rounding}.make(), polygon.radius);
+  const Shape shape =
+      scaled_to(packing::PolygonShape{polygon.corners, polygon.aspect, polygon.rounding}.make(), polygon.radius);
   add_shape(p.grains.shapes, shape, gyration_of(shape));
   add(p, Disk{polygon.centre, polygon.radius, pom, polygon.velocity, polygon.spin});
   p.grains.angle.back() = polygon.angle;
 }
 
-inline double half_side(const Packing& p, std::size_t g) { return p.grains.shapes.place[static_cast<std::size_t>(p.grains.shapes.first[g])].x; }
-inline double rounding(const Packing& p, std::size_t g) { return p.grains.shapes.radius[static_cast<std::size_t>(p.grains.shapes.first[g])]; }
+inline double half_side(const Packing& p, std::size_t g) {
+  return p.grains.shapes.place[static_cast<std::size_t>(p.grains.shapes.first[g])].x;
+}
+inline double rounding(const Packing& p, std::size_t g) {
+  return p.grains.shapes.radius[static_cast<std::size_t>(p.grains.shapes.first[g])];
+}
 
-/// A grain of equal disks whose centres lie at these places, about its centre of mass, with the area of a disk of `radius`.
+/// A grain of equal disks whose centres lie at these places, about its centre of mass, with the area of a disk of
+/// `radius`.
 struct Clump {
   std::vector<Vec2> places;
   Vec2 centre;

@@ -45,7 +45,8 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
   double ma = 0, mb = 0, aa = 0, bb = 0, ab = 0;
   const auto n = static_cast<double>(a.size());
   for (std::size_t k = 0; k < a.size(); ++k) ma += a[k] / n, mb += b[k] / n;
-  for (std::size_t k = 0; k < a.size(); ++k) aa += (a[k] - ma) * (a[k] - ma), bb += (b[k] - mb) * (b[k] - mb), ab += (a[k] - ma) * (b[k] - mb);
+  for (std::size_t k = 0; k < a.size(); ++k)
+    aa += (a[k] - ma) * (a[k] - ma), bb += (b[k] - mb) * (b[k] - mb), ab += (a[k] - ma) * (b[k] - mb);
   return ab / std::sqrt(aa * bb);
 }
 
@@ -82,9 +83,12 @@ Packing with_images(const Packing& p, double reach) {
         all.grains.position[k].x = x.x, all.grains.position[k].y = x.y, all.grains.radius[k] = p.grains.radius[g];
       }
       for (std::size_t c = 0; c < p.contacts.size(); ++c) {
-        const auto i = image[static_cast<std::size_t>(p.contacts.i[c])], j = image[static_cast<std::size_t>(p.contacts.j[c])];
-        if (i >= 0) all.contacts.add(i, wall_partner(left), p.contacts.normal[c], p.contacts.fn[c], p.contacts.ft[c], 1, 0);
-        if (j >= 0) all.contacts.add(j, wall_partner(left), -p.contacts.normal[c], p.contacts.fn[c], p.contacts.ft[c], 1, 0);
+        const auto i = image[static_cast<std::size_t>(p.contacts.i[c])],
+                   j = image[static_cast<std::size_t>(p.contacts.j[c])];
+        if (i >= 0)
+          all.contacts.add(i, wall_partner(left), p.contacts.normal[c], p.contacts.fn[c], p.contacts.ft[c], 1, 0);
+        if (j >= 0)
+          all.contacts.add(j, wall_partner(left), -p.contacts.normal[c], p.contacts.fn[c], p.contacts.ft[c], 1, 0);
       }
     }
   return all;
@@ -98,7 +102,8 @@ TEST(ForcesOfAnotherCode, FollowFromAPicture) {
   for (int r = 0; r < picture.height; ++r)
     for (int c = 0; c < picture.width; ++c) {
       const Vec2 x = picture.first + picture.pixel * Vec2{static_cast<double>(c), -static_cast<double>(r)};
-      if (std::abs(x.x) > 31.4 || std::abs(x.y) > 31.4) picture.error[static_cast<std::size_t>(r * picture.width + c)] = 0;
+      if (std::abs(x.x) > 31.4 || std::abs(x.y) > 31.4)
+        picture.error[static_cast<std::size_t>(r * picture.width + c)] = 0;
     }
   ForceOptions options;
   options.iterations = 2;

@@ -28,7 +28,8 @@ Packing grains_above(double width, double height, double floor, int count, std::
   p.grains.resize(static_cast<std::size_t>(count));
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
     p.grains.radius[k] = random.uniform(0.002, 0.003);
-    p.grains.position[k] = {(static_cast<double>(k % static_cast<std::size_t>(columns)) + 0.5) * width / columns + random.uniform(-1e-4, 1e-4),
+    p.grains.position[k] = {(static_cast<double>(k % static_cast<std::size_t>(columns)) + 0.5) * width / columns +
+                                random.uniform(-1e-4, 1e-4),
                             floor + (static_cast<double>(k / static_cast<std::size_t>(columns)) + 0.6) * pitch};
   }
   return p;
@@ -92,8 +93,8 @@ statistics::Measured rate_through(double opening, std::uint64_t seed) {
   return fields::find_discharge(column(history, "time"), column(history, "passed_mass")).rate;
 }
 
-// Beverloo, Leniger and van de Velde 1961 in two dimensions: W ~ (D - k d)^(3/2). examples/12-silo/beverloo.toml finds the exponent with k free, and
-// k d = 9.6 +- 0.3 mm; here two openings at that, known to some per cent each.
+// Beverloo, Leniger and van de Velde 1961 in two dimensions: W ~ (D - k d)^(3/2). examples/12-silo/beverloo.toml finds
+// the exponent with k free, and k d = 9.6 +- 0.3 mm; here two openings at that, known to some per cent each.
 TEST(Silo, DischargesByBeverloosLaw) {
   const auto narrow = rate_through(0.04, 1), wide = rate_through(0.08, 2);
   const double k_d = 0.0096, exponent = std::log(wide.value / narrow.value) / std::log((0.08 - k_d) / (0.04 - k_d));
@@ -113,7 +114,8 @@ Vec2 sum_of_moments(const Packing& p) {
   return sum;
 }
 
-// H. A. Janssen 1895: a floor that sinks a little mobilises the walls' friction upwards, and carries rho g l (1 - exp(-H/l)), l = W/(2 mu_w K).
+// H. A. Janssen 1895: a floor that sinks a little mobilises the walls' friction upwards, and carries rho g l (1 -
+// exp(-H/l)), l = W/(2 mu_w K).
 TEST(Silo, CarriesMostOfATallFillingByItsWalls) {
   const double width = 0.06;
   Packing p = grains_above(width, 0.5, 0, 560, 3);
@@ -126,7 +128,9 @@ TEST(Silo, CarriesMostOfATallFillingByItsWalls) {
   stage.duration = 0.8;
   stage.snapshots = 16;
   const dem::StageRun run = carried_out(engine, stage);
-  const auto mean = [&](const char* name) { return fields::find_steady_state(column(run.result.history, name)).mean.value; };
+  const auto mean = [&](const char* name) {
+    return fields::find_steady_state(column(run.result.history, name)).mean.value;
+  };
   const double floor = mean("bottom_force"), sides = mean("left_force") + mean("right_force"), all = weight(p);
   // What the floor does not carry the walls do, by friction within its bound.
   const double carried = mean("left_shear_force") + mean("right_shear_force");
@@ -136,12 +140,15 @@ TEST(Silo, CarriesMostOfATallFillingByItsWalls) {
   EXPECT_GT(mobilised, 0.5 * friction);
   EXPECT_LT(floor, 0.6 * all);
   Vec2 moments;
-  for (std::size_t k = 4; k < run.result.snapshots.size(); ++k) moments += sum_of_moments(run.result.snapshots[k].packing);
+  for (std::size_t k = 4; k < run.result.snapshots.size(); ++k)
+    moments += sum_of_moments(run.result.snapshots[k].packing);
   const auto surface = fields::find_free_surface(engine.packing(), {0, -1});
   double height = -surface.bottom;
   for (const double h : surface.height) height += h / static_cast<double>(surface.height.size());
-  const double length = width / (2 * mobilised * moments.x / moments.y), janssen = length / height * -std::expm1(-height / length);
-  EXPECT_NEAR(floor / all, janssen, 0.15 * janssen) << "l = " << length << " m, H = " << height << " m, K = " << moments.x / moments.y;
+  const double length = width / (2 * mobilised * moments.x / moments.y),
+               janssen = length / height * -std::expm1(-height / length);
+  EXPECT_NEAR(floor / all, janssen, 0.15 * janssen)
+      << "l = " << length << " m, H = " << height << " m, K = " << moments.x / moments.y;
 }
 
 }  // namespace

@@ -60,7 +60,9 @@ struct Collision : Spheres {
   Vec3 sliding() const { return past() - cross(end.radius[0] * end.omega[0] + end.radius[1] * end.omega[1], n); }
   Vec3 momentum(const GrainsIn<3>& g) const { return mass(0) * g.velocity[0] + mass(1) * g.velocity[1]; }
   Vec3 angular_momentum(const GrainsIn<3>& g) const {
-    const auto of = [&](std::size_t k) { return mass(k) * cross(g.position[k], g.velocity[k]) + inertia(k) * g.omega[k]; };
+    const auto of = [&](std::size_t k) {
+      return mass(k) * cross(g.position[k], g.velocity[k]) + inertia(k) * g.omega[k];
+    };
     return of(0) + of(1);
   }
   double lost() const { return energy_before.kinetic - energy_after.kinetic; }
@@ -72,7 +74,8 @@ struct Collision : Spheres {
     add(0.010, second + 0.023 * n, velocity - speed_n * n + speed_t * t, -1.3 * spin);
     add(0.013, second, velocity, spin);
   }
-  /// Momentum and angular momentum are kept to rounding, whatever the laws are: forces are opposite and meet in one point.
+  /// Momentum and angular momentum are kept to rounding, whatever the laws are: forces are opposite and meet in one
+  /// point.
   void run() {
     integration.time_step = contact_time() / 20000;
     SampleIn<3> s = sample();

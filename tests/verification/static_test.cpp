@@ -81,7 +81,8 @@ WallLoad load_on(const Packing& p, int side) {
 }
 
 TEST(Box, BottomAndSideFrictionCarryTheWeightTogether) {
-  for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::NoFriction{}, dem::CundallStrack{}}) {
+  for (const dem::FrictionLaw& friction :
+       std::initializer_list<dem::FrictionLaw>{dem::NoFriction{}, dem::CundallStrack{}}) {
     const double g = 3000;
     const dem::ContactParameters law = rough(friction);
     Engine engine(shaken_lattice(6, 14, 7), law, with_step(shortest_contact_time() / 20));
@@ -93,7 +94,8 @@ TEST(Box, BottomAndSideFrictionCarryTheWeightTogether) {
     const auto& wall = p.domain.wall;
     // Within the residual: the mean unbalanced force of 1e-7 of a contact force, at most once a grain.
     EXPECT_NEAR(wall[bottom].force - wall[top].force - wall[left].shear_force - wall[right].shear_force, w, 1e-5 * w);
-    EXPECT_NEAR(wall[right].force - wall[left].force + wall[bottom].shear_force + wall[top].shear_force, 0.1 * w, 1e-5 * w);
+    EXPECT_NEAR(wall[right].force - wall[left].force + wall[bottom].shear_force + wall[top].shear_force, 0.1 * w,
+                1e-5 * w);
     EXPECT_EQ(wall[top].force, 0);
     if (friction == dem::NoFriction{}) EXPECT_EQ(wall[left].shear_force, 0);
     else EXPECT_LT(wall[left].shear_force + wall[right].shear_force, -0.01 * w);  // the filling hangs on the sides

@@ -35,7 +35,8 @@ std::optional<double> offered(const Packing& start, const dem::ContactParameters
     double least = 1;
     for (std::size_t end = text.find(" s"); end != std::string::npos; end = text.find(" s", end + 1)) {
       const bool unit = end + 2 == text.size() || !std::isalnum(static_cast<unsigned char>(text[end + 2]));
-      if (unit && std::isdigit(static_cast<unsigned char>(text[end - 1]))) least = std::min(least, std::stod(text.substr(text.rfind(' ', end - 1) + 1)));
+      if (unit && std::isdigit(static_cast<unsigned char>(text[end - 1])))
+        least = std::min(least, std::stod(text.substr(text.rfind(' ', end - 1) + 1)));
     }
     EXPECT_LT(least, 1) << text;
     return least;
@@ -60,8 +61,8 @@ TEST(StepBound, AStepBeyondItIsRefusedAndTheOneOfferedIsAcceptedAndStable) {
       EXPECT_LT(engine.energies().kinetic + engine.energies().elastic, [&] {
         double sum = 0;
         for (std::size_t i = 0; i < start.grains.size(); ++i)
-          sum +=
-              0.5 * mass(start, i) * dot(velocity(start, i), velocity(start, i)) + 0.5 * disk_inertia(start, i) * start.grains.omega[i] * start.grains.omega[i];
+          sum += 0.5 * mass(start, i) * dot(velocity(start, i), velocity(start, i)) +
+                 0.5 * disk_inertia(start, i) * start.grains.omega[i] * start.grains.omega[i];
         return sum;
       }());
     }
@@ -98,7 +99,8 @@ TEST(StepBound, IsNeverLooserThanTheClosedFormOfOneDiskOnAWall) {
   }
 }
 
-/// The largest eigenvalue of a sum of w v v', of vectors v given by their entries that are not zero, by power iteration.
+/// The largest eigenvalue of a sum of w v v', of vectors v given by their entries that are not zero, by power
+/// iteration.
 struct Outer {
   double weight;
   std::vector<std::pair<std::size_t, double>> vector;
@@ -136,8 +138,9 @@ Rates true_rates(const Packing& p, const dem::ContactParameters& law) {
     const auto enter = [&](std::size_t grain, double sign, double arm) {
       const double share = sign / std::sqrt(mass(p, grain));
       normal.vector.insert(normal.vector.end(), {{3 * grain, share * e.x}, {3 * grain + 1, share * e.y}});
-      tangential.vector.insert(tangential.vector.end(),
-                               {{3 * grain, share * t.x}, {3 * grain + 1, share * t.y}, {3 * grain + 2, -arm / std::sqrt(disk_inertia(p, grain))}});
+      tangential.vector.insert(tangential.vector.end(), {{3 * grain, share * t.x},
+                                                         {3 * grain + 1, share * t.y},
+                                                         {3 * grain + 2, -arm / std::sqrt(disk_inertia(p, grain))}});
     };
     enter(i, 1, p.contacts.arm_i[contact]);
     if (!wall) enter(j, -1, p.contacts.arm_j[contact]);
@@ -169,11 +172,13 @@ TEST(StepBound, IsBelowTheTrueLimitOfCompressedSamplesOfUnequalGrains) {
       engine.set_drives({});
       engine.advance(20000);
       Packing rest = engine.packing();  // at rest, so that f_n/h is the stiffness
-      for (std::size_t i = 0; i < rest.grains.size(); ++i) rest.grains.velocity[i].x = rest.grains.velocity[i].y = rest.grains.omega[i] = 0;
+      for (std::size_t i = 0; i < rest.grains.size(); ++i)
+        rest.grains.velocity[i].x = rest.grains.velocity[i].y = rest.grains.omega[i] = 0;
       const Packing still = Engine(rest, law, with_step(1e-8)).packing();
       EXPECT_GT(still.contacts.size(), 60u);
       const Rates rates = true_rates(still, law);
-      // Velocity Verlet that sees v at the end of the step: (omega dt)^2/4 + lambda dt = 1 at the limit, were both in one mode.
+      // Velocity Verlet that sees v at the end of the step: (omega dt)^2/4 + lambda dt = 1 at the limit, were both in
+      // one mode.
       const double limit = 2 / (rates.lambda + std::hypot(rates.lambda, rates.omega));
       EXPECT_LE(engine.bounds().stiffness, 2 / rates.omega);
       EXPECT_LE(engine.bounds().largest(), limit);
@@ -198,7 +203,8 @@ double gear_growth(double z) {
   for (std::size_t j = 0; j < 6; ++j) residual[j] = -step[2][j] - 0.5 * z * step[1][j];
   for (std::size_t i = 0; i < 6; ++i)
     for (std::size_t j = 0; j < 6; ++j) step[i][j] += c[i] * residual[j];
-  // The step's power 2^20, by squares that are scaled to 1: what it grows by a step. Uniform motion's own root, 1, is no growth.
+  // The step's power 2^20, by squares that are scaled to 1: what it grows by a step. Uniform motion's own root, 1, is
+  // no growth.
   double growth = 0, share = 1;
   for (int k = 0; k < 20; ++k) {
     double largest = 0;

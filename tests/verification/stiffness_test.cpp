@@ -75,7 +75,8 @@ TEST(Stiffness, FrictionOfAWallTurnsADiskByTheArmToThePlane) {
     Engine engine(p, law, with_step(dt));
     engine.advance(10);
     const Packing now = engine.packing();
-    const double slowed = mass(p, 0) * (now.grains.velocity[0].y - 0.3), turned = disk_inertia(p, 0) * now.grains.omega[0];
+    const double slowed = mass(p, 0) * (now.grains.velocity[0].y - 0.3),
+                 turned = disk_inertia(p, 0) * now.grains.omega[0];
     ASSERT_LT(slowed, 0);
     EXPECT_NEAR(std::abs(turned / slowed), full ? r : r - deep, 1e-5 * r);
   }

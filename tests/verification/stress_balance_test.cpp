@@ -29,7 +29,8 @@ Packing pressed_sample() {
   engine.set_gravity({0, -gravity});
   engine.set_drag(30);
   engine.set_drives({dem::WallDrive{}, dem::WallDrive{}, pressed(5000), dem::WallDrive{}});
-  EXPECT_TRUE(settle(engine, 1e-6, 1e-8, 800)) << engine.equilibrium().unbalanced_ratio << " " << engine.equilibrium().kinetic_ratio;
+  EXPECT_TRUE(settle(engine, 1e-6, 1e-8, 800))
+      << engine.equilibrium().unbalanced_ratio << " " << engine.equilibrium().kinetic_ratio;
   return engine.packing();
 }
 
@@ -48,13 +49,15 @@ TEST(StressBalance, OfContactsGrainsAndWallsAgreeAtRest) {
   const double size = value_of(j, "stress_details/pressure_Pa");
   EXPECT_GT(size, 1e5);
   EXPECT_LT(largest_difference(whole, tensor_of(j, "stress_details/sum_over_grains")), 1e-12 * size);
-  EXPECT_LT(largest_difference(whole, tensor_of(j, "stress_details/from_walls_and_weight")), 1e-5 * size);  // the residual, times the distance across
-  EXPECT_NEAR(whole.xy, whole.yx, 1e-5 * size);                                                             // no torque is left on any grain
+  EXPECT_LT(largest_difference(whole, tensor_of(j, "stress_details/from_walls_and_weight")),
+            1e-5 * size);                        // the residual, times the distance across
+  EXPECT_NEAR(whole.xy, whole.yx, 1e-5 * size);  // no torque is left on any grain
 }
 
 TEST(StressBalance, NeedsTheWeight) {
   const Numbers j = texture::measure(pressed_sample()).numbers;
-  EXPECT_GT(largest_difference(tensor_of(j, "stress"), tensor_of(j, "stress_details/from_walls_and_weight")), 1e-3 * value_of(j, "stress_details/pressure_Pa"));
+  EXPECT_GT(largest_difference(tensor_of(j, "stress"), tensor_of(j, "stress_details/from_walls_and_weight")),
+            1e-3 * value_of(j, "stress_details/pressure_Pa"));
 }
 
 }  // namespace

@@ -60,9 +60,12 @@ inline void add(Packing& p, const Disk& disk) {
 
 inline double mass(const Packing& p, std::size_t i) {
   const Grains& g = p.grains;
-  return p.materials[static_cast<std::size_t>(g.material[i])].density * pi * g.radius[i] * g.radius[i] * p.domain.thickness;
+  return p.materials[static_cast<std::size_t>(g.material[i])].density * pi * g.radius[i] * g.radius[i] *
+         p.domain.thickness;
 }
-inline double disk_inertia(const Packing& p, std::size_t i) { return 0.5 * mass(p, i) * p.grains.radius[i] * p.grains.radius[i]; }
+inline double disk_inertia(const Packing& p, std::size_t i) {
+  return 0.5 * mass(p, i) * p.grains.radius[i] * p.grains.radius[i];
+}
 inline double reduced(double a, double b) { return a * b / (a + b); }
 inline Vec2 velocity(const Packing& p, std::size_t i) { return p.grains.velocity[i]; }
 
@@ -85,7 +88,8 @@ inline double weight(const Packing& p) {
 
 /// Half period of the undamped contact.
 inline double contact_time(double m_eff, double k) { return pi * std::sqrt(m_eff / k); }
-/// Share of critical damping that gives restitution e while the spring-dashpot pulls at the end: e = exp(-pi zeta/sqrt(1 - zeta^2)).
+/// Share of critical damping that gives restitution e while the spring-dashpot pulls at the end: e = exp(-pi
+/// zeta/sqrt(1 - zeta^2)).
 inline double damping_ratio(double e) {
   const double l = -std::log(e);
   return l / std::hypot(pi, l);
@@ -104,7 +108,8 @@ inline dem::ContactParameters elastic() {
   c.normal_damping = 0;
   return c;
 }
-inline dem::IntegrationParameters with_step(double dt, dem::IntegratorKind kind = dem::IntegratorKind::velocity_verlet) {
+inline dem::IntegrationParameters with_step(double dt,
+                                            dem::IntegratorKind kind = dem::IntegratorKind::velocity_verlet) {
   dem::IntegrationParameters p;
   p.time_step = dt;
   p.integrator = kind;
@@ -117,7 +122,9 @@ inline const char* name(dem::IntegratorKind kind) { return dem::integrator_of(ki
 
 /// Energy that is in the sample, that it has lost, and that was put in; their sum holds.
 inline double stored(const Energies& e) { return e.kinetic + e.elastic + e.adhesive; }
-inline double lost(const Energies& e) { return e.dissipated_normal + e.dissipated_friction + e.dissipated_drag + e.dissipated_breakage; }
+inline double lost(const Energies& e) {
+  return e.dissipated_normal + e.dissipated_friction + e.dissipated_drag + e.dissipated_breakage;
+}
 inline double work(const Energies& e) { return e.work_walls + e.work_gravity; }
 
 inline std::optional<std::size_t> find_contact(const Packing& p, std::int32_t i, std::int32_t j) {
@@ -141,7 +148,8 @@ inline Packing shaken_lattice(int columns, int rows, std::uint64_t seed, bool pe
       disk.radius = largest * random.uniform(0.984, 1);
       disk.material = random.uniform() < 0.5 ? pom : hdpe;
       const double shake = largest - disk.radius;
-      disk.centre = {largest + pitch * (c + 0.5 * (r % 2)) + shake * random.uniform(-0.5, 0.5), largest + row * r + shake * random.uniform(-0.5, 0.5)};
+      disk.centre = {largest + pitch * (c + 0.5 * (r % 2)) + shake * random.uniform(-0.5, 0.5),
+                     largest + row * r + shake * random.uniform(-0.5, 0.5)};
       disk.velocity = {speed * random.uniform(-1, 1), speed * random.uniform(-1, 1)};
       disk.spin = speed / largest * random.uniform(-1, 1);
       add(p, disk);
@@ -156,7 +164,8 @@ inline dem::WallDrive moved(double speed) { return {dem::WallDrive::Kind::veloci
 inline dem::WallDrive pressed(double force) { return {dem::WallDrive::Kind::force, force}; }
 
 /// Steps in blocks until the sample is at rest by the ledger's criterion; false if it never is.
-inline bool settle(dem::Engine& engine, double unbalanced = 1e-6, double kinetic = 1e-12, int blocks = 400, std::int64_t block = 500) {
+inline bool settle(dem::Engine& engine, double unbalanced = 1e-6, double kinetic = 1e-12, int blocks = 400,
+                   std::int64_t block = 500) {
   for (int b = 0; b < blocks; ++b) {
     engine.advance(block);
     const Equilibrium e = engine.equilibrium();

@@ -62,7 +62,8 @@ Packing moved_by(const Motion& motion, Packing p) {
 
 const dem::WallDrives drives{moved(0.7), pressed(800), moved(1.5), pressed(500)};
 
-Packing run(const Packing& start, const dem::ContactParameters& law, const dem::WallDrives& how, Vec2 g, dem::IntegratorKind kind, std::int64_t steps = 4000) {
+Packing run(const Packing& start, const dem::ContactParameters& law, const dem::WallDrives& how, Vec2 g,
+            dem::IntegratorKind kind, std::int64_t steps = 4000) {
   Engine engine(start, law, with_step(shortest_contact_time() / 100, kind));
   engine.set_drives(how);
   engine.set_gravity(g);
@@ -89,7 +90,8 @@ Packing sample(bool periodic = false) {
 TEST(Symmetry, MovedSamplesGiveMovedResults) {
   // Rounding of 1e-16 grows by the collisions; 4000 steps under light walls leave a margin of 1e-7 of a radius.
   for (const Motion& motion : {mirror, quarter_turn})
-    for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}})
+    for (const dem::FrictionLaw& friction :
+         std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}})
       for (const auto kind : integrators) {
         SCOPED_TRACE(std::string(motion.name) + ", " + name(kind));
         const Packing start = sample();
@@ -131,13 +133,17 @@ TEST(Symmetry, RenumberedGrainsGetTheSameForcesAndPaths) {
     const Grains& g = start.grains;
     add(shuffled, {g.position[i], g.radius[i], g.material[i], g.velocity[i], g.omega[i], g.zone[i]});
   }
-  for (const dem::FrictionLaw& friction : std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}}) {
+  for (const dem::FrictionLaw& friction :
+       std::initializer_list<dem::FrictionLaw>{dem::RegularisedCoulomb{}, dem::CundallStrack{}}) {
     const Packing a = run(start, with(friction), drives, {0, -2000}, dem::IntegratorKind::velocity_verlet);
     const Packing b = run(shuffled, with(friction), drives, {0, -2000}, dem::IntegratorKind::velocity_verlet);
     ASSERT_EQ(a.contacts.size(), b.contacts.size());
-    for (std::size_t s = 0; s < n; ++s) EXPECT_LT(norm(b.grains.position[s] - a.grains.position[order[s]]), 1e-9 * 6e-3);
+    for (std::size_t s = 0; s < n; ++s)
+      EXPECT_LT(norm(b.grains.position[s] - a.grains.position[order[s]]), 1e-9 * 6e-3);
     for (std::size_t c = 0; c < b.contacts.size(); ++c) {
-      const auto grain = [&](std::int32_t k) { return k < 0 ? k : static_cast<std::int32_t>(order[static_cast<std::size_t>(k)]); };
+      const auto grain = [&](std::int32_t k) {
+        return k < 0 ? k : static_cast<std::int32_t>(order[static_cast<std::size_t>(k)]);
+      };
       const auto same = find_contact(a, grain(b.contacts.i[c]), grain(b.contacts.j[c]));
       ASSERT_TRUE(same.has_value());
       EXPECT_NEAR(b.contacts.fn[c], a.contacts.fn[*same], 1e-6);
@@ -163,7 +169,8 @@ TEST(Symmetry, APeriodicCellDoesNotKnowWhereItsEdgesAre) {
   Packing shifted = start;
   const double w = start.domain.width(), h = start.domain.height();
   for (std::size_t i = 0; i < start.grains.size(); ++i) {
-    shifted.grains.position[i] = {std::fmod(start.grains.position[i].x + 0.37 * w, w), std::fmod(start.grains.position[i].y + 0.61 * h, h)};
+    shifted.grains.position[i] = {std::fmod(start.grains.position[i].x + 0.37 * w, w),
+                                  std::fmod(start.grains.position[i].y + 0.61 * h, h)};
   }
   const dem::WallDrives none{};
   const Packing a = run(start, with(dem::CundallStrack{}), none, {}, dem::IntegratorKind::velocity_verlet);
@@ -205,7 +212,8 @@ TEST(Symmetry, ACellTiltedByItsWholeWidthIsTheUprightOne) {
   const Packing a = run(start, with(dem::CundallStrack{}), none, {}, dem::IntegratorKind::velocity_verlet);
   const Packing b = run(tilted, with(dem::CundallStrack{}), none, {}, dem::IntegratorKind::velocity_verlet);
   EXPECT_EQ(a.contacts.size(), b.contacts.size());
-  for (std::size_t i = 0; i < a.grains.size(); ++i) EXPECT_LT(norm(a.domain.nearest_image(b.grains.position[i] - a.grains.position[i])), 1e-9 * 6e-3);
+  for (std::size_t i = 0; i < a.grains.size(); ++i)
+    EXPECT_LT(norm(a.domain.nearest_image(b.grains.position[i] - a.grains.position[i])), 1e-9 * 6e-3);
 }
 
 }  // namespace

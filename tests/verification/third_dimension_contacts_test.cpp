@@ -4,7 +4,8 @@
 namespace arenite::verification {
 namespace {
 
-/// Two spheres in touch with a spring between them, placed and turned by the test, which asks for their forces step by step.
+/// Two spheres in touch with a spring between them, placed and turned by the test, which asks for their forces step by
+/// step.
 struct Held : Collision {
   double kt = 0.5 * 1e12, distance = 0.999 * 0.023;
   Vec3 aside;  ///< at right angles to n and t
@@ -48,10 +49,12 @@ TEST(ThirdDimension, ASpringGoesAlongWithAContactThatTurns) {
   }
   const Vec3 sideways = std::cos(turn) * h.aside - std::sin(turn) * h.n;
   const Vec3 tangential = force - dot(force, n) * n;
-  expect_near(tangential, -h.kt * cross(along * h.t + across * sideways, n), 5e-4 * h.kt * across);  // laid down step by step, of first order in its turn
+  expect_near(tangential, -h.kt * cross(along * h.t + across * sideways, n),
+              5e-4 * h.kt * across);  // laid down step by step, of first order in its turn
 }
 
-/// Spheres that spin about the normal as one take the force of the spring around with them; those that spin against each other do not.
+/// Spheres that spin about the normal as one take the force of the spring around with them; those that spin against
+/// each other do not.
 TEST(ThirdDimension, ASpringTurnsWithTheTwistThatBothSpheresHave) {
   const Collision of;
   const double length = 2e-5, turn = 1.5;
@@ -98,7 +101,8 @@ TEST(ThirdDimension, AWallThatSlidesCarriesASphereAlong) {
   c.begin();
   const Vec3 slide{0.12, 0.05, 0};
   c.s.wall[low_z].drive.slide = slide;
-  const double push = c.contact.friction * c.mass(0) * OnWall::g, until = 2 * norm(slide) / (7 * c.contact.friction * OnWall::g);
+  const double push = c.contact.friction * c.mass(0) * OnWall::g,
+               until = 2 * norm(slide) / (7 * c.contact.friction * OnWall::g);
   c.go_on(0.5 * until);
   expect_near(c.s.domain.wall[low_z].shear_force, -push / norm(slide) * slide, 1e-3 * push);
   EXPECT_NEAR(c.s.domain.wall[low_z].force, c.mass(0) * OnWall::g, 1e-6 * c.mass(0) * OnWall::g);

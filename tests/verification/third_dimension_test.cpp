@@ -1,5 +1,5 @@
-// Spheres that collide obliquely, are listed and fall, by the engine of disks, against closed forms. Where they collide, contacts are so stiff that they do
-// not turn while they last.
+// Spheres that collide obliquely, are listed and fall, by the engine of disks, against closed forms. Where they
+// collide, contacts are so stiff that they do not turn while they last.
 #include "core/error.hpp"
 #include "grains/dem/kernels/make_kernel.hpp"
 #include "spheres.hpp"
@@ -44,7 +44,8 @@ TEST(ThirdDimension, ASphereThatSlidesAllTheTimeGetsMuTimesTheNormalImpulse) {
   check(CundallStrack{}, 0);
 }
 
-/// A tangential spring of 2/7 of the normal one swings as fast as that, and gives the touching points' velocity back: a superball.
+/// A tangential spring of 2/7 of the normal one swings as fast as that, and gives the touching points' velocity back: a
+/// superball.
 TEST(ThirdDimension, ASpringOfTwoSeventhsTurnsTheSlidingRound) {
   Collision c;
   c.contact.restitution = 1;
@@ -84,12 +85,14 @@ TEST(ThirdDimension, TheListHasThePairsThatAreNear) {
     Spheres box(1e6);
     box.start.domain.periodic = {periodic, false, periodic};
     const auto share = [](int k, double by) { return std::fmod(k * by, 1.0); };
-    for (int k = 0; k < 400; ++k) box.add(0.003 + 0.002 * share(k, 0.37), 0.1 * Vec3{share(k, 0.7548), share(k, 0.5698), share(k, 0.4302)});
+    for (int k = 0; k < 400; ++k)
+      box.add(0.003 + 0.002 * share(k, 0.37), 0.1 * Vec3{share(k, 0.7548), share(k, 0.5698), share(k, 0.4302)});
     const SampleIn<3> s = box.sample();
     std::size_t near = 0;
     for (std::size_t i = 0; i < 400; ++i)
       for (std::size_t j = 0; j < i; ++j)
-        near += norm(s.domain.nearest_image(s.record[i].place - s.record[j].place)) < s.record[i].radius + s.record[j].radius + s.skin;
+        near += norm(s.domain.nearest_image(s.record[i].place - s.record[j].place)) <
+                s.record[i].radius + s.record[j].radius + s.skin;
     EXPECT_EQ(s.list.pairs, near);
     EXPECT_GT(near, 400U);
   }
@@ -114,14 +117,16 @@ TEST(ThirdDimension, SpheresFallAndTurnByEveryStep) {
   }
 }
 
-/// A gas of elastic spheres in a periodic cell: momentum and energy stay, lists are built anew, and threads give the same bits.
+/// A gas of elastic spheres in a periodic cell: momentum and energy stay, lists are built anew, and threads give the
+/// same bits.
 TEST(ThirdDimension, AGasOfSpheresKeepsMomentumAndEnergy) {
   Spheres box(1e5);
   box.start.domain.periodic = {true, true, true};
   box.contact.restitution = 1;
   const auto share = [](int k, double by) { return std::fmod(k * by, 1.0) - 0.5; };
   for (int k = 0; k < 125; ++k)
-    box.add(0.008, 0.02 * Vec3{k % 5 + 0.5, k / 5 % 5 + 0.5, k / 25 + 0.5}, Vec3{share(k, 0.7548), share(k, 0.5698), share(k, 0.4302)});
+    box.add(0.008, 0.02 * Vec3{k % 5 + 0.5, k / 5 % 5 + 0.5, k / 25 + 0.5},
+            Vec3{share(k, 0.7548), share(k, 0.5698), share(k, 0.4302)});
   SampleIn<3> s = box.sample(), other = s;
   const auto momentum = [](const SampleIn<3>& of) {
     Vec3 sum;

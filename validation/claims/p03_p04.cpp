@@ -23,7 +23,8 @@ VoidPeaks void_peaks(const Samples& samples) {
     saturation.push_back(pair_means(samples, "S_m", width));
   }
   const PairMeans tops = at_greatest(mean, mean);
-  return {at_greatest(mean, saturation), at_greatest(mean, cv), difference(tops, mean.front()), difference(tops, mean.back())};
+  return {at_greatest(mean, saturation), at_greatest(mean, cv), difference(tops, mean.front()),
+          difference(tops, mean.back())};
 }
 
 /// From one width to another.
@@ -48,10 +49,14 @@ Judgement judge_p3(const Results& results) {
   const PairMeans peak = pair_means(samples, "pores.peak");
   Judgement j;
   j.checks = {straight("the mean pore volume", "nearly linear", mean, Against::inverse_gamma),
-              straight("its standard deviation", "nearly linear", deviation, Against::inverse_gamma), with_gamma("the mean pore volume", "falls", mean, -1),
-              with_gamma("its standard deviation", "falls", deviation, -1), with_gamma("pore volume at the peak of the pdf", "falls", peak, -1)};
-  add_choices(j, results, "R^2 of the mean pore volume against 1/gamma, theta 6", of_pores("pores.mean"), wanted_above(0.98));
-  add_choices(j, results, "R^2 of its standard deviation against 1/gamma, theta 6", of_pores("pores.deviation"), wanted_above(0.98));
+              straight("its standard deviation", "nearly linear", deviation, Against::inverse_gamma),
+              with_gamma("the mean pore volume", "falls", mean, -1),
+              with_gamma("its standard deviation", "falls", deviation, -1),
+              with_gamma("pore volume at the peak of the pdf", "falls", peak, -1)};
+  add_choices(j, results, "R^2 of the mean pore volume against 1/gamma, theta 6", of_pores("pores.mean"),
+              wanted_above(0.98));
+  add_choices(j, results, "R^2 of its standard deviation against 1/gamma, theta 6", of_pores("pores.deviation"),
+              wanted_above(0.98));
   return j;
 }
 
@@ -61,16 +66,16 @@ Judgement judge_p4(const Results& results) {
   const VoidPeaks peaks = samples.runs.empty() ? VoidPeaks{} : void_peaks(samples);
   const PairMeans plain = only(peaks.cv, [](const PairMean& m) { return m.theta < 6 || m.gamma < 3.33; });
   Judgement j;
-  j.checks = {
-      number(in_range("S_m of the largest mean void", "medium", peaks.saturation, 0.38, 0.6)),
-      on_the_whole("largest mean void minus that at eta 0.2", "peaks", members(peaks.above_first), +1),
-      on_the_whole("largest mean void minus that at eta 1", "peaks", members(peaks.above_last), +1),
-      on_the_whole("CV of voids, from eta 0.2 to 0.4", "rises", step(samples, "voids.cv", 0.2, 0.4), +1),
-      on_the_whole("CV of voids, from eta 0.4 to 0.6", "drops", step(samples, "voids.cv", 0.4, 0.6), -1),
-      on_the_whole("CV of voids, from eta 0.6 to 0.8", "rises again", step(samples, "voids.cv", 0.6, 0.8), +1),
-      every("CV at the largest mean void, except theta 6 at gamma >= 3.33", "< 1", members(plain), {.high = 1}),
-      number(every("CV at the largest mean void", "< 1", members(peaks.cv), {.high = 1})),
-      on_the_whole("void volume at the peak of the pdf, from eta 0.4 to 0.6", "the peak at small voids vanishes", step(samples, "voids.peak", 0.4, 0.6), +1)};
+  j.checks = {number(in_range("S_m of the largest mean void", "medium", peaks.saturation, 0.38, 0.6)),
+              on_the_whole("largest mean void minus that at eta 0.2", "peaks", members(peaks.above_first), +1),
+              on_the_whole("largest mean void minus that at eta 1", "peaks", members(peaks.above_last), +1),
+              on_the_whole("CV of voids, from eta 0.2 to 0.4", "rises", step(samples, "voids.cv", 0.2, 0.4), +1),
+              on_the_whole("CV of voids, from eta 0.4 to 0.6", "drops", step(samples, "voids.cv", 0.4, 0.6), -1),
+              on_the_whole("CV of voids, from eta 0.6 to 0.8", "rises again", step(samples, "voids.cv", 0.6, 0.8), +1),
+              every("CV at the largest mean void, except theta 6 at gamma >= 3.33", "< 1", members(plain), {.high = 1}),
+              number(every("CV at the largest mean void", "< 1", members(peaks.cv), {.high = 1})),
+              on_the_whole("void volume at the peak of the pdf, from eta 0.4 to 0.6",
+                           "the peak at small voids vanishes", step(samples, "voids.peak", 0.4, 0.6), +1)};
   const std::string at = ", gamma 1.11, theta 2.2, eta 0.6";
   add_choices(j, results, "CV of voids" + at, of_voids("voids.cv"), wanted_below(1));
   add_choices(j, results, "S_m" + at, of_voids("S_m"), wanted_between(0.38, 0.6));

@@ -35,7 +35,8 @@ Leads leads(const std::vector<double>& widths, const std::function<PairMeans(dou
   Leads found;
   for (const double width : widths) {
     found.widths.push_back(of(width));
-    for (const Member& m : members(found.widths.back())) found.family.push_back({fmt::format("{}, eta {:g}", m.name, width), m.value});
+    for (const Member& m : members(found.widths.back()))
+      found.family.push_back({fmt::format("{}, eta {:g}", m.name, width), m.value});
   }
   return found;
 }
@@ -46,16 +47,17 @@ Check in_all(const std::string& what, const std::string& source, const Leads& le
 
 Leads leads_of_exponential(const Samples& samples, const std::string& set, bool low) {
   std::vector<double> widths;
-  std::copy_if(samples.widths.begin(), samples.widths.end(), std::back_inserter(widths), [=](double width) { return is_low(width) == low; });
+  std::copy_if(samples.widths.begin(), samples.widths.end(), std::back_inserter(widths),
+               [=](double width) { return is_low(width) == low; });
   return leads(widths, [&](double width) { return lead_of_exponential(samples, set, width); });
 }
 
 void add_exponential(std::vector<Check>& checks, const Samples& samples) {
   for (const char* set : classes) {
-    checks.push_back(in_all(fmt::format("ln L of exponential minus half-Gaussian, {} grains, eta <= 0.4", set), "exponential at low S_m",
-                            leads_of_exponential(samples, set, true), +1));
-    checks.push_back(
-        beside(in_all(fmt::format("ln L of exponential minus half-Gaussian, {} grains, eta > 0.4", set), "-", leads_of_exponential(samples, set, false), +1)));
+    checks.push_back(in_all(fmt::format("ln L of exponential minus half-Gaussian, {} grains, eta <= 0.4", set),
+                            "exponential at low S_m", leads_of_exponential(samples, set, true), +1));
+    checks.push_back(beside(in_all(fmt::format("ln L of exponential minus half-Gaussian, {} grains, eta > 0.4", set),
+                                   "-", leads_of_exponential(samples, set, false), +1)));
   }
 }
 
@@ -72,9 +74,11 @@ void add_growth(std::vector<Check>& checks, const Samples& samples) {
     Family slopes;
     for (const double gamma : gammas(shown(stress_means(samples, set, "tail.slope", samples.widths.front()))))
       slopes.push_back({fmt::format("gamma {:g}", gamma), growth_with_saturation(samples, set, gamma)});
-    checks.push_back(every(fmt::format("slope of s against S_m, {} grains, theta 1.4", set), "grows", slopes, {.low = 0}));
     checks.push_back(
-        positive(fmt::format("slope of s against gamma at high minus that at low S_m, {} grains, theta 1.4", set), "grows", growth_of_effect(samples, set)));
+        every(fmt::format("slope of s against S_m, {} grains, theta 1.4", set), "grows", slopes, {.low = 0}));
+    checks.push_back(
+        positive(fmt::format("slope of s against gamma at high minus that at low S_m, {} grains, theta 1.4", set),
+                 "grows", growth_of_effect(samples, set)));
   }
 }
 
@@ -86,13 +90,15 @@ void add_matrix_peak(std::vector<Check>& checks, const Samples& samples) {
     if (is_low(width)) low.push_back(at);
     if (width > 0.7) high.push_back(at);
   }
-  checks.push_back(every("matrix, position of the peak of the pdf over the mean, eta <= 0.4", "no clear peak", low, {.high = 0.5}));
-  checks.push_back(every("matrix, position of the peak of the pdf over the mean, eta >= 0.8", "near 1", high, {0.8, 1.2}));
+  checks.push_back(
+      every("matrix, position of the peak of the pdf over the mean, eta <= 0.4", "no clear peak", low, {.high = 0.5}));
+  checks.push_back(
+      every("matrix, position of the peak of the pdf over the mean, eta >= 0.8", "near 1", high, {0.8, 1.2}));
   const auto scatter = [&](double width) { return stress_means(samples, "matrix", "own_variance", width); };
   const bool all = std::find(samples.widths.begin(), samples.widths.end(), 0.4) != samples.widths.end();
   const double from = all ? 0.4 : samples.widths.front(), to = all ? 0.8 : samples.widths.back();
-  checks.push_back(on_the_whole(fmt::format("matrix, variance over its mean, from eta {:g} to {:g}", from, to), "broad at low S_m",
-                                members(difference(scatter(to), scatter(from))), -1));
+  checks.push_back(on_the_whole(fmt::format("matrix, variance over its mean, from eta {:g} to {:g}", from, to),
+                                "broad at low S_m", members(difference(scatter(to), scatter(from))), -1));
 }
 
 std::vector<Check> asked_p9(const Samples& samples) {
@@ -115,9 +121,13 @@ PairMeans matrix_above_mean(const Samples& samples, double from, double to) {
 std::vector<Check> asked_p10(const Samples& samples) {
   const auto quantile = [&](double width) { return classed(small_less_large(samples, "quantiles.99.9 %", width)); };
   std::vector<double> from(samples.widths.begin(), samples.widths.end() - 1);
-  const auto step = [&](double width) { return matrix_above_mean(samples, width, *std::upper_bound(samples.widths.begin(), samples.widths.end(), width)); };
-  return {in_all("99.9 % quantile, small minus large grains, gamma >= 1.43", "highest in small grains", leads(samples.widths, quantile), +1),
-          in_all("change of the fraction of matrix above the sample's mean from one width to the next", "less matrix, more above", leads(from, step), -1)};
+  const auto step = [&](double width) {
+    return matrix_above_mean(samples, width, *std::upper_bound(samples.widths.begin(), samples.widths.end(), width));
+  };
+  return {in_all("99.9 % quantile, small minus large grains, gamma >= 1.43", "highest in small grains",
+                 leads(samples.widths, quantile), +1),
+          in_all("change of the fraction of matrix above the sample's mean from one width to the next",
+                 "less matrix, more above", leads(from, step), -1)};
 }
 
 }  // namespace
@@ -132,8 +142,11 @@ Judgement judge_p9(const Results& results) {
     for (const double width : {0.2, 1.0})
       for (const double gamma : {1.0, 5.0})
         add_choices(
-            j, results, fmt::format("ln L of exponential minus half-Gaussian, {} grains, eta {:g}, gamma {:g}, theta 1.4", set, width, gamma),
-            [=](const Samples& s) { return of_pair(lead_of_exponential(s, set, width), gamma, shown_theta); }, width < 0.5 ? wanted_positive() : Wanted());
+            j, results,
+            fmt::format("ln L of exponential minus half-Gaussian, {} grains, eta {:g}, gamma {:g}, theta 1.4", set,
+                        width, gamma),
+            [=](const Samples& s) { return of_pair(lead_of_exponential(s, set, width), gamma, shown_theta); },
+            width < 0.5 ? wanted_positive() : Wanted());
     add_choices(
         j, results, "Slope of s against gamma at high minus that at low S_m, " + set + " grains, theta 1.4",
         [=](const Samples& s) { return growth_of_effect(s, set); }, wanted_positive());
@@ -147,16 +160,19 @@ Judgement judge_p10(const Results& results) {
   Judgement j;
   j.checks = asked_p10(samples);
   for (const double width : samples.widths)
-    j.checks.push_back(beside(on_the_whole(fmt::format("largest node, small minus large grains, eta {:g}", width), "highest in small grains",
-                                           members(small_less_large(samples, "maximum", width)), +1)));
+    j.checks.push_back(
+        beside(on_the_whole(fmt::format("largest node, small minus large grains, eta {:g}", width),
+                            "highest in small grains", members(small_less_large(samples, "maximum", width)), +1)));
   add_shear(j, results, asked_p10);
   for (const double width : {0.2, 1.0})
     add_choices(
         j, results, fmt::format("99.9 % quantile in small minus large grains, eta {:g}, gamma 5, theta 1.4", width),
-        [=](const Samples& s) { return of_pair(small_less_large(s, "quantiles.99.9 %", width), 5, shown_theta); }, wanted_positive());
+        [=](const Samples& s) { return of_pair(small_less_large(s, "quantiles.99.9 %", width), 5, shown_theta); },
+        wanted_positive());
   for (const double gamma : {1.0, 5.0})
     add_choices(
-        j, results, fmt::format("Fraction of matrix above the sample's mean, from eta 0.2 to 1, gamma {:g}, theta 1.4", gamma),
+        j, results,
+        fmt::format("Fraction of matrix above the sample's mean, from eta 0.2 to 1, gamma {:g}, theta 1.4", gamma),
         [=](const Samples& s) { return of_pair(matrix_above_mean(s, 0.2, 1), gamma, shown_theta); }, wanted_negative());
   return j;
 }

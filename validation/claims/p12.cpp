@@ -15,7 +15,8 @@ PairMeans kurtosis_of(const Samples& samples) { return stress_means(samples, "la
 Family leads_of_greatest(const PairMeans& kurtosis) {
   Family family;
   for (const double theta : thetas(kurtosis))
-    for (const Member& m : leads_of_last(against_gamma(kurtosis, theta))) family.push_back({fmt::format("gamma {} at theta {:g}", m.name, theta), m.value});
+    for (const Member& m : leads_of_last(against_gamma(kurtosis, theta)))
+      family.push_back({fmt::format("gamma {} at theta {:g}", m.name, theta), m.value});
   return family;
 }
 
@@ -33,9 +34,10 @@ Value lead_of_greatest(const PairMeans& kurtosis) {
 
 std::vector<Check> asked_p12(const Samples& samples) {
   const PairMeans kurtosis = kurtosis_of(samples);
-  return {
-      with_gamma("q", "grows", q_of(samples), +1), with_gamma("the excess kurtosis in large grains", "highest at the largest gamma", kurtosis, +1),
-      on_the_whole("excess kurtosis at the largest gamma minus that at another", "highest there", lead_of_greatest(kurtosis), leads_of_greatest(kurtosis), +1)};
+  return {with_gamma("q", "grows", q_of(samples), +1),
+          with_gamma("the excess kurtosis in large grains", "highest at the largest gamma", kurtosis, +1),
+          on_the_whole("excess kurtosis at the largest gamma minus that at another", "highest there",
+                       lead_of_greatest(kurtosis), leads_of_greatest(kurtosis), +1)};
 }
 
 }  // namespace
@@ -48,8 +50,8 @@ Judgement judge_p12(const Results& results) {
   add_shear(j, results, asked_p12);
   for (const double theta : {1.4, 6.0}) {
     add_choices(
-        j, results, fmt::format("Slope of q against gamma, theta {:g}", theta), [=](const Samples& s) { return slope(against_gamma(q_of(s), theta)); },
-        wanted_positive());
+        j, results, fmt::format("Slope of q against gamma, theta {:g}", theta),
+        [=](const Samples& s) { return slope(against_gamma(q_of(s), theta)); }, wanted_positive());
     add_choices(
         j, results, fmt::format("Slope of the excess kurtosis against gamma, theta {:g}", theta),
         [=](const Samples& s) { return slope(against_gamma(kurtosis_of(s), theta)); }, wanted_positive());

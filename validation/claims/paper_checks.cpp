@@ -22,12 +22,14 @@ Series line_points(const PairMeans& means, double theta, Against against) {
 
 /// The same pair; without samples if there is none.
 PairMean pair_like(const PairMeans& means, const PairMean& like) {
-  const auto at = std::find_if(means.begin(), means.end(), [&](const PairMean& m) { return m.gamma == like.gamma && m.theta == like.theta; });
+  const auto at = std::find_if(means.begin(), means.end(),
+                               [&](const PairMean& m) { return m.gamma == like.gamma && m.theta == like.theta; });
   return at == means.end() ? PairMean{like.gamma, like.theta, like.width, {}, {}} : *at;
 }
 
 const Sample* sample_of(const PairMean& pair, const std::string& name) {
-  const auto at = std::find_if(pair.samples.begin(), pair.samples.end(), [&](const Sample& s) { return s.name == name; });
+  const auto at =
+      std::find_if(pair.samples.begin(), pair.samples.end(), [&](const Sample& s) { return s.name == name; });
   return at == pair.samples.end() ? nullptr : &*at;
 }
 
@@ -48,23 +50,28 @@ Check in_range(const std::string& what, const std::string& source, const PairMea
 Family by_theta(const PairMeans& means, const std::function<Value(double theta)>& number) {
   Family family;
   for (const double theta : thetas(means))
-    family.push_back({fmt::format("theta {:g}", theta), number(theta), {{"paper", {{"bidisperse.volume_ratio", fmt::format("{:g}", theta)}}}}});
+    family.push_back({fmt::format("theta {:g}", theta),
+                      number(theta),
+                      {{"paper", {{"bidisperse.volume_ratio", fmt::format("{:g}", theta)}}}}});
   return family;
 }
 
 Check with_gamma(const std::string& what, const std::string& source, const PairMeans& means, int direction) {
   const Family slopes = by_theta(means, [&](double theta) { return slope(against_gamma(means, theta)); });
-  return every("slope of " + what + " against gamma", source, slopes, direction > 0 ? Range{.low = 0} : Range{.high = 0});
+  return every("slope of " + what + " against gamma", source, slopes,
+               direction > 0 ? Range{.low = 0} : Range{.high = 0});
 }
 
 Value straightness(const PairMeans& means, double theta, Against against) {
   if (against_gamma(means, theta).size() < 3) return {};
-  return jackknifed(of_theta(means, theta), [&](const PairMeans& some) { return line_r2(line_points(some, theta, against)); });
+  return jackknifed(of_theta(means, theta),
+                    [&](const PairMeans& some) { return line_r2(line_points(some, theta, against)); });
 }
 
 Check straight(const std::string& what, const std::string& source, const PairMeans& means, Against against) {
   const Family r2 = by_theta(means, [&](double theta) { return straightness(means, theta, against); });
-  return every(fmt::format("R^2 of {} against {}", what, against == Against::gamma ? "gamma" : "1/gamma"), source, r2, {.low = 0.98});
+  return every(fmt::format("R^2 of {} against {}", what, against == Against::gamma ? "gamma" : "1/gamma"), source, r2,
+               {.low = 0.98});
 }
 
 Dip dip(const PairMeans& means, double theta) {
@@ -95,8 +102,11 @@ PairMeans at_greatest(const std::vector<PairMeans>& sizes, const std::vector<Pai
     for (const Sample& sample : pair.samples) {
       std::size_t best = 0;
       for (std::size_t k = 1; k < sizes.size(); ++k)
-        if (mean_without(pair_like(sizes[k], pair), sample.name) > mean_without(pair_like(sizes[best], pair), sample.name)) best = k;
-      if (const PairMean there = pair_like(numbers[best], pair); const Sample* number = sample_of(there, sample.name)) own.push_back(*number);
+        if (mean_without(pair_like(sizes[k], pair), sample.name) >
+            mean_without(pair_like(sizes[best], pair), sample.name))
+          best = k;
+      if (const PairMean there = pair_like(numbers[best], pair); const Sample* number = sample_of(there, sample.name))
+        own.push_back(*number);
     }
     if (!own.empty()) result.push_back(pair_of_samples(pair.gamma, pair.theta, pair.width, std::move(own)));
   }

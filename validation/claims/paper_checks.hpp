@@ -23,16 +23,16 @@ Value straightness(const PairMeans& means, double theta, Against against);
 /// At least 0.98 at every theta.
 Check straight(const std::string& what, const std::string& source, const PairMeans& means, Against against);
 
-/// How a number goes with gamma at one theta that first falls and then rises: its mean at the least gamma, and at the greatest,
-/// over that at the lowest point. Where that lies is found without the sample that is looked at, since the lowest of
-/// several noisy means lies below the true ones.
+/// How a number goes with gamma at one theta that first falls and then rises: its mean at the least gamma, and at the
+/// greatest, over that at the lowest point. Where that lies is found without the sample that is looked at, since the
+/// lowest of several noisy means lies below the true ones.
 struct Dip {
   Value fall, rise;
 };
 Dip dip(const PairMeans& means, double theta);
 
-/// `numbers` at the cement where `sizes` are greatest, one entry a cement, pair by pair and sample by sample; which cement
-/// that is is found from the pair's other samples, for the same reason.
+/// `numbers` at the cement where `sizes` are greatest, one entry a cement, pair by pair and sample by sample; which
+/// cement that is is found from the pair's other samples, for the same reason.
 PairMeans at_greatest(const std::vector<PairMeans>& sizes, const std::vector<PairMeans>& numbers);
 
 }  // namespace arenite::validation

@@ -46,7 +46,8 @@ Samples where_chosen(const Results& results) {
 std::size_t samples_a_place(const std::vector<Run>& runs) {
   std::map<Place, std::size_t> count;
   for (const Run& run : runs) ++count[place_of(run)];
-  const auto fewest = std::min_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto fewest =
+      std::min_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   return fewest == count.end() ? 0 : fewest->second;
 }
 
@@ -64,29 +65,34 @@ Samples chosen(const Results& results, const Where& choice, const Samples& usual
 void tell_samples(Judgement& judgement, const Results& results, const Samples& usual) {
   std::size_t fewest = 0;
   for (const Choice& choice : open_choices)
-    if (const std::size_t here = samples_a_place(chosen(results, choice.where, usual).runs); here > 0) fewest = fewest == 0 ? here : std::min(fewest, here);
+    if (const std::size_t here = samples_a_place(chosen(results, choice.where, usual).runs); here > 0)
+      fewest = fewest == 0 ? here : std::min(fewest, here);
   const std::string note =
-      fmt::format("Open choices (below): {} samples per pair with the reference settings, {} with each choice.", samples_a_place(usual.runs), fewest);
-  if (std::find(judgement.findings.begin(), judgement.findings.end(), note) == judgement.findings.end()) judgement.findings.push_back(note);
+      fmt::format("Open choices (below): {} samples per pair with the reference settings, {} with each choice.",
+                  samples_a_place(usual.runs), fewest);
+  if (std::find(judgement.findings.begin(), judgement.findings.end(), note) == judgement.findings.end())
+    judgement.findings.push_back(note);
 }
 
 void tell_difference(Judgement& judgement, const std::string& what, const Check& everywhere, const Check& there) {
   if (everywhere.outcome == there.outcome || everywhere.outcome == Outcome::unknown) return;
-  judgement.findings.push_back(fmt::format("{}: {} ({}) over all pairs, {} ({}) over those for which choices were varied.", what, text_of(everywhere.ours),
-                                           word_for(everywhere.outcome), text_of(there.ours), word_for(there.outcome)));
+  judgement.findings.push_back(fmt::format(
+      "{}: {} ({}) over all pairs, {} ({}) over those for which choices were varied.", what, text_of(everywhere.ours),
+      word_for(everywhere.outcome), text_of(there.ours), word_for(there.outcome)));
 }
 
 }  // namespace
 
-void add_choices(Judgement& judgement, const Results& results, const std::string& what, const std::function<Value(const Samples&)>& value,
-                 const Wanted& wanted) {
+void add_choices(Judgement& judgement, const Results& results, const std::string& what,
+                 const std::function<Value(const Samples&)>& value, const Wanted& wanted) {
   const Samples usual = where_chosen(results);
   if (usual.runs.empty() || !std::isfinite(value(usual).value)) return;
   tell_samples(judgement, results, usual);
   if (wanted) tell_difference(judgement, what, wanted(value(paper_samples(results))), wanted(value(usual)));
   const Choice as_it_is{};
   add_sensitivity(
-      judgement, what, as_it_is, open_choices, [&](const Choice& choice) { return value(choice.where.empty() ? usual : chosen(results, choice.where, usual)); },
+      judgement, what, as_it_is, open_choices,
+      [&](const Choice& choice) { return value(choice.where.empty() ? usual : chosen(results, choice.where, usual)); },
       wanted);
 }
 

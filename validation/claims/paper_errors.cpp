@@ -29,7 +29,8 @@ bool have_one_variance(const std::vector<const PairMean*>& pairs, double varianc
     logs += own * std::log(square_sum(*pair) / own);
     inverse += 1 / own;
   }
-  const auto groups = static_cast<double>(std::ranges::count_if(pairs, [](const PairMean* pair) { return pair->samples.size() > 1; }));
+  const auto groups =
+      static_cast<double>(std::ranges::count_if(pairs, [](const PairMean* pair) { return pair->samples.size() > 1; }));
   if (groups < 2) return false;
   const double correction = 1 + (inverse - 1 / freedom) / (3 * (groups - 1));
   return (freedom * std::log(variance) - logs) / correction < chi_squared_99(groups - 1);
@@ -66,7 +67,8 @@ PairMeans with_pooled_variance(PairMeans means) {
   return means;
 }
 
-Value jackknifed(const std::vector<PairMeans>& means, const std::function<double(const std::vector<PairMeans>&)>& number) {
+Value jackknifed(const std::vector<PairMeans>& means,
+                 const std::function<double(const std::vector<PairMeans>&)>& number) {
   std::map<std::pair<double, double>, std::set<std::string>> packings;
   for (const PairMeans& some : means)
     for (const PairMean& m : some)
@@ -82,7 +84,8 @@ Value jackknifed(const std::vector<PairMeans>& means, const std::function<double
       left.push_back(number(fewer));
     }
     // Values with one of n left out scatter n - 1 times less than those of one alone would.
-    const double others = static_cast<double>(names.size()) - 1, own = std::pow(others * statistics::mean_of(left).error, 2);
+    const double others = static_cast<double>(names.size()) - 1,
+                 own = std::pow(others * statistics::mean_of(left).error, 2);
     variance += own;
     of_freedom += own * own / others;
   }
@@ -93,7 +96,8 @@ Value jackknifed(const std::vector<PairMeans>& means, const std::function<double
 }
 
 Value jackknifed(const PairMeans& means, const std::function<double(const PairMeans&)>& number) {
-  return jackknifed(std::vector<PairMeans>{means}, [&](const std::vector<PairMeans>& all) { return number(all.front()); });
+  return jackknifed(std::vector<PairMeans>{means},
+                    [&](const std::vector<PairMeans>& all) { return number(all.front()); });
 }
 
 }  // namespace arenite::validation

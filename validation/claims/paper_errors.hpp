@@ -17,7 +17,8 @@ bool is_pooled(const PairMean& pair);
 /// A number worked out from several means, its error by the jackknife: each pair in turn without each of its samples,
 /// since packings of different pairs are independent. Samples of one packing are left out together. Unknown where a
 /// pair has one sample.
-Value jackknifed(const std::vector<PairMeans>& means, const std::function<double(const std::vector<PairMeans>&)>& number);
+Value jackknifed(const std::vector<PairMeans>& means,
+                 const std::function<double(const std::vector<PairMeans>&)>& number);
 Value jackknifed(const PairMeans& means, const std::function<double(const PairMeans&)>& number);
 
 }  // namespace arenite::validation

@@ -9,7 +9,9 @@ namespace {
 
 constexpr const char* loads_study = "paper-loads";
 
-std::vector<Run> loaded(const Results& results, const char* loading) { return results.runs(loads_study, {{"loads.0.loading", loading}}); }
+std::vector<Run> loaded(const Results& results, const char* loading) {
+  return results.runs(loads_study, {{"loads.0.loading", loading}});
+}
 
 bool same_sample(const Run& a, const Run& b) {
   for (const char* key : {"bidisperse.size_ratio", "cement.kind", "cement.width", "seed"})
@@ -47,8 +49,8 @@ void add_compression(Judgement& judgement, const Results& results) {
       if (same_sample(pushed, pulled)) compare(pushed, pulled, compared);
   if (compared.runs == 0) return;
   judgement.findings.push_back(
-      fmt::format("Compression is tension with reversed sign: of {} numbers of {} samples loaded in both directions, {} differ in any bit, so the findings in "
-                  "tension also hold in compression.",
+      fmt::format("Compression is tension with reversed sign: of {} numbers of {} samples loaded in both directions, "
+                  "{} differ in any bit, so the findings in tension also hold in compression.",
                   compared.numbers, compared.runs, compared.different));
 }
 

@@ -71,7 +71,8 @@ PairMeans pair_means(const Samples& samples, const Number& number, double width)
   std::map<std::pair<double, double>, std::vector<Sample>> pairs;
   for (const Run& run : samples.runs)
     if (cement_of(run) == width)
-      if (const double value = number.of(run); std::isfinite(value)) pairs[{gamma_of(run), theta_of(run)}].push_back({run.text("seed"), value});
+      if (const double value = number.of(run); std::isfinite(value))
+        pairs[{gamma_of(run), theta_of(run)}].push_back({run.text("seed"), value});
   PairMeans means;
   for (auto& [pair, all] : pairs) means.push_back(pair_of_samples(pair.first, pair.second, width, std::move(all)));
   return with_pooled_variance(std::move(means));
@@ -111,7 +112,8 @@ PairMeans difference(const PairMeans& a, const PairMeans& b) {
 }
 
 PairMeans mean_of(const std::vector<PairMeans>& all) {
-  std::map<std::pair<double, double>, std::map<std::string, std::pair<double, double>>> pairs;  // sum and count of each sample
+  std::map<std::pair<double, double>, std::map<std::string, std::pair<double, double>>>
+      pairs;  // sum and count of each sample
   for (const PairMeans& means : all)
     for (const PairMean& m : means)
       for (const Sample& sample : m.samples) {
@@ -131,14 +133,17 @@ PairMeans mean_of(const std::vector<PairMeans>& all) {
 Series against_gamma(const PairMeans& means, double theta) {
   Series points;
   for (const PairMean& m : means)
-    if (m.theta == theta) points.push_back({m.gamma, m.value.value, m.value.error, m.samples.size(), is_pooled(m) ? m.value.freedom : statistics::unknown});
+    if (m.theta == theta)
+      points.push_back({m.gamma, m.value.value, m.value.error, m.samples.size(),
+                        is_pooled(m) ? m.value.freedom : statistics::unknown});
   return points;
 }
 
 Series against(const PairMeans& x, const PairMeans& y) {
   Series points;
   for (const PairMean& m : x)
-    if (const Value v = of_pair(y, m.gamma, m.theta); std::isfinite(v.value)) points.push_back({m.value.value, v.value, v.error, 1});
+    if (const Value v = of_pair(y, m.gamma, m.theta); std::isfinite(v.value))
+      points.push_back({m.value.value, v.value, v.error, 1});
   std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
   return points;
 }
@@ -162,7 +167,9 @@ Family members(const PairMeans& means) {
   for (const PairMean& m : means)
     family.push_back({name_of(m),
                       m.value,
-                      {{"paper", {{"bidisperse.size_ratio", fmt::format("{:g}", m.gamma)}, {"bidisperse.volume_ratio", fmt::format("{:g}", m.theta)}}}}});
+                      {{"paper",
+                        {{"bidisperse.size_ratio", fmt::format("{:g}", m.gamma)},
+                         {"bidisperse.volume_ratio", fmt::format("{:g}", m.theta)}}}}});
   return family;
 }
 

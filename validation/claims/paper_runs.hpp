@@ -44,7 +44,8 @@ using PairMeans = std::vector<PairMean>;
 /// Means over the samples of all pairs with this cement, by gamma and then theta; their errors with_pooled_variance().
 PairMeans pair_means(const Samples& samples, const Number& number, double width = full);
 /// The same of a statistic ("variance") of the node stress in a set of nodes ("large").
-PairMeans stress_means(const Samples& samples, const std::string& set, const std::string& statistic, double width = full);
+PairMeans stress_means(const Samples& samples, const std::string& set, const std::string& statistic,
+                       double width = full);
 /// One pair from its samples.
 PairMean pair_of_samples(double gamma, double theta, double width, std::vector<Sample> samples);
 /// Every pair without its k-th sample; one pair without a sample.
@@ -57,7 +58,8 @@ PairMeans only(const PairMeans& means, const std::function<bool(const PairMean&)
 /// Those whose small and large grains differ enough to be classes of their own.
 PairMeans classed(const PairMeans& means);
 PairMeans of_theta(const PairMeans& means, double theta);
-/// a - b of the same pair, sample by sample: differently cemented they are the same packing. What either lacks is left out.
+/// a - b of the same pair, sample by sample: differently cemented they are the same packing. What either lacks is left
+/// out.
 PairMeans difference(const PairMeans& a, const PairMeans& b);
 
 /// Mean over several cements of the same pair, sample by sample for the same reason.

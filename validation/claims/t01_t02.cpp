@@ -10,7 +10,8 @@
 namespace arenite::validation {
 namespace {
 
-const identify::Finding* finding(const identify::Identification& all, const std::string& group, const std::string& name) {
+const identify::Finding* finding(const identify::Identification& all, const std::string& group,
+                                 const std::string& name) {
   const auto in = [&](const identify::Group& one) -> const identify::Finding* {
     for (const auto& f : one.findings)
       if (f.name == name) return &f;
@@ -21,11 +22,13 @@ const identify::Finding* finding(const identify::Identification& all, const std:
   return all.all && group == "all" ? in(*all.all) : nullptr;
 }
 
-/// A mean of the records that must round to `printed`; half of its last digit is `half_digit`. A rounding is right or wrong: the
-/// scatter of the records is reported and decides nothing.
+/// A mean of the records that must round to `printed`; half of its last digit is `half_digit`. A rounding is right or
+/// wrong: the scatter of the records is reported and decides nothing.
 Check rounds_to(std::string what, const identify::Finding* found, double printed, double half_digit) {
-  Check check = within(std::move(what), found ? Value{found->value.value / found->scale(), 0} : Value(), printed, half_digit, found ? found->unit : "");
-  if (found) check.ours = {found->value.value / found->scale(), found->value.error / found->scale(), found->value.freedom};
+  Check check = within(std::move(what), found ? Value{found->value.value / found->scale(), 0} : Value(), printed,
+                       half_digit, found ? found->unit : "");
+  if (found)
+    check.ours = {found->value.value / found->scale(), found->value.error / found->scale(), found->value.freedom};
   check.wanted = fmt::format("rounds to {:g}", printed);
   return check;
 }
@@ -41,22 +44,29 @@ Judgement judge_t1(const Results& results) {
   request.stiffness = statistics::Measured{27.35e6, statistics::unknown};
   request.radii = {6.2e-3, 6.2e-3};
   const auto found = workflow::identify_adhesion((folder / "separation-force.csv").string(), request);
-  const std::pair<const char*, double> printed[] = {
-      {"TOA adhesive latex", 0.268}, {"SADER colle bois", 0.511}, {"SADER fixer sans percer", 0.745}, {"PATTEX ni clou ni vis", 1.060}};
+  const std::pair<const char*, double> printed[] = {{"TOA adhesive latex", 0.268},
+                                                    {"SADER colle bois", 0.511},
+                                                    {"SADER fixer sans percer", 0.745},
+                                                    {"PATTEX ni clou ni vis", 1.060}};
   for (const auto& [glue, gamma] : printed) {
     const auto* ours = finding(found, glue, "surface_energy");
-    Check check = number(rounds_to(fmt::format("surface energy of {}", glue), ours, gamma, gamma < 1 ? 0.0005000001 : 0.005000001));
+    Check check = number(
+        rounds_to(fmt::format("surface energy of {}", glue), ours, gamma, gamma < 1 ? 0.0005000001 : 0.005000001));
     check.wanted = fmt::format("{:g} to 3 significant digits", gamma);
     judgement.checks.push_back(check);
-    judgement.checks.push_back(as(Kind::source, rounds_to(fmt::format("printed digits for {}, from the printed forces", glue), ours, gamma, 0.0005000001)));
-    if (std::isfinite(check.ours.value)) judgement.ours += fmt::format("{}{:.3f}", judgement.ours.empty() ? "" : ", ", check.ours.value);
+    judgement.checks.push_back(
+        as(Kind::source,
+           rounds_to(fmt::format("printed digits for {}, from the printed forces", glue), ours, gamma, 0.0005000001)));
+    if (std::isfinite(check.ours.value))
+      judgement.ours += fmt::format("{}{:.3f}", judgement.ours.empty() ? "" : ", ", check.ours.value);
   }
   if (!judgement.ours.empty()) judgement.ours += " kN/mm";
   judgement.decides =
-      "The mean of the fourth glue's five separation forces gives 1.0608 kN/mm, which the thesis prints as 1.060; to three significant digits all four are "
-      "reproduced.";
+      "The mean of the fourth glue's five separation forces gives 1.0608 kN/mm, which the thesis prints as 1.060; to "
+      "three significant digits all four are reproduced.";
   judgement.findings.emplace_back(
-      "These digits follow from r_eff = 12.4 mm, the diameter of two equal cylinders, for which 4 R*, r_i + r_j and 2 sqrt(r_i r_j) agree.");
+      "These digits follow from r_eff = 12.4 mm, the diameter of two equal cylinders, for which 4 R*, r_i + r_j and 2 "
+      "sqrt(r_i r_j) agree.");
   return judgement;
 }
 
@@ -70,9 +80,10 @@ Judgement judge_t2(const Results& results) {
   const auto* hdpe_mean = finding(hdpe, "all", "stiffness");
   if (!hdpe_mean && !hdpe.groups.empty()) hdpe_mean = finding(hdpe, hdpe.groups.front().name, "stiffness");
   const auto add = [&](Kind kind, const char* how, double d16, double d_all, double d_hdpe) {
-    for (const auto& [what, found, printed] : {std::tuple{"k of POM, 16.4 mm", finding(pom, "D16.4mm", "stiffness"), d16},
-                                               {"k of POM, all", finding(pom, "all", "stiffness"), d_all},
-                                               {"k of HDPE", hdpe_mean, d_hdpe}})
+    for (const auto& [what, found, printed] :
+         {std::tuple{"k of POM, 16.4 mm", finding(pom, "D16.4mm", "stiffness"), d16},
+          {"k of POM, all", finding(pom, "all", "stiffness"), d_all},
+          {"k of HDPE", hdpe_mean, d_hdpe}})
       judgement.checks.push_back(as(kind, rounds_to(fmt::format("{}, {}", what, how), found, printed, 0.00501)));
   };
   add(Kind::source, "mean printed below its column", 25.45, 27.35, 6.43);
@@ -80,7 +91,8 @@ Judgement judge_t2(const Results& results) {
   if (const Check& all = judgement.checks[1]; std::isfinite(all.ours.value))
     judgement.ours = fmt::format("{} and {} kN/mm", text_of(all.ours), text_of(judgement.checks[2].ours));
   judgement.decides =
-      "The thesis prints 25.45 below a column of table 2.1 whose mean is 25.63; its overall mean of 27.35 instead of 27.41 follows from this error.";
+      "The thesis prints 25.45 below a column of table 2.1 whose mean is 25.63; its overall mean of 27.35 instead of "
+      "27.41 follows from this error.";
   return judgement;
 }
 

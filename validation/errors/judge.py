@@ -25,10 +25,18 @@ import tempfile
 here = pathlib.Path(__file__).resolve().parent
 fewest_grains = 50  # of which errors by blocks can be told: a texture of fewer, as of a small film, is not judged
 required_share, largest_ratio, most_beyond = 0.95, 2, 0.1
-studies = {"isotropic": "static packing", "biaxial": "biaxial test", "shear-slow": "slow shear",
-           "shear-fast": "fast shear", "cemented": "cemented sample, pulled", "film": "film of a sample"}
-small = {"isotropic": ["packing.grains=250", 'container.width="130 mm"'],
-         "shear-fast": ["populations.0.count=120", 'container.width="110 mm"', 'stages.1.duration="0.3 s"']}
+studies = {
+    "isotropic": "static packing",
+    "biaxial": "biaxial test",
+    "shear-slow": "slow shear",
+    "shear-fast": "fast shear",
+    "cemented": "cemented sample, pulled",
+    "film": "film of a sample",
+}
+small = {
+    "isotropic": ["packing.grains=250", 'container.width="130 mm"'],
+    "shear-fast": ["populations.0.count=120", 'container.width="110 mm"', 'stages.1.duration="0.3 s"'],
+}
 main_numbers = """solid_fraction coordination.all fabric.a_c fabric.a_n force.mean_N force.strong_share force.beta
     force.beta_line force.alpha force.k force.log_likelihood_ratio sigma_norm.P0 sigma_norm.beta sigma_norm.beta_line
     stress.00 stress.01 stress.11 critical_state.mu critical_state.q_over_p critical_state.solid_fraction
@@ -38,8 +46,10 @@ main_numbers = """solid_fraction coordination.all fabric.a_c fabric.a_n force.me
 def chi_band(freedom):
     """Between which ratios 99 % of standard deviations from so many degrees of freedom lie (E. B. Wilson and M. M.
     Hilferty, PNAS 17, 684, 1931)."""
+
     def quantile(z):
         return math.sqrt(max(0, 1 - 2 / (9 * freedom) + z * math.sqrt(2 / (9 * freedom))) ** 3)
+
     return quantile(-2.5758), quantile(2.5758)
 
 
@@ -173,9 +183,11 @@ def filmed(program, folder, camera, seed):
 
 
 def text_of(study):
-    lines = [f"{study.name}: {study.seeds} seeds, {len(study.numbers)} numbers with an error, {100 * study.share:.1f} % "
-             f"within {study.low:.2f} to {study.high:.2f}, largest {study.worst.ratio:.2f} ({study.worst.name}); "
-             f"{100 * study.beyond:.1f} % of comparisons of two seeds differ by more than two errors"]
+    lines = [
+        f"{study.name}: {study.seeds} seeds, {len(study.numbers)} numbers with an error, {100 * study.share:.1f} % "
+        f"within {study.low:.2f} to {study.high:.2f}, largest {study.worst.ratio:.2f} ({study.worst.name}); "
+        f"{100 * study.beyond:.1f} % of comparisons of two seeds differ by more than two errors"
+    ]
     for n in sorted((n for n in study.numbers if n not in study.inside), key=lambda n: -n.ratio):
         lines.append(f"  {n.ratio:5.2f}  {n.name:48} {n.mean:.4g}, scatter {n.scatter:.2g}, told {n.told:.2g}")
     for n in study.numbers:
@@ -190,16 +202,40 @@ def table(head, rows):
 
 def page_of(judged):
     """The tables as a page of the documentation."""
-    whole = [[studies[s.name], str(s.seeds), str(len(s.numbers)), f"{s.low:.2f} to {s.high:.2f}",
-              f"{100 * s.share:.1f} %", f"{s.worst.ratio:.2f} `{s.worst.name}`", f"{100 * s.beyond:.1f} %"] for s in judged]
+    whole = [
+        [
+            studies[s.name],
+            str(s.seeds),
+            str(len(s.numbers)),
+            f"{s.low:.2f} to {s.high:.2f}",
+            f"{100 * s.share:.1f} %",
+            f"{s.worst.ratio:.2f} `{s.worst.name}`",
+            f"{100 * s.beyond:.1f} %",
+        ]
+        for s in judged
+    ]
     each = []
     for name in main_numbers:
-        cells = [next((f"{n.ratio:.2f}" for n in s.numbers if n.name.removeprefix("texture.") == name), "") for s in judged]
+        cells = [
+            next((f"{n.ratio:.2f}" for n in s.numbers if n.name.removeprefix("texture.") == name), "") for s in judged
+        ]
         if any(cells):
             each.append([f"`{name}`", *cells])
-    covered = [f"`{n.name}`, {studies[s.name]}: {n.covered} of {n.seeds}"
-               for s in judged for n in s.numbers if n.covered is not None]
-    head = ["sample", "seeds", "numbers with an error", "band of chance", "within", "largest ratio", "beyond two errors"]
+    covered = [
+        f"`{n.name}`, {studies[s.name]}: {n.covered} of {n.seeds}"
+        for s in judged
+        for n in s.numbers
+        if n.covered is not None
+    ]
+    head = [
+        "sample",
+        "seeds",
+        "numbers with an error",
+        "band of chance",
+        "within",
+        "largest ratio",
+        "beyond two errors",
+    ]
     text = (here / "page.md").read_text(encoding="utf-8")
     text = text.replace("@STUDIES@", table(head, whole))
     text = text.replace("@NUMBERS@", table(["number", *(studies[s.name] for s in judged)], each))
@@ -210,7 +246,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("studies", nargs="*", help=f"only these of {', '.join(studies)}")
     parser.add_argument("--program", default="arenite", help="the program to run (default: arenite)")
-    parser.add_argument("--out", type=pathlib.Path, help="folder of the runs, which are used again (default: none kept)")
+    parser.add_argument(
+        "--out", type=pathlib.Path, help="folder of the runs, which are used again (default: none kept)"
+    )
     parser.add_argument("--small", action="store_true", help="two small studies")
     parser.add_argument("--jobs", type=int, default=1, help="concurrent runs")
     parser.add_argument("--markdown", type=pathlib.Path, help="also write the tables as a page")

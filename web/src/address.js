@@ -3,11 +3,24 @@
 export const forms = {
   word: (words) => ({ write: String, read: (text) => (words.includes(text) ? text : undefined) }),
   truth: { write: String, read: (text) => ({ true: true, false: false })[text] },
-  whole: (below) => ({ write: (v) => (v === null ? "" : String(v)), read: (text) => (text === "" ? null : /^\d+$/.test(text) && Number(text) < below ? Number(text) : undefined) }),
-  share: { write: String, read: (text) => (text !== "" && Number(text) >= 0 && Number(text) <= 1 ? Number(text) : undefined) },
-  tree: { write: JSON.stringify, read: (text) => {
-    try { return JSON.parse(text); } catch { return undefined; }
-  } },
+  whole: (below) => ({
+    write: (v) => (v === null ? "" : String(v)),
+    read: (text) => (text === "" ? null : /^\d+$/.test(text) && Number(text) < below ? Number(text) : undefined),
+  }),
+  share: {
+    write: String,
+    read: (text) => (text !== "" && Number(text) >= 0 && Number(text) <= 1 ? Number(text) : undefined),
+  },
+  tree: {
+    write: JSON.stringify,
+    read: (text) => {
+      try {
+        return JSON.parse(text);
+      } catch {
+        return undefined;
+      }
+    },
+  },
 };
 
 const parts = () => new URLSearchParams(window.location.hash.slice(1));
@@ -29,6 +42,7 @@ export function keepInAddress(state, keys, prefix = "") {
       else now.set(prefix + key, text);
     }
     const hash = now.toString();
-    if (hash !== window.location.hash.slice(1)) window.history.replaceState(null, "", hash ? `#${hash}` : window.location.pathname + window.location.search);
+    if (hash !== window.location.hash.slice(1))
+      window.history.replaceState(null, "", hash ? `#${hash}` : window.location.pathname + window.location.search);
   });
 }

@@ -11,7 +11,10 @@ async function inflate(base64) {
 /** The page's data: what the document says, and the block of numbers that it refers to. */
 export async function loadData() {
   const document_ = await inflate(document.getElementById("document").textContent);
-  return { about: JSON.parse(new TextDecoder().decode(document_)), block: await inflate(document.getElementById("numbers").textContent) };
+  return {
+    about: JSON.parse(new TextDecoder().decode(document_)),
+    block: await inflate(document.getElementById("numbers").textContent),
+  };
 }
 
 /** The bytes of equal rank lie side by side in the block; here they go back to where they belong. The array has the unit that the document gives it. */
@@ -27,5 +30,7 @@ export function unpack(block, { at, n, as, unit = "" }) {
 export function unpacked(block, about) {
   if (about === null || typeof about !== "object") return about;
   if (Array.isArray(about)) return about.map((item) => unpacked(block, item));
-  return about.as ? unpack(block, about) : Object.fromEntries(Object.entries(about).map(([name, value]) => [name, unpacked(block, value)]));
+  return about.as
+    ? unpack(block, about)
+    : Object.fromEntries(Object.entries(about).map(([name, value]) => [name, unpacked(block, value)]));
 }

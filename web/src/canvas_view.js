@@ -7,8 +7,10 @@ import { themeOf } from "./theme.js";
 
 const key = navigator.platform.startsWith("Mac") ? "\u2318" : "Ctrl";
 const gestureWords = `${key}+wheel or pinch to zoom, drag to pan, double-click to show all; keys: +, \u2212, 0 and arrows`;
-const hintWords = matchMedia("(hover: none)").matches ? "Two fingers move and zoom the picture" : `${key} + wheel zooms the picture; the wheel alone scrolls the page`;
-const hintTime = 1600;  // ms
+const hintWords = matchMedia("(hover: none)").matches
+  ? "Two fingers move and zoom the picture"
+  : `${key} + wheel zooms the picture; the wheel alone scrolls the page`;
+const hintTime = 1600; // ms
 
 /** A picture seen through a camera: canvas, overlay and legend, drawn at most once a frame after something has changed.
     Whoever extends it gives `extent` (the box that is seen as a whole), `update(stale)` (the parts of the scene that have
@@ -24,15 +26,22 @@ export class CanvasView {
     this.element = h("div", { class: "view" }, this.stage, this.key);
     this.tooltip = new Tooltip(this.stage);
     new ResizeObserver(() => window.matchMedia("print").matches || this.#resize()).observe(this.stage);
-    window.addEventListener("beforeprint", () => this.draw());  // no frame passes before the page is laid out for paper
+    window.addEventListener("beforeprint", () => this.draw()); // no frame passes before the page is laid out for paper
   }
 
-  get theme() { return themeOf(this.state.get("theme")); }
+  get theme() {
+    return themeOf(this.state.get("theme"));
+  }
 
   /** `more` are further answers of gestures(), or other ones. */
   listen(more = {}) {
     this.followCamera = gestures(this.canvas, this.camera, {
-      moved: () => this.soon(), hover: (place) => this.pick(place), leave: () => this.unpick(), reset: () => this.reset(), scrolled: () => this.#sayHow(), ...more,
+      moved: () => this.soon(),
+      hover: (place) => this.pick(place),
+      leave: () => this.unpick(),
+      reset: () => this.reset(),
+      scrolled: () => this.#sayHow(),
+      ...more,
     });
   }
 
@@ -94,11 +103,21 @@ export class CanvasView {
   /** Saves the canvas as PNG with SVG elements over it, `height` high in all and twice as fine as the screen at least: it is
       painted once more at that size. */
   async savePainted(name, height, ...over) {
-    const { camera: { width, height: painted }, canvas, pixelRatio, theme } = this, ratio = Math.max(2, pixelRatio);
+    const {
+        camera: { width, height: painted },
+        canvas,
+        pixelRatio,
+        theme,
+      } = this,
+      ratio = Math.max(2, pixelRatio);
     const size = [canvas.width, canvas.height];
     Object.assign(canvas, { width: Math.round(width * ratio), height: Math.round(painted * ratio) });
     this.paint(ratio);
-    const svg = s("svg", { xmlns: "http://www.w3.org/2000/svg", width, height, viewBox: `0 0 ${width} ${height}` }, over);
+    const svg = s(
+      "svg",
+      { xmlns: "http://www.w3.org/2000/svg", width, height, viewBox: `0 0 ${width} ${height}` },
+      over,
+    );
     await savePng(name, new XMLSerializer().serializeToString(svg), width, height, ratio, (context) => {
       context.fillStyle = theme.card;
       context.fillRect(0, 0, context.canvas.width, context.canvas.height);

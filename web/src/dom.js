@@ -19,14 +19,18 @@ function fill(element, attributes, children) {
 }
 
 /** A line of text in an SVG whose middle is as high as y. */
-export const label = (x, y, words, anchor = null, more = {}) => s("text", { x, y, dy: "0.35em", "text-anchor": anchor, ...more }, words);
+export const label = (x, y, words, anchor = null, more = {}) =>
+  s("text", { x, y, dy: "0.35em", "text-anchor": anchor, ...more }, words);
 
 /** HTML text with "_{...}" lowered and "^{...}" raised: "σ_{norm}". */
 export function rich(text) {
-  return String(text).split(/([_^]\{[^}]*\})/).filter(Boolean).map((part) => {
-    if (part.startsWith("_{")) return h("sub", {}, part.slice(2, -1));
-    return part.startsWith("^{") ? h("sup", {}, part.slice(2, -1)) : part;
-  });
+  return String(text)
+    .split(/([_^]\{[^}]*\})/)
+    .filter(Boolean)
+    .map((part) => {
+      if (part.startsWith("_{")) return h("sub", {}, part.slice(2, -1));
+      return part.startsWith("^{") ? h("sup", {}, part.slice(2, -1)) : part;
+    });
 }
 
 /** The text without what lowers and raises. */
@@ -39,15 +43,17 @@ export function richSvg(svg) {
       if (node.nodeType !== Node.TEXT_NODE || !node.data.includes("_{")) continue;
       const parts = node.data.split(/(_\{[^}]*\})/).filter(Boolean);
       let lowered = false;
-      node.replaceWith(...parts.map((part) => {
-        if (part.startsWith("_{")) {
-          lowered = true;
-          return s("tspan", { dy: "0.28em", "font-size": "76%" }, part.slice(2, -1));
-        }
-        const back = lowered ? "-0.21em" : null;
-        lowered = false;
-        return s("tspan", { dy: back }, part);
-      }));
+      node.replaceWith(
+        ...parts.map((part) => {
+          if (part.startsWith("_{")) {
+            lowered = true;
+            return s("tspan", { dy: "0.28em", "font-size": "76%" }, part.slice(2, -1));
+          }
+          const back = lowered ? "-0.21em" : null;
+          lowered = false;
+          return s("tspan", { dy: back }, part);
+        }),
+      );
     }
   }
   return svg;

@@ -1,9 +1,11 @@
 import { pointer, select } from "d3-selection";
 import { zoom } from "d3-zoom";
 
-const farthest = 0.5, nearest = 400;  // against the view of the whole
-const keyStep = 1.25, arrowStep = 0.1;  // a factor; of the picture's width
-const notch = 0.5;  // powers of two, at most
+const farthest = 0.5,
+  nearest = 400; // against the view of the whole
+const keyStep = 1.25,
+  arrowStep = 0.1; // a factor; of the picture's width
+const notch = 0.5; // powers of two, at most
 
 const zoomsByWheel = (event) => event.ctrlKey || event.metaKey;
 
@@ -29,14 +31,21 @@ const arrows = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowD
     function to call when the camera was moved by others. */
 export function gestures(canvas, camera, { moved, hover, leave, reset, scrolled, click = () => {} }) {
   const picture = select(canvas);
-  const behaviour = zoom().filter(isForThePicture).wheelDelta(powersOfTwo).scaleExtent([farthest, nearest]).clickDistance(4).on("zoom", ({ transform }) => {
-    camera.follow(transform);
-    leave();
-    moved();
-  });
-  picture.on("touchstart", (event) => isTwoFingers(event) && event.preventDefault(), { passive: false })  // or the browser scrolls with both
-    .call(behaviour).on("dblclick.zoom", null)
-    .on("wheel", (event) => (zoomsByWheel(event) ? event.preventDefault() : scrolled()), { passive: false })  // at its ends the zoom lets the browser zoom the page
+  const behaviour = zoom()
+    .filter(isForThePicture)
+    .wheelDelta(powersOfTwo)
+    .scaleExtent([farthest, nearest])
+    .clickDistance(4)
+    .on("zoom", ({ transform }) => {
+      camera.follow(transform);
+      leave();
+      moved();
+    });
+  picture
+    .on("touchstart", (event) => isTwoFingers(event) && event.preventDefault(), { passive: false }) // or the browser scrolls with both
+    .call(behaviour)
+    .on("dblclick.zoom", null)
+    .on("wheel", (event) => (zoomsByWheel(event) ? event.preventDefault() : scrolled()), { passive: false }) // at its ends the zoom lets the browser zoom the page
     .on("touchmove", (event) => event.touches.length === 1 && scrolled(), { passive: true })
     .on("pointermove", (event) => event.buttons === 0 && hover(pointer(event, canvas)))
     .on("pointerleave", leave)
@@ -46,7 +55,8 @@ export function gestures(canvas, camera, { moved, hover, leave, reset, scrolled,
     })
     .on("dblclick", reset)
     .on("keydown", (event) => {
-      const factor = { "+": keyStep, "=": keyStep, "-": 1 / keyStep }[event.key], way = !camera.fitted && arrows[event.key];
+      const factor = { "+": keyStep, "=": keyStep, "-": 1 / keyStep }[event.key],
+        way = !camera.fitted && arrows[event.key];
       if (factor) behaviour.scaleBy(picture, factor);
       else if (event.key === "0" || event.key === "Escape") reset();
       else if (way) {

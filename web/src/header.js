@@ -3,7 +3,10 @@ import { text } from "./text.js";
 
 /** Title, what the page is about in a line, and the button for the colours. */
 export function header(title, sample, fields, films, state) {
-  const button = h("button", { class: "theme", onclick: () => state.set({ theme: state.get("theme") === "dark" ? "light" : "dark" }) });
+  const button = h("button", {
+    class: "theme",
+    onclick: () => state.set({ theme: state.get("theme") === "dark" ? "light" : "dark" }),
+  });
   const refresh = () => {
     const dark = state.get("theme") === "dark";
     button.textContent = dark ? "\u2600\ufe0e" : "\u263e\ufe0e";
@@ -12,7 +15,12 @@ export function header(title, sample, fields, films, state) {
   };
   state.watch(["theme"], refresh);
   refresh();
-  return h("header", {}, h("div", {}, h("h1", {}, title), h("p", {}, subtitleOf(sample, fields, films).join("  \u00b7  "))), button);
+  return h(
+    "header",
+    {},
+    h("div", {}, h("h1", {}, title), h("p", {}, subtitleOf(sample, fields, films).join("  \u00b7  "))),
+    button,
+  );
 }
 
 function subtitleOf(sample, fields, films) {
@@ -20,20 +28,41 @@ function subtitleOf(sample, fields, films) {
   return fields.length ? gridSubtitle(fields.at(-1).map) : subtitle(sample);
 }
 
-function filmSubtitle({ count, about: { film: { camera, width, height, frames, frame_rate: rate, pixel } } }) {
-  return [camera, `${width} \u00d7 ${height} pixels`, frames > 0 && `${text.count(frames)} frames${rate > 0 ? ` at ${text.number(rate, 4)}\u202fHz` : ""}`,
-    pixel > 0 && `${text.millimetres(pixel)} per pixel`, count > 0 && `${text.count(count)} grains`].filter(Boolean);
+function filmSubtitle({
+  count,
+  about: {
+    film: { camera, width, height, frames, frame_rate: rate, pixel },
+  },
+}) {
+  return [
+    camera,
+    `${width} \u00d7 ${height} pixels`,
+    frames > 0 && `${text.count(frames)} frames${rate > 0 ? ` at ${text.number(rate, 4)}\u202fHz` : ""}`,
+    pixel > 0 && `${text.millimetres(pixel)} per pixel`,
+    count > 0 && `${text.count(count)} grains`,
+  ].filter(Boolean);
 }
 
 function subtitle(sample) {
-  const snapshot = sample.snapshot(sample.snapshotCount - 1), box = sample.box(snapshot);
+  const snapshot = sample.snapshot(sample.snapshotCount - 1),
+    box = sample.box(snapshot);
   const counts = sample.materials.map((material, m) => `${text.count(sample.materialCounts[m])} ${material.name}`);
   const size = `${text.number(1e3 * (box.right - box.left), 4)} \u00d7 ${text.number(1e3 * (box.top - box.bottom), 4)}\u202fmm`;
   const force = Math.max(...snapshot.domain.walls.map((wall) => wall.force));
   return [...counts, size, ...(force > 0 ? [`largest wall force ${text.quantity(force, "N")}`] : [])];
 }
 
-function gridSubtitle({ about: { full: [width, height], dx }, grainClass }) {
+function gridSubtitle({
+  about: {
+    full: [width, height],
+    dx,
+  },
+  grainClass,
+}) {
   const size = `${text.number(1e3 * width * dx, 4)} \u00d7 ${text.number(1e3 * height * dx, 4)}\u202fmm`;
-  return [`${text.count(width)} \u00d7 ${text.count(height)} nodes`, size, ...(grainClass.length ? [`${text.count(grainClass.length)} grains`] : [])];
+  return [
+    `${text.count(width)} \u00d7 ${text.count(height)} nodes`,
+    size,
+    ...(grainClass.length ? [`${text.count(grainClass.length)} grains`] : []),
+  ];
 }

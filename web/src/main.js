@@ -15,9 +15,17 @@ import { followTheme, preferredTheme, themeOf } from "./theme.js";
 
 /** The packing if there is one, then every result on a grid, then every film. */
 function partsOf(sample, fields, films, state) {
-  const packing = sample.snapshotCount > 0 ? [{ name: "packing", title: "Packing", make: () => packingSection(sample, state) }] : [];
-  return [...packing, ...fields.map((result, k) => ({ name: `field-${k}`, title: titleOf(result), make: () => fieldSection(result, state) })),
-    ...films.map((film, k) => ({ name: `film-${k}`, title: titleOf(film), make: () => filmSection(film, state) }))];
+  const packing =
+    sample.snapshotCount > 0 ? [{ name: "packing", title: "Packing", make: () => packingSection(sample, state) }] : [];
+  return [
+    ...packing,
+    ...fields.map((result, k) => ({
+      name: `field-${k}`,
+      title: titleOf(result),
+      make: () => fieldSection(result, state),
+    })),
+    ...films.map((film, k) => ({ name: `film-${k}`, title: titleOf(film), make: () => filmSection(film, state) })),
+  ];
 }
 
 const titleOf = ({ name }) => name[0].toUpperCase() + name.slice(1);
@@ -32,13 +40,32 @@ async function main() {
     const films = (about.films ?? []).map((film) => new FilmResult(film, block, about.title));
     const last = films.length ? `film-${films.length - 1}` : fields.length ? `field-${fields.length - 1}` : "packing";
     const state = new State({ theme: preferredTheme(), tab: last });
-    keepInAddress(state, { tab: forms.word(["packing", ...fields.map((_, k) => `field-${k}`), ...films.map((_, k) => `film-${k}`)]) });
+    keepInAddress(state, {
+      tab: forms.word(["packing", ...fields.map((_, k) => `field-${k}`), ...films.map((_, k) => `film-${k}`)]),
+    });
     const parts = partsOf(sample, fields, films, state);
     if (parts.length === 0) throw new Error("this result holds no state of a packing");
     followTheme(state);
     const { elements, made } = tabs(parts, state);
-    page.replaceChildren(header(about.title, sample, fields, films, state), ...elements, provenance([...sample.stages, ...[...fields, ...films].map((result) => result.about)]));
-    window.arenite = { state, made, ...made.get("packing"), get field() { return made.get(state.get("tab")); }, get film() { return made.get(state.get("tab")); }, get theme() { return themeOf(state.get("theme")); } };
+    page.replaceChildren(
+      header(about.title, sample, fields, films, state),
+      ...elements,
+      provenance([...sample.stages, ...[...fields, ...films].map((result) => result.about)]),
+    );
+    window.arenite = {
+      state,
+      made,
+      ...made.get("packing"),
+      get field() {
+        return made.get(state.get("tab"));
+      },
+      get film() {
+        return made.get(state.get("tab"));
+      },
+      get theme() {
+        return themeOf(state.get("theme"));
+      },
+    };
     document.documentElement.dataset.ready = "true";
   } catch (error) {
     page.replaceChildren(h("p", { class: "failure" }, `The page cannot be drawn: ${error.message}.`));

@@ -19,7 +19,9 @@ export class Sample {
     Object.assign(this, { id, radius, material, zone, shapes });
     this.types = contactTypes(this.materials);
     this.meanRadius = this.count ? this.radius.reduce((sum, r) => sum + r, 0) / this.count : 1;
-    this.materialCounts = this.materials.map((_, m) => (this.count ? this.material.reduce((sum, other) => sum + (other === m), 0) : 0));
+    this.materialCounts = this.materials.map((_, m) =>
+      this.count ? this.material.reduce((sum, other) => sum + (other === m), 0) : 0,
+    );
     this.hasZones = this.count > 0 && this.zone.some((z) => z > 0);
   }
 
@@ -54,13 +56,16 @@ export class Sample {
   }
 
   /** Unit of an array by grain that any of the states has, or that all share; empty: it has none. */
-  unitOf(name) { return this.about.grains[name]?.unit ?? this.about.snapshots.find((snapshot) => snapshot[name])?.[name].unit ?? ""; }
+  unitOf(name) {
+    return this.about.grains[name]?.unit ?? this.about.snapshots.find((snapshot) => snapshot[name])?.[name].unit ?? "";
+  }
 
   /** The coarse-grained fields of a snapshot, or of the nearest that has them; null where none has. */
   fields(k) {
     const known = this.about.snapshots.map((snapshot, f) => (snapshot.fields ? f : -1)).filter((f) => f >= 0);
     if (known.length === 0) return null;
-    const nearest = known.reduce((best, f) => (Math.abs(f - k) < Math.abs(best - k) ? f : best)), about = this.about.snapshots[nearest];
+    const nearest = known.reduce((best, f) => (Math.abs(f - k) < Math.abs(best - k) ? f : best)),
+      about = this.about.snapshots[nearest];
     return (about.unpackedFields ??= { ...unpacked(this.#block, about.fields), snapshot: nearest });
   }
 
@@ -113,14 +118,20 @@ export class Sample {
     return { left, right, bottom, top };
   }
 
-  name(grain) { return text.material(this.materials[this.material[grain]]); }
+  name(grain) {
+    return text.material(this.materials[this.material[grain]]);
+  }
 }
 
 function contactTypes(materials) {
   const types = [];
   materials.forEach((_, a) => types.push({ a, b: a }));
   let mixed = 0;
-  materials.forEach((_, a) => materials.forEach((__, b) => { if (a < b) types.push({ a, b, mixed: mixed++ }); }));
+  materials.forEach((_, a) =>
+    materials.forEach((__, b) => {
+      if (a < b) types.push({ a, b, mixed: mixed++ });
+    }),
+  );
   for (const type of types) {
     type.label = `${materials[type.a].name}\u2013${materials[type.b].name}`;
     type.key = `${materials[type.a].name}-${materials[type.b].name}`;

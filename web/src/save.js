@@ -30,7 +30,9 @@ export function saveSvg(name, svg, theme) {
   download(`${name}.svg`, new Blob([svgText(svg, theme)], { type: "image/svg+xml" }));
 }
 
-export function saveText(name, type, content) { download(name, new Blob([content], { type })); }
+export function saveText(name, type, content) {
+  download(name, new Blob([content], { type }));
+}
 
 function loadImage(url) {
   return new Promise((resolve, reject) => {
@@ -54,4 +56,9 @@ export async function savePng(name, svgSource, width, height, ratio, under = nul
   download(`${name}.png`, blob);
 }
 
-export const fileName = (...parts) => parts.join("-").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
+export const fileName = (...parts) =>
+  parts
+    .join("-")
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, "-")
+    .replace(/^-|-$/g, "");

@@ -3,9 +3,13 @@ export class State {
   #values;
   #watchers = [];
 
-  constructor(values) { this.#values = values; }
+  constructor(values) {
+    this.#values = values;
+  }
 
-  get(name) { return this.#values[name]; }
+  get(name) {
+    return this.#values[name];
+  }
 
   /** Changes some values and tells those who watch any of them. */
   set(changes) {
@@ -15,5 +19,7 @@ export class State {
     for (const { names, then } of this.#watchers) if (names.some((name) => changed.includes(name))) then();
   }
 
-  watch(names, then) { this.#watchers.push({ names, then }); }
+  watch(names, then) {
+    this.#watchers.push({ names, then });
+  }
 }

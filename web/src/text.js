@@ -30,23 +30,45 @@ export const text = {
     return { value: minus(value.toFixed(decimals)), error: error.toFixed(decimals) };
   },
 
-  count(value) { return value.toLocaleString("en-US").replaceAll(",", "\u202f"); },
+  count(value) {
+    return value.toLocaleString("en-US").replaceAll(",", "\u202f");
+  },
 
-  millimetres(value, digits = 3) { return `${text.number(value * 1e3, digits)}\u202fmm`; },
+  millimetres(value, digits = 3) {
+    return `${text.number(value * 1e3, digits)}\u202fmm`;
+  },
 
-  material(material) { return material?.name ?? "?"; },
+  material(material) {
+    return material?.name ?? "?";
+  },
 };
 
 /** A whole number in raised figures. */
 export function superscript(exponent) {
-  return String(exponent).replace(/./g, (c) => "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"["-0123456789".indexOf(c)]);
+  return String(exponent).replace(
+    /./g,
+    (c) => "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079"["-0123456789".indexOf(c)],
+  );
 }
 
 /** A unit as it is printed: "kg/m^3" is kg/m³, "deg" the sign. */
-export const typeset = (unit) => unit.replace(/^deg$/, "\u00b0").replace(/\^0\.5/g, "^{1/2}").replace(/\^(-?\d+)/g, (_, power) => superscript(power)).replaceAll(" ", "\u2009");
+export const typeset = (unit) =>
+  unit
+    .replace(/^deg$/, "\u00b0")
+    .replace(/\^0\.5/g, "^{1/2}")
+    .replace(/\^(-?\d+)/g, (_, power) => superscript(power))
+    .replaceAll(" ", "\u2009");
 
 const scaled = ["N", "Pa", "J", "m", "s", "N/m", "J/m", "Pa m^0.5", "W", "K"];
-const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "\u00b5"], [1e-9, "n"]];
+const prefixes = [
+  [1e9, "G"],
+  [1e6, "M"],
+  [1e3, "k"],
+  [1, ""],
+  [1e-3, "m"],
+  [1e-6, "\u00b5"],
+  [1e-9, "n"],
+];
 
 /** The prefix under which a number of this size is written, and the unit with it. */
 export function prefixOf(size, unit) {

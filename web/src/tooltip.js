@@ -11,11 +11,15 @@ export class Tooltip {
     holder.append(this.box);
   }
 
-  hide() { this.box.hidden = true; }
+  hide() {
+    this.box.hidden = true;
+  }
 
   show(picked, sample, snapshot, theme, [px, py]) {
-    const numbers = picked.grain !== undefined
-      ? grainNumbers(picked.grain, sample, snapshot, theme) : contactNumbers(picked.contact, sample, snapshot, theme);
+    const numbers =
+      picked.grain !== undefined
+        ? grainNumbers(picked.grain, sample, snapshot, theme)
+        : contactNumbers(picked.contact, sample, snapshot, theme);
     this.write(numbers, [px, py]);
   }
 
@@ -23,9 +27,15 @@ export class Tooltip {
   write({ title, colour, rows }, [px, py]) {
     this.box.replaceChildren(
       h("p", {}, h("span", { class: "dot", style: `background:${colour}` }), title),
-      h("dl", {}, rows.map(([name, value]) => [h("dt", {}, rich(name)), h("dd", {}, value)])));
+      h(
+        "dl",
+        {},
+        rows.map(([name, value]) => [h("dt", {}, rich(name)), h("dd", {}, value)]),
+      ),
+    );
     this.box.hidden = false;
-    const width = this.box.offsetWidth, height = this.box.offsetHeight;
+    const width = this.box.offsetWidth,
+      height = this.box.offsetHeight;
     const left = px + 18 + width > this.holder.clientWidth ? px - width - 14 : px + 18;
     this.box.style.left = `${Math.max(2, left)}px`;
     this.box.style.top = `${Math.max(2, Math.min(py + 14, this.holder.clientHeight - height - 2))}px`;
@@ -45,7 +55,9 @@ function grainNumbers(g, sample, snapshot, theme) {
 
 /** A wall, or behind the four of them a boundary by the number of its element. */
 function sideName(snapshot, side) {
-  return side > 3 ? boundaryElement(snapshot, side - 4).boundary.name : `${["left", "right", "bottom", "top"][side]} wall`;
+  return side > 3
+    ? boundaryElement(snapshot, side - 4).boundary.name
+    : `${["left", "right", "bottom", "top"][side]} wall`;
 }
 
 function contactNumbers(c, sample, snapshot, theme) {
@@ -61,6 +73,7 @@ function contactNumbers(c, sample, snapshot, theme) {
   if (glued[c]) rows.push(["bond", "glued"]);
   return {
     title: `Contact ${sample.id[i[c]]}\u2013${partner}${kind.wall ? "" : `, ${kind.label}`}`,
-    colour: pairColour(theme, kind), rows,
+    colour: pairColour(theme, kind),
+    rows,
   };
 }

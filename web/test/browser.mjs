@@ -5,13 +5,25 @@ import { join } from "node:path";
 import { chromium } from "playwright-core";
 
 const flags = [
-  "--headless", "--no-sandbox", "--disable-gpu", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-quic",
-  "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
+  "--headless",
+  "--no-sandbox",
+  "--disable-gpu",
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
 ];
 
 function executable() {
   for (const name of ["chromium", "chromium-browser", "google-chrome"]) {
-    try { return execFileSync("which", [name], { encoding: "utf8" }).trim(); } catch { /* the next one */ }
+    try {
+      return execFileSync("which", [name], { encoding: "utf8" }).trim();
+    } catch {
+      /* the next one */
+    }
   }
   throw new Error("No Chromium was found: install Debian's package chromium.");
 }
@@ -19,7 +31,12 @@ function executable() {
 /** Runs `use` with a context of a fresh profile; software rendering, so that it needs no graphics card. */
 export async function withBrowser(options, use) {
   const profile = mkdtempSync(join(tmpdir(), "arenite-browser-"));
-  const context = await chromium.launchPersistentContext(profile, { executablePath: executable(), args: flags, acceptDownloads: true, ...options });
+  const context = await chromium.launchPersistentContext(profile, {
+    executablePath: executable(),
+    args: flags,
+    acceptDownloads: true,
+    ...options,
+  });
   try {
     return await use(context);
   } finally {
@@ -31,9 +48,13 @@ export async function withBrowser(options, use) {
 /** What the page must never do: speak of errors, or ask anybody for anything. */
 export function watch(page) {
   const seen = { errors: [], requests: [] };
-  page.on("console", (message) => { if (message.type() === "error") seen.errors.push(message.text()); });
+  page.on("console", (message) => {
+    if (message.type() === "error") seen.errors.push(message.text());
+  });
   page.on("pageerror", (error) => seen.errors.push(error.stack));
-  page.on("request", (request) => { if (!/^(file|data|blob):/.test(request.url())) seen.requests.push(request.url()); });
+  page.on("request", (request) => {
+    if (!/^(file|data|blob):/.test(request.url())) seen.requests.push(request.url());
+  });
   return seen;
 }
 
@@ -42,14 +63,19 @@ export async function painted(page) {
   const png = (await page.screenshot()).toString("base64");
   const shot = await page.evaluateHandle(async (base64) => {
     const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
-    const canvas = new OffscreenCanvas(image.width, image.height), context = canvas.getContext("2d");
+    const canvas = new OffscreenCanvas(image.width, image.height),
+      context = canvas.getContext("2d");
     context.drawImage(image, 0, 0);
     return context.getImageData(0, 0, image.width, image.height);
   }, png);
-  return (x, y) => shot.evaluate(({ width, data }, [column, row]) => {
-    const at = 4 * (row * width + column);
-    return [data[at], data[at + 1], data[at + 2]];
-  }, [Math.round(x), Math.round(y)]);
+  return (x, y) =>
+    shot.evaluate(
+      ({ width, data }, [column, row]) => {
+        const at = 4 * (row * width + column);
+        return [data[at], data[at + 1], data[at + 2]];
+      },
+      [Math.round(x), Math.round(y)],
+    );
 }
 
 /** Clicks and returns the bytes of the file that is saved. Headless Chromium loses about one download of a blob in sixty

@@ -7,7 +7,13 @@ import { rgb, runTests, settle, tipOf, zoom } from "./run.mjs";
 const tests = [];
 const test = (name, run) => tests.push({ name, run });
 
-const light = { kind: ["#ffffff", "#f4d27a", "#6e9fd0", "#2c5d9e", "#a6cbe9"].map(rgb), card: rgb("#ffffff"), empty: rgb("#ffffff"), aside: rgb("#d4d5d2"), crack: [null, "#7a1fa2", "#0b0d10", "#00796b"].map((c) => c && rgb(c)) };
+const light = {
+  kind: ["#ffffff", "#f4d27a", "#6e9fd0", "#2c5d9e", "#a6cbe9"].map(rgb),
+  card: rgb("#ffffff"),
+  empty: rgb("#ffffff"),
+  aside: rgb("#d4d5d2"),
+  crack: [null, "#7a1fa2", "#0b0d10", "#00796b"].map((c) => c && rgb(c)),
+};
 
 const set = (page, changes) => page.evaluate((values) => window.arenite.field.state.set(values), changes);
 const tab = async (page, title) => {
@@ -16,28 +22,51 @@ const tab = async (page, title) => {
 };
 
 /** Nodes inside of which nothing else is for three nodes around, some of each kind: place on the page, kind, numbers. */
-const places = (page, kinds) => page.evaluate((wanted) => {
-  const { view, result } = window.arenite.field, { map } = result, box = view.canvas.getBoundingClientRect();
-  const found = [], missing = new Map(wanted.map((kind) => [kind, 4]));
-  for (let tries = 0; tries < 200000 && [...missing.values()].some((n) => n > 0); ++tries) {
-    const x = 3 + ((tries * 7919) % (map.width - 6)), y = 3 + ((tries * 104729) % (map.height - 6)), node = x + map.width * y, kind = map.kind[node];
-    if (!(missing.get(kind) > 0)) continue;
-    const reach = kind < 2 ? 1 : 2;
-    let even = true;
-    for (let j = -reach; j <= reach; ++j) for (let i = -reach; i <= reach; ++i) even &&= map.label[node + i + map.width * j] === map.label[node] && map.kind[node + i + map.width * j] === kind;
-    if (!even) continue;
-    missing.set(kind, missing.get(kind) - 1);
-    const [px, py] = view.camera.toScreen(...map.placeOf(node));
-    found.push({ x: px + box.left, y: py + box.top, kind, node, label: map.label[node], yy: result.loaded ? result.values("yy")[node] : null });
-  }
-  return found;
-}, kinds);
+const places = (page, kinds) =>
+  page.evaluate((wanted) => {
+    const { view, result } = window.arenite.field,
+      { map } = result,
+      box = view.canvas.getBoundingClientRect();
+    const found = [],
+      missing = new Map(wanted.map((kind) => [kind, 4]));
+    for (let tries = 0; tries < 200000 && [...missing.values()].some((n) => n > 0); ++tries) {
+      const x = 3 + ((tries * 7919) % (map.width - 6)),
+        y = 3 + ((tries * 104729) % (map.height - 6)),
+        node = x + map.width * y,
+        kind = map.kind[node];
+      if (!(missing.get(kind) > 0)) continue;
+      const reach = kind < 2 ? 1 : 2;
+      let even = true;
+      for (let j = -reach; j <= reach; ++j)
+        for (let i = -reach; i <= reach; ++i)
+          even &&=
+            map.label[node + i + map.width * j] === map.label[node] && map.kind[node + i + map.width * j] === kind;
+      if (!even) continue;
+      missing.set(kind, missing.get(kind) - 1);
+      const [px, py] = view.camera.toScreen(...map.placeOf(node));
+      found.push({
+        x: px + box.left,
+        y: py + box.top,
+        kind,
+        node,
+        label: map.label[node],
+        yy: result.loaded ? result.values("yy")[node] : null,
+      });
+    }
+    return found;
+  }, kinds);
 
 /** Those on grains in one piece: at periodic sides a grain may lie at both edges. */
-const whole = (page, list) => page.evaluate((all) => all.filter(({ label }) => {
-  const { result } = window.arenite.field, { left, right, bottom, top } = result.boxOfGrain(label - 1);
-  return Math.max(right - left, top - bottom) < 3 * result.radiusOfGrain(label - 1);
-}), list);
+const whole = (page, list) =>
+  page.evaluate(
+    (all) =>
+      all.filter(({ label }) => {
+        const { result } = window.arenite.field,
+          { left, right, bottom, top } = result.boxOfGrain(label - 1);
+        return Math.max(right - left, top - bottom) < 3 * result.radiusOfGrain(label - 1);
+      }),
+    list,
+  );
 
 test("a row of tabs leads to the sample, its load and its pull", async (page) => {
   assert.deepEqual(await page.locator(".tabs button").allInnerTexts(), ["Cement", "Tension", "Failure"]);
@@ -47,9 +76,11 @@ test("nodes carry their phase's colour", async (page) => {
   await tab(page, "Cement");
   await set(page, { outlines: false });
   await settle(page);
-  const picture = await painted(page), some = await places(page, [0, 3, 4]);
+  const picture = await painted(page),
+    some = await places(page, [0, 3, 4]);
   assert.ok(some.length >= 10, `${some.length} places`);
-  for (const { x, y, kind } of some) assert.ok(difference(await picture(x, y), light.kind[kind]) <= 3, `kind ${kind}: ${await picture(x, y)}`);
+  for (const { x, y, kind } of some)
+    assert.ok(difference(await picture(x, y), light.kind[kind]) <= 3, `kind ${kind}: ${await picture(x, y)}`);
   const box = await page.locator("canvas.nodes:visible").boundingBox();
   assert.ok(difference(await picture(box.x + 2, box.y + 2), light.card) <= 1);
 });
@@ -64,11 +95,20 @@ test("voids have a colour each, by chance or by size, and grains step back", asy
     await set(page, { show: "voids", cavities, outlines: false });
     await settle(page);
     const picture = await painted(page);
-    for (const { x, y } of await places(page, [3, 4])) assert.ok(difference(await picture(x, y), rgb("#d3d7da")) <= 3, `grain: ${await picture(x, y)}`);
+    for (const { x, y } of await places(page, [3, 4]))
+      assert.ok(difference(await picture(x, y), rgb("#d3d7da")) <= 3, `grain: ${await picture(x, y)}`);
     const hole = await page.evaluate(() => {
-      const { view, result: { map } } = window.arenite.field, box = view.canvas.getBoundingClientRect(), { label, nodes } = map.cavities.voids;
-      const largest = 1 + nodes.indexOf(nodes.reduce((a, b) => Math.max(a, b))), inside = (k) => label[k] === largest;
-      const node = label.findIndex((l, k) => l === largest && [1, -1, map.width, -map.width].every((step) => inside(k + step)));
+      const {
+          view,
+          result: { map },
+        } = window.arenite.field,
+        box = view.canvas.getBoundingClientRect(),
+        { label, nodes } = map.cavities.voids;
+      const largest = 1 + nodes.indexOf(nodes.reduce((a, b) => Math.max(a, b))),
+        inside = (k) => label[k] === largest;
+      const node = label.findIndex(
+        (l, k) => l === largest && [1, -1, map.width, -map.width].every((step) => inside(k + step)),
+      );
       const [px, py] = view.camera.toScreen(...map.placeOf(node));
       return { x: px + box.left, y: py + box.top };
     });
@@ -84,13 +124,20 @@ test("stress is painted by the scale: low blue, high orange, void empty", async 
   await tab(page, "Tension");
   await set(page, { show: "field", component: "yy", around: "mean", outlines: false });
   await settle(page);
-  const picture = await painted(page), mean = await page.evaluate(() => window.arenite.field.result.mean);
-  let low = 0, high = 0;
+  const picture = await painted(page),
+    mean = await page.evaluate(() => window.arenite.field.result.mean);
+  let low = 0,
+    high = 0;
   for (const { x, y, kind, yy } of await places(page, [0, 3, 4])) {
     const [r, , b] = await picture(x, y);
     if (kind === 0) assert.ok(difference(await picture(x, y), light.empty) <= 2, "void");
-    else if (yy < 0.75 * mean) { ++low; assert.ok(b > r, `low stress is ${await picture(x, y)}`); }
-    else if (yy > 1.25 * mean) { ++high; assert.ok(r > b, `high stress is ${await picture(x, y)}`); }
+    else if (yy < 0.75 * mean) {
+      ++low;
+      assert.ok(b > r, `low stress is ${await picture(x, y)}`);
+    } else if (yy > 1.25 * mean) {
+      ++high;
+      assert.ok(r > b, `high stress is ${await picture(x, y)}`);
+    }
   }
   assert.ok(low + high > 0);
 });
@@ -107,30 +154,53 @@ test("every component, centre, law and clip paints its own picture", async (page
     seen.set(component, await shot());
   }
   await set(page, { component: "yy" });
-  for (const changes of [{ around: "zero" }, { around: "ends" }, { law: "symlog" }, { clip: "5" }, { by: "grain" }, { chains: true, threshold: 1.5 }, { crosses: true }, { outlines: true }]) {
-    const before = await page.evaluate((keys) => Object.fromEntries(keys.map((k) => [k, window.arenite.field.state.get(k)])), Object.keys(changes));
+  for (const changes of [
+    { around: "zero" },
+    { around: "ends" },
+    { law: "symlog" },
+    { clip: "5" },
+    { by: "grain" },
+    { chains: true, threshold: 1.5 },
+    { crosses: true },
+    { outlines: true },
+  ]) {
+    const before = await page.evaluate(
+      (keys) => Object.fromEntries(keys.map((k) => [k, window.arenite.field.state.get(k)])),
+      Object.keys(changes),
+    );
     await set(page, changes);
     seen.set(JSON.stringify(changes), await shot());
     await set(page, before);
   }
-  assert.equal(new Set(seen.values()).size, seen.size, `${seen.size} states gave ${new Set(seen.values()).size} pictures`);
+  assert.equal(
+    new Set(seen.values()).size,
+    seen.size,
+    `${seen.size} states gave ${new Set(seen.values()).size} pictures`,
+  );
 });
 
 test("values come to the page within a thousandth of their range", async (page) => {
   const { least, most, about } = await page.evaluate(() => {
-    const { result } = window.arenite.field, values = result.values("yy");
+    const { result } = window.arenite.field,
+      values = result.values("yy");
     let [low, high] = [Infinity, -Infinity];
-    values.forEach((v, k) => { if (result.map.kind[k] !== 0) [low, high] = [Math.min(low, v), Math.max(high, v)]; });
+    values.forEach((v, k) => {
+      if (result.map.kind[k] !== 0) [low, high] = [Math.min(low, v), Math.max(high, v)];
+    });
     return { least: low, most: high, about: result.about.components.sigma_yy };
   });
-  for (const [got, wanted] of [[least, about.least], [most, about.most]])
+  for (const [got, wanted] of [
+    [least, about.least],
+    [most, about.most],
+  ])
     assert.ok(Math.abs(got - wanted) <= 1e-3 * (about.most - about.least), `${got} is not ${wanted}`);
 });
 
 test("what carries less than the threshold steps back", async (page) => {
   await set(page, { chains: true, threshold: 1 });
   await settle(page);
-  const picture = await painted(page), mean = await page.evaluate(() => window.arenite.field.result.mean);
+  const picture = await painted(page),
+    mean = await page.evaluate(() => window.arenite.field.result.mean);
   for (const { x, y, kind, yy } of await places(page, [3, 4])) {
     const aside = difference(await picture(x, y), light.aside) <= 4;
     if (kind && Math.abs(yy / mean) < 0.6) assert.ok(aside, `weak: ${await picture(x, y)}`);
@@ -157,34 +227,46 @@ test("hovering tells a node's numbers, a click shows its grain close up, Escape 
   const before = await page.evaluate(() => window.arenite.field.view.camera.scale);
   await page.mouse.click(large.x, large.y);
   await settle(page);
-  assert.ok(await page.evaluate(() => window.arenite.field.view.camera.scale) > 2 * before);
+  assert.ok((await page.evaluate(() => window.arenite.field.view.camera.scale)) > 2 * before);
   assert.match(await page.locator(".close-up:visible").innerText(), /mean \u03c3/);
   await page.keyboard.press("Escape");
   await settle(page);
-  assert.ok(Math.abs(await page.evaluate(() => window.arenite.field.view.camera.scale) - before) < 1e-6 * before);
+  assert.ok(Math.abs((await page.evaluate(() => window.arenite.field.view.camera.scale)) - before) < 1e-6 * before);
   assert.equal(await page.locator(".close-up:visible").count(), 0);
 });
 
 test("zoomed in, a node is a square of one colour", async (page) => {
   const node = await page.evaluate(() => {
-    const { label, width, height } = window.arenite.field.result.map, middle = (width >> 1) + width * (height >> 1);
-    return Array.from(label.keys()).slice(middle).find((k) => label[k] > 0 && label[k] === label[k - 1] && label[k] === label[k + width]);
+    const { label, width, height } = window.arenite.field.result.map,
+      middle = (width >> 1) + width * (height >> 1);
+    return Array.from(label.keys())
+      .slice(middle)
+      .find((k) => label[k] > 0 && label[k] === label[k - 1] && label[k] === label[k + width]);
   });
   const { x, y } = await page.evaluate((k) => {
-    const { view, result } = window.arenite.field, box = view.canvas.getBoundingClientRect(), [px, py] = view.camera.toScreen(...result.map.placeOf(k));
+    const { view, result } = window.arenite.field,
+      box = view.canvas.getBoundingClientRect(),
+      [px, py] = view.camera.toScreen(...result.map.placeOf(k));
     return { x: Math.round(px + box.left), y: Math.round(py + box.top) };
   }, node);
   await page.mouse.move(x, y);
   await zoom(page, 11);
   const place = await page.evaluate((k) => {
-    const { view, result } = window.arenite.field, box = view.canvas.getBoundingClientRect(), [px, py] = view.camera.toScreen(...result.map.placeOf(k));
+    const { view, result } = window.arenite.field,
+      box = view.canvas.getBoundingClientRect(),
+      [px, py] = view.camera.toScreen(...result.map.placeOf(k));
     return { x: px + box.left, y: py + box.top, size: result.map.spacing * view.camera.scale };
   }, node);
   assert.ok(place.size > 30, `${place.size} px a node`);
   await page.mouse.move(2, 2);
   await settle(page);
-  const picture = await painted(page), middle = await picture(place.x, place.y);
-  for (const [i, j] of [[-0.4, -0.4], [0.4, -0.4], [0.4, 0.4]])
+  const picture = await painted(page),
+    middle = await picture(place.x, place.y);
+  for (const [i, j] of [
+    [-0.4, -0.4],
+    [0.4, -0.4],
+    [0.4, 0.4],
+  ])
     assert.deepEqual(await picture(place.x + i * place.size, place.y + j * place.size), middle);
   await page.evaluate(() => window.arenite.field.view.reset());
   await settle(page);
@@ -204,12 +286,16 @@ test("cracks appear in the order of the pull, by type, with the slider", async (
   assert.ok(all > none, `${none} -> ${all}`);
   assert.notEqual(await page.locator('[data-figure="stress-strain"]:visible .drawing').innerHTML(), first);
   const crack = await page.evaluate(() => {
-    const { view, result } = window.arenite.field, box = view.canvas.getBoundingClientRect();
+    const { view, result } = window.arenite.field,
+      box = view.canvas.getBoundingClientRect();
     const [x, y] = view.camera.toScreen(result.cracks.x[0], result.cracks.y[0]);
     return { x: x + box.left, y: y + box.top, type: result.cracks.type[0] };
   });
   const picture = await painted(page);
-  assert.ok(difference(await picture(crack.x, crack.y), light.crack[crack.type]) <= 30, `${await picture(crack.x, crack.y)}`);
+  assert.ok(
+    difference(await picture(crack.x, crack.y), light.crack[crack.type]) <= 30,
+    `${await picture(crack.x, crack.y)}`,
+  );
 });
 
 test("densities over the mean of the phase carry their fits", async (page) => {
@@ -218,13 +304,14 @@ test("densities over the mean of the phase carry their fits", async (page) => {
   assert.equal(await dashed(), 0);
   await page.click('[data-figure="stress-pdf"] [data-choice="norm"]:visible [data-value="own"]');
   await settle(page);
-  assert.ok(await dashed() >= 2, `${await dashed()} tails`);
+  assert.ok((await dashed()) >= 2, `${await dashed()} tails`);
   await page.click('[data-figure="stress-pdf"] [data-choice="norm"]:visible [data-value="sample"]');
 });
 
 test("the pointer reads the curve of the test, and a click goes to the step that it shows", async (page) => {
   await tab(page, "Failure");
-  const lines = await tipOf(page, "stress-strain"), step = Number(lines[0].match(/^step (\d+)$/)[1]);
+  const lines = await tipOf(page, "stress-strain"),
+    step = Number(lines[0].match(/^step (\d+)$/)[1]);
   assert.match(lines[1], /^strain [\d.]+\u202f10\u207b\u00b3$/);
   assert.match(lines[2], /^stress \u2212?[\d.]+\u202f[kM]?Pa$/);
   await page.mouse.down();
@@ -247,15 +334,27 @@ test("the numbers are folded, and opened they are there with their units", async
 
 test("labels of an axis stand beside its ticks", async (page) => {
   await tab(page, "Failure");
-  const over = await page.locator("[data-figure]:visible").evaluateAll((all) => all.flatMap((figure) => {
-    const label = figure.querySelector('[aria-label="y-axis label"]')?.getBoundingClientRect(), ticks = [...figure.querySelectorAll('[aria-label="y-axis tick label"] text')].map((t) => t.getBoundingClientRect());
-    return label ? ticks.filter((tick) => tick.left < label.right - 0.5 && tick.right > label.left).map(() => figure.dataset.figure) : [];
-  }));
+  const over = await page.locator("[data-figure]:visible").evaluateAll((all) =>
+    all.flatMap((figure) => {
+      const label = figure.querySelector('[aria-label="y-axis label"]')?.getBoundingClientRect(),
+        ticks = [...figure.querySelectorAll('[aria-label="y-axis tick label"] text')].map((t) =>
+          t.getBoundingClientRect(),
+        );
+      return label
+        ? ticks
+            .filter((tick) => tick.left < label.right - 0.5 && tick.right > label.left)
+            .map(() => figure.dataset.figure)
+        : [];
+    }),
+  );
   assert.deepEqual(over, []);
 });
 
 test("every figure is drawn and saved as a whole SVG", async (page) => {
-  for (const [title, wanted] of [["Tension", ["stress-pdf", "cavities", "convergence"]], ["Failure", ["stress-strain", "broken-bonds", "energy-balance"]]]) {
+  for (const [title, wanted] of [
+    ["Tension", ["stress-pdf", "cavities", "convergence"]],
+    ["Failure", ["stress-strain", "broken-bonds", "energy-balance"]],
+  ]) {
     await tab(page, title);
     const names = await page.locator("[data-figure]:visible").evaluateAll((all) => all.map((f) => f.dataset.figure));
     for (const name of wanted) assert.ok(names.includes(name), `${name} is missing from ${names}`);
@@ -274,15 +373,19 @@ test("the picture is saved as SVG with its nodes inside and as PNG at twice the 
   assert.match(svg, /<image[^>]*href="data:image\/png;base64,[A-Za-z0-9+/=]{2000,}"/);
   assert.doesNotMatch(svg.replace(/base64,[^"]*/, ""), /NaN|undefined/);
   const png = await saved(page, '.sample:visible .save:has-text("PNG")');
-  assert.equal(png.readUInt32BE(16), Math.round(2 * await page.evaluate(() => window.arenite.field.view.camera.width)));
+  assert.equal(
+    png.readUInt32BE(16),
+    Math.round(2 * (await page.evaluate(() => window.arenite.field.view.camera.width))),
+  );
 });
 
 test("the dark theme darkens page and field", async (page) => {
   await page.click("button.theme");
   await settle(page);
-  const picture = await painted(page), [hole] = await places(page, [0]);
-  assert.ok(Math.max(...await picture(2, 400)) < 40);
-  assert.ok(Math.max(...await picture(hole.x, hole.y)) < 60, `void: ${await picture(hole.x, hole.y)}`);
+  const picture = await painted(page),
+    [hole] = await places(page, [0]);
+  assert.ok(Math.max(...(await picture(2, 400))) < 40);
+  assert.ok(Math.max(...(await picture(hole.x, hole.y))) < 60, `void: ${await picture(hole.x, hole.y)}`);
   await page.click("button.theme");
 });
 
@@ -302,12 +405,21 @@ test("the slider draws the sample as it was deformed: each node where it went, m
   await settle(page);
   const said = await page.locator('section.sample:visible .threshold:has([data-slider="deform"]) output').innerText();
   const { times, nodes } = await page.evaluate(() => {
-    const { view, result } = window.arenite.field, { map } = result, box = view.canvas.getBoundingClientRect(), [ux, uy] = [result.values("ux"), result.values("uy")], found = [];
-    const inside = (k) => [-2, -1, 0, 1, 2].every((j) => [-2, -1, 0, 1, 2].every((i) => map.kind[k + i + map.width * j] === map.kind[k]));
+    const { view, result } = window.arenite.field,
+      { map } = result,
+      box = view.canvas.getBoundingClientRect(),
+      [ux, uy] = [result.values("ux"), result.values("uy")],
+      found = [];
+    const inside = (k) =>
+      [-2, -1, 0, 1, 2].every((j) => [-2, -1, 0, 1, 2].every((i) => map.kind[k + i + map.width * j] === map.kind[k]));
     for (let tries = 0; tries < 50000 && found.length < 12; ++tries) {
-      const x = 4 + ((tries * 7919) % (map.width - 8)), y = Math.floor(map.height * 0.6) + ((tries * 104729) % (Math.floor(map.height * 0.3))), k = x + map.width * y;
+      const x = 4 + ((tries * 7919) % (map.width - 8)),
+        y = Math.floor(map.height * 0.6) + ((tries * 104729) % Math.floor(map.height * 0.3)),
+        k = x + map.width * y;
       if (map.kind[k] < 2 || !inside(k)) continue;
-      const [wx, wy] = map.placeOf(k), [px, py] = view.camera.toScreen(wx + view.times * ux[k], wy + view.times * uy[k]), [qx, qy] = view.camera.toScreen(wx, wy);
+      const [wx, wy] = map.placeOf(k),
+        [px, py] = view.camera.toScreen(wx + view.times * ux[k], wy + view.times * uy[k]),
+        [qx, qy] = view.camera.toScreen(wx, wy);
       found.push({ x: px + box.left, y: py + box.top, moved: Math.hypot(px - qx, py - qy), kind: map.kind[k] });
     }
     return { times: view.times, nodes: found };
@@ -315,7 +427,8 @@ test("the slider draws the sample as it was deformed: each node where it went, m
   assert.match(said, /^\u00d7/);
   assert.ok(times > 1 && nodes.length > 5 && nodes.some(({ moved }) => moved > 10), `${times}, ${nodes.length} nodes`);
   const picture = await painted(page);
-  for (const { x, y, kind } of nodes) assert.ok(difference(await picture(x, y), light.kind[kind]) <= 3, `kind ${kind}: ${await picture(x, y)}`);
+  for (const { x, y, kind } of nodes)
+    assert.ok(difference(await picture(x, y), light.kind[kind]) <= 3, `kind ${kind}: ${await picture(x, y)}`);
   await set(page, { deform: 0 });
 });
 

@@ -9,7 +9,15 @@ const test = (name, run) => tests.push({ name, run });
 
 const set = (page, changes) => page.evaluate((values) => window.arenite.film.state.set(values), changes);
 const show = async (page, changes) => {
-  await set(page, { map: "in_phase", law: "linear", clip: "1", grains: "off", forces: false, motion: false, ...changes });
+  await set(page, {
+    map: "in_phase",
+    law: "linear",
+    clip: "1",
+    grains: "off",
+    forces: false,
+    motion: false,
+    ...changes,
+  });
   await page.mouse.move(2, 2);
   await settle(page);
 };
@@ -19,39 +27,74 @@ const tab = async (page, title) => {
 };
 
 /** A point of the film (column, row) on the page. */
-const onPage = (page, x, y) => page.evaluate(([column, row]) => {
-  const { view } = window.arenite.film, box = view.canvas.getBoundingClientRect(), [px, py] = view.camera.toScreen(column, -row);
-  return { x: px + box.left, y: py + box.top };
-}, [x, y]);
+const onPage = (page, x, y) =>
+  page.evaluate(
+    ([column, row]) => {
+      const { view } = window.arenite.film,
+        box = view.canvas.getBoundingClientRect(),
+        [px, py] = view.camera.toScreen(column, -row);
+      return { x: px + box.left, y: py + box.top };
+    },
+    [x, y],
+  );
 
 /** Grains with all that the page knows of them. */
-const grains = (page) => page.evaluate(() => {
-  const { film } = window.arenite.film, { x, y, radius, material, id } = film.grains;
-  return Array.from(x, (_, g) => ({ g, x: x[g], y: y[g], radius: radius[g], material: material[g], id: id[g], norm: film.stresses.film.sigma_norm[g] }));
-});
+const grains = (page) =>
+  page.evaluate(() => {
+    const { film } = window.arenite.film,
+      { x, y, radius, material, id } = film.grains;
+    return Array.from(x, (_, g) => ({
+      g,
+      x: x[g],
+      y: y[g],
+      radius: radius[g],
+      material: material[g],
+      id: id[g],
+      norm: film.stresses.film.sigma_norm[g],
+    }));
+  });
 
 /** Contacts between grains. */
-const contacts = (page) => page.evaluate(() => {
-  const { film } = window.arenite.film, { fn, fn_error: error, j } = film.contacts;
-  return Array.from(fn, (f, c) => ({ c, fn: f, error: error[c], ends: film.endsOf(c), uncertain: film.isUncertain(c) })).filter(({ c }) => j[c] < film.count);
-});
+const contacts = (page) =>
+  page.evaluate(() => {
+    const { film } = window.arenite.film,
+      { fn, fn_error: error, j } = film.contacts;
+    return Array.from(fn, (f, c) => ({
+      c,
+      fn: f,
+      error: error[c],
+      ends: film.endsOf(c),
+      uncertain: film.isUncertain(c),
+    })).filter(({ c }) => j[c] < film.count);
+  });
 
 const brightness = (colour) => (colour[0] + colour[1] + colour[2]) / 3;
 
 test("every film has its tab, and the last one is open", async (page) => {
   assert.deepEqual(await page.locator(".tabs button").allInnerTexts(), ["Packing", "Maps", "Stresses", "Film"]);
   assert.match(await page.locator("header p").innerText(), /JADE III.*1\u202f480 frames at 148.*260 grains/);
-  assert.match(await page.locator(".headlines:visible").innerText(), /load frequency[\s\S]*3\.00020 \u00b1 0\.00010\u202fHz[\s\S]*correlation with simulation/);
+  assert.match(
+    await page.locator(".headlines:visible").innerText(),
+    /load frequency[\s\S]*3\.00020 \u00b1 0\.00010\u202fHz[\s\S]*correlation with simulation/,
+  );
 });
 
 test("the picture is bright where grains are warm, and its pixels come back in kelvin", async (page) => {
   await show(page, { map: "picture" });
-  const picture = await painted(page), all = await grains(page);
+  const picture = await painted(page),
+    all = await grains(page);
   for (const material of [0, 1])
     for (const { x, y } of all.filter((g) => g.material === material).slice(0, 12)) {
-      const place = await onPage(page, Math.round(x), Math.round(y)), shade = brightness(await picture(place.x, place.y));
+      const place = await onPage(page, Math.round(x), Math.round(y)),
+        shade = brightness(await picture(place.x, place.y));
       assert.ok(material ? shade > 200 : shade > 70 && shade < 190, `material ${material} is ${shade}`);
-      const value = await page.evaluate(([c, r]) => { const { film } = window.arenite.film; return film.values("picture")[c + film.width * r]; }, [Math.round(x), Math.round(y)]);
+      const value = await page.evaluate(
+        ([c, r]) => {
+          const { film } = window.arenite.film;
+          return film.values("picture")[c + film.width * r];
+        },
+        [Math.round(x), Math.round(y)],
+      );
       assert.ok(Math.abs(value - (294.2 + (material ? 2.1 : 0.9))) < 0.1, `${value} K`);
     }
   const corner = await onPage(page, 1, 1);
@@ -60,21 +103,30 @@ test("the picture is bright where grains are warm, and its pixels come back in k
 
 test("the signed amplitude is amber where the load warms and neutral outside", async (page) => {
   await show(page, { map: "in_phase" });
-  const picture = await painted(page), strong = (await grains(page)).filter(({ norm }) => norm > 1.2);
+  const picture = await painted(page),
+    strong = (await grains(page)).filter(({ norm }) => norm > 1.2);
   for (const { x, y } of strong.slice(0, 10)) {
-    const place = await onPage(page, Math.round(x), Math.round(y)), [r, , b] = await picture(place.x, place.y);
+    const place = await onPage(page, Math.round(x), Math.round(y)),
+      [r, , b] = await picture(place.x, place.y);
     assert.ok(r > b + 30, `warm pixel is ${[r, b]}`);
   }
   const corner = await onPage(page, 2, 2);
-  assert.ok(difference(await picture(corner.x, corner.y), rgb("#efeadc")) < 16, `outside is ${await picture(corner.x, corner.y)}`);
+  assert.ok(
+    difference(await picture(corner.x, corner.y), rgb("#efeadc")) < 16,
+    `outside is ${await picture(corner.x, corner.y)}`,
+  );
 });
 
 test("a phase with the load has one colour, and what is lost in noise is pale", async (page) => {
   await show(page, { map: "phase" });
-  const picture = await painted(page), strong = (await grains(page)).filter(({ norm }) => norm > 1);
+  const picture = await painted(page),
+    strong = (await grains(page)).filter(({ norm }) => norm > 1);
   for (const { x, y } of strong.slice(0, 10)) {
     const place = await onPage(page, Math.round(x), Math.round(y));
-    assert.ok(difference(await picture(place.x, place.y), rgb("#d98a1f")) < 25, `in phase is ${await picture(place.x, place.y)}`);
+    assert.ok(
+      difference(await picture(place.x, place.y), rgb("#d98a1f")) < 25,
+      `in phase is ${await picture(place.x, place.y)}`,
+    );
   }
   let pale = 0;
   for (let k = 0; k < 20; ++k) {
@@ -90,7 +142,10 @@ test("bad pixels stand out in a colour of their own and are counted", async (pag
   const picture = await painted(page);
   for (const column of [20, 21]) {
     const place = await onPage(page, column, 9);
-    assert.ok(difference(await picture(place.x, place.y), rgb("#ff2d95")) <= 2, `bad pixel is ${await picture(place.x, place.y)}`);
+    assert.ok(
+      difference(await picture(place.x, place.y), rgb("#ff2d95")) <= 2,
+      `bad pixel is ${await picture(place.x, place.y)}`,
+    );
   }
   const good = await onPage(page, 22, 9);
   assert.ok(difference(await picture(good.x, good.y), rgb("#ff2d95")) > 60);
@@ -98,20 +153,46 @@ test("bad pixels stand out in a colour of their own and are counted", async (pag
 });
 
 test("every map, law, clip and overlay paints its own picture", async (page) => {
-  const seen = new Map(), shot = async (changes) => {
-    await show(page, changes);
-    const box = await page.locator("canvas.film:visible").boundingBox();
-    seen.set(JSON.stringify(changes), (await page.screenshot({ clip: box })).toString("base64"));
-  };
-  for (const map of ["picture", "amplitude", "phase", "in_phase", "second_harmonic", "standard_error", "residual", "bad"]) await shot({ map });
-  for (const changes of [{ law: "symlog" }, { clip: "5" }, { clip: "all" }, { grains: "rims" }, { grains: "material" }, { grains: "stress" }, { forces: true }, { motion: true }]) await shot(changes);
-  assert.equal(new Set(seen.values()).size, seen.size, `${seen.size} states gave ${new Set(seen.values()).size} pictures`);
+  const seen = new Map(),
+    shot = async (changes) => {
+      await show(page, changes);
+      const box = await page.locator("canvas.film:visible").boundingBox();
+      seen.set(JSON.stringify(changes), (await page.screenshot({ clip: box })).toString("base64"));
+    };
+  for (const map of [
+    "picture",
+    "amplitude",
+    "phase",
+    "in_phase",
+    "second_harmonic",
+    "standard_error",
+    "residual",
+    "bad",
+  ])
+    await shot({ map });
+  for (const changes of [
+    { law: "symlog" },
+    { clip: "5" },
+    { clip: "all" },
+    { grains: "rims" },
+    { grains: "material" },
+    { grains: "stress" },
+    { forces: true },
+    { motion: true },
+  ])
+    await shot(changes);
+  assert.equal(
+    new Set(seen.values()).size,
+    seen.size,
+    `${seen.size} states gave ${new Set(seen.values()).size} pictures`,
+  );
 });
 
 test("rims lie on the grains' circles", async (page) => {
   const all = (await grains(page)).filter(({ material }) => material === 0).slice(20, 32);
   const shades = async () => {
-    const picture = await painted(page), list = [];
+    const picture = await painted(page),
+      list = [];
     for (const { x, y, radius } of all) {
       const least = [];
       for (const step of [-1, -0.5, 0, 0.5, 1]) {
@@ -130,7 +211,9 @@ test("rims lie on the grains' circles", async (page) => {
 
 test("disks are darker the more stress they carry", async (page) => {
   await show(page, { grains: "stress" });
-  const picture = await painted(page), order = (await grains(page)).sort((a, b) => a.norm - b.norm), shades = [];
+  const picture = await painted(page),
+    order = (await grains(page)).sort((a, b) => a.norm - b.norm),
+    shades = [];
   for (const { x, y } of [order[5], order[Math.floor(order.length / 2)], order.at(-3)]) {
     const place = await onPage(page, x, y);
     shades.push(brightness(await picture(place.x, place.y)));
@@ -141,50 +224,79 @@ test("disks are darker the more stress they carry", async (page) => {
 
 test("forces are bars as thick as they are large, and what may be absent is dashed", async (page) => {
   await show(page, { forces: true });
-  const all = await contacts(page), sure = all.filter(({ uncertain }) => !uncertain).sort((a, b) => b.fn - a.fn), picture = await painted(page);
-  const [x1, y1, x2, y2] = sure[0].ends, middle = await onPage(page, (x1 + x2) / 2, (y1 + y2) / 2);
-  assert.ok(difference(await picture(middle.x, middle.y), rgb("#14191f")) < 12, `bar is ${await picture(middle.x, middle.y)}`);
+  const all = await contacts(page),
+    sure = all.filter(({ uncertain }) => !uncertain).sort((a, b) => b.fn - a.fn),
+    picture = await painted(page);
+  const [x1, y1, x2, y2] = sure[0].ends,
+    middle = await onPage(page, (x1 + x2) / 2, (y1 + y2) / 2);
+  assert.ok(
+    difference(await picture(middle.x, middle.y), rgb("#14191f")) < 12,
+    `bar is ${await picture(middle.x, middle.y)}`,
+  );
   const { dashed, widths, wanted } = await page.evaluate(() => {
-    const { view, film } = window.arenite.film, lines = [...view.lines.querySelectorAll("line")];
+    const { view, film } = window.arenite.film,
+      lines = [...view.lines.querySelectorAll("line")];
     const bars = lines.filter((l) => !l.hasAttribute("stroke-opacity") && !l.hasAttribute("stroke-dasharray"));
     return {
-      dashed: lines.filter((l) => l.hasAttribute("stroke-dasharray")).length, widths: bars.map((l) => Number(l.getAttribute("stroke-width"))),
+      dashed: lines.filter((l) => l.hasAttribute("stroke-dasharray")).length,
+      widths: bars.map((l) => Number(l.getAttribute("stroke-width"))),
       wanted: Array.from(film.contacts.fn.keys()).filter((c) => film.isUncertain(c)).length,
     };
   });
   assert.ok(dashed === wanted && dashed > 20, `${dashed} dashed of ${wanted}`);
   const { fn, mean } = await page.evaluate(() => {
     const { film } = window.arenite.film;
-    return { fn: Array.from(film.contacts.fn).filter((_, c) => !film.isUncertain(c)).sort((a, b) => a - b), mean: film.meanForce };
+    return {
+      fn: Array.from(film.contacts.fn)
+        .filter((_, c) => !film.isUncertain(c))
+        .sort((a, b) => a - b),
+      mean: film.meanForce,
+    };
   });
   const per = widths[40] / fn[40];
-  widths.forEach((w, k) => { if (fn[k] < 3 * mean) assert.ok(Math.abs(w - per * fn[k]) < 0.01 * w + 2e-3, `${w} for ${fn[k]} N`); });
+  widths.forEach((w, k) => {
+    if (fn[k] < 3 * mean) assert.ok(Math.abs(w - per * fn[k]) < 0.01 * w + 2e-3, `${w} for ${fn[k]} N`);
+  });
 });
 
 test("a bar to a wall ends at the wall", async (page) => {
   const off = await page.evaluate(() => {
-    const { film } = window.arenite.film, { i, j } = film.contacts, sides = film.container;
-    return Array.from(i.keys()).filter((c) => j[c] >= film.count).map((c) => {
-      const [, , x, y] = film.endsOf(c), side = j[c] - film.count;
-      return Math.abs((side < 2 ? x : y) - sides[side]);
-    });
+    const { film } = window.arenite.film,
+      { i, j } = film.contacts,
+      sides = film.container;
+    return Array.from(i.keys())
+      .filter((c) => j[c] >= film.count)
+      .map((c) => {
+        const [, , x, y] = film.endsOf(c),
+          side = j[c] - film.count;
+        return Math.abs((side < 2 ? x : y) - sides[side]);
+      });
   });
   assert.ok(off.length > 20 && Math.max(...off) < 1, `${off.length} walls, off by up to ${Math.max(...off)} pixels`);
 });
 
 test("hovering tells a pixel's and a grain's numbers, or a contact's with its error", async (page) => {
   await show(page, { grains: "rims" });
-  const [grain] = (await grains(page)).slice(40), place = await onPage(page, grain.x, grain.y);
+  const [grain] = (await grains(page)).slice(40),
+    place = await onPage(page, grain.x, grain.y);
   await page.mouse.move(place.x, place.y);
   const words = await page.locator(".tooltip:visible").innerText();
   assert.match(words, new RegExp(`Grain ${grain.id}, (POM|HDPE)`));
-  for (const part of [/\u03c3hyd\s*\u2212[\d.]+ \u00b1 [\d.]+\u202f[Mk]Pa/, /amplitude\s*[\d.]+\u202fmK/, /picture\s*29\d\.\d{3}\u202fK/, /motion x, y/, /radius\s*[\d.]+\u202fpx, [\d.]+\u202fmm/]) assert.match(words, part);
+  for (const part of [
+    /\u03c3hyd\s*\u2212[\d.]+ \u00b1 [\d.]+\u202f[Mk]Pa/,
+    /amplitude\s*[\d.]+\u202fmK/,
+    /picture\s*29\d\.\d{3}\u202fK/,
+    /motion x, y/,
+    /radius\s*[\d.]+\u202fpx, [\d.]+\u202fmm/,
+  ])
+    assert.match(words, part);
   const corner = await onPage(page, 3, 1);
   await page.mouse.move(corner.x, corner.y);
   assert.match(await page.locator(".tooltip:visible").innerText(), /Column 3, row 1/);
   await set(page, { forces: true });
   await settle(page);
-  const [strongest] = (await contacts(page)).filter(({ uncertain }) => !uncertain).sort((a, b) => b.fn - a.fn), [x1, y1, x2, y2] = strongest.ends;
+  const [strongest] = (await contacts(page)).filter(({ uncertain }) => !uncertain).sort((a, b) => b.fn - a.fn),
+    [x1, y1, x2, y2] = strongest.ends;
   const middle = await onPage(page, (x1 + x2) / 2, (y1 + y2) / 2);
   await page.mouse.move(middle.x, middle.y);
   const told = await page.locator(".tooltip:visible").innerText();
@@ -194,33 +306,55 @@ test("hovering tells a pixel's and a grain's numbers, or a contact's with its er
 
 test("zoomed in, a pixel is a square of one colour; 0 shows all again", async (page) => {
   await show(page, { map: "amplitude" });
-  const before = await page.evaluate(() => window.arenite.film.view.camera.scale), [{ x, y }] = (await grains(page)).slice(130);
+  const before = await page.evaluate(() => window.arenite.film.view.camera.scale),
+    [{ x, y }] = (await grains(page)).slice(130);
   const start = await onPage(page, Math.round(x), Math.round(y));
   await page.mouse.move(start.x, start.y);
   await zoom(page, 10);
   await page.mouse.move(2, 2);
   await settle(page);
-  const scale = await page.evaluate(() => window.arenite.film.view.camera.scale), middle = await onPage(page, Math.round(x), Math.round(y));
+  const scale = await page.evaluate(() => window.arenite.film.view.camera.scale),
+    middle = await onPage(page, Math.round(x), Math.round(y));
   assert.ok(scale > 30, `${scale} px a pixel`);
-  const picture = await painted(page), colour = await picture(middle.x, middle.y);
-  for (const [dx, dy] of [[-0.42, -0.42], [0.42, -0.42], [-0.42, 0.42], [0.42, 0.42]])
+  const picture = await painted(page),
+    colour = await picture(middle.x, middle.y);
+  for (const [dx, dy] of [
+    [-0.42, -0.42],
+    [0.42, -0.42],
+    [-0.42, 0.42],
+    [0.42, 0.42],
+  ])
     assert.ok(difference(await picture(middle.x + dx * scale, middle.y + dy * scale), colour) <= 1, `${dx}, ${dy}`);
   await page.locator("canvas.film:visible").focus();
   await page.keyboard.press("0");
   await settle(page);
-  assert.ok(Math.abs(await page.evaluate(() => window.arenite.film.view.camera.scale) - before) < 1e-9 * before);
+  assert.ok(Math.abs((await page.evaluate(() => window.arenite.film.view.camera.scale)) - before) < 1e-9 * before);
 });
 
 test("every figure is drawn and saved as a whole SVG, and its choices redraw it", async (page) => {
   const names = await page.locator("[data-figure]:visible").evaluateAll((all) => all.map((f) => f.dataset.figure));
-  assert.deepEqual(names, ["film-maps", "film-simulation", "film-tails", "film-orientations", "film-fit", "film-forces", "film-certainty", "film-stresses"]);
+  assert.deepEqual(names, [
+    "film-maps",
+    "film-simulation",
+    "film-tails",
+    "film-orientations",
+    "film-fit",
+    "film-forces",
+    "film-certainty",
+    "film-stresses",
+  ]);
   for (const name of names) {
     const source = (await saved(page, `[data-figure="${name}"] [data-save="svg"]:visible`)).toString("utf8");
     assert.ok(source.match(/<(path|rect|circle|line)/g).length > 5, `${name} is bare`);
     assert.doesNotMatch(source, /NaN|undefined|var\(--/, name);
   }
-  for (const [name, key, value] of [["film-simulation", "companion", "state"], ["film-simulation", "over", "unit"], ["film-forces", "component", "ft"]]) {
-    const drawing = page.locator(`[data-figure="${name}"]:visible .drawing`), first = await drawing.innerHTML();
+  for (const [name, key, value] of [
+    ["film-simulation", "companion", "state"],
+    ["film-simulation", "over", "unit"],
+    ["film-forces", "component", "ft"],
+  ]) {
+    const drawing = page.locator(`[data-figure="${name}"]:visible .drawing`),
+      first = await drawing.innerHTML();
     await page.click(`[data-figure="${name}"] [data-choice="${key}"]:visible [data-value="${value}"]`);
     await settle(page);
     assert.notEqual(await drawing.innerHTML(), first, `${name}: ${key}`);
@@ -230,61 +364,109 @@ test("every figure is drawn and saved as a whole SVG, and its choices redraw it"
 test("film and simulation are compared grain by grain, with the correlation in the corner", async (page) => {
   await set(page, { companion: "peak_to_peak", over: "mean" });
   await settle(page);
-  const { dots, whiskers, words } = await page.locator('[data-figure="film-simulation"]:visible .drawing').evaluate((box) => ({
-    dots: box.querySelectorAll("circle").length, whiskers: box.querySelectorAll('g[aria-label="rule"] line').length, words: box.textContent }));
+  const { dots, whiskers, words } = await page
+    .locator('[data-figure="film-simulation"]:visible .drawing')
+    .evaluate((box) => ({
+      dots: box.querySelectorAll("circle").length,
+      whiskers: box.querySelectorAll('g[aria-label="rule"] line').length,
+      words: box.textContent,
+    }));
   assert.equal(dots, 260);
   assert.equal(whiskers, 260);
   const said = Number(words.match(/r = (0\.\d+)/)[1]);
   const own = await page.evaluate(() => {
-    const { stresses: { film, simulation_peak_to_peak: simulation }, grains: { considered } } = window.arenite.film.film, mean = (v) => v.reduce((a, b) => a + b, 0) / v.length;
-    const [a, b] = [film.sigma_hyd, simulation.sigma_hyd].map((v) => Array.from(v).filter((_, g) => considered[g])), [ma, mb] = [mean(a), mean(b)];
+    const {
+        stresses: { film, simulation_peak_to_peak: simulation },
+        grains: { considered },
+      } = window.arenite.film.film,
+      mean = (v) => v.reduce((a, b) => a + b, 0) / v.length;
+    const [a, b] = [film.sigma_hyd, simulation.sigma_hyd].map((v) => Array.from(v).filter((_, g) => considered[g])),
+      [ma, mb] = [mean(a), mean(b)];
     const sum = (f) => a.reduce((total, _, g) => total + f(a[g] - ma, b[g] - mb), 0);
     return sum((p, q) => p * q) / Math.sqrt(sum((p) => p * p) * sum((_, q) => q * q));
   });
   assert.ok(Math.abs(said - own) < 2e-3, `${said} is not ${own}`);
   assert.equal(await page.locator('[data-figure="film-maps"]:visible circle').count(), 3 * 260);
   const tables = await page.locator(".numbers:visible").allInnerTexts();
-  assert.match(tables.join("\n"), /Experiment and simulation[\s\S]*Simulation, peak to peak[\s\S]*HDPE[\s\S]*Agreement/);
+  assert.match(
+    tables.join("\n"),
+    /Experiment and simulation[\s\S]*Simulation, peak to peak[\s\S]*HDPE[\s\S]*Agreement/,
+  );
 });
 
 test("contact orientations in film and simulation stand side by side on one scale", async (page) => {
-  const roses = await page.locator('[data-figure="film-orientations"]:visible [data-set]').evaluateAll((all) => all.map((g) => ({
-    name: g.dataset.set, petals: g.querySelectorAll("path[fill-opacity]").length, radii: [...g.querySelectorAll("circle")].map((c) => Number(c.getAttribute("r"))), words: g.textContent })));
-  assert.deepEqual(roses.map((r) => r.name), ["film", "simulation"]);
+  const roses = await page.locator('[data-figure="film-orientations"]:visible [data-set]').evaluateAll((all) =>
+    all.map((g) => ({
+      name: g.dataset.set,
+      petals: g.querySelectorAll("path[fill-opacity]").length,
+      radii: [...g.querySelectorAll("circle")].map((c) => Number(c.getAttribute("r"))),
+      words: g.textContent,
+    })),
+  );
+  assert.deepEqual(
+    roses.map((r) => r.name),
+    ["film", "simulation"],
+  );
   assert.deepEqual(roses[0].radii, roses[1].radii);
   const said = await page.evaluate(() => window.arenite.film.film.declared.at("contact_orientations"));
   for (const [k, set] of [said.film, said.simulation].entries()) {
     assert.equal(roses[k].petals, 36);
-    assert.equal(set.sectors.reduce((a, b) => a + b, 0), set.contacts);
+    assert.equal(
+      set.sectors.reduce((a, b) => a + b, 0),
+      set.contacts,
+    );
     const shown = Number(roses[k].words.match(/= (0\.\d+)/)[1]);
     assert.ok(Math.abs(shown - set.a_c.value) < 0.01, `${roses[k].words}: ${set.a_c.value}`);
     assert.match(roses[k].words, /\u00b0|noise/);
   }
-  assert.match(await page.locator('[data-figure="film-simulation"]:visible .caption').innerText(), /0\.4 to 0\.5.*friction.*history is lost/);
+  assert.match(
+    await page.locator('[data-figure="film-simulation"]:visible .caption').innerText(),
+    /0\.4 to 0\.5.*friction.*history is lost/,
+  );
 });
 
 test("forces carry error bars of one standard error", async (page) => {
   await set(page, { component: "fn" });
   await settle(page);
-  const { lines, y0, y1, count } = await page.locator('[data-figure="film-forces"]:visible .drawing').evaluate((box) => {
-    const rules = [...box.querySelectorAll('g[aria-label="rule"] line')].filter((l) => l.getAttribute("x1") === l.getAttribute("x2")), svg = box.querySelector("svg");
-    const { apply, invert } = svg.scale("y");
-    return { lines: rules.length, y0: invert(Number(rules[0].getAttribute("y1"))), y1: invert(Number(rules[0].getAttribute("y2"))), count: apply && window.arenite.film.film.contacts.count };
-  });
+  const { lines, y0, y1, count } = await page
+    .locator('[data-figure="film-forces"]:visible .drawing')
+    .evaluate((box) => {
+      const rules = [...box.querySelectorAll('g[aria-label="rule"] line')].filter(
+          (l) => l.getAttribute("x1") === l.getAttribute("x2"),
+        ),
+        svg = box.querySelector("svg");
+      const { apply, invert } = svg.scale("y");
+      return {
+        lines: rules.length,
+        y0: invert(Number(rules[0].getAttribute("y1"))),
+        y1: invert(Number(rules[0].getAttribute("y2"))),
+        count: apply && window.arenite.film.film.contacts.count,
+      };
+    });
   assert.equal(lines, count);
   const [top] = await page.evaluate(() => {
     const { fn, fn_error: error } = window.arenite.film.film.contacts;
     return Array.from(fn, (f, c) => ({ f, e: error[c] })).sort((a, b) => b.f - a.f);
   });
-  assert.ok(Math.abs(Math.abs(y1 - y0) - (2 * top.e) / 1e3) < 0.02 * Math.abs(y1 - y0), `${y1 - y0} kN for twice ${top.e} N`);
+  assert.ok(
+    Math.abs(Math.abs(y1 - y0) - (2 * top.e) / 1e3) < 0.02 * Math.abs(y1 - y0),
+    `${y1 - y0} kN for twice ${top.e} N`,
+  );
 });
 
 test("the pointer on a chart names the grain or the contact with its error and unit", async (page) => {
   await set(page, { companion: "peak_to_peak", over: "unit" });
   await settle(page);
-  const grain = await tipOf(page, "film-simulation"), contact = await tipOf(page, "film-forces");
-  assert.match(grain.join("\n"), /^Grain \d+, (POM|HDPE)\nsimulation, \u2212\u03c3hyd \u2212?[\d.]+\u202f[kM]Pa\nfilm, \u2212\u03c3hyd \u2212?[\d.]+ \u00b1 [\d.]+\u202f[kM]Pa$/);
-  assert.match(contact.join("\n"), /^Contact \d+\u2009\u2013\u2009.*\nrank \d+\nFn \u2212?[\d.]+ \u00b1 [\d.]+\u202fk?N$/);
+  const grain = await tipOf(page, "film-simulation"),
+    contact = await tipOf(page, "film-forces");
+  assert.match(
+    grain.join("\n"),
+    /^Grain \d+, (POM|HDPE)\nsimulation, \u2212\u03c3hyd \u2212?[\d.]+\u202f[kM]Pa\nfilm, \u2212\u03c3hyd \u2212?[\d.]+ \u00b1 [\d.]+\u202f[kM]Pa$/,
+  );
+  assert.match(
+    contact.join("\n"),
+    /^Contact \d+\u2009\u2013\u2009.*\nrank \d+\nFn \u2212?[\d.]+ \u00b1 [\d.]+\u202fk?N$/,
+  );
   await set(page, { over: "mean" });
   await page.mouse.move(2, 2);
 });
@@ -297,14 +479,23 @@ test("the picture is saved as SVG with its map inside and as PNG at twice the si
   assert.ok(svg.match(/<circle/g).length >= 2 * 260);
   assert.doesNotMatch(svg.replace(/base64,[^"]*/, ""), /NaN|undefined/);
   const png = await saved(page, '.sample:visible .save:has-text("PNG")');
-  assert.equal(png.readUInt32BE(16), Math.round(2 * await page.evaluate(() => window.arenite.film.view.camera.width)));
+  assert.equal(
+    png.readUInt32BE(16),
+    Math.round(2 * (await page.evaluate(() => window.arenite.film.view.camera.width))),
+  );
 });
 
 test("a film of maps alone says what it cannot show", async (page) => {
   await tab(page, "Maps");
   assert.equal(await page.locator("[data-figure]:visible").count(), 0);
   assert.match(await page.locator(".missing:visible").innerText(), /No grains were found in this film/);
-  assert.deepEqual(await page.locator('[data-choice="map"]:visible button').allInnerTexts(), ["Amplitude", "Phase", "Signed", "Noise", "Residual"]);
+  assert.deepEqual(await page.locator('[data-choice="map"]:visible button').allInnerTexts(), [
+    "Amplitude",
+    "Phase",
+    "Signed",
+    "Noise",
+    "Residual",
+  ]);
   assert.equal(await page.locator('[data-choice="grains"]:visible').count(), 0);
   const place = await onPage(page, 60, 60);
   await page.mouse.move(place.x, place.y);
@@ -314,7 +505,10 @@ test("a film of maps alone says what it cannot show", async (page) => {
 
 test("stresses of grains alone have their figures, and what is missing is said", async (page) => {
   await tab(page, "Stresses");
-  assert.deepEqual(await page.locator("[data-figure]:visible").evaluateAll((all) => all.map((f) => f.dataset.figure)), ["film-tails", "film-stresses"]);
+  assert.deepEqual(await page.locator("[data-figure]:visible").evaluateAll((all) => all.map((f) => f.dataset.figure)), [
+    "film-tails",
+    "film-stresses",
+  ]);
   assert.match(await page.locator(".missing:visible").innerText(), /forces were not inferred.*No simulation/);
   assert.equal(await page.locator('[data-figure="film-stresses"]:visible circle').count(), 260);
   await tab(page, "Film");
@@ -324,8 +518,9 @@ test("the dark theme darkens page and map", async (page) => {
   await show(page, { map: "in_phase" });
   await page.click("button.theme");
   await settle(page);
-  const picture = await painted(page), corner = await onPage(page, 2, 2);
-  assert.ok(Math.max(...await picture(2, 400)) < 40);
+  const picture = await painted(page),
+    corner = await onPage(page, 2, 2);
+  assert.ok(Math.max(...(await picture(2, 400))) < 40);
   assert.ok(brightness(await picture(corner.x, corner.y)) < 70, `outside is ${await picture(corner.x, corner.y)}`);
   await page.click("button.theme");
 });
@@ -334,8 +529,16 @@ test("on a narrow screen everything stands in one column and nothing is cut off"
   await page.setViewportSize({ width: 420, height: 900 });
   for (const title of ["Packing", "Maps", "Stresses", "Film"]) {
     await tab(page, title);
-    const words = await page.locator('[data-figure="film-fit"]:visible svg > text').evaluateAll((all) => all.map((t) => t.getBoundingClientRect()).map(({ left, right, top }) => [left, right, top]));
-    for (const [left, right, top] of words) assert.ok(words.every(([l, r, t]) => t !== top || l === left || l >= right || r <= left), `names of maps overlap at ${left}`);
+    const words = await page
+      .locator('[data-figure="film-fit"]:visible svg > text')
+      .evaluateAll((all) =>
+        all.map((t) => t.getBoundingClientRect()).map(({ left, right, top }) => [left, right, top]),
+      );
+    for (const [left, right, top] of words)
+      assert.ok(
+        words.every(([l, r, t]) => t !== top || l === left || l >= right || r <= left),
+        `names of maps overlap at ${left}`,
+      );
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     assert.ok(wide <= 420, `${title} is ${wide} px wide`);
   }

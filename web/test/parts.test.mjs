@@ -32,7 +32,10 @@ test("a stage without curves of its own shows those of the stage before it, or o
   const stages = [{ name: "rest" }, { name: "press", test }, { name: "shear", test }, { name: "relax" }];
   const sample = { stages, about: { snapshots: stages.map((_, stage) => ({ stage })) } };
   const shown = (snapshot, of = sample) => stageWithCurves(of, { get: () => snapshot })?.name;
-  assert.deepEqual([0, 1, 2, 3].map((snapshot) => shown(snapshot)), ["press", "press", "shear", "shear"]);
+  assert.deepEqual(
+    [0, 1, 2, 3].map((snapshot) => shown(snapshot)),
+    ["press", "press", "shear", "shear"],
+  );
   assert.equal(shown(0, { ...sample, stages: [stages[0]] }), undefined);
 });
 
@@ -59,7 +62,8 @@ function camera() {
 
 test("a fitted box stands in the middle with its margin", () => {
   const c = camera();
-  const [, top] = c.toScreen(0, 0.36), [, bottom] = c.toScreen(0, 0.01);
+  const [, top] = c.toScreen(0, 0.36),
+    [, bottom] = c.toScreen(0, 0.01);
   assert.ok(Math.abs(top - 20) < 1e-9 && Math.abs(bottom - 380) < 1e-9);
 });
 
@@ -69,7 +73,8 @@ test("screen and plane are each other's inverse", () => {
 });
 
 test("zooming keeps the point under the pointer", () => {
-  const c = camera(), before = c.toWorld(137, 88);
+  const c = camera(),
+    before = c.toWorld(137, 88);
   c.follow(zoomIdentity.translate(137, 88).scale(3.7).translate(-137, -88));
   const after = c.toWorld(137, 88);
   assert.ok(Math.hypot(after[0] - before[0], after[1] - before[1]) < 1e-12);
@@ -77,18 +82,22 @@ test("zooming keeps the point under the pointer", () => {
 });
 
 test("a camera and its transform say the same, whatever the picture's size became", () => {
-  const c = camera(), place = c.toScreen(0.1, 0.2);
+  const c = camera(),
+    place = c.toScreen(0.1, 0.2);
   c.show({ left: 0.05, right: 0.15, bottom: 0.15, top: 0.25 }, 10);
-  const [x, y] = c.transform.apply(place), wanted = c.toScreen(0.1, 0.2);
+  const [x, y] = c.transform.apply(place),
+    wanted = c.toScreen(0.1, 0.2);
   assert.ok(Math.hypot(x - wanted[0], y - wanted[1]) < 1e-9);
   c.resize(500, 450);
-  const middle = [c.x, c.y], { scale } = c;
+  const middle = [c.x, c.y],
+    { scale } = c;
   c.follow(c.transform);
   assert.ok(Math.abs(c.scale - scale) < 1e-9 * scale && Math.hypot(c.x - middle[0], c.y - middle[1]) < 1e-12);
 });
 
 test("a state tells only those who watch what changed", () => {
-  const state = new State({ a: 1, b: 2 }), told = [];
+  const state = new State({ a: 1, b: 2 }),
+    told = [];
   state.watch(["a"], () => told.push("a"));
   state.watch(["b"], () => told.push("b"));
   state.set({ a: 1, b: 3 });
@@ -99,8 +108,15 @@ test("a state tells only those who watch what changed", () => {
 function cell(periodic) {
   const sample = { count: 2, meanRadius: 0.1, box: () => ({ left: 0, right: 1, bottom: 0, top: 1 }) };
   const snapshot = {
-    x: [0.05, 0.95], y: [0.5, 0.5], meanForce: 2, contacts: { i: [0, 1], j: [1, 2 + 1], fn: [4, 2] },
-    domain: { periodic: [periodic, false], tilt: 0, walls: [{ position: 0 }, { position: 1 }, { position: 0 }, { position: 1 }] },
+    x: [0.05, 0.95],
+    y: [0.5, 0.5],
+    meanForce: 2,
+    contacts: { i: [0, 1], j: [1, 2 + 1], fn: [4, 2] },
+    domain: {
+      periodic: [periodic, false],
+      tilt: 0,
+      walls: [{ position: 0 }, { position: 1 }, { position: 0 }, { position: 1 }],
+    },
   };
   return { sample, snapshot };
 }
@@ -139,7 +155,10 @@ test("a chain to a boundary ends where the grain touches it", () => {
   ends(2, [1, 0]);
   ends(4 + 1, [0.95, 0.6]);
   ends(4 + 4, [1, 2]);
-  ends(4 + 5, [0.95 + (1.4 * (1.4 * 0.95 - 0.5 + 0.6) * -1) / (1 + 1.4 * 1.4), 0.5 + (1.4 * 0.95 - 0.5 + 0.6) / (1 + 1.4 * 1.4)]);
+  ends(4 + 5, [
+    0.95 + (1.4 * (1.4 * 0.95 - 0.5 + 0.6) * -1) / (1 + 1.4 * 1.4),
+    0.5 + (1.4 * 0.95 - 0.5 + 0.6) / (1 + 1.4 * 1.4),
+  ]);
   assert.equal(boundaryElement(snapshot, 4 + 5).boundary.name, "drum");
 });
 
@@ -155,10 +174,16 @@ test("a chain to a boundary goes to the nearest image through a periodic side, a
     assert.equal(segments.length, expected.length);
     expected.forEach((segment, k) => near(segments[k], segment));
   };
-  ends(0, 1, [[0.05, 0.5, 0.02, 0.5], [1.05, 0.5, 1.02, 0.5]]);
+  ends(0, 1, [
+    [0.05, 0.5, 0.02, 0.5],
+    [1.05, 0.5, 1.02, 0.5],
+  ]);
   ends(1, 1, [[0.95, 0.5, 1.02, 0.5]]);
   ends(1, 4 + 1, [[0.95, 0.5, 0.95, 0.4]]);
-  ends(0, 4 + 2, [[0.05, 0.5, -0.02, 0.4], [1.05, 0.5, 0.98, 0.4]]);
+  ends(0, 4 + 2, [
+    [0.05, 0.5, -0.02, 0.4],
+    [1.05, 0.5, 0.98, 0.4],
+  ]);
 });
 
 test("the width of a chain is proportional to its force", () => {
@@ -177,34 +202,91 @@ test("keys of numbers become words of the field, without the unit that is declar
   assert.deepEqual(named("dx_m", "m"), { name: "node spacing", symbol: "" });
   assert.deepEqual(named("pressure_Pa", "Pa"), { name: "pressure", symbol: "p" });
   assert.deepEqual(named("POM-ANY"), { name: "POM\u2013any", symbol: "" });
-  assert.deepEqual(named("thinnest_neck_m"), { name: "thinnest neck m", symbol: "" }, "a unit is declared, never guessed");
+  assert.deepEqual(
+    named("thinnest_neck_m"),
+    { name: "thinnest neck m", symbol: "" },
+    "a unit is declared, never guessed",
+  );
 });
 
 test("units are printed as in books", () => {
-  assert.deepEqual(["kg/m^3", "deg", "m^2", "Pa m^0.5", "m/s", ""].map(typeset), ["kg/m\u00b3", "\u00b0", "m\u00b2", "Pa\u2009m^{1/2}", "m/s", ""]);
+  assert.deepEqual(["kg/m^3", "deg", "m^2", "Pa m^0.5", "m/s", ""].map(typeset), [
+    "kg/m\u00b3",
+    "\u00b0",
+    "m\u00b2",
+    "Pa\u2009m^{1/2}",
+    "m/s",
+    "",
+  ]);
 });
 
 test("what is said of several sets alike stands in one table, and what is drawn, or was shown, is left out", () => {
-  const of = (count) => ({ count, tail: { slope: { value: 5, error: 1 }, low: 2 }, histogram: { low: -1, width: 0.05 } });
-  const numbers = new Numbers({
-    modulus_Pa: 1, poisson: 0.3, stress: { nodes: 9, sigma_yy: { sets: { all: of(9), matrix: of(3), large: of(6) } } },
-    load: { stiffness_Pa: { matrix: 1, grain: 2 }, "toughness_Pa_m0.5": { matrix: 1, grain: 2 } }, notes: ["a sentence"],
-  }, { modulus_Pa: ["Pa", "Young's modulus"] });
-  assert.deepEqual(numbers.row("poisson").map(({ value }) => value), [0.3]);
-  assert.deepEqual(tables("", numbers).map(({ title, names, sets }) => [title, names, sets?.map(([name]) => name) ?? null]), [
-    ["Result", ["modulus_Pa"], null],
-    ["Stress", ["nodes"], null],
-    ["Stress, \u03c3_{yy}", ["count"], ["all", "matrix", "large"]],
-    ["Stress, \u03c3_{yy}, tail", ["slope", "low"], ["all", "matrix", "large"]],
-    ["Load", ["matrix", "grain"], ["stiffness_Pa", "toughness_Pa_m0.5"]],
+  const of = (count) => ({
+    count,
+    tail: { slope: { value: 5, error: 1 }, low: 2 },
+    histogram: { low: -1, width: 0.05 },
+  });
+  const numbers = new Numbers(
+    {
+      modulus_Pa: 1,
+      poisson: 0.3,
+      stress: { nodes: 9, sigma_yy: { sets: { all: of(9), matrix: of(3), large: of(6) } } },
+      load: { stiffness_Pa: { matrix: 1, grain: 2 }, "toughness_Pa_m0.5": { matrix: 1, grain: 2 } },
+      notes: ["a sentence"],
+    },
+    { modulus_Pa: ["Pa", "Young's modulus"] },
+  );
+  assert.deepEqual(
+    numbers.row("poisson").map(({ value }) => value),
+    [0.3],
+  );
+  assert.deepEqual(
+    tables("", numbers).map(({ title, names, sets }) => [title, names, sets?.map(([name]) => name) ?? null]),
+    [
+      ["Result", ["modulus_Pa"], null],
+      ["Stress", ["nodes"], null],
+      ["Stress, \u03c3_{yy}", ["count"], ["all", "matrix", "large"]],
+      ["Stress, \u03c3_{yy}, tail", ["slope", "low"], ["all", "matrix", "large"]],
+      ["Load", ["matrix", "grain"], ["stiffness_Pa", "toughness_Pa_m0.5"]],
+    ],
+  );
+  assert.deepEqual(numbers.row("modulus_Pa"), [
+    { name: "apparent modulus", symbol: "E", unit: "Pa", sentence: "Young's modulus", value: 1 },
   ]);
-  assert.deepEqual(numbers.row("modulus_Pa"), [{ name: "apparent modulus", symbol: "E", unit: "Pa", sentence: "Young's modulus", value: 1 }]);
 });
 
 test("names with dots are found, and a tensor has a row a component", () => {
-  const numbers = new Numbers({ quantiles: { "0.01 %": 3 }, stress: { value: [[1, 2], [2, 4]], error: [[0.1, 0.2], [0.2, 0.4]] } }, { stress: ["Pa", "Stress"], "quantiles.0.01 %": ["Pa", "Quantile"] });
-  assert.deepEqual(numbers.in("quantiles").row("0.01 %").map(({ value, unit }) => [value, unit]), [[3, "Pa"]]);
-  assert.deepEqual(numbers.row("stress").map(({ name, value, unit }) => [name, value.value, value.error, unit]), [["\u03c3_{xx}", 1, 0.1, "Pa"], ["\u03c3_{yy}", 4, 0.4, "Pa"], ["\u03c3_{xy}", 2, 0.2, "Pa"]]);
+  const numbers = new Numbers(
+    {
+      quantiles: { "0.01 %": 3 },
+      stress: {
+        value: [
+          [1, 2],
+          [2, 4],
+        ],
+        error: [
+          [0.1, 0.2],
+          [0.2, 0.4],
+        ],
+      },
+    },
+    { stress: ["Pa", "Stress"], "quantiles.0.01 %": ["Pa", "Quantile"] },
+  );
+  assert.deepEqual(
+    numbers
+      .in("quantiles")
+      .row("0.01 %")
+      .map(({ value, unit }) => [value, unit]),
+    [[3, "Pa"]],
+  );
+  assert.deepEqual(
+    numbers.row("stress").map(({ name, value, unit }) => [name, value.value, value.error, unit]),
+    [
+      ["\u03c3_{xx}", 1, 0.1, "Pa"],
+      ["\u03c3_{yy}", 4, 0.4, "Pa"],
+      ["\u03c3_{xy}", 2, 0.2, "Pa"],
+    ],
+  );
 });
 
 test("a number is written with its error and the prefix that suits it", () => {
@@ -215,7 +297,15 @@ test("a number is written with its error and the prefix that suits it", () => {
 });
 
 test("an angle comes into half a turn to both sides", () => {
-  for (const [angle, wanted] of [[0, 0], [190, -170], [-190, 170], [180, 180], [-180, 180], [725, 5]]) assert.equal(wrapped(angle), wanted);
+  for (const [angle, wanted] of [
+    [0, 0],
+    [190, -170],
+    [-190, 170],
+    [180, 180],
+    [-180, 180],
+    [725, 5],
+  ])
+    assert.equal(wrapped(angle), wanted);
 });
 
 test("a quantity and its error share the prefix of the larger one", () => {
@@ -225,7 +315,8 @@ test("a quantity and its error share the prefix of the larger one", () => {
 });
 
 test("a histogram counts what lies within its scale, and evenly coded values make no comb", () => {
-  const values = Float32Array.from({ length: 2001 }, (_, k) => Math.round((k - 1000) / 8) / 125), order = values.sort();
+  const values = Float32Array.from({ length: 2001 }, (_, k) => Math.round((k - 1000) / 8) / 125),
+    order = values.sort();
   const counts = histogram(order, makeScale(order, { around: "ends", symlog: false, clip: 0, mean: 0 }), 140);
   assert.ok(Math.abs(counts.reduce((a, b) => a + b, 0) - 2001) < 12);
   for (const n of counts.slice(2, -2)) assert.ok(Math.abs(n - 2001 / 140) < 0.2 * (2001 / 140), `${n}`);

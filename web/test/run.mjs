@@ -2,7 +2,8 @@ import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { watch, withBrowser } from "./browser.mjs";
 
-export const settle = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+export const settle = (page) =>
+  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
 /** Turns the wheel with Ctrl: zooms in by so many notches, each by half a power of two; out where they are negative. */
 export async function zoom(page, notches) {
@@ -17,10 +18,20 @@ export async function tipOf(page, figure) {
   const drawing = page.locator(`[data-figure="${figure}"]:visible .drawing`);
   await drawing.scrollIntoViewIfNeeded();
   const box = await drawing.boundingBox();
-  for (const [x, y] of [[0.5, 0.5], [0.3, 0.3], [0.3, 0.7], [0.7, 0.5], [0.2, 0.2], [0.8, 0.3], [0.4, 0.8]]) {
+  for (const [x, y] of [
+    [0.5, 0.5],
+    [0.3, 0.3],
+    [0.3, 0.7],
+    [0.7, 0.5],
+    [0.2, 0.2],
+    [0.8, 0.3],
+    [0.4, 0.8],
+  ]) {
     await page.mouse.move(box.x + x * box.width, box.y + y * box.height);
     await settle(page);
-    const lines = await drawing.locator('[aria-label="tip"] text > tspan').evaluateAll((all) => all.map((line) => line.textContent.replace("\u200b", "")));
+    const lines = await drawing
+      .locator('[aria-label="tip"] text > tspan')
+      .evaluateAll((all) => all.map((line) => line.textContent.replace("\u200b", "")));
     if (lines.length) return lines;
   }
   return [];
@@ -31,26 +42,30 @@ export const rgb = (hex) => [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 1
 /** Opens a page from the disk, runs the tests on it one after the other, and leaves with their verdict; an error in the
     console or a request to anybody is a failure. */
 export async function runTests(file, tests) {
-  const failures = await withBrowser({ viewport: { width: 1400, height: 900 }, colorScheme: "light" }, async (context) => {
-    const page = await context.newPage(), seen = watch(page);
-    page.setDefaultTimeout(20000);
-    await page.goto(pathToFileURL(resolve(file)).href);
-    await page.waitForSelector("html[data-ready]", { timeout: 60000 });
-    await page.waitForTimeout(200);
-    const failed = [];
-    for (const { name, run } of tests) {
-      try {
-        await run(page);
-        console.log(`ok    ${name}`);
-      } catch (error) {
-        failed.push(name);
-        console.log(`FAIL  ${name}\n      ${error.message}`);
+  const failures = await withBrowser(
+    { viewport: { width: 1400, height: 900 }, colorScheme: "light" },
+    async (context) => {
+      const page = await context.newPage(),
+        seen = watch(page);
+      page.setDefaultTimeout(20000);
+      await page.goto(pathToFileURL(resolve(file)).href);
+      await page.waitForSelector("html[data-ready]", { timeout: 60000 });
+      await page.waitForTimeout(200);
+      const failed = [];
+      for (const { name, run } of tests) {
+        try {
+          await run(page);
+          console.log(`ok    ${name}`);
+        } catch (error) {
+          failed.push(name);
+          console.log(`FAIL  ${name}\n      ${error.message}`);
+        }
       }
-    }
-    if (seen.errors.length) failed.push(`errors in the console: ${seen.errors.join("; ")}`);
-    if (seen.requests.length) failed.push(`requests: ${seen.requests.join("; ")}`);
-    return failed;
-  });
+      if (seen.errors.length) failed.push(`errors in the console: ${seen.errors.join("; ")}`);
+      if (seen.requests.length) failed.push(`requests: ${seen.requests.join("; ")}`);
+      return failed;
+    },
+  );
   if (failures.length === 0) return;
   console.log(`${failures.length} failed:\n  ${failures.join("\n  ")}`);
   process.exit(1);

@@ -6,18 +6,22 @@ import { runTests, settle, tipOf } from "./run.mjs";
 const tests = [];
 const test = (name, run) => tests.push({ name, run });
 
-const drawing = (page, id) => page.evaluate((figure) => {
-  const svg = document.querySelector(`[data-figure="${figure}"] .drawing > svg`);
-  return svg && {
-    dots: svg.querySelectorAll("circle").length,
-    lines: svg.querySelectorAll("path[fill=none], g[fill=none] path").length,
-    text: [...svg.querySelectorAll("text")].map((node) => node.textContent),
-    outside: [...svg.querySelectorAll("circle")].some((dot) => {
-      const a = dot.getBoundingClientRect(), b = svg.getBoundingClientRect();
-      return a.left < b.left || a.right > b.right || a.top < b.top || a.bottom > b.bottom;
-    }),
-  };
-}, id);
+const drawing = (page, id) =>
+  page.evaluate((figure) => {
+    const svg = document.querySelector(`[data-figure="${figure}"] .drawing > svg`);
+    return (
+      svg && {
+        dots: svg.querySelectorAll("circle").length,
+        lines: svg.querySelectorAll("path[fill=none], g[fill=none] path").length,
+        text: [...svg.querySelectorAll("text")].map((node) => node.textContent),
+        outside: [...svg.querySelectorAll("circle")].some((dot) => {
+          const a = dot.getBoundingClientRect(),
+            b = svg.getBoundingClientRect();
+          return a.left < b.left || a.right > b.right || a.top < b.top || a.bottom > b.bottom;
+        }),
+      }
+    );
+  }, id);
 
 test("points lie inside their figure, with a label on each axis and what the source says", async (page) => {
   const { dots, text, outside } = await drawing(page, "points");
@@ -31,7 +35,9 @@ test("a link leads to its figure", async (page) => {
 });
 
 test("the key names a curve for each value", async (page) => {
-  const names = await page.evaluate(() => [...document.querySelectorAll('[data-figure="points"] .entry b')].map((node) => node.textContent));
+  const names = await page.evaluate(() =>
+    [...document.querySelectorAll('[data-figure="points"] .entry b')].map((node) => node.textContent),
+  );
   assert.deepEqual(names, ["full", "η = 0.2"]);
 });
 
@@ -42,14 +48,23 @@ test("densities are lines without dots", async (page) => {
 });
 
 test("densities of several samples stand in a band, points of densities have bars", async (page) => {
-  const bands = (id) => page.evaluate((figure) => document.querySelectorAll(`[data-figure="${figure}"] .drawing [fill-opacity="0.2"]`).length, id);
+  const bands = (id) =>
+    page.evaluate(
+      (figure) => document.querySelectorAll(`[data-figure="${figure}"] .drawing [fill-opacity="0.2"]`).length,
+      id,
+    );
   assert.equal(await bands("density"), 1);
   assert.equal(await bands("points"), 0);
-  assert.ok((await page.evaluate(() => document.querySelectorAll('[data-figure="beside"] .drawing [aria-label=rule] line').length)) > 0);
+  assert.ok(
+    (await page.evaluate(
+      () => document.querySelectorAll('[data-figure="beside"] .drawing [aria-label=rule] line').length,
+    )) > 0,
+  );
 });
 
 test("a caption says what is shown of the scatter and over how many samples", async (page) => {
-  const said = (id) => page.evaluate((figure) => document.querySelector(`[data-figure="${figure}"] .caption`).textContent, id);
+  const said = (id) =>
+    page.evaluate((figure) => document.querySelector(`[data-figure="${figure}"] .caption`).textContent, id);
   assert.match(await said("density"), /Bands: standard error over 8 samples\.$/);
   assert.match(await said("source"), /Bars: standard deviation over 2 samples\.$/);
 });
@@ -57,32 +72,59 @@ test("a caption says what is shown of the scatter and over how many samples", as
 test("numbers of contacts have round rings and no isotropic one", async (page) => {
   const { texts, dashed } = await page.evaluate(() => {
     const svg = document.querySelector('[data-figure="counts"] .drawing > svg');
-    return { texts: [...svg.querySelectorAll("text")].map((node) => node.textContent), dashed: svg.querySelectorAll("circle[stroke-dasharray]").length };
+    return {
+      texts: [...svg.querySelectorAll("text")].map((node) => node.textContent),
+      dashed: svg.querySelectorAll("circle[stroke-dasharray]").length,
+    };
   });
   assert.equal(dashed, 0);
   for (const label of ["1", "2", "3", "Nc"]) assert.ok(texts.includes(label), `${label} is missing in ${texts}`);
 });
 
 test("the source's points are crosses and other runs are diamonds, and the key says so", async (page) => {
-  const entries = await page.evaluate(() => [...document.querySelectorAll('[data-figure="source"] .entry')].map((node) => [node.textContent, node.querySelectorAll("path").length]));
-  assert.deepEqual(entries, [["", 0], ["0.2", 1], ["T", 1]]);
+  const entries = await page.evaluate(() =>
+    [...document.querySelectorAll('[data-figure="source"] .entry')].map((node) => [
+      node.textContent,
+      node.querySelectorAll("path").length,
+    ]),
+  );
+  assert.deepEqual(entries, [
+    ["", 0],
+    ["0.2", 1],
+    ["T", 1],
+  ]);
   assert.equal((await drawing(page, "source")).dots, 2);
 });
 
 test("a rose has an outline for each curve, dashed for the second of a value", async (page) => {
-  const dashes = await page.evaluate(() => [...document.querySelectorAll('[data-figure="rose"] .drawing path:not(.scatter)')].map((node) => node.getAttribute("stroke-dasharray")));
+  const dashes = await page.evaluate(() =>
+    [...document.querySelectorAll('[data-figure="rose"] .drawing path:not(.scatter)')].map((node) =>
+      node.getAttribute("stroke-dasharray"),
+    ),
+  );
   assert.deepEqual(dashes, [null, "4 3", null, "4 3"]);
 });
 
 test("a map has a cell with its value for every pair", async (page) => {
-  const texts = await page.evaluate(() => [...document.querySelectorAll('[data-figure="map"] .drawing text')].map((node) => node.textContent));
+  const texts = await page.evaluate(() =>
+    [...document.querySelectorAll('[data-figure="map"] .drawing text')].map((node) => node.textContent),
+  );
   assert.equal(await page.evaluate(() => document.querySelectorAll('[data-figure="map"] .drawing rect').length), 4);
-  for (const value of ["12.5", "16.5", "full", "0.2"]) assert.ok(texts.includes(value), `${value} is missing in ${texts}`);
+  for (const value of ["12.5", "16.5", "full", "0.2"])
+    assert.ok(texts.includes(value), `${value} is missing in ${texts}`);
 });
 
 test("a sample has its grains, the glued ones outlined, and a line for a contact that pulls", async (page) => {
-  const paths = (id) => page.evaluate((figure) => [...document.querySelectorAll(`[data-figure="${figure}"] .drawing path`)].map((node) => node.getAttribute("fill")), id);
-  const forces = await paths("forces"), stresses = await paths("stresses");
+  const paths = (id) =>
+    page.evaluate(
+      (figure) =>
+        [...document.querySelectorAll(`[data-figure="${figure}"] .drawing path`)].map((node) =>
+          node.getAttribute("fill"),
+        ),
+      id,
+    );
+  const forces = await paths("forces"),
+    stresses = await paths("stresses");
   assert.equal(forces.filter((fill) => fill === "none").length, 2);
   assert.equal(forces.length, 4);
   assert.equal(stresses.length, 3);
@@ -92,8 +134,13 @@ test("grains have the colours and names of their materials, and the picture its 
   const { names, caption, fills } = await page.evaluate(() => {
     const card = document.querySelector('[data-figure="grains"]');
     return {
-      names: [...card.querySelectorAll(".entry b")].map((node) => node.textContent), caption: card.querySelector(".caption").textContent,
-      fills: new Set([...card.querySelectorAll(".drawing path[fill]")].map((node) => node.getAttribute("fill")).filter((fill) => fill !== "none")).size,
+      names: [...card.querySelectorAll(".entry b")].map((node) => node.textContent),
+      caption: card.querySelector(".caption").textContent,
+      fills: new Set(
+        [...card.querySelectorAll(".drawing path[fill]")]
+          .map((node) => node.getAttribute("fill"))
+          .filter((fill) => fill !== "none"),
+      ).size,
     };
   });
   assert.deepEqual(names, ["POM", "HDPE", "glued"]);
@@ -102,25 +149,35 @@ test("grains have the colours and names of their materials, and the picture its 
 });
 
 test("phases and the stress about a grain are painted node by node", async (page) => {
-  const pixels = (id) => page.evaluate(async (figure) => {
-    const image = new Image();
-    image.src = document.querySelector(`[data-figure="${figure}"] .drawing image`).getAttribute("href");
-    await image.decode();
-    const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
-    context.drawImage(image, 0, 0);
-    const { data } = context.getImageData(0, 0, image.width, image.height);
-    return { width: image.width, height: image.height, colours: new Set(Array.from({ length: data.length / 4 }, (_, k) => data.slice(4 * k, 4 * k + 3).join())).size };
-  }, id);
+  const pixels = (id) =>
+    page.evaluate(async (figure) => {
+      const image = new Image();
+      image.src = document.querySelector(`[data-figure="${figure}"] .drawing image`).getAttribute("href");
+      await image.decode();
+      const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+      context.drawImage(image, 0, 0);
+      const { data } = context.getImageData(0, 0, image.width, image.height);
+      return {
+        width: image.width,
+        height: image.height,
+        colours: new Set(Array.from({ length: data.length / 4 }, (_, k) => data.slice(4 * k, 4 * k + 3).join())).size,
+      };
+    }, id);
   assert.deepEqual(await pixels("phases"), { width: 4, height: 2, colours: 3 });
   assert.deepEqual(await pixels("zoom"), { width: 2, height: 1, colours: 2 });
-  const names = await page.evaluate(() => [...document.querySelectorAll('[data-figure="phases"] .entry b')].map((node) => node.textContent));
+  const names = await page.evaluate(() =>
+    [...document.querySelectorAll('[data-figure="phases"] .entry b')].map((node) => node.textContent),
+  );
   assert.deepEqual(names, ["void", "matrix", "large grains"]);
 });
 
 test("broken bonds are dots in the colour of their type, which the key names", async (page) => {
   const { paths, names } = await page.evaluate(() => {
     const card = document.querySelector('[data-figure="cracks"]');
-    return { paths: [...card.querySelectorAll(".drawing path")].map((node) => node.getAttribute("d").split("M").length - 1), names: [...card.querySelectorAll(".entry b")].map((node) => node.textContent) };
+    return {
+      paths: [...card.querySelectorAll(".drawing path")].map((node) => node.getAttribute("d").split("M").length - 1),
+      names: [...card.querySelectorAll(".entry b")].map((node) => node.textContent),
+    };
   });
   assert.deepEqual(paths, [2, 1]);
   assert.deepEqual(names, ["matrix", "large grains", "broken: matrix", "broken: interface"]);
@@ -134,7 +191,12 @@ test("what is not there yet is said in a sentence", async (page) => {
 test("a fit is a dashed line over its density, without an entry of the key", async (page) => {
   const { dashes, entries } = await page.evaluate(() => {
     const card = document.querySelector('[data-figure="tails"]');
-    return { dashes: [...card.querySelectorAll(".drawing [stroke-dasharray]")].map((node) => node.getAttribute("stroke-dasharray")), entries: card.querySelectorAll(".entry").length };
+    return {
+      dashes: [...card.querySelectorAll(".drawing [stroke-dasharray]")].map((node) =>
+        node.getAttribute("stroke-dasharray"),
+      ),
+      entries: card.querySelectorAll(".entry").length,
+    };
   });
   assert.ok(dashes.includes("5 3"), dashes);
   assert.ok(dashes.includes("4 3"), dashes);
@@ -142,7 +204,11 @@ test("a fit is a dashed line over its density, without an entry of the key", asy
 });
 
 test("a film's points are hollow, in the colour of what was simulated", async (page) => {
-  const dots = await page.evaluate(() => [...document.querySelectorAll('[data-figure="beside"] .drawing circle')].map((dot) => [dot, dot.parentElement].map((node) => [node.getAttribute("fill"), node.getAttribute("stroke")])));
+  const dots = await page.evaluate(() =>
+    [...document.querySelectorAll('[data-figure="beside"] .drawing circle')].map((dot) =>
+      [dot, dot.parentElement].map((node) => [node.getAttribute("fill"), node.getAttribute("stroke")]),
+    ),
+  );
   const of = (dot, k) => dot[0][k] ?? dot[1][k];
   assert.equal(dots.length, 6);
   assert.equal(of(dots[3], 1), of(dots[0], 0));
@@ -165,12 +231,24 @@ test("light and dark differ and both are drawn", async (page) => {
 });
 
 test("the table lists every run with its values and main numbers, and a click on a column header sorts it", async (page) => {
-  const rows = page.locator(".runs tr[data-run]"), cells = async (k) => (await rows.locator(`td:nth-child(${k})`).allInnerTexts()).map((cell) => Number(cell.split(" ")[0]));
+  const rows = page.locator(".runs tr[data-run]"),
+    cells = async (k) =>
+      (await rows.locator(`td:nth-child(${k})`).allInnerTexts()).map((cell) => Number(cell.split(" ")[0]));
   assert.equal(await rows.count(), 8);
-  assert.deepEqual(await page.locator(".runs thead th").allInnerTexts(), ["run", "status", "gamma", "width", "seed", "z"]);
+  assert.deepEqual(await page.locator(".runs thead th").allInnerTexts(), [
+    "run",
+    "status",
+    "gamma",
+    "width",
+    "seed",
+    "z",
+  ]);
   await page.click('.runs th button:text-is("z")');
   const rising = await cells(6);
-  assert.deepEqual(rising, [...rising].sort((a, b) => a - b));
+  assert.deepEqual(
+    rising,
+    [...rising].sort((a, b) => a - b),
+  );
   await page.click('.runs th button:text-is("z")');
   assert.deepEqual(await cells(6), [...rising].reverse());
   assert.equal(await page.locator('.runs th[aria-sort="descending"]').innerText(), "z");

@@ -17,12 +17,41 @@ from .packings import draw_forces, draw_packing
 from .parts import State
 from .samples import draw_coarse_field, draw_grains_against, draw_size_curve
 from .saving import Figure, save
-from .studies import draw_study_figure, draw_study_map, draw_study_nodes, draw_study_plot, draw_study_rose, draw_study_sample, study_document
+from .studies import (
+    draw_study_figure,
+    draw_study_map,
+    draw_study_nodes,
+    draw_study_plot,
+    draw_study_rose,
+    draw_study_sample,
+    study_document,
+)
 from .style import column_width, journal_style, page_width
-from .textures import draw_contact_numbers, draw_coordination, draw_cumulative, draw_cumulative_sets, draw_density, draw_rev, draw_rose, draw_stress_path, draw_threshold
+from .textures import (
+    draw_contact_numbers,
+    draw_coordination,
+    draw_cumulative,
+    draw_cumulative_sets,
+    draw_density,
+    draw_rev,
+    draw_rose,
+    draw_stress_path,
+    draw_threshold,
+)
 
 __all__ = [name for name in dir() if name.startswith("draw_")] + [
-    "Figure", "State", "column_width", "figures", "figures_of", "journal_style", "page_width", "save", "save_all", "study_document", "study_figures"]
+    "Figure",
+    "State",
+    "column_width",
+    "figures",
+    "figures_of",
+    "journal_style",
+    "page_width",
+    "save",
+    "save_all",
+    "study_document",
+    "study_figures",
+]
 
 # Former names.
 draw_course = draw_stress_path

@@ -59,7 +59,9 @@ def segments(packing, chosen, across):
 def draw_cracks(axes, packing):
     """Grains with intact bonds, and a crack for each broken bond, by kind."""
     broken = packing.bonds["broken"]
-    axes.add_collection(circles(packing.x, packing.y, packing.radius, linewidth=0.2, edgecolor=pale, facecolor="#f4f4f4"))
+    axes.add_collection(
+        circles(packing.x, packing.y, packing.radius, linewidth=0.2, edgecolor=pale, facecolor="#f4f4f4")
+    )
     container(axes, packing)
     axes.add_collection(LineCollection(segments(packing, broken == 0, False), colors=weak, linewidths=0.35))
     handles = [Line2D([], [], color=weak, linewidth=0.6, label=f"holds {np.sum(broken == 0)}")]

@@ -4,7 +4,22 @@ import pathlib
 import warnings
 
 from .._core import open as open_result
-from . import bonds, densities, failure, fields, film_forces, films, flows, histories, loadings, packings, panels, samples, studies, textures
+from . import (
+    bonds,
+    densities,
+    failure,
+    fields,
+    film_forces,
+    films,
+    flows,
+    histories,
+    loadings,
+    packings,
+    panels,
+    samples,
+    studies,
+    textures,
+)
 from .parts import parts_of, same_map
 from .saving import Canvas, Figure, listed, save
 from .style import sigma_norm
@@ -27,9 +42,11 @@ def of_curve(draw):
 
 def with_bar(draw, data, label, **options):
     """The same with a colour bar."""
+
     def drawn(figure, part):
         axes = figure.add_subplot()
         figure.colorbar(draw(axes, data(part), **options), ax=axes, label=label, shrink=0.8, extend="max")
+
     return drawn
 
 
@@ -63,11 +80,13 @@ def has_contacts(state):
 
 def has(*path):
     """Whether the texture of a state with contacts holds this."""
+
     def found(state):
         about = state.texture if has_contacts(state) else {}
         for name in path:
             about = about.get(name, {})
         return len(about) > 0
+
     return found
 
 
@@ -88,8 +107,14 @@ def has_simulation(film):
 
 
 def density_figure(component, name):
-    return Figure(name, "field", lambda figure, field: panels.density_panels(figure, field, component), lambda f: f.loaded and bool(panels.density_rows(f, component)),
-                  lambda f: 0.4 * len(panels.density_rows(f, component)), True)
+    return Figure(
+        name,
+        "field",
+        lambda figure, field: panels.density_panels(figure, field, component),
+        lambda f: f.loaded and bool(panels.density_rows(f, component)),
+        lambda f: 0.4 * len(panels.density_rows(f, component)),
+        True,
+    )
 
 
 def of_packing(part):
@@ -106,7 +131,13 @@ def of_components_height(rows):
 
 figures = [
     Figure("packing", "stage", one(packings.draw_packing, lambda s: s.packing), height=of_packing),
-    Figure("sigma-norm-map", "stage", with_bar(packings.draw_packing, lambda s: s.packing, sigma_norm, by="sigma_norm"), has_contacts, lambda s: 0.85 * of_packing(s)),
+    Figure(
+        "sigma-norm-map",
+        "stage",
+        with_bar(packings.draw_packing, lambda s: s.packing, sigma_norm, by="sigma_norm"),
+        has_contacts,
+        lambda s: 0.85 * of_packing(s),
+    ),
     Figure("force-network", "stage", force_network, has_contacts, of_packing),
     Figure("contact-orientations", "stage", panels.roses, has("fabric", "sectors"), panels.roses_height, True),
     Figure("sigma-norm", "stage", panels.sigma_norm_tails, has("sigma_norm", "cumulative"), 0.45, True),
@@ -115,35 +146,88 @@ figures = [
     Figure("size-curve", "stage", samples.size_curves, lambda s: samples.recipe_of(s) is not None),
     Figure("coarse-fields", "stage", samples.coarse_fields, samples.has_box, samples.fields_height, True),
     Figure("coordination", "stage", coordination, has("coordination", "all")),
-    Figure("contact-numbers", "stage", one(textures.draw_contact_numbers, lambda s: s.texture["coordination"]), has("coordination", "histogram")),
+    Figure(
+        "contact-numbers",
+        "stage",
+        one(textures.draw_contact_numbers, lambda s: s.texture["coordination"]),
+        has("coordination", "histogram"),
+    ),
     Figure("rev", "stage", one(textures.draw_rev, lambda s: s.texture), has("rev")),
-    Figure("threshold", "stage", one(textures.draw_threshold, lambda s: s.texture["fabric"]["threshold"]), has("fabric", "threshold")),
-    Figure("stress-path", "stage", panels.stress_path, lambda s: sum(len(snapshot.packing.contacts) > 10 for snapshot in s.snapshots) > 2, 0.4, True),
-    Figure("wall-forces", "stage", of_history(histories.draw_wall_forces), has_time(*(f"{side}_force" for side in histories.sides))),
+    Figure(
+        "threshold",
+        "stage",
+        one(textures.draw_threshold, lambda s: s.texture["fabric"]["threshold"]),
+        has("fabric", "threshold"),
+    ),
+    Figure(
+        "stress-path",
+        "stage",
+        panels.stress_path,
+        lambda s: sum(len(snapshot.packing.contacts) > 10 for snapshot in s.snapshots) > 2,
+        0.4,
+        True,
+    ),
+    Figure(
+        "wall-forces",
+        "stage",
+        of_history(histories.draw_wall_forces),
+        has_time(*(f"{side}_force" for side in histories.sides)),
+    ),
     Figure("travel", "stage", travel, lambda s: histories.moving_wall(s.history) is not None),
     Figure("energies", "stage", of_history(histories.draw_energies), has_time("elastic")),
     Figure("stress-strain", "stage", loadings.stress_strain, loadings.has_test, 1.1),
     Figure("cycles", "stage", loadings.cycles, loadings.has_cycles),
     Figure("broken-bonds", "stage", of_history(bonds.draw_broken_bonds), lambda s: bonds.has_broken(s.history)),
-    Figure("cracks", "stage", one(bonds.draw_cracks, lambda s: s.packing), lambda s: bonds.has_broken(s.history), of_packing),
+    Figure(
+        "cracks",
+        "stage",
+        one(bonds.draw_cracks, lambda s: s.packing),
+        lambda s: bonds.has_broken(s.history),
+        of_packing,
+    ),
     Figure("discharge", "stage", one(histories.draw_discharge, lambda s: s.history), has_time("passed_mass")),
     Figure("equilibrium", "stage", one(histories.draw_equilibrium, lambda s: s.history), has_time("unbalanced_ratio")),
     Figure("phases", "field", one(fields.draw_phases, lambda f: f), height=of_field, of_map=True),
-    Figure("cavities", "field", one(densities.draw_cavities, lambda f: f.numbers), lambda f: densities.has_cavities(f.numbers), of_map=True),
-    Figure("stress", "field", of_components("sigma_yy", "sigma_xx", "sigma_xy", "sigma_hyd", "sigma_1", "sigma_2"), lambda f: f.loaded, of_components_height(2), True),
+    Figure(
+        "cavities",
+        "field",
+        one(densities.draw_cavities, lambda f: f.numbers),
+        lambda f: densities.has_cavities(f.numbers),
+        of_map=True,
+    ),
+    Figure(
+        "stress",
+        "field",
+        of_components("sigma_yy", "sigma_xx", "sigma_xy", "sigma_hyd", "sigma_1", "sigma_2"),
+        lambda f: f.loaded,
+        of_components_height(2),
+        True,
+    ),
     Figure("displacement", "field", of_components("ux", "uy", "u"), lambda f: f.loaded, of_components_height(1), True),
     density_figure("sigma_yy", "stress-pdf"),
     density_figure("sigma_xx", "stress-pdf-xx"),
     density_figure("sigma_xy", "stress-pdf-xy"),
     density_figure("sigma_hyd", "stress-pdf-hyd"),
-    Figure("convergence", "field", one(failure.draw_convergence, lambda f: f.convergence), lambda f: len(f.convergence.get("residual", [])) > 1),
+    Figure(
+        "convergence",
+        "field",
+        one(failure.draw_convergence, lambda f: f.convergence),
+        lambda f: len(f.convergence.get("residual", [])) > 1,
+    ),
     Figure("stress-strain", "field", of_curve(failure.draw_stress_strain), has_curve),
     Figure("cracks", "field", one(fields.draw_cracks, lambda f: f), has_curve, of_field),
-    Figure("broken-bonds", "field", one(failure.draw_broken_bonds, lambda f: f), lambda f: has_curve(f) and len(f.cracks["type"]) > 0),
+    Figure(
+        "broken-bonds",
+        "field",
+        one(failure.draw_broken_bonds, lambda f: f),
+        lambda f: has_curve(f) and len(f.cracks["type"]) > 0,
+    ),
     Figure("energy-balance", "field", of_curve(failure.draw_energy_balance), has_curve),
     Figure("maps", "film", panels.film_maps, height=0.46, wide=True),
     Figure("film-fit", "film", films.draw_fit, lambda f: has_forces(f) and f.fitted.size > 0, 0.4, True),
-    Figure("grains", "film", with_bar(films.draw_film_grains, lambda f: f, sigma_norm), lambda f: len(f.sigma_hyd) > 0, 0.9),
+    Figure(
+        "grains", "film", with_bar(films.draw_film_grains, lambda f: f, sigma_norm), lambda f: len(f.sigma_hyd) > 0, 0.9
+    ),
     Figure("stresses", "film", one(film_forces.draw_ranked_stresses, lambda f: f), lambda f: len(f.sigma_hyd) > 0),
     Figure("forces", "film", panels.ranked_forces, has_forces, 0.4, True),
     Figure("certainty", "film", one(film_forces.draw_certainty, lambda f: f), has_forces),
@@ -151,7 +235,13 @@ figures = [
     Figure("beside-simulation", "film", panels.beside, has_simulation, 0.38, True),
     Figure("against-simulation", "film", panels.against, has_simulation, 0.48, True),
     Figure("tails", "film", panels.film_tails, lambda f: len(f.sigma_hyd) > 1),
-    Figure("contact-orientations", "film", panels.film_roses, lambda f: "film" in f.numbers.get("contact_orientations", {}), lambda f: 0.68 if len(panels.film_rose_sets(f)) > 1 else 1.1),
+    Figure(
+        "contact-orientations",
+        "film",
+        panels.film_roses,
+        lambda f: "film" in f.numbers.get("contact_orientations", {}),
+        lambda f: 0.68 if len(panels.film_rose_sets(f)) > 1 else 1.1,
+    ),
 ]
 
 
@@ -160,11 +250,18 @@ former_names = {"course": "stress-path", "contact-directions": "contact-orientat
 
 def figures_of(result, stage=None, state=None):
     """(figure, part) of everything that can be drawn of a result: every field and film, and the last state of its stages. `stage`: only
-    this stage, load or film, by name; `state`: the stored state of this number, counted as in the figure `stress-path`."""
+    this stage, load or film, by name; `state`: the stored state of this number, counted as in the figure `stress-path`.
+    """
     parts, found = list(parts_of(result, stage, state)), []
     for k, (kind, part) in enumerate(parts):
-        again = kind == "field" and any(before == "field" and same_map(other.map, part.map) for before, other in parts[:k])
-        found += [(figure, part) for figure in figures if figure.kind == kind and not (figure.of_map and again) and figure.when(part)]
+        again = kind == "field" and any(
+            before == "field" and same_map(other.map, part.map) for before, other in parts[:k]
+        )
+        found += [
+            (figure, part)
+            for figure in figures
+            if figure.kind == kind and not (figure.of_map and again) and figure.when(part)
+        ]
     return found
 
 
@@ -173,10 +270,27 @@ def study_figures(path):
     figures of `flows` for discharges, collapses, silos and critical states, with or without a page."""
     runs, flow = loadings.driven_runs(path), flows.kind_of(path)
     parts = studies.study_document(path)["figures"] if studies.has_page(path) or not (runs or flow) else []
-    found = [(Figure(part["id"], "study", studies.draw_study_figure, height=studies.height_of(part)), part) for part in parts if studies.has_content(part)]
+    found = [
+        (Figure(part["id"], "study", studies.draw_study_figure, height=studies.height_of(part)), part)
+        for part in parts
+        if studies.has_content(part)
+    ]
     if flow:
-        found.append((Figure(flow, "study", flows.drawings[flow], height=0.42 if flow == "critical-state" else 0.7, wide=flow == "critical-state"), path))
-    return found + [(Figure("rheology", "study", loadings.rheology, height=0.42, wide=True), runs)] * bool(runs and flow in (None, "critical-state"))
+        found.append(
+            (
+                Figure(
+                    flow,
+                    "study",
+                    flows.drawings[flow],
+                    height=0.42 if flow == "critical-state" else 0.7,
+                    wide=flow == "critical-state",
+                ),
+                path,
+            )
+        )
+    return found + [(Figure("rheology", "study", loadings.rheology, height=0.42, wide=True), runs)] * bool(
+        runs and flow in (None, "critical-state")
+    )
 
 
 def save_all(result, folder, formats=("pdf",), names=None, width=None, stage=None, state=None):
@@ -184,7 +298,9 @@ def save_all(result, folder, formats=("pdf",), names=None, width=None, stage=Non
     `names`: only these figures; `stage` and `state` as in `figures_of`."""
     is_path = isinstance(result, (str, pathlib.Path))
     of_study = is_path and studies.is_study(result)
-    found = study_figures(result) if of_study else figures_of(open_result(str(result)) if is_path else result, stage, state)
+    found = (
+        study_figures(result) if of_study else figures_of(open_result(str(result)) if is_path else result, stage, state)
+    )
     there = [figure.name for figure, _ in found]
     names = None if names is None else [name if name in there else name_now(name) for name in listed(names)]
     refuse_unknown(names or [], there)
@@ -203,7 +319,11 @@ def save_all(result, folder, formats=("pdf",), names=None, width=None, stage=Non
 
 def name_now(name):
     if name in former_names:
-        warnings.warn(f"the figure {name} is now called {former_names[name]}; the former name is still read", FutureWarning, stacklevel=3)
+        warnings.warn(
+            f"the figure {name} is now called {former_names[name]}; the former name is still read",
+            FutureWarning,
+            stacklevel=3,
+        )
     return former_names.get(name, name)
 
 
@@ -212,5 +332,9 @@ def refuse_unknown(names, there):
     if not missing:
         return
     elsewhere = [name for name in missing if name in {figure.name for figure in figures}]
-    what = f"this result has no figure {', '.join(elsewhere)}" if elsewhere == missing else f"there is no figure {', '.join(missing)}"
+    what = (
+        f"this result has no figure {', '.join(elsewhere)}"
+        if elsewhere == missing
+        else f"there is no figure {', '.join(missing)}"
+    )
     raise ValueError(f"{what}; there are {', '.join(there)}" if there else f"{what}, nor any other")

@@ -13,7 +13,11 @@ def sets_of(component, own=False):
     """(name, distribution, curve) of the sets that have a density; particles only where they have no classes."""
     sets = component["sets"]
     classed = "large" in sets or "small" in sets
-    found = [(name, sets[name], sets[name].get("own_pdf" if own else "pdf")) for name in order if name in sets and not (name == "particle" and classed)]
+    found = [
+        (name, sets[name], sets[name].get("own_pdf" if own else "pdf"))
+        for name in order
+        if name in sets and not (name == "particle" and classed)
+    ]
     return [(name, d, curve) for name, d, curve in found if curve]
 
 
@@ -27,14 +31,25 @@ def draw_densities(axes, statistics, component="sigma_yy", own=False, log=True):
     seen = [x for _, _, curve in sets for x, y in zip(curve["x"], curve["y"]) if y >= least]
     for name, d, curve in sets:
         x, y = np.array(curve["x"]), np.array(curve["y"])
-        axes.plot(x[y > 0], y[y > 0], color=set_colours[name], label=name, linewidth=1.4 if name == "all" else 1.0, alpha=0.55 if own else 1.0)
+        axes.plot(
+            x[y > 0],
+            y[y > 0],
+            color=set_colours[name],
+            label=name,
+            linewidth=1.4 if name == "all" else 1.0,
+            alpha=0.55 if own else 1.0,
+        )
         fit = (tail_of(d) if log else q_gaussian_of(d, min(seen), max(seen))) if own else None
         if fit is not None:
             axes.plot(*fit, "--" if log else ":", color=set_colours[name], linewidth=1.2)
     axes.axvline(1, color=soft, linewidth=0.6, linestyle=":")
-    axes.set(xlabel=label_of(component, about["normalised_by"], own), ylabel="probability density", ylim=(0, 1.05 * most))
+    axes.set(
+        xlabel=label_of(component, about["normalised_by"], own), ylabel="probability density", ylim=(0, 1.05 * most)
+    )
     if own:
-        axes.plot([], [], "--" if log else ":", color=strong, linewidth=1.2, label=r"$\exp(-s\,x)$" if log else "$q$-Gaussian")
+        axes.plot(
+            [], [], "--" if log else ":", color=strong, linewidth=1.2, label=r"$\exp(-s\,x)$" if log else "$q$-Gaussian"
+        )
     if seen:
         axes.set_xlim(min(seen), max(seen))
     if log:
@@ -85,12 +100,23 @@ def draw_cavities(axes, numbers, kinds=("pores", "voids")):
             continue
         edge, density, error = (np.array(about["pdf"][name], float) for name in ("edge", "density", "error"))
         seen = density > 0
-        axes.errorbar(np.sqrt(edge[1:] * edge[:-1])[seen], density[seen], yerr=np.minimum(error, 0.95 * density)[seen], fmt="o-", color=colour, markersize=2.5, elinewidth=0.6,
-                      linewidth=0.9, label=f"{kind} ({about['count']})")
+        axes.errorbar(
+            np.sqrt(edge[1:] * edge[:-1])[seen],
+            density[seen],
+            yerr=np.minimum(error, 0.95 * density)[seen],
+            fmt="o-",
+            color=colour,
+            markersize=2.5,
+            elinewidth=0.6,
+            linewidth=0.9,
+            label=f"{kind} ({about['count']})",
+        )
     axes.set(xscale="log", yscale="log", xlabel=r"$V/(\pi\, r_{\mathrm{L}}^2)$", ylabel="probability density")
     axes.legend()
 
 
 def has_cavities(numbers):
     """Whether any kind has more than two bins that hold some."""
-    return any(np.sum(np.array(numbers.get(kind, {}).get("pdf", {}).get("density", [])) > 0) > 2 for kind in ("pores", "voids"))
+    return any(
+        np.sum(np.array(numbers.get(kind, {}).get("pdf", {}).get("density", [])) > 0) > 2 for kind in ("pores", "voids")
+    )

@@ -7,7 +7,12 @@ from .style import colours, crack_colours, labelled, strong
 
 def draw_convergence(axes, convergence):
     """Relative residual of the solver."""
-    axes.semilogy(convergence["iteration"], convergence["residual"], "o-" if len(convergence["residual"]) < 60 else "-", color=colours[0])
+    axes.semilogy(
+        convergence["iteration"],
+        convergence["residual"],
+        "o-" if len(convergence["residual"]) < 60 else "-",
+        color=colours[0],
+    )
     axes.set(xlabel="iteration", ylabel="relative residual")
 
 
@@ -33,7 +38,15 @@ def draw_energy_balance(axes, curve, units={}):
     """Work of the clamp, stored elastically or released by broken bonds, per unit thickness."""
     factor, label = labelled("energy", curve["work"], units.get("work"))
     step = np.arange(1, len(curve["work"]) + 1)
-    axes.stackplot(step, curve["released"] / factor, curve["elastic"] / factor, labels=["released", "elastic"], colors=[colours[1], colours[0]], alpha=0.5, linewidth=0)
+    axes.stackplot(
+        step,
+        curve["released"] / factor,
+        curve["elastic"] / factor,
+        labels=["released", "elastic"],
+        colors=[colours[1], colours[0]],
+        alpha=0.5,
+        linewidth=0,
+    )
     axes.plot(step, curve["work"] / factor, color=strong, label="work")
     axes.set(xlabel="step", ylabel=label)
     axes.legend()

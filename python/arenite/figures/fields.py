@@ -4,15 +4,37 @@ import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.lines import Line2D
 
-from .style import bare, crack_colours, diverging_map, even_map, key_below, length_bar, patch, phase_colours, phases, scaled
+from .style import (
+    bare,
+    crack_colours,
+    diverging_map,
+    even_map,
+    key_below,
+    length_bar,
+    patch,
+    phase_colours,
+    phases,
+    scaled,
+)
 
-symbols = {"sigma_yy": r"\sigma_{\mathrm{yy}}", "sigma_xx": r"\sigma_{\mathrm{xx}}", "sigma_xy": r"\sigma_{\mathrm{xy}}", "sigma_hyd": r"\sigma_{\mathrm{hyd}}",
-           "sigma_1": r"\sigma_1", "sigma_2": r"\sigma_2", "ux": r"u_{\mathrm{x}}", "uy": r"u_{\mathrm{y}}", "u": r"|\mathbf{u}|"}
+symbols = {
+    "sigma_yy": r"\sigma_{\mathrm{yy}}",
+    "sigma_xx": r"\sigma_{\mathrm{xx}}",
+    "sigma_xy": r"\sigma_{\mathrm{xy}}",
+    "sigma_hyd": r"\sigma_{\mathrm{hyd}}",
+    "sigma_1": r"\sigma_1",
+    "sigma_2": r"\sigma_2",
+    "ux": r"u_{\mathrm{x}}",
+    "uy": r"u_{\mathrm{y}}",
+    "u": r"|\mathbf{u}|",
+}
 
 
 def _picture(axes, map, values, **options):
     width, height = map.width * map.dx, map.height * map.dx
-    shown = axes.imshow(values, origin="lower", extent=(0, width, 0, height), interpolation="nearest", rasterized=True, **options)
+    shown = axes.imshow(
+        values, origin="lower", extent=(0, width, 0, height), interpolation="nearest", rasterized=True, **options
+    )
     axes.set_ylim(-0.08 * height, height)
     length_bar(axes, width, 0, -0.05 * height)
     bare(axes)
@@ -49,7 +71,11 @@ def draw_phases(axes, field, key=True):
 def phase_key(map):
     """Legend entries of the phases present, with their area fractions."""
     share = np.bincount(kinds_of(map).ravel(), minlength=len(phases)) / (map.width * map.height)
-    return [patch(phase_colours[name], f"{name} {100 * share[k]:.3g} %") for k, name in reversed(list(enumerate(phases))) if share[k] > 0]
+    return [
+        patch(phase_colours[name], f"{name} {100 * share[k]:.3g} %")
+        for k, name in reversed(list(enumerate(phases)))
+        if share[k] > 0
+    ]
 
 
 def values_of(field, component):
@@ -58,7 +84,9 @@ def values_of(field, component):
         return 0.5 * (field.sigma_xx + field.sigma_yy)
     if component in ("sigma_1", "sigma_2"):
         sign = 1 if component == "sigma_1" else -1
-        return 0.5 * (field.sigma_xx + field.sigma_yy) + sign * np.hypot(0.5 * (field.sigma_xx - field.sigma_yy), field.sigma_xy)
+        return 0.5 * (field.sigma_xx + field.sigma_yy) + sign * np.hypot(
+            0.5 * (field.sigma_xx - field.sigma_yy), field.sigma_xy
+        )
     if component == "u":
         return np.hypot(field.ux, field.uy)
     return np.asarray(getattr(field, component))
@@ -85,7 +113,8 @@ def unit_of(field):
 
 def scale_of(field, component):
     """(values, centre, label) of a picture. The component of the statistics is shown over its mean about 1 or over its r.m.s. about 0,
-    the other stresses over the same number (without its sign) about their means; displacements in metres, the magnitude from its smallest value."""
+    the other stresses over the same number (without its sign) about their means; displacements in metres, the magnitude from its smallest value.
+    """
     values, symbol = np.where(field.map.phase > 0, values_of(field, component), np.nan), symbols[component]
     unit = unit_of(field) if component.startswith("sigma") else None
     if unit is None:
@@ -125,5 +154,7 @@ def crack_dots(axes, x, y, kinds, others=()):
         of = kinds == kind
         if of.any():
             axes.plot(x[of], y[of], ".", color=colour, markersize=0.8, rasterized=True)
-            handles.append(Line2D([], [], linestyle="", marker=".", color=colour, markersize=5, label=f"{name}{suffix} {of.sum()}"))
+            handles.append(
+                Line2D([], [], linestyle="", marker=".", color=colour, markersize=5, label=f"{name}{suffix} {of.sum()}")
+            )
     key_below(axes, [*others, *handles], 3)

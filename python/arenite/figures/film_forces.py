@@ -13,7 +13,9 @@ def materials_of(film):
     """(name, colour, which grains) of the materials present."""
     material = np.asarray(film.packing.material)
     names = [m.name for m in film.packing.materials] or ["grains"]
-    return [(plain(name), colours[m % len(colours)], material == m) for m, name in enumerate(names) if np.any(material == m)]
+    return [
+        (plain(name), colours[m % len(colours)], material == m) for m, name in enumerate(names) if np.any(material == m)
+    ]
 
 
 def uncertain(film):
@@ -24,7 +26,14 @@ def uncertain(film):
 def certainty_sets(film):
     """(name, colour, which contacts)."""
     may = uncertain(film)
-    return [(name, colour, which) for name, colour, which in [(f"{np.sum(~may)} present", strong, ~may), (f"{np.sum(may)} may be absent", tension, may)] if which.any()]
+    return [
+        (name, colour, which)
+        for name, colour, which in [
+            (f"{np.sum(~may)} present", strong, ~may),
+            (f"{np.sum(may)} may be absent", tension, may),
+        ]
+        if which.any()
+    ]
 
 
 def draw_against_simulation(axes, film, which="peak_to_peak"):
@@ -32,7 +41,9 @@ def draw_against_simulation(axes, film, which="peak_to_peak"):
     x, y = normalised(film, film.simulation[which]), normalised(film, film.sigma_hyd)
     error = film.sigma_hyd_error / abs(mean_stress(film, film.sigma_hyd))
     for name, colour, of in materials_of(film):
-        axes.errorbar(x[of], y[of], yerr=error[of], fmt=".", color=colour, markersize=2, elinewidth=0.3, alpha=0.7, label=name)
+        axes.errorbar(
+            x[of], y[of], yerr=error[of], fmt=".", color=colour, markersize=2, elinewidth=0.3, alpha=0.7, label=name
+        )
     ends = [min(0, np.nanmin(x), np.nanmin(y)), max(np.nanmax(x), np.nanmax(y))]
     axes.plot(ends, ends, "--", color=soft)
     agreement = film.numbers.get("agreement", {}).get(f"simulation_{which}", {}).get("all", {})
@@ -47,7 +58,17 @@ def _ranked(axes, values, errors, unit, label, sets):
     rank[np.argsort(-values, kind="stable")] = np.arange(1, len(values) + 1)
     factor, unit = scaled(np.nanmax(np.abs(values)), unit)
     for name, colour, of in sets:
-        axes.errorbar(rank[of], values[of] / factor, yerr=errors[of] / factor, fmt=".", color=colour, ecolor=to_rgba(colour, 0.35), markersize=1.5, elinewidth=0.5, label=name)
+        axes.errorbar(
+            rank[of],
+            values[of] / factor,
+            yerr=errors[of] / factor,
+            fmt=".",
+            color=colour,
+            ecolor=to_rgba(colour, 0.35),
+            markersize=1.5,
+            elinewidth=0.5,
+            label=name,
+        )
     axes.axhline(0, color=soft, linewidth=0.6)
     axes.set(xlabel="rank", ylabel=f"{label}, {unit}")
     if len(sets) > 1:
@@ -57,7 +78,14 @@ def _ranked(axes, values, errors, unit, label, sets):
 def draw_ranked_forces(axes, film, component="fn"):
     """Peak-to-peak forces in order, normal or tangential ("ft"), with standard errors; contacts that may be absent are shown separately."""
     errors = film.fn_error if component == "fn" else film.ft_error
-    _ranked(axes, np.asarray(getattr(film.packing.contacts, component)), errors, "N", f"${force_symbols[component]}$", certainty_sets(film))
+    _ranked(
+        axes,
+        np.asarray(getattr(film.packing.contacts, component)),
+        errors,
+        "N",
+        f"${force_symbols[component]}$",
+        certainty_sets(film),
+    )
 
 
 def draw_ranked_stresses(axes, film):
@@ -69,7 +97,12 @@ def certainty_bins(ratio):
     """Edges of bars over F_n / standard error: round steps up to the value that 98 % do not exceed; the rest is in the first and the last bar."""
     order = np.sort(ratio)
     high, low = max(4.0, order[int(0.98 * (len(order) - 1))]), min(0.0, max(-6.0, order[0]))
-    step = next(v for decade in range(-1, 308) for v in (1.0 * 10.0**decade, 2.0 * 10.0**decade, 5.0 * 10.0**decade) if v >= 0.5 and (high - low) / v <= 36)
+    step = next(
+        v
+        for decade in range(-1, 308)
+        for v in (1.0 * 10.0**decade, 2.0 * 10.0**decade, 5.0 * 10.0**decade)
+        if v >= 0.5 and (high - low) / v <= 36
+    )
     first = np.floor(low / step)
     return step * np.arange(first, np.ceil(high / step) + 1)
 
@@ -83,8 +116,22 @@ def draw_certainty(axes, film):
     edges = certainty_bins(ratio[np.isfinite(ratio)])
     inside = np.clip(ratio, edges[0], np.nextafter(edges[-1], 0))
     sets = [(name, colour, of & np.isfinite(ratio)) for name, colour, of in certainty_sets(film)]
-    axes.hist([inside[of] for _, _, of in sets], bins=edges, stacked=True, color=[colour for _, colour, _ in sets], label=[name for name, _, _ in sets], alpha=0.75, rwidth=0.92)
+    axes.hist(
+        [inside[of] for _, _, of in sets],
+        bins=edges,
+        stacked=True,
+        color=[colour for _, colour, _ in sets],
+        label=[name for name, _, _ in sets],
+        alpha=0.75,
+        rwidth=0.92,
+    )
     axes.set(xlabel=f"${force_symbols['fn']}$ / standard error", ylabel="contacts")
-    outside = [(np.sum(ratio[np.isfinite(ratio)] < edges[0]), "below", edges[0], "first"), (np.sum(ratio[np.isfinite(ratio)] > edges[-1]), "beyond", edges[-1], "last")]
-    axes.set_title("; ".join(f"{count} {where} {edge:g} in the {bar} bar" for count, where, edge, bar in outside if count), fontsize="small")
+    outside = [
+        (np.sum(ratio[np.isfinite(ratio)] < edges[0]), "below", edges[0], "first"),
+        (np.sum(ratio[np.isfinite(ratio)] > edges[-1]), "beyond", edges[-1], "last"),
+    ]
+    axes.set_title(
+        "; ".join(f"{count} {where} {edge:g} in the {bar} bar" for count, where, edge, bar in outside if count),
+        fontsize="small",
+    )
     axes.legend()

@@ -16,7 +16,9 @@ def _show(axes, values, pixel, **options):
     """A picture, top row first; with a scale bar below if the side of a pixel (m) is known."""
     height, width = values.shape[:2]
     side = pixel if pixel > 0 else 1
-    shown = axes.imshow(values, extent=(0, width * side, 0, height * side), interpolation="nearest", rasterized=True, **options)
+    shown = axes.imshow(
+        values, extent=(0, width * side, 0, height * side), interpolation="nearest", rasterized=True, **options
+    )
     bare(axes)
     if pixel > 0:
         axes.set_ylim(-0.12 * height * side, height * side)
@@ -46,7 +48,9 @@ def draw_fit(figure, film):
     measured = np.where(np.isfinite(fitted), full * np.asarray(film.maps.in_phase, float), np.nan)
     known = measured[np.isfinite(measured)]
     reach = np.quantile(np.abs(known), 0.99) if known.size else 1
-    for k, (title, values) in enumerate([("measured", measured), ("from the forces", fitted), ("residual", measured - fitted)]):
+    for k, (title, values) in enumerate(
+        [("measured", measured), ("from the forces", fitted), ("residual", measured - fitted)]
+    ):
         axes = figure.add_subplot(1, 3, k + 1)
         shown = _show(axes, values, film.pixel, vmin=-reach, vmax=reach, cmap=diverging_map)
         axes.set_title(title)
@@ -88,7 +92,9 @@ def map_panels(film):
     drawn = [
         of(film.picture, "smallest load, K", colour_map=picture_map),
         of(1e3 * maps.amplitude, "amplitude, mK", colour_map=stress_map),
-        (lambda axes: draw_phase(axes, maps, film.pixel)) if np.size(maps.phase) and np.size(maps.standard_error) else None,
+        (lambda axes: draw_phase(axes, maps, film.pixel))
+        if np.size(maps.phase) and np.size(maps.standard_error)
+        else None,
         of(1e3 * maps.in_phase, "warming with the load, mK", colour_map=diverging_map, about=0),
         of(1e3 * maps.second_harmonic, "amplitude at 2 f, mK", colour_map=stress_map),
         of(1e3 * maps.standard_error, "standard error, mK", colour_map=even_map),

@@ -11,7 +11,16 @@ from .style import soft, strong
 
 
 def points(axes, found, x, y, **options):
-    axes.errorbar(found[x].values, found[y].values, yerr=found[f"{y}_error"].values, fmt="o", color=strong, elinewidth=0.6, markersize=3, **options)
+    axes.errorbar(
+        found[x].values,
+        found[y].values,
+        yerr=found[f"{y}_error"].values,
+        fmt="o",
+        color=strong,
+        elinewidth=0.6,
+        markersize=3,
+        **options,
+    )
 
 
 def draw_beverloo(axes, found):
@@ -20,7 +29,9 @@ def draw_beverloo(axes, found):
     law = flows.fit_beverloo(found, exponent=1.5)
     at = np.array([law["lost_width"][0], np.max(x)])
     axes.plot(1e3 * at, (law["factor"][0] ** (2 / 3)) * (at - law["lost_width"][0]), color=soft, zorder=0)
-    axes.errorbar(1e3 * x, y ** (2 / 3), yerr=2 / 3 * error * y ** (-1 / 3), fmt="o", color=strong, elinewidth=0.6, markersize=3)
+    axes.errorbar(
+        1e3 * x, y ** (2 / 3), yerr=2 / 3 * error * y ** (-1 / 3), fmt="o", color=strong, elinewidth=0.6, markersize=3
+    )
     axes.set(xlabel="opening $D$ (mm)", ylabel=r"$W^{2/3}$ (kg/s)$^{2/3}$", xlim=(0, None), ylim=(0, None))
 
 
@@ -30,7 +41,14 @@ def draw_runout(axes, found):
     for name, law in flows.fit_runout(found).items():
         a = found["aspect_ratio"].values
         at = np.geomspace(np.min(a), 3, 20) if name == "low" else np.geomspace(1.5, np.max(a), 20)
-        axes.plot(at, law["factor"][0] * at ** law["exponent"][0], color=soft, linestyle="-" if name == "low" else "--", zorder=0, label=rf"$\propto a^{{{law['exponent'][0]:.2f}}}$")
+        axes.plot(
+            at,
+            law["factor"][0] * at ** law["exponent"][0],
+            color=soft,
+            linestyle="-" if name == "low" else "--",
+            zorder=0,
+            label=rf"$\propto a^{{{law['exponent'][0]:.2f}}}$",
+        )
     axes.set(xlabel="aspect ratio $a$", ylabel=r"run-out $(L_\infty - L_0)/L_0$", xscale="log", yscale="log")
     axes.legend()
 
@@ -41,13 +59,31 @@ def draw_janssen(axes, found):
     at = np.linspace(0, np.max(found["height"].values), 200)
     axes.plot(1e3 * at, -law["saturation"][0] * np.expm1(-at / law["length"][0]), color=soft, zorder=0)
     axes.plot(1e3 * found["height"].values, found["hydrostatic"].values, color=soft, linestyle=":", zorder=0)
-    axes.errorbar(1e3 * found["height"].values, found["pressure"].values, yerr=found["pressure_error"].values, fmt="o", color=strong, elinewidth=0.6, markersize=3)
-    axes.set(xlabel="height of the filling (mm)", ylabel="pressure at the bottom (Pa)", xlim=(0, None), ylim=(0, 2 * law["saturation"][0]))
+    axes.errorbar(
+        1e3 * found["height"].values,
+        found["pressure"].values,
+        yerr=found["pressure_error"].values,
+        fmt="o",
+        color=strong,
+        elinewidth=0.6,
+        markersize=3,
+    )
+    axes.set(
+        xlabel="height of the filling (mm)",
+        ylabel="pressure at the bottom (Pa)",
+        xlim=(0, None),
+        ylim=(0, 2 * law["saturation"][0]),
+    )
 
 
 def draw_critical(figure, found):
     """Friction and solid fraction of the critical state against the grains' friction."""
-    for k, (name, label) in enumerate((("mu", r"critical friction $\mu_{\mathrm{c}}$"), ("solid_fraction", r"critical solid fraction $\phi_{\mathrm{c}}$"))):
+    for k, (name, label) in enumerate(
+        (
+            ("mu", r"critical friction $\mu_{\mathrm{c}}$"),
+            ("solid_fraction", r"critical solid fraction $\phi_{\mathrm{c}}$"),
+        )
+    ):
         axes = figure.add_subplot(1, 2, k + 1)
         points(axes, found, "friction", name)
         axes.set(xlabel=r"friction of the grains $\mu$", ylabel=label, xlim=(0, None))
@@ -66,7 +102,10 @@ def done_runs(study):
 def last_stages(study):
     """The last stage of every run's recipe, and the recipe."""
     path = pathlib.Path(study)
-    recipes = [tomllib.loads(file.read_text(encoding="utf-8")) for file in sorted(((path if path.is_dir() else path.parent) / "runs").glob("*/recipe.toml"))]
+    recipes = [
+        tomllib.loads(file.read_text(encoding="utf-8"))
+        for file in sorted(((path if path.is_dir() else path.parent) / "runs").glob("*/recipe.toml"))
+    ]
     return [(recipe.get("stages", [{}])[-1:] or [{}])[0] for recipe in recipes], recipes
 
 

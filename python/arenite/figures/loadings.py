@@ -17,7 +17,11 @@ many = 400  # rows of a history that are drawn as they are; of more a running me
 def test_of(state):
     """The stage of a State with the packing before it; the same object as long as the state exists."""
     if not hasattr(state, "_test"):
-        before = [snapshot.packing for snapshot in state.snapshots if curves.has_history(state.stage) and snapshot.time < state.stage.history["time"][0]]
+        before = [
+            snapshot.packing
+            for snapshot in state.snapshots
+            if curves.has_history(state.stage) and snapshot.time < state.stage.history["time"][0]
+        ]
         state._test = curves.Test(state.stage, before[-1] if before else None)
     return state._test
 
@@ -50,7 +54,12 @@ def draw_critical_state(axes, critical):
     about = critical["mu" if "mu" in critical else "q_over_p"]
     ends = 100 * np.array([critical["from"], critical["to"]])
     axes.fill_between(ends, about["low_95"], about["high_95"], color=colours[3], alpha=0.35, linewidth=0)
-    axes.plot(ends, [about["value"]] * 2, color=colours[3], label=f"critical state: {about['value']:.3f} ± {0.5 * (about['high_95'] - about['low_95']):.3f}")
+    axes.plot(
+        ends,
+        [about["value"]] * 2,
+        color=colours[3],
+        label=f"critical state: {about['value']:.3f} ± {0.5 * (about['high_95'] - about['low_95']):.3f}",
+    )
     axes.legend(loc="lower right")
 
 
@@ -114,7 +123,11 @@ def stress_strain(figure, state):
     critical = critical_state(state.stage)
     if critical:
         draw_critical_state(upper, critical)
-    is_confined = "mu" not in found and uniaxial_stress(found) is None and np.allclose(found["volumetric_strain"].values, found["axial_strain"].values, atol=1e-9)
+    is_confined = (
+        "mu" not in found
+        and uniaxial_stress(found) is None
+        and np.allclose(found["volumetric_strain"].values, found["axial_strain"].values, atol=1e-9)
+    )
     (draw_pressure if is_confined else draw_volume)(lower, found)
     upper.set_xlabel("")
 
@@ -133,7 +146,13 @@ def draw_cycles(axes, found):
     gives it."""
     few = len(found["cycle"].values) <= 50
     for end, marker, colour in (("maximum", "o", colours[1]), ("minimum", "s", colours[0])):
-        axes.plot(found["cycle"].values, 100 * found[f"axial_strain_{end}"].values, f"{marker}-" if few else "-", color=colour, label=f"{end} of the load")
+        axes.plot(
+            found["cycle"].values,
+            100 * found[f"axial_strain_{end}"].values,
+            f"{marker}-" if few else "-",
+            color=colour,
+            label=f"{end} of the load",
+        )
     axes.set(xlabel="cycle", ylabel="axial strain, %")
     axes.xaxis.get_major_locator().set_params(integer=True)
     axes.legend()
@@ -146,8 +165,20 @@ def cycles(figure, state):
 
 def draw_against_rate(axes, found, name):
     """`name`, "mu" or "solid_fraction", with its error over the inertial number; `found` as curves.rheology gives it."""
-    axes.errorbar(found["inertial_number"].values, found[name].values, yerr=found[f"{name}_error"].values, fmt="o", color=strong, elinewidth=0.6, markersize=3)
-    axes.set(xlabel="inertial number $I$", ylabel={"mu": r"$\mu$", "solid_fraction": r"solid fraction $\phi$"}[name], xscale="log")
+    axes.errorbar(
+        found["inertial_number"].values,
+        found[name].values,
+        yerr=found[f"{name}_error"].values,
+        fmt="o",
+        color=strong,
+        elinewidth=0.6,
+        markersize=3,
+    )
+    axes.set(
+        xlabel="inertial number $I$",
+        ylabel={"mu": r"$\mu$", "solid_fraction": r"solid fraction $\phi$"}[name],
+        xscale="log",
+    )
 
 
 def rheology(figure, runs):
@@ -160,7 +191,11 @@ def rheology(figure, runs):
 def is_driven(stage):
     """Whether a stage of a recipe strains its sample at a rate: sheared cell, sliding wall, side with a velocity."""
     slides = stage.get("slide", {}).values() if isinstance(stage.get("slide"), dict) else []
-    moves = [side for side in ("left", "right", "bottom", "top") if isinstance(stage.get(side), dict) and "velocity" in stage[side]]
+    moves = [
+        side
+        for side in ("left", "right", "bottom", "top")
+        if isinstance(stage.get(side), dict) and "velocity" in stage[side]
+    ]
     return bool(moves) or any(float(str(text).split()[0]) != 0 for text in [*slides, stage.get("shear_rate", 0)])
 
 
@@ -169,7 +204,11 @@ def driven_runs(study):
     path = pathlib.Path(study)
     recipes = sorted(((path if path.is_dir() else path.parent) / "runs").glob("*/recipe.toml"))
     stages = [tomllib.loads(recipe.read_text(encoding="utf-8")).get("stages", []) for recipe in recipes]
-    return [recipe.parent for recipe in recipes] if len(recipes) > 1 and all(of and is_driven(of[-1]) for of in stages) else []
+    return (
+        [recipe.parent for recipe in recipes]
+        if len(recipes) > 1 and all(of and is_driven(of[-1]) for of in stages)
+        else []
+    )
 
 
 def rheology_of(runs):

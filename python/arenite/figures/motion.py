@@ -32,10 +32,17 @@ def shots_of(result, stage=None):
     stages = list(result.stages)
     if stage is not None and stage not in [part.name for part in stages]:
         raise ValueError(f"there is no stage {stage}; there are {', '.join(part.name for part in stages)}")
-    shots = [Shot(part, snapshot, sheared_at(part, snapshot.time)) for part in stages if stage in (None, part.name) for snapshot in part.snapshots]
+    shots = [
+        Shot(part, snapshot, sheared_at(part, snapshot.time))
+        for part in stages
+        if stage in (None, part.name)
+        for snapshot in part.snapshots
+    ]
     if len(shots) < 2:
         what = f"the stage {stage}" if stage else "this result"
-        raise ValueError(f"{what} holds {['no', 'one'][len(shots)]} stored state of a loading, too few for an animation; `snapshots` or `increments` of a stage store more")
+        raise ValueError(
+            f"{what} holds {['no', 'one'][len(shots)]} stored state of a loading, too few for an animation; `snapshots` or `increments` of a stage store more"
+        )
     return shots
 
 
@@ -48,7 +55,11 @@ def ends_of(packing):
     """(grain, contact, sign): every contact from the side of each grain that it touches; sign -1 for that which n points away from."""
     c = packing.contacts
     inner = np.flatnonzero(c.j >= 0)
-    return np.concatenate([c.i, c.j[inner]]), np.concatenate([np.arange(len(c)), inner]), np.concatenate([np.ones(len(c)), -np.ones(len(inner))])
+    return (
+        np.concatenate([c.i, c.j[inner]]),
+        np.concatenate([np.arange(len(c)), inner]),
+        np.concatenate([np.ones(len(c)), -np.ones(len(inner))]),
+    )
 
 
 def contact_numbers(packing):
@@ -124,7 +135,7 @@ class Colouring:
     colour_map: typing.Any
     unit: str = ""
     factor: float = 1.0
-    low: typing.Any = None   # None: from the states
+    low: typing.Any = None  # None: from the states
     high: typing.Any = None
     symmetric: bool = False
 
@@ -140,9 +151,20 @@ colourings = {
     "deviator": Colouring("deviator of stress", each(deviator), stress_map, "Pa", low=0.0),
     "z": Colouring("contacts per grain", each(lambda shot: contact_numbers(shot.packing)), even_map),
     "velocity": Colouring("speed", each(speed), even_map, "m/s", low=0.0),
-    "displacement": Colouring("displacement", lambda shots: [np.hypot(*way.T) for way in displacements(shots)], even_map, "m", low=0.0),
-    "rotation": Colouring("rotation", lambda shots: [shot.packing.angle - shots[0].packing.angle for shot in shots], diverging_map, "°", np.pi / 180, symmetric=True),
-    "mobilisation": Colouring(r"mean $|F_{\mathrm{t}}|/(\mu F_{\mathrm{n}})$", each(mobilisation), stress_map, low=0.0, high=1.0),
+    "displacement": Colouring(
+        "displacement", lambda shots: [np.hypot(*way.T) for way in displacements(shots)], even_map, "m", low=0.0
+    ),
+    "rotation": Colouring(
+        "rotation",
+        lambda shots: [shot.packing.angle - shots[0].packing.angle for shot in shots],
+        diverging_map,
+        "°",
+        np.pi / 180,
+        symmetric=True,
+    ),
+    "mobilisation": Colouring(
+        r"mean $|F_{\mathrm{t}}|/(\mu F_{\mathrm{n}})$", each(mobilisation), stress_map, low=0.0, high=1.0
+    ),
 }
 
 
@@ -184,7 +206,15 @@ def disks(axes, packing, **options):
     """(collection, place of each of its disks among the grains), periodic images too."""
     index, x, y = with_images(packing)
     diameter = 2 * packing.radius[index]
-    drawn = EllipseCollection(diameter, diameter, np.zeros(len(index)), units="xy", offsets=np.column_stack([x, y]), offset_transform=axes.transData, **options)
+    drawn = EllipseCollection(
+        diameter,
+        diameter,
+        np.zeros(len(index)),
+        units="xy",
+        offsets=np.column_stack([x, y]),
+        offset_transform=axes.transData,
+        **options,
+    )
     axes.add_collection(drawn, autolim=False)
     return drawn, index
 
@@ -194,7 +224,9 @@ def spokes(axes, packing):
     index, x, y = with_images(packing)
     r, angle = 0.9 * packing.radius[index], packing.angle[index]
     ends = np.column_stack([x + r * np.cos(angle), y + r * np.sin(angle)])
-    return axes.add_collection(LineCollection(np.stack([np.column_stack([x, y]), ends], axis=1), colors=strong, linewidths=0.6), autolim=False)
+    return axes.add_collection(
+        LineCollection(np.stack([np.column_stack([x, y]), ends], axis=1), colors=strong, linewidths=0.6), autolim=False
+    )
 
 
 def chains(axes, packing, mean):
@@ -208,7 +240,14 @@ def chains(axes, packing, mean):
     for kind in ("weak", "strong", "tension"):
         of = kinds == kind
         shapes = np.concatenate([bars(start[of], end[of], width[of]) for start, end in segments(packing)])
-        drawn.append(axes.add_collection(PolyCollection(shapes, facecolor=kind_colours[kind], edgecolor="white", linewidth=0 if kind == "weak" else 0.3), autolim=False))
+        drawn.append(
+            axes.add_collection(
+                PolyCollection(
+                    shapes, facecolor=kind_colours[kind], edgecolor="white", linewidth=0 if kind == "weak" else 0.3
+                ),
+                autolim=False,
+            )
+        )
     return drawn
 
 
@@ -217,12 +256,28 @@ def sides(axes, packing):
     wall was removed."""
     d = packing.domain
     left, right, bottom, top = (d[side]["position"] for side in ("left", "right", "bottom", "top"))
-    lines = {"left": ((left, bottom), (left, top)), "right": ((right, bottom), (right, top)), "bottom": ((left, bottom), (right, bottom)), "top": ((left, top), (right, top))}
+    lines = {
+        "left": ((left, bottom), (left, top)),
+        "right": ((right, bottom), (right, top)),
+        "bottom": ((left, bottom), (right, bottom)),
+        "top": ((left, top), (right, top)),
+    }
     walls = [line for side, line in lines.items() if d[side]["present"]]
     edges = [line for side, line in lines.items() if d["periodic_x" if side in ("left", "right") else "periodic_y"]]
-    drawn = [LineCollection(walls, colors=strong, linewidths=1.8, capstyle="projecting"), LineCollection(edges, colors=weak, linewidths=0.7, linestyles="--")]
+    drawn = [
+        LineCollection(walls, colors=strong, linewidths=1.8, capstyle="projecting"),
+        LineCollection(edges, colors=weak, linewidths=0.7, linestyles="--"),
+    ]
     if d["tilt"]:
-        drawn.append(LineCollection([((left, bottom), (left + d["tilt"], top)), ((right, bottom), (right + d["tilt"], top))], colors=tension, linewidths=1.5, linestyles=":", zorder=3))
+        drawn.append(
+            LineCollection(
+                [((left, bottom), (left + d["tilt"], top)), ((right, bottom), (right + d["tilt"], top))],
+                colors=tension,
+                linewidths=1.5,
+                linestyles=":",
+                zorder=3,
+            )
+        )
     return [axes.add_collection(collection, autolim=False) for collection in drawn]
 
 
@@ -232,17 +287,27 @@ def clip(axes, packing, drawn):
     if d["periodic_x"] or d["periodic_y"]:
         reach = 0.0 if d["periodic_x"] and d["periodic_y"] else np.max(packing.radius)
         x, y = (reach * (not d[f"periodic_{axis}"]) for axis in "xy")
-        cell = Rectangle((d["left"]["position"] - x, d["bottom"]["position"] - y), d["width"] + 2 * x, d["height"] + 2 * y, transform=axes.transData)
+        cell = Rectangle(
+            (d["left"]["position"] - x, d["bottom"]["position"] - y),
+            d["width"] + 2 * x,
+            d["height"] + 2 * y,
+            transform=axes.transData,
+        )
         for artist in drawn:
             artist.set_clip_path(cell)
 
 
 def draw_shot(axes, shot, values=None, norm=None, colour_map=None, mean=None, spoked=False):
     """One state on axes that keep their limits; returns what is drawn, to be removed before the next. `values`: one number per grain with
-    `norm` and `colour_map`, "material", or None for outlines; `mean`: force chains over this force; `spoked`: rotation is shown."""
+    `norm` and `colour_map`, "material", or None for outlines; `mean`: force chains over this force; `spoked`: rotation is shown.
+    """
     packing = shot.packing
     of_material = isinstance(values, str)
-    style = {"linewidth": 0.25, "edgecolor": strong} if values is not None else {"linewidth": 0.4, "edgecolor": pale, "facecolor": "none"}
+    style = (
+        {"linewidth": 0.25, "edgecolor": strong}
+        if values is not None
+        else {"linewidth": 0.4, "edgecolor": pale, "facecolor": "none"}
+    )
     grains, index = disks(axes, packing, **style)
     if of_material:
         grains.set_facecolor([colours[m % len(colours)] + "bf" for m in packing.material[index]])

@@ -54,7 +54,9 @@ def panels(figure, shots, beside):
     axes, side = figure.subplots(1, 2, width_ratios=(1.5, 1)) if beside else (figure.subplots(), None)
     domains = [shot.packing.domain for shot in shots]
     (left, right), (bottom, top) = (
-        (min(d[low]["position"] for d in domains), max(d[high]["position"] for d in domains)) for low, high in (("left", "right"), ("bottom", "top")))
+        (min(d[low]["position"] for d in domains), max(d[high]["position"] for d in domains))
+        for low, high in (("left", "right"), ("bottom", "top"))
+    )
     margin = 0.02 * max(right - left, top - bottom)
     axes.set(xlim=(left - margin, right + margin), ylim=(bottom - 3 * margin, top + margin))
     length_bar(axes, right - left, left, bottom - 2.6 * margin)
@@ -90,14 +92,26 @@ def whole_numbers(values, low, high):
 
 
 def bar(axes, colouring, norm, colour_map, by):
-    factor, unit = (colouring.factor, colouring.unit) if colouring.unit in ("°", "") else scaled(max(abs(norm.vmin), abs(norm.vmax)), colouring.unit)
-    shown = axes.figure.colorbar(ScalarMappable(norm, colour_map), ax=axes, label=f"{colouring.label}, {unit}" if unit else colouring.label, shrink=0.8, pad=0.02,
-                                 extend="neither" if by == "z" else "both" if norm.vmin else "max")
+    factor, unit = (
+        (colouring.factor, colouring.unit)
+        if colouring.unit in ("°", "")
+        else scaled(max(abs(norm.vmin), abs(norm.vmax)), colouring.unit)
+    )
+    shown = axes.figure.colorbar(
+        ScalarMappable(norm, colour_map),
+        ax=axes,
+        label=f"{colouring.label}, {unit}" if unit else colouring.label,
+        shrink=0.8,
+        pad=0.02,
+        extend="neither" if by == "z" else "both" if norm.vmin else "max",
+    )
     if by == "z":
         shown.set_ticks(np.arange(norm.boundaries[0] + 0.5, norm.boundaries[-1]))
     else:
         shown.formatter = matplotlib.ticker.FuncFormatter(lambda value, _: f"{value / factor:.4g}")
-        shown.locator = matplotlib.ticker.FixedLocator(factor * matplotlib.ticker.MaxNLocator(6).tick_values(norm.vmin / factor, norm.vmax / factor))
+        shown.locator = matplotlib.ticker.FixedLocator(
+            factor * matplotlib.ticker.MaxNLocator(6).tick_values(norm.vmin / factor, norm.vmax / factor)
+        )
         shown.update_ticks()
 
 
@@ -120,7 +134,9 @@ class Beside:
             self.change(shot.stage)
         if self.mark:
             time = shot.stage.history["time"]
-            self.mark.set_data(*([np.interp(shot.snapshot.time, time, values)] for values, _ in self.columns[self.stage]))
+            self.mark.set_data(
+                *([np.interp(shot.snapshot.time, time, values)] for values, _ in self.columns[self.stage])
+            )
 
     def change(self, stage):
         self.axes.clear()
@@ -129,7 +145,7 @@ class Beside:
         if stage.name in self.columns:
             (x, x_label), (y, y_label) = self.columns[stage.name]
             draw_curve(self.axes, x, y)
-            self.mark, = self.axes.plot(x[:1], y[:1], "o", color=colours[1], markersize=7, markeredgecolor=strong)
+            (self.mark,) = self.axes.plot(x[:1], y[:1], "o", color=colours[1], markersize=7, markeredgecolor=strong)
             self.axes.set(xlabel=x_label, ylabel=y_label)
             self.axes.set_box_aspect(1)
 
@@ -137,12 +153,20 @@ class Beside:
 def columns_of(result, stage, names):
     """((values, label), ...) of two columns of curves.along or of a stage's history, or of a "test". Raises ValueError for unknown columns."""
     known = curves.along(result, stage.name)
-    known.update({name: curves.Curve(stage.history[name], stage.history_units[name]) for name in stage.history if name not in known})
+    known.update(
+        {
+            name: curves.Curve(stage.history[name], stage.history_units[name])
+            for name in stage.history
+            if name not in known
+        }
+    )
     if names == "test":
         names = ("shear_strain", "mu") if "mu" in known else ("axial_strain", "q_over_p")
     missing = [name for name in names if name not in known]
     if missing:
-        raise ValueError(f"the stage {stage.name} has no {' and no '.join(missing)} to draw; there are {', '.join(known)}")
+        raise ValueError(
+            f"the stage {stage.name} has no {' and no '.join(missing)} to draw; there are {', '.join(known)}"
+        )
     return [labelled(name, *known[name]) for name in names]
 
 

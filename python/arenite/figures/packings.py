@@ -5,14 +5,41 @@ from matplotlib.collections import PatchCollection, PolyCollection
 from matplotlib.patches import Circle, Rectangle
 
 from .._core import measure_grains
-from .style import bare, chain_width, colours, force_symbols, key_below, length_bar, most_stress, pale, patch, plain, scaled, stress_map, strong, tension, weak, widest_chain
+from .style import (
+    bare,
+    chain_width,
+    colours,
+    force_symbols,
+    key_below,
+    length_bar,
+    most_stress,
+    pale,
+    patch,
+    plain,
+    scaled,
+    stress_map,
+    strong,
+    tension,
+    weak,
+    widest_chain,
+)
 
 
 def container(axes, packing):
     """The walls or the edges of the cell, and space around them; returns the position for a line of text below, (x, y)."""
     d = packing.domain
     x, y = d["left"]["position"], d["bottom"]["position"]
-    axes.add_patch(Rectangle((x, y), d["width"], d["height"], fill=False, linewidth=0.6, edgecolor=strong, linestyle="-" if d["left"]["present"] else "--"))
+    axes.add_patch(
+        Rectangle(
+            (x, y),
+            d["width"],
+            d["height"],
+            fill=False,
+            linewidth=0.6,
+            edgecolor=strong,
+            linestyle="-" if d["left"]["present"] else "--",
+        )
+    )
     margin = 0.02 * max(d["width"], d["height"])
     axes.set_xlim(x - margin, x + d["width"] + margin)
     axes.set_ylim(y - 4 * margin, y + d["height"] + margin)
@@ -32,7 +59,13 @@ def circles(x, y, radius, **options):
 
 def material_key(axes, packing):
     names = [(m, material.name) for m, material in enumerate(packing.materials) if np.any(packing.material == m)]
-    key_below(axes, [patch(colours[m % len(colours)] + "bf", f"{plain(name)} ({np.sum(packing.material == m)})") for m, name in names])
+    key_below(
+        axes,
+        [
+            patch(colours[m % len(colours)] + "bf", f"{plain(name)} ({np.sum(packing.material == m)})")
+            for m, name in names
+        ],
+    )
 
 
 def draw_packing(axes, packing, by="material", colour_map=stress_map, most=most_stress):
@@ -63,7 +96,9 @@ def draw_forces(axes, packing, mean=None, uncertain=None):
     kinds = kinds_of(c.fn, mean, uncertain)
     width = np.mean(packing.radius) * np.minimum(widest_chain, chain_width * np.abs(c.fn) / mean)
     for kind, colour in kind_colours.items():
-        drawn = [bars(start[kinds == kind], end[kinds == kind], width[kinds == kind]) for start, end in segments(packing)]
+        drawn = [
+            bars(start[kinds == kind], end[kinds == kind], width[kinds == kind]) for start, end in segments(packing)
+        ]
         axes.add_collection(PolyCollection(np.concatenate(drawn), facecolor=colour, linewidth=0))
     force_scale(axes, at, np.mean(packing.radius) * chain_width, mean)
     key_below(axes, [patch(colour, kind) for kind, colour in kind_colours.items() if np.any(kinds == kind)])
@@ -102,7 +137,13 @@ def force_scale(axes, at, width, mean):
     length = 0.06 * packing_width(axes)
     axes.add_patch(Rectangle((x, y - width / 2), length, width, facecolor=strong, linewidth=0))
     factor, unit = scaled(mean, "N")
-    axes.text(x + 1.25 * length, y, rf"$\langle {force_symbols['fn']}\rangle$ = {mean / factor:.3g} {unit}", va="center", fontsize="small")
+    axes.text(
+        x + 1.25 * length,
+        y,
+        rf"$\langle {force_symbols['fn']}\rangle$ = {mean / factor:.3g} {unit}",
+        va="center",
+        fontsize="small",
+    )
 
 
 def packing_width(axes):

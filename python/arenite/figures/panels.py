@@ -16,23 +16,41 @@ def names_of(packing):
 
 def sigma_norm_tails(figure, state):
     about, names = state.texture["sigma_norm"], names_of(state.packing)
-    side_by_side(figure, [lambda axes, log=log: textures.draw_cumulative(axes, about, materials=names, log=log) for log in (False, True)])
+    side_by_side(
+        figure,
+        [
+            lambda axes, log=log: textures.draw_cumulative(axes, about, materials=names, log=log)
+            for log in (False, True)
+        ],
+    )
     figure.axes[1].get_legend().remove()  # the linear one has room for it
 
 
 def forces(figure, state):
     """Density with its fits, and survival function."""
     about, names = state.texture["force"], names_of(state.packing)
-    side_by_side(figure, [lambda axes: textures.draw_density(axes, about, names),
-                          lambda axes: textures.draw_cumulative(axes, about, textures.over_mean, "strong_share", names)])
+    side_by_side(
+        figure,
+        [
+            lambda axes: textures.draw_density(axes, about, names),
+            lambda axes: textures.draw_cumulative(axes, about, textures.over_mean, "strong_share", names),
+        ],
+    )
 
 
 def rose_sets(fabric, materials):
     """(name, set, its strong contacts or none, colour): all, by strength, by type."""
     sets = fabric.get("sets", {})
-    found = [("all", fabric, sets.get("strong"), strong), ("strong", sets.get("strong"), sets.get("strong"), strong), ("weak", sets.get("weak"), None, weak)]
+    found = [
+        ("all", fabric, sets.get("strong"), strong),
+        ("strong", sets.get("strong"), sets.get("strong"), strong),
+        ("weak", sets.get("weak"), None, weak),
+    ]
     types = [name for name in sets if not name.endswith(("strong", "weak"))]
-    found += [(textures.name_of(name), sets[name], sets.get(f"{name} strong"), textures.colour_of(name, materials)) for name in types]
+    found += [
+        (textures.name_of(name), sets[name], sets.get(f"{name} strong"), textures.colour_of(name, materials))
+        for name in types
+    ]
     return [entry for entry in found if entry[1] and entry[1].get("contacts", 0) > 0 and "sectors" in entry[1]]
 
 
@@ -70,9 +88,21 @@ def film_roses(figure, film):
 
 def stress_path(figure, state):
     """Over all stored states of the run that have contacts, numbered from the first."""
-    measured = [(k, measure(snapshot.packing, curves=False)) for k, snapshot in enumerate(state.snapshots, 1) if len(snapshot.packing.contacts) > 0]
+    measured = [
+        (k, measure(snapshot.packing, curves=False))
+        for k, snapshot in enumerate(state.snapshots, 1)
+        if len(snapshot.packing.contacts) > 0
+    ]
     known = [(k, texture) for k, texture in measured if "a_c" in texture.get("fabric", {})]
-    side_by_side(figure, [lambda axes, of=of: textures.draw_stress_path(axes, [texture for _, texture in known], of, [k for k, _ in known]) for of in ("coordination", "anisotropy")])
+    side_by_side(
+        figure,
+        [
+            lambda axes, of=of: textures.draw_stress_path(
+                axes, [texture for _, texture in known], of, [k for k, _ in known]
+            )
+            for of in ("coordination", "anisotropy")
+        ],
+    )
 
 
 def components(figure, field, names, columns=3):
@@ -87,7 +117,9 @@ def density_panels(figure, field, component):
     rows = density_rows(field, component)
     for row, own in enumerate(rows):
         for column, log in enumerate([False, True]):
-            densities.draw_densities(figure.add_subplot(len(rows), 2, 2 * row + column + 1), statistics_of(field), component, own, log)
+            densities.draw_densities(
+                figure.add_subplot(len(rows), 2, 2 * row + column + 1), statistics_of(field), component, own, log
+            )
 
 
 def density_rows(field, component):
@@ -114,7 +146,10 @@ def film_maps(figure, film):
 
 def beside(figure, film):
     names = [name for name in film_forces.simulation_names if name in film.simulation]
-    draws = [("film", films.draw_film_grains)] + [(film_forces.simulation_names[name], lambda axes, f, name=name: films.draw_simulated_grains(axes, f, name)) for name in names]
+    draws = [("film", films.draw_film_grains)] + [
+        (film_forces.simulation_names[name], lambda axes, f, name=name: films.draw_simulated_grains(axes, f, name))
+        for name in names
+    ]
     for k, (title, draw) in enumerate(draws):
         axes = figure.add_subplot(1, len(draws), k + 1)
         shown = draw(axes, film)
@@ -123,14 +158,35 @@ def beside(figure, film):
 
 
 def against(figure, film):
-    side_by_side(figure, [lambda axes, name=name: film_forces.draw_against_simulation(axes, film, name) for name in film_forces.simulation_names if name in film.simulation])
+    side_by_side(
+        figure,
+        [
+            lambda axes, name=name: film_forces.draw_against_simulation(axes, film, name)
+            for name in film_forces.simulation_names
+            if name in film.simulation
+        ],
+    )
 
 
 def film_tails(figure, film):
     """Film, and the peak-to-peak stress and the state of its companion simulation."""
-    sets = [("film", film.sigma_hyd, strong)] + [(film_forces.simulation_names[name], film.simulation[name], colour) for name, colour in (("peak_to_peak", colours[1]), ("state", colours[2])) if name in film.simulation]
-    textures.draw_cumulative_sets(figure.add_subplot(), [(name, measure(film.packing, sigma_hyd=sigma).get("sigma_norm", {}), colour) for name, sigma, colour in sets])
+    sets = [("film", film.sigma_hyd, strong)] + [
+        (film_forces.simulation_names[name], film.simulation[name], colour)
+        for name, colour in (("peak_to_peak", colours[1]), ("state", colours[2]))
+        if name in film.simulation
+    ]
+    textures.draw_cumulative_sets(
+        figure.add_subplot(),
+        [(name, measure(film.packing, sigma_hyd=sigma).get("sigma_norm", {}), colour) for name, sigma, colour in sets],
+    )
 
 
 def ranked_forces(figure, film):
-    side_by_side(figure, [lambda axes, c=c: film_forces.draw_ranked_forces(axes, film, c) for c in ("fn", "ft") if len(getattr(film, f"{c}_error"))])
+    side_by_side(
+        figure,
+        [
+            lambda axes, c=c: film_forces.draw_ranked_forces(axes, film, c)
+            for c in ("fn", "ft")
+            if len(getattr(film, f"{c}_error"))
+        ],
+    )

@@ -59,4 +59,7 @@ def parts_of(result, stage=None, state=None):
 
 
 def same_map(a, b):
-    return a is b or (a.dx == b.dx and all(np.array_equal(getattr(a, name), getattr(b, name)) for name in ("phase", "grain", "grain_class")))
+    return a is b or (
+        a.dx == b.dx
+        and all(np.array_equal(getattr(a, name), getattr(b, name)) for name in ("phase", "grain", "grain_class"))
+    )

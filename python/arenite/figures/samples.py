@@ -27,7 +27,15 @@ def draw_grains_against(axes, shot, x="diameter", y="pressure"):
     for m, material in enumerate(packing.materials):
         of = packing.material == m
         if np.any(of):
-            axes.plot(drawn[0][0][of], drawn[1][0][of], ".", color=colours[m % len(colours)], markersize=2.5, alpha=0.7, label=plain(material.name))
+            axes.plot(
+                drawn[0][0][of],
+                drawn[1][0][of],
+                ".",
+                color=colours[m % len(colours)],
+                markersize=2.5,
+                alpha=0.7,
+                label=plain(material.name),
+            )
     axes.set(xlabel=drawn[0][1], ylabel=drawn[1][1])
     if len(packing.materials) > 1:
         axes.legend(markerscale=2)
@@ -50,9 +58,21 @@ def draw_size_curve(axes, measured, asked=None):
     """Fraction of the mass in grains no wider than each diameter; curves as returned by `arenite.size_curve` and `asked_size_curve`."""
     for curve, colour, style, label in ((measured, strong, "-", "measured"), (asked, colours[1], "--", "asked")):
         if curve is not None:
-            axes.step(1e3 * curve["diameter"], 100 * curve["passing"], where="post", color=colour, linestyle=style, label=label)
+            axes.step(
+                1e3 * curve["diameter"],
+                100 * curve["passing"],
+                where="post",
+                color=colour,
+                linestyle=style,
+                label=label,
+            )
     d = measured["diameter"]
-    axes.set(xlabel="diameter, mm", ylabel="mass passing, %", ylim=(0, 100), xscale="log" if d[0] > 0 and d[-1] > 20 * d[0] else "linear")
+    axes.set(
+        xlabel="diameter, mm",
+        ylabel="mass passing, %",
+        ylim=(0, 100),
+        xscale="log" if d[0] > 0 and d[-1] > 20 * d[0] else "linear",
+    )
     axes.legend(loc="upper left")
 
 
@@ -68,9 +88,19 @@ def stress_of(fields):
 # Coarse-grained fields: label, unit, colours, and values of the fields' dict.
 layers = {
     "solid_fraction": (r"solid fraction $\phi$", "", even_map, lambda f: f["solid_fraction"]),
-    "speed": (r"velocity $|\mathbf{v}|$", "m/s", even_map, lambda f: np.hypot(f["velocity"][..., 0], f["velocity"][..., 1])),
+    "speed": (
+        r"velocity $|\mathbf{v}|$",
+        "m/s",
+        even_map,
+        lambda f: np.hypot(f["velocity"][..., 0], f["velocity"][..., 1]),
+    ),
     "pressure": ("pressure $p$", "Pa", stress_map, lambda f: -0.5 * np.trace(stress_of(f), axis1=-2, axis2=-1)),
-    "shear": (r"shear stress $\sigma_{xy}$", "Pa", diverging_map, lambda f: 0.5 * (stress_of(f)[..., 0, 1] + stress_of(f)[..., 1, 0])),
+    "shear": (
+        r"shear stress $\sigma_{xy}$",
+        "Pa",
+        diverging_map,
+        lambda f: 0.5 * (stress_of(f)[..., 0, 1] + stress_of(f)[..., 1, 0]),
+    ),
 }
 
 
@@ -83,12 +113,27 @@ def draw_coarse_field(axes, fields, name):
     low, high = np.nanquantile(values, [0.01, 0.99]) if len(known) else (0, 1)
     ends = (-max(abs(low), abs(high)), max(abs(low), abs(high))) if colour_map == diverging_map else (low, high)
     half = [0.5 * (axis[1] - axis[0]) if len(axis) > 1 else 0.5 for axis in (x, y)]
-    picture = axes.imshow(values / factor, origin="lower", cmap=colour_map, vmin=ends[0] / factor, vmax=ends[1] / factor, interpolation="bilinear",
-                          extent=(x[0] - half[0], x[-1] + half[0], y[0] - half[1], y[-1] + half[1]))
+    picture = axes.imshow(
+        values / factor,
+        origin="lower",
+        cmap=colour_map,
+        vmin=ends[0] / factor,
+        vmax=ends[1] / factor,
+        interpolation="bilinear",
+        extent=(x[0] - half[0], x[-1] + half[0], y[0] - half[1], y[-1] + half[1]),
+    )
     if name == "speed" and np.any(values > 0):
         step = max(1, max(len(x), len(y)) // 14)
         v = fields["velocity"][::step, ::step]
-        axes.quiver(x[::step], y[::step], v[..., 0], v[..., 1], color=strong, width=0.004, scale=18 * np.nanquantile(values, 0.98))
+        axes.quiver(
+            x[::step],
+            y[::step],
+            v[..., 0],
+            v[..., 1],
+            color=strong,
+            width=0.004,
+            scale=18 * np.nanquantile(values, 0.98),
+        )
     bare(axes)
     for side in axes.spines.values():
         side.set(visible=True, color=soft)
@@ -100,7 +145,11 @@ def fields_of(state):
     packing, history = state.packing, state.history
     area = packing.domain["width"] * packing.domain["height"]
     width = max(2 * np.mean(packing.radius), np.sqrt(area / 2500))
-    rate = np.interp(state.snapshot.time, history["time"], np.gradient(history["shear_strain"], history["time"])) if "shear_strain" in history else None
+    rate = (
+        np.interp(state.snapshot.time, history["time"], np.gradient(history["shear_strain"], history["time"]))
+        if "shear_strain" in history
+        else None
+    )
     return coarse_grained(packing, width, tilt_rate=None if rate is None else float(rate * packing.domain["height"]))
 
 
@@ -114,8 +163,15 @@ def coarse_fields(figure, state):
 
 
 def has_box(state):
-    return state.packing.domain["width"] > 0 and state.packing.domain["height"] > 0 and state.packing.domain["thickness"] > 0
+    return (
+        state.packing.domain["width"] > 0
+        and state.packing.domain["height"] > 0
+        and state.packing.domain["thickness"] > 0
+    )
 
 
 def fields_height(state):
-    return 0.44 * state.packing.domain["height"] / state.packing.domain["width"] * (2 if np.any(state.packing.vx) else 1) + 0.06
+    return (
+        0.44 * state.packing.domain["height"] / state.packing.domain["width"] * (2 if np.any(state.packing.vx) else 1)
+        + 0.06
+    )

@@ -49,7 +49,9 @@ def number_clips(path):
     """Names the clipping paths of an SVG by their order: Matplotlib names those that are not rectangles by their memory address."""
     text = path.read_text(encoding="utf-8")
     names = {name: f"clip{k}" for k, name in enumerate(re.findall(r'<clipPath id="(\w+)"', text))}
-    path.write_text(re.sub(r'(<clipPath id="|url\(#)(\w+)', lambda m: m[1] + names.get(m[2], m[2]), text), encoding="utf-8")
+    path.write_text(
+        re.sub(r'(<clipPath id="|url\(#)(\w+)', lambda m: m[1] + names.get(m[2], m[2]), text), encoding="utf-8"
+    )
 
 
 def listed(words):

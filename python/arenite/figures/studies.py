@@ -32,8 +32,12 @@ def study_document(path):
     document = _core._study_figures(page)
     if not document:
         if has_page(path):  # of an older program, or taken out of its folder
-            raise ValueError(f"{page}: the numbers of its figures, study.hdf5, are missing beside it; give the study's folder, in which `arenite study page RECIPE --out FOLDER` makes both")
-        raise ValueError(f"{page}: this study has no page yet; `arenite study page RECIPE --out {page.parent}` makes it")
+            raise ValueError(
+                f"{page}: the numbers of its figures, study.hdf5, are missing beside it; give the study's folder, in which `arenite study page RECIPE --out FOLDER` makes both"
+            )
+        raise ValueError(
+            f"{page}: this study has no page yet; `arenite study page RECIPE --out {page.parent}` makes it"
+        )
     return document
 
 
@@ -45,11 +49,15 @@ def is_study(path):
 
 def not_drawn(path):
     """{name: reason} of the figures of a study that cannot be drawn yet, or only in part."""
-    return {figure["id"]: figure["missing"] for figure in study_document(path)["figures"] if "missing" in figure} if is_study(path) and has_page(path) else {}
+    return (
+        {figure["id"]: figure["missing"] for figure in study_document(path)["figures"] if "missing" in figure}
+        if is_study(path) and has_page(path)
+        else {}
+    )
 
 
 def label(text):
-    """"σ_{norm}" for matplotlib."""
+    """ "σ_{norm}" for matplotlib."""
     return re.sub(r"([_^])\{([^}]*)\}", lambda m: f"${m[1]}\\mathrm{{{m[2]}}}$".replace("%", r"\%"), plain(text))
 
 
@@ -61,7 +69,14 @@ def _colours(figure):
         shades = matplotlib.colormaps["viridis"](np.linspace(0, 0.9, len(groups)))
         return [strong if curve["beside"] else shades[groups.index(curve["group"])] for curve in figure["series"]]
     simulated = max(1, sum(not curve["film"] and not curve["fit"] for curve in ours))
-    place = [curve["group"] if figure["ordered"] else curve["part"] % simulated if _is_hollow(figure, curve) else curve["part"] for curve in figure["series"]]
+    place = [
+        curve["group"]
+        if figure["ordered"]
+        else curve["part"] % simulated
+        if _is_hollow(figure, curve)
+        else curve["part"]
+        for curve in figure["series"]
+    ]
     return [strong if curve["beside"] else colours[k % len(colours)] for curve, k in zip(figure["series"], place)]
 
 
@@ -75,7 +90,13 @@ def _legend(axes, figure):
     names = [curve["name"] for curve in figure["series"] if curve["name"] and not curve["fit"]]
     if len(names) > 4:
         longest = max(len(re.sub(r"[_^{}]", "", name)) for name in names)
-        axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=3 if longest < 14 else 2, columnspacing=1, handlelength=1.4)
+        axes.legend(
+            loc="lower center",
+            bbox_to_anchor=(0.5, 1),
+            ncols=3 if longest < 14 else 2,
+            columnspacing=1,
+            handlelength=1.4,
+        )
     elif names:
         axes.legend(handlelength=1.6)
 
@@ -87,14 +108,27 @@ def draw_study_plot(axes, figure):
         if curve["fit"]:
             axes.plot(*points[:2], ":" if curve["film"] else "--", color=strong, linewidth=1.0)
         elif curve["source"]:
-            axes.plot(*points[:2], "+" if curve["film"] else "x", color=colour, markersize=4, markeredgewidth=0.8, label=label(curve["name"]))
+            axes.plot(
+                *points[:2],
+                "+" if curve["film"] else "x",
+                color=colour,
+                markersize=4,
+                markeredgewidth=0.8,
+                label=label(curve["name"]),
+            )
         elif figure["density"] and figure["lines"]:
             _density(axes, figure, curve, points, colour)
         else:
             _points(axes, figure, curve, points, colour)
     for axis in "xy":
         about = figure[axis]
-        axes.set(**{f"{axis}label": label(about["label"]), f"{axis}scale": "log" if about["log"] else "linear", f"{axis}lim": about["domain"]})
+        axes.set(
+            **{
+                f"{axis}label": label(about["label"]),
+                f"{axis}scale": "log" if about["log"] else "linear",
+                f"{axis}lim": about["domain"],
+            }
+        )
     for reference in figure["references"]:
         _reference(axes, reference)
     _legend(axes, figure)
@@ -115,7 +149,13 @@ def _density(axes, figure, curve, points, colour):
     alone = unknown[:-2] & unknown[2:] & ~np.isnan(y)
     axes.plot(x[alone], y[alone], ".", color=colour, markersize=2)
     if error[alone].any():
-        axes.vlines(x[alone], np.maximum(y - error, figure["y"]["domain"][0])[alone], (y + error)[alone], color=colour, linewidth=0.6)
+        axes.vlines(
+            x[alone],
+            np.maximum(y - error, figure["y"]["domain"][0])[alone],
+            (y + error)[alone],
+            color=colour,
+            linewidth=0.6,
+        )
 
 
 def _points(axes, figure, curve, points, colour):
@@ -123,14 +163,28 @@ def _points(axes, figure, curve, points, colour):
     x, y, error = points
     low = np.minimum(error, 0.95 * y) if figure["y"]["log"] else error
     joined = figure["lines"] and not (curve["beside"] and np.all(x == x[0]))
-    axes.errorbar(x, y, yerr=[low, error] if error.any() else None, fmt=("D" if curve["beside"] else "o") + (_style(figure, curve) if joined else ""), color=colour,
-                  markersize=2.4 if len(x) < 200 else 1, elinewidth=0.6, linewidth=0.9, markerfacecolor="white" if _is_hollow(figure, curve) else colour,
-                  markeredgewidth=0.6, label=label(curve["name"]) or None)
+    axes.errorbar(
+        x,
+        y,
+        yerr=[low, error] if error.any() else None,
+        fmt=("D" if curve["beside"] else "o") + (_style(figure, curve) if joined else ""),
+        color=colour,
+        markersize=2.4 if len(x) < 200 else 1,
+        elinewidth=0.6,
+        linewidth=0.9,
+        markerfacecolor="white" if _is_hollow(figure, curve) else colour,
+        markeredgewidth=0.6,
+        label=label(curve["name"]) or None,
+    )
 
 
 def _reference(axes, reference):
     x, y, text = reference.get("x"), reference.get("y"), label(reference["label"])
-    line, note = {"color": soft, "linestyle": ":", "linewidth": 0.9, "zorder": 0}, {"color": "#606060", "fontsize": 6, "bbox": {"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.3}}
+    line, note = {"color": soft, "linestyle": ":", "linewidth": 0.9, "zorder": 0}, {
+        "color": "#606060",
+        "fontsize": 6,
+        "bbox": {"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.3},
+    }
     if "slope" in reference:
         axes.axline((0, 0), slope=reference["slope"], **line)
     elif x is not None and y is not None:
@@ -138,10 +192,29 @@ def _reference(axes, reference):
         axes.annotate(text, (x, y), xytext=(0, 4), textcoords="offset points", ha="center", **note)
     elif y is not None:
         axes.axhline(y, **line)
-        axes.annotate(text, (1, y), xycoords=("axes fraction", "data"), xytext=(-2, 1.5), textcoords="offset points", ha="right", va="bottom", **note)
+        axes.annotate(
+            text,
+            (1, y),
+            xycoords=("axes fraction", "data"),
+            xytext=(-2, 1.5),
+            textcoords="offset points",
+            ha="right",
+            va="bottom",
+            **note,
+        )
     else:
         axes.axvline(x, **line)
-        axes.annotate(text, (x, 1), xycoords=("data", "axes fraction"), xytext=(-1.5, -3), textcoords="offset points", rotation=90, ha="right", va="top", **note)
+        axes.annotate(
+            text,
+            (x, 1),
+            xycoords=("data", "axes fraction"),
+            xytext=(-1.5, -3),
+            textcoords="offset points",
+            rotation=90,
+            ha="right",
+            va="top",
+            **note,
+        )
 
 
 def draw_study_rose(axes, figure):
@@ -152,11 +225,24 @@ def draw_study_rose(axes, figure):
         angle = np.concatenate([turn + np.column_stack([middle - half, middle + half]).ravel() for turn in (0, 180)])
         radius = np.tile(np.repeat(share, 2), 2)
         dashed = figure["ordered"] and curve["part"] > 0
-        axes.plot(np.radians(np.append(angle, angle[0])), np.append(radius, radius[0]), "--" if dashed else "-", color=colour, label=label(curve["name"]) or None, linewidth=0.9)
+        axes.plot(
+            np.radians(np.append(angle, angle[0])),
+            np.append(radius, radius[0]),
+            "--" if dashed else "-",
+            color=colour,
+            label=label(curve["name"]) or None,
+            linewidth=0.9,
+        )
         if error.any():
             aside = 0.4 * half * (place % 4 - 1.5)  # curves' ticks stand beside each other
             for turn in (0, 180):
-                axes.vlines(np.radians(turn + middle + aside), np.maximum(0, share - error), share + error, color=colour, linewidth=0.6)
+                axes.vlines(
+                    np.radians(turn + middle + aside),
+                    np.maximum(0, share - error),
+                    share + error,
+                    color=colour,
+                    linewidth=0.6,
+                )
     if figure["counts"]:
         axes.annotate("$N_c$", (0, 0), xycoords="axes fraction", ha="left", va="bottom", fontsize=7)
     else:
@@ -181,7 +267,15 @@ def draw_study_map(axes, figure):
     shown = axes.imshow(values, origin="lower", aspect="auto", cmap="viridis")
     for row, column in np.argwhere(np.isfinite(values)):
         dark = shown.norm(values[row, column]) < 0.55
-        axes.text(column, row, f"{values[row, column]:.3g}", ha="center", va="center", fontsize=6, color="white" if dark else "black")
+        axes.text(
+            column,
+            row,
+            f"{values[row, column]:.3g}",
+            ha="center",
+            va="center",
+            fontsize=6,
+            color="white" if dark else "black",
+        )
     axes.set_xticks(range(len(columns)), [f"{x:.3g}" for x in columns])
     axes.set_yticks(range(len(figure["series"])), [label(curve["name"]) for curve in figure["series"]])
     axes.set_xlabel(label(figure["x"]["label"]))
@@ -217,15 +311,27 @@ def _chains(axes, sample, x, y, r):
     points = 72 * axes.figure.get_figwidth() / (1e-3 * sample["size"][0])  # of print to a metre, about
     widths = np.maximum(0.05, 0.25 * r.mean() * points * np.abs(force))
     lines = np.stack([np.column_stack([x[i], y[i]]), np.column_stack([x[j], y[j]])], axis=1)
-    axes.add_collection(LineCollection(lines, linewidths=widths, colors=np.where(force < 0, "#cc79a7", strong), capstyle="round"))
+    axes.add_collection(
+        LineCollection(lines, linewidths=widths, colors=np.where(force < 0, "#cc79a7", strong), capstyle="round")
+    )
 
 
 def _material_key(axes, sample):
     names = [(m, name) for m, name in enumerate(sample.get("materials", [])) if m in sample["material"]]
     if "stress" in sample or len(names) < 2:
         return
-    handles = [axes.plot([], [], "o", color=colours[m % len(colours)], alpha=0.8, label=plain(name))[0] for m, name in names]
-    axes.legend(handles=handles, loc="upper right", bbox_to_anchor=(1, 0.005), ncols=len(handles), handletextpad=0.1, columnspacing=0.8, borderpad=0)
+    handles = [
+        axes.plot([], [], "o", color=colours[m % len(colours)], alpha=0.8, label=plain(name))[0] for m, name in names
+    ]
+    axes.legend(
+        handles=handles,
+        loc="upper right",
+        bbox_to_anchor=(1, 0.005),
+        ncols=len(handles),
+        handletextpad=0.1,
+        columnspacing=0.8,
+        borderpad=0,
+    )
 
 
 def draw_study_nodes(axes, sample):
@@ -241,7 +347,9 @@ def draw_study_nodes(axes, sample):
     else:
         runs = np.array(sample["phases"]).reshape(-1, 2)
         palette = ListedColormap([phase_colours[name] for name in ("void", "matrix", "particle", "small", "large")])
-        axes.imshow(np.repeat(runs[:, 0], runs[:, 1]).reshape(rows, columns), cmap=palette, vmin=-0.5, vmax=4.5, **extent)
+        axes.imshow(
+            np.repeat(runs[:, 0], runs[:, 1]).reshape(rows, columns), cmap=palette, vmin=-0.5, vmax=4.5, **extent
+        )
         if "cracks" in sample:
             x, y, kinds = (np.array(sample["cracks"][name]) for name in ("x", "y", "type"))
             crack_dots(axes, width / columns * x, height - width / columns * y, kinds)
@@ -268,7 +376,9 @@ def draw_study_figure(canvas, figure):
         axes = canvas.add_subplot()
         shown = (draw_study_nodes if "nodes" in figure["sample"] else draw_study_sample)(axes, figure["sample"])
         if shown is not None:
-            component = r"$\sigma_{yy}/\langle\sigma_{yy}\rangle$" if "nodes" in figure["sample"] else r"$\sigma_{norm}$"
+            component = (
+                r"$\sigma_{yy}/\langle\sigma_{yy}\rangle$" if "nodes" in figure["sample"] else r"$\sigma_{norm}$"
+            )
             canvas.colorbar(shown, ax=axes, shrink=0.8, label=component, extend="max")
     else:
         draw_study_plot(canvas.add_subplot(), figure)

@@ -22,7 +22,9 @@ strong, weak, soft, pale, tension = "#1a1a1a", "#8c8c8c", "#b5b5b5", "#c8c8c8", 
 stress_map, most_stress = "magma_r", 3  # of a grain over the mean
 diverging_map, even_map, picture_map = "RdBu_r", "viridis", "gray"
 # Comes back to where it began, and no part of it is as pale as what is lost in noise.
-cyclic_map = LinearSegmentedColormap.from_list("cyclic", ["#2f6fb7", "#7a5fc0", "#b5549a", "#cf5148", "#d98a1f", "#a3a52e", "#4a9f63", "#1f919e", "#2f6fb7"])
+cyclic_map = LinearSegmentedColormap.from_list(
+    "cyclic", ["#2f6fb7", "#7a5fc0", "#b5549a", "#cf5148", "#d98a1f", "#a3a52e", "#4a9f63", "#1f919e", "#2f6fb7"]
+)
 
 chain_width, widest_chain = 0.16, 1.1  # of a mean grain's radius: at the mean force, and at most
 
@@ -34,12 +36,30 @@ force_symbols = {"fn": r"F_{\mathrm{n}}", "ft": r"F_{\mathrm{t}}"}
 def journal_style(**changes):
     """Settings for print: 8 pt text, thin lines, ticks inwards, fonts embedded as outlines that stay text."""
     settings = {
-        "font.size": 8, "axes.labelsize": 8, "axes.titlesize": 8, "xtick.labelsize": 7, "ytick.labelsize": 7, "legend.fontsize": 7,
-        "axes.linewidth": 0.6, "lines.linewidth": 1.1, "lines.markersize": 3, "xtick.direction": "in", "ytick.direction": "in",
-        "xtick.top": True, "ytick.right": True, "xtick.major.width": 0.6, "ytick.major.width": 0.6, "legend.frameon": False,
+        "font.size": 8,
+        "axes.labelsize": 8,
+        "axes.titlesize": 8,
+        "xtick.labelsize": 7,
+        "ytick.labelsize": 7,
+        "legend.fontsize": 7,
+        "axes.linewidth": 0.6,
+        "lines.linewidth": 1.1,
+        "lines.markersize": 3,
+        "xtick.direction": "in",
+        "ytick.direction": "in",
+        "xtick.top": True,
+        "ytick.right": True,
+        "xtick.major.width": 0.6,
+        "ytick.major.width": 0.6,
+        "legend.frameon": False,
         # Letters of formulas at their places in Unicode, so that an SVG's text is read with any font.
         "mathtext.fontset": "dejavusans",
-        "pdf.fonttype": 42, "ps.fonttype": 42, "svg.fonttype": "none", "svg.hashsalt": "arenite", "axes.formatter.use_mathtext": True, "savefig.dpi": 600,
+        "pdf.fonttype": 42,
+        "ps.fonttype": 42,
+        "svg.fonttype": "none",
+        "svg.hashsalt": "arenite",
+        "axes.formatter.use_mathtext": True,
+        "savefig.dpi": 600,
         "axes.prop_cycle": matplotlib.cycler(color=colours),
     }
     with matplotlib.rc_context({**settings, **changes}), _quiet("fontTools"):
@@ -90,7 +110,7 @@ def plain(name):
 
 
 def measured(statistic):
-    """"0.31 ± 0.12" of {"value", "error"}: two digits of the error."""
+    """ "0.31 ± 0.12" of {"value", "error"}: two digits of the error."""
     value, error = estimate(statistic)
     if not error > 1e-12 * abs(value):
         return f"{value:.4g}"
@@ -106,8 +126,11 @@ def colour_of(name, materials, otherwise=0):
         return soft
     if name in materials:
         return colours[materials.index(name) % len(colours)]
-    mixed = [(a, b) for k, a in enumerate(materials) for b in materials[k + 1:]]
-    pairs = {**{(a, a): k for k, a in enumerate(materials)}, **{pair: len(materials) + k for k, pair in enumerate(mixed)}}
+    mixed = [(a, b) for k, a in enumerate(materials) for b in materials[k + 1 :]]
+    pairs = {
+        **{(a, a): k for k, a in enumerate(materials)},
+        **{pair: len(materials) + k for k, pair in enumerate(mixed)},
+    }
     for (a, b), k in pairs.items():
         if name in (f"{a}-{b}", f"{b}-{a}"):
             return colours[k % len(colours)]
@@ -139,11 +162,16 @@ def bare(axes):
 
 def length_bar(axes, metres, left, bottom):
     """A scale bar of a round length, about a fifth of `metres`."""
-    per, unit = next(((per, unit) for per, unit in [(1.0, "m"), (1e3, "mm")] if per * metres / 5 >= (1 if unit == "m" else 0.1)), (1e6, "µm"))
+    per, unit = next(
+        ((per, unit) for per, unit in [(1.0, "m"), (1e3, "mm")] if per * metres / 5 >= (1 if unit == "m" else 0.1)),
+        (1e6, "µm"),
+    )
     wanted = per * metres / 5
     power = 10 ** math.floor(math.log10(wanted))
     bar = max(step * power for step in (1, 2, 5) if step * power <= wanted)
-    axes.plot([left, left + bar / per], [bottom, bottom], color=strong, linewidth=1.5, solid_capstyle="butt", clip_on=False)
+    axes.plot(
+        [left, left + bar / per], [bottom, bottom], color=strong, linewidth=1.5, solid_capstyle="butt", clip_on=False
+    )
     axes.text(left, bottom, f"{bar:g} {unit}", ha="left", va="bottom", fontsize="small")
 
 
@@ -155,4 +183,13 @@ def patch(colour, label):
 def key_below(axes, handles, columns=4):
     """A legend below a picture."""
     if handles:
-        axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0), ncols=min(columns, len(handles)), handlelength=1.1, handletextpad=0.4, columnspacing=1.2, borderpad=0.2)
+        axes.legend(
+            handles=handles,
+            loc="upper center",
+            bbox_to_anchor=(0.5, 0),
+            ncols=min(columns, len(handles)),
+            handlelength=1.1,
+            handletextpad=0.4,
+            columnspacing=1.2,
+            borderpad=0.2,
+        )

@@ -24,14 +24,17 @@ template <int D, class N, class F> void end_open_bonds(SampleIn<D>& s, const N& 
       bond = never_touched;
       s.list.strength[p] = 0;
       s.live_bonds.erase(std::lower_bound(s.live_bonds.begin(), s.live_bonds.end(), slot_key(s, p)));
-      const double lost = friction.energy(s.laws.slip(Turning<D>{}, sliding_stiffness(s, normal, p, Kinematics<D>{})), s.list.memory[p]);
+      const double lost = friction.energy(s.laws.slip(Turning<D>{}, sliding_stiffness(s, normal, p, Kinematics<D>{})),
+                                          s.list.memory[p]);
       s.tally.dissipated_breakage += lost;
       s.tally.dissipated_friction -= lost;
     }
   }
 }
 
-template <int D> double lowest_force(const SampleIn<D>& s) { return s.contact.attractive_dashpot ? -std::numeric_limits<double>::infinity() : 0.0; }
+template <int D> double lowest_force(const SampleIn<D>& s) {
+  return s.contact.attractive_dashpot ? -std::numeric_limits<double>::infinity() : 0.0;
+}
 
 template <int D> PairTask<D> pair_task(SampleIn<D>& s) {
   ContactListIn<D>& list = s.list;
@@ -46,7 +49,8 @@ template <int D> PairTask<D> pair_task(SampleIn<D>& s) {
 
 /// Wall slots begin .. end-1, counted from the first.
 template <int D, class N, class A, class F>
-void evaluate_walls(SampleIn<D>& s, const N& normal, const A& adhesion, const F& friction, std::size_t begin, std::size_t end) {
+void evaluate_walls(SampleIn<D>& s, const N& normal, const A& adhesion, const F& friction, std::size_t begin,
+                    std::size_t end) {
   using T = Turning<D>;
   ContactListIn<D>& list = s.list;
   const double floor = lowest_force(s);
@@ -57,8 +61,9 @@ void evaluate_walls(SampleIn<D>& s, const N& normal, const A& adhesion, const F&
     if (c.overlap > 0) {
       const T spin = spin_of(s, p);
       memory = {N::remembers ? list.normal_memory[p] : 0.0, turned_along(list.memory[p], c.normal, spin, s.laws.lead)};
-      const ContactState<double, T> state{c.overlap,         c.approach,       c.sliding,       c.curvature, list.stiffness[p], list.damping[p],
-                                          list.viscosity[p], list.strength[p], s.wall_friction, floor,       list.shear[p]};
+      const ContactState<double, T> state{c.overlap,         c.approach,      c.sliding,         c.curvature,
+                                          list.stiffness[p], list.damping[p], list.viscosity[p], list.strength[p],
+                                          s.wall_friction,   floor,           list.shear[p]};
       force = c.force(contact_force(s.laws, normal, adhesion, friction, state, memory));
       memory.slip = turned_along(memory.slip, c.normal, spin, s.laws.lag);
     }
@@ -72,13 +77,16 @@ void evaluate_walls(SampleIn<D>& s, const N& normal, const A& adhesion, const F&
 constexpr std::size_t pairs_of_a_wall = 4;
 
 /// All slots in one go of the pool: pairs, then walls.
-template <int D, class N, class A, class F> void evaluate(SampleIn<D>& s, const ThreadPool& pool, const N& normal, const A& adhesion, const F& friction) {
+template <int D, class N, class A, class F>
+void evaluate(SampleIn<D>& s, const ThreadPool& pool, const N& normal, const A& adhesion, const F& friction) {
   const PairTask<D> task = pair_task(s);
   const auto loop = s.kernel->pair_loops[loop_index(s.laws)];
   const std::size_t pairs = s.list.pairs, walls = s.list.size() - pairs;
   pool.for_ranges(pairs + pairs_of_a_wall * walls, [&](std::size_t begin, std::size_t end) {
     if (begin < pairs) loop(task, s.laws, begin, std::min(end, pairs));
-    if (end > pairs) evaluate_walls(s, normal, adhesion, friction, (std::max(begin, pairs) - pairs) / pairs_of_a_wall, (end - pairs) / pairs_of_a_wall);
+    if (end > pairs)
+      evaluate_walls(s, normal, adhesion, friction, (std::max(begin, pairs) - pairs) / pairs_of_a_wall,
+                     (end - pairs) / pairs_of_a_wall);
   });
 }
 
@@ -94,10 +102,12 @@ template <int D> void sum_wall_forces(SampleIn<D>& s) {
   for (std::size_t p = list.pairs; p < list.size(); ++p)
     if (const int side = wall_side(list.j[p]); side < sides_in<D>) add(side, list.force[p].on_i);
   if constexpr (D == 2)
-    for (std::size_t h = 0; h < s.held.size(); ++h) add(s.held[h].side, -contact_load(slot_forces(list), s.held_disk[h]).force);
+    for (std::size_t h = 0; h < s.held.size(); ++h)
+      add(s.held[h].side, -contact_load(slot_forces(list), s.held_disk[h]).force);
 }
 
-/// Sums over all contacts and bonds of force times branch, by the branch's axis; by blocks of slots, so that they do not depend on the number of threads.
+/// Sums over all contacts and bonds of force times branch, by the branch's axis; by blocks of slots, so that they do
+/// not depend on the number of threads.
 template <int D> std::array<Vec<D>, D> sum_of_moments(const SampleIn<D>& s, const ThreadPool& pool) {
   using Moments = std::array<Vec<D>, D>;
   constexpr std::size_t slots_of_block = 512;
@@ -116,7 +126,8 @@ template <int D> std::array<Vec<D>, D> sum_of_moments(const SampleIn<D>& s, cons
     for (int axis = 0; axis < D; ++axis) sum[axis] += block[axis];
   if constexpr (D == 2)
     for (std::size_t b = 0; b < s.bond_slots.size(); ++b)
-      if (const SlotForce<2>& f = list.force[bond_force_place(list, b)]; acts(f)) add(sum, f.on_i, beam_motion(s, s.bond_slots[b]).branch);
+      if (const SlotForce<2>& f = list.force[bond_force_place(list, b)]; acts(f))
+        add(sum, f.on_i, beam_motion(s, s.bond_slots[b]).branch);
   return sum;
 }
 
@@ -157,7 +168,8 @@ template <int D> void advance(SampleIn<D>& s, const ThreadPool& pool, std::int64
   if (const auto start = std::get<OwnSteps<D>>(integrator_of(s).own).start) start(s);
   const bool tracked = s.integration.track_energy;
   bool edges = tracked;
-  for (int side = 0; side < sides_in<D>; ++side) edges |= !s.domain.wall[side].present && s.wall[side].drive.kind == DriveKind::force;
+  for (int side = 0; side < sides_in<D>; ++side)
+    edges |= !s.domain.wall[side].present && s.wall[side].drive.kind == DriveKind::force;
   if constexpr (D == 2)
     if (tracked && !s.balance.open) open_balance(s);
   for (std::int64_t n = 0; n < steps; ++n) {

@@ -33,7 +33,9 @@ void tune_dashpots(const Sample& s, BondSlot& b, double share) {
 /// Strength of a bond over that of all; it depends on nothing but its grains and the seed.
 double strength_of(const Bond& bond, double scatter, std::int64_t seed) {
   if (!(scatter > 0)) return 1;
-  return std::max(1 + scatter * RandomStream(static_cast<std::uint64_t>(seed), Purpose::bonds, pair_key(bond.i, bond.j)).normal(), 0.1);
+  return std::max(
+      1 + scatter * RandomStream(static_cast<std::uint64_t>(seed), Purpose::bonds, pair_key(bond.i, bond.j)).normal(),
+      0.1);
 }
 
 /// This angle, or one whole turns away, that is nearest to an angle of now.
@@ -107,7 +109,8 @@ void bond_near_pairs(Sample& s) {
   for (std::size_t k = 0; k < s.count; ++k) mean_radius += s.record[k].radius / static_cast<double>(s.count);
   const std::vector<Bond> before = s.bonds;
   const auto& zone = s.start.grains.zone;
-  const bool marked = !s.contact.glued_pairs.empty() || std::any_of(zone.begin(), zone.end(), [](std::uint8_t z) { return z > 0; });
+  const bool marked =
+      !s.contact.glued_pairs.empty() || std::any_of(zone.begin(), zone.end(), [](std::uint8_t z) { return z > 0; });
   for (std::size_t p = 0; p < s.list.pairs; ++p) {
     const DiskRecord &a = s.record[s.list.i[p]], &b = s.record[s.list.j[p]];
     const Vec2 branch = a.place - b.place;
@@ -147,8 +150,11 @@ Rates bond_rates(const Sample& s) {
   Rates rates;
   for (const BondSlot& b : s.bond_slots) {
     const Mobility m = mobility(s, b, of_grain[b.i], of_grain[b.j]);
-    rates.frequency_squared = std::max(rates.frequency_squared, std::max(b.beam.normal * m.normal, b.beam.shear * m.shear + b.beam.bending * m.bending));
-    rates.damping = std::max(rates.damping, std::max(b.dashpots.normal * m.normal, b.dashpots.shear * m.shear + b.dashpots.bending * m.bending));
+    rates.frequency_squared =
+        std::max(rates.frequency_squared,
+                 std::max(b.beam.normal * m.normal, b.beam.shear * m.shear + b.beam.bending * m.bending));
+    rates.damping = std::max(rates.damping, std::max(b.dashpots.normal * m.normal,
+                                                     b.dashpots.shear * m.shear + b.dashpots.bending * m.bending));
   }
   return rates;
 }
@@ -159,7 +165,8 @@ double shortest_bond_time(const Sample& s) {
     const Mobility m = mobility(s, b);
     const DiskRecord &a = s.record[b.i], &c = s.record[b.j];
     const double contact = s.coefficients.pair_stiffness(a, c);
-    fastest = std::max({fastest, (b.beam.normal + contact) * m.normal, b.beam.shear * m.shear, b.beam.bending * m.bending});
+    fastest =
+        std::max({fastest, (b.beam.normal + contact) * m.normal, b.beam.shear * m.shear, b.beam.bending * m.bending});
   }
   return fastest > 0 ? std::numbers::pi / std::sqrt(fastest) : std::numeric_limits<double>::infinity();
 }

@@ -13,14 +13,19 @@ namespace {
 using State = BondSlot::State;
 
 /// Rate of the strain at these velocities of its two disks.
-BeamStrain<double> strain_rate(const BondSlot& b, const BeamMotion& m, Vec2 velocity, double turning_i, double turning_j) {
+BeamStrain<double> strain_rate(const BondSlot& b, const BeamMotion& m, Vec2 velocity, double turning_i,
+                               double turning_j) {
   return b.rate(dot(velocity, m.normal), cross(m.normal, velocity) / m.distance, turning_i, turning_j);
 }
 
-/// Energy that the sample loses with a bond. Half of its last step's work was still done by it, that of its force then at the velocities before.
-double energy_of_break(const Sample& s, const BondSlot& b, const BeamMotion& m, const BeamForce<double>& force, double energy) {
-  const BeamStrain<double> rate = strain_rate(b, m, velocity_beside(s, b.i, b.j, image_velocity(s, b.shift)), s.omega[b.i], s.omega[b.j]);
-  return energy - time_behind(s) * (force.tension * rate.stretch + force.shear * rate.shear + force.moment * rate.bending);
+/// Energy that the sample loses with a bond. Half of its last step's work was still done by it, that of its force then
+/// at the velocities before.
+double energy_of_break(const Sample& s, const BondSlot& b, const BeamMotion& m, const BeamForce<double>& force,
+                       double energy) {
+  const BeamStrain<double> rate =
+      strain_rate(b, m, velocity_beside(s, b.i, b.j, image_velocity(s, b.shift)), s.omega[b.i], s.omega[b.j]);
+  return energy -
+         time_behind(s) * (force.tension * rate.stretch + force.shear * rate.shear + force.moment * rate.bending);
 }
 
 void note_break(Sample& s, BondSlot& b, const BeamMotion& m, const BeamLoad& load, double energy) {
@@ -73,8 +78,14 @@ template <class Law> bool look_at(Sample& s, const Law& law, std::size_t n) {
 BondTask bond_task(Sample& s) {
   BondNumbers& numbers = s.bond_numbers;
   const auto column = std::bit_cast<BondRow<const double*>>(numbers.columns());
-  return {s.record.data(),     s.angle.along[0].data(), numbers.i.data(), numbers.j.data(), column, &s.list.force[bond_force_place(s.list, 0)],
-          numbers.look.data(), numbers.damped};
+  return {s.record.data(),
+          s.angle.along[0].data(),
+          numbers.i.data(),
+          numbers.j.data(),
+          column,
+          &s.list.force[bond_force_place(s.list, 0)],
+          numbers.look.data(),
+          numbers.damped};
 }
 
 }  // namespace

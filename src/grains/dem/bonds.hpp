@@ -4,8 +4,9 @@
 
 namespace arenite::dem {
 
-/// Bonds every two grains whose gap is at most what the law bridges (grains that touch: to a millionth of their radii), where glued grains are marked
-/// only those, unless they have or had a bond already. The list must have just been built.
+/// Bonds every two grains whose gap is at most what the law bridges (grains that touch: to a millionth of their radii),
+/// where glued grains are marked only those, unless they have or had a bond already. The list must have just been
+/// built.
 void bond_near_pairs(Sample& sample);
 
 /// Lists the bonds that hold, by the disks' present numbers and places. Part of list_contacts.
@@ -30,7 +31,8 @@ SlotForce<2> beam_slot_force(const BondSlot& slot, const BeamMotion& motion, con
 /// What its dashpots have in that.
 BeamForce<double> beam_dashpots(const Sample& sample, const BondSlot& slot, const BeamMotion& motion);
 
-/// Fills the bonds' places in the list of forces and ends the bonds whose stresses exceed their strength; what they held is booked as dissipated.
+/// Fills the bonds' places in the list of forces and ends the bonds whose stresses exceed their strength; what they
+/// held is booked as dissipated.
 void add_bond_forces(Sample& sample, const ThreadPool& pool);
 
 /// All bonds there are and were, with their forces now, by the caller's grains.
@@ -43,7 +45,8 @@ double bond_energy(const Sample& sample);
 struct Rates {
   double frequency_squared = 0, damping = 0;  ///< 1/s^2, 1/s
 };
-/// Bounds of what bonds add to the rates of the contacts. Each bond is given its share of its grains' masses: a grain's over the number of its bonds.
+/// Bounds of what bonds add to the rates of the contacts. Each bond is given its share of its grains' masses: a grain's
+/// over the number of its bonds.
 Rates bond_rates(const Sample& sample);
 
 /// Shortest half period of two grains on their bond, with their contact beside it, s; infinite without bonds.

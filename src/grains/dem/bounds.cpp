@@ -18,7 +18,8 @@ namespace {
 template <int D> double reference_overlap(const SampleIn<D>& s) {
   double largest = 0.02;
   for (std::size_t p = 0; p < s.list.size(); ++p)
-    if (const Kinematics<D> c = slot_kinematics(s, p); c.overlap > 0) largest = std::max(largest, c.overlap * c.curvature);
+    if (const Kinematics<D> c = slot_kinematics(s, p); c.overlap > 0)
+      largest = std::max(largest, c.overlap * c.curvature);
   return largest;
 }
 
@@ -41,12 +42,14 @@ template <int D> double sliding_damping(const SampleIn<D>& s, double viscosity) 
   return s.laws.friction.visit([&](const auto& law) { return law.damping(viscosity); });
 }
 
-/// Steepest slopes of the forces of a contact, along n, along t, and of rolling resistance over r^2: in its ways, N/m, or in its velocities, N s/m.
+/// Steepest slopes of the forces of a contact, along n, along t, and of rolling resistance over r^2: in its ways, N/m,
+/// or in its velocities, N s/m.
 struct Slopes {
   double normal = 0, sliding = 0, rolling = 0;
 };
 
-/// Those of two equal grains at a reference overlap. Not every law's spring of friction softens with the overlap as the normal one does.
+/// Those of two equal grains at a reference overlap. Not every law's spring of friction softens with the overlap as the
+/// normal one does.
 struct ContactSlopes {
   Slopes springs, dashpots;
 };
@@ -57,7 +60,8 @@ template <int D> ContactSlopes slopes_between_equals(const SampleIn<D>& s, const
   ContactSlopes slopes;
   s.laws.normal.visit([&](const auto& law) {
     const double factor = s.laws.constant_damping ? 1.0 : law.damping_factor(overlap, 1.0);
-    slopes.springs = {law.tangent(overlap, c.stiffness, 1.0), sliding_slope(s, sliding_stiffness(s.laws, law, overlap, c.stiffness, 1.0, shear))};
+    slopes.springs = {law.tangent(overlap, c.stiffness, 1.0),
+                      sliding_slope(s, sliding_stiffness(s.laws, law, overlap, c.stiffness, 1.0, shear))};
     slopes.dashpots = {factor * c.damping, sliding_damping(s, viscosity_factor(s, factor) * c.viscosity)};
   });
   if (!s.integration.rotations) return slopes;
@@ -70,12 +74,15 @@ template <int D> ContactSlopes slopes_between_equals(const SampleIn<D>& s, const
   return slopes;
 }
 
-/// z contacts with equals, six in the triangular lattice of disks and twelve in that of spheres: translation reaches omega^2 = 2 z/D k/m, rotation in one
-/// sense, of a share (D - 1)/D of the contacts, or all in the plane, 2 z k_t r^2/I; dashpots alike.
+/// z contacts with equals, six in the triangular lattice of disks and twelve in that of spheres: translation reaches
+/// omega^2 = 2 z/D k/m, rotation in one sense, of a share (D - 1)/D of the contacts, or all in the plane, 2 z k_t
+/// r^2/I; dashpots alike.
 template <int D> Rates lattice_rates(const SampleIn<D>& s, const GrainRecord<D>& d, double overlap) {
   constexpr double normal = D == 2 ? 6.0 : 8.0, across = D == 2 ? 6.0 : 16.0, around = D == 2 ? 24.0 : 40.0;
   const double turning = s.integration.rotations ? around : across;
-  const auto rate = [&](const Slopes& of) { return std::max(normal * of.normal, turning * of.sliding + around * of.rolling) / d.mass; };
+  const auto rate = [&](const Slopes& of) {
+    return std::max(normal * of.normal, turning * of.sliding + around * of.rolling) / d.mass;
+  };
   const ContactSlopes slopes = slopes_between_equals(s, d, overlap);
   return {rate(slopes.springs), rate(slopes.dashpots)};
 }
@@ -101,8 +108,8 @@ template <int D> struct Pull {
   double along_n, along_t;
 };
 
-/// Largest eigenvalue of M^-1 sum over contacts of (along_n n n + along_t t t), rotations included, by power iteration. In the plane it
-/// starts from all grains turning alike, which in a dense packing is close to the fastest mode.
+/// Largest eigenvalue of M^-1 sum over contacts of (along_n n n + along_t t t), rotations included, by power iteration.
+/// In the plane it starts from all grains turning alike, which in a dense packing is close to the fastest mode.
 template <int D> double largest_rate(const SampleIn<D>& s, const std::vector<Pull<D>>& pulls) {
   using T = Turning<D>;
   using lane::dot;
@@ -118,7 +125,8 @@ template <int D> double largest_rate(const SampleIn<D>& s, const std::vector<Pul
   double rate = 0;
   for (int round = 0; round < 100; ++round) {
     double size = 0;  // v M v, then v scaled to 1
-    for (std::size_t k = 0; k < n; ++k) size += movers[k].mass * dot(v[k].velocity, v[k].velocity) + dot(movers[k].inertia * v[k].omega, v[k].omega);
+    for (std::size_t k = 0; k < n; ++k)
+      size += movers[k].mass * dot(v[k].velocity, v[k].velocity) + dot(movers[k].inertia * v[k].omega, v[k].omega);
     if (!(size > 0)) return 0;
     for (Motion<D>& q : v) q = {q.velocity / std::sqrt(size), q.omega / std::sqrt(size)};
     w.assign(v.size(), {});
@@ -127,7 +135,8 @@ template <int D> double largest_rate(const SampleIn<D>& s, const std::vector<Pul
       const Vec<D> normal = p.at.normal;
       const Motion<D>&a = v[p.i], &b = v[p.j];
       const Vec<D> u = a.velocity + cross(a.omega, p.levers.i) - b.velocity - cross(b.omega, p.levers.j);
-      const T turning = T{} - p.at.arm_i * a.omega - p.at.arm_j * b.omega, slide = without_twist(cross(normal, u) + turning, normal);
+      const T turning = T{} - p.at.arm_i * a.omega - p.at.arm_j * b.omega,
+              slide = without_twist(cross(normal, u) + turning, normal);
       const double fn = p.along_n * dot(u, normal);
       const T ft = p.along_t * slide;
       rate += fn * dot(u, normal) + dot(ft, slide);
@@ -139,7 +148,8 @@ template <int D> double largest_rate(const SampleIn<D>& s, const std::vector<Pul
       w[p.j].omega -= p.at.arm_j * ft;
       w[p.j].omega -= cross(p.levers.j, f);
     }
-    for (std::size_t k = 0; k < n; ++k) v[k] = {w[k].velocity / movers[k].mass, s.integration.rotations ? w[k].omega / movers[k].inertia : T{}};
+    for (std::size_t k = 0; k < n; ++k)
+      v[k] = {w[k].velocity / movers[k].mass, s.integration.rotations ? w[k].omega / movers[k].inertia : T{}};
   }
   return rate;
 }

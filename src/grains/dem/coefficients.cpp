@@ -9,7 +9,8 @@
 namespace arenite::dem {
 namespace {
 
-/// ln e of a collision that ends where spring and dashpot cancel, since the dashpot cannot pull; zeta = alpha_n/(2 sqrt(m_eff k)).
+/// ln e of a collision that ends where spring and dashpot cancel, since the dashpot cannot pull; zeta = alpha_n/(2
+/// sqrt(m_eff k)).
 long double log_clipped_restitution(long double zeta) {
   if (zeta == 1) return -2;
   const long double s = std::sqrt(std::abs(1 - zeta * zeta));
@@ -19,7 +20,8 @@ long double log_clipped_restitution(long double zeta) {
 
 /// Found with more digits than a double has, so that rounding in the law above does not show.
 double clipped_damping_ratio(double restitution) {
-  const long double wanted = std::log(static_cast<long double>(restitution)), most = 1 / std::sqrt(static_cast<long double>(restitution));
+  const long double wanted = std::log(static_cast<long double>(restitution)),
+                    most = 1 / std::sqrt(static_cast<long double>(restitution));
   const auto excess = [&](long double zeta) { return log_clipped_restitution(zeta) - wanted; };
   return static_cast<double>(2 * bracketed_root<long double>(excess, 0, -wanted, most, excess(most)));
 }
@@ -55,7 +57,8 @@ double damping_ratio(double restitution, bool may_pull) {
   return -2.0 * l / std::sqrt(std::numbers::pi * std::numbers::pi + l * l);
 }
 
-CoefficientTable::CoefficientTable(const Materials& materials, const std::vector<std::int32_t>& used, const ContactParameters& contact)
+CoefficientTable::CoefficientTable(const Materials& materials, const std::vector<std::int32_t>& used,
+                                   const ContactParameters& contact)
     : damping_ratio_(damping_ratio(contact.restitution, contact.attractive_dashpot)),
       of_moduli_(contact.takes_moduli()),
       contact_(contact) {
@@ -64,9 +67,11 @@ CoefficientTable::CoefficientTable(const Materials& materials, const std::vector
   for (const int m : used) stiffest = std::max(stiffest, materials[m].stiffness);
   for (const Material& a : materials) {
     for (const Material& b : materials)
-      pair_.push_back(of_moduli_ ? spring_of(yielding_of(a) + yielding_of(b))
-                                 : Spring{stiffness_of_pair(contact.stiffness_rule, a.stiffness, b.stiffness, &a == &b)});
-    wall_.push_back(of_moduli_ ? spring_of(yielding_of(a)) : Spring{stiffness_of_wall(contact.wall_stiffness, a.stiffness, stiffest)});
+      pair_.push_back(of_moduli_
+                          ? spring_of(yielding_of(a) + yielding_of(b))
+                          : Spring{stiffness_of_pair(contact.stiffness_rule, a.stiffness, b.stiffness, &a == &b)});
+    wall_.push_back(of_moduli_ ? spring_of(yielding_of(a))
+                               : Spring{stiffness_of_wall(contact.wall_stiffness, a.stiffness, stiffest)});
   }
 }
 

@@ -26,17 +26,23 @@ class CoefficientTable {
 
   template <int D> Coefficients pair(const GrainRecord<D>& a, const GrainRecord<D>& b, bool glued) const {
     Coefficients c = with_dashpots(pair_stiffness(a, b), of_pair(a, b).shear, a.mass * b.mass / (a.mass + b.mass));
-    if (glued) c.strength = contact_.surface_energy * std::sqrt(elasticity::effective_radius(contact_.effective_radius, a.radius, b.radius));
+    if (glued)
+      c.strength = contact_.surface_energy *
+                   std::sqrt(elasticity::effective_radius(contact_.effective_radius, a.radius, b.radius));
     return c;
   }
   /// m_eff = m.
-  template <int D> Coefficients wall(const GrainRecord<D>& d) const { return with_dashpots(wall_stiffness(d), wall_[d.material].shear, d.mass); }
+  template <int D> Coefficients wall(const GrainRecord<D>& d) const {
+    return with_dashpots(wall_stiffness(d), wall_[d.material].shear, d.mass);
+  }
 
   /// k; (4/3) E* R* where the law is one of E and nu, N/m.
   template <int D> double pair_stiffness(const GrainRecord<D>& a, const GrainRecord<D>& b) const {
     return of_pair(a, b).stiffness * (of_moduli_ ? a.radius * b.radius / (a.radius + b.radius) : 1.0);
   }
-  template <int D> double wall_stiffness(const GrainRecord<D>& d) const { return wall_[d.material].stiffness * (of_moduli_ ? d.radius : 1.0); }
+  template <int D> double wall_stiffness(const GrainRecord<D>& d) const {
+    return wall_[d.material].stiffness * (of_moduli_ ? d.radius : 1.0);
+  }
   /// The largest 4 G*/E* there is.
   double largest_shear() const;
 
@@ -55,9 +61,9 @@ class CoefficientTable {
   ContactParameters contact_;
 };
 
-/// alpha_n/sqrt(m_eff k), so that a binary collision has restitution e: -2 ln e/sqrt(pi^2 + ln^2 e) where the dashpot may pull; where it may not, the
-/// collision ends sooner and takes the root of Schwager and Poeschel's closed form (Granular Matter 9, 465, 2007). e = 0 is not reached by any finite
-/// damping.
+/// alpha_n/sqrt(m_eff k), so that a binary collision has restitution e: -2 ln e/sqrt(pi^2 + ln^2 e) where the dashpot
+/// may pull; where it may not, the collision ends sooner and takes the root of Schwager and Poeschel's closed form
+/// (Granular Matter 9, 465, 2007). e = 0 is not reached by any finite damping.
 double damping_ratio(double restitution, bool may_pull);
 
 }  // namespace arenite::dem

@@ -21,8 +21,8 @@ template <class Law> void check_volume(const Law& law, double smallest, double t
   const double most = law.largest_volume(smallest, thickness);
   if (!(law.volume < most))
     throw InputError(
-        fmt::format("contact.liquid_volume of {:.4g} mm^3 is more than two touching grains of radius {:.4g} mm hold between straight surfaces; "
-                    "use less than {:.4g} mm^3",
+        fmt::format("contact.liquid_volume of {:.4g} mm^3 is more than two touching grains of radius {:.4g} mm hold "
+                    "between straight surfaces; use less than {:.4g} mm^3",
                     1e9 * law.volume, 1e3 * smallest, 1e9 * most));
 }
 
@@ -40,7 +40,8 @@ Across across(const Sample& s, std::size_t p) {
 std::int32_t curve_of(Sample& s, std::size_t p) {
   const double a = s.record[s.list.i[p]].radius, b = s.record[s.list.j[p]].radius;
   CohesionTable& table = s.cohesion;
-  const auto [found, is_new] = table.place.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<std::int32_t>(table.curve.size()));
+  const auto [found, is_new] =
+      table.place.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<std::int32_t>(table.curve.size()));
   if (is_new) table.curve.push_back(curve_between(s, found->first.first, found->first.second));
   return found->second;
 }
@@ -53,11 +54,13 @@ void pull_together(Sample& s, std::size_t p, const Across& at, double pull) {
 /// How fast the gap opens, by the integrated velocities.
 double opening(const Sample& s, std::size_t p, const Across& at) {
   const std::int32_t owner = s.list.owner[p];
-  return dot(velocity_beside(s, s.list.i[p], owner, s.record[s.list.j[p]].velocity - s.record[owner].velocity), at.branch) / at.distance;
+  return dot(velocity_beside(s, s.list.i[p], owner, s.record[s.list.j[p]].velocity - s.record[owner].velocity),
+             at.branch) /
+         at.distance;
 }
 
-/// What of a pair's energy its force has not been given or has not taken when it begins or ends: half of the last step's work was still to be done
-/// with the force before, that of its force now at the velocities before.
+/// What of a pair's energy its force has not been given or has not taken when it begins or ends: half of the last
+/// step's work was still to be done with the force before, that of its force now at the velocities before.
 double unsettled_energy(const Sample& s, std::size_t p, const Across& at, const PullCurve& curve) {
   return curve.energy(at.gap) - time_behind(s) * curve.pull(at.gap) * opening(s, p, at);
 }
@@ -99,21 +102,25 @@ void set_up_cohesion(Sample& s) {
     if constexpr (requires { law.largest_volume(smallest, smallest); }) check_volume(law, smallest, s.domain.thickness);
     return law.reach_key;
   });
-  for (const auto& [a, b] : {std::pair{smallest, smallest}, {smallest, s.largest_radius}, {s.largest_radius, s.largest_radius}}) {
+  for (const auto& [a, b] :
+       {std::pair{smallest, smallest}, {smallest, s.largest_radius}, {s.largest_radius, s.largest_radius}}) {
     const PullCurve curve = curve_between(s, a, b);
     s.cohesion.reach = std::max(s.cohesion.reach, curve.reach());
     s.cohesion.steepest = std::max(s.cohesion.steepest, curve.steepest());
   }
   if (s.cohesion.reach > s.largest_radius)
-    throw InputError(fmt::format("contact.cohesion = \"{}\" would act across {:.4g} mm, more than the largest grain's radius of {:.4g} mm; use a smaller {}",
-                                 s.contact.cohesion.word(), 1e3 * s.cohesion.reach, 1e3 * s.largest_radius, reach_key));
+    throw InputError(
+        fmt::format("contact.cohesion = \"{}\" would act across {:.4g} mm, more than the largest grain's radius of "
+                    "{:.4g} mm; use a smaller {}",
+                    s.contact.cohesion.word(), 1e3 * s.cohesion.reach, 1e3 * s.largest_radius, reach_key));
 }
 
 void recall_cohesion(Sample& s) {
   const std::vector<CohesivePair>& before = s.start.cohesive;
   for (std::size_t p = 0; p < s.list.pull.size(); ++p) {
     const std::uint64_t key = slot_key(s, p);
-    const auto found = std::lower_bound(before.begin(), before.end(), key, [](const CohesivePair& c, std::uint64_t k) { return pair_key(c.i, c.j) < k; });
+    const auto found = std::lower_bound(before.begin(), before.end(), key,
+                                        [](const CohesivePair& c, std::uint64_t k) { return pair_key(c.i, c.j) < k; });
     if (found != before.end() && pair_key(found->i, found->j) == key) s.list.pull[p] = found->pull;
   }
   s.start.cohesive.clear();
@@ -152,7 +159,8 @@ std::vector<CohesivePair> cohesive_pairs(const Sample& s) {
     const std::int32_t a = s.record[s.list.i[p]].grain, b = s.record[s.list.owner[p]].grain;
     pairs.push_back({std::min(a, b), std::max(a, b), at.gap, curve.pull(at.gap), curve.energy(at.gap)});
   });
-  std::sort(pairs.begin(), pairs.end(), [](const CohesivePair& a, const CohesivePair& b) { return pair_key(a.i, a.j) < pair_key(b.i, b.j); });
+  std::sort(pairs.begin(), pairs.end(),
+            [](const CohesivePair& a, const CohesivePair& b) { return pair_key(a.i, a.j) < pair_key(b.i, b.j); });
   return pairs;
 }
 

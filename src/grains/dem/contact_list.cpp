@@ -10,8 +10,8 @@
 namespace arenite::dem {
 namespace {
 
-/// Makes the images of the disks near the right and the upper edge of a periodic cell, with records behind those of the disks: every pair across an edge
-/// then occurs once, as (disk, ghost).
+/// Makes the images of the disks near the right and the upper edge of a periodic cell, with records behind those of the
+/// disks: every pair across an edge then occurs once, as (disk, ghost).
 template <int D> void make_ghosts(SampleIn<D>& s) {
   s.ghost.clear();
   if constexpr (D == 2) {
@@ -23,7 +23,8 @@ template <int D> void make_ghosts(SampleIn<D>& s) {
   bool after = false;  // the cell of now
   s.domain.each_near_cell([&](Cells<D> cell) {
     for (std::size_t k = 0; after && k < s.count; ++k)
-      if (s.domain.is_near(s.record[k].place + s.domain.way(cell), reach)) s.ghost.push_back({static_cast<std::int32_t>(k), cell});
+      if (s.domain.is_near(s.record[k].place + s.domain.way(cell), reach))
+        s.ghost.push_back({static_cast<std::int32_t>(k), cell});
     after = after || cell == Cells<D>{};
   });
   s.record.resize(s.count + s.ghost.size());
@@ -42,7 +43,8 @@ struct NearPair {
   std::int32_t i, j;
 };
 
-/// All pairs, block by block: what a block finds does not depend on who searches it. Disks are sorted by cell, so their partners are found in order.
+/// All pairs, block by block: what a block finds does not depend on who searches it. Disks are sorted by cell, so their
+/// partners are found in order.
 template <int D> std::vector<std::vector<NearPair>> find_pairs(const SampleIn<D>& s, const ThreadPool& pool) {
   const auto grid = cells_of(s);
   const std::size_t n = s.count;
@@ -68,11 +70,15 @@ template <int D> std::vector<std::vector<NearPair>> find_pairs(const SampleIn<D>
     }
     if constexpr (D == 2)
       if (!s.part.empty())
-        near.erase(std::remove_if(near.begin() + before, near.end(), [&](const NearPair& pair) { return !disks_meet(s, pair.i, pair.j); }), near.end());
+        near.erase(std::remove_if(near.begin() + before, near.end(),
+                                  [&](const NearPair& pair) { return !disks_meet(s, pair.i, pair.j); }),
+                   near.end());
   });
 }
 
-template <int D> void fill_slot(ContactListIn<D>& list, std::size_t p, std::int32_t i, std::int32_t j, std::int32_t owner, const Coefficients& c) {
+template <int D>
+void fill_slot(ContactListIn<D>& list, std::size_t p, std::int32_t i, std::int32_t j, std::int32_t owner,
+               const Coefficients& c) {
   list.i[p] = i;
   list.j[p] = j;
   list.owner[p] = owner;
@@ -83,7 +89,8 @@ template <int D> void fill_slot(ContactListIn<D>& list, std::size_t p, std::int3
   list.shear[p] = c.shear;
 }
 
-template <int D> void add_slot(ContactListIn<D>& list, std::int32_t i, std::int32_t j, std::int32_t owner, const Coefficients& c) {
+template <int D>
+void add_slot(ContactListIn<D>& list, std::int32_t i, std::int32_t j, std::int32_t owner, const Coefficients& c) {
   list.resize(list.size() + 1);
   fill_slot(list, list.size() - 1, i, j, owner, c);
 }
@@ -98,7 +105,8 @@ template <int D> void list_pairs(SampleIn<D>& s, const ThreadPool& pool) {
   pool.for_ranges(blocks.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t block = begin, slot = first[begin]; block < end; ++block)
       for (const auto& [i, j] : blocks[block])
-        fill_slot(s.list, slot++, i, j, j < n ? j : s.ghost[j - n].source, pair_coefficients(s, s.record[i], s.record[j]));
+        fill_slot(s.list, slot++, i, j, j < n ? j : s.ghost[j - n].source,
+                  pair_coefficients(s, s.record[i], s.record[j]));
   });
 }
 
@@ -110,7 +118,8 @@ void list_feet(Sample& s, const ThreadPool& pool) {
   for (const Foot& foot : s.foot) {
     const std::int32_t owner = s.part_disk[s.body[foot.body].first];
     s.ghost.push_back({owner, foot.shift});
-    add_slot(list, foot.touches, static_cast<std::int32_t>(s.count + s.ghost.size() - 1), owner, pair_coefficients(s, s.record[foot.touches], s.record[owner]));
+    add_slot(list, foot.touches, static_cast<std::int32_t>(s.count + s.ghost.size() - 1), owner,
+             pair_coefficients(s, s.record[foot.touches], s.record[owner]));
   }
   list.pairs += s.ghost.size() - ghosts;
   s.record.resize(s.count + s.ghost.size());
@@ -120,12 +129,15 @@ void list_feet(Sample& s, const ThreadPool& pool) {
 /// Slots of walls and boundaries.
 template <int D> void list_walls(SampleIn<D>& s) {
   std::vector<geometry::Rectangle> boxes;
-  if constexpr (D == 2) boxes = mapped(s.domain.boundaries, [](const Boundary& boundary) { return geometry::bounds(boundary.points); });
+  if constexpr (D == 2)
+    boxes = mapped(s.domain.boundaries, [](const Boundary& boundary) { return geometry::bounds(boundary.points); });
   std::vector<std::int32_t> near;
   for (std::size_t k = 0; k < s.count; ++k) {
     const GrainRecord<D>& d = s.record[k];
     const HeldGrain* held = find_held(s, d.grain);
-    const auto add = [&](std::int32_t j) { add_slot(s.list, static_cast<std::int32_t>(k), j, -1, s.coefficients.wall(d)); };
+    const auto add = [&](std::int32_t j) {
+      add_slot(s.list, static_cast<std::int32_t>(k), j, -1, s.coefficients.wall(d));
+    };
     for (int side = 0; side < sides_in<D>; ++side) {
       const bool may_touch = s.domain.wall[side].present && !(held && held->side == side);
       if (may_touch && s.domain.depth(side, d.place) < d.radius + s.skin) add(wall_partner(side));

@@ -13,7 +13,8 @@
 
 namespace arenite::dem {
 
-/// A vector of N components, or with one a number, of each disk or contact: one array a component, as the loops read them.
+/// A vector of N components, or with one a number, of each disk or contact: one array a component, as the loops read
+/// them.
 template <int N> struct Components {
   std::array<std::vector<double>, N> along;
   auto operator[](std::size_t k) const {
@@ -39,24 +40,27 @@ template <int N> struct Components {
 };
 template <int D> using Turnings = Components<turnings<D>>;
 
-/// Candidate contacts and what they carry. Slots 0 .. pairs-1 join two disks (i < j, sorted by i; j may be a ghost); the slots behind them join a
-/// disk i with wall `side` (j = wall_partner(side)) or with an element of a boundary (j = boundary_partner(element)), sorted by i. Those from
-/// `polygons` on join a polygon, whose first disk is i, with a point of a boundary.
+/// Candidate contacts and what they carry. Slots 0 .. pairs-1 join two disks (i < j, sorted by i; j may be a ghost);
+/// the slots behind them join a disk i with wall `side` (j = wall_partner(side)) or with an element of a boundary (j =
+/// boundary_partner(element)), sorted by i. Those from `polygons` on join a polygon, whose first disk is i, with a
+/// point of a boundary.
 template <int D> struct ContactListIn {
   std::size_t pairs = 0, polygons = 0;
   std::vector<std::int32_t> i, j;
-  std::vector<std::int32_t> owner;                                     ///< the disk that takes the reaction: j, or the source of the ghost j
+  std::vector<std::int32_t> owner;  ///< the disk that takes the reaction: j, or the source of the ghost j
   std::vector<double> stiffness, damping, viscosity, strength, shear;  ///< Coefficients of each
-  std::vector<SlotForce<D>> force;                                     ///< one more than slots, which stays 0; behind it those of bonds
-  Turnings<D> memory;                                                  ///< of the friction law
-  Components<1> normal_memory;                                         ///< of the normal law; empty unless it remembers
-  Turnings<D> rolling_memory;       ///< of the rolling law, turned as the first of the caller's two grains turns; empty without one
-  Components<1> pull;               ///< of cohesion now, N; > 0 where a pair is joined. Empty without it
+  std::vector<SlotForce<D>> force;  ///< one more than slots, which stays 0; behind it those of bonds
+  Turnings<D> memory;               ///< of the friction law
+  Components<1> normal_memory;      ///< of the normal law; empty unless it remembers
+  Turnings<D>
+      rolling_memory;  ///< of the rolling law, turned as the first of the caller's two grains turns; empty without one
+  Components<1> pull;  ///< of cohesion now, N; > 0 where a pair is joined. Empty without it
   std::vector<std::int32_t> curve;  ///< of joined pairs: place in CohesionTable::curve
   std::vector<std::uint8_t> bond;   ///< of glued pairs: see BondState
-  /// Slots (and bonds' places) by disk, in groups of four that are filled up with the slot whose force stays 0, so that most disks have as many groups as their
-  /// neighbours and the processor guesses the loops' ends right. Those where disk k is i, pairs before walls before bonds, are group[first[2k]] to group[first[2k
-  /// + 1]]; those where it owns the reaction go on to first[2k + 2].
+  /// Slots (and bonds' places) by disk, in groups of four that are filled up with the slot whose force stays 0, so that
+  /// most disks have as many groups as their neighbours and the processor guesses the loops' ends right. Those where
+  /// disk k is i, pairs before walls before bonds, are group[first[2k]] to group[first[2k + 1]]; those where it owns
+  /// the reaction go on to first[2k + 2].
   std::vector<std::int32_t> group, first;
 
   std::size_t size() const { return i.size(); }
@@ -68,7 +72,9 @@ template <int D> struct ContactListIn {
 };
 using ContactList = ContactListIn<2>;
 
-template <int D> inline SlotForces<D> slot_forces(const ContactListIn<D>& list) { return {list.force.data(), list.group.data(), list.first.data()}; }
+template <int D> inline SlotForces<D> slot_forces(const ContactListIn<D>& list) {
+  return {list.force.data(), list.group.data(), list.first.data()};
+}
 
 /// A bond that breaks for good is gone once its contact has opened again.
 enum BondState : std::uint8_t { never_touched = 0, touching = 1 };
@@ -82,8 +88,8 @@ struct CohesionTable {
   bool breaks = false;                                      ///< the law's
 };
 
-/// A bond that holds, with what follows from its making and from where its disks are numbered now. Its force stands behind those of the contacts, in
-/// ContactList::force at bond_force_place.
+/// A bond that holds, with what follows from its making and from where its disks are numbered now. Its force stands
+/// behind those of the contacts, in ContactList::force at bond_force_place.
 struct BondSlot : BondRow<double> {
   enum class State : std::int32_t { holds, breaking, broken };
   std::int32_t bond = 0;      ///< place in Sample::bonds
@@ -103,6 +109,8 @@ struct BondNumbers {
 };
 
 /// Where the force of bond slot b stands in the list.
-template <int D> inline std::size_t bond_force_place(const ContactListIn<D>& list, std::size_t b) { return list.size() + 1 + b; }
+template <int D> inline std::size_t bond_force_place(const ContactListIn<D>& list, std::size_t b) {
+  return list.size() + 1 + b;
+}
 
 }  // namespace arenite::dem

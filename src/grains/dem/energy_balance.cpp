@@ -13,10 +13,12 @@ namespace {
 constexpr std::size_t slides = 4, cell_shear = 8;  // of ForcesAndRates::edge
 
 /// What a contact with a boundary does to it, by class, about its centre as well.
-void add_boundary_contact(const Sample& s, std::size_t slot, const Kinematics<2>& c, Vec2 dash, Vec2 slip, ForcesAndRates& shot) {
+void add_boundary_contact(const Sample& s, std::size_t slot, const Kinematics<2>& c, Vec2 dash, Vec2 slip,
+                          ForcesAndRates& shot) {
   const std::size_t b = boundary_index(s, s.list.j[slot]);
   const Vec2 arm = touched_place(s, slot, c) - s.domain.boundaries[b].centre;
-  const double dashes[] = {dash.x, dash.y, cross(arm, dash)}, slips[] = {slip.x, slip.y, cross(arm, slip) - s.list.force[slot].torque_j};
+  const double dashes[] = {dash.x, dash.y, cross(arm, dash)},
+               slips[] = {slip.x, slip.y, cross(arm, slip) - s.list.force[slot].torque_j};
   for (std::size_t n = 0; n < 3; ++n) shot.boundary[3 * b + n].push(-dashes[n], -slips[n]);
 }
 
@@ -48,11 +50,14 @@ void add_contacts(const Sample& s, ForcesAndRates& shot) {
   const ContactList& list = s.list;
   shot.springs = rolling_energy(s);
   // What disks in a box have none of is not looked for at each of their contacts.
-  const bool has_levers = !s.part.empty(), in_cell = s.domain.is_cell(), coheres = !list.pull.empty(), shears = s.shear_rate != 0;
+  const bool has_levers = !s.part.empty(), in_cell = s.domain.is_cell(), coheres = !list.pull.empty(),
+             shears = s.shear_rate != 0;
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A& adhesion, const F& friction) {
     for (std::size_t p = 0; p < list.size(); ++p) {
-      const Kinematics<2> c = p < list.pairs ? pair_kinematics(s.record[list.i[p]], s.record[list.j[p]], s.contact.arms) : slot_kinematics(s, p);
-      if (shears && coheres && !(c.overlap > 0) && pull_of(s, p) > 0) shot.edge[cell_shear].force -= rows_between(s, p) * list.force[p].on_i.x;
+      const Kinematics<2> c = p < list.pairs ? pair_kinematics(s.record[list.i[p]], s.record[list.j[p]], s.contact.arms)
+                                             : slot_kinematics(s, p);
+      if (shears && coheres && !(c.overlap > 0) && pull_of(s, p) > 0)
+        shot.edge[cell_shear].force -= rows_between(s, p) * list.force[p].on_i.x;
       if (!(c.overlap > 0)) continue;  // a clipped contact has no force, but its dashpot eats what its spring gives
       const Vec2 f = list.force[p].on_i, t = perpendicular(c.normal);
       double spring = -adhesion.attraction(c.overlap, list.strength[p]) - (coheres ? pull_of(s, p) : 0.0);
@@ -65,7 +70,8 @@ void add_contacts(const Sample& s, ForcesAndRates& shot) {
       const Vec2 dash = (dot(f, c.normal) - spring) * c.normal, slip = dot(f, t) * t;
       shot.springs += friction.energy(s.laws.slip(c.sliding, sliding_stiffness(s, normal, p, c)), list.memory[p]);
       ForcesAndRates::Disk& own = shot.disk[mover_of(s, s.record[list.i[p]].grain)];
-      ForcesAndRates::Disk* const partner = list.j[p] >= 0 ? &shot.disk[mover_of(s, s.record[list.owner[p]].grain)] : nullptr;
+      ForcesAndRates::Disk* const partner =
+          list.j[p] >= 0 ? &shot.disk[mover_of(s, s.record[list.owner[p]].grain)] : nullptr;
       if (has_levers) {
         const Levers<2> levers = levers_of(s, p);
         const Torques torques = own_torques(s, p);
@@ -82,7 +88,8 @@ void add_contacts(const Sample& s, ForcesAndRates& shot) {
         shot.edge[side].push(-across(side, dash), 0);
         shot.edge[slides + side].push(0, -along(side, slip));
       }
-      if (in_cell) add_to_cell(s, between_centres(s, p, c.branch), shears ? rows_between(s, p) : 0, f, dash, slip, shot);
+      if (in_cell)
+        add_to_cell(s, between_centres(s, p, c.branch), shears ? rows_between(s, p) : 0, f, dash, slip, shot);
     }
   });
 }
@@ -93,7 +100,8 @@ void add_bonds(const Sample& s, ForcesAndRates& shot) {
     const BondSlot& b = s.bond_slots[n];
     if (b.state != BondSlot::State::holds) continue;
     const BeamMotion m = beam_motion(s, b);
-    const SlotForce<2> f = s.list.force[bond_force_place(s.list, n)], dash = beam_slot_force(b, m, beam_dashpots(s, b, m));
+    const SlotForce<2> f = s.list.force[bond_force_place(s.list, n)],
+                       dash = beam_slot_force(b, m, beam_dashpots(s, b, m));
     Load<2>&on_i = shot.disk[s.record[b.i].grain].dash, &on_j = shot.disk[s.record[b.j].grain].dash;
     on_i.force += dash.on_i;
     on_i.torque += dash.torque_i;
@@ -120,8 +128,10 @@ ForcesAndRates take(const Sample& s) {
     const Wall& wall = s.domain.wall[side];
     const WallDrive& drive = s.wall[side].drive;
     const bool servo = drive.kind == WallDrive::Kind::force;
-    const double rate = corrects ? wall_rate(s, side) : s.wall[side].rate, pressed = servo ? inward_sign(side) * drive.value : 0.0;
-    shot.edge[side] = {rate, -inward_sign(side) * wall.force, 0, 0, pressed, servo_braking(s, side, wall.velocity), servo};
+    const double rate = corrects ? wall_rate(s, side) : s.wall[side].rate,
+                 pressed = servo ? inward_sign(side) * drive.value : 0.0;
+    shot.edge[side] = {rate,    -inward_sign(side) * wall.force,       0,    0,
+                       pressed, servo_braking(s, side, wall.velocity), servo};
     shot.edge[slides + side] = {drive.slide, wall.present ? wall.shear_force : 0.0};
   }
   shot.edge[cell_shear].rate = s.shear_rate * s.domain.height();

@@ -17,8 +17,8 @@ struct WorkTerms {
 constexpr double WorkTerms::*work_terms[] = {&WorkTerms::dashpots, &WorkTerms::friction, &WorkTerms::drag,
                                              &WorkTerms::gravity,  &WorkTerms::walls,    &WorkTerms::servo};
 
-/// Forces by class and velocities at one time: what the work of a step is made of. Disks by the index of Sample::start, then bodies (mover_of). Under
-/// Verlet the velocities are those of the middle of the step that ends there.
+/// Forces by class and velocities at one time: what the work of a step is made of. Disks by the index of Sample::start,
+/// then bodies (mover_of). Under Verlet the velocities are those of the middle of the step that ends there.
 struct ForcesAndRates {
   struct Disk {
     Motion<2> own;
@@ -27,7 +27,8 @@ struct ForcesAndRates {
     Load<2> slip;  ///< tangential forces
     Vec2 drag;
   };
-  /// Along its way, +x or +y: force of the sample on the wall, all of it and by class; force of the drive; servo damping.
+  /// Along its way, +x or +y: force of the sample on the wall, all of it and by class; force of the drive; servo
+  /// damping.
   struct Edge {
     double rate = 0, force = 0, dash = 0, slip = 0, drive = 0, damping = 0;
     bool servo = false;
@@ -44,10 +45,11 @@ struct ForcesAndRates {
   double normal_springs = 0;   ///< of normal springs that remember, J
 };
 
-/// Account of dissipation and work, closed by the scheme's own identity where there is one. Under Verlet a step changes sum m v^2/2 - (dt^2/8) m a^2
-/// by exactly (F_n + F_n+1)/2 times the way made, so each class of force is given that share of the work; of a linear spring that is the change of
-/// its energy, so what stays open is the second term (0 at rest) and the steps in which a contact opens or closes. Under Gear the powers are
-/// integrated by the Adams-Moulton rule of fourth order. What friction takes from the motion and its springs do not store is dissipated.
+/// Account of dissipation and work, closed by the scheme's own identity where there is one. Under Verlet a step changes
+/// sum m v^2/2 - (dt^2/8) m a^2 by exactly (F_n + F_n+1)/2 times the way made, so each class of force is given that
+/// share of the work; of a linear spring that is the change of its energy, so what stays open is the second term (0 at
+/// rest) and the steps in which a contact opens or closes. Under Gear the powers are integrated by the Adams-Moulton
+/// rule of fourth order. What friction takes from the motion and its springs do not store is dissipated.
 struct EnergyBalance {
   bool open = false;  ///< `last` belongs to the present state
   ForcesAndRates last;

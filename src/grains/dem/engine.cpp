@@ -21,7 +21,8 @@ const Kernel& find_kernel(const std::string& asked) {
   if (asked == "auto") return choice.best();
   if (const Kernel* kernel = choice.named(asked)) return *kernel;
   if (asked == avx2_kernel.name || asked == avx512_kernel.name)
-    throw InputError(fmt::format("kernel \"{}\" is not supported by this processor; \"auto\" chooses the best one", asked));
+    throw InputError(
+        fmt::format("kernel \"{}\" is not supported by this processor; \"auto\" chooses the best one", asked));
   throw InputError(fmt::format("kernel \"{}\" is not one of auto, portable, avx2, avx512", asked));
 }
 
@@ -57,7 +58,8 @@ void synchronise(Sample& s) {
     s.omega[k] = own.omega;
   }
   for (std::size_t b = 0; b < s.body.size(); ++b) s.body[b].own = moved[b];
-  for (std::size_t b = 0; b < s.boundary.size(); ++b) s.boundary[b].rate = s.domain.boundaries[b].velocity = now.boundaries[b].velocity;
+  for (std::size_t b = 0; b < s.boundary.size(); ++b)
+    s.boundary[b].rate = s.domain.boundaries[b].velocity = now.boundaries[b].velocity;
   for (int side = 0; side < sides; ++side) {
     s.wall[side].rate = now.wall[side].velocity;
     s.domain.wall[side].position = now.wall[side].position;
@@ -95,7 +97,8 @@ void Engine::set_mass_scaling(MassScaling masses) {
 void Engine::set_shear_rate(double rate) {
   Sample& s = machine_->sample;
   if (rate == s.shear_rate) return;
-  if (!s.domain.periodic[0] || !s.domain.periodic[1]) throw InputError("a cell that is sheared must be periodic in x and y");
+  if (!s.domain.periodic[0] || !s.domain.periodic[1])
+    throw InputError("a cell that is sheared must be periodic in x and y");
   check_still_cell(s, {}, true);
   synchronise(s);
   change_shear_rate(s, rate);
@@ -136,8 +139,11 @@ void Engine::make_bonds() {
 
 BondCount Engine::bond_count() const {
   const Sample& s = machine_->sample;
-  const auto count = [&](BondBreak how) { return static_cast<std::size_t>(std::ranges::count(s.bonds, how, &Bond::broken)); };
-  return {count(BondBreak::none), count(BondBreak::tension), count(BondBreak::bending), count(BondBreak::shear), bond_energy(s)};
+  const auto count = [&](BondBreak how) {
+    return static_cast<std::size_t>(std::ranges::count(s.bonds, how, &Bond::broken));
+  };
+  return {count(BondBreak::none), count(BondBreak::tension), count(BondBreak::bending), count(BondBreak::shear),
+          bond_energy(s)};
 }
 
 CohesionCount Engine::cohesion_count() const {

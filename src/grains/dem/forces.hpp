@@ -7,7 +7,8 @@
 
 namespace arenite::dem {
 
-/// Geometry and relative motion of a contact, in the conventions of model/packing.hpp; what is tangential is counted as in PairPack.
+/// Geometry and relative motion of a contact, in the conventions of model/packing.hpp; what is tangential is counted as
+/// in PairPack.
 template <int D> struct Kinematics {
   double overlap = 0;  ///< h; <= 0 where apart
   Vec<D> normal;       ///< from j (or the wall) to i
@@ -18,10 +19,13 @@ template <int D> struct Kinematics {
   double curvature = 0;  ///< 1/R*
 
   /// The force of the laws on a grain that lies against something rigid, and its torque.
-  SlotForce<D> force(const ContactForce<double, Turning<D>>& f) const { return {f.normal * normal + cross(f.tangential, normal), -arm_i * f.tangential, {}}; }
+  SlotForce<D> force(const ContactForce<double, Turning<D>>& f) const {
+    return {f.normal * normal + cross(f.tangential, normal), -arm_i * f.tangential, {}};
+  }
 };
 
-/// What follows of the branch and the normal for a disk or sphere that lies against something rigid, seen at the velocity `v` from there.
+/// What follows of the branch and the normal for a disk or sphere that lies against something rigid, seen at the
+/// velocity `v` from there.
 template <int D> inline void lean_on(Kinematics<D>& c, const GrainRecord<D>& a, double distance, Vec<D> v, Arms arms) {
   c.arm_i = arms == Arms::contact_point ? distance : a.radius;
   c.approach = -dot(v, c.normal);
@@ -48,7 +52,9 @@ template <int D> inline Kinematics<D> pair_kinematics(const GrainRecord<D>& a, c
 }
 
 /// A disk or sphere and a wall, which moves at `velocity`; the contact point lies on the plane.
-template <int D> inline Kinematics<D> wall_kinematics(const GrainRecord<D>& a, const WallIn<D>& wall, Vec<D> velocity, int side, Arms arms) {
+template <int D>
+inline Kinematics<D> wall_kinematics(const GrainRecord<D>& a, const WallIn<D>& wall, Vec<D> velocity, int side,
+                                     Arms arms) {
   Kinematics<D> c;
   c.normal = inward_normal<D>(side);
   const double distance = inward_sign(side) * (across(side, a.place) - wall.position);
@@ -59,9 +65,10 @@ template <int D> inline Kinematics<D> wall_kinematics(const GrainRecord<D>& a, c
   return c;
 }
 
-/// A disk and an element of a boundary. A segment is touched where the centre's foot on its line lies strictly within it, an end point where the centre
-/// lies beyond the segments that meet there: of a corner that juts out one of the three is touched, in a corner that the disk lies in both segments are.
-/// The foot of a polygon lies against the point that it belongs to in any case (`as_point`).
+/// A disk and an element of a boundary. A segment is touched where the centre's foot on its line lies strictly within
+/// it, an end point where the centre lies beyond the segments that meet there: of a corner that juts out one of the
+/// three is touched, in a corner that the disk lies in both segments are. The foot of a polygon lies against the point
+/// that it belongs to in any case (`as_point`).
 Kinematics<2> element_kinematics(const Sample& sample, const DiskRecord& disk, std::int32_t element, bool as_point);
 
 /// What touches in a slot: disk i, or the foot of a polygon on a boundary's point.
@@ -88,12 +95,14 @@ template <int D> Turning<D> spin_of(const SampleIn<D>& s, std::size_t slot) {
 }
 
 /// k_t of a slot that is met so, N/m.
-template <class N, int D> double sliding_stiffness(const SampleIn<D>& s, const N& normal, std::size_t slot, const Kinematics<D>& c) {
-  return sliding_stiffness(s.laws, normal, std::max(c.overlap, 0.0), s.list.stiffness[slot], c.curvature, s.list.shear[slot]);
+template <class N, int D>
+double sliding_stiffness(const SampleIn<D>& s, const N& normal, std::size_t slot, const Kinematics<D>& c) {
+  return sliding_stiffness(s.laws, normal, std::max(c.overlap, 0.0), s.list.stiffness[slot], c.curvature,
+                           s.list.shear[slot]);
 }
 
-/// Forces of all listed contacts from the records (whose ghosts are fresh), into the list's slots; then the forces of the walls. Springs of the
-/// friction law move on by one step.
+/// Forces of all listed contacts from the records (whose ghosts are fresh), into the list's slots; then the forces of
+/// the walls. Springs of the friction law move on by one step.
 template <int D> void compute_forces(SampleIn<D>& sample, const ThreadPool& pool = ThreadPool());
 
 /// Adds the moments of rolling resistance to the slots' torques.
@@ -101,7 +110,8 @@ template <int D> void add_rolling_moments(SampleIn<D>& sample, const ThreadPool&
 /// What the rolling springs hold, J.
 template <int D> double rolling_energy(const SampleIn<D>& sample);
 
-/// How far the cohesion of this sample reaches, and how steep it is. InputError where the law makes no sense for its grains.
+/// How far the cohesion of this sample reaches, and how steep it is. InputError where the law makes no sense for its
+/// grains.
 void set_up_cohesion(Sample& sample);
 
 /// Pairs of the packing that were joined go on. The list must have just been built.
@@ -110,8 +120,9 @@ void recall_cohesion(Sample& sample);
 /// Finds the curves of the pairs that are joined.
 void find_pull_curves(Sample& sample);
 
-/// Adds the pulls to the forces of the pairs' slots, which hold those of their contacts, and joins and parts pairs. What a pair holds as it breaks is
-/// booked as dissipated. A pair is found joined or parted up to a step late; what its force has not done by then goes into the same account.
+/// Adds the pulls to the forces of the pairs' slots, which hold those of their contacts, and joins and parts pairs.
+/// What a pair holds as it breaks is booked as dissipated. A pair is found joined or parted up to a step late; what its
+/// force has not done by then goes into the same account.
 void add_cohesion(Sample& sample, const ThreadPool& pool);
 
 /// Pull of a slot now, N; 0 where none acts.
@@ -123,8 +134,8 @@ double cohesive_energy(const Sample& sample);
 /// All joined pairs, by the caller's grains.
 std::vector<CohesivePair> cohesive_pairs(const Sample& sample);
 
-/// Forces of the edges of a periodic cell, the means over all its cuts: of those across x (1/W) sum f l_x. Not part of compute_forces, because only driven edges and
-/// readers need them.
+/// Forces of the edges of a periodic cell, the means over all its cuts: of those across x (1/W) sum f l_x. Not part of
+/// compute_forces, because only driven edges and readers need them.
 template <int D> void sum_edge_forces(SampleIn<D>& sample, const ThreadPool& pool = ThreadPool());
 
 }  // namespace arenite::dem

@@ -26,9 +26,10 @@ void declare_vector(Visitor& v, const Key& key, std::optional<Vec2>& value, std:
 
 /// Of cycles, how many have their states stored.
 void declare_store_every(Visitor& v, std::optional<std::int64_t>& every) {
-  v.integer(
-      {"store_every", "States are stored every so many cycles, and for the first and the last; unless given, for all. Curves against cycles contain all."},
-      every, {1, 1'000'000});
+  v.integer({"store_every",
+             "States are stored every so many cycles, and for the first and the last; unless given, for all. Curves "
+             "against cycles contain all."},
+            every, {1, 1'000'000});
 }
 
 }  // namespace
@@ -36,38 +37,56 @@ void declare_store_every(Visitor& v, std::optional<std::int64_t>& every) {
 void ContactParameters::declare(Visitor& v) {
   v.member({"normal", "Normal force at an overlap h."}, normal);
   v.choice({"stiffness_rule", "Stiffness of a contact of two materials."}, stiffness_rule,
-           {{"thesis", "k for like grains, k_i k_j/(k_i + k_j) for unlike ones"}, {"series", "two springs in series, of 2 k_i and 2 k_j"}});
+           {{"thesis", "k for like grains, k_i k_j/(k_i + k_j) for unlike ones"},
+            {"series", "two springs in series, of 2 k_i and 2 k_j"}});
   v.choice({"wall_stiffness", "Stiffness of a contact with a wall."}, wall_stiffness,
-           {{"stiffest", "that of the stiffest material"}, {"grain", "that of the grain"}, {"series", "by the series rule"}});
-  v.number({"restitution", "Ratio of speeds after and before a head-on collision; sets the damping of each pair."}, restitution, "", range::above(0, 1));
-  v.number({"normal_damping", "Damping coefficient alpha_n of every pair, instead of the one that follows from restitution."}, normal_damping, "N s/m",
-           range::not_negative);
-  v.flag({"attractive_dashpot", "The dashpot may attract while grains separate; false: contacts without adhesion are never tensile."}, attractive_dashpot);
+           {{"stiffest", "that of the stiffest material"},
+            {"grain", "that of the grain"},
+            {"series", "by the series rule"}});
+  v.number({"restitution", "Ratio of speeds after and before a head-on collision; sets the damping of each pair."},
+           restitution, "", range::above(0, 1));
+  v.number({"normal_damping",
+            "Damping coefficient alpha_n of every pair, instead of the one that follows from restitution."},
+           normal_damping, "N s/m", range::not_negative);
+  v.flag({"attractive_dashpot",
+          "The dashpot may attract while grains separate; false: contacts without adhesion are never tensile."},
+         attractive_dashpot);
   v.member({"friction_law", "Tangential force."}, friction_law);
   v.number({"friction", "Coefficient mu between grains."}, friction, "", range::not_negative);
-  v.number({"wall_friction", "Coefficient mu at the walls; unless given, that of the grains."}, wall_friction, "", range::not_negative);
-  v.number({"sliding_viscosity", "gamma_s, tangential damping coefficient of the friction law; if not given, the normal damping of the pair."},
-           sliding_viscosity, "N s/m", range::not_negative);
-  v.number({"tangential_stiffness_ratio", "k_t/k_n, for friction laws with a tangential spring."}, tangential_stiffness_ratio, "", range::positive);
+  v.number({"wall_friction", "Coefficient mu at the walls; unless given, that of the grains."}, wall_friction, "",
+           range::not_negative);
+  v.number(
+      {"sliding_viscosity",
+       "gamma_s, tangential damping coefficient of the friction law; if not given, the normal damping of the pair."},
+      sliding_viscosity, "N s/m", range::not_negative);
+  v.number({"tangential_stiffness_ratio", "k_t/k_n, for friction laws with a tangential spring."},
+           tangential_stiffness_ratio, "", range::positive);
   v.member({"rolling", "Moment between two grains that rotate relative to each other."}, rolling);
   v.member({"bonds", "Cement between two grains, from the stage that creates it."}, bonds);
-  v.member({"cohesion", "Attraction between all grains, touching or not: adhesion without glue, or liquid bridges."}, cohesion);
-  v.choice({"arms", "Lever arms of contact forces."}, arms, {{"contact_point", "to the middle of the overlap"}, {"full_radius", "the radii"}});
+  v.member({"cohesion", "Attraction between all grains, touching or not: adhesion without glue, or liquid bridges."},
+           cohesion);
+  v.choice({"arms", "Lever arms of contact forces."}, arms,
+           {{"contact_point", "to the middle of the overlap"}, {"full_radius", "the radii"}});
   v.member({"adhesion", "Adhesion between glued grains."}, adhesion);
   v.number({"surface_energy", "gamma of the adhesion."}, surface_energy, "kN/mm", range::not_negative);
-  v.require(!adheres() || surface_energy > 0, {"surface_energy", "adhesion"}, "must be above 0 kN/mm where adhesion acts");
+  v.require(!adheres() || surface_energy > 0, {"surface_energy", "adhesion"},
+            "must be above 0 kN/mm where adhesion acts");
   v.choice({"effective_radius", "r_eff of the adhesion."}, effective_radius,
            {{"four_reduced", "4 r_i r_j/(r_i + r_j)"}, {"sum", "r_i + r_j"}, {"geometric_mean", "2 sqrt(r_i r_j)"}});
   v.choice({"friction_cap", "Coulomb limit in the presence of adhesion."}, friction_cap,
            {{"raised_by_adhesion", "mu (F_n + |F_c|)"}, {"as_printed", "mu (F_n - |F_c|)"}});
-  v.pairs({"glued_pairs", "Pairs of grains (indices from 0) that are glued, instead of all pairs in the glued region."}, glued_pairs);
+  v.pairs({"glued_pairs", "Pairs of grains (indices from 0) that are glued, instead of all pairs in the glued region."},
+          glued_pairs);
 }
 
 void IntegrationParameters::declare(Visitor& v) {
   v.choice({"integrator", "Scheme for Newton's equations."}, integrator, mapped(integrators, &Integrator::word));
-  v.number({"time_step", "Time step; an unstable one is refused. If not given, it follows from safety, and mass scaling of a stage may shorten it."}, time_step,
-           "s", range::positive);
-  v.number({"safety", "Time step as a fraction of the shortest contact time, pi sqrt(m_eff/k)."}, safety, "", range::above(0, 1));
+  v.number({"time_step",
+            "Time step; an unstable one is refused. If not given, it follows from safety, and mass scaling of a stage "
+            "may shorten it."},
+           time_step, "s", range::positive);
+  v.number({"safety", "Time step as a fraction of the shortest contact time, pi sqrt(m_eff/k)."}, safety, "",
+           range::above(0, 1));
   v.flag({"rotations", "Grains rotate; false: they only translate."}, rotations);
   v.flag({"track_energy", "Compute dissipation and work at every step (slower)."}, track_energy);
   // A name from elsewhere (--kernel) comes here without having been read, so it may be none of these.
@@ -76,7 +95,8 @@ void IntegrationParameters::declare(Visitor& v) {
                                          {"avx2", "256-bit vectors"},
                                          {"avx512", "512-bit vectors"}};
   const auto found = std::ranges::find(kernels, kernel, &Word::word);
-  if (found == kernels.end()) throw refusal("there is no kernel \"{}\"; choose one of: {}", kernel, list_of(mapped(kernels, &Word::word)));
+  if (found == kernels.end())
+    throw refusal("there is no kernel \"{}\"; choose one of: {}", kernel, list_of(mapped(kernels, &Word::word)));
   int chosen = static_cast<int>(found - kernels.begin());
   v.choice({"kernel", "Machine code of the contact loop."}, chosen, kernels);
   kernel = kernels[static_cast<std::size_t>(chosen)].word;
@@ -88,11 +108,16 @@ void BoundaryMotion::declare(Visitor& v) {
   declare_vector(v, {"velocity", "Along x and y."}, given_velocity, "mm/s");
   velocity = given_velocity.value_or(Vec2{});
   v.number({"spin", "Angular velocity, counter-clockwise."}, spin, "deg/s", range::any);
-  declare_vector(v, {"centre", "Centre of rotation at the start of the stage; it moves with the velocity. Unless given, the mean of the points."}, centre,
-                 "mm");
+  declare_vector(v,
+                 {"centre",
+                  "Centre of rotation at the start of the stage; it moves with the velocity. Unless given, the mean of "
+                  "the points."},
+                 centre, "mm");
   v.flag({"absent", "The boundary is absent in this stage: a gate that opens."}, absent);
-  v.number({"mass", "With a mass it moves under its weight, the force and the grains, starting from the given velocity or from its previous one."}, mass, "kg",
-           range::positive);
+  v.number({"mass",
+            "With a mass it moves under its weight, the force and the grains, starting from the given velocity or from "
+            "its previous one."},
+           mass, "kg", range::positive);
   std::optional<Vec2> given_force = force == Vec2{} ? std::nullopt : std::optional(force);
   declare_vector(v, {"force", "Along x and y, on a boundary with a mass."}, given_force, "N");
   force = given_force.value_or(Vec2{});
@@ -102,14 +127,20 @@ void BoundaryMotion::declare(Visitor& v) {
 void EquilibriumCriterion::declare(Visitor& v) {
   v.number({"unbalanced", "Unbalanced force ratio below this."}, unbalanced, "", range::positive);
   v.number({"kinetic", "Kinetic over elastic energy below this."}, kinetic, "", range::positive);
-  v.number({"falling", "Fraction of grains that still fall (gravity, fewer than two compressive contacts) not above this."}, falling, "", range::not_negative);
+  v.number(
+      {"falling", "Fraction of grains that still fall (gravity, fewer than two compressive contacts) not above this."},
+      falling, "", range::not_negative);
   v.number({"loose_kinetic",
-            "Kinetic energy of the grains that carry no load (fewer than two compressive contacts) over elastic energy below this; a hundred thousand times "
-            "`kinetic` unless given, because without gravity only rare collisions slow them."},
+            "Kinetic energy of the grains that carry no load (fewer than two compressive contacts) over elastic energy "
+            "below this; a hundred thousand times `kinetic` unless given, because without gravity only rare collisions "
+            "slow them."},
            loose_kinetic, "", range::positive);
-  v.number({"mobilisation", "Mean |F_t|/F_n below this as well, if given: distinguishes creep from equilibrium where friction is viscous."}, mobilisation, "",
-           range::not_negative);
-  v.integer({"max_steps", "Steps of one increment, after which the run stops with exit status 3."}, max_steps, {1, 1'000'000'000'000});
+  v.number(
+      {"mobilisation",
+       "Mean |F_t|/F_n below this as well, if given: distinguishes creep from equilibrium where friction is viscous."},
+      mobilisation, "", range::not_negative);
+  v.integer({"max_steps", "Steps of one increment, after which the run stops with exit status 3."}, max_steps,
+            {1, 1'000'000'000'000});
 }
 
 void Cycles::declare(Visitor& v) {
@@ -138,29 +169,32 @@ void StrainCycles::declare(Visitor& v) {
 }
 
 void Programme::declare(Visitor& v) {
-  v.choice(
-      {"of",
-       "Driven quantity: a side's velocity (inward), force or pressure, the sliding of a wall, the shear rate, gravity, or a boundary: its position or angle "
-       "relative to the start of the stage, its velocity or spin, or the force on it.",
-       true},
-      of, mapped(programme_targets, [](const auto& target) {
-        return Word{target.word, ""};
-      }));
-  v.when(drives_boundary(), "of = \"boundary...\"", [&](Visitor& inner) { inner.text({"boundary", "Name of the boundary.", true}, name); });
-  const auto& target = programme_targets[static_cast<std::size_t>(of)];
-  v.series({"table",
-            "Times from the beginning of the stage and values in the target's unit (mm, mm/s, N, kN, kPa, 1/s, m/s^2, deg or deg/s), with linear "
-            "interpolation, constant "
-            "before the first "
-            "and after the last row; two rows with the same time are a jump. Or the name of a CSV file of these two columns with their units "
-            "(`time [s],force [kN]`).",
+  v.choice({"of",
+            "Driven quantity: a side's velocity (inward), force or pressure, the sliding of a wall, the shear rate, "
+            "gravity, or a boundary: its position or angle relative to the start of the stage, its velocity or spin, "
+            "or the force on it.",
             true},
-           table, target.unit);
+           of, mapped(programme_targets, [](const auto& target) {
+             return Word{target.word, ""};
+           }));
+  v.when(drives_boundary(), "of = \"boundary...\"", [&](Visitor& inner) {
+    inner.text({"boundary", "Name of the boundary.", true}, name);
+  });
+  const auto& target = programme_targets[static_cast<std::size_t>(of)];
+  v.series(
+      {"table",
+       "Times from the beginning of the stage and values in the target's unit (mm, mm/s, N, kN, kPa, 1/s, m/s^2, deg "
+       "or deg/s), with linear interpolation, constant before the first and after the last row; two rows with the same "
+       "time are a jump. Or the name of a CSV file of these two columns with their units (`time [s],force [kN]`).",
+       true},
+      table, target.unit);
   v.flag({"repeat", "The table starts again after its last time, for cycles."}, repeat);
   const bool in_order = !table.empty() && table.front().x >= 0 && std::ranges::is_sorted(table, {}, &Vec2::x);
   v.require(in_order, {"table"}, "needs at least one row, with times from 0 s that never decrease");
-  v.require(!repeat || (in_order && table.back().x > 0), {"repeat", "table"}, "only a table with a duration can repeat");
-  const bool may_be_negative = (drives_side() && drive() == 0) || (of >= Programme::slide && of != Programme::gravity_size);
+  v.require(!repeat || (in_order && table.back().x > 0), {"repeat", "table"},
+            "only a table with a duration can repeat");
+  const bool may_be_negative =
+      (drives_side() && drive() == 0) || (of >= Programme::slide && of != Programme::gravity_size);
   v.require(may_be_negative || std::ranges::all_of(
                                    table, [](double y) { return y >= 0; }, &Vec2::y),
             {"table"}, fmt::format("no value of {} may be below 0", target.word));

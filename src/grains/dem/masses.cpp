@@ -32,7 +32,8 @@ void give_masses(Sample& s, MassScaling masses) {
     fastest = std::max(fastest, s.coefficients.pair_stiffness(s.record[k], s.record[k]) / s.record[k].mass);
   }
   if (masses == MassScaling::uniform)
-    for (std::size_t k = 0; k < s.count; ++k) s.record[k].mass = s.coefficients.pair_stiffness(s.record[k], s.record[k]) / fastest;
+    for (std::size_t k = 0; k < s.count; ++k)
+      s.record[k].mass = s.coefficients.pair_stiffness(s.record[k], s.record[k]) / fastest;
   take_masses(s);
   renew_dashpots(s);
   tune_servo(s);

@@ -15,7 +15,8 @@ namespace {
 
 template <int D> void add_contacts(const SampleIn<D>& s, PackingIn<D>& out) {
   const auto grain = [&](std::int32_t disk) { return disk < 0 ? disk : grain_of(s, disk); };
-  std::vector<std::tuple<std::int32_t, std::int32_t, std::int32_t, std::int32_t, std::size_t>> rows;  // grains, disks, slot
+  std::vector<std::tuple<std::int32_t, std::int32_t, std::int32_t, std::int32_t, std::size_t>>
+      rows;  // grains, disks, slot
   for (std::size_t p = 0; p < s.list.size(); ++p) {
     if (!(slot_kinematics(s, p).overlap > 0)) continue;
     std::int32_t a = s.record[s.list.i[p]].grain, b = s.list.j[p] < 0 ? s.list.j[p] : s.record[s.list.owner[p]].grain;
@@ -60,8 +61,9 @@ double resultant_of(const Sample& s, std::size_t k) {
   return k < s.count ? std::hypot(f.x, f.y) : norm(f);
 }
 
-/// Grains that carry force between two contacts or more, and the loose others, apart: a loose grain moves on for long without moving the others, and
-/// its weight is nothing beside their forces, so that it is at rest or not by a measure of its own.
+/// Grains that carry force between two contacts or more, and the loose others, apart: a loose grain moves on for long
+/// without moving the others, and its weight is nothing beside their forces, so that it is at rest or not by a measure
+/// of its own.
 struct Motions {
   double bearing = 0, loose = 0;  ///< kinetic energies, J
   std::size_t falling = 0;        ///< loose grains more than half of whose weight nothing holds
@@ -90,7 +92,8 @@ template <int D> double adhesive_energy(const SampleIn<D>& s) {
   double sum = 0;
   s.laws.adhesion.visit([&](const auto& adhesion) {
     for (std::size_t p = 0; p < s.list.pairs; ++p)
-      if (const Kinematics<D> c = slot_kinematics(s, p); c.overlap > 0) sum += adhesion.energy(c.overlap, s.list.strength[p]);
+      if (const Kinematics<D> c = slot_kinematics(s, p); c.overlap > 0)
+        sum += adhesion.energy(c.overlap, s.list.strength[p]);
   });
   return sum;
 }
@@ -185,7 +188,8 @@ Equilibrium equilibrium_of(const Sample& s) {
     for (const std::int32_t k : {b.i, b.j}) ++pressed_contacts[moving(s, k)];
   }
   if (s.count > 0 && resultant > 0)
-    q.unbalanced_ratio = normal_sum > 0 ? (resultant / grains) * static_cast<double>(contacts) / normal_sum : std::numeric_limits<double>::infinity();
+    q.unbalanced_ratio = normal_sum > 0 ? (resultant / grains) * static_cast<double>(contacts) / normal_sum
+                                        : std::numeric_limits<double>::infinity();
   const Motions motions = motions_of(s, pressed_contacts);
   const double elastic = energies_of(s).elastic;
   q.kinetic_ratio = over_elastic(motions.bearing, elastic);

@@ -27,11 +27,13 @@ template <int D> SweepTask<D> sweep_task(SampleIn<D>& s, double kick, double ahe
   return task;
 }
 
-/// How far a disk may be from its place in the list, less the affine motion of the cell, before the list may miss a contact, m; 0 or less if the
-/// walls or the cell have moved too far for that.
+/// How far a disk may be from its place in the list, less the affine motion of the cell, before the list may miss a
+/// contact, m; 0 or less if the walls or the cell have moved too far for that.
 template <int D> double list_leeway(const SampleIn<D>& s) {
   for (int side = 0; side < sides_in<D>; ++side)
-    if (!s.domain.is_periodic(side) && std::abs(s.domain.wall[side].position - s.listed_domain.wall[side].position) > 0.5 * s.skin) return 0;
+    if (!s.domain.is_periodic(side) &&
+        std::abs(s.domain.wall[side].position - s.listed_domain.wall[side].position) > 0.5 * s.skin)
+      return 0;
   if constexpr (D == 2)
     if (farthest_moved(s.listed_domain, s.domain) > 0.5 * s.skin) return 0;
   const CellFrame<D> then = cell_frame(s.listed_domain), now = cell_frame(s.domain);

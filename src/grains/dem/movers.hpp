@@ -6,14 +6,16 @@
 
 namespace arenite::dem {
 
-template <int D> inline const Integrator& integrator_of(const SampleIn<D>& s) { return integrator_of(s.integration.integrator); }
+template <int D> inline const Integrator& integrator_of(const SampleIn<D>& s) {
+  return integrator_of(s.integration.integrator);
+}
 
-/// A step of the sample's integrator: takes the forces at t_n to places and seen velocities at t_{n+1}; walls, boundaries, bodies and affine motion too.
-/// False if the contact list has become stale.
+/// A step of the sample's integrator: takes the forces at t_n to places and seen velocities at t_{n+1}; walls,
+/// boundaries, bodies and affine motion too. False if the contact list has become stale.
 template <int D> bool make_step(SampleIn<D>& sample, const ThreadPool& pool);
 
-// Where disks and walls are and how they move at one time. Integrators keep velocities half a step behind (Verlet) or a predicted state (Gear), which
-// is brought to the time of the positions here.
+// Where disks and walls are and how they move at one time. Integrators keep velocities half a step behind (Verlet) or a
+// predicted state (Gear), which is brought to the time of the positions here.
 
 /// What moves for itself, a disk that is a grain or a body, as it stands in the sample.
 template <int D> struct Mover {
@@ -31,7 +33,8 @@ template <int D> inline Mover<D> mover_at(const SampleIn<D>& s, std::size_t k) {
       return {s.part[b.first].grain, b.mass, b.inertia(), b.gyration, b.place, b.angle, b.own, b.seen};
     }
   const GrainRecord<D>& d = s.record[k];
-  return {grain_of(s, d.grain), d.mass, inertia(d), d.radius, d.place, s.angle[k], {s.velocity[k], s.omega[k]}, {d.velocity, d.omega}};
+  return {grain_of(s, d.grain), d.mass, inertia(d), d.radius, d.place, s.angle[k], {s.velocity[k], s.omega[k]},
+          {d.velocity, d.omega}};
 }
 /// Calls `see` with their numbers: disks, then bodies.
 template <int D, class See> void each_mover(const SampleIn<D>& s, const See& see) {
@@ -99,8 +102,11 @@ template <int D> Vec<D> place_of(const SampleIn<D>& s, std::size_t k) {
   return lag == 0 ? place : place + lag * unforeseen(s, k).linear;
 }
 
-/// Velocity of a wall (or edge of a periodic cell), m/s along its axis; the domain with the places and velocities of its walls and boundaries.
-template <int D> double wall_rate(const SampleIn<D>& s, std::size_t side) { return s.wall[side].rate + behind(s).rate * unforeseen_of_wall(s, side); }
+/// Velocity of a wall (or edge of a periodic cell), m/s along its axis; the domain with the places and velocities of
+/// its walls and boundaries.
+template <int D> double wall_rate(const SampleIn<D>& s, std::size_t side) {
+  return s.wall[side].rate + behind(s).rate * unforeseen_of_wall(s, side);
+}
 
 template <int D> DomainIn<D> domain_now(const SampleIn<D>& s) {
   DomainIn<D> domain = s.domain;

@@ -16,14 +16,17 @@ template <int D> void check_places(const SampleIn<D>& s) {
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
     const char* fault = nullptr;
-    if (!is_finite(d.place + d.velocity) || !is_finite(d.omega)) fault = " has a coordinate or velocity that is not finite";
+    if (!is_finite(d.place + d.velocity) || !is_finite(d.omega))
+      fault = " has a coordinate or velocity that is not finite";
     for (int side = 0; side < sides_in<D> && !fault; ++side)
-      if (s.domain.wall[side].present && s.domain.depth(side, d.place) < 0) fault = " has left the container through a wall";
+      if (s.domain.wall[side].present && s.domain.depth(side, d.place) < 0)
+        fault = " has left the container through a wall";
     if (fault) {
       const auto id = s.start.grains.id[d.grain];
       const std::string what = "grain " + std::to_string(id) + fault;
       if (s.step == 0) throw InputError(what + " before the first step; correct its position, or the container");
-      throw CannotGoOn(what + " at step " + std::to_string(s.step) + "; a smaller time step or a gentler load is needed");
+      throw CannotGoOn(what + " at step " + std::to_string(s.step) +
+                       "; a smaller time step or a gentler load is needed");
     }
   }
 }
@@ -31,7 +34,8 @@ template <int D> void check_places(const SampleIn<D>& s) {
 /// Joined from the start, however deep they lie in each other.
 template <int D> bool is_joined(const SampleIn<D>& s, std::size_t slot, std::int32_t a, std::int32_t b) {
   if (s.list.strength[slot] > 0) return true;
-  if constexpr (D == 2) return std::ranges::any_of(s.bonds, [&](const Bond& bond) { return pair_key(bond.i, bond.j) == pair_key(a, b); });
+  if constexpr (D == 2)
+    return std::ranges::any_of(s.bonds, [&](const Bond& bond) { return pair_key(bond.i, bond.j) == pair_key(a, b); });
   return false;
 }
 
@@ -45,17 +49,19 @@ template <int D> void check_pairs(const SampleIn<D>& s) {
     if (!(dot(way, way) < larger * larger) || is_part(s, s.list.i[p]) || is_part(s, s.list.owner[p])) continue;
     const std::int32_t i = a.grain, j = s.record[s.list.owner[p]].grain;
     const Vec<D> at_start = s.start.grains.position[i] - s.start.grains.position[j];
-    if (dot(at_start, at_start) < larger * larger || is_joined(s, p, i, j)) continue;  // a sample given so crosses nothing
+    if (dot(at_start, at_start) < larger * larger || is_joined(s, p, i, j))
+      continue;  // a sample given so crosses nothing
     throw CannotGoOn("grains " + std::to_string(s.start.grains.id[i]) + " and " + std::to_string(s.start.grains.id[j]) +
-                     " overlap by more than the radius of the smaller one, and pass through each other, at step " + std::to_string(s.step) +
-                     "; stiffer contacts, a smaller time step or a gentler load are needed");
+                     " overlap by more than the radius of the smaller one, and pass through each other, at step " +
+                     std::to_string(s.step) + "; stiffer contacts, a smaller time step or a gentler load are needed");
   }
 }
 
 template <int D> void wrap(SampleIn<D>& s) {
   if (s.domain.periodic[0]) s.domain.tilt -= std::round(s.domain.tilt / s.domain.extent(0)) * s.domain.extent(0);
   for (std::size_t k = 0; k < s.count; ++k)
-    if (!is_part(s, k)) wrap_over_sides(s, s.record[k].mass, s.record[k].place, s.velocity.along[0][k], s.record[k].velocity);
+    if (!is_part(s, k))
+      wrap_over_sides(s, s.record[k].mass, s.record[k].place, s.velocity.along[0][k], s.record[k].velocity);
 }
 
 template <class T> void permute(std::vector<T>& values, const std::vector<std::int32_t>& order) {
@@ -67,7 +73,8 @@ template <class T> void permute(std::vector<T>& values, const std::vector<std::i
 /// Returns the former number of every disk.
 template <int D> std::vector<std::int32_t> sort_by_cell(SampleIn<D>& s) {
   const auto grid = cells_of(s);
-  std::vector<std::int32_t> order = geometry::SortedCells(grid.size(), 0, s.count, [&](std::size_t k) { return grid.cell(s.record[k].place); }).item;
+  std::vector<std::int32_t> order =
+      geometry::SortedCells(grid.size(), 0, s.count, [&](std::size_t k) { return grid.cell(s.record[k].place); }).item;
   s.record.resize(s.count);
   permute(s.record, order);
   each_motion_array(s, [&](auto& a) { permute(a, order); });
@@ -76,9 +83,11 @@ template <int D> std::vector<std::int32_t> sort_by_cell(SampleIn<D>& s) {
   return order;
 }
 
-/// The slot that joins disk a with disk b, or with wall b < 0, with the polygon of a itself where `as_polygon`; the empty slot if there is none.
-/// `either`: b with a as well, which are two slots where the one that takes the reaction stands for a polygon.
-template <int D> std::size_t find_slot(const ContactListIn<D>& list, std::int32_t a, std::int32_t b, bool as_polygon, bool either) {
+/// The slot that joins disk a with disk b, or with wall b < 0, with the polygon of a itself where `as_polygon`; the
+/// empty slot if there is none. `either`: b with a as well, which are two slots where the one that takes the reaction
+/// stands for a polygon.
+template <int D>
+std::size_t find_slot(const ContactListIn<D>& list, std::int32_t a, std::int32_t b, bool as_polygon, bool either) {
   const auto slots = [&](std::int32_t q, auto&& joins) {
     for (auto g = list.first[q]; g < list.first[q + 1]; ++g) {
       const std::size_t p = list.group[g];
@@ -91,11 +100,15 @@ template <int D> std::size_t find_slot(const ContactListIn<D>& list, std::int32_
   return own < list.size() || !either ? own : slots(2 * a + 1, [&](std::size_t p) { return list.i[p] == b; });
 }
 
-/// Takes over what touching pairs remember from the list before a rebuild; disk k was number `was[k]` in it. A periodic cell is at least two reaches
-/// wide, so no pair meets twice.
-template <int D> void carry_over(SampleIn<D>& s, ContactListIn<D>& before, const std::vector<std::int32_t>& was, const ThreadPool& pool) {
+/// Takes over what touching pairs remember from the list before a rebuild; disk k was number `was[k]` in it. A periodic
+/// cell is at least two reaches wide, so no pair meets twice.
+template <int D>
+void carry_over(SampleIn<D>& s, ContactListIn<D>& before, const std::vector<std::int32_t>& was,
+                const ThreadPool& pool) {
   ContactListIn<D>& list = s.list;
-  if (before.size() == 0 || (s.live_bonds.empty() && !remembers(s.laws) && list.rolling_memory.empty() && list.pull.empty())) return;
+  if (before.size() == 0 ||
+      (s.live_bonds.empty() && !remembers(s.laws) && list.rolling_memory.empty() && list.pull.empty()))
+    return;
   pool.for_ranges(list.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       const std::int32_t a = was[list.i[p]];

@@ -16,13 +16,17 @@ namespace arenite::dem {
 
 using elasticity::EffectiveRadius;
 
-enum class StiffnessRule { thesis, series };  ///< thesis: like pairs k, unlike k_i k_j/(k_i + k_j); series: always 1/(1/2k_i + 1/2k_j)
+enum class StiffnessRule {
+  thesis,
+  series
+};  ///< thesis: like pairs k, unlike k_i k_j/(k_i + k_j); series: always 1/(1/2k_i + 1/2k_j)
 enum class WallStiffness { stiffest, grain, series };
 enum class Arms { contact_point, full_radius };
 enum class FrictionCap { raised_by_adhesion, as_printed };  ///< mu (F_n + |F_c|), or T (1.28) with F_c printed negative
 enum class MassScaling { none, uniform };                   ///< see dem/setup.hpp
 
-/// All integrators, the default first: each is the Integrator of this name in a file of its own, which integrators/integrators.hpp includes.
+/// All integrators, the default first: each is the Integrator of this name in a file of its own, which
+/// integrators/integrators.hpp includes.
 #define ARENITE_INTEGRATORS(each) each(velocity_verlet) each(leapfrog) each(gear5)
 #define ARENITE_ENUMERATOR(name) name,
 enum class IntegratorKind { ARENITE_INTEGRATORS(ARENITE_ENUMERATOR) };
@@ -31,7 +35,8 @@ enum class IntegratorKind { ARENITE_INTEGRATORS(ARENITE_ENUMERATOR) };
 inline constexpr std::size_t integrator_count = 0 ARENITE_INTEGRATORS(ARENITE_ONE);
 #undef ARENITE_ONE
 
-/// How fast a sample yields to a force on its sides, as a share of sqrt(F H/M): F the force, H the way to the other side, M the mass.
+/// How fast a sample yields to a force on its sides, as a share of sqrt(F H/M): F the force, H the way to the other
+/// side, M the mass.
 inline constexpr double default_inertial_number = 0.01;
 
 /// Everything that decides the force between two grains or a grain and a wall. SI units.
@@ -73,11 +78,12 @@ struct ContactParameters {
 struct IntegrationParameters {
   IntegratorKind integrator = IntegratorKind::velocity_verlet;
   std::optional<double> time_step;  ///< s; beyond the stable step it is refused with the number that would do
-  double safety = 0.1;              ///< share of the sample's shortest contact time T_c = pi sqrt(m_eff/k) taken as step if none is given
-  bool rotations = true;            ///< false: grains do not turn
-  double drag = 0;                  ///< global viscous drag, 1/s: force -drag m v (0: none)
-  bool track_energy = false;        ///< account for dissipation and work every step (slower)
-  std::string kernel = "auto";      ///< "auto", "portable", "avx2", "avx512"
+  double safety =
+      0.1;  ///< share of the sample's shortest contact time T_c = pi sqrt(m_eff/k) taken as step if none is given
+  bool rotations = true;        ///< false: grains do not turn
+  double drag = 0;              ///< global viscous drag, 1/s: force -drag m v (0: none)
+  bool track_energy = false;    ///< account for dissipation and work every step (slower)
+  std::string kernel = "auto";  ///< "auto", "portable", "avx2", "avx512"
   int threads = 1;
   bool operator==(const IntegrationParameters&) const = default;
   void declare(ParameterVisitor& visitor);
@@ -98,11 +104,13 @@ using WallDrives = BySide<WallDrive>;
 /// How a boundary moves in a stage; one that is not named is there, at rest.
 struct BoundaryMotion {
   std::string name;
-  Vec2 velocity = {};               ///< m/s
-  double spin = 0;                  ///< rad/s, counter-clockwise
-  std::optional<Vec2> centre = {};  ///< of the spin as the motion begins, m, which goes with the velocity; unset: the mean of the points
+  Vec2 velocity = {};  ///< m/s
+  double spin = 0;     ///< rad/s, counter-clockwise
+  std::optional<Vec2> centre =
+      {};  ///< of the spin as the motion begins, m, which goes with the velocity; unset: the mean of the points
   bool absent = false;
-  std::optional<double> mass = {};  ///< kg; with it the boundary moves under its weight, the grains and the force, from the velocity on that it has
+  std::optional<double> mass = {};  ///< kg; with it the boundary moves under its weight, the grains and the force, from
+                                    ///< the velocity on that it has
   Vec2 force = {};                  ///< N
   bool operator==(const BoundaryMotion&) const = default;
   void declare(ParameterVisitor& visitor);

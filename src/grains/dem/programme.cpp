@@ -10,7 +10,8 @@ namespace arenite::dem {
 
 double Programme::at(double time) const {
   if (const double period = table.back().x; repeat && period > 0) time -= period * std::floor(time / period);
-  const auto after = std::upper_bound(table.begin(), table.end(), time, [](double t, const Vec2& row) { return t < row.x; });
+  const auto after =
+      std::upper_bound(table.begin(), table.end(), time, [](double t, const Vec2& row) { return t < row.x; });
   if (after == table.begin()) return table.front().y;
   if (after == table.end()) return table.back().y;
   const Vec2 &a = *(after - 1), &b = *after;
@@ -88,7 +89,8 @@ void follow_velocities(Sample& s) {
     if (p.of == Programme::shear_rate) change_shear_rate(s, p.at(time));
     if (p.slides_side()) s.wall[p.of - Programme::slide].drive.slide = p.at(time);
     if (!p.drives_side() || p.drive() != 0) continue;
-    s.wall[p.side()].drive.value = s.wall[p.side()].rate = s.domain.wall[p.side()].velocity = p.at(time) * inward_sign(p.side());
+    s.wall[p.side()].drive.value = s.wall[p.side()].rate = s.domain.wall[p.side()].velocity =
+        p.at(time) * inward_sign(p.side());
   }
 }
 

@@ -12,7 +12,9 @@ template <int D> double sense(const SampleIn<D>& s, std::size_t slot) {
 }
 
 /// What a rolling law sees of a slot.
-template <int D, class Law> Slip<double, Turning<D>> slip_of(const SampleIn<D>& s, const Law& law, std::size_t slot, Vec<D> normal, double normal_force) {
+template <int D, class Law>
+Slip<double, Turning<D>> slip_of(const SampleIn<D>& s, const Law& law, std::size_t slot, Vec<D> normal,
+                                 double normal_force) {
   const auto& a = s.record[s.list.i[slot]];
   const std::int32_t j = s.list.j[slot];
   Turning<D> turning = a.omega;

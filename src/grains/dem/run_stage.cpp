@@ -11,7 +11,8 @@
 namespace arenite::dem {
 
 std::string describe(const Equilibrium& now) {
-  std::string text = fmt::format("unbalanced force ratio {:.1e}, kinetic over elastic energy {:.1e}", now.unbalanced_ratio, now.kinetic_ratio);
+  std::string text = fmt::format("unbalanced force ratio {:.1e}, kinetic over elastic energy {:.1e}",
+                                 now.unbalanced_ratio, now.kinetic_ratio);
   if (now.loose_kinetic > 0) text += fmt::format(", of grains that carry no load {:.1e}", now.loose_kinetic);
   return now.falling > 0 ? text + fmt::format(", {:.2g} % of the grains are falling", 100 * now.falling) : text;
 }
@@ -44,10 +45,12 @@ void append(History& history, const char* name, const char* unit, double value) 
 
 bool shears_cell(const Stage& stage) {
   return stage.shear_rate != 0 || (stage.strain_cycles && stage.strain_cycles->of == StrainCycles::shear) ||
-         std::any_of(stage.programmes.begin(), stage.programmes.end(), [](const Programme& p) { return p.of == Programme::shear_rate; });
+         std::any_of(stage.programmes.begin(), stage.programmes.end(),
+                     [](const Programme& p) { return p.of == Programme::shear_rate; });
 }
 
-void sample(History& history, const Engine& engine, const Stage& stage, const Equilibrium& now, std::int64_t increment) {
+void sample(History& history, const Engine& engine, const Stage& stage, const Equilibrium& now,
+            std::int64_t increment) {
   append(history, "time", "s", engine.time());
   append(history, "increment", "1", static_cast<double>(increment + 1));
   for (int side = 0; side < sides; ++side) {
@@ -89,11 +92,12 @@ void sample(History& history, const Engine& engine, const Stage& stage, const Eq
   append(history, "loose_kinetic_ratio", "1", now.loose_kinetic);
 }
 
-/// Adds a row to the history, where one is due or wanted. It stays short however long the stage: when it is full, every second row goes and sampling
-/// halves.
+/// Adds a row to the history, where one is due or wanted. It stays short however long the stage: when it is full, every
+/// second row goes and sampling halves.
 void note(const Engine& engine, const Stage& stage, bool wanted, StageRun& run) {
   auto& columns = run.result.history.columns;
-  if (run.checks++ % run.sample_every == 0 || wanted) sample(run.result.history, engine, stage, run.latest, run.increment);
+  if (run.checks++ % run.sample_every == 0 || wanted)
+    sample(run.result.history, engine, stage, run.latest, run.increment);
   if (columns.empty() || columns.front().values.size() < history_rows) return;
   for (auto& column : columns) {
     for (std::size_t k = 0; 2 * k < column.values.size(); ++k) column.values[k] = column.values[2 * k];
@@ -103,21 +107,28 @@ void note(const Engine& engine, const Stage& stage, bool wanted, StageRun& run) 
 }
 
 void store_snapshot(const Engine& engine, const Equilibrium& now, std::string label, StageResult& result) {
-  result.snapshots.push_back({engine.time(), engine.step(), std::move(label), engine.packing(), engine.energies(), now});
+  result.snapshots.push_back(
+      {engine.time(), engine.step(), std::move(label), engine.packing(), engine.energies(), now});
 }
 
 /// The same with what the pressing sides still lack, relative to their aim; nothing on that where none presses.
 std::string describe_pressed(const Equilibrium& now, const WallDrives& drives, const Domain& domain) {
-  const bool presses = std::any_of(drives.begin(), drives.end(), [](const WallDrive& d) { return d.kind == WallDrive::Kind::force; });
-  return describe(now) + (presses ? fmt::format(", forces on the sides within {:.1e} of their targets", load_error(drives, domain)) : "");
+  const bool presses =
+      std::any_of(drives.begin(), drives.end(), [](const WallDrive& d) { return d.kind == WallDrive::Kind::force; });
+  return describe(now) +
+         (presses ? fmt::format(", forces on the sides within {:.1e} of their targets", load_error(drives, domain))
+                  : "");
 }
 
-/// How the stage came to its end, how many of the bonds have broken, and how many pairs cohesion joins; nothing on these where there are none.
+/// How the stage came to its end, how many of the bonds have broken, and how many pairs cohesion joins; nothing on
+/// these where there are none.
 std::string outcome_of(const Engine& engine, const Stage& stage, const Equilibrium& now, const WallDrives& drives) {
-  std::string text = stage.strain_cycles ? fmt::format("{} strain cycles completed; {}", stage.strain_cycles->count, describe(now))
-                     : stage.duration    ? fmt::format("{:g} s passed; {}", *stage.duration, describe(now))
-                                         : "equilibrium: " + describe_pressed(now, drives, engine.domain());
-  if (const BondCount bonds = engine.bond_count(); bonds.made() > 0) text += fmt::format("; {} of {} bonds broken", bonds.made() - bonds.intact, bonds.made());
+  std::string text = stage.strain_cycles
+                         ? fmt::format("{} strain cycles completed; {}", stage.strain_cycles->count, describe(now))
+                     : stage.duration ? fmt::format("{:g} s passed; {}", *stage.duration, describe(now))
+                                      : "equilibrium: " + describe_pressed(now, drives, engine.domain());
+  if (const BondCount bonds = engine.bond_count(); bonds.made() > 0)
+    text += fmt::format("; {} of {} bonds broken", bonds.made() - bonds.intact, bonds.made());
   if (!engine.is_cohesive()) return text;
   const CohesionCount pairs = engine.cohesion_count();
   return text + fmt::format("; {} cohesive pairs, {} of them not touching", pairs.joined, pairs.apart);
@@ -139,14 +150,17 @@ void end_leg(const Engine& engine, const Stage& stage, const Leg& leg, StageRun&
 void give_up(const Engine& engine, const Stage& stage, const Leg& leg, const WallDrives& drives, StageRun& run) {
   store_snapshot(engine, run.latest, leg.label, run.result);
   run.result.converged = false;
-  run.result.outcome = fmt::format("no equilibrium within {} steps{} (equilibrium.max_steps): {}", run.steps_in_increment,
-                                   increment_count(stage) > 1 ? " of " + leg.label : "", describe_pressed(run.latest, drives, engine.domain()));
+  run.result.outcome = fmt::format("no equilibrium within {} steps{} (equilibrium.max_steps): {}",
+                                   run.steps_in_increment, increment_count(stage) > 1 ? " of " + leg.label : "",
+                                   describe_pressed(run.latest, drives, engine.domain()));
 }
 
 }  // namespace
 
 StageRun begin_stage(Engine& engine, const Stage& stage) {
-  engine.set_gravity(stage.gravity ? stage.gravity_size * Vec2{std::sin(stage.gravity_angle), -std::cos(stage.gravity_angle)} : Vec2{});
+  engine.set_gravity(stage.gravity
+                         ? stage.gravity_size * Vec2{std::sin(stage.gravity_angle), -std::cos(stage.gravity_angle)}
+                         : Vec2{});
   engine.set_friction(stage.friction);
   if (stage.gravity && stage.mass_scaling == MassScaling::uniform)
     throw InputError("mass scaling cannot be used with gravity; leave gravity or mass_scaling out");
@@ -168,7 +182,8 @@ StageRun begin_stage(Engine& engine, const Stage& stage) {
 }
 
 void continue_stage(Engine& engine, const Stage& stage, StageRun& run) {
-  const Leg leg = leg_at(stage, run.start, run.increment, static_cast<std::int64_t>(run.result.snapshots.size()), engine.time_step());
+  const Leg leg = leg_at(stage, run.start, run.increment, static_cast<std::int64_t>(run.result.snapshots.size()),
+                         engine.time_step());
   if (leg.shear_rate) engine.set_shear_rate(*leg.shear_rate);
   const WallDrives drives = drives_for(stage, leg, engine.domain());
   engine.set_drives(drives);
@@ -176,7 +191,8 @@ void continue_stage(Engine& engine, const Stage& stage, StageRun& run) {
   engine.advance(steps);
   run.steps_in_increment += steps;
   run.latest = engine.equilibrium();
-  const bool at_rest = is_at_rest(run.latest, stage.equilibrium) && load_error(drives, engine.domain()) < 10 * stage.equilibrium.unbalanced;
+  const bool at_rest = is_at_rest(run.latest, stage.equilibrium) &&
+                       load_error(drives, engine.domain()) < 10 * stage.equilibrium.unbalanced;
   const bool is_over = leg.until ? run.steps_in_increment >= *leg.until : at_rest;
   const bool given_up = !leg.until && !at_rest && run.steps_in_increment >= stage.equilibrium.max_steps;
   note(engine, stage, is_over && leg.is_whole, run);
@@ -194,7 +210,8 @@ double share_done(const Stage& stage, const StageRun& run) {
   }
   const auto total = static_cast<double>(increment_count(stage));
   if (stage.strain_cycles) return static_cast<double>(run.increment) / total;
-  const double within = std::clamp(std::log(run.latest.unbalanced_ratio) / std::log(stage.equilibrium.unbalanced), 0.0, 0.95);
+  const double within =
+      std::clamp(std::log(run.latest.unbalanced_ratio) / std::log(stage.equilibrium.unbalanced), 0.0, 0.95);
   return (static_cast<double>(run.increment) + within) / total;
 }
 

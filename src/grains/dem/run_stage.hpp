@@ -8,7 +8,8 @@
 
 namespace arenite::dem {
 
-/// A stage under way: everything besides the engine's own state that decides how it goes on, so that a checkpoint of both resumes with the same bits.
+/// A stage under way: everything besides the engine's own state that decides how it goes on, so that a checkpoint of
+/// both resumes with the same bits.
 struct StageRun {
   StageStart start;
   std::int64_t increment = 0;  ///< the one under way
@@ -29,13 +30,14 @@ std::string describe(const Equilibrium& now);
 /// Sets gravity, friction, drag and glue of the stage and notes the walls' forces.
 StageRun begin_stage(Engine& engine, const Stage& stage);
 
-/// Goes on for one check interval: moves the sample, looks whether the increment is at rest (or its time is over), stores a snapshot at its end and
-/// takes up the next. Sets `run.finished` after the last, or when an increment cannot come to rest within `equilibrium.max_steps` (result.converged is then
-/// false and result.outcome says what was reached).
+/// Goes on for one check interval: moves the sample, looks whether the increment is at rest (or its time is over),
+/// stores a snapshot at its end and takes up the next. Sets `run.finished` after the last, or when an increment cannot
+/// come to rest within `equilibrium.max_steps` (result.converged is then false and result.outcome says what was
+/// reached).
 void continue_stage(Engine& engine, const Stage& stage, StageRun& run);
 
-/// Share of the stage that is done, 0 to 1, for a progress bar: increments, and within one how far its unbalanced ratio has come down on a
-/// logarithmic scale.
+/// Share of the stage that is done, 0 to 1, for a progress bar: increments, and within one how far its unbalanced ratio
+/// has come down on a logarithmic scale.
 double share_done(const Stage& stage, const StageRun& run);
 
 }  // namespace arenite::dem

@@ -40,14 +40,15 @@ struct BoundaryBody {
   Vec2 rate;        ///< integrated velocity, m/s (half a step behind under Verlet)
 };
 
-/// What a disk can touch of a boundary: one of its points, or the segment from there to the next. The number of an element is its place among those
-/// of all boundaries (Domain::elements).
+/// What a disk can touch of a boundary: one of its points, or the segment from there to the next. The number of an
+/// element is its place among those of all boundaries (Domain::elements).
 struct Element {
   std::int32_t boundary = 0, point = 0;
   bool segment = false;
 };
 
-/// A grain that goes with a rough wall: its centre in the wall's own coordinates, which start at `slid` along the wall and at its plane.
+/// A grain that goes with a rough wall: its centre in the wall's own coordinates, which start at `slid` along the wall
+/// and at its plane.
 struct HeldGrain {
   std::int32_t grain = 0, side = 0;  ///< the caller's index
   Vec2 place;                        ///< m
@@ -71,10 +72,11 @@ struct BodyDisk {
   Cells<2> shift;                     ///< between the disk and its body's centre
 };
 
-/// Where a disk may touch a polygon: the point of the polygon's core nearest to the disk's centre, seen as a disk of the polygon's rounding that goes
-/// with it. Its record stands behind those of the ghosts, and its slot joins the disk with it. Each corner meets the other polygon by itself, so the
-/// energy is a sum over corners of squared distances from convex cores, and the force runs on without a jump from a side over a corner. A boundary's
-/// point that juts out has a foot, too, like a corner without radius.
+/// Where a disk may touch a polygon: the point of the polygon's core nearest to the disk's centre, seen as a disk of
+/// the polygon's rounding that goes with it. Its record stands behind those of the ghosts, and its slot joins the disk
+/// with it. Each corner meets the other polygon by itself, so the energy is a sum over corners of squared distances
+/// from convex cores, and the force runs on without a jump from a side over a corner. A boundary's point that juts out
+/// has a foot, too, like a corner without radius.
 struct Foot {
   std::int32_t touches = 0, body = 0;  ///< inner number of the disk, or boundary_partner of the point; the polygon
   Cells<2> shift;                      ///< from the body's centre to the image that is meant
@@ -87,12 +89,14 @@ template <> struct PlaneParts<2> {
   Programmes programmes;         ///< of the stage under way; not saved, since every stage sets them
   std::vector<Element> element;  ///< of the domain's boundaries
   std::vector<BoundaryBody> boundary;
-  std::vector<Foot> foot, point_foot;  ///< of disks and of boundaries' points; the records of the latter are the last ones
-  Grains given;                        ///< the caller's, where some are no disks: `start` then has their disks, and "grain" within means a disk
+  std::vector<Foot> foot,
+      point_foot;  ///< of disks and of boundaries' points; the records of the latter are the last ones
+  Grains
+      given;  ///< the caller's, where some are no disks: `start` then has their disks, and "grain" within means a disk
   std::vector<Body> body;
   std::vector<BodyDisk> part;           ///< by disk of `start`; empty where all grains are disks
   std::vector<std::int32_t> part_disk;  ///< the disks' inner numbers; renewed with the list
-  std::vector<Vec2> lever;              ///< by inner number: from the centre of a disk's body to its own; empty like `part`
+  std::vector<Vec2> lever;  ///< by inner number: from the centre of a disk's body to its own; empty like `part`
 
   std::vector<HeldGrain> held;          ///< sorted by grain
   std::vector<std::int32_t> held_disk;  ///< their inner numbers; renewed with the list
@@ -103,8 +107,8 @@ template <> struct PlaneParts<2> {
   EnergyBalance balance;  ///< only if track_energy
 };
 
-/// Everything that decides the future, and the set-up that follows from it. Disks (in space spheres) are kept in an inner order that follows the cells;
-/// `record[k].grain` leads back to the caller's.
+/// Everything that decides the future, and the set-up that follows from it. Disks (in space spheres) are kept in an
+/// inner order that follows the cells; `record[k].grain` leads back to the caller's.
 template <int D> struct SampleIn : PlaneParts<D> {
   PackingIn<D> start;  ///< as given: materials, ids, zones; its contacts are dropped after the start
   ContactParameters contact;
@@ -129,11 +133,13 @@ template <int D> struct SampleIn : PlaneParts<D> {
 
   std::size_t count = 0;  ///< disks; the records behind them are ghosts
   std::vector<GrainRecord<D>> record;
-  Components<D> velocity, acceleration;               ///< integrated velocities, less the affine motion of a periodic cell; last accelerations
-  Turnings<D> omega, angle, alpha;                    ///< the same of the turning
-  std::array<Components<3>, D + turnings<D>> higher;  ///< Gear: of each coordinate and angle the third to fifth derivatives
-  std::vector<Ghost<D>> ghost;                        ///< and behind them one for each foot of a disk
-  ContactListIn<D> list, former;                      ///< `former`: the list before the last rebuild, kept for its memory
+  Components<D> velocity,
+      acceleration;  ///< integrated velocities, less the affine motion of a periodic cell; last accelerations
+  Turnings<D> omega, angle, alpha;  ///< the same of the turning
+  std::array<Components<3>, D + turnings<D>>
+      higher;                     ///< Gear: of each coordinate and angle the third to fifth derivatives
+  std::vector<Ghost<D>> ghost;    ///< and behind them one for each foot of a disk
+  ContactListIn<D> list, former;  ///< `former`: the list before the last rebuild, kept for its memory
   double skin = 0, largest_radius = 0;
   Components<D> listed;  ///< where the disks were when the list was built
   DomainIn<D> listed_domain;
@@ -180,19 +186,24 @@ struct CellAxis {
   bool periodic = false;
   double edge = 0, length = 1;
   /// Takes a place along from an earlier frame.
-  Stretch since(const CellAxis& old) const { return periodic ? Stretch{old.edge, length / old.length, edge} : Stretch{}; }
+  Stretch since(const CellAxis& old) const {
+    return periodic ? Stretch{old.edge, length / old.length, edge} : Stretch{};
+  }
 };
 template <int D> using CellFrame = std::array<CellAxis, D>;
 template <int D> inline CellFrame<D> cell_frame(const Container<D>& d) {
   CellFrame<D> frame;
-  for (std::size_t axis = 0; axis < frame.size(); ++axis) frame[axis] = {d.periodic[axis], d.wall[2 * axis].position, d.extent(static_cast<int>(axis))};
+  for (std::size_t axis = 0; axis < frame.size(); ++axis)
+    frame[axis] = {d.periodic[axis], d.wall[2 * axis].position, d.extent(static_cast<int>(axis))};
   return frame;
 }
 
 /// How fast the image of a place some cells on moves past it, m/s.
 template <int D> inline Vec<D> image_velocity(const SampleIn<D>& s, Cells<D> shift) {
   if (shift == Cells<D>{}) return {};
-  const auto stretch = [&](int axis) { return s.domain.periodic[axis] ? s.domain.wall[2 * axis + 1].velocity - s.domain.wall[2 * axis].velocity : 0; };
+  const auto stretch = [&](int axis) {
+    return s.domain.periodic[axis] ? s.domain.wall[2 * axis + 1].velocity - s.domain.wall[2 * axis].velocity : 0;
+  };
   Vec<D> velocity = by_axis<D>([&](int axis) { return shift[axis] * stretch(axis); });
   velocity.x += shift.y * (s.domain.tilt * stretch(0) / s.domain.extent(0) + s.shear_rate * s.domain.extent(1));
   return velocity;
@@ -200,7 +211,8 @@ template <int D> inline Vec<D> image_velocity(const SampleIn<D>& s, Cells<D> shi
 
 /// Of a grain (caller's index) that goes with a rough wall; nullptr of any other.
 inline const HeldGrain* find_held(const Sample& s, std::int32_t grain) {
-  const auto at = std::lower_bound(s.held.begin(), s.held.end(), grain, [](const HeldGrain& h, std::int32_t g) { return h.grain < g; });
+  const auto at = std::lower_bound(s.held.begin(), s.held.end(), grain,
+                                   [](const HeldGrain& h, std::int32_t g) { return h.grain < g; });
   return at != s.held.end() && at->grain == grain ? &*at : nullptr;
 }
 constexpr const HeldGrain* find_held(const SampleIn<3>& /*s*/, std::int32_t /*grain*/) { return nullptr; }
@@ -220,7 +232,8 @@ template <int D> inline std::size_t body_count(const SampleIn<D>& s) {
   if constexpr (D == 2) return s.body.size();
   else return 0;
 }
-/// Where a disk that is a grain, or the body of one that is not, stands in arrays over the disks of `start` and the bodies behind them.
+/// Where a disk that is a grain, or the body of one that is not, stands in arrays over the disks of `start` and the
+/// bodies behind them.
 inline std::size_t mover_of(const Sample& s, std::int32_t disk) {
   const std::int32_t body = body_of(s, disk);
   return body < 0 ? static_cast<std::size_t>(disk) : s.count + static_cast<std::size_t>(body);
@@ -228,6 +241,8 @@ inline std::size_t mover_of(const Sample& s, std::int32_t disk) {
 inline std::size_t grain_count(const Sample& s) { return s.part.empty() ? s.count : s.given.size(); }
 
 /// Centres of touching disks, or of disks in the list, are never farther apart, m.
-template <int D> inline double reach_of(const SampleIn<D>& s) { return 2.0 * s.largest_radius + s.skin + s.cohesion.reach; }
+template <int D> inline double reach_of(const SampleIn<D>& s) {
+  return 2.0 * s.largest_radius + s.skin + s.cohesion.reach;
+}
 
 }  // namespace arenite::dem

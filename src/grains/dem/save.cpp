@@ -10,8 +10,8 @@
 namespace arenite::dem {
 namespace {
 
-/// "a-dem-04"; changes with what `Members` lists. States behind a shortened step and those with bonds have more to say: "a-dem-0t", "a-dem-0b",
-/// "a-dem-0u" with both.
+/// "a-dem-04"; changes with what `Members` lists. States behind a shortened step and those with bonds have more to say:
+/// "a-dem-0t", "a-dem-0b", "a-dem-0u" with both.
 constexpr std::uint64_t mark(bool shortened, bool bonded) {
   constexpr char last[2][2] = {{'4', 'b'}, {'t', 'u'}};
   return 0x302d6d65642d61 | static_cast<std::uint64_t>(last[shortened][bonded]) << 56;
@@ -43,7 +43,8 @@ template <class Archive> class Members {
   void take(Wall& wall) { (*this)(wall.position, wall.velocity, wall.force, wall.shear_force); }
   void take(WallBody& w) {
     auto state = static_cast<std::uint8_t>((w.rough ? 1 : 0) | (w.open ? 2 : 0));
-    (*this)(w.drive.kind, w.drive.value, w.mass, w.impedance, w.sample_mass, w.drift, w.rate, w.acceleration, w.higher, w.drive.slide, w.slid, state);
+    (*this)(w.drive.kind, w.drive.value, w.mass, w.impedance, w.sample_mass, w.drift, w.rate, w.acceleration, w.higher,
+            w.drive.slide, w.slid, state);
     w.rough = (state & 1) != 0;
     w.open = (state & 2) != 0;
   }
@@ -69,11 +70,13 @@ template <class Archive> class Members {
       if (count > archive_.left() / sizeof(double)) ByteReader::fail();
       bonds.resize(count);
     }
-    for (Bond& b : bonds) (*this)(b.i, b.j, b.broken, b.length, b.normal, b.angle_i, b.angle_j, b.energy, b.load, b.time, b.place);
+    for (Bond& b : bonds)
+      (*this)(b.i, b.j, b.broken, b.length, b.normal, b.angle_i, b.angle_j, b.energy, b.load, b.time, b.place);
   }
 
   void take(Sample& s) {
-    (*this)(s.mass_scaling, s.inertial_number, s.step, s.lag, s.friction, s.wall_friction, s.drag, s.gravity, s.glue, s.settled, s.balance.open);
+    (*this)(s.mass_scaling, s.inertial_number, s.step, s.lag, s.friction, s.wall_friction, s.drag, s.gravity, s.glue,
+            s.settled, s.balance.open);
     (*this)(s.domain.wall, s.domain.tilt, s.listed_domain.wall, s.listed_domain.tilt);
     (*this)(s.skin, s.builds, s.shear_rate, s.sheared, s.listed_sheared, s.held, s.wall);
     apply_open(s);
@@ -110,8 +113,8 @@ void check_bonds(const Sample& s, const std::vector<std::int32_t>& broken) {
 }
 
 void check_sizes(const Sample& s, const Sample& wanted) {
-  bool alike = s.record.size() == s.count && s.alpha.size() == s.count && s.listed.along[0].size() == s.count && s.body.size() == wanted.body.size() &&
-               s.part.size() == wanted.part.size();
+  bool alike = s.record.size() == s.count && s.alpha.size() == s.count && s.listed.along[0].size() == s.count &&
+               s.body.size() == wanted.body.size() && s.part.size() == wanted.part.size();
   for (std::size_t b = 0; b < s.domain.boundaries.size(); ++b)
     for (const Domain* domain : {&s.domain, &s.listed_domain})
       alike = alike && domain->boundaries[b].points.size() == wanted.domain.boundaries[b].points.size();
@@ -154,11 +157,12 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   std::uint64_t step = 0;
   members(header);
   std::memcpy(&step, &s.dt_at_start, sizeof step);
-  const bool bonded = header[0] == mark(false, true) || header[0] == mark(true, true), shortened = header[0] == mark(true, bonded);
+  const bool bonded = header[0] == mark(false, true) || header[0] == mark(true, true),
+             shortened = header[0] == mark(true, bonded);
   if (header[0] != mark(shortened, bonded)) ByteReader::fail();
   if (header[1] != s.count || header[2] != step)
-    throw InputError("the stored state belongs to another sample or time step (" + std::to_string(header[1]) + " grains; here " + std::to_string(s.count) +
-                     ")");
+    throw InputError("the stored state belongs to another sample or time step (" + std::to_string(header[1]) +
+                     " grains; here " + std::to_string(s.count) + ")");
   std::vector<std::int32_t> broken;
   s.bonds.clear();
   if (shortened) members(s.dt, s.steps_before, s.time_before);
@@ -177,7 +181,8 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   list_with_bonds(s, broken);
   const std::size_t slots = s.list.size(), pulls = s.list.pull.size();
   members(s.list);
-  if (s.list.force.size() != slots + 1 + s.bond_slots.size() || s.list.memory.size() != slots || s.list.pull.size() != pulls || !read.at_end())
+  if (s.list.force.size() != slots + 1 + s.bond_slots.size() || s.list.memory.size() != slots ||
+      s.list.pull.size() != pulls || !read.at_end())
     ByteReader::fail();
   find_pull_curves(s);
   s.domain = domain;

@@ -22,45 +22,56 @@ bool positive(double v) { return std::isfinite(v) && v > 0; }
 bool not_negative(double v) { return std::isfinite(v) && v >= 0; }
 
 template <int D>
-void check_parameters(Problems& problems, const PackingIn<D>& start, const ContactParameters& contact, const IntegrationParameters& integration) {
-  problems.unless(contact.restitution > 0 && contact.restitution <= 1, "restitution {} must be above 0 and at most 1", contact.restitution);
+void check_parameters(Problems& problems, const PackingIn<D>& start, const ContactParameters& contact,
+                      const IntegrationParameters& integration) {
+  problems.unless(contact.restitution > 0 && contact.restitution <= 1, "restitution {} must be above 0 and at most 1",
+                  contact.restitution);
   problems.unless(not_negative(contact.friction), "friction {} must be a number >= 0", contact.friction);
-  problems.unless(not_negative(contact.wall_friction.value_or(0)), "wall friction {} must be a number >= 0", contact.wall_friction.value_or(0));
-  problems.unless(not_negative(contact.normal_damping.value_or(0)), "normal damping {} N s/m must be >= 0", contact.normal_damping.value_or(0));
-  problems.unless(not_negative(contact.sliding_viscosity.value_or(0)), "sliding viscosity {} N s/m must be >= 0", contact.sliding_viscosity.value_or(0));
-  problems.unless(positive(contact.tangential_stiffness_ratio), "tangential stiffness ratio {} must be above 0", contact.tangential_stiffness_ratio);
+  problems.unless(not_negative(contact.wall_friction.value_or(0)), "wall friction {} must be a number >= 0",
+                  contact.wall_friction.value_or(0));
+  problems.unless(not_negative(contact.normal_damping.value_or(0)), "normal damping {} N s/m must be >= 0",
+                  contact.normal_damping.value_or(0));
+  problems.unless(not_negative(contact.sliding_viscosity.value_or(0)), "sliding viscosity {} N s/m must be >= 0",
+                  contact.sliding_viscosity.value_or(0));
+  problems.unless(positive(contact.tangential_stiffness_ratio), "tangential stiffness ratio {} must be above 0",
+                  contact.tangential_stiffness_ratio);
   problems.unless(not_negative(contact.surface_energy), "surface energy {} N/m must be >= 0", contact.surface_energy);
   problems.unless(positive(integration.safety), "safety {} must be above 0", integration.safety);
   problems.unless(not_negative(integration.drag), "drag {} 1/s must be >= 0", integration.drag);
   problems.unless(integration.threads >= 1, "threads {} must be 1 or more", integration.threads);
   const auto n = static_cast<std::int32_t>(start.grains.size());
   for (const Bond& bond : start.bonds)
-    problems.unless(bond.i >= 0 && bond.i < bond.j && bond.j < n && bond.length > 0, "bond ({}, {}) must join two of the {} grains, the lower first", bond.i,
-                    bond.j, n);
+    problems.unless(bond.i >= 0 && bond.i < bond.j && bond.j < n && bond.length > 0,
+                    "bond ({}, {}) must join two of the {} grains, the lower first", bond.i, bond.j, n);
   for (const auto& [a, b] : contact.glued_pairs)
-    problems.unless(a >= 0 && b >= 0 && a < n && b < n && a != b, "glued pair ({}, {}) must name two of the {} grains", a, b, n);
+    problems.unless(a >= 0 && b >= 0 && a < n && b < n && a != b, "glued pair ({}, {}) must name two of the {} grains",
+                    a, b, n);
 }
 
 /// What a law of E and nu needs of a material.
 void check_moduli(Problems& problems, const Material& m, const NormalLaw& law) {
   const bool both = m.youngs_modulus && m.poisson;
-  problems.unless(both, "material \"{}\" has no {}, which the normal law \"{}\" needs", m.name, m.youngs_modulus ? "poisson" : "youngs_modulus", law.word());
-  problems.unless(!m.youngs_modulus || positive(*m.youngs_modulus), "youngs_modulus {} Pa of material \"{}\" must be above 0", m.youngs_modulus.value_or(0),
-                  m.name);
+  problems.unless(both, "material \"{}\" has no {}, which the normal law \"{}\" needs", m.name,
+                  m.youngs_modulus ? "poisson" : "youngs_modulus", law.word());
+  problems.unless(!m.youngs_modulus || positive(*m.youngs_modulus),
+                  "youngs_modulus {} Pa of material \"{}\" must be above 0", m.youngs_modulus.value_or(0), m.name);
   const double nu = m.poisson.value_or(0);
   problems.unless(nu >= 0 && nu <= 0.5, "poisson {} of material \"{}\" must lie between 0 and 0.5", nu, m.name);
 }
 
 /// What only the plane has.
-void check_plane(Problems& problems, const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration) {
+void check_plane(Problems& problems, const Packing& start, const ContactParameters& contact,
+                 const IntegrationParameters& integration) {
   problems.unless(positive(start.domain.thickness), "thickness {} m must be above 0", start.domain.thickness);
   check_boundaries(problems, start.domain);
   check_shapes(problems, start, contact, integration);
 }
-void check_plane(Problems& problems, const PackingIn<3>& start, const ContactParameters& contact, const IntegrationParameters& integration) {
+void check_plane(Problems& problems, const PackingIn<3>& start, const ContactParameters& contact,
+                 const IntegrationParameters& integration) {
   problems.unless(!contact.has_bonds() && !contact.is_cohesive(), "bonds and cohesion are of the plane");
   problems.unless(!integration.track_energy, "the account of energy is of the plane");
-  problems.unless(start.contacts.size() == 0 && start.grains.shapes.empty(), "contacts that a packing holds, and shapes, are of the plane");
+  problems.unless(start.contacts.size() == 0 && start.grains.shapes.empty(),
+                  "contacts that a packing holds, and shapes, are of the plane");
 }
 
 template <int D> void check_packing(Problems& problems, const PackingIn<D>& start, const ContactParameters& contact) {
@@ -72,17 +83,21 @@ template <int D> void check_packing(Problems& problems, const PackingIn<D>& star
   for (const auto& m : start.materials) {
     problems.unless(positive(m.density), "density {} kg/m^3 of material \"{}\" must be above 0", m.density, m.name);
     if (contact.takes_moduli()) check_moduli(problems, m, contact.normal);
-    else problems.unless(positive(m.stiffness), "stiffness {} N/m of material \"{}\" must be above 0", m.stiffness, m.name);
+    else
+      problems.unless(positive(m.stiffness), "stiffness {} N/m of material \"{}\" must be above 0", m.stiffness,
+                      m.name);
   }
   const GrainsIn<D>& g = start.grains;
   for (std::size_t k = 0; k < g.size(); ++k) {
     problems.unless(positive(g.radius[k]), "radius {} m of grain {} must be above 0", g.radius[k], g.id[k]);
-    problems.unless(is_finite(g.position[k]) && is_finite(g.velocity[k]) && is_finite(g.omega[k]), "grain {} has a coordinate or velocity that is not a number",
-                    g.id[k]);
+    problems.unless(is_finite(g.position[k]) && is_finite(g.velocity[k]) && is_finite(g.omega[k]),
+                    "grain {} has a coordinate or velocity that is not a number", g.id[k]);
     problems.unless(g.material[k] >= 0 && static_cast<std::size_t>(g.material[k]) < start.materials.size(),
-                    "material {} of grain {} is not among the {} materials", g.material[k], g.id[k], start.materials.size());
+                    "material {} of grain {} is not among the {} materials", g.material[k], g.id[k],
+                    start.materials.size());
     bool inside = true;
-    for (int side = 0; side < sides_in<D>; ++side) inside = inside && (!domain.wall[side].present || domain.depth(side, g.position[k]) >= 0);
+    for (int side = 0; side < sides_in<D>; ++side)
+      inside = inside && (!domain.wall[side].present || domain.depth(side, g.position[k]) >= 0);
     problems.unless(inside, "the centre of grain {} is outside of the container", g.id[k]);
   }
 }
@@ -116,8 +131,9 @@ template <int D> void check_cell(const SampleIn<D>& s) {
   double needed = 2.0 * reach_of(s);
   if constexpr (D == 2) needed = std::max(needed, cell_for_bodies(s));
   for (int axis = 0; axis < D; ++axis)
-    problems.unless(!s.domain.periodic[axis] || s.domain.extent(axis) >= needed, "a periodic cell {} m {} is too {} for its grains; {} m would do",
-                    s.domain.extent(axis), words[axis][0], words[axis][1], needed);
+    problems.unless(!s.domain.periodic[axis] || s.domain.extent(axis) >= needed,
+                    "a periodic cell {} m {} is too {} for its grains; {} m would do", s.domain.extent(axis),
+                    words[axis][0], words[axis][1], needed);
   problems.raise();
 }
 
@@ -127,14 +143,16 @@ template <int D> void choose_step(SampleIn<D>& s) {
   s.dt = asked.value_or(std::min(s.integration.safety * shortest_contact_time(s), bounds.largest()));
   if (!positive(s.dt)) throw InputError(fmt::format("time step {} s must be above 0", s.dt));
   if (s.dt > bounds.largest())
-    throw InputError(
-        fmt::format("integration.time_step of {:.4g} s is too long for this packing: {} would make it unstable; "
-                    "use {:.4g} s, or leave the key out",
-                    s.dt, bounds.damping < bounds.stiffness ? "damping (dashpots and drag)" : "the stiffness of its contacts", 0.999 * bounds.largest()));
+    throw InputError(fmt::format(
+        "integration.time_step of {:.4g} s is too long for this packing: {} would make it unstable; use {:.4g} s, or "
+        "leave the key out",
+        s.dt, bounds.damping < bounds.stiffness ? "damping (dashpots and drag)" : "the stiffness of its contacts",
+        0.999 * bounds.largest()));
   s.dt_at_start = s.dt;
 }
 
-/// What the contacts of the packing left in the memories of the laws, so that a stage goes on with the friction that it found.
+/// What the contacts of the packing left in the memories of the laws, so that a stage goes on with the friction that it
+/// found.
 void recall_contacts(Sample& s) {
   if (!remembers(s.laws)) return;
   const Contacts& c = s.start.contacts;
@@ -144,7 +162,8 @@ void recall_contacts(Sample& s) {
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A& adhesion, const F& friction) {
     for (std::size_t p = 0; p < s.list.size(); ++p) {
       const std::int32_t j = s.list.j[p];
-      const std::uint64_t key = pair_key(grain_of(s, s.record[s.list.i[p]].grain), j < 0 ? j : grain_of(s, s.record[s.list.owner[p]].grain));
+      const std::uint64_t key =
+          pair_key(grain_of(s, s.record[s.list.i[p]].grain), j < 0 ? j : grain_of(s, s.record[s.list.owner[p]].grain));
       auto found = std::lower_bound(met.begin(), met.end(), std::pair{key, std::size_t{0}});
       while (found != met.end() && found->first == key && !is_of_slot(s, c, found->second, p)) ++found;
       if (found == met.end() || found->first != key) continue;
@@ -154,7 +173,9 @@ void recall_contacts(Sample& s) {
         if (c.ft[q] != 0 && std::isfinite(c.ft[q]) && kt > 0) s.list.memory[p] = friction.recall(c.ft[q], kt);
       if constexpr (N::remembers)
         if (const Kinematics<2> at = slot_kinematics(s, p); at.overlap > 0 && std::isfinite(c.fn[q]))
-          s.list.normal_memory[p] = normal.recall(c.fn[q] + adhesion.attraction(at.overlap, s.list.strength[p]) + pull_of(s, p), at.overlap, k, at.curvature);
+          s.list.normal_memory[p] =
+              normal.recall(c.fn[q] + adhesion.attraction(at.overlap, s.list.strength[p]) + pull_of(s, p), at.overlap,
+                            k, at.curvature);
     }
   });
 }
@@ -184,12 +205,15 @@ void allow_step(Sample& s, const char* what) {
   const double largest = step_bounds(s).largest();
   if (!(s.dt > largest)) return;
   if (s.integration.time_step)
-    throw InputError(fmt::format("integration.time_step of {:.4g} s is beyond what this sample allows with {}; use {:.4g} s", s.dt, what, 0.999 * largest));
+    throw InputError(
+        fmt::format("integration.time_step of {:.4g} s is beyond what this sample allows with {}; use {:.4g} s", s.dt,
+                    what, 0.999 * largest));
   change_step(s, 0.999 * largest);
 }
 
 template <int D>
-SampleIn<D> make_sample(const PackingIn<D>& start, const ContactParameters& contact, const IntegrationParameters& integration, const KernelIn<D>& kernel) {
+SampleIn<D> make_sample(const PackingIn<D>& start, const ContactParameters& contact,
+                        const IntegrationParameters& integration, const KernelIn<D>& kernel) {
   Problems problems;
   check_parameters(problems, start, contact, integration);
   check_packing(problems, start, contact);
@@ -209,7 +233,8 @@ SampleIn<D> make_sample(const PackingIn<D>& start, const ContactParameters& cont
   apply_friction(s, std::nullopt);
   s.drag = integration.drag;
   s.domain = start.domain;
-  for (int side = 0; side < sides_in<D>; ++side)  // periodic sides have no walls; their `wall` entries are the edges of the cell
+  for (int side = 0; side < sides_in<D>;
+       ++side)  // periodic sides have no walls; their `wall` entries are the edges of the cell
     s.domain.wall[side] = {s.domain.wall[side].present && !s.domain.is_periodic(side), s.domain.wall[side].position};
   if constexpr (D == 2) {
     s.element = elements_of(s.domain);
@@ -232,7 +257,8 @@ SampleIn<D> make_sample(const PackingIn<D>& start, const ContactParameters& cont
     recall_cohesion(s);
     recall_contacts(s);
   }
-  s.laws = choose_laws(contact, 0.0, (1.0 - integrator_of(s).lead) * s.dt);  // the springs do not move before the first step
+  s.laws =
+      choose_laws(contact, 0.0, (1.0 - integrator_of(s).lead) * s.dt);  // the springs do not move before the first step
   compute_forces(s);
   sum_edge_forces(s);
   s.laws = laws_between_steps(s);
@@ -240,6 +266,7 @@ SampleIn<D> make_sample(const PackingIn<D>& start, const ContactParameters& cont
 }
 
 template Sample make_sample(const Packing&, const ContactParameters&, const IntegrationParameters&, const Kernel&);
-template SampleIn<3> make_sample(const PackingIn<3>&, const ContactParameters&, const IntegrationParameters&, const KernelIn<3>&);
+template SampleIn<3> make_sample(const PackingIn<3>&, const ContactParameters&, const IntegrationParameters&,
+                                 const KernelIn<3>&);
 
 }  // namespace arenite::dem

@@ -43,7 +43,10 @@ void add_half_cycle(Leg& leg, const Stage& stage, const StageStart& start, std::
   if (!leg.ends_half) leg.label = fmt::format("{}, {} of {}", leg.label, step, cycles.increments);
   const SideDrive& ramp = stage.side[cycles.side];
   const double first = is_ramped(ramp) ? ramp.value : start.force[cycles.side];
-  const double from = half == 0 ? first : leg.at_maximum ? cycles.min : cycles.max, to = leg.at_maximum ? cycles.max : cycles.min;
+  const double from = half == 0        ? first
+                      : leg.at_maximum ? cycles.min
+                                       : cycles.max,
+               to = leg.at_maximum ? cycles.max : cycles.min;
   const double share = static_cast<double>(step) / static_cast<double>(cycles.increments);
   leg.side = stage.side;
   leg.side[cycles.side] = {SideDrive::Kind::force, from + share * (to - from)};
@@ -51,7 +54,8 @@ void add_half_cycle(Leg& leg, const Stage& stage, const StageStart& start, std::
 }
 
 /// The side goes on at the speed of its half cycle, or the cell is sheared at that rate.
-void add_half_cycle_of_strain(Leg& leg, const StrainCycles& cycles, const StageStart& start, std::int64_t k, double time_step) {
+void add_half_cycle_of_strain(Leg& leg, const StrainCycles& cycles, const StageStart& start, std::int64_t k,
+                              double time_step) {
   const StrainHalf half = strain_half(cycles, k, time_step);
   const double rate = (half.to - half.from) / (static_cast<double>(half.steps) * time_step);
   place_in_cycle(leg, k, true);
@@ -71,7 +75,9 @@ void add_time(Leg& leg, const Stage& stage, std::int64_t snapshot, double time_s
 
 }  // namespace
 
-std::int64_t steps_of(double duration, double time_step) { return static_cast<std::int64_t>(std::ceil(duration / time_step)); }
+std::int64_t steps_of(double duration, double time_step) {
+  return static_cast<std::int64_t>(std::ceil(duration / time_step));
+}
 
 std::int64_t increment_count(const Stage& stage) {
   if (stage.strain_cycles) return 2 * stage.strain_cycles->count;
@@ -107,7 +113,9 @@ WallDrives drives_for(const Stage& stage, const Leg& leg, const Domain& domain) 
       case SideDrive::Kind::fixed: break;
       case SideDrive::Kind::velocity: drives[side] = {WallDrive::Kind::velocity, value * inward_sign(side)}; break;
       case SideDrive::Kind::force: drives[side] = {WallDrive::Kind::force, value}; break;
-      case SideDrive::Kind::pressure: drives[side] = {WallDrive::Kind::force, value * domain.length(side) * domain.thickness}; break;
+      case SideDrive::Kind::pressure:
+        drives[side] = {WallDrive::Kind::force, value * domain.length(side) * domain.thickness};
+        break;
     }
     if (domain.wall[side].present) drives[side].slide = stage.slide[side];
   }

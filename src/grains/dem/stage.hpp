@@ -10,14 +10,15 @@
 
 namespace arenite::dem {
 
-/// A quantity of a stage's loading that a table gives over time: linear between two rows, as the first and last say before and after them; two rows of
-/// one time are a jump.
+/// A quantity of a stage's loading that a table gives over time: linear between two rows, as the first and last say
+/// before and after them; two rows of one time are a jump.
 struct Programme {
-  static constexpr int drives = 3, slide = sides * drives, shear_rate = slide + sides, gravity_size = shear_rate + 1, gravity_angle = gravity_size + 1,
-                       boundary = gravity_angle + 1, count = boundary + 8;
+  static constexpr int drives = 3, slide = sides * drives, shear_rate = slide + sides, gravity_size = shear_rate + 1,
+                       gravity_angle = gravity_size + 1, boundary = gravity_angle + 1, count = boundary + 8;
   /// What drives a boundary: where it is from where it was as the programme began, how fast it is, or the force on it.
   enum class OfBoundary { x, y, angle, velocity_x, velocity_y, spin, force_x, force_y };
-  int of = 0;               ///< drives * side + (0: velocity inward, 1: force, 2: pressure), slide + side, boundary + OfBoundary, or one of the others
+  int of = 0;  ///< drives * side + (0: velocity inward, 1: force, 2: pressure), slide + side, boundary + OfBoundary, or
+               ///< one of the others
   std::vector<Vec2> table;  ///< time since the stage began, s, and value in SI
   bool repeat = false;      ///< from the last row on it begins anew
   std::string name = {};    ///< of the boundary that it drives
@@ -43,13 +44,33 @@ struct Programme {
 struct ProgrammeTarget {
   const char *word, *unit;
 };
-inline constexpr std::array<ProgrammeTarget, Programme::count> programme_targets{
-    {{"left.velocity", "mm/s"}, {"left.force", "kN"},        {"left.pressure", "kPa"},        {"right.velocity", "mm/s"},      {"right.force", "kN"},
-     {"right.pressure", "kPa"}, {"bottom.velocity", "mm/s"}, {"bottom.force", "kN"},          {"bottom.pressure", "kPa"},      {"top.velocity", "mm/s"},
-     {"top.force", "kN"},       {"top.pressure", "kPa"},     {"slide.left", "mm/s"},          {"slide.right", "mm/s"},         {"slide.bottom", "mm/s"},
-     {"slide.top", "mm/s"},     {"shear_rate", "1/s"},       {"gravity_size", "m/s^2"},       {"gravity_angle", "deg"},        {"boundary.x", "mm"},
-     {"boundary.y", "mm"},      {"boundary.angle", "deg"},   {"boundary.velocity_x", "mm/s"}, {"boundary.velocity_y", "mm/s"}, {"boundary.spin", "deg/s"},
-     {"boundary.force_x", "N"}, {"boundary.force_y", "N"}}};
+inline constexpr std::array<ProgrammeTarget, Programme::count> programme_targets{{{"left.velocity", "mm/s"},
+                                                                                  {"left.force", "kN"},
+                                                                                  {"left.pressure", "kPa"},
+                                                                                  {"right.velocity", "mm/s"},
+                                                                                  {"right.force", "kN"},
+                                                                                  {"right.pressure", "kPa"},
+                                                                                  {"bottom.velocity", "mm/s"},
+                                                                                  {"bottom.force", "kN"},
+                                                                                  {"bottom.pressure", "kPa"},
+                                                                                  {"top.velocity", "mm/s"},
+                                                                                  {"top.force", "kN"},
+                                                                                  {"top.pressure", "kPa"},
+                                                                                  {"slide.left", "mm/s"},
+                                                                                  {"slide.right", "mm/s"},
+                                                                                  {"slide.bottom", "mm/s"},
+                                                                                  {"slide.top", "mm/s"},
+                                                                                  {"shear_rate", "1/s"},
+                                                                                  {"gravity_size", "m/s^2"},
+                                                                                  {"gravity_angle", "deg"},
+                                                                                  {"boundary.x", "mm"},
+                                                                                  {"boundary.y", "mm"},
+                                                                                  {"boundary.angle", "deg"},
+                                                                                  {"boundary.velocity_x", "mm/s"},
+                                                                                  {"boundary.velocity_y", "mm/s"},
+                                                                                  {"boundary.spin", "deg/s"},
+                                                                                  {"boundary.force_x", "N"},
+                                                                                  {"boundary.force_y", "N"}}};
 
 /// What a sample follows, from a time on.
 struct Programmes {
@@ -62,17 +83,19 @@ inline constexpr double standard_gravity = 9.81;  ///< m/s^2
 
 /// When an increment counts as done.
 struct EquilibriumCriterion {
-  double unbalanced = 1e-4;             ///< unbalanced force ratio
-  double kinetic = 1e-6;                ///< kinetic over elastic energy
-  double falling = 1e-3;                ///< share of grains that may still fall
-  std::optional<double> loose_kinetic;  ///< kinetic energy of grains that carry nothing over elastic energy; unset: 1e5 kinetic
+  double unbalanced = 1e-4;  ///< unbalanced force ratio
+  double kinetic = 1e-6;     ///< kinetic over elastic energy
+  double falling = 1e-3;     ///< share of grains that may still fall
+  std::optional<double>
+      loose_kinetic;  ///< kinetic energy of grains that carry nothing over elastic energy; unset: 1e5 kinetic
   std::optional<double> mobilisation;   ///< mean |F_t|/F_n below this as well; unset: not asked
   std::int64_t max_steps = 20'000'000;  ///< of one increment; then the stage ends with exit status 3
   bool operator==(const EquilibriumCriterion&) const = default;
   void declare(ParameterVisitor& visitor);
 };
 
-/// What one side does in a stage. A force is reached from its present value in `increments` equal steps; a pressure acts in full at once.
+/// What one side does in a stage. A force is reached from its present value in `increments` equal steps; a pressure
+/// acts in full at once.
 struct SideDrive {
   enum class Kind { fixed, velocity, force, pressure };
   Kind kind = Kind::fixed;
@@ -91,8 +114,8 @@ struct Cycles {
   void declare(ParameterVisitor& visitor);
 };
 
-/// Cycles of strain at a given rate: one side goes in and out, or a periodic cell is sheared to and fro, between two strains of the sample as the
-/// stage begins. The first half cycle goes from there to `max`.
+/// Cycles of strain at a given rate: one side goes in and out, or a periodic cell is sheared to and fro, between two
+/// strains of the sample as the stage begins. The first half cycle goes from there to `max`.
 struct StrainCycles {
   static constexpr int shear = 4;
   int of = top;  ///< a side (model/packing.hpp): shortening, positive inward; or `shear`
@@ -121,7 +144,8 @@ struct Stage {
   std::optional<double> duration;  ///< s; for stages driven by velocity, which do not end at rest
   std::optional<Cycles> cycles;
   std::optional<StrainCycles> strain_cycles;
-  std::vector<Programme> programmes;  ///< need a duration; of sides, slides and the like that these drive the values above are those at the beginning
+  std::vector<Programme> programmes;  ///< need a duration; of sides, slides and the like that these drive the values
+                                      ///< above are those at the beginning
   EquilibriumCriterion equilibrium;
   std::optional<double> friction;  ///< mu during this stage only (e.g. 0 to densify)
   double drag = 0;                 ///< 1/s, during this stage only, on top of the integration's
@@ -153,9 +177,11 @@ struct StageStart {
   std::array<double, 2> size{};  ///< width and height, m
 };
 
-/// One leg of a stage's loading: an increment, a half cycle of strain, or, in a stage that lasts a time, the way to the next state that is stored.
+/// One leg of a stage's loading: an increment, a half cycle of strain, or, in a stage that lasts a time, the way to the
+/// next state that is stored.
 struct Leg {
-  BySide<SideDrive> side;             ///< what the sides aim at; pressures act in full at once, forces in equal steps from what acts at the start
+  BySide<SideDrive> side;  ///< what the sides aim at; pressures act in full at once, forces in equal steps from what
+                           ///< acts at the start
   std::optional<double> shear_rate;   ///< 1/s, of a half cycle of shear
   std::optional<std::int64_t> until;  ///< steps of the increment at which it is over; unset: when the sample is at rest
   std::string label;

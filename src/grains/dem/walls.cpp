@@ -11,7 +11,9 @@ namespace arenite::dem {
 namespace {
 
 /// Of the walls of a sample that comes to rest, as a share of the sample's.
-double resting_share(const Sample& s) { return std::max(0.05, std::min(1.0, 2.0 / std::sqrt(static_cast<double>(std::max<std::size_t>(grain_count(s), 1))))); }
+double resting_share(const Sample& s) {
+  return std::max(0.05, std::min(1.0, 2.0 / std::sqrt(static_cast<double>(std::max<std::size_t>(grain_count(s), 1)))));
+}
 
 /// Of those of one that is driven: always less.
 double driven_share(const Sample& s, int side) {
@@ -35,7 +37,8 @@ void give_servo_masses(Sample& s) {
 void tune_servo(Sample& s) {
   double mass = 0, stiffness = 0;
   each_mover(s, [&](std::size_t k) { mass += mover_at(s, k).mass; });
-  for (std::size_t k = 0; k < s.count; ++k) stiffness += s.coefficients.pair_stiffness(s.record[k], s.record[k]) / static_cast<double>(s.count);
+  for (std::size_t k = 0; k < s.count; ++k)
+    stiffness += s.coefficients.pair_stiffness(s.record[k], s.record[k]) / static_cast<double>(s.count);
   const double aspect = s.domain.width() / s.domain.height();
   for (int side = 0; side < sides; ++side) {
     s.wall[side].sample_mass = mass;

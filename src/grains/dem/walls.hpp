@@ -37,12 +37,12 @@ void follow_driving(Sample& sample);
 /// Kinetic energy of force-controlled walls, J.
 double servo_energy(const Sample& sample);
 
-/// Rate of the drag that damps the sample's slowest wave critically, 2 omega with omega = (pi/2) Z/M for a quarter of a wave between a wall that
-/// holds and one that presses, Z as in tune_servo, 1/s. Packings are softer than crystals.
+/// Rate of the drag that damps the sample's slowest wave critically, 2 omega with omega = (pi/2) Z/M for a quarter of a
+/// wave between a wall that holds and one that presses, Z as in tune_servo, 1/s. Packings are softer than crystals.
 double critical_drag(const Sample& sample);
 
-/// Changes the drives: a wall that becomes fixed or velocity-driven takes its velocity at once, one that becomes force-controlled goes on from the
-/// velocity that it has.
+/// Changes the drives: a wall that becomes fixed or velocity-driven takes its velocity at once, one that becomes
+/// force-controlled goes on from the velocity that it has.
 void apply_drives(Sample& sample, const WallDrives& drives);
 
 /// Something moves as it is told, or a programme runs: the force-controlled walls have to follow, not to come to rest.
@@ -54,7 +54,9 @@ template <int D> bool is_driven(const SampleIn<D>& s) {
       if (s.boundary[b].mass == 0 && told.present && (told.velocity != Vec2{} || told.spin != 0)) return true;
     }
   }
-  const auto moves = [](const auto& body) { return body.drive.kind == DriveKind::velocity || body.drive.slide != Along<D>{}; };
+  const auto moves = [](const auto& body) {
+    return body.drive.kind == DriveKind::velocity || body.drive.slide != Along<D>{};
+  };
   return s.shear_rate != 0 || std::ranges::any_of(s.wall, moves);
 }
 
@@ -94,7 +96,8 @@ template <int D> double servo_braking(const SampleIn<D>& s, std::size_t side, do
   return -servo_damping(s, side) * (velocity - s.wall[side].drift);
 }
 
-/// Acceleration of wall `side` from the present forces, m/s^2; 0 unless force-controlled. It and `velocity` are along the wall's axis.
+/// Acceleration of wall `side` from the present forces, m/s^2; 0 unless force-controlled. It and `velocity` are along
+/// the wall's axis.
 template <int D> double wall_acceleration(const SampleIn<D>& s, std::size_t side, double velocity) {
   const auto& body = s.wall[side];
   if (body.drive.kind != DriveKind::force) return 0;

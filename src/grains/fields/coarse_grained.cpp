@@ -27,7 +27,8 @@ double lucy_primitive(double p, double t) {
   return t - 6 * squares + 8 * cubes - 3 * fourths;
 }
 
-/// Integral of Lucy's function along the line at distance p from the centre, from t0 to t1; zero outside the unit circle.
+/// Integral of Lucy's function along the line at distance p from the centre, from t0 to t1; zero outside the unit
+/// circle.
 double lucy_along(double p, double t0, double t1) {
   if (p >= 1) return 0;
   const double chord = std::sqrt(1 - p * p);
@@ -48,11 +49,14 @@ template <class Visit> void for_points_in(const Grid& grid, const geometry::Rect
     return static_cast<int>(std::clamp(std::ceil((low - origin) / step - 0.5), 0.0, static_cast<double>(count)));
   };
   const double dx = grid.bounds.width() / grid.columns, dy = grid.bounds.height() / grid.rows;
-  const int column0 = first(part.x_min, grid.bounds.x_min, dx, grid.columns), column1 = first(part.x_max, grid.bounds.x_min, dx, grid.columns);
-  const int row0 = first(part.y_min, grid.bounds.y_min, dy, grid.rows), row1 = first(part.y_max, grid.bounds.y_min, dy, grid.rows);
+  const int column0 = first(part.x_min, grid.bounds.x_min, dx, grid.columns),
+            column1 = first(part.x_max, grid.bounds.x_min, dx, grid.columns);
+  const int row0 = first(part.y_min, grid.bounds.y_min, dy, grid.rows),
+            row1 = first(part.y_max, grid.bounds.y_min, dy, grid.rows);
   for (int row = row0; row < row1; ++row)
     for (int column = column0; column < column1; ++column)
-      visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(column), grid.point(column, row));
+      visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(column),
+            grid.point(column, row));
 }
 
 /// How fast an image of the cell moves against the cell itself.
@@ -63,9 +67,11 @@ Vec2 image_velocity(const Domain& domain, const CoarseGraining& choice, const Im
   return {image.columns * wider + image.rows * tilting, image.rows * higher};
 }
 
-/// Calls visit(index, vector from the grain's image to the point, the image's velocity) for every grid point that the kernel reaches.
+/// Calls visit(index, vector from the grain's image to the point, the image's velocity) for every grid point that the
+/// kernel reaches.
 template <class Visit>
-void for_points_near(const Packing& packing, std::size_t g, const Grid& grid, const CoarseGraining& choice, double reach, Visit&& visit) {
+void for_points_near(const Packing& packing, std::size_t g, const Grid& grid, const CoarseGraining& choice,
+                     double reach, Visit&& visit) {
   const Grains& grains = packing.grains;
   const geometry::Rectangle extent = geometry::square_about(grains.position[g], reach);
   for_each_image(packing.domain, extent, grid.bounds, [&](const ImageShift& image) {
@@ -129,8 +135,10 @@ std::vector<Vec2> velocity_at_grains(const Packing& packing, const CoarseGrainin
   return momentum;
 }
 
-/// In a second pass, when V is known everywhere: a difference of two large sums would lose the fluctuation of a fast flow.
-void add_kinetic_stress(const Packing& packing, const CoarseGraining& choice, const Kernel& kernel, CoarseFields& fields) {
+/// In a second pass, when V is known everywhere: a difference of two large sums would lose the fluctuation of a fast
+/// flow.
+void add_kinetic_stress(const Packing& packing, const CoarseGraining& choice, const Kernel& kernel,
+                        CoarseFields& fields) {
   const std::vector<Vec2> around = velocity_at_grains(packing, choice, kernel);
   for (std::size_t g = 0; g < packing.grains.size(); ++g) {
     const double mass = texture::mass_of(packing, g) / packing.domain.thickness;
@@ -154,7 +162,8 @@ void add_contacts(const Packing& packing, const Kernel& kernel, CoarseFields& fi
     const Vec2 start = packing.grains.position[contacts.i[c]], force = contacts.force_on_i(c) / length;
     const Vec2 branch = contacts.branch(c);
     const Tensor2 moment = outer(force, branch);
-    const geometry::Rectangle extent = geometry::bounds(std::array{start, start + branch}, std::array{kernel.reach(), kernel.reach()});
+    const geometry::Rectangle extent =
+        geometry::bounds(std::array{start, start + branch}, std::array{kernel.reach(), kernel.reach()});
     for_each_image(packing.domain, extent, fields.grid.bounds, [&](const ImageShift& image) {
       for_points_in(fields.grid, extent + image.shift, [&](std::size_t k, Vec2 point) {
         const Vec2 from = point - start - image.shift, to = from - branch;
@@ -167,21 +176,28 @@ void add_contacts(const Packing& packing, const Kernel& kernel, CoarseFields& fi
 
 void check(const Packing& packing, const Grid& grid) {
   const Domain& domain = packing.domain;
-  if (!(domain.width() > 0 && domain.height() > 0)) throw InputError("the box is not known; coarse-grained fields need its size");
-  if (!(domain.thickness > 0)) throw refusal("a thickness of {:g} m; coarse-grained fields need a positive one", domain.thickness);
+  if (!(domain.width() > 0 && domain.height() > 0))
+    throw InputError("the box is not known; coarse-grained fields need its size");
+  if (!(domain.thickness > 0))
+    throw refusal("a thickness of {:g} m; coarse-grained fields need a positive one", domain.thickness);
   if (grid.columns < 1 || grid.rows < 1 || !(grid.bounds.width() > 0 && grid.bounds.height() > 0))
-    throw refusal("a grid of {} x {} points over {:g} m x {:g} m; give at least one point and a positive area", grid.columns, grid.rows, grid.bounds.width(),
-                  grid.bounds.height());
+    throw refusal("a grid of {} x {} points over {:g} m x {:g} m; give at least one point and a positive area",
+                  grid.columns, grid.rows, grid.bounds.width(), grid.bounds.height());
 }
 
 }  // namespace
 
-Kernel::Kernel(KernelShape shape, double width) : shape_(shape), width_(width), reach_(width * (shape == KernelShape::gaussian ? gaussian_reach : lucy_reach)) {
-  if (!(width > 0) || !std::isfinite(width)) throw refusal("a coarse-graining width of {:g} m; give a positive length", width);
+Kernel::Kernel(KernelShape shape, double width)
+    : shape_(shape),
+      width_(width),
+      reach_(width * (shape == KernelShape::gaussian ? gaussian_reach : lucy_reach)) {
+  if (!(width > 0) || !std::isfinite(width))
+    throw refusal("a coarse-graining width of {:g} m; give a positive length", width);
 }
 
 double Kernel::value(Vec2 d) const {
-  if (shape_ == KernelShape::gaussian) return std::exp(-0.5 * dot(d, d) / (width_ * width_)) / (2 * pi * width_ * width_);
+  if (shape_ == KernelShape::gaussian)
+    return std::exp(-0.5 * dot(d, d) / (width_ * width_)) / (2 * pi * width_ * width_);
   const double q = norm(d) / reach_;
   return q < 1 ? 5 / (pi * reach_ * reach_) * (1 + 3 * q) * (1 - q) * (1 - q) * (1 - q) : 0;
 }
@@ -203,7 +219,9 @@ double Kernel::line_mean(Vec2 from, Vec2 to) const {
 
 Grid grid_over(const Domain& domain, double spacing) {
   if (!(spacing > 0)) throw refusal("a grid of spacing {:g} m; give a positive length", spacing);
-  const auto cells = [&](double length) { return std::max(1, static_cast<int>(std::ceil(length / spacing * (1 - 1e-12)))); };
+  const auto cells = [&](double length) {
+    return std::max(1, static_cast<int>(std::ceil(length / spacing * (1 - 1e-12))));
+  };
   return {box_of(domain), cells(domain.width()), cells(domain.height())};
 }
 
@@ -230,14 +248,16 @@ CoarseFields coarse_grain(const Packing& packing, const Grid& grid, const Coarse
 double shear_rate_at(const History& history, double time) {
   const auto *strain = history.find("shear_strain"), *times = history.find("time");
   if (!strain || !times || times->size() < 2) return 0;
-  const auto after = std::clamp<std::ptrdiff_t>(std::ranges::lower_bound(*times, time) - times->begin(), 1, static_cast<std::ptrdiff_t>(times->size()) - 1);
+  const auto after = std::clamp<std::ptrdiff_t>(std::ranges::lower_bound(*times, time) - times->begin(), 1,
+                                                static_cast<std::ptrdiff_t>(times->size()) - 1);
   const auto k = static_cast<std::size_t>(after);
   const double span = (*times)[k] - (*times)[k - 1];
   return span > 0 ? ((*strain)[k] - (*strain)[k - 1]) / span : 0;
 }
 
 bool has_fields(const Packing& packing) {
-  return packing.grains.size() > 0 && packing.domain.width() > 0 && packing.domain.height() > 0 && packing.domain.thickness > 0;
+  return packing.grains.size() > 0 && packing.domain.width() > 0 && packing.domain.height() > 0 &&
+         packing.domain.thickness > 0;
 }
 
 CoarseFields coarse_fields(const Packing& packing, double shear_rate, double width, double spacing) {

@@ -13,11 +13,13 @@ namespace arenite::fields {
 /// What a point is smeared out into.
 enum class KernelShape {
   gaussian,  ///< exp(-r^2/2w^2)/(2 pi w^2): smooth to all orders, reaches far
-  lucy       ///< 5/(pi c^2) (1 + 3 r/c)(1 - r/c)^3, zero beyond c: two continuous derivatives (L. B. Lucy, Astron. J. 82, 1013, 1977)
+  lucy  ///< 5/(pi c^2) (1 + 3 r/c)(1 - r/c)^3, zero beyond c: two continuous derivatives (L. B. Lucy, Astron. J. 82,
+        ///< 1013, 1977)
 };
 
-/// A coarse-graining function of the plane: not negative, the same in all directions, of integral 1. `width` is the standard deviation
-/// along one axis for either shape, m, so that fields of one width compare; for Lucy's function c = sqrt(56/5) width.
+/// A coarse-graining function of the plane: not negative, the same in all directions, of integral 1. `width` is the
+/// standard deviation along one axis for either shape, m, so that fields of one width compare; for Lucy's function c =
+/// sqrt(56/5) width.
 class Kernel {
  public:
   /// Throws InputError unless the width is positive and finite.
@@ -40,7 +42,8 @@ class Kernel {
   double width_, reach_;
 };
 
-/// Points on a regular grid: the centres of equal cells of a rectangle, row by row from the bottom, each row from the left.
+/// Points on a regular grid: the centres of equal cells of a rectangle, row by row from the bottom, each row from the
+/// left.
 struct Grid {
   geometry::Rectangle bounds;
   int columns = 1, rows = 1;
@@ -48,7 +51,8 @@ struct Grid {
   std::size_t size() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
   double cell_area() const { return bounds.area() / (static_cast<double>(columns) * rows); }
   Vec2 point(int column, int row) const {
-    return {bounds.x_min + (column + 0.5) * bounds.width() / columns, bounds.y_min + (row + 0.5) * bounds.height() / rows};
+    return {bounds.x_min + (column + 0.5) * bounds.width() / columns,
+            bounds.y_min + (row + 0.5) * bounds.height() / rows};
   }
 };
 
@@ -58,8 +62,9 @@ Grid grid_over(const Domain& domain, double spacing);
 /// Choices that the definitions leave open.
 struct CoarseGraining {
   KernelShape kernel = KernelShape::lucy;
-  double width = 0;                 ///< standard deviation of the kernel along one axis, m
-  std::optional<double> tilt_rate;  ///< rate of change of `Domain::tilt`, m/s; unset: the tilt moves with the width of the cell alone
+  double width = 0;  ///< standard deviation of the kernel along one axis, m
+  std::optional<double>
+      tilt_rate;  ///< rate of change of `Domain::tilt`, m/s; unset: the tilt moves with the width of the cell alone
 };
 
 /// Continuum fields of one state at the points of a grid; all arrays have its size.
@@ -71,12 +76,14 @@ struct CoarseFields {
   std::vector<Vec2> velocity;              ///< V = p/rho, m/s; NaN where no grain is in reach
   std::vector<Tensor2> velocity_gradient;  ///< dV_a/dx_b, 1/s; NaN where V is
   std::vector<Tensor2> contact_stress;     ///< Pa, tension positive; first index that of the force
-  std::vector<Tensor2> kinetic_stress;     ///< of fluctuations about the mean flow, Pa, tension positive, so not positive on its diagonal
-  std::vector<Tensor2> gradient_stress;    ///< of the mean flow's own differences within the width, Pa
-  std::vector<Vec2> wall_force;            ///< of walls and boundaries on the grains, over volume, N/m^3
+  std::vector<Tensor2>
+      kinetic_stress;  ///< of fluctuations about the mean flow, Pa, tension positive, so not positive on its diagonal
+  std::vector<Tensor2> gradient_stress;  ///< of the mean flow's own differences within the width, Pa
+  std::vector<Vec2> wall_force;          ///< of walls and boundaries on the grains, over volume, N/m^3
 };
 
-/// Coarse-grained fields of a state (I. Goldhirsch, Granular Matter 12, 239, 2010), with phi the kernel and L the thickness:
+/// Coarse-grained fields of a state (I. Goldhirsch, Granular Matter 12, 239, 2010), with phi the kernel and L the
+/// thickness:
 ///   rho(r) = sum m_i phi(r - r_i)/L,   p(r) = sum m_i v_i phi(r - r_i)/L,   V = p/rho,
 ///   contact stress(r) = sum over contacts f (x) l / L times the mean of phi(r - .) along the line from r_i to r_i + l,
 ///   kinetic stress(r) = -sum m_i (v_i - V(r_i)) (x) (v_i - V(r_i)) phi(r - r_i)/L,
@@ -86,9 +93,8 @@ struct CoarseFields {
 /// Richard, Phys. Rev. E 91, 032202, 2015). They obey the balances of mass and momentum exactly: drho/dt + div p = 0
 /// and dp_a/dt = d/dx_b (stress_ab - rho V_a V_b) + wall force (T. Weinhart et al., Granular Matter 14, 289, 2012) +
 /// rho g, stress the sum of all three. Integrals over a periodic cell are mass, momentum and the Love-Weber sum; near
-/// walls what the kernel smears lies
-/// beyond them too. Images of a periodic cell that deforms move with it: at the rates of its edges and of its tilt. Throws InputError
-/// without a box, a positive thickness, grid and width.
+/// walls what the kernel smears lies beyond them too. Images of a periodic cell that deforms move with it: at the rates
+/// of its edges and of its tilt. Throws InputError without a box, a positive thickness, grid and width.
 CoarseFields coarse_grain(const Packing& packing, const Grid& grid, const CoarseGraining& choice);
 
 /// How fast a stage sheared its cell at a time, 1/s, from its history; 0 where it did not.

@@ -11,14 +11,19 @@
 namespace arenite::fields {
 namespace {
 
-constexpr std::size_t intervals = 400;  // that the time of flow is parted into: enough to find where it is steady, and for blocks within
-constexpr double rounding = 1e-9;       // of all that passes: sums of the same masses in another order differ by less, a grain is more
-constexpr double long_pause = 0.1;      // of the time of flow without a passing: longer than the gaps of a flow that goes on
+constexpr std::size_t intervals =
+    400;  // that the time of flow is parted into: enough to find where it is steady, and for blocks within
+constexpr double rounding =
+    1e-9;  // of all that passes: sums of the same masses in another order differ by less, a grain is more
+constexpr double long_pause =
+    0.1;  // of the time of flow without a passing: longer than the gaps of a flow that goes on
 
 void check(const std::vector<double>& time, const std::vector<double>& passed) {
-  if (time.size() != passed.size()) throw refusal("there are {} times and {} amounts passed; give one per time", time.size(), passed.size());
+  if (time.size() != passed.size())
+    throw refusal("there are {} times and {} amounts passed; give one per time", time.size(), passed.size());
   for (std::size_t k = 0; k < time.size(); ++k) {
-    if (!std::isfinite(time[k]) || !std::isfinite(passed[k])) throw refusal("row {} of the passed amounts is not finite", k);
+    if (!std::isfinite(time[k]) || !std::isfinite(passed[k]))
+      throw refusal("row {} of the passed amounts is not finite", k);
     if (k > 0 && !(time[k] > time[k - 1])) throw refusal("time does not increase in row {} of the passed amounts", k);
   }
 }
@@ -50,7 +55,9 @@ Discharge find_discharge(const std::vector<double>& time, const std::vector<doub
   if (passed.empty()) return found;
   const auto [least, most] = std::minmax_element(passed.begin(), passed.end());
   const double nothing = rounding * std::max(std::abs(*least), std::abs(*most));
-  const auto row_where = [&](const auto& holds) { return static_cast<std::size_t>(std::find_if(passed.begin(), passed.end(), holds) - passed.begin()); };
+  const auto row_where = [&](const auto& holds) {
+    return static_cast<std::size_t>(std::find_if(passed.begin(), passed.end(), holds) - passed.begin());
+  };
   const auto first = row_where([&](double p) { return p > passed.front() + nothing; });
   const auto last = row_where([&](double p) { return p >= passed.back() - nothing; });
   if (first >= last) return found;

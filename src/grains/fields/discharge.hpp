@@ -8,16 +8,19 @@ namespace arenite::fields {
 
 /// How fast something passes while it does so steadily.
 struct Discharge {
-  bool steady = false;        ///< there is a part in which the rate only fluctuates; else the rate is that between the first and the last passing
-  statistics::Measured rate;  ///< of what passes, per s; its error, by blocks of the steady part, only where there is one
+  bool steady = false;  ///< there is a part in which the rate only fluctuates; else the rate is that between the first
+                        ///< and the last passing
+  statistics::Measured
+      rate;  ///< of what passes, per s; its error, by blocks of the steady part, only where there is one
   double begin = statistics::unknown, end = statistics::unknown;  ///< of that part, s
-  bool stopped = false;  ///< nothing passes any more in the end, for longer than a tenth of the time of flow: empty or clogged
+  bool stopped =
+      false;  ///< nothing passes any more in the end, for longer than a tenth of the time of flow: empty or clogged
 };
 
 /// From amounts passed at times, s, that never shrink but by rounding (1e-9 of the largest): steady part without the
-/// beginning, where it sets in, and the end, where it runs dry, each cut
-/// where the error of the rest is least (steady_state.hpp). Unknown where nothing passes. Throws InputError for lists of unlike lengths, numbers that
-/// are not finite, and times that do not grow.
+/// beginning, where it sets in, and the end, where it runs dry, each cut where the error of the rest is least
+/// (steady_state.hpp). Unknown where nothing passes. Throws InputError for lists of unlike lengths, numbers that are
+/// not finite, and times that do not grow.
 Discharge find_discharge(const std::vector<double>& time, const std::vector<double>& passed);
 
 /// The narrowest way between two of the boundaries that are there, m; unknown where there are fewer than two.

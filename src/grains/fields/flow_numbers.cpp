@@ -22,16 +22,19 @@ Numbers estimate(double value, double error, const char* unit, const char* sente
 }
 
 Numbers discharge_numbers(const StageResult& result) {
-  const auto *time = result.history.find("time"), *mass = result.history.find("passed_mass"), *grains = result.history.find("passed");
+  const auto *time = result.history.find("time"), *mass = result.history.find("passed_mass"),
+             *grains = result.history.find("passed");
   if (!time || !mass || !grains || time->size() < 2) return Numbers::tree();
   const Discharge by_mass = find_discharge(*time, *mass), by_grains = find_discharge(*time, *grains);
   if (!std::isfinite(by_mass.rate.value)) return Numbers::tree();
-  Numbers j{{"steady", described(by_mass.steady, "", "Whether the discharge has a steady part")},
-            {"rate_kg_s", estimate(by_mass.rate.value, by_mass.rate.error, "kg/s", "Rate of discharge over its steady part")},
-            {"rate_grains_s", estimate(by_grains.rate.value, by_grains.rate.error, "1/s", "The same as a number of grains")},
-            {"begin_s", described(by_mass.begin, "s", "Start of the steady part")},
-            {"end_s", described(by_mass.end, "s", "End of the steady part")},
-            {"stopped", described(by_mass.stopped, "", "Whether nothing passes any more in the end: the container is empty or clogged")}};
+  Numbers j{
+      {"steady", described(by_mass.steady, "", "Whether the discharge has a steady part")},
+      {"rate_kg_s", estimate(by_mass.rate.value, by_mass.rate.error, "kg/s", "Rate of discharge over its steady part")},
+      {"rate_grains_s", estimate(by_grains.rate.value, by_grains.rate.error, "1/s", "The same as a number of grains")},
+      {"begin_s", described(by_mass.begin, "s", "Start of the steady part")},
+      {"end_s", described(by_mass.end, "s", "End of the steady part")},
+      {"stopped", described(by_mass.stopped, "",
+                            "Whether nothing passes any more in the end: the container is empty or clogged")}};
   if (const double opening = narrowest_opening(result.snapshots.back().packing.domain); std::isfinite(opening))
     j["opening_m"] = described(opening, "m", "Narrowest opening between boundaries");
   return j;
@@ -40,21 +43,24 @@ Numbers discharge_numbers(const StageResult& result) {
 bool has_free_surface(const dem::Stage& stage) {
   using Kind = dem::SideDrive::Kind;
   return stage.gravity && stage.gravity_size > 0 &&
-         std::none_of(stage.side.begin(), stage.side.end(), [](const auto& side) { return side.kind == Kind::force || side.kind == Kind::pressure; });
+         std::none_of(stage.side.begin(), stage.side.end(),
+                      [](const auto& side) { return side.kind == Kind::force || side.kind == Kind::pressure; });
 }
 
-/// Mean angle over the second half of the states, of a drum that turns, say; nothing where it still changes, or stands still. Errors by the scatter of
-/// states, which lie far apart in time.
+/// Mean angle over the second half of the states, of a drum that turns, say; nothing where it still changes, or stands
+/// still. Errors by the scatter of states, which lie far apart in time.
 void put_mean_angle(Numbers& j, const StageResult& result, Vec2 gravity) {
   std::vector<double> angles;
   for (std::size_t k = result.snapshots.size() / 2; k < result.snapshots.size(); ++k)
-    if (const double angle = find_free_surface(result.snapshots[k].packing, gravity).angle.value; std::isfinite(angle)) angles.push_back(angle);
+    if (const double angle = find_free_surface(result.snapshots[k].packing, gravity).angle.value; std::isfinite(angle))
+      angles.push_back(angle);
   if (angles.size() < 6) return;
   const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
   const statistics::Measured all = statistics::mean_of(angles), one = statistics::mean_of({angles.begin(), middle}),
                              two = statistics::mean_of({middle, angles.end()});
   if (!(all.error > 0) || !(std::abs(one.value - two.value) < 3 * std::hypot(one.error, two.error))) return;
-  j["mean_angle_deg"] = estimate(all.value, all.error, "deg", "Mean angle of the surface over the second half of the states", degrees);
+  j["mean_angle_deg"] =
+      estimate(all.value, all.error, "deg", "Mean angle of the surface over the second half of the states", degrees);
   j["states_in_mean"] = described(angles.size(), "", "Number of states averaged");
 }
 
@@ -83,13 +89,16 @@ void put_floor(Numbers& j, const StageResult& result, const FreeSurface& now, do
   const Domain& d = result.snapshots.back().packing.domain;
   if (!d.wall[bottom].present || !d.wall[left].present || !d.wall[right].present) return;
   const statistics::Measured force = late_mean(result.history, "bottom_force");
-  const double sides = late_mean(result.history, "left_force").value + late_mean(result.history, "right_force").value, area = d.width() * d.thickness;
+  const double sides = late_mean(result.history, "left_force").value + late_mean(result.history, "right_force").value,
+               area = d.width() * d.thickness;
   if (!(force.value > 0) || !(sides > 0)) return;
   const double height = statistics::mean_of(now.height).value - now.bottom;
   j["height_m"] = described(height, "m", "Mean height of the filling");
-  j["pressure_Pa"] = estimate(force.value, force.error, "Pa", "Pressure on the floor, mean of the second half of the stage", 1 / area);
+  j["pressure_Pa"] =
+      estimate(force.value, force.error, "Pa", "Pressure on the floor, mean of the second half of the stage", 1 / area);
   j["hydrostatic_Pa"] = described(weight / area, "Pa", "Weight of the filling over the floor's area");
-  j["wall_friction"] = described((weight - force.value) / sides, "", "Weight carried by the walls over their normal force");
+  j["wall_friction"] =
+      described((weight - force.value) / sides, "", "Weight carried by the walls over their normal force");
 }
 
 Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, const Packing* before) {

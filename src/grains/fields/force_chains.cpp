@@ -23,10 +23,13 @@ struct Candidate {
   std::int8_t side_of_i = 0, side_of_j = 0;
 };
 
-std::int32_t other_end(const Contacts& contacts, std::int32_t c, std::int32_t g) { return contacts.i[c] == g ? contacts.j[c] : contacts.i[c]; }
+std::int32_t other_end(const Contacts& contacts, std::int32_t c, std::int32_t g) {
+  return contacts.i[c] == g ? contacts.j[c] : contacts.i[c];
+}
 
 /// Contacts that may join two highly loaded grains, the straightest first.
-std::vector<Candidate> candidates(const Contacts& contacts, const std::vector<GrainCompression>& grains, double threshold, double least_cosine) {
+std::vector<Candidate> candidates(const Contacts& contacts, const std::vector<GrainCompression>& grains,
+                                  double threshold, double least_cosine) {
   std::vector<Candidate> found;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (contacts.is_wall(c) || contacts.fn[c] <= 0) continue;
@@ -35,9 +38,11 @@ std::vector<Candidate> candidates(const Contacts& contacts, const std::vector<Gr
     if (!(a.major > threshold && b.major > threshold)) continue;
     const double at_i = dot(a.direction, -contacts.normal[c]), at_j = dot(b.direction, contacts.normal[c]);
     if (std::abs(at_i) < least_cosine || std::abs(at_j) < least_cosine) continue;
-    found.push_back({std::abs(at_i) + std::abs(at_j), static_cast<std::int32_t>(c), static_cast<std::int8_t>(at_i > 0), static_cast<std::int8_t>(at_j > 0)});
+    found.push_back({std::abs(at_i) + std::abs(at_j), static_cast<std::int32_t>(c), static_cast<std::int8_t>(at_i > 0),
+                     static_cast<std::int8_t>(at_j > 0)});
   }
-  std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) { return a.alignment > b.alignment; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.alignment > b.alignment; });
   return found;
 }
 
@@ -53,7 +58,8 @@ std::vector<Links> linked(const Contacts& contacts, const std::vector<Candidate>
 }
 
 /// Grains from `start` on, which is left by the contact `by`, until the chain ends or comes back.
-std::vector<std::int32_t> follow(const Contacts& contacts, const std::vector<Links>& links, std::int32_t start, std::int32_t by) {
+std::vector<std::int32_t> follow(const Contacts& contacts, const std::vector<Links>& links, std::int32_t start,
+                                 std::int32_t by) {
   std::vector<std::int32_t> chain{start};
   while (by >= 0) {
     const std::int32_t next = other_end(contacts, by, chain.back());
@@ -70,7 +76,8 @@ void collect(const Contacts& contacts, const std::vector<Links>& links, std::siz
   std::vector<std::uint8_t> seen(links.size(), 0);
   for (const bool rings : {false, true})
     for (std::size_t g = 0; g < links.size(); ++g) {
-      const bool linked_twice = links[g][0] >= 0 && links[g][1] >= 0, linked_once = links[g][0] >= 0 || links[g][1] >= 0;
+      const bool linked_twice = links[g][0] >= 0 && links[g][1] >= 0,
+                 linked_once = links[g][0] >= 0 || links[g][1] >= 0;
       if (seen[g] || !linked_once || linked_twice != rings) continue;
       auto chain = follow(contacts, links, static_cast<std::int32_t>(g), std::max(links[g][0], links[g][1]));
       for (const std::int32_t k : chain) seen[k] = 1;
@@ -119,11 +126,14 @@ ForceChains find_force_chains(const Packing& packing, const ChainOptions& option
   const double threshold = options.stress_factor * result.mean_stress;
   for (const GrainCompression& g : grains) result.highly_loaded += g.loaded && g.major > threshold;
 
-  const auto list = candidates(packing.contacts, grains, threshold, std::cos(options.angle_deg * std::numbers::pi / 180));
-  collect(packing.contacts, linked(packing.contacts, list, grains.size()), std::max<std::size_t>(2, options.least), result);
+  const auto list =
+      candidates(packing.contacts, grains, threshold, std::cos(options.angle_deg * std::numbers::pi / 180));
+  collect(packing.contacts, linked(packing.contacts, list, grains.size()), std::max<std::size_t>(2, options.least),
+          result);
   std::size_t members = 0;
   for (const auto& chain : result.chains) members += chain.size();
-  result.mean_length = result.chains.empty() ? unknown : static_cast<double>(members) / static_cast<double>(result.chains.size());
+  result.mean_length =
+      result.chains.empty() ? unknown : static_cast<double>(members) / static_cast<double>(result.chains.size());
   result.grain_share = loaded > 0 ? static_cast<double>(members) / loaded : unknown;
   return result;
 }
@@ -136,7 +146,9 @@ StrongClusters strong_clusters(const Packing& packing, double factor) {
   StrongClusters result;
   result.of.assign(packing.grains.size(), -1);
   result.threshold = pushing > 0 ? factor * sum / pushing : unknown;
-  const auto strong = [&](std::size_t c) { return !contacts.is_wall(c) && contacts.fn[c] > 0 && contacts.fn[c] > result.threshold; };
+  const auto strong = [&](std::size_t c) {
+    return !contacts.is_wall(c) && contacts.fn[c] > 0 && contacts.fn[c] > result.threshold;
+  };
 
   JoinedSets sets(packing.grains.size());
   std::vector<std::size_t> bonds(packing.grains.size(), 0), members(packing.grains.size(), 0);

@@ -15,8 +15,10 @@ namespace {
 
 constexpr std::size_t blocks = 8;         // of neighbouring columns, for the error of a slope
 constexpr std::size_t least_columns = 8;  // that a line is laid through
-constexpr double low = 0.2, high = 0.8;   // part of a flank's height that it is laid through: neither the rounded top nor the thin toe
-constexpr double least_drop = 4;          // mean diameters that a flank falls at least
+constexpr double low = 0.2,
+                 high =
+                     0.8;  // part of a flank's height that it is laid through: neither the rounded top nor the thin toe
+constexpr double least_drop = 4;  // mean diameters that a flank falls at least
 
 /// Grains that hang together, turned so that gravity points down.
 struct Body {
@@ -28,11 +30,14 @@ std::vector<std::size_t> largest_set(const Grains& g, double gap) {
   const geometry::Rectangle box = geometry::bounds(g.position);
   const double rim = *std::max_element(g.radius.begin(), g.radius.end()) + gap;
   JoinedSets sets(g.size());
-  for (const auto& p : geometry::close_pairs(g.position, g.radius, {{box.x_min - rim, box.y_min - rim}, {box.width() + 2 * rim, box.height() + 2 * rim}}, gap))
+  for (const auto& p : geometry::close_pairs(
+           g.position, g.radius, {{box.x_min - rim, box.y_min - rim}, {box.width() + 2 * rim, box.height() + 2 * rim}},
+           gap))
     sets.join(p.i, p.j);
   std::vector<std::vector<std::size_t>> members(g.size());
   for (std::size_t k = 0; k < g.size(); ++k) members[sets.find(static_cast<std::int32_t>(k))].push_back(k);
-  return *std::max_element(members.begin(), members.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  return *std::max_element(members.begin(), members.end(),
+                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
 }
 
 Body body_of(const Packing& packing, Vec2 up, double gap) {
@@ -52,10 +57,12 @@ void trace_rim(const Body& body, double width, FreeSurface& surface) {
   for (std::size_t k = 0; k < body.centre.size(); ++k) {
     const double first = (body.centre[k].x - body.radius[k] - surface.left) / width - 0.5,
                  last = (body.centre[k].x + body.radius[k] - surface.left) / width - 0.5;
-    for (auto c = static_cast<std::ptrdiff_t>(std::max(0.0, std::ceil(first))); c <= last && c < static_cast<std::ptrdiff_t>(columns); ++c) {
+    for (auto c = static_cast<std::ptrdiff_t>(std::max(0.0, std::ceil(first)));
+         c <= last && c < static_cast<std::ptrdiff_t>(columns); ++c) {
       const double off = surface.left + (static_cast<double>(c) + 0.5) * width - body.centre[k].x;
       auto& highest = rim[c];
-      highest = std::max(highest, body.centre[k].y + std::sqrt(std::max(0.0, body.radius[k] * body.radius[k] - off * off)));
+      highest =
+          std::max(highest, body.centre[k].y + std::sqrt(std::max(0.0, body.radius[k] * body.radius[k] - off * off)));
     }
   }
   for (std::size_t c = 0; c < columns; ++c) {
@@ -68,8 +75,8 @@ void trace_rim(const Body& body, double width, FreeSurface& surface) {
 /// Angle by which the profile falls along `sign` x between two columns, first and last of a flank.
 Flank flank_between(const FreeSurface& s, std::size_t first, std::size_t last, double sign) {
   Flank flank;
-  const auto [foot, apex] =
-      std::minmax_element(s.height.begin() + static_cast<std::ptrdiff_t>(first), s.height.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  const auto [foot, apex] = std::minmax_element(s.height.begin() + static_cast<std::ptrdiff_t>(first),
+                                                s.height.begin() + static_cast<std::ptrdiff_t>(last) + 1);
   const double drop = *apex - *foot;
   if (drop < least_drop * s.diameter) return flank;
   // From the last column above the part to the first below it, so that a bump of one grain does not tear it.
@@ -121,9 +128,11 @@ void measure_flanks(FreeSurface& s) {
 
 FreeSurface find_free_surface(const Packing& packing, Vec2 gravity, double gap) {
   const double g = norm(gravity);
-  if (!(g > 0) || !std::isfinite(g)) throw InputError("gravity has no direction, so there is no surface; give one, for example straight down");
+  if (!(g > 0) || !std::isfinite(g))
+    throw InputError("gravity has no direction, so there is no surface; give one, for example straight down");
   if (packing.grains.size() == 0) throw InputError("there are no grains that could have a surface");
-  if (!(gap >= 0)) throw refusal("a gap of {:g} diameters between connected grains is not possible; give 0 or more", gap);
+  if (!(gap >= 0))
+    throw refusal("a gap of {:g} diameters between connected grains is not possible; give 0 or more", gap);
   FreeSurface surface;
   for (const double r : packing.grains.radius) surface.diameter += 2 * r / static_cast<double>(packing.grains.size());
   const Body body = body_of(packing, -1.0 / g * gravity, gap * surface.diameter);

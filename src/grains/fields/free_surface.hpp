@@ -14,8 +14,8 @@ struct Flank {
   std::size_t columns = 0;     ///< of the profile that the line is laid through
 };
 
-/// The surface of what hangs together, seen with gravity pointing down. Lengths along the horizontal and the vertical are counted from the
-/// container's origin.
+/// The surface of what hangs together, seen with gravity pointing down. Lengths along the horizontal and the vertical
+/// are counted from the container's origin.
 struct FreeSurface {
   std::vector<double> place, height;  ///< m; the highest rim above each of the columns, which are a mean diameter apart
   std::size_t grains = 0;             ///< that hang together
@@ -26,10 +26,11 @@ struct FreeSurface {
   statistics::Estimate angle;         ///< of both flanks by their columns, rad; unknown where there is none
 };
 
-/// The largest set of grains that hang together, its upper rim column by column, and the slope of its flanks by a straight line through the middle
-/// of their height, with the error by leaving out one of eight blocks of neighbouring columns at a time. Periodic sides do not count as neighbours.
-/// `gap`: mean diameters between surfaces up to which two grains hang together; single grains that roll ahead do not. Throws InputError where gravity
-/// has no direction, there are no grains, and for a gap below 0.
+/// The largest set of grains that hang together, its upper rim column by column, and the slope of its flanks by a
+/// straight line through the middle of their height, with the error by leaving out one of eight blocks of neighbouring
+/// columns at a time. Periodic sides do not count as neighbours. `gap`: mean diameters between surfaces up to which two
+/// grains hang together; single grains that roll ahead do not. Throws InputError where gravity has no direction, there
+/// are no grains, and for a gap below 0.
 FreeSurface find_free_surface(const Packing& packing, Vec2 gravity, double gap = 0.1);
 
 }  // namespace arenite::fields

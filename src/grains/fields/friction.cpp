@@ -17,7 +17,8 @@ void check(const FrictionOptions& options) {
   const double least = std::min(options.friction, options.wall_friction.value_or(options.friction));
   if (!(least >= 0)) throw refusal("a friction coefficient of {:g}; give 0 or more", least);
   if (!(options.tolerance >= 0 && options.tolerance < 1))
-    throw refusal("contacts slide within {:g} of the Coulomb limit; give a fraction from 0 to below 1", options.tolerance);
+    throw refusal("contacts slide within {:g} of the Coulomb limit; give a fraction from 0 to below 1",
+                  options.tolerance);
   if (options.bins < 1) throw refusal("{} bins; give at least one", options.bins);
 }
 

@@ -28,16 +28,19 @@ const dem::Programme* programme_of(const dem::Stage& stage, int side) {
 /// Area that a side presses on in each row, m^2; 1 of a side under a force.
 std::vector<double> areas(const History& history, int side, Kind kind, double thickness) {
   const int beside = side < bottom ? bottom : left;
-  const auto *from = history.find(std::string(side_names[beside]) + "_position"), *to = history.find(std::string(side_names[beside + 1]) + "_position");
+  const auto *from = history.find(std::string(side_names[beside]) + "_position"),
+             *to = history.find(std::string(side_names[beside + 1]) + "_position");
   std::vector<double> area;
-  for (std::size_t k = 0; from && to && k < from->size(); ++k) area.push_back(kind == Kind::force ? 1 : ((*to)[k] - (*from)[k]) * thickness);
+  for (std::size_t k = 0; from && to && k < from->size(); ++k)
+    area.push_back(kind == Kind::force ? 1 : ((*to)[k] - (*from)[k]) * thickness);
   return area;
 }
 
 /// Empty where a side does not press, or presses with a force that changes from increment to increment.
 Load load_of(const StageResult& result, const dem::Stage& stage, int side) {
   const dem::SideDrive& drive = stage.side[side];
-  const auto *time = result.history.find("time"), *force = result.history.find(std::string(side_names[side]) + "_force");
+  const auto *time = result.history.find("time"),
+             *force = result.history.find(std::string(side_names[side]) + "_force");
   if ((drive.kind != Kind::force && drive.kind != Kind::pressure) || !time || !force) return {};
   if (stage.cycles && stage.cycles->side == side) return {};
   const auto area = areas(result.history, side, drive.kind, result.snapshots.back().packing.domain.thickness);
@@ -56,7 +59,8 @@ SteadyState departure(const Load& load) {
   std::vector<double> off;
   for (std::size_t k = 0; k < load.asked.size(); ++k) off.push_back(load.reached[k] - load.asked[k]);
   SteadyState state = find_steady_state(off);
-  if (!std::isfinite(state.mean.error) && state.count >= 12) state.mean = mean_of_blocks(std::span(off).last(state.count), 6);
+  if (!std::isfinite(state.mean.error) && state.count >= 12)
+    state.mean = mean_of_blocks(std::span(off).last(state.count), 6);
   return state;
 }
 
@@ -77,7 +81,8 @@ Numbers numbers_of(const Load& load, bool lasts, const std::string& unit) {
   Numbers j{{"asked_" + unit, described(asked, u, "Load asked for")}};
   j["reached_" + unit] = described({{"value", reached}, {"error", averaged ? off.mean.error : 0.0}}, u,
                                    "Load reached: the contact forces on the side, mean where the stage lasts a time");
-  if (averaged) j["spread_" + unit] = described(off.deviation, u, "Standard deviation of the load from what was asked for");
+  if (averaged)
+    j["spread_" + unit] = described(off.deviation, u, "Standard deviation of the load from what was asked for");
   const bool held = std::abs(reached - asked) <= largest_departure * std::abs(asked);
   j["held"] = described(held, "", "Whether the load reached is within 5 % of the one asked for");
   return j;

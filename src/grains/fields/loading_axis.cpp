@@ -19,7 +19,9 @@ double at_first(const dem::Stage& stage, int of, double value) {
 }
 
 /// The way that cycles of strain first take, if it is this that cycles.
-double cycled(const dem::Stage& stage, int of) { return stage.strain_cycles && stage.strain_cycles->of == of ? stage.strain_cycles->max : 0; }
+double cycled(const dem::Stage& stage, int of) {
+  return stage.strain_cycles && stage.strain_cycles->of == of ? stage.strain_cycles->max : 0;
+}
 
 /// Above 0 where du_x/dy + du_y/dx is.
 double sheared(const dem::Stage& stage) {
@@ -36,13 +38,16 @@ double closing(const dem::Stage& stage, int axis) {
   double speed = 0;
   for (int side = 2 * axis; side < 2 * axis + 2; ++side) {
     speed += cycled(stage, side);
-    if (stage.side[side].kind == Kind::velocity) speed += at_first(stage, dem::Programme::drives * side, stage.side[side].value);
+    if (stage.side[side].kind == Kind::velocity)
+      speed += at_first(stage, dem::Programme::drives * side, stage.side[side].value);
   }
   return speed;
 }
 
 bool presses(const dem::Stage& stage, int axis) {
-  const auto by_load = [&](int side) { return stage.side[side].kind == Kind::force || stage.side[side].kind == Kind::pressure; };
+  const auto by_load = [&](int side) {
+    return stage.side[side].kind == Kind::force || stage.side[side].kind == Kind::pressure;
+  };
   return by_load(2 * axis) || by_load(2 * axis + 1);
 }
 

@@ -39,14 +39,18 @@ Network network_of(const Packing& packing, bool bearing_only) {
   net.next.resize(net.from.size());
   for (auto& around : leaving) {
     const auto direction = [&](std::int32_t h) { return std::atan2(net.step[h].y, net.step[h].x); };
-    std::sort(around.begin(), around.end(), [&](std::int32_t a, std::int32_t b) { return std::pair{direction(a), a} < std::pair{direction(b), b}; });
+    std::sort(around.begin(), around.end(), [&](std::int32_t a, std::int32_t b) {
+      return std::pair{direction(a), a} < std::pair{direction(b), b};
+    });
     // Who comes in against the half-edge h goes on by the one before it, counter-clockwise order.
-    for (std::size_t k = 0; k < around.size(); ++k) net.next[around[k] ^ 1] = around[(k + around.size() - 1) % around.size()];
+    for (std::size_t k = 0; k < around.size(); ++k)
+      net.next[around[k] ^ 1] = around[(k + around.size() - 1) % around.size()];
   }
   return net;
 }
 
-/// A closed walk: how many steps, where it ends as seen from its start, and the area that it goes round counter-clockwise.
+/// A closed walk: how many steps, where it ends as seen from its start, and the area that it goes round
+/// counter-clockwise.
 struct Walk {
   std::int32_t steps = 0;
   Vec2 end;
@@ -64,8 +68,8 @@ Walk walk_from(const Network& net, std::size_t start, std::vector<std::uint8_t>&
   return walk;
 }
 
-/// Steps of a walk that does not go round a periodic cell add up to nothing but errors of arms; others to a vector of the lattice, none of
-/// which is shorter than the smaller periodic side.
+/// Steps of a walk that does not go round a periodic cell add up to nothing but errors of arms; others to a vector of
+/// the lattice, none of which is shorter than the smaller periodic side.
 double half_the_cell(const Domain& domain) {
   double length = std::numeric_limits<double>::infinity();
   if (domain.periodic[0]) length = std::min(length, domain.width());

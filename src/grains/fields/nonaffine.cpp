@@ -16,8 +16,8 @@ constexpr Tensor2 no_tensor{unknown, unknown, unknown, unknown};
 
 Vec2 times(const Tensor2& a, Vec2 b) { return {a.xx * b.x + a.xy * b.y, a.yx * b.x + a.yy * b.y}; }
 
-/// What the cell makes of a vector between two states: x stretched by the width, y by the height, and sheared by what the tilt gained.
-/// Along sides that are not periodic nothing is known and nothing needed: there no image is chosen.
+/// What the cell makes of a vector between two states: x stretched by the width, y by the height, and sheared by what
+/// the tilt gained. Along sides that are not periodic nothing is known and nothing needed: there no image is chosen.
 Tensor2 cell_motion(const Domain& before, const Domain& after) {
   const double wider = before.periodic[0] ? after.width() / before.width() : 1;
   if (!before.periodic[1]) return {wider, 0, 0, 1};
@@ -26,7 +26,8 @@ Tensor2 cell_motion(const Domain& before, const Domain& after) {
 
 void check(const Packing& before, const Packing& after) {
   if (before.grains.size() != after.grains.size())
-    throw refusal("states of {} and {} grains; compare states of the same grains", before.grains.size(), after.grains.size());
+    throw refusal("states of {} and {} grains; compare states of the same grains", before.grains.size(),
+                  after.grains.size());
   if (before.domain.periodic[0] != after.domain.periodic[0] || before.domain.periodic[1] != after.domain.periodic[1])
     throw InputError("one state is periodic along a side where the other has walls; compare states of one sample");
 }
@@ -39,7 +40,8 @@ struct Neighbour {
 /// Of every grain, near images included.
 std::vector<std::vector<Neighbour>> neighbours_within(const Packing& packing, double range) {
   const std::size_t n = packing.grains.size();
-  const PeriodicImages images = images_of(packing.grains.position, std::vector<double>(n, range / 2), packing.domain, 0);
+  const PeriodicImages images =
+      images_of(packing.grains.position, std::vector<double>(n, range / 2), packing.domain, 0);
   std::vector<std::vector<Neighbour>> list(n);
   for (const auto [first, second] : images.close_pairs(0)) {
     const auto a = static_cast<std::size_t>(first), b = static_cast<std::size_t>(second);
@@ -52,7 +54,8 @@ std::vector<std::vector<Neighbour>> neighbours_within(const Packing& packing, do
   return list;
 }
 
-/// The gradient F that maps vectors `from` to `to` with the least sum of squares: F = (sum to (x) from)(sum from (x) from)^-1.
+/// The gradient F that maps vectors `from` to `to` with the least sum of squares: F = (sum to (x) from)(sum from (x)
+/// from)^-1.
 Tensor2 best_gradient(std::span<const Vec2> from, std::span<const Vec2> to) {
   Tensor2 x, y;
   for (std::size_t k = 0; k < from.size(); ++k) {
@@ -62,8 +65,8 @@ Tensor2 best_gradient(std::span<const Vec2> from, std::span<const Vec2> to) {
   const double determinant = y.xx * y.yy - y.xy * y.yx, size = trace(y);
   if (from.size() < 3 || !(determinant > 1e-12 * size * size)) return no_tensor;
   const Tensor2 inverse{y.yy / determinant, -y.xy / determinant, -y.yx / determinant, y.xx / determinant};
-  return {x.xx * inverse.xx + x.xy * inverse.yx, x.xx * inverse.xy + x.xy * inverse.yy, x.yx * inverse.xx + x.yy * inverse.yx,
-          x.yx * inverse.xy + x.yy * inverse.yy};
+  return {x.xx * inverse.xx + x.xy * inverse.yx, x.xx * inverse.xy + x.xy * inverse.yy,
+          x.yx * inverse.xx + x.yy * inverse.yx, x.yx * inverse.xy + x.yy * inverse.yy};
 }
 
 }  // namespace
@@ -74,7 +77,8 @@ LocalDeformation local_deformation(const Packing& before, const Packing& after, 
   const Tensor2 motion = cell_motion(before.domain, after.domain);
   const auto list = neighbours_within(before, range);
   const std::size_t n = before.grains.size();
-  LocalDeformation out{std::vector<std::int32_t>(n), std::vector<Tensor2>(n, no_tensor), std::vector<double>(n, unknown), std::vector<double>(n, unknown)};
+  LocalDeformation out{std::vector<std::int32_t>(n), std::vector<Tensor2>(n, no_tensor),
+                       std::vector<double>(n, unknown), std::vector<double>(n, unknown)};
   std::vector<Vec2> from, to;
   for (std::size_t g = 0; g < n; ++g) {
     from.clear();
@@ -82,7 +86,8 @@ LocalDeformation local_deformation(const Packing& before, const Packing& after, 
     for (const Neighbour& k : list[g]) {
       const Vec2 carried = times(motion, k.separation);
       from.push_back(k.separation);
-      to.push_back(carried + after.domain.nearest_image(after.grains.position[k.grain] - after.grains.position[g] - carried));
+      to.push_back(carried +
+                   after.domain.nearest_image(after.grains.position[k.grain] - after.grains.position[g] - carried));
     }
     out.neighbours[g] = static_cast<std::int32_t>(from.size());
     const Tensor2 f = best_gradient(from, to);
@@ -106,7 +111,8 @@ AffineFit affine_fit(const Packing& before, const Packing& after) {
   for (std::size_t g = 0; g < before.grains.size(); ++g) {
     from.push_back(before.grains.position[g]);
     // Carried along by the cell and by the first grain: the images are those nearest to that.
-    const Vec2 start = g == 0 ? after.grains.position[0] : to.front(), carried = start + times(motion, from[g] - from.front());
+    const Vec2 start = g == 0 ? after.grains.position[0] : to.front(),
+               carried = start + times(motion, from[g] - from.front());
     to.push_back(carried + after.domain.nearest_image(after.grains.position[g] - carried));
   }
   const Vec2 middle = mean_point(from), middle_after = mean_point(to);

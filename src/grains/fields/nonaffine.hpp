@@ -7,21 +7,22 @@
 
 namespace arenite::fields {
 
-/// How the surroundings of every grain deformed between two states; all arrays have one entry a grain, NaN where fewer than three
-/// neighbours, or neighbours in one line, leave the deformation open.
+/// How the surroundings of every grain deformed between two states; all arrays have one entry a grain, NaN where fewer
+/// than three neighbours, or neighbours in one line, leave the deformation open.
 struct LocalDeformation {
   std::vector<std::int32_t> neighbours;
-  std::vector<Tensor2> strain;   ///< symmetric part of F - 1, F the gradient that maps separations before to those after best
+  std::vector<Tensor2>
+      strain;  ///< symmetric part of F - 1, F the gradient that maps separations before to those after best
   std::vector<double> rotation;  ///< (F_yx - F_xy)/2, rad, counter-clockwise
   std::vector<double> d2min;     ///< mean over neighbours of |r' - F r|^2, m^2
 };
 
-/// D^2_min of M. L. Falk and J. S. Langer, Phys. Rev. E 57, 7192 (1998), here the mean over neighbours, not their sum. Neighbours are
-/// grains whose centres are no farther apart than `range` in the state before, m, in periodic images too. The states hold the same grains
-/// in the same order. Zero under any affine motion. In a periodic cell the images follow the cell: `Domain` says by how much it was
-/// stretched and sheared from one state to the next, so the tilt must count on and not be set back by whole widths in between. Grains may
-/// have been put back into the cell. Throws InputError for states of different grains or periodic sides, and for a range that is not
-/// positive.
+/// D^2_min of M. L. Falk and J. S. Langer, Phys. Rev. E 57, 7192 (1998), here the mean over neighbours, not their sum.
+/// Neighbours are grains whose centres are no farther apart than `range` in the state before, m, in periodic images
+/// too. The states hold the same grains in the same order. Zero under any affine motion. In a periodic cell the images
+/// follow the cell: `Domain` says by how much it was stretched and sheared from one state to the next, so the tilt must
+/// count on and not be set back by whole widths in between. Grains may have been put back into the cell. Throws
+/// InputError for states of different grains or periodic sides, and for a range that is not positive.
 LocalDeformation local_deformation(const Packing& before, const Packing& after, double range);
 
 /// The affine motion x' = F x + c nearest to that of all grains, and what is left of it.
@@ -32,8 +33,8 @@ struct AffineFit {
   double fluctuation = 0;      ///< root of the mean square of its length, m
 };
 
-/// By least squares, all grains alike; periodic sides as in local_deformation, grains less than half a cell from where the cell carries
-/// them, but for a drift of all. Throws InputError as there.
+/// By least squares, all grains alike; periodic sides as in local_deformation, grains less than half a cell from where
+/// the cell carries them, but for a drift of all. Throws InputError as there.
 AffineFit affine_fit(const Packing& before, const Packing& after);
 
 }  // namespace arenite::fields

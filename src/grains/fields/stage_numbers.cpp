@@ -10,12 +10,15 @@ namespace arenite::fields {
 namespace {
 
 constexpr std::size_t fewest_states = 4,
-                      most_states = 12;  // by which the scatter of a number in time is known, and that are measured for it
-constexpr double restless = 0.1;         // scatter of the pressure in time beyond which one moment tells little of the others
-constexpr double beyond_blocks = 1.5;    // scatter in time over an error by blocks that tells more than that both are rough
+                      most_states =
+                          12;     // by which the scatter of a number in time is known, and that are measured for it
+constexpr double restless = 0.1;  // scatter of the pressure in time beyond which one moment tells little of the others
+constexpr double beyond_blocks =
+    1.5;  // scatter in time over an error by blocks that tells more than that both are rough
 
 /// A sum of two columns with these weights; zeros where there is none.
-std::vector<double> weighed(const History& history, double x, const std::string& one, double y, const std::string& other, std::size_t rows) {
+std::vector<double> weighed(const History& history, double x, const std::string& one, double y,
+                            const std::string& other, std::size_t rows) {
   std::vector<double> result(rows, 0.0);
   const auto *a = history.find(one), *b = history.find(other);
   for (std::size_t k = 0; k < rows; ++k) result[k] = x * (a ? (*a)[k] : 0) + y * (b ? (*b)[k] : 0);
@@ -48,7 +51,8 @@ double deviation_of_neighbours(const std::vector<double>& values) {
 std::vector<const Packing*> states_before_the_last(const StageResult& result) {
   const std::size_t all = result.snapshots.size(), first = all / 3, many = std::min(all - first, most_states);
   std::vector<const Packing*> states;
-  for (std::size_t k = 0; k + 1 < many; ++k) states.push_back(&result.snapshots[first + k * (all - 1 - first) / (many - 1)].packing);
+  for (std::size_t k = 0; k + 1 < many; ++k)
+    states.push_back(&result.snapshots[first + k * (all - 1 - first) / (many - 1)].packing);
   return states;
 }
 
@@ -96,7 +100,8 @@ void set_error(Numbers& group, const std::string& name, Numbers& item, Numbers e
 void widen(Numbers& node, const Nodes& states) {
   for (auto&& [name, item] : node.items())
     if (item.is_tree() && item.contains("error")) {
-      if (!name.ends_with("_deg")) set_error(node, name, item, widened(item["value"], item["error"], below(below(states, name), "value")));
+      if (!name.ends_with("_deg"))
+        set_error(node, name, item, widened(item["value"], item["error"], below(below(states, name), "value")));
     } else if (item.is_tree()) {
       widen(item, below(states, name));
     }
@@ -115,7 +120,8 @@ Numbers texture_numbers(const StageEnd& end) {
   texture::Options options = *end.options;
   options.rev_sizes = 0;
   std::vector<Numbers> measured;
-  for (const Packing* state : states_before_the_last(end.result)) measured.push_back(texture::numbers(texture::measure(*state, options)));
+  for (const Packing* state : states_before_the_last(end.result))
+    measured.push_back(texture::numbers(texture::measure(*state, options)));
   if (measured.size() + 1 >= fewest_states) {
     Nodes states;
     for (const Numbers& one : measured) states.push_back(&one);
@@ -132,7 +138,8 @@ Numbers texture_numbers(const StageEnd& end) {
 }
 
 /// Every statistic that there is, in the order of their numbers.
-constexpr StageStatistic* statistics[] = {texture_numbers, load_numbers, energy_numbers, flow_numbers, cohesion_numbers};
+constexpr StageStatistic* statistics[] = {texture_numbers, load_numbers, energy_numbers, flow_numbers,
+                                          cohesion_numbers};
 
 }  // namespace
 

@@ -12,8 +12,8 @@ namespace arenite::fields {
 /// The end of a stage, which its statistics are of.
 struct StageEnd {
   const StageResult& result;
-  const dem::Stage& stage;                    ///< as it was asked for; nothing drives that of a packing
-  const Packing* before;                      ///< the state of a loaded sample that it began with; null where none was loaded before
+  const dem::Stage& stage;  ///< as it was asked for; nothing drives that of a packing
+  const Packing* before;    ///< the state of a loaded sample that it began with; null where none was loaded before
   const texture::Texture& texture;            ///< of its last state
   const texture::Options* options = nullptr;  ///< how its states are measured; null: none but the last
 };
@@ -25,7 +25,7 @@ struct SideStresses {
   std::vector<double> time, width, height;  ///< s, m
   std::vector<double> xx, yy;               ///< on left and right, on bottom and top
   std::vector<double> along_x,
-      along_y;                           ///< shear on bottom and top, on left and right: positive where the top, or the right, is held back
+      along_y;  ///< shear on bottom and top, on left and right: positive where the top, or the right, is held back
   std::vector<double> pressure() const;  ///< mean of the two normal ones
   std::vector<double> deviator() const;  ///< half the difference of the principal ones
 };
@@ -56,16 +56,17 @@ StageStatistic load_numbers;
 /// "energy_balance" of a stage whose energies were tracked: by how much it is open since the first row of the history.
 StageStatistic energy_numbers;
 
-/// Numbers of what flows under its weight, each with its error: "discharge" of a stage that counts what passes; "surface" of one that weighs and on
-/// which no side presses: angle of repose, ends, and the run-out since the state before; "floor" of one that lasts a time between walls: pressure at
-/// the bottom. Empty where it is none of these.
+/// Numbers of what flows under its weight, each with its error: "discharge" of a stage that counts what passes;
+/// "surface" of one that weighs and on which no side presses: angle of repose, ends, and the run-out since the state
+/// before; "floor" of one that lasts a time between walls: pressure at the bottom. Empty where it is none of these.
 StageStatistic flow_numbers;
 
-/// Numbers of a sample whose grains cohere: pairs joined at the end of the stage and those of them that are apart, the mean pull of touching grains
-/// F_c, N, and the granular Bond number, F_c over a grain's weight, or, without gravity, over the force p d t that the pressure of the state before
-/// puts on a grain. Where a stage draws sides apart: the largest tension on one of them, Pa, and beside it Rumpf's estimate for the state before (H.
-/// Rumpf, Chem. Ing. Tech. 42, 538, 1970), in the plane phi z F_c/(pi d t): solid fraction, joined neighbours a grain, mean diameter and thickness;
-/// both over that pressure as well. Empty where nothing coheres.
+/// Numbers of a sample whose grains cohere: pairs joined at the end of the stage and those of them that are apart, the
+/// mean pull of touching grains F_c, N, and the granular Bond number, F_c over a grain's weight, or, without gravity,
+/// over the force p d t that the pressure of the state before puts on a grain. Where a stage draws sides apart: the
+/// largest tension on one of them, Pa, and beside it Rumpf's estimate for the state before (H. Rumpf, Chem. Ing. Tech.
+/// 42, 538, 1970), in the plane phi z F_c/(pi d t): solid fraction, joined neighbours a grain, mean diameter and
+/// thickness; both over that pressure as well. Empty where nothing coheres.
 StageStatistic cohesion_numbers;
 
 }  // namespace arenite::fields

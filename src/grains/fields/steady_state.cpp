@@ -27,13 +27,15 @@ struct Sums {
   /// Means of blocks of equal length; samples that fill none are left out at the start, nearest to the transient.
   std::vector<double> block_means(std::size_t length) const {
     std::vector<double> means;
-    for (std::size_t k = size() % length; k < size(); k += length) means.push_back(origin + (before[k + length] - before[k]) / static_cast<double>(length));
+    for (std::size_t k = size() % length; k < size(); k += length)
+      means.push_back(origin + (before[k + length] - before[k]) / static_cast<double>(length));
     return means;
   }
 };
 
-/// Where the transient ends, in batches: the least of (sum of squares about the mean of what remains) over the square of its number. Sums
-/// from the end, each mean and sum of squares from those of one batch less (B. P. Welford, Technometrics 4, 419, 1962).
+/// Where the transient ends, in batches: the least of (sum of squares about the mean of what remains) over the square
+/// of its number. Sums from the end, each mean and sum of squares from those of one batch less (B. P. Welford,
+/// Technometrics 4, 419, 1962).
 std::size_t transient(const std::vector<double>& batches, std::size_t limit) {
   double mean = 0, squares = 0, n = 0, least = HUGE_VAL;
   std::size_t best = 0;
@@ -83,7 +85,8 @@ SteadyState block_average(std::span<const double> samples) {
 
 std::vector<double> about_ratio_of_means(std::span<const double> a, std::span<const double> b, std::size_t first) {
   const auto mean = [&](std::span<const double> v) {
-    return std::accumulate(v.begin() + static_cast<std::ptrdiff_t>(first), v.end(), 0.0) / static_cast<double>(v.size() - first);
+    return std::accumulate(v.begin() + static_cast<std::ptrdiff_t>(first), v.end(), 0.0) /
+           static_cast<double>(v.size() - first);
   };
   const double below = mean(b), ratio = mean(a) / below, sign = ratio < 0 ? -1 : 1;
   std::vector<double> about;
@@ -102,7 +105,8 @@ statistics::Measured mean_of_blocks(std::span<const double> samples, std::size_t
 }
 
 SteadyState find_steady_state(std::span<const double> samples) {
-  if (const auto bad = std::find_if(samples.begin(), samples.end(), [](double v) { return !std::isfinite(v); }); bad != samples.end())
+  if (const auto bad = std::find_if(samples.begin(), samples.end(), [](double v) { return !std::isfinite(v); });
+      bad != samples.end())
     throw refusal("sample {} of the time series is {}; give finite numbers", bad - samples.begin(), *bad);
   const std::size_t batches = samples.size() / batch, limit = batches / 2;
   // Batches fill the series from its end; what is left over at the start goes with the transient.

@@ -6,9 +6,9 @@
 
 namespace arenite::packing {
 
-/// Two size classes of disks placed by fast Poisson disk sampling in two steps (P II.A, II.B, Appendix): large ones with a gap between them that
-/// leaves room, then small ones without. Near size_ratio 1 a class is only a label: with P's common cut at 1 both are one population, and what sets
-/// them apart is which step placed them.
+/// Two size classes of disks placed by fast Poisson disk sampling in two steps (P II.A, II.B, Appendix): large ones
+/// with a gap between them that leaves room, then small ones without. Near size_ratio 1 a class is only a label: with
+/// P's common cut at 1 both are one population, and what sets them apart is which step placed them.
 struct BidisperseParameters {
   double large_radius = 0;      ///< mean, m
   double size_ratio = 2.5;      ///< gamma = mean large over mean small radius, 1 or more
@@ -39,11 +39,13 @@ struct BidisperseReport {
   int samplings = 0;         ///< of the whole box, until theta came out
 };
 
-/// Grains of materials 0 (large, first in the arrays) and 1 (small) in the square box of the domain, which is set here; sides are walls or periodic
-/// as `packing.domain` says. No two disks overlap, and large ones keep the gap. A maximal sampling is so exactly: after the first step no disk of (1
-/// - cut deviation) large_radius fits with the gap, after the second none of (1 - cut deviation) large_radius/size_ratio, unless disks were left out.
-/// With held radii each step ends at the first radius that fits nowhere in the box. Same seed: same packing. Throws InputError where a parameter is
-/// out of range or theta out of reach, and says what can be reached.
+/// Grains of materials 0 (large, first in the arrays) and 1 (small) in the square box of the domain, which is set here;
+/// sides are walls or periodic as `packing.domain` says. No two disks overlap, and large ones keep the gap. A maximal
+/// sampling is so exactly: after the first step no disk of (1
+/// - cut deviation) large_radius fits with the gap, after the second none of (1 - cut deviation)
+/// large_radius/size_ratio, unless disks were left out. With held radii each step ends at the first radius that fits
+/// nowhere in the box. Same seed: same packing. Throws InputError where a parameter is out of range or theta out of
+/// reach, and says what can be reached.
 BidisperseReport sample_bidisperse(Packing& packing, const BidisperseParameters& parameters, std::uint64_t seed);
 
 }  // namespace arenite::packing

@@ -17,8 +17,8 @@ struct Disk {
   double radius = 0;
 };
 
-/// Disks of about one size in square cells, to which more are added one by one. Along a periodic direction every image that lies near is visited,
-/// also where the box is only a few disks wide.
+/// Disks of about one size in square cells, to which more are added one by one. Along a periodic direction every image
+/// that lies near is visited, also where the box is only a few disks wide.
 class DiskCells {
  public:
   /// Cells about as wide as `size`, m.
@@ -36,7 +36,8 @@ class DiskCells {
     for (int r = row0; r <= row1; ++r) {
       const int turns_y = floor_divide(r, grid_.count[1]), cell_row = r - turns_y * grid_.count[1];
       for (int c = column0; c <= column1; ++c) {
-        const int turns_x = floor_divide(c, grid_.count[0]), cell = cell_row * grid_.count[0] + c - turns_x * grid_.count[0];
+        const int turns_x = floor_divide(c, grid_.count[0]),
+                  cell = cell_row * grid_.count[0] + c - turns_x * grid_.count[0];
         for (std::int32_t k = first_[cell]; k >= 0; k = member_[k].next) {
           const Disk& disk = member_[k].disk;
           if (holds(Disk{disk.centre + Vec2{turns_x * box_.size.x, turns_y * box_.size.y}, disk.radius})) return true;
@@ -60,8 +61,8 @@ class DiskCells {
   std::vector<Member> member_;
 };
 
-/// The room that is left between disks in a box. A disk fits where it lies inside the walls and keeps `gap` to every disk (its own periodic images
-/// too).
+/// The room that is left between disks in a box. A disk fits where it lies inside the walls and keeps `gap` to every
+/// disk (its own periodic images too).
 class FreeSpace {
  public:
   FreeSpace(const geometry::Box<2>& box, double gap) : box_(box), gap_(gap) {}
@@ -79,11 +80,12 @@ class FreeSpace {
   const geometry::Box<2>& box() const { return box_; }
 
   bool fits(const Disk& disk) const;
-  /// Centre of a disk of that radius at that angle round another, at the least distance allowed, inside the periodic cell.
+  /// Centre of a disk of that radius at that angle round another, at the least distance allowed, inside the periodic
+  /// cell.
   Vec2 place_beside(const Disk& disk, double radius, double angle) const;
-  /// A place beside `disk` where a disk of that radius fits, each equally likely; nothing if there is none. Exact but for places narrower than 1e-9
-  /// rad: all of the circle where the new centre may lie is held against all neighbours. Where it fits nowhere beside any disk, it fits nowhere at
-  /// all, and neither does a larger one.
+  /// A place beside `disk` where a disk of that radius fits, each equally likely; nothing if there is none. Exact but
+  /// for places narrower than 1e-9 rad: all of the circle where the new centre may lie is held against all neighbours.
+  /// Where it fits nowhere beside any disk, it fits nowhere at all, and neither does a larger one.
   std::optional<Vec2> free_place_beside(const Disk& disk, double radius, RandomStream& random) const;
 
  private:
@@ -106,14 +108,15 @@ struct CutNormal {
   double draw(RandomStream& random, double below = HUGE_VAL) const;
 };
 
-/// Fast Poisson disk sampling (P Appendix): disks are tried at random angles round random disks, at the least distance that the space allows, until
-/// all have been given up after so many trials in a row; the radius is drawn anew at each trial, which favours small ones. With `least` > 0 every
-/// place where a disk of that radius, m, still fits is then found exactly and filled, with a radius of the law between that and what fits there: at
-/// the end it fits nowhere.
+/// Fast Poisson disk sampling (P Appendix): disks are tried at random angles round random disks, at the least distance
+/// that the space allows, until all have been given up after so many trials in a row; the radius is drawn anew at each
+/// trial, which favours small ones. With `least` > 0 every place where a disk of that radius, m, still fits is then
+/// found exactly and filled, with a radius of the law between that and what fits there: at the end it fits nowhere.
 void fill_redrawing(FreeSpace& space, const CutNormal& law, int trials, double least, RandomStream& random);
 
-/// The same with radii that are held until they are placed, so that those placed follow the law without bias: every radius of the sequence goes
-/// beside a random disk where it fits, found exactly; the first that fits nowhere in the box ends the sampling, and is returned, m.
+/// The same with radii that are held until they are placed, so that those placed follow the law without bias: every
+/// radius of the sequence goes beside a random disk where it fits, found exactly; the first that fits nowhere in the
+/// box ends the sampling, and is returned, m.
 double fill_holding(FreeSpace& space, const CutNormal& law, RandomStream& random);
 
 /// Throws InputError with everything that is wrong with the parameters.
@@ -131,13 +134,15 @@ struct TwoClasses {
 };
 
 /// Both steps of the sampling, with that gap between large disks. Another `attempt` is another sampling.
-TwoClasses sample_two_classes(const BidisperseParameters& parameters, const geometry::Box<2>& box, double gap, std::uint64_t seed, std::uint64_t attempt = 0);
+TwoClasses sample_two_classes(const BidisperseParameters& parameters, const geometry::Box<2>& box, double gap,
+                              std::uint64_t seed, std::uint64_t attempt = 0);
 
-/// The gap at which the volume ratio asked for comes out, by a line through the ratios that samplings reach; gap 0 where even that leaves too many
-/// small disks. Throws InputError where the ratio is below what the widest gap gives.
+/// The gap at which the volume ratio asked for comes out, by a line through the ratios that samplings reach; gap 0
+/// where even that leaves too many small disks. Throws InputError where the ratio is below what the widest gap gives.
 TwoClasses find_gap(const BidisperseParameters& parameters, const geometry::Box<2>& box, std::uint64_t seed);
 
-/// Removes small disks at random, each as likely, until the volume ratio is as near to the one asked for as it gets; returns how many.
+/// Removes small disks at random, each as likely, until the volume ratio is as near to the one asked for as it gets;
+/// returns how many.
 std::size_t leave_out_small(TwoClasses& classes, double volume_ratio, std::uint64_t seed);
 
 }  // namespace arenite::packing

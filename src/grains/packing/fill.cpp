@@ -143,7 +143,9 @@ RelaxReport relax(Grains& grains, const Domain& domain, double tolerance, int ma
   return report;
 }
 
-double height_for(const Grains& grains, double width, double solid_fraction) { return grains.area() / (solid_fraction * width); }
+double height_for(const Grains& grains, double width, double solid_fraction) {
+  return grains.area() / (solid_fraction * width);
+}
 
 RelaxReport fill_at_random(Grains& grains, const Domain& domain, std::uint64_t seed) {
   for (std::size_t i = 0; i < grains.size(); ++i) {
@@ -156,15 +158,14 @@ RelaxReport fill_at_random(Grains& grains, const Domain& domain, std::uint64_t s
   const double asked = grains.area() / domain.area();
   if (asked > densest)
     throw refusal(
-        "the grains cover {:.3g} times the area of the container and cannot fit; use fewer, or leave container.height out with a "
-        "packing.solid_fraction of 0.80 or less",
+        "the grains cover {:.3g} times the area of the container and cannot fit; use fewer, or leave container.height "
+        "out with a packing.solid_fraction of 0.80 or less",
         asked);
   const auto report = relax(grains, domain);
   if (report.overlap_after > 0.01)
     throw refusal(
-        "a random filling at solid fraction {:.3f} jams with overlaps of {:.1f} % of the radii; "
-        "start looser (packing.solid_fraction of {:.2f} or less, or a larger container.height) and let a "
-        "loading stage compact it",
+        "a random filling at solid fraction {:.3f} jams with overlaps of {:.1f} % of the radii; start looser "
+        "(packing.solid_fraction of {:.2f} or less, or a larger container.height) and let a loading stage compact it",
         asked, 100 * report.overlap_after, std::min(0.80, std::floor(100 * asked) / 100 - 0.03));
   return report;
 }
@@ -176,12 +177,15 @@ double fill_lattice(Grains& grains, const Domain& domain) {
   const int full = static_cast<int>(room);
   const int shifted = room - full >= 0.5 ? full : full - 1;
   if (full < 1 || (shifted < 1 && grains.size() > 1))
-    throw refusal("the container is {:g} m wide and holds no row of a lattice of {:g} m; widen container.width", domain.width(), site);
+    throw refusal("the container is {:g} m wide and holds no row of a lattice of {:g} m; widen container.width",
+                  domain.width(), site);
   std::size_t i = 0;
   double y = domain.wall[bottom].position + site / 2;
   for (int row = 0; i < grains.size(); ++row, y += rise) {
     const double x0 = domain.wall[left].position + site * (row % 2 == 0 ? 0.5 : 1.0);
-    for (int k = 0; k < (row % 2 == 0 ? full : shifted) && i < grains.size(); ++k, ++i) { grains.position[i] = {x0 + k * site, y}; }
+    for (int k = 0; k < (row % 2 == 0 ? full : shifted) && i < grains.size(); ++k, ++i) {
+      grains.position[i] = {x0 + k * site, y};
+    }
   }
   return y - rise + site / 2 - domain.wall[bottom].position;
 }

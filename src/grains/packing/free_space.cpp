@@ -32,7 +32,8 @@ bool FreeSpace::fits(const Disk& disk) const {
   const double r = disk.radius;
   for (int axis = 0; axis < 2; ++axis) {
     const double at = disk.centre[axis];
-    if (box_.periodic[axis] ? 2 * r + gap_ > box_.size[axis] : at - r < box_.corner[axis] || at + r > box_.end()[axis]) return false;
+    if (box_.periodic[axis] ? 2 * r + gap_ > box_.size[axis] : at - r < box_.corner[axis] || at + r > box_.end()[axis])
+      return false;
   }
   for (const DiskCells& store : stores_)
     if (store.any_near(disk.centre, r + store.largest() + gap_, [&](const Disk& other) {
@@ -56,7 +57,8 @@ Vec2 FreeSpace::place_beside(const Disk& disk, double radius, double angle) cons
 std::vector<FreeSpace::Arc> FreeSpace::covered_arcs(const Disk& disk, double radius) const {
   const double distance = (disk.radius + radius + gap_) * (1 + stand_off);
   std::vector<Arc> arcs;
-  const auto cover = [&](bool walled, double room, double outward) {  // room: how far the centre may move towards the wall
+  const auto cover = [&](bool walled, double room,
+                         double outward) {  // room: how far the centre may move towards the wall
     if (!walled || room >= distance) return;
     const double half = room <= -distance ? pi : std::acos(room / distance);
     arcs.push_back({outward - half, outward + half});

@@ -11,12 +11,15 @@ namespace {
 /// The search ends unfinished after as many samplings as hold so many disks together: a second or two of work.
 constexpr std::size_t most_disks = 200'000;
 constexpr std::size_t fewest_samplings = 8;
-/// What maximal samplings of disks with half their gap around them cover, and both classes together: only first guesses.
+/// What maximal samplings of disks with half their gap around them cover, and both classes together: only first
+/// guesses.
 constexpr double covered_with_gap = 0.62, covered = 0.78;
 constexpr double fewest_large = 10;
 
 /// The gap at which about `fewest_large` large disks are left.
-double widest_gap(const BidisperseParameters& p) { return 2 * (std::sqrt(covered_with_gap * p.box_area / fewest_large) - 1) * p.large_radius; }
+double widest_gap(const BidisperseParameters& p) {
+  return 2 * (std::sqrt(covered_with_gap * p.box_area / fewest_large) - 1) * p.large_radius;
+}
 
 double guess(const BidisperseParameters& p) {
   const double large = covered * p.volume_ratio / (1 + p.volume_ratio);
@@ -28,8 +31,8 @@ struct Known {
   double gap, excess;  ///< m; ln of the ratio over the one asked for, falls with the gap
 };
 
-/// Where the straight line through known points, the nearest to the aim weighing most, reaches the aim. Ratios scatter by a few per cent from
-/// sampling to sampling, so a line through all is a better guide than the last two.
+/// Where the straight line through known points, the nearest to the aim weighing most, reaches the aim. Ratios scatter
+/// by a few per cent from sampling to sampling, so a line through all is a better guide than the last two.
 double aim(const std::vector<Known>& known, double near, double far) {
   double w = 0, g = 0, e = 0, gg = 0, ge = 0;
   for (const Known& k : known) {
@@ -53,7 +56,11 @@ double aim(const std::vector<Known>& known, double near, double far) {
 
 class Search {
  public:
-  Search(const BidisperseParameters& p, const geometry::Box<2>& box, std::uint64_t seed) : p_(p), box_(box), seed_(seed), widest_(widest_gap(p)) {}
+  Search(const BidisperseParameters& p, const geometry::Box<2>& box, std::uint64_t seed)
+      : p_(p),
+        box_(box),
+        seed_(seed),
+        widest_(widest_gap(p)) {}
 
   TwoClasses run() {
     search();
@@ -80,7 +87,8 @@ class Search {
         if (far >= widest_ && !done()) refuse();
       }
     }
-    while (!done() && (known_.size() < fewest_samplings || sampled_disks_ < most_disks)) excess_at(aim(known_, near, far));
+    while (!done() && (known_.size() < fewest_samplings || sampled_disks_ < most_disks))
+      excess_at(aim(known_, near, far));
   }
 
   double first_step() const { return 0.1 * p_.large_radius; }
@@ -102,8 +110,8 @@ class Search {
 
   [[noreturn]] void refuse() const {
     throw refusal(
-        "the volume ratio theta of {:g} is out of reach: in this box even the widest gap between large "
-        "disks, {:.3g} of their mean radius, gives {:.3g}; prescribe more or use a larger box",
+        "the volume ratio theta of {:g} is out of reach: in this box even the widest gap between large disks, {:.3g} "
+        "of their mean radius, gives {:.3g}; prescribe more or use a larger box",
         p_.volume_ratio, widest_ / p_.large_radius, p_.volume_ratio * std::exp(known_.back().excess));
   }
 
@@ -118,6 +126,8 @@ class Search {
 
 }  // namespace
 
-TwoClasses find_gap(const BidisperseParameters& p, const geometry::Box<2>& box, std::uint64_t seed) { return Search(p, box, seed).run(); }
+TwoClasses find_gap(const BidisperseParameters& p, const geometry::Box<2>& box, std::uint64_t seed) {
+  return Search(p, box, seed).run();
+}
 
 }  // namespace arenite::packing

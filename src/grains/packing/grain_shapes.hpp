@@ -32,11 +32,14 @@ struct ClumpShape {
     visitor.choice({"arrangement", "Arrangement of the disks."}, arrangement,
                    {{"row", "in a line, with the aspect ratio `aspect`"}, {"ring", "evenly on a circle"}});
     visitor.when(arrangement == Arrangement::row, "arrangement = \"row\"", [&](ParameterVisitor& inner) {
-      inner.number({"aspect", "Length over width of a clump; if equal to members, its disks just touch."}, aspect, "", range::above(1, 64));
-      inner.require(aspect <= static_cast<double>(members), {"aspect", "members"}, "must not be above members, or the disks would not touch");
+      inner.number({"aspect", "Length over width of a clump; if equal to members, its disks just touch."}, aspect, "",
+                   range::above(1, 64));
+      inner.require(aspect <= static_cast<double>(members), {"aspect", "members"},
+                    "must not be above members, or the disks would not touch");
     });
     visitor.when(arrangement == Arrangement::ring, "arrangement = \"ring\"", [&](ParameterVisitor& inner) {
-      inner.number({"spacing", "Distance of neighbouring disks' centres over their diameter; at 1 they just touch."}, spacing, "", range::above(0, 1));
+      inner.number({"spacing", "Distance of neighbouring disks' centres over their diameter; at 1 they just touch."},
+                   spacing, "", range::above(0, 1));
       inner.require(members >= 3, {"members", "arrangement"}, "a ring needs 3 members or more");
     });
   }
@@ -66,8 +69,9 @@ struct PolygonShape {
   void declare(ParameterVisitor& visitor) {
     visitor.integer({"corners", "Number of corners of a polygon."}, corners, {3, 64});
     visitor.number({"aspect", "Stretch along one of its axes; 1: regular."}, aspect, "", range::between(1, 20));
-    visitor.number({"rounding", "Radius of the corners over that of the disk of equal area; small values need stiff contacts."}, rounding, "",
-                   range::between(0.01, 0.5));
+    visitor.number(
+        {"rounding", "Radius of the corners over that of the disk of equal area; small values need stiff contacts."},
+        rounding, "", range::between(0.01, 0.5));
   }
   bool operator==(const PolygonShape&) const = default;
 
@@ -94,16 +98,19 @@ struct PolygonShape {
   }
 };
 
-/// What a family of shapes gives: its word in recipes, its own parameters, equality, and a shape, of any size and anywhere.
+/// What a family of shapes gives: its word in recipes, its own parameters, equality, and a shape, of any size and
+/// anywhere.
 template <class S>
-concept MakesShapes = std::default_initializable<S> && std::equality_comparable<S> && requires(S shape, ParameterVisitor& visitor) {
+concept MakesShapes = std::default_initializable<S> && std::equality_comparable<S> &&
+    requires(S shape, ParameterVisitor& visitor) {
   { S::word } -> std::convertible_to<Word>;
   { shape.declare(visitor) } -> std::same_as<void>;
   { shape.make() } -> std::same_as<Shape>;
 };
 template <MakesShapes... Each> using GrainShapes = std::variant<Each...>;
 
-/// The shapes there are, the usual one first. A new one is a struct beside these and a word here: recipe keys, their documentation and hashes follow.
+/// The shapes there are, the usual one first. A new one is a struct beside these and a word here: recipe keys, their
+/// documentation and hashes follow.
 using GrainShape = GrainShapes<DiskShape, ClumpShape, PolygonShape>;
 
 }  // namespace arenite::packing

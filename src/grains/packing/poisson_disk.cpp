@@ -12,7 +12,8 @@ double CutNormal::draw(RandomStream& random, double below) const {
   const double top = std::min(high, below);
   if (top <= low) return low;
   if (deviation <= 0) return std::clamp(mean, low, top);
-  // Rejection from the whole law is cheap where the range holds most of it, rejection from a rectangle where it is narrow.
+  // Rejection from the whole law is cheap where the range holds most of it, rejection from a rectangle where it is
+  // narrow.
   if (low <= mean && mean <= top && top - low > 2 * deviation) {
     for (;;)
       if (const double r = mean + deviation * random.normal(); r >= low && r <= top) return r;
@@ -55,8 +56,8 @@ bool try_beside(FreeSpace& space, std::size_t k, const CutNormal& law, int trial
   return false;
 }
 
-/// One more disk beside disk k where `least` still fits; false if it does not. Drawing again below each radius that fails gives the law's part that
-/// fits, in few draws however small that part is.
+/// One more disk beside disk k where `least` still fits; false if it does not. Drawing again below each radius that
+/// fails gives the law's part that fits, in few draws however small that part is.
 bool fill_beside(FreeSpace& space, std::size_t k, CutNormal law, double least, RandomStream& random) {
   auto place = space.free_place_beside(space.disks()[k], least, random);
   if (!place) return false;

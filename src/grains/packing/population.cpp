@@ -28,7 +28,9 @@ void Region::declare(ParameterVisitor& v) {
 }
 
 void refuse_truncation(const UniformSizes& law, const char* name, const char* centre) {
-  throw refusal("from {:g} to {:g} m the {} size law has almost none of its grains; move min and max apart, around its {}", law.min, law.max, name, centre);
+  throw refusal(
+      "from {:g} to {:g} m the {} size law has almost none of its grains; move min and max apart, around its {}",
+      law.min, law.max, name, centre);
 }
 
 namespace {
@@ -43,7 +45,9 @@ std::vector<std::int64_t> counts_of(const std::vector<Population>& populations, 
     else ratios += populations[p].ratio.value_or(0);
   }
   if (ratios <= 0) return counts;
-  if (left <= 0) throw InputError("populations with a ratio have no grains to share; raise packing.grains above the sum of the counts");
+  if (left <= 0)
+    throw InputError(
+        "populations with a ratio have no grains to share; raise packing.grains above the sum of the counts");
   std::vector<std::pair<double, std::size_t>> remainders;
   std::int64_t given = 0;
   for (std::size_t p = 0; p < populations.size(); ++p) {
@@ -70,8 +74,11 @@ bool lies_inside(Vec2 from_centre, const Region& region) {
 }
 
 /// Shapes of grains whose population is known, and their angles; nothing where all are disks.
-void give_shapes(Grains& grains, const std::vector<Population>& populations, const std::vector<std::size_t>& population, std::uint64_t seed) {
-  if (std::all_of(populations.begin(), populations.end(), [](const Population& p) { return std::holds_alternative<DiskShape>(p.shape); })) return;
+void give_shapes(Grains& grains, const std::vector<Population>& populations, const std::vector<std::size_t>& population,
+                 std::uint64_t seed) {
+  if (std::all_of(populations.begin(), populations.end(),
+                  [](const Population& p) { return std::holds_alternative<DiskShape>(p.shape); }))
+    return;
   std::vector<Shape> unit;
   std::vector<double> gyration;
   for (const Population& p : populations) {
@@ -99,7 +106,8 @@ std::vector<double> circle_radii(const Grains& grains) {
   return radii;
 }
 
-Grains draw_grains(const std::vector<Population>& populations, const Materials& materials, std::int64_t total, std::uint64_t seed) {
+Grains draw_grains(const std::vector<Population>& populations, const Materials& materials, std::int64_t total,
+                   std::uint64_t seed) {
   struct Drawn {
     double radius;
     std::int32_t material;
@@ -116,7 +124,8 @@ Grains draw_grains(const std::vector<Population>& populations, const Materials& 
         },
         populations[p].size);
   }
-  if (drawn.empty()) throw InputError("the populations hold no grains; give each a count, or ratios and packing.grains");
+  if (drawn.empty())
+    throw InputError("the populations hold no grains; give each a count, or ratios and packing.grains");
 
   RandomStream order(seed, Purpose::order);
   for (std::size_t i = drawn.size() - 1; i > 0; --i) std::swap(drawn[i], drawn[order.below(i + 1)]);
@@ -139,7 +148,8 @@ std::int64_t mark_region(Grains& grains, const Domain& domain, const Region& reg
   std::fill(grains.zone.begin(), grains.zone.end(), std::uint8_t{0});
   if (region.count) {
     const auto nearest = ordered_by(grains.size(), [&](std::size_t g) { return dot(d[g], d[g]); });
-    const auto n = std::min<std::size_t>(nearest.size(), static_cast<std::size_t>(std::max<std::int64_t>(0, *region.count)));
+    const auto n =
+        std::min<std::size_t>(nearest.size(), static_cast<std::size_t>(std::max<std::int64_t>(0, *region.count)));
     for (std::size_t k = 0; k < n; ++k) grains.zone[nearest[k]] = 1;
   } else {
     for (std::size_t i = 0; i < grains.size(); ++i) grains.zone[i] = lies_inside(d[i], region) ? 1 : 0;
@@ -149,7 +159,9 @@ std::int64_t mark_region(Grains& grains, const Domain& domain, const Region& reg
 
 SizeCurve measured_size_curve(const Grains& grains, const Materials& materials, std::size_t most) {
   const auto order = ordered_by(grains.size(), [&](std::size_t g) { return grains.radius[g]; });
-  const auto mass = [&](std::size_t g) { return materials[grains.material[g]].density * grains.radius[g] * grains.radius[g]; };
+  const auto mass = [&](std::size_t g) {
+    return materials[grains.material[g]].density * grains.radius[g] * grains.radius[g];
+  };
   double total = 0;
   for (const std::size_t g : order) total += mass(g);
   SizeCurve curve;
@@ -159,7 +171,8 @@ SizeCurve measured_size_curve(const Grains& grains, const Materials& materials, 
   double below = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
     below += mass(order[k]);
-    const bool last = k + 1 == order.size(), wider_follows = !last && grains.radius[order[k + 1]] > grains.radius[order[k]];
+    const bool last = k + 1 == order.size(),
+               wider_follows = !last && grains.radius[order[k + 1]] > grains.radius[order[k]];
     const double share = last ? 1 : below / total;
     if (!last && (!wider_follows || share < curve.passing.back() + 1 / static_cast<double>(most))) continue;
     curve.diameter.push_back(2 * grains.radius[order[k]]);
@@ -168,7 +181,8 @@ SizeCurve measured_size_curve(const Grains& grains, const Materials& materials, 
   return curve;
 }
 
-SizeCurve asked_size_curve(const std::vector<Population>& populations, const Materials& materials, std::int64_t total, std::size_t most) {
+SizeCurve asked_size_curve(const std::vector<Population>& populations, const Materials& materials, std::int64_t total,
+                           std::size_t most) {
   std::int64_t counted = 0;
   for (const Population& p : populations) counted += p.count.value_or(0);
   const std::int64_t times = std::max<std::int64_t>(1, many / std::max<std::int64_t>(1, std::max(total, counted)));

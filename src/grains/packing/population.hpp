@@ -20,10 +20,11 @@ struct Population {
   bool operator==(const Population&) const = default;
 };
 
-/// Grains of all populations, in random order, at rest at the origin: radius, material, id and shape are set, and a random angle where not all are disks. Populations with a ratio share `total` less
-/// the counts, by largest remainder. Same seed: same grains.
-/// Throws InputError for an unknown material or a total that leaves no grain.
-Grains draw_grains(const std::vector<Population>& populations, const Materials& materials, std::int64_t total, std::uint64_t seed);
+/// Grains of all populations, in random order, at rest at the origin: radius, material, id and shape are set, and a
+/// random angle where not all are disks. Populations with a ratio share `total` less the counts, by largest remainder.
+/// Same seed: same grains. Throws InputError for an unknown material or a total that leaves no grain.
+Grains draw_grains(const std::vector<Population>& populations, const Materials& materials, std::int64_t total,
+                   std::uint64_t seed);
 
 /// Radius of the smallest circle about each grain's centre that holds it, m.
 std::vector<double> circle_radii(const Grains& grains);
@@ -43,16 +44,20 @@ struct Region {
 /// Puts the grains of the region into zone 1, all others into zone 0; returns how many are in it.
 std::int64_t mark_region(Grains& grains, const Domain& domain, const Region& region);
 
-/// A grading curve: share of the mass in grains no wider than each diameter; between two points it keeps the value of the first.
+/// A grading curve: share of the mass in grains no wider than each diameter; between two points it keeps the value of
+/// the first.
 struct SizeCurve {
   std::vector<double> diameter;  ///< m, rising
   std::vector<double> passing;   ///< 0 to 1
 };
 
-/// Of grains as cylinders of one length, with the densities of their materials; at most `most` points, evenly spaced in mass.
+/// Of grains as cylinders of one length, with the densities of their materials; at most `most` points, evenly spaced in
+/// mass.
 SizeCurve measured_size_curve(const Grains& grains, const Materials& materials, std::size_t most = 200);
 
-/// That of the populations' laws themselves: of very many grains drawn from them in the shares that `total` grains have.
-SizeCurve asked_size_curve(const std::vector<Population>& populations, const Materials& materials, std::int64_t total, std::size_t most = 200);
+/// That of the populations' laws themselves: of very many grains drawn from them in the shares that `total` grains
+/// have.
+SizeCurve asked_size_curve(const std::vector<Population>& populations, const Materials& materials, std::int64_t total,
+                           std::size_t most = 200);
 
 }  // namespace arenite::packing

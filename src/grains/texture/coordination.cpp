@@ -46,7 +46,9 @@ template <class Top, class Under> Estimate ratio(const View& view, Top top, Unde
     sums[0] += top(g);
     sums[1] += under(g);
   };
-  const auto quotient = [](const std::vector<double>& s) { return std::vector<double>{s[1] > 0 ? s[0] / s[1] : unknown}; };
+  const auto quotient = [](const std::vector<double>& s) {
+    return std::vector<double>{s[1] > 0 ? s[0] / s[1] : unknown};
+  };
   return jackknife_of_sums(view.grains, view.grain_block, 2, add, quotient)[0];
 }
 
@@ -64,24 +66,28 @@ Estimate neighbours(const View& view) {
 
 constexpr const char* mean_number = "Mean number of contacts per grain, of the named pair or set";
 
-/// Of every material with every other one: neighbours of the second a grain of the first, and "POM-ANY" = (2 N_XX + N_XY)/N_X.
+/// Of every material with every other one: neighbours of the second a grain of the first, and "POM-ANY" = (2 N_XX +
+/// N_XY)/N_X.
 void put_by_material(Numbers& j, const View& view, const Partners& partners) {
   const std::vector<int> materials = view.materials();
   ByName<Estimate> doubled, parts, share;
   const auto all = [&](std::size_t g) { return partners.all(g); };
   for (const int x : materials)
     for (const int y : materials)
-      put(j, view.material_name(x) + "-" + view.material_name(y), grain_mean(view, x, [&](std::size_t g) { return partners.with(g, y); }), "", mean_number);
+      put(j, view.material_name(x) + "-" + view.material_name(y),
+          grain_mean(view, x, [&](std::size_t g) { return partners.with(g, y); }), "", mean_number);
   for (const int x : materials) {
     const std::string any = view.material_name(x) + "-ANY";
     put(j, any, grain_mean(view, x, all), "", mean_number);
-    doubled.emplace_back(any, grain_mean(view, x, [&](std::size_t g) { return 2 * partners.all(g) - partners.with(g, x); }));
+    doubled.emplace_back(any,
+                         grain_mean(view, x, [&](std::size_t g) { return 2 * partners.all(g) - partners.with(g, x); }));
   }
   for (std::size_t a = 0; a < materials.size(); ++a)
     for (std::size_t b = a; b < materials.size(); ++b) {
       const int x = materials[a], y = materials[b];
       const auto ends = [&](std::size_t g) {
-        return (view.material(g) == x ? partners.with(g, y) : 0.0) + (x != y && view.material(g) == y ? partners.with(g, x) : 0.0);
+        return (view.material(g) == x ? partners.with(g, y) : 0.0) +
+               (x != y && view.material(g) == y ? partners.with(g, x) : 0.0);
       };
       const std::string name = view.material_name(x) + "-" + view.material_name(y);
       parts.emplace_back(name, grain_mean(view, -1, ends));
@@ -96,14 +102,15 @@ void put_by_material(Numbers& j, const View& view, const Partners& partners) {
 
 }  // namespace
 
-/// Every considered grain brings the ends of its own contacts, so that N_AB is half the number of such ends and z of a sample without border is 2
-/// N_c/N_p; contacts with walls are not counted. Of grains that are no disks "all, neighbours" as well, which counts two grains that meet in several
-/// contacts once.
+/// Every considered grain brings the ends of its own contacts, so that N_AB is half the number of such ends and z of a
+/// sample without border is 2 N_c/N_p; contacts with walls are not counted. Of grains that are no disks "all,
+/// neighbours" as well, which counts two grains that meet in several contacts once.
 void coordination(const View& view, Texture& texture) {
   const Partners partners(view);
   Numbers& j = texture.numbers["coordination"] = Numbers::tree();
   std::vector<double> histogram;
-  for (std::size_t g = 0; g < view.packing.grains.size(); ++g) texture.per_grain.contacts.push_back(static_cast<std::int32_t>(partners.all(g)));
+  for (std::size_t g = 0; g < view.packing.grains.size(); ++g)
+    texture.per_grain.contacts.push_back(static_cast<std::int32_t>(partners.all(g)));
   for (const std::size_t g : view.grains) {
     const auto k = static_cast<std::size_t>(texture.per_grain.contacts[g]);
     if (histogram.size() <= k) histogram.resize(k + 1, 0.0);

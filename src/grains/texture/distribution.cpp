@@ -48,7 +48,8 @@ statistics::Curve density(const std::vector<double>& sorted) {
 statistics::Curve survival_function(const std::vector<double>& sorted) {
   statistics::Curve curve;
   const std::size_t n = sorted.size();
-  for (std::size_t rank = n; rank >= 1; rank = std::min(rank - 1, static_cast<std::size_t>(static_cast<double>(rank) / 1.035))) {
+  for (std::size_t rank = n; rank >= 1;
+       rank = std::min(rank - 1, static_cast<std::size_t>(static_cast<double>(rank) / 1.035))) {
     const double share = static_cast<double>(rank) / static_cast<double>(n);
     curve.x.push_back(sorted[n - rank]);
     curve.y.push_back(share);
@@ -62,7 +63,8 @@ enum Number { mean_value, above_own, above_all, beta, beta_line, lead, alpha, k,
 
 /// Of items in the order of their values. The mean is their own, so that its scatter is in the errors of all that is
 /// counted from it; so is that of all where that is not known.
-std::vector<double> numbers_of(const Items& sorted, const std::vector<double>& value, double mean_of_all, double scale) {
+std::vector<double> numbers_of(const Items& sorted, const std::vector<double>& value, double mean_of_all,
+                               double scale) {
   std::vector<double> n(numbers_in_all, unknown);
   if (sorted.empty()) return n;
   const double mean = mean_of(sorted, value);
@@ -95,7 +97,8 @@ void put_laws(Numbers& to, const std::vector<Estimate>& n, const statistics::Tai
   put(to, "line_r2", tail.line_r2, "", "Coefficient of determination of that line");
   put(to, "tail_count", tail.count, "", "Values above the mean");
   put(to, "log_likelihood_ratio", n[lead], "", "ln L(exponential) - ln L(half-Gaussian)");
-  put(to, "p_value", statistics::chance_of_lead(n[lead]), "", "Probability that the exponential fits better by chance (Vuong's test, one-sided)");
+  put(to, "p_value", statistics::chance_of_lead(n[lead]), "",
+      "Probability that the exponential fits better by chance (Vuong's test, one-sided)");
   put(to, "alpha", n[alpha], "", "Exponent of values below the mean, P ~ x^-alpha, by maximum likelihood");
   put(to, "k", n[k], "", "Height of the pdf at the mean, 1/k = 1/(1 - alpha) + 1/beta");
   put(to, "beta2_over_product", n[relation], "", "beta^2/((1 - alpha)(2 - alpha)); 1 where T eq. 1.5 holds");
@@ -103,9 +106,10 @@ void put_laws(Numbers& to, const std::vector<Estimate>& n, const statistics::Tai
 
 }  // namespace
 
-Numbers distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value, double mean_of_all, const DistributionNames& names,
-                     double scale, double level) {
-  const double own_mean = mean_of(items, value), sign = own_mean < 0 ? -1 : 1, count = static_cast<double>(items.size());
+Numbers distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value,
+                     double mean_of_all, const DistributionNames& names, double scale, double level) {
+  const double own_mean = mean_of(items, value), sign = own_mean < 0 ? -1 : 1,
+               count = static_cast<double>(items.size());
   Items sorted = items;
   std::ranges::stable_sort(sorted, [&](std::size_t i, std::size_t j) { return sign * value[i] < sign * value[j]; });
   const double against = std::abs(mean_of_all - own_mean) <= 1e-12 * std::abs(own_mean) ? unknown : mean_of_all;
@@ -135,9 +139,11 @@ Estimate strong_share_of_all(const View& view, const Items& set) {
 
 /// Normal forces between grains, pushing and pulling ones apart (T Fig. 1.6, 1.9).
 void forces(const View& view, Texture& texture) {
-  constexpr DistributionNames names{"mean_N", "N", "strong_share", "Mean normal force of the set", "Fraction of contacts above the set's own mean"};
+  constexpr DistributionNames names{"mean_N", "N", "strong_share", "Mean normal force of the set",
+                                    "Fraction of contacts above the set's own mean"};
   if (view.contacts.empty()) {
-    texture.notes.push_back("There is no contact in the window, so coordination is zero, and fabric and forces are left out.");
+    texture.notes.push_back(
+        "There is no contact in the window, so coordination is zero, and fabric and forces are left out.");
     return;
   }
   ByName<Items> sets{{"all", view.contacts}};
@@ -151,19 +157,23 @@ void forces(const View& view, Texture& texture) {
       Numbers& set = place_of(name, compressive, "by_type");
       set.update(distribution(pushing, view.contact_block, push, view.mean_force, names, 1, view.level()));
       if (name != "all")
-        put(set, "strong_share_of_all", strong_share_of_all(view, items), "", "Fraction of all contacts that are of the set and above the mean of all");
+        put(set, "strong_share_of_all", strong_share_of_all(view, items), "",
+            "Fraction of all contacts that are of the set and above the mean of all");
     }
     const Items pulling = kept(items, [&](std::size_t c) { return pull[c] > 0; });
     if (pulling.empty()) continue;
     if (name == "all")
       for (const std::size_t c : pulling) mean_pull += pull[c] / static_cast<double>(pulling.size());
-    place_of(name, tensile, "by_type").update(distribution(pulling, view.contact_block, pull, mean_pull, names, 1, view.level()));
+    place_of(name, tensile, "by_type")
+        .update(distribution(pulling, view.contact_block, pull, mean_pull, names, 1, view.level()));
   }
   if (compressive.empty()) return;
-  put(compressive, "tensile_share", mean(view.contacts, view.contact_block, [&](std::size_t c) { return pull[c] > 0 ? 1.0 : 0.0; }), "",
+  put(compressive, "tensile_share",
+      mean(view.contacts, view.contact_block, [&](std::size_t c) { return pull[c] > 0 ? 1.0 : 0.0; }), "",
       "Fraction of tensile contacts");
   if (!tensile.empty()) {
-    put(tensile, "mean_over_compressive_mean", view.mean_force > 0 ? mean_pull / view.mean_force : unknown, "", "Mean tensile over mean compressive force");
+    put(tensile, "mean_over_compressive_mean", view.mean_force > 0 ? mean_pull / view.mean_force : unknown, "",
+        "Mean tensile over mean compressive force");
     compressive["tensile"] = tensile;
   }
   texture.numbers["force"] = compressive;

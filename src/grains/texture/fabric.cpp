@@ -16,20 +16,38 @@ constexpr double degrees = 180 / std::numbers::pi;
 /// Mean length of the resultant of n random unit vectors: sqrt(pi)/2 / sqrt(n).
 double resultant_noise(std::size_t n) { return 0.5 * std::sqrt(std::numbers::pi / static_cast<double>(n)); }
 
-/// Sums over contacts: the powers of u = exp(2 i theta), and the normal equations that fit F_n and F_t by A + B cos 2 theta + C sin 2 theta.
+/// Sums over contacts: the powers of u = exp(2 i theta), and the normal equations that fit F_n and F_t by A + B cos 2
+/// theta + C sin 2 theta.
 enum Term { count, c2, s2, c4, s4, c6, s6, cc, cs, ss, fn, fn_c, fn_s, ft, ft_c, ft_s, terms };
 
 void add_contact(const Contacts& contacts, std::size_t c, double* sums) {
   const double nx = contacts.normal[c].x, ny = contacts.normal[c].y;
   const Complex u{nx * nx - ny * ny, 2 * nx * ny}, u2 = u * u, u3 = u2 * u;
   const double x = u.real(), y = u.imag(), n = contacts.fn[c], t = contacts.ft[c];
-  const double values[terms] = {1, x, y, u2.real(), u2.imag(), u3.real(), u3.imag(), x * x, x * y, y * y, n, n * x, n * y, t, t * x, t * y};
+  const double values[terms] = {1,     x,     y, u2.real(), u2.imag(), u3.real(), u3.imag(), x * x,
+                                x * y, y * y, n, n * x,     n * y,     t,         t * x,     t * y};
   for (int k = 0; k < terms; ++k) sums[k] += values[k];
 }
 
 /// Components along cos 2 theta, sin 2 theta and so on, of which amplitudes and directions are made when their errors
 /// are known.
-enum Result { phi_xx, phi_xy, phi_yy, a_c_signed, x2, y2, x4, y4, x6, y6, force_x, force_y, friction_x, friction_y, results };
+enum Result {
+  phi_xx,
+  phi_xy,
+  phi_yy,
+  a_c_signed,
+  x2,
+  y2,
+  x4,
+  y4,
+  x6,
+  y6,
+  force_x,
+  force_y,
+  friction_x,
+  friction_y,
+  results
+};
 
 /// Anisotropies of force by least squares over directions, so that they do not inherit the anisotropy of the counts.
 void fit_forces(const std::vector<double>& s, std::vector<double>& r) {
@@ -60,7 +78,8 @@ std::vector<double> evaluate(const std::vector<double>& s, double load_axis) {
   return r;
 }
 
-/// How many contacts point into each of as many sectors over [0, 180) as asked, and their mean F_n, N; 0 where there are none.
+/// How many contacts point into each of as many sectors over [0, 180) as asked, and their mean F_n, N; 0 where there
+/// are none.
 void put_sectors(Numbers& to, const View& view, const Items& items) {
   const auto sectors = static_cast<std::size_t>(view.options.sectors);
   std::vector<double> count(sectors, 0.0), force(sectors, 0.0);
@@ -85,12 +104,16 @@ Numbers fabric_of(const View& view, const Items& items) {
       [&](const std::vector<double>& s) { return evaluate(s, view.load_axis); });
   const Oscillation contacts = oscillation(r[x2], r[y2], 2), force = oscillation(r[force_x], r[force_y], 2);
   const double noise = resultant_noise(items.size());
-  const auto tensor = [&](double Estimate::*part) { return Tensor2{r[phi_xx].*part, r[phi_xy].*part, r[phi_xy].*part, r[phi_yy].*part}; };
+  const auto tensor = [&](double Estimate::*part) {
+    return Tensor2{r[phi_xx].*part, r[phi_xy].*part, r[phi_xy].*part, r[phi_yy].*part};
+  };
   Numbers j = Numbers::tree();
   put(j, "contacts", items.size(), "", "Contacts of the set");
-  put(j, "a_c", Estimate{2 * contacts.amplitude.value, 2 * contacts.amplitude.error}, "", "Contact anisotropy a_c, 2 (phi_1 - phi_2), T eq. 1.8; 0: isotropic");
+  put(j, "a_c", Estimate{2 * contacts.amplitude.value, 2 * contacts.amplitude.error}, "",
+      "Contact anisotropy a_c, 2 (phi_1 - phi_2), T eq. 1.8; 0: isotropic");
   put(j, "theta_c_deg", contacts.direction_deg, "deg", "Principal direction of the contacts, from x");
-  put(j, "phi", statistics::TensorEstimate{tensor(&Estimate::value), tensor(&Estimate::error)}, "", "Fabric tensor <n (x) n>, T eq. 1.6");
+  put(j, "phi", statistics::TensorEstimate{tensor(&Estimate::value), tensor(&Estimate::error)}, "",
+      "Fabric tensor <n (x) n>, T eq. 1.6");
   put(j, "a_c_signed", r[a_c_signed], "", "a_c cos 2(theta_c - theta_load): positive along the load");
   put(j, "a_c_noise", 2 * noise, "", "a_c of the same number of random orientations");
   put(j, "a_n", force.amplitude, "", "Anisotropy of the mean normal force");
@@ -128,7 +151,8 @@ void fabric(const View& view, Texture& texture) {
   Numbers& j = texture.numbers["fabric"];
   put_sets(j, view, "all", view.contacts);
   for (const auto& [name, items] : contacts_by_type(view)) put_sets(j, view, name, items);
-  put(j, "load_axis_deg", view.load_axis * 180 / std::numbers::pi, "deg", "Direction of the load, from x, to which signs refer");
+  put(j, "load_axis_deg", view.load_axis * 180 / std::numbers::pi, "deg",
+      "Direction of the load, from x, to which signs refer");
 }
 
 /// Signed a_c of the contacts that carry at most, and more than, a multiple of the mean force, from 0 to 4 by 0.1.
@@ -137,28 +161,34 @@ void threshold(const View& view, Texture& texture) {
   constexpr std::size_t fewest = 10;
   const auto& contacts = view.pairs();
   Items sorted = view.contacts;
-  std::stable_sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) { return contacts.fn[a] < contacts.fn[b]; });
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](std::size_t a, std::size_t b) { return contacts.fn[a] < contacts.fn[b]; });
   std::vector<double> sum{0};  // of cos 2(theta - theta_load) over the weakest k contacts
   for (const std::size_t c : sorted) {
     const Vec2 n = contacts.normal[c], load{std::cos(view.load_axis), std::sin(view.load_axis)};
     sum.push_back(sum.back() + 2 * dot(n, load) * dot(n, load) - 1);
   }
-  std::vector<double> force, below, noise_below, above, noise_above;  // over the mean force; unknown where fewer contacts are left
+  std::vector<double> force, below, noise_below, above,
+      noise_above;  // over the mean force; unknown where fewer contacts are left
   const auto push = [](std::vector<double>& a, std::vector<double>& noise, double total, std::size_t n) {
     a.push_back(n < fewest ? unknown : 2 * total / static_cast<double>(n));
     noise.push_back(n < fewest ? unknown : 2 * 0.886 / std::sqrt(static_cast<double>(n)));
   };
   for (int k = 0; k <= 40; ++k) {
     const double threshold = 0.1 * k;
-    const auto weaker = static_cast<std::size_t>(
-        std::upper_bound(sorted.begin(), sorted.end(), threshold * view.mean_force, [&](double limit, std::size_t c) { return limit < contacts.fn[c]; }) -
-        sorted.begin());
+    const auto weaker =
+        static_cast<std::size_t>(std::upper_bound(sorted.begin(), sorted.end(), threshold * view.mean_force,
+                                                  [&](double limit, std::size_t c) { return limit < contacts.fn[c]; }) -
+                                 sorted.begin());
     force.push_back(threshold);
     push(below, noise_below, sum[weaker], weaker);
     push(above, noise_above, sum.back() - sum[weaker], sorted.size() - weaker);
   }
-  texture.numbers["fabric"]["threshold"] = {
-      {"force", force}, {"a_c_below", below}, {"noise_below", noise_below}, {"a_c_above", above}, {"noise_above", noise_above}};
+  texture.numbers["fabric"]["threshold"] = {{"force", force},
+                                            {"a_c_below", below},
+                                            {"noise_below", noise_below},
+                                            {"a_c_above", above},
+                                            {"noise_above", noise_above}};
 }
 
 }  // namespace arenite::texture

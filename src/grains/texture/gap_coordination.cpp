@@ -9,7 +9,8 @@ namespace arenite::texture {
 namespace {
 
 /// Neighbours of every grain in the two classes.
-std::vector<std::array<int, 2>> count_neighbours(const Packing& packing, const PeriodicImages& images, double gap, std::array<int, 2> classes) {
+std::vector<std::array<int, 2>> count_neighbours(const Packing& packing, const PeriodicImages& images, double gap,
+                                                 std::array<int, 2> classes) {
   const auto& material = packing.grains.material;
   std::vector<std::array<int, 2>> count(packing.grains.size(), {0, 0});
   const auto add = [&](std::size_t image, std::size_t neighbour) {
@@ -24,10 +25,13 @@ std::vector<std::array<int, 2>> count_neighbours(const Packing& packing, const P
   return count;
 }
 
-constexpr std::pair<const char*, const char*> declared[] = {
-    {"Z", "Neighbours Z of a grain, mean of Z_l and Z_s"}, {"Z_l", "Neighbours of a large grain"},        {"Z_s", "Neighbours of a small grain"},
-    {"Z_ll", "Large neighbours of a large grain"},         {"Z_ls", "Small neighbours of a large grain"}, {"Z_sl", "Large neighbours of a small grain"},
-    {"Z_ss", "Small neighbours of a small grain"}};
+constexpr std::pair<const char*, const char*> declared[] = {{"Z", "Neighbours Z of a grain, mean of Z_l and Z_s"},
+                                                            {"Z_l", "Neighbours of a large grain"},
+                                                            {"Z_s", "Neighbours of a small grain"},
+                                                            {"Z_ll", "Large neighbours of a large grain"},
+                                                            {"Z_ls", "Small neighbours of a large grain"},
+                                                            {"Z_sl", "Large neighbours of a small grain"},
+                                                            {"Z_ss", "Small neighbours of a small grain"}};
 
 /// In the order declared, from the number of large grains and of their neighbours, then the same of small.
 std::vector<double> means(const std::vector<double>& sums) {
@@ -39,7 +43,8 @@ std::vector<double> means(const std::vector<double>& sums) {
 
 }  // namespace
 
-Numbers gap_coordination(const Packing& packing, double gap, int large, int small, const std::optional<geometry::Rectangle>& window) {
+Numbers gap_coordination(const Packing& packing, double gap, int large, int small,
+                         const std::optional<geometry::Rectangle>& window) {
   if (!(gap >= 0)) throw refusal("neighbours up to a surface gap of {:g} m; give 0 or more", gap);
   if (large == small) throw InputError("large and small grains are of one material; give each class its own");
   const PeriodicImages images = images_of(packing.grains, packing.domain, gap);

@@ -28,8 +28,8 @@ Vec2 doubled_axis(const Grains& grains, std::size_t g) {
 
 }  // namespace
 
-/// The fabric of the grains' own directions: the modulus and the phase of <exp(2 i theta)>, by which the tensor <a (x) a> is known. The modulus is half
-/// the difference of the principal values of <2 a (x) a>.
+/// The fabric of the grains' own directions: the modulus and the phase of <exp(2 i theta)>, by which the tensor <a (x)
+/// a> is known. The modulus is half the difference of the principal values of <2 a (x) a>.
 void long_axes(const View& view, Texture& texture) {
   const Grains& grains = view.packing.grains;
   if (grains.shapes.empty()) return;
@@ -50,7 +50,8 @@ void long_axes(const View& view, Texture& texture) {
   const Oscillation order = oscillation(both[0], both[1], 2);
   Numbers& j = texture.numbers["long_axes"];
   put(j, "grains", longish.size(), "", "Grains with a long axis");
-  put(j, "noise", 0.886 / std::sqrt(static_cast<double>(longish.size())), "", "Order for the same number of random orientations");
+  put(j, "noise", 0.886 / std::sqrt(static_cast<double>(longish.size())), "",
+      "Order for the same number of random orientations");
   put(j, "order", order.amplitude, "", "|<exp(2 i theta)>| of long axes; 0 at random, 1 all alike");
   put(j, "direction_deg", order.direction_deg, "deg", "Preferred direction of the long axes, from x");
 }

@@ -10,7 +10,8 @@
 namespace arenite::texture {
 
 // Each in its own file.
-Statistic grain_stress, solid_fraction, coordination, fabric, threshold, stress, forces, sigma_norm, local_order, long_axes, rev, quality;
+Statistic grain_stress, solid_fraction, coordination, fabric, threshold, stress, forces, sigma_norm, local_order,
+    long_axes, rev, quality;
 
 namespace {
 
@@ -30,24 +31,33 @@ void sample(const View& view, Texture& texture) {
                        {"border_m", described(view.window.border, "m", "Strip left out along walls")}}},
                      {"mean_diameter_m", described(view.mean_diameter, "m", "Mean diameter of grains")}};
   if (!view.has_box)
-    texture.notes.push_back("The box is not known, so solid fraction, REV and the stress of the assembly are omitted and no border is left out.");
-  if (!view.has_thickness) texture.notes.push_back("The out-of-plane length is not known, so stresses in Pa are left out.");
+    texture.notes.push_back(
+        "The box is not known, so solid fraction, REV and the stress of the assembly are omitted and no border is left "
+        "out.");
+  if (!view.has_thickness)
+    texture.notes.push_back("The out-of-plane length is not known, so stresses in Pa are left out.");
   if (!view.options.load_axis && !view.contacts.empty())
     texture.notes.push_back(
-        "The direction of the load is not given: signed anisotropies refer to the sample's own axis of greatest compression, "
-        "for which even a random network gives a positive value.");
+        "The direction of the load is not given: signed anisotropies refer to the sample's own axis of greatest "
+        "compression, for which even a random network gives a positive value.");
   const bool walled = view.has_box && !(view.packing.domain.periodic[0] && view.packing.domain.periodic[1]);
   if (walled && view.options.border > 0 && view.window.border == 0)
     texture.notes.push_back(
-        fmt::format("The sample is too small to leave out {:g} mean diameters along its walls, so it is taken whole.", view.options.border));
+        fmt::format("The sample is too small to leave out {:g} mean diameters along its walls, so it is taken whole.",
+                    view.options.border));
 }
 
-/// Every statistic that there is, in the order of their numbers. Grain stress comes first, because the normalised stress builds on it.
+/// Every statistic that there is, in the order of their numbers. Grain stress comes first, because the normalised
+/// stress builds on it.
 constexpr Statistic* statistics[] = {sample, grain_stress, solid_fraction, coordination, fabric, threshold, stress,
                                      forces, sigma_norm,   local_order,    long_axes,    rev,    quality};
 
 Numbers rows(const PerGrain& g) {
-  Numbers j{{"considered", g.considered}, {"rattler", g.rattler}, {"contacts", g.contacts}, {"sigma_norm", g.sigma_norm}, {"psi6", g.psi6}};
+  Numbers j{{"considered", g.considered},
+            {"rattler", g.rattler},
+            {"contacts", g.contacts},
+            {"sigma_norm", g.sigma_norm},
+            {"psi6", g.psi6}};
   if (!g.sigma_hyd.empty()) j["sigma_hyd_Pa"] = g.sigma_hyd;
   if (!g.sigma.empty()) j["sigma_Pa"] = g.sigma;
   return j;
@@ -60,8 +70,10 @@ void check_widths(const Packing& packing) {
   for (std::size_t g = 0; g < grains.size(); ++g)
     for (const auto& [periodic, side] : {std::pair(d.periodic[0], d.width()), std::pair(d.periodic[1], d.height())})
       if (periodic && side > 0 && !(2 * grains.radius[g] <= (1 + 1e-9) * side))
-        throw refusal("grain {} is {:.4g} m wide in a periodic cell of {:.4g} m, so it would overlap itself; correct the unit of the radii, or the cell",
-                      grains.id[g], 2 * grains.radius[g], side);
+        throw refusal(
+            "grain {} is {:.4g} m wide in a periodic cell of {:.4g} m, so it would overlap itself; correct the unit of "
+            "the radii, or the cell",
+            grains.id[g], 2 * grains.radius[g], side);
 }
 
 }  // namespace
@@ -70,7 +82,8 @@ Texture measure(const Packing& packing, const Options& options) {
   check_widths(packing);
   const std::size_t measured = options.grain_sigma_hyd.size();
   if (measured > 0 && measured != packing.grains.size())
-    throw refusal("sigma_hyd has {} values for {} grains; give one per grain, NaN where it is not known", measured, packing.grains.size());
+    throw refusal("sigma_hyd has {} values for {} grains; give one per grain, NaN where it is not known", measured,
+                  packing.grains.size());
   Texture texture;
   const View view(packing, options);
   for (Statistic* statistic : statistics) statistic(view, texture);
@@ -95,21 +108,23 @@ Numbers numbers(const Texture& t, bool curves) {
 }
 
 std::string to_text(const Texture& t) {
-  return arenite::to_text(numbers(t), {"border_m load_axis_deg phi modes a_n theta_n_deg a_t a_c_signed histogram unlike_contacts_twice parts_of_z "
-                                       "share_of_contacts fraction_above_mean_of_all strong_share_of_all beta_error beta_line line_r2 tail_count "
-                                       "log_likelihood_ratio "
-                                       "p_value k beta2_over_product in_window sum_over_grains from_walls_and_weight triangular_share doubled_rows "
-                                       "negative_forces negative_share",
-                                       "strong weak"});
+  return arenite::to_text(
+      numbers(t), {"border_m load_axis_deg phi modes a_n theta_n_deg a_t a_c_signed histogram unlike_contacts_twice "
+                   "parts_of_z share_of_contacts fraction_above_mean_of_all strong_share_of_all beta_error beta_line "
+                   "line_r2 tail_count log_likelihood_ratio p_value k beta2_over_product in_window sum_over_grains "
+                   "from_walls_and_weight triangular_share doubled_rows negative_forces negative_share",
+                   "strong weak"});
 }
 
 void forget_forces(Texture& t) {
   for (const char* name : {"force", "stress", "stress_details", "sigma_norm"}) t.numbers.erase(name);
-  constexpr std::string_view by_force = "without_rattlers rattlers a_n theta_n_deg a_t a_c_signed load_axis_deg threshold strong weak";
+  constexpr std::string_view by_force =
+      "without_rattlers rattlers a_n theta_n_deg a_t a_c_signed load_axis_deg threshold strong weak";
   for (const char* group : {"coordination", "fabric"})
     if (t.numbers.contains(group))
       erase_if(t.numbers[group], [&](std::string_view name, const Numbers&) {
-        return std::ranges::count(split_blanks(by_force), name) > 0 || name.ends_with(" strong") || name.ends_with(" weak");
+        return std::ranges::count(split_blanks(by_force), name) > 0 || name.ends_with(" strong") ||
+               name.ends_with(" weak");
       });
   std::fill(t.per_grain.rattler.begin(), t.per_grain.rattler.end(), std::uint8_t{0});
   t.per_grain.sigma.clear();

@@ -44,8 +44,10 @@ double median_resultant(const View& view) {
 }
 
 /// Why some forces pull, in the order of Pull.
-constexpr const char* reasons[] = {"in a measured sample without cohesion this is an error of measurement", "this is due to the adhesion of glued grains",
-                                   "this is due to the damping of opening contacts (contact.attractive_dashpot = true)"};
+constexpr const char* reasons[] = {
+    "in a measured sample without cohesion this is an error of measurement",
+    "this is due to the adhesion of glued grains",
+    "this is due to the damping of opening contacts (contact.attractive_dashpot = true)"};
 
 /// Largest |F_t|/F_n of compressive contacts, and the share of contacts that come within 0.001 of it.
 void put_friction(Numbers& to, const View& view) {
@@ -54,9 +56,11 @@ void put_friction(Numbers& to, const View& view) {
     if (view.pairs().fn[c] > 0) ratios.push_back(std::abs(view.pairs().ft[c]) / view.pairs().fn[c]);
   if (ratios.empty()) return;
   const double largest = *std::max_element(ratios.begin(), ratios.end());
-  const auto sliding = std::count_if(ratios.begin(), ratios.end(), [&](double r) { return r > 0 && r >= (1 - 1e-3) * largest; });
+  const auto sliding =
+      std::count_if(ratios.begin(), ratios.end(), [&](double r) { return r > 0 && r >= (1 - 1e-3) * largest; });
   put(to, "friction_ratio_max", largest, "", "Largest |F_t|/F_n of compressive contacts");
-  put(to, "sliding_share", static_cast<double>(sliding) / static_cast<double>(ratios.size()), "", "Fraction of contacts within 0.001 of the largest |F_t|/F_n");
+  put(to, "sliding_share", static_cast<double>(sliding) / static_cast<double>(ratios.size()), "",
+      "Fraction of contacts within 0.001 of the largest |F_t|/F_n");
 }
 
 }  // namespace
@@ -65,7 +69,8 @@ void put_friction(Numbers& to, const View& view) {
 void quality(const View& view, Texture& texture) {
   const std::vector<double>& force = view.pairs().fn;
   const std::size_t contacts = view.contacts.size();
-  const auto negative = static_cast<std::size_t>(std::count_if(view.contacts.begin(), view.contacts.end(), [&](std::size_t c) { return force[c] < 0; }));
+  const auto negative = static_cast<std::size_t>(
+      std::count_if(view.contacts.begin(), view.contacts.end(), [&](std::size_t c) { return force[c] < 0; }));
   const double imbalance = view.mean_force > 0 ? median_resultant(view) / view.mean_force : unknown;
   Numbers& j = texture.numbers["quality"];
   put(j, "doubled_rows", view.options.doubled_rows, "", "Contacts listed twice and merged");
@@ -75,16 +80,18 @@ void quality(const View& view, Texture& texture) {
   put(j, "median_imbalance", imbalance, "", "Median |sum F| of grains with at least 3 contacts over the mean force");
   put_friction(j, view);
   if (negative > 0)
-    texture.notes.push_back(fmt::format("{} of {} normal forces are tensile; {}.", negative, contacts, reasons[static_cast<std::size_t>(view.options.pull)]));
+    texture.notes.push_back(fmt::format("{} of {} normal forces are tensile; {}.", negative, contacts,
+                                        reasons[static_cast<std::size_t>(view.options.pull)]));
   double largest = 0;
   for (const std::size_t c : view.contacts) largest = std::max(largest, force[c]);
   if (largest > 50 * view.mean_force && view.mean_force > 0)
-    texture.notes.push_back(
-        fmt::format("The largest force is {:.3g} times the mean, so a few rows dominate the mean and everything derived from it.", largest / view.mean_force));
+    texture.notes.push_back(fmt::format(
+        "The largest force is {:.3g} times the mean, so a few rows dominate the mean and everything derived from it.",
+        largest / view.mean_force));
   if (imbalance > 0.1)
     texture.notes.push_back(
-        fmt::format("Grains are not in balance: the median resultant is {:.2g} of the mean force, so stresses "
-                    "depend on the reference point of moments.",
+        fmt::format("Grains are not in balance: the median resultant is {:.2g} of the mean force, so stresses depend "
+                    "on the reference point of moments.",
                     imbalance));
 }
 

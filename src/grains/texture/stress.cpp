@@ -12,7 +12,9 @@ namespace {
 Tensor2 moment_of(const Contacts& contacts, std::size_t c) { return outer(contacts.force_on_i(c), contacts.branch(c)); }
 
 /// f (x) l of one bond.
-Tensor2 moment_of(const Packing& packing, const Bond& bond) { return outer(force_on_i(packing, bond), -branch_of(packing, bond)); }
+Tensor2 moment_of(const Packing& packing, const Bond& bond) {
+  return outer(force_on_i(packing, bond), -branch_of(packing, bond));
+}
 
 /// f (x) l of a pull across a gap; 0 where it is in the force of a contact.
 Tensor2 moment_of(const Packing& packing, const CohesivePair& pair) {
@@ -25,8 +27,8 @@ template <class See> void each_link(const Packing& packing, const See& see) {
   for (const CohesivePair& pair : packing.cohesive) see(pair);
 }
 
-/// Sum over contacts, walls included, and over bonds and cohesive pairs that are apart, of f (x) l over the volume of the box (T eq. 1.10), with f on
-/// grain i and l from i to j (or to the wall).
+/// Sum over contacts, walls included, and over bonds and cohesive pairs that are apart, of f (x) l over the volume of
+/// the box (T eq. 1.10), with f on grain i and l from i to j (or to the wall).
 Tensor2 whole_stress(const View& view) {
   Tensor2 sum, links;
   for (std::size_t c = 0; c < view.pairs().size(); ++c) sum += moment_of(view.pairs(), c);
@@ -42,7 +44,8 @@ Tensor2 inner_stress(const View& view, const std::vector<Tensor2>& moments) {
   const double volume = view.blocks.bounds.area() * view.packing.domain.thickness;
   Tensor2 sum;
   for (std::size_t g = 0; g < grains.size(); ++g) {
-    const double r = grains.radius[g], covered = covered_area(view.packing.domain, grains.position[g], r, view.blocks.bounds);
+    const double r = grains.radius[g],
+                 covered = covered_area(view.packing.domain, grains.position[g], r, view.blocks.bounds);
     sum += covered / (std::numbers::pi * r * r) / volume * moments[g];
   }
   return sum;
@@ -54,8 +57,8 @@ statistics::TensorEstimate with_scatter_in_time(const View& view, const Tensor2&
   return {stress, view.options.in_time ? view.options.in_time->stress : Tensor2{unknown, unknown, unknown, unknown}};
 }
 
-/// What the internal moment must be at rest by the forces on walls and by weight: sum over wall contacts of f (x) x_c plus sum over grains of m g (x)
-/// x.
+/// What the internal moment must be at rest by the forces on walls and by weight: sum over wall contacts of f (x) x_c
+/// plus sum over grains of m g (x) x.
 Tensor2 wall_moment(const Packing& packing, Vec2 gravity) {
   const auto& contacts = packing.contacts;
   const Grains& grains = packing.grains;
@@ -80,7 +83,8 @@ void put_strong_shares(Numbers& to, const View& view) {
   };
   const auto shares = [](const std::vector<double>& s) {
     const double deviator2 = s[1] * s[1] + s[2] * s[2];
-    return std::vector<double>{s[0] != 0 ? s[3] / s[0] : unknown, deviator2 > 0 ? (s[1] * s[4] + s[2] * s[5]) / deviator2 : unknown};
+    return std::vector<double>{s[0] != 0 ? s[3] / s[0] : unknown,
+                               deviator2 > 0 ? (s[1] * s[4] + s[2] * s[5]) / deviator2 : unknown};
   };
   const auto r = jackknife_of_sums(view.contacts, view.contact_block, 6, add, shares);
   put(to, "strong_share_of_pressure", r[0], "", "Fraction of the pressure carried by contacts above the mean force");
@@ -98,16 +102,19 @@ void put_whole_stress(Numbers& to, Numbers& details, const View& view) {
   const bool walled = !domain.is_cell() && std::ranges::any_of(view.pairs().j, is_wall);
   const double axis = 0.5 * std::atan2(-(s.xy + s.yx), -(s.xx - s.yy)) * 180 / std::numbers::pi;
   const std::string known = view.options.in_time ? "the scatter in time" : "unknown from one sample";
-  put(to, "stress", with_scatter_in_time(view, s), "Pa", ("Mean stress of the sample, tension positive; its error is " + known).c_str());
+  put(to, "stress", with_scatter_in_time(view, s), "Pa",
+      ("Mean stress of the sample, tension positive; its error is " + known).c_str());
   put(details, "in_window", statistics::TensorEstimate{inner_stress(view, moments)}, "Pa",
       ("Stress of the grains in the window, tension positive; its error is " + known).c_str());
   put(details, "sum_over_grains", sum, "Pa", "Stress as the sum over grains");
   if (walled)
     put(details, "from_walls_and_weight", 1 / volume * wall_moment(view.packing, view.options.gravity), "Pa",
         "Stress from the forces on walls and from weight; the same in equilibrium");
-  put(details, "pressure_Pa", -0.5 * trace(s), "Pa", "Pressure p, mean of the principal stresses, compression positive");
+  put(details, "pressure_Pa", -0.5 * trace(s), "Pa",
+      "Pressure p, mean of the principal stresses, compression positive");
   put(details, "deviator_Pa", deviator(s), "Pa", "Deviator q, half the difference of the principal stresses");
-  put(details, "axis_of_compression_deg", axis < 0 ? axis + 180 : axis, "deg", "Direction of greatest compression, from x");
+  put(details, "axis_of_compression_deg", axis < 0 ? axis + 180 : axis, "deg",
+      "Direction of greatest compression, from x");
 }
 
 /// What a laboratory could not measure is NaN, and no part of the mean.
@@ -189,14 +196,16 @@ void grain_stress(const View& view, Texture& texture) {
   for (const double value : per_length) rows.sigma_norm.push_back(mean != 0 ? value / mean : 0);
 }
 
-/// Hydrostatic stress over the mean of the considered grains: of all, of one material, of one zone (T eq. 3.2). Values are kept relative to the mean
-/// of all, so that without a length only the mean in Pa is unknown. Grains whose stress is not known are left out.
+/// Hydrostatic stress over the mean of the considered grains: of all, of one material, of one zone (T eq. 3.2). Values
+/// are kept relative to the mean of all, so that without a length only the mean in Pa is unknown. Grains whose stress
+/// is not known are left out.
 void sigma_norm(const View& view, Texture& texture) {
   const bool measured = !view.options.grain_sigma_hyd.empty();
   if ((view.contacts.empty() && !measured) || view.grains.empty()) return;
   double mean = unknown;  // Pa, tension positive
   if (view.has_thickness || measured) mean = mean_of_known(view.grains, texture.per_grain.sigma_hyd);
-  constexpr DistributionNames names{"mean_Pa", "Pa", "P0", "Mean stress of the set's grains", "Fraction of grains above the set's own mean, P_0"};
+  constexpr DistributionNames names{"mean_Pa", "Pa", "P0", "Mean stress of the set's grains",
+                                    "Fraction of grains above the set's own mean, P_0"};
   for (const auto& [name, all] : grains_by_type(view))
     if (const Items items = known(all, texture.per_grain.sigma_norm); !items.empty())
       place_of(name, texture.numbers["sigma_norm"], "by_material")

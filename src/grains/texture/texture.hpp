@@ -26,18 +26,20 @@ struct TimeScatter {
 
 /// Choices that the definitions leave open (science: T 1.2, 3.2.4, 4.3.1).
 struct Options {
-  double border = 2.5;                       ///< strip left out along each wall, in mean diameters (T 3.2.4)
-  std::optional<double> load_axis = {};      ///< direction of the load for signed anisotropies, rad from x; unset: the direction
-                                             ///< of greatest compression of the sample's own stress
-  int rattler_contacts = 2;                  ///< a grain with fewer force-bearing contacts than this is a rattler
-  Vec2 gravity = {};                         ///< m/s^2; for the balance of grains and walls only
-  std::uint64_t seed = 1;                    ///< of the places of windows
-  int rev_sizes = 20, rev_places = 50;       ///< windows of the REV study
-  int sectors = 18;                          ///< of directions, over half a turn
-  Pull pull = Pull::measured;                ///< where a simulation tells; of measured forces pulls are errors unless there is cohesion
-  std::vector<double> grain_sigma_hyd = {};  ///< stress of every grain as a laboratory measured it, Pa; empty: that of its contacts
-  std::optional<TimeScatter> in_time = {};   ///< of a state in motion; unset: it is at rest, or nobody knows
-  std::size_t doubled_rows = 0;              ///< contacts that stood twice in what was read and were merged
+  double border = 2.5;                   ///< strip left out along each wall, in mean diameters (T 3.2.4)
+  std::optional<double> load_axis = {};  ///< direction of the load for signed anisotropies, rad from x; unset: the
+                                         ///< direction of greatest compression of the sample's own stress
+  int rattler_contacts = 2;              ///< a grain with fewer force-bearing contacts than this is a rattler
+  Vec2 gravity = {};                     ///< m/s^2; for the balance of grains and walls only
+  std::uint64_t seed = 1;                ///< of the places of windows
+  int rev_sizes = 20, rev_places = 50;   ///< windows of the REV study
+  int sectors = 18;                      ///< of directions, over half a turn
+  Pull pull =
+      Pull::measured;  ///< where a simulation tells; of measured forces pulls are errors unless there is cohesion
+  std::vector<double> grain_sigma_hyd =
+      {};  ///< stress of every grain as a laboratory measured it, Pa; empty: that of its contacts
+  std::optional<TimeScatter> in_time = {};  ///< of a state in motion; unset: it is at rest, or nobody knows
+  std::size_t doubled_rows = 0;             ///< contacts that stood twice in what was read and were merged
 };
 
 /// Where the statistics are taken: the box without the border, or all grains where there is no box.
@@ -74,28 +76,33 @@ struct Texture {
   std::vector<std::string> notes;     ///< what could not be computed, and why
 };
 
-/// Measures everything that the packing allows. A domain of no area means that the box is not known, a thickness that is not positive that the length
-/// is not; what needs them is left out and a note says so. Throws InputError where measured stresses are not one a grain.
+/// Measures everything that the packing allows. A domain of no area means that the box is not known, a thickness that
+/// is not positive that the length is not; what needs them is left out and a note says so. Throws InputError where
+/// measured stresses are not one a grain.
 Texture measure(const Packing& packing, const Options& options = {});
 
-/// The statistics of sigma_norm alone, with their curves, of stresses that a laboratory gave, Pa, one a grain, NaN where not known.
+/// The statistics of sigma_norm alone, with their curves, of stresses that a laboratory gave, Pa, one a grain, NaN
+/// where not known.
 Numbers stress_distribution(const Packing& packing, const std::vector<double>& sigma_hyd);
 
-/// Solid fraction of windows of the box's shape with `area_share` of its area, one for each of so many random places in the whole box (T Fig. 3.6b);
-/// over the box's sides the places are the same for every packing. Empty where the box is not known.
+/// Solid fraction of windows of the box's shape with `area_share` of its area, one for each of so many random places in
+/// the whole box (T Fig. 3.6b); over the box's sides the places are the same for every packing. Empty where the box is
+/// not known.
 std::vector<double> window_fractions(const Packing& packing, double area_share, int places, std::uint64_t seed = 1);
 
-/// Leaves what places alone tell: for contacts whose forces are not known and stand as 0. Strength, rattlers, anisotropies of forces, stresses and
-/// their signs go. `Options::rattler_contacts` should be 0 in the measurement.
+/// Leaves what places alone tell: for contacts whose forces are not known and stand as 0. Strength, rattlers,
+/// anisotropies of forces, stresses and their signs go. `Options::rattler_contacts` should be 0 in the measurement.
 void forget_forces(Texture& texture);
 
-/// The statistics as JSON, each as {"value", "error"}; unknown ones are left out. `curves` adds histograms, distributions, REV and the rows by grain.
+/// The statistics as JSON, each as {"value", "error"}; unknown ones are left out. `curves` adds histograms,
+/// distributions, REV and the rows by grain.
 Numbers numbers(const Texture& texture, bool curves = false);
 
 /// The main statistics as a table: name, value +- error, unit, meaning.
 std::string to_text(const Texture& texture);
 
-/// Internal moment of every grain about its centre, N m (T eq. 1.9). Their sum is the sum over contacts, bonds and pulls across gaps.
+/// Internal moment of every grain about its centre, N m (T eq. 1.9). Their sum is the sum over contacts, bonds and
+/// pulls across gaps.
 std::vector<Tensor2> grain_moments(const Packing& packing);
 /// Mean stress of every grain over its own volume, Pa, tension positive (T eq. 1.11).
 std::vector<Tensor2> grain_stresses(const Packing& packing);
@@ -106,14 +113,16 @@ double deviator(const Tensor2& stress);
 double mass_of(const Packing& packing, std::size_t grain);
 double mass_of(const Packing& packing);
 
-/// Numbers of grains of two classes, large and small, and mean numbers of neighbours a grain, which are grains whose surfaces are no farther apart than a
-/// given gap (P eqs. 8, 9 and Fig. 5; there the gap is the peridynamic horizon): "Z_ls" small neighbours of a large grain, Z_l = Z_ll + Z_ls, Z_s = Z_sl +
-/// Z_ss, Z = (Z_l + Z_s)/2. Errors by leaving out blocks (statistics/jackknife.hpp); what a class without grains in the window leaves open is left out.
+/// Numbers of grains of two classes, large and small, and mean numbers of neighbours a grain, which are grains whose
+/// surfaces are no farther apart than a given gap (P eqs. 8, 9 and Fig. 5; there the gap is the peridynamic horizon):
+/// "Z_ls" small neighbours of a large grain, Z_l = Z_ll + Z_ls, Z_s = Z_sl + Z_ss, Z = (Z_l + Z_s)/2. Errors by leaving
+/// out blocks (statistics/jackknife.hpp); what a class without grains in the window leaves open is left out.
 ///
-/// Classes are two materials by index; grains of other materials count neither as grains nor as neighbours. Counted are grains whose centre lies in
-/// the window (unset: the whole box), while neighbours may lie anywhere, in periodic images too. `gap` in m, 0 or more; grains that overlap are
-/// neighbours.
-/// Throws InputError for a negative gap or one material for both.
-Numbers gap_coordination(const Packing& packing, double gap, int large = 0, int small = 1, const std::optional<geometry::Rectangle>& window = {});
+/// Classes are two materials by index; grains of other materials count neither as grains nor as neighbours. Counted are
+/// grains whose centre lies in the window (unset: the whole box), while neighbours may lie anywhere, in periodic images
+/// too. `gap` in m, 0 or more; grains that overlap are neighbours. Throws InputError for a negative gap or one material
+/// for both.
+Numbers gap_coordination(const Packing& packing, double gap, int large = 0, int small = 1,
+                         const std::optional<geometry::Rectangle>& window = {});
 
 }  // namespace arenite::texture

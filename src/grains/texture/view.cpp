@@ -42,7 +42,8 @@ double compression_axis(const Packing& packing) {
 double rice_deviation(double a) {
   if (a > 5) return 1;
   const double half = a * a / 4,
-               mean = std::sqrt(std::numbers::pi / 2) * std::exp(-half) * ((1 + 2 * half) * std::cyl_bessel_i(0, half) + 2 * half * std::cyl_bessel_i(1, half));
+               mean = std::sqrt(std::numbers::pi / 2) * std::exp(-half) *
+                      ((1 + 2 * half) * std::cyl_bessel_i(0, half) + 2 * half * std::cyl_bessel_i(1, half));
   return std::sqrt(std::max(0.0, 2 + a * a - mean * mean));
 }
 
@@ -62,7 +63,8 @@ struct Sorting {
 /// By material and, where there are zones, by zone.
 std::vector<Sorting> sortings(const View& view) {
   const Grains& g = view.packing.grains;
-  Sorting material{{g.material.begin(), g.material.end()}, view.materials(), {}}, zone{{g.zone.begin(), g.zone.end()}, present(view.grains, g.zone), {}};
+  Sorting material{{g.material.begin(), g.material.end()}, view.materials(), {}},
+      zone{{g.zone.begin(), g.zone.end()}, present(view.grains, g.zone), {}};
   for (const int m : material.kinds) material.names.push_back(view.material_name(m));
   if (zone.kinds == std::vector{0}) return {material};
   for (const int z : zone.kinds) zone.names.push_back(z == 0 ? "dry" : z == 1 ? "glued" : "zone " + std::to_string(z));
@@ -71,7 +73,8 @@ std::vector<Sorting> sortings(const View& view) {
 
 }  // namespace
 
-std::vector<std::uint8_t> loose_grains(const Packing& packing, int least, const std::function<bool(std::size_t)>& counts) {
+std::vector<std::uint8_t> loose_grains(const Packing& packing, int least,
+                                       const std::function<bool(std::size_t)>& counts) {
   const Contacts& contacts = packing.contacts;
   const std::size_t n = packing.grains.size();
   std::vector<std::vector<std::int32_t>> partners(n);
@@ -114,8 +117,9 @@ double mean_of_known(const Items& items, const std::vector<double>& values) {
 double covered_area(const Domain& domain, Vec2 centre, double radius, const geometry::Rectangle& window) {
   if (!domain.is_cell()) return geometry::disk_window_area(centre, radius, window);
   double area = 0;
-  for_each_image(domain, geometry::square_about(centre, radius), window,
-                 [&](const ImageShift& image) { area += geometry::disk_window_area(centre + image.shift, radius, window); });
+  for_each_image(domain, geometry::square_about(centre, radius), window, [&](const ImageShift& image) {
+    area += geometry::disk_window_area(centre + image.shift, radius, window);
+  });
   return area;
 }
 
@@ -128,8 +132,8 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
 
   window = inner_window(domain, options.border * mean_diameter, has_box);
   const auto inside = [&](Vec2 q) {
-    return !window.known ||
-           ((domain.periodic[0] || (q.x >= window.x_min && q.x <= window.x_max)) && (domain.periodic[1] || (q.y >= window.y_min && q.y <= window.y_max)));
+    return !window.known || ((domain.periodic[0] || (q.x >= window.x_min && q.x <= window.x_max)) &&
+                             (domain.periodic[1] || (q.y >= window.y_min && q.y <= window.y_max)));
   };
   const auto take_grains = [&] {
     for (std::size_t g = 0; g < all.size(); ++g)
@@ -145,7 +149,8 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
   rattler = loose_grains(packing, options.rattler_contacts, [&](std::size_t c) { return pairs().fn[c] != 0; });
 
   blocks = {bounds_of(*this), blocks_per_side(grains.size())};
-  for (std::size_t g = 0; g < all.size(); ++g) grain_block.push_back(blocks.block_of(domain.wrapped(all.position[g]), g));
+  for (std::size_t g = 0; g < all.size(); ++g)
+    grain_block.push_back(blocks.block_of(domain.wrapped(all.position[g]), g));
   for (std::size_t c = 0; c < pairs().size(); ++c) {
     const Vec2 point = contact_point(c);
     contact_block.push_back(blocks.block_of(point, c));
@@ -157,7 +162,9 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
   load_axis = options.load_axis.value_or(compression_axis(packing));
 }
 
-Vec2 View::contact_point(std::size_t c) const { return packing.domain.wrapped(packing.grains.position[pairs().i[c]] + pairs().lever_i(c)); }
+Vec2 View::contact_point(std::size_t c) const {
+  return packing.domain.wrapped(packing.grains.position[pairs().i[c]] + pairs().lever_i(c));
+}
 
 std::string View::material_name(int m) const {
   const auto index = static_cast<std::size_t>(m);
@@ -181,7 +188,8 @@ Oscillation oscillation(const Estimate& x, const Estimate& y, int m) {
   const double along = std::hypot(x.value * x.error, y.value * y.error) / amplitude;
   found.amplitude.error = truth > 0 ? along * rice_deviation(truth / noise) : noise * rice_deviation(0);
   // Order of four and six folds reaches beyond a block of a dozen grains, so that blocks show too little noise.
-  const double shared = m > 2 ? 1.25 * noise : noise, sure = std::sqrt(std::max(0.0, amplitude * amplitude - 2 * shared * shared));
+  const double shared = m > 2 ? 1.25 * noise : noise,
+               sure = std::sqrt(std::max(0.0, amplitude * amplitude - 2 * shared * shared));
   found.direction_deg.error = (sure > 0 ? std::min(shared / sure, random) : random) / m * degrees;
   return found;
 }
@@ -192,7 +200,8 @@ ByName<Items> contacts_by_type(const View& view) {
     for (std::size_t a = 0; a < by.kinds.size(); ++a)
       for (std::size_t b = a; b < by.kinds.size(); ++b) {
         Items items = kept(view.contacts, [&](std::size_t c) {
-          return std::minmax({by.kind[view.pairs().i[c]], by.kind[view.pairs().j[c]]}) == std::pair(by.kinds[a], by.kinds[b]);
+          return std::minmax({by.kind[view.pairs().i[c]], by.kind[view.pairs().j[c]]}) ==
+                 std::pair(by.kinds[a], by.kinds[b]);
         });
         if (!items.empty()) sets.emplace_back(by.names[a] + "-" + by.names[b], std::move(items));
       }

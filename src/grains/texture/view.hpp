@@ -22,8 +22,8 @@ using statistics::mean;
 using statistics::put;
 using statistics::standard_error;
 
-/// A rectangle cut into k x k equal blocks. Neighbouring grains and contacts are not independent, so errors come from the scatter between blocks, not
-/// between grains.
+/// A rectangle cut into k x k equal blocks. Neighbouring grains and contacts are not independent, so errors come from
+/// the scatter between blocks, not between grains.
 struct BlockGrid {
   geometry::Rectangle bounds;
   int per_side = 1;
@@ -42,15 +42,18 @@ struct BlockGrid {
   geometry::Rectangle block(int b) const {
     const double w = bounds.width() / per_side, h = bounds.height() / per_side;
     const int column = b % per_side, row = b / per_side;
-    return {bounds.x_min + column * w, bounds.x_min + (column + 1) * w, bounds.y_min + row * h, bounds.y_min + (row + 1) * h};
+    return {bounds.x_min + column * w, bounds.x_min + (column + 1) * w, bounds.y_min + row * h,
+            bounds.y_min + (row + 1) * h};
   }
 };
 
 /// Blocks of about a dozen grains or more, 6 x 6 at most; 1 for a sample too small to be cut.
-inline int blocks_per_side(std::size_t grains) { return std::clamp(static_cast<int>(std::sqrt(static_cast<double>(grains) / 12)), 1, 6); }
+inline int blocks_per_side(std::size_t grains) {
+  return std::clamp(static_cast<int>(std::sqrt(static_cast<double>(grains) / 12)), 1, 6);
+}
 
-/// What the statistics share: which grains and contacts count, in which block each lies, and the mean force. Contacts with walls count for stress and
-/// balance, never for coordination, fabric or force statistics.
+/// What the statistics share: which grains and contacts count, in which block each lies, and the mean force. Contacts
+/// with walls count for stress and balance, never for coordination, fabric or force statistics.
 struct View {
   View(const Packing& packing, const Options& options);
 
@@ -80,16 +83,17 @@ struct View {
   Items grains_of(int m) const;        ///< considered ones of material m
 };
 
-/// Named sets of considered contacts by material pair ("POM-HDPE", in the order of materials) and, where there are zones, by zone pair ("dry-glued");
-/// sets without contacts are left out.
+/// Named sets of considered contacts by material pair ("POM-HDPE", in the order of materials) and, where there are
+/// zones, by zone pair ("dry-glued"); sets without contacts are left out.
 ByName<Items> contacts_by_type(const View& view);
 
 /// Named sets of considered grains: "all", by material, by zone ("dry", "glued") where there are zones.
 ByName<Items> grains_by_type(const View& view);
 
-/// Grains that carry nothing, 1 each: those with fewer than `least` of the contacts that count, found by taking them away again and again, since a grain
-/// that leans on one of them alone is one too.
-std::vector<std::uint8_t> loose_grains(const Packing& packing, int least, const std::function<bool(std::size_t)>& counts);
+/// Grains that carry nothing, 1 each: those with fewer than `least` of the contacts that count, found by taking them
+/// away again and again, since a grain that leans on one of them alone is one too.
+std::vector<std::uint8_t> loose_grains(const Packing& packing, int least,
+                                       const std::function<bool(std::size_t)>& counts);
 
 /// The items that something holds for.
 template <class Holds> Items kept(const Items& items, const Holds& holds) {
@@ -121,17 +125,20 @@ struct DistributionNames {
   const char *mean, *unit, *share, *mean_is, *share_is;
 };
 
-/// Numbers of one set of positive values (forces, stresses) over their own mean, x = F/<F>. `mean_of_all` is the mean of the set that this one is part
-/// of. `scale` turns the mean into its unit, NaN where that cannot be known; `level` is View::level. All errors come
-/// from leaving out blocks, whatever the law: values of neighbours depend on each other.
-Numbers distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value, double mean_of_all, const DistributionNames& names,
-                     double scale = 1, double level = 0);
+/// Numbers of one set of positive values (forces, stresses) over their own mean, x = F/<F>. `mean_of_all` is the mean
+/// of the set that this one is part of. `scale` turns the mean into its unit, NaN where that cannot be known; `level`
+/// is View::level. All errors come from leaving out blocks, whatever the law: values of neighbours depend on each
+/// other.
+Numbers distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value,
+                     double mean_of_all, const DistributionNames& names, double scale = 1, double level = 0);
 
 /// Where the numbers of a set go: those of "all" stand by themselves, those of the others in a group.
-inline Numbers& place_of(const std::string& set, Numbers& to, const char* group) { return set == "all" ? to : to[group][set]; }
+inline Numbers& place_of(const std::string& set, Numbers& to, const char* group) {
+  return set == "all" ? to : to[group][set];
+}
 
-/// A statistic, one file each; the list is in measure.cpp. It puts its numbers among Texture::numbers, each with its unit and what it is. What it
-/// cannot compute it leaves out, with a note that says why.
+/// A statistic, one file each; the list is in measure.cpp. It puts its numbers among Texture::numbers, each with its
+/// unit and what it is. What it cannot compute it leaves out, with a note that says why.
 using Statistic = void(const View& view, Texture& texture);
 Statistic rev;  ///< by itself, too
 

@@ -16,7 +16,8 @@ class FileBytes : public ByteSource {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (!std::filesystem::exists(status)) arenite::refuse(name_, "there is no such file; check its name");
-    if (!std::filesystem::is_regular_file(status)) arenite::refuse(name_, "is not a regular file; give the name of a file");
+    if (!std::filesystem::is_regular_file(status))
+      arenite::refuse(name_, "is not a regular file; give the name of a file");
     descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor_ < 0) refuse();
     const off_t end = ::lseek(descriptor_, 0, SEEK_END);
@@ -35,7 +36,8 @@ class FileBytes : public ByteSource {
   std::size_t read(std::uint64_t at, std::size_t count, void* to) const override {
     std::size_t there = 0;
     while (there < count) {
-      const ssize_t n = ::pread(descriptor_, static_cast<char*>(to) + there, count - there, static_cast<off_t>(at + there));
+      const ssize_t n =
+          ::pread(descriptor_, static_cast<char*>(to) + there, count - there, static_cast<off_t>(at + there));
       if (n < 0 && errno == EINTR) continue;
       if (n < 0) refuse();
       if (n == 0) break;
@@ -46,7 +48,8 @@ class FileBytes : public ByteSource {
 
  private:
   [[noreturn]] void refuse() const {
-    throw InputError(name_, 0, std::string("cannot be read: ") + std::strerror(errno) + "; check its permissions and the disk");
+    throw InputError(name_, 0,
+                     std::string("cannot be read: ") + std::strerror(errno) + "; check its permissions and the disk");
   }
 
   std::filesystem::path path_;
@@ -84,13 +87,18 @@ std::string ByteSource::text(std::uint64_t at, std::size_t count) const {
 }
 
 Bytes open_bytes(const std::filesystem::path& path) { return std::make_shared<FileBytes>(path); }
-Bytes bytes_in_memory(std::string bytes, std::string name) { return std::make_shared<MemoryBytes>(std::move(bytes), std::move(name)); }
-Bytes bytes_kept(std::string_view bytes, std::string name) { return std::make_shared<MemoryBytes>(bytes, std::move(name)); }
+Bytes bytes_in_memory(std::string bytes, std::string name) {
+  return std::make_shared<MemoryBytes>(std::move(bytes), std::move(name));
+}
+Bytes bytes_kept(std::string_view bytes, std::string name) {
+  return std::make_shared<MemoryBytes>(bytes, std::move(name));
+}
 
 using namespace std::string_view_literals;
 
 bool is_tiff(std::string_view head) {
-  return head.starts_with("II*\0"sv) || head.starts_with("MM\0*"sv) || head.starts_with("II+\0"sv) || head.starts_with("MM\0+"sv);
+  return head.starts_with("II*\0"sv) || head.starts_with("MM\0*"sv) || head.starts_with("II+\0"sv) ||
+         head.starts_with("MM\0+"sv);
 }
 
 bool is_hdf5(std::string_view head) {

@@ -34,8 +34,8 @@ Bytes bytes_in_memory(std::string bytes, std::string name);
 /// Bytes that somebody else keeps, for longer than these are used.
 Bytes bytes_kept(std::string_view bytes, std::string name);
 
-/// Beginnings by which formats of pictures and of films alike are known: TIFF and BigTIFF of either byte order, and HDF5, before which 512, 1024,
-/// 2048 .. bytes of the user's may stand.
+/// Beginnings by which formats of pictures and of films alike are known: TIFF and BigTIFF of either byte order, and
+/// HDF5, before which 512, 1024, 2048 .. bytes of the user's may stand.
 bool is_tiff(std::string_view head);
 bool is_hdf5(std::string_view head);
 
@@ -54,8 +54,12 @@ template <class T> T number_at(std::string_view bytes, std::size_t at) {
 }
 
 /// Puts a number into bytes, or at their end, lowest byte first.
-template <class T> void put(std::string& bytes, std::size_t at, std::type_identity_t<T> value) { std::memcpy(bytes.data() + at, &value, sizeof(T)); }
-template <class T> void append(std::string& bytes, std::type_identity_t<T> value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof(T)); }
+template <class T> void put(std::string& bytes, std::size_t at, std::type_identity_t<T> value) {
+  std::memcpy(bytes.data() + at, &value, sizeof(T));
+}
+template <class T> void append(std::string& bytes, std::type_identity_t<T> value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
+}
 
 template <class T> T swapped(T value) {
   char bytes[sizeof(T)];
@@ -73,7 +77,8 @@ template <class T, class Take> void each_number_of(bool big_endian, const char* 
 }
 
 /// Calls `take` with place and value of every one of `count` stored numbers.
-template <class Take> void each_number(NumberType type, bool big_endian, const char* from, std::size_t count, Take&& take) {
+template <class Take>
+void each_number(NumberType type, bool big_endian, const char* from, std::size_t count, Take&& take) {
   switch (type) {
     case NumberType::u8: return each_number_of<std::uint8_t>(false, from, count, take);
     case NumberType::i8: return each_number_of<std::int8_t>(false, from, count, take);

@@ -34,7 +34,8 @@ std::string reason(int error, const fs::path& folder) {
 }
 
 [[noreturn]] void refuse_by_system(const fs::path& path, int error) {
-  throw InputError(path.string(), 0, "cannot be written: " + reason(error, path.has_parent_path() ? path.parent_path() : "."));
+  throw InputError(path.string(), 0,
+                   "cannot be written: " + reason(error, path.has_parent_path() ? path.parent_path() : "."));
 }
 
 /// Behind a symbolic link the file it points to is replaced, not the link.
@@ -65,9 +66,11 @@ AtomicFile::AtomicFile(const fs::path& path, Until until) : target_(behind_link(
   std::error_code error;
   const auto status = fs::status(target_, error);
   if (fs::exists(status) && !fs::is_regular_file(status))
-    arenite::refuse(path.string(), "cannot be written: it is {}; give the name of a file", fs::is_directory(status) ? "a folder" : "not a regular file");
+    arenite::refuse(path.string(), "cannot be written: it is {}; give the name of a file",
+                    fs::is_directory(status) ? "a folder" : "not a regular file");
   struct stat there {};
-  if (::lstat(target_.c_str(), &there) != 0 && errno == ENAMETOOLONG) refuse_by_system(target_, errno);  // before hours of work, not after
+  if (::lstat(target_.c_str(), &there) != 0 && errno == ENAMETOOLONG)
+    refuse_by_system(target_, errno);  // before hours of work, not after
   if (until == Until::nameless && open_nameless()) return;
   beside_ = folder() / ("." + target_.filename().string() + ".tmp");
   while (!open_locked()) {}
@@ -109,7 +112,8 @@ void AtomicFile::give_name() {
 /// False if another process renamed the file away while we waited for its lock: then ours is the other's result.
 bool AtomicFile::open_locked() {
   const auto refuse_planted = [&] {
-    arenite::refuse(target_.string(), "cannot be written: {} is there already and is not a file of its own; remove it", beside_.string());
+    arenite::refuse(target_.string(), "cannot be written: {} is there already and is not a file of its own; remove it",
+                    beside_.string());
   };
   // What somebody else put there must neither lead to another file nor keep us waiting.
   descriptor_ = ::open(beside_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
@@ -166,7 +170,9 @@ std::string read_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream bytes;
   if (in && in.peek() != std::ifstream::traits_type::eof()) bytes << in.rdbuf();
-  if (!in.is_open() || in.bad()) throw InputError(path.string(), 0, std::string("cannot be read: ") + std::strerror(errno) + "; check its permissions");
+  if (!in.is_open() || in.bad())
+    throw InputError(path.string(), 0,
+                     std::string("cannot be read: ") + std::strerror(errno) + "; check its permissions");
   return std::move(bytes).str();
 }
 
@@ -197,7 +203,9 @@ FileLock::FileLock(const Held* held) : held_(held) {}
 std::optional<FileLock> FileLock::try_take(const std::filesystem::path& file) {
   for (;;) {
     const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-    if (descriptor < 0) throw InputError(file.string(), 0, std::string("cannot be made: ") + std::strerror(errno) + "; check the folder's permissions");
+    if (descriptor < 0)
+      throw InputError(file.string(), 0,
+                       std::string("cannot be made: ") + std::strerror(errno) + "; check the folder's permissions");
     if (!lock(descriptor, LOCK_EX | LOCK_NB)) {
       ::close(descriptor);
       return std::nullopt;

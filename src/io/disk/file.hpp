@@ -46,12 +46,12 @@ class AtomicFile {
 /// All bytes of a file. Throws InputError for a missing file, a folder, no permission.
 std::string read_file(const std::filesystem::path& path);
 
-/// Writes all bytes, however often the system takes a part of them or is interrupted. 0, or the `errno` that it failed with; `written`, if given, is
-/// then how many bytes went out.
+/// Writes all bytes, however often the system takes a part of them or is interrupted. 0, or the `errno` that it failed
+/// with; `written`, if given, is then how many bytes went out.
 int write_all(int descriptor, std::string_view bytes, std::size_t* written = nullptr);
 
-/// A lock file that is held: other processes that try it are refused until this goes, or its process dies, however it dies. The file is removed with
-/// the lock.
+/// A lock file that is held: other processes that try it are refused until this goes, or its process dies, however it
+/// dies. The file is removed with the lock.
 class FileLock {
  public:
   /// Nothing if another process, or another FileLock of this one, holds it. Throws InputError when the system refuses.

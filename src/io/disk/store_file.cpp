@@ -38,7 +38,8 @@ std::string own_name() {
   std::array<char, 256> host{};
   ::gethostname(host.data(), host.size() - 1);
   const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return fmt::format("{:020}-{}-{}.log", std::chrono::duration_cast<std::chrono::nanoseconds>(now).count(), host.data(), ::getpid());
+  return fmt::format("{:020}-{}-{}.log", std::chrono::duration_cast<std::chrono::nanoseconds>(now).count(), host.data(),
+                     ::getpid());
 }
 
 /// Throws unless `bytes` are one whole file of that kind.
@@ -54,20 +55,26 @@ void check_header(std::string_view bytes, std::string_view kind, const fs::path&
     refuse(file, "is not a {} of Arenite; give a .h5 file written by \"arenite run\"", kind);
   }
   const int format = parse_number<int>(after(head, beginning)).value_or(0);
-  if (format > file_format) refuse(file, "was written by a newer Arenite (file format {}, this one reads up to {}); update Arenite", format, file_format);
+  if (format > file_format)
+    refuse(file, "was written by a newer Arenite (file format {}, this one reads up to {}); update Arenite", format,
+           file_format);
   if (after(head, "\nbytes ") != std::to_string(bytes.size()))
     damaged(
-        fmt::format("does not have its original length (it has {} bytes): it was truncated or extended; remove it and compute it again with \"arenite run\"",
+        fmt::format("does not have its original length (it has {} bytes): it was truncated or extended; remove it and "
+                    "compute it again with \"arenite run\"",
                     bytes.size()));
   if (after(head, "\nxxh3 ") != content_hash(bytes.substr(header_size)))
-    damaged("was changed or damaged after it was written (its checksum differs); remove it and make it again with \"arenite run\"");
+    damaged(
+        "was changed or damaged after it was written (its checksum differs); remove it and make it again with "
+        "\"arenite run\"");
 }
 
 /// Files of a folder with this ending by their names, without those that are still being written.
 std::vector<fs::path> files_in(const fs::path& folder, std::string_view ending, std::error_code& error) {
   std::vector<fs::path> files;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-    if (entry->path().extension() == ending && entry->path().filename().string().front() != '.') files.push_back(entry->path());
+    if (entry->path().extension() == ending && entry->path().filename().string().front() != '.')
+      files.push_back(entry->path());
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -75,8 +82,9 @@ std::vector<fs::path> files_in(const fs::path& folder, std::string_view ending, 
 }  // namespace
 
 void write_checksummed(const fs::path& path, std::string_view kind, std::string bytes) {
-  std::string header = fmt::format("arenite {} format {}\nHDF5 from byte {} on\nbytes {}\nxxh3 {}\n", kind, file_format, header_size, bytes.size(),
-                                   content_hash(std::string_view(bytes).substr(header_size)));
+  std::string header =
+      fmt::format("arenite {} format {}\nHDF5 from byte {} on\nbytes {}\nxxh3 {}\n", kind, file_format, header_size,
+                  bytes.size(), content_hash(std::string_view(bytes).substr(header_size)));
   header.resize(header_size, '\0');
   bytes.replace(0, header_size, header);
   write_atomically(path, bytes);
@@ -113,12 +121,15 @@ std::vector<fs::path> stage_files(const fs::path& result) {
   return files;
 }
 
-AppendLog::AppendLog(const fs::path& folder, std::function<void(const std::string&)> notice) : owner_(::getpid()), notice_(std::move(notice)) {
+AppendLog::AppendLog(const fs::path& folder, std::function<void(const std::string&)> notice)
+    : owner_(::getpid()),
+      notice_(std::move(notice)) {
   std::error_code error;
   fs::create_directories(folder, error);
   file_ = folder / own_name();
   descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) refuse(file_.string(), "cannot be written: {}; check the folder's permissions", std::strerror(errno));
+  if (descriptor_ < 0)
+    refuse(file_.string(), "cannot be written: {}; check the folder's permissions", std::strerror(errno));
 }
 
 AppendLog::~AppendLog() {
@@ -136,7 +147,8 @@ void AppendLog::add(std::string line) const {
   torn_ = error != 0 && (torn_ || written > 0);
   if (error == 0 || notified_ || !notice_) return;
   notified_ = true;
-  notice_(fmt::format("{}: lines are being lost: {}; free some space, or finished runs may appear unfinished", file_.string(), std::strerror(error)));
+  notice_(fmt::format("{}: lines are being lost: {}; free some space, or finished runs may appear unfinished",
+                      file_.string(), std::strerror(error)));
 }
 
 void read_log(const fs::path& folder, const std::function<void(std::string_view)>& see) {

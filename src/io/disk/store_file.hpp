@@ -10,9 +10,9 @@
 
 namespace arenite::io {
 
-/// Our HDF5 files begin with a user block of text (HDF5 allows one, and every reader skips it): what the file is, its format's number, its length and
-/// the hash of the rest. So a file that is foreign, newer, cut short or damaged is known before HDF5 reads a byte of it, and `head -4` tells a person
-/// what lies there.
+/// Our HDF5 files begin with a user block of text (HDF5 allows one, and every reader skips it): what the file is, its
+/// format's number, its length and the hash of the rest. So a file that is foreign, newer, cut short or damaged is
+/// known before HDF5 reads a byte of it, and `head -4` tells a person what lies there.
 inline constexpr std::size_t header_size = 512;
 inline constexpr int file_format = 1;
 
@@ -22,8 +22,8 @@ class DamagedFile : public InputError {
   using InputError::InputError;
 };
 
-/// Writes `bytes`, of which HDF5 left the first 512 free for length and checksum, to `path`, all or nothing. `kind` is "result", "field", "film", "numbers" or
-/// "checkpoint".
+/// Writes `bytes`, of which HDF5 left the first 512 free for length and checksum, to `path`, all or nothing. `kind` is
+/// "result", "field", "film", "numbers" or "checkpoint".
 void write_checksummed(const std::filesystem::path& path, std::string_view kind, std::string bytes);
 
 /// Reads the bytes of a whole file of that kind; InputError for any other, DamagedFile for one that is no longer whole.
@@ -32,17 +32,18 @@ std::string read_checksummed(const std::filesystem::path& path, std::string_view
 /// The kind that a file says it is, from its first line; empty if it is none of ours or cannot be read.
 std::string stored_kind(const std::filesystem::path& path);
 
-/// "02-compact-<hash>.h5": place in the loading (from 1), the stage's name in the recipe with what a file name should not hold replaced by "-", and
-/// the first 12 digits of the hash of what made it; the file holds all of them. So a folder's names sort in the order of the loading.
+/// "02-compact-<hash>.h5": place in the loading (from 1), the stage's name in the recipe with what a file name should
+/// not hold replaced by "-", and the first 12 digits of the hash of what made it; the file holds all of them. So a
+/// folder's names sort in the order of the loading.
 std::string stage_file_name(int place, std::string_view stage, std::string_view hash);
 
-/// The stage files of a result in the order of the loading: `result` itself if it is a file, else the *.h5 files in that folder by name. Throws
-/// InputError if there is none.
+/// The stage files of a result in the order of the loading: `result` itself if it is a file, else the *.h5 files in
+/// that folder by name. Throws InputError if there is none.
 std::vector<std::filesystem::path> stage_files(const std::filesystem::path& result);
 
-/// Lines that processes add and nobody changes: a folder with one file for each process that opened it, so that machines that share a disk never
-/// write to the same file. Processes forked from the one that opened it share its file; a line is one write at the end of the file, and none is torn
-/// by another.
+/// Lines that processes add and nobody changes: a folder with one file for each process that opened it, so that
+/// machines that share a disk never write to the same file. Processes forked from the one that opened it share its
+/// file; a line is one write at the end of the file, and none is torn by another.
 class AppendLog {
  public:
   /// `notice` hears once that a line was lost.
@@ -50,7 +51,8 @@ class AppendLog {
   AppendLog(const AppendLog&) = delete;
   AppendLog& operator=(const AppendLog&) = delete;
   ~AppendLog();
-  /// `line` without its end, and without line breaks inside. What cannot be written is lost, for a log must not end a run, but `notice` hears of it.
+  /// `line` without its end, and without line breaks inside. What cannot be written is lost, for a log must not end a
+  /// run, but `notice` hears of it.
   void add(std::string line) const;
 
  private:

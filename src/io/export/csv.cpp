@@ -34,7 +34,8 @@ std::string table_of(const Columns& columns, std::size_t rows) {
   return text;
 }
 
-/// `value(row)` as it is, a number as the shortest decimal that reads back as the same; an empty cell where it is not known.
+/// `value(row)` as it is, a number as the shortest decimal that reads back as the same; an empty cell where it is not
+/// known.
 template <class Value> CsvColumn column(std::string head, Value value) {
   return {std::move(head), [value = std::move(value)](std::string& text, std::size_t row) {
             const auto of_row = value(row);
@@ -45,15 +46,20 @@ template <class Value> CsvColumn column(std::string head, Value value) {
 }
 
 /// "name [unit]"; a number without unit is its name alone.
-std::string title(const std::string& name, const std::string& unit) { return unit == "1" ? name : name + " [" + unit + "]"; }
+std::string title(const std::string& name, const std::string& unit) {
+  return unit == "1" ? name : name + " [" + unit + "]";
+}
 
 /// Columns of results by their declarations, in the precision in which they are stored.
-template <class Real = double, class Declared, class Owner> void add(Columns& to, const Declared& declared, const Owner& owner) {
-  for (const auto& c : declared) to.push_back(column(title(c.name, c.unit), [&](std::size_t row) { return static_cast<Real>(c.at(owner, row)); }));
+template <class Real = double, class Declared, class Owner>
+void add(Columns& to, const Declared& declared, const Owner& owner) {
+  for (const auto& c : declared)
+    to.push_back(column(title(c.name, c.unit), [&](std::size_t row) { return static_cast<Real>(c.at(owner, row)); }));
 }
 /// Fields of an export, or columns of a curve.
 template <class Field> void add(Columns& to, const std::vector<Field>& fields) {
-  for (const auto& field : fields) to.push_back(column(title(field.name, field.unit), [&](std::size_t row) { return field.values[row]; }));
+  for (const auto& field : fields)
+    to.push_back(column(title(field.name, field.unit), [&](std::size_t row) { return field.values[row]; }));
 }
 
 std::string grain_table(const ExportSnapshot& from) {
@@ -63,7 +69,9 @@ std::string grain_table(const ExportSnapshot& from) {
   Columns columns{column("id", [&](std::size_t i) { return g.id[i]; })};
   add(columns, declared.first(2), g);  // the place
   columns.push_back(column(title("radius", "m"), [&](std::size_t i) { return g.radius[i]; }));
-  columns.push_back(column("material", [&](std::size_t i) { return quoted_cell(packing.materials[static_cast<std::size_t>(g.material[i])].name); }));
+  columns.push_back(column("material", [&](std::size_t i) {
+    return quoted_cell(packing.materials[static_cast<std::size_t>(g.material[i])].name);
+  }));
   columns.push_back(column("zone", [&](std::size_t i) { return int{g.zone[i]}; }));
   add(columns, declared.subspan(2), g);
   add(columns, from.fields);
@@ -75,7 +83,8 @@ std::string grain_table(const ExportSnapshot& from) {
 /// Of the grain, the boundary or the wall that a grain touches.
 std::string name_of_other(const Packing& packing, std::size_t k) {
   const Contacts& c = packing.contacts;
-  if (c.is_boundary(k)) return packing.domain.boundaries[static_cast<std::size_t>(packing.domain.boundary_of(c.element(k)))].name;
+  if (c.is_boundary(k))
+    return packing.domain.boundaries[static_cast<std::size_t>(packing.domain.boundary_of(c.element(k)))].name;
   if (c.is_wall(k)) return side_names[static_cast<std::size_t>(c.wall_side(k))];
   return std::to_string(id_of_j(packing, k));
 }
@@ -112,7 +121,8 @@ std::string node_table(const FieldResult& r) {
   const auto classes = class_of_node(map);
   Columns columns{column(title("x", "m"), [&](std::size_t i) { return middle(i % width); }),
                   column(title("y", "m"), [&](std::size_t i) { return middle(i / width); }),
-                  column("phase", [&](std::size_t i) { return static_cast<int>(map.phase[i]); }), column("grain", [&](std::size_t i) { return map.grain[i]; }),
+                  column("phase", [&](std::size_t i) { return static_cast<int>(map.phase[i]); }),
+                  column("grain", [&](std::size_t i) { return map.grain[i]; }),
                   column("class", [&](std::size_t i) { return int{classes[i]}; })};
   if (r.field.size() > 0) add<float>(columns, field_columns, r.field);
   return table_of(columns, map.size());
@@ -120,7 +130,8 @@ std::string node_table(const FieldResult& r) {
 
 std::string field_grain_table(const ExportField& from) {
   const auto& classes = from.result->map.grain_class;
-  Columns columns{column("label", [](std::size_t g) { return g; }), column("class", [&](std::size_t g) { return static_cast<int>(classes[g]); })};
+  Columns columns{column("label", [](std::size_t g) { return g; }),
+                  column("class", [&](std::size_t g) { return static_cast<int>(classes[g]); })};
   add(columns, from.fields);
   return table_of(columns, classes.size());
 }
@@ -139,7 +150,8 @@ std::vector<NamedBytes> csv_snapshot(const ExportSnapshot& snapshot) {
 /// Phases are 0 void, 1 matrix, 2 particle; classes 0 none, 1 small, 2 large.
 std::vector<NamedBytes> csv_field(const ExportField& from) {
   const FieldResult& r = *from.result;
-  std::vector<NamedBytes> files{{r.name + "_nodes.csv", node_table(r)}, {r.name + "_grains.csv", field_grain_table(from)}};
+  std::vector<NamedBytes> files{{r.name + "_nodes.csv", node_table(r)},
+                                {r.name + "_grains.csv", field_grain_table(from)}};
   if (!r.curve.columns.empty()) files.push_back({r.name + "_curve.csv", curve_table(r.curve)});
   return files;
 }
@@ -148,13 +160,22 @@ std::vector<NamedBytes> csv_field(const ExportField& from) {
 
 const ExportFormat exports::csv{
     .name = "csv",
-    .sentence = "Tables of grains and contacts, which `arenite measure` also reads; of nodes and mean stresses of grains",
-    .states = {{"grains", "place, radius, material, zone, velocity, angle, omega, stresses and other numbers of grains, units in the header"},
-               {"contacts", "with grains, walls and boundaries: forces, normal from i to j, arms, overlap; of grains that are no disks the contact point x, y"},
-               {"cell, thickness, time", "left out: `arenite measure` takes --box, --origin, --periodic and --thickness"},
-               {"shapes of grains", "left out: a grain is the disk of its area; stress and contacts are those of the shapes"},
-               {"bonds, pulls across gaps", "left out: `links` counts those of each grain, and `arenite measure` says that their stress lacks"},
-               {"names that spreadsheets take for formulas", "written behind an apostrophe, which `arenite measure` takes away"}},
+    .sentence =
+        "Tables of grains and contacts, which `arenite measure` also reads; of nodes and mean stresses of grains",
+    .states = {{"grains",
+                "place, radius, material, zone, velocity, angle, omega, stresses and other numbers of grains, units in "
+                "the header"},
+               {"contacts",
+                "with grains, walls and boundaries: forces, normal from i to j, arms, overlap; of grains that are no "
+                "disks the contact point x, y"},
+               {"cell, thickness, time",
+                "left out: `arenite measure` takes --box, --origin, --periodic and --thickness"},
+               {"shapes of grains",
+                "left out: a grain is the disk of its area; stress and contacts are those of the shapes"},
+               {"bonds, pulls across gaps",
+                "left out: `links` counts those of each grain, and `arenite measure` says that their stress lacks"},
+               {"names that spreadsheets take for formulas",
+                "written behind an apostrophe, which `arenite measure` takes away"}},
     .of_snapshot = csv_snapshot,
     .of_field = csv_field};
 

@@ -12,8 +12,8 @@
 
 namespace arenite::io {
 
-/// A quantity of every grain that was derived from a snapshot (its stress, its number of contacts), or of every contact, to be written beside what the
-/// snapshot holds. NaN where it is not known.
+/// A quantity of every grain that was derived from a snapshot (its stress, its number of contacts), or of every
+/// contact, to be written beside what the snapshot holds. NaN where it is not known.
 struct GrainField {
   std::string name, unit;
   std::vector<double> values;
@@ -49,8 +49,9 @@ struct NamedBytes {
   std::string name, bytes;
 };
 
-/// A format: what it makes of one snapshot. Files of the same name from successive snapshots are joined into one; `index` makes the files that list all
-/// snapshots by their times. A format of whole loadings has `of_loading` instead, which gets all snapshots and what made the last.
+/// A format: what it makes of one snapshot. Files of the same name from successive snapshots are joined into one;
+/// `index` makes the files that list all snapshots by their times. A format of whole loadings has `of_loading` instead,
+/// which gets all snapshots and what made the last.
 struct ExportFormat {
   std::string_view name, sentence;
   Statements states = {};                            ///< what its files carry of a state, and what they leave out
@@ -67,8 +68,9 @@ ARENITE_FAMILY(ExportFormat, ARENITE_EXPORT_FORMATS)
 
 /// The export of that name, or with that one among its other names; null if there is none.
 inline const ExportFormat* export_named(std::string_view name) {
-  return first_format(exports::all,
-                      [&](const ExportFormat& format) { return format.name == name || (!name.empty() && std::ranges::count(format.other_names, name) > 0); });
+  return first_format(exports::all, [&](const ExportFormat& format) {
+    return format.name == name || (!name.empty() && std::ranges::count(format.other_names, name) > 0);
+  });
 }
 /// All names by which exports are asked for.
 inline std::vector<std::string> export_names() {
@@ -100,26 +102,33 @@ inline Vec2 far_end(const Packing& packing, std::size_t contact) {
   const auto& contacts = packing.contacts;
   const Vec2 from = packing.grains.position[static_cast<std::size_t>(contacts.i[contact])];
   if (contacts.is_wall(contact)) return from + contacts.lever_i(contact);
-  return from + packing.domain.nearest_image(packing.grains.position[static_cast<std::size_t>(contacts.j[contact])] - from);
+  return from +
+         packing.domain.nearest_image(packing.grains.position[static_cast<std::size_t>(contacts.j[contact])] - from);
 }
 
 /// Where the two bodies of a contact touch, m; on the side of grain i.
 inline Vec2 contact_point(const Packing& packing, std::size_t contact) {
-  return packing.grains.position[static_cast<std::size_t>(packing.contacts.i[contact])] + packing.contacts.lever_i(contact);
+  return packing.grains.position[static_cast<std::size_t>(packing.contacts.i[contact])] +
+         packing.contacts.lever_i(contact);
 }
 
-/// How many bonds and pulls across gaps each grain has: forces that no list of contacts holds. Empty where there are none.
+/// How many bonds and pulls across gaps each grain has: forces that no list of contacts holds. Empty where there are
+/// none.
 std::vector<int> links_of_grains(const Packing& packing);
 
 /// Ids of the grains of a contact; the second is below 0 where it is none.
-inline std::int64_t id_of_i(const Packing& p, std::size_t c) { return p.grains.id[static_cast<std::size_t>(p.contacts.i[c])]; }
+inline std::int64_t id_of_i(const Packing& p, std::size_t c) {
+  return p.grains.id[static_cast<std::size_t>(p.contacts.i[c])];
+}
 inline std::int64_t id_of_j(const Packing& p, std::size_t c) {
   return p.contacts.is_wall(c) ? p.contacts.j[c] : p.grains.id[static_cast<std::size_t>(p.contacts.j[c])];
 }
 
 /// The class of the grain at every node of a map; 0 where there is none.
 inline std::vector<std::uint8_t> class_of_node(const PhaseMap& map) {
-  return mapped(map.grain, [&](std::int32_t g) { return static_cast<std::uint8_t>(g < 0 ? GrainClass::none : map.grain_class[static_cast<std::size_t>(g)]); });
+  return mapped(map.grain, [&](std::int32_t g) {
+    return static_cast<std::uint8_t>(g < 0 ? GrainClass::none : map.grain_class[static_cast<std::size_t>(g)]);
+  });
 }
 
 }  // namespace arenite::io

@@ -22,20 +22,22 @@ bool is_known(const GrainField& field) {
   return std::ranges::all_of(field.values, [](double v) { return std::isfinite(v); });
 }
 
-/// The second line: cell, moment and columns. ASE takes `species` for a chemical symbol, so it is X, none, for all grains,
-/// and the material is a number whose name stands in `Materials`.
+/// The second line: cell, moment and columns. ASE takes `species` for a chemical symbol, so it is X, none, for all
+/// grains, and the material is a number whose name stands in `Materials`.
 std::string comment_line(const ExportSnapshot& from) {
   const Packing& packing = from.snapshot->packing;
   const Domain& d = packing.domain;
   const auto yes = [](bool is) { return is ? "T" : "F"; };
-  std::string text = fmt::format("Lattice=\"{} 0 0 {} {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"{} {} F\"", d.width(), d.tilt, d.height(), d.thickness,
-                                 d.wall[left].position, d.wall[bottom].position, -0.5 * d.thickness, yes(d.periodic[0]), yes(d.periodic[1]));
+  std::string text = fmt::format("Lattice=\"{} 0 0 {} {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"{} {} F\"", d.width(),
+                                 d.tilt, d.height(), d.thickness, d.wall[left].position, d.wall[bottom].position,
+                                 -0.5 * d.thickness, yes(d.periodic[0]), yes(d.periodic[1]));
   std::string materials, left_out;
-  for (std::size_t m = 0; m < packing.materials.size(); ++m) materials += fmt::format("{}{}:{}", m == 0 ? "" : " ", m + 1, word(packing.materials[m].name));
+  for (std::size_t m = 0; m < packing.materials.size(); ++m)
+    materials += fmt::format("{}{}:{}", m == 0 ? "" : " ", m + 1, word(packing.materials[m].name));
   for (const auto& field : from.fields)
     if (!is_known(field)) left_out += (left_out.empty() ? "" : " ") + word(field.name);
-  fmt::format_to(Text(text), " Time={} Step={} Stage=\"{}\" Label=\"{}\" Materials=\"{}\"", from.snapshot->time, from.snapshot->step, word(from.stage),
-                 word(from.snapshot->label), materials);
+  fmt::format_to(Text(text), " Time={} Step={} Stage=\"{}\" Label=\"{}\" Materials=\"{}\"", from.snapshot->time,
+                 from.snapshot->step, word(from.stage), word(from.snapshot->label), materials);
   if (!left_out.empty()) text += " LeftOut=\"" + left_out + '"';
   text += " Properties=species:S:1:pos:R:3:radius:R:1:id:I:1:material:I:1:zone:I:1:velo:R:3:angle:R:1:omega:R:1";
   for (const auto& field : from.fields)
@@ -47,8 +49,9 @@ std::vector<NamedBytes> extxyz_snapshot(const ExportSnapshot& from) {
   const Grains& g = from.snapshot->packing.grains;
   std::string text = fmt::format("{}\n{}\n", g.size(), comment_line(from));
   for (std::size_t i = 0; i < g.size(); ++i) {
-    fmt::format_to(Text(text), "X {} {} 0 {} {} {} {} {} {} 0 {} {}", g.position[i].x, g.position[i].y, g.radius[i], g.id[i], g.material[i] + 1, int{g.zone[i]},
-                   g.velocity[i].x, g.velocity[i].y, g.angle[i], g.omega[i]);
+    fmt::format_to(Text(text), "X {} {} 0 {} {} {} {} {} {} 0 {} {}", g.position[i].x, g.position[i].y, g.radius[i],
+                   g.id[i], g.material[i] + 1, int{g.zone[i]}, g.velocity[i].x, g.velocity[i].y, g.angle[i],
+                   g.omega[i]);
     for (const auto& field : from.fields)
       if (is_known(field)) fmt::format_to(Text(text), " {}", field.values[i]);
     text += '\n';
@@ -61,8 +64,10 @@ std::vector<NamedBytes> extxyz_snapshot(const ExportSnapshot& from) {
 const ExportFormat exports::extxyz{
     .name = "extxyz",
     .sentence = "OVITO and ASE: extended XYZ of grains",
-    .states = {{"grains", "place, radius, id, material, zone, velocity, angle, omega, stresses and other numbers of grains"},
-               {"species", "X, which is no chemical element: ASE refuses others. `material` is a number, `Materials` names them"},
+    .states = {{"grains",
+                "place, radius, id, material, zone, velocity, angle, omega, stresses and other numbers of grains"},
+               {"species",
+                "X, which is no chemical element: ASE refuses others. `material` is a number, `Materials` names them"},
                {"cell, periodic sides, time, step, stage", "in the second line of each state, in m and s"},
                {"numbers not known of some grain", "the column is left out, and `LeftOut` names it"},
                {"shapes of grains", "left out: a grain is the disk of its area"},

@@ -8,7 +8,8 @@ namespace {
 
 std::string fields_file(int number) { return fmt::format("fields_{:04}.vti", number); }
 
-/// Points of ImageData with `velocity`, `stress` (xx, yy, zz, xy, yz, xz) and the scalars. Nothing for a state without a box.
+/// Points of ImageData with `velocity`, `stress` (xx, yy, zz, xy, yz, xz) and the scalars. Nothing for a state without
+/// a box.
 std::vector<NamedBytes> fields_snapshot(const ExportSnapshot& from) {
   const GridFields& g = from.grid;
   if (g.columns == 0) return {};
@@ -19,16 +20,21 @@ std::vector<NamedBytes> fields_snapshot(const ExportSnapshot& from) {
   return {{fields_file(from.number), vti_bytes(image)}};
 }
 
-std::vector<NamedBytes> fields_index(const std::vector<double>& times) { return {{"fields.pvd", pvd_bytes(times, fields_file)}}; }
+std::vector<NamedBytes> fields_index(const std::vector<double>& times) {
+  return {{"fields.pvd", pvd_bytes(times, fields_file)}};
+}
 
 }  // namespace
 
 const ExportFormat exports::fields{
     .name = "fields",
-    .sentence = "ParaView: coarse-grained fields of all states (solid fraction, density, velocity, stress), open fields.pvd",
-    .states = {{"fields", "solid fraction, density, velocity, stress with its kinetic part, on points half a mean diameter apart"},
-               {"grains, contacts, walls", "left out: `vtk` has them"},
-               {"a state without a box", "refused"}},
+    .sentence =
+        "ParaView: coarse-grained fields of all states (solid fraction, density, velocity, stress), open fields.pvd",
+    .states =
+        {{"fields",
+          "solid fraction, density, velocity, stress with its kinetic part, on points half a mean diameter apart"},
+         {"grains, contacts, walls", "left out: `vtk` has them"},
+         {"a state without a box", "refused"}},
     .wants_grid = true,
     .of_snapshot = fields_snapshot,
     .index = fields_index};

@@ -18,13 +18,15 @@ std::string header(const ExportSnapshot& from, const char* what, std::size_t cou
   const char* x = domain.periodic[0] ? "pp" : "ff";
   const char* y = domain.periodic[1] ? "pp" : "ff";
   std::string text = from.number == 0 ? "ITEM: UNITS\nsi\n" : "";
-  fmt::format_to(Text(text), "ITEM: TIME\n{}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF {}\n{}\n", from.snapshot->time, from.snapshot->step, what, count);
+  fmt::format_to(Text(text), "ITEM: TIME\n{}\nITEM: TIMESTEP\n{}\nITEM: NUMBER OF {}\n{}\n", from.snapshot->time,
+                 from.snapshot->step, what, count);
   if (tilt == 0)
-    fmt::format_to(Text(text), "ITEM: BOX BOUNDS {} {} pp\n{} {}\n{} {}\n{} {}\n", x, y, x0, x1, domain.wall[bottom].position, domain.wall[top].position, -half,
-                   half);
+    fmt::format_to(Text(text), "ITEM: BOX BOUNDS {} {} pp\n{} {}\n{} {}\n{} {}\n", x, y, x0, x1,
+                   domain.wall[bottom].position, domain.wall[top].position, -half, half);
   else
-    fmt::format_to(Text(text), "ITEM: BOX BOUNDS xy xz yz {} {} pp\n{} {} {}\n{} {} 0\n{} {} 0\n", x, y, x0 + std::min(tilt, 0.0), x1 + std::max(tilt, 0.0),
-                   tilt, domain.wall[bottom].position, domain.wall[top].position, -half, half);
+    fmt::format_to(Text(text), "ITEM: BOX BOUNDS xy xz yz {} {} pp\n{} {} {}\n{} {} 0\n{} {} 0\n", x, y,
+                   x0 + std::min(tilt, 0.0), x1 + std::max(tilt, 0.0), tilt, domain.wall[bottom].position,
+                   domain.wall[top].position, -half, half);
   return text;
 }
 
@@ -37,8 +39,9 @@ std::string grain_dump(const ExportSnapshot& from) {
   if (!links.empty()) text += " links";
   text += '\n';
   for (std::size_t i = 0; i < g.size(); ++i) {
-    fmt::format_to(Text(text), "{} {} {} {} 0 {} {} {} 0 {} {} {}", g.id[i], g.material[i] + 1, g.position[i].x, g.position[i].y, g.radius[i], g.velocity[i].x,
-                   g.velocity[i].y, g.omega[i], g.angle[i], int{g.zone[i]});
+    fmt::format_to(Text(text), "{} {} {} {} 0 {} {} {} 0 {} {} {}", g.id[i], g.material[i] + 1, g.position[i].x,
+                   g.position[i].y, g.radius[i], g.velocity[i].x, g.velocity[i].y, g.omega[i], g.angle[i],
+                   int{g.zone[i]});
     for (const auto& field : from.fields) fmt::format_to(Text(text), " {}", field.values[i]);
     if (!links.empty()) fmt::format_to(Text(text), " {}", links[i]);
     text += '\n';
@@ -46,8 +49,9 @@ std::string grain_dump(const ExportSnapshot& from) {
   return text;
 }
 
-/// Contacts between grains only: a row names two grains, which OVITO joins by a bond, and LAMMPS knows no walls here. As in LAMMPS's pair/local of a
-/// granular style, the normal force (fx, fy) and the tangential one (p1, p2) act on the first grain; so `arenite measure` reads it back.
+/// Contacts between grains only: a row names two grains, which OVITO joins by a bond, and LAMMPS knows no walls here.
+/// As in LAMMPS's pair/local of a granular style, the normal force (fx, fy) and the tangential one (p1, p2) act on the
+/// first grain; so `arenite measure` reads it back.
 std::string contact_dump(const ExportSnapshot& from) {
   const Packing& packing = from.snapshot->packing;
   const Contacts& c = packing.contacts;
@@ -57,10 +61,12 @@ std::string contact_dump(const ExportSnapshot& from) {
   for (std::size_t k = 0; k < c.size(); ++k) {
     if (c.is_wall(k)) continue;
     const Vec2 n = c.normal[k], normal = c.fn[k] * n, tangential = c.ft[k] * perpendicular(n);
-    fmt::format_to(Text(rows), "{} {} {} {} 0 {} {} 0 {} {} {} {}", id_of_i(packing, k), id_of_j(packing, k), normal.x, normal.y, tangential.x, tangential.y,
-                   contact_type(packing, k), c.fn[k] > mean ? 1 : 0, int{c.glued[k]}, c.arm_i[k] + c.arm_j[k]);
+    fmt::format_to(Text(rows), "{} {} {} {} 0 {} {} 0 {} {} {} {}", id_of_i(packing, k), id_of_j(packing, k), normal.x,
+                   normal.y, tangential.x, tangential.y, contact_type(packing, k), c.fn[k] > mean ? 1 : 0,
+                   int{c.glued[k]}, c.arm_i[k] + c.arm_j[k]);
     for (const auto& column : contact_columns) fmt::format_to(Text(rows), " {}", column.at(c, k));
-    if (const Vec2 point = contact_point(packing, k); !c.off_i.empty()) fmt::format_to(Text(rows), " {} {} 0", point.x, point.y);
+    if (const Vec2 point = contact_point(packing, k); !c.off_i.empty())
+      fmt::format_to(Text(rows), " {} {} 0", point.x, point.y);
     rows += '\n';
     ++count;
   }
@@ -80,13 +86,17 @@ std::vector<NamedBytes> lammps_snapshot(const ExportSnapshot& snapshot) {
 const ExportFormat exports::lammps{
     .name = "lammps",
     .sentence = "OVITO and LAMMPS tools: dump custom of grains, dump local of contacts",
-    .states = {{"grains", "place, radius, velocity, angle, omega, zone, stresses and other numbers of grains; type is the material's number"},
+    .states = {{"grains",
+                "place, radius, velocity, angle, omega, zone, stresses and other numbers of grains; type is the "
+                "material's number"},
                {"contacts",
-                "of grains: forces as pair/local of a granular style has them, arms, overlap; of grains that are no disks the contact point cx cy cz"},
+                "of grains: forces as pair/local of a granular style has them, arms, overlap; of grains that are no "
+                "disks the contact point cx cy cz"},
                {"cell, periodic sides, tilt, time, step, units (si)", "as LAMMPS writes them, z by the thickness"},
                {"names of materials, shapes of grains", "left out: a type is a number, a grain the disk of its area"},
                {"contacts with walls and boundaries", "left out: LAMMPS's pairs have none; `arenite measure` says so"},
-               {"bonds, pulls across gaps", "left out: `links` counts those of each grain, and `arenite measure` says that their stress lacks"},
+               {"bonds, pulls across gaps",
+                "left out: `links` counts those of each grain, and `arenite measure` says that their stress lacks"},
                {"numbers not known of some grain", "nan"}},
     .other_names = {"ovito"},
     .of_snapshot = lammps_snapshot};

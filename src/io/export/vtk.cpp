@@ -14,7 +14,8 @@ namespace {
 
 /// The stress of every grain as one tensor of nine, row by row; nothing where a component is not there.
 std::vector<double> stress_of(const ExportSnapshot& from) {
-  constexpr std::pair<const char*, std::size_t> components[] = {{"sigma_xx", 0}, {"sigma_xy", 1}, {"sigma_yx", 3}, {"sigma_yy", 4}};
+  constexpr std::pair<const char*, std::size_t> components[] = {
+      {"sigma_xx", 0}, {"sigma_xy", 1}, {"sigma_yx", 3}, {"sigma_yy", 4}};
   std::vector<double> tensor;
   for (const auto& [name, place] : components) {
     const auto at = std::ranges::find(from.fields, name, &GrainField::name);
@@ -30,10 +31,15 @@ VtkPolyData grains_of(const ExportSnapshot& from) {
   VtkPolyData data;
   data.time = from.snapshot->time;
   data.points = in_space(grains.position);
-  data.point_arrays = {
-      {"id", grains.id},       {"radius", grains.radius}, {"material", grains.material}, {"zone", grains.zone}, {"velocity", in_space(grains.velocity), 3},
-      {"angle", grains.angle}, {"omega", grains.omega}};
-  if (from.displacement.size() == grains.size()) data.point_arrays.push_back({"displacement", in_space(from.displacement), 3});
+  data.point_arrays = {{"id", grains.id},
+                       {"radius", grains.radius},
+                       {"material", grains.material},
+                       {"zone", grains.zone},
+                       {"velocity", in_space(grains.velocity), 3},
+                       {"angle", grains.angle},
+                       {"omega", grains.omega}};
+  if (from.displacement.size() == grains.size())
+    data.point_arrays.push_back({"displacement", in_space(from.displacement), 3});
   for (const auto& field : from.fields) data.point_arrays.push_back({field.name, field.values});
   if (auto stress = stress_of(from); !stress.empty()) data.point_arrays.push_back({"stress", std::move(stress), 9});
   return data;
@@ -65,23 +71,26 @@ VtkPolyData contacts_of(const ExportSnapshot& from) {
                       {"type", of_each([&](std::size_t c) { return contact_type(packing, c); })},
                       {"strong", of_each([&](std::size_t c) { return std::uint8_t{contacts.fn[c] > mean}; })},
                       {"glued", contacts.glued},
-                      {"force", in_space(of_each([&](std::size_t c) { return contacts.force_on_i(c); })), 3}};  // on i, the line's first end
+                      {"force", in_space(of_each([&](std::size_t c) { return contacts.force_on_i(c); })),
+                       3}};  // on i, the line's first end
   for (const auto& column : contact_columns) data.cell_arrays.push_back({column.name, column.of(contacts)});
   return data;
 }
 
-/// Four lines, in the order of the sides; `present` is 0 where a side is the edge of a periodic cell. Behind them the segments of boundaries, whose
-/// `side` counts on from 4 and whose force and velocity are without direction.
+/// Four lines, in the order of the sides; `present` is 0 where a side is the edge of a periodic cell. Behind them the
+/// segments of boundaries, whose `side` counts on from 4 and whose force and velocity are without direction.
 VtkPolyData walls_of(const ExportSnapshot& from) {
   const Domain& domain = from.snapshot->packing.domain;
   const double x0 = domain.wall[left].position, x1 = domain.wall[right].position;
   const double y0 = domain.wall[bottom].position, y1 = domain.wall[top].position;
   VtkPolyData data = lines_at(from);
   const double t = domain.tilt;
-  data.points = {x0, y0, 0, x0 + t, y1, 0, x1, y0, 0, x1 + t, y1, 0, x0, y0, 0, x1, y0, 0, x0 + t, y1, 0, x1 + t, y1, 0};
+  data.points = {x0, y0, 0, x0 + t, y1, 0, x1,     y0, 0, x1 + t, y1, 0,
+                 x0, y0, 0, x1,     y0, 0, x0 + t, y1, 0, x1 + t, y1, 0};
   std::vector<std::int32_t> side{left, right, bottom, top};
   auto present = mapped<std::uint8_t>(domain.wall, &Wall::present);
-  auto force = mapped(domain.wall, &Wall::force), shear_force = mapped(domain.wall, &Wall::shear_force), velocity = mapped(domain.wall, &Wall::velocity);
+  auto force = mapped(domain.wall, &Wall::force), shear_force = mapped(domain.wall, &Wall::shear_force),
+       velocity = mapped(domain.wall, &Wall::velocity);
   for (std::size_t b = 0; b < domain.boundaries.size(); ++b) {
     const Boundary& boundary = domain.boundaries[b];
     const std::size_t n = boundary.points.size();
@@ -95,7 +104,8 @@ VtkPolyData walls_of(const ExportSnapshot& from) {
       velocity.push_back(norm(boundary.velocity));
     }
   }
-  data.cell_arrays = {{"side", side}, {"present", present}, {"force", force}, {"shear_force", shear_force}, {"velocity", velocity}};
+  data.cell_arrays = {
+      {"side", side}, {"present", present}, {"force", force}, {"shear_force", shear_force}, {"velocity", velocity}};
   return data;
 }
 
@@ -136,7 +146,8 @@ VtkPolyData cracks_of(const std::vector<Crack>& cracks) {
   for (const Crack& crack : cracks) data.points.insert(data.points.end(), {crack.x, crack.y, 0});
   std::vector<std::int32_t> order(cracks.size());
   std::iota(order.begin(), order.end(), 0);
-  data.point_arrays = {{"order", order}, {"type", mapped(cracks, &Crack::type)}, {"strain", mapped(cracks, &Crack::strain)}};
+  data.point_arrays = {
+      {"order", order}, {"type", mapped(cracks, &Crack::type)}, {"strain", mapped(cracks, &Crack::strain)}};
   return data;
 }
 
@@ -153,10 +164,12 @@ std::vector<NamedBytes> vtk_snapshot(const ExportSnapshot& snapshot) {
   return files;
 }
 
-/// loading.pvd opens everything, as blocks with names; grains.pvd, contacts.pvd and walls.pvd one thing each, which filters like better.
+/// loading.pvd opens everything, as blocks with names; grains.pvd, contacts.pvd and walls.pvd one thing each, which
+/// filters like better.
 std::vector<NamedBytes> vtk_index(const std::vector<double>& times) {
   auto files = mapped(parts, [&](const Part& part) {
-    return NamedBytes{fmt::format("{}.pvd", part.name), pvd_bytes(times, [&](int f) { return numbered(part.name, f); })};
+    return NamedBytes{fmt::format("{}.pvd", part.name),
+                      pvd_bytes(times, [&](int f) { return numbered(part.name, f); })};
   });
   files.push_back({"loading.pvd", pvd_bytes(times, state_file)});
   return files;
@@ -173,7 +186,8 @@ std::vector<NamedBytes> vti_field(const ExportField& from) {
     for (std::size_t node = 0; node < r.field.size(); ++node) displacement.push_back(r.field.displacement(node));
     image.point_arrays.push_back({"displacement", single(in_space(displacement)), 3});
     for (const auto& c : field_columns)
-      if (std::string_view(c.name).starts_with("sigma")) image.point_arrays.push_back({c.name, single(r.field.*c.numbers)});
+      if (std::string_view(c.name).starts_with("sigma"))
+        image.point_arrays.push_back({c.name, single(r.field.*c.numbers)});
     image.point_arrays.push_back({"stress", single(symmetric(r.field.xx, r.field.yy, r.field.xy)), 6});
   }
   std::vector<NamedBytes> files{{r.name + ".vti", vti_bytes(image)}};
@@ -186,13 +200,17 @@ std::vector<NamedBytes> vti_field(const ExportField& from) {
 const ExportFormat exports::vtk{
     .name = "vtk",
     .sentence =
-        "ParaView: open loading.pvd, which has grains, contacts and walls of all states; fields on nodes (.vti), broken bonds of a failure (-cracks.vtp)",
-    .states = {{"grains", "place, radius, id, number of the material, zone, velocity, angle, omega, displacement, stresses and other numbers of grains"},
+        "ParaView: open loading.pvd, which has grains, contacts and walls of all states; fields on nodes (.vti), "
+        "broken bonds of a failure (-cracks.vtp)",
+    .states = {{"grains",
+                "place, radius, id, number of the material, zone, velocity, angle, omega, displacement, stresses and "
+                "other numbers of grains"},
                {"contacts", "lines from centre to centre, or to the wall: forces, normal, arms, overlap"},
                {"walls, boundaries", "lines with their forces"},
                {"shapes of grains", "their rims, as lines"},
                {"time", "in every file and in the .pvd"},
-               {"names of materials, periodic sides, thickness, bonds", "left out; `netcdf` has the names, the sides and the thickness"}},
+               {"names of materials, periodic sides, thickness, bonds",
+                "left out; `netcdf` has the names, the sides and the thickness"}},
     .other_names = {"paraview"},
     .of_snapshot = vtk_snapshot,
     .index = vtk_index,

@@ -12,7 +12,8 @@
 namespace arenite::io {
 namespace {
 
-/// VTK's compressed block: number of blocks, size of a block, size of the last one if it is shorter, compressed sizes, then the blocks.
+/// VTK's compressed block: number of blocks, size of a block, size of the last one if it is shorter, compressed sizes,
+/// then the blocks.
 std::string compressed(const char* data, std::size_t size) {
   constexpr std::size_t block = 1 << 16;
   const std::size_t blocks = (size + block - 1) / block;
@@ -25,7 +26,8 @@ std::string compressed(const char* data, std::size_t size) {
     uLongf packed = compressBound(length);
     const std::size_t start = body.size();
     body.resize(start + packed);
-    if (compress2(reinterpret_cast<Bytef*>(body.data() + start), &packed, reinterpret_cast<const Bytef*>(data + b * block), length, 6) != Z_OK)
+    if (compress2(reinterpret_cast<Bytef*>(body.data() + start), &packed,
+                  reinterpret_cast<const Bytef*>(data + b * block), length, 6) != Z_OK)
       throw std::runtime_error("zlib could not compress an array");
     body.resize(start + packed);
     append<std::uint64_t>(header, packed);
@@ -57,7 +59,10 @@ class VtkWriter {
  public:
   explicit VtkWriter(const char* type) {
     line("<?xml version=\"1.0\"?>");
-    line("<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">", type);
+    line(
+        "<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" "
+        "compressor=\"vtkZLibDataCompressor\">",
+        type);
   }
 
   template <class... Arguments> void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
@@ -66,8 +71,8 @@ class VtkWriter {
   }
 
   template <class T> void array(const std::string& name, int components, const std::vector<T>& values) {
-    line("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>", vtk_type<T>, escaped(name), components,
-         data_.size());
+    line("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>",
+         vtk_type<T>, escaped(name), components, data_.size());
     data_ += compressed(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
   }
 
@@ -108,7 +113,8 @@ std::vector<double> in_space(const std::vector<Vec2>& plane) {
   return vectors;
 }
 
-std::vector<double> symmetric(const std::vector<double>& xx, const std::vector<double>& yy, const std::vector<double>& xy) {
+std::vector<double> symmetric(const std::vector<double>& xx, const std::vector<double>& yy,
+                              const std::vector<double>& xy) {
   std::vector<double> tensors;
   for (std::size_t k = 0; k < xx.size(); ++k) tensors.insert(tensors.end(), {xx[k], yy[k], 0, xy[k], 0, 0});
   return tensors;
@@ -119,9 +125,14 @@ std::string vtp_bytes(const VtkPolyData& data) {
   const bool lines = data.lines;
   VtkWriter file("PolyData");
   file.line("<PolyData>");
-  file.line("<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n</FieldData>", data.time);
-  file.line("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">", points, lines ? 0 : points,
-            lines ? points / 2 : 0);
+  file.line(
+      "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+      "format=\"ascii\">{}</DataArray>\n</FieldData>",
+      data.time);
+  file.line(
+      "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
+      "NumberOfPolys=\"0\">",
+      points, lines ? 0 : points, lines ? points / 2 : 0);
   file.arrays("PointData", data.point_arrays);
   file.arrays("CellData", data.cell_arrays);
   file.line("<Points>");
@@ -138,8 +149,8 @@ std::string vtp_bytes(const VtkPolyData& data) {
 std::string vti_bytes(const VtkImage& image) {
   const std::string extent = fmt::format("0 {} 0 {} 0 0", image.width - 1, image.height - 1);
   VtkWriter file("ImageData");
-  file.line("<ImageData WholeExtent=\"{}\" Origin=\"{} {} 0\" Spacing=\"{} {} {}\">", extent, image.left + image.dx / 2, image.bottom + image.dy / 2, image.dx,
-            image.dy, image.dx);
+  file.line("<ImageData WholeExtent=\"{}\" Origin=\"{} {} 0\" Spacing=\"{} {} {}\">", extent, image.left + image.dx / 2,
+            image.bottom + image.dy / 2, image.dx, image.dy, image.dx);
   file.line("<Piece Extent=\"{}\">", extent);
   file.arrays("PointData", image.point_arrays);
   file.line("</Piece>\n</ImageData>");
@@ -147,16 +158,22 @@ std::string vti_bytes(const VtkImage& image) {
 }
 
 std::string vtm_bytes(const std::vector<std::pair<std::string, std::string>>& blocks) {
-  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\" byte_order=\"LittleEndian\">\n<vtkMultiBlockDataSet>\n";
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\" "
+      "byte_order=\"LittleEndian\">\n<vtkMultiBlockDataSet>\n";
   for (std::size_t b = 0; b < blocks.size(); ++b)
-    text += fmt::format("<DataSet index=\"{}\" name=\"{}\" file=\"{}\"/>\n", b, escaped(blocks[b].first), escaped(blocks[b].second));
+    text += fmt::format("<DataSet index=\"{}\" name=\"{}\" file=\"{}\"/>\n", b, escaped(blocks[b].first),
+                        escaped(blocks[b].second));
   return text + "</vtkMultiBlockDataSet>\n</VTKFile>\n";
 }
 
 std::string pvd_bytes(const std::vector<double>& times, const std::function<std::string(int number)>& file) {
-  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n";
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+      "byte_order=\"LittleEndian\">\n<Collection>\n";
   for (std::size_t k = 0; k < times.size(); ++k)
-    text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", times[k], escaped(file(static_cast<int>(k))));
+    text += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", times[k],
+                        escaped(file(static_cast<int>(k))));
   return text + "</Collection>\n</VTKFile>\n";
 }
 

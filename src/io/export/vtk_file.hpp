@@ -13,14 +13,17 @@ namespace arenite::io {
 /// One array of a VTK file: a value of `components` numbers for every point or cell.
 struct VtkArray {
   std::string name;
-  std::variant<std::vector<double>, std::vector<float>, std::vector<std::int32_t>, std::vector<std::int64_t>, std::vector<std::uint8_t>> values;
+  std::variant<std::vector<double>, std::vector<float>, std::vector<std::int32_t>, std::vector<std::int64_t>,
+               std::vector<std::uint8_t>>
+      values;
   int components = 1;
 };
 
 /// Vectors of the plane as VTK wants them: three components, the last 0.
 std::vector<double> in_space(const std::vector<Vec2>& plane);
 /// Symmetric tensors of the plane in VTK's order: xx, yy, zz, xy, yz, xz.
-std::vector<double> symmetric(const std::vector<double>& xx, const std::vector<double>& yy, const std::vector<double>& xy);
+std::vector<double> symmetric(const std::vector<double>& xx, const std::vector<double>& yy,
+                              const std::vector<double>& xy);
 
 /// Points with either one vertex each or straight lines between pairs of them: all that disks, contacts and walls need.
 struct VtkPolyData {

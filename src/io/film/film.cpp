@@ -26,12 +26,15 @@ struct Recording {
 };
 
 constexpr Recording recordings[] = {
-    {".seq", "is a FLIR sequence (.seq), whose frames are packed in FLIR's proprietary format", by_flir, levels, 1, "FF\0"sv},  // FFF and AFF
+    {".seq", "is a FLIR sequence (.seq), whose frames are packed in FLIR's proprietary format", by_flir, levels, 1,
+     "FF\0"sv},  // FFF and AFF
     {".csq", "is a packed FLIR sequence (.csq), in FLIR's proprietary format", by_flir, levels},
     {".fcf", "is a FLIR public image or sequence (.fcf), in FLIR's proprietary format", by_flir, levels},
     {".ats", "is a FLIR ATS film (.ats), in FLIR's proprietary format", by_flir, levels},
-    {".irb", "is an InfraTec film (.irb), in InfraTec's proprietary format", "IRBIS", "as a stack of TIFF or as text, in temperatures", 0, "\xffIRB"sv},
-    {".ravi", "is an Optris film (.ravi), in Optris' proprietary format", "PIX Connect", "as CSV or TIFF, in temperatures"},
+    {".irb", "is an InfraTec film (.irb), in InfraTec's proprietary format", "IRBIS",
+     "as a stack of TIFF or as text, in temperatures", 0, "\xffIRB"sv},
+    {".ravi", "is an Optris film (.ravi), in Optris' proprietary format", "PIX Connect",
+     "as CSV or TIFF, in temperatures"},
     {".is2", "is a Fluke picture (.is2), in Fluke's proprietary format", "SmartView", "as CSV, in temperatures"},
     {".is3", "is a Fluke film (.is3), in Fluke's proprietary format", "SmartView", "as CSV, in temperatures"},
     {".mp4", "is a video (MPEG-4)", {}, {}, 4, "ftyp"sv},
@@ -59,21 +62,26 @@ std::filesystem::path sidecar_of(const std::filesystem::path& raw) {
     beside.replace_extension(ending);
     for (const auto& path : {beside, std::filesystem::path(raw.string() + ending)})
       if (path != raw && std::filesystem::is_regular_file(path, error))
-        if (const FilmFormat* format = format_of(*open_bytes(path)); format != nullptr && !format->sidecar.empty()) return path;
+        if (const FilmFormat* format = format_of(*open_bytes(path)); format != nullptr && !format->sidecar.empty())
+          return path;
   }
   return {};
 }
 
 struct CanBeWritten {
   bool of_temperatures = false;
-  bool operator()(const FilmFormat& format) const { return format.create != nullptr && !(of_temperatures && format.levels_only); }
+  bool operator()(const FilmFormat& format) const {
+    return format.create != nullptr && !(of_temperatures && format.levels_only);
+  }
 };
 
 }  // namespace
 
 std::string film_formats() { return list_of(words_of(films::all, &FilmFormat::sentence)); }
 
-std::vector<std::string> film_formats_to_write(bool of_temperatures) { return words_of(films::all, &FilmFormat::name, CanBeWritten{of_temperatures}); }
+std::vector<std::string> film_formats_to_write(bool of_temperatures) {
+  return words_of(films::all, &FilmFormat::name, CanBeWritten{of_temperatures});
+}
 
 std::vector<std::string> film_endings_to_write(bool of_temperatures) {
   return words_of(
@@ -86,14 +94,16 @@ void refuse_other_recording(const std::filesystem::path& path) {
   const Bytes bytes = open_bytes(path);
   const FilmFormat* format = format_of(*bytes);
   if (format != nullptr && format->marked) return;
-  if (const std::string what = other_recording(path, bytes->text(0, head_size)); !what.empty()) throw InputError(path.string(), 0, what);
+  if (const std::string what = other_recording(path, bytes->text(0, head_size)); !what.empty())
+    throw InputError(path.string(), 0, what);
 }
 
 std::unique_ptr<FilmSource> open_film(const Bytes& bytes, const FilmChoice& choice) {
   if (bytes->size() == 0) refuse(bytes->name(), "is empty; copy it again");
   const FilmFormat* format = format_of(*bytes);
   if (format == nullptr) {
-    const auto sidecars = words_of(films::all, &FilmFormat::sidecar, [](const FilmFormat& known) { return !known.sidecar.empty(); });
+    const auto sidecars =
+        words_of(films::all, &FilmFormat::sidecar, [](const FilmFormat& known) { return !known.sidecar.empty(); });
     refuse(bytes->name(), "is not a film in a known format ({}); {}", film_formats(), list_of(sidecars));
   }
   FilmPointer film = format->open(bytes, choice);
@@ -109,7 +119,8 @@ std::unique_ptr<FilmSource> open_film(const std::filesystem::path& path, const F
   refuse_other_recording(path);
   if (!stored_kind(path).empty()) refuse(path.string(), "is a result of Arenite, not a film; use \"arenite show\"");
   const FilmFormat* format = format_of(*bytes);
-  const std::filesystem::path sidecar = format != nullptr && format->marked ? std::filesystem::path() : sidecar_of(path);
+  const std::filesystem::path sidecar =
+      format != nullptr && format->marked ? std::filesystem::path() : sidecar_of(path);
   return open_film(sidecar.empty() ? bytes : open_bytes(sidecar), choice);
 }
 
@@ -129,21 +140,27 @@ std::string other_recording(const std::filesystem::path& path, std::string_view 
   const std::string ending = lower_case(path.extension().string());
   const auto* is = std::ranges::find(recordings, ending, &Recording::ending);
   if (is == std::end(recordings))
-    is = std::ranges::find_if(recordings, [&](const Recording& r) { return !r.mark.empty() && head.size() > r.at && head.substr(r.at).starts_with(r.mark); });
+    is = std::ranges::find_if(recordings, [&](const Recording& r) {
+      return !r.mark.empty() && head.size() > r.at && head.substr(r.at).starts_with(r.mark);
+    });
   if (is == std::end(recordings)) return {};
   if (is->program.empty())
-    return fmt::format("{}: compressed colours, in which an amplitude of a few millikelvin is lost; export the camera's own levels or temperatures, {}",
-                       is->what, levels);
+    return fmt::format(
+        "{}: compressed colours, in which an amplitude of a few millikelvin is lost; export the camera's own levels or "
+        "temperatures, {}",
+        is->what, levels);
   return fmt::format("{}; export it with {} {}", is->what, is->program, is->as);
 }
 
-std::unique_ptr<FilmWriter> create_film(const std::filesystem::path& path, const FilmInfo& info, const std::string& format) {
+std::unique_ptr<FilmWriter> create_film(const std::filesystem::path& path, const FilmInfo& info,
+                                        const std::string& format) {
   const FilmFormat* known = format.empty() ? format_ending(films::all, path) : format_named(films::all, format);
   if (known == nullptr || !CanBeWritten{}(*known))
-    refuse(path.string(), "has no film format that can be written; the formats are {} (name it so, or {})", list_of(film_formats_to_write()),
-           list_of(film_endings_to_write()));
+    refuse(path.string(), "has no film format that can be written; the formats are {} (name it so, or {})",
+           list_of(film_formats_to_write()), list_of(film_endings_to_write()));
   if (known->levels_only && info.floating)
-    refuse(path.string(), "cannot hold temperatures: a {} film is of levels; write {}", known->endings[0], list_of(film_endings_to_write(true)));
+    refuse(path.string(), "cannot hold temperatures: a {} film is of levels; write {}", known->endings[0],
+           list_of(film_endings_to_write(true)));
   return known->create(path, info);
 }
 
@@ -155,11 +172,13 @@ std::vector<double> lock_in_line(const std::filesystem::path& film) {
   return format != nullptr && format->lock_in_line != nullptr ? format->lock_in_line(*bytes) : std::vector<double>();
 }
 
-bool write_film(const std::filesystem::path& path, FilmSource& film, const std::string& format, const std::function<bool(double share)>& progress) {
+bool write_film(const std::filesystem::path& path, FilmSource& film, const std::string& format,
+                const std::function<bool(double share)>& progress) {
   const FilmInfo& info = film.info();
   const auto writer = create_film(path, info, format);
   constexpr std::size_t most_pixels = std::size_t{1} << 22;
-  const auto at_once = static_cast<std::int64_t>(std::max<std::size_t>(1, most_pixels / std::max<std::size_t>(1, info.pixels())));
+  const auto at_once =
+      static_cast<std::int64_t>(std::max<std::size_t>(1, most_pixels / std::max<std::size_t>(1, info.pixels())));
   FrameBlock block;
   for (std::int64_t i = 0; i < info.frames; i += at_once) {
     film.read(i, static_cast<std::size_t>(std::min(at_once, info.frames - i)), block);

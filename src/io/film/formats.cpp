@@ -15,7 +15,9 @@ namespace {
 
 class PlainFilm : public KnownFilm {
  public:
-  PlainFilm(Bytes bytes, FilmInfo info, const PlainLayout& layout) : bytes_(std::move(bytes)), layout_(layout) { info_ = std::move(info); }
+  PlainFilm(Bytes bytes, FilmInfo info, const PlainLayout& layout) : bytes_(std::move(bytes)), layout_(layout) {
+    info_ = std::move(info);
+  }
 
   void fill(std::int64_t first, std::size_t count, FrameBlock& block) override {
     const std::size_t pixels = info_.pixels(), frame = pixels * bytes_of(layout_.pixel);
@@ -30,7 +32,8 @@ class PlainFilm : public KnownFilm {
       }
       buffer_.resize((n - 1) * layout_.stride + frame);
       take(at, buffer_.size(), buffer_.data(), first);
-      for (std::size_t k = 0; k < n; ++k) take_pixels(layout_, buffer_.data() + k * layout_.stride, pixels, block, (i + k) * pixels);
+      for (std::size_t k = 0; k < n; ++k)
+        take_pixels(layout_, buffer_.data() + k * layout_.stride, pixels, block, (i + k) * pixels);
     }
   }
 
@@ -38,7 +41,8 @@ class PlainFilm : public KnownFilm {
   static constexpr std::size_t most_at_once = std::size_t{4} << 20;  // bytes in the buffer, if a frame is smaller
 
   void take(std::uint64_t at, std::size_t count, char* to, std::int64_t frame) const {
-    if (bytes_->read(at, count, to) != count) refuse(bytes_->name(), "became shorter while frame {} was read; copy it again", frame);
+    if (bytes_->read(at, count, to) != count)
+      refuse(bytes_->name(), "became shorter while frame {} was read; copy it again", frame);
   }
 
   Bytes bytes_;
@@ -48,7 +52,10 @@ class PlainFilm : public KnownFilm {
 
 class PlainFilmWriter : public FilmWriter {
  public:
-  PlainFilmWriter(const std::filesystem::path& path, const FilmInfo& info, const FilmForm& form) : file_(path), info_(info), form_(form) {
+  PlainFilmWriter(const std::filesystem::path& path, const FilmInfo& info, const FilmForm& form)
+      : file_(path),
+        info_(info),
+        form_(form) {
     file_.write(form_.header(info_, 0));
   }
   void append(const FrameBlock& block) override {
@@ -76,15 +83,18 @@ template <class Member> struct Noted {
   const char* key;
   Member FilmInfo::*member;
 };
-constexpr Noted<double> noted_numbers[] = {{"frame_rate", &FilmInfo::frame_rate}, {"integration", &FilmInfo::integration},
-                                           {"emissivity", &FilmInfo::emissivity}, {"ambient", &FilmInfo::ambient},
-                                           {"band_low", &FilmInfo::band_low},     {"band_high", &FilmInfo::band_high}};
-constexpr Noted<std::string> noted_texts[] = {{"camera", &FilmInfo::camera}, {"lens", &FilmInfo::lens}, {"filter", &FilmInfo::filter}};
+constexpr Noted<double> noted_numbers[] = {
+    {"frame_rate", &FilmInfo::frame_rate}, {"integration", &FilmInfo::integration},
+    {"emissivity", &FilmInfo::emissivity}, {"ambient", &FilmInfo::ambient},
+    {"band_low", &FilmInfo::band_low},     {"band_high", &FilmInfo::band_high}};
+constexpr Noted<std::string> noted_texts[] = {
+    {"camera", &FilmInfo::camera}, {"lens", &FilmInfo::lens}, {"filter", &FilmInfo::filter}};
 
 template <class Take> void each_note(std::string_view text, Take&& take) {
   Lines lines(text);
   for (std::string_view line; lines.next(line);)
-    if (const auto equals = line.find('='); equals != std::string_view::npos) take(trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1)));
+    if (const auto equals = line.find('='); equals != std::string_view::npos)
+      take(trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1)));
 }
 
 /// One line of text, whatever a camera's name holds.
@@ -98,17 +108,22 @@ std::string in_one_line(std::string text) {
 
 void take_pixels(const PlainLayout& layout, const char* from, std::size_t count, FrameBlock& block, std::size_t at) {
   const auto each = [&](auto&& take) { each_number(layout.pixel, layout.big_endian, from, count, take); };
-  if (!block.level.empty()) return each([level = block.level.data() + at](std::size_t i, auto v) { level[i] = static_cast<std::uint16_t>(v); });
+  if (!block.level.empty())
+    return each([level = block.level.data() + at](std::size_t i, auto v) { level[i] = static_cast<std::uint16_t>(v); });
   float* const value = block.value.data() + at;
   if (!layout.scaled) return each([value](std::size_t i, auto v) { value[i] = static_cast<float>(v); });
-  each([value, scale = layout.scale, shift = layout.shift](std::size_t i, auto v) { value[i] = static_cast<float>(scale * static_cast<double>(v) + shift); });
+  each([value, scale = layout.scale, shift = layout.shift](std::size_t i, auto v) {
+    value[i] = static_cast<float>(scale * static_cast<double>(v) + shift);
+  });
 }
 
-void check_film_size(const std::string& file, std::int64_t width, std::int64_t height, std::int64_t frames, const FilmChoice& choice) {
+void check_film_size(const std::string& file, std::int64_t width, std::int64_t height, std::int64_t frames,
+                     const FilmChoice& choice) {
   if (width <= 0 || height <= 0 || width > 1'000'000 || height > 1'000'000)
     refuse(file, "states that its frames have {} x {} pixels, which is impossible; copy it again", width, height);
   if (width * height > choice.most_pixels)
-    refuse(file, "has frames of {} x {} pixels; at most {} pixels can be read, so cut them", width, height, choice.most_pixels);
+    refuse(file, "has frames of {} x {} pixels; at most {} pixels can be read, so cut them", width, height,
+           choice.most_pixels);
   if (frames <= 0) refuse(file, "holds no frame; record the film again");
 }
 
@@ -122,7 +137,8 @@ void check_layout(const ByteSource& bytes, const FilmInfo& info, const PlainLayo
   check_film_size(bytes.name(), info.width, info.height, info.frames, choice);
   const std::int64_t there = frames_there(bytes, layout, info.pixels());
   if (there < info.frames)
-    refuse(bytes.name(), "is cut short: it declares {} frames of {} x {} pixels and holds {}; copy it again", info.frames, info.width, info.height, there);
+    refuse(bytes.name(), "is cut short: it declares {} frames of {} x {} pixels and holds {}; copy it again",
+           info.frames, info.width, info.height, there);
 }
 
 void take_choice(FilmInfo& info, const FilmChoice& choice) {
@@ -144,7 +160,8 @@ FilmPointer plain_film(Bytes bytes, FilmInfo info, const PlainLayout& layout, co
   return std::make_unique<PlainFilm>(std::move(bytes), std::move(info), layout);
 }
 
-void take_shape(FilmInfo& info, const std::string& file, const std::vector<std::int64_t>& shape, NumberType pixel, const FilmChoice& choice) {
+void take_shape(FilmInfo& info, const std::string& file, const std::vector<std::int64_t>& shape, NumberType pixel,
+                const FilmChoice& choice) {
   check_film_size(file, shape[2], shape[1], shape[0], choice);
   info.frames = shape[0];
   info.height = static_cast<int>(shape[1]);
@@ -162,7 +179,8 @@ void KnownFilm::read(std::int64_t first, std::size_t count, FrameBlock& block) {
 
 std::string_view pixel_bytes(const FilmInfo& info, const FrameBlock& block) {
   const std::size_t pixels = block.frames * info.pixels();
-  if ((info.floating ? block.value.size() : block.level.size()) != pixels) throw std::invalid_argument("frames of another film");
+  if ((info.floating ? block.value.size() : block.level.size()) != pixels)
+    throw std::invalid_argument("frames of another film");
   if (info.floating) return {reinterpret_cast<const char*>(block.value.data()), pixels * sizeof(float)};
   return {reinterpret_cast<const char*>(block.level.data()), pixels * sizeof(std::uint16_t)};
 }

@@ -53,8 +53,8 @@ FilmPointer scaled_film(FilmPointer film, const FilmChoice& choice);
 /// Files of one frame or more each, one after the other; a file is opened when its frames are read.
 FilmPointer open_series(const std::filesystem::path& pattern, const FilmChoice& choice);
 
-/// What a recording is that cannot be read as a film, by its first bytes or the ending of its name, and what to export instead, as a sentence after
-/// its name; empty for anything else.
+/// What a recording is that cannot be read as a film, by its first bytes or the ending of its name, and what to export
+/// instead, as a sentence after its name; empty for anything else.
 std::string other_recording(const std::filesystem::path& path, std::string_view head);
 
 /// Where the pixels of a film lie: frame i begins at offset + i stride.
@@ -67,7 +67,8 @@ struct PlainLayout {
 };
 
 /// InputError unless a film of this size can be meant: pixels and frames there, not too many pixels in a frame.
-void check_film_size(const std::string& file, std::int64_t width, std::int64_t height, std::int64_t frames, const FilmChoice& choice);
+void check_film_size(const std::string& file, std::int64_t width, std::int64_t height, std::int64_t frames,
+                     const FilmChoice& choice);
 
 /// How many whole frames a file of this layout holds.
 std::int64_t frames_there(const ByteSource& bytes, const PlainLayout& layout, std::size_t pixels);
@@ -79,7 +80,8 @@ void check_layout(const ByteSource& bytes, const FilmInfo& info, const PlainLayo
 FilmPointer plain_film(Bytes bytes, FilmInfo info, const PlainLayout& layout, const FilmChoice& choice);
 
 /// Size and kind of pixel of a film, checked (check_film_size).
-void take_shape(FilmInfo& info, const std::string& file, const std::vector<std::int64_t>& frames_height_width, NumberType pixel, const FilmChoice& choice);
+void take_shape(FilmInfo& info, const std::string& file, const std::vector<std::int64_t>& frames_height_width,
+                NumberType pixel, const FilmChoice& choice);
 
 /// Takes the frame rate that was chosen, if one was.
 void take_choice(FilmInfo& info, const FilmChoice& choice);
@@ -87,11 +89,13 @@ void take_choice(FilmInfo& info, const FilmChoice& choice);
 /// Makes `count` pixels of their bytes into levels or values of a prepared block, from its pixel `at` on.
 void take_pixels(const PlainLayout& layout, const char* from, std::size_t count, FrameBlock& block, std::size_t at);
 
-/// The pixels of some frames of a block as they lie in memory. Throws std::invalid_argument for a block that is not of this film.
+/// The pixels of some frames of a block as they lie in memory. Throws std::invalid_argument for a block that is not of
+/// this film.
 std::string_view pixel_bytes(const FilmInfo& info, const FrameBlock& block);
 
-/// What stands before all frames and before each (or null); the frames themselves are written as they lie in memory. The header says how many frames
-/// there are, which is known at the end, so it is written again then and must be as long for any number.
+/// What stands before all frames and before each (or null); the frames themselves are written as they lie in memory.
+/// The header says how many frames there are, which is known at the end, so it is written again then and must be as
+/// long for any number.
 struct FilmForm {
   std::string (*header)(const FilmInfo&, std::size_t frames);
   std::string (*before)(const FilmInfo&, std::size_t frame) = nullptr;

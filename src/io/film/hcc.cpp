@@ -17,7 +17,8 @@ constexpr std::size_t needed = 256;
 
 std::string header_of(const ByteSource& bytes, std::uint64_t at, std::int64_t frame) {
   std::string header = bytes.text(at, needed);
-  if (header.size() < needed || !header.starts_with("TC")) refuse(bytes.name(), "has no header before frame {}; copy it again", frame);
+  if (header.size() < needed || !header.starts_with("TC"))
+    refuse(bytes.name(), "has no header before frame {}; copy it again", frame);
   return header;
 }
 
@@ -30,9 +31,11 @@ void read_stamps(const ByteSource& bytes, std::string_view first, std::uint64_t 
   for (std::int64_t i = 0; i < info.frames; ++i) {
     const std::string header = header_of(bytes, static_cast<std::uint64_t>(i) * stride, i);
     for (const auto& [at, size, what] : {std::tuple{4, 2, "size"}, {32, 4, "size"}, {12, 5, "scale"}, {28, 1, "scale"}})
-      if (header.compare(at, size, first, at, size) != 0) refuse(bytes.name(), "has another {} from frame {} on; cut it there", what, i);
+      if (header.compare(at, size, first, at, size) != 0)
+        refuse(bytes.name(), "has another {} from frame {} on; cut it there", what, i);
     number.push_back(number_at<std::uint32_t>(header, 8));
-    stamp.push_back((static_cast<double>(number_at<std::uint32_t>(header, 100)) - seconds) + 1e-7 * number_at<std::uint32_t>(header, 104));
+    stamp.push_back((static_cast<double>(number_at<std::uint32_t>(header, 100)) - seconds) +
+                    1e-7 * number_at<std::uint32_t>(header, 104));
   }
   take_stamps(info, std::move(stamp));
   if (info.time.empty() && number.back() > number.front()) take_numbers(info, std::move(number));
@@ -46,13 +49,14 @@ void take_scale(std::string_view header, FilmInfo& info, PlainLayout& layout) {
   if (!layout.scaled) info.quantity = FilmQuantity::digital_level;
   else if (mode == temperatures)
     info.remarks.emplace_back(
-        "The camera converted its levels to temperatures; the file does not state whether in kelvin or degrees Celsius, which does not affect amplitudes.");
+        "The camera converted its levels to temperatures; the file does not state whether in kelvin or degrees "
+        "Celsius, which does not affect amplitudes.");
   else info.remarks.emplace_back("The camera converted its levels to radiances.");
 }
 
 bool is_hcc(std::string_view head) {
-  return head.starts_with("TC") && number_at<std::uint16_t>(head, 4) >= needed && number_at<std::uint16_t>(head, 32) > 0 &&
-         number_at<std::uint16_t>(head, 34) > 0;
+  return head.starts_with("TC") && number_at<std::uint16_t>(head, 4) >= needed &&
+         number_at<std::uint16_t>(head, 32) > 0 && number_at<std::uint16_t>(head, 34) > 0;
 }
 
 FilmPointer open_hcc(const Bytes& bytes, const FilmChoice& choice) {
@@ -63,15 +67,18 @@ FilmPointer open_hcc(const Bytes& bytes, const FilmChoice& choice) {
   info.frame_rate = 1e-3 * number_at<std::uint32_t>(header, 44);
   info.integration = 1e-8 * number_at<std::uint32_t>(header, 24);
   info.bits = std::min<int>(number_at<std::uint8_t>(header, 225), 16);
-  if (const auto serial = number_at<std::uint32_t>(header, 248); serial != 0) info.camera = fmt::format("Telops {}", serial);
+  if (const auto serial = number_at<std::uint32_t>(header, 248); serial != 0)
+    info.camera = fmt::format("Telops {}", serial);
   check_film_size(bytes->name(), info.width, info.height, 1, choice);
   PlainLayout layout;
   layout.offset = number_at<std::uint16_t>(header, 4);
-  if (layout.offset < needed) refuse(bytes->name(), "states that its headers have {} bytes, too few; copy it again", layout.offset);
+  if (layout.offset < needed)
+    refuse(bytes->name(), "states that its headers have {} bytes, too few; copy it again", layout.offset);
   layout.stride = layout.offset + 2 * info.pixels();
   take_scale(header, info, layout);
   if (!std::isfinite(layout.shift)) refuse(bytes->name(), "has a scale that is not a number; copy it again");
-  info.frames = static_cast<std::int64_t>((bytes->size() + layout.stride - 1) / layout.stride);  // a part of one is a film cut short
+  info.frames = static_cast<std::int64_t>((bytes->size() + layout.stride - 1) /
+                                          layout.stride);  // a part of one is a film cut short
   check_layout(*bytes, info, layout, choice);
   read_stamps(*bytes, header, layout.stride, info);
   return plain_film(bytes, std::move(info), layout, choice);

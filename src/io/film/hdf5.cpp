@@ -28,7 +28,8 @@ class Hdf5Film : public KnownFilm {
   }
 
   void fill(std::int64_t first, std::size_t count, FrameBlock& block) override {
-    const std::size_t pixels = info_.pixels(), at_once = std::max<std::size_t>(1, most_at_once / (pixels * bytes_of(layout_.pixel)));
+    const std::size_t pixels = info_.pixels(),
+                      at_once = std::max<std::size_t>(1, most_at_once / (pixels * bytes_of(layout_.pixel)));
     for (std::size_t n = 0; n < count; n += at_once) {
       const std::size_t part = std::min(at_once, count - n), size = part * pixels * bytes_of(layout_.pixel);
       const std::string stored = in_sandbox(
@@ -56,7 +57,8 @@ class Hdf5Film : public KnownFilm {
     if (facts.by_matlab) {
       by_columns_ = true;
       std::swap(info_.width, info_.height);
-      info_.remarks.push_back(fmt::format("An array of MATLAB, height x width x frames: {} x {} x {}.", info_.height, info_.width, info_.frames));
+      info_.remarks.push_back(fmt::format("An array of MATLAB, height x width x frames: {} x {} x {}.", info_.height,
+                                          info_.width, info_.frames));
     }
     take_notes(facts.notes, info_);
     take_scale(facts);
@@ -85,7 +87,8 @@ class Hdf5Film : public KnownFilm {
   void take_times(const Hdf5Facts& facts) {
     const auto seconds = seconds_of(facts.time_unit.substr(0, facts.time_unit.find(' ')));  // "seconds since .."
     if (!facts.time.empty() && !seconds)
-      return info_.remarks.push_back(fmt::format("Its times are in \"{}\", a unit that is not known; they are left aside.", facts.time_unit));
+      return info_.remarks.push_back(
+          fmt::format("Its times are in \"{}\", a unit that is not known; they are left aside.", facts.time_unit));
     std::vector<double> time = facts.time;
     const double first = time.empty() ? 0 : time.front();
     for (double& t : time) t = (t - first) * seconds.value_or(1);
@@ -130,21 +133,25 @@ class Hdf5Film : public KnownFilm {
 }  // namespace
 
 /// HDF5: a dataset of frames x height x width, perhaps with times beside it and attributes.
-const FilmFormat films::hdf5{.name = "hdf5",
-                             .sentence = "HDF5",
-                             .states = {{"times of frames (time, times, timestamps) with units", "used; told where the unit is unknown"},
-                                        {"frame_rate, frame_rate_Hz, fps, integration", "used, as attributes or as arrays of one number"},
-                                        {"MATLAB_class (MATLAB, save -v7.3)", "axes are taken as height x width x frames"},
-                                        {"scale_factor, add_offset, units of netCDF", "pixels become numbers in that unit, degrees Celsius become kelvin"},
-                                        {"_FillValue, missing_value; chunks never written", "no numbers"},
-                                        {"groups nested more than 64 deep", "not searched"},
-                                        {"frames of NaN, or of zeros", "left out as lost, and named"}},
+const FilmFormat films::hdf5{
+    .name = "hdf5",
+    .sentence = "HDF5",
+    .states = {{"times of frames (time, times, timestamps) with units", "used; told where the unit is unknown"},
+               {"frame_rate, frame_rate_Hz, fps, integration", "used, as attributes or as arrays of one number"},
+               {"MATLAB_class (MATLAB, save -v7.3)", "axes are taken as height x width x frames"},
+               {"scale_factor, add_offset, units of netCDF",
+                "pixels become numbers in that unit, degrees Celsius become kelvin"},
+               {"_FillValue, missing_value; chunks never written", "no numbers"},
+               {"groups nested more than 64 deep", "not searched"},
+               {"frames of NaN, or of zeros", "left out as lost, and named"}},
 
-                             .endings = {".h5", ".hdf5"},
-                             .marked = true,
-                             .has_datasets = true,
-                             .is = is_hdf5,
-                             .open = [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer { return std::make_unique<Hdf5Film>(bytes, choice); },
-                             .create = [](const auto& path, const FilmInfo& info) { return create_plain_film(path, info, {hdf5_header}); }};
+    .endings = {".h5", ".hdf5"},
+    .marked = true,
+    .has_datasets = true,
+    .is = is_hdf5,
+    .open = [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer {
+      return std::make_unique<Hdf5Film>(bytes, choice);
+    },
+    .create = [](const auto& path, const FilmInfo& info) { return create_plain_film(path, info, {hdf5_header}); }};
 
 }  // namespace arenite::io

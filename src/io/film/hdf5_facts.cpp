@@ -16,7 +16,9 @@ bool holds_numbers(hid_t set) {
 bool can_be_film(hid_t set) { return shape_of(set).size() == 3 && holds_numbers(set); }
 
 /// The group of a film, as the beginning of its members' names.
-std::string group_of(const std::string& film) { return film.substr(0, film.rfind('/') == std::string::npos ? 0 : film.rfind('/') + 1); }
+std::string group_of(const std::string& film) {
+  return film.substr(0, film.rfind('/') == std::string::npos ? 0 : film.rfind('/') + 1);
+}
 
 /// All numbers of a dataset beside the film that has `count` of them in a line; empty without one.
 std::vector<double> numbers_beside(hid_t file, const Bytes& bytes, const std::string& name, std::int64_t count) {
@@ -47,7 +49,9 @@ Hdf5Handle without_lock() {
 void look_beside(hid_t file, const Bytes& bytes, Hdf5Facts& facts) {
   const std::string group = group_of(facts.name);
   for (const char* name : {"frame_rate", "frame_rate_Hz", "fps"})
-    if (const auto rate = numbers_beside(file, bytes, group + name, 1); facts.frame_rate == 0 && !rate.empty() && rate[0] > 0) facts.frame_rate = rate[0];
+    if (const auto rate = numbers_beside(file, bytes, group + name, 1);
+        facts.frame_rate == 0 && !rate.empty() && rate[0] > 0)
+      facts.frame_rate = rate[0];
   for (const char* name : {"time", "times", "timestamps"}) {
     facts.time = numbers_beside(file, bytes, group + name, facts.shape[0]);
     if (facts.time.empty()) continue;
@@ -60,7 +64,9 @@ void look_beside(hid_t file, const Bytes& bytes, Hdf5Facts& facts) {
 
 }  // namespace
 
-void refuse_damaged_hdf5(const Bytes& bytes) { refuse(bytes->name(), "is an HDF5 file that is cut short or damaged; copy it again"); }
+void refuse_damaged_hdf5(const Bytes& bytes) {
+  refuse(bytes->name(), "is an HDF5 file that is cut short or damaged; copy it again");
+}
 
 double most_in_chunk(const FilmChoice& choice) { return std::max(2.0 * static_cast<double>(choice.most_pixels), 1e6); }
 
@@ -94,7 +100,8 @@ Hdf5Facts look_at_hdf5_film(const Bytes& bytes, const FilmChoice& choice) {
   }
   facts.scale = stated_number(*set, "scale_factor").value_or(no_number);
   facts.offset = stated_number(*set, "add_offset").value_or(no_number);
-  for (const char* fill : {"missing_value", "_FillValue"}) facts.missing = stated_number(*set, fill).value_or(facts.missing);
+  for (const char* fill : {"missing_value", "_FillValue"})
+    facts.missing = stated_number(*set, fill).value_or(facts.missing);
   look_beside(*file, bytes, facts);
   return facts;
 }

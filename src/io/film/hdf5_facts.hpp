@@ -27,7 +27,8 @@ struct Hdf5Facts {
 template <class Archive> void transfer(Archive& a, Hdf5Facts& facts) {
   auto pixel = static_cast<std::uint8_t>(facts.pixel), big_endian = static_cast<std::uint8_t>(facts.big_endian);
   auto by_matlab = static_cast<std::uint8_t>(facts.by_matlab);
-  a(facts.name), a(facts.notes), a(facts.unit), a(facts.time_unit), a(facts.shape), a(pixel), a(big_endian), a(by_matlab);
+  a(facts.name), a(facts.notes), a(facts.unit), a(facts.time_unit), a(facts.shape), a(pixel), a(big_endian),
+      a(by_matlab);
   a(facts.frame_rate), a(facts.integration), a(facts.scale), a(facts.offset), a(facts.missing), a(facts.time);
   facts.pixel = static_cast<NumberType>(pixel);
   facts.big_endian = big_endian != 0;

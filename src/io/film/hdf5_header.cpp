@@ -46,7 +46,9 @@ std::string hdf5_header(const FilmInfo& info, std::size_t frames) {
   const auto space = made(H5Screate_simple(3, shape.data(), nullptr), H5Sclose);
   done(H5Pset_alloc_time(*of_set, H5D_ALLOC_TIME_LATE));
   done(H5Pset_fill_time(*of_set, H5D_FILL_TIME_NEVER));
-  auto set = made(H5Dcreate2(*file, "frames", info.floating ? H5T_IEEE_F32LE : H5T_STD_U16LE, *space, H5P_DEFAULT, *of_set, H5P_DEFAULT), H5Dclose);
+  auto set = made(H5Dcreate2(*file, "frames", info.floating ? H5T_IEEE_F32LE : H5T_STD_U16LE, *space, H5P_DEFAULT,
+                             *of_set, H5P_DEFAULT),
+                  H5Dclose);
   write_notes(*file, *set, info, frames);
   set.reset();
   std::string bytes = bytes_of_file(*file);

@@ -25,7 +25,8 @@ std::string_view value_of(std::string_view header, std::string_view key, const s
 
 std::optional<NumberType> pixel_of(std::string_view type) {
   using enum NumberType;
-  static constexpr std::pair<std::string_view, NumberType> known[] = {{"u1", u8}, {"u2", u16}, {"i2", i16}, {"u4", u32}, {"i4", i32}, {"f4", f32}, {"f8", f64}};
+  static constexpr std::pair<std::string_view, NumberType> known[] = {
+      {"u1", u8}, {"u2", u16}, {"i2", i16}, {"u4", u32}, {"i4", i32}, {"f4", f32}, {"f8", f64}};
   for (const auto& [name, number] : known)
     if (name == type) return number;
   return std::nullopt;
@@ -38,7 +39,8 @@ std::vector<std::int64_t> shape_in(std::string_view text, const std::string& fil
   for (std::size_t i = 0; i < text.size();) {
     std::int64_t n = 0;
     const auto [end, error] = std::from_chars(text.data() + i, text.data() + text.size(), n);
-    if (error == std::errc::result_out_of_range) refuse(file, "declares more data than any file can hold; save it again");
+    if (error == std::errc::result_out_of_range)
+      refuse(file, "declares more data than any file can hold; save it again");
     if (error == std::errc()) {
       shape.push_back(n);
       i = static_cast<std::size_t>(end - text.data());
@@ -56,7 +58,8 @@ static_assert(array_header_size - 10 == 'v');
 
 std::string npy_header(const FilmInfo& info, std::size_t frames) {
   std::string text("\x93NUMPY\x01\0v\0", 10);
-  text += fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}, {}, {}), }}", info.floating ? "<f4" : "<u2", frames, info.height, info.width);
+  text += fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}, {}, {}), }}",
+                      info.floating ? "<f4" : "<u2", frames, info.height, info.width);
   text.resize(array_header_size - 1, ' ');
   return text + '\n';
 }
@@ -69,7 +72,8 @@ FilmPointer open_npy(const Bytes& bytes, const FilmChoice& choice) {
   const int version = number_at<std::uint8_t>(head, 6);
   const std::size_t start = version == 1 ? 10 : 12;
   const std::size_t length = version == 1 ? number_at<std::uint16_t>(head, 8) : number_at<std::uint32_t>(head, 8);
-  if (version < 1 || version > 3 || length > (std::size_t{1} << 20)) refuse(file, "is a .npy file with an invalid header; save it again");
+  if (version < 1 || version > 3 || length > (std::size_t{1} << 20))
+    refuse(file, "is a .npy file with an invalid header; save it again");
   const std::string header = bytes->text(start, length);
   if (header.size() < length) refuse(file, "is a .npy file that ends within its header; copy it again");
   const std::string_view type = value_of(header, "descr", file);
@@ -92,14 +96,15 @@ FilmPointer open_npy(const Bytes& bytes, const FilmChoice& choice) {
 }  // namespace
 
 /// NumPy: frames x height x width (or one frame), numbers of 1 to 8 bytes.
-const FilmFormat films::npy{.name = "npy",
-                            .sentence = "NumPy .npy",
-                            .states = {{"column order", "refused"}, {"frames of NaN, or of zeros", "left out as lost, and named"}},
+const FilmFormat films::npy{
+    .name = "npy",
+    .sentence = "NumPy .npy",
+    .states = {{"column order", "refused"}, {"frames of NaN, or of zeros", "left out as lost, and named"}},
 
-                            .endings = {".npy"},
-                            .marked = true,
-                            .is = is_npy,
-                            .open = open_npy,
-                            .create = [](const auto& path, const FilmInfo& info) { return create_plain_film(path, info, {npy_header}); }};
+    .endings = {".npy"},
+    .marked = true,
+    .is = is_npy,
+    .open = open_npy,
+    .create = [](const auto& path, const FilmInfo& info) { return create_plain_film(path, info, {npy_header}); }};
 
 }  // namespace arenite::io

@@ -34,19 +34,24 @@ struct Sizes {
 
 Sizes sizes_of(std::string_view header, const std::string& file) {
   if (header.size() < 411) refuse(file, "is a .ptw film that ends within its header; copy it again");
-  Sizes s{number_at<std::int32_t>(header, 11), number_at<std::int32_t>(header, 15),  number_at<std::int32_t>(header, 23),
-          number_at<std::int32_t>(header, 27), number_at<std::int16_t>(header, 377), number_at<std::int16_t>(header, 379)};
+  Sizes s{number_at<std::int32_t>(header, 11),  number_at<std::int32_t>(header, 15),
+          number_at<std::int32_t>(header, 23),  number_at<std::int32_t>(header, 27),
+          number_at<std::int16_t>(header, 377), number_at<std::int16_t>(header, 379)};
   if (s.main < 411 || s.main > (1 << 24) || s.frame_header < 0 || s.frame_header > (1 << 24))
-    refuse(file, "states that its headers have {} and {} bytes, which is impossible in a .ptw film; copy it again", s.main, s.frame_header);
+    refuse(file, "states that its headers have {} and {} bytes, which is impossible in a .ptw film; copy it again",
+           s.main, s.frame_header);
   if (s.frame_words != s.width * s.height)
-    refuse(file, "states that a frame has {} x {} pixels and {} numbers, which disagree; copy it again", s.width, s.height, s.frame_words);
+    refuse(file, "states that a frame has {} x {} pixels and {} numbers, which disagree; copy it again", s.width,
+           s.height, s.frame_words);
   return s;
 }
 
-/// The stamp of a frame's header, s after midnight: hours, minutes, seconds, hundredths, thousandths and microseconds each in a place of its own.
+/// The stamp of a frame's header, s after midnight: hours, minutes, seconds, hundredths, thousandths and microseconds
+/// each in a place of its own.
 double stamp_of(std::string_view h) {
   const auto byte = [&](std::size_t at) { return static_cast<double>(number_at<std::uint8_t>(h, at)); };
-  return byte(81) * 3600 + byte(80) * 60 + byte(83) + byte(82) * 1e-2 + byte(160) * 1e-3 + number_at<std::uint16_t>(h, 161) * 1e-6;
+  return byte(81) * 3600 + byte(80) * 60 + byte(83) + byte(82) * 1e-2 + byte(160) * 1e-3 +
+         number_at<std::uint16_t>(h, 161) * 1e-6;
 }
 
 void read_stamps(const ByteSource& bytes, const Sizes& s, FilmInfo& info) {
@@ -54,7 +59,8 @@ void read_stamps(const ByteSource& bytes, const Sizes& s, FilmInfo& info) {
   if (s.frame_header < static_cast<std::int64_t>(needed)) return;
   std::vector<double> stamp;
   for (std::int64_t i = 0; i < s.frames; ++i)
-    stamp.push_back(stamp_of(bytes.text(static_cast<std::uint64_t>(s.main + i * (s.frame_header + 2 * s.frame_words)), needed)));
+    stamp.push_back(
+        stamp_of(bytes.text(static_cast<std::uint64_t>(s.main + i * (s.frame_header + 2 * s.frame_words)), needed)));
   take_stamps(info, std::move(stamp));
 }
 
@@ -79,8 +85,10 @@ struct Number {
   double unit;
 };
 constexpr Name name_fields[] = {{44, &FilmInfo::camera}, {64, &FilmInfo::lens}, {84, &FilmInfo::filter}};
-constexpr Number numbers[] = {
-    {141, &FilmInfo::emissivity, 1}, {145, &FilmInfo::ambient, 1}, {188, &FilmInfo::band_low, 1e-6}, {192, &FilmInfo::band_high, 1e-6}};
+constexpr Number numbers[] = {{141, &FilmInfo::emissivity, 1},
+                              {145, &FilmInfo::ambient, 1},
+                              {188, &FilmInfo::band_low, 1e-6},
+                              {192, &FilmInfo::band_high, 1e-6}};
 
 FilmInfo info_of(std::string_view header, const Sizes& s) {
   FilmInfo info;
@@ -111,8 +119,10 @@ std::string ptw_header(const FilmInfo& info, std::size_t frames) {
   put<std::int32_t>(h, 19, words + static_cast<std::int32_t>(frame_header) / 2);
   put<std::int32_t>(h, 23, words);
   put<std::int32_t>(h, 27, static_cast<std::int32_t>(frames));
-  for (const auto& [at, member] : name_fields) h.replace(at, std::min<std::size_t>((info.*member).size(), 19), info.*member, 0, 19);
-  for (const auto& [at, member, unit] : numbers) put<float>(h, at, static_cast<float>(info.*member * std::round(1 / unit)));
+  for (const auto& [at, member] : name_fields)
+    h.replace(at, std::min<std::size_t>((info.*member).size(), 19), info.*member, 0, 19);
+  for (const auto& [at, member, unit] : numbers)
+    put<float>(h, at, static_cast<float>(info.*member * std::round(1 / unit)));
   put<std::int16_t>(h, 377, static_cast<std::int16_t>(info.width));
   put<std::int16_t>(h, 379, static_cast<std::int16_t>(info.height));
   put<std::int16_t>(h, 381, static_cast<std::int16_t>(info.bits > 0 ? info.bits : 16));
@@ -138,7 +148,9 @@ std::string stamp(const FilmInfo& info, std::size_t frame) {
   return h;
 }
 
-bool is_ptw(std::string_view head) { return head.starts_with("CED") && head.size() > 11 && (head[3] == '\0' || head[3] == ' '); }
+bool is_ptw(std::string_view head) {
+  return head.starts_with("CED") && head.size() > 11 && (head[3] == '\0' || head[3] == ' ');
+}
 
 FilmPointer open_ptw(const Bytes& bytes, const FilmChoice& choice) {
   const std::string header = bytes->text(0, main_header);
@@ -152,8 +164,8 @@ FilmPointer open_ptw(const Bytes& bytes, const FilmChoice& choice) {
     info.height -= 1;
     layout.offset += static_cast<std::uint64_t>(2 * s.width);
     info.remarks.emplace_back(
-        "A lock-in film: the first line of its frames holds the lock-in signal and is left out of the picture; it gives the frequency and the phase of the "
-        "load.");
+        "A lock-in film: the first line of its frames holds the lock-in signal and is left out of the picture; it "
+        "gives the frequency and the phase of the load.");
   }
   check_layout(*bytes, info, layout, choice);  // before stamps are read of frames that are not there
   read_stamps(*bytes, s, info);
@@ -169,7 +181,9 @@ std::vector<double> signal_of(const ByteSource& bytes) {
   std::vector<char> changes(words, 0);
   for (std::int64_t frame = 0; frame < s.frames; ++frame) {
     lines.push_back(
-        bytes.text(static_cast<std::uint64_t>(s.main + s.frame_header + frame * (s.frame_header + 2 * s.frame_words)) + 2 * mark.size(), 2 * words));
+        bytes.text(static_cast<std::uint64_t>(s.main + s.frame_header + frame * (s.frame_header + 2 * s.frame_words)) +
+                       2 * mark.size(),
+                   2 * words));
     if (lines.back().size() != 2 * words) return {};  // cut short, which reading it as a film says
     for (std::size_t i = 0; i < words; ++i)
       if (lines.back().compare(2 * i, 2, lines.front(), 2 * i, 2) != 0) changes[i] = 1;
@@ -186,24 +200,25 @@ std::vector<double> signal_of(const ByteSource& bytes) {
 
 }  // namespace
 
-/// Cedip/FLIR: a main header, then frames with headers of their own, whose stamps give the times. A lock-in film holds the lock-in signal in the
-/// first line of its frames, which is left out.
-const FilmFormat films::ptw{.name = "ptw",
-                            .sentence = "Cedip or FLIR .ptw",
-                            .states = {{"time stamps", "used; told where they differ from the frame rate, or are set aside by --frame-rate"},
-                                       {"frame rate, integration, band, emissivity, surroundings", "used"},
-                                       {"lock-in line", "gives frequency and phase of the load"},
-                                       {"frames of zeros", "left out as lost, and named"}},
+/// Cedip/FLIR: a main header, then frames with headers of their own, whose stamps give the times. A lock-in film holds
+/// the lock-in signal in the first line of its frames, which is left out.
+const FilmFormat films::ptw{
+    .name = "ptw",
+    .sentence = "Cedip or FLIR .ptw",
+    .states = {{"time stamps", "used; told where they differ from the frame rate, or are set aside by --frame-rate"},
+               {"frame rate, integration, band, emissivity, surroundings", "used"},
+               {"lock-in line", "gives frequency and phase of the load"},
+               {"frames of zeros", "left out as lost, and named"}},
 
-                            .endings = {".ptw"},
-                            .marked = true,
-                            .levels_only = true,
-                            .is = is_ptw,
-                            .open = open_ptw,
-                            .create =
-                                [](const auto& path, const FilmInfo& info) {
-                                  return create_plain_film(path, info, {ptw_header, stamp});
-                                },
-                            .lock_in_line = signal_of};
+    .endings = {".ptw"},
+    .marked = true,
+    .levels_only = true,
+    .is = is_ptw,
+    .open = open_ptw,
+    .create =
+        [](const auto& path, const FilmInfo& info) {
+          return create_plain_film(path, info, {ptw_header, stamp});
+        },
+    .lock_in_line = signal_of};
 
 }  // namespace arenite::io

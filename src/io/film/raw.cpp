@@ -13,9 +13,9 @@
 namespace arenite::io {
 namespace {
 
-constexpr std::pair<const char*, NumberType> types[] = {{"uint8", NumberType::u8},   {"uint16", NumberType::u16}, {"int16", NumberType::i16},
-                                                        {"uint32", NumberType::u32}, {"int32", NumberType::i32},  {"float32", NumberType::f32},
-                                                        {"float64", NumberType::f64}};
+constexpr std::pair<const char*, NumberType> types[] = {
+    {"uint8", NumberType::u8},  {"uint16", NumberType::u16},  {"int16", NumberType::i16},  {"uint32", NumberType::u32},
+    {"int32", NumberType::i32}, {"float32", NumberType::f32}, {"float64", NumberType::f64}};
 
 struct Sidecar {
   std::string file, type, byte_order, camera, quantity;
@@ -23,7 +23,8 @@ struct Sidecar {
   double frame_rate = 0, integration = 0;
 };
 
-/// A key and what it sets: a text, which may have to be one of some words, a whole number, or a quantity, of which a bare number is in the SI unit.
+/// A key and what it sets: a text, which may have to be one of some words, a whole number, or a quantity, of which a
+/// bare number is in the SI unit.
 struct Key {
   std::string name;
   std::variant<std::string Sidecar::*, std::int64_t Sidecar::*, double Sidecar::*> to;
@@ -36,7 +37,8 @@ const Key keys[] = {{"file", &Sidecar::file},
                     {"width", &Sidecar::width, "width"},
                     {"height", &Sidecar::height, "height"},
                     {"frames", &Sidecar::frames},
-                    {"type", &Sidecar::type, "type of a pixel", mapped<std::string>(types, [](const auto& type) { return type.first; })},
+                    {"type", &Sidecar::type, "type of a pixel",
+                     mapped<std::string>(types, [](const auto& type) { return type.first; })},
                     {"byte_order", &Sidecar::byte_order, nullptr, {"little", "big"}},
                     {"offset", &Sidecar::offset},
                     {"frame_header", &Sidecar::frame_header},
@@ -52,13 +54,15 @@ void take(const Key& key, std::string_view text, int line, Sidecar& sidecar, Pro
   if (const auto* word = std::get_if<std::string Sidecar::*>(&key.to)) {
     sidecar.** word = text;
     if (!key.words.empty() && std::ranges::count(key.words, text) == 0)
-      problems.add(line, "{} is \"{}\" and none of {}; write one of these", key.name, text.substr(0, 40), list_of(key.words));
+      problems.add(line, "{} is \"{}\" and none of {}; write one of these", key.name, text.substr(0, 40),
+                   list_of(key.words));
   } else if (const auto* count = std::get_if<std::int64_t Sidecar::*>(&key.to)) {
     if (number && *number >= 0 && *number <= (std::int64_t{1} << 40)) sidecar.** count = *number;
     else problems.add(line, "{} is \"{}\", which is not a whole number; write one", key.name, text.substr(0, 40));
   } else try {
       const auto bare = to_number(text);
-      double& value = sidecar.*std::get<double Sidecar::*>(key.to) = bare ? *bare : parse_si(std::string(text), key.dimension, key.unit);
+      double& value = sidecar.*std::get<double Sidecar::*>(key.to) =
+                          bare ? *bare : parse_si(std::string(text), key.dimension, key.unit);
       if (!(value > 0)) problems.add(line, "{} is not above 0; correct it", key.name);
     } catch (const InputError& error) { problems.add(line, "{}: {}", key.name, error.problems().front().message); }
 }
@@ -91,7 +95,8 @@ Sidecar read_sidecar(std::string_view text, Problems& problems) {
     if (key == std::end(keys)) {
       const std::string meant = nearest(name, mapped(keys, &Key::name));
       problems.add(lines.number(), "\"{}\" is not a key of a raw film{}; the keys are {}", name.substr(0, 40),
-                   meant.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", meant), list_of(mapped(keys, &Key::name)));
+                   meant.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", meant),
+                   list_of(mapped(keys, &Key::name)));
       continue;
     }
     std::string_view value = trimmed(line.substr(equals + 1));
@@ -100,7 +105,8 @@ Sidecar read_sidecar(std::string_view text, Problems& problems) {
     else problems.add(lines.number(), "\"{}\" appears a second time; keep one", name);
   }
   for (const Key& key : keys)
-    if (key.required != nullptr && !said.contains(key.name)) problems.add("does not state the {}; add a line \"{} = ...\"", key.required, key.name);
+    if (key.required != nullptr && !said.contains(key.name))
+      problems.add("does not state the {}; add a line \"{} = ...\"", key.required, key.name);
   return sidecar;
 }
 
@@ -115,7 +121,8 @@ Bytes frames_of(const ByteSource& sidecar, const std::string& named) {
     beside.replace_extension(ending);
     if (beside != path && std::filesystem::is_regular_file(beside, error)) return open_bytes(beside);
   }
-  refuse(sidecar.name(), "describes raw frames, and there is no .raw, .bin or .dat of its name; add a line file = \"...\"");
+  refuse(sidecar.name(),
+         "describes raw frames, and there is no .raw, .bin or .dat of its name; add a line file = \"...\"");
 }
 
 bool is_sidecar(std::string_view head) {
@@ -149,15 +156,18 @@ FilmPointer open_sidecar(const Bytes& bytes, const FilmChoice& choice) {
   layout.pixel = std::ranges::find(types, said.type, &std::pair<const char*, NumberType>::first)->second;
   layout.big_endian = said.byte_order == "big";
   layout.offset = static_cast<std::uint64_t>(said.offset + said.frame_header);
-  layout.stride = static_cast<std::uint64_t>(said.frame_header + said.frame_trailer) + info.pixels() * bytes_of(layout.pixel);
+  layout.stride =
+      static_cast<std::uint64_t>(said.frame_header + said.frame_trailer) + info.pixels() * bytes_of(layout.pixel);
   const Bytes film = frames_of(*bytes, said.file);
   const std::int64_t there = frames_there(*film, layout, info.pixels());
   info.frames = said.frames >= 0 ? said.frames : there;
   // Without a count the file must end with a frame, or the sizes are not those of the film.
   const std::uint64_t used = layout.offset + static_cast<std::uint64_t>(there) * layout.stride;
   if (said.frames < 0 && used - static_cast<std::uint64_t>(said.frame_header) != film->size())
-    refuse(film->name(), "has {} bytes, which is not a whole number of frames of {} x {} pixels as in {}; correct its sizes or add frames = {}", film->size(),
-           said.width, said.height, bytes->name(), there);
+    refuse(film->name(),
+           "has {} bytes, which is not a whole number of frames of {} x {} pixels as in {}; correct its sizes or add "
+           "frames = {}",
+           film->size(), said.width, said.height, bytes->name(), there);
   return plain_film(film, std::move(info), layout, choice);
 }
 
@@ -167,7 +177,8 @@ FilmPointer open_sidecar(const Bytes& bytes, const FilmChoice& choice) {
 const FilmFormat films::raw{
     .name = "raw",
     .sentence = "raw frames with a sidecar",
-    .states = {{"all keys of the sidecar", "used; unknown ones are refused"}, {"frames of NaN, or of zeros", "left out as lost, and named"}},
+    .states = {{"all keys of the sidecar", "used; unknown ones are refused"},
+               {"frames of NaN, or of zeros", "left out as lost, and named"}},
 
     .sidecar = "describe raw frames in a text beside it, NAME.txt with the lines width = .., height = .. and type = ..",
     .is = is_sidecar,

@@ -31,9 +31,11 @@ std::string sorting_key(const std::string& name) {
   constexpr std::size_t most_digits = 255;  // no name is longer
   std::string key;
   for (std::size_t at = 0; at < name.size();) {
-    const std::size_t number = std::min(name.find_first_of(digits, at), name.size()), end = std::min(name.find_first_not_of(digits, number), name.size());
+    const std::size_t number = std::min(name.find_first_of(digits, at), name.size()),
+                      end = std::min(name.find_first_not_of(digits, number), name.size());
     const std::size_t first = std::min(name.find_first_not_of('0', number), end);
-    key += name.substr(at, number - at) + std::string(number < end ? most_digits - (end - first) : 0, '0') + name.substr(first, end - first);
+    key += name.substr(at, number - at) + std::string(number < end ? most_digits - (end - first) : 0, '0') +
+           name.substr(first, end - first);
     at = end;
   }
   return key;
@@ -44,7 +46,8 @@ struct NameParts {
   std::vector<std::string> words, numbers;
   explicit NameParts(const std::string& name) {
     for (std::size_t at = 0; at <= name.size();) {
-      const std::size_t number = std::min(name.find_first_of(digits, at), name.size()), end = std::min(name.find_first_not_of(digits, number), name.size());
+      const std::size_t number = std::min(name.find_first_of(digits, at), name.size()),
+                        end = std::min(name.find_first_not_of(digits, number), name.size());
       words.push_back(name.substr(at, number - at));
       if (number == name.size()) return;
       numbers.push_back(name.substr(number, end - number));
@@ -61,7 +64,8 @@ std::vector<std::int64_t> numbers_in(const std::vector<fs::path>& members) {
   if (!std::ranges::all_of(parts, alike)) return {};
   std::vector<std::size_t> differ;
   for (std::size_t k = 0; k < first.numbers.size(); ++k)
-    if (std::ranges::any_of(parts, [&](const NameParts& p) { return p.numbers[k] != first.numbers[k]; })) differ.push_back(k);
+    if (std::ranges::any_of(parts, [&](const NameParts& p) { return p.numbers[k] != first.numbers[k]; }))
+      differ.push_back(k);
   if (differ.size() != 1) return {};
   std::vector<std::int64_t> numbers;
   for (const NameParts& p : parts) {
@@ -80,7 +84,8 @@ std::vector<fs::path> members(const fs::path& pattern) {
   for (const auto& entry : fs::directory_iterator(where)) {
     const std::string name = entry.path().filename().string();
     if (!entry.is_regular_file() || name.starts_with('.')) continue;
-    if (folder ? name.find_first_of(digits) != std::string::npos : fits(name, pattern.filename().string())) names.push_back(name);
+    if (folder ? name.find_first_of(digits) != std::string::npos : fits(name, pattern.filename().string()))
+      names.push_back(name);
   }
   std::ranges::sort(names, {}, sorting_key);
   std::vector<fs::path> paths;
@@ -111,8 +116,10 @@ class Series : public KnownFilm {
       open(static_cast<std::size_t>(frame / each_));
       const std::size_t n = std::min(count - i, static_cast<std::size_t>(each_ - within));
       current_->read(within, n, part_);
-      std::copy(part_.level.begin(), part_.level.end(), block.level.begin() + static_cast<std::ptrdiff_t>(info_.floating ? 0 : i * info_.pixels()));
-      std::copy(part_.value.begin(), part_.value.end(), block.value.begin() + static_cast<std::ptrdiff_t>(info_.floating ? i * info_.pixels() : 0));
+      std::copy(part_.level.begin(), part_.level.end(),
+                block.level.begin() + static_cast<std::ptrdiff_t>(info_.floating ? 0 : i * info_.pixels()));
+      std::copy(part_.value.begin(), part_.value.end(),
+                block.value.begin() + static_cast<std::ptrdiff_t>(info_.floating ? i * info_.pixels() : 0));
       i += n;
     }
   }
@@ -125,7 +132,8 @@ class Series : public KnownFilm {
     for (std::size_t m = 0; m < members_.size(); ++m) {
       open(m);
       const FilmInfo& it = current_->info();
-      for (std::int64_t k = 0; k < each_; ++k) stamp.push_back(it.start + (it.time.empty() ? 0 : it.time[static_cast<std::size_t>(k)]));
+      for (std::int64_t k = 0; k < each_; ++k)
+        stamp.push_back(it.start + (it.time.empty() ? 0 : it.time[static_cast<std::size_t>(k)]));
     }
     take_stamps(info_, std::move(stamp));
     return !info_.time.empty();
@@ -139,10 +147,12 @@ class Series : public KnownFilm {
     for (std::size_t i = 1; i < file.size(); ++i) unit = std::gcd(unit, file[i] - file[i - 1]);
     for (std::size_t i = 1; i < file.size(); ++i) near += file[i] - file[i - 1] == unit ? 2 : -1;
     if (unit <= 0 || near <= 0) {
-      info_.remarks.emplace_back("The names of its files do not count frames one by one; frames are taken as consecutive.");
+      info_.remarks.emplace_back(
+          "The names of its files do not count frames one by one; frames are taken as consecutive.");
       return;
     }
-    if (unit > 1) info_.remarks.push_back(fmt::format("The numbers of its files rise by {}, which is taken as one frame.", unit));
+    if (unit > 1)
+      info_.remarks.push_back(fmt::format("The numbers of its files rise by {}, which is taken as one frame.", unit));
     std::vector<std::int64_t> frame;
     for (const std::int64_t n : file)
       for (std::int64_t k = 0; k < each_; ++k) frame.push_back((n - file.front()) / unit * each_ + k);
@@ -154,9 +164,12 @@ class Series : public KnownFilm {
     current_ = open_film(open_bytes(members_[member]), choice_);
     number_ = member;
     const FilmInfo& it = current_->info();
-    if (each_ == 0 || (it.width == info_.width && it.height == info_.height && it.frames == each_ && it.floating == info_.floating)) return;
-    refuse(members_[member].string(), "holds {} frames of {} x {} pixels, but {} holds {} of {} x {}; all frames of a series must be alike", it.frames,
-           it.width, it.height, members_[0].filename().string(), each_, info_.width, info_.height);
+    if (each_ == 0 ||
+        (it.width == info_.width && it.height == info_.height && it.frames == each_ && it.floating == info_.floating))
+      return;
+    refuse(members_[member].string(),
+           "holds {} frames of {} x {} pixels, but {} holds {} of {} x {}; all frames of a series must be alike",
+           it.frames, it.width, it.height, members_[0].filename().string(), each_, info_.width, info_.height);
   }
 
   std::vector<fs::path> members_;
@@ -193,7 +206,9 @@ class ScaledFilm : public KnownFilm {
 
 FilmPointer open_series(const fs::path& pattern, const FilmChoice& choice) {
   auto found = members(pattern);
-  if (found.empty()) refuse(pattern.string(), "holds no files with numbers in their names, which would be the frames of a film; check the name");
+  if (found.empty())
+    refuse(pattern.string(),
+           "holds no files with numbers in their names, which would be the frames of a film; check the name");
   return std::make_unique<Series>(std::move(found), choice);
 }
 

@@ -22,7 +22,8 @@ Keys keys_of(std::string_view text) {
   for (std::string_view line; lines.next(line);) {
     const auto cells = split_blanks(line);
     if (!cells.empty() && cells[0] == "DATA") break;
-    if (cells.size() >= 2) keys.emplace(cells[0], std::string(line.substr(static_cast<std::size_t>(cells[1].data() - line.data()))));
+    if (cells.size() >= 2)
+      keys.emplace(cells[0], std::string(line.substr(static_cast<std::size_t>(cells[1].data() - line.data()))));
   }
   return keys;
 }
@@ -76,8 +77,8 @@ NumberType pixel_of(const Keys& keys, const std::string& file) {
 constexpr std::size_t count_width = 12;
 
 std::string sfmov_header(const FilmInfo& info, std::size_t frames) {
-  std::string text = fmt::format("HdSize auto\r\nNumDPs {:0{}}\r\nxPixls {}\r\nyPixls {}\r\nDaType {}\r\n", frames, count_width, info.width, info.height,
-                                 info.floating ? "Flt32" : "UInt16");
+  std::string text = fmt::format("HdSize auto\r\nNumDPs {:0{}}\r\nxPixls {}\r\nyPixls {}\r\nDaType {}\r\n", frames,
+                                 count_width, info.width, info.height, info.floating ? "Flt32" : "UInt16");
   if (info.bits > 0) text += fmt::format("ADBits {}\r\n", info.bits);
   if (info.frame_rate > 0) text += fmt::format("FRate_0 {}\r\n", info.frame_rate);
   if (info.integration > 0) text += fmt::format("ITime_0 {}\r\n", info.integration * 1e3);
@@ -86,7 +87,8 @@ std::string sfmov_header(const FilmInfo& info, std::size_t frames) {
 
 bool is_sfmov(std::string_view head) {
   const std::size_t data = find_data(head);
-  return head.substr(0, data).find("xPixls") != std::string_view::npos && head.substr(0, data).find("yPixls") != std::string_view::npos;
+  return head.substr(0, data).find("xPixls") != std::string_view::npos &&
+         head.substr(0, data).find("yPixls") != std::string_view::npos;
 }
 
 FilmPointer open_sfmov(const Bytes& bytes, const FilmChoice& choice) {
@@ -96,7 +98,8 @@ FilmPointer open_sfmov(const Bytes& bytes, const FilmChoice& choice) {
   if (data == std::string::npos) refuse(file, "is a .sfmov film that ends within its header; copy it again");
   Keys keys = keys_of(std::string_view(header).substr(0, data));
   FilmInfo info;
-  const std::int64_t width = count_of(keys, "xPixls", file), height = count_of(keys, "yPixls", file), frames = count_of(keys, "NumDPs", file);
+  const std::int64_t width = count_of(keys, "xPixls", file), height = count_of(keys, "yPixls", file),
+                     frames = count_of(keys, "NumDPs", file);
   PlainLayout layout;
   take_shape(info, file, {frames, height, width}, layout.pixel, choice);
   keys.merge(included(keys, *bytes));
@@ -108,7 +111,8 @@ FilmPointer open_sfmov(const Bytes& bytes, const FilmChoice& choice) {
   layout.stride = info.pixels() * bytes_of(layout.pixel);
   layout.offset = data + 6;  // the word and the end of its line
   const bool short_end = header.compare(data + 4, 1, "\n") == 0;
-  if (short_end && static_cast<std::uint64_t>(info.frames) * layout.stride == bytes->size() - (data + 5)) layout.offset = data + 5;
+  if (short_end && static_cast<std::uint64_t>(info.frames) * layout.stride == bytes->size() - (data + 5))
+    layout.offset = data + 5;
   if (is_level(layout.pixel)) info.quantity = FilmQuantity::digital_level;
   return plain_film(bytes, std::move(info), layout, choice);
 }
@@ -119,7 +123,8 @@ FilmPointer open_sfmov(const Bytes& bytes, const FilmChoice& choice) {
 const FilmFormat films::sfmov{
     .name = "sfmov",
     .sentence = "FLIR ResearchIR .sfmov",
-    .states = {{"frame rate and integration time, also in the file it includes", "used"}, {"frames of NaN, or of zeros", "left out as lost, and named"}},
+    .states = {{"frame rate and integration time, also in the file it includes", "used"},
+               {"frames of NaN, or of zeros", "left out as lost, and named"}},
 
     .endings = {".sfmov"},
     .marked = true,

@@ -16,7 +16,9 @@ void take_stamps(FilmInfo& info, std::vector<double> stamp) {
   if (stamp.size() < 2 || static_cast<std::int64_t>(stamp.size()) != info.frames) return;
   double days = 0;
   for (std::size_t i = 0; i < stamp.size(); ++i) {
-    if (!std::isfinite(stamp[i])) return info.remarks.push_back(fmt::format("The time stamp of frame {} is not a number; time stamps are ignored.", i));
+    if (!std::isfinite(stamp[i]))
+      return info.remarks.push_back(
+          fmt::format("The time stamp of frame {} is not a number; time stamps are ignored.", i));
     stamp[i] += days;
     if (i > 0 && stamp[i] < stamp[i - 1] - 43200) {
       days += 86400;
@@ -28,12 +30,14 @@ void take_stamps(FilmInfo& info, std::vector<double> stamp) {
   if (std::all_of(stamp.begin(), stamp.end(), [&](double t) { return t == stamp[0]; })) return;
   for (std::size_t i = 1; i < stamp.size(); ++i)
     if (!(stamp[i] > stamp[i - 1]) || !std::isfinite(stamp[i]))
-      return info.remarks.push_back(fmt::format("The time stamp of frame {} is not after that of the frame before; time stamps are ignored.", i));
+      return info.remarks.push_back(
+          fmt::format("The time stamp of frame {} is not after that of the frame before; time stamps are ignored.", i));
   info.time = std::move(stamp);
   const double interval = frame_intervals(info).interval;
   if (info.frame_rate > 0 && std::abs(interval * info.frame_rate - 1) > 0.1)
-    info.remarks.push_back(
-        fmt::format("Frames are stamped {:.4g} s apart, while the film states a frame rate of {:.6g} Hz; the stamps are used.", interval, info.frame_rate));
+    info.remarks.push_back(fmt::format(
+        "Frames are stamped {:.4g} s apart, while the film states a frame rate of {:.6g} Hz; the stamps are used.",
+        interval, info.frame_rate));
 }
 
 void take_numbers(FilmInfo& info, std::vector<std::int64_t> number) {
@@ -42,13 +46,15 @@ void take_numbers(FilmInfo& info, std::vector<std::int64_t> number) {
   const std::int64_t first = number.front();
   for (std::size_t i = 1; i < number.size(); ++i)
     if (number[i] <= number[i - 1])
-      return info.remarks.push_back(fmt::format("The number of frame {} is not above that of the frame before; numbers are ignored.", i));
+      return info.remarks.push_back(
+          fmt::format("The number of frame {} is not above that of the frame before; numbers are ignored.", i));
   for (auto& n : number) n -= first;
   if (number.back() + 1 == info.frames) return;
   info.number = std::move(number);
   const FrameIntervals found = frame_intervals(info);
-  info.remarks.push_back(fmt::format("By their numbers {} frames are missing, the first before frame {} of the film; times follow the numbers.", found.dropped,
-                                     found.gap.front()));
+  info.remarks.push_back(fmt::format(
+      "By their numbers {} frames are missing, the first before frame {} of the film; times follow the numbers.",
+      found.dropped, found.gap.front()));
 }
 
 }  // namespace arenite::io

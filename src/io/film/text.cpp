@@ -25,7 +25,8 @@ class FileLines {
     std::size_t end = 0;
     while ((end = buffer_.find('\n', at_)) == std::string::npos && !done_) {
       if (buffer_.size() - at_ > longest_line)
-        throw InputError(bytes_.name(), number_ + 1, "is a line of more than 16 million characters, too long for a row of a frame; check the file");
+        throw InputError(bytes_.name(), number_ + 1,
+                         "is a line of more than 16 million characters, too long for a row of a frame; check the file");
       fill();
     }
     if (at_ == buffer_.size()) return false;
@@ -83,7 +84,8 @@ template <class Take> bool each_cell(std::string_view line, char separator, Take
       at = line.find_first_not_of(" \t", at);
       if (at == std::string_view::npos) return true;
     }
-    const std::size_t end = std::min(separator == ' ' ? line.find_first_of(" \t", at) : line.find(separator, at), line.size());
+    const std::size_t end =
+        std::min(separator == ' ' ? line.find_first_of(" \t", at) : line.find(separator, at), line.size());
     if (!take(line.substr(at, end - at))) return false;
     at = end + 1;
   }
@@ -120,10 +122,12 @@ class TextFilm : public KnownFilm {
       }
       if (info_.width == 0) info_.width = cells_of(line);
       if (rows++ == 0) begin_frame({lines.begin(), lines.number() - 1});
-      if (info_.frames == 0 && std::int64_t{rows} * info_.width > choice.most_pixels) check_film_size(bytes_->name(), info_.width, rows, 1, choice);
+      if (info_.frames == 0 && std::int64_t{rows} * info_.width > choice.most_pixels)
+        check_film_size(bytes_->name(), info_.width, rows, 1, choice);
     }
     end_frame(rows, lines.number() + 1);
-    if (info_.frames == 0) refuse(bytes_->name(), "holds no rows of numbers, as frames in text would; give a film or a result");
+    if (info_.frames == 0)
+      refuse(bytes_->name(), "holds no rows of numbers, as frames in text would; give a film or a result");
     check_film_size(bytes_->name(), std::max(info_.width, 1), std::max(info_.height, 1), info_.frames, choice);
     if (std::ranges::none_of(stamps_, [](double t) { return std::isnan(t); })) take_stamps(info_, std::move(stamps_));
     else if (std::ranges::count(numbers_, -1) == 0) take_numbers(info_, std::move(numbers_));
@@ -131,7 +135,8 @@ class TextFilm : public KnownFilm {
   }
 
   void fill(std::int64_t first, std::size_t count, FrameBlock& block) override {
-    for (std::size_t i = 0; i < count; ++i) read_frame(places_[static_cast<std::size_t>(first) + i], block.value.data() + i * info_.pixels());
+    for (std::size_t i = 0; i < count; ++i)
+      read_frame(places_[static_cast<std::size_t>(first) + i], block.value.data() + i * info_.pixels());
   }
 
  private:
@@ -154,7 +159,8 @@ class TextFilm : public KnownFilm {
     if (rows == 0) return;
     if (info_.height == 0) info_.height = rows;
     if (rows != info_.height)
-      throw refusal_at(bytes_->name(), line, "ends a frame of {} rows, but the first has {}; complete or remove it", rows, info_.height);
+      throw refusal_at(bytes_->name(), line, "ends a frame of {} rows, but the first has {}; complete or remove it",
+                       rows, info_.height);
     ++info_.frames;
     rows = 0;
   }
@@ -175,13 +181,16 @@ class TextFilm : public KnownFilm {
       const bool whole = each_cell(line, separator_, [&](std::string_view cell) {
         const auto number = number_of(cell, separator_ != ',');
         if (!number)
-          throw refusal_at(bytes_->name(), lines.number(), "holds \"{}\" in column {}, which is not a number; correct it", cell.substr(0, 40), column + 1);
+          throw refusal_at(bytes_->name(), lines.number(),
+                           "holds \"{}\" in column {}, which is not a number; correct it", cell.substr(0, 40),
+                           column + 1);
         if (column == info_.width) return false;
         to[column++] = *number;
         return true;
       });
       if (!whole || column != info_.width)
-        throw refusal_at(bytes_->name(), lines.number(), "is a row of {} numbers, but the first has {}; complete it", cells_of(line), info_.width);
+        throw refusal_at(bytes_->name(), lines.number(), "is a row of {} numbers, but the first has {}; complete it",
+                         cells_of(line), info_.width);
     }
   }
 
@@ -212,6 +221,8 @@ const FilmFormat films::text{.name = "text",
                                         {"\"time = ..\" between frames, s", "used"},
                                         {"cells that are no numbers", "refused with line and column"}},
                              .is = is_text_film,
-                             .open = [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer { return std::make_unique<TextFilm>(bytes, choice); }};
+                             .open = [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer {
+                               return std::make_unique<TextFilm>(bytes, choice);
+                             }};
 
 }  // namespace arenite::io

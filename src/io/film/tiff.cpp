@@ -19,18 +19,22 @@ struct Page {
 };
 
 NumberType pixel_of(TIFF* tiff, const TiffSource& source) {
-  const int bits = tiff_field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE), format = tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT);
+  const int bits = tiff_field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE),
+            format = tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT);
   const bool whole = format == SAMPLEFORMAT_UINT || format == SAMPLEFORMAT_VOID;
   using enum NumberType;
   if (whole && (bits == 8 || bits == 16 || bits == 32)) return bits == 8 ? u8 : bits == 16 ? u16 : u32;
   if (format == SAMPLEFORMAT_INT && (bits == 16 || bits == 32)) return bits == 16 ? i16 : i32;
   if (format == SAMPLEFORMAT_IEEEFP && (bits == 32 || bits == 64)) return bits == 32 ? f32 : f64;
-  source.refuse(fmt::format("has {} bits per pixel in an unsupported form; save it with 8 or 16 bits or floating", bits));
+  source.refuse(
+      fmt::format("has {} bits per pixel in an unsupported form; save it with 8 or 16 bits or floating", bits));
 }
 
 Page page_of(TIFF* tiff, const TiffSource& source) {
-  Page page{tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH), tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH), pixel_of(tiff, source)};
-  if (tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL) != 1 || tiff_field<std::uint16_t>(tiff, TIFFTAG_PHOTOMETRIC) != PHOTOMETRIC_MINISBLACK)
+  Page page{tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH), tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH),
+            pixel_of(tiff, source)};
+  if (tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL) != 1 ||
+      tiff_field<std::uint16_t>(tiff, TIFFTAG_PHOTOMETRIC) != PHOTOMETRIC_MINISBLACK)
     source.refuse("is not a grey film; save it with one number per pixel, black for the smallest");
   if (tiff_field<std::uint16_t>(tiff, TIFFTAG_ORIENTATION) != ORIENTATION_TOPLEFT)
     source.refuse("is stored rotated or mirrored; save it upright (orientation 1)");
@@ -77,16 +81,19 @@ class TiffFilm : public KnownFilm {
   void turn_to(std::int64_t page) {
     if (TIFFSetSubDirectory(tiff_.get(), images_->directory(page)) != 1) source_.refuse_damaged();
     if (page > 0 && page_of(tiff_.get(), source_) != page_)
-      source_.refuse(fmt::format("has pages of different size or type (pages 0 and {}); save a film of equal frames", page));
+      source_.refuse(
+          fmt::format("has pages of different size or type (pages 0 and {}); save a film of equal frames", page));
   }
 
   void take_times(const TiffStack& stack, const std::string& notes) {
     if (stack.interval > 0 && info_.frame_rate == 0) info_.frame_rate = 1 / stack.interval;
     if (stack.shown_per_second > 0 && info_.frame_rate == 0)
       info_.remarks.push_back(
-          fmt::format("{} shows it at {:.6g} frames/s, which need not be the camera's rate and is not used.", stack.by, stack.shown_per_second));
+          fmt::format("{} shows it at {:.6g} frames/s, which need not be the camera's rate and is not used.", stack.by,
+                      stack.shown_per_second));
     if (!stack.unknown_unit.empty())
-      info_.remarks.push_back(fmt::format("Its times are in \"{}\", a unit that is not known; they are left aside.", stack.unknown_unit));
+      info_.remarks.push_back(
+          fmt::format("Its times are in \"{}\", a unit that is not known; they are left aside.", stack.unknown_unit));
     if (images_->behind() == 0 && std::isfinite(noted_time(notes))) read_stamps();
     else take_stamps(info_, images_->times());
   }
@@ -103,7 +110,8 @@ class TiffFilm : public KnownFilm {
   void read_page(std::size_t at, FrameBlock& frames) {
     each_block(tiff_.get(), source_, [&](const TiffBlock& block) {
       for (std::size_t r = 0; r < block.rows; ++r)
-        take_pixels(layout_, reinterpret_cast<const char*>(block.row(r)), block.columns, frames, at + (block.y + r) * page_.width + block.x);
+        take_pixels(layout_, reinterpret_cast<const char*>(block.row(r)), block.columns, frames,
+                    at + (block.y + r) * page_.width + block.x);
     });
   }
 
@@ -133,7 +141,8 @@ class TiffFilmWriter : public FilmWriter {
         info_(info),
         frame_size_(info.pixels() * (info.floating ? sizeof(float) : sizeof(std::uint16_t))) {
     constexpr std::int64_t most = 0xffffffff, most_a_directory = 4096;
-    const bool small = info.frames > 0 && info.frames <= most / (static_cast<std::int64_t>(frame_size_) + most_a_directory);
+    const bool small =
+        info.frames > 0 && info.frames <= most / (static_cast<std::int64_t>(frame_size_) + most_a_directory);
     tiff_ = create_tiff(file_.beside(), !small);
     if (!tiff_) refuse();
   }
@@ -143,7 +152,8 @@ class TiffFilmWriter : public FilmWriter {
     for (std::size_t i = 0; i < block.frames; ++i) {
       describe_page();
       const auto size = static_cast<tmsize_t>(frame_size_);
-      const tmsize_t written = TIFFWriteRawStrip(tiff_.get(), 0, const_cast<char*>(bytes.data() + i * frame_size_), size);
+      const tmsize_t written =
+          TIFFWriteRawStrip(tiff_.get(), 0, const_cast<char*>(bytes.data() + i * frame_size_), size);
       if (written != size || TIFFWriteDirectory(tiff_.get()) != 1) refuse();
       ++frames_;
     }
@@ -156,7 +166,9 @@ class TiffFilmWriter : public FilmWriter {
   }
 
  private:
-  [[noreturn]] void refuse() const { arenite::refuse(name_, "cannot be written as TIFF; check that the disk has space"); }
+  [[noreturn]] void refuse() const {
+    arenite::refuse(name_, "cannot be written as TIFF; check that the disk has space");
+  }
 
   void describe_page() {
     TIFF* const tiff = tiff_.get();
@@ -202,7 +214,11 @@ const FilmFormat films::tiff{
     .marked = true,
     .has_datasets = true,
     .is = is_tiff,
-    .open = [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer { return std::make_unique<TiffFilm>(bytes, choice); },
-    .create = [](const auto& path, const FilmInfo& info) -> FilmWriterPointer { return std::make_unique<TiffFilmWriter>(path, info); }};
+    .open = [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer {
+      return std::make_unique<TiffFilm>(bytes, choice);
+    },
+    .create = [](const auto& path, const FilmInfo& info) -> FilmWriterPointer {
+      return std::make_unique<TiffFilmWriter>(path, info);
+    }};
 
 }  // namespace arenite::io

@@ -13,7 +13,8 @@ namespace {
 
 std::uint64_t number_of_bytes(std::string_view bytes, std::size_t at, std::size_t size, bool big_endian) {
   std::uint64_t value = 0;
-  for (std::size_t i = 0; i < size; ++i) value |= std::uint64_t{number_at<std::uint8_t>(bytes, at + i)} << 8 * (big_endian ? size - 1 - i : i);
+  for (std::size_t i = 0; i < size; ++i)
+    value |= std::uint64_t{number_at<std::uint8_t>(bytes, at + i)} << 8 * (big_endian ? size - 1 - i : i);
   return value;
 }
 
@@ -26,7 +27,8 @@ std::vector<std::uint64_t> page_places(const TiffSource& source) {
   std::vector<std::uint64_t> places;
   std::unordered_set<std::uint64_t> seen;
   for (std::uint64_t at = number_of_bytes(head, large ? 8 : 4, link, swap); at != 0;) {
-    if (!seen.insert(at).second) source.refuse(fmt::format("is a TIFF film whose pages form a loop after page {}; write it again", places.size()));
+    if (!seen.insert(at).second)
+      source.refuse(fmt::format("is a TIFF film whose pages form a loop after page {}; write it again", places.size()));
     const std::uint64_t entries = number_of_bytes(bytes.text(at, count_size), 0, count_size, swap);
     const std::uint64_t end = at + count_size + entries * entry;
     if (entries > 4096 || end + link > bytes.size() || end < at) source.refuse_damaged();
@@ -37,7 +39,8 @@ std::vector<std::uint64_t> page_places(const TiffSource& source) {
 }
 
 /// Where the images of a file begin that has one directory for all of them.
-std::uint64_t first_of_many(TIFF* tiff, const TiffSource& source, std::uint64_t frame, std::int64_t images, std::string_view by) {
+std::uint64_t first_of_many(TIFF* tiff, const TiffSource& source, std::uint64_t frame, std::int64_t images,
+                            std::string_view by) {
   const auto strips = TIFFNumberOfStrips(tiff);
   std::uint64_t first = TIFFIsTiled(tiff) != 0 ? 0 : TIFFGetStrileOffset(tiff, 0), end = first;
   for (std::uint32_t k = 0; k < strips && first > 0; ++k) {
@@ -47,20 +50,23 @@ std::uint64_t first_of_many(TIFF* tiff, const TiffSource& source, std::uint64_t 
   const bool plain = first > 0 && tiff_field<std::uint16_t>(tiff, TIFFTAG_COMPRESSION) == COMPRESSION_NONE;
   const std::uint64_t size = source.bytes->size(), there = plain && size > first ? (size - first) / frame : 0;
   if (there < static_cast<std::uint64_t>(images))
-    source.refuse(fmt::format("holds {} images, but {} describes {}; save it again", std::max<std::uint64_t>(there, 1), by, images));
+    source.refuse(fmt::format("holds {} images, but {} describes {}; save it again", std::max<std::uint64_t>(there, 1),
+                              by, images));
   return first;
 }
 
 }  // namespace
 
-TiffImages::TiffImages(TIFF* tiff, const TiffSource& source, TiffStack stack, std::uint64_t bytes_an_image, const std::string& channel)
+TiffImages::TiffImages(TIFF* tiff, const TiffSource& source, TiffStack stack, std::uint64_t bytes_an_image,
+                       const std::string& channel)
     : stack_(std::move(stack)),
       places_(page_places(source)) {
   if (places_.empty()) source.refuse("holds no frame; record the film again");
   if (stack_.images() <= 1) stack_ = {};
   if (stack_.by.empty()) return;
   if (stack_.frames > 1 && stack_.slices > 1)
-    source.refuse(fmt::format("holds {} frames of {} slices, as {} describes it; save one slice", stack_.frames, stack_.slices, stack_.by));
+    source.refuse(fmt::format("holds {} frames of {} slices, as {} describes it; save one slice", stack_.frames,
+                              stack_.slices, stack_.by));
   if (stack_.slices > 1) {
     std::swap(stack_.slices, stack_.frames);
     for (char& axis : stack_.order) axis = axis == 'Z' ? 'T' : axis == 'T' ? 'Z' : axis;
@@ -78,18 +84,20 @@ void TiffImages::find_places(TIFF* tiff, const TiffSource& source, std::uint64_t
   } else if (pages < images) {
     source.refuse(fmt::format("holds {} images, but {} describes {}; save it again", pages, stack_.by, images));
   } else if (pages > images) {
-    remarks_.push_back(fmt::format("{} describes {} images, but the film has {} pages, which are all read.", stack_.by, images, pages));
+    remarks_.push_back(fmt::format("{} describes {} images, but the film has {} pages, which are all read.", stack_.by,
+                                   images, pages));
     stack_ = {};
   }
 }
 
 void TiffImages::choose(const TiffSource& source, const std::string& channel) {
   std::vector<std::string> names;
-  for (std::int64_t c = 1; c <= std::min<std::int64_t>(stack_.channels, 64); ++c) names.push_back(fmt::format("channel {}", c));
+  for (std::int64_t c = 1; c <= std::min<std::int64_t>(stack_.channels, 64); ++c)
+    names.push_back(fmt::format("channel {}", c));
   const auto found = std::ranges::find(names, channel);
   if (found == names.end())
-    source.refuse(fmt::format("holds {} frames of {} channels, as {} describes it; choose one with --dataset: {}", stack_.frames, stack_.channels, stack_.by,
-                              list_of(names)));
+    source.refuse(fmt::format("holds {} frames of {} channels, as {} describes it; choose one with --dataset: {}",
+                              stack_.frames, stack_.channels, stack_.by, list_of(names)));
   channel_ = found - names.begin();
 }
 

@@ -13,7 +13,8 @@ class TiffImages {
  public:
   /// `channel` is the name of the one that is wanted of several. InputError for a description that the file
   /// contradicts, and for several channels or slices of which none is chosen.
-  TiffImages(TIFF* tiff, const TiffSource& source, TiffStack stack, std::uint64_t bytes_an_image, const std::string& channel);
+  TiffImages(TIFF* tiff, const TiffSource& source, TiffStack stack, std::uint64_t bytes_an_image,
+             const std::string& channel);
 
   std::int64_t frames() const { return stack_.by.empty() ? static_cast<std::int64_t>(places_.size()) : stack_.frames; }
   /// Number of a frame's image.

@@ -29,7 +29,9 @@ struct DatasetSearch {
   void look_at(hid_t in, const char* name) {
     const auto object = own(H5Oopen(in, name, H5P_DEFAULT), H5Oclose);
     H5O_info_t info;
-    if (!object || seen.size() >= most_objects || H5Oget_info2(*object, &info, H5O_INFO_BASIC) < 0 || !seen.insert(info.addr).second) return;
+    if (!object || seen.size() >= most_objects || H5Oget_info2(*object, &info, H5O_INFO_BASIC) < 0 ||
+        !seen.insert(info.addr).second)
+      return;
     if (info.type == H5O_TYPE_DATASET && fits(*object)) found.push_back(place + name);
     if (info.type != H5O_TYPE_GROUP || depth == deepest) return;
     const std::size_t before = place.size();

@@ -25,7 +25,8 @@ bool inflate_to(std::string& bytes, std::size_t most) {
   if (bytes.size() > std::numeric_limits<uInt>::max() || most > std::numeric_limits<uInt>::max()) return false;
   uLongf length = most;
   const auto* from = reinterpret_cast<const Bytef*>(bytes.data());
-  if (uncompress(reinterpret_cast<Bytef*>(plain.data()), &length, from, static_cast<uLong>(bytes.size())) != Z_OK) return false;
+  if (uncompress(reinterpret_cast<Bytef*>(plain.data()), &length, from, static_cast<uLong>(bytes.size())) != Z_OK)
+    return false;
   plain.resize(length);
   bytes = std::move(plain);
   return true;
@@ -45,7 +46,8 @@ std::uint32_t fletcher(const std::string& bytes, std::size_t size) {
   const auto fold = [](std::uint32_t sum) { return (sum & 0xffff) + (sum >> 16); };
   std::uint32_t first = 0, second = 0;
   for (std::size_t i = 0; i < size; i += 2) {
-    const std::uint32_t high = static_cast<std::uint8_t>(bytes[i]), low = i + 1 < size ? static_cast<std::uint8_t>(bytes[i + 1]) : 0;
+    const std::uint32_t high = static_cast<std::uint8_t>(bytes[i]),
+                        low = i + 1 < size ? static_cast<std::uint8_t>(bytes[i + 1]) : 0;
     first = fold(first + (high << 8 | low));
     second = fold(second + first);
   }
@@ -62,29 +64,38 @@ bool take_checksum(std::string& bytes) {
 
 }  // namespace
 
-FoundDataset find_dataset(hid_t file, const std::string& file_name, const std::string& wanted, bool (*fits)(hid_t set), const char* kind) {
+FoundDataset find_dataset(hid_t file, const std::string& file_name, const std::string& wanted, bool (*fits)(hid_t set),
+                          const char* kind) {
   const auto open = [&](const std::string& name) { return own(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose); };
   if (auto set = wanted.empty() ? nullptr : open(wanted); set && fits(*set)) return {wanted, std::move(set)};
   const auto found = datasets_in(file, fits);
   if (!wanted.empty()) refuse(file_name, "has no dataset \"{}\" of {}; it has: {}", wanted, kind, list_of(found));
-  if (found.empty()) refuse(file_name, "is an HDF5 file of another program and holds no dataset of {}; give a file with one", kind);
-  if (found.size() > 1) refuse(file_name, "holds {} possible datasets; choose one with --dataset: {}", found.size(), list_of(found));
+  if (found.empty())
+    refuse(file_name, "is an HDF5 file of another program and holds no dataset of {}; give a file with one", kind);
+  if (found.size() > 1)
+    refuse(file_name, "holds {} possible datasets; choose one with --dataset: {}", found.size(), list_of(found));
   return {found.front(), open(found.front())};
 }
 
-std::optional<std::string> unpack_chunk(std::string stored, const std::vector<Hdf5Filter>& filters, unsigned skipped, std::size_t size) {
+std::optional<std::string> unpack_chunk(std::string stored, const std::vector<Hdf5Filter>& filters, unsigned skipped,
+                                        std::size_t size) {
   for (std::size_t i = filters.size(); i-- > 0;) {
     if (i < 32 && (skipped >> i & 1) != 0) continue;
     const Hdf5Filter& filter = filters[i];
     if (filter.kind == Hdf5Filter::Kind::shuffle) unshuffle(stored, filter.element);
-    else if (!(filter.kind == Hdf5Filter::Kind::deflate ? inflate_to(stored, size + slack) : take_checksum(stored))) return std::nullopt;
+    else if (!(filter.kind == Hdf5Filter::Kind::deflate ? inflate_to(stored, size + slack) : take_checksum(stored)))
+      return std::nullopt;
   }
   if (stored.size() != size) return std::nullopt;
   return stored;
 }
 
-Hdf5Numbers::Hdf5Numbers(Hdf5Handle set, const std::string& name, Bytes file, double most) : set_(std::move(set)), name_(name), file_(std::move(file)) {
-  const auto space = own(H5Dget_space(*set_), H5Sclose), type = own(H5Dget_type(*set_), H5Tclose), creation = own(H5Dget_create_plist(*set_), H5Pclose);
+Hdf5Numbers::Hdf5Numbers(Hdf5Handle set, const std::string& name, Bytes file, double most)
+    : set_(std::move(set)),
+      name_(name),
+      file_(std::move(file)) {
+  const auto space = own(H5Dget_space(*set_), H5Sclose), type = own(H5Dget_type(*set_), H5Tclose),
+             creation = own(H5Dget_create_plist(*set_), H5Pclose);
   const int rank = space ? H5Sget_simple_extent_ndims(*space) : 0;
   if (rank < 1 || rank > 3 || !type || !creation) refuse("that is damaged; copy the file again");
   shape_.resize(static_cast<std::size_t>(rank));
@@ -96,9 +107,11 @@ Hdf5Numbers::Hdf5Numbers(Hdf5Handle set, const std::string& name, Bytes file, do
   fill_.assign(size_of_number(), '\0');
   double bytes = static_cast<double>(size_of_number());
   for (const hsize_t n : extent_) bytes *= static_cast<double>(n);
-  if (bytes > most_packed * static_cast<double>(file_->size())) refuse("that declares more than a file of this size can hold; copy it again");
+  if (bytes > most_packed * static_cast<double>(file_->size()))
+    refuse("that declares more than a file of this size can hold; copy it again");
   layout_ = H5Pget_layout(*creation);
-  if (H5Pget_external_count(*creation) > 0 || layout_ == H5D_VIRTUAL) refuse("whose numbers are in other files; copy them into one");
+  if (H5Pget_external_count(*creation) > 0 || layout_ == H5D_VIRTUAL)
+    refuse("whose numbers are in other files; copy them into one");
   if (layout_ == H5D_CHUNKED) look_at_chunks(*creation, most);
   else if (layout_ == H5D_COMPACT) read_compact();
   else if (bytes > 0) look_at_piece(bytes);
@@ -106,12 +119,15 @@ Hdf5Numbers::Hdf5Numbers(Hdf5Handle set, const std::string& name, Bytes file, do
 
 void Hdf5Numbers::look_at_piece(double bytes) {
   const haddr_t begin = H5Dget_offset(*set_);
-  if (layout_ != H5D_CONTIGUOUS || begin == HADDR_UNDEF || begin > file_->size() || bytes > static_cast<double>(file_->size() - begin))
+  if (layout_ != H5D_CONTIGUOUS || begin == HADDR_UNDEF || begin > file_->size() ||
+      bytes > static_cast<double>(file_->size() - begin))
     refuse("that is cut short; copy the file again");
   begin_ = begin;
 }
 
-void Hdf5Numbers::refuse(const std::string& what) const { arenite::refuse(file_->name(), "holds a dataset \"{}\" {}", name_, what); }
+void Hdf5Numbers::refuse(const std::string& what) const {
+  arenite::refuse(file_->name(), "holds a dataset \"{}\" {}", name_, what);
+}
 
 void Hdf5Numbers::read_compact() {
   compact_.resize(slab() * extent_[0]);
@@ -133,7 +149,8 @@ void Hdf5Numbers::look_at_chunks(hid_t creation, double most) {
   whole_at_edges_ = H5Pget_chunk_opts(creation, &edges) < 0 || (edges & H5D_CHUNK_DONT_FILTER_PARTIAL_CHUNKS) == 0;
   H5D_fill_value_t fill = H5D_FILL_VALUE_DEFAULT;
   const auto type = own(H5Dget_type(*set_), H5Tclose);
-  if (H5Pfill_value_defined(creation, &fill) >= 0 && fill == H5D_FILL_VALUE_USER_DEFINED && type && H5Pget_fill_value(creation, *type, fill_.data()) < 0)
+  if (H5Pfill_value_defined(creation, &fill) >= 0 && fill == H5D_FILL_VALUE_USER_DEFINED && type &&
+      H5Pget_fill_value(creation, *type, fill_.data()) < 0)
     refuse("that is damaged; copy the file again");
   if (fill == H5D_FILL_VALUE_DEFAULT) take_no_number();
   look_at_filters(creation);
@@ -153,7 +170,8 @@ void Hdf5Numbers::look_at_filters(hid_t creation) {
   for (int i = 0; i < count; ++i) {
     unsigned flags = 0, value[8] = {};
     std::size_t values = std::size(value);
-    const H5Z_filter_t id = H5Pget_filter2(creation, static_cast<unsigned>(i), &flags, &values, value, 0, nullptr, nullptr);
+    const H5Z_filter_t id =
+        H5Pget_filter2(creation, static_cast<unsigned>(i), &flags, &values, value, 0, nullptr, nullptr);
     if (id == H5Z_FILTER_DEFLATE) filters_.push_back({Hdf5Filter::Kind::deflate, 1});
     else if (id == H5Z_FILTER_FLETCHER32) filters_.push_back({Hdf5Filter::Kind::checksum, 1});
     else if (id == H5Z_FILTER_SHUFFLE) filters_.push_back({Hdf5Filter::Kind::shuffle, size_of_number()});
@@ -167,7 +185,8 @@ void Hdf5Numbers::read(hsize_t first, hsize_t count, std::string& to) {
   if (to.empty()) return;
   if (layout_ == H5D_CHUNKED) return read_chunks(first, count, to);
   if (layout_ == H5D_COMPACT) std::memcpy(to.data(), compact_.data() + slab() * first, to.size());
-  else if (file_->read(begin_ + slab() * first, to.size(), to.data()) != to.size()) refuse("that became shorter; copy the file again");
+  else if (file_->read(begin_ + slab() * first, to.size(), to.data()) != to.size())
+    refuse("that became shorter; copy the file again");
 }
 
 void Hdf5Numbers::read_chunks(hsize_t first, hsize_t count, std::string& to) {
@@ -181,10 +200,12 @@ const std::string& Hdf5Numbers::chunk_at(const Place& at) {
   if (held_ && held_at_ == at) return chunk_held_;
   held_ = false;
   hsize_t stored = 0;
-  if (H5Dget_chunk_info_by_coord(*set_, at.data(), nullptr, nullptr, &stored) < 0) refuse("that is damaged; copy the file again");
+  if (H5Dget_chunk_info_by_coord(*set_, at.data(), nullptr, nullptr, &stored) < 0)
+    refuse("that is damaged; copy the file again");
   if (stored == 0) {  // never written
     chunk_held_.resize(chunk_bytes_);
-    for (std::size_t i = 0; i < chunk_bytes_; i += fill_.size()) std::memcpy(chunk_held_.data() + i, fill_.data(), fill_.size());
+    for (std::size_t i = 0; i < chunk_bytes_; i += fill_.size())
+      std::memcpy(chunk_held_.data() + i, fill_.data(), fill_.size());
   } else {
     std::string packed;
     std::uint32_t skipped = 0;
@@ -193,7 +214,8 @@ const std::string& Hdf5Numbers::chunk_at(const Place& at) {
       refuse("that is cut short or damaged; copy the file again");
     bool inside = true;
     for (std::size_t axis = 0; axis < 3; ++axis) inside = inside && chunk_[axis] <= extent_[axis] - at[axis];
-    auto plain = unpack_chunk(std::move(packed), inside || whole_at_edges_ ? filters_ : std::vector<Hdf5Filter>{}, skipped, chunk_bytes_);
+    auto plain = unpack_chunk(std::move(packed), inside || whole_at_edges_ ? filters_ : std::vector<Hdf5Filter>{},
+                              skipped, chunk_bytes_);
     if (!plain) refuse("with a chunk that cannot be decompressed; copy the file again");
     chunk_held_ = std::move(*plain);
   }

@@ -11,13 +11,14 @@
 // HDF5 trusts what it reads. Of files of other programs it is asked little, in a process of its own.
 namespace arenite::io {
 
-/// The dataset of the name that is wanted, or without one the only dataset of the file that `fits` takes. InputError with those that can be meant where
-/// there is none or are several; `kind` is what it must be.
+/// The dataset of the name that is wanted, or without one the only dataset of the file that `fits` takes. InputError
+/// with those that can be meant where there is none or are several; `kind` is what it must be.
 struct FoundDataset {
   std::string name;
   Hdf5Handle set;
 };
-FoundDataset find_dataset(hid_t file, const std::string& file_name, const std::string& wanted, bool (*fits)(hid_t set), const char* kind);
+FoundDataset find_dataset(hid_t file, const std::string& file_name, const std::string& wanted, bool (*fits)(hid_t set),
+                          const char* kind);
 
 /// What a chunk of an HDF5 table was passed through before it was stored, in this order.
 struct Hdf5Filter {
@@ -25,12 +26,14 @@ struct Hdf5Filter {
   std::size_t element = 1;  ///< bytes of a number that is shuffled
 };
 
-/// The bytes of a chunk as they were before these filters, without those whose bit is set in `skipped`. Nothing unless this is exactly `size` bytes
-/// and a checksum is right.
-std::optional<std::string> unpack_chunk(std::string stored, const std::vector<Hdf5Filter>& filters, unsigned skipped, std::size_t size);
+/// The bytes of a chunk as they were before these filters, without those whose bit is set in `skipped`. Nothing unless
+/// this is exactly `size` bytes and a checksum is right.
+std::optional<std::string> unpack_chunk(std::string stored, const std::vector<Hdf5Filter>& filters, unsigned skipped,
+                                        std::size_t size);
 
-/// A table of numbers in an HDF5 file of anybody's. HDF5's own copying of numbers trusts sizes that a damaged file may have wrong, so HDF5 is asked
-/// only what the table is and where its chunks are; their bytes are checked, unpacked and put in place here.
+/// A table of numbers in an HDF5 file of anybody's. HDF5's own copying of numbers trusts sizes that a damaged file may
+/// have wrong, so HDF5 is asked only what the table is and where its chunks are; their bytes are checked, unpacked and
+/// put in place here.
 class Hdf5Numbers {
  public:
   /// Rank 1 to 3. InputError for a table that is damaged or stored in a way that is not read; `most` numbers a chunk.
@@ -74,11 +77,12 @@ class Hdf5Numbers {
   std::string chunk_held_;  ///< the chunk that was read last
 };
 
-/// Bytes that `work` makes in a sandbox, a fork of this process that may use a gigabyte, twice `most` and `room` bytes more and a minute of the
-/// processor: for libraries that a damaged file can bring down. InputErrors of `work` come through as they are; where the process ends otherwise, or
-/// gives more than `most` bytes, one with `file` says that it is damaged. `work` finds all that this process has, but what it changes is lost, and it
-/// must not start threads.
-std::string in_sandbox(const std::string& file, const std::function<std::string()>& work, std::size_t most, std::size_t room = 0);
+/// Bytes that `work` makes in a sandbox, a fork of this process that may use a gigabyte, twice `most` and `room` bytes
+/// more and a minute of the processor: for libraries that a damaged file can bring down. InputErrors of `work` come
+/// through as they are; where the process ends otherwise, or gives more than `most` bytes, one with `file` says that it
+/// is damaged. `work` finds all that this process has, but what it changes is lost, and it must not start threads.
+std::string in_sandbox(const std::string& file, const std::function<std::string()>& work, std::size_t most,
+                       std::size_t room = 0);
 
 /// The same of a record, whose members `transfer(archive, record)` names (core/bytes.hpp).
 template <class Record, class Work, class Transfer>

@@ -54,7 +54,8 @@ template <class T> void transfer_number(const Hdf5Group& at, hid_t owner, const 
 
 /// Length of a fixed-length text type; refuses any other type.
 std::size_t text_length(const Hdf5Group& at, const Hdf5Handle& type, const std::string& name) {
-  if (!type || H5Tget_class(*type) != H5T_STRING || H5Tis_variable_str(*type) != 0) at.refuse(fmt::format("holds \"{}\", which is not text", name));
+  if (!type || H5Tget_class(*type) != H5T_STRING || H5Tis_variable_str(*type) != 0)
+    at.refuse(fmt::format("holds \"{}\", which is not text", name));
   return H5Tget_size(*type);
 }
 
@@ -62,7 +63,8 @@ std::string read_text_attribute(const Hdf5Group& at, hid_t owner, const std::str
   const auto attribute = open_attribute(at, owner, name);
   const auto type = own(H5Aget_type(*attribute), H5Tclose);
   std::string text(text_length(at, type, name), '\0');
-  if (H5Aread(*attribute, *type, text.data()) < 0) at.refuse(fmt::format("has an attribute \"{}\" that cannot be read", name));
+  if (H5Aread(*attribute, *type, text.data()) < 0)
+    at.refuse(fmt::format("has an attribute \"{}\" that cannot be read", name));
   return checked(at, std::move(text), name);
 }
 
@@ -91,7 +93,8 @@ Hdf5Handle dataset_properties(hsize_t bytes, hsize_t count, bool compress) {
   return properties;
 }
 
-template <class Info, class Iterate> std::vector<std::string> listed(const Hdf5Group& at, hid_t group, Iterate iterate) {
+template <class Info, class Iterate>
+std::vector<std::string> listed(const Hdf5Group& at, hid_t group, Iterate iterate) {
   std::vector<std::string> found;
   const auto note = [](hid_t, const char* name, const Info*, void* into) -> herr_t {
     static_cast<std::vector<std::string>*>(into)->emplace_back(name);
@@ -145,17 +148,23 @@ Hdf5Group Hdf5Group::group(const std::string& name) const {
 
 bool Hdf5Group::has(const std::string& name) const { return H5Lexists(*id_, name.c_str(), H5P_DEFAULT) > 0; }
 
-bool Hdf5Group::has_group(const std::string& name) const { return has(name) && own(H5Gopen2(*id_, name.c_str(), H5P_DEFAULT), H5Gclose) != nullptr; }
+bool Hdf5Group::has_group(const std::string& name) const {
+  return has(name) && own(H5Gopen2(*id_, name.c_str(), H5P_DEFAULT), H5Gclose) != nullptr;
+}
 
 bool Hdf5Group::has_attribute(const std::string& name) const { return H5Aexists(*id_, name.c_str()) > 0; }
 
 std::vector<std::string> Hdf5Group::names() const { return listed<H5L_info_t>(*this, *id_, H5Literate); }
 std::vector<std::string> Hdf5Group::attribute_names() const { return listed<H5A_info_t>(*this, *id_, H5Aiterate2); }
 
-std::string Hdf5Group::unit(const std::string& name) const { return read_text_attribute(*this, *open_set(*this, *id_, name, "array"), "unit"); }
+std::string Hdf5Group::unit(const std::string& name) const {
+  return read_text_attribute(*this, *open_set(*this, *id_, name, "array"), "unit");
+}
 
 void Hdf5Group::operator()(const std::string& name, double& value) const { transfer_number(*this, *id_, name, value); }
-void Hdf5Group::integer(const std::string& name, std::int64_t& value) const { transfer_number(*this, *id_, name, value); }
+void Hdf5Group::integer(const std::string& name, std::int64_t& value) const {
+  transfer_number(*this, *id_, name, value);
+}
 void Hdf5Group::seed(const std::string& name, std::uint64_t& value) const { transfer_number(*this, *id_, name, value); }
 
 void Hdf5Group::operator()(const std::string& name, std::string& text) const {
@@ -167,7 +176,8 @@ void Hdf5Group::note(const std::string& name, std::string_view text) const {
   if (!reads_) write_text(*id_, name, text);
 }
 
-template <class T> void Hdf5Group::array(const std::string& name, std::vector<T>& values, const std::string& unit) const {
+template <class T>
+void Hdf5Group::array(const std::string& name, std::vector<T>& values, const std::string& unit) const {
   hsize_t count = values.size();
   if (reads_) {
     const auto set = open_set(*this, *id_, name, "array");
@@ -184,7 +194,8 @@ template void Hdf5Group::array(const std::string&, std::vector<std::int64_t>&, c
 template void Hdf5Group::array(const std::string&, std::vector<std::uint8_t>&, const std::string&) const;
 
 /// Written in chunks of some rows, lightly deflated: an image of a million nodes is written in a moment.
-template <class T> void Hdf5Group::image(const std::string& name, std::vector<T>& values, Shape shape, const std::string& unit) const {
+template <class T>
+void Hdf5Group::image(const std::string& name, std::vector<T>& values, Shape shape, const std::string& unit) const {
   constexpr hsize_t values_per_chunk = 1 << 16;
   const auto rows = static_cast<hsize_t>(shape.rows), columns = static_cast<hsize_t>(shape.columns);
   if constexpr (std::is_same_v<T, double>) {  // faster than HDF5's own conversion
@@ -195,11 +206,13 @@ template <class T> void Hdf5Group::image(const std::string& name, std::vector<T>
     const auto set = open_set(*this, *id_, name, "array");
     hsize_t size[2] = {0, 0};
     if (!has_shape(*set, 2, size) || size[0] != rows || size[1] != columns)
-      refuse(fmt::format("holds \"{}\", which is not an array of {} rows and {} columns", name, shape.rows, shape.columns));
+      refuse(fmt::format("holds \"{}\", which is not an array of {} rows and {} columns", name, shape.rows,
+                         shape.columns));
     values = read_values<T>(*this, *set, name, rows * columns);
   } else {
     const auto properties = timeless(H5P_DATASET_CREATE);
-    if (compress_ && rows * columns > 0) pack(*properties, {std::clamp<hsize_t>(values_per_chunk / columns, 1, rows), columns}, sizeof(T) > 1, 1);
+    if (compress_ && rows * columns > 0)
+      pack(*properties, {std::clamp<hsize_t>(values_per_chunk / columns, 1, rows), columns}, sizeof(T) > 1, 1);
     write_text(*write_set(*id_, name, {rows, columns}, number_type<T>(), *properties, values.data()), "unit", unit);
   }
 }
@@ -217,18 +230,21 @@ void Hdf5Group::texts(const std::string& name, std::vector<std::string>& texts) 
   if (reads_) {
     const Cells cells = read_cells(*this, *id_, name, false);
     texts.clear();
-    for (std::size_t at = 0; at < cells.bytes.size(); at += cells.length) texts.push_back(checked(*this, cells.bytes.substr(at, cells.length), name));
+    for (std::size_t at = 0; at < cells.bytes.size(); at += cells.length)
+      texts.push_back(checked(*this, cells.bytes.substr(at, cells.length), name));
     return;
   }
   std::size_t length = 1;
   for (const auto& text : texts) length = std::max(length, text.size());
   std::string cells(length * texts.size(), '\0');
   for (std::size_t k = 0; k < texts.size(); ++k) texts[k].copy(cells.data() + k * length, length);
-  write_set(*id_, name, {texts.size()}, *text_type(length), *dataset_properties(cells.size(), texts.size(), compress_), cells.data());
+  write_set(*id_, name, {texts.size()}, *text_type(length), *dataset_properties(cells.size(), texts.size(), compress_),
+            cells.data());
 }
 
 void Hdf5Group::refuse(const std::string& message) const {
-  arenite::refuse(file_, "{} {}; remove the file and make it again with \"arenite run\"", place_.empty() ? "/" : place_, message);
+  arenite::refuse(file_, "{} {}; remove the file and make it again with \"arenite run\"", place_.empty() ? "/" : place_,
+                  message);
 }
 
 std::string Hdf5Group::bytes() const {

@@ -25,7 +25,8 @@ struct Shape {
   int rows = 0, columns = 0;
 };
 
-/// One member of a record, as an array of all records: name, place (a member, or a function that gives a reference to it) and SI unit.
+/// One member of a record, as an array of all records: name, place (a member, or a function that gives a reference to
+/// it) and SI unit.
 template <class Place> struct Named {
   const char* name;
   Place place;
@@ -33,12 +34,14 @@ template <class Place> struct Named {
 };
 template <class Place> Named(const char*, Place, const char* = "1") -> Named<Place>;
 
-/// A group of an HDF5 file, which is either read or written: arrays, texts, numbers and groups by name. What it holds is transferred by one function
-/// that names all of it in its order, so one list serves both ways; what is written is not changed. What is not there when it is read, or is of another
-/// shape, throws InputError naming the file and the place in it. As long as one lives, HDF5 is its thread's.
+/// A group of an HDF5 file, which is either read or written: arrays, texts, numbers and groups by name. What it holds
+/// is transferred by one function that names all of it in its order, so one list serves both ways; what is written is
+/// not changed. What is not there when it is read, or is of another shape, throws InputError naming the file and the
+/// place in it. As long as one lives, HDF5 is its thread's.
 ///
-/// A file is built in memory, so that the disk sees either all of it or nothing. No times are stored, and members keep the order in which they were
-/// written: the same content gives the same bytes. The file lives as long as one of its groups.
+/// A file is built in memory, so that the disk sees either all of it or nothing. No times are stored, and members keep
+/// the order in which they were written: the same content gives the same bytes. The file lives as long as one of its
+/// groups.
 class Hdf5Group {
  public:
   /// The root group of a new file. Arrays of 4 kB and more are deflated unless `compress` is false.
@@ -51,7 +54,8 @@ class Hdf5Group {
   bool has(const std::string& name) const;  ///< a member
   bool has_group(const std::string& name) const;
   bool has_attribute(const std::string& name) const;
-  /// Whether a member that need not be there is not: in the file that is read, or, where it is written, because it is empty.
+  /// Whether a member that need not be there is not: in the file that is read, or, where it is written, because it is
+  /// empty.
   bool lacks(const std::string& name, bool is_empty) const { return reads() ? !has(name) : is_empty; }
   std::vector<std::string> names() const;            ///< of members, in the order in which they were written
   std::vector<std::string> attribute_names() const;  ///< likewise
@@ -75,7 +79,8 @@ class Hdf5Group {
   /// An attribute that tells a person what lies there; it is not read.
   void note(const std::string& name, std::string_view text) const;
   /// An attribute that is one of two words.
-  template <class T> void choice(const std::string& name, T& value, T one, const char* word, T other, const char* other_word) const {
+  template <class T>
+  void choice(const std::string& name, T& value, T one, const char* word, T other, const char* other_word) const {
     std::string text = value == one ? word : other_word;
     (*this)(name, text);
     if (reads()) value = text == word ? one : other;
@@ -95,7 +100,9 @@ class Hdf5Group {
   template <class T>  // double, float, std::int32_t, std::uint8_t
   void image(const std::string& name, std::vector<T>& values, Shape shape, const std::string& unit = "1") const;
   /// One that need not be there.
-  template <class T> void optional_image(const std::string& name, std::vector<T>& values, Shape shape, const std::string& unit = "1") const {
+  template <class T>
+  void optional_image(const std::string& name, std::vector<T>& values, Shape shape,
+                      const std::string& unit = "1") const {
     if (!lacks(name, values.empty())) image(name, values, shape, unit);
   }
   void text(const std::string& name, std::string& text) const;                 ///< any length, UTF-8
@@ -114,14 +121,16 @@ class Hdf5Group {
     bool first = true;
     const auto transfer = [&](const auto& member) {
       using Member = std::decay_t<decltype(std::invoke(member.place, std::declval<T&>()))>;
-      using Stored = std::conditional_t<std::is_same_v<Member, float>, double, std::conditional_t<std::is_enum_v<Member>, std::int32_t, Member>>;
+      using Stored = std::conditional_t<std::is_same_v<Member, float>, double,
+                                        std::conditional_t<std::is_enum_v<Member>, std::int32_t, Member>>;
       std::vector<Stored> values;
       for (T& item : items) values.push_back(static_cast<Stored>(std::invoke(member.place, item)));
       array(member.name, values, member.unit);
       if (!reads()) return;
       if (std::exchange(first, false)) items.resize(values.size());
       same_length({items.size(), values.size()});
-      for (std::size_t i = 0; i < items.size(); ++i) std::invoke(member.place, items[i]) = static_cast<Member>(values[i]);
+      for (std::size_t i = 0; i < items.size(); ++i)
+        std::invoke(member.place, items[i]) = static_cast<Member>(values[i]);
     };
     (transfer(members), ...);
   }

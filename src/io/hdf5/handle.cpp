@@ -81,8 +81,8 @@ Hdf5Handle memory_properties() {
 
 std::string bytes_of_file(hid_t file, std::size_t before) {
   done(H5Fflush(file, H5F_SCOPE_GLOBAL));
-  // An image that HDF5 copies for us lacks the user block and has a wrong checksum, so only its size is asked; the memory that the file lives in has
-  // the block, and beyond the end of the file room to grow.
+  // An image that HDF5 copies for us lacks the user block and has a wrong checksum, so only its size is asked; the
+  // memory that the file lives in has the block, and beyond the end of the file room to grow.
   void** memory = nullptr;
   const ssize_t size = H5Fget_file_image(file, nullptr, 0);
   done(H5Fget_vfd_handle(file, H5P_DEFAULT, reinterpret_cast<void**>(&memory)));
@@ -107,9 +107,11 @@ void pack(hid_t properties, const std::vector<hsize_t>& chunk, bool shuffle, uns
   done(H5Pset_deflate(properties, level));
 }
 
-Hdf5Handle write_set(hid_t group, const std::string& name, const std::vector<hsize_t>& size, hid_t type, hid_t properties, const void* values) {
-  const auto space =
-      size.empty() ? made(H5Screate(H5S_SCALAR), H5Sclose) : made(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
+Hdf5Handle write_set(hid_t group, const std::string& name, const std::vector<hsize_t>& size, hid_t type,
+                     hid_t properties, const void* values) {
+  const auto space = size.empty()
+                         ? made(H5Screate(H5S_SCALAR), H5Sclose)
+                         : made(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose);
   auto set = made(H5Dcreate2(group, name.c_str(), type, *space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose);
   if (H5Sget_simple_extent_npoints(*space) > 0) done(H5Dwrite(*set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
   return set;
@@ -157,15 +159,18 @@ std::vector<std::int64_t> shape_of(hid_t set) {
   if (rank <= 0 || rank > H5S_MAX_RANK) return {};
   std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
   H5Sget_simple_extent_dims(*space, shape.data(), nullptr);
-  return mapped(shape, [](hsize_t n) { return static_cast<std::int64_t>(std::min<hsize_t>(n, std::numeric_limits<std::int64_t>::max())); });
+  return mapped(shape, [](hsize_t n) {
+    return static_cast<std::int64_t>(std::min<hsize_t>(n, std::numeric_limits<std::int64_t>::max()));
+  });
 }
 
 std::optional<Hdf5Number> number_of(hid_t type) {
   using enum NumberType;
   const std::tuple<hid_t, hid_t, NumberType> known[] = {
-      {H5T_STD_U8LE, H5T_STD_U8BE, u8},      {H5T_STD_I8LE, H5T_STD_I8BE, i8},     {H5T_STD_U16LE, H5T_STD_U16BE, u16}, {H5T_STD_I16LE, H5T_STD_I16BE, i16},
-      {H5T_STD_U32LE, H5T_STD_U32BE, u32},   {H5T_STD_I32LE, H5T_STD_I32BE, i32},  {H5T_STD_U64LE, H5T_STD_U64BE, u64}, {H5T_STD_I64LE, H5T_STD_I64BE, i64},
-      {H5T_IEEE_F32LE, H5T_IEEE_F32BE, f32}, {H5T_IEEE_F64LE, H5T_IEEE_F64BE, f64}};
+      {H5T_STD_U8LE, H5T_STD_U8BE, u8},     {H5T_STD_I8LE, H5T_STD_I8BE, i8},    {H5T_STD_U16LE, H5T_STD_U16BE, u16},
+      {H5T_STD_I16LE, H5T_STD_I16BE, i16},  {H5T_STD_U32LE, H5T_STD_U32BE, u32}, {H5T_STD_I32LE, H5T_STD_I32BE, i32},
+      {H5T_STD_U64LE, H5T_STD_U64BE, u64},  {H5T_STD_I64LE, H5T_STD_I64BE, i64}, {H5T_IEEE_F32LE, H5T_IEEE_F32BE, f32},
+      {H5T_IEEE_F64LE, H5T_IEEE_F64BE, f64}};
   const auto base = H5Tget_class(type) == H5T_ENUM ? own(H5Tget_super(type), H5Tclose) : nullptr;
   const hid_t it = base ? *base : type;
   for (const auto& [low_first, high_first, number] : known) {
@@ -181,7 +186,8 @@ std::optional<double> stated_number(hid_t at, const char* name) {
   const Attribute attribute(at, name);
   const auto number = attribute.is_one() ? number_of(*attribute.type) : std::nullopt;
   double value = 0;
-  if (!number || H5Aget_storage_size(*attribute.id) != bytes_of(number->type)) return std::nullopt;  // not there as a whole
+  if (!number || H5Aget_storage_size(*attribute.id) != bytes_of(number->type))
+    return std::nullopt;  // not there as a whole
   return H5Aread(*attribute.id, H5T_NATIVE_DOUBLE, &value) >= 0 ? std::optional(value) : std::nullopt;
 }
 

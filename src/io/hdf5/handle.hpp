@@ -48,17 +48,18 @@ std::string unused_name();
 /// A file in memory as it stands, with the `before` bytes of a user block.
 std::string bytes_of_file(hid_t file, std::size_t before = 0);
 
-/// Properties of a dataset or a group that is made without a time, so that the same content gives the same bytes; of a group or a file, whose members
-/// and attributes keep the order in which they are written, too.
+/// Properties of a dataset or a group that is made without a time, so that the same content gives the same bytes; of a
+/// group or a file, whose members and attributes keep the order in which they are written, too.
 Hdf5Handle timeless(hid_t kind);
 void keep_order(hid_t properties);
 
 /// Chunks and deflates a dataset that is made with these properties.
 void pack(hid_t properties, const std::vector<hsize_t>& chunk, bool shuffle, unsigned level);
 
-/// Writes an array of this size (one value without any) with all its values; and one value as an attribute. `type` is that of the values, in the file
-/// and in memory.
-Hdf5Handle write_set(hid_t group, const std::string& name, const std::vector<hsize_t>& size, hid_t type, hid_t properties, const void* values);
+/// Writes an array of this size (one value without any) with all its values; and one value as an attribute. `type` is
+/// that of the values, in the file and in memory.
+Hdf5Handle write_set(hid_t group, const std::string& name, const std::vector<hsize_t>& size, hid_t type,
+                     hid_t properties, const void* values);
 void write_attribute(hid_t owner, const std::string& name, hid_t type, const void* value);
 
 /// How numbers lie in the file: lowest byte first, as in memory.
@@ -70,14 +71,18 @@ template <> inline hid_t number_type<std::int64_t>() { return H5T_STD_I64LE; }
 template <> inline hid_t number_type<std::uint64_t>() { return H5T_STD_U64LE; }
 template <> inline hid_t number_type<std::uint8_t>() { return H5T_STD_U8LE; }
 
-/// UTF-8 text of a fixed length, of at least one byte, for HDF5 knows none of length 0; without a length, of any. And a text as an attribute.
+/// UTF-8 text of a fixed length, of at least one byte, for HDF5 knows none of length 0; without a length, of any. And a
+/// text as an attribute.
 Hdf5Handle text_type(std::optional<std::size_t> length);
 void write_text(hid_t owner, const std::string& name, std::string_view text);
 
-template <class T> void write_number(hid_t owner, const std::string& name, T value) { write_attribute(owner, name, number_type<T>(), &value); }
+template <class T> void write_number(hid_t owner, const std::string& name, T value) {
+  write_attribute(owner, name, number_type<T>(), &value);
+}
 
 /// A file in memory that is read, whoever wrote it; `file` names it in the InputError of one that HDF5 cannot open.
-Hdf5Handle open_in_memory(std::string bytes, const std::string& file, const char* refusal = "is an HDF5 file that is cut short or damaged; copy it again");
+Hdf5Handle open_in_memory(std::string bytes, const std::string& file,
+                          const char* refusal = "is an HDF5 file that is cut short or damaged; copy it again");
 
 /// Lengths of a dataset's axes; empty for one without.
 std::vector<std::int64_t> shape_of(hid_t set);

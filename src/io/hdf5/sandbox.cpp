@@ -34,7 +34,8 @@ void limit(int what, rlim_t most) {
 
 /// `parent` is the process that waits: this one ends with it, and whatever would end that ends this one, too.
 void confine(std::size_t room, pid_t parent) {
-  for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGALRM, SIGPIPE, SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGALRM, SIGPIPE, SIGINT, SIGTERM, SIGHUP})
+    std::signal(signal, SIG_DFL);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);
   const int nowhere = open("/dev/null", O_WRONLY);
@@ -62,9 +63,9 @@ void confine(std::size_t room, pid_t parent) {
   _exit(0);
 }
 
-/// The process uses HDF5, whose lock must not be another thread's at the fork: that thread is not there to give it back. What HDF5 calls back has its
-/// lock, whoever else in this process (h5py) uses the library; so the fork happens there, and `child`, which does not return, goes on there. Below 0:
-/// no process.
+/// The process uses HDF5, whose lock must not be another thread's at the fork: that thread is not there to give it
+/// back. What HDF5 calls back has its lock, whoever else in this process (h5py) uses the library; so the fork happens
+/// there, and `child`, which does not return, goes on there. Below 0: no process.
 pid_t fork_with_hdf5(const std::function<void()>& child) {
   struct Fork {
     const std::function<void()>& child;
@@ -95,9 +96,11 @@ std::string receive(int from, std::size_t most) {
 
 }  // namespace
 
-std::string in_sandbox(const std::string& file, const std::function<std::string()>& work, std::size_t most, std::size_t room) {
+std::string in_sandbox(const std::string& file, const std::function<std::string()>& work, std::size_t most,
+                       std::size_t room) {
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse(file, "cannot be read: the system cannot create a pipe; close other programs");
+  if (pipe2(ends.data(), O_CLOEXEC) != 0)
+    refuse(file, "cannot be read: the system cannot create a pipe; close other programs");
   const pid_t parent = getpid(), process = fork_with_hdf5([&] {
                                    close(ends[0]);
                                    confine(2 * most + room, parent);

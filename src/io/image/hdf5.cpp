@@ -29,7 +29,8 @@ bool of_numbers(hid_t set) { return has_rank(set) && is_of_class(set, {H5T_INTEG
 /// Floating numbers are looked at where the file has no whole ones, or they are asked for by name.
 FoundDataset find_picture(hid_t file, const std::string& file_name, const std::string& wanted) {
   const bool only_whole = wanted.empty() && !datasets_in(file, of_whole_numbers).empty();
-  return find_dataset(file, file_name, wanted, only_whole ? of_whole_numbers : of_numbers, "whole numbers with two or three dimensions");
+  return find_dataset(file, file_name, wanted, only_whole ? of_whole_numbers : of_numbers,
+                      "whole numbers with two or three dimensions");
 }
 
 Image decode(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
@@ -45,15 +46,17 @@ Image decode(const std::string& bytes, const std::string& file, const ImageChoic
   numbers.read(stack ? static_cast<hsize_t>(slice) : 0, stack ? 1 : static_cast<hsize_t>(rows), stored);
   Image image{static_cast<int>(columns), static_cast<int>(rows), {}};
   image.value.resize(image.size());
-  each_number(numbers.number().type, numbers.number().big_endian, stored.data(), image.size(), [&](std::size_t i, auto v) {
-    const auto width = static_cast<std::size_t>(columns);
-    if constexpr (std::is_integral_v<decltype(v)>) {
-      if (!std::in_range<std::int32_t>(v)) refuse(file, "holds the value {}; values go from -2147483648 to 2147483647", v);
-      image.value[i] = static_cast<std::int32_t>(v);
-    } else {
-      image.value[i] = whole_value(static_cast<double>(v), file, i % width, i / width);
-    }
-  });
+  each_number(numbers.number().type, numbers.number().big_endian, stored.data(), image.size(),
+              [&](std::size_t i, auto v) {
+                const auto width = static_cast<std::size_t>(columns);
+                if constexpr (std::is_integral_v<decltype(v)>) {
+                  if (!std::in_range<std::int32_t>(v))
+                    refuse(file, "holds the value {}; values go from -2147483648 to 2147483647", v);
+                  image.value[i] = static_cast<std::int32_t>(v);
+                } else {
+                  image.value[i] = whole_value(static_cast<double>(v), file, i % width, i / width);
+                }
+              });
   constexpr int rows_are_columns = 5;
   return is_of_matlab(*set) ? upright(std::move(image), rows_are_columns) : image;
 }
@@ -62,10 +65,13 @@ Image decode(const std::string& bytes, const std::string& file, const ImageChoic
 Image decode_hdf5(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
   prepare_hdf5();
   const auto most = static_cast<std::size_t>(choice.most_pixels);
-  const auto transfer = [](auto& archive, Image& image) { archive(image.width), archive(image.height), archive(image.value); };
+  const auto transfer = [](auto& archive, Image& image) {
+    archive(image.width), archive(image.height), archive(image.value);
+  };
   const auto work = [&] { return decode(bytes, file, choice); };
   Image image = record_from_sandbox<Image>(file, work, transfer, 16 + 4 * most, 24 * most + 3 * bytes.size());
-  if (image.width <= 0 || image.height <= 0 || image.value.size() != image.size()) refuse(file, "is an HDF5 file that is damaged; copy it again");
+  if (image.width <= 0 || image.height <= 0 || image.value.size() != image.size())
+    refuse(file, "is an HDF5 file that is damaged; copy it again");
   return image;
 }
 
@@ -77,7 +83,8 @@ Image decode_hdf5(const std::string& bytes, const std::string& file, const Image
 const PictureFormat pictures::hdf5{
     .name = "hdf5",
     .sentence = "HDF5",
-    .states = {{"MATLAB_class (MATLAB, save -v7.3)", "axes are taken as height x width x slices"}, {"floating numbers", "taken where all are whole"}},
+    .states = {{"MATLAB_class (MATLAB, save -v7.3)", "axes are taken as height x width x slices"},
+               {"floating numbers", "taken where all are whole"}},
     .has_datasets = true,
     .is = is_hdf5,
     .read = decode_hdf5};

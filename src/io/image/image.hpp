@@ -13,7 +13,14 @@
 namespace arenite::io {
 
 /// What of a coloured pixel is its value. `none` insists on grey; otherwise a grey pixel is taken as it is.
-enum class Channel : std::uint8_t { none, red, green, blue, mean, grey };  ///< grey: 0.299 red + 0.587 green + 0.114 blue
+enum class Channel : std::uint8_t {
+  none,
+  red,
+  green,
+  blue,
+  mean,
+  grey
+};  ///< grey: 0.299 red + 0.587 green + 0.114 blue
 
 /// Names of the channels that can be chosen, "red" to "grey"; and the channel of a name (InputError for any other).
 std::vector<std::string> channel_names();
@@ -27,9 +34,10 @@ struct ImageChoice {
   std::int64_t most_pixels = 100'000'000;  ///< larger ones are refused before memory is asked for
 };
 
-/// A grey picture with 1 to 32 bits a pixel, its stored values unchanged. Without a channel, colour is accepted where red, green and blue are equal,
-/// a palette where its entries are grey (the pixel is then what it shows), and what blurs values across edges not at all; with one, any
-/// colour. Transparency is accepted where there is none; otherwise InputError, as for a file that is no picture, is cut short or too large.
+/// A grey picture with 1 to 32 bits a pixel, its stored values unchanged. Without a channel, colour is accepted where
+/// red, green and blue are equal, a palette where its entries are grey (the pixel is then what it shows), and what
+/// blurs values across edges not at all; with one, any colour. Transparency is accepted where there is none; otherwise
+/// InputError, as for a file that is no picture, is cut short or too large.
 Image read_image(const std::filesystem::path& path, const ImageChoice& choice = {});
 
 /// The same from the bytes of a file of this name.
@@ -59,10 +67,12 @@ struct PixelLayout {
   int samples = 1;  ///< of a pixel; the first is grey or an index of the palette, or the first three are a colour
   bool colour = false, opacity = false, inverted = false, is_signed = false;  ///< opacity: the last sample
   bool is_floating = false;                                                   ///< 32 or 64 bits
-  Channel channel = Channel::none;                                            ///< what is taken of a colour; none: colour is refused
-  std::vector<std::array<std::uint16_t, 3>> palette;                          ///< empty: none
+  Channel channel = Channel::none;                    ///< what is taken of a colour; none: colour is refused
+  std::vector<std::array<std::uint16_t, 3>> palette;  ///< empty: none
 
-  std::size_t bytes_a_row() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(samples) * static_cast<std::size_t>(bits / 8); }
+  std::size_t bytes_a_row() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(samples) * static_cast<std::size_t>(bits / 8);
+  }
 };
 
 /// An image of no pixels or more than are allowed is an InputError.
@@ -77,12 +87,14 @@ Image empty_image(const PixelLayout& layout);
 /// An image of rows of samples that lie `stride` bytes apart.
 Image image_of(const PixelLayout& layout, const std::vector<std::uint8_t>& samples, std::size_t stride);
 
-/// Turns `count` pixels of one row (0 at the top) from column x on into whole numbers. InputError for colour, transparency, indices outside the palette, numbers that do not fit 32 bits
-/// with sign.
-void take_row(const PixelLayout& layout, const std::uint8_t* samples, std::size_t x, std::size_t row, std::size_t count, Image& image);
+/// Turns `count` pixels of one row (0 at the top) from column x on into whole numbers. InputError for colour,
+/// transparency, indices outside the palette, numbers that do not fit 32 bits with sign.
+void take_row(const PixelLayout& layout, const std::uint8_t* samples, std::size_t x, std::size_t row, std::size_t count,
+              Image& image);
 
 /// The same for floating numbers, which must be whole.
-void take_floating_row(const PixelLayout& layout, const std::uint8_t* samples, std::size_t x, std::size_t row, std::size_t count, Image& image);
+void take_floating_row(const PixelLayout& layout, const std::uint8_t* samples, std::size_t x, std::size_t row,
+                       std::size_t count, Image& image);
 
 /// A floating number that is a whole one, as labels and phases are. InputError for any other.
 std::int32_t whole_value(double value, const std::string& file, std::size_t x, std::size_t row);

@@ -19,8 +19,8 @@ namespace {
 
 constexpr int most_scans = 500;  // a progressive picture may repeat itself without end; real ones have about ten
 
-/// libjpeg's reader over bytes in memory. libjpeg leaves a failing call by longjmp, so the functions that call it hold nothing that needs a
-/// destructor.
+/// libjpeg's reader over bytes in memory. libjpeg leaves a failing call by longjmp, so the functions that call it hold
+/// nothing that needs a destructor.
 struct JpegDecoder {
   jpeg_decompress_struct jpeg{};
   jpeg_error_mgr errors{};
@@ -63,7 +63,8 @@ int orientation_of(const JpegDecoder& d) {
   constexpr auto beginning = "Exif\0\0"sv;
   for (auto* marker = d.jpeg.marker_list; marker != nullptr; marker = marker->next) {
     const std::string_view data(reinterpret_cast<const char*>(marker->data), marker->data_length);
-    if (marker->marker == exif_marker && data.starts_with(beginning)) return exif_orientation(data.substr(beginning.size()));
+    if (marker->marker == exif_marker && data.starts_with(beginning))
+      return exif_orientation(data.substr(beginning.size()));
   }
   return 1;
 }

@@ -26,7 +26,8 @@ Image upright(Image stored, int orientation) {
   for (int row = 0; row < seen.height; ++row)
     for (int column = 0; column < seen.width; ++column) {
       const int x = turned ? row : column, y = turned ? column : row;
-      seen.value.push_back(stored.value[stored.index(from_right ? stored.width - 1 - x : x, from_bottom ? stored.height - 1 - y : y)]);
+      seen.value.push_back(
+          stored.value[stored.index(from_right ? stored.width - 1 - x : x, from_bottom ? stored.height - 1 - y : y)]);
     }
   return seen;
 }

@@ -18,8 +18,8 @@ Image cropped(Image image, const std::optional<Crop>& crop, const std::string& f
   const auto [x, y, width, height] = *crop;
   if (x < 0 || y < 0 || width <= 0 || height <= 0 || width > image.width - x || height > image.height - y)
     refuse(file,
-           "has {} x {} pixels, and the crop {},{},{},{} does not lie inside; give X,Y of its upper left "
-           "pixel, width, height",
+           "has {} x {} pixels, and the crop {},{},{},{} does not lie inside; give X,Y of its upper left pixel, width, "
+           "height",
            image.width, image.height, x, y, width, height);
   Image part{width, height, {}};
   part.value.reserve(part.size());
@@ -45,7 +45,8 @@ std::string pixel(const PhaseMap& map, std::size_t node, const std::optional<Cro
 }
 
 /// Labels of anybody's numbering become 0, 1, 2 in the order of their first node.
-void number_grains(PhaseMap& map, const std::vector<std::int32_t>& label, const PhaseMapOptions& options, const std::string& file) {
+void number_grains(PhaseMap& map, const std::vector<std::int32_t>& label, const PhaseMapOptions& options,
+                   const std::string& file) {
   std::unordered_map<std::int32_t, std::int32_t> number;
   std::size_t bare = 0, outside = 0, first_bare = 0, first_outside = 0;
   std::int32_t last = 0, grain = -1;
@@ -61,16 +62,21 @@ void number_grains(PhaseMap& map, const std::vector<std::int32_t>& label, const 
     map.grain[i] = grain;
   }
   Problems problems(file);
-  problems.unless(bare == 0, "has no label for {} particle pixels, the first at {}; label them, or leave the labels out so that grains are found", bare,
-                  pixel(map, first_bare, options.crop));
-  problems.unless(outside == 0, "labels {} pixels that are not particle, the first at {}; write 0 there, or state with --phases that they are particle",
+  problems.unless(bare == 0,
+                  "has no label for {} particle pixels, the first at {}; label them, or leave the labels out so that "
+                  "grains are found",
+                  bare, pixel(map, first_bare, options.crop));
+  problems.unless(outside == 0,
+                  "labels {} pixels that are not particle, the first at {}; write 0 there, or state with --phases that "
+                  "they are particle",
                   outside, pixel(map, first_outside, options.crop));
   problems.raise();
   map.grain_class.assign(number.size(), GrainClass::none);
 }
 
 bool several_values(const Image& labels) {
-  return std::any_of(labels.value.begin(), labels.value.end(), [&](std::int32_t v) { return v != labels.value.front(); });
+  return std::any_of(labels.value.begin(), labels.value.end(),
+                     [&](std::int32_t v) { return v != labels.value.front(); });
 }
 
 constexpr std::string_view names[] = {"void", "matrix", "particle"};
@@ -96,7 +102,8 @@ std::string listed(const Counts& counts, std::size_t total) {
   int shown = 0;
   for (const auto& [value, count] : counts) {
     if (shown++ == most) return text + fmt::format(" and {} more", counts.size() - most);
-    text += fmt::format("{}{} ({:.3g} %)", text.empty() ? "" : ", ", value, 100 * static_cast<double>(count) / static_cast<double>(total));
+    text += fmt::format("{}{} ({:.3g} %)", text.empty() ? "" : ", ", value,
+                        100 * static_cast<double>(count) / static_cast<double>(total));
   }
   return text;
 }
@@ -105,21 +112,30 @@ std::string listed(const Counts& counts, std::size_t total) {
 std::string proposal(const Counts& counts) {
   std::string text;
   for (auto it = counts.begin(); it != counts.end(); ++it)
-    text += fmt::format("{}{}={}", text.empty() ? "" : ",", it->first, it == counts.begin() ? "void" : std::next(it) == counts.end() ? "particle" : "matrix");
+    text += fmt::format("{}{}={}", text.empty() ? "" : ",", it->first,
+                        it == counts.begin()            ? "void"
+                        : std::next(it) == counts.end() ? "particle"
+                                                        : "matrix");
   return text;
 }
 
 PhaseTable guess(const Counts& counts, std::size_t total, const std::string& file, std::vector<std::string>& notes) {
   if (counts.size() == 1)
-    refuse(file, "has the value {} everywhere: nothing distinguishes particles from void; give a picture of at least two values", counts.begin()->first);
+    refuse(
+        file,
+        "has the value {} everywhere: nothing distinguishes particles from void; give a picture of at least two values",
+        counts.begin()->first);
   constexpr std::size_t too_many = 8;
   if (counts.size() > too_many)
     refuse(file,
-           "has {} values, {}; it is not a phase map: a photograph must be segmented first, and grain labels are "
-           "given with --labels beside a phase map",
+           "has {} values, {}; it is not a phase map: a photograph must be segmented first, and grain labels are given "
+           "with --labels beside a phase map",
            counts.size(), listed(counts, total));
-  if (counts.size() > 2) refuse(file, "has the values {}; state the phase of each, for example with --phases {}", listed(counts, total), proposal(counts));
-  notes.push_back(fmt::format("Values {}: the lower was taken as void, the higher as particle.", listed(counts, total)));
+  if (counts.size() > 2)
+    refuse(file, "has the values {}; state the phase of each, for example with --phases {}", listed(counts, total),
+           proposal(counts));
+  notes.push_back(
+      fmt::format("Values {}: the lower was taken as void, the higher as particle.", listed(counts, total)));
   return {{counts.begin()->first, Phase::empty}, {counts.rbegin()->first, Phase::particle}};
 }
 
@@ -128,7 +144,8 @@ void refuse_unknown(const Counts& counts, const PhaseTable& table, std::size_t t
   for (const auto& [value, count] : counts)
     if (!table.contains(value)) unknown[value] = count;
   if (!unknown.empty())
-    refuse(file, "has values whose phase is not given: {}; add them to --phases, or save the picture without smoothing", listed(unknown, total));
+    refuse(file, "has values whose phase is not given: {}; add them to --phases, or save the picture without smoothing",
+           listed(unknown, total));
 }
 
 void refuse_one_phase(const Counts& counts, const PhaseTable& table, bool several_grains, const std::string& file) {
@@ -147,21 +164,26 @@ Crop parse_crop(std::string_view text) {
   return {*numbers[0], *numbers[1], *numbers[2], *numbers[3]};
 }
 
-ForeignMap make_phase_map(const Image& picture, const Image* labels, const PhaseMapOptions& options, const std::string& file, const std::string& label_file) {
-  if (!(options.dx > 0) || !std::isfinite(options.dx)) throw refusal("the side of a pixel is {:g} m; give a positive length", options.dx);
+ForeignMap make_phase_map(const Image& picture, const Image* labels, const PhaseMapOptions& options,
+                          const std::string& file, const std::string& label_file) {
+  if (!(options.dx > 0) || !std::isfinite(options.dx))
+    throw refusal("the side of a pixel is {:g} m; give a positive length", options.dx);
   if (labels != nullptr && (labels->width != picture.width || labels->height != picture.height))
-    refuse(label_file, "has {} x {} pixels and the phase map {} x {}; give labels of the same picture", labels->width, labels->height, picture.width,
-           picture.height);
+    refuse(label_file, "has {} x {} pixels and the phase map {} x {}; give labels of the same picture", labels->width,
+           labels->height, picture.width, picture.height);
   const Image part = cropped(picture, options.crop, file);
   Image marks;
   if (labels != nullptr) marks = cropped(*labels, options.crop, label_file);
   ForeignMap result;
   PhaseMap& map = result.map;
   map = arenite::make_phase_map(part.width, part.height, options.dx);
-  map.phase = bottom_first(assign_phases(part, options.phases, labels != nullptr && several_values(marks), file, result.notes), part.width, part.height);
+  map.phase =
+      bottom_first(assign_phases(part, options.phases, labels != nullptr && several_values(marks), file, result.notes),
+                   part.width, part.height);
   if (labels == nullptr) return result;
   if (std::find(map.phase.begin(), map.phase.end(), Phase::particle) == map.phase.end())
-    refuse(label_file, "gives labels to a map without particles; leave them out, or state with --phases which value is particle");
+    refuse(label_file,
+           "gives labels to a map without particles; leave them out, or state with --phases which value is particle");
   number_grains(map, bottom_first(marks.value, marks.width, marks.height), options, label_file);
   result.labelled = true;
   return result;
@@ -169,7 +191,8 @@ ForeignMap make_phase_map(const Image& picture, const Image* labels, const Phase
 
 ForeignMap read_phase_map(const std::filesystem::path& path, const PhaseMapOptions& options) {
   const Image picture = read_image(path, options.image);
-  if (!options.labels && options.label_image.dataset.empty()) return make_phase_map(picture, nullptr, options, path.string(), {});
+  if (!options.labels && options.label_image.dataset.empty())
+    return make_phase_map(picture, nullptr, options, path.string(), {});
   const auto label_path = options.labels.value_or(path);
   ImageChoice choice = options.label_image;
   if (!choice.slice) choice.slice = options.image.slice;
@@ -190,12 +213,14 @@ PhaseTable parse_phase_table(std::string_view text) {
   for (const std::string_view row : split_cells(text, ',')) {
     const std::size_t at = row.find('=');
     const auto value = parse_number<std::int32_t>(row.substr(0, at));
-    if (at == std::string_view::npos || !value) throw refusal("\"{}\" does not assign a phase to a value; {}", row, form);
+    if (at == std::string_view::npos || !value)
+      throw refusal("\"{}\" does not assign a phase to a value; {}", row, form);
     const std::string name(row.substr(at + 1));
     const auto* found = std::find(std::begin(names), std::end(names), name);
     if (found == std::end(names)) {
       const std::string near = nearest(name, {std::begin(names), std::end(names)});
-      throw refusal("\"{}\" is not a phase{}; phases are void, matrix and particle", name, near.empty() ? "" : "; did you mean \"" + near + "\"?");
+      throw refusal("\"{}\" is not a phase{}; phases are void, matrix and particle", name,
+                    near.empty() ? "" : "; did you mean \"" + near + "\"?");
     }
     if (!table.emplace(*value, static_cast<Phase>(found - std::begin(names))).second)
       throw refusal("the value {} is assigned a phase twice; leave one of them out", *value);
@@ -203,7 +228,8 @@ PhaseTable parse_phase_table(std::string_view text) {
   return table;
 }
 
-std::vector<Phase> assign_phases(const Image& image, const PhaseTable& given, bool several_grains, const std::string& file, std::vector<std::string>& notes) {
+std::vector<Phase> assign_phases(const Image& image, const PhaseTable& given, bool several_grains,
+                                 const std::string& file, std::vector<std::string>& notes) {
   const Counts counts = count_values(image);
   if (counts.empty()) refuse(file, "holds no pixels; give a picture with at least one");
   const PhaseTable table = given.empty() ? guess(counts, image.size(), file, notes) : given;

@@ -21,10 +21,12 @@ PhaseTable parse_phase_table(std::string_view text);
 /// "void", "matrix" or "particle".
 std::string_view name_of(Phase phase);
 
-/// Phase of every pixel, in the picture's order. Without a table (an empty one) a picture of exactly two values is guessed: the lower is void, the
-/// higher particle, and `notes` says so. Every other picture without a table, a value that the table lacks, and a picture of one phase only (unless
-/// it is particle and `several_grains`) is an InputError that lists the values with their shares.
-std::vector<Phase> assign_phases(const Image& image, const PhaseTable& table, bool several_grains, const std::string& file, std::vector<std::string>& notes);
+/// Phase of every pixel, in the picture's order. Without a table (an empty one) a picture of exactly two values is
+/// guessed: the lower is void, the higher particle, and `notes` says so. Every other picture without a table, a value
+/// that the table lacks, and a picture of one phase only (unless it is particle and `several_grains`) is an InputError
+/// that lists the values with their shares.
+std::vector<Phase> assign_phases(const Image& image, const PhaseTable& table, bool several_grains,
+                                 const std::string& file, std::vector<std::string>& notes);
 
 /// A rectangle of a picture: its upper left pixel, as picture viewers count, and its size.
 struct Crop {
@@ -51,13 +53,14 @@ struct ForeignMap {
   std::vector<std::string> notes;
 };
 
-/// Reads a phase map and, if there are any, its labels. Grains are numbered in the order of their first node. Throws InputError for what read_image
-/// and assign_phases refuse, a crop outside the picture, labels of another size, labels where no particle is, particles without label, labels given
-/// to a map without particles.
+/// Reads a phase map and, if there are any, its labels. Grains are numbered in the order of their first node. Throws
+/// InputError for what read_image and assign_phases refuse, a crop outside the picture, labels of another size, labels
+/// where no particle is, particles without label, labels given to a map without particles.
 ForeignMap read_phase_map(const std::filesystem::path& path, const PhaseMapOptions& options);
 
 /// The same from pictures; `labels` may be null. Names are for messages.
-ForeignMap make_phase_map(const Image& picture, const Image* labels, const PhaseMapOptions& options, const std::string& file, const std::string& label_file);
+ForeignMap make_phase_map(const Image& picture, const Image* labels, const PhaseMapOptions& options,
+                          const std::string& file, const std::string& label_file);
 
 /// One label for all particles of a map.
 void label_alike(PhaseMap& map);

@@ -15,7 +15,8 @@
 namespace arenite::io {
 namespace {
 
-/// libpng's reader over bytes in memory. libpng leaves a failing call by longjmp, so the functions that call it hold nothing that needs a destructor.
+/// libpng's reader over bytes in memory. libpng leaves a failing call by longjmp, so the functions that call it hold
+/// nothing that needs a destructor.
 struct PngDecoder {
   std::string_view rest;
   char message[120] = {};

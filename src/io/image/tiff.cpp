@@ -47,8 +47,10 @@ PixelLayout layout_of(TIFF* tiff, const TiffSource& source, Channel channel) {
   if (meaning == PHOTOMETRIC_PALETTE) take_palette(tiff, bits, layout);
   const int needed = layout.colour ? 3 : 1;
   layout.opacity = layout.samples == needed + 1;
-  if (layout.samples < needed || layout.samples > needed + 1 || (layout.samples > 1 && (bits < 8 || layout.is_signed || layout.is_floating)))
-    source.refuse(fmt::format("has {} samples per pixel; save it as greyscale with one value per phase", layout.samples));
+  if (layout.samples < needed || layout.samples > needed + 1 ||
+      (layout.samples > 1 && (bits < 8 || layout.is_signed || layout.is_floating)))
+    source.refuse(
+        fmt::format("has {} samples per pixel; save it as greyscale with one value per phase", layout.samples));
   if (layout.samples > 1 && tiff_field<std::uint16_t>(tiff, TIFFTAG_PLANARCONFIG) != PLANARCONFIG_CONTIG)
     source.refuse("stores its colours in separate planes; save it as greyscale with one value per phase");
   return layout;
@@ -59,12 +61,14 @@ void unpack(const std::uint8_t* packed, int bits, std::vector<std::uint8_t>& row
   const unsigned most = (1u << bits) - 1;
   for (std::size_t x = 0; x < row.size(); ++x) {
     const std::size_t bit = x * static_cast<std::size_t>(bits);
-    row[x] = static_cast<std::uint8_t>(static_cast<unsigned>(packed[bit / 8]) >> (8 - static_cast<std::size_t>(bits) - bit % 8) & most);
+    row[x] = static_cast<std::uint8_t>(
+        static_cast<unsigned>(packed[bit / 8]) >> (8 - static_cast<std::size_t>(bits) - bit % 8) & most);
   }
 }
 
 Image read_page(TIFF* tiff, const TiffSource& source, const ImageChoice& choice) {
-  check_size(source.file(), tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH), tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH), choice);
+  check_size(source.file(), tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH),
+             tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH), choice);
   const PixelLayout layout = layout_of(tiff, source, choice.channel);
   Image image = empty_image(layout);
   std::vector<std::uint8_t> bytes;
@@ -82,10 +86,13 @@ Image read_page(TIFF* tiff, const TiffSource& source, const ImageChoice& choice)
 /// Images without a directory of their own cannot be chosen.
 void refuse_images_behind(TIFF* tiff, const TiffSource& source) {
   const char* text = nullptr;
-  if (TIFFNumberOfDirectories(tiff) != 1 || TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &text) != 1 || text == nullptr) return;
-  const TiffStack stack = stack_in(text, tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH), tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH));
+  if (TIFFNumberOfDirectories(tiff) != 1 || TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &text) != 1 || text == nullptr)
+    return;
+  const TiffStack stack = stack_in(text, tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH),
+                                   tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH));
   if (stack.images() > 1)
-    source.refuse(fmt::format("holds one picture, but {} describes {} images; save the one that is meant by itself", stack.by, stack.images()));
+    source.refuse(fmt::format("holds one picture, but {} describes {} images; save the one that is meant by itself",
+                              stack.by, stack.images()));
 }
 
 tmsize_t read_bytes(thandle_t handle, void* to, tmsize_t count) {
@@ -144,26 +151,33 @@ const PictureFormat pictures::tiff{.name = "tiff",
 void TiffSource::refuse(const std::string& message) const { throw InputError(file(), 0, message); }
 
 void TiffSource::refuse_damaged() const {
-  refuse("is a TIFF picture that is cut short or damaged" + (complaint.empty() ? "" : " (" + complaint + ")") + "; copy it again");
+  refuse("is a TIFF picture that is cut short or damaged" + (complaint.empty() ? "" : " (" + complaint + ")") +
+         "; copy it again");
 }
 
 Tiff open_tiff(TiffSource& source, std::int64_t most_at_once) {
   const TiffOptions options = options_with(complain, &source);
   TIFFOpenOptionsSetMaxSingleMemAlloc(options.get(), most_at_once);
   // "m": no mapping into memory, for the bytes come through us.
-  return {TIFFClientOpenExt(
-              "picture", "rm", &source, read_bytes, [](thandle_t, void*, tmsize_t) -> tmsize_t { return 0; }, seek, [](thandle_t) { return 0; },
-              [](thandle_t h) -> toff_t { return static_cast<TiffSource*>(h)->bytes->size(); }, nullptr, nullptr, options.get()),
-          TIFFClose};
+  return {
+      TIFFClientOpenExt(
+          "picture", "rm", &source, read_bytes, [](thandle_t, void*, tmsize_t) -> tmsize_t { return 0; }, seek,
+          [](thandle_t) { return 0; }, [](thandle_t h) -> toff_t { return static_cast<TiffSource*>(h)->bytes->size(); },
+          nullptr, nullptr, options.get()),
+      TIFFClose};
 }
 
 void each_block(TIFF* tiff, const TiffSource& source, const std::function<void(const TiffBlock& block)>& see) {
   const bool tiled = TIFFIsTiled(tiff) != 0;
-  const std::size_t width = tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH), height = tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH);
+  const std::size_t width = tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH),
+                    height = tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH);
   const std::size_t wide = tiled ? tiff_field<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH) : width;
-  const std::size_t high = tiled ? tiff_field<std::uint32_t>(tiff, TIFFTAG_TILELENGTH)
-                                 : std::min<std::size_t>(std::max<std::uint32_t>(1, tiff_field<std::uint32_t>(tiff, TIFFTAG_ROWSPERSTRIP)), height);
-  const std::size_t bits = std::size_t{tiff_field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE)} * tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL);
+  const std::size_t high =
+      tiled ? tiff_field<std::uint32_t>(tiff, TIFFTAG_TILELENGTH)
+            : std::min<std::size_t>(std::max<std::uint32_t>(1, tiff_field<std::uint32_t>(tiff, TIFFTAG_ROWSPERSTRIP)),
+                                    height);
+  const std::size_t bits = std::size_t{tiff_field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE)} *
+                           tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL);
   const tmsize_t stride = tiled ? TIFFTileRowSize(tiff) : TIFFScanlineSize(tiff);
   // A tile may be larger than the page, but not by much: else a few bytes ask for any memory.
   const bool fits = wide > 0 && high > 0 && wide <= width + 4096 && high <= height + 4096;
@@ -173,8 +187,9 @@ void each_block(TIFF* tiff, const TiffSource& source, const std::function<void(c
     for (std::size_t x = 0; x < width; x += wide) {
       const std::size_t rows = std::min(high, height - y);
       const auto wanted = static_cast<tmsize_t>(tiled ? high : rows) * stride;
-      const tmsize_t got = tiled ? TIFFReadTile(tiff, samples.data(), static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0, 0)
-                                 : TIFFReadEncodedStrip(tiff, static_cast<std::uint32_t>(y / high), samples.data(), wanted);
+      const tmsize_t got =
+          tiled ? TIFFReadTile(tiff, samples.data(), static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0, 0)
+                : TIFFReadEncodedStrip(tiff, static_cast<std::uint32_t>(y / high), samples.data(), wanted);
       if (got != wanted) source.refuse_damaged();
       see({x, y, std::min(wide, width - x), rows, static_cast<std::size_t>(stride), samples.data()});
     }

@@ -27,8 +27,8 @@ struct TiffSource {
 
 using Tiff = std::unique_ptr<TIFF, void (*)(TIFF*)>;
 
-/// For reading; null for what is no TIFF. `source` must outlive it. At most `most_at_once` bytes of memory are asked for in one piece, whatever a tag
-/// says.
+/// For reading; null for what is no TIFF. `source` must outlive it. At most `most_at_once` bytes of memory are asked
+/// for in one piece, whatever a tag says.
 Tiff open_tiff(TiffSource& source, std::int64_t most_at_once = std::int64_t{1} << 30);
 
 /// For writing, from the start; null where the system refuses. libtiff's own words are not heard: it prints them.

@@ -30,7 +30,8 @@ TiffStack of_imagej(std::string_view text) {
   std::string_view unit;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string_view line = text.substr(at, end - at), key = line.substr(0, line.find('=')), value = line.substr(std::min(key.size() + 1, line.size()));
+    const std::string_view line = text.substr(at, end - at), key = line.substr(0, line.find('=')),
+                           value = line.substr(std::min(key.size() + 1, line.size()));
     if (key == "images") images = count_of(value);
     if (key == "channels") stack.channels = count_of(value);
     if (key == "slices") stack.slices = count_of(value);
@@ -62,7 +63,8 @@ TiffStack of_ome(std::string_view text) {
   stack.channels = count_of(attribute(pixels, "SizeC"));
   stack.slices = count_of(attribute(pixels, "SizeZ"));
   stack.frames = count_of(attribute(pixels, "SizeT"));
-  if (std::string order(attribute(pixels, "DimensionOrder")); order.starts_with("XY") && order.size() == 5) stack.order = order.substr(2);
+  if (std::string order(attribute(pixels, "DimensionOrder")); order.starts_with("XY") && order.size() == 5)
+    stack.order = order.substr(2);
   const auto in_seconds = [&](double value, std::string_view unit) {
     const auto seconds = seconds_of(unit);
     if (!seconds) stack.unknown_unit = unit;
@@ -75,7 +77,9 @@ TiffStack of_ome(std::string_view text) {
   std::vector<double> time;
   for (std::size_t at = text.find("<Plane "); at != std::string_view::npos; at = text.find("<Plane ", at + 1)) {
     const std::string_view plane = text.substr(at);
-    const auto number = [&](const char* name) { return parse_number<std::int64_t>(attribute(plane, name)).value_or(0); };
+    const auto number = [&](const char* name) {
+      return parse_number<std::int64_t>(attribute(plane, name)).value_or(0);
+    };
     const auto delta = parse_number<double>(attribute(plane, "DeltaT"));
     const std::int64_t c = number("TheC"), t = number("TheT");
     if (!delta || number("TheZ") != 0 || c < 0 || t < 0 || c >= stack.channels || t >= stack.frames) continue;
@@ -115,7 +119,8 @@ std::int64_t TiffStack::image(std::int64_t channel, std::int64_t frame) const {
 
 TiffStack stack_in(std::string_view description, std::int64_t width, std::int64_t height) {
   if (description.starts_with("ImageJ=")) return of_imagej(description);
-  if (description.find("<OME") != std::string_view::npos && description.find("<Pixels") != std::string_view::npos) return of_ome(description);
+  if (description.find("<OME") != std::string_view::npos && description.find("<Pixels") != std::string_view::npos)
+    return of_ome(description);
   if (description.starts_with("{\"shape\": [")) return of_tifffile(description, width, height);
   return {};
 }

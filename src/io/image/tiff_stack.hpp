@@ -12,10 +12,11 @@ namespace arenite::io {
 struct TiffStack {
   std::string_view by = {};  ///< whose description it is; empty: none of these
   std::int64_t channels = 1, slices = 1, frames = 1;
-  std::string order = "CZT";      ///< channels, slices, frames: what changes fastest is first
-  double interval = 0;            ///< between frames, s; 0: not stated
-  double shown_per_second = 0;    ///< at which ImageJ plays it, which need not be the camera's rate; 0: not stated
-  std::vector<double> time = {};  ///< s, of the frames of the first slice of every channel (channels x frames); empty: not stated
+  std::string order = "CZT";    ///< channels, slices, frames: what changes fastest is first
+  double interval = 0;          ///< between frames, s; 0: not stated
+  double shown_per_second = 0;  ///< at which ImageJ plays it, which need not be the camera's rate; 0: not stated
+  std::vector<double> time =
+      {};  ///< s, of the frames of the first slice of every channel (channels x frames); empty: not stated
   std::string unknown_unit = {};  ///< of times, which are then left aside
   std::int64_t images() const { return channels * slices * frames; }
   /// Number of the image of a channel and a frame in the first slice, all counted from 0.

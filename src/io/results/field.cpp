@@ -10,9 +10,11 @@ void transfer_cement(const Hdf5Group& at, Cement& cement, std::size_t grains) {
   group("full", cement.full);
   group("coating [m]", cement.coating);
   const auto bridges = group.group("bridges");
-  bridges.records(cement.bridges, Named{"i", &Bridge::i}, Named{"j", &Bridge::j}, Named{"half_i", &Bridge::half_i, "m"}, Named{"half_j", &Bridge::half_j, "m"});
+  bridges.records(cement.bridges, Named{"i", &Bridge::i}, Named{"j", &Bridge::j}, Named{"half_i", &Bridge::half_i, "m"},
+                  Named{"half_j", &Bridge::half_j, "m"});
   const auto menisci = group.group("menisci");
-  menisci.records(cement.menisci, Named{"i", &Meniscus::i}, Named{"j", &Meniscus::j}, Named{"radius", &Meniscus::radius, "m"});
+  menisci.records(cement.menisci, Named{"i", &Meniscus::i}, Named{"j", &Meniscus::j},
+                  Named{"radius", &Meniscus::radius, "m"});
   check_ends(bridges, cement.bridges, grains, "names a grain that does not exist");
   check_ends(menisci, cement.menisci, grains, "names a grain that does not exist");
 }
@@ -29,7 +31,8 @@ void transfer_map(const Hdf5Group& at, PhaseMap& map) {
   group.note("first_row", "bottom");
   group.note("phases", "0 empty, 1 matrix, 2 particle");
   constexpr int largest = 1 << 20;
-  if (at.reads() && (map.width < 0 || map.height < 0 || map.width > largest || map.height > largest)) group.refuse("has an impossible size");
+  if (at.reads() && (map.width < 0 || map.height < 0 || map.width > largest || map.height > largest))
+    group.refuse("has an impossible size");
   const Shape shape{map.height, map.width};
   auto phases = converted<std::uint8_t>(map.phase), classes = converted<std::uint8_t>(map.grain_class);
   group.image("phase", phases, shape);
@@ -39,7 +42,8 @@ void transfer_map(const Hdf5Group& at, PhaseMap& map) {
   for (const auto phase : phases)
     if (phase > static_cast<std::uint8_t>(Phase::particle)) group.refuse("names a phase that does not exist");
   for (const auto each : classes)
-    if (each > static_cast<std::uint8_t>(GrainClass::large)) group.refuse("names a class of grains that does not exist");
+    if (each > static_cast<std::uint8_t>(GrainClass::large))
+      group.refuse("names a class of grains that does not exist");
   map.phase = converted<Phase>(phases);
   map.grain_class = converted<GrainClass>(classes);
   try {
@@ -67,14 +71,16 @@ void transfer_field(const Hdf5Group& at, FieldResult& result) {
   transfer_stresses(at, result.field, result.map);
   transfer_history(at, "convergence", result.convergence);
   transfer_history(at, "curve", result.curve);
-  at.group("cracks").records(result.cracks, Named{"x", &Crack::x, "m"}, Named{"y", &Crack::y, "m"}, Named{"type", &Crack::type},
-                             Named{"strain", &Crack::strain});
+  at.group("cracks").records(result.cracks, Named{"x", &Crack::x, "m"}, Named{"y", &Crack::y, "m"},
+                             Named{"type", &Crack::type}, Named{"strain", &Crack::strain});
   transfer_numbers(at, "numbers", result.numbers);
 }
 
 }  // namespace
 
-void write_field(const std::filesystem::path& path, const FieldResult& result) { write_result_file(path, "field", transfer_field, result); }
+void write_field(const std::filesystem::path& path, const FieldResult& result) {
+  write_result_file(path, "field", transfer_field, result);
+}
 
 FieldResult read_field(const std::filesystem::path& path) { return read_result_file(path, "field", transfer_field); }
 

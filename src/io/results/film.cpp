@@ -23,7 +23,8 @@ constexpr Column<PeakToPeak> peak_to_peak_columns[] = {{"temperature", "K", &Pea
                                                        {"error", "Pa", &PeakToPeak::error},
                                                        {"pixels", "1", &PeakToPeak::pixels}};
 
-constexpr Column<FilmSimulation> simulation_columns[] = {{"peak_to_peak", "Pa", &FilmSimulation::peak_to_peak}, {"state", "Pa", &FilmSimulation::state}};
+constexpr Column<FilmSimulation> simulation_columns[] = {{"peak_to_peak", "Pa", &FilmSimulation::peak_to_peak},
+                                                         {"state", "Pa", &FilmSimulation::state}};
 
 void transfer_film(const Hdf5Group& at, FilmResult& r) {
   const auto group = at.group("film");
@@ -40,7 +41,8 @@ void transfer_film(const Hdf5Group& at, FilmResult& r) {
   group("origin_y [m]", r.origin.y);
   if (!at.reads()) return;
   constexpr int largest = 1 << 16;
-  if (r.film.width < 0 || r.film.height < 0 || r.film.width > largest || r.film.height > largest) group.refuse("has an impossible size");
+  if (r.film.width < 0 || r.film.height < 0 || r.film.width > largest || r.film.height > largest)
+    group.refuse("has an impossible size");
   r.maps.width = r.film.width;
   r.maps.height = r.film.height;
 }
@@ -51,12 +53,14 @@ void transfer_maps(const Hdf5Group& at, FilmResult& r, Shape shape) {
   group("frequency_error [1/s]", r.maps.frequency_error);
   group("reference_phase [rad]", r.maps.reference_phase);
   group("frames", r.maps.frames);
-  group.choice("convention", r.maps.convention, AmplitudeConvention::peak_to_peak, name_of(AmplitudeConvention::peak_to_peak), AmplitudeConvention::amplitude,
+  group.choice("convention", r.maps.convention, AmplitudeConvention::peak_to_peak,
+               name_of(AmplitudeConvention::peak_to_peak), AmplitudeConvention::amplitude,
                name_of(AmplitudeConvention::amplitude));
   group.optional_image("picture", r.picture, shape, "K");
   group.optional_image("bad", r.bad, shape);
   for (const auto& [name, unit, values] : lockin_maps)
-    if (values != &LockinMaps::noise_floor) group.optional_image(name, r.maps.*values, shape, unit);  // which follows from the standard error
+    if (values != &LockinMaps::noise_floor)
+      group.optional_image(name, r.maps.*values, shape, unit);  // which follows from the standard error
 }
 
 void transfer_forces(const Hdf5Group& at, FilmResult& r, Shape shape) {
@@ -96,7 +100,9 @@ void transfer_film_result(const Hdf5Group& at, FilmResult& r) {
 
 }  // namespace
 
-void write_film_result(const std::filesystem::path& path, const FilmResult& result) { write_result_file(path, "film", transfer_film_result, result); }
+void write_film_result(const std::filesystem::path& path, const FilmResult& result) {
+  write_result_file(path, "film", transfer_film_result, result);
+}
 
 FilmResult read_film_result(const std::filesystem::path& path) {
   FilmResult result = read_result_file(path, "film", transfer_film_result);

@@ -41,8 +41,11 @@ void transfer_shapes(const Hdf5Group& at, Grains& grains, const Grains* sample) 
   }
   if (!at.reads() && (shapes.empty() || (sample && shapes == sample->shapes))) return;
   const auto group = at.group("shapes");
-  group.note("first", "grain g has the disks first[g] to first[g + 1] - 1, at x and y from its centre of mass where its angle is 0");
-  group.note("filled", "1: the convex polygon of the disks' centres widened by their common radius; 0: the union of the disks");
+  group.note(
+      "first",
+      "grain g has the disks first[g] to first[g + 1] - 1, at x and y from its centre of mass where its angle is 0");
+  group.note("filled",
+             "1: the convex polygon of the disks' centres widened by their common radius; 0: the union of the disks");
   group.array("first", shapes.first);
   transfer_points(group, shapes.place);
   group.array("radius", shapes.radius, "m");
@@ -50,26 +53,34 @@ void transfer_shapes(const Hdf5Group& at, Grains& grains, const Grains* sample) 
   group.array("gyration", shapes.gyration, "m");
   if (!at.reads()) return;
   const std::size_t n = grains.id.size(), disks = shapes.place.size();
-  group.same_length({n, shapes.first.empty() ? n + 1 : shapes.first.size() - 1, shapes.filled.size(), shapes.gyration.size()});
+  group.same_length(
+      {n, shapes.first.empty() ? n + 1 : shapes.first.size() - 1, shapes.filled.size(), shapes.gyration.size()});
   group.same_length({disks, shapes.radius.size()});
   const bool rising = std::is_sorted(shapes.first.begin(), shapes.first.end()) && shapes.first.front() == 0;
-  if (!rising || shapes.first.back() != static_cast<std::int32_t>(disks)) group.refuse("names disks of grains that do not exist");
+  if (!rising || shapes.first.back() != static_cast<std::int32_t>(disks))
+    group.refuse("names disks of grains that do not exist");
 }
 
 /// Refuses items whose grains are not i < j.
-template <class Items> void check_order(const Hdf5Group& at, const Items& items, std::size_t grains, const char* refusal) {
+template <class Items>
+void check_order(const Hdf5Group& at, const Items& items, std::size_t grains, const char* refusal) {
   check_ends(at, items, grains, refusal);
-  if (at.reads() && std::any_of(items.begin(), items.end(), [](const auto& item) { return item.j <= item.i; })) at.refuse(refusal);
+  if (at.reads() && std::any_of(items.begin(), items.end(), [](const auto& item) { return item.j <= item.i; }))
+    at.refuse(refusal);
 }
 
 void transfer_bonds(const Hdf5Group& at, std::vector<Bond>& bonds, std::size_t grains) {
-  at.note("i and j", "indices into the arrays of grains, from 0, i < j; signs as for contacts; length, n and angles are those at the creation of the bond");
+  at.note("i and j",
+          "indices into the arrays of grains, from 0, i < j; signs as for contacts; length, n and angles are those at "
+          "the creation of the bond");
   at.note("broken", "0: intact; broken in 1 tension, 2 bending, 3 shear, at that time and place, with that energy");
-  at.records(bonds, Named{"i", &Bond::i}, Named{"j", &Bond::j}, Named{"broken", &Bond::broken}, Named{"length", &Bond::length, "m"},
-             Named{"nx", [](Bond& b) -> double& { return b.normal.x; }}, Named{"ny", [](Bond& b) -> double& { return b.normal.y; }},
-             Named{"angle_i", &Bond::angle_i, "rad"}, Named{"angle_j", &Bond::angle_j, "rad"}, Named{"fn", &Bond::fn, "N"}, Named{"ft", &Bond::ft, "N"},
-             Named{"moment", &Bond::moment, "N m"}, Named{"energy", &Bond::energy, "J"}, Named{"load", &Bond::load}, Named{"time", &Bond::time, "s"},
-             Named{"x", [](Bond& b) -> double& { return b.place.x; }, "m"}, Named{"y", [](Bond& b) -> double& { return b.place.y; }, "m"});
+  at.records(bonds, Named{"i", &Bond::i}, Named{"j", &Bond::j}, Named{"broken", &Bond::broken},
+             Named{"length", &Bond::length, "m"}, Named{"nx", [](Bond& b) -> double& { return b.normal.x; }},
+             Named{"ny", [](Bond& b) -> double& { return b.normal.y; }}, Named{"angle_i", &Bond::angle_i, "rad"},
+             Named{"angle_j", &Bond::angle_j, "rad"}, Named{"fn", &Bond::fn, "N"}, Named{"ft", &Bond::ft, "N"},
+             Named{"moment", &Bond::moment, "N m"}, Named{"energy", &Bond::energy, "J"}, Named{"load", &Bond::load},
+             Named{"time", &Bond::time, "s"}, Named{"x", [](Bond& b) -> double& { return b.place.x; }, "m"},
+             Named{"y", [](Bond& b) -> double& { return b.place.y; }, "m"});
   constexpr const char* refusal = "names a grain or a break that does not exist";
   check_order(at, bonds, grains, refusal);
   for (const Bond& b : bonds)
@@ -77,9 +88,11 @@ void transfer_bonds(const Hdf5Group& at, std::vector<Bond>& bonds, std::size_t g
 }
 
 void transfer_cohesive(const Hdf5Group& at, std::vector<CohesivePair>& pairs, std::size_t grains) {
-  at.note("i and j", "indices into the arrays of grains, from 0, i < j; the pull of a pair whose gap is not above 0 is part of the force of its contact");
-  at.records(pairs, Named{"i", &CohesivePair::i}, Named{"j", &CohesivePair::j}, Named{"gap", &CohesivePair::gap, "m"}, Named{"pull", &CohesivePair::pull, "N"},
-             Named{"energy", &CohesivePair::energy, "J"});
+  at.note("i and j",
+          "indices into the arrays of grains, from 0, i < j; the pull of a pair whose gap is not above 0 is part of "
+          "the force of its contact");
+  at.records(pairs, Named{"i", &CohesivePair::i}, Named{"j", &CohesivePair::j}, Named{"gap", &CohesivePair::gap, "m"},
+             Named{"pull", &CohesivePair::pull, "N"}, Named{"energy", &CohesivePair::energy, "J"});
   check_order(at, pairs, grains, "names a grain that does not exist");
 }
 
@@ -88,10 +101,14 @@ void transfer_cohesive(const Hdf5Group& at, std::vector<CohesivePair>& pairs, st
 void refuse_version_01(const Hdf5Group& file, const std::filesystem::path& path) {
   const auto is_text = [&](const char* numbers) { return file.has(numbers) && !file.has_group(numbers); };
   if (is_text("texture") || is_text("numbers") || file.has("swing"))
-    refuse(path.string(), "was written by Arenite 0.1, whose results are no longer read; run the recipe in it (/provenance/recipe) again");
+    refuse(path.string(),
+           "was written by Arenite 0.1, whose results are no longer read; run the recipe in it (/provenance/recipe) "
+           "again");
 }
 
-void transfer_points(const Hdf5Group& at, std::vector<Vec2>& points) { at.records(points, Named{"x", &Vec2::x, "m"}, Named{"y", &Vec2::y, "m"}); }
+void transfer_points(const Hdf5Group& at, std::vector<Vec2>& points) {
+  at.records(points, Named{"x", &Vec2::x, "m"}, Named{"y", &Vec2::y, "m"});
+}
 
 void transfer_provenance(const Hdf5Group& at, Provenance& provenance) {
   at("version", provenance.version);
@@ -157,9 +174,15 @@ void transfer_grains(const Hdf5Group& at, Packing& packing, const Grains* sample
 
 void transfer_contacts(const Hdf5Group& at, Contacts& contacts, std::size_t grains, int elements) {
   const auto group = at.group("contacts");
-  group.note("i and j", "indices into the arrays of grains, from 0, not ids; j = -1, -2, -3, -4 is the left, right, bottom, top wall");
-  if (elements > 0) group.note("j below -4", "-5 - j counts the elements of all boundaries, two per point: the point, and the segment from it to the next");
-  group.note("signs", "n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t; fn > 0 is repulsive");
+  group.note(
+      "i and j",
+      "indices into the arrays of grains, from 0, not ids; j = -1, -2, -3, -4 is the left, right, bottom, top wall");
+  if (elements > 0)
+    group.note(
+        "j below -4",
+        "-5 - j counts the elements of all boundaries, two per point: the point, and the segment from it to the next");
+  group.note("signs",
+             "n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t; fn > 0 is repulsive");
   group.array("i", contacts.i);
   group.array("j", contacts.j);
   transfer_columns(group, contacts, contact_columns, contacts.size());
@@ -188,7 +211,8 @@ void transfer_packing(const Hdf5Group& at, Packing& packing) {
 void transfer_joints(const Hdf5Group& at, Packing& packing) {
   const std::size_t grains = packing.grains.size();
   if (!at.lacks("bonds", packing.bonds.empty())) transfer_bonds(at.group("bonds"), packing.bonds, grains);
-  if (!at.lacks("cohesive", packing.cohesive.empty())) transfer_cohesive(at.group("cohesive"), packing.cohesive, grains);
+  if (!at.lacks("cohesive", packing.cohesive.empty()))
+    transfer_cohesive(at.group("cohesive"), packing.cohesive, grains);
 }
 
 void transfer_history(const Hdf5Group& at, const char* name, History& history) {

@@ -16,13 +16,15 @@ void refuse_version_01(const Hdf5Group& file, const std::filesystem::path& path)
 
 /// The result of a whole file of that kind, by the function that transfers it.
 template <class Result>
-void write_result_file(const std::filesystem::path& path, std::string_view kind, void (*transfer)(const Hdf5Group&, Result&), const Result& result,
-                       bool compress = true) {
+void write_result_file(const std::filesystem::path& path, std::string_view kind,
+                       void (*transfer)(const Hdf5Group&, Result&), const Result& result, bool compress = true) {
   const Hdf5Group file(compress);
   transfer(file, const_cast<Result&>(result));  // which does not change what it writes
   write_checksummed(path, kind, file.bytes());
 }
-template <class Result> Result read_result_file(const std::filesystem::path& path, std::string_view kind, void (*transfer)(const Hdf5Group&, Result&)) {
+template <class Result>
+Result read_result_file(const std::filesystem::path& path, std::string_view kind,
+                        void (*transfer)(const Hdf5Group&, Result&)) {
   const Hdf5Group file(read_checksummed(path, kind), path.string());
   refuse_version_01(file, path);
   Result result;
@@ -30,8 +32,8 @@ template <class Result> Result read_result_file(const std::filesystem::path& pat
   return result;
 }
 
-/// A column of real numbers: name, SI unit ("1" if it has none) and where it lives, as numbers or as one coordinate of vectors. Every format takes its
-/// columns here.
+/// A column of real numbers: name, SI unit ("1" if it has none) and where it lives, as numbers or as one coordinate of
+/// vectors. Every format takes its columns here.
 template <class Owner> struct Column {
   const char* name;
   const char* unit;
@@ -40,9 +42,15 @@ template <class Owner> struct Column {
   double Vec2::*axis = nullptr;
 
   constexpr Column(const char* n, const char* u, std::vector<double> Owner::*of) : name(n), unit(u), numbers(of) {}
-  constexpr Column(const char* n, const char* u, std::vector<Vec2> Owner::*of, double Vec2::*along) : name(n), unit(u), vectors(of), axis(along) {}
+  constexpr Column(const char* n, const char* u, std::vector<Vec2> Owner::*of, double Vec2::*along)
+      : name(n),
+        unit(u),
+        vectors(of),
+        axis(along) {}
 
-  double at(const Owner& owner, std::size_t row) const { return numbers ? (owner.*numbers)[row] : (owner.*vectors)[row].*axis; }
+  double at(const Owner& owner, std::size_t row) const {
+    return numbers ? (owner.*numbers)[row] : (owner.*vectors)[row].*axis;
+  }
   std::vector<double> of(const Owner& owner) const { return numbers ? owner.*numbers : mapped(owner.*vectors, axis); }
   void set(Owner& owner, std::vector<double> values) const {
     if (numbers) {
@@ -56,9 +64,10 @@ template <class Owner> struct Column {
 };
 
 /// What changes from snapshot to snapshot; radius, id, material and zone do not.
-inline constexpr Column<Grains> grain_state_columns[] = {{"x", "m", &Grains::position, &Vec2::x},    {"y", "m", &Grains::position, &Vec2::y},
-                                                         {"angle", "rad", &Grains::angle},           {"vx", "m/s", &Grains::velocity, &Vec2::x},
-                                                         {"vy", "m/s", &Grains::velocity, &Vec2::y}, {"omega", "rad/s", &Grains::omega}};
+inline constexpr Column<Grains> grain_state_columns[] = {
+    {"x", "m", &Grains::position, &Vec2::x},    {"y", "m", &Grains::position, &Vec2::y},
+    {"angle", "rad", &Grains::angle},           {"vx", "m/s", &Grains::velocity, &Vec2::x},
+    {"vy", "m/s", &Grains::velocity, &Vec2::y}, {"omega", "rad/s", &Grains::omega}};
 
 inline constexpr Column<Contacts> contact_columns[] = {{"nx", "1", &Contacts::normal, &Vec2::x},
                                                        {"ny", "1", &Contacts::normal, &Vec2::y},
@@ -84,7 +93,8 @@ inline constexpr Column<StressField> field_columns[] = {{"ux", "m", &StressField
 
 /// All columns of an owner, of which each has `size` values, or none where it may lack them.
 template <class Owner, class Columns>
-void transfer_columns(const Hdf5Group& at, Owner& owner, const Columns& columns, std::size_t size, bool may_lack = false) {
+void transfer_columns(const Hdf5Group& at, Owner& owner, const Columns& columns, std::size_t size,
+                      bool may_lack = false) {
   for (const auto& c : columns) {
     std::vector<double> values = c.of(owner);
     at.array(c.name, values, c.unit);
@@ -96,12 +106,15 @@ void transfer_columns(const Hdf5Group& at, Owner& owner, const Columns& columns,
 /// Points as the arrays x and y, m.
 void transfer_points(const Hdf5Group& at, std::vector<Vec2>& points);
 
-/// What made a result, its name and how it ended, as the groups "provenance" and "outcome"; the file itself says in its attributes what it is.
+/// What made a result, its name and how it ended, as the groups "provenance" and "outcome"; the file itself says in its
+/// attributes what it is.
 void transfer_provenance(const Hdf5Group& at, Provenance& provenance);
 template <class Result> void transfer_origin(const Hdf5Group& at, Result& result) {
   at.note("source", "Arenite " + result.provenance.version);
   at.note("stage", result.name);
-  at.note("layout", "docs/hdf5.md of Arenite describes the layout; `arenite export --to netcdf` writes arrays over (time, grain)");
+  at.note(
+      "layout",
+      "docs/hdf5.md of Arenite describes the layout; `arenite export --to netcdf` writes arrays over (time, grain)");
   transfer_provenance(at.group("provenance"), result.provenance);
   const auto outcome = at.group("outcome");
   outcome("name", result.name);
@@ -112,20 +125,21 @@ template <class Result> void transfer_origin(const Hdf5Group& at, Result& result
 void transfer_materials(const Hdf5Group& at, Materials& materials);
 void transfer_domain(const Hdf5Group& at, Domain& domain);
 
-/// Grains. What does not change while they move is not written where the sample (or null) has the same, and then read from there. Grains of materials
-/// that do not exist are refused.
+/// Grains. What does not change while they move is not written where the sample (or null) has the same, and then read
+/// from there. Grains of materials that do not exist are refused.
 void transfer_grains(const Hdf5Group& at, Packing& packing, const Grains* sample);
 void transfer_names(const Hdf5Group& grains_at, Grains& grains, const Grains* sample);
 
 /// Contacts; those of grains, or of elements of boundaries, that do not exist are refused.
 void transfer_contacts(const Hdf5Group& at, Contacts& contacts, std::size_t grains, int elements);
 
-/// Bonds and pairs that a cohesion joins, of which most packings have none: files without them have no such group. Those of grains that do not exist
-/// are refused.
+/// Bonds and pairs that a cohesion joins, of which most packings have none: files without them have no such group.
+/// Those of grains that do not exist are refused.
 void transfer_joints(const Hdf5Group& at, Packing& packing);
 
 /// Refuses items that join grains which do not exist.
-template <class Items> void check_ends(const Hdf5Group& at, const Items& items, std::size_t grains, const char* refusal) {
+template <class Items>
+void check_ends(const Hdf5Group& at, const Items& items, std::size_t grains, const char* refusal) {
   if (!at.reads()) return;
   for (const auto& item : items)
     for (const std::int32_t g : {item.i, item.j})
@@ -137,8 +151,8 @@ void transfer_packing(const Hdf5Group& at, Packing& packing);
 
 void transfer_history(const Hdf5Group& at, const char* name, History& history);
 
-/// A tree of numbers as a table in a group: a row a node, parents before what they hold, with `name` (path with dots), `depth`, `kind`
-/// (Numbers::Kind), `value` (NaN where it is no number) and `text`.
+/// A tree of numbers as a table in a group: a row a node, parents before what they hold, with `name` (path with dots),
+/// `depth`, `kind` (Numbers::Kind), `value` (NaN where it is no number) and `text`.
 void transfer_numbers(const Hdf5Group& at, const std::string& name, Numbers& numbers);
 
 }  // namespace arenite::io

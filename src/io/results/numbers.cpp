@@ -138,7 +138,9 @@ void transfer_numbers(const Hdf5Group& at, const std::string& name, Numbers& num
   }
 }
 
-void write_numbers_file(const std::filesystem::path& path, const Numbers& numbers) { write_result_file(path, "numbers", transfer_file, numbers); }
+void write_numbers_file(const std::filesystem::path& path, const Numbers& numbers) {
+  write_result_file(path, "numbers", transfer_file, numbers);
+}
 
 Numbers read_numbers_file(const std::filesystem::path& path) {
   return std::filesystem::exists(path) ? read_result_file(path, "numbers", transfer_file) : Numbers{};

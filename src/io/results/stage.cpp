@@ -21,7 +21,8 @@ void transfer_snapshot(const Hdf5Group& at, Snapshot& snapshot, const Packing& s
   at("step", snapshot.step);
   at("label", snapshot.label);
   Packing& packing = snapshot.packing;
-  if (at.reads() ? at.has("materials") : packing.materials != sample.materials) transfer_materials(at, packing.materials);
+  if (at.reads() ? at.has("materials") : packing.materials != sample.materials)
+    transfer_materials(at, packing.materials);
   else if (at.reads()) packing.materials = sample.materials;
   transfer_domain(at, packing.domain);
   transfer_grains(at, packing, &sample.grains);
@@ -36,7 +37,8 @@ void transfer_result(const Hdf5Group& at, StageResult& result) {
   Packing sample = result.snapshots.empty() ? Packing{} : result.snapshots.front().packing;
   transfer_materials(at, sample.materials);
   transfer_names(at.group("grains"), sample.grains, nullptr);
-  at.each("frames", result.snapshots, 4, [&](const Hdf5Group& one, Snapshot& snapshot) { transfer_snapshot(one, snapshot, sample); });
+  at.each("frames", result.snapshots, 4,
+          [&](const Hdf5Group& one, Snapshot& snapshot) { transfer_snapshot(one, snapshot, sample); });
   transfer_history(at, "history", result.history);
   if (!at.lacks("cycles", result.cycles.columns.empty())) transfer_history(at, "cycles", result.cycles);
   transfer_numbers(at, "texture", result.texture);
@@ -56,7 +58,9 @@ void transfer_checkpoint(const Hdf5Group& at, Checkpoint& checkpoint) {
 
 }  // namespace
 
-void write_stage(const std::filesystem::path& path, const StageResult& result) { write_result_file(path, "result", transfer_result, result); }
+void write_stage(const std::filesystem::path& path, const StageResult& result) {
+  write_result_file(path, "result", transfer_result, result);
+}
 
 StageResult read_stage(const std::filesystem::path& path) { return read_result_file(path, "result", transfer_result); }
 

@@ -33,7 +33,8 @@ void end_arm(Vec2 lever, Vec2 n, double& arm, Vec2& off) {
   off = lever - arm * n;
 }
 
-std::optional<ContactGeometry> grain_geometry(const Packing& p, const Plane& plane, const RawContact& row, std::size_t i, std::size_t j, Problems& problems) {
+std::optional<ContactGeometry> grain_geometry(const Packing& p, const Plane& plane, const RawContact& row,
+                                              std::size_t i, std::size_t j, Problems& problems) {
   const Vec2 branch = p.domain.nearest_image(p.grains.position[j] - p.grains.position[i]);
   const double ri = p.grains.radius[i], rj = p.grains.radius[j];
   double distance = norm(branch);
@@ -55,8 +56,8 @@ std::optional<ContactGeometry> grain_geometry(const Packing& p, const Plane& pla
     const Vec2 lever_i = p.domain.nearest_image(point - p.grains.position[i]), lever_j = lever_i - branch;
     if (norm(lever_i) > far_apart * ri || norm(lever_j) > far_apart * rj) {
       problems.add(row.line,
-                   "the contact point ({:g}, {:g}) m does not lie at the rims of grains {} and {}; correct x, y or their unit, or "
-                   "give these columns other names",
+                   "the contact point ({:g}, {:g}) m does not lie at the rims of grains {} and {}; correct x, y or "
+                   "their unit, or give these columns other names",
                    point.x, point.y, row.i, row.j);
       return std::nullopt;
     }
@@ -71,7 +72,8 @@ std::optional<ContactGeometry> grain_geometry(const Packing& p, const Plane& pla
 }
 
 /// Of a contact with a side of the box, or with a boundary whose normal the row gives.
-std::optional<ContactGeometry> wall_geometry(const Packing& p, const Plane& plane, const RawContact& row, std::size_t i, bool has_box, Problems& problems) {
+std::optional<ContactGeometry> wall_geometry(const Packing& p, const Plane& plane, const RawContact& row, std::size_t i,
+                                             bool has_box, Problems& problems) {
   ContactGeometry g;
   const double radius = p.grains.radius[i];
   if (row.wall < 0) {
@@ -98,7 +100,8 @@ Vec2 components(const RawContact& row, const Plane& plane, Vec2 n) {
 /// Makes contacts of rows, one after the other.
 class ContactRows {
  public:
-  ContactRows(const RawGrains& grains, const GrainIndex& index, const SampleOptions& options, Sample& sample, Problems& problems)
+  ContactRows(const RawGrains& grains, const GrainIndex& index, const SampleOptions& options, Sample& sample,
+              Problems& problems)
       : grains_(grains),
         index_(index),
         options_(options),
@@ -112,8 +115,9 @@ class ContactRows {
     Contacts& c = packing_.contacts;
     if (std::ranges::none_of(c.off_i, is_off) && std::ranges::none_of(c.off_j, is_off)) c.off_i = c.off_j = {};
     if (apart_ > 0)
-      sample_.notes.push_back(
-          fmt::format("{} of {} listed pairs have a gap between them and no force; they are no contacts and are left out.", apart_, raw.rows.size()));
+      sample_.notes.push_back(fmt::format(
+          "{} of {} listed pairs have a gap between them and no force; they are no contacts and are left out.", apart_,
+          raw.rows.size()));
   }
 
  private:
@@ -122,8 +126,9 @@ class ContactRows {
     if (i < 0 || (row.is_of_grains() && j < 0)) return;
     if (i == j) return problems_.add(row.line, "grain {} cannot touch itself; correct i or j", row.i);
     const auto gi = static_cast<std::size_t>(i);
-    const auto geometry = row.is_of_grains() ? grain_geometry(packing_, grains_.plane, row, gi, static_cast<std::size_t>(j), problems_)
-                                             : wall_geometry(packing_, grains_.plane, row, gi, grains_.has_box, problems_);
+    const auto geometry = row.is_of_grains()
+                              ? grain_geometry(packing_, grains_.plane, row, gi, static_cast<std::size_t>(j), problems_)
+                              : wall_geometry(packing_, grains_.plane, row, gi, grains_.has_box, problems_);
     if (!geometry) return;
     const Vec2 f = components(row, grains_.plane, geometry->n);
     if (!is_finite(f)) return problems_.add(row.line, "the force is beyond the range of numbers; correct it");
@@ -132,7 +137,8 @@ class ContactRows {
       return;
     }
     if (row.is_of_grains() && !row.normal && is_too_far(row, gi, static_cast<std::size_t>(j), *geometry->gap)) return;
-    if (const auto earlier = repeated(i, j, *geometry, row.point.has_value())) return merge(*earlier, f, row, both_ways);
+    if (const auto earlier = repeated(i, j, *geometry, row.point.has_value()))
+      return merge(*earlier, f, row, both_ways);
     taken_.emplace(std::minmax(i, j), packing_.contacts.size());
     lines_.push_back(row.line);
     rows_merged_.push_back(0);
@@ -147,7 +153,8 @@ class ContactRows {
   std::int32_t grain(std::int64_t id, const RawContact& row) {
     const auto it = index_.find(id);
     if (it != index_.end()) return it->second;
-    problems_.add(row.line, "this contact names grain {}, which is not among the grains; add the grain or remove the row", id);
+    problems_.add(row.line,
+                  "this contact names grain {}, which is not among the grains; add the grain or remove the row", id);
     return -1;
   }
 
@@ -155,7 +162,8 @@ class ContactRows {
   std::int32_t partner(const RawContact& row) {
     if (row.wall >= 0) return wall_partner(row.wall);
     auto& boundaries = packing_.domain.boundaries;
-    const auto at = static_cast<std::size_t>(std::ranges::find(boundaries, row.boundary, &Boundary::name) - boundaries.begin());
+    const auto at =
+        static_cast<std::size_t>(std::ranges::find(boundaries, row.boundary, &Boundary::name) - boundaries.begin());
     if (at == boundaries.size()) {
       Boundary& boundary = boundaries.emplace_back();
       boundary.name = row.boundary;
@@ -168,8 +176,8 @@ class ContactRows {
     const double ri = packing_.grains.radius[i], rj = packing_.grains.radius[j];
     if (row.overlap || row.point || !(ri > 0 && rj > 0) || gap <= (far_apart - 1) * (ri + rj)) return false;
     problems_.add(row.line,
-                  "grains {} and {} are {:.3g} times the sum of their radii apart; correct the row, or give "
-                  "--box and --periodic or nx, ny if they touch across a periodic side",
+                  "grains {} and {} are {:.3g} times the sum of their radii apart; correct the row, or give --box and "
+                  "--periodic or nx, ny if they touch across a periodic side",
                   row.i, row.j, (gap + ri + rj) / (ri + rj));
     return true;
   }
@@ -177,8 +185,8 @@ class ContactRows {
   /// What six digits leave of a vector that is none.
   bool negligible(Vec2 off, std::size_t i) const { return norm(off) <= 1e-6 * packing_.grains.radius[i]; }
 
-  /// The contact that a row repeats: of the same pair, unless their normals differ (a small periodic cell) or their points
-  /// (grains that are no disks).
+  /// The contact that a row repeats: of the same pair, unless their normals differ (a small periodic cell) or their
+  /// points (grains that are no disks).
   std::optional<std::size_t> repeated(std::int32_t i, std::int32_t j, const ContactGeometry& g, bool has_point) const {
     const auto [first, last] = taken_.equal_range(std::minmax(i, j));
     const Contacts& contacts = packing_.contacts;
@@ -198,8 +206,8 @@ class ContactRows {
     Contacts& contacts = packing_.contacts;
     if (!options_.merge_doubled && !both_ways)
       return problems_.add(row.line,
-                           "the contact of {} and {} is already in line {}; remove one, merge them with --doubled merge, or give the contact "
-                           "points as x, y where grains that are no disks touch at several",
+                           "the contact of {} and {} is already in line {}; remove one, merge them with --doubled "
+                           "merge, or give the contact points as x, y where grains that are no disks touch at several",
                            row.i, name_of_other(row), lines_[c]);
     const double n = ++rows_merged_[c];
     contacts.fn[c] += (f.x - contacts.fn[c]) / (n + 1);
@@ -226,7 +234,8 @@ class ContactRows {
 
 }  // namespace
 
-void add_contacts(const RawContacts& raw, const RawGrains& grains, const GrainIndex& index, const SampleOptions& options, Sample& sample, Problems& problems) {
+void add_contacts(const RawContacts& raw, const RawGrains& grains, const GrainIndex& index,
+                  const SampleOptions& options, Sample& sample, Problems& problems) {
   ContactRows(grains, index, options, sample, problems).add(raw);
 }
 

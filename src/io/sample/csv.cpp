@@ -17,14 +17,18 @@ struct Field {
   double factor = 1;
   Problems* problems = nullptr;
   explicit operator bool() const { return column != nullptr; }
-  double operator()(const Table::Row& row) const { return number_or_problem(row.cells[at], column->name, factor, row.line, *problems); }
+  double operator()(const Table::Row& row) const {
+    return number_or_problem(row.cells[at], column->name, factor, row.line, *problems);
+  }
 };
 
-Field find_field(const Table& table, std::initializer_list<std::string_view> names, Dimension dimension, double by_default, Problems& problems) {
+Field find_field(const Table& table, std::initializer_list<std::string_view> names, Dimension dimension,
+                 double by_default, Problems& problems) {
   const auto at = table.find(names);
   if (!at) return {};
   const auto& column = table.columns[*at];
-  return {&column, *at, factor_or_problem(column.unit, column.name, dimension, by_default, table.header_line, problems), &problems};
+  return {&column, *at, factor_or_problem(column.unit, column.name, dimension, by_default, table.header_line, problems),
+          &problems};
 }
 
 bool is_in_pixels(const Table::Column& column) { return column.unit == "px"; }
@@ -38,15 +42,18 @@ bool knows_pixels(const Table& table, const SampleOptions& options, Problems& pr
 }
 
 /// A length; one in pixels, as `arenite grains` writes it where their width is not given, has their width for a factor.
-Field find_length(const Table& table, std::initializer_list<std::string_view> names, const SampleOptions& options, Problems& problems) {
-  if (const auto at = table.find(names); at && is_in_pixels(table.columns[*at])) return {&table.columns[*at], *at, options.pixel, &problems};
+Field find_length(const Table& table, std::initializer_list<std::string_view> names, const SampleOptions& options,
+                  Problems& problems) {
+  if (const auto at = table.find(names); at && is_in_pixels(table.columns[*at]))
+    return {&table.columns[*at], *at, options.pixel, &problems};
   return find_field(table, names, dimension::length, options.length(), problems);
 }
 
 /// Says so where SI was assumed, since a factor of 1000 is easily overlooked.
-void note_assumed_unit(const Table& table, const char* column, bool chosen, const char* what, const char* si, const char* option,
-                       std::vector<std::string>& notes) {
-  if (const auto at = table.find({column}); at && !chosen && table.columns[*at].unit.empty()) notes.push_back(assumed_unit(what, si, option, column));
+void note_assumed_unit(const Table& table, const char* column, bool chosen, const char* what, const char* si,
+                       const char* option, std::vector<std::string>& notes) {
+  if (const auto at = table.find({column}); at && !chosen && table.columns[*at].unit.empty())
+    notes.push_back(assumed_unit(what, si, option, column));
 }
 
 void require(const Table& table, bool found, const char* column, const char* kind, Problems& problems) {
@@ -55,8 +62,12 @@ void require(const Table& table, bool found, const char* column, const char* kin
 
 constexpr std::string_view grain_names[] = {"id", "grain"}, pair_names[] = {"i", "id1", "j", "id2"};
 
-std::vector<Moment> grain_moments_csv(std::string_view text, const std::string& columns) { return moments_of_rows(text, columns, grain_names); }
-std::vector<Moment> contact_moments_csv(std::string_view text, const std::string& columns) { return moments_of_rows(text, columns, pair_names); }
+std::vector<Moment> grain_moments_csv(std::string_view text, const std::string& columns) {
+  return moments_of_rows(text, columns, grain_names);
+}
+std::vector<Moment> contact_moments_csv(std::string_view text, const std::string& columns) {
+  return moments_of_rows(text, columns, pair_names);
+}
 
 RawGrains read_grains_csv(const Reading& reading) {
   const SampleOptions& options = reading.options;
@@ -75,7 +86,9 @@ RawGrains read_grains_csv(const Reading& reading) {
 struct VectorField {
   std::array<Field, 3> component;
   bool is_there = false;
-  VectorField(const std::array<Field, 3>& fields, const Plane& plane) : component(fields), is_there(fields[plane.first] && fields[plane.second]) {}
+  VectorField(const std::array<Field, 3>& fields, const Plane& plane)
+      : component(fields),
+        is_there(fields[plane.first] && fields[plane.second]) {}
   std::optional<Vec3> operator()(const Table::Row& row) const {
     if (!is_there) return std::nullopt;
     return by_axis<3>([&](int axis) { return component[axis] ? component[axis](row) : 0.0; });
@@ -91,21 +104,27 @@ RawContacts read_contacts_csv(const Reading& reading, const RawGrains& grains) {
   SnapshotsOfRows(table, pair_names).keep(reading.snapshot, table);
   if (!knows_pixels(table, options, problems)) return contacts;
   const auto i = table.find({"i", "id1"}), j = table.find({"j", "id2"});
-  const auto force = [&](const char* name) { return find_field(table, {name}, dimension::force, options.force(), problems); };
+  const auto force = [&](const char* name) {
+    return find_field(table, {name}, dimension::force, options.force(), problems);
+  };
   const auto part = [&](const char* name) { return find_field(table, {name}, dimension::none, 1, problems); };
   const auto length = [&](const char* name) { return find_length(table, {name}, options, problems); };
   const Field fn = force("fn"), ft = force("ft"), overlap = length("overlap");
   const VectorField whole({force("fx"), force("fy"), force("fz")}, grains.plane);
   const VectorField normal({part("nx"), part("ny"), part("nz")}, grains.plane);
   const VectorField point({length("x"), length("y"), length("z")}, grains.plane);
-  constexpr const char* kind = "contacts need i, j, fn, ft (or fx, fy for the force on j) and may have nx, ny, overlap and x, y of the contact point";
+  constexpr const char* kind =
+      "contacts need i, j, fn, ft (or fx, fy for the force on j) and may have nx, ny, overlap and x, y of the contact "
+      "point";
   require(table, i.has_value(), "i", kind, problems);
   require(table, j.has_value(), "j", kind, problems);
   const bool vector = whole.is_there && !fn;
   require(table, fn || vector, "fn", kind, problems);
-  if (table.find({"nx"}) && !normal.is_there) problems.add(table.header_line, "there is a column nx but no ny; give both or neither");
+  if (table.find({"nx"}) && !normal.is_there)
+    problems.add(table.header_line, "there is a column nx but no ny; give both or neither");
   if (!i || !j || (!fn && !vector)) return contacts;
-  note_assumed_unit(table, fn ? "fn" : "fx", options.force_unit.has_value(), "force", "N", "--force-unit", contacts.notes);
+  note_assumed_unit(table, fn ? "fn" : "fx", options.force_unit.has_value(), "force", "N", "--force-unit",
+                    contacts.notes);
   for (const auto& row : table.rows) {
     RawContact contact;
     contact.line = row.line;
@@ -114,7 +133,8 @@ RawContacts read_contacts_csv(const Reading& reading, const RawGrains& grains) {
     contact.point = point(row);
     if (overlap && !row.cells[overlap.at].empty()) contact.overlap = overlap(row);
     const std::string_view other = row.cells[*j];
-    if (const auto* wall = std::ranges::find(side_names, other); wall != std::end(side_names)) contact.wall = static_cast<int>(wall - std::begin(side_names));
+    if (const auto* wall = std::ranges::find(side_names, other); wall != std::end(side_names))
+      contact.wall = static_cast<int>(wall - std::begin(side_names));
     else if (contact.normal && is_plain_name(other) && !to_number(other)) contact.boundary = other;
     else contact.j = integer_or_problem(other, "j", row.line, problems);
     if (vector) contact.force_on_j = whole(row);
@@ -127,35 +147,37 @@ RawContacts read_contacts_csv(const Reading& reading, const RawGrains& grains) {
 
 }  // namespace
 
-/// Grains from a table with columns id, x, y, radius (or diameter) and perhaps z, material and zone; units in the header
-/// win over those of the options. Contacts from one with columns i, j and fn, ft (or fx, fy: the force on j) and perhaps
-/// nx, ny, overlap and the contact point x, y; j may name a wall, left, right, bottom or top, or with nx, ny a boundary.
-const SampleFormat samples::csv{.name = "csv",
-                                .grains_are = "table id,x,y,radius[,z,material,zone]",
-                                .contacts_are = "table i,j,fn,ft[,nx,ny,overlap,x,y] or i,j,fx,fy (force on j is fn n + ft t, n from i to j)",
-                                .states = {{"units (header or a row below it)", "taken; columns without any: m and N, told, or those given by options"},
-                                           {"step, timestep, frame, time (columns)",
-                                            "rows of the last moment that grains and contacts have in common; "
-                                            "refused where they have none"},
-                                           {"cell", "no column holds it; --box and --periodic give it"},
-                                           {"z",
-                                            "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); within a radius a "
-                                            "layer, told; beyond: refused"},
-                                           {"names of columns", "those listed above; other columns are passed over"},
-                                           {"rows without a force", "contacts where they overlap (column overlap, or the centres), else left out and told"},
-                                           {"contact point (x, y of a contact)", "the lever arms end there; without it in the middle of the overlap"},
-                                           {"sep=; of spreadsheets", "the separator"},
-                                           {"decimal commas",
-                                            "read where cells are in quotes or separated by other signs; refused where they may set "
-                                            "thousands apart"},
-                                           {"exponents with D", "read as E"},
-                                           {"encoding", "UTF-8, UTF-16 with its mark, else Latin-1"}},
-                                .is_grains = [](std::string_view) { return true; },
-                                .is_contacts = [](std::string_view) { return true; },
-                                .grains = read_grains_csv,
-                                .contacts = read_contacts_csv,
-                                .grain_moments = grain_moments_csv,
-                                .contact_moments = contact_moments_csv};
+/// Grains from a table with columns id, x, y, radius (or diameter) and perhaps z, material and zone; units in the
+/// header win over those of the options. Contacts from one with columns i, j and fn, ft (or fx, fy: the force on j) and
+/// perhaps nx, ny, overlap and the contact point x, y; j may name a wall, left, right, bottom or top, or with nx, ny a
+/// boundary.
+const SampleFormat samples::csv{
+    .name = "csv",
+    .grains_are = "table id,x,y,radius[,z,material,zone]",
+    .contacts_are = "table i,j,fn,ft[,nx,ny,overlap,x,y] or i,j,fx,fy (force on j is fn n + ft t, n from i to j)",
+    .states =
+        {{"units (header or a row below it)", "taken; columns without any: m and N, told, or those given by options"},
+         {"step, timestep, frame, time (columns)",
+          "rows of the last moment that grains and contacts have in common; refused where they have none"},
+         {"cell", "no column holds it; --box and --periodic give it"},
+         {"z",
+          "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); within a radius a "
+          "layer, told; beyond: refused"},
+         {"names of columns", "those listed above; other columns are passed over"},
+         {"rows without a force",
+          "contacts where they overlap (column overlap, or the centres), else left out and told"},
+         {"contact point (x, y of a contact)", "the lever arms end there; without it in the middle of the overlap"},
+         {"sep=; of spreadsheets", "the separator"},
+         {"decimal commas",
+          "read where cells are in quotes or separated by other signs; refused where they may set thousands apart"},
+         {"exponents with D", "read as E"},
+         {"encoding", "UTF-8, UTF-16 with its mark, else Latin-1"}},
+    .is_grains = [](std::string_view) { return true; },
+    .is_contacts = [](std::string_view) { return true; },
+    .grains = read_grains_csv,
+    .contacts = read_contacts_csv,
+    .grain_moments = grain_moments_csv,
+    .contact_moments = contact_moments_csv};
 
 std::string assumed_unit(const char* what, const char* si, const char* option, const char* column) {
   const std::string header = *column ? fmt::format(" or a header such as \"{} [...]\"", column) : "";
@@ -167,18 +189,23 @@ RawGrains grains_in(const Table& table, const char* needed, const SampleOptions&
   const auto id = table.find({"id", "grain"}), material = table.find({"material"}), zone = table.find({"zone"});
   const Field x = find_length(table, {"x"}, options, problems), y = find_length(table, {"y"}, options, problems);
   const Field z = find_length(table, {"z"}, options, problems);
-  const Field radius = find_length(table, {"radius", "r"}, options, problems), diameter = find_length(table, {"diameter", "d"}, options, problems);
+  const Field radius = find_length(table, {"radius", "r"}, options, problems),
+              diameter = find_length(table, {"diameter", "d"}, options, problems);
   require(table, bool(x), "x", needed, problems);
   require(table, bool(y), "y", needed, problems);
   require(table, radius || diameter, "radius", needed, problems);
   if (!x || !y || (!radius && !diameter)) return grains;
-  if (const auto links = table.find({"links"});
-      links && std::ranges::any_of(table.rows, [&](const Table::Row& row) { return to_number(row.cells[*links]).value_or(0) > 0; }))
-    grains.notes.push_back("The grains are joined by bonds or pulls across gaps (column links), whose forces are in no table: stress and balance lack them.");
+  if (const auto links = table.find({"links"}); links && std::ranges::any_of(table.rows, [&](const Table::Row& row) {
+                                                  return to_number(row.cells[*links]).value_or(0) > 0;
+                                                }))
+    grains.notes.push_back(
+        "The grains are joined by bonds or pulls across gaps (column links), whose forces are in no table: stress and "
+        "balance lack them.");
   for (const auto& row : table.rows) {
     RawGrain grain;
     grain.line = row.line;
-    grain.id = id ? integer_or_problem(row.cells[*id], "id", row.line, problems) : static_cast<std::int64_t>(grains.rows.size());
+    grain.id = id ? integer_or_problem(row.cells[*id], "id", row.line, problems)
+                  : static_cast<std::int64_t>(grains.rows.size());
     grain.place = {x(row), y(row), z ? z(row) : 0};
     grain.radius = radius ? radius(row) : 0.5 * diameter(row);
     if (material) grain.material = row.cells[*material];

@@ -28,9 +28,10 @@ std::string missing_columns(const std::vector<std::string_view>& names) {
     example.append(example.empty() ? "" : ",").append(known ? pair_columns[next++] : "-");
   }
   return fmt::format(
-      "it is not known which of the columns ({}) are the two grains and the force; name them in their order with --columns, "
-      "with \"-\" for those not needed, e.g. --columns \"{}\" (patom1 patom2 of property/local, fx fy and the tangential p1 "
-      "p2 of pair/local; fx fy alone are the whole force, as in LIGGGHTS's \"id force\": patom1,patom2,-,fx,fy,-)",
+      "it is not known which of the columns ({}) are the two grains and the force; name them in their order with "
+      "--columns, with \"-\" for those not needed, e.g. --columns \"{}\" (patom1 patom2 of property/local, fx fy and "
+      "the tangential p1 p2 of pair/local; fx fy alone are the whole force, as in LIGGGHTS's \"id force\": "
+      "patom1,patom2,-,fx,fy,-)",
       found, next == std::size(pair_columns) ? example : "-,patom1,patom2,fx,fy,p1,p2");
 }
 
@@ -80,7 +81,8 @@ struct AtomColumns {
 };
 
 void place_in_cell(std::vector<RawGrain>& rows, const RawCell& cell) {
-  for (RawGrain& g : rows) g.place = cell.corner + g.place.x * cell.edge[0] + g.place.y * cell.edge[1] + g.place.z * cell.edge[2];
+  for (RawGrain& g : rows)
+    g.place = cell.corner + g.place.x * cell.edge[0] + g.place.y * cell.edge[1] + g.place.z * cell.edge[2];
 }
 
 RawGrains read_lammps_atoms(const Reading& reading) {
@@ -122,7 +124,8 @@ RawGrains read_lammps_atoms(const Reading& reading) {
   return grains;
 }
 
-/// Says so where both dumps state a box and the boxes differ: those of the grains and of the contacts are of one sample.
+/// Says so where both dumps state a box and the boxes differ: those of the grains and of the contacts are of one
+/// sample.
 void compare_boxes(const RawGrains& grains, const RawCell& other, std::vector<std::string>& notes) {
   if (!grains.stated) return;
   const RawCell& cell = *grains.stated;
@@ -133,15 +136,17 @@ void compare_boxes(const RawGrains& grains, const RawCell& other, std::vector<st
   }
   if (difference > 1e-5 * size)
     notes.push_back(
-        fmt::format("The contacts' dump states another box ({:g} x {:g} x {:g} m) than the grains' ({:g} x {:g} x "
-                    "{:g} m), which was taken.",
+        fmt::format("The contacts' dump states another box ({:g} x {:g} x {:g} m) than the grains' ({:g} x {:g} x {:g} "
+                    "m), which was taken.",
                     other.edge[0].x, other.edge[1].y, other.edge[2].z, cell.edge[0].x, cell.edge[1].y, cell.edge[2].z));
 }
 
 /// The units of the grains hold for contacts that state none; other ones are a problem.
-std::optional<StatedUnits> common_units(const std::optional<StatedUnits>& of_grains, const std::optional<StatedUnits>& of_contacts, Problems& problems) {
+std::optional<StatedUnits> common_units(const std::optional<StatedUnits>& of_grains,
+                                        const std::optional<StatedUnits>& of_contacts, Problems& problems) {
   if (of_grains && of_contacts && of_grains->name != of_contacts->name)
-    problems.add("the contacts are in units {}, the grains in units {}; write both in the same", of_contacts->name, of_grains->name);
+    problems.add("the contacts are in units {}, the grains in units {}; write both in the same", of_contacts->name,
+                 of_grains->name);
   return of_contacts ? of_contacts : of_grains;
 }
 
@@ -163,7 +168,8 @@ RawContacts read_lammps_pairs(const Reading& reading, const RawGrains& grains) {
   DumpSnapshot dump = read_dump(reading);
   DumpItem* item = dump.find("ENTRIES");
   if (!item) {
-    if (!problems.any()) problems.add("the last snapshot has no \"ITEM: ENTRIES\"; write the contacts with `dump local`");
+    if (!problems.any())
+      problems.add("the last snapshot has no \"ITEM: ENTRIES\"; write the contacts with `dump local`");
     return contacts;
   }
   Table& entries = item->table;
@@ -177,14 +183,17 @@ RawContacts read_lammps_pairs(const Reading& reading, const RawGrains& grains) {
   const auto i = entries.find({"patom1", "i"}), j = entries.find({"patom2", "j"}), overlap = entries.find({"overlap"});
   const VectorColumns normal(entries, {"fx", "fy", "fz"}), tangential(entries, {"p1", "p2", "p3"});
   const VectorColumns point(entries, {"cx", "cy", "cz"});
-  // Who names the columns may mean by fx, fy the whole force; LAMMPS's own are the normal force, and p1, p2 the tangential.
+  // Who names the columns may mean by fx, fy the whole force; LAMMPS's own are the normal force, and p1, p2 the
+  // tangential.
   const bool whole = !given.empty() && !tangential.has(grains.plane);
   const bool known = i && j && normal.has(grains.plane) && (whole || tangential.has(grains.plane));
   if (!known && !entries.rows.empty()) problems.add(entries.header_line, missing_columns(titles));
   check_rows(entries, problems);
   if (problems.any() || !known) return contacts;
   const auto value_in = [&](double factor) {
-    return [&, factor](const Table::Row& row, std::size_t c) { return number_or_problem(row.cells[c], entries.columns[c].name, factor, row.line, problems); };
+    return [&, factor](const Table::Row& row, std::size_t c) {
+      return number_or_problem(row.cells[c], entries.columns[c].name, factor, row.line, problems);
+    };
   };
   const auto force = value_in(options.force()), length = value_in(options.length());
   for (const Table::Row& row : entries.rows) {
@@ -199,7 +208,9 @@ RawContacts read_lammps_pairs(const Reading& reading, const RawGrains& grains) {
   }
   if (dump.cell) compare_boxes(grains, scaled_by(*dump.cell, options.length()), contacts.notes);
   if (grains.has_box && !(grains.cell.periodic[0] && grains.cell.periodic[1]))
-    contacts.notes.push_back("A dump of pairs has no contacts with walls: the stress of the sample and the balance of grains at its sides lack them.");
+    contacts.notes.push_back(
+        "A dump of pairs has no contacts with walls: the stress of the sample and the balance of grains at its sides "
+        "lack them.");
   if (!options.force_unit) contacts.notes.push_back(assumed_unit("force", "N", "--force-unit"));
   return contacts;
 }
@@ -208,32 +219,33 @@ RawContacts read_lammps_pairs(const Reading& reading, const RawGrains& grains) {
 
 /// A snapshot of a LAMMPS `dump custom` with columns id, type, x, y and perhaps z (or xu, yu; xs, ys) and radius (or
 /// diameter), with its box, periodic sides and tilt; and one of a `dump local` of `property/local patom1 patom2` and
-/// `pair/local fx fy [fz] p1 p2 [p3]` of a granular pair style: (fx, fy) is the normal and (p1, p2) the tangential force,
-/// both on atom 1. Its columns are known by these names, or by `contact_columns`, or where LAMMPS names them c_ID[n], by
-/// what they hold.
-const SampleFormat samples::lammps{.name = "lammps",
-                                   .grains_are = "LAMMPS dump custom of id type x y radius",
-                                   .contacts_are = "LAMMPS dump local of property/local patom1 patom2 and pair/local fx fy p1 p2",
-                                   .states = {{"units (ITEM: UNITS)",
-                                               "taken, for contacts from the grains where they state none; `lj` has none. Other units "
-                                               "given by options, or units that are not LAMMPS's, are refused. Without: m and N, told"},
-                                              {"step, time", "grains and contacts are of the last step that both have; refused where they have none in common"},
-                                              {"box, periodic sides, tilt, vectors (abc)",
-                                               "taken; refused where its vectors leave the plane of the centres. "
-                                               "Another box in the contacts' dump is told"},
-                                              {"z",
-                                               "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); within a radius a "
-                                               "layer, told; beyond: refused"},
-                                              {"columns",
-                                               "known by name; those named after computes (c_1[2]) by what they hold, or refused; --columns names "
-                                               "them"},
-                                              {"pairs without a force", "contacts where they overlap, else left out and told"},
-                                              {"type", "the material"}},
-                                   .is_grains = is_dump,
-                                   .is_contacts = is_dump,
-                                   .grains = read_lammps_atoms,
-                                   .contacts = read_lammps_pairs,
-                                   .grain_moments = dump_moments,
-                                   .contact_moments = dump_moments};
+/// `pair/local fx fy [fz] p1 p2 [p3]` of a granular pair style: (fx, fy) is the normal and (p1, p2) the tangential
+/// force, both on atom 1. Its columns are known by these names, or by `contact_columns`, or where LAMMPS names them
+/// c_ID[n], by what they hold.
+const SampleFormat samples::lammps{
+    .name = "lammps",
+    .grains_are = "LAMMPS dump custom of id type x y radius",
+    .contacts_are = "LAMMPS dump local of property/local patom1 patom2 and pair/local fx fy p1 p2",
+    .states =
+        {{"units (ITEM: UNITS)",
+          "taken, for contacts from the grains where they state none; `lj` has none. Other units given by options, or "
+          "units that are not LAMMPS's, are refused. Without: m and N, told"},
+         {"step, time",
+          "grains and contacts are of the last step that both have; refused where they have none in common"},
+         {"box, periodic sides, tilt, vectors (abc)",
+          "taken; refused where its vectors leave the plane of the centres. Another box in the contacts' dump is told"},
+         {"z",
+          "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); within a radius a "
+          "layer, told; beyond: refused"},
+         {"columns",
+          "known by name; those named after computes (c_1[2]) by what they hold, or refused; --columns names them"},
+         {"pairs without a force", "contacts where they overlap, else left out and told"},
+         {"type", "the material"}},
+    .is_grains = is_dump,
+    .is_contacts = is_dump,
+    .grains = read_lammps_atoms,
+    .contacts = read_lammps_pairs,
+    .grain_moments = dump_moments,
+    .contact_moments = dump_moments};
 
 }  // namespace arenite::io

@@ -68,16 +68,18 @@ std::optional<StatedUnits> units_of(std::string_view text, const SampleOptions& 
   const auto* known = std::ranges::find(unit_systems, name, &StatedUnits::name);
   if (known == std::end(unit_systems)) {
     problems.add(
-        "the dump states units \"{}\", which are not known; write it without ITEM: UNITS and give --length-unit "
-        "and --force-unit",
+        "the dump states units \"{}\", which are not known; write it without ITEM: UNITS and give --length-unit and "
+        "--force-unit",
         name);
     return std::nullopt;
   }
-  const auto differs = [](std::optional<double> given, double stated) { return given && std::abs(*given / stated - 1) > 1e-9; };
+  const auto differs = [](std::optional<double> given, double stated) {
+    return given && std::abs(*given / stated - 1) > 1e-9;
+  };
   if (differs(options.length_unit, known->length) || differs(options.force_unit, known->force))
     problems.add(
-        "the dump states units {}, of {:g} m and {:g} N, and the units given are others; leave out --length-unit "
-        "and --force-unit, or the dump's ITEM: UNITS",
+        "the dump states units {}, of {:g} m and {:g} N, and the units given are others; leave out --length-unit and "
+        "--force-unit, or the dump's ITEM: UNITS",
         name, known->length, known->force);
   return *known;
 }
@@ -86,8 +88,11 @@ std::optional<StatedUnits> units_of(std::string_view text, const SampleOptions& 
 std::vector<std::vector<double>> numbers_of_box(const DumpItem& item, std::size_t columns, Problems& problems) {
   std::vector<std::vector<double>> rows;
   for (const auto& [line, cells] : item.table.rows) {
-    if (cells.size() != columns) problems.add(line, "expected {} bounds of the box, found {}; the dump is damaged", columns, cells.size());
-    const auto number = [&, at = line](std::string_view cell) { return number_or_problem(cell, "box bound", 1, at, problems); };
+    if (cells.size() != columns)
+      problems.add(line, "expected {} bounds of the box, found {}; the dump is damaged", columns, cells.size());
+    const auto number = [&, at = line](std::string_view cell) {
+      return number_or_problem(cell, "box bound", 1, at, problems);
+    };
     rows.push_back(mapped(cells, number));
     rows.back().resize(columns, 0.0);
   }
@@ -133,24 +138,29 @@ DumpItem* DumpSnapshot::find(std::string_view title) {
   return it == items.end() ? nullptr : &*it;
 }
 
-std::vector<Moment> dump_moments(std::string_view text, const std::string&) { return mapped(places_of(text), &Place::at); }
+std::vector<Moment> dump_moments(std::string_view text, const std::string&) {
+  return mapped(places_of(text), &Place::at);
+}
 
 DumpSnapshot read_dump(const Reading& reading) {
   DumpSnapshot dump;
   std::string_view text = reading.text;
   Problems& problems = reading.problems;
   if (text.empty()) problems.add("the file is empty; give a dump with at least one snapshot");
-  else if (!text.starts_with(mark)) problems.add(1, "this is not a LAMMPS dump: the first line must be \"ITEM: TIMESTEP\"");
+  else if (!text.starts_with(mark))
+    problems.add(1, "this is not a LAMMPS dump: the first line must be \"ITEM: TIMESTEP\"");
   if (problems.any()) return dump;
   dump.units = units_of(text, reading.options, problems);
   const auto places = places_of(text);
   const std::size_t next = reading.snapshot + 1;
   const std::size_t begin = reading.snapshot < places.size() ? places[reading.snapshot].begin : 0;
   const std::size_t end = next < places.size() ? places[next].begin : text.size();
-  Lines lines(text.substr(begin, end - begin), 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n')));
+  Lines lines(text.substr(begin, end - begin),
+              1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n')));
   for (std::string_view line; lines.next(line);) {
     if (line.starts_with(mark)) dump.items.push_back({line.substr(mark.size()), {{}, lines.number(), {}, {}}});
-    else if (auto cells = split_blanks(line); !cells.empty()) dump.items.back().table.rows.push_back({lines.number(), std::move(cells)});
+    else if (auto cells = split_blanks(line); !cells.empty())
+      dump.items.back().table.rows.push_back({lines.number(), std::move(cells)});
   }
   if (const DumpItem* box = dump.find("BOX BOUNDS")) dump.cell = cell_of(*box, problems);
   return dump;
@@ -163,7 +173,8 @@ void name_columns(Table& table, const std::vector<std::string_view>& names) {
 void check_rows(const Table& table, Problems& problems) {
   for (const auto& [line, cells] : table.rows)
     if (cells.size() != table.columns.size())
-      problems.add(line, "this row has {} values, but there are {} columns; the dump is cut off or damaged", cells.size(), table.columns.size());
+      problems.add(line, "this row has {} values, but there are {} columns; the dump is cut off or damaged",
+                   cells.size(), table.columns.size());
 }
 
 void check_count(DumpSnapshot& dump, const Table& table, std::string_view title, Problems& problems) {
@@ -171,7 +182,8 @@ void check_count(DumpSnapshot& dump, const Table& table, std::string_view title,
   if (!count || count->table.rows.empty()) return;
   const auto expected = to_integer(count->table.rows.front().cells.front());
   if (expected && *expected != static_cast<std::int64_t>(table.rows.size()))
-    problems.add(table.header_line, "the dump announces {} rows, but {} follow; it is cut off, so write it again", *expected, table.rows.size());
+    problems.add(table.header_line, "the dump announces {} rows, but {} follow; it is cut off, so write it again",
+                 *expected, table.rows.size());
 }
 
 }  // namespace arenite::io

@@ -33,7 +33,8 @@ Material read_material(const Table& table, const Table::Row& row, const std::str
   for (const Property& property : properties) {
     const auto column = table.find({property.column});
     if (!column) continue;
-    const double factor = factor_or_problem(table.columns[*column].unit, property.column, property.dimension, 1, table.header_line, problems);
+    const double factor = factor_or_problem(table.columns[*column].unit, property.column, property.dimension, 1,
+                                            table.header_line, problems);
     material.*property.member = number_or_problem(row.cells[*column], property.column, factor, row.line, problems);
   }
   return material;
@@ -51,7 +52,9 @@ MaterialTable read_material_table(const std::filesystem::path& file) {
   const std::string text = read_text(file);
   const Table table = read_table(text, {}, problems);
   const auto label = table.find({"material"}), id = table.find({"id", "grain"});
-  if (!label) problems.add(table.header_line, "there is no column \"material\"; give material,name,density [kg/m^3],stiffness [N/m] or id,material");
+  if (!label)
+    problems.add(table.header_line,
+                 "there is no column \"material\"; give material,name,density [kg/m^3],stiffness [N/m] or id,material");
   MaterialTable result;
   for (const auto& row : table.rows) {
     if (!label) break;
@@ -84,7 +87,8 @@ std::set<std::int64_t> numbers_of(const RawGrains& raw, const std::unordered_map
 
 }  // namespace
 
-void assign_materials(const RawGrains& raw, const std::optional<std::filesystem::path>& file, Packing& packing, Problems& problems) {
+void assign_materials(const RawGrains& raw, const std::optional<std::filesystem::path>& file, Packing& packing,
+                      Problems& problems) {
   MaterialTable table;
   if (file) table = read_material_table(*file);
   const bool closed = !table.labels.empty();  // then a label that is not in the table is a slip

@@ -9,7 +9,8 @@ namespace {
 
 bool all_numbers(std::string_view line, std::size_t count) {
   const auto cells = split_blanks(line);
-  return cells.size() == count && std::ranges::all_of(cells, [](std::string_view cell) { return to_number(cell).has_value(); });
+  return cells.size() == count &&
+         std::ranges::all_of(cells, [](std::string_view cell) { return to_number(cell).has_value(); });
 }
 
 /// "# time ..", which begins a step, or a row of numbers.
@@ -32,7 +33,9 @@ DataHeader read_header(const std::vector<std::string_view>& cells, int line, dou
   header.grains = integer_or_problem(cells[0], "number of grains", line, problems);
   header.at.time = to_number(cells[1]);
   const auto axes = (static_cast<int>(cells.size()) - 2) / 2;
-  const auto bound = [&](int c) { return number_or_problem(cells[static_cast<std::size_t>(2 + c)], "box bound", length, line, problems); };
+  const auto bound = [&](int c) {
+    return number_or_problem(cells[static_cast<std::size_t>(2 + c)], "box bound", length, line, problems);
+  };
   for (int axis = 0; axis < axes; ++axis) {
     header.cell.corner[axis] = bound(axis);
     header.cell.edge[axis][axis] = bound(axes + axis) - header.cell.corner[axis];
@@ -59,7 +62,8 @@ std::vector<Moment> data_moments(std::string_view text, const std::string&) {
 Table table_of_grains(bool in_space) {
   Table table;
   if (in_space)
-    for (const char* name : {"x", "y", "z", "", "", "", "radius", "", "", "", "", "", "", "material"}) table.columns.push_back({name, {}, {}});
+    for (const char* name : {"x", "y", "z", "", "", "", "radius", "", "", "", "", "", "", "material"})
+      table.columns.push_back({name, {}, {}});
   else
     for (const char* name : {"x", "y", "", "", "radius", "", "", "material"}) table.columns.push_back({name, {}, {}});
   return table;
@@ -81,7 +85,8 @@ RawGrains read_mercury_data(const Reading& reading) {
       if (table.header_line > 0 && snapshot++ == reading.snapshot) break;
       const auto count = to_integer(cells.front());
       if (!may_be_header(cells) || !count || *count < 0) {
-        problems.add(at, "expected \"N time xmin ymin xmax ymax\", or with z too, found {} values; write the file anew", cells.size());
+        problems.add(at, "expected \"N time xmin ymin xmax ymax\", or with z too, found {} values; write the file anew",
+                     cells.size());
         return grains;
       }
       header = read_header(cells, at, reading.options.length(), problems);
@@ -95,18 +100,22 @@ RawGrains read_mercury_data(const Reading& reading) {
     if (cells.size() == table.columns.size()) table.rows.push_back({at, std::move(cells)});
     else
       problems.add(at, "expected {} values \"{}\", found {}", table.columns.size(),
-                   table.columns.size() == 8 ? "x y vx vy radius angle omega info" : "x y z vx vy vz radius qx qy qz omegax omegay omegaz info", cells.size());
+                   table.columns.size() == 8 ? "x y vx vy radius angle omega info"
+                                             : "x y z vx vy vz radius qx qy qz omegax omegay omegaz info",
+                   cells.size());
   }
   if (table.header_line == 0) problems.add("the file is empty; give a .data file with at least one time step");
-  if (found < header.grains) problems.add(table.header_line, "{} grains are announced, but {} follow; the file is cut off", header.grains, found);
+  if (found < header.grains)
+    problems.add(table.header_line, "{} grains are announced, but {} follow; the file is cut off", header.grains,
+                 found);
   grains.rows = grains_in(table, "", reading.options, problems).rows;
   grains.stated = header.cell;
   if (!reading.options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "--length-unit"));
   return grains;
 }
 
-/// Calls `see` with the cells of a row of a .fstat file and its line, and `start` with the time of each step: where lines
-/// that begin with # announce it, or where the time of the rows changes.
+/// Calls `see` with the cells of a row of a .fstat file and its line, and `start` with the time of each step: where
+/// lines that begin with # announce it, or where the time of the rows changes.
 template <class Start, class See> void each_force(std::string_view text, const Start& start, const See& see) {
   Lines lines(text);
   bool in_header = false;
@@ -143,8 +152,12 @@ RawContacts read_mercury_fstat(const Reading& reading, const RawGrains& grains) 
   const auto add = [&](const std::vector<std::string_view>& cells, int at) {
     if (steps != reading.snapshot + 1) return;
     if (cells.size() != 16)
-      return problems.add(at, "expected 16 values \"time i j x y z overlap tangential_overlap fn ft nx ny nz tx ty tz\", found {}", cells.size());
-    const auto value = [&](std::size_t c, double factor) { return number_or_problem(cells[c], "value " + std::to_string(c + 1), factor, at, problems); };
+      return problems.add(
+          at, "expected 16 values \"time i j x y z overlap tangential_overlap fn ft nx ny nz tx ty tz\", found {}",
+          cells.size());
+    const auto value = [&](std::size_t c, double factor) {
+      return number_or_problem(cells[c], "value " + std::to_string(c + 1), factor, at, problems);
+    };
     const auto vector = [&](std::size_t c) { return Vec3{value(c, 1), value(c + 1, 1), value(c + 2, 1)}; };
     RawContact c;
     c.line = at;
@@ -173,28 +186,30 @@ RawContacts read_mercury_fstat(const Reading& reading, const RawGrains& grains) 
 
 }  // namespace
 
-/// A time step of a MercuryDPM .data file: a line "N time xmin ymin xmax ymax", then N lines "x y vx vy radius angle omega
-/// info", or both with the third coordinate; info is the species. Grains are numbered from 0 in their order. And that of a
-/// .fstat file: lines "time i j x y z overlap tangential_overlap fn ft nx ny nz tx ty tz", n pointing to grain i; j < 0 is
-/// a wall. Contacts of two grains are listed once for each of them.
-const SampleFormat samples::mercury{.name = "mercury",
-                                    .grains_are = "MercuryDPM .data",
-                                    .contacts_are = "MercuryDPM .fstat",
-                                    .states = {{"units", "none are in the files: m and N, told, or those given by options"},
-                                               {"time", "grains and contacts are of the last time that both have; refused where they have none in common"},
-                                               {"box", "taken; whether its sides are periodic is not in the file, --periodic says it"},
-                                               {"third coordinate",
-                                                "read where the file has it: centres within 2 % of a radius are a plane, x-y, x-z or y-z "
-                                                "(the last two are told); within a radius a layer, told; beyond: refused"},
-                                               {"columns", "by the number of values a line, as MercuryDPM writes them"},
-                                               {"overlap", "contacts without a force that do not overlap are left out and told"},
-                                               {"contact point", "in the middle of the overlap, where MercuryDPM has it"},
-                                               {"info", "the species is the material"}},
-                                    .is_grains = [](std::string_view line) { return all_numbers(line, 6) || all_numbers(line, 8); },
-                                    .is_contacts = is_fstat,
-                                    .grains = read_mercury_data,
-                                    .contacts = read_mercury_fstat,
-                                    .grain_moments = data_moments,
-                                    .contact_moments = fstat_moments};
+/// A time step of a MercuryDPM .data file: a line "N time xmin ymin xmax ymax", then N lines "x y vx vy radius angle
+/// omega info", or both with the third coordinate; info is the species. Grains are numbered from 0 in their order. And
+/// that of a .fstat file: lines "time i j x y z overlap tangential_overlap fn ft nx ny nz tx ty tz", n pointing to
+/// grain i; j < 0 is a wall. Contacts of two grains are listed once for each of them.
+const SampleFormat samples::mercury{
+    .name = "mercury",
+    .grains_are = "MercuryDPM .data",
+    .contacts_are = "MercuryDPM .fstat",
+    .states = {{"units", "none are in the files: m and N, told, or those given by options"},
+               {"time",
+                "grains and contacts are of the last time that both have; refused where they have none in common"},
+               {"box", "taken; whether its sides are periodic is not in the file, --periodic says it"},
+               {"third coordinate",
+                "read where the file has it: centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two "
+                "are told); within a radius a layer, told; beyond: refused"},
+               {"columns", "by the number of values a line, as MercuryDPM writes them"},
+               {"overlap", "contacts without a force that do not overlap are left out and told"},
+               {"contact point", "in the middle of the overlap, where MercuryDPM has it"},
+               {"info", "the species is the material"}},
+    .is_grains = [](std::string_view line) { return all_numbers(line, 6) || all_numbers(line, 8); },
+    .is_contacts = is_fstat,
+    .grains = read_mercury_data,
+    .contacts = read_mercury_fstat,
+    .grain_moments = data_moments,
+    .contact_moments = fstat_moments};
 
 }  // namespace arenite::io

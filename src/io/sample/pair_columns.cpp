@@ -14,7 +14,8 @@ constexpr double enough = 0.9;           // share of the contacts with a force
 
 using NumberRow = std::vector<double>;  ///< of the candidates
 
-std::vector<NumberRow> numbers_of(const std::vector<std::vector<std::string_view>>& rows, const std::vector<std::size_t>& candidates) {
+std::vector<NumberRow> numbers_of(const std::vector<std::vector<std::string_view>>& rows,
+                                  const std::vector<std::size_t>& candidates) {
   std::vector<NumberRow> numbers;
   for (const auto& cells : rows) {
     NumberRow row;
@@ -34,9 +35,13 @@ class PairGeometry {
     for (const RawGrain& g : grains.rows) centre_[g.id] = g.centre;
   }
 
-  bool is_grain(double id) const { return id == std::floor(id) && std::abs(id) < 1e15 && centre_.count(static_cast<std::int64_t>(id)) > 0; }
+  bool is_grain(double id) const {
+    return id == std::floor(id) && std::abs(id) < 1e15 && centre_.count(static_cast<std::int64_t>(id)) > 0;
+  }
   /// From the second grain to the first, in the nearest image.
-  Vec2 branch(double i, double j) const { return cell_.nearest_image(centre_.at(static_cast<std::int64_t>(i)) - centre_.at(static_cast<std::int64_t>(j))); }
+  Vec2 branch(double i, double j) const {
+    return cell_.nearest_image(centre_.at(static_cast<std::int64_t>(i)) - centre_.at(static_cast<std::int64_t>(j)));
+  }
 
  private:
   std::unordered_map<std::int64_t, Vec2> centre_;
@@ -49,8 +54,8 @@ struct PairOfColumns {
   Vec2 of(const NumberRow& row) const { return {row[x], row[y]}; }
 };
 
-/// How far vectors deviate from the branches, or from being across them, on average (sine); infinite where they do not lie
-/// so. Vectors without length do not tell; of none that tells it is infinite.
+/// How far vectors deviate from the branches, or from being across them, on average (sine); infinite where they do not
+/// lie so. Vectors without length do not tell; of none that tells it is infinite.
 double deviation(const std::vector<NumberRow>& rows, const std::vector<Vec2>& branches, PairOfColumns at, bool along) {
   std::size_t telling = 0, fitting = 0;
   double sum = 0;
@@ -80,18 +85,23 @@ bool all_zero(const std::vector<NumberRow>& rows, std::size_t c) {
 
 }  // namespace
 
-std::vector<std::size_t> find_pair_columns(const std::vector<std::vector<std::string_view>>& rows, const std::vector<std::size_t>& candidates,
-                                           const RawGrains& grains) {
+std::vector<std::size_t> find_pair_columns(const std::vector<std::vector<std::string_view>>& rows,
+                                           const std::vector<std::size_t>& candidates, const RawGrains& grains) {
   const auto numbers = numbers_of(rows, candidates);
   const std::size_t n = candidates.size();
   if (numbers.empty() || n < 6) return {};
   const PairGeometry geometry(grains);
-  const auto are_grains = [&](std::size_t c) { return std::ranges::all_of(numbers, [&](const NumberRow& row) { return geometry.is_grain(row[c]); }); };
+  const auto are_grains = [&](std::size_t c) {
+    return std::ranges::all_of(numbers, [&](const NumberRow& row) { return geometry.is_grain(row[c]); });
+  };
   std::size_t i = 0;
-  while (i + 1 < n && !(are_grains(i) && are_grains(i + 1) && std::ranges::none_of(numbers, [&](const NumberRow& row) { return row[i] == row[i + 1]; }))) ++i;
+  while (i + 1 < n && !(are_grains(i) && are_grains(i + 1) &&
+                        std::ranges::none_of(numbers, [&](const NumberRow& row) { return row[i] == row[i + 1]; })))
+    ++i;
   if (i + 1 >= n) return {};
   const auto branches = mapped(numbers, [&](const NumberRow& row) { return geometry.branch(row[i], row[i + 1]); });
-  const auto apart = static_cast<std::size_t>(grains.plane.second - grains.plane.first);  // columns of the two components
+  const auto apart =
+      static_cast<std::size_t>(grains.plane.second - grains.plane.first);  // columns of the two components
   std::size_t force = n;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t x = 0; x + apart < n; ++x) {
@@ -103,7 +113,8 @@ std::vector<std::size_t> find_pair_columns(const std::vector<std::vector<std::st
   if (force == n) return {};
   const std::size_t next = force + apart + 1;
   const auto with = [&](std::size_t p) {
-    return std::vector{candidates[i], candidates[i + 1], candidates[force], candidates[force + apart], candidates[p], candidates[p + apart]};
+    return std::vector{candidates[i], candidates[i + 1],    candidates[force], candidates[force + apart],
+                       candidates[p], candidates[p + apart]};
   };
   for (std::size_t p = next; p + apart < n; ++p)
     if (std::isfinite(deviation(numbers, branches, {p, p + apart}, false))) return with(p);

@@ -11,7 +11,8 @@ namespace {
 
 std::int32_t material_of(const RawGrain& row, const Materials& materials, Problems& problems) {
   if (row.material.empty() && materials.size() == 1) return 0;
-  const auto it = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == row.material; });
+  const auto it =
+      std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == row.material; });
   if (it != materials.end()) return static_cast<std::int32_t>(it - materials.begin());
   const std::string near = nearest(row.material, mapped(materials, &Material::name));
   if (row.material.empty()) problems.add(row.line, "this grain has no material; add a column \"material\"");
@@ -22,7 +23,8 @@ std::int32_t material_of(const RawGrain& row, const Materials& materials, Proble
 }
 
 bool lies_inside(Vec2 p, const Domain& domain) {
-  return p.x >= domain.wall[left].position && p.x <= domain.wall[right].position && p.y >= domain.wall[bottom].position && p.y <= domain.wall[top].position;
+  return p.x >= domain.wall[left].position && p.x <= domain.wall[right].position &&
+         p.y >= domain.wall[bottom].position && p.y <= domain.wall[top].position;
 }
 
 }  // namespace
@@ -33,7 +35,8 @@ Grains read_placed_grains(const std::filesystem::path& path, const Materials& ma
   const SampleOptions options;
   RawGrains raw = samples::csv.grains({text, 0, options, problems});
   if (!problems.any() && !raw.rows.empty()) lay_in_plane(raw, problems);
-  if (raw.plane.across() != 2) problems.add("the centres do not lie in the plane x-y; give x and y as those of the container");
+  if (raw.plane.across() != 2)
+    problems.add("the centres do not lie in the plane x-y; give x and y as those of the container");
   Grains grains;
   grains.resize(raw.rows.size());
   std::map<std::int64_t, int> line_of;

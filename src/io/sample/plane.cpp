@@ -30,22 +30,25 @@ double extent_along(const RawGrains& grains, int axis) {
   return high - low;
 }
 
-std::string name_of(const Plane& plane) { return fmt::format("{}-{}", axis_names[plane.first], axis_names[plane.second]); }
+std::string name_of(const Plane& plane) {
+  return fmt::format("{}-{}", axis_names[plane.first], axis_names[plane.second]);
+}
 
 Plane plane_of(const RawGrains& grains, std::vector<std::string>& notes, Problems& problems) {
   const double radius = mean_radius(grains);
   const auto depth = [&](const Plane& plane) { return extent_along(grains, plane.across()); };
   for (const Plane& plane : planes) {
     if (!(depth(plane) <= flat * radius)) continue;
-    if (plane.across() != 2) notes.push_back(fmt::format("The centres lie in the plane {}, which was taken.", name_of(plane)));
+    if (plane.across() != 2)
+      notes.push_back(fmt::format("The centres lie in the plane {}, which was taken.", name_of(plane)));
     return plane;
   }
   const Plane thinnest = *std::ranges::min_element(planes, {}, depth);
   const double share = depth(thinnest) / radius;
   if (share <= layer)
     notes.push_back(
-        fmt::format("The centres differ by {:.2g} mean radii along {}; they were measured as they lie in the "
-                    "plane {}, as if they did not.",
+        fmt::format("The centres differ by {:.2g} mean radii along {}; they were measured as they lie in the plane {}, "
+                    "as if they did not.",
                     share, axis_names[thinnest.across()], name_of(thinnest)));
   else
     problems.add(
@@ -92,13 +95,15 @@ void place_box(RawGrains& grains, Problems& problems) {
   const auto place = [&](int axis, double low, double high, const char* name) {
     const double size = grains.cell.extent(axis);
     if (grains.cell.periodic[axis] || (low >= 0 && high <= size)) return;
-    if (high - low > size) problems.add("the centres span {:g} m along {}, more than the box's {:g} m; correct --box or --length-unit", high - low, name, size);
+    if (high - low > size)
+      problems.add("the centres span {:g} m along {}, more than the box's {:g} m; correct --box or --length-unit",
+                   high - low, name, size);
     const double corner = 0.5 * (low + high) - 0.5 * size;
     grains.cell.wall[2 * axis].position = corner;
     grains.cell.wall[2 * axis + 1].position = corner + size;
     grains.notes.push_back(
-        fmt::format("The centres do not lie between 0 and the box's {:g} m along {}, so the box was placed around them, "
-                    "from {:g} m; --origin sets its position.",
+        fmt::format("The centres do not lie between 0 and the box's {:g} m along {}, so the box was placed around "
+                    "them, from {:g} m; --origin sets its position.",
                     size, name, corner));
   };
   place(0, around.x_min, around.x_max, "x");

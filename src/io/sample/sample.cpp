@@ -20,11 +20,13 @@ const SampleFormat& format_of(std::string_view grains, const SampleOptions& opti
   if (const SampleFormat* named = format_named(samples::all, options.format)) return *named;
   if (!options.grain_columns.empty()) return samples::csv;
   const std::string_view line = first_line(grains);
-  return *first_format(samples::all, [&](const SampleFormat& format) { return format.is_grains(line); });  // else a table
+  return *first_format(samples::all,
+                       [&](const SampleFormat& format) { return format.is_grains(line); });  // else a table
 }
 
 /// That of the grains, or a table, or another program's: by content, unless the user names format or columns.
-const SampleFormat& format_of_contacts(std::string_view contacts, const SampleFormat& of_grains, const SampleOptions& options) {
+const SampleFormat& format_of_contacts(std::string_view contacts, const SampleFormat& of_grains,
+                                       const SampleOptions& options) {
   const std::string_view line = first_line(contacts);
   const bool own = &of_grains != &samples::csv && of_grains.is_contacts(line);  // everything may be a table
   if (own || options.format == of_grains.name) return of_grains;
@@ -58,12 +60,14 @@ void apply_box(const SampleOptions& options, RawGrains& grains, Problems& proble
     grains.cell.tilt = options.tilt;
     if (!options.origin) place_box(grains, problems);
   }
-  if (!grains.has_box && (periodic[0] || periodic[1])) problems.add("periodic sides need the size of the cell; give --box LX,LY[,tilt]");
+  if (!grains.has_box && (periodic[0] || periodic[1]))
+    problems.add("periodic sides need the size of the cell; give --box LX,LY[,tilt]");
 }
 
 }  // namespace
 
-Sample read_sample(const std::filesystem::path& grains_path, const std::filesystem::path& contacts_path, const SampleOptions& options) {
+Sample read_sample(const std::filesystem::path& grains_path, const std::filesystem::path& contacts_path,
+                   const SampleOptions& options) {
   const std::string grains_text = read_text(grains_path);
   const std::string contacts_text = contacts_path.empty() ? std::string() : read_text(contacts_path);
   Problems grain_problems(grains_path.string()), contact_problems(contacts_path.string());
@@ -72,7 +76,9 @@ Sample read_sample(const std::filesystem::path& grains_path, const std::filesyst
 
   Sample sample;
   const auto moments = moments_in(format.grain_moments, grains_text, options.grain_columns);
-  const auto taken = common_snapshot(moments, moments_in(of_contacts.contact_moments, contacts_text, options.contact_columns), sample.notes, contact_problems);
+  const auto taken =
+      common_snapshot(moments, moments_in(of_contacts.contact_moments, contacts_text, options.contact_columns),
+                      sample.notes, contact_problems);
   RawGrains grains = format.grains({grains_text, taken.grains, options, grain_problems});
   if (!grain_problems.any()) lay_in_plane(grains, grain_problems);
   if (options.y_down) turn_rows_up(grains);

@@ -15,15 +15,15 @@ struct SampleOptions {
   std::string format = "auto";                    ///< name of a format (samples::all), or "auto": by content
   std::string grain_columns, contact_columns;     ///< for files without header: "id,x,y,-,radius"
   std::optional<double> length_unit, force_unit;  ///< factors to SI of what has no unit; else SI is taken, with a note
-  double pixel = 0;                               ///< m, width of a pixel on the sample, for tables in pixels; 0: not known
-  std::optional<Vec2> box;                        ///< width, height, m
-  std::optional<Vec2> origin;                     ///< lower left corner, m; default: the origin if all centres fit, else around them
-  double tilt = 0;                                ///< m
+  double pixel = 0;            ///< m, width of a pixel on the sample, for tables in pixels; 0: not known
+  std::optional<Vec2> box;     ///< width, height, m
+  std::optional<Vec2> origin;  ///< lower left corner, m; default: the origin if all centres fit, else around them
+  double tilt = 0;             ///< m
   std::array<bool, 2> periodic{};
   std::optional<double> thickness;                 ///< m
   std::optional<std::filesystem::path> materials;  ///< table of material, name, density, stiffness, or of id, material
-  bool y_down = false;                             ///< y counts image rows, which point down: it is turned round, fn and ft kept
-  bool merge_doubled = false;                      ///< a contact listed twice is taken once, with the mean of its forces
+  bool y_down = false;         ///< y counts image rows, which point down: it is turned round, fn and ft kept
+  bool merge_doubled = false;  ///< a contact listed twice is taken once, with the mean of its forces
 
   double length() const { return length_unit.value_or(1); }
   double force() const { return force_unit.value_or(1); }
@@ -39,11 +39,13 @@ struct Sample {
 /// Reads and checks both files; without a name of contacts there are none. What the files state (units, step or time,
 /// cell, third coordinate, names of columns) is used, or refused, or told in a note: docs/formats.md. Throws InputError
 /// with every problem found, up to 20 a file.
-Sample read_sample(const std::filesystem::path& grains, const std::filesystem::path& contacts, const SampleOptions& options);
+Sample read_sample(const std::filesystem::path& grains, const std::filesystem::path& contacts,
+                   const SampleOptions& options);
 
 /// Grains to start a simulation from, as a laboratory gives them: a table with columns id, x, y, radius (or diameter)
 /// and material; lengths in m unless the header names a unit. Centres count from the container's lower left corner.
-/// Throws InputError with every problem found: unknown material, a grain outside the container, an id that occurs twice.
+/// Throws InputError with every problem found: unknown material, a grain outside the container, an id that occurs
+/// twice.
 Grains read_placed_grains(const std::filesystem::path& path, const Materials& materials, const Domain& domain);
 
 }  // namespace arenite::io

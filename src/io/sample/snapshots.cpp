@@ -22,14 +22,17 @@ std::string words_for(const Moment& moment) {
 }
 
 /// Says which snapshot of several was taken.
-void note_choice(const char* file, const std::vector<Moment>& moments, std::size_t taken, std::vector<std::string>& notes) {
+void note_choice(const char* file, const std::vector<Moment>& moments, std::size_t taken,
+                 std::vector<std::string>& notes) {
   if (moments.size() < 2) return;
-  notes.push_back(fmt::format("The file of {} has {} snapshots, of which that of {} was taken.", file, moments.size(), words_for(moments[taken])));
+  notes.push_back(fmt::format("The file of {} has {} snapshots, of which that of {} was taken.", file, moments.size(),
+                              words_for(moments[taken])));
 }
 
 }  // namespace
 
-SnapshotPair common_snapshot(const std::vector<Moment>& grains, const std::vector<Moment>& contacts, std::vector<std::string>& notes, Problems& problems) {
+SnapshotPair common_snapshot(const std::vector<Moment>& grains, const std::vector<Moment>& contacts,
+                             std::vector<std::string>& notes, Problems& problems) {
   SnapshotPair pair{std::max<std::size_t>(grains.size(), 1) - 1, std::max<std::size_t>(contacts.size(), 1) - 1};
   if (!grains.empty() && !contacts.empty()) {
     const auto found = [&] {
@@ -40,8 +43,8 @@ SnapshotPair common_snapshot(const std::vector<Moment>& grains, const std::vecto
     };
     if (!found()) {
       problems.add(
-          "the contacts are of {}, the grains of {}, and no snapshot of one file is of the same moment as one of "
-          "the other; write both at the same steps",
+          "the contacts are of {}, the grains of {}, and no snapshot of one file is of the same moment as one of the "
+          "other; write both at the same steps",
           words_for(contacts.back()), words_for(grains.back()));
       return pair;
     }

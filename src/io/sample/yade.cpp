@@ -28,9 +28,12 @@ class Centres {
     std::int64_t found = -1;
     for (int ky = -cell.periodic[1]; ky <= int{cell.periodic[1]}; ++ky)
       for (int kx = -cell.periodic[0]; kx <= int{cell.periodic[0]}; ++kx)
-        grid_.within(base + Vec2{kx * size.x + ky * cell.tilt, ky * size.y}, digits + slack * largest_, [&](std::int32_t g, double square) {
-          if (found < 0 && std::sqrt(square) <= digits + slack * grains_.rows[static_cast<std::size_t>(g)].radius) found = g;
-        });
+        grid_.within(
+            base + Vec2{kx * size.x + ky * cell.tilt, ky * size.y}, digits + slack * largest_,
+            [&](std::int32_t g, double square) {
+              if (found < 0 && std::sqrt(square) <= digits + slack * grains_.rows[static_cast<std::size_t>(g)].radius)
+                found = g;
+            });
     return found;
   }
 
@@ -79,9 +82,12 @@ bool may_be_wall(Vec2 n, const RawGrains& grains) {
 
 std::string not_joined(std::size_t count, std::size_t all, const RawGrains& grains) {
   const bool cell = grains.cell.is_cell();
-  return fmt::format("{} of {} interactions end at no grain's centre, and their forces are not those of a wall of the box; {}", count, all,
-                     cell ? "the cell does not join the grains across its periodic sides: correct --box (O.cell.hSize) and --periodic"
-                          : "if they cross a periodic side give the cell by --box and --periodic; spheres and interactions must be written at the same step");
+  return fmt::format(
+      "{} of {} interactions end at no grain's centre, and their forces are not those of a wall of the box; {}", count,
+      all,
+      cell ? "the cell does not join the grains across its periodic sides: correct --box (O.cell.hSize) and --periodic"
+           : "if they cross a periodic side give the cell by --box and --periodic; spheres and interactions must be "
+             "written at the same step");
 }
 
 RawGrains read_yade_spheres(const Reading& reading) {
@@ -101,14 +107,17 @@ RawGrains read_yade_spheres(const Reading& reading) {
     if (cells.front().starts_with('#')) continue;
     const int at = lines.number();
     if (cells.size() < id_columns + 4 + (material > 0 ? 1 : 0)) {
-      problems.add(at, "expected at least {} values according to the #format line, found {}", id_columns + 4 + (material > 0 ? 1 : 0), cells.size());
+      problems.add(at, "expected at least {} values according to the #format line, found {}",
+                   id_columns + 4 + (material > 0 ? 1 : 0), cells.size());
       continue;
     }
     RawGrain g;
     g.line = at;
-    g.id = id_columns ? integer_or_problem(cells[0], "id", at, problems) : static_cast<std::int64_t>(grains.rows.size());
+    g.id =
+        id_columns ? integer_or_problem(cells[0], "id", at, problems) : static_cast<std::int64_t>(grains.rows.size());
     for (int axis = 0; axis < 3; ++axis)
-      g.place[axis] = number_or_problem(cells[id_columns + static_cast<std::size_t>(axis)], "coordinate", options.length(), at, problems);
+      g.place[axis] = number_or_problem(cells[id_columns + static_cast<std::size_t>(axis)], "coordinate",
+                                        options.length(), at, problems);
     g.radius = number_or_problem(cells[id_columns + 3], "r", options.length(), at, problems);
     if (material > 0) g.material = cells[material];
     grains.rows.push_back(std::move(g));
@@ -127,7 +136,9 @@ RawContacts read_yade_interactions(const Reading& reading, const RawGrains& grai
   std::size_t count = 0;
   for (auto word = words.next(); !word.empty(); word = words.next()) {
     if (word == "POINTS") {
-      count = static_cast<std::size_t>(std::max<std::int64_t>(0, integer_or_problem(words.next(), "number of points", words.lines.number(), problems))) / 2;
+      count = static_cast<std::size_t>(std::max<std::int64_t>(
+                  0, integer_or_problem(words.next(), "number of points", words.lines.number(), problems))) /
+              2;
       if (count > reading.text.size()) break;  // more than the file can hold
       words.skip_line();
       ends = read_points(words, 2 * count, options.length(), problems);
@@ -177,34 +188,37 @@ RawContacts read_yade_interactions(const Reading& reading, const RawGrains& grai
   }
   if (not_of_walls > 0) problems.add(not_joined(not_of_walls, count, grains));
   if (!options.force_unit) contacts.notes.push_back(assumed_unit("force", "N", "--force-unit"));
-  if (without_grain > 0) contacts.notes.push_back(fmt::format("{} of {} interactions belong to no grain in the list and are left out.", without_grain, count));
+  if (without_grain > 0)
+    contacts.notes.push_back(
+        fmt::format("{} of {} interactions belong to no grain in the list and are left out.", without_grain, count));
   return contacts;
 }
 
 }  // namespace
 
 /// Spheres written by YADE's export.text or export.textExt: "#format x_y_z_r" (or x_y_z_r_matId, x_y_z_r_attrs,
-/// id_x_y_z_r_matId), then one sphere a line. Without ids spheres are numbered from 0 in their order. Interactions written
-/// by VTKExporter.exportInteractions with what = {'normalForce': 'i.phys.normalForce', 'shearForce': 'i.phys.shearForce'}:
-/// both centres of every interaction and the force on the second body. The file has no ids, so ends are matched with the
-/// centres of the grains; an end that is no grain's centre is a wall.
-const SampleFormat samples::yade{.name = "yade",
-                                 .grains_are = "YADE export.textExt",
-                                 .contacts_are = "YADE VTKExporter.exportInteractions of normalForce and shearForce",
-                                 .states = {{"units", "none are in the files: m and N, told, or those given by options"},
-                                            {"step, time",
-                                             "none are in the files; interactions that end at no grain's centre show another step and are "
-                                             "refused"},
-                                            {"cell", "none is in the files; --box and --periodic give it, and periodic sides without it are refused"},
-                                            {"third coordinate",
-                                             "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); "
-                                             "within a radius a layer, told; beyond: refused"},
-                                            {"columns", "by the #format line; vectors of interactions by their names"},
-                                            {"interactions without a force", "contacts where they overlap, else left out and told"},
-                                            {"matId", "the material"}},
-                                 .is_grains = [](std::string_view line) { return line.starts_with("#format"); },
-                                 .is_contacts = [](std::string_view line) { return line.starts_with("# vtk DataFile"); },
-                                 .grains = read_yade_spheres,
-                                 .contacts = read_yade_interactions};
+/// id_x_y_z_r_matId), then one sphere a line. Without ids spheres are numbered from 0 in their order. Interactions
+/// written by VTKExporter.exportInteractions with what = {'normalForce': 'i.phys.normalForce', 'shearForce':
+/// 'i.phys.shearForce'}: both centres of every interaction and the force on the second body. The file has no ids, so
+/// ends are matched with the centres of the grains; an end that is no grain's centre is a wall.
+const SampleFormat samples::yade{
+    .name = "yade",
+    .grains_are = "YADE export.textExt",
+    .contacts_are = "YADE VTKExporter.exportInteractions of normalForce and shearForce",
+    .states = {{"units", "none are in the files: m and N, told, or those given by options"},
+               {"step, time",
+                "none are in the files; interactions that end at no grain's centre show another step and are refused"},
+               {"cell",
+                "none is in the files; --box and --periodic give it, and periodic sides without it are refused"},
+               {"third coordinate",
+                "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); within a radius "
+                "a layer, told; beyond: refused"},
+               {"columns", "by the #format line; vectors of interactions by their names"},
+               {"interactions without a force", "contacts where they overlap, else left out and told"},
+               {"matId", "the material"}},
+    .is_grains = [](std::string_view line) { return line.starts_with("#format"); },
+    .is_contacts = [](std::string_view line) { return line.starts_with("# vtk DataFile"); },
+    .grains = read_yade_spheres,
+    .contacts = read_yade_interactions};
 
 }  // namespace arenite::io

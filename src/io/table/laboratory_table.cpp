@@ -10,7 +10,8 @@ namespace {
 
 /// The unit behind a name, "kN/mm" of "surface_energy_kN_per_mm"; empty if there is none of this dimension.
 std::string unit_behind(const Table::Column& column, std::string_view name, const Quantity& quantity) {
-  if (column.name.size() <= name.size() + 1 || !column.name.starts_with(name) || column.name[name.size()] != '_') return {};
+  if (column.name.size() <= name.size() + 1 || !column.name.starts_with(name) || column.name[name.size()] != '_')
+    return {};
   std::string unit = column.written.substr(name.size() + 1);
   if (const auto per = unit.find("_per_"); per != std::string::npos) unit.replace(per, 5, "/");
   if (quantity.dimension == dimension::temperature && is_celsius(unit)) return unit;
@@ -32,7 +33,8 @@ LaboratoryTable::LaboratoryTable(const std::string& file) : file_(file), text_(r
   Problems problems(file);
   table_ = read_table(text_, "", problems);
   problems.raise();
-  if (table_.rows.empty()) throw InputError(file, table_.header_line, "has a header but no rows; give one row per measurement");
+  if (table_.rows.empty())
+    throw InputError(file, table_.header_line, "has a header but no rows; give one row per measurement");
 }
 
 std::optional<std::size_t> LaboratoryTable::find(const Quantity& quantity) const {
@@ -49,7 +51,8 @@ std::vector<double> LaboratoryTable::values(std::size_t column, const Quantity& 
   if (unit.empty() && !(quantity.dimension == dimension::none)) {
     unit = quantity.assumed.empty() ? si_unit(quantity.dimension) : std::string(quantity.assumed);
     const std::string note =
-        fmt::format("the file states no unit of {}, so {} was assumed; a header such as \"{} [{}]\" changes this", title(column), unit, title(column), unit);
+        fmt::format("the file states no unit of {}, so {} was assumed; a header such as \"{} [{}]\" changes this",
+                    title(column), unit, title(column), unit);
     if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(note);
   }
   if (quantity.dimension == dimension::temperature && is_celsius(unit)) {
@@ -61,7 +64,8 @@ std::vector<double> LaboratoryTable::values(std::size_t column, const Quantity& 
   for (const auto& row : table_.rows) {
     const std::string_view text = row.cells[column];
     const bool empty = may_be_empty && (text.empty() || text == "-");
-    values.push_back(empty ? std::numeric_limits<double>::quiet_NaN() : number_or_problem(text, title(column), factor, row.line, problems) + offset);
+    values.push_back(empty ? std::numeric_limits<double>::quiet_NaN()
+                           : number_or_problem(text, title(column), factor, row.line, problems) + offset);
   }
   problems.raise();
   return values;
@@ -72,7 +76,8 @@ CalibrationCurve read_calibration_curve(const std::string& file) {
   const Quantity levels{{"level", "dl", "digital_level"}, dimension::none, {}};
   const Quantity temperatures{{"temperature", "t"}, dimension::temperature, "K", Quantity::Kind::absolute_temperature};
   const auto level = table.find(levels), temperature = table.find(temperatures);
-  if (!level || !temperature) throw InputError(file, table.header_line(), "has no columns level and temperature; name them in the first line");
+  if (!level || !temperature)
+    throw InputError(file, table.header_line(), "has no columns level and temperature; name them in the first line");
   return {table.values(*level, levels), table.values(*temperature, temperatures)};
 }
 

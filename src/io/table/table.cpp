@@ -40,7 +40,8 @@ Table::Column column_of(std::string_view cell) {
   const auto open = cell.find_first_of("[(");
   const bool closed = open != std::string_view::npos && (cell.back() == ']' || cell.back() == ')');
   const auto name = trimmed(closed ? cell.substr(0, open) : cell);
-  return {lower_case(name), std::string(closed ? trimmed(cell.substr(open + 1, cell.size() - open - 2)) : ""), std::string(name)};
+  return {lower_case(name), std::string(closed ? trimmed(cell.substr(open + 1, cell.size() - open - 2)) : ""),
+          std::string(name)};
 }
 
 bool is_unit(std::string_view cell) {
@@ -58,7 +59,8 @@ bool is_unit_row(const Table::Row& row) { return std::all_of(row.cells.begin(), 
 void check_header(const Table& table, int line, Problems& problems) {
   for (std::size_t a = 0; a < table.columns.size(); ++a)
     for (std::size_t b = a + 1; b < table.columns.size(); ++b)
-      if (!table.columns[a].name.empty() && table.columns[a].name != "-" && table.columns[a].name == table.columns[b].name)
+      if (!table.columns[a].name.empty() && table.columns[a].name != "-" &&
+          table.columns[a].name == table.columns[b].name)
         problems.add(line, "column \"{}\" appears twice; rename or drop one", table.columns[a].name);
 }
 
@@ -77,8 +79,8 @@ std::optional<std::string_view> behind_comma(std::string_view cell) {
   return rest.substr(0, std::min(rest.find_first_of("eEdD"), rest.size()));
 }
 
-/// Cells whose numbers have decimal commas get points, where that is what the commas are: not beside numbers with points,
-/// and where blanks or tabs separate, not where each comma may separate thousands.
+/// Cells whose numbers have decimal commas get points, where that is what the commas are: not beside numbers with
+/// points, and where blanks or tabs separate, not where each comma may separate thousands.
 void take_decimal_commas(Table& table, char separator, Problems& problems) {
   bool telling = separator == ';', points = false;
   const Table::Row* first = nullptr;
@@ -94,8 +96,8 @@ void take_decimal_commas(Table& table, char separator, Problems& problems) {
   if (first == nullptr) return;
   if (points || !telling)
     return problems.add(first->line,
-                        "\"{}\" may be a number with a decimal comma or with thousands set apart{}; write "
-                        "decimal points and no other signs in numbers",
+                        "\"{}\" may be a number with a decimal comma or with thousands set apart{}; write decimal "
+                        "points and no other signs in numbers",
                         example, points ? ", and others have points" : "");
   table.rewritten = std::make_shared<std::deque<std::string>>();
   for (Table::Row& row : table.rows)
@@ -110,8 +112,8 @@ void take_decimal_commas(Table& table, char separator, Problems& problems) {
 /// The problem of a row that has not a cell for each column.
 std::string ragged(const Table::Row& row, std::size_t columns, char separator) {
   const bool more = separator == ',' && row.cells.size() > columns;
-  return fmt::format("this row has {} cells, but there are {} columns; complete or remove it{}", row.cells.size(), columns,
-                     more ? ", and if its commas are decimal ones, separate cells by semicolons" : "");
+  return fmt::format("this row has {} cells, but there are {} columns; complete or remove it{}", row.cells.size(),
+                     columns, more ? ", and if its commas are decimal ones, separate cells by semicolons" : "");
 }
 
 }  // namespace
@@ -162,7 +164,8 @@ Table read_table(std::string_view text, const std::string& columns, Problems& pr
   Table table;
   char separator = 0;
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  for (const std::string_view name : columns.empty() ? std::vector<std::string_view>{} : split_cells(columns, ',')) table.columns.push_back(column_of(name));
+  for (const std::string_view name : columns.empty() ? std::vector<std::string_view>{} : split_cells(columns, ','))
+    table.columns.push_back(column_of(name));
   check_header(table, 0, problems);
   Lines lines(text);
   bool first_row = true;
@@ -177,8 +180,8 @@ Table read_table(std::string_view text, const std::string& columns, Problems& pr
       check_header(table, row.line, problems);
       if (to_number(row.cells.front()))
         problems.add(row.line,
-                     "the first row must name the columns, but it holds numbers; add a header such as "
-                     "\"id,x [mm],y [mm],radius [mm]\" or name the columns on the command line");
+                     "the first row must name the columns, but it holds numbers; add a header such as \"id,x [mm],y "
+                     "[mm],radius [mm]\" or name the columns on the command line");
       continue;
     }
     if (row.cells.size() != table.columns.size()) {
@@ -220,11 +223,14 @@ bool is_celsius(std::string_view unit) { return unit == "C" || unit == "degC" ||
 
 double unit_factor(std::string_view unit, Dimension dimension) {
   const Unit u = parse_unit(unit);
-  if (!(u.dimension == dimension)) throw InputError(fmt::format("\"{}\" is not {}; use a unit such as {}", unit, describe(dimension), si_unit(dimension)));
+  if (!(u.dimension == dimension))
+    throw InputError(
+        fmt::format("\"{}\" is not {}; use a unit such as {}", unit, describe(dimension), si_unit(dimension)));
   return u.decade < 0 ? u.factor / std::pow(10.0, -u.decade) : u.factor * std::pow(10.0, u.decade);
 }
 
-double factor_or_problem(std::string_view unit, const std::string& column, Dimension dimension, double otherwise, int line, Problems& problems) {
+double factor_or_problem(std::string_view unit, const std::string& column, Dimension dimension, double otherwise,
+                         int line, Problems& problems) {
   try {
     return unit.empty() ? otherwise : unit_factor(unit, dimension);
   } catch (const InputError& error) {
@@ -233,7 +239,8 @@ double factor_or_problem(std::string_view unit, const std::string& column, Dimen
   }
 }
 
-double number_or_problem(std::string_view cell, const std::string& column, double factor, int line, Problems& problems) {
+double number_or_problem(std::string_view cell, const std::string& column, double factor, int line,
+                         Problems& problems) {
   if (const auto value = to_number(cell)) return *value * factor;
   problems.add(line, "{} is \"{}\", which is not a finite number; correct it or remove the row", column, cell);
   return 0;

@@ -13,17 +13,17 @@
 
 namespace arenite::io {
 
-/// The text of a file in UTF-8, whatever it is written in: UTF-8 or UTF-16 with their marks, or Latin-1, which any other
-/// bytes are taken for; lines that end with a carriage return alone end with a line feed. Throws InputError for a file
-/// that cannot be read or holds zero bytes.
+/// The text of a file in UTF-8, whatever it is written in: UTF-8 or UTF-16 with their marks, or Latin-1, which any
+/// other bytes are taken for; lines that end with a carriage return alone end with a line feed. Throws InputError for a
+/// file that cannot be read or holds zero bytes.
 std::string read_text(const std::filesystem::path& path);
 /// The same of bytes that have been read.
 std::string as_utf8(std::string bytes);
 
-/// Text cut into rows of cells. Separator: that of a first line "sep=;" as spreadsheets write it, else comma, semicolon or
-/// tab if the first row has one, else blanks. A cell may stand in double quotes. Lines that start with # and empty lines
-/// are skipped. Decimal commas are read in quotes or where another sign separates the cells. Cells point into the text, which must
-/// outlive the table.
+/// Text cut into rows of cells. Separator: that of a first line "sep=;" as spreadsheets write it, else comma, semicolon
+/// or tab if the first row has one, else blanks. A cell may stand in double quotes. Lines that start with # and empty
+/// lines are skipped. Decimal commas are read in quotes or where another sign separates the cells. Cells point into the
+/// text, which must outlive the table.
 struct Table {
   struct Row {
     int line = 0;
@@ -43,15 +43,15 @@ struct Table {
   std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const;
 };
 
-/// Reads a table whose first row is a header; `columns` replaces a missing header ("id,x,y,-,radius"). Ragged rows, an empty file and a header that
-/// is missing or says a column twice go to `problems`.
+/// Reads a table whose first row is a header; `columns` replaces a missing header ("id,x,y,-,radius"). Ragged rows, an
+/// empty file and a header that is missing or says a column twice go to `problems`.
 Table read_table(std::string_view text, const std::string& columns, Problems& problems);
 
 /// The cells of a row, without blanks and quotes around them.
 std::vector<std::string_view> split_cells(std::string_view row, char separator);
 
-/// A cell of text as it is written, in quotes where a reader would take it for several, and behind an apostrophe where a
-/// spreadsheet would compute it as a formula; `read_table` takes that apostrophe away.
+/// A cell of text as it is written, in quotes where a reader would take it for several, and behind an apostrophe where
+/// a spreadsheet would compute it as a formula; `read_table` takes that apostrophe away.
 std::string quoted_cell(const std::string& text);
 
 /// The lines of a text without their ends, one after the other.
@@ -66,7 +66,8 @@ class Lines {
   int number_;
 };
 
-/// A whole finite number, with an exponent behind e or Fortran's d; empty otherwise ("nan" and "inf" are not numbers here).
+/// A whole finite number, with an exponent behind e or Fortran's d; empty otherwise ("nan" and "inf" are not numbers
+/// here).
 std::optional<double> to_number(std::string_view cell);
 std::optional<std::int64_t> to_integer(std::string_view cell);
 
@@ -77,7 +78,8 @@ bool is_celsius(std::string_view unit);
 double unit_factor(std::string_view unit, Dimension dimension);
 
 /// The same of a column that names its unit, a problem at the header's line; `otherwise` where it names none.
-double factor_or_problem(std::string_view unit, const std::string& column, Dimension dimension, double otherwise, int line, Problems& problems);
+double factor_or_problem(std::string_view unit, const std::string& column, Dimension dimension, double otherwise,
+                         int line, Problems& problems);
 
 /// `value` as a number in SI, or a problem at that line that names the column.
 double number_or_problem(std::string_view cell, const std::string& column, double factor, int line, Problems& problems);
@@ -96,8 +98,8 @@ struct Quantity {
   Kind kind = Kind::plain;
 };
 
-/// A table of measurements: columns of quantities with their units, columns of labels. A column's unit stands in brackets ("force [kN]"), in a row
-/// below the header, or behind its name ("force_kN", "surface_energy_kN_per_mm").
+/// A table of measurements: columns of quantities with their units, columns of labels. A column's unit stands in
+/// brackets ("force [kN]"), in a row below the header, or behind its name ("force_kN", "surface_energy_kN_per_mm").
 class LaboratoryTable {
  public:
   /// Throws InputError for a file that is no table.
@@ -116,8 +118,8 @@ class LaboratoryTable {
   std::optional<std::size_t> find(const Quantity& quantity) const;
   std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const { return table_.find(names); }
 
-  /// The column in SI, a row each; where an empty cell is no measurement, NaN. Throws InputError with all cells that are not numbers, and for a unit
-  /// of another dimension.
+  /// The column in SI, a row each; where an empty cell is no measurement, NaN. Throws InputError with all cells that
+  /// are not numbers, and for a unit of another dimension.
   std::vector<double> values(std::size_t column, const Quantity& quantity, bool may_be_empty = false);
 
   /// Units that were assumed.
@@ -134,8 +136,8 @@ struct CalibrationCurve {
   std::vector<double> level, temperature;
 };
 
-/// From a CSV file with columns level and temperature, in K or, where the header says so, in degrees Celsius ("temperature [C]"). Throws InputError
-/// with every bad row.
+/// From a CSV file with columns level and temperature, in K or, where the header says so, in degrees Celsius
+/// ("temperature [C]"). Throws InputError with every bad row.
 CalibrationCurve read_calibration_curve(const std::string& file);
 
 }  // namespace arenite::io

@@ -33,8 +33,8 @@ std::array<ArcNodes, sizes.size()> make_table(Traction traction) {
   return table;
 }
 
-/// Fejer's second rule (even traction) or Gauss's rule for Chebyshev polynomials of the second kind (half ellipse), with as many points as a field
-/// needs that is looked at from `distance`, in units of the arc's half length.
+/// Fejer's second rule (even traction) or Gauss's rule for Chebyshev polynomials of the second kind (half ellipse),
+/// with as many points as a field needs that is looked at from `distance`, in units of the arc's half length.
 const ArcNodes& arc_nodes(Traction traction, double distance) {
   static const ArcNodes point{{0}, {1}};
   static const auto uniform = make_table(Traction::uniform), elliptic = make_table(Traction::elliptic);
@@ -63,7 +63,8 @@ template <class What> void each_point(const Disk& disk, const RimForce& f, Vec2 
 /// Sum over the rim of the forces' components along the inward normal, N.
 double inward_sum(const Disk& disk) {
   double sum = 0;
-  for (const RimForce& f : disk.forces) each_point(disk, f, {0, 0}, [&](double share, Vec2, Vec2 outward) { sum -= share * dot(force_of(f), outward); });
+  for (const RimForce& f : disk.forces)
+    each_point(disk, f, {0, 0}, [&](double share, Vec2, Vec2 outward) { sum -= share * dot(force_of(f), outward); });
   return sum;
 }
 
@@ -77,7 +78,8 @@ double corner(double x, double y) {
 /// Integrals of rho_x/|rho|^2 and rho_y/|rho|^2 over a square.
 Vec2 integral_over_square(Vec2 rho, double side) {
   const double x0 = rho.x - side / 2, x1 = rho.x + side / 2, y0 = rho.y - side / 2, y1 = rho.y + side / 2;
-  return {corner(x1, y1) - corner(x0, y1) - corner(x1, y0) + corner(x0, y0), corner(y1, x1) - corner(y0, x1) - corner(y1, x0) + corner(y0, x0)};
+  return {corner(x1, y1) - corner(x0, y1) - corner(x1, y0) + corner(x0, y0),
+          corner(y1, x1) - corner(y0, x1) - corner(y1, x0) + corner(y0, x0)};
 }
 
 /// From this many sides on, the mean of a harmonic function over a square is its value in the middle, to 1e-7.
@@ -87,7 +89,8 @@ constexpr double far = 20;
 
 double sigma_kk(const Disk& disk, Vec2 x) {
   double sum = 0;
-  for (const RimForce& f : disk.forces) each_point(disk, f, x, [&](double share, Vec2 rho, Vec2) { sum += share * dot(force_of(f), rho) / dot(rho, rho); });
+  for (const RimForce& f : disk.forces)
+    each_point(disk, f, x, [&](double share, Vec2 rho, Vec2) { sum += share * dot(force_of(f), rho) / dot(rho, rho); });
   return (-2 * sum + inward_sum(disk) / disk.radius) / (std::numbers::pi * disk.length);
 }
 
@@ -96,7 +99,8 @@ double square_mean(const Disk& disk, Vec2 centre, double side) {
   for (const RimForce& f : disk.forces)
     each_point(disk, f, centre, [&](double share, Vec2 rho, Vec2) {
       const double square = dot(rho, rho);
-      const Vec2 integral = square > far * far * side * side ? (side * side / square) * rho : integral_over_square(rho, side);
+      const Vec2 integral =
+          square > far * far * side * side ? (side * side / square) * rho : integral_over_square(rho, side);
       sum += share * dot(force_of(f), integral);
     });
   return (-2 * sum + side * side * inward_sum(disk) / disk.radius) / (std::numbers::pi * disk.length) / (side * side);

@@ -14,7 +14,8 @@ using Window = geometry::Rectangle;
 struct CementParameters {
   enum class Kind { none, bridges, full, coating, menisci };
   Kind kind = Kind::bridges;
-  /// ell: widest surface gap that is bridged, m (bridges, menisci); unless given 0, in recipes 0.075 mean large radii (P's 3 dx).
+  /// ell: widest surface gap that is bridged, m (bridges, menisci); unless given 0, in recipes 0.075 mean large radii
+  /// (P's 3 dx).
   std::optional<double> gap = {};
   double width = 0.4;       ///< eta: half base of a bridge over the radius of its grain (bridges)
   bool full_width = false;  ///< eta is the whole base over the radius
@@ -42,10 +43,11 @@ struct CementReport {
   std::size_t capped = 0;       ///< menisci that hold less than asked: their arcs are straight and can hold no more
 };
 
-/// The matrix of a packing; walls hold none, periodic sides do. With a saturation asked for, the free parameter of the kind
-/// is found on the exact area inside `window`. Throws InputError for senseless parameters, and where no parameter
+/// The matrix of a packing; walls hold none, periodic sides do. With a saturation asked for, the free parameter of the
+/// kind is found on the exact area inside `window`. Throws InputError for senseless parameters, and where no parameter
 /// reaches the saturation, naming the range that can be reached.
-Cement make_cement(const Packing& packing, const CementParameters& parameters, const Window& window, CementReport& report);
+Cement make_cement(const Packing& packing, const CementParameters& parameters, const Window& window,
+                   CementReport& report);
 
 /// Exact areas of the grains and the matrix that are placed in a window.
 Areas exact_areas(const PlacedCement& placed, const Window& window);

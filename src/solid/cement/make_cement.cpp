@@ -24,7 +24,8 @@ geometry::MeniscusDisks disks_of(const Packing& packing, geometry::Pair pair) {
 /// A disk inside another has no meniscus.
 bool can_hold(const geometry::MeniscusDisks& d) { return d.distance > std::abs(d.radius_i - d.radius_j); }
 
-/// Curvature of the arcs that enclose `volume`, which lies between what the largest curvature and straight arcs enclose.
+/// Curvature of the arcs that enclose `volume`, which lies between what the largest curvature and straight arcs
+/// enclose.
 double curvature_of(const geometry::MeniscusDisks& d, double volume, double most) {
   // Curvature may be infinite at contact: x = c r / (1 + c r) runs from 0 to 1.
   const double r = std::min(d.radius_i, d.radius_j), largest = geometry::largest_meniscus_curvature(d);
@@ -40,9 +41,10 @@ void add_bridges(const Packing& packing, const std::vector<geometry::Pair>& pair
   for (const auto [i, j] : pairs) cement.bridges.push_back({i, j, half_width * r[i], half_width * r[j]});
 }
 
-/// A meniscus of one volume (area, m^2) at every pair. Where it is less than the arcs enclose when they meet in the middle of the gap there is none;
-/// where it is more than straight tangents enclose the arcs are straight.
-void add_menisci(const Packing& packing, const std::vector<geometry::Pair>& pairs, double volume, Cement& cement, CementReport& report) {
+/// A meniscus of one volume (area, m^2) at every pair. Where it is less than the arcs enclose when they meet in the
+/// middle of the gap there is none; where it is more than straight tangents enclose the arcs are straight.
+void add_menisci(const Packing& packing, const std::vector<geometry::Pair>& pairs, double volume, Cement& cement,
+                 CementReport& report) {
   for (const auto pair : pairs) {
     const geometry::MeniscusDisks disks = disks_of(packing, pair);
     if (!can_hold(disks)) continue;
@@ -81,7 +83,8 @@ void check(const CementParameters& p, const Window& w) {
   const bool necks = p.kind == Kind::bridges || p.kind == Kind::menisci;
   if (necks) length("the cement's gap", p.gap.value_or(0));
   if (p.kind == Kind::bridges && !p.saturation)
-    problems.unless(p.width >= 0 && p.width <= widest(p), "a bridge's width of {:g} radii is out of range; give 0 to {:g}, as wide as the grain", p.width,
+    problems.unless(p.width >= 0 && p.width <= widest(p),
+                    "a bridge's width of {:g} radii is out of range; give 0 to {:g}, as wide as the grain", p.width,
                     widest(p));
   if (p.kind == Kind::coating && !p.saturation) length("the coating's thickness", p.thickness);
   if (p.kind == Kind::menisci && !p.saturation) length("a meniscus' volume", p.volume);
@@ -89,18 +92,23 @@ void check(const CementParameters& p, const Window& w) {
     const double s = *p.saturation;
     problems.unless(s > 0 && s <= 1, "a matrix saturation of {:g} is out of range; give more than 0, at most 1", s);
     problems.unless(p.kind != Kind::none && (p.kind != Kind::full || s == 1),
-                    "{} cement has no saturation to prescribe; leave it out, or use bridges, coating or menisci", p.kind == Kind::full ? "full" : "no");
+                    "{} cement has no saturation to prescribe; leave it out, or use bridges, coating or menisci",
+                    p.kind == Kind::full ? "full" : "no");
   }
-  problems.unless(w.width() > 0 && w.height() > 0 && std::isfinite(w.area()), "the cement's window is {:g} x {:g} m; give it positive sides", w.width(),
-                  w.height());
+  problems.unless(w.width() > 0 && w.height() > 0 && std::isfinite(w.area()),
+                  "the cement's window is {:g} x {:g} m; give it positive sides", w.width(), w.height());
   problems.raise();
 }
 
 /// One kind of cement with its one free parameter: width, thickness or volume.
 class Maker {
  public:
-  Maker(const Packing& packing, const CementParameters& p, const Window& window) : packing_(packing), p_(p), window_(window) {
-    if (p.kind == Kind::bridges || p.kind == Kind::menisci) pairs_ = pairs_within(packing.grains, packing.domain, p.gap.value_or(0));
+  Maker(const Packing& packing, const CementParameters& p, const Window& window)
+      : packing_(packing),
+        p_(p),
+        window_(window) {
+    if (p.kind == Kind::bridges || p.kind == Kind::menisci)
+      pairs_ = pairs_within(packing.grains, packing.domain, p.gap.value_or(0));
   }
 
   Cement operator()(double parameter, CementReport& report) const {
@@ -108,7 +116,8 @@ class Maker {
     report.parameter = parameter;
     if (p_.kind == Kind::full) cement.full = true;
     if (p_.kind == Kind::coating) cement.coating = parameter;
-    if (p_.kind == Kind::bridges && parameter > 0) add_bridges(packing_, pairs_, p_.full_width ? 0.5 * parameter : parameter, cement);
+    if (p_.kind == Kind::bridges && parameter > 0)
+      add_bridges(packing_, pairs_, p_.full_width ? 0.5 * parameter : parameter, cement);
     if (p_.kind == Kind::menisci && parameter > 0) add_menisci(packing_, pairs_, parameter, cement, report);
     report.necks = cement.bridges.size() + cement.menisci.size();
     report.areas = exact_areas(place(packing_, cement, window_), window_);
@@ -145,8 +154,8 @@ class Maker {
     const double high = high_enough(excess), most = excess(high);
     if (most < -1e-9)
       throw refusal(
-          "a matrix saturation of {:g} cannot be reached: this cement fills more than 0, at most {:.4f}, of the space between "
-          "grains; prescribe less, widen its gap, or use another kind",
+          "a matrix saturation of {:g} cannot be reached: this cement fills more than 0, at most {:.4f}, of the space "
+          "between grains; prescribe less, widen its gap, or use another kind",
           saturation, most + saturation);
     if (most <= 0) return high;
     return bracketed_root<double>(excess, 0, -saturation, high, most);
@@ -167,16 +176,19 @@ Areas exact_areas(const PlacedCement& placed, const Window& window) {
   const double particle = geometry::union_area(outlines, placed.window);
   if (placed.full) return {window.area(), particle, std::max(0.0, window.area() - particle)};
   if (placed.coating > 0)
-    for (const auto& grain : placed.grains) outlines.push_back(Outline::disk(grain.centre, grain.radius + placed.coating));
+    for (const auto& grain : placed.grains)
+      outlines.push_back(Outline::disk(grain.centre, grain.radius + placed.coating));
   for (const auto& neck : placed.necks) {
     const auto of_neck = outlines_of(neck);
     outlines.insert(outlines.end(), of_neck.begin(), of_neck.end());
   }
-  const double solid = outlines.size() == placed.grains.size() ? particle : geometry::union_area(outlines, placed.window);
+  const double solid =
+      outlines.size() == placed.grains.size() ? particle : geometry::union_area(outlines, placed.window);
   return {window.area(), particle, std::max(0.0, solid - particle)};
 }
 
-Cement make_cement(const Packing& packing, const CementParameters& parameters, const Window& window, CementReport& report) {
+Cement make_cement(const Packing& packing, const CementParameters& parameters, const Window& window,
+                   CementReport& report) {
   check(parameters, window);
   arenite::check(packing, {});
   const Maker make(packing, parameters, window);

@@ -46,7 +46,9 @@ JoinedSets joined(const std::vector<Run>& runs, int reach) {
   JoinedSets sets(runs.size());
   std::size_t below = 0;
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    while (runs[below].y < runs[k].y - 1 || (runs[below].y == runs[k].y - 1 && runs[below].last + reach < runs[k].first)) ++below;
+    while (runs[below].y < runs[k].y - 1 ||
+           (runs[below].y == runs[k].y - 1 && runs[below].last + reach < runs[k].first))
+      ++below;
     for (std::size_t b = below; runs[b].y == runs[k].y - 1 && runs[b].first <= runs[k].last + reach; ++b)
       sets.join(static_cast<std::int32_t>(b), static_cast<std::int32_t>(k));
   }
@@ -69,9 +71,11 @@ Components find_components(const PhaseMap& map, Flooded phases, bool eight_conne
       found.sides.push_back(0);
     }
     found.nodes[label] += run.last - run.first + 1;
-    found.sides[label] = static_cast<std::uint8_t>(found.sides[label] | (run.first == 0) << left | (run.last == map.width - 1) << right |
-                                                   (run.y == 0) << bottom | (run.y == map.height - 1) << top);
-    std::fill_n(found.label.begin() + static_cast<std::ptrdiff_t>(map.index(run.first, run.y)), run.last - run.first + 1, label);
+    found.sides[label] =
+        static_cast<std::uint8_t>(found.sides[label] | (run.first == 0) << left | (run.last == map.width - 1) << right |
+                                  (run.y == 0) << bottom | (run.y == map.height - 1) << top);
+    std::fill_n(found.label.begin() + static_cast<std::ptrdiff_t>(map.index(run.first, run.y)),
+                run.last - run.first + 1, label);
   }
   return found;
 }
@@ -79,7 +83,8 @@ Components find_components(const PhaseMap& map, Flooded phases, bool eight_conne
 }  // namespace
 
 Cavities find_cavities(const PhaseMap& map, Cavity kind, const CavityRules& rules) {
-  if (rules.fewest_nodes < 0) throw refusal("the smallest number of nodes of a cavity is {}; give 1 or more", rules.fewest_nodes);
+  if (rules.fewest_nodes < 0)
+    throw refusal("the smallest number of nodes of a cavity is {}; give 1 or more", rules.fewest_nodes);
   Components all = find_components(map, kind == Cavity::pore ? Flooded::pores : Flooded::voids, rules.eight_connected);
   Cavities cavities;
   cavities.rules = rules;

@@ -40,8 +40,8 @@ struct Percolation {
 
 Percolation find_percolation(const PhaseMap& map, bool eight_connected_voids = false);
 
-/// Probability density of the volumes; integrates to 1 over the bins, at most 30 of like width in the logarithm. Edges lie half-way between whole numbers
-/// of nodes, so that narrow bins merge.
+/// Probability density of the volumes; integrates to 1 over the bins, at most 30 of like width in the logarithm. Edges
+/// lie half-way between whole numbers of nodes, so that narrow bins merge.
 struct VolumeDensity {
   std::vector<double> edge;  ///< one more than bins, rising
   std::vector<std::size_t> count;
@@ -52,14 +52,16 @@ struct VolumeDensity {
 struct CavityStatistics {
   CavityRules rules;
   std::size_t count = 0, specks = 0, cut = 0;
-  /// Errors from the moments of the sample; those of deviation (with n - 1) and cv hold for many cavities. 0 where fewer than two cavities count.
+  /// Errors from the moments of the sample; those of deviation (with n - 1) and cv hold for many cavities. 0 where
+  /// fewer than two cavities count.
   statistics::Estimate mean{0, 0}, deviation{0, 0}, cv{0, 0};
   double peak = 0;               ///< where the density is highest (density_peak)
   double tenth = 0, median = 0;  ///< volumes that a tenth and half of the cavities stay below
   VolumeDensity density;
 };
 
-/// `nodes` a cavity, of dx by dx, over pi large_radius^2. Throws InputError for a radius or spacing that is not positive.
+/// `nodes` a cavity, of dx by dx, over pi large_radius^2. Throws InputError for a radius or spacing that is not
+/// positive.
 CavityStatistics cavity_statistics(const Cavities& cavities, double dx, double large_radius);
 
 /// Shares of the nodes of a map (P II.A), by counting.

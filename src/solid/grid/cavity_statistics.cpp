@@ -84,7 +84,8 @@ double kernel_width(const std::vector<double>& sorted) {
   double mean = 0, squares = 0;
   for (const double x : sorted) mean += x / n;
   for (const double x : sorted) squares += (x - mean) * (x - mean) / (n - 1);
-  const double quarters = sorted[3 * (sorted.size() - 1) / 4] - sorted[(sorted.size() - 1) / 4], deviation = std::sqrt(squares);
+  const double quarters = sorted[3 * (sorted.size() - 1) / 4] - sorted[(sorted.size() - 1) / 4],
+               deviation = std::sqrt(squares);
   const double spread = quarters > 0 ? std::min(deviation, quarters / 1.34) : deviation;
   return 0.9 * spread * std::pow(n, -0.2);
 }

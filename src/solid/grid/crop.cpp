@@ -29,8 +29,8 @@ Contacts take(const Contacts& from, const Numbering& numbering) {
   Contacts contacts;
   for (std::size_t c = 0; c < from.size(); ++c) {
     if (!numbering.has(from.i[c]) || (!from.is_wall(c) && !numbering.has(from.j[c]))) continue;
-    contacts.add(numbering[from.i[c]], from.is_wall(c) ? from.j[c] : numbering[from.j[c]], from.normal[c], from.fn[c], from.ft[c], from.arm_i[c],
-                 from.arm_j[c]);
+    contacts.add(numbering[from.i[c]], from.is_wall(c) ? from.j[c] : numbering[from.j[c]], from.normal[c], from.fn[c],
+                 from.ft[c], from.arm_i[c], from.arm_j[c]);
     contacts.overlap.back() = from.overlap[c];
     contacts.sliding_velocity.back() = from.sliding_velocity[c];
     contacts.glued.back() = from.glued[c];
@@ -51,7 +51,8 @@ template <class Neck> std::vector<Neck> take(const std::vector<Neck>& from, cons
 
 }  // namespace
 
-CroppedPacking crop(const Packing& packing, const Cement& cement, const std::vector<std::int32_t>& grain_of_label, Vec2 corner) {
+CroppedPacking crop(const Packing& packing, const Cement& cement, const std::vector<std::int32_t>& grain_of_label,
+                    Vec2 corner) {
   Numbering numbering(packing.grains.size());
   for (const std::int32_t grain : grain_of_label) numbering.add(grain);
   const auto labels = static_cast<std::int32_t>(numbering.kept().size());

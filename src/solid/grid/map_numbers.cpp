@@ -11,7 +11,9 @@ using statistics::described;
 /// Volumes of pores or voids over pi radius^2 with their density, and what the rules left out.
 Numbers volumes(const PhaseMap& map, Cavity kind, const CavityRules& rules, double radius) {
   const auto s = cavity_statistics(find_cavities(map, kind, rules), map.dx, radius);
-  Numbers j{{"count", described(s.count, "", kind == Cavity::pore ? "Spaces between grains, with or without matrix" : "Empty spaces")}};
+  Numbers j{
+      {"count", described(s.count, "",
+                          kind == Cavity::pore ? "Spaces between grains, with or without matrix" : "Empty spaces")}};
   if (s.count > 0) j["mean"] = described(s.mean, "", "Mean volume over pi times the reference radius squared");
   if (s.count > 1) {
     j["deviation"] = described(s.deviation, "", "Standard deviation of these volumes");
@@ -27,7 +29,8 @@ Numbers volumes(const PhaseMap& map, Cavity kind, const CavityRules& rules, doub
 }
 
 bool has_classes(const PhaseMap& map) {
-  return std::any_of(map.grain_class.begin(), map.grain_class.end(), [](GrainClass c) { return c != GrainClass::none; });
+  return std::any_of(map.grain_class.begin(), map.grain_class.end(),
+                     [](GrainClass c) { return c != GrainClass::none; });
 }
 
 Numbers phases(const PhaseMap& map) {
@@ -38,7 +41,9 @@ Numbers phases(const PhaseMap& map) {
 }
 
 Numbers grains(const PhaseMap& map) {
-  const auto of = [&](GrainClass one) { return static_cast<std::size_t>(std::count(map.grain_class.begin(), map.grain_class.end(), one)); };
+  const auto of = [&](GrainClass one) {
+    return static_cast<std::size_t>(std::count(map.grain_class.begin(), map.grain_class.end(), one));
+  };
   Numbers j{{"all", map.grain_class.size()}};
   if (has_classes(map)) j.update({{"large", of(GrainClass::large)}, {"small", of(GrainClass::small)}});
   return described(std::move(j), "", "Grains of the map");
@@ -55,18 +60,21 @@ Numbers map_numbers(const PhaseMap& map, const CavityRules& rules, double refere
   j["phases"] = phases(map);
   const auto fractions = phase_fractions(map);
   j["solid_fraction"] = described(fractions.particle, "", "Solid fraction: fraction of the nodes in grains");
-  j["S_m"] = described(fractions.saturation, "", "Saturation S_m: fraction of the space between grains filled by matrix, by nodes");
-  if (fractions.small > 0) j["volume_ratio"] = described(fractions.large / fractions.small, "", "Area of large over area of small grains");
+  j["S_m"] = described(fractions.saturation, "",
+                       "Saturation S_m: fraction of the space between grains filled by matrix, by nodes");
+  if (fractions.small > 0)
+    j["volume_ratio"] = described(fractions.large / fractions.small, "", "Area of large over area of small grains");
   const auto through = find_percolation(map, rules.eight_connected);
   j["percolates"] = described({{"solid_bottom_top", through.solid_bottom_top},
                                {"solid_left_right", through.solid_left_right},
                                {"void_bottom_top", through.void_bottom_top},
                                {"void_left_right", through.void_left_right}},
                               "", "Whether solid or void connects these two sides");
-  j["cavity_rules"] = {{"neighbours", rules.eight_connected ? 8 : 4},
-                       {"fewest_nodes", rules.fewest_nodes},
-                       {"leave_out_border", rules.leave_out_border},
-                       {"reference_radius_m", described(reference_radius, "m", "Reference radius of the volumes of pores and voids")}};
+  j["cavity_rules"] = {
+      {"neighbours", rules.eight_connected ? 8 : 4},
+      {"fewest_nodes", rules.fewest_nodes},
+      {"leave_out_border", rules.leave_out_border},
+      {"reference_radius_m", described(reference_radius, "m", "Reference radius of the volumes of pores and voids")}};
   j["pores"] = volumes(map, Cavity::pore, rules, reference_radius);
   j["voids"] = volumes(map, Cavity::void_, rules, reference_radius);
   return j;

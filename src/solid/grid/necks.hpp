@@ -11,8 +11,8 @@
 
 namespace arenite::grid {
 
-/// Nodes of a square about the origin, n a side, at the middles of its cells. Coordinates of node k and its mirror image
-/// n - 1 - k differ in sign only, to the last bit.
+/// Nodes of a square about the origin, n a side, at the middles of its cells. Coordinates of node k and its mirror
+/// image n - 1 - k differ in sign only, to the last bit.
 struct Lattice {
   int n;
   double dx;
@@ -65,8 +65,8 @@ template <class Row> void visit_quadrilateral(const Lattice& lattice, const std:
   }
 }
 
-/// A bridge or meniscus, and whether a point lies in it. Only products whose value a mirror image or an exchange of x and y keeps to the last bit are
-/// used, so that the map of a mirrored sample is the mirrored map.
+/// A bridge or meniscus, and whether a point lies in it. Only products whose value a mirror image or an exchange of x
+/// and y keeps to the last bit are used, so that the map of a mirrored sample is the mirrored map.
 class NeckShape {
  public:
   explicit NeckShape(const PlacedCement::Neck& n)
@@ -84,7 +84,8 @@ class NeckShape {
     const Vec2 e = p - neck.a;
     const double along = dot(e, d_), across = std::abs(cross(e, d_));
     if (arcs_) return arcs_->contains({along / length_, across / length_});
-    return along >= 0 && along <= length2_ && across * length_ <= neck.half_a * (length2_ - along) + neck.half_b * along;
+    return along >= 0 && along <= length2_ &&
+           across * length_ <= neck.half_a * (length2_ - along) + neck.half_b * along;
   }
   double length() const { return length_; }
   Vec2 direction() const { return (1 / length_) * d_; }

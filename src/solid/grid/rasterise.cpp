@@ -34,7 +34,8 @@ void draw_grains(const PlacedCement& placed, const Lattice& lattice, PhaseMap& m
 }
 
 /// From indices among the placed grains to labels of grains of the packing.
-void label_grains(const PlacedCement& placed, const std::vector<GrainClass>& class_of_grain, std::size_t grains, PhaseMap& map, GridReport& report) {
+void label_grains(const PlacedCement& placed, const std::vector<GrainClass>& class_of_grain, std::size_t grains,
+                  PhaseMap& map, GridReport& report) {
   std::vector<std::int32_t> label(grains, -1);
   for (const auto k : map.grain)
     if (k >= 0) label[placed.grains[k].grain] = 0;
@@ -51,7 +52,8 @@ void label_grains(const PlacedCement& placed, const std::vector<GrainClass>& cla
 /// Area of a neck that its own two grains leave bare.
 double bare_area(const NeckShape& shape) {
   const auto& neck = shape.neck;
-  std::vector<geometry::Outline> outlines{geometry::Outline::disk(neck.a, neck.radius_a), geometry::Outline::disk(neck.b, neck.radius_b)};
+  std::vector<geometry::Outline> outlines{geometry::Outline::disk(neck.a, neck.radius_a),
+                                          geometry::Outline::disk(neck.b, neck.radius_b)};
   const double reach = 2 * std::max({neck.radius_a, neck.radius_b, neck.half_a, neck.half_b}) + shape.length();
   const geometry::Rectangle all = geometry::square_about(neck.a, reach);
   const double grains = geometry::union_area(outlines, all);
@@ -80,7 +82,8 @@ int nodes_across(const Lattice& lattice, const NeckShape& shape) {
       return shape.contains(columns ? Vec2{u, v} : Vec2{v, u});
     };
     const double step = (lattice.at(line) - component(middle, true)) / component(along, true);
-    const int start = static_cast<int>(std::floor(lattice.place(component(middle, false) + step * component(along, false))));
+    const int start =
+        static_cast<int>(std::floor(lattice.place(component(middle, false) + step * component(along, false))));
     int count = 0;
     for (int k = start; inside(k); --k) ++count;
     for (int k = start + 1; inside(k); ++k) ++count;
@@ -131,14 +134,17 @@ void draw_matrix(const PlacedCement& placed, const Lattice& lattice, PhaseMap& m
           if (map.phase[node] == Phase::empty) map.phase[node] = Phase::matrix;
       });
   for (const auto& neck : placed.necks)
-    if (const NeckShape shape(neck); !shape.outlines.empty()) note_neck(lattice, shape, draw_neck(shape, lattice, map), report);
+    if (const NeckShape shape(neck); !shape.outlines.empty())
+      note_neck(lattice, shape, draw_neck(shape, lattice, map), report);
 }
 
 void measure_areas(const PlacedCement& placed, const PhaseMap& map, GridReport& report) {
   std::size_t particle = 0, matrix = 0;
   for (const Phase p : map.phase) particle += p == Phase::particle, matrix += p == Phase::matrix;
   const cement::Areas exact = cement::exact_areas(placed, report.window);
-  const auto error = [&](std::size_t nodes, double area) { return area > 0 ? static_cast<double>(nodes) * report.dx * report.dx / area - 1 : 0; };
+  const auto error = [&](std::size_t nodes, double area) {
+    return area > 0 ? static_cast<double>(nodes) * report.dx * report.dx / area - 1 : 0;
+  };
   report.exact_matrix_area = exact.matrix;
   report.particle_area_error = error(particle, exact.particle);
   report.matrix_area_error = error(matrix, exact.matrix);
@@ -152,7 +158,9 @@ int nodes_across_smallest(const PlacedCement& placed, const Lattice& lattice) {
     if (whole && (!smallest || g.radius < smallest->radius)) smallest = &g;
   }
   int most = 0;
-  if (smallest) visit_disk(lattice, smallest->centre, smallest->radius, [&](int, int x0, int x1) { most = std::max(most, x1 - x0 + 1); });
+  if (smallest)
+    visit_disk(lattice, smallest->centre, smallest->radius,
+               [&](int, int x0, int x1) { most = std::max(most, x1 - x0 + 1); });
   return most;
 }
 
@@ -166,12 +174,14 @@ geometry::Rectangle sample_of(const Packing& packing) {
 
 }  // namespace
 
-PhaseMap rasterise(const Packing& packing, const Cement& cement, const GridParameters& parameters, const std::vector<GrainClass>& class_of_grain,
-                   GridReport& report) {
+PhaseMap rasterise(const Packing& packing, const Cement& cement, const GridParameters& parameters,
+                   const std::vector<GrainClass>& class_of_grain, GridReport& report) {
   const std::size_t grains = packing.grains.size(), classes = class_of_grain.size();
   Problems problems;
-  problems.unless(parameters.nodes >= 1 && parameters.nodes <= 32768, "a grid of {} nodes per side is out of range; give 1 to 32768", parameters.nodes);
-  problems.unless(classes == 0 || classes == grains, "{} grains have {} size classes; give one per grain, or none", grains, classes);
+  problems.unless(parameters.nodes >= 1 && parameters.nodes <= 32768,
+                  "a grid of {} nodes per side is out of range; give 1 to 32768", parameters.nodes);
+  problems.unless(classes == 0 || classes == grains, "{} grains have {} size classes; give one per grain, or none",
+                  grains, classes);
   problems.raise();
   report = {};
   report.window = crop_window(packing, parameters.crop);
@@ -192,10 +202,12 @@ geometry::Rectangle crop_window(const Packing& packing, double crop) {
   const geometry::Rectangle sample = sample_of(packing);
   if (!(sample.width() > 0 && sample.height() > 0) || !std::isfinite(sample.area()))
     throw InputError("a sample without container and grains has nothing to crop; give it a domain with positive sides");
-  if (!(crop >= 0) || !std::isfinite(crop)) throw refusal("the crop is {:g} m wide; give a positive length, or 0 for the largest square", crop);
+  if (!(crop >= 0) || !std::isfinite(crop))
+    throw refusal("the crop is {:g} m wide; give a positive length, or 0 for the largest square", crop);
   const double largest = std::min(sample.width(), sample.height());
   if (crop > largest * (1 + 1e-12))
-    throw refusal("the crop of {:g} m does not fit into the sample of {:g} x {:g} m; give at most {:g} m", crop, sample.width(), sample.height(), largest);
+    throw refusal("the crop of {:g} m does not fit into the sample of {:g} x {:g} m; give at most {:g} m", crop,
+                  sample.width(), sample.height(), largest);
   const double half = 0.5 * (crop > 0 ? std::min(crop, largest) : largest);
   return geometry::square_about(sample.middle(), half);
 }

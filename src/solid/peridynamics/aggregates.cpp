@@ -53,14 +53,18 @@ void join_nodes(const Bonds& bonds, const Buffer<std::int32_t>& owner, const Cel
       const std::uint32_t word = bonds.words[i];
       for (int d = 0; d < (inside ? 4 : bonds_per_node); d += inside ? 3 : 1) {
         const Offset e = half_bonds[d];
-        if (!(word >> (2 * d) & 3u) || static_cast<unsigned>(x + e.x) >= static_cast<unsigned>(c.wide) || y + e.y >= c.high) continue;
-        if (owner[i + bonds.step(d)] == owner[i]) sets.join(y * Aggregates::cell + x, (y + e.y) * Aggregates::cell + x + e.x);
+        if (!(word >> (2 * d) & 3u) || static_cast<unsigned>(x + e.x) >= static_cast<unsigned>(c.wide) ||
+            y + e.y >= c.high)
+          continue;
+        if (owner[i + bonds.step(d)] == owner[i])
+          sets.join(y * Aggregates::cell + x, (y + e.y) * Aggregates::cell + x + e.x);
       }
     }
 }
 
 /// Numbers the aggregates of one cell in the order of their first node.
-void add_aggregates(const Grid& grid, const Buffer<std::int32_t>& owner, const Cell& c, JoinedSets& sets, Aggregates& aggregates) {
+void add_aggregates(const Grid& grid, const Buffer<std::int32_t>& owner, const Cell& c, JoinedSets& sets,
+                    Aggregates& aggregates) {
   std::array<std::int32_t, Aggregates::cell * Aggregates::cell> aggregate;
   for (int y = 0; y < c.high; ++y)
     for (int x = 0; x < c.wide; ++x) {

@@ -34,7 +34,8 @@ Buffer<std::int32_t> padded_labels(const PhaseMap& map, const Grid& grid) {
   return labels;
 }
 
-/// What a bond passes on its way: the square of a node (twice the same), or the corner between two, of which one must be solid.
+/// What a bond passes on its way: the square of a node (twice the same), or the corner between two, of which one must
+/// be solid.
 struct Passage {
   Offset one, other;
 };
@@ -60,7 +61,8 @@ const std::vector<Passage> passages[bonds_per_node] = {
 /// All ones where half bond d from these nodes meets solid all the way.
 Lane solid_all_the_way(const std::int32_t* labels, const Grid& grid, int d) {
   Lane solid = Lane{} == 0;
-  for (const auto& [one, other] : passages[d]) solid &= (load(labels + one.x + one.y * grid.stride) | load(labels + other.x + other.y * grid.stride)) != 0;
+  for (const auto& [one, other] : passages[d])
+    solid &= (load(labels + one.x + one.y * grid.stride) | load(labels + other.x + other.y * grid.stride)) != 0;
   return solid;
 }
 
@@ -128,22 +130,26 @@ void add_exact(const Bonds& bonds, double dx, const Field<double>& u, StressSums
 }  // namespace
 
 void check_by_type(const char* parameter, const char* unit, double matrix, double interface, double particle) {
-  for (const auto& [type, value] : {std::pair{"matrix", matrix}, std::pair{"interface", interface}, std::pair{"particle", particle}})
-    if (!(value > 0) || !std::isfinite(value)) throw refusal("the {} of {} bonds is {:g} {}; give a positive one", parameter, type, value, unit);
+  for (const auto& [type, value] :
+       {std::pair{"matrix", matrix}, std::pair{"interface", interface}, std::pair{"particle", particle}})
+    if (!(value > 0) || !std::isfinite(value))
+      throw refusal("the {} of {} bonds is {:g} {}; give a positive one", parameter, type, value, unit);
 }
 
 Bonds make_bonds(const PhaseMap& map, const Stiffness& stiffness, const BondLawChoice& law, bool stop_at_voids) {
   check(map);
   check_by_type("Young modulus", "Pa", stiffness.matrix, stiffness.interface, stiffness.particle);
   if (std::min(map.width, map.height) < 2 * horizon + 1)
-    throw refusal("a phase map of {} x {} nodes is narrower than the horizon of a node; give at least {} nodes in each direction", map.width, map.height,
-                  2 * horizon + 1);
+    throw refusal(
+        "a phase map of {} x {} nodes is narrower than the horizon of a node; give at least {} nodes in each direction",
+        map.width, map.height, 2 * horizon + 1);
   Bonds bonds;
   bonds.law = law;
   bonds.grid = Grid(map.width, map.height);
   const Grid& grid = bonds.grid;
   bonds.scale = nominal_micromodulus * (stiffness.calibrated ? calibration_factor() : 1.0) * stiffness.matrix;
-  bonds.relative = {0.0f, 1.0f, static_cast<float>(stiffness.interface / stiffness.matrix), static_cast<float>(stiffness.particle / stiffness.matrix)};
+  bonds.relative = {0.0f, 1.0f, static_cast<float>(stiffness.interface / stiffness.matrix),
+                    static_cast<float>(stiffness.particle / stiffness.matrix)};
   bonds.words = Buffer<std::uint32_t>(grid.padded_size());
   bonds.group = Buffer<std::uint8_t>(static_cast<std::size_t>(grid.groups) * static_cast<std::size_t>(grid.height));
 
@@ -204,8 +210,10 @@ void classify_groups(Bonds& bonds, int first, int last) {
 void make_cuts(Bonds& bonds, const std::vector<Cut>& cuts) {
   if (cuts.empty()) return;
   each_bond(bonds, [&](const Bond& b) {
-    const Vec2 from{static_cast<double>(b.x), static_cast<double>(b.y)}, to{static_cast<double>(b.x + b.step().x), static_cast<double>(b.y + b.step().y)};
-    if (std::any_of(cuts.begin(), cuts.end(), [&](const Cut& cut) { return crosses(cut, from, to); })) bonds.break_bond(b.i, b.d);
+    const Vec2 from{static_cast<double>(b.x), static_cast<double>(b.y)},
+        to{static_cast<double>(b.x + b.step().x), static_cast<double>(b.y + b.step().y)};
+    if (std::any_of(cuts.begin(), cuts.end(), [&](const Cut& cut) { return crosses(cut, from, to); }))
+      bonds.break_bond(b.i, b.d);
   });
   classify_groups(bonds, 0, bonds.grid.height - 1);
 }
@@ -221,7 +229,9 @@ StressField node_stress(const Bonds& bonds, double dx, const Field<double>& u, b
   field.dx = dx;
   const auto compact = [&](const Buffer<double>& padded) {
     std::vector<double> values(static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height));
-    for (int y = 0; y < grid.height; ++y) std::copy_n(padded.data() + grid.row(y), grid.width, values.begin() + static_cast<std::ptrdiff_t>(y) * grid.width);
+    for (int y = 0; y < grid.height; ++y)
+      std::copy_n(padded.data() + grid.row(y), grid.width,
+                  values.begin() + static_cast<std::ptrdiff_t>(y) * grid.width);
     return values;
   };
   field.ux = compact(u.x);

@@ -51,7 +51,8 @@ template <class T> void set_zero(Field<T>& a) {
   std::fill_n(a.y.data(), a.y.size(), T(0));
 }
 
-/// Type of a bond, by what its two nodes are (P II.D): both matrix; both in one particle; otherwise interface. A void node has no bonds.
+/// Type of a bond, by what its two nodes are (P II.D): both matrix; both in one particle; otherwise interface. A void
+/// node has no bonds.
 enum BondType : unsigned { no_bond = 0, matrix_bond = 1, interface_bond = 2, particle_bond = 3 };
 
 /// What is prescribed in a row of nodes, as bits.
@@ -75,16 +76,19 @@ struct Bonds {
 
   unsigned type(std::ptrdiff_t node, int d) const { return words[node] >> (2 * d) & 3u; }
   void break_bond(std::ptrdiff_t node, int d) { words[node] &= ~(3u << (2 * d)); }
-  std::uint8_t group_at(int x, int y) const { return group[static_cast<std::ptrdiff_t>(y) * grid.groups + x / Grid::lanes]; }
+  std::uint8_t group_at(int x, int y) const {
+    return group[static_cast<std::ptrdiff_t>(y) * grid.groups + x / Grid::lanes];
+  }
   std::ptrdiff_t step(int d) const { return grid.step(d); }
   /// Force over e (e . du)/|e|^3 of a bond of this type, Pa.
   double modulus(unsigned t) const { return scale * static_cast<double>(relative[t]); }
 };
 
-/// Bonds of a sample. With `stop_at_voids` no bond passes through the square of a void node, or between two that meet at a
-/// corner. Throws InputError for a map narrower than a node's neighbourhood (7 nodes) or a modulus that is not positive.
-/// Moduli are held relative to the matrix's in single precision (exact for ratios such as 4 or 100).
-Bonds make_bonds(const PhaseMap& map, const Stiffness& stiffness, const BondLawChoice& law = {}, bool stop_at_voids = false);
+/// Bonds of a sample. With `stop_at_voids` no bond passes through the square of a void node, or between two that meet
+/// at a corner. Throws InputError for a map narrower than a node's neighbourhood (7 nodes) or a modulus that is not
+/// positive. Moduli are held relative to the matrix's in single precision (exact for ratios such as 4 or 100).
+Bonds make_bonds(const PhaseMap& map, const Stiffness& stiffness, const BondLawChoice& law = {},
+                 bool stop_at_voids = false);
 
 /// How many bonds between solid nodes pass through voids.
 std::size_t bonds_across_voids(const PhaseMap& map);
@@ -95,7 +99,8 @@ void classify_groups(Bonds& bonds, int first, int last);
 /// Breaks every bond that a cut crosses.
 void make_cuts(Bonds& bonds, const std::vector<Cut>& cuts);
 
-/// One whole bond: the node that it starts from, at (x, y), its other end j, its direction (index into half_bonds) and its type.
+/// One whole bond: the node that it starts from, at (x, y), its other end j, its direction (index into half_bonds) and
+/// its type.
 struct Bond {
   std::ptrdiff_t i, j;
   std::int32_t x, y;
@@ -104,8 +109,10 @@ struct Bond {
   Offset step() const { return half_bonds[d]; }
 };
 
-/// Every bond that `words` (as those of Bonds) hold in row y once, handed to `visit(Bond)`; a visitor may clear its bits.
-template <class Visit> void each_bond_of_row(const Grid& grid, const Buffer<std::uint32_t>& words, int y, const Visit& visit) {
+/// Every bond that `words` (as those of Bonds) hold in row y once, handed to `visit(Bond)`; a visitor may clear its
+/// bits.
+template <class Visit>
+void each_bond_of_row(const Grid& grid, const Buffer<std::uint32_t>& words, int y, const Visit& visit) {
   for (int x = 0; x < grid.width; ++x) {
     const std::ptrdiff_t i = grid.index(x, y);
     const std::uint32_t word = words[i];
@@ -114,7 +121,9 @@ template <class Visit> void each_bond_of_row(const Grid& grid, const Buffer<std:
       if (const unsigned type = word >> (2 * d) & 3u) visit(Bond{i, i + grid.step(d), x, y, d, type});
   }
 }
-template <class Visit> void each_bond_of_row(const Bonds& bonds, int y, const Visit& visit) { each_bond_of_row(bonds.grid, bonds.words, y, visit); }
+template <class Visit> void each_bond_of_row(const Bonds& bonds, int y, const Visit& visit) {
+  each_bond_of_row(bonds.grid, bonds.words, y, visit);
+}
 
 /// The same for all rows, upwards.
 template <class Visit> void each_bond(const Bonds& bonds, const Visit& visit) {
@@ -125,7 +134,8 @@ template <class Visit> void each_bond(const Bonds& bonds, const Visit& visit) {
 /// with the linearised stretch or P's.
 StressField node_stress(const Bonds& bonds, double dx, const Field<double>& u, bool exact_stretch);
 
-/// f := force of the bonds on every node per unit thickness, N/m, with P's stretch along the turned bond (P eq. 4 and 6).
+/// f := force of the bonds on every node per unit thickness, N/m, with P's stretch along the turned bond (P eq. 4 and
+/// 6).
 void exact_force(const Bonds& bonds, double dx, const Field<double>& u, Field<double>& f);
 
 }  // namespace arenite::peridynamics

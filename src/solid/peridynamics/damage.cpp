@@ -14,20 +14,24 @@ namespace {
 
 void check(const DamageOptions& o) {
   const auto positive = [](double value, const char* what) {
-    if (!(value > 0) || !std::isfinite(value)) throw refusal("the {} of a test to failure is {:g}; give a positive one", what, value);
+    if (!(value > 0) || !std::isfinite(value))
+      throw refusal("the {} of a test to failure is {:g}; give a positive one", what, value);
   };
   positive(o.tolerance, "tolerance");
   positive(o.max_strain, "largest strain");
   if (!(o.end_stress >= 0) || !(o.end_stress < 1))
-    throw refusal("the fraction of the strength at which a test ends is {:g}; give one from 0 to below 1", o.end_stress);
-  if (!(o.band >= 0) || !(o.band < 1)) throw refusal("the band of bonds that break together is {:g}; give one from 0 to below 1", o.band);
+    throw refusal("the fraction of the strength at which a test ends is {:g}; give one from 0 to below 1",
+                  o.end_stress);
+  if (!(o.band >= 0) || !(o.band < 1))
+    throw refusal("the band of bonds that break together is {:g}; give one from 0 to below 1", o.band);
 }
 
 /// How a test ended and what came of it, in words.
 std::string sentence_of(const DamageResult& r) {
   const char* end = damage_endings[static_cast<std::size_t>(r.ending)].phrase;
   if (r.ending == DamageResult::Ending::no_path) return end;
-  return fmt::format("{}; strength {:.6g} Pa, {} bonds broken in {} solves", end, r.strength, r.broken.size(), r.solves);
+  return fmt::format("{}; strength {:.6g} Pa, {} bonds broken in {} solves", end, r.strength, r.broken.size(),
+                     r.solves);
 }
 
 }  // namespace
@@ -44,7 +48,8 @@ std::array<double, 4> critical_stretches(const DamageOptions& o, double dx) {
         const auto lower = [&](double toughness, double strength, double modulus) {
           return std::min(law.critical_stretch(toughness, modulus, dx), strength / modulus);
         };
-        return {0, lower(k.matrix, f.matrix, e.matrix), lower(k.interface, f.interface, e.interface), lower(k.particle, f.particle, e.particle)};
+        return {0, lower(k.matrix, f.matrix, e.matrix), lower(k.interface, f.interface, e.interface),
+                lower(k.particle, f.particle, e.particle)};
       },
       o.law);
 }
@@ -87,7 +92,8 @@ void FailureTest::strain_to(double next) {
   }
   state_.curve.push_back(state_.now);
   if (state_.now.work > 0)
-    state_.energy_defect = std::max(state_.energy_defect, std::abs(state_.now.work - state_.now.elastic - state_.now.released) / state_.now.work);
+    state_.energy_defect = std::max(
+        state_.energy_defect, std::abs(state_.now.work - state_.now.elastic - state_.now.released) / state_.now.work);
   if (state_.now.stress > state_.strength) remember();
 }
 
@@ -107,7 +113,8 @@ void FailureTest::break_worst(double largest) {
     state_.now.bond_energy += std::visit([&](const auto& law) { return law.energy(stretch, modulus); }, bonds_.law);
     bonds_.break_bond(b.i, b.d);
     if (closes_) state_.parted[b.i] |= b.type << (2 * b.d);
-    state_.broken.push_back({b.x, b.y, static_cast<std::uint8_t>(b.d), static_cast<std::uint8_t>(b.type), state_.now.strain});
+    state_.broken.push_back(
+        {b.x, b.y, static_cast<std::uint8_t>(b.d), static_cast<std::uint8_t>(b.type), state_.now.strain});
   });
 }
 

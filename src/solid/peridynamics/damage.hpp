@@ -38,8 +38,8 @@ struct FailureRecord {
   int solves = 0, iterations = 0;
 };
 
-/// Where a test stands before a round of breaking: all that decides how it goes on, beside its map and options. Arrays by
-/// node are padded (grid.hpp); displacements are m at unit strain.
+/// Where a test stands before a round of breaking: all that decides how it goes on, beside its map and options. Arrays
+/// by node are padded (grid.hpp); displacements are m at unit strain.
 struct FailureState : FailureRecord {
   std::int32_t width = 0, height = 0;    ///< nodes of the map
   std::int64_t rounds = 0;               ///< of breaking so far
@@ -60,7 +60,15 @@ std::vector<std::uint8_t> to_bytes(const FailureState& state);
 FailureState failure_state_of(const std::vector<std::uint8_t>& bytes);
 
 struct DamageResult : FailureRecord {
-  enum class Ending { severed, dropped, strain_reached, events_reached, not_converged, stopped, no_path } ending = Ending::no_path;
+  enum class Ending {
+    severed,
+    dropped,
+    strain_reached,
+    events_reached,
+    not_converged,
+    stopped,
+    no_path
+  } ending = Ending::no_path;
   std::string sentence;
   StressField at_strength;  ///< the field when the stress was largest; size 0 if nothing carried
 };
@@ -81,12 +89,12 @@ inline constexpr DamageEnding damage_endings[] = {{"severed", "the sample was se
 /// `no_bond` is 0. Throws InputError for a toughness or strength that is not positive.
 std::array<double, 4> critical_stretches(const DamageOptions& options, double dx);
 
-/// Moves the top row, quasi-statically, breaking bonds as they reach the critical stretch of their type. Loads are found,
-/// not stepped: between two breaks the response is in proportion to the load, because cracks close without a gap, so the
-/// next break is known exactly. Bonds break in stretch only, under compression and shear too; faces that have parted push
-/// where they meet again, unless cracks are to stay open. Under compression a sample splits into columns, which carry on:
-/// bound such a run by its strain or its rounds. Throws InputError for a map or options that make no sense and for a state
-/// of a map of another size.
+/// Moves the top row, quasi-statically, breaking bonds as they reach the critical stretch of their type. Loads are
+/// found, not stepped: between two breaks the response is in proportion to the load, because cracks close without a
+/// gap, so the next break is known exactly. Bonds break in stretch only, under compression and shear too; faces that
+/// have parted push where they meet again, unless cracks are to stay open. Under compression a sample splits into
+/// columns, which carry on: bound such a run by its strain or its rounds. Throws InputError for a map or options that
+/// make no sense and for a state of a map of another size.
 DamageResult load_to_failure(const PhaseMap& map, const DamageOptions& options);
 
 }  // namespace arenite::peridynamics

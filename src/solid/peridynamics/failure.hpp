@@ -25,7 +25,8 @@ class FailureCriterion {
   /// The law's damage at the linearised stretch: both stretches times |e|^2 dx, e in nodes.
   template <BondLaw Law> double ratio(const Law& law, const Bond& b) const {
     const Offset e = b.step();
-    return law.damage(e.x * (u_.x[b.j] - u_.x[b.i]) + e.y * (u_.y[b.j] - u_.y[b.i]), (e.x * e.x + e.y * e.y) * dx_ * critical_[b.type]);
+    return law.damage(e.x * (u_.x[b.j] - u_.x[b.i]) + e.y * (u_.y[b.j] - u_.y[b.i]),
+                      (e.x * e.x + e.y * e.y) * dx_ * critical_[b.type]);
   }
 
   /// Largest ratio of all bonds, 0 where none is stretched. Notes it row by row for `each_above`.

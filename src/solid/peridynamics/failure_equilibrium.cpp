@@ -1,4 +1,5 @@
-// Where a sample in a test to failure comes to rest: what of it resists, the solver for that, and faces that part and meet.
+// Where a sample in a test to failure comes to rest: what of it resists, the solver for that, and faces that part and
+// meet.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -31,7 +32,8 @@ FailureTest::Joined FailureTest::join() {
   Buffer<std::uint32_t> pressed = state_.parted;
   for (int y = 0; closes_ && y < grid.height; ++y)
     each_bond_of_row(grid, state_.parted, y, [&](const Bond& b) {
-      const bool resists = std::visit([&](const auto& law) { return law.resists_broken(extension(b, state_.u)); }, bonds_.law);
+      const bool resists =
+          std::visit([&](const auto& law) { return law.resists_broken(extension(b, state_.u)); }, bonds_.law);
       if (!resists) pressed[b.i] &= ~(3u << (2 * b.d));
     });
   grid.each([&](std::ptrdiff_t i, int y) {
@@ -54,8 +56,8 @@ void FailureTest::uniform_strain() {
   });
 }
 
-/// Set-up for what resists; false if nothing ties the clamps any more. A part that hangs on one clamp alone goes along with
-/// it, and may so meet the rest again; what stays loose is taken out.
+/// Set-up for what resists; false if nothing ties the clamps any more. A part that hangs on one clamp alone goes along
+/// with it, and may so meet the rest again; what stays loose is taken out.
 bool FailureTest::prepare() {
   constexpr int most_looks = 4;
   for (int look = 1;; ++look) {
@@ -84,7 +86,9 @@ void FailureTest::follow_clamps(const Buffer<Tie>& tie) {
 
 /// Takes all bonds of what does not carry out of the test, for good.
 void FailureTest::drop_loose(const Buffer<Tie>& tie) {
-  const auto carries = [&](std::ptrdiff_t i, int y) { return prescribed_[y] == both_prescribed || tie[i] == Tie::both; };
+  const auto carries = [&](std::ptrdiff_t i, int y) {
+    return prescribed_[y] == both_prescribed || tie[i] == Tie::both;
+  };
   for (int y = 0; y < map_.height; ++y)
     for (auto* words : {&bonds_.words, &state_.parted}) {
       if (words->size() == 0) continue;
@@ -97,21 +101,23 @@ void FailureTest::drop_loose(const Buffer<Tie>& tie) {
 bool FailureTest::watched(int iterations, double residual) {
   if (!options_.watch) return true;
   const double fallen = state_.strength > 0 ? (1 - state_.now.stress / state_.strength) / (1 - options_.end_stress) : 0;
-  state_.share = std::clamp(std::max({fallen, state_.now.strain / options_.max_strain, static_cast<double>(state_.solves) / (options_.max_events + 1)}),
+  state_.share = std::clamp(std::max({fallen, state_.now.strain / options_.max_strain,
+                                      static_cast<double>(state_.solves) / (options_.max_events + 1)}),
                             state_.share, 1.0);
-  return options_.watch({state_.share, state_.iterations + iterations, residual, state_.broken.size(), state_.now.strain, state_.now.stress});
+  return options_.watch({state_.share, state_.iterations + iterations, residual, state_.broken.size(),
+                         state_.now.strain, state_.now.stress});
 }
 
 StaticReport FailureTest::solve(int most) {
-  const StaticReport report =
-      solver_->solve(resisting_, state_.u, options_.tolerance, most, [&](const Progress& p) { return watched(p.iterations, p.residual); });
+  const StaticReport report = solver_->solve(resisting_, state_.u, options_.tolerance, most,
+                                             [&](const Progress& p) { return watched(p.iterations, p.residual); });
   state_.iterations += report.iterations;
   if (report.stopped) ending_ = Ending::stopped;
   return report;
 }
 
-/// Goes back along the last solve's step to where the energy is least, if faces that met on its way hold it up; false if none
-/// does. The energy is convex and falls with every step, so which faces press is settled after finitely many.
+/// Goes back along the last solve's step to where the energy is least, if faces that met on its way hold it up; false
+/// if none does. The energy is convex and falls with every step, so which faces press is settled after finitely many.
 bool FailureTest::shorten_step(const Field<double>& from) {
   std::vector<PartedBond> parted;
   for (int y = 0; y < map_.height; ++y)
@@ -142,8 +148,8 @@ bool FailureTest::shorten_step(const Field<double>& from) {
   return true;
 }
 
-/// The field at unit strain from the last one: solves until the same faces press on each other at the end as at the start. A
-/// set-up that the bonds have left behind is made anew.
+/// The field at unit strain from the last one: solves until the same faces press on each other at the end as at the
+/// start. A set-up that the bonds have left behind is made anew.
 FailureTest::Rest FailureTest::find_rest() {
   constexpr int tired = 25, most_solves = 100;
   const bool may_meet = closes_ && (!state_.broken.empty() || !options_.cuts.empty());
@@ -178,7 +184,8 @@ bool FailureTest::equilibrate() {
   unit_force_ = unit_energy_ = 0;
   if (rest != Rest::found) return rest == Rest::apart;
   unit_energy_ = -linear_force(resisting_, state_.u, f_) / 2;
-  for (std::ptrdiff_t i = bonds_.grid.row(map_.height - 1), end = i + map_.width; i < end; ++i) unit_force_ -= dot(f_.at(i), way_);
+  for (std::ptrdiff_t i = bonds_.grid.row(map_.height - 1), end = i + map_.width; i < end; ++i)
+    unit_force_ -= dot(f_.at(i), way_);
   return true;
 }
 

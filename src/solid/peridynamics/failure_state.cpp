@@ -19,7 +19,9 @@ template <class Archive> void transfer(Archive& a, DamageState& s) {
   s.broken = broken;
 }
 
-template <class Archive> void transfer(Archive& a, BrokenBond& b) { a(b.x), a(b.y), a(b.direction), a(b.type), a(b.strain); }
+template <class Archive> void transfer(Archive& a, BrokenBond& b) {
+  a(b.x), a(b.y), a(b.direction), a(b.type), a(b.strain);
+}
 
 void resize(ByteWriter&, std::uint64_t, const auto&) {}
 template <class T> void resize(ByteReader& read, std::uint64_t size, std::vector<T>& list) {
@@ -50,7 +52,9 @@ template <class Archive> void transfer(Archive& a, FailureState& s) {
   transfer(a, s.broken);
 }
 
-auto changed_by_solve(auto& s) { return std::tie(s.words, s.parted, s.words_at_setup, s.u, s.solves, s.iterations, s.share); }
+auto changed_by_solve(auto& s) {
+  return std::tie(s.words, s.parted, s.words_at_setup, s.u, s.solves, s.iterations, s.share);
+}
 
 bool fits(const FailureState& s, const PhaseMap& map, std::size_t padded, bool closes) {
   if (s.parted.size() != (closes ? padded : 0)) return false;
@@ -97,7 +101,8 @@ FailureState FailureTest::state() const {
 
 void FailureTest::resume(const FailureState& s) {
   if (!fits(s, map_, bonds_.words.size(), closes_))
-    throw InputError("the stored state of a test belongs to a phase map of another size; run the load again from its start");
+    throw InputError(
+        "the stored state of a test belongs to a phase map of another size; run the load again from its start");
   state_ = s;
   bonds_.words = s.words;
   // The set-up lags behind the bonds: it is that of the bonds that it was once made for.

@@ -38,7 +38,8 @@ struct Walk {
     return false;
   }
 
-  /// Where tie k of a node leads, -1 where it has none: the 14 bonds that start there, the 14 that end there, the clamp.
+  /// Where tie k of a node leads, -1 where it has none: the 14 bonds that start there, the 14 that end there, the
+  /// clamp.
   std::ptrdiff_t tied(std::ptrdiff_t i, int k) const {
     const int top = bonds.grid.height - 1;
     if (i == upper_clamp) return has_bonds(bonds.grid.index(k, top)) ? bonds.grid.index(k, top) : -1;
@@ -64,7 +65,8 @@ struct Walk {
     p.top = p.top || c.top;
     if (c.low < p.order || parent == upper_clamp || child == upper_clamp) return;
     const int y = row_of(parent);
-    Hinge& h = hinges.try_emplace(parent, Hinge{static_cast<std::int32_t>(parent - bonds.grid.row(y)), y, 0, false}).first->second;
+    Hinge& h = hinges.try_emplace(parent, Hinge{static_cast<std::int32_t>(parent - bonds.grid.row(y)), y, 0, false})
+                   .first->second;
     h.nodes += static_cast<std::size_t>(c.behind);
     h.carries = h.carries || c.top;
   }

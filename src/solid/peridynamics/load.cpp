@@ -22,7 +22,10 @@ struct Specimen {
   Support support;
   Vec2 top_displacement;
 
-  Specimen(const PhaseMap& m, const LoadOptions& o) : map(m), options(o), bonds(make_bonds(m, o.stiffness, o.law, o.stop_at_voids)) {
+  Specimen(const PhaseMap& m, const LoadOptions& o)
+      : map(m),
+        options(o),
+        bonds(make_bonds(m, o.stiffness, o.law, o.stop_at_voids)) {
     prescribed = prescribed_rows(map.height, o.loading, o.lower);
     aggregates = cut_into_aggregates(map, bonds, prescribed);
     support = prune(bonds, aggregates, prescribed, tie);
@@ -114,30 +117,40 @@ std::string sentence_of(const LoadReport& r, const LoadOptions& o) {
   switch (r.ending) {
     case Ending::empty: return "the map is all void: there is nothing to load";
     case Ending::severed:
-      text = fmt::format("{} nodes are connected to the lower clamp, {} to the upper one, and none to both; no stress", r.support.held_below,
-                         r.support.held_above);
+      text = fmt::format("{} nodes are connected to the lower clamp, {} to the upper one, and none to both; no stress",
+                         r.support.held_below, r.support.held_above);
       break;
-    case Ending::solved: text = fmt::format("equilibrium to a relative residual of {:.1e} in {} iterations", r.residual, r.iterations); break;
-    case Ending::stopped: text = fmt::format("stopped at a relative residual of {:.1e} after {} iterations", r.residual, r.iterations); break;
+    case Ending::solved:
+      text = fmt::format("equilibrium to a relative residual of {:.1e} in {} iterations", r.residual, r.iterations);
+      break;
+    case Ending::stopped:
+      text = fmt::format("stopped at a relative residual of {:.1e} after {} iterations", r.residual, r.iterations);
+      break;
     case Ending::not_converged:
-      text = fmt::format("no equilibrium: relative residual {:.1e} after {} iterations, above the tolerance of {:.0e}", r.residual, r.iterations, o.tolerance);
+      text = fmt::format("no equilibrium: relative residual {:.1e} after {} iterations, above the tolerance of {:.0e}",
+                         r.residual, r.iterations, o.tolerance);
       break;
   }
-  if (r.support.floating > 0) text += fmt::format("; {} floating nodes in {} islands without stress", r.support.floating, r.support.islands);
+  if (r.support.floating > 0)
+    text += fmt::format("; {} floating nodes in {} islands without stress", r.support.floating, r.support.islands);
   if (r.ending != Ending::severed && r.support.held_below + r.support.held_above > 0)
-    text += fmt::format("; {} nodes held on one side only, without stress", r.support.held_below + r.support.held_above);
+    text +=
+        fmt::format("; {} nodes held on one side only, without stress", r.support.held_below + r.support.held_above);
   if (!r.hinges.empty()) {
     const auto carrying = std::find_if(r.hinges.begin(), r.hinges.end(), [](const Hinge& h) { return h.carries; });
     const Hinge& h = carrying != r.hinges.end() ? *carrying : r.hinges.front();
-    text += fmt::format("; {} hinges, one at node ({}, {}) with {} nodes behind it", r.hinges.size(), h.x, h.y, h.nodes);
+    text +=
+        fmt::format("; {} hinges, one at node ({}, {}) with {} nodes behind it", r.hinges.size(), h.x, h.y, h.nodes);
     if (h.carries) text += ": it transmits the load";
   }
   return text;
 }
 
 void check(const LoadOptions& o) {
-  if (!(o.strain > 0) || !(o.strain < 1)) throw refusal("the strain is {:g}; give one between 0 and 1 (the loading sets its direction)", o.strain);
-  if (!(o.tolerance > 0) || !(o.tolerance < 1)) throw refusal("the tolerance of the residual is {:g}; give one between 0 and 1", o.tolerance);
+  if (!(o.strain > 0) || !(o.strain < 1))
+    throw refusal("the strain is {:g}; give one between 0 and 1 (the loading sets its direction)", o.strain);
+  if (!(o.tolerance > 0) || !(o.tolerance < 1))
+    throw refusal("the tolerance of the residual is {:g}; give one between 0 and 1", o.tolerance);
 }
 
 }  // namespace
@@ -152,7 +165,8 @@ LoadResult load(const PhaseMap& map, const LoadOptions& options) {
   if (s.support.carrying > 0) {
     static_cast<StaticReport&>(r) = find_equilibrium(s, u);
     r.ending = r.converged ? Ending::solved : r.stopped ? Ending::stopped : Ending::not_converged;
-    const bool suspicious = r.ending == Ending::not_converged || r.loose_nodes > 0 || (options.method == Method::static_solve && r.iterations > 25);
+    const bool suspicious = r.ending == Ending::not_converged || r.loose_nodes > 0 ||
+                            (options.method == Method::static_solve && r.iterations > 25);
     if (options.look_for_hinges || suspicious) r.hinges = find_hinges(s.bonds);
   } else {
     const bool any = std::any_of(map.phase.begin(), map.phase.end(), [](Phase p) { return p != Phase::empty; });

@@ -22,8 +22,8 @@ struct Toughness {
   double matrix = 1, interface = 1, particle = 3.5;
 };
 
-/// Tensile strength of the bond types, Pa: a bond breaks at the lower of the stretches that its toughness and its strength
-/// give. Infinite: toughness alone.
+/// Tensile strength of the bond types, Pa: a bond breaks at the lower of the stretches that its toughness and its
+/// strength give. Infinite: toughness alone.
 struct Strength {
   double matrix = HUGE_VAL, interface = HUGE_VAL, particle = HUGE_VAL;
 };
@@ -113,7 +113,8 @@ struct DamageOptions : LoadCase, FailureChoices {
   int max_events = 10'000;  ///< rounds of breaking after which the test ends
   /// Called before each round of breaking and, with that round's state, where the watch stopped the work.
   KeepFailure keep{};
-  /// Goes on from here, a state of a test of the same map with the same options: the result has the same bits as that of a test in one piece.
+  /// Goes on from here, a state of a test of the same map with the same options: the result has the same bits as that
+  /// of a test in one piece.
   const FailureState* resume = nullptr;
 };
 

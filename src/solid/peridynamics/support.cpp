@@ -20,13 +20,15 @@ struct Parts {
 };
 
 /// What each aggregate is tied to by itself, as bits of Tie. Joins in `sets` the aggregates that hang together.
-std::vector<std::uint8_t> own_ties(const Bonds& bonds, const Aggregates& aggregates, const std::vector<std::uint8_t>& prescribed, JoinedSets& sets) {
+std::vector<std::uint8_t> own_ties(const Bonds& bonds, const Aggregates& aggregates,
+                                   const std::vector<std::uint8_t>& prescribed, JoinedSets& sets) {
   const Grid& grid = bonds.grid;
   const Parts parts{bonds, aggregates, prescribed};
   const std::int32_t below = aggregates.count();
   std::vector<std::uint8_t> ties(static_cast<std::size_t>(below), 0);
   grid.each([&](std::ptrdiff_t i, int y) {
-    if (prescribed[y] == y_prescribed && aggregates.of_node[i] >= 0) ties[static_cast<std::size_t>(aggregates.of_node[i])] |= 1;
+    if (prescribed[y] == y_prescribed && aggregates.of_node[i] >= 0)
+      ties[static_cast<std::size_t>(aggregates.of_node[i])] |= 1;
   });
   // The clamps themselves never join parts: a part tied to both is known by its own ties.
   const auto join = [&](std::int32_t a, std::int32_t b) {
@@ -51,7 +53,8 @@ std::vector<std::uint8_t> own_ties(const Bonds& bonds, const Aggregates& aggrega
 /// Gives the aggregates that hang together the ties of all of them, and counts.
 Support share_ties(const Aggregates& aggregates, JoinedSets& sets, std::vector<std::uint8_t>& ties) {
   std::vector<std::uint8_t> whole(ties.size(), 0);
-  for (std::size_t p = 0; p < ties.size(); ++p) whole[static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(p)))] |= ties[p];
+  for (std::size_t p = 0; p < ties.size(); ++p)
+    whole[static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(p)))] |= ties[p];
   Support support;
   for (std::size_t p = 0; p < ties.size(); ++p) {
     const auto root = static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(p)));
@@ -84,7 +87,9 @@ void keep_carrying(const Grid& grid, const std::vector<std::uint8_t>& ties, Aggr
 /// Leaves only bonds between nodes that carry, clamped ones among them.
 void cut_loose_bonds(Bonds& bonds, const std::vector<std::uint8_t>& prescribed, const Buffer<Tie>& tie) {
   const Grid& grid = bonds.grid;
-  const auto carries = [&](std::ptrdiff_t i, int y) { return y >= 0 && y < grid.height && (prescribed[y] == both_prescribed || tie[i] == Tie::both); };
+  const auto carries = [&](std::ptrdiff_t i, int y) {
+    return y >= 0 && y < grid.height && (prescribed[y] == both_prescribed || tie[i] == Tie::both);
+  };
   each_bond(bonds, [&](const Bond& b) {
     if (!carries(b.i, b.y) || !carries(b.j, b.y + b.step().y)) bonds.break_bond(b.i, b.d);
   });

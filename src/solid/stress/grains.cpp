@@ -19,20 +19,25 @@ template <class Wanted> ByName<Items> grains_by_class(const PhaseMap& map, Wante
   for (std::size_t g = 0; g < map.grain_class.size(); ++g) {
     if (!wanted(g)) continue;
     sets[0].second.push_back(g);
-    if (map.grain_class[g] != GrainClass::none) sets[map.grain_class[g] == GrainClass::large ? 1 : 2].second.push_back(g);
+    if (map.grain_class[g] != GrainClass::none)
+      sets[map.grain_class[g] == GrainClass::large ? 1 : 2].second.push_back(g);
   }
   std::erase_if(sets, [](const auto& set) { return set.second.empty(); });
   return sets;
 }
 
 std::vector<int> blocks_of(const PhaseMap& map, const GrainStresses& grains, int blocks) {
-  const auto along = [&](double at, int nodes) { return std::clamp(static_cast<int>(at / (nodes * map.dx) * blocks), 0, blocks - 1); };
+  const auto along = [&](double at, int nodes) {
+    return std::clamp(static_cast<int>(at / (nodes * map.dx) * blocks), 0, blocks - 1);
+  };
   std::vector<int> result;
   for (const Vec2 c : grains.centre) result.push_back(along(c.y, map.height) * blocks + along(c.x, map.width));
   return result;
 }
 
-Tensor2 tensor(const std::vector<Estimate>& e, double Estimate::*part) { return {e[0].*part, e[1].*part, e[2].*part, e[3].*part}; }
+Tensor2 tensor(const std::vector<Estimate>& e, double Estimate::*part) {
+  return {e[0].*part, e[1].*part, e[2].*part, e[3].*part};
+}
 
 TensorEstimate mean_tensor(const Items& items, const std::vector<int>& block_of, const std::vector<Tensor2>& stress) {
   const auto add = [&](std::size_t g, double* sums) {
@@ -40,7 +45,9 @@ TensorEstimate mean_tensor(const Items& items, const std::vector<int>& block_of,
     const double terms[5] = {1, t.xx, t.xy, t.yx, t.yy};
     for (int k = 0; k < 5; ++k) sums[k] += terms[k];
   };
-  const auto mean = [](const std::vector<double>& s) { return std::vector<double>{s[1] / s[0], s[2] / s[0], s[3] / s[0], s[4] / s[0]}; };
+  const auto mean = [](const std::vector<double>& s) {
+    return std::vector<double>{s[1] / s[0], s[2] / s[0], s[3] / s[0], s[4] / s[0]};
+  };
   const auto e = statistics::jackknife_of_sums(items, block_of, 5, add, mean);
   return {tensor(e, &Estimate::value), tensor(e, &Estimate::error)};
 }
@@ -53,7 +60,8 @@ Numbers agreement(const std::vector<double>& field, const std::vector<double>& c
   if (std::isnan(a.front()) || std::isnan(b.front())) return j;  // a mean of zero
   const statistics::Relation relation = statistics::relate(b, a);
   put(j, "correlation", relation.pearson, "", "Pearson correlation of the two stresses");
-  put(j, "slope", Estimate{relation.line.slope, relation.line.slope_error}, "", "Slope of the normalised stress of the field against that of the contacts");
+  put(j, "slope", Estimate{relation.line.slope, relation.line.slope_error}, "",
+      "Slope of the normalised stress of the field against that of the contacts");
   put(j, "rms", statistics::rms_difference(a, b), "", "Root mean square of their difference");
   return j;
 }
@@ -63,7 +71,11 @@ Numbers agreement(const std::vector<double>& field, const std::vector<double>& c
 GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int clamp_rows, int blocks) {
   const std::size_t n = map.grain_class.size();
   const int margin = std::clamp(clamp_rows, 1, map.height);
-  GrainStresses grains{std::vector<std::int64_t>(n, 0), std::vector<std::uint8_t>(n, 1), std::vector<Vec2>(n), std::vector<Tensor2>(n), {}};
+  GrainStresses grains{std::vector<std::int64_t>(n, 0),
+                       std::vector<std::uint8_t>(n, 1),
+                       std::vector<Vec2>(n),
+                       std::vector<Tensor2>(n),
+                       {}};
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x) {
       const std::size_t i = map.index(x, y);
@@ -93,7 +105,8 @@ Numbers numbers(const GrainStresses& g) {
   std::size_t whole = 0;
   for (const auto w : g.whole) whole += w;
   Numbers j{{"whole", statistics::described(whole, "", "Grains entirely inside the map and away from the clamps")}};
-  for (const auto& [name, mean] : g.mean) put(j["mean_stress_Pa"], name, mean, "Pa", "Mean stress of whole grains, tension positive");
+  for (const auto& [name, mean] : g.mean)
+    put(j["mean_stress_Pa"], name, mean, "Pa", "Mean stress of whole grains, tension positive");
   Numbers centres = Numbers::list();
   for (const Vec2 c : g.centre) centres.push_back({c.x, c.y});
   j["by_grain"] = {{"nodes", g.nodes}, {"whole", g.whole}, {"centre_m", centres}, {"sigma_Pa", g.stress}};
@@ -102,8 +115,10 @@ Numbers numbers(const GrainStresses& g) {
 
 Numbers compare(const PhaseMap& map, const GrainStresses& grains, const std::vector<Tensor2>& contact_stress) {
   if (contact_stress.size() != map.grain_class.size() || grains.stress.size() != map.grain_class.size())
-    throw refusal("{} grains have a contact stress, {} a mean stress, and the phase map has {}; all three must be of the same packing", contact_stress.size(),
-                  grains.stress.size(), map.grain_class.size());
+    throw refusal(
+        "{} grains have a contact stress, {} a mean stress, and the phase map has {}; all three must be of the same "
+        "packing",
+        contact_stress.size(), grains.stress.size(), map.grain_class.size());
   const auto known = [&](std::size_t g) {
     const Tensor2& t = contact_stress[g];
     const double size = std::abs(t.xx) + std::abs(t.yy) + std::abs(t.xy) + std::abs(t.yx);
@@ -111,7 +126,9 @@ Numbers compare(const PhaseMap& map, const GrainStresses& grains, const std::vec
   };
   Numbers j = Numbers::tree();
   for (const auto& [name, items] : grains_by_class(map, known)) {
-    const auto values = [&items = items](const std::vector<Tensor2>& stress, auto of) { return mapped(items, [&](std::size_t g) { return of(stress[g]); }); };
+    const auto values = [&items = items](const std::vector<Tensor2>& stress, auto of) {
+      return mapped(items, [&](std::size_t g) { return of(stress[g]); });
+    };
     const auto compared = [&](auto of) { return agreement(values(grains.stress, of), values(contact_stress, of)); };
     j["sigma_yy"][name] = compared([](const Tensor2& t) { return t.yy; });
     j["sigma_hyd"][name] = compared([](const Tensor2& t) { return 0.5 * trace(t); });

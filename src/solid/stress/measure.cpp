@@ -48,9 +48,11 @@ void check(const PhaseMap& map, const StressField& field, const StressOptions& o
   check_clamp_rows(map, options.clamp_rows);
   problems.unless(options.blocks >= 1 && options.blocks <= 64, "errors need between 1 and 64 blocks per side");
   const std::size_t n = map.size();
-  const bool fits = field.width == map.width && field.height == map.height && field.xx.size() == n && field.yy.size() == n && field.xy.size() == n;
-  problems.unless(fits, "the stress field has {} x {} nodes and the phase map {} x {}; both must come from the same sample", field.width, field.height,
-                  map.width, map.height);
+  const bool fits = field.width == map.width && field.height == map.height && field.xx.size() == n &&
+                    field.yy.size() == n && field.xy.size() == n;
+  problems.unless(fits,
+                  "the stress field has {} x {} nodes and the phase map {} x {}; both must come from the same sample",
+                  field.width, field.height, map.width, map.height);
   double sum = 0;  // a number that is not finite shows in the sum of products with zero
   for (std::size_t i = 0; fits && i < n; ++i) sum += 0 * field.xx[i] + 0 * field.yy[i] + 0 * field.xy[i];
   problems.unless(sum == 0, "a stress of the field is not a finite number; solve the sample again");
@@ -95,7 +97,8 @@ Selection select(const PhaseMap& map, const StressField& field, const StressOpti
         selection.clamp_nodes += set != NodeSet::left_out;
         continue;
       }
-      const auto b = static_cast<std::uint16_t>(static_cast<std::int64_t>(y - first) * k / rows * k + static_cast<std::int64_t>(x) * k / map.width);
+      const auto b = static_cast<std::uint16_t>(static_cast<std::int64_t>(y - first) * k / rows * k +
+                                                static_cast<std::int64_t>(x) * k / map.width);
       selection.block[i] = b;
       selection.block_area[b] += 1;
       if (set == NodeSet::left_out) continue;
@@ -109,7 +112,8 @@ Selection select(const PhaseMap& map, const StressField& field, const StressOpti
       selection.set[i] = set;
       ++selection.nodes;
     }
-  if (selection.nodes == 0) throw InputError("no node is left to measure stresses in; the map is void, or the options exclude all other nodes");
+  if (selection.nodes == 0)
+    throw InputError("no node is left to measure stresses in; the map is void, or the options exclude all other nodes");
   return selection;
 }
 
@@ -122,7 +126,8 @@ double value(const StressField& field, Component component, std::size_t i) {
   }
 }
 
-BlockedSample gather(const Selection& selection, const StressField& field, Component component, const NamedSet& wanted) {
+BlockedSample gather(const Selection& selection, const StressField& field, Component component,
+                     const NamedSet& wanted) {
   BlockedSample sample{{}, {}, selection.blocks};
   sample.x.reserve(selection.nodes);
   sample.block.reserve(selection.nodes);
@@ -134,7 +139,8 @@ BlockedSample gather(const Selection& selection, const StressField& field, Compo
   return sample;
 }
 
-/// Puts the means of the sample; returns what divides its stresses, all and without each block. One of them is not zero.
+/// Puts the means of the sample; returns what divides its stresses, all and without each block. One of them is not
+/// zero.
 Normaliser normalise(const Selection& selection, const BlockedSample& all, const StressOptions& options, Numbers& to) {
   const std::vector<Powers> blocks = powers_by_block(all, 0);
   const std::vector<double>& areas = selection.block_area;
@@ -144,7 +150,8 @@ Normaliser normalise(const Selection& selection, const BlockedSample& all, const
   Normaliser normaliser;
   normaliser.over_mean = !near_zero(total.d1 / total.n, total.d2 / total.n);
   const auto values = [&](const Powers& s, double of_area) {
-    const double scale = !normaliser.over_mean ? std::sqrt(s.d2 / s.n) : s.d1 / (options.mean_over_area ? of_area : s.n);
+    const double scale =
+        !normaliser.over_mean ? std::sqrt(s.d2 / s.n) : s.d1 / (options.mean_over_area ? of_area : s.n);
     return std::vector<double>{s.d1 / s.n, s.d1 / of_area, scale};
   };
   std::vector<std::vector<double>> replicates;
@@ -165,21 +172,26 @@ Normaliser normalise(const Selection& selection, const BlockedSample& all, const
 }
 
 /// Not known where the component is zero in every node.
-Numbers measure_component(const Selection& selection, const StressField& field, Component component, const StressOptions& options,
-                          std::vector<std::string>& notes) {
+Numbers measure_component(const Selection& selection, const StressField& field, Component component,
+                          const StressOptions& options, std::vector<std::string>& notes) {
   const std::string stress = name_of(component);
   BlockedSample all = gather(selection, field, component, named_sets[0]);
   if (std::ranges::all_of(all.x, [](double sigma) { return sigma == 0; })) {
-    notes.push_back(fmt::format("{} is zero in every node, so there is nothing to normalise by; load the sample", stress));
+    notes.push_back(
+        fmt::format("{} is zero in every node, so there is nothing to normalise by; load the sample", stress));
     return {};
   }
   Numbers j = Numbers::tree();
   const Normaliser normaliser = normalise(selection, all, options, j);
   if (!normaliser.over_mean)
-    notes.push_back(fmt::format("the sample's mean of {} is near zero, below a tenth of its root mean square: stresses are given over the latter", stress));
+    notes.push_back(
+        fmt::format("the sample's mean of {} is near zero, below a tenth of its root mean square: stresses are given "
+                    "over the latter",
+                    stress));
   for (const NamedSet& set : named_sets) {
     BlockedSample sample = &set == named_sets ? std::move(all) : gather(selection, field, component, set);
-    if (!sample.x.empty()) j["sets"][set.name] = describe(fmt::format("{} in {}", stress, set.name), sample, normaliser, notes);
+    if (!sample.x.empty())
+      j["sets"][set.name] = describe(fmt::format("{} in {}", stress, set.name), sample, normaliser, notes);
   }
   return j;
 }
@@ -193,21 +205,23 @@ const char* name_of(Component component) {
 
 void check_clamp_rows(const PhaseMap& map, int rows) {
   if (rows < 0) throw refusal("the number of clamp rows left out is {}; give 0 or more", rows);
-  if (rows > (map.height - 1) / 2) throw refusal("leaving out {} rows at each clamp leaves none of the map's {}; leave out fewer", rows, map.height);
+  if (rows > (map.height - 1) / 2)
+    throw refusal("leaving out {} rows at each clamp leaves none of the map's {}; leave out fewer", rows, map.height);
 }
 
 Statistics measure(const PhaseMap& map, const StressField& field, const StressOptions& options) {
   const Selection selection = select(map, field, options);
-  Numbers j{{"nodes", described(selection.nodes, "", "Nodes of particles and matrix that are considered")},
-            {"clamp_nodes", described(selection.clamp_nodes, "", "Nodes left out as clamp rows")},
-            {"surface_nodes", described(selection.surface_nodes, "", "Nodes left out that border another phase or grain")},
-            {"unloaded_nodes", described(selection.unloaded_nodes, "", "Nodes without any stress")},
-            {"options",
-             {{"clamp_rows", options.clamp_rows},
-              {"leave_out_surface", options.leave_out_surface},
-              {"leave_out_unloaded", options.leave_out_unloaded},
-              {"sample_mean_over", options.mean_over_area ? "area" : "particles and matrix"},
-              {"blocks", options.blocks}}}};
+  Numbers j{
+      {"nodes", described(selection.nodes, "", "Nodes of particles and matrix that are considered")},
+      {"clamp_nodes", described(selection.clamp_nodes, "", "Nodes left out as clamp rows")},
+      {"surface_nodes", described(selection.surface_nodes, "", "Nodes left out that border another phase or grain")},
+      {"unloaded_nodes", described(selection.unloaded_nodes, "", "Nodes without any stress")},
+      {"options",
+       {{"clamp_rows", options.clamp_rows},
+        {"leave_out_surface", options.leave_out_surface},
+        {"leave_out_unloaded", options.leave_out_unloaded},
+        {"sample_mean_over", options.mean_over_area ? "area" : "particles and matrix"},
+        {"blocks", options.blocks}}}};
   std::vector<std::pair<Component, std::string>> notes;
   bool any = false;
   for (const Component component : options.components) {
@@ -237,8 +251,8 @@ Numbers numbers(const Statistics& s, bool curves, std::span<const Component> com
 }
 
 std::string to_text(const Statistics& s) {
-  return arenite::to_text(numbers(s), {"options quantiles own_variance mean_over_nodes_Pa mean_over_area_Pa line_slope line_r2 log_likelihood_ratio "
-                                       "p_value centre peak"});
+  return arenite::to_text(numbers(s), {"options quantiles own_variance mean_over_nodes_Pa mean_over_area_Pa line_slope "
+                                       "line_r2 log_likelihood_ratio p_value centre peak"});
 }
 
 }  // namespace arenite::stress

@@ -18,9 +18,9 @@ using statistics::BlockedSample;
 using statistics::Counts;
 using statistics::put;
 
-constexpr std::pair<const char*, double> quantile_shares[] = {{"0.01 %", 1e-4}, {"0.1 %", 1e-3},   {"1 %", 0.01},      {"5 %", 0.05},
-                                                              {"25 %", 0.25},   {"50 %", 0.5},     {"75 %", 0.75},     {"95 %", 0.95},
-                                                              {"99 %", 0.99},   {"99.9 %", 0.999}, {"99.99 %", 0.9999}};
+constexpr std::pair<const char*, double> quantile_shares[] = {
+    {"0.01 %", 1e-4}, {"0.1 %", 1e-3}, {"1 %", 0.01},  {"5 %", 0.05},     {"25 %", 0.25},     {"50 %", 0.5},
+    {"75 %", 0.75},   {"95 %", 0.95},  {"99 %", 0.99}, {"99.9 %", 0.999}, {"99.99 %", 0.9999}};
 
 struct Moments {
   double mean = 0, variance = 0, skewness = unknown, excess_kurtosis = unknown;
@@ -60,7 +60,8 @@ Scaled scale(BlockedSample& sigma, const Normaliser& normaliser) {
   for (const Powers& p : s.powers) s.all += p;
   for (std::size_t b = 0; b < s.powers.size(); ++b) {
     const Powers rest = s.all - s.powers[b];
-    s.unit_without.push_back(normaliser.over_mean ? (rest.n > 0 ? s.centre + rest.d1 / rest.n : unknown) : normaliser.without[b] / unit);
+    s.unit_without.push_back(normaliser.over_mean ? (rest.n > 0 ? s.centre + rest.d1 / rest.n : unknown)
+                                                  : normaliser.without[b] / unit);
   }
   return s;
 }
@@ -76,7 +77,8 @@ void put_moments(Numbers& to, const Scaled& s, const Normaliser& normaliser, boo
   const std::vector<double> values = values_of(s, s.all, 1, normaliser.value);
   std::vector<std::vector<double>> replicates;
   for (std::size_t b = 0; b < s.powers.size(); ++b)
-    if (const Powers rest = s.all - s.powers[b]; rest.n > 0) replicates.push_back(values_of(s, rest, s.unit_without[b], normaliser.without[b]));
+    if (const Powers rest = s.all - s.powers[b]; rest.n > 0)
+      replicates.push_back(values_of(s, rest, s.unit_without[b], normaliser.without[b]));
   const auto e = statistics::with_errors(values, replicates);
   put(to, "mean_Pa", e[0], "Pa", "Mean stress of the set, tension positive");
   put(to, "mean_over_sample_mean", e[1], "", "Mean stress of the set over that of the sample");
@@ -95,7 +97,8 @@ double share_beyond(const std::vector<double>& x, double threshold) {
 }
 
 /// Shares and quantiles by rank; their errors from the counts, straight within a bin.
-void put_ranks(Numbers& to, const Scaled& s, const BlockCounts& counts, const std::vector<double>& quantiles, const Normaliser& normaliser) {
+void put_ranks(Numbers& to, const Scaled& s, const BlockCounts& counts, const std::vector<double>& quantiles,
+               const Normaliser& normaliser) {
   const double r = s.unit / normaliser.value;  // from units of the set to those of the sample
   std::vector<double> values{share_beyond(s.x.x, s.centre), share_beyond(s.x.x, 1 / r)};
   for (const double q : quantiles) values.push_back(q * r);
@@ -105,7 +108,8 @@ void put_ranks(Numbers& to, const Scaled& s, const BlockCounts& counts, const st
     const Powers powers = s.all - s.powers[b];
     if (!(powers.n > 0)) continue;
     const double sample = normaliser.without[b] / s.unit;
-    std::vector<double> row{statistics::survival(counts.bins, rest, s.centre + powers.d1 / powers.n), statistics::survival(counts.bins, rest, sample)};
+    std::vector<double> row{statistics::survival(counts.bins, rest, s.centre + powers.d1 / powers.n),
+                            statistics::survival(counts.bins, rest, sample)};
     for (const auto& [name, p] : quantile_shares) row.push_back(statistics::quantile(counts.bins, rest, p) / sample);
     replicates.push_back(std::move(row));
   }
@@ -136,7 +140,8 @@ statistics::Curve rescaled(statistics::Curve curve, double r) {
 /// Tail and fit of the stress over the set's own mean, and where its pdf is highest.
 void put_shape(Numbers& to, const Scaled& s, const BlockCounts& counts) {
   if (const auto tail = statistics::fit_tail(s.x, counts, s.unit_without); tail.count > 0) to["tail"] = numbers(tail);
-  if (Numbers fit = numbers(statistics::fit_q_gaussian(counts, s.unit_without)); !fit.empty()) to["q_gaussian"] = std::move(fit);
+  if (Numbers fit = numbers(statistics::fit_q_gaussian(counts, s.unit_without)); !fit.empty())
+    to["q_gaussian"] = std::move(fit);
   if (const auto peak = statistics::peak_of(counts.bins, counts.all); std::isfinite(peak.at))
     to["peak"] = {{"at", statistics::described(peak.at, "", "Stress over the set's own mean where its pdf is highest")},
                   {"height", statistics::described(peak.height, "", "The pdf there")}};
@@ -153,18 +158,22 @@ std::vector<Powers> powers_by_block(const BlockedSample& sample, double shift) {
   return powers;
 }
 
-Numbers describe(const std::string& name, BlockedSample& sigma, const Normaliser& normaliser, std::vector<std::string>& notes) {
+Numbers describe(const std::string& name, BlockedSample& sigma, const Normaliser& normaliser,
+                 std::vector<std::string>& notes) {
   const std::size_t nodes = sigma.x.size();
   double square = 0;
   const double mean = mean_of(sigma);
   for (const double v : sigma.x) square += v * v / static_cast<double>(nodes);
-  const bool opposite = mean * normaliser.value < 0, own = normaliser.over_mean && !opposite && !near_zero(mean, square);
+  const bool opposite = mean * normaliser.value < 0,
+             own = normaliser.over_mean && !opposite && !near_zero(mean, square);
   if (normaliser.over_mean && !own)
-    notes.push_back(fmt::format("the mean of {} is {}: values over it are omitted", name,
-                                opposite ? "of opposite sign to the sample's" : "near zero, below a tenth of its root mean square"));
+    notes.push_back(fmt::format(
+        "the mean of {} is {}: values over it are omitted", name,
+        opposite ? "of opposite sign to the sample's" : "near zero, below a tenth of its root mean square"));
   Normaliser by = normaliser;
   const Scaled s = scale(sigma, own ? normaliser : (by.over_mean = false, by));
-  const auto quantiles = statistics::exact_quantiles(sigma.x, mapped(quantile_shares, [](const auto& share) { return share.second; }));
+  const auto quantiles =
+      statistics::exact_quantiles(sigma.x, mapped(quantile_shares, [](const auto& share) { return share.second; }));
   const auto [low, high] = std::minmax_element(sigma.x.begin(), sigma.x.end());
   const statistics::Spread spread{*low, quantiles.front(), quantiles[4], quantiles[6], quantiles.back(), *high};
   const BlockCounts counts = statistics::count(sigma, statistics::pdf_bins(nodes, spread));

@@ -24,9 +24,10 @@ struct Normaliser {
   std::vector<double> without;  ///< one a block
 };
 
-/// Numbers of the stresses `sigma` of one set (Pa; they are scaled in place). Those over the set's own mean are left out where the sample's or the set's
-/// own is near zero or the two differ in sign; then a note says so.
-Numbers describe(const std::string& name, statistics::BlockedSample& sigma, const Normaliser& normaliser, std::vector<std::string>& notes);
+/// Numbers of the stresses `sigma` of one set (Pa; they are scaled in place). Those over the set's own mean are left
+/// out where the sample's or the set's own is near zero or the two differ in sign; then a note says so.
+Numbers describe(const std::string& name, statistics::BlockedSample& sigma, const Normaliser& normaliser,
+                 std::vector<std::string>& notes);
 
 /// Whether a mean is too near zero to divide by: below a tenth of the root mean square.
 inline bool near_zero(double mean, double mean_square) { return mean * mean <= 0.01 * mean_square; }

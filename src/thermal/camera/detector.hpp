@@ -16,12 +16,13 @@
 
 namespace arenite::camera {
 
-/// Normal numbers of variance 1, one a pixel of a frame and one more that the whole frame shares. In each place they are
-/// correlated from frame to frame as first-order autoregressive noise is; frames may be asked for in any order.
+/// Normal numbers of variance 1, one a pixel of a frame and one more that the whole frame shares. In each place they
+/// are correlated from frame to frame as first-order autoregressive noise is; frames may be asked for in any order.
 class FrameNoise {
  public:
   FrameNoise(std::size_t pixels, double correlation) : count_(pixels + 1) {
-    // What is older than this is less than 1e-4 of the noise, and every frame is the same sum whichever was read before it.
+    // What is older than this is less than 1e-4 of the noise, and every frame is the same sum whichever was read before
+    // it.
     double power = 0;
     for (double w = 1; w >= 1e-4; w *= correlation) {
       weight_.push_back(static_cast<float>(w));
@@ -66,7 +67,8 @@ class FrameNoise {
       std::vector<double> z(n);
       double sum = 0;
       for (std::size_t k = 0; k < n / 2; ++k) {
-        z[k] = statistics::student_quantile((static_cast<double>(k) + 0.5) / n, std::numeric_limits<double>::infinity());
+        z[k] =
+            statistics::student_quantile((static_cast<double>(k) + 0.5) / n, std::numeric_limits<double>::infinity());
         z[n - 1 - k] = -z[k];
         sum += 2 * z[k] * z[k];
       }
@@ -146,7 +148,8 @@ class Detection {
     RandomStream random(seed, Purpose::detector);
     const auto pixels = static_cast<std::size_t>(p.optics.width * p.optics.height);
     for (std::size_t i = 0; i < pixels; ++i) {
-      Pixel pixel{static_cast<float>(levels * (1 + d.gain_spread * random.normal())), static_cast<float>(highest_ * d.offset_spread * random.normal()), 1};
+      Pixel pixel{static_cast<float>(levels * (1 + d.gain_spread * random.normal())),
+                  static_cast<float>(highest_ * d.offset_spread * random.normal()), 1};
       if (random.uniform() < d.bad_share) switch (random.below(3)) {
           case 0: pixel.gain *= 0.02f; break;              // dead
           case 1: pixel.offset += 1.5f * highest_; break;  // hot
@@ -156,23 +159,27 @@ class Detection {
     }
     RandomStream jumps(seed, Purpose::level_jump);
     if (d.jump_pattern > 0)
-      for (std::size_t i = 0; i < pixels; ++i) own_jump_.push_back(static_cast<float>(d.jump_pattern * light_per_kelvin_ * jumps.normal()));
+      for (std::size_t i = 0; i < pixels; ++i)
+        own_jump_.push_back(static_cast<float>(d.jump_pattern * light_per_kelvin_ * jumps.normal()));
   }
 
   /// Turns light (photons over those of a black body at 296 K) into levels. `warmer` is the drift of the scene, K, at
   /// `time` (s); (seed, frame) name the draw of the noise.
-  void record(const std::vector<float>& light, double warmer, double time, std::uint64_t seed, std::uint64_t frame, std::uint16_t* level) {
+  void record(const std::vector<float>& light, double warmer, double time, std::uint64_t seed, std::uint64_t frame,
+              std::uint16_t* level) {
     const std::vector<float>& normal = noise_.of(seed, frame);
     const float drift = static_cast<float>(1 + warmer * light_per_kelvin_);
     const auto shot = static_cast<float>(shot_), read = static_cast<float>(read_);
     const bool jumped = time >= detector_.jump_time, own = jumped && !own_jump_.empty();
-    const float common = in_light(detector_.common_noise) * normal[light.size()] + (jumped ? in_light(detector_.jump) : 0);
+    const float common =
+        in_light(detector_.common_noise) * normal[light.size()] + (jumped ? in_light(detector_.jump) : 0);
     share_by_columns(common, seed, frame);
     float line = 0;
     for (std::size_t i = 0; i < light.size(); ++i) {
       if (i % width_ == 0 && interference_.amplitude > 0) {
         const double cycles = interference_.frequency * time + interference_.advance * static_cast<double>(i / width_);
-        line = static_cast<float>(interference_.amplitude * light_per_kelvin_ * std::cos(2 * std::numbers::pi * cycles));
+        line =
+            static_cast<float>(interference_.amplitude * light_per_kelvin_ * std::cos(2 * std::numbers::pi * cycles));
       }
       const Pixel& pixel = pixel_[i];
       const float seen = light[i] * drift + (shared_[i % width_] + line) + (own ? own_jump_[i] : 0);
@@ -194,7 +201,8 @@ class Detection {
     if (detector_.common_flicker <= 0 && detector_.column_flicker <= 0) return;
     const std::vector<float>& flicker = flicker_.of(seed, frame);
     for (std::size_t c = 0; c < width_; ++c)
-      shared_[c] += in_light(detector_.common_flicker) * flicker[width_] + in_light(detector_.column_flicker) * flicker[c];
+      shared_[c] +=
+          in_light(detector_.common_flicker) * flicker[width_] + in_light(detector_.column_flicker) * flicker[c];
   }
 
   std::vector<Pixel> pixel_;

@@ -10,9 +10,9 @@
 namespace arenite::camera {
 namespace {
 
-/// The patch of a grain of that radius, in cells that wide, m. `stress(middle, away)` is the mean of sigma_kk over the cell
-/// whose middle lies there, seen from the grain's centre and `away` from it, Pa. It is asked for a ring of cells beyond
-/// the rim too, so that what lies between cells can be read off; cells farther out stay 0.
+/// The patch of a grain of that radius, in cells that wide, m. `stress(middle, away)` is the mean of sigma_kk over the
+/// cell whose middle lies there, seen from the grain's centre and `away` from it, Pa. It is asked for a ring of cells
+/// beyond the rim too, so that what lies between cells can be read off; cells farther out stay 0.
 template <class Stress> Patch fill_patch(double radius, double cell, const Stress& stress) {
   Patch patch;
   patch.cells = 2 * static_cast<int>(std::ceil(radius / cell)) + 2;
@@ -34,20 +34,24 @@ void check_points(const Grains& grains, std::size_t count, const Optics& optics)
   for (std::size_t g = 0; g < count; ++g) points += 4 * (grains.radius[g] / cell) * (grains.radius[g] / cell);
   if (!(points <= most_points))
     throw refusal(
-        "pixels of {:.3g} mm with {} x {} points each give {:.2g} points on the grains, too many to compute; raise camera.pixel or lower supersampling",
+        "pixels of {:.3g} mm with {} x {} points each give {:.2g} points on the grains, too many to compute; raise "
+        "camera.pixel or lower supersampling",
         1e3 * optics.pixel, optics.supersampling, optics.supersampling, points);
 }
 
-/// The grains as disks under the change of their contact forces from `low`, or from none, to `high`: fields of forces add up.
+/// The grains as disks under the change of their contact forces from `low`, or from none, to `high`: fields of forces
+/// add up.
 std::vector<elasticity::Disk> pressed_disks(const Packing* low, const Packing& high, double arc) {
   auto disks = mapped(high.grains.radius, [&](double radius) {
-    return elasticity::Disk{radius, high.domain.thickness, {}, arc > 0 ? elasticity::Traction::elliptic : elasticity::Traction::point};
+    return elasticity::Disk{
+        radius, high.domain.thickness, {}, arc > 0 ? elasticity::Traction::elliptic : elasticity::Traction::point};
   });
   const auto press = [&](const Contacts& contacts, double sign) {
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       const elasticity::RimForce force{contacts.normal[c], sign * contacts.fn[c], sign * contacts.ft[c], arc};
       disks[static_cast<std::size_t>(contacts.i[c])].forces.push_back(force);
-      if (!contacts.is_wall(c)) disks[static_cast<std::size_t>(contacts.j[c])].forces.push_back({-force.normal, force.fn, force.ft, arc});
+      if (!contacts.is_wall(c))
+        disks[static_cast<std::size_t>(contacts.j[c])].forces.push_back({-force.normal, force.fn, force.ft, arc});
     }
   };
   press(high.contacts, 1);
@@ -58,8 +62,9 @@ std::vector<elasticity::Disk> pressed_disks(const Packing* low, const Packing& h
 void require_factors(const Packing& packing) {
   for (const auto m : packing.grains.material)
     if (packing.materials[static_cast<std::size_t>(m)].thermoelastic_factor <= 0)
-      throw refusal("material {}: its thermoelastic factor is not known; set thermoelastic_factor = \"... K/MPa\" in the recipe",
-                    packing.materials[static_cast<std::size_t>(m)].name);
+      throw refusal(
+          "material {}: its thermoelastic factor is not known; set thermoelastic_factor = \"... K/MPa\" in the recipe",
+          packing.materials[static_cast<std::size_t>(m)].name);
 }
 
 Scene make_scene(const Packing* low, const Packing& high, const Parameters& p) {
@@ -68,7 +73,8 @@ Scene make_scene(const Packing* low, const Packing& high, const Parameters& p) {
   const Packing& start = low ? *low : high;
   Scene scene{start.grains, {}, {}, start.domain, high.domain, high.materials};
   const double cell = p.optics.pixel / static_cast<double>(p.optics.supersampling);
-  for (std::size_t i = 0; i < start.grains.size(); ++i) scene.travel.push_back(high.grains.position[i] - start.grains.position[i]);
+  for (std::size_t i = 0; i < start.grains.size(); ++i)
+    scene.travel.push_back(high.grains.position[i] - start.grains.position[i]);
   for (const elasticity::Disk& disk : pressed_disks(low, high, p.contact_arc))
     scene.stress.push_back(fill_patch(disk.radius, cell, [&](Vec2 at, double away) {
       // Cells on the rim and beyond it hold what its nearest point has.
@@ -85,7 +91,9 @@ class GrainNodes {
  public:
   GrainNodes(const FieldResult& result, std::int32_t label) : map_(result.map), field_(result.field), label_(label) {}
 
-  bool own(int x, int y) const { return x >= 0 && y >= 0 && x < map_.width && y < map_.height && map_.grain[map_.index(x, y)] == label_; }
+  bool own(int x, int y) const {
+    return x >= 0 && y >= 0 && x < map_.width && y < map_.height && map_.grain[map_.index(x, y)] == label_;
+  }
   double sigma_kk(int x, int y) const {
     const std::size_t k = map_.index(x, y);
     return field_.xx[k] + field_.yy[k];
@@ -129,7 +137,8 @@ class GrainNodes {
 double cell_mean(const GrainNodes& nodes, Vec2 middle, double cell, int points) {
   double sum = 0;
   for (int j = 0; j < points; ++j)
-    for (int i = 0; i < points; ++i) sum += nodes.at({middle.x + cell * ((i + 0.5) / points - 0.5), middle.y + cell * ((j + 0.5) / points - 0.5)});
+    for (int i = 0; i < points; ++i)
+      sum += nodes.at({middle.x + cell * ((i + 0.5) / points - 0.5), middle.y + cell * ((j + 0.5) / points - 0.5)});
   return sum / (points * points);
 }
 
@@ -160,19 +169,26 @@ float Patch::at(Vec2 offset) const {
 
 Scene scene_between(const Packing& low, const Packing& high, const Parameters& parameters) {
   if (low.grains.radius != high.grains.radius || low.grains.material != high.grains.material)
-    throw refusal("the two states do not hold the same grains ({} and {}); take them from one run", low.grains.size(), high.grains.size());
+    throw refusal("the two states do not hold the same grains ({} and {}); take them from one run", low.grains.size(),
+                  high.grains.size());
   return make_scene(&low, high, parameters);
 }
 
-Scene scene_of_state(const Packing& state, const Parameters& parameters) { return make_scene(nullptr, state, parameters); }
+Scene scene_of_state(const Packing& state, const Parameters& parameters) {
+  return make_scene(nullptr, state, parameters);
+}
 
 Scene scene_of_field(const FieldResult& result, const Parameters& parameters) {
   const std::size_t grains = result.map.grain_class.size();
-  if (result.field.size() == 0) throw refusal("\"{}\" is not loaded, so its stress does not change; name a load of the cemented sample", result.name);
+  if (result.field.size() == 0)
+    throw refusal("\"{}\" is not loaded, so its stress does not change; name a load of the cemented sample",
+                  result.name);
   if (result.packing.grains.size() < grains || grains == 0)
-    throw refusal("\"{}\" was loaded from a picture, whose grains are not disks; the camera films results of a recipe", result.name);
+    throw refusal("\"{}\" was loaded from a picture, whose grains are not disks; the camera films results of a recipe",
+                  result.name);
   check_points(result.packing.grains, grains, parameters.optics);
-  Scene scene{result.packing.grains, mean_displacements(result), {}, result.packing.domain, {}, result.packing.materials};
+  Scene scene{result.packing.grains,   mean_displacements(result), {}, result.packing.domain, {},
+              result.packing.materials};
   scene.grains.resize(grains);
   scene.low.wall[right].position = result.map.width * result.map.dx;
   scene.low.wall[top].position = result.map.height * result.map.dx;
@@ -182,8 +198,9 @@ Scene scene_of_field(const FieldResult& result, const Parameters& parameters) {
   const int points = std::clamp(static_cast<int>(std::ceil(cell / result.map.dx)), 1, 16);
   for (std::size_t g = 0; g < grains; ++g) {
     const GrainNodes nodes(result, static_cast<std::int32_t>(g));
-    scene.stress.push_back(
-        fill_patch(scene.grains.radius[g], cell, [&](Vec2 middle, double) { return cell_mean(nodes, scene.grains.position[g] + middle, cell, points); }));
+    scene.stress.push_back(fill_patch(scene.grains.radius[g], cell, [&](Vec2 middle, double) {
+      return cell_mean(nodes, scene.grains.position[g] + middle, cell, points);
+    }));
   }
   return scene;
 }

@@ -17,14 +17,17 @@ constexpr double most_bytes = 4e9;
 class Exposures {
  public:
   Exposures(const Scene& scene, const Parameters& p, double low, double high, std::uint64_t seed) : low_(low) {
-    // A twelfth of a pixel's travel between two pictures keeps what the cubic leaves out below a tenth of a millikelvin.
+    // A twelfth of a pixel's travel between two pictures keeps what the cubic leaves out below a tenth of a
+    // millikelvin.
     double travel = 0;
     for (const Vec2 v : scene.travel) travel = std::max(travel, p.motion ? norm(v) / p.optics.pixel : 0.0);
     const int intervals = std::clamp(static_cast<int>(std::ceil(12 * travel * (high - low))), 24, 400);
     step_ = (high - low) / intervals;
-    if (const double bytes = 4.0 * (intervals + 3) * static_cast<double>(p.optics.width) * static_cast<double>(p.optics.height); bytes > most_bytes)
-      throw refusal("{} pictures of {} x {} pixels between the two loads take {:.2g} GB; lower camera.width and height", intervals + 3, p.optics.width,
-                    p.optics.height, 1e-9 * bytes);
+    if (const double bytes =
+            4.0 * (intervals + 3) * static_cast<double>(p.optics.width) * static_cast<double>(p.optics.height);
+        bytes > most_bytes)
+      throw refusal("{} pictures of {} x {} pixels between the two loads take {:.2g} GB; lower camera.width and height",
+                    intervals + 3, p.optics.width, p.optics.height, 1e-9 * bytes);
     for (int k = -1; k <= intervals + 1; ++k) picture_.push_back(expose(scene, p, low + k * step_, seed));
   }
 
@@ -32,7 +35,8 @@ class Exposures {
     const double at = std::clamp((s - low_) / step_, 0.0, static_cast<double>(picture_.size()) - 3 - 1e-9);
     const auto k = static_cast<std::size_t>(at);
     const double u = at - static_cast<double>(k);
-    const float w[4] = {static_cast<float>(-u * (u - 1) * (u - 2) / 6), static_cast<float>((u + 1) * (u - 1) * (u - 2) / 2),
+    const float w[4] = {static_cast<float>(-u * (u - 1) * (u - 2) / 6),
+                        static_cast<float>((u + 1) * (u - 1) * (u - 2) / 2),
                         static_cast<float>(-(u + 1) * u * (u - 2) / 2), static_cast<float>((u + 1) * u * (u - 1) / 6)};
     const auto &a = picture_[k], &b = picture_[k + 1], &c = picture_[k + 2], &d = picture_[k + 3];
     out.resize(a.size());
@@ -66,7 +70,8 @@ double load_fraction(const Timing& timing, double t) {
     const double half = 0.5 * rate * timing.integration;
     return half > 0 ? std::sin(half) / half : 1;
   };
-  return 0.5 * (1 - smeared(w) * std::cos(w * t)) + 0.5 * timing.second_harmonic * (1 - smeared(2 * w) * std::cos(2 * w * t));
+  return 0.5 * (1 - smeared(w) * std::cos(w * t)) +
+         0.5 * timing.second_harmonic * (1 - smeared(2 * w) * std::cos(2 * w * t));
 }
 
 /// Numbers of the frames that were not dropped; the first and the last always are there.
@@ -94,7 +99,8 @@ class RecordedFilm : public FilmSource {
 
   void read(std::int64_t first, std::size_t count, FrameBlock& block) override {
     block.prepare(info_, first, count);
-    for (std::size_t k = 0; k < count; ++k) record_(static_cast<std::size_t>(first) + k, block.level.data() + k * info_.pixels());
+    for (std::size_t k = 0; k < count; ++k)
+      record_(static_cast<std::size_t>(first) + k, block.level.data() + k * info_.pixels());
   }
 
  private:
@@ -106,7 +112,8 @@ class RecordedFilm : public FilmSource {
 
 double Surroundings::warmer(double time) const {
   const double curved = 0.5 * drift_growth * time * time - warm_up * std::expm1(-time / warm_up_time);
-  return drift * time + curved + (drift_wave == 0 ? 0 : drift_wave * std::sin(2 * std::numbers::pi * time / drift_period));
+  return drift * time + curved +
+         (drift_wave == 0 ? 0 : drift_wave * std::sin(2 * std::numbers::pi * time / drift_period));
 }
 
 std::unique_ptr<FilmSource> film(const Scene& scene, const Parameters& p, std::uint64_t seed) {
@@ -115,25 +122,28 @@ std::unique_ptr<FilmSource> film(const Scene& scene, const Parameters& p, std::u
   if (p.timing.time_stamps)
     for (const auto k : taken) info.time.push_back(static_cast<double>(k - taken.front()) / p.timing.frame_rate);
   return std::make_unique<RecordedFilm>(
-      std::move(info), [p, seed, taken, exposures = Exposures(scene, p, 0, 1 + std::max(0.0, p.timing.second_harmonic), seed), detector = Detection(p, seed),
-                        light = std::vector<float>()](std::size_t frame, std::uint16_t* level) mutable {
+      std::move(info),
+      [p, seed, taken, exposures = Exposures(scene, p, 0, 1 + std::max(0.0, p.timing.second_harmonic), seed),
+       detector = Detection(p, seed), light = std::vector<float>()](std::size_t frame, std::uint16_t* level) mutable {
         const double t = static_cast<double>(taken[frame]) / p.timing.frame_rate;
         exposures.between(load_fraction(p.timing, t), light);
         detector.record(light, p.surroundings.warmer(t), t, seed, static_cast<std::uint64_t>(taken[frame]), level);
       });
 }
 
-std::unique_ptr<FilmSource> uniform_film(const Parameters& parameters, double temperature, std::int64_t frames, std::uint64_t seed) {
+std::unique_ptr<FilmSource> uniform_film(const Parameters& parameters, double temperature, std::int64_t frames,
+                                         std::uint64_t seed) {
   Parameters p = parameters;
   p.detector.jump = p.detector.jump_pattern = 0;  // which belong to the film of the sample
   FilmInfo info = describe(p, frames);
-  const std::vector<float> light(info.pixels(),
-                                 static_cast<float>(radiometry::photon_exitance(p.band, temperature) / radiometry::photon_exitance(p.band, 296)));
+  const std::vector<float> light(info.pixels(), static_cast<float>(radiometry::photon_exitance(p.band, temperature) /
+                                                                   radiometry::photon_exitance(p.band, 296)));
   const std::uint64_t of_its_own = seed + static_cast<std::uint64_t>(temperature * 1e3);
-  return std::make_unique<RecordedFilm>(
-      std::move(info), [light, of_its_own, rate = p.timing.frame_rate, detector = Detection(p, seed)](std::size_t frame, std::uint16_t* level) mutable {
-        detector.record(light, 0, static_cast<double>(frame) / rate, of_its_own, (std::uint64_t{1} << 40) + frame, level);
-      });
+  return std::make_unique<RecordedFilm>(std::move(info), [light, of_its_own, rate = p.timing.frame_rate,
+                                                          detector = Detection(p, seed)](std::size_t frame,
+                                                                                         std::uint16_t* level) mutable {
+    detector.record(light, 0, static_cast<double>(frame) / rate, of_its_own, (std::uint64_t{1} << 40) + frame, level);
+  });
 }
 
 }  // namespace arenite::camera

@@ -49,7 +49,8 @@ std::vector<Turn> turns_of(const std::vector<double>& f) {
 }
 
 [[noreturn]] void refuse(const Curve& curve, std::size_t at, const std::string& what) {
-  throw InputError(curve.file, curve.line.empty() ? 0 : curve.line[at], curve.name.empty() ? what : curve.name + ": " + what);
+  throw InputError(curve.file, curve.line.empty() ? 0 : curve.line[at],
+                   curve.name.empty() ? what : curve.name + ": " + what);
 }
 
 /// A force that falls back in between is a slip, or rows in a wrong order, and no cycle of its own.
@@ -59,8 +60,8 @@ void check_valleys(const Curve& curve, const std::vector<double>& f, const std::
     const double lesser = std::min(f[turns[t - 1].at], f[turns[t + 1].at]);
     if (f[turns[t].at] > 0.5 * lesser)
       refuse(curve, turns[t].at,
-             fmt::format("the force falls from {:.4g} to {:.4g} N and rises again; a loading must rise steadily: remove the rows where the specimen slipped, "
-                         "or sort the rows by time",
+             fmt::format("the force falls from {:.4g} to {:.4g} N and rises again; a loading must rise steadily: "
+                         "remove the rows where the specimen slipped, or sort the rows by time",
                          f[turns[t - 1].at], f[turns[t].at]));
   }
 }
@@ -73,7 +74,8 @@ double noise_of(const std::vector<double>& x) {
 }
 
 /// The displacement must go one way, but for noise.
-void check_displacement(const Curve& curve, const std::vector<std::size_t>& points, const std::vector<double>& displacement, double sense) {
+void check_displacement(const Curve& curve, const std::vector<std::size_t>& points,
+                        const std::vector<double>& displacement, double sense) {
   double least = sense * displacement[0], most = least, back = 0;
   std::size_t worst = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -81,37 +83,43 @@ void check_displacement(const Curve& curve, const std::vector<std::size_t>& poin
     most = std::max(most, moved), least = std::min(least, moved);
     if (most - moved > back) back = most - moved, worst = k;
   }
-  if (back > noise_share * (most - least) && back > 8 * noise_of(displacement))  // noise alone reaches about 7 standard deviations from end to end
+  if (back > noise_share * (most - least) &&
+      back > 8 * noise_of(displacement))  // noise alone reaches about 7 standard deviations from end to end
     refuse(curve, points[worst],
-           fmt::format("the displacement reverses by {:.3g} mm while the force continues; check that force and displacement are the right columns, or remove "
-                       "the rows of the slip",
+           fmt::format("the displacement reverses by {:.3g} mm while the force continues; check that force and "
+                       "displacement are the right columns, or remove the rows of the slip",
                        1e3 * back));
 }
 
-Cycle cycle_between(const Curve& curve, const std::vector<double>& f, std::size_t first, std::size_t last, const StiffnessOptions& options) {
+Cycle cycle_between(const Curve& curve, const std::vector<double>& f, std::size_t first, std::size_t last,
+                    const StiffnessOptions& options) {
   Cycle cycle{first, last, std::max(f[first], f[last]), {}, {}};
   std::vector<std::size_t> points;
   for (std::size_t k = first; k <= last; ++k)
     if (f[k] > options.preload) points.push_back(k);
   if (points.size() < fewest_points)
-    refuse(
-        curve, last,
-        fmt::format("a cycle has {} points beyond the preload of {:.4g} N; a slope needs at least {}: record more often, or lower the preload with --preload",
-                    points.size(), options.preload, fewest_points));
+    refuse(curve, last,
+           fmt::format("a cycle has {} points beyond the preload of {:.4g} N; a slope needs at least {}: record more "
+                       "often, or lower the preload with --preload",
+                       points.size(), options.preload, fewest_points));
   const auto displacement = mapped(points, [&](std::size_t k) { return curve.x[k]; });
   const Regression line = regress(mapped(points, [&](std::size_t k) { return f[k]; }), displacement);
   const auto [least, most] = std::minmax_element(displacement.begin(), displacement.end());
   const auto range = statistics::confidence_95(line.slope);
   if (*least == *most || !(range.low > 0 || range.high < 0))
-    refuse(curve, last, "the displacement does not change with the force beyond its noise; check that it is the right column");
-  check_displacement(curve, points, displacement, (options.branch == Branch::loading) == (line.slope.value > 0) ? 1 : -1);
+    refuse(curve, last,
+           "the displacement does not change with the force beyond its noise; check that it is the right column");
+  check_displacement(curve, points, displacement,
+                     (options.branch == Branch::loading) == (line.slope.value > 0) ? 1 : -1);
   const statistics::Measured compliance{std::abs(line.slope.value), line.slope.error, line.slope.freedom};
   cycle.stiffness = statistics::product({{compliance, -1}});
   cycle.r2 = line.r2;
   return cycle;
 }
 
-double squares_of(const std::vector<double>& values) { return std::inner_product(values.begin(), values.end(), values.begin(), 0.0); }
+double squares_of(const std::vector<double>& values) {
+  return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+}
 
 constexpr std::ptrdiff_t points_before = 10, fewest_before = 5;
 
@@ -120,7 +128,8 @@ statistics::Measured peak_with_noise(const Curve& curve, std::ptrdiff_t peak) {
   const double value = curve.y[static_cast<std::size_t>(peak)];
   const std::ptrdiff_t first = std::max<std::ptrdiff_t>(0, peak - points_before), count = peak - first;
   if (count < fewest_before) return {value};
-  const std::vector<double> x(curve.x.begin() + first, curve.x.begin() + peak), y(curve.y.begin() + first, curve.y.begin() + peak);
+  const std::vector<double> x(curve.x.begin() + first, curve.x.begin() + peak),
+      y(curve.y.begin() + first, curve.y.begin() + peak);
   const auto m = statistics::second_moments(x, y);
   if (!(m.xx > 0)) return {value};
   const double freedom = static_cast<double>(count - 2);
@@ -133,7 +142,8 @@ constexpr std::size_t enough_for_correlation = 10;
 /// about (1 + 4 r)/n (Marriott and Pope 1954), which is put back.
 double neighbour_correlation(const std::vector<double>& residuals) {
   if (residuals.size() < enough_for_correlation) return 0;
-  const double products = std::inner_product(residuals.begin() + 1, residuals.end(), residuals.begin(), 0.0), squares = squares_of(residuals);
+  const double products = std::inner_product(residuals.begin() + 1, residuals.end(), residuals.begin(), 0.0),
+               squares = squares_of(residuals);
   if (!(squares > 0)) return 0;
   const double n = static_cast<double>(residuals.size()), seen = products / squares;
   if (seen * std::sqrt(n) < 1.645) return 0;  // white noise shows as much in 1 of 20 cases
@@ -148,8 +158,9 @@ std::vector<Cycle> cycles_of(const Curve& curve, const StiffnessOptions& options
   const auto greatest = std::max_element(f.begin(), f.end());
   if (*greatest <= options.preload)
     refuse(curve, static_cast<std::size_t>(greatest - f.begin()),
-           fmt::format("the force never exceeds the preload of {:.4g} N, its maximum is {:.4g} N; give the test's own preload with --preload", options.preload,
-                       *greatest));
+           fmt::format("the force never exceeds the preload of {:.4g} N, its maximum is {:.4g} N; give the test's own "
+                       "preload with --preload",
+                       options.preload, *greatest));
   const std::vector<Turn> turns = turns_of(f);
   check_valleys(curve, f, turns);
   std::vector<Cycle> cycles;
@@ -169,7 +180,8 @@ PullOff pull_off(const Curve& curve) {
   if (curve.y.size() < 3) refuse(curve, 0, "a pull-off record needs at least three points; give the whole record");
   const auto at = std::max_element(curve.y.begin(), curve.y.end());
   const std::ptrdiff_t peak = at - curve.y.begin();
-  if (!(*at > 0)) refuse(curve, static_cast<std::size_t>(peak), "the force is never a tension; write tension as positive force");
+  if (!(*at > 0))
+    refuse(curve, static_cast<std::size_t>(peak), "the force is never a tension; write tension as positive force");
   PullOff result{peak_with_noise(curve, peak), false};
   result.separated = std::any_of(at, curve.y.end(), [&](double force) { return force <= 0.5 * *at; });
   return result;
@@ -195,7 +207,9 @@ Regression regress(const std::vector<double>& x, const std::vector<double>& y, b
   const double freedom = std::max(1.0, n / widening - static_cast<double>(unknowns));
   const double variance = squares / (n - static_cast<double>(unknowns)) * widening;
   r.slope = {slope, std::sqrt(variance / m.xx), freedom};
-  r.intercept = through_origin ? statistics::Measured{0} : statistics::Measured{intercept, std::sqrt(variance * (1 / n + m.mean_x * m.mean_x / m.xx)), freedom};
+  r.intercept = through_origin ? statistics::Measured{0}
+                               : statistics::Measured{
+                                     intercept, std::sqrt(variance * (1 / n + m.mean_x * m.mean_x / m.xx)), freedom};
   if (m.yy > 0) r.r2 = 1 - squares / m.yy;
   return r;
 }

@@ -33,11 +33,12 @@ Numbers numbers(const Group& group) {
 int places_of(double half_digit) { return std::max(0, static_cast<int>(std::lround(-std::log10(2 * half_digit)))); }
 
 std::string comparison(const Finding& f) {
-  const double stated = f.stated->value / f.scale(), half = f.stated->half_digit / f.scale(), ours = f.value.value / f.scale();
+  const double stated = f.stated->value / f.scale(), half = f.stated->half_digit / f.scale(),
+               ours = f.value.value / f.scale();
   const int places = places_of(half);
   if (agrees(f)) return fmt::format("stated {:.{}f}: agrees", stated, places);
-  return fmt::format("stated {:.{}f}, here {:.{}f}: differs by {:+.{}f} ({:+.2g} %)", stated, places, ours, places, ours - stated, places + 1,
-                     100 * (ours / stated - 1));
+  return fmt::format("stated {:.{}f}, here {:.{}f}: differs by {:+.{}f} ({:+.2g} %)", stated, places, ours, places,
+                     ours - stated, places + 1, 100 * (ours / stated - 1));
 }
 
 std::string line(const Finding& f) {
@@ -72,7 +73,8 @@ Numbers numbers(const Identification& i) {
 }
 
 bool agrees(const Finding& f) {
-  return f.stated && std::abs(f.value.value - f.stated->value) <= f.stated->half_digit * (1 + 1e-9) + 1e-12 * std::abs(f.value.value);
+  return f.stated && std::abs(f.value.value - f.stated->value) <=
+                         f.stated->half_digit * (1 + 1e-9) + 1e-12 * std::abs(f.value.value);
 }
 
 std::string to_text(const Identification& i) {

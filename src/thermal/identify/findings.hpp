@@ -13,7 +13,8 @@ struct Stated {
   double value = 0, half_digit = 0;
 };
 
-/// What is identified, declared once: its name in JSON ("surface_energy"), the unit in which it is shown ("kN/mm"), and what it is.
+/// What is identified, declared once: its name in JSON ("surface_energy"), the unit in which it is shown ("kN/mm"), and
+/// what it is.
 struct Constant {
   std::string name, unit, sentence;
   double scale() const;  ///< of one such unit, SI

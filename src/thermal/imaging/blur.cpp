@@ -23,7 +23,8 @@ Mask widened(const Mask& open, int width, int height, int times) {
   for (int y = 0; y < open.height; ++y)
     for (int x = 0; x < open.width; ++x)
       if (open.value[open.index(x, y)] != 0)
-        each_pixel_near({1.0 * (x / times), 1.0 * (y / times)}, 1, width, height, [&](int, int, std::size_t at) { wide.value[at] = 1; });
+        each_pixel_near({1.0 * (x / times), 1.0 * (y / times)}, 1, width, height,
+                        [&](int, int, std::size_t at) { wide.value[at] = 1; });
   return wide;
 }
 

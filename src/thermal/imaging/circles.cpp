@@ -16,7 +16,8 @@ namespace arenite::imaging {
 namespace {
 
 void check(const FloatImage& image) {
-  if (image.size() == 0 || image.value.size() != image.size()) throw InputError("the picture is empty; give one that shows grains");
+  if (image.size() == 0 || image.value.size() != image.size())
+    throw InputError("the picture is empty; give one that shows grains");
   if (!std::all_of(image.value.begin(), image.value.end(), [](float v) { return std::isfinite(v); }))
     throw InputError("the picture holds values that are not numbers; replace bad pixels first");
   const auto [low, high] = std::minmax_element(image.value.begin(), image.value.end());
@@ -41,7 +42,8 @@ std::vector<char> pores(const std::vector<double>& brightness, double between) {
 }
 
 void part_materials(FoundCircles& found, const CircleOptions& options) {
-  statistics::ClusterOptions how{.floor = 0.5 * found.report.noise, .least_members = std::max<std::size_t>(2, found.grains.size() / 100)};
+  statistics::ClusterOptions how{.floor = 0.5 * found.report.noise,
+                                 .least_members = std::max<std::size_t>(2, found.grains.size() / 100)};
   if (options.materials > 0) how = {.most = options.materials, .separation = 0, .floor = how.floor, .least_members = 1};
   found.report.materials = statistics::cluster(found.grains.brightness, how);
   found.grains.material = found.report.materials.of;
@@ -53,7 +55,8 @@ void count_overlaps(FoundCircles& found) {
     for (std::size_t b = a + 1; b < g.size(); ++b) {
       const double overlap = g.radius[a] + g.radius[b] - norm(g.centre[a] - g.centre[b]);
       found.report.largest_overlap = std::max(found.report.largest_overlap, overlap);
-      const double error = std::hypot(std::hypot(g.position_error[a], g.position_error[b]), std::hypot(g.radius_error[a], g.radius_error[b]));
+      const double error = std::hypot(std::hypot(g.position_error[a], g.position_error[b]),
+                                      std::hypot(g.radius_error[a], g.radius_error[b]));
       if (overlap > 3 * error && overlap > 0.02 * std::min(g.radius[a], g.radius[b])) ++found.report.overlapping;
     }
 }
@@ -63,7 +66,8 @@ using Levels = std::array<double, bins>;
 
 Levels smooth_histogram(const FloatImage& image, const statistics::Bins& scale) {
   Levels count{}, smooth{};
-  for (const float v : image.value) ++count[static_cast<std::size_t>(std::clamp((static_cast<double>(v) - scale.low) / scale.width, 0.0, bins - 1.0))];
+  for (const float v : image.value)
+    ++count[static_cast<std::size_t>(std::clamp((static_cast<double>(v) - scale.low) / scale.width, 0.0, bins - 1.0))];
   for (int b = 0; b < bins; ++b)
     for (int d = std::max(-6, -b); d <= std::min(6, bins - 1 - b); ++d)
       smooth[static_cast<std::size_t>(b)] += count[static_cast<std::size_t>(b + d)] * std::exp(-d * d / 8.0) / 5.013;
@@ -105,8 +109,9 @@ double pixels_away_from(double level, const FloatImage& image) {
   return static_cast<double>(std::count_if(away.begin(), away.end(), [half = *far / 2](double v) { return v > half; }));
 }
 
-/// Whether disks are brighter or darker than what is around them is decided, if it is asked, by which of the two accounts for more of the picture after the
-/// first round; where the picture has a level between two others (levels_between) and disks on both sides of it account for most of the rest, these are taken.
+/// Whether disks are brighter or darker than what is around them is decided, if it is asked, by which of the two
+/// accounts for more of the picture after the first round; where the picture has a level between two others
+/// (levels_between) and disks on both sides of it account for most of the rest, these are taken.
 DiskSearch search_disks(const FloatImage& image, const CircleOptions& options) {
   std::array<std::optional<std::vector<Circle>>, 2> seen;
   const auto rims = [&](bool bright) -> const std::vector<Circle>& {  // searched once for all that begin with them
@@ -117,7 +122,8 @@ DiskSearch search_disks(const FloatImage& image, const CircleOptions& options) {
   std::vector<double> levels;
   if (options.contrast == GrainContrast::found) levels = levels_between(image);
   levels.resize(std::min(levels.size(), most_levels));
-  for (const double level : levels) {  // disks on both sides of it, if they account for most of what is not of that level
+  for (const double level :
+       levels) {  // disks on both sides of it, if they account for most of what is not of that level
     std::vector<Circle> first = rims(true);
     first.insert(first.end(), rims(false).begin(), rims(false).end());
     SearchRounds both(image, true, options, level);
@@ -136,11 +142,13 @@ std::vector<double> levels_between(const FloatImage& image) {
   constexpr double least_share = 0.01;
   if (image.value.empty()) return {};
   const auto [low, high] = std::minmax_element(image.value.begin(), image.value.end());
-  const statistics::Bins scale{static_cast<double>(*low), (static_cast<double>(*high) - static_cast<double>(*low)) / bins, bins};
+  const statistics::Bins scale{static_cast<double>(*low),
+                               (static_cast<double>(*high) - static_cast<double>(*low)) / bins, bins};
   if (!(scale.width > 0)) return {};
   const Levels count = smooth_histogram(image, scale);
   std::vector<std::size_t> peaks = peaks_of(count);
-  std::erase_if(peaks, [&](std::size_t peak) { return members(count, peak) < least_share * static_cast<double>(image.size()); });
+  std::erase_if(
+      peaks, [&](std::size_t peak) { return members(count, peak) < least_share * static_cast<double>(image.size()); });
   if (peaks.size() < 3) return {};
   peaks.erase(peaks.begin());
   peaks.pop_back();
@@ -152,11 +160,13 @@ FoundCircles find_circles(const FloatImage& image, const CircleOptions& options)
   check(image);
   const DiskSearch search = search_disks(image, options);
   const auto& disks = search.model.disks();
-  const auto order = ordered_by(disks.size(), [&](std::size_t k) { return std::pair(disks[k].centre.y, disks[k].centre.x); });
+  const auto order =
+      ordered_by(disks.size(), [&](std::size_t k) { return std::pair(disks[k].centre.y, disks[k].centre.x); });
   const auto errors = search.model.errors();
   const auto evidence = search.model.evidence();
   const auto brightness = mapped(disks, [&](const auto& disk) { return brightness_of(image, disk); });
-  const std::vector<char> out = search.report.between ? pores(brightness, *search.report.between) : std::vector<char>(disks.size(), 0);
+  const std::vector<char> out =
+      search.report.between ? pores(brightness, *search.report.between) : std::vector<char>(disks.size(), 0);
   FoundCircles found;
   for (const std::size_t k : order) {
     if (out[k] != 0) continue;

@@ -12,8 +12,9 @@ namespace arenite::imaging {
 enum class GrainContrast : std::uint8_t { found, bright, dark };
 
 struct CircleOptions {
-  std::vector<double> radii = {};      ///< of the size classes, pixels; empty: found
-  double smallest = 2.5, largest = 0;  ///< radii looked for where none are given, pixels; 0: half the picture's smaller side
+  std::vector<double> radii = {};  ///< of the size classes, pixels; empty: found
+  double smallest = 2.5,
+         largest = 0;  ///< radii looked for where none are given, pixels; 0: half the picture's smaller side
   GrainContrast contrast = GrainContrast::found;
   std::size_t materials = 0;  ///< classes of brightness; 0: found
   double least_score = 0.5;   ///< share of the rim that must show
@@ -22,12 +23,12 @@ struct CircleOptions {
 /// What was found besides the grains.
 struct CircleReport {
   bool bright = true;
-  std::optional<double> between = {};               ///< grey level between grains, where some are brighter and some darker
-  double blur = 0;                                  ///< standard deviation of lens and pixel, pixels
-  double noise = 0;                                 ///< of the picture near rims, in its unit
+  std::optional<double> between = {};  ///< grey level between grains, where some are brighter and some darker
+  double blur = 0;                     ///< standard deviation of lens and pixel, pixels
+  double noise = 0;                    ///< of the picture near rims, in its unit
   statistics::Clusters sizes = {}, materials = {};  ///< by radius, pixels, and by brightness
   double largest_overlap = 0;                       ///< of two circles, pixels
-  std::size_t overlapping = 0;                      ///< pairs that overlap by more than three standard errors and 2 % of the smaller radius
+  std::size_t overlapping = 0;  ///< pairs that overlap by more than three standard errors and 2 % of the smaller radius
 };
 
 struct FoundCircles {
@@ -36,9 +37,10 @@ struct FoundCircles {
 };
 
 /// Grains of a picture, touching or not, of radii from about 3 pixels on: circles whose rims show edges are taken best
-/// first as long as they do not overlap, fitted together (DiskModel), taken away, and what the rest still shows is taken in
-/// turn, until nothing is left. Grains may also be brighter and darker than what is between them in one picture. Sizes and brightnesses are parted into classes (statistics::cluster). No grains: empty.
-/// Throws InputError for an empty picture, values that are no numbers, or one value everywhere.
+/// first as long as they do not overlap, fitted together (DiskModel), taken away, and what the rest still shows is
+/// taken in turn, until nothing is left. Grains may also be brighter and darker than what is between them in one
+/// picture. Sizes and brightnesses are parted into classes (statistics::cluster). No grains: empty. Throws InputError
+/// for an empty picture, values that are no numbers, or one value everywhere.
 FoundCircles find_circles(const FloatImage& image, const CircleOptions& options = {});
 
 }  // namespace arenite::imaging

@@ -10,12 +10,14 @@
 namespace arenite::imaging {
 namespace {
 
-constexpr double least_explained = 0.75;  // of a disk's squares; the rest is noise, marks, neighbours that are not found yet
-constexpr double rim_of_usual = 0.8, unexplained_of_usual = 4, few_unexplained = 0.05;  // against the median disk's; share that is never too much
-constexpr double least_contrast = 0.2;                                                  // of the usual contrast
-constexpr double least_area = 0.005;                                                    // share of all disks' area that a size needs
-constexpr double other_size = 1.28;                                                     // times the radius
-constexpr double most_overlap = 0.3;                                                    // of the smaller radius, in disks that are fitted
+constexpr double least_explained =
+    0.75;  // of a disk's squares; the rest is noise, marks, neighbours that are not found yet
+constexpr double rim_of_usual = 0.8, unexplained_of_usual = 4,
+                 few_unexplained = 0.05;  // against the median disk's; share that is never too much
+constexpr double least_contrast = 0.2;    // of the usual contrast
+constexpr double least_area = 0.005;      // share of all disks' area that a size needs
+constexpr double other_size = 1.28;       // times the radius
+constexpr double most_overlap = 0.3;      // of the smaller radius, in disks that are fitted
 
 using Disks = std::vector<DiskModel::Disk>;
 using Evidence = std::vector<DiskModel::Evidence>;
@@ -23,7 +25,8 @@ using Evidence = std::vector<DiskModel::Evidence>;
 /// What the median disk by area has: many specks beside few grains do not set the measure.
 template <class Of> double usual(const Disks& disks, const Evidence& evidence, Of&& of) {
   std::vector<std::pair<double, double>> value_area;
-  for (std::size_t k = 0; k < disks.size(); ++k) value_area.emplace_back(of(evidence[k]), disks[k].radius * disks[k].radius);
+  for (std::size_t k = 0; k < disks.size(); ++k)
+    value_area.emplace_back(of(evidence[k]), disks[k].radius * disks[k].radius);
   return weighted_median(std::move(value_area));
 }
 
@@ -34,7 +37,8 @@ void mark_specks(const Disks& disks, std::vector<char>& out) {
   for (std::size_t k = 0; k < disks.size(); ++k) {
     double alike = 0;
     for (const auto& disk : disks)
-      if (disk.radius < other_size * disks[k].radius && other_size * disk.radius > disks[k].radius) alike += disk.radius * disk.radius;
+      if (disk.radius < other_size * disks[k].radius && other_size * disk.radius > disks[k].radius)
+        alike += disk.radius * disk.radius;
     if (alike < least_area * area) out[k] = 1;
   }
 }
@@ -43,7 +47,9 @@ void mark_specks(const Disks& disks, std::vector<char>& out) {
 void mark_overlapping(const Disks& disks, const Evidence& evidence, std::vector<char>& out) {
   for (std::size_t a = 0; a < disks.size(); ++a)
     for (std::size_t b = a + 1; b < disks.size(); ++b) {
-      if (out[a] != 0 || out[b] != 0 || std::abs(disks[a].centre.y - disks[b].centre.y) > disks[a].radius + disks[b].radius) continue;
+      if (out[a] != 0 || out[b] != 0 ||
+          std::abs(disks[a].centre.y - disks[b].centre.y) > disks[a].radius + disks[b].radius)
+        continue;
       const double gap = norm(disks[a].centre - disks[b].centre) - disks[a].radius - disks[b].radius;
       if (gap > -most_overlap * std::min(disks[a].radius, disks[b].radius)) continue;
       out[evidence[a].explained * evidence[a].rim < evidence[b].explained * evidence[b].rim ? a : b] = 1;
@@ -77,7 +83,8 @@ std::vector<DiskModel::Evidence> DiskModel::evidence() const {
     for (int k = 0; k < angles; ++k) {
       const double a = 2 * std::numbers::pi * k / angles;
       const Vec2 outward{std::cos(a), std::sin(a)};
-      if ((alone(disk, disk.centre + inner * outward) - alone(disk, disk.centre + outer * outward)) / contrast > 0.5) ++seen;
+      if ((alone(disk, disk.centre + inner * outward) - alone(disk, disk.centre + outer * outward)) / contrast > 0.5)
+        ++seen;
     }
     double with = 0, without = 0;
     each(disk, [&](int x, int y, std::size_t at) {
@@ -98,7 +105,8 @@ std::vector<DiskModel::Errors> DiskModel::errors() const {
   for (std::size_t i = 0; i < n; ++i) {
     near[i] = {i};
     for (std::size_t j = 0; j < n; ++j)
-      if (norm(disks_[i].centre - disks_[j].centre) < disks_[i].radius + disks_[j].radius + 4 * blur_ + 1 && i != j) near[i].push_back(j);
+      if (norm(disks_[i].centre - disks_[j].centre) < disks_[i].radius + disks_[j].radius + 4 * blur_ + 1 && i != j)
+        near[i].push_back(j);
   }
   using Slope = std::array<double, 4>;
   using Block = std::array<Slope, 4>;  // of the normal matrix, between each disk and those near it
@@ -119,7 +127,8 @@ std::vector<DiskModel::Errors> DiskModel::errors() const {
           for (std::size_t b = 0; b < 4; ++b) block[i][k][a][b] += own[a] * other[b];
       }
     });
-    if (disks_[i].prior_error > 0) block[i][0][2][2] += noise_ * noise_ / (disks_[i].prior_error * disks_[i].prior_error);
+    if (disks_[i].prior_error > 0)
+      block[i][0][2][2] += noise_ * noise_ / (disks_[i].prior_error * disks_[i].prior_error);
   }
   std::vector<Errors> errors;
   for (const std::vector<std::size_t>& group : near) {
@@ -131,7 +140,8 @@ std::vector<DiskModel::Errors> DiskModel::errors() const {
         if (at == others.end()) continue;
         const Block& own = block[group[a]][static_cast<std::size_t>(at - others.begin())];
         for (std::size_t k = 0; k < 4; ++k)
-          for (std::size_t l = 0; l < 4; ++l) normal(4 * a + k, 4 * b + l) += 0.5 * own[k][l], normal(4 * b + l, 4 * a + k) += 0.5 * own[k][l];
+          for (std::size_t l = 0; l < 4; ++l)
+            normal(4 * a + k, 4 * b + l) += 0.5 * own[k][l], normal(4 * b + l, 4 * a + k) += 0.5 * own[k][l];
       }
     double most = 0;
     for (std::size_t k = 0; k < normal.rows(); ++k) most = std::max(most, normal(k, k));
@@ -153,10 +163,13 @@ std::vector<char> refuted_disks(const DiskModel& model, const CircleOptions& opt
   const double usual_unexplained = usual(disks, evidence, [](const auto& e) { return 1 - e.explained; });
   const double least_rim = std::max(options.least_score, strict ? rim_of_usual * usual_rim : 0.0);
   double most_unexplained = 1 - least_explained;
-  if (strict) most_unexplained = std::min(most_unexplained, std::max(few_unexplained, unexplained_of_usual * usual_unexplained));
+  if (strict)
+    most_unexplained = std::min(most_unexplained, std::max(few_unexplained, unexplained_of_usual * usual_unexplained));
   for (std::size_t k = 0; k < disks.size(); ++k) {
     const double least = std::max(least_contrast * usual_contrast, 3 * model.noise() / disks[k].radius);
-    if (evidence[k].rim < least_rim || 1 - evidence[k].explained > most_unexplained || std::abs(evidence[k].contrast) < least) out[k] = 1;
+    if (evidence[k].rim < least_rim || 1 - evidence[k].explained > most_unexplained ||
+        std::abs(evidence[k].contrast) < least)
+      out[k] = 1;
     if (options.radii.empty() && disks[k].radius < 0.9 * std::max(options.smallest, least_resolved(model))) out[k] = 1;
   }
   mark_overlapping(disks, evidence, out);

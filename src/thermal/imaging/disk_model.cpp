@@ -35,7 +35,8 @@ DiskModel::Window DiskModel::window(const Disk& disk) const {
   const double reach = disk.radius + 3 * blur_ + 1.5;
   const auto [x, y] = disk.centre;
   return {std::max(0, static_cast<int>(std::ceil(x - reach))), std::min(image_.width - 1, static_cast<int>(x + reach)),
-          std::max(0, static_cast<int>(std::ceil(y - reach))), std::min(image_.height - 1, static_cast<int>(y + reach))};
+          std::max(0, static_cast<int>(std::ceil(y - reach))),
+          std::min(image_.height - 1, static_cast<int>(y + reach))};
 }
 
 DiskModel::Cover DiskModel::cover(const Disk& disk, int x, int y) const {
@@ -76,7 +77,8 @@ void DiskModel::add(const Circle& circle) {
   Disk disk{circle.centre, circle.radius, 0, 0, 0, longest_step};
   std::vector<double> inside;
   each(disk, [&](int x, int y, std::size_t at) {
-    if (norm(from_centre(disk, x, y)) < std::max(0.75, 0.6 * disk.radius)) inside.push_back(static_cast<double>(image_.value[at]));
+    if (norm(from_centre(disk, x, y)) < std::max(0.75, 0.6 * disk.radius))
+      inside.push_back(static_cast<double>(image_.value[at]));
   });
   disk.level = median(std::move(inside));
   disks_.push_back(disk);
@@ -108,7 +110,8 @@ double DiskModel::step(Disk& disk) {
     const auto [c, edge, outward] = cover(disk, x, y);
     if (c < 1e-5) return;
     const double contrast = disk.level - static_cast<double>(background_[at]), gap = left(at);
-    equations.add({contrast * edge * outward.x, contrast * edge * outward.y, contrast * edge, c}, gap, huber_weight(gap, noise_));
+    equations.add({contrast * edge * outward.x, contrast * edge * outward.y, contrast * edge, c}, gap,
+                  huber_weight(gap, noise_));
   });
   auto& normal = equations.matrix;
   const double trace = normal[0][0] + normal[1][1] + normal[2][2] + normal[3][3];
@@ -139,7 +142,8 @@ void DiskModel::fit_blur() {
       const double edge = cover(disk, x, y).edge;
       if (edge == 0) return;
       const double q = norm(from_centre(disk, x, y));
-      const double slope = -(disk.level - static_cast<double>(background_[at])) * edge * ((disk.radius - q) / blur_ + blur_ / (2 * std::max(q, blur_)));
+      const double slope = -(disk.level - static_cast<double>(background_[at])) * edge *
+                           ((disk.radius - q) / blur_ + blur_ / (2 * std::max(q, blur_)));
       const double gap = left(at), weight = huber_weight(gap, noise_);
       top += weight * slope * gap;
       bottom += weight * slope * slope;
@@ -195,7 +199,8 @@ double DiskModel::background(Vec2 place) const {
 
 void DiskModel::draw_background() {
   for (int y = 0; y < image_.height; ++y)
-    for (int x = 0; x < image_.width; ++x) background_[image_.index(x, y)] = static_cast<float>(background({1.0 * x, 1.0 * y}));
+    for (int x = 0; x < image_.width; ++x)
+      background_[image_.index(x, y)] = static_cast<float>(background({1.0 * x, 1.0 * y}));
 }
 
 /// Pixels in the windows of disks; all where there are none.
@@ -205,8 +210,8 @@ std::vector<char> DiskModel::near_disks() const {
   return near;
 }
 
-/// The net starts flat, from the level that is given, or the end of the scale where the background is: disks that are not found yet look like
-/// background, and between many of them it would otherwise be taken for as bright as they are.
+/// The net starts flat, from the level that is given, or the end of the scale where the background is: disks that are
+/// not found yet look like background, and between many of them it would otherwise be taken for as bright as they are.
 void DiskModel::start_background() {
   const std::vector<char> near = near_disks();
   std::vector<float> free;
@@ -234,8 +239,10 @@ void DiskModel::fit_background() {
       const double free = std::clamp(1.0 - static_cast<double>(covered_[at]), 0.0, 1.0);
       if (near[at] == 0 || free < 0.02) continue;
       // Next to no weight for what stands out to the side of the disks, as one that is not found yet.
-      const double gap = left(at), huber = noise_ > 0 ? huber_weight(gap, noise_) : 1, w = between_ || (gap > 0) == bright_ ? huber * huber * huber : huber;
-      for (const auto& [node, share] : shares({1.0 * x, 1.0 * y})) top[node] += share * w * free * gap, bottom[node] += share * w * free * free;
+      const double gap = left(at), huber = noise_ > 0 ? huber_weight(gap, noise_) : 1,
+                   w = between_ || (gap > 0) == bright_ ? huber * huber * huber : huber;
+      for (const auto& [node, share] : shares({1.0 * x, 1.0 * y}))
+        top[node] += share * w * free * gap, bottom[node] += share * w * free * free;
       all_top += w * free * gap;
       all_bottom += w * free * free;
     }

@@ -11,7 +11,8 @@
 
 namespace arenite::imaging {
 
-/// The normal distribution and its density from a table: cubic between points, right to 3e-9. A picture's fit asks for them a hundred million times.
+/// The normal distribution and its density from a table: cubic between points, right to 3e-9. A picture's fit asks for
+/// them a hundred million times.
 class BlurredStep {
  public:
   static constexpr double reach = 5;  ///< beyond, the step counts as 0 or 1
@@ -23,7 +24,8 @@ class BlurredStep {
     const auto k = static_cast<std::size_t>(place);
     const Point &a = table.point[k], &b = table.point[k + 1];
     const double t = place - static_cast<double>(k), s = 1 - t;
-    const double left = s * s * (1 + 2 * t), right = t * t * (1 + 2 * s), rise = s * s * t / per_unit, fall = t * t * s / per_unit;
+    const double left = s * s * (1 + 2 * t), right = t * t * (1 + 2 * s), rise = s * s * t / per_unit,
+                 fall = t * t * s / per_unit;
     density = left * a.density + right * b.density + rise * a.bend - fall * b.bend;
     return left * a.share + right * b.share + rise * a.density - fall * b.density;
   }
@@ -37,7 +39,8 @@ class BlurredStep {
     std::array<Point, static_cast<std::size_t>(2 * reach * per_unit) + 2> point;
     Table() {
       for (std::size_t k = 0; k < point.size(); ++k) {
-        const double u = static_cast<double>(k) / per_unit - reach, density = std::exp(-0.5 * u * u) / std::sqrt(2 * std::numbers::pi);
+        const double u = static_cast<double>(k) / per_unit - reach,
+                     density = std::exp(-0.5 * u * u) / std::sqrt(2 * std::numbers::pi);
         point[k] = {0.5 * std::erfc(-u / std::numbers::sqrt2), density, -u * density};
       }
     }
@@ -53,9 +56,10 @@ struct Circle {
 
 /// A picture as a sum of disks on a background, all under one blur:
 ///   I(p) = B(p) + sum_k (level_k - B(p)) C_k(p),
-/// C_k the share of pixel p that disk k covers after lens and pixel have blurred it with a Gaussian of standard deviation s: C = Phi((r - q - s^2/(2 q))/s) at
-/// the distance q from the centre, right to second order in s/r. B is linear between the nodes of a coarse net. Fitted by Gauss-Newton steps, one disk after
-/// the other with its neighbours in the model, so that touching disks do not pull at each other.
+/// C_k the share of pixel p that disk k covers after lens and pixel have blurred it with a Gaussian of standard
+/// deviation s: C = Phi((r - q - s^2/(2 q))/s) at the distance q from the centre, right to second order in s/r. B is
+/// linear between the nodes of a coarse net. Fitted by Gauss-Newton steps, one disk after the other with its neighbours
+/// in the model, so that touching disks do not pull at each other.
 class DiskModel {
  public:
   struct Disk {

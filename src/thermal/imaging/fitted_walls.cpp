@@ -13,7 +13,8 @@ constexpr int wall_rounds = 10;
 
 /// How well a wall at this place, m inwards, fits gaps between rims and the wall as it was said to be.
 double support(const std::vector<double>& gaps, double at, double error, double reach) {
-  double sum = 0.5 * std::exp(-0.5 * std::pow(2 * at / reach, 2));  // where nothing else decides, it is where it was said to be
+  double sum =
+      0.5 * std::exp(-0.5 * std::pow(2 * at / reach, 2));  // where nothing else decides, it is where it was said to be
   for (const double gap : gaps) {
     const double off = (gap - at) / error;
     sum += off < -clearly ? -beyond_counts : std::exp(-0.5 * off * off);
@@ -25,7 +26,8 @@ FittedWall fitted(const std::vector<double>& gaps, double error, double reach) {
   FittedWall wall;
   double best = 0;
   for (const double gap : gaps)
-    if (const double here = support(gaps, gap, error, reach); std::abs(gap) < reach && here > best) best = here, wall.shift = gap;
+    if (const double here = support(gaps, gap, error, reach); std::abs(gap) < reach && here > best)
+      best = here, wall.shift = gap;
   double squares = 0, weights = 0;
   for (int round = 0; round < wall_rounds; ++round) {
     double sum = 0;
@@ -38,7 +40,8 @@ FittedWall fitted(const std::vector<double>& gaps, double error, double reach) {
     }
     if (weights > 0) wall.shift += sum / weights;
   }
-  if (wall.touching > 0) wall.error = std::sqrt(std::max(squares / weights, error * error) / static_cast<double>(wall.touching));
+  if (wall.touching > 0)
+    wall.error = std::sqrt(std::max(squares / weights, error * error) / static_cast<double>(wall.touching));
   return wall;
 }
 
@@ -51,7 +54,8 @@ BySide<FittedWall> fit_walls(const Grains& grains, const Domain& domain, double 
     if (!domain.wall[k].present) continue;
     std::vector<double> gaps;
     for (std::size_t g = 0; g < grains.size(); ++g)
-      if (const double gap = domain.depth(side, grains.position[g]) - grains.radius[g]; gap < 2 * reach) gaps.push_back(gap);
+      if (const double gap = domain.depth(side, grains.position[g]) - grains.radius[g]; gap < 2 * reach)
+        gaps.push_back(gap);
     std::ranges::sort(gaps);
     walls[k] = fitted(gaps, rim_error, reach);
   }

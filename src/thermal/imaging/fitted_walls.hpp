@@ -11,9 +11,10 @@ struct FittedWall {
   bool known() const { return touching >= 2; }
 };
 
-/// Sides as the grains beside them show them. A wall that carries load is touched by some of them, and none reaches through it: of all places within
-/// `reach` (m) that is the one on which most rims lie that has the fewest rims beyond. `rim_error` is that of a rim along the wall's normal, m. Sides that
-/// are absent or touched by fewer than two grains are not known.
+/// Sides as the grains beside them show them. A wall that carries load is touched by some of them, and none reaches
+/// through it: of all places within `reach` (m) that is the one on which most rims lie that has the fewest rims beyond.
+/// `rim_error` is that of a rim along the wall's normal, m. Sides that are absent or touched by fewer than two grains
+/// are not known.
 BySide<FittedWall> fit_walls(const Grains& grains, const Domain& domain, double rim_error, double reach);
 
 /// The container with its known sides where they were found.

@@ -16,7 +16,8 @@ namespace {
 std::vector<std::int32_t> along_columns(const PhaseMap& map, std::int32_t far) {
   std::vector<std::int32_t> g(map.size());
   const auto width = static_cast<std::size_t>(map.width);
-  for (std::size_t i = 0; i < g.size(); ++i) g[i] = map.phase[i] != Phase::particle ? 0 : i < width ? far : std::min(far, g[i - width] + 1);
+  for (std::size_t i = 0; i < g.size(); ++i)
+    g[i] = map.phase[i] != Phase::particle ? 0 : i < width ? far : std::min(far, g[i - width] + 1);
   for (std::size_t i = g.size() - width; i-- > 0;) g[i] = std::min(g[i], g[i + width] + 1);
   return g;
 }
@@ -44,7 +45,8 @@ void along_row(const std::int32_t* g, int width, std::int32_t* out) {
   }
   for (int x = width; x-- > 0;) {
     while (lowest.back().start > x) lowest.pop_back();
-    out[x] = static_cast<std::int32_t>(std::min<std::int64_t>(value(lowest.back().centre, x), std::numeric_limits<std::int32_t>::max()));
+    out[x] = static_cast<std::int32_t>(
+        std::min<std::int64_t>(value(lowest.back().centre, x), std::numeric_limits<std::int32_t>::max()));
   }
 }
 
@@ -57,7 +59,8 @@ std::vector<std::int32_t> by_depth(const std::vector<std::int32_t>& squared) {
   return order;
 }
 
-/// Basins about the summits of the distance transform, joined where the saddle between two is less than `smoothing` below the lower summit.
+/// Basins about the summits of the distance transform, joined where the saddle between two is less than `smoothing`
+/// below the lower summit.
 struct Basins {
   int width;
   const std::vector<std::int32_t>& squared;
@@ -70,7 +73,8 @@ struct Basins {
   void take(std::size_t i) {
     const auto across = static_cast<std::size_t>(width);
     const std::size_t x = i % across;
-    const std::pair<bool, std::size_t> beside[] = {{i >= across, i - across}, {x > 0, i - 1}, {x + 1 < across, i + 1}, {i + across < label.size(), i + across}};
+    const std::pair<bool, std::size_t> beside[] = {
+        {i >= across, i - across}, {x > 0, i - 1}, {x + 1 < across, i + 1}, {i + across < label.size(), i + across}};
     const double level = std::sqrt(static_cast<double>(squared[i]));
     std::int32_t deepest = 0;  // of the neighbours that were taken
     for (const auto& [in, n] : beside)
@@ -124,8 +128,10 @@ std::vector<std::int32_t> squared_distance(const PhaseMap& map) {
   const auto far = static_cast<std::int32_t>(std::min<std::int64_t>(std::int64_t{map.width} + map.height, 1 << 30));
   const std::vector<std::int32_t> g = along_columns(map, far);
   std::vector<std::int32_t> squared(map.size());
-  for (int y = 0; y < map.height; ++y) along_row(g.data() + map.index(0, y), map.width, squared.data() + map.index(0, y));
-  if (std::find(g.begin(), g.end(), 0) == g.end()) std::fill(squared.begin(), squared.end(), std::numeric_limits<std::int32_t>::max());
+  for (int y = 0; y < map.height; ++y)
+    along_row(g.data() + map.index(0, y), map.width, squared.data() + map.index(0, y));
+  if (std::find(g.begin(), g.end(), 0) == g.end())
+    std::fill(squared.begin(), squared.end(), std::numeric_limits<std::int32_t>::max());
   return squared;
 }
 

@@ -15,8 +15,8 @@ enum class Labelling {
 
 struct LabelOptions {
   Labelling way = Labelling::components;
-  /// Of the watershed: two summits of the distance transform are one grain if the way between them does not drop by more
-  /// than this below the lower one (its h-maxima), nodes. More joins what a rough outline would cut.
+  /// Of the watershed: two summits of the distance transform are one grain if the way between them does not drop by
+  /// more than this below the lower one (its h-maxima), nodes. More joins what a rough outline would cut.
   double smoothing = 1;
 };
 
@@ -24,8 +24,9 @@ struct LabelOptions {
 /// give the same labels. Throws InputError for a smoothing that is negative or no number.
 void label_grains(PhaseMap& map, const LabelOptions& options);
 
-/// Squared distance, in nodes, from each particle node to the nearest node that is none; 0 where there is no particle. Exact (A. Meijster, J. Roerdink, W.
-/// Hesselink, 2000). What lies outside the map is not known and does not count; a map without any other phase has the largest number everywhere.
+/// Squared distance, in nodes, from each particle node to the nearest node that is none; 0 where there is no particle.
+/// Exact (A. Meijster, J. Roerdink, W. Hesselink, 2000). What lies outside the map is not known and does not count; a
+/// map without any other phase has the largest number everywhere.
 std::vector<std::int32_t> squared_distance(const PhaseMap& map);
 
 }  // namespace arenite::imaging

@@ -73,7 +73,8 @@ void search(const PictureGrains& circles, const FloatImage& picture, const Overl
   double farthest = 1;
   for (const Vec2 centre : at.centre) farthest = std::max(farthest, norm(centre - middle));
   const double step = 1 / farthest;
-  const int turns = static_cast<int>(std::ceil(options.turn / step)), reach = static_cast<int>(std::ceil(options.reach));
+  const int turns = static_cast<int>(std::ceil(options.turn / step)),
+            reach = static_cast<int>(std::ceil(options.reach));
   const Similarity first = found.transform;
   for (int k = -turns; k <= turns; ++k) {
     const Cover cover = cover_of(apply(turned(first, k * step, middle, {}), circles));
@@ -108,7 +109,8 @@ void refine(const PictureGrains& circles, const FloatImage& picture, Overlay& fo
   for (int pass = 0; pass < rounds; ++pass) {
     std::vector<Vec2> from, to;
     for (std::size_t i = 0; i < at.size(); ++i)
-      if (away[i] <= overlay_outlier * found.rms * 1.2 + 1e-9) from.push_back(circles.centre[i]), to.push_back(fitted[i]);
+      if (away[i] <= overlay_outlier * found.rms * 1.2 + 1e-9)
+        from.push_back(circles.centre[i]), to.push_back(fitted[i]);
     if (from.size() < 3) return;
     found.transform = fit_similarity(from, to, false);
     measure();
@@ -117,8 +119,10 @@ void refine(const PictureGrains& circles, const FloatImage& picture, Overlay& fo
 
 }  // namespace
 
-Overlay lay_over(const PictureGrains& circles, const Similarity& first, const FloatImage& picture, const OverlayOptions& options) {
-  if (circles.size() < 3) throw refusal("there are {} grains to register with the picture; three are needed", circles.size());
+Overlay lay_over(const PictureGrains& circles, const Similarity& first, const FloatImage& picture,
+                 const OverlayOptions& options) {
+  if (circles.size() < 3)
+    throw refusal("there are {} grains to register with the picture; three are needed", circles.size());
   Overlay found{first, 0, 0, 0, 0};
   search(circles, picture, options, found);
   for (int round = 0; round < rounds; ++round) refine(circles, picture, found);

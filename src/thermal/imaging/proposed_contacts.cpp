@@ -10,7 +10,8 @@ namespace arenite::imaging {
 namespace {
 
 void check_errors(const std::vector<double>& errors, std::size_t grains, const char* name) {
-  if (!errors.empty() && errors.size() != grains) throw refusal("there are {} errors of the {} for {} grains; give one per grain", errors.size(), name, grains);
+  if (!errors.empty() && errors.size() != grains)
+    throw refusal("there are {} errors of the {} for {} grains; give one per grain", errors.size(), name, grains);
   if (!std::all_of(errors.begin(), errors.end(), [](double e) { return std::isfinite(e) && e >= 0; }))
     throw refusal("errors of the {} must be numbers of at least 0", name);
 }
@@ -32,7 +33,8 @@ double surface_error(const GrainErrors& errors, std::size_t g) {
 
 }  // namespace
 
-Contacts propose_contacts(const Grains& grains, const Domain& domain, const GrainErrors& errors, const ContactTolerance& tolerance) {
+Contacts propose_contacts(const Grains& grains, const Domain& domain, const GrainErrors& errors,
+                          const ContactTolerance& tolerance) {
   check(grains, errors, tolerance);
   const double floor = tolerance.floor * tolerance.pixel;
   double largest = 0;
@@ -44,7 +46,8 @@ Contacts propose_contacts(const Grains& grains, const Domain& domain, const Grai
     const double distance = norm(branch), overlap = grains.radius[a] + grains.radius[b] - distance;
     const double error = std::hypot(surface_error(errors, a), surface_error(errors, b));
     if (-overlap > floor + tolerance.errors * error || !(distance > 0)) continue;
-    contacts.add(i, j, (1 / distance) * branch, 0, 0, grains.radius[a] - 0.5 * overlap, grains.radius[b] - 0.5 * overlap);
+    contacts.add(i, j, (1 / distance) * branch, 0, 0, grains.radius[a] - 0.5 * overlap,
+                 grains.radius[b] - 0.5 * overlap);
     contacts.overlap.back() = overlap;
   }
   for (int side = left; side <= top; ++side) {

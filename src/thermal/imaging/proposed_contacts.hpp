@@ -5,8 +5,9 @@
 
 namespace arenite::imaging {
 
-/// How wide a gap may be that is still offered as a contact: `errors` times the gap's standard error plus `floor` pixels.
-/// Contacts under load overlap, so only errors open them; what is offered in excess is for the inversion to find empty.
+/// How wide a gap may be that is still offered as a contact: `errors` times the gap's standard error plus `floor`
+/// pixels. Contacts under load overlap, so only errors open them; what is offered in excess is for the inversion to
+/// find empty.
 struct ContactTolerance {
   double errors = 3;
   double floor = 0.2;     ///< pixels: what errors of position do not tell of (distortion, grains that are not round)
@@ -20,10 +21,12 @@ struct GrainErrors {
   std::vector<double> radius;
 };
 
-/// Contacts between grains, and with the walls that are present, whose surfaces are no farther apart than the tolerance: grains first, by (i, j), then walls by
-/// side. Forces are 0, `overlap` is minus the gap (below 0 where surfaces are apart), and a contact lies in the middle of the overlap, on a wall in its plane.
-/// Periodic sides are honoured, sheared cells too. Linear in the number of grains. Throws InputError where arrays disagree in length or hold values that are no
-/// numbers.
-Contacts propose_contacts(const Grains& grains, const Domain& domain, const GrainErrors& errors = {}, const ContactTolerance& tolerance = {});
+/// Contacts between grains, and with the walls that are present, whose surfaces are no farther apart than the
+/// tolerance: grains first, by (i, j), then walls by side. Forces are 0, `overlap` is minus the gap (below 0 where
+/// surfaces are apart), and a contact lies in the middle of the overlap, on a wall in its plane. Periodic sides are
+/// honoured, sheared cells too. Linear in the number of grains. Throws InputError where arrays disagree in length or
+/// hold values that are no numbers.
+Contacts propose_contacts(const Grains& grains, const Domain& domain, const GrainErrors& errors = {},
+                          const ContactTolerance& tolerance = {});
 
 }  // namespace arenite::imaging

@@ -17,9 +17,11 @@ Vec2 turned(Vec2 p, double scale, double rotation, bool mirrored) {
 constexpr double least_matched = 0.5;  // share of the smaller set that must find its partner
 
 void check(const PictureGrains& grains, const char* which) {
-  if (grains.size() < 3) throw refusal("the {} picture shows {} grains; three are needed to register two pictures", which, grains.size());
+  if (grains.size() < 3)
+    throw refusal("the {} picture shows {} grains; three are needed to register two pictures", which, grains.size());
   for (std::size_t k = 0; k < grains.size(); ++k)
-    if (!is_finite(grains.centre[k]) || !(grains.radius[k] > 0)) throw refusal("grain {} of the {} picture has no position or no positive radius", k, which);
+    if (!is_finite(grains.centre[k]) || !(grains.radius[k] > 0))
+      throw refusal("grain {} of the {} picture has no position or no positive radius", k, which);
 }
 
 /// Of the transform, from the distances that it leaves.
@@ -86,8 +88,8 @@ Registration register_circles(const PictureGrains& from, const PictureGrains& to
   r.matched = static_cast<double>(r.pairs.size()) / smaller;
   if (r.pairs.size() < 3 || r.matched < least_matched)
     throw refusal(
-        "the grains of the two pictures do not match: at best {} of {:.0f} have a counterpart; check that both show the same sample, allow a mirrored "
-        "picture, or give the scale",
+        "the grains of the two pictures do not match: at best {} of {:.0f} have a counterpart; check that both show "
+        "the same sample, allow a mirrored picture, or give the scale",
         r.pairs.size(), smaller);
   for (int pass = 0; pass < 4; ++pass) r.pairs = search.refine(r.transform);
   r.matched = static_cast<double>(r.pairs.size()) / smaller;

@@ -21,8 +21,8 @@ struct Similarity {
   Similarity inverse() const;
 };
 
-/// The similarity that takes `from` nearest to `to`, place by place, in the sense of least squares; at least two different
-/// places. (Closed form: in the complex plane it is a straight line.)
+/// The similarity that takes `from` nearest to `to`, place by place, in the sense of least squares; at least two
+/// different places. (Closed form: in the complex plane it is a straight line.)
 Similarity fit_similarity(std::span<const Vec2> from, std::span<const Vec2> to, bool mirrored);
 
 /// Grains of one picture as the other shows them: places moved, radii and errors scaled, the rest (brightness, score,
@@ -35,23 +35,27 @@ struct RegistrationOptions {
   std::optional<double> scale = {};  ///< pixels of `to` a pixel of `from`, where it is known
   double scale_within = 0.1;         ///< share by which a scale that is given may be off
   Mirror mirror = Mirror::no;
-  double radius_within = 0.25;  ///< share by which radii of one grain may differ in both pictures; 0: radii are not compared
+  double radius_within =
+      0.25;  ///< share by which radii of one grain may differ in both pictures; 0: radii are not compared
 };
 
 /// How one set of circles lies on another.
 struct Registration {
   Similarity transform;                                      ///< from `from` to `to`
   std::vector<std::pair<std::int32_t, std::int32_t>> pairs;  ///< index in `from`, index in `to`, by the first
-  double rms = 0;                                            ///< of what is left between the two of each pair, along one axis, pixels of `to`
-  double scale_error = 0, rotation_error = 0;                ///< standard errors: -, rad
-  double matched = 0;                                        ///< pairs over the size of the smaller set
+  double rms = 0;  ///< of what is left between the two of each pair, along one axis, pixels of `to`
+  double scale_error = 0, rotation_error = 0;  ///< standard errors: -, rad
+  double matched = 0;                          ///< pairs over the size of the smaller set
 };
 
-/// Finds the similarity that lays grains found in one picture (optical) on those found in another (thermal) without a hand-picked point: two grains of the one
-/// are held against all pairs of the other that agree in size, what fits their neighbours is grown over the picture, and the transform whose pairs are many and
-/// near is fitted to all of them, outliers left out; it is taken once two more pairs of grains have led to none better. Grains may be missing or invented in
-/// both, and the pictures need not show the same part. Throws InputError where there are fewer than three grains in a set or too few find a partner.
-Registration register_circles(const PictureGrains& from, const PictureGrains& to, const RegistrationOptions& options = {});
+/// Finds the similarity that lays grains found in one picture (optical) on those found in another (thermal) without a
+/// hand-picked point: two grains of the one are held against all pairs of the other that agree in size, what fits their
+/// neighbours is grown over the picture, and the transform whose pairs are many and near is fitted to all of them,
+/// outliers left out; it is taken once two more pairs of grains have led to none better. Grains may be missing or
+/// invented in both, and the pictures need not show the same part. Throws InputError where there are fewer than three
+/// grains in a set or too few find a partner.
+Registration register_circles(const PictureGrains& from, const PictureGrains& to,
+                              const RegistrationOptions& options = {});
 
 struct OverlayOptions {
   double reach = 8;     ///< how far the circles may lie off their first place, pixels
@@ -67,9 +71,11 @@ struct Overlay {
   double turn_error = 0;   ///< of scale and of rotation: pixels a pixel from there
 };
 
-/// Lays circles found in one picture on another in which single grains need not be told apart: the place at which what they cover looks most like the picture
-/// (shifts by whole pixels, turns by a pixel at the edge), then all circles fitted to it (DiskModel) and the similarity fitted to these, outliers left out.
-/// `first` says where they lie nearly. Throws InputError for fewer than three circles.
-Overlay lay_over(const PictureGrains& circles, const Similarity& first, const FloatImage& picture, const OverlayOptions& options = {});
+/// Lays circles found in one picture on another in which single grains need not be told apart: the place at which what
+/// they cover looks most like the picture (shifts by whole pixels, turns by a pixel at the edge), then all circles
+/// fitted to it (DiskModel) and the similarity fitted to these, outliers left out. `first` says where they lie nearly.
+/// Throws InputError for fewer than three circles.
+Overlay lay_over(const PictureGrains& circles, const Similarity& first, const FloatImage& picture,
+                 const OverlayOptions& options = {});
 
 }  // namespace arenite::imaging

@@ -24,7 +24,8 @@ Slope slope_of(const FloatImage& image, bool bright) {
     for (int x = 1; x + 1 < image.width; ++x) {
       const std::size_t at = image.index(x, y);
       const float gx = factor * (image.value[at + 1] - image.value[at - 1]);
-      const float gy = factor * (image.value[at + static_cast<std::size_t>(image.width)] - image.value[at - static_cast<std::size_t>(image.width)]);
+      const float gy = factor * (image.value[at + static_cast<std::size_t>(image.width)] -
+                                 image.value[at - static_cast<std::size_t>(image.width)]);
       slope.x.value[at] = gx;
       slope.y.value[at] = gy;
       slope.square.value[at] = gx * gx + gy * gy;
@@ -32,7 +33,8 @@ Slope slope_of(const FloatImage& image, bool bright) {
   return slope;
 }
 
-/// Slope that counts as none: of the noise, and a share of what one pixel in a hundred exceeds, the picture's clear edges.
+/// Slope that counts as none: of the noise, and a share of what one pixel in a hundred exceeds, the picture's clear
+/// edges.
 float no_slope(const FloatImage& image, const Slope& slope) {
   std::vector<float> square = slope.square.value;
   const auto at = square.begin() + static_cast<std::ptrdiff_t>(square.size() * 99 / 100);
@@ -56,7 +58,8 @@ std::vector<RingPixel> ring_of(double radius) {
     const int end = chord(outer, j), hole = std::abs(j) < inner ? chord(inner, j) : 0;
     for (int i = -end; i <= end; ++i) {
       if (i > -hole && i < hole) i = hole;
-      const double q = std::sqrt(1.0 * i * i + 1.0 * j * j), away = (q - radius) / half_width, weight = std::exp(-0.5 * away * away);
+      const double q = std::sqrt(1.0 * i * i + 1.0 * j * j), away = (q - radius) / half_width,
+                   weight = std::exp(-0.5 * away * away);
       if (weight < 0.05 || q == 0) continue;
       ring.push_back({i, j, static_cast<float>(i / q), static_cast<float>(j / q), static_cast<float>(weight)});
       sum += weight;
@@ -66,8 +69,8 @@ std::vector<RingPixel> ring_of(double radius) {
   return ring;
 }
 
-/// What a pixel's slope along the normal says of a rim. Only as such a choice of values, and with -fno-trapping-math, does the compiler take
-/// several pixels of a row at a time, which is where a search spends its time.
+/// What a pixel's slope along the normal says of a rim. Only as such a choice of values, and with -fno-trapping-math,
+/// does the compiler take several pixels of a row at a time, which is where a search spends its time.
 inline float edge_share(float along) {
   const float least = along > most_against ? along : most_against;
   return least < 1.0F ? least : 1.0F;
@@ -87,14 +90,16 @@ FloatImage scores_at(const Slope& slope, double radius, float noise, const std::
       const float *gx = slope.x.value.data() + row, *gy = slope.y.value.data() + row;
       const int from = std::max(run.first, -pixel.x), to = std::min(run.last + 1, w - pixel.x);
       const float ux = pixel.ux, uy = pixel.uy, weight = pixel.weight;
-      for (int x = from; x < to; ++x) sum[x] += weight * edge_share((gx[x + pixel.x] * ux + gy[x + pixel.x] * uy) * scale[x]);
+      for (int x = from; x < to; ++x)
+        sum[x] += weight * edge_share((gx[x + pixel.x] * ux + gy[x + pixel.x] * uy) * scale[x]);
     }
   }
   return score;
 }
 
 /// The score of one circle, its centre on a pixel; -1 if that lies outside.
-float score_of(const Slope& slope, const FloatImage& square, int x, int y, const std::vector<RingPixel>& ring, float noise) {
+float score_of(const Slope& slope, const FloatImage& square, int x, int y, const std::vector<RingPixel>& ring,
+               float noise) {
   if (x < 0 || y < 0 || x >= slope.x.width || y >= slope.x.height) return -1;
   const float scale = 1 / (1.5F * std::sqrt(square.value[square.index(x, y)]) + noise);
   float sum = 0;
@@ -139,7 +144,8 @@ bool is_summit(const FloatImage& before, const FloatImage& here, const FloatImag
 }
 
 /// Summits at one level of the pyramid, whose pixels are `scale` wide.
-void search_level(const FloatImage& image, double first, double last, double scale, const Mask& open, const RimOptions& options, std::vector<Circle>& found) {
+void search_level(const FloatImage& image, double first, double last, double scale, const Mask& open,
+                  const RimOptions& options, std::vector<Circle>& found) {
   const std::vector<Run> runs = runs_of(open);
   const Slope slope = slope_of(image, options.bright);
   const float noise = no_slope(image, slope);
@@ -150,8 +156,10 @@ void search_level(const FloatImage& image, double first, double last, double sca
     FloatImage after = scores_at(slope, radii[k + 1], noise, runs);
     for (int y = 1; y + 1 < image.height; ++y)
       for (int x = 1; x + 1 < image.width; ++x)
-        if (open.value[here.index(x, y)] != 0 && here.value[here.index(x, y)] > static_cast<float>(options.least) && is_summit(before, here, after, x, y))
-          found.push_back({{(x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5}, radii[k] * scale, here.value[here.index(x, y)]});
+        if (open.value[here.index(x, y)] != 0 && here.value[here.index(x, y)] > static_cast<float>(options.least) &&
+            is_summit(before, here, after, x, y))
+          found.push_back(
+              {{(x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5}, radii[k] * scale, here.value[here.index(x, y)]});
     before = std::move(here);
     here = std::move(after);
   }
@@ -165,8 +173,10 @@ void refine(const FloatImage& image, double scale, bool bright, std::vector<Circ
   double blur = 0;
   for (Circle& circle : found) {
     if (circle.radius < coarse * scale) continue;
-    if (1.5 * circle.radius / scale > 1.5 * blur || blur == 0) square = blurred(slope.square, blur = 1.5 * circle.radius / scale);
-    int x = static_cast<int>(std::lround((circle.centre.x + 0.5) / scale - 0.5)), y = static_cast<int>(std::lround((circle.centre.y + 0.5) / scale - 0.5));
+    if (1.5 * circle.radius / scale > 1.5 * blur || blur == 0)
+      square = blurred(slope.square, blur = 1.5 * circle.radius / scale);
+    int x = static_cast<int>(std::lround((circle.centre.x + 0.5) / scale - 0.5)),
+        y = static_cast<int>(std::lround((circle.centre.y + 0.5) / scale - 0.5));
     double radius = circle.radius / scale;
     climb(slope, square, noise, x, y, radius);
     circle = {{(x + 0.5) * scale - 0.5, (y + 0.5) * scale - 0.5}, radius * scale, circle.score};
@@ -178,9 +188,11 @@ bool is_plain(const Slope& slope, double noise, const Circle& circle) {
   if (circle.radius < coarse) return true;
   double inside = 0, rim = 0, inside_pixels = 1e-9, rim_pixels = 1e-9;
   const auto squared = [](double r) { return r * r; };
-  const double core = squared(0.75 * circle.radius), inner = squared(circle.radius - 1.5), outer = squared(circle.radius + 1.5);
+  const double core = squared(0.75 * circle.radius), inner = squared(circle.radius - 1.5),
+               outer = squared(circle.radius + 1.5);
   each_pixel_near(circle.centre, circle.radius + 1.5, slope.x.width, slope.x.height, [&](int x, int y, std::size_t at) {
-    const double away = squared(x - circle.centre.x) + squared(y - circle.centre.y), square = static_cast<double>(slope.square.value[at]);
+    const double away = squared(x - circle.centre.x) + squared(y - circle.centre.y),
+                 square = static_cast<double>(slope.square.value[at]);
     if (away < core) inside += square, ++inside_pixels;
     else if (away > inner && away < outer) rim += square, ++rim_pixels;
   });
@@ -191,7 +203,8 @@ bool is_plain(const Slope& slope, double noise, const Circle& circle) {
 
 std::vector<Circle> search_rims(const FloatImage& image, const RimOptions& options) {
   std::vector<FloatImage> levels{image};
-  for (double r = options.largest; r >= coarse && std::min(levels.back().width, levels.back().height) >= 2 * coarse; r /= 2)
+  for (double r = options.largest; r >= coarse && std::min(levels.back().width, levels.back().height) >= 2 * coarse;
+       r /= 2)
     levels.push_back(halved(levels.back()));
   std::vector<Circle> found;
   double first = options.smallest;

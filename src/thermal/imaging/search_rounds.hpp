@@ -12,18 +12,20 @@
 
 namespace arenite::imaging {
 
-/// Disks of a picture, and what is known of them all: classes of size are those of the model's disks, materials are not known yet.
+/// Disks of a picture, and what is known of them all: classes of size are those of the model's disks, materials are not
+/// known yet.
 struct DiskSearch {
   DiskModel model;
   CircleReport report;
 };
 
-/// The search for the disks of a picture, round by round: candidates from rims are fitted together, what the picture does
-/// not bear out is taken out, and the rest of the picture is searched anew. Picture and options must outlive it.
+/// The search for the disks of a picture, round by round: candidates from rims are fitted together, what the picture
+/// does not bear out is taken out, and the rest of the picture is searched anew. Picture and options must outlive it.
 class SearchRounds {
  public:
   /// Where rims are looked for: the sizes that are known, or all that the picture can hold.
-  static RimOptions range(const FloatImage& image, const CircleOptions& options, const std::vector<double>& sizes, bool bright, double least) {
+  static RimOptions range(const FloatImage& image, const CircleOptions& options, const std::vector<double>& sizes,
+                          bool bright, double least) {
     const double smallest = sizes.empty() ? options.smallest : *std::min_element(sizes.begin(), sizes.end());
     const double largest = options.largest > 0 ? options.largest : 0.5 * std::min(image.width, image.height);
     return {.bright = bright,
@@ -33,7 +35,8 @@ class SearchRounds {
   }
 
   /// `between`: level of the background, where disks may be brighter and darker.
-  SearchRounds(const FloatImage& image, bool bright, const CircleOptions& options, std::optional<double> between = std::nullopt)
+  SearchRounds(const FloatImage& image, bool bright, const CircleOptions& options,
+               std::optional<double> between = std::nullopt)
       : image_(image),
         bright_(bright),
         options_(options),
@@ -75,14 +78,17 @@ class SearchRounds {
     }
     find_classes();
     const double blur = model_.blur(), noise = model_.noise();
-    return {std::move(model_), {.bright = bright_, .between = between_, .blur = blur, .noise = noise, .sizes = std::move(classes_)}};
+    return {std::move(model_),
+            {.bright = bright_, .between = between_, .blur = blur, .noise = noise, .sizes = std::move(classes_)}};
   }
 
  private:
-  static constexpr int most_rounds = 24, most_passes = 8;  // rounds of all passes together: a picture of grains takes a handful
-  static constexpr double first_blur = 0.7;                // pixels
-  static constexpr double overlap_of_candidates = 0.45;    // of the smaller radius: centres are known to a pixel only, and the
-                                                           // neighbours of a disk that is not found yet are drawn towards it
+  static constexpr int most_rounds = 24,
+                       most_passes = 8;      // rounds of all passes together: a picture of grains takes a handful
+  static constexpr double first_blur = 0.7;  // pixels
+  static constexpr double overlap_of_candidates =
+      0.45;  // of the smaller radius: centres are known to a pixel only, and the
+             // neighbours of a disk that is not found yet are drawn towards it
 
   static double square(double v) { return v * v; }
 
@@ -96,7 +102,8 @@ class SearchRounds {
   template <class Of> double explained(const Of& of) const {
     double sum = 0;
     const auto evidence = model_.evidence();
-    for (std::size_t k = 0; k < evidence.size(); ++k) sum += evidence[k].explained * of(model_.disks()[k].radius, evidence[k].contrast);
+    for (std::size_t k = 0; k < evidence.size(); ++k)
+      sum += evidence[k].explained * of(model_.disks()[k].radius, evidence[k].contrast);
     return sum;
   }
 
@@ -112,7 +119,8 @@ class SearchRounds {
 
   /// The disks of the pass before, each where it was, and no others: what the pass had added did not last.
   bool found_nothing_since(const std::vector<DiskModel::Disk>& last) const {
-    return std::ranges::equal(model_.disks(), last, [](const auto& a, const auto& b) { return norm(a.centre - b.centre) < 0.5; });
+    return std::ranges::equal(model_.disks(), last,
+                              [](const auto& a, const auto& b) { return norm(a.centre - b.centre) < 0.5; });
   }
 
   /// Pixels where a further centre would not collide with the disks found so far.
@@ -167,8 +175,9 @@ class SearchRounds {
   }
 
   bool was_refused(const Circle& circle) const {
-    return std::ranges::any_of(
-        refused_, [&](const Circle& r) { return norm(r.centre - circle.centre) < 0.4 * r.radius && std::abs(std::log(r.radius / circle.radius)) < 0.2; });
+    return std::ranges::any_of(refused_, [&](const Circle& r) {
+      return norm(r.centre - circle.centre) < 0.4 * r.radius && std::abs(std::log(r.radius / circle.radius)) < 0.2;
+    });
   }
 
   std::size_t add(std::vector<Circle> candidates, int round) {
@@ -213,7 +222,8 @@ class SearchRounds {
 
   void find_classes() {
     if (!options_.radii.empty()) {
-      classes_.of = mapped<std::int32_t>(model_.disks(), [&](const auto& disk) { return static_cast<std::int32_t>(nearest_class(disk.radius)); });
+      classes_.of = mapped<std::int32_t>(
+          model_.disks(), [&](const auto& disk) { return static_cast<std::int32_t>(nearest_class(disk.radius)); });
       classes_.members.assign(classes_.size(), 0);
       for (const std::int32_t c : classes_.of) ++classes_.members[static_cast<std::size_t>(c)];
       return;

@@ -21,7 +21,9 @@ double stiffness(const Packing& packing, std::size_t c) {
 
 /// Contacts whose overlap grows alike with their force: a pair of materials, or a material at a wall.
 int kind_of(const Packing& packing, std::size_t c) {
-  const auto material = [&](std::int32_t g) { return std::max(0, static_cast<int>(packing.grains.material[static_cast<std::size_t>(g)])); };
+  const auto material = [&](std::int32_t g) {
+    return std::max(0, static_cast<int>(packing.grains.material[static_cast<std::size_t>(g)]));
+  };
   const int materials = std::max(1, static_cast<int>(packing.materials.size())), a = material(packing.contacts.i[c]);
   if (packing.contacts.is_wall(c)) return materials * materials + a;
   const int b = material(packing.contacts.j[c]);
@@ -32,9 +34,11 @@ double overlap_of(const Packing& packing, std::size_t c) {
   const Grains& grains = packing.grains;
   const auto i = static_cast<std::size_t>(packing.contacts.i[c]);
   if (packing.contacts.is_boundary(c)) return grains.radius[i] - packing.contacts.arm_i[c];
-  if (packing.contacts.is_wall(c)) return grains.radius[i] - packing.domain.depth(packing.contacts.wall_side(c), grains.position[i]);
+  if (packing.contacts.is_wall(c))
+    return grains.radius[i] - packing.domain.depth(packing.contacts.wall_side(c), grains.position[i]);
   const auto j = static_cast<std::size_t>(packing.contacts.j[c]);
-  return grains.radius[i] + grains.radius[j] - norm(packing.domain.nearest_image(grains.position[i] - grains.position[j]));
+  return grains.radius[i] + grains.radius[j] -
+         norm(packing.domain.nearest_image(grains.position[i] - grains.position[j]));
 }
 
 void judge_presence(const Packing& packing, double widest_gap, InferredForces& forces) {
@@ -53,7 +57,8 @@ void judge_presence(const Packing& packing, double widest_gap, InferredForces& f
   forces.present = taken_as_present(found);
   forces.presence = std::move(found.probability);
   forces.idle = std::move(found.idle);
-  forces.fit.proposed = forces.contacts.size(), forces.fit.present = found.expected, forces.fit.present_error = found.error;
+  forces.fit.proposed = forces.contacts.size(), forces.fit.present = found.expected,
+  forces.fit.present_error = found.error;
 }
 
 }  // namespace
@@ -65,7 +70,8 @@ Touches touches_of_grains(const Packing& packing, const std::vector<Vec2>& centr
     const auto i = static_cast<std::size_t>(contacts.i[c]);
     const int contact = static_cast<int>(c);
     if (contacts.is_wall(c)) {
-      touches[i].push_back({contact, -1, contacts.is_boundary(c) ? contacts.normal[c] : inward_normal(contacts.wall_side(c)), 0});
+      touches[i].push_back(
+          {contact, -1, contacts.is_boundary(c) ? contacts.normal[c] : inward_normal(contacts.wall_side(c)), 0});
       continue;
     }
     const auto j = static_cast<std::size_t>(contacts.j[c]);
@@ -82,14 +88,17 @@ std::vector<int> columns_of(const Unknowns& unknowns, std::size_t grain, const s
   std::vector<int> columns;
   for (const Touch& t : touches) columns.push_back(2 * t.contact), columns.push_back(2 * t.contact + 1);
   if (unknowns.move <= 0) return columns;
-  const auto push = [&](std::size_t g) { columns.push_back(unknowns.centre(g)), columns.push_back(unknowns.centre(g) + 1); };
+  const auto push = [&](std::size_t g) {
+    columns.push_back(unknowns.centre(g)), columns.push_back(unknowns.centre(g) + 1);
+  };
   push(grain);
   for (const Touch& t : touches)
     if (t.partner >= 0) push(static_cast<std::size_t>(t.partner));
   return columns;
 }
 
-void add_turn(const Unknowns& unknowns, const std::vector<Touch>& touches, std::size_t k, double per_radian, double* row) {
+void add_turn(const Unknowns& unknowns, const std::vector<Touch>& touches, std::size_t k, double per_radian,
+              double* row) {
   if (unknowns.move <= 0 || touches[k].partner < 0) return;
   std::size_t partner = 2 * touches.size() + 2;
   for (std::size_t q = 0; q < k; ++q) partner += touches[q].partner >= 0 ? 2 : 0;
@@ -139,26 +148,31 @@ std::vector<double> compliances(const Packing& packing) {
 
 void ForceEquations::add_energy(double prior) {
   const std::vector<double> compliance = compliances(packing);
-  for (int u = 0; u < static_cast<int>(2 * unknowns.contacts); ++u) add_diagonal(u, compliance[static_cast<std::size_t>(u / 2)] / (prior * prior), 0);
+  for (int u = 0; u < static_cast<int>(2 * unknowns.contacts); ++u)
+    add_diagonal(u, compliance[static_cast<std::size_t>(u / 2)] / (prior * prior), 0);
 }
 
 std::vector<double> ForceEquations::solution(const ForceOptions& options) const {
-  return options.inequality == Inequality::cone ? solve_in_cone(static_cast<int>(unknowns.contacts), options.friction) : solve();
+  return options.inequality == Inequality::cone ? solve_in_cone(static_cast<int>(unknowns.contacts), options.friction)
+                                                : solve();
 }
 
-InferredForces ForceEquations::finish(const ForceOptions& options, const Touches& touches, const std::vector<double>& force) const {
+InferredForces ForceEquations::finish(const ForceOptions& options, const Touches& touches,
+                                      const std::vector<double>& force) const {
   InferredForces out;
   out.contacts = packing.contacts;
   for (std::size_t g = 0; g < touches.size(); ++g)
     for (const Touch& t : touches[g])
-      if (const auto c = static_cast<std::size_t>(t.contact); static_cast<std::size_t>(packing.contacts.i[c]) == g) out.contacts.normal[c] = t.normal;
+      if (const auto c = static_cast<std::size_t>(t.contact); static_cast<std::size_t>(packing.contacts.i[c]) == g)
+        out.contacts.normal[c] = t.normal;
   const std::vector<double> variance = inverse_diagonal();
   for (std::size_t c = 0; c < unknowns.contacts; ++c) {
     out.contacts.fn[c] = force[2 * c], out.contacts.ft[c] = force[2 * c + 1];
     out.fn_error.push_back(unknowns.force * std::sqrt(variance[2 * c]));
     out.ft_error.push_back(unknowns.force * std::sqrt(variance[2 * c + 1]));
   }
-  for (std::size_t m = 0; m < unknowns.scales; ++m) out.fit.factor_scale_error.push_back(std::sqrt(variance[static_cast<std::size_t>(unknowns.scale(m))]));
+  for (std::size_t m = 0; m < unknowns.scales; ++m)
+    out.fit.factor_scale_error.push_back(std::sqrt(variance[static_cast<std::size_t>(unknowns.scale(m))]));
   judge_presence(packing, options.widest_gap, out);
   out.imbalance = mapped(touches, [&](const std::vector<Touch>& own) {
     Vec2 sum;

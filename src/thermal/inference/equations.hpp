@@ -8,14 +8,15 @@
 
 namespace arenite::inference {
 
-/// Sums of squares of linear equations: sum of weight (row . x - right)^2, kept as normal equations H x = b. Rows come in
-/// small dense blocks that share their columns.
+/// Sums of squares of linear equations: sum of weight (row . x - right)^2, kept as normal equations H x = b. Rows come
+/// in small dense blocks that share their columns.
 class NormalEquations {
  public:
   explicit NormalEquations(int unknowns) : right_(static_cast<std::size_t>(unknowns)) {}
 
   /// Equations in the unknowns `columns` (each once): rows one after the other, columns.size() numbers each.
-  void add(const std::vector<int>& columns, const std::vector<double>& rows, const std::vector<double>& right, const std::vector<double>& weight);
+  void add(const std::vector<int>& columns, const std::vector<double>& rows, const std::vector<double>& right,
+           const std::vector<double>& weight);
   void add_diagonal(int unknown, double weight, double right);
 
   /// The sum of squares at x.
@@ -58,8 +59,12 @@ struct Touch {
   double distance = 0;  ///< between the two centres, m; 0 at a wall
 
   /// fn (0) or ft (1) of its contact, from those of all contacts; and the force on the grain.
-  double of_contact(const std::vector<double>& force, std::size_t component) const { return force[2 * static_cast<std::size_t>(contact) + component]; }
-  Vec2 force_of(const std::vector<double>& force) const { return of_contact(force, 0) * normal + of_contact(force, 1) * perpendicular(normal); }
+  double of_contact(const std::vector<double>& force, std::size_t component) const {
+    return force[2 * static_cast<std::size_t>(contact) + component];
+  }
+  Vec2 force_of(const std::vector<double>& force) const {
+    return of_contact(force, 0) * normal + of_contact(force, 1) * perpendicular(normal);
+  }
 };
 
 using Touches = std::vector<std::vector<Touch>>;  ///< of every grain
@@ -67,17 +72,20 @@ using Touches = std::vector<std::vector<Touch>>;  ///< of every grain
 /// With normals between the centres given (periodic images included); a wall's normal is its own.
 Touches touches_of_grains(const Packing& packing, const std::vector<Vec2>& centre);
 
-/// Throws InputError with everything that is wrong with grains, contacts, walls and options; `factors` where those count.
+/// Throws InputError with everything that is wrong with grains, contacts, walls and options; `factors` where those
+/// count.
 void check_problem(const ForceProblem& problem, const ForceOptions& options, bool factors);
 
-/// Unknowns of an inference: fn and ft of contact c are 2 c and 2 c + 1, in units of `force`; where centres are refined, the changes of centre g along x and y
-/// are 2 (contacts + g) and the next, in units of `move`; where factors are fitted, the changes of the grains' scales and of the materials' come last.
+/// Unknowns of an inference: fn and ft of contact c are 2 c and 2 c + 1, in units of `force`; where centres are
+/// refined, the changes of centre g along x and y are 2 (contacts + g) and the next, in units of `move`; where factors
+/// are fitted, the changes of the grains' scales and of the materials' come last.
 struct Unknowns {
   std::size_t contacts = 0, grains = 0;
-  double force = 1;             ///< N
-  double move = 0;              ///< m; 0: centres stay
-  std::size_t own_factors = 0;  ///< grains whose factor is fitted beside that of their material; 0: those of a material are alike
-  std::size_t scales = 0;       ///< materials whose factor is fitted; 0: factors stay
+  double force = 1;  ///< N
+  double move = 0;   ///< m; 0: centres stay
+  std::size_t own_factors =
+      0;  ///< grains whose factor is fitted beside that of their material; 0: those of a material are alike
+  std::size_t scales = 0;  ///< materials whose factor is fitted; 0: factors stay
 
   int count() const { return scale(scales); }
   int centre(std::size_t g) const { return static_cast<int>(2 * (contacts + g)); }
@@ -89,7 +97,8 @@ struct Unknowns {
 std::vector<int> columns_of(const Unknowns& unknowns, std::size_t grain, const std::vector<Touch>& touches);
 
 /// Adds to a row (in the order of `columns_of`) what a turn of touch k's normal by 1 rad does, through the centres.
-void add_turn(const Unknowns& unknowns, const std::vector<Touch>& touches, std::size_t k, double per_radian, double* row);
+void add_turn(const Unknowns& unknowns, const std::vector<Touch>& touches, std::size_t k, double per_radian,
+              double* row);
 
 /// Mean stiffness over each contact's (springs in series): what its squared force counts in the elastic energy.
 std::vector<double> compliances(const Packing& packing);
@@ -97,9 +106,13 @@ std::vector<double> compliances(const Packing& packing);
 /// The equations of an inference: what forces obey beside the data. The packing must outlive them.
 class ForceEquations : public NormalEquations {
  public:
-  ForceEquations(const Packing& of, const Unknowns& with) : NormalEquations(with.count()), packing(of), unknowns(with) {}
+  ForceEquations(const Packing& of, const Unknowns& with)
+      : NormalEquations(with.count()),
+        packing(of),
+        unknowns(with) {}
 
-  /// Forces and couple of every grain vanish to `error` (N). `force` is the present estimate, of which turning normals change the direction, N.
+  /// Forces and couple of every grain vanish to `error` (N). `force` is the present estimate, of which turning normals
+  /// change the direction, N.
   void add_balance(const Touches& touches, const std::vector<double>& force, double error);
   void add_walls(const std::vector<WallLoad>& walls);
   /// Elastic energy of the contacts: sum of compliance (f/(prior unit))^2.
@@ -124,16 +137,18 @@ struct ContactEvidence {
 
 struct Presence {
   std::vector<double> probability;  ///< that the contact is there
-  std::vector<double> idle;         ///< that it neither is there nor lost a force on the way, so that no equation needs it
-  double expected = 0, error = 0;   ///< number of contacts that are there
-  double error_scale = 1;           ///< by which forces of contacts that are not there scatter more than their errors say
+  std::vector<double> idle;  ///< that it neither is there nor lost a force on the way, so that no equation needs it
+  double expected = 0, error = 0;  ///< number of contacts that are there
+  double error_scale = 1;  ///< by which forces of contacts that are not there scatter more than their errors say
 };
 
-/// Probability of every proposed contact. Forces and overlaps of all of them are taken as a mixture: contacts that are not there have forces that scatter about
-/// zero, and gaps of any width that was proposed; those that lost their force on the way likewise, with forces below zero; those that are there have forces of
-/// a law of its own (steps of 0.3 mean forces and wider, so that it goes on smoothly to weak forces, where the two cannot be told apart one by one) and
-/// overlaps linear in their force, as strong contacts of their kind show. Shares, law and scatter are those that make the data likeliest (expectation
-/// maximisation). The sum of probabilities counts what noise hides, and counts out what it feigns.
+/// Probability of every proposed contact. Forces and overlaps of all of them are taken as a mixture: contacts that are
+/// not there have forces that scatter about zero, and gaps of any width that was proposed; those that lost their force
+/// on the way likewise, with forces below zero; those that are there have forces of a law of its own (steps of 0.3 mean
+/// forces and wider, so that it goes on smoothly to weak forces, where the two cannot be told apart one by one) and
+/// overlaps linear in their force, as strong contacts of their kind show. Shares, law and scatter are those that make
+/// the data likeliest (expectation maximisation). The sum of probabilities counts what noise hides, and counts out what
+/// it feigns.
 Presence presence(const ContactEvidence& evidence);
 
 /// 1 for the contacts taken as there: the likeliest, as many as are expected, so that misses and false alarms cancel.

@@ -18,7 +18,8 @@ struct Profile {
 Profile profile(double u, double blur) {
   if (blur <= 0) return {std::abs(u) < 0.5 ? 1.0 : 0.0, 0.0};
   const double scale = 1 / (std::numbers::sqrt2 * blur), a = (u + 0.5) * scale, b = (u - 0.5) * scale;
-  return {0.5 * (std::erf(a) - std::erf(b)), scale / std::sqrt(std::numbers::pi) * (std::exp(-a * a) - std::exp(-b * b))};
+  return {0.5 * (std::erf(a) - std::erf(b)),
+          scale / std::sqrt(std::numbers::pi) * (std::exp(-a * a) - std::exp(-b * b))};
 }
 
 /// Two points side by side: as many as every processor computes at once.
@@ -28,7 +29,8 @@ double sum_of(const Two& v) { return v[0] + v[1]; }
 
 Vec2 product(Vec2 a, Vec2 b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
 
-/// The points of a pixel, two by two, of which at least one lies in a grain; the other, where it does not, is in its centre without weight.
+/// The points of a pixel, two by two, of which at least one lies in a grain; the other, where it does not, is in its
+/// centre without weight.
 class PointsInside {
  public:
   struct Points {
@@ -36,12 +38,16 @@ class PointsInside {
   };
   const double reach;
 
-  explicit PointsInside(const PointSpread& spread) : reach(spread.reach), all_((spread.points.size() + 1) / 2), inside_(all_.size() + 1) {
+  explicit PointsInside(const PointSpread& spread)
+      : reach(spread.reach),
+        all_((spread.points.size() + 1) / 2),
+        inside_(all_.size() + 1) {
     for (std::size_t n = 0; n < spread.points.size(); ++n) {
       const PointSpread::Point& from = spread.points[n];
       Points& p = all_[n / 2];
       const std::size_t lane = n % 2;
-      p.x[lane] = from.place.x, p.y[lane] = from.place.y, p.weight[lane] = from.weight, p.slope_x[lane] = from.slope.x, p.slope_y[lane] = from.slope.y;
+      p.x[lane] = from.place.x, p.y[lane] = from.place.y, p.weight[lane] = from.weight, p.slope_x[lane] = from.slope.x,
+      p.slope_y[lane] = from.slope.y;
     }
   }
 
@@ -62,8 +68,9 @@ class PointsInside {
 };
 
 /// sigma_kk inside a grain by its touches (elasticity/disk_field.hpp), written for speed. As complex numbers, with the
-/// normal n of a touch, rho = x + R n and q = 1/rho, a force F adds fn/(pi L R) - 2/(pi L) Re(F q); turned normals and moved
-/// points follow from F q x q = F (q - R n q^2) and F q^2. Sums of q and q^2 over a pixel's points are thus all that it sees.
+/// normal n of a touch, rho = x + R n and q = 1/rho, a force F adds fn/(pi L R) - 2/(pi L) Re(F q); turned normals and
+/// moved points follow from F q x q = F (q - R n q^2) and F q^2. Sums of q and q^2 over a pixel's points are thus all
+/// that it sees.
 class GrainField {
  public:
   GrainField(double radius, double length, const std::vector<Touch>& touches, const std::vector<double>& force)
@@ -78,7 +85,8 @@ class GrainField {
 
   std::size_t size() const { return touches_.size(); }
 
-  /// What a pixel sees of sigma_kk under the present forces, Pa. One that sees nothing else sees a harmonic field as in its centre.
+  /// What a pixel sees of sigma_kk under the present forces, Pa. One that sees nothing else sees a harmonic field as in
+  /// its centre.
   double seen(Vec2 x, PointsInside& inside) const {
     const double away = norm(x);
     if (!pressed_ || away >= radius_ + inside.reach) return 0;
@@ -99,8 +107,8 @@ class GrainField {
     return scale_ * sum_of(sum);
   }
 
-  /// What a pixel sees per newton of every touch's fn and ft goes to `row` (2 a touch), its change per radian by which a normal
-  /// turns, its force with it, to `turn`; all times `factor`. Returns the same for a move of the centre by d.
+  /// What a pixel sees per newton of every touch's fn and ft goes to `row` (2 a touch), its change per radian by which
+  /// a normal turns, its force with it, to `turn`; all times `factor`. Returns the same for a move of the centre by d.
   Vec2 fill_row(Vec2 x, PointsInside& inside, double factor, double* row, double* turn) {
     const double scale = factor * scale_;
     const auto fill = [&](std::size_t k, const Seen& s) {
@@ -122,7 +130,8 @@ class GrainField {
     Vec2 q, squared;
   };
 
-  /// Hands what a pixel that sees nothing else sees of every touch to `fill`; returns the change when the centre moves, in 1/scale.
+  /// Hands what a pixel that sees nothing else sees of every touch to `fill`; returns the change when the centre moves,
+  /// in 1/scale.
   template <class Fill> Vec2 see_centre(Vec2 x, const Fill& fill) const {
     Vec2 gradient;
     for (std::size_t k = 0; k < touches_.size(); ++k) {
@@ -133,7 +142,8 @@ class GrainField {
     return -2 * Vec2{gradient.x, -gradient.y};
   }
 
-  /// The same at the rim. The centre moves by d: a point of the grain is then seen at a place d farther, where the pixel's weight is slope.d larger.
+  /// The same at the rim. The centre moves by d: a point of the grain is then seen at a place d farther, where the
+  /// pixel's weight is slope.d larger.
   template <class Fill> Vec2 see_points(std::span<const PointsInside::Points> points, const Fill& fill) {
     stress_.assign(points.size(), pressure_ - Two{});
     Two weight{}, shift_x{}, shift_y{};
@@ -149,7 +159,8 @@ class GrainField {
       }
       fill(k, {sum_of(weight), {sum_of(sum_x), sum_of(sum_y)}, {sum_of(squared_x), sum_of(squared_y)}});
     }
-    for (std::size_t p = 0; p < points.size(); ++p) shift_x += stress_[p] * points[p].slope_x, shift_y += stress_[p] * points[p].slope_y;
+    for (std::size_t p = 0; p < points.size(); ++p)
+      shift_x += stress_[p] * points[p].slope_x, shift_y += stress_[p] * points[p].slope_y;
     return {sum_of(shift_x), sum_of(shift_y)};
   }
 
@@ -159,7 +170,9 @@ class GrainField {
   std::vector<Two> stress_;  // of a pixel's points
 };
 
-GrainField field_of(const Placed& placed, std::size_t g) { return {placed.radius[g], placed.length, placed.touches[g], placed.force}; }
+GrainField field_of(const Placed& placed, std::size_t g) {
+  return {placed.radius[g], placed.length, placed.touches[g], placed.force};
+}
 
 /// A grain and those that may spill light over to its pixels.
 struct Neighbourhood {
@@ -169,7 +182,11 @@ struct Neighbourhood {
   std::vector<GrainField> others;
   PointsInside inside;
 
-  Neighbourhood(const Placed& p, std::size_t g, const PointSpread& spread) : placed(p), grain(g), field(field_of(p, g)), inside(spread) {
+  Neighbourhood(const Placed& p, std::size_t g, const PointSpread& spread)
+      : placed(p),
+        grain(g),
+        field(field_of(p, g)),
+        inside(spread) {
     for (const Near& n : p.near[g]) others.push_back(field_of(p, n.grain));
   }
   Vec2 from_centre(const GrainPixel& pixel) const { return pixel.place + placed.found[grain] - placed.centre[grain]; }
@@ -203,19 +220,23 @@ PointSpread::PointSpread(double pixel, double blur) {
   for (Point& p : points) p.weight /= sum, p.slope = (1 / sum) * p.slope;
 }
 
-GrainRows rows_of_grain(const Placed& placed, std::size_t g, const std::vector<GrainPixel>& pixels, const PointSpread& spread) {
+GrainRows rows_of_grain(const Placed& placed, std::size_t g, const std::vector<GrainPixel>& pixels,
+                        const PointSpread& spread) {
   Neighbourhood around(placed, g, spread);
   const std::size_t z = around.field.size();
-  GrainRows rows{{2 * z, pixels.size()}, std::vector<double>(pixels.size()), std::vector<Vec2>(pixels.size()), {z, pixels.size()}};
+  GrainRows rows{
+      {2 * z, pixels.size()}, std::vector<double>(pixels.size()), std::vector<Vec2>(pixels.size()), {z, pixels.size()}};
   for (std::size_t q = 0; q < pixels.size(); ++q) {
     const Vec2 x = around.from_centre(pixels[q]);
-    rows.shift[q] = around.field.fill_row(x, around.inside, -placed.factor[g], rows.response.column(q), rows.turn.column(q));
+    rows.shift[q] =
+        around.field.fill_row(x, around.inside, -placed.factor[g], rows.response.column(q), rows.turn.column(q));
     rows.spill[q] = around.spill(x);
   }
   return rows;
 }
 
-std::vector<double> warming_of_grain(const Placed& placed, std::size_t g, const std::vector<GrainPixel>& pixels, const PointSpread& spread) {
+std::vector<double> warming_of_grain(const Placed& placed, std::size_t g, const std::vector<GrainPixel>& pixels,
+                                     const PointSpread& spread) {
   Neighbourhood around(placed, g, spread);
   return mapped(pixels, [&](const GrainPixel& pixel) {
     const Vec2 x = around.from_centre(pixel);

@@ -16,8 +16,8 @@ using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 using Factor = Eigen::SimplicialLDLT<Matrix, Eigen::Lower>;
 
-void NormalEquations::add(const std::vector<int>& columns, const std::vector<double>& rows, const std::vector<double>& right,
-                          const std::vector<double>& weight) {
+void NormalEquations::add(const std::vector<int>& columns, const std::vector<double>& rows,
+                          const std::vector<double>& right, const std::vector<double>& weight) {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const auto n = static_cast<Eigen::Index>(columns.size()), m = static_cast<Eigen::Index>(right.size());
   const Eigen::Map<const Rows> a(rows.data(), m, n);
@@ -46,7 +46,8 @@ void NormalEquations::add_diagonal(int unknown, double weight, double right) {
 
 double NormalEquations::squares(const std::vector<double>& x) const {
   double sum = constant_;
-  for (const Entry& e : lower_) sum += (e.i == e.j ? 1 : 2) * e.w * x[static_cast<std::size_t>(e.i)] * x[static_cast<std::size_t>(e.j)];
+  for (const Entry& e : lower_)
+    sum += (e.i == e.j ? 1 : 2) * e.w * x[static_cast<std::size_t>(e.i)] * x[static_cast<std::size_t>(e.j)];
   for (std::size_t u = 0; u < x.size(); ++u) sum -= 2 * right_[u] * x[u];
   return sum;
 }
@@ -61,14 +62,16 @@ Matrix sparse(Eigen::Index size, const Entries& entries) {
   return m;
 }
 
-Eigen::Map<const Vector> vector(const std::vector<double>& v) { return {v.data(), static_cast<Eigen::Index>(v.size())}; }
+Eigen::Map<const Vector> vector(const std::vector<double>& v) {
+  return {v.data(), static_cast<Eigen::Index>(v.size())};
+}
 
 std::vector<double> values(const Vector& v) { return {v.data(), v.data() + v.size()}; }
 
 [[noreturn]] void refuse() {
   throw InputError(
-      "the contact forces cannot be solved for: loads, thermoelastic factors and errors of pixels differ by too many orders of "
-      "magnitude, or nothing holds a contact; check their units and the positions of grains and walls");
+      "the contact forces cannot be solved for: loads, thermoelastic factors and errors of pixels differ by too many "
+      "orders of magnitude, or nothing holds a contact; check their units and the positions of grains and walls");
 }
 
 /// Places of grains move by a solution: what is no number must not get there.
@@ -88,7 +91,8 @@ void factorise(Factor& factor, const Matrix& m) {
 Matrix cone_edges(int unknowns, int contacts, double mu) {
   Entries entries;
   for (int c = 0; c < contacts; ++c)
-    entries.insert(entries.end(), {{2 * c, 2 * c, 1}, {2 * c, 2 * c + 1, 1}, {2 * c + 1, 2 * c, mu}, {2 * c + 1, 2 * c + 1, -mu}});
+    entries.insert(entries.end(),
+                   {{2 * c, 2 * c, 1}, {2 * c, 2 * c + 1, 1}, {2 * c + 1, 2 * c, mu}, {2 * c + 1, 2 * c + 1, -mu}});
   for (int u = 2 * contacts; u < unknowns; ++u) entries.push_back({u, u, 1});
   return sparse(unknowns, entries);
 }
@@ -123,7 +127,8 @@ Vector nonnegative(const Matrix& h, const Vector& b, Eigen::Index bounded) {
       Vector right = -left;
       right.head(bounded).array() += goal.head(bounded).array() / y.head(bounded).array();
       dy = factor.solve(right);
-      ds.head(bounded) = (goal.head(bounded) - s.head(bounded).cwiseProduct(dy.head(bounded))).cwiseQuotient(y.head(bounded));
+      ds.head(bounded) =
+          (goal.head(bounded) - s.head(bounded).cwiseProduct(dy.head(bounded))).cwiseQuotient(y.head(bounded));
     };
     goal.head(bounded) = -y.head(bounded).cwiseProduct(s.head(bounded));
     solve();
@@ -136,7 +141,9 @@ Vector nonnegative(const Matrix& h, const Vector& b, Eigen::Index bounded) {
     const double safe = step < 1 ? 0.995 * step : 1;
     y += safe * dy, s += safe * ds;
   }
-  throw CannotGoOn("forces within the friction cone were not found in 100 steps; check the units of loads and factors, and forces.friction");
+  throw CannotGoOn(
+      "forces within the friction cone were not found in 100 steps; check the units of loads and factors, and "
+      "forces.friction");
 }
 
 /// L by columns; those that follow each other and have the same rows below them are a supernode.
@@ -157,7 +164,9 @@ struct Lower {
     const int begin = l.outerIndexPtr()[j];
     return begin + (begin < l.outerIndexPtr()[j + 1] && l.innerIndexPtr()[begin] == j ? 1 : 0);
   }
-  std::span<const int> rows(int j) const { return {l.innerIndexPtr() + start(j), l.innerIndexPtr() + l.outerIndexPtr()[j + 1]}; }
+  std::span<const int> rows(int j) const {
+    return {l.innerIndexPtr() + start(j), l.innerIndexPtr() + l.outerIndexPtr()[j + 1]};
+  }
   /// The rows below a supernode's columns, and the supernode of the first of them.
   std::span<const int> below(std::size_t node) const { return rows(first[node + 1] - 1); }
   std::size_t parent(std::size_t node) const { return node_of[static_cast<std::size_t>(below(node)[0])]; }
@@ -187,9 +196,9 @@ std::vector<double> NormalEquations::solve_in_cone(int contacts, double mu) cons
   return finite_values(t * nonnegative(h, t.transpose() * vector(right_), 2 * contacts));
 }
 
-// Z = (L D L^T)^-1 obeys Z = D^-1 L^-1 + (1 - L^T) Z (Takahashi): with the rows R below the diagonal of L's column j, Z_Rj = -Z_RR L_Rj and
-// Z_jj = 1/D_j - L_Rj . Z_Rj. A supernode has Z of all its rows; of those below its columns it is a part of its parent's, which goes when its last
-// child has it.
+// Z = (L D L^T)^-1 obeys Z = D^-1 L^-1 + (1 - L^T) Z (Takahashi): with the rows R below the diagonal of L's column j,
+// Z_Rj = -Z_RR L_Rj and Z_jj = 1/D_j - L_Rj . Z_Rj. A supernode has Z of all its rows; of those below its columns it is
+// a part of its parent's, which goes when its last child has it.
 std::vector<double> NormalEquations::inverse_diagonal() const {
   const Lower l(factorised().matrixL());
   const Vector& d = factorised().vectorD();
@@ -199,14 +208,16 @@ std::vector<double> NormalEquations::inverse_diagonal() const {
   std::vector<Eigen::MatrixXd> z(children.size());
   Vector diagonal(d.size());
   for (std::size_t k = z.size(); k-- > 0;) {
-    const Eigen::Index columns = l.first[k + 1] - l.first[k], further = std::ssize(l.below(k)), size = columns + further;
+    const Eigen::Index columns = l.first[k + 1] - l.first[k], further = std::ssize(l.below(k)),
+                       size = columns + further;
     z[k].resize(size, size);  // lower triangle
     if (further > 0) {
       const std::size_t parent = l.parent(k);
       const auto others = l.below(parent);  // places of the rows among its columns and these
       const int begin = l.first[parent], end = l.first[parent + 1];
-      const auto place =
-          mapped(l.below(k), [&](int row) { return row < end ? row - begin : end - begin + (std::ranges::lower_bound(others, row) - others.begin()); });
+      const auto place = mapped(l.below(k), [&](int row) {
+        return row < end ? row - begin : end - begin + (std::ranges::lower_bound(others, row) - others.begin());
+      });
       z[k].bottomRightCorner(further, further) = z[parent](place, place);
       if (--children[parent] == 0) z[parent] = {};
     }

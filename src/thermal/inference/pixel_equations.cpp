@@ -17,8 +17,8 @@ double to_contact(Vec2 x, double radius, const std::vector<Touch>& touches) {
   return nearest;
 }
 
-PixelEquations equations_of(const Unknowns& unknowns, const Placed& placed, std::size_t g, const std::vector<GrainPixel>& pixels, const PointSpread& spread,
-                            double contact_margin) {
+PixelEquations equations_of(const Unknowns& unknowns, const Placed& placed, std::size_t g,
+                            const std::vector<GrainPixel>& pixels, const PointSpread& spread, double contact_margin) {
   const auto& touches = placed.touches[g];
   const std::size_t z = touches.size();
   const GrainRows found = rows_of_grain(placed, g, pixels, spread);
@@ -51,26 +51,29 @@ PixelEquations equations_of(const Unknowns& unknowns, const Placed& placed, std:
 
 }  // namespace
 
-Pixels pixels_of_grains(const ThermoelasticPicture& picture, const Packing& packing, const Touches& touches, double rim_margin, double contact_margin) {
+Pixels pixels_of_grains(const ThermoelasticPicture& picture, const Packing& packing, const Touches& touches,
+                        double rim_margin, double contact_margin) {
   const double side = picture.pixel;
   const Vec2 first = picture.first;
-  const geometry::Rectangle window{first.x, first.x + (picture.width - 1) * side, first.y - (picture.height - 1) * side, first.y};
+  const geometry::Rectangle window{first.x, first.x + (picture.width - 1) * side, first.y - (picture.height - 1) * side,
+                                   first.y};
   Pixels pixels(packing.grains.size());
   for (std::size_t g = 0; g < pixels.size(); ++g) {
     const double radius = packing.grains.radius[g], inner = radius - rim_margin * side;
     if (inner <= 0) continue;
     const auto [x0, y0] = packing.grains.position[g];
-    for_each_image(packing.domain, {x0 - radius, x0 + radius, y0 - radius, y0 + radius}, window, [&](const ImageShift& image) {
-      const Vec2 centre = packing.grains.position[g] + image.shift;
-      const double column = (centre.x - first.x) / side, row = (first.y - centre.y) / side, reach = inner / side;
-      each_pixel_near({column, row}, reach, picture.width, picture.height, [&](int c, int r, std::size_t p) {
-        const Vec2 x = Vec2{first.x + c * side, first.y - r * side} - centre;
-        const float value = picture.value[p], error = picture.error[p];
-        if (norm(x) > inner || !std::isfinite(value) || !std::isfinite(error) || !(error > 0)) return;
-        const double away = to_contact(x, radius, touches[g]);
-        if (away >= 0.5 * contact_margin * side) pixels[g].push_back({x, value, error, away, p});
-      });
-    });
+    for_each_image(
+        packing.domain, {x0 - radius, x0 + radius, y0 - radius, y0 + radius}, window, [&](const ImageShift& image) {
+          const Vec2 centre = packing.grains.position[g] + image.shift;
+          const double column = (centre.x - first.x) / side, row = (first.y - centre.y) / side, reach = inner / side;
+          each_pixel_near({column, row}, reach, picture.width, picture.height, [&](int c, int r, std::size_t p) {
+            const Vec2 x = Vec2{first.x + c * side, first.y - r * side} - centre;
+            const float value = picture.value[p], error = picture.error[p];
+            if (norm(x) > inner || !std::isfinite(value) || !std::isfinite(error) || !(error > 0)) return;
+            const double away = to_contact(x, radius, touches[g]);
+            if (away >= 0.5 * contact_margin * side) pixels[g].push_back({x, value, error, away, p});
+          });
+        });
   }
   return pixels;
 }
@@ -83,15 +86,17 @@ double root_mean_square(const std::vector<GrainPixel>& pixels) {
 
 double PixelEquations::left(std::size_t q, const std::vector<double>& x) const {
   double left = right[q];
-  for (std::size_t k = 0; k < columns.size(); ++k) left -= rows[q * columns.size() + k] * x[static_cast<std::size_t>(columns[k])];
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    left -= rows[q * columns.size() + k] * x[static_cast<std::size_t>(columns[k])];
   return left;
 }
 
-std::vector<PixelEquations> pixel_equations(const Unknowns& unknowns, const Placed& placed, const Pixels& pixels, const PointSpread& spread,
-                                            double contact_margin) {
+std::vector<PixelEquations> pixel_equations(const Unknowns& unknowns, const Placed& placed, const Pixels& pixels,
+                                            const PointSpread& spread, double contact_margin) {
   std::vector<PixelEquations> all;
   for (std::size_t g = 0; g < pixels.size(); ++g)
-    if (!pixels[g].empty() && !placed.touches[g].empty()) all.push_back(equations_of(unknowns, placed, g, pixels[g], spread, contact_margin));
+    if (!pixels[g].empty() && !placed.touches[g].empty())
+      all.push_back(equations_of(unknowns, placed, g, pixels[g], spread, contact_margin));
   return all;
 }
 
@@ -106,7 +111,8 @@ void weigh(std::vector<PixelEquations>& equations, double model_error, const std
   }
 }
 
-Misfit misfit(const std::vector<PixelEquations>& equations, const std::vector<double>& x, double model_error, double taken, double most) {
+Misfit misfit(const std::vector<PixelEquations>& equations, const std::vector<double>& x, double model_error,
+              double taken, double most) {
   Misfit m;
   double count = 0;
   std::vector<double> off, signal;
@@ -121,7 +127,8 @@ Misfit misfit(const std::vector<PixelEquations>& equations, const std::vector<do
   const double freedom = std::max({1.0, 0.1 * count, count - taken});
   m.weighed /= freedom, m.over_noise /= freedom;
   if (most > 0) {  // of normal numbers, what is left of their squares where each is cut
-    const double beyond = std::erfc(most / std::numbers::sqrt2), density = std::exp(-0.5 * most * most) / std::sqrt(2 * std::numbers::pi);
+    const double beyond = std::erfc(most / std::numbers::sqrt2),
+                 density = std::exp(-0.5 * most * most) / std::sqrt(2 * std::numbers::pi);
     m.weighed /= 1 - beyond - 2 * most * density + most * most * beyond;
   }
   const double middle = median(std::move(signal));

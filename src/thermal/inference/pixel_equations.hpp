@@ -37,9 +37,10 @@ struct GrainPixel {
 
 using Pixels = std::vector<std::vector<GrainPixel>>;  ///< of every grain
 
-/// The pixels of every grain whose centres are farther from the rim than its margin, and from all its contact points than
-/// half of theirs (margins in pixels). In a periodic direction images of a grain count, too.
-Pixels pixels_of_grains(const ThermoelasticPicture& picture, const Packing& packing, const Touches& touches, double rim_margin, double contact_margin);
+/// The pixels of every grain whose centres are farther from the rim than its margin, and from all its contact points
+/// than half of theirs (margins in pixels). In a periodic direction images of a grain count, too.
+Pixels pixels_of_grains(const ThermoelasticPicture& picture, const Packing& packing, const Touches& touches,
+                        double rim_margin, double contact_margin);
 
 /// A grain whose light may spill over, and the whole periodic cells between its centre and the image that is near, m.
 struct Near {
@@ -67,10 +68,12 @@ struct GrainRows {
   statistics::Matrix turn;      ///< K/rad, touches x pixels: a normal turns counter-clockwise
 };
 
-GrainRows rows_of_grain(const Placed& placed, std::size_t grain, const std::vector<GrainPixel>& pixels, const PointSpread& spread);
+GrainRows rows_of_grain(const Placed& placed, std::size_t grain, const std::vector<GrainPixel>& pixels,
+                        const PointSpread& spread);
 
 /// Warming that the pixels of one grain see under the present forces, K.
-std::vector<double> warming_of_grain(const Placed& placed, std::size_t grain, const std::vector<GrainPixel>& pixels, const PointSpread& spread);
+std::vector<double> warming_of_grain(const Placed& placed, std::size_t grain, const std::vector<GrainPixel>& pixels,
+                                     const PointSpread& spread);
 
 /// Root mean square of the pixels' values, K.
 double root_mean_square(const std::vector<GrainPixel>& pixels);
@@ -87,21 +90,23 @@ struct PixelEquations {
 };
 
 /// The equations of all grains that have pixels and touches, without weights. `contact_margin` in m.
-std::vector<PixelEquations> pixel_equations(const Unknowns& unknowns, const Placed& placed, const Pixels& pixels, const PointSpread& spread,
-                                            double contact_margin);
+std::vector<PixelEquations> pixel_equations(const Unknowns& unknowns, const Placed& placed, const Pixels& pixels,
+                                            const PointSpread& spread, double contact_margin);
 
-/// Weighs pixels by their errors and by the model error of the field, a share of a grain's signal. Those that `x` leaves off by more than
-/// `most` of these errors count less (Huber); 0: all count alike.
+/// Weighs pixels by their errors and by the model error of the field, a share of a grain's signal. Those that `x`
+/// leaves off by more than `most` of these errors count less (Huber); 0: all count alike.
 void weigh(std::vector<PixelEquations>& equations, double model_error, const std::vector<double>& x, double most);
 
 /// Sums of squares that the equations of the pixels leave.
 struct Misfit {
-  double weighed = 0;      ///< in the errors of pixels and fields, each cut at `most`, over what they are on average where errors are as told
+  double weighed = 0;  ///< in the errors of pixels and fields, each cut at `most`, over what they are on average where
+                       ///< errors are as told
   double over_noise = 0;   ///< in the measured noise alone, over the degrees of freedom
   double over_signal = 0;  ///< median size of what is left over that of the signal: one lost grain does not decide it
 };
 
 /// What these leave at the solution x; pixels have as many degrees of freedom as there are beyond `taken`.
-Misfit misfit(const std::vector<PixelEquations>& equations, const std::vector<double>& x, double model_error, double taken, double most);
+Misfit misfit(const std::vector<PixelEquations>& equations, const std::vector<double>& x, double model_error,
+              double taken, double most);
 
 }  // namespace arenite::inference

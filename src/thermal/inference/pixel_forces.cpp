@@ -28,9 +28,13 @@ void check_pixels(const Packing& packing, const Pixels& pixels) {
   const Contacts& contacts = packing.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const auto i = static_cast<std::size_t>(contacts.i[c]);
-    if (!pixels[i].empty() || (!contacts.is_wall(c) && !pixels[static_cast<std::size_t>(contacts.j[c])].empty())) continue;
-    problems.add("no pixel of the picture sees the contact of grain {} with {}; leave the contact out or lower the margins", packing.grains.id[i],
-                 contacts.is_wall(c) ? std::string("a wall") : fmt::format("grain {}", packing.grains.id[static_cast<std::size_t>(contacts.j[c])]));
+    if (!pixels[i].empty() || (!contacts.is_wall(c) && !pixels[static_cast<std::size_t>(contacts.j[c])].empty()))
+      continue;
+    problems.add(
+        "no pixel of the picture sees the contact of grain {} with {}; leave the contact out or lower the margins",
+        packing.grains.id[i],
+        contacts.is_wall(c) ? std::string("a wall")
+                            : fmt::format("grain {}", packing.grains.id[static_cast<std::size_t>(contacts.j[c])]));
   }
   problems.raise();
 }
@@ -68,14 +72,16 @@ std::vector<std::vector<Near>> near_grains(const Packing& packing, double gap) {
 double typical_force(const Placed& placed, const Pixels& pixels) {
   double sum = 0, touches = 0;
   for (std::size_t g = 0; g < pixels.size(); ++g) {
-    sum += std::numbers::pi * placed.radius[g] * placed.length * root_mean_square(pixels[g]) / std::abs(placed.factor[g]);
+    sum +=
+        std::numbers::pi * placed.radius[g] * placed.length * root_mean_square(pixels[g]) / std::abs(placed.factor[g]);
     touches += static_cast<double>(placed.touches[g].size());
   }
   return sum > 0 ? sum / touches : 1;
 }
 
 /// What the picture would show of these forces in all pixels whose centres are in grains.
-std::vector<float> drawn(const Placed& placed, const Packing& packing, const ThermoelasticPicture& picture, const PointSpread& spread) {
+std::vector<float> drawn(const Placed& placed, const Packing& packing, const ThermoelasticPicture& picture,
+                         const PointSpread& spread) {
   std::vector<float> fitted(picture.value.size(), std::numeric_limits<float>::quiet_NaN());
   const Pixels all = pixels_of_grains(picture, packing, placed.touches, 0, 0);
   for (std::size_t g = 0; g < all.size(); ++g) {
@@ -87,7 +93,8 @@ std::vector<float> drawn(const Placed& placed, const Packing& packing, const The
 
 }  // namespace
 
-InferredForces infer_from_pixels(const ForceProblem& problem, const ThermoelasticPicture& picture, const ForceOptions& options) {
+InferredForces infer_from_pixels(const ForceProblem& problem, const ThermoelasticPicture& picture,
+                                 const ForceOptions& options) {
   check_problem(problem, options, true);
   check_picture(picture);
   const Packing& packing = problem.packing;

@@ -19,8 +19,8 @@ std::vector<double> between(const std::vector<double>& from, const std::vector<d
 
 }  // namespace
 
-PixelRounds::PixelRounds(const ForceProblem& problem, const ForceOptions& options, const Pixels& pixels, const PointSpread& spread, double pixel, Placed placed,
-                         double force)
+PixelRounds::PixelRounds(const ForceProblem& problem, const ForceOptions& options, const Pixels& pixels,
+                         const PointSpread& spread, double pixel, Placed placed, double force)
     : problem_(problem),
       options_(options),
       pixels_(pixels),
@@ -51,7 +51,8 @@ std::vector<PixelEquations> PixelRounds::linearised(const Known& known) const {
 
 ForceEquations PixelRounds::assembled(const Known& known, const std::vector<PixelEquations>& rows) const {
   ForceEquations equations(problem_.packing, unknowns_);
-  for (const PixelEquations& of_grain : rows) equations.add(of_grain.columns, of_grain.rows, of_grain.right, of_grain.weight);
+  for (const PixelEquations& of_grain : rows)
+    equations.add(of_grain.columns, of_grain.rows, of_grain.right, of_grain.weight);
   equations.add_balance(known.placed.touches, known.placed.force, options_.balance_error * unknowns_.force);
   equations.add_walls(problem_.walls);
   equations.add_energy(options_.prior > 0 ? options_.prior : 10);
@@ -73,7 +74,9 @@ void PixelRounds::add_positions(ForceEquations& equations, const Known& known) c
 
 /// Factors stay near what was given, as far as nothing else says: without a load only their ratio shows.
 void PixelRounds::add_factors(ForceEquations& equations, const Known& known) const {
-  const auto add = [&](int unknown, double scale, double error) { equations.add_diagonal(unknown, squared(scale / error), (1 - scale) / scale); };
+  const auto add = [&](int unknown, double scale, double error) {
+    equations.add_diagonal(unknown, squared(scale / error), (1 - scale) / scale);
+  };
   const double error = options_.factor_error > 0 ? options_.factor_error : unknown_factor;
   for (std::size_t m = 0; m < unknowns_.scales; ++m) add(unknowns_.scale(m), known.scale[m], error);
   for (std::size_t g = 0; g < unknowns_.own_factors; ++g) add(unknowns_.own_factor(g), known.own[g], scatter_);
@@ -96,7 +99,8 @@ void PixelRounds::take(Known& known, const std::vector<double>& x) const {
   for (std::size_t g = 0; g < unknowns_.own_factors; ++g) known.own[g] *= times(unknowns_.own_factor(g));
   for (std::size_t g = 0; g < placed.factor.size(); ++g) {
     const auto m = static_cast<std::size_t>(placed.material[g]);
-    placed.factor[g] = problem_.factor[m] * (known.scale.empty() ? 1 : known.scale[m]) * (known.own.empty() ? 1 : known.own[g]);
+    placed.factor[g] =
+        problem_.factor[m] * (known.scale.empty() ? 1 : known.scale[m]) * (known.own.empty() ? 1 : known.own[g]);
   }
   if (unknowns_.move <= 0) return;
   for (std::size_t g = 0; g < unknowns_.grains; ++g) {
@@ -108,7 +112,8 @@ void PixelRounds::take(Known& known, const std::vector<double>& x) const {
 
 Misfit PixelRounds::left() const {
   // Balance takes three of the forces' unknowns a grain.
-  const double taken = std::max(0.0, 2.0 * static_cast<double>(unknowns_.contacts) - 3.0 * static_cast<double>(unknowns_.grains));
+  const double taken =
+      std::max(0.0, 2.0 * static_cast<double>(unknowns_.contacts) - 3.0 * static_cast<double>(unknowns_.grains));
   return misfit(rows_, as_unknowns(known_), model_error_, taken, options_.most_off);
 }
 
@@ -179,7 +184,8 @@ InferredForces PixelRounds::solved() {
   InferredForces out = last.finish(options_, known_.placed.touches, known_.placed.force);
   const Misfit left = this->left();
   out.residual = std::sqrt(left.weighed);
-  out.fit.over_noise = std::sqrt(left.over_noise), out.fit.over_signal = left.over_signal, out.fit.model_error = model_error_;
+  out.fit.over_noise = std::sqrt(left.over_noise), out.fit.over_signal = left.over_signal,
+  out.fit.model_error = model_error_;
   for (std::size_t m = 0; m < known_.scale.size(); ++m) out.fit.factor_scale_error[m] *= known_.scale[m];
   out.fit.factor_scale = known_.scale;
   out.fit.factor_scatter = known_.own.empty() ? 0 : scatter_;

@@ -5,14 +5,14 @@
 
 namespace arenite::inference {
 
-/// Forces, centres and factors together, from a first solution for forces alone: Gauss-Newton rounds, each of which is taken only as far as it lowers the
-/// sum of squares of all equations. Between rounds the model error of the fields, the weights of pixels that are far off and the scatter of
-/// factors follow from what the last one left.
+/// Forces, centres and factors together, from a first solution for forces alone: Gauss-Newton rounds, each of which is
+/// taken only as far as it lowers the sum of squares of all equations. Between rounds the model error of the fields,
+/// the weights of pixels that are far off and the scatter of factors follow from what the last one left.
 class PixelRounds {
  public:
   /// All of these must outlive it. `force` and `move` are the units of forces (N) and centres (m; 0: these stay).
-  PixelRounds(const ForceProblem& problem, const ForceOptions& options, const Pixels& pixels, const PointSpread& spread, double pixel, Placed placed,
-              double force);
+  PixelRounds(const ForceProblem& problem, const ForceOptions& options, const Pixels& pixels, const PointSpread& spread,
+              double pixel, Placed placed, double force);
 
   /// Forces with their errors; `fit` without `picture`.
   InferredForces solved();

@@ -16,14 +16,17 @@ namespace arenite::inference {
 namespace {
 
 constexpr double strong = 0.3;  // mean forces; from here on noise takes no contact for another
-/// Borders of the steps of contacts that are there, in mean forces. The first ones are those of contacts that lost their force and are gone, too.
+/// Borders of the steps of contacts that are there, in mean forces. The first ones are those of contacts that lost
+/// their force and are gone, too.
 constexpr std::array there{-1.5, -0.3, 0.0, 0.3, 0.6, 1.0, 1.5, 2.2, 3.0, 6.0};
 constexpr std::size_t steps_gone = 2, steps_there = there.size() - 1, classes = 1 + steps_gone + steps_there;
 /// Share of contacts that are there whose overlap follows no law: grains that are not round, centres that are wrong.
 constexpr double lawless = 0.03;
 
 double below(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
-double bell(double x, double deviation) { return std::exp(-0.5 * x * x / (deviation * deviation)) / (deviation * std::sqrt(2 * std::numbers::pi)); }
+double bell(double x, double deviation) {
+  return std::exp(-0.5 * x * x / (deviation * deviation)) / (deviation * std::sqrt(2 * std::numbers::pi));
+}
 /// Overlap of contacts of one kind: at + slope force, +- spread, in widest gaps and mean forces.
 struct OverlapLaw {
   double at = 0, slope = 0, spread = 0.25;
@@ -44,7 +47,8 @@ ContactEvidence scaled(const ContactEvidence& e) {
   return s;
 }
 
-/// A straight line through the strong contacts of every kind that has a dozen; other kinds are at 0, spread as the widest.
+/// A straight line through the strong contacts of every kind that has a dozen; other kinds are at 0, spread as the
+/// widest.
 std::map<int, OverlapLaw> overlap_laws(const ContactEvidence& s) {
   std::map<int, std::vector<std::size_t>> of;
   for (std::size_t c = 0; c < s.fn.size(); ++c) {
@@ -55,7 +59,9 @@ std::map<int, OverlapLaw> overlap_laws(const ContactEvidence& s) {
   double widest = 0;
   for (const auto& [kind, contacts] : of) {
     if (contacts.size() < 12) continue;
-    const auto of_each = [&contacts = contacts](const std::vector<double>& values) { return mapped(contacts, [&](std::size_t c) { return values[c]; }); };
+    const auto of_each = [&contacts = contacts](const std::vector<double>& values) {
+      return mapped(contacts, [&](std::size_t c) { return values[c]; });
+    };
     const auto m = statistics::second_moments(of_each(s.fn), of_each(s.overlap));
     OverlapLaw law;
     law.slope = m.xx > 0 ? m.xy / m.xx : 0;
@@ -118,7 +124,9 @@ class Mixture {
     const double f = s_.fn[c], error = scale_ * s_.fn_error[c];
     std::array<double, there.size()> under;
     for (std::size_t k = 0; k < there.size(); ++k) under[k] = below((f - there[k]) / error);
-    const auto step = [&](std::size_t k) { return (under[k] - under[k + 1]) / (there[k + 1] - there[k]); };  // density of even forces that noise blurs
+    const auto step = [&](std::size_t k) {
+      return (under[k] - under[k + 1]) / (there[k + 1] - there[k]);
+    };  // density of even forces that noise blurs
     Classes p;
     p[0] = bell(f, error);
     for (std::size_t k = 0; k < steps_gone; ++k) p[1 + k] = step(k);

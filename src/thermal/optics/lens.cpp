@@ -20,7 +20,8 @@ Lens make_lens(double blur, int fine, double reach) {
 Canvas::Canvas(const Lens& lens, int pixels_across, int pixels_down, Vec2 middle, Vec2 from_point_to_point)
     : width(pixels_across * lens.fine + 2 * lens.margin),
       height(pixels_down * lens.fine + 2 * lens.margin),
-      first{middle.x - 0.5 * (width - 1) * from_point_to_point.x, middle.y - 0.5 * (height - 1) * from_point_to_point.y},
+      first{middle.x - 0.5 * (width - 1) * from_point_to_point.x,
+            middle.y - 0.5 * (height - 1) * from_point_to_point.y},
       step(from_point_to_point),
       light(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
@@ -39,7 +40,8 @@ std::vector<float> through_lens(const Lens& lens, const std::vector<float>& scen
   for (int r = 0; r < height; ++r) {
     float* out = picture.data() + static_cast<std::ptrdiff_t>(r) * width;
     for (std::size_t k = 0; k < lens.taps.size(); ++k) {
-      const float* in = rows.data() + (static_cast<std::ptrdiff_t>(r) * lens.fine + static_cast<std::ptrdiff_t>(k)) * width;
+      const float* in =
+          rows.data() + (static_cast<std::ptrdiff_t>(r) * lens.fine + static_cast<std::ptrdiff_t>(k)) * width;
       for (int c = 0; c < width; ++c) out[c] += lens.taps[k] * in[c];
     }
   }

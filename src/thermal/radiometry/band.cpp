@@ -66,7 +66,8 @@ SmallChange taken_for_another(const Band& band, const Surface& assumed, const Su
   if (assumed.emissivity == surface.emissivity) return {temperature, 1};
   const double t = temperature_of_seen(band, surface, seen_exitance(band, assumed, temperature));
   if (!(t > 0)) return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
-  return {t, assumed.emissivity * photon_exitance_slope(band, temperature) / (surface.emissivity * photon_exitance_slope(band, t))};
+  return {t, assumed.emissivity * photon_exitance_slope(band, temperature) /
+                 (surface.emissivity * photon_exitance_slope(band, t))};
 }
 
 }  // namespace arenite::radiometry

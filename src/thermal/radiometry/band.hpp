@@ -30,7 +30,8 @@ struct Surface {
 
 /// What a camera sees of a surface: eps N(T) + (1 - eps) N(T_amb), photons/s/m^2.
 inline double seen_exitance(const Band& band, const Surface& surface, double temperature) {
-  return surface.emissivity * photon_exitance(band, temperature) + (1 - surface.emissivity) * photon_exitance(band, surface.ambient);
+  return surface.emissivity * photon_exitance(band, temperature) +
+         (1 - surface.emissivity) * photon_exitance(band, surface.ambient);
 }
 
 /// The temperature of a surface of which this is seen, K. 0 where the surroundings alone send as much.
@@ -44,8 +45,9 @@ struct SmallChange {
   double temperature = 0, factor = 0;
 };
 
-/// What a surface was, and by how much it changed for every kelvin of change, if it was taken for another one (`assumed`, of the same
-/// surroundings) and thought to be at `temperature`: both send the same photons. Not finite where the surroundings alone send as much.
+/// What a surface was, and by how much it changed for every kelvin of change, if it was taken for another one
+/// (`assumed`, of the same surroundings) and thought to be at `temperature`: both send the same photons. Not finite
+/// where the surroundings alone send as much.
 SmallChange taken_for_another(const Band& band, const Surface& assumed, const Surface& surface, double temperature);
 
 }  // namespace arenite::radiometry

@@ -35,10 +35,11 @@ std::vector<std::int64_t> BlankFrames::all() const {
 std::vector<std::int64_t> blank_frames(FilmSource& film) {
   const std::size_t pixels = film.info().pixels();
   BlankFrames lost;
-  read_frames(film, 0, static_cast<std::size_t>(film.info().frames), [&](const auto* frames, std::size_t, std::size_t some) {
-    for (std::size_t f = 0; f < some; ++f) lost.see(frames + f * pixels, pixels);
-    return true;
-  });
+  read_frames(film, 0, static_cast<std::size_t>(film.info().frames),
+              [&](const auto* frames, std::size_t, std::size_t some) {
+                for (std::size_t f = 0; f < some; ++f) lost.see(frames + f * pixels, pixels);
+                return true;
+              });
   return lost.all();
 }
 
@@ -48,7 +49,9 @@ bool may_lack_frames(const SegmentSums& s) {
     for (std::size_t k = 0; k < s.segments(); ++k)
       if (!std::isfinite(s.sums[view.at(p, k, 0)])) return true;
   for (std::size_t n = 0; n < s.time.size(); ++n) {
-    const auto is_zero = [&](std::size_t i) { return !(std::abs(s.seen[i * s.time.size() + n] + s.base[s.watched[i]]) > 0); };
+    const auto is_zero = [&](std::size_t i) {
+      return !(std::abs(s.seen[i * s.time.size() + n] + s.base[s.watched[i]]) > 0);
+    };
     std::size_t i = 0;
     while (i < s.watched.size() && is_zero(i)) ++i;
     if (i == s.watched.size()) return true;
@@ -59,14 +62,18 @@ bool may_lack_frames(const SegmentSums& s) {
 std::string blank_frames_sentence(const std::vector<std::int64_t>& frames) {
   constexpr std::size_t most = 5;
   if (frames.empty()) return {};
-  const std::vector<std::int64_t> first(frames.begin(), frames.begin() + static_cast<std::ptrdiff_t>(std::min(frames.size(), most)));
+  const std::vector<std::int64_t> first(frames.begin(),
+                                        frames.begin() + static_cast<std::ptrdiff_t>(std::min(frames.size(), most)));
   const std::string names = list_of(mapped<std::string>(first, [](std::int64_t n) { return std::to_string(n); }));
   if (frames.size() == 1) return fmt::format("frame {} holds no picture (no numbers, or zeros) and is left out", names);
   const std::string more = frames.size() > most ? fmt::format(" and {} more", frames.size() - most) : "";
-  return fmt::format("{} frames ({}{}) hold no picture (no numbers, or zeros) and are left out", frames.size(), names, more);
+  return fmt::format("{} frames ({}{}) hold no picture (no numbers, or zeros) and are left out", frames.size(), names,
+                     more);
 }
 
-FilmWithout::FilmWithout(FilmSource& film, const std::vector<std::int64_t>& lost, const std::vector<double>& time) : film_(film), info_(film.info()) {
+FilmWithout::FilmWithout(FilmSource& film, const std::vector<std::int64_t>& lost, const std::vector<double>& time)
+    : film_(film),
+      info_(film.info()) {
   for (std::int64_t n = 0; n < info_.frames; ++n)
     if (!std::ranges::binary_search(lost, n)) kept_.push_back(n);
   info_.frames = static_cast<std::int64_t>(kept_.size());
@@ -79,7 +86,9 @@ void FilmWithout::read(std::int64_t first, std::size_t count, FrameBlock& block)
   const auto from = kept_.begin() + static_cast<std::ptrdiff_t>(first);
   for (std::size_t n = 0; n < count;) {
     std::size_t run = 1;
-    while (n + run < count && from[static_cast<std::ptrdiff_t>(n + run)] == from[static_cast<std::ptrdiff_t>(n)] + static_cast<std::int64_t>(run)) ++run;
+    while (n + run < count && from[static_cast<std::ptrdiff_t>(n + run)] ==
+                                  from[static_cast<std::ptrdiff_t>(n)] + static_cast<std::int64_t>(run))
+      ++run;
     film_.read(from[static_cast<std::ptrdiff_t>(n)], run, part_);
     const auto at = static_cast<std::ptrdiff_t>(n * info_.pixels());
     std::ranges::copy(part_.level, block.level.begin() + (info_.floating ? 0 : at));

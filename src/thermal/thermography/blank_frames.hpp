@@ -27,8 +27,8 @@ class BlankFrames {
 /// Those of a film, which is read once.
 std::vector<std::int64_t> blank_frames(FilmSource& film);
 
-/// What a frame without a picture does to the sums of a pass: they are no numbers, or all pixels that are watched are 0 in a
-/// frame.
+/// What a frame without a picture does to the sums of a pass: they are no numbers, or all pixels that are watched are 0
+/// in a frame.
 bool may_lack_frames(const SegmentSums& sums);
 
 /// "frame 40 holds no picture and was left out"; empty without frames.

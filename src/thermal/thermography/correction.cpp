@@ -45,8 +45,11 @@ constexpr std::size_t numbers = 8193;
 
 template <class Law> LevelCurve tabulate(const LevelRange& range, Law&& law) {
   LevelCurve curve{range.low, (range.high - range.low) / static_cast<double>(numbers - 1), {}};
-  if (!(curve.step > 0)) throw refusal("levels from {} to {} are not a range for a calibration curve; give a lower and a higher one", range.low, range.high);
-  for (std::size_t i = 0; i < numbers; ++i) curve.temperature.push_back(static_cast<float>(law(range.low + static_cast<double>(i) * curve.step)));
+  if (!(curve.step > 0))
+    throw refusal("levels from {} to {} are not a range for a calibration curve; give a lower and a higher one",
+                  range.low, range.high);
+  for (std::size_t i = 0; i < numbers; ++i)
+    curve.temperature.push_back(static_cast<float>(law(range.low + static_cast<double>(i) * curve.step)));
   return curve;
 }
 
@@ -54,7 +57,8 @@ void check(const std::vector<LevelPoint>& points) {
   if (points.size() < 2) throw refusal("a calibration curve of {} points is too short; give 2 or more", points.size());
   for (const LevelPoint& p : points)
     if (!std::isfinite(p.level) || !(p.temperature > 0) || !std::isfinite(p.temperature))
-      throw refusal("a calibration curve has the point ({}, {} K), which is impossible; correct it", p.level, p.temperature);
+      throw refusal("a calibration curve has the point ({}, {} K), which is impossible; correct it", p.level,
+                    p.temperature);
 }
 
 }  // namespace
@@ -63,13 +67,15 @@ std::vector<Replacement> replacements(const std::vector<std::uint8_t>& bad, int 
   std::vector<Replacement> list;
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
-      const auto pixel = static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(width) + static_cast<std::uint32_t>(column);
+      const auto pixel =
+          static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(width) + static_cast<std::uint32_t>(column);
       if (bad[pixel] == 0) continue;
       Replacement& replacement = list.emplace_back(Replacement{pixel, {}});
       for (int reach = 1; reach <= std::max(width, height) && replacement.from.empty(); ++reach)
-        each_pixel_near({static_cast<double>(column), static_cast<double>(row)}, reach, width, height, [&](int, int, std::size_t near) {
-          if (bad[near] == 0) replacement.from.push_back(static_cast<std::uint32_t>(near));
-        });
+        each_pixel_near({static_cast<double>(column), static_cast<double>(row)}, reach, width, height,
+                        [&](int, int, std::size_t near) {
+                          if (bad[near] == 0) replacement.from.push_back(static_cast<std::uint32_t>(near));
+                        });
     }
   return list;
 }
@@ -82,14 +88,18 @@ void correct_offsets(const FrameStatistics& reference, Correction& correction) {
   const double level = reference_level(reference);
   correction.gain.assign(reference.mean.size(), 1);
   correction.offset.resize(reference.mean.size());
-  for (std::size_t i = 0; i < reference.mean.size(); ++i) correction.offset[i] = static_cast<float>(level - static_cast<double>(reference.mean[i]));
+  for (std::size_t i = 0; i < reference.mean.size(); ++i)
+    correction.offset[i] = static_cast<float>(level - static_cast<double>(reference.mean[i]));
 }
 
 void correct_gains(const FrameStatistics& cold, const FrameStatistics& warm, Correction& correction) {
   if (cold.width != warm.width || cold.height != warm.height)
-    throw refusal("the two references have {} x {} and {} x {} pixels; film both with the same window", cold.width, cold.height, warm.width, warm.height);
+    throw refusal("the two references have {} x {} and {} x {} pixels; film both with the same window", cold.width,
+                  cold.height, warm.width, warm.height);
   const double low = reference_level(cold), step = reference_level(warm) - low;
-  if (!(std::abs(step) > 0)) throw InputError("the two references show the same level, so gains cannot be found; film them at different temperatures");
+  if (!(std::abs(step) > 0))
+    throw InputError(
+        "the two references show the same level, so gains cannot be found; film them at different temperatures");
   correct_offsets(cold, correction);
   constexpr double least_answer = 0.1;  // of the median pixel's
   for (std::size_t i = 0; i < cold.mean.size(); ++i) {
@@ -97,7 +107,8 @@ void correct_gains(const FrameStatistics& cold, const FrameStatistics& warm, Cor
     const double gain = answer > least_answer ? 1 / answer : 1;
     correction.gain[i] = static_cast<float>(gain);
     // Of the rounded gain, so that the cold reference is met exactly.
-    correction.offset[i] = static_cast<float>(low - static_cast<double>(correction.gain[i]) * static_cast<double>(cold.mean[i]));
+    correction.offset[i] =
+        static_cast<float>(low - static_cast<double>(correction.gain[i]) * static_cast<double>(cold.mean[i]));
   }
 }
 
@@ -105,10 +116,11 @@ void apply(const Correction& correction, const FrameBlock& in, std::vector<float
   const std::size_t n = static_cast<std::size_t>(correction.width) * static_cast<std::size_t>(correction.height);
   const std::size_t pixels = in.level.empty() ? in.value.size() : in.level.size();
   const auto fits = [n](const auto& array) { return array.empty() || array.size() == n; };
-  if (pixels != n * in.frames || !fits(correction.gain) || correction.gain.size() != correction.offset.size() || !fits(correction.reference) ||
-      !fits(correction.mask))
-    throw refusal("the correction is for frames of {} x {} pixels and the film has others; give reference films of the same size", correction.width,
-                  correction.height);
+  if (pixels != n * in.frames || !fits(correction.gain) || correction.gain.size() != correction.offset.size() ||
+      !fits(correction.reference) || !fits(correction.mask))
+    throw refusal(
+        "the correction is for frames of {} x {} pixels and the film has others; give reference films of the same size",
+        correction.width, correction.height);
   out.resize(pixels);
   for (std::size_t f = 0; f < in.frames; ++f) {
     float* frame = out.data() + f * n;
@@ -121,7 +133,10 @@ void apply(const Correction& correction, const FrameBlock& in, std::vector<float
   }
 }
 
-CorrectedFilm::CorrectedFilm(FilmSource& film, const Correction& correction) : film_(film), correction_(correction), info_(film.info()) {
+CorrectedFilm::CorrectedFilm(FilmSource& film, const Correction& correction)
+    : film_(film),
+      correction_(correction),
+      info_(film.info()) {
   info_.floating = true;
   if (!correction.curve.temperature.empty()) info_.quantity = FilmQuantity::kelvin;
 }
@@ -134,35 +149,46 @@ void CorrectedFilm::read(std::int64_t first, std::size_t count, FrameBlock& bloc
   apply(correction_, part_, block.value);
 }
 
-LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band& band, const radiometry::Surface& surface, const LevelRange& range) {
+LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band& band,
+                         const radiometry::Surface& surface, const LevelRange& range) {
   check(points);
   std::sort(points.begin(), points.end(), [](const LevelPoint& a, const LevelPoint& b) { return a.level < b.level; });
   for (std::size_t i = 1; i < points.size(); ++i)
     if (!(points[i].level > points[i - 1].level) || !(points[i].temperature > points[i - 1].temperature))
-      throw refusal("a calibration curve does not rise from level {} to {}; correct its points", points[i - 1].level, points[i].level);
+      throw refusal("a calibration curve does not rise from level {} to {}; correct its points", points[i - 1].level,
+                    points[i].level);
   std::size_t k = 1;
   return tabulate(range, [&](double level) {
     while (k + 1 < points.size() && level > points[k].level) ++k;
     const LevelPoint &a = points[k - 1], &b = points[k];
     const double t = a.temperature + (level - a.level) * (b.temperature - a.temperature) / (b.level - a.level);
-    return surface.emissivity == 1 ? t : radiometry::temperature_of_seen(band, surface, radiometry::photon_exitance(band, t));
+    return surface.emissivity == 1
+               ? t
+               : radiometry::temperature_of_seen(band, surface, radiometry::photon_exitance(band, t));
   });
 }
 
-LevelCurve curve_by_references(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm, const radiometry::Surface& surface,
-                               const LevelRange& range) {
+LevelCurve curve_by_references(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm,
+                               const radiometry::Surface& surface, const LevelRange& range) {
   if (!(cold.temperature > 0) || !(warm.temperature > cold.temperature) || cold.level == warm.level)
-    throw refusal("references of {} K and {} K at levels {} and {} cannot be used for calibration; film a colder and a warmer one", cold.temperature,
-                  warm.temperature, cold.level, warm.level);
-  const double low = radiometry::photon_exitance(band, cold.temperature), high = radiometry::photon_exitance(band, warm.temperature);
+    throw refusal(
+        "references of {} K and {} K at levels {} and {} cannot be used for calibration; film a colder and a warmer "
+        "one",
+        cold.temperature, warm.temperature, cold.level, warm.level);
+  const double low = radiometry::photon_exitance(band, cold.temperature),
+               high = radiometry::photon_exitance(band, warm.temperature);
   return tabulate(range, [&](double level) {
-    return radiometry::temperature_of_seen(band, surface, low + (level - cold.level) * (high - low) / (warm.level - cold.level));
+    return radiometry::temperature_of_seen(band, surface,
+                                           low + (level - cold.level) * (high - low) / (warm.level - cold.level));
   });
 }
 
-LevelCurve curve_by_radiometry(const radiometry::Band& band, const LevelPoint& known, const radiometry::Surface& surface, const LevelRange& range) {
+LevelCurve curve_by_radiometry(const radiometry::Band& band, const LevelPoint& known,
+                               const radiometry::Surface& surface, const LevelRange& range) {
   if (!(known.temperature > 0) || !(known.level > 0))
-    throw refusal("a level of {} at {} K cannot be used for calibration; give a level above 0 and a temperature above 0 K", known.level, known.temperature);
+    throw refusal(
+        "a level of {} at {} K cannot be used for calibration; give a level above 0 and a temperature above 0 K",
+        known.level, known.temperature);
   const double photons = radiometry::photon_exitance(band, known.temperature) / known.level;
   return tabulate(range, [&](double level) { return radiometry::temperature_of_seen(band, surface, photons * level); });
 }
@@ -176,11 +202,12 @@ void see_surfaces(LockinMaps& maps, const PictureGrains& grains, const GrainSurf
     const auto material = grain[i] < 0 ? -1 : grains.material[static_cast<std::size_t>(grain[i])];
     if (material < 0 || !std::isfinite(maps.mean[i])) continue;
     const double emissivity = surfaces.emissivity[static_cast<std::size_t>(material)];
-    const auto true_one =
-        radiometry::taken_for_another(surfaces.band, surfaces.assumed, {emissivity, surfaces.assumed.ambient}, static_cast<double>(maps.mean[i]));
+    const auto true_one = radiometry::taken_for_another(
+        surfaces.band, surfaces.assumed, {emissivity, surfaces.assumed.ambient}, static_cast<double>(maps.mean[i]));
     maps.mean[i] = static_cast<float>(true_one.temperature);
     for (const auto& map : lockin_maps)
-      if (auto& values = maps.*map.values; !values.empty() && &values != &maps.mean && &values != &maps.phase) values[i] *= static_cast<float>(true_one.factor);
+      if (auto& values = maps.*map.values; !values.empty() && &values != &maps.mean && &values != &maps.phase)
+        values[i] *= static_cast<float>(true_one.factor);
   }
 }
 

@@ -14,9 +14,9 @@ struct FrameStatistics {
   int width = 0, height = 0;
   std::size_t frames = 0;
   std::vector<float> mean;
-  std::vector<float> noise;  ///< standard deviation from frame to frame: a sixth of the mean square of second differences of
-                             ///< frames that follow each other, which neither drift nor rims that move with a load touch; 0
-                             ///< for one frame, and half the square of the difference of two
+  std::vector<float> noise;  ///< standard deviation from frame to frame: a sixth of the mean square of second
+                             ///< differences of frames that follow each other, which neither drift nor rims that move
+                             ///< with a load touch; 0 for one frame, and half the square of the difference of two
   std::vector<float> least, most;
   std::vector<std::int64_t> blank = {};  ///< frames that hold no picture (blank_frames.hpp)
 };
@@ -24,7 +24,8 @@ struct FrameStatistics {
 /// Of at most `most_frames` frames from the first on, 0 for all; read some at a time.
 FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames = 0);
 
-/// Pixels that never change in eight frames or more, and those that reached the top of the camera's range (2^bits - 1), if the film says it.
+/// Pixels that never change in eight frames or more, and those that reached the top of the camera's range (2^bits - 1),
+/// if the film says it.
 struct Doubtful {
   std::size_t constant = 0, saturated = 0;
 };
@@ -33,15 +34,17 @@ Doubtful doubtful(const FrameStatistics& statistics, int bits);
 /// Why a pixel is not believed: one or more of these.
 enum BadPixel : std::uint8_t { bad_level = 1, bad_gain = 2, bad_noise = 4 };
 
-/// Marks bad pixels of any film: dead and hot ones, which stand out of all but two of their eight neighbours more than these and the whole picture
-/// scatter, blinking and frozen ones, whose noise (its logarithm) stands out of that of all pixels; by eight robust standard deviations. Up to three
-/// that touch are found. An edge in the picture is no fault, since a pixel at it has neighbours of its own side. Noise is judged from eight frames on.
+/// Marks bad pixels of any film: dead and hot ones, which stand out of all but two of their eight neighbours more than
+/// these and the whole picture scatter, blinking and frozen ones, whose noise (its logarithm) stands out of that of all
+/// pixels; by eight robust standard deviations. Up to three that touch are found. An edge in the picture is no fault,
+/// since a pixel at it has neighbours of its own side. Noise is judged from eight frames on.
 std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& film);
 
 /// Marks those, and pixels whose answer to two references stands out.
 std::vector<std::uint8_t> find_bad_pixels(const FrameStatistics& cold, const FrameStatistics& warm);
 
-/// Digital level to temperature, as numbers at equal steps of the level between which it is straight; beyond the ends the end pieces go on.
+/// Digital level to temperature, as numbers at equal steps of the level between which it is straight; beyond the ends
+/// the end pieces go on.
 struct LevelCurve {
   double first = 0, step = 1;      ///< levels
   std::vector<float> temperature;  ///< K, at least two; empty: levels stay levels
@@ -53,7 +56,8 @@ struct Replacement {
   std::vector<std::uint32_t> from;  ///< empty if there is no good neighbour: the pixel stays as it is
 };
 
-/// For every marked pixel the good ones nearest to it: of its eight neighbours, or of wider rings where these are bad too.
+/// For every marked pixel the good ones nearest to it: of its eight neighbours, or of wider rings where these are bad
+/// too.
 std::vector<Replacement> replacements(const std::vector<std::uint8_t>& bad, int width, int height);
 
 /// What is done to every frame of a film, in this order; an empty array does nothing. Arrays are rows from the top.
@@ -66,7 +70,8 @@ struct Correction {
   std::vector<std::uint8_t> mask;  ///< 0: not of interest, given as 0
 };
 
-/// Corrects the frames of a block into `out`, frame after frame. Throws InputError if the correction is for another size.
+/// Corrects the frames of a block into `out`, frame after frame. Throws InputError if the correction is for another
+/// size.
 void apply(const Correction& correction, const FrameBlock& in, std::vector<float>& out);
 
 /// A film seen through a correction: its pixels are floating, and K where the correction has a curve.
@@ -84,12 +89,13 @@ class CorrectedFilm : public FilmSource {
   FrameBlock part_;
 };
 
-/// One-point correction: every pixel's offset, from the mean frame of a film of a black-body reference. Every pixel then shows it at the median level of all.
+/// One-point correction: every pixel's offset, from the mean frame of a film of a black-body reference. Every pixel
+/// then shows it at the median level of all.
 void correct_offsets(const FrameStatistics& reference, Correction& correction);
 
-/// Two-point correction: gain and offset of every pixel, from two black-body references of different temperature, so that every
-/// pixel shows each of them at its median level. A pixel that hardly answers keeps gain 1 (find_bad_pixels finds it).
-/// Throws InputError for references of different size, or that do not differ.
+/// Two-point correction: gain and offset of every pixel, from two black-body references of different temperature, so
+/// that every pixel shows each of them at its median level. A pixel that hardly answers keeps gain 1 (find_bad_pixels
+/// finds it). Throws InputError for references of different size, or that do not differ.
 void correct_gains(const FrameStatistics& cold, const FrameStatistics& warm, Correction& correction);
 
 /// The median level of a reference: where a correction puts it.
@@ -105,19 +111,20 @@ struct LevelRange {
   double low = 0, high = 16383;
 };
 
-/// Straight between the points of a black body, whatever their order; beyond them the last pieces go on. Throws InputError for fewer
-/// than two points, two of one level, or temperatures that do not rise with the level.
-/// For a surface that is not black what a level says of the photons stays, and a part of them is mirrored.
-LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band& band = {}, const radiometry::Surface& surface = {},
-                         const LevelRange& range = {});
+/// Straight between the points of a black body, whatever their order; beyond them the last pieces go on. Throws
+/// InputError for fewer than two points, two of one level, or temperatures that do not rise with the level. For a
+/// surface that is not black what a level says of the photons stays, and a part of them is mirrored.
+LevelCurve curve_through(std::vector<LevelPoint> points, const radiometry::Band& band = {},
+                         const radiometry::Surface& surface = {}, const LevelRange& range = {});
 
-/// Radiometry between two black-body references: the level is a straight line of the photons in the band, and a surface that is
-/// not black shows eps N(T) + (1 - eps) N(T_amb).
-LevelCurve curve_by_references(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm, const radiometry::Surface& surface,
-                               const LevelRange& range = {});
+/// Radiometry between two black-body references: the level is a straight line of the photons in the band, and a surface
+/// that is not black shows eps N(T) + (1 - eps) N(T_amb).
+LevelCurve curve_by_references(const radiometry::Band& band, const LevelPoint& cold, const LevelPoint& warm,
+                               const radiometry::Surface& surface, const LevelRange& range = {});
 
 /// Radiometry with one level known, which is that of a black surface: levels are proportional to photons.
-LevelCurve curve_by_radiometry(const radiometry::Band& band, const LevelPoint& known, const radiometry::Surface& surface, const LevelRange& range = {});
+LevelCurve curve_by_radiometry(const radiometry::Band& band, const LevelPoint& known,
+                               const radiometry::Surface& surface, const LevelRange& range = {});
 
 /// What temperatures were made with, and what grains are.
 struct GrainSurfaces {
@@ -126,9 +133,10 @@ struct GrainSurfaces {
   std::vector<double> emissivity;  ///< of every material; empty: nothing is known of them
 };
 
-/// Maps in kelvin that were made as if everything were the assumed surface, as each grain's own material shows them: its pixels' mean, and
-/// what varies about it by the slope of Planck's law there. A pixel belongs to the grain that covers its middle, and those just beyond a rim
-/// to the nearest grain; the rest stays as it is. Maps are unchanged where materials are as assumed.
+/// Maps in kelvin that were made as if everything were the assumed surface, as each grain's own material shows them:
+/// its pixels' mean, and what varies about it by the slope of Planck's law there. A pixel belongs to the grain that
+/// covers its middle, and those just beyond a rim to the nearest grain; the rest stays as it is. Maps are unchanged
+/// where materials are as assumed.
 void see_surfaces(LockinMaps& maps, const PictureGrains& grains, const GrainSurfaces& surfaces);
 
 }  // namespace arenite::thermography

@@ -46,7 +46,8 @@ std::vector<Chord> chords_of(const PictureGrains& g, std::size_t i) {
 /// Evenly bright disks that move before an even background: what a film would show if nothing warmed under the load.
 class GrainScene {
  public:
-  GrainScene(const PhasePictures& pictures, const PictureGrains& grains, const GrainMotion& motion, const ThreadPool& pool)
+  GrainScene(const PhasePictures& pictures, const PictureGrains& grains, const GrainMotion& motion,
+             const ThreadPool& pool)
       : pictures_(pictures),
         grains_(grains),
         motion_(motion),
@@ -57,19 +58,25 @@ class GrainScene {
   /// Mean of a grain over its inner pixels.
   double level(std::size_t grain) const { return level_[grain]; }
 
-  /// Share of every pixel of picture k in which no grain is seen, through a lens that spreads a point by `blur` (standard deviation, pixels).
-  std::vector<float> open(std::size_t k, double blur) const { return draw(k, std::vector<double>(level_.size(), 0.0), 1, blur); }
-  std::vector<float> drawn(std::size_t k, double background, double blur) const { return draw(k, level_, background, blur); }
+  /// Share of every pixel of picture k in which no grain is seen, through a lens that spreads a point by `blur`
+  /// (standard deviation, pixels).
+  std::vector<float> open(std::size_t k, double blur) const {
+    return draw(k, std::vector<double>(level_.size(), 0.0), 1, blur);
+  }
+  std::vector<float> drawn(std::size_t k, double background, double blur) const {
+    return draw(k, level_, background, blur);
+  }
 
-  /// Level where no grain reaches. Most pixels between grains show some grain too: what is left of them without the grains, over their open share.
-  /// Pixels far from any grain may show the frame.
+  /// Level where no grain reaches. Most pixels between grains show some grain too: what is left of them without the
+  /// grains, over their open share. Pixels far from any grain may show the frame.
   double background(double blur) const {
     constexpr float least = 0.5f, most = 0.98f;
     const std::vector<float> share = open(0, blur), disks = drawn(0, 0, blur), seen = picture_of(pictures_, 0);
     std::vector<std::pair<double, double>> pores;  // level and weight
     for (std::size_t p = 0; p < seen.size(); ++p)
       if (share[p] > least && share[p] < most)
-        pores.emplace_back(static_cast<double>((seen[p] - disks[p]) / share[p]), static_cast<double>(share[p] * share[p]));
+        pores.emplace_back(static_cast<double>((seen[p] - disks[p]) / share[p]),
+                           static_cast<double>(share[p] * share[p]));
     return weighted_median(std::move(pores), level_.empty() ? 0 : level_.front());
   }
 
@@ -92,10 +99,12 @@ class GrainScene {
   /// Disks of these levels where the grains are in picture k. Those that overlap are parted by the chord of their rims.
   std::vector<float> draw(std::size_t k, const std::vector<double>& level, double background, double blur) const {
     const optics::Lens lens = optics::make_lens(blur, fine, 4);
-    optics::Canvas canvas(lens, pictures_.width, pictures_.height, {0.5 * (pictures_.width - 1), 0.5 * (pictures_.height - 1)}, {1.0 / fine, 1.0 / fine});
+    optics::Canvas canvas(lens, pictures_.width, pictures_.height,
+                          {0.5 * (pictures_.width - 1), 0.5 * (pictures_.height - 1)}, {1.0 / fine, 1.0 / fine});
     PictureGrains there = grains_;
     for (std::size_t i = 0; i < there.size(); ++i) there.centre[i] += pictures_.moved(motion_, i, k);
-    for (std::size_t i = 0; i < there.size(); ++i) paint(canvas, there.centre[i], there.radius[i], level[i] - background, chords_of(there, i));
+    for (std::size_t i = 0; i < there.size(); ++i)
+      paint(canvas, there.centre[i], there.radius[i], level[i] - background, chords_of(there, i));
     std::vector<float> picture = optics::through_lens(lens, canvas.light, pictures_.width, pictures_.height);
     for (float& v : picture) v += static_cast<float>(background);
     return picture;
@@ -123,9 +132,10 @@ template <class Distance> double nearest(double low, double high, const Distance
   return 0.5 * (low + high);
 }
 
-/// The pictures less the scene with its grains where they are in each. Rims of grains are too sharp for the pixels to be
-/// resampled; what is left here is smooth.
-PhasePictures without_scene(const PhasePictures& pictures, const GrainScene& scene, double blur, const ThreadPool& pool) {
+/// The pictures less the scene with its grains where they are in each. Rims of grains are too sharp for the pixels to
+/// be resampled; what is left here is smooth.
+PhasePictures without_scene(const PhasePictures& pictures, const GrainScene& scene, double blur,
+                            const ThreadPool& pool) {
   PhasePictures rest = pictures;
   const double background = scene.background(blur);
   pool.for_each(rest.size(), [&](std::size_t k) {
@@ -137,14 +147,17 @@ PhasePictures without_scene(const PhasePictures& pictures, const GrainScene& sce
   return rest;
 }
 
-/// Amplitudes in phase with the load and a quarter of a cycle off. Where rims sweep over a pixel it shows their motion and no warming.
+/// Amplitudes in phase with the load and a quarter of a cycle off. Where rims sweep over a pixel it shows their motion
+/// and no warming.
 void project(LockinMaps& maps, const std::vector<std::int32_t>& owner) {
   for (std::size_t p = 0; p < maps.size(); ++p) {
-    const double angle = static_cast<double>(maps.phase[p]) - maps.reference_phase, a = static_cast<double>(maps.amplitude[p]);
+    const double angle = static_cast<double>(maps.phase[p]) - maps.reference_phase,
+                 a = static_cast<double>(maps.amplitude[p]);
     maps.in_phase[p] = static_cast<float>(a * std::cos(angle));
     maps.quadrature[p] = static_cast<float>(a * std::sin(angle));
     if (owner[p] >= 0) continue;
-    for (auto* map : {&maps.amplitude, &maps.phase, &maps.in_phase, &maps.quadrature, &maps.second_harmonic, &maps.standard_error, &maps.residual})
+    for (auto* map : {&maps.amplitude, &maps.phase, &maps.in_phase, &maps.quadrature, &maps.second_harmonic,
+                      &maps.standard_error, &maps.residual})
       if (!map->empty()) (*map)[p] = std::numeric_limits<float>::quiet_NaN();
   }
 }
@@ -175,8 +188,9 @@ std::vector<std::int32_t> owners(const PictureGrains& grains, int width, int hei
   return owner;
 }
 
-LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, const PictureGrains& grains, const GrainMotion& motion,
-                         const PictureGrains& shown, std::optional<double> given_phase, int threads, double blur) {
+LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, const PictureGrains& grains,
+                         const GrainMotion& motion, const PictureGrains& shown, std::optional<double> given_phase,
+                         int threads, double blur) {
   LockinMaps result = maps;
   const double own = maps.shared_cosine.empty() ? 1 : maps.own_share;
   const double spread = std::sqrt(2 * maps.noise_ratio * own / static_cast<double>(maps.frames));
@@ -184,7 +198,8 @@ LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, 
   const GrainScene scene(pictures, grains, motion, pool);
   const PhasePictures rest = without_scene(pictures, scene, blur, pool);
   const std::vector<std::int32_t> owner = owners(shown, maps.width, maps.height, 0);
-  std::vector<double> cosine(maps.size(), std::numeric_limits<double>::quiet_NaN()), sine = cosine;  // of the inner pixels of grains
+  std::vector<double> cosine(maps.size(), std::numeric_limits<double>::quiet_NaN()),
+      sine = cosine;  // of the inner pixels of grains
   pool.for_each(grains.size(), [&](std::size_t i) {
     const PixelHarmonics fit(rest, motion, i);
     const Vec2 centre = shown.centre[i];

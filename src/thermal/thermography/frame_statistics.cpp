@@ -44,7 +44,8 @@ Standing standing(const FrameStatistics& film, int column, int row) {
   if (end - begin < 3) return {};
   std::sort(begin, end);
   const std::ptrdiff_t alike = end - begin < 5 ? 1 : 2;
-  const double beyond = std::max({0.0, x - *(end - 1 - alike), *(begin + alike) - x}), middle = *(begin + (end - begin) / 2);
+  const double beyond = std::max({0.0, x - *(end - 1 - alike), *(begin + alike) - x}),
+               middle = *(begin + (end - begin) / 2);
   for (auto v = begin; v != end; ++v) *v = std::abs(*v - middle);
   return {beyond, to_deviation * median_in_place(begin, end), x - middle};
 }
@@ -73,8 +74,10 @@ void mark_outliers(const std::vector<double>& x, BadPixel why, std::vector<std::
 
 void mark_noise(const FrameStatistics& film, std::vector<std::uint8_t>& bad) {
   constexpr std::size_t least_frames = 8;
-  if (film.frames < least_frames || std::all_of(film.noise.begin(), film.noise.end(), [](float n) { return n == 0; })) return;
-  mark_outliers(mapped(film.noise, [](double noise) { return std::log(noise); }), bad_noise, bad);  // of a frozen pixel: minus infinity
+  if (film.frames < least_frames || std::all_of(film.noise.begin(), film.noise.end(), [](float n) { return n == 0; }))
+    return;
+  mark_outliers(mapped(film.noise, [](double noise) { return std::log(noise); }), bad_noise,
+                bad);  // of a frozen pixel: minus infinity
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace {
 
 void check(const PictureGrains& grains, const GrainMeanOptions& o) {
   Problems problems;
-  problems.unless(o.share > 0 && o.share <= 1, "the fraction of a grain's area is {}; it must be above 0 and at most 1", o.share);
+  problems.unless(o.share > 0 && o.share <= 1, "the fraction of a grain's area is {}; it must be above 0 and at most 1",
+                  o.share);
   std::set<std::int32_t> missing;
   for (const auto m : grains.material) {
     const auto k = static_cast<std::size_t>(m);
@@ -38,7 +39,8 @@ DiskMean disk_mean(const LockinMaps& maps, const std::vector<float>& map, Vec2 c
   each_pixel_near(centre, radius + 0.5, maps.width, maps.height, [&](int column, int row, std::size_t p) {
     const auto value = static_cast<double>(map[p]), e = static_cast<double>(maps.standard_error[p]);
     if (!std::isfinite(value) || !std::isfinite(e)) return;
-    const double covered = geometry::disk_window_area(centre, radius, {column - 0.5, column + 0.5, row - 0.5, row + 0.5});
+    const double covered =
+        geometry::disk_window_area(centre, radius, {column - 0.5, column + 0.5, row - 0.5, row + 0.5});
     sum += covered * value;
     squares += covered * covered * e * e;
     area += covered;
@@ -52,14 +54,16 @@ PeakToPeak grain_means(const LockinMaps& maps, const PictureGrains& grains, cons
   const double to_full = to_peak_to_peak(maps.convention);
   PeakToPeak found;
   for (std::size_t i = 0; i < grains.size(); ++i) {
-    const double radius = grains.radius[i] * std::sqrt(options.share), factor = options.factor[static_cast<std::size_t>(grains.material[i])];
+    const double radius = grains.radius[i] * std::sqrt(options.share),
+                 factor = options.factor[static_cast<std::size_t>(grains.material[i])];
     const DiskMean mean = disk_mean(maps, maps.in_phase, grains.centre[i], radius);
     double error = std::hypot(mean.error, maps.common_error);
     if (const double shift = grains.position_error.empty() ? 0 : grains.position_error[i]; shift > 0 && mean.area > 0)
       error = std::hypot(error, shift * slope(maps, grains.centre[i], radius));
     found.temperature.push_back(to_full * mean.mean);
     found.sigma_hyd.push_back(-to_full * mean.mean / (2 * factor));
-    found.error.push_back(std::isfinite(error) ? to_full * error / (2 * factor) : std::numeric_limits<double>::infinity());
+    found.error.push_back(std::isfinite(error) ? to_full * error / (2 * factor)
+                                               : std::numeric_limits<double>::infinity());
     found.pixels.push_back(mean.area);
   }
   return found;

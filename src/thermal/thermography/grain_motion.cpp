@@ -43,7 +43,9 @@ constexpr double blur = 0.8;
 constexpr double margin = 0.6, reach_of_others = 2.2;
 
 double share_inside(double out) { return 0.5 * std::erfc(out / blur); }
-double slope_of_share(double out) { return -std::exp(-out * out / (blur * blur)) / (blur * std::sqrt(std::numbers::pi)); }
+double slope_of_share(double out) {
+  return -std::exp(-out * out / (blur * blur)) / (blur * std::sqrt(std::numbers::pi));
+}
 
 void add(const PictureGrains& g, std::size_t i, const std::vector<std::size_t>& neighbours, Vec2 place, Rim& own) {
   const Vec2 from_centre = place - g.centre[i];
@@ -54,7 +56,8 @@ void add(const PictureGrains& g, std::size_t i, const std::vector<std::size_t>& 
     const Vec2 from_other = place - g.centre[j];
     const double r = norm(from_other), away = r - g.radius[j];
     if (away < margin) return;
-    if (away <= reach_of_others) others.push_back({own.pixels.size(), j, share_inside(away), slope_of_share(away) / r * from_other});
+    if (away <= reach_of_others)
+      others.push_back({own.pixels.size(), j, share_inside(away), slope_of_share(away) / r * from_other});
   }
   own.others.insert(own.others.end(), others.begin(), others.end());
   own.pixels.push_back({place, from_centre / g.radius[i], share_inside(out), 1 - std::pow(out / (rim_reach + 0.5), 2)});
@@ -67,7 +70,9 @@ std::vector<Rim> rims_of(const PictureGrains& g, int width, int height) {
     std::vector<std::size_t> neighbours;
     for (std::size_t j = 0; j < g.size(); ++j)
       if (j != i && norm(g.centre[j] - g.centre[i]) < reach + g.radius[j] + reach_of_others) neighbours.push_back(j);
-    each_pixel_near(g.centre[i], reach, width, height, [&](double column, double row, std::size_t) { add(g, i, neighbours, {column, row}, rims[i]); });
+    each_pixel_near(g.centre[i], reach, width, height, [&](double column, double row, std::size_t) {
+      add(g, i, neighbours, {column, row}, rims[i]);
+    });
   }
   return rims;
 }
@@ -84,7 +89,9 @@ struct Left {
   /// Of all grains together.
   std::size_t unknown(std::size_t own) const { return 2 * grains[own / 2] + own % 2; }
   /// The first of a grain's two unknowns here.
-  std::size_t own(std::size_t grain) const { return 2 * static_cast<std::size_t>(std::find(grains.begin(), grains.end(), grain) - grains.begin()); }
+  std::size_t own(std::size_t grain) const {
+    return 2 * static_cast<std::size_t>(std::find(grains.begin(), grains.end(), grain) - grains.begin());
+  }
 };
 
 /// Contrast of a grain from its mean picture, where the neighbours' are known.
@@ -96,7 +103,8 @@ double contrast_of(const Rim& rim, const std::vector<double>& mean, const std::v
 }
 
 /// `motion` and `contrast` are those found so far. Seen from the grain, neighbours that move otherwise oscillate.
-Left motion_left(const PhasePictures& pictures, const Rim& rim, std::size_t grain, const GrainMotion& motion, const std::vector<double>& contrast) {
+Left motion_left(const PhasePictures& pictures, const Rim& rim, std::size_t grain, const GrainMotion& motion,
+                 const std::vector<double>& contrast) {
   constexpr std::size_t smooth = 6;
   Left left;
   left.grains = {grain};
@@ -156,22 +164,26 @@ Together assemble(const std::vector<Left>& left) {
     for (std::size_t a = 0; a < each.side.rows(); ++a) {
       const std::size_t row = each.unknown(a);
       for (std::size_t k = 0; k < 2; ++k) all.side(row, k) += each.side(a, k);
-      for (std::size_t b = 0; b < each.side.rows(); ++b) all.normal.push_back({row, each.unknown(b), each.normal(a, b)});
+      for (std::size_t b = 0; b < each.side.rows(); ++b)
+        all.normal.push_back({row, each.unknown(b), each.normal(a, b)});
     }
   double trace = 0;
   for (const auto& e : all.normal) trace += e.row == e.column ? e.value : 0;
-  for (std::size_t k = 0; k < size; ++k) all.normal.push_back({k, k, 1e-7 * trace / static_cast<double>(size) + 1e-300});
+  for (std::size_t k = 0; k < size; ++k)
+    all.normal.push_back({k, k, 1e-7 * trace / static_cast<double>(size) + 1e-300});
   return all;
 }
 
 /// Steps of all grains that are linear in the place.
 Matrix affine_step(const PictureGrains& grains, const Together& all) {
   double span = 1;
-  for (std::size_t i = 0; i < grains.size(); ++i) span = std::max({span, std::abs(grains.centre[i].x), std::abs(grains.centre[i].y)});
+  for (std::size_t i = 0; i < grains.size(); ++i)
+    span = std::max({span, std::abs(grains.centre[i].x), std::abs(grains.centre[i].y)});
   Matrix shape(all.side.rows(), 6), sums = shape;
   for (std::size_t i = 0; i < grains.size(); ++i)
     for (std::size_t k = 0; k < 2; ++k)
-      shape(2 * i + k, 3 * k) = 1, shape(2 * i + k, 3 * k + 1) = grains.centre[i].x / span - 0.5, shape(2 * i + k, 3 * k + 2) = grains.centre[i].y / span - 0.5;
+      shape(2 * i + k, 3 * k) = 1, shape(2 * i + k, 3 * k + 1) = grains.centre[i].x / span - 0.5,
+                           shape(2 * i + k, 3 * k + 2) = grains.centre[i].y / span - 0.5;
   for (const auto& e : all.normal)
     for (std::size_t k = 0; k < 6; ++k) sums(e.row, k) += e.value * shape(e.column, k);
   Matrix normal = transposed_times(shape, sums);
@@ -218,7 +230,8 @@ bool have_contrast(const std::vector<Left>& left) {
 }
 
 GrainMotion unseen(std::size_t grains) {
-  return {std::vector<Vec2>(grains), std::vector<Vec2>(grains), std::vector<double>(grains, std::numeric_limits<double>::infinity())};
+  return {std::vector<Vec2>(grains), std::vector<Vec2>(grains),
+          std::vector<double>(grains, std::numeric_limits<double>::infinity())};
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 namespace arenite::thermography {
 namespace {
 
-constexpr std::array widths{2.0, 2.8, 4.0, 5.6, 8.0, 11.0};              // pixels
-constexpr double rim_depth = 2.5;                                        // pixels inside the rim that lens and motion reach
+constexpr std::array widths{2.0, 2.8, 4.0, 5.6, 8.0, 11.0};  // pixels
+constexpr double rim_depth = 2.5;                            // pixels inside the rim that lens and motion reach
 constexpr double most_halo = 0.4, least_errors = 5, least_halo = 0.005;  // shares of the light
 constexpr int halo_turns = 8;
 
@@ -68,11 +68,13 @@ struct Trial {
 };
 
 /// seen - warming pattern = even + share (blurred - seen) within every grain, by least squares.
-Trial regressed(const InnerPixels& inner, const FloatImage& seen, const FloatImage& spread, const FloatImage& warming, double width) {
+Trial regressed(const InnerPixels& inner, const FloatImage& seen, const FloatImage& spread, const FloatImage& warming,
+                double width) {
   double xx = 0, xw = 0, ww = 0, xy = 0, wy = 0;
   std::vector<std::array<Differences, 3>> all;
   for (std::size_t g = 0; g < inner.grains(); ++g) {
-    const auto& [x, w, y] = all.emplace_back(std::array{inner.differences(g, spread), inner.differences(g, warming), inner.differences(g, seen)});
+    const auto& [x, w, y] = all.emplace_back(
+        std::array{inner.differences(g, spread), inner.differences(g, warming), inner.differences(g, seen)});
     xx += product(x, x), xw += product(x, w), ww += product(w, w), xy += product(x, y), wy += product(w, y);
   }
   Trial trial{{0, width, 0}, 0};
@@ -119,9 +121,11 @@ FloatImage mean_of(const PhasePictures& pictures) {
 FloatImage warming_of(const PhasePictures& pictures, double largest) {
   FloatImage warming{pictures.width, pictures.height, std::vector<float>(pictures.pixels(), 0.0f)};
   for (std::size_t k = 0; k < pictures.size(); ++k) {
-    const auto along = static_cast<float>(pictures.phases[k][1] * std::cos(largest) + pictures.phases[k][2] * std::sin(largest));
+    const auto along =
+        static_cast<float>(pictures.phases[k][1] * std::cos(largest) + pictures.phases[k][2] * std::sin(largest));
     const std::vector<float> one = picture_of(pictures, k);
-    for (std::size_t p = 0; p < one.size(); ++p) warming.value[p] += 2 * along * one[p] / static_cast<float>(pictures.size());
+    for (std::size_t p = 0; p < one.size(); ++p)
+      warming.value[p] += 2 * along * one[p] / static_cast<float>(pictures.size());
   }
   return warming;
 }
@@ -144,14 +148,16 @@ void remove_halo(const Halo& halo, PhasePictures& pictures) {
   if (halo.share <= 0) return;
   for (std::size_t k = 0; k < pictures.size(); ++k) {
     const auto at = pictures.spline.begin() + static_cast<std::ptrdiff_t>(k * pictures.pixels());
-    const FloatImage bare = without(halo, {pictures.width, pictures.height, {at, at + static_cast<std::ptrdiff_t>(pictures.pixels())}});
+    const FloatImage bare =
+        without(halo, {pictures.width, pictures.height, {at, at + static_cast<std::ptrdiff_t>(pictures.pixels())}});
     std::copy(bare.value.begin(), bare.value.end(), at);
   }
 }
 
 void remove_halo(const Halo& halo, LockinMaps& maps) {
   if (halo.share <= 0) return;
-  for (auto* map : {&maps.mean, &maps.in_phase, &maps.quadrature}) *map = without(halo, {maps.width, maps.height, *map}).value;
+  for (auto* map : {&maps.mean, &maps.in_phase, &maps.quadrature})
+    *map = without(halo, {maps.width, maps.height, *map}).value;
   for (std::size_t p = 0; p < maps.size(); ++p) {
     maps.amplitude[p] = std::hypot(maps.in_phase[p], maps.quadrature[p]);
     maps.phase[p] = static_cast<float>(maps.reference_phase) + std::atan2(maps.quadrature[p], maps.in_phase[p]);

@@ -23,7 +23,8 @@ using statistics::Matrix;
 /// Cos and sin of the frequencies beside, by turning those of the load's by the spacing, again and again.
 void sinusoids_beside(const HarmonicFit& fit, double t, double* phi) {
   const std::size_t own = fit.harmonic(1);
-  const std::complex<double> load(phi[own], phi[own + 1]), turn = std::polar(1.0, 2 * std::numbers::pi * fit.spacing * t);
+  const std::complex<double> load(phi[own], phi[own + 1]),
+      turn = std::polar(1.0, 2 * std::numbers::pi * fit.spacing * t);
   for (std::size_t k = 0; k < fit.beside.size(); ++k) {
     std::complex<double> power = 1;
     for (int far = std::abs(fit.beside[k]); far > 0; --far) power *= turn;
@@ -60,7 +61,8 @@ Matrix projection(const HarmonicFit& fit, double centre, std::size_t weights) {
     r(row + 1, column + 1) = amount * std::cos(angle);
   };
   for (std::size_t h = 1; h <= fit.harmonics; ++h) turn(fit.harmonic(h), h, static_cast<double>(h) * fit.frequency, 1);
-  for (std::size_t k = 0; k < fit.beside.size(); ++k) turn(fit.side(k), 1, fit.frequency + fit.beside[k] * fit.spacing, 1);
+  for (std::size_t k = 0; k < fit.beside.size(); ++k)
+    turn(fit.side(k), 1, fit.frequency + fit.beside[k] * fit.spacing, 1);
   if (fit.beat) turn(fit.size() - 2, 1, fit.frequency, x);
   return r;
 }
@@ -71,12 +73,14 @@ statistics::Matrix pass_weights(const SegmentSums& s, std::size_t k) {
   Matrix g(1 + s.functions, s.first[k + 1] - s.first[k]);
   for (std::size_t n = 0; n < g.columns(); ++n) {
     g(0, n) = 1;
-    for (std::size_t m = 0; m < s.functions; ++m) g(m + 1, n) = static_cast<double>(s.weights[(s.first[k] + n) * s.functions + m]);
+    for (std::size_t m = 0; m < s.functions; ++m)
+      g(m + 1, n) = static_cast<double>(s.weights[(s.first[k] + n) * s.functions + m]);
   }
   return g;
 }
 
-HarmonicFit harmonic_fit(const SegmentSums& s, double frequency, int drift_order, bool with_beat, double spacing, std::vector<int> beside) {
+HarmonicFit harmonic_fit(const SegmentSums& s, double frequency, int drift_order, bool with_beat, double spacing,
+                         std::vector<int> beside) {
   HarmonicFit fit{frequency,
                   static_cast<std::size_t>(drift_order) + 1,
                   s.functions / 2,
@@ -104,18 +108,22 @@ HarmonicFit harmonic_fit(const SegmentSums& s, double frequency, int drift_order
   return fit;
 }
 
-void fit_pixels(const SegmentSums& sums, const HarmonicFit& fit, std::size_t from, std::size_t rows, std::size_t begin, std::size_t count, PixelFit& out) {
+void fit_pixels(const SegmentSums& sums, const HarmonicFit& fit, std::size_t from, std::size_t rows, std::size_t begin,
+                std::size_t count, PixelFit& out) {
   out.value.resize(rows * PixelFit::run);
-  kernels().combine(sums.view(), fit.coefficient.column(from), rows, out.value.data(), PixelFit::run, begin, begin + count);
+  kernels().combine(sums.view(), fit.coefficient.column(from), rows, out.value.data(), PixelFit::run, begin,
+                    begin + count);
 }
 
-void fit_pixels_with_variance(const SegmentSums& sums, const HarmonicFit& fit, std::size_t begin, std::size_t count, PixelFit& out) {
+void fit_pixels_with_variance(const SegmentSums& sums, const HarmonicFit& fit, std::size_t begin, std::size_t count,
+                              PixelFit& out) {
   const std::size_t size = fit.size();
   fit_pixels(sums, fit, 0, size, begin, count, out);
   std::vector<double> frames(sums.segments());
   for (std::size_t k = 0; k < frames.size(); ++k) frames[k] = sums.frames_of(k);
   out.variance.resize(PixelFit::run);
-  kernels().residual(sums.view(), frames.data(), fit.normal.column(0), size, out.value.data(), PixelFit::run, out.variance.data(), begin, begin + count);
+  kernels().residual(sums.view(), frames.data(), fit.normal.column(0), size, out.value.data(), PixelFit::run,
+                     out.variance.data(), begin, begin + count);
   const double freedom = static_cast<double>(sums.time.size() - size);
   for (std::size_t i = 0; i < count; ++i) out.variance[i] = out.variance[i] < 0 ? 0 : out.variance[i] / freedom;
 }

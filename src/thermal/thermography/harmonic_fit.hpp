@@ -29,9 +29,10 @@ double nyquist_frequency(const std::vector<double>& time);
 /// Called with the share of the frames that has been read; false stops.
 using Progress = std::function<bool(double share)>;
 
-/// What one pass over a film keeps of every pixel: for each of some ten segments of the film, the sums of its values weighed with 1 and with cos and sin of
-/// every harmonic h of `frequency`, counted from the middle of the segment, and the sum of their squares. Fits for all frequencies near by follow from these
-/// sums: segments are turned against each other and need not be read again. Values are taken relative to the first frame of the segment.
+/// What one pass over a film keeps of every pixel: for each of some ten segments of the film, the sums of its values
+/// weighed with 1 and with cos and sin of every harmonic h of `frequency`, counted from the middle of the segment, and
+/// the sum of their squares. Fits for all frequencies near by follow from these sums: segments are turned against each
+/// other and need not be read again. Values are taken relative to the first frame of the segment.
 struct SegmentSums {
   std::vector<double> time;        ///< s after the first frame, one a frame
   std::vector<std::size_t> first;  ///< first frame of every segment, and the end
@@ -42,8 +43,8 @@ struct SegmentSums {
   std::size_t pixels = 0;
   std::vector<float> base;           ///< first frame
   std::vector<std::size_t> watched;  ///< some pixels spread over the picture, whose every value is kept
-  std::vector<float> seen;           ///< watched x frames, less the pixel's first value; threads write apart from each other
-  Buffer<float> sums;                ///< see SegmentView; planes 1, functions, squares, first frame less the film's first
+  std::vector<float> seen;  ///< watched x frames, less the pixel's first value; threads write apart from each other
+  Buffer<float> sums;       ///< see SegmentView; planes 1, functions, squares, first frame less the film's first
 
   std::size_t segments() const { return centre.size(); }
   std::size_t planes() const { return functions + 3; }
@@ -51,16 +52,18 @@ struct SegmentSums {
   SegmentView view() const { return {sums.data(), segments(), planes()}; }
 };
 
-/// One pass over the film with `harmonics` (1 to 4) of `frequency`; a film in memory is not copied. Every segment is short against the drift polynomial of this
-/// order and, where the film allows it, against the beat of a frequency that is 1e-2 off. No sums if `progress` stopped it.
-SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double frequency, int harmonics, int drift_order, const ThreadPool& pool,
-                         const Progress& progress);
+/// One pass over the film with `harmonics` (1 to 4) of `frequency`; a film in memory is not copied. Every segment is
+/// short against the drift polynomial of this order and, where the film allows it, against the beat of a frequency that
+/// is 1e-2 off. No sums if `progress` stopped it.
+SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double frequency, int harmonics, int drift_order,
+                         const ThreadPool& pool, const Progress& progress);
 
-/// Least squares of drift and harmonics of one frequency, the same for all pixels, as numbers by which the sums of segments are multiplied. Functions fitted:
-/// Legendre polynomials of x = (t - middle)/half the film's time, then cos(h w t), sin(h w t) of every harmonic h, the highest first, then, if asked for, x
-/// cos(w t), x sin(w t), which show a frequency that is off, or cos and sin of frequencies beside w, which show the noise there. The film is projected on the
-/// same functions with x and the phase of a small w - w_0 constant within a segment: what is of the fitted form is found exactly, with a standard error larger
-/// than that of plain least squares by less than a per cent.
+/// Least squares of drift and harmonics of one frequency, the same for all pixels, as numbers by which the sums of
+/// segments are multiplied. Functions fitted: Legendre polynomials of x = (t - middle)/half the film's time, then cos(h
+/// w t), sin(h w t) of every harmonic h, the highest first, then, if asked for, x cos(w t), x sin(w t), which show a
+/// frequency that is off, or cos and sin of frequencies beside w, which show the noise there. The film is projected on
+/// the same functions with x and the phase of a small w - w_0 constant within a segment: what is of the fitted form is
+/// found exactly, with a standard error larger than that of plain least squares by less than a per cent.
 struct HarmonicFit {
   double frequency = 0;   ///< Hz
   std::size_t drift = 0;  ///< polynomials, order + 1
@@ -71,7 +74,7 @@ struct HarmonicFit {
   bool beat = false;                    ///< x cos(w t) and x sin(w t) are the last
   statistics::Matrix coefficient = {};  ///< transposed: (segments x planes) x functions
   statistics::Matrix covariance = {};   ///< of the fitted numbers over the variance of the noise
-  statistics::Matrix normal = {};       ///< sums of products of the fitted functions, unless there are frequencies beside
+  statistics::Matrix normal = {};  ///< sums of products of the fitted functions, unless there are frequencies beside
 
   std::size_t size() const { return side(beside.size()) + (beat ? 2 : 0); }
   /// Column of cos of harmonic h; sin is next to it.
@@ -86,7 +89,8 @@ struct HarmonicFit {
   }
 };
 
-HarmonicFit harmonic_fit(const SegmentSums& sums, double frequency, int drift_order, bool with_beat, double spacing = 0, std::vector<int> beside = {});
+HarmonicFit harmonic_fit(const SegmentSums& sums, double frequency, int drift_order, bool with_beat, double spacing = 0,
+                         std::vector<int> beside = {});
 
 /// 1 and the weights of the pass in the frames of segment k: weights x frames.
 statistics::Matrix pass_weights(const SegmentSums& sums, std::size_t k);
@@ -101,16 +105,21 @@ struct PixelFit {
   std::vector<double> variance;  ///< of the noise, from what the fit leaves; only if asked for
 };
 
-/// The numbers `from` .. `from + rows - 1` of the fit for pixels begin .. begin + count - 1, of which there are at most `run`.
-void fit_pixels(const SegmentSums& sums, const HarmonicFit& fit, std::size_t from, std::size_t rows, std::size_t begin, std::size_t count, PixelFit& out);
+/// The numbers `from` .. `from + rows - 1` of the fit for pixels begin .. begin + count - 1, of which there are at most
+/// `run`.
+void fit_pixels(const SegmentSums& sums, const HarmonicFit& fit, std::size_t from, std::size_t rows, std::size_t begin,
+                std::size_t count, PixelFit& out);
 
 /// All numbers, relative to the film's first frame, and the variance.
-void fit_pixels_with_variance(const SegmentSums& sums, const HarmonicFit& fit, std::size_t begin, std::size_t count, PixelFit& out);
+void fit_pixels_with_variance(const SegmentSums& sums, const HarmonicFit& fit, std::size_t begin, std::size_t count,
+                              PixelFit& out);
 
 /// Calls work(run number, first pixel, pixels) for all runs of all pixels, on the whole team.
 template <class Work> void for_runs(const SegmentSums& sums, const ThreadPool& pool, const Work& work) {
   const std::size_t runs = (sums.pixels + PixelFit::run - 1) / PixelFit::run;
-  pool.for_each(runs, [&](std::size_t r) { work(r, r * PixelFit::run, std::min(PixelFit::run, sums.pixels - r * PixelFit::run)); });
+  pool.for_each(runs, [&](std::size_t r) {
+    work(r, r * PixelFit::run, std::min(PixelFit::run, sums.pixels - r * PixelFit::run));
+  });
 }
 
 /// Calls work(first pixel, pixels) for at most about `most` chunks of pixels, spread over the picture.

@@ -37,7 +37,8 @@ SegmentPhasors phasors_in_segments(const SegmentSums& s) {
   return all;
 }
 
-/// What the pixels of every segment have in common beside a pattern that is the same in all: the first principal component.
+/// What the pixels of every segment have in common beside a pattern that is the same in all: the first principal
+/// component.
 std::vector<Complex> common_phasors(const SegmentPhasors& all, std::size_t segments) {
   std::vector<Complex> common(segments, 1), next(segments);
   for (int turn = 0; turn < 50; ++turn) {
@@ -66,11 +67,12 @@ double sharpness(const SegmentSums& s, std::size_t p) {
   return 1 / std::sqrt(spread);
 }
 
-/// The pattern of the load in pixels over their spreads, one over which is `sharp`. Where pixels differ enough it is made
-/// free of what all of them share, which has the pattern of `sharp`.
+/// The pattern of the load in pixels over their spreads, one over which is `sharp`. Where pixels differ enough it is
+/// made free of what all of them share, which has the pattern of `sharp`.
 std::vector<double> contrast(std::vector<double> pattern, const std::vector<double>& sharp) {
   double mixed = 0, sum = 0, all = 0, own = 0;
-  for (std::size_t i = 0; i < sharp.size(); ++i) mixed += pattern[i] * sharp[i], sum += sharp[i] * sharp[i], all += pattern[i] * pattern[i];
+  for (std::size_t i = 0; i < sharp.size(); ++i)
+    mixed += pattern[i] * sharp[i], sum += sharp[i] * sharp[i], all += pattern[i] * pattern[i];
   const std::vector<double> whole = pattern;
   for (std::size_t i = 0; i < sharp.size(); ++i) {
     pattern[i] -= mixed / sum * sharp[i];
@@ -95,13 +97,15 @@ LoadPhases load_phases(const SegmentSums& s) {
     sharp.push_back(sharpness(s, all.pixel[i]));
   }
   const double phase = reference_phase(cosine, sine);
-  for (std::size_t i = 0; i < sharp.size(); ++i) pattern.push_back(std::cos(phase) * cosine[i] + std::sin(phase) * sine[i]);
+  for (std::size_t i = 0; i < sharp.size(); ++i)
+    pattern.push_back(std::cos(phase) * cosine[i] + std::sin(phase) * sine[i]);
   pattern = contrast(std::move(pattern), sharp);
   double length = 0, power = 0, signal = 0, last = 0;
   for (const double a : pattern) length += a * a;
   for (std::size_t k = 0; k < s.segments(); ++k) {
     Complex load = 0;
-    for (std::size_t i = 0; i < pattern.size(); ++i) load += pattern[i] * all.value[i][k], power += std::norm(all.value[i][k]);
+    for (std::size_t i = 0; i < pattern.size(); ++i)
+      load += pattern[i] * all.value[i][k], power += std::norm(all.value[i][k]);
     signal += std::norm(load) / length;
     const double angle = -std::arg(load), turns = std::round((last - angle) / (2 * std::numbers::pi));  // of e^(-i w t)
     phases.segment.push_back(last = angle + 2 * std::numbers::pi * turns);

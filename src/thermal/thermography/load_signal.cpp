@@ -29,7 +29,8 @@ Fit fit_at(double frequency, const std::vector<double>& time, const std::vector<
   }
   const auto x = normal.solution();
   double left = 0;
-  for (std::size_t n = 0; n < time.size(); ++n) left += std::pow(std::inner_product(x.begin(), x.end(), rows[n].begin(), -signal[n]), 2);
+  for (std::size_t n = 0; n < time.size(); ++n)
+    left += std::pow(std::inner_product(x.begin(), x.end(), rows[n].begin(), -signal[n]), 2);
   return {left, x[2], x[3]};
 }
 
@@ -40,12 +41,14 @@ double left_by_line(const std::vector<double>& time, const std::vector<double>& 
 
 }  // namespace
 
-std::optional<LoadSignal> fit_load_signal(const std::vector<double>& time, const std::vector<double>& signal, double given) {
+std::optional<LoadSignal> fit_load_signal(const std::vector<double>& time, const std::vector<double>& signal,
+                                          double given) {
   if (time.size() != signal.size() || time.size() < 8 || !(given > 0)) return std::nullopt;
   const auto n = static_cast<double>(time.size());
   const double middle = std::accumulate(time.begin(), time.end(), 0.0) / n, length = time.back() - time.front();
   const auto t = mapped(time, [&](double each) { return each - middle; });
-  const double nyquist = 0.5 * (n - 1) / length, first = std::max(given / 2, 2 / length), last = std::min(2 * given, 0.95 * nyquist);
+  const double nyquist = 0.5 * (n - 1) / length, first = std::max(given / 2, 2 / length),
+               last = std::min(2 * given, 0.95 * nyquist);
   double step = 1 / (8 * length), best = 0, least = left_by_line(t, signal);
   const double all = least;
   for (double f = first; f <= last; f += step)
@@ -57,7 +60,8 @@ std::optional<LoadSignal> fit_load_signal(const std::vector<double>& time, const
   const Fit fit = fit_at(best, t, signal);
   const double amplitude = std::hypot(fit.cosine, fit.sine), noise = std::sqrt(fit.left / (n - 4));
   const double phase = std::atan2(fit.sine, fit.cosine) + 2 * std::numbers::pi * best * middle;
-  return LoadSignal{best, std::sqrt(6.0 / n) * noise / (std::numbers::pi * length * amplitude), std::remainder(phase, 2 * std::numbers::pi)};
+  return LoadSignal{best, std::sqrt(6.0 / n) * noise / (std::numbers::pi * length * amplitude),
+                    std::remainder(phase, 2 * std::numbers::pi)};
 }
 
 }  // namespace arenite::thermography

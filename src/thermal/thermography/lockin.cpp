@@ -29,27 +29,32 @@ int possible_harmonics(const std::vector<double>& time, const LockinOptions& o) 
   const double nyquist = nyquist_frequency(time), cycles = o.frequency * (time.back() - time.front());
   if (o.frequency >= nyquist)
     throw refusal(
-        "the load frequency of {:.6g} Hz is at or above the Nyquist frequency of {:.6g} Hz, half the frame rate, so the film cannot resolve the load cycle",
+        "the load frequency of {:.6g} Hz is at or above the Nyquist frequency of {:.6g} Hz, half the frame rate, so "
+        "the film cannot resolve the load cycle",
         o.frequency, nyquist);
   const double frame = 0.5 / nyquist;
   if (cycles + o.frequency * frame < 1 - 1e-9)
-    throw refusal("the film of {:.4g} s holds {:.3g} cycles of {:.6g} Hz; a lock-in needs at least one", time.back() - time.front() + frame, cycles,
-                  o.frequency);
+    throw refusal("the film of {:.4g} s holds {:.3g} cycles of {:.6g} Hz; a lock-in needs at least one",
+                  time.back() - time.front() + frame, cycles, o.frequency);
   const int harmonics = std::min(o.harmonics, static_cast<int>(std::ceil(nyquist / o.frequency - 1e-6)) - 1);
   const auto unknowns = static_cast<std::size_t>(o.drift_order + 1 + 2 * harmonics);
   if (time.size() < unknowns + 4)
-    throw refusal("the film has {} frames, too few for {} unknowns per pixel; use fewer harmonics or a lower drift order", time.size(), unknowns);
+    throw refusal(
+        "the film has {} frames, too few for {} unknowns per pixel; use fewer harmonics or a lower drift order",
+        time.size(), unknowns);
   return std::max(harmonics, 1);
 }
 
 /// Of a pixel that never changes all sums are 0, and of one that is no number none is larger or smaller.
 void refuse_constant(const SegmentSums& s) {
   if (std::ranges::any_of(s.sums, [](float sum) { return std::abs(sum) > 0; })) return;
-  throw InputError("every pixel of the film is constant in time (or not a number); a lock-in needs a film of a loaded sample");
+  throw InputError(
+      "every pixel of the film is constant in time (or not a number); a lock-in needs a film of a loaded sample");
 }
 
 /// Fills all maps but those that need the reference; cos and sin of the first harmonic go to `phasor`.
-void fill(const SegmentSums& s, const HarmonicFit& fit, const ThreadPool& pool, LockinMaps& maps, std::vector<double> (&phasor)[2]) {
+void fill(const SegmentSums& s, const HarmonicFit& fit, const ThreadPool& pool, LockinMaps& maps,
+          std::vector<double> (&phasor)[2]) {
   const bool second = fit.harmonics > 1;
   for (const auto& map : lockin_maps)
     if (second || map.values != &LockinMaps::second_harmonic) (maps.*map.values).resize(s.pixels);
@@ -104,7 +109,8 @@ void tell_wander(const LoadPhases& phases, const std::vector<LostFrames>& lost, 
 }
 
 /// `lost` are the losses that the times allow for already.
-LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<double> time, int harmonics, const std::vector<LostFrames>& lost = {}) {
+LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<double> time, int harmonics,
+                     const std::vector<LostFrames>& lost = {}) {
   const ThreadPool pool(o.threads);
   SegmentSums sums = sum_segments(film, std::move(time), o.frequency, harmonics, o.drift_order, pool, o.progress);
   if (sums.sums.empty()) return {};
@@ -126,7 +132,8 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
     constexpr double in_step = 0.003, by_noise = 1.7;  // rad; of sixteen segments or more, once in some thousand films
     if (phases.wander > std::max(in_step, by_noise * phases.noise))
       if (const auto found = find_lost_frames(film, sums, phases, o.progress); !found.empty())
-        return locked_in(film, o, times_with_losses(sums.time.size(), sums.time[1] - sums.time[0], found), harmonics, found);
+        return locked_in(film, o, times_with_losses(sums.time.size(), sums.time[1] - sums.time[0], found), harmonics,
+                         found);
   }
   LockinMaps maps;
   maps.width = film.info().width;
@@ -159,7 +166,8 @@ void put(LockinMaps& maps, std::size_t p, const Harmonics& fitted, double noise,
   maps.mean[p] = static_cast<float>(mean);
   maps.amplitude[p] = static_cast<float>(factor * std::sqrt(cosine * cosine + sine * sine));
   maps.phase[p] = static_cast<float>(std::atan2(sine, cosine));
-  if (!maps.second_harmonic.empty()) maps.second_harmonic[p] = static_cast<float>(factor * std::sqrt(cosine2 * cosine2 + sine2 * sine2));
+  if (!maps.second_harmonic.empty())
+    maps.second_harmonic[p] = static_cast<float>(factor * std::sqrt(cosine2 * cosine2 + sine2 * sine2));
   maps.residual[p] = static_cast<float>(noise);
   maps.standard_error[p] = static_cast<float>(error);
   maps.noise_floor[p] = static_cast<float>(std::sqrt(std::numbers::pi / 2) * error);
@@ -192,8 +200,8 @@ double Adiabatic::lost() const {
 
 std::string Adiabatic::sentence() const {
   return fmt::format(
-      "heat diffuses over {:.3g} pixels within a cycle, which is not much less than one: the finest detail of the signal is not adiabatic; raise the load "
-      "frequency",
+      "heat diffuses over {:.3g} pixels within a cycle, which is not much less than one: the finest detail of the "
+      "signal is not adiabatic; raise the load frequency",
       length / pixel);
 }
 
@@ -210,12 +218,14 @@ LockinMaps nearest_bin_transform(FilmSource& film, const LockinOptions& options)
   o.drift_order = 0;
   check(o);
   FilmInfo even = film.info();
-  if (even.time.size() > 1 && even.frame_rate <= 0) even.frame_rate = static_cast<double>(even.time.size() - 1) / (even.time.back() - even.time.front());
+  if (even.time.size() > 1 && even.frame_rate <= 0)
+    even.frame_rate = static_cast<double>(even.time.size() - 1) / (even.time.back() - even.time.front());
   even.time.clear();
   even.number.clear();
   std::vector<double> time = frame_times(even, o.frame_rate);
   const int harmonics = possible_harmonics(time, o);
-  const double length = static_cast<double>(time.size()) * (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  const double length =
+      static_cast<double>(time.size()) * (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   o.frequency = std::max(1.0, std::round(o.frequency * length)) / length;
   return locked_in(film, o, std::move(time), harmonics);
 }

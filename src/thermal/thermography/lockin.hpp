@@ -14,7 +14,8 @@ namespace arenite::thermography {
 struct LockinOptions {
   double frequency = 0;  ///< of the load, Hz
   bool refine = true;    ///< find the frequency on the film, near the given one
-  int drift_order = 4;   ///< of the polynomial in time that every pixel may drift by, 0 to 8; that of 4 follows a warm-up of a fifth of the film to 1 %
+  int drift_order = 4;   ///< of the polynomial in time that every pixel may drift by, 0 to 8; that of 4 follows a
+                         ///< warm-up of a fifth of the film to 1 %
   int harmonics = 2;     ///< of the load frequency, 1 to 4; those above the Nyquist frequency are left out
   AmplitudeConvention convention = AmplitudeConvention::amplitude;
   /// Phase of the load, rad: the load is largest when 2 pi f t equals it, t in s after the first frame. Without it the
@@ -25,24 +26,27 @@ struct LockinOptions {
   Progress progress;
 };
 
-/// Lock-in of a film, in one pass: in every pixel, least squares of a polynomial in time and of harmonics of the load frequency, at the times of the frames,
-/// with the frequency refined on all pixels together. Standard errors are those of the noise as it is beside the load's frequency. Throws InputError for a load
-/// frequency at or above the Nyquist frequency, less than one cycle, so few cycles that drift and load cannot be told apart, fewer frames than unknowns, or a
-/// film in which nothing changes; and, where the frequency is to be refined, for a film that oscillates at another frequency and not there. Empty maps if
-/// `progress` stopped it.
+/// Lock-in of a film, in one pass: in every pixel, least squares of a polynomial in time and of harmonics of the load
+/// frequency, at the times of the frames, with the frequency refined on all pixels together. Standard errors are those
+/// of the noise as it is beside the load's frequency. Throws InputError for a load frequency at or above the Nyquist
+/// frequency, less than one cycle, so few cycles that drift and load cannot be told apart, fewer frames than unknowns,
+/// or a film in which nothing changes; and, where the frequency is to be refined, for a film that oscillates at another
+/// frequency and not there. Empty maps if `progress` stopped it.
 LockinMaps lock_in(FilmSource& film, const LockinOptions& options);
 
 /// 1, cosine and sine of the phase 2 pi f t, and of twice the phase; or what a fit has of them.
 using Harmonics = std::array<double, 5>;
 
-/// Writes into the maps what is fitted to a pixel, of which the fit leaves `noise`; `spread` is the standard error of its cosine and sine over that.
+/// Writes into the maps what is fitted to a pixel, of which the fit leaves `noise`; `spread` is the standard error of
+/// its cosine and sine over that.
 void put(LockinMaps& maps, std::size_t pixel, const Harmonics& fitted, double noise, double spread);
 
 /// As the plain transform does it: mean image subtracted, Fourier sum at the bin next to the frequency, frames evenly
 /// spaced. Off a bin, and with drift, amplitudes are wrong by up to 1 - 2/pi; kept to reproduce results found this way.
 LockinMaps nearest_bin_transform(FilmSource& film, const LockinOptions& options);
 
-/// Whether pixels oscillate at the maps' frequency as a load makes them: in one phase, and more than noise does once in a hundred films.
+/// Whether pixels oscillate at the maps' frequency as a load makes them: in one phase, and more than noise does once in
+/// a hundred films.
 bool shows_load(const LockinMaps& maps);
 
 /// The phase in which the amplitude of all pixels together is largest: it maximises the sum of squares of what is in
@@ -54,15 +58,20 @@ double reference_phase(const std::vector<double>& cosine, const std::vector<doub
 
 /// Length over which heat diffuses within a cycle, sqrt(D/(pi f)), m; the signal is adiabatic where this is far below a
 /// pixel and a grain. `diffusivity` in m^2/s, `frequency` in Hz.
-inline double diffusion_length(double diffusivity, double frequency) { return std::sqrt(diffusivity / (std::numbers::pi * frequency)); }
+inline double diffusion_length(double diffusivity, double frequency) {
+  return std::sqrt(diffusivity / (std::numbers::pi * frequency));
+}
 
 /// Whether heat stays where it came to be within a cycle of the load.
 struct Adiabatic {
   double length = 0, pixel = 0;  ///< that heat diffuses, and the side of a pixel, m; no pixel: unknown
 
   /// `diffusivity` of heat in the grains, m^2/s; `frequency` of the load, Hz.
-  Adiabatic(double diffusivity, double frequency, double side = 0) : length(diffusion_length(diffusivity, frequency)), pixel(side) {}
-  /// Share of its amplitude that the finest detail of a picture loses to it: stripes of two pixels' length have 1/|1 + i D k^2/(2 pi f)| of theirs.
+  Adiabatic(double diffusivity, double frequency, double side = 0)
+      : length(diffusion_length(diffusivity, frequency)),
+        pixel(side) {}
+  /// Share of its amplitude that the finest detail of a picture loses to it: stripes of two pixels' length have 1/|1 +
+  /// i D k^2/(2 pi f)| of theirs.
   double lost() const;
   /// At a fifth of a pixel the finest detail loses 2 % of its amplitude and lags by 11 degrees.
   bool holds() const { return length <= pixel / 5; }
@@ -75,9 +84,10 @@ struct LoadSignal {
   double phase = 0;                           ///< rad: the signal is largest when 2 pi f t equals it
 };
 
-/// The cycle that takes most of a signal's squares, between half and twice the frequency that is given, by least squares of a straight line,
-/// cosine and sine at the times of its frames (s). Nothing where it takes less than half of what the line leaves (a square wave's takes 0.81),
-/// and where the signal holds less than two cycles.
-std::optional<LoadSignal> fit_load_signal(const std::vector<double>& time, const std::vector<double>& signal, double given);
+/// The cycle that takes most of a signal's squares, between half and twice the frequency that is given, by least
+/// squares of a straight line, cosine and sine at the times of its frames (s). Nothing where it takes less than half of
+/// what the line leaves (a square wave's takes 0.81), and where the signal holds less than two cycles.
+std::optional<LoadSignal> fit_load_signal(const std::vector<double>& time, const std::vector<double>& signal,
+                                          double given);
 
 }  // namespace arenite::thermography

@@ -27,7 +27,8 @@ std::vector<double> signal_of(FilmSource& film, const LoadPhases& phases, const 
     if (first.empty())
       for (const std::size_t p : phases.pixel) first.push_back(static_cast<double>(value[p]));
     for (std::size_t f = 0; f < some; ++f)
-      for (std::size_t i = 0; i < first.size(); ++i) signal[n + f] += phases.weight[i] * (static_cast<double>(value[f * pixels + phases.pixel[i]]) - first[i]);
+      for (std::size_t i = 0; i < first.size(); ++i)
+        signal[n + f] += phases.weight[i] * (static_cast<double>(value[f * pixels + phases.pixel[i]]) - first[i]);
     return !progress || progress(static_cast<double>(n + some) / static_cast<double>(frames));
   });
   return whole ? signal : std::vector<double>();
@@ -54,8 +55,10 @@ struct Wave {
 };
 
 /// The signal without what changes slowly: its mean over about a cycle round every frame, beyond that of the wave.
-std::vector<double> without_slow(const std::vector<double>& signal, const Wave& wave, const std::vector<std::size_t>& slot) {
-  const std::size_t cycle = static_cast<std::size_t>(std::lround(1 / wave.turns)), half = cycle / 2, frames = signal.size();
+std::vector<double> without_slow(const std::vector<double>& signal, const Wave& wave,
+                                 const std::vector<std::size_t>& slot) {
+  const std::size_t cycle = static_cast<std::size_t>(std::lround(1 / wave.turns)), half = cycle / 2,
+                    frames = signal.size();
   std::vector<double> sum(frames + 1), left(frames);
   for (std::size_t n = 0; n < frames; ++n) sum[n + 1] = sum[n] + signal[n] - wave.at(static_cast<double>(slot[n]));
   for (std::size_t n = 0; n < frames; ++n) {
@@ -100,7 +103,8 @@ class Losses {
     const std::size_t frames = signal_.size();
     std::vector<double> level(frames + most_ + 1), cost(most_ + 1, 0), next(most_ + 1);
     for (std::size_t k = 0; k < level.size(); ++k) level[k] = wave.at(static_cast<double>(k));
-    for (std::size_t m = 1; m <= most_; ++m) cost[m] = std::numeric_limits<double>::infinity();  // none before the first
+    for (std::size_t m = 1; m <= most_; ++m)
+      cost[m] = std::numeric_limits<double>::infinity();  // none before the first
     std::vector<std::int32_t> from(slots ? frames * (most_ + 1) : 0);
     for (std::size_t n = 0; n < frames; ++n) {
       std::deque<std::size_t> least;  // fewer losses whose costs rise, the least of which is the first
@@ -133,22 +137,26 @@ class Losses {
   double noise_;
 };
 
-/// Phase of the signal by which it has gone on at every frame, rad, each over that many cycles of so many turns a frame.
+/// Phase of the signal by which it has gone on at every frame, rad, each over that many cycles of so many turns a
+/// frame.
 std::vector<double> phases_of(const std::vector<double>& signal, double turns, double cycles) {
   const std::size_t frames = signal.size(), half = static_cast<std::size_t>(std::lround(0.5 * cycles / turns));
   std::vector<std::complex<double>> sum(frames + 1);
-  for (std::size_t n = 0; n < frames; ++n) sum[n + 1] = sum[n] + signal[n] * std::polar(1.0, -full_turn * turns * static_cast<double>(n));
+  for (std::size_t n = 0; n < frames; ++n)
+    sum[n + 1] = sum[n] + signal[n] * std::polar(1.0, -full_turn * turns * static_cast<double>(n));
   std::vector<double> phase(frames);
   for (std::size_t n = 0; n < frames; ++n) {
     const std::size_t at = std::clamp(n, half, frames - 1 - half);
-    const double slow = std::arg(sum[at + half + 1] - sum[at - half]), before = n > 0 ? phase[n - 1] - full_turn * turns * static_cast<double>(n - 1) : slow;
+    const double slow = std::arg(sum[at + half + 1] - sum[at - half]),
+                 before = n > 0 ? phase[n - 1] - full_turn * turns * static_cast<double>(n - 1) : slow;
     phase[n] = slow + full_turn * std::round((before - slow) / full_turn) + full_turn * turns * static_cast<double>(n);
   }
   return phase;
 }
 
-/// The wave, between `low` and `high` turns a frame, from which the phases are most nearly whole frames ahead: at its frequency
-/// losses are steps from one whole number to another, at any other one the phases glide over all that lies between.
+/// The wave, between `low` and `high` turns a frame, from which the phases are most nearly whole frames ahead: at its
+/// frequency losses are steps from one whole number to another, at any other one the phases glide over all that lies
+/// between.
 Wave wave_in_whole_frames(const std::vector<double>& phase, double low, double high, double amplitude) {
   const auto frames = static_cast<double>(phase.size());
   const double step = 0.05 * low / frames;
@@ -156,17 +164,19 @@ Wave wave_in_whole_frames(const std::vector<double>& phase, double low, double h
   double most = -1;
   for (double turns = low; turns <= high; turns += step) {
     std::complex<double> sum = 0;
-    for (std::size_t n = 0; n < phase.size(); n += 2) sum += std::polar(1.0, phase[n] / turns - full_turn * static_cast<double>(n));
+    for (std::size_t n = 0; n < phase.size(); n += 2)
+      sum += std::polar(1.0, phase[n] / turns - full_turn * static_cast<double>(n));
     if (std::abs(sum) <= most) continue;
     most = std::abs(sum);
-    const double part = std::arg(sum) / full_turn, ahead = part + std::round(phase[0] / (full_turn * turns) - part), start = full_turn * turns * ahead;
+    const double part = std::arg(sum) / full_turn, ahead = part + std::round(phase[0] / (full_turn * turns) - part),
+                 start = full_turn * turns * ahead;
     best = {turns, {amplitude * std::cos(start), -amplitude * std::sin(start), 0, 0}};
   }
   return best;
 }
 
-/// Whether, round the losses, frames in whole slots are more like the wave than frames whose phase glides from one to the
-/// next, as that of a load of wandering frequency does.
+/// Whether, round the losses, frames in whole slots are more like the wave than frames whose phase glides from one to
+/// the next, as that of a load of wandering frequency does.
 bool go_by_whole_frames(const Wave& wave, const std::vector<double>& signal, const std::vector<std::size_t>& slot) {
   const double slow = full_turn * wave.turns;
   const std::vector<double> phase = phases_of(signal, wave.turns, 1);
@@ -189,7 +199,8 @@ bool go_by_whole_frames(const Wave& wave, const std::vector<double>& signal, con
 
 }  // namespace
 
-std::vector<LostFrames> find_lost_frames(FilmSource& film, const SegmentSums& s, const LoadPhases& phases, const Progress& progress) {
+std::vector<LostFrames> find_lost_frames(FilmSource& film, const SegmentSums& s, const LoadPhases& phases,
+                                         const Progress& progress) {
   const std::size_t frames = s.time.size();
   const double interval = (s.time.back() - s.time.front()) / static_cast<double>(frames - 1);
   const SearchBand band = search_band(s.time, s.frequency);
@@ -207,7 +218,8 @@ std::vector<LostFrames> find_lost_frames(FilmSource& film, const SegmentSums& s,
   constexpr double most_states = 1e8;
   if (static_cast<double>(frames) * static_cast<double>(most) > most_states) return {};
   const Losses losses(signal, most, cycle / 2, std::max(noise, 0.03 * amplitude));
-  Wave best = wave_in_whole_frames(phases_of(signal, s.frequency * interval, 0.5), band.low * interval, band.high * interval, amplitude);
+  Wave best = wave_in_whole_frames(phases_of(signal, s.frequency * interval, 0.5), band.low * interval,
+                                   band.high * interval, amplitude);
   for (int round = 0; round < 3; ++round) {
     losses.best(best, &slot);
     best = fitted(best, signal, slot);

@@ -31,8 +31,9 @@ struct Bins {
   std::vector<std::size_t> of_frame;
   std::vector<double> frames;
   std::vector<Harmonics> phases;
-  std::vector<float> slow;  ///< frames x order: Legendre's polynomials P_1, P_2 .. of the time, less their mean over the film
-  Matrix mean_slow;         ///< parts x order: their means over the frames of every part
+  std::vector<float>
+      slow;          ///< frames x order: Legendre's polynomials P_1, P_2 .. of the time, less their mean over the film
+  Matrix mean_slow;  ///< parts x order: their means over the frames of every part
   std::size_t order = 0;
 };
 
@@ -54,7 +55,8 @@ void weigh_drift(Bins& bins, const std::vector<double>& time) {
   for (std::size_t n = 0; n < time.size(); ++n) {
     legendre((time[n] - middle) / half, now.size(), now.data());
     for (std::size_t j = 0; j < bins.order; ++j) {
-      const double value = now[j + 1] - mean[j + 1];  // so the noise of the drift does not add to that of the pictures' mean
+      const double value =
+          now[j + 1] - mean[j + 1];  // so the noise of the drift does not add to that of the pictures' mean
       bins.slow[n * bins.order + j] = static_cast<float>(value);
       bins.mean_slow(bins.of_frame[n], j) += value / bins.frames[bins.of_frame[n]];
     }
@@ -67,7 +69,8 @@ Bins sort_frames(const std::vector<double>& time, double frequency, std::size_t 
   std::vector<std::size_t> name(parts, parts);
   for (const double t : time) {
     const double cycles = frequency * t, angle = 2 * std::numbers::pi * cycles;
-    const auto part = std::min(parts - 1, static_cast<std::size_t>((cycles - std::floor(cycles)) * static_cast<double>(parts)));
+    const auto part =
+        std::min(parts - 1, static_cast<std::size_t>((cycles - std::floor(cycles)) * static_cast<double>(parts)));
     if (name[part] == parts) {
       name[part] = bins.frames.size();
       bins.frames.push_back(0);
@@ -85,8 +88,8 @@ Bins sort_frames(const std::vector<double>& time, double frequency, std::size_t 
   return bins;
 }
 
-/// What gives a pixel's drift from its weighed sums: least squares of polynomials beside any oscillation, as frames of a like phase
-/// show it, whatever the pixel shows within a cycle.
+/// What gives a pixel's drift from its weighed sums: least squares of polynomials beside any oscillation, as frames of
+/// a like phase show it, whatever the pixel shows within a cycle.
 Matrix drift_solver(const Bins& bins) {
   const std::size_t order = bins.order;
   Matrix normal(order, order);
@@ -94,7 +97,8 @@ Matrix drift_solver(const Bins& bins) {
     for (std::size_t j = 0; j < order; ++j) {
       for (std::size_t at = 0; at < bins.slow.size(); at += order)
         normal(i, j) += static_cast<double>(bins.slow[at + i]) * static_cast<double>(bins.slow[at + j]);
-      for (std::size_t b = 0; b < bins.frames.size(); ++b) normal(i, j) -= bins.frames[b] * bins.mean_slow(b, i) * bins.mean_slow(b, j);
+      for (std::size_t b = 0; b < bins.frames.size(); ++b)
+        normal(i, j) -= bins.frames[b] * bins.mean_slow(b, i) * bins.mean_slow(b, j);
     }
   return solve(normal, statistics::identity(order, order));
 }
@@ -108,7 +112,8 @@ void solve_drift(const Bins& bins, const float* sums, std::size_t pixels, float*
     for (std::size_t p = begin; p < end; ++p) {
       for (std::size_t j = 0; j < bins.order; ++j) {
         side[j] = static_cast<double>(drift[j * pixels + p]);
-        for (std::size_t b = 0; b < bins.frames.size(); ++b) side[j] -= static_cast<double>(sums[b * pixels + p]) * bins.mean_slow(b, j);
+        for (std::size_t b = 0; b < bins.frames.size(); ++b)
+          side[j] -= static_cast<double>(sums[b * pixels + p]) * bins.mean_slow(b, j);
       }
       for (std::size_t j = 0; j < bins.order; ++j)
         drift[j * pixels + p] = static_cast<float>(std::inner_product(side.begin(), side.end(), solver.column(j), 0.0));
@@ -120,13 +125,15 @@ void solve_drift(const Bins& bins, const float* sums, std::size_t pixels, float*
 void finish(const LockinMaps& maps, const Bins& bins, const float* drift, std::size_t b, float* picture) {
   for (std::size_t p = 0; p < maps.size(); ++p) {
     picture[p] = maps.mean[p] + picture[p] / static_cast<float>(bins.frames[b]);
-    for (std::size_t j = 0; j < bins.order; ++j) picture[p] -= drift[j * maps.size() + p] * static_cast<float>(bins.mean_slow(b, j));
+    for (std::size_t j = 0; j < bins.order; ++j)
+      picture[p] -= drift[j * maps.size() + p] * static_cast<float>(bins.mean_slow(b, j));
     if (!std::isfinite(picture[p])) picture[p] = p > 0 ? picture[p - 1] : 0;
   }
   spline_coefficients(picture, maps.width, maps.height);
 }
 
-PhasePictures sorted_pictures(FilmSource& film, const std::vector<double>& time, const LockinMaps& maps, const LockinOptions& options, std::size_t parts) {
+PhasePictures sorted_pictures(FilmSource& film, const std::vector<double>& time, const LockinMaps& maps,
+                              const LockinOptions& options, std::size_t parts) {
   const Bins bins = sort_frames(time, maps.frequency, parts, order_of(maps, time));
   PhasePictures result{maps.width, maps.height, bins.frames, bins.phases, {}};
   const std::size_t pixels = result.pixels();
@@ -142,7 +149,8 @@ PhasePictures sorted_pictures(FilmSource& film, const std::vector<double>& time,
         for (std::size_t p = begin; p < end; ++p) sum[p] += static_cast<float>(frame[p]) - maps.mean[p];
         for (std::size_t j = 0; j < bins.order; ++j) {
           const float slow = bins.slow[(n + k) * bins.order + j];
-          for (std::size_t p = begin; p < end; ++p) drift[j * pixels + p] += slow * (static_cast<float>(frame[p]) - maps.mean[p]);
+          for (std::size_t p = begin; p < end; ++p)
+            drift[j * pixels + p] += slow * (static_cast<float>(frame[p]) - maps.mean[p]);
         }
       }
     });
@@ -150,7 +158,8 @@ PhasePictures sorted_pictures(FilmSource& film, const std::vector<double>& time,
   };
   if (!read_frames(film, 0, time.size(), take)) return {};
   solve_drift(bins, result.spline.data(), pixels, drift.data(), pool);
-  pool.for_each(result.size(), [&](std::size_t b) { finish(maps, bins, drift.data(), b, result.spline.data() + b * pixels); });
+  pool.for_each(result.size(),
+                [&](std::size_t b) { finish(maps, bins, drift.data(), b, result.spline.data() + b * pixels); });
   return result;
 }
 
@@ -161,7 +170,8 @@ void spline_coefficients(float* picture, int width, int height) {
   for (int column = 0; column < width; ++column) filter(picture + column, height, width);
 }
 
-PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const LockinOptions& options, std::size_t parts) {
+PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const LockinOptions& options,
+                             std::size_t parts) {
   const bool stored = maps.blank.empty() && !maps.time.empty();
   const std::vector<double> time = stored ? maps.time : frame_times(film.info(), options.frame_rate);
   if (maps.blank.empty()) return sorted_pictures(film, time, maps, options, parts);
@@ -174,7 +184,8 @@ std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k) {
   Vec2 place, slope;
   for (place.y = 0; place.y < pictures.height; ++place.y)
     for (place.x = 0; place.x < pictures.width; ++place.x)
-      values.push_back(static_cast<float>(Resampled(pictures.width, pictures.height, place).of(pictures.picture(k), slope)));
+      values.push_back(
+          static_cast<float>(Resampled(pictures.width, pictures.height, place).of(pictures.picture(k), slope)));
   return values;
 }
 

@@ -10,11 +10,12 @@
 
 namespace arenite::thermography {
 
-/// Turns a picture into the coefficients of the cubic spline through its pixels. Rims in thermal pictures are little wider
-/// than a pixel: local cubics, whose slopes are differences of neighbours, see them a third too flat.
+/// Turns a picture into the coefficients of the cubic spline through its pixels. Rims in thermal pictures are little
+/// wider than a pixel: local cubics, whose slopes are differences of neighbours, see them a third too flat.
 void spline_coefficients(float* picture, int width, int height);
 
-/// The spline between pixels, beyond the picture that of its outermost pixels; pictures are given by their coefficients.
+/// The spline between pixels, beyond the picture that of its outermost pixels; pictures are given by their
+/// coefficients.
 class Resampled {
  public:
   Resampled(int width, int height, Vec2 place) : width_(width), x_(place.x, width), y_(place.y, height) {}
@@ -68,8 +69,8 @@ class Resampled {
 };
 
 /// Mean pictures of a cyclically loaded sample at phases of its load, as under a stroboscope: frames whose phase falls
-/// into the same part of the cycle are averaged, less drift of the lock-in's order, which frames of a like phase show. What
-/// moves or warms with the load is in these few pictures with all of the film's signal to noise.
+/// into the same part of the cycle are averaged, less drift of the lock-in's order, which frames of a like phase show.
+/// What moves or warms with the load is in these few pictures with all of the film's signal to noise.
 struct PhasePictures {
   int width = 0, height = 0;
   std::vector<double> frames;     ///< in every picture
@@ -80,12 +81,15 @@ struct PhasePictures {
   std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
   const float* picture(std::size_t k) const { return spline.data() + k * pixels(); }
   /// Where a grain is in picture k, from its mean place.
-  Vec2 moved(const GrainMotion& motion, std::size_t grain, std::size_t k) const { return motion.at(grain, phases[k][1], phases[k][2]); }
+  Vec2 moved(const GrainMotion& motion, std::size_t grain, std::size_t k) const {
+    return motion.at(grain, phases[k][1], phases[k][2]);
+  }
 };
 
-/// One pass over the film, with the frequency and the drift's order of its lock-in; pictures are at the film's mean. Parts of
-/// the cycle in which there is no frame have no picture. Empty if `options.progress` stopped it.
-PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const LockinOptions& options, std::size_t parts = 48);
+/// One pass over the film, with the frequency and the drift's order of its lock-in; pictures are at the film's mean.
+/// Parts of the cycle in which there is no frame have no picture. Empty if `options.progress` stopped it.
+PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const LockinOptions& options,
+                             std::size_t parts = 48);
 
 /// One of the pictures itself, rows from the top.
 std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k);

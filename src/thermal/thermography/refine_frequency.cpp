@@ -35,7 +35,8 @@ Matrix products(const SegmentSums& s) {
 /// cycle over the film. Looks at some thousand pixels.
 double segments_in_step(const SegmentSums& s, const SearchBand& band) {
   const double time = s.time.back() - s.time.front(), segment = time / static_cast<double>(s.segments());
-  const double below = std::min(s.frequency - band.low, 0.4 / segment), above = std::min(band.high - s.frequency, 0.4 / segment), step = 1 / (8 * time);
+  const double below = std::min(s.frequency - band.low, 0.4 / segment),
+               above = std::min(band.high - s.frequency, 0.4 / segment), step = 1 / (8 * time);
   const Matrix product = products(s);
   Matrix phase(product.rows(), 1);
   const auto power = [&](double frequency) {
@@ -49,7 +50,9 @@ double segments_in_step(const SegmentSums& s, const SearchBand& band) {
   double most = -1;
   for (int k = -static_cast<int>(below / step); k <= static_cast<int>(above / step); ++k)
     if (const double p = power(s.frequency + k * step); p > most) most = p, best = k;
-  return s.frequency + (best + peak_between(power(s.frequency + (best - 1) * step), most, power(s.frequency + (best + 1) * step))) * step;
+  return s.frequency +
+         (best + peak_between(power(s.frequency + (best - 1) * step), most, power(s.frequency + (best + 1) * step))) *
+             step;
 }
 
 constexpr double strong_signal = 0.1;  // as if it were noise: a signal of three times the noise loses half its weight
@@ -68,7 +71,10 @@ using Weighings = std::array<BeatSums, 2>;  // by noise alone, and with strong s
 
 class Newton {
  public:
-  Newton(const SegmentSums& sums, int drift_order, const ThreadPool& pool) : s_(sums), drift_(drift_order), team_(pool) {}
+  Newton(const SegmentSums& sums, int drift_order, const ThreadPool& pool)
+      : s_(sums),
+        drift_(drift_order),
+        team_(pool) {}
 
   /// By how much the frequency is off; looks at one run of pixels in `every`.
   FrequencyFit step(double frequency, std::size_t every) {
@@ -100,8 +106,9 @@ class Newton {
     return median(std::move(variance));
   }
 
-  /// Weights follow the inverse of the noise but do not run away where a pixel is all but dead. A pixel past which rims move
-  /// has most power, with overtones that are not fitted: what the frequency changes by where strong signals weigh less is in its error.
+  /// Weights follow the inverse of the noise but do not run away where a pixel is all but dead. A pixel past which rims
+  /// move has most power, with overtones that are not fitted: what the frequency changes by where strong signals weigh
+  /// less is in its error.
   Weighings beat_of(const HarmonicFit& fit, std::size_t begin, std::size_t count) const {
     PixelFit pixels;
     fit_pixels_with_variance(s_, fit, begin, count, pixels);
@@ -111,7 +118,8 @@ class Newton {
     for (std::size_t i = 0; i < count; ++i) {
       const double variance = pixels.variance[i];
       if (!std::isfinite(variance)) continue;
-      const double power = c[i] * c[i] + s[i] * s[i], beat = p[i] * p[i] + q[i] * q[i], cross = s[i] * p[i] - c[i] * q[i];
+      const double power = c[i] * c[i] + s[i] * s[i], beat = p[i] * p[i] + q[i] * q[i],
+                   cross = s[i] * p[i] - c[i] * q[i];
       const auto weighed = [&](double noise) -> BeatSums {
         const double w = typical_ > 0 ? 2 * typical_ / (noise + typical_) : 1;
         return {w * power, w * beat, w * cross, w * w * power * variance};
@@ -129,7 +137,8 @@ class Newton {
     const double beat_noise = fit.covariance(b, b) + fit.covariance(b + 1, b + 1);
     const double noise = (all.beat - all.cross * all.cross / all.power) * power_noise / beat_noise;
     const double signal = std::max(all.power - noise, 0.02 * all.power);
-    return {all.cross / signal / (turn * fit.half), std::sqrt(all.noise * beat_noise / 2) / signal / (turn * fit.half), 0};
+    return {all.cross / signal / (turn * fit.half), std::sqrt(all.noise * beat_noise / 2) / signal / (turn * fit.half),
+            0};
   }
 
   const SegmentSums& s_;
@@ -142,7 +151,8 @@ class Newton {
 double explained(const SegmentSums& s, double frequency, int drift_order) {
   const HarmonicFit fit = harmonic_fit(s, frequency, drift_order, false);
   const std::size_t own = fit.harmonic(1);
-  const double cc = fit.covariance(own, own), cs = fit.covariance(own, own + 1) + fit.covariance(own + 1, own), ss = fit.covariance(own + 1, own + 1);
+  const double cc = fit.covariance(own, own), cs = fit.covariance(own, own + 1) + fit.covariance(own + 1, own),
+               ss = fit.covariance(own + 1, own + 1);
   const double determinant = cc * ss - fit.covariance(own, own + 1) * fit.covariance(own + 1, own);
   double sum = 0;
   PixelFit pixels;
@@ -163,7 +173,8 @@ double best_fitting(const SegmentSums& s, const SearchBand& band, int drift_orde
   const double step = 1 / (8 * film_length(s.time));
   double best = s.frequency, most = explained(s, s.frequency, drift_order);
   for (int k = 0; band.low + k * step <= band.high; ++k)
-    if (const double share = explained(s, band.low + k * step, drift_order); share > most) most = share, best = band.low + k * step;
+    if (const double share = explained(s, band.low + k * step, drift_order); share > most)
+      most = share, best = band.low + k * step;
   return best;
 }
 
@@ -176,7 +187,9 @@ SearchBand search_band(const std::vector<double>& time, double frequency) {
   return {std::max(frequency - reach, 1 / length), std::min(frequency + reach, nyquist_frequency(time) - 0.5 / length)};
 }
 
-double frequencies_in(const SearchBand& band, const std::vector<double>& time) { return band.empty() ? 1 : 1 + 2 * (band.high - band.low) * film_length(time); }
+double frequencies_in(const SearchBand& band, const std::vector<double>& time) {
+  return band.empty() ? 1 : 1 + 2 * (band.high - band.low) * film_length(time);
+}
 
 FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const ThreadPool& pool) {
   const SearchBand band = search_band(sums.time, sums.frequency);
@@ -184,7 +197,8 @@ FrequencyFit refine_frequency(const SegmentSums& sums, int drift_order, const Th
   if (band.empty()) return as_given;
   const double time = sums.time.back() - sums.time.front();
   Newton newton(sums, drift_order, pool);
-  FrequencyFit result{segments_show_load(sums) ? segments_in_step(sums, band) : best_fitting(sums, band, drift_order), 0, 0};
+  FrequencyFit result{segments_show_load(sums) ? segments_in_step(sums, band) : best_fitting(sums, band, drift_order),
+                      0, 0};
   std::size_t every = newton.runs() >= 64 ? 8 : 1;
   for (int turns = 0; turns < 12; ++turns) {
     const FrequencyFit step = newton.step(result.frequency, every);

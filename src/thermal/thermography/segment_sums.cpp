@@ -28,7 +28,8 @@ void weigh(SegmentSums& s) {
   for (std::size_t k = 0; k < s.segments(); ++k)
     for (std::size_t n = s.first[k]; n < s.first[k + 1]; ++n)
       for (std::size_t h = 0; 2 * h < s.functions; ++h) {
-        const double angle = 2 * std::numbers::pi * s.frequency * static_cast<double>(h + 1) * (s.time[n] - s.centre[k]);
+        const double angle =
+            2 * std::numbers::pi * s.frequency * static_cast<double>(h + 1) * (s.time[n] - s.centre[k]);
         s.weights[n * s.functions + 2 * h] = static_cast<float>(std::cos(angle));
         s.weights[n * s.functions + 2 * h + 1] = static_cast<float>(std::sin(angle));
       }
@@ -40,7 +41,8 @@ void watch(SegmentSums& s) {
   const std::size_t count = std::min({s.pixels, most, std::max<std::size_t>(8, most_values / s.time.size())});
   for (std::size_t i = 0; i < count; ++i) {
     const double at = std::numbers::phi * static_cast<double>(i);
-    s.watched.push_back(count == s.pixels ? i : static_cast<std::size_t>((at - std::floor(at)) * static_cast<double>(s.pixels)));
+    s.watched.push_back(
+        count == s.pixels ? i : static_cast<std::size_t>((at - std::floor(at)) * static_cast<double>(s.pixels)));
   }
   s.seen.resize(s.time.size() * count);
 }
@@ -60,21 +62,25 @@ struct Pass {
       for (std::size_t p = begin; p < end; p += tile)
         for (std::size_t n = 0; n < count; n += group) {
           const std::size_t some = std::min(group, count - n), ahead = n + 2 * group <= count ? group * s.pixels : 0;
-          add_group(WeighedFrames<T>{frames + n * s.pixels, s.pixels, some, s.weights.data() + (first + n) * s.functions, s.functions, reference.data(), ahead},
-                    first + n, k, p, std::min(p + tile, end));
+          add_group(
+              WeighedFrames<T>{frames + n * s.pixels, s.pixels, some, s.weights.data() + (first + n) * s.functions,
+                               s.functions, reference.data(), ahead},
+              first + n, k, p, std::min(p + tile, end));
         }
     });
   }
 
   /// The watched pixels are kept while the caches still hold these frames.
-  template <class T> void add_group(const WeighedFrames<T>& some, std::size_t first, std::size_t k, std::size_t begin, std::size_t end) {
+  template <class T>
+  void add_group(const WeighedFrames<T>& some, std::size_t first, std::size_t k, std::size_t begin, std::size_t end) {
     float* sums = s.sums.data() + s.view().at(0, k, 0);
     const std::size_t stride = s.segments() * s.planes() * chunk;
     if constexpr (sizeof(T) == 2) kernels().add_levels(some, sums, stride, begin, end);
     else kernels().add_values(some, sums, stride, begin, end);
     for (std::size_t i = 0; i < s.watched.size(); ++i)
       if (const std::size_t p = s.watched[i]; p >= begin && p < end)
-        for (std::size_t n = 0; n < some.count; ++n) s.seen[i * s.time.size() + first + n] = static_cast<float>(some.frames[n * s.pixels + p]) - s.base[p];
+        for (std::size_t n = 0; n < some.count; ++n)
+          s.seen[i * s.time.size() + first + n] = static_cast<float>(some.frames[n * s.pixels + p]) - s.base[p];
   }
 
   template <class T> void refer(const T* frame, std::size_t k, std::size_t begin, std::size_t end) {
@@ -106,11 +112,15 @@ std::vector<double> frame_times(const FilmInfo& film, double frame_rate) {
   if (time.empty()) {
     const double rate = frame_rate > 0 ? frame_rate : film.frame_rate;
     if (!(rate > 0) || !std::isfinite(rate))
-      throw InputError("the film does not state its frame rate; give it (--frame-rate, frame_rate in [film] of a recipe or beside raw frames)");
+      throw InputError(
+          "the film does not state its frame rate; give it (--frame-rate, frame_rate in [film] of a recipe or beside "
+          "raw frames)");
     for (std::size_t n = 0; n < frames; ++n) time.push_back(static_cast<double>(n) / rate);
-    if (film.number.size() == frames) std::ranges::transform(film.number, time.begin(), [&](auto n) { return static_cast<double>(n) / rate; });
+    if (film.number.size() == frames)
+      std::ranges::transform(film.number, time.begin(), [&](auto n) { return static_cast<double>(n) / rate; });
   }
-  if (time.size() != frames) throw refusal("the film has {} frames but {} time stamps; correct its stamps", frames, time.size());
+  if (time.size() != frames)
+    throw refusal("the film has {} frames but {} time stamps; correct its stamps", frames, time.size());
   for (std::size_t n = 1; n < frames; ++n)
     if (!(time[n] > time[n - 1]) || !std::isfinite(time[n]))
       throw refusal("the time stamp of frame {} is not after that of the frame before it; correct its stamps", n);
@@ -124,8 +134,8 @@ double nyquist_frequency(const std::vector<double>& time) {
   return 0.5 / median(std::move(step));
 }
 
-SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double frequency, int harmonics, int drift_order, const ThreadPool& pool,
-                         const Progress& progress) {
+SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double frequency, int harmonics, int drift_order,
+                         const ThreadPool& pool, const Progress& progress) {
   SegmentSums s;
   s.time = std::move(time);
   s.frequency = frequency;

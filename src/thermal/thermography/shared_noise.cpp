@@ -14,7 +14,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// LoadPhasors of some pixels at the frequencies beside, pixel after pixel, without those that are far noisier than most.
+/// LoadPhasors of some pixels at the frequencies beside, pixel after pixel, without those that are far noisier than
+/// most.
 struct Beside {
   std::vector<std::size_t> pixel;
   std::vector<Complex> value;
@@ -34,7 +35,8 @@ Beside phasors_beside(const SegmentSums& s, const HarmonicFit& wide) {
       all.pixel.push_back(begin + i);
       double sum = 0;
       for (std::size_t k = 0; k < sides; ++k) {
-        all.value.emplace_back(phasors.value[2 * k * PixelFit::run + i], phasors.value[(2 * k + 1) * PixelFit::run + i]);
+        all.value.emplace_back(phasors.value[2 * k * PixelFit::run + i],
+                               phasors.value[(2 * k + 1) * PixelFit::run + i]);
         sum += std::norm(all.value.back());
       }
       power.push_back(sum);
@@ -131,7 +133,8 @@ std::vector<std::uint8_t> alike(const LoadPhasors& all, Complex value, std::size
   for (std::size_t y = 1; y + 1 < height; ++y)
     for (std::size_t x = 1; x + 1 < width; ++x) {
       int count = 0;
-      for (const std::size_t row : {y - 1, y, y + 1}) count += near[row * width + x - 1] + near[row * width + x] + near[row * width + x + 1];
+      for (const std::size_t row : {y - 1, y, y + 1})
+        count += near[row * width + x - 1] + near[row * width + x] + near[row * width + x + 1];
       inside[y * width + x] = near[y * width + x] && count > least_neighbours;
     }
   return inside;
@@ -152,7 +155,8 @@ OffSample off_sample(const LoadPhasors& all, const LockinMaps& maps) {
   const std::vector<std::uint8_t> inside = alike(all, value, width);
   OffSample off{0, 0, std::vector<Complex>(width), std::vector<double>(width)};
   for (std::size_t p = 0; p < inside.size(); ++p)
-    if (inside[p]) off.value += all.value[p], ++off.pixels, off.column[p % width] += all.value[p], ++off.count[p % width];
+    if (inside[p])
+      off.value += all.value[p], ++off.pixels, off.column[p % width] += all.value[p], ++off.count[p % width];
   // Pixels of a sample lie along the load's phase; where there are as many a little further on, these are no others.
   const Complex along = std::polar(4 * median(all.error), maps.reference_phase);
   double beyond = 0;
@@ -188,10 +192,11 @@ void take_off_shared_noise(LockinMaps& maps, std::vector<double>& cosine, std::v
   }
   const OffSample off = off_sample(all, maps);
   if (!(off.pixels > 0)) {
-    maps.disturbances.push_back(fmt::format(
-        "pixels share noise, which shifts all of them by {:.2g} and those of a column by {:.2g} at the load's frequency (standard deviations, in the unit of "
-        "the film); there are no pixels off the sample that show it, so that it stays, and is in the errors",
-        common, columns));
+    maps.disturbances.push_back(
+        fmt::format("pixels share noise, which shifts all of them by {:.2g} and those of a column by {:.2g} at the "
+                    "load's frequency (standard deviations, in the unit of the film); there are no pixels off the "
+                    "sample that show it, so that it stays, and is in the errors",
+                    common, columns));
     return;
   }
   const double noise = median(own), width = static_cast<double>(maps.width);
@@ -216,8 +221,8 @@ void take_off_shared_noise(LockinMaps& maps, std::vector<double>& cosine, std::v
     if (before > 0) maps.noise_floor[p] *= maps.standard_error[p] / before;
   }
   maps.disturbances.push_back(fmt::format(
-      "pixels share noise, which shifts all of them by {:.2g} and those of a column by {:.2g} at the load's frequency (standard deviations, in the unit of the "
-      "film); it is taken off as {:.0f} pixels off the sample show it",
+      "pixels share noise, which shifts all of them by {:.2g} and those of a column by {:.2g} at the load's frequency "
+      "(standard deviations, in the unit of the film); it is taken off as {:.0f} pixels off the sample show it",
       common, columns, off.pixels));
 }
 

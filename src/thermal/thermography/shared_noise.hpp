@@ -12,10 +12,10 @@ namespace arenite::thermography {
 /// independent pixels have them by chance.
 void measure_shared_noise(const SegmentSums& sums, const HarmonicFit& wide, LockinMaps& maps);
 
-/// Takes that noise off the load's phasors (cosine and sine of every pixel, as in the maps), where enough pixels lie off the
-/// sample: what they show at the load's frequency is noise alone. They are those whose phasors lie within their own noise of
-/// one value, no larger than the shared noise makes it, and whose neighbours' do. Maps and their errors follow; their common
-/// and column errors are then what is left.
+/// Takes that noise off the load's phasors (cosine and sine of every pixel, as in the maps), where enough pixels lie
+/// off the sample: what they show at the load's frequency is noise alone. They are those whose phasors lie within their
+/// own noise of one value, no larger than the shared noise makes it, and whose neighbours' do. Maps and their errors
+/// follow; their common and column errors are then what is left.
 void take_off_shared_noise(LockinMaps& maps, std::vector<double>& cosine, std::vector<double>& sine);
 
 }  // namespace arenite::thermography

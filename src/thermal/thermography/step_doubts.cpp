@@ -28,13 +28,15 @@ double jump_at_once(const Matrix& value, std::size_t first, std::size_t end) {
 /// What noise makes of it at a hundred places of a film: the median, and the median distance from there.
 std::pair<double, double> usual_jump(const Matrix& value) {
   std::vector<double> jumps;
-  for (std::size_t n = near; n + near <= value.columns(); n += std::max<std::size_t>(1, value.columns() / 100)) jumps.push_back(jump_at_once(value, n, n));
+  for (std::size_t n = near; n + near <= value.columns(); n += std::max<std::size_t>(1, value.columns() / 100))
+    jumps.push_back(jump_at_once(value, n, n));
   const double usual = median(jumps);
   return {usual, median(mapped(jumps, [&](double j) { return std::abs(j - usual); }))};
 }
 
 /// Where the pixels jump a second time, within a few frames and by a fifth of the step or more: the time, s.
-std::optional<double> another_step(const Matrix& series, const std::vector<double>& time, const StepSides& sides, double jump) {
+std::optional<double> another_step(const Matrix& series, const std::vector<double>& time, const StepSides& sides,
+                                   double jump) {
   constexpr std::size_t least_frames = 40;
   constexpr double beyond_noise = 15;
   for (const StepSide& side : sides.side) {
@@ -49,7 +51,8 @@ std::optional<double> another_step(const Matrix& series, const std::vector<doubl
     const double above = jump_at_once(value, rise.first, rise.end) - noise;
     if (rise.end - rise.first > side.count / 8 || above < 0.04 * jump || above < beyond_noise * spread) continue;
     StepOptions o;
-    if (const StepSides there = step_sides(value, times, rise.middle, rise, o); is_a_step(there, side.count)) return rise.middle;
+    if (const StepSides there = step_sides(value, times, rise.middle, rise, o); is_a_step(there, side.count))
+      return rise.middle;
   }
   return std::nullopt;
 }
@@ -57,29 +60,36 @@ std::optional<double> another_step(const Matrix& series, const std::vector<doubl
 }  // namespace
 
 bool is_a_step(const StepSides& sides, std::size_t frames) {
-  return sides.evidence > chi_squared_above(sides.noise.pixels, std::sqrt(2 * std::log(100 * static_cast<double>(frames))));
+  return sides.evidence >
+         chi_squared_above(sides.noise.pixels, std::sqrt(2 * std::log(100 * static_cast<double>(frames))));
 }
 
-std::vector<std::string> step_doubts(const Matrix& series, const std::vector<double>& time, const StepGap& rise, const StepSides& sides, const StepOptions& o) {
+std::vector<std::string> step_doubts(const Matrix& series, const std::vector<double>& time, const StepGap& rise,
+                                     const StepSides& sides, const StepOptions& o) {
   std::vector<std::string> doubts;
   const auto& [before, after] = sides.side;
   const double gap = time[rise.end] - time[rise.first - 1];
   if (rise.end > rise.first && gap > o.rise)
-    doubts.push_back(fmt::format("the load is on its way from {:.4g} s to {:.4g} s; the {} frames in between are left out", time[rise.first - 1],
-                                 time[rise.end], rise.end - rise.first));
-  if (o.time && rise.end > rise.first && std::abs(*o.time - rise.middle) > std::max(o.rise, gap) / 4 + 2 * (time[rise.end] - time[rise.end - 1]))
-    doubts.push_back(fmt::format("pixels jump at {:.4g} s and not at the given {:.4g} s; give that time, or none to have it found", rise.middle, *o.time));
+    doubts.push_back(
+        fmt::format("the load is on its way from {:.4g} s to {:.4g} s; the {} frames in between are left out",
+                    time[rise.first - 1], time[rise.end], rise.end - rise.first));
+  if (o.time && rise.end > rise.first &&
+      std::abs(*o.time - rise.middle) > std::max(o.rise, gap) / 4 + 2 * (time[rise.end] - time[rise.end - 1]))
+    doubts.push_back(
+        fmt::format("pixels jump at {:.4g} s and not at the given {:.4g} s; give that time, or none to have it found",
+                    rise.middle, *o.time));
   constexpr double creeps = 0.05;
   if (after.onward > creeps)
     doubts.push_back(
         fmt::format("for about {:.2g} s after the step the pixels go on in its direction, by {:.2g} % of it: the load "
-                    "creeps, or takes long to "
-                    "change; the jump is what they show at once",
+                    "creeps, or takes long to change; the jump is what they show at once",
                     after.relaxation, 100 * after.onward));
   Matrix jump = series.part(after.first, after.count) * after.height_weights();
   jump -= series.part(before.first, before.count) * before.height_weights();
   if (const auto other = another_step(series, time, sides, squares(jump)))
-    doubts.push_back(fmt::format("pixels jump again at {:.4g} s, where drift is taken to go on evenly; give --window so that one step is used", *other));
+    doubts.push_back(fmt::format(
+        "pixels jump again at {:.4g} s, where drift is taken to go on evenly; give --window so that one step is used",
+        *other));
   return doubts;
 }
 

@@ -22,7 +22,8 @@ void check(const StepOptions& o) {
 /// Some thousand pixels of every frame, spread over the picture: pixels x frames. Empty if `progress` stopped it.
 Matrix some_pixels(FilmSource& film, const Progress& progress) {
   const auto frames = static_cast<std::size_t>(film.info().frames), pixels = film.info().pixels();
-  const std::size_t most = std::clamp<std::size_t>((std::size_t{1} << 25) / std::max<std::size_t>(frames, 1), 64, 1024);  // 256 MB
+  const std::size_t most =
+      std::clamp<std::size_t>((std::size_t{1} << 25) / std::max<std::size_t>(frames, 1), 64, 1024);  // 256 MB
   const std::size_t every = (pixels + most - 1) / most, count = (pixels + every - 1) / every;
   Matrix series(count, frames);
   const auto take = [&](const auto* values, std::size_t n, std::size_t some) {
@@ -50,23 +51,30 @@ Matrix changing_pixels(const Matrix& series) {
   const std::size_t count = series.rows(), frames = series.columns();
   std::vector<double> noise(count);
   for (std::size_t n = 1; n < frames; ++n)
-    for (std::size_t i = 0; i < count; ++i) noise[i] += std::pow(series(i, n) - series(i, n - 1), 2) / (2 * static_cast<double>(frames - 1));
+    for (std::size_t i = 0; i < count; ++i)
+      noise[i] += std::pow(series(i, n) - series(i, n - 1), 2) / (2 * static_cast<double>(frames - 1));
   std::vector<std::size_t> used;
   for (std::size_t i = 0; i < count; ++i)
     if (noise[i] > 0 && std::isfinite(noise[i])) used.push_back(i);
   Matrix changing(used.size(), frames);
   for (std::size_t n = 0; n < frames; ++n)
-    for (std::size_t k = 0; k < used.size(); ++k) changing(k, n) = (series(used[k], n) - series(used[k], 0)) / std::sqrt(noise[used[k]]);
+    for (std::size_t k = 0; k < used.size(); ++k)
+      changing(k, n) = (series(used[k], n) - series(used[k], 0)) / std::sqrt(noise[used[k]]);
   return changing;
 }
 
 /// Weighed sums of all pixels' values, less the pixel's first one.
 class StepSums {
  public:
-  StepSums(std::size_t pixels, std::size_t size) : pixels_(pixels), base_(pixels), squares_(pixels), sum_(size, std::vector<double>(pixels)) {}
+  StepSums(std::size_t pixels, std::size_t size)
+      : pixels_(pixels),
+        base_(pixels),
+        squares_(pixels),
+        sum_(size, std::vector<double>(pixels)) {}
 
   /// False if stopped.
-  bool pass(FilmSource& film, const StepSide& side, const ThreadPool& pool, const std::function<bool(std::size_t)>& progress) {
+  bool pass(FilmSource& film, const StepSide& side, const ThreadPool& pool,
+            const std::function<bool(std::size_t)>& progress) {
     return read_frames(film, side.first, side.count, [&](const auto* frames, std::size_t first, std::size_t count) {
       pool.for_ranges(pixels_, [&](std::size_t begin, std::size_t end) {
         if (first == 0)
@@ -108,12 +116,15 @@ class StepSums {
 
 void fill(StepMaps& maps, const StepSides& sides, const StepSums (&sums)[2]) {
   const std::size_t pixels = static_cast<std::size_t>(maps.width) * static_cast<std::size_t>(maps.height);
-  for (auto* map : {&maps.jump, &maps.standard_error, &maps.level, &maps.drift_before, &maps.drift_after, &maps.residual}) map->resize(pixels);
+  for (auto* map :
+       {&maps.jump, &maps.standard_error, &maps.level, &maps.drift_before, &maps.drift_after, &maps.residual})
+    map->resize(pixels);
   const double spread = std::sqrt(sides.variance()), late = maps.time_error;
   const auto& [before, after] = sides.side;
   bool changes = false;
   for (std::size_t p = 0; p < pixels; ++p) {
-    const double level = sums[0].base(p) + sums[0].at(before.height, p), then = sums[1].base(p) + sums[1].at(after.height, p);
+    const double level = sums[0].base(p) + sums[0].at(before.height, p),
+                 then = sums[1].base(p) + sums[1].at(after.height, p);
     const double left = sums[0].squares(p) + sums[1].squares(p) - sums[0].explained(p) - sums[1].explained(p);
     const double noise = std::sqrt(std::max(left, 0.0) / sides.freedom());
     maps.level[p] = static_cast<float>(level);
@@ -121,11 +132,15 @@ void fill(StepMaps& maps, const StepSides& sides, const StepSums (&sums)[2]) {
     maps.drift_before[p] = static_cast<float>(sums[0].at(before.slope, p));
     maps.drift_after[p] = static_cast<float>(sums[1].at(after.slope, p));
     maps.residual[p] = static_cast<float>(std::isfinite(left) ? noise : left);
-    const double by_time = late * (static_cast<double>(maps.drift_after[p]) - static_cast<double>(maps.drift_before[p]));
+    const double by_time =
+        late * (static_cast<double>(maps.drift_after[p]) - static_cast<double>(maps.drift_before[p]));
     maps.standard_error[p] = static_cast<float>(std::hypot(static_cast<double>(maps.residual[p]) * spread, by_time));
-    changes = changes || sums[0].squares(p) > 0 || sums[1].squares(p) > 0 || std::abs(sums[0].base(p) - sums[1].base(p)) > 0;
+    changes =
+        changes || sums[0].squares(p) > 0 || sums[1].squares(p) > 0 || std::abs(sums[0].base(p) - sums[1].base(p)) > 0;
   }
-  if (!changes) throw InputError("every pixel of the film is constant in time (or not a number); a step needs a film of a loaded sample");
+  if (!changes)
+    throw InputError(
+        "every pixel of the film is constant in time (or not a number); a step needs a film of a loaded sample");
 }
 
 /// The first frame that is not before a time within the film.
@@ -154,19 +169,25 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
       return maps;
     }
   const Matrix series = changing_pixels(some);
-  if (series.rows() == 0) throw InputError("every pixel of the film is constant in time (or not a number); a step needs a film of a loaded sample");
+  if (series.rows() == 0)
+    throw InputError(
+        "every pixel of the film is constant in time (or not a number); a step needs a film of a loaded sample");
   const std::size_t split = o.time ? frame_at(time, *o.time) : find_step(series, time, o.drift_order);
   const StepGap rise = find_rise(series, time, split);
   const double step = o.time ? *o.time : rise.middle;
   const StepSides sides = step_sides(series, time, step, rise, o);
   if (!o.time && !is_a_step(sides, time.size()))
-    throw InputError("the film shows no step of the load: nowhere do its pixels jump by more than their noise; give the time of the step");
+    throw InputError(
+        "the film shows no step of the load: nowhere do its pixels jump by more than their noise; give the time of the "
+        "step");
   const auto& [before, after] = sides.side;
-  StepMaps maps{film.info().width, film.info().height, step, before.count, after.count, {}, o.drift_order, before.relaxation, after.relaxation};
+  StepMaps maps{film.info().width, film.info().height, step, before.count, after.count, {}, o.drift_order,
+                before.relaxation, after.relaxation};
   maps.rise = rise.end > rise.first ? time[rise.end] - time[rise.first - 1] : 0;
   maps.time_error = o.time ? 0 : (time[split] - time[split - 1]) / std::sqrt(12.0);
   maps.doubts = step_doubts(series, time, rise, sides, o);
-  StepSums sums[2] = {StepSums(film.info().pixels(), before.height.rows()), StepSums(film.info().pixels(), after.height.rows())};
+  StepSums sums[2] = {StepSums(film.info().pixels(), before.height.rows()),
+                      StepSums(film.info().pixels(), after.height.rows())};
   const ThreadPool pool(o.threads);
   std::size_t read = 0;
   const auto progress = [&](std::size_t frames) {

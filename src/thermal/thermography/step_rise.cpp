@@ -42,7 +42,9 @@ std::size_t frames_on_the_way(const std::vector<double>& level) {
   constexpr double clear = 5, least = 0.02;  // deviations; share of the step
   std::vector<double> sum(level.size() + 1);
   std::partial_sum(level.begin(), level.end(), sum.begin() + 1);
-  const auto rises_by = [&](std::size_t n, std::size_t next) { return (sum[n + 1 + next] - sum[n + 1]) / static_cast<double>(next) - level[n]; };
+  const auto rises_by = [&](std::size_t n, std::size_t next) {
+    return (sum[n + 1 + next] - sum[n + 1]) / static_cast<double>(next) - level[n];
+  };
   std::size_t on_the_way = 0;
   for (std::size_t next = shortest; next <= longest && 4 * next < level.size(); next *= 2) {
     std::vector<double> elsewhere;
@@ -69,14 +71,17 @@ struct Side {
     for (std::size_t p = 0; p < value.columns(); ++p)
       for (std::size_t k = 0; k < value.rows(); ++k) value(k, p) += sign * frame[p] * phi[k];
   }
-  double explained() const { return statistics::dot(solve_symmetric(normal, value).column(0), value.column(0), value.size()); }
+  double explained() const {
+    return statistics::dot(solve_symmetric(normal, value).column(0), value.column(0), value.size());
+  }
 };
 
 }  // namespace
 
 std::size_t find_step(const Matrix& series, const std::vector<double>& time, int drift_order) {
   const std::size_t frames = time.size(), size = static_cast<std::size_t>(drift_order) + 1, margin = size + 2;
-  if (frames < 2 * margin) throw InputError("the film has too few frames for a step to be found; give its time, or a lower drift order");
+  if (frames < 2 * margin)
+    throw InputError("the film has too few frames for a step to be found; give its time, or a lower drift order");
   const double middle = (time.front() + time.back()) / 2, half = (time.back() - time.front()) / 2;
   Matrix phi(size, frames);
   for (std::size_t n = 0; n < frames; ++n) legendre((time[n] - middle) / half, size, phi.column(n));
@@ -101,11 +106,14 @@ StepGap find_rise(const Matrix& series, const std::vector<double>& time, std::si
   for (double& level : before) level = -level;
   const StepGap gap{split - frames_on_the_way(before), split + frames_on_the_way(after), 0};
   const auto median_in = [&](std::size_t from, std::size_t to) {
-    return median(std::vector(done.begin() + static_cast<std::ptrdiff_t>(from), done.begin() + static_cast<std::ptrdiff_t>(to)));
+    return median(
+        std::vector(done.begin() + static_cast<std::ptrdiff_t>(from), done.begin() + static_cast<std::ptrdiff_t>(to)));
   };
   const double low = median_in(gap.first - std::min<std::size_t>(gap.first, 5), gap.first);
   const double high = median_in(gap.end, std::min(gap.end + 5, done.size()));
-  const auto share = [&](std::size_t n) { return n < gap.first ? 0 : n >= gap.end ? 1 : std::clamp((done[n] - low) / (high - low), 0.0, 1.0); };
+  const auto share = [&](std::size_t n) {
+    return n < gap.first ? 0 : n >= gap.end ? 1 : std::clamp((done[n] - low) / (high - low), 0.0, 1.0);
+  };
   double middle = time[gap.end];  // less the area under the rise
   for (std::size_t n = gap.first; n <= gap.end; ++n) middle -= (share(n - 1) + share(n)) / 2 * (time[n] - time[n - 1]);
   return {gap.first, gap.end, middle};

@@ -16,7 +16,8 @@ using statistics::Matrix;
 
 /// Pixels that vary independently, from the mean square correlation of pairs less what chance gives it (Bartlett).
 double independent_pixels(const Matrix& residual, const std::vector<double>& lag) {
-  const std::size_t all = residual.rows(), every = std::max<std::size_t>(1, all / 128), count = (all + every - 1) / every;
+  const std::size_t all = residual.rows(), every = std::max<std::size_t>(1, all / 128),
+                    count = (all + every - 1) / every;
   if (count < 2) return 1;
   Matrix some(count, residual.columns());
   for (std::size_t n = 0; n < some.columns(); ++n)
@@ -36,11 +37,13 @@ double independent_pixels(const Matrix& residual, const std::vector<double>& lag
 /// Sums over rows of products of values so many frames apart, of columns that are frames.
 std::vector<double> products(const Matrix& value, std::size_t lags) {
   std::vector<double> sums;
-  for (std::size_t k = 1; k <= lags; ++k) sums.push_back(statistics::dot(value.column(0), value.column(k), value.rows() * (value.columns() - k)));
+  for (std::size_t k = 1; k <= lags; ++k)
+    sums.push_back(statistics::dot(value.column(0), value.column(k), value.rows() * (value.columns() - k)));
   return sums;
 }
 
-/// Of pixels x frames, left by a fit of the functions `fitted` (functions x frames, orthonormal), which takes some correlation with it.
+/// Of pixels x frames, left by a fit of the functions `fitted` (functions x frames, orthonormal), which takes some
+/// correlation with it.
 ResidualCorrelation residual_correlation(const Matrix& residual, const Matrix& fitted) {
   ResidualCorrelation result;
   const auto frames = static_cast<double>(residual.columns()), functions = static_cast<double>(fitted.rows());
@@ -50,7 +53,8 @@ ResidualCorrelation residual_correlation(const Matrix& residual, const Matrix& f
   const std::vector<double> seen = products(residual, lags), taken = products(fitted, lags);
   const double lost_in_noise = std::max(1e-3, 2 / std::sqrt(frames * independent_pixels(residual, {})));
   double sum = 1;
-  // In white noise the fit takes just this from each lag; of correlated noise, strongest where the fit is, as much more (Marriott and Pope 1954).
+  // In white noise the fit takes just this from each lag; of correlated noise, strongest where the fit is, as much more
+  // (Marriott and Pope 1954).
   for (int turn = 0; turn < 8; ++turn) {
     result.lag.clear();
     double next = 1;
@@ -81,7 +85,8 @@ struct Place {
 
 /// `with_time` adds the function by which the fit changes when the relaxation's time does.
 StepSide side_of(const Place& at, double relaxation, bool with_time = false) {
-  const std::size_t powers = static_cast<std::size_t>(at.order) + 1, size = powers + (relaxation > 0 ? 1 : 0) + (with_time ? 1 : 0);
+  const std::size_t powers = static_cast<std::size_t>(at.order) + 1,
+                    size = powers + (relaxation > 0 ? 1 : 0) + (with_time ? 1 : 0);
   const double length = at.length();
   Matrix value(size, 1), slope = value;
   const auto functions = [&](double t) {
@@ -93,7 +98,8 @@ StepSide side_of(const Place& at, double relaxation, bool with_time = false) {
     if (relaxation <= 0) return;
     const double since = at.since(t), fall = std::exp(-since / relaxation);
     value(powers, 0) = fall, slope(powers, 0) = -fall / relaxation;
-    if (with_time) value(powers + 1, 0) = since / length * fall, slope(powers + 1, 0) = (1 - since / relaxation) / length * fall;
+    if (with_time)
+      value(powers + 1, 0) = since / length * fall, slope(powers + 1, 0) = (1 - since / relaxation) / length * fall;
   };
   Matrix all(at.count(), size);
   for (std::size_t n = 0; n < all.rows(); ++n) {
@@ -102,7 +108,8 @@ StepSide side_of(const Place& at, double relaxation, bool with_time = false) {
   }
   auto [q, r] = statistics::orthonormal(all);
   functions(at.step);
-  for (double* each : {value.column(0), slope.column(0)})  // the functions at the step from those that are orthonormal, by r^T
+  for (double* each :
+       {value.column(0), slope.column(0)})  // the functions at the step from those that are orthonormal, by r^T
     for (std::size_t k = 0; k < size; ++k) {
       for (std::size_t j = 0; j < k; ++j) each[k] -= r(j, k) * each[j];
       each[k] /= r(k, k);
@@ -125,27 +132,34 @@ double best_relaxation(const Matrix& series, const Place& at) {
   const double shortest = 10 * at.length() / static_cast<double>(at.count());
   const StepSide plain = side_of(at, 0);
   const Matrix rest = left_by(series, plain);
-  const auto explained = [&](double log_time) { return squares(rest * last_function(side_of(at, std::exp(log_time)))); };
+  const auto explained = [&](double log_time) {
+    return squares(rest * last_function(side_of(at, std::exp(log_time))));
+  };
   double best = std::log(shortest), most = -1;
   for (double t = std::log(shortest); t <= std::log(at.length()); t += std::log(rung))
     if (const double e = explained(t); e > most) most = e, best = t;
-  return std::exp(minimum_between([&](double log_time) { return -explained(log_time); }, best - std::log(rung), best + std::log(rung)));
+  return std::exp(minimum_between([&](double log_time) { return -explained(log_time); }, best - std::log(rung),
+                                  best + std::log(rung)));
 }
 
-/// The side with or without the exponential; what is left of one that is not sure is an error. Its functions are orthonormal, so that
-/// the squares of the frames' weights for the height add up to those of the height itself.
-StepSide choose(const Matrix& series, const Place& at, const StepSide& relaxing, const ResidualCorrelation& noise, double variance) {
+/// The side with or without the exponential; what is left of one that is not sure is an error. Its functions are
+/// orthonormal, so that the squares of the frames' weights for the height add up to those of the height itself.
+StepSide choose(const Matrix& series, const Place& at, const StepSide& relaxing, const ResidualCorrelation& noise,
+                double variance) {
   StepSide plain = side_of(at, 0);
   const Matrix more = last_function(relaxing);
   const double widening = noise.widening(more);
-  const double explained = squares(series.part(at.first, at.count()) * more) / static_cast<double>(series.rows()) / variance / widening;
+  const double explained =
+      squares(series.part(at.first, at.count()) * more) / static_cast<double>(series.rows()) / variance / widening;
   if (explained > chi_squared_above(noise.pixels, 4)) {
     StepSide side = relaxing;
-    side.misfit = std::max(0.0, squares(side_of(at, relaxing.relaxation, true).height) - squares(relaxing.height)) / noise.pixels;
+    side.misfit =
+        std::max(0.0, squares(side_of(at, relaxing.relaxation, true).height) - squares(relaxing.height)) / noise.pixels;
     return side;
   }
   const double wider = squares(relaxing.height) - squares(plain.height);
-  plain.misfit = std::max(0.0, wider) * widening * std::max(0.0, explained - std::min(2.0, chi_squared_above(noise.pixels, 3)));
+  plain.misfit =
+      std::max(0.0, wider) * widening * std::max(0.0, explained - std::min(2.0, chi_squared_above(noise.pixels, 3)));
   return plain;
 }
 
@@ -164,7 +178,9 @@ void weigh(Matrix& series, const std::array<Place, 2>& places) {
 }
 
 /// Of every pixel, at the step.
-Matrix heights(const Matrix& series, const StepSide& side) { return series.part(side.first, side.count) * side.height_weights(); }
+Matrix heights(const Matrix& series, const StepSide& side) {
+  return series.part(side.first, side.count) * side.height_weights();
+}
 
 /// Variance of what the sides leave of the pixels, whose correlation becomes their noise.
 double measure_noise(const Matrix& series, StepSides& sides) {
@@ -183,15 +199,20 @@ double measure_noise(const Matrix& series, StepSides& sides) {
 
 std::array<Place, 2> places_of(const std::vector<double>& time, double step, const StepGap& gap, const StepOptions& o) {
   const double far = o.window > 0 ? o.window : time.back() + 1;
-  const auto from = [&](double t) { return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin()); };
-  const auto after = [&](double t) { return static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin()); };
-  const std::array places{Place{time, step, o.drift_order, from(step - far), std::min(gap.first, from(step - o.rise / 2))},
-                          Place{time, step, o.drift_order, std::max(gap.end, after(step + o.rise / 2)), after(step + far)}};
+  const auto from = [&](double t) {
+    return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
+  };
+  const auto after = [&](double t) {
+    return static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin());
+  };
+  const std::array places{
+      Place{time, step, o.drift_order, from(step - far), std::min(gap.first, from(step - o.rise / 2))},
+      Place{time, step, o.drift_order, std::max(gap.end, after(step + o.rise / 2)), after(step + far)}};
   for (const Place& at : places)
     if (at.end < at.first + static_cast<std::size_t>(o.drift_order) + 3)
       throw refusal(
-          "the film has {} frames {} the step at {:.6g} s that can be used, too few for a drift of order {}; give another time, a longer "
-          "window, a shorter rise or less drift",
+          "the film has {} frames {} the step at {:.6g} s that can be used, too few for a drift of order {}; give "
+          "another time, a longer window, a shorter rise or less drift",
           at.end > at.first ? at.count() : 0, &at == places.data() ? "before" : "after", step, o.drift_order);
   return places;
 }
@@ -201,7 +222,8 @@ std::array<Place, 2> places_of(const std::vector<double>& time, double step, con
 double ResidualCorrelation::widening(const Matrix& weight) const {
   double sum = squares(weight);
   const double* w = weight.column(0);
-  for (std::size_t k = 1; k <= lag.size() && k < weight.rows(); ++k) sum += 2 * lag[k - 1] * statistics::dot(w, w + k, weight.rows() - k);
+  for (std::size_t k = 1; k <= lag.size() && k < weight.rows(); ++k)
+    sum += 2 * lag[k - 1] * statistics::dot(w, w + k, weight.rows() - k);
   return std::max(sum / squares(weight), 1.0);
 }
 
@@ -218,7 +240,8 @@ double StepSides::variance() const {
   return squares(weight) * noise.widening(weight) + side[0].misfit + side[1].misfit;
 }
 
-StepSides step_sides(Matrix series, const std::vector<double>& time, double step, const StepGap& gap, const StepOptions& options) {
+StepSides step_sides(Matrix series, const std::vector<double>& time, double step, const StepGap& gap,
+                     const StepOptions& options) {
   const std::array<Place, 2> places = places_of(time, step, gap, options);
   weigh(series, places);
   StepSides sides;
@@ -229,7 +252,8 @@ StepSides step_sides(Matrix series, const std::vector<double>& time, double step
   if (series.rows() == 0) return sides;
   double variance = measure_noise(series, sides);
   for (std::size_t k = 0; k < 2; ++k)
-    if (sides.side[k].relaxation > 0 && variance > 0) sides.side[k] = choose(series, places[k], sides.side[k], sides.noise, variance);
+    if (sides.side[k].relaxation > 0 && variance > 0)
+      sides.side[k] = choose(series, places[k], sides.side[k], sides.noise, variance);
   variance = measure_noise(series, sides);
   sides.evidence = std::numeric_limits<double>::infinity();
   if (variance > 0) {
@@ -237,7 +261,8 @@ StepSides step_sides(Matrix series, const std::vector<double>& time, double step
     Matrix jump = high, onward = heights(series, side_of(places[1], 0));
     jump -= heights(series, sides.side[0]), onward -= high;
     sides.evidence = squares(jump) / static_cast<double>(series.rows()) / variance / sides.variance();
-    if (sides.side[1].relaxation > 0) sides.side[1].onward = statistics::dot(jump.column(0), onward.column(0), jump.size()) / squares(jump);
+    if (sides.side[1].relaxation > 0)
+      sides.side[1].onward = statistics::dot(jump.column(0), onward.column(0), jump.size()) / squares(jump);
   }
   return sides;
 }

@@ -38,7 +38,9 @@ struct Spectrum {
 
 Spectrum spectrum(const FloatMatrix& value, const std::vector<double>& time) {
   const double rate = 2 * nyquist_frequency(time);
-  const auto slot = [&](std::size_t n) { return static_cast<std::size_t>(std::lround((time[n] - time.front()) * rate)); };
+  const auto slot = [&](std::size_t n) {
+    return static_cast<std::size_t>(std::lround((time[n] - time.front()) * rate));
+  };
   const std::size_t most = 64 * time.size();  // a film with far longer gaps than that has no spectrum
   std::size_t size = 2;
   while (size < 2 * (slot(time.size() - 1) + 1) && size <= most) size *= 2;
@@ -80,7 +82,8 @@ WatchedPixels::WatchedPixels(const SegmentSums& s) : time_(s.time), value_(s.wat
   for (std::size_t n = 0; n < value_.columns(); ++n) {
     const double share = (time_[n] - time_.front()) / (time_.back() - time_.front());
     const auto window = static_cast<float>(0.5 - 0.5 * std::cos(2 * std::numbers::pi * share));
-    for (std::size_t i = 0; i < value_.rows(); ++i) value_(i, n) = changes(squares[i]) ? value_(i, n) / std::sqrt(squares[i]) * window : 0;
+    for (std::size_t i = 0; i < value_.rows(); ++i)
+      value_(i, n) = changes(squares[i]) ? value_(i, n) / std::sqrt(squares[i]) * window : 0;
   }
 }
 
@@ -124,13 +127,15 @@ std::optional<double> WatchedPixels::stronger_part(double frequency) const {
   const double length = film_length(time_);
   std::vector<double> at{frequency};
   for (const int part : {2, 3, 4})
-    if (const double f = frequency / part; f * length >= 4) at.insert(at.end(), {f, f - 2.5 / length, f + 2.5 / length});
+    if (const double f = frequency / part; f * length >= 4)
+      at.insert(at.end(), {f, f - 2.5 / length, f + 2.5 / length});
   if (value_.rows() == 0 || at.size() < 2) return std::nullopt;
   const std::vector<Line> all = lines_at(at);
   std::optional<double> best;
   double most = 4 * all[0].power;
   for (std::size_t k = 1; k < all.size(); k += 3)
-    if (all[k].power > most && all[k].power > 2 * (all[k + 1].power + all[k + 2].power)) most = all[k].power, best = at[k];
+    if (all[k].power > most && all[k].power > 2 * (all[k + 1].power + all[k + 2].power))
+      most = all[k].power, best = at[k];
   return best;
 }
 
@@ -139,9 +144,11 @@ std::optional<double> WatchedPixels::strongest_line() const {
   const Spectrum all = spectrum(value_, time_);
   if (value_.rows() == 0 || all.power.empty()) return std::nullopt;
   const double length = film_length(time_);
-  const auto first = static_cast<std::size_t>(std::ceil(2 / length / all.step)), end = all.power.size() - static_cast<std::size_t>(1 / length / all.step);
+  const auto first = static_cast<std::size_t>(std::ceil(2 / length / all.step)),
+             end = all.power.size() - static_cast<std::size_t>(1 / length / all.step);
   if (first + 2 >= end) return std::nullopt;
-  // What all pixels share has powers that are exponential: so far above their median is the largest of all once in a hundred films.
+  // What all pixels share has powers that are exponential: so far above their median is the largest of all once in a
+  // hundred films.
   const double clear = std::log(100 * static_cast<double>(end - first)) / std::numbers::ln2;
   std::size_t best = 0;
   for (std::size_t k = first; k + 1 < end; ++k)
@@ -150,7 +157,8 @@ std::optional<double> WatchedPixels::strongest_line() const {
       best = k;
   if (best == 0) return std::nullopt;
   const auto log_power = [&](std::size_t k) { return std::log(all.power[k]); };
-  return (static_cast<double>(best) + peak_between(log_power(best - 1), log_power(best), log_power(best + 1))) * all.step;
+  return (static_cast<double>(best) + peak_between(log_power(best - 1), log_power(best), log_power(best + 1))) *
+         all.step;
 }
 
 }  // namespace arenite::thermography

@@ -30,8 +30,10 @@ Study synthetic(std::size_t runs, std::size_t runs_of_a_packing) {
   for (std::size_t r = 0; r < runs; ++r) {
     StudyRun run;
     run.name = "run" + std::to_string(r);
-    run.values = {{"cement.width", std::to_string(r % runs_of_a_packing)}, {"seed", std::to_string(r / runs_of_a_packing)}};
-    run.stages = {{"packing", "p" + std::to_string(r / runs_of_a_packing), "01", false}, {"load", "l" + std::to_string(r), "02", true}};
+    run.values = {{"cement.width", std::to_string(r % runs_of_a_packing)},
+                  {"seed", std::to_string(r / runs_of_a_packing)}};
+    run.stages = {{"packing", "p" + std::to_string(r / runs_of_a_packing), "01", false},
+                  {"load", "l" + std::to_string(r), "02", true}};
     study.runs.push_back(std::move(run));
   }
   return study;
@@ -58,7 +60,8 @@ TEST(Journal, TheLastWordOnEachOfTwentyThousandRunsCounts) {
     const io::AppendLog one(place.journal()), two(place.journal());
     for (int r = 0; r < 20'000; ++r) note_state(one, "run" + std::to_string(r), {Kind::running, 0, {}});
     for (int r = 0; r < 20'000; ++r)
-      note_state(two, "run" + std::to_string(r), r % 100 == 0 ? RunState{Kind::failed, 1, "no\treason\nat all"} : RunState{Kind::done, 2.5, {}});
+      note_state(two, "run" + std::to_string(r),
+                 r % 100 == 0 ? RunState{Kind::failed, 1, "no\treason\nat all"} : RunState{Kind::done, 2.5, {}});
   }
   const auto states = read_states(place);
   ASSERT_EQ(states.size(), 20'000u);
@@ -84,7 +87,8 @@ TEST(Journal, AClockThatIsAheadDoesNotDecide) {
   const StudyFolder place(folder.path());
   std::filesystem::create_directories(place.journal());
   std::filesystem::create_directories(place.run("a"));
-  std::ofstream(place.journal() / "1.log") << "99999999999999999\ta\trunning\t0\t\n99999999999999999\ta\tfailed\t1\tno memory\n";
+  std::ofstream(place.journal() / "1.log")
+      << "99999999999999999\ta\trunning\t0\t\n99999999999999999\ta\tfailed\t1\tno memory\n";
   std::ofstream(place.journal() / "2.log") << "17\ta\trunning\t0\t\n18\ta\tdone\t2.5\t\n";
   write_status(place, "a", {Kind::done, 2.5, {}});
   EXPECT_EQ(read_states(place).at("a").kind, Kind::done);
@@ -126,7 +130,8 @@ TEST(FileLock, IsHeldByOneAndGoneWithItsProcess) {
 TEST(Store, CountsWhatWasComputedAndWhatThatSavedOthers) {
   const test::TemporaryFolder folder;
   const workflow::Store store(folder / "store");
-  const workflow::PlannedStage packing{"packing", "abcdef", "01-packing-abcdef.h5", false}, load{"load", "ab0000", "02-load-ab0000.h5", true};
+  const workflow::PlannedStage packing{"packing", "abcdef", "01-packing-abcdef.h5", false},
+      load{"load", "ab0000", "02-load-ab0000.h5", true};
   std::ofstream(folder / "made") << "bytes";
   EXPECT_FALSE(store.fetch(packing.hash, folder / "taken"));
   store.note(workflow::Store::Event::begun, packing, 1.5);
@@ -147,13 +152,17 @@ TEST(Store, CountsWhatWasComputedAndWhatThatSavedOthers) {
 }
 
 TEST(FlatNumbers, HaveDottedNamesAndTheirErrors) {
-  const Numbers tree = test::numbers_of(R"({"a": {"value": 1.5, "error": 0.1}, "b": {"c": 2, "words": "x", "curve": [1, 2, 3, 4, 5]},
-    "sigma": {"value": [[1, 2], [3, 4]], "error": [[0.1, 0.2], [0.3, null]]}, "stages": [{"name": "load", "n": 7}], "none": null,
-    "provenance": {"seed": 1}})");
+  const Numbers tree =
+      test::numbers_of(R"({"a": {"value": 1.5, "error": 0.1}, "b": {"c": 2, "words": "x", "curve": [1, 2, 3, 4, 5]},
+    "sigma": {"value": [[1, 2], [3, 4]], "error": [[0.1, 0.2], [0.3, null]]}, "stages": [{"name": "load", "n": 7}],
+    "none": null, "provenance": {"seed": 1}})");
   std::string text;
   for (const auto& [name, e, meaning] : flat_numbers(tree))
-    text += name + "=" + std::to_string(e.value).substr(0, 3) + (std::isfinite(e.error) ? "+-" + std::to_string(e.error).substr(0, 3) : "") + " ";
-  EXPECT_EQ(text, "a=1.5+-0.1 b.c=2.0 sigma.0.0=1.0+-0.1 sigma.0.1=2.0+-0.2 sigma.1.0=3.0+-0.3 sigma.1.1=4.0 stages.load.n=7.0 ");
+    text += name + "=" + std::to_string(e.value).substr(0, 3) +
+            (std::isfinite(e.error) ? "+-" + std::to_string(e.error).substr(0, 3) : "") + " ";
+  EXPECT_EQ(
+      text,
+      "a=1.5+-0.1 b.c=2.0 sigma.0.0=1.0+-0.1 sigma.0.1=2.0+-0.2 sigma.1.0=3.0+-0.3 sigma.1.1=4.0 stages.load.n=7.0 ");
 }
 
 TEST(Collect, HeadsHaveTheUnitsThatTheNamesDoNotSay) {
@@ -173,8 +182,12 @@ TEST(Collect, HeadsHaveTheUnitsThatTheNamesDoNotSay) {
   write_status(place, study.runs[0].name, {Kind::done, 1, {}});
   const auto table = collect(study, place);
   const std::string csv = table.csv(), head = csv.substr(0, csv.find('\n'));
-  EXPECT_TRUE(head.ends_with(",stress.0 [Pa],stress.0_error [Pa],stress.1 [Pa],modulus_Pa,toughness_Pa_m0.5.matrix,work_J_per_m,rate_grains_s,z")) << head;
-  EXPECT_EQ(test::numbers_of(table.json())[0]["numbers"]["stress.0"], (Numbers{{"value", 1.0}, {"error", 0.5}, {"unit", "Pa"}}));
+  EXPECT_TRUE(
+      head.ends_with(",stress.0 [Pa],stress.0_error [Pa],stress.1 "
+                     "[Pa],modulus_Pa,toughness_Pa_m0.5.matrix,work_J_per_m,rate_grains_s,z"))
+      << head;
+  EXPECT_EQ(test::numbers_of(table.json())[0]["numbers"]["stress.0"],
+            (Numbers{{"value", 1.0}, {"error", 0.5}, {"unit", "Pa"}}));
   EXPECT_TRUE(averaged(table, {study.keys[0]}).csv().find(",stress.0 [Pa],") != std::string::npos);
 }
 
@@ -189,9 +202,10 @@ TEST(Collect, MeansOverReplicatesCarryTheStandardErrorOfTheScatter) {
     write_status(place, study.runs[r].name, {Kind::done, 1, {}});
   }
   const auto table = collect(study, place);
-  EXPECT_EQ(table.csv(),
-            "run,status,cement.width [mm],seed,x,x_error\nrun0,done,0,0,0,0.5\nrun1,done,1,0,1,0.5\nrun2,done,0,1,2,0.5\n"
-            "run3,done,1,1,3,0.5\nrun4,done,0,2,4,0.5\nrun5,waiting,1,2,,\n");
+  EXPECT_EQ(
+      table.csv(),
+      "run,status,cement.width [mm],seed,x,x_error\nrun0,done,0,0,0,0.5\nrun1,done,1,0,1,0.5\nrun2,done,0,1,2,0.5\n"
+      "run3,done,1,1,3,0.5\nrun4,done,0,2,4,0.5\nrun5,waiting,1,2,,\n");
   // 0, 2, 4: mean 2, standard deviation 2, error 2/sqrt(3); 1, 3: mean 2, standard deviation sqrt(2), error 1.
   const auto means = averaged(table, {"cement.width"});
   ASSERT_EQ(means.rows.size(), 2u);
@@ -213,7 +227,8 @@ TEST(StudyFolder, RunsOfVersion01AreLeftWithASentence) {
   write_status(place, "fedcba9876543210", {Kind::done, 1, {}});
   const Study study = read_study(file, {}, folder / "out");
   ASSERT_EQ(study.notices.size(), 1u);
-  EXPECT_EQ(study.notices[0], "runs of version 0.1 in " + (folder / "out/runs").string() + " (1) are not reused; all runs are computed again beside them");
+  EXPECT_EQ(study.notices[0], "runs of version 0.1 in " + (folder / "out/runs").string() +
+                                  " (1) are not reused; all runs are computed again beside them");
   EXPECT_EQ(result_of(place, study.runs[1]).state.kind, Kind::waiting);
 }
 

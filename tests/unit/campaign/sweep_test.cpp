@@ -18,7 +18,8 @@ namespace {
 using test::small_cemented_recipe;
 
 /// The study that a sweep makes of the small recipe.
-Study study_of(const test::TemporaryFolder& folder, const std::string& sweep, const std::vector<std::string>& overrides = {}) {
+Study study_of(const test::TemporaryFolder& folder, const std::string& sweep,
+               const std::vector<std::string>& overrides = {}) {
   const std::string file = folder / "r.toml";
   std::ofstream(file) << small_cemented_recipe << sweep;
   return read_study(file, overrides);
@@ -54,12 +55,17 @@ using Lines = std::vector<std::string>;
 
 TEST(Sweep, GridAndReplicatesAreAllCombinationsTheLastVaryingFastest) {
   const test::TemporaryFolder folder;
-  const Study study = study_of(folder, "[sweep]\nreplicates = 2\n[sweep.grid]\n\"container.width\" = [\"100 mm\", \"0.12 m\"]\ncement.width = [0.1, 0.25]\n");
-  EXPECT_EQ(descriptions(study),
-            (Lines{"container.width = \"100 mm\", cement.width = 0.1, seed = 3", "container.width = \"100 mm\", cement.width = 0.1, seed = 4",
-                   "container.width = \"100 mm\", cement.width = 0.25, seed = 3", "container.width = \"100 mm\", cement.width = 0.25, seed = 4",
-                   "container.width = \"0.12 m\", cement.width = 0.1, seed = 3", "container.width = \"0.12 m\", cement.width = 0.1, seed = 4",
-                   "container.width = \"0.12 m\", cement.width = 0.25, seed = 3", "container.width = \"0.12 m\", cement.width = 0.25, seed = 4"}));
+  const Study study = study_of(folder,
+                               "[sweep]\nreplicates = 2\n[sweep.grid]\n\"container.width\" = [\"100 mm\", \"0.12 "
+                               "m\"]\ncement.width = [0.1, 0.25]\n");
+  EXPECT_EQ(descriptions(study), (Lines{"container.width = \"100 mm\", cement.width = 0.1, seed = 3",
+                                        "container.width = \"100 mm\", cement.width = 0.1, seed = 4",
+                                        "container.width = \"100 mm\", cement.width = 0.25, seed = 3",
+                                        "container.width = \"100 mm\", cement.width = 0.25, seed = 4",
+                                        "container.width = \"0.12 m\", cement.width = 0.1, seed = 3",
+                                        "container.width = \"0.12 m\", cement.width = 0.1, seed = 4",
+                                        "container.width = \"0.12 m\", cement.width = 0.25, seed = 3",
+                                        "container.width = \"0.12 m\", cement.width = 0.25, seed = 4"}));
   const recipe::Recipe recipe = recipe_of(study, study.runs[7]);
   EXPECT_EQ(recipe.container.width, 0.12);
   EXPECT_EQ(recipe.cement->width, 0.25);
@@ -69,20 +75,25 @@ TEST(Sweep, GridAndReplicatesAreAllCombinationsTheLastVaryingFastest) {
 
 TEST(Sweep, AListGivesEachRunItsOwnKeysAndGoesWithAGrid) {
   const test::TemporaryFolder folder;
-  const Study study = study_of(folder,
-                               "[[sweep.list]]\ngrid.nodes = 32\n[[sweep.list]]\n\"stages.0.top\" = { pressure = \"2 kPa\" }\n"
-                               "[sweep.grid]\n\"cement.width\" = [0.1, 0.2]\n");
+  const Study study =
+      study_of(folder,
+               "[[sweep.list]]\ngrid.nodes = 32\n[[sweep.list]]\n\"stages.0.top\" = { pressure = \"2 kPa\" }\n"
+               "[sweep.grid]\n\"cement.width\" = [0.1, 0.2]\n");
   EXPECT_EQ(descriptions(study), (Lines{"grid.nodes = 32, cement.width = 0.1", "grid.nodes = 32, cement.width = 0.2",
-                                        "stages.0.top.pressure = \"2 kPa\", cement.width = 0.1", "stages.0.top.pressure = \"2 kPa\", cement.width = 0.2"}));
-  EXPECT_EQ(to_toml(recipe_of(study, study.runs[2])).find("100 N"), std::string::npos) << "of two forms the swept one counts";
+                                        "stages.0.top.pressure = \"2 kPa\", cement.width = 0.1",
+                                        "stages.0.top.pressure = \"2 kPa\", cement.width = 0.2"}));
+  EXPECT_EQ(to_toml(recipe_of(study, study.runs[2])).find("100 N"), std::string::npos)
+      << "of two forms the swept one counts";
 }
 
 TEST(Sweep, ATableGivesARunARowWithUnitsInItsHeadOrItsCells) {
   const test::TemporaryFolder folder;
-  std::ofstream(folder / "runs.csv") << "container.width [mm],materials.POM.stiffness,cement.width\n100,27 kN/mm,0.1\n120,,0.2\n";
+  std::ofstream(folder / "runs.csv")
+      << "container.width [mm],materials.POM.stiffness,cement.width\n100,27 kN/mm,0.1\n120,,0.2\n";
   const Study study = study_of(folder, "[sweep]\ntable = \"runs.csv\"\n");
-  EXPECT_EQ(descriptions(study), (Lines{"container.width = \"100 mm\", materials.POM.stiffness = \"27 kN/mm\", cement.width = 0.1",
-                                        "container.width = \"120 mm\", cement.width = 0.2"}));
+  EXPECT_EQ(descriptions(study),
+            (Lines{"container.width = \"100 mm\", materials.POM.stiffness = \"27 kN/mm\", cement.width = 0.1",
+                   "container.width = \"120 mm\", cement.width = 0.2"}));
 }
 
 TEST(Sweep, WhatIsWrongInATableIsSaidAtItsRow) {
@@ -92,7 +103,9 @@ TEST(Sweep, WhatIsWrongInATableIsSaidAtItsRow) {
     study_of(folder, "[sweep]\ntable = \"runs.csv\"\n");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_TRUE(std::string(error.what()).find("runs.csv:2: container.widht: unknown key; did you mean width?") != std::string::npos) << error.what();
+    EXPECT_TRUE(std::string(error.what()).find("runs.csv:2: container.widht: unknown key; did you mean width?") !=
+                std::string::npos)
+        << error.what();
   }
 }
 
@@ -101,7 +114,8 @@ std::vector<double> numbers(const Study& study, const std::string& key) {
   std::vector<double> all;
   for (const auto& run : study.runs)
     for (const auto& [name, value] : run.values)
-      if (name == key) all.push_back(parse_quantity(value.front() == '"' ? value.substr(1, value.size() - 2) : value).value);
+      if (name == key)
+        all.push_back(parse_quantity(value.front() == '"' ? value.substr(1, value.size() - 2) : value).value);
   return all;
 }
 
@@ -115,7 +129,8 @@ TEST(Sweep, ALatinHypercubeHasOneRunInEveryStratumOfEveryKey) {
   ASSERT_EQ(study.runs.size(), 50u);
   const auto strata = [](std::vector<double> values, double low, double high, bool log) {
     std::set<int> found;
-    for (const double v : values) found.insert(static_cast<int>(50 * (log ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low))));
+    for (const double v : values)
+      found.insert(static_cast<int>(50 * (log ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low))));
     return found.size();
   };
   EXPECT_EQ(strata(numbers(study, "contact.friction"), 0.1, 0.5, false), 50u);
@@ -127,15 +142,18 @@ TEST(Sweep, ALatinHypercubeHasOneRunInEveryStratumOfEveryKey) {
     return v;
   }());
   const Study fewer = study_of(folder, "[sweep.latin_hypercube]\nruns = 50\n\"contact.friction\" = \"0.1 .. 0.5\"\n");
-  EXPECT_EQ(numbers(fewer, "contact.friction"), numbers(study, "contact.friction")) << "a key more changes nothing for the others";
-  const Study other = study_of(folder, "[sweep.latin_hypercube]\nruns = 50\n\"contact.friction\" = \"0.1 .. 0.5\"\n", {"seed=4"});
+  EXPECT_EQ(numbers(fewer, "contact.friction"), numbers(study, "contact.friction"))
+      << "a key more changes nothing for the others";
+  const Study other =
+      study_of(folder, "[sweep.latin_hypercube]\nruns = 50\n\"contact.friction\" = \"0.1 .. 0.5\"\n", {"seed=4"});
   EXPECT_NE(numbers(other, "contact.friction"), numbers(study, "contact.friction"));
 }
 
 TEST(Sweep, HashedSeedsBelongToThePackingWhateverIsDoneWithIt) {
   const test::TemporaryFolder folder;
-  const Study study = study_of(
-      folder, "[sweep]\nreplicates = 2\nseeds = \"hashed\"\n[sweep.grid]\n\"container.width\" = [\"100 mm\", \"120 mm\"]\n\"cement.width\" = [0.1, 0.2]\n");
+  const Study study = study_of(folder,
+                               "[sweep]\nreplicates = 2\nseeds = \"hashed\"\n[sweep.grid]\n\"container.width\" = "
+                               "[\"100 mm\", \"120 mm\"]\n\"cement.width\" = [0.1, 0.2]\n");
   ASSERT_EQ(study.runs.size(), 8u);
   const auto seed = [&](std::size_t run) { return study.runs[run].values.back().second; };
   EXPECT_EQ(seed(0), seed(2));
@@ -157,21 +175,25 @@ TEST(Sweep, NamesFollowFromWhatARunDependsOnAndFromNothingElse) {
 }
 
 TEST(Sweep, EveryProblemIsFoundInOnePassWithItsPlace) {
-  EXPECT_EQ(problems("[sweep]\nreplicate = 2\n[sweep.grid]\n\"cement.width\" = 0.1\n[[sweep.list]]\nseed = 1\n[sweep.latin_hypercube]\nruns = "
-                     "5\n\"contact.friction\" = \"0.5 .. 0.1\"\n"),
+  EXPECT_EQ(problems("[sweep]\nreplicate = 2\n[sweep.grid]\n\"cement.width\" = 0.1\n[[sweep.list]]\nseed = "
+                     "1\n[sweep.latin_hypercube]\nruns = 5\n\"contact.friction\" = \"0.5 .. 0.1\"\n"),
             (Lines{"r.toml:29:1: sweep.replicate: unknown key; did you mean replicates?",
-                   "r.toml:31:18: sweep.grid.cement.width: must be a list of the values that the key takes, for example [1, 1.25, 1.67]",
-                   "r.toml:36:22: sweep.latin_hypercube.contact.friction: \"0.5\" is not below \"0.1\"; begin with the smaller end"}));
-  EXPECT_EQ(problems("[sweep]\nreplicates = 2\n[sweep.grid]\nseed = [1, 2]\n\"cement.width\" = [0.1]\n[[sweep.list]]\ncement.width = 0.2\n"),
+                   "r.toml:31:18: sweep.grid.cement.width: must be a list of the values that the key takes, for "
+                   "example [1, 1.25, 1.67]",
+                   "r.toml:36:22: sweep.latin_hypercube.contact.friction: \"0.5\" is not below \"0.1\"; begin with the "
+                   "smaller end"}));
+  EXPECT_EQ(problems("[sweep]\nreplicates = 2\n[sweep.grid]\nseed = [1, 2]\n\"cement.width\" = "
+                     "[0.1]\n[[sweep.list]]\ncement.width = 0.2\n"),
             (Lines{"r.toml:31:9: sweep: seed: replicates give each run its seed; leave out one of the two",
                    "r.toml:34:16: sweep: cement.width: is swept twice; keep one"}));
   EXPECT_EQ(problems("[sweep]\n").size(), 1u);
 }
 
 TEST(Sweep, AnInvalidRunIsNamedWithItsValuesAndEachProblemIsToldOnce) {
-  EXPECT_EQ(problems("[sweep.grid]\n\"cement.width\" = [0.1, -1]\n\"container.widht\" = [\"100 mm\"]\n\"contact.friction\" = [0.1, 0.2]\n"),
-            (Lines{"r.toml:29:24: cement.width: -1 is out of range; it must be above 0, up to 2 (run with cement.width = -1, container.widht = \"100 mm\", "
-                   "contact.friction = 0.1, and 1 more)",
+  EXPECT_EQ(problems("[sweep.grid]\n\"cement.width\" = [0.1, -1]\n\"container.widht\" = [\"100 "
+                     "mm\"]\n\"contact.friction\" = [0.1, 0.2]\n"),
+            (Lines{"r.toml:29:24: cement.width: -1 is out of range; it must be above 0, up to 2 (run with cement.width "
+                   "= -1, container.widht = \"100 mm\", contact.friction = 0.1, and 1 more)",
                    "r.toml:30:22: container.widht: unknown key; did you mean width?"}));
 }
 
@@ -188,7 +210,8 @@ TEST(Sweep, RunsAreReadBackFromTheirTableUntilAnInputChanges) {
   EXPECT_EQ(names(read), names(made));
   EXPECT_EQ(read.runs[3].stages, study.runs[3].stages);
   EXPECT_EQ(read.keys, study.keys);
-  EXPECT_EQ(to_toml(recipe_of(read_study(study.file, {}, folder.path()), read.runs[3])), to_toml(recipe_of(study, study.runs[3])));
+  EXPECT_EQ(to_toml(recipe_of(read_study(study.file, {}, folder.path()), read.runs[3])),
+            to_toml(recipe_of(study, study.runs[3])));
   Study other;
   other.file = study.file;
   other.overrides = {"seed=5"};
@@ -200,7 +223,8 @@ TEST(Sweep, RunsAreReadBackFromTheirTableUntilAnInputChanges) {
 }
 
 TEST(TomlLiteral, ReadsBackAsTheSameValue) {
-  for (const std::string text : {"1", "-0.25", "1e+30", "true", "\"a \\\"b\\\" \\u0009\"", "[1, [2.5, \"x\"]]", "{ force = \"60 kN\", \"odd key\" = [1] }"}) {
+  for (const std::string text : {"1", "-0.25", "1e+30", "true", "\"a \\\"b\\\" \\u0009\"", "[1, [2.5, \"x\"]]",
+                                 "{ force = \"60 kN\", \"odd key\" = [1] }"}) {
     const std::string once = toml_literal(recipe::parse_value(text));
     EXPECT_EQ(toml_literal(recipe::parse_value(once)), once) << text;
     EXPECT_EQ(recipe::parse_value(once).kind, recipe::parse_value(text).kind) << text;

@@ -18,9 +18,11 @@ bool is_utf8_in_json(std::string text) {
 }
 
 TEST(Utf8, IsToldFromOtherBytes) {
-  for (const char* text : {"", "plain", "Gr\xc3\xbc\xc3\x9f", "\xe2\x82\xac", "\xf0\x9f\x98\x80", "\xef\xbf\xbf", "\xf4\x8f\xbf\xbf"})
+  for (const char* text :
+       {"", "plain", "Gr\xc3\xbc\xc3\x9f", "\xe2\x82\xac", "\xf0\x9f\x98\x80", "\xef\xbf\xbf", "\xf4\x8f\xbf\xbf"})
     EXPECT_TRUE(is_utf8(text)) << text;
-  for (const char* text : {"\x80", "\xff", "\xc3", "a\xe2\x82", "\xc0\xaf", "\xe0\x80\xaf", "\xf0\x80\x80\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xc3z"})
+  for (const char* text : {"\x80", "\xff", "\xc3", "a\xe2\x82", "\xc0\xaf", "\xe0\x80\xaf", "\xf0\x80\x80\xaf",
+                           "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xc3z"})
     EXPECT_FALSE(is_utf8(text)) << text;
 }
 

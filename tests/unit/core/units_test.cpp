@@ -48,13 +48,16 @@ TEST(Units, ProductsQuotientsAndPowersCombine) {
 }
 
 TEST(Units, BareNumberForADimensionSaysWhichUnitToWrite) {
-  EXPECT_EQ(refused("350", dimension::length, "mm"), "\"350\" has no unit; write it with its unit, for example \"350 mm\"");
+  EXPECT_EQ(refused("350", dimension::length, "mm"),
+            "\"350\" has no unit; write it with its unit, for example \"350 mm\"");
   EXPECT_NE(refused("350", dimension::force).find("\"350 N\""), std::string::npos);
 }
 
 TEST(Units, WrongDimensionNamesBoth) {
-  EXPECT_EQ(refused("50 mm", dimension::force, "kN"), "\"50 mm\" is a length (m), but a force (N) is needed; write it in kN");
-  EXPECT_EQ(refused("1 m^4", dimension::force), "\"1 m^4\" is a quantity in m^4, but a force (N) is needed; write it in N");
+  EXPECT_EQ(refused("50 mm", dimension::force, "kN"),
+            "\"50 mm\" is a length (m), but a force (N) is needed; write it in kN");
+  EXPECT_EQ(refused("1 m^4", dimension::force),
+            "\"1 m^4\" is a quantity in m^4, but a force (N) is needed; write it in N");
   EXPECT_EQ(refused("1 mm", dimension::none), "\"1 mm\" is a length (m), but a number without unit is needed");
 }
 
@@ -63,7 +66,8 @@ TEST(Units, HalfPowersSpeakOfToughness) {
   EXPECT_NEAR(parse_si("1 MPa mm^0.5", dimension::toughness), 31622.7766, 1e-4);
   EXPECT_EQ(parse_si("4 m^0.5", parse_unit("km^0.5").dimension), 4);
   EXPECT_EQ(format_quantity(2.5e6, "MPa m^0.5"), "2.5 MPa m^0.5");
-  EXPECT_EQ(refused("1 MPa", dimension::toughness), "\"1 MPa\" is a pressure (Pa), but a fracture toughness (Pa m^0.5) is needed; write it in Pa m^0.5");
+  EXPECT_EQ(refused("1 MPa", dimension::toughness),
+            "\"1 MPa\" is a pressure (Pa), but a fracture toughness (Pa m^0.5) is needed; write it in Pa m^0.5");
   EXPECT_NE(refused("1 m^0.3", dimension::toughness).find("or a half"), std::string::npos);
 }
 
@@ -103,7 +107,9 @@ TEST(Units, WrittenQuantitiesAreShortAndReadable) {
 
 TEST(Units, NumbersThatNothingMeasuredHasAreRefused) {
   for (const char* text : {"5e-324 kN", "1e-310 m", "1e-70 m", "-1e-64 kN", "1e61 m", "1e300 N"})
-    EXPECT_NE(refused(text, parse_quantity("1" + std::string(text).substr(std::string(text).find(' '))).dimension).find("beyond the range"), std::string::npos)
+    EXPECT_NE(refused(text, parse_quantity("1" + std::string(text).substr(std::string(text).find(' '))).dimension)
+                  .find("beyond the range"),
+              std::string::npos)
         << text;
   EXPECT_EQ(parse_si("0 kN", dimension::force), 0);
   EXPECT_EQ(parse_si("1e-59 m", dimension::length), 1e-59);

@@ -11,7 +11,9 @@
 namespace arenite::geometry {
 namespace {
 
-template <int D> std::vector<Pair> by_brute_force(const std::vector<Vec<D>>& centre, const std::vector<double>& r, const Box<D>& box, double gap) {
+template <int D>
+std::vector<Pair> by_brute_force(const std::vector<Vec<D>>& centre, const std::vector<double>& r, const Box<D>& box,
+                                 double gap) {
   std::vector<Pair> pairs;
   for (int i = 0; i < static_cast<int>(centre.size()); ++i)
     for (int j = i + 1; j < static_cast<int>(centre.size()); ++j) {
@@ -28,7 +30,8 @@ template <int D> std::vector<Pair> by_brute_force(const std::vector<Vec<D>>& cen
 }
 
 bool same(const std::vector<Pair>& a, const std::vector<Pair>& b) {
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](Pair p, Pair q) { return p.i == q.i && p.j == q.j; });
+  return a.size() == b.size() &&
+         std::equal(a.begin(), a.end(), b.begin(), [](Pair p, Pair q) { return p.i == q.i && p.j == q.j; });
 }
 
 template <int D> void hold_against_all_with_all() {

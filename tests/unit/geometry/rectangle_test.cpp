@@ -26,11 +26,14 @@ double by_quadrature(Vec2 c, double r, const Rectangle& w) {
   return sum;
 }
 
-TEST(DiskWindowArea, OfADiskInsideIsTheWholeDisk) { EXPECT_DOUBLE_EQ(disk_window_area({0.3, 0.4}, 0.2, {0, 1, 0, 1}), pi * 0.04); }
+TEST(DiskWindowArea, OfADiskInsideIsTheWholeDisk) {
+  EXPECT_DOUBLE_EQ(disk_window_area({0.3, 0.4}, 0.2, {0, 1, 0, 1}), pi * 0.04);
+}
 
 TEST(DiskWindowArea, OfADiskOutsideIsNothing) {
   EXPECT_EQ(disk_window_area({-0.2, 0.5}, 0.2, {0, 1, 0, 1}), 0);
-  EXPECT_NEAR(disk_window_area({1.15, 1.15}, 0.2, {0, 1, 0, 1}), 0, 1e-15);  // reaches both sides' lines, not the corner
+  EXPECT_NEAR(disk_window_area({1.15, 1.15}, 0.2, {0, 1, 0, 1}), 0,
+              1e-15);  // reaches both sides' lines, not the corner
 }
 
 TEST(DiskWindowArea, OnASideIsHalfAndOnACornerAQuarter) {
@@ -38,11 +41,14 @@ TEST(DiskWindowArea, OnASideIsHalfAndOnACornerAQuarter) {
   EXPECT_NEAR(disk_window_area({1, 1}, 0.2, {0, 1, 0, 1}), pi * 0.01, 1e-15);
 }
 
-TEST(DiskWindowArea, OfADiskAroundTheWindowIsTheWindow) { EXPECT_NEAR(disk_window_area({0.5, 0.5}, 5, {0, 1, 0, 1}), 1, 1e-13); }
+TEST(DiskWindowArea, OfADiskAroundTheWindowIsTheWindow) {
+  EXPECT_NEAR(disk_window_area({0.5, 0.5}, 5, {0, 1, 0, 1}), 1, 1e-13);
+}
 
 TEST(DiskWindowArea, OfASegmentHasItsClosedForm) {
   const double r = 1.3, d = 0.4;  // the side cuts at distance d from the centre
-  EXPECT_NEAR(disk_window_area({-d, 0}, r, {0, 9, -9, 9}), r * r * std::acos(d / r) - d * std::sqrt(r * r - d * d), 1e-14);
+  EXPECT_NEAR(disk_window_area({-d, 0}, r, {0, 9, -9, 9}), r * r * std::acos(d / r) - d * std::sqrt(r * r - d * d),
+              1e-14);
 }
 
 RC_GTEST_PROP(DiskWindowArea, AgreesWithQuadrature, ()) {

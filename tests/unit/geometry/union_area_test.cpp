@@ -15,7 +15,9 @@ namespace {
 
 const Rectangle wide{-10, 10, -10, 10};
 
-Outline box(double x0, double x1, double y0, double y1) { return {Outline::Kind::quadrilateral, {Vec2{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}, 0}; }
+Outline box(double x0, double x1, double y0, double y1) {
+  return {Outline::Kind::quadrilateral, {Vec2{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}, 0};
+}
 
 double area_of(std::vector<Outline> outlines, const Rectangle& window = wide) { return union_area(outlines, window); }
 
@@ -30,7 +32,9 @@ TEST(UnionArea, OfOneShapeIsItsArea) {
 TEST(UnionArea, CountsTheLensOfTwoDisksOnce) {
   for (const double d : {1e-6, 0.3, 1.0, 1.7, 2 - 1e-9, 2.0, 2.5}) {
     const double lens = d < 2 ? 2 * std::acos(d / 2) - 0.5 * d * std::sqrt(4 - d * d) : 0;
-    EXPECT_NEAR(area_of({Outline::disk({0, 0}, 1), Outline::disk({d * 0.6, d * 0.8}, 1)}), 2 * std::numbers::pi - lens, 1e-9 + 1e-13) << d;
+    EXPECT_NEAR(area_of({Outline::disk({0, 0}, 1), Outline::disk({d * 0.6, d * 0.8}, 1)}), 2 * std::numbers::pi - lens,
+                1e-9 + 1e-13)
+        << d;
   }
 }
 
@@ -40,7 +44,8 @@ TEST(UnionArea, TakesBoundariesThatCoincideOnce) {
   EXPECT_NEAR(area_of({box(0, 1, 0, 1), box(0, 1, 0, 1)}), 1, 1e-12);
   EXPECT_NEAR(area_of({box(0, 1, 0, 1), box(1, 2, 0, 1)}), 2, 1e-12);  // flush
   EXPECT_NEAR(area_of({box(0, 2, 0, 1), box(1, 3, 0, 1), box(0, 1, 0, 2)}), 4, 1e-12);
-  EXPECT_NEAR(area_of({box(-1, 1, 0, 1), disk, Outline::disk({0.5, 0}, 0.5)}), area_of({box(-1, 1, 0, 1), disk}), 1e-12);
+  EXPECT_NEAR(area_of({box(-1, 1, 0, 1), disk, Outline::disk({0.5, 0}, 0.5)}), area_of({box(-1, 1, 0, 1), disk}),
+              1e-12);
 }
 
 TEST(UnionArea, IsClippedToTheWindow) {
@@ -58,7 +63,8 @@ RC_GTEST_PROP(UnionArea, OfOneDiskAgreesWithItsClosedForm, ()) {
   const Vec2 centre{random.uniform(-2, 2), random.uniform(-2, 2)};
   const double radius = random.uniform(0.01, 3);
   const Rectangle window{-1, random.uniform(-0.9, 2), -1, random.uniform(-0.9, 2)};
-  RC_ASSERT(std::abs(area_of({Outline::disk(centre, radius)}, window) - disk_window_area(centre, radius, window)) < 1e-12);
+  RC_ASSERT(std::abs(area_of({Outline::disk(centre, radius)}, window) - disk_window_area(centre, radius, window)) <
+            1e-12);
 }
 
 /// The same by counting the points of a lattice.

@@ -50,22 +50,27 @@ TEST(Formats, EachIsOneFileOfItsNameAndOneWordInItsList) {
 
 TEST(Formats, EveryFilmFormatHasACorpusForFuzzing) {
   for (const auto* format : films::all)
-    EXPECT_TRUE(fs::is_directory(fs::path(ARENITE_SOURCE_DIR) / "tests/fuzz/corpus" / ("film_" + std::string(format->name))));
+    EXPECT_TRUE(
+        fs::is_directory(fs::path(ARENITE_SOURCE_DIR) / "tests/fuzz/corpus" / ("film_" + std::string(format->name))));
 }
 
 /// Whether a format says what it does with a thing, by one of these words in what it states.
 template <class Format> bool says(const Format& format, const std::vector<std::string_view>& words) {
   return std::ranges::any_of(format.states, [&](const Stated& stated) {
-    return !stated.done.empty() && std::ranges::any_of(words, [&](auto word) { return stated.what.find(word) != stated.what.npos; });
+    return !stated.done.empty() &&
+           std::ranges::any_of(words, [&](auto word) { return stated.what.find(word) != stated.what.npos; });
   });
 }
 
 TEST(Formats, EachOfGrainsAndContactsSaysWhatItStatesAndWhatIsDoneWithIt) {
-  const std::vector<std::string_view> topics[] = {{"units"}, {"step", "time"}, {"cell", "box"}, {"third", "z"}, {"columns"}, {"force", "overlap"}};
+  const std::vector<std::string_view> topics[] = {{"units"},      {"step", "time"}, {"cell", "box"},
+                                                  {"third", "z"}, {"columns"},      {"force", "overlap"}};
   for (const auto* format : samples::all)
-    for (const auto& topic : topics) EXPECT_TRUE(says(*format, topic)) << format->name << " says nothing of " << topic.front();
+    for (const auto& topic : topics)
+      EXPECT_TRUE(says(*format, topic)) << format->name << " says nothing of " << topic.front();
   for (const auto* format : exports::all)
-    for (const std::string_view topic : {"grains", "contacts"}) EXPECT_TRUE(says(*format, {topic})) << format->name << " says nothing of " << topic;
+    for (const std::string_view topic : {"grains", "contacts"})
+      EXPECT_TRUE(says(*format, {topic})) << format->name << " says nothing of " << topic;
 }
 
 TEST(Formats, NoTwoExportsAreAskedForByTheSameName) {
@@ -78,7 +83,8 @@ TEST(Formats, NoTwoExportsAreAskedForByTheSameName) {
 
 void expect_words(const std::string& text, const std::vector<std::string>& words) {
   EXPECT_FALSE(words.empty());
-  for (const auto& word : words) EXPECT_NE(text.find(word), std::string::npos) << "\"" << word << "\" is not in: " << text;
+  for (const auto& word : words)
+    EXPECT_NE(text.find(word), std::string::npos) << "\"" << word << "\" is not in: " << text;
 }
 
 TEST(Formats, MessagesSayWhatTheFormatsSayOfThemselves) {
@@ -93,7 +99,8 @@ TEST(Formats, MessagesSayWhatTheFormatsSayOfThemselves) {
   Film film = test::counted(3, 3, 2, true);
   const std::string no_ending = test::complaint([&] { write_film(folder / "a.b", film); });
   for (const auto* format : films::all)
-    if (format->create != nullptr) expect_words(no_ending, {std::string(format->name), std::string(format->endings[0])});
+    if (format->create != nullptr)
+      expect_words(no_ending, {std::string(format->name), std::string(format->endings[0])});
   const std::string no_place = test::complaint([&] { write_film(folder / "a.ptw", film); });
   expect_words(no_place, film_endings_to_write(true));
 }

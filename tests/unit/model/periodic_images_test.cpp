@@ -32,7 +32,9 @@ TEST(PeriodicImages, GivePairsByTheirNearestImageInShearedCells) {
     for (const auto& p : pairs_within(grains, domain, 0.1)) found.emplace_back(p.i, p.j);
     for (std::size_t i = 0; i < grains.size(); ++i)
       for (std::size_t j = i + 1; j < grains.size(); ++j)
-        if (norm(domain.nearest_image(grains.position[i] - grains.position[j])) <= grains.radius[i] + grains.radius[j] + 0.1) wanted.emplace_back(i, j);
+        if (norm(domain.nearest_image(grains.position[i] - grains.position[j])) <=
+            grains.radius[i] + grains.radius[j] + 0.1)
+          wanted.emplace_back(i, j);
     EXPECT_EQ(found, wanted);
   }
 }

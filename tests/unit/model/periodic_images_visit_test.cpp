@@ -33,7 +33,8 @@ TEST(Images, AreAllThatOverlapTheWindow) {
       for (int column = -24; column <= 24; ++column) {
         if ((row != 0 && !domain.periodic[1]) || (column != 0 && !domain.periodic[0])) continue;
         const double x = 3 * column + row * domain.tilt, y = 2 * row;
-        if (geometry::overlap({extent.x_min + x, extent.x_max + x, extent.y_min + y, extent.y_max + y}, window)) wanted.insert({column, row});
+        if (geometry::overlap({extent.x_min + x, extent.x_max + x, extent.y_min + y, extent.y_max + y}, window))
+          wanted.insert({column, row});
       }
     EXPECT_EQ(found, wanted);
   }

@@ -24,7 +24,9 @@ TEST(PhaseMap, LabelThatNoGrainHasIsNamedWithItsNode) {
   try {
     check(map);
     FAIL() << "label 4 of one grain was accepted";
-  } catch (const InputError& error) { EXPECT_NE(std::string(error.what()).find("(1, 0) has grain label 4"), std::string::npos) << error.what(); }
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("(1, 0) has grain label 4"), std::string::npos) << error.what();
+  }
 }
 
 TEST(PhaseMap, LabelOnMatrixIsRefused) {

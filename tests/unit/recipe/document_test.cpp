@@ -45,8 +45,9 @@ class RecipeBase : public ::testing::Test {
 
 TEST_F(RecipeBase, GivesWhatTheRecipeDoesNot) {
   put("a/recipe.toml", whole);
-  const std::string file =
-      put("b/recipe.toml", "base = \"../a/recipe.toml\"\n[frame]\nwidth = \"400 mm\"\n[[stages]]\nname = \"other\"\nbottom = { force = \"10 kN\" }\n");
+  const std::string file = put("b/recipe.toml",
+                               "base = \"../a/recipe.toml\"\n[frame]\nwidth = \"400 mm\"\n[[stages]]\nname = "
+                               "\"other\"\nbottom = { force = \"10 kN\" }\n");
   const Recipe recipe = read_recipe(file);
   EXPECT_EQ(recipe.container.width, 0.4);
   EXPECT_EQ(recipe.container.thickness, 0.06);

@@ -37,7 +37,8 @@ TEST(FilmRecipe, CameraReadsBack) {
 
 TEST(FilmRecipe, EveryProblemIsReportedInOnePass) {
   const auto problems = problems_of(
-      "[materials.POM]\nthermoelastic_factor = \"0.015 K\"\n[frame]\nwidth = 350\nheight = \"350 mm\"\nthickness = \"60 mm\"\n"
+      "[materials.POM]\nthermoelastic_factor = \"0.015 K\"\n[frame]\nwidth = 350\nheight = \"350 mm\"\nthickness = "
+      "\"60 mm\"\n"
       "[picture]\npixels = \"1.6 mm\"\n[lockin]\nfrequency = \"-3 Hz\"\n[temperature]\nfrom = \"film\"\n");
   ASSERT_GE(problems.size(), 5u);
   EXPECT_EQ(problems[0].line, 2);
@@ -58,7 +59,9 @@ TEST(FilmRecipe, PlatesAreNeededWhetherOrNotTheSectionIsWritten) {
   text.erase(section, next - section);
   const auto problems = problems_of(text);
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_NE(problems[0].message.find("temperature: from is \"references\" unless given, and needs correction.cold"), std::string::npos) << problems[0].message;
+  EXPECT_NE(problems[0].message.find("temperature: from is \"references\" unless given, and needs correction.cold"),
+            std::string::npos)
+      << problems[0].message;
 }
 
 TEST(FilmRecipe, TemperaturesOfPlatesWithoutTheirFilmsDoNotSuffice) {
@@ -85,14 +88,16 @@ std::string with_lines(const std::string& section, const std::string& lines) {
 }
 
 TEST(FilmRecipe, EmissivitiesThatNothingReadsAreRefusedWithTheirPlace) {
-  for (const auto& text : {with_lines("materials.POM", "emissivity = 0.95\n"), with_lines("temperature", "ambient = \"291 K\"\n"),
-                           with_lines("temperature", "band = [\"8 um\", \"12 um\"]\n")}) {
+  for (const auto& text :
+       {with_lines("materials.POM", "emissivity = 0.95\n"), with_lines("temperature", "ambient = \"291 K\"\n"),
+        with_lines("temperature", "band = [\"8 um\", \"12 um\"]\n")}) {
     const auto problems = problems_of(text);
     ASSERT_EQ(problems.size(), 1u) << text;
     EXPECT_GT(problems[0].line, 0);
     EXPECT_NE(problems[0].message.find("assumed_emissivity"), std::string::npos) << problems[0].message;
   }
-  EXPECT_TRUE(problems_of(with_lines("temperature", "assumed_emissivity = 1\nemissivity = 0.95\nambient = \"291 K\"\n")).empty());
+  EXPECT_TRUE(problems_of(with_lines("temperature", "assumed_emissivity = 1\nemissivity = 0.95\nambient = \"291 K\"\n"))
+                  .empty());
   std::string twice = with_lines("materials.POM", "emissivity = 0.95\n");
   twice.insert(twice.find('\n', twice.find("[materials.HDPE]")) + 1, "emissivity = 0.8\n");
   twice.insert(twice.find('\n', twice.find("[temperature]")) + 1, "assumed_emissivity = 1\nemissivity = 0.9\n");
@@ -103,7 +108,9 @@ TEST(FilmRecipe, EmissivitiesThatNothingReadsAreRefusedWithTheirPlace) {
 
 TEST(FilmRecipe, ABandIsTwoWavelengths) {
   for (const char* band : {"[\"8 um\"]", "[\"12 um\", \"8 um\"]", "[\"1 um\", \"2 um\", \"3 um\"]"})
-    EXPECT_EQ(problems_of(with_lines("temperature", std::string("assumed_emissivity = 1\nband = ") + band + "\n")).size(), 1u) << band;
+    EXPECT_EQ(
+        problems_of(with_lines("temperature", std::string("assumed_emissivity = 1\nband = ") + band + "\n")).size(), 1u)
+        << band;
 }
 
 TEST(FilmRecipe, APhaseIsAnAngleWithItsUnit) {
@@ -117,8 +124,9 @@ TEST(FilmRecipe, APhaseIsAnAngleWithItsUnit) {
 }
 
 TEST(FilmRecipe, SaysWhatAFilmDoesNotSay) {
-  const auto recipe =
-      parse_film_recipe(to_toml(film_template()) + "\n[film]\nframe_rate = \"148 Hz\"\nscale = \"10 mK\"\noffset = \"-273.15 K\"\n", "film.toml");
+  const auto recipe = parse_film_recipe(
+      to_toml(film_template()) + "\n[film]\nframe_rate = \"148 Hz\"\nscale = \"10 mK\"\noffset = \"-273.15 K\"\n",
+      "film.toml");
   ASSERT_TRUE(recipe.film);
   EXPECT_EQ(recipe.film->frame_rate, 148);
   EXPECT_DOUBLE_EQ(recipe.film->scale.value_or(0), 0.01);

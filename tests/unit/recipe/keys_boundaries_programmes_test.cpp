@@ -84,27 +84,38 @@ TEST(Programmes, AreRefusedWhereTheyMakeNoSense) {
            {time + one + "of = \"top.force\"\ntable = [[\"0 s\", 1]]\n", "no unit"},
            {time + one + "of = \"top.force\"\ntable = [[\"0 s\", \"-1 kN\"]]\n", "below 0"},
            {time + one + "of = \"top.force\"\ntable = [[\"1 s\", \"1 kN\"], [\"0 s\", \"1 kN\"]]\n", "never decrease"},
-           {time + one + "of = \"top.force\"\ntable = [[\"0 s\", \"1 kN\"]]\nrepeat = true\n", "with a duration can repeat"},
+           {time + one + "of = \"top.force\"\ntable = [[\"0 s\", \"1 kN\"]]\nrepeat = true\n",
+            "with a duration can repeat"},
            {time + one + "of = \"top.force\"\ntable = []\n", "needs at least one row"},
            {time + one + "of = \"shear_rate\"\ntable = [[\"0 s\", \"1 1/s\"]]\n", "periodic in both directions"},
-           {time + "top = { pressure = \"1 kPa\" }\n" + one + "of = \"top.force\"\ntable = [[\"0 s\", \"1 kN\"]]\n", "is already driven in this stage"},
-           {time + one + "of = \"top.force\"\ntable = [[\"0 s\", \"1 kN\"]]\n" + one + "of = \"top.velocity\"\ntable = [[\"0 s\", \"1 mm/s\"]]\n",
+           {time + "top = { pressure = \"1 kPa\" }\n" + one + "of = \"top.force\"\ntable = [[\"0 s\", \"1 kN\"]]\n",
+            "is already driven in this stage"},
+           {time + one + "of = \"top.force\"\ntable = [[\"0 s\", \"1 kN\"]]\n" + one +
+                "of = \"top.velocity\"\ntable = [[\"0 s\", \"1 mm/s\"]]\n",
             "two of them"},
-           {time + "open = { top = true }\n" + one + "of = \"slide.top\"\ntable = [[\"0 s\", \"0 mm/s\"], [\"1 s\", \"1 mm/s\"]]\n",
+           {time + "open = { top = true }\n" + one +
+                "of = \"slide.top\"\ntable = [[\"0 s\", \"0 mm/s\"], [\"1 s\", \"1 mm/s\"]]\n",
             "cannot be open and move"}})
-    EXPECT_NE(refused_programme(start + text).find(because), std::string::npos) << text << refused_programme(start + text);
+    EXPECT_NE(refused_programme(start + text).find(because), std::string::npos)
+        << text << refused_programme(start + text);
 }
 
 TEST(StrainCycles, AreReadAndRefused) {
-  const std::string cycles = "strain_cycles = { of = \"top\", max = 0.01, rate = \"0.1 1/s\", count = 2000, store_every = 100 }\n";
+  const std::string cycles =
+      "strain_cycles = { of = \"top\", max = 0.01, rate = \"0.1 1/s\", count = 2000, store_every = 100 }\n";
   const Recipe recipe = parse_recipe(start + cycles, "r.toml");
   EXPECT_EQ(*recipe.stages[0].strain_cycles, (dem::StrainCycles{top, 0, 0.01, 0.1, 2000, 100}));
   EXPECT_EQ(parse_recipe(to_toml(recipe), "r.toml"), recipe);
-  EXPECT_NE(refused_programme(start + cycles + "duration = \"1 s\"\n").find("leave out its duration"), std::string::npos);
-  EXPECT_NE(refused_programme(start + cycles + "top = { force = \"1 kN\" }\n").find("is already driven in this stage"), std::string::npos);
-  EXPECT_NE(refused_programme(start + "strain_cycles = { of = \"shear\", max = 0.01, rate = \"0.1 1/s\", count = 2 }\n").find("periodic in both directions"),
+  EXPECT_NE(refused_programme(start + cycles + "duration = \"1 s\"\n").find("leave out its duration"),
             std::string::npos);
-  EXPECT_NE(refused_programme(start + "strain_cycles = { of = \"top\", min = 0.1, max = 0.01, rate = \"0.1 1/s\", count = 2 }\n").find("above min"),
+  EXPECT_NE(refused_programme(start + cycles + "top = { force = \"1 kN\" }\n").find("is already driven in this stage"),
+            std::string::npos);
+  EXPECT_NE(refused_programme(start + "strain_cycles = { of = \"shear\", max = 0.01, rate = \"0.1 1/s\", count = 2 }\n")
+                .find("periodic in both directions"),
+            std::string::npos);
+  EXPECT_NE(refused_programme(
+                start + "strain_cycles = { of = \"top\", min = 0.1, max = 0.01, rate = \"0.1 1/s\", count = 2 }\n")
+                .find("above min"),
             std::string::npos);
 }
 

@@ -86,10 +86,13 @@ TEST(BoundariesInRecipes, ThatMakeNoSenseAreRefused) {
   EXPECT_TRUE(is_refused(with(R"(["40 mm", "5 cm"])", R"(["0 mm", "50 mm"])"), "must differ from the one before"));
   EXPECT_TRUE(is_refused(with(R"(["40 mm", "5 cm"])", R"(["40 mm"])"), "two numbers"));
   EXPECT_TRUE(is_refused(with(R"("40 mm", "5 cm")", R"("40 mm", 50)"), "has no unit"));
-  EXPECT_TRUE(is_refused(with("name = \"drum\"\nvelocity", "name = \"gate\"\nvelocity"), "there is no boundary \"gate\""));
+  EXPECT_TRUE(
+      is_refused(with("name = \"drum\"\nvelocity", "name = \"gate\"\nvelocity"), "there is no boundary \"gate\""));
   EXPECT_TRUE(is_refused(with("name = \"drum\"\nvelocity", "name = \"floor\"\nvelocity"), "named twice"));
-  EXPECT_TRUE(is_refused(with("[[stages]]\n", "[[boundaries]]\nname = \"left\"\npoints = [[\"0 mm\", \"0 mm\"], [\"1 mm\", \"0 mm\"]]\n[[stages]]\n"),
-                         "not be that of a wall"));
+  EXPECT_TRUE(is_refused(
+      with("[[stages]]\n",
+           "[[boundaries]]\nname = \"left\"\npoints = [[\"0 mm\", \"0 mm\"], [\"1 mm\", \"0 mm\"]]\n[[stages]]\n"),
+      "not be that of a wall"));
   EXPECT_TRUE(is_refused(with("duration = \"1 s\"\n", ""), "moving side or boundary"));
   EXPECT_TRUE(is_refused(with("open = {", "right = { velocity = \"1 mm/s\" }\nopen = {"), "cannot be open and move"));
   EXPECT_TRUE(is_refused(with("bottom = \"60 mm\"", "bottom = \"600 mm\""), "must lie in the container"));
@@ -99,7 +102,8 @@ TEST(BoundariesInRecipes, AreDrivenByTablesAndForces) {
   const auto table = [&](const std::string& of, const std::string& value, const std::string& motion = "") {
     std::string text = hopper;
     text.replace(text.find("velocity = ["), text.find("centre = [") - text.find("velocity = ["), motion);
-    return text + "[[stages.programmes]]\nof = \"" + of + "\"\nboundary = \"drum\"\ntable = [[\"0 s\", \"" + value + "\"], [\"1 s\", \"" + value + "\"]]\n";
+    return text + "[[stages.programmes]]\nof = \"" + of + "\"\nboundary = \"drum\"\ntable = [[\"0 s\", \"" + value +
+           "\"], [\"1 s\", \"" + value + "\"]]\n";
   };
   const Recipe placed = parse_recipe(table("boundary.y", "3 mm"), "r.toml");
   ASSERT_EQ(placed.stages[0].programmes.size(), 1U);
@@ -107,14 +111,17 @@ TEST(BoundariesInRecipes, AreDrivenByTablesAndForces) {
   EXPECT_EQ(placed.stages[0].programmes[0].boundary_axis(), 1);
   EXPECT_EQ(placed.stages[0].programmes[0].table[0].y, 0.003);
   EXPECT_TRUE(parse_recipe(to_toml(placed), "r.toml") == placed);
-  const Recipe pushed = parse_recipe(table("boundary.force_x", "3 N", "mass = \"2 kg\"\nforce = [\"1 N\", \"0 N\"]\n"), "r.toml");
+  const Recipe pushed =
+      parse_recipe(table("boundary.force_x", "3 N", "mass = \"2 kg\"\nforce = [\"1 N\", \"0 N\"]\n"), "r.toml");
   EXPECT_EQ(pushed.stages[0].boundaries[1].mass, 2);
   EXPECT_EQ(pushed.stages[0].boundaries[1].force, (Vec2{1, 0}));
   EXPECT_TRUE(parse_recipe(to_toml(pushed), "r.toml") == pushed);
   EXPECT_TRUE(is_refused(table("boundary.force_x", "3 N"), "only a boundary with a mass"));
   EXPECT_TRUE(is_refused(table("boundary.y", "3 mm", "mass = \"2 kg\"\n"), "has a mass in this stage"));
-  EXPECT_TRUE(is_refused(table("boundary.y", "3 mm", "velocity = [\"0 mm/s\", \"1 mm/s\"]\n"), "is already prescribed in this stage"));
-  EXPECT_TRUE(is_refused(table("boundary.y", "3 mm", "force = [\"0 N\", \"1 N\"]\n"), "moves only a boundary with a mass"));
+  EXPECT_TRUE(is_refused(table("boundary.y", "3 mm", "velocity = [\"0 mm/s\", \"1 mm/s\"]\n"),
+                         "is already prescribed in this stage"));
+  EXPECT_TRUE(
+      is_refused(table("boundary.y", "3 mm", "force = [\"0 N\", \"1 N\"]\n"), "moves only a boundary with a mass"));
 }
 
 TEST(BoundariesInRecipes, MayBeInAPeriodicContainerThatStays) {
@@ -133,7 +140,8 @@ TEST(BoundariesInRecipes, LeaveNoTraceWhereThereAreNone) {
   text = text.substr(0, text.find("[[boundaries]]")) + "[[stages]]\nname = \"rest\"\n";
   text.replace(text.find("area"), std::string("area = { bottom = \"60 mm\" }").size(), "");
   const std::string written = to_toml(parse_recipe(text, "r.toml"));
-  for (const char* key : {"boundaries", "open", "count_below", "area"}) EXPECT_EQ(written.find(key), std::string::npos) << key;
+  for (const char* key : {"boundaries", "open", "count_below", "area"})
+    EXPECT_EQ(written.find(key), std::string::npos) << key;
 }
 
 }  // namespace

@@ -15,21 +15,25 @@ thickness = "10 mm"
 )" + testing::glass_grains;
 const std::string stage = "[[stages]]\nname = \"rest\"\n";
 
-/// Whether a recipe of grains of this shape has one problem that names the line and says this; lines count from the shape's first.
-::testing::AssertionResult is_refused(const std::string& shape, int line, const std::string& part, const std::string& more = stage) {
+/// Whether a recipe of grains of this shape has one problem that names the line and says this; lines count from the
+/// shape's first.
+::testing::AssertionResult is_refused(const std::string& shape, int line, const std::string& part,
+                                      const std::string& more = stage) {
   try {
     parse_recipe(head + shape + more, "r.toml");
   } catch (const InputError& error) {
     const std::string what = error.what(), place = "r.toml:" + std::to_string(10 + line);
-    if (error.problems().size() == 1 && what.find(place) != std::string::npos && what.find(part) != std::string::npos) return ::testing::AssertionSuccess();
+    if (error.problems().size() == 1 && what.find(place) != std::string::npos && what.find(part) != std::string::npos)
+      return ::testing::AssertionSuccess();
     return ::testing::AssertionFailure() << what << "\nis not at " << place;
   }
   return ::testing::AssertionFailure() << "was read";
 }
 
 TEST(ShapesInRecipes, AreReadAndWritten) {
-  for (const std::string shape : {"shape = \"clump\"\n", "shape = \"clump\"\nmembers = 5\narrangement = \"ring\"\nspacing = 0.5\n",
-                                  "shape = \"polygon\"\ncorners = 3\naspect = 2\nrounding = 0.2\n"}) {
+  for (const std::string shape :
+       {"shape = \"clump\"\n", "shape = \"clump\"\nmembers = 5\narrangement = \"ring\"\nspacing = 0.5\n",
+        "shape = \"polygon\"\ncorners = 3\naspect = 2\nrounding = 0.2\n"}) {
     const Recipe recipe = parse_recipe(head + shape + stage, "r.toml");
     EXPECT_TRUE(parse_recipe(to_toml(recipe), "r.toml") == recipe) << shape;
     EXPECT_FALSE(std::holds_alternative<packing::DiskShape>(recipe.populations[0].shape));
@@ -41,7 +45,8 @@ TEST(ShapesInRecipes, WithoutDisksOrCornersEnoughAreRefused) {
   EXPECT_TRUE(is_refused("shape = \"clump\"\nmembers = 1\n", 2, "2 to 64"));
   EXPECT_TRUE(is_refused("shape = \"polygon\"\ncorners = 2\n", 2, "3 to 64"));
   EXPECT_TRUE(is_refused("shape = \"polygon\"\ncorners = 4.5\n", 2, "corners"));
-  EXPECT_TRUE(is_refused("shape = \"clump\"\nmembers = 2\narrangement = \"ring\"\n", 2, "a ring needs 3 members or more"));
+  EXPECT_TRUE(
+      is_refused("shape = \"clump\"\nmembers = 2\narrangement = \"ring\"\n", 2, "a ring needs 3 members or more"));
 }
 
 TEST(ShapesInRecipes, ThatFallApartOrHaveNoCornersRoundedAreRefused) {
@@ -59,10 +64,14 @@ TEST(ShapesInRecipes, OfOtherWordsAreRefusedByTheWordsThereAre) {
 
 TEST(ShapesInRecipes, AreRefusedWhereOnlyDisksCanBe) {
   const int population = -3;  // the line of [[populations]]
-  const std::string bonds = "[contact]\nbonds = \"parallel\"\nbond_modulus = \"1 GPa\"\nbond_tensile_strength = \"1 MPa\"\nbond_cohesion = \"1 MPa\"\n";
-  EXPECT_TRUE(is_refused("shape = \"polygon\"\n", population, "integration.integrator", "[integration]\nintegrator = \"gear5\"\n" + stage));
+  const std::string bonds =
+      "[contact]\nbonds = \"parallel\"\nbond_modulus = \"1 GPa\"\nbond_tensile_strength = \"1 MPa\"\nbond_cohesion = "
+      "\"1 MPa\"\n";
+  EXPECT_TRUE(is_refused("shape = \"polygon\"\n", population, "integration.integrator",
+                         "[integration]\nintegrator = \"gear5\"\n" + stage));
   EXPECT_TRUE(is_refused("shape = \"clump\"\n", population, "bonds join disks only", bonds + stage));
-  EXPECT_TRUE(is_refused("shape = \"clump\"\n", population, "rough walls work with disks only", stage + "rough = { top = true }\n"));
+  EXPECT_TRUE(is_refused("shape = \"clump\"\n", population, "rough walls work with disks only",
+                         stage + "rough = { top = true }\n"));
 }
 
 }  // namespace

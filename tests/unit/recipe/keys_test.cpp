@@ -25,13 +25,16 @@ density = "2500 kg/m^3"
 )" + constants +
          rest;
 }
-const std::string both = "youngs_modulus = \"70 GPa\"\npoisson = 0.22\n", mindlin = "[contact]\nnormal = \"hertz_mindlin\"\n";
+const std::string both = "youngs_modulus = \"70 GPa\"\npoisson = 0.22\n",
+                  mindlin = "[contact]\nnormal = \"hertz_mindlin\"\n";
 
 std::string refusal(const std::string& text) {
   try {
     parse_recipe(text, "r.toml");
     return "none";
-  } catch (const InputError& error) { return error.problems().size() == 1 ? error.what() : "several: " + std::string(error.what()); }
+  } catch (const InputError& error) {
+    return error.problems().size() == 1 ? error.what() : "several: " + std::string(error.what());
+  }
 }
 
 TEST(Materials, TakeModuliForAStiffness) {
@@ -46,13 +49,19 @@ TEST(Materials, TakeModuliForAStiffness) {
 
 TEST(Materials, SayWhatTheNormalLawNeeds) {
   const std::string stiffness = "stiffness = \"1 kN/mm\"\n";
-  const auto has = [](const std::string& text, const std::string& part) { return text.find("several") != 0 && text.find(part) != std::string::npos; };
-  const std::string needs = "normal = \"hertz_mindlin\" needs E and nu; write youngs_modulus and poisson in [materials.glass]";
-  for (const std::string& lacking : {stiffness, stiffness + "poisson = 0.2\n", stiffness + "youngs_modulus = \"1 GPa\"\n"})
+  const auto has = [](const std::string& text, const std::string& part) {
+    return text.find("several") != 0 && text.find(part) != std::string::npos;
+  };
+  const std::string needs =
+      "normal = \"hertz_mindlin\" needs E and nu; write youngs_modulus and poisson in [materials.glass]";
+  for (const std::string& lacking :
+       {stiffness, stiffness + "poisson = 0.2\n", stiffness + "youngs_modulus = \"1 GPa\"\n"})
     EXPECT_TRUE(has(refusal(with_material(lacking, mindlin)), needs)) << refusal(with_material(lacking, mindlin));
-  EXPECT_TRUE(has(refusal(with_material(both)), "needs a stiffness; write it in [materials.glass]")) << refusal(with_material(both));
+  EXPECT_TRUE(has(refusal(with_material(both)), "needs a stiffness; write it in [materials.glass]"))
+      << refusal(with_material(both));
   EXPECT_TRUE(has(refusal(with_material("")), "materials.glass.stiffness: is missing")) << refusal(with_material(""));
-  EXPECT_TRUE(has(refusal(with_material("youngs_modulus = \"70 GPa\"\npoisson = 0.6\n" + stiffness)), "poisson: 0.6 is out of range"));
+  EXPECT_TRUE(has(refusal(with_material("youngs_modulus = \"70 GPa\"\npoisson = 0.6\n" + stiffness)),
+                  "poisson: 0.6 is out of range"));
 }
 
 }  // namespace

@@ -9,9 +9,11 @@
 namespace arenite::recipe {
 namespace {
 
-std::string recipe_with(const std::string& container, const std::string& snapshots, const std::string& equilibrium, const std::string& masses) {
+std::string recipe_with(const std::string& container, const std::string& snapshots, const std::string& equilibrium,
+                        const std::string& masses) {
   return "[" + container +
-         "]\nwidth = \"350 mm\"\nthickness = \"60 mm\"\n[materials.POM]\ndensity = \"1410 kg/m^3\"\nstiffness = \"27 kN/mm\"\n"
+         "]\nwidth = \"350 mm\"\nthickness = \"60 mm\"\n[materials.POM]\ndensity = \"1410 kg/m^3\"\nstiffness = \"27 "
+         "kN/mm\"\n"
          "[[populations]]\nmaterial = \"POM\"\ncount = 10\ndiameter = \"16 mm\"\n[[stages]]\nname = \"load\"\n" +
          snapshots + " = 3\n" + masses + "\n" + equilibrium + " = { unbalanced = 1e-3 }\n";
 }
@@ -24,12 +26,14 @@ TEST(FormerNames, AreReadWithANotice) {
   EXPECT_TRUE(current.notices.empty());
   ASSERT_EQ(former.notices.size(), 5u);
   EXPECT_EQ(former.notices[0], "frame is now called container; the former name is still read");
-  EXPECT_EQ(former.notices[3], "stages.*.mass_scaling = \"even\" is now called \"uniform\"; the former name is still read");
+  EXPECT_EQ(former.notices[3],
+            "stages.*.mass_scaling = \"even\" is now called \"uniform\"; the former name is still read");
 }
 
 TEST(FormerNames, AreReadOnTheCommandLineOverBoth) {
   for (const std::string& text : {then, now})
-    for (const std::string set : {"frame.width=\"400 mm\"", "container.width=\"400 mm\""}) EXPECT_EQ(parse_recipe(text, "r.toml", {set}).container.width, 0.4);
+    for (const std::string set : {"frame.width=\"400 mm\"", "container.width=\"400 mm\""})
+      EXPECT_EQ(parse_recipe(text, "r.toml", {set}).container.width, 0.4);
   for (const std::string set : {"stages.0.masses=own", "stages.0.mass_scaling=own", "stages.0.mass_scaling=none"})
     EXPECT_EQ(parse_recipe(now, "r.toml", {set}).stages[0].mass_scaling, dem::MassScaling::none) << set;
 }
@@ -54,7 +58,8 @@ TEST(FormerNames, AreThoseThatResultsAreNamedBy) {
 TEST(FormerNames, OfAPackingAreThoseThatVersion01Wrote) {
   const std::string text = to_toml_of_version_0_1(parse_recipe(now, "r.toml"));
   EXPECT_NE(text.find("\n[frame]\n"), std::string::npos) << text;
-  for (const char* later : {"shape", "rolling", "bonds", "cohesion"}) EXPECT_EQ(text.find(later), std::string::npos) << text;
+  for (const char* later : {"shape", "rolling", "bonds", "cohesion"})
+    EXPECT_EQ(text.find(later), std::string::npos) << text;
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ void add_defaults(const std::string& kind, const std::string& reference, std::se
     const std::string key = between(line, "`", "` | ", at);
     at = line.find(" | ", at + 3);
     std::string value = between(line, " | ", " | ", at);
-    if (value.starts_with("`")) found.insert(kind + " " + section + " " + key + " = " + value.substr(1, value.size() - 2));
+    if (value.starts_with("`"))
+      found.insert(kind + " " + section + " " + key + " = " + value.substr(1, value.size() - 2));
   }
 }
 
@@ -42,7 +43,9 @@ TEST(RecipeDefaults, AreThoseThatNamesOfResultsAreMadeWith) {
   std::istringstream then(io::read_file(ARENITE_SOURCE_DIR "/tests/unit/recipe/defaults_of_names.txt"));
   std::size_t count = 0;
   for (std::string line; std::getline(then, line); ++count)
-    EXPECT_TRUE(now.contains(line)) << "was the default: " << line << "\nraise the versions in src/workflow/stage_keys.cpp, then change defaults_of_names.txt";
+    EXPECT_TRUE(now.contains(line))
+        << "was the default: " << line
+        << "\nraise the versions in src/workflow/stage_keys.cpp, then change defaults_of_names.txt";
   EXPECT_GT(count, 100u);
 }
 

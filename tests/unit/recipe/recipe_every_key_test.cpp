@@ -27,7 +27,8 @@ void add_lines(const std::string& resolved, std::vector<Line>& lines) {
     ++number;
     const auto equals = line.find(" = ");
     if (equals == std::string::npos || line.starts_with("[")) continue;
-    lines.push_back({number, line.substr(0, equals), line.substr(equals + 3), resolved.substr(0, at), resolved.substr(at + line.size())});
+    lines.push_back({number, line.substr(0, equals), line.substr(equals + 3), resolved.substr(0, at),
+                     resolved.substr(at + line.size())});
   }
 }
 
@@ -55,7 +56,8 @@ std::vector<Problem> problems_at(const Line& line, const std::string& assignment
 }
 
 bool is_quantity(const std::string& value) {
-  return value.size() > 2 && value[0] == '"' && (value[1] == '-' || (value[1] >= '0' && value[1] <= '9')) && value.find(' ') != std::string::npos;
+  return value.size() > 2 && value[0] == '"' && (value[1] == '-' || (value[1] >= '0' && value[1] <= '9')) &&
+         value.find(' ') != std::string::npos;
 }
 
 TEST(EveryKey, RefusesADateAtItsPlace) {
@@ -77,7 +79,8 @@ TEST(EveryKey, MisspeltIsOfferedBack) {
     const auto found = problems_at(line, slip + " = " + line.value);
     ASSERT_EQ(found.size(), 1u) << line.key;
     EXPECT_EQ(found[0].column, 1);
-    EXPECT_NE(found[0].message.find(slip + ": unknown key; did you mean " + line.key + "?"), std::string::npos) << found[0].message;
+    EXPECT_NE(found[0].message.find(slip + ": unknown key; did you mean " + line.key + "?"), std::string::npos)
+        << found[0].message;
   }
 }
 
@@ -89,11 +92,13 @@ TEST(EveryKey, QuantityWithoutUnitOrOfAnotherDimensionIsRefused) {
     const std::string number = line.value.substr(1, line.value.find(' ') - 1);
     const auto bare = problems_at(line, line.key + " = " + number);
     ASSERT_EQ(bare.size(), 1u) << line.key;
-    EXPECT_NE(bare[0].message.find("has no unit; write it with its unit, for example"), std::string::npos) << bare[0].message;
+    EXPECT_NE(bare[0].message.find("has no unit; write it with its unit, for example"), std::string::npos)
+        << bare[0].message;
     const auto other = problems_at(line, line.key + " = \"" + number + " K^3\"");
     ASSERT_EQ(other.size(), 1u) << line.key;
     EXPECT_NE(other[0].message.find("is a quantity in K^3, but"), std::string::npos) << other[0].message;
-    EXPECT_EQ(problems_at(line, line.key + " = \"nan" + line.value.substr(line.value.find(' '))).size(), 1u) << line.key;
+    EXPECT_EQ(problems_at(line, line.key + " = \"nan" + line.value.substr(line.value.find(' '))).size(), 1u)
+        << line.key;
   }
   EXPECT_GE(quantities, 18);
 }

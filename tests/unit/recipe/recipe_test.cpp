@@ -14,7 +14,9 @@
 namespace arenite::recipe {
 namespace {
 
-Recipe parsed(const std::string& text, const std::vector<std::string>& overrides = {}) { return parse_recipe(text, "r.toml", overrides); }
+Recipe parsed(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  return parse_recipe(text, "r.toml", overrides);
+}
 
 /// Every problem as main prints it, in order.
 std::vector<std::string> problems(const std::string& text, const std::vector<std::string>& overrides = {}) {
@@ -172,21 +174,27 @@ TEST(BadRecipe, BareNumberForAQuantityIsAnErrorAtItsLine) {
 }
 
 TEST(BadRecipe, WrongDimensionNamesBoth) {
-  EXPECT_EQ(problems(replaced(smallest, "50 kN", "50 mm")),
-            Lines{"r.toml:13:20: stages.0.bottom.force: \"50 mm\" is a length (m), but a force (N) is needed; write it in kN"});
+  EXPECT_EQ(
+      problems(replaced(smallest, "50 kN", "50 mm")),
+      Lines{
+          "r.toml:13:20: stages.0.bottom.force: \"50 mm\" is a length (m), but a force (N) is needed; write it in kN"});
 }
 
 TEST(BadRecipe, UnknownKeyOffersTheNearest) {
-  EXPECT_EQ(problems(smallest + "incremets = 3\n"), Lines{"r.toml:14:1: stages.0.incremets: unknown key; did you mean increments?"});
+  EXPECT_EQ(problems(smallest + "incremets = 3\n"),
+            Lines{"r.toml:14:1: stages.0.incremets: unknown key; did you mean increments?"});
   EXPECT_EQ(problems("sed = 1\n" + smallest), Lines{"r.toml:1:1: sed: unknown key; did you mean seed?"});
   EXPECT_EQ(problems(replaced(smallest, "thickness", "colour = 3\nthickness")),
-            Lines{"r.toml:3:1: container.colour: unknown key; the keys here are: height, periodic_x, periodic_y, thickness, width"});
+            Lines{"r.toml:3:1: container.colour: unknown key; the keys here are: height, periodic_x, periodic_y, "
+                  "thickness, width"});
 }
 
 TEST(BadRecipe, UnknownWordOffersTheNearest) {
   const auto found = problems(smallest + "[contact]\nfriction_law = \"cundal_strack\"\n");
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].find("r.toml:15:16: contact.friction_law: unknown word \"cundal_strack\"; did you mean \"cundall_strack\"?"), 0u);
+  EXPECT_EQ(found[0].find(
+                "r.toml:15:16: contact.friction_law: unknown word \"cundal_strack\"; did you mean \"cundall_strack\"?"),
+            0u);
 }
 
 TEST(BadRecipe, ValueOutOfRangeNamesTheRange) {
@@ -199,9 +207,12 @@ TEST(BadRecipe, ValueOutOfRangeNamesTheRange) {
 }
 
 TEST(BadRecipe, NumbersMustBeFinite) {
-  EXPECT_EQ(problems(smallest + "[contact]\nfriction = nan\n"), Lines{"r.toml:15:12: contact.friction: must be a finite number"});
-  EXPECT_EQ(problems(smallest + "[contact]\nfriction = -inf\n"), Lines{"r.toml:15:12: contact.friction: must be a finite number"});
-  EXPECT_EQ(problems(replaced(smallest, "16.4 mm", "nan mm")), Lines{"r.toml:10:12: populations.0.diameter: \"nan mm\" is not a finite number"});
+  EXPECT_EQ(problems(smallest + "[contact]\nfriction = nan\n"),
+            Lines{"r.toml:15:12: contact.friction: must be a finite number"});
+  EXPECT_EQ(problems(smallest + "[contact]\nfriction = -inf\n"),
+            Lines{"r.toml:15:12: contact.friction: must be a finite number"});
+  EXPECT_EQ(problems(replaced(smallest, "16.4 mm", "nan mm")),
+            Lines{"r.toml:10:12: populations.0.diameter: \"nan mm\" is not a finite number"});
 }
 
 TEST(BadRecipe, MissingKeyAndSectionAreNamed) {
@@ -209,20 +220,29 @@ TEST(BadRecipe, MissingKeyAndSectionAreNamed) {
             Lines{"r.toml:1:1: container.thickness: is missing; write for example thickness = \"1 mm\""});
   const auto found = problems("title = \"x\"\n");
   ASSERT_EQ(found.size(), 4u);
-  EXPECT_EQ(found[0], "r.toml:1:1: container: is missing; add the section [container] (the box, or periodic cell, that holds the grains)");
+  EXPECT_EQ(found[0],
+            "r.toml:1:1: container: is missing; add the section [container] (the box, or periodic cell, that holds the "
+            "grains)");
   EXPECT_NE(found[1].find("materials"), std::string::npos);
   EXPECT_NE(found[2].find("populations"), std::string::npos);
   EXPECT_NE(found[3].find("stages"), std::string::npos);
 }
 
 TEST(BadRecipe, WrongKindsOfValueAreRefused) {
-  EXPECT_EQ(problems(smallest + "gravity = \"yes\"\n"), Lines{"r.toml:14:11: stages.0.gravity: is a text, but must be true or false (without quotes)"});
-  EXPECT_EQ(problems(smallest + "increments = 2.5\n"), Lines{"r.toml:14:14: stages.0.increments: 2.5 is not a whole number"});
-  EXPECT_EQ(problems(replaced(smallest, "\"POM\"", "3")), Lines{"r.toml:8:12: populations.0.material: is a number, but must be a text in quotes"});
+  EXPECT_EQ(problems(smallest + "gravity = \"yes\"\n"),
+            Lines{"r.toml:14:11: stages.0.gravity: is a text, but must be true or false (without quotes)"});
+  EXPECT_EQ(problems(smallest + "increments = 2.5\n"),
+            Lines{"r.toml:14:14: stages.0.increments: 2.5 is not a whole number"});
+  EXPECT_EQ(problems(replaced(smallest, "\"POM\"", "3")),
+            Lines{"r.toml:8:12: populations.0.material: is a number, but must be a text in quotes"});
   EXPECT_EQ(problems(replaced(smallest, "\"16.4 mm\"", "[1]")),
             Lines{"r.toml:10:12: populations.0.diameter: is a list, but must be a number, such as \"1 mm\""});
-  EXPECT_EQ(problems("contact = 3\n" + smallest), Lines{"r.toml:1:11: contact: is a number, but must be a section [contact]"});
-  EXPECT_EQ(problems(replaced(smallest, "[[stages]]", "[stages]")).at(0).find("r.toml:11:1: stages: is a table, but must be sections [[stages]]"), 0u);
+  EXPECT_EQ(problems("contact = 3\n" + smallest),
+            Lines{"r.toml:1:11: contact: is a number, but must be a section [contact]"});
+  EXPECT_EQ(problems(replaced(smallest, "[[stages]]", "[stages]"))
+                .at(0)
+                .find("r.toml:11:1: stages: is a table, but must be sections [[stages]]"),
+            0u);
 }
 
 TEST(BadRecipe, PopulationOfAnUnknownMaterialOffersTheNearest) {
@@ -232,59 +252,76 @@ TEST(BadRecipe, PopulationOfAnUnknownMaterialOffersTheNearest) {
 
 TEST(BadRecipe, QuantityWithoutItsTagIsOfferedWithIt) {
   const std::string drive = "{ force = \"50 kN\" }";
-  EXPECT_EQ(problems(replaced(smallest, drive, "\"50 kN\"")), Lines{"r.toml:13:10: stages.0.bottom: write { force = \"50 kN\" }"});
-  EXPECT_EQ(problems(replaced(smallest, drive, "\"5 kPa\"")), Lines{"r.toml:13:10: stages.0.bottom: write { pressure = \"5 kPa\" }"});
-  EXPECT_EQ(problems(replaced(smallest, drive, "\"fixd\"")), Lines{"r.toml:13:10: stages.0.bottom: unknown word \"fixd\"; did you mean \"fixed\"?"});
+  EXPECT_EQ(problems(replaced(smallest, drive, "\"50 kN\"")),
+            Lines{"r.toml:13:10: stages.0.bottom: write { force = \"50 kN\" }"});
+  EXPECT_EQ(problems(replaced(smallest, drive, "\"5 kPa\"")),
+            Lines{"r.toml:13:10: stages.0.bottom: write { pressure = \"5 kPa\" }"});
+  EXPECT_EQ(problems(replaced(smallest, drive, "\"fixd\"")),
+            Lines{"r.toml:13:10: stages.0.bottom: unknown word \"fixd\"; did you mean \"fixed\"?"});
 }
 
 TEST(BadRecipe, OfTwoPeriodicEdgesOnlyOnePresses) {
   const auto periodic = replaced(smallest, "thickness", "periodic_y = true\nthickness");
   EXPECT_EQ(problems(periodic), Lines{});
   EXPECT_EQ(problems(periodic + "top = { pressure = \"5 kPa\" }\n"),
-            Lines{"r.toml:15:7: stages.0.top: of the two periodic edges bottom and top one is under pressure and the other fixed; leave "
-                  "bottom = \"fixed\""});
+            Lines{"r.toml:15:7: stages.0.top: of the two periodic edges bottom and top one is under pressure and the "
+                  "other fixed; leave bottom = \"fixed\""});
   EXPECT_EQ(problems(periodic + "top = { velocity = \"1 mm/s\" }\nduration = \"1 s\"\n").size(), 1u);
-  EXPECT_EQ(problems(smallest + "top = { pressure = \"5 kPa\" }\n"), Lines{}) << "two walls may press on a sample between them";
+  EXPECT_EQ(problems(smallest + "top = { pressure = \"5 kPa\" }\n"), Lines{})
+      << "two walls may press on a sample between them";
 }
 
 TEST(BadRecipe, GravityNeedsAFloor) {
   EXPECT_EQ(problems(replaced(smallest, "thickness", "periodic_y = true\nthickness") + "gravity = true\n"),
-            Lines{"r.toml:15:11: stages.0.gravity: grains would fall for ever through periodic sides; set container.periodic_y = false"});
+            Lines{"r.toml:15:11: stages.0.gravity: grains would fall for ever through periodic sides; set "
+                  "container.periodic_y = false"});
 }
 
 TEST(BadRecipe, CyclesNeedAKnownSideUnderForce) {
   const std::string cycles = "cycles = { side = \"botom\", min = \"6 kN\", max = \"60 kN\", count = 3 }\n";
-  EXPECT_EQ(problems(smallest + cycles).at(0).find("r.toml:14:19: stages.0.cycles.side: unknown word \"botom\"; did you mean \"bottom\"?"), 0u);
+  EXPECT_EQ(problems(smallest + cycles)
+                .at(0)
+                .find("r.toml:14:19: stages.0.cycles.side: unknown word \"botom\"; did you mean \"bottom\"?"),
+            0u);
   const auto not_driven = problems(smallest + replaced(cycles, "botom", "left"));
-  EXPECT_EQ(not_driven, Lines{"r.toml:14:10: stages.0.cycles: cycles need a side under force; write left = { force = \"...\" } in this stage"});
-  EXPECT_EQ(problems(smallest + replaced(replaced(cycles, "botom", "bottom"), "60 kN", "6 kN")), Lines{"r.toml:14:49: stages.0.cycles.max: must be above min"});
+  EXPECT_EQ(not_driven, Lines{"r.toml:14:10: stages.0.cycles: cycles need a side under force; write left = { force = "
+                              "\"...\" } in this stage"});
+  EXPECT_EQ(problems(smallest + replaced(replaced(cycles, "botom", "bottom"), "60 kN", "6 kN")),
+            Lines{"r.toml:14:49: stages.0.cycles.max: must be above min"});
 }
 
 TEST(BadRecipe, StageNamesDifferAndAreFileNames) {
-  EXPECT_EQ(problems(smallest + "[[stages]]\nname = \"load\"\n").back(), "r.toml:15:8: stages.1.name: another stage is called \"load\"; names must differ");
-  EXPECT_EQ(problems(replaced(smallest, "\"load\"", "\"../load\"")), Lines{"r.toml:12:8: stages.0.name: must be made of letters, digits, _ and -"});
+  EXPECT_EQ(problems(smallest + "[[stages]]\nname = \"load\"\n").back(),
+            "r.toml:15:8: stages.1.name: another stage is called \"load\"; names must differ");
+  EXPECT_EQ(problems(replaced(smallest, "\"load\"", "\"../load\"")),
+            Lines{"r.toml:12:8: stages.0.name: must be made of letters, digits, _ and -"});
 }
 
 TEST(BadRecipe, MovingSideNeedsADuration) {
   EXPECT_EQ(problems(replaced(smallest, "force = \"50 kN\"", "velocity = \"1 mm/s\"")).size(), 1u);
-  EXPECT_TRUE(problems(replaced(smallest, "force = \"50 kN\"", "velocity = \"1 mm/s\"") + "duration = \"1 s\"\n").empty());
+  EXPECT_TRUE(
+      problems(replaced(smallest, "force = \"50 kN\"", "velocity = \"1 mm/s\"") + "duration = \"1 s\"\n").empty());
 }
 
 TEST(BadRecipe, CountAndRatioExcludeEachOther) {
-  EXPECT_EQ(problems(replaced(smallest, "count = 10", "count = 10\nratio = 1")), Lines{"r.toml:10:9: populations.0.ratio: give either count or ratio"});
-  EXPECT_EQ(problems(replaced(smallest, "count = 10\n", "")), Lines{"r.toml:7:1: populations.0.ratio: give either count or ratio"});
+  EXPECT_EQ(problems(replaced(smallest, "count = 10", "count = 10\nratio = 1")),
+            Lines{"r.toml:10:9: populations.0.ratio: give either count or ratio"});
+  EXPECT_EQ(problems(replaced(smallest, "count = 10\n", "")),
+            Lines{"r.toml:7:1: populations.0.ratio: give either count or ratio"});
   EXPECT_EQ(problems(replaced(smallest, "count = 10", "ratio = 1")).size(), 1u);
   EXPECT_TRUE(problems(replaced(smallest, "count = 10", "ratio = 1") + "[packing]\ngrains = 100\n").empty());
 }
 
 TEST(BadRecipe, GrainWiderThanTheContainerIsRefused) {
-  EXPECT_EQ(problems(replaced(smallest, "16.4 mm", "16.4 m")),
-            Lines{"r.toml:10:12: populations.0.diameter: the largest grain (16400 mm) is wider than the container (350 mm)"});
+  EXPECT_EQ(
+      problems(replaced(smallest, "16.4 mm", "16.4 m")),
+      Lines{"r.toml:10:12: populations.0.diameter: the largest grain (16400 mm) is wider than the container (350 mm)"});
 }
 
 TEST(BadRecipe, KeyOfAnotherChoiceSaysWhenItExists) {
-  EXPECT_EQ(problems(smallest + "[packing]\nfile = \"grains.csv\"\n"),
-            Lines{"r.toml:15:1: packing.file: this key is only valid with method = \"file\"; leave it out or change that"});
+  EXPECT_EQ(
+      problems(smallest + "[packing]\nfile = \"grains.csv\"\n"),
+      Lines{"r.toml:15:1: packing.file: this key is only valid with method = \"file\"; leave it out or change that"});
 }
 
 TEST(BadRecipe, GlueNeedsAnAdhesion) {
@@ -298,7 +335,9 @@ TEST(BadRecipe, BondsNeedALawAndItsStrengths) {
   const auto missing = problems(smallest + "bond = true\n[contact]\nbonds = \"parallel\"\n");
   ASSERT_EQ(missing.size(), 3u);
   EXPECT_NE(missing.at(0).find("contact.bond_modulus"), std::string::npos);
-  const std::string whole = "[contact]\nbonds = \"parallel\"\nbond_modulus = \"1 GPa\"\nbond_tensile_strength = \"1 MPa\"\nbond_cohesion = \"1 MPa\"\n";
+  const std::string whole =
+      "[contact]\nbonds = \"parallel\"\nbond_modulus = \"1 GPa\"\nbond_tensile_strength = \"1 MPa\"\nbond_cohesion = "
+      "\"1 MPa\"\n";
   EXPECT_TRUE(problems(smallest + "bond = true\n" + whole).empty());
 }
 
@@ -317,8 +356,11 @@ TEST(BadRecipe, AllProblemsComeInOnePassInTheOrderOfTheText) {
 }
 
 TEST(BadRecipe, WhatIsNotTomlIsOneSentenceWithItsPlace) {
-  EXPECT_EQ(problems("a = 1\na = 2\n"), Lines{"r.toml:2:5: this is not TOML; the key-value pair cannot be read: cannot redefine existing integer 'a'"});
-  EXPECT_EQ(problems("a b\n"), Lines{"r.toml:1:3: this is not TOML; the key-value pair cannot be read: expected '=', saw 'b'"});
+  EXPECT_EQ(
+      problems("a = 1\na = 2\n"),
+      Lines{"r.toml:2:5: this is not TOML; the key-value pair cannot be read: cannot redefine existing integer 'a'"});
+  EXPECT_EQ(problems("a b\n"),
+            Lines{"r.toml:1:3: this is not TOML; the key-value pair cannot be read: expected '=', saw 'b'"});
   EXPECT_EQ(problems("").at(0).find("r.toml: the recipe is empty;"), 0u);
   EXPECT_EQ(problems(" \r\n\t").at(0).find("r.toml: the recipe is empty;"), 0u);
 }
@@ -326,10 +368,12 @@ TEST(BadRecipe, WhatIsNotTomlIsOneSentenceWithItsPlace) {
 TEST(BadRecipe, KeysOfEndlessDepthAreRefusedBeforeTheyAreBuilt) {
   std::string key = "a";
   for (int i = 0; i < 400'000; ++i) key += ".a";
-  EXPECT_EQ(problems("x = 1\n" + key + " = 1\n"), Lines{"r.toml:2: no recipe key has that many parts; check the dots in this line"});
+  EXPECT_EQ(problems("x = 1\n" + key + " = 1\n"),
+            Lines{"r.toml:2: no recipe key has that many parts; check the dots in this line"});
   EXPECT_EQ(problems("x = 1\n[" + key + "]\n").size(), 1u);
   EXPECT_EQ(problems("a = " + std::string(400'000, '[')).size(), 1u);
-  EXPECT_TRUE(problems("title = \"" + std::string(100, '.') + "\" # " + std::string(100, '.') + "\n" + smallest).empty());
+  EXPECT_TRUE(
+      problems("title = \"" + std::string(100, '.') + "\" # " + std::string(100, '.') + "\n" + smallest).empty());
 }
 
 TEST(BadRecipe, OtherScriptsStayWithinQuotes) {
@@ -339,8 +383,9 @@ TEST(BadRecipe, OtherScriptsStayWithinQuotes) {
 }
 
 TEST(RecipeOverride, ChangesKeysOfTheTopOfSectionsAndOfLists) {
-  const Recipe recipe = parsed(smallest, {"seed=7", "container.width=\"400 mm\"", "stages.0.bottom.force=60 kN", "contact.friction=0.5",
-                                          "populations.0.count = 12", "stages.0.top={pressure = \"1 kPa\"}", "title=two words"});
+  const Recipe recipe =
+      parsed(smallest, {"seed=7", "container.width=\"400 mm\"", "stages.0.bottom.force=60 kN", "contact.friction=0.5",
+                        "populations.0.count = 12", "stages.0.top={pressure = \"1 kPa\"}", "title=two words"});
   EXPECT_EQ(recipe.seed, 7u);
   EXPECT_EQ(recipe.container.width, 0.4);
   EXPECT_EQ(recipe.stages[0].side[bottom].value, 60e3);
@@ -351,16 +396,19 @@ TEST(RecipeOverride, ChangesKeysOfTheTopOfSectionsAndOfLists) {
 }
 
 TEST(RecipeOverride, ReplacesTheDriveOfASideWhateverItWas) {
-  EXPECT_EQ(parsed(smallest, {"stages.0.bottom.pressure=5 kPa"}).stages[0].side[bottom], (SideDrive{SideDrive::Kind::pressure, 5e3}));
+  EXPECT_EQ(parsed(smallest, {"stages.0.bottom.pressure=5 kPa"}).stages[0].side[bottom],
+            (SideDrive{SideDrive::Kind::pressure, 5e3}));
   EXPECT_EQ(parsed(smallest, {"stages.0.bottom=fixed"}).stages[0].side[bottom], SideDrive{});
-  EXPECT_EQ(parsed(smallest + "top = \"fixed\"\n", {"stages.0.top.force=5 kN"}).stages[0].side[top], (SideDrive{SideDrive::Kind::force, 5e3}));
+  EXPECT_EQ(parsed(smallest + "top = \"fixed\"\n", {"stages.0.top.force=5 kN"}).stages[0].side[top],
+            (SideDrive{SideDrive::Kind::force, 5e3}));
 }
 
 TEST(RecipeOverride, ProblemsNameTheOverride) {
-  EXPECT_EQ(problems(smallest, {"container.width=350"}),
-            Lines{"--set container.width=350: container.width: 350 has no unit; write it with its unit, for example \"350 mm\""});
+  EXPECT_EQ(problems(smallest, {"container.width=350"}), Lines{"--set container.width=350: container.width: 350 has no "
+                                                               "unit; write it with its unit, for example \"350 mm\""});
   EXPECT_EQ(problems(smallest, {"frme.width=3", "stages.1.name=x", "nothing", "a..b=1"}).size(), 4u);
-  EXPECT_EQ(problems(smallest, {"stages.1.name=x"}), Lines{"--set stages.1.name=x: \"1\" is not one of the 1 items, counted from 0"});
+  EXPECT_EQ(problems(smallest, {"stages.1.name=x"}),
+            Lines{"--set stages.1.name=x: \"1\" is not one of the 1 items, counted from 0"});
 }
 
 TEST(RecipeFile, WhatCannotBeReadIsOneSentence) {
@@ -369,7 +417,8 @@ TEST(RecipeFile, WhatCannotBeReadIsOneSentence) {
   EXPECT_THROW(read_recipe((folder / "none.toml").string()), InputError);
   EXPECT_THROW(read_recipe(folder.string()), InputError);
   const auto file = folder / "from_file.toml";
-  std::string text = smallest.substr(0, smallest.find("[[populations]]")) + smallest.substr(smallest.find("[[stages]]"));
+  std::string text =
+      smallest.substr(0, smallest.find("[[populations]]")) + smallest.substr(smallest.find("[[stages]]"));
   text += "[packing]\nmethod = \"file\"\nfile = \"grains.csv\"\n";
   text = replaced(text, "[container]\n", "[container]\nheight = \"350 mm\"\n");
   std::ofstream(file) << text;
@@ -380,7 +429,8 @@ TEST(RecipeFile, WhatCannotBeReadIsOneSentence) {
   } catch (const InputError& error) {
     ASSERT_EQ(error.problems().size(), 1u);
     EXPECT_EQ(error.problems()[0].line, 13);
-    EXPECT_EQ(error.problems()[0].message, "packing.file: there is no file \"grains.csv\"; paths are relative to the folder of the recipe");
+    EXPECT_EQ(error.problems()[0].message,
+              "packing.file: there is no file \"grains.csv\"; paths are relative to the folder of the recipe");
   }
   std::ofstream(folder / "grains.csv") << "id,x,y,radius\n";
   EXPECT_EQ(read_recipe(file.string()).packing.file, "grains.csv");

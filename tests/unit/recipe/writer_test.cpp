@@ -19,12 +19,14 @@ template <class Family, class... Law> Family any_law(Law... law) { return *rc::g
 
 template <class Enum> Enum any_of(int count) { return static_cast<Enum>(*rc::gen::inRange(0, count)); }
 
-template <class T> std::optional<T> maybe(T value) { return *rc::gen::arbitrary<bool>() ? std::optional<T>(value) : std::nullopt; }
+template <class T> std::optional<T> maybe(T value) {
+  return *rc::gen::arbitrary<bool>() ? std::optional<T>(value) : std::nullopt;
+}
 
 SizeLaw any_size() {
   const double d = any_number(1e-3);
-  return any_law<SizeLaw>(packing::FixedSize{d}, packing::UniformSizes{d, 2 * d}, packing::NormalSizes{{d, 2 * d}, 1.5 * d, d / 7},
-                          packing::SizeList{{d, d / 3, 2 * d}});
+  return any_law<SizeLaw>(packing::FixedSize{d}, packing::UniformSizes{d, 2 * d},
+                          packing::NormalSizes{{d, 2 * d}, 1.5 * d, d / 7}, packing::SizeList{{d, d / 3, 2 * d}});
 }
 
 Stage any_stage(int index, bool has_adhesion) {
@@ -44,8 +46,10 @@ Stage any_stage(int index, bool has_adhesion) {
   stage.mass_scaling = stage.gravity ? dem::MassScaling::none : any_of<dem::MassScaling>(2);
   stage.inertial_number = any_number(1e-2);
   stage.glue = has_adhesion && *rc::gen::arbitrary<bool>();
-  if (stage.side[bottom].kind == SideDrive::Kind::force) stage.cycles = maybe(Cycles{bottom, any_number(1), any_number(10), 3, 7, {}});
-  stage.equilibrium = {any_number(1e-5), any_number(1e-7), any_number(1e-3), maybe(any_number(1e-2)), maybe(any_number(1e-2)), 1'000'000};
+  if (stage.side[bottom].kind == SideDrive::Kind::force)
+    stage.cycles = maybe(Cycles{bottom, any_number(1), any_number(10), 3, 7, {}});
+  stage.equilibrium = {any_number(1e-5),        any_number(1e-7),        any_number(1e-3),
+                       maybe(any_number(1e-2)), maybe(any_number(1e-2)), 1'000'000};
   return stage;
 }
 
@@ -65,7 +69,9 @@ cement::CementParameters any_cement() {
 }
 
 GridSection any_grid() {
-  return {*rc::gen::inRange(7, 4000), maybe(any_number(0.02)), {*rc::gen::arbitrary<bool>(), *rc::gen::inRange(1, 9), *rc::gen::arbitrary<bool>()}};
+  return {*rc::gen::inRange(7, 4000),
+          maybe(any_number(0.02)),
+          {*rc::gen::arbitrary<bool>(), *rc::gen::inRange(1, 9), *rc::gen::arbitrary<bool>()}};
 }
 
 Load any_load(int index) {
@@ -106,8 +112,9 @@ void sample_two_classes(Recipe& recipe) {
   recipe.container.width = recipe.container.height = 0;
   recipe.populations.clear();
   recipe.bidisperse =
-      BidisperseSection{{any_number(1e-3), any_number(1), any_number(1), any_number(0.1), any_number(0.5), *rc::gen::arbitrary<bool>(),
-                         *rc::gen::arbitrary<bool>(), any_number(100), *rc::gen::inRange(1, 100), *rc::gen::arbitrary<bool>(), any_number(0.01)},
+      BidisperseSection{{any_number(1e-3), any_number(1), any_number(1), any_number(0.1), any_number(0.5),
+                         *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>(), any_number(100),
+                         *rc::gen::inRange(1, 100), *rc::gen::arbitrary<bool>(), any_number(0.01)},
                         "B c",
                         "A"};
 }
@@ -115,10 +122,12 @@ void sample_two_classes(Recipe& recipe) {
 Recipe any_recipe() {
   Recipe recipe;
   recipe.source_file = "r.toml";
-  recipe.title = *rc::gen::element<std::string>("", "plain", "with \"quotes\" and \\", "Körner, µ", "tab\there\nand line");
+  recipe.title =
+      *rc::gen::element<std::string>("", "plain", "with \"quotes\" and \\", "Körner, µ", "tab\there\nand line");
   recipe.seed = *rc::gen::inRange<std::uint64_t>(0, std::uint64_t{1} << 62);
   recipe.container = {any_number(0.3), maybe(any_number(0.3)).value_or(0), any_number(0.06), false, false};
-  recipe.materials = {{"A", any_number(1e3), any_number(1e6), any_number(1e-8)}, {"B c", any_number(1e3), any_number(1e6), 0}};
+  recipe.materials = {{"A", any_number(1e3), any_number(1e6), any_number(1e-8)},
+                      {"B c", any_number(1e3), any_number(1e6), 0}};
   for (Material& m : recipe.materials) m.youngs_modulus = any_number(1e9), m.poisson = 0.25;
   recipe.packing.grains = 1000;
   recipe.packing.solid_fraction = any_number(0.5);
@@ -144,7 +153,8 @@ Recipe any_recipe() {
   recipe.integration.rotations = *rc::gen::arbitrary<bool>();
   recipe.integration.kernel = *rc::gen::element<std::string>("auto", "portable", "avx2", "avx512");
   const bool has_adhesion = contact.adheres();
-  if (has_adhesion) recipe.glued = maybe(Region{Region::Shape::rectangle, {0.1, 0.1}, 0, any_number(0.01), any_number(0.01), {}});
+  if (has_adhesion)
+    recipe.glued = maybe(Region{Region::Shape::rectangle, {0.1, 0.1}, 0, any_number(0.01), any_number(0.01), {}});
   for (int i = 0; i < *rc::gen::inRange(1, 4); ++i) recipe.stages.push_back(any_stage(i, has_adhesion));
   if (*rc::gen::arbitrary<bool>()) sample_two_classes(recipe);
   recipe.cement = maybe(any_cement());
@@ -175,8 +185,9 @@ TEST(ResolvedRecipe, CommentedRecipeSaysTheSame) {
 
 TEST(ResolvedRecipe, IsCompleteAndCarriesUnits) {
   const std::string text = to_toml(recipe_templates().front().make());
-  for (const char* line : {"width = \"350 mm\"", "stiffness = \"27.35 kN/mm\"", "diameter = \"16.4 mm\"", "restitution = 0.5",
-                           "integrator = \"velocity_verlet\"", "bottom = { force = \"50 kN\" }", "top = \"fixed\""}) {
+  for (const char* line :
+       {"width = \"350 mm\"", "stiffness = \"27.35 kN/mm\"", "diameter = \"16.4 mm\"", "restitution = 0.5",
+        "integrator = \"velocity_verlet\"", "bottom = { force = \"50 kN\" }", "top = \"fixed\""}) {
     EXPECT_NE(text.find(std::string("\n") + line + "\n"), std::string::npos) << line;
   }
 }
@@ -204,8 +215,8 @@ TEST(RecipeTemplate, CommentedDefaultsAreTheDefaults) {
   for (std::string line; std::getline(lines, line);) {
     if (line.empty()) section_is_absent = false;
     section_is_absent = section_is_absent || line.starts_with("# [");
-    const bool is_default = !section_is_absent && line.starts_with("# ") && line.find(" = ") != std::string::npos && line.find("...") == std::string::npos &&
-                            line.find(" # ") != std::string::npos;
+    const bool is_default = !section_is_absent && line.starts_with("# ") && line.find(" = ") != std::string::npos &&
+                            line.find("...") == std::string::npos && line.find(" # ") != std::string::npos;
     defaults += is_default ? 1 : 0;
     uncommented += (is_default ? line.substr(2) : line) + "\n";
   }

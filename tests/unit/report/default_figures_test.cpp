@@ -9,11 +9,16 @@ campaign::CollectedTable table() {
   campaign::CollectedTable t;
   t.keys = {{"cement.kind", ""}, {"contact.friction", ""}, {"seed", ""}};
   t.names = {"odd.number", "coordination.all", "solid_fraction"};
-  t.meanings = {{"coordination.all", {"", "Contacts of a grain, mean of all"}}, {"solid_fraction", {"%", "Area of grains"}}};
+  t.meanings = {{"coordination.all", {"", "Contacts of a grain, mean of all"}},
+                {"solid_fraction", {"%", "Area of grains"}}};
   for (const char* kind : {"bridges", "full"})
     for (const char* friction : {"0.1", "0.3", "10"})
       for (const char* seed : {"1", "2"})
-        t.rows.push_back({std::string(kind) + friction + seed, "done", {kind, friction, seed}, 1, {campaign::Estimate{1}, campaign::Estimate{4, 0.1}, {}}});
+        t.rows.push_back({std::string(kind) + friction + seed,
+                          "done",
+                          {kind, friction, seed},
+                          1,
+                          {campaign::Estimate{1}, campaign::Estimate{4, 0.1}, {}}});
   return t;
 }
 

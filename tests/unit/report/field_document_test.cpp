@@ -47,9 +47,11 @@ TEST(FieldDocument, MeasuresDensitiesAsTheLoadsStatisticsAsk) {
   EXPECT_TRUE(document["fields"][0]["statistics"].empty());
   FieldResult asked = field_sample().load;
   asked.numbers["stress"]["options"] = {{"clamp_rows", 8}, {"leave_out_surface", true}};
-  const Json statistics = Json::parse(report::page_document({.title = "asked", .fields = {&asked, 1}}).json)["fields"][0]["statistics"];
+  const Json statistics =
+      Json::parse(report::page_document({.title = "asked", .fields = {&asked, 1}}).json)["fields"][0]["statistics"];
   EXPECT_EQ(statistics["options"]["clamp_rows"], 8);
-  EXPECT_LT(statistics["sigma_yy"]["sets"]["all"]["count"], document["fields"][1]["statistics"]["sigma_yy"]["sets"]["all"]["count"]);
+  EXPECT_LT(statistics["sigma_yy"]["sets"]["all"]["count"],
+            document["fields"][1]["statistics"]["sigma_yy"]["sets"]["all"]["count"]);
   for (const char* component : {"sigma_yy", "sigma_xx", "sigma_xy", "sigma_hyd"})
     EXPECT_TRUE(statistics[component]["sets"]["all"].contains("pdf")) << component;
 }
@@ -71,7 +73,9 @@ TEST(FieldDocument, AgreesWithTheNumbersThatALoadIsStoredWith) {
   load.statistics.clamp_rows = 8;
   auto result = workflow::apply_load(load, field_sample().cement, {});
   ASSERT_TRUE(result);
-  const auto field_now = [&] { return Json::parse(report::page_document({.title = "one", .fields = {&*result, 1}}).json)["fields"][0]; };
+  const auto field_now = [&] {
+    return Json::parse(report::page_document({.title = "one", .fields = {&*result, 1}}).json)["fields"][0];
+  };
   const Json field = field_now();
   Json numbers = field["numbers"]["stress"];
   ASSERT_GT(numbers["sigma_yy"]["sets"]["all"]["count"], 1000);
@@ -128,7 +132,8 @@ TEST(FieldDocument, TakesOverWhatTheRunMeasured) {
   auto result = workflow::apply_load(load, field_sample().cement, {}, {}, &known.fields.emplace_back());
   ASSERT_TRUE(result && known.fields[0]);
   const auto statistics = [&](const workflow::KnownStatistics* measured) {
-    return Json::parse(report::page_document({.title = "one", .fields = {&*result, 1}, .measured = measured}).json)["fields"][0]["statistics"];
+    return Json::parse(report::page_document({.title = "one", .fields = {&*result, 1}, .measured = measured})
+                           .json)["fields"][0]["statistics"];
   };
   EXPECT_EQ(statistics(&known), statistics(nullptr));
   for (const char* component : {"sigma_xx", "sigma_xy", "sigma_hyd"}) {

@@ -11,7 +11,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A large grain of 8 x 8 nodes in the middle of a map of 24 x 16, a small one in a corner, matrix between them up to column 20.
+/// A large grain of 8 x 8 nodes in the middle of a map of 24 x 16, a small one in a corner, matrix between them up to
+/// column 20.
 FieldResult sample() {
   FieldResult result;
   result.map = make_phase_map(24, 16, 1e-4);
@@ -29,7 +30,14 @@ FieldResult sample() {
 FieldResult loaded() {
   FieldResult result = sample();
   const std::size_t n = result.map.size();
-  result.field = {24, 16, 1e-4, std::vector<double>(n), std::vector<double>(n), std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
+  result.field = {24,
+                  16,
+                  1e-4,
+                  std::vector<double>(n),
+                  std::vector<double>(n),
+                  std::vector<double>(n),
+                  std::vector<double>(n),
+                  std::vector<double>(n)};
   for (std::size_t k = 0; k < n; ++k)
     if (result.map.phase[k] != Phase::empty) result.field.yy[k] = result.map.grain[k] == 0 ? 3e5 : 1e5;
   return result;

@@ -18,14 +18,17 @@ const test::FilmPageSample& film_sample() {
   return made;
 }
 
-Json document_of(const FilmResult& film) { return Json::parse(report::page_document({.title = "film", .films = {&film, 1}}).json)["films"][0]; }
+Json document_of(const FilmResult& film) {
+  return Json::parse(report::page_document({.title = "film", .films = {&film, 1}}).json)["films"][0];
+}
 
 }  // namespace
 
 TEST(FilmDocument, HoldsEveryMapThatTheResultHas) {
   const Json film = document_of(film_sample().film);
   const std::size_t pixels = film_sample().film.film.pixels();
-  for (const char* name : {"picture", "amplitude", "phase", "in_phase", "second_harmonic", "standard_error", "residual"})
+  for (const char* name :
+       {"picture", "amplitude", "phase", "in_phase", "second_harmonic", "standard_error", "residual"})
     EXPECT_EQ(film["maps"][name]["residual"]["n"], pixels) << name;
   EXPECT_EQ(film["bad"]["n"], 2);
   FilmResult bare = film_sample().film;
@@ -56,7 +59,8 @@ TEST(FilmDocument, PutsGrainsWithoutCirclesWhereTheirPlacesInMetresAre) {
 TEST(FilmDocument, NumbersWallsAfterTheGrains) {
   const Json film = document_of(film_sample().film);
   EXPECT_EQ(film["contacts"]["count"], film_sample().film.packing.contacts.size());
-  for (const char* name : {"fn", "ft", "fn_error", "ft_error", "presence", "nx", "ny"}) EXPECT_TRUE(film["contacts"].contains(name)) << name;
+  for (const char* name : {"fn", "ft", "fn_error", "ft_error", "presence", "nx", "ny"})
+    EXPECT_TRUE(film["contacts"].contains(name)) << name;
 }
 
 TEST(FilmDocument, OfMapsAloneHasNeitherGrainsNorStresses) {
@@ -105,8 +109,8 @@ TEST(FilmDocument, StaysSmallForALargeCamera) {
     return values;
   };
   large.picture = noise(296);
-  for (auto* map :
-       {&large.maps.amplitude, &large.maps.phase, &large.maps.in_phase, &large.maps.second_harmonic, &large.maps.standard_error, &large.maps.residual})
+  for (auto* map : {&large.maps.amplitude, &large.maps.phase, &large.maps.in_phase, &large.maps.second_harmonic,
+                    &large.maps.standard_error, &large.maps.residual})
     *map = noise(0);
   EXPECT_LT(report::page_document({.title = "film", .films = {&large, 1}}).numbers.size(), 4'000'000u);
 }
@@ -115,7 +119,8 @@ TEST(FilmDocument, TakesOverWhatTheRunMeasured) {
   const FilmResult& film = film_sample().film;
   workflow::KnownStatistics known{.films = {workflow::texture_of(film)}};
   const auto texture = [&](const workflow::KnownStatistics* measured) {
-    return Json::parse(report::page_document({.title = "film", .films = {&film, 1}, .measured = measured}).json)["snapshots"][0]["texture"];
+    return Json::parse(report::page_document({.title = "film", .films = {&film, 1}, .measured = measured})
+                           .json)["snapshots"][0]["texture"];
   };
   EXPECT_EQ(texture(&known), texture(nullptr));
   known.films[0]->numbers["contacts"] = 1;  // which nobody would count

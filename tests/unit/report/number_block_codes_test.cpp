@@ -105,5 +105,6 @@ RC_GTEST_PROP(FieldCodes, ResidualsAndCodesAreEachOthersInverse, ()) {
   std::vector<double> values(codes.begin(), codes.end());
   const CodedField coded = code_field(width, height, values, std::vector<std::uint8_t>(count, 1), false);
   const auto back = codes_of(width, height, coded.residual);
-  for (std::size_t k = 0; k < count; ++k) RC_ASSERT(std::abs(decoded(coded, back[k]) - values[k]) <= 0.6 * coded.width / coded.levels + 1e-9);
+  for (std::size_t k = 0; k < count; ++k)
+    RC_ASSERT(std::abs(decoded(coded, back[k]) - values[k]) <= 0.6 * coded.width / coded.levels + 1e-9);
 }

@@ -63,7 +63,9 @@ TEST(NumberBlock, TakesTheNarrowestTypeThatHoldsEveryIndex) {
 }
 
 TEST(Base64, AgreesWithTheExamplesOfItsStandard) {
-  const auto text = [](std::string_view plain) { return base64({reinterpret_cast<const std::uint8_t*>(plain.data()), plain.size()}); };
+  const auto text = [](std::string_view plain) {
+    return base64({reinterpret_cast<const std::uint8_t*>(plain.data()), plain.size()});
+  };
   EXPECT_EQ(text(""), "");
   EXPECT_EQ(text("f"), "Zg==");
   EXPECT_EQ(text("fo"), "Zm8=");

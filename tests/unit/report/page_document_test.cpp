@@ -73,4 +73,6 @@ TEST(PageDocument, SaysUnitsAndMeaningsAsTheyAreDeclared) {
   EXPECT_EQ(document["meanings"]["new_number_m"], Json({"m", "That no page knows of"}));
 }
 
-TEST(PageDocument, OfAnEmptyRunHasNoSnapshots) { EXPECT_TRUE(Json::parse(report::page_document({.title = "nothing"}).json)["snapshots"].empty()); }
+TEST(PageDocument, OfAnEmptyRunHasNoSnapshots) {
+  EXPECT_TRUE(Json::parse(report::page_document({.title = "nothing"}).json)["snapshots"].empty());
+}

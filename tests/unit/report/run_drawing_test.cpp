@@ -43,8 +43,9 @@ TEST(SampleDrawing, ForcesOrStressesAreThereWhereTheyAreShown) {
 }
 
 TEST(SampleDrawing, OfAFilmShowsTheGrainsThatWereFound) {
-  const Json j = Json::parse(to_json(
-      film_drawing(test::numbers_of(R"({"found":{"x":[0.1],"y":[0.2],"radius":[0.01],"material":[1],"zone":[1],"sigma_norm":[1.234],"simulation":[1.2]}})"))));
+  const Json j = Json::parse(to_json(film_drawing(test::numbers_of(
+      R"({"found":{"x":[0.1],"y":[0.2],"radius":[0.01],"material":[1],"zone":[1],
+          "sigma_norm":[1.234],"simulation":[1.2]}})"))));
   EXPECT_EQ(j["size"], Json::parse("[20.0,20.0]"));
   EXPECT_EQ(j["stress"], Json::parse("[1.23]"));
   EXPECT_EQ(j["glued"], Json::parse("[1]"));

@@ -21,8 +21,8 @@ struct Loading {
     snapshot.packing.grains.radius = {0.05};
     snapshot.packing.domain.thickness = 0.01;
     stage.snapshots.push_back(snapshot);
-    for (const char* name : {"time", "left_position", "right_position", "bottom_position", "top_position", "left_force", "right_force", "bottom_force",
-                             "top_force", "bottom_shear_force", "top_shear_force"})
+    for (const char* name : {"time", "left_position", "right_position", "bottom_position", "top_position", "left_force",
+                             "right_force", "bottom_force", "top_force", "bottom_shear_force", "top_shear_force"})
       stage.history.columns.push_back({name, "", std::vector<double>(rows, 0.0)});
     if (sheared) stage.history.columns.push_back({"shear_strain", "", std::vector<double>(rows, 0.0)});
     for (std::size_t k = 0; k < rows; ++k) {
@@ -105,7 +105,8 @@ TEST(TestCurves, WithoutConfinementAreOfTheStressAlongTheAxis) {
   Loading test(5, false);
   test.of("top_position") = {0.1, 0.0999, 0.0998, 0.0997, 0.0996};
   test.stage.snapshots.back().packing.domain.thickness = 0.06;
-  for (std::size_t k = 0; k < 5; ++k) test.of("bottom_force")[k] = test.of("top_force")[k] = 600.0 * static_cast<double>(k);
+  for (std::size_t k = 0; k < 5; ++k)
+    test.of("bottom_force")[k] = test.of("top_force")[k] = 600.0 * static_cast<double>(k);
   const auto curves = test_curves(test.stage);
   ASSERT_TRUE(curves);
   EXPECT_EQ(curves->ratio_name(), "axial_stress");
@@ -181,7 +182,8 @@ TEST(TestCurves, ARatioIsThatOfTheMeansAndNotTheMeanOfRatios) {
   RandomStream random(6, Purpose::test);
   double shear = 0, normal = 0, ratios = 0;
   for (std::size_t k = 0; k < 2000; ++k) {
-    const double off = 0.2 * random.normal(), force = 100 * (1 + off), along = 100 * (0.3 * (1 - std::exp(-0.025 * static_cast<double>(k))) - 0.1 * off);
+    const double off = 0.2 * random.normal(), force = 100 * (1 + off),
+                 along = 100 * (0.3 * (1 - std::exp(-0.025 * static_cast<double>(k))) - 0.1 * off);
     test.of("bottom_force")[k] = test.of("top_force")[k] = force;
     test.of("bottom_shear_force")[k] = along;
     test.of("top_shear_force")[k] = -along;
@@ -198,7 +200,8 @@ TEST(TestCurves, ARatioIsThatOfTheMeansAndNotTheMeanOfRatios) {
 StageResult slid_to_and_fro() {
   Loading test(400, false);
   for (std::size_t k = 0; k < 400; ++k) {
-    test.of("time")[k] = 5 + 0.01 * static_cast<double>(k + 1);  // the stage began at 5 s; its first row is a little later
+    test.of("time")[k] =
+        5 + 0.01 * static_cast<double>(k + 1);  // the stage began at 5 s; its first row is a little later
     test.of("bottom_force")[k] = test.of("top_force")[k] = 100;
     test.of("bottom_shear_force")[k] = 30, test.of("top_shear_force")[k] = -30;
   }
@@ -234,7 +237,8 @@ TEST(TestCurves, NoCriticalStateWhileTheVolumeChanges) {
 TEST(TestCurves, NoCriticalStateWhereTheRatioDriftsOrTheStrainTurns) {
   Loading rising = steady_shear(0.3);
   for (std::size_t k = 0; k < 2000; ++k)
-    rising.of("bottom_shear_force")[k] = 0.02 * static_cast<double>(k), rising.of("top_shear_force")[k] = -rising.of("bottom_shear_force")[k];
+    rising.of("bottom_shear_force")[k] = 0.02 * static_cast<double>(k),
+    rising.of("top_shear_force")[k] = -rising.of("bottom_shear_force")[k];
   EXPECT_FALSE(critical_state(*test_curves(rising.stage)));
   Loading back = steady_shear(0.3);
   for (std::size_t k = 0; k < 2000; ++k) back.of("shear_strain")[k] = std::sin(static_cast<double>(k) * 0.01);

@@ -10,7 +10,9 @@
 namespace arenite::statistics {
 namespace {
 
-TEST(Correlation, EqualValuesShareTheirRank) { EXPECT_EQ(ranks({3, 1, 3, 2, 3}), (std::vector<double>{4, 1, 4, 2, 4})); }
+TEST(Correlation, EqualValuesShareTheirRank) {
+  EXPECT_EQ(ranks({3, 1, 3, 2, 3}), (std::vector<double>{4, 1, 4, 2, 4}));
+}
 
 TEST(Correlation, SpearmanSeesOrderAndPearsonALine) {
   std::vector<double> x, rising, line;
@@ -63,7 +65,9 @@ TEST(Correlation, UnknownRowsAreLeftOutAndNothingIsFeigned) {
   EXPECT_THROW(relate({1, 2}, {1}), InputError);
 }
 
-TEST(Correlation, RootMeanSquareDifferenceByHand) { EXPECT_NEAR(rms_difference({1, 2, 3}, {1, 4, 7}), std::sqrt(20.0 / 3), 1e-15); }
+TEST(Correlation, RootMeanSquareDifferenceByHand) {
+  EXPECT_NEAR(rms_difference({1, 2, 3}, {1, 4, 7}), std::sqrt(20.0 / 3), 1e-15);
+}
 
 TEST(OverMean, LeavesUnknownValuesOutOfTheMeanAndUnknown) {
   const auto norm = over_mean({2, unknown, 6});

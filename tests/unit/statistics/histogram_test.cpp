@@ -21,7 +21,8 @@ TEST(BlockedSample, CountsAreThoseOfASearchInEveryBlock) {
       if (sample.block[i] != b) continue;
       expected.front() += sample.x[i] < bins.edge(0);
       expected.back() += sample.x[i] >= bins.edge(10);
-      for (std::size_t k = 0; k < bins.count; ++k) expected[k + 1] += sample.x[i] >= bins.edge(k) && sample.x[i] < bins.edge(k + 1);
+      for (std::size_t k = 0; k < bins.count; ++k)
+        expected[k + 1] += sample.x[i] >= bins.edge(k) && sample.x[i] < bins.edge(k + 1);
     }
     EXPECT_EQ(counts.block[b], expected);
   }
@@ -68,7 +69,8 @@ TEST(BlockedSample, QuantilesByRankAreThoseOfTheSortedValues) {
 
 TEST(BlockedSample, QuantileAndShareInBinsAreEachOthersInverse) {
   const BlockCounts counts = counted(drawn(20000, 4, [](RandomStream& r) { return r.normal(); }));
-  for (const double p : {0.01, 0.3, 0.5, 0.9, 0.995}) EXPECT_NEAR(survival(counts.bins, counts.all, quantile(counts.bins, counts.all, p)), 1 - p, 1e-9);
+  for (const double p : {0.01, 0.3, 0.5, 0.9, 0.995})
+    EXPECT_NEAR(survival(counts.bins, counts.all, quantile(counts.bins, counts.all, p)), 1 - p, 1e-9);
 }
 
 }  // namespace

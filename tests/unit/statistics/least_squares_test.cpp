@@ -53,7 +53,8 @@ TEST(LeastSquares, ProductsWithTransposedAreThoseOfTheTransposed) {
 TEST(LeastSquares, SmallNormalEquationsFitWeighedRows) {
   const Matrix a = parabola_columns();
   SmallNormal<3> normal;
-  for (std::size_t n = 0; n < 6; ++n) normal.add({a(n, 0), a(n, 1), a(n, 2)}, 2 - 3 * a(n, 1) + 0.5 * a(n, 2), 1 + static_cast<double>(n));
+  for (std::size_t n = 0; n < 6; ++n)
+    normal.add({a(n, 0), a(n, 1), a(n, 2)}, 2 - 3 * a(n, 1) + 0.5 * a(n, 2), 1 + static_cast<double>(n));
   const auto x = normal.solution();
   EXPECT_NEAR(x[0], 2, 1e-11);
   EXPECT_NEAR(x[1], -3, 1e-11);

@@ -23,7 +23,8 @@ TEST(Student, QuantilesTurnSharesRound) {
   EXPECT_NEAR(student_quantile(0.975, 2), 0.95 * std::sqrt(2 / (1 - 0.95 * 0.95)), 1e-12);
   EXPECT_NEAR(student_quantile(0.975, std::numeric_limits<double>::infinity()), 1.959963984540054, 1e-12);
   for (const double freedom : {0.5, 1.7, 4.0, 17.0, 333.3, 1e6})
-    for (const double p : {0.001, 0.3, 0.5, 0.9, 0.9995}) EXPECT_NEAR(student_share(student_quantile(p, freedom), freedom), p, 1e-10) << freedom << " " << p;
+    for (const double p : {0.001, 0.3, 0.5, 0.9, 0.9995})
+      EXPECT_NEAR(student_share(student_quantile(p, freedom), freedom), p, 1e-10) << freedom << " " << p;
 }
 
 TEST(Student, ManyDegreesOfFreedomAreNormal) { EXPECT_NEAR(student_share(1.3, 1e6), student_share(1.3, 1e8), 1e-6); }

@@ -11,18 +11,23 @@ using namespace arenite;
 using test::from_json;
 
 TEST(Numbers, BracesMakeTreesAndLists) {
-  const Numbers n{
-      {"z", 3.5}, {"fabric", {{"a_c", {{"value", 0.1}, {"error", 0.01}}}, {"sectors", {1, 2, 3}}}}, {"notes", Numbers::list()}, {"twice", {"a", "b"}}};
+  const Numbers n{{"z", 3.5},
+                  {"fabric", {{"a_c", {{"value", 0.1}, {"error", 0.01}}}, {"sectors", {1, 2, 3}}}},
+                  {"notes", Numbers::list()},
+                  {"twice", {"a", "b"}}};
   EXPECT_TRUE(n.is_tree());
   EXPECT_EQ(n["z"].get<double>(), 3.5);
   EXPECT_EQ(n["fabric"]["sectors"].get<std::vector<int>>(), (std::vector<int>{1, 2, 3}));
   EXPECT_TRUE(n["notes"].is_list());
   EXPECT_EQ(n["twice"].get<std::vector<std::string>>(), (std::vector<std::string>{"a", "b"}));
-  EXPECT_EQ(to_json(n), R"({"z":3.5,"fabric":{"a_c":{"value":0.1,"error":0.01},"sectors":[1,2,3]},"notes":[],"twice":["a","b"]})");
+  EXPECT_EQ(to_json(n),
+            R"({"z":3.5,"fabric":{"a_c":{"value":0.1,"error":0.01},"sectors":[1,2,3]},"notes":[],"twice":["a","b"]})");
 }
 
 TEST(Numbers, OfAGroupMeanWhatItMeansUnlessTheySayIt) {
-  Numbers group{{"glass", {{"value", 3}, {"error", 1}}}, {"steel", statistics::described(4, "m", "of steel")}, {"sectors", {1, 2}}};
+  Numbers group{{"glass", {{"value", 3}, {"error", 1}}},
+                {"steel", statistics::described(4, "m", "of steel")},
+                {"sectors", {1, 2}}};
   const Numbers n{{"sets", statistics::described(group, "N", "of a set")}, {"word", "none"}, {"count", 7}};
   const auto all = named_numbers(n);
   ASSERT_EQ(all.size(), 3u);
@@ -35,7 +40,8 @@ TEST(Numbers, OfAGroupMeanWhatItMeansUnlessTheySayIt) {
 
 TEST(Numbers, KeepTheirOrderAndEveryDigitThroughJson) {
   const std::string text =
-      R"({"b":18446744073709551615,"a":-9223372036854775808,"pi":3.141592653589793,"yes":true,"none":null,"word":"\u00e4\n","list":[[1,2.5],{}]})";
+      R"({"b":18446744073709551615,"a":-9223372036854775808,"pi":3.141592653589793,"yes":true,"none":null,)"
+      R"("word":"\u00e4\n","list":[[1,2.5],{}]})";
   const auto n = from_json(text);
   ASSERT_TRUE(n);
   EXPECT_EQ((*n)["b"].get<std::uint64_t>(), std::numeric_limits<std::uint64_t>::max());

@@ -22,7 +22,9 @@ TEST(WithError, AnErrorOfRoundingIsNone) {
   EXPECT_EQ(with_error({1e-9, 1e-11}), "1e-09 +- 1e-11");
 }
 
-TEST(WithError, AnErrorThatIsNotKnownIsLeftOut) { EXPECT_EQ(with_error({1.5, std::numeric_limits<double>::quiet_NaN()}), "1.5"); }
+TEST(WithError, AnErrorThatIsNotKnownIsLeftOut) {
+  EXPECT_EQ(with_error({1.5, std::numeric_limits<double>::quiet_NaN()}), "1.5");
+}
 
 }  // namespace
 }  // namespace arenite::statistics

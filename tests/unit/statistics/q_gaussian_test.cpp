@@ -35,7 +35,8 @@ TEST(QGaussian, GivesBackItsParametersWithinTheirErrors) {
     const double scale = 0.3, beta = 1 / (3 - q) / (scale * scale);
     int within = 0;
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
-      const BlockedSample sample = drawn(40000, seed, [&](RandomStream& r) { return 1 + scale * draw_q_gaussian(r, q); });
+      const BlockedSample sample =
+          drawn(40000, seed, [&](RandomStream& r) { return 1 + scale * draw_q_gaussian(r, q); });
       const QGaussian fit = fit_q_gaussian(counted(sample), unchanged);
       EXPECT_NEAR(fit.q.value, q, 5 * fit.q.error) << q;
       EXPECT_NEAR(fit.beta.value, beta, 5 * fit.beta.error) << q;

@@ -31,10 +31,12 @@ TEST(CutLaws, RateGivesBackTheMeanOfACutExponential) {
 }
 
 TEST(CutLaws, GaussianIntegralAndRateAgreeWithSums) {
-  for (const auto& [theta, a, b] : {std::array{2.0, 0.5, 1.5}, std::array{0.1, -1.0, 2.0}, std::array{30.0, 0.3, 0.9}, std::array{1e-12, 1.0, 3.0}})
+  for (const auto& [theta, a, b] :
+       {std::array{2.0, 0.5, 1.5}, std::array{0.1, -1.0, 2.0}, std::array{30.0, 0.3, 0.9}, std::array{1e-12, 1.0, 3.0}})
     EXPECT_NEAR(log_integral_gaussian(theta, a, b), std::log(integral(theta, a, b)), 1e-6);
   const double h = 1e-5, theta = 5, a = 0.4, b = 1.2;  // mean square = -d ln Z / d theta
-  const double mean_square = -(log_integral_gaussian(theta + h, a, b) - log_integral_gaussian(theta - h, a, b)) / (2 * h);
+  const double mean_square =
+      -(log_integral_gaussian(theta + h, a, b) - log_integral_gaussian(theta - h, a, b)) / (2 * h);
   EXPECT_NEAR(cut_gaussian_rate(mean_square, a, b), theta, 1e-4);
   EXPECT_NEAR(cut_gaussian_rate(0.99 * b * b, a, b), 0, 1e-6);  // values that pile up at the far end
 }

@@ -15,7 +15,8 @@ TEST(Borders, MeasureTheSameStatesWithAnotherStripLeftOut) {
   const test::TemporaryFolder folder;
   const auto recipe =
       recipe::parse_recipe(test::small_packing_recipe +
-                               "solid_fraction = 0.7\n[contact]\nfriction_law = \"cundall_strack\"\n[[stages]]\nname = \"load\"\ntop = { force = \"100 N\" }\n",
+                               "solid_fraction = 0.7\n[contact]\nfriction_law = \"cundall_strack\"\n[[stages]]\nname = "
+                               "\"load\"\ntop = { force = \"100 N\" }\n",
                            "recipe.toml");
   workflow::RunOptions options;
   options.out = folder.path() / "runs" / "first";
@@ -25,7 +26,8 @@ TEST(Borders, MeasureTheSameStatesWithAnotherStripLeftOut) {
   table.rows[1].run = "missing";
   Results results;
   results.add("made-up", table, folder.path());
-  for (const double border : {0.0, 1.0}) add_with_border(results, "made-up", border, [](const validation::Run&) { return true; });
+  for (const double border : {0.0, 1.0})
+    add_with_border(results, "made-up", border, [](const validation::Run&) { return true; });
   add_with_border(results, "made-up", 2.5, [](const validation::Run& run) { return run.text("seed") == "2"; });
 
   const auto without = results.runs(with_border("made-up", 0)), with = results.runs(with_border("made-up", 1));

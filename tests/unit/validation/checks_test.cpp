@@ -6,7 +6,9 @@ namespace arenite::validation {
 namespace {
 
 TEST(Checks, HoldFailOrAreUndecidedByTheInterval) {
-  const auto above_1 = [](double value, double error, double freedom) { return above("", "", {value, error, freedom}, 1).outcome; };
+  const auto above_1 = [](double value, double error, double freedom) {
+    return above("", "", {value, error, freedom}, 1).outcome;
+  };
   EXPECT_EQ(above_1(1.3, 0.1, 4), Outcome::holds);
   EXPECT_EQ(above_1(0.7, 0.1, 4), Outcome::fails);
   EXPECT_EQ(above_1(1.2, 0.1, 4), Outcome::undecided);
@@ -43,7 +45,8 @@ TEST(Checks, ARangeMustHoldTheWholeInterval) {
 }
 
 TEST(Checks, EqualityIsShownAndNotMerelyNotDisproved) {
-  // A slope that is surely not zero but small is none; one that is not significant for want of samples is not shown to be none.
+  // A slope that is surely not zero but small is none; one that is not significant for want of samples is not shown to
+  // be none.
   EXPECT_EQ(equivalent("", "", {0.021, 0.002, 9}, 0.05).outcome, Outcome::holds);
   EXPECT_EQ(equivalent("", "", {0.01, 0.05, 9}, 0.05).outcome, Outcome::undecided);
   EXPECT_EQ(equivalent("", "", {0.09, 0.01, 9}, 0.05).outcome, Outcome::fails);
@@ -70,7 +73,8 @@ TEST(Checks, ADifferenceIsNeverBothShownAndRefuted) {
 
 TEST(Checks, ToldBesideCountAndNameWhatFails) {
   Judgement judgement;
-  add_beside(judgement, "under law R", {above("z", "", {4.2, 0.01, 4}, 4), above("rise", "", {}, 0), above("share", "", {0.1, 0.01, 4}, 0.5)});
+  add_beside(judgement, "under law R",
+             {above("z", "", {4.2, 0.01, 4}, 4), above("rise", "", {}, 0), above("share", "", {0.1, 0.01, 4}, 0.5)});
   ASSERT_EQ(judgement.findings.size(), 1u);
   EXPECT_EQ(judgement.findings[0], "Under law R, 1 of 2 corresponding checks hold; failing: share (0.100 +- 0.010).");
   ASSERT_EQ(judgement.checks.size(), 2u);

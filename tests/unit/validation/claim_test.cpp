@@ -20,12 +20,14 @@ struct Question {
 
 Judgement of(std::initializer_list<Question> all) {
   Judgement judgement;
-  for (const auto& [kind, outcome] : all) judgement.checks.push_back({"a number", "1", "", "0.9 to 1.1", {1, 0.01, 4}, {0.9, 1.1}, outcome, kind});
+  for (const auto& [kind, outcome] : all)
+    judgement.checks.push_back({"a number", "1", "", "0.9 to 1.1", {1, 0.01, 4}, {0.9, 1.1}, outcome, kind});
   return judgement;
 }
 
 constexpr auto trend = Kind::trend, number = Kind::number, source = Kind::source, beside = Kind::beside;
-constexpr auto holds = Outcome::holds, fails = Outcome::fails, undecided = Outcome::undecided, unknown = Outcome::unknown;
+constexpr auto holds = Outcome::holds, fails = Outcome::fails, undecided = Outcome::undecided,
+               unknown = Outcome::unknown;
 
 TEST(Verdict, IsReproducedWhereTrendsAndNumbersHold) {
   EXPECT_EQ(of({{trend, holds}, {number, holds}, {source, holds}}).verdict(), Verdict::reproduced);
@@ -35,12 +37,14 @@ TEST(Verdict, IsReproducedWhereTrendsAndNumbersHold) {
 TEST(Verdict, KeepsTrendsApartFromNumbers) {
   EXPECT_EQ(of({{trend, holds}, {number, fails}, {number, holds}}).verdict(), Verdict::trend_reproduced);
   EXPECT_EQ(of({{trend, fails}, {number, holds}}).verdict(), Verdict::not_reproduced);
-  EXPECT_EQ(of({{number, fails}, {number, holds}}).verdict(), Verdict::not_reproduced) << "a claim of numbers alone stands and falls with them";
+  EXPECT_EQ(of({{number, fails}, {number, holds}}).verdict(), Verdict::not_reproduced)
+      << "a claim of numbers alone stands and falls with them";
 }
 
 TEST(Verdict, IsUndecidedWhereNothingFailsThatDecides) {
   EXPECT_EQ(of({{trend, undecided}, {number, holds}}).verdict(), Verdict::undecided);
-  EXPECT_EQ(of({{trend, undecided}, {number, fails}}).verdict(), Verdict::undecided) << "whether the trend is there is open";
+  EXPECT_EQ(of({{trend, undecided}, {number, fails}}).verdict(), Verdict::undecided)
+      << "whether the trend is there is open";
   EXPECT_EQ(of({{trend, holds}, {number, undecided}}).verdict(), Verdict::undecided);
   EXPECT_EQ(of({{trend, undecided}, {trend, fails}}).verdict(), Verdict::not_reproduced);
 }
@@ -52,7 +56,9 @@ TEST(Verdict, IsUnknownWhileRunsAreMissingUnlessATrendFails) {
   EXPECT_EQ(of({{trend, unknown}, {trend, fails}}).verdict(), Verdict::not_reproduced);
 }
 
-TEST(Verdict, OfASourceThatContradictsItselfIsNeither) { EXPECT_EQ(of({{trend, fails}, {source, fails}}).verdict(), Verdict::source_inconsistent); }
+TEST(Verdict, OfASourceThatContradictsItselfIsNeither) {
+  EXPECT_EQ(of({{trend, fails}, {source, fails}}).verdict(), Verdict::source_inconsistent);
+}
 
 TEST(Verdict, OfWhatNoRunCanTestIsNeither) {
   Judgement judgement = of({{beside, fails}});
@@ -71,10 +77,12 @@ TEST(Verdict, DoesNotHangOnWhatIsToldBeside) {
 
 TEST(WhatDecides, IsTheFactBeforeTheChoiceBeforeTheNumber) {
   Judgement judgement = of({{trend, fails}});
-  EXPECT_EQ(what_decides(judgement), "No other choices were tried for it. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
+  EXPECT_EQ(what_decides(judgement),
+            "No other choices were tried for it. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
   Sensitivity z{"z", "> 2", {.low = 2}, {{"", {1, 0.1, 4}, fails}, {"with drag", {1.1, 0.1, 4}, fails}}};
   judgement.sensitivities = {z};
-  EXPECT_EQ(what_decides(judgement), "None of the choices tried meets the criterion. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
+  EXPECT_EQ(what_decides(judgement),
+            "None of the choices tried meets the criterion. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
   EXPECT_EQ(decider_of(judgement), Decider::none);
   judgement.sensitivities[0].entries.push_back({"without friction", {3, 0.1, 4}, holds});
   EXPECT_EQ(what_decides(judgement), "z meets its criterion (> 2) without friction.");
@@ -87,8 +95,10 @@ TEST(WhatDecides, IsTheFactBeforeTheChoiceBeforeTheNumber) {
 
 TEST(WhatDecides, IsNoChoiceThatDiffersByChance) {
   Judgement judgement = of({{trend, undecided}});
-  judgement.sensitivities = {{"z", "> 2", {.low = 2}, {{"", {2.05, 0.1, 4}, undecided}, {"without friction", {2.2, 0.05, 4}, holds}}}};
-  EXPECT_EQ(what_decides(judgement), "About 1.0 times as many seeds would decide it. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
+  judgement.sensitivities = {
+      {"z", "> 2", {.low = 2}, {{"", {2.05, 0.1, 4}, undecided}, {"without friction", {2.2, 0.05, 4}, holds}}}};
+  EXPECT_EQ(what_decides(judgement),
+            "About 1.0 times as many seeds would decide it. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
   EXPECT_EQ(decider_of(judgement), Decider::seeds);
 }
 
@@ -103,7 +113,8 @@ TEST(WhatDecides, IsTheGridWhereGridsMoveANumberAcrossItsBound) {
                                  {"with 2048 nodes", {finer, 0.002, 4}, finer > 1 ? fails : holds, kind}}}};
     return decider_of(judgement);
   };
-  EXPECT_EQ(with(Decider::protocol, 1.019), Decider::seeds) << "more of them tell what holds with the reference settings";
+  EXPECT_EQ(with(Decider::protocol, 1.019), Decider::seeds)
+      << "more of them tell what holds with the reference settings";
   EXPECT_EQ(with(Decider::grid, 0.98), Decider::seeds) << "no grid gives the other end";
   EXPECT_EQ(with(Decider::grid, 1.019), Decider::grid);
   EXPECT_EQ(what_decides(judgement),
@@ -121,7 +132,9 @@ TEST(WhatDecides, IsWhatTheDecidingCheckSaysOfItself) {
 }
 
 TEST(WhatDecides, TellsHowManyTimesAsManySeedsItTakes) {
-  const auto factor = [](double value, double error, double freedom) { return seeds_factor(above("", "", {value, error, freedom}, 0)); };
+  const auto factor = [](double value, double error, double freedom) {
+    return seeds_factor(above("", "", {value, error, freedom}, 0));
+  };
   // Ten seeds: 0.037 +- 0.022 is beyond its error with 18 (0.037 over 0.0164 is 2.26 > t of 17 degrees of freedom,
   // 2.11).
   EXPECT_NEAR(factor(0.037, 0.022, 9), 1.6, 0.1);
@@ -134,7 +147,10 @@ TEST(WhatDecides, TellsHowManyTimesAsManySeedsItTakes) {
 TEST(WhatDecides, OfWhatIsReproducedIsTheChoiceThatSpoilsIt) {
   Judgement judgement = of({{trend, holds}});
   judgement.sensitivities = {
-      {"z", "> 2", {.low = 2}, {{"", {3, 0.1, 4}, holds}, {"without friction", {1, 0.1, 4}, fails}, {"with drag", {3.1, 0.1, 4}, holds}}}};
+      {"z",
+       "> 2",
+       {.low = 2},
+       {{"", {3, 0.1, 4}, holds}, {"without friction", {1, 0.1, 4}, fails}, {"with drag", {3.1, 0.1, 4}, holds}}}};
   EXPECT_EQ(what_decides(judgement), "z no longer meets its criterion (> 2) without friction.");
   judgement.sensitivities[0].entries.erase(judgement.sensitivities[0].entries.begin() + 1);
   EXPECT_EQ(what_decides(judgement), "None of the choices tried reverses it.");
@@ -153,8 +169,10 @@ TEST(Claims, HaveIdsOfTheirOwnAndStudiesThatComeWithTheProgram) {
 TEST(Claims, HaveTheirFigureOnThePageOfTheirFirstStudy) {
   for (const Claim& claim : claims()) {
     if (figure_place(claim).empty()) continue;
-    const auto figures = report::read_figures(embedded_text(claim.studies.front(), "figures.toml"), claim.studies.front());
-    EXPECT_TRUE(std::any_of(figures.begin(), figures.end(), [&](const auto& figure) { return figure.id == claim.figure; }))
+    const auto figures =
+        report::read_figures(embedded_text(claim.studies.front(), "figures.toml"), claim.studies.front());
+    EXPECT_TRUE(
+        std::any_of(figures.begin(), figures.end(), [&](const auto& figure) { return figure.id == claim.figure; }))
         << claim.id << ": " << figure_place(claim);
   }
 }

@@ -1,4 +1,5 @@
-// T22 with made-up tables: cohesion that leaves a trace and cohesion that does not, in packings that differ by far more.
+// T22 with made-up tables: cohesion that leaves a trace and cohesion that does not, in packings that differ by far
+// more.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,15 +21,17 @@ const std::vector<std::string> numbers{"sigma_norm.by_material.glued.mean_Pa",
                                        "coordination.all",
                                        "force.strong_share"};
 
-/// `effect` of a surface energy in kN/mm on the stress inside, a part of it; seeds differ by a tenth, and by `scatter` from glue to glue.
+/// `effect` of a surface energy in kN/mm on the stress inside, a part of it; seeds differ by a tenth, and by `scatter`
+/// from glue to glue.
 Results made_up(double (*effect)(double gamma), double scatter = 0.004) {
   std::vector<MadeUpRun> runs;
   for (const char* gamma : {"1.060", "0.5", "0.2735", "0.000001"})
     for (int seed = 1; seed <= 8; ++seed) {
       const double packing = 1 + 0.1 * std::sin(7.0 * seed), chance = scatter * noise({1.0 * seed, std::stod(gamma)});
       const double inside = packing * (1 + effect(std::stod(gamma)) + chance);
-      runs.push_back(
-          {{gamma, std::to_string(seed)}, {inside, packing, 0.5 * (1 + chance), 160 * packing, 77, 0.4, 100 * packing, 110 * packing, 4 * packing, 0.4}});
+      runs.push_back({{gamma, std::to_string(seed)},
+                      {inside, packing, 0.5 * (1 + chance), 160 * packing, 77, 0.4, 100 * packing, 110 * packing,
+                       4 * packing, 0.4}});
     }
   Results results;
   results.add("thesis-ch6", made_up_table({"contact.surface_energy", "seed"}, numbers, runs));

@@ -14,13 +14,16 @@ Judgement steady(double change, double scatter) {
   std::vector<MadeUpRun> runs;
   for (const char* stiffness : {"27.35", "6.8375", "2.735"})
     for (int seed = 1; seed <= 10; ++seed) {
-      const double ratio = 27.35 / std::stod(stiffness), z = 3.3 * (1 + change * std::log10(ratio)) + scatter * noise({1.0 * ratio, 1.0 * seed}) + 0.1 * seed;
-      runs.push_back({{stiffness, std::to_string(seed)}, {z, z, 0.5, 0.25, 0.25, 1.75 + 0.001 * noise({1.0 * seed, 1.0 * ratio})}});
+      const double ratio = 27.35 / std::stod(stiffness),
+                   z = 3.3 * (1 + change * std::log10(ratio)) + scatter * noise({1.0 * ratio, 1.0 * seed}) + 0.1 * seed;
+      runs.push_back({{stiffness, std::to_string(seed)},
+                      {z, z, 0.5, 0.25, 0.25, 1.75 + 0.001 * noise({1.0 * seed, 1.0 * ratio})}});
     }
   Results results;
   results.add("thesis-ch5", made_up_table({"materials.B.stiffness", "seed"},
-                                          {"coordination.all", "coordination.without_rattlers", "coordination.share_of_contacts.A-B",
-                                           "coordination.share_of_contacts.A-A", "coordination.share_of_contacts.B-B", "coordination.parts_of_z.A-B"},
+                                          {"coordination.all", "coordination.without_rattlers",
+                                           "coordination.share_of_contacts.A-B", "coordination.share_of_contacts.A-A",
+                                           "coordination.share_of_contacts.B-B", "coordination.parts_of_z.A-B"},
                                           runs));
   return judge_t13(results);
 }
@@ -37,12 +40,14 @@ Judgement rising(double from, double to, double step_down) {
   std::vector<MadeUpRun> runs;
   for (int ratio = 1; ratio <= 10; ++ratio)
     for (int seed = 1; seed <= 5; ++seed) {
-      const double z = from + (to - from) * std::log10(ratio) - (ratio == 5 ? step_down : 0) + 0.02 * noise({1.0 * ratio, 1.0 * seed});
+      const double z = from + (to - from) * std::log10(ratio) - (ratio == 5 ? step_down : 0) +
+                       0.02 * noise({1.0 * ratio, 1.0 * seed});
       runs.push_back({{std::to_string(ratio), std::to_string(seed)}, {z, z + 0.05}});
     }
   Results results;
   for (const char* study : {"thesis-ch4", "thesis-ch4-r"})
-    results.add(study, made_up_table({"populations.1.ratio", "seed"}, {"coordination.all", "coordination.without_rattlers"}, runs));
+    results.add(study, made_up_table({"populations.1.ratio", "seed"},
+                                     {"coordination.all", "coordination.without_rattlers"}, runs));
   return judge_t8(results);
 }
 
@@ -57,10 +62,13 @@ TEST(RisingCoordination, IsATrendWhateverItsNumbers) {
 TEST(SharesAboveTheMean, AreSetAgainstATableThatContradictsItsSentence) {
   std::vector<MadeUpRun> runs;
   for (const char* pom : {"638", "334", "86"})
-    for (int seed = 1; seed <= 5; ++seed) runs.push_back({{pom, std::to_string(seed)}, {0.45 + 0.001 * seed, 0.46 + 0.001 * seed, 0.47 + 0.001 * seed}});
+    for (int seed = 1; seed <= 5; ++seed)
+      runs.push_back({{pom, std::to_string(seed)}, {0.45 + 0.001 * seed, 0.46 + 0.001 * seed, 0.47 + 0.001 * seed}});
   Results results;
-  results.add("thesis-ch3",
-              made_up_table({"populations.0.count", "seed"}, {"sigma_norm.P0", "sigma_norm.by_material.POM.P0", "sigma_norm.by_material.HDPE.P0"}, runs));
+  results.add(
+      "thesis-ch3",
+      made_up_table({"populations.0.count", "seed"},
+                    {"sigma_norm.P0", "sigma_norm.by_material.POM.P0", "sigma_norm.by_material.HDPE.P0"}, runs));
   const Judgement judgement = judge_t5(results);
   EXPECT_EQ(judgement.checks[0].outcome, Outcome::holds);
   EXPECT_EQ(judgement.checks[1].outcome, Outcome::holds);
@@ -72,12 +80,14 @@ Judgement four_fold(double amplitude, double phase) {
   std::vector<MadeUpRun> runs;
   for (int seed = 1; seed <= 8; ++seed) {
     std::vector<double> numbers;
-    for (int set = 0; set < 3; ++set) numbers.insert(numbers.end(), {900, amplitude, phase + 2 * noise({1.0 * seed, 1.0 * set})});
+    for (int set = 0; set < 3; ++set)
+      numbers.insert(numbers.end(), {900, amplitude, phase + 2 * noise({1.0 * seed, 1.0 * set})});
     runs.push_back({{"1.060", std::to_string(seed)}, numbers});
   }
   std::vector<std::string> names;
   for (const char* path : {"fabric", "fabric.sets.dry-dry", "fabric.sets.glued-glued"})
-    for (const char* number : {".contacts", ".modes.4.amplitude", ".modes.4.phase_deg"}) names.push_back(std::string(path) + number);
+    for (const char* number : {".contacts", ".modes.4.amplitude", ".modes.4.phase_deg"})
+      names.push_back(std::string(path) + number);
   Results results;
   results.add("thesis-ch6", made_up_table({"contact.surface_energy", "seed"}, names, runs));
   return judge_t16(results);
@@ -102,12 +112,13 @@ Judgement strong_by_type(double fall, double hump) {
     for (int seed = 1; seed <= 10; ++seed) {
       const double way = (ratio - 1) / 9.0, chance = 0.003 * noise({1.0 * ratio, 1.0 * seed});
       const double mixed = 0.12 + hump * (1 - std::abs(ratio - 4.0) / 6);
-      runs.push_back(
-          {{std::to_string(ratio), std::to_string(seed)}, {0.27 - fall * way + chance, 0.01 + fall * way - chance, mixed + chance, 1, 1, 1, 3, 2, 2, 1}});
+      runs.push_back({{std::to_string(ratio), std::to_string(seed)},
+                      {0.27 - fall * way + chance, 0.01 + fall * way - chance, mixed + chance, 1, 1, 1, 3, 2, 2, 1}});
     }
   std::vector<std::string> names;
   for (const char* number : {"strong_share_of_all", "mean_N", "maximum"})
-    for (const char* type : {"POM-POM", "HDPE-HDPE", "HDPE-POM"}) names.push_back(std::string("force.by_type.") + type + "." + number);
+    for (const char* type : {"POM-POM", "HDPE-HDPE", "HDPE-POM"})
+      names.push_back(std::string("force.by_type.") + type + "." + number);
   Results results;
   results.add("thesis-ch4", made_up_table({"populations.1.ratio", "seed"}, names, runs));
   return judge_t19(results);
@@ -124,16 +135,20 @@ TEST(StrongContactsByType, AreSharesOfAllContacts) {
 Judgement shares_with_glue(double glued) {
   std::vector<MadeUpRun> runs;
   for (int seed = 1; seed <= 25; ++seed)
-    runs.push_back(
-        {{"1.060", std::to_string(seed)}, {0.48 + 0.02 * noise({1.0 * seed}), 0.48 + 0.02 * noise({2.0 * seed}), (glued + 5 * noise({3.0 * seed})) / 100}});
+    runs.push_back({{"1.060", std::to_string(seed)},
+                    {0.48 + 0.02 * noise({1.0 * seed}), 0.48 + 0.02 * noise({2.0 * seed}),
+                     (glued + 5 * noise({3.0 * seed})) / 100}});
   Results results;
-  results.add("thesis-ch6",
-              made_up_table({"contact.surface_energy", "seed"}, {"sigma_norm.P0", "sigma_norm.by_material.dry.P0", "sigma_norm.by_material.glued.P0"}, runs));
+  results.add(
+      "thesis-ch6",
+      made_up_table({"contact.surface_energy", "seed"},
+                    {"sigma_norm.P0", "sigma_norm.by_material.dry.P0", "sigma_norm.by_material.glued.P0"}, runs));
   return judge_t15(results);
 }
 
 TEST(SharesWithGlue, AreThoseOfTheTableWithinAMarginAndNoSideOfACoin) {
-  EXPECT_EQ(shares_with_glue(50.6).verdict(), Verdict::reproduced) << "beyond one half, and within the scatter of one sample";
+  EXPECT_EQ(shares_with_glue(50.6).verdict(), Verdict::reproduced)
+      << "beyond one half, and within the scatter of one sample";
   EXPECT_EQ(shares_with_glue(57).verdict(), Verdict::not_reproduced);
 }
 
@@ -148,10 +163,11 @@ TEST(ChainsThatAvoidAnAgglomerate, AreSeenInTheSamePackings) {
         runs.push_back({{glue, std::to_string(seed)}, {inside, 1, 0.005, 0.03}});
       }
     Results results;
-    results.add("thesis-ch6", made_up_table({"contact.surface_energy", "seed"},
-                                            {"sigma_norm.by_material.glued.mean_Pa", "sigma_norm.by_material.dry.mean_Pa", "force.tensile_share",
-                                             "force.tensile.mean_over_compressive_mean"},
-                                            runs));
+    results.add("thesis-ch6",
+                made_up_table({"contact.surface_energy", "seed"},
+                              {"sigma_norm.by_material.glued.mean_Pa", "sigma_norm.by_material.dry.mean_Pa",
+                               "force.tensile_share", "force.tensile.mean_over_compressive_mean"},
+                              runs));
     return judge_t21(results).verdict();
   };
   EXPECT_EQ(judged(-0.06), Verdict::reproduced);

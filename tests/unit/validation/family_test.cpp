@@ -91,7 +91,8 @@ TEST(OnTheWhole, NeedsTheMeanAndNoContradiction) {
   EXPECT_EQ(against.outcome, Outcome::fails);
   EXPECT_NE(against.what.find("contradicting: pair 3 (-1.00 +- 0.10)"), std::string::npos) << against.what;
   family[3].value = {-0.3, 0.1, 4};
-  EXPECT_EQ(on_the_whole("", "", family, +1).outcome, Outcome::holds) << "3 errors of 5 samples the other way are chance among 45";
+  EXPECT_EQ(on_the_whole("", "", family, +1).outcome, Outcome::holds)
+      << "3 errors of 5 samples the other way are chance among 45";
 }
 
 TEST(OnTheWhole, IsUndecidedWithoutErrorsAndUnknownWithoutMembers) {

@@ -13,7 +13,8 @@
 namespace arenite::validation {
 namespace {
 
-const std::vector<std::string> small_sweep{"sweep.replicates=2", "sweep.grid={ \"contact.surface_energy\" = [\"1.060 kN/mm\", \"0.5 kN/mm\"] }"};
+const std::vector<std::string> small_sweep{
+    "sweep.replicates=2", "sweep.grid={ \"contact.surface_energy\" = [\"1.060 kN/mm\", \"0.5 kN/mm\"] }"};
 const Where glued{{"contact.surface_energy", "1.06"}};
 
 /// The glued agglomerate with two glues and two seeds.
@@ -40,7 +41,8 @@ TEST(FurtherSeeds, AddRunsAndChangeNone) {
   EXPECT_EQ(own.own_seeds(), 2u);
   EXPECT_EQ(own.runs_a_seed({}), 2u);
   EXPECT_EQ(own.runs_a_seed(glued), 1u);
-  const SeededStudy more = seeded(folder, {{{"thesis-ch6", glued}, 4}, {{"thesis-ch6", {}}, 3}, {{"thesis-ch5", {}}, 9}});
+  const SeededStudy more =
+      seeded(folder, {{{"thesis-ch6", glued}, 4}, {{"thesis-ch6", {}}, 3}, {{"thesis-ch5", {}}, 9}});
   ASSERT_EQ(more.planned().runs.size(), 4u + 1 + 1 + 1);
   for (std::size_t run = 0; run < 4; ++run) EXPECT_EQ(more.planned().runs[run].name, own.planned().runs[run].name);
   EXPECT_EQ(value_of(more.planned().runs[4], "seed"), "3") << "seed by seed";
@@ -90,7 +92,8 @@ TEST(FurtherSeeds, ComeNextWhereFewestDecide) {
   const test::TemporaryFolder folder;
   const SeededStudy study = seeded(folder, {});
   const auto find = [&](const std::string& name) { return name == "thesis-ch6" ? &study : nullptr; };
-  const Check far = positive("far", "", {1, 0.9, 40}), near = drawn({{"thesis-ch6", glued}}, positive("near", "", {1, 0.55, 40}));
+  const Check far = positive("far", "", {1, 0.9, 40}),
+              near = drawn({{"thesis-ch6", glued}}, positive("near", "", {1, 0.55, 40}));
   const Check hopeless = positive("hopeless", "", {0.001, 1, 40}), certain = positive("certain", "", {5, 1, 40});
   const auto wanted = seeds_wanted(ledger_of({far, hopeless, certain, near, beside(far)}), {}, find);
   ASSERT_EQ(wanted.size(), 2u);
@@ -103,7 +106,8 @@ TEST(FurtherSeeds, ComeNextWhereFewestDecide) {
   const auto later = seeds_wanted(ledger_of({far}), {{{"thesis-ch6", {}}, 9}}, find);
   EXPECT_GT(later[0].next[0].seeds, 9u);
   // Draws that go together are brought to the same number: the glued ones have four already.
-  const Check paired = drawn({{"thesis-ch6", glued}, {"thesis-ch6", {{"contact.surface_energy", "0.5"}}}}, positive("paired", "", {1, 0.55, 40}));
+  const Check paired = drawn({{"thesis-ch6", glued}, {"thesis-ch6", {{"contact.surface_energy", "0.5"}}}},
+                             positive("paired", "", {1, 0.55, 40}));
   const auto level = seeds_wanted(ledger_of({paired}), {{{"thesis-ch6", glued}, 4}}, find);
   ASSERT_EQ(level[0].next.size(), 1u);
   EXPECT_EQ(level[0].next[0].draw.where.front().second, "0.5");

@@ -36,7 +36,9 @@ struct MadeUpRun {
   std::string status = "done";
 };
 
-inline campaign::CollectedTable made_up_table(const std::vector<std::string>& keys, const std::vector<std::string>& names, const std::vector<MadeUpRun>& runs) {
+inline campaign::CollectedTable made_up_table(const std::vector<std::string>& keys,
+                                              const std::vector<std::string>& names,
+                                              const std::vector<MadeUpRun>& runs) {
   campaign::CollectedTable table;
   for (const auto& key : keys) table.keys.push_back({key, ""});
   table.names = names;
@@ -44,7 +46,8 @@ inline campaign::CollectedTable made_up_table(const std::vector<std::string>& ke
     campaign::CollectedTable::Row row;
     row.status = run.status;
     row.values = run.values;
-    for (std::size_t k = 0; k < names.size(); ++k) row.numbers.push_back(k < run.numbers.size() ? campaign::Estimate{run.numbers[k]} : campaign::Estimate());
+    for (std::size_t k = 0; k < names.size(); ++k)
+      row.numbers.push_back(k < run.numbers.size() ? campaign::Estimate{run.numbers[k]} : campaign::Estimate());
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -29,14 +29,17 @@ TEST(Pooled, ModesAddAsVectorsWeighedByContacts) {
 
 TEST(Pooled, ModesHaveErrorsFromTheScatterOfSeeds) {
   const std::vector<std::string> names{"fabric.contacts", "fabric.modes.2.amplitude", "fabric.modes.2.phase_deg"};
-  const PooledMode along = pooled_mode(made_up(names, {{{"1", "1"}, {100, 0.3, 90}}, {{"1", "2"}, {100, 0.5, 90}}}).runs("made-up"), "", 2);
+  const PooledMode along =
+      pooled_mode(made_up(names, {{{"1", "1"}, {100, 0.3, 90}}, {{"1", "2"}, {100, 0.5, 90}}}).runs("made-up"), "", 2);
   EXPECT_NEAR(along.amplitude.value, 0.4, 1e-12);
   EXPECT_NEAR(along.amplitude.error, 0.1, 1e-12);
   EXPECT_NEAR(along.phase_deg.error, 0, 1e-9);
-  const PooledMode across = pooled_mode(made_up(names, {{{"1", "1"}, {100, 0.5, 89}}, {{"1", "2"}, {100, 0.5, 91}}}).runs("made-up"), "", 2);
+  const PooledMode across =
+      pooled_mode(made_up(names, {{{"1", "1"}, {100, 0.5, 89}}, {{"1", "2"}, {100, 0.5, 91}}}).runs("made-up"), "", 2);
   EXPECT_NEAR(across.phase_deg.value, 90, 1e-9);
   EXPECT_NEAR(across.phase_deg.error, 1, 1e-3);
-  EXPECT_TRUE(std::isnan(pooled_mode(made_up(names, {{{"1", "1"}, {100, 0.5, 89}}}).runs("made-up"), "", 2).amplitude.error));
+  EXPECT_TRUE(
+      std::isnan(pooled_mode(made_up(names, {{{"1", "1"}, {100, 0.5, 89}}}).runs("made-up"), "", 2).amplitude.error));
 }
 
 TEST(Pooled, AnglesRepeat) {
@@ -47,7 +50,8 @@ TEST(Pooled, AnglesRepeat) {
 TEST(Pooled, SlopesOfSeedsLeaveOutWhatSeedsDifferBy) {
   std::vector<MadeUpRun> runs;
   for (const int seed : {1, 2, 3})
-    for (const int ratio : {1, 2, 3}) runs.push_back({{std::to_string(ratio), std::to_string(seed)}, {100.0 * seed + 2.0 * ratio}});
+    for (const int ratio : {1, 2, 3})
+      runs.push_back({{std::to_string(ratio), std::to_string(seed)}, {100.0 * seed + 2.0 * ratio}});
   const Results results = made_up({"z"}, runs);
   const Value slope = slope_over_seeds(results.runs("made-up"), swept("ratio"), "z");
   EXPECT_NEAR(slope.value, 2, 1e-9);
@@ -60,10 +64,12 @@ TEST(Pooled, SlopesOfSeedsLeaveOutWhatSeedsDifferBy) {
 TEST(Pooled, ChangesOfSeedsLeaveOutWhatPackingsDifferBy) {
   std::vector<MadeUpRun> runs;
   for (const int seed : {1, 2, 3})
-    for (const int treated : {0, 1}) runs.push_back({{std::to_string(treated), std::to_string(seed)}, {100.0 * seed * (treated ? 0.9 : 1)}});
+    for (const int treated : {0, 1})
+      runs.push_back({{std::to_string(treated), std::to_string(seed)}, {100.0 * seed * (treated ? 0.9 : 1)}});
   runs.push_back({{"1", "4"}, {7}});
   const Results results = made_up({"z"}, runs);
-  const Value change = paired_change(results.runs("made-up", {{"ratio", "1"}}), results.runs("made-up", {{"ratio", "0"}}), "z");
+  const Value change =
+      paired_change(results.runs("made-up", {{"ratio", "1"}}), results.runs("made-up", {{"ratio", "0"}}), "z");
   EXPECT_NEAR(change.value, -0.1, 1e-12);
   EXPECT_NEAR(change.error, 0, 1e-12);
   EXPECT_EQ(change.freedom, 2) << "the fourth has no partner";
@@ -71,7 +77,8 @@ TEST(Pooled, ChangesOfSeedsLeaveOutWhatPackingsDifferBy) {
 
 TEST(Pooled, TailsAreMeansOverSeeds) {
   const std::vector<std::string> names{"force.log_likelihood_ratio", "force.line_r2", "force.beta"};
-  const Results results = made_up(names, {{{"1", "1"}, {2, 0.98, 1.2}}, {{"2", "1"}, {4, 0.98, 1.2}}, {{"1", "2"}, {5, 0.96, 1.4}}});
+  const Results results =
+      made_up(names, {{{"1", "1"}, {2, 0.98, 1.2}}, {{"2", "1"}, {4, 0.98, 1.2}}, {{"1", "2"}, {5, 0.96, 1.4}}});
   const PooledTail tail = pooled_tail(results.runs("made-up"), "force");
   EXPECT_DOUBLE_EQ(tail.lead.value, 4);  // seeds have 3 and 5
   EXPECT_DOUBLE_EQ(tail.lead.error, 1);
@@ -81,7 +88,8 @@ TEST(Pooled, TailsAreMeansOverSeeds) {
 }
 
 TEST(Pooled, RandomDirectionsLieNowhereAlongAnAxis) {
-  // Seeds that each have an amplitude of 0.2 in directions spread evenly: none along any axis, where amplitudes would add up to 0.2.
+  // Seeds that each have an amplitude of 0.2 in directions spread evenly: none along any axis, where amplitudes would
+  // add up to 0.2.
   std::vector<MadeUpRun> runs;
   for (int seed = 0; seed < 12; ++seed) runs.push_back({{"1", std::to_string(seed)}, {100, 0.2, 15.0 * seed}});
   const Results results = made_up({"fabric.contacts", "fabric.modes.2.amplitude", "fabric.modes.2.phase_deg"}, runs);
@@ -90,8 +98,8 @@ TEST(Pooled, RandomDirectionsLieNowhereAlongAnAxis) {
   EXPECT_NEAR(none.error, 0.2 / std::sqrt(2.0) / std::sqrt(11.0), 1e-9);
   EXPECT_EQ(none.freedom, 11);
   EXPECT_NEAR(mean_over_seeds(results.runs("made-up"), "fabric.modes.2.amplitude").value, 0.2, 1e-12);
-  const Results across =
-      made_up({"fabric.contacts", "fabric.modes.2.amplitude", "fabric.modes.2.phase_deg"}, {{{"1", "1"}, {100, 0.3, 0}}, {{"1", "2"}, {300, 0.1, 0}}});
+  const Results across = made_up({"fabric.contacts", "fabric.modes.2.amplitude", "fabric.modes.2.phase_deg"},
+                                 {{{"1", "1"}, {100, 0.3, 0}}, {{"1", "2"}, {300, 0.1, 0}}});
   EXPECT_NEAR(pooled_along(across.runs("made-up"), "", 2, 90).value, -0.15, 1e-12);
 }
 

@@ -13,18 +13,25 @@ namespace {
 
 /// One claim whose numbers are not reproduced, one of which nothing is known, one that is reproduced.
 Ledger three_claims() {
-  static const Claim first{"T1", "table 1", "k is 3|4", "3|4 kN/mm", {"made-up"}, "k", nullptr}, second{"T2", "table 2", "k is 5", "5", {}, "", nullptr},
-      third{"T3", "table 3", "k rises", "-", {}, "", nullptr};
+  static const Claim first{"T1", "table 1", "k is 3|4", "3|4 kN/mm", {"made-up"}, "k", nullptr},
+      second{"T2", "table 2", "k is 5", "5", {}, "", nullptr}, third{"T3", "table 3", "k rises", "-", {}, "", nullptr};
   Judgement judged;
-  judged.checks = {positive("rise of k", "rises", {0.2, 0.01, 4}), number(within("k", {3.5, 0.025, 4}, 3, 0.1, "kN/mm")),
+  judged.checks = {positive("rise of k", "rises", {0.2, 0.01, 4}),
+                   number(within("k", {3.5, 0.025, 4}, 3, 0.1, "kN/mm")),
                    beside(below("k, under law R", "3", {9, 0.5, 4}, 4))};
   judged.findings = {"More of it would be better."};
-  judged.sensitivities = {
-      {"k|k",
-       "> 4",
-       {.low = 4},
-       {{"", {3.5, 0.025, 4}, Outcome::fails}, {"without friction", {5, 0.25, 2}, Outcome::holds}, {"with drag & glue", {}, Outcome::unknown}}},
-      {"z", "", {}, {{"", {4}, Outcome::unknown}, {"without friction", {5, 0.5, 2}, Outcome::unknown}, {"with drag & glue", {6, 0.5, 2}, Outcome::unknown}}}};
+  judged.sensitivities = {{"k|k",
+                           "> 4",
+                           {.low = 4},
+                           {{"", {3.5, 0.025, 4}, Outcome::fails},
+                            {"without friction", {5, 0.25, 2}, Outcome::holds},
+                            {"with drag & glue", {}, Outcome::unknown}}},
+                          {"z",
+                           "",
+                           {},
+                           {{"", {4}, Outcome::unknown},
+                            {"without friction", {5, 0.5, 2}, Outcome::unknown},
+                            {"with drag & glue", {6, 0.5, 2}, Outcome::unknown}}}};
   Judgement open, rises;
   open.checks = {positive("k", "5", {})};
   rises.checks = {positive("rise of k", "rises", {0.2, 0.01, 4})};
@@ -33,10 +40,14 @@ Ledger three_claims() {
 
 TEST(LedgerReport, TextHasVerdictsNumbersAndWhatDecides) {
   const std::string text = ledger_text(three_claims());
-  for (const char* part : {"2 of 4 runs done", "trend reproduced, numbers not (decided by: protocol): source 3|4 kN/mm, ours k: 3.500 +- 0.025 kN/mm\n",
-                           "  k|k meets its criterion (> 4) without friction.\n", "fails     k: 3.500 +- 0.025 kN/mm (source 3, required 3 +- 0.1; number)\n",
-                           "More of it would be better.", "  unknown (decided by: missing runs): source 5, ours not known\n",
-                           "k|k (required > 4): 3.500 +- 0.025; without friction 5.00 +- 0.25 (holds)\n", "  figure: made-up/study.html#k\n"})
+  for (const char* part :
+       {"2 of 4 runs done",
+        "trend reproduced, numbers not (decided by: protocol): source 3|4 kN/mm, ours k: 3.500 +- 0.025 kN/mm\n",
+        "  k|k meets its criterion (> 4) without friction.\n",
+        "fails     k: 3.500 +- 0.025 kN/mm (source 3, required 3 +- 0.1; number)\n", "More of it would be better.",
+        "  unknown (decided by: missing runs): source 5, ours not known\n",
+        "k|k (required > 4): 3.500 +- 0.025; without friction 5.00 +- 0.25 (holds)\n",
+        "  figure: made-up/study.html#k\n"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
@@ -58,7 +69,8 @@ TEST(LedgerReport, JsonHasNoNumberThatIsNotKnown) {
 TEST(LedgerReport, ChangedVerdictsAreTold) {
   const std::string same = ledger_verdicts(three_claims(), true);
   EXPECT_TRUE(changed_verdicts(three_claims(), same, "f", true).empty());
-  const std::string other = "claim,verdict\nof,\"the small studies (for tests only, not the ledger)\"\nT1,reproduced\nT3,undecided\n";
+  const std::string other =
+      "claim,verdict\nof,\"the small studies (for tests only, not the ledger)\"\nT1,reproduced\nT3,undecided\n";
   const auto changes = changed_verdicts(three_claims(), other, "f", true);
   ASSERT_EQ(changes.size(), 3u);
   EXPECT_EQ(changes[0], "T1: trend reproduced, numbers not now, reproduced in f");
@@ -78,8 +90,7 @@ TEST(LedgerReport, VerdictsOfSmallStudiesAreNotTakenForTheLedger) {
 TEST(LedgerReport, ThePageHasOneRowAClaimAndSectionsOnlyForWhatIsNotReproduced) {
   const std::string page = ledger_page(three_claims(), "ledger");
   EXPECT_NE(page.find("| [T1](#t1) | k is 3\\|4 | 3\\|4 kN/mm | k: 3.500 ± 0.025 kN/mm | trend reproduced, numbers not "
-                      "| protocol | k\\|k meets its criterion (> 4) "
-                      "without friction. |\n"),
+                      "| protocol | k\\|k meets its criterion (> 4) without friction. |\n"),
             std::string::npos)
       << page;
   EXPECT_NE(page.find("| T3 | k rises |"), std::string::npos) << page;
@@ -104,11 +115,13 @@ TEST(LedgerReport, ASectionHasOnlyChecksThatDoNotHoldAndOnePicture) {
 
 TEST(LedgerReport, CsvHasAllChecksAndChoices) {
   const std::string csv = ledger_csv(three_claims());
-  EXPECT_EQ(csv.substr(0, csv.find('\n')), "claim,kind,what,choice,source,wanted,ours,error,freedom,unit,outcome,decider");
-  for (const char* row :
-       {"T1,claim,k is 3|4,,3|4 kN/mm,,,,,,\"trend reproduced, numbers not\",protocol\n", "T1,number,k,,3,3 +- 0.1,3.5,0.025,4,kN/mm,fails,\n",
-        "T1,supplementary,\"k, under law R\",,3,< 4,9,0.5,4,,fails,\n", "T1,choice,k|k,without friction,,> 4,5,0.25,2,,holds,protocol\n",
-        "T1,choice,z,reference,,,4,,,,,\n", "T2,trend,k,,5,> 0,,,,,unknown,\n"})
+  EXPECT_EQ(csv.substr(0, csv.find('\n')),
+            "claim,kind,what,choice,source,wanted,ours,error,freedom,unit,outcome,decider");
+  for (const char* row : {"T1,claim,k is 3|4,,3|4 kN/mm,,,,,,\"trend reproduced, numbers not\",protocol\n",
+                          "T1,number,k,,3,3 +- 0.1,3.5,0.025,4,kN/mm,fails,\n",
+                          "T1,supplementary,\"k, under law R\",,3,< 4,9,0.5,4,,fails,\n",
+                          "T1,choice,k|k,without friction,,> 4,5,0.25,2,,holds,protocol\n",
+                          "T1,choice,z,reference,,,4,,,,,\n", "T2,trend,k,,5,> 0,,,,,unknown,\n"})
     EXPECT_NE(csv.find(row), std::string::npos) << row << "\n" << csv;
 }
 

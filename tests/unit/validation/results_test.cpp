@@ -11,9 +11,12 @@ namespace {
 
 Results two_ratios() {
   Results results;
-  results.add("made-up",
-              made_up_table({"ratio", "seed"}, {"z", "n"},
-                            {{{"2", "1"}, {4.5, 10}}, {{"2", "2"}, {4.7, 20}}, {{"1", "1"}, {4.0, 30}}, {{"1", "2"}, {4.2}}, {{"1", "3"}, {9, 9}, "failed"}}));
+  results.add("made-up", made_up_table({"ratio", "seed"}, {"z", "n"},
+                                       {{{"2", "1"}, {4.5, 10}},
+                                        {{"2", "2"}, {4.7, 20}},
+                                        {{"1", "1"}, {4.0, 30}},
+                                        {{"1", "2"}, {4.2}},
+                                        {{"1", "3"}, {9, 9}, "failed"}}));
   return results;
 }
 
@@ -33,7 +36,9 @@ TEST(Results, SeriesRisesInItsKey) {
 }
 
 TEST(Results, NumbersAreWorkedOutFromSeveral) {
-  EXPECT_DOUBLE_EQ(mean(two_ratios(), "made-up", [](const validation::Run& run) { return run("z") * run.key("ratio"); }, {{"seed", "1"}}).value,
+  EXPECT_DOUBLE_EQ(mean(two_ratios(), "made-up", [](const validation::Run& run) { return run("z") * run.key("ratio"); },
+                        {{"seed", "1"}})
+                       .value,
                    (9.0 + 4.0) / 2);
 }
 

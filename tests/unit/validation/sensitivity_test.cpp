@@ -40,7 +40,9 @@ TEST(Sensitivity, IsNotToldWithoutTheUsualRuns) {
 }
 
 TEST(Sensitivity, WantedTellsBothSides) {
-  const auto outcome = [](const Wanted& wanted, double value, double error) { return wanted({value, error, 4}).outcome; };
+  const auto outcome = [](const Wanted& wanted, double value, double error) {
+    return wanted({value, error, 4}).outcome;
+  };
   EXPECT_EQ(outcome(wanted_below(2), 1, 0.1), Outcome::holds);
   EXPECT_EQ(outcome(wanted_below(2), 3, 0.1), Outcome::fails);
   EXPECT_EQ(outcome(wanted_within(2, 0.5), 2.1, 0.1), Outcome::holds);
@@ -58,7 +60,8 @@ TEST(Sensitivity, OfTheStiffnessRatioIsWorkedOutFromTheRunsOfItsStudy) {
     std::vector<MadeUpRun> runs;
     for (const char* stiffness : {"27.35", "6.8375", "2.735"})
       for (const char* seed : {"1", "2"})
-        runs.push_back({{stiffness, "0.1", seed}, {factor * 27.35 / std::stod(stiffness) * std::stod(seed) + 100 * std::stod(seed)}});
+        runs.push_back({{stiffness, "0.1", seed},
+                        {factor * 27.35 / std::stod(stiffness) * std::stod(seed) + 100 * std::stod(seed)}});
     return made_up_table({"materials.B.stiffness", "contact.friction", "seed"}, {"z"}, runs);
   };
   Results results;
@@ -66,7 +69,9 @@ TEST(Sensitivity, OfTheStiffnessRatioIsWorkedOutFromTheRunsOfItsStudy) {
   results.add("thesis-ch5-r", table(2));
   results.add("thesis-choices-stiffness", table(3));
   Judgement judgement;
-  const auto slope = [](const std::vector<validation::Run>& runs, const Number& number) { return slope_over_seeds(runs, stiffness_ratio, number); };
+  const auto slope = [](const std::vector<validation::Run>& runs, const Number& number) {
+    return slope_over_seeds(runs, stiffness_ratio, number);
+  };
   add_stiffness_change(judgement, results, "z", slope, "z", wanted_equivalent(1));
   ASSERT_EQ(judgement.sensitivities.size(), 1u);
   const auto of = [&](const std::string& choice) {

@@ -21,7 +21,8 @@ TEST(Studies, CanAllBeReadWholeAndSmall) {
   for (const StudySource& source : studies()) {
     if (!source.has_runs()) continue;
     for (const bool small : {false, true})
-      EXPECT_FALSE(unpack_study(source, folder.path() / (small ? "small" : "whole") / source.name, small).runs.empty()) << source.name;
+      EXPECT_FALSE(unpack_study(source, folder.path() / (small ? "small" : "whole") / source.name, small).runs.empty())
+          << source.name;
   }
 }
 

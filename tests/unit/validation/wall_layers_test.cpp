@@ -20,7 +20,8 @@ double by_places(double window, double strip) {
 
 TEST(WallLayers, TheShareOfTheInteriorIsTheMeanOverPlaces) {
   for (const double window : {0.45, 0.6, 0.8, 0.95})
-    for (const double strip : {0.02, 0.1, 0.3}) EXPECT_NEAR(share_of_interior(window, strip), by_places(window, strip), 1e-6) << window << " " << strip;
+    for (const double strip : {0.02, 0.1, 0.3})
+      EXPECT_NEAR(share_of_interior(window, strip), by_places(window, strip), 1e-6) << window << " " << strip;
 }
 
 /// Squares of disks: one in every cell of 1 mm, none in the outermost cells of 10 x 10 mm.

@@ -23,7 +23,8 @@ TEST(ContactStresses, OfATextureAreThoseThatTheSampleGives) {
   const test::PageSample made(120);
   const Packing& packing = made.stage.snapshots.back().packing;
   const FieldResult sample = sample_of(packing);
-  const auto known = texture::grain_stresses(packing), measured = contact_stresses(sample), taken = contact_stresses(sample, packing, known);
+  const auto known = texture::grain_stresses(packing), measured = contact_stresses(sample),
+             taken = contact_stresses(sample, packing, known);
   ASSERT_EQ(measured.size(), 40u);
   ASSERT_EQ(taken.size(), 40u);
   FieldResult turned = sample;

@@ -18,7 +18,9 @@ const io::ExportFormat& format(const std::string& name) {
   throw std::logic_error(name);
 }
 
-std::size_t lines_in(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
+std::size_t lines_in(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
 
 TEST(ExportFilm, GrainsAndForcesBecomeTables) {
   const test::TemporaryFolder folder;

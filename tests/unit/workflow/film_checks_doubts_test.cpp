@@ -40,7 +40,8 @@ LockinMaps oscillating(double phase) {
   LockinMaps maps;
   maps.width = maps.height = 4;
   maps.mean.assign(16, 296);
-  maps.amplitude.assign(16, 0.05f), maps.phase.assign(16, static_cast<float>(phase)), maps.standard_error.assign(16, 1e-4f);
+  maps.amplitude.assign(16, 0.05f), maps.phase.assign(16, static_cast<float>(phase)),
+      maps.standard_error.assign(16, 1e-4f);
   return maps;
 }
 
@@ -48,7 +49,8 @@ TEST(FilmDoubts, NothingIsSaidOfWhatAgrees) { EXPECT_EQ(all(film_doubts(two_mate
 
 TEST(FilmDoubts, MaterialsTakenForEachOtherAreNamed) {
   const double apart = 0.0258 / 0.015;
-  EXPECT_NE(all(film_doubts(two_materials(), wanting(apart, 1 / apart))).find("the two materials are probably swapped"), std::string::npos);
+  EXPECT_NE(all(film_doubts(two_materials(), wanting(apart, 1 / apart))).find("the two materials are probably swapped"),
+            std::string::npos);
 }
 
 TEST(FilmDoubts, OneWrongFactorIsNamed) {
@@ -58,7 +60,9 @@ TEST(FilmDoubts, OneWrongFactorIsNamed) {
 
 TEST(FilmDoubts, TheScaleOfForcesIsHeldAgainstTheLoad) {
   for (const double scale : {1 / 1.5, 0.5, 2.0})
-    EXPECT_NE(all(film_doubts(two_materials(), wanting(scale, scale))).find("the likely causes are load_peak_to_peak"), std::string::npos) << scale;
+    EXPECT_NE(all(film_doubts(two_materials(), wanting(scale, scale))).find("the likely causes are load_peak_to_peak"),
+              std::string::npos)
+        << scale;
   EXPECT_THROW(film_doubts(two_materials(), wanting(70, 70)), InputError);
   recipe::FilmRecipe no_load = two_materials();
   no_load.container.load_peak_to_peak = 0;
@@ -68,10 +72,12 @@ TEST(FilmDoubts, TheScaleOfForcesIsHeldAgainstTheLoad) {
 TEST(FilmDoubts, ADisagreementOfManyErrorsIsSaidHoweverSmall) {
   recipe::FilmRecipe recipe = two_materials();
   EXPECT_NE(all(film_doubts(recipe, wanting(0.91, 0.915))).find("given as 1.10 times"), std::string::npos);
-  EXPECT_EQ(all(film_doubts(recipe, wanting(0.95, 0.955))), "");  // within three of the two per cent that factors are known to
+  EXPECT_EQ(all(film_doubts(recipe, wanting(0.95, 0.955))),
+            "");  // within three of the two per cent that factors are known to
   recipe.forces.factor_error = 0.002;
   EXPECT_NE(all(film_doubts(recipe, wanting(0.95, 0.955))).find("given as 1.05 times"), std::string::npos);
-  EXPECT_NE(all(film_doubts(recipe, wanting(0.95, 1.0))).find("ratio of the factors of HDPE and POM"), std::string::npos);
+  EXPECT_NE(all(film_doubts(recipe, wanting(0.95, 1.0))).find("ratio of the factors of HDPE and POM"),
+            std::string::npos);
   recipe.forces.factors = recipe::ForcesSection::Factors::fit;  // they are those of the film
   EXPECT_EQ(all(film_doubts(recipe, wanting(0.95, 0.955))), "");
 }
@@ -82,11 +88,15 @@ TEST(FilmDoubts, AContainerThatGrainsShowElsewhereIsNamedWithItsKey) {
   FilmResult r = wanting(1, 1);
   r.origin = {-0.01, 0.11}, r.walls.shift = {1.2e-3, -0.8e-3}, r.walls.shift_error = {1e-4, 1e-4};
   std::string said = all(film_doubts(recipe, r));
-  // In the middle of the film: the left side was at (0 + 0.0088)/1.6e-3 = 5.50 and is at 6.25; the upper one was at (0.1092 - 0.1)/1.6e-3 = 5.75, is at 6.25.
-  EXPECT_NE(said.find("left side at column 6.25 (+- 0.06), not at 5.50 as in the middle of the film"), std::string::npos) << said;
+  // In the middle of the film: the left side was at (0 + 0.0088)/1.6e-3 = 5.50 and is at 6.25; the upper one was at
+  // (0.1092 - 0.1)/1.6e-3 = 5.75, is at 6.25.
+  EXPECT_NE(said.find("left side at column 6.25 (+- 0.06), not at 5.50 as in the middle of the film"),
+            std::string::npos)
+      << said;
   recipe.container.top = 5.75;
   said = all(film_doubts(recipe, r));
-  EXPECT_NE(said.find("upper side at row 6.25 (+- 0.06), not at 5.75 as container.top says"), std::string::npos) << said;
+  EXPECT_NE(said.find("upper side at row 6.25 (+- 0.06), not at 5.75 as container.top says"), std::string::npos)
+      << said;
   r.walls = {};
   r.walls.smaller.x = 1e-3, r.walls.travel = 2e-3;
   said = all(film_doubts(recipe, r));

@@ -21,7 +21,8 @@ TEST(FilmPlace, FrameIsInTheMiddleUnlessItIsGiven) {
   const FilmPlace place = place_of(recipe, film);
   EXPECT_NEAR(place.metres({35, 20}).x, 0.050, 1e-15);
   EXPECT_NEAR(place.metres({35, 20}).y, 0.030, 1e-15);
-  // Down in the picture is down in the frame: its lower left corner is 25 columns left of the middle and 15 rows below it.
+  // Down in the picture is down in the frame: its lower left corner is 25 columns left of the middle and 15 rows below
+  // it.
   EXPECT_NEAR(place.metres({10, 35}).x, 0, 1e-15);
   EXPECT_NEAR(place.metres({10, 35}).y, 0, 1e-15);
   recipe.container.left = 3;

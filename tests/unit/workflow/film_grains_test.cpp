@@ -11,7 +11,8 @@ namespace {
 std::vector<std::string> notes_on_grains(double apart) {
   std::vector<test::DrawnDisk> disks;
   for (int row = 0; row < 8; ++row)
-    for (int column = 0; column < 8; ++column) disks.push_back({10 + apart * (column + 0.5), 10 + apart * (row + 0.5), 6});
+    for (int column = 0; column < 8; ++column)
+      disks.push_back({10 + apart * (column + 0.5), 10 + apart * (row + 0.5), 6});
   const int side = static_cast<int>(8 * apart) + 20;
   const FloatImage image = test::draw(disks, {.width = side, .height = side, .noise = 0.01});
   recipe::FilmRecipe recipe;

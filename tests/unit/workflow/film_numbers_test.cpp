@@ -30,7 +30,8 @@ TEST(FilmNumbers, TellWhatTheResultHolds) {
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (!contacts.is_wall(c)) sum += contacts.fn[c], ++between;
   EXPECT_NEAR(j["forces"]["mean_N"]["value"].get<double>(), sum / between, 1e-9 * sum);
-  EXPECT_EQ(j["texture"]["contacts"].get<std::size_t>() + j["texture"]["wall_contacts"].get<std::size_t>(), contacts.size());
+  EXPECT_EQ(j["texture"]["contacts"].get<std::size_t>() + j["texture"]["wall_contacts"].get<std::size_t>(),
+            contacts.size());
   FilmResult maps = film;
   maps.peak_to_peak = {};
   EXPECT_FALSE(nlohmann::json::parse(to_json(film_numbers(maps, texture_of(maps)))).contains("texture"));
@@ -42,7 +43,8 @@ FilmResult row_of_grains() {
   film.packing.materials = {{"POM", 1400, 27e6, 0}};
   film.packing.domain.thickness = 0.06;
   film.packing.grains.resize(5);
-  for (std::size_t g = 0; g < 5; ++g) film.packing.grains.position[g].x = 0.0095 * static_cast<double>(g), film.packing.grains.radius[g] = 0.005;
+  for (std::size_t g = 0; g < 5; ++g)
+    film.packing.grains.position[g].x = 0.0095 * static_cast<double>(g), film.packing.grains.radius[g] = 0.005;
   film.packing.grains.position[4].x = 0, film.packing.grains.position[4].y = 0.0105;
   for (std::int32_t g = 0; g < 3; ++g) film.packing.contacts.add(g, g + 1, {-1, 0}, 100, 0, 0.00475, 0.00475);
   film.packing.contacts.add(0, 4, {0, -1}, 1, 0, 0.00525, 0.00525);
@@ -54,7 +56,8 @@ TEST(FilmOrientations, AreOfTheFilmsContactsAndTheSimulations) {
   const Packing simulation = film.packing;
   film.packing.contacts = {};
   for (std::size_t c = 0; c < 3; ++c)
-    film.packing.contacts.add(simulation.contacts.i[c], simulation.contacts.j[c], simulation.contacts.normal[c], 100, 0, 0.00475, 0.00475);
+    film.packing.contacts.add(simulation.contacts.i[c], simulation.contacts.j[c], simulation.contacts.normal[c], 100, 0,
+                              0.00475, 0.00475);
   const texture::Texture own = texture_of(film), simulated = texture::measure(simulation);
   const Numbers orientations = film_numbers(film, own, &simulated)["contact_orientations"];
   EXPECT_EQ(orientations["film"]["contacts"].get<int>(), 3);
@@ -86,9 +89,11 @@ TEST(FilmSimulation, StressOfDisksIsTheMeanOfTheirClosedForm) {
   std::vector<elasticity::Disk> disks;
   for (const double r : p.grains.radius) disks.push_back({r, p.domain.thickness, {}, elasticity::Traction::point});
   for (std::size_t c = 0; c < p.contacts.size(); ++c) {
-    disks[static_cast<std::size_t>(p.contacts.i[c])].forces.push_back({p.contacts.normal[c], p.contacts.fn[c], p.contacts.ft[c], 0});
+    disks[static_cast<std::size_t>(p.contacts.i[c])].forces.push_back(
+        {p.contacts.normal[c], p.contacts.fn[c], p.contacts.ft[c], 0});
     if (!p.contacts.is_wall(c))
-      disks[static_cast<std::size_t>(p.contacts.j[c])].forces.push_back({-1 * p.contacts.normal[c], p.contacts.fn[c], p.contacts.ft[c], 0});
+      disks[static_cast<std::size_t>(p.contacts.j[c])].forces.push_back(
+          {-1 * p.contacts.normal[c], p.contacts.fn[c], p.contacts.ft[c], 0});
   }
   const auto stress = stress_of_disks(p);
   for (std::size_t g = 0; g < disks.size(); ++g) {

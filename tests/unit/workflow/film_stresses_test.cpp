@@ -53,14 +53,17 @@ TEST(FilmStresses, CountWhereTheTextureDoesUnlessThatLeavesTooFewToCompare) {
 }
 
 TEST(FilmStresses, HaveTheTexturesStatisticsWhereNoSourceKnowsLess) {
-  auto whole = four({-1e5, -2e5, -3e5, -2e5}, {-1e5, -1e5, -4e5, -2e5}), less = four({-1e5, -2e5, -3e5, -2e5}, {-1e5, NAN, -4e5, -2e5});
-  for (FilmResult* film : {&whole, &less}) film->packing.domain.wall[left].position = -0.1, film->packing.domain.wall[right].position = 0.2;
+  auto whole = four({-1e5, -2e5, -3e5, -2e5}, {-1e5, -1e5, -4e5, -2e5}),
+       less = four({-1e5, -2e5, -3e5, -2e5}, {-1e5, NAN, -4e5, -2e5});
+  for (FilmResult* film : {&whole, &less})
+    film->packing.domain.wall[left].position = -0.1, film->packing.domain.wall[right].position = 0.2;
   const texture::Texture texture = texture_of(whole);
   const Numbers numbers = film_numbers(whole, texture);
   EXPECT_EQ(numbers["stresses"]["film"], texture.numbers["sigma_norm"]);
   EXPECT_EQ(numbers["stresses"]["film"], texture::stress_distribution(whole.packing, whole.peak_to_peak.sigma_hyd));
   EXPECT_EQ(film_numbers(less, texture)["stresses"]["film"]["count"].get<int>(), 3);
-  EXPECT_NEAR(numbers["agreement"]["simulation_peak_to_peak"]["all"]["rms_Pa"].get<double>(), std::sqrt(2.0 / 4) * 1e5, 1e-4);
+  EXPECT_NEAR(numbers["agreement"]["simulation_peak_to_peak"]["all"]["rms_Pa"].get<double>(), std::sqrt(2.0 / 4) * 1e5,
+              1e-4);
 }
 
 TEST(FilmStresses, OfAFilmThatIsTwiceItsSimulationAgreeWithSlopeTwo) {

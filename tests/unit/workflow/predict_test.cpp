@@ -57,7 +57,9 @@ TEST(StiffnessNumber, GrowsAsThePressureToMinusTwoThirdsForHertz) {
   EXPECT_NEAR(workflow::stiffness_number(dem::Hertz{}, 1e6, 0.002, 0.01, 1e4) * std::pow(share, 2.0 / 3), 1, 1e-9);
 }
 
-TEST(Overlap, OfGrainsThatAreTooSoftIsTheirDiameter) { EXPECT_EQ(workflow::overlap_under(dem::Linear{}, 10, 0.01, 1e3), 0.01); }
+TEST(Overlap, OfGrainsThatAreTooSoftIsTheirDiameter) {
+  EXPECT_EQ(workflow::overlap_under(dem::Linear{}, 10, 0.01, 1e3), 0.01);
+}
 
 TEST(SettlingTime, IsShorterWithDragAndLongerForAStricterRest) {
   const double period = 8e-3;
@@ -68,12 +70,14 @@ TEST(SettlingTime, IsShorterWithDragAndLongerForAStricterRest) {
 }
 
 recipe::Recipe elastic(const std::string& stages) {
-  return recipe::parse_recipe(test::small_packing_recipe + "[contact]\nrestitution = 1\nfriction = 0\n" + stages, "recipe.toml");
+  return recipe::parse_recipe(test::small_packing_recipe + "[contact]\nrestitution = 1\nfriction = 0\n" + stages,
+                              "recipe.toml");
 }
 
 TEST(Prediction, TheStepOfUndampedGrainsIsATenthOfTheShortestCollision) {
   const auto p =
-      workflow::predict(elastic("[[stages]]\nname = \"shear\"\nright = { pressure = \"20 kPa\" }\ntop = { velocity = \"10 mm/s\" }\nduration = \"10 ms\"\n"));
+      workflow::predict(elastic("[[stages]]\nname = \"shear\"\nright = { pressure = \"20 kPa\" }\ntop = { velocity = "
+                                "\"10 mm/s\" }\nduration = \"10 ms\"\n"));
   EXPECT_EQ(p.limit, workflow::StepLimit::collision);
   EXPECT_NEAR(p.time_step, 0.1 * p.collision.time, 1e-15);
   EXPECT_EQ(p.grains, 60u);
@@ -89,12 +93,14 @@ TEST(Prediction, TheStepOfUndampedGrainsIsATenthOfTheShortestCollision) {
 TEST(Prediction, WarnsOfSoftGrainsFastSidesAndTinySteps) {
   auto recipe = elastic(
       "[[stages]]\nname = \"press\"\nright = { pressure = \"20 MPa\" }\ntop = { pressure = \"20 MPa\" }\n"
-      "[[stages]]\nname = \"slam\"\nright = { pressure = \"1 Pa\" }\ntop = { velocity = \"1 m/s\" }\nduration = \"1 ms\"\n");
+      "[[stages]]\nname = \"slam\"\nright = { pressure = \"1 Pa\" }\ntop = { velocity = \"1 m/s\" }\nduration = \"1 "
+      "ms\"\n");
   recipe.integration.time_step = 1e-9;
   const auto p = workflow::predict(recipe);
   EXPECT_EQ(p.limit, workflow::StepLimit::given);
   const auto warns = [&](const std::string& of) {
-    return std::any_of(p.warnings.begin(), p.warnings.end(), [&](const std::string& w) { return w.find(of) != std::string::npos; });
+    return std::any_of(p.warnings.begin(), p.warnings.end(),
+                       [&](const std::string& w) { return w.find(of) != std::string::npos; });
   };
   EXPECT_TRUE(warns("a collision takes"));
   EXPECT_TRUE(warns("stage press: grains overlap"));
@@ -104,10 +110,11 @@ TEST(Prediction, WarnsOfSoftGrainsFastSidesAndTinySteps) {
 }
 
 TEST(Prediction, OfProgrammesAndCyclesOfStrainKnowsWhatTheyAskFor) {
-  const auto p = workflow::predict(
-      elastic("[[stages]]\nname = \"ramp\"\nright = { pressure = \"20 kPa\" }\nduration = \"10 ms\"\n"
-              "[[stages.programmes]]\nof = \"top.pressure\"\ntable = [[\"0 s\", \"1 kPa\"], [\"5 ms\", \"300 kPa\"], [\"10 ms\", \"2 kPa\"]]\n"
-              "[[stages]]\nname = \"cycle\"\nstrain_cycles = { of = \"top\", max = 0.01, rate = \"2 1/s\", count = 30 }\n"));
+  const auto p = workflow::predict(elastic(
+      "[[stages]]\nname = \"ramp\"\nright = { pressure = \"20 kPa\" }\nduration = \"10 ms\"\n"
+      "[[stages.programmes]]\nof = \"top.pressure\"\ntable = [[\"0 s\", \"1 kPa\"], [\"5 ms\", \"300 kPa\"], [\"10 "
+      "ms\", \"2 kPa\"]]\n"
+      "[[stages]]\nname = \"cycle\"\nstrain_cycles = { of = \"top\", max = 0.01, rate = \"2 1/s\", count = 30 }\n"));
   EXPECT_EQ(p.stages[0].pressure, 300e3);
   EXPECT_TRUE(p.stages[1].exact);
   // 60 half cycles of 5 ms, each rounded up to whole steps.
@@ -116,7 +123,9 @@ TEST(Prediction, OfProgrammesAndCyclesOfStrainKnowsWhatTheyAskFor) {
 }
 
 TEST(Prediction, OfALargeSampleLooksAtASmallOneOfTheSameKind) {
-  auto recipe = elastic("[[stages]]\nname = \"shear\"\nright = { pressure = \"20 kPa\" }\ntop = { velocity = \"10 mm/s\" }\nduration = \"10 ms\"\n");
+  auto recipe = elastic(
+      "[[stages]]\nname = \"shear\"\nright = { pressure = \"20 kPa\" }\ntop = { velocity = \"10 mm/s\" }\nduration = "
+      "\"10 ms\"\n");
   const auto small = workflow::predict(recipe);
   recipe.populations[0].count = 60'000;
   recipe.container.width *= std::sqrt(1000.0);

@@ -11,7 +11,8 @@ namespace {
 
 texture::Options options_with(const std::string& contact) {
   return texture_options(
-      recipe::parse_recipe(test::small_packing_recipe + "[contact]\n" + contact + "[[stages]]\nname = \"load\"\ngravity = true\ntop = { force = \"1 kN\" }\n",
+      recipe::parse_recipe(test::small_packing_recipe + "[contact]\n" + contact +
+                               "[[stages]]\nname = \"load\"\ngravity = true\ntop = { force = \"1 kN\" }\n",
                            "r.toml"),
       1, {});
 }
@@ -19,12 +20,16 @@ texture::Options options_with(const std::string& contact) {
 TEST(TextureOptions, TellWhatMayPull) {
   EXPECT_EQ(options_with("").pull, texture::Pull::measured);
   EXPECT_EQ(options_with("attractive_dashpot = true\n").pull, texture::Pull::dashpots);
-  EXPECT_EQ(options_with("attractive_dashpot = true\nadhesion = \"geometrical\"\nsurface_energy = \"1 kN/mm\"\n").pull, texture::Pull::adhesion);
+  EXPECT_EQ(options_with("attractive_dashpot = true\nadhesion = \"geometrical\"\nsurface_energy = \"1 kN/mm\"\n").pull,
+            texture::Pull::adhesion);
   EXPECT_EQ(options_with("").gravity.y, -dem::standard_gravity);
 }
 
 std::optional<double> axis_with(const std::string& sides) {
-  return texture_options(recipe::parse_recipe(test::small_packing_recipe + "[[stages]]\nname = \"load\"\n" + sides, "r.toml"), 1, {}).load_axis;
+  return texture_options(
+             recipe::parse_recipe(test::small_packing_recipe + "[[stages]]\nname = \"load\"\n" + sides, "r.toml"), 1,
+             {})
+      .load_axis;
 }
 
 TEST(TextureOptions, SignsReferToTheAxisAlongWhichTheSidesLoad) {
@@ -46,7 +51,8 @@ TEST(TextureOptions, SignsReferToTheDiagonalThatShearCompresses) {
   EXPECT_EQ(axis_with(pressed + "slide = { top = \"1 mm/s\" }\n"), forth);
   EXPECT_EQ(axis_with(pressed + "slide = { bottom = \"1 mm/s\" }\n"), back);
   EXPECT_EQ(axis_with(time + "slide = { right = \"1 mm/s\" }\n"), forth);
-  EXPECT_EQ(axis_with(pressed + "slide = { top = \"1 mm/s\", bottom = \"1 mm/s\" }\n"), std::numbers::pi / 2) << "where both slide alike, what presses counts";
+  EXPECT_EQ(axis_with(pressed + "slide = { top = \"1 mm/s\", bottom = \"1 mm/s\" }\n"), std::numbers::pi / 2)
+      << "where both slide alike, what presses counts";
   dem::Stage cell;
   cell.shear_rate = 2;
   EXPECT_EQ(fields::loading_axis(cell), forth);
@@ -70,23 +76,30 @@ TEST(TextureOptions, WeighByTheGravityOfTheStageAtItsEnd) {
   };
   EXPECT_NEAR(gravity(turned).x, 2, 1e-12);
   EXPECT_NEAR(gravity(turned).y, -4 * std::cos(std::numbers::pi / 6), 1e-12);
-  const std::string grows = "programmes = [{ of = \"gravity_size\", table = [[\"0 s\", \"4 m/s^2\"], [\"2 s\", \"8 m/s^2\"]] }]\n";
+  const std::string grows =
+      "programmes = [{ of = \"gravity_size\", table = [[\"0 s\", \"4 m/s^2\"], [\"2 s\", \"8 m/s^2\"]] }]\n";
   EXPECT_NEAR(gravity(turned + grows).x, 4, 1e-12);
 }
 
 TEST(TextureOptions, TellHowTheStressOfAStageInMotionFluctuates) {
   StageResult made;
   made.snapshots.emplace_back().packing.domain.thickness = 0.1;
-  for (const char* name :
-       {"time", "left_position", "right_position", "bottom_position", "top_position", "left_force", "right_force", "bottom_force", "top_force"})
+  for (const char* name : {"time", "left_position", "right_position", "bottom_position", "top_position", "left_force",
+                           "right_force", "bottom_force", "top_force"})
     made.history.columns.push_back({name, "", {}});
   for (int k = 0; k < 400; ++k) {
     const double pressure = 100 + (k < 200 ? 50 : 0) + 3 * std::sin(k);
     for (auto& [name, unit, values] : made.history.columns)
-      values.push_back(name == "time" ? k : name == "right_position" || name == "top_position" ? 2 : name.ends_with("force") ? 0.2 * pressure : 0);
+      values.push_back(name == "time"                                       ? k
+                       : name == "right_position" || name == "top_position" ? 2
+                       : name.ends_with("force")                            ? 0.2 * pressure
+                                                                            : 0);
   }
   const auto in_time = [&](const std::string& stage) {
-    return texture_options(recipe::parse_recipe(test::small_packing_recipe + "[[stages]]\nname = \"load\"\n" + stage, "r.toml"), 1, made).in_time;
+    return texture_options(
+               recipe::parse_recipe(test::small_packing_recipe + "[[stages]]\nname = \"load\"\n" + stage, "r.toml"), 1,
+               made)
+        .in_time;
   };
   EXPECT_FALSE(in_time("top = { pressure = \"1 kPa\" }\n"));
   const auto sheared = in_time("top = { velocity = \"1 mm/s\" }\nduration = \"1 s\"\n");

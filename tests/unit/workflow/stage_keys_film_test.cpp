@@ -19,7 +19,9 @@ std::string key_of(const std::filesystem::path& film, const recipe::FilmRecipe& 
   return workflow::film_key(film, *io::open_film(film), alone);
 }
 
-void write(const std::filesystem::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
 
 TEST(FilmKey, NoticesAChangedFrameOfASeries) {
   const test::TemporaryFolder folder;
@@ -51,7 +53,9 @@ TEST(FilmKey, FollowsFromChangedKeysOnly) {
   for (const char* name : {"f1.csv", "f2.csv"}) write(folder / "frames" / name, "20.0,21.0\n22.0,23.0\n");
   const recipe::FilmRecipe plain = recipe::film_template();
   const std::string text = to_toml(plain), before = key_of(folder / "frames");
-  EXPECT_EQ(key_of(folder / "frames", recipe::parse_film_recipe(text, "r.toml", {"lockin.drift=4", "forces.friction=0.3"})), before);
+  EXPECT_EQ(
+      key_of(folder / "frames", recipe::parse_film_recipe(text, "r.toml", {"lockin.drift=4", "forces.friction=0.3"})),
+      before);
   EXPECT_NE(key_of(folder / "frames", recipe::parse_film_recipe(text, "r.toml", {"lockin.drift=3"})), before);
   EXPECT_NE(key_of(folder / "frames", recipe::parse_film_recipe(text, "r.toml", {"lockin.phase=90 deg"})), before);
 }

@@ -12,29 +12,52 @@ export function closeUp(result, state) {
     if (g < 0) return;
     const kind = kindNames[result.map.kindOfGrain(g)];
     box.replaceChildren(
-      h("p", {}, `${kind[0].toUpperCase()}${kind.slice(1)} ${g + 1}`, h("button", { class: "back", title: "Show the whole sample", onclick: () => state.set({ grain: 0 }) }, "\u2715")),
-      h("dl", {}, rows(result, g).map(([name, value]) => [h("dt", {}, rich(name)), h("dd", {}, value)])));
+      h(
+        "p",
+        {},
+        `${kind[0].toUpperCase()}${kind.slice(1)} ${g + 1}`,
+        h(
+          "button",
+          { class: "back", title: "Show the whole sample", onclick: () => state.set({ grain: 0 }) },
+          "\u2715",
+        ),
+      ),
+      h(
+        "dl",
+        {},
+        rows(result, g).map(([name, value]) => [h("dt", {}, rich(name)), h("dd", {}, value)]),
+      ),
+    );
   };
   state.watch(["grain"], refresh);
   return box;
 }
 
 function rows(result, g) {
-  const list = [["diameter", text.quantity(2 * result.radiusOfGrain(g), "m")], ["nodes", text.count(result.grains.nodes[g])]];
+  const list = [
+    ["diameter", text.quantity(2 * result.radiusOfGrain(g), "m")],
+    ["nodes", text.count(result.grains.nodes[g])],
+  ];
   if (!result.loaded) return list;
-  const s = result.stressOfGrain(g), { first, second, angle } = principal(s.xx, s.yy, s.xy);
-  const [least, most] = extremes(result, g), { unit } = result.grains.yy;
-  return [...list,
+  const s = result.stressOfGrain(g),
+    { first, second, angle } = principal(s.xx, s.yy, s.xy);
+  const [least, most] = extremes(result, g),
+    { unit } = result.grains.yy;
+  return [
+    ...list,
     ["mean \u03c3_{yy}", text.quantity(s.yy, unit)],
     ["over \u27e8\u03c3_{yy}\u27e9", text.number(s.yy / result.mean)],
     ["\u03c3_{1}, \u03c3_{2}", `${text.quantity(first, unit)}, ${text.quantity(second, unit)}`],
     ["direction of \u03c3_{1}", `${Math.round((angle * 180) / Math.PI)}\u00b0`],
-    ["\u03c3_{yy} from, to", `${text.quantity(least, unit)}, ${text.quantity(most, unit)}`]];
+    ["\u03c3_{yy} from, to", `${text.quantity(least, unit)}, ${text.quantity(most, unit)}`],
+  ];
 }
 
 function extremes(result, g) {
-  const { label } = result.map, yy = result.values("yy");
-  let least = Infinity, most = -Infinity;
+  const { label } = result.map,
+    yy = result.values("yy");
+  let least = Infinity,
+    most = -Infinity;
   for (let k = 0; k < label.length; ++k) {
     if (label[k] !== g + 1) continue;
     if (yy[k] < least) least = yy[k];

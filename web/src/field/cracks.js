@@ -18,11 +18,16 @@ export function byType(result, count) {
 
 /** Dots at broken bonds for the graphics card, `times` displaced: segments too short to be seen as such. */
 export function crackBuffers(result, count, theme, origin, times = 0) {
-  const { x, y, type } = result.cracks, { dx } = result.map.about;
-  const ends = new Float32Array(4 * count), width = new Float32Array(count), colour = new Uint8Array(4 * count);
+  const { x, y, type } = result.cracks,
+    { dx } = result.map.about;
+  const ends = new Float32Array(4 * count),
+    width = new Float32Array(count),
+    colour = new Uint8Array(4 * count);
   const paints = theme.crack.map((name) => name && [...bytes(name), 255]);
   for (let k = 0; k < count; ++k) {
-    const [at, up] = times ? displacedBy(result, x[k], y[k], times) : [x[k], y[k]], px = at - origin.x, py = up - origin.y;
+    const [at, up] = times ? displacedBy(result, x[k], y[k], times) : [x[k], y[k]],
+      px = at - origin.x,
+      py = up - origin.y;
     ends.set([px - 0.02 * dx, py, px + 0.02 * dx, py], 4 * k);
     width[k] = 1.1 * dx;
     colour.set(paints[type[k]] ?? paints[1], 4 * k);

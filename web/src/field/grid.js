@@ -43,9 +43,30 @@ export function gridDrawing(regl) {
         if (chosen > 0.0 && here != chosen) colour = mix(colour, background, 0.72);
         gl_FragColor = vec4(colour, 1.0);
       }`,
-    attributes: { corner: [[-1, -1], [1, -1], [-1, 1], [1, 1]] },
-    uniforms: Object.fromEntries(["middle", "perMetre", "size", "nodes", "paint", "label", "background", "ink", "pixelsPerNode", "outline", "chosen", "fade"]
-      .map((name) => [name, regl.prop(name)])),
+    attributes: {
+      corner: [
+        [-1, -1],
+        [1, -1],
+        [-1, 1],
+        [1, 1],
+      ],
+    },
+    uniforms: Object.fromEntries(
+      [
+        "middle",
+        "perMetre",
+        "size",
+        "nodes",
+        "paint",
+        "label",
+        "background",
+        "ink",
+        "pixelsPerNode",
+        "outline",
+        "chosen",
+        "fade",
+      ].map((name) => [name, regl.prop(name)]),
+    ),
     primitive: "triangle strip",
     count: 4,
     depth: { enable: false },

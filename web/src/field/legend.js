@@ -12,7 +12,8 @@ export const legendHeight = 92;
 /** The strip below the picture: what the colours mean, how the values are spread over them, and a bar of known length. */
 export function legend(result, camera, theme, state, width, broken) {
   const group = s("g", { "font-family": theme.font, "font-size": 11.5, fill: theme.soft });
-  const scale = scaleOf(result, state), room = Math.max(150, Math.min(420, width - 150));
+  const scale = scaleOf(result, state),
+    room = Math.max(150, Math.min(420, width - 150));
   if (scale) group.append(scaleKey(result, scale, theme, room));
   else if (state.get("show") === "phases") group.append(phaseKey(result, theme, width - 130));
   else group.append(cavityKey(result, theme, state, room));
@@ -23,17 +24,28 @@ export function legend(result, camera, theme, state, width, broken) {
 }
 
 function scaleKey(result, scale, theme, length) {
-  const { symbol } = components[scale.name], largest = Math.max(Math.abs(scale.low), Math.abs(scale.high));
+  const { symbol } = components[scale.name],
+    largest = Math.max(Math.abs(scale.low), Math.abs(scale.high));
   const mean = scale.name === "yy" || scale.mean > 0.02 * largest ? scale.mean : null;
-  return colourBar({ title: symbol, unit: result.unitOf(scale.name), scale, palette: mapOf(theme, scale), theme, length, mean });
+  return colourBar({
+    title: symbol,
+    unit: result.unitOf(scale.name),
+    scale,
+    palette: mapOf(theme, scale),
+    theme,
+    length,
+    mean,
+  });
 }
 
-const square = (x, y, fill, theme) => s("rect", { x, y: y - 6, width: 12, height: 12, rx: 2.5, fill, stroke: theme.ink, "stroke-opacity": 0.25 });
+const square = (x, y, fill, theme) =>
+  s("rect", { x, y: y - 6, width: 12, height: 12, rx: 2.5, fill, stroke: theme.ink, "stroke-opacity": 0.25 });
 
 /** Entries one after the other, on a new line where the room ends. */
 function flow(entries, room, draw) {
   const key = s("g");
-  let x = 1, y = 11;
+  let x = 1,
+    y = 11;
   for (const entry of entries) {
     const wide = 26 + 6.1 * entry.name.length;
     if (x > 1 && x + wide > room) [x, y] = [1, y + 20];
@@ -44,8 +56,12 @@ function flow(entries, room, draw) {
 }
 
 function phaseKey({ map }, theme, room) {
-  const entries = [4, 3, 2, 1, 0].filter((kind) => map.counts[kind] > 0)
-    .map((kind) => ({ kind, name: `${kindNames[kind]}${kind > 1 ? "s" : ""} ${text.number(100 * map.share(kind), 3)}\u202f%` }));
+  const entries = [4, 3, 2, 1, 0]
+    .filter((kind) => map.counts[kind] > 0)
+    .map((kind) => ({
+      kind,
+      name: `${kindNames[kind]}${kind > 1 ? "s" : ""} ${text.number(100 * map.share(kind), 3)}\u202f%`,
+    }));
   return flow(entries, room, ({ kind }, x, y) => square(x, y, theme.kind[kind], theme));
 }
 
@@ -54,22 +70,38 @@ function cavityKey({ map }, theme, state, length) {
   const words = `${text.count(nodes.length)} counted; grey: ${text.count(cut)} cut by the edge, ${text.count(specks)} below ${fewest} nodes`;
   const group = s("g", {}, label(0, state.get("cavities") === "size" ? 66 : 11, words));
   if (state.get("cavities") !== "size") return group;
-  group.append(label(0, 11, "nodes, logarithmic"), bar(theme.stress, 0, 24, length, 11), label(0, 46, text.count(fewest)),
-    label(length, 46, text.count(nodes.reduce((a, b) => Math.max(a, b), 0)), "end"));
+  group.append(
+    label(0, 11, "nodes, logarithmic"),
+    bar(theme.stress, 0, 24, length, 11),
+    label(0, 46, text.count(fewest)),
+    label(length, 46, text.count(nodes.reduce((a, b) => Math.max(a, b), 0)), "end"),
+  );
   return group;
 }
 
 function crackKey(result, theme, broken) {
-  const counts = byType(result, broken), group = s("g", { transform: "translate(0 70)" });
+  const counts = byType(result, broken),
+    group = s("g", { transform: "translate(0 70)" });
   const entries = [1, 2, 3].map((type) => ({ type, name: `${crackTypes[type]} ${text.count(counts[type])}` }));
-  group.append(flow([{ type: 0, name: "broken bonds:" }, ...entries], 1e9, ({ type }, x, y) =>
-    (type ? s("circle", { cx: x + 9, cy: y, r: 4, fill: theme.crack[type] }) : s("g"))));
+  group.append(
+    flow([{ type: 0, name: "broken bonds:" }, ...entries], 1e9, ({ type }, x, y) =>
+      type ? s("circle", { cx: x + 9, cy: y, r: 4, fill: theme.crack[type] }) : s("g"),
+    ),
+  );
   return group;
 }
 
 function crossKey(theme, width) {
-  return s("g", { transform: "translate(0 81)" },
-    ...[["tension", theme.cross.pull, 2], ["compression", theme.cross.push, 86]].flatMap(([name, stroke, x]) => [
-      s("line", { x1: x, x2: x + 18, y1: 0, y2: 0, stroke, "stroke-width": 3.5, "stroke-linecap": "round" }), label(x + 25, 0, name)]),
-    width > 460 ? label(196, 0, "principal stresses, thickness \u221d stress") : "");
+  return s(
+    "g",
+    { transform: "translate(0 81)" },
+    ...[
+      ["tension", theme.cross.pull, 2],
+      ["compression", theme.cross.push, 86],
+    ].flatMap(([name, stroke, x]) => [
+      s("line", { x1: x, x2: x + 18, y1: 0, y2: 0, stroke, "stroke-width": 3.5, "stroke-linecap": "round" }),
+      label(x + 25, 0, name),
+    ]),
+    width > 460 ? label(196, 0, "principal stresses, thickness \u221d stress") : "",
+  );
 }

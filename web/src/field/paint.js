@@ -8,23 +8,32 @@ const shades = 512;
 /** The colour scale of what is shown, or null where the colours are names. One for nodes and grains alike. */
 export function scaleOf(result, state) {
   if (state.get("show") !== "field") return null;
-  const name = state.get("component"), { sequential } = components[name];
+  const name = state.get("component"),
+    { sequential } = components[name];
   const key = ["component", "around", "law", "clip"].map((k) => state.get(k)).join(" ");
   if (result.scaleKey === key) return result.keptScale;
   result.orders ??= new Map();
   if (!result.orders.has(name)) result.orders.set(name, sorted(result.values(name), result.map.kind));
   const order = result.orders.get(name);
-  const mean = result.about.components[components[name].stored]?.mean ?? order.reduce((sum, v) => sum + v, 0) / (order.length || 1);
+  const mean =
+    result.about.components[components[name].stored]?.mean ??
+    order.reduce((sum, v) => sum + v, 0) / (order.length || 1);
   const around = sequential && state.get("around") !== "ends" ? "ends" : state.get("around");
   result.scaleKey = key;
-  return (result.keptScale = { ...makeScale(order, { around, symlog: state.get("law") === "symlog", clip: clips[state.get("clip")], mean }), order, mean, name });
+  return (result.keptScale = {
+    ...makeScale(order, { around, symlog: state.get("law") === "symlog", clip: clips[state.get("clip")], mean }),
+    order,
+    mean,
+    name,
+  });
 }
 
 export const mapOf = (theme, scale) => (scale.centre === null ? theme.stress : theme.diverging);
 
 /** Colours of all nodes as RGBA bytes, row by row from the bottom. */
 export function paint(result, state, theme) {
-  const show = state.get("show"), { map } = result;
+  const show = state.get("show"),
+    { map } = result;
   const out = new Uint32Array(map.size);
   if (show === "field") paintField(out, result, state, theme);
   else if (show === "phases") paintByTable(out, map.kind, theme.kind.map(packed));
@@ -38,14 +47,21 @@ function paintByTable(out, index, table) {
 
 /** A threshold puts aside what carries less than so many times the mean: what is left are the stress chains. */
 function paintField(out, result, state, theme) {
-  const { map } = result, scale = scaleOf(result, state), of = components[scale.name].grain;
-  const palette = mapOf(theme, scale), table = Uint32Array.from({ length: shades }, (_, k) => packed(palette((k + 0.5) / shades)));
-  const empty = packed(theme.field.empty), aside = packed(theme.field.aside);
+  const { map } = result,
+    scale = scaleOf(result, state),
+    of = components[scale.name].grain;
+  const palette = mapOf(theme, scale),
+    table = Uint32Array.from({ length: shades }, (_, k) => packed(palette((k + 0.5) / shades)));
+  const empty = packed(theme.field.empty),
+    aside = packed(theme.field.aside);
   const least = state.get("chains") ? state.get("threshold") * Math.abs(scale.mean) : 0;
-  const shade = (v) => (Math.abs(v) < least ? aside : table[Math.min(shades - 1, Math.max(0, Math.floor(scale.of(v) * shades)))]);
+  const shade = (v) =>
+    Math.abs(v) < least ? aside : table[Math.min(shades - 1, Math.max(0, Math.floor(scale.of(v) * shades)))];
   const { kind, label } = map;
   if (state.get("by") === "grain" && of) {
-    const table_ = Uint32Array.from({ length: map.grainClass.length + 1 }, (_, g) => (g === 0 ? aside : shade(of(result.stressOfGrain(g - 1)))));
+    const table_ = Uint32Array.from({ length: map.grainClass.length + 1 }, (_, g) =>
+      g === 0 ? aside : shade(of(result.stressOfGrain(g - 1))),
+    );
     for (let k = 0; k < out.length; ++k) out[k] = kind[k] === 0 ? empty : table_[label[k]];
     return;
   }

@@ -21,20 +21,29 @@ export class PhaseMap {
     for (const kind of this.kind) ++this.counts[kind];
   }
 
-  get size() { return this.kind.length; }
-  get box() { return { left: 0, bottom: 0, right: this.width * this.spacing, top: this.height * this.spacing }; }
-  share(kind) { return this.counts[kind] / this.size; }
-  kindOfGrain(g) { return classes.particle + this.grainClass[g]; }
+  get size() {
+    return this.kind.length;
+  }
+  get box() {
+    return { left: 0, bottom: 0, right: this.width * this.spacing, top: this.height * this.spacing };
+  }
+  share(kind) {
+    return this.counts[kind] / this.size;
+  }
+  kindOfGrain(g) {
+    return classes.particle + this.grainClass[g];
+  }
 
   /** Index of the node at a point of the plane, or null. */
   nodeAt(x, y) {
-    const column = Math.floor(x / this.spacing), row = Math.floor(y / this.spacing);
+    const column = Math.floor(x / this.spacing),
+      row = Math.floor(y / this.spacing);
     return column >= 0 && row >= 0 && column < this.width && row < this.height ? column + this.width * row : null;
   }
 
   /** Middle of a node of the page; it stands for stride x stride nodes of the whole map. */
   placeOf(node) {
-    return [(node % this.width + 0.5) * this.spacing, (Math.floor(node / this.width) + 0.5) * this.spacing];
+    return [((node % this.width) + 0.5) * this.spacing, (Math.floor(node / this.width) + 0.5) * this.spacing];
   }
 }
 
@@ -45,23 +54,40 @@ export class FieldResult {
 
   constructor(about, maps, block, title) {
     this.#block = block;
-    Object.assign(this, { about, title, name: about.name, map: maps[about.map], declared: new Numbers(about.numbers, about.meanings), statistics: about.statistics });
+    Object.assign(this, {
+      about,
+      title,
+      name: about.name,
+      map: maps[about.map],
+      declared: new Numbers(about.numbers, about.meanings),
+      statistics: about.statistics,
+    });
     for (const name of ["convergence", "curve", "grains", "cracks"]) this[name] = unpacked(block, about[name] ?? null);
     this.steps = this.curve.strain?.length ?? 0;
     /** Mean stress sigma_yy over the nodes that are not void; what sizes are compared with. */
     this.mean = about.components.sigma_yy?.mean ?? null;
   }
 
-  get resultName() { return this.name; }
+  get resultName() {
+    return this.name;
+  }
 
   /** Figures ask for the texture of a packing; a field has none. */
-  texture() { return null; }
+  texture() {
+    return null;
+  }
 
-  get loaded() { return this.about.components.sigma_yy !== undefined; }
+  get loaded() {
+    return this.about.components.sigma_yy !== undefined;
+  }
 
   /** Size that "strong" is measured by: the mean of sigma_yy, or of the largest component under shear. */
   get scale() {
-    return Math.max(...["sigma_yy", "sigma_xx", "sigma_xy"].map((name) => Math.abs(this.about.components[name]?.mean ?? 0))) || 1;
+    return (
+      Math.max(
+        ...["sigma_yy", "sigma_xx", "sigma_xy"].map((name) => Math.abs(this.about.components[name]?.mean ?? 0)),
+      ) || 1
+    );
   }
 
   has(name) {
@@ -96,12 +122,15 @@ export class FieldResult {
   }
 
   /** Radius of the disk of the grain's area, m. */
-  radiusOfGrain(g) { return Math.sqrt(this.grains.nodes[g] / Math.PI) * this.map.about.dx; }
+  radiusOfGrain(g) {
+    return Math.sqrt(this.grains.nodes[g] / Math.PI) * this.map.about.dx;
+  }
 
   /** Rectangle around the nodes of grain g. */
   boxOfGrain(g) {
     if (!this.boxes) this.boxes = boxes(this.map, this.grains.nodes.length);
-    const [left, bottom, right, top] = this.boxes.subarray(4 * g, 4 * g + 4), d = this.map.spacing;
+    const [left, bottom, right, top] = this.boxes.subarray(4 * g, 4 * g + 4),
+      d = this.map.spacing;
     return { left: left * d, bottom: bottom * d, right: (right + 1) * d, top: (top + 1) * d };
   }
 }
@@ -111,7 +140,9 @@ function boxes({ label, width }, grains) {
   for (let g = 0; g < grains; ++g) list.set([1e9, 1e9, -1, -1], 4 * g);
   for (let k = 0; k < label.length; ++k) {
     if (label[k] === 0) continue;
-    const at = 4 * (label[k] - 1), x = k % width, y = Math.floor(k / width);
+    const at = 4 * (label[k] - 1),
+      x = k % width,
+      y = Math.floor(k / width);
     list[at] = Math.min(list[at], x);
     list[at + 1] = Math.min(list[at + 1], y);
     list[at + 2] = Math.max(list[at + 2], x);

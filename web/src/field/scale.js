@@ -1,5 +1,5 @@
 /** Shares of the nodes that a colour scale may leave beyond each of its ends. */
-export const clips = { all: 0, "0.1": 0.001, "1": 0.01, "5": 0.05 };
+export const clips = { all: 0, 0.1: 0.001, 1: 0.01, 5: 0.05 };
 
 /** Values of the nodes that count, in order. */
 export function sorted(values, kind) {
@@ -12,8 +12,10 @@ export function sorted(values, kind) {
 /** A scale from values to 0..1. `around`: "mean", "zero" (diverging, both arms equally long) or "ends" (sequential);
     symlog keeps the middle linear and squeezes the tails: asinh(v/linear)/asinh(reach/linear). */
 export function makeScale(order, { around, symlog, clip, mean }) {
-  const n = order.length, at = (share) => order[Math.round(share * (n - 1))] ?? 0;
-  let low = at(clip), high = at(1 - clip);
+  const n = order.length,
+    at = (share) => order[Math.round(share * (n - 1))] ?? 0;
+  let low = at(clip),
+    high = at(1 - clip);
   if (!(high > low)) [low, high] = [low - (Math.abs(low) || 1), high + (Math.abs(high) || 1)];
   const centre = around === "mean" ? mean : around === "zero" ? 0 : null;
   if (centre !== null) {
@@ -24,10 +26,15 @@ export function makeScale(order, { around, symlog, clip, mean }) {
   const linear = 0.04 * (high - low);
   const bend = symlog ? (v) => Math.asinh((v - pivot) / linear) : (v) => v;
   const unbend = symlog ? (t) => pivot + linear * Math.sinh(t) : (t) => t;
-  const first = bend(low), last = bend(high);
+  const first = bend(low),
+    last = bend(high);
   return {
-    low, high, centre, symlog,
-    below: share(order, low), above: 1 - share(order, high, true),
+    low,
+    high,
+    centre,
+    symlog,
+    below: share(order, low),
+    above: 1 - share(order, high, true),
     of: (v) => (bend(v) - first) / (last - first),
     value: (t) => unbend(first + t * (last - first)),
   };
@@ -35,7 +42,8 @@ export function makeScale(order, { around, symlog, clip, mean }) {
 
 /** Share of the values below (or not above) a limit. */
 function share(order, limit, including = false) {
-  let from = 0, to = order.length;
+  let from = 0,
+    to = order.length;
   while (from < to) {
     const middle = (from + to) >> 1;
     if (order[middle] < limit || (including && order[middle] === limit)) from = middle + 1;
@@ -51,7 +59,8 @@ export function histogram(order, scale, bins) {
   for (const v of order) {
     const at = scale.of(v) * bins;
     if (!(at >= 0 && at < bins)) continue;
-    const k = Math.floor(at - 0.5), part = at - 0.5 - k;
+    const k = Math.floor(at - 0.5),
+      part = at - 0.5 - k;
     counts[Math.max(0, k)] += 1 - part;
     counts[Math.min(bins - 1, k + 1)] += part;
   }

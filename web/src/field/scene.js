@@ -5,34 +5,67 @@ import { deformedDrawing, nodeBuffers } from "./deformation.js";
 import { gridDrawing } from "./grid.js";
 
 const unit = (colour) => bytes(colour).map((v) => v / 255);
-const crackRadius = 1.5;  // pixels of the screen at least
+const crackRadius = 1.5; // pixels of the screen at least
 
 /** The grid of nodes on the graphics card, with crosses and cracks over it. */
 export class FieldScene {
   constructor(canvas, map) {
     this.map = map;
-    const regl = this.regl = createRegl({ canvas, attributes: { antialias: false, alpha: false, preserveDrawingBuffer: true }, extensions: ["ANGLE_instanced_arrays"] });
+    const regl = (this.regl = createRegl({
+      canvas,
+      attributes: { antialias: false, alpha: false, preserveDrawingBuffer: true },
+      extensions: ["ANGLE_instanced_arrays"],
+    }));
     this.grid = gridDrawing(regl);
-    this.segments = segmentDrawing(regl, regl.buffer([[-1, -1], [1, -1], [-1, 1], [1, 1]]));
+    this.segments = segmentDrawing(
+      regl,
+      regl.buffer([
+        [-1, -1],
+        [1, -1],
+        [-1, 1],
+        [1, 1],
+      ]),
+    );
     const { box, width, height } = map;
     this.size = [box.right, box.top];
     // Positions go to the card relative to the middle, where float32 is finest.
     this.origin = { x: box.right / 2, y: box.top / 2 };
     this.paint = regl.texture({ width, height, min: "linear", mag: "linear" });
     this.label = regl.texture({ width, height, data: labelBytes(map) });
-    this.layers = Object.fromEntries(["crosses", "cracks"].map((name) => [name, { count: 0, ...Object.fromEntries(["ends", "width", "colour"].map((part) => [part, regl.buffer({ usage: "dynamic", length: 4 })])) }]));
+    this.layers = Object.fromEntries(
+      ["crosses", "cracks"].map((name) => [
+        name,
+        {
+          count: 0,
+          ...Object.fromEntries(
+            ["ends", "width", "colour"].map((part) => [part, regl.buffer({ usage: "dynamic", length: 4 })]),
+          ),
+        },
+      ]),
+    );
   }
 
   /** Nodes where they went, made when they are first asked for. */
   #displaced(result, rgba) {
     if (!this.deformed) {
-      const { nodes, place, move } = nodeBuffers(result, this.origin), { regl } = this;
-      this.deformed = { nodes, draw: deformedDrawing(regl), place: regl.buffer(place), move: regl.buffer(move), colour: regl.buffer({ usage: "dynamic", length: 4 }), count: nodes.length };
+      const { nodes, place, move } = nodeBuffers(result, this.origin),
+        { regl } = this;
+      this.deformed = {
+        nodes,
+        draw: deformedDrawing(regl),
+        place: regl.buffer(place),
+        move: regl.buffer(move),
+        colour: regl.buffer({ usage: "dynamic", length: 4 }),
+        count: nodes.length,
+      };
     }
     if (this.deformed.of === rgba) return;
     const all = new Uint32Array(rgba.buffer);
     this.deformed.of = rgba;
-    this.deformed.colour({ data: new Uint8Array(Uint32Array.from(this.deformed.nodes, (k) => all[k]).buffer), usage: "dynamic" });
+    this.deformed.colour({
+      data: new Uint8Array(Uint32Array.from(this.deformed.nodes, (k) => all[k]).buffer),
+      usage: "dynamic",
+    });
   }
 
   setPaint(rgba) {
@@ -51,24 +84,40 @@ export class FieldScene {
 
   draw(camera, pixelRatio, theme, { outline, chosen, fade, deformed = null }) {
     const pixelsPerMetre = camera.scale * pixelRatio;
-    const perMetre = [2 * camera.scale / camera.width, 2 * camera.scale / camera.height];
+    const perMetre = [(2 * camera.scale) / camera.width, (2 * camera.scale) / camera.height];
     const pixelsPerNode = pixelsPerMetre * this.map.spacing;
     this.regl.poll();
     this.regl.clear({ color: [...unit(theme.card), 1] });
     if (deformed) {
       this.#displaced(deformed.result, this.rgba);
       this.deformed.draw({
-        ...this.deformed, middle: [camera.x - this.origin.x, camera.y - this.origin.y], perMetre, times: deformed.times, size: Math.max(1, 1.12 * pixelsPerNode + 0.5),
-        background: unit(theme.card), fade,
+        ...this.deformed,
+        middle: [camera.x - this.origin.x, camera.y - this.origin.y],
+        perMetre,
+        times: deformed.times,
+        size: Math.max(1, 1.12 * pixelsPerNode + 0.5),
+        background: unit(theme.card),
+        fade,
       });
-    } else this.grid({
-      middle: [camera.x, camera.y], perMetre, size: this.size, nodes: [this.map.width, this.map.height], paint: this.paint, label: this.label,
-      background: unit(theme.card), ink: unit(theme.field.outline), pixelsPerNode, chosen: chosen ?? 0, fade,
-      outline: outline ? Math.min(0.75, 0.2 + 0.25 * pixelsPerNode) : 0,
-    });
+    } else
+      this.grid({
+        middle: [camera.x, camera.y],
+        perMetre,
+        size: this.size,
+        nodes: [this.map.width, this.map.height],
+        paint: this.paint,
+        label: this.label,
+        background: unit(theme.card),
+        ink: unit(theme.field.outline),
+        pixelsPerNode,
+        chosen: chosen ?? 0,
+        fade,
+        outline: outline ? Math.min(0.75, 0.2 + 0.25 * pixelsPerNode) : 0,
+      });
     const view = { middle: [camera.x - this.origin.x, camera.y - this.origin.y], perMetre, pixelsPerMetre };
     for (const [name, layer] of Object.entries(this.layers))
-      if (layer.count) this.segments({ ...view, ...layer, ...(name === "cracks" ? { hairline: crackRadius * pixelRatio } : {}) });
+      if (layer.count)
+        this.segments({ ...view, ...layer, ...(name === "cracks" ? { hairline: crackRadius * pixelRatio } : {}) });
   }
 }
 

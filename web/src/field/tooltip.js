@@ -6,12 +6,15 @@ export const kindNames = ["void", "matrix", "grain", "small grain", "large grain
 
 /** The numbers of the node under the pointer, and of the grain that it belongs to. */
 export function nodeNumbers(result, node, theme, which) {
-  const { map } = result, kind = map.kind[node], [x, y] = map.placeOf(node);
+  const { map } = result,
+    kind = map.kind[node],
+    [x, y] = map.placeOf(node);
   const g = map.label[node] - 1;
   const rows = [["x, y", `${text.number(1e3 * x, 4)}, ${text.number(1e3 * y, 4)}\u202fmm`]];
   if (kind !== classes.empty && result.loaded) rows.push(...stressRows(result, node));
   const cavities = map.cavities?.[which];
-  if (cavities && cavities.label[node] > 0) rows.push(["size", `${text.count(cavities.nodes[cavities.label[node] - 1])} nodes`]);
+  if (cavities && cavities.label[node] > 0)
+    rows.push(["size", `${text.count(cavities.nodes[cavities.label[node] - 1])} nodes`]);
   if (g >= 0) rows.push(...grainRows(result, g));
   return { title: g >= 0 ? `${name(kind)} ${g + 1}` : name(kind), colour: theme.kind[kind], rows };
 }
@@ -19,20 +22,25 @@ export function nodeNumbers(result, node, theme, which) {
 const name = (kind) => kindNames[kind][0].toUpperCase() + kindNames[kind].slice(1);
 
 function stressRows(result, node) {
-  const at = (component) => result.values(component)[node], written = (value, like) => text.quantity(value, result.unitOf(like));
+  const at = (component) => result.values(component)[node],
+    written = (value, like) => text.quantity(value, result.unitOf(like));
   const [xx, yy, xy] = ["xx", "yy", "xy"].map(at);
   const { first, angle } = principal(xx, yy, xy);
   const rows = [
-    ["\u03c3_{yy}", written(yy, "yy")], ["\u03c3_{xx}", written(xx, "xx")], ["\u03c3_{xy}", written(xy, "xy")],
+    ["\u03c3_{yy}", written(yy, "yy")],
+    ["\u03c3_{xx}", written(xx, "xx")],
+    ["\u03c3_{xy}", written(xy, "xy")],
     ["\u03c3_{1}", `${written(first, "yy")} at ${Math.round((angle * 180) / Math.PI)}\u00b0`],
     ["\u03c3_{yy}/\u27e8\u03c3_{yy}\u27e9", text.number(yy / result.mean)],
   ];
-  if (result.has("ux") && result.has("uy")) rows.push(["u_{x}, u_{y}", `${written(at("ux"), "ux")}, ${written(at("uy"), "uy")}`]);
+  if (result.has("ux") && result.has("uy"))
+    rows.push(["u_{x}, u_{y}", `${written(at("ux"), "ux")}, ${written(at("uy"), "uy")}`]);
   return rows;
 }
 
 function grainRows(result, g) {
   const rows = [["grain\u2019s diameter", text.quantity(2 * result.radiusOfGrain(g), "m")]];
-  if (result.loaded) rows.push(["grain\u2019s mean \u03c3_{yy}", text.quantity(result.stressOfGrain(g).yy, result.grains.yy.unit)]);
+  if (result.loaded)
+    rows.push(["grain\u2019s mean \u03c3_{yy}", text.quantity(result.stressOfGrain(g).yy, result.grains.yy.unit)]);
   return rows;
 }

@@ -8,7 +8,8 @@ import { csvOf, rowsOf } from "./csv.js";
 /** A figure in its frame: title, key, drawing, caption and the buttons that save it. It follows the slider, the theme
     and the room it has. */
 export function figureCard(figure, sample, state) {
-  const drawing = h("div", { class: "drawing" }), keys = h("div", { class: "keys" });
+  const drawing = h("div", { class: "drawing" }),
+    keys = h("div", { class: "keys" });
   const name = () => fileName(sample.title, sample.resultName ?? "", figure.id);
   const theme = () => themeOf(state.get("theme"));
   const picture = () => drawing.querySelector("svg");
@@ -16,16 +17,42 @@ export function figureCard(figure, sample, state) {
     const { width, height } = picture().viewBox.baseVal;
     return savePng(name(), svgText(picture(), theme()), width, height, 3);
   };
-  const saveButton = (form, onclick) => h("button", { class: "save", "data-save": form, title: `Save this figure as ${form.toUpperCase()}`, "aria-label": `Save \u201c${plain(figure.title)}\u201d as ${form.toUpperCase()}`, onclick }, form.toUpperCase());
-  const card = h("figure", { class: `card figure${figure.wide ? " wide" : ""}`, "data-figure": figure.id, "aria-label": plain(figure.title) },
-    h("figcaption", { class: "title" }, h("h3", {}, rich(figure.title)),
-      h("span", { class: "saves" },
+  const saveButton = (form, onclick) =>
+    h(
+      "button",
+      {
+        class: "save",
+        "data-save": form,
+        title: `Save this figure as ${form.toUpperCase()}`,
+        "aria-label": `Save \u201c${plain(figure.title)}\u201d as ${form.toUpperCase()}`,
+        onclick,
+      },
+      form.toUpperCase(),
+    );
+  const card = h(
+    "figure",
+    { class: `card figure${figure.wide ? " wide" : ""}`, "data-figure": figure.id, "aria-label": plain(figure.title) },
+    h(
+      "figcaption",
+      { class: "title" },
+      h("h3", {}, rich(figure.title)),
+      h(
+        "span",
+        { class: "saves" },
         Object.entries(figure.choices ?? {}).map(([key, [label, options]]) => choice(label, key, state, options)),
-        Object.entries(figure.pickers ?? {}).map(([key, [label, optionsOf]]) => picker(label, key, state, optionsOf(sample))),
-        saveButton("svg", () => saveSvg(name(), picture(), theme())), saveButton("png", asPng),
-        saveButton("csv", () => saveText(`${name()}.csv`, "text/csv", csvOf(picture()))))),
-    keys, drawing, h("p", { class: "caption" }, rich(figure.caption)));
-  const follows = figure.follows === true ? ["snapshot"] : figure.follows ?? [];
+        Object.entries(figure.pickers ?? {}).map(([key, [label, optionsOf]]) =>
+          picker(label, key, state, optionsOf(sample)),
+        ),
+        saveButton("svg", () => saveSvg(name(), picture(), theme())),
+        saveButton("png", asPng),
+        saveButton("csv", () => saveText(`${name()}.csv`, "text/csv", csvOf(picture()))),
+      ),
+    ),
+    keys,
+    drawing,
+    h("p", { class: "caption" }, rich(figure.caption)),
+  );
+  const follows = figure.follows === true ? ["snapshot"] : (figure.follows ?? []);
   let drawn = "";
   const draw = (force) => {
     const width = Math.floor(drawing.clientWidth);
@@ -38,10 +65,14 @@ export function figureCard(figure, sample, state) {
     const there = !texture || figure.when(texture, sample);
     keys.replaceChildren(...(there && figure.key ? figure.key(about).map(entry) : []));
     const before = drawing.clientHeight;
-    drawing.replaceChildren((there && figure.draw(about)) || h("p", { class: "nothing" }, "No data for this figure in this state."));
+    drawing.replaceChildren(
+      (there && figure.draw(about)) || h("p", { class: "nothing" }, "No data for this figure in this state."),
+    );
     label(picture(), figure);
-    drawing.style.minHeight = picture() ? "" : `${before}px`;  // the page does not jump while the slider passes by
-    card.querySelectorAll(".save").forEach((button) => { button.disabled = !picture() || (button.dataset.save === "csv" && !rowsOf(picture()).length); });
+    drawing.style.minHeight = picture() ? "" : `${before}px`; // the page does not jump while the slider passes by
+    card.querySelectorAll(".save").forEach((button) => {
+      button.disabled = !picture() || (button.dataset.save === "csv" && !rowsOf(picture()).length);
+    });
   };
   new ResizeObserver(() => draw(false)).observe(drawing);
   state.watch(["theme", "snapshot", ...follows], () => draw(false));
@@ -60,8 +91,26 @@ const strokes = { times: "M6,1l6,6M6,7l6,-6", plus: "M9,0v8M5,4h8", diamond: "M9
 function entry({ name, colour, values, dash = null, symbol = null }) {
   const numbers = values.map(([symbol, estimate]) => {
     const { value, error } = text.withError(estimate.value, estimate.error);
-    return [" ", h("span", { class: "estimate" }, rich(symbol), ` ${value}`, error && h("small", {}, ` \u00b1 ${error}`))];
+    return [
+      " ",
+      h("span", { class: "estimate" }, rich(symbol), ` ${value}`, error && h("small", {}, ` \u00b1 ${error}`)),
+    ];
   });
-  const line = s("svg", { width: 18, height: 8, viewBox: "0 0 18 8" }, symbol ? s("path", { d: strokes[symbol], fill: "none", stroke: colour, "stroke-width": 1.6 }) : s("line", { x1: 1, x2: 17, y1: 4, y2: 4, stroke: colour, "stroke-width": 2.5, "stroke-dasharray": dash, "stroke-linecap": dash ? null : "round" }));
+  const line = s(
+    "svg",
+    { width: 18, height: 8, viewBox: "0 0 18 8" },
+    symbol
+      ? s("path", { d: strokes[symbol], fill: "none", stroke: colour, "stroke-width": 1.6 })
+      : s("line", {
+          x1: 1,
+          x2: 17,
+          y1: 4,
+          y2: 4,
+          stroke: colour,
+          "stroke-width": 2.5,
+          "stroke-dasharray": dash,
+          "stroke-linecap": dash ? null : "round",
+        }),
+  );
   return h("span", { class: "entry" }, line, h("b", {}, rich(name)), numbers);
 }

@@ -7,7 +7,14 @@ import { bytes } from "../theme.js";
 export const layers = {
   solid_fraction: { label: "Solid fraction", symbol: "\u03c6", map: "viridis", closed: true },
   density: { label: "Density", symbol: "\u03c1", map: "viridis", closed: true },
-  speed: { label: "Velocity", symbol: "|v|", map: "viridis", arrows: true, needs: "vx", of: ({ vx, vy }) => vx.map((v, k) => Math.hypot(v, vy[k])) },
+  speed: {
+    label: "Velocity",
+    symbol: "|v|",
+    map: "viridis",
+    arrows: true,
+    needs: "vx",
+    of: ({ vx, vy }) => vx.map((v, k) => Math.hypot(v, vy[k])),
+  },
   vx: { label: "Velocity along x", symbol: "v_{x}", map: "diverging", signed: true },
   vy: { label: "Velocity along y", symbol: "v_{y}", map: "diverging", signed: true },
   pressure: { label: "Pressure", symbol: "p", map: "magma" },
@@ -22,22 +29,27 @@ const valuesOf = (fields, name) => layers[name].of?.(fields) ?? fields[name];
 
 /** Ends of the colours: all but a hundredth of the cells. */
 function rangeOf(values, { signed, closed }) {
-  const sorted = Float64Array.from(values).filter(Number.isFinite).sort(), at = (share) => sorted[Math.round(share * (sorted.length - 1))] ?? 0;
+  const sorted = Float64Array.from(values).filter(Number.isFinite).sort(),
+    at = (share) => sorted[Math.round(share * (sorted.length - 1))] ?? 0;
   if (signed) {
     const most = Math.max(Math.abs(at(0.01)), Math.abs(at(0.99))) || 1;
     return [-most, most];
   }
-  const low = closed ? at(0.01) : Math.min(0, at(0.01)), high = at(0.99);
+  const low = closed ? at(0.01) : Math.min(0, at(0.01)),
+    high = at(0.99);
   return high > low ? [low, high] : [low - 0.5 * Math.abs(low || 1), high + 0.5 * Math.abs(high || 1)];
 }
 
 /** The cells as a picture, one pixel a cell, which the drawing stretches. */
 function pictureOf({ columns, rows }, values, [low, high], theme, map) {
-  const canvas = Object.assign(document.createElement("canvas"), { width: columns, height: rows }), context = canvas.getContext("2d");
-  const image = context.createImageData(columns, rows), table = Array.from({ length: 256 }, (_, k) => bytes(theme.maps[map](k / 255)));
+  const canvas = Object.assign(document.createElement("canvas"), { width: columns, height: rows }),
+    context = canvas.getContext("2d");
+  const image = context.createImageData(columns, rows),
+    table = Array.from({ length: 256 }, (_, k) => bytes(theme.maps[map](k / 255)));
   for (let row = 0; row < rows; ++row)
     for (let column = 0; column < columns; ++column) {
-      const value = values[row * columns + column], at = 4 * ((rows - 1 - row) * columns + column);
+      const value = values[row * columns + column],
+        at = 4 * ((rows - 1 - row) * columns + column);
       if (!Number.isFinite(value)) continue;
       image.data.set(table[Math.round(255 * Math.min(1, Math.max(0, (value - low) / (high - low))))], at);
       image.data[at + 3] = 255;
@@ -48,40 +60,115 @@ function pictureOf({ columns, rows }, values, [low, high], theme, map) {
 
 /** About 16 arrows along the longer side; the longest is as long as their distance. */
 function arrowsOf(fields, place, theme) {
-  const { columns, rows, vx, vy } = fields, step = Math.max(1, Math.round(Math.max(columns, rows) / 16)), [x0] = place(0, 0), [x1] = place(step, 0);
-  const speeds = Float64Array.from(vx, (v, k) => Math.hypot(v, vy[k])).filter(Number.isFinite).sort(), most = speeds[Math.floor(0.98 * (speeds.length - 1))] || 1;
-  const group = s("g", { stroke: theme.ink, "stroke-width": 1.1, fill: "none", "stroke-linecap": "round", class: "arrows" });
+  const { columns, rows, vx, vy } = fields,
+    step = Math.max(1, Math.round(Math.max(columns, rows) / 16)),
+    [x0] = place(0, 0),
+    [x1] = place(step, 0);
+  const speeds = Float64Array.from(vx, (v, k) => Math.hypot(v, vy[k]))
+      .filter(Number.isFinite)
+      .sort(),
+    most = speeds[Math.floor(0.98 * (speeds.length - 1))] || 1;
+  const group = s("g", {
+    stroke: theme.ink,
+    "stroke-width": 1.1,
+    fill: "none",
+    "stroke-linecap": "round",
+    class: "arrows",
+  });
   for (let row = step >> 1; row < rows; row += step)
     for (let column = step >> 1; column < columns; column += step) {
-      const k = row * columns + column, scale = (0.95 * (x1 - x0)) / most, dx = vx[k] * scale, dy = -vy[k] * scale, length = Math.hypot(dx, dy);
+      const k = row * columns + column,
+        scale = (0.95 * (x1 - x0)) / most,
+        dx = vx[k] * scale,
+        dy = -vy[k] * scale,
+        length = Math.hypot(dx, dy);
       if (!(length > 1.5)) continue;
-      const [x, y] = place(column, row), head = Math.min(4, 0.4 * length), ux = dx / length, uy = dy / length, ex = x + dx / 2, ey = y + dy / 2;
-      group.append(s("path", { d: `M${ex - dx},${ey - dy}L${ex},${ey}M${ex - head * (ux + 0.6 * uy)},${ey - head * (uy - 0.6 * ux)}L${ex},${ey}L${ex - head * (ux - 0.6 * uy)},${ey - head * (uy + 0.6 * ux)}` }));
+      const [x, y] = place(column, row),
+        head = Math.min(4, 0.4 * length),
+        ux = dx / length,
+        uy = dy / length,
+        ex = x + dx / 2,
+        ey = y + dy / 2;
+      group.append(
+        s("path", {
+          d: `M${ex - dx},${ey - dy}L${ex},${ey}M${ex - head * (ux + 0.6 * uy)},${ey - head * (uy - 0.6 * ux)}L${ex},${ey}L${ex - head * (ux - 0.6 * uy)},${ey - head * (uy + 0.6 * ux)}`,
+        }),
+      );
     }
   return group;
 }
 
 function ramp({ label: words, map }, si, [low, high], theme, y) {
-  const { factor, unit } = prefixOf(Math.max(Math.abs(low), Math.abs(high)), si), length = 170, steps = 48;
-  const bars = Array.from({ length: steps }, (_, k) => s("rect", { x: (k * length) / steps, y: y + 16, width: length / steps + 0.6, height: 8, fill: theme.maps[map]((k + 0.5) / steps) }));
-  const at = (share, anchor) => label(share * length, y + 34, text.number((low + share * (high - low)) / factor, 3), anchor);
-  return s("g", {}, label(0, y + 6, unit ? `${words}, ${unit}` : words, null, { fill: theme.ink }), bars, at(0), at(0.5, "middle"), at(1, "end"));
+  const { factor, unit } = prefixOf(Math.max(Math.abs(low), Math.abs(high)), si),
+    length = 170,
+    steps = 48;
+  const bars = Array.from({ length: steps }, (_, k) =>
+    s("rect", {
+      x: (k * length) / steps,
+      y: y + 16,
+      width: length / steps + 0.6,
+      height: 8,
+      fill: theme.maps[map]((k + 0.5) / steps),
+    }),
+  );
+  const at = (share, anchor) =>
+    label(share * length, y + 34, text.number((low + share * (high - low)) / factor, 3), anchor);
+  return s(
+    "g",
+    {},
+    label(0, y + 6, unit ? `${words}, ${unit}` : words, null, { fill: theme.ink }),
+    bars,
+    at(0),
+    at(0.5, "middle"),
+    at(1, "end"),
+  );
 }
 
 export const coarseFields = {
-  id: "coarse-fields", title: "Coarse-grained fields", follows: ["snapshot", "field"],
-  caption: "Fields of the state shown, or of the nearest state that has them: averages over a kernel about as wide as a grain, which satisfy the balances of mass and momentum. Stress includes its kinetic part; compression is positive, except for the shear stress. Arrows: velocity.",
+  id: "coarse-fields",
+  title: "Coarse-grained fields",
+  follows: ["snapshot", "field"],
+  caption:
+    "Fields of the state shown, or of the nearest state that has them: averages over a kernel about as wide as a grain, which satisfy the balances of mass and momentum. Stress includes its kinetic part; compression is positive, except for the shear stress. Arrows: velocity.",
   when: (texture, sample) => sample.fields(0),
-  pickers: { field: ["", (sample) => known(sample.fields(sample.snapshotCount - 1)).map(([name, layer]) => [name, layer.label])] },
+  pickers: {
+    field: ["", (sample) => known(sample.fields(sample.snapshotCount - 1)).map(([name, layer]) => [name, layer.label])],
+  },
   draw({ sample, state, theme, width }) {
-    const fields = sample.fields(state.get("snapshot")), wanted = state.get("field"), name = known(fields).some(([one]) => one === wanted) ? wanted : "solid_fraction";
-    const layer = layers[name], values = valuesOf(fields, name), range = rangeOf(values, layer), [left, right, bottom, top] = fields.bounds;
-    const scale = Math.min(width / (right - left), 420 / (top - bottom)), w = scale * (right - left), h = scale * (top - bottom), x = (width - w) / 2;
+    const fields = sample.fields(state.get("snapshot")),
+      wanted = state.get("field"),
+      name = known(fields).some(([one]) => one === wanted) ? wanted : "solid_fraction";
+    const layer = layers[name],
+      values = valuesOf(fields, name),
+      range = rangeOf(values, layer),
+      [left, right, bottom, top] = fields.bounds;
+    const scale = Math.min(width / (right - left), 420 / (top - bottom)),
+      w = scale * (right - left),
+      h = scale * (top - bottom),
+      x = (width - w) / 2;
     const place = (column, row) => [x + ((column + 0.5) * w) / fields.columns, h - ((row + 0.5) * h) / fields.rows];
-    const svg = s("svg", { viewBox: `0 0 ${width} ${h + 52}`, width, height: h + 52, "font-family": theme.font, "font-size": 11.5, fill: theme.soft },
-      s("image", { href: pictureOf(fields, values, range, theme, layer.map), x, y: 0, width: w, height: h, preserveAspectRatio: "none" }),
+    const svg = s(
+      "svg",
+      {
+        viewBox: `0 0 ${width} ${h + 52}`,
+        width,
+        height: h + 52,
+        "font-family": theme.font,
+        "font-size": 11.5,
+        fill: theme.soft,
+      },
+      s("image", {
+        href: pictureOf(fields, values, range, theme, layer.map),
+        x,
+        y: 0,
+        width: w,
+        height: h,
+        preserveAspectRatio: "none",
+      }),
       s("rect", { x, y: 0.5, width: w, height: h - 1, fill: "none", stroke: theme.rule }),
-      layer.arrows && arrowsOf(fields, place, theme), ramp(layer, unitOf(fields, name), range, theme, h + 8));
+      layer.arrows && arrowsOf(fields, place, theme),
+      ramp(layer, unitOf(fields, name), range, theme, h + 8),
+    );
     svg.numbers = [tableOf(fields)];
     return richSvg(svg);
   },
@@ -89,8 +176,26 @@ export const coarseFields = {
 
 /** Every cell with all its fields, SI. */
 function tableOf(fields) {
-  const { columns, bounds: [left, right, bottom, top], rows } = fields, there = known(fields);
-  const at = (k) => ({ x: left + ((k % columns + 0.5) * (right - left)) / columns, y: bottom + ((Math.floor(k / columns) + 0.5) * (top - bottom)) / rows });
-  const arrays = there.map(([name, { symbol }]) => [[symbol, typeset(unitOf(fields, name))].filter(Boolean).join(", "), valuesOf(fields, name)]);
-  return { x: "x, m", y: "y, m", points: Array.from({ length: columns * rows }, (_, k) => ({ ...at(k), more: Object.fromEntries(arrays.map(([head, values]) => [head, values[k]])) })) };
+  const {
+      columns,
+      bounds: [left, right, bottom, top],
+      rows,
+    } = fields,
+    there = known(fields);
+  const at = (k) => ({
+    x: left + (((k % columns) + 0.5) * (right - left)) / columns,
+    y: bottom + ((Math.floor(k / columns) + 0.5) * (top - bottom)) / rows,
+  });
+  const arrays = there.map(([name, { symbol }]) => [
+    [symbol, typeset(unitOf(fields, name))].filter(Boolean).join(", "),
+    valuesOf(fields, name),
+  ]);
+  return {
+    x: "x, m",
+    y: "y, m",
+    points: Array.from({ length: columns * rows }, (_, k) => ({
+      ...at(k),
+      more: Object.fromEntries(arrays.map(([head, values]) => [head, values[k]])),
+    })),
+  };
 }

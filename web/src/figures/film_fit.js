@@ -4,13 +4,21 @@ import { makeScale } from "../field/scale.js";
 import { packed } from "../theme.js";
 import { text } from "../text.js";
 
-const shades = 512, gap = 12, line = 15, key = 76;
+const shades = 512,
+  gap = 12,
+  line = 15,
+  key = 76;
 
 /** What the film shows, what the forces make of it, and the difference, in the pixels that have both; peak to peak. */
 function pictures(film) {
-  const toFull = film.about.film.convention === "peak_to_peak" ? 1 : 2, fitted = film.values("fitted");
+  const toFull = film.about.film.convention === "peak_to_peak" ? 1 : 2,
+    fitted = film.values("fitted");
   const measured = film.values("in_phase").map((v, k) => (Number.isFinite(fitted[k]) ? toFull * v : NaN));
-  return [["measured", measured], ["from the forces", fitted], ["residual", measured.map((v, k) => v - fitted[k])]];
+  return [
+    ["measured", measured],
+    ["from the forces", fitted],
+    ["residual", measured.map((v, k) => v - fitted[k])],
+  ];
 }
 
 function painted(film, values, scale, palette, none) {
@@ -18,35 +26,92 @@ function painted(film, values, scale, palette, none) {
   Object.assign(canvas, { width: film.width, height: film.height });
   const table = Uint32Array.from({ length: shades }, (_, k) => packed(palette((k + 0.5) / shades)));
   const out = new Uint32Array(values.length);
-  values.forEach((v, k) => { out[k] = Number.isFinite(v) ? table[Math.min(shades - 1, Math.max(0, Math.floor(scale.of(v) * shades)))] : packed(none); });
+  values.forEach((v, k) => {
+    out[k] = Number.isFinite(v)
+      ? table[Math.min(shades - 1, Math.max(0, Math.floor(scale.of(v) * shades)))]
+      : packed(none);
+  });
   canvas.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(out.buffer), film.width, film.height), 0, 0);
   return canvas.toDataURL("image/png");
 }
 
 export const fitMaps = {
-  id: "film-fit", title: "Measured warming and its fit by contact forces", wide: true,
-  caption: "Warming with the load as measured, as predicted from the contact forces (through lens and pixels), and the residual; one scale, peak to peak. The fit leaves out pixels at rims and contacts, which are shown here.",
+  id: "film-fit",
+  title: "Measured warming and its fit by contact forces",
+  wide: true,
+  caption:
+    "Warming with the load as measured, as predicted from the contact forces (through lens and pixels), and the residual; one scale, peak to peak. The fit leaves out pixels at rims and contacts, which are shown here.",
   when: (_, film) => film.hasForces && film.about.maps.fitted,
   draw({ sample: film, theme, width }) {
-    const all = pictures(film), order = all[0][1].filter(Number.isFinite).sort();
+    const all = pictures(film),
+      order = all[0][1].filter(Number.isFinite).sort();
     if (order.length === 0) return null;
     const scale = { ...makeScale(order, { around: "zero", symlog: false, clip: 0.01, mean: 0 }), order };
-    const { left, right, top, bottom } = around(film), wide = (width - 2 * gap) / 3, narrow = wide < 150, head = narrow ? 20 + line : 20, zoom = wide / (right - left), high = zoom * (bottom - top);
-    const svg = s("svg", { xmlns: "http://www.w3.org/2000/svg", width, height: head + high + key, viewBox: `0 0 ${width} ${head + high + key}`, "font-family": theme.font, "font-size": 11.5, fill: theme.soft });
-    all.forEach(([name, values], k) => {
-      const x = k * (wide + gap), spread = `r.m.s. ${text.quantity(Math.sqrt(meanSquare(values)), film.about.film.unit)}`;
-      svg.append(label(x, 9, narrow ? name : `${name}, ${spread}`, null, { fill: theme.ink }), narrow ? label(x, 9 + line, spread) : "",
-        s("svg", { x, y: head, width: wide, height: high, viewBox: `${left} ${top} ${right - left} ${bottom - top}`, preserveAspectRatio: "none", style: "overflow: hidden" },
-          s("image", { href: painted(film, values, scale, theme.diverging, theme.field.aside), x: -0.5, y: -0.5, width: film.width, height: film.height, preserveAspectRatio: "none", style: "image-rendering: pixelated" })));
+    const { left, right, top, bottom } = around(film),
+      wide = (width - 2 * gap) / 3,
+      narrow = wide < 150,
+      head = narrow ? 20 + line : 20,
+      zoom = wide / (right - left),
+      high = zoom * (bottom - top);
+    const svg = s("svg", {
+      xmlns: "http://www.w3.org/2000/svg",
+      width,
+      height: head + high + key,
+      viewBox: `0 0 ${width} ${head + high + key}`,
+      "font-family": theme.font,
+      "font-size": 11.5,
+      fill: theme.soft,
     });
-    svg.append(s("g", { transform: `translate(0 ${head + high + 10})` },
-      colourBar({ title: "Warming with the load", unit: film.about.film.unit, scale, palette: theme.diverging, theme, length: Math.min(420, width - 120) })));
+    all.forEach(([name, values], k) => {
+      const x = k * (wide + gap),
+        spread = `r.m.s. ${text.quantity(Math.sqrt(meanSquare(values)), film.about.film.unit)}`;
+      svg.append(
+        label(x, 9, narrow ? name : `${name}, ${spread}`, null, { fill: theme.ink }),
+        narrow ? label(x, 9 + line, spread) : "",
+        s(
+          "svg",
+          {
+            x,
+            y: head,
+            width: wide,
+            height: high,
+            viewBox: `${left} ${top} ${right - left} ${bottom - top}`,
+            preserveAspectRatio: "none",
+            style: "overflow: hidden",
+          },
+          s("image", {
+            href: painted(film, values, scale, theme.diverging, theme.field.aside),
+            x: -0.5,
+            y: -0.5,
+            width: film.width,
+            height: film.height,
+            preserveAspectRatio: "none",
+            style: "image-rendering: pixelated",
+          }),
+        ),
+      );
+    });
+    svg.append(
+      s(
+        "g",
+        { transform: `translate(0 ${head + high + 10})` },
+        colourBar({
+          title: "Warming with the load",
+          unit: film.about.film.unit,
+          scale,
+          palette: theme.diverging,
+          theme,
+          length: Math.min(420, width - 120),
+        }),
+      ),
+    );
     return svg;
   },
 };
 
 function meanSquare(values) {
-  let sum = 0, n = 0;
+  let sum = 0,
+    n = 0;
   for (const v of values) if (Number.isFinite(v)) [sum, n] = [sum + v * v, n + 1];
   return n ? sum / n : 0;
 }
@@ -55,8 +120,10 @@ function meanSquare(values) {
 function around({ grains: { x, y, radius }, count }) {
   const ends = { left: Infinity, right: -Infinity, top: Infinity, bottom: -Infinity };
   for (let g = 0; g < count; ++g) {
-    ends.left = Math.min(ends.left, x[g] - radius[g] - 1), ends.right = Math.max(ends.right, x[g] + radius[g] + 1);
-    ends.top = Math.min(ends.top, y[g] - radius[g] - 1), ends.bottom = Math.max(ends.bottom, y[g] + radius[g] + 1);
+    ((ends.left = Math.min(ends.left, x[g] - radius[g] - 1)),
+      (ends.right = Math.max(ends.right, x[g] + radius[g] + 1)));
+    ((ends.top = Math.min(ends.top, y[g] - radius[g] - 1)),
+      (ends.bottom = Math.max(ends.bottom, y[g] + radius[g] + 1)));
   }
   return ends;
 }

@@ -20,25 +20,41 @@ function axisOf(stage) {
     return { label: "time", unit: time.unit, values: Array.from(time, (t) => t - time[0]) };
   }
   const length = Math.abs(at[0] - stage.history[`${opposite[side]}_position`][0]);
-  return { label: `strain from the ${side} wall`, short: "strain", unit: "%", values: Array.from(at, (x) => (100 * inward[side] * (x - at[0])) / length) };
+  return {
+    label: `strain from the ${side} wall`,
+    short: "strain",
+    unit: "%",
+    values: Array.from(at, (x) => (100 * inward[side] * (x - at[0])) / length),
+  };
 }
 
 /** Bonds between grains that broke, by what broke them. */
 export const grainBonds = {
-  id: "grain-bonds", title: "Broken bonds", wide: true, follows: true,
-  caption: "Broken bonds between grains, by failure mode, against the strain of the stage shown. In the picture each is drawn as a crack between its grains.",
+  id: "grain-bonds",
+  title: "Broken bonds",
+  wide: true,
+  follows: true,
+  caption:
+    "Broken bonds between grains, by failure mode, against the strain of the stage shown. In the picture each is drawn as a crack between its grains.",
   when: (texture, sample) => sample.stages.some(hasBroken),
   key: ({ theme }) => kinds.map((name, k) => ({ name, colour: colours(theme)[k], values: [] })),
   draw({ sample, state, theme, width }) {
     const stage = stageOf(sample, state);
     if (!hasBroken(stage)) return null;
     const { values, ...x } = axisOf(stage);
-    const lines = kinds.map((name) => ({ name, rows: Array.from(brokenIn(stage, name), (y, k) => ({ x: values[k], y })) }));
+    const lines = kinds.map((name) => ({
+      name,
+      rows: Array.from(brokenIn(stage, name), (y, k) => ({ x: values[k], y })),
+    }));
     return chart(theme, {
-      width, height: 254,
-      x: { ...x, ticks: 5 }, y: { label: "broken bonds" },
+      width,
+      height: 254,
+      x: { ...x, ticks: 5 },
+      y: { label: "broken bonds" },
       tips: { points: lines.flatMap(({ name, rows }) => rows.map((r) => ({ ...r, name }))) },
-      marks: lines.map(({ rows }, k) => Plot.line(rows, { x: "x", y: "y", stroke: colours(theme)[k], strokeWidth: 1.6 })),
+      marks: lines.map(({ rows }, k) =>
+        Plot.line(rows, { x: "x", y: "y", stroke: colours(theme)[k], strokeWidth: 1.6 }),
+      ),
     });
   },
 };

@@ -23,10 +23,38 @@ import { stressPath } from "./stress_path.js";
     `wide` (takes a whole row), `follows` (redrawn at every snapshot, or when one of these keys of the state changes), `choices`
     (keys of the state with their options, beside the title), `pickers` (the same as lists: key = [label, function of the sample that gives the
     options]). A new figure is one more row. */
-export const figures = [testCurves, grainBonds, discharge, roses, stressDistribution, forceDistribution, grainScatter, sizeCurve, coarseFields, coordination, contactNumbers, rev, threshold, stressPath, wallForces, forceDisplacement, energies, approach];
+export const figures = [
+  testCurves,
+  grainBonds,
+  discharge,
+  roses,
+  stressDistribution,
+  forceDistribution,
+  grainScatter,
+  sizeCurve,
+  coarseFields,
+  coordination,
+  contactNumbers,
+  rev,
+  threshold,
+  stressPath,
+  wallForces,
+  forceDisplacement,
+  energies,
+  approach,
+];
 
 /** Every figure of a cemented sample or its field, likewise; `sample` is its FieldResult and there is no texture. */
 export const fieldFigures = [stressStrain, brokenBonds, energyBalance, stressDensities, cavityVolumes, convergence];
 
 /** Every figure of a film, likewise; `sample` is its FilmResult. */
-export const filmFigures = [stressMaps, againstSimulation, stressTails, filmOrientations, fitMaps, rankedForces, certainty, rankedStresses];
+export const filmFigures = [
+  stressMaps,
+  againstSimulation,
+  stressTails,
+  filmOrientations,
+  fitMaps,
+  rankedForces,
+  certainty,
+  rankedStresses,
+];

@@ -4,7 +4,11 @@ import { prefixOf } from "../text.js";
 import { chart, sideBySide } from "./chart.js";
 import { stageOf } from "./history.js";
 
-const ratioLabels = { mu: "friction, shear over normal force", q_over_p: "q/p from the forces on the sides", axial_stress: "stress along the axis" };
+const ratioLabels = {
+  mu: "friction, shear over normal force",
+  q_over_p: "q/p from the forces on the sides",
+  axial_stress: "stress along the axis",
+};
 const symbols = { mu: "\u03bc", q_over_p: "q/p" };
 
 /** The curves of a stage as the program measured them: { strain, ratio: [{ x, y }], volume, critical }. Strains of sides in per cent. */
@@ -12,13 +16,24 @@ function curvesOf(stage) {
   const test = stage?.test;
   if (!test) return null;
   const factor = test.strain_name === "shear strain" ? 1 : 100;
-  const against = (values, scale) => Array.from(test.strain, (x, k) => ({ x: factor * x, y: scale * values[k] })).filter(({ y }) => Number.isFinite(y) && Math.abs(y) < 200);
+  const against = (values, scale) =>
+    Array.from(test.strain, (x, k) => ({ x: factor * x, y: scale * values[k] })).filter(
+      ({ y }) => Number.isFinite(y) && Math.abs(y) < 200,
+    );
   const critical = test.critical_state;
   if (test.ratio_name === "axial_stress") return uniaxial(test, factor);
   return {
-    strain: { label: test.strain_name, unit: factor === 1 ? "" : "%" }, symbol: symbols[test.ratio_name], ratioLabel: ratioLabels[test.ratio_name],
-    ratio: against(test.ratio, 1).filter(({ y }) => y < 2), volume: against(test.volume, 100),
-    critical: critical && { from: factor * critical.from, to: factor * critical.to, ratio: half(critical[test.ratio_name]), solid: half(critical.solid_fraction) },
+    strain: { label: test.strain_name, unit: factor === 1 ? "" : "%" },
+    symbol: symbols[test.ratio_name],
+    ratioLabel: ratioLabels[test.ratio_name],
+    ratio: against(test.ratio, 1).filter(({ y }) => y < 2),
+    volume: against(test.volume, 100),
+    critical: critical && {
+      from: factor * critical.from,
+      to: factor * critical.to,
+      ratio: half(critical[test.ratio_name]),
+      solid: half(critical.solid_fraction),
+    },
   };
 }
 
@@ -33,8 +48,12 @@ export function stageWithCurves(sample, state) {
 function uniaxial(test, factor) {
   const { factor: size, unit } = prefixOf(Math.max(...Array.from(test.ratio, Math.abs)), test.ratio.unit);
   return {
-    strain: { label: test.strain_name, unit: "%" }, ratioLabel: ratioLabels.axial_stress, ratioUnit: unit,
-    ratio: Array.from(test.strain, (x, k) => ({ x: factor * x, y: test.ratio[k] / size })).filter(({ y }) => Number.isFinite(y)),
+    strain: { label: test.strain_name, unit: "%" },
+    ratioLabel: ratioLabels.axial_stress,
+    ratioUnit: unit,
+    ratio: Array.from(test.strain, (x, k) => ({ x: factor * x, y: test.ratio[k] / size })).filter(({ y }) =>
+      Number.isFinite(y),
+    ),
   };
 }
 
@@ -45,7 +64,10 @@ const half = ({ value, low_95: low, high_95: high }) => ({ value, low, high, err
 export function criticalTiles(stage) {
   const curves = curvesOf(stage);
   if (!curves?.critical) return [];
-  return [[curves.symbol, curves.critical.ratio], ["\u03c6", curves.critical.solid]].map(([symbol, number]) => ({ words: "critical state, 95\u202f%", symbol, ...inWords(number, "") }));
+  return [
+    [curves.symbol, curves.critical.ratio],
+    ["\u03c6", curves.critical.solid],
+  ].map(([symbol, number]) => ({ words: "critical state, 95\u202f%", symbol, ...inWords(number, "") }));
 }
 
 /** The curve thinned to means over about as many stretches as can be told apart. */
@@ -54,7 +76,8 @@ function smooth(points, most = 160) {
   if (step < 3) return points;
   const result = [];
   for (let k = 0; k < points.length; k += step) {
-    const part = points.slice(k, k + step), mean = (key) => part.reduce((sum, p) => sum + p[key], 0) / part.length;
+    const part = points.slice(k, k + step),
+      mean = (key) => part.reduce((sum, p) => sum + p[key], 0) / part.length;
     result.push({ x: mean("x"), y: mean("y") });
   }
   return result;
@@ -63,7 +86,12 @@ function smooth(points, most = 160) {
 /** The plateau's band of 95 % and its mean, over the strain that it was taken from. */
 function plateau(theme, critical) {
   if (!critical) return [];
-  const ends = [critical.from, critical.to].map((x) => ({ x, y: critical.ratio.value, low: critical.ratio.low, high: critical.ratio.high }));
+  const ends = [critical.from, critical.to].map((x) => ({
+    x,
+    y: critical.ratio.value,
+    low: critical.ratio.low,
+    high: critical.ratio.high,
+  }));
   return [
     Plot.areaY(ends, { x: "x", y1: "low", y2: "high", fill: theme.accent, fillOpacity: 0.25 }),
     Plot.line(ends, { x: "x", y: "y", stroke: theme.accent, strokeWidth: 1.7 }),
@@ -73,10 +101,16 @@ function plateau(theme, critical) {
 function panel(theme, strain, points, y, width, critical = null) {
   const curve = smooth(points);
   return chart(theme, {
-    width, height: 236, marginLeft: 60,
-    x: { label: strain.label, unit: strain.unit, ticks: 5 }, y, tips: { points: curve },
+    width,
+    height: 236,
+    marginLeft: 60,
+    x: { label: strain.label, unit: strain.unit, ticks: 5 },
+    y,
+    tips: { points: curve },
     marks: [
-      ...(curve === points ? [] : [Plot.line(points, { x: "x", y: "y", stroke: theme.weak, strokeOpacity: 0.35, strokeWidth: 0.7 })]),
+      ...(curve === points
+        ? []
+        : [Plot.line(points, { x: "x", y: "y", stroke: theme.weak, strokeOpacity: 0.35, strokeWidth: 0.7 })]),
       Plot.line(curve, { x: "x", y: "y", stroke: theme.strong, strokeWidth: 1.7 }),
       ...plateau(theme, critical),
     ],
@@ -84,27 +118,53 @@ function panel(theme, strain, points, y, width, critical = null) {
 }
 
 export const testCurves = {
-  id: "test-curves", title: "Curves of the test", wide: true, follows: true,
-  caption: "Curves of the stage shown, or of the nearest stage that has curves (named on the axis), from the forces on its sides and their positions: stress ratio (without confinement or in tension, the stress) and volumetric strain (compaction positive) against strain. Thin: all sampled values; thick: running mean. Coloured: the critical state with its 95 % band, over the strains at which the ratio only fluctuates.",
+  id: "test-curves",
+  title: "Curves of the test",
+  wide: true,
+  follows: true,
+  caption:
+    "Curves of the stage shown, or of the nearest stage that has curves (named on the axis), from the forces on its sides and their positions: stress ratio (without confinement or in tension, the stress) and volumetric strain (compaction positive) against strain. Thin: all sampled values; thick: running mean. Coloured: the critical state with its 95 % band, over the strains at which the ratio only fluctuates.",
   when: (texture, sample) => sample.stages.some((stage) => curvesOf(stage)),
   key: ({ sample, state, theme }) => {
     const { critical, symbol } = curvesOf(stageWithCurves(sample, state)) ?? {};
-    return critical ? [{ name: "critical state", colour: theme.accent, values: [[symbol, critical.ratio], ["\u03c6", critical.solid]] }] : [];
+    return critical
+      ? [
+          {
+            name: "critical state",
+            colour: theme.accent,
+            values: [
+              [symbol, critical.ratio],
+              ["\u03c6", critical.solid],
+            ],
+          },
+        ]
+      : [];
   },
   draw({ sample, state, theme, width }) {
-    const stage = stageWithCurves(sample, state), curves = curvesOf(stage);
+    const stage = stageWithCurves(sample, state),
+      curves = curvesOf(stage);
     if (!curves) return null;
     if (stage !== stageOf(sample, state)) curves.strain.label += ` in \u201c${stage.name}\u201d`;
-    if (!curves.volume) return panel(theme, curves.strain, curves.ratio, { label: curves.ratioLabel, unit: curves.ratioUnit, nice: true }, width);
+    if (!curves.volume)
+      return panel(
+        theme,
+        curves.strain,
+        curves.ratio,
+        { label: curves.ratioLabel, unit: curves.ratioUnit, nice: true },
+        width,
+      );
     return sideBySide(width, [
-      (part) => panel(theme, curves.strain, curves.ratio, { label: curves.ratioLabel, nice: true }, part, curves.critical),
+      (part) =>
+        panel(theme, curves.strain, curves.ratio, { label: curves.ratioLabel, nice: true }, part, curves.critical),
       (part) => panel(theme, curves.strain, curves.volume, { label: "volumetric strain", unit: "%", nice: true }, part),
     ]);
   },
 };
 
 export const discharge = {
-  id: "discharge", title: "Discharge", follows: true,
+  id: "discharge",
+  title: "Discharge",
+  follows: true,
   caption: "Mass of the grains below the height count_below of the recipe; its slope is the discharge rate.",
   when: (texture, sample) => sample.stages.some((stage) => stage.history?.passed_mass),
   draw({ sample, state, theme, width }) {
@@ -112,8 +172,11 @@ export const discharge = {
     if (!mass) return null;
     const points = Array.from(mass, (m, k) => ({ x: time[k] - time[0], y: m }));
     return chart(theme, {
-      width, height: 236,
-      x: { label: "time", unit: time.unit, ticks: 5 }, y: { label: "mass passed", unit: mass.unit }, tips: { points },
+      width,
+      height: 236,
+      x: { label: "time", unit: time.unit, ticks: 5 },
+      y: { label: "mass passed", unit: mass.unit },
+      tips: { points },
       marks: [Plot.line(points, { x: "x", y: "y", stroke: theme.strong, strokeWidth: 1.7 })],
     });
   },

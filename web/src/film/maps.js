@@ -10,27 +10,85 @@ const convention = (film) => (film.about.film.convention === "peak_to_peak" ? "p
     field/scale.js); `of(value, film)` where what is shown is not what is stored; `cyclic` where colours come back, and
     are pale where the amplitude is lost in noise. A new one is one more row. */
 export const maps = {
-  picture: { label: "Picture", stored: "picture", title: () => "Image at the smallest load", palette: "grey", around: "ends" },
-  amplitude: { label: "Amplitude", stored: "amplitude", title: (film) => `Amplitude (${convention(film)})`, palette: "stress", around: "ends" },
+  picture: {
+    label: "Picture",
+    stored: "picture",
+    title: () => "Image at the smallest load",
+    palette: "grey",
+    around: "ends",
+  },
+  amplitude: {
+    label: "Amplitude",
+    stored: "amplitude",
+    title: (film) => `Amplitude (${convention(film)})`,
+    palette: "stress",
+    around: "ends",
+  },
   phase: {
-    label: "Phase", stored: "phase", title: () => "Phase relative to the load, \u00b0", unit: "", palette: "cyclic", around: "ends", cyclic: true,
+    label: "Phase",
+    stored: "phase",
+    title: () => "Phase relative to the load, \u00b0",
+    unit: "",
+    palette: "cyclic",
+    around: "ends",
+    cyclic: true,
     of: (phase, film) => wrapped((phase - film.about.film.reference_phase) * degrees),
   },
-  in_phase: { label: "Signed", stored: "in_phase", title: (film) => `Warming with the load (${convention(film)})`, palette: "diverging", around: "zero" },
-  fitted: { label: "From forces", stored: "fitted", title: () => "Warming predicted from the contact forces (peak to peak)", palette: "diverging", around: "zero" },
-  second_harmonic: { label: "2\u2009f", stored: "second_harmonic", title: () => "Amplitude at twice the frequency", palette: "stress", around: "ends" },
-  standard_error: { label: "Noise", stored: "standard_error", title: () => "Standard error of the signed amplitude", palette: "size", around: "ends" },
-  residual: { label: "Residual", stored: "residual", title: () => "Residual of the fit (r.m.s.)", palette: "size", around: "ends" },
-  bad: { label: "Bad pixels", stored: "picture", title: () => "Image at the smallest load", palette: "grey", around: "ends", when: (film) => film.bad.length > 0, marks: true },
+  in_phase: {
+    label: "Signed",
+    stored: "in_phase",
+    title: (film) => `Warming with the load (${convention(film)})`,
+    palette: "diverging",
+    around: "zero",
+  },
+  fitted: {
+    label: "From forces",
+    stored: "fitted",
+    title: () => "Warming predicted from the contact forces (peak to peak)",
+    palette: "diverging",
+    around: "zero",
+  },
+  second_harmonic: {
+    label: "2\u2009f",
+    stored: "second_harmonic",
+    title: () => "Amplitude at twice the frequency",
+    palette: "stress",
+    around: "ends",
+  },
+  standard_error: {
+    label: "Noise",
+    stored: "standard_error",
+    title: () => "Standard error of the signed amplitude",
+    palette: "size",
+    around: "ends",
+  },
+  residual: {
+    label: "Residual",
+    stored: "residual",
+    title: () => "Residual of the fit (r.m.s.)",
+    palette: "size",
+    around: "ends",
+  },
+  bad: {
+    label: "Bad pixels",
+    stored: "picture",
+    title: () => "Image at the smallest load",
+    palette: "grey",
+    around: "ends",
+    when: (film) => film.bad.length > 0,
+    marks: true,
+  },
 };
 
-export const available = (film) => Object.keys(maps).filter((name) => film.about.maps[maps[name].stored] && (maps[name].when?.(film) ?? true));
+export const available = (film) =>
+  Object.keys(maps).filter((name) => film.about.maps[maps[name].stored] && (maps[name].when?.(film) ?? true));
 
-export const faintBelow = 3;  // standard errors
+export const faintBelow = 3; // standard errors
 
 /** Whether a pixel's amplitude is lost in noise, so that its phase says nothing. */
 export function faintness(film) {
   if (!film.about.maps.amplitude || !film.about.maps.standard_error) return null;
-  const amplitude = film.values("amplitude"), error = film.values("standard_error");
+  const amplitude = film.values("amplitude"),
+    error = film.values("standard_error");
   return (k) => amplitude[k] < faintBelow * error[k];
 }

@@ -1,8 +1,9 @@
 import { s } from "../dom.js";
 import { materialLine } from "../theme.js";
 
-const widthPerForce = 0.16, widest = 1.1;  // of the mean radius, at the mean force
-const bright = 0.4;  // pixels of the film, around bars
+const widthPerForce = 0.16,
+  widest = 1.1; // of the mean radius, at the mean force
+const bright = 0.4; // pixels of the film, around bars
 
 /** Top of the scale of sigma_norm: all but a few grains lie below, in the film and in the simulation alike. */
 export function stressTop(film) {
@@ -19,7 +20,8 @@ export function stressColour(film, theme, value) {
 }
 
 /** Width of a contact's bar in pixels of the film. */
-export const barWidth = (film, fn) => film.meanRadius * Math.min(widest, (widthPerForce * Math.abs(fn)) / (film.meanForce || 1));
+export const barWidth = (film, fn) =>
+  film.meanRadius * Math.min(widest, (widthPerForce * Math.abs(fn)) / (film.meanForce || 1));
 
 /** What lies over the map, in the film's own pixels (column, row): container, grains, forces, motion. Lines that are no
     measure keep their width on the screen. */
@@ -37,19 +39,39 @@ const at = (v) => Number(v).toFixed(3);
 function container({ container: sides }, theme) {
   if (!sides) return "";
   const [left, right, bottom, top] = sides;
-  return s("rect", { x: at(left), y: at(top), width: at(right - left), height: at(bottom - top), stroke: theme.wall, "stroke-width": 1.25, ...thin });
+  return s("rect", {
+    x: at(left),
+    y: at(top),
+    width: at(right - left),
+    height: at(bottom - top),
+    stroke: theme.wall,
+    "stroke-width": 1.25,
+    ...thin,
+  });
 }
 
 /** Rims, all of them on pale lines so that they are seen on any map; or disks filled by their stress. */
 function grains(film, how, theme) {
-  const { x, y, radius, material } = film.grains, group = s("g");
+  const { x, y, radius, material } = film.grains,
+    group = s("g");
   const circles = (attributes) => {
-    for (let g = 0; g < film.count; ++g) group.append(s("circle", { cx: at(x[g]), cy: at(y[g]), r: at(radius[g]), ...thin, ...attributes(g) }));
+    for (let g = 0; g < film.count; ++g)
+      group.append(s("circle", { cx: at(x[g]), cy: at(y[g]), r: at(radius[g]), ...thin, ...attributes(g) }));
   };
-  if (how === "stress") circles((g) => ({ fill: stressColour(film, theme, film.stresses.film?.sigma_norm[g]), stroke: theme.ink, "stroke-width": 0.8, "stroke-opacity": 0.45 }));
+  if (how === "stress")
+    circles((g) => ({
+      fill: stressColour(film, theme, film.stresses.film?.sigma_norm[g]),
+      stroke: theme.ink,
+      "stroke-width": 0.8,
+      "stroke-opacity": 0.45,
+    }));
   else {
     circles(() => ({ stroke: theme.card, "stroke-width": 3, "stroke-opacity": 0.5 }));
-    circles((g) => (how === "material" ? { stroke: materialLine(theme, material[g]), "stroke-width": 2 } : { stroke: theme.strong, "stroke-width": 1.2 }));
+    circles((g) =>
+      how === "material"
+        ? { stroke: materialLine(theme, material[g]), "stroke-width": 2 }
+        : { stroke: theme.strong, "stroke-width": 1.2 },
+    );
   }
   return group;
 }
@@ -57,14 +79,19 @@ function grains(film, how, theme) {
 /** A bar as thick as its force is large, on a pale one thicker by the standard error, with a margin of the card's colour
     so that it is seen on any map; what may not be there is dashed. */
 function forces(film, theme) {
-  const { fn, fn_error: error } = film.contacts, group = s("g", { "stroke-linecap": "round" });
-  const order = Array.from(fn.keys()).filter((c) => Number.isFinite(fn[c])).sort((a, b) => Math.abs(fn[a]) - Math.abs(fn[b]));
+  const { fn, fn_error: error } = film.contacts,
+    group = s("g", { "stroke-linecap": "round" });
+  const order = Array.from(fn.keys())
+    .filter((c) => Number.isFinite(fn[c]))
+    .sort((a, b) => Math.abs(fn[a]) - Math.abs(fn[b]));
   const line = (c, attributes) => {
     const [x1, y1, x2, y2] = film.endsOf(c).map(at);
     group.append(s("line", { x1, y1, x2, y2, stroke: fn[c] < 0 ? theme.tension : theme.strong, ...attributes }));
   };
-  const thickness = (c) => barWidth(film, Math.abs(fn[c]) + (error?.[c] || 0)), sure = order.filter((c) => !film.isUncertain(c));
-  for (const c of sure) line(c, { stroke: theme.card, "stroke-opacity": 0.45, "stroke-width": at(thickness(c) + bright) });
+  const thickness = (c) => barWidth(film, Math.abs(fn[c]) + (error?.[c] || 0)),
+    sure = order.filter((c) => !film.isUncertain(c));
+  for (const c of sure)
+    line(c, { stroke: theme.card, "stroke-opacity": 0.45, "stroke-width": at(thickness(c) + bright) });
   for (const c of order.filter((k) => film.isUncertain(k))) {
     line(c, { stroke: theme.card, "stroke-width": 3, "stroke-opacity": 0.5, ...thin });
     line(c, { "stroke-width": 1.3, "stroke-dasharray": "3 4", ...thin });
@@ -78,20 +105,40 @@ function forces(film, theme) {
 
 /** How much longer than the true way arrows are drawn: the longest is about a grain. */
 export function magnification(film) {
-  const longest = film.grains.motion_x.reduce((most, v, g) => Math.max(most, Math.hypot(v, film.grains.motion_y[g])), 0);
-  const wanted = (1.6 * film.meanRadius) / (longest || 1), power = 10 ** Math.floor(Math.log10(wanted));
+  const longest = film.grains.motion_x.reduce(
+    (most, v, g) => Math.max(most, Math.hypot(v, film.grains.motion_y[g])),
+    0,
+  );
+  const wanted = (1.6 * film.meanRadius) / (longest || 1),
+    power = 10 ** Math.floor(Math.log10(wanted));
   return [5, 2, 1].map((f) => f * power).find((v) => v <= wanted) ?? power;
 }
 
 function motion(film, theme) {
-  const { x, y, motion_x: mx, motion_y: my } = film.grains, group = s("g", { stroke: theme.accent, fill: theme.accent }), k = magnification(film);
+  const { x, y, motion_x: mx, motion_y: my } = film.grains,
+    group = s("g", { stroke: theme.accent, fill: theme.accent }),
+    k = magnification(film);
   for (let g = 0; g < film.count; ++g) {
-    const dx = k * mx[g], dy = k * my[g], size = Math.hypot(dx, dy);
+    const dx = k * mx[g],
+      dy = k * my[g],
+      size = Math.hypot(dx, dy);
     if (!(size > 0.15)) continue;
-    const [tx, ty] = [x[g] + dx, y[g] + dy], head = Math.min(0.5 * size, 0.35 * film.meanRadius), ux = dx / size, uy = dy / size;
+    const [tx, ty] = [x[g] + dx, y[g] + dy],
+      head = Math.min(0.5 * size, 0.35 * film.meanRadius),
+      ux = dx / size,
+      uy = dy / size;
     const wing = (side) => `${at(tx - head * (ux - side * 0.5 * uy))},${at(ty - head * (uy + side * 0.5 * ux))}`;
-    group.append(s("line", { x1: at(x[g]), y1: at(y[g]), x2: at(tx - 0.8 * head * ux), y2: at(ty - 0.8 * head * uy), "stroke-width": 1.6, ...thin }),
-      s("path", { d: `M${at(tx)},${at(ty)}L${wing(1)}L${wing(-1)}Z`, stroke: "none" }));
+    group.append(
+      s("line", {
+        x1: at(x[g]),
+        y1: at(y[g]),
+        x2: at(tx - 0.8 * head * ux),
+        y2: at(ty - 0.8 * head * uy),
+        "stroke-width": 1.6,
+        ...thin,
+      }),
+      s("path", { d: `M${at(tx)},${at(ty)}L${wing(1)}L${wing(-1)}Z`, stroke: "none" }),
+    );
   }
   return group;
 }
@@ -101,8 +148,37 @@ export function outline(film, { grain = null, contact = null, pixel = null }, th
   const group = s("g", { fill: "none", stroke: theme.accent });
   if (contact !== null) {
     const [x1, y1, x2, y2] = film.endsOf(contact).map(at);
-    group.append(s("line", { x1, y1, x2, y2, "stroke-width": at(Math.max(0.4, barWidth(film, film.contacts.fn[contact]))), "stroke-opacity": 0.8 }));
-  } else if (grain !== null) group.append(s("circle", { cx: at(film.grains.x[grain]), cy: at(film.grains.y[grain]), r: at(film.grains.radius[grain]), "stroke-width": 2.2, ...thin }));
-  if (pixel !== null && large) group.append(s("rect", { x: (pixel % film.width) - 0.5, y: Math.floor(pixel / film.width) - 0.5, width: 1, height: 1, stroke: theme.accent, "stroke-width": 1.6, ...thin }));
+    group.append(
+      s("line", {
+        x1,
+        y1,
+        x2,
+        y2,
+        "stroke-width": at(Math.max(0.4, barWidth(film, film.contacts.fn[contact]))),
+        "stroke-opacity": 0.8,
+      }),
+    );
+  } else if (grain !== null)
+    group.append(
+      s("circle", {
+        cx: at(film.grains.x[grain]),
+        cy: at(film.grains.y[grain]),
+        r: at(film.grains.radius[grain]),
+        "stroke-width": 2.2,
+        ...thin,
+      }),
+    );
+  if (pixel !== null && large)
+    group.append(
+      s("rect", {
+        x: (pixel % film.width) - 0.5,
+        y: Math.floor(pixel / film.width) - 0.5,
+        width: 1,
+        height: 1,
+        stroke: theme.accent,
+        "stroke-width": 1.6,
+        ...thin,
+      }),
+    );
   return group;
 }

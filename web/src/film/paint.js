@@ -3,26 +3,48 @@ import { bytes, packed } from "../theme.js";
 import { faintness, maps } from "./maps.js";
 
 const shades = 512;
-const circle = { low: -180, high: 180, centre: null, symlog: false, below: 0, above: 0, of: (v) => (v + 180) / 360, value: (t) => 360 * t - 180 };
+const circle = {
+  low: -180,
+  high: 180,
+  centre: null,
+  symlog: false,
+  below: 0,
+  above: 0,
+  of: (v) => (v + 180) / 360,
+  value: (t) => 360 * t - 180,
+};
 
 /** The colour scale of the map that is shown, with its values in order; a film keeps the last one. */
 export function scaleOf(film, state) {
-  const name = state.get("map"), key = [name, state.get("law"), state.get("clip")].join(" ");
+  const name = state.get("map"),
+    key = [name, state.get("law"), state.get("clip")].join(" ");
   if (film.scaleKey === key) return film.keptScale;
   film.orders ??= new Map();
   if (!film.orders.has(name)) film.orders.set(name, film.values(name).filter(Number.isFinite).sort());
-  const order = film.orders.get(name), { cyclic, around } = maps[name];
+  const order = film.orders.get(name),
+    { cyclic, around } = maps[name];
   film.scaleKey = key;
-  return (film.keptScale = { ...(cyclic ? circle : makeScale(order, { around, symlog: state.get("law") === "symlog", clip: clips[state.get("clip")], mean: 0 })), order, name });
+  return (film.keptScale = {
+    ...(cyclic
+      ? circle
+      : makeScale(order, { around, symlog: state.get("law") === "symlog", clip: clips[state.get("clip")], mean: 0 })),
+    order,
+    name,
+  });
 }
 
 /** The map as a canvas, one pixel a pixel. */
 export function painted(film, state, theme) {
   const canvas = document.createElement("canvas");
   Object.assign(canvas, { width: film.width, height: film.height });
-  const name = state.get("map"), scale = scaleOf(film, state), values = film.values(name), palette = theme[maps[name].palette];
-  const table = Uint32Array.from({ length: shades }, (_, k) => packed(palette((k + 0.5) / shades))), none = packed(theme.field.aside);
-  const faint = maps[name].cyclic && faintness(film), pale = faint && table.map((_, k) => packed(mixed(palette((k + 0.5) / shades), theme.card)));
+  const name = state.get("map"),
+    scale = scaleOf(film, state),
+    values = film.values(name),
+    palette = theme[maps[name].palette];
+  const table = Uint32Array.from({ length: shades }, (_, k) => packed(palette((k + 0.5) / shades))),
+    none = packed(theme.field.aside);
+  const faint = maps[name].cyclic && faintness(film),
+    pale = faint && table.map((_, k) => packed(mixed(palette((k + 0.5) / shades), theme.card)));
   const out = new Uint32Array(values.length);
   for (let k = 0; k < out.length; ++k) {
     const shade = Math.min(shades - 1, Math.max(0, Math.floor(scale.of(values[k]) * shades)));
@@ -35,5 +57,7 @@ export function painted(film, state, theme) {
 
 function mixed(colour, background) {
   const to = bytes(background);
-  return `rgb(${bytes(colour).map((v, c) => Math.round(to[c] + 0.2 * (v - to[c]))).join(", ")})`;
+  return `rgb(${bytes(colour)
+    .map((v, c) => Math.round(to[c] + 0.2 * (v - to[c])))
+    .join(", ")})`;
 }

@@ -13,44 +13,74 @@ export class FilmResult {
 
   constructor(about, block, title) {
     this.#block = block;
-    Object.assign(this, { about, title, name: about.name, declared: new Numbers(about.numbers, about.meanings), materials: about.materials, container: about.container });
+    Object.assign(this, {
+      about,
+      title,
+      name: about.name,
+      declared: new Numbers(about.numbers, about.meanings),
+      materials: about.materials,
+      container: about.container,
+    });
     this.width = about.film.width;
     this.height = about.film.height;
     for (const name of ["grains", "contacts", "bad", "stresses"]) this[name] = unpacked(block, about[name]);
-    for (const [name, source] of Object.entries(this.stresses)) source.statistics = about.numbers.stresses?.[name] ?? {};
-    this.meanForce = valueOf(this.declared.at("forces.mean_N")) ?? meanOf(this.contacts.fn ?? [], (force, c) => force > 0 && !this.isUncertain(c));
+    for (const [name, source] of Object.entries(this.stresses))
+      source.statistics = about.numbers.stresses?.[name] ?? {};
+    this.meanForce =
+      valueOf(this.declared.at("forces.mean_N")) ??
+      meanOf(this.contacts.fn ?? [], (force, c) => force > 0 && !this.isUncertain(c));
     this.meanRadius = meanOf(this.grains.radius ?? [], () => true) || 1;
   }
 
-  get resultName() { return this.name; }
+  get resultName() {
+    return this.name;
+  }
 
   /** Figures ask for the texture of a packing; a film has none. */
-  texture() { return null; }
+  texture() {
+    return null;
+  }
 
-  get count() { return this.grains.count; }
-  get hasForces() { return this.contacts.count > 0 && this.contacts.fn?.some((force) => force !== 0); }
-  get hasSimulation() { return Boolean(this.stresses.film && (this.stresses.simulation_peak_to_peak || this.stresses.simulation_state)); }
-  get box() { return { left: -0.5, right: this.width - 0.5, bottom: 0.5 - this.height, top: 0.5 }; }
-  unitOf(map) { return maps[map].unit ?? this.about.maps[maps[map].stored].unit; }
+  get count() {
+    return this.grains.count;
+  }
+  get hasForces() {
+    return this.contacts.count > 0 && this.contacts.fn?.some((force) => force !== 0);
+  }
+  get hasSimulation() {
+    return Boolean(this.stresses.film && (this.stresses.simulation_peak_to_peak || this.stresses.simulation_state));
+  }
+  get box() {
+    return { left: -0.5, right: this.width - 0.5, bottom: 0.5 - this.height, top: 0.5 };
+  }
+  unitOf(map) {
+    return maps[map].unit ?? this.about.maps[maps[map].stored].unit;
+  }
 
   /** A contact that counts as there, and by its force and its gap may not be. */
-  isUncertain(c) { return (this.contacts.presence?.[c] ?? 1) < sure; }
+  isUncertain(c) {
+    return (this.contacts.presence?.[c] ?? 1) < sure;
+  }
 
   /** Where a contact's bar goes in the picture: centre to centre, or centre to the rim at a wall. */
   endsOf(c) {
-    const { i, j, nx, ny } = this.contacts, { x, y, radius } = this.grains;
-    const a = i[c], b = j[c];
+    const { i, j, nx, ny } = this.contacts,
+      { x, y, radius } = this.grains;
+    const a = i[c],
+      b = j[c];
     return b < this.count ? [x[a], y[a], x[b], y[b]] : [x[a], y[a], x[a] - radius[a] * nx[c], y[a] + radius[a] * ny[c]];
   }
 
   /** Number of the pixel under a point (column, row), or null. */
   pixelAt(x, y) {
-    const column = Math.round(x), row = Math.round(y);
+    const column = Math.round(x),
+      row = Math.round(y);
     return column >= 0 && row >= 0 && column < this.width && row < this.height ? column + this.width * row : null;
   }
 
   grainAt(x, y) {
-    for (let g = 0; g < this.count; ++g) if (Math.hypot(this.grains.x[g] - x, this.grains.y[g] - y) <= this.grains.radius[g]) return g;
+    for (let g = 0; g < this.count; ++g)
+      if (Math.hypot(this.grains.x[g] - x, this.grains.y[g] - y) <= this.grains.radius[g]) return g;
     return null;
   }
 
@@ -61,7 +91,8 @@ export class FilmResult {
   }
 
   #decoded(name) {
-    const { stored, of } = maps[name], about = this.about.maps[stored];
+    const { stored, of } = maps[name],
+      about = this.about.maps[stored];
     if (name !== stored && !of) return this.values(stored);
     const values = decodeField(this.width, unpack(this.#block, about.residual), about);
     if (about.holes) for (const k of unpack(this.#block, about.holes)) values[k] = NaN;
@@ -70,7 +101,10 @@ export class FilmResult {
 }
 
 function meanOf(values, counts) {
-  let sum = 0, n = 0;
-  values.forEach((v, k) => { if (counts(v, k)) [sum, n] = [sum + v, n + 1]; });
+  let sum = 0,
+    n = 0;
+  values.forEach((v, k) => {
+    if (counts(v, k)) [sum, n] = [sum + v, n + 1];
+  });
   return n ? sum / n : 0;
 }

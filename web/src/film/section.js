@@ -11,10 +11,19 @@ import { filmPanel } from "./panel.js";
 
 /** What the reader may choose on the section of a film. */
 function begin(film, page) {
-  const known = available(film), map = ["in_phase", "amplitude", "picture"].find((name) => known.includes(name)) ?? known[0];
+  const known = available(film),
+    map = ["in_phase", "amplitude", "picture"].find((name) => known.includes(name)) ?? known[0];
   return new State({
-    theme: page.get("theme"), map, law: "linear", clip: "1", grains: film.count ? "rims" : "off", forces: false, motion: false,
-    component: "fn", companion: film.stresses.simulation_peak_to_peak ? "peak_to_peak" : "state", over: "mean",
+    theme: page.get("theme"),
+    map,
+    law: "linear",
+    clip: "1",
+    grains: film.count ? "rims" : "off",
+    forces: false,
+    motion: false,
+    component: "fn",
+    companion: film.stresses.simulation_peak_to_peak ? "peak_to_peak" : "state",
+    over: "mean",
   });
 }
 
@@ -22,9 +31,25 @@ function begin(film, page) {
 export function filmSection(film, page) {
   const state = begin(film, page);
   page.watch(["theme"], () => state.set({ theme: page.get("theme") }));
-  const { panel, view } = available(film).length ? filmPanel(film, state) : { panel: h("section", { class: "card" }, h("p", { class: "nothing" }, "This film has no maps.")), view: null };
+  const { panel, view } = available(film).length
+    ? filmPanel(film, state)
+    : { panel: h("section", { class: "card" }, h("p", { class: "nothing" }, "This film has no maps.")), view: null };
   const cards = filmFigures.filter((figure) => figure.when({}, film)).map((figure) => figureCard(figure, film, state));
-  const element = h("div", {}, h("main", {}, panel, h("div", { class: "results" }, filmHeadlines(film), h("div", { class: "figures" }, cards), missing(film))), [comparisonNumbers(film), film.declared.at("texture") && textureCard("Microstructure and forces", film.declared.in("texture")), resultNumbers(film.declared)]);
+  const element = h(
+    "div",
+    {},
+    h(
+      "main",
+      {},
+      panel,
+      h("div", { class: "results" }, filmHeadlines(film), h("div", { class: "figures" }, cards), missing(film)),
+    ),
+    [
+      comparisonNumbers(film),
+      film.declared.at("texture") && textureCard("Microstructure and forces", film.declared.in("texture")),
+      resultNumbers(film.declared),
+    ],
+  );
   return { element, state, view, film };
 }
 
@@ -36,6 +61,7 @@ function missing(film) {
     film.count > 0 && !film.hasForces && "Contact forces were not inferred.",
     film.stresses.film && !film.hasSimulation && "No simulation of the same grains accompanies this film.",
   ].filter(Boolean);
-  for (const doubt of film.declared.at("checks.doubts") ?? []) sentences.push(`${doubt[0].toUpperCase()}${doubt.slice(1)}.`);
+  for (const doubt of film.declared.at("checks.doubts") ?? [])
+    sentences.push(`${doubt[0].toUpperCase()}${doubt.slice(1)}.`);
   return sentences.length ? h("p", { class: "caption missing" }, sentences.join(" ")) : null;
 }

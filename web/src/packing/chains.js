@@ -1,11 +1,11 @@
 import { bytes } from "../theme.js";
 
-const widthPerForce = 0.16;  // of the mean radius, at F = <F>
-const widest = 1.1;          // of the mean radius
+const widthPerForce = 0.16; // of the mean radius, at F = <F>
+const widest = 1.1; // of the mean radius
 
 /** Width of the chain of a contact force, m: proportional to |F_n| up to a cap. */
 export function chainWidth(sample, snapshot, fn) {
-  return sample.meanRadius * Math.min(widest, widthPerForce * Math.abs(fn) / (snapshot.meanForce || 1));
+  return sample.meanRadius * Math.min(widest, (widthPerForce * Math.abs(fn)) / (snapshot.meanForce || 1));
 }
 
 export function isShown(state, sample, snapshot, c) {
@@ -14,7 +14,7 @@ export function isShown(state, sample, snapshot, c) {
   const strength = state.get("strength");
   if (strength === "all") return true;
   if (strength === "tensile") return fn[c] < snapshot.tensile;
-  return (fn[c] > snapshot.meanForce) === (strength === "strong");
+  return fn[c] > snapshot.meanForce === (strength === "strong");
 }
 
 export function chainColour(theme, snapshot, fn) {
@@ -27,7 +27,8 @@ export function boundaryElement(snapshot, element) {
   let number = element;
   for (const boundary of snapshot.boundaries) {
     const points = boundary.x.length;
-    if (number < 2 * points) return { boundary, from: number >> 1, to: number % 2 ? ((number >> 1) + 1) % points : number >> 1 };
+    if (number < 2 * points)
+      return { boundary, from: number >> 1, to: number % 2 ? ((number >> 1) + 1) % points : number >> 1 };
     number -= 2 * points;
   }
   return null;
@@ -35,16 +36,23 @@ export function boundaryElement(snapshot, element) {
 
 /** Where a place touches an element: the foot on its line, and the distance to the element itself. */
 function footOn({ boundary, from, to }, x, y) {
-  const ax = boundary.x[from], ay = boundary.y[from], dx = boundary.x[to] - ax, dy = boundary.y[to] - ay;
+  const ax = boundary.x[from],
+    ay = boundary.y[from],
+    dx = boundary.x[to] - ax,
+    dy = boundary.y[to] - ay;
   const squared = dx * dx + dy * dy;
-  const share = squared > 0 ? ((x - ax) * dx + (y - ay) * dy) / squared : 0, within = Math.min(Math.max(share, 0), 1);
+  const share = squared > 0 ? ((x - ax) * dx + (y - ay) * dy) / squared : 0,
+    within = Math.min(Math.max(share, 0), 1);
   return { foot: [ax + share * dx, ay + share * dy], distance: Math.hypot(x - ax - within * dx, y - ay - within * dy) };
 }
 
 /** The foot on an element of that image of a grain at (x, y) that is nearest to it, and how far the image is shifted. */
 function nearestFoot(element, box, domain, x, y) {
   const { boundary, from, to } = element;
-  const [sx, sy] = nearestImage(box, domain, [x - (boundary.x[from] + boundary.x[to]) / 2, y - (boundary.y[from] + boundary.y[to]) / 2]);
+  const [sx, sy] = nearestImage(box, domain, [
+    x - (boundary.x[from] + boundary.x[to]) / 2,
+    y - (boundary.y[from] + boundary.y[to]) / 2,
+  ]);
   const images = [];
   for (const up of domain.periodic[1] ? [0, -1, 1] : [0])
     for (const across of domain.periodic[0] ? [0, -1, 1] : [0]) {
@@ -57,17 +65,26 @@ function nearestFoot(element, box, domain, x, y) {
 /** The segments of one contact: centre to centre, or centre to wall; through a periodic side it is drawn at both. */
 export function segmentsOf(sample, snapshot, c) {
   const { i, j } = snapshot.contacts;
-  const a = i[c], b = j[c];
-  const x = snapshot.x[a], y = snapshot.y[a];
+  const a = i[c],
+    b = j[c];
+  const x = snapshot.x[a],
+    y = snapshot.y[a];
   if (b >= sample.count) {
     const side = b - sample.count;
     if (side > 3) {
-      const { foot, shift } = nearestFoot(boundaryElement(snapshot, side - 4), sample.box(snapshot), snapshot.domain, x, y);
+      const { foot, shift } = nearestFoot(
+        boundaryElement(snapshot, side - 4),
+        sample.box(snapshot),
+        snapshot.domain,
+        x,
+        y,
+      );
       return fromBothEnds([x, y], foot, shift);
     }
     // Ends short of the wall by half the chain's width, so that the round end touches it.
     const inwards = side % 2 === 0 ? 1 : -1;
-    const position = snapshot.domain.walls[side].position + (inwards * chainWidth(sample, snapshot, snapshot.contacts.fn[c])) / 2;
+    const position =
+      snapshot.domain.walls[side].position + (inwards * chainWidth(sample, snapshot, snapshot.contacts.fn[c])) / 2;
     return [side < 2 ? [x, y, position, y] : [x, y, x, position]];
   }
   const end = [snapshot.x[b], snapshot.y[b]];
@@ -77,16 +94,23 @@ export function segmentsOf(sample, snapshot, c) {
 /** One segment where both ends are in one cell; else one from each end to the other's image. */
 function fromBothEnds([x, y], end, [sx, sy]) {
   if (sx === 0 && sy === 0) return [[x, y, ...end]];
-  return [[x, y, end[0] - sx, end[1] - sy], [x + sx, y + sy, ...end]];
+  return [
+    [x, y, end[0] - sx, end[1] - sy],
+    [x + sx, y + sy, ...end],
+  ];
 }
 
 /** The shift that takes a vector between two places to its nearest image. */
 function nearestImage(box, domain, [dx, dy]) {
   const [periodicX, periodicY] = domain.periodic;
-  let sx = 0, sy = 0;
+  let sx = 0,
+    sy = 0;
   if (periodicY) {
     const n = Math.round(dy / (box.top - box.bottom));
-    if (n) { sy = -n * (box.top - box.bottom); sx = -n * domain.tilt; }
+    if (n) {
+      sy = -n * (box.top - box.bottom);
+      sx = -n * domain.tilt;
+    }
   }
   if (periodicX) {
     const n = Math.round((dx + sx) / (box.right - box.left));
@@ -106,11 +130,14 @@ export function shownContacts(state, sample, snapshot) {
 /** Segments for the graphics card: ends relative to `origin`, widths, colours. */
 export function chainBuffers(state, sample, snapshot, theme, origin) {
   const shown = shownContacts(state, sample, snapshot);
-  const ends = new Float32Array(8 * shown.length), width = new Float32Array(2 * shown.length), colour = new Uint8Array(8 * shown.length);
+  const ends = new Float32Array(8 * shown.length),
+    width = new Float32Array(2 * shown.length),
+    colour = new Uint8Array(8 * shown.length);
   const paints = new Map();
   let count = 0;
   for (const c of shown) {
-    const fn = snapshot.contacts.fn[c], name = chainColour(theme, snapshot, fn);
+    const fn = snapshot.contacts.fn[c],
+      name = chainColour(theme, snapshot, fn);
     if (!paints.has(name)) paints.set(name, [...bytes(name), name === theme.weak ? 190 : 255]);
     for (const [ax, ay, bx, by] of segmentsOf(sample, snapshot, c)) {
       ends.set([ax - origin.x, ay - origin.y, bx - origin.x, by - origin.y], 4 * count);
@@ -118,5 +145,10 @@ export function chainBuffers(state, sample, snapshot, theme, origin) {
       colour.set(paints.get(name), 4 * count++);
     }
   }
-  return { ends: ends.subarray(0, 4 * count), width: width.subarray(0, count), colour: colour.subarray(0, 4 * count), count };
+  return {
+    ends: ends.subarray(0, 4 * count),
+    width: width.subarray(0, count),
+    colour: colour.subarray(0, 4 * count),
+    count,
+  };
 }

@@ -6,8 +6,12 @@ import { shareOf } from "./scale.js";
 /** How far grains fade towards the background while force chains lie over them. */
 export const fadeUnderChains = (mode) => (mode === "material" ? 0.5 : 0.3);
 
-const fromZero = (name, least = 0) => (sample) => [0, Math.max(topOf(name, sample), least)];
-const bothWays = (name, least = 0) => (sample) => [-Math.max(topOf(name, sample), least), Math.max(topOf(name, sample), least)];
+const fromZero =
+  (name, least = 0) =>
+  (sample) => [0, Math.max(topOf(name, sample), least)];
+const bothWays =
+  (name, least = 0) =>
+  (sample) => [-Math.max(topOf(name, sample), least), Math.max(topOf(name, sample), least)];
 
 /** How grains may be coloured. By a quantity: `range(sample)` = [low, high] and `map`, which the reader may change; `title` where it is not the
     quantity's label. By names: `colour(sample, theme)` = function from a grain to a colour, and `key(sample, theme)` = [[name, colour]]. A
@@ -18,12 +22,24 @@ export const colourings = {
     colour: (sample, theme) => (g) => materialColour(theme, sample.material[g]),
   },
   size: { range: (sample) => extent(sample.radius).map((r) => 2 * r), map: "viridis", closed: true },
-  stress: { title: "\u03c3_{norm} = \u03c3_{hyd} / \u27e8\u03c3_{hyd}\u27e9", range: (sample) => [0, Math.max(1, Math.ceil(2 * topOf("stress", sample)) / 2)], map: "magma" },
+  stress: {
+    title: "\u03c3_{norm} = \u03c3_{hyd} / \u27e8\u03c3_{hyd}\u27e9",
+    range: (sample) => [0, Math.max(1, Math.ceil(2 * topOf("stress", sample)) / 2)],
+    map: "magma",
+  },
   pressure: { range: fromZero("pressure"), map: "magma" },
   deviator: { range: fromZero("deviator"), map: "magma" },
   coordination: { title: "Contacts per grain", range: () => [0, 6], map: "viridis" },
-  displacement: { title: "Displacement since the first state of the stage", range: fromZero("displacement", 1e-9), map: "viridis" },
-  rotation: { title: "Rotation since the first state of the stage, counter-clockwise", range: bothWays("rotation", 1e-6), map: "diverging" },
+  displacement: {
+    title: "Displacement since the first state of the stage",
+    range: fromZero("displacement", 1e-9),
+    map: "viridis",
+  },
+  rotation: {
+    title: "Rotation since the first state of the stage, counter-clockwise",
+    range: bothWays("rotation", 1e-6),
+    map: "diverging",
+  },
   speed: { range: fromZero("speed", 1e-12), map: "viridis" },
   vx: { range: bothWays("vx", 1e-12), map: "diverging" },
   vy: { range: bothWays("vy", 1e-12), map: "diverging" },
@@ -33,41 +49,62 @@ export const colourings = {
     label: "Zone",
     when: (sample) => sample.hasZones,
     colour: (sample, theme) => (g) => (sample.zone[g] > 0 ? theme.materialLine[(sample.zone[g] + 1) % 4] : theme.weak),
-    key: (sample, theme) => [["outside", theme.weak], ["inside the region", theme.materialLine[2]]],
+    key: (sample, theme) => [
+      ["outside", theme.weak],
+      ["inside the region", theme.materialLine[2]],
+    ],
   },
 };
 
 /** Those that a sample has: [[mode, label]]. */
 export function colouringsOf(sample) {
-  return Object.entries(colourings).filter(([mode, { when = quantities[mode]?.when }]) => when?.(sample) ?? true)
+  return Object.entries(colourings)
+    .filter(([mode, { when = quantities[mode]?.when }]) => when?.(sample) ?? true)
     .map(([mode, { label }]) => [mode, label ?? quantities[mode].label]);
 }
 
-const decadesOfLog = 3;  // below the upper end, where the lower one is no positive number
+const decadesOfLog = 3; // below the upper end, where the lower one is no positive number
 
 /** What the colours of a quantity mean: { low, high (SI), log, map, title, unit, factor }; null where they are names. What the reader chose
     (`scales` of the state, by mode) goes before the usual. */
 export function scaleOf(sample, state, mode = state.get("colour")) {
   const { range, map, closed, title } = colourings[mode];
   if (!range) return null;
-  const [least, most] = range(sample), chosen = state.get("scales")?.[mode] ?? {};
+  const [least, most] = range(sample),
+    chosen = state.get("scales")?.[mode] ?? {};
   const { factor, unit } = prefixOf(Math.max(Math.abs(least), Math.abs(most)), unitOf(mode, sample));
-  const high = chosen.high ?? most, log = Boolean(chosen.log) && high > 0;
+  const high = chosen.high ?? most,
+    log = Boolean(chosen.log) && high > 0;
   let low = chosen.low ?? least;
   if (log && !(low > 0 && low < high)) low = high / 10 ** decadesOfLog;
-  return { low, high, log, map: chosen.map ?? map, open: !closed || chosen.high !== undefined, title: title ?? quantities[mode].label, factor, unit };
+  return {
+    low,
+    high,
+    log,
+    map: chosen.map ?? map,
+    open: !closed || chosen.high !== undefined,
+    title: title ?? quantities[mode].label,
+    factor,
+    unit,
+  };
 }
 
 function extent(values) {
-  let low = Infinity, high = -Infinity;
-  for (const v of values) { if (v < low) low = v; if (v > high) high = v; }
+  let low = Infinity,
+    high = -Infinity;
+  for (const v of values) {
+    if (v < low) low = v;
+    if (v > high) high = v;
+  }
   return [low, high];
 }
 
 /** Function from a grain to its colour; `scale` = that of the quantity (scale.js), null where colours have names. */
 export function grainColour(sample, snapshot, mode, scale, theme) {
   if (!scale) return colourings[mode].colour(sample, theme);
-  const values = valuesOf(mode, sample, snapshot), map = theme.maps[scale.map], table = Array.from({ length: 256 }, (_, k) => map(k / 255));
+  const values = valuesOf(mode, sample, snapshot),
+    map = theme.maps[scale.map],
+    table = Array.from({ length: 256 }, (_, k) => map(k / 255));
   return (g) => table[Math.round(255 * shareOf(scale, values[g]))];
 }
 

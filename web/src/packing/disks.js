@@ -51,13 +51,21 @@ export function diskDrawing(regl, corner) {
       colour: { buffer: regl.prop("colour"), divisor: 1, type: "uint8", normalized: true },
     },
     uniforms: {
-      middle: regl.prop("middle"), perMetre: regl.prop("perMetre"), pixelsPerMetre: regl.prop("pixelsPerMetre"),
-      background: regl.prop("background"), ink: regl.prop("ink"), fade: regl.prop("fade"), marks: regl.prop("marks"),
+      middle: regl.prop("middle"),
+      perMetre: regl.prop("perMetre"),
+      pixelsPerMetre: regl.prop("pixelsPerMetre"),
+      background: regl.prop("background"),
+      ink: regl.prop("ink"),
+      fade: regl.prop("fade"),
+      marks: regl.prop("marks"),
     },
     primitive: "triangle strip",
     count: 4,
     instances: regl.prop("count"),
     depth: { enable: false },
-    blend: { enable: true, func: { srcRGB: "src alpha", srcAlpha: "one", dstRGB: "one minus src alpha", dstAlpha: "one" } },
+    blend: {
+      enable: true,
+      func: { srcRGB: "src alpha", srcAlpha: "one", dstRGB: "one minus src alpha", dstAlpha: "one" },
+    },
   });
 }

@@ -3,7 +3,8 @@ import { fileName, saveText } from "../save.js";
 import { prefixOf, text } from "../text.js";
 import { knownQuantities, topOf, unitOf, valuesOf } from "./quantities.js";
 
-const rowHeight = 25, spare = 8;  // px; rows beyond either end of what is seen
+const rowHeight = 25,
+  spare = 8; // px; rows beyond either end of what is seen
 
 /** A column: head, unit as shown and its SI one, and the value of a grain. */
 function columnsOf(sample) {
@@ -11,42 +12,93 @@ function columnsOf(sample) {
     { key: "id", head: "grain", unit: "", si: "", factor: 1, of: () => (g) => sample.id[g], write: String },
     { key: "material", head: "material", unit: "", si: "", factor: 1, of: () => (g) => sample.name(g), write: String },
   ];
-  return [...names, ...knownQuantities(sample).map(([key, { symbol, label }]) => {
-    const si = unitOf(key, sample), { factor, unit } = prefixOf(topOf(key, sample), si);
-    return { key, head: symbol, label, unit, si, factor, write: (v) => (key === "coordination" ? String(v) : text.number(v / factor)), of: (snapshot) => {
-      const values = valuesOf(key, sample, snapshot);
-      return (g) => values[g];
-    } };
-  })];
+  return [
+    ...names,
+    ...knownQuantities(sample).map(([key, { symbol, label }]) => {
+      const si = unitOf(key, sample),
+        { factor, unit } = prefixOf(topOf(key, sample), si);
+      return {
+        key,
+        head: symbol,
+        label,
+        unit,
+        si,
+        factor,
+        write: (v) => (key === "coordination" ? String(v) : text.number(v / factor)),
+        of: (snapshot) => {
+          const values = valuesOf(key, sample, snapshot);
+          return (g) => values[g];
+        },
+      };
+    }),
+  ];
 }
 
 /** All grains of the state that is shown with their numbers, in a table that is sorted by a click on a column header; only the rows in sight are made.
     A click on a row selects its grain everywhere, arrows go from row to row. */
 export function grainTable(sample, state) {
-  const columns = columnsOf(sample), sorting = { column: columns[0], down: false };
-  const scroller = h("div", { class: "scroller grains-rows", tabindex: 0, role: "region", "aria-label": "Grains; arrow keys move from row to row" });
-  const body = h("tbody"), before = h("tr", { class: "gap", "aria-hidden": "true" }, h("td")), after = before.cloneNode(true);
-  let order = [], values = [];
+  const columns = columnsOf(sample),
+    sorting = { column: columns[0], down: false };
+  const scroller = h("div", {
+    class: "scroller grains-rows",
+    tabindex: 0,
+    role: "region",
+    "aria-label": "Grains; arrow keys move from row to row",
+  });
+  const body = h("tbody"),
+    before = h("tr", { class: "gap", "aria-hidden": "true" }, h("td")),
+    after = before.cloneNode(true);
+  let order = [],
+    values = [];
 
   const sort = () => {
-    const of = columns.map(({ of: value }) => value(sample.snapshot(state.get("snapshot")))), by = of[columns.indexOf(sorting.column)];
-    const sign = sorting.down ? -1 : 1, compare = sorting.column.key === "material" ? (a, b) => a.localeCompare(b) : (a, b) => a - b;
+    const of = columns.map(({ of: value }) => value(sample.snapshot(state.get("snapshot")))),
+      by = of[columns.indexOf(sorting.column)];
+    const sign = sorting.down ? -1 : 1,
+      compare = sorting.column.key === "material" ? (a, b) => a.localeCompare(b) : (a, b) => a - b;
     values = of;
     order = Array.from({ length: sample.count }, (_, g) => g).sort((a, b) => sign * compare(by(a), by(b)) || a - b);
-    heads.forEach((head, k) => head.setAttribute("aria-sort", columns[k] !== sorting.column ? "none" : sorting.down ? "descending" : "ascending"));
+    heads.forEach((head, k) =>
+      head.setAttribute(
+        "aria-sort",
+        columns[k] !== sorting.column ? "none" : sorting.down ? "descending" : "ascending",
+      ),
+    );
     draw();
   };
-  const heads = columns.map((column) => h("th", { scope: "col" }, h("button", { title: column.label ?? null, onclick: () => {
-    sorting.down = sorting.column === column ? !sorting.down : column.si !== "" || column.key === "coordination";
-    sorting.column = column;
-    scroller.scrollTop = 0;
-    sort();
-  } }, rich(column.head), column.unit && h("small", {}, `, ${column.unit}`))));
+  const heads = columns.map((column) =>
+    h(
+      "th",
+      { scope: "col" },
+      h(
+        "button",
+        {
+          title: column.label ?? null,
+          onclick: () => {
+            sorting.down =
+              sorting.column === column ? !sorting.down : column.si !== "" || column.key === "coordination";
+            sorting.column = column;
+            scroller.scrollTop = 0;
+            sort();
+          },
+        },
+        rich(column.head),
+        column.unit && h("small", {}, `, ${column.unit}`),
+      ),
+    ),
+  );
 
-  const row = (g) => h("tr", {
-    "data-grain": g, "aria-selected": String(g === state.get("selected")),
-    onclick: () => state.set({ selected: g === state.get("selected") ? null : g }), onpointerenter: () => state.set({ pointed: g }),
-  }, columns.map(({ write }, k) => h("td", {}, write(values[k](g)))));
+  const row = (g) =>
+    h(
+      "tr",
+      {
+        "data-grain": g,
+        "aria-selected": String(g === state.get("selected")),
+        onclick: () => state.set({ selected: g === state.get("selected") ? null : g }),
+        onpointerenter: () => state.set({ pointed: g }),
+      },
+      columns.map(({ write }, k) => h("td", {}, write(values[k](g)))),
+    );
   const draw = () => {
     const first = Math.max(0, Math.floor(scroller.scrollTop / rowHeight) - spare);
     const last = Math.min(order.length, first + Math.ceil((scroller.clientHeight || 400) / rowHeight) + 2 * spare);
@@ -56,7 +108,8 @@ export function grainTable(sample, state) {
   };
   const show = () => {
     const at = order.indexOf(state.get("selected")) * rowHeight;
-    if (at >= 0 && (at < scroller.scrollTop || at > scroller.scrollTop + scroller.clientHeight - 3 * rowHeight)) scroller.scrollTop = Math.max(0, at - scroller.clientHeight / 2);
+    if (at >= 0 && (at < scroller.scrollTop || at > scroller.scrollTop + scroller.clientHeight - 3 * rowHeight))
+      scroller.scrollTop = Math.max(0, at - scroller.clientHeight / 2);
     draw();
   };
   scroller.addEventListener("scroll", draw, { passive: true });
@@ -75,13 +128,41 @@ export function grainTable(sample, state) {
   if (state.get("selected") !== null) requestAnimationFrame(show);
 
   const csv = () => {
-    const lines = [columns.map(({ key, si }) => (si ? `${key}_${si.replace("/", "_")}` : key)).join(","), ...order.map((g) => values.map((of) => of(g)).join(","))];
-    saveText(`${fileName(sample.title, "grains", String(state.get("snapshot") + 1))}.csv`, "text/csv", `${lines.join("\n")}\n`);
+    const lines = [
+      columns.map(({ key, si }) => (si ? `${key}_${si.replace("/", "_")}` : key)).join(","),
+      ...order.map((g) => values.map((of) => of(g)).join(",")),
+    ];
+    saveText(
+      `${fileName(sample.title, "grains", String(state.get("snapshot") + 1))}.csv`,
+      "text/csv",
+      `${lines.join("\n")}\n`,
+    );
   };
-  return h("section", { class: "card numbers grain-table", "aria-label": "Grains" },
-    h("div", { class: "title" }, h("h3", {}, "Grains"),
-      h("span", { class: "saves" }, h("button", { class: "save", "data-save": "csv", "aria-label": "Save the table of grains as CSV", onclick: csv }, "CSV"))),
+  return h(
+    "section",
+    { class: "card numbers grain-table", "aria-label": "Grains" },
+    h(
+      "div",
+      { class: "title" },
+      h("h3", {}, "Grains"),
+      h(
+        "span",
+        { class: "saves" },
+        h(
+          "button",
+          { class: "save", "data-save": "csv", "aria-label": "Save the table of grains as CSV", onclick: csv },
+          "CSV",
+        ),
+      ),
+    ),
     scroller,
-    h("p", { class: "caption" }, rich(`${text.count(sample.count)} grains in the state shown; click a column header to sort, click a row to mark the grain in the picture and the charts. `
-      + "p, q: half the sum and half the difference of the principal stresses of a grain, compression positive; u, \u03b8: since the first state of the stage. The CSV file is in SI units.")));
+    h(
+      "p",
+      { class: "caption" },
+      rich(
+        `${text.count(sample.count)} grains in the state shown; click a column header to sort, click a row to mark the grain in the picture and the charts. ` +
+          "p, q: half the sum and half the difference of the principal stresses of a grain, compression positive; u, \u03b8: since the first state of the stage. The CSV file is in SI units.",
+      ),
+    ),
+  );
 }

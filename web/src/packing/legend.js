@@ -20,8 +20,12 @@ export function legend(sample, snapshot, camera, theme, state, width) {
 function colourKey(sample, theme, state, width) {
   const scale = scaleOf(sample, state);
   if (scale) return ramp(scale, theme, Math.min(190, width * 0.34));
-  const names = colourings[state.get("colour")].key?.(sample, theme) ??
-    sample.materials.map(({ name }, m) => [`${name} (${text.count(sample.materialCounts[m])})`, materialColour(theme, m)]);
+  const names =
+    colourings[state.get("colour")].key?.(sample, theme) ??
+    sample.materials.map(({ name }, m) => [
+      `${name} (${text.count(sample.materialCounts[m])})`,
+      materialColour(theme, m),
+    ]);
   const key = s("g");
   let x = 6;
   for (const [name, colour] of names) {
@@ -37,12 +41,26 @@ function dot(x, y, fill, theme) {
 
 function ramp(scale, theme, length) {
   const group = s("g");
-  const steps = 48, map = theme.maps[scale.map], write = (v) => text.number(v / scale.factor, 3);
+  const steps = 48,
+    map = theme.maps[scale.map],
+    write = (v) => text.number(v / scale.factor, 3);
   for (let k = 0; k < steps; ++k)
-    group.append(s("rect", { x: (k * length) / steps, y: 18, width: length / steps + 0.6, height: 9, fill: map((k + 0.5) / steps) }));
+    group.append(
+      s("rect", {
+        x: (k * length) / steps,
+        y: 18,
+        width: length / steps + 0.6,
+        height: 9,
+        fill: map((k + 0.5) / steps),
+      }),
+    );
   const title = scale.unit ? `${scale.title}, ${scale.unit}` : scale.title;
-  group.append(label(0, 8, title), label(0, 37, write(scale.low)), label(length / 2, 37, write(middleOf(scale)), "middle"),
-    label(length, 37, (scale.open ? "\u2265\u202f" : "") + write(scale.high), "end"));
+  group.append(
+    label(0, 8, title),
+    label(0, 37, write(scale.low)),
+    label(length / 2, 37, write(middleOf(scale)), "middle"),
+    label(length, 37, (scale.open ? "\u2265\u202f" : "") + write(scale.high), "end"),
+  );
   return group;
 }
 
@@ -56,7 +74,18 @@ function chainKey(sample, snapshot, camera, theme, width) {
   let x = 3;
   for (const { name, colour, force } of entries) {
     const stroke = Math.max(1.2, Math.min(9, chainWidth(sample, snapshot, force * snapshot.meanForce) * camera.scale));
-    group.append(s("line", { x1: x, x2: x + 20, y1: 53, y2: 53, stroke: colour, "stroke-width": stroke, "stroke-linecap": "round" }), label(x + 29, 53, name));
+    group.append(
+      s("line", {
+        x1: x,
+        x2: x + 20,
+        y1: 53,
+        y2: 53,
+        stroke: colour,
+        "stroke-width": stroke,
+        "stroke-linecap": "round",
+      }),
+      label(x + 29, 53, name),
+    );
     x += 46 + 6.4 * name.length;
   }
   const mean = `F_{n} > \u27e8F_{n}\u27e9 = ${text.quantity(snapshot.meanForce, snapshot.contacts.fn.unit)}`;

@@ -18,9 +18,15 @@ export class Picker {
     }
   }
 
-  #column(x) { return Math.floor((x - this.left) / this.cell); }
-  #row(y) { return Math.floor((y - this.bottom) / this.cell); }
-  #key(column, row) { return column * 65536 + row; }
+  #column(x) {
+    return Math.floor((x - this.left) / this.cell);
+  }
+  #row(y) {
+    return Math.floor((y - this.bottom) / this.cell);
+  }
+  #key(column, row) {
+    return column * 65536 + row;
+  }
 
   #near(x, y) {
     const near = [];
@@ -42,10 +48,19 @@ export class Picker {
     let found = null;
     for (const g of this.#near(x, y)) {
       for (let k = start[g]; k < start[g + 1]; ++k) {
-        const c = list[k], fn = Math.abs(snapshot.contacts.fn[c]);
-        if (fn === 0 || !isShown(state, sample, snapshot, c) || (found !== null && fn <= Math.abs(snapshot.contacts.fn[found]))) continue;
+        const c = list[k],
+          fn = Math.abs(snapshot.contacts.fn[c]);
+        if (
+          fn === 0 ||
+          !isShown(state, sample, snapshot, c) ||
+          (found !== null && fn <= Math.abs(snapshot.contacts.fn[found]))
+        )
+          continue;
         const half = chainWidth(sample, snapshot, fn) / 2;
-        if (segmentsOf(sample, snapshot, c).some((segment) => distanceToSegment(segment, x, y) <= Math.max(half, reach))) found = c;
+        if (
+          segmentsOf(sample, snapshot, c).some((segment) => distanceToSegment(segment, x, y) <= Math.max(half, reach))
+        )
+          found = c;
       }
     }
     return found;

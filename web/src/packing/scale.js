@@ -10,8 +10,10 @@ export const middleOf = ({ low, high, log }) => (log ? Math.sqrt(low * high) : (
 
 /** The state's `scales` with some members of one mode changed; those that are undefined are as usual again. */
 export function withScale(state, mode, changes) {
-  const scales = { ...state.get("scales") }, changed = { ...scales[mode], ...changes };
-  for (const name of Object.keys(changed)) if (changed[name] === undefined || changed[name] === false) delete changed[name];
+  const scales = { ...state.get("scales") },
+    changed = { ...scales[mode], ...changes };
+  for (const name of Object.keys(changed))
+    if (changed[name] === undefined || changed[name] === false) delete changed[name];
   if (Object.keys(changed).length) scales[mode] = changed;
   else delete scales[mode];
   return { scales };

@@ -17,7 +17,12 @@ export class Scene {
       extensions: ["ANGLE_instanced_arrays", ...(sample.shapes ? ["OES_element_index_uint"] : [])],
       attributes: { antialias: false, alpha: false, preserveDrawingBuffer: true },
     });
-    const corner = this.regl.buffer([[-1, -1], [1, -1], [-1, 1], [1, 1]]);
+    const corner = this.regl.buffer([
+      [-1, -1],
+      [1, -1],
+      [-1, 1],
+      [1, 1],
+    ]);
     this.disks = diskDrawing(this.regl, corner);
     this.segments = segmentDrawing(this.regl, corner);
     if (sample.shapes) this.shapes = new ShapeScene(this.regl, sample, this.segments);
@@ -26,7 +31,10 @@ export class Scene {
     this.origin = { x: (box.left + box.right) / 2, y: (box.bottom + box.top) / 2 };
     const dynamic = () => this.regl.buffer({ usage: "dynamic", length: 4 });
     this.grains = {
-      centre: dynamic(), angle: dynamic(), colour: dynamic(), radius: this.regl.buffer(sample.radius),
+      centre: dynamic(),
+      angle: dynamic(),
+      colour: dynamic(),
+      radius: this.regl.buffer(sample.radius),
       ring: this.regl.buffer(Uint8Array.from(sample.zone, (z) => (z > 0 ? 255 : 0))),
     };
     this.chains = { ends: dynamic(), width: dynamic(), colour: dynamic(), count: 0 };
@@ -63,9 +71,12 @@ export class Scene {
     const pixelsPerMetre = camera.scale * pixelRatio;
     const view = {
       middle: [camera.x - this.origin.x, camera.y - this.origin.y],
-      perMetre: [2 * camera.scale / camera.width, 2 * camera.scale / camera.height],
+      perMetre: [(2 * camera.scale) / camera.width, (2 * camera.scale) / camera.height],
       pixelsPerMetre,
-      background: unit(theme.card), ink: unit(theme.ink), fade: chains ? fadeUnderChains(state.get("colour")) : 0, marks: state.get("marks") ? 1 : 0,
+      background: unit(theme.card),
+      ink: unit(theme.ink),
+      fade: chains ? fadeUnderChains(state.get("colour")) : 0,
+      marks: state.get("marks") ? 1 : 0,
     };
     this.regl.poll();
     this.regl.clear({ color: [...unit(theme.card), 1] });

@@ -20,10 +20,12 @@ function begin(sample, page) {
     strength: "all",
     types: new Set(sample.types.keys()),
     marks: false,
-    scales: {},        // what the reader changed of the colours, by colouring
-    selected: null,    // the grain that was clicked, in the picture, the table or a chart
-    pointed: null,     // the grain whose row or point the pointer is on
-    across: "size", up: "stress", field: sample.fields(sample.snapshotCount - 1)?.vx ? "speed" : "solid_fraction",
+    scales: {}, // what the reader changed of the colours, by colouring
+    selected: null, // the grain that was clicked, in the picture, the table or a chart
+    pointed: null, // the grain whose row or point the pointer is on
+    across: "size",
+    up: "stress",
+    field: sample.fields(sample.snapshotCount - 1)?.vx ? "speed" : "solid_fraction",
   });
 }
 
@@ -31,8 +33,16 @@ function begin(sample, page) {
 function keep(sample, state) {
   const names = knownQuantities(sample).map(([name]) => name);
   keepInAddress(state, {
-    snapshot: forms.whole(sample.snapshotCount), colour: forms.word(colouringsOf(sample).map(([mode]) => mode)), scales: forms.tree, chains: forms.truth,
-    strength: forms.word(["all", "strong", "weak", "tensile"]), marks: forms.truth, selected: forms.whole(sample.count), across: forms.word(names), up: forms.word(names), field: forms.word(Object.keys(layers)),
+    snapshot: forms.whole(sample.snapshotCount),
+    colour: forms.word(colouringsOf(sample).map(([mode]) => mode)),
+    scales: forms.tree,
+    chains: forms.truth,
+    strength: forms.word(["all", "strong", "weak", "tensile"]),
+    marks: forms.truth,
+    selected: forms.whole(sample.count),
+    across: forms.word(names),
+    up: forms.word(names),
+    field: forms.word(Object.keys(layers)),
   });
 }
 
@@ -44,7 +54,17 @@ export function packingSection(sample, page) {
   const texture = sample.texture(state.get("snapshot"));
   const drawable = figures.filter((figure) => figure.when(texture ?? {}, sample));
   const { panel, view } = packingPanel(sample, state);
-  const cards = h("div", { class: "figures" }, drawable.map((figure) => figureCard(figure, sample, state)));
-  const element = h("div", {}, h("main", {}, panel, h("div", { class: "results" }, packingHeadlines(sample, state), cards)), numbersTable(sample, state), grainTable(sample, state));
+  const cards = h(
+    "div",
+    { class: "figures" },
+    drawable.map((figure) => figureCard(figure, sample, state)),
+  );
+  const element = h(
+    "div",
+    {},
+    h("main", {}, panel, h("div", { class: "results" }, packingHeadlines(sample, state), cards)),
+    numbersTable(sample, state),
+    grainTable(sample, state),
+  );
   return { element, sample, state, view };
 }

@@ -43,13 +43,18 @@ export function segmentDrawing(regl, corner) {
       colour: { buffer: regl.prop("colour"), divisor: 1, type: "uint8", normalized: true },
     },
     uniforms: {
-      middle: regl.prop("middle"), perMetre: regl.prop("perMetre"), pixelsPerMetre: regl.prop("pixelsPerMetre"),
+      middle: regl.prop("middle"),
+      perMetre: regl.prop("perMetre"),
+      pixelsPerMetre: regl.prop("pixelsPerMetre"),
       hairline: (_, { hairline = 0.55 }) => hairline,
     },
     primitive: "triangle strip",
     count: 4,
     instances: regl.prop("count"),
     depth: { enable: false },
-    blend: { enable: true, func: { srcRGB: "src alpha", srcAlpha: "one", dstRGB: "one minus src alpha", dstAlpha: "one" } },
+    blend: {
+      enable: true,
+      func: { srcRGB: "src alpha", srcAlpha: "one", dstRGB: "one minus src alpha", dstAlpha: "one" },
+    },
   });
 }

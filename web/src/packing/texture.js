@@ -3,36 +3,88 @@ import { h, rich } from "../dom.js";
 import { criticalTiles } from "../figures/test_curves.js";
 import { grid, headlines, list, notes, remainder, tilesOf } from "../numbers.js";
 
-const structure = (t) => list("Structure", t, [["considered.grains", "N_{p}"], ["considered.contacts", "N_{c}"], "solid_fraction", "local_order.psi6", "coordination.rattlers"]);
+const structure = (t) =>
+  list("Structure", t, [
+    ["considered.grains", "N_{p}"],
+    ["considered.contacts", "N_{c}"],
+    "solid_fraction",
+    "local_order.psi6",
+    "coordination.rattlers",
+  ]);
 
 /** Of pairs of materials where there are several, those with any other material first. */
 function coordination(t) {
-  const pairs = Object.keys(t.in("coordination").tree).filter((name) => name.includes("-")).sort((a, b) => b.endsWith("-ANY") - a.endsWith("-ANY"));
+  const pairs = Object.keys(t.in("coordination").tree)
+    .filter((name) => name.includes("-"))
+    .sort((a, b) => b.endsWith("-ANY") - a.endsWith("-ANY"));
   return list("Coordination z", t.in("coordination"), ["all", "without_rattlers", ...pairs]);
 }
 
 function fabric(t) {
-  const f = t.in("fabric"), sets = f.in("sets").parts.filter(([name]) => !/ (strong|weak)$/.test(name));
-  return f.at("a_c") && grid("Fabric", [["all", f], ...sets], [["contacts", "N_{c}"], "a_c", ["a_c_noise", "noise"], "theta_c_deg", "a_n"]);
+  const f = t.in("fabric"),
+    sets = f.in("sets").parts.filter(([name]) => !/ (strong|weak)$/.test(name));
+  return (
+    f.at("a_c") &&
+    grid("Fabric", [["all", f], ...sets], [["contacts", "N_{c}"], "a_c", ["a_c_noise", "noise"], "theta_c_deg", "a_n"])
+  );
 }
 
 function stress(t) {
-  return list("Stress of the assembly", t, ["stress", ...["pressure_Pa", "deviator_Pa", "axis_of_compression_deg", "strong_share_of_pressure", "strong_share_of_deviator"].map((name) => `stress_details.${name}`)]);
+  return list("Stress of the assembly", t, [
+    "stress",
+    ...[
+      "pressure_Pa",
+      "deviator_Pa",
+      "axis_of_compression_deg",
+      "strong_share_of_pressure",
+      "strong_share_of_deviator",
+    ].map((name) => `stress_details.${name}`),
+  ]);
 }
 
 const sets = (numbers, parts) => [["all", numbers], ...numbers.in(parts).parts];
 
-const grainStress = (t) => grid("Stress of grains", sets(t.in("sigma_norm"), "by_material"), [["mean_Pa", "\u27e8\u03c3_{hyd}\u27e9"], "P0", "beta", ["maximum", "max \u03c3_{norm}"]]);
+const grainStress = (t) =>
+  grid("Stress of grains", sets(t.in("sigma_norm"), "by_material"), [
+    ["mean_Pa", "\u27e8\u03c3_{hyd}\u27e9"],
+    "P0",
+    "beta",
+    ["maximum", "max \u03c3_{norm}"],
+  ]);
 
-const forces = (t) => grid("Contact forces", sets(t.in("force"), "by_type"), [["mean_N", "\u27e8F_{n}\u27e9"], ["strong_share", "above mean"], "alpha", "beta", ["beta2_over_product", "T eq. 1.5"]]);
+const forces = (t) =>
+  grid("Contact forces", sets(t.in("force"), "by_type"), [
+    ["mean_N", "\u27e8F_{n}\u27e9"],
+    ["strong_share", "above mean"],
+    "alpha",
+    "beta",
+    ["beta2_over_product", "T eq. 1.5"],
+  ]);
 
 /** What is measured of a packing, in three columns with a caption, notes and at the end whatever no row names; `title` above it. */
 export function textureCard(title, t) {
   const column = (...tables) => h("div", {}, tables.filter(Boolean));
-  return h("section", { class: "card numbers" }, h("div", { class: "title" }, h("h3", {}, title)),
-    h("div", { class: "tables" }, column(structure(t), coordination(t)), column(fabric(t), forces(t)), column(grainStress(t), stress(t))),
-    h("p", { class: "caption" }, rich("With standard errors, from grains away from the walls. a_{c}, \u03b8_{c}: contact orientations; noise: a_{c} of the same number of random orientations; a_{n}: normal forces.")),
-    remainder(t), notes(t));
+  return h(
+    "section",
+    { class: "card numbers" },
+    h("div", { class: "title" }, h("h3", {}, title)),
+    h(
+      "div",
+      { class: "tables" },
+      column(structure(t), coordination(t)),
+      column(fabric(t), forces(t)),
+      column(grainStress(t), stress(t)),
+    ),
+    h(
+      "p",
+      { class: "caption" },
+      rich(
+        "With standard errors, from grains away from the walls. a_{c}, \u03b8_{c}: contact orientations; noise: a_{c} of the same number of random orientations; a_{n}: normal forces.",
+      ),
+    ),
+    remainder(t),
+    notes(t),
+  );
 }
 
 const textureOf = (sample, state) => new Numbers(sample.texture(state.get("snapshot")), sample.about.meanings);
@@ -42,10 +94,21 @@ export function packingHeadlines(sample, state) {
   const box = h("div");
   const refresh = () => {
     const critical = criticalTiles(sample.stages[sample.about.snapshots[state.get("snapshot")].stage]);
-    box.replaceChildren(headlines([...critical, ...tilesOf(textureOf(sample, state), [
-      ["solid fraction", "\u03c6", "solid_fraction"], ["coordination", "z", "coordination.all"], ["anisotropy", "a_{c}", "fabric.a_c"], ["mean force", "\u27e8F_{n}\u27e9", "force.mean_N"],
-      ["strong contacts", "", "force.strong_share", "%"], ["grains above mean", "P_{0}", "sigma_norm.P0", "%"],
-    ])].slice(0, 6)));
+    box.replaceChildren(
+      headlines(
+        [
+          ...critical,
+          ...tilesOf(textureOf(sample, state), [
+            ["solid fraction", "\u03c6", "solid_fraction"],
+            ["coordination", "z", "coordination.all"],
+            ["anisotropy", "a_{c}", "fabric.a_c"],
+            ["mean force", "\u27e8F_{n}\u27e9", "force.mean_N"],
+            ["strong contacts", "", "force.strong_share", "%"],
+            ["grains above mean", "P_{0}", "sigma_norm.P0", "%"],
+          ]),
+        ].slice(0, 6),
+      ),
+    );
   };
   state.watch(["snapshot"], refresh);
   refresh();

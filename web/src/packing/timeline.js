@@ -1,14 +1,20 @@
 import { h } from "../dom.js";
 import { text } from "../text.js";
 
-const pause = 450;  // ms between snapshots while playing
+const pause = 450; // ms between snapshots while playing
 
 /** The slider over the stored states, with a button that plays them. */
 export function timeline(sample, state) {
   const last = sample.snapshotCount - 1;
-  if (last < 1) return h("div", { class: "timeline single" }, h("output", {}, describe(sample, sample.about.snapshots[last])));
+  if (last < 1)
+    return h("div", { class: "timeline single" }, h("output", {}, describe(sample, sample.about.snapshots[last])));
   const slider = h("input", {
-    type: "range", min: 0, max: last, step: 1, value: state.get("snapshot"), "aria-label": "State of the loading",
+    type: "range",
+    min: 0,
+    max: last,
+    step: 1,
+    value: state.get("snapshot"),
+    "aria-label": "State of the loading",
     oninput: (event) => state.set({ snapshot: Number(event.target.value), playing: false }),
   });
   const play = h("button", { class: "play", onclick: () => state.set({ playing: !state.get("playing") }) });
@@ -42,7 +48,11 @@ function ticks(sample) {
     const next = sample.about.snapshots[k + 1];
     return next && next.stage !== snapshot.stage ? [(k + 0.5) / last] : [];
   });
-  return h("div", { class: "ticks" }, marks.map((at) => h("i", { style: `left:${100 * at}%` })));
+  return h(
+    "div",
+    { class: "ticks" },
+    marks.map((at) => h("i", { style: `left:${100 * at}%` })),
+  );
 }
 
 function describe(sample, snapshot) {

@@ -26,7 +26,9 @@ export class PackingView extends CanvasView {
     state.watch(["chains", "types", "strength", "marks"], () => this.refresh("chains"));
   }
 
-  get snapshot() { return this.sample.snapshot(this.state.get("snapshot")); }
+  get snapshot() {
+    return this.sample.snapshot(this.state.get("snapshot"));
+  }
 
   refresh(...parts) {
     if (parts.includes("positions")) {
@@ -41,8 +43,10 @@ export class PackingView extends CanvasView {
     if (this.whole) return this.whole;
     const boxes = this.sample.about.snapshots.map((snapshot) => this.sample.box(snapshot));
     return (this.whole = {
-      left: Math.min(...boxes.map((b) => b.left)), right: Math.max(...boxes.map((b) => b.right)),
-      bottom: Math.min(...boxes.map((b) => b.bottom)), top: Math.max(...boxes.map((b) => b.top)),
+      left: Math.min(...boxes.map((b) => b.left)),
+      right: Math.max(...boxes.map((b) => b.right)),
+      bottom: Math.min(...boxes.map((b) => b.bottom)),
+      top: Math.max(...boxes.map((b) => b.top)),
     });
   }
 
@@ -53,12 +57,22 @@ export class PackingView extends CanvasView {
     if (stale.has("chains")) this.scene.updateChains(state, snapshot, theme);
   }
 
-  paint(pixelRatio = this.pixelRatio) { this.scene.draw(this.camera, pixelRatio, this.theme, this.state); }
+  paint(pixelRatio = this.pixelRatio) {
+    this.scene.draw(this.camera, pixelRatio, this.theme, this.state);
+  }
 
-  legend() { return legend(this.sample, this.snapshot, this.camera, this.theme, this.state, this.camera.width); }
+  legend() {
+    return legend(this.sample, this.snapshot, this.camera, this.theme, this.state, this.camera.width);
+  }
 
   drawOverlay() {
-    this.over.replaceChildren(overlay(this.sample, this.snapshot, this.camera, this.theme, { walls: true, picked: this.picked ?? pointed(this.state), selected: this.state.get("selected") }));
+    this.over.replaceChildren(
+      overlay(this.sample, this.snapshot, this.camera, this.theme, {
+        walls: true,
+        picked: this.picked ?? pointed(this.state),
+        selected: this.state.get("selected"),
+      }),
+    );
   }
 
   pick([px, py]) {
@@ -78,10 +92,16 @@ export class PackingView extends CanvasView {
     this.state.set({ selected: grain === this.state.get("selected") ? null : grain });
   }
 
-  get name() { return fileName(this.sample.title, "packing", this.state.get("colour")); }
+  get name() {
+    return fileName(this.sample.title, "packing", this.state.get("colour"));
+  }
 
-  get vectors() { return this.sample.count + (this.state.get("chains") ? this.snapshot.contacts.fn.length : 0); }
-  get fewEnoughForSvg() { return this.vectors < mostVectors; }
+  get vectors() {
+    return this.sample.count + (this.state.get("chains") ? this.snapshot.contacts.fn.length : 0);
+  }
+  get fewEnoughForSvg() {
+    return this.vectors < mostVectors;
+  }
 
   saveSvg() {
     const svg = packingSvg(this.sample, this.snapshot, this.camera, this.theme, this.state);
@@ -90,7 +110,11 @@ export class PackingView extends CanvasView {
 
   savePng() {
     const { camera, theme } = this;
-    return this.savePainted(this.name, camera.height + legendHeight + 8, overlay(this.sample, this.snapshot, camera, theme, { walls: true }),
-      s("g", { transform: `translate(0 ${camera.height + 4})` }, this.legend()));
+    return this.savePainted(
+      this.name,
+      camera.height + legendHeight + 8,
+      overlay(this.sample, this.snapshot, camera, theme, { walls: true }),
+      s("g", { transform: `translate(0 ${camera.height + 4})` }, this.legend()),
+    );
   }
 }

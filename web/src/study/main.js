@@ -6,7 +6,15 @@ import { studyFigure } from "./figure.js";
 import { runsTable } from "./runs_table.js";
 
 function head(about, state) {
-  const button = h("button", { class: "theme", title: "Light or dark", onclick: () => state.set({ theme: state.get("theme") === "dark" ? "light" : "dark" }) }, "\u25d0");
+  const button = h(
+    "button",
+    {
+      class: "theme",
+      title: "Light or dark",
+      onclick: () => state.set({ theme: state.get("theme") === "dark" ? "light" : "dark" }),
+    },
+    "\u25d0",
+  );
   return h("header", {}, h("div", {}, h("h1", {}, rich(about.title)), h("p", {}, about.runs)), button);
 }
 
@@ -18,8 +26,15 @@ function main() {
     followTheme(state);
     const sample = { title: about.title, texture: () => null };
     const cards = about.figures.map((figure) => figureCard(studyFigure(figure), sample, state));
-    cards.forEach((card, k) => { card.id = about.figures[k].id; });
-    page.replaceChildren(head(about, state), h("div", { class: "figures study" }, cards), about.table && runsTable(about.title, about.table), h("footer", {}, h("p", {}, about.made)));
+    cards.forEach((card, k) => {
+      card.id = about.figures[k].id;
+    });
+    page.replaceChildren(
+      head(about, state),
+      h("div", { class: "figures study" }, cards),
+      about.table && runsTable(about.title, about.table),
+      h("footer", {}, h("p", {}, about.made)),
+    );
     document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();
     document.documentElement.dataset.ready = "true";
   } catch (error) {

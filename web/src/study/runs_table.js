@@ -13,27 +13,99 @@ const quoted = (word) => (/[",\n]/.test(word) ? `"${word.replaceAll('"', '""')}"
 
 /** Every run of the study with what was swept and its main numbers, sorted by a click on a column header; a run's name leads to its page. */
 export function runsTable(title, { keys, names, rows }) {
-  const sorting = { column: 0, down: false }, body = h("tbody");
-  const cells = ({ run, status, values, numbers }) => [run, status, ...values, ...numbers.map((number) => number?.[0] ?? NaN)];
-  const order = (a, b) => (typeof a === "string" && (Number.isNaN(Number(a)) || Number.isNaN(Number(b))) ? a.localeCompare(b) : Number(a) - Number(b) || 0);
-  const heads = ["run", "", ...keys, ...names].map((head, k) => h("th", { scope: "col" }, h("button", { "aria-label": head || "status", onclick: () => {
-    sorting.down = sorting.column === k && !sorting.down;
-    sorting.column = k;
-    draw();
-  } }, head || "status")));
+  const sorting = { column: 0, down: false },
+    body = h("tbody");
+  const cells = ({ run, status, values, numbers }) => [
+    run,
+    status,
+    ...values,
+    ...numbers.map((number) => number?.[0] ?? NaN),
+  ];
+  const order = (a, b) =>
+    typeof a === "string" && (Number.isNaN(Number(a)) || Number.isNaN(Number(b)))
+      ? a.localeCompare(b)
+      : Number(a) - Number(b) || 0;
+  const heads = ["run", "", ...keys, ...names].map((head, k) =>
+    h(
+      "th",
+      { scope: "col" },
+      h(
+        "button",
+        {
+          "aria-label": head || "status",
+          onclick: () => {
+            sorting.down = sorting.column === k && !sorting.down;
+            sorting.column = k;
+            draw();
+          },
+        },
+        head || "status",
+      ),
+    ),
+  );
   const draw = () => {
-    const sorted = [...rows].sort((a, b) => (sorting.down ? -1 : 1) * order(cells(a)[sorting.column], cells(b)[sorting.column]));
-    heads.forEach((head, k) => head.setAttribute("aria-sort", k !== sorting.column ? "none" : sorting.down ? "descending" : "ascending"));
-    body.replaceChildren(...sorted.map((row) => h("tr", { "data-run": row.run }, h("td", {}, row.link ? h("a", { href: row.link }, row.run.slice(0, 8)) : row.run.slice(0, 8)), h("td", {}, row.status),
-      row.values.map((value) => h("td", {}, value)), row.numbers.map((number) => h("td", {}, written(number))))));
+    const sorted = [...rows].sort(
+      (a, b) => (sorting.down ? -1 : 1) * order(cells(a)[sorting.column], cells(b)[sorting.column]),
+    );
+    heads.forEach((head, k) =>
+      head.setAttribute("aria-sort", k !== sorting.column ? "none" : sorting.down ? "descending" : "ascending"),
+    );
+    body.replaceChildren(
+      ...sorted.map((row) =>
+        h(
+          "tr",
+          { "data-run": row.run },
+          h("td", {}, row.link ? h("a", { href: row.link }, row.run.slice(0, 8)) : row.run.slice(0, 8)),
+          h("td", {}, row.status),
+          row.values.map((value) => h("td", {}, value)),
+          row.numbers.map((number) => h("td", {}, written(number))),
+        ),
+      ),
+    );
   };
   const csv = () => {
-    const lines = [["run", "status", ...keys, ...names.flatMap((name) => [name, `${name}, standard error`])], ...rows.map(({ run, status, values, numbers }) => [run, status, ...values, ...numbers.flatMap((n) => [n?.[0] ?? "", n?.[1] ?? ""])])];
-    saveText(`${fileName(title, "runs")}.csv`, "text/csv", `${lines.map((line) => line.map((word) => quoted(String(word))).join(",")).join("\n")}\n`);
+    const lines = [
+      ["run", "status", ...keys, ...names.flatMap((name) => [name, `${name}, standard error`])],
+      ...rows.map(({ run, status, values, numbers }) => [
+        run,
+        status,
+        ...values,
+        ...numbers.flatMap((n) => [n?.[0] ?? "", n?.[1] ?? ""]),
+      ]),
+    ];
+    saveText(
+      `${fileName(title, "runs")}.csv`,
+      "text/csv",
+      `${lines.map((line) => line.map((word) => quoted(String(word))).join(",")).join("\n")}\n`,
+    );
   };
   draw();
-  return h("section", { class: "card numbers runs", "aria-label": "Runs" },
-    h("div", { class: "title" }, h("h3", {}, "Runs"), h("span", { class: "saves" }, h("button", { class: "save", "data-save": "csv", "aria-label": "Save the table of runs as CSV", onclick: csv }, "CSV"))),
-    h("div", { class: "scroller grains-rows", tabindex: 0, role: "region", "aria-label": "Runs" }, h("table", {}, h("thead", {}, h("tr", {}, heads)), body)),
-    h("p", { class: "caption" }, "Numbers of the last state of each run with their standard errors; arenite study collect writes all numbers."));
+  return h(
+    "section",
+    { class: "card numbers runs", "aria-label": "Runs" },
+    h(
+      "div",
+      { class: "title" },
+      h("h3", {}, "Runs"),
+      h(
+        "span",
+        { class: "saves" },
+        h(
+          "button",
+          { class: "save", "data-save": "csv", "aria-label": "Save the table of runs as CSV", onclick: csv },
+          "CSV",
+        ),
+      ),
+    ),
+    h(
+      "div",
+      { class: "scroller grains-rows", tabindex: 0, role: "region", "aria-label": "Runs" },
+      h("table", {}, h("thead", {}, h("tr", {}, heads)), body),
+    ),
+    h(
+      "p",
+      { class: "caption" },
+      "Numbers of the last state of each run with their standard errors; arenite study collect writes all numbers.",
+    ),
+  );
 }

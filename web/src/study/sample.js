@@ -3,23 +3,42 @@ import { materialColour } from "../theme.js";
 import { captionOf } from "./caption.js";
 
 /** Colours of stresses over the mean, up to so many of them. */
-export const stressKey = (theme, most = 3) => Array.from({ length: most + 1 }, (_, v) => ({ name: v === most ? `${v} and more` : `${v}`, colour: theme.stress(v / most), values: [] }));
+export const stressKey = (theme, most = 3) =>
+  Array.from({ length: most + 1 }, (_, v) => ({
+    name: v === most ? `${v} and more` : `${v}`,
+    colour: theme.stress(v / most),
+    values: [],
+  }));
 
 /** One sample: its grains by material, with their normal forces as lines as wide as strong, or coloured by their stress over the mean. */
 export function sampleFigure(figure) {
-  const { sample } = figure, [across, up] = sample.size;
+  const { sample } = figure,
+    [across, up] = sample.size;
   return {
-    id: figure.id, title: figure.title, caption: captionOf(figure),
+    id: figure.id,
+    title: figure.title,
+    caption: captionOf(figure),
     key: ({ theme }) => (sample.stress ? stressKey(theme) : materialKey(theme, sample)),
     draw({ theme, width }) {
-      const scale = width / across, height = Math.ceil(up * scale);
+      const scale = width / across,
+        height = Math.ceil(up * scale);
       const place = (k) => [sample.x[k] * scale, (up - sample.y[k]) * scale];
       const svg = s("svg", { viewBox: `0 0 ${width} ${height}`, width, height });
-      const fill = sample.stress ? (k) => theme.stress(Math.round(24 * Math.min(1, Math.max(0, sample.stress[k] / 3))) / 24) : (k) => materialColour(theme, sample.material[k]);
+      const fill = sample.stress
+        ? (k) => theme.stress(Math.round(24 * Math.min(1, Math.max(0, sample.stress[k] / 3))) / 24)
+        : (k) => materialColour(theme, sample.material[k]);
       const disks = grouped(sample.x.keys(), fill, (k) => disk(place(k), sample.r[k] * scale));
       for (const [colour, d] of disks) svg.append(s("path", { d, fill: colour, "fill-opacity": sample.f ? 0.28 : 1 }));
       const glued = [...sample.x.keys()].filter((k) => sample.glued[k]);
-      if (glued.length > 0) svg.append(s("path", { d: glued.map((k) => disk(place(k), sample.r[k] * scale)).join(""), fill: "none", stroke: theme.accent, "stroke-width": 1.2 }));
+      if (glued.length > 0)
+        svg.append(
+          s("path", {
+            d: glued.map((k) => disk(place(k), sample.r[k] * scale)).join(""),
+            fill: "none",
+            stroke: theme.accent,
+            "stroke-width": 1.2,
+          }),
+        );
       if (sample.f) svg.append(...chains(sample, place, scale, theme));
       return svg;
     },
@@ -27,8 +46,13 @@ export function sampleFigure(figure) {
 }
 
 function materialKey(theme, { materials = [], material, glued, f }) {
-  const names = materials.map((name, m) => ({ name, colour: materialColour(theme, m), values: [] })).filter((_, m) => material.includes(m));
-  const last = [glued.includes(1) && { name: "glued", colour: theme.accent, values: [] }, f?.some((v) => v < 0) && { name: "tension", colour: theme.tension, values: [] }];
+  const names = materials
+    .map((name, m) => ({ name, colour: materialColour(theme, m), values: [] }))
+    .filter((_, m) => material.includes(m));
+  const last = [
+    glued.includes(1) && { name: "glued", colour: theme.accent, values: [] },
+    f?.some((v) => v < 0) && { name: "tension", colour: theme.tension, values: [] },
+  ];
   return [...(names.length > 1 ? names : []), ...last.filter(Boolean)];
 }
 
@@ -39,7 +63,8 @@ function grouped(keys, kind, shape) {
 }
 
 function disk([x, y], r) {
-  const d = (2 * r).toFixed(2), a = `a${r.toFixed(2)},${r.toFixed(2)} 0 1,0`;
+  const d = (2 * r).toFixed(2),
+    a = `a${r.toFixed(2)},${r.toFixed(2)} 0 1,0`;
   return `M${(x - r).toFixed(2)},${y.toFixed(2)}${a} ${d},0${a} -${d},0`;
 }
 
@@ -47,7 +72,20 @@ function disk([x, y], r) {
 function chains({ i, j, f, r }, place, scale, theme) {
   const unit = (0.25 * scale * r.reduce((a, b) => a + b, 0)) / r.length;
   const width = (c) => Math.max(0.5, Math.round(4 * Math.abs(f[c]))) / 4;
-  const line = (c) => `M${[i[c], j[c]].map((k) => place(k).map((v) => v.toFixed(2)).join(",")).join("L")}`;
-  return [[(c) => f[c] >= 0, theme.strong], [(c) => f[c] < 0, theme.tension]].flatMap(([wanted, stroke]) =>
-    [...grouped([...f.keys()].filter(wanted), width, line)].map(([w, d]) => s("path", { d, stroke, "stroke-width": (w * unit).toFixed(3), "stroke-linecap": "round", fill: "none" })));
+  const line = (c) =>
+    `M${[i[c], j[c]]
+      .map((k) =>
+        place(k)
+          .map((v) => v.toFixed(2))
+          .join(","),
+      )
+      .join("L")}`;
+  return [
+    [(c) => f[c] >= 0, theme.strong],
+    [(c) => f[c] < 0, theme.tension],
+  ].flatMap(([wanted, stroke]) =>
+    [...grouped([...f.keys()].filter(wanted), width, line)].map(([w, d]) =>
+      s("path", { d, stroke, "stroke-width": (w * unit).toFixed(3), "stroke-linecap": "round", fill: "none" }),
+    ),
+  );
 }

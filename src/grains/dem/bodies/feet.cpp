@@ -26,7 +26,9 @@ struct Core {
 };
 
 /// The corner where its body's own image is, from the record.
-Vec2 corner_of(const Sample& s, std::size_t d) { return s.record[s.part_disk[d]].place - s.domain.way(s.part[d].shift); }
+Vec2 corner_of(const Sample& s, std::size_t d) {
+  return s.record[s.part_disk[d]].place - s.domain.way(s.part[d].shift);
+}
 
 /// Radius of a polygon's corners, m.
 double rounding_of(const Sample& s, std::int32_t body) { return s.start.grains.radius[s.body[body].first]; }
@@ -35,9 +37,11 @@ Core core_of(const Sample& s, std::size_t body) {
   const Body& b = s.body[body];
   Core core;
   core.body = static_cast<std::int32_t>(body);
-  for (std::int32_t d = b.first; d < b.first + b.count; ++d) core.corner.push_back(corner_of(s, static_cast<std::size_t>(d)));
+  for (std::int32_t d = b.first; d < b.first + b.count; ++d)
+    core.corner.push_back(corner_of(s, static_cast<std::size_t>(d)));
   core.middle = mean_point(core.corner);
-  for (const Vec2& p : core.corner) core.reach = std::max(core.reach, norm(p - core.middle) + rounding_of(s, core.body));
+  for (const Vec2& p : core.corner)
+    core.reach = std::max(core.reach, norm(p - core.middle) + rounding_of(s, core.body));
   return core;
 }
 
@@ -70,7 +74,8 @@ inline Nearest nearest_on(const Core& core, Vec2 place) {
   const auto id = s.given.id[s.part[b.first].grain];
   const std::string where = what + " lies within polygon " + std::to_string(id);
   if (s.step == 0) throw InputError(where + " before the first step; place the grains farther apart");
-  throw CannotGoOn(where + " at step " + std::to_string(s.step) + "; stiffer contacts, rounder corners or a gentler load are needed");
+  throw CannotGoOn(where + " at step " + std::to_string(s.step) +
+                   "; stiffer contacts, rounder corners or a gentler load are needed");
 }
 
 /// The cores of all polygons and of their images that come near to the cell, sorted by place.
@@ -80,14 +85,17 @@ struct Cores {
   geometry::CellGrid<2> grid;
   geometry::SortedCells cells;
 
-  /// Calls `see(core, the point of it that is nearest)` for the polygons other than `own` that a disk at this place may touch soon, in a fixed order.
-  template <class Name, class See> void near(Vec2 place, double radius, std::int32_t own, const Name& name, const See& see) const {
+  /// Calls `see(core, the point of it that is nearest)` for the polygons other than `own` that a disk at this place may
+  /// touch soon, in a fixed order.
+  template <class Name, class See>
+  void near(Vec2 place, double radius, std::int32_t own, const Name& name, const See& see) const {
     std::vector<std::pair<std::int32_t, Vec2>> found;
     cells.for_near(grid, place, [&](std::int32_t at) {
       if (core[at].body == own || norm(place - core[at].middle) > core[at].reach + radius + s.skin) return;
       const Nearest nearest = nearest_on(core[at], place);
       if (nearest.inside) refuse_inside(s, name(), core[at]);
-      if (norm(place - nearest.place) < radius + rounding_of(s, core[at].body) + s.skin) found.emplace_back(at, nearest.place);
+      if (norm(place - nearest.place) < radius + rounding_of(s, core[at].body) + s.skin)
+        found.emplace_back(at, nearest.place);
     });
     std::ranges::sort(found, {}, &std::pair<std::int32_t, Vec2>::first);
     for (const auto& [at, point] : found) see(core[at], point);
@@ -110,7 +118,8 @@ Cores all_cores(const Sample& s) {
       for (Vec2& p : image.corner) p += by;
     });
   const geometry::CellGrid<2> grid(room_of(s), reach);
-  const geometry::SortedCells cells(grid.size(), 0, images.size(), [&](std::size_t c) { return grid.cell(images[c].middle); });
+  const geometry::SortedCells cells(grid.size(), 0, images.size(),
+                                    [&](std::size_t c) { return grid.cell(images[c].middle); });
   return {s, std::move(images), grid, cells};
 }
 
@@ -123,7 +132,8 @@ void place_foot(const Sample& s, Foot& foot, DiskRecord& at) {
   const Body& b = s.body[foot.body];
   const std::int32_t source = s.part_disk[b.first];
   const bool of_point = is_boundary(foot.touches);
-  const Vec2 place = of_point ? boundary_of(s, foot.touches).points[touched_element(s, foot.touches).point] : s.record[foot.touches].place;
+  const Vec2 place = of_point ? boundary_of(s, foot.touches).points[touched_element(s, foot.touches).point]
+                              : s.record[foot.touches].place;
   // That place as the polygon's own image sees it, from the centre of the polygon: what levers are counted from.
   const Vec2 by = s.domain.way(foot.shift), centre = corner_of(s, b.first) - s.lever[source];
   const auto lever = [&](std::size_t n) { return s.lever[s.part_disk[b.first + n]]; };
@@ -131,7 +141,8 @@ void place_foot(const Sample& s, Foot& foot, DiskRecord& at) {
   at = s.record[source];
   at.place = centre + foot.lever + by;
   // Along x before along y: the sums that results so far were made with.
-  at.velocity = b.seen.velocity + b.seen.omega * perpendicular(foot.lever) + image_velocity(s, {foot.shift.x, 0}) + image_velocity(s, {0, foot.shift.y});
+  at.velocity = b.seen.velocity + b.seen.omega * perpendicular(foot.lever) + image_velocity(s, {foot.shift.x, 0}) +
+                image_velocity(s, {0, foot.shift.y});
   at.omega = b.seen.omega;
 }
 
@@ -140,13 +151,14 @@ void place_foot(const Sample& s, Foot& foot, DiskRecord& at) {
 std::vector<Foot> find_feet(const Sample& s, const ThreadPool& pool) {
   if (!has_polygons(s)) return {};
   const Cores cores = all_cores(s);
-  const auto blocks = pool.by_blocks<std::vector<Foot>>(s.count, disks_of_block, [&](std::size_t k, std::vector<Foot>& feet) {
-    const DiskRecord& d = s.record[k];
-    const auto name = [&] { return "grain " + std::to_string(s.given.id[grain_of(s, d.grain)]); };
-    cores.near(d.place, d.radius, body_of(s, d.grain), name, [&](const Core& core, Vec2) {
-      feet.push_back({static_cast<std::int32_t>(k), core.body, core.shift, {}});
-    });
-  });
+  const auto blocks =
+      pool.by_blocks<std::vector<Foot>>(s.count, disks_of_block, [&](std::size_t k, std::vector<Foot>& feet) {
+        const DiskRecord& d = s.record[k];
+        const auto name = [&] { return "grain " + std::to_string(s.given.id[grain_of(s, d.grain)]); };
+        cores.near(d.place, d.radius, body_of(s, d.grain), name, [&](const Core& core, Vec2) {
+          feet.push_back({static_cast<std::int32_t>(k), core.body, core.shift, {}});
+        });
+      });
   std::vector<Foot> feet;
   for (const auto& block : blocks) feet.insert(feet.end(), block.begin(), block.end());
   return feet;

@@ -42,29 +42,39 @@ void add_contact(Crowd& crowd, Vec2 centre, double radius, Vec2 n) {
 
 }  // namespace
 
-void check_shapes(Problems& problems, const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration) {
+void check_shapes(Problems& problems, const Packing& start, const ContactParameters& contact,
+                  const IntegrationParameters& integration) {
   const Shapes& shapes = start.grains.shapes;
   if (shapes.empty()) return;
   const std::size_t grains = start.grains.size(), disks = shapes.place.size();
-  bool sound = shapes.first.size() == grains + 1 && shapes.filled.size() == grains && shapes.gyration.size() == grains && shapes.radius.size() == disks &&
-               shapes.first.front() == 0 && shapes.first.back() == static_cast<std::int32_t>(disks);
-  for (std::size_t g = 0; g < grains && sound; ++g) sound = shapes.first[g + 1] > shapes.first[g] && shapes.gyration[g] > 0;
+  bool sound = shapes.first.size() == grains + 1 && shapes.filled.size() == grains &&
+               shapes.gyration.size() == grains && shapes.radius.size() == disks && shapes.first.front() == 0 &&
+               shapes.first.back() == static_cast<std::int32_t>(disks);
+  for (std::size_t g = 0; g < grains && sound; ++g)
+    sound = shapes.first[g + 1] > shapes.first[g] && shapes.gyration[g] > 0;
   for (std::size_t d = 0; d < disks && sound; ++d)
-    sound = std::isfinite(shapes.place[d].x + shapes.place[d].y) && std::isfinite(shapes.radius[d]) && shapes.radius[d] > 0;
-  problems.unless(sound, "the shapes of the grains must give every grain its disks, with radii above 0, and a radius of gyration above 0");
+    sound =
+        std::isfinite(shapes.place[d].x + shapes.place[d].y) && std::isfinite(shapes.radius[d]) && shapes.radius[d] > 0;
+  problems.unless(
+      sound,
+      "the shapes of the grains must give every grain its disks, with radii above 0, and a radius of gyration above 0");
   bool filled = false;
   for (std::size_t g = 0; g < grains && sound; ++g)
     if (shapes.filled[g]) {
       filled = true;
-      problems.unless(is_convex(shape_of(start.grains, g)), "grain {} must be a convex polygon, corners counter-clockwise, with one rounding",
+      problems.unless(is_convex(shape_of(start.grains, g)),
+                      "grain {} must be a convex polygon, corners counter-clockwise, with one rounding",
                       start.grains.id[g]);
     }
-  problems.unless(!filled || !contact.adheres(), "adhesion of polygons is not implemented; leave contact.adhesion at \"none\", or use clumps of disks");
+  problems.unless(
+      !filled || !contact.adheres(),
+      "adhesion of polygons is not implemented; leave contact.adhesion at \"none\", or use clumps of disks");
   problems.unless(!contact.has_bonds(), "bonds join disks only; leave contact.bonds at \"none\"");
-  problems.unless(!contact.is_cohesive(), "cohesion is not implemented for grains other than disks; leave contact.cohesion at \"none\"");
+  problems.unless(!contact.is_cohesive(),
+                  "cohesion is not implemented for grains other than disks; leave contact.cohesion at \"none\"");
   const Integrator& scheme = integrator_of(integration.integrator);
-  problems.unless(scheme.moves_bodies, "grains other than disks need integration.integrator = {}; {} moves disks only", integrators_of_bodies(),
-                  scheme.word.word);
+  problems.unless(scheme.moves_bodies, "grains other than disks need integration.integrator = {}; {} moves disks only",
+                  integrators_of_bodies(), scheme.word.word);
 }
 
 Packing disks_of(const Packing& from) {
@@ -85,7 +95,8 @@ Packing disks_of(const Packing& from) {
       disks.radius[d] = shapes.radius[d];
       disks.material[d] = g.material[k];
       disks.zone[d] = g.zone[k];
-      put_grain(disks, d, g.position[k] + arm, g.angle[k], {g.velocity[k] + g.omega[k] * perpendicular(arm), g.omega[k]});
+      put_grain(disks, d, g.position[k] + arm, g.angle[k],
+                {g.velocity[k] + g.omega[k] * perpendicular(arm), g.omega[k]});
     }
   }
   return packing;
@@ -100,7 +111,8 @@ void make_bodies(Sample& s, const Grains& given) {
   for (std::size_t g = 0; g < given.size(); ++g) {
     const bool single = is_disk(shapes, g);
     const auto body = single ? -1 : static_cast<std::int32_t>(s.body.size());
-    for (std::int32_t d = shapes.first[g]; d < shapes.first[g + 1]; ++d) s.part[d] = {static_cast<std::int32_t>(g), body, shapes.place[d], {}};
+    for (std::int32_t d = shapes.first[g]; d < shapes.first[g + 1]; ++d)
+      s.part[d] = {static_cast<std::int32_t>(g), body, shapes.place[d], {}};
     if (single) continue;
     Body& b = s.body.emplace_back();
     b.first = shapes.first[g];
@@ -120,7 +132,8 @@ void make_bodies(Sample& s, const Grains& given) {
 
 double cell_for_bodies(const Sample& s) {
   double reach = 0;
-  for (std::size_t d = 0; d < s.part.size(); ++d) reach = std::max(reach, norm(s.part[d].place) + s.start.grains.radius[d]);
+  for (std::size_t d = 0; d < s.part.size(); ++d)
+    reach = std::max(reach, norm(s.part[d].place) + s.start.grains.radius[d]);
   return 4 * reach + 2 * s.skin;
 }
 
@@ -157,7 +170,8 @@ Crowd crowd_around(const Sample& s, const Body& b) {
     const std::int32_t d = b.first + k, next = b.first + (k + 1) % b.count;
     const Vec2 here = s.part[d].place, there = s.part[next].place;
     for (int q = 0; q < directions && !b.filled; ++q)
-      if (const Vec2 n = direction(2 * std::numbers::pi * (q + 0.5) / directions); !is_within(s, b, d, here + radius_of(s, d) * n))
+      if (const Vec2 n = direction(2 * std::numbers::pi * (q + 0.5) / directions);
+          !is_within(s, b, d, here + radius_of(s, d) * n))
         add_contact(crowd, here, radius_of(s, d), n);
     if (!b.filled) continue;
     const Vec2 n = -perpendicular(there - here) / norm(there - here);

@@ -12,7 +12,8 @@ namespace arenite::dem {
 namespace {
 
 template <class Use> void for_parts(const Sample& s, const Body& b, Use use) {
-  for (auto d = static_cast<std::size_t>(b.first); d < static_cast<std::size_t>(b.first + b.count); ++d) use(d, static_cast<std::size_t>(s.part_disk[d]));
+  for (auto d = static_cast<std::size_t>(b.first); d < static_cast<std::size_t>(b.first + b.count); ++d)
+    use(d, static_cast<std::size_t>(s.part_disk[d]));
 }
 
 void place_parts_of(Sample& s, const Body& b) {
@@ -48,7 +49,9 @@ void move(const Sample& s, const SweepTask<2>& t, Body& b) {
   b.own.velocity += t.kick * a;
   b.own.omega += t.kick * alpha;
   b.angle += t.dt * b.own.omega;
-  for (int axis = 0; axis < 2; ++axis) b.place[axis] = t.moved[axis].apply(b.place[axis]) + t.dt * (1 + 0.5 * t.moved[axis].growth()) * b.own.velocity[axis];
+  for (int axis = 0; axis < 2; ++axis)
+    b.place[axis] =
+        t.moved[axis].apply(b.place[axis]) + t.dt * (1 + 0.5 * t.moved[axis].growth()) * b.own.velocity[axis];
   b.seen = {b.own.velocity + t.ahead * a + t.after.at(b.place), b.own.omega + t.ahead * alpha};
 }
 
@@ -64,9 +67,12 @@ bool are_near(const Sample& s, const SweepTask<2>& t, const Body& b) {
 }
 
 /// Cells between a disk and its body's centre, so that both lie in the cell.
-void wrap_part(const Sample& s, const Body& b, Vec2 by, BodyDisk& part) { part.shift = -s.domain.cell_of(b.place + turned(part.place, by)); }
+void wrap_part(const Sample& s, const Body& b, Vec2 by, BodyDisk& part) {
+  part.shift = -s.domain.cell_of(b.place + turned(part.place, by));
+}
 
-/// Torque about the disk of a foot's polygon that takes it, by the way from there to the foot, where the slot's force acts.
+/// Torque about the disk of a foot's polygon that takes it, by the way from there to the foot, where the slot's force
+/// acts.
 double shifted_torque(const Sample& s, std::size_t slot, const Foot& foot) {
   const Vec2 on_i = s.list.force[slot].on_i;
   if (is_boundary(foot.touches)) return cross(foot.lever - s.lever[s.list.i[slot]], on_i);
@@ -75,7 +81,9 @@ double shifted_torque(const Sample& s, std::size_t slot, const Foot& foot) {
 
 }  // namespace
 
-Load<2> load_on(const Sample& s, std::size_t mover) { return mover < s.count ? contact_load(slot_forces(s.list), mover) : load_of(s, s.body[mover - s.count]); }
+Load<2> load_on(const Sample& s, std::size_t mover) {
+  return mover < s.count ? contact_load(slot_forces(s.list), mover) : load_of(s, s.body[mover - s.count]);
+}
 
 void number_parts(Sample& s) {
   if (s.part.empty()) return;
@@ -142,7 +150,8 @@ Levers<2> levers_of(const Sample& s, std::size_t slot) {
 
 Torques own_torques(const Sample& s, std::size_t slot) {
   Torques torques{s.list.force[slot].torque_i, s.list.force[slot].torque_j};
-  if (const Foot* foot = foot_of(s, slot)) (is_boundary(foot->touches) ? torques.i : torques.j) -= shifted_torque(s, slot, *foot);
+  if (const Foot* foot = foot_of(s, slot))
+    (is_boundary(foot->touches) ? torques.i : torques.j) -= shifted_torque(s, slot, *foot);
   return torques;
 }
 

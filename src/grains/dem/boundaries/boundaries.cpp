@@ -14,7 +14,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Whether two elements follow each other along one boundary, perhaps with a third between them that was skipped within a step.
+/// Whether two elements follow each other along one boundary, perhaps with a third between them that was skipped within
+/// a step.
 bool follow(const Sample& s, std::int32_t j, std::int32_t k) {
   const Boundary& boundary = boundary_of(s, j);
   if (boundary_index(s, k) != boundary_index(s, j)) return false;
@@ -30,12 +31,14 @@ std::vector<Element> elements_of(const Domain& domain) {
   std::vector<Element> elements;
   for (std::size_t b = 0; b < domain.boundaries.size(); ++b)
     for (std::size_t p = 0; p < domain.boundaries[b].points.size(); ++p)
-      for (const bool segment : {false, true}) elements.push_back({static_cast<std::int32_t>(b), static_cast<std::int32_t>(p), segment});
+      for (const bool segment : {false, true})
+        elements.push_back({static_cast<std::int32_t>(b), static_cast<std::int32_t>(p), segment});
   return elements;
 }
 
 void check_boundaries(Problems& problems, const Domain& domain) {
-  const double shortest = std::min(domain.periodic[0] ? domain.width() : infinity, domain.periodic[1] ? domain.height() : infinity);
+  const double shortest =
+      std::min(domain.periodic[0] ? domain.width() : infinity, domain.periodic[1] ? domain.height() : infinity);
   for (const Boundary& boundary : domain.boundaries) {
     const std::size_t n = boundary.points.size(), least = boundary.closed ? 3 : 2;
     bool sound = std::all_of(boundary.points.begin(), boundary.points.end(), is_finite<2>), fits = true;
@@ -46,9 +49,12 @@ void check_boundaries(Problems& problems, const Domain& domain) {
     }
     problems.unless(n >= least, "boundary \"{}\" needs {} points or more", boundary.name, least);
     problems.unless(sound, "each point of boundary \"{}\" must differ from the one before", boundary.name);
-    problems.unless(fits, "no segment of boundary \"{}\" may be longer than the periodic cell, {} m; give it points in between", boundary.name, shortest);
+    problems.unless(
+        fits, "no segment of boundary \"{}\" may be longer than the periodic cell, {} m; give it points in between",
+        boundary.name, shortest);
   }
-  problems.unless(domain.boundaries.empty() || domain.tilt == 0, "boundaries need a periodic cell that has not been sheared");
+  problems.unless(domain.boundaries.empty() || domain.tilt == 0,
+                  "boundaries need a periodic cell that has not been sheared");
 }
 
 void move_boundaries(Sample& s, double time) {
@@ -56,7 +62,8 @@ void move_boundaries(Sample& s, double time) {
     Boundary& boundary = s.domain.boundaries[b];
     const Vec2 before = boundary.centre, velocity = s.boundary[b].mass > 0 ? s.boundary[b].rate : boundary.velocity;
     boundary.centre += time * velocity;
-    // A turn by twice atan(h), h = tan of half the angle by its series: no cosine, whose last bit depends on the machine, and no change of length.
+    // A turn by twice atan(h), h = tan of half the angle by its series: no cosine, whose last bit depends on the
+    // machine, and no change of length.
     const double half = 0.5 * time * boundary.spin, h = half + half * half * half / 3;
     const double cosine = (1 - h * h) / (1 + h * h), sine = 2 * h / (1 + h * h);
     for (Vec2& p : boundary.points) {
@@ -66,7 +73,9 @@ void move_boundaries(Sample& s, double time) {
   }
 }
 
-Vec2 force_on(const Sample& s, std::size_t b) { return s.boundary[b].force + s.boundary[b].mass * s.gravity + s.domain.boundaries[b].force; }
+Vec2 force_on(const Sample& s, std::size_t b) {
+  return s.boundary[b].force + s.boundary[b].mass * s.gravity + s.domain.boundaries[b].force;
+}
 
 Vec2 velocity_of(const Sample& s, std::size_t b) {
   const BoundaryBody& body = s.boundary[b];
@@ -105,7 +114,8 @@ double farthest_moved(const Domain& then, const Domain& now) {
 double fastest_point(const Domain& domain) {
   double fastest = 0;
   for (const Boundary& boundary : domain.boundaries)
-    for (const Vec2& p : boundary.points) fastest = std::max(fastest, norm(boundary.velocity + boundary.spin * perpendicular(p - boundary.centre)));
+    for (const Vec2& p : boundary.points)
+      fastest = std::max(fastest, norm(boundary.velocity + boundary.spin * perpendicular(p - boundary.centre)));
   return fastest;
 }
 
@@ -114,13 +124,17 @@ void hand_over_memories(Sample& s) {
   if (s.element.empty()) return;
   const auto is_of_boundary = [&](std::size_t p) { return is_boundary(list.j[p]); };
   const std::array memories{&list.memory, &list.normal_memory, &list.rolling_memory, &list.pull};
-  const auto remembers = [&](std::size_t p) { return std::ranges::any_of(memories, [&](const auto* m) { return p < m->size() && (*m)[p] != 0; }); };
+  const auto remembers = [&](std::size_t p) {
+    return std::ranges::any_of(memories, [&](const auto* m) { return p < m->size() && (*m)[p] != 0; });
+  };
   for (std::size_t p = list.pairs; p < list.polygons; ++p) {
     if (!is_of_boundary(p) || !remembers(p) || slot_kinematics(s, p).overlap > 0) continue;
     std::size_t q = p;
     while (q > list.pairs && list.i[q - 1] == list.i[p]) --q;
     for (; q < list.polygons && list.i[q] == list.i[p]; ++q) {
-      if (q == p || !is_of_boundary(q) || !follow(s, list.j[p], list.j[q]) || remembers(q) || !(slot_kinematics(s, q).overlap > 0)) continue;
+      if (q == p || !is_of_boundary(q) || !follow(s, list.j[p], list.j[q]) || remembers(q) ||
+          !(slot_kinematics(s, q).overlap > 0))
+        continue;
       for (auto* m : memories)
         if (q < m->size()) std::swap((*m)[p], (*m)[q]);
       break;
@@ -149,13 +163,16 @@ void check_still_cell(const Sample& s, const WallDrives& drives, bool sheared) {
   for (int side = 0; side < sides; ++side)
     if (s.domain.is_periodic(side) && drives[side].kind != WallDrive::Kind::fixed)
       throw InputError(
-          fmt::format("the {} side is periodic and cannot move, because the boundaries would no longer fit the cell; leave it fixed", side_names[side]));
+          fmt::format("the {} side is periodic and cannot move, because the boundaries would no longer fit the cell; "
+                      "leave it fixed",
+                      side_names[side]));
   if (sheared) throw InputError("a periodic cell with boundaries cannot be sheared; move the boundaries, or a wall");
 }
 
 void apply_open(Sample& s) {
   for (int side = 0; side < sides; ++side)
-    s.domain.wall[side].present = s.listed_domain.wall[side].present = s.start.domain.wall[side].present && !s.domain.is_periodic(side) && !s.wall[side].open;
+    s.domain.wall[side].present = s.listed_domain.wall[side].present =
+        s.start.domain.wall[side].present && !s.domain.is_periodic(side) && !s.wall[side].open;
 }
 
 }  // namespace arenite::dem

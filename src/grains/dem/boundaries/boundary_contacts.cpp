@@ -14,7 +14,9 @@ namespace {
 struct Ends {
   Vec2 from, to;
 };
-Ends segment_at(const Boundary& boundary, std::size_t point) { return {boundary.points[point], boundary.points[(point + 1) % boundary.points.size()]}; }
+Ends segment_at(const Boundary& boundary, std::size_t point) {
+  return {boundary.points[point], boundary.points[(point + 1) % boundary.points.size()]};
+}
 
 /// The nearest point of an element to a place.
 Vec2 nearest_of(const Boundary& boundary, const Element& element, Vec2 place) {
@@ -99,7 +101,8 @@ bool juts_out(const Domain& domain, const Boundary& boundary, std::size_t point,
   return sense * cross(ways.in, way) < 0 || sense * cross(ways.out, way) < 0;
 }
 
-void find_near_elements(const Sample& s, const std::vector<geometry::Rectangle>& boxes, const DiskRecord& d, std::vector<std::int32_t>& near) {
+void find_near_elements(const Sample& s, const std::vector<geometry::Rectangle>& boxes, const DiskRecord& d,
+                        std::vector<std::int32_t>& near) {
   near.clear();
   const Domain& domain = s.domain;
   const double reach = d.radius + s.skin;
@@ -110,10 +113,12 @@ void find_near_elements(const Sample& s, const std::vector<geometry::Rectangle>&
     const std::size_t end = first + 2 * boundary.points.size();
     const bool far_x = !domain.periodic[0] && (d.place.x < box.x_min - reach || d.place.x > box.x_max + reach);
     const bool far_y = !domain.periodic[1] && (d.place.y < box.y_min - reach || d.place.y > box.y_max + reach);
-    // An open boundary has no segment behind its last point, which is the first one's image where the boundary goes through the sides.
+    // An open boundary has no segment behind its last point, which is the first one's image where the boundary goes
+    // through the sides.
     const std::size_t last = end - (boundary.closed ? 0 : goes_through_sides(domain, boundary) ? 2 : 1);
     for (std::size_t e = first; boundary.present && !far_x && !far_y && e < last; ++e) {
-      const Vec2 seen = seen_from(domain, boundary, s.element[e], d.place), way = seen - nearest_of(boundary, s.element[e], seen);
+      const Vec2 seen = seen_from(domain, boundary, s.element[e], d.place),
+                 way = seen - nearest_of(boundary, s.element[e], seen);
       if (dot(way, way) < reach * reach) near.push_back(static_cast<std::int32_t>(e));
     }
     first = end;
@@ -140,12 +145,15 @@ Kinematics<2> element_kinematics(const Sample& s, const DiskRecord& d, std::int3
   c.overlap = d.radius - distance;
   if (!(c.overlap > 0)) return c;
   c.normal = distance > 0 ? c.branch / distance : perpendicular(along) / norm(along);
-  lean_on(c, d, distance, d.velocity - boundary.velocity - boundary.spin * perpendicular(foot - boundary.centre), s.contact.arms);
+  lean_on(c, d, distance, d.velocity - boundary.velocity - boundary.spin * perpendicular(foot - boundary.centre),
+          s.contact.arms);
   return c;
 }
 
 Vec2 touched_place(const Sample& s, std::size_t slot, const Kinematics<2>& c) {
-  return seen_from(s.domain, boundary_of(s, s.list.j[slot]), touched_element(s, s.list.j[slot]), touching_disk(s, slot).place) - c.branch;
+  return seen_from(s.domain, boundary_of(s, s.list.j[slot]), touched_element(s, s.list.j[slot]),
+                   touching_disk(s, slot).place) -
+         c.branch;
 }
 
 void check_crossings(const Sample& s) {
@@ -154,8 +162,9 @@ void check_crossings(const Sample& s) {
     if (!is_boundary(s.list.j[p]) || !has_crossed(s, p)) continue;
     const Boundary& now = boundary_of(s, s.list.j[p]);
     const auto id = s.start.grains.id[s.record[s.list.i[p]].grain];
-    throw CannotGoOn(
-        fmt::format("grain {} has passed through the boundary \"{}\" at step {}; a smaller time step or a gentler load is needed", id, now.name, s.step));
+    throw CannotGoOn(fmt::format(
+        "grain {} has passed through the boundary \"{}\" at step {}; a smaller time step or a gentler load is needed",
+        id, now.name, s.step));
   }
 }
 

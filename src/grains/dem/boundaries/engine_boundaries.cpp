@@ -25,11 +25,14 @@ void list_anew(Sample& s, const ThreadPool& pool) {
 namespace {
 
 void check_opening(const Sample& s, int side, bool open) {
-  if (open && s.domain.is_periodic(side)) throw InputError(fmt::format("the {} side is periodic and has no wall that could be open", side_names[side]));
+  if (open && s.domain.is_periodic(side))
+    throw InputError(fmt::format("the {} side is periodic and has no wall that could be open", side_names[side]));
   std::size_t beyond = 0;
   for (std::size_t k = 0; k < s.count; ++k) beyond += s.domain.depth(side, s.record[k].place) < 0;
   if (!open && beyond > 0)
-    throw InputError(fmt::format("the {} wall cannot be restored, because {} grains are beyond it; leave that side open", side_names[side], beyond));
+    throw InputError(
+        fmt::format("the {} wall cannot be restored, because {} grains are beyond it; leave that side open",
+                    side_names[side], beyond));
 }
 
 /// Grains nearer to a rough wall than half their radius go with it from now on; one that was held before stays.
@@ -40,7 +43,8 @@ void hold_nearest(Sample& s) {
     const HeldGrain* before = find_held(s, d.grain);
     for (int side = 0; side < sides; ++side) {
       const double plane = s.domain.wall[side].position, slid = s.wall[side].slid;
-      if (!s.wall[side].rough || (before ? before->side != side : s.domain.depth(side, d.place) > 1.5 * d.radius)) continue;
+      if (!s.wall[side].rough || (before ? before->side != side : s.domain.depth(side, d.place) > 1.5 * d.radius))
+        continue;
       held.push_back({d.grain, side, d.place - of_side(side, plane, slid)});
       break;
     }
@@ -52,12 +56,14 @@ void hold_nearest(Sample& s) {
 }
 
 /// How each boundary is to move.
-std::vector<BoundaryMotion> motions_of(const std::vector<Boundary>& boundaries, const std::vector<BoundaryMotion>& named) {
+std::vector<BoundaryMotion> motions_of(const std::vector<Boundary>& boundaries,
+                                       const std::vector<BoundaryMotion>& named) {
   std::vector<BoundaryMotion> motions;
   for (const Boundary& boundary : boundaries) motions.push_back({boundary.name, {}, 0, mean_point(boundary.points)});
   for (const BoundaryMotion& motion : named) {
     const std::size_t at = index_of(boundaries, motion.name);
-    if (at == boundaries.size()) throw InputError(fmt::format("boundary \"{}\" is to move, but does not exist", motion.name));
+    if (at == boundaries.size())
+      throw InputError(fmt::format("boundary \"{}\" is to move, but does not exist", motion.name));
     const auto mean = motions[at].centre;
     motions[at] = motion;
     if (!motion.centre) motions[at].centre = mean;
@@ -68,7 +74,9 @@ std::vector<BoundaryMotion> motions_of(const std::vector<Boundary>& boundaries, 
 BoundaryMotion motion_now(const Sample& s, std::size_t b) {
   const Boundary& now = s.domain.boundaries[b];
   const BoundaryBody& body = s.boundary[b];
-  return {now.name, now.velocity, now.spin, now.centre, !now.present, body.mass > 0 ? std::optional(body.mass) : std::nullopt, body.force};
+  return {now.name,   now.velocity, now.spin,
+          now.centre, !now.present, body.mass > 0 ? std::optional(body.mass) : std::nullopt,
+          body.force};
 }
 
 }  // namespace
@@ -76,7 +84,8 @@ BoundaryMotion motion_now(const Sample& s, std::size_t b) {
 void Engine::set_rough(const BySide<bool>& rough) {
   Sample& s = machine_->sample;
   if (std::ranges::equal(rough, s.wall, {}, {}, &WallBody::rough)) return;
-  if (!s.part.empty()) throw InputError("rough walls work with disks only; use smooth walls with friction for clumps and polygons");
+  if (!s.part.empty())
+    throw InputError("rough walls work with disks only; use smooth walls with friction for clumps and polygons");
   synchronise(s);
   for (int side = 0; side < sides; ++side) s.wall[side].rough = rough[side] && s.domain.wall[side].present;
   hold_nearest(s);
@@ -106,8 +115,8 @@ void Engine::set_boundaries(const std::vector<BoundaryMotion>& named) {
     changed |= motions[b] != motion_now(s, b);
     others_there |= motions[b].absent == boundaries[b].present;
     if (motions[b].mass && !integrator_of(s).moves_bodies)
-      throw InputError(
-          fmt::format("boundary \"{}\" has a mass, which {} cannot move; use {}", motions[b].name, integrator_of(s).word.word, integrators_of_bodies("")));
+      throw InputError(fmt::format("boundary \"{}\" has a mass, which {} cannot move; use {}", motions[b].name,
+                                   integrator_of(s).word.word, integrators_of_bodies("")));
   }
   if (!changed) return;
   synchronise(s);
@@ -136,10 +145,12 @@ void Engine::set_programmes(Programmes programmes) {
     sheared |= p.of == Programme::shear_rate;
     if (!p.drives_boundary()) continue;
     const std::size_t at = index_of(boundaries, p.name);
-    if (at == boundaries.size()) throw InputError(fmt::format("a programme drives boundary \"{}\", which does not exist", p.name));
+    if (at == boundaries.size())
+      throw InputError(fmt::format("a programme drives boundary \"{}\", which does not exist", p.name));
     BoundaryBody& body = s.boundary[at];
     if (p.is_of_force() != (body.mass > 0) && p.boundary_axis() < 2)
-      throw InputError(fmt::format("boundary \"{}\" {} a mass; a table can give {}", p.name, body.mass > 0 ? "has" : "does not have",
+      throw InputError(fmt::format("boundary \"{}\" {} a mass; a table can give {}", p.name,
+                                   body.mass > 0 ? "has" : "does not have",
                                    body.mass > 0 ? "the force on it" : "its position or velocity"));
     if (!p.is_of_force()) continue;
     synchronise(s);

@@ -13,7 +13,9 @@ namespace {
 /// One coordinate (of a disk or a wall) while the starting values are sought: derivatives 0 to 5, unscaled.
 struct Path {
   double value, rate, bend, jerk = 0, snap = 0, crackle = 0;
-  double at(double t) const { return value + t * (rate + t / 2 * (bend + t / 3 * (jerk + t / 4 * (snap + t / 5 * crackle)))); }
+  double at(double t) const {
+    return value + t * (rate + t / 2 * (bend + t / 3 * (jerk + t / 4 * (snap + t / 5 * crackle))));
+  }
   double rate_at(double t) const { return rate + t * (bend + t / 2 * (jerk + t / 3 * (snap + t / 4 * crackle))); }
   /// From accelerations at -2h, -h, h, 2h and the one in the middle.
   void fit(const std::array<double, 4>& a, double h) {
@@ -29,7 +31,8 @@ template <int D> class Start {
   explicit Start(SampleIn<D>& sample) : s(sample), here(s.domain) {
     for (std::size_t k = 0; k < s.count; ++k) {
       for (int axis = 0; axis < D; ++axis) path.push_back({s.record[k].place[axis], s.velocity[k][axis], 0});
-      for (std::size_t way = 0; way < turnings<D>; ++way) path.push_back({s.angle.along[way][k], s.omega.along[way][k], 0});
+      for (std::size_t way = 0; way < turnings<D>; ++way)
+        path.push_back({s.angle.along[way][k], s.omega.along[way][k], 0});
     }
     for (int side = 0; side < sides_in<D>; ++side) path.push_back({here.wall[side].position, s.wall[side].rate, 0});
   }
@@ -108,7 +111,8 @@ template <int D> class Start {
       if constexpr (D == 2) a.push_back(now.alpha);
       else a.insert(a.end(), {now.alpha.x, now.alpha.y, now.alpha.z});
     }
-    for (int side = 0; side < sides_in<D>; ++side) a.push_back(wall_acceleration(s, side, s.domain.wall[side].velocity));
+    for (int side = 0; side < sides_in<D>; ++side)
+      a.push_back(wall_acceleration(s, side, s.domain.wall[side].velocity));
     return a;
   }
 
@@ -150,7 +154,8 @@ template <int D> void predict_walls(SampleIn<D>& s, double /*kick*/, double /*ah
     WallBodyIn<D>& body = s.wall[side];
     WallIn<D>& wall = s.domain.wall[side];
     const double a = wall_acceleration(s, side, wall.velocity);
-    Nordsieck<double> q{wall.position, dt * body.rate, half * body.acceleration, body.higher[0], body.higher[1], body.higher[2]};
+    Nordsieck<double> q{wall.position,  dt * body.rate, half * body.acceleration,
+                        body.higher[0], body.higher[1], body.higher[2]};
     q.correct(half * (a - body.acceleration));
     q.predict();
     wall.position = q.q0;

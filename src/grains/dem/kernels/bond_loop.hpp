@@ -8,7 +8,8 @@ namespace arenite::dem {
 
 /// The arc sine, to the last bit where |sine| < 0.15.
 template <int W> ARENITE_INLINE Pack<W> small_angle(Pack<W> sine) {
-  constexpr double terms[] = {135135.0 / 9676800, 10395.0 / 599040, 945.0 / 42240, 105.0 / 3456, 15.0 / 336, 3.0 / 40, 1.0 / 6, 1.0};
+  constexpr double terms[] = {135135.0 / 9676800, 10395.0 / 599040, 945.0 / 42240, 105.0 / 3456,
+                              15.0 / 336,         3.0 / 40,         1.0 / 6,       1.0};
   const Pack<W> q = sine * sine;
   Pack<W> sum(2027025.0 / 175472640);
   for (const double term : terms) sum = sum * q + Pack<W>(term);
@@ -21,12 +22,15 @@ template <int W> ARENITE_INLINE Pack<W> picked_numbers(const double* values, con
   return numbers;
 }
 
-/// Forces of W bonds from p on; the same as beam_motion and the law say of one. Notes which need a closer look: those that may break, and those that
-/// have turned far since the list was built.
-template <int W, bool damped, class Law> ARENITE_INLINE bool bond_batch(const BondTask& t, const Law& law, std::size_t p) {
+/// Forces of W bonds from p on; the same as beam_motion and the law say of one. Notes which need a closer look: those
+/// that may break, and those that have turned far since the list was built.
+template <int W, bool damped, class Law>
+ARENITE_INLINE bool bond_batch(const BondTask& t, const Law& law, std::size_t p) {
   using V = Pack<W>;
   const auto number = [p](const double* column) { return V::load(column + p); };
-  const auto vector = [p](const Vec<2, const double*>& columns) { return Vec<2, V>{V::load(columns.x + p), V::load(columns.y + p)}; };
+  const auto vector = [p](const Vec<2, const double*>& columns) {
+    return Vec<2, V>{V::load(columns.x + p), V::load(columns.y + p)};
+  };
   const auto& b = t.column;
   const std::int32_t *i = t.i + p, *j = t.j + p;
   const V zero(0.0), one(1.0);
@@ -37,7 +41,8 @@ template <int W, bool damped, class Law> ARENITE_INLINE bool bond_batch(const Bo
   const V squared = dot(branch, branch), distance = sqrt(squared), inverse = distance * (one / squared);
   const Vec<2, V> normal = inverse * branch;
   const V sine = cross(before, normal), cosine = dot(before, normal), turned = small_angle(sine);
-  const V turn_i = picked_numbers<W>(t.angle, i) - number(b.angle_i) - turned, turn_j = picked_numbers<W>(t.angle, j) - number(b.angle_j) - turned;
+  const V turn_i = picked_numbers<W>(t.angle, i) - number(b.angle_i) - turned,
+          turn_j = picked_numbers<W>(t.angle, j) - number(b.angle_j) - turned;
   const BeamArms<V> arms{number(b.length), number(b.arm_i), number(b.arm_j)};
   const BeamOf<V> beam{number(b.beam.normal),   number(b.beam.shear),       number(b.beam.bending),
                        number(b.beam.per_area), number(b.beam.per_section), number(b.beam.friction)};
@@ -67,7 +72,8 @@ template <int W, bool damped, class Law> ARENITE_INLINE bool bond_batch(const Bo
 }
 
 template <int W, bool damped, class Law>
-__attribute__((flatten)) bool bond_range(const BondTask& given, const Law& given_law, std::size_t begin, std::size_t end) {
+__attribute__((flatten)) bool bond_range(const BondTask& given, const Law& given_law, std::size_t begin,
+                                         std::size_t end) {
   const BondTask task = given;  // copies that no store can reach stay in registers
   const Law law = given_law;
   bool any = false;
@@ -78,13 +84,15 @@ __attribute__((flatten)) bool bond_range(const BondTask& given, const Law& given
 }
 
 /// Bonds begin .. end-1. True if some need a closer look.
-template <int W, class Law> bool bond_loop(const BondTask& task, const BondLaw& choice, std::size_t begin, std::size_t end) {
+template <int W, class Law>
+bool bond_loop(const BondTask& task, const BondLaw& choice, std::size_t begin, std::size_t end) {
   const Law& law = *std::get_if<Law>(&choice);
   return task.damped ? bond_range<W, true>(task, law, begin, end) : bond_range<W, false>(task, law, begin, end);
 }
 
 /// The loops of all bond laws.
-template <int W, std::size_t... Q> constexpr std::array<Kernel::BondLoop, sizeof...(Q)> bond_loops(std::index_sequence<Q...>) {
+template <int W, std::size_t... Q>
+constexpr std::array<Kernel::BondLoop, sizeof...(Q)> bond_loops(std::index_sequence<Q...>) {
   return {bond_loop<W, std::variant_alternative_t<Q, BondLaw::variant>>...};
 }
 

@@ -18,17 +18,24 @@ template <int D> struct alignas(64) GrainRecord {
 };
 using DiskRecord = GrainRecord<2>;
 static_assert(sizeof(DiskRecord) == 64);
-/// What of a turning about a contact of this normal slides: grains that turn about the normal itself twist, which spheres of space alone can do.
+/// What of a turning about a contact of this normal slides: grains that turn about the normal itself twist, which
+/// spheres of space alone can do.
 template <class V> inline V without_twist(V turning, const Vec<2, V>& /*normal*/) { return turning; }
-template <class V> inline Vec<3, V> without_twist(const Vec<3, V>& turning, const Vec<3, V>& normal) { return turning - dot(turning, normal) * normal; }
+template <class V> inline Vec<3, V> without_twist(const Vec<3, V>& turning, const Vec<3, V>& normal) {
+  return turning - dot(turning, normal) * normal;
+}
 
-/// What a spring remembers goes along with a contact that turns, and with the mean twist of its grains, which turn at `spin` together, in a time: in the
-/// plane it is a number, in space it is laid into the contact's plane and turned there, as long as it was.
-template <int D, class V> inline Turning<D, V> turned_along(const Turning<D, V>& remembered, const Vec<D, V>& normal, const Turning<D, V>& spin, double time) {
+/// What a spring remembers goes along with a contact that turns, and with the mean twist of its grains, which turn at
+/// `spin` together, in a time: in the plane it is a number, in space it is laid into the contact's plane and turned
+/// there, as long as it was.
+template <int D, class V>
+inline Turning<D, V> turned_along(const Turning<D, V>& remembered, const Vec<D, V>& normal, const Turning<D, V>& spin,
+                                  double time) {
   if constexpr (D == 2) return remembered;
   else {
     using lane::select, lane::sqrt;
-    const Vec<D, V> in_plane = without_twist(remembered, normal), turned = in_plane + V(0.5 * time) * dot(spin, normal) * cross(normal, in_plane);
+    const Vec<D, V> in_plane = without_twist(remembered, normal),
+                    turned = in_plane + V(0.5 * time) * dot(spin, normal) * cross(normal, in_plane);
     const V square = dot(turned, turned);
     return select(square > V(0.0), sqrt(dot(remembered, remembered) / square), V(0.0)) * turned;
   }
@@ -36,7 +43,9 @@ template <int D, class V> inline Turning<D, V> turned_along(const Turning<D, V>&
 
 /// Of a disk, a sphere: I/(m r^2).
 template <int D> inline constexpr double inertia_share = D == 2 ? 0.5 : 0.4;
-template <int D> inline double inertia(const GrainRecord<D>& d) { return inertia_share<D> * d.mass * d.radius * d.radius; }
+template <int D> inline double inertia(const GrainRecord<D>& d) {
+  return inertia_share<D> * d.mass * d.radius * d.radius;
+}
 
 /// Force of a contact on i, N, and its torques on i and j, N m; all 0 where apart.
 template <int D> struct alignas(32) SlotForce {
@@ -111,7 +120,8 @@ struct BondTask {
   const std::int32_t *i, *j;
   BondRow<const double*> column;
   SlotForce<2>* force;
-  std::uint8_t* look;  ///< where a bond may break, or has turned far since the list was built: then it is not for the loop to say
+  std::uint8_t*
+      look;  ///< where a bond may break, or has turned far since the list was built: then it is not for the loop to say
   bool damped;
 };
 
@@ -150,8 +160,8 @@ template <int D> struct SweepTask {
   double dt, kick, ahead;                      ///< s, see integrators/integrator.hpp
   double drag;                                 ///< 1/s
   double turning;                              ///< 1 where grains rotate, else 0
-  double listed_shear, middle;                 ///< shear of the cell since the list was built, about the height `middle`, m
-  double limit;                                ///< square of the way that a disk may be from its place in the list, m^2
+  double listed_shear, middle;  ///< shear of the cell since the list was built, about the height `middle`, m
+  double limit;                 ///< square of the way that a disk may be from its place in the list, m^2
 };
 
 /// From where a disk was when the list was built, as the cell has taken it along since, to its place.
@@ -162,24 +172,27 @@ template <int D, class V> inline Vec<D, V> way_since_listed(const SweepTask<D>& 
   return way;
 }
 
-inline constexpr std::size_t adhesions = std::variant_size_v<Adhesion::variant>, friction_laws = std::variant_size_v<FrictionLaw::variant>,
+inline constexpr std::size_t adhesions = std::variant_size_v<Adhesion::variant>,
+                             friction_laws = std::variant_size_v<FrictionLaw::variant>,
                              law_triples = std::variant_size_v<NormalLaw::variant> * adhesions * friction_laws,
                              bond_laws = std::variant_size_v<BondLaw::variant>;
 inline std::size_t loop_index(const ContactLaws& laws) {
   return (laws.normal.index() * adhesions + laws.adhesion.index()) * friction_laws + laws.friction.index();
 }
 
-/// The inner loops, compiled once for each kind of processor. All kernels give the same bits: the same exactly rounded operations in the same order
-/// for every contact and disk, only more of them at a time.
+/// The inner loops, compiled once for each kind of processor. All kernels give the same bits: the same exactly rounded
+/// operations in the same order for every contact and disk, only more of them at a time.
 template <int D> struct KernelIn {
   const char* name;
   /// Forces of slots begin .. end-1, all of two disks; one loop for every three laws (loop_index).
   using PairLoop = void (*)(const PairTask<D>&, const ContactLaws&, std::size_t begin, std::size_t end);
   std::array<PairLoop, law_triples> pair_loops;
-  /// A step of disks begin .. end-1; one loop for every integrator (IntegratorKind). False if the list has become stale.
+  /// A step of disks begin .. end-1; one loop for every integrator (IntegratorKind). False if the list has become
+  /// stale.
   using Sweep = bool (*)(const SweepTask<D>&, std::size_t begin, std::size_t end);
   std::array<Sweep, integrator_count> sweeps;
-  /// Forces of bonds begin .. end-1; one loop for every bond law, whose beams lie in the plane. True if some need a closer look.
+  /// Forces of bonds begin .. end-1; one loop for every bond law, whose beams lie in the plane. True if some need a
+  /// closer look.
   using BondLoop = bool (*)(const BondTask&, const BondLaw&, std::size_t begin, std::size_t end);
   std::array<BondLoop, D == 2 ? bond_laws : 0> bond_loops;
 };
@@ -187,7 +200,8 @@ using Kernel = KernelIn<2>;
 
 extern const Kernel portable_kernel, avx2_kernel, avx512_kernel;
 
-/// The kernel that `asked` means on this machine: "auto" is the widest it has. InputError for one that is unknown or that the processor lacks.
+/// The kernel that `asked` means on this machine: "auto" is the widest it has. InputError for one that is unknown or
+/// that the processor lacks.
 const Kernel& find_kernel(const std::string& asked);
 
 }  // namespace arenite::dem

@@ -7,7 +7,8 @@ namespace arenite::dem {
 
 /// All loops for W contacts and disks, or spheres, at a time.
 template <int W, int D = 2> constexpr KernelIn<D> make_kernel(const char* name) {
-  return {name, pair_loops<W, D>(std::make_index_sequence<law_triples>{}), sweeps<W, D>(std::make_index_sequence<integrator_count>{}),
+  return {name, pair_loops<W, D>(std::make_index_sequence<law_triples>{}),
+          sweeps<W, D>(std::make_index_sequence<integrator_count>{}),
           bond_loops<W>(std::make_index_sequence<std::tuple_size_v<decltype(KernelIn<D>::bond_loops)>>{})};
 }
 

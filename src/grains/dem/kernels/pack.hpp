@@ -8,8 +8,8 @@
 
 #include "core/vec.hpp"
 
-/// Inner functions are compiled into their loop, never on their own: a function of its own could be taken by the linker for the same function of a
-/// file compiled for another processor.
+/// Inner functions are compiled into their loop, never on their own: a function of its own could be taken by the linker
+/// for the same function of a file compiled for another processor.
 #define ARENITE_INLINE inline __attribute__((always_inline))
 
 namespace arenite::dem {
@@ -19,8 +19,8 @@ template <int W> struct RawPack {
   typedef std::int64_t Bits __attribute__((vector_size(8 * W)));
 };
 
-/// W doubles computed side by side, one contact each: the number type that the laws are written over, beside double. Every operation is the exactly
-/// rounded one of a single double, so a lane's bits do not depend on W.
+/// W doubles computed side by side, one contact each: the number type that the laws are written over, beside double.
+/// Every operation is the exactly rounded one of a single double, so a lane's bits do not depend on W.
 template <int W> struct Pack {
   using Raw = typename RawPack<W>::Numbers;
   using Bits = typename RawPack<W>::Bits;
@@ -57,7 +57,8 @@ template <int W> struct Pack {
   }
 };
 
-template <int W, int D> ARENITE_INLINE Vec<D, Pack<W>> select(typename Pack<W>::Bits condition, Vec<D, Pack<W>> yes, Vec<D, Pack<W>> no) {
+template <int W, int D>
+ARENITE_INLINE Vec<D, Pack<W>> select(typename Pack<W>::Bits condition, Vec<D, Pack<W>> yes, Vec<D, Pack<W>> no) {
   return by_axis<D>([&](int axis) { return select(condition, yes[axis], no[axis]); });
 }
 
@@ -125,12 +126,17 @@ template <int W, int D, class Address> ARENITE_INLINE void gather(Address&& addr
 }
 
 /// Reads and writes vectors that lie in one array a component, or the numbers of one array.
-template <int W, class Number, std::size_t N> ARENITE_INLINE auto load_columns(const std::array<Number*, N>& from, std::size_t k) {
+template <int W, class Number, std::size_t N>
+ARENITE_INLINE auto load_columns(const std::array<Number*, N>& from, std::size_t k) {
   if constexpr (N == 1) return Pack<W>::load(from[0] + k);
   else return by_axis<N>([&](int axis) { return Pack<W>::load(from[axis] + k); });
 }
-template <int W> ARENITE_INLINE void store_columns(Pack<W> numbers, const std::array<double*, 1>& to, std::size_t k) { numbers.store(to[0] + k); }
-template <int W, int D> ARENITE_INLINE void store_columns(Vec<D, Pack<W>> vector, const std::array<double*, static_cast<std::size_t>(D)>& to, std::size_t k) {
+template <int W> ARENITE_INLINE void store_columns(Pack<W> numbers, const std::array<double*, 1>& to, std::size_t k) {
+  numbers.store(to[0] + k);
+}
+template <int W, int D>
+ARENITE_INLINE void store_columns(Vec<D, Pack<W>> vector, const std::array<double*, static_cast<std::size_t>(D)>& to,
+                                  std::size_t k) {
 #pragma GCC unroll 3
   for (int axis = 0; axis < D; ++axis) vector[axis].store(to[axis] + k);
 }
@@ -150,7 +156,8 @@ template <int W, class Address> ARENITE_INLINE void scatter(Address&& address, P
   }
 }
 
-/// The same of a vector. In space that is number by number, for nothing of a record lies behind it that may be overwritten.
+/// The same of a vector. In space that is number by number, for nothing of a record lies behind it that may be
+/// overwritten.
 template <int W, int D, class Address> ARENITE_INLINE void scatter(Address&& address, Vec<D, Pack<W>> vector) {
   scatter<W>(address, vector.x, vector.y);
   if constexpr (D == 3)

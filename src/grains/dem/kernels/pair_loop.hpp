@@ -25,8 +25,9 @@ template <int W, int D> struct GrainPack {
   }
 };
 
-/// How W pairs lie and move. What is tangential is counted as the turning about the contact that it makes, n x u of the relative velocity u and n x f
-/// of the force f: a number in the plane, along t; in space a vector normal to n, as long as the velocity or force itself.
+/// How W pairs lie and move. What is tangential is counted as the turning about the contact that it makes, n x u of the
+/// relative velocity u and n x f of the force f: a number in the plane, along t; in space a vector normal to n, as long
+/// as the velocity or force itself.
 template <int W, int D> struct PairPack {
   using V = Pack<W>;
   using Tangential = Turning<D, V>;
@@ -53,7 +54,8 @@ template <int W, int D> struct PairPack {
 
 /// Forces of W slots from p on.
 template <int W, int D, class N, class A, class F>
-ARENITE_INLINE void pair_batch(const PairTask<D>& t, const ContactLaws& shared, const N& normal, const A& adhesion, const F& friction, std::size_t p) {
+ARENITE_INLINE void pair_batch(const PairTask<D>& t, const ContactLaws& shared, const N& normal, const A& adhesion,
+                               const F& friction, std::size_t p) {
   using V = Pack<W>;
   using T = Turning<D, V>;
   const V zero(0.0);
@@ -63,9 +65,16 @@ ARENITE_INLINE void pair_batch(const PairTask<D>& t, const ContactLaws& shared, 
   const V strength = V::load(t.strength + p);
   V floor(t.floor);
   if constexpr (A::attracts) floor = select(strength > zero, V(-__builtin_inf()), floor);
-  ContactState<V, T> state{
-      pair.overlap, pair.approach, pair.sliding, pair.curvature, V::load(t.stiffness + p), V::load(t.damping + p), V::load(t.viscosity + p),
-      strength,     V(t.friction), floor};
+  ContactState<V, T> state{pair.overlap,
+                           pair.approach,
+                           pair.sliding,
+                           pair.curvature,
+                           V::load(t.stiffness + p),
+                           V::load(t.damping + p),
+                           V::load(t.viscosity + p),
+                           strength,
+                           V(t.friction),
+                           floor};
   if constexpr (ElasticContact<N>) state.shear = V::load(t.shear + p);
   ContactMemory<V, T> memory;
   if constexpr (N::remembers) memory.normal = V::load(t.normal_memory + p);
@@ -76,7 +85,8 @@ ARENITE_INLINE void pair_batch(const PairTask<D>& t, const ContactLaws& shared, 
   const V fn = select(touching_now, f.normal, zero);
   const T ft = select(touching_now, without_twist(f.tangential, pair.normal), T{});
   if constexpr (N::remembers) select(touching_now, memory.normal, zero).store(t.normal_memory + p);
-  if constexpr (F::remembers) store_columns(select(touching_now, turned_along(memory.slip, pair.normal, spin, shared.lag), T{}), t.memory, p);
+  if constexpr (F::remembers)
+    store_columns(select(touching_now, turned_along(memory.slip, pair.normal, spin, shared.lag), T{}), t.memory, p);
   scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].on_i.x; }, pair.force(fn, ft));
   const T torque_i = pair.torque(pair.arm_i, ft), torque_j = pair.torque(pair.arm_j, ft);
   if constexpr (D == 2) {
@@ -89,7 +99,8 @@ ARENITE_INLINE void pair_batch(const PairTask<D>& t, const ContactLaws& shared, 
 
 /// `flatten` compiles the laws into the loop: as calls they would double its time.
 template <int W, int D, class N, class A, class F>
-__attribute__((flatten)) void pair_loop(const PairTask<D>& given, const ContactLaws& laws, std::size_t begin, std::size_t end) {
+__attribute__((flatten)) void pair_loop(const PairTask<D>& given, const ContactLaws& laws, std::size_t begin,
+                                        std::size_t end) {
   const PairTask<D> task = given;  // a copy that no store can reach stays in registers
   const ContactLaws shared = laws;
   const N normal = *std::get_if<N>(&shared.normal);
@@ -101,7 +112,8 @@ __attribute__((flatten)) void pair_loop(const PairTask<D>& given, const ContactL
 }
 
 /// The loops of all triples of laws, in the order of loop_index.
-template <int W, int D, std::size_t... Q> constexpr std::array<typename KernelIn<D>::PairLoop, law_triples> pair_loops(std::index_sequence<Q...>) {
+template <int W, int D, std::size_t... Q>
+constexpr std::array<typename KernelIn<D>::PairLoop, law_triples> pair_loops(std::index_sequence<Q...>) {
   return {pair_loop<W, D, std::variant_alternative_t<Q / friction_laws / adhesions, NormalLaw::variant>,
                     std::variant_alternative_t<Q / friction_laws % adhesions, Adhesion::variant>,
                     std::variant_alternative_t<Q % friction_laws, FrictionLaw::variant>>...};

@@ -31,12 +31,15 @@ template <int W, int D> struct LoadPack {
         load[n] = __builtin_shufflevector((own - reaction).raw, (own + turned).raw, 0, 1, 6, 7);
       }
       Pack<W> spare;
-      sort_pieces<W>([&](int n) { return Piece(__builtin_shufflevector(load[n].raw, load[n].raw, 0, 1)); }, force.x, force.y);
-      sort_pieces<W>([&](int n) { return Piece(__builtin_shufflevector(load[n].raw, load[n].raw, 2, 3)); }, torque, spare);
+      sort_pieces<W>([&](int n) { return Piece(__builtin_shufflevector(load[n].raw, load[n].raw, 0, 1)); }, force.x,
+                     force.y);
+      sort_pieces<W>([&](int n) { return Piece(__builtin_shufflevector(load[n].raw, load[n].raw, 2, 3)); }, torque,
+                     spare);
     } else {
       for (int n = 0; n < W; ++n) {
         const Load<D> load = contact_load(slots, k + static_cast<std::size_t>(n));
-        for (int axis = 0; axis < D; ++axis) force[axis].raw[n] = load.force[axis], torque[axis].raw[n] = load.torque[axis];
+        for (int axis = 0; axis < D; ++axis)
+          force[axis].raw[n] = load.force[axis], torque[axis].raw[n] = load.torque[axis];
       }
     }
   }
@@ -58,16 +61,18 @@ template <int W, int D> struct MotionPack {
     gather<W>([=](int n) { return &d[n].velocity.x; }, velocity);
     gather<W>([=](int n) { return &d[n].radius; }, radius, mass);
     const V inverse = V(1.0) / mass;
-    acceleration = by_axis<D>(
-        [&](int axis) { return load.force[axis] * inverse + V(t.gravity[axis]) - V(t.drag) * (velocity[axis] - t.before.along[axis].at(place[axis])); });
+    acceleration = by_axis<D>([&](int axis) {
+      return load.force[axis] * inverse + V(t.gravity[axis]) -
+             V(t.drag) * (velocity[axis] - t.before.along[axis].at(place[axis]));
+    });
     alpha = V(t.turning) * load.torque / (V(inertia_share<D>) * mass * radius * radius);
   }
 };
 
 /// Puts W disks or spheres where they are seen next. All bits set where one is near enough to its place in the list.
 template <int W, int D>
-ARENITE_INLINE typename Pack<W>::Bits put(const SweepTask<D>& t, std::size_t k, const MotionPack<W, D>& m, Vec<D, Pack<W>> place, Vec<D, Pack<W>> velocity,
-                                          Turning<D, Pack<W>> omega) {
+ARENITE_INLINE typename Pack<W>::Bits put(const SweepTask<D>& t, std::size_t k, const MotionPack<W, D>& m,
+                                          Vec<D, Pack<W>> place, Vec<D, Pack<W>> velocity, Turning<D, Pack<W>> omega) {
   GrainRecord<D>* d = t.record + k;
   scatter<W>([=](int n) { return &d[n].place.x; }, place);
   scatter<W>([=](int n) { return &d[n].velocity.x; }, velocity + t.after.at(place));
@@ -77,8 +82,8 @@ ARENITE_INLINE typename Pack<W>::Bits put(const SweepTask<D>& t, std::size_t k, 
   return dot(way, way) <= Pack<W>(t.limit);
 }
 
-/// A step of W disks or spheres that kicks the integrated velocities on by the accelerations and then drifts with them. A scheme that does otherwise
-/// has a specialisation.
+/// A step of W disks or spheres that kicks the integrated velocities on by the accelerations and then drifts with them.
+/// A scheme that does otherwise has a specialisation.
 template <IntegratorKind scheme, int W, int D> struct Step {
   ARENITE_INLINE static typename Pack<W>::Bits run(const SweepTask<D>& t, std::size_t k) {
     using V = Pack<W>;
@@ -99,7 +104,8 @@ template <IntegratorKind scheme, int W, int D> struct Step {
 };
 
 /// W disks or spheres at a time, the last ones singly.
-template <int W, int D, IntegratorKind scheme> __attribute__((flatten)) bool sweep(const SweepTask<D>& task, std::size_t begin, std::size_t end) {
+template <int W, int D, IntegratorKind scheme>
+__attribute__((flatten)) bool sweep(const SweepTask<D>& task, std::size_t begin, std::size_t end) {
   const SweepTask<D> t = task;  // a copy that no store can reach stays in registers
   auto near = Pack<W>(0.0) <= Pack<W>(0.0);
   bool last_near = true;
@@ -111,7 +117,8 @@ template <int W, int D, IntegratorKind scheme> __attribute__((flatten)) bool swe
 }
 
 /// The loops of all integrators.
-template <int W, int D, std::size_t... Q> constexpr std::array<typename KernelIn<D>::Sweep, integrator_count> sweeps(std::index_sequence<Q...>) {
+template <int W, int D, std::size_t... Q>
+constexpr std::array<typename KernelIn<D>::Sweep, integrator_count> sweeps(std::index_sequence<Q...>) {
   return {sweep<W, D, static_cast<IntegratorKind>(Q)>...};
 }
 

@@ -3,11 +3,12 @@
 
 namespace arenite::dem {
 
-/// Cundall-Strack friction: a tangential spring k_t xi and a dashpot gamma_s v_s, together held within Coulomb's cap; the spring alone never exceeds
-/// the cap, so sliding dissipates and never charges it.
+/// Cundall-Strack friction: a tangential spring k_t xi and a dashpot gamma_s v_s, together held within Coulomb's cap;
+/// the spring alone never exceeds the cap, so sliding dissipates and never charges it.
 ///
-/// xi is the integral of v_s by the trapezoidal rule, which is of second order. One number a contact is enough for it: `memory` = xi + lag v_s, to
-/// which the next evaluation adds lead v_s. Where velocities are those of the middle of a step (leapfrog), lead = dt and lag = 0.
+/// xi is the integral of v_s by the trapezoidal rule, which is of second order. One number a contact is enough for it:
+/// `memory` = xi + lag v_s, to which the next evaluation adds lead v_s. Where velocities are those of the middle of a
+/// step (leapfrog), lead = dt and lag = 0.
 struct CundallStrack : WithoutParameters {
   static constexpr Word word{"cundall_strack", "spring with the Coulomb limit: sustains static friction"};
   static constexpr bool remembers = true;
@@ -19,7 +20,9 @@ struct CundallStrack : WithoutParameters {
     return T{} - within(pull + slip.viscosity * slip.velocity, slip.cap);
   }
   /// xi at the last evaluation, which saw this slip.
-  template <class V, class T> T spring(const Slip<V, T>& slip, T memory) const { return memory - slip.lag * slip.velocity; }
+  template <class V, class T> T spring(const Slip<V, T>& slip, T memory) const {
+    return memory - slip.lag * slip.velocity;
+  }
   template <class V, class T> V energy(const Slip<V, T>& slip, T memory) const {
     using lane::dot;
     const T xi = spring(slip, memory);

@@ -12,8 +12,8 @@ struct NoAdhesion : NoLaw {
   template <class V> V energy(V /*h*/, V /*strength*/) const { return V(0.0); }
 };
 
-/// Geometrical adhesion, an attraction gamma sqrt(r_eff h) while two glued grains touch (T eq. 1.22-1.25). `strength` = gamma sqrt(r_eff), 0 for a
-/// pair that is not glued.
+/// Geometrical adhesion, an attraction gamma sqrt(r_eff h) while two glued grains touch (T eq. 1.22-1.25). `strength` =
+/// gamma sqrt(r_eff), 0 for a pair that is not glued.
 struct GeometricalAdhesion : WithoutParameters {
   static constexpr Word word{"geometrical", "-gamma sqrt(r_eff h), reversible"};
   static constexpr bool attracts = true, breaks = false;

@@ -14,37 +14,48 @@
 
 namespace arenite::dem {
 
-// What a law must give, for each of the three families. A law is a value that is written once over a number type; it sees overlap, normal speed, slip
-// and what it remembers of one contact, never a direction or a place.
+// What a law must give, for each of the three families. A law is a value that is written once over a number type; it
+// sees overlap, normal speed, slip and what it remembers of one contact, never a direction or a place.
 
 /// What every law gives: its word in recipes, its own parameters (name, unit, range and sentence each), equality.
 template <class L>
-concept ContactLaw = std::default_initializable<L> && std::equality_comparable<L> && requires(L law, ParameterVisitor& visitor) {
+concept ContactLaw = std::default_initializable<L> && std::equality_comparable<L> &&
+    requires(L law, ParameterVisitor& visitor) {
   { L::word } -> std::convertible_to<Word>;
   { law.declare(visitor) } -> std::same_as<void>;
 };
 
-/// A normal law gives force and energy of an overlap h > 0, so that a test can hold one against the other's gradient. A law that remembers has one
-/// number a contact, which `elastic` brings up to date, and the number of a contact that is met at rest.
+/// A normal law gives force and energy of an overlap h > 0, so that a test can hold one against the other's gradient. A
+/// law that remembers has one number a contact, which `elastic` brings up to date, and the number of a contact that is
+/// met at rest.
 template <class L>
 concept NormalContact = ContactLaw<L> && requires(const L law, double v, double& memory) {
   { law.elastic(v, v, v, memory) } -> std::same_as<double>;  // (h, stiffness, curvature, memory), N
-  { law.energy(v, v, v, v) } -> std::same_as<double>;        // (h, stiffness, curvature, memory): what `elastic` gives back, J; 0 at h = 0
-  { law.damping_factor(v, v) } -> std::same_as<double>;      // (h, curvature): share of alpha_n with which the dashpot acts
-  { law.pull_off(v, v, v) } -> std::same_as<double>;         // (strength, stiffness, curvature): greatest net pull against an attraction strength sqrt(h), N
-  { law.tangent(v, v, v) } -> std::same_as<double>;          // (h, stiffness, curvature): largest slope on [0, h], N/m, for the stable step
+  {
+    law.energy(v, v, v, v)
+    } -> std::same_as<double>;  // (h, stiffness, curvature, memory): what `elastic` gives back, J; 0 at h = 0
+  { law.damping_factor(v, v) } -> std::same_as<double>;  // (h, curvature): share of alpha_n with which the dashpot acts
+  {
+    law.pull_off(v, v, v)
+    } -> std::same_as<double>;  // (strength, stiffness, curvature): greatest net pull against an attraction strength
+                                // sqrt(h), N
+  {
+    law.tangent(v, v, v)
+    } -> std::same_as<double>;  // (h, stiffness, curvature): largest slope on [0, h], N/m, for the stable step
   requires(!L::remembers) || requires {
     { law.recall(v, v, v, v) } -> std::same_as<double>;
   };  // (force, h, stiffness, curvature)
 };
 
-/// A normal law of materials' E and nu, whose pairs have k = (4/3) E* R*, also says with what the spring of friction grows.
+/// A normal law of materials' E and nu, whose pairs have k = (4/3) E* R*, also says with what the spring of friction
+/// grows.
 template <class L>
 concept ElasticContact = NormalContact<L> && requires(const L law, double v) {
   { law.sliding_base(v, v, v) } -> std::same_as<double>;  // (h, stiffness, curvature), N/m
 };
 
-/// An adhesion gives the attraction of two glued grains, >= 0, its potential, <= 0 and 0 at h = 0, and whether bonds break for good.
+/// An adhesion gives the attraction of two glued grains, >= 0, its potential, <= 0 and 0 at h = 0, and whether bonds
+/// break for good.
 template <class L>
 concept AdhesiveContact = ContactLaw<L> && requires(const L law, double v) {
   { law.attraction(v, v) } -> std::same_as<double>;  // (h, strength), N
@@ -53,10 +64,12 @@ concept AdhesiveContact = ContactLaw<L> && requires(const L law, double v) {
   { L::breaks } -> std::convertible_to<bool>;
 };
 
-/// A friction law gives the force along the contact, in the plane and in space, and may keep one slip a contact. What it remembers is carried along
-/// when contacts are listed anew, and `recall` gives it for a contact that is met at rest.
+/// A friction law gives the force along the contact, in the plane and in space, and may keep one slip a contact. What
+/// it remembers is carried along when contacts are listed anew, and `recall` gives it for a contact that is met at
+/// rest.
 template <class L>
-concept TangentialContact = ContactLaw<L> && requires(const L law, double v, double& memory, Slip<double> slip, Slip<double, Vec3> in_space, Vec3& path) {
+concept TangentialContact = ContactLaw<L> &&
+    requires(const L law, double v, double& memory, Slip<double> slip, Slip<double, Vec3> in_space, Vec3& path) {
   { law.tangential(slip, memory) } -> std::same_as<double>;  // N
   { law.tangential(in_space, path) } -> std::same_as<Vec3>;
   { law.energy(slip, memory) } -> std::same_as<double>;  // what the force at this memory gives back, J
@@ -67,9 +80,11 @@ concept TangentialContact = ContactLaw<L> && requires(const L law, double v, dou
   };  // (force, k_t)
 };
 
-/// Rolling resistance gives a moment against the turning of two grains, in which Slip counts rad/s, N m s, N m and N m/rad.
+/// Rolling resistance gives a moment against the turning of two grains, in which Slip counts rad/s, N m s, N m and N
+/// m/rad.
 template <class L>
-concept RollingContact = ContactLaw<L> && requires(const L law, double v, double& memory, Slip<double> turning, Slip<double, Vec3> in_space, Vec3& path) {
+concept RollingContact = ContactLaw<L> &&
+    requires(const L law, double v, double& memory, Slip<double> turning, Slip<double, Vec3> in_space, Vec3& path) {
   { law.coefficient } -> std::convertible_to<double>;       // mu_r: the moment is at most mu_r R F_n
   { law.stiffness(v, v) } -> std::same_as<double>;          // (k_n, R), N m/rad
   { law.damping(v, v, v, v) } -> std::same_as<double>;      // (alpha_n, R, stiffness, reduced inertia), N m s
@@ -81,7 +96,8 @@ concept RollingContact = ContactLaw<L> && requires(const L law, double v, double
 
 /// A bond gives the beam between two grains, the forces and the energy of its strain, and what its stresses break.
 template <class L>
-concept BeamLaw = ContactLaw<L> && requires(const L law, double v, const Beam& beam, const BeamStrain<double>& strain, const BeamForce<double>& force) {
+concept BeamLaw = ContactLaw<L> && requires(const L law, double v, const Beam& beam, const BeamStrain<double>& strain,
+                                            const BeamForce<double>& force) {
   { law.gap } -> std::convertible_to<double>;      // greatest one that it bridges, over the mean radius
   { law.damping } -> std::convertible_to<double>;  // of its dashpots, over the critical one
   { law.scatter } -> std::convertible_to<double>;  // standard deviation of strengths over their mean, drawn with `seed`
@@ -93,9 +109,10 @@ concept BeamLaw = ContactLaw<L> && requires(const L law, double v, const Beam& b
   { law.load(beam, force) } -> std::same_as<BeamLoad>;
 };
 
-/// A cohesion acts between all disks, beside the contact and beyond it, along the line that joins them. It gives the pull of a pair by its radii and
-/// the thickness of the sample, m. Two disks whose gap is less than `joins_within` are joined; where it `breaks` they are so until the curve's reach.
-/// One of a liquid whose surfaces must not bulge has `volume` and `largest_volume`.
+/// A cohesion acts between all disks, beside the contact and beyond it, along the line that joins them. It gives the
+/// pull of a pair by its radii and the thickness of the sample, m. Two disks whose gap is less than `joins_within` are
+/// joined; where it `breaks` they are so until the curve's reach. One of a liquid whose surfaces must not bulge has
+/// `volume` and `largest_volume`.
 template <class L>
 concept CohesionLaw = ContactLaw<L> && requires(const L law, double v) {
   { L::breaks } -> std::convertible_to<bool>;
@@ -122,7 +139,9 @@ template <class... Law> struct OneOf : std::variant<Law...> {
     static_cast<void>(((is(Law{}) && (word = Law::word.word, true)) || ...));
     return word;
   }
-  friend bool operator==(const OneOf& a, const OneOf& b) { return static_cast<const std::variant<Law...>&>(a) == static_cast<const std::variant<Law...>&>(b); }
+  friend bool operator==(const OneOf& a, const OneOf& b) {
+    return static_cast<const std::variant<Law...>&>(a) == static_cast<const std::variant<Law...>&>(b);
+  }
 };
 template <NormalContact... Law> using NormalLaws = OneOf<Law...>;
 template <AdhesiveContact... Law> using Adhesions = OneOf<Law...>;
@@ -131,8 +150,9 @@ template <RollingContact... Law> using RollingLaws = OneOf<Law...>;
 template <BeamLaw... Law> using BondLaws = OneOf<Law...>;
 template <CohesionLaw... Law> using Cohesions = OneOf<Law...>;
 
-/// The laws there are. A new one is a file beside these and a word here: recipe keys, their documentation and hashes, kernels for every kind of
-/// processor and the families' tests follow. The choice is visited outside of the loops, so laws inline into them.
+/// The laws there are. A new one is a file beside these and a word here: recipe keys, their documentation and hashes,
+/// kernels for every kind of processor and the families' tests follow. The choice is visited outside of the loops, so
+/// laws inline into them.
 using NormalLaw = NormalLaws<Linear, Hertz, HertzMindlin>;
 using Adhesion = Adhesions<NoAdhesion, GeometricalAdhesion, BreakingAdhesion>;
 using FrictionLaw = FrictionLaws<NoFriction, RegularisedCoulomb, CundallStrack>;
@@ -145,21 +165,25 @@ struct ContactLaws {
   NormalLaw normal;
   Adhesion adhesion;
   FrictionLaw friction;
-  double lead = 0, lag = 0;         ///< of Slip, s
-  double stiffness_ratio = 0;       ///< k_t/k_n
-  double cap_sign = 1;              ///< the friction cap is mu (F_n + cap_sign |F_c|): 1 raised by adhesion, -1 as T (1.28) is printed
+  double lead = 0, lag = 0;    ///< of Slip, s
+  double stiffness_ratio = 0;  ///< k_t/k_n
+  double cap_sign =
+      1;  ///< the friction cap is mu (F_n + cap_sign |F_c|): 1 raised by adhesion, -1 as T (1.28) is printed
   bool constant_damping = false;    ///< alpha_n was given as a number: dashpots act with it whatever the overlap
   bool constant_viscosity = false;  ///< gamma_s, or alpha_n for it, was given as a number
 
   /// Calls `see` with the three laws by their types.
   template <class See> decltype(auto) visit(See&& see) const { return std::visit(see, normal, adhesion, friction); }
   /// The slip that a contact with this k_t has where no force is asked for.
-  template <class T> Slip<double, T> slip(T velocity, double stiffness) const { return {velocity, 0, 0, stiffness, lead, lag}; }
+  template <class T> Slip<double, T> slip(T velocity, double stiffness) const {
+    return {velocity, 0, 0, stiffness, lead, lag};
+  }
 };
 
 /// Some law keeps a number a contact.
 inline bool remembers(const ContactLaws& laws) {
-  return laws.visit([](const auto& normal, const auto&, const auto& friction) { return normal.remembers || friction.remembers; });
+  return laws.visit(
+      [](const auto& normal, const auto&, const auto& friction) { return normal.remembers || friction.remembers; });
 }
 
 /// Forces of one contact, N: on i along n and t.
@@ -190,15 +214,16 @@ template <class V, class T = V> struct ContactMemory {
 };
 
 /// k_t of a contact, N/m. `shear` as in ContactState.
-template <class V, NormalContact N> inline V sliding_stiffness(const ContactLaws& shared, const N& normal, V overlap, V stiffness, V curvature, V shear) {
+template <class V, NormalContact N>
+inline V sliding_stiffness(const ContactLaws& shared, const N& normal, V overlap, V stiffness, V curvature, V shear) {
   if constexpr (ElasticContact<N>) return shear * normal.sliding_base(overlap, stiffness, curvature);
   else return V(shared.stiffness_ratio) * stiffness;
 }
 
 /// The laws composed: F_n = elastic + dashpot - attraction, F_t within mu (F_n + F_c), the cap never below 0.
 template <class V, class T, NormalContact N, AdhesiveContact A, TangentialContact F>
-inline ContactForce<V, T> contact_force(const ContactLaws& shared, const N& normal, const A& adhesion, const F& friction, const ContactState<V, T>& c,
-                                        ContactMemory<V, T>& memory) {
+inline ContactForce<V, T> contact_force(const ContactLaws& shared, const N& normal, const A& adhesion,
+                                        const F& friction, const ContactState<V, T>& c, ContactMemory<V, T>& memory) {
   using lane::max;
   const V elastic = normal.elastic(c.overlap, c.stiffness, c.curvature, memory.normal);
   const V damping = shared.constant_damping ? c.damping : normal.damping_factor(c.overlap, c.curvature) * c.damping;

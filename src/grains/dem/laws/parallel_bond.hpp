@@ -15,28 +15,38 @@ struct NoBonds : NoLaw {
   Beam beam(double /*length*/, double /*radius*/, double /*thickness*/) const { return {}; }
   template <class V> BeamForce<V> elastic(const BeamOf<V>&, const BeamStrain<V>&) const { return {}; }
   double energy(const Beam&, const BeamStrain<double>&) const { return 0; }
-  template <class V> auto holds(const BeamOf<V>&, const BeamForce<V>&, V strength) const { return strength <= strength; }
+  template <class V> auto holds(const BeamOf<V>&, const BeamForce<V>&, V strength) const {
+    return strength <= strength;
+  }
   BeamLoad load(const Beam&, const BeamForce<double>&) const { return {}; }
 };
 
-/// Parallel bond (Potyondy and Cundall, Int. J. Rock Mech. 41, 1329, 2004) of half width R = share times the smaller radius: A = 2 R t, I = 2 R^3 t/3,
-/// k_n = E A/l, k_s = k_n over the stiffness ratio, k_b = E I/l. It breaks where T/A + |M| R/I reaches the tensile strength or |Q|/A the cohesion,
-/// raised by tan(phi) times the pressure on its section. Between two grains it acts beside their contact.
+/// Parallel bond (Potyondy and Cundall, Int. J. Rock Mech. 41, 1329, 2004) of half width R = share times the smaller
+/// radius: A = 2 R t, I = 2 R^3 t/3, k_n = E A/l, k_s = k_n over the stiffness ratio, k_b = E I/l. It breaks where T/A
+/// + |M| R/I reaches the tensile strength or |Q|/A the cohesion, raised by tan(phi) times the pressure on its section.
+/// Between two grains it acts beside their contact.
 struct ParallelBond {
   static constexpr Word word{"parallel", "beams that take tension, shear and bending and break for good"};
   void declare(ParameterVisitor& v) {
     v.number({"bond_modulus", "Young's modulus E of the bonds.", true}, modulus, "GPa", range::positive);
-    v.number({"bond_stiffness_ratio", "Normal over shear stiffness of the bonds."}, stiffness_ratio, "", range::positive);
+    v.number({"bond_stiffness_ratio", "Normal over shear stiffness of the bonds."}, stiffness_ratio, "",
+             range::positive);
     v.number({"bond_width", "Half width of a bond over the smaller of its two radii."}, width, "", range::above(0, 1));
-    v.number({"bond_tensile_strength", "Tensile strength of the bonds, reached in their outermost fibre.", true}, tensile_strength, "MPa", range::positive);
-    v.number({"bond_cohesion", "Shear strength of the bonds at zero normal stress.", true}, cohesion, "MPa", range::positive);
-    v.number({"bond_friction_angle", "Friction angle by which pressure on a bond raises its shear strength."}, friction_angle, "deg",
-             range::between(0, 80 * std::numbers::pi / 180));
-    v.number({"bond_strength_scatter", "Standard deviation of the bonds' strengths, normally distributed, over their mean; none is below a tenth of it."},
+    v.number({"bond_tensile_strength", "Tensile strength of the bonds, reached in their outermost fibre.", true},
+             tensile_strength, "MPa", range::positive);
+    v.number({"bond_cohesion", "Shear strength of the bonds at zero normal stress.", true}, cohesion, "MPa",
+             range::positive);
+    v.number({"bond_friction_angle", "Friction angle by which pressure on a bond raises its shear strength."},
+             friction_angle, "deg", range::between(0, 80 * std::numbers::pi / 180));
+    v.number({"bond_strength_scatter",
+              "Standard deviation of the bonds' strengths, normally distributed, over their mean; none is below a "
+              "tenth of it."},
              scatter, "", range::between(0, 0.5));
     v.integer({"bond_seed", "Seed of that scatter."}, seed, {0, 1'000'000'000});
-    v.number({"bond_damping", "Damping of the bonds, as a fraction of critical damping."}, damping, "", range::between(0, 1));
-    v.number({"bond_gap", "Largest gap between two bonded grains, over the mean radius."}, gap, "", range::between(0, 0.1));
+    v.number({"bond_damping", "Damping of the bonds, as a fraction of critical damping."}, damping, "",
+             range::between(0, 1));
+    v.number({"bond_gap", "Largest gap between two bonded grains, over the mean radius."}, gap, "",
+             range::between(0, 0.1));
   }
   bool operator==(const ParallelBond&) const = default;
 
@@ -47,22 +57,26 @@ struct ParallelBond {
 
   Beam beam(double length, double radius, double thickness) const {
     const double half = width * radius, area = 2 * half * thickness, normal = modulus * area / length;
-    return {normal, normal / stiffness_ratio, normal * half * half / 3, 1 / area, 3 / (area * half), std::tan(friction_angle)};
+    return {normal,   normal / stiffness_ratio, normal * half * half / 3,
+            1 / area, 3 / (area * half),        std::tan(friction_angle)};
   }
   template <class V> BeamForce<V> elastic(const BeamOf<V>& beam, const BeamStrain<V>& strain) const {
     return {beam.normal * strain.stretch, beam.shear * strain.shear, beam.bending * strain.bending};
   }
   double energy(const Beam& beam, const BeamStrain<double>& s) const {
-    return 0.5 * (beam.normal * s.stretch * s.stretch + beam.shear * s.shear * s.shear + beam.bending * s.bending * s.bending);
+    return 0.5 * (beam.normal * s.stretch * s.stretch + beam.shear * s.shear * s.shear +
+                  beam.bending * s.bending * s.bending);
   }
   template <class V> auto holds(const BeamOf<V>& beam, const BeamForce<V>& force, V strength) const {
     const Stresses<V> is = stresses(beam, force);
-    const auto in_tension = is.mean + is.bent <= strength * V(tensile_strength), in_shear = is.across <= strength * shear_strength(beam, is);
+    const auto in_tension = is.mean + is.bent <= strength * V(tensile_strength),
+               in_shear = is.across <= strength * shear_strength(beam, is);
     return in_tension & in_shear;
   }
   BeamLoad load(const Beam& beam, const BeamForce<double>& force) const {
     const Stresses<double> is = stresses(beam, force);
-    const BeamLoad pull{(is.mean + is.bent) / tensile_strength, is.mean > is.bent ? BondBreak::tension : BondBreak::bending};
+    const BeamLoad pull{(is.mean + is.bent) / tensile_strength,
+                        is.mean > is.bent ? BondBreak::tension : BondBreak::bending};
     const BeamLoad across{is.across / shear_strength(beam, is), BondBreak::shear};
     return pull.share >= across.share ? pull : across;
   }

@@ -6,8 +6,9 @@
 
 namespace arenite::dem {
 
-/// The few functions that a law calls beside + - * /. Laws are written once over a number type V; these serve V = double, a batch type brings its own
-/// overloads (found by its namespace). `dot` and `within` also take the vectors T in which slip is counted where space has three dimensions.
+/// The few functions that a law calls beside + - * /. Laws are written once over a number type V; these serve V =
+/// double, a batch type brings its own overloads (found by its namespace). `dot` and `within` also take the vectors T
+/// in which slip is counted where space has three dimensions.
 namespace lane {
 inline double min(double a, double b) { return b < a ? b : a; }
 inline double max(double a, double b) { return a < b ? b : a; }

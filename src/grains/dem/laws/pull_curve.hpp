@@ -11,10 +11,10 @@ struct PullPoint {
   double energy = 0, pull = 0, slope = 0;  ///< J, N (> 0 pulls) = d energy/d gap, N/m = d pull/d gap
 };
 
-/// Pull of one pair against its gap, tabulated once: the energy is a piecewise polynomial of fifth degree that has the law's energy, pull and slope at
-/// its nodes, and the pull that acts is its exact derivative. Where the grains overlap the pull is that at
-/// gap 0, beyond the reach that at the reach. Nodes lie evenly in u = gap/(gap +
-/// scale), so closer where the gap is small.
+/// Pull of one pair against its gap, tabulated once: the energy is a piecewise polynomial of fifth degree that has the
+/// law's energy, pull and slope at its nodes, and the pull that acts is its exact derivative. Where the grains overlap
+/// the pull is that at gap 0, beyond the reach that at the reach. Nodes lie evenly in u = gap/(gap + scale), so closer
+/// where the gap is small.
 class PullCurve {
  public:
   static constexpr std::size_t pieces = 48;
@@ -66,12 +66,19 @@ class PullCurve {
     const double u = static_cast<double>(k) * step_, left = 1 - u;
     const PullPoint p = at(k == pieces ? reach_ : scale_ * u / left);
     steepest_ = std::max({steepest_, p.slope, -p.slope});
-    const double stretch = scale_ / (left * left), bend = 2 * stretch / left;  // first and second derivative of the gap by u
+    const double stretch = scale_ / (left * left),
+                 bend = 2 * stretch / left;  // first and second derivative of the gap by u
     return {p.energy, p.pull * stretch * step_, (p.slope * stretch * stretch + p.pull * bend) * step_ * step_};
   }
   static std::array<double, 6> joining(const PullPoint& a, const PullPoint& b) {
-    const double half = 0.5 * a.slope, rise = b.energy - a.energy - a.pull - half, turn = b.pull - a.pull - a.slope, bend = b.slope - a.slope;
-    return {a.energy, a.pull, half, 10 * rise - 4 * turn + 0.5 * bend, -15 * rise + 7 * turn - bend, 6 * rise - 3 * turn + 0.5 * bend};
+    const double half = 0.5 * a.slope, rise = b.energy - a.energy - a.pull - half, turn = b.pull - a.pull - a.slope,
+                 bend = b.slope - a.slope;
+    return {a.energy,
+            a.pull,
+            half,
+            10 * rise - 4 * turn + 0.5 * bend,
+            -15 * rise + 7 * turn - bend,
+            6 * rise - 3 * turn + 0.5 * bend};
   }
 
   double reach_ = 0, scale_ = 1, step_ = 1, steepest_ = 0;

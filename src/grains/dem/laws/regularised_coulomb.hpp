@@ -14,7 +14,8 @@ struct NoFriction : NoLaw {
   double damping(double /*viscosity*/) const { return 0; }
 };
 
-/// Regularised Coulomb friction, F_t = -min(gamma_s |v_s|, cap) sign(v_s) (T eq. 1.27). It holds no static friction: at rest F_t = 0.
+/// Regularised Coulomb friction, F_t = -min(gamma_s |v_s|, cap) sign(v_s) (T eq. 1.27). It holds no static friction: at
+/// rest F_t = 0.
 struct RegularisedCoulomb : WithoutParameters {
   static constexpr Word word{"regularised_coulomb", "-min(gamma_s |v_s|, mu |F_n|) sign(v_s): no static friction"};
   static constexpr bool remembers = false;

@@ -4,9 +4,10 @@
 
 namespace arenite::dem {
 
-// Rolling resistance (Ai, Chen, Rotter and Ooi, Powder Technology 206, 269, 2011): a moment against theta' = omega_i - omega_j that never exceeds
-// mu_r R F_n, R = r_i r_j/(r_i + r_j), at a wall r_i. As a law it is one of friction that sees turning for sliding: rad/s, N m s, N m, N m/rad; in space
-// a vector without the twist about the normal, which it does not resist.
+// Rolling resistance (Ai, Chen, Rotter and Ooi, Powder Technology 206, 269, 2011): a moment against theta' = omega_i -
+// omega_j that never exceeds mu_r R F_n, R = r_i r_j/(r_i + r_j), at a wall r_i. As a law it is one of friction that
+// sees turning for sliding: rad/s, N m s, N m, N m/rad; in space a vector without the twist about the normal, which it
+// does not resist.
 
 /// Discs roll freely.
 struct NoRolling : NoLaw {
@@ -20,39 +21,52 @@ struct NoRolling : NoLaw {
   template <class T> double energy(const Slip<double, T>& /*turning*/, T /*memory*/) const { return 0; }
 };
 
-/// Constant torque (type A): the full moment against the turning, below mu_r R F_n only where turning is so slow that the normal damping times R^2
-/// would give less.
+/// Constant torque (type A): the full moment against the turning, below mu_r R F_n only where turning is so slow that
+/// the normal damping times R^2 would give less.
 struct ConstantTorque {
   static constexpr Word word{"constant_torque", "mu_r R F_n against the relative rotation"};
   static constexpr bool remembers = false;
-  void declare(ParameterVisitor& v) { v.number({"rolling_friction", "Coefficient mu_r of rolling resistance."}, coefficient, "", range::not_negative); }
+  void declare(ParameterVisitor& v) {
+    v.number({"rolling_friction", "Coefficient mu_r of rolling resistance."}, coefficient, "", range::not_negative);
+  }
   bool operator==(const ConstantTorque&) const = default;
 
   double coefficient = 0.1;
   double stiffness(double /*normal*/, double /*radius*/) const { return 0; }
-  double damping(double normal, double radius, double /*stiffness*/, double /*inertia*/) const { return normal * radius * radius; }
-  template <class T> T moment(const Slip<double, T>& turning, T& memory) const { return RegularisedCoulomb{}.tangential(turning, memory); }
+  double damping(double normal, double radius, double /*stiffness*/, double /*inertia*/) const {
+    return normal * radius * radius;
+  }
+  template <class T> T moment(const Slip<double, T>& turning, T& memory) const {
+    return RegularisedCoulomb{}.tangential(turning, memory);
+  }
   template <class T> double energy(const Slip<double, T>& /*turning*/, T /*memory*/) const { return 0; }
 };
 
-/// Elastic-plastic spring (type C): k_r = 2.25 k_n (mu_r R)^2 with a dashpot of a share of its critical damping, together within mu_r R F_n. It
-/// holds a grain at rest.
+/// Elastic-plastic spring (type C): k_r = 2.25 k_n (mu_r R)^2 with a dashpot of a share of its critical damping,
+/// together within mu_r R F_n. It holds a grain at rest.
 struct ElasticPlasticRolling {
   static constexpr Word word{"elastic_plastic", "spring of 2.25 k_n (mu_r R)^2 that yields at mu_r R F_n"};
   static constexpr bool remembers = true;
   void declare(ParameterVisitor& v) {
     v.number({"rolling_friction", "Coefficient mu_r of rolling resistance."}, coefficient, "", range::not_negative);
-    v.number({"rolling_damping", "Damping of the rolling spring, as a fraction of critical damping."}, damping_share, "", range::not_negative);
+    v.number({"rolling_damping", "Damping of the rolling spring, as a fraction of critical damping."}, damping_share,
+             "", range::not_negative);
   }
   bool operator==(const ElasticPlasticRolling&) const = default;
 
   double coefficient = 0.1, damping_share = 0.3;
-  double stiffness(double normal, double radius) const { return 2.25 * normal * coefficient * coefficient * radius * radius; }
-  double damping(double /*normal*/, double /*radius*/, double stiffness, double inertia) const { return 2 * damping_share * std::sqrt(inertia * stiffness); }
+  double stiffness(double normal, double radius) const {
+    return 2.25 * normal * coefficient * coefficient * radius * radius;
+  }
+  double damping(double /*normal*/, double /*radius*/, double stiffness, double inertia) const {
+    return 2 * damping_share * std::sqrt(inertia * stiffness);
+  }
   template <class T> T moment(const Slip<double, T>& turning, T& memory) const {
     return turning.stiffness > 0 ? CundallStrack{}.tangential(turning, memory) : T{};
   }
-  template <class T> double energy(const Slip<double, T>& turning, T memory) const { return CundallStrack{}.energy(turning, memory); }
+  template <class T> double energy(const Slip<double, T>& turning, T memory) const {
+    return CundallStrack{}.energy(turning, memory);
+  }
 };
 
 }  // namespace arenite::dem

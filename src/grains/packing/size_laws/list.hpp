@@ -18,7 +18,9 @@ struct SizeList {
   }
   bool operator==(const SizeList&) const = default;
 
-  double draw(std::int64_t k, RandomStream& /*random*/) const { return values[static_cast<std::size_t>(k) % values.size()]; }
+  double draw(std::int64_t k, RandomStream& /*random*/) const {
+    return values[static_cast<std::size_t>(k) % values.size()];
+  }
   double largest() const { return values.empty() ? 0 : *std::max_element(values.begin(), values.end()); }
 };
 

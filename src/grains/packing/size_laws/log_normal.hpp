@@ -12,7 +12,8 @@ struct LogNormalSizes : UniformSizes {
   static constexpr Word word{"log_normal", "log-normal distribution, truncated to min..max"};
   void declare(ParameterVisitor& visitor) {
     visitor.number({"median", "Median diameter before truncation.", true}, median, "mm", range::positive);
-    visitor.number({"spread", "Standard deviation of the natural logarithm of the diameter.", true}, spread, "", range::between(0, 5));
+    visitor.number({"spread", "Standard deviation of the natural logarithm of the diameter.", true}, spread, "",
+                   range::between(0, 5));
     UniformSizes::declare(visitor);
     visitor.require(median >= min && median <= max, {"median", "min", "max"}, "must lie between min and max");
   }

@@ -12,8 +12,9 @@ struct PowerLawSizes : UniformSizes {
 
   static constexpr Word word{"power_law", "number of grains as diameter^-exponent, between min and max"};
   void declare(ParameterVisitor& visitor) {
-    visitor.number({"exponent", "Of the number density; 1 + D for a fractal dimension D of the numbers above a size.", true}, exponent, "",
-                   range::between(-10, 10));
+    visitor.number(
+        {"exponent", "Of the number density; 1 + D for a fractal dimension D of the numbers above a size.", true},
+        exponent, "", range::between(-10, 10));
     UniformSizes::declare(visitor);
   }
   bool operator==(const PowerLawSizes&) const = default;

@@ -9,20 +9,22 @@
 
 namespace arenite::packing {
 
-/// A grading curve by mass: between two sieves mass is spread evenly over diameters. Cylinders of one length weigh as d^2, so the number of grains
-/// of a class is its mass times the mean of 1/d^2, and 1/d of its grains is spread evenly.
+/// A grading curve by mass: between two sieves mass is spread evenly over diameters. Cylinders of one length weigh as
+/// d^2, so the number of grains of a class is its mass times the mean of 1/d^2, and 1/d of its grains is spread evenly.
 struct SieveCurve {
   std::vector<double> sieves, passing;  ///< m, rising; share of the mass below each, 0 to 1
 
   static constexpr Word word{"sieve_curve", "a grading curve by mass: sieve sizes and the fraction passing each"};
   void declare(ParameterVisitor& visitor) {
     visitor.numbers({"sieves", "Sizes of the sieves, increasing.", true}, sieves, "mm", range::positive);
-    visitor.numbers({"passing", "Fraction of the mass that passes each, from 0 at the first to 1 at the last.", true}, passing, "%", range::between(0, 1));
+    visitor.numbers({"passing", "Fraction of the mass that passes each, from 0 at the first to 1 at the last.", true},
+                    passing, "%", range::between(0, 1));
     visitor.require(sieves.size() >= 2 && std::is_sorted(sieves.begin(), sieves.end(), std::less_equal<>()), {"sieves"},
                     "must be two sizes or more, each above the one before");
     visitor.require(passing.size() == sieves.size(), {"passing", "sieves"}, "must hold one fraction for each sieve");
-    visitor.require(passing.empty() || (std::is_sorted(passing.begin(), passing.end()) && passing.front() == 0 && passing.back() == 1), {"passing"},
-                    "must rise from \"0 %\" at the first sieve to \"100 %\" at the last");
+    visitor.require(passing.empty() ||
+                        (std::is_sorted(passing.begin(), passing.end()) && passing.front() == 0 && passing.back() == 1),
+                    {"passing"}, "must rise from \"0 %\" at the first sieve to \"100 %\" at the last");
   }
   bool operator==(const SieveCurve&) const = default;
 

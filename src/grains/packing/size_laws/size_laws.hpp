@@ -13,9 +13,11 @@
 
 namespace arenite::packing {
 
-/// What a size law gives: its word in recipes, its own parameters (name, unit, range and sentence each), equality, and diameters.
+/// What a size law gives: its word in recipes, its own parameters (name, unit, range and sentence each), equality, and
+/// diameters.
 template <class L>
-concept DrawsDiameters = std::default_initializable<L> && std::equality_comparable<L> && requires(L law, ParameterVisitor& visitor, RandomStream& random) {
+concept DrawsDiameters = std::default_initializable<L> && std::equality_comparable<L> &&
+    requires(L law, ParameterVisitor& visitor, RandomStream& random) {
   { L::word } -> std::convertible_to<Word>;
   { law.declare(visitor) } -> std::same_as<void>;
   { law.draw(std::int64_t{}, random) } -> std::same_as<double>;  // of grain k of its population, m
@@ -23,7 +25,9 @@ concept DrawsDiameters = std::default_initializable<L> && std::equality_comparab
 };
 template <DrawsDiameters... Law> using SizeLaws = std::variant<Law...>;
 
-/// The size laws there are, the usual one first. A new one is a file beside these and a word here: recipe keys, their documentation and hashes follow.
-using SizeLaw = SizeLaws<FixedSize, UniformSizes, NormalSizes, SizeList, PowerLawSizes, LogNormalSizes, WeibullSizes, SieveCurve>;
+/// The size laws there are, the usual one first. A new one is a file beside these and a word here: recipe keys, their
+/// documentation and hashes follow.
+using SizeLaw =
+    SizeLaws<FixedSize, UniformSizes, NormalSizes, SizeList, PowerLawSizes, LogNormalSizes, WeibullSizes, SieveCurve>;
 
 }  // namespace arenite::packing

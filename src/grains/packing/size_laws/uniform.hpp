@@ -24,7 +24,8 @@ struct UniformSizes {
 /// Throws InputError: the truncation of a law leaves almost none of its grains. Lengths in m.
 [[noreturn]] void refuse_truncation(const UniformSizes& law, const char* name, const char* centre);
 
-/// Draws until a diameter lies between min and max. Throws InputError where these lie far out in the tail; a recipe keeps the law's centre between them.
+/// Draws until a diameter lies between min and max. Throws InputError where these lie far out in the tail; a recipe
+/// keeps the law's centre between them.
 template <class Draw> double truncated(const UniformSizes& law, const char* name, const char* centre, Draw&& draw) {
   for (int attempt = 0; attempt < 100'000; ++attempt)
     if (const double d = draw(); d >= law.min && d <= law.max) return d;

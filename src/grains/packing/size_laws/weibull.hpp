@@ -6,13 +6,15 @@
 
 namespace arenite::packing {
 
-/// P(D > d) = exp(-(d/scale)^shape) by number (Rosin-Rammler), truncated to min..max by the inverse of its distribution.
+/// P(D > d) = exp(-(d/scale)^shape) by number (Rosin-Rammler), truncated to min..max by the inverse of its
+/// distribution.
 struct WeibullSizes : UniformSizes {
   double scale = 0, shape = 1;  ///< m, 1
 
   static constexpr Word word{"weibull", "Weibull (Rosin-Rammler) by number, truncated to min..max"};
   void declare(ParameterVisitor& visitor) {
-    visitor.number({"scale", "Diameter exceeded by 1/e of the grains, before truncation.", true}, scale, "mm", range::positive);
+    visitor.number({"scale", "Diameter exceeded by 1/e of the grains, before truncation.", true}, scale, "mm",
+                   range::positive);
     visitor.number({"shape", "Exponent: larger is narrower.", true}, shape, "", range::between(0.1, 100));
     UniformSizes::declare(visitor);
   }

@@ -28,7 +28,9 @@ struct Avx2 {
     explicit Table(const float* four) : v(_mm256_broadcast_ps(reinterpret_cast<const __m128*>(four))) {}
     template <int shift> L find(typename L::Words words) const {
       if constexpr (L::lanes == 8) return {_mm256_permutevar_ps(v, reinterpret_cast<__m256i>(words.w >> shift))};
-      else return {_mm256_cvtps_pd(_mm_permutevar_ps(_mm256_castps256_ps128(v), reinterpret_cast<__m128i>(words.w >> shift)))};
+      else
+        return {
+            _mm256_cvtps_pd(_mm_permutevar_ps(_mm256_castps256_ps128(v), reinterpret_cast<__m128i>(words.w >> shift)))};
     }
   };
 };

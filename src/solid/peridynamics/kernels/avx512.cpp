@@ -26,7 +26,8 @@ struct Avx512 {
       else w = _mm512_cvtepu32_epi64(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p)));
     }
   };
-  /// Modulus by bond type, looked up by two bits of each word: the look-up takes three or four bits, so the four stand several times.
+  /// Modulus by bond type, looked up by two bits of each word: the look-up takes three or four bits, so the four stand
+  /// several times.
   template <class L> struct Table {
     typename L::V v;
     explicit Table(const float* four) {

@@ -10,9 +10,10 @@ namespace arenite::peridynamics {
 template <class T, int bytes> struct VectorOf { typedef T type __attribute__((vector_size(bytes))); };
 template <class T, int bytes> using Vector = typename VectorOf<T, bytes>::type;
 
-/// As many numbers as a vector of the machine holds. `Machine` says how wide its vectors are (`bytes`), how many doubles a sum is kept in (`sum_lanes`)
-/// and how a vector is cut into as many (`doubles`), how a b + c is rounded (`fma`), and how one of four moduli is found for every lane (`Words`,
-/// `Table`). Each is a type of its own source, in an unnamed namespace, so that nothing compiled for one processor is ever linked into another's loops.
+/// As many numbers as a vector of the machine holds. `Machine` says how wide its vectors are (`bytes`), how many
+/// doubles a sum is kept in (`sum_lanes`) and how a vector is cut into as many (`doubles`), how a b + c is rounded
+/// (`fma`), and how one of four moduli is found for every lane (`Words`, `Table`). Each is a type of its own source, in
+/// an unnamed namespace, so that nothing compiled for one processor is ever linked into another's loops.
 template <class Machine, class T> struct Lanes {
   using Scalar = T;
   static constexpr int lanes = Machine::bytes / static_cast<int>(sizeof(T));
@@ -45,7 +46,8 @@ template <class Doubles> Doubles load_rough(const float* p) {
   return {__builtin_convertvector(rough, typename Doubles::V)};
 }
 
-/// A sum of products a b of the two components of a plane field, in the doubles that the machine keeps sums in, lower lanes first.
+/// A sum of products a b of the two components of a plane field, in the doubles that the machine keeps sums in, lower
+/// lanes first.
 template <class Machine> class Sum {
  public:
   template <class V> void add(V ax, V bx, V ay, V by) {
@@ -75,10 +77,12 @@ template <class Machine, BondLaw Law> struct Passes {
 
   /// 1 where a component of a row is free to move, 0 where its displacement is prescribed.
   template <class V> static Force<V> freedom(std::uint8_t prescribed) {
-    return {Stencil<V, Law>::all(prescribed & x_prescribed ? 0 : 1), Stencil<V, Law>::all(prescribed & y_prescribed ? 0 : 1)};
+    return {Stencil<V, Law>::all(prescribed & x_prescribed ? 0 : 1),
+            Stencil<V, Law>::all(prescribed & y_prescribed ? 0 : 1)};
   }
 
-  template <class V, class T = typename V::Scalar> static double force(const Bonds& bonds, const std::uint8_t* prescribed, Plane<const T> u, Plane<T> f) {
+  template <class V, class T = typename V::Scalar>
+  static double force(const Bonds& bonds, const std::uint8_t* prescribed, Plane<const T> u, Plane<T> f) {
     Sum<Machine> sum;
     Force<V> open{};
     Stencil<V, Law>(bonds, u).sweep([&](int y) { open = freedom<V>(prescribed[y]); },
@@ -106,16 +110,18 @@ template <class Machine, BondLaw Law> struct Passes {
     return sum.value();
   }
 
-  static void chebyshev(const Bonds& bonds, Plane<const float> z, Plane<float> older, Plane<const float> r, BlockPlane inverse, float a, float b) {
+  static void chebyshev(const Bonds& bonds, Plane<const float> z, Plane<float> older, Plane<const float> r,
+                        BlockPlane inverse, float a, float b) {
     using V = Floats;
     const V va = V::all(a), vb = V::all(b);
-    Stencil<V, Law>(bonds, z).sweep([](int) {},
-                                    [&](std::ptrdiff_t i, Force<V> own, Force<V> g) {
-                                      const V rx = V::load(r.x + i) + g.x, ry = V::load(r.y + i) + g.y, xy = V::load(inverse.xy + i);
-                                      const V dx = fma(V::load(inverse.xx + i), rx, xy * ry), dy = fma(xy, rx, V::load(inverse.yy + i) * ry);
-                                      fma(vb, dx, fma(va, own.x - V::load(older.x + i), own.x)).store(older.x + i);
-                                      fma(vb, dy, fma(va, own.y - V::load(older.y + i), own.y)).store(older.y + i);
-                                    });
+    Stencil<V, Law>(bonds, z).sweep(
+        [](int) {},
+        [&](std::ptrdiff_t i, Force<V> own, Force<V> g) {
+          const V rx = V::load(r.x + i) + g.x, ry = V::load(r.y + i) + g.y, xy = V::load(inverse.xy + i);
+          const V dx = fma(V::load(inverse.xx + i), rx, xy * ry), dy = fma(xy, rx, V::load(inverse.yy + i) * ry);
+          fma(vb, dx, fma(va, own.x - V::load(older.x + i), own.x)).store(older.x + i);
+          fma(vb, dy, fma(va, own.y - V::load(older.y + i), own.y)).store(older.y + i);
+        });
   }
 
   static void residual(const Bonds& bonds, Plane<const float> z, Plane<const float> r, Plane<float> out) {
@@ -127,7 +133,8 @@ template <class Machine, BondLaw Law> struct Passes {
                                     });
   }
 
-  static double stormer(const Bonds& bonds, const std::uint8_t* prescribed, Plane<const double> u, Plane<double> older, double a, double b) {
+  static double stormer(const Bonds& bonds, const std::uint8_t* prescribed, Plane<const double> u, Plane<double> older,
+                        double a, double b) {
     using V = Doubles;
     const V va = V::all(a), vb = V::all(b);
     Sum<Machine> sum;
@@ -144,7 +151,8 @@ template <class Machine, BondLaw Law> struct Passes {
     return sum.value();
   }
 
-  static double relax(const Bonds& bonds, Plane<const double> u, Plane<double> older, BlockPlane inverse, double a, double b) {
+  static double relax(const Bonds& bonds, Plane<const double> u, Plane<double> older, BlockPlane inverse, double a,
+                      double b) {
     using V = Doubles;
     const V va = V::all(a), vb = V::all(b);
     Sum<Machine> sum;
@@ -152,7 +160,8 @@ template <class Machine, BondLaw Law> struct Passes {
                                     [&](std::ptrdiff_t i, Force<V> own, Force<V> g) {
                                       __builtin_prefetch(older.x + i + bonds.grid.stride, 1);
                                       __builtin_prefetch(older.y + i + bonds.grid.stride, 1);
-                                      const V xx = load_rough<Doubles>(inverse.xx + i), xy = load_rough<Doubles>(inverse.xy + i),
+                                      const V xx = load_rough<Doubles>(inverse.xx + i),
+                                              xy = load_rough<Doubles>(inverse.xy + i),
                                               yy = load_rough<Doubles>(inverse.yy + i);
                                       const V dx = fma(xx, g.x, xy * g.y), dy = fma(xy, g.x, yy * g.y);
                                       sum.add(dx, g.x, dy, g.y);
@@ -167,13 +176,14 @@ template <class Machine, BondLaw Law> struct Passes {
     for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; i += Floats::lanes) visit(i);
   }
 
-  static double conjugate_step(const Bonds& bonds, float alpha, Plane<const float> p, Plane<const float> f, Plane<double> u, Plane<float> r, BlockPlane inverse,
-                               float b, Plane<float> z) {
+  static double conjugate_step(const Bonds& bonds, float alpha, Plane<const float> p, Plane<const float> f,
+                               Plane<double> u, Plane<float> r, BlockPlane inverse, float b, Plane<float> z) {
     const Floats step = Floats::all(alpha), vb = Floats::all(b);
     const Doubles long_step = Doubles::all(static_cast<double>(alpha));
     Sum<Machine> sum;
     const auto component = [&](std::ptrdiff_t i, const float* pp, const float* ff, double* uu, float* rr) {
-      for (std::ptrdiff_t j = i; j < i + Floats::lanes; j += Doubles::lanes) fma(long_step, load_rough<Doubles>(pp + j), Doubles::load(uu + j)).store(uu + j);
+      for (std::ptrdiff_t j = i; j < i + Floats::lanes; j += Doubles::lanes)
+        fma(long_step, load_rough<Doubles>(pp + j), Doubles::load(uu + j)).store(uu + j);
       const Floats now = fma(step, Floats::load(ff + i), Floats::load(rr + i));
       now.store(rr + i);
       return now;
@@ -190,7 +200,9 @@ template <class Machine, BondLaw Law> struct Passes {
 
   static double dot(const Bonds& bonds, Plane<const float> a, Plane<const float> b) {
     Sum<Machine> sum;
-    each_vector(bonds.grid, [&](std::ptrdiff_t i) { sum.add(Floats::load(a.x + i), Floats::load(b.x + i), Floats::load(a.y + i), Floats::load(b.y + i)); });
+    each_vector(bonds.grid, [&](std::ptrdiff_t i) {
+      sum.add(Floats::load(a.x + i), Floats::load(b.x + i), Floats::load(a.y + i), Floats::load(b.y + i));
+    });
     return sum.value();
   }
 
@@ -203,7 +215,8 @@ template <class Machine, BondLaw Law> struct Passes {
   }
 
   static constexpr Kernels table(const char* name) {
-    return {name, force<Doubles>, force<Floats>, imbalance, chebyshev, residual, stormer, relax, conjugate_step, dot, direct};
+    return {name,    force<Doubles>, force<Floats>,  imbalance, chebyshev, residual,
+            stormer, relax,          conjugate_step, dot,       direct};
   }
 };
 
@@ -211,6 +224,8 @@ template <class Machine, BondLaw Law> struct Passes {
 template <class Machine, class... Law> constexpr KernelSet every_law(const char* name, std::variant<Law...>*) {
   return {name, {Passes<Machine, Law>::table(name)...}};
 }
-template <class Machine> constexpr KernelSet kernel_set(const char* name) { return every_law<Machine>(name, static_cast<BondLawChoice*>(nullptr)); }
+template <class Machine> constexpr KernelSet kernel_set(const char* name) {
+  return every_law<Machine>(name, static_cast<BondLawChoice*>(nullptr));
+}
 
 }  // namespace arenite::peridynamics

@@ -8,12 +8,15 @@ extern const KernelSet* const avx512_kernels;
 
 namespace {
 
-/// What every x86-64 carries out: vectors of 16 bytes, products and sums rounded apart, so that the bits are the same everywhere.
+/// What every x86-64 carries out: vectors of 16 bytes, products and sums rounded apart, so that the bits are the same
+/// everywhere.
 struct Portable {
   static constexpr int bytes = 16, sum_lanes = 2;
   template <class V> static V fma(V a, V b, V c) { return a * b + c; }
   template <std::size_t k> static Vector<double, 16> doubles(Vector<double, 16> a) { return a; }
-  template <std::size_t k> static Vector<double, 16> doubles(Vector<float, 16> a) { return Vector<double, 16>{a[2 * k], a[2 * k + 1]}; }
+  template <std::size_t k> static Vector<double, 16> doubles(Vector<float, 16> a) {
+    return Vector<double, 16>{a[2 * k], a[2 * k + 1]};
+  }
   template <int lanes> struct Words {
     std::uint32_t w[lanes];
     explicit Words(const std::uint32_t* p) { std::memcpy(w, p, sizeof w); }

@@ -6,9 +6,10 @@
 
 namespace arenite::peridynamics {
 
-/// A bond law gives the force along a bond with its energy, so that a test can hold one against the other's gradient, and tells when the bond breaks. A
-/// whole bond's force is proportional to its extension: the static solver and the search for the next break rely on that. Young's modulus and toughness
-/// are those of the bond's type; keys of its own it declares, and they stand beside `bond_law` in [[loads]].
+/// A bond law gives the force along a bond with its energy, so that a test can hold one against the other's gradient,
+/// and tells when the bond breaks. A whole bond's force is proportional to its extension: the static solver and the
+/// search for the next break rely on that. Young's modulus and toughness are those of the bond's type; keys of its own
+/// it declares, and they stand beside `bond_law` in [[loads]].
 template <class L>
 concept BondLaw = requires(L choice, const L law, ParameterVisitor& visitor, double v) {
   { L::word } -> std::convertible_to<Word>;  // its name in recipes and what it is
@@ -21,8 +22,9 @@ concept BondLaw = requires(L choice, const L law, ParameterVisitor& visitor, dou
   { law.critical_stretch(v, v, v) } -> std::same_as<double>;  // (toughness, Young modulus, dx)
 };
 
-/// The laws there are. A new one is a file beside these and a name here; the recipe's word, keys, documentation and kernels for every instruction set follow, and the choice is visited once, outside
-/// the loops, so the law inlines into them.
+/// The laws there are. A new one is a file beside these and a name here; the recipe's word, keys, documentation and
+/// kernels for every instruction set follow, and the choice is visited once, outside the loops, so the law inlines into
+/// them.
 using BondLawChoice = std::variant<ElasticBrittle>;
 
 template <class... L> constexpr bool all_bond_laws(std::variant<L...>*) { return (BondLaw<L> && ...); }

@@ -54,7 +54,8 @@ BlockDiagonal<double> block_diagonal(const Bonds& bonds) {
   return sum;
 }
 
-InverseDiagonal inverse_diagonal(const Bonds& bonds, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed) {
+InverseDiagonal inverse_diagonal(const Bonds& bonds, const BlockDiagonal<double>& diagonal,
+                                 const std::vector<std::uint8_t>& prescribed) {
   const Grid& grid = bonds.grid;
   InverseDiagonal inverse{BlockDiagonal<float>(grid.padded_size())};
   grid.each([&](std::ptrdiff_t i, int y) {

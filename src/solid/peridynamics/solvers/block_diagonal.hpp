@@ -22,7 +22,9 @@ BondBlocks bond_blocks(const Bonds& bonds);
 template <class T> struct BlockDiagonal {
   Buffer<T> xx, xy, yy;
   explicit BlockDiagonal(std::size_t n) : xx(n), xy(n), yy(n) {}
-  void set(std::ptrdiff_t i, Block b) { xx[i] = static_cast<T>(b.xx), xy[i] = static_cast<T>(b.xy), yy[i] = static_cast<T>(b.yy); }
+  void set(std::ptrdiff_t i, Block b) {
+    xx[i] = static_cast<T>(b.xx), xy[i] = static_cast<T>(b.xy), yy[i] = static_cast<T>(b.yy);
+  }
 };
 
 BlockDiagonal<double> block_diagonal(const Bonds& bonds);
@@ -34,6 +36,7 @@ struct InverseDiagonal {
   std::size_t loose = 0;
   BlockPlane plane() const { return {blocks.xx.data(), blocks.xy.data(), blocks.yy.data()}; }
 };
-InverseDiagonal inverse_diagonal(const Bonds& bonds, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed);
+InverseDiagonal inverse_diagonal(const Bonds& bonds, const BlockDiagonal<double>& diagonal,
+                                 const std::vector<std::uint8_t>& prescribed);
 
 }  // namespace arenite::peridynamics

@@ -17,8 +17,9 @@ void use_one_blas_thread() {
   if (void* symbol = dlsym(RTLD_DEFAULT, "openblas_set_num_threads")) reinterpret_cast<Setter>(symbol)(1);
 }
 
-/// The same for CHOLMOD's own loops, which ask OpenMP for four threads whatever it is told: no parallel region is active as long as one of these
-/// lives. OpenMP's threads do not outlive a fork, so a process in which it has started any could not be forked into one that solves.
+/// The same for CHOLMOD's own loops, which ask OpenMP for four threads whatever it is told: no parallel region is
+/// active as long as one of these lives. OpenMP's threads do not outlive a fork, so a process in which it has started
+/// any could not be forked into one that solves.
 class NoOpenMp {
  public:
   NoOpenMp() {
@@ -93,7 +94,8 @@ Cholesky::Cholesky(const BlockMatrix& m) : state_(std::make_unique<State>()) {
           const int scalar_row = 2 * m.row[j] + r;
           if (scalar_row < 2 * c + s) continue;
           row[k] = scalar_row;
-          value[k++] = m.value[4 * static_cast<std::size_t>(j) + 2 * static_cast<std::size_t>(s) + static_cast<std::size_t>(r)];
+          value[k++] =
+              m.value[4 * static_cast<std::size_t>(j) + 2 * static_cast<std::size_t>(s) + static_cast<std::size_t>(r)];
         }
     }
   begin[n] = k;
@@ -120,7 +122,8 @@ void Cholesky::solve(std::vector<double>& b) {
   right.xtype = CHOLMOD_REAL;
   right.dtype = CHOLMOD_DOUBLE;
   const NoOpenMp one_thread;
-  cholmod_solve2(CHOLMOD_A, state_->factor, &right, nullptr, &state_->x, nullptr, &state_->y, &state_->e, &state_->common);
+  cholmod_solve2(CHOLMOD_A, state_->factor, &right, nullptr, &state_->x, nullptr, &state_->y, &state_->e,
+                 &state_->common);
   std::memcpy(b.data(), state_->x->x, b.size() * sizeof(double));
 }
 

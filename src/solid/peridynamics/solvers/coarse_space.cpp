@@ -49,18 +49,22 @@ BlockMatrix gathered(const std::vector<std::int64_t>& begin, const std::vector<E
 
 }  // namespace
 
-CoarseSpace::CoarseSpace(const Bonds& bonds, Aggregates aggregates, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed)
+CoarseSpace::CoarseSpace(const Bonds& bonds, Aggregates aggregates, const BlockDiagonal<double>& diagonal,
+                         const std::vector<std::uint8_t>& prescribed)
     : grid_(bonds.grid),
       aggregates_(std::move(aggregates)) {
   const auto sums = couplings(bonds, aggregates_, diagonal, prescribed);
   number_corners(sums);
   list_runs(prescribed);
   BlockMatrix matrix = assemble(sums);
-  // An aggregate of few nodes carries more functions than it has freedoms, and a hat may vanish on all of its nodes: a trace
-  // of stiffness on the diagonal keeps these apart and is too small to slow anything down.
-  const auto diagonal_block = [&](std::int32_t c) { return &matrix.value[4 * static_cast<std::size_t>(matrix.column_begin[c])]; };
+  // An aggregate of few nodes carries more functions than it has freedoms, and a hat may vanish on all of its nodes: a
+  // trace of stiffness on the diagonal keeps these apart and is too small to slow anything down.
+  const auto diagonal_block = [&](std::int32_t c) {
+    return &matrix.value[4 * static_cast<std::size_t>(matrix.column_begin[c])];
+  };
   double stiffest = 0;
-  for (std::int32_t c = 0; c < matrix.columns(); ++c) stiffest = std::max(stiffest, diagonal_block(c)[0] + diagonal_block(c)[3]);
+  for (std::int32_t c = 0; c < matrix.columns(); ++c)
+    stiffest = std::max(stiffest, diagonal_block(c)[0] + diagonal_block(c)[3]);
   for (double extra = 1e-7;; extra *= 100, ++repairs_) {
     for (std::int32_t c = 0; c < matrix.columns(); ++c) {
       double* block = diagonal_block(c);
@@ -105,7 +109,9 @@ BlockMatrix CoarseSpace::assemble(const std::vector<Coupling>& couplings) const 
         for (int b = c.p == c.q ? a : 0; b < 4; ++b) visit(c, a, b, corner_[4 * c.p + a], corner_[4 * c.q + b]);
   };
   std::vector<std::int64_t> begin(columns + 1, 0);
-  each([&](const Coupling&, int, int, std::int32_t m, std::int32_t n) { ++begin[static_cast<std::size_t>(std::min(m, n)) + 1]; });
+  each([&](const Coupling&, int, int, std::int32_t m, std::int32_t n) {
+    ++begin[static_cast<std::size_t>(std::min(m, n)) + 1];
+  });
   for (std::size_t k = 0; k < columns; ++k) begin[k + 1] += begin[k];
   std::vector<Entry> entries(static_cast<std::size_t>(begin[columns]));
   auto at = begin;
@@ -113,7 +119,8 @@ BlockMatrix CoarseSpace::assemble(const std::vector<Coupling>& couplings) const 
     const auto ua = static_cast<unsigned>(a), ub = static_cast<unsigned>(b);
     const double xx = c.block[0][ua][ub], xy = c.block[1][ua][ub], yy = c.block[2][ua][ub], yx = c.block[3][ua][ub];
     Entry& entry = entries[static_cast<std::size_t>(at[std::min(m, n)]++)];
-    // Two corners of different aggregates may share a coarse node: then the block and its transpose both land on the diagonal.
+    // Two corners of different aggregates may share a coarse node: then the block and its transpose both land on the
+    // diagonal.
     if (m == n && c.p != c.q) entry = {m, {2 * xx, xy + yx, xy + yx, 2 * yy}};
     else if (m >= n) entry = {m, {xx, yx, xy, yy}};
     else entry = {n, {xx, xy, yx, yy}};
@@ -130,8 +137,9 @@ void CoarseSpace::list_runs(const std::vector<std::uint8_t>& prescribed) {
       int length = 1;
       while (x + length < end && aggregates_.of_node[i + length] == aggregate) ++length;
       if (aggregate >= 0)
-        runs_.push_back({i, aggregate, static_cast<std::int16_t>(x % Aggregates::cell), static_cast<std::int16_t>(y % Aggregates::cell),
-                         static_cast<std::int16_t>(length), prescribed[y] == y_prescribed});
+        runs_.push_back({i, aggregate, static_cast<std::int16_t>(x % Aggregates::cell),
+                         static_cast<std::int16_t>(y % Aggregates::cell), static_cast<std::int16_t>(length),
+                         prescribed[y] == y_prescribed});
       x += length;
     }
 }

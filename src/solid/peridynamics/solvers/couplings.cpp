@@ -55,7 +55,11 @@ struct CouplingSum {
   std::vector<std::int32_t> latest;  ///< of each aggregate's couplings, the newest; they form a chain
   std::vector<std::int32_t> next;
 
-  CouplingSum(const Bonds& b, const Aggregates& p) : bonds(b), aggregates(p), blocks(bond_blocks(b)), latest(p.list.size(), -1) {
+  CouplingSum(const Bonds& b, const Aggregates& p)
+      : bonds(b),
+        aggregates(p),
+        blocks(bond_blocks(b)),
+        latest(p.list.size(), -1) {
     self.resize(p.list.size());
     for (std::int32_t k = 0; k < p.count(); ++k) self[k] = {k, k, {}};
     cross.reserve(6 * p.list.size());
@@ -89,9 +93,10 @@ struct CouplingSum {
     }
   }
 
-  /// A node's bonds inside its own aggregate, whose block times hats is `modulus` times `sums`. They appear as they are and transposed; half of the
-  /// diagonal goes to each.
-  void add_within(std::int32_t p, const Hats& own, const std::array<double, 3>& diagonal, double modulus, const std::array<Hats, 3>& sums) {
+  /// A node's bonds inside its own aggregate, whose block times hats is `modulus` times `sums`. They appear as they are
+  /// and transposed; half of the diagonal goes to each.
+  void add_within(std::int32_t p, const Hats& own, const std::array<double, 3>& diagonal, double modulus,
+                  const std::array<Hats, 3>& sums) {
     for (unsigned c = 0; c < 3; ++c) {
       const Hats row = 0.5 * diagonal[c] * own - modulus * sums[c];
       for (unsigned a = 0; a < 4; ++a) self[p].block[c][a] += own[a] * row;
@@ -138,7 +143,9 @@ struct CouplingSum {
 
 }  // namespace
 
-const Hats& hats_at(int x, int y) { return all_hats[static_cast<unsigned>((y & (cell - 1)) * cell + (x & (cell - 1)))]; }
+const Hats& hats_at(int x, int y) {
+  return all_hats[static_cast<unsigned>((y & (cell - 1)) * cell + (x & (cell - 1)))];
+}
 
 std::vector<Coupling> couplings(const Bonds& bonds, const Aggregates& aggregates, const BlockDiagonal<double>& diagonal,
                                 const std::vector<std::uint8_t>& prescribed) {
@@ -161,12 +168,14 @@ std::vector<Coupling> couplings(const Bonds& bonds, const Aggregates& aggregates
   for (int y = 0; y < grid.height; ++y)
     if (prescribed[y] == y_prescribed)
       for (int x = 0; x < grid.width; ++x)
-        if (const std::ptrdiff_t i = grid.index(x, y); aggregates.of_node[i] >= 0) sum.add_sliding_node(i, x % cell, y % cell, diagonal.xx[i]);
+        if (const std::ptrdiff_t i = grid.index(x, y); aggregates.of_node[i] >= 0)
+          sum.add_sliding_node(i, x % cell, y % cell, diagonal.xx[i]);
   for (Coupling& within : sum.self)
     for (unsigned a = 0; a < 4; ++a)
       for (unsigned b = 0; b < 4; ++b) {
         if (b <= a)
-          for (const unsigned c : {0u, 2u}) within.block[c][a][b] = within.block[c][b][a] = within.block[c][a][b] + within.block[c][b][a];
+          for (const unsigned c : {0u, 2u})
+            within.block[c][a][b] = within.block[c][b][a] = within.block[c][a][b] + within.block[c][b][a];
         within.block[1][a][b] += within.block[3][b][a];
         within.block[3][b][a] = within.block[1][a][b];
       }

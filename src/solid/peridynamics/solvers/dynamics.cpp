@@ -26,7 +26,8 @@ void form_force(const Dynamics& s, const Field<double>& u, Field<double>& f) {
 }
 
 /// older := u + a (u - older) + b M f, M a 2 x 2 block a node, or the unit matrix where `inverse` is null.
-void plain_step(const Grid& grid, const Field<double>& u, Field<double>& older, const Field<double>& f, const BlockPlane* inverse, double a, double b) {
+void plain_step(const Grid& grid, const Field<double>& u, Field<double>& older, const Field<double>& f,
+                const BlockPlane* inverse, double a, double b) {
   for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i) {
     Vec2 force = f.at(i);
     if (inverse) {
@@ -56,7 +57,8 @@ struct Step {
 };
 
 /// Steps until the residual is small; `look(u, older, f)` may set the damping anew.
-template <class Look> StaticReport step_to_rest(const Dynamics& s, Field<double>& u, const Step& step, const Look& look) {
+template <class Look>
+StaticReport step_to_rest(const Dynamics& s, Field<double>& u, const Step& step, const Look& look) {
   StaticReport report;
   Field<double> older(s.bonds.grid.padded_size()), f(s.bonds.grid.padded_size());
   const double reference = residual_reference(s.bonds, s.prescribed, u, older, f);
@@ -97,7 +99,8 @@ StaticReport damped_dynamics(const Dynamics& s, Field<double>& u) {
   for (const Offset e : half_bonds) row_sum += (e.x * e.x + e.y * e.y) / std::pow(length(e), 3);
   const double dt = 0.9 * 2 / std::sqrt(2 * row_sum * stiffest), viscosity = 0.9 * std::sqrt(2 * softest);
   const double half = viscosity * dt / 2;
-  return step_to_rest(s, u, {nullptr, (1 - half) / (1 + half), dt * dt / (1 + half)}, [](const auto&, const auto&, auto&) {});
+  return step_to_rest(s, u, {nullptr, (1 - half) / (1 + half), dt * dt / (1 + half)},
+                      [](const auto&, const auto&, auto&) {});
 }
 
 StaticReport adaptive_relaxation(const Dynamics& s, Field<double>& u) {

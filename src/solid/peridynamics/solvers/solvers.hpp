@@ -20,9 +20,11 @@ class StaticSolver {
   StaticSolver(const Bonds& bonds, Aggregates aggregates, std::vector<std::uint8_t> prescribed);
   ~StaticSolver();
 
-  /// On entry `u` holds the prescribed displacements and a first guess, on return the field at equilibrium. Residuals are relative to that of uniform
-  /// strain (residual_reference). `body`, if given, is a force on every node beside that of the bonds.
-  StaticReport solve(const Bonds& bonds, Field<double>& u, double tolerance, int max_iterations, const Watch& watch = {}, const Field<double>* body = nullptr);
+  /// On entry `u` holds the prescribed displacements and a first guess, on return the field at equilibrium. Residuals
+  /// are relative to that of uniform strain (residual_reference). `body`, if given, is a force on every node beside
+  /// that of the bonds.
+  StaticReport solve(const Bonds& bonds, Field<double>& u, double tolerance, int max_iterations,
+                     const Watch& watch = {}, const Field<double>* body = nullptr);
 
  private:
   struct State;
@@ -32,8 +34,9 @@ class StaticSolver {
 /// Equilibrium under P's stretch: the linearised solve, again and again, with what it leaves out as a body force. The
 /// error falls by about the strain in each round. Forces that turn a loose node about its hinge are left out: linearly
 /// nothing resists them. Ends with the best field found where rounds stop helping.
-StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vector<std::uint8_t>& prescribed, StaticSolver& solver, Field<double>& u,
-                                 double tolerance, int max_iterations, const Watch& watch = {});
+StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vector<std::uint8_t>& prescribed,
+                                 StaticSolver& solver, Field<double>& u, double tolerance, int max_iterations,
+                                 const Watch& watch = {});
 
 /// What the explicit ways need beside the bonds.
 struct Dynamics {
@@ -71,7 +74,8 @@ template <class T> double square_norm(const Grid& grid, const Field<T>& a) {
 /// would give some fifty times more, and a tolerance that says little about stresses.) `u` holds the prescribed
 /// displacements, `work` and `f` are overwritten. Zero only where nothing is displaced or no strain leaves a force.
 template <class T>
-double residual_reference(const Bonds& bonds, const std::vector<std::uint8_t>& prescribed, const Field<double>& u, Field<T>& work, Field<T>& f) {
+double residual_reference(const Bonds& bonds, const std::vector<std::uint8_t>& prescribed, const Field<double>& u,
+                          Field<T>& work, Field<T>& f) {
   const Grid& grid = bonds.grid;
   Vec2 top;
   for (std::ptrdiff_t i = grid.row(grid.height - 1), end = i + grid.width; i < end; ++i)
@@ -94,7 +98,8 @@ class Reporter {
   bool goes_on(int iterations, double residual) {
     if (!watch_) return true;
     if (first_ == 0) first_ = residual;
-    if (residual > 0 && first_ > tolerance_) share_ = std::clamp(std::log(first_ / residual) / std::log(first_ / tolerance_), share_, 1.0);
+    if (residual > 0 && first_ > tolerance_)
+      share_ = std::clamp(std::log(first_ / residual) / std::log(first_ / tolerance_), share_, 1.0);
     return watch_({share_, iterations, residual, 0, 0, 0});
   }
 

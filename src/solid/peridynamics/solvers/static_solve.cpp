@@ -7,12 +7,13 @@
 #include "solid/peridynamics/solvers/solvers.hpp"
 
 namespace arenite::peridynamics {
-/// Preconditioned conjugate gradients. The preconditioner: Chebyshev steps on the 2 x 2 block diagonal, a correction on the coarse space cut by grain,
-/// and the same steps again, all in single precision. Symmetric and positive, as conjugate gradients ask.
+/// Preconditioned conjugate gradients. The preconditioner: Chebyshev steps on the 2 x 2 block diagonal, a correction on
+/// the coarse space cut by grain, and the same steps again, all in single precision. Symmetric and positive, as
+/// conjugate gradients ask.
 struct StaticSolver::State {
   static constexpr int degree = 4;
-  /// The part of the spectrum of D^-1 A that the smoother deals with. No bond network exceeds 2: a bond's energy is at most twice that of its two ends
-  /// held apart.
+  /// The part of the spectrum of D^-1 A that the smoother deals with. No bond network exceeds 2: a bond's energy is at
+  /// most twice that of its two ends held apart.
   static constexpr double lowest = 0.1, highest = 2.0;
   struct Coefficient {
     float a, b;
@@ -24,7 +25,8 @@ struct StaticSolver::State {
   Field<float> r, p, f, z, other, left;
   std::array<Coefficient, degree> coefficient;
 
-  State(const Bonds& bonds, Aggregates aggregates, std::vector<std::uint8_t> rows, const BlockDiagonal<double>& diagonal)
+  State(const Bonds& bonds, Aggregates aggregates, std::vector<std::uint8_t> rows,
+        const BlockDiagonal<double>& diagonal)
       : prescribed(std::move(rows)),
         inverse(inverse_diagonal(bonds, diagonal, prescribed)),
         coarse(bonds, std::move(aggregates), diagonal, prescribed) {
@@ -67,8 +69,8 @@ struct StaticSolver::State {
 
   /// u and r move along p, and z becomes the first step of the preconditioner; returns the norm of r.
   double move(const Bonds& bonds, double alpha, Field<double>& u) {
-    return std::sqrt(kernels(bonds.law).conjugate_step(bonds, static_cast<float>(alpha), plane(p), plane(f), plane(u), plane(r), inverse.plane(),
-                                                       coefficient[0].b, plane(z)));
+    return std::sqrt(kernels(bonds.law).conjugate_step(bonds, static_cast<float>(alpha), plane(p), plane(f), plane(u),
+                                                       plane(r), inverse.plane(), coefficient[0].b, plane(z)));
   }
 };
 
@@ -76,7 +78,8 @@ StaticSolver::StaticSolver(const Bonds& bonds, Aggregates aggregates, std::vecto
     : state_(std::make_unique<State>(bonds, std::move(aggregates), std::move(prescribed), block_diagonal(bonds))) {}
 StaticSolver::~StaticSolver() = default;
 
-StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double tolerance, int max_iterations, const Watch& watch, const Field<double>* body) {
+StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double tolerance, int max_iterations,
+                                 const Watch& watch, const Field<double>* body) {
   State& s = *state_;
   const Kernels& k = kernels(bonds.law);
   StaticReport report;
@@ -87,8 +90,8 @@ StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double to
     report.converged = std::isfinite(reference);
     return report;
   }
-  // Directions and residuals are kept in single precision. Each time the residual has come down by `trusted` it is worked out anew from the field,
-  // which is kept in double; the direction goes on.
+  // Directions and residuals are kept in single precision. Each time the residual has come down by `trusted` it is
+  // worked out anew from the field, which is kept in double; the direction goes on.
   constexpr double trusted = 1e-2;
   const auto renew = [&] {
     report.residual = s.fresh_residual(bonds, u, body) / reference;
@@ -125,7 +128,8 @@ StaticReport StaticSolver::solve(const Bonds& bonds, Field<double>& u, double to
 namespace {
 
 /// Keeps of the force on every node what its bonds can resist, and nothing where displacements are prescribed.
-void hold_to_bonds(const Grid& grid, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed, Field<double>& f) {
+void hold_to_bonds(const Grid& grid, const BlockDiagonal<double>& diagonal, const std::vector<std::uint8_t>& prescribed,
+                   Field<double>& f) {
   grid.each([&](std::ptrdiff_t i, int y) {
     const auto rows = prescribed[y];
     if (rows & x_prescribed) f.x[i] = 0;
@@ -138,15 +142,18 @@ void hold_to_bonds(const Grid& grid, const BlockDiagonal<double>& diagonal, cons
 
 }  // namespace
 
-StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vector<std::uint8_t>& prescribed, StaticSolver& solver, Field<double>& u,
-                                 double tolerance, int max_iterations, const Watch& watch) {
+StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vector<std::uint8_t>& prescribed,
+                                 StaticSolver& solver, Field<double>& u, double tolerance, int max_iterations,
+                                 const Watch& watch) {
   const Grid& grid = bonds.grid;
   Field<double> body(grid.padded_size()), linear(grid.padded_size()), best;
   const double reference = residual_reference(bonds, prescribed, u, body, linear);
   const auto diagonal = block_diagonal(bonds);
   StaticReport total = solver.solve(bonds, u, tolerance, max_iterations, watch);
   if (!(reference > 0) || !total.converged) return total;
-  const Watch later = [&](const Progress& p) { return !watch || watch({1, total.iterations + p.iterations, total.residual, 0, 0, 0}); };
+  const Watch later = [&](const Progress& p) {
+    return !watch || watch({1, total.iterations + p.iterations, total.residual, 0, 0, 0});
+  };
   double least = HUGE_VAL;
   for (int round = 0; round < 20; ++round) {
     exact_force(bonds, dx, u, body);
@@ -158,7 +165,8 @@ StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vecto
     least = total.residual;
     best = u;
     kernels(bonds.law).force(bonds, prescribed.data(), plane(u), plane(linear));
-    for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i) body.set(i, body.at(i) - linear.at(i));
+    for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i)
+      body.set(i, body.at(i) - linear.at(i));
     const StaticReport more = solver.solve(bonds, u, 0.1 * tolerance, max_iterations, later, &body);
     total.iterations += more.iterations;
     total.history.insert(total.history.end(), more.history.begin(), more.history.end());

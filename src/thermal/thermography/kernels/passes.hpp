@@ -1,5 +1,5 @@
-// The passes of kernels.hpp for lanes of some width: included by the sources of this folder, which are compiled with flags of
-// their own, and therefore without names that a linker could take from one of them for another.
+// The passes of kernels.hpp for lanes of some width: included by the sources of this folder, which are compiled with
+// flags of their own, and therefore without names that a linker could take from one of them for another.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -16,7 +16,8 @@ namespace {
 /// n numbers computed side by side; a single one is what is left over at the end of a row of lanes.
 template <class T, std::size_t n> struct Lanes {
   typedef T Numbers __attribute__((vector_size(n * sizeof(T))));
-  typedef T Anywhere __attribute__((vector_size(n * sizeof(T)), aligned(alignof(T)), may_alias));  // as they lie in an array
+  typedef T Anywhere
+      __attribute__((vector_size(n * sizeof(T)), aligned(alignof(T)), may_alias));  // as they lie in an array
   static constexpr std::size_t lanes = n;
   Numbers v;
 
@@ -31,9 +32,11 @@ template <class T, std::size_t n> struct Lanes {
   static Lanes load(const double* p) { return {*reinterpret_cast<const Anywhere*>(p)}; }
   static Lanes load(const std::uint16_t* p) {
 #if defined(__AVX512F__)
-    if constexpr (sizeof(Numbers) == 64) return {_mm512_cvtepi32_ps(_mm512_cvtepu16_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))))};
+    if constexpr (sizeof(Numbers) == 64)
+      return {_mm512_cvtepi32_ps(_mm512_cvtepu16_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))))};
 #elif defined(__AVX2__)
-    if constexpr (sizeof(Numbers) == 32) return {_mm256_cvtepi32_ps(_mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(p))))};
+    if constexpr (sizeof(Numbers) == 32)
+      return {_mm256_cvtepi32_ps(_mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(p))))};
 #endif
     const auto& level = *reinterpret_cast<const typename Lanes<std::uint16_t, n>::Anywhere*>(p);
     return {__builtin_convertvector(__builtin_convertvector(level, typename Lanes<std::int32_t, n>::Numbers), Numbers)};
@@ -47,10 +50,12 @@ template <class T, std::size_t n> struct Lanes {
 };
 
 /// `n` neighbouring vectors at once, so that a weight is fetched once for all; `sums` are those of the first.
-template <class V, int n, int functions, class T> inline void add_pixels(const WeighedFrames<T>& f, float* sums, std::size_t p) {
+template <class V, int n, int functions, class T>
+inline void add_pixels(const WeighedFrames<T>& f, float* sums, std::size_t p) {
   V sum[functions + 2][n], reference[n];
   for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < functions + 2; ++k) sum[k][i] = V::load(sums + static_cast<std::size_t>(k) * chunk + static_cast<std::size_t>(i) * V::lanes);
+    for (int k = 0; k < functions + 2; ++k)
+      sum[k][i] = V::load(sums + static_cast<std::size_t>(k) * chunk + static_cast<std::size_t>(i) * V::lanes);
     reference[i] = V::load(f.reference + p + static_cast<std::size_t>(i) * V::lanes);
   }
   const T* value = f.frames + p;
@@ -71,7 +76,8 @@ template <class V, int n, int functions, class T> inline void add_pixels(const W
     value += f.pixels, weight += functions;
   } while (++j < f.count);
   for (int k = 0; k < functions + 2; ++k)
-    for (int i = 0; i < n; ++i) sum[k][i].store(sums + static_cast<std::size_t>(k) * chunk + static_cast<std::size_t>(i) * V::lanes);
+    for (int i = 0; i < n; ++i)
+      sum[k][i].store(sums + static_cast<std::size_t>(k) * chunk + static_cast<std::size_t>(i) * V::lanes);
 }
 
 template <class Floats, int functions, class T>
@@ -83,14 +89,16 @@ void add_frames(const WeighedFrames<T>& f, float* sums, std::size_t stride, std:
   for (; p < end; ++p) add_pixels<Lanes<float, 1>, 1, functions>(f, of(p), p);
 }
 
-template <class Floats, class T> void add(const WeighedFrames<T>& f, float* sums, std::size_t stride, std::size_t begin, std::size_t end) {
+template <class Floats, class T>
+void add(const WeighedFrames<T>& f, float* sums, std::size_t stride, std::size_t begin, std::size_t end) {
   if (f.functions == 2) add_frames<Floats, 2>(f, sums, stride, begin, end);
   else if (f.functions == 4) add_frames<Floats, 4>(f, sums, stride, begin, end);
   else if (f.functions == 6) add_frames<Floats, 6>(f, sums, stride, begin, end);
   else add_frames<Floats, 8>(f, sums, stride, begin, end);
 }
 
-template <class V, int rows> inline void combine_at(const SegmentView& s, std::size_t p, const double* coefficient, double* out, std::size_t apart) {
+template <class V, int rows>
+inline void combine_at(const SegmentView& s, std::size_t p, const double* coefficient, double* out, std::size_t apart) {
   V sum[rows];
   for (int m = 0; m < rows; ++m) sum[m] = V::all(0);
   const std::size_t count = s.segments * s.planes;
@@ -98,7 +106,8 @@ template <class V, int rows> inline void combine_at(const SegmentView& s, std::s
   for (std::size_t q = 0; q < count; ++q, plane += chunk) {
     if constexpr (V::lanes > 1) __builtin_prefetch(plane + count * chunk);
     const V d = V::load(plane);
-    for (int m = 0; m < rows; ++m) sum[m] = fma(V::all(coefficient[static_cast<std::size_t>(m) * count + q]), d, sum[m]);
+    for (int m = 0; m < rows; ++m)
+      sum[m] = fma(V::all(coefficient[static_cast<std::size_t>(m) * count + q]), d, sum[m]);
   }
   for (int m = 0; m < rows; ++m) sum[m].store(out + static_cast<std::size_t>(m) * apart);
 }
@@ -111,16 +120,21 @@ template <class Doubles, class At> inline void each_pixel(std::size_t count, con
 }
 
 template <class Doubles, int rows>
-void combine_rows(const SegmentView& s, const double* coefficient, double* out, std::size_t apart, std::size_t begin, std::size_t end) {
-  each_pixel<Doubles>(end - begin, [&]<class V>(V, std::size_t i) { combine_at<V, rows>(s, begin + i, coefficient, out + i, apart); });
+void combine_rows(const SegmentView& s, const double* coefficient, double* out, std::size_t apart, std::size_t begin,
+                  std::size_t end) {
+  each_pixel<Doubles>(
+      end - begin, [&]<class V>(V, std::size_t i) { combine_at<V, rows>(s, begin + i, coefficient, out + i, apart); });
 }
 
 /// As many rows in one reading of the sums as registers hold.
 template <class Doubles>
-void combine(const SegmentView& s, const double* coefficient, std::size_t rows, double* out, std::size_t apart, std::size_t begin, std::size_t end) {
+void combine(const SegmentView& s, const double* coefficient, std::size_t rows, double* out, std::size_t apart,
+             std::size_t begin, std::size_t end) {
   constexpr std::size_t most = 13;
   const std::size_t count = s.segments * s.planes, readings = (rows + most - 1) / most;
-  const auto table = []<int... few>(std::integer_sequence<int, few...>) { return std::array{combine_rows<Doubles, few + 1>...}; }
+  const auto table = []<int... few>(std::integer_sequence<int, few...>) {
+    return std::array{combine_rows<Doubles, few + 1>...};
+  }
   (std::make_integer_sequence<int, most>());
   for (std::size_t r = 0; r < readings; ++r) {
     const std::size_t first = rows * r / readings, some = rows * (r + 1) / readings - first;
@@ -129,12 +143,13 @@ void combine(const SegmentView& s, const double* coefficient, std::size_t rows, 
 }
 
 template <class V>
-inline void residual_at(const SegmentView& s, std::size_t p, const double* frames, const double* normal, std::size_t rows, const double* fitted,
-                        std::size_t apart, double* out) {
+inline void residual_at(const SegmentView& s, std::size_t p, const double* frames, const double* normal,
+                        std::size_t rows, const double* fitted, std::size_t apart, double* out) {
   V sum = V::all(0);
   const float* plane = s.sums + s.at(p, 0, 0);
   for (std::size_t q = 0; q < s.segments; ++q, plane += s.planes * chunk) {
-    const V level = V::load(plane), squares = V::load(plane + (s.planes - 2) * chunk), step = V::load(plane + (s.planes - 1) * chunk);
+    const V level = V::load(plane), squares = V::load(plane + (s.planes - 2) * chunk),
+            step = V::load(plane + (s.planes - 1) * chunk);
     sum = fma(fma(V::all(frames[q]), step, level + level), step, sum + squares);
   }
   for (std::size_t m = 0; m < rows; ++m, normal += rows) {
@@ -147,9 +162,11 @@ inline void residual_at(const SegmentView& s, std::size_t p, const double* frame
 }
 
 template <class Doubles>
-void residual(const SegmentView& s, const double* frames, const double* normal, std::size_t rows, const double* fitted, std::size_t apart, double* out,
-              std::size_t begin, std::size_t end) {
-  each_pixel<Doubles>(end - begin, [&]<class V>(V, std::size_t i) { residual_at<V>(s, begin + i, frames, normal, rows, fitted + i, apart, out + i); });
+void residual(const SegmentView& s, const double* frames, const double* normal, std::size_t rows, const double* fitted,
+              std::size_t apart, double* out, std::size_t begin, std::size_t end) {
+  each_pixel<Doubles>(end - begin, [&]<class V>(V, std::size_t i) {
+    residual_at<V>(s, begin + i, frames, normal, rows, fitted + i, apart, out + i);
+  });
 }
 
 /// The passes for `floats` single or half as many double numbers at once.

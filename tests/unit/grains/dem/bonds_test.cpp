@@ -84,7 +84,8 @@ TEST(Bonds, ForcesAreMinusTheGradientOfTheEnergyHoweverFarThePairHasTurned) {
 
 TEST(Bonds, StiffnessOfThePairIsThatOfABeam) {
   // Half width 6 mm, A = 2 R t, l = 16 mm: k_n = E A/l; k_s = k_n/2.5; k_b = E I/l with I = 2 R^3 t/3.
-  const double area = 2 * 0.006 * 0.06, k = 2e9 * area / 0.016, bending = 2e9 * (2.0 / 3 * std::pow(0.006, 3) * 0.06) / 0.016;
+  const double area = 2 * 0.006 * 0.06, k = 2e9 * area / 0.016,
+               bending = 2e9 * (2.0 / 3 * std::pow(0.006, 3) * 0.06) / 0.016;
   Sample s = bonded(pair_of_disks(0), cemented());
   const auto j = static_cast<std::size_t>(s.bond_slots[0].j);
   move(s, j, {1e-6, 0}, 0);  // pulled
@@ -243,7 +244,8 @@ TEST(Bonds, OfAStageAreToldInHistoryStatesAndOutcome) {
   ASSERT_GT(count.made() - count.intact, 10u);
   EXPECT_NE(run.result.outcome.find("bonds broken"), std::string::npos);
   EXPECT_EQ(column("bonds").size(), column("time").size());
-  EXPECT_EQ(column("bonds").back() + column("broken_in_tension").back() + column("broken_in_bending").back() + column("broken_in_shear").back(),
+  EXPECT_EQ(column("bonds").back() + column("broken_in_tension").back() + column("broken_in_bending").back() +
+                column("broken_in_shear").back(),
             static_cast<double>(count.made()));
   const Packing& end = run.result.snapshots.back().packing;
   ASSERT_EQ(end.bonds.size(), count.made());

@@ -15,7 +15,8 @@ Packing triangular(int columns, int rows) {
   Packing p = testing::empty_container(columns * pitch, rows * pitch * std::sqrt(0.75));
   p.domain.periodic[0] = p.domain.periodic[1] = true;
   for (int r = 0; r < rows; ++r)
-    for (int c = 0; c < columns; ++c) testing::add_grain(p, (c + 0.25 + 0.5 * (r % 2)) * pitch, (r + 0.5) * pitch * std::sqrt(0.75), 0.5 * d);
+    for (int c = 0; c < columns; ++c)
+      testing::add_grain(p, (c + 0.25 + 0.5 * (r % 2)) * pitch, (r + 0.5) * pitch * std::sqrt(0.75), 0.5 * d);
   return p;
 }
 
@@ -52,7 +53,9 @@ TEST_P(Bounds, ALatticeJustBelowTheBoundLosesItsMotionAndDoesNotGainAny) {
   EXPECT_LT(engine.energies().kinetic, 1e-2 * start);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Bounds, ::testing::Values(IntegratorKind::velocity_verlet, IntegratorKind::leapfrog, IntegratorKind::gear5));
+INSTANTIATE_TEST_SUITE_P(All, Bounds,
+                         ::testing::Values(IntegratorKind::velocity_verlet, IntegratorKind::leapfrog,
+                                           IntegratorKind::gear5));
 
 TEST(DampingBound, CountsTheTurningOfALattice) {
   // All disks turning alike is damped at 2 z gamma_s r^2/I = 24 gamma_s/m.

@@ -117,7 +117,8 @@ TEST(Cohesion, NeitherShortensNorMovesASampleWithoutIt) {
 }
 
 TEST(Cohesion, ASteepPullShortensTheStep) {
-  EXPECT_LT(Engine(two_disks(1e-6), cohesive(Dmt{1e4, 1e-7}), {}).time_step(), 0.5 * Engine(two_disks(1e-6), cohesive(Dmt{1e-3, 1e-7}), {}).time_step());
+  EXPECT_LT(Engine(two_disks(1e-6), cohesive(Dmt{1e4, 1e-7}), {}).time_step(),
+            0.5 * Engine(two_disks(1e-6), cohesive(Dmt{1e-3, 1e-7}), {}).time_step());
 }
 
 TEST(Cohesion, ThatMakesNoSenseIsRefused) {
@@ -142,7 +143,8 @@ TEST(Cohesion, OfAStageIsToldInHistoryStatesAndOutcome) {
   while (!run.finished) continue_stage(engine, stage, run);
   const CohesionCount count = engine.cohesion_count();
   ASSERT_GT(count.apart, 0u);
-  EXPECT_NE(run.result.outcome.find(std::to_string(count.joined) + " cohesive pairs"), std::string::npos) << run.result.outcome;
+  EXPECT_NE(run.result.outcome.find(std::to_string(count.joined) + " cohesive pairs"), std::string::npos)
+      << run.result.outcome;
   std::size_t columns = 0;
   for (const auto& column : run.result.history.columns) {
     if (!column.name.starts_with("cohesive_pairs")) continue;
@@ -152,7 +154,8 @@ TEST(Cohesion, OfAStageIsToldInHistoryStatesAndOutcome) {
   EXPECT_EQ(columns, 2u);
   const auto& pairs = run.result.snapshots.back().packing.cohesive;
   ASSERT_EQ(pairs.size(), count.joined);
-  EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); }));
+  EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end(),
+                             [](const auto& a, const auto& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); }));
 }
 
 }  // namespace

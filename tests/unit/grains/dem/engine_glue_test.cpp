@@ -43,7 +43,8 @@ double strongest_tension(Engine& engine, int steps) {
 class Glue : public ::testing::TestWithParam<bool> {};
 
 TEST_P(Glue, ThatBreaksForGoodDoesNotActASecondTime) {
-  for (const dem::Adhesion& adhesion : std::initializer_list<dem::Adhesion>{dem::GeometricalAdhesion{}, dem::BreakingAdhesion{}}) {
+  for (const dem::Adhesion& adhesion :
+       std::initializer_list<dem::Adhesion>{dem::GeometricalAdhesion{}, dem::BreakingAdhesion{}}) {
     Pull pull(adhesion, GetParam());
     pull.start.grains.velocity = {{-0.5, 0}, {0.5, 0}, {}};  // torn apart, thrown back by the walls
     IntegrationParameters integration;

@@ -16,7 +16,8 @@ Packing periodic_crowd(std::uint64_t seed, double pitch) {
 }
 
 double mass_of(const Packing& p, std::size_t k) {
-  return p.materials[static_cast<std::size_t>(p.grains.material[k])].density * std::numbers::pi * p.grains.radius[k] * p.grains.radius[k] * p.domain.thickness;
+  return p.materials[static_cast<std::size_t>(p.grains.material[k])].density * std::numbers::pi * p.grains.radius[k] *
+         p.grains.radius[k] * p.domain.thickness;
 }
 
 TEST(PeriodicCell, KeepsItsMomentum) {
@@ -55,7 +56,8 @@ TEST(PeriodicCell, GivesTheSameMotionWhereverItsEdgesLie) {
   Packing q = p;
   const Vec2 shift{0.4 * p.domain.width(), 0.7 * p.domain.height()};
   for (std::size_t k = 0; k < q.grains.size(); ++k) {
-    q.grains.position[k] = {std::fmod(q.grains.position[k].x + shift.x, q.domain.width()), std::fmod(q.grains.position[k].y + shift.y, q.domain.height())};
+    q.grains.position[k] = {std::fmod(q.grains.position[k].x + shift.x, q.domain.width()),
+                            std::fmod(q.grains.position[k].y + shift.y, q.domain.height())};
   }
   Engine a(p, {}, {}), b(q, {}, {});
   a.advance(300);
@@ -104,7 +106,8 @@ TEST(PeriodicCell, IsServedToItsPressureBothWays) {
   EXPECT_NEAR(now.domain.wall[top].force, 3000, 30);
   double xx = 0, yy = 0;
   for (std::size_t c = 0; c < now.contacts.size(); ++c) {
-    const Vec2 f = now.contacts.force_on_i(c), l = (now.contacts.arm_i[c] + now.contacts.arm_j[c]) * now.contacts.normal[c];
+    const Vec2 f = now.contacts.force_on_i(c),
+               l = (now.contacts.arm_i[c] + now.contacts.arm_j[c]) * now.contacts.normal[c];
     xx += f.x * l.x;
     yy += f.y * l.y;
   }

@@ -17,7 +17,8 @@ Packing periodic_crowd(std::uint64_t seed) {
 
 double balance(const Energies& now, const Energies& start) {
   const auto sum = [](const Energies& e) {
-    return e.kinetic + e.elastic + e.dissipated_normal + e.dissipated_friction + e.dissipated_drag + e.dissipated_breakage - e.work_walls - e.work_gravity;
+    return e.kinetic + e.elastic + e.dissipated_normal + e.dissipated_friction + e.dissipated_drag +
+           e.dissipated_breakage - e.work_walls - e.work_gravity;
   };
   return sum(now) - sum(start);
 }
@@ -44,7 +45,8 @@ TEST(ShearedCell, MovesFreeGrainsByTheShearAlone) {
     while (engine.time() < 0.3) engine.advance(100);
     const Packing now = engine.packing();
     const double t = engine.time();
-    // In the plane of all images grain 0 goes on straight with the speed that its first height gave it; one image down, it is slower by rate H.
+    // In the plane of all images grain 0 goes on straight with the speed that its first height gave it; one image down,
+    // it is slower by rate H.
     const Vec2 straight{0.05 + 2 * 0.09 * t, 0.19 + t};
     EXPECT_NEAR(norm(now.domain.nearest_image(now.grains.position[0] - straight)), 0, 1e-10);
     EXPECT_NEAR(now.grains.velocity[0].x, 2 * 0.09 - 2 * 0.2 * std::floor((0.19 + t) / 0.2), 1e-10);
@@ -58,7 +60,8 @@ TEST(ShearedCell, GivesTheSameMotionWhereverItsEdgesLie) {
   Packing p = periodic_crowd(3), q = p;
   const Vec2 shift{0.4 * p.domain.width(), 0.7 * p.domain.height()};
   for (std::size_t k = 0; k < q.grains.size(); ++k) {
-    q.grains.position[k] = {std::fmod(q.grains.position[k].x + shift.x, q.domain.width()), std::fmod(q.grains.position[k].y + shift.y, q.domain.height())};
+    q.grains.position[k] = {std::fmod(q.grains.position[k].x + shift.x, q.domain.width()),
+                            std::fmod(q.grains.position[k].y + shift.y, q.domain.height())};
   }
   Engine a(p, {}, {}), b(q, {}, {});
   a.set_shear_rate(5);
@@ -71,7 +74,8 @@ TEST(ShearedCell, GivesTheSameMotionWhereverItsEdgesLie) {
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
     const double up = pb.grains.position[k].y - pa.grains.position[k].y - shift.y;
     EXPECT_NEAR(up - std::round(up / height) * height, 0, 1e-7);
-    const double faster = pb.grains.velocity[k].x - pa.grains.velocity[k].x - 5 * (pb.grains.position[k].y - pa.grains.position[k].y);
+    const double faster =
+        pb.grains.velocity[k].x - pa.grains.velocity[k].x - 5 * (pb.grains.position[k].y - pa.grains.position[k].y);
     EXPECT_NEAR(faster, 0, 1e-5);
   }
 }
@@ -120,7 +124,8 @@ TEST(SlidingWall, DragsAGrainUpToItsSpeed) {
   engine.set_drives(drives);
   while (engine.time() < 1) engine.advance(100);
   const Packing now = engine.packing();
-  // Friction gives m v and, about the centre, I omega = R m v with I = m R^2/2; sliding ends at v + R omega = 3 v = 0.3.
+  // Friction gives m v and, about the centre, I omega = R m v with I = m R^2/2; sliding ends at v + R omega = 3 v =
+  // 0.3.
   EXPECT_NEAR(now.grains.velocity[0].x, 0.1, 2e-4);
   EXPECT_NEAR(now.grains.velocity[0].x + now.grains.omega[0] * 0.01, 0.3, 1e-3);
 }
@@ -158,14 +163,17 @@ TEST(RoughWall, CarriesTheGrainsNearIt) {
       EXPECT_NEAR(norm(now.domain.nearest_image(now.grains.position[k] - before.grains.position[k])), 0, 1e-12);
     } else if (from_top < 0.5 * before.grains.radius[k]) {
       ++high;
-      EXPECT_NEAR(norm(now.domain.nearest_image(now.grains.position[k] - before.grains.position[k] - Vec2{0.5 * t, rise})), 0, 1e-9);
+      EXPECT_NEAR(
+          norm(now.domain.nearest_image(now.grains.position[k] - before.grains.position[k] - Vec2{0.5 * t, rise})), 0,
+          1e-9);
     }
   }
   EXPECT_GT(low, 3);
   EXPECT_GT(high, 3);
   const Energies end = engine.energies();
   EXPECT_NEAR(balance(end, start), 0, 2e-3 * (end.work_walls - start.work_walls)) << end.work_walls;
-  EXPECT_LT(shear, -0.1 * normal) << shear / normal;  // grains between rough walls have a friction of 0.2 to 0.4; a state alone fluctuates
+  EXPECT_LT(shear, -0.1 * normal)
+      << shear / normal;  // grains between rough walls have a friction of 0.2 to 0.4; a state alone fluctuates
 }
 
 TEST(RoughWall, ThatHoldsNoGrainLeavesTheSpringsOfFrictionAsTheyAre) {
@@ -178,7 +186,8 @@ TEST(RoughWall, ThatHoldsNoGrainLeavesTheSpringsOfFrictionAsTheyAre) {
   engine.set_rough({false, false, true, false});
   const Packing after = engine.packing();
   ASSERT_EQ(after.contacts.size(), before.contacts.size());
-  // Stages begin between steps, where velocities are brought up to the places: forces see that, which is not the springs' way.
+  // Stages begin between steps, where velocities are brought up to the places: forces see that, which is not the
+  // springs' way.
   engine.set_rough({false, false, false, false});
   EXPECT_EQ(engine.packing().contacts.ft, after.contacts.ft);
 }

@@ -16,7 +16,8 @@ using testing::crowd;
 using testing::empty_container;
 
 TEST(Engine, ABinaryCollisionGivesBackTheRestitutionAsked) {
-  for (const auto& [e, pulls] : {std::pair{0.1, true}, {0.5, true}, {0.9, true}, {0.1, false}, {0.5, false}, {0.9, false}}) {
+  for (const auto& [e, pulls] :
+       {std::pair{0.1, true}, {0.5, true}, {0.9, true}, {0.1, false}, {0.5, false}, {0.9, false}}) {
     Packing p = empty_container(0.2, 0.2);
     add_grain(p, 0.09, 0.1, 0.005);
     add_grain(p, 0.10001, 0.1, 0.005);
@@ -31,7 +32,8 @@ TEST(Engine, ABinaryCollisionGivesBackTheRestitutionAsked) {
     engine.advance(2000);
     const Packing after = engine.packing();
     // Clipped, the force has an edge, which a step meets to first order.
-    EXPECT_NEAR(after.grains.velocity[1].x - after.grains.velocity[0].x, e, (pulls ? 1e-3 : 5e-3) * e) << e << " " << pulls;
+    EXPECT_NEAR(after.grains.velocity[1].x - after.grains.velocity[0].x, e, (pulls ? 1e-3 : 5e-3) * e)
+        << e << " " << pulls;
     EXPECT_NEAR(after.grains.velocity[1].x + after.grains.velocity[0].x, 1.0, 1e-12);
   }
 }
@@ -123,7 +125,9 @@ TEST(Engine, AStepBeyondTheBoundsIsRefusedWithTheStepThatWouldDo) {
   try {
     Engine(p, {}, integration);
     FAIL() << "accepted";
-  } catch (const InputError& error) { EXPECT_NE(std::string(error.what()).find("or leave the key out"), std::string::npos) << error.what(); }
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("or leave the key out"), std::string::npos) << error.what();
+  }
 }
 
 TEST(Engine, AGrainThatIsShotThroughAWallEndsInAnError) {

@@ -23,7 +23,8 @@ std::set<std::uint64_t> near_pairs(const Packing& p, double gap) {
         for (int ix = -2 * ax; ix <= 2 * ax; ++ix) {
           const Vec2 d{g.position[a].x - g.position[b].x + ix * p.domain.width() + iy * p.domain.tilt,
                        g.position[a].y - g.position[b].y + iy * p.domain.height()};
-          if (norm(d) < g.radius[a] + g.radius[b] + gap) found.insert(pair_key(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)));
+          if (norm(d) < g.radius[a] + g.radius[b] + gap)
+            found.insert(pair_key(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b)));
         }
   return found;
 }
@@ -58,7 +59,9 @@ TEST_P(Neighbours, StayCompleteWhileGrainsAndWallsMove) {
   p.domain.periodic = cell.periodic;
   p.domain.tilt = cell.tilt * p.domain.width();
   RandomStream random(8, Purpose::test);
-  for (std::size_t k = 0; k < p.grains.size(); ++k) { p.grains.velocity[k] = {random.uniform(-3, 3), random.uniform(-3, 3)}; }
+  for (std::size_t k = 0; k < p.grains.size(); ++k) {
+    p.grains.velocity[k] = {random.uniform(-3, 3), random.uniform(-3, 3)};
+  }
   ContactParameters contact;
   contact.restitution = 0.9;
   Engine engine(p, contact, {});
@@ -78,8 +81,8 @@ TEST_P(Neighbours, StayCompleteWhileGrainsAndWallsMove) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cells, Neighbours,
-                         ::testing::Values(Cell{{false, false}, 0}, Cell{{true, false}, 0}, Cell{{false, true}, 0}, Cell{{true, true}, 0},
-                                           Cell{{true, true}, 0.3}, Cell{{true, true}, -0.45}));
+                         ::testing::Values(Cell{{false, false}, 0}, Cell{{true, false}, 0}, Cell{{false, true}, 0},
+                                           Cell{{true, true}, 0}, Cell{{true, true}, 0.3}, Cell{{true, true}, -0.45}));
 
 TEST(PeriodicCell, TooNarrowForItsGrainsIsRefused) {
   Packing p = testing::empty_container(0.02, 0.2);

@@ -25,7 +25,8 @@ Stage stage_with(std::vector<Programme> programmes, double duration) {
   stage.duration = duration;
   stage.programmes = std::move(programmes);
   for (const Programme& p : stage.programmes)
-    if (p.drives_side()) stage.side[static_cast<std::size_t>(p.side())] = {static_cast<SideDrive::Kind>(1 + p.drive()), p.table.front().y};
+    if (p.drives_side())
+      stage.side[static_cast<std::size_t>(p.side())] = {static_cast<SideDrive::Kind>(1 + p.drive()), p.table.front().y};
   return stage;
 }
 
@@ -51,7 +52,8 @@ TEST(Programme, HasTheAreaBelowItsTable) {
   EXPECT_DOUBLE_EQ(integral(p, 5), 10 + 15 + 12 + 7);
   p.repeat = true;
   EXPECT_DOUBLE_EQ(integral(p, 8 + 1.5), 2 * 37 + 10 + 0.5 * 12.5);
-  for (const double t : {0.3, 1.7, 3.1, 4.5, 6.2, 9.25}) EXPECT_NEAR((integral(p, t + 1e-6) - integral(p, t - 1e-6)) / 2e-6, p.at(t), 1e-5) << t;
+  for (const double t : {0.3, 1.7, 3.1, 4.5, 6.2, 9.25})
+    EXPECT_NEAR((integral(p, t + 1e-6) - integral(p, t - 1e-6)) / 2e-6, p.at(t), 1e-5) << t;
 }
 
 TEST(Programme, MovesAWallByTheAreaBelowItsVelocities) {
@@ -61,10 +63,13 @@ TEST(Programme, MovesAWallByTheAreaBelowItsVelocities) {
     IntegrationParameters integration;
     integration.integrator = kind;
     Engine engine(start, {}, integration);
-    const Stage stage = stage_with({{velocity_of(top), {{0, 0}, {0.002, 2}, {0.004, -1}}}, {velocity_of(left), {{0, 1}, {0.001, 1}, {0.001, 0}}}}, 0.004);
+    const Stage stage = stage_with(
+        {{velocity_of(top), {{0, 0}, {0.002, 2}, {0.004, -1}}}, {velocity_of(left), {{0, 1}, {0.001, 1}, {0.001, 0}}}},
+        0.004);
     StageRun run = begin_stage(engine, stage);
     while (!run.finished) continue_stage(engine, stage, run);
-    // Triangles of 0.002 s x 2 m/s / 2 and the way down to -1 m/s; where a table bends within a step, the square of that is lost at most.
+    // Triangles of 0.002 s x 2 m/s / 2 and the way down to -1 m/s; where a table bends within a step, the square of
+    // that is lost at most.
     const double bend = 2000 * engine.time_step() * engine.time_step(), late = engine.time() - 0.004;
     EXPECT_NEAR(0.2 - engine.domain().wall[top].position, 0.002 + 0.001 - late, bend);
     EXPECT_NEAR(engine.domain().wall[left].position, 0.001, engine.time_step());  // it stops within a step
@@ -100,7 +105,8 @@ Packing crystal() {
   p.domain.periodic[0] = p.domain.periodic[1] = true;
   for (Wall& wall : p.domain.wall) wall.present = false;
   for (int r = 0; r < rows; ++r)
-    for (int c = 0; c < columns; ++c) add_grain(p, d * (0.25 + c + 0.5 * (r % 2)), d * std::sqrt(0.75) * (r + 0.5), d / 2);
+    for (int c = 0; c < columns; ++c)
+      add_grain(p, d * (0.25 + c + 0.5 * (r % 2)), d * std::sqrt(0.75) * (r + 0.5), d / 2);
   return p;
 }
 
@@ -109,8 +115,10 @@ TEST(Programme, HoldsACrystalOnAPathOfStressAtAGivenRatio) {
   ContactParameters law;
   law.friction_law = NoFriction{};
   Engine engine(start, law, {});
-  const double c11 = std::sqrt(3) / 4 * 3 * 27.35e6 / 0.06, c12 = c11 / 3, peak = 2e6, time = 0.05;  // Pa, of springs 60 mm long
-  Stage stage = stage_with({{pressure_on(top), {{0, 0}, {time, peak}}}, {pressure_on(right), {{0, 0}, {time, 0.6 * peak}}}}, time);
+  const double c11 = std::sqrt(3) / 4 * 3 * 27.35e6 / 0.06, c12 = c11 / 3, peak = 2e6,
+               time = 0.05;  // Pa, of springs 60 mm long
+  Stage stage = stage_with(
+      {{pressure_on(top), {{0, 0}, {time, peak}}}, {pressure_on(right), {{0, 0}, {time, 0.6 * peak}}}}, time);
   stage.drag = 3000;
   StageRun run = begin_stage(engine, stage);
   double share = 0.25;
@@ -136,7 +144,8 @@ TEST(Programme, DoesTheWorkThatTheSampleTakes) {
   start.domain.periodic[0] = start.domain.periodic[1] = false;
   for (int side = 0; side < 4; ++side) {  // rows that stand off stay inside, all but touching
     const Vec2 inward = inward_normal(side);
-    start.domain.wall[static_cast<std::size_t>(side)].position -= (inward.x + inward.y) * (side < bottom ? 0.003 : 0.0009);
+    start.domain.wall[static_cast<std::size_t>(side)].position -=
+        (inward.x + inward.y) * (side < bottom ? 0.003 : 0.0009);
   }
   ContactParameters law;
   law.friction = 0.4;
@@ -211,8 +220,9 @@ TEST(Programme, MovesABoundary) {
     while (!run.finished) continue_stage(engine, stage, run);
     return engine;
   };
-  const Engine placed =
-      moved(stage_with({of(x, {{0, 0}, {0.001, 0.002}, {0.002, 0}}, true), of(velocity_y, {{0, 1}, {0.005, 1}}), of(angle, {{0, 0}, {0.005, 0.3}})}, 0.005));
+  const Engine placed = moved(stage_with({of(x, {{0, 0}, {0.001, 0.002}, {0.002, 0}}, true),
+                                          of(velocity_y, {{0, 1}, {0.005, 1}}), of(angle, {{0, 0}, {0.005, 0.3}})},
+                                         0.005));
   const double late = placed.time() - 0.005;
   const Boundary& there = placed.domain().boundaries[0];
   EXPECT_NEAR(there.centre.x - 0.1, 2 * (0.001 - late), 1e-12);
@@ -225,7 +235,8 @@ TEST(Programme, MovesABoundary) {
   pushed.boundaries = {{"plate", {}, 0, {}, false, 0.5, {2, 0}}};
   const Engine thrown = moved(pushed);
   EXPECT_NEAR(thrown.packing().domain.boundaries[0].velocity.x, 0.5 * 2 * 0.005 / 0.5, 1e-8);
-  EXPECT_NEAR(thrown.domain().boundaries[0].centre.x - 0.1, 2 / 0.5 * 0.005 * 0.005 / 3 + 0.01 * (thrown.time() - 0.005), 1e-9);
+  EXPECT_NEAR(thrown.domain().boundaries[0].centre.x - 0.1,
+              2 / 0.5 * 0.005 * 0.005 / 3 + 0.01 * (thrown.time() - 0.005), 1e-9);
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ ContactParameters with(const RollingLaw& rolling) {
   return contact;
 }
 
-/// A disk at rest on the floor under gravity of this angle from straight down; its mean acceleration along the floor in a second.
+/// A disk at rest on the floor under gravity of this angle from straight down; its mean acceleration along the floor in
+/// a second.
 double acceleration_on_slope(const RollingLaw& rolling, double angle) {
   Packing p = testing::empty_container(100, 0.2);
   testing::add_grain(p, 1, 0.01 - 1e-7, 0.01);

@@ -65,7 +65,8 @@ TEST(EvenMasses, KeepTheRestitutionOfUnlikeDisks) {
 
 TEST(EvenMasses, AreThoseOfTheGrainWithTheFastestContacts) {
   Packing p = empty_container(1, 1);
-  const auto light = add_grain(p, 0.2, 0.2, 0.004), heavy = add_grain(p, 0.8, 0.8, 0.016), soft = add_grain(p, 0.5, 0.5, 0.012, 1);
+  const auto light = add_grain(p, 0.2, 0.2, 0.004), heavy = add_grain(p, 0.8, 0.8, 0.016),
+             soft = add_grain(p, 0.5, 0.5, 0.012, 1);
   for (const auto k : {light, heavy, soft}) p.grains.velocity[k].x = 1;
   Engine engine(p, springy(0.5), {});
   const double own = engine.energies().kinetic;
@@ -77,13 +78,14 @@ TEST(EvenMasses, AreThoseOfTheGrainWithTheFastestContacts) {
 }
 
 TEST(EvenMasses, AreHeavyEnoughForTheStepThatTheOwnOnesAllow) {
-  // A lattice with a slightly smaller grain, free in the place of one of its own: it alone sets the step of own masses, and
-  // a whole lattice of its mass is faster.
+  // A lattice with a slightly smaller grain, free in the place of one of its own: it alone sets the step of own masses,
+  // and a whole lattice of its mass is faster.
   const double d = 0.01, pitch = d * (1 - 1e-4), rise = pitch * std::sqrt(0.75);
   Packing p = empty_container(12 * pitch, 12 * rise);
   p.domain.periodic[0] = p.domain.periodic[1] = true;
   for (int r = 0; r < 12; ++r)
-    for (int c = 0; c < 12; ++c) add_grain(p, (c + 0.25 + 0.5 * (r % 2)) * pitch, (r + 0.5) * rise, (r == 6 && c == 6 ? 0.45 : 0.5) * d);
+    for (int c = 0; c < 12; ++c)
+      add_grain(p, (c + 0.25 + 0.5 * (r % 2)) * pitch, (r + 0.5) * rise, (r == 6 && c == 6 ? 0.45 : 0.5) * d);
   IntegrationParameters integration;
   integration.time_step = 1e-9;
   integration.time_step = 0.999 * Engine(p, springy(0.5), integration).bounds().largest();

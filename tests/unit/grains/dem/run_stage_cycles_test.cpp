@@ -33,7 +33,8 @@ TEST(StrainCycles, GoToAndFroBetweenTwoStrainsAndBackToTheForce) {
   stage.name = "cycle";
   stage.strain_cycles = StrainCycles{top, 0.0002, 0.001, 0.5, 400, 100};
   const StageRun run = to_its_end(engine, stage);
-  const auto &at_maximum = column(run.result.cycles, "at_maximum"), &position = column(run.result.cycles, "top_position");
+  const auto &at_maximum = column(run.result.cycles, "at_maximum"),
+             &position = column(run.result.cycles, "top_position");
   const auto &force = column(run.result.cycles, "top_force"), &cycle = column(run.result.cycles, "cycle");
   ASSERT_EQ(cycle.size(), 800u);
   for (std::size_t k = 0; k < cycle.size(); ++k) {
@@ -96,7 +97,8 @@ TEST(StressCycles, KnowEveryCycleOfThousandsWithoutItsStates) {
   ASSERT_TRUE(run.result.converged) << run.result.outcome;
   const auto &force = column(run.result.cycles, "top_force"), &at_maximum = column(run.result.cycles, "at_maximum");
   ASSERT_EQ(force.size(), 2000u);
-  for (std::size_t k = 0; k < force.size(); ++k) ASSERT_NEAR(force[k] / (at_maximum[k] == 1 ? 1000 : 100), 1, 0.05) << k;
+  for (std::size_t k = 0; k < force.size(); ++k)
+    ASSERT_NEAR(force[k] / (at_maximum[k] == 1 ? 1000 : 100), 1, 0.05) << k;
   ASSERT_EQ(run.result.snapshots.size(), 1u + 2 + 2 + 2);
   EXPECT_EQ(run.result.snapshots.back().label, "cycle 1000 minimum");
 }

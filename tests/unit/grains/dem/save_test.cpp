@@ -55,13 +55,14 @@ TEST_P(Save, AResumedRunHasTheBitsOfOneInOnePiece) {
   EXPECT_EQ(resumed.energies().dissipated_normal, whole.energies().dissipated_normal);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Save,
-                         ::testing::Values(Set{"verlet", IntegratorKind::velocity_verlet, dem::RegularisedCoulomb{}, false, false},
-                                           Set{"verlet_tracked", IntegratorKind::velocity_verlet, dem::CundallStrack{}, false, true},
-                                           Set{"leapfrog_periodic", IntegratorKind::leapfrog, dem::CundallStrack{}, true, false},
-                                           Set{"gear_tracked", IntegratorKind::gear5, dem::CundallStrack{}, false, true},
-                                           Set{"gear_periodic", IntegratorKind::gear5, dem::RegularisedCoulomb{}, true, true}),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    All, Save,
+    ::testing::Values(Set{"verlet", IntegratorKind::velocity_verlet, dem::RegularisedCoulomb{}, false, false},
+                      Set{"verlet_tracked", IntegratorKind::velocity_verlet, dem::CundallStrack{}, false, true},
+                      Set{"leapfrog_periodic", IntegratorKind::leapfrog, dem::CundallStrack{}, true, false},
+                      Set{"gear_tracked", IntegratorKind::gear5, dem::CundallStrack{}, false, true},
+                      Set{"gear_periodic", IntegratorKind::gear5, dem::RegularisedCoulomb{}, true, true}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 TEST(SavedState, IsRefusedWhenCutShortOrOfAnotherSample) {
   Engine engine(crowd(5, 5, 1), {}, {});

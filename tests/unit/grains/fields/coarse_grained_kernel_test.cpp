@@ -29,13 +29,16 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Kernels, testing::Values(KernelShape::gaussian,
                          [](const auto& of) { return of.param == KernelShape::gaussian ? "Gaussian" : "Lucy"; });
 
 TEST_P(Kernels, HaveIntegralOneAndTheirWidthAsDeviationAlongAnAxis) {
-  // Simpson's rule errs by (reach/2000)^4 of the fourth derivative, a few times 1e-11 at most; beyond the reach lie 2.1e-16 of the
-  // Gaussian.
+  // Simpson's rule errs by (reach/2000)^4 of the fourth derivative, a few times 1e-11 at most; beyond the reach lie
+  // 2.1e-16 of the Gaussian.
   const auto moment = [&](int power) {
-    return integral(0, kernel.reach(), 1000, [&](double r) { return 2 * std::numbers::pi * std::pow(r, power + 1) * kernel.value({0, r}); });
+    return integral(0, kernel.reach(), 1000, [&](double r) {
+      return 2 * std::numbers::pi * std::pow(r, power + 1) * kernel.value({0, r});
+    });
   };
   EXPECT_NEAR(moment(0), 1, 1e-10);
-  EXPECT_NEAR(std::sqrt(moment(2) / 2), width, 1e-10);  // <r^2> = <x^2> + <y^2>; what lies beyond weighs 72 w^2 times 2.1e-16
+  EXPECT_NEAR(std::sqrt(moment(2) / 2), width,
+              1e-10);  // <r^2> = <x^2> + <y^2>; what lies beyond weighs 72 w^2 times 2.1e-16
   EXPECT_LT(kernel.value({1.0001 * kernel.reach(), 0}), 2.2e-16 * kernel.value({}));
 }
 
@@ -51,8 +54,9 @@ TEST_P(Kernels, HaveTheGradientOfTheirValue) {
 }
 
 TEST_P(Kernels, HaveTheMeanAlongALineThatQuadratureFinds) {
-  // Simpson's rule over 4000 pieces of a line up to 20 w long. The Gaussian is smooth (h^4 = 1e-14 times the fourth derivative); Lucy's
-  // third derivative jumps by 72/c^3 at its rim and |t|^3 at its middle: h^3 times that, 1e-9, spread over the length.
+  // Simpson's rule over 4000 pieces of a line up to 20 w long. The Gaussian is smooth (h^4 = 1e-14 times the fourth
+  // derivative); Lucy's third derivative jumps by 72/c^3 at its rim and |t|^3 at its middle: h^3 times that, 1e-9,
+  // spread over the length.
   RandomStream random(2, Purpose::test);
   for (int k = 0; k < 100; ++k) {
     const auto place = [&] { return Vec2{random.uniform(-7, 7) * width, random.uniform(-7, 7) * width}; };

@@ -14,20 +14,22 @@ namespace {
 
 using std::numbers::pi;
 
-/// Grains that fly about in a periodic cell of 10 m x 8 m, with random forces where they overlap: large enough to weigh as much in the
-/// balance of momentum as the flow does.
+/// Grains that fly about in a periodic cell of 10 m x 8 m, with random forces where they overlap: large enough to weigh
+/// as much in the balance of momentum as the flow does.
 Packing gas(std::uint64_t seed, double tilt = 0, int grains = 60) {
   RandomStream random(seed, Purpose::test);
   Packing p = test::empty_box(10, 8, 0.06);
   p.domain.periodic[0] = p.domain.periodic[1] = true;
   p.domain.tilt = tilt;
   for (int g = 0; g < grains; ++g) {
-    test::add_grain(p, {random.uniform(0, 10), random.uniform(0, 8)}, random.uniform(0.3, 0.6), static_cast<int>(random.below(2)));
+    test::add_grain(p, {random.uniform(0, 10), random.uniform(0, 8)}, random.uniform(0.3, 0.6),
+                    static_cast<int>(random.below(2)));
     p.grains.velocity.back() = {3 + random.normal(), random.normal()};
   }
   for (std::size_t i = 0; i < p.grains.size(); ++i)
     for (std::size_t j = i + 1; j < p.grains.size(); ++j)
-      if (norm(p.domain.nearest_image(p.grains.position[i] - p.grains.position[j])) < p.grains.radius[i] + p.grains.radius[j])
+      if (norm(p.domain.nearest_image(p.grains.position[i] - p.grains.position[j])) <
+          p.grains.radius[i] + p.grains.radius[j])
         test::add_contact(p, i, j, -400 * std::log(1 - random.uniform()), random.uniform(-120, 120));
   return p;
 }
@@ -57,7 +59,8 @@ Sums sums_of(const Packing& p) {
     s.momentum += m * v;
     s.momentum_size += m * norm(v);
   }
-  for (std::size_t c = 0; c < p.contacts.size(); ++c) s.moment_size += norm(p.contacts.force_on_i(c)) * (p.contacts.arm_i[c] + p.contacts.arm_j[c]);
+  for (std::size_t c = 0; c < p.contacts.size(); ++c)
+    s.moment_size += norm(p.contacts.force_on_i(c)) * (p.contacts.arm_i[c] + p.contacts.arm_j[c]);
   return s;
 }
 
@@ -68,7 +71,9 @@ double worst_integral(const Packing& p, const CoarseFields& f) {
   Tensor2 moment;
   for (std::size_t c = 0; c < p.contacts.size(); ++c) moment += outer(p.contacts.force_on_i(c), p.contacts.branch(c));
   double worst = 0;
-  const auto compare = [&](double found, double wanted, double size) { worst = std::max(worst, std::abs(found - wanted) / size); };
+  const auto compare = [&](double found, double wanted, double size) {
+    worst = std::max(worst, std::abs(found - wanted) / size);
+  };
   compare(total(f.density) * volume, s.mass, s.mass);
   compare(total(f.solid_fraction) * f.grid.cell_area(), s.area, s.area);
   compare(total(part(f.momentum, &Vec2::x)) * volume, s.momentum.x, s.momentum_size);
@@ -79,19 +84,23 @@ double worst_integral(const Packing& p, const CoarseFields& f) {
 }
 
 TEST(CoarseGrained, IntegratesOverAPeriodicCellToMassMomentumAndLoveWeberSum) {
-  // The sum over a grid of steps h differs from the integral by the Fourier components of wavelength h and less. Of a Gaussian of width 1.6
-  // h they are exp(-2 (1.6 pi)^2) = 1e-22: what is left is rounding of some thousand terms and the tail cut at 2e-16.
+  // The sum over a grid of steps h differs from the integral by the Fourier components of wavelength h and less. Of a
+  // Gaussian of width 1.6 h they are exp(-2 (1.6 pi)^2) = 1e-22: what is left is rounding of some thousand terms and
+  // the tail cut at 2e-16.
   for (const double tilt : {0.0, 2.7, -13.0}) {
     const Packing p = gas(3, tilt);
-    EXPECT_LT(worst_integral(p, coarse_grain(p, grid_over(p.domain, 0.25), {KernelShape::gaussian, 0.4, {}})), 1e-12) << tilt;
-    EXPECT_LT(worst_integral(p, coarse_grain(p, grid_over(p.domain, 0.5), {KernelShape::gaussian, 5, {}})), 1e-12) << tilt;
-    // Lucy's components fall as 1/k^4.5 only, from 1 at k c = 1: at k = 2 pi/h with c = 13.4 h that is 84^-4.5 = 2e-9 times its numerical
-    // factor (at the rim 5/pi 6 times 2 pi sqrt(2/pi) = 48, in each of 4 directions).
+    EXPECT_LT(worst_integral(p, coarse_grain(p, grid_over(p.domain, 0.25), {KernelShape::gaussian, 0.4, {}})), 1e-12)
+        << tilt;
+    EXPECT_LT(worst_integral(p, coarse_grain(p, grid_over(p.domain, 0.5), {KernelShape::gaussian, 5, {}})), 1e-12)
+        << tilt;
+    // Lucy's components fall as 1/k^4.5 only, from 1 at k c = 1: at k = 2 pi/h with c = 13.4 h that is 84^-4.5 = 2e-9
+    // times its numerical factor (at the rim 5/pi 6 times 2 pi sqrt(2/pi) = 48, in each of 4 directions).
     EXPECT_LT(worst_integral(p, coarse_grain(p, grid_over(p.domain, 0.25), {KernelShape::lucy, 1, {}})), 4e-7) << tilt;
   }
 }
 
-/// Derivative along x or y of a periodic field whose shortest waves are empty, by its trigonometric interpolation: exact to rounding.
+/// Derivative along x or y of a periodic field whose shortest waves are empty, by its trigonometric interpolation:
+/// exact to rounding.
 std::vector<double> derivative(const Grid& grid, const std::vector<double>& f, bool along_x) {
   const int n = along_x ? grid.columns : grid.rows;  // even
   const double length = along_x ? grid.bounds.width() : grid.bounds.height();
@@ -144,8 +153,9 @@ Rates rates_at(const Packing& p, Vec2 point, double width) {
 }
 
 TEST(CoarseGrained, ConservesMassAndMomentumAtEveryPoint) {
-  // Width 0.8 = 3.2 h: waves of 2 h, the shortest that the grid knows, are exp(-(3.2 pi)^2/2) = 1e-22 of the longest, so the derivative is
-  // exact but for rounding, 40 weights of up to n/2 each times 1e-16, and for images beyond the nearest, exp(-(8/0.8)^2/2).
+  // Width 0.8 = 3.2 h: waves of 2 h, the shortest that the grid knows, are exp(-(3.2 pi)^2/2) = 1e-22 of the longest,
+  // so the derivative is exact but for rounding, 40 weights of up to n/2 each times 1e-16, and for images beyond the
+  // nearest, exp(-(8/0.8)^2/2).
   const double width = 0.8;
   const Packing p = gas(7);
   const Grid grid = grid_over(p.domain, 0.25);
@@ -175,16 +185,18 @@ TEST(CoarseGrained, BalancesForcesByTheContactStressAlone) {
   for (std::size_t g = 0; g < p.grains.size(); ++g) p.grains.velocity[g].x = p.grains.velocity[g].y = 0;
   const Grid grid = grid_over(p.domain, 0.25);
   const CoarseFields f = coarse_grain(p, grid, {KernelShape::gaussian, 0.8, {}});
-  const std::vector<double> push = divergence(grid, part(f.contact_stress, &Tensor2::xx), part(f.contact_stress, &Tensor2::xy));
+  const std::vector<double> push =
+      divergence(grid, part(f.contact_stress, &Tensor2::xx), part(f.contact_stress, &Tensor2::xy));
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column)
-      EXPECT_NEAR(push[static_cast<std::size_t>(row * grid.columns + column)], rates_at(p, grid.point(column, row), 0.8).momentum.x, 1e-12 * largest(push));
+      EXPECT_NEAR(push[static_cast<std::size_t>(row * grid.columns + column)],
+                  rates_at(p, grid.point(column, row), 0.8).momentum.x, 1e-12 * largest(push));
   EXPECT_EQ(largest(part(f.kinetic_stress, &Tensor2::xx)), 0);
 }
 
 TEST(CoarseGrained, HasTheGradientOfItsVelocity) {
-  // V is no band-limited field, so the gradient is that of a difference over a step e = 1e-4 w: e^2 of a third derivative, 1e-8, and
-  // rounding 1e-12.
+  // V is no band-limited field, so the gradient is that of a difference over a step e = 1e-4 w: e^2 of a third
+  // derivative, 1e-8, and rounding 1e-12.
   const Packing p = gas(9, 1.3);
   for (const KernelShape shape : {KernelShape::gaussian, KernelShape::lucy}) {
     const CoarseGraining choice{shape, 1, {}};
@@ -231,13 +243,15 @@ TEST(CoarseGrained, KineticStressOfAShearWithoutFluctuationIsNoneWhateverTheWidt
   for (const double width : {0.9, 1.5, 2.5}) {
     const CoarseFields f = coarse_grain(p, grid_over(p.domain, 1), {KernelShape::gaussian, width, 0.3 * 12});
     EXPECT_LT(largest(part(f.kinetic_stress, &Tensor2::xx)), 1e-10 * f.density[0]) << width;
-    EXPECT_NEAR(f.gradient_stress[0].xx, -f.density[0] * 0.09 * width * width, 0.02 * f.density[0] * 0.09 * width * width) << width;
+    EXPECT_NEAR(f.gradient_stress[0].xx, -f.density[0] * 0.09 * width * width,
+                0.02 * f.density[0] * 0.09 * width * width)
+        << width;
   }
 }
 
 TEST(CoarseGrained, ImagesMoveWithTheSidesOfTheCell) {
-  // A lattice under simple shear v_x = 0.3 y in a Lees-Edwards cell 6 m high: at a grain, by symmetry, V is its own velocity, in every row
-  // alike.
+  // A lattice under simple shear v_x = 0.3 y in a Lees-Edwards cell 6 m high: at a grain, by symmetry, V is its own
+  // velocity, in every row alike.
   Packing p = test::square_lattice(6);
   for (std::size_t g = 0; g < p.grains.size(); ++g) p.grains.velocity[g].x = 0.3 * p.grains.position[g].y;
   const CoarseFields f = coarse_grain(p, grid_over(p.domain, 1), {KernelShape::lucy, 0.9, 0.3 * 6});
@@ -257,7 +271,8 @@ TEST(CoarseGrained, ImagesMoveWithTheSidesOfTheCell) {
 }
 
 TEST(CoarseGrained, KnowsWallsByTheirForceOnTheGrains) {
-  // A grain on the floor: stress along the line from its centre to the floor, and a force density around the point of contact.
+  // A grain on the floor: stress along the line from its centre to the floor, and a force density around the point of
+  // contact.
   Packing p = test::empty_box(2, 2, 0.5);
   test::add_grain(p, {1, 0.3}, 0.3);
   test::add_wall_contact(p, 0, bottom, 7, 2);

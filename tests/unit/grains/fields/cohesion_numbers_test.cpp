@@ -29,7 +29,8 @@ StageResult drawn() {
   r.snapshots.push_back({1, 1000, "end", grid(), {}, {}});
   r.snapshots.back().packing.cohesive.resize(5);
   const std::vector<double> zero(4, 0.0), wide(4, 0.03);
-  r.history.columns = {{"left_position", "m", zero}, {"right_position", "m", wide}, {"top_force", "N", {0.3, -0.6, -0.45, -0.1}}};
+  r.history.columns = {
+      {"left_position", "m", zero}, {"right_position", "m", wide}, {"top_force", "N", {0.3, -0.6, -0.45, -0.1}}};
   return r;
 }
 

@@ -16,8 +16,8 @@ struct Record {
   std::vector<double> time, passed;
 };
 
-/// Grains of mass 2 pass one by one from `begin` to `end` at a rate that fluctuates from interval to interval about 500 1/s; the rate comes up and dies
-/// away in 0.1 s.
+/// Grains of mass 2 pass one by one from `begin` to `end` at a rate that fluctuates from interval to interval about 500
+/// 1/s; the rate comes up and dies away in 0.1 s.
 Record record(std::uint64_t seed, double begin, double end, double spread) {
   RandomStream random(seed, Purpose::test);
   Record r;
@@ -26,7 +26,8 @@ Record record(std::uint64_t seed, double begin, double end, double spread) {
     const double t = 2e-3 * k;
     r.time.push_back(t);
     r.passed.push_back(2 * std::floor(amount));
-    const double up = 1 - std::exp(-std::max(0.0, t - begin) / 0.02), down = 1 - std::exp(-std::max(0.0, end - t) / 0.02);
+    const double up = 1 - std::exp(-std::max(0.0, t - begin) / 0.02),
+                 down = 1 - std::exp(-std::max(0.0, end - t) / 0.02);
     if (t > begin && t < end) amount += 2e-3 * 500 * up * down * std::max(0.0, 1 + spread * random.normal());
   }
   return r;

@@ -57,7 +57,8 @@ TEST(FlowNumbers, TellTheFloorOfASilo) {
   const std::size_t rows = silo.history.columns[0].values.size();
   for (const auto& [name, force] : {std::pair{"bottom_force", 60.0}, {"left_force", 50.0}, {"right_force", 50.0}}) {
     silo.history.columns.push_back({name, "N", std::vector<double>(rows, force)});
-    for (std::size_t k = 0; k < rows; ++k) silo.history.columns.back().values[k] += (k < rows / 3 ? 100 : 0.5 * std::cos(2.4 * static_cast<double>(k)));
+    for (std::size_t k = 0; k < rows; ++k)
+      silo.history.columns.back().values[k] += (k < rows / 3 ? 100 : 0.5 * std::cos(2.4 * static_cast<double>(k)));
   }
   Packing& packing = silo.snapshots.back().packing;
   packing.domain.wall[right].position = 0.6;

@@ -16,8 +16,8 @@ namespace {
 using Chain = std::vector<std::int32_t>;
 constexpr double degree = std::numbers::pi / 180;
 
-/// Touching disks of radius 1/2, each next one turned by `turns` from x; every contact carries 1 N, as do walls at both ends, which are
-/// drawn here as contacts with the left wall, turned to push along the ends.
+/// Touching disks of radius 1/2, each next one turned by `turns` from x; every contact carries 1 N, as do walls at both
+/// ends, which are drawn here as contacts with the left wall, turned to push along the ends.
 Packing bent_chain(const std::vector<double>& turns_deg) {
   Packing p = test::empty_box(100, 100);
   Vec2 at{10, 50}, along{1, 0};
@@ -80,7 +80,8 @@ TEST(ForceChains, FindsTheLoadedColumnOfALattice) {
 
 TEST(ForceChains, CloseAroundAPeriodicCell) {
   Packing p = test::square_lattice(6);
-  for (std::size_t c = 0; c < p.contacts.size(); ++c) p.contacts.fn[c] = std::abs(p.contacts.normal[c].y) < 0.5 ? 0.5 : p.contacts.i[c] % 2 == 0 ? 3 : 1;
+  for (std::size_t c = 0; c < p.contacts.size(); ++c)
+    p.contacts.fn[c] = std::abs(p.contacts.normal[c].y) < 0.5 ? 0.5 : p.contacts.i[c] % 2 == 0 ? 3 : 1;
   const ForceChains f = find_force_chains(p);
   EXPECT_EQ(f.chains.size(), 3u);
   EXPECT_EQ(f.ring, (std::vector<std::uint8_t>{1, 1, 1}));
@@ -96,8 +97,9 @@ TEST(ForceChains, BreakWhereTheyBendByMoreThanTwiceTheAngle) {
 }
 
 TEST(ForceChains, GoStraightOnAtAFork) {
-  // A chain along x that forks at 35 degrees. The direction of greatest compression at the fork, from 1 N on either side along x and 0.8 N
-  // at 35 degrees, is 9 degrees off x: within the angle of both branches, but nearer to the straight one.
+  // A chain along x that forks at 35 degrees. The direction of greatest compression at the fork, from 1 N on either
+  // side along x and 0.8 N at 35 degrees, is 9 degrees off x: within the angle of both branches, but nearer to the
+  // straight one.
   Packing p = bent_chain({0, 0, 0, 0, 0, 0});
   Vec2 at = p.grains.position[3];
   std::size_t last = 3;
@@ -107,7 +109,8 @@ TEST(ForceChains, GoStraightOnAtAFork) {
     test::add_contact(p, last, p.grains.size() - 1, 0.8);
     last = p.grains.size() - 1;
   }
-  p.contacts.add(static_cast<std::int32_t>(last), wall_partner(top), {-std::cos(35 * degree), -std::sin(35 * degree)}, 0.8, 0, 0.5, 0);
+  p.contacts.add(static_cast<std::int32_t>(last), wall_partner(top), {-std::cos(35 * degree), -std::sin(35 * degree)},
+                 0.8, 0, 0.5, 0);
   const ForceChains f = find_force_chains(p, {1, 45, 3});
   ASSERT_EQ(f.chains.size(), 2u);
   EXPECT_EQ(f.chains[0], (Chain{0, 1, 2, 3, 4, 5, 6}));
@@ -163,7 +166,8 @@ TEST(ForceChains, RefusesAnAngleThatIsNone) {
 
 TEST(StrongClusters, OfALatticeAreItsLoadedColumns) {
   Packing p = test::square_lattice(6);
-  for (std::size_t c = 0; c < p.contacts.size(); ++c) p.contacts.fn[c] = std::abs(p.contacts.normal[c].y) > 0.5 && p.contacts.i[c] % 6 == 1 ? 3 : 0.5;
+  for (std::size_t c = 0; c < p.contacts.size(); ++c)
+    p.contacts.fn[c] = std::abs(p.contacts.normal[c].y) > 0.5 && p.contacts.i[c] % 6 == 1 ? 3 : 0.5;
   const StrongClusters s = strong_clusters(p);
   EXPECT_EQ(s.grains, std::vector<std::size_t>{6});
   EXPECT_EQ(s.contacts_of, std::vector<std::size_t>{6});
@@ -186,7 +190,8 @@ TEST(StrongClusters, ComeLargestFirstAndHoldEveryStrongContact) {
     for (const std::size_t n : s.contacts_of) contacts += n;
     EXPECT_EQ(contacts, s.contacts);
     for (std::size_t k = 0; k < s.grains.size(); ++k) {
-      EXPECT_EQ(static_cast<std::size_t>(std::count(s.of.begin(), s.of.end(), static_cast<std::int32_t>(k))), s.grains[k]);
+      EXPECT_EQ(static_cast<std::size_t>(std::count(s.of.begin(), s.of.end(), static_cast<std::int32_t>(k))),
+                s.grains[k]);
       EXPECT_GE(s.contacts_of[k] + 1, s.grains[k]);  // a tree at least
     }
     for (std::size_t c = 0; c < p.contacts.size(); ++c)

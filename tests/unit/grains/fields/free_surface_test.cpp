@@ -12,7 +12,8 @@ namespace {
 
 constexpr double radius = 0.0025, slope_degree = std::numbers::pi / 180;
 
-/// Disks in rows, all whose centres lie below a roof that falls from its ridge to the left and to the right, turned about the origin.
+/// Disks in rows, all whose centres lie below a roof that falls from its ridge to the left and to the right, turned
+/// about the origin.
 Packing heap(double ridge, double height, double left_angle, double right_angle, double turned = 0) {
   Packing p;
   p.materials = {{"glass", 2500, 1e6, 0}};
@@ -21,7 +22,8 @@ Packing heap(double ridge, double height, double left_angle, double right_angle,
   for (int r = 0; r * row < height; ++r)
     for (int c = -400; c < 400; ++c) {
       const double x = ridge + (2 * c + r % 2) * radius, y = r * row;
-      const double roof = height - (x < ridge ? (ridge - x) * std::tan(left_angle) : (x - ridge) * std::tan(right_angle));
+      const double roof =
+          height - (x < ridge ? (ridge - x) * std::tan(left_angle) : (x - ridge) * std::tan(right_angle));
       if (y > roof || x < 0) continue;
       g.resize(g.size() + 1);
       g.position.back() = {x * std::cos(turned) - y * std::sin(turned), x * std::sin(turned) + y * std::cos(turned)};

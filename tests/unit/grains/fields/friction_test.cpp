@@ -64,7 +64,8 @@ TEST(Friction, TakesPowerFromWhatSlidesAgainstItsForce) {
 }
 
 TEST(Friction, ErrorsAreThoseOfTheScatterBetweenBlocks) {
-  // Mobilisation uniform in [0, 1) on 2 x 30 x 30 contacts: 1/2 with a standard error of sqrt(1/12/1800), known from 36 blocks to 12 %.
+  // Mobilisation uniform in [0, 1) on 2 x 30 x 30 contacts: 1/2 with a standard error of sqrt(1/12/1800), known from 36
+  // blocks to 12 %.
   Packing p = test::square_lattice(30);
   RandomStream random(5, Purpose::test);
   for (double& t : p.contacts.ft) t = 0.5 * random.uniform(-1, 1);

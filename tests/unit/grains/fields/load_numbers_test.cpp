@@ -17,7 +17,9 @@ StageResult loaded(const std::vector<double>& forces) {
   std::vector<double> time, twice;
   for (std::size_t k = 0; k < forces.size(); ++k) time.push_back(0.01 * static_cast<double>(k + 1));
   for (const double f : forces) twice.push_back(2 * f);
-  const auto column = [&](const char* name, const char* unit, std::vector<double> values) { r.history.columns.push_back({name, unit, std::move(values)}); };
+  const auto column = [&](const char* name, const char* unit, std::vector<double> values) {
+    r.history.columns.push_back({name, unit, std::move(values)});
+  };
   column("time", "s", time);
   column("left_position", "m", std::vector<double>(forces.size(), 0.1));
   column("right_position", "m", std::vector<double>(forces.size(), 0.5));

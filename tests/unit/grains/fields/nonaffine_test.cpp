@@ -42,17 +42,20 @@ Packing moved(Packing p, const Tensor2& f, Vec2 shift) {
 }
 
 TEST(NonAffine, AnAffineMotionLeavesNothing) {
-  // Coordinates of 10 m are rounded by 2e-15 m and sums of twenty of them, through a matrix inverse, by some 1e-14; a squared length by
-  // 1e-28 and less.
+  // Coordinates of 10 m are rounded by 2e-15 m and sums of twenty of them, through a matrix inverse, by some 1e-14; a
+  // squared length by 1e-28 and less.
   struct Case {
     std::array<bool, 2> periodic;
     double tilt;
     Tensor2 f;
   };
-  for (const Case& c : {Case{{false, false}, 0, {1.1, 0.3, -0.4, 0.9}},                                        // with a rotation
-                        Case{{true, true}, 0, {1.02, 0.1, 0, 0.97}}, Case{{true, true}, 3.3, {1, 4.7, 0, 1}},  // sheared by 470 %
-                        Case{{true, true}, -40, {0.5, -0.6, 0, 1.3}}, Case{{true, false}, 0, {1.2, 0, 0, 0.7}}, Case{{false, true}, 0, {1.2, 0, 0, 0.7}}}) {
-    const Packing before = scattered(4, c.periodic[0], c.periodic[1], c.tilt), after = moved(before, c.f, {1.7, c.periodic[1] ? -0.9 : 0.0});
+  for (const Case& c :
+       {Case{{false, false}, 0, {1.1, 0.3, -0.4, 0.9}},                                        // with a rotation
+        Case{{true, true}, 0, {1.02, 0.1, 0, 0.97}}, Case{{true, true}, 3.3, {1, 4.7, 0, 1}},  // sheared by 470 %
+        Case{{true, true}, -40, {0.5, -0.6, 0, 1.3}}, Case{{true, false}, 0, {1.2, 0, 0, 0.7}},
+        Case{{false, true}, 0, {1.2, 0, 0, 0.7}}}) {
+    const Packing before = scattered(4, c.periodic[0], c.periodic[1], c.tilt),
+                  after = moved(before, c.f, {1.7, c.periodic[1] ? -0.9 : 0.0});
     const LocalDeformation local = local_deformation(before, after, 3);
     for (std::size_t g = 0; g < before.grains.size(); ++g) {
       ASSERT_GE(local.neighbours[g], 3);
@@ -79,16 +82,17 @@ TEST(NonAffine, NeighboursAreThoseThatComparingAllImagesGives) {
       for (std::size_t h = 0; h < p.grains.size(); ++h)
         for (int row = -1; row <= 1; ++row)
           for (int column = -4; column <= 4; ++column)
-            count += h != g && norm(p.grains.position[h] + Vec2{10 * column + tilt * row, 8.0 * row} - p.grains.position[g]) <= range;
+            count += h != g && norm(p.grains.position[h] + Vec2{10 * column + tilt * row, 8.0 * row} -
+                                    p.grains.position[g]) <= range;
       EXPECT_EQ(local.neighbours[g], count) << tilt;
     }
   }
 }
 
 TEST(NonAffine, KnowsTheGrainThatLeftTheRest) {
-  // A square lattice in which one grain moved by d = (0.1, 0) against its four neighbours at distance 1. At that grain every r' is r - d,
-  // and since the r cancel each other F = 1, so D2min = d^2. For a neighbour on the x-axis, X = sum r' (x) r gains d (x) (-e_x), F_xx - 1 =
-  // -0.1/2: |r' - F r| is 0.05 at two of four neighbours.
+  // A square lattice in which one grain moved by d = (0.1, 0) against its four neighbours at distance 1. At that grain
+  // every r' is r - d, and since the r cancel each other F = 1, so D2min = d^2. For a neighbour on the x-axis, X = sum
+  // r' (x) r gains d (x) (-e_x), F_xx - 1 = -0.1/2: |r' - F r| is 0.05 at two of four neighbours.
   const Packing before = test::square_lattice(8);
   Packing after = before;
   after.grains.position[27].x += 0.1;
@@ -98,17 +102,21 @@ TEST(NonAffine, KnowsTheGrainThatLeftTheRest) {
   EXPECT_NEAR(local.d2min[28], 2 * 0.0025 / 4, 1e-15);
   EXPECT_NEAR(local.strain[28].xx, -0.05, 1e-14);
   EXPECT_NEAR(local.d2min[0], 0, 1e-27);
-  // The fit to all: 1 of 64 moved, by 0.1 against the mean motion and a gradient that takes no more than a share 3/64 of the sum of
-  // squares.
+  // The fit to all: 1 of 64 moved, by 0.1 against the mean motion and a gradient that takes no more than a share 3/64
+  // of the sum of squares.
   const AffineFit fit = affine_fit(before, after);
   EXPECT_LT(fit.fluctuation, std::sqrt(0.01 / 64));
   EXPECT_GT(fit.fluctuation, std::sqrt(0.01 / 64 * (1 - 4.0 / 64)));
-  EXPECT_EQ(std::max_element(fit.residual.begin(), fit.residual.end(), [](Vec2 a, Vec2 b) { return norm(a) < norm(b); }) - fit.residual.begin(), 27);
+  EXPECT_EQ(
+      std::max_element(fit.residual.begin(), fit.residual.end(), [](Vec2 a, Vec2 b) { return norm(a) < norm(b); }) -
+          fit.residual.begin(),
+      27);
 }
 
 TEST(NonAffine, MeasuresTheNoiseOnTopOfAShear) {
-  // Displacements of deviation s along each axis on top of a shear: r' carries the noise of both grains, 4 s^2 in all. The grain's own
-  // part, 2 s^2, is common to its neighbours and is left nearly whole; of their 2 s^2 the fit takes up a share 2/N.
+  // Displacements of deviation s along each axis on top of a shear: r' carries the noise of both grains, 4 s^2 in all.
+  // The grain's own part, 2 s^2, is common to its neighbours and is left nearly whole; of their 2 s^2 the fit takes up
+  // a share 2/N.
   const double s = 0.01;
   RandomStream random(3, Purpose::test);
   const Packing before = scattered(8, true, true, 1.5);

@@ -48,12 +48,15 @@ Numbers in_motion(std::size_t states, double pressure) {
 TEST(StageNumbers, OfASampleInMotionHaveTheScatterOfItsStates) {
   const auto rest = texture::numbers(texture::measure(swinging(12).snapshots.back().packing));
   const Numbers moving = in_motion(12, 0.3), before = in_motion(11, 0.3);
-  const auto share_of = [](const Numbers& numbers, const char* part) { return numbers["force"]["strong_share"][part].get<double>(); };
+  const auto share_of = [](const Numbers& numbers, const char* part) {
+    return numbers["force"]["strong_share"][part].get<double>();
+  };
   // Neighbouring states differ by their swing, whose deviation is that over the square root of two.
   const double swing = std::abs(share_of(moving, "value") - share_of(before, "value"));
   EXPECT_GT(swing, 4 * share_of(rest, "error"));
   EXPECT_NEAR(share_of(moving, "error"), swing / std::sqrt(2), 1e-9);
-  EXPECT_EQ(moving["coordination"]["all"]["error"].get<double>(), rest["coordination"]["all"]["error"].get<double>());  // all touch as before
+  EXPECT_EQ(moving["coordination"]["all"]["error"].get<double>(),
+            rest["coordination"]["all"]["error"].get<double>());  // all touch as before
 }
 
 TEST(StageNumbers, OfASampleInMotionHaveUnknownErrorsWhereStatesAreFewAndThePressureSwings) {

@@ -11,8 +11,8 @@
 namespace arenite::fields {
 namespace {
 
-/// x_k = mean + phi (x_(k-1) - mean) + noise, of unit variance, in its steady state from the start; plus a transient `jump`
-/// exp(-k/`decay`).
+/// x_k = mean + phi (x_(k-1) - mean) + noise, of unit variance, in its steady state from the start; plus a transient
+/// `jump` exp(-k/`decay`).
 std::vector<double> ar1(std::uint64_t seed, std::size_t n, double phi, double mean, double jump = 0, double decay = 1) {
   RandomStream random(seed, Purpose::test, static_cast<std::uint64_t>(1000 * phi));
   std::vector<double> x(n);
@@ -24,8 +24,8 @@ std::vector<double> ar1(std::uint64_t seed, std::size_t n, double phi, double me
   return x;
 }
 
-/// Of many series: share that is found steady, and of these the share whose interval holds the truth, and means of error and of samples an
-/// independent one.
+/// Of many series: share that is found steady, and of these the share whose interval holds the truth, and means of
+/// error and of samples an independent one.
 struct Rate {
   double reached = 0, covered = 0, error = 0, independent = 0;
 };
@@ -46,9 +46,10 @@ Rate over_series(int series, std::size_t n, double phi, double jump, double deca
 }
 
 TEST(SteadyState, IntervalOfCorrelatedSamplesCoversTheTruthAtItsRate) {
-  // Blocks of 2 B samples underrate the variance of the mean by phi/((1 - phi^2) B), B = (2 n g^2)^(1/3), g = (1 + phi)/(1 - phi): by 4 %
-  // at most here, and as much again because B is chosen from the data; together that takes 1 % off the coverage, the cut where the series
-  // pleases another. The rate of 500 series scatters by 1 %: 95 % less three of these and what is underrated is 90 %.
+  // Blocks of 2 B samples underrate the variance of the mean by phi/((1 - phi^2) B), B = (2 n g^2)^(1/3), g = (1 +
+  // phi)/(1 - phi): by 4 % at most here, and as much again because B is chosen from the data; together that takes 1 %
+  // off the coverage, the cut where the series pleases another. The rate of 500 series scatters by 1 %: 95 % less three
+  // of these and what is underrated is 90 %.
   for (const double phi : {0.0, 0.5, 0.8, 0.9}) {
     const double g = (1 + phi) / (1 - phi);
     const Rate still = over_series(500, 2500, phi, 0, 1), jumping = over_series(500, 2500, phi, 20, 30);
@@ -57,7 +58,8 @@ TEST(SteadyState, IntervalOfCorrelatedSamplesCoversTheTruthAtItsRate) {
       EXPECT_LT(r.covered, 0.98) << phi;
       EXPECT_GT(r.reached, 0.98) << phi;
     }
-    EXPECT_NEAR(still.error / std::sqrt(g / 2500), 0.95, 0.08) << phi;  // half of the variance's 10 %, and what is cut adds a little
+    EXPECT_NEAR(still.error / std::sqrt(g / 2500), 0.95, 0.08)
+        << phi;  // half of the variance's 10 %, and what is cut adds a little
     EXPECT_NEAR(still.independent / g, 0.93, 0.12) << phi;
     // With a transient a few hundred samples less are left.
     EXPECT_GT(jumping.error, still.error);
@@ -66,8 +68,8 @@ TEST(SteadyState, IntervalOfCorrelatedSamplesCoversTheTruthAtItsRate) {
 }
 
 TEST(SteadyState, BeginsWhereTheTransientHasDecayed) {
-  // A jump of 20 deviations, exp(-k/50): at 20 exp(-3.0) = 1 deviation it is lost in the noise, which takes 150 samples; twice the point
-  // found lies between that and half the series.
+  // A jump of 20 deviations, exp(-k/50): at 20 exp(-3.0) = 1 deviation it is lost in the noise, which takes 150
+  // samples; twice the point found lies between that and half the series.
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const SteadyState s = find_steady_state(ar1(seed, 3000, 0.5, -2, 20, 50));
     EXPECT_TRUE(s.reached);
@@ -95,8 +97,9 @@ TEST(SteadyState, FollowsTheUnitOfItsSamples) {
   const SteadyState a = find_steady_state(x), b = find_steady_state(y);
   EXPECT_EQ(a.first, b.first);
   EXPECT_EQ(a.block, b.block);
-  EXPECT_NEAR(b.mean.value, 1e6 - 1e-3 * a.mean.value, 1e-9);           // rounding of 1e6
-  EXPECT_NEAR(b.mean.error, 1e-3 * a.mean.error, 1e-6 * b.mean.error);  // samples are rounded by 1e-10, 1e-7 of their deviation
+  EXPECT_NEAR(b.mean.value, 1e6 - 1e-3 * a.mean.value, 1e-9);  // rounding of 1e6
+  EXPECT_NEAR(b.mean.error, 1e-3 * a.mean.error,
+              1e-6 * b.mean.error);  // samples are rounded by 1e-10, 1e-7 of their deviation
 }
 
 TEST(SteadyState, OfAConstantHasNoError) {
@@ -120,7 +123,9 @@ TEST(SteadyState, OfFewSamplesHasAMeanWithoutError) {
   EXPECT_TRUE(std::isnan(block_average(slow).mean.error));
 }
 
-TEST(SteadyState, RefusesWhatIsNoSeries) { EXPECT_THROW(find_steady_state(std::vector<double>{1, NAN, 2}), InputError); }
+TEST(SteadyState, RefusesWhatIsNoSeries) {
+  EXPECT_THROW(find_steady_state(std::vector<double>{1, NAN, 2}), InputError);
+}
 
 }  // namespace
 }  // namespace arenite::fields

@@ -38,9 +38,12 @@ double smallest_gap(const Packing& p, std::size_t from, std::size_t to) {
   double least = INFINITY;
   const Grains& g = p.grains;
   for (std::size_t i = from; i < to; ++i) {
-    for (std::size_t j = from; j < i; ++j) least = std::min(least, norm(p.domain.nearest_image(g.position[i] - g.position[j])) - g.radius[i] - g.radius[j]);
-    if (p.domain.wall[left].present) least = std::min({least, g.position[i].x - g.radius[i], p.domain.width() - g.position[i].x - g.radius[i]});
-    if (p.domain.wall[bottom].present) least = std::min({least, g.position[i].y - g.radius[i], p.domain.height() - g.position[i].y - g.radius[i]});
+    for (std::size_t j = from; j < i; ++j)
+      least = std::min(least, norm(p.domain.nearest_image(g.position[i] - g.position[j])) - g.radius[i] - g.radius[j]);
+    if (p.domain.wall[left].present)
+      least = std::min({least, g.position[i].x - g.radius[i], p.domain.width() - g.position[i].x - g.radius[i]});
+    if (p.domain.wall[bottom].present)
+      least = std::min({least, g.position[i].y - g.radius[i], p.domain.height() - g.position[i].y - g.radius[i]});
   }
   return least;
 }
@@ -51,7 +54,8 @@ std::size_t open_corners(const Packing& p, std::size_t grains, double radius, do
   const Grains& g = p.grains;
   const double side = p.domain.width(), slack = 1e-9 * radius;
   const auto is_open = [&](Vec2 q) {
-    if (q.x < radius - slack || q.x > side - radius + slack || q.y < radius - slack || q.y > side - radius + slack) return false;
+    if (q.x < radius - slack || q.x > side - radius + slack || q.y < radius - slack || q.y > side - radius + slack)
+      return false;
     for (std::size_t k = 0; k < grains; ++k) {
       const Vec2 d = q - g.position[k];
       const double reach = g.radius[k] + radius + gap - slack;
@@ -65,14 +69,17 @@ std::size_t open_corners(const Packing& p, std::size_t grains, double radius, do
     const double r = g.radius[i] + radius + gap;
     for (const double wall : {radius, side - radius})
       for (const double sign : {-1.0, 1.0}) {
-        if (std::abs(wall - c.x) < r) open += is_open({wall, c.y + sign * std::sqrt(r * r - (wall - c.x) * (wall - c.x))});
-        if (std::abs(wall - c.y) < r) open += is_open({c.x + sign * std::sqrt(r * r - (wall - c.y) * (wall - c.y)), wall});
+        if (std::abs(wall - c.x) < r)
+          open += is_open({wall, c.y + sign * std::sqrt(r * r - (wall - c.x) * (wall - c.x))});
+        if (std::abs(wall - c.y) < r)
+          open += is_open({c.x + sign * std::sqrt(r * r - (wall - c.y) * (wall - c.y)), wall});
       }
     for (std::size_t j = 0; j < i; ++j) {
       const Vec2 d = g.position[j] - c;
       const double s = g.radius[j] + radius + gap, apart = norm(d);
       if (apart >= r + s || apart <= std::abs(r - s)) continue;
-      const double along = (apart * apart + r * r - s * s) / (2 * apart), across = std::sqrt(std::max(0.0, r * r - along * along));
+      const double along = (apart * apart + r * r - s * s) / (2 * apart),
+                   across = std::sqrt(std::max(0.0, r * r - along * along));
       const Vec2 u = (1 / apart) * d;
       for (const double sign : {-1.0, 1.0}) open += is_open(c + along * u + sign * across * Vec2{-u.y, u.x});
     }
@@ -100,7 +107,8 @@ double kolmogorov(std::vector<double> radii, const CutNormal& law) {
 }
 
 std::vector<double> radii_of(const Packing& p, std::size_t from, std::size_t to) {
-  return {p.grains.radius.begin() + static_cast<std::ptrdiff_t>(from), p.grains.radius.begin() + static_cast<std::ptrdiff_t>(to)};
+  return {p.grains.radius.begin() + static_cast<std::ptrdiff_t>(from),
+          p.grains.radius.begin() + static_cast<std::ptrdiff_t>(to)};
 }
 
 TEST(CutNormal, FollowsItsLawWholeAndBelowARadius) {
@@ -130,8 +138,10 @@ TEST_P(Sides, NoDisksOverlapAndLargeOnesKeepTheGap) {
   Packing large = packing;
   for (int side = 0; side < 4; ++side) large.domain.wall[side].present = false;
   EXPECT_GE(smallest_gap(large, 0, report.large), report.gap - 1e-12 * p.large_radius);
-  EXPECT_LT(smallest_gap(large, 0, report.large), report.gap + 1e-6 * p.large_radius);  // the gap is no wider than needed
-  for (std::size_t i = 0; i < packing.grains.size(); ++i) EXPECT_EQ(packing.grains.material[i], i < report.large ? 0 : 1);
+  EXPECT_LT(smallest_gap(large, 0, report.large),
+            report.gap + 1e-6 * p.large_radius);  // the gap is no wider than needed
+  for (std::size_t i = 0; i < packing.grains.size(); ++i)
+    EXPECT_EQ(packing.grains.material[i], i < report.large ? 0 : 1);
   EXPECT_NEAR(packing.domain.area(), 100 * pi * 1e-6, 1e-15);
   EXPECT_EQ(packing.domain.wall[left].present, !periodic_x);
   EXPECT_EQ(packing.domain.wall[top].present, !periodic_y);
@@ -148,7 +158,8 @@ TEST(Bidisperse, LeavesNoRoomForTheSmallestDiskOfEitherClass) {
   const double least = 0.625 * p.large_radius;
   EXPECT_EQ(open_corners(packing, report.large, least * (1 + 1e-6), report.gap), 0u);
   EXPECT_EQ(open_corners(packing, packing.grains.size(), least / 2.5 * (1 + 1e-6), 0), 0u);
-  EXPECT_GT(open_corners(packing, packing.grains.size(), least / 2.5 / 2, 0), 100u);  // half that disk has room in many places
+  EXPECT_GT(open_corners(packing, packing.grains.size(), least / 2.5 / 2, 0),
+            100u);  // half that disk has room in many places
 
   p.maximal = false;  // what P does: the trials alone leave room
   const auto tried = sample_bidisperse(packing, p, 3);
@@ -156,8 +167,8 @@ TEST(Bidisperse, LeavesNoRoomForTheSmallestDiskOfEitherClass) {
   EXPECT_LT(tried.solid_fraction, report.solid_fraction);
 }
 
-// The mean radii of an independent sampling of P's Appendix with 100 trials, which ends with them: 0.890 of the nominal small
-// one. Filling all that is left afterwards gives 0.857.
+// The mean radii of an independent sampling of P's Appendix with 100 trials, which ends with them: 0.890 of the nominal
+// small one. Filling all that is left afterwards gives 0.857.
 TEST(Bidisperse, EndsWithTheTrialsAsThePaperDoes) {
   Packing packing;
   auto p = parameters(5, 1.4, 900);
@@ -191,7 +202,8 @@ TEST(Bidisperse, HeldRadiiFollowTheirLawAndRedrawnOnesAreSmaller) {
     auto p = parameters(2.5, 2.2, 900);
     p.cut_each_class = each;
     const double small = p.large_radius / 2.5;
-    const CutNormal law_large{p.large_radius, 0.25 * p.large_radius, 0.625 * (each ? p.large_radius : small), 1.375 * p.large_radius};
+    const CutNormal law_large{p.large_radius, 0.25 * p.large_radius, 0.625 * (each ? p.large_radius : small),
+                              1.375 * p.large_radius};
     const CutNormal law_small{small, 0.25 * small, 0.625 * small, 1.375 * (each ? small : p.large_radius)};
     for (const bool hold : {false, true}) {
       p.hold_radius = hold;
@@ -229,7 +241,8 @@ TEST(Bidisperse, ReachesTheVolumeRatioAskedForAndReportsWhatItIs) {
     Packing packing;
     const auto report = sample_bidisperse(packing, parameters(gamma, theta, 900), 2);
     double area[2] = {0, 0};
-    for (std::size_t i = 0; i < packing.grains.size(); ++i) area[packing.grains.material[i]] += pi * packing.grains.radius[i] * packing.grains.radius[i];
+    for (std::size_t i = 0; i < packing.grains.size(); ++i)
+      area[packing.grains.material[i]] += pi * packing.grains.radius[i] * packing.grains.radius[i];
     EXPECT_NEAR(area[0] / area[1], theta, 0.0101 * theta) << gamma;
     EXPECT_NEAR(report.volume_ratio, area[0] / area[1], 1e-9) << gamma;
     EXPECT_NEAR(report.volume_ratio_error, area[0] / area[1] / theta - 1, 1e-9) << gamma;
@@ -249,7 +262,8 @@ TEST(Bidisperse, SmallDisksAreLeftOutByLot) {
   EXPECT_EQ(leave_out_small(classes, 1, 9), 1000u);
   EXPECT_EQ(classes.disks.size(), 1001u);
   EXPECT_NEAR(classes.volume_ratio(), 1, 1e-9);
-  const auto first_half = std::count_if(classes.disks.begin() + 1, classes.disks.end(), [](const Disk& d) { return d.centre.x < 0; });
+  const auto first_half =
+      std::count_if(classes.disks.begin() + 1, classes.disks.end(), [](const Disk& d) { return d.centre.x < 0; });
   EXPECT_NEAR(static_cast<double>(first_half), 500, 45);  // four deviations of a fair draw without return
 }
 

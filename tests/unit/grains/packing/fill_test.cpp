@@ -37,9 +37,11 @@ double largest_overlap(const Grains& g, const Domain& d) {
       worst = std::max(worst, 2 * (reach - norm(d.nearest_image(g.position[i] - g.position[j]))) / reach);
     }
     if (!d.periodic[0])
-      worst = std::max({worst, 1 - (g.position[i].x - d.wall[left].position) / g.radius[i], 1 - (d.wall[right].position - g.position[i].x) / g.radius[i]});
+      worst = std::max({worst, 1 - (g.position[i].x - d.wall[left].position) / g.radius[i],
+                        1 - (d.wall[right].position - g.position[i].x) / g.radius[i]});
     if (!d.periodic[1])
-      worst = std::max({worst, 1 - (g.position[i].y - d.wall[bottom].position) / g.radius[i], 1 - (d.wall[top].position - g.position[i].y) / g.radius[i]});
+      worst = std::max({worst, 1 - (g.position[i].y - d.wall[bottom].position) / g.radius[i],
+                        1 - (d.wall[top].position - g.position[i].y) / g.radius[i]});
   }
   return worst;
 }

@@ -37,7 +37,8 @@ TEST(FreeSpace, SevenDisksLeaveNoPlaceRoundTheOneInTheirMiddleAndOneFewerDoes) {
     space.open_store(2);
     const Disk disk{{10, 10}, 1};
     space.add(disk);
-    for (int k = 0; k < around; ++k) space.add({disk.centre + 2.0001 * Vec2{std::cos(k * pi / 3), std::sin(k * pi / 3)}, 1});
+    for (int k = 0; k < around; ++k)
+      space.add({disk.centre + 2.0001 * Vec2{std::cos(k * pi / 3), std::sin(k * pi / 3)}, 1});
     EXPECT_EQ(space.free_place_beside(disk, 1, random).has_value(), around == 5);
   }
 }
@@ -59,7 +60,9 @@ TEST(FreeSpace, AGapAndWallsTakeRoomAndAPeriodicSideGivesIt) {
 
 RC_GTEST_PROP(FreeSpace, HasAPlaceBesideADiskExactlyWhereSomeAngleFits, ()) {
   RandomStream random(*rc::gen::arbitrary<std::uint64_t>(), Purpose::test);
-  const geometry::Box<2> box{{-1, 2}, {*rc::gen::element(3.0, 8.0), *rc::gen::element(3.0, 8.0)}, {*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()}};
+  const geometry::Box<2> box{{-1, 2},
+                             {*rc::gen::element(3.0, 8.0), *rc::gen::element(3.0, 8.0)},
+                             {*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()}};
   FreeSpace space(box, *rc::gen::element(0.0, 0.3));
   std::vector<Disk> disks;
   for (const double size : {1.0, 0.3}) {

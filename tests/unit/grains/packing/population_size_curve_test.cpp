@@ -13,7 +13,8 @@ const Materials glass{{"glass", 2500, 1e6, 0}};
 /// The value that a curve has at a diameter: that of the last point before it.
 double at(const SizeCurve& curve, double d) {
   const auto above = std::ranges::upper_bound(curve.diameter, d);
-  return above == curve.diameter.begin() ? 0 : curve.passing[static_cast<std::size_t>(above - curve.diameter.begin()) - 1];
+  return above == curve.diameter.begin() ? 0
+                                         : curve.passing[static_cast<std::size_t>(above - curve.diameter.begin()) - 1];
 }
 
 TEST(SizeCurve, OfTwoSizesIsAStairOfTheirMasses) {
@@ -38,7 +39,8 @@ TEST(SizeCurve, WeighsMaterialsByTheirDensities) {
 TEST(SizeCurve, OfALawIsItsClosedForm) {
   Population uniform{"glass", 300, {}, UniformSizes{1e-3, 3e-3}, {}};
   const auto curve = asked_size_curve({uniform}, glass, 0);
-  for (const double d : {1.4e-3, 2e-3, 2.6e-3}) EXPECT_NEAR(at(curve, d), (std::pow(d, 3) - 1e-9) / (27e-9 - 1e-9), 0.008) << d;
+  for (const double d : {1.4e-3, 2e-3, 2.6e-3})
+    EXPECT_NEAR(at(curve, d), (std::pow(d, 3) - 1e-9) / (27e-9 - 1e-9), 0.008) << d;
 }
 
 TEST(SizeCurve, OfASieveCurveIsTheCurve) {

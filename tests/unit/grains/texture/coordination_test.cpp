@@ -42,7 +42,8 @@ TEST(Coordination, OfAStripedLatticeHasItsPartsByBothDefinitions) {
 
 TEST(Coordination, WithoutRattlersForgetsGrainsThatLeanOnRattlersOnly) {
   Packing p = test::square_lattice(6);
-  p.domain.periodic[1] = false;  // a finger of two grains above the top row: the outer one has one contact, then so has the inner
+  p.domain.periodic[1] =
+      false;  // a finger of two grains above the top row: the outer one has one contact, then so has the inner
   p.domain.wall[top].position = 9;
   p.contacts = {};
   for (std::size_t y = 0; y < 6; ++y)
@@ -90,7 +91,8 @@ TEST(Coordination, OfASampleSmallerThanItsBorderIsTakenWholeAndSaysSo) {
   const Texture t = measure(p);
   EXPECT_DOUBLE_EQ(z(t, "all"), 1);
   ASSERT_FALSE(t.notes.empty());
-  EXPECT_TRUE(std::any_of(t.notes.begin(), t.notes.end(), [](const std::string& note) { return note.find("too small") != std::string::npos; }));
+  EXPECT_TRUE(std::any_of(t.notes.begin(), t.notes.end(),
+                          [](const std::string& note) { return note.find("too small") != std::string::npos; }));
 }
 
 TEST(SolidFraction, OfGrainsWiderThanTheirPeriodicCellIsRefused) {
@@ -116,13 +118,15 @@ Packing scattered(std::uint64_t seed) {
     const double r = random.uniform() < 0.3 ? 0.9 : 0.4;
     const Vec2 centre{random.uniform(r, 30 - r), random.uniform(r, 30 - r)};
     bool fits = true;
-    for (std::size_t g = 0; g < p.grains.size() && fits; ++g) fits = norm(centre - p.grains.position[g]) > r + p.grains.radius[g];
+    for (std::size_t g = 0; g < p.grains.size() && fits; ++g)
+      fits = norm(centre - p.grains.position[g]) > r + p.grains.radius[g];
     if (fits) test::add_grain(p, centre, r);
   }
   return p;
 }
 
-// Fifty windows of nine tenths of the box are nearly one window: their own scatter over sqrt(50) would be a tenth of the error.
+// Fifty windows of nine tenths of the box are nearly one window: their own scatter over sqrt(50) would be a tenth of
+// the error.
 TEST(SolidFraction, TheErrorsOfWindowsCoverTheScatterOfSamples) {
   Options options;
   options.rev_sizes = 4;

@@ -36,7 +36,8 @@ TEST(Forces, ThatPullAreAnErrorOfMeasurementOnlyWhereTheyAreMeasured) {
     Options options;
     options.pull = pull;
     const auto notes = measure(p, options).notes;
-    const auto it = std::find_if(notes.begin(), notes.end(), [](const std::string& n) { return n.find("normal forces are tensile") != n.npos; });
+    const auto it = std::find_if(notes.begin(), notes.end(),
+                                 [](const std::string& n) { return n.find("normal forces are tensile") != n.npos; });
     return it == notes.end() ? std::string() : *it;
   };
   EXPECT_NE(note(Pull::measured).find("an error of measurement"), std::string::npos);
@@ -47,10 +48,12 @@ TEST(Forces, ThatPullAreAnErrorOfMeasurementOnlyWhereTheyAreMeasured) {
 }
 
 TEST(Forces, ByTypeKnowTheirOwnMeanAndThatOfAll) {
-  Packing p = test::square_lattice(6);  // columns A A B A A B; contacts of two B carry 3 N, of A and B 2 N, of two A 1 N
+  Packing p =
+      test::square_lattice(6);  // columns A A B A A B; contacts of two B carry 3 N, of A and B 2 N, of two A 1 N
   for (std::size_t g = 0; g < p.grains.size(); ++g) p.grains.material[g] = g % 6 % 3 == 2 ? 1 : 0;
   for (std::size_t c = 0; c < p.contacts.size(); ++c)
-    p.contacts.fn[c] = 1 + p.grains.material[static_cast<std::size_t>(p.contacts.i[c])] + p.grains.material[static_cast<std::size_t>(p.contacts.j[c])];
+    p.contacts.fn[c] = 1 + p.grains.material[static_cast<std::size_t>(p.contacts.i[c])] +
+                       p.grains.material[static_cast<std::size_t>(p.contacts.j[c])];
   const Texture t = measure(p);
   EXPECT_DOUBLE_EQ(value_of(t.numbers, "force/by_type/B-B/mean_N"), 3);
   EXPECT_DOUBLE_EQ(value_of(t.numbers, "force/by_type/B-B/strong_share"), 0);

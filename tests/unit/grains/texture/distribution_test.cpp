@@ -103,7 +103,8 @@ TEST(Distribution, RelationOfExponentsHoldsForAPairThatObeysIt) {
   const double beta = std::sqrt(2.0), k = 1 / (1 + 1 / beta);
   RandomStream random(4, Purpose::test);
   std::vector<double> force;
-  for (int n = 0; n < 40000; ++n) force.push_back(random.uniform() < k ? random.uniform() : 1 - std::log(1 - random.uniform()) / beta);
+  for (int n = 0; n < 40000; ++n)
+    force.push_back(random.uniform() < k ? random.uniform() : 1 - std::log(1 - random.uniform()) / beta);
   Items items(force.size());
   std::iota(items.begin(), items.end(), 0);
   std::vector<int> block(force.size());
@@ -142,7 +143,8 @@ struct Scatter {
 };
 
 TEST(Distribution, ErrorsOfItsLawsAreThoseOfOtherSamplesThoughValuesDependOnEachOther) {
-  constexpr std::array laws{"beta", "beta_line", "alpha", "k", "beta2_over_product", "log_likelihood_ratio", "share", "mean"};
+  constexpr std::array laws{"beta",  "beta_line", "alpha", "k", "beta2_over_product", "log_likelihood_ratio",
+                            "share", "mean"};
   constexpr int seeds = 60;  // by which a scatter is known to 9 %
   for (const std::size_t copies : {1u, 4u}) {
     std::array<Scatter, laws.size()> scatter;
@@ -156,7 +158,8 @@ TEST(Distribution, ErrorsOfItsLawsAreThoseOfOtherSamplesThoughValuesDependOnEach
         scatter[law].told += error * error;
       }
     }
-    for (std::size_t law = 0; law < laws.size(); ++law) EXPECT_NEAR(scatter[law].over_told(seeds), 1, 0.3) << laws[law] << ", " << copies << " of each";
+    for (std::size_t law = 0; law < laws.size(); ++law)
+      EXPECT_NEAR(scatter[law].over_told(seeds), 1, 0.3) << laws[law] << ", " << copies << " of each";
   }
 }
 

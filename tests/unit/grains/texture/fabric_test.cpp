@@ -40,7 +40,8 @@ Packing random_network(std::uint64_t seed, std::size_t contacts) {
   return star(degrees, forces);
 }
 
-// The axis of compression of the same contacts leans to where the strong ones happen to point: about it even chance has a sign.
+// The axis of compression of the same contacts leans to where the strong ones happen to point: about it even chance has
+// a sign.
 TEST(Fabric, SignedAnisotropyOfARandomNetworkIsZeroAboutTheLoadsAxisOnly) {
   const int trials = 60;
   double about_load = 0, square = 0, about_own = 0;
@@ -62,7 +63,8 @@ TEST(Fabric, SaysWhereItsSignsHaveNoAxisFromOutside) {
   Options options;
   options.load_axis = 0;
   const auto says = [](const Texture& t) {
-    return std::any_of(t.notes.begin(), t.notes.end(), [](const std::string& note) { return note.find("direction of the load") != std::string::npos; });
+    return std::any_of(t.notes.begin(), t.notes.end(),
+                       [](const std::string& note) { return note.find("direction of the load") != std::string::npos; });
   };
   EXPECT_TRUE(says(measure(random_network(1, 50))));
   EXPECT_FALSE(says(measure(random_network(1, 50), options)));
@@ -83,7 +85,8 @@ TEST(Fabric, OfATriangularLatticeIsIsotropicWithPeaksAt0_60_120) {
   EXPECT_NEAR(fabric(t, "modes/4/amplitude"), 0, 1e-14);
   EXPECT_NEAR(fabric(t, "modes/6/amplitude"), 1, 1e-13);
   EXPECT_NEAR(std::remainder(fabric(t, "modes/6/phase_deg"), 60), 0, 1e-10);
-  for (std::size_t s = 0; s < 18; ++s) EXPECT_EQ(test::list_of(t.numbers, "fabric/sectors")[s], s % 6 == 0 ? 64 : 0) << "sector " << s;
+  for (std::size_t s = 0; s < 18; ++s)
+    EXPECT_EQ(test::list_of(t.numbers, "fabric/sectors")[s], s % 6 == 0 ? 64 : 0) << "sector " << s;
   EXPECT_NEAR(test::value_of(t.numbers, "local_order/psi6"), 1, 1e-13);
   EXPECT_EQ(test::value_of(t.numbers, "local_order/triangular_share/A"), 1);
 }
@@ -93,7 +96,8 @@ TEST(Fabric, CountsDirectionsInAsManySectorsAsAsked) {
   options.sectors = 12;
   const Texture t = measure(test::triangular_lattice(8), options);
   ASSERT_EQ(test::list_of(t.numbers, "fabric/sectors").size(), 12u);
-  for (std::size_t s = 0; s < 12; ++s) EXPECT_EQ(test::list_of(t.numbers, "fabric/sectors")[s], s % 4 == 0 ? 64 : 0) << "sector " << s;
+  for (std::size_t s = 0; s < 12; ++s)
+    EXPECT_EQ(test::list_of(t.numbers, "fabric/sectors")[s], s % 4 == 0 ? 64 : 0) << "sector " << s;
 }
 
 TEST(Fabric, OfOneDirectionHasTheLargestAnisotropyAlongIt) {
@@ -135,7 +139,8 @@ TEST(Fabric, OfRandomDirectionsScattersLikeItsNoise) {
     mean += fabric(t, "a_c") / trials;
     EXPECT_NEAR(fabric(t, "a_c_noise"), 2 * 0.886 / std::sqrt(contacts), 1e-3 * fabric(t, "a_c_noise"));
   }
-  EXPECT_NEAR(mean, 2 * 0.886 / std::sqrt(contacts), 4 * 0.463 * 2 / std::sqrt(contacts * trials));  // 4 standard errors
+  EXPECT_NEAR(mean, 2 * 0.886 / std::sqrt(contacts),
+              4 * 0.463 * 2 / std::sqrt(contacts * trials));  // 4 standard errors
 }
 
 TEST(Fabric, StrongContactsAreThoseAboveTheMeanForce) {
@@ -170,12 +175,15 @@ RC_GTEST_PROP(Fabric, TurnsWithTheSampleAndMirrorsWithIt, ()) {
   }
   const Texture a = measure(p), b = measure(q);
   RC_ASSERT(std::abs(fabric(a, "a_c") - fabric(b, "a_c")) < 1e-12);
-  const double expected = (mirror ? 180 - fabric(a, "theta_c_deg") : fabric(a, "theta_c_deg")) + turn * 180 / std::numbers::pi;
+  const double expected =
+      (mirror ? 180 - fabric(a, "theta_c_deg") : fabric(a, "theta_c_deg")) + turn * 180 / std::numbers::pi;
   RC_ASSERT(std::abs(std::remainder(expected - fabric(b, "theta_c_deg"), 180)) < 1e-8);
   RC_ASSERT(std::abs(fabric(a, "a_n") - fabric(b, "a_n")) < 1e-10);
-  RC_ASSERT(std::abs(fabric(a, "a_c_signed") - fabric(b, "a_c_signed")) < 1e-10);  // the load axis turns with the stress
+  RC_ASSERT(std::abs(fabric(a, "a_c_signed") - fabric(b, "a_c_signed")) <
+            1e-10);  // the load axis turns with the stress
   for (std::size_t g = 0; g < p.grains.size(); ++g)
-    RC_ASSERT(std::abs(a.per_grain.sigma_hyd[g] - b.per_grain.sigma_hyd[g]) < 1e-10 * (1 + std::abs(a.per_grain.sigma_hyd[g])));
+    RC_ASSERT(std::abs(a.per_grain.sigma_hyd[g] - b.per_grain.sigma_hyd[g]) <
+              1e-10 * (1 + std::abs(a.per_grain.sigma_hyd[g])));
 }
 
 TEST(Oscillation, HasTheErrorsThatOtherSamplesScatterBy) {

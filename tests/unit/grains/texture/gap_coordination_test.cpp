@@ -90,7 +90,8 @@ int neighbours_by_brute_force(const Packing& p, std::size_t g, int of_material, 
     for (int ix = -nx; ix <= nx; ++ix)
       for (int iy = -ny; iy <= ny; ++iy) {
         if ((h == g && ix == 0 && iy == 0) || p.grains.material[h] != of_material) continue;
-        const Vec2 image = p.grains.position[h] + Vec2{ix * p.domain.width() + iy * p.domain.tilt, iy * p.domain.height()};
+        const Vec2 image =
+            p.grains.position[h] + Vec2{ix * p.domain.width() + iy * p.domain.tilt, iy * p.domain.height()};
         count += norm(image - p.grains.position[g]) <= p.grains.radius[g] + p.grains.radius[h] + gap;
       }
   return count;
@@ -104,8 +105,8 @@ RC_GTEST_PROP(GapCoordination, IsWhatComparingAllWithAllGives, ()) {
   if (p.domain.periodic[0] && p.domain.periodic[1]) p.domain.tilt = *rc::gen::element(0.0, 0.7, -1.9);
   const int n = *rc::gen::inRange(1, 40);
   for (int g = 0; g < n; ++g)
-    test::add_grain(p, {random.uniform(0, p.domain.width()), random.uniform(0, p.domain.height())}, random.uniform(0.02, 0.5),
-                    static_cast<int>(random.below(3)));
+    test::add_grain(p, {random.uniform(0, p.domain.width()), random.uniform(0, p.domain.height())},
+                    random.uniform(0.02, 0.5), static_cast<int>(random.below(3)));
   const geometry::Rectangle window{0.4, 2.0, 0.3, 2.2};
   const bool cut = *rc::gen::arbitrary<bool>();
   double count[2] = {0, 0}, sum[2][2] = {{0, 0}, {0, 0}};

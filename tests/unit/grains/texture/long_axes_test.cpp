@@ -29,7 +29,9 @@ Packing turned_by(const std::vector<double>& angles, const Shape& shape) {
 
 using test::value_of;
 
-Numbers axes_of(const std::vector<double>& angles, const Shape& shape = rod) { return measure(turned_by(angles, shape)).numbers.value("long_axes", Numbers()); }
+Numbers axes_of(const std::vector<double>& angles, const Shape& shape = rod) {
+  return measure(turned_by(angles, shape)).numbers.value("long_axes", Numbers());
+}
 
 TEST(LongAxes, OfGrainsThatLieAlikeAreFullyOrderedWhicheverEndIsAhead) {
   std::vector<double> angles(40, 150 * degree);

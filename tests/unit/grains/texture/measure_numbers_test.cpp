@@ -13,8 +13,9 @@ using Json = nlohmann::json;
 TEST(TextureJson, GivesEveryPromisedStatisticAsValueAndError) {
   const Json j = Json::parse(to_json(numbers(measure(test::random_network(3, 400)))));
   for (const Json& statistic :
-       {j["solid_fraction"], j["coordination"]["all"], j["coordination"]["A-B"], j["coordination"]["A-ANY"], j["fabric"]["a_c"], j["fabric"]["theta_c_deg"],
-        j["fabric"]["phi"], j["force"]["mean_N"], j["force"]["strong_share"], j["force"]["beta"], j["sigma_norm"]["P0"], j["sigma_norm"]["beta"],
+       {j["solid_fraction"], j["coordination"]["all"], j["coordination"]["A-B"], j["coordination"]["A-ANY"],
+        j["fabric"]["a_c"], j["fabric"]["theta_c_deg"], j["fabric"]["phi"], j["force"]["mean_N"],
+        j["force"]["strong_share"], j["force"]["beta"], j["sigma_norm"]["P0"], j["sigma_norm"]["beta"],
         j["sigma_norm"]["by_material"]["A"]["P0"], j["sigma_norm"]["by_material"]["B"]["beta"]}) {
     EXPECT_FALSE(statistic["value"].is_null()) << statistic;
     EXPECT_FALSE(statistic["error"].is_null()) << statistic;
@@ -51,11 +52,14 @@ TEST(TextureJson, SaysOfEveryNumberWhatItIs) {
   for (const auto& [name, number, meaning] : named_numbers(all)) {
     ASSERT_TRUE(meaning) << name;
     EXPECT_FALSE(meaning->sentence.empty()) << name;
-    for (const char* unit : {"deg", "Pa", "N", "m"}) EXPECT_TRUE(!name.ends_with("_" + std::string(unit)) || meaning->unit == unit) << name;
+    for (const char* unit : {"deg", "Pa", "N", "m"})
+      EXPECT_TRUE(!name.ends_with("_" + std::string(unit)) || meaning->unit == unit) << name;
   }
 }
 
-TEST(TextureJson, OfAnEmptyPackingIsValid) { EXPECT_EQ(Json::parse(to_json(numbers(measure(Packing{}))))["grains"], 0); }
+TEST(TextureJson, OfAnEmptyPackingIsValid) {
+  EXPECT_EQ(Json::parse(to_json(numbers(measure(Packing{}))))["grains"], 0);
+}
 
 }  // namespace
 }  // namespace arenite::texture

@@ -28,7 +28,8 @@ inline void add_grain(Packing& p, Vec2 centre, double radius, int material = 0) 
 inline void add_contact(Packing& p, std::size_t i, std::size_t j, double fn, double ft = 0) {
   const Vec2 branch = p.domain.nearest_image(p.grains.position[i] - p.grains.position[j]);
   const double d = norm(branch), h = p.grains.radius[i] + p.grains.radius[j] - d;
-  p.contacts.add(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), 1 / d * branch, fn, ft, p.grains.radius[i] - h / 2, p.grains.radius[j] - h / 2);
+  p.contacts.add(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), 1 / d * branch, fn, ft,
+                 p.grains.radius[i] - h / 2, p.grains.radius[j] - h / 2);
 }
 
 inline void add_wall_contact(Packing& p, std::size_t i, int side, double fn, double ft = 0) {
@@ -52,7 +53,8 @@ inline Packing square_lattice(int n) {
   return p;
 }
 
-/// Touching disks of radius 1/2 on a triangular lattice with a row along x, periodic; n even. Every contact carries 1 N.
+/// Touching disks of radius 1/2 on a triangular lattice with a row along x, periodic; n even. Every contact carries 1
+/// N.
 inline Packing triangular_lattice(int n) {
   const double row = std::sqrt(3.0) / 2;
   Packing p = empty_box(n, n * row);
@@ -76,13 +78,15 @@ inline Packing random_network(std::uint64_t seed, int grains = 80) {
   RandomStream random(seed, Purpose::test);
   Packing p = empty_box(10, 8, 0.06);
   for (int g = 0; g < grains; ++g)
-    add_grain(p, {random.uniform(0.5, 9.5), random.uniform(0.5, 7.5)}, random.uniform(0.3, 0.6), static_cast<int>(random.below(2)));
+    add_grain(p, {random.uniform(0.5, 9.5), random.uniform(0.5, 7.5)}, random.uniform(0.3, 0.6),
+              static_cast<int>(random.below(2)));
   for (std::size_t i = 0; i < p.grains.size(); ++i)
     for (std::size_t j = i + 1; j < p.grains.size(); ++j)
       if (norm(p.grains.position[i] - p.grains.position[j]) < p.grains.radius[i] + p.grains.radius[j])
         add_contact(p, j, i, -std::log(1 - random.uniform()), random.uniform(-0.3, 0.3));
   for (std::size_t i = 0; i < p.grains.size(); ++i)
-    if (p.grains.position[i].y < p.grains.radius[i] + 0.2) add_wall_contact(p, i, bottom, random.uniform(), random.uniform(-0.1, 0.1));
+    if (p.grains.position[i].y < p.grains.radius[i] + 0.2)
+      add_wall_contact(p, i, bottom, random.uniform(), random.uniform(-0.1, 0.1));
   return p;
 }
 

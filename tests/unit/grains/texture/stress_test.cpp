@@ -95,7 +95,8 @@ RC_GTEST_PROP(Stress, SummedOverGrainsEqualsThatOverContacts, ()) {
   const Texture t = measure(test::random_network(*rc::gen::inRange(0u, 100000u)));
   const double size = std::abs(number(t, "stress/value/0/0")) + std::abs(number(t, "stress/value/1/1"));
   for (const std::string component : {"0/0", "0/1", "1/0", "1/1"})
-    RC_ASSERT(std::abs(number(t, "stress/value/" + component) - number(t, "stress_details/sum_over_grains/" + component)) < 1e-12 * size);
+    RC_ASSERT(std::abs(number(t, "stress/value/" + component) -
+                       number(t, "stress_details/sum_over_grains/" + component)) < 1e-12 * size);
 }
 
 TEST(Stress, WithoutThicknessOrBoxIsLeftOutWithAReason) {

@@ -82,7 +82,8 @@ TEST(AtomicFile, AKilledWriterLeavesTheOldFileAndItsRemainsAreTakenOver) {
   write_atomically(folder / "x", "old");
   write_and_die(folder / "x", AtomicFile::Until::named);
   EXPECT_EQ(read_file(folder / "x"), "old");
-  ASSERT_EQ(folder.count(), 2) << "the killed writer should have left its unfinished file for this test to mean something";
+  ASSERT_EQ(folder.count(), 2)
+      << "the killed writer should have left its unfinished file for this test to mean something";
   write_by(folder / "x", AtomicFile::Until::named, "new");
   EXPECT_EQ(read_file(folder / "x"), "new");
   EXPECT_EQ(folder.count(), 1);
@@ -157,7 +158,8 @@ TEST(AtomicFile, SaysWhatIsWrongAndHowToMendIt) {
 TEST(AtomicFile, NoPermissionIsSaidToAnOrdinaryUser) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "locked");
-  fs::permissions(folder / "locked", fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec);
+  fs::permissions(folder / "locked",
+                  fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec);
   fs::permissions(folder.path(), fs::perms::all);
   const pid_t child = ::fork();  // permissions do not bind root: a child gives its rights up first
   if (child == 0) {

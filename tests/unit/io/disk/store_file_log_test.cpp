@@ -50,7 +50,9 @@ TEST(AppendLog, TellsOnceThatLinesAreLost) {
       10,
       [](const std::filesystem::path& where) {
         int count = 0;
-        const AppendLog log(where, [&](const std::string& sentence) { count += sentence.find("lines are being lost") != std::string::npos ? 1 : 100; });
+        const AppendLog log(where, [&](const std::string& sentence) {
+          count += sentence.find("lines are being lost") != std::string::npos ? 1 : 100;
+        });
         log.add("seven77");
         log.add("this one is torn");
         log.add("this one is lost");

@@ -13,8 +13,8 @@ using arenite::io::stage_files;
 
 TEST(RunFolder, ListsStagesInTheOrderOfTheLoading) {
   const test::TemporaryFolder folder;
-  for (const auto& name : {stage_file_name(10, "unload", "f0"), stage_file_name(2, "a b/c", "e0"), stage_file_name(1, "z", "d0"), std::string("report.html"),
-                           std::string(".01-z-d0.h5.tmp")})
+  for (const auto& name : {stage_file_name(10, "unload", "f0"), stage_file_name(2, "a b/c", "e0"),
+                           stage_file_name(1, "z", "d0"), std::string("report.html"), std::string(".01-z-d0.h5.tmp")})
     io::write_atomically(folder / name, "x");
   const auto files = stage_files(folder.path());
   ASSERT_EQ(files.size(), 3u);

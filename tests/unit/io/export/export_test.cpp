@@ -78,10 +78,13 @@ TEST(ExportSnapshot, FieldsAreAnImageOfTheBoxWithVectorsAndTensors) {
   const auto files = io::exports::fields.of_snapshot(one);
   ASSERT_EQ(files.size(), 1u);
   EXPECT_EQ(files[0].name, "fields_0007.vti");
-  for (const char* part : {"WholeExtent=\"0 1 0 0 0 0\" Origin=\"1.25 2.125 0\" Spacing=\"0.5 0.25 0.5\"", "Name=\"density\" NumberOfComponents=\"1\"",
-                           "Name=\"velocity\" NumberOfComponents=\"3\"", "Name=\"stress\" NumberOfComponents=\"6\""})
+  for (const char* part : {"WholeExtent=\"0 1 0 0 0 0\" Origin=\"1.25 2.125 0\" Spacing=\"0.5 0.25 0.5\"",
+                           "Name=\"density\" NumberOfComponents=\"1\"", "Name=\"velocity\" NumberOfComponents=\"3\"",
+                           "Name=\"stress\" NumberOfComponents=\"6\""})
     EXPECT_NE(files[0].bytes.find(part), std::string::npos) << part;
-  EXPECT_NE(io::exports::fields.index({0, 0.5}).front().bytes.find("timestep=\"0.5\" part=\"0\" file=\"fields_0001.vti\""), std::string::npos);
+  EXPECT_NE(
+      io::exports::fields.index({0, 0.5}).front().bytes.find("timestep=\"0.5\" part=\"0\" file=\"fields_0001.vti\""),
+      std::string::npos);
 }
 
 TEST(ExportSnapshot, UnknownNumbersAreEmptyCellsAndNamesWithCommasAreQuotedInTables) {
@@ -91,10 +94,14 @@ TEST(ExportSnapshot, UnknownNumbersAreEmptyCellsAndNamesWithCommasAreQuotedInTab
   const auto files = io::exports::csv.of_snapshot({3, "load", &snapshot, {{"sigma_norm", "1", {0.5, std::nan("")}}}});
   ASSERT_EQ(files.size(), 2u);
   EXPECT_EQ(files[0].name, "grains_0003.csv");
-  EXPECT_TRUE(files[0].bytes.starts_with("id,x [m],y [m],radius [m],material,zone,angle [rad],vx [m/s],vy [m/s],omega [rad/s],sigma_norm\n")) << files[0].bytes;
-  EXPECT_TRUE(files[1].bytes.starts_with("i,j,fn [N],ft [N],nx,ny,type,strong,glued,arm_i [m],arm_j [m],overlap [m],sliding_velocity [m/s]\n"))
+  EXPECT_TRUE(files[0].bytes.starts_with(
+      "id,x [m],y [m],radius [m],material,zone,angle [rad],vx [m/s],vy [m/s],omega [rad/s],sigma_norm\n"))
+      << files[0].bytes;
+  EXPECT_TRUE(files[1].bytes.starts_with(
+      "i,j,fn [N],ft [N],nx,ny,type,strong,glued,arm_i [m],arm_j [m],overlap [m],sliding_velocity [m/s]\n"))
       << files[1].bytes;
-  EXPECT_NE(files[0].bytes.find("100,0,0.01,0.0101,\"POM, \"\"black\"\"\",1,0,0,-0,0,0.5\n"), std::string::npos) << files[0].bytes;
+  EXPECT_NE(files[0].bytes.find("100,0,0.01,0.0101,\"POM, \"\"black\"\"\",1,0,0,-0,0,0.5\n"), std::string::npos)
+      << files[0].bytes;
   EXPECT_NE(files[0].bytes.find(",0.003,\n"), std::string::npos) << files[0].bytes;
   EXPECT_NE(files[1].bytes.find("100,bottom,5,-0.25,0,-1,-1,"), std::string::npos) << files[1].bytes;
 }

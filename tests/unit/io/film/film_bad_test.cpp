@@ -39,7 +39,8 @@ TEST(BadFilm, EveryFormatCutShortIsRefused) {
     const std::string whole = open_bytes(path)->text(0, 1 << 20);
     ASSERT_EQ(refusal(whole), "") << ending;
     for (const double part : {0.999, 0.9, 0.6, 0.3, 0.1, 0.02}) {
-      const std::string text = refusal(whole.substr(0, static_cast<std::size_t>(part * static_cast<double>(whole.size()))));
+      const std::string text =
+          refusal(whole.substr(0, static_cast<std::size_t>(part * static_cast<double>(whole.size()))));
       EXPECT_NE(text, "") << ending << " to " << part;
       EXPECT_NE(text.find("; "), std::string::npos) << text;
     }
@@ -51,7 +52,8 @@ TEST(BadFilm, NothingAndNonsense) {
   expect_refusal("", "is empty");
   expect_refusal(std::string("\0\1\2\3", 4), "is not a film in a known format");
   expect_refusal("no numbers here\n", "is not a film in a known format");
-  EXPECT_NE(test::complaint([] { open_film(std::filesystem::path("/nowhere/film.ptw")); }).find("no such file"), std::string::npos);
+  EXPECT_NE(test::complaint([] { open_film(std::filesystem::path("/nowhere/film.ptw")); }).find("no such file"),
+            std::string::npos);
   const test::TemporaryFolder folder;
   EXPECT_NE(test::complaint([&] { open_film(folder.path()); }).find("no files"), std::string::npos);
 }
@@ -75,7 +77,9 @@ TEST(BadFilm, PtwThatContradictsItself) {
 
 TEST(BadFilm, SfmovThatContradictsItself) {
   const std::string good = test::sfmov(counted());
-  const auto with = [&](const std::string& from, const std::string& to) { return std::string(good).replace(good.find(from), from.size(), to); };
+  const auto with = [&](const std::string& from, const std::string& to) {
+    return std::string(good).replace(good.find(from), from.size(), to);
+  };
   expect_refusal(with("NumDPs 3", "NumDPs 4"), "declares 4");
   expect_refusal(with("NumDPs 3", "NumDPs x"), "does not state NumDPs");
   expect_refusal(with("xPixls 5", "xPixls 99999999999"), "pixels");
@@ -128,7 +132,8 @@ TEST(BadFilm, TooLargeAFrameIsRefusedBeforeMemoryIsAskedFor) {
   const test::TemporaryFolder folder;
   for (const char* ending : {".tif", ".npy", ".h5", ".sfmov", ".ptw"}) {
     write_film(folder / (std::string("film") + ending), film);
-    const std::string text = test::complaint([&] { open_film(folder / (std::string("film") + ending), {.most_pixels = 399}); });
+    const std::string text =
+        test::complaint([&] { open_film(folder / (std::string("film") + ending), {.most_pixels = 399}); });
     EXPECT_NE(text.find("at most 399 pixels"), std::string::npos) << ending << text;
   }
   EXPECT_NE(refusal("1 2 3\n4 5 6\n", {.most_pixels = 5}).find("at most 5"), std::string::npos);

@@ -36,7 +36,9 @@ void expect_same(FilmSource& read, const Film& film) {
   EXPECT_THROW(read.read(film.about.frames, 1, part), std::out_of_range);
 }
 
-std::unique_ptr<FilmSource> opened(const std::string& bytes, const FilmChoice& choice = {}) { return open_film(bytes_in_memory(bytes, "film"), choice); }
+std::unique_ptr<FilmSource> opened(const std::string& bytes, const FilmChoice& choice = {}) {
+  return open_film(bytes_in_memory(bytes, "film"), choice);
+}
 
 TEST(FilmFormats, PtwWithStampsOverMidnight) {
   const Film film = counted();
@@ -56,15 +58,18 @@ TEST(FilmFormats, PtwLockInLineIsLeftOut) {
   const Film with_line = film;
   Film without = counted(6, 3, 2);
   for (int f = 0; f < 2; ++f)
-    for (int i = 0; i < 18; ++i) without.level[static_cast<std::size_t>(18 * f + i)] = with_line.level[static_cast<std::size_t>(24 * f + 6 + i)];
+    for (int i = 0; i < 18; ++i)
+      without.level[static_cast<std::size_t>(18 * f + i)] = with_line.level[static_cast<std::size_t>(24 * f + 6 + i)];
   const std::uint16_t mark[] = {1220, 3907, 1204, 2382};
-  for (std::size_t f = 0; f < 2; ++f) std::copy(mark, mark + 4, film.level.begin() + static_cast<std::ptrdiff_t>(24 * f));
+  for (std::size_t f = 0; f < 2; ++f)
+    std::copy(mark, mark + 4, film.level.begin() + static_cast<std::ptrdiff_t>(24 * f));
   const auto read = opened(test::ptw(film));
   expect_same(*read, without);
   ASSERT_EQ(read->info().remarks.size(), 1U);
   EXPECT_NE(read->info().remarks[0].find("lock-in"), std::string::npos);
   const test::TemporaryFolder folder;
-  for (std::size_t f = 0; f < 2; ++f) film.level[24 * f + 4] = static_cast<std::uint16_t>(100 + 7 * f), film.level[24 * f + 5] = 9;
+  for (std::size_t f = 0; f < 2; ++f)
+    film.level[24 * f + 4] = static_cast<std::uint16_t>(100 + 7 * f), film.level[24 * f + 5] = 9;
   test::spill(folder / "lock.ptw", test::ptw(film));
   test::spill(folder / "plain.ptw", test::ptw(with_line));
   EXPECT_EQ(lock_in_line(folder / "lock.ptw"), (std::vector<double>{100, 107}));
@@ -160,8 +165,11 @@ void write_tiff(const std::filesystem::path& path, const Film& film, const char*
     std::vector<char> buffer;
     const auto put = [&](std::size_t pixel) {
       if (film.about.floating)
-        buffer.insert(buffer.end(), reinterpret_cast<const char*>(&film.value[pixel]), reinterpret_cast<const char*>(&film.value[pixel] + 1));
-      else buffer.insert(buffer.end(), reinterpret_cast<const char*>(&film.level[pixel]), reinterpret_cast<const char*>(&film.level[pixel]) + bits / 8);
+        buffer.insert(buffer.end(), reinterpret_cast<const char*>(&film.value[pixel]),
+                      reinterpret_cast<const char*>(&film.value[pixel] + 1));
+      else
+        buffer.insert(buffer.end(), reinterpret_cast<const char*>(&film.level[pixel]),
+                      reinterpret_cast<const char*>(&film.level[pixel]) + bits / 8);
     };
     const auto width = static_cast<std::size_t>(film.about.width), height = static_cast<std::size_t>(film.about.height);
     const std::size_t base = static_cast<std::size_t>(f) * film.about.pixels();
@@ -172,7 +180,8 @@ void write_tiff(const std::filesystem::path& path, const Film& film, const char*
         for (std::uint32_t x = 0; x < width; x += 16) {
           buffer.clear();
           for (std::size_t r = 0; r < 16; ++r)
-            for (std::size_t c = 0; c < 16; ++c) put(base + std::min(y + r, height - 1) * width + std::min(x + c, width - 1));
+            for (std::size_t c = 0; c < 16; ++c)
+              put(base + std::min(y + r, height - 1) * width + std::min(x + c, width - 1));
           TIFFWriteTile(tiff, buffer.data(), x, y, 0, 0);
         }
     } else {
@@ -219,11 +228,13 @@ TEST(FilmFormats, RawWithASidecar) {
   const test::TemporaryFolder folder;
   const Film film = counted();
   std::string bytes(100, 'x');
-  for (int f = 0; f < 3; ++f) bytes += std::string(7, 'h') + data_of<std::uint16_t>(film).substr(static_cast<std::size_t>(40 * f), 40) + "tt";
+  for (int f = 0; f < 3; ++f)
+    bytes += std::string(7, 'h') + data_of<std::uint16_t>(film).substr(static_cast<std::size_t>(40 * f), 40) + "tt";
   test::spill(folder / "a.raw", bytes);
-  test::spill(folder / "a.toml",
-              "# a film\nwidth = 5\nheight = 4  # rows\ntype = \"uint16\"\noffset = 100\nframe_header = 7\nframe_trailer = 2\n"
-              "frame_rate = \"148 Hz\"\nintegration = \"1500 us\"\ncamera = \"C #1\"\nquantity = \"DL\"\n");
+  test::spill(
+      folder / "a.toml",
+      "# a film\nwidth = 5\nheight = 4  # rows\ntype = \"uint16\"\noffset = 100\nframe_header = 7\nframe_trailer = 2\n"
+      "frame_rate = \"148 Hz\"\nintegration = \"1500 us\"\ncamera = \"C #1\"\nquantity = \"DL\"\n");
   for (const char* name : {"a.raw", "a.toml"}) {
     const auto read = open_film(folder / name);
     expect_same(*read, film);
@@ -245,7 +256,8 @@ TEST(FilmFormats, ARecipeBesideRawFramesIsNotTheirSidecar) {
 TEST(FilmFormats, AnyFilmCanBeToldItsScale) {
   const test::TemporaryFolder folder;
   test::spill(folder / "a.ptw", test::ptw(counted()));
-  for (int f = 0; f < 3; ++f) test::spill(folder / ("s" + std::to_string(f) + ".asc"), std::to_string(1000 * f) + " 1\n");
+  for (int f = 0; f < 3; ++f)
+    test::spill(folder / ("s" + std::to_string(f) + ".asc"), std::to_string(1000 * f) + " 1\n");
   const auto film = open_film(folder / "a.ptw", {.frame_rate = 50.0, .scale = 0.01, .offset = 273.15});
   EXPECT_EQ(film->info().quantity, FilmQuantity::kelvin);
   EXPECT_TRUE(film->info().floating);
@@ -254,7 +266,8 @@ TEST(FilmFormats, AnyFilmCanBeToldItsScale) {
   ASSERT_EQ(values.size(), 60U);
   EXPECT_FLOAT_EQ(values[0], 273.15F);
   EXPECT_FLOAT_EQ(values[59], static_cast<float>(273.15 + 0.01 * 2034));
-  const auto series = open_film(folder / "s*.asc", {.offset = 273.15});  // once, and not once for the file and once for all
+  const auto series =
+      open_film(folder / "s*.asc", {.offset = 273.15});  // once, and not once for the file and once for all
   EXPECT_FLOAT_EQ(test::all_of(*series).value[4], 2273.15F);
 }
 
@@ -262,7 +275,8 @@ TEST(FilmFormats, SeriesOfFilesInTheOrderOfTheirNumbers) {
   const test::TemporaryFolder folder;
   std::filesystem::create_directory(folder / "frames");
   for (int f = 0; f < 12; ++f)
-    test::spill(folder / ("frames/f" + std::to_string(f) + ".asc"), std::to_string(1000 * f) + " " + std::to_string(1000 * f + 1) + "\n");
+    test::spill(folder / ("frames/f" + std::to_string(f) + ".asc"),
+                std::to_string(1000 * f) + " " + std::to_string(1000 * f + 1) + "\n");
   test::spill(folder / "frames/notes.md", "by hand\n");
   const Film film = as_floating(counted(2, 1, 12));
   expect_same(*open_film(folder / "frames"), film);
@@ -276,7 +290,8 @@ TEST(FilmFormats, Hdf5OfOthers) {
   const hid_t file = H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   const hsize_t shape[] = {3, 4, 5}, three = 3;
   const hid_t group = H5Gcreate2(file, "camera", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-  const hid_t space = H5Screate_simple(3, shape, nullptr), line = H5Screate_simple(1, &three, nullptr), one = H5Screate(H5S_SCALAR);
+  const hid_t space = H5Screate_simple(3, shape, nullptr), line = H5Screate_simple(1, &three, nullptr),
+              one = H5Screate(H5S_SCALAR);
   const hid_t set = H5Dcreate2(group, "data", H5T_STD_U16BE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
   H5Dwrite(set, H5T_NATIVE_UINT16, H5S_ALL, H5S_ALL, H5P_DEFAULT, film.level.data());
   const hid_t time = H5Dcreate2(group, "timestamps", H5T_IEEE_F64LE, line, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);

@@ -19,15 +19,17 @@ TEST(OtherRecording, IsNamedByItsEndingOrItsFirstBytes) {
     const char *name, *words;
     std::string bytes;
   };
-  for (const auto& [name, words, bytes] : {Case{"a.seq", "FLIR sequence (.seq)", "FFF\0\0\0\1\2"s}, Case{"b.bin", "FLIR sequence (.seq)", "FFF\0\0\0\1\2"s},
-                                           Case{"c.CSQ", "(.csq)", "x"s}, Case{"d.ats", "(.ats)", "\1\2"s}, Case{"e.ravi", "Optris", "RIFF1234AVI "s},
-                                           Case{"f.mp4", "is a video (MPEG-4)",
-                                                "\0\0\0\x18"
-                                                "ftypmp42"s},
-                                           Case{"g", "is a video (MPEG-4)",
-                                                "\0\0\0\x18"
-                                                "ftypmp42"s},
-                                           Case{"h.h264", "is a video (H.264)", "\0\0\0\1\x67\1"s}, Case{"i.irb", "IRBIS", "\xffIRB"s}}) {
+  for (const auto& [name, words, bytes] :
+       {Case{"a.seq", "FLIR sequence (.seq)", "FFF\0\0\0\1\2"s},
+        Case{"b.bin", "FLIR sequence (.seq)", "FFF\0\0\0\1\2"s}, Case{"c.CSQ", "(.csq)", "x"s},
+        Case{"d.ats", "(.ats)", "\1\2"s}, Case{"e.ravi", "Optris", "RIFF1234AVI "s},
+        Case{"f.mp4", "is a video (MPEG-4)",
+             "\0\0\0\x18"
+             "ftypmp42"s},
+        Case{"g", "is a video (MPEG-4)",
+             "\0\0\0\x18"
+             "ftypmp42"s},
+        Case{"h.h264", "is a video (H.264)", "\0\0\0\1\x67\1"s}, Case{"i.irb", "IRBIS", "\xffIRB"s}}) {
     test::spill(folder / name, bytes);
     const std::string said = test::complaint([&] { open_film(folder / name); });
     EXPECT_NE(said.find(words), std::string::npos) << name << ": " << said;

@@ -50,7 +50,8 @@ TEST(RealFilm, JadeFilmIsReadToTheByte) {
   EXPECT_NEAR(info.band_low, 1.5e-6, 1e-12);
   EXPECT_NEAR(info.band_high, 2.5e-6, 1e-12);
   ASSERT_EQ(info.remarks.size(), 1U);
-  EXPECT_EQ(info.remarks[0], "Frames are stamped 0.03 s apart, while the film states a frame rate of 100 Hz; the stamps are used.");
+  EXPECT_EQ(info.remarks[0],
+            "Frames are stamped 0.03 s apart, while the film states a frame rate of 100 Hz; the stamps are used.");
   const Sums sums = sums_of(test::all_of(*film).level);
   EXPECT_EQ(sums.total, 2768458392U);
   EXPECT_EQ(sums.weighted, 88106186730267U);

@@ -19,10 +19,13 @@ namespace {
 using test::counted;
 using Numbers64 = std::vector<std::int64_t>;
 
-std::filesystem::path data(const char* name) { return std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/films" / name; }
+std::filesystem::path data(const char* name) {
+  return std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/films" / name;
+}
 
 bool tells(const FilmSource& film, const std::string& part) {
-  return std::ranges::any_of(film.info().remarks, [&](const std::string& said) { return said.find(part) != std::string::npos; });
+  return std::ranges::any_of(film.info().remarks,
+                             [&](const std::string& said) { return said.find(part) != std::string::npos; });
 }
 
 // TIFF
@@ -38,7 +41,8 @@ std::string one_directory(bool high_first, const std::string& description, const
   const std::uint32_t text = 8 + 2 + 9 * 12 + 4, first = text + static_cast<std::uint32_t>(description.size()) + 1;
   std::string bytes = (high_first ? "MM" : "II") + number(42, 2) + number(8, 4) + number(9, 2);
   const auto entry = [&](std::uint32_t tag, std::uint32_t type, std::uint32_t count, std::uint32_t value) {
-    bytes += number(tag, 2) + number(type, 2) + number(count, 4) + (type == 3 ? number(value, 2) + number(0, 2) : number(value, 4));
+    bytes += number(tag, 2) + number(type, 2) + number(count, 4) +
+             (type == 3 ? number(value, 2) + number(0, 2) : number(value, 4));
   };
   entry(256, 4, 1, static_cast<std::uint32_t>(film.about.width));
   entry(257, 4, 1, static_cast<std::uint32_t>(film.about.height));
@@ -79,26 +83,30 @@ TEST(StatedFilm, AllImagesBehindTheOneDirectoryOfImageJ) {
   EXPECT_EQ(film->info().height, 6);
   const std::string bytes = open_bytes(data("imagej-one-directory.tif"))->text(0, 1 << 20);
   const FrameBlock all = test::all_of(*film);
-  for (std::size_t i = 0; i < all.level.size(); ++i) ASSERT_EQ(all.level[i], number_at<std::uint16_t>(bytes, 352 + 2 * i));
+  for (std::size_t i = 0; i < all.level.size(); ++i)
+    ASSERT_EQ(all.level[i], number_at<std::uint16_t>(bytes, 352 + 2 * i));
 }
 
 TEST(StatedFilm, ImagesBehindOneDirectoryInEitherOrderOfBytes) {
   const Film film = counted(5, 4, 6);
   for (const bool high_first : {false, true})
-    for (const char* by : {"ImageJ=1.54f\nimages=6\nslices=6\n", "ImageJ=1.54f\nimages=6\nframes=6\n", "{\"shape\": [6, 4, 5]}",
-                           "{\"shape\": [2, 3, 4, 5], \"axes\": \"TZYX\"}"}) {
+    for (const char* by : {"ImageJ=1.54f\nimages=6\nslices=6\n", "ImageJ=1.54f\nimages=6\nframes=6\n",
+                           "{\"shape\": [6, 4, 5]}", "{\"shape\": [2, 3, 4, 5], \"axes\": \"TZYX\"}"}) {
       const std::string bytes = one_directory(high_first, by, film);
       const auto read = open_film(bytes_in_memory(bytes, "a.tif"));
       EXPECT_EQ(test::all_of(*read).level, film.level) << by;
-      const auto said = test::complaint([&] { open_film(bytes_in_memory(bytes.substr(0, bytes.size() - 1), "a.tif")); });
+      const auto said =
+          test::complaint([&] { open_film(bytes_in_memory(bytes.substr(0, bytes.size() - 1), "a.tif")); });
       EXPECT_NE(said.find("holds 5 images, but"), std::string::npos) << said;
     }
 }
 
 TEST(StatedFilm, OneChannelOfSeveralIsChosen) {
   const auto path = data("imagej-two-channels.tif");
-  EXPECT_EQ(test::complaint([&] { open_film(path); }),
-            path.string() + ": holds 120 frames of 2 channels, as ImageJ describes it; choose one with --dataset: channel 1, channel 2");
+  EXPECT_EQ(
+      test::complaint([&] { open_film(path); }),
+      path.string() +
+          ": holds 120 frames of 2 channels, as ImageJ describes it; choose one with --dataset: channel 1, channel 2");
   EXPECT_THROW(open_film(path, {.dataset = "channel 3"}), InputError);
   const auto first = open_film(path, {.dataset = "channel 1"}), second = open_film(path, {.dataset = "channel 2"});
   EXPECT_EQ(first->info().frames, 120);
@@ -110,7 +118,8 @@ TEST(StatedFilm, OneChannelOfSeveralIsChosen) {
     ASSERT_EQ(TIFFSetDirectory(tiff, static_cast<tdir_t>(n)), 1);
     ASSERT_EQ(TIFFReadEncodedStrip(tiff, 0, page.data(), 120), 120);
     const FrameBlock& channel = n % 2 == 0 ? one : two;
-    EXPECT_TRUE(std::equal(page.begin(), page.end(), channel.level.begin() + static_cast<std::ptrdiff_t>(60 * (n / 2)))) << n;
+    EXPECT_TRUE(std::equal(page.begin(), page.end(), channel.level.begin() + static_cast<std::ptrdiff_t>(60 * (n / 2))))
+        << n;
   }
   TIFFClose(tiff);
 }
@@ -152,8 +161,10 @@ TEST(StatedFilm, DescriptionsThatThePagesContradict) {
     write_pages(folder / "a.tif", counted(5, 4, 6), description);
     return open_film(folder / "a.tif");
   };
-  EXPECT_NE(test::complaint([&] { opened("ImageJ=1.5\nimages=7\n"); }).find("holds 6 images, but ImageJ describes 7"), std::string::npos);
-  EXPECT_NE(test::complaint([&] { opened("ImageJ=1.5\nimages=6\nslices=2\nframes=3\n"); }).find("3 frames of 2 slices"), std::string::npos);
+  EXPECT_NE(test::complaint([&] { opened("ImageJ=1.5\nimages=7\n"); }).find("holds 6 images, but ImageJ describes 7"),
+            std::string::npos);
+  EXPECT_NE(test::complaint([&] { opened("ImageJ=1.5\nimages=6\nslices=2\nframes=3\n"); }).find("3 frames of 2 slices"),
+            std::string::npos);
   EXPECT_TRUE(tells(*opened("ImageJ=1.5\nimages=4\n"), "describes 4 images, but the film has 6 pages"));
   const auto timed = opened("ImageJ=1.5\nimages=6\nframes=6\nfinterval=0.04\nfps=7.0\n");
   EXPECT_NEAR(timed->info().frame_rate, 25, 1e-12);
@@ -168,7 +179,8 @@ TEST(StatedFilm, DescriptionsThatThePagesContradict) {
 // Series
 
 /// Text frames of two pixels, named by `name`.
-void write_frames(const std::filesystem::path& folder, const Numbers64& numbers, const std::function<std::string(std::int64_t)>& name) {
+void write_frames(const std::filesystem::path& folder, const Numbers64& numbers,
+                  const std::function<std::string(std::int64_t)>& name) {
   std::filesystem::remove_all(folder);
   std::filesystem::create_directory(folder);
   for (const auto n : numbers) test::spill(folder / name(n), std::to_string(n) + " 1\n");
@@ -211,7 +223,8 @@ TEST(StatedFilm, NumbersThatCountSomethingElseAreTold) {
     return tells(*film, "do not count frames one by one");
   };
   EXPECT_TRUE(told({0, 33, 67, 100, 133}, [](std::int64_t n) { return "t" + std::to_string(n) + "ms.asc"; }));
-  EXPECT_TRUE(told({1, 2, 3}, [](std::int64_t n) { return "a" + std::to_string(n) + "_" + std::to_string(7 * n) + ".asc"; }));
+  EXPECT_TRUE(
+      told({1, 2, 3}, [](std::int64_t n) { return "a" + std::to_string(n) + "_" + std::to_string(7 * n) + ".asc"; }));
   EXPECT_TRUE(told({1, 2, 3}, [](std::int64_t n) { return (n == 2 ? "b" : "a") + std::to_string(n) + ".asc"; }));
 }
 
@@ -254,7 +267,9 @@ TEST(StatedFilm, EvenStampsAreNoMissingFrames) {
   take_stamps(info, {1, 1.03, 1.06, 1.09});
   EXPECT_EQ(frame_intervals(info).dropped, 0);
   EXPECT_TRUE(frame_intervals(info).gap.empty());
-  EXPECT_EQ(info.remarks, std::vector<std::string>{"Frames are stamped 0.03 s apart, while the film states a frame rate of 100 Hz; the stamps are used."});
+  EXPECT_EQ(info.remarks,
+            std::vector<std::string>{
+                "Frames are stamped 0.03 s apart, while the film states a frame rate of 100 Hz; the stamps are used."});
 }
 
 TEST(StatedFilm, StampsInMillisecondsCountLongGapsRightly) {
@@ -293,7 +308,9 @@ struct Hdf5File {
   test::TemporaryFolder folder;
   hid_t file = H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
 
-  template <class T> hid_t write(const char* name, const std::vector<hsize_t>& shape, hid_t stored, hid_t type, const std::vector<T>& values) {
+  template <class T>
+  hid_t write(const char* name, const std::vector<hsize_t>& shape, hid_t stored, hid_t type,
+              const std::vector<T>& values) {
     const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
     const hid_t set = H5Dcreate2(file, name, stored, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     if (!values.empty()) H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
@@ -327,7 +344,8 @@ TEST(StatedFilm, PicturesOfMatlabAreTurned) {
   EXPECT_EQ(film->info().frames, 120);
   EXPECT_TRUE(tells(*film, "height x width x frames: 6 x 10 x 120"));
   // In its bytes, from HDF5 itself, the first length after the frames is the column.
-  const hid_t file = H5Fopen(data("matlab.mat").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), set = H5Dopen2(file, "frames", H5P_DEFAULT);
+  const hid_t file = H5Fopen(data("matlab.mat").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT),
+              set = H5Dopen2(file, "frames", H5P_DEFAULT);
   std::vector<float> stored(7200);
   H5Dread(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, stored.data());
   H5Dclose(set);
@@ -394,7 +412,8 @@ TEST(StatedFilm, ScaleUnitAndMissingValuesOfNetcdf) {
 TEST(StatedFilm, WhatWasNeverWrittenIsNoNumber) {
   Hdf5File h;
   const hsize_t shape[] = {3, 4, 5}, chunk[] = {1, 4, 5}, start[] = {0, 0, 0};
-  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE), space = H5Screate_simple(3, shape, nullptr), one = H5Screate_simple(3, chunk, nullptr);
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE), space = H5Screate_simple(3, shape, nullptr),
+              one = H5Screate_simple(3, chunk, nullptr);
   H5Pset_chunk(creation, 3, chunk);
   const hid_t set = H5Dcreate2(h.file, "film", H5T_IEEE_F32BE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
   const std::vector<float> frame(20, 7);
@@ -415,12 +434,15 @@ TEST(StatedFilm, DeepGroupsAreNotSearchedWithoutEnd) {
   H5Lcreate_hard(h.file, "g", group, "again", H5P_DEFAULT, H5P_DEFAULT);  // a loop
   for (int depth = 0; depth < 3000; ++depth) {
     const hid_t next = H5Gcreate2(group, "g", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    if (depth == 10) H5Dclose(H5Dcreate2(next, "numbers", H5T_NATIVE_INT, H5Screate(H5S_SCALAR), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+    if (depth == 10)
+      H5Dclose(
+          H5Dcreate2(next, "numbers", H5T_NATIVE_INT, H5Screate(H5S_SCALAR), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
     H5Gclose(group);
     group = next;
   }
   H5Gclose(group);
-  EXPECT_NE(test::complaint([&] { h.open(); }).find("holds no dataset of numbers over frames x height x width"), std::string::npos);
+  EXPECT_NE(test::complaint([&] { h.open(); }).find("holds no dataset of numbers over frames x height x width"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -88,8 +88,10 @@ TEST(FilmWriter, RefusesWhatAFormatHasNoPlaceFor) {
   const test::TemporaryFolder folder;
   Film film = test::counted(3, 3, 2, true);
   EXPECT_NE(test::complaint([&] { write_film(folder / "a.ptw", film); }).find("levels"), std::string::npos);
-  EXPECT_NE(test::complaint([&] { write_film(folder / "a.avi", film); }).find("tiff, npy, hdf5, sfmov, ptw"), std::string::npos);
-  EXPECT_THROW(create_film(folder / "a.npy", film.about)->append(FrameBlock{0, 1, std::vector<std::uint16_t>(9), {}}), std::invalid_argument);
+  EXPECT_NE(test::complaint([&] { write_film(folder / "a.avi", film); }).find("tiff, npy, hdf5, sfmov, ptw"),
+            std::string::npos);
+  EXPECT_THROW(create_film(folder / "a.npy", film.about)->append(FrameBlock{0, 1, std::vector<std::uint16_t>(9), {}}),
+               std::invalid_argument);
   EXPECT_EQ(folder.count(), 0);
 }
 
@@ -127,7 +129,8 @@ TEST(FilmWriter, Hdf5IsReadByHdf5) {
     write_film(folder / "film.h5", film);
     const hid_t file = H5Fopen((folder / "film.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     ASSERT_GE(file, 0);
-    const hid_t set = H5Dopen2(file, "frames", H5P_DEFAULT), space = H5Dget_space(set), time = H5Dopen2(file, "time", H5P_DEFAULT);
+    const hid_t set = H5Dopen2(file, "frames", H5P_DEFAULT), space = H5Dget_space(set),
+                time = H5Dopen2(file, "time", H5P_DEFAULT);
     hsize_t shape[3] = {};
     ASSERT_EQ(H5Sget_simple_extent_dims(space, shape, nullptr), 3);
     EXPECT_EQ(shape[0], 4U);
@@ -135,7 +138,8 @@ TEST(FilmWriter, Hdf5IsReadByHdf5) {
     EXPECT_EQ(shape[2], 7U);
     std::vector<float> value(140);
     ASSERT_GE(H5Dread(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()), 0);
-    for (std::size_t i = 0; i < value.size(); ++i) EXPECT_EQ(value[i], floating ? film.value[i] : static_cast<float>(film.level[i]));
+    for (std::size_t i = 0; i < value.size(); ++i)
+      EXPECT_EQ(value[i], floating ? film.value[i] : static_cast<float>(film.level[i]));
     std::vector<double> stamps(4);
     ASSERT_GE(H5Dread(time, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, stamps.data()), 0);
     EXPECT_EQ(stamps, film.about.time);

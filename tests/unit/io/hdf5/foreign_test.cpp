@@ -35,7 +35,8 @@ struct Way {
 
 /// 0, 1, 2, ... in a file of its own, written by HDF5 itself.
 void write(const std::filesystem::path& path, const Way& way) {
-  const hid_t creation = H5Pcreate(H5P_FILE_CREATE), access = H5Pcreate(H5P_FILE_ACCESS), set = H5Pcreate(H5P_DATASET_CREATE);
+  const hid_t creation = H5Pcreate(H5P_FILE_CREATE), access = H5Pcreate(H5P_FILE_ACCESS),
+              set = H5Pcreate(H5P_DATASET_CREATE);
   H5Pset_userblock(creation, way.user_block);
   if (way.latest) H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
   if (!way.chunk.empty()) H5Pset_chunk(set, 3, way.chunk.data());
@@ -43,7 +44,8 @@ void write(const std::filesystem::path& path, const Way& way) {
   if (way.shuffle) H5Pset_shuffle(set);
   if (way.deflate) H5Pset_deflate(set, 6);
   if (way.checksum) H5Pset_fletcher32(set);
-  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), space = H5Screate_simple(3, shape, nullptr);
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access),
+              space = H5Screate_simple(3, shape, nullptr);
   const hid_t data = H5Dcreate2(file, "frames", H5T_STD_U16BE, space, H5P_DEFAULT, set, H5P_DEFAULT);
   std::vector<std::uint16_t> numbers(315);
   std::iota(numbers.begin(), numbers.end(), std::uint16_t{0});
@@ -56,18 +58,22 @@ void write(const std::filesystem::path& path, const Way& way) {
 
 TEST(Hdf5Numbers, AreReadHoweverTheyAreStored) {
   const TemporaryFolder folder;
-  for (const Way& way : {Way{"piece"}, Way{"beside", {}, false, false, false, true}, Way{"chunks", {2, 3, 4}}, Way{"rows", {2, 3, 9}}, Way{"one", {5, 7, 9}},
-                         Way{"deflated", {2, 3, 4}, true}, Way{"all", {2, 3, 4}, true, true, true}, Way{"odd sum", {1, 3, 3}, false, true, true},
-                         Way{"newest", {2, 3, 4}, true, true, true, false, true}, Way{"bytes before", {2, 3, 4}, true, false, false, false, false, 1024},
-                         Way{"bytes before a piece", {}, false, false, false, false, false, 512}}) {
+  for (const Way& way :
+       {Way{"piece"}, Way{"beside", {}, false, false, false, true}, Way{"chunks", {2, 3, 4}}, Way{"rows", {2, 3, 9}},
+        Way{"one", {5, 7, 9}}, Way{"deflated", {2, 3, 4}, true}, Way{"all", {2, 3, 4}, true, true, true},
+        Way{"odd sum", {1, 3, 3}, false, true, true}, Way{"newest", {2, 3, 4}, true, true, true, false, true},
+        Way{"bytes before", {2, 3, 4}, true, false, false, false, false, 1024},
+        Way{"bytes before a piece", {}, false, false, false, false, false, 512}}) {
     write(folder / "a.h5", way);
     for (const bool in_memory : {false, true}) {
-      const auto film = in_memory ? open_film(bytes_in_memory(read_file(folder / "a.h5"), "a")) : open_film(folder / "a.h5");
+      const auto film =
+          in_memory ? open_film(bytes_in_memory(read_file(folder / "a.h5"), "a")) : open_film(folder / "a.h5");
       ASSERT_EQ(film->info().frames, 5) << way.name;
       for (const auto& [first, count] : {std::pair{0, 5}, {1, 3}, {4, 1}}) {
         FrameBlock block;
         film->read(first, static_cast<std::size_t>(count), block);
-        for (std::size_t i = 0; i < block.level.size(); ++i) ASSERT_EQ(block.level[i], static_cast<std::size_t>(first) * 63 + i) << way.name;
+        for (std::size_t i = 0; i < block.level.size(); ++i)
+          ASSERT_EQ(block.level[i], static_cast<std::size_t>(first) * 63 + i) << way.name;
       }
     }
   }
@@ -110,9 +116,11 @@ TEST(OwnProcess, GivesBytesPassesRefusalsAndSurvivesDeath) {
                                                  std::raise(SIGKILL);
                                                  return "";
                                                },
-                                               []() -> std::string { throw 1; }, []() -> std::string { return std::string(std::size_t{1} << 40, 'x'); },
+                                               []() -> std::string { throw 1; },
+                                               []() -> std::string { return std::string(std::size_t{1} << 40, 'x'); },
                                                [] { return std::string(100, 'x'); }};
-  for (const auto& end : ends) EXPECT_EQ(test::complaint([&] { in_sandbox("a", end, 10); }), "a: is damaged; copy it again");
+  for (const auto& end : ends)
+    EXPECT_EQ(test::complaint([&] { in_sandbox("a", end, 10); }), "a: is damaged; copy it again");
 }
 
 /// The work says that it runs and would go on for ever; a pipe that it holds tells its end.
@@ -152,7 +160,8 @@ TEST(OwnProcess, IsEndedByWhatEndsPrograms) {
   for (const int signal : {SIGTERM, SIGINT}) {
     EndlessWork work;
     std::thread ends([&] { ::kill(work.wait_for_start(), signal); });
-    EXPECT_EQ(test::complaint([&] { in_sandbox("a", std::cref(work), 10); }), "a: was not read: its reading was stopped; start it again");
+    EXPECT_EQ(test::complaint([&] { in_sandbox("a", std::cref(work), 10); }),
+              "a: was not read: its reading was stopped; start it again");
     ends.join();
   }
 }

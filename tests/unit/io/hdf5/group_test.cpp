@@ -19,7 +19,9 @@ std::string refusal(const std::function<void()>& act) {
 
 /// Puts a value into what is written.
 template <class T> void put(const Hdf5Group& at, const char* name, T value) { at(name, value); }
-template <class T> void put(const Hdf5Group& at, const char* name, std::vector<T> values, const char* unit = "1") { at.array(name, values, unit); }
+template <class T> void put(const Hdf5Group& at, const char* name, std::vector<T> values, const char* unit = "1") {
+  at.array(name, values, unit);
+}
 
 /// Takes a value out of what is read.
 template <class T> T take(const Hdf5Group& at, const char* name) {
@@ -63,7 +65,8 @@ TEST(Hdf5Group, TellsWhatIsOfAnotherKind) {
   const auto frame = written().group("frames").group("0000");
   EXPECT_NE(refusal([&] { take_text(frame, "x"); }).find("not text"), std::string::npos);
   EXPECT_NE(refusal([&] { take<std::string>(frame, "time [s]"); }).find("not text"), std::string::npos);
-  EXPECT_NE(refusal([&] { take_array<double>(frame, "recipe"); }).find("not a one-dimensional array"), std::string::npos);
+  EXPECT_NE(refusal([&] { take_array<double>(frame, "recipe"); }).find("not a one-dimensional array"),
+            std::string::npos);
   EXPECT_NE(refusal([&] { take<double>(frame, "label"); }).find("not one number"), std::string::npos);
 }
 
@@ -77,7 +80,8 @@ TEST(Hdf5Group, GivesBackEmptyArraysAndTextsAndTheOrderOfMembers) {
 }
 
 TEST(Hdf5Group, BytesThatAreNotHdf5AreAnInputError) {
-  EXPECT_NE(refusal([] { Hdf5Group("not HDF5 at all", "some.h5"); }).find("some.h5: is not a readable HDF5 file"), std::string::npos);
+  EXPECT_NE(refusal([] { Hdf5Group("not HDF5 at all", "some.h5"); }).find("some.h5: is not a readable HDF5 file"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -59,7 +59,9 @@ TEST_F(Hdf5Image, FractionsAreNoLabels) {
   H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values);
   H5Dclose(set);
   H5Sclose(space);
-  EXPECT_EQ(refusal(), "a.h5: holds floating-point numbers with fractions (2.5 at pixel 1, 0); save whole numbers, one value per phase");
+  EXPECT_EQ(
+      refusal(),
+      "a.h5: holds floating-point numbers with fractions (2.5 at pixel 1, 0); save whole numbers, one value per phase");
 }
 
 /// MATLAB's array of 2 rows and 3 columns, [1 2 3; 4 5 6], and a stack of two of them along the third axis.
@@ -100,7 +102,8 @@ TEST_F(Hdf5Image, AsksWhichOfTwoAndWhichSlice) {
 TEST_F(Hdf5Image, RefusesWhatIsNoPicture) {
   write("line", {2}, H5T_STD_I32LE, {1, 2});
   EXPECT_NE(refusal().find("no dataset of whole numbers"), std::string::npos);
-  EXPECT_NE(refusal({.slice = {}, .dataset = "fraction"}).find("has no dataset \"fraction\" of whole numbers"), std::string::npos);
+  EXPECT_NE(refusal({.slice = {}, .dataset = "fraction"}).find("has no dataset \"fraction\" of whole numbers"),
+            std::string::npos);
 }
 
 TEST_F(Hdf5Image, RefusesValuesAndSizesBeyondItsMeans) {
@@ -115,7 +118,8 @@ TEST_F(Hdf5Image, RefusesValuesAndSizesBeyondItsMeans) {
 TEST_F(Hdf5Image, RefusesAFileCutShort) {
   write("map", {2, 3}, H5T_STD_U8LE, {0, 85, 170, 1, 2, 255});
   const std::string whole = bytes();
-  for (std::size_t n = 8; n < whole.size(); n += 64) EXPECT_FALSE(complaint([&] { io::decode_image(whole.substr(0, n), "a.h5"); }).empty()) << n;
+  for (std::size_t n = 8; n < whole.size(); n += 64)
+    EXPECT_FALSE(complaint([&] { io::decode_image(whole.substr(0, n), "a.h5"); }).empty()) << n;
 }
 
 }  // namespace

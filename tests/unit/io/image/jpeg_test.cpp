@@ -9,7 +9,9 @@ namespace {
 using namespace arenite;
 using namespace arenite::test;
 
-Image decode(const std::string& bytes, io::Channel channel = io::Channel::grey) { return io::decode_image(bytes, "a.jpg", {.channel = channel}); }
+Image decode(const std::string& bytes, io::Channel channel = io::Channel::grey) {
+  return io::decode_image(bytes, "a.jpg", {.channel = channel});
+}
 std::string refusal(const std::string& bytes) {
   return complaint([&] { decode(bytes); });
 }
@@ -26,7 +28,8 @@ std::string slopes(unsigned width, unsigned height, int samples) {
 void expect_slopes(const Image& image, int per_x, int per_y, int constant, int tolerance) {
   ASSERT_EQ(image.value.size(), image.size());
   for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) EXPECT_NEAR(image.value[image.index(x, y)], per_x * x + per_y * y + constant, tolerance) << x << ", " << y;
+    for (int x = 0; x < image.width; ++x)
+      EXPECT_NEAR(image.value[image.index(x, y)], per_x * x + per_y * y + constant, tolerance) << x << ", " << y;
 }
 
 TEST(JpegImage, ReadsGreyAndTheChannelsOfColourRowByRowFromTheTop) {
@@ -71,7 +74,8 @@ TEST(JpegImage, RefusesInksAndSizesOfTooMuch) {
   const auto frame = wide.find("\xff\xc0");
   ASSERT_NE(frame, std::string::npos);
   for (const std::size_t byte : {5, 6, 7, 8}) wide[frame + byte] = '\xf0';
-  EXPECT_NE(refusal(wide).find("61680 x 61680 pixels, but at most 100 million can be read"), std::string::npos) << refusal(wide);
+  EXPECT_NE(refusal(wide).find("61680 x 61680 pixels, but at most 100 million can be read"), std::string::npos)
+      << refusal(wide);
 }
 
 }  // namespace

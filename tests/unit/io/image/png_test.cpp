@@ -8,7 +8,9 @@ using namespace arenite;
 using namespace arenite::test;
 using Values = std::vector<std::int32_t>;
 
-Image decode_png(const std::string& bytes, const io::ImageChoice& choice = {}) { return io::decode_image(bytes, "a.png", choice); }
+Image decode_png(const std::string& bytes, const io::ImageChoice& choice = {}) {
+  return io::decode_image(bytes, "a.png", choice);
+}
 std::string png_refusal(const std::string& bytes, const io::ImageChoice& choice = {}) {
   return complaint([&] { decode_png(bytes, choice); });
 }
@@ -36,9 +38,11 @@ TEST(PngImage, IsSeenAsItsExifSays) {
 TEST(PngImage, TakesAGreyPaletteAsWhatItShowsAndRefusesColour) {
   const std::string greys("\0\0\0\x55\x55\x55\xff\xff\xff", 9), red("\0\0\0\xff\0\0", 6);
   EXPECT_EQ(decode_png(png(3, 1, 8, palette, {std::string("\2\1\0", 3)}, greys)).value, (Values{255, 85, 0}));
-  EXPECT_EQ(decode_png(png(3, 1, 8, palette, {std::string("\0\0\0", 3)}, red)).value, (Values{0, 0, 0}));  // no pixel is red
-  EXPECT_EQ(png_refusal(png(3, 1, 8, palette, {std::string("\0\0\1", 3)}, red)),
-            "a.png: is in colour (pixel 2, 0), and colours are not phases; save it as greyscale with one value per phase");
+  EXPECT_EQ(decode_png(png(3, 1, 8, palette, {std::string("\0\0\0", 3)}, red)).value,
+            (Values{0, 0, 0}));  // no pixel is red
+  EXPECT_EQ(
+      png_refusal(png(3, 1, 8, palette, {std::string("\0\0\1", 3)}, red)),
+      "a.png: is in colour (pixel 2, 0), and colours are not phases; save it as greyscale with one value per phase");
   EXPECT_NE(png_refusal(png(1, 1, 8, palette, {"\x07"}, greys)).find("not in its palette"), std::string::npos);
 }
 
@@ -47,18 +51,23 @@ TEST(PngImage, TakesColourThatIsGreyAndOpacityThatIsFull) {
   EXPECT_EQ(decode_png(png(2, 1, 8, grey_alpha, {"\7\xff\x9\xff"})).value, (Values{7, 9}));
   EXPECT_EQ(decode_png(png(1, 1, 16, colour_alpha, {"\1\2\1\2\1\2\xff\xff"})).value, (Values{0x0102}));
   EXPECT_NE(png_refusal(png(2, 1, 8, colour, {"\7\7\7\x9\x9\x8"})).find("in colour (pixel 1, 0)"), std::string::npos);
-  EXPECT_NE(png_refusal(png(2, 1, 8, grey_alpha, {"\7\xff\x9\xfe"})).find("transparent at pixel 1, 0"), std::string::npos);
+  EXPECT_NE(png_refusal(png(2, 1, 8, grey_alpha, {"\7\xff\x9\xfe"})).find("transparent at pixel 1, 0"),
+            std::string::npos);
 }
 
 TEST(PngImage, TakesTheChannelThatIsChosenOfAColour) {
-  const auto value = [](io::Channel channel, const std::string& bytes) { return decode_png(bytes, {.channel = channel}).value; };
+  const auto value = [](io::Channel channel, const std::string& bytes) {
+    return decode_png(bytes, {.channel = channel}).value;
+  };
   const std::string pixels = png(2, 1, 8, colour, {std::string("\x0a\x14\x3f\x07\x07\x07", 6)});
   EXPECT_EQ(value(io::Channel::red, pixels), (Values{10, 7}));
   EXPECT_EQ(value(io::Channel::green, pixels), (Values{20, 7}));
   EXPECT_EQ(value(io::Channel::blue, pixels), (Values{63, 7}));
   EXPECT_EQ(value(io::Channel::mean, pixels), (Values{31, 7}));
   EXPECT_EQ(value(io::Channel::grey, pixels), (Values{22, 7}));  // 2.99 + 11.74 + 7.182
-  EXPECT_EQ(value(io::Channel::green, png(1, 1, 8, palette, {std::string("\1", 1)}, std::string("\0\0\0\xff\x05\0", 6))), (Values{5}));
+  EXPECT_EQ(
+      value(io::Channel::green, png(1, 1, 8, palette, {std::string("\1", 1)}, std::string("\0\0\0\xff\x05\0", 6))),
+      (Values{5}));
   EXPECT_EQ(value(io::Channel::blue, grey_png(1, 1, "a")), (Values{'a'}));
 }
 
@@ -66,7 +75,8 @@ TEST(Channel, HasANameOrIsRefused) {
   for (const std::string& name : io::channel_names()) EXPECT_NE(io::parse_channel(name), io::Channel::none);
   EXPECT_EQ(io::parse_channel("blue"), io::Channel::blue);
   EXPECT_EQ(complaint([] { io::parse_channel("gren"); }), "there is no channel \"gren\"; did you mean \"green\"?");
-  EXPECT_EQ(complaint([] { io::parse_channel("infrared"); }), "there is no channel \"infrared\"; choose red, green, blue, mean or grey");
+  EXPECT_EQ(complaint([] { io::parse_channel("infrared"); }),
+            "there is no channel \"infrared\"; choose red, green, blue, mean or grey");
 }
 
 TEST(PngImage, RefusesAFileCutShortAtAnyByte) {
@@ -82,14 +92,17 @@ TEST(PngImage, RefusesAFileCutShortAtAnyByte) {
 
 TEST(PngImage, RefusesSizesOfNothingAndOfTooMuch) {
   EXPECT_NE(png_refusal(png(0, 4, 8, grey, {})).find("damaged"), std::string::npos);
-  EXPECT_EQ(png_refusal(png(100000, 100000, 8, grey, {})), "a.png: holds a picture of 100000 x 100000 pixels, but at most 100 million can be read; crop it");
-  EXPECT_NE(png_refusal(grey_png(3, 1, "abc"), {.slice = {}, .dataset = {}, .most_pixels = 2}).find("crop it"), std::string::npos);
+  EXPECT_EQ(png_refusal(png(100000, 100000, 8, grey, {})),
+            "a.png: holds a picture of 100000 x 100000 pixels, but at most 100 million can be read; crop it");
+  EXPECT_NE(png_refusal(grey_png(3, 1, "abc"), {.slice = {}, .dataset = {}, .most_pixels = 2}).find("crop it"),
+            std::string::npos);
   EXPECT_NE(png_refusal(grey_png(3, 1, "abc"), {.slice = 1}).find("no slice 1"), std::string::npos);
 }
 
 TEST(Image, SaysWhatIsNoPicture) {
   EXPECT_NE(png_refusal("").find("is empty"), std::string::npos);
-  EXPECT_NE(png_refusal("id,x,y\n").find("is no picture in a known format; save it as one of " + io::picture_formats()), std::string::npos);
+  EXPECT_NE(png_refusal("id,x,y\n").find("is no picture in a known format; save it as one of " + io::picture_formats()),
+            std::string::npos);
   EXPECT_NE(png_refusal("\xff\xd8\xff\xe0").find("JPEG"), std::string::npos);
   EXPECT_NE(complaint([] { io::read_image("/nowhere.png"); }).find("no such file"), std::string::npos);
 }

@@ -17,7 +17,9 @@ std::string tiff(const std::vector<TiffPage>& pages) {
   write_tiff(folder / "a.tif", pages);
   return io::read_file(folder / "a.tif");
 }
-Image decode_tiff(const std::string& bytes, const io::ImageChoice& choice = {}) { return io::decode_image(bytes, "a.tif", choice); }
+Image decode_tiff(const std::string& bytes, const io::ImageChoice& choice = {}) {
+  return io::decode_image(bytes, "a.tif", choice);
+}
 std::string tiff_refusal(const std::string& bytes, const io::ImageChoice& choice = {}) {
   return complaint([&] { decode_tiff(bytes, choice); });
 }
@@ -30,7 +32,8 @@ TiffPage page(std::uint32_t width, std::uint32_t height, std::vector<std::uint8_
 }
 
 TEST(TiffImage, KeepsTheStoredValuesOfEveryDepthAndCompression) {
-  for (const std::uint16_t compression : {COMPRESSION_NONE, COMPRESSION_LZW, COMPRESSION_ADOBE_DEFLATE, COMPRESSION_PACKBITS}) {
+  for (const std::uint16_t compression :
+       {COMPRESSION_NONE, COMPRESSION_LZW, COMPRESSION_ADOBE_DEFLATE, COMPRESSION_PACKBITS}) {
     TiffPage p = page(3, 3, {0, 85, 170, 1, 2, 3, 4, 5, 255});
     p.compression = compression;
     EXPECT_EQ(decode_tiff(tiff({p})).value, (Values{0, 85, 170, 1, 2, 3, 4, 5, 255})) << compression;
@@ -85,7 +88,8 @@ TEST(TiffImage, GivesTheSliceThatIsAskedFor) {
 }
 
 TEST(TiffImage, FloatingNumbersThatAreWholeAreLabels) {
-  const Image image = io::read_image(std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/films/labels-as-floats.tif");
+  const Image image =
+      io::read_image(std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/films/labels-as-floats.tif");
   EXPECT_EQ(image.size(), 64U * 64U);
   EXPECT_EQ(*std::ranges::min_element(image.value), 1);
   EXPECT_EQ(*std::ranges::max_element(image.value), 2);
@@ -103,10 +107,11 @@ TEST(TiffImage, IsSeenUprightHoweverItIsStored) {
     std::uint32_t width, height;
     std::vector<std::uint8_t> bytes;
   };
-  const Stored all[] = {{ORIENTATION_TOPLEFT, 3, 2, {1, 2, 3, 4, 5, 6}},  {ORIENTATION_TOPRIGHT, 3, 2, {3, 2, 1, 6, 5, 4}},
-                        {ORIENTATION_BOTRIGHT, 3, 2, {6, 5, 4, 3, 2, 1}}, {ORIENTATION_BOTLEFT, 3, 2, {4, 5, 6, 1, 2, 3}},
-                        {ORIENTATION_LEFTTOP, 2, 3, {1, 4, 2, 5, 3, 6}},  {ORIENTATION_RIGHTTOP, 2, 3, {3, 6, 2, 5, 1, 4}},
-                        {ORIENTATION_RIGHTBOT, 2, 3, {6, 3, 5, 2, 4, 1}}, {ORIENTATION_LEFTBOT, 2, 3, {4, 1, 5, 2, 6, 3}}};
+  const Stored all[] = {
+      {ORIENTATION_TOPLEFT, 3, 2, {1, 2, 3, 4, 5, 6}},  {ORIENTATION_TOPRIGHT, 3, 2, {3, 2, 1, 6, 5, 4}},
+      {ORIENTATION_BOTRIGHT, 3, 2, {6, 5, 4, 3, 2, 1}}, {ORIENTATION_BOTLEFT, 3, 2, {4, 5, 6, 1, 2, 3}},
+      {ORIENTATION_LEFTTOP, 2, 3, {1, 4, 2, 5, 3, 6}},  {ORIENTATION_RIGHTTOP, 2, 3, {3, 6, 2, 5, 1, 4}},
+      {ORIENTATION_RIGHTBOT, 2, 3, {6, 3, 5, 2, 4, 1}}, {ORIENTATION_LEFTBOT, 2, 3, {4, 1, 5, 2, 6, 3}}};
   for (const Stored& stored : all) {
     TiffPage p = page(stored.width, stored.height, stored.bytes);
     p.orientation = stored.orientation;
@@ -117,8 +122,10 @@ TEST(TiffImage, IsSeenUprightHoweverItIsStored) {
 }
 
 TEST(TiffImage, AStackOfWhichOnlyOnePictureCanBeReachedIsRefused) {
-  const std::string said =
-      complaint([] { io::read_image(std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/films/imagej-one-directory.tif", {.slice = 0}); });
+  const std::string said = complaint([] {
+    io::read_image(std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/films/imagej-one-directory.tif",
+                   {.slice = 0});
+  });
   EXPECT_NE(said.find("holds one picture, but ImageJ describes 120 images"), std::string::npos) << said;
 }
 
@@ -158,7 +165,8 @@ TEST(TiffImage, RefusesAFileCutShortAtAnyByte) {
 
 TEST(TiffImage, RefusesTooLargePictures) {
   const std::string whole = tiff({page(6, 5, std::vector<std::uint8_t>(30, 85))});
-  EXPECT_NE(tiff_refusal(whole, {.slice = {}, .dataset = {}, .most_pixels = 29}).find("6 x 5 pixels"), std::string::npos);
+  EXPECT_NE(tiff_refusal(whole, {.slice = {}, .dataset = {}, .most_pixels = 29}).find("6 x 5 pixels"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -15,7 +15,9 @@ using namespace arenite;
 using test::small_field;
 using test::TemporaryFolder;
 
-bool operator==(const Bridge& a, const Bridge& b) { return a.i == b.i && a.j == b.j && a.half_i == b.half_i && a.half_j == b.half_j; }
+bool operator==(const Bridge& a, const Bridge& b) {
+  return a.i == b.i && a.j == b.j && a.half_i == b.half_i && a.half_j == b.half_j;
+}
 
 void expect_same(const History& a, const History& b) {
   ASSERT_EQ(a.columns.size(), b.columns.size());
@@ -125,9 +127,9 @@ TEST(FieldFile, LabelsThatPointNowhereAreRefused) {
 TEST(FieldFile, OpenToOtherProgramsWithUnits) {
   const TemporaryFolder folder;
   io::write_field(folder / "f.h5", small_field());
-  const auto seen =
-      test::shell("/usr/bin/python3 -c \"import h5py; f = h5py.File('" + (folder / "f.h5").string() +
-                  "'); s = f['field/sigma_yy']; print(s.shape, s.dtype, s.attrs['unit'].decode(), f['map/phase'][0, 6], f['map'].attrs['dx [m]'])\"");
+  const auto seen = test::shell("/usr/bin/python3 -c \"import h5py; f = h5py.File('" + (folder / "f.h5").string() +
+                                "'); s = f['field/sigma_yy']; print(s.shape, s.dtype, s.attrs['unit'].decode(), "
+                                "f['map/phase'][0, 6], f['map'].attrs['dx [m]'])\"");
   ASSERT_EQ(seen.status, 0) << seen.err;
   EXPECT_EQ(seen.out, "(9, 12) float32 Pa 0 2.5e-05\n");
 }

@@ -45,11 +45,13 @@ TEST(FilmResultFile, ReadsBackWhatWasWritten) {
   EXPECT_EQ(back.maps.reference_phase, r.maps.reference_phase);
   EXPECT_EQ(back.maps.frames, r.maps.frames);
   EXPECT_EQ(back.maps.convention, r.maps.convention);
-  for (auto map : {&LockinMaps::mean, &LockinMaps::amplitude, &LockinMaps::phase, &LockinMaps::in_phase, &LockinMaps::quadrature, &LockinMaps::standard_error,
-                   &LockinMaps::second_harmonic, &LockinMaps::residual})
+  for (auto map :
+       {&LockinMaps::mean, &LockinMaps::amplitude, &LockinMaps::phase, &LockinMaps::in_phase, &LockinMaps::quadrature,
+        &LockinMaps::standard_error, &LockinMaps::second_harmonic, &LockinMaps::residual})
     EXPECT_EQ(back.maps.*map, r.maps.*map);
   EXPECT_EQ(back.grains.centre, r.grains.centre);
-  for (auto column : {&PictureGrains::radius, &PictureGrains::position_error}) EXPECT_EQ(back.grains.*column, r.grains.*column);
+  for (auto column : {&PictureGrains::radius, &PictureGrains::position_error})
+    EXPECT_EQ(back.grains.*column, r.grains.*column);
   for (auto column : {&GrainMotion::cosine, &GrainMotion::sine}) EXPECT_EQ(back.motion.*column, r.motion.*column);
   EXPECT_EQ(back.motion.error, r.motion.error);
   for (auto column : {&PeakToPeak::temperature, &PeakToPeak::sigma_hyd, &PeakToPeak::error, &PeakToPeak::pixels})
@@ -66,13 +68,16 @@ TEST(FilmResultFile, ReadsBackWhatWasWritten) {
   EXPECT_EQ(back.fit.load, r.fit.load);
   EXPECT_EQ(back.fit.factor_scale, r.fit.factor_scale);
   ASSERT_EQ(back.fit.picture.size(), r.fit.picture.size());
-  for (std::size_t p = 0; p < r.fit.picture.size(); ++p) EXPECT_TRUE(back.fit.picture[p] == r.fit.picture[p] || std::isnan(r.fit.picture[p])) << p;
+  for (std::size_t p = 0; p < r.fit.picture.size(); ++p)
+    EXPECT_TRUE(back.fit.picture[p] == r.fit.picture[p] || std::isnan(r.fit.picture[p])) << p;
 }
 
 TEST(FilmResultFile, OfVersion01IsRefused) {
   const std::string file = std::string(ARENITE_SOURCE_DIR) + "/tests/data/results/film-0.1.h5";
   EXPECT_EQ(test::complaint([&] { io::read_film_result(file); }),
-            file + ": was written by Arenite 0.1, whose results are no longer read; run the recipe in it (/provenance/recipe) again");
+            file +
+                ": was written by Arenite 0.1, whose results are no longer read; run the recipe in it "
+                "(/provenance/recipe) again");
 }
 
 TEST(FilmResultFile, MapsAloneReadBack) {

@@ -68,7 +68,8 @@ TEST(NumbersTable, KeepsIntegersThatNoRealHolds) {
 }
 
 /// A table as it lies in a file, but for its texts; every value is 2.
-io::Hdf5Group table_in(const io::Hdf5Group& file, std::vector<std::string> name, std::vector<std::uint8_t> depth, std::vector<std::uint8_t> kind) {
+io::Hdf5Group table_in(const io::Hdf5Group& file, std::vector<std::string> name, std::vector<std::uint8_t> depth,
+                       std::vector<std::uint8_t> kind) {
   std::vector<double> value(name.size(), 2.0);
   const auto group = file.group("n");
   group.texts("name", name);
@@ -79,7 +80,8 @@ io::Hdf5Group table_in(const io::Hdf5Group& file, std::vector<std::string> name,
 }
 
 TEST(NumbersTable, WhatIsDamagedIsTold) {
-  const auto refused = [](const std::vector<std::string>& name, const std::vector<std::uint8_t>& depth, const std::vector<std::uint8_t>& kind) {
+  const auto refused = [](const std::vector<std::string>& name, const std::vector<std::uint8_t>& depth,
+                          const std::vector<std::uint8_t>& kind) {
     const io::Hdf5Group file;
     table_in(file, name, depth, kind);
     EXPECT_THROW(numbers_in({file.bytes(), "some.h5"}, "n"), InputError);

@@ -35,7 +35,8 @@ void expect_same(const Bond& a, const Bond& b) {
   EXPECT_EQ(a.broken, b.broken);
   EXPECT_EQ(a.normal, b.normal);
   EXPECT_EQ(a.place, b.place);
-  for (double Bond::*member : {&Bond::length, &Bond::angle_i, &Bond::angle_j, &Bond::fn, &Bond::ft, &Bond::moment, &Bond::energy, &Bond::load, &Bond::time})
+  for (double Bond::*member : {&Bond::length, &Bond::angle_i, &Bond::angle_j, &Bond::fn, &Bond::ft, &Bond::moment,
+                               &Bond::energy, &Bond::load, &Bond::time})
     EXPECT_EQ(a.*member, b.*member);
 }
 
@@ -75,14 +76,16 @@ TEST(StageCohesive, PairsComeBackAsTheyWere) {
   for (const auto& [was, is] : {std::pair{touching, read[0]}, {apart, read[1]}}) {
     EXPECT_EQ(is.i, was.i);
     EXPECT_EQ(is.j, was.j);
-    for (double CohesivePair::*member : {&CohesivePair::gap, &CohesivePair::pull, &CohesivePair::energy}) EXPECT_EQ(is.*member, was.*member);
+    for (double CohesivePair::*member : {&CohesivePair::gap, &CohesivePair::pull, &CohesivePair::energy})
+      EXPECT_EQ(is.*member, was.*member);
   }
   std::filesystem::remove(path);
 }
 
 TEST(StageCohesive, PairsOfGrainsThatAreNotThereAreRefused) {
   const auto path = bonds_file("no_grain_coheres.h5");
-  for (const CohesivePair& wrong : {CohesivePair{0, 0, 0, 1, 0}, CohesivePair{1, 3, 0, 1, 0}, CohesivePair{-1, 1, 0, 1, 0}}) {
+  for (const CohesivePair& wrong :
+       {CohesivePair{0, 0, 0, 1, 0}, CohesivePair{1, 3, 0, 1, 0}, CohesivePair{-1, 1, 0, 1, 0}}) {
     write_stage(path, stage_with({}, {wrong}));
     EXPECT_THROW(read_stage(path), InputError);
   }

@@ -62,7 +62,9 @@ void add(Bits& bits, const Snapshot& f) {
   bits.add(f.label);
   for (const auto& m : f.packing.materials) {
     bits.add(m.name);
-    for (const double v : {m.density, m.stiffness, m.thermoelastic_factor, m.youngs_modulus.value_or(-1), m.poisson.value_or(-1)}) bits.add(v);
+    for (const double v :
+         {m.density, m.stiffness, m.thermoelastic_factor, m.youngs_modulus.value_or(-1), m.poisson.value_or(-1)})
+      bits.add(v);
   }
   const auto& d = f.packing.domain;
   for (const auto& w : d.wall) {
@@ -85,18 +87,18 @@ void add(Bits& bits, const Snapshot& f) {
   bits.add(c.normal);
   bits.add(c.glued);
   const auto& e = f.energies;
-  for (const double v :
-       {e.kinetic, e.elastic, e.adhesive, e.dissipated_normal, e.dissipated_friction, e.dissipated_drag, e.dissipated_breakage, e.work_walls, e.work_gravity})
+  for (const double v : {e.kinetic, e.elastic, e.adhesive, e.dissipated_normal, e.dissipated_friction,
+                         e.dissipated_drag, e.dissipated_breakage, e.work_walls, e.work_gravity})
     bits.add(v);
-  for (const double v : {f.equilibrium.unbalanced_ratio, f.equilibrium.kinetic_ratio, f.equilibrium.mobilisation, f.equilibrium.wall_speed,
-                         f.equilibrium.falling, f.equilibrium.loose_kinetic})
+  for (const double v : {f.equilibrium.unbalanced_ratio, f.equilibrium.kinetic_ratio, f.equilibrium.mobilisation,
+                         f.equilibrium.wall_speed, f.equilibrium.falling, f.equilibrium.loose_kinetic})
     bits.add(v);
 }
 
 std::string bits_of(const StageResult& r) {
   Bits bits;
-  for (const auto& s :
-       {r.provenance.version, r.provenance.stage, r.provenance.input_hash, r.provenance.recipe, r.provenance.kernel, r.name, r.outcome, to_json(r.texture)})
+  for (const auto& s : {r.provenance.version, r.provenance.stage, r.provenance.input_hash, r.provenance.recipe,
+                        r.provenance.kernel, r.name, r.outcome, to_json(r.texture)})
     bits.add(s);
   bits.add(static_cast<std::int64_t>(r.provenance.seed));
   for (const auto& [key, value] : r.provenance.options) {
@@ -124,7 +126,8 @@ Snapshot any_snapshot(std::size_t n, const Packing& sample) {
   f.step = *rc::gen::arbitrary<std::int64_t>();
   f.label = any_text();
   f.packing = sample;
-  for (auto& w : f.packing.domain.wall) w = {*rc::gen::arbitrary<bool>(), any_double(), any_double(), any_double(), any_double()};
+  for (auto& w : f.packing.domain.wall)
+    w = {*rc::gen::arbitrary<bool>(), any_double(), any_double(), any_double(), any_double()};
   f.packing.domain.periodic[0] = *rc::gen::arbitrary<bool>();
   f.packing.domain.periodic[1] = *rc::gen::arbitrary<bool>();
   f.packing.domain.tilt = any_double();
@@ -143,7 +146,8 @@ Snapshot any_snapshot(std::size_t n, const Packing& sample) {
   const auto grain = rc::gen::inRange<std::int32_t>(0, static_cast<std::int32_t>(std::max<std::size_t>(n, 1)));
   for (int c = 0; c < contacts; ++c) {
     const std::int32_t partner = *rc::gen::arbitrary<bool>() ? *grain : *rc::gen::inRange(-4, 0);
-    f.packing.contacts.add(*grain, partner, {any_double(), any_double()}, any_double(), any_double(), any_double(), any_double());
+    f.packing.contacts.add(*grain, partner, {any_double(), any_double()}, any_double(), any_double(), any_double(),
+                           any_double());
     f.packing.contacts.glued.back() = *rc::gen::arbitrary<std::uint8_t>();
   }
   f.energies.work_walls = any_double();
@@ -156,12 +160,15 @@ Snapshot any_snapshot(std::size_t n, const Packing& sample) {
 StageResult any_result() {
   StageResult r;
   r.provenance = {any_text(), any_text(), any_text(), any_text(), *rc::gen::arbitrary<std::uint64_t>(), any_text(), {}};
-  for (const auto& key : *rc::gen::container<std::set<std::string>>(rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::inRange('A', 'z')))))
+  for (const auto& key : *rc::gen::container<std::set<std::string>>(
+           rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::inRange('A', 'z')))))
     r.provenance.options.emplace_back(key, any_text());
   std::reverse(r.provenance.options.begin(), r.provenance.options.end());
   r.name = any_text();
   r.outcome = any_text();
-  r.texture = {{"note", any_text()}, {"list", {1, *rc::gen::arbitrary<std::uint64_t>(), any_double(), nullptr, true}}, {"none", Numbers::tree()}};
+  r.texture = {{"note", any_text()},
+               {"list", {1, *rc::gen::arbitrary<std::uint64_t>(), any_double(), nullptr, true}},
+               {"none", Numbers::tree()}};
   r.continuation = *rc::gen::arbitrary<std::vector<std::uint8_t>>();
   r.converged = *rc::gen::arbitrary<bool>();
   const auto n = *rc::gen::inRange<std::size_t>(0, 6);
@@ -177,7 +184,9 @@ StageResult any_result() {
   for (int f = 0; f < snapshots; ++f) r.snapshots.push_back(any_snapshot(n, sample));
   const int columns = *rc::gen::inRange(0, 4);
   const std::size_t samples = *rc::gen::inRange<std::size_t>(0, 1500);
-  for (int c = 0; c < columns; ++c) r.history.columns.push_back({"column " + std::to_string(9 - c), any_text(), std::vector<double>(samples, any_double())});
+  for (int c = 0; c < columns; ++c)
+    r.history.columns.push_back(
+        {"column " + std::to_string(9 - c), any_text(), std::vector<double>(samples, any_double())});
   return r;
 }
 
@@ -208,7 +217,8 @@ TEST(StageFile, RadiiAndMaterialsAreStoredOnceWhateverTheNumberOfSnapshots) {
   auto result = two_snapshots(2000);
   write_stage(folder / "two.h5", result);
   const auto two = std::filesystem::file_size(folder / "two.h5");
-  for (auto& r : result.snapshots[1].packing.grains.radius) r *= 1 + 1e-9 * static_cast<double>(&r - &result.snapshots[1].packing.grains.radius[0]);
+  for (auto& r : result.snapshots[1].packing.grains.radius)
+    r *= 1 + 1e-9 * static_cast<double>(&r - &result.snapshots[1].packing.grains.radius[0]);
   write_stage(folder / "other.h5", result);
   EXPECT_GT(std::filesystem::file_size(folder / "other.h5"), two + 4000);
 }
@@ -258,7 +268,8 @@ TEST(StageFile, TextThatIsDamagedUnderARightSealIsTold) {
            [&](StageResult& r) {
              r.texture = {{"note", no_text}};
            },
-           [&](StageResult& r) { r.provenance.options[0].second = no_text; }, [&](StageResult& r) { r.history.columns[0].unit = no_text; }})
+           [&](StageResult& r) { r.provenance.options[0].second = no_text; },
+           [&](StageResult& r) { r.history.columns[0].unit = no_text; }})
     EXPECT_NE(complaint(spoil).find("damaged"), std::string::npos);
 }
 

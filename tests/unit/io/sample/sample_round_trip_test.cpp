@@ -32,7 +32,8 @@ Packing dumbbells() {
   const arenite::Shape dumbbell{{{-0.004, 0}, {0.004, 0}}, {0.005, 0.005}, false};
   for (int g = 0; g < 3; ++g) add_shape(p.grains.shapes, dumbbell, gyration_of(dumbbell));
   Contacts& c = p.contacts;
-  const auto add = [&](std::int32_t i, std::int32_t j, Vec2 n, double fn, double ft, double arm_j, Vec2 off_i, Vec2 off_j) {
+  const auto add = [&](std::int32_t i, std::int32_t j, Vec2 n, double fn, double ft, double arm_j, Vec2 off_i,
+                       Vec2 off_j) {
     c.add(i, j, n, fn, ft, 0.0049, arm_j);
     c.off_i.push_back(off_i);
     c.off_j.push_back(off_j);
@@ -64,7 +65,8 @@ void expect_the_same(const Packing& a, const Packing& b) {
   }
   const auto x = texture::grain_stresses(a), y = texture::grain_stresses(b);
   for (std::size_t g = 0; g < x.size(); ++g)
-    for (const auto part : {&Tensor2::xx, &Tensor2::xy, &Tensor2::yx, &Tensor2::yy}) EXPECT_NEAR(x[g].*part, y[g].*part, 1e-7) << g;
+    for (const auto part : {&Tensor2::xx, &Tensor2::xy, &Tensor2::yx, &Tensor2::yy})
+      EXPECT_NEAR(x[g].*part, y[g].*part, 1e-7) << g;
 }
 
 SampleOptions box_of(const Packing& p) {
@@ -89,8 +91,8 @@ TEST(SampleRoundTrip, DumpsOfGrainsThatAreNoDisksGiveTheirStress) {
   Packing before = dumbbells();
   before.domain.boundaries.clear();
   before.domain.periodic = {true, true};
-  for (auto* numbers :
-       {&before.contacts.fn, &before.contacts.ft, &before.contacts.arm_i, &before.contacts.arm_j, &before.contacts.overlap, &before.contacts.sliding_velocity})
+  for (auto* numbers : {&before.contacts.fn, &before.contacts.ft, &before.contacts.arm_i, &before.contacts.arm_j,
+                        &before.contacts.overlap, &before.contacts.sliding_velocity})
     numbers->resize(2);  // of grains
   before.contacts.i.resize(2);
   before.contacts.j.resize(2);
@@ -108,10 +110,13 @@ TEST(SampleRoundTrip, ForcesOfBondsThatNoTableHoldsAreTold) {
   p.bonds = {bond};
   for (const ExportFormat* format : {&exports::csv, &exports::lammps}) {
     const auto notes = measured_again(p, *format, box_of(p)).notes;
-    EXPECT_TRUE(std::ranges::any_of(notes, [](const auto& note) { return note.find("joined by bonds or pulls") != note.npos; })) << format->name;
+    EXPECT_TRUE(std::ranges::any_of(notes, [](const auto& note) {
+      return note.find("joined by bonds or pulls") != note.npos;
+    })) << format->name;
   }
   p.bonds[0].broken = BondBreak::shear;
-  for (const auto& note : measured_again(p, exports::csv, box_of(p)).notes) EXPECT_EQ(note.find("bonds"), std::string::npos) << note;
+  for (const auto& note : measured_again(p, exports::csv, box_of(p)).notes)
+    EXPECT_EQ(note.find("bonds"), std::string::npos) << note;
 }
 
 }  // namespace

@@ -35,11 +35,14 @@ TEST(Table, DecimalCommasAreReadWhereTheyAreNothingElse) {
   EXPECT_EQ(numbers_of("id;x;y\n1;12,5;-0,25\n").first, values);
   EXPECT_EQ(numbers_of("id\tx\ty\n1\t1,25e1\t-0,25\n").first, values);
   EXPECT_EQ(numbers_of("id,x,y\n1,\"12,5\",\"-0,25\"\n").first, values);
-  EXPECT_EQ(numbers_of("id;x\n1;0,125\n").first, (std::vector<double>{1, 0.125}));  // a semicolon says that commas are decimal
+  EXPECT_EQ(numbers_of("id;x\n1;0,125\n").first,
+            (std::vector<double>{1, 0.125}));  // a semicolon says that commas are decimal
 }
 
 TEST(Table, CommasThatMaySetThousandsApartAreRefused) {
-  EXPECT_NE(numbers_of("id x\n1 1,234\n").second.find("t.csv:2: \"1,234\" may be a number with a decimal comma or with thousands"), std::string::npos);
+  EXPECT_NE(numbers_of("id x\n1 1,234\n")
+                .second.find("t.csv:2: \"1,234\" may be a number with a decimal comma or with thousands"),
+            std::string::npos);
   EXPECT_NE(numbers_of("id;x;y\n1;12,5;0.25\n").second.find("others have points"), std::string::npos);
   EXPECT_NE(numbers_of("id,x,y\n1,12,5,0,25\n").second.find("separate cells by semicolons"), std::string::npos);
 }
@@ -66,7 +69,8 @@ TEST(Table, AFormulaIsKeptFromSpreadsheetsAndReadBackAsItWas) {
   EXPECT_EQ(quoted_cell("@SUM(A1,2)"), "\"'@SUM(A1,2)\"");
   EXPECT_EQ(quoted_cell("-2+cmd|' /C calc'!A0"), "'-2+cmd|' /C calc'!A0");
   for (const char* plain : {"-0.5", "+-3", "-", "POM", "'tis", ""}) EXPECT_EQ(quoted_cell(plain), plain);
-  for (const std::string text : {"=1+1", "@SUM(A1,2)", "+f(1)"}) EXPECT_EQ(split_cells("a," + quoted_cell(text) + ",b", ',').at(1), text);
+  for (const std::string text : {"=1+1", "@SUM(A1,2)", "+f(1)"})
+    EXPECT_EQ(split_cells("a," + quoted_cell(text) + ",b", ',').at(1), text);
 }
 
 }  // namespace

@@ -27,9 +27,11 @@ TEST(ModulusBounds, OfEqualSharesAreTheClosedForms) {
 }
 
 RC_GTEST_PROP(ModulusBounds, NestInTheirOrder, ()) {
-  const double a = *rc::gen::inRange(1, 1000), c = *rc::gen::inRange(1, 1000), d = *rc::gen::inRange(0, 1000), sum = a + c + d;
+  const double a = *rc::gen::inRange(1, 1000), c = *rc::gen::inRange(1, 1000), d = *rc::gen::inRange(0, 1000),
+               sum = a + c + d;
   const double young = *rc::gen::inRange(1, 100);
-  const ModulusBounds b = modulus_bounds({{a / sum, young}, {c / sum, 1}, {d / sum, *rc::gen::inRange(0, 2) * 0.5}}, 1.0 / 3);
+  const ModulusBounds b =
+      modulus_bounds({{a / sum, young}, {c / sum, 1}, {d / sum, *rc::gen::inRange(0, 2) * 0.5}}, 1.0 / 3);
   RC_ASSERT(b.reuss <= b.shtrikman_lower * (1 + 1e-12));
   RC_ASSERT(b.shtrikman_lower <= b.shtrikman_upper * (1 + 1e-12));
   RC_ASSERT(b.shtrikman_upper <= b.voigt * (1 + 1e-12));

@@ -162,8 +162,10 @@ TEST(Saturation, OutOfReachNamesWhatIsInReach) {
 TEST(Cement, BadInputIsNamed) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Packing two = disks({{-1, 0, 1}, {1, 0, 1}}, 10);
-  for (const auto& p : {bridges(-1, 0.4), bridges(nan, 0.4), bridges(0.1, -0.1), bridges(0.1, 1.01), bridges(0.1, 2.01, true), coating(-1), coating(nan),
-                        menisci(0.1, -1), with_saturation(bridges(0.1, 0), 0), with_saturation(coating(0), 1.1), with_saturation(of_kind(Kind::none), 0.5)})
+  for (const auto& p :
+       {bridges(-1, 0.4), bridges(nan, 0.4), bridges(0.1, -0.1), bridges(0.1, 1.01), bridges(0.1, 2.01, true),
+        coating(-1), coating(nan), menisci(0.1, -1), with_saturation(bridges(0.1, 0), 0),
+        with_saturation(coating(0), 1.1), with_saturation(of_kind(Kind::none), 0.5)})
     EXPECT_THROW(made(two, p), InputError);
   EXPECT_THROW(made(two, bridges(0.1, 0.4), {0, 0, 0, 1}), InputError);
   EXPECT_THROW(made(disks({{0, 0, -1}}, 10), bridges(0.1, 0.4)), InputError);

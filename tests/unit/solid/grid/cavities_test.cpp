@@ -40,7 +40,8 @@ PhaseMap random_map(int width, int height) {
 Cavities by_brute_force(const PhaseMap& map, Cavity kind, const CavityRules& rules) {
   std::vector<std::int32_t> label(map.size(), -1);
   for (std::size_t k = 0; k < map.size(); ++k)
-    if (kind == Cavity::pore ? map.phase[k] != Phase::particle : map.phase[k] == Phase::empty) label[k] = static_cast<std::int32_t>(k);
+    if (kind == Cavity::pore ? map.phase[k] != Phase::particle : map.phase[k] == Phase::empty)
+      label[k] = static_cast<std::int32_t>(k);
   for (bool changed = true; changed;) {
     changed = false;
     for (int y = 0; y < map.height; ++y)
@@ -48,7 +49,8 @@ Cavities by_brute_force(const PhaseMap& map, Cavity kind, const CavityRules& rul
         for (int dy = -1; dy <= 1; ++dy)
           for (int dx = -1; dx <= 1; ++dx) {
             const int u = x + dx, v = y + dy;
-            if ((dx != 0 && dy != 0 && !rules.eight_connected) || u < 0 || v < 0 || u >= map.width || v >= map.height) continue;
+            if ((dx != 0 && dy != 0 && !rules.eight_connected) || u < 0 || v < 0 || u >= map.width || v >= map.height)
+              continue;
             auto &a = label[map.index(x, y)], &b = label[map.index(u, v)];
             if (a < 0 || b < 0 || b >= a) continue;
             a = b;

@@ -42,7 +42,8 @@ TEST(CavityStatistics, OfNoneOneOrEqualOnesAreFinite) {
 }
 
 RC_GTEST_PROP(CavityStatistics, DensityCountsEveryCavityOnceAndIntegratesToOne, ()) {
-  const auto nodes = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::int64_t>>(rc::gen::inRange<std::int64_t>(1, 4000)));
+  const auto nodes =
+      *rc::gen::nonEmpty(rc::gen::container<std::vector<std::int64_t>>(rc::gen::inRange<std::int64_t>(1, 4000)));
   const auto pdf = cavity_statistics(with_nodes(nodes), 0.1, 1.5).density;
   RC_ASSERT(pdf.edge.size() == pdf.count.size() + 1);
   RC_ASSERT(static_cast<int>(pdf.count.size()) <= 30);
@@ -67,7 +68,8 @@ TEST(CavityStatistics, ErrorsAreThoseSeenOverManySamples) {
     const auto found = cavity_statistics(with_nodes(nodes), 1, 1);
     const double value[3] = {found.mean.value, found.deviation.value, found.cv.value};
     const double error[3] = {found.mean.error, found.deviation.error, found.cv.error};
-    for (int k = 0; k < 3; ++k) sum[k] += value[k], square[k] += value[k] * value[k], predicted[k] += error[k] / samples;
+    for (int k = 0; k < 3; ++k)
+      sum[k] += value[k], square[k] += value[k] * value[k], predicted[k] += error[k] / samples;
   }
   for (int k = 0; k < 3; ++k) {
     const double mean = sum[k] / samples, seen = std::sqrt(square[k] / samples - mean * mean);

@@ -36,7 +36,8 @@ TEST(TransposedPacking, TwiceIsTheSame) {
   EXPECT_EQ(twice.grains.position, packing.grains.position);
   EXPECT_EQ(twice.contacts.j, packing.contacts.j);
   EXPECT_EQ(twice.contacts.ft, packing.contacts.ft);
-  for (std::size_t side = 0; side < 4; ++side) EXPECT_EQ(twice.domain.wall[side].position, packing.domain.wall[side].position);
+  for (std::size_t side = 0; side < 4; ++side)
+    EXPECT_EQ(twice.domain.wall[side].position, packing.domain.wall[side].position);
 }
 
 TEST(CroppedPacking, LabelsComeFirstAndAllTheirContactsStay) {

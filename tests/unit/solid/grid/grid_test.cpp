@@ -98,7 +98,8 @@ TEST(Grid, NodesBetweenOverlappingGrainsGoToTheOneTheyAreDeeperIn) {
 TEST(Grid, LabelsNameTheGrainsThatHaveNodesAndKeepTheirClass) {
   GridReport report;
   const Packing packing = disks({{-2.5, 0, 0.4}, {0, 0, 0.5}, {0.4, 2.4, 0.3}, {0.8, 0, 0.25}}, 3);
-  const PhaseMap map = rasterise(packing, {}, {40, 2}, {GrainClass::large, GrainClass::large, GrainClass::small, GrainClass::small}, report);
+  const PhaseMap map = rasterise(packing, {}, {40, 2},
+                                 {GrainClass::large, GrainClass::large, GrainClass::small, GrainClass::small}, report);
   EXPECT_EQ(report.grain_of_label, (std::vector<std::int32_t>{1, 3}));
   EXPECT_EQ(map.grain_class, (std::vector<GrainClass>{GrainClass::large, GrainClass::small}));
   EXPECT_EQ(report.window.x_min, -1);
@@ -109,7 +110,8 @@ TEST(Grid, LabelsNameTheGrainsThatHaveNodesAndKeepTheirClass) {
 TEST(Grid, PeriodicImagesCarryTheirGrainsLabel) {
   GridReport report;
   const PhaseMap map = map_of(disks({{-3, -3, 1}}, 3, true), {}, 60, report);
-  for (const auto node : {map.index(0, 0), map.index(59, 0), map.index(0, 59), map.index(59, 59)}) EXPECT_EQ(map.grain[node], 0);
+  for (const auto node : {map.index(0, 0), map.index(59, 0), map.index(0, 59), map.index(59, 59)})
+    EXPECT_EQ(map.grain[node], 0);
   EXPECT_NEAR(report.particle_area_error, 0, 0.01);
 }
 

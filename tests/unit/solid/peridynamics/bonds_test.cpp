@@ -39,11 +39,12 @@ TEST(Bonds, TypeFollowsWhatTheTwoNodesAre) {
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x)
       for (int d = 0; d < bonds_per_node; ++d)
-        ASSERT_EQ(bonds.type(bonds.grid.index(x, y), d), type_by_rule(map, x, y, half_bonds[static_cast<unsigned>(d)])) << x << " " << y << " " << d;
+        ASSERT_EQ(bonds.type(bonds.grid.index(x, y), d), type_by_rule(map, x, y, half_bonds[static_cast<unsigned>(d)]))
+            << x << " " << y << " " << d;
 }
 
-/// Whether the segment from the middle of one node's square to that of another meets solid all the way, by many points on it: of a
-/// point on a corner one of the squares that meet there along the other diagonal suffices.
+/// Whether the segment from the middle of one node's square to that of another meets solid all the way, by many points
+/// on it: of a point on a corner one of the squares that meet there along the other diagonal suffices.
 bool solid_on_the_way(const PhaseMap& map, int x, int y, Offset e) {
   const auto solid = [&](int u, int v) { return map.phase[map.index(u, v)] != Phase::empty; };
   constexpr int points = 840;  // divides by 2 and 3, so that corners are met exactly
@@ -55,7 +56,9 @@ bool solid_on_the_way(const PhaseMap& map, int x, int y, Offset e) {
     const bool on_x = px % side == 0, on_y = py % side == 0;
     if (on_x && on_y) {
       const bool rising = e.x * e.y > 0;
-      if (!(rising ? solid(x + u - 1, y + v) || solid(x + u, y + v - 1) : solid(x + u - 1, y + v - 1) || solid(x + u, y + v))) return false;
+      if (!(rising ? solid(x + u - 1, y + v) || solid(x + u, y + v - 1)
+                   : solid(x + u - 1, y + v - 1) || solid(x + u, y + v)))
+        return false;
     } else if (!on_x && !on_y && !solid(x + u, y + v)) {
       return false;
     }
@@ -96,7 +99,8 @@ TEST(Bonds, ModulusIsThePapersOrCalibrated) {
   EXPECT_NEAR(make_bonds(map, s).modulus(particle_bond), 8e9 * nominal_micromodulus, 1);
   EXPECT_NEAR(make_bonds(map, s).modulus(interface_bond), 3e9 * nominal_micromodulus, 1);
   s.calibrated = true;
-  EXPECT_NEAR(make_bonds(map, s).modulus(matrix_bond), 2e9 * nominal_micromodulus * 0.9394877, 2e9 * nominal_micromodulus * 1e-7);
+  EXPECT_NEAR(make_bonds(map, s).modulus(matrix_bond), 2e9 * nominal_micromodulus * 0.9394877,
+              2e9 * nominal_micromodulus * 1e-7);
 }
 
 TEST(Bonds, NarrowMapsAndBadModuliAreRefused) {

@@ -51,15 +51,16 @@ void expect_same_bits(const DamageResult& a, const DamageResult& b) {
   ASSERT_EQ(a.curve.size(), b.curve.size());
   for (std::size_t k = 0; k < a.curve.size(); ++k) {
     const DamageState &s = a.curve[k], &t = b.curve[k];
-    for (const auto member :
-         {&DamageState::strain, &DamageState::stress, &DamageState::work, &DamageState::elastic, &DamageState::released, &DamageState::bond_energy})
+    for (const auto member : {&DamageState::strain, &DamageState::stress, &DamageState::work, &DamageState::elastic,
+                              &DamageState::released, &DamageState::bond_energy})
       ASSERT_EQ(s.*member, t.*member) << k;
     ASSERT_EQ(s.broken, t.broken);
   }
   ASSERT_EQ(a.broken.size(), b.broken.size());
   for (std::size_t k = 0; k < a.broken.size(); ++k) {
     const BrokenBond &s = a.broken[k], &t = b.broken[k];
-    ASSERT_TRUE(s.x == t.x && s.y == t.y && s.direction == t.direction && s.type == t.type && s.strain == t.strain) << k;
+    ASSERT_TRUE(s.x == t.x && s.y == t.y && s.direction == t.direction && s.type == t.type && s.strain == t.strain)
+        << k;
   }
   for (const auto values : {&StressField::xx, &StressField::yy, &StressField::xy, &StressField::ux, &StressField::uy})
     EXPECT_EQ(a.at_strength.*values, b.at_strength.*values);
@@ -88,7 +89,8 @@ TEST(FailureState, ResumedThePullHasTheBitsOfOneInOnePiece) {
 
 TEST(FailureState, ResumedItsSolverIsSetUpForTheBondsThatItWasSetUpForBefore) {
   std::size_t renewed = 0;
-  for (const FailureState& state : plate().states) renewed += state.words_at_setup != plate().states[0].words_at_setup && state.words_at_setup != state.words;
+  for (const FailureState& state : plate().states)
+    renewed += state.words_at_setup != plate().states[0].words_at_setup && state.words_at_setup != state.words;
   ASSERT_GT(renewed, 3u);
   expect_resumes_after_every(5, plate());
 }

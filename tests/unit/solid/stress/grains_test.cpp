@@ -33,7 +33,8 @@ TEST(GrainStress, OfALinearFieldIsItsValueAtTheCentre) {
   const GrainStresses grains = measure_grains(map, linear(map), 4, 4);
   ASSERT_EQ(grains.stress.size(), 16u);
   for (std::size_t g = 0; g < 16; ++g) {
-    const double x = (12 + 24 * static_cast<double>(g % 4) + 0.5) * map.dx, y = (12 + 24 * static_cast<double>(g / 4) + 0.5) * map.dx;
+    const double x = (12 + 24 * static_cast<double>(g % 4) + 0.5) * map.dx,
+                 y = (12 + 24 * static_cast<double>(g / 4) + 0.5) * map.dx;
     EXPECT_NEAR(grains.centre[g].x, x, 1e-12);
     EXPECT_NEAR(grains.centre[g].y, y, 1e-12);
     EXPECT_NEAR(grains.stress[g].xx, 3 + 20 * x - 5 * y, 1e-12);

@@ -62,7 +62,8 @@ TEST(NodeStress, OptionsLeaveOutWhatABruteSearchDoes) {
       for (int k = 0; k < 5; ++k) {
         EXPECT_EQ(value_of(set(s, names[k]), "count"), n[k]) << names[k];
         EXPECT_NEAR(value_of(set(s, names[k]), "mean_Pa"), sum[k] / n[k], 1e-12) << names[k];
-        EXPECT_NEAR(value_of(set(s, names[k]), "mean_over_sample_mean"), sum[k] / n[k] / (sum[0] / n[0]), 1e-12) << names[k];
+        EXPECT_NEAR(value_of(set(s, names[k]), "mean_over_sample_mean"), sum[k] / n[k] / (sum[0] / n[0]), 1e-12)
+            << names[k];
       }
     }
 }
@@ -141,7 +142,8 @@ TEST(NodeStress, BothNormalisationsAreOneCurve) {
   const PhaseMap map = disks();
   const Statistics s = measure(map, noisy(map));
   const Numbers& d = set(s, "large");
-  const auto x = list_of(d, "pdf/x"), y = list_of(d, "pdf/y"), own_x = list_of(d, "own_pdf/x"), own_y = list_of(d, "own_pdf/y");
+  const auto x = list_of(d, "pdf/x"), y = list_of(d, "pdf/y"), own_x = list_of(d, "own_pdf/x"),
+             own_y = list_of(d, "own_pdf/y");
   ASSERT_GT(x.size(), 5u);
   ASSERT_EQ(x.size(), own_x.size());
   for (std::size_t k = 0; k < x.size(); ++k) {
@@ -163,7 +165,8 @@ TEST(NodeStress, MeanOverTheAreaCountsTheVoid) {
   EXPECT_EQ(value_of(c, "sample_mean_Pa"), value_of(c, "mean_over_nodes_Pa"));
   options.mean_over_area = true;
   const Statistics over_area = measure(map, field, options);
-  EXPECT_NEAR(value_of(set(over_area, "large"), "mean_over_sample_mean") * share, value_of(set(s, "large"), "mean_over_sample_mean"), 1e-12);
+  EXPECT_NEAR(value_of(set(over_area, "large"), "mean_over_sample_mean") * share,
+              value_of(set(s, "large"), "mean_over_sample_mean"), 1e-12);
   EXPECT_NEAR(value_of(set(over_area, "large"), "tail/slope"), value_of(set(s, "large"), "tail/slope"), 1e-12);
 }
 
@@ -178,7 +181,8 @@ TEST(NodeStress, ErrorsAreTheScatterOfSamplesEvenWhereNeighboursAreAlike) {
     for (double& v : patch) v = 1 + 0.3 * random.normal();
     StressOptions options;
     options.clamp_rows = 0;
-    const Statistics s = measure(map, pulled(map, [&](int x, int y) { return patch[static_cast<std::size_t>(x / 8 + 12 * (y / 8))]; }), options);
+    const Statistics s = measure(
+        map, pulled(map, [&](int x, int y) { return patch[static_cast<std::size_t>(x / 8 + 12 * (y / 8))]; }), options);
     const Numbers& d = set(s, "all");
     squares += (value_of(d, "mean_Pa") - 1) * (value_of(d, "mean_Pa") - 1) / trials;
     error += error_of(d, "mean_Pa") / trials;
@@ -200,7 +204,8 @@ TEST(NodeStress, StressWithoutAMeanIsGivenOverItsRootMeanSquare) {
   EXPECT_NEAR(value_of(s.numbers, "sigma_xy/sets/all/variance"), 1, 0.05);
   EXPECT_FALSE(s.numbers["sigma_xy"]["sets"]["all"].contains("tail"));
   EXPECT_EQ(s.numbers["sigma_hyd"]["normalised_by"], "mean");
-  EXPECT_NEAR(value_of(s.numbers, "sigma_hyd/sample_mean_Pa"), 0.5 * value_of(measure(map, field).numbers, "sigma_yy/sample_mean_Pa"), 1e-12);
+  EXPECT_NEAR(value_of(s.numbers, "sigma_hyd/sample_mean_Pa"),
+              0.5 * value_of(measure(map, field).numbers, "sigma_yy/sample_mean_Pa"), 1e-12);
   EXPECT_EQ(to_json(numbers(s, true)).find("nan"), std::string::npos);
 }
 

@@ -74,9 +74,11 @@ TEST(VirtualCamera, CentreOfAPressedDiskWarmsByTheClosedForm) {
 
 TEST(VirtualCamera, TheStressOfTheLowStateIsTakenOff) {
   auto p = ideal();
-  const Scene both = scene_between(pressed_disk(500), pressed_disk(2000), p), difference = scene_of_state(pressed_disk(1500), p);
+  const Scene both = scene_between(pressed_disk(500), pressed_disk(2000), p),
+              difference = scene_of_state(pressed_disk(1500), p);
   for (std::size_t k = 0; k < both.stress[0].value.size(); ++k)
-    EXPECT_NEAR(both.stress[0].value[k], difference.stress[0].value[k], 1e-5 * std::abs(difference.stress[0].value[k]) + 1);
+    EXPECT_NEAR(both.stress[0].value[k], difference.stress[0].value[k],
+                1e-5 * std::abs(difference.stress[0].value[k]) + 1);
 }
 
 TEST(VirtualCamera, NoiseIsTheNetdAsked) {
@@ -184,7 +186,8 @@ TEST(VirtualCamera, LevelsJumpWhenTheShutterHasCorrectedThem) {
   p.detector.jump = 0, p.detector.jump_pattern = 0.05;
   const auto before = levels(*film(scene, p, 4), 9, 1), after = levels(*film(scene, p, 4), 10, 1);
   double square = 0;
-  for (std::size_t i = 0; i < before.size(); ++i) square += std::pow(after[i] - before[i], 2) / static_cast<double>(before.size());
+  for (std::size_t i = 0; i < before.size(); ++i)
+    square += std::pow(after[i] - before[i], 2) / static_cast<double>(before.size());
   EXPECT_NEAR(std::sqrt(square) / level_per_kelvin, 0.05, 0.003);
   const auto plate = uniform_film(p, 296, 20, 4);
   EXPECT_EQ(levels(*plate, 0, 1), levels(*plate, 19, 1)) << "black-body references are filmed at another time";
@@ -200,7 +203,8 @@ TEST(VirtualCamera, EmissivitiesOfGrainsScatter) {
   EXPECT_EQ(centre(1), centre(2));
   p.surroundings.emissivity_scatter = 0.05;
   double sum = 0, square = 0;
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) sum += centre(seed) / 200, square += centre(seed) * centre(seed) / 200;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed)
+    sum += centre(seed) / 200, square += centre(seed) * centre(seed) / 200;
   EXPECT_NEAR(sum, 0.8, 0.01);
   EXPECT_NEAR(std::sqrt(square - sum * sum) / sum, 0.05, 0.01);
 }
@@ -260,11 +264,13 @@ TEST(VirtualCamera, ALensScattersLightIntoAHalo) {
       for (int dy = -15; dy <= 15; ++dy)
         for (int dx = -15; dx <= 15; ++dx) {
           const double weight = std::exp(-(dx * dx + dy * dy) / 18.0);
-          light += weight * static_cast<double>(wide[static_cast<std::size_t>((row + 15 + dy) * 94 + column + 15 + dx)]);
+          light +=
+              weight * static_cast<double>(wide[static_cast<std::size_t>((row + 15 + dy) * 94 + column + 15 + dx)]);
           all += weight;
         }
       const auto own = static_cast<double>(wide[static_cast<std::size_t>((row + 15) * 94 + column + 15)]);
-      EXPECT_NEAR(seen[static_cast<std::size_t>(row * 64 + column)], 0.8 * own + 0.2 * light / all, 1e-4) << row << " " << column;
+      EXPECT_NEAR(seen[static_cast<std::size_t>(row * 64 + column)], 0.8 * own + 0.2 * light / all, 1e-4)
+          << row << " " << column;
     }
 }
 
@@ -289,9 +295,13 @@ TEST(VirtualCamera, WhatWouldTakeHoursIsRefusedAtOnce) {
   EXPECT_NE(refusal([](Parameters& p) { p.optics.pixel = 1e-9; }).find("raise camera.pixel"), std::string::npos);
   EXPECT_NE(refusal([](Parameters& p) { p.photograph.pixel = 1e-12; }).find("optical_pixel"), std::string::npos);
   EXPECT_NE(refusal([](Parameters& p) { p.photograph.pixel = 1e50; }).find("optical_pixel"), std::string::npos);
-  EXPECT_NE(refusal([](Parameters& p) { p.optics.width = p.optics.height = 8192, p.optics.pixel = p.photograph.pixel = 1e-2; }).find("too large"),
+  EXPECT_NE(refusal([](Parameters& p) {
+              p.optics.width = p.optics.height = 8192, p.optics.pixel = p.photograph.pixel = 1e-2;
+            }).find("too large"),
             std::string::npos);
-  EXPECT_NE(refusal([](Parameters& p) { p.optics.width = p.optics.height = 7000, p.optics.supersampling = 1, p.photograph.pixel = 0.5; }).find("GB"),
+  EXPECT_NE(refusal([](Parameters& p) {
+              p.optics.width = p.optics.height = 7000, p.optics.supersampling = 1, p.photograph.pixel = 0.5;
+            }).find("GB"),
             std::string::npos);
 }
 

@@ -41,15 +41,18 @@ TEST(FlickerNoise, HasAsMuchPowerInEveryOctave) {
   double square = 0;
   std::vector<double> octave(9, 0);  // of frequencies from 2^k cycles a film to twice that, by a plain Fourier sum
   for (std::size_t i = 0; i < places; ++i) {
-    for (const auto& each : frame) square += static_cast<double>(each[i]) * static_cast<double>(each[i]) / (places * frames);
+    for (const auto& each : frame)
+      square += static_cast<double>(each[i]) * static_cast<double>(each[i]) / (places * frames);
     if (i >= 40) continue;
     for (std::size_t k = 1; k < 512; ++k) {
       double c = 0, s = 0;
       for (std::size_t n = 0; n < frames; ++n) {
         const double angle = 2 * std::numbers::pi * static_cast<double>(k * n % frames) / frames;
-        c += static_cast<double>(frame[n][i]) * std::cos(angle), s += static_cast<double>(frame[n][i]) * std::sin(angle);
+        c += static_cast<double>(frame[n][i]) * std::cos(angle),
+            s += static_cast<double>(frame[n][i]) * std::sin(angle);
       }
-      octave[static_cast<std::size_t>(std::log2(static_cast<double>(k)))] += 2 * (c * c + s * s) / (40.0 * frames * frames);
+      octave[static_cast<std::size_t>(std::log2(static_cast<double>(k)))] +=
+          2 * (c * c + s * s) / (40.0 * frames * frames);
     }
   }
   EXPECT_NEAR(square, 1, 0.1);
@@ -100,7 +103,9 @@ TEST(VirtualCamera, FlickerIsSharedByAllPixelsOrByColumns) {
   Parameters p = camera_before_a_plate();
   p.detector.netd = 0.001;
   p.timing.frames = 256;
-  const auto change = [&](const std::vector<double>& level, std::size_t pixel) { return level[200 * 1200 + pixel] - level[3 * 1200 + pixel]; };
+  const auto change = [&](const std::vector<double>& level, std::size_t pixel) {
+    return level[200 * 1200 + pixel] - level[3 * 1200 + pixel];
+  };
   p.detector.common_flicker = 0.1;
   const std::vector<double> all = reference(p, 256);
   for (const std::size_t pixel : {8U, 47U, 900U}) EXPECT_NEAR(change(all, pixel), change(all, 7), 6) << pixel;
@@ -123,7 +128,8 @@ TEST(VirtualCamera, ALineGoesOverTheRows) {
   p.interference = {37, 0.05, 0.25};
   p.timing.frame_rate = 148;  // four frames a cycle
   const std::vector<double> level = reference(p, 8);
-  const double amplitude = 0.05 * levels_per_kelvin, rest = level[1200];  // a quarter of a cycle later, in the first row
+  const double amplitude = 0.05 * levels_per_kelvin,
+               rest = level[1200];  // a quarter of a cycle later, in the first row
   for (std::size_t row = 0; row < 8; ++row) {
     EXPECT_NEAR(level[row * 40] - rest, amplitude * std::cos(1.5707963 * static_cast<double>(row)), 4) << row;
     EXPECT_NEAR(level[row * 1200] - rest, amplitude * std::cos(1.5707963 * static_cast<double>(row)), 4) << row;

@@ -27,7 +27,8 @@ FieldResult two_disks() {
   r.map.grain_class = {GrainClass::none, GrainClass::none};
   r.field.width = r.field.height = nodes;
   r.field.dx = dx;
-  for (auto* values : {&r.field.ux, &r.field.uy, &r.field.xx, &r.field.yy, &r.field.xy}) values->assign(r.map.size(), 0);
+  for (auto* values : {&r.field.ux, &r.field.uy, &r.field.xx, &r.field.yy, &r.field.xy})
+    values->assign(r.map.size(), 0);
   for (int y = 0; y < nodes; ++y)
     for (int x = 0; x < nodes; ++x) {
       const Vec2 at{(x + 0.5) * dx, (y + 0.5) * dx};

@@ -33,7 +33,8 @@ TEST(Adhesion, RadiiOfEqualCylindersAreAlike) {
 }
 
 RC_GTEST_PROP(Adhesion, ThresholdIsTheLeastForceOfTheLaw, ()) {
-  const double k = *rc::gen::inRange(1, 100) * 1e6, gamma = *rc::gen::inRange(1, 100) * 1e4, r = *rc::gen::inRange(1, 50) * 1e-3;
+  const double k = *rc::gen::inRange(1, 100) * 1e6, gamma = *rc::gen::inRange(1, 100) * 1e4,
+               r = *rc::gen::inRange(1, 50) * 1e-3;
   const auto law = [&](double h) { return k * h - gamma * std::sqrt(r * h); };
   const auto at = threshold(gamma, k, r);
   RC_ASSERT(std::abs(law(at.overlap) + at.force) < 1e-9 * at.force);
@@ -73,7 +74,8 @@ TEST(Adhesion, BadRecords) {
     pull_off(pushed);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_EQ(to_string(error.problems().front()), "pull.csv:2: specimen 2: the force is never a tension; write tension as positive force");
+    EXPECT_EQ(to_string(error.problems().front()),
+              "pull.csv:2: specimen 2: the force is never a tension; write tension as positive force");
   }
   EXPECT_THROW(pull_off({"pull.csv", "", {1, 2}, {1, 2}, {2, 3}}), InputError);
 }

@@ -21,7 +21,8 @@ TEST(Factor, SlopeOfTemperatureOverStressOfEitherSign) {
 
 TEST(Factor, FourLoadsGiveIntervalsThatCoverTheTruth) {
   int covered = 0, seeds = 3000;
-  for (int seed = 0; seed < seeds; ++seed) {  // thesis's loads of POM, force ratio 0.1, 1 mK of noise after the transform
+  for (int seed = 0; seed < seeds;
+       ++seed) {  // thesis's loads of POM, force ratio 0.1, 1 mK of noise after the transform
     RandomStream random(static_cast<std::uint64_t>(seed), Purpose::test);
     std::vector<double> stress, temperature;
     for (const double force : {200.0, 400.0, 600.0, 800.0}) {
@@ -61,7 +62,8 @@ TEST(Factor, RawSignalRoutesAgree) {
   d.responsivity = {1 / (levels_per_photon * radiometry::photon_exitance_slope(d.band, d.reference))};
   const double warming = factor * stress;
   const double signal =
-      levels_per_photon * 0.9 * (radiometry::photon_exitance(d.band, 310 + warming / 2) - radiometry::photon_exitance(d.band, 310 - warming / 2));
+      levels_per_photon * 0.9 *
+      (radiometry::photon_exitance(d.band, 310 + warming / 2) - radiometry::photon_exitance(d.band, 310 - warming / 2));
   const auto direct = direct_constant(d, band_correction(d), {factor});
   EXPECT_NEAR(direct.value, stress / signal, 1e-6 * stress / signal);
   EXPECT_NEAR(direct.error / direct.value, 0.01 / 0.9, 1e-12);
@@ -74,8 +76,11 @@ TEST(Factor, TheBandsCorrectionIsThePowerOfItsSlope) {
   d.reference = 296, d.surface = 297;
   EXPECT_NEAR(printed_correction(d), 296.0 * 296 / (297.0 * 297), 1e-15);
   const double n = radiometry::exitance_exponent(d.band, 296.5);
-  const double bend = std::log(radiometry::exitance_exponent(d.band, 297) / radiometry::exitance_exponent(d.band, 296)) / std::log(297.0 / 296);
-  EXPECT_NEAR(std::log(band_correction(d)) / std::log(296.0 / 297), n - 1 + bend, 1e-4);  // n falls with T: N' ~ T^(n-1) alone says 9.6
+  const double bend =
+      std::log(radiometry::exitance_exponent(d.band, 297) / radiometry::exitance_exponent(d.band, 296)) /
+      std::log(297.0 / 296);
+  EXPECT_NEAR(std::log(band_correction(d)) / std::log(296.0 / 297), n - 1 + bend,
+              1e-4);  // n falls with T: N' ~ T^(n-1) alone says 9.6
   EXPECT_NEAR(n - 1 + bend, 8.7, 0.1);
   d.band = {1e-7, 1e-2};  // all wavelengths: N ~ T^3, and the printed square is right
   EXPECT_NEAR(band_correction(d), printed_correction(d), 1e-3 * (1 - printed_correction(d)));

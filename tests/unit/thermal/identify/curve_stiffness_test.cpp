@@ -15,13 +15,15 @@ using identify::cycles_of;
 constexpr double k = 27.35e6;
 
 /// Loadings to these peaks (N) and back, `points` each way: the cylinder settles below 1 kN, then F = k delta.
-Curve record(const std::vector<double>& peaks, int points = 200, double noise = 0, std::uint64_t seed = 1, double sign = 1) {
+Curve record(const std::vector<double>& peaks, int points = 200, double noise = 0, std::uint64_t seed = 1,
+             double sign = 1) {
   RandomStream random(seed, Purpose::test);
   Curve c{"test.csv", "", {}, {}, {}};
   for (const double peak : peaks)
     for (int p = 0; p < 2 * points; ++p) {
       const double share = p < points ? p / double(points - 1) : (2 * points - 1 - p) / double(points - 1);
-      const double force = 50 + share * (peak - 50), settling = force < 1000 ? 0.2e-3 * std::sqrt(force / 1000) : 0.2e-3;
+      const double force = 50 + share * (peak - 50),
+                   settling = force < 1000 ? 0.2e-3 * std::sqrt(force / 1000) : 0.2e-3;
       c.x.push_back(settling + force / k + noise * random.normal());
       c.y.push_back(sign * force);
       c.line.push_back(static_cast<int>(c.line.size()) + 2);
@@ -82,22 +84,28 @@ TEST(Stiffness, NoiseOfTheForceMakesNoCycles) {
 
 TEST(Stiffness, BadRecordsAreOneSentenceWithTheirLine) {
   EXPECT_EQ(stiffness_complaint(record({800})),
-            "test.csv:201: the force never exceeds the preload of 1000 N, its maximum is 800 N; give the test's own preload with --preload");
-  EXPECT_NE(stiffness_complaint(record({6000}, 4)).find("a cycle has 3 points beyond the preload of 1000 N; a slope needs at least 5"), std::string::npos)
+            "test.csv:201: the force never exceeds the preload of 1000 N, its maximum is 800 N; give the test's own "
+            "preload with --preload");
+  EXPECT_NE(stiffness_complaint(record({6000}, 4))
+                .find("a cycle has 3 points beyond the preload of 1000 N; a slope needs at least 5"),
+            std::string::npos)
       << stiffness_complaint(record({6000}, 4));
   Curve slipped = record({6000});
   for (std::size_t p = 120; p < 125; ++p) slipped.y[p] -= 900;
-  EXPECT_NE(stiffness_complaint(slipped).find("test.csv:122: the force falls from"), std::string::npos) << stiffness_complaint(slipped);
+  EXPECT_NE(stiffness_complaint(slipped).find("test.csv:122: the force falls from"), std::string::npos)
+      << stiffness_complaint(slipped);
   Curve back = record({6000});
   back.x[150] -= 0.1e-3;
-  EXPECT_NE(stiffness_complaint(back).find("test.csv:152: the displacement reverses by 0.09"), std::string::npos) << stiffness_complaint(back);
+  EXPECT_NE(stiffness_complaint(back).find("test.csv:152: the displacement reverses by 0.09"), std::string::npos)
+      << stiffness_complaint(back);
   Curve still = record({6000});
   for (double& x : still.x) x = 1e-3;
   EXPECT_NE(stiffness_complaint(still).find("does not change with the force"), std::string::npos);
   EXPECT_NE(stiffness_complaint(Curve{"test.csv", "", {}, {}, {}}).find("holds no points"), std::string::npos);
   Curve rising = record({6000}, 50);
   rising.x.resize(50), rising.y.resize(50);
-  EXPECT_NE(stiffness_complaint(rising, {1000, identify::Branch::unloading}).find("the force never falls"), std::string::npos);
+  EXPECT_NE(stiffness_complaint(rising, {1000, identify::Branch::unloading}).find("the force never falls"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double pixel = 1.5e-3, radius = 6e-3, rim_error = 0.08 * pixel, reach = 3 * pixel;
 
-/// A container of 0.1 x 0.1 m with eight grains along each of its left and right sides, of which every other one touches; the others are up to a
-/// radius away.
+/// A container of 0.1 x 0.1 m with eight grains along each of its left and right sides, of which every other one
+/// touches; the others are up to a radius away.
 Packing sample(double off = 0) {
   Packing p;
   p.domain.wall[right].position = p.domain.wall[top].position = 0.1;
@@ -27,7 +27,9 @@ Packing sample(double off = 0) {
   return p;
 }
 
-FittedWall fitted(const Packing& p, int side) { return fit_walls(p.grains, p.domain, rim_error, reach)[static_cast<std::size_t>(side)]; }
+FittedWall fitted(const Packing& p, int side) {
+  return fit_walls(p.grains, p.domain, rim_error, reach)[static_cast<std::size_t>(side)];
+}
 
 TEST(FittedWalls, AreWhereRimsTouchThem) {
   for (const double pixels : {-1.2, -0.6, 0.0, 0.6, 1.2}) {

@@ -17,7 +17,8 @@ using namespace arenite::imaging;
 
 PhaseMap speckled(int width, int height, int share_of_ten) {
   PhaseMap map = make_phase_map(width, height, 1);
-  for (Phase& p : map.phase) p = *rc::gen::inRange(0, 10) < share_of_ten ? Phase::particle : *rc::gen::element(Phase::empty, Phase::matrix);
+  for (Phase& p : map.phase)
+    p = *rc::gen::inRange(0, 10) < share_of_ten ? Phase::particle : *rc::gen::element(Phase::empty, Phase::matrix);
   return map;
 }
 PhaseMap disks(int size, const std::vector<std::array<double, 3>>& all) {
@@ -79,7 +80,8 @@ TEST(LabelGrains, FindsTheSameComponentsAsSpreading) {
     const auto expected = components_by_spreading(map);
     std::map<std::int32_t, std::int32_t> number;  // in the order of first nodes, as labels must be
     for (std::size_t i = 0; i < map.size(); ++i) {
-      const auto n = expected[i] < 0 ? -1 : number.emplace(expected[i], static_cast<std::int32_t>(number.size())).first->second;
+      const auto n =
+          expected[i] < 0 ? -1 : number.emplace(expected[i], static_cast<std::int32_t>(number.size())).first->second;
       RC_ASSERT(map.grain[i] == n);
     }
   }));
@@ -102,7 +104,8 @@ TEST(LabelGrains, SmoothingJoinsWhatANeckHardlyParts) {
   const PhaseMap map = disks(64, {{24, 32, 14}, {40, 32, 14}});  // half width of the neck: sqrt(14^2 - 8^2) = 11.5
   EXPECT_EQ(grains(map, Labelling::watershed, 1), 2);
   EXPECT_EQ(grains(map, Labelling::watershed, 4), 1);
-  for (const double radius : {3.0, 5.5, 9.3, 17.0, 25.0}) EXPECT_EQ(grains(disks(64, {{31.3, 30.8, radius}}), Labelling::watershed), 1) << radius;
+  for (const double radius : {3.0, 5.5, 9.3, 17.0, 25.0})
+    EXPECT_EQ(grains(disks(64, {{31.3, 30.8, radius}}), Labelling::watershed), 1) << radius;
 }
 
 TEST(LabelGrains, FindsEachOfManyTouchingDisks) {
@@ -116,7 +119,8 @@ TEST(LabelGrains, FindsEachOfManyTouchingDisks) {
 
 TEST(LabelGrains, WatershedRefinesComponentsAndCoversThem) {
   EXPECT_TRUE(rc::check([] {
-    PhaseMap whole = speckled(*rc::gen::inRange(1, 30), *rc::gen::inRange(1, 30), *rc::gen::inRange(6, 11)), cut = whole;
+    PhaseMap whole = speckled(*rc::gen::inRange(1, 30), *rc::gen::inRange(1, 30), *rc::gen::inRange(6, 11)),
+             cut = whole;
     label_grains(whole, {});
     label_grains(cut, {Labelling::watershed, 0.5 * *rc::gen::inRange(0, 5)});
     check(cut);
@@ -132,7 +136,10 @@ TEST(LabelGrains, HandlesMapsOfParticleOnlyAndOfNone) {
   EXPECT_EQ(grains(make_phase_map(9, 5, 1), Labelling::components), 0);
   PhaseMap map = make_phase_map(3, 3, 1);
   for (const double wrong : {-1.0, std::nan("")})
-    EXPECT_NE(test::complaint([&] { label_grains(map, {Labelling::watershed, wrong}); }).find("smoothing"), std::string::npos);
+    EXPECT_NE(test::complaint([&] {
+                label_grains(map, {Labelling::watershed, wrong});
+              }).find("smoothing"),
+              std::string::npos);
 }
 
 }  // namespace

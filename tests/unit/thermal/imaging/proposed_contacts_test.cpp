@@ -75,7 +75,9 @@ TEST(ProposedContacts, AreOfferedUpToTheirErrorAndTheFloor) {
 TEST(ProposedContacts, WithWallsPointInwardAndLieInTheirPlane) {
   const Grains grains = grains_at({{1.05, 2.95}}, {1});
   Domain domain = box(2, 4);  // touches the right wall by 0.05 of overlap; 0.05 from left and top
-  const auto tolerance = [](double wall_error) { return imaging::ContactTolerance{.errors = 3, .wall_error = wall_error}; };
+  const auto tolerance = [](double wall_error) {
+    return imaging::ContactTolerance{.errors = 3, .wall_error = wall_error};
+  };
   const Contacts one = propose_contacts(grains, domain, {}, tolerance(0));
   ASSERT_EQ(one.size(), 1u);
   EXPECT_EQ(one.wall_side(0), right);
@@ -106,8 +108,10 @@ TEST(ProposedContacts, AreAllPairsWithinReachInShearedPeriodicCells) {
     std::set<std::pair<int, int>> near;
     for (int i = 0; i < 60; ++i)
       for (int j = i + 1; j < 60; ++j) {
-        const Vec2 d = domain.nearest_image(centres[static_cast<std::size_t>(i)] - centres[static_cast<std::size_t>(j)]);
-        if (norm(d) - radii[static_cast<std::size_t>(i)] - radii[static_cast<std::size_t>(j)] <= 0.3) near.emplace(i, j);
+        const Vec2 d =
+            domain.nearest_image(centres[static_cast<std::size_t>(i)] - centres[static_cast<std::size_t>(j)]);
+        if (norm(d) - radii[static_cast<std::size_t>(i)] - radii[static_cast<std::size_t>(j)] <= 0.3)
+          near.emplace(i, j);
       }
     const Contacts found = propose_contacts(grains, domain, {}, {.floor = 1, .pixel = 0.3});
     EXPECT_EQ(pairs_of(found), near) << round;
@@ -129,8 +133,10 @@ TEST(ProposedContacts, OfLoadedPackingsMissNextToNoneOfTheTrueOnes) {
     RandomStream random(3, Purpose::test);
     for (Vec2& c : centres) c += error * Vec2{random.normal(), random.normal()};
     for (double& r : radii) r += 0.5 * error * random.normal();
-    const imaging::GrainErrors errors{std::vector<double>(centres.size(), error), std::vector<double>(centres.size(), 0.5 * error)};
-    const auto offered = pairs_of(propose_contacts(grains_at(centres, radii), no_walls(1, 1), errors, {.pixel = pixel}));
+    const imaging::GrainErrors errors{std::vector<double>(centres.size(), error),
+                                      std::vector<double>(centres.size(), 0.5 * error)};
+    const auto offered =
+        pairs_of(propose_contacts(grains_at(centres, radii), no_walls(1, 1), errors, {.pixel = pixel}));
     std::size_t missed = 0;
     for (const auto& pair : truth) missed += offered.count(pair) == 0 ? 1 : 0;
     EXPECT_GT(truth.size(), centres.size()) << sample;
@@ -159,9 +165,18 @@ TEST(ProposedContacts, HoldAllOfAnotherCodesInAShearedCell) {
 
 TEST(ProposedContacts, RefuseErrorsThatDoNotFit) {
   const Grains grains = grains_at({{1, 1}, {3, 1}}, {1, 1});
-  EXPECT_EQ(test::complaint([&] { propose_contacts(grains, box(4, 4), {{0.1}, {}}); }), "there are 1 errors of the position for 2 grains; give one per grain");
-  EXPECT_NE(test::complaint([&] { propose_contacts(grains, box(4, 4), {{}, {0.1, -1}}); }).find("errors of the radius"), std::string::npos);
-  EXPECT_NE(test::complaint([&] { propose_contacts(grains_at({{1, std::nan("")}}, {1}), box(4, 4)); }).find("grain 0 has no position"), std::string::npos);
+  EXPECT_EQ(test::complaint([&] {
+              propose_contacts(grains, box(4, 4), {{0.1}, {}});
+            }),
+            "there are 1 errors of the position for 2 grains; give one per grain");
+  EXPECT_NE(test::complaint([&] {
+              propose_contacts(grains, box(4, 4), {{}, {0.1, -1}});
+            }).find("errors of the radius"),
+            std::string::npos);
+  EXPECT_NE(test::complaint([&] {
+              propose_contacts(grains_at({{1, std::nan("")}}, {1}), box(4, 4));
+            }).find("grain 0 has no position"),
+            std::string::npos);
   EXPECT_EQ(propose_contacts({}, box(4, 4)).size(), 0u);
 }
 

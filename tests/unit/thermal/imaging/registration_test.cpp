@@ -32,7 +32,8 @@ struct Flaws {
   std::uint64_t seed = 1;
 };
 
-/// The grains as another search of the same sample might give them; `truth` gets the index each had, -1 for an invented one.
+/// The grains as another search of the same sample might give them; `truth` gets the index each had, -1 for an invented
+/// one.
 PictureGrains spoiled(const PictureGrains& grains, const Flaws& how, std::vector<int>& truth) {
   RandomStream random(how.seed, Purpose::test);
   PictureGrains out;
@@ -43,14 +44,16 @@ PictureGrains spoiled(const PictureGrains& grains, const Flaws& how, std::vector
   };
   for (std::size_t k = grains.size(); k-- > 0;) {
     if (random.uniform() < how.invented) add(320 * random.uniform(), 240 * random.uniform(), grains.radius[k], -1);
-    if (random.uniform() >= how.missing) add(grains.centre[k].x, grains.centre[k].y, grains.radius[k], static_cast<int>(k));
+    if (random.uniform() >= how.missing)
+      add(grains.centre[k].x, grains.centre[k].y, grains.radius[k], static_cast<int>(k));
   }
   return out;
 }
 
 void expect_alike(const Similarity& a, const Similarity& b, double within) {
   EXPECT_EQ(a.mirrored, b.mirrored);
-  for (const Vec2 corner : {Vec2{0, 0}, Vec2{320, 0}, Vec2{0, 240}, Vec2{320, 240}}) EXPECT_LT(norm(a(corner) - b(corner)), within);
+  for (const Vec2 corner : {Vec2{0, 0}, Vec2{320, 0}, Vec2{0, 240}, Vec2{320, 240}})
+    EXPECT_LT(norm(a(corner) - b(corner)), within);
 }
 
 TEST(Similarity, InverseAndFitGiveItBack) {
@@ -89,18 +92,25 @@ TEST_P(Registered, WithoutAGuessThoughGrainsAreMissingInventedAndOff) {
   const PictureGrains thermal = found(GetParam());
   RandomStream random(17, Purpose::test);
   for (int round = 0; round < 3; ++round) {
-    const Similarity truth{std::exp(random.uniform(-1.5, 1.5)), random.uniform(-3, 3), {300 * random.uniform(), -200 * random.uniform()}, round % 3 == 0};
+    const Similarity truth{std::exp(random.uniform(-1.5, 1.5)),
+                           random.uniform(-3, 3),
+                           {300 * random.uniform(), -200 * random.uniform()},
+                           round % 3 == 0};
     std::vector<int> of_a, of_b;
     const auto seed = static_cast<std::uint64_t>(round) + 1;
-    const PictureGrains optical = spoiled(imaging::apply(truth.inverse(), thermal),
-                                          {.missing = 0.1, .invented = 0.03, .error = 0.03 / truth.scale, .radius_error = 0.02, .seed = seed}, of_a);
-    const PictureGrains hot = spoiled(thermal, {.missing = 0.1, .invented = 0.03, .error = 0.05, .radius_error = 0.02, .seed = seed + 100}, of_b);
-    const imaging::Registration r = register_circles(optical, hot, {.mirror = round % 2 == 0 ? Mirror::found : (truth.mirrored ? Mirror::yes : Mirror::no)});
+    const PictureGrains optical = spoiled(
+        imaging::apply(truth.inverse(), thermal),
+        {.missing = 0.1, .invented = 0.03, .error = 0.03 / truth.scale, .radius_error = 0.02, .seed = seed}, of_a);
+    const PictureGrains hot = spoiled(
+        thermal, {.missing = 0.1, .invented = 0.03, .error = 0.05, .radius_error = 0.02, .seed = seed + 100}, of_b);
+    const imaging::Registration r = register_circles(
+        optical, hot, {.mirror = round % 2 == 0 ? Mirror::found : (truth.mirrored ? Mirror::yes : Mirror::no)});
     expect_alike(r.transform, truth, 0.05);
     EXPECT_GT(r.matched, 0.85);
     EXPECT_NEAR(r.rms, std::hypot(0.03, 0.05), 0.006);
     EXPECT_LT(std::abs(r.transform.scale - truth.scale), 4 * r.scale_error);
-    EXPECT_LT(std::abs(std::remainder(r.transform.rotation - truth.rotation, 2 * std::numbers::pi)), 4 * r.rotation_error);
+    EXPECT_LT(std::abs(std::remainder(r.transform.rotation - truth.rotation, 2 * std::numbers::pi)),
+              4 * r.rotation_error);
     for (const auto& [a, b] : r.pairs) EXPECT_EQ(of_a[static_cast<std::size_t>(a)], of_b[static_cast<std::size_t>(b)]);
   }
 }
@@ -111,7 +121,8 @@ TEST_P(Registered, WithAGuessOfScaleAndWithoutRadii) {
   std::vector<int> of;
   PictureGrains optical = spoiled(imaging::apply(truth.inverse(), thermal), {.missing = 0.1, .error = 0.1}, of);
   for (double& r : optical.radius) r = 12;
-  const imaging::Registration r = register_circles(optical, thermal, {.scale = 0.41, .scale_within = 0.05, .radius_within = 0});
+  const imaging::Registration r =
+      register_circles(optical, thermal, {.scale = 0.41, .scale_within = 0.05, .radius_within = 0});
   expect_alike(r.transform, truth, 0.05);
   EXPECT_GT(r.matched, 0.97);
 }
@@ -149,8 +160,14 @@ TEST(Registration, RefusesPicturesOfDifferentSamples) {
   PictureGrains two;
   two.centre = {{1, 1}, {2, 2}};
   two.radius = {1, 2};
-  EXPECT_NE(test::complaint([&] { register_circles(found("sample-12"), two); }).find("the second picture shows 2 grains; three are needed"), std::string::npos);
-  EXPECT_NE(test::complaint([&] { register_circles(found("sample-12"), found("sample-12"), {.scale = -1.0}); }).find("must be positive"), std::string::npos);
+  EXPECT_NE(test::complaint([&] {
+              register_circles(found("sample-12"), two);
+            }).find("the second picture shows 2 grains; three are needed"),
+            std::string::npos);
+  EXPECT_NE(test::complaint([&] {
+              register_circles(found("sample-12"), found("sample-12"), {.scale = -1.0});
+            }).find("must be positive"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ constexpr double radius = 8.2e-3;
 /// Forces of pixels that lie wholly inside grains, where sigma_kk is harmonic and lens and pixel are not seen.
 ForceOptions exact() {
   ForceOptions o;
-  o.rim_margin = 2.7, o.contact_margin = 0, o.position_error = 0, o.balance_error = 1e-6, o.model_error = 1e-6, o.fit_model_error = false;
+  o.rim_margin = 2.7, o.contact_margin = 0, o.position_error = 0, o.balance_error = 1e-6, o.model_error = 1e-6,
+  o.fit_model_error = false;
   o.prior = 1e5, o.iterations = 1;
   return o;
 }
@@ -33,9 +34,11 @@ ThermoelasticPicture sampled(const Packing& p, double pixels = 8) {
   for (std::size_t g = 0; g < disks.size(); ++g)
     for (std::size_t k = 0; k < picture.value.size(); ++k) {
       const auto w = static_cast<std::size_t>(picture.width);
-      const Vec2 x = picture.first + picture.pixel * Vec2{static_cast<double>(k % w), -static_cast<double>(k / w)} - p.grains.position[g];
+      const Vec2 x = picture.first + picture.pixel * Vec2{static_cast<double>(k % w), -static_cast<double>(k / w)} -
+                     p.grains.position[g];
       if (norm(x) < 0.95 * radius)
-        picture.value[k] = static_cast<float>(-factors(p)[static_cast<std::size_t>(p.grains.material[g])] * elasticity::sigma_kk(disks[g], x));
+        picture.value[k] = static_cast<float>(-factors(p)[static_cast<std::size_t>(p.grains.material[g])] *
+                                              elasticity::sigma_kk(disks[g], x));
     }
   return picture;
 }
@@ -95,10 +98,12 @@ RC_GTEST_PROP(ContactForces, AreLinearInThePicture, ()) {
   const Packing truth = pressed_crystal(3, 3, radius, seed);
   RandomStream random(seed, Purpose::test, 8);
   ThermoelasticPicture a = sampled(truth, 4), b = a, sum = a;
-  for (std::size_t k = 0; k < a.value.size(); ++k) b.value[k] = static_cast<float>(0.01 * random.normal()), sum.value[k] = 3 * a.value[k] - b.value[k];
+  for (std::size_t k = 0; k < a.value.size(); ++k)
+    b.value[k] = static_cast<float>(0.01 * random.normal()), sum.value[k] = 3 * a.value[k] - b.value[k];
   ForceOptions options = exact();
   options.model_error = 0, options.rim_margin = 1;  // errors that grow with the signal would weigh pixels anew
-  const InferredForces fa = inferred(truth, a, options), fb = inferred(truth, b, options), fs = inferred(truth, sum, options);
+  const InferredForces fa = inferred(truth, a, options), fb = inferred(truth, b, options),
+                       fs = inferred(truth, sum, options);
   std::vector<double> expected;
   for (std::size_t c = 0; c < truth.contacts.size(); ++c) expected.push_back(3 * fa.contacts.fn[c] - fb.contacts.fn[c]);
   RC_ASSERT(relative_error(fs.contacts.fn, expected) < 2e-3);
@@ -119,11 +124,14 @@ struct Film {
       found.grains.position[g].y += off * drawing.pixel * random.normal();
     }
   }
-  InferredForces infer(const ForceOptions& options = {}) const { return infer_from_pixels({found, factors(found), {}}, picture, options); }
+  InferredForces infer(const ForceOptions& options = {}) const {
+    return infer_from_pixels({found, factors(found), {}}, picture, options);
+  }
 };
 
 TEST(ContactForces, MeetTheirTargetsOnAPicture) {
-  for (const auto traction : {elasticity::Traction::point, elasticity::Traction::uniform, elasticity::Traction::elliptic}) {
+  for (const auto traction :
+       {elasticity::Traction::point, elasticity::Traction::uniform, elasticity::Traction::elliptic}) {
     const Film film(traction);
     const InferredForces f = film.infer();
     EXPECT_LT(relative_error(f.contacts.fn, film.truth.contacts.fn), 0.03);
@@ -148,8 +156,10 @@ TEST(ContactForces, StandardErrorsAreHonest) {
   const InferredForces f = film.infer(options);
   double n = 0, t = 0;
   for (std::size_t c = 0; c < f.contacts.size(); ++c) {
-    n += std::pow((f.contacts.fn[c] - film.truth.contacts.fn[c]) / f.fn_error[c], 2) / static_cast<double>(f.contacts.size());
-    t += std::pow((f.contacts.ft[c] - film.truth.contacts.ft[c]) / f.ft_error[c], 2) / static_cast<double>(f.contacts.size());
+    n += std::pow((f.contacts.fn[c] - film.truth.contacts.fn[c]) / f.fn_error[c], 2) /
+         static_cast<double>(f.contacts.size());
+    t += std::pow((f.contacts.ft[c] - film.truth.contacts.ft[c]) / f.ft_error[c], 2) /
+         static_cast<double>(f.contacts.size());
   }
   EXPECT_GT(n, 0.3);
   EXPECT_LT(n, 2.5);
@@ -191,7 +201,8 @@ TEST(ContactForces, ConeKeepsASingleStateInsideFriction) {
   ForceOptions options;
   options.inequality = Inequality::cone, options.friction = 0.2;
   const InferredForces f = film.infer(options);
-  for (std::size_t c = 0; c < f.contacts.size(); ++c) EXPECT_LE(std::abs(f.contacts.ft[c]), 0.2 * f.contacts.fn[c] + 1e-6);
+  for (std::size_t c = 0; c < f.contacts.size(); ++c)
+    EXPECT_LE(std::abs(f.contacts.ft[c]), 0.2 * f.contacts.fn[c] + 1e-6);
 }
 
 TEST(ContactForces, WallLoadsAreKept) {
@@ -199,15 +210,16 @@ TEST(ContactForces, WallLoadsAreKept) {
   double load = 0;
   for (std::size_t c = 0; c < film.truth.contacts.size(); ++c)
     if (film.truth.contacts.is_wall(c) && film.truth.contacts.wall_side(c) == bottom) load += film.truth.contacts.fn[c];
-  const InferredForces f = infer_from_pixels({film.found, factors(film.found), {{bottom, 1.01 * load, 1e-3}}}, film.picture, {});
+  const InferredForces f =
+      infer_from_pixels({film.found, factors(film.found), {{bottom, 1.01 * load, 1e-3}}}, film.picture, {});
   double found = 0;
   for (std::size_t c = 0; c < f.contacts.size(); ++c)
     if (f.contacts.is_wall(c) && f.contacts.wall_side(c) == bottom) found += f.contacts.fn[c];
   EXPECT_NEAR(found / load, 1.01, 1e-6);
 }
 
-void expect_problem(const std::string& words, const Packing& packing, const std::vector<double>& factor, const ThermoelasticPicture& picture,
-                    const ForceOptions& options = {}) {
+void expect_problem(const std::string& words, const Packing& packing, const std::vector<double>& factor,
+                    const ThermoelasticPicture& picture, const ForceOptions& options = {}) {
   try {
     infer_from_pixels({packing, factor, {}}, picture, options);
     ADD_FAILURE() << "accepted: " << words;

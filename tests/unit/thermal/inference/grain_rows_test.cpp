@@ -14,7 +14,9 @@ Placed two_grains() {
   Placed p;
   p.length = 0.06, p.radius = {disk_size, disk_size}, p.factor = {1.5e-8, 2.5e-8};
   p.centre = p.found = {{0, 0}, {2.05 * disk_size, 0}};
-  const auto touch = [](int contact, double angle) { return Touch{contact, -1, {std::cos(angle), std::sin(angle)}, 0}; };
+  const auto touch = [](int contact, double angle) {
+    return Touch{contact, -1, {std::cos(angle), std::sin(angle)}, 0};
+  };
   p.touches = {{touch(0, 0.4), touch(1, 2.2), touch(2, 4.5)}, {touch(3, 1.3), touch(4, 4.0)}};
   p.near = {{{1, {0, 0}}}, {{0, {0, 0}}}};
   p.force = {400, 50, 700, -80, 300, 120, 500, 20, 450, -60};
@@ -22,8 +24,10 @@ Placed two_grains() {
 }
 
 /// Pixels in the middle, beside the rim and beside the other grain.
-const std::vector<GrainPixel> pixels{
-    {{0.3e-3, 0.5e-3}, 0, 1, 1, 0}, {{5.6e-3, -1e-3}, 0, 1, 1, 1}, {{-3e-3, 4.5e-3}, 0, 1, 1, 2}, {{-5.4e-3, 2e-3}, 0, 1, 1, 3}};
+const std::vector<GrainPixel> pixels{{{0.3e-3, 0.5e-3}, 0, 1, 1, 0},
+                                     {{5.6e-3, -1e-3}, 0, 1, 1, 1},
+                                     {{-3e-3, 4.5e-3}, 0, 1, 1, 2},
+                                     {{-5.4e-3, 2e-3}, 0, 1, 1, 3}};
 
 /// Warming of every pixel.
 std::vector<double> warming(const Placed& p) {
@@ -42,11 +46,13 @@ TEST(GrainRows, TurningANormalDoesWhatItsColumnSays) {
     more.touches[0][k].normal += step * perpendicular(more.touches[0][k].normal);
     less.touches[0][k].normal -= step * perpendicular(less.touches[0][k].normal);
     const std::vector<double> a = warming(more), b = warming(less);
-    for (std::size_t q = 0; q < pixels.size(); ++q) EXPECT_NEAR(rows.turn(k, q), (a[q] - b[q]) / (2 * step), 1e-6 + 1e-3 * std::abs(rows.turn(k, q)));
+    for (std::size_t q = 0; q < pixels.size(); ++q)
+      EXPECT_NEAR(rows.turn(k, q), (a[q] - b[q]) / (2 * step), 1e-6 + 1e-3 * std::abs(rows.turn(k, q)));
   }
 }
 
-/// Cut pixels are sums over points, whose number in the grain jumps: a step of a point's distance, and a tenth of the size.
+/// Cut pixels are sums over points, whose number in the grain jumps: a step of a point's distance, and a tenth of the
+/// size.
 TEST(GrainRows, MovingTheCentreDoesWhatItsColumnsSay) {
   Placed alone = two_grains();
   alone.near[0].clear();
@@ -58,7 +64,9 @@ TEST(GrainRows, MovingTheCentreDoesWhatItsColumnsSay) {
       Placed more = alone, less = alone;
       more.centre[0] += d, less.centre[0] -= d;
       const double size = norm(rows.shift[q]);
-      EXPECT_NEAR(rows.shift[q][axis], (warming(more)[q] - warming(less)[q]) / (2 * step), (q == 0 ? 1e-4 : 0.15) * size) << q << axis;
+      EXPECT_NEAR(rows.shift[q][axis], (warming(more)[q] - warming(less)[q]) / (2 * step),
+                  (q == 0 ? 1e-4 : 0.15) * size)
+          << q << axis;
     }
 }
 

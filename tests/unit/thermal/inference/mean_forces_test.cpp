@@ -24,7 +24,8 @@ std::vector<double> mean_stresses(const Packing& p) {
     sigma[static_cast<std::size_t>(p.contacts.i[c])] -= p.contacts.fn[c];
     if (!p.contacts.is_wall(c)) sigma[static_cast<std::size_t>(p.contacts.j[c])] -= p.contacts.fn[c];
   }
-  for (std::size_t g = 0; g < sigma.size(); ++g) sigma[g] /= 2 * std::numbers::pi * p.grains.radius[g] * p.domain.thickness;
+  for (std::size_t g = 0; g < sigma.size(); ++g)
+    sigma[g] /= 2 * std::numbers::pi * p.grains.radius[g] * p.domain.thickness;
   return sigma;
 }
 
@@ -67,7 +68,8 @@ TEST(MeanForces, NullSpaceOfOneDiskIsFour) {
 }
 
 RC_GTEST_PROP(MeanForces, NullSpaceIsThatOfTheDenseMatrix, ()) {
-  const Packing p = pressed_crystal(*rc::gen::inRange(1, 5), *rc::gen::inRange(1, 5), disk_radius, *rc::gen::inRange<std::uint64_t>(1, 100));
+  const Packing p = pressed_crystal(*rc::gen::inRange(1, 5), *rc::gen::inRange(1, 5), disk_radius,
+                                    *rc::gen::inRange<std::uint64_t>(1, 100));
   const std::vector<double> sigma = mean_stresses(p), error(sigma.size(), 1e3);
   RC_ASSERT(infer_from_means({without_forces(p), {}, {}}, sigma, error, {}).null_space == dense_null_space(p));
 }

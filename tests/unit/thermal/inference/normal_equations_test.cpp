@@ -54,7 +54,8 @@ TEST(NormalEquations, SolutionErrorsAndInertiaAreThoseOfTheDenseMatrix) {
   }
   const Eigen::VectorXd values = both.dense.selfadjointView<Eigen::Lower>().eigenvalues();
   for (const double share : {1e-3, 1e-2, 0.1, 0.3})
-    EXPECT_EQ(both.sparse.small_eigenvalues(share), (values.array() < share * both.dense.diagonal().maxCoeff()).count());
+    EXPECT_EQ(both.sparse.small_eigenvalues(share),
+              (values.array() < share * both.dense.diagonal().maxCoeff()).count());
 }
 
 /// At the minimum in the cone the slope is orthogonal to the solution along each edge, or points outwards.
@@ -67,7 +68,8 @@ RC_GTEST_PROP(NormalEquations, ConeSolutionObeysKarushKuhnTucker, ()) {
   const Eigen::VectorXd slope = both.dense * v - both.right;
   for (int c = 0; c < contacts; ++c)
     for (const double sign : {1.0, -1.0}) {
-      const double part = 0.5 * (v[2 * c] + sign * v[2 * c + 1] / mu), rise = slope[2 * c] + sign * mu * slope[2 * c + 1];
+      const double part = 0.5 * (v[2 * c] + sign * v[2 * c + 1] / mu),
+                   rise = slope[2 * c] + sign * mu * slope[2 * c + 1];
       RC_ASSERT(part > -1e-8);
       RC_ASSERT(rise > -1e-7);
       RC_ASSERT(std::abs(part * rise) < 1e-7);
@@ -76,7 +78,8 @@ RC_GTEST_PROP(NormalEquations, ConeSolutionObeysKarushKuhnTucker, ()) {
 }
 
 TEST(NormalEquations, NumbersBeyondTheRangeAreBadInput) {
-  for (const double weight : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 1e308}) {
+  for (const double weight :
+       {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 1e308}) {
     Both both = random_equations(20, 3);
     both.sparse.add_diagonal(4, weight, 1e30);
     EXPECT_THROW(both.sparse.solve(), InputError) << weight;

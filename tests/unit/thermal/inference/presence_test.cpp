@@ -9,8 +9,8 @@
 namespace arenite::inference {
 namespace {
 
-/// A thousand contacts with exponential forces and overlaps linear in them, and some hundreds of gaps; `noise` in mean forces,
-/// reported `reported` times as large.
+/// A thousand contacts with exponential forces and overlaps linear in them, and some hundreds of gaps; `noise` in mean
+/// forces, reported `reported` times as large.
 struct Drawn {
   ContactEvidence evidence;
   std::vector<std::uint8_t> there;
@@ -23,7 +23,8 @@ struct Drawn {
     for (std::size_t c = 0; c < 1000 + offered; ++c) {
       const bool is = c < 1000;
       const double f = is ? -force * std::log(1 - random.uniform()) : 0;
-      const double overlap = is ? 0.1e-3 * f / force + rim * random.normal() : -gap * random.uniform() + rim * random.normal();
+      const double overlap =
+          is ? 0.1e-3 * f / force + rim * random.normal() : -gap * random.uniform() + rim * random.normal();
       if (overlap < -gap) continue;
       there.push_back(is);
       mean += f / 1000;
@@ -43,7 +44,8 @@ TEST(Presence, CountsContactsThatAreThereWhateverTheNoise) {
       EXPECT_NEAR(found.expected, 1000, 20) << noise << ' ' << reported;
       const auto taken = taken_as_present(found);
       double count = 0, sum = 0, wrong = 0;
-      for (std::size_t c = 0; c < taken.size(); ++c) count += taken[c], sum += taken[c] * d.evidence.fn[c], wrong += taken[c] != d.there[c];
+      for (std::size_t c = 0; c < taken.size(); ++c)
+        count += taken[c], sum += taken[c] * d.evidence.fn[c], wrong += taken[c] != d.there[c];
       EXPECT_NEAR(sum / count, d.mean, 0.02 * d.mean) << noise << ' ' << reported;
       EXPECT_LT(wrong, 1300 * (0.01 + noise)) << noise << ' ' << reported;
       if (noise > 0.01) { EXPECT_NEAR(found.error_scale, 1 / reported, 0.25 / reported) << noise << ' ' << reported; }

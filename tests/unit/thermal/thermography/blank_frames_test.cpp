@@ -39,7 +39,8 @@ Film without(const Film& film, const std::vector<std::int64_t>& lost) {
   left.level.clear();
   for (std::int64_t n = 0; n < film.about.frames; ++n) {
     if (std::ranges::count(lost, n) > 0) continue;
-    const auto first = n * static_cast<std::ptrdiff_t>(film.about.pixels()), end = first + static_cast<std::ptrdiff_t>(film.about.pixels());
+    const auto first = n * static_cast<std::ptrdiff_t>(film.about.pixels()),
+               end = first + static_cast<std::ptrdiff_t>(film.about.pixels());
     if (film.about.floating) left.value.insert(left.value.end(), film.value.begin() + first, film.value.begin() + end);
     else left.level.insert(left.level.end(), film.level.begin() + first, film.level.begin() + end);
     left.about.time.push_back(static_cast<double>(n) / film.about.frame_rate);
@@ -66,7 +67,8 @@ TEST(BlankFrames, AmplitudesAreThoseOfTheOtherFrames) {
     expect_same(maps, lock_in(left, at_3_hz()));
     EXPECT_EQ(maps.blank, lost);
     EXPECT_TRUE(shows_load(maps));
-    const auto pictures = phase_pictures(holed, maps, at_3_hz()), right = phase_pictures(left, lock_in(left, at_3_hz()), at_3_hz());
+    const auto pictures = phase_pictures(holed, maps, at_3_hz()),
+               right = phase_pictures(left, lock_in(left, at_3_hz()), at_3_hz());
     EXPECT_EQ(pictures.spline, right.spline);
     LockinOptions plain = at_3_hz();
     EXPECT_NEAR(nearest_bin_transform(holed, plain).amplitude[7], maps.amplitude[7], 0.1);
@@ -78,7 +80,8 @@ TEST(BlankFrames, OfLevelsAreZeros) {
   film.noise = 0.05;
   Film holed = film.levels(100);
   Film left = without(holed, {5, 6});
-  std::fill_n(holed.level.begin() + static_cast<std::ptrdiff_t>(5 * holed.about.pixels()), 2 * holed.about.pixels(), std::uint16_t{0});
+  std::fill_n(holed.level.begin() + static_cast<std::ptrdiff_t>(5 * holed.about.pixels()), 2 * holed.about.pixels(),
+              std::uint16_t{0});
   const LockinMaps maps = lock_in(holed, at_3_hz());
   expect_same(maps, lock_in(left, at_3_hz()));
   EXPECT_EQ(maps.blank, (std::vector<std::int64_t>{5, 6}));
@@ -159,7 +162,8 @@ TEST(BlankFrames, StatisticsAreOfTheNumbersThatAreThere) {
 TEST(BlankFrames, AreNamedInASentence) {
   EXPECT_EQ(blank_frames_sentence({}), "");
   EXPECT_EQ(blank_frames_sentence({40}), "frame 40 holds no picture (no numbers, or zeros) and is left out");
-  EXPECT_EQ(blank_frames_sentence({1, 2, 3, 4, 5, 6, 7}), "7 frames (1, 2, 3, 4, 5 and 2 more) hold no picture (no numbers, or zeros) and are left out");
+  EXPECT_EQ(blank_frames_sentence({1, 2, 3, 4, 5, 6, 7}),
+            "7 frames (1, 2, 3, 4, 5 and 2 more) hold no picture (no numbers, or zeros) and are left out");
 }
 
 TEST(BlankFrames, FramesAroundThemAreReadInRuns) {

@@ -19,13 +19,15 @@ const radiometry::Band band;
 /// What a curve gives for a level, K.
 double temperature_of(const LevelCurve& curve, double level) {
   const double x = (level - curve.first) / curve.step;
-  const auto k = static_cast<std::size_t>(std::clamp(std::floor(x), 0.0, static_cast<double>(curve.temperature.size() - 2)));
+  const auto k =
+      static_cast<std::size_t>(std::clamp(std::floor(x), 0.0, static_cast<double>(curve.temperature.size() - 2)));
   const auto a = static_cast<double>(curve.temperature[k]), b = static_cast<double>(curve.temperature[k + 1]);
   return a + (x - static_cast<double>(k)) * (b - a);
 }
 
 TEST(Calibration, PiecewiseGoesThroughItsPointsAndOnBeyondThem) {
-  const LevelCurve curve = curve_through({{8192, 305}, {4096, 295}, {12288, 310}});  // in any order, at steps of the table
+  const LevelCurve curve =
+      curve_through({{8192, 305}, {4096, 295}, {12288, 310}});  // in any order, at steps of the table
   EXPECT_NEAR(temperature_of(curve, 4096), 295, 1e-3);
   EXPECT_NEAR(temperature_of(curve, 6144), 300, 2e-3);
   EXPECT_NEAR(temperature_of(curve, 10240), 307.5, 2e-3);
@@ -45,7 +47,10 @@ TEST(Calibration, WhatIsNoCurveIsRefused) {
   EXPECT_NE(test::complaint([] { curve_through({{1, 300}}); }).find("too short"), std::string::npos);
   EXPECT_NE(test::complaint([] { curve_through({{1, 300}, {2, 299}}); }).find("does not rise"), std::string::npos);
   EXPECT_NE(test::complaint([] { curve_through({{1, 300}, {2, -4}}); }).find("which is impossible"), std::string::npos);
-  EXPECT_NE(test::complaint([] { curve_by_references(band, {5000, 300}, {9000, 290}, {}); }).find("colder"), std::string::npos);
+  EXPECT_NE(test::complaint([] {
+              curve_by_references(band, {5000, 300}, {9000, 290}, {});
+            }).find("colder"),
+            std::string::npos);
   EXPECT_NE(test::complaint([] { curve_by_radiometry(band, {0, 300}, {}); }).find("above 0"), std::string::npos);
 }
 
@@ -54,10 +59,12 @@ RC_GTEST_PROP(CalibrationProperty, RadiometryFindsTheTemperatureOfAGreySurface, 
   const radiometry::Surface surface{*rc::gen::inRange(50, 101) * 0.01, *rc::gen::inRange(280, 310) * 1.0};
   const double per_photon = 6000 / radiometry::photon_exitance(band, 300), zero = *rc::gen::inRange(0, 1500) * 1.0;
   const auto level = [&](double photons) { return zero + per_photon * photons; };
-  const LevelPoint cold{level(radiometry::photon_exitance(band, 291)), 291}, warm{level(radiometry::photon_exitance(band, 301)), 301};
+  const LevelPoint cold{level(radiometry::photon_exitance(band, 291)), 291},
+      warm{level(radiometry::photon_exitance(band, 301)), 301};
   const LevelCurve curve = curve_by_references(band, cold, warm, surface);
   const double temperature = *rc::gen::inRange(2880, 3120) * 0.1;
-  RC_ASSERT(std::abs(temperature_of(curve, level(radiometry::seen_exitance(band, surface, temperature))) - temperature) < 1e-4);
+  RC_ASSERT(std::abs(temperature_of(curve, level(radiometry::seen_exitance(band, surface, temperature))) -
+                     temperature) < 1e-4);
 }
 
 TEST(Calibration, RadiometryWithOneLevelKnown) {
@@ -92,7 +99,10 @@ TEST(Calibration, CurvesAreReadFromTables) {
   const std::string text = test::complaint([&] { io::read_calibration_curve((folder / "bad.csv").string()); });
   EXPECT_NE(text.find(":2"), std::string::npos);
   EXPECT_NE(text.find(":4"), std::string::npos);
-  EXPECT_NE(test::complaint([&] { io::read_calibration_curve((folder / "other.csv").string()); }).find("level and temperature"), std::string::npos);
+  EXPECT_NE(test::complaint([&] {
+              io::read_calibration_curve((folder / "other.csv").string());
+            }).find("level and temperature"),
+            std::string::npos);
 }
 
 }  // namespace

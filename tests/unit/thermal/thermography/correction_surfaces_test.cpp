@@ -49,8 +49,11 @@ TEST_P(Surfaces, GiveBackWhatSurfacesTakenForAnotherHide) {
     for (auto* map : {&maps.mean, &maps.amplitude, &maps.in_phase, &maps.standard_error}) map->assign(288, 0);
     const double middle = 301, warming = 0.2;
     for (const double e : {0.80, 0.95}) {
-      const auto taken_for = [&](double t) { return temperature_of(band, surfaces.assumed, e * photons(band, t) + (1 - e) * photons(band, 288)); };
-      const auto mean = static_cast<float>(taken_for(middle)), change = static_cast<float>(taken_for(middle + warming / 2) - taken_for(middle - warming / 2));
+      const auto taken_for = [&](double t) {
+        return temperature_of(band, surfaces.assumed, e * photons(band, t) + (1 - e) * photons(band, 288));
+      };
+      const auto mean = static_cast<float>(taken_for(middle)),
+                 change = static_cast<float>(taken_for(middle + warming / 2) - taken_for(middle - warming / 2));
       for (std::size_t i = 0; i < 288; ++i) {
         if ((i % 24 < 12) != (e < 0.9)) continue;
         maps.mean[i] = mean;

@@ -36,7 +36,8 @@ struct Camera {
     Film film = test::counted(width, height, frames, true);
     for (std::size_t i = 0; i < film.value.size(); ++i) {
       const std::size_t p = i % film.about.pixels();
-      film.value[i] = static_cast<float>(gain(p) * scene(p) + offset(p) + noise * scatter(static_cast<std::uint32_t>(i) + 777777));
+      film.value[i] =
+          static_cast<float>(gain(p) * scene(p) + offset(p) + noise * scatter(static_cast<std::uint32_t>(i) + 777777));
     }
     return film;
   }
@@ -57,7 +58,8 @@ std::vector<float> corrected(Film& film, const Correction& correction) {
 
 TEST(Correction, OnePointTakesOffsetsAndTwoPointsTakeGainsToo) {
   const Camera camera;
-  Film cold = camera.look(1, 0, [](std::size_t) { return 5000; }), warm = camera.look(1, 0, [](std::size_t) { return 9000; });
+  Film cold = camera.look(1, 0, [](std::size_t) { return 5000; }),
+       warm = camera.look(1, 0, [](std::size_t) { return 9000; });
   Film between = camera.look(1, 0, [](std::size_t) { return 6500; });
   const auto c = frame_statistics(cold), w = frame_statistics(warm);
   Correction one, two;
@@ -68,7 +70,8 @@ TEST(Correction, OnePointTakesOffsetsAndTwoPointsTakeGainsToo) {
   EXPECT_NEAR(spread(corrected(between, one)), 0.02 * 1500, 4);  // the gains' share stays
   EXPECT_LT(spread(corrected(between, two)), 2e-3);              // single precision
   EXPECT_LT(spread(corrected(warm, two)), 2e-3);
-  EXPECT_NEAR(static_cast<double>(corrected(between, two)[7]), reference_level(c) + 1500.0 / 4000 * (reference_level(w) - reference_level(c)), 2e-3);
+  EXPECT_NEAR(static_cast<double>(corrected(between, two)[7]),
+              reference_level(c) + 1500.0 / 4000 * (reference_level(w) - reference_level(c)), 2e-3);
 }
 
 TEST(Correction, PlatesThatMakeNoCorrectionAreRefused) {
@@ -76,11 +79,13 @@ TEST(Correction, PlatesThatMakeNoCorrectionAreRefused) {
   Film cold = camera.look(1, 0, [](std::size_t) { return 5000; });
   const auto c = frame_statistics(cold);
   Correction correction;
-  EXPECT_NE(test::complaint([&] { correct_gains(c, c, correction); }).find("different temperatures"), std::string::npos);
+  EXPECT_NE(test::complaint([&] { correct_gains(c, c, correction); }).find("different temperatures"),
+            std::string::npos);
   Camera other;
   other.width = 23;
   Film small = other.look(1, 0, [](std::size_t) { return 9000; });
-  EXPECT_NE(test::complaint([&] { correct_gains(c, frame_statistics(small), correction); }).find("same window"), std::string::npos);
+  EXPECT_NE(test::complaint([&] { correct_gains(c, frame_statistics(small), correction); }).find("same window"),
+            std::string::npos);
   correct_offsets(c, correction);
   EXPECT_NE(test::complaint([&] { corrected(small, correction); }).find("24 x 16"), std::string::npos);
 }
@@ -99,7 +104,8 @@ TEST(Correction, BadPixelsAreFoundByLevelGainAndNoise) {
     }
     return film;
   };
-  Film cold = spoil(camera.look(40, 4, [](std::size_t) { return 5000; })), warm = spoil(camera.look(40, 4, [](std::size_t) { return 6500; }));
+  Film cold = spoil(camera.look(40, 4, [](std::size_t) { return 5000; })),
+       warm = spoil(camera.look(40, 4, [](std::size_t) { return 6500; }));
   const auto c = frame_statistics(cold), w = frame_statistics(warm);
   const auto bad = find_bad_pixels(c, w);
   EXPECT_TRUE(bad[dead] & bad_level);
@@ -141,7 +147,8 @@ TEST(Correction, BadPixelsAreReplacedByTheMeanOfGoodNeighbours) {
   for (int r = 2; r <= 4; ++r)
     for (int c = 2; c <= 4; ++c) cluster[static_cast<std::size_t>(7 * r + c)] = 1;
   const auto wide = replacements(cluster, 7, 7);
-  EXPECT_EQ(std::find_if(wide.begin(), wide.end(), [](const Replacement& r) { return r.pixel == 24; })->from.size(), 16U);
+  EXPECT_EQ(std::find_if(wide.begin(), wide.end(), [](const Replacement& r) { return r.pixel == 24; })->from.size(),
+            16U);
 }
 
 TEST(Correction, ReferenceIsSubtractedAndMaskBlanks) {

@@ -14,12 +14,14 @@ GrainMotion with_errors(std::vector<double> errors) {
 }
 
 TEST(LostGrains, AreThoseFarBeyondTheUsualError) {
-  EXPECT_EQ(lost_grains(with_errors({0.01, 0.011, 0.009, 0.012, 0.08, 0.05})), (std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0}));
+  EXPECT_EQ(lost_grains(with_errors({0.01, 0.011, 0.009, 0.012, 0.08, 0.05})),
+            (std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0}));
 }
 
 TEST(LostGrains, ScaleWithTheNoiseOfTheFilm) {
   for (const double noise : {1.0, 10.0, 1000.0})
-    EXPECT_EQ(lost_grains(with_errors({0.01 * noise, 0.01 * noise, 0.02 * noise, 0.07 * noise, 0.01 * noise})), (std::vector<std::uint8_t>{0, 0, 0, 1, 0}));
+    EXPECT_EQ(lost_grains(with_errors({0.01 * noise, 0.01 * noise, 0.02 * noise, 0.07 * noise, 0.01 * noise})),
+              (std::vector<std::uint8_t>{0, 0, 0, 1, 0}));
 }
 
 TEST(LostGrains, WithoutContrastMoveWithTheRest) {

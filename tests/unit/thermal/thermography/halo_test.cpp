@@ -10,7 +10,8 @@
 namespace arenite::thermography {
 namespace {
 
-/// Rows of disks of two levels before a darker background, warming unevenly with the load, in twelve phases; a share of the light goes astray.
+/// Rows of disks of two levels before a darker background, warming unevenly with the load, in twelve phases; a share of
+/// the light goes astray.
 struct Scene {
   int width = 96, height = 84;
   double radius = 6, contrast = 1.5, share = 0, halo_width = 4, noise = 2e-3;
@@ -40,17 +41,21 @@ struct Scene {
   std::vector<double> seen(double load) const {
     const std::vector<double> picture = bare(load);
     std::vector<double> out(picture.size());
-    const auto at = [&](int x, int y) { return picture[static_cast<std::size_t>(std::clamp(y, 0, height - 1) * width + std::clamp(x, 0, width - 1))]; };
+    const auto at = [&](int x, int y) {
+      return picture[static_cast<std::size_t>(std::clamp(y, 0, height - 1) * width + std::clamp(x, 0, width - 1))];
+    };
     const int reach = static_cast<int>(4 * halo_width);
     std::vector<double> weight;
     double all = 0;
-    for (int k = -reach; k <= reach; ++k) weight.push_back(std::exp(-0.5 * k * k / (halo_width * halo_width))), all += weight.back();
+    for (int k = -reach; k <= reach; ++k)
+      weight.push_back(std::exp(-0.5 * k * k / (halo_width * halo_width))), all += weight.back();
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         double sum = 0;
         for (int j = -reach; j <= reach; ++j)
           for (int i = -reach; i <= reach; ++i)
-            sum += weight[static_cast<std::size_t>(i + reach)] * weight[static_cast<std::size_t>(j + reach)] * at(x + i, y + j);
+            sum += weight[static_cast<std::size_t>(i + reach)] * weight[static_cast<std::size_t>(j + reach)] *
+                   at(x + i, y + j);
         out[static_cast<std::size_t>(y * width + x)] = (1 - share) * at(x, y) + share * sum / (all * all);
       }
     return out;
@@ -68,7 +73,8 @@ struct Scene {
       result.phases.push_back(h);
       std::vector<float> picture;
       for (std::size_t p = 0; p < level.size(); ++p)
-        picture.push_back(static_cast<float>(level[p] + 0.5 * (1 + std::cos(phase)) * (warm[p] - level[p]) + noise * random.normal()));
+        picture.push_back(static_cast<float>(level[p] + 0.5 * (1 + std::cos(phase)) * (warm[p] - level[p]) +
+                                             noise * random.normal()));
       spline_coefficients(picture.data(), width, height);
       result.spline.insert(result.spline.end(), picture.begin(), picture.end());
     }
@@ -111,7 +117,8 @@ TEST(Halo, TakenOffLeavesThePictureWithout) {
   for (int y = 20; y < 60; ++y)  // beyond the picture nothing is known
     for (int x = 20; x < 70; ++x) {
       const auto p = static_cast<std::size_t>(y * scene.width + x);
-      off = std::max(off, std::abs(static_cast<double>(left[p]) - bare[p])), with = std::max(with, std::abs(seen[p] - bare[p]));
+      off = std::max(off, std::abs(static_cast<double>(left[p]) - bare[p])),
+      with = std::max(with, std::abs(seen[p] - bare[p]));
     }
   EXPECT_LT(off, 0.02 * with);
 }

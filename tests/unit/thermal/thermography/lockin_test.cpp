@@ -41,19 +41,25 @@ TEST(LockIn, KernelsAgree) {
   std::vector<std::uint16_t> level(pixels * frames);
   std::vector<float> value(level.size()), reference(pixels, 7000), weights(frames * 6);
   RandomStream random(3, Purpose::test);
-  for (std::size_t i = 0; i < level.size(); ++i) level[i] = static_cast<std::uint16_t>(7000 + random.below(900)), value[i] = level[i];
+  for (std::size_t i = 0; i < level.size(); ++i)
+    level[i] = static_cast<std::uint16_t>(7000 + random.below(900)), value[i] = level[i];
   for (auto& w : weights) w = static_cast<float>(random.uniform(-1, 1));
   const std::size_t size = 4 * chunk * 9;
   std::vector<float> expected(size);
-  kernels("portable")->add_levels({level.data(), pixels, frames, weights.data(), 6, reference.data()}, expected.data(), 9 * chunk, 0, pixels);
+  kernels("portable")
+      ->add_levels({level.data(), pixels, frames, weights.data(), 6, reference.data()}, expected.data(), 9 * chunk, 0,
+                   pixels);
   double exact = 0;
-  for (std::size_t n = 0; n < frames; ++n) exact += static_cast<double>(weights[n * 6 + 2]) * (static_cast<double>(level[n * pixels + 70]) - 7000);
+  for (std::size_t n = 0; n < frames; ++n)
+    exact += static_cast<double>(weights[n * 6 + 2]) * (static_cast<double>(level[n * pixels + 70]) - 7000);
   EXPECT_NEAR(expected[2 * chunk * 9 + 3 * chunk + 6], exact, 1e-2);
   for (const char* name : {"avx2", "avx512"})
     if (const Kernels* k = kernels(name)) {
       std::vector<float> levels(size), values(size);
-      k->add_levels({level.data(), pixels, frames, weights.data(), 6, reference.data()}, levels.data(), 9 * chunk, 0, pixels);
-      k->add_values({value.data(), pixels, frames, weights.data(), 6, reference.data()}, values.data(), 9 * chunk, 0, pixels);
+      k->add_levels({level.data(), pixels, frames, weights.data(), 6, reference.data()}, levels.data(), 9 * chunk, 0,
+                    pixels);
+      k->add_values({value.data(), pixels, frames, weights.data(), 6, reference.data()}, values.data(), 9 * chunk, 0,
+                    pixels);
       EXPECT_EQ(levels, values) << name;
       for (std::size_t i = 0; i < size; ++i) EXPECT_NEAR(levels[i], expected[i], 1e-6f * 4e6f) << name << " " << i;
     }
@@ -70,7 +76,9 @@ TEST(LockIn, KernelsFitAsOneWouldByHand) {
     for (std::size_t n = 0; n <= m; ++n) normal[m * rows + n] = normal[n * rows + m] = random.uniform(-1, 1);
   const double frames[] = {7, 9, 8};
   const SegmentView view{sums.data(), segments, planes};
-  const auto plane = [&](std::size_t p, std::size_t s, std::size_t k) { return static_cast<double>(sums[view.at(p, s, k)]); };
+  const auto plane = [&](std::size_t p, std::size_t s, std::size_t k) {
+    return static_cast<double>(sums[view.at(p, s, k)]);
+  };
   for (const char* name : {"portable", "avx2", "avx512"})
     if (const Kernels* k = kernels(name)) {
       std::vector<double> fitted(rows * apart), left(apart);
@@ -82,7 +90,8 @@ TEST(LockIn, KernelsFitAsOneWouldByHand) {
           double sum = 0;
           for (std::size_t q = 0; q < count; ++q) sum += coefficient[m * count + q] * plane(p, q / planes, q % planes);
           EXPECT_NEAR(fitted[m * apart + p], sum, 1e-12) << name << " " << m;
-          for (std::size_t n = 0; n < rows; ++n) rest -= normal[m * rows + n] * fitted[m * apart + p] * fitted[n * apart + p];
+          for (std::size_t n = 0; n < rows; ++n)
+            rest -= normal[m * rows + n] * fitted[m * apart + p] * fitted[n * apart + p];
         }
         for (std::size_t s = 0; s < segments; ++s) {
           const double step = plane(p, s, planes - 1);

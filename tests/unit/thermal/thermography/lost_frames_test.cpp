@@ -24,11 +24,14 @@ LockinMaps locked(const test::DisturbedFilm& of) {
 double errors(const test::DisturbedFilm& of, const LockinMaps& maps) {
   double square = 0;
   for (std::size_t p = 0; p < maps.size(); ++p)
-    square += std::pow((static_cast<double>(maps.in_phase[p]) - of.amplitude(p)) / static_cast<double>(maps.standard_error[p]), 2);
+    square += std::pow(
+        (static_cast<double>(maps.in_phase[p]) - of.amplitude(p)) / static_cast<double>(maps.standard_error[p]), 2);
   return std::sqrt(square / static_cast<double>(maps.size()));
 }
 
-std::string all_of(const std::vector<std::string>& sentences) { return std::accumulate(sentences.begin(), sentences.end(), std::string()); }
+std::string all_of(const std::vector<std::string>& sentences) {
+  return std::accumulate(sentences.begin(), sentences.end(), std::string());
+}
 
 TEST(LostFrames, AreFoundByThePhaseOfTheLoadAndTold) {
   for (const std::uint64_t seed : {1U, 2U}) {

@@ -14,7 +14,7 @@ using namespace arenite::thermography;
 
 /// Errors of the pixels of some films against those that are told.
 struct Coverage {
-  double mean = 0, common = 0;     ///< root mean square of the error of the whole sample's mean, and what is told of it, K
+  double mean = 0, common = 0;  ///< root mean square of the error of the whole sample's mean, and what is told of it, K
   double within_one = 0, two = 0;  ///< shares of pixels
   int told = 0;                    ///< films of which a sentence says that pixels share noise
   double before = 0;
@@ -31,7 +31,8 @@ Coverage coverage(test::DisturbedFilm of, int films) {
     const LockinMaps maps = lock_in(film, options);
     double mean = 0, pixels = 0;
     for (std::size_t p = 0; p < maps.size(); ++p) {
-      const double off = static_cast<double>(maps.in_phase[p]) - of.amplitude(p), over = std::abs(off) / static_cast<double>(maps.standard_error[p]);
+      const double off = static_cast<double>(maps.in_phase[p]) - of.amplitude(p),
+                   over = std::abs(off) / static_cast<double>(maps.standard_error[p]);
       if (of.sample(p)) mean += off, ++pixels;
       c.within_one += (over < 1) / static_cast<double>(films) / static_cast<double>(maps.size());
       c.two += (over < 2) / static_cast<double>(films) / static_cast<double>(maps.size());

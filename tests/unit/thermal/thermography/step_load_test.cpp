@@ -27,7 +27,8 @@ struct SteppingFilm {
   double slope(std::size_t p) const { return 0.3 * (1 + static_cast<double>(p) / 100); }
   double at(std::size_t p, double t) const {
     const double since = t - step, share = ramp > 0 ? std::clamp(since / ramp + 0.5, 0.0, 1.0) : since > 0 ? 1.0 : 0.0;
-    return 300 + static_cast<double>(p) + (since < 0 ? slope(p) : -0.2) * since + curve * since * since + jump(p) * share;
+    return 300 + static_cast<double>(p) + (since < 0 ? slope(p) : -0.2) * since + curve * since * since +
+           jump(p) * share;
   }
   Film draw() const { return test::draw_film(*this); }
 };
@@ -65,7 +66,8 @@ TEST(StepLoad, StandardErrorsAreTrue) {
   const StepMaps maps = step_load(film, options);
   double square = 0;
   for (std::size_t p = 0; p < maps.size(); ++p)
-    square += std::pow((static_cast<double>(maps.jump[p]) - stepping.jump(p)) / static_cast<double>(maps.standard_error[p]), 2);
+    square += std::pow(
+        (static_cast<double>(maps.jump[p]) - stepping.jump(p)) / static_cast<double>(maps.standard_error[p]), 2);
   EXPECT_NEAR(square / static_cast<double>(maps.size()), 1, 0.1);
   // A line through n points has this variance one point beyond its end.
   const auto beyond = [](double n) { return (4 * n + 2) / (n * (n - 1)); };
@@ -73,7 +75,8 @@ TEST(StepLoad, StandardErrorsAreTrue) {
   EXPECT_NEAR(maps.residual[7], 0.02, 0.005);
 }
 
-/// 24 x 20 pixels, 50 frames a second: jumps of 0.25 to 0.7 at 10 s that relax within `decay` (0: not at all), and a camera that warms up.
+/// 24 x 20 pixels, 50 frames a second: jumps of 0.25 to 0.7 at 10 s that relax within `decay` (0: not at all), and a
+/// camera that warms up.
 struct RelaxingFilm {
   int width = 24, height = 20;
   std::size_t frames = 1000;
@@ -84,7 +87,8 @@ struct RelaxingFilm {
   double jump(std::size_t p) const { return 0.25 + 0.05 * static_cast<double>(p % 10); }
   double at(std::size_t p, double t) const {
     const double since = t - 10;
-    return 300 + static_cast<double>(p % 13) + 0.02 * t + warm_up * std::exp(-t / 3) + (since < 0 ? 0 : jump(p) * (decay > 0 ? std::exp(-since / decay) : 1));
+    return 300 + static_cast<double>(p % 13) + 0.02 * t + warm_up * std::exp(-t / 3) +
+           (since < 0 ? 0 : jump(p) * (decay > 0 ? std::exp(-since / decay) : 1));
   }
 };
 
@@ -183,7 +187,8 @@ TEST(StepLoad, UnevenTimesAreUsedAndThreadsChangeNothing) {
   const StepMaps one = step_load(film, options);
   options.threads = 3;
   EXPECT_EQ(one.jump, step_load(film, options).jump);
-  for (std::size_t p = 0; p < one.size(); ++p) EXPECT_NEAR(one.jump[p], stepping.jump(p), 5 * static_cast<double>(one.standard_error[p]));
+  for (std::size_t p = 0; p < one.size(); ++p)
+    EXPECT_NEAR(one.jump[p], stepping.jump(p), 5 * static_cast<double>(one.standard_error[p]));
 }
 
 TEST(StepLoad, RefusesWhatIsNoStep) {
@@ -193,7 +198,8 @@ TEST(StepLoad, RefusesWhatIsNoStep) {
   StepOptions options;
   for (const double time : {-1.0, 0.0, 6.0}) {
     options.time = time;
-    EXPECT_NE(test::complaint([&] { step_load(film, options); }).find("not within the film"), std::string::npos) << time;
+    EXPECT_NE(test::complaint([&] { step_load(film, options); }).find("not within the film"), std::string::npos)
+        << time;
   }
   options.time = 0.02;
   EXPECT_NE(test::complaint([&] { step_load(film, options); }).find("2 frames before the step"), std::string::npos);

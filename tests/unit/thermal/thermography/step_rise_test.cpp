@@ -14,8 +14,8 @@ namespace {
 using namespace arenite;
 using namespace arenite::thermography;
 
-/// 24 x 20 pixels, 148 frames a second for 6 s. Pixels jump by 45 to 85 mK, 65 on the mean, as the load goes from 0 to 1
-/// by `done` (of the time since the step, s), seen by frames that integrate over their time; then heat flows.
+/// 24 x 20 pixels, 148 frames a second for 6 s. Pixels jump by 45 to 85 mK, 65 on the mean, as the load goes from 0 to
+/// 1 by `done` (of the time since the step, s), seen by frames that integrate over their time; then heat flows.
 struct RisingFilm {
   int width = 24, height = 20;
   std::size_t frames = 888;
@@ -51,13 +51,18 @@ Found found(const RisingFilm& of, const test::CorrelatedNoise& noise, const Step
   const double pixels = static_cast<double>(f.maps.size());
   for (std::size_t p = 0; p < f.maps.size(); ++p) {
     f.jump += static_cast<double>(f.maps.jump[p]) / pixels;
-    f.errors += std::pow((static_cast<double>(f.maps.jump[p]) - of.jump(p)) / static_cast<double>(f.maps.standard_error[p]), 2) / pixels;
+    f.errors +=
+        std::pow((static_cast<double>(f.maps.jump[p]) - of.jump(p)) / static_cast<double>(f.maps.standard_error[p]),
+                 2) /
+        pixels;
   }
   f.errors = std::sqrt(f.errors);
   return f;
 }
 
-std::string all_of(const std::vector<std::string>& sentences) { return std::accumulate(sentences.begin(), sentences.end(), std::string()); }
+std::string all_of(const std::vector<std::string>& sentences) {
+  return std::accumulate(sentences.begin(), sentences.end(), std::string());
+}
 
 TEST(StepRise, AFrameHalfWayIsNoHeatThatFlows) {
   for (const double noise : {0.001, 0.02, 0.05})
@@ -77,7 +82,8 @@ TEST(StepRise, TheTimeThatALoadTakesIsFoundAndLeftOut) {
   const auto smooth = [&](double since) { return 0.5 - 0.5 * std::cos(3.14159265 * ramp(since)); };
   const auto slow = [](double since) { return since < 0 ? 0 : 1 - std::exp(-since / 0.03); };
   for (const double heat : {0.0, 2.0})
-    for (const auto& done : {std::function<double(double)>(ramp), std::function<double(double)>(smooth), std::function<double(double)>(slow)}) {
+    for (const auto& done : {std::function<double(double)>(ramp), std::function<double(double)>(smooth),
+                             std::function<double(double)>(slow)}) {
       RisingFilm of;
       of.done = done, of.heat = heat;
       const Found f = found(of, {0.02, 0, 0.0, 5});

@@ -9,14 +9,17 @@
 namespace arenite::validation {
 namespace {
 
-const std::vector<std::string> choice_keys{"bidisperse.size_ratio", "bidisperse.volume_ratio", "cement.kind", "contact.friction", "seed"};
+const std::vector<std::string> choice_keys{"bidisperse.size_ratio", "bidisperse.volume_ratio", "cement.kind",
+                                           "contact.friction", "seed"};
 
 /// z is gamma, and -gamma without friction; the usual runs have a gamma more than the choices.
 Results made_up() {
   std::vector<MadeUpRun> usual, chosen;
   for (const char* seed : {"1", "2", "3"}) {
-    for (const char* gamma : {"1", "2", "5"}) usual.push_back({{gamma, "1.4", "full", "", seed}, {std::stod(gamma) + 0.01 * std::stod(seed)}});
-    for (const char* gamma : {"1", "2"}) chosen.push_back({{gamma, "1.4", "full", "0", seed}, {-std::stod(gamma) + 0.01 * std::stod(seed)}});
+    for (const char* gamma : {"1", "2", "5"})
+      usual.push_back({{gamma, "1.4", "full", "", seed}, {std::stod(gamma) + 0.01 * std::stod(seed)}});
+    for (const char* gamma : {"1", "2"})
+      chosen.push_back({{gamma, "1.4", "full", "0", seed}, {-std::stod(gamma) + 0.01 * std::stod(seed)}});
   }
   chosen.resize(4);
   Results results;
@@ -51,7 +54,10 @@ TEST(PaperChoices, SayWhereAllPairsGiveAnotherVerdict) {
   Judgement j;
   add_choices(j, made_up(), "z", greatest, wanted_below(3));
   ASSERT_EQ(j.findings.size(), 2u);
-  EXPECT_NE(j.findings[1].find("5.0200 +- 0.0058 (fails) over all pairs, 2.0200 +- 0.0058 (holds) over those for which choices were varied"), std::string::npos)
+  EXPECT_NE(
+      j.findings[1].find(
+          "5.0200 +- 0.0058 (fails) over all pairs, 2.0200 +- 0.0058 (holds) over those for which choices were varied"),
+      std::string::npos)
       << j.findings[1];
 }
 

@@ -8,8 +8,10 @@
 namespace arenite::validation {
 namespace {
 
-const std::vector<std::string> load_keys{"bidisperse.size_ratio", "bidisperse.volume_ratio", "cement.kind", "loads.0.loading", "seed"};
-const std::vector<std::string> load_numbers{"modulus_Pa", "stress.sigma_yy.sets.large.mean_Pa", "stress.sigma_xy.sets.large.variance"};
+const std::vector<std::string> load_keys{"bidisperse.size_ratio", "bidisperse.volume_ratio", "cement.kind",
+                                         "loads.0.loading", "seed"};
+const std::vector<std::string> load_numbers{"modulus_Pa", "stress.sigma_yy.sets.large.mean_Pa",
+                                            "stress.sigma_xy.sets.large.variance"};
 
 Results made_up(double pushed_modulus) {
   std::vector<MadeUpRun> runs;
@@ -27,7 +29,8 @@ TEST(PaperLoads, CompressionIsComparedNumberByNumber) {
   Judgement same, other;
   add_compression(same, made_up(7));
   ASSERT_EQ(same.findings.size(), 1u);
-  EXPECT_NE(same.findings[0].find("of 6 numbers of 2 samples loaded in both directions, 0 differ"), std::string::npos) << same.findings[0];
+  EXPECT_NE(same.findings[0].find("of 6 numbers of 2 samples loaded in both directions, 0 differ"), std::string::npos)
+      << same.findings[0];
   add_compression(other, made_up(7.000000001));
   EXPECT_NE(other.findings[0].find("2 differ"), std::string::npos) << other.findings[0];
 }
@@ -36,7 +39,8 @@ TEST(PaperLoads, ShearIsJudgedByItsOwnComponentBesideTheClaim) {
   const auto asked = [](double bound) {
     return [=](const Samples& samples) {
       std::vector<Check> checks;
-      for (const PairMean& m : stress_means(samples, "large", "variance")) checks = {above("variance", "", m.value, 0), below("variance", "", m.value, bound)};
+      for (const PairMean& m : stress_means(samples, "large", "variance"))
+        checks = {above("variance", "", m.value, 0), below("variance", "", m.value, bound)};
       return checks;
     };
   };
@@ -45,7 +49,8 @@ TEST(PaperLoads, ShearIsJudgedByItsOwnComponentBesideTheClaim) {
   add_shear(j, made_up(7), asked(3));
   ASSERT_EQ(j.findings.size(), 2u);
   EXPECT_EQ(j.findings[0], "In shear (sigma_xy), 2 of 2 corresponding checks hold.");
-  EXPECT_EQ(j.findings[1], "In shear (sigma_xy), 1 of 2 corresponding checks hold; failing: variance (4.150 +- 0.050).");
+  EXPECT_EQ(j.findings[1],
+            "In shear (sigma_xy), 1 of 2 corresponding checks hold; failing: variance (4.150 +- 0.050).");
   EXPECT_EQ(j.checks.size(), 4u);
   EXPECT_EQ(j.verdict(), Verdict::unknown) << "what is told beside decides nothing";
 }

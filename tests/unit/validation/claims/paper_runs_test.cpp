@@ -14,7 +14,11 @@ namespace {
 /// gamma 1, 2 and 5, theta 1.4 and 6, three samples; full, or of one width. `number` gives a run's value.
 Results results(const std::string& name, double (*number)(double gamma, double theta, double width, int seed)) {
   campaign::CollectedTable t;
-  t.keys = {{"bidisperse.size_ratio", ""}, {"bidisperse.volume_ratio", ""}, {"cement.kind", ""}, {"cement.width", ""}, {"seed", ""}};
+  t.keys = {{"bidisperse.size_ratio", ""},
+            {"bidisperse.volume_ratio", ""},
+            {"cement.kind", ""},
+            {"cement.width", ""},
+            {"seed", ""}};
   t.names = {name};
   for (const char* gamma : {"1", "2", "5"})
     for (const char* theta : {"1.4", "6"})
@@ -22,8 +26,11 @@ Results results(const std::string& name, double (*number)(double gamma, double t
         for (int seed = 0; seed < 3; ++seed) {
           const bool is_full = width[0] == '\0';
           const double value = number(std::stod(gamma), std::stod(theta), is_full ? 0 : std::stod(width), seed);
-          t.rows.push_back(
-              {std::to_string(t.rows.size()), "done", {gamma, theta, is_full ? "full" : "", width, std::to_string(seed)}, 1, {campaign::Estimate{value}}});
+          t.rows.push_back({std::to_string(t.rows.size()),
+                            "done",
+                            {gamma, theta, is_full ? "full" : "", width, std::to_string(seed)},
+                            1,
+                            {campaign::Estimate{value}}});
         }
   Results r;
   r.add("paper", t);
@@ -39,7 +46,8 @@ double sum(const PairMeans& means) {
 }
 
 TEST(PaperRuns, AreMeansOverSamplesOfOnePairCementedAlike) {
-  const auto r = results("z", [](double gamma, double theta, double width, int seed) { return 100 * gamma + 10 * theta + width + seed; });
+  const auto r = results(
+      "z", [](double gamma, double theta, double width, int seed) { return 100 * gamma + 10 * theta + width + seed; });
   const PairMeans means = z(r, 0.2);
   ASSERT_EQ(means.size(), 6u);
   EXPECT_EQ(means[0].gamma, 1);
@@ -61,14 +69,16 @@ TEST(PaperRuns, StressesAreOfTheComponentAlongTheLoad) {
 
 TEST(PaperRuns, CementsOfOnePackingAreComparedSampleBySample) {
   // Packings differ by far more than what the cement changes.
-  const auto r = results("z", [](double, double, double width, int seed) { return 100 * seed + width + 0.01 * seed * width; });
+  const auto r =
+      results("z", [](double, double, double width, int seed) { return 100 * seed + width + 0.01 * seed * width; });
   const Value change = of_pair(difference(z(r, 1), z(r, 0.2)), 1, 6);
   EXPECT_NEAR(change.value, 0.8 + 0.008, 1e-12);
   EXPECT_NEAR(change.error, 0.008 / std::sqrt(3.0), 1e-12);
 }
 
 TEST(PaperRuns, TheJackknifeOfAMeanIsItsStandardError) {
-  const auto r = results("z", [](double gamma, double, double, int seed) { return gamma + (gamma == 2 ? seed * seed : 0); });
+  const auto r =
+      results("z", [](double gamma, double, double, int seed) { return gamma + (gamma == 2 ? seed * seed : 0); });
   const PairMeans two = only(z(r, full), [](const PairMean& m) { return m.gamma == 2 && m.theta == 6; });
   const Value found = jackknifed(two, sum);
   EXPECT_NEAR(found.value, two.front().value.value, 1e-12);
@@ -78,7 +88,8 @@ TEST(PaperRuns, TheJackknifeOfAMeanIsItsStandardError) {
 
 TEST(PaperRuns, TheJackknifeLeavesOutSamplesOfOnePackingTogether) {
   const auto r = results("z", [](double, double, double, int seed) { return 1.0 + seed; });
-  const Value same = jackknifed({z(r, full), z(r, 1)}, [](const std::vector<PairMeans>& both) { return sum(both[0]) - sum(both[1]); });
+  const Value same =
+      jackknifed({z(r, full), z(r, 1)}, [](const std::vector<PairMeans>& both) { return sum(both[0]) - sum(both[1]); });
   EXPECT_NEAR(same.error, 0, 1e-12);
 }
 
@@ -104,7 +115,9 @@ TEST(PaperChecks, MembersArePairsWithTheFreedomOfTheirSamples) {
 }
 
 TEST(PaperErrors, AreOfOneVarianceWhereItIsOne) {
-  const auto even = results("z", [](double gamma, double theta, double, int seed) { return noise({gamma, theta, 1.0 * seed}); });
+  const auto even = results("z", [](double gamma, double theta, double, int seed) {
+    return noise({gamma, theta, 1.0 * seed});
+  });
   double squares = 0;
   for (const PairMean& m : z(even, full))
     for (const Sample& s : m.samples) squares += std::pow(s.number - m.value.value, 2) / 12;
@@ -125,7 +138,9 @@ TEST(PaperErrors, AreOfThePairsOfOneGammaOrOfOnePairWhereTheyDiffer) {
 }
 
 TEST(PaperErrors, OfALineHaveTheFreedomOfAllItsPackings) {
-  const auto line = results("z", [](double gamma, double theta, double width, int seed) { return gamma + 0.1 * noise({gamma, theta, width, 1.0 * seed}); });
+  const auto line = results("z", [](double gamma, double theta, double width, int seed) {
+    return gamma + 0.1 * noise({gamma, theta, width, 1.0 * seed});
+  });
   const Value r2 = straightness(z(line, full), 6, Against::gamma);
   EXPECT_GT(r2.freedom, 2) << "three pairs of three samples are more than three samples";
   EXPECT_LE(r2.freedom, 6 + 1e-9);
@@ -135,7 +150,8 @@ TEST(PaperChecks, ATrendWithGammaIsASlopeAtEveryTheta) {
   const auto up = results("z", [](double gamma, double, double, int seed) { return gamma + 0.01 * seed; });
   EXPECT_EQ(with_gamma("z", "", z(up, full), +1).outcome, Outcome::holds);
   EXPECT_EQ(with_gamma("z", "", z(up, full), -1).outcome, Outcome::fails);
-  const auto mixed = results("z", [](double gamma, double theta, double, int seed) { return (theta == 6 ? -1 : 1) * gamma + 0.01 * seed; });
+  const auto mixed = results(
+      "z", [](double gamma, double theta, double, int seed) { return (theta == 6 ? -1 : 1) * gamma + 0.01 * seed; });
   EXPECT_EQ(with_gamma("z", "", z(mixed, full), +1).outcome, Outcome::fails);
   EXPECT_EQ(with_gamma("z", "", {}, +1).outcome, Outcome::unknown);
 }
@@ -159,8 +175,11 @@ TEST(PaperChecks, ALineIsStraight) {
 }
 
 TEST(PaperChecks, TheLowestOfNoisyMeansIsNoDip) {
-  // A level line: the least of its means lies below the first and the last, and is not found there again in other samples.
-  const auto level = results("z", [](double gamma, double theta, double width, int seed) { return noise({gamma, theta, width, 1.0 * seed}); });
+  // A level line: the least of its means lies below the first and the last, and is not found there again in other
+  // samples.
+  const auto level = results("z", [](double gamma, double theta, double width, int seed) {
+    return noise({gamma, theta, width, 1.0 * seed});
+  });
   const Dip none = dip(z(level, full), 6);
   EXPECT_NE(positive("", "", none.fall).outcome, Outcome::holds);
   EXPECT_NE(positive("", "", none.rise).outcome, Outcome::holds);
@@ -175,11 +194,15 @@ TEST(PaperChecks, TheLowestOfNoisyMeansIsNoDip) {
 
 TEST(PaperChecks, TheGreatestOfNoisyMeansIsLookedForInOtherSamples) {
   // Widths that do not differ: on average what is greatest without a sample is no greater in it.
-  const auto level = results("z", [](double gamma, double theta, double width, int seed) { return noise({gamma, theta, width, 1.0 * seed}); });
+  const auto level = results("z", [](double gamma, double theta, double width, int seed) {
+    return noise({gamma, theta, width, 1.0 * seed});
+  });
   const std::vector<PairMeans> sizes{z(level, 0.2), z(level, 1)};
   const PairMeans lead = difference(at_greatest(sizes, sizes), sizes.front());
   EXPECT_NE(positive("", "", overall(lead)).outcome, Outcome::holds);
-  const auto wide = results("z", [](double gamma, double theta, double width, int seed) { return width + 0.05 * noise({gamma, theta, width, 1.0 * seed}); });
+  const auto wide = results("z", [](double gamma, double theta, double width, int seed) {
+    return width + 0.05 * noise({gamma, theta, width, 1.0 * seed});
+  });
   const std::vector<PairMeans> rising{z(wide, 0.2), z(wide, 1)};
   EXPECT_NEAR(overall(difference(at_greatest(rising, rising), rising.front())).value, 0.8, 0.05);
 }

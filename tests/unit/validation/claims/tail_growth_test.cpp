@@ -17,10 +17,12 @@ Samples made_up(double (*slope)(double gamma, double saturation), Results& resul
     for (const char* width : {"0.2", "0.4", "0.6", "0.8", "1.0"})
       for (int seed = 1; seed <= 4; ++seed) {
         const double g = std::stod(gamma), saturation = std::stod(width) * (0.5 + 0.08 * g);
-        runs.push_back({{gamma, "1.4", "bridges", width, std::to_string(seed)}, {saturation, slope(g, saturation) + 0.01 * noise({1.0 * seed, g})}});
+        runs.push_back({{gamma, "1.4", "bridges", width, std::to_string(seed)},
+                        {saturation, slope(g, saturation) + 0.01 * noise({1.0 * seed, g})}});
       }
-  results.add("paper", made_up_table({"bidisperse.size_ratio", "bidisperse.volume_ratio", "cement.kind", "cement.width", "seed"},
-                                     {"S_m", "stress.sigma_yy.sets.large.tail.slope"}, runs));
+  results.add("paper",
+              made_up_table({"bidisperse.size_ratio", "bidisperse.volume_ratio", "cement.kind", "cement.width", "seed"},
+                            {"S_m", "stress.sigma_yy.sets.large.tail.slope"}, runs));
   return paper_samples(results);
 }
 
@@ -31,7 +33,8 @@ TEST(TailGrowth, WhatGammaDoesToTheSaturationIsNoEffectOfGamma) {
   const Value effect = growth_of_effect(samples, "large");
   EXPECT_NEAR(effect.value, 0, 0.05);
   const auto at = [&](double width) { return pair_means(samples, "stress.sigma_yy.sets.large.tail.slope", width); };
-  EXPECT_EQ(positive("", "", rise(against_gamma(difference(at(1), at(0.2)), 1.4))).outcome, Outcome::holds) << "so at equal width";
+  EXPECT_EQ(positive("", "", rise(against_gamma(difference(at(1), at(0.2)), 1.4))).outcome, Outcome::holds)
+      << "so at equal width";
 }
 
 TEST(TailGrowth, AnEffectThatGrowsIsFoundAtEqualSaturation) {
@@ -42,7 +45,9 @@ TEST(TailGrowth, AnEffectThatGrowsIsFoundAtEqualSaturation) {
   EXPECT_EQ(positive("", "", growth_of_effect(samples, "large")).outcome, Outcome::holds);
 }
 
-TEST(TailGrowth, IsNotKnownWithoutRuns) { EXPECT_TRUE(std::isnan(growth_of_effect(paper_samples(Results()), "large").value)); }
+TEST(TailGrowth, IsNotKnownWithoutRuns) {
+  EXPECT_TRUE(std::isnan(growth_of_effect(paper_samples(Results()), "large").value));
+}
 
 }  // namespace
 }  // namespace arenite::validation

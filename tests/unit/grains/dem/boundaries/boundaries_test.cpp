@@ -82,7 +82,8 @@ TEST(Boundaries, DiskInAGrooveRestsOnBothSides) {
   EXPECT_NEAR(engine.domain().boundaries[0].force.x, 0, 1e-8 * weight);
 }
 
-/// A disk that rolls at a speed along a plate and over its corner; the energy that it has too much or too little at the end, over what it had.
+/// A disk that rolls at a speed along a plate and over its corner; the energy that it has too much or too little at the
+/// end, over what it had.
 double energy_change_over_corner(const ContactParameters& contact, IntegratorKind integrator) {
   // So slow that the disk keeps to the corner: v^2 < g r cos.
   Packing p = container_with(polyline({{0.2, 1}, {1, 1}, {1 + 0.5 * std::cos(0.3), 1 - 0.5 * std::sin(0.3)}}));
@@ -99,7 +100,8 @@ double energy_change_over_corner(const ContactParameters& contact, IntegratorKin
   while (engine.packing().grains.position[0].x < 1.03) engine.advance(20);
   const Energies e = engine.energies();
   EXPECT_GT(e.work_gravity, 0);
-  EXPECT_NEAR(engine.packing().grains.velocity[0].x / std::cos(0.3), -engine.packing().grains.omega[0] * r, 0.02 * speed);
+  EXPECT_NEAR(engine.packing().grains.velocity[0].x / std::cos(0.3), -engine.packing().grains.omega[0] * r,
+              0.02 * speed);
   return (e.kinetic + e.elastic - elastic_before - e.work_gravity - before) / before;
 }
 
@@ -162,12 +164,14 @@ Packing crowded_drum() {
   Packing p = testing::crowd(30, 30, 3, 0.0165);
   const Vec2 middle{0.5 * p.domain.width(), 0.5 * p.domain.height()};
   std::vector<Vec2> points;
-  for (int k = 0; k < 24; ++k) points.push_back(middle + 0.18 * Vec2{std::cos(k * std::numbers::pi / 12), std::sin(k * std::numbers::pi / 12)});
+  for (int k = 0; k < 24; ++k)
+    points.push_back(middle + 0.18 * Vec2{std::cos(k * std::numbers::pi / 12), std::sin(k * std::numbers::pi / 12)});
   Packing inside = p;
   inside.grains = {};
   for (std::size_t k = 0; k < p.grains.size(); ++k)
     if (norm(p.grains.position[k] - middle) < 0.168)
-      testing::add_grain(inside, p.grains.position[k].x, p.grains.position[k].y, p.grains.radius[k], p.grains.material[k]);
+      testing::add_grain(inside, p.grains.position[k].x, p.grains.position[k].y, p.grains.radius[k],
+                         p.grains.material[k]);
   inside.domain.boundaries.push_back(polyline(points, true));
   return inside;
 }
@@ -200,7 +204,9 @@ TEST_P(BoundaryBits, AreTheSameOnTwoThreadsAndRestored) {
   EXPECT_EQ(a.energies().work_walls, c.energies().work_walls);
 }
 
-INSTANTIATE_TEST_SUITE_P(Integrators, BoundaryBits, ::testing::Values(IntegratorKind::velocity_verlet, IntegratorKind::leapfrog, IntegratorKind::gear5));
+INSTANTIATE_TEST_SUITE_P(Integrators, BoundaryBits,
+                         ::testing::Values(IntegratorKind::velocity_verlet, IntegratorKind::leapfrog,
+                                           IntegratorKind::gear5));
 
 TEST(Boundaries, DrumHoldsItsGrainsAndItsEnergyIsAccounted) {
   const Packing p = crowded_drum();
@@ -213,9 +219,11 @@ TEST(Boundaries, DrumHoldsItsGrainsAndItsEnergyIsAccounted) {
   engine.set_boundaries({{"plate", {}, 5, middle}});
   while (engine.time() < 0.1) engine.advance(1000);
   const Packing now = engine.packing();
-  for (std::size_t k = 0; k < now.grains.size(); ++k) EXPECT_LT(norm(now.grains.position[k] - middle) + 0.9 * now.grains.radius[k], 0.18);
+  for (std::size_t k = 0; k < now.grains.size(); ++k)
+    EXPECT_LT(norm(now.grains.position[k] - middle) + 0.9 * now.grains.radius[k], 0.18);
   const Energies e = engine.energies();
-  const double open = e.kinetic + e.elastic + e.dissipated_normal + e.dissipated_friction - before - e.work_gravity - e.work_walls;
+  const double open =
+      e.kinetic + e.elastic + e.dissipated_normal + e.dissipated_friction - before - e.work_gravity - e.work_walls;
   EXPECT_GT(e.work_walls, 0);
   EXPECT_NEAR(open / (e.dissipated_normal + e.dissipated_friction), 0, 1e-3);  // walls alone: -5e-4
 }
@@ -257,8 +265,11 @@ TEST(Boundaries, StagesMoveThemByName) {
   while (!run.finished) continue_stage(engine, stage, run);
   EXPECT_NEAR(engine.domain().boundaries[0].points[0].y, 1 + 0.5 * engine.time(), 1e-9);
   const auto& columns = run.result.history.columns;
-  const auto has = [&](const char* name) { return std::any_of(columns.begin(), columns.end(), [&](const auto& c) { return c.name == name; }); };
-  EXPECT_TRUE(has("plate_force_x") && has("plate_force_y") && has("plate_torque") && has("passed") && has("passed_mass"));
+  const auto has = [&](const char* name) {
+    return std::any_of(columns.begin(), columns.end(), [&](const auto& c) { return c.name == name; });
+  };
+  EXPECT_TRUE(has("plate_force_x") && has("plate_force_y") && has("plate_torque") && has("passed") &&
+              has("passed_mass"));
   stage.boundaries[0].name = "gate";
   EXPECT_THROW(begin_stage(engine, stage), InputError);
 }
@@ -284,7 +295,8 @@ TEST(Boundaries, ThatMakeNoSenseAreRefused) {
   EXPECT_THROW(engine.set_boundaries({{"gate"}}), InputError);
   EXPECT_THROW(engine.set_drives({{{WallDrive::Kind::velocity, 1}, {}, {}, {}}}), InputError);
   EXPECT_THROW(engine.set_programmes({{{Programme::boundary, {{0, 0}}, false, "gate"}}, 0, 0, 0}), InputError);
-  EXPECT_THROW(engine.set_programmes({{{Programme::boundary + 6, {{0, 0}}, false, "plate"}}, 0, 0, 0}), InputError);  // a force without a mass
+  EXPECT_THROW(engine.set_programmes({{{Programme::boundary + 6, {{0, 0}}, false, "plate"}}, 0, 0, 0}),
+               InputError);  // a force without a mass
 }
 
 /// A plate from side to side of a periodic container, with a seam at the sides.
@@ -360,7 +372,8 @@ TEST(Boundaries, OneWithAMassBouncesOffADiskAndFalls) {
     EXPECT_NEAR(engine.packing().domain.boundaries[0].velocity.y, -g * fallen, 1e-9);
     EXPECT_NEAR(engine.domain().boundaries[0].centre.y - place, -0.5 * g * fallen * fallen, 1e-9);
     const Energies e = engine.energies();
-    EXPECT_NEAR(e.kinetic + e.elastic - before.kinetic, e.work_gravity + e.work_walls - before.work_walls, 1e-6 * before.kinetic);
+    EXPECT_NEAR(e.kinetic + e.elastic - before.kinetic, e.work_gravity + e.work_walls - before.work_walls,
+                1e-6 * before.kinetic);
     const std::uint64_t hash = engine.state_hash();
     const std::int64_t steps = engine.step();
     Engine again(p, elastic, integration);

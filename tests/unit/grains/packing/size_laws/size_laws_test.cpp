@@ -23,7 +23,8 @@ template <class Law> std::vector<double> sorted_draws(const Law& law) {
 template <class Law, class Distribution> void expect_drawn_from(const Law& law, Distribution&& below) {
   const auto d = sorted_draws(law);
   double distance = 0;
-  for (std::size_t k = 0; k < d.size(); ++k) distance = std::max(distance, std::abs(below(d[k]) - (static_cast<double>(k) + 0.5) / count));
+  for (std::size_t k = 0; k < d.size(); ++k)
+    distance = std::max(distance, std::abs(below(d[k]) - (static_cast<double>(k) + 0.5) / count));
   EXPECT_LT(distance, 1.95 / std::sqrt(count));
   EXPECT_LE(d.back(), law.largest());
 }
@@ -33,7 +34,9 @@ TEST(SizeLaws, PowerLawIsDrawnFromItsDistribution) {
     PowerLawSizes law;
     law.min = 1, law.max = 8, law.exponent = exponent;
     const double p = 1 - exponent;
-    expect_drawn_from(law, [&](double d) { return std::abs(p) < 1e-9 ? std::log(d) / std::log(8) : (std::pow(d, p) - 1) / (std::pow(8, p) - 1); });
+    expect_drawn_from(law, [&](double d) {
+      return std::abs(p) < 1e-9 ? std::log(d) / std::log(8) : (std::pow(d, p) - 1) / (std::pow(8, p) - 1);
+    });
   }
 }
 

@@ -40,7 +40,8 @@ Field<double> force_by_law(const Bonds& bonds, const Field<double>& u) {
       for (int d = 0; d < bonds_per_node; ++d) {
         const Offset e = half_bonds[static_cast<unsigned>(d)];
         const std::ptrdiff_t j = i + bonds.step(d);
-        const double t = bonds.modulus(bonds.type(i, d)) * (e.x * (u.x[j] - u.x[i]) + e.y * (u.y[j] - u.y[i])) / std::pow(length(e), 3);
+        const double t = bonds.modulus(bonds.type(i, d)) * (e.x * (u.x[j] - u.x[i]) + e.y * (u.y[j] - u.y[i])) /
+                         std::pow(length(e), 3);
         f.x[i] += t * e.x;
         f.y[i] += t * e.y;
         f.x[j] -= t * e.x;
@@ -211,7 +212,8 @@ TEST_P(EveryKernel, StepOfConjugateGradientsIsItsArithmetic) {
   }
   EXPECT_NEAR(square / wanted, 1, 1e-12);
   const Field<double> before = random_field<double>(bonds, map);
-  const double after = k().conjugate_step(bonds, 0.5f, plane(p), plane(f), plane(u), plane(r), {xx.data(), xy.data(), yy.data()}, 2.0f, plane(z));
+  const double after = k().conjugate_step(bonds, 0.5f, plane(p), plane(f), plane(u), plane(r),
+                                          {xx.data(), xy.data(), yy.data()}, 2.0f, plane(z));
   for (std::ptrdiff_t i = bonds.grid.row(0); i < bonds.grid.row(map.height); ++i) {
     ASSERT_EQ(u.x[i], before.x[i] + 0.5 * static_cast<double>(p.x[i]));
     ASSERT_NEAR(r.y[i], exact.y[i] - 0.5 * p.x[i], 1e-6);
@@ -225,7 +227,8 @@ TEST_P(EveryKernel, StepOfConjugateGradientsIsItsArithmetic) {
   k().direct(bonds, -0.5f, plane(z), plane(q));
   for (std::ptrdiff_t i = bonds.grid.row(0); i < bonds.grid.row(map.height); ++i) ASSERT_EQ(q.x[i], z.x[i]);
   k().direct(bonds, -0.5f, plane(p), plane(q));
-  for (std::ptrdiff_t i = bonds.grid.row(0); i < bonds.grid.row(map.height); ++i) ASSERT_NEAR(q.y[i], p.y[i] - 0.5f * z.y[i], 1e-6);
+  for (std::ptrdiff_t i = bonds.grid.row(0); i < bonds.grid.row(map.height); ++i)
+    ASSERT_NEAR(q.y[i], p.y[i] - 0.5f * z.y[i], 1e-6);
 }
 
 TEST(Kernels, WidestVectorsGiveTheSameBits) {
@@ -240,7 +243,8 @@ TEST(Kernels, WidestVectorsGiveTheSameBits) {
   Field<double> f(n), g(n);
   Field<float> a(n), b(n);
   EXPECT_EQ(narrow->force(bonds, open.data(), plane(u), plane(f)), wide->force(bonds, open.data(), plane(u), plane(g)));
-  EXPECT_EQ(narrow->force_float(bonds, open.data(), plane(v), plane(a)), wide->force_float(bonds, open.data(), plane(v), plane(b)));
+  EXPECT_EQ(narrow->force_float(bonds, open.data(), plane(v), plane(a)),
+            wide->force_float(bonds, open.data(), plane(v), plane(b)));
   EXPECT_EQ(narrow->dot(bonds, plane(a), plane(v)), wide->dot(bonds, plane(b), plane(v)));
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(n); ++i) {
     ASSERT_EQ(f.x[i], g.x[i]);
@@ -248,11 +252,13 @@ TEST(Kernels, WidestVectorsGiveTheSameBits) {
     ASSERT_EQ(a.x[i], b.x[i]);
     ASSERT_EQ(a.y[i], b.y[i]);
   }
-  EXPECT_EQ(narrow->stormer(bonds, open.data(), plane(u), plane(f), 0.5, 0.25), wide->stormer(bonds, open.data(), plane(u), plane(g), 0.5, 0.25));
+  EXPECT_EQ(narrow->stormer(bonds, open.data(), plane(u), plane(f), 0.5, 0.25),
+            wide->stormer(bonds, open.data(), plane(u), plane(g), 0.5, 0.25));
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(n); ++i) ASSERT_EQ(f.y[i], g.y[i]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Machine, EveryKernel, testing::Values("portable", "avx2", "avx512"), [](const auto& p) { return std::string(p.param); });
+INSTANTIATE_TEST_SUITE_P(Machine, EveryKernel, testing::Values("portable", "avx2", "avx512"),
+                         [](const auto& p) { return std::string(p.param); });
 
 TEST(Kernels, UnknownNameIsNull) { EXPECT_EQ(kernels("abacus"), nullptr); }
 

@@ -18,7 +18,8 @@ TYPED_TEST(EveryBondLaw, ForceIsTheGradientOfItsEnergy) {
   const TypeParam law;
   // The energy is a square: a central difference is exact but for rounding, 1e-16 * E(0.02)/(2e-4 F) of the force.
   for (const double extension : {-0.02, -0.005, 0.003, 0.02}) {
-    const double step = 1e-4, slope = (law.energy(extension + step, 3.0) - law.energy(extension - step, 3.0)) / (2 * step);
+    const double step = 1e-4,
+                 slope = (law.energy(extension + step, 3.0) - law.energy(extension - step, 3.0)) / (2 * step);
     EXPECT_NEAR(slope, law.force(extension, 3.0), 1e-12 * std::abs(slope)) << extension;
   }
   EXPECT_EQ(law.energy(0.0, 3.0), 0);
@@ -54,7 +55,9 @@ TYPED_TEST(EveryBondLaw, BrokenItPushesAndNeverPullsAndItsForceIsTheGradientOfIt
   EXPECT_FALSE(law.resists_broken(1e-9));
 }
 
-TYPED_TEST(EveryBondLaw, HasAWordAndASentenceForRecipes) { EXPECT_FALSE(TypeParam::word.word.empty() || TypeParam::word.sentence.empty()); }
+TYPED_TEST(EveryBondLaw, HasAWordAndASentenceForRecipes) {
+  EXPECT_FALSE(TypeParam::word.word.empty() || TypeParam::word.sentence.empty());
+}
 
 }  // namespace
 }  // namespace arenite::peridynamics

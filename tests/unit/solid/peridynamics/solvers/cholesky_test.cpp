@@ -39,16 +39,19 @@ TEST(Cholesky, SolutionTimesTheMatrixIsTheRightSide) {
       for (int s = 0; s < 2; ++s)
         for (int r = 0; r < 2; ++r) {
           const int row = 2 * m.row[static_cast<std::size_t>(j)] + r, column = 2 * c + s;
-          const double v = m.value[4 * static_cast<std::size_t>(j) + 2 * static_cast<std::size_t>(s) + static_cast<std::size_t>(r)];
+          const double v =
+              m.value[4 * static_cast<std::size_t>(j) + 2 * static_cast<std::size_t>(s) + static_cast<std::size_t>(r)];
           product[static_cast<std::size_t>(row)] += v * x[static_cast<std::size_t>(column)];
-          if (m.row[static_cast<std::size_t>(j)] != c) product[static_cast<std::size_t>(column)] += v * x[static_cast<std::size_t>(row)];
+          if (m.row[static_cast<std::size_t>(j)] != c)
+            product[static_cast<std::size_t>(column)] += v * x[static_cast<std::size_t>(row)];
         }
   for (std::size_t k = 0; k < b.size(); ++k) EXPECT_NEAR(product[k], b[k], 1e-12);
 }
 
 TEST(Cholesky, IndefiniteMatrixIsToldNotSolved) { EXPECT_FALSE(Cholesky(chain(20, -5)).positive()); }
 
-/// Nodes of a square lattice, each coupled with the next in its row and in its column: the factor has large dense blocks.
+/// Nodes of a square lattice, each coupled with the next in its row and in its column: the factor has large dense
+/// blocks.
 BlockMatrix lattice(int side) {
   BlockMatrix m;
   m.column_begin = {0};

@@ -16,7 +16,9 @@ struct Prepared {
   Bonds bonds;
   std::vector<std::uint8_t> prescribed;
   Aggregates aggregates;
-  explicit Prepared(double bridge) : map(test::cemented_sample({.nodes = 96, .size_ratio = 2.5, .bridge = bridge})), bonds(make_bonds(map, {})) {
+  explicit Prepared(double bridge)
+      : map(test::cemented_sample({.nodes = 96, .size_ratio = 2.5, .bridge = bridge})),
+        bonds(make_bonds(map, {})) {
     prescribed.assign(static_cast<std::size_t>(map.height), 0);
     prescribed.front() = prescribed.back() = both_prescribed;
     aggregates = cut_into_aggregates(map, bonds, prescribed);
@@ -35,7 +37,9 @@ TEST(Aggregates, EveryPieceHasOneOwnerAndOneCellAndHoldsTogether) {
       const auto k = static_cast<std::size_t>(p);
       ASSERT_EQ(s.aggregates.list[k].cell_x, x / Aggregates::cell);
       ASSERT_EQ(s.aggregates.list[k].cell_y, y / Aggregates::cell);
-      if (s.map.phase[s.map.index(x, y)] == Phase::particle) { ASSERT_EQ(s.aggregates.list[k].owner, s.map.grain[s.map.index(x, y)]); }
+      if (s.map.phase[s.map.index(x, y)] == Phase::particle) {
+        ASSERT_EQ(s.aggregates.list[k].owner, s.map.grain[s.map.index(x, y)]);
+      }
       ++nodes[k];
     }
   EXPECT_EQ(nodes, mapped(s.aggregates.list, &Aggregates::Aggregate::nodes));
@@ -57,7 +61,8 @@ void expect_energy_of_bonds(Prepared s, Prescribed bottom) {
       const Hats& h = hats_at(x % Aggregates::cell, y % Aggregates::cell);
       for (unsigned a = 0; a < 4; ++a) {
         u.x[i] += h[a] * corner[8 * static_cast<std::size_t>(p) + 2 * a];
-        if (!s.prescribed[static_cast<std::size_t>(y)]) u.y[i] += h[a] * corner[8 * static_cast<std::size_t>(p) + 2 * a + 1];
+        if (!s.prescribed[static_cast<std::size_t>(y)])
+          u.y[i] += h[a] * corner[8 * static_cast<std::size_t>(p) + 2 * a + 1];
       }
     }
   const double wanted = -kernels().force(s.bonds, s.prescribed.data(), plane(u), plane(f));
@@ -67,8 +72,8 @@ void expect_energy_of_bonds(Prepared s, Prescribed bottom) {
       for (unsigned b = 0; b < 4; ++b) {
         const double* p = &corner[8 * static_cast<std::size_t>(c.p) + 2 * a];
         const double* q = &corner[8 * static_cast<std::size_t>(c.q) + 2 * b];
-        energy += (c.p == c.q ? 1 : 2) *
-                  (c.block[0][a][b] * p[0] * q[0] + c.block[1][a][b] * p[0] * q[1] + c.block[3][a][b] * p[1] * q[0] + c.block[2][a][b] * p[1] * q[1]);
+        energy += (c.p == c.q ? 1 : 2) * (c.block[0][a][b] * p[0] * q[0] + c.block[1][a][b] * p[0] * q[1] +
+                                          c.block[3][a][b] * p[1] * q[0] + c.block[2][a][b] * p[1] * q[1]);
       }
   EXPECT_NEAR(energy / wanted, 1, 1e-12);
 }
