@@ -54,6 +54,7 @@ bool becomes(const std::function<bool()>& condition) {
 class Background {
  public:
   Background(const std::string& arguments, const fs::path& out, const fs::path& err) {
+    for (const fs::path& of_an_earlier_one : {out, err}) fs::remove(of_an_earlier_one);
     const std::string line =
         "exec " ARENITE_BINARY " " + arguments + " >" + out.string() + " 2>" + err.string() + " </dev/null";
     process_ = ::fork();
@@ -245,15 +246,28 @@ std::string status_naming(long process) {
   return text + "process," + std::to_string(process) + "\nhost," + host + "\n";
 }
 
-TEST(Watch, StopsNoProcessThatAFileNames) {
-  const test::TemporaryFolder folder;
-  const pid_t bystander = ::fork();
-  if (bystander == 0) {
+/// A process that does nothing, and is gone with this.
+class Bystander {
+ public:
+  Bystander() : process(::fork()) {
+    if (process != 0) return;
     ::pause();
     ::_exit(0);
   }
+  ~Bystander() {
+    ::kill(process, SIGKILL);
+    ::waitpid(process, nullptr, 0);
+  }
+  Bystander(const Bystander&) = delete;
+  Bystander& operator=(const Bystander&) = delete;
+  const pid_t process;
+};
+
+TEST(Watch, StopsNoProcessThatAFileNames) {
+  const test::TemporaryFolder folder;
+  const Bystander bystander;
   // The second is -1 where it is cut to the 32 bits of a process number.
-  for (const long named : {static_cast<long>(bystander), 0xffffffffL}) {
+  for (const long named : {static_cast<long>(bystander.process), 0xffffffffL}) {
     std::ofstream(folder / "status.csv") << status_naming(named);
     Background watch("watch " + folder.path().string(), folder / "watch.out", folder / "watch.err");
     const Page page(folder / "watch.out");
@@ -263,9 +277,7 @@ TEST(Watch, StopsNoProcessThatAFileNames) {
     EXPECT_EQ(watch.end(SIGTERM), 0);
   }
   int ended = 0;
-  EXPECT_EQ(::waitpid(bystander, &ended, WNOHANG), 0) << "it was signalled";
-  ::kill(bystander, SIGKILL);
-  ::waitpid(bystander, &ended, 0);
+  EXPECT_EQ(::waitpid(bystander.process, &ended, WNOHANG), 0) << "it was signalled";
 }
 
 TEST(Watch, AnswersBesideConnectionsThatSendNothing) {

@@ -45,10 +45,11 @@ template <int D> double list_leeway(const SampleIn<D>& s) {
 }  // namespace
 
 template <int D> void kick_walls(SampleIn<D>& s, double kick, double ahead) {
+  const auto accelerations = wall_accelerations(s);
   for (int side = 0; side < sides_in<D>; ++side) {
     WallBodyIn<D>& body = s.wall[side];
     WallIn<D>& wall = s.domain.wall[side];
-    body.acceleration = wall_acceleration(s, side, wall.velocity);
+    body.acceleration = accelerations[side];
     body.rate += kick * body.acceleration;
     wall.position += s.dt * body.rate;
     wall.velocity = body.rate + ahead * body.acceleration;

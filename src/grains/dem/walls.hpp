@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "grains/dem/sample.hpp"
@@ -103,6 +104,13 @@ template <int D> double wall_acceleration(const SampleIn<D>& s, std::size_t side
   if (body.drive.kind != DriveKind::force) return 0;
   const double push = body.drive.value - s.domain.wall[side].force;
   return (inward_sign(side) * push + servo_braking(s, side, velocity)) / body.mass;
+}
+
+/// Those of all walls from one state: it hangs on the sample's lengths, so none is moved before the last is known.
+template <int D> std::array<double, sides_in<D>> wall_accelerations(const SampleIn<D>& s) {
+  std::array<double, sides_in<D>> all{};
+  for (int side = 0; side < sides_in<D>; ++side) all[side] = wall_acceleration(s, side, s.domain.wall[side].velocity);
+  return all;
 }
 
 /// Lets the walls' drift follow their velocity over the step just made.

@@ -111,8 +111,7 @@ template <int D> class Start {
       if constexpr (D == 2) a.push_back(now.alpha);
       else a.insert(a.end(), {now.alpha.x, now.alpha.y, now.alpha.z});
     }
-    for (int side = 0; side < sides_in<D>; ++side)
-      a.push_back(wall_acceleration(s, side, s.domain.wall[side].velocity));
+    for (const double of_wall : wall_accelerations(s)) a.push_back(of_wall);
     return a;
   }
 
@@ -150,10 +149,11 @@ template <int D> class Start {
 
 template <int D> void predict_walls(SampleIn<D>& s, double /*kick*/, double /*ahead*/) {
   const double dt = s.dt, half = 0.5 * dt * dt;
+  const auto accelerations = wall_accelerations(s);
   for (int side = 0; side < sides_in<D>; ++side) {
     WallBodyIn<D>& body = s.wall[side];
     WallIn<D>& wall = s.domain.wall[side];
-    const double a = wall_acceleration(s, side, wall.velocity);
+    const double a = accelerations[side];
     Nordsieck<double> q{wall.position,  dt * body.rate, half * body.acceleration,
                         body.higher[0], body.higher[1], body.higher[2]};
     q.correct(half * (a - body.acceleration));
