@@ -89,7 +89,7 @@ def axes():
 def test_every_card_of_the_page_has_its_figure():
     page = pathlib.Path(__file__).resolve().parents[2] / "web/src/figures"
     ids = [
-        name for file in page.glob("*.js") for name in re.findall(r'^  id: "([a-z-]+)", title:', file.read_text(), re.M)
+        name for file in page.glob("*.js") for name in re.findall(r'^  id: "([a-z-]+)",\s+title:', file.read_text(), re.M)
     ]
     assert sorted(ids) == sorted(cards)
     assert {(figure.kind, figure.name) for figure in figures.figures} == set(

@@ -37,11 +37,11 @@ Stage pressed_from_all_sides(double pressure) {
 }
 
 /// Disks of 8 and 32 mm side by side on a lattice with room between them.
-Packing unlike_sizes() {
+Packing unlike_sizes(double sheared = 0.001) {
   Packing p = empty_container(0.21, 0.21);
   for (int row = 0; row < 5; ++row)
     for (int column = 0; column < 5; ++column) {
-      const double x = 0.04 * column + 0.017 + 0.001 * row, y = 0.04 * row + 0.017 + 0.0007 * column;
+      const double x = 0.04 * column + 0.017 + sheared * row, y = 0.04 * row + 0.017 + 0.0007 * column;
       add_grain(p, x, y, 0.016);
       add_grain(p, x + 0.0195, y + 0.0195, 0.004);
     }
@@ -158,18 +158,25 @@ TEST(EvenMasses, AStepThatWasGivenIsRefusedWithTheOneThatWouldDo) {
   }
 }
 
-TEST(EvenMasses, CompactUnlikeDisksInFarFewerSteps) {
-  std::int64_t steps[2];
-  for (const auto masses : {MassScaling::none, MassScaling::uniform}) {
-    Engine engine(unlike_sizes(), springy(0.5), {});
+/// Until unlike disks, placed a little differently each time, are at rest under pressure.
+std::int64_t steps_of_ten_compactions(MassScaling masses) {
+  std::int64_t steps = 0;
+  for (const double sheared : {0.0006, 0.0007, 0.0008, 0.0009, 0.001, 0.0011, 0.0012, 0.0013, 0.0014, 0.0015}) {
+    Engine engine(unlike_sizes(sheared), springy(0.5), {});
     Stage stage = pressed_from_all_sides(1e-3 * 27.35e6 / 0.06);
     stage.mass_scaling = masses;
     stage.inertial_number = 1;
     const StageResult result = run(engine, stage);
     EXPECT_TRUE(result.converged) << result.outcome;
-    steps[static_cast<int>(masses)] = engine.step();
+    steps += engine.step();
   }
-  EXPECT_LT(2 * steps[1], steps[0]);
+  return steps;
+}
+
+TEST(EvenMasses, CompactUnlikeDisksInFarFewerSteps) {
+  // How many steps one sample takes hangs on the last slip before it rests: the ratio is 1.5 to 3.5, of ten 2.0 +-
+  // 0.15.
+  EXPECT_LT(3 * steps_of_ten_compactions(MassScaling::uniform), 2 * steps_of_ten_compactions(MassScaling::none));
 }
 
 TEST(EvenMasses, AreRefusedWhereGrainsWeigh) {
