@@ -39,11 +39,12 @@ dist:
 	@ninja -C $(BUILD) pages
 	@scripts/dist $(BUILD)
 
-# Benchmarks, too: what nobody compiles and runs does not stay whole. `make fuzz FUZZ_FOR=-runs=0` does so with fuzz targets.
+# Benchmarks and fuzz targets, too: what nobody compiles and runs does not stay whole.
 test:
-	@scripts/setup run python test bench docs
+	@scripts/setup run python test bench fuzz docs
 	@$(COMMON) $(WITH_MODULE) -DARENITE_TESTS=ON -DARENITE_BENCH=ON >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
+	@$(MAKE) --no-print-directory fuzz FUZZ_FOR=-runs=0
 	@ctest --test-dir $(BUILD) -j $$(($(JOBS) + 1)) --timeout 1200 --output-on-failure  # some wait for a browser or a killed run
 
 bench:
