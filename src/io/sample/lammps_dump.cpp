@@ -33,7 +33,7 @@ std::string_view line_at(std::string_view text, std::size_t begin) {
 /// Calls `see` with the title, the line below it and the place of every item.
 template <class See> void each_item(std::string_view text, See see) {
   for (std::size_t at = text.starts_with(mark) ? 0 : text.npos; at != text.npos;) {
-    const std::string_view title = line_at(text, at).substr(mark.size());
+    const std::string_view title = line_at(text, at + mark.size());
     const std::size_t end = text.find('\n', at);
     see(title, line_at(text, end == text.npos ? text.size() : end + 1), at);
     at = text.find("\nITEM: ", at);
