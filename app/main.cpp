@@ -1,6 +1,10 @@
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <filesystem>
@@ -22,9 +26,19 @@ std::string speaker(int argc, char** argv) {
   return "arenite";
 }
 
+/// OpenBLAS starts its threads as it is loaded, and where address space is limited one of them may ask for memory for
+/// ever, which the end of the program then waits for. It takes its number of threads from the environment only.
+void start_anew_with_one_blas_thread(char** argv) {
+  rlimit space{};
+  if (std::getenv("OPENBLAS_NUM_THREADS") || ::getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur == RLIM_INFINITY)
+    return;
+  if (::setenv("OPENBLAS_NUM_THREADS", "1", 0) == 0) ::execv("/proc/self/exe", argv);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  start_anew_with_one_blas_thread(argv);
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the size limit is an error of its write, not the end of the program
   int status = app::other_failure;
   try {
@@ -48,7 +62,7 @@ int main(int argc, char** argv) {
     app::print(stderr, "{}: {}; check its permissions\n", error.path1().string(), error.code().message());
     status = app::bad_input;
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "%s: out of memory; request fewer grains or fewer stored states\n",
+    std::fprintf(stderr, "%s: out of memory; request fewer grains, nodes or stored states\n",
                  speaker(argc, argv).c_str());
   } catch (const std::exception& error) { app::print(stderr, "{}: {}\n", speaker(argc, argv), error.what()); }
   // A full disk behind a redirected output shows only when the last bytes leave.

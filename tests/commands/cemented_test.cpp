@@ -231,6 +231,24 @@ TEST(Cemented, SaturationOutOfReachSaysWhatCanBeReached) {
   EXPECT_NE(refused.err.find("saturation"), std::string::npos) << refused.err;
 }
 
+#ifndef __SANITIZE_ADDRESS__  // which wants all addresses
+TEST(Cemented, EndsWithASentenceWhereMemoryIsShort) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(arenite(run(folder / "out")).status, 0);
+  int short_of_memory = 0;
+  for (const int megabytes : {220, 260, 300, 340, 380}) {
+    const std::string more = "--set loads.0.statistics.clamp_rows=" + std::to_string(megabytes / 20);
+    const auto ended = test::shell("ulimit -v " + std::to_string(megabytes << 10) + "; timeout -s KILL 100 " +
+                                   std::string(ARENITE_BINARY) + " " + run(folder / "out", more));
+    EXPECT_TRUE(ended.status == 0 || ended.status == 1) << megabytes << ": " << ended.status;
+    if (ended.status == 0) continue;
+    ++short_of_memory;
+    EXPECT_NE(ended.err.find("out of memory"), std::string::npos) << megabytes << ": " << ended.err;
+  }
+  EXPECT_GT(short_of_memory, 0);
+}
+#endif
+
 TEST(Init, TemplatesAreListedAndCemented) {
   const auto listed = arenite("init");
   EXPECT_EQ(listed.status, 0);

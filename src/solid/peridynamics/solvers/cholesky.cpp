@@ -11,10 +11,27 @@ namespace arenite::peridynamics {
 
 namespace {
 
+/// OpenBLAS asks for its working memory at the first factorisation, and asks for ever where there is none: here it gets
+/// it while there is, and keeps it. Throws std::bad_alloc.
+void give_blas_its_memory() {
+  constexpr std::size_t wanted = std::size_t{136} << 20;
+  ::operator delete(::operator new(wanted));
+  using Factorise = void (*)(const char*, const int*, double*, const int*, int*, std::size_t);
+  const int one = 1;
+  int failed = 0;
+  double square = 1;
+  if (void* symbol = dlsym(RTLD_DEFAULT, "dpotrf_"))
+    reinterpret_cast<Factorise>(symbol)("L", &one, &square, &one, &failed, 1);
+}
+
 /// One solve uses one core; threads inside the factor's small dense blocks cost more than they give.
-void use_one_blas_thread() {
+void set_up_blas() {
   using Setter = void (*)(int);
-  if (void* symbol = dlsym(RTLD_DEFAULT, "openblas_set_num_threads")) reinterpret_cast<Setter>(symbol)(1);
+  void* const openblas = dlsym(RTLD_DEFAULT, "openblas_set_num_threads");
+  if (!openblas) return;
+  reinterpret_cast<Setter>(openblas)(1);
+  static const bool has_memory = (give_blas_its_memory(), true);
+  (void)has_memory;
 }
 
 /// The same for CHOLMOD's own loops, which ask OpenMP for four threads whatever it is told: no parallel region is
@@ -60,12 +77,12 @@ struct Cholesky::State {
   bool positive = false;
 
   State() {
+    set_up_blas();
     cholmod_start(&common);
     common.print = 0;
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_GIVEN;
     common.supernodal = CHOLMOD_SUPERNODAL;
-    use_one_blas_thread();
   }
   ~State() {
     cholmod_free_dense(&x, &common);
