@@ -3,12 +3,11 @@
 import base64
 import html
 import io
-import tomllib
 
 import numpy as np
 
-from . import compare, curves
-from ._core import FilmRecipe, Recipe, measure
+from . import _core, compare, curves
+from ._core import measure
 
 style = """
 body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 76rem; padding: 0 1rem; color: #1a1a1a; background: #fff }
@@ -57,7 +56,7 @@ def table(head, body):
 
 def settings(pairs):
     """Keys that differ between the recipes of the last parts compared."""
-    recipes = [recipe_of(*part[::3]) for part in pairs[-1][1:]]
+    recipes = [recipe_of(part[3]) for part in pairs[-1][1:]]
     differing = [key for key in {**recipes[0], **recipes[1]} if recipes[0].get(key) != recipes[1].get(key)]
     if not differing:
         return "<h2>Settings</h2><p>No setting differs.</p>" if any(recipes) else ""
@@ -70,23 +69,9 @@ def settings(pairs):
     return "<h2>Settings that differ</h2>" + table(["key", "A", "B"], body)
 
 
-def recipe_of(kind, part):
+def recipe_of(part):
     """{key: value} of the recipe of a part, as this version reads it; {} if the part has none."""
-    text = part.provenance.get("recipe", "") if hasattr(part, "provenance") else ""
-    try:
-        return keys(tomllib.loads((FilmRecipe if kind == "film" else Recipe).from_text(text).toml()))
-    except ValueError:  # of another version
-        return keys(tomllib.loads(text)) if text else {}
-
-
-def keys(node, path=""):
-    """{"stages.0.name": "prepare"} of a recipe."""
-    items = node.items() if isinstance(node, dict) else enumerate(node) if isinstance(node, list) else None
-    if items is None:
-        return {path: str(node)}
-    return {
-        name: text for key, value in items for name, text in keys(value, f"{path}.{key}" if path else str(key)).items()
-    }
+    return dict(_core.settings(part.provenance.get("recipe", ""))) if hasattr(part, "provenance") else {}
 
 
 def section(name, found):

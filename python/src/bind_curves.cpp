@@ -2,10 +2,13 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
+#include "columns.hpp"
+#include "core/problems.hpp"
+#include "grains/fields/state_curves.hpp"
+#include "grains/fields/test_curves.hpp"
 #include "grains/packing/population.hpp"
 #include "module.hpp"
 #include "recipe/recipe.hpp"
-#include "report/test_curves.hpp"
 
 namespace arenite::python {
 namespace {
@@ -17,14 +20,37 @@ py::dict curve_of(packing::SizeCurve&& curve) {
   return d;
 }
 
-py::object critical_state(const StageResult& stage) {
+py::object critical_state(const StageResult& stage, const Packing* before) {
   Call call;
   const Numbers found = call.without_lock([&]() -> Numbers {
-    const auto curves = report::test_curves(stage);
-    const auto state = curves ? report::critical_state(*curves) : std::nullopt;
-    return state ? report::numbers_of(*curves, *state) : Numbers();
+    const auto curves = fields::test_curves({stage, before});
+    const auto state = curves ? fields::critical_state(*curves) : std::nullopt;
+    return state ? fields::numbers_of(*curves, *state) : Numbers();
   });
   return found.is_known() ? py::object(to_python(found)) : py::none();
+}
+
+statistics::Columns curves_along(const StageResult& stage, const Packing* before) {
+  auto of = fields::loading_of({stage, before});
+  if (!of) throw refusal("the stage {} has no history of its sides, so that it has no curves", stage.name);
+  return std::move(of->curves);
+}
+
+/// One function for each kind of curves of a test.
+template <statistics::Columns (*curves)(const StageResult&, const Packing*)>
+void bind_curves_of_test(py::module_& m, const char* name, const char* doc) {
+  m.def(
+      name,
+      [](const StageResult& stage, const Packing* before) {
+        Call call;
+        return to_python(call.without_lock([&] { return curves(stage, before); }));
+      },
+      py::arg("stage"), py::arg("before") = py::none(), doc);
+}
+
+template <statistics::Columns (*curves)(const fields::Test&)>
+statistics::Columns of_test(const StageResult& stage, const Packing* before) {
+  return curves({stage, before});
 }
 
 }  // namespace
@@ -45,7 +71,24 @@ void bind_curves(py::module_& m) {
       },
       py::arg("recipe"),
       "The same for the size laws of a recipe's populations. Raises ValueError for a recipe without populations.");
-  m.def("critical_state", &critical_state, py::arg("stage"),
+  m.def(
+      "stage_with_history", &fields::stage_with_history, py::arg("stages"), py::arg("name") = py::none(),
+      "Place of the stage of this name, or of the last one, that has a history and states. Raises ValueError if there "
+      "is none.");
+  m.def("whole_cycles", &fields::whole_cycles, py::arg("stage"),
+        "{number: (place of the maximum, place of the minimum)} of the stored states of whole load cycles.");
+  bind_curves_of_test<curves_along>(
+      m, "curves_along",
+      "Curves of a test row by row of its history, {name: (values, errors or None, unit, meaning)}; `before`: the "
+      "packing "
+      "that strains refer to, the first row without one. `arenite.curves.along` lists them.");
+  bind_curves_of_test<of_test<fields::curves_of_states>>(
+      m, "curves_of_states", "The same over the stored states, with their fabric (`arenite.curves.of_states`).");
+  bind_curves_of_test<of_test<fields::curves_of_cycles>>(
+      m, "curves_of_cycles", "The same over cycles of load, of stored states (`arenite.curves.of_cycles`).");
+  bind_curves_of_test<of_test<fields::every_cycle>>(
+      m, "curves_of_every_cycle", "The same over every cycle, stored or not (`arenite.curves.every_cycle`).");
+  m.def("critical_state", &critical_state, py::arg("stage"), py::arg("before") = py::none(),
         "The critical state of a test: `strain` (its name), `from` and `to`, and value, error, low_95 and high_95 of "
         "`mu` (shear over normal stress on the sides) or `q_over_p`, and of `solid_fraction`; None if the ratio does "
         "not settle.");

@@ -1,8 +1,12 @@
 #include <pybind11/stl.h>
 
+#include <cmath>
+#include <tuple>
+
 #include "arrays.hpp"
 #include "calls.hpp"
-#include "core/error.hpp"
+#include "core/problems.hpp"
+#include "core/version.hpp"
 #include "model/result.hpp"
 #include "module.hpp"
 #include "solid/stress/stress.hpp"
@@ -41,6 +45,79 @@ py::dict energies_of(const Snapshot& snapshot) {
   return d;
 }
 
+using States = std::vector<std::tuple<double, std::string, Packing>>;
+
+/// Columns of one length; their units stay open.
+History history_of(const py::dict& columns, const char* name) {
+  History history;
+  for (const auto& [key, values] : columns) {
+    const auto column = py::str(key).cast<std::string>();
+    history.columns.push_back({column, "", to_vector(py::reinterpret_borrow<ArrayLike>(values), column)});
+    if (history.columns.back().values.size() != history.columns.front().values.size())
+      throw refusal("{} has columns of different lengths; \"{}\" has {} rows, and \"{}\" {}", name, column,
+                    history.columns.back().values.size(), history.columns.front().name,
+                    history.columns.front().values.size());
+  }
+  return history;
+}
+
+Asked asked_from(const py::dict& given) {
+  Asked asked;
+  asked.known = py::len(given) > 0;
+  if (given.contains("friction")) asked.friction = given["friction"].cast<double>();
+  if (given.contains("gravity"))
+    std::tie(asked.gravity.x, asked.gravity.y) = given["gravity"].cast<std::pair<double, double>>();
+  if (given.contains("load_axis"))
+    asked.load_axis = given["load_axis"].cast<std::optional<double>>().value_or(statistics::unknown);
+  if (given.contains("in_motion")) asked.in_motion = given["in_motion"].cast<bool>();
+  if (given.contains("in_equilibrium")) asked.in_equilibrium = given["in_equilibrium"].cast<bool>();
+  for (int side = 0; side < sides; ++side) {
+    const auto s = static_cast<std::size_t>(side);
+    if (given.contains("cycled") && py::str(given["cycled"]).equal(py::str(side_names[s]))) asked.cycled = side;
+    if (given.contains("slide") && py::dict(given["slide"]).contains(side_names[s]))
+      asked.slide[s] = py::dict(given["slide"])[side_names[s]].cast<double>();
+  }
+  return asked;
+}
+
+py::dict asked_of(const Asked& asked) {
+  py::dict d, slide, sizes;
+  if (!asked.known) return d;
+  for (std::size_t s = 0; s < sides; ++s)
+    if (asked.slide[s] != 0) slide[side_names[s]] = asked.slide[s];
+  sizes["diameter"] = taken_over(std::vector(asked.diameter));
+  sizes["passing"] = taken_over(std::vector(asked.passing));
+  d["friction"] = asked.friction;
+  d["gravity"] = py::make_tuple(asked.gravity.x, asked.gravity.y);
+  d["slide"] = slide;
+  d["load_axis"] = std::isfinite(asked.load_axis) ? py::object(py::float_(asked.load_axis)) : py::none();
+  d["cycled"] =
+      asked.cycled >= 0 ? py::object(py::str(side_names[static_cast<std::size_t>(asked.cycled)])) : py::none();
+  d["in_motion"] = asked.in_motion;
+  d["in_equilibrium"] = asked.in_equilibrium;
+  d["sizes"] = sizes;
+  return d;
+}
+
+StageResult made_up_stage(const std::string& name, const py::dict& history, const States& states,
+                          const py::dict& cycles, const py::dict& texture, const py::dict& asked) {
+  StageResult stage;
+  stage.name = stage.provenance.stage = name;
+  stage.outcome = "made up";
+  stage.provenance.version = version;
+  stage.history = history_of(history, "history");
+  stage.cycles = history_of(cycles, "cycles");
+  stage.texture = from_python(texture);
+  stage.asked = asked_from(asked);
+  for (const auto& [time, label, packing] : states) {
+    stage.snapshots.emplace_back();
+    stage.snapshots.back().time = time;
+    stage.snapshots.back().label = label;
+    stage.snapshots.back().packing = packing;
+  }
+  return stage;
+}
+
 void bind_stage_results(py::module_& m) {
   py::class_<Snapshot>(m, "Snapshot", "One stored state of a stage.")
       .def_readonly("time", &Snapshot::time, "s since the start of the run.")
@@ -58,6 +135,12 @@ void bind_stage_results(py::module_& m) {
           "Kinetic over elastic energy.")
       .def("__repr__", [](const Snapshot& f) { return "<arenite.Snapshot \"" + f.label + "\">"; });
   py::class_<StageResult>(m, "Stage", "The result of one stage of packing or loading.")
+      .def(py::init(&made_up_stage), py::arg("name"), py::kw_only(), py::arg("history") = py::dict(),
+           py::arg("states") = States(), py::arg("cycles") = py::dict(), py::arg("texture") = py::dict(),
+           py::arg("asked") = py::dict(),
+           "A stage that another program or a model made: `history` and `cycles` of columns by name, SI, of equal "
+           "length; `states` of (time, label, packing); `texture`, its stored numbers; `asked`, some of what `asked` "
+           "has. `arenite.curves` and `arenite.flows` take it as any other.")
       .def_readonly("name", &StageResult::name, "Name in the recipe.")
       .def_readonly("converged", &StageResult::converged, "Equilibrium was reached in every increment.")
       .def_readonly("outcome", &StageResult::outcome, "Outcome in a sentence.")
@@ -92,6 +175,12 @@ void bind_stage_results(py::module_& m) {
       .def_property_readonly(
           "texture", [](const StageResult& s) { return to_python(s.texture); },
           "Stored statistics of the last state, without curves; names as in `measure`.")
+      .def_property_readonly(
+          "asked", [](const StageResult& s) { return asked_of(s.asked); },
+          "What the stage was asked for: friction between grains, gravity (m/s^2, at its end), slide "
+          "of walls (m/s, as it begins), load_axis (rad or None), cycled (the side that goes to and "
+          "fro or None), in_motion, in_equilibrium, sizes (diameter, passing); empty where it is not "
+          "known.")
       .def_property_readonly(
           "provenance", [](const StageResult& s) { return provenance_of(s.provenance); },
           "Provenance: version, stage, input_hash, recipe, seed, kernel, options.")

@@ -67,6 +67,29 @@ py::object with_arrays(const py::object& value) {
 
 py::dict to_python(const Numbers& numbers) { return numbers.is_known() ? py::dict(value_of(numbers)) : py::dict(); }
 
+Numbers from_python(const py::handle& value) {
+  if (value.is_none()) return {};
+  if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
+  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  if (py::isinstance<py::dict>(value)) {
+    Numbers tree = Numbers::tree();
+    for (const auto& [key, item] : value.cast<py::dict>()) tree[py::str(key).cast<std::string>()] = from_python(item);
+    return tree;
+  }
+  if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value)) {
+    Numbers list = Numbers::list();
+    for (const auto& item : value) list.push_back(from_python(item));
+    return list;
+  }
+  if (PyLong_Check(value.ptr()) != 0) return value.cast<std::int64_t>();
+  try {
+    return value.cast<double>();
+  } catch (const py::cast_error&) {
+    throw InputError(
+        fmt::format("numbers hold a {}; give dicts, lists, texts and numbers", Py_TYPE(value.ptr())->tp_name));
+  }
+}
+
 py::dict to_arrays(const Numbers& numbers) { return with_arrays(to_python(numbers)); }
 
 std::vector<std::string> overrides_of(const py::dict& changes) {

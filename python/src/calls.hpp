@@ -15,6 +15,9 @@ namespace arenite::python {
 /// As dicts, lists and numbers; an empty dict for what is not known.
 py::dict to_python(const Numbers& numbers);
 
+/// A tree of dicts, lists, texts and numbers. Throws InputError for anything else.
+Numbers from_python(const py::handle& value);
+
 /// The same with lists of numbers as arrays; what is not known is NaN there.
 py::dict to_arrays(const Numbers& numbers);
 

@@ -92,6 +92,7 @@ PYBIND11_MODULE(_core, m) {
   arenite::python::bind_film_workflow(m);
   arenite::python::bind_results(m);
   arenite::python::bind_curves(m);
+  arenite::python::bind_over_runs(m);
   arenite::python::bind_store(m);
   arenite::python::bind_stages(m);
   arenite::python::bind_field(m);

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -100,8 +101,24 @@ struct ResultHead {
   std::string outcome;    ///< one sentence
 };
 
+/// What a stage was asked for, in numbers: all that those who read its result need of its recipe, whose text in the
+/// provenance is for people.
+struct Asked {
+  bool known = false;                      ///< else the numbers below say nothing
+  double friction = statistics::unknown;   ///< mu between grains
+  int pull = 0;                            ///< what can make contacts pull (texture::Pull)
+  Vec2 gravity{};                          ///< at the end of the stage, m/s^2
+  BySide<double> slide{};                  ///< of walls along themselves as the stage begins, m/s
+  double load_axis = statistics::unknown;  ///< along which it compresses, rad from x
+  int cycled = -1;                         ///< the side that goes to and fro; -1: none
+  bool in_motion = false;                  ///< it ends while its sample is strained or flows
+  bool in_equilibrium = false;             ///< its last state is, by the criterion that it set
+  std::vector<double> diameter, passing;   ///< size curve of the grains, m and share of the mass; empty without a law
+};
+
 /// The result of one stage: one file in the store.
 struct StageResult : ResultHead {
+  Asked asked;
   std::vector<Snapshot> snapshots;  ///< in time order; the last is the state handed on
   History history;
   History cycles;   ///< of a stage with cycles: a row at the end of each half, as in the history, behind "cycle" and

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "grains/fields/coarse_grained.hpp"
 #include "grains/packing/population.hpp"
 #include "model/shapes.hpp"
-#include "recipe/recipe.hpp"
 
 namespace arenite::report {
 namespace {
@@ -197,16 +195,10 @@ Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock&
   return out;
 }
 
-Numbers size_curves_of(const Packing& packing, const std::string& recipe, NumberBlock& block) {
-  try {
-    const recipe::Recipe asked = recipe::parse_recipe(recipe, "recipe");
-    if (asked.populations.empty()) return {};
-    return {{"measured", curve_of(packing::measured_size_curve(packing.grains, packing.materials), block)},
-            {"asked",
-             curve_of(packing::asked_size_curve(asked.populations, asked.materials, asked.packing.grains), block)}};
-  } catch (const InputError&) {
-    return {};  // a packing that no recipe made
-  }
+Numbers size_curves_of(const Packing& packing, const Asked& asked, NumberBlock& block) {
+  if (asked.diameter.empty()) return {};
+  return {{"measured", curve_of(packing::measured_size_curve(packing.grains, packing.materials), block)},
+          {"asked", curve_of({asked.diameter, asked.passing}, block)}};
 }
 
 }  // namespace arenite::report

@@ -6,10 +6,10 @@
 #include <variant>
 
 #include "io/disk/file.hpp"
-#include "io/results/results.hpp"
 #include "recipe/recipe.hpp"
 #include "report/page_document.hpp"
 #include "report/page_template.hpp"
+#include "workflow/asked.hpp"
 
 namespace arenite::report {
 
@@ -64,7 +64,7 @@ void write_page(const std::filesystem::path& path, const std::vector<std::filesy
   std::vector<FieldResult> fields;
   std::vector<FilmResult> films;
   for (const auto& file : files) {
-    auto any = io::read_result(file);
+    auto any = workflow::read_result(file);
     if (auto* stage = std::get_if<StageResult>(&any)) stages.push_back(std::move(*stage));
     else if (auto* field = std::get_if<FieldResult>(&any)) fields.push_back(std::move(*field));
     else films.push_back(std::move(std::get<FilmResult>(any)));

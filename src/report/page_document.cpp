@@ -2,14 +2,16 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <deque>
 #include <tuple>
 #include <utility>
 
 #include "grains/fields/coarse_grained.hpp"
+#include "grains/fields/stage_numbers.hpp"
+#include "grains/fields/test_curves.hpp"
 #include "report/stage_doubts.hpp"
-#include "report/test_curves.hpp"
 #include "workflow/run_film.hpp"
 
 namespace arenite::report {
@@ -43,17 +45,18 @@ Numbers meanings_of(const Numbers& numbers) {
   return out;
 }
 
-Numbers test_of(const TestCurves& curves, NumberBlock& block) {
+Numbers test_of(const fields::TestCurves& curves, NumberBlock& block) {
   Numbers out{{"strain_name", curves.strain_name}, {"ratio_name", curves.ratio_name()}};
   for (const auto& [name, values, unit] : {std::tuple{"strain", &curves.strain, ""},
                                            {"ratio", &curves.ratio, curves.ratio_unit()},
                                            {"volume", &curves.volume, ""}})
     out[name] = block.add_reals(thinned(*values), unit);
-  if (const auto state = critical_state(curves)) out["critical_state"] = shortened(numbers_of(curves, *state));
+  if (const auto state = fields::critical_state(curves))
+    out["critical_state"] = shortened(fields::numbers_of(curves, *state));
   return out;
 }
 
-Numbers stage_of(const StageResult& stage, NumberBlock& block) {
+Numbers stage_of(const StageResult& stage, const Packing* before, NumberBlock& block) {
   Numbers out{{"name", stage.name},
               {"converged", stage.converged},
               {"outcome", stage.outcome},
@@ -61,7 +64,7 @@ Numbers stage_of(const StageResult& stage, NumberBlock& block) {
               {"doubts", doubts_about(stage)},
               {"history", history_of(stage.history, block)},
               {"provenance", provenance_of(stage.provenance)}};
-  if (const auto curves = test_curves(stage)) out["test"] = test_of(*curves, block);
+  if (const auto curves = fields::test_curves({stage, before})) out["test"] = test_of(*curves, block);
   return out;
 }
 
@@ -98,7 +101,7 @@ std::vector<ShownStage> stages_of(const PageData& data, const std::deque<std::op
   for (const auto& film : films)
     if (film) shown.push_back({&film->stage, {}, film->texture});
   for (std::size_t s = 0; s < data.stages.size(); ++s)
-    shown.push_back({&data.stages[s], workflow::texture_options(data.stages[s]),
+    shown.push_back({&data.stages[s], fields::texture_options(data.stages[s]),
                      known_of(data.measured, &workflow::KnownStatistics::stages, s)});
   return shown;
 }
@@ -107,6 +110,13 @@ const Snapshot* last_snapshot(const std::vector<ShownStage>& stages) {
   for (auto stage = stages.rbegin(); stage != stages.rend(); ++stage)
     if (!stage->result->snapshots.empty()) return &stage->result->snapshots.back();
   return nullptr;
+}
+
+/// Of the first stage that was asked for grains by size laws; else of the first.
+const Asked& asked_of(const std::vector<ShownStage>& stages) {
+  const auto has_law = [](const ShownStage& stage) { return !stage.result->asked.diameter.empty(); };
+  const auto at = std::ranges::find_if(stages, has_law);
+  return (at == stages.end() ? stages.front() : *at).result->asked;
 }
 
 /// Fields of every so many states, so that they are no more than the page can carry.
@@ -180,12 +190,15 @@ PageDocument page_document(const PageData& data) {
     document["grains"] = grains_of(last->packing.grains, block);
   }
   const std::size_t every = states_per_fields(shown);
+  const Packing* before = nullptr;  // of loadings; films are none
   for (std::size_t s = 0; s < shown.size(); ++s) {
-    stages.push_back(stage_of(*shown[s].result, block));
+    stages.push_back(stage_of(*shown[s].result, before, block));
+    if (const auto& states = shown[s].result->snapshots; s >= data.films.size() && !states.empty())
+      before = &states.back().packing;
     if (last) add_states(snapshots, document["meanings"], shown[s], s, last->packing.grains.size(), every, block);
   }
   if (last)
-    if (Numbers sizes = size_curves_of(last->packing, shown.back().result->provenance.recipe, block); sizes.is_known())
+    if (Numbers sizes = size_curves_of(last->packing, asked_of(shown), block); sizes.is_known())
       document["sizes"] = std::move(sizes);
   document["stages"] = std::move(stages);
   document["snapshots"] = std::move(snapshots);

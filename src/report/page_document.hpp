@@ -96,7 +96,7 @@ Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::
 /// is sheared. Not known without grains or box.
 Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock& block);
 
-/// Asked and measured size curve of the grains that the recipe asked a size law for; not known where it asked for none.
-Numbers size_curves_of(const Packing& packing, const std::string& recipe, NumberBlock& block);
+/// Asked and measured size curve of grains that were asked for by a size law; not known where none was.
+Numbers size_curves_of(const Packing& packing, const Asked& asked, NumberBlock& block);
 
 }  // namespace arenite::report

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grains/fields/stage_numbers.hpp"
 #include "io/disk/store_file.hpp"
-#include "io/results/results.hpp"
 #include "report/run_means.hpp"
 #include "report/summary.hpp"
-#include "workflow/run.hpp"
+#include "workflow/asked.hpp"
 
 namespace arenite::report {
 namespace {
@@ -54,7 +54,7 @@ std::vector<double> row_of(const Snapshot& snapshot, const Domain& start, const 
 std::vector<StageResult> stages_of(const std::filesystem::path& result) {
   std::vector<StageResult> stages;
   for (const auto& file : io::stage_files(result)) {
-    auto any = io::read_result(file);
+    auto any = workflow::read_result(file);
     if (auto* stage = std::get_if<StageResult>(&any)) stages.push_back(std::move(*stage));
   }
   if (stages.empty())
@@ -71,7 +71,7 @@ std::string states_table(const std::filesystem::path& result) {
   const Domain* before = nullptr;  // of the first stage the reference is its own first state
   for (const StageResult& stage : stages) {
     if (stage.snapshots.empty()) continue;
-    texture::Options options = workflow::texture_options(stage);
+    texture::Options options = fields::texture_options(stage);
     options.rev_sizes = options.rev_places = 1;
     const Domain& start = before ? *before : stage.snapshots.front().packing.domain;
     for (const Snapshot& snapshot : stage.snapshots) {

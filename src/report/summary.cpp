@@ -6,11 +6,12 @@
 #include <cmath>
 
 #include "grains/dem/run_stage.hpp"
+#include "grains/fields/stage_numbers.hpp"
+#include "grains/fields/test_curves.hpp"
 #include "io/disk/store_file.hpp"
-#include "io/results/results.hpp"
 #include "report/page_document.hpp"
 #include "report/stage_doubts.hpp"
-#include "report/test_curves.hpp"
+#include "workflow/asked.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::report {
@@ -97,7 +98,7 @@ Numbers entry(const ResultHead& head, const std::string& file) {
 Numbers last_texture(const StageResult& last) {
   if (!last.texture.empty()) return last.texture;
   if (last.snapshots.empty()) return Numbers::tree();
-  return texture::numbers(texture::measure(last.snapshots.back().packing, workflow::texture_options(last)));
+  return texture::numbers(texture::measure(last.snapshots.back().packing, fields::texture_options(last)));
 }
 
 std::string grains_of(const Packing& packing) {
@@ -121,19 +122,10 @@ std::string forces_on_sides(const Domain& domain) {
   return text;
 }
 
-/// The criterion that the stage was judged by, or would have been if it had not ended by its time.
-dem::EquilibriumCriterion criterion_of(const Provenance& made) {
-  try {
-    const recipe::Recipe recipe = recipe::parse_recipe(made.recipe, "recipe");
-    for (const auto& stage : recipe.stages)
-      if (stage.name == made.stage) return stage.equilibrium;
-  } catch (const InputError&) {}
-  return {};
-}
-
 std::string state_of(const StageResult& last) {
   const Equilibrium& now = last.snapshots.back().equilibrium;
-  const bool rests = last.converged && dem::is_at_rest(now, criterion_of(last.provenance));
+  const bool rests = last.asked.known ? last.asked.in_equilibrium
+                                      : last.converged && dem::is_at_rest(now, dem::EquilibriumCriterion{});
   return fmt::format("{}: {}", rests ? "in equilibrium" : "NOT IN EQUILIBRIUM", dem::describe(now));
 }
 
@@ -172,7 +164,7 @@ std::string headlines(const Numbers& numbers) {
 
 Summary::Summary(const std::filesystem::path& result) {
   for (const auto& file : io::stage_files(result)) {
-    auto any = io::read_result(file);
+    auto any = workflow::read_result(file);
     if (auto* film = std::get_if<FilmResult>(&any)) films_.push_back(std::move(*film));
     else if (const auto* field = std::get_if<FieldResult>(&any)) add(file, *field);
     else add(file, std::get<StageResult>(any));
@@ -186,7 +178,7 @@ Summary::Summary(const workflow::RunOutcome& outcome) {
 }
 
 void Summary::add(const std::filesystem::path& file, const StageResult& stage) {
-  StageResult kept{stage, {}, stage.history, {}, stage.texture, {}};
+  StageResult kept{stage, stage.asked, {}, stage.history, {}, stage.texture, {}};
   if (!stage.snapshots.empty()) kept.snapshots.push_back(stage.snapshots.back());
   stages_.push_back({file.filename().string(), std::move(kept), stage.snapshots.size()});
 }
@@ -203,14 +195,16 @@ Numbers Summary::numbers() const {
   Numbers j = fields_.empty() ? texture : fields_.back().numbers;
   if (!fields_.empty() && !stages_.empty()) j["texture"] = texture;
   j["provenance"] = provenance(last().provenance);
+  const Packing* before = nullptr;
   for (const Stage& stage : stages_) {
     Numbers one = entry(stage.result, stage.file);
     one["states"] = described(stage.states, "", "Stored states");
     if (!stage.result.snapshots.empty()) one["last_state"] = state(stage.result.snapshots.back());
-    if (const auto curves = test_curves(stage.result))
-      if (const auto critical = critical_state(*curves))
-        one["critical_state"] = j["critical_state"] = numbers_of(*curves, *critical);
+    if (const auto curves = fields::test_curves({stage.result, before}))
+      if (const auto critical = fields::critical_state(*curves))
+        one["critical_state"] = j["critical_state"] = fields::numbers_of(*curves, *critical);
     j["stages"].push_back(one);
+    if (!stage.result.snapshots.empty()) before = &stage.result.snapshots.back().packing;
   }
   for (const Field& field : fields_) {
     j["stages"].push_back(entry(field.head, field.file));

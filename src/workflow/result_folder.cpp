@@ -9,14 +9,13 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
-#include "grains/dem/programme.hpp"
-#include "grains/fields/loading_axis.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "io/disk/byte_source.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/export/export.hpp"
 #include "io/results/results.hpp"
 #include "recipe/recipe.hpp"
+#include "workflow/asked.hpp"
 #include "workflow/field_stages.hpp"
 #include "workflow/run.hpp"
 
@@ -118,9 +117,9 @@ std::vector<fs::path> files_of(const fs::path& result, std::string_view kind) {
 /// The stage of loading of this name, or, where it is empty, the last; nothing if there is none.
 std::optional<StageResult> stage_named(const fs::path& result, const std::string& name) {
   const auto files = files_of(result, "result");
-  if (name.empty()) return files.empty() ? std::nullopt : std::optional(io::read_stage(files.back()));
+  if (name.empty()) return files.empty() ? std::nullopt : std::optional(read_stage(files.back()));
   for (const auto& file : files)
-    if (auto read = io::read_stage(file); read.name == name) return read;
+    if (auto read = read_stage(file); read.name == name) return read;
   return std::nullopt;
 }
 
@@ -153,31 +152,6 @@ void refuse_stage(const fs::path& result, const std::string& name) {
   refuse(result.string(), "has no stage \"{}\"; those there are: {}", name, list_of(names));
 }
 
-texture::Options texture_options(const recipe::Recipe& recipe, std::size_t stage, const StageResult& made) {
-  texture::Options options;
-  if (recipe.contact.adheres()) options.pull = texture::Pull::adhesion;
-  else if (recipe.contact.attractive_dashpot) options.pull = texture::Pull::dashpots;
-  if (stage == 0) return options;
-  const dem::Stage& asked = recipe.stages[stage - 1];
-  options.gravity = dem::gravity_at(asked, asked.duration.value_or(0));
-  options.load_axis = fields::loading_axis(asked);
-  if (!fields::ends_in_motion(asked) || made.snapshots.empty()) return options;
-  const double thickness = made.snapshots.back().packing.domain.thickness;
-  options.in_time = fields::stress_in_time(made.history, thickness).value_or(texture::TimeScatter{});
-  return options;
-}
-
-texture::Options texture_options(const StageResult& made) {
-  recipe::Recipe recipe;
-  try {
-    recipe = recipe::parse_recipe(made.provenance.recipe, "recipe");
-  } catch (const InputError&) { return {}; }
-  const auto at = std::find_if(recipe.stages.begin(), recipe.stages.end(),
-                               [&](const auto& stage) { return stage.name == made.provenance.stage; });
-  return texture_options(
-      recipe, at == recipe.stages.end() ? 0 : static_cast<std::size_t>(at - recipe.stages.begin()) + 1, made);
-}
-
 FinalState final_state(const fs::path& run, const StateOptions& wanted) {
   auto result = stage_named(run, wanted.stage);
   if (!result && wanted.stage.empty())
@@ -187,7 +161,7 @@ FinalState final_state(const fs::path& run, const StateOptions& wanted) {
            wanted.stage);
   if (result->snapshots.empty())
     refuse(run.string(), "stage {} holds no state; remove its file and run the study again", result->name);
-  texture::Options options = texture_options(*result);
+  texture::Options options = fields::texture_options(*result);
   if (!wanted.rev) options.rev_sizes = 0;
   options.sectors = wanted.sectors;
   options.border = wanted.border.value_or(options.border);

@@ -10,6 +10,7 @@
 #include "grains/fields/stage_numbers.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
+#include "workflow/asked.hpp"
 #include "workflow/runner.hpp"
 
 namespace arenite::workflow {
@@ -66,8 +67,7 @@ class Run {
     const Packing* const before = has_before ? &outcome_.stages.back().snapshots.back().packing : nullptr;
     const GrainStage stage{recipe_, s, plan_[s].hash, before, &outcome_.measured.stages.emplace_back()};
     const auto made = [&](const fs::path& checkpoint) { return make(stage, checkpoint); };
-    auto result =
-        carry_out_stage<StageResult>({plan_[s], folder_ / plan_[s].file, made, io::write_stage, io::read_stage});
+    auto result = carry_out_stage<StageResult>({plan_[s], folder_ / plan_[s].file, made, io::write_stage, read_stage});
     if (!result) {
       outcome_.measured.stages.pop_back();
       return false;
@@ -177,8 +177,9 @@ class Run {
 StageResult measure_stage(const GrainStage& stage, StageResult made, const std::string& kernel) {
   const auto& [recipe, place, hash, before, known] = stage;
   made.provenance = {version, made.name, hash, to_toml(part_of(recipe, place)), recipe.seed, kernel, {}};
+  note_asked(made, recipe, place);
   if (made.snapshots.empty()) return made;
-  const texture::Options measuring = texture_options(recipe, place, made);
+  const texture::Options measuring = fields::texture_options(made);
   texture::Texture texture = texture::measure(made.snapshots.back().packing, measuring);
   made.texture = fields::stage_numbers(
       {made, place > 0 ? recipe.stages[place - 1] : dem::Stage{}, place > 1 ? before : nullptr, texture, &measuring});

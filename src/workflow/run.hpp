@@ -50,7 +50,7 @@ struct RunOptions {
 /// already.
 struct KnownStatistics {
   std::vector<std::optional<texture::Texture>>
-      stages{};  ///< of the last state of each, as texture_options of the recipe asks
+      stages{};  ///< of the last state of each, as fields::texture_options asks
   std::vector<std::optional<stress::Statistics>> fields{};  ///< of all components; only where a page follows
   std::vector<std::optional<texture::Texture>> films{};     ///< texture_of
 };
@@ -70,13 +70,6 @@ struct RunOutcome {
 /// once, one computes it and the others wait. A damaged file counts as none, with a notice. A stage that finds no
 /// equilibrium ends the run; loads of the cemented sample are independent of each other, and the next is tried.
 [[nodiscard]] RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options);
-
-/// How the texture of a stage's states is measured; stage 0 is the packing. Signs refer to the axis along which the
-/// stage's sides load, where they load along one only; of a stage that ends in motion the history tells how its stress
-/// fluctuates.
-texture::Options texture_options(const recipe::Recipe& recipe, std::size_t stage, const StageResult& made);
-/// The same of a stored stage, by the recipe that made it; as of a packing where another version wrote that.
-texture::Options texture_options(const StageResult& made);
 
 /// A stage of grains on its own, as a run and Python take it.
 struct GrainStage {

@@ -21,6 +21,8 @@ words = [
     (r"numpy\.ndarray\[bool\]", "NDArray[numpy.bool_]"),
     (r"\bUnion\[(\w+), os\.PathLike\]", r"Union[\1, str, os.PathLike]"),
     (r"(?<!str, )\bos\.PathLike", "Union[str, os.PathLike]"),
+    (r"\bbefore: Packing = None", "before: Optional[Packing] = None"),
+    (r"\bbefore: List\[Packing\]", "before: List[Optional[Packing]]"),
     (r"\bresult: object", "result: Union[str, os.PathLike, Result, Stage, Field, FilmResult, Packing]"),
     (r"\bstage: object", "stage: Union[int, str]"),
     (r"\bdict\b", "Dict[str, Any]"),

@@ -46,7 +46,7 @@ def stresses_of_the_packing_behind(monkeypatch):
     )
 
 
-def a_result(*packings, recipe="", **history):
+def a_result(*packings, asked=None, **history):
     n = len(packings)
     frames = [
         types.SimpleNamespace(time=float(k), label=f"{k + 1} of {n}", packing=packing)
@@ -60,7 +60,7 @@ def a_result(*packings, recipe="", **history):
                 snapshots=frames,
                 history=columns,
                 history_units={name: "1" for name in columns},
-                provenance={"recipe": recipe},
+                asked=asked or {},
             )
         ]
     )
@@ -75,10 +75,9 @@ def test_stresses_and_contacts_of_grains_are_those_of_the_module(result):
 
 
 def test_mobilised_friction_is_over_that_of_the_stage():
-    recipe = '[contact]\nfriction = 0.5\n[[stages]]\nname = "shear"\nfriction = 0.6\n'
-    shot = motion.shots_of(a_result(a_packing(), a_packing(), recipe=recipe))[0]
+    shot = motion.shots_of(a_result(a_packing(), a_packing(), asked={"friction": 0.6}))[0]
     assert motion.mobilisation(shot) == pytest.approx([0.5, 0.5, 0])
-    shot = motion.shots_of(a_result(a_packing(), a_packing(), recipe=recipe.replace("0.6", "0.0")))[0]
+    shot = motion.shots_of(a_result(a_packing(), a_packing(), asked={"friction": 0.0}))[0]
     assert motion.mobilisation(shot) == pytest.approx([0, 0, 0])
 
 
@@ -128,7 +127,7 @@ def test_limits_hold_all_states_but_the_rarest():
 @pytest.mark.parametrize("by", animate.colourings)
 def test_every_colouring_is_drawn(by):
     assert set(animate.colourings) == set(motion.colourings)
-    shots = motion.shots_of(a_result(a_packing(), a_packing(0.2, omega=1.0), recipe="[contact]\nfriction = 0.5"))
+    shots = motion.shots_of(a_result(a_packing(), a_packing(0.2, omega=1.0), asked={"friction": 0.5}))
     pictures = moving.Pictures(shots, by, chains=True, size=(200, 200))
     first, second = (pictures.image(k).copy() for k in (0, 1))
     assert first.shape == (200, 200, 4) and np.any(first != second)

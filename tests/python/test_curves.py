@@ -10,18 +10,9 @@ from arenite import curves
 from arenite.figures import loadings, saving
 
 density, thickness = 1000.0, 0.1
-packing = arenite.Packing(
-    [1, 3, 1, 3],
-    [1, 1, 3, 3],
-    [1, 1, 1, 1],
-    materials=[arenite.Material("clay", density=density)],
-    width=4,
-    height=4,
-    thickness=thickness,
-)
 
 
-def a_stage(width, height, forces=None, shear=None, name="test", recipe="", labels=None, **columns):
+def a_stage(width, height, forces=None, shear=None, name="test", labels=None, asked=None, texture=None, **columns):
     """A stage whose box has this `width` and `height` in time 0, 1, 2, ...; `forces` and `shear` of its sides, N."""
     n = len(height)
     history = {
@@ -35,17 +26,21 @@ def a_stage(width, height, forces=None, shear=None, name="test", recipe="", labe
         history[f"{side}_force"] = np.broadcast_to((forces or {}).get(side, 0.0), n).astype(float)
         history[f"{side}_shear_force"] = np.broadcast_to((shear or {}).get(side, 0.0), n).astype(float)
     history.update({key: np.array(values, float) for key, values in columns.items()})
-    frames = [
-        types.SimpleNamespace(time=float(k), label=(labels or ["state"] * n)[k], packing=a_box(width[k], height[k]))
-        for k in range(n)
-    ]
-    return types.SimpleNamespace(name=name, history=history, snapshots=frames, provenance={"recipe": recipe})
+    states = [(float(k), (labels or ["state"] * n)[k], a_box(width[k], height[k])) for k in range(n)]
+    return arenite.Stage(name, history=history, states=states, asked=asked or {}, texture=texture or {})
 
 
 def a_box(width, height):
-    domain = {**packing.domain, "width": float(width), "height": float(height)}
-    return types.SimpleNamespace(
-        domain=domain, radius=packing.radius, material=packing.material, materials=packing.materials, contacts=[]
+    """Four disks that a box of this size holds, however small it is."""
+    middle = [0.5 * width, 0.5 * height]
+    return arenite.Packing(
+        [middle[0]] * 4,
+        [middle[1]] * 4,
+        [1, 1, 1, 1],
+        materials=[arenite.Material("clay", density=density)],
+        width=width,
+        height=height,
+        thickness=thickness,
     )
 
 
@@ -54,9 +49,7 @@ def alone(stage, *before):
 
 
 def test_strains_are_those_since_the_state_before():
-    before = types.SimpleNamespace(
-        name="packing", history={}, snapshots=[types.SimpleNamespace(time=-1.0, label="start", packing=a_box(4, 4))]
-    )
+    before = arenite.Stage("packing", states=[(-1.0, "start", a_box(4, 4))])
     found = curves.along(alone(a_stage([4.0, 4.2, 4.4], [4.0, 3.8, 3.6]), before))
     assert found["axial_strain"].values == pytest.approx([0, 0.05, 0.1])
     assert found["strain_x"].values == pytest.approx([0, -0.05, -0.1])
@@ -112,9 +105,14 @@ def test_a_sheared_cell_tells_its_friction():
 
 
 def test_walls_that_slide_shear_the_sample():
-    recipe = '[[stages]]\nname = "press"\n[[stages]]\nname = "test"\nslide = { left = "0 mm/s", top = "50 mm/s", bottom = "-0.15 m/s" }\n'
     stage = a_stage(
-        [4.0] * 3, [4.0, 4.0, 2.0], {"bottom": 40.0, "top": 40.0}, {"bottom": 8.0, "top": -8.0}, recipe=recipe
+        [4.0] * 3,
+        [4.0, 4.0, 2.0],
+        {"bottom": 40.0, "top": 40.0},
+        {"bottom": 8.0, "top": -8.0},
+        asked={"slide": {"top": 0.05, "bottom": -0.15}},
+        top_slid=[0, 0.05, 0.1],
+        bottom_slid=[0, -0.15, -0.3],
     )
     found = curves.along(alone(stage))
     assert found["shear_strain"].values == pytest.approx([0, 0.05, 0.05 + 0.075])
@@ -201,12 +199,39 @@ def test_errors_of_steady_means_respect_what_goes_together():
     assert curves.steady(slow)[1] > 3 * np.std(slow[1000:]) / np.sqrt(1000)
 
 
-def test_stages_of_a_study_that_strain_at_a_rate():
-    assert loadings.is_driven({"top": {"velocity": "75 mm/s"}}) and loadings.is_driven({"shear_rate": "2 1/s"})
-    assert loadings.is_driven({"slide": {"top": "1 mm/s", "left": "0 mm/s"}})
-    assert not loadings.is_driven(
-        {"top": {"force": "1 kN"}, "shear_rate": "0 1/s", "slide": {"top": "0 mm/s"}, "left": "fixed"}
-    )
+small = """[container]
+width = "100 mm"
+thickness = "10 mm"
+[packing]
+solid_fraction = 0.7
+[materials.A]
+density = "2500 kg/m^3"
+stiffness = "1 kN/mm"
+[[populations]]
+material = "A"
+count = 10
+diameter = "10 mm"
+"""
+
+
+def a_study(folder, stages, friction=0.3):
+    """Runs whose last stages are these lines of a recipe."""
+    for k, lines in enumerate(stages):
+        run = folder / "runs" / str(k)
+        run.mkdir(parents=True, exist_ok=True)
+        last = f'[contact]\nfriction = {friction}\n[[stages]]\nname = "test"\n{lines}\n'
+        (run / "recipe.toml").write_text(small + last)
+    return folder
+
+
+def test_stages_of_a_study_that_strain_at_a_rate(tmp_path):
+    def is_driven(name, *lines):
+        return len(loadings.driven_runs(a_study(tmp_path / name, ["\n".join(lines)] * 2))) == 2
+
+    lasts = 'duration = "1 s"'
+    assert is_driven("velocity", lasts, 'top = { velocity = "75 mm/s" }')
+    assert is_driven("slide", lasts, 'slide = { top = "1 mm/s", left = "0 mm/s" }')
+    assert not is_driven("still", 'top = { force = "1 kN" }', 'slide = { top = "0 mm/s" }', 'left = "fixed"')
 
 
 def test_running_means_keep_what_is_straight():
@@ -246,9 +271,12 @@ def test_figures_of_a_test_show_its_curves(result):
 def test_a_study_whose_runs_are_strained_at_a_rate_has_its_rheology(tmp_path, monkeypatch):
     (tmp_path / "runs.tsv").write_text("")
     friction = {"slow": 0.3, "fast": 0.4}
+    stage = '[[stages]]\nname = "test"\n{}\n'
     for name in [*friction, "later"]:
         (tmp_path / "runs" / name).mkdir(parents=True)
-        (tmp_path / "runs" / name / "recipe.toml").write_text('[[stages]]\nname = "test"\nshear_rate = "2 1/s"\n')
+        (tmp_path / "runs" / name / "recipe.toml").write_text(
+            small + stage.format('duration = "1 s"\nslide = { top = "2 mm/s" }')
+        )
 
     def opened(path):
         name = path.rsplit("/", 1)[1]
@@ -262,7 +290,7 @@ def test_a_study_whose_runs_are_strained_at_a_rate_has_its_rheology(tmp_path, mo
     assert list(loadings.rheology_of(loadings.driven_runs(tmp_path))["mu"].values) == pytest.approx([0.3, 0.4])
     (path,) = figures.save_all(tmp_path, tmp_path / "figures", names="rheology")
     assert path.read_bytes().startswith(b"%PDF")
-    (tmp_path / "runs" / "later" / "recipe.toml").write_text('[[stages]]\nname = "test"\ntop = { force = "1 kN" }\n')
+    (tmp_path / "runs" / "later" / "recipe.toml").write_text(small + stage.format('top = { force = "1 kN" }'))
     assert not loadings.driven_runs(tmp_path)
     with pytest.raises(ValueError, match="this study has no page yet"):
         figures.save_all(tmp_path, tmp_path / "figures")

@@ -9,6 +9,22 @@ from arenite import curves, flows
 from arenite.figures import flows as drawings
 
 
+small = """[container]
+width = "100 mm"
+thickness = "10 mm"
+[packing]
+solid_fraction = 0.3
+[materials.A]
+density = "2500 kg/m^3"
+stiffness = "1 kN/mm"
+[[populations]]
+material = "A"
+count = 10
+diameter = "10 mm"
+"""
+periodic = "periodic_x = true\nperiodic_y = true\n[packing]"
+
+
 def points(x, y, error, names, units):
     return {
         name: curves.Curve(np.array(values, float), unit) for name, values, unit in zip(names, (x, y, error), units)
@@ -16,7 +32,7 @@ def points(x, y, error, names, units):
 
 
 def a_run(**parts):
-    return types.SimpleNamespace(stages=[types.SimpleNamespace(texture=parts)])
+    return types.SimpleNamespace(stages=[arenite.Stage("last", texture=parts)])
 
 
 def test_beverloos_law_is_found_again():
@@ -91,50 +107,54 @@ def test_a_silo_tells_what_its_walls_carry():
         thickness=0.1,
     )
     weight = 1.62 * 1000 * 0.1 * 24 * np.pi * 0.005**2  # on the moon
-    recipe = '[[stages]]\nname = "sink"\ngravity = true\ngravity_size = "1.62 m/s^2"\n'
     history = {
         "bottom_force": 0.6 * weight + 1e-3 * np.cos(np.arange(200.0) * 2.1),
         "left_force": np.full(200, 0.5 * weight),
         "right_force": np.full(200, 0.5 * weight),
     }
-    snapshots = [types.SimpleNamespace(packing=packing)]
-    stage = types.SimpleNamespace(name="sink", provenance={"recipe": recipe}, history=history, snapshots=snapshots)
-    with pytest.warns(RuntimeWarning):  # no contact tells the ratio of stresses
-        found = flows.silos([types.SimpleNamespace(stages=[stage])])
+    stage = arenite.Stage("sink", history=history, states=[(1.0, "end", packing)], asked={"gravity": (0, -1.62)})
+    found = flows.silos([types.SimpleNamespace(stages=[stage])])
+    assert np.isnan(found["ratio"].values)  # no contact tells the ratio of stresses
     assert found["height"].values == pytest.approx([0.06], rel=1e-6)
     assert found["pressure"].values == pytest.approx([0.6 * weight / 0.004], rel=1e-3)
     assert found["wall_friction"].values == pytest.approx([0.4], rel=1e-3)
 
 
-def test_gravity_is_that_of_the_recipe():
-    def stage(*lines):
-        recipe = "\n".join(["[[stages]]", 'name = "fall"', "gravity = true", *lines])
-        return types.SimpleNamespace(name="fall", provenance={"recipe": recipe})
-
-    assert flows.gravity_of(stage()) == 9.81 and flows.gravity_of(stage('gravity_size = "1.62 m/s^2"')) == 1.62
-    growing = 'programmes = [{ of = "gravity_size", table = [["0 s", "2 m/s^2"], ["1 s", "6 m/s^2"]] }]'
-    assert flows.gravity_of(stage('duration = "500 ms"', growing)) == pytest.approx(4)
+def a_resting_run(tmp_path, *lines):
+    """The last stage of a small run with these lines; a few grains in free fall."""
+    text = small + '[contact]\nfriction = 0.25\n[[stages]]\nname = "fall"\ngravity = true\n' + "\n".join(lines)
+    return arenite.run(arenite.Recipe.from_text(text), str(tmp_path / str(len(text)))).stages[-1]
 
 
-def test_a_plateau_is_told_with_its_error_whether_it_is_sure_or_not(monkeypatch):
+def test_gravity_is_that_of_the_recipe(tmp_path):
+    lasts = 'duration = "5 ms"'
+    still = a_resting_run(tmp_path, lasts)
+    assert flows.gravity_of(still) == 9.81 and "gravity_y" not in still.history
+    assert flows.friction_of(types.SimpleNamespace(stages=[still])) == 0.25
+    assert flows.gravity_of(a_resting_run(tmp_path, lasts, 'gravity_size = "1.62 m/s^2"')) == 1.62
+    growing = 'programmes = [{ of = "gravity_size", table = [["0 s", "2 m/s^2"], ["10 ms", "6 m/s^2"]] }]'
+    stage = a_resting_run(tmp_path, lasts, growing)
+    assert flows.gravity_of(stage) == pytest.approx(4) and stage.history["gravity_y"][-1] == pytest.approx(-4)
+    assert np.isnan(flows.gravity_of(arenite.Stage("made up")))
+
+
+def test_a_plateau_is_told_with_its_error_whether_it_is_sure_or_not():
     generator = np.random.default_rng(2)
     noise = 0.01 * generator.normal(size=(2, 4000))
     drift = np.linspace(0, 1, 4000)
-    recipe = '[contact]\nfriction = 0.4\n[[stages]]\nname = "shear"\n'
-    result = types.SimpleNamespace(stages=[types.SimpleNamespace(provenance={"recipe": recipe})])
     for change, reached in ((0, 1), (0.2, 0)):
         normal = 100 * (1 + noise[1])  # fluctuates as the shear stress does not
         shear = 100 * (-0.26 - noise[0])
-        found = {
-            "mu": curves.Curve(shear / normal, "1"),
-            "tau": curves.Curve(shear, "Pa"),
-            "sigma_yy": curves.Curve(normal, "Pa"),
-            "solid_fraction": curves.Curve(0.81 + noise[1] + change * drift, "1"),
-        }
-        monkeypatch.setattr(curves, "find_test", lambda result, stage=None: None)
-        monkeypatch.setattr(curves, "curves_of", lambda test, found=found: found)
-        monkeypatch.setattr(curves, "sides_shear", lambda test: False)
-        states = flows.critical_states([result])
+        solid = 0.81 + noise[1] + change * drift
+        packing = arenite.Packing([0.5], [0.5], [0.1], width=1, height=1, thickness=1)
+        height = np.pi * 0.01 / solid
+        history = {"time": np.arange(4000.0), "shear_strain": 0.001 * np.arange(4000)}
+        for side, place in (("left", 0), ("right", 1), ("bottom", 0), ("top", height)):
+            history[f"{side}_position"] = np.zeros(4000) + place
+            history[f"{side}_force"] = normal if side in ("bottom", "top") else np.zeros(4000)
+        history.update(bottom_shear_force=shear, top_shear_force=-shear)
+        stage = arenite.Stage("shear", history=history, states=[(0.0, "end", packing)], asked={"friction": 0.4})
+        states = flows.critical_states([types.SimpleNamespace(stages=[stage])])
         assert states["reached"].values == [reached] and states["friction"].values == [0.4]
         assert abs(states["mu"].values[0] - 0.26) < 4 * states["mu_error"].values[0] < 0.004
         assert (
@@ -154,6 +174,8 @@ def test_figures_know_which_study_is_which(tmp_path):
         for k in range(3):
             run = tmp_path / kind / "runs" / str(k)
             run.mkdir(parents=True)
-            (run / "recipe.toml").write_text(f"[contact]\nfriction = 0.{k}\n[[stages]]\n{stage}\n")
+            start = small.replace("[packing]", periodic if kind == "critical-state" else "[packing]")
+            stages = f'[[stages]]\nname = "test"\nduration = "1 s"\n{stage}\n'
+            (run / "recipe.toml").write_text(f"{start}[contact]\nfriction = 0.{k}\n{stages}")
         assert drawings.kind_of(tmp_path / kind) == kind
     assert drawings.kind_of(tmp_path / "none") is None

@@ -102,6 +102,23 @@ def test_folders_and_files_stay_small():
     assert max(lengths.values()) <= 300, [str(file) for file, lines in lengths.items() if lines > 300]
 
 
+# Who may touch a recipe's text in Python and on the page: to show it, or to show what differs between two.
+SHOWN_RECIPES = ["_compare_page.py", "provenance.js"]
+
+
+def test_python_and_the_page_read_no_recipes_and_no_quantities():
+    """What a stage was asked for is numbers of its result, and curves are the library's (grains/fields)."""
+    signs = r"tomllib|from_text\(|\.recipe\b|get\(.recipe.|\b9\.8\d|\"(mm|kN|kPa|mm/s|m/s\^2)\":|(Text|str)\([^)]*\)\.split\(\)\[0\]"
+    read = [
+        f"{file.relative_to(ROOT)}: {found.group(0)}"
+        for room, ending in (("python/arenite", "*.py"), ("web/src", "*.js"))
+        for file in sorted((ROOT / room).rglob(ending))
+        if file.name not in SHOWN_RECIPES
+        for found in re.finditer(signs, file.read_text())
+    ]
+    assert not read, "\n".join(read)
+
+
 def test_unit_tests_mirror_sources():
     """In the same folder x_test.cpp is of src/.../x, and x_theme_test.cpp is of a theme of it."""
     stems = {}

@@ -7,6 +7,7 @@
 #include "geometry/close_pairs.hpp"
 #include "grains/packing/fill.hpp"
 #include "report/page.hpp"
+#include "workflow/asked.hpp"
 
 namespace arenite::test {
 
@@ -118,6 +119,12 @@ bottom = { pressure = "1 kPa" }
     stage.outcome = "Equilibrium in all 5 increments.";
     stage.history = history;
     stage.provenance = {"0.1.0", "load", "0123456789abcdef", recipe, 7, "portable", {}};
+    const auto asked = arenite::recipe::parse_recipe(recipe, "recipe");
+    StageResult packed;
+    workflow::note_asked(packed, asked, 0);
+    workflow::note_asked(stage, asked, 1);
+    stage.asked.diameter = packed.asked.diameter;
+    stage.asked.passing = packed.asked.passing;
     data.title = "Two materials <in> a container";
     data.stages = {&stage, 1};
   }

@@ -143,7 +143,7 @@ figures = [
     Figure("sigma-norm", "stage", panels.sigma_norm_tails, has("sigma_norm", "cumulative"), 0.45, True),
     Figure("forces", "stage", panels.forces, has("force", "pdf"), 0.46, True),
     Figure("grain-scatter", "stage", samples.grain_scatter, has_contacts),
-    Figure("size-curve", "stage", samples.size_curves, lambda s: samples.recipe_of(s) is not None),
+    Figure("size-curve", "stage", samples.size_curves, lambda s: samples.asked_sizes(s) is not None),
     Figure("coarse-fields", "stage", samples.coarse_fields, samples.has_box, samples.fields_height, True),
     Figure("coordination", "stage", coordination, has("coordination", "all")),
     Figure(

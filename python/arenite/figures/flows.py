@@ -1,12 +1,12 @@
 """Figures of studies of gravity flows and of the critical state (`arenite.flows`)."""
 
 import pathlib
-import tomllib
 
 import numpy as np
 
 from .. import flows
 from .._core import open as open_result
+from .._core import study_kind
 from .style import soft, strong
 
 
@@ -99,16 +99,6 @@ def done_runs(study):
     return results
 
 
-def last_stages(study):
-    """The last stage of every run's recipe, and the recipe."""
-    path = pathlib.Path(study)
-    recipes = [
-        tomllib.loads(file.read_text(encoding="utf-8"))
-        for file in sorted(((path if path.is_dir() else path.parent) / "runs").glob("*/recipe.toml"))
-    ]
-    return [(recipe.get("stages", [{}])[-1:] or [{}])[0] for recipe in recipes], recipes
-
-
 def beverloo(figure, study):
     draw_beverloo(figure.add_subplot(), flows.discharges(done_runs(study)))
 
@@ -127,20 +117,7 @@ def critical(figure, study):
 
 def kind_of(study):
     """Name of the figure that suits the runs of a study, by the last stage of their recipes; None for other studies."""
-    stages, recipes = last_stages(study)
-    if len(stages) < 3:
-        return None
-    sheared = [float(str(stage.get("shear_rate", "0 1/s")).split()[0]) != 0 for stage in stages]
-    weighs = all(stage.get("gravity") for stage in stages)
-    if weighs and all("count_below" in stage for stage in stages):
-        return "beverloo"
-    if weighs and all(stage.get("open", {}).get("right") or stage.get("open", {}).get("left") for stage in stages):
-        return "runout"
-    if weighs and all(isinstance(stage.get("bottom"), dict) and "velocity" in stage["bottom"] for stage in stages):
-        return "janssen"
-    if all(sheared) and len({recipe.get("contact", {}).get("friction") for recipe in recipes}) > 2:
-        return "critical-state"
-    return None
+    return study_kind(study)["flow"]
 
 
 drawings = {"beverloo": beverloo, "runout": runout, "janssen": janssen, "critical-state": critical}

@@ -1,12 +1,9 @@
 """Curves of a mechanical test (`arenite.curves`): stress against strain, cycles of load, rheology of several runs."""
 
-import pathlib
-import tomllib
-
 import numpy as np
 
 from .. import curves
-from .._core import critical_state
+from .._core import critical_state, study_kind
 from .._core import open as open_result
 from .style import colours, scaled, soft, strong
 
@@ -63,24 +60,11 @@ def draw_critical_state(axes, critical):
     axes.legend(loc="lower right")
 
 
-def uniaxial_stress(found):
-    """The axial stress if there is no lateral confinement or the sample is in tension, where q/p is meaningless; else None."""
-    if "mu" in found:
-        return None
-    stresses = [found[name].values for name in ("sigma_xx", "sigma_yy") if name in found]
-    *small, large = sorted(stresses, key=lambda values: np.max(np.abs(values)))
-    if found["axial_strain"].values[-1] < -2e-3:
-        drawn = min(stresses, key=np.min)
-        if -np.min(drawn) > 0.01 * np.max(np.abs(drawn)):
-            return drawn
-    return large if all(np.max(np.abs(values)) <= 0.01 * np.max(np.abs(large)) for values in small) else None
-
-
 def draw_friction(axes, found):
     """q/p, or shear over normal stress of a sheared cell, or the stress of a test without confinement or in tension, against strain; `found` as curves.along gives it."""
     x, label = strain_of(found)
-    stress = uniaxial_stress(found)
-    if stress is not None:
+    if "axial_stress" in found:
+        stress = found["axial_stress"].values
         factor, unit = scaled(np.max(np.abs(stress)), "Pa")
         draw_curve(axes, x, stress / factor)
         axes.set(xlabel=label, ylabel=f"stress along the axis, {unit}")
@@ -120,12 +104,12 @@ def stress_strain(figure, state):
     found = curves.curves_of(test_of(state))
     upper, lower = figure.subplots(2, 1, sharex=True)
     draw_friction(upper, found)
-    critical = critical_state(state.stage)
+    critical = critical_state(*test_of(state))
     if critical:
         draw_critical_state(upper, critical)
     is_confined = (
         "mu" not in found
-        and uniaxial_stress(found) is None
+        and "axial_stress" not in found
         and np.allclose(found["volumetric_strain"].values, found["axial_strain"].values, atol=1e-9)
     )
     (draw_pressure if is_confined else draw_volume)(lower, found)
@@ -188,27 +172,9 @@ def rheology(figure, runs):
         draw_against_rate(figure.add_subplot(1, 2, k + 1), found, name)
 
 
-def is_driven(stage):
-    """Whether a stage of a recipe strains its sample at a rate: sheared cell, sliding wall, side with a velocity."""
-    slides = stage.get("slide", {}).values() if isinstance(stage.get("slide"), dict) else []
-    moves = [
-        side
-        for side in ("left", "right", "bottom", "top")
-        if isinstance(stage.get(side), dict) and "velocity" in stage[side]
-    ]
-    return bool(moves) or any(float(str(text).split()[0]) != 0 for text in [*slides, stage.get("shear_rate", 0)])
-
-
 def driven_runs(study):
     """Folders of the runs of a study whose last stage strains its sample at a rate; none if it also has other runs."""
-    path = pathlib.Path(study)
-    recipes = sorted(((path if path.is_dir() else path.parent) / "runs").glob("*/recipe.toml"))
-    stages = [tomllib.loads(recipe.read_text(encoding="utf-8")).get("stages", []) for recipe in recipes]
-    return (
-        [recipe.parent for recipe in recipes]
-        if len(recipes) > 1 and all(of and is_driven(of[-1]) for of in stages)
-        else []
-    )
+    return study_kind(study)["driven"]
 
 
 def rheology_of(runs):
@@ -216,7 +182,7 @@ def rheology_of(runs):
     results = []
     for run in runs:
         try:
-            results.append(open_result(str(run)))
+            results.append(open_result(run))
         except ValueError:  # not done yet, or failed
             continue
     return curves.rheology(results)

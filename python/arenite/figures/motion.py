@@ -1,8 +1,6 @@
 """Fast drawing of stored states one after another: grains coloured by a quantity, force chains, walls and periodic images."""
 
 import dataclasses
-import functools
-import tomllib
 import typing
 
 import numpy as np
@@ -77,19 +75,10 @@ def deviator(shot):
     return np.hypot(0.5 * (s[:, 0, 0] - s[:, 1, 1]), 0.5 * (s[:, 0, 1] + s[:, 1, 0]))
 
 
-@functools.lru_cache(maxsize=64)
-def friction_of(recipe, stage):
-    """Friction coefficient between grains in a stage of a recipe; None if it is not given."""
-    told = tomllib.loads(recipe)
-    own = [part.get("friction") for part in told.get("stages", []) if part.get("name") == stage]
-    mu = own[-1] if own and own[-1] is not None else told.get("contact", {}).get("friction")
-    return float(mu) if mu is not None else None
-
-
 def mobilisation(shot):
     """Mean |F_t|/(mu F_n) of a grain's pressed contacts; 0 without friction, |F_t|/F_n if mu is not known."""
     c = shot.packing.contacts
-    mu = friction_of(shot.stage.provenance.get("recipe", ""), shot.stage.name)
+    mu = shot.stage.asked.get("friction")
     if mu == 0:
         return np.zeros(len(shot.packing))
     pressed = c.fn > 0

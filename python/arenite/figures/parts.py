@@ -11,12 +11,13 @@ from .._core import measure
 
 @dataclasses.dataclass
 class State:
-    """A stored state with its stage; `snapshots` are those of all stages, as in the page's slider."""
+    """A stored state with its stage; `snapshots` are those of all `stages`, as in the page's slider."""
 
     name: str
     stage: typing.Any
     snapshot: typing.Any
     snapshots: list
+    stages: list = dataclasses.field(default_factory=list)
 
     @property
     def packing(self):
@@ -37,15 +38,16 @@ class State:
 
 def states_of(result, stage=None, state=None):
     """The state that is drawn: the last of a stage, the last of all, or the `state`-th of all stored states, from 1."""
-    stored = [(part, snapshot) for part in result.stages for snapshot in part.snapshots]
+    stages = list(result.stages)
+    stored = [(part, snapshot) for part in stages for snapshot in part.snapshots]
     snapshots = [snapshot for _, snapshot in stored]
     if state is not None:
         if not 1 <= state <= len(stored):
             raise ValueError(f"there is no stored state {state}; this result has {len(stored)}")
         part, snapshot = stored[state - 1]
-        return [State(f"{part.name}-{state}", part, snapshot, snapshots)] if stage in (None, part.name) else []
+        return [State(f"{part.name}-{state}", part, snapshot, snapshots, stages)] if stage in (None, part.name) else []
     chosen = [(part, snapshot) for part, snapshot in stored if stage in (None, part.name)]
-    return [State(part.name, part, snapshot, snapshots) for part, snapshot in chosen[-1:]]
+    return [State(part.name, part, snapshot, snapshots, stages) for part, snapshot in chosen[-1:]]
 
 
 def parts_of(result, stage=None, state=None):

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .._core import Recipe, asked_size_curve, coarse_grained, size_curve
+from .._core import coarse_grained, size_curve
 from .motion import Shot, deviator, pressure
 from .style import bare, colours, diverging_map, even_map, plain, scaled, soft, stress_map, strong
 
@@ -45,13 +45,10 @@ def grain_scatter(figure, state):
     draw_grains_against(figure.add_subplot(), Shot(state.stage, state.snapshot))
 
 
-def recipe_of(state):
-    """The recipe of a state, if it has a size law."""
-    try:
-        recipe = Recipe.from_text(state.stage.provenance.get("recipe", ""))
-        return recipe if len(asked_size_curve(recipe)["diameter"]) else None
-    except ValueError:
-        return None
+def asked_sizes(state):
+    """The size curve that the grains were asked for, as the first stage of the result has it; None without a size law."""
+    sizes = [stage.asked.get("sizes", {}) for stage in state.stages]
+    return next((curve for curve in sizes if len(curve.get("diameter", ()))), None)
 
 
 def draw_size_curve(axes, measured, asked=None):
@@ -77,7 +74,7 @@ def draw_size_curve(axes, measured, asked=None):
 
 
 def size_curves(figure, state):
-    draw_size_curve(figure.add_subplot(), size_curve(state.packing), asked_size_curve(recipe_of(state)))
+    draw_size_curve(figure.add_subplot(), size_curve(state.packing), asked_sizes(state))
 
 
 def stress_of(fields):

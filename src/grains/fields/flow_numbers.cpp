@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <span>
 
+#include "grains/dem/programme.hpp"
 #include "grains/fields/discharge.hpp"
 #include "grains/fields/free_surface.hpp"
-#include "grains/fields/steady_state.hpp"
-#include "grains/texture/texture.hpp"
+#include "grains/fields/silo.hpp"
 
 namespace arenite::fields {
 namespace {
@@ -42,7 +41,7 @@ Numbers discharge_numbers(const StageResult& result) {
 
 bool has_free_surface(const dem::Stage& stage) {
   using Kind = dem::SideDrive::Kind;
-  return stage.gravity && stage.gravity_size > 0 &&
+  return norm(dem::gravity_at(stage, stage.duration.value_or(0))) > 0 &&
          std::none_of(stage.side.begin(), stage.side.end(),
                       [](const auto& side) { return side.kind == Kind::force || side.kind == Kind::pressure; });
 }
@@ -78,31 +77,23 @@ void put_runout(Numbers& j, const FreeSurface& now, const FreeSurface& then) {
   j["height_over_width"] = described((now.top - now.bottom) / width, "", "Height now over the width before the stage");
 }
 
-/// Mean of the second half of a column by ten blocks.
-statistics::Measured late_mean(const History& history, const char* name) {
-  const std::vector<double>* values = history.find(name);
-  return values ? mean_of_blocks(std::span(*values).last(values->size() / 2), 10) : statistics::Measured{};
-}
-
 /// What presses on the floor of a silo, and which share of their normal force its walls hold the filling back with.
-void put_floor(Numbers& j, const StageResult& result, const FreeSurface& now, double weight) {
-  const Domain& d = result.snapshots.back().packing.domain;
-  if (!d.wall[bottom].present || !d.wall[left].present || !d.wall[right].present) return;
-  const statistics::Measured force = late_mean(result.history, "bottom_force");
-  const double sides = late_mean(result.history, "left_force").value + late_mean(result.history, "right_force").value,
-               area = d.width() * d.thickness;
-  if (!(force.value > 0) || !(sides > 0)) return;
-  const double height = statistics::mean_of(now.height).value - now.bottom;
-  j["height_m"] = described(height, "m", "Mean height of the filling");
-  j["pressure_Pa"] =
-      estimate(force.value, force.error, "Pa", "Pressure on the floor, mean of the second half of the stage", 1 / area);
-  j["hydrostatic_Pa"] = described(weight / area, "Pa", "Weight of the filling over the floor's area");
-  j["wall_friction"] =
-      described((weight - force.value) / sides, "", "Weight carried by the walls over their normal force");
+void put_floor(Numbers& j, const StageResult& result) {
+  const auto silo = silo_state(result);
+  if (!silo) return;
+  j["height_m"] = described(silo->height, "m", "Mean height of the filling");
+  j["pressure_Pa"] = estimate(silo->force.value, silo->force.error, "Pa",
+                              "Pressure on the floor, mean of the second half of the stage", 1 / silo->area());
+  j["hydrostatic_Pa"] = described(silo->weight / silo->area(), "Pa", "Weight of the filling over the floor's area");
+  j["wall_friction"] = described(silo->wall_friction, "", "Weight carried by the walls over their normal force");
+  if (std::isfinite(silo->stress_ratio))
+    j["stress_ratio"] = described(silo->stress_ratio, "",
+                                  "Horizontal over vertical normal stress of the contacts, over the states of the "
+                                  "second half");
 }
 
 Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, const Packing* before) {
-  const Vec2 gravity{std::sin(stage.gravity_angle), -std::cos(stage.gravity_angle)};
+  const Vec2 gravity = dem::gravity_at(stage, stage.duration.value_or(0));
   const FreeSurface now = find_free_surface(result.snapshots.back().packing, gravity);
   Numbers j{{"grains", described(now.grains, "", "Grains of the heap")},
             {"left_m", described(now.left, "m", "Its left front")},
@@ -132,10 +123,9 @@ Numbers flow_numbers(const StageEnd& end) {
   if (Numbers discharge = discharge_numbers(result); !discharge.empty()) j["discharge"] = std::move(discharge);
   if (!has_free_surface(stage)) return j;
   j["surface"] = surface_numbers(result, stage, before);
-  if (!stage.duration || stage.gravity_angle != 0) return j;
+  if (!stage.duration) return j;
   Numbers floor = Numbers::tree();
-  const Packing& packing = result.snapshots.back().packing;
-  put_floor(floor, result, find_free_surface(packing, {0, -1}), stage.gravity_size * texture::mass_of(packing));
+  put_floor(floor, result);
   if (!floor.empty()) j["floor"] = std::move(floor);
   return j;
 }

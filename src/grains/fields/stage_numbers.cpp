@@ -157,7 +157,7 @@ std::vector<double> SideStresses::deviator() const {
 
 std::optional<SideStresses> side_stresses(const History& history) {
   const auto* time = history.find("time");
-  if (!time || time->size() < 3) return {};
+  if (!time || time->size() < 2) return {};
   const std::size_t rows = time->size();
   for (const char* side : side_names)
     if (!history.find(std::string(side) + "_position")) return {};
@@ -179,13 +179,25 @@ bool ends_in_motion(const dem::Stage& stage) {
 
 std::optional<texture::TimeScatter> stress_in_time(const History& history, double thickness) {
   const auto sides = side_stresses(history);
-  if (!sides || !(thickness > 0)) return {};
+  if (!sides || sides->time.size() < 3 || !(thickness > 0)) return {};
   const auto p = sides->pressure();
   const double mean = later_half(p).value;
   if (!(mean > 0)) return {};
   const double shear = deviation(sides->along_x);
   const Tensor2 pascal = 1 / thickness * Tensor2{deviation(sides->xx), shear, shear, deviation(sides->yy)};
   return texture::TimeScatter{pascal, deviation(p) / mean};
+}
+
+texture::Options texture_options(const StageResult& made) {
+  texture::Options options;
+  if (!made.asked.known) return options;
+  options.pull = static_cast<texture::Pull>(made.asked.pull);
+  options.gravity = made.asked.gravity;
+  if (std::isfinite(made.asked.load_axis)) options.load_axis = made.asked.load_axis;
+  if (!made.asked.in_motion || made.snapshots.empty()) return options;
+  const double thickness = made.snapshots.back().packing.domain.thickness;
+  options.in_time = stress_in_time(made.history, thickness).value_or(texture::TimeScatter{});
+  return options;
 }
 
 Numbers stage_numbers(const StageEnd& end) {

@@ -30,7 +30,7 @@ struct SideStresses {
   std::vector<double> deviator() const;  ///< half the difference of the principal ones
 };
 
-/// Nothing without the sides' places or with fewer than three rows; a force that the history lacks counts as 0.
+/// Nothing without the sides' places or with fewer than two rows; a force that the history lacks counts as 0.
 std::optional<SideStresses> side_stresses(const History& history);
 
 /// Whether a stage ends while its sample is strained or flows, not in equilibrium: its states are moments in time.
@@ -40,6 +40,10 @@ bool ends_in_motion(const dem::Stage& stage);
 /// nothing presses on the sides. It is how far another sample's lies from it, too, as long as both flow for long enough
 /// to forget how they were made.
 std::optional<texture::TimeScatter> stress_in_time(const History& history, double thickness);
+
+/// How the texture of a stage's states is measured. Signs refer to the axis along which its sides load, where they load
+/// along one only; of a stage that ends in motion the history tells how its stress fluctuates.
+texture::Options texture_options(const StageResult& made);
 
 /// All numbers of a stage with states. Of one that ends in motion between sides that press, errors are those by blocks
 /// of its last state or, where it is clearly larger, the scatter of its states in time: blocks cannot see a sample

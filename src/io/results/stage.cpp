@@ -31,9 +31,30 @@ void transfer_snapshot(const Hdf5Group& at, Snapshot& snapshot, const Packing& s
   transfer_energies(at, snapshot);
 }
 
+/// Files of former versions have no such group.
+void transfer_asked(const Hdf5Group& file, Asked& asked) {
+  if (file.lacks("asked", !asked.known)) return;
+  const auto at = file.group("asked");
+  asked.known = true;
+  at("friction", asked.friction);
+  at("pull", asked.pull);
+  at("gravity_x [m/s^2]", asked.gravity.x);
+  at("gravity_y [m/s^2]", asked.gravity.y);
+  for (int side = 0; side < sides; ++side)
+    at(std::string(side_names[side]) + "_slide [m/s]", asked.slide[static_cast<std::size_t>(side)]);
+  at("load_axis [rad]", asked.load_axis);
+  at("cycled", asked.cycled);
+  at("in_motion", asked.in_motion);
+  at("in_equilibrium", asked.in_equilibrium);
+  at.array("diameter", asked.diameter, "m");
+  at.array("passing", asked.passing);
+  at.same_length({asked.diameter.size(), asked.passing.size()});
+}
+
 /// What stage files and checkpoints have in common.
 void transfer_result(const Hdf5Group& at, StageResult& result) {
   transfer_origin(at, result);
+  transfer_asked(at, result.asked);
   Packing sample = result.snapshots.empty() ? Packing{} : result.snapshots.front().packing;
   transfer_materials(at, sample.materials);
   transfer_names(at.group("grains"), sample.grains, nullptr);

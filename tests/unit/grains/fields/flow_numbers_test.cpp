@@ -1,3 +1,4 @@
+#include "grains/fields/driven.hpp"
 #include "grains/fields/stage_numbers.hpp"
 
 #include <gtest/gtest.h>
@@ -66,12 +67,45 @@ TEST(FlowNumbers, TellTheFloorOfASilo) {
   dem::Stage stage;
   stage.gravity = true;
   stage.duration = 4;
+  silo.asked.known = true;
+  silo.asked.gravity = {0, -dem::standard_gravity};
   const Numbers floor = flow_numbers({silo, stage, nullptr, {}})["floor"];
   EXPECT_NEAR(floor["pressure_Pa"]["value"].get<double>(), 1000, 2);
   EXPECT_LT(floor["pressure_Pa"]["error"].get<double>(), 2);
   const double weight = 9.81 * 2500 * 0.1 * std::numbers::pi * 25e-6 * static_cast<double>(packing.grains.size());
   EXPECT_NEAR(floor["hydrostatic_Pa"].get<double>(), weight / 0.06, 1e-6 * weight / 0.06);
   EXPECT_NEAR(floor["wall_friction"].get<double>(), (weight - 60) / 100, 1e-2);
+}
+
+TEST(FlowNumbers, WeighTheFillingOfASiloByTheGravityThatActed) {
+  StageResult silo = result();
+  const std::size_t rows = silo.history.columns[0].values.size();
+  for (const char* name : {"bottom_force", "left_force", "right_force"})
+    silo.history.columns.push_back({name, "N", std::vector<double>(rows, 50.0)});
+  Packing& packing = silo.snapshots.back().packing;
+  packing.domain.wall[right].position = 0.6;
+  packing.domain.thickness = 0.1;
+  dem::Stage moon;
+  moon.gravity = true;
+  moon.gravity_size = 1.62;
+  moon.duration = 4;
+  silo.asked.known = true;
+  silo.asked.gravity = {0, -1.62};
+  const double mass = texture::mass_of(packing);
+  EXPECT_NEAR(flow_numbers({silo, moon, nullptr, {}})["floor"]["hydrostatic_Pa"].get<double>(), 1.62 * mass / 0.06,
+              1e-9 * mass);
+  // From 2 to 6 m/s^2: over the second half of 4 s the mean is 5.
+  dem::Stage growing = moon;
+  growing.programmes = {{dem::Programme::gravity_size, {{0, 2}, {4, 6}}}};
+  silo.asked.gravity = {0, -6};
+  add_driven(silo, growing);
+  EXPECT_NEAR(flow_numbers({silo, growing, nullptr, {}})["floor"]["hydrostatic_Pa"].get<double>(), 5 * mass / 0.06,
+              0.01 * mass / 0.06);
+  dem::Stage turning = moon;
+  turning.programmes = {{dem::Programme::gravity_angle, {{0, 0}, {4, 0.5}}}};
+  silo.history.columns.resize(silo.history.columns.size() - 2);
+  add_driven(silo, turning);
+  EXPECT_FALSE(flow_numbers({silo, turning, nullptr, {}}).contains("floor")) << "it pulls aside";
 }
 
 TEST(FlowNumbers, AreNoneWithoutWeightAndUnderAPressingSide) {

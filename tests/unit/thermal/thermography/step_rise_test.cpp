@@ -60,7 +60,7 @@ Found found(const RisingFilm& of, const test::CorrelatedNoise& noise, const Step
   return f;
 }
 
-std::string all_of(const std::vector<std::string>& sentences) {
+std::string joined(const std::vector<std::string>& sentences) {
   return std::accumulate(sentences.begin(), sentences.end(), std::string());
 }
 
@@ -90,7 +90,7 @@ TEST(StepRise, TheTimeThatALoadTakesIsFoundAndLeftOut) {
       EXPECT_NEAR(f.jump, 0.065, 0.003) << heat;
       EXPECT_GT(f.maps.rise, 0.05) << heat;
       EXPECT_LT(f.maps.rise, 0.25) << heat;
-      EXPECT_NE(all_of(f.maps.doubts).find("on its way"), std::string::npos) << heat;
+      EXPECT_NE(joined(f.maps.doubts).find("on its way"), std::string::npos) << heat;
     }
 }
 
@@ -101,7 +101,7 @@ TEST(StepRise, NoiseThatPixelsShareIsNoRise) {
     const Found f = found(of, {0.02, 0.01, 0.6, seed + 5});
     EXPECT_EQ(f.maps.rise, 0) << seed;
     EXPECT_NEAR(f.jump, 0.065, 0.02) << seed;
-    EXPECT_TRUE(f.maps.doubts.empty()) << seed << all_of(f.maps.doubts);
+    EXPECT_TRUE(f.maps.doubts.empty()) << seed << joined(f.maps.doubts);
   }
 }
 
@@ -111,7 +111,7 @@ TEST(StepRise, AWrongTimeIsTold) {
   StepOptions options;
   options.time = 3.08;
   const Found f = found(of, {0.02, 0, 0.0, 5}, options);
-  EXPECT_NE(all_of(f.maps.doubts).find("not at the given"), std::string::npos) << all_of(f.maps.doubts);
+  EXPECT_NE(joined(f.maps.doubts).find("not at the given"), std::string::npos) << joined(f.maps.doubts);
   EXPECT_NEAR(f.jump, 0.065, 0.004);
   options.time = of.step;
   EXPECT_TRUE(found(of, {0.02, 0, 0.0, 5}, options).maps.doubts.empty());
@@ -123,10 +123,10 @@ TEST(StepRise, ASecondStepIsTold) {
   StepOptions options;
   options.time = of.step;
   const Found f = found(of, {0.02, 0, 0.0, 5}, options);
-  EXPECT_NE(all_of(f.maps.doubts).find("jump again at 4.7"), std::string::npos) << all_of(f.maps.doubts);
+  EXPECT_NE(joined(f.maps.doubts).find("jump again at 4.7"), std::string::npos) << joined(f.maps.doubts);
   options.window = 1.5;
   const Found one = found(of, {0.02, 0, 0.0, 5}, options);
-  EXPECT_EQ(all_of(one.maps.doubts).find("again"), std::string::npos) << all_of(one.maps.doubts);
+  EXPECT_EQ(joined(one.maps.doubts).find("again"), std::string::npos) << joined(one.maps.doubts);
   EXPECT_NEAR(one.jump, 0.065, 0.003);
 }
 
@@ -134,7 +134,7 @@ TEST(StepRise, ALoadThatCreepsIsTold) {
   RisingFilm of;
   of.done = [](double since) { return since < 0 ? 0 : 1 - 0.3 * std::exp(-since / 0.5); };
   const Found f = found(of, {0.01, 0, 0.0, 5});
-  EXPECT_NE(all_of(f.maps.doubts).find("creeps"), std::string::npos) << all_of(f.maps.doubts);
+  EXPECT_NE(joined(f.maps.doubts).find("creeps"), std::string::npos) << joined(f.maps.doubts);
 }
 
 }  // namespace

@@ -3,11 +3,17 @@
 #include <numbers>
 
 #include "grains/fields/loading_axis.hpp"
+#include "grains/fields/stage_numbers.hpp"
 #include "support/small_study.hpp"
-#include "workflow/run.hpp"
+#include "workflow/asked.hpp"
 
 namespace arenite::workflow {
 namespace {
+
+texture::Options texture_options(const recipe::Recipe& recipe, std::size_t place, StageResult made) {
+  note_asked(made, recipe, place);
+  return fields::texture_options(made);
+}
 
 texture::Options options_with(const std::string& contact) {
   return texture_options(

@@ -3,31 +3,31 @@
 #include <string>
 #include <vector>
 
-#include "grains/fields/steady_state.hpp"
-#include "model/result.hpp"
+#include "grains/fields/loading.hpp"
+#include "statistics/measured.hpp"
 
-namespace arenite::report {
+namespace arenite::fields {
 
-/// What was sampled while a stage strained its sample, row by row of its history.
+/// Of a stage's curves (loading.hpp) those that tell of its test: its strain, and what answers to it.
 struct TestCurves {
   std::string strain_name;  ///< "shear strain", "strain of the height", "strain of the width"
   bool sheared = false;  ///< along the sides: the ratio is shear over normal stress there, "mu"; else q over p of the
                          ///< sides, "q_over_p"
   bool confined = true;  ///< across its axis, too, and not drawn apart; else instead of the ratio there is the stress
                          ///< along the axis, Pa
-  std::vector<double> strain;          ///< since the first row, positive where a side shortens
+  std::vector<double> strain;          ///< positive where a side shortens; how large it is where the sample is sheared
   std::vector<double> ratio;           ///< NaN where the sides are all but unloaded
-  std::vector<double> shear, normal;   ///< what it is the ratio of, N/m; empty of a stress
-  std::vector<double> volume;          ///< volumetric strain since the first row, compaction positive
+  std::vector<double> shear, normal;   ///< what it is the ratio of, Pa; empty of a stress
+  std::vector<double> volume;          ///< volumetric strain, compaction positive
   std::vector<double> solid_fraction;  ///< of the whole box
 
   std::string ratio_name() const { return sheared ? "mu" : confined ? "q_over_p" : "axial_stress"; }
   const char* ratio_unit() const { return sheared || confined ? "" : "Pa"; }
 };
 
-/// From the forces on the sides and their places. Nothing for a stage that strains by less than 0.2 %, or kept no
-/// history of its sides.
-std::optional<TestCurves> test_curves(const StageResult& stage);
+/// From the forces on the sides and their places. Nothing for a stage that strains by less than 0.2 %, on which nothing
+/// presses, or that kept no history of its sides.
+std::optional<TestCurves> test_curves(const Test& test);
 
 /// The critical state: the part of a test in which its ratio and the volume only fluctuate while the strain goes on.
 struct CriticalState {
@@ -46,4 +46,4 @@ std::optional<CriticalState> critical_state(const TestCurves& curves);
 /// ratio, by its name, and of the solid fraction.
 Numbers numbers_of(const TestCurves& curves, const CriticalState& state);
 
-}  // namespace arenite::report
+}  // namespace arenite::fields

@@ -1,4 +1,4 @@
-#include "report/test_curves.hpp"
+#include "grains/fields/test_curves.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,9 @@
 #include <numbers>
 
 #include "core/random.hpp"
+#include "grains/fields/driven.hpp"
 
-namespace arenite::report {
+namespace arenite::fields {
 namespace {
 
 /// A box of 100 by 100 mm, 10 mm thick, with one grain, whose columns are to be filled.
@@ -62,7 +63,7 @@ TEST(TestCurves, OfABiaxialTestAreStrainRatioAndVolumeOfTheSides) {
     test.of("bottom_force")[k] = test.of("top_force")[k] = 3e3 * 0.01 * test.of("right_position")[k];  // 3 kPa
     test.of("left_force")[k] = test.of("right_force")[k] = 1e3 * 0.01 * test.of("top_position")[k];    // 1 kPa
   }
-  const auto curves = test_curves(test.stage);
+  const auto curves = test_curves({test.stage});
   ASSERT_TRUE(curves);
   EXPECT_EQ(curves->strain_name, "strain of the height");
   EXPECT_EQ(curves->ratio_name(), "q_over_p");
@@ -81,7 +82,7 @@ TEST(TestCurves, OfABiaxialTestAreAlongTheAxisOfCompressionThoughTheWidthGrowsBy
     test.of("bottom_force")[k] = test.of("top_force")[k] = 3e3 * 0.01 * test.of("right_position")[k];
     test.of("left_force")[k] = test.of("right_force")[k] = 1e3 * 0.01 * test.of("top_position")[k];
   }
-  const auto curves = test_curves(test.stage);
+  const auto curves = test_curves({test.stage});
   EXPECT_EQ(curves->strain_name, "strain of the height");
   EXPECT_NEAR(curves->strain.back(), 0.4, 1e-12);
   ASSERT_TRUE(critical_state(*curves));
@@ -93,12 +94,12 @@ TEST(TestCurves, OfASampleThatIsDrawnApartAreOfTheStressAlongTheAxis) {
   test.of("top_position") = {0.1, 0.101, 0.102, 0.103, 0.104};
   test.of("bottom_force") = test.of("top_force") = {0.2, -0.1, -0.3, -0.2, -0.1};
   test.of("left_force") = test.of("right_force") = {0.2, 0.05, -0.1, -0.1, 0};
-  const auto curves = test_curves(test.stage);
+  const auto curves = test_curves({test.stage});
   ASSERT_TRUE(curves);
   EXPECT_EQ(curves->ratio_name(), "axial_stress");
   EXPECT_NEAR(curves->ratio[2], -0.3 / (0.1 * 0.01), 1e-9);
   test.of("top_position") = {0.1, 0.099, 0.098, 0.097, 0.096};
-  EXPECT_EQ(test_curves(test.stage)->ratio_name(), "q_over_p");
+  EXPECT_EQ(test_curves({test.stage})->ratio_name(), "q_over_p");
 }
 
 TEST(TestCurves, WithoutConfinementAreOfTheStressAlongTheAxis) {
@@ -107,7 +108,7 @@ TEST(TestCurves, WithoutConfinementAreOfTheStressAlongTheAxis) {
   test.stage.snapshots.back().packing.domain.thickness = 0.06;
   for (std::size_t k = 0; k < 5; ++k)
     test.of("bottom_force")[k] = test.of("top_force")[k] = 600.0 * static_cast<double>(k);
-  const auto curves = test_curves(test.stage);
+  const auto curves = test_curves({test.stage});
   ASSERT_TRUE(curves);
   EXPECT_EQ(curves->ratio_name(), "axial_stress");
   EXPECT_NEAR(curves->ratio[4], 2400 / (0.1 * 0.06), 1e-6);
@@ -117,15 +118,15 @@ TEST(TestCurves, WithoutConfinementAreOfTheStressAlongTheAxis) {
 TEST(TestCurves, AreNotThoseOfAStageThatHardlyStrains) {
   Loading test(5, false);
   test.of("top_position") = {0.1, 0.09999, 0.09998, 0.09997, 0.09996};
-  EXPECT_FALSE(test_curves(test.stage));
+  EXPECT_FALSE(test_curves({test.stage}));
   test.stage.history.columns.clear();
-  EXPECT_FALSE(test_curves(test.stage));
+  EXPECT_FALSE(test_curves({test.stage}));
 }
 
 TEST(TestCurves, ACriticalStateCoversWhatMadeIt) {
   int covered = 0;
   for (const double plateau : {0.2, 0.25, 0.3, 0.35, 0.4}) {
-    const auto curves = test_curves(steady_shear(plateau).stage);
+    const auto curves = test_curves({steady_shear(plateau).stage});
     ASSERT_TRUE(curves);
     EXPECT_EQ(curves->ratio_name(), "mu");
     const auto state = critical_state(*curves);
@@ -161,7 +162,7 @@ Loading slow_fluctuations(double plateau, std::uint64_t seed) {
 TEST(TestCurves, ACriticalStateOfFewFluctuationsHasAWideIntervalAndSaysSo) {
   int found = 0, covered = 0, sure = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    const auto curves = test_curves(slow_fluctuations(0.3, seed).stage);
+    const auto curves = test_curves({slow_fluctuations(0.3, seed).stage});
     const auto state = critical_state(*curves);
     if (!state) continue;
     ++found;
@@ -189,7 +190,7 @@ TEST(TestCurves, ARatioIsThatOfTheMeansAndNotTheMeanOfRatios) {
     test.of("top_shear_force")[k] = -along;
     if (k >= 1000) shear += along, normal += force, ratios += along / force / 1000;
   }
-  const auto state = critical_state(*test_curves(test.stage));
+  const auto state = critical_state(*test_curves({test.stage}));
   ASSERT_TRUE(state);
   EXPECT_GT(ratios - shear / normal, 0.01);
   EXPECT_NEAR(state->ratio.value, shear / normal, 3 * state->ratio.error);
@@ -205,19 +206,16 @@ StageResult slid_to_and_fro() {
     test.of("bottom_force")[k] = test.of("top_force")[k] = 100;
     test.of("bottom_shear_force")[k] = 30, test.of("top_shear_force")[k] = -30;
   }
-  test.stage.provenance.recipe =
-      "[container]\nwidth = \"100 mm\"\nthickness = \"10 mm\"\n[packing]\nsolid_fraction = 0.7\n[materials.A]\ndensity "
-      "= \"2500 kg/m^3\"\nstiffness = \"1 kN/mm\"\n"
-      "[[populations]]\nmaterial = \"A\"\ncount = 1\ndiameter = \"10 mm\"\n[contact]\nfriction = 0.3\n[[stages]]\nname "
-      "= \"shear\"\nduration = \"4 s\"\n"
-      "top = { pressure = \"1 kPa\" }\nslide = { top = \"10 mm/s\" }\n"
-      "programmes = [{ of = \"slide.top\", repeat = true, table = [[\"0 s\", \"10 mm/s\"], [\"1 s\", \"20 mm/s\"], "
-      "[\"2 s\", \"-20 mm/s\"]] }]\n";
+  dem::Stage asked;
+  asked.duration = 4;
+  asked.slide[top] = 0.01;
+  asked.programmes = {{dem::Programme::slide + top, {{0, 0.01}, {1, 0.02}, {2, -0.02}}, true}};
+  add_driven(test.stage, asked);
   return test.stage;
 }
 
 TEST(TestCurves, OfAProgrammedSlideAreOfTheWayThatItWent) {
-  const auto curves = test_curves(slid_to_and_fro());
+  const auto curves = test_curves({slid_to_and_fro()});
   ASSERT_TRUE(curves);
   EXPECT_EQ(curves->strain_name, "shear strain");
   // 15 mm in the first second, then 5 mm forth and 5 mm back in half a second each; over 100 mm of height, since the
@@ -231,7 +229,7 @@ TEST(TestCurves, OfAProgrammedSlideAreOfTheWayThatItWent) {
 TEST(TestCurves, NoCriticalStateWhileTheVolumeChanges) {
   Loading test = steady_shear(0.3);
   for (std::size_t k = 0; k < 2000; ++k) test.of("top_position")[k] = 0.1 - 1e-6 * static_cast<double>(k);
-  EXPECT_FALSE(critical_state(*test_curves(test.stage)));
+  EXPECT_FALSE(critical_state(*test_curves({test.stage})));
 }
 
 TEST(TestCurves, NoCriticalStateWhereTheRatioDriftsOrTheStrainTurns) {
@@ -239,11 +237,11 @@ TEST(TestCurves, NoCriticalStateWhereTheRatioDriftsOrTheStrainTurns) {
   for (std::size_t k = 0; k < 2000; ++k)
     rising.of("bottom_shear_force")[k] = 0.02 * static_cast<double>(k),
     rising.of("top_shear_force")[k] = -rising.of("bottom_shear_force")[k];
-  EXPECT_FALSE(critical_state(*test_curves(rising.stage)));
+  EXPECT_FALSE(critical_state(*test_curves({rising.stage})));
   Loading back = steady_shear(0.3);
   for (std::size_t k = 0; k < 2000; ++k) back.of("shear_strain")[k] = std::sin(static_cast<double>(k) * 0.01);
-  EXPECT_FALSE(critical_state(*test_curves(back.stage)));
+  EXPECT_FALSE(critical_state(*test_curves({back.stage})));
 }
 
 }  // namespace
-}  // namespace arenite::report
+}  // namespace arenite::fields

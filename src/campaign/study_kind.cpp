@@ -1,0 +1,72 @@
+#include "campaign/study_kind.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "core/error.hpp"
+#include "core/mapped.hpp"
+#include "io/disk/file.hpp"
+#include "recipe/recipe.hpp"
+
+namespace arenite::campaign {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using recipe::Recipe;
+
+constexpr std::size_t fewest_runs = 3, fewest_frictions = 3;  // that a law is seen by
+
+std::vector<fs::path> runs_of(const fs::path& study) {
+  std::error_code error;
+  std::vector<fs::path> runs;
+  const fs::path folder = (fs::is_directory(study, error) ? study : study.parent_path()) / "runs";
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (fs::exists(entry.path() / "recipe.toml", error)) runs.push_back(entry.path());
+  std::ranges::sort(runs);
+  return runs;
+}
+
+bool sinks(const dem::Stage& stage) { return stage.side[bottom].kind == dem::SideDrive::Kind::velocity; }
+
+std::string flow_of(const std::vector<Recipe>& recipes) {
+  const auto all = [&](const auto& holds) {
+    return std::ranges::all_of(recipes, [&](const Recipe& recipe) { return holds(recipe.stages.back()); });
+  };
+  const bool weighs = all([](const dem::Stage& stage) { return stage.gravity; });
+  if (weighs && all([](const dem::Stage& stage) { return stage.count_below.has_value(); })) return "beverloo";
+  if (weighs && all([](const dem::Stage& stage) { return stage.open[left] || stage.open[right]; })) return "runout";
+  if (weighs && all(sinks)) return "janssen";
+  std::set<double> frictions;
+  for (const Recipe& recipe : recipes) frictions.insert(recipe.contact.friction);
+  const bool sheared = all([](const dem::Stage& stage) { return stage.shear_rate != 0; });
+  return sheared && frictions.size() >= fewest_frictions ? "critical-state" : "";
+}
+
+}  // namespace
+
+bool is_driven(const dem::Stage& stage) {
+  const auto moves = [](const dem::SideDrive& side) { return side.kind == dem::SideDrive::Kind::velocity; };
+  return stage.shear_rate != 0 || std::ranges::any_of(stage.side, moves) ||
+         std::ranges::any_of(stage.slide, [](double speed) { return speed != 0; });
+}
+
+StudyKind kind_of_study(const fs::path& study) {
+  const auto runs = runs_of(study);
+  std::vector<Recipe> recipes;
+  try {
+    for (const fs::path& run : runs)
+      recipes.push_back(recipe::parse_recipe(io::read_file(run / "recipe.toml"), (run / "recipe.toml").string()));
+  } catch (const InputError&) { return {}; }
+  const auto loads = [](const Recipe& recipe) { return !recipe.stages.empty(); };
+  if (!std::ranges::all_of(recipes, loads)) return {};
+  StudyKind kind;
+  if (runs.size() > 1 &&
+      std::ranges::all_of(recipes, [](const Recipe& recipe) { return is_driven(recipe.stages.back()); }))
+    kind.driven = runs;
+  if (runs.size() >= fewest_runs) kind.flow = flow_of(recipes);
+  return kind;
+}
+
+}  // namespace arenite::campaign

@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "grains/dem/stage.hpp"
+
+namespace arenite::campaign {
+
+/// What the runs of a study are alike in, by the last stage of their recipes.
+struct StudyKind {
+  std::vector<std::filesystem::path> driven;  ///< folders of runs that all strain their sample at a rate; two at least
+  std::string
+      flow;  ///< "beverloo": three runs or more that discharge; "runout": a side is opened; "janssen": the floor
+             ///< sinks; "critical-state": a cell is sheared, under several frictions; empty: none of these
+};
+
+/// Of a study's folder, or a file in it; of none where runs have no recipe that can be read.
+StudyKind kind_of_study(const std::filesystem::path& study);
+
+/// Whether a stage strains its sample at a rate: a cell is sheared, a wall slides, a side has a velocity.
+bool is_driven(const dem::Stage& stage);
+
+}  // namespace arenite::campaign

@@ -1,0 +1,62 @@
+#include "grains/fields/driven.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "core/mapped.hpp"
+#include "grains/dem/programme.hpp"
+
+namespace arenite::fields {
+namespace {
+
+using dem::Programme;
+
+const Programme* programme_driving(const dem::Stage& stage, int of) {
+  const auto at = std::ranges::find(stage.programmes, of, &Programme::of);
+  return at == stage.programmes.end() ? nullptr : &*at;
+}
+
+void put(History& rows, const std::string& name, const char* unit, std::vector<double> values) {
+  if (!rows.find(name)) rows.columns.push_back({name, unit, std::move(values)});
+}
+
+void add_to(History& rows, const dem::Stage& stage, double begin) {
+  const std::vector<double>* time = rows.find("time");
+  if (!time || time->empty()) return;
+  for (int side = 0; side < sides; ++side) {
+    const Programme* own = programme_driving(stage, Programme::slide + side);
+    const double speed = stage.slide[static_cast<std::size_t>(side)];
+    const auto way = [&](double t) { return own ? dem::integral(*own, t - begin) : speed * (t - begin); };
+    if (own || speed != 0)
+      put(rows, std::string(side_names[static_cast<std::size_t>(side)]) + "_slid", "m", mapped(*time, way));
+  }
+  if (!stage.gravity ||
+      (!programme_driving(stage, Programme::gravity_size) && !programme_driving(stage, Programme::gravity_angle)))
+    return;
+  const auto gravity = mapped(*time, [&](double t) { return dem::gravity_at(stage, t - begin); });
+  put(rows, "gravity_x", "m/s^2", mapped(gravity, &Vec2::x));
+  put(rows, "gravity_y", "m/s^2", mapped(gravity, &Vec2::y));
+}
+
+}  // namespace
+
+double begin_of(const History& history, const dem::Stage& stage) {
+  const std::vector<double>* time = history.find("time");
+  if (!time || time->empty()) return 0;
+  return stage.duration ? time->back() - *stage.duration : time->front();
+}
+
+void add_driven(StageResult& result, const dem::Stage& stage) {
+  const double begin = begin_of(result.history, stage);
+  add_to(result.history, stage, begin);
+  add_to(result.cycles, stage, begin);
+}
+
+std::vector<Vec2> gravity_in(const History& rows, const Asked& asked) {
+  const auto *x = rows.find("gravity_x"), *y = rows.find("gravity_y");
+  std::vector<Vec2> gravity(rows.columns.empty() ? 0 : rows.columns.front().values.size(), asked.gravity);
+  for (std::size_t k = 0; x && y && k < gravity.size(); ++k) gravity[k] = {(*x)[k], (*y)[k]};
+  return gravity;
+}
+
+}  // namespace arenite::fields

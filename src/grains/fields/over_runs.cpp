@@ -1,0 +1,192 @@
+#include "grains/fields/over_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/mapped.hpp"
+#include "core/problems.hpp"
+#include "grains/fields/silo.hpp"
+#include "grains/fields/steady_state.hpp"
+
+namespace arenite::fields {
+namespace {
+
+using statistics::Columns;
+using statistics::Estimate;
+using Values = std::vector<double>;
+
+constexpr double all_but_nothing = 0.01;  // of the largest normal stress
+constexpr std::size_t blocks_of_late = 10;
+
+/// A column and what it is of a row.
+struct ColumnOf {
+  const char *name, *unit, *sentence;
+  bool has_error = false;
+};
+
+/// Rows of estimates, in the order of the first.
+Columns table_of(std::vector<std::vector<Estimate>> rows, std::initializer_list<ColumnOf> kinds) {
+  std::ranges::stable_sort(rows, {}, [](const auto& row) { return row.front().value; });
+  Columns table;
+  std::size_t k = 0;
+  for (const ColumnOf& kind : kinds) {
+    Values error;
+    if (kind.has_error) error = mapped(rows, [k](const auto& row) { return row[k].error; });
+    table.put(kind.name, kind.unit, kind.sentence, mapped(rows, [k](const auto& row) { return row[k].value; }),
+              std::move(error));
+    ++k;
+  }
+  return table;
+}
+
+/// Of numbers that may be unknown in some rows, which are left out.
+SteadyState steady(const Values& values) {
+  Values known;
+  for (const double v : values)
+    if (std::isfinite(v)) known.push_back(v);
+  if (!known.empty()) return find_steady_state(known);
+  SteadyState nothing;
+  nothing.mean = {};
+  return nothing;
+}
+
+Estimate as_estimate(const statistics::Measured& m) { return {m.value, m.error}; }
+
+Estimate late_mean(const Values& values) {
+  return as_estimate(mean_of_blocks(std::span(values).last(values.size() - values.size() / 2), blocks_of_late));
+}
+
+/// The loading of a test that has a ratio of stresses.
+Loading stressed(const Test& test) {
+  auto of = loading_of(test);
+  if (!of || of->normal.empty())
+    throw refusal("the stage {} has no stresses on its sides; give one that is sheared or compressed", test.stage.name);
+  return std::move(*of);
+}
+
+/// Shear and normal stress of rows that are loaded.
+std::pair<Values, Values> loaded_rows(const Values& shear, const Values& normal) {
+  const double least = normal.empty() ? 0 : all_but_nothing * *std::ranges::max_element(normal);
+  std::pair<Values, Values> rows;
+  for (std::size_t k = 0; k < normal.size(); ++k)
+    if (normal[k] > least) rows.first.push_back(shear[k]), rows.second.push_back(normal[k]);
+  return rows;
+}
+
+Values sizes_of_ratio(const Values& shear, const Values& normal) {
+  Values ratio;
+  for (std::size_t k = 0; k < shear.size(); ++k) ratio.push_back(std::abs(shear[k]) / normal[k]);
+  return ratio;
+}
+
+/// A plateau where there is one that tells its error, else the second half.
+std::vector<Estimate> critical_row(const Test& test) {
+  const Loading of = stressed(test);
+  const auto [shear, normal] = loaded_rows(of.shear, of.normal);
+  if (shear.size() < blocks_of_late)
+    throw refusal("the stage {} has too few rows under load for a plateau; run it for longer", test.stage.name);
+  const Values& solid = of.curves["solid_fraction"];
+  const SteadyState ratio = find_steady_state(sizes_of_ratio(shear, normal)), density = find_steady_state(solid);
+  Estimate friction = steady_ratio(shear, normal);
+  if (!ratio.reached || !std::isfinite(friction.error))
+    friction = as_estimate(mean_of_blocks(about_ratio_of_means(shear, normal, shear.size() / 2), blocks_of_late));
+  const double both = ratio.reached && density.reached ? 1 : 0;
+  return {
+      {test.stage.asked.friction}, friction, density.reached ? as_estimate(density.mean) : late_mean(solid), {both}};
+}
+
+double number_at(const Numbers& numbers, const std::string& path) {
+  const Numbers* node = numbers.at_path(path);
+  return node && node->is_number() ? node->get<double>() : statistics::unknown;
+}
+
+/// "value" and "error" of a stored number, or the number.
+Estimate stored(const Numbers& numbers, const std::string& path) {
+  const Numbers* node = numbers.at_path(path);
+  if (node && node->is_tree()) return {number_at(*node, "/value"), number_at(*node, "/error")};
+  return {number_at(numbers, path)};
+}
+
+/// The rows of stages that have stored the first of these numbers.
+std::vector<std::vector<Estimate>> rows_of(const std::vector<const StageResult*>& stages, const std::string& first,
+                                           std::initializer_list<const char*> numbers) {
+  std::vector<std::vector<Estimate>> rows;
+  for (const StageResult* stage : stages)
+    if (stage->texture.at_path(first))
+      rows.push_back(mapped(numbers, [&](const char* path) { return stored(stage->texture, path); }));
+  return rows;
+}
+
+}  // namespace
+
+Estimate steady_ratio(const Values& all_shear, const Values& all_normal) {
+  if (all_shear.size() != all_normal.size())
+    throw refusal("there are {} shear and {} normal stresses; give as many", all_shear.size(), all_normal.size());
+  const auto [shear, normal] = loaded_rows(all_shear, all_normal);
+  if (shear.empty()) return {};
+  const std::size_t first = find_steady_state(sizes_of_ratio(shear, normal)).first;
+  const Values about = about_ratio_of_means(shear, normal, first);
+  return {statistics::mean_of(about).value, steady(about).mean.error};
+}
+
+Columns rheology(const std::vector<Test>& tests) {
+  std::vector<std::vector<Estimate>> rows;
+  for (const Test& test : tests) {
+    const Loading of = stressed(test);
+    rows.push_back({as_estimate(steady(of.curves["inertial_number"]).mean), steady_ratio(of.shear, of.normal),
+                    as_estimate(steady(of.curves["solid_fraction"]).mean)});
+  }
+  return table_of(std::move(rows), {{"inertial_number", "", "Mean inertial number"},
+                                    {"mu", "", "Ratio of the mean shear and normal stress, or of q and p", true},
+                                    {"solid_fraction", "", "Mean solid fraction of the whole box", true}});
+}
+
+Columns critical_states(const std::vector<Test>& tests) {
+  return table_of(mapped(tests, critical_row),
+                  {{"friction", "", "Friction coefficient between grains"},
+                   {"mu", "", "Ratio of the mean shear and normal stress, or of q and p, on the plateau", true},
+                   {"solid_fraction", "", "Mean solid fraction of the whole box on its plateau", true},
+                   {"reached", "", "1 where both have a plateau, 0 where the means are those of the second half"}});
+}
+
+Columns discharges(const std::vector<const StageResult*>& stages) {
+  return table_of(rows_of(stages, "/discharge/opening_m", {"/discharge/opening_m", "/discharge/rate_kg_s"}),
+                  {{"opening", "m", "Narrowest opening between boundaries"},
+                   {"rate", "kg/s", "Rate of discharge over its steady part", true}});
+}
+
+Columns runouts(const std::vector<const StageResult*>& stages) {
+  return table_of(rows_of(stages, "/surface/runout_over_width",
+                          {"/surface/aspect_ratio_before", "/surface/runout_over_width", "/surface/height_over_width",
+                           "/surface/angle_deg"}),
+                  {{"aspect_ratio", "", "Height over width before the collapse"},
+                   {"runout", "", "Displacement of the front that has moved farther over the width before", true},
+                   {"height", "", "Height of the deposit over the width before"},
+                   {"angle", "deg", "Angle of the deposit's free surface", true}});
+}
+
+Columns silos(const std::vector<const StageResult*>& stages) {
+  std::vector<std::vector<Estimate>> rows;
+  for (const StageResult* stage : stages) {
+    const auto silo = silo_state(*stage);
+    if (!silo)
+      throw refusal("the stage {} is no silo: gravity pulls down, and its floor and both walls bear grains",
+                    stage->name);
+    const double area = silo->area();
+    rows.push_back({{silo->height},
+                    {silo->force.value / area, silo->force.error / area},
+                    {silo->weight / area},
+                    {silo->wall_friction},
+                    {silo->stress_ratio},
+                    {silo->width}});
+  }
+  return table_of(std::move(rows), {{"height", "m", "Mean height of the filling"},
+                                    {"pressure", "Pa", "Pressure on the floor", true},
+                                    {"hydrostatic", "Pa", "Weight of the filling over the floor's area"},
+                                    {"wall_friction", "", "Weight carried by the walls over their normal force"},
+                                    {"ratio", "", "Horizontal over vertical normal stress of the contacts"},
+                                    {"width", "m", "Width of the silo"}});
+}
+
+}  // namespace arenite::fields

@@ -1,0 +1,186 @@
+#include "grains/fields/state_curves.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "core/mapped.hpp"
+#include "core/problems.hpp"
+#include "grains/fields/stage_numbers.hpp"
+#include "statistics/measured.hpp"
+
+namespace arenite::fields {
+namespace {
+
+using statistics::Columns;
+using Values = std::vector<double>;
+
+/// Names of curves, and the numbers of the texture that stand below them.
+constexpr std::pair<const char*, const char*> numbers_of_states[] = {
+    {"solid_fraction", "/solid_fraction"},
+    {"z", "/coordination/all"},
+    {"z_without_rattlers", "/coordination/without_rattlers"},
+    {"rattlers", "/coordination/rattlers"},
+    {"a_c", "/fabric/a_c"},
+    {"a_c_signed", "/fabric/a_c_signed"},
+    {"a_c_strong", "/fabric/sets/strong/a_c_signed"},
+    {"a_c_weak", "/fabric/sets/weak/a_c_signed"},
+    {"a_n", "/fabric/a_n"},
+    {"a_t", "/fabric/a_t"},
+    {"theta_c", "/fabric/theta_c_deg"},
+    {"mean_force", "/force/mean_N"},
+    {"p", "/stress_details/pressure_Pa"},
+    {"q", "/stress_details/deviator_Pa"}};
+
+double number_in(const Numbers* node) { return node && node->is_number() ? node->get<double>() : statistics::unknown; }
+
+bool is_any_known(const Values& values) {
+  return std::ranges::any_of(values, [](double v) { return std::isfinite(v); });
+}
+
+/// One number of all states, with its errors and what it means; left out where no state has it.
+void put_number(Columns& to, const char* name, const std::string& path, const std::vector<Numbers>& states) {
+  statistics::Column column{name, {}, {}, {}};
+  for (const Numbers& one : states) {
+    const Numbers* node = one.at_path(path);
+    const bool measured = node && node->is_tree();
+    column.values.push_back(number_in(measured ? node->at_path("/value") : node));
+    column.error.push_back(number_in(measured ? node->at_path("/error") : nullptr));
+    if (node && node->meaning()) column.meaning = *node->meaning();
+  }
+  if (!is_any_known(column.error)) column.error.clear();
+  if (is_any_known(column.values)) to.list.push_back(std::move(column));
+}
+
+std::vector<Numbers> textures_of(const StageResult& stage) {
+  texture::Options options = texture_options(stage);
+  options.rev_sizes = 0;
+  return mapped(stage.snapshots, [&](const Snapshot& state) {
+    return state.packing.contacts.size() == 0 ? Numbers::tree()
+                                              : texture::numbers(texture::measure(state.packing, options));
+  });
+}
+
+/// n and whether it is the maximum, of "cycle n maximum".
+std::optional<std::pair<std::int64_t, bool>> cycle_of(std::string_view label) {
+  constexpr std::string_view before = "cycle ", high = " maximum", low = " minimum";
+  if (!label.starts_with(before) || !(label.ends_with(high) || label.ends_with(low))) return {};
+  const bool is_high = label.ends_with(high);
+  label.remove_prefix(before.size());
+  label.remove_suffix(high.size());
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(label.data(), label.data() + label.size(), number);
+  if (error != std::errc() || end != label.data() + label.size()) return {};
+  return std::pair{number, is_high};
+}
+
+/// Time of the state before the first cycle, or of the first row, and of the ends of all cycles.
+Values ends_of(const StageResult& stage, const Values& time) {
+  double before = time.front();
+  for (const Snapshot& state : stage.snapshots)
+    if (!state.label.starts_with("cycle")) before = state.time;
+  Values ends{before};
+  for (const auto& [number, places] : whole_cycles(stage)) ends.push_back(stage.snapshots[places.second].time);
+  return ends;
+}
+
+void put_dissipation(Columns& to, const StageResult& stage) {
+  const Columns energies = energies_of(stage.history);
+  const Values* time = stage.history.find("time");
+  if (!energies.has("dissipated_energy") || !time) return;
+  const Values spent =
+      mapped(ends_of(stage, *time), [&](double t) { return at_time(*time, energies["dissipated_energy"], t); });
+  Values in_cycles;
+  for (std::size_t k = 1; k < spent.size(); ++k) in_cycles.push_back(spent[k] - spent[k - 1]);
+  to.put("dissipated_energy", "J", "Energy dissipated in the cycle", std::move(in_cycles));
+}
+
+void put_accumulated(Columns& to) {
+  Values low = to["axial_strain_minimum"];
+  for (const double first = low.front(); double& v : low) v -= first;
+  to.put("accumulated_strain", "", "Axial strain at the smallest load since the end of the first cycle",
+         std::move(low));
+}
+
+Values every_second(const Values& values, std::size_t first, std::size_t count) {
+  Values some;
+  for (std::size_t k = 0; k < count; ++k) some.push_back(values[2 * k + first]);
+  return some;
+}
+
+}  // namespace
+
+Columns curves_of_states(const Test& test) {
+  Columns found = strains_of_states(test);
+  const std::vector<Numbers> states = textures_of(test.stage);
+  for (const auto& [name, path] : numbers_of_states) put_number(found, name, path, states);
+  if (!found.has("p") || !found.has("q")) return found;
+  Values ratio = found["q"];
+  for (std::size_t k = 0; k < ratio.size(); ++k)
+    ratio[k] = found["p"][k] != 0 ? ratio[k] / found["p"][k] : statistics::unknown;
+  found.put("q_over_p", "", "q over p of the contacts: the sine of the mobilised angle of friction", std::move(ratio));
+  return found;
+}
+
+std::map<std::int64_t, std::pair<std::size_t, std::size_t>> whole_cycles(const StageResult& stage) {
+  std::map<std::int64_t, std::pair<std::size_t, std::size_t>> whole;
+  std::map<std::int64_t, std::size_t> high;
+  for (std::size_t k = 0; k < stage.snapshots.size(); ++k) {
+    const auto cycle = cycle_of(stage.snapshots[k].label);
+    if (!cycle) continue;
+    if (cycle->second) high[cycle->first] = k;
+    else if (high.contains(cycle->first)) whole[cycle->first] = {high[cycle->first], k};
+  }
+  return whole;
+}
+
+Columns curves_of_cycles(const Test& test) {
+  const auto cycles = whole_cycles(test.stage);
+  if (cycles.empty()) throw refusal("the stage {} has no complete load cycle", test.stage.name);
+  Columns found;
+  found.put("cycle", "", "Number of the cycle, from 1",
+            mapped(cycles, [](const auto& cycle) { return static_cast<double>(cycle.first); }));
+  const Columns states = curves_of_states(test);
+  const auto chosen = [&](const Values& values, bool high) {
+    if (values.empty()) return values;
+    return mapped(cycles, [&](const auto& cycle) { return values[high ? cycle.second.first : cycle.second.second]; });
+  };
+  for (const statistics::Column& one : states.list)
+    for (const bool high : {true, false})
+      found.list.push_back({one.name + (high ? "_maximum" : "_minimum"), one.meaning, chosen(one.values, high),
+                            chosen(one.error, high)});
+  Values amplitude = found["axial_strain_maximum"];
+  for (std::size_t k = 0; k < amplitude.size(); ++k) amplitude[k] -= found["axial_strain_minimum"][k];
+  found.put("strain_amplitude", "", "Axial strain between the largest and the smallest load", std::move(amplitude));
+  put_accumulated(found);
+  put_dissipation(found, test.stage);
+  return found;
+}
+
+Columns every_cycle(const Test& test) {
+  const History& table = test.stage.cycles;
+  const Values* cycle = table.find("cycle");
+  const std::size_t whole = cycle ? cycle->size() / 2 : 0;
+  const auto sides_then = side_stresses(test.stage.history);
+  if (whole == 0 || !sides_then) throw refusal("the stage {} has no complete cycle", test.stage.name);
+  Packing first;  // the first row of the history stands in for the state before
+  first.domain.wall[right].position = sides_then->width.front();
+  first.domain.wall[top].position = sides_then->height.front();
+  const auto of = loading_in(table, {test.stage, test.before ? test.before : &first});
+  if (!of) throw refusal("the stage {} has no complete cycle", test.stage.name);
+  Columns found;
+  found.put("cycle", "", "Number of the cycle, from 1", every_second(*cycle, 1, whole));
+  const int side = test.stage.asked.cycled;  // which axis cycles, not which has shortened in the end
+  for (const auto& curve : of->curves.list) {
+    if (curve.name == "time" || curve.name == "inertial_number") continue;
+    const Values& values =
+        curve.name == "axial_strain" && side >= 0 ? of->curves[side <= right ? "strain_x" : "strain_y"] : curve.values;
+    for (const auto& [end, place] : {std::pair{"_maximum", 0}, {"_minimum", 1}})
+      found.list.push_back(
+          {curve.name + end, curve.meaning, every_second(values, static_cast<std::size_t>(place), whole), {}});
+  }
+  put_accumulated(found);
+  return found;
+}
+
+}  // namespace arenite::fields

@@ -1,0 +1,85 @@
+#include "workflow/asked.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/error.hpp"
+#include "grains/dem/programme.hpp"
+#include "grains/dem/run_stage.hpp"
+#include "grains/fields/driven.hpp"
+#include "grains/fields/loading_axis.hpp"
+#include "grains/fields/stage_numbers.hpp"
+#include "grains/packing/population.hpp"
+#include "grains/texture/texture.hpp"
+#include "io/results/results.hpp"
+
+namespace arenite::workflow {
+namespace {
+
+texture::Pull pull_of(const dem::ContactParameters& contact) {
+  if (contact.adheres()) return texture::Pull::adhesion;
+  return contact.attractive_dashpot ? texture::Pull::dashpots : texture::Pull::measured;
+}
+
+int cycled_side(const dem::Stage& stage) {
+  if (stage.strain_cycles && stage.strain_cycles->of != dem::StrainCycles::shear) return stage.strain_cycles->of;
+  return stage.cycles ? stage.cycles->side : -1;
+}
+
+void note_stage(Asked& asked, const dem::Stage& stage) {
+  asked.friction = stage.friction.value_or(asked.friction);
+  asked.gravity = dem::gravity_at(stage, stage.duration.value_or(0));
+  asked.slide = stage.slide;
+  asked.load_axis = fields::loading_axis(stage).value_or(statistics::unknown);
+  asked.cycled = cycled_side(stage);
+  asked.in_motion = fields::ends_in_motion(stage);
+}
+
+/// The curve of the recipe's size laws, which belongs to the packing.
+void note_sizes(Asked& asked, const recipe::Recipe& recipe) {
+  if (recipe.populations.empty()) return;
+  auto curve = packing::asked_size_curve(recipe.populations, recipe.materials, recipe.packing.grains);
+  asked.diameter = std::move(curve.diameter);
+  asked.passing = std::move(curve.passing);
+}
+
+void complete(StageResult& result) {
+  if (result.asked.known || result.provenance.recipe.empty()) return;
+  try {
+    const recipe::Recipe recipe = recipe::parse_recipe(result.provenance.recipe, "recipe");
+    const auto at = std::ranges::find(recipe.stages, result.provenance.stage, &dem::Stage::name);
+    note_asked(result, recipe,
+               at == recipe.stages.end() ? 0 : static_cast<std::size_t>(at - recipe.stages.begin()) + 1);
+  } catch (const InputError&) {}
+}
+
+}  // namespace
+
+void note_asked(StageResult& made, const recipe::Recipe& recipe, std::size_t place) {
+  Asked& asked = made.asked;
+  asked = {};
+  asked.known = true;
+  asked.friction = recipe.contact.friction;
+  asked.pull = static_cast<int>(pull_of(recipe.contact));
+  const dem::EquilibriumCriterion criterion =
+      place > 0 ? recipe.stages[place - 1].equilibrium : dem::EquilibriumCriterion{};
+  asked.in_equilibrium =
+      made.converged && !made.snapshots.empty() && dem::is_at_rest(made.snapshots.back().equilibrium, criterion);
+  if (place == 0) return note_sizes(asked, recipe);
+  note_stage(asked, recipe.stages[place - 1]);
+  fields::add_driven(made, recipe.stages[place - 1]);
+}
+
+StageResult read_stage(const std::filesystem::path& path) {
+  StageResult result = io::read_stage(path);
+  complete(result);
+  return result;
+}
+
+std::variant<StageResult, FieldResult, FilmResult> read_result(const std::filesystem::path& path) {
+  auto result = io::read_result(path);
+  if (auto* stage = std::get_if<StageResult>(&result)) complete(*stage);
+  return result;
+}
+
+}  // namespace arenite::workflow

@@ -1,0 +1,20 @@
+#pragma once
+#include <filesystem>
+#include <variant>
+
+#include "model/film_result.hpp"
+#include "model/result.hpp"
+#include "recipe/recipe.hpp"
+
+namespace arenite::workflow {
+
+/// Notes in the result of a stage, 0 the packing, what its recipe asked of it (model/result.hpp), and beside the rows
+/// of its history what it drove (grains/fields/driven.hpp).
+void note_asked(StageResult& made, const recipe::Recipe& recipe, std::size_t place);
+
+/// A result as its file has it. One of a version that noted nothing gets it now by the recipe in its provenance, which
+/// nothing else reads; where that is of another version it stays unknown.
+StageResult read_stage(const std::filesystem::path& path);
+std::variant<StageResult, FieldResult, FilmResult> read_result(const std::filesystem::path& path);
+
+}  // namespace arenite::workflow
