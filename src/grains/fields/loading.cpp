@@ -175,7 +175,9 @@ void put_inertial_number(Loading& of, const Packing& packing) {
   const statistics::Column* p = of.curves.find("p");
   if (!of.sheared && !p) return;
   const Values& pressure = of.sheared ? of.normal : p->values;
-  if (pressure.empty() || packing.grains.size() == 0) return;
+  const auto has_density = [&](std::int32_t m) { return static_cast<std::size_t>(m) < packing.materials.size(); };
+  if (pressure.empty() || packing.grains.size() == 0 || !std::ranges::all_of(packing.grains.material, has_density))
+    return;
   const double density = texture::mass_of(packing) / (packing.grains.area() * packing.domain.thickness);
   Values number = ratio(Values(pressure.size(), density), pressure);
   const Values rate = rate_of(of.curves["shear_strain"], of.curves["time"]);

@@ -16,10 +16,9 @@ std::string value_of(const std::string& recipe, const std::string& key) {
 }
 
 TEST(Settings, AreTheKeysOfARecipeWithItsDefaults) {
-  const std::string recipe = test::small_packing_recipe + "[[stages]]\nname = \"load\"\nslide = { top = \"1 mm/s\" }\n";
-  EXPECT_EQ(value_of(recipe, "stages.0.name"), "load");
-  EXPECT_EQ(value_of(recipe, "stages.0.slide.top"), "1 mm/s");
-  EXPECT_NE(value_of(recipe, "contact.friction"), "none") << "a default";
+  EXPECT_EQ(value_of(test::small_cemented_recipe, "stages.0.name"), "prepare");
+  EXPECT_EQ(value_of(test::small_cemented_recipe, "stages.0.top.force"), "0.1 kN");
+  EXPECT_NE(value_of(test::small_cemented_recipe, "contact.friction"), "none") << "a default";
 }
 
 TEST(Settings, OfAnotherVersionAreWhatIsWritten) {
