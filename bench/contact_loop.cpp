@@ -23,8 +23,8 @@ dem::Engine engine_of(const Packing& packing, dem::IntegratorKind integrator, in
 template <class Prepare>
 void measure(benchmark::State& state, dem::Engine& engine, std::int64_t steps, Prepare&& before_each) {
   engine.advance(100);
-  const auto builds = engine.list_builds();
-  const auto first = engine.step();
+  const auto builds = engine.builds;
+  const auto first = engine.step;
   double seconds = 0;
   std::uint64_t hash = 0;  // after the first iteration: how many follow depends on the machine
   for (auto _ : state) {
@@ -32,18 +32,18 @@ void measure(benchmark::State& state, dem::Engine& engine, std::int64_t steps, P
     const double start = bench::user_seconds();
     engine.advance(steps);
     seconds += bench::user_seconds() - start;
-    if (hash == 0) hash = engine.state_hash();
+    if (hash == 0) hash = state_hash(engine);
   }
-  const auto done = static_cast<double>(engine.step() - first);
-  state.counters["Mps"] = 1e-6 * done * static_cast<double>(engine.grain_count()) / seconds;
-  const auto built = static_cast<double>(engine.list_builds() - builds);
+  const auto done = static_cast<double>(engine.step - first);
+  state.counters["Mps"] = 1e-6 * done * static_cast<double>(grain_count(engine)) / seconds;
+  const auto built = static_cast<double>(engine.builds - builds);
   state.counters["steps_per_build"] = built > 0 ? done / built : 0;
-  state.SetLabel(fmt::format("{} {:016x}", engine.kernel(), hash));
+  state.SetLabel(fmt::format("{} {:016x}", engine.kernel->name, hash));
 }
 
 void at_rest(benchmark::State& state, const Packing& (*packing)(), dem::IntegratorKind integrator, int threads) {
   dem::Engine engine = engine_of(packing(), integrator, threads);
-  measure(state, engine, 2'000'000 / static_cast<std::int64_t>(engine.grain_count()), [] {});
+  measure(state, engine, 2'000'000 / static_cast<std::int64_t>(grain_count(engine)), [] {});
 }
 
 /// Springs of friction and rolling resistance at every contact, as LAMMPS's granular style with linear_history and sds
@@ -61,17 +61,18 @@ void rolling(benchmark::State& state, dem::IntegratorKind integrator, bool bonde
   bond.gap = 0.05;
   if (bonded) contact.bonds = bond;
   dem::Engine engine(bench::walls_4000(), contact, integration);
-  if (bonded) engine.make_bonds();
+  if (bonded) make_bonds(engine);
   measure(state, engine, 500, [] {});
 }
 
 /// Walls that open and close again on the jammed sample so fast that the list is rebuilt about every 20 steps.
 void compaction(benchmark::State& state, dem::IntegratorKind integrator) {
   dem::Engine engine = engine_of(bench::walls_4000(), integrator);
-  double speed = -0.5 * engine.skin() / (21 * engine.time_step());
+  double speed = -0.5 * engine.skin / (21 * engine.dt);
   measure(state, engine, 200, [&] {
     using Kind = dem::WallDrive::Kind;
-    engine.set_drives(
+    set_drives(
+        engine,
         {{{Kind::velocity, speed}, {Kind::velocity, -speed}, {Kind::velocity, speed}, {Kind::velocity, -speed}}});
     speed = -speed;
   });

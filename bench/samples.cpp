@@ -58,7 +58,7 @@ Packing loose_shapes(std::size_t n, const packing::GrainShape& kind) {
 }
 
 double pressure(const dem::Engine& engine) {
-  const Domain& d = engine.domain();
+  const Domain& d = engine.domain;
   return 0.5 * ((d.wall[left].force + d.wall[right].force) / (2 * d.height()) +
                 (d.wall[bottom].force + d.wall[top].force) / (2 * d.width()));
 }
@@ -72,17 +72,17 @@ Packing jammed(const Packing& start) {
   dem::IntegrationParameters integration;
   integration.drag = 20;
   dem::Engine engine(start, contact_parameters(), integration);
-  engine.set_friction(0.02);
-  const double fast = 0.06 * engine.domain().width() / (15000 * engine.time_step());
+  set_friction(engine, 0.02);
+  const double fast = 0.06 * engine.domain.width() / (15000 * engine.dt);
   for (double speed = fast; speed > 0.02 * fast; speed *= 0.5) {  // ever slower; what is too much opens again
     const double sign = pressure(engine) < target_pressure * stiffness ? 1.0 : -1.0;
-    engine.set_drives(closing(sign * speed));
+    set_drives(engine, closing(sign * speed));
     while (sign * (target_pressure * stiffness - pressure(engine)) > 0) engine.advance(50);
   }
-  engine.set_drives({});
-  engine.set_friction(std::nullopt);
+  set_drives(engine, {});
+  set_friction(engine, std::nullopt);
   engine.advance(10000);
-  return engine.packing();
+  return packing_of(engine);
 }
 
 Packing tiled(const Packing& cell, int times) {

@@ -21,7 +21,7 @@ StageResult run_stage(const Packing& start, const recipe::Recipe& recipe, const 
   dem::StageRun run = dem::begin_stage(engine, stage);
   while (!run.finished) dem::continue_stage(engine, stage, run);
   run.result.name = stage.name;
-  run.result.provenance = {version, stage.name, "", recipe::to_toml(recipe), recipe.seed, engine.kernel(), {}};
+  run.result.provenance = {version, stage.name, "", recipe::to_toml(recipe), recipe.seed, engine.kernel->name, {}};
   return run.result;
 }
 

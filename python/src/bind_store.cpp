@@ -118,8 +118,8 @@ StageResult load_stage(const Packing& packing, Recipe recipe, const py::object& 
   return call.without_lock([&]() -> StageResult {
     dem::Engine engine(packing, recipe.contact, recipe.integration);
     auto loaded =
-        workflow::load_stage({recipe, place, workflow::stage_key(recipe, place, engine.save()), &packing}, engine, {},
-                             run_options(call, progress), {.stages = 1, .name = recipe.stages[place - 1].name});
+        workflow::load_stage({recipe, place, workflow::stage_key(recipe, place, save_sample(engine)), &packing}, engine,
+                             {}, run_options(call, progress), {.stages = 1, .name = recipe.stages[place - 1].name});
     return loaded ? std::move(*loaded) : StageResult{};
   });
 }

@@ -62,19 +62,19 @@ double tangent(const dem::ContactParameters& contact, double stiffness) {
 double measured_step(dem::Engine& engine, const dem::Stage& stage) {
   dem::StageRun run = dem::begin_stage(engine, stage);
   dem::continue_stage(engine, stage, run);  // warms up
-  const std::int64_t first = engine.step();
+  const std::int64_t first = engine.step;
   const std::clock_t began = std::clock();
   const auto seconds = [&] { return static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC; };
   for (int round = 0; round < 20 && !run.finished && seconds() < 0.2; ++round) dem::continue_stage(engine, stage, run);
-  const std::int64_t steps = engine.step() - first;
+  const std::int64_t steps = engine.step - first;
   constexpr double dense = 1.25;  // a sample under load has more contacts (measured on examples/01 and 05)
   return steps > 0 ? dense * seconds() / static_cast<double>(steps) : 0;
 }
 
 StepLimit limit_of(const dem::Engine& engine, const recipe::Recipe& recipe, double collision) {
   if (recipe.integration.time_step) return StepLimit::given;
-  if (engine.time_step() > 0.999 * recipe.integration.safety * collision) return StepLimit::collision;
-  const dem::StepBounds bounds = engine.bounds();
+  if (engine.dt > 0.999 * recipe.integration.safety * collision) return StepLimit::collision;
+  const dem::StepBounds bounds = step_bounds(engine);
   return bounds.damping < bounds.stiffness ? StepLimit::damping : StepLimit::stiffness;
 }
 
@@ -215,8 +215,8 @@ Prediction predict(const recipe::Recipe& recipe) {
   p.sample = start.grains.size();
   p.grains = share < 1 ? expected : p.sample;
   dem::Engine engine(start, recipe.contact, recipe.integration);
-  p.time_step = engine.time_step();
-  p.largest_step = engine.bounds().largest();
+  p.time_step = engine.dt;
+  p.largest_step = step_bounds(engine).largest();
   p.collision = shortest_collision(start, recipe.contact);
   p.material = start.materials[static_cast<std::size_t>(p.collision.material)].name;
   p.limit = limit_of(engine, recipe, p.collision.time);

@@ -121,7 +121,7 @@ StagePrediction predict_stage(dem::Engine& engine, const recipe::Recipe& recipe,
   dem::begin_stage(engine, stage);
   StagePrediction p;
   p.name = stage.name;
-  p.time_step = engine.time_step();
+  p.time_step = engine.dt;
   pressures = pressures_of(stage, bulk, pressures);
   p.pressure = pressures.largest;
   if (p.pressure > 0) {
@@ -140,7 +140,7 @@ StagePrediction predict_stage(dem::Engine& engine, const recipe::Recipe& recipe,
     p.steps = dem::steps_of(p.duration, p.time_step);
     return p;
   }
-  const double critical = engine.critical_drag() / bulk.larger;
+  const double critical = critical_drag(engine) / bulk.larger;
   const double drag = recipe.integration.drag + stage.drag + stage.critical_drag * critical;
   const auto increments = static_cast<double>(dem::increment_count(stage));
   const bool without_friction = stage.friction.value_or(recipe.contact.friction) < 0.05;

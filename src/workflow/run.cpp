@@ -23,13 +23,13 @@ namespace {
 void look_at(const dem::Engine& engine, const dem::Stage& stage, const dem::StageRun& run, Progress& progress) {
   progress.share = dem::share_done(stage, run);
   if (stage.duration && !run.finished)  // finer than by the states that are stored
-    progress.share = std::max(progress.share, std::min(0.999, static_cast<double>(run.steps_in_increment) *
-                                                                  engine.time_step() / *stage.duration));
+    progress.share = std::max(
+        progress.share, std::min(0.999, static_cast<double>(run.steps_in_increment) * engine.dt / *stage.duration));
   progress.increment = std::min(run.increment + 1, progress.increments);
   progress.unbalanced_ratio = run.latest.unbalanced_ratio;
-  progress.step = engine.step();
-  progress.time = engine.time();
-  progress.wall = engine.domain().wall;
+  progress.step = engine.step;
+  progress.time = time_of(engine);
+  progress.wall = engine.domain.wall;
 }
 
 /// A run on its way through its plan.
@@ -129,7 +129,7 @@ class Run {
       begin(s);
       const auto make = [&](const GrainStage& stage, const fs::path& checkpoint) {
         if (!engine) engine.emplace(start, recipe_.contact, recipe_.integration);
-        if (s > 1) engine->restore(outcome_.stages.back().continuation);
+        if (s > 1) restore_sample(*engine, outcome_.stages.back().continuation);
         return load_stage(stage, *engine, checkpoint, options_, progress_);
       };
       if (!add_stage(s, make)) return false;
@@ -201,8 +201,8 @@ std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engi
     keep(engine, run, stage.hash, checkpoint);
     if (times.asked_to_stop()) return std::nullopt;
   }
-  run.result.continuation = engine.save();
-  return measure_stage(stage, std::move(run.result), engine.kernel());
+  run.result.continuation = save_sample(engine);
+  return measure_stage(stage, std::move(run.result), engine.kernel->name);
 }
 
 RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options) {

@@ -26,7 +26,7 @@ constexpr std::pair<const char*, std::int64_t dem::StageRun::*> counts[] = {
 io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run, const std::string& key) {
   io::Checkpoint checkpoint;
   checkpoint.key = key;
-  checkpoint.blobs["engine"] = engine.save();
+  checkpoint.blobs["engine"] = save_sample(engine);
   for (int side = 0; side < sides; ++side) checkpoint.numbers[force_at_start(side)] = run.start.force[side];
   for (const auto& [name, count] : counts) checkpoint.integers[name] = run.*count;
   checkpoint.partial = run.result;
@@ -34,7 +34,7 @@ io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run
 }
 
 void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::StageRun& run) {
-  engine.restore(checkpoint.blobs.at("engine"));
+  restore_sample(engine, checkpoint.blobs.at("engine"));
   for (int side = 0; side < sides; ++side) run.start.force[side] = checkpoint.numbers.at(force_at_start(side));
   for (const auto& [name, count] : counts) run.*count = checkpoint.integers.at(name);
   run.result = checkpoint.partial;

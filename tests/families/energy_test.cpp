@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "grains/dem/engine.hpp"
+#include "grains/dem/glue.hpp"
 #include "unit/grains/dem/samples.hpp"
 
 namespace arenite::dem {
@@ -40,21 +41,21 @@ Balance run(const Case& c, double safety) {
   integration.safety = safety;
   integration.drag = 20;
   Engine engine(p, contact, integration);
-  const Energies before = engine.energies();
+  const Energies before = energies_of(engine);
   WallDrives drives;
   drives[bottom] = {WallDrive::Kind::force, 3000};
   drives[right] = {WallDrive::Kind::velocity, -0.2};
-  engine.set_drives(drives);
-  engine.set_gravity({0, -9.81});
+  set_drives(engine, drives);
+  set_gravity(engine, {0, -9.81});
   const auto half = static_cast<std::int64_t>(8 / safety);
   engine.advance(half);
-  engine.set_gravity({300, -5});
-  engine.set_glue(false);
+  set_gravity(engine, {300, -5});
+  set_glue(engine, false);
   drives[left] = {WallDrive::Kind::velocity, 0.1};
   drives[bottom] = {WallDrive::Kind::fixed, 0};
-  engine.set_drives(drives);
+  set_drives(engine, drives);
   engine.advance(half);
-  const Energies after = engine.energies();
+  const Energies after = energies_of(engine);
   const double stored =
       after.kinetic + after.elastic + after.adhesive - before.kinetic - before.elastic - before.adhesive;
   const double lost =

@@ -34,7 +34,7 @@ double error_of(const Swing& c, int steps) {
   integration.time_step = end / steps;
   Engine engine(p, contact, integration);
   engine.advance(steps);
-  const Packing after = engine.packing();
+  const Packing after = packing_of(engine);
   const double fall = std::exp(-decay * end);
   const double x = amplitude * fall * (std::cos(turn * end) + decay / turn * std::sin(turn * end));
   const double v = -amplitude * fall * omega * omega / turn * std::sin(turn * end);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "grains/dem/glue.hpp"
 #include "support.hpp"
 
 namespace arenite::verification {
@@ -57,7 +58,7 @@ TEST(Adhesion, ForceIsKhMinusGammaRootRh) {
   for (const double share : {0.01, 0.25, 0.5, 1.0, 3.0}) {
     const double h = share * bond.equilibrium();
     Engine engine(pair(h), glued(dem::GeometricalAdhesion{}), with_step(fine_step()));
-    const Packing p = engine.packing();
+    const Packing p = packing_of(engine);
     ASSERT_EQ(p.contacts.size(), 1u);
     EXPECT_EQ(p.contacts.glued[0], 1);
     EXPECT_NEAR(p.contacts.fn[0], bond.force(h), 1e-9 * bond.pull_off());
@@ -74,22 +75,22 @@ TEST(Adhesion, EffectiveRadiusIsFourReducedByDefaultAndTheOthersOnRequest) {
     law.effective_radius = option;
     Engine engine(pair(h), law, with_step(fine_step()));
     const double expected = k_pom * h - glue * std::sqrt(r_eff * h);
-    EXPECT_NEAR(engine.packing().contacts.fn.at(0), expected, 1e-9 * std::abs(expected));
+    EXPECT_NEAR(packing_of(engine).contacts.fn.at(0), expected, 1e-9 * std::abs(expected));
   }
 }
 
 TEST(Adhesion, ActsOnlyBetweenTwoGluedGrains) {
   const double h = 1e-5;
   Engine engine(pair(h, 0, 0), glued(dem::GeometricalAdhesion{}), with_step(fine_step()));
-  EXPECT_NEAR(engine.packing().contacts.fn.at(0), k_pom * h, 1e-9 * k_pom * h);
-  EXPECT_EQ(engine.packing().contacts.glued.at(0), 0);
+  EXPECT_NEAR(packing_of(engine).contacts.fn.at(0), k_pom * h, 1e-9 * k_pom * h);
+  EXPECT_EQ(packing_of(engine).contacts.glued.at(0), 0);
 
   dem::ContactParameters by_pair = glued(dem::GeometricalAdhesion{});
   by_pair.glued_pairs = {{0, 1}};
   Packing p = pair(h, 0, 0);
   p.grains.zone[0] = 0;
   Engine named(p, by_pair, with_step(fine_step()));
-  EXPECT_NEAR(named.packing().contacts.fn.at(0), bond.force(h), 1e-9 * bond.pull_off());
+  EXPECT_NEAR(packing_of(named).contacts.fn.at(0), bond.force(h), 1e-9 * bond.pull_off());
 }
 
 TEST(Adhesion, PullOffForceIsRGammaSquaredOver4kAtItsOverlap) {
@@ -99,7 +100,7 @@ TEST(Adhesion, PullOffForceIsRGammaSquaredOver4kAtItsOverlap) {
   double tension = 0, where = 0;
   for (int step = 0; step < 20000; ++step) {
     engine.advance(1);
-    const Packing p = engine.packing();
+    const Packing p = packing_of(engine);
     if (p.contacts.size() == 0) break;
     if (p.contacts.fn[0] < tension) {
       tension = p.contacts.fn[0];
@@ -116,7 +117,7 @@ TEST(Adhesion, ADampedPairRestsAtTheOverlapOfZeroForce) {
     Engine engine(pair(0.6 * bond.equilibrium()), glued(kind, 0.2), with_step(fine_step()));
     engine.advance(60000);
     // Positions of half a metre stop moving when a step's way is below their last bit: 1e-13 m.
-    EXPECT_NEAR(overlap(engine.packing()), bond.equilibrium(), 1e-8 * bond.equilibrium());
+    EXPECT_NEAR(overlap(packing_of(engine)), bond.equilibrium(), 1e-8 * bond.equilibrium());
   }
 }
 
@@ -133,12 +134,12 @@ TEST(Adhesion, EscapeSpeedIsThatOfTheBondEnergyAndTheRestIsKept) {
       double farthest = bond.equilibrium();
       for (int part = 0; part < 400; ++part) {
         engine.advance(100);
-        farthest = std::min(farthest, overlap(engine.packing()));
+        farthest = std::min(farthest, overlap(packing_of(engine)));
       }
       if (share < 1) {
         EXPECT_GT(farthest, 0);
       } else {
-        const Packing p = engine.packing();
+        const Packing p = packing_of(engine);
         EXPECT_EQ(p.contacts.size(), 0u);
         const double speed = p.grains.velocity[1].x - p.grains.velocity[0].x,
                      expected = escape * std::sqrt(share * share - 1);
@@ -164,14 +165,14 @@ TEST(Adhesion, CarriesAWeightJustBelowThePullOffForceAndDropsOneJustAbove) {
     law.friction = 0;
     law.wall_friction = 1e6;
     Engine engine(hanging.p, law, with_step(contact_time(pair_mass(), k_pom) / 50));
-    engine.set_drag(2e4);
+    set_drag(engine, 2e4);
     const double g = share * bond.pull_off() / mass(hanging.p, 1);
     for (int part = 1; part <= 200; ++part) {
-      engine.set_gravity({0, -g * part / 200});
+      set_gravity(engine, {0, -g * part / 200});
       engine.advance(200);
     }
     engine.advance(20000);
-    const Packing now = engine.packing();
+    const Packing now = packing_of(engine);
     EXPECT_EQ(find_contact(now, 0, 1).has_value(), share < 1) << share;
     if (const auto c = find_contact(now, 0, 1)) {
       EXPECT_NEAR(now.contacts.fn[*c], -share * bond.pull_off(), 1e-3 * bond.pull_off());
@@ -190,7 +191,7 @@ Packing after_return(Adhesion kind) {
   bool apart = false;
   for (int part = 0; part < 400; ++part) {
     engine.advance(500);
-    const Packing now = engine.packing();
+    const Packing now = packing_of(engine);
     apart = apart || !find_contact(now, 0, 1);
     if (apart && find_contact(now, 0, 1) && kind == dem::GeometricalAdhesion{}) {
       engine.advance(100000);
@@ -198,7 +199,7 @@ Packing after_return(Adhesion kind) {
     }
   }
   EXPECT_TRUE(apart);
-  return engine.packing();
+  return packing_of(engine);
 }
 
 TEST(Adhesion, ReversibleBondsFormAgainAndBrokenOnesDoNot) {
@@ -221,11 +222,11 @@ TEST(Adhesion, EnergyIsBalancedWhenABondBreaksForGood) {
   dem::IntegrationParameters how = with_step(fine_step());
   how.track_energy = true;
   Engine engine(pair(bond.equilibrium(), 1.5 * escape), glued(dem::BreakingAdhesion{}), how);
-  const Energies start = engine.energies();
+  const Energies start = energies_of(engine);
   EXPECT_NEAR(start.elastic + start.adhesive, -depth, 1e-9 * depth);
   engine.advance(20000);
-  EXPECT_EQ(engine.packing().contacts.size(), 0u);
-  const Energies end = engine.energies();
+  EXPECT_EQ(packing_of(engine).contacts.size(), 0u);
+  const Energies end = energies_of(engine);
   EXPECT_GE(end.dissipated_breakage, -1e-9 * depth);
   EXPECT_NEAR(end.elastic + end.adhesive, 0, 1e-12 * depth);
   EXPECT_NEAR(end.kinetic + end.dissipated_breakage, start.kinetic - depth, 1e-3 * depth);
@@ -243,7 +244,7 @@ TEST(Adhesion, RaisesTheFrictionCapByThePullOffForceAndLowersItAsPrinted) {
       Packing p = pair(h);
       p.grains.velocity[0].y = 1000;  // far beyond what the viscosity would carry
       Engine engine(p, law, with_step(fine_step()));
-      const Packing now = engine.packing();
+      const Packing now = packing_of(engine);
       const double raised = cap == dem::FrictionCap::raised_by_adhesion ? bond.pull_off() : -bond.pull_off();
       const double expected = std::max(0.0, 0.3 * (bond.force(h) + raised));
       EXPECT_NEAR(std::abs(now.contacts.ft.at(0)), expected, 1e-9 * bond.pull_off());
@@ -258,16 +259,16 @@ TEST(Adhesion, CanBeSetLaterAndBreakingBondsThenJoinOnlyThePairsThatTouch) {
   for (const dem::Adhesion& kind :
        std::initializer_list<dem::Adhesion>{dem::GeometricalAdhesion{}, dem::BreakingAdhesion{}}) {
     Engine engine(p, glued(kind), with_step(fine_step()));
-    engine.set_glue(false);
+    set_glue(engine, false);
     engine.advance(2);
-    EXPECT_NEAR(engine.packing().contacts.fn.at(0), k_pom * bond.equilibrium(), 1e-2 * bond.pull_off());
-    engine.set_glue(true);
+    EXPECT_NEAR(packing_of(engine).contacts.fn.at(0), k_pom * bond.equilibrium(), 1e-2 * bond.pull_off());
+    set_glue(engine, true);
     engine.advance(2);
-    EXPECT_NEAR(engine.packing().contacts.fn.at(0), 0, 1e-2 * bond.pull_off());
+    EXPECT_NEAR(packing_of(engine).contacts.fn.at(0), 0, 1e-2 * bond.pull_off());
     double tension = 0;
     for (int part = 0; part < 3000; ++part) {
       engine.advance(10);
-      const Packing now = engine.packing();
+      const Packing now = packing_of(engine);
       if (const auto c = find_contact(now, 0, 2)) tension = std::min(tension, now.contacts.fn[*c]);
     }
     if (kind == dem::GeometricalAdhesion{}) {

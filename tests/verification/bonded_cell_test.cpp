@@ -38,14 +38,14 @@ TEST(BondedCell, LatticeIsAsStiffAsItsBonds) {
   // R) and k_s = k_n/2.5.
   const Packing start = lattice(8, 8);
   Engine engine(start, cemented(0.3), {});
-  engine.make_bonds();
-  ASSERT_EQ(engine.bond_count().intact, 3u * 64);
+  make_bonds(engine);
+  ASSERT_EQ(count_bonds(engine).intact, 3u * 64);
   const double speed = 0.01;
-  engine.set_drives({dem::WallDrive{}, {}, {}, moved(speed)});
-  while (engine.time() < 1e-3) engine.advance(10);
-  engine.set_drives({});
+  set_drives(engine, {dem::WallDrive{}, {}, {}, moved(speed)});
+  while (time_of(engine) < 1e-3) engine.advance(10);
+  set_drives(engine, {});
   engine.advance(20000);
-  const Domain& cell = engine.domain();
+  const Domain& cell = engine.domain;
   const double strain = (cell.height() - start.domain.height()) / start.domain.height(),
                unit = std::sqrt(3) / 4 * modulus * strain;
   const double yy = -cell.wall[top].force / (cell.width() * cell.thickness),
@@ -53,7 +53,7 @@ TEST(BondedCell, LatticeIsAsStiffAsItsBonds) {
   EXPECT_GT(strain, 5e-5);
   EXPECT_NEAR(yy, unit * (3 + 0.4), 2 * strain * yy);
   EXPECT_NEAR(xx, unit * (1 - 0.4), 10 * strain * yy);
-  const Packing end = engine.packing();
+  const Packing end = packing_of(engine);
   const texture::Texture t = texture::measure(end);
   EXPECT_NEAR(test::tensor_of(t.numbers, "stress").yy, yy, 1e-9 * yy);
   EXPECT_NEAR(test::tensor_of(t.numbers, "stress").xx, xx, 1e-9 * yy);
@@ -65,17 +65,17 @@ TEST(BondedCell, EnergyIsClosedWhileItIsShearedAndPressedToPieces) {
     dem::IntegrationParameters how = with_step(shortest_contact_time() / 500);
     how.track_energy = true;
     Engine engine(lattice(8, 8), cemented(0.2, strength), how);
-    engine.make_bonds();
-    engine.set_drives({dem::WallDrive{}, {}, {}, moved(-0.3)});
-    engine.set_shear_rate(50);
+    make_bonds(engine);
+    set_drives(engine, {dem::WallDrive{}, {}, {}, moved(-0.3)});
+    set_shear_rate(engine, 50);
     const auto imbalance = [](const Energies& e) {
       return e.kinetic + e.elastic + e.dissipated_normal + e.dissipated_friction + e.dissipated_drag +
              e.dissipated_breakage - e.work_walls;
     };
-    const Energies before = engine.energies();
+    const Energies before = energies_of(engine);
     engine.advance(15000);
-    const Energies after = engine.energies();
-    EXPECT_EQ(engine.bond_count().intact < engine.bond_count().made(), strength < 1e10);
+    const Energies after = energies_of(engine);
+    EXPECT_EQ(count_bonds(engine).intact < count_bonds(engine).made(), strength < 1e10);
     EXPECT_GT(after.dissipated_normal, 1e-3 * after.work_walls);
     EXPECT_LT(std::abs(imbalance(after) - imbalance(before)), 2e-6 * after.work_walls) << strength;
   }
@@ -87,11 +87,11 @@ TEST(BondedCell, BondsAcrossTheEdgesHoldHoweverFarTheCellIsSheared) {
   add(p, {{0.001, 0.15}, grain_radius});
   add(p, {{0.001 - 2 * grain_radius + 0.2, 0.15}, grain_radius});
   Engine engine(p, cemented(0.2), {});
-  engine.make_bonds();
-  ASSERT_EQ(engine.bond_count().intact, 1u);
-  engine.set_shear_rate(40);
-  while (engine.shear_strain() < 20) engine.advance(1000);
-  const Packing end = engine.packing();
+  make_bonds(engine);
+  ASSERT_EQ(count_bonds(engine).intact, 1u);
+  set_shear_rate(engine, 40);
+  while (engine.sheared < 20) engine.advance(1000);
+  const Packing end = packing_of(engine);
   EXPECT_NEAR(norm(branch_of(end, end.bonds[0])), 2 * grain_radius, 1e-3 * grain_radius);
 }
 

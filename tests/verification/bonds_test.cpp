@@ -48,17 +48,17 @@ Sag sag_of_cantilever(int bonds, double stiffness_ratio) {
   const double weight = mass(start, 0) * gravity, whole = length * bonds;
 
   Engine engine(start, cemented(bond), {});
-  engine.make_bonds();
-  engine.set_rough({true, false, false, false});
-  engine.set_gravity({0, -gravity});
+  make_bonds(engine);
+  set_rough(engine, {true, false, false, false});
+  set_gravity(engine, {0, -gravity});
   const double slowest = 3.516 * std::sqrt(rigidity * length / mass(start, 0)) / (whole * whole);
-  engine.set_drag(2 * slowest);
-  while (engine.time() < 40 / slowest) engine.advance(1000);
+  set_drag(engine, 2 * slowest);
+  while (time_of(engine) < 40 / slowest) engine.advance(1000);
 
   // Timoshenko's beam under point loads at a: P a^2 (3 L - a)/(6 E I) + P a/(kappa G A), in which a bond that shears by
   // 1/k_s has its own bending, l^3/(12 E I).
   const double shear_compliance = (1 / shear - std::pow(length, 3) / (12 * rigidity)) / length;
-  Sag sag{0.5 - engine.packing().grains.position[static_cast<std::size_t>(bonds)].y, 0};
+  Sag sag{0.5 - packing_of(engine).grains.position[static_cast<std::size_t>(bonds)].y, 0};
   for (int m = 1; m <= bonds; ++m) {
     const double a = length * m;
     sag.beam += weight * (a * a * (3 * whole - a) / (6 * rigidity) + a * shear_compliance);
@@ -82,10 +82,10 @@ TEST(Bonds, TensionHoldsASpinningPair) {
   for (const double side : {-1.0, 1.0})
     add(p, {{0.5 + side * radius, 0.5}, radius, pom, {0, side * spin * radius}, spin});
   Engine engine(p, cemented(unbreakable(1e9, 0.2)), {});
-  engine.make_bonds();
+  make_bonds(engine);
   const double before = angular_momentum(p, {0.5, 0.5});
-  while (engine.time() < 0.05) engine.advance(100);  // more than two turns
-  const Packing end = engine.packing();
+  while (time_of(engine) < 0.05) engine.advance(100);  // more than two turns
+  const Packing end = packing_of(engine);
   const double length = norm(end.grains.position[1] - end.grains.position[0]), turning = end.grains.omega[0];
   EXPECT_GT(end.grains.angle[0], 4 * pi);
   EXPECT_NEAR(end.grains.omega[1], turning, 1e-9 * turning);
@@ -98,15 +98,15 @@ TEST(Bonds, HoldBeyondTheReachOfTheList) {
   Packing p = box(0.02, 0.5);
   for (const double x : {0.005, 0.015}) add(p, {{x, 0.25}, radius});
   Engine engine(p, cemented(unbreakable(1e6)), {});
-  engine.make_bonds();
-  engine.set_rough({true, true, false, false});
-  engine.set_drives({dem::WallDrive{}, {dem::WallDrive::Kind::velocity, 0.1}, {}, {}});
-  while (engine.time() < 0.1) engine.advance(100);
-  const double stretch = engine.domain().wall[right].position - 0.02;
+  make_bonds(engine);
+  set_rough(engine, {true, true, false, false});
+  set_drives(engine, {dem::WallDrive{}, {dem::WallDrive::Kind::velocity, 0.1}, {}, {}});
+  while (time_of(engine) < 0.1) engine.advance(100);
+  const double stretch = engine.domain.wall[right].position - 0.02;
   EXPECT_GT(stretch, 0.01);
-  EXPECT_GT(engine.list_builds(), 5);
-  EXPECT_NEAR(engine.packing().bonds[0].fn, -1e6 * thickness * stretch, 1e-9 * 1e6 * thickness * stretch);
-  EXPECT_NEAR(engine.domain().wall[right].force, -1e6 * thickness * stretch, 1e-9 * 1e6 * thickness * stretch);
+  EXPECT_GT(engine.builds, 5);
+  EXPECT_NEAR(packing_of(engine).bonds[0].fn, -1e6 * thickness * stretch, 1e-9 * 1e6 * thickness * stretch);
+  EXPECT_NEAR(engine.domain.wall[right].force, -1e6 * thickness * stretch, 1e-9 * 1e6 * thickness * stretch);
 }
 
 /// A cemented block of a triangular lattice, its disks in motion.
@@ -130,9 +130,9 @@ TEST(Bonds, KeepMomentumAndAngularMomentum) {
     bond.tensile_strength = bond.cohesion = strength;
     bond.gap = 0.01;
     Engine engine(p, cemented(bond), {});
-    engine.make_bonds();
+    make_bonds(engine);
     engine.advance(3000);
-    const Packing end = engine.packing();
+    const Packing end = packing_of(engine);
     const double scale = 36 * mass(p, 0) * 1;
     EXPECT_EQ(
         std::any_of(end.bonds.begin(), end.bonds.end(), [](const Bond& b) { return b.broken != BondBreak::none; }),
@@ -159,12 +159,12 @@ PressBalance press(const dem::ParallelBond& bond, IntegratorKind kind, double fr
   dem::IntegrationParameters how = with_step(shortest_contact_time() / share_of_contact_time, kind);
   how.track_energy = true;
   Engine engine(start, law, how);
-  engine.make_bonds();
-  engine.set_drives({dem::WallDrive{}, moved(-0.8), moved(1.1), dem::WallDrive{}});
-  const Energies before = engine.energies();
+  make_bonds(engine);
+  set_drives(engine, {dem::WallDrive{}, moved(-0.8), moved(1.1), dem::WallDrive{}});
+  const Energies before = energies_of(engine);
   engine.advance(static_cast<std::int64_t>(30 * share_of_contact_time));
-  const Energies after = engine.energies();
-  const dem::BondCount count = engine.bond_count();
+  const Energies after = energies_of(engine);
+  const dem::BondCount count = count_bonds(engine);
   return {stored(after) - stored(before) + lost(after) - lost(before) - after.work_walls + before.work_walls,
           after.work_walls - before.work_walls, after.dissipated_breakage, after.dissipated_normal,
           count.made() - count.intact};

@@ -37,13 +37,13 @@ template <class Grain> double acceleration_on(double slope, double mu, Grain gra
   grain.angle = -slope;
   add(p, grain);
   Engine engine(p, rubbing(mu), {});
-  engine.set_gravity({0, -gravity});
-  while (engine.time() < 0.1) engine.advance(50);
-  const double then = engine.time(), before = dot(velocity(engine.packing(), 0), along);
-  while (engine.time() < 0.2) engine.advance(50);
-  const Packing end = engine.packing();
+  set_gravity(engine, {0, -gravity});
+  while (time_of(engine) < 0.1) engine.advance(50);
+  const double then = time_of(engine), before = dot(velocity(packing_of(engine), 0), along);
+  while (time_of(engine) < 0.2) engine.advance(50);
+  const Packing end = packing_of(engine);
   EXPECT_EQ(end.contacts.size(), 2U);
-  return (dot(velocity(end, 0), along) - before) / (engine.time() - then);
+  return (dot(velocity(end, 0), along) - before) / (time_of(engine) - then);
 }
 
 TEST(BoundaryShapes, SlideAboveTheAngleOfFrictionPastPointsOfAStraightPlate) {
@@ -76,7 +76,7 @@ Packing on_a_tip(double off, double turn = 0, double deep = 1e-5) {
 TEST(BoundaryShapes, ASideIsCarriedByATipThatJutsOut) {
   const Packing p = on_a_tip(1e-3);
   Engine engine(p, elastic(), {});
-  const Packing now = engine.packing();
+  const Packing now = packing_of(engine);
   ASSERT_EQ(now.contacts.size(), 1U);
   EXPECT_TRUE(now.contacts.is_boundary(0));
   EXPECT_EQ(now.contacts.element(0), 2);
@@ -84,7 +84,7 @@ TEST(BoundaryShapes, ASideIsCarriedByATipThatJutsOut) {
   EXPECT_NEAR(now.contacts.fn[0] / (k_pom * 1e-5), 1, 1e-6);
   EXPECT_NEAR(now.contacts.lever_i(0).x, 1e-3, 1e-12);
   EXPECT_NEAR(now.contacts.lever_i(0).y, 0.4 - p.grains.position[0].y, 1e-12);
-  EXPECT_NEAR(engine.domain().boundaries[0].force.y, -now.contacts.fn[0], 1e-12 * now.contacts.fn[0]);
+  EXPECT_NEAR(engine.domain.boundaries[0].force.y, -now.contacts.fn[0], 1e-12 * now.contacts.fn[0]);
 }
 
 /// Tip on side, corner on side, and a corner beside the end of the plate.
@@ -112,15 +112,14 @@ TEST(BoundaryShapes, ForceIsMinusTheGradientOfTheEnergy) {
       moved.grains.position[0].x += dx;
       moved.grains.position[0].y += dy;
       moved.grains.angle[0] += turn;
-      return Engine(moved, elastic(), how).energies().elastic;
+      return energies_of(Engine(moved, elastic(), how)).elastic;
     };
     Engine engine(c.packing, elastic(), how);
-    EXPECT_EQ(engine.packing().contacts.size(), c.contacts);
-    const double dt = engine.time_step(), m = mass(c.packing, 0),
-                 inertia = m * std::pow(c.packing.grains.shapes.gyration[0], 2);
+    EXPECT_EQ(packing_of(engine).contacts.size(), c.contacts);
+    const double dt = engine.dt, m = mass(c.packing, 0), inertia = m * std::pow(c.packing.grains.shapes.gyration[0], 2);
     engine.advance(1);
-    engine.set_gravity({1e-30, 0});
-    const Packing end = engine.packing();
+    set_gravity(engine, {1e-30, 0});
+    const Packing end = packing_of(engine);
     const double h = 1e-9, turn = h / half;
     const Vec2 force{-(energy(h, 0, 0) - energy(-h, 0, 0)) / (2 * h), -(energy(0, h, 0) - energy(0, -h, 0)) / (2 * h)};
     const double torque = -(energy(0, 0, turn) - energy(0, 0, -turn)) / (2 * turn);
@@ -136,7 +135,7 @@ TEST(BoundaryShapes, ForceIsContinuousWhereASideSlidesOffATip) {
   add(alone, Polygon{});
   const double half = half_side(alone, 0);
   const auto force = [&](double beyond) {
-    return Engine(on_a_tip(half + beyond), elastic(), {}).domain().boundaries[0].force;
+    return Engine(on_a_tip(half + beyond), elastic(), {}).domain.boundaries[0].force;
   };
   EXPECT_GT(norm(force(0)), 100);
   EXPECT_LT(norm(force(1e-9) - force(-1e-9)), 1e-4 * norm(force(0)));
@@ -189,8 +188,8 @@ std::size_t met(const Packing& p) {
 /// A drum that turns one way and comes to throw its grains about.
 Engine turning(const Packing& p, const dem::IntegrationParameters& how) {
   Engine engine(p, rubbing(0.4, 0.4), how);
-  engine.set_gravity({0, -gravity});
-  engine.set_boundaries({{p.domain.boundaries[0].name, {1, -0.5}, 12, p.domain.boundaries[0].centre}});
+  set_gravity(engine, {0, -gravity});
+  set_boundaries(engine, {{p.domain.boundaries[0].name, {1, -0.5}, 12, p.domain.boundaries[0].centre}});
   return engine;
 }
 
@@ -211,10 +210,10 @@ Packing pressed_by_teeth() {
                      0.15});
   }
   Engine engine(p, rubbing(0, 0.3), {});
-  engine.set_drives({moved(2), moved(-2), {}, moved(-2)});
-  engine.set_boundaries({{p.domain.boundaries[0].name, {0, 2}, 0, p.domain.boundaries[0].centre}});
-  while (engine.packing().contacts.size() < 90) engine.advance(50);
-  return engine.packing();
+  set_drives(engine, {moved(2), moved(-2), {}, moved(-2)});
+  set_boundaries(engine, {{p.domain.boundaries[0].name, {0, 2}, 0, p.domain.boundaries[0].centre}});
+  while (packing_of(engine).contacts.size() < 90) engine.advance(50);
+  return packing_of(engine);
 }
 
 TEST(BoundaryShapes, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
@@ -223,17 +222,17 @@ TEST(BoundaryShapes, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
   how.safety = 1.0 / 500;
   how.track_energy = true;
   Engine engine(p, rubbing(0.4, 0.4), how);
-  engine.set_drives({moved(0.8), moved(-0.8), {}, moved(-0.8)});
-  engine.set_boundaries({{p.domain.boundaries[0].name, {0.1, 0.8}, 1, p.domain.boundaries[0].centre}});
-  const Energies before = engine.energies();
+  set_drives(engine, {moved(0.8), moved(-0.8), {}, moved(-0.8)});
+  set_boundaries(engine, {{p.domain.boundaries[0].name, {0.1, 0.8}, 1, p.domain.boundaries[0].centre}});
+  const Energies before = energies_of(engine);
   EXPECT_GE(met(p), 4U);
   engine.advance(15'000);
-  const Packing end = engine.packing();
+  const Packing end = packing_of(engine);
   std::size_t teeth = 0;
   for (std::size_t c = 0; c < end.contacts.size(); ++c)
     teeth += end.contacts.is_boundary(c) && end.contacts.element(c) % 2 == 0;
   EXPECT_GE(teeth, 2U);
-  const Energies after = engine.energies();
+  const Energies after = energies_of(engine);
   const double stored = after.kinetic + after.elastic - before.kinetic - before.elastic,
                work = after.work_walls - before.work_walls;
   const double lost = after.dissipated_normal + after.dissipated_friction;
@@ -252,20 +251,20 @@ TEST(BoundaryShapes, SameBitsOnOneAndTwoThreadsAndAfterARestart) {
     how.threads = threads;
     Engine engine = turning(p, how);
     engine.advance(2011);
-    half_way = engine.save();
+    half_way = save_sample(engine);
     std::size_t contacts = 0;
     for (int n = 0; n < 50; ++n) {
       engine.advance(10);
-      contacts += met(engine.packing());
+      contacts += met(packing_of(engine));
     }
     EXPECT_GT(contacts, 20U);
-    if (hash == 0) hash = engine.state_hash();
-    EXPECT_EQ(engine.state_hash(), hash) << threads;
+    if (hash == 0) hash = state_hash(engine);
+    EXPECT_EQ(state_hash(engine), hash) << threads;
   }
   Engine resumed = turning(p, {});
-  resumed.restore(half_way);
+  restore_sample(resumed, half_way);
   resumed.advance(500);
-  EXPECT_EQ(resumed.state_hash(), hash);
+  EXPECT_EQ(state_hash(resumed), hash);
 }
 
 }  // namespace

@@ -32,9 +32,9 @@ TEST(Clumps, OneThatFliesKeepsMomentumAngularMomentumAndEnergy) {
   Packing p = box(1, 1);
   add(p, Clump{bent, {0.3, 0.4}, 6.2e-3, 0.4, {1.5, -0.7}, 90});
   Engine engine(p, {}, with_step(5e-7));
-  const Motion before = motion_of(engine.packing());
+  const Motion before = motion_of(packing_of(engine));
   engine.advance(20'000);
-  const Packing end = engine.packing();
+  const Packing end = packing_of(engine);
   const Motion after = motion_of(end);
   EXPECT_NEAR(end.grains.position[0].x, 0.3 + 0.01 * 1.5, 1e-12);
   EXPECT_NEAR(end.grains.position[0].y, 0.4 - 0.01 * 0.7, 1e-12);
@@ -43,7 +43,7 @@ TEST(Clumps, OneThatFliesKeepsMomentumAngularMomentumAndEnergy) {
   EXPECT_NEAR(after.momentum.y / before.momentum.y, 1, 1e-12);
   EXPECT_NEAR(after.angular / before.angular, 1, 1e-12);
   EXPECT_NEAR(after.kinetic / before.kinetic, 1, 1e-12);
-  EXPECT_NEAR(engine.energies().kinetic / before.kinetic, 1, 1e-12);
+  EXPECT_NEAR(energies_of(engine).kinetic / before.kinetic, 1, 1e-12);
 }
 
 TEST(Clumps, CollisionKeepsMomentumAndAngularMomentum) {
@@ -54,19 +54,19 @@ TEST(Clumps, CollisionKeepsMomentumAndAngularMomentum) {
   law.friction = 0.5;
   law.restitution = 0.6;
   Engine engine(p, law, {});
-  const Motion before = motion_of(engine.packing());
+  const Motion before = motion_of(packing_of(engine));
   bool met = false;
   for (int n = 0; n < 400; ++n) {
     engine.advance(20);
-    met = met || engine.packing().contacts.size() > 0;
-    const Motion now = motion_of(engine.packing());
+    met = met || packing_of(engine).contacts.size() > 0;
+    const Motion now = motion_of(packing_of(engine));
     ASSERT_NEAR(now.momentum.x / before.momentum.x, 1, 1e-12);
     ASSERT_NEAR(now.momentum.y / before.momentum.y, 1, 1e-12);
     ASSERT_NEAR(now.angular / before.angular, 1, 1e-12);
   }
   EXPECT_TRUE(met);
-  EXPECT_LT(motion_of(engine.packing()).kinetic, 0.95 * before.kinetic);
-  EXPECT_EQ(engine.packing().contacts.size(), 0U);
+  EXPECT_LT(motion_of(packing_of(engine)).kinetic, 0.95 * before.kinetic);
+  EXPECT_EQ(packing_of(engine).contacts.size(), 0U);
 }
 
 /// Two dumbbells, each at right angles to the way, meet with one disk each, a lever b beside both centres. Equal grains
@@ -81,9 +81,9 @@ TEST(Clumps, ImpulseAndSpinOfAnEccentricCollisionAreTheClosedForm) {
   dem::IntegrationParameters how;
   how.safety = 0.001;
   Engine engine(p, elastic(), how);
-  while (engine.packing().contacts.size() == 0) engine.advance(50);
-  while (engine.packing().contacts.size() > 0) engine.advance(50);
-  const Packing end = engine.packing();
+  while (packing_of(engine).contacts.size() == 0) engine.advance(50);
+  while (packing_of(engine).contacts.size() > 0) engine.advance(50);
+  const Packing end = packing_of(engine);
   const double impulse = 2 / (1 + lever * lever / (gyration * gyration)),
                spin = impulse * lever / (gyration * gyration);
   EXPECT_NEAR(end.grains.velocity[0].x, 1 - impulse, 1e-3);
@@ -107,10 +107,10 @@ TEST(Clumps, CentralCollisionHasTheRestitutionThatIsAsked) {
     dem::IntegrationParameters how;
     how.safety = 0.002;
     Engine engine(p, law, how);
-    while (engine.packing().contacts.size() == 0) engine.advance(50);
-    while (engine.packing().contacts.size() > 0) engine.advance(50);
-    EXPECT_NEAR(engine.packing().grains.velocity[1].x, restitution, 2e-3);
-    EXPECT_NEAR(engine.packing().grains.velocity[0].x, -restitution, 2e-3);
+    while (packing_of(engine).contacts.size() == 0) engine.advance(50);
+    while (packing_of(engine).contacts.size() > 0) engine.advance(50);
+    EXPECT_NEAR(packing_of(engine).grains.velocity[1].x, restitution, 2e-3);
+    EXPECT_NEAR(packing_of(engine).grains.velocity[0].x, -restitution, 2e-3);
   }
 }
 
@@ -164,10 +164,10 @@ Packing pressed_clumps(bool periodic, int side = 6) {
   smooth.restitution = 0.3;
   Engine engine(crowd(periodic, 1, side), smooth, {});
   const double speed = side > 6 ? 100 : 2;
-  engine.set_drives({moved(speed), moved(-speed), moved(speed), moved(-speed)});
-  while (engine.packing().contacts.size() < static_cast<std::size_t>((side > 6 ? 1 : 2.5) * side * side))
+  set_drives(engine, {moved(speed), moved(-speed), moved(speed), moved(-speed)});
+  while (packing_of(engine).contacts.size() < static_cast<std::size_t>((side > 6 ? 1 : 2.5) * side * side))
     engine.advance(50);
-  return engine.packing();
+  return packing_of(engine);
 }
 
 TEST(Clumps, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
@@ -179,11 +179,11 @@ TEST(Clumps, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
     how.safety = 1.0 / 500;
     how.track_energy = true;
     Engine engine(pressed_clumps(boundary > 0), law, how);
-    engine.set_drives({moved(0.8), moved(-0.8), moved(0.8), moved(-0.8)});
-    if (boundary == 2) engine.set_shear_rate(30);
-    const Energies before = engine.energies();
+    set_drives(engine, {moved(0.8), moved(-0.8), moved(0.8), moved(-0.8)});
+    if (boundary == 2) set_shear_rate(engine, 30);
+    const Energies before = energies_of(engine);
     engine.advance(15'000);
-    const Energies after = engine.energies();
+    const Energies after = energies_of(engine);
     const double stored = after.kinetic + after.elastic - before.kinetic - before.elastic,
                  work = after.work_walls - before.work_walls;
     const double lost = after.dissipated_normal + after.dissipated_friction + after.dissipated_drag;
@@ -202,42 +202,42 @@ TEST(Clumps, SameBitsOnOneAndTwoThreadsAndForEveryKernel) {
       how.threads = threads;
       how.kernel = kernel;
       Engine engine(p, {}, how);
-      engine.set_drives({moved(5), moved(-5), moved(5), moved(-5)});
+      set_drives(engine, {moved(5), moved(-5), moved(5), moved(-5)});
       engine.advance(300);
-      if (hash == 0) hash = engine.state_hash();
-      EXPECT_EQ(engine.state_hash(), hash) << kernel << " " << threads;
-      EXPECT_GT(engine.packing().contacts.size(), 1000U);
+      if (hash == 0) hash = state_hash(engine);
+      EXPECT_EQ(state_hash(engine), hash) << kernel << " " << threads;
+      EXPECT_GT(packing_of(engine).contacts.size(), 1000U);
     }
 }
 
 TEST(Clumps, AStateThatIsSavedAndRestoredGoesOnWithTheSameBits) {
   const Packing p = crowd(true, 5);
   Engine whole(p, {}, {});
-  whole.set_shear_rate(20);
+  set_shear_rate(whole, 20);
   whole.advance(1733);
-  const auto bytes = whole.save();
+  const auto bytes = save_sample(whole);
   whole.advance(2000);
   Engine resumed(p, {}, {});
-  resumed.restore(bytes);
+  restore_sample(resumed, bytes);
   resumed.advance(2000);
-  EXPECT_GT(whole.list_builds(), 3);
-  EXPECT_EQ(resumed.state_hash(), whole.state_hash());
+  EXPECT_GT(whole.builds, 3);
+  EXPECT_EQ(state_hash(resumed), state_hash(whole));
 }
 
 TEST(Clumps, DisksAmongThemTouchAtTheirOwnCentresArms) {
   Packing p = crowd(true, 5);
   for (int q = 0; q < 36; ++q) add(p, Clump{{{0, 0}}, {(q % 6 + 1) * 0.0185, (q / 6 + 1) * 0.0185}, 4e-3, 0, {9, -7}});
   Engine engine(p, {}, {});
-  engine.set_drives({moved(2), moved(-2), moved(2), moved(-2)});
-  while (engine.packing().contacts.size() < 150) engine.advance(50);
-  engine.set_drives({});
-  engine.set_shear_rate(100);
+  set_drives(engine, {moved(2), moved(-2), moved(2), moved(-2)});
+  while (packing_of(engine).contacts.size() < 150) engine.advance(50);
+  set_drives(engine, {});
+  set_shear_rate(engine, 100);
   std::size_t disks = 0;
   for (int k = 0; k < 20; ++k) {
     engine.advance(200);
     Engine again(p, {}, {});
-    again.restore(engine.save());
-    for (const Packing& now : {engine.packing(), again.packing()})
+    restore_sample(again, save_sample(engine));
+    for (const Packing& now : {packing_of(engine), packing_of(again)})
       for (std::size_t c = 0; c < now.contacts.size(); ++c) {
         if (now.contacts.j[c] < 36) continue;
         ++disks;
@@ -245,7 +245,7 @@ TEST(Clumps, DisksAmongThemTouchAtTheirOwnCentresArms) {
         EXPECT_NEAR(now.contacts.off_j[c].y, 0, 1e-15) << c;
       }
   }
-  EXPECT_GT(engine.list_builds(), 20);
+  EXPECT_GT(engine.builds, 20);
   EXPECT_GT(disks, 100U);
 }
 
@@ -266,14 +266,14 @@ TEST(Clumps, ForceIsMinusTheGradientOfTheEnergy) {
     moved.grains.position[0].x += dx;
     moved.grains.position[0].y += dy;
     moved.grains.angle[0] += turn;
-    return Engine(moved, law, how).energies().elastic;
+    return energies_of(Engine(moved, law, how)).elastic;
   };
   ASSERT_GT(energy(0, 0, 0), 0);
   Engine engine(p, law, how);
-  const double dt = engine.time_step();
+  const double dt = engine.dt;
   engine.advance(1);
-  engine.set_gravity({1e-30, 0});  // brings velocities to the time of the places
-  const Packing end = engine.packing();
+  set_gravity(engine, {1e-30, 0});  // brings velocities to the time of the places
+  const Packing end = packing_of(engine);
   const double h = 1e-8;
   const Vec2 force{-(energy(h, 0, 0) - energy(-h, 0, 0)) / (2 * h), -(energy(0, h, 0) - energy(0, -h, 0)) / (2 * h)};
   const double turn = h / 6.2e-3, torque = -(energy(0, 0, turn) - energy(0, 0, -turn)) / (2 * turn);
@@ -293,13 +293,13 @@ TEST(Clumps, ALyingDumbbellSlidesAboveTheAngleOfFriction) {
     law.friction = mu;
     law.restitution = 0.3;
     Engine engine(p, law, {});
-    engine.set_gravity(gravity * Vec2{std::sin(slope), -std::cos(slope)});
-    while (engine.time() < 0.05) engine.advance(100);
-    const Packing first = engine.packing();
-    const double then = engine.time();
-    while (engine.time() < 0.1) engine.advance(100);
-    const Packing end = engine.packing();
-    const double acceleration = (end.grains.velocity[0].x - first.grains.velocity[0].x) / (engine.time() - then);
+    set_gravity(engine, gravity * Vec2{std::sin(slope), -std::cos(slope)});
+    while (time_of(engine) < 0.05) engine.advance(100);
+    const Packing first = packing_of(engine);
+    const double then = time_of(engine);
+    while (time_of(engine) < 0.1) engine.advance(100);
+    const Packing end = packing_of(engine);
+    const double acceleration = (end.grains.velocity[0].x - first.grains.velocity[0].x) / (time_of(engine) - then);
     if (slope < std::atan(mu)) EXPECT_NEAR(end.grains.velocity[0].x, 0, 1e-6);
     else EXPECT_NEAR(acceleration / (gravity * (std::sin(slope) - mu * std::cos(slope))), 1, 1e-5);
     ASSERT_EQ(end.contacts.size(), 2U);

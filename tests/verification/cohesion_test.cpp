@@ -54,12 +54,12 @@ std::vector<Pulled> pulled_apart(const dem::Cohesion& law, double way, double ra
   add(p, {{width - radius_j, 0.25}, radius_j});
   dem::IntegrationParameters how;
   Engine engine(p, cohesive(law), how);
-  engine.set_rough({true, true, false, false});
-  engine.set_drives({dem::WallDrive{}, moved(way / (2000 * engine.time_step())), {}, {}});
+  set_rough(engine, {true, true, false, false});
+  set_drives(engine, {dem::WallDrive{}, moved(way / (2000 * engine.dt)), {}, {}});
   std::vector<Pulled> curve;
   for (int n = 0; n < 2000; ++n) {
     engine.advance(1);
-    curve.push_back({engine.domain().wall[right].position - width - overlap, -engine.domain().wall[right].force});
+    curve.push_back({engine.domain.wall[right].position - width - overlap, -engine.domain.wall[right].force});
   }
   return curve;
 }
@@ -111,14 +111,14 @@ TEST(Cohesion, BridgesFormAtTheTouchAndNotBefore) {
   how.safety = 1.0 / 500;
   how.track_energy = true;
   Engine engine(p, cohesive(law), how);
-  engine.advance(static_cast<std::int64_t>(0.9 * gap / speed / engine.time_step()));
-  EXPECT_EQ(engine.cohesion_count().joined, 0u);
-  EXPECT_EQ(engine.energies().kinetic, engine.energies().kinetic + engine.energies().adhesive);
-  const double before = engine.energies().kinetic;
-  while (engine.cohesion_count().joined == 0) engine.advance(1);
-  while (engine.cohesion_count().joined == 1) engine.advance(10);
+  engine.advance(static_cast<std::int64_t>(0.9 * gap / speed / engine.dt));
+  EXPECT_EQ(count_cohesion(engine).joined, 0u);
+  EXPECT_EQ(energies_of(engine).kinetic, energies_of(engine).kinetic + energies_of(engine).adhesive);
+  const double before = energies_of(engine).kinetic;
+  while (count_cohesion(engine).joined == 0) engine.advance(1);
+  while (count_cohesion(engine).joined == 1) engine.advance(10);
   const dem::PullCurve curve = law.curve(wet_radius, wet_radius, wet_thickness);
-  const Energies after = engine.energies();
+  const Energies after = energies_of(engine);
   EXPECT_NEAR(after.dissipated_breakage, curve.energy(curve.reach()), 1e-3 * curve.energy(curve.reach()));
   EXPECT_NEAR(before - after.kinetic, curve.energy(curve.reach()), 1e-3 * curve.energy(curve.reach()));
   EXPECT_LT(std::abs(before - after.kinetic - after.dissipated_breakage - after.elastic - after.adhesive),
@@ -138,12 +138,12 @@ TEST(Cohesion, FrictionIsCappedByMuTimesTheForceAbovePullOff) {
     contact.friction_law = dem::CundallStrack{};
     contact.friction = 0.3;
     Engine engine(p, contact, {});
-    engine.set_rough({true, true, false, false});
+    set_rough(engine, {true, true, false, false});
     dem::WallDrive slides;
     slides.slide = 0.05;
-    engine.set_drives({dem::WallDrive{}, slides, {}, {}});
-    while (engine.time() < 2e-4) engine.advance(1);
-    const Packing now = engine.packing();
+    set_drives(engine, {dem::WallDrive{}, slides, {}, {}});
+    while (time_of(engine) < 2e-4) engine.advance(1);
+    const Packing now = packing_of(engine);
     const auto pair = find_contact(now, 0, 1);
     ASSERT_TRUE(pair);
     const double pull = now.cohesive.at(0).pull, elastic = k_pom * now.contacts.overlap[*pair];
@@ -169,16 +169,16 @@ DrivenBalance driven(const Packing& start, const dem::Cohesion& law, IntegratorK
   dem::IntegrationParameters how = with_step(shortest_contact_time() / share, kind);
   how.track_energy = true;
   Engine engine(start, contact, how);
-  engine.set_rough(rough);
-  engine.set_drives(drives);
-  const Energies before = engine.energies();
-  std::size_t most = engine.cohesion_count().joined;
+  set_rough(engine, rough);
+  set_drives(engine, drives);
+  const Energies before = energies_of(engine);
+  std::size_t most = count_cohesion(engine).joined;
   for (int n = 0; n < contact_times; ++n) {
     engine.advance(share);
-    most = std::max(most, engine.cohesion_count().joined);
+    most = std::max(most, count_cohesion(engine).joined);
   }
-  const Energies after = engine.energies();
-  const std::size_t joined = engine.cohesion_count().joined;
+  const Energies after = energies_of(engine);
+  const std::size_t joined = count_cohesion(engine).joined;
   return {stored(after) - stored(before) + lost(after) - lost(before) - after.work_walls + before.work_walls,
           after.work_walls - before.work_walls, after.dissipated_breakage, joined, most - joined};
 }
@@ -239,10 +239,10 @@ TEST(Cohesion, KeepsMomentumAndAngularMomentum) {
     contact.friction = 0.5;
     Engine engine(p, contact, {});
     engine.advance(3000);
-    EXPECT_GT(engine.cohesion_count().joined, 0u);
+    EXPECT_GT(count_cohesion(engine).joined, 0u);
     const double scale = 36 * mass(p, 0) * 1;
-    EXPECT_LT(norm(momentum(engine.packing()) - momentum(p)), 1e-12 * scale);
-    EXPECT_NEAR(angular_momentum(engine.packing(), {0.43, 0.43}), angular_momentum(p, {0.43, 0.43}),
+    EXPECT_LT(norm(momentum(packing_of(engine)) - momentum(p)), 1e-12 * scale);
+    EXPECT_NEAR(angular_momentum(packing_of(engine), {0.43, 0.43}), angular_momentum(p, {0.43, 0.43}),
                 1e-12 * scale * 0.06);
   }
 }

@@ -37,11 +37,11 @@ Outcome collide(const Packing& start, const dem::ContactParameters& law, const d
   int in_contact = 0;
   for (int step = 0; step < 400000; ++step) {
     engine.advance(1);
-    const Packing now = engine.packing();
+    const Packing now = packing_of(engine);
     if (now.contacts.size() == 0) {
       if (in_contact > 0) {
         out.restitution = separation_speed(now) / approach;
-        out.duration = in_contact * engine.time_step();
+        out.duration = in_contact * engine.dt;
         return out;
       }
       continue;

@@ -71,9 +71,9 @@ TEST(ContactSearch, MissesNoneOfTheContactsThatTryingAllPairsFinds) {
     std::size_t seen = 0;
     for (int part = 0; part < 300; ++part) {
       engine.advance(37);
-      const Packing p = engine.packing();
+      const Packing p = packing_of(engine);
       const auto expected = all_overlaps(p);
-      ASSERT_EQ(p.contacts.size(), expected.size()) << "at step " << engine.step();
+      ASSERT_EQ(p.contacts.size(), expected.size()) << "at step " << engine.step;
       for (std::size_t c = 0; c < p.contacts.size(); ++c) {
         const auto it = expected.find({p.contacts.i[c], p.contacts.j[c]});
         ASSERT_TRUE(it != expected.end());

@@ -34,13 +34,13 @@ TEST(Crystal, HasTheModuliOfATriangularLatticeOfNormalAndTangentialSprings) {
       law.restitution = 0.5;
       Engine engine(start, law, with_step(contact_time(0.5 * mass(start, 0), k_pom) / 100));
       const std::int64_t steps = 5000;
-      const double t = static_cast<double>(steps) * engine.time_step();
-      engine.set_drives({dem::WallDrive{}, moved(-strain.x * start.domain.width() / t), dem::WallDrive{},
-                         moved(-strain.y * start.domain.height() / t)});
+      const double t = static_cast<double>(steps) * engine.dt;
+      set_drives(engine, {dem::WallDrive{}, moved(-strain.x * start.domain.width() / t), dem::WallDrive{},
+                          moved(-strain.y * start.domain.height() / t)});
       engine.advance(steps);
-      engine.set_drives({});
+      set_drives(engine, {});
       engine.advance(10000);
-      const Packing p = engine.packing();
+      const Packing p = packing_of(engine);
       EXPECT_NEAR(1 - p.domain.width() / start.domain.width(), strain.x, 1e-7 * strain.x);
       Tensor2 s;
       for (std::size_t c = 0; c < p.contacts.size(); ++c)
@@ -73,7 +73,7 @@ TEST(Crystal, CarriesSoundAtTheSpeedOfItsStiffness) {
   const std::int64_t quarter = 2000;
   Engine engine(p, elastic(), with_step(period / (4 * quarter)));
   engine.advance(2 * quarter);  // half a period later the velocities are turned round
-  const Packing half = engine.packing();
+  const Packing half = packing_of(engine);
   double overlap = 0, norm_of_start = 0;
   for (std::size_t i = 0; i < p.grains.size(); ++i) {
     overlap += half.grains.velocity[i].x * p.grains.velocity[i].x;
@@ -84,7 +84,7 @@ TEST(Crystal, CarriesSoundAtTheSpeedOfItsStiffness) {
   EXPECT_LT(overlap / norm_of_start, -0.998);
   EXPECT_GT(overlap / norm_of_start, -1.0001);
   engine.advance(quarter);  // three quarters: at rest
-  const Packing rest = engine.packing();
+  const Packing rest = packing_of(engine);
   double now = 0;
   for (std::size_t i = 0; i < p.grains.size(); ++i) now += rest.grains.velocity[i].x * p.grains.velocity[i].x;
   EXPECT_NEAR(now / norm_of_start, 0, 3 * pi / 2 * 0.01);

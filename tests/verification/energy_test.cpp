@@ -27,11 +27,11 @@ Balance compress(const dem::ContactParameters& law, IntegratorKind kind, double 
   how.track_energy = true;
   how.drag = drag;
   Engine engine(start, law, how);
-  engine.set_drives({dem::WallDrive{}, moved(-0.8), moved(1.1), dem::WallDrive{}});
-  engine.set_gravity(g);
-  const Energies before = engine.energies();
+  set_drives(engine, {dem::WallDrive{}, moved(-0.8), moved(1.1), dem::WallDrive{}});
+  set_gravity(engine, g);
+  const Energies before = energies_of(engine);
   engine.advance(static_cast<std::int64_t>(30 * share_of_contact_time));
-  const Energies after = engine.energies();
+  const Energies after = energies_of(engine);
   return {stored(after) - stored(before) + lost(after) - lost(before) - work(after) + work(before),
           std::abs(work(after) - work(before)), lost(after) - lost(before)};
 }
@@ -115,10 +115,10 @@ TEST(Energy, ConvergesAtTheIntegratorsOrder) {
       dem::IntegrationParameters how = with_step(shortest_contact_time() / (20 << level), kind);
       how.track_energy = true;
       Engine engine(squeezed(), law, how);
-      engine.set_drives({dem::WallDrive{}, moved(-0.3), dem::WallDrive{}, dem::WallDrive{}});
-      const Energies a = engine.energies();
+      set_drives(engine, {dem::WallDrive{}, moved(-0.3), dem::WallDrive{}, dem::WallDrive{}});
+      const Energies a = energies_of(engine);
       engine.advance(40 << level);
-      const Energies b = engine.energies();
+      const Energies b = energies_of(engine);
       error[level] = std::abs(stored(b) - stored(a) + lost(b) - lost(a) - work(b) + work(a)) / stored(a);
     }
     EXPECT_GT(std::log2(error[0] / error[1]), 1.7) << name(kind) << " " << error[0] << " " << error[1];
@@ -136,11 +136,11 @@ TEST(Energy, SlowCompressionOfOneDiskCostsTwoSpringsEnergy) {
   dem::IntegrationParameters how = with_step(dt);
   how.track_energy = true;
   Engine engine(p, frictionless(0.2), how);
-  engine.set_drives({dem::WallDrive{}, dem::WallDrive{}, dem::WallDrive{}, moved(-speed)});
+  set_drives(engine, {dem::WallDrive{}, dem::WallDrive{}, dem::WallDrive{}, moved(-speed)});
   const std::int64_t steps = 20000;
   engine.advance(steps);
   const double h = 0.5 * speed * dt * static_cast<double>(steps), expected = k_pom * h * h;
-  const Energies e = engine.energies();
+  const Energies e = energies_of(engine);
   EXPECT_NEAR(e.elastic, expected, 1e-2 * expected);
   EXPECT_NEAR(e.work_walls - e.dissipated_normal - e.kinetic, e.elastic, 1e-6 * expected);
 }
@@ -153,16 +153,16 @@ double imbalance_under_changing_loads(IntegratorKind kind, bool periodic) {
   dem::IntegrationParameters how = with_step(shortest_contact_time() / 500, kind);
   how.track_energy = true;
   Engine engine(shaken_lattice(8, 8, 4, periodic), law, how);
-  const Energies before = engine.energies();
-  engine.set_drives({dem::WallDrive{}, moved(-0.8), moved(1.1), dem::WallDrive{}});
+  const Energies before = energies_of(engine);
+  set_drives(engine, {dem::WallDrive{}, moved(-0.8), moved(1.1), dem::WallDrive{}});
   engine.advance(15000);
-  engine.set_drives({dem::WallDrive{}, pressed(3000), pressed(4000), dem::WallDrive{}});
-  engine.set_gravity(periodic ? Vec2{} : Vec2{100, -500});
+  set_drives(engine, {dem::WallDrive{}, pressed(3000), pressed(4000), dem::WallDrive{}});
+  set_gravity(engine, periodic ? Vec2{} : Vec2{100, -500});
   engine.advance(10000);
-  engine.set_drag(200);
-  engine.set_drives({dem::WallDrive{}, moved(0.1), pressed(2000), moved(-0.2)});
+  set_drag(engine, 200);
+  set_drives(engine, {dem::WallDrive{}, moved(0.1), pressed(2000), moved(-0.2)});
   engine.advance(5000);
-  const Energies after = engine.energies();
+  const Energies after = energies_of(engine);
   EXPECT_GT(work(after), 0.1);
   return std::abs(stored(after) - stored(before) + lost(after) - work(after)) / work(after);
 }
@@ -180,11 +180,11 @@ TEST(Energy, OfAnElasticGasStaysWhereItIs) {
   for (const auto kind : integrators) {
     const Packing start = shaken_lattice(8, 8, 3, true, 1);
     Engine engine(start, elastic(), with_step(shortest_contact_time() / 100, kind));
-    const double at_start = stored(engine.energies());
+    const double at_start = stored(energies_of(engine));
     double worst = 0;
     for (int part = 0; part < 50; ++part) {
       engine.advance(800);
-      worst = std::max(worst, std::abs(stored(engine.energies()) / at_start - 1));
+      worst = std::max(worst, std::abs(stored(energies_of(engine)) / at_start - 1));
     }
     EXPECT_LT(worst, 2e-4) << name(kind);
   }
@@ -203,8 +203,8 @@ std::pair<double, double> law_at(double h, const dem::ContactParameters& law, bo
   dem::IntegrationParameters how = with_step(1e-8);
   how.track_energy = true;
   const Engine engine(p, law, how);
-  const Energies e = engine.energies();
-  return {engine.packing().contacts.fn.at(0), e.elastic + e.adhesive};
+  const Energies e = energies_of(engine);
+  return {packing_of(engine).contacts.fn.at(0), e.elastic + e.adhesive};
 }
 
 TEST(Energy, NormalForceIsMinusItsGradientForEveryLaw) {
@@ -238,15 +238,15 @@ TEST(Energy, TheTangentialSpringStoresHalfTheSquareOfItsForceOverItsStiffness) {
   how.rotations = false;
   Engine engine(p, law, how);
   const double omega = std::sqrt(k_pom / mass(p, 0)), g = 1e-5 * k_pom / mass(p, 0);
-  engine.set_gravity({0.5 * g, -g});
-  engine.set_drag(0.3 * omega);
+  set_gravity(engine, {0.5 * g, -g});
+  set_drag(engine, 0.3 * omega);
   engine.advance(20000);
-  const Packing now = engine.packing();
+  const Packing now = packing_of(engine);
   ASSERT_EQ(now.contacts.size(), 1u);
   const double fn = now.contacts.fn[0], ft = now.contacts.ft[0];
   EXPECT_NEAR(std::abs(ft), 0.5 * g * mass(p, 0), 1e-6 * std::abs(ft));
   const double expected = 0.5 * fn * fn / k_pom + 0.5 * ft * ft / (0.8 * k_pom);
-  EXPECT_NEAR(engine.energies().elastic, expected, 1e-9 * expected);
+  EXPECT_NEAR(energies_of(engine).elastic, expected, 1e-9 * expected);
 }
 
 TEST(Momentum, IsConservedInAPeriodicCellWhateverTheContactsDissipate) {
@@ -262,7 +262,7 @@ TEST(Momentum, IsConservedInAPeriodicCellWhateverTheContactsDissipate) {
       double scale = 0;
       for (std::size_t i = 0; i < start.grains.size(); ++i) scale += mass(start, i) * norm(velocity(start, i));
       engine.advance(3000);
-      const Packing end = engine.packing();
+      const Packing end = packing_of(engine);
       EXPECT_GT(end.contacts.size(), 10u);
       // Rounding of 3000 steps only.
       EXPECT_NEAR(momentum(end).x, momentum(start).x, 1e-12 * scale) << name(kind);

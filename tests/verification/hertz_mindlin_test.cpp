@@ -49,7 +49,7 @@ TEST(HertzMindlin, ForceOfTwoSpheresIsThatOfTheirModuli) {
     for (const double rb : {2e-3, 5e-3})
       for (const double h : {1e-7, 1e-5}) {
         const double ra = 2e-3, r = reduced(ra, rb);
-        const Packing p = pressed_pair(a, b, ra, rb, h), now = Engine(p, mindlin(1), with_step(1e-9)).packing();
+        const Packing p = pressed_pair(a, b, ra, rb, h), now = packing_of(Engine(p, mindlin(1), with_step(1e-9)));
         const double e = 1 / (compliance(p, a) + compliance(p, b)), overlap = now.contacts.overlap.at(0);
         EXPECT_NEAR(now.contacts.fn.at(0) / (4.0 / 3 * e * std::sqrt(r) * std::pow(overlap, 1.5)), 1, 1e-12);
       }
@@ -59,7 +59,7 @@ TEST(HertzMindlin, AWallIsARigidPlane) {
   Packing p = elastic_box();
   const double r = 3e-3, h = 2e-6;
   add(p, {{r - h, 0.5}, r, rubber});
-  const Packing now = Engine(p, mindlin(1), with_step(1e-9)).packing();
+  const Packing now = packing_of(Engine(p, mindlin(1), with_step(1e-9)));
   EXPECT_NEAR(now.contacts.fn.at(0) * compliance(p, rubber) /
                   (4.0 / 3 * std::sqrt(r) * std::pow(now.contacts.overlap.at(0), 1.5)),
               1, 1e-12);
@@ -77,7 +77,7 @@ Outcome collide(const dem::ContactParameters& law, std::int32_t a, std::int32_t 
   Outcome out;
   for (int step = 0, touched = 0; step < 100000; ++step) {
     engine.advance(1);
-    const Packing now = engine.packing();
+    const Packing now = packing_of(engine);
     if (now.contacts.size() > 0) {
       ++touched;
       out.deepest = std::max(out.deepest, now.contacts.overlap[0]);
@@ -135,10 +135,10 @@ double sliding_stiffness(Packing p, double& normal_force) {
   p.grains.omega = {spin, spin};
   Engine engine(p, sticking(), with_step(dt, dem::IntegratorKind::leapfrog));
   engine.advance(steps);
-  const Packing now = engine.packing();
+  const Packing now = packing_of(engine);
   normal_force = now.contacts.fn.at(0);
   const double force = now.contacts.ft.at(0), slip = steps * dt * spin * (p.grains.radius[0] + p.grains.radius[1]);
-  EXPECT_NEAR(Engine(now, sticking(), with_step(dt)).packing().contacts.ft.at(0), force,
+  EXPECT_NEAR(packing_of(Engine(now, sticking(), with_step(dt))).contacts.ft.at(0), force,
               1e-9 * std::abs(force));  // as a next stage begins
   return std::abs(force) / slip;
 }
@@ -170,7 +170,7 @@ TEST(HertzMindlin, EveryKernelGivesTheSameForces) {
     how.kernel = kernel;
     Engine engine(p, sticking(), how);
     engine.advance(10);
-    return engine.packing().contacts;
+    return packing_of(engine).contacts;
   };
   const Contacts one = after("portable"), other = after("auto");
   ASSERT_EQ(one.size(), 23u);

@@ -28,7 +28,7 @@ struct Incline {
     dem::IntegrationParameters how = with_step(step());
     how.rotations = rotations;
     Engine e(start, law, how);
-    e.set_gravity(pull());
+    set_gravity(e, pull());
     return e;
   }
 };
@@ -49,10 +49,10 @@ struct Acceleration {
 /// Mean over the second half of `steps`, when what the start had of transients is gone.
 Acceleration measured(Engine& engine, std::int64_t steps) {
   engine.advance(steps / 2);
-  const Packing a = engine.packing();
+  const Packing a = packing_of(engine);
   engine.advance(steps / 2);
-  const Packing b = engine.packing();
-  const double t = static_cast<double>(steps / 2) * engine.time_step();
+  const Packing b = packing_of(engine);
+  const double t = static_cast<double>(steps / 2) * engine.dt;
   return {(b.grains.velocity[0].x - a.grains.velocity[0].x) / t, (b.grains.omega[0] - a.grains.omega[0]) / t};
 }
 
@@ -63,7 +63,7 @@ TEST(Incline, ASlidingBlockAcceleratesByGSinMinusMuCos) {
       Engine engine = incline.engine(rough(friction, mu), false);
       const double a = gravity * (std::sin(incline.slope) - mu * std::cos(incline.slope));
       EXPECT_NEAR(measured(engine, 80000).linear, a, 1e-6 * a);
-      EXPECT_EQ(engine.packing().grains.omega[0], 0);
+      EXPECT_EQ(packing_of(engine).grains.omega[0], 0);
     }
 }
 
@@ -96,7 +96,7 @@ TEST(Incline, ADiskRollsWithTwoThirdsOfGSin) {
     EXPECT_NEAR(is.angular, -a / radius, tolerance * a / radius);
     if (friction == dem::RegularisedCoulomb{}) {
       // The viscous law rolls with the slip that its friction force needs: m g sin/3 = gamma_s v_s.
-      const Packing p = engine.packing();
+      const Packing p = packing_of(engine);
       const double slip = p.grains.velocity[0].x + p.grains.omega[0] * (radius - incline.overlap);
       const double expected = incline.m * gravity * std::sin(incline.slope) / 3 / 50;
       EXPECT_NEAR(slip, expected, 1e-4 * expected);
@@ -111,16 +111,16 @@ TEST(Incline, RegularisedFrictionHoldsNoStaticFrictionButCreeps) {
   Engine engine = incline.engine(law, false);
   engine.advance(60000);  // many times m/gamma_s
   const double creep = incline.m * gravity * std::sin(incline.slope) / 50;
-  EXPECT_NEAR(engine.packing().grains.velocity[0].x, creep, 1e-8 * creep);
+  EXPECT_NEAR(packing_of(engine).grains.velocity[0].x, creep, 1e-8 * creep);
 }
 
 TEST(Incline, ACundallStrackBlockSticksAtTheSpringsStretch) {
   const Incline incline(0.2);
   Engine engine = incline.engine(rough(dem::CundallStrack{}, 0.5), false);
-  engine.set_drag(0.2 * std::sqrt(k_pom / incline.m));
+  set_drag(engine, 0.2 * std::sqrt(k_pom / incline.m));
   engine.advance(20000);
   const double moved_by = incline.m * gravity * std::sin(incline.slope) / (0.8 * k_pom);
-  const Packing p = engine.packing();
+  const Packing p = packing_of(engine);
   // The spring sums sliding velocities by the trapezoidal rule: (omega_t dt)^2/4 of the stretch.
   const double omega_t_dt = std::sqrt(0.8 * k_pom / incline.m) * incline.step();
   EXPECT_NEAR(p.grains.position[0].x - 1, moved_by, 0.3 * omega_t_dt * omega_t_dt * moved_by);
@@ -135,15 +135,15 @@ TEST(Incline, ACundallStrackBlockLeavesWhenTheSlopePassesMu) {
   for (const double excess : {-0.02, 0.02}) {
     const Incline incline(std::atan(mu) + excess);
     Engine engine = incline.engine(rough(dem::CundallStrack{}, mu), false);
-    engine.set_gravity({0, -gravity * std::cos(incline.slope)});
-    engine.set_drag(0.2 * std::sqrt(k_pom / incline.m));
+    set_gravity(engine, {0, -gravity * std::cos(incline.slope)});
+    set_drag(engine, 0.2 * std::sqrt(k_pom / incline.m));
     for (int part = 1; part <= 50; ++part) {  // tilted slowly, so that no overshoot decides
-      engine.set_gravity({part / 50.0 * incline.pull().x, incline.pull().y});
+      set_gravity(engine, {part / 50.0 * incline.pull().x, incline.pull().y});
       engine.advance(400);
     }
-    engine.set_drag(0);
+    set_drag(engine, 0);
     engine.advance(20000);
-    const double v = engine.packing().grains.velocity[0].x;
+    const double v = packing_of(engine).grains.velocity[0].x;
     if (excess < 0) EXPECT_LT(std::abs(v), 1e-8);
     else EXPECT_GT(v, 1e-4);
   }

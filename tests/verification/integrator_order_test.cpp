@@ -24,9 +24,9 @@ Convergence converge(const Packing& start, const dem::ContactParameters& law, In
   for (int level = 0; level < 3; ++level) {
     const int steps = n << level;
     Engine engine(start, law, with_step(end / steps, kind));
-    engine.set_gravity({0, -g});
+    set_gravity(engine, {0, -g});
     engine.advance(steps);
-    c.error[level] = norm(error(engine.packing()));
+    c.error[level] = norm(error(packing_of(engine)));
   }
   return c;
 }
@@ -123,7 +123,7 @@ TEST(IntegratorOrder, HoldsForHertz) {
   add(p, {{0.5, ball_radius - h0}, ball_radius});
   dem::ContactParameters law = elastic();
   law.normal = dem::Hertz{};
-  const double k_hertz = Engine(p, law, with_step(1e-8)).packing().contacts.fn.at(0) / std::pow(h0, 1.5);
+  const double k_hertz = packing_of(Engine(p, law, with_step(1e-8))).contacts.fn.at(0) / std::pow(h0, 1.5);
   const double m = mass(p, 0), g = 0.7 * k_hertz * std::pow(h0, 1.5) / m;
   const double period = 2 * pi / std::sqrt(1.5 * k_hertz * std::sqrt(h0) / m);
   const double end = 2.3 * period;
@@ -151,7 +151,7 @@ TEST(IntegratorOrder, GlobalDragDecaysExponentially) {
       how.drag = rate;
       Engine engine(p, elastic(), how);
       engine.advance(steps);
-      c.error[level] = std::abs(engine.packing().grains.position[0].y - 0.5 - distance) / distance;
+      c.error[level] = std::abs(packing_of(engine).grains.position[0].y - 0.5 - distance) / distance;
     }
     expect_convergence(c, kind == IntegratorKind::leapfrog ? 0.95 : least_order(kind), 1e-2, kind);
   }

@@ -118,9 +118,9 @@ State ours(const Packing& start, const Law& law) {
   integration.integrator = dem::IntegratorKind::leapfrog;
   integration.time_step = time_step();
   dem::Engine engine(start, contact, integration);
-  engine.set_gravity({0, -9.81});
+  set_gravity(engine, {0, -9.81});
   engine.advance(steps);
-  const Packing p = engine.packing();
+  const Packing p = packing_of(engine);
   State state;
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
     state.place.push_back(p.grains.position[k]);

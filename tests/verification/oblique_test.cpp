@@ -37,7 +37,7 @@ Oblique run(double tangential_speed, dem::ContactParameters law, double spin0 = 
   o.before = p;
   Engine engine(p, law, with_step(dt));
   engine.advance(static_cast<std::int64_t>(1.5 * steps_in_contact));
-  o.after = engine.packing();
+  o.after = packing_of(engine);
   EXPECT_EQ(o.after.contacts.size(), 0u);
   EXPECT_GT(o.normal_impulse(), 0);
   return o;

@@ -54,20 +54,20 @@ TEST(Polygons, CollisionKeepsMomentumAndAngularMomentum) {
     dem::IntegrationParameters how;
     how.safety = 0.02;
     Engine engine(p, law, how);
-    const Sums before = motion_of(engine.packing());
+    const Sums before = motion_of(packing_of(engine));
     std::size_t most = 0;
     for (int n = 0; n < 800; ++n) {
       engine.advance(20);
-      most = std::max(most, engine.packing().contacts.size());
-      const Sums now = motion_of(engine.packing());
+      most = std::max(most, packing_of(engine).contacts.size());
+      const Sums now = motion_of(packing_of(engine));
       ASSERT_NEAR(now.momentum.x / before.momentum.x, 1, 1e-12);
       ASSERT_NEAR(now.momentum.y / before.momentum.y, 1, 1e-12);
       ASSERT_NEAR(now.angular / before.angular, 1, 1e-12);
     }
     EXPECT_GT(most, 0U);
-    EXPECT_EQ(engine.packing().contacts.size(), 0U);
-    if (restitution == 1) EXPECT_NEAR(motion_of(engine.packing()).kinetic / before.kinetic, 1, 1e-3);
-    else EXPECT_LT(motion_of(engine.packing()).kinetic, 0.95 * before.kinetic);
+    EXPECT_EQ(packing_of(engine).contacts.size(), 0U);
+    if (restitution == 1) EXPECT_NEAR(motion_of(packing_of(engine)).kinetic / before.kinetic, 1, 1e-3);
+    else EXPECT_LT(motion_of(packing_of(engine)).kinetic, 0.95 * before.kinetic);
   }
 }
 
@@ -81,11 +81,11 @@ TEST(Polygons, TwoSquaresRestOnEachOther) {
   dem::ContactParameters law;
   law.restitution = 0.2;
   Engine engine(p, law, {});
-  engine.set_gravity({0, -gravity});
-  while (engine.time() < 0.1) engine.advance(200);
-  const Packing first = engine.packing();
-  while (engine.time() < 0.3) engine.advance(200);
-  const Packing end = engine.packing();
+  set_gravity(engine, {0, -gravity});
+  while (time_of(engine) < 0.1) engine.advance(200);
+  const Packing first = packing_of(engine);
+  while (time_of(engine) < 0.3) engine.advance(200);
+  const Packing end = packing_of(engine);
   double on_wall = 0, between = 0;
   std::size_t walls = 0;
   for (std::size_t c = 0; c < end.contacts.size(); ++c) {
@@ -110,7 +110,7 @@ TEST(Polygons, TwoSquaresRestOnEachOther) {
       const bool left_one = end.grains.position[0].x + end.contacts.lever_i(c).x < 0.1;
       EXPECT_NEAR(end.contacts.fn[c] / own_weight, 0.5 + (left_one ? -1 : 1) * 0.25e-3 / apart, 1e-5);
     }
-  EXPECT_LT(engine.equilibrium().unbalanced_ratio, 1e-6);
+  EXPECT_LT(equilibrium_of(engine).unbalanced_ratio, 1e-6);
 }
 
 TEST(Polygons, ASquareSlidesAboveTheAngleOfFriction) {
@@ -123,13 +123,13 @@ TEST(Polygons, ASquareSlidesAboveTheAngleOfFriction) {
     law.friction = mu;
     law.restitution = 0.2;
     Engine engine(p, law, {});
-    engine.set_gravity(gravity * Vec2{std::sin(slope), -std::cos(slope)});
-    while (engine.time() < 0.1) engine.advance(100);
-    const Packing first = engine.packing();
-    const double then = engine.time();
-    while (engine.time() < 0.2) engine.advance(100);
-    const Packing end = engine.packing();
-    const double acceleration = (end.grains.velocity[0].x - first.grains.velocity[0].x) / (engine.time() - then);
+    set_gravity(engine, gravity * Vec2{std::sin(slope), -std::cos(slope)});
+    while (time_of(engine) < 0.1) engine.advance(100);
+    const Packing first = packing_of(engine);
+    const double then = time_of(engine);
+    while (time_of(engine) < 0.2) engine.advance(100);
+    const Packing end = packing_of(engine);
+    const double acceleration = (end.grains.velocity[0].x - first.grains.velocity[0].x) / (time_of(engine) - then);
     if (slope < std::atan(mu)) EXPECT_NEAR(end.grains.velocity[0].x, 0, 1e-8);
     else EXPECT_NEAR(acceleration / (gravity * (std::sin(slope) - mu * std::cos(slope))), 1, 1e-6);
     EXPECT_EQ(end.contacts.size(), 2U);
@@ -149,9 +149,9 @@ TEST(Polygons, TangentialForcesOfAPackingAreTakenUp) {
   law.friction = 0.5;
   law.restitution = 0.2;
   Engine first(p, law, {});
-  first.set_gravity(gravity * Vec2{std::sin(slope), -std::cos(slope)});
-  while (first.time() < 0.2) first.advance(100);
-  const Packing then = first.packing(), now = Engine(then, law, {}).packing();
+  set_gravity(first, gravity * Vec2{std::sin(slope), -std::cos(slope)});
+  while (time_of(first) < 0.2) first.advance(100);
+  const Packing then = packing_of(first), now = packing_of(Engine(then, law, {}));
   ASSERT_EQ(then.contacts.size(), 6U);
   ASSERT_EQ(now.contacts.size(), 6U);
   double largest = 0;
@@ -188,14 +188,14 @@ TEST(Polygons, ForceIsMinusTheGradientOfTheEnergy) {
       moved.grains.position[1].x += dx;
       moved.grains.position[1].y += dy;
       moved.grains.angle[1] += turn;
-      return Engine(moved, law, how).energies().elastic;
+      return energies_of(Engine(moved, law, how)).elastic;
     };
     Engine engine(p, law, how);
-    EXPECT_EQ(engine.packing().contacts.size(), pose.contacts);
-    const double dt = engine.time_step(), m = mass(p, 1), inertia = m * std::pow(p.grains.shapes.gyration[1], 2);
+    EXPECT_EQ(packing_of(engine).contacts.size(), pose.contacts);
+    const double dt = engine.dt, m = mass(p, 1), inertia = m * std::pow(p.grains.shapes.gyration[1], 2);
     engine.advance(1);
-    engine.set_gravity({1e-30, 0});
-    const Packing end = engine.packing();
+    set_gravity(engine, {1e-30, 0});
+    const Packing end = packing_of(engine);
     const double h = 1e-9, turn = h / half;
     const Vec2 force{-(energy(h, 0, 0) - energy(-h, 0, 0)) / (2 * h), -(energy(0, h, 0) - energy(0, -h, 0)) / (2 * h)};
     const double torque = -(energy(0, 0, turn) - energy(0, 0, -turn)) / (2 * turn);
@@ -217,7 +217,7 @@ TEST(Polygons, ForceIsContinuousWhereASideEnds) {
     add(p, Polygon{4, {0.3, 0.4}});
     add(p, Polygon{4, {0.3 + half + beyond, 0.4 + half + half * std::sqrt(2.0) + 2 * r - 1e-5}, pi / 4});
     Vec2 sum;
-    const Packing now = Engine(p, elastic(), {}).packing();
+    const Packing now = packing_of(Engine(p, elastic(), {}));
     for (std::size_t c = 0; c < now.contacts.size(); ++c) sum += now.contacts.force_on_i(c);
     return sum;
   };
@@ -248,10 +248,10 @@ Packing squeezed_crowd(bool periodic, int side = 6) {
   smooth.restitution = 0.3;
   Engine engine(crowd(periodic, 1, side), smooth, {});
   const double speed = side > 6 ? 100 : 2;
-  engine.set_drives({moved(speed), moved(-speed), moved(speed), moved(-speed)});
-  while (engine.packing().contacts.size() < static_cast<std::size_t>((side > 6 ? 1 : 2.5) * side * side))
+  set_drives(engine, {moved(speed), moved(-speed), moved(speed), moved(-speed)});
+  while (packing_of(engine).contacts.size() < static_cast<std::size_t>((side > 6 ? 1 : 2.5) * side * side))
     engine.advance(50);
-  return engine.packing();
+  return packing_of(engine);
 }
 
 TEST(Polygons, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
@@ -263,11 +263,11 @@ TEST(Polygons, EnergyIsClosedToAMillionthOfTheWorkAtAStepOfTcOver500) {
     how.safety = 1.0 / 500;
     how.track_energy = true;
     Engine engine(squeezed_crowd(boundary > 0), law, how);
-    engine.set_drives({moved(0.8), moved(-0.8), moved(0.8), moved(-0.8)});
-    if (boundary == 2) engine.set_shear_rate(30);
-    const Energies before = engine.energies();
+    set_drives(engine, {moved(0.8), moved(-0.8), moved(0.8), moved(-0.8)});
+    if (boundary == 2) set_shear_rate(engine, 30);
+    const Energies before = energies_of(engine);
     engine.advance(15'000);
-    const Energies after = engine.energies();
+    const Energies after = energies_of(engine);
     const double stored = after.kinetic + after.elastic - before.kinetic - before.elastic,
                  work = after.work_walls - before.work_walls;
     const double lost = after.dissipated_normal + after.dissipated_friction + after.dissipated_drag;
@@ -287,28 +287,28 @@ TEST(Polygons, SameBitsOnOneAndTwoThreadsAndForEveryKernel) {
       how.threads = threads;
       how.kernel = kernel;
       Engine engine(p, {}, how);
-      engine.set_drives({moved(5), moved(-5), moved(5), moved(-5)});
+      set_drives(engine, {moved(5), moved(-5), moved(5), moved(-5)});
       engine.advance(300);
-      if (hash == 0) hash = engine.state_hash();
-      EXPECT_EQ(engine.state_hash(), hash) << kernel << " " << threads;
-      EXPECT_GT(engine.packing().contacts.size(), 1000U);
+      if (hash == 0) hash = state_hash(engine);
+      EXPECT_EQ(state_hash(engine), hash) << kernel << " " << threads;
+      EXPECT_GT(packing_of(engine).contacts.size(), 1000U);
     }
 }
 
 TEST(Polygons, AStateThatIsSavedAndRestoredGoesOnWithTheSameBits) {
   const Packing p = squeezed_crowd(true);
   Engine whole(p, {}, {});
-  whole.set_drives({moved(0.5), moved(-0.5), moved(0.5), moved(-0.5)});
-  whole.set_shear_rate(20);
+  set_drives(whole, {moved(0.5), moved(-0.5), moved(0.5), moved(-0.5)});
+  set_shear_rate(whole, 20);
   whole.advance(511);
-  const auto bytes = whole.save();
+  const auto bytes = save_sample(whole);
   whole.advance(1000);
-  ASSERT_GT(whole.packing().contacts.size(), 60U);
-  EXPECT_GT(whole.list_builds(), 3);
+  ASSERT_GT(packing_of(whole).contacts.size(), 60U);
+  EXPECT_GT(whole.builds, 3);
   Engine resumed(p, {}, {});
-  resumed.restore(bytes);
+  restore_sample(resumed, bytes);
   resumed.advance(1000);
-  EXPECT_EQ(resumed.state_hash(), whole.state_hash());
+  EXPECT_EQ(state_hash(resumed), state_hash(whole));
 }
 
 }  // namespace

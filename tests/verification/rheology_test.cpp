@@ -76,13 +76,13 @@ Steady sheared(double inertial_number, double strain) {
   dem::Engine engine(p, contact_of(0.1), {});
   dem::WallDrives drives;
   drives[top] = {dem::WallDrive::Kind::force, pressure * p.domain.width() * length};
-  engine.set_drives(drives);
+  set_drives(engine, drives);
   const double rate = inertial_number / std::sqrt(mass / (pressure * length));
-  engine.set_shear_rate(rate);
+  set_shear_rate(engine, rate);
   std::vector<double> mu, phi, load;
-  while (engine.shear_strain() < strain) {
+  while (engine.sheared < strain) {
     engine.advance(200);
-    const Domain& now = engine.domain();
+    const Domain& now = engine.domain;
     mu.push_back(std::abs(now.wall[top].shear_force) / drives[top].value);
     phi.push_back(area / now.area());
     load.push_back(now.wall[top].force / drives[top].value);
@@ -115,22 +115,22 @@ Steady compressed() {
     return dem::WallDrive{dem::WallDrive::Kind::force, pressure * area * length};
   };
   dem::WallDrives drives;
-  engine.set_friction(0);
+  set_friction(engine, 0);
   for (int n = 0; n < 200; ++n) {
-    drives[right] = pressed(engine.domain().height());
-    drives[top] = pressed(engine.domain().width());
-    engine.set_drives(drives);
+    drives[right] = pressed(engine.domain.height());
+    drives[top] = pressed(engine.domain.width());
+    set_drives(engine, drives);
     engine.advance(100);
   }
-  engine.set_friction(std::nullopt);
-  const double height = engine.domain().height();
+  set_friction(engine, std::nullopt);
+  const double height = engine.domain.height();
   std::vector<double> ratio, phi, load;
-  while (engine.domain().height() > 0.6 * height) {
-    drives[right] = pressed(engine.domain().height());
+  while (engine.domain.height() > 0.6 * height) {
+    drives[right] = pressed(engine.domain.height());
     drives[top] = {dem::WallDrive::Kind::velocity, -0.5 * height};
-    engine.set_drives(drives);
+    set_drives(engine, drives);
     engine.advance(50);
-    const Domain& now = engine.domain();
+    const Domain& now = engine.domain;
     const double xx = now.wall[right].force / now.height(), yy = now.wall[top].force / now.width();
     load.push_back(xx / (pressure * length));
     if (now.height() > 0.85 * height) continue;

@@ -28,56 +28,56 @@ dem::WallDrives bottom_pressed(double force) {
 
 TEST(Servo, AStepOfForceIsReachedWithoutMoreThanAFifthOfOvershootOnEitherWall) {
   Engine engine(crystal(), frictionless(0.1), with_step(crystal_step()));
-  engine.set_drives(bottom_pressed(1000));
+  set_drives(engine, bottom_pressed(1000));
   ASSERT_TRUE(settle(engine));
-  engine.set_drives(bottom_pressed(10000));
+  set_drives(engine, bottom_pressed(10000));
   double highest = 0;
   for (int part = 0; part < 4000; ++part) {
     engine.advance(10);
-    highest = std::max({highest, engine.domain().wall[bottom].force, engine.domain().wall[top].force});
+    highest = std::max({highest, engine.domain.wall[bottom].force, engine.domain.wall[top].force});
   }
   EXPECT_LT(highest, 1000 + 1.2 * 9000);
-  EXPECT_NEAR(engine.domain().wall[bottom].force, 10000, 1);
-  EXPECT_NEAR(engine.domain().wall[top].force, 10000, 1);
+  EXPECT_NEAR(engine.domain.wall[bottom].force, 10000, 1);
+  EXPECT_NEAR(engine.domain.wall[top].force, 10000, 1);
 }
 
 TEST(Servo, ClosesASmallGapAndIsStableOnOneDisk) {
   Packing p = box(0.2, 12.4e-3 + 1e-4);
   add(p, {{0.1, 0.0062}, 6.2e-3});
   Engine engine(p, frictionless(0.1), with_step(contact_time(mass(p, 0), k_pom) / 20));
-  engine.set_drives({dem::WallDrive{}, dem::WallDrive{}, dem::WallDrive{}, pressed(300)});
+  set_drives(engine, {dem::WallDrive{}, dem::WallDrive{}, dem::WallDrive{}, pressed(300)});
   engine.advance(400000);
-  EXPECT_NEAR(engine.domain().wall[top].force, 300, 0.3);
+  EXPECT_NEAR(engine.domain.wall[top].force, 300, 0.3);
   const double closed = 2 * 6.2e-3 - 2 * 300 / k_pom;
-  EXPECT_NEAR(engine.domain().wall[top].position - engine.domain().wall[bottom].position, closed, 1e-4 * 300 / k_pom);
+  EXPECT_NEAR(engine.domain.wall[top].position - engine.domain.wall[bottom].position, closed, 1e-4 * 300 / k_pom);
 }
 
 TEST(Servo, StandsStillWhereItsForceIsMet) {
   Engine engine(crystal(), frictionless(0.1), with_step(crystal_step()));
-  engine.set_drives(bottom_pressed(5000));
+  set_drives(engine, bottom_pressed(5000));
   ASSERT_TRUE(settle(engine));
-  const double before = engine.domain().wall[bottom].position;
+  const double before = engine.domain.wall[bottom].position;
   engine.advance(20000);
-  EXPECT_NEAR(engine.domain().wall[bottom].position, before, 1e-6 * before);
+  EXPECT_NEAR(engine.domain.wall[bottom].position, before, 1e-6 * before);
 }
 
 TEST(Servo, CyclesFrom6To60KiloNewtonComeBackToTheSameStateInAnElasticFrictionlessSample) {
   Engine engine(crystal(), frictionless(0.1), with_step(crystal_step()));
   const auto ramp = [&](double from, double to) {
     for (int part = 1; part <= 5; ++part) {
-      engine.set_drives(bottom_pressed(from + (to - from) * part / 5));
+      set_drives(engine, bottom_pressed(from + (to - from) * part / 5));
       ASSERT_TRUE(settle(engine, 1e-8, 1e-16)) << "at " << from + (to - from) * part / 5 << " N";
     }
   };
   ramp(0, 6000);
-  const Packing first = engine.packing();
+  const Packing first = packing_of(engine);
   double travelled = 0;
   for (int cycle = 0; cycle < 2; ++cycle) {
     ramp(6000, 60000);
-    travelled = engine.domain().wall[bottom].position - first.domain.wall[bottom].position;
+    travelled = engine.domain.wall[bottom].position - first.domain.wall[bottom].position;
     ramp(60000, 6000);
   }
-  const Packing last = engine.packing();
+  const Packing last = packing_of(engine);
   EXPECT_GT(travelled, 1e-3);
   EXPECT_NEAR(last.domain.wall[bottom].position, first.domain.wall[bottom].position, 1e-6 * travelled);
   for (std::size_t i = 0; i < last.grains.size(); ++i)
@@ -86,27 +86,27 @@ TEST(Servo, CyclesFrom6To60KiloNewtonComeBackToTheSameStateInAnElasticFrictionle
 
 TEST(Servo, HoldsItsForceWhileTheOppositeWallPushesTheSampleAlong) {
   Engine engine(crystal(), frictionless(0.1), with_step(crystal_step()));
-  engine.set_drives(bottom_pressed(5000));
+  set_drives(engine, bottom_pressed(5000));
   ASSERT_TRUE(settle(engine));
-  engine.set_drives({dem::WallDrive{}, dem::WallDrive{}, pressed(5000), moved(-0.2)});
+  set_drives(engine, {dem::WallDrive{}, dem::WallDrive{}, pressed(5000), moved(-0.2)});
   engine.advance(40000);
-  EXPECT_NEAR(engine.domain().wall[bottom].force, 5000, 5);
-  EXPECT_NEAR(engine.domain().wall[bottom].velocity, -0.2, 2e-4);
+  EXPECT_NEAR(engine.domain.wall[bottom].force, 5000, 5);
+  EXPECT_NEAR(engine.domain.wall[bottom].velocity, -0.2, 2e-4);
 }
 
 /// What brakes a wall must not hang on the force of now: it would then be braked more on its way out than in.
 TEST(Servo, ItsForceIsTheOneAskedForOnAverageWhileTheOppositeWallGoesToAndFro) {
   Engine engine(crystal(), frictionless(0.1), with_step(crystal_step()));
-  engine.set_drives(bottom_pressed(5000));
+  set_drives(engine, bottom_pressed(5000));
   ASSERT_TRUE(settle(engine));
   double sum = 0;
   std::int64_t looks = 0;
   for (int half = 0; half < 60; ++half) {
-    engine.set_drives({dem::WallDrive{}, dem::WallDrive{}, pressed(5000), moved(half % 2 == 0 ? -0.5 : 0.5)});
+    set_drives(engine, {dem::WallDrive{}, dem::WallDrive{}, pressed(5000), moved(half % 2 == 0 ? -0.5 : 0.5)});
     for (int look = 0; look < 100; ++look) {
       engine.advance(10);
       if (half < 10) continue;
-      sum += engine.domain().wall[bottom].force;
+      sum += engine.domain.wall[bottom].force;
       ++looks;
     }
   }
@@ -117,42 +117,42 @@ TEST(Servo, ItsForceIsTheOneAskedForOnAverageWhileTheOppositeWallGoesToAndFro) {
 TEST(Servo, GoesOnWithTheSameBitsHoweverTheStepsAreCountedAndAfterARestore) {
   const auto begun = [] {
     Engine engine(crystal(), frictionless(0.1), with_step(crystal_step()));
-    engine.set_drives(bottom_pressed(5000));
+    set_drives(engine, bottom_pressed(5000));
     engine.advance(2000);
-    engine.set_drives({dem::WallDrive{}, dem::WallDrive{}, pressed(5000), moved(-0.2)});
+    set_drives(engine, {dem::WallDrive{}, dem::WallDrive{}, pressed(5000), moved(-0.2)});
     return engine;
   };
   Engine whole = begun(), parts = begun(), restored = begun();
   whole.advance(500);
   for (int part = 0; part < 50; ++part) parts.advance(10);
-  restored.restore(parts.save());
-  EXPECT_EQ(whole.state_hash(), parts.state_hash());
+  restore_sample(restored, save_sample(parts));
+  EXPECT_EQ(state_hash(whole), state_hash(parts));
   for (Engine* engine : {&whole, &parts, &restored}) {
-    engine->set_drives(bottom_pressed(5000));
+    set_drives(*engine, bottom_pressed(5000));
     engine->advance(500);
   }
-  EXPECT_EQ(whole.state_hash(), parts.state_hash());
-  EXPECT_EQ(whole.state_hash(), restored.state_hash());
+  EXPECT_EQ(state_hash(whole), state_hash(parts));
+  EXPECT_EQ(state_hash(whole), state_hash(restored));
 }
 
 /// The longest step that the bounds allow is long enough for the lightest walls.
 TEST(Servo, IsStableAtTheLongestStepOnWallsOfADrivenSample) {
-  const double longest = Engine(crystal(), frictionless(0.1), with_step(crystal_step())).bounds().largest();
+  const double longest = step_bounds(Engine(crystal(), frictionless(0.1), with_step(crystal_step()))).largest();
   Engine engine(crystal(), frictionless(0.1), with_step(0.99 * longest));
-  engine.set_drives({dem::WallDrive{}, dem::WallDrive{}, pressed(5000), moved(-0.05)});
+  set_drives(engine, {dem::WallDrive{}, dem::WallDrive{}, pressed(5000), moved(-0.05)});
   engine.advance(40000);
-  EXPECT_NEAR(engine.domain().wall[bottom].force, 5000, 50);
+  EXPECT_NEAR(engine.domain.wall[bottom].force, 5000, 50);
 }
 
 TEST(Servo, AWallDrivenByVelocityMovesByItExactly) {
   Engine engine(crystal(), frictionless(0.1), with_step(crystal_step()));
-  engine.set_drives({moved(-0.2), moved(0.3), moved(-0.4), moved(0.5)});
+  set_drives(engine, {moved(-0.2), moved(0.3), moved(-0.4), moved(0.5)});
   engine.advance(1000);
-  const double t = engine.time();
+  const double t = time_of(engine);
   const Packing start = crystal();
   const double speeds[] = {-0.2, 0.3, -0.4, 0.5};
   for (int side = 0; side < 4; ++side)
-    EXPECT_NEAR(engine.domain().wall[side].position - start.domain.wall[side].position, speeds[side] * t, 1e-12);
+    EXPECT_NEAR(engine.domain.wall[side].position - start.domain.wall[side].position, speeds[side] * t, 1e-12);
 }
 
 }  // namespace

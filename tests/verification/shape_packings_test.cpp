@@ -22,7 +22,7 @@ texture::Texture texture_of(const recipe::Recipe& recipe) {
     while (!run.finished) dem::continue_stage(engine, stage, run);
     EXPECT_TRUE(run.result.converged) << run.result.outcome;
   }
-  return texture::measure(engine.packing());
+  return texture::measure(packing_of(engine));
 }
 
 double number(const texture::Texture& t, const std::string& path) { return test::value_of(t.numbers, path); }

@@ -142,7 +142,7 @@ TEST(Silo, CarriesMostOfATallFillingByItsWalls) {
   Vec2 moments;
   for (std::size_t k = 4; k < run.result.snapshots.size(); ++k)
     moments += sum_of_moments(run.result.snapshots[k].packing);
-  const auto surface = fields::find_free_surface(engine.packing(), {0, -1});
+  const auto surface = fields::find_free_surface(packing_of(engine), {0, -1});
   double height = -surface.bottom;
   for (const double h : surface.height) height += h / static_cast<double>(surface.height.size());
   const double length = width / (2 * mobilised * moments.x / moments.y),

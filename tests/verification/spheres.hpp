@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "grains/dem/advance.hpp"
 #include "grains/dem/forces.hpp"
+#include "grains/dem/measure.hpp"
 #include "grains/dem/setup.hpp"
 
 // The engine of disks, instantiated in space: sample, list of neighbours, kernel, steps and walls are its own.

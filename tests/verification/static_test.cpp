@@ -29,10 +29,10 @@ TEST(Column, EachContactCarriesTheWeightAboveIt) {
     y += 2 * r;
   }
   Engine engine(p, frictionless(0.2), with_step(contact_time(0.5 * mass(p, 1), k_pom) / 20));
-  engine.set_gravity({0, -g});
-  engine.set_drag(1000);
+  set_gravity(engine, {0, -g});
+  set_drag(engine, 1000);
   ASSERT_TRUE(settle(engine, 1e-9, 1e-18));
-  const Packing now = engine.packing();
+  const Packing now = packing_of(engine);
   ASSERT_EQ(now.contacts.size(), static_cast<std::size_t>(disks));
   double above = 0;
   for (int i = disks - 1; i >= 0; --i) {
@@ -52,11 +52,11 @@ TEST(Column, UnderAForceControlledTopEachContactCarriesThatForceAndTheWeightAbov
   Packing p = box(0.2, 5 * 12.4e-3);
   for (int i = 0; i < 5; ++i) add(p, {{0.1, 6.2e-3 * (2 * i + 1)}, 6.2e-3});
   Engine engine(p, frictionless(0.2), with_step(contact_time(0.5 * mass(p, 1), k_pom) / 20));
-  engine.set_gravity({0, -gravity});
-  engine.set_drag(1000);
-  engine.set_drives({dem::WallDrive{}, dem::WallDrive{}, dem::WallDrive{}, pressed(500)});
+  set_gravity(engine, {0, -gravity});
+  set_drag(engine, 1000);
+  set_drives(engine, {dem::WallDrive{}, dem::WallDrive{}, dem::WallDrive{}, pressed(500)});
   ASSERT_TRUE(settle(engine, 1e-8, 1e-16));
-  const Packing now = engine.packing();
+  const Packing now = packing_of(engine);
   EXPECT_NEAR(now.domain.wall[top].force, 500, 500e-6);
   for (int i = 0; i < 5; ++i) {
     const auto c = find_contact(now, i, i > 0 ? i - 1 : wall_partner(bottom));
@@ -86,10 +86,10 @@ TEST(Box, BottomAndSideFrictionCarryTheWeightTogether) {
     const double g = 3000;
     const dem::ContactParameters law = rough(friction);
     Engine engine(shaken_lattice(6, 14, 7), law, with_step(shortest_contact_time() / 20));
-    engine.set_gravity({0.1 * g, -g});
-    engine.set_drag(300);
-    ASSERT_TRUE(settle(engine, 1e-7, 1e-14)) << engine.equilibrium().unbalanced_ratio;
-    const Packing p = engine.packing();
+    set_gravity(engine, {0.1 * g, -g});
+    set_drag(engine, 300);
+    ASSERT_TRUE(settle(engine, 1e-7, 1e-14)) << equilibrium_of(engine).unbalanced_ratio;
+    const Packing p = packing_of(engine);
     const double w = weight(p) / gravity * g;
     const auto& wall = p.domain.wall;
     // Within the residual: the mean unbalanced force of 1e-7 of a contact force, at most once a grain.
@@ -110,9 +110,9 @@ TEST(Box, TheLowerWallReachesItsForceAndTheWallsBalance) {
   const dem::ContactParameters law = rough(dem::CundallStrack{});
   Engine engine(shaken_lattice(8, 8, 4), law, with_step(shortest_contact_time() / 20));
   const double force = 5000;
-  engine.set_drives({dem::WallDrive{}, dem::WallDrive{}, pressed(force), dem::WallDrive{}});
-  ASSERT_TRUE(settle(engine, 1e-7, 1e-14)) << engine.equilibrium().unbalanced_ratio;
-  const auto& wall = engine.domain().wall;
+  set_drives(engine, {dem::WallDrive{}, dem::WallDrive{}, pressed(force), dem::WallDrive{}});
+  ASSERT_TRUE(settle(engine, 1e-7, 1e-14)) << equilibrium_of(engine).unbalanced_ratio;
+  const auto& wall = engine.domain.wall;
   EXPECT_NEAR(wall[bottom].force, force, 1e-5 * force);
   EXPECT_NEAR(wall[bottom].force - wall[top].force - wall[left].shear_force - wall[right].shear_force, 0, 1e-5 * force);
   EXPECT_NEAR(wall[left].force - wall[right].force - wall[bottom].shear_force - wall[top].shear_force, 0, 1e-5 * force);
@@ -132,9 +132,9 @@ TEST(Box, ServoStressIsThePressureAskedForInAPeriodicCell) {
   const dem::ContactParameters law = rough(dem::CundallStrack{});
   Engine engine(shaken_lattice(10, 10, 4, true), law, with_step(shortest_contact_time() / 20));
   const double fx = 2000, fy = 3000;
-  engine.set_drives({dem::WallDrive{}, pressed(fx), dem::WallDrive{}, pressed(fy)});
-  ASSERT_TRUE(settle(engine, 1e-7, 1e-14)) << engine.equilibrium().unbalanced_ratio;
-  const Packing p = engine.packing();
+  set_drives(engine, {dem::WallDrive{}, pressed(fx), dem::WallDrive{}, pressed(fy)});
+  ASSERT_TRUE(settle(engine, 1e-7, 1e-14)) << equilibrium_of(engine).unbalanced_ratio;
+  const Packing p = packing_of(engine);
   const Tensor2 s = stress(p);
   const double px = fx / (p.domain.height() * p.domain.thickness), py = fy / (p.domain.width() * p.domain.thickness);
   EXPECT_NEAR(s.xx, px, 1e-5 * px);
@@ -144,10 +144,10 @@ TEST(Box, ServoStressIsThePressureAskedForInAPeriodicCell) {
 
 TEST(Box, StressOfTheContactsIsThatOfTheWalls) {
   Engine engine(shaken_lattice(8, 8, 4), elastic(), with_step(shortest_contact_time() / 20));
-  engine.set_drag(2000);
-  engine.set_drives({dem::WallDrive{}, pressed(4000), pressed(3000), dem::WallDrive{}});
-  ASSERT_TRUE(settle(engine, 1e-7, 1e-14)) << engine.equilibrium().unbalanced_ratio;
-  const Packing p = engine.packing();
+  set_drag(engine, 2000);
+  set_drives(engine, {dem::WallDrive{}, pressed(4000), pressed(3000), dem::WallDrive{}});
+  ASSERT_TRUE(settle(engine, 1e-7, 1e-14)) << equilibrium_of(engine).unbalanced_ratio;
+  const Packing p = packing_of(engine);
   const Tensor2 s = stress(p);
   EXPECT_NEAR(s.xx * p.domain.height() * p.domain.thickness, 4000, 4000e-5);
   EXPECT_NEAR(s.yy * p.domain.width() * p.domain.thickness, 3000, 3000e-5);
@@ -159,10 +159,10 @@ TEST(Box, APeriodicFillingRestsWithItsWholeWeightOnTheBottom) {
   for (const int side : {bottom, top}) start.domain.wall[static_cast<std::size_t>(side)].present = true;
   start.domain.wall[top].position *= 1.1;
   Engine engine(start, rough(dem::CundallStrack{}), with_step(shortest_contact_time() / 20));
-  engine.set_gravity({0, -3000});
-  engine.set_drag(300);
-  ASSERT_TRUE(settle(engine, 1e-7, 1e-14)) << engine.equilibrium().unbalanced_ratio;
-  const Packing p = engine.packing();
+  set_gravity(engine, {0, -3000});
+  set_drag(engine, 300);
+  ASSERT_TRUE(settle(engine, 1e-7, 1e-14)) << equilibrium_of(engine).unbalanced_ratio;
+  const Packing p = packing_of(engine);
   const double w = weight(p) / gravity * 3000;
   EXPECT_NEAR(p.domain.wall[bottom].force, w, 1e-5 * w);
   EXPECT_NEAR(p.domain.wall[bottom].shear_force, 0, 1e-5 * w);
@@ -180,8 +180,8 @@ TEST(Equilibrium, MeasuresAreThoseOfTheirDefinitionsOnOneDisk) {
   law.friction = mu;
   law.sliding_viscosity = 1e3;
   Engine engine(p, law, with_step(1e-9));
-  engine.set_gravity({0, -g});
-  const Equilibrium e = engine.equilibrium();
+  set_gravity(engine, {0, -g});
+  const Equilibrium e = equilibrium_of(engine);
   EXPECT_NEAR(e.mobilisation, mu, 1e-9);
   EXPECT_NEAR(e.kinetic_ratio, 0.5 * m * speed * speed / (fn * fn / k_pom), 1e-9 * e.kinetic_ratio);
   // The resultant of weight and two friction forces over the mean normal force.

@@ -54,11 +54,11 @@ TEST(StepBound, AStepBeyondItIsRefusedAndTheOneOfferedIsAcceptedAndStable) {
       dem::IntegrationParameters how = with_step(*dt, kind);
       ASSERT_NO_THROW(Engine(start, damped(e), how));
       Engine engine(start, damped(e), how);
-      EXPECT_NEAR(engine.bounds().largest(), *dt, 0.05 * *dt);
-      EXPECT_THROW(Engine(start, damped(e), with_step(1.1 * engine.bounds().largest(), kind)), InputError);
+      EXPECT_NEAR(step_bounds(engine).largest(), *dt, 0.05 * *dt);
+      EXPECT_THROW(Engine(start, damped(e), with_step(1.1 * step_bounds(engine).largest(), kind)), InputError);
       engine.advance(20000);
       // Stable: what moves at the end is slower than what moved at the start.
-      EXPECT_LT(engine.energies().kinetic + engine.energies().elastic, [&] {
+      EXPECT_LT(energies_of(engine).kinetic + energies_of(engine).elastic, [&] {
         double sum = 0;
         for (std::size_t i = 0; i < start.grains.size(); ++i)
           sum += 0.5 * mass(start, i) * dot(velocity(start, i), velocity(start, i)) +
@@ -82,8 +82,8 @@ TEST(StepBound, OfHertzContactsKnowsThatTheSpringOfFrictionDoesNotSoftenWithTheO
   }
   for (const auto kind : {IntegratorKind::velocity_verlet, IntegratorKind::leapfrog}) {
     const Engine engine(start, law, with_step(1e-9, kind));
-    EXPECT_LE(engine.bounds().stiffness, 2 / omega) << name(kind);
-    EXPECT_GE(engine.bounds().stiffness, 1.7 / omega) << name(kind);
+    EXPECT_LE(step_bounds(engine).stiffness, 2 / omega) << name(kind);
+    EXPECT_GE(step_bounds(engine).stiffness, 1.7 / omega) << name(kind);
   }
 }
 
@@ -94,8 +94,8 @@ TEST(StepBound, IsNeverLooserThanTheClosedFormOfOneDiskOnAWall) {
   const double omega = std::sqrt(k_pom / mass(p, 0));
   for (const auto kind : integrators) {
     Engine engine(p, frictionless(0.5), with_step(1e-9, kind));
-    EXPECT_LE(engine.bounds().stiffness, 2 / omega) << name(kind);
-    EXPECT_GE(engine.bounds().stiffness, 0.02 / omega) << name(kind);
+    EXPECT_LE(step_bounds(engine).stiffness, 2 / omega) << name(kind);
+    EXPECT_GE(step_bounds(engine).stiffness, 0.02 / omega) << name(kind);
   }
 }
 
@@ -167,22 +167,22 @@ TEST(StepBound, IsBelowTheTrueLimitOfCompressedSamplesOfUnequalGrains) {
       law.friction_law = dem::CundallStrack{};
       law.stiffness_rule = rule;
       Engine engine(p, law, with_step(shortest_contact_time() / 30));
-      engine.set_drives({moved(2), moved(-2), moved(2), moved(-2)});
+      set_drives(engine, {moved(2), moved(-2), moved(2), moved(-2)});
       engine.advance(1500);
-      engine.set_drives({});
+      set_drives(engine, {});
       engine.advance(20000);
-      Packing rest = engine.packing();  // at rest, so that f_n/h is the stiffness
+      Packing rest = packing_of(engine);  // at rest, so that f_n/h is the stiffness
       for (std::size_t i = 0; i < rest.grains.size(); ++i)
         rest.grains.velocity[i].x = rest.grains.velocity[i].y = rest.grains.omega[i] = 0;
-      const Packing still = Engine(rest, law, with_step(1e-8)).packing();
+      const Packing still = packing_of(Engine(rest, law, with_step(1e-8)));
       EXPECT_GT(still.contacts.size(), 60u);
       const Rates rates = true_rates(still, law);
       // Velocity Verlet that sees v at the end of the step: (omega dt)^2/4 + lambda dt = 1 at the limit, were both in
       // one mode.
       const double limit = 2 / (rates.lambda + std::hypot(rates.lambda, rates.omega));
-      EXPECT_LE(engine.bounds().stiffness, 2 / rates.omega);
-      EXPECT_LE(engine.bounds().largest(), limit);
-      EXPECT_GE(engine.bounds().largest(), 0.3 * limit);  // and of use
+      EXPECT_LE(step_bounds(engine).stiffness, 2 / rates.omega);
+      EXPECT_LE(step_bounds(engine).largest(), limit);
+      EXPECT_GE(step_bounds(engine).largest(), 0.3 * limit);  // and of use
     }
 }
 
@@ -234,10 +234,10 @@ TEST(StepBound, GearsDampingBoundIsWhereItBlowsUp) {
     Engine engine(p, elastic(), how);
     bool lost = false;  // the engine notices a grain outside of the container
     try {
-      engine.set_drag(rate);
+      set_drag(engine, rate);
       engine.advance(4000);
     } catch (const std::exception&) { lost = true; }
-    const double speed = norm(velocity(engine.packing(), 0));
+    const double speed = norm(velocity(packing_of(engine), 0));
     if (share < 1) {
       EXPECT_FALSE(lost);
       EXPECT_LT(speed, 1e-3);
@@ -268,8 +268,8 @@ TEST(StepBound, WithoutAStepGivenItIsTheShareAskedForOfTheShortestContactTime) {
   const Engine engine(p, frictionless(0.9), how);
   // Between the time of the lightest pair and of the lightest grain with half its mass on the stiffest spring.
   const double shortest = contact_time(0.5 * mass(p, 2), k_pom), longest = contact_time(mass(p, 0), k_pom);
-  EXPECT_GE(engine.time_step(), 0.05 * shortest * (1 - 1e-12));
-  EXPECT_LE(engine.time_step(), 0.05 * longest);
+  EXPECT_GE(engine.dt, 0.05 * shortest * (1 - 1e-12));
+  EXPECT_LE(engine.dt, 0.05 * longest);
 }
 
 }  // namespace

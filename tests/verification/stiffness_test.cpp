@@ -17,7 +17,7 @@ double pair_force(std::int32_t a, std::int32_t b, StiffnessRule rule) {
   add(p, {{0.5, 0.5 + 8.2e-3 + 5.25e-3 - h}, 5.25e-3, b});
   dem::ContactParameters law = elastic();
   law.stiffness_rule = rule;
-  return Engine(p, law, with_step(1e-8)).packing().contacts.fn.at(0);
+  return packing_of(Engine(p, law, with_step(1e-8))).contacts.fn.at(0);
 }
 
 double wall_force(std::int32_t material, WallStiffness rule, bool both_present = true) {
@@ -26,7 +26,7 @@ double wall_force(std::int32_t material, WallStiffness rule, bool both_present =
   if (both_present) add(p, {{0.5, 0.5}, 5e-3, pom});
   dem::ContactParameters law = elastic();
   law.wall_stiffness = rule;
-  return Engine(p, law, with_step(1e-8)).packing().contacts.fn.at(0);
+  return packing_of(Engine(p, law, with_step(1e-8))).contacts.fn.at(0);
 }
 
 TEST(Stiffness, ThesisRuleGivesLikePairsTheirOwnAndPomOnHdpe5210PerMillimetre) {
@@ -57,7 +57,7 @@ TEST(Stiffness, DampingFollowsFromTheRestitutionOfEachPair) {
     add(p, {{0.5 + 8.2e-3 + 5.25e-3 - tiny, 0.5}, 5.25e-3, b});
     const double k = b == pom ? k_pom : reduced(k_pom, k_hdpe);
     const double alpha = 2 * damping_ratio(e) * std::sqrt(k * reduced(mass(p, 0), mass(p, 1)));
-    const Contacts c = Engine(p, frictionless(e), with_step(1e-8)).packing().contacts;
+    const Contacts c = packing_of(Engine(p, frictionless(e), with_step(1e-8))).contacts;
     EXPECT_NEAR(c.fn.at(0) - k * c.overlap.at(0), alpha * speed, 1e-10 * alpha * speed);
   }
 }
@@ -74,7 +74,7 @@ TEST(Stiffness, FrictionOfAWallTurnsADiskByTheArmToThePlane) {
     const double dt = contact_time(mass(p, 0), k_pom) / 1e5;
     Engine engine(p, law, with_step(dt));
     engine.advance(10);
-    const Packing now = engine.packing();
+    const Packing now = packing_of(engine);
     const double slowed = mass(p, 0) * (now.grains.velocity[0].y - 0.3),
                  turned = disk_inertia(p, 0) * now.grains.omega[0];
     ASSERT_LT(slowed, 0);
@@ -93,7 +93,7 @@ TEST(Stiffness, ADiskRollsOnAWallAboutThePointOnThePlane) {
       law.friction_law = dem::RegularisedCoulomb{};
       law.arms = full ? dem::Arms::full_radius : dem::Arms::contact_point;
       law.friction = 100;  // far from the cap
-      return std::abs(Engine(p, law, with_step(1e-8)).packing().contacts.ft.at(0));
+      return std::abs(packing_of(Engine(p, law, with_step(1e-8))).contacts.ft.at(0));
     };
     EXPECT_LT(force(-spin * arm), 1e-9 * force(-spin * (arm - 0.01 * r)));
   }
@@ -106,7 +106,7 @@ TEST(Stiffness, ContactPointHalvesTheOverlapAndLiesOnTheWall) {
   dem::ContactParameters law = elastic();
   for (const bool full : {false, true}) {
     law.arms = full ? dem::Arms::full_radius : dem::Arms::contact_point;
-    const Packing now = Engine(p, law, with_step(1e-8)).packing();
+    const Packing now = packing_of(Engine(p, law, with_step(1e-8)));
     const auto pair = find_contact(now, 0, 1), wall = find_contact(now, 0, wall_partner(left));
     ASSERT_TRUE(pair && wall);
     const bool first_is_0 = now.contacts.i[*pair] == 0;

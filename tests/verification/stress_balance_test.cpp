@@ -26,12 +26,12 @@ Packing pressed_sample() {
   law.restitution = 0.1;
   law.attractive_dashpot = true;
   dem::Engine engine(p, law, {});
-  engine.set_gravity({0, -gravity});
-  engine.set_drag(30);
-  engine.set_drives({dem::WallDrive{}, dem::WallDrive{}, pressed(5000), dem::WallDrive{}});
+  set_gravity(engine, {0, -gravity});
+  set_drag(engine, 30);
+  set_drives(engine, {dem::WallDrive{}, dem::WallDrive{}, pressed(5000), dem::WallDrive{}});
   EXPECT_TRUE(settle(engine, 1e-6, 1e-8, 800))
-      << engine.equilibrium().unbalanced_ratio << " " << engine.equilibrium().kinetic_ratio;
-  return engine.packing();
+      << equilibrium_of(engine).unbalanced_ratio << " " << equilibrium_of(engine).kinetic_ratio;
+  return packing_of(engine);
 }
 
 using test::tensor_of;

@@ -168,7 +168,7 @@ inline bool settle(dem::Engine& engine, double unbalanced = 1e-6, double kinetic
                    std::int64_t block = 500) {
   for (int b = 0; b < blocks; ++b) {
     engine.advance(block);
-    const Equilibrium e = engine.equilibrium();
+    const Equilibrium e = equilibrium_of(engine);
     if (e.unbalanced_ratio < unbalanced && e.kinetic_ratio < kinetic) return true;
   }
   return false;

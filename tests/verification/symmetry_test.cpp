@@ -65,10 +65,10 @@ const dem::WallDrives drives{moved(0.7), pressed(800), moved(1.5), pressed(500)}
 Packing run(const Packing& start, const dem::ContactParameters& law, const dem::WallDrives& how, Vec2 g,
             dem::IntegratorKind kind, std::int64_t steps = 4000) {
   Engine engine(start, law, with_step(shortest_contact_time() / 100, kind));
-  engine.set_drives(how);
-  engine.set_gravity(g);
+  set_drives(engine, how);
+  set_gravity(engine, g);
   engine.advance(steps);
-  return engine.packing();
+  return packing_of(engine);
 }
 
 dem::ContactParameters with(FrictionLaw friction) {

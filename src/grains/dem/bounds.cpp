@@ -1,4 +1,4 @@
-#include "grains/dem/setup.hpp"
+#include "grains/dem/bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "grains/dem/bodies/bodies.hpp"
-#include "grains/dem/bonds.hpp"
-#include "grains/dem/neighbours.hpp"
-#include "grains/dem/walls.hpp"
+#include "grains/dem/forces.hpp"
+#include "grains/dem/movers.hpp"
 
 namespace arenite::dem {
 namespace {
@@ -42,18 +40,8 @@ template <int D> double sliding_damping(const SampleIn<D>& s, double viscosity) 
   return s.laws.friction.visit([&](const auto& law) { return law.damping(viscosity); });
 }
 
-/// Steepest slopes of the forces of a contact, along n, along t, and of rolling resistance over r^2: in its ways, N/m,
-/// or in its velocities, N s/m.
-struct Slopes {
-  double normal = 0, sliding = 0, rolling = 0;
-};
-
-/// Those of two equal grains at a reference overlap. Not every law's spring of friction softens with the overlap as the
+/// Of two equal grains at a reference overlap. Not every law's spring of friction softens with the overlap as the
 /// normal one does.
-struct ContactSlopes {
-  Slopes springs, dashpots;
-};
-
 template <int D> ContactSlopes slopes_between_equals(const SampleIn<D>& s, const GrainRecord<D>& d, double overlap) {
   const Coefficients c = s.coefficients.pair(d, d, false);
   const double shear = s.coefficients.largest_shear();
@@ -87,19 +75,6 @@ template <int D> Rates lattice_rates(const SampleIn<D>& s, const GrainRecord<D>&
   return {rate(slopes.springs), rate(slopes.dashpots)};
 }
 
-/// The same for a body in a crowd of its like. Translation and rotation may act together.
-Rates crowded_rates(const Sample& s, const Body& b, double overlap) {
-  const DiskRecord& d = s.record[s.part_disk[b.first]];
-  const Crowd crowd = crowd_around(s, b);
-  const double turning = s.integration.rotations ? 2.0 / b.inertia() : 0.0, area = crowd.contacts * d.radius * d.radius;
-  const auto rate = [&](const Slopes& of) {
-    return crowd.contacts * (of.normal + of.sliding) / b.mass +
-           turning * (of.normal * crowd.normal_levers + of.sliding * crowd.tangential_levers + of.rolling * area);
-  };
-  const ContactSlopes slopes = slopes_between_equals(s, d, overlap);
-  return {rate(slopes.springs), rate(slopes.dashpots)};
-}
-
 /// Springs or dashpots of one contact along n and t, and the movers that they join; a wall is the one behind the last.
 template <int D> struct Pull {
   std::size_t i, j;
@@ -107,6 +82,10 @@ template <int D> struct Pull {
   Levers<D> levers;
   double along_n, along_t;
 };
+
+/// How the power iteration's grains turn at first.
+void turn_alike(double& omega, double rate) { omega = rate; }
+void turn_alike(Vec3& /*omega*/, double /*rate*/) {}
 
 /// Largest eigenvalue of M^-1 sum over contacts of (along_n n n + along_t t t), rotations included, by power iteration.
 /// In the plane it starts from all grains turning alike, which in a dense packing is close to the fastest mode.
@@ -120,7 +99,7 @@ template <int D> double largest_rate(const SampleIn<D>& s, const std::vector<Pul
   for (std::size_t k = 0; k < n; ++k) {
     constexpr double first[] = {0.3, -0.25, 0.2}, other[] = {-0.2, 0.15, -0.1};
     v[k].velocity = by_axis<D>([&](std::size_t axis) { return k % (axis + 2) == 0 ? first[axis] : other[axis]; });
-    if constexpr (D == 2) v[k].omega = s.integration.rotations ? 1.0 / movers[k].size : 0.0;
+    turn_alike(v[k].omega, s.integration.rotations ? 1.0 / movers[k].size : 0.0);
   }
   double rate = 0;
   for (int round = 0; round < 100; ++round) {
@@ -175,33 +154,21 @@ template <int D> Rates network_rates(const SampleIn<D>& s) {
   return {1.05 * largest_rate(s, springs), 1.05 * largest_rate(s, dashpots)};
 }
 
-/// What pulls of cohesion add to the squared frequency of the lightest grain with six neighbours, 1/s^2.
-template <int D> double cohesion_rate(const SampleIn<D>& s) {
-  double lightest = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < s.count; ++k) lightest = std::min(lightest, s.record[k].mass);
-  return 6.0 * s.cohesion.steepest / lightest;
-}
-
 }  // namespace
 
 template <int D> double shortest_contact_time(const SampleIn<D>& s) {
-  const double overlap = reference_overlap(s), pull = s.cohesion.steepest;
+  const double overlap = reference_overlap(s);
+  const auto tangent = [&](double stiffness) { return tangent_stiffness(s, overlap, stiffness); };
+  const double pull = sum_of_parts(s, [](const auto& part) { return part.steepest_slope(); });
   double shortest = std::numeric_limits<double>::infinity();
-  if constexpr (D == 2) shortest = shortest_bond_time(s);
   for (std::size_t k = 0; k < s.count; ++k) {
     const auto& d = s.record[k];
     if (is_part(s, k)) continue;
-    const double pair = 0.5 * d.mass / (pull + tangent_stiffness(s, overlap, s.coefficients.pair_stiffness(d, d)));
-    const double wall = d.mass / tangent_stiffness(s, overlap, s.coefficients.wall_stiffness(d));
+    const double pair = 0.5 * d.mass / (pull + tangent(s.coefficients.pair_stiffness(d, d)));
+    const double wall = d.mass / tangent(s.coefficients.wall_stiffness(d));
     shortest = std::min(shortest, std::numbers::pi * std::sqrt(std::min(pair, wall)));
   }
-  if constexpr (D == 2)
-    for (const Body& b : s.body) {
-      const auto& d = s.record[s.part_disk[b.first]];
-      const double pair = 0.5 / tangent_stiffness(s, overlap, s.coefficients.pair_stiffness(d, d));
-      const double wall = 1 / tangent_stiffness(s, overlap, s.coefficients.wall_stiffness(d));
-      shortest = std::min(shortest, std::numbers::pi * std::sqrt(lightest_mass(s, b) * std::min(pair, wall)));
-    }
+  each_part(s, [&](const auto& part) { shortest = std::min(shortest, part.shortest_time(s, tangent)); });
   return shortest;
 }
 
@@ -209,17 +176,21 @@ template <int D> StepBounds step_bounds(const SampleIn<D>& s) {
   Rates r = network_rates(s);
   const double overlap = reference_overlap(s);
   each_mover(s, [&](std::size_t k) {
-    Rates grain;
-    if (k < s.count) grain = lattice_rates(s, s.record[k], overlap);
-    if constexpr (D == 2)
-      if (k >= s.count) grain = crowded_rates(s, s.body[k - s.count], overlap);
+    if (k >= s.count) return;
+    const Rates grain = lattice_rates(s, s.record[k], overlap);
     r.frequency_squared = std::max(r.frequency_squared, grain.frequency_squared);
     r.damping = std::max(r.damping, grain.damping);
   });
-  Rates bonds;
-  if constexpr (D == 2) bonds = bond_rates(s);
-  r.frequency_squared += bonds.frequency_squared + cohesion_rate(s);
-  r.damping += bonds.damping;
+  const auto slopes = [&](const GrainRecord<D>& d) { return slopes_between_equals(s, d, overlap); };
+  each_part(s, [&](const auto& part) { part.raise_rates(s, slopes, r); });
+  Rates added;
+  each_part(s, [&](const auto& part) {
+    const Rates of_part = part.added_rates(s);
+    added.frequency_squared += of_part.frequency_squared;
+    added.damping += of_part.damping;
+  });
+  r.frequency_squared += added.frequency_squared;
+  r.damping += added.damping;
   const double omega = std::sqrt(r.frequency_squared), lambda = r.damping + s.drag;
   constexpr double margin = 0.9;
   StepBounds bounds;

@@ -1,10 +1,9 @@
+#include "grains/dem/contact_list.hpp"
+
 #include <algorithm>
 
-#include "core/mapped.hpp"
 #include "geometry/cell_grid.hpp"
-#include "grains/dem/bodies/bodies.hpp"
-#include "grains/dem/bonds.hpp"
-#include "grains/dem/boundaries/boundaries.hpp"
+#include "grains/dem/glue.hpp"
 #include "grains/dem/neighbours.hpp"
 
 namespace arenite::dem {
@@ -14,10 +13,6 @@ namespace {
 /// disks: every pair across an edge then occurs once, as (disk, ghost).
 template <int D> void make_ghosts(SampleIn<D>& s) {
   s.ghost.clear();
-  if constexpr (D == 2) {
-    s.foot.clear();
-    s.point_foot.clear();
-  }
   s.record.resize(s.count);
   const double reach = reach_of(s);
   bool after = false;  // the cell of now
@@ -27,15 +22,20 @@ template <int D> void make_ghosts(SampleIn<D>& s) {
         s.ghost.push_back({static_cast<std::int32_t>(k), cell});
     after = after || cell == Cells<D>{};
   });
-  s.record.resize(s.count + s.ghost.size());
+  s.images = s.ghost.size();
+  s.record.resize(s.count + s.images);
   refresh_ghosts(s);
 }
 
 /// Whether the list must have a pair.
 template <int D> bool are_near(const SampleIn<D>& s, const GrainRecord<D>& a, const GrainRecord<D>& b) {
   const Vec<D> d = a.place - b.place;
-  const double reach = a.radius + b.radius + s.skin + s.cohesion.reach;
+  const double reach = a.radius + b.radius + s.skin + reach_of_parts(s);
   return dot(d, d) < reach * reach;
+}
+
+template <int D> bool may_meet(const SampleIn<D>& s, std::int32_t i, std::int32_t j) {
+  return !any_part(s, [&](const auto& part) { return !part.lets_meet(s, i, j); });
 }
 
 /// A disk and its partner, which comes after it or is a ghost.
@@ -57,7 +57,7 @@ template <int D> std::vector<std::vector<NearPair>> find_pairs(const SampleIn<D>
     const GrainRecord<D>& a = s.record[disk];
     const auto before = static_cast<std::ptrdiff_t>(near.size());
     const auto look_at = [&](std::int32_t j) {
-      if (are_near(s, a, s.record[j])) near.push_back({k, j});
+      if (are_near(s, a, s.record[j]) && may_meet(s, k, j)) near.push_back({k, j});
     };
     inner.for_later(grid, a.place, [&](std::int32_t begin, std::int32_t end) {
       for (std::int32_t j = std::max(begin, k + 1); j < end; ++j) look_at(j);
@@ -68,31 +68,7 @@ template <int D> std::vector<std::vector<NearPair>> find_pairs(const SampleIn<D>
       images.for_near(grid, a.place, look_at);
       std::ranges::sort(near.begin() + before, near.end(), {}, &NearPair::j);
     }
-    if constexpr (D == 2)
-      if (!s.part.empty())
-        near.erase(std::remove_if(near.begin() + before, near.end(),
-                                  [&](const NearPair& pair) { return !disks_meet(s, pair.i, pair.j); }),
-                   near.end());
   });
-}
-
-template <int D>
-void fill_slot(ContactListIn<D>& list, std::size_t p, std::int32_t i, std::int32_t j, std::int32_t owner,
-               const Coefficients& c) {
-  list.i[p] = i;
-  list.j[p] = j;
-  list.owner[p] = owner;
-  list.stiffness[p] = c.stiffness;
-  list.damping[p] = c.damping;
-  list.viscosity[p] = c.viscosity;
-  list.strength[p] = c.strength;
-  list.shear[p] = c.shear;
-}
-
-template <int D>
-void add_slot(ContactListIn<D>& list, std::int32_t i, std::int32_t j, std::int32_t owner, const Coefficients& c) {
-  list.resize(list.size() + 1);
-  fill_slot(list, list.size() - 1, i, j, owner, c);
 }
 
 template <int D> void list_pairs(SampleIn<D>& s, const ThreadPool& pool) {
@@ -110,53 +86,19 @@ template <int D> void list_pairs(SampleIn<D>& s, const ThreadPool& pool) {
   });
 }
 
-/// Slots of disks that may touch polygons, behind those of pairs of disks.
-void list_feet(Sample& s, const ThreadPool& pool) {
-  s.foot = find_feet(s, pool);
-  ContactList& list = s.list;
-  const std::size_t ghosts = s.ghost.size();
-  for (const Foot& foot : s.foot) {
-    const std::int32_t owner = s.part_disk[s.body[foot.body].first];
-    s.ghost.push_back({owner, foot.shift});
-    add_slot(list, foot.touches, static_cast<std::int32_t>(s.count + s.ghost.size() - 1), owner,
-             pair_coefficients(s, s.record[foot.touches], s.record[owner]));
-  }
-  list.pairs += s.ghost.size() - ghosts;
-  s.record.resize(s.count + s.ghost.size());
-  refresh_feet(s);
-}
-
-/// Slots of walls and boundaries.
+/// Slots of walls and of what parts have beside them.
 template <int D> void list_walls(SampleIn<D>& s) {
-  std::vector<geometry::Rectangle> boxes;
-  if constexpr (D == 2)
-    boxes = mapped(s.domain.boundaries, [](const Boundary& boundary) { return geometry::bounds(boundary.points); });
   std::vector<std::int32_t> near;
   for (std::size_t k = 0; k < s.count; ++k) {
     const GrainRecord<D>& d = s.record[k];
-    const HeldGrain* held = find_held(s, d.grain);
-    const auto add = [&](std::int32_t j) {
-      add_slot(s.list, static_cast<std::int32_t>(k), j, -1, s.coefficients.wall(d));
-    };
-    for (int side = 0; side < sides_in<D>; ++side) {
-      const bool may_touch = s.domain.wall[side].present && !(held && held->side == side);
-      if (may_touch && s.domain.depth(side, d.place) < d.radius + s.skin) add(wall_partner(side));
-    }
-    if constexpr (D == 2) find_near_elements(s, boxes, d, near);
-    for (const std::int32_t e : near) add(boundary_partner(e));
+    near.clear();
+    const int held = holding_side(s, d.grain);
+    for (int side = 0; side < sides_in<D>; ++side)
+      if (s.domain.wall[side].present && side != held && s.domain.depth(side, d.place) < d.radius + s.skin)
+        near.push_back(wall_partner(side));
+    each_part(s, [&](const auto& part) { part.find_near(s, k, near); });
+    for (const std::int32_t j : near) add_slot(s.list, static_cast<std::int32_t>(k), j, -1, s.coefficients.wall(d));
   }
-}
-
-/// Slots of polygons that may touch points of boundaries, behind all others.
-void list_point_feet(Sample& s) {
-  ContactList& list = s.list;
-  s.point_foot = find_point_feet(s);
-  for (const Foot& foot : s.point_foot) {
-    const std::int32_t first = s.part_disk[s.body[foot.body].first];
-    add_slot(list, first, foot.touches, -1, s.coefficients.wall(s.record[first]));
-  }
-  s.record.resize(s.count + s.ghost.size() + s.point_foot.size());
-  refresh_feet(s);
 }
 
 /// Fills list.group and list.first, see there.
@@ -169,11 +111,12 @@ template <int D> void group_slots(SampleIn<D>& s) {
       see(2 * list.i[p], p);
       if (list.owner[p] >= 0) see(2 * list.owner[p] + 1, p);
     }
-    if constexpr (D == 2)
-      for (std::size_t b = 0; b < s.bond_slots.size(); ++b) {
-        see(2 * s.bond_slots[b].i, bond_force_place(list, b));
-        see(2 * s.bond_slots[b].j + 1, bond_force_place(list, b));
-      }
+    each_part(s, [&](const auto& part) {
+      part.each_force([&](std::int32_t i, std::int32_t j, std::size_t n) {
+        see(2 * i, place_of_force(list, n));
+        see(2 * j + 1, place_of_force(list, n));
+      });
+    });
   };
   std::vector<std::int32_t> used(2 * s.count + 1, 0);
   each([&](std::int32_t q, std::size_t) { ++used[q]; });
@@ -187,40 +130,31 @@ template <int D> void group_slots(SampleIn<D>& s) {
 }  // namespace
 
 template <int D> void refresh_ghosts(SampleIn<D>& s) {
-  std::size_t images = s.ghost.size();
-  if constexpr (D == 2) images -= s.foot.size();
-  for (std::size_t g = 0; g < images; ++g) {
+  for (std::size_t g = 0; g < s.images; ++g) {
     GrainRecord<D>& d = s.record[s.count + g];
     d = s.record[s.ghost[g].source];
     d.place += s.domain.way(s.ghost[g].shift);
     d.velocity += image_velocity(s, s.ghost[g].shift);
   }
-  if constexpr (D == 2) refresh_feet(s);
+  each_part(s, [&](auto& part) { part.refresh(s); });
 }
 
 template <int D> void list_contacts(SampleIn<D>& s, const ThreadPool& pool) {
   ContactListIn<D>& list = s.list;
-  std::size_t bonds = 0;
-  if constexpr (D == 2) number_parts(s);
+  each_part(s, [&](auto& part) { part.number(s); });
   make_ghosts(s);
   list_pairs(s, pool);
-  if constexpr (D == 2)
-    if (!s.body.empty()) list_feet(s, pool);
+  each_part(s, [&](auto& part) { part.list_pairs(s, pool); });
   list_walls(s);
   list.polygons = list.size();
-  if constexpr (D == 2) {
-    list_point_feet(s);
-    list_bonds(s);
-    bonds = s.bond_slots.size();
-  }
+  each_part(s, [&](auto& part) { part.list_others(s); });
   group_slots(s);
-  list.force.assign(bond_force_place(list, bonds), SlotForce<D>{});
+  const std::size_t others = sum_of_parts(s, [](const auto& part) { return part.force_count(); });
+  list.force.assign(place_of_force(list, others), SlotForce<D>{});
   list.memory.assign(list.size());
   if (s.contact.normal.visit([](const auto& law) { return law.remembers; })) list.normal_memory.assign(list.size());
   list.rolling_memory.assign(s.contact.rolls_freely() ? 0 : list.size());
-  list.pull.assign(s.contact.is_cohesive() ? list.pairs : 0);
-  list.curve.assign(list.pull.size(), 0);
-  list.bond.assign(list.size(), never_touched);
+  list.glue.assign(list.size(), never_touched);
 }
 
 template void refresh_ghosts(SampleIn<2>&);

@@ -1,13 +1,12 @@
 #pragma once
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
-#include <map>
-#include <utility>
 #include <vector>
 
+#include "core/threads.hpp"
 #include "core/vec.hpp"
+#include "grains/dem/coefficients.hpp"
 #include "grains/dem/kernels/kernel.hpp"
 #include "model/packing.hpp"
 
@@ -49,14 +48,12 @@ template <int D> struct ContactListIn {
   std::vector<std::int32_t> i, j;
   std::vector<std::int32_t> owner;  ///< the disk that takes the reaction: j, or the source of the ghost j
   std::vector<double> stiffness, damping, viscosity, strength, shear;  ///< Coefficients of each
-  std::vector<SlotForce<D>> force;  ///< one more than slots, which stays 0; behind it those of bonds
+  std::vector<SlotForce<D>> force;  ///< one more than slots, which stays 0; behind it those of parts
   Turnings<D> memory;               ///< of the friction law
   Components<1> normal_memory;      ///< of the normal law; empty unless it remembers
   Turnings<D>
       rolling_memory;  ///< of the rolling law, turned as the first of the caller's two grains turns; empty without one
-  Components<1> pull;  ///< of cohesion now, N; > 0 where a pair is joined. Empty without it
-  std::vector<std::int32_t> curve;  ///< of joined pairs: place in CohesionTable::curve
-  std::vector<std::uint8_t> bond;   ///< of glued pairs: see BondState
+  std::vector<std::uint8_t> glue;  ///< of glued pairs: see GlueState
   /// Slots (and bonds' places) by disk, in groups of four that are filled up with the slot whose force stays 0, so that
   /// most disks have as many groups as their neighbours and the processor guesses the loops' ends right. Those where
   /// disk k is i, pairs before walls before bonds, are group[first[2k]] to group[first[2k + 1]]; those where it owns
@@ -72,45 +69,51 @@ template <int D> struct ContactListIn {
 };
 using ContactList = ContactListIn<2>;
 
+template <int D>
+inline void fill_slot(ContactListIn<D>& list, std::size_t p, std::int32_t i, std::int32_t j, std::int32_t owner,
+                      const Coefficients& c) {
+  list.i[p] = i;
+  list.j[p] = j;
+  list.owner[p] = owner;
+  list.stiffness[p] = c.stiffness;
+  list.damping[p] = c.damping;
+  list.viscosity[p] = c.viscosity;
+  list.strength[p] = c.strength;
+  list.shear[p] = c.shear;
+}
+template <int D>
+inline void add_slot(ContactListIn<D>& list, std::int32_t i, std::int32_t j, std::int32_t owner,
+                     const Coefficients& c) {
+  list.resize(list.size() + 1);
+  fill_slot(list, list.size() - 1, i, j, owner, c);
+}
+
 template <int D> inline SlotForces<D> slot_forces(const ContactListIn<D>& list) {
   return {list.force.data(), list.group.data(), list.first.data()};
 }
 
-/// A bond that breaks for good is gone once its contact has opened again.
-enum BondState : std::uint8_t { never_touched = 0, touching = 1 };
+/// Glue that breaks for good is gone once its contact has opened again.
+enum GlueState : std::uint8_t { never_touched = 0, touching = 1 };
 
-/// Pulls of the pairs of radii that have been joined so far, and up to which gap the list must show pairs, m.
-struct CohesionTable {
-  std::vector<PullCurve> curve;
-  std::map<std::pair<double, double>, std::int32_t> place;  ///< by the smaller and the larger radius
-  double reach = 0, steepest = 0;                           ///< m; largest slope of equal grains, N/m
-  double joins_within = 0;                                  ///< the law's, m
-  bool breaks = false;                                      ///< the law's
-};
+/// From the centres of two bodies to where a force acts on them, m.
+template <int D> struct Levers { Vec<D> i, j; };
 
-/// A bond that holds, with what follows from its making and from where its disks are numbered now. Its force stands
-/// behind those of the contacts, in ContactList::force at bond_force_place.
-struct BondSlot : BondRow<double> {
-  enum class State : std::int32_t { holds, breaking, broken };
-  std::int32_t bond = 0;      ///< place in Sample::bonds
-  std::int32_t i = 0, j = 0;  ///< inner numbers of its disks
-  Cells<2> shift;             ///< by which the image of j that is meant is away from j
-  State state = State::holds;
-};
-
-/// The slots' numbers side by side, for the loop over them.
-struct BondNumbers {
-  std::vector<std::int32_t> i, j;
-  Components<bond_columns> column;  ///< in the order of BondRow
-  std::vector<std::uint8_t> look;
-  std::vector<std::int32_t> across;  ///< slots that mean another image of j than j itself
-  bool damped = false;
-  BondRow<double*> columns() { return std::bit_cast<BondRow<double*>>(column.data()); }
-};
-
-/// Where the force of bond slot b stands in the list.
-template <int D> inline std::size_t bond_force_place(const ContactListIn<D>& list, std::size_t b) {
-  return list.size() + 1 + b;
+/// Where the n-th force of a part stands in the list.
+template <int D> inline std::size_t place_of_force(const ContactListIn<D>& list, std::size_t n) {
+  return list.size() + 1 + n;
 }
+
+template <int D> struct SampleIn;
+using Sample = SampleIn<2>;
+
+/// Lists the pairs at the records' present order and places without sorting; what rebuild_list does at its end, and
+/// what a restored sample needs.
+template <int D> void list_contacts(SampleIn<D>& sample, const ThreadPool& pool = ThreadPool());
+
+/// Copies the sources of ghosts to their images (positions and seen velocities).
+template <int D> void refresh_ghosts(SampleIn<D>& sample);
+
+/// Disks whose partners are sought in one go.
+inline constexpr std::size_t disks_of_block = 64;
 
 }  // namespace arenite::dem

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "grains/dem/bodies/bodies.hpp"
-#include "grains/dem/bonds.hpp"
-#include "grains/dem/boundaries/boundaries.hpp"
+#include "grains/dem/boundaries/elements.hpp"
+#include "grains/dem/movers.hpp"
+#include "grains/dem/rolling.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
@@ -50,17 +50,18 @@ void add_contacts(const Sample& s, ForcesAndRates& shot) {
   const ContactList& list = s.list;
   shot.springs = rolling_energy(s);
   // What disks in a box have none of is not looked for at each of their contacts.
-  const bool has_levers = !s.part.empty(), in_cell = s.domain.is_cell(), coheres = !list.pull.empty(),
+  const bool has_levers = !has_disks_only(s), in_cell = s.domain.is_cell(), coheres = the<CohesivePairs>(s).remembers(),
              shears = s.shear_rate != 0;
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A& adhesion, const F& friction) {
     for (std::size_t p = 0; p < list.size(); ++p) {
       const Kinematics<2> c = p < list.pairs ? pair_kinematics(s.record[list.i[p]], s.record[list.j[p]], s.contact.arms)
                                              : slot_kinematics(s, p);
-      if (shears && coheres && !(c.overlap > 0) && pull_of(s, p) > 0)
+      if (shears && coheres && !(c.overlap > 0) && the<CohesivePairs>(s).pull_of(p) > 0)
         shot.edge[cell_shear].force -= rows_between(s, p) * list.force[p].on_i.x;
       if (!(c.overlap > 0)) continue;  // a clipped contact has no force, but its dashpot eats what its spring gives
       const Vec2 f = list.force[p].on_i, t = perpendicular(c.normal);
-      double spring = -adhesion.attraction(c.overlap, list.strength[p]) - (coheres ? pull_of(s, p) : 0.0);
+      double spring =
+          -adhesion.attraction(c.overlap, list.strength[p]) - (coheres ? the<CohesivePairs>(s).pull_of(p) : 0.0);
       if constexpr (N::remembers) {  // not all that such a spring takes it gives back
         shot.normal_springs += normal.energy(c.overlap, list.stiffness[p], c.curvature, list.normal_memory[p]);
       } else {
@@ -96,11 +97,11 @@ void add_contacts(const Sample& s, ForcesAndRates& shot) {
 
 /// Dashpots of bonds, and what bonds do to the shear of the cell.
 void add_bonds(const Sample& s, ForcesAndRates& shot) {
-  for (std::size_t n = 0; n < s.bond_slots.size(); ++n) {
-    const BondSlot& b = s.bond_slots[n];
+  for (std::size_t n = 0; n < the<Bonds>(s).slots.size(); ++n) {
+    const BondSlot& b = the<Bonds>(s).slots[n];
     if (b.state != BondSlot::State::holds) continue;
     const BeamMotion m = beam_motion(s, b);
-    const SlotForce<2> f = s.list.force[bond_force_place(s.list, n)],
+    const SlotForce<2> f = s.list.force[place_of_force(s.list, n)],
                        dash = beam_slot_force(b, m, beam_dashpots(s, b, m));
     Load<2>&on_i = shot.disk[s.record[b.i].grain].dash, &on_j = shot.disk[s.record[b.j].grain].dash;
     on_i.force += dash.on_i;
@@ -114,7 +115,7 @@ void add_bonds(const Sample& s, ForcesAndRates& shot) {
 ForcesAndRates take(const Sample& s) {
   ForcesAndRates shot;
   shot.gravity = s.gravity;
-  shot.disk.resize(s.count + s.body.size());
+  shot.disk.resize(s.count + the<Bodies>(s).body.size());
   const bool corrects = integrator_of(s).corrects();
   const CellMotion<2> cell = cell_motion(s.domain);
   each_mover(s, [&](std::size_t k) {
@@ -137,8 +138,9 @@ ForcesAndRates take(const Sample& s) {
   shot.edge[cell_shear].rate = s.shear_rate * s.domain.height();
   for (std::size_t b = 0; b < s.domain.boundaries.size(); ++b) {
     const Boundary& boundary = s.domain.boundaries[b];
-    const bool free = s.boundary[b].mass > 0;
-    const Vec2 velocity = free ? s.boundary[b].rate : boundary.velocity, push = force_on(s, b) - boundary.force;
+    const bool free = the<Boundaries>(s).body[b].mass > 0;
+    const Vec2 velocity = free ? the<Boundaries>(s).body[b].rate : boundary.velocity,
+               push = force_on(s, b) - boundary.force;
     shot.boundary.push_back({velocity.x, boundary.force.x, 0, 0, push.x, 0, free});
     shot.boundary.push_back({velocity.y, boundary.force.y, 0, 0, push.y, 0, free});
     shot.boundary.push_back({boundary.spin, boundary.torque});
@@ -194,34 +196,44 @@ WorkTerms integrate(const EnergyBalance& balance, const WorkTerms& p, double dt)
 
 }  // namespace
 
-void open_balance(Sample& s) {
-  EnergyBalance& balance = s.balance;
-  balance.last = take(s);
-  balance.powers = {};
-  add(balance.powers[0], 1, products(s, balance.last, balance.last));
-  balance.known = 1;
-  balance.open = true;
+void EnergyBalance::begin(Sample& s) {
+  if (open || !s.integration.track_energy) return;
+  last = take(s);
+  powers = {};
+  add(powers[0], 1, products(s, last, last));
+  known = 1;
+  open = true;
 }
 
-void book_step(Sample& s) {
-  EnergyBalance& balance = s.balance;
+void EnergyBalance::go_on(Sample& s) {
+  if (!open) return;
+  const auto stored = powers;
+  const int number = known;
+  open = false;
+  begin(s);
+  powers = stored;
+  known = number;
+}
+
+void EnergyBalance::after_forces(Sample& s) {
+  if (!s.integration.track_energy) return;
   ForcesAndRates now = take(s);
   WorkTerms work;
   if (integrator_of(s).corrects()) {
     WorkTerms power;
     add(power, 1, products(s, now, now));
-    work = integrate(balance, power, s.dt);
-    balance.powers = {power, balance.powers[0], balance.powers[1]};
-    balance.known = balance.known < 3 ? balance.known + 1 : 3;
+    work = integrate(*this, power, s.dt);
+    powers = {power, powers[0], powers[1]};
+    known = known < 3 ? known + 1 : 3;
   } else {
-    add(work, s.dt, products(s, balance.last, now));
+    add(work, s.dt, products(s, last, now));
   }
-  s.tally.dissipated_normal -= work.dashpots + (now.normal_springs - balance.last.normal_springs);
-  s.tally.dissipated_friction -= work.friction + (now.springs - balance.last.springs);
+  s.tally.dissipated_normal -= work.dashpots + (now.normal_springs - last.normal_springs);
+  s.tally.dissipated_friction -= work.friction + (now.springs - last.springs);
   s.tally.dissipated_drag -= work.drag + work.servo;
   s.tally.work_gravity += work.gravity;
   s.tally.work_walls += work.walls;
-  balance.last = std::move(now);
+  last = std::move(now);
 }
 
 }  // namespace arenite::dem

@@ -2,13 +2,9 @@
 #include <array>
 #include <vector>
 
-#include "core/vec.hpp"
-#include "grains/dem/contact_list.hpp"
+#include "grains/dem/parts/part.hpp"
 
 namespace arenite::dem {
-
-template <int D> struct SampleIn;
-using Sample = SampleIn<2>;
 
 /// Work done on the sample in a step (J), or the power (W), by class of force.
 struct WorkTerms {
@@ -50,17 +46,23 @@ struct ForcesAndRates {
 /// share of the work; of a linear spring that is the change of its energy, so what stays open is the second term (0 at
 /// rest) and the steps in which a contact opens or closes. Under Gear the powers are integrated by the Adams-Moulton
 /// rule of fourth order. What friction takes from the motion and its springs do not store is dissipated.
-struct EnergyBalance {
+struct EnergyBalance : PartOf<2> {
   bool open = false;  ///< `last` belongs to the present state
   ForcesAndRates last;
   std::array<WorkTerms, 3> powers{};  ///< Gear: now, one and two steps ago
   int known = 0;                      ///< how many of them are
+
+  /// Takes the present state as the start of the next step, where drives, gravity or drag have changed.
+  void begin(Sample& sample);
+  /// Books the step that has just been made.
+  void after_forces(Sample& sample);
+  template <class Members> void transfer(Sample& /*sample*/, Members& members) {
+    members(open, known);
+    for (WorkTerms& power : powers)
+      for (const auto term : work_terms) members(power.*term);
+  }
+  /// A snapshot of the same state has the same bits; Gear's powers are older.
+  void go_on(Sample& sample);
 };
-
-/// Takes the present state as the start of the next step, after the drives, gravity or drag have changed.
-void open_balance(Sample& sample);
-
-/// Books the step that has just been made.
-void book_step(Sample& sample);
 
 }  // namespace arenite::dem

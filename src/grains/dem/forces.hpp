@@ -65,12 +65,6 @@ inline Kinematics<D> wall_kinematics(const GrainRecord<D>& a, const WallIn<D>& w
   return c;
 }
 
-/// A disk and an element of a boundary. A segment is touched where the centre's foot on its line lies strictly within
-/// it, an end point where the centre lies beyond the segments that meet there: of a corner that juts out one of the
-/// three is touched, in a corner that the disk lies in both segments are. The foot of a polygon lies against the point
-/// that it belongs to in any case (`as_point`).
-Kinematics<2> element_kinematics(const Sample& sample, const DiskRecord& disk, std::int32_t element, bool as_point);
-
 /// What touches in a slot: disk i, or the foot of a polygon on a boundary's point.
 template <int D> inline const GrainRecord<D>& touching_disk(const SampleIn<D>& s, std::size_t slot) {
   if (slot < s.list.polygons) return s.record[s.list.i[slot]];
@@ -81,8 +75,7 @@ template <int D> inline Kinematics<D> slot_kinematics(const SampleIn<D>& s, std:
   const GrainRecord<D>& a = touching_disk(s, slot);
   const std::int32_t j = s.list.j[slot];
   if (j >= 0) return pair_kinematics(a, s.record[j], s.contact.arms);
-  if constexpr (D == 2)
-    if (is_boundary(j)) return element_kinematics(s, a, element_of(j), slot >= s.list.polygons);
+  if (Kinematics<D> c; any_part(s, [&](const auto& part) { return part.meet(s, slot, c); })) return c;
   const int side = wall_side(j);
   const WallIn<D>& wall = s.domain.wall[side];
   return wall_kinematics(a, wall, of_side(side, wall.velocity, s.wall[side].drive.slide), side, s.contact.arms);
@@ -105,34 +98,11 @@ double sliding_stiffness(const SampleIn<D>& s, const N& normal, std::size_t slot
 /// the walls. Springs of the friction law move on by one step.
 template <int D> void compute_forces(SampleIn<D>& sample, const ThreadPool& pool = ThreadPool());
 
-/// Adds the moments of rolling resistance to the slots' torques.
-template <int D> void add_rolling_moments(SampleIn<D>& sample, const ThreadPool& pool);
-/// What the rolling springs hold, J.
-template <int D> double rolling_energy(const SampleIn<D>& sample);
-
-/// How far the cohesion of this sample reaches, and how steep it is. InputError where the law makes no sense for its
-/// grains.
-void set_up_cohesion(Sample& sample);
-
-/// Pairs of the packing that were joined go on. The list must have just been built.
-void recall_cohesion(Sample& sample);
-
-/// Finds the curves of the pairs that are joined.
-void find_pull_curves(Sample& sample);
-
-/// Adds the pulls to the forces of the pairs' slots, which hold those of their contacts, and joins and parts pairs.
-/// What a pair holds as it breaks is booked as dissipated. A pair is found joined or parted up to a step late; what its
-/// force has not done by then goes into the same account.
-void add_cohesion(Sample& sample, const ThreadPool& pool);
-
-/// Pull of a slot now, N; 0 where none acts.
-inline double pull_of(const Sample& s, std::size_t slot) { return slot < s.list.pull.size() ? s.list.pull[slot] : 0.0; }
-
-/// Energy of all joined pairs, J.
-double cohesive_energy(const Sample& sample);
-
-/// All joined pairs, by the caller's grains.
-std::vector<CohesivePair> cohesive_pairs(const Sample& sample);
+/// Adds a force on a grain that a wall exerts to the wall's own, as its opposite.
+template <int D> void push_wall(SampleIn<D>& s, int side, Vec<D> on_grain) {
+  s.domain.wall[side].force += dot(on_grain, inward_normal<D>(side));
+  s.domain.wall[side].shear_force -= along(side, on_grain);
+}
 
 /// Forces of the edges of a periodic cell, the means over all its cuts: of those across x (1/W) sum f l_x. Not part of
 /// compute_forces, because only driven edges and readers need them.

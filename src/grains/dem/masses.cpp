@@ -1,9 +1,11 @@
+#include "grains/dem/masses.hpp"
+
 #include <algorithm>
 
-#include "grains/dem/bodies/bodies.hpp"
-#include "grains/dem/bonds.hpp"
-#include "grains/dem/neighbours.hpp"
-#include "grains/dem/setup.hpp"
+#include "grains/dem/conditions.hpp"
+#include "grains/dem/glue.hpp"
+#include "grains/dem/measure.hpp"
+#include "grains/dem/time_step.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
@@ -22,8 +24,10 @@ void renew_dashpots(Sample& s) {
   renew_bond_dashpots(s);
 }
 
-}  // namespace
-
+/// Gives the disks their own masses, or even ones. Even: every grain is as heavy as makes its contacts as fast as those
+/// of the grain whose contacts are fastest, k/m alike. The step stays stable, waves run through grains of unlike sizes
+/// as fast as it allows, and equilibria do not change, for they do not know masses (but for weight: no gravity then).
+/// Dashpots follow the masses, so restitution is kept. Speeds stay.
 void give_masses(Sample& s, MassScaling masses) {
   s.mass_scaling = masses;
   double fastest = 0;
@@ -39,6 +43,8 @@ void give_masses(Sample& s, MassScaling masses) {
   tune_servo(s);
 }
 
+/// Makes all grains heavier alike, where masses are not their own, until the sample allows its time step: many grains
+/// as fast as the fastest may together be faster than it is alone.
 void make_heavy_enough(Sample& s) {
   if (s.mass_scaling != MassScaling::uniform) return;
   constexpr int rounds = 10;  // one does, unless drag counts: the longest step grows as the root of the mass
@@ -50,6 +56,18 @@ void make_heavy_enough(Sample& s) {
     renew_dashpots(s);
     tune_servo(s);
   }
+}
+
+}  // namespace
+
+void set_mass_scaling(Sample& s, MassScaling masses) {
+  if (masses == s.mass_scaling) return;
+  synchronise(s);
+  book_change(s, &Energies::dissipated_drag, &Energies::kinetic, [&] {
+    give_masses(s, masses);
+    make_heavy_enough(s);
+    allow_step(s, masses == MassScaling::uniform ? "scaled masses" : "its own masses");
+  });
 }
 
 }  // namespace arenite::dem

@@ -1,13 +1,13 @@
-#include "grains/dem/setup.hpp"
+#include "grains/dem/measure.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
 
-#include "grains/dem/bodies/bodies.hpp"
-#include "grains/dem/bonds.hpp"
-#include "grains/dem/boundaries/boundaries.hpp"
+#include "grains/dem/forces.hpp"
+#include "grains/dem/movers.hpp"
+#include "grains/dem/rolling.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
@@ -32,13 +32,7 @@ template <int D> void add_contacts(const SampleIn<D>& s, PackingIn<D>& out) {
     const Turning<D> ft = cross(c.normal, f);
     if (swapped) out.contacts.add(i, j, -c.normal, fn, ft, c.arm_j, c.arm_i);
     else out.contacts.add(i, j, c.normal, fn, ft, c.arm_i, c.arm_j);
-    if constexpr (D == 2)
-      if (!s.part.empty()) {
-        Levers<2> levers = levers_of(s, slot);
-        if (swapped) std::swap(levers.i, levers.j);
-        out.contacts.off_i.push_back(levers.i);
-        out.contacts.off_j.push_back(levers.j);
-      }
+    each_part(s, [&](const auto& part) { part.report_contact(s, slot, swapped, out); });
     out.contacts.overlap.back() = c.overlap;
     out.contacts.sliding_velocity.back() = c.sliding;
     out.contacts.glued.back() = s.list.strength[slot] > 0 ? 1 : 0;
@@ -47,7 +41,7 @@ template <int D> void add_contacts(const SampleIn<D>& s, PackingIn<D>& out) {
 
 /// Of a mover, J; 0 of one that goes with a wall.
 template <int D> double kinetic_energy(const SampleIn<D>& s, std::size_t k) {
-  if (k < s.count && find_held(s, s.record[k].grain)) return 0;
+  if (is_held(s, k)) return 0;
   using lane::dot;
   const Motion<D> v = motion_of(s, k);
   const Mover<D> m = mover_at(s, k);
@@ -56,7 +50,7 @@ template <int D> double kinetic_energy(const SampleIn<D>& s, std::size_t k) {
 
 /// Force on a mover, its weight included, N; 0 on one that goes with a wall.
 double resultant_of(const Sample& s, std::size_t k) {
-  if (k < s.count && find_held(s, s.record[k].grain)) return 0;
+  if (is_held(s, k)) return 0;
   const Vec2 f = load_on(s, k).force + mover_at(s, k).mass * s.gravity;
   return k < s.count ? std::hypot(f.x, f.y) : norm(f);
 }
@@ -102,9 +96,7 @@ template <int D> PackingIn<D> packing_of(const SampleIn<D>& s) {
   PackingIn<D> out;
   out.materials = s.start.materials;
   out.domain = domain_now(s);
-  out.grains = s.start.grains;
-  if constexpr (D == 2)
-    if (!s.part.empty()) out.grains = s.given;
+  out.grains = grains_of(s);
   const CellMotion<D> cell = cell_motion(out.domain);
   each_mover(s, [&](std::size_t k) {
     const Mover<D> m = mover_at(s, k);
@@ -112,10 +104,7 @@ template <int D> PackingIn<D> packing_of(const SampleIn<D>& s) {
     put_grain(out.grains, m.grain, place_of(s, k), m.angle, {own.velocity + cell.at(m.place), own.omega});
   });
   add_contacts(s, out);
-  if constexpr (D == 2) {
-    out.bonds = bonds_of(s);
-    out.cohesive = cohesive_pairs(s);
-  }
+  each_part(s, [&](const auto& part) { part.report(s, out); });
   return out;
 }
 
@@ -128,14 +117,8 @@ template <int D> Energies energies_of(const SampleIn<D>& s) {
       e.kinetic += 0.5 * s.wall[side].mass * v * v;
     }
   e.adhesive = adhesive_energy(s);
-  double held = rolling_energy(s);
-  if constexpr (D == 2) {
-    for (std::size_t b = 0; b < s.boundary.size(); ++b)
-      if (const Vec2 v = velocity_of(s, b); s.boundary[b].mass > 0) e.kinetic += 0.5 * s.boundary[b].mass * dot(v, v);
-    e.adhesive += cohesive_energy(s);
-    held += bond_energy(s);
-  }
-  e.elastic += held;
+  e.elastic += rolling_energy(s);
+  each_part(s, [&](const auto& part) { part.add_energy(s, e); });
   s.laws.visit([&]<class N, class A, class F>(const N& normal, const A&, const F& friction) {
     const ContactListIn<D>& list = s.list;
     for (std::size_t p = 0; p < list.size(); ++p) {
@@ -157,14 +140,14 @@ template Energies energies_of(const SampleIn<3>&);
 
 Equilibrium equilibrium_of(const Sample& s) {
   Equilibrium q;
-  std::vector<int> pressed_contacts(s.count + s.body.size(), 0);
+  std::vector<int> pressed_contacts(s.count + body_count(s), 0);
   const auto grains = static_cast<double>(grain_count(s));
   double resultant = 0, normal_sum = 0, mobilised = 0;
   std::size_t contacts = 0, pressed = 0;
   each_mover(s, [&](std::size_t k) { resultant += resultant_of(s, k); });
   for (std::size_t p = 0; p < s.list.size(); ++p) {
     const Kinematics<2> c = slot_kinematics(s, p);
-    const double pull = pull_of(s, p);
+    const double pull = the<CohesivePairs>(s).pull_of(p);
     const bool touches = c.overlap > 0;
     if (!touches && !(pull > 0)) continue;
     const Vec2 force = s.list.force[p].on_i;
@@ -179,9 +162,9 @@ Equilibrium equilibrium_of(const Sample& s) {
     ++pressed_contacts[moving(s, s.list.i[p])];
     if (s.list.j[p] >= 0) ++pressed_contacts[moving(s, s.list.owner[p])];
   }
-  for (std::size_t n = 0; n < s.bond_slots.size(); ++n) {
-    const BondSlot& b = s.bond_slots[n];
-    const SlotForce<2>& f = s.list.force[bond_force_place(s.list, n)];
+  for (std::size_t n = 0; n < the<Bonds>(s).slots.size(); ++n) {
+    const BondSlot& b = the<Bonds>(s).slots[n];
+    const SlotForce<2>& f = s.list.force[place_of_force(s.list, n)];
     if (!acts(f)) continue;
     normal_sum += std::hypot(f.on_i.x, f.on_i.y);
     ++contacts;
@@ -199,6 +182,16 @@ Equilibrium equilibrium_of(const Sample& s) {
   q.wall_speed = fastest_point(s.domain);
   for (int side = 0; side < sides; ++side) q.wall_speed = std::max(q.wall_speed, std::abs(wall_rate(s, side)));
   return q;
+}
+
+Amount amount_below(const Sample& s, double height) {
+  Amount amount;
+  each_mover(s, [&](std::size_t k) {
+    if (!(mover_at(s, k).place.y < height)) return;
+    ++amount.grains;
+    amount.mass += k < s.count ? own_mass(s, s.record[k].grain) : own_mass(s, the<Bodies>(s).body[k - s.count].first);
+  });
+  return amount;
 }
 
 }  // namespace arenite::dem

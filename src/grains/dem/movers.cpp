@@ -1,10 +1,8 @@
 #include "grains/dem/movers.hpp"
 
+#include <algorithm>
 #include <atomic>
 
-#include "grains/dem/bodies/bodies.hpp"
-#include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/neighbours.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
@@ -34,8 +32,7 @@ template <int D> double list_leeway(const SampleIn<D>& s) {
     if (!s.domain.is_periodic(side) &&
         std::abs(s.domain.wall[side].position - s.listed_domain.wall[side].position) > 0.5 * s.skin)
       return 0;
-  if constexpr (D == 2)
-    if (farthest_moved(s.listed_domain, s.domain) > 0.5 * s.skin) return 0;
+  if (any_part(s, [&](const auto& part) { return part.way_since_listed(s) > 0.5 * s.skin; })) return 0;
   const CellFrame<D> then = cell_frame(s.listed_domain), now = cell_frame(s.domain);
   double growth = 0;
   for (std::size_t axis = 0; axis < now.size(); ++axis) growth += std::abs(now[axis].since(then[axis]).growth());
@@ -54,7 +51,7 @@ template <int D> void kick_walls(SampleIn<D>& s, double kick, double ahead) {
     wall.position += s.dt * body.rate;
     wall.velocity = body.rate + ahead * body.acceleration;
   }
-  if constexpr (D == 2) push_boundaries(s, kick, ahead);
+  each_part(s, [&](auto& part) { part.kick(s, kick, ahead); });
 }
 
 template <int D> bool make_step(SampleIn<D>& s, const ThreadPool& pool) {
@@ -70,7 +67,7 @@ template <int D> bool make_step(SampleIn<D>& s, const ThreadPool& pool) {
     task.listed_moved[axis] = after[axis].since(listed[axis]);
   }
   task.after = cell_motion(s.domain);
-  if constexpr (D == 2) move_boundaries(s, s.dt);
+  each_part(s, [&](auto& part) { part.move(s, s.dt); });
   s.sheared += s.dt * s.shear_rate;
   task.listed_shear = s.sheared - s.listed_sheared;
   task.middle = 0.5 * (s.domain.wall[bottom].position + s.domain.wall[top].position);
@@ -78,19 +75,16 @@ template <int D> bool make_step(SampleIn<D>& s, const ThreadPool& pool) {
   task.limit = leeway > 0 ? leeway * leeway : -1.0;
   const auto loop = s.kernel->sweeps[static_cast<std::size_t>(s.integration.integrator)];
   std::atomic<bool> near = true;
-  bool has_single = true;
-  if constexpr (D == 2) has_single = has_single_disks(s);
-  if (has_single)
+  if (!any_part(s, [&](const auto& part) { return part.moves_all_disks(s); }))
     pool.for_ranges(s.count, [&](std::size_t begin, std::size_t end) {
       if (!loop(task, begin, end)) near = false;
     });
   if (s.domain.periodic[0]) s.domain.tilt *= after[0].length / before[0].length;
   s.domain.tilt += s.dt * s.shear_rate * s.domain.extent(1);
   for (WallBodyIn<D>& body : s.wall) body.slid += s.dt * body.drive.slide;
-  if constexpr (D == 2) {
-    hold_grains(s);
-    if (!move_bodies(s, task, pool)) near = false;
-  }
+  each_part(s, [&](auto& part) {
+    if (!part.follow(s, task, pool)) near = false;
+  });
   ++s.step;
   return near;
 }

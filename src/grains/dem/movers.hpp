@@ -1,14 +1,8 @@
 #pragma once
-#include "core/threads.hpp"
-#include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/integrators/integrators.hpp"
+#include "grains/dem/time_step.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
-
-template <int D> inline const Integrator& integrator_of(const SampleIn<D>& s) {
-  return integrator_of(s.integration.integrator);
-}
 
 /// A step of the sample's integrator: takes the forces at t_n to places and seen velocities at t_{n+1}; walls,
 /// boundaries, bodies and affine motion too. False if the contact list has become stale.
@@ -27,11 +21,11 @@ template <int D> struct Mover {
 };
 /// Of inner disk k, or, from `count` on, of a body.
 template <int D> inline Mover<D> mover_at(const SampleIn<D>& s, std::size_t k) {
-  if constexpr (D == 2)
-    if (k >= s.count) {
-      const Body& b = s.body[k - s.count];
-      return {s.part[b.first].grain, b.mass, b.inertia(), b.gyration, b.place, b.angle, b.own, b.seen};
-    }
+  if (k >= s.count) {
+    Mover<D> body;
+    each_part(s, [&](const auto& part) { part.put_mover(k - s.count, body); });
+    return body;
+  }
   const GrainRecord<D>& d = s.record[k];
   return {grain_of(s, d.grain), d.mass, inertia(d), d.radius, d.place, s.angle[k], {s.velocity[k], s.omega[k]},
           {d.velocity, d.omega}};
@@ -48,11 +42,15 @@ template <int D> struct Acceleration {
   Turning<D> alpha{};
 };
 /// On a mover by its contacts.
-Load<2> load_on(const Sample& sample, std::size_t mover);
-inline Load<3> load_on(const SampleIn<3>& s, std::size_t mover) { return contact_load(slot_forces(s.list), mover); }
+template <int D> Load<D> load_on(const SampleIn<D>& s, std::size_t mover) {
+  if (mover < s.count) return contact_load(slot_forces(s.list), mover);
+  Load<D> load;
+  each_part(s, [&](const auto& part) { part.put_load(s, mover - s.count, load); });
+  return load;
+}
 /// Of a mover; 0 of a disk that goes with a wall.
 template <int D> Acceleration<D> acceleration_of(const SampleIn<D>& s, std::size_t k) {
-  if (k < s.count && find_held(s, s.record[k].grain)) return {};
+  if (is_held(s, k)) return {};
   const Load<D> load = load_on(s, k);
   const Mover<D> m = mover_at(s, k);
   return {load.force / m.mass + s.gravity - s.drag * (m.seen.velocity - cell_motion(s.domain).at(m.place)),
@@ -114,8 +112,7 @@ template <int D> DomainIn<D> domain_now(const SampleIn<D>& s) {
     domain.wall[side].velocity = wall_rate(s, side);
     domain.wall[side].position += behind(s).place * unforeseen_of_wall(s, side);
   }
-  if constexpr (D == 2)
-    for (std::size_t b = 0; b < s.boundary.size(); ++b) domain.boundaries[b].velocity = velocity_of(s, b);
+  each_part(s, [&](const auto& part) { part.bring_to_now(s, domain); });
   return domain;
 }
 

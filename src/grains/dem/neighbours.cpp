@@ -5,9 +5,9 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "grains/dem/bodies/bodies.hpp"
-#include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/walls.hpp"
+#include "grains/dem/forces.hpp"
+#include "grains/dem/measure.hpp"
+#include "grains/dem/time_step.hpp"
 
 namespace arenite::dem {
 namespace {
@@ -34,9 +34,7 @@ template <int D> void check_places(const SampleIn<D>& s) {
 /// Joined from the start, however deep they lie in each other.
 template <int D> bool is_joined(const SampleIn<D>& s, std::size_t slot, std::int32_t a, std::int32_t b) {
   if (s.list.strength[slot] > 0) return true;
-  if constexpr (D == 2)
-    return std::ranges::any_of(s.bonds, [&](const Bond& bond) { return pair_key(bond.i, bond.j) == pair_key(a, b); });
-  return false;
+  return any_part(s, [&](const auto& part) { return part.joins(a, b); });
 }
 
 /// A contact turns about where the centre of one grain enters the other: what has gone so deep goes through. The list
@@ -100,20 +98,25 @@ std::size_t find_slot(const ContactListIn<D>& list, std::int32_t a, std::int32_t
   return own < list.size() || !either ? own : slots(2 * a + 1, [&](std::size_t p) { return list.i[p] == b; });
 }
 
+template <int D> bool is_foot(const SampleIn<D>& s, std::size_t slot) {
+  return any_part(s, [&](const auto& part) { return part.is_foot(s, slot); });
+}
+
 /// Takes over what touching pairs remember from the list before a rebuild; disk k was number `was[k]` in it. A periodic
 /// cell is at least two reaches wide, so no pair meets twice.
 template <int D>
 void carry_over(SampleIn<D>& s, ContactListIn<D>& before, const std::vector<std::int32_t>& was,
                 const ThreadPool& pool) {
   ContactListIn<D>& list = s.list;
+  const bool parts_remember = any_part(s, [](const auto& part) { return part.remembers(); });
   if (before.size() == 0 ||
-      (s.live_bonds.empty() && !remembers(s.laws) && list.rolling_memory.empty() && list.pull.empty()))
+      (s.glued_pairs.empty() && !remembers(s.laws) && list.rolling_memory.empty() && !parts_remember))
     return;
   pool.for_ranges(list.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       const std::int32_t a = was[list.i[p]];
       const std::int32_t b = list.j[p] < 0 ? list.j[p] : was[list.owner[p]];
-      const std::size_t old = find_slot(before, a, b, p >= list.polygons, !foot_of(s, p));
+      const std::size_t old = find_slot(before, a, b, p >= list.polygons, !is_foot(s, p));
       if (old == before.size()) continue;
       const auto take_over = [&](auto& now, const auto& then) {
         if (p < now.size()) now.put(p, then[old]);
@@ -121,20 +124,10 @@ void carry_over(SampleIn<D>& s, ContactListIn<D>& before, const std::vector<std:
       take_over(list.memory, before.memory);
       take_over(list.normal_memory, before.normal_memory);
       take_over(list.rolling_memory, before.rolling_memory);
-      take_over(list.pull, before.pull);
-      if (p < list.curve.size()) list.curve[p] = before.curve[old];
-      list.bond[p] = before.bond[old];
+      list.glue[p] = before.glue[old];
+      each_part(s, [&](auto& part) { part.take_over(p, old); });
     }
   });
-}
-
-/// Grains that go with rough walls have slid with them since the list was built.
-void renew_held(Sample& s) {
-  number_held(s);
-  for (std::size_t h = 0; h < s.held.size(); ++h) {
-    HeldGrain& held = s.held[h];
-    held.place[1 - axis_of(held.side)] = along(held.side, s.record[s.held_disk[h]].place) - s.wall[held.side].slid;
-  }
 }
 
 }  // namespace
@@ -142,14 +135,10 @@ void renew_held(Sample& s) {
 template <int D> void rebuild_list(SampleIn<D>& s, const ThreadPool& pool) {
   check_places(s);
   if (s.step > 0) check_pairs(s);
-  if constexpr (D == 2) check_crossings(s);
+  each_part(s, [&](auto& part) { part.check_list(s); });
   wrap(s);
-  if constexpr (D == 2) {
-    wrap_bodies(s);
-    wrap_boundaries(s.domain);
-  }
+  each_part(s, [&](auto& part) { part.wrap(s); });
   const std::vector<std::int32_t> was = sort_by_cell(s);
-  if constexpr (D == 2) renew_held(s);
   s.listed.assign(s.count);
   for (std::size_t k = 0; k < s.count; ++k) s.listed.put(k, s.record[k].place);
   s.listed_domain = s.domain;
@@ -158,37 +147,16 @@ template <int D> void rebuild_list(SampleIn<D>& s, const ThreadPool& pool) {
   std::swap(s.list, s.former);
   list_contacts(s, pool);
   carry_over(s, s.former, was, pool);
+  each_part(s, [&](auto& part) { part.renew(s); });
 }
 
-void number_held(Sample& s) {
-  s.held_disk.assign(s.held.size(), 0);
-  s.held_angle.assign(s.held.size(), 0.0);
-  if (s.held.empty()) return;
-  for (std::size_t k = 0; k < s.count; ++k) {
-    const HeldGrain* held = find_held(s, s.record[k].grain);
-    if (!held) continue;
-    const auto h = held - s.held.data();
-    s.held_disk[h] = static_cast<std::int32_t>(k);
-    s.held_angle[h] = s.angle[k];
-  }
-}
-
-void hold_grains(Sample& s) {
-  for (std::size_t h = 0; h < s.held.size(); ++h) {
-    const HeldGrain& held = s.held[h];
-    const std::int32_t k = s.held_disk[h];
-    const WallBody& body = s.wall[held.side];
-    const Wall& wall = s.domain.wall[held.side];
-    DiskRecord& d = s.record[k];
-    d.place = held.place + of_side(held.side, wall.position, body.slid);
-    d.velocity = of_side(held.side, wall.velocity, body.drive.slide);
-    s.velocity.put(k, of_side(held.side, body.rate, body.drive.slide));
-    s.acceleration.put(k, Vec2{});
-    s.angle[k] = s.held_angle[h];
-    d.omega = s.omega[k] = s.alpha[k] = 0;
-    for (auto& higher : s.higher)
-      if (higher.size() > 0) higher.put(k, Vec3{});
-  }
+void list_anew(Sample& s, const ThreadPool& pool) {
+  book_change(s, &Energies::work_walls, &Energies::elastic, [&] {
+    rebuild_list(s, pool);
+    s.laws.lead = -s.laws.lag;
+    compute_forces(s, pool);
+    s.laws = laws_between_steps(s);
+  });
 }
 
 template void rebuild_list(SampleIn<2>&, const ThreadPool&);

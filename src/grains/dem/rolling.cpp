@@ -1,4 +1,5 @@
-#include "grains/dem/boundaries/boundaries.hpp"
+#include "grains/dem/rolling.hpp"
+
 #include "grains/dem/forces.hpp"
 
 namespace arenite::dem {
@@ -24,8 +25,8 @@ Slip<double, Turning<D>> slip_of(const SampleIn<D>& s, const Law& law, std::size
     turning -= b.omega;
     radius = a.radius * b.radius / (a.radius + b.radius);
     inertia_of_both = inertia(a) * inertia(b) / (inertia(a) + inertia(b));
-  } else if constexpr (D == 2) {
-    if (is_boundary(j)) turning -= boundary_of(s, j).spin;
+  } else {
+    each_part(s, [&](const auto& part) { turning -= part.spin_of(s, j); });
   }
   const double stiffness = law.stiffness(s.list.stiffness[slot], radius);
   return {sense(s, slot) * without_twist(turning, normal),

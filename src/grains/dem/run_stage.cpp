@@ -51,38 +51,38 @@ bool shears_cell(const Stage& stage) {
 
 void sample(History& history, const Engine& engine, const Stage& stage, const Equilibrium& now,
             std::int64_t increment) {
-  append(history, "time", "s", engine.time());
+  append(history, "time", "s", time_of(engine));
   append(history, "increment", "1", static_cast<double>(increment + 1));
   for (int side = 0; side < sides; ++side) {
-    const auto& wall = engine.domain().wall[side];
+    const auto& wall = engine.domain.wall[side];
     append(history, fmt::format("{}_position", side_names[side]).c_str(), "m", wall.position);
     append(history, fmt::format("{}_force", side_names[side]).c_str(), "N", wall.force);
     append(history, fmt::format("{}_shear_force", side_names[side]).c_str(), "N", wall.shear_force);
   }
-  if (shears_cell(stage)) append(history, "shear_strain", "1", engine.shear_strain());
-  for (const Boundary& boundary : engine.domain().boundaries) {
+  if (shears_cell(stage)) append(history, "shear_strain", "1", engine.sheared);
+  for (const Boundary& boundary : engine.domain.boundaries) {
     append(history, (boundary.name + "_force_x").c_str(), "N", boundary.force.x);
     append(history, (boundary.name + "_force_y").c_str(), "N", boundary.force.y);
     append(history, (boundary.name + "_torque").c_str(), "N m", boundary.torque);
   }
   if (stage.count_below) {
-    const Amount passed = engine.below(*stage.count_below);
+    const Amount passed = amount_below(engine, *stage.count_below);
     append(history, "passed", "1", static_cast<double>(passed.grains));
     append(history, "passed_mass", "kg", passed.mass);
   }
-  if (const BondCount bonds = engine.bond_count(); bonds.made() > 0) {
+  if (const BondCount bonds = count_bonds(engine); bonds.made() > 0) {
     append(history, "bonds", "1", static_cast<double>(bonds.intact));
     append(history, "broken_in_tension", "1", static_cast<double>(bonds.in_tension));
     append(history, "broken_in_bending", "1", static_cast<double>(bonds.in_bending));
     append(history, "broken_in_shear", "1", static_cast<double>(bonds.in_shear));
     append(history, "bond_energy", "J", bonds.energy);
   }
-  if (engine.is_cohesive()) {
-    const CohesionCount pairs = engine.cohesion_count();
+  if (engine.contact.is_cohesive()) {
+    const CohesionCount pairs = count_cohesion(engine);
     append(history, "cohesive_pairs", "1", static_cast<double>(pairs.joined));
     append(history, "cohesive_pairs_apart", "1", static_cast<double>(pairs.apart));
   }
-  const Energies energies = engine.energies();
+  const Energies energies = energies_of(engine);
   for (const EnergyTerm& term : energy_terms) append(history, term.name, "J", energies.*term.value);
   append(history, "unbalanced_ratio", "1", now.unbalanced_ratio);
   append(history, "kinetic_ratio", "1", now.kinetic_ratio);
@@ -108,7 +108,7 @@ void note(const Engine& engine, const Stage& stage, bool wanted, StageRun& run) 
 
 void store_snapshot(const Engine& engine, const Equilibrium& now, std::string label, StageResult& result) {
   result.snapshots.push_back(
-      {engine.time(), engine.step(), std::move(label), engine.packing(), engine.energies(), now});
+      {time_of(engine), engine.step, std::move(label), packing_of(engine), energies_of(engine), now});
 }
 
 /// The same with what the pressing sides still lack, relative to their aim; nothing on that where none presses.
@@ -126,11 +126,11 @@ std::string outcome_of(const Engine& engine, const Stage& stage, const Equilibri
   std::string text = stage.strain_cycles
                          ? fmt::format("{} strain cycles completed; {}", stage.strain_cycles->count, describe(now))
                      : stage.duration ? fmt::format("{:g} s passed; {}", *stage.duration, describe(now))
-                                      : "equilibrium: " + describe_pressed(now, drives, engine.domain());
-  if (const BondCount bonds = engine.bond_count(); bonds.made() > 0)
+                                      : "equilibrium: " + describe_pressed(now, drives, engine.domain);
+  if (const BondCount bonds = count_bonds(engine); bonds.made() > 0)
     text += fmt::format("; {} of {} bonds broken", bonds.made() - bonds.intact, bonds.made());
-  if (!engine.is_cohesive()) return text;
-  const CohesionCount pairs = engine.cohesion_count();
+  if (!engine.contact.is_cohesive()) return text;
+  const CohesionCount pairs = count_cohesion(engine);
   return text + fmt::format("; {} cohesive pairs, {} of them not touching", pairs.joined, pairs.apart);
 }
 
@@ -152,47 +152,32 @@ void give_up(const Engine& engine, const Stage& stage, const Leg& leg, const Wal
   run.result.converged = false;
   run.result.outcome = fmt::format("no equilibrium within {} steps{} (equilibrium.max_steps): {}",
                                    run.steps_in_increment, increment_count(stage) > 1 ? " of " + leg.label : "",
-                                   describe_pressed(run.latest, drives, engine.domain()));
+                                   describe_pressed(run.latest, drives, engine.domain));
 }
 
 }  // namespace
 
 StageRun begin_stage(Engine& engine, const Stage& stage) {
-  engine.set_gravity(stage.gravity
-                         ? stage.gravity_size * Vec2{std::sin(stage.gravity_angle), -std::cos(stage.gravity_angle)}
-                         : Vec2{});
-  engine.set_friction(stage.friction);
-  if (stage.gravity && stage.mass_scaling == MassScaling::uniform)
-    throw InputError("mass scaling cannot be used with gravity; leave gravity or mass_scaling out");
-  engine.set_mass_scaling(stage.mass_scaling);
-  engine.set_inertial_number(stage.inertial_number);
-  engine.set_drag(engine.integration().drag + stage.drag + stage.critical_drag * engine.critical_drag());
-  engine.set_glue(stage.glue);
-  if (stage.bond) engine.make_bonds();
-  engine.set_open(stage.open);
-  engine.set_boundaries(stage.boundaries);
-  engine.set_rough(stage.rough);
-  engine.set_shear_rate(stage.shear_rate);
-  engine.set_programmes({stage.programmes, engine.time(), stage.gravity_size, stage.gravity_angle});
+  engine.begin(stage);
   StageRun run;
   run.result.name = stage.name;
-  run.start.size = {engine.domain().width(), engine.domain().height()};
-  for (int side = 0; side < sides; ++side) run.start.force[side] = engine.domain().wall[side].force;
+  run.start.size = {engine.domain.width(), engine.domain.height()};
+  for (int side = 0; side < sides; ++side) run.start.force[side] = engine.domain.wall[side].force;
   return run;
 }
 
 void continue_stage(Engine& engine, const Stage& stage, StageRun& run) {
-  const Leg leg = leg_at(stage, run.start, run.increment, static_cast<std::int64_t>(run.result.snapshots.size()),
-                         engine.time_step());
-  if (leg.shear_rate) engine.set_shear_rate(*leg.shear_rate);
-  const WallDrives drives = drives_for(stage, leg, engine.domain());
-  engine.set_drives(drives);
+  const Leg leg =
+      leg_at(stage, run.start, run.increment, static_cast<std::int64_t>(run.result.snapshots.size()), engine.dt);
+  if (leg.shear_rate) set_shear_rate(engine, *leg.shear_rate);
+  const WallDrives drives = drives_for(stage, leg, engine.domain);
+  set_drives(engine, drives);
   const std::int64_t steps = leg.until ? std::min(check_interval, *leg.until - run.steps_in_increment) : check_interval;
   engine.advance(steps);
   run.steps_in_increment += steps;
-  run.latest = engine.equilibrium();
+  run.latest = equilibrium_of(engine);
   const bool at_rest = is_at_rest(run.latest, stage.equilibrium) &&
-                       load_error(drives, engine.domain()) < 10 * stage.equilibrium.unbalanced;
+                       load_error(drives, engine.domain) < 10 * stage.equilibrium.unbalanced;
   const bool is_over = leg.until ? run.steps_in_increment >= *leg.until : at_rest;
   const bool given_up = !leg.until && !at_rest && run.steps_in_increment >= stage.equilibrium.max_steps;
   note(engine, stage, is_over && leg.is_whole, run);

@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numbers>
+#include <tuple>
 #include <vector>
 
 #include "grains/dem/coefficients.hpp"
-#include "grains/dem/energy_balance.hpp"
+#include "grains/dem/parts/parts.hpp"
 #include "grains/dem/stage.hpp"
 #include "model/packing.hpp"
 #include "model/result.hpp"
@@ -33,83 +35,9 @@ template <int D> struct WallBodyIn {
 };
 using WallBody = WallBodyIn<2>;
 
-/// A boundary that has a mass moves under forces.
-struct BoundaryBody {
-  double mass = 0;  ///< kg; 0: it moves as it is told
-  Vec2 force;       ///< of the drive, N
-  Vec2 rate;        ///< integrated velocity, m/s (half a step behind under Verlet)
-};
-
-/// What a disk can touch of a boundary: one of its points, or the segment from there to the next. The number of an
-/// element is its place among those of all boundaries (Domain::elements).
-struct Element {
-  std::int32_t boundary = 0, point = 0;
-  bool segment = false;
-};
-
-/// A grain that goes with a rough wall: its centre in the wall's own coordinates, which start at `slid` along the wall
-/// and at its plane.
-struct HeldGrain {
-  std::int32_t grain = 0, side = 0;  ///< the caller's index
-  Vec2 place;                        ///< m
-};
-
-/// A rigid grain of several disks, which go where it goes.
-struct Body {
-  std::int32_t first = 0, count = 0;  ///< its disks, by their place in Sample::start
-  std::int64_t filled = 0;            ///< see Shapes; a whole number of words, for a state is told by its bytes
-  double gyration = 0, mass = 0;      ///< m, kg
-  Vec2 place;                         ///< of the centre of mass
-  double angle = 0;
-  Motion<2> own, seen;  ///< integrated velocities, less the affine motion of a periodic cell; those that the forces see
-  double inertia() const { return mass * gyration * gyration; }
-};
-
-/// A disk of a body, or one for itself.
-struct BodyDisk {
-  std::int32_t grain = 0, body = -1;  ///< the caller's index; -1 for a grain that is a disk
-  Vec2 place;                         ///< from the centre of mass where the body's angle is 0, m
-  Cells<2> shift;                     ///< between the disk and its body's centre
-};
-
-/// Where a disk may touch a polygon: the point of the polygon's core nearest to the disk's centre, seen as a disk of
-/// the polygon's rounding that goes with it. Its record stands behind those of the ghosts, and its slot joins the disk
-/// with it. Each corner meets the other polygon by itself, so the energy is a sum over corners of squared distances
-/// from convex cores, and the force runs on without a jump from a side over a corner. A boundary's point that juts out
-/// has a foot, too, like a corner without radius.
-struct Foot {
-  std::int32_t touches = 0, body = 0;  ///< inner number of the disk, or boundary_partner of the point; the polygon
-  Cells<2> shift;                      ///< from the body's centre to the image that is meant
-  Vec2 lever;                          ///< from the body's centre, m
-};
-
-/// What is of the plane: what a sample can have beside single disks and walls, and the account of its energy.
-template <int D> struct PlaneParts {};
-template <> struct PlaneParts<2> {
-  Programmes programmes;         ///< of the stage under way; not saved, since every stage sets them
-  std::vector<Element> element;  ///< of the domain's boundaries
-  std::vector<BoundaryBody> boundary;
-  std::vector<Foot> foot,
-      point_foot;  ///< of disks and of boundaries' points; the records of the latter are the last ones
-  Grains
-      given;  ///< the caller's, where some are no disks: `start` then has their disks, and "grain" within means a disk
-  std::vector<Body> body;
-  std::vector<BodyDisk> part;           ///< by disk of `start`; empty where all grains are disks
-  std::vector<std::int32_t> part_disk;  ///< the disks' inner numbers; renewed with the list
-  std::vector<Vec2> lever;  ///< by inner number: from the centre of a disk's body to its own; empty like `part`
-
-  std::vector<HeldGrain> held;          ///< sorted by grain
-  std::vector<std::int32_t> held_disk;  ///< their inner numbers; renewed with the list
-  std::vector<double> held_angle;       ///< and their angles, which do not change
-  std::vector<Bond> bonds;              ///< sorted by their grains; without the forces of now
-  std::vector<BondSlot> bond_slots;     ///< of the bonds that held when the list was built
-  BondNumbers bond_numbers;
-  EnergyBalance balance;  ///< only if track_energy
-};
-
 /// Everything that decides the future, and the set-up that follows from it. Disks (in space spheres) are kept in an
 /// inner order that follows the cells; `record[k].grain` leads back to the caller's.
-template <int D> struct SampleIn : PlaneParts<D> {
+template <int D> struct SampleIn {
   PackingIn<D> start;  ///< as given: materials, ids, zones; its contacts are dropped after the start
   ContactParameters contact;
   IntegrationParameters integration;
@@ -137,20 +65,36 @@ template <int D> struct SampleIn : PlaneParts<D> {
       acceleration;  ///< integrated velocities, less the affine motion of a periodic cell; last accelerations
   Turnings<D> omega, angle, alpha;  ///< the same of the turning
   std::array<Components<3>, D + turnings<D>>
-      higher;                     ///< Gear: of each coordinate and angle the third to fifth derivatives
-  std::vector<Ghost<D>> ghost;    ///< and behind them one for each foot of a disk
+      higher;                   ///< Gear: of each coordinate and angle the third to fifth derivatives
+  std::vector<Ghost<D>> ghost;  ///< of the disks, and behind these `images` of what parts have there
+  std::size_t images = 0;
   ContactListIn<D> list, former;  ///< `former`: the list before the last rebuild, kept for its memory
   double skin = 0, largest_radius = 0;
   Components<D> listed;  ///< where the disks were when the list was built
   DomainIn<D> listed_domain;
   double sheared = 0, listed_sheared = 0;  ///< shear strain by shear_rate so far, and when the list was built
   std::int64_t builds = 0;
-  std::vector<std::uint64_t> live_bonds;  ///< sorted keys of glued pairs, where these part for good
-  CohesionTable cohesion;
+  std::vector<std::uint64_t> glued_pairs;  ///< sorted keys of the glued pairs that hold, where these part for good
+  typename PartsOf<D>::type parts;         ///< what there is beside single disks and walls
 
   Energies tally;        ///< dissipation and work so far
   bool settled = false;  ///< the integrator has its starting values
 };
+
+/// A part of a sample, by its type.
+template <class P, class S> auto& the(S& sample) { return std::get<P>(sample.parts); }
+
+/// Calls `see(part)` for each part of a sample, in the order of PartsOf.
+template <class S, class See> void each_part(S& sample, const See& see) {
+  std::apply([&](auto&... part) { (see(part), ...); }, sample.parts);
+}
+/// The sum of what `see(part)` returns; whether it is true of one part.
+template <int D, class See> auto sum_of_parts(const SampleIn<D>& sample, const See& see) {
+  return std::apply([&](const auto&... part) { return (see(part) + ...); }, sample.parts);
+}
+template <int D, class See> bool any_part(const SampleIn<D>& sample, const See& see) {
+  return std::apply([&](const auto&... part) { return (see(part) || ...); }, sample.parts);
+}
 
 /// Calls `see` with what moves the disks, array by array.
 template <int D, class See> void each_motion_array(SampleIn<D>& s, const See& see) {
@@ -209,40 +153,95 @@ template <int D> inline Vec<D> image_velocity(const SampleIn<D>& s, Cells<D> shi
   return velocity;
 }
 
-/// Of a grain (caller's index) that goes with a rough wall; nullptr of any other.
-inline const HeldGrain* find_held(const Sample& s, std::int32_t grain) {
-  const auto at = std::lower_bound(s.held.begin(), s.held.end(), grain,
-                                   [](const HeldGrain& h, std::int32_t g) { return h.grain < g; });
-  return at != s.held.end() && at->grain == grain ? &*at : nullptr;
+/// Whether a grain (by its index in `start`) goes with a wall, and on which side (-1: none).
+template <int D> inline int holding_side(const SampleIn<D>& s, std::int32_t grain) {
+  int side = -1;
+  each_part(s, [&](const auto& part) { side = std::max(side, part.holding_side(grain)); });
+  return side;
 }
-constexpr const HeldGrain* find_held(const SampleIn<3>& /*s*/, std::int32_t /*grain*/) { return nullptr; }
+template <int D> inline bool is_held(const SampleIn<D>& s, std::size_t k) {
+  return k < s.count && holding_side(s, s.record[k].grain) >= 0;
+}
 
 /// The body that a disk of `start` belongs to; -1 for none. The caller's index of its grain.
 template <int D> inline std::int32_t body_of(const SampleIn<D>& s, std::int32_t disk) {
-  if constexpr (D == 2) return s.part.empty() ? -1 : s.part[disk].body;
-  else return -1;
+  std::int32_t body = -1;
+  each_part(s, [&](const auto& part) { body = std::max(body, part.body_of(disk)); });
+  return body;
 }
 template <int D> inline std::int32_t grain_of(const SampleIn<D>& s, std::int32_t disk) {
-  if constexpr (D == 2) return s.part.empty() ? disk : s.part[disk].grain;
-  else return disk;
+  each_part(s, [&](const auto& part) { disk = part.grain_of(disk); });
+  return disk;
 }
 template <int D> inline bool is_part(const SampleIn<D>& s, std::size_t k) { return body_of(s, s.record[k].grain) >= 0; }
 /// How many bodies there are.
 template <int D> inline std::size_t body_count(const SampleIn<D>& s) {
-  if constexpr (D == 2) return s.body.size();
-  else return 0;
+  return sum_of_parts(s, [](const auto& part) { return part.bodies(); });
 }
 /// Where a disk that is a grain, or the body of one that is not, stands in arrays over the disks of `start` and the
 /// bodies behind them.
-inline std::size_t mover_of(const Sample& s, std::int32_t disk) {
+template <int D> inline std::size_t mover_of(const SampleIn<D>& s, std::int32_t disk) {
   const std::int32_t body = body_of(s, disk);
   return body < 0 ? static_cast<std::size_t>(disk) : s.count + static_cast<std::size_t>(body);
 }
-inline std::size_t grain_count(const Sample& s) { return s.part.empty() ? s.count : s.given.size(); }
+/// The mover that inner disk k is, or is a part of.
+template <int D> std::size_t moving(const SampleIn<D>& s, std::int32_t k) {
+  const std::int32_t body = body_of(s, s.record[k].grain);
+  return body < 0 ? static_cast<std::size_t>(k) : s.count + static_cast<std::size_t>(body);
+}
 
+/// The caller's grains: those of `start`, unless some are no disks.
+template <int D> inline const GrainsIn<D>& grains_of(const SampleIn<D>& s) {
+  const GrainsIn<D>* grains = &s.start.grains;
+  each_part(s, [&](const auto& part) {
+    if (part.given()) grains = part.given();
+  });
+  return *grains;
+}
+template <int D> inline std::size_t grain_count(const SampleIn<D>& s) { return grains_of(s).size(); }
+/// The same as `start` has them: all are disks or spheres.
+template <int D> inline bool has_disks_only(const SampleIn<D>& s) { return &grains_of(s) == &s.start.grains; }
+
+/// By density, radius and thickness, kg.
+inline double mass_of(double density, double r, const Domain& domain) {
+  return density * std::numbers::pi * r * r * domain.thickness;
+}
+inline double mass_of(double density, double r, const Container<3>& /*domain*/) {
+  return density * (4.0 / 3.0 * std::numbers::pi * r * r * r);
+}
+/// Mass of a disk of `start` that is a grain, or of the body that it belongs to, kg.
+template <int D> double own_mass(const SampleIn<D>& s, std::int32_t disk) {
+  const bool single = body_of(s, disk) < 0;
+  const GrainsIn<D>& g = single ? s.start.grains : grains_of(s);
+  const std::int32_t grain = single ? disk : grain_of(s, disk);
+  return mass_of(s.start.materials[g.material[grain]].density, g.radius[grain], s.domain);
+}
+
+/// From the centres of i's and j's bodies to where a slot's force acts on them, m; 0 of a wall and of a disk that is a
+/// grain.
+template <int D> inline Levers<D> levers_of(const SampleIn<D>& s, std::size_t slot) {
+  Levers<D> levers;
+  each_part(s, [&](const auto& part) { part.put_levers(s, slot, levers); });
+  return levers;
+}
+/// From the centre of the grain of j, or the wall, to that of i, where `branch` joins the disks, m.
+template <int D> inline Vec<D> between_centres(const SampleIn<D>& s, std::size_t slot, Vec<D> branch) {
+  const Levers<D> levers = levers_of(s, slot);
+  return branch - levers.i + levers.j;
+}
+
+/// Since the start, s.
+template <int D> double time_of(const SampleIn<D>& s) {
+  return s.time_before + static_cast<double>(s.step - s.steps_before) * s.dt;
+}
+
+/// How far disks act on each other beyond touch, m.
+template <int D> inline double reach_of_parts(const SampleIn<D>& s) {
+  return sum_of_parts(s, [](const auto& part) { return part.reach(); });
+}
 /// Centres of touching disks, or of disks in the list, are never farther apart, m.
 template <int D> inline double reach_of(const SampleIn<D>& s) {
-  return 2.0 * s.largest_radius + s.skin + s.cohesion.reach;
+  return 2.0 * s.largest_radius + s.skin + reach_of_parts(s);
 }
 
 }  // namespace arenite::dem

@@ -4,16 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "core/error.hpp"
 #include "core/problems.hpp"
-#include "grains/dem/bodies/bodies.hpp"
-#include "grains/dem/boundaries/boundaries.hpp"
+#include "grains/dem/conditions.hpp"
 #include "grains/dem/forces.hpp"
+#include "grains/dem/glue.hpp"
 #include "grains/dem/neighbours.hpp"
-#include "grains/dem/walls.hpp"
+#include "grains/dem/time_step.hpp"
 
 namespace arenite::dem {
 namespace {
@@ -59,20 +58,10 @@ void check_moduli(Problems& problems, const Material& m, const NormalLaw& law) {
   problems.unless(nu >= 0 && nu <= 0.5, "poisson {} of material \"{}\" must lie between 0 and 0.5", nu, m.name);
 }
 
-/// What only the plane has.
-void check_plane(Problems& problems, const Packing& start, const ContactParameters& contact,
-                 const IntegrationParameters& integration) {
-  problems.unless(positive(start.domain.thickness), "thickness {} m must be above 0", start.domain.thickness);
-  check_boundaries(problems, start.domain);
-  check_shapes(problems, start, contact, integration);
+void check_thickness(Problems& problems, const Domain& domain) {
+  problems.unless(positive(domain.thickness), "thickness {} m must be above 0", domain.thickness);
 }
-void check_plane(Problems& problems, const PackingIn<3>& start, const ContactParameters& contact,
-                 const IntegrationParameters& integration) {
-  problems.unless(!contact.has_bonds() && !contact.is_cohesive(), "bonds and cohesion are of the plane");
-  problems.unless(!integration.track_energy, "the account of energy is of the plane");
-  problems.unless(start.contacts.size() == 0 && start.grains.shapes.empty(),
-                  "contacts that a packing holds, and shapes, are of the plane");
-}
+void check_thickness(Problems& /*problems*/, const Container<3>& /*domain*/) {}
 
 template <int D> void check_packing(Problems& problems, const PackingIn<D>& start, const ContactParameters& contact) {
   const DomainIn<D>& domain = start.domain;
@@ -113,23 +102,20 @@ template <int D> void place_disks(SampleIn<D>& s) {
     const Turning<D> omega = s.integration.rotations ? g.omega[k] : Turning<D>{};
     s.omega.put(k, omega);
     s.record[k] = {g.position[k], g.velocity[k], omega, r, 0, g.material[k], static_cast<std::int32_t>(k)};
-    if constexpr (D == 2) s.record[k].mass = own_mass(s, static_cast<std::int32_t>(k));
-    else s.record[k].mass = s.start.materials[g.material[k]].density * (4.0 / 3.0 * std::numbers::pi * r * r * r);
+    s.record[k].mass = own_mass(s, static_cast<std::int32_t>(k));
     s.velocity.put(k, g.velocity[k] - cell.at(g.position[k]));
     s.angle.put(k, g.angle[k]);
     s.largest_radius = std::max(s.largest_radius, r);
   }
-  const std::vector<double>* radius = &g.radius;
-  if constexpr (D == 2)
-    if (!s.part.empty()) radius = &s.given.radius;
-  s.skin = 0.15 * std::accumulate(radius->begin(), radius->end(), 0.0) / static_cast<double>(radius->size());
+  const std::vector<double>& radius = grains_of(s).radius;
+  s.skin = 0.15 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
 }
 
 template <int D> void check_cell(const SampleIn<D>& s) {
   constexpr std::array<std::array<const char*, 2>, 3> words{{{"wide", "narrow"}, {"high", "low"}, {"deep", "flat"}}};
   Problems problems;
   double needed = 2.0 * reach_of(s);
-  if constexpr (D == 2) needed = std::max(needed, cell_for_bodies(s));
+  each_part(s, [&](const auto& part) { needed = std::max(needed, part.least_cell(s)); });
   for (int axis = 0; axis < D; ++axis)
     problems.unless(!s.domain.periodic[axis] || s.domain.extent(axis) >= needed,
                     "a periodic cell {} m {} is too {} for its grains; {} m would do", s.domain.extent(axis),
@@ -137,25 +123,28 @@ template <int D> void check_cell(const SampleIn<D>& s) {
   problems.raise();
 }
 
-template <int D> void choose_step(SampleIn<D>& s) {
-  const StepBounds bounds = step_bounds(s);
-  const auto& asked = s.integration.time_step;
-  s.dt = asked.value_or(std::min(s.integration.safety * shortest_contact_time(s), bounds.largest()));
-  if (!positive(s.dt)) throw InputError(fmt::format("time step {} s must be above 0", s.dt));
-  if (s.dt > bounds.largest())
-    throw InputError(fmt::format(
-        "integration.time_step of {:.4g} s is too long for this packing: {} would make it unstable; use {:.4g} s, or "
-        "leave the key out",
-        s.dt, bounds.damping < bounds.stiffness ? "damping (dashpots and drag)" : "the stiffness of its contacts",
-        0.999 * bounds.largest()));
-  s.dt_at_start = s.dt;
+/// Whether a contact of the caller's packing is the one of a slot that joins the same grains.
+template <int D> bool is_of_slot(const SampleIn<D>& s, const ContactsIn<D>& c, std::size_t q, std::size_t slot) {
+  if (has_disks_only(s) || c.off_i.empty()) return true;
+  auto [i, j] = levers_of(s, slot);
+  if (s.list.j[slot] >= 0 && grain_of(s, s.record[s.list.i[slot]].grain) != c.i[q]) std::swap(i, j);
+  const double near = 1e-6 * grains_of(s).radius[c.i[q]];
+  return norm(i - c.off_i[q]) <= near && norm(j - c.off_j[q]) <= near;
+}
+
+/// The slip that has this force; of a slip along several ways it points along the force.
+template <class F> double slip_of(const F& friction, double force, double stiffness) {
+  return friction.recall(force, stiffness);
+}
+template <class F> Vec3 slip_of(const F& friction, Vec3 force, double stiffness) {
+  return friction.recall(norm(force), stiffness) / norm(force) * force;
 }
 
 /// What the contacts of the packing left in the memories of the laws, so that a stage goes on with the friction that it
 /// found.
-void recall_contacts(Sample& s) {
+template <int D> void recall_contacts(SampleIn<D>& s) {
   if (!remembers(s.laws)) return;
-  const Contacts& c = s.start.contacts;
+  const ContactsIn<D>& c = s.start.contacts;
   std::vector<std::pair<std::uint64_t, std::size_t>> met;
   for (std::size_t q = 0; q < c.size(); ++q) met.emplace_back(pair_key(c.i[q], c.j[q]), q);
   std::sort(met.begin(), met.end());
@@ -168,48 +157,23 @@ void recall_contacts(Sample& s) {
       while (found != met.end() && found->first == key && !is_of_slot(s, c, found->second, p)) ++found;
       if (found == met.end() || found->first != key) continue;
       const std::size_t q = found->second;
-      const double k = s.list.stiffness[p], kt = sliding_stiffness(s, normal, p, slot_kinematics(s, p));
+      const Kinematics<D> at = slot_kinematics(s, p);
+      const double kt = sliding_stiffness(s, normal, p, at);
       if constexpr (F::remembers)
-        if (c.ft[q] != 0 && std::isfinite(c.ft[q]) && kt > 0) s.list.memory[p] = friction.recall(c.ft[q], kt);
+        if (c.ft[q] != Turning<D>{} && is_finite(c.ft[q]) && kt > 0)
+          s.list.memory.put(p, slip_of(friction, c.ft[q], kt));
       if constexpr (N::remembers)
-        if (const Kinematics<2> at = slot_kinematics(s, p); at.overlap > 0 && std::isfinite(c.fn[q]))
-          s.list.normal_memory[p] =
-              normal.recall(c.fn[q] + adhesion.attraction(at.overlap, s.list.strength[p]) + pull_of(s, p), at.overlap,
-                            k, at.curvature);
+        if (at.overlap > 0 && std::isfinite(c.fn[q])) {
+          double pull = 0;
+          each_part(s, [&](const auto& part) { pull += part.pull_of(p); });
+          s.list.normal_memory[p] = normal.recall(c.fn[q] + adhesion.attraction(at.overlap, s.list.strength[p]) + pull,
+                                                  at.overlap, s.list.stiffness[p], at.curvature);
+        }
     }
   });
 }
 
 }  // namespace
-
-ContactLaws choose_laws(const ContactParameters& contact, double lead, double lag) {
-  return {contact.normal,
-          contact.adhesion,
-          contact.friction_law,
-          lead,
-          lag,
-          contact.tangential_stiffness_ratio,
-          contact.friction_cap == FrictionCap::raised_by_adhesion ? 1.0 : -1.0,
-          contact.normal_damping.has_value(),
-          contact.normal_damping.has_value() || contact.sliding_viscosity.has_value()};
-}
-
-void change_step(Sample& s, double dt) {
-  s.time_before = time_of(s);
-  s.steps_before = s.step;
-  s.dt = dt;
-  s.laws = laws_between_steps(s);
-}
-
-void allow_step(Sample& s, const char* what) {
-  const double largest = step_bounds(s).largest();
-  if (!(s.dt > largest)) return;
-  if (s.integration.time_step)
-    throw InputError(
-        fmt::format("integration.time_step of {:.4g} s is beyond what this sample allows with {}; use {:.4g} s", s.dt,
-                    what, 0.999 * largest));
-  change_step(s, 0.999 * largest);
-}
 
 template <int D>
 SampleIn<D> make_sample(const PackingIn<D>& start, const ContactParameters& contact,
@@ -217,12 +181,12 @@ SampleIn<D> make_sample(const PackingIn<D>& start, const ContactParameters& cont
   Problems problems;
   check_parameters(problems, start, contact, integration);
   check_packing(problems, start, contact);
-  check_plane(problems, start, contact, integration);
+  check_thickness(problems, start.domain);
+  SampleIn<D> s;
+  each_part(s, [&](const auto& part) { part.check(problems, start, contact, integration); });
   problems.raise();
 
-  SampleIn<D> s;
-  if constexpr (D == 2) s.start = disks_of(start);
-  else s.start = start;
+  s.start = start;
   s.contact = contact;
   s.integration = integration;
   s.kernel = &kernel;
@@ -236,27 +200,16 @@ SampleIn<D> make_sample(const PackingIn<D>& start, const ContactParameters& cont
   for (int side = 0; side < sides_in<D>;
        ++side)  // periodic sides have no walls; their `wall` entries are the edges of the cell
     s.domain.wall[side] = {s.domain.wall[side].present && !s.domain.is_periodic(side), s.domain.wall[side].position};
-  if constexpr (D == 2) {
-    s.element = elements_of(s.domain);
-    s.boundary.resize(s.domain.boundaries.size());
-    make_bodies(s, start.grains);
-  }
+  each_part(s, [&](auto& part) { part.make(s, start); });
   place_disks(s);
-  if constexpr (D == 2) {
-    if (contact.has_bonds()) s.bonds = s.start.bonds;
-    s.start.bonds.clear();
-    set_up_cohesion(s);
-    tune_servo(s);
-  }
+  each_part(s, [&](auto& part) { part.set_up(s); });
   check_cell(s);
   s.laws = choose_laws(contact, 0.0, 0.0);
   rebuild_list(s);
   choose_step(s);
-  bond_touching_pairs(s);
-  if constexpr (D == 2) {
-    recall_cohesion(s);
-    recall_contacts(s);
-  }
+  glue_touching_pairs(s);
+  each_part(s, [&](auto& part) { part.recall(s); });
+  recall_contacts(s);
   s.laws =
       choose_laws(contact, 0.0, (1.0 - integrator_of(s).lead) * s.dt);  // the springs do not move before the first step
   compute_forces(s);

@@ -1,10 +1,15 @@
 #include "grains/dem/walls.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <numbers>
 
+#include "core/error.hpp"
+#include "grains/dem/conditions.hpp"
+#include "grains/dem/measure.hpp"
 #include "grains/dem/movers.hpp"
-#include "grains/dem/setup.hpp"
+#include "grains/dem/neighbours.hpp"
 
 namespace arenite::dem {
 
@@ -29,6 +34,32 @@ void give_servo_masses(Sample& s) {
     WallBody& body = s.wall[side];
     body.mass = body.sample_mass * (driven ? driven_share(s, side) : resting_share(s));
     if (!driven) body.drift = 0;
+  }
+}
+
+void check_opening(const Sample& s, int side, bool open) {
+  if (open && s.domain.is_periodic(side))
+    throw InputError(fmt::format("the {} side is periodic and has no wall that could be open", side_names[side]));
+  std::size_t beyond = 0;
+  for (std::size_t k = 0; k < s.count; ++k) beyond += s.domain.depth(side, s.record[k].place) < 0;
+  if (!open && beyond > 0)
+    throw InputError(
+        fmt::format("the {} wall cannot be restored, because {} grains are beyond it; leave that side open",
+                    side_names[side], beyond));
+}
+
+/// A wall that becomes fixed or velocity-driven takes its velocity at once, one that becomes force-controlled goes on
+/// from the velocity that it has.
+void apply_drives(Sample& s, const WallDrives& drives) {
+  for (int side = 0; side < sides; ++side) s.wall[side].drive = drives[side];
+  for (int side = 0; side < sides; ++side) {
+    WallBody& body = s.wall[side];
+    if (drives[side].kind == WallDrive::Kind::force) continue;
+    body.rate = drives[side].kind == WallDrive::Kind::velocity ? drives[side].value : 0.0;
+    body.acceleration = 0;
+    body.drift = 0;
+    body.higher = {};
+    s.domain.wall[side].velocity = body.rate;
   }
 }
 
@@ -67,17 +98,36 @@ double critical_drag(const Sample& s) {
   return std::numbers::pi * slower.impedance / slower.sample_mass;
 }
 
-void apply_drives(Sample& s, const WallDrives& drives) {
-  for (int side = 0; side < sides; ++side) s.wall[side].drive = drives[side];
+void set_drives(Sample& s, const WallDrives& asked) {
+  const WallDrives drives = under_programmes(s, asked);
+  if (std::ranges::equal(drives, s.wall, {}, {}, &WallBody::drive)) return;
+  check_still_cell(s, drives, false);
+  synchronise(s);
+  book_change(s, &Energies::dissipated_drag, servo_energy, [&] { apply_drives(s, drives); });
+}
+
+void set_inertial_number(Sample& s, double number) {
+  if (!(number > 0)) throw InputError(fmt::format("inertial number {} must be above 0", number));
+  s.inertial_number = number;
+}
+
+void set_open(Sample& s, const BySide<bool>& open, const ThreadPool& pool) {
+  if (std::ranges::equal(open, s.wall, {}, {}, &WallBody::open)) return;
+  for (int side = 0; side < sides; ++side)
+    if (open[side] != s.wall[side].open) check_opening(s, side, open[side]);
+  synchronise(s);
   for (int side = 0; side < sides; ++side) {
-    WallBody& body = s.wall[side];
-    if (drives[side].kind == WallDrive::Kind::force) continue;
-    body.rate = drives[side].kind == WallDrive::Kind::velocity ? drives[side].value : 0.0;
-    body.acceleration = 0;
-    body.drift = 0;
-    body.higher = {};
-    s.domain.wall[side].velocity = body.rate;
+    s.wall[side].open = open[side];
+    if (open[side]) s.domain.wall[side].force = s.domain.wall[side].shear_force = 0;
   }
+  apply_open(s);
+  list_anew(s, pool);
+}
+
+void apply_open(Sample& s) {
+  for (int side = 0; side < sides; ++side)
+    s.domain.wall[side].present = s.listed_domain.wall[side].present =
+        s.start.domain.wall[side].present && !s.domain.is_periodic(side) && !s.wall[side].open;
 }
 
 }  // namespace arenite::dem

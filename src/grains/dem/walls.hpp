@@ -42,31 +42,37 @@ double servo_energy(const Sample& sample);
 /// wave between a wall that holds and one that presses, Z as in tune_servo, 1/s. Packings are softer than crystals.
 double critical_drag(const Sample& sample);
 
-/// Changes the drives: a wall that becomes fixed or velocity-driven takes its velocity at once, one that becomes
-/// force-controlled goes on from the velocity that it has.
-void apply_drives(Sample& sample, const WallDrives& drives);
+/// What drives the walls from the next step on. A wall that becomes fixed or velocity-driven takes its velocity at
+/// once, one that becomes force-controlled goes on from the velocity that it has.
+void set_drives(Sample& sample, const WallDrives& drives);
+
+/// How fast the sample yields to its force-controlled sides.
+void set_inertial_number(Sample& sample, double number);
+
+/// Walls, by side, that are taken away; one comes back only where no grain lies beyond it (InputError).
+void set_open(Sample& sample, const BySide<bool>& open, const ThreadPool& pool = ThreadPool());
+/// Walls are absent where they are open, else as they were given.
+void apply_open(Sample& sample);
 
 /// Something moves as it is told, or a programme runs: the force-controlled walls have to follow, not to come to rest.
 template <int D> bool is_driven(const SampleIn<D>& s) {
-  if constexpr (D == 2) {
-    if (!s.programmes.list.empty()) return true;
-    for (std::size_t b = 0; b < s.boundary.size(); ++b) {
-      const Boundary& told = s.domain.boundaries[b];
-      if (s.boundary[b].mass == 0 && told.present && (told.velocity != Vec2{} || told.spin != 0)) return true;
-    }
-  }
+  if (any_part(s, [&](const auto& part) { return part.drives(s); })) return true;
   const auto moves = [](const auto& body) {
     return body.drive.kind == DriveKind::velocity || body.drive.slide != Along<D>{};
   };
   return s.shear_rate != 0 || std::ranges::any_of(s.wall, moves);
 }
 
+/// Of what lies along a side.
+inline double size_of(double along) { return std::abs(along); }
+inline double size_of(Vec3 along) { return norm(along); }
+
 /// How fast one side of the sample passes another, m/s, where sides or the cell drive it.
 template <int D> double driving_speed(const SampleIn<D>& s) {
   double speed = std::abs(s.shear_rate) * s.domain.extent(1);
   for (const auto& body : s.wall) {
     if (body.drive.kind == DriveKind::velocity) speed = std::max(speed, std::abs(body.drive.value));
-    if constexpr (D == 2) speed = std::max(speed, std::abs(body.drive.slide));
+    speed = std::max(speed, size_of(body.drive.slide));
   }
   return speed;
 }

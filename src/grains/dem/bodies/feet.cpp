@@ -1,3 +1,5 @@
+#include "grains/dem/bodies/feet.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,9 +9,7 @@
 #include "core/error.hpp"
 #include "geometry/cell_grid.hpp"
 #include "geometry/rectangle.hpp"
-#include "grains/dem/bodies/bodies.hpp"
-#include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/forces.hpp"
+#include "grains/dem/boundaries/elements.hpp"
 #include "grains/dem/neighbours.hpp"
 #include "model/shapes.hpp"
 
@@ -27,14 +27,16 @@ struct Core {
 
 /// The corner where its body's own image is, from the record.
 Vec2 corner_of(const Sample& s, std::size_t d) {
-  return s.record[s.part_disk[d]].place - s.domain.way(s.part[d].shift);
+  return s.record[the<Bodies>(s).disk[d]].place - s.domain.way(the<Bodies>(s).part[d].shift);
 }
 
 /// Radius of a polygon's corners, m.
-double rounding_of(const Sample& s, std::int32_t body) { return s.start.grains.radius[s.body[body].first]; }
+double rounding_of(const Sample& s, std::int32_t body) {
+  return s.start.grains.radius[the<Bodies>(s).body[body].first];
+}
 
 Core core_of(const Sample& s, std::size_t body) {
-  const Body& b = s.body[body];
+  const Body& b = the<Bodies>(s).body[body];
   Core core;
   core.body = static_cast<std::int32_t>(body);
   for (std::int32_t d = b.first; d < b.first + b.count; ++d)
@@ -70,8 +72,8 @@ inline Nearest nearest_on(const Core& core, Vec2 place) {
 
 /// Throws InputError before the first step, CannotGoOn later: something, "grain 3", lies within a polygon's core.
 [[noreturn]] void refuse_inside(const Sample& s, const std::string& what, const Core& core) {
-  const Body& b = s.body[core.body];
-  const auto id = s.given.id[s.part[b.first].grain];
+  const Body& b = the<Bodies>(s).body[core.body];
+  const auto id = the<Bodies>(s).caller.id[the<Bodies>(s).part[b.first].grain];
   const std::string where = what + " lies within polygon " + std::to_string(id);
   if (s.step == 0) throw InputError(where + " before the first step; place the grains farther apart");
   throw CannotGoOn(where + " at step " + std::to_string(s.step) +
@@ -105,8 +107,8 @@ struct Cores {
 Cores all_cores(const Sample& s) {
   std::vector<Core> own, images;
   double reach = 0;
-  for (std::size_t b = 0; b < s.body.size(); ++b)
-    if (s.body[b].filled) reach = std::max(reach, own.emplace_back(core_of(s, b)).reach);
+  for (std::size_t b = 0; b < the<Bodies>(s).body.size(); ++b)
+    if (the<Bodies>(s).body[b].filled) reach = std::max(reach, own.emplace_back(core_of(s, b)).reach);
   reach += s.largest_radius + s.skin;
   for (const Core& polygon : own)
     s.domain.each_near_cell([&](Cells<2> cell) {
@@ -124,19 +126,19 @@ Cores all_cores(const Sample& s) {
 }
 
 bool has_polygons(const Sample& s) {
-  return std::ranges::any_of(s.body, [](const Body& b) { return b.filled != 0; });
+  return std::ranges::any_of(the<Bodies>(s).body, [](const Body& b) { return b.filled != 0; });
 }
 
 /// The record of a foot where it is now; its polygon's place nearest to what it touches.
 void place_foot(const Sample& s, Foot& foot, DiskRecord& at) {
-  const Body& b = s.body[foot.body];
-  const std::int32_t source = s.part_disk[b.first];
+  const Body& b = the<Bodies>(s).body[foot.body];
+  const std::int32_t source = the<Bodies>(s).disk[b.first];
   const bool of_point = is_boundary(foot.touches);
   const Vec2 place = of_point ? boundary_of(s, foot.touches).points[touched_element(s, foot.touches).point]
                               : s.record[foot.touches].place;
   // That place as the polygon's own image sees it, from the centre of the polygon: what levers are counted from.
-  const Vec2 by = s.domain.way(foot.shift), centre = corner_of(s, b.first) - s.lever[source];
-  const auto lever = [&](std::size_t n) { return s.lever[s.part_disk[b.first + n]]; };
+  const Vec2 by = s.domain.way(foot.shift), centre = corner_of(s, b.first) - the<Bodies>(s).lever[source];
+  const auto lever = [&](std::size_t n) { return the<Bodies>(s).lever[the<Bodies>(s).disk[b.first + n]]; };
   foot.lever = nearest_on(static_cast<std::size_t>(b.count), lever, place - by - centre).place;
   at = s.record[source];
   at.place = centre + foot.lever + by;
@@ -154,7 +156,7 @@ std::vector<Foot> find_feet(const Sample& s, const ThreadPool& pool) {
   const auto blocks =
       pool.by_blocks<std::vector<Foot>>(s.count, disks_of_block, [&](std::size_t k, std::vector<Foot>& feet) {
         const DiskRecord& d = s.record[k];
-        const auto name = [&] { return "grain " + std::to_string(s.given.id[grain_of(s, d.grain)]); };
+        const auto name = [&] { return "grain " + std::to_string(the<Bodies>(s).caller.id[grain_of(s, d.grain)]); };
         cores.near(d.place, d.radius, body_of(s, d.grain), name, [&](const Core& core, Vec2) {
           feet.push_back({static_cast<std::int32_t>(k), core.body, core.shift, {}});
         });
@@ -166,10 +168,10 @@ std::vector<Foot> find_feet(const Sample& s, const ThreadPool& pool) {
 
 std::vector<Foot> find_point_feet(const Sample& s) {
   std::vector<Foot> feet;
-  if (s.element.empty() || !has_polygons(s)) return feet;
+  if (the<Boundaries>(s).element.empty() || !has_polygons(s)) return feet;
   const Cores cores = all_cores(s);
-  for (std::size_t e = 0; e < s.element.size(); ++e) {
-    const Element& element = s.element[e];
+  for (std::size_t e = 0; e < the<Boundaries>(s).element.size(); ++e) {
+    const Element& element = the<Boundaries>(s).element[e];
     const Boundary& boundary = s.domain.boundaries[element.boundary];
     if (element.segment || !boundary.present) continue;
     const auto point = static_cast<std::size_t>(element.point);
@@ -187,15 +189,11 @@ std::vector<Foot> find_point_feet(const Sample& s) {
 }
 
 void refresh_feet(Sample& s) {
-  const std::size_t behind = s.count + s.ghost.size(), first = behind - s.foot.size();
-  for (std::size_t f = 0; f < s.foot.size(); ++f) place_foot(s, s.foot[f], s.record[first + f]);
-  for (std::size_t f = 0; f < s.point_foot.size(); ++f) place_foot(s, s.point_foot[f], s.record[behind + f]);
-}
-
-const Foot* foot_of(const Sample& s, std::size_t slot) {
-  if (slot >= s.list.polygons) return &s.point_foot[slot - s.list.polygons];
-  const std::size_t first = s.list.pairs - s.foot.size();
-  return slot >= first && slot < s.list.pairs ? &s.foot[slot - first] : nullptr;
+  const std::size_t behind = s.count + s.ghost.size(), first = behind - the<Bodies>(s).foot.size();
+  for (std::size_t f = 0; f < the<Bodies>(s).foot.size(); ++f)
+    place_foot(s, the<Bodies>(s).foot[f], s.record[first + f]);
+  for (std::size_t f = 0; f < the<Bodies>(s).point_foot.size(); ++f)
+    place_foot(s, the<Bodies>(s).point_foot[f], s.record[behind + f]);
 }
 
 }  // namespace arenite::dem

@@ -1,8 +1,10 @@
-#include <algorithm>
-#include <cmath>
-#include <numbers>
+#include "grains/dem/bodies/make.hpp"
 
-#include "grains/dem/bodies/bodies.hpp"
+#include <cmath>
+
+#include "grains/dem/integrators/integrators.hpp"
+#include "grains/dem/measure.hpp"
+#include "grains/dem/sample.hpp"
 #include "model/shapes.hpp"
 
 namespace arenite::dem {
@@ -22,22 +24,6 @@ bool is_convex(const Shape& shape) {
     sound = cross(next - here, after - next) > 0 && shape.radius[k] == shape.radius[0];
   }
   return sound;
-}
-
-double radius_of(const Sample& s, std::int32_t d) { return s.start.grains.radius[d]; }
-
-/// Whether a point, from the body's centre at angle 0, lies within a disk of it other than `own`.
-bool is_within(const Sample& s, const Body& b, std::int32_t own, Vec2 point) {
-  for (std::int32_t d = b.first; d < b.first + b.count; ++d)
-    if (d != own && norm(point - s.part[d].place) < (1 - 1e-9) * radius_of(s, d)) return true;
-  return false;
-}
-
-void add_contact(Crowd& crowd, Vec2 centre, double radius, Vec2 n) {
-  const double normal = cross(centre, n), tangential = dot(centre, n) + radius;
-  crowd.contacts += 1;
-  crowd.normal_levers += normal * normal;
-  crowd.tangential_levers += tangential * tangential;
 }
 
 }  // namespace
@@ -105,16 +91,17 @@ Packing disks_of(const Packing& from) {
 void make_bodies(Sample& s, const Grains& given) {
   const Shapes& shapes = given.shapes;
   if (shapes.empty()) return;
-  s.given = given;
-  s.part.resize(shapes.place.size());
+  Bodies& all = the<Bodies>(s);
+  all.caller = given;
+  all.part.resize(shapes.place.size());
   const CellMotion<2> cell = cell_motion(s.domain);
   for (std::size_t g = 0; g < given.size(); ++g) {
     const bool single = is_disk(shapes, g);
-    const auto body = single ? -1 : static_cast<std::int32_t>(s.body.size());
+    const auto body = single ? -1 : static_cast<std::int32_t>(all.body.size());
     for (std::int32_t d = shapes.first[g]; d < shapes.first[g + 1]; ++d)
-      s.part[d] = {static_cast<std::int32_t>(g), body, shapes.place[d], {}};
+      all.part[d] = {static_cast<std::int32_t>(g), body, shapes.place[d], {}};
     if (single) continue;
-    Body& b = s.body.emplace_back();
+    Body& b = all.body.emplace_back();
     b.first = shapes.first[g];
     b.count = shapes.first[g + 1] - shapes.first[g];
     b.filled = shapes.filled[g];
@@ -125,66 +112,9 @@ void make_bodies(Sample& s, const Grains& given) {
     b.seen = {given.velocity[g], s.integration.rotations ? given.omega[g] : 0.0};
     b.own = {b.seen.velocity - cell.at(b.place), b.seen.omega};
   }
-  s.part_disk.resize(s.part.size());
-  for (std::size_t d = 0; d < s.part.size(); ++d) s.part_disk[d] = static_cast<std::int32_t>(d);
-  s.lever.assign(s.part.size(), Vec2{});
-}
-
-double cell_for_bodies(const Sample& s) {
-  double reach = 0;
-  for (std::size_t d = 0; d < s.part.size(); ++d)
-    reach = std::max(reach, norm(s.part[d].place) + s.start.grains.radius[d]);
-  return 4 * reach + 2 * s.skin;
-}
-
-double own_mass(const Sample& s, std::int32_t disk) {
-  const bool single = body_of(s, disk) < 0;
-  const Grains& g = single ? s.start.grains : s.given;
-  const std::int32_t grain = single ? disk : grain_of(s, disk);
-  const double r = g.radius[grain];
-  return s.start.materials[g.material[grain]].density * std::numbers::pi * r * r * s.domain.thickness;
-}
-
-void take_masses(Sample& s) {
-  for (Body& b : s.body) b.mass = s.record[s.part_disk[b.first]].mass;
-}
-
-bool has_single_disks(const Sample& s) {
-  std::size_t parts = 0;
-  for (const Body& b : s.body) parts += static_cast<std::size_t>(b.count);
-  return parts < s.count;
-}
-
-bool is_of_slot(const Sample& s, const Contacts& c, std::size_t q, std::size_t slot) {
-  if (s.part.empty() || c.off_i.empty()) return true;
-  auto [i, j] = levers_of(s, slot);
-  if (s.list.j[slot] >= 0 && grain_of(s, s.record[s.list.i[slot]].grain) != c.i[q]) std::swap(i, j);
-  const double near = 1e-6 * s.given.radius[c.i[q]];
-  return norm(i - c.off_i[q]) <= near && norm(j - c.off_j[q]) <= near;
-}
-
-Crowd crowd_around(const Sample& s, const Body& b) {
-  constexpr int directions = 6;
-  Crowd crowd;
-  for (std::int32_t k = 0; k < b.count; ++k) {
-    const std::int32_t d = b.first + k, next = b.first + (k + 1) % b.count;
-    const Vec2 here = s.part[d].place, there = s.part[next].place;
-    for (int q = 0; q < directions && !b.filled; ++q)
-      if (const Vec2 n = direction(2 * std::numbers::pi * (q + 0.5) / directions);
-          !is_within(s, b, d, here + radius_of(s, d) * n))
-        add_contact(crowd, here, radius_of(s, d), n);
-    if (!b.filled) continue;
-    const Vec2 n = -perpendicular(there - here) / norm(there - here);
-    for (const Vec2& end : {here, there})
-      for (int times = 0; times < 2; ++times) add_contact(crowd, end, radius_of(s, d), n);
-  }
-  return crowd;
-}
-
-double lightest_mass(const Sample& s, const Body& b) {
-  double lever = 0;
-  for (std::int32_t d = b.first; d < b.first + b.count; ++d) lever = std::max(lever, norm(s.part[d].place));
-  return s.integration.rotations ? 1 / (1 / b.mass + lever * lever / b.inertia()) : b.mass;
+  all.disk.resize(all.part.size());
+  for (std::size_t d = 0; d < all.part.size(); ++d) all.disk[d] = static_cast<std::int32_t>(d);
+  all.lever.assign(all.part.size(), Vec2{});
 }
 
 }  // namespace arenite::dem

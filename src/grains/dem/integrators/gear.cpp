@@ -1,14 +1,18 @@
 #include "grains/dem/integrators/gear.hpp"
 
-#include "grains/dem/boundaries/boundaries.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/movers.hpp"
 #include "grains/dem/neighbours.hpp"
-#include "grains/dem/setup.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
 namespace {
+
+/// One of the ways in which something turns.
+double& component(double& turning, int /*way*/) { return turning; }
+double component(const double& turning, int /*way*/) { return turning; }
+double& component(Vec3& turning, int way) { return turning[way]; }
+double component(const Vec3& turning, int way) { return turning[way]; }
 
 /// One coordinate (of a disk or a wall) while the starting values are sought: derivatives 0 to 5, unscaled.
 struct Path {
@@ -82,7 +86,7 @@ template <int D> class Start {
       s.domain.wall[side].position = wall.at(t);
       s.domain.wall[side].velocity = wall.rate_at(t);
     }
-    if constexpr (D == 2) move_boundaries(s, t);
+    each_part(s, [&](auto& part) { part.move(s, t); });
     const CellFrame<D> before = cell_frame(here), after = cell_frame(s.domain);
     const CellMotion<D> cell = cell_motion(s.domain);
     for (std::size_t k = 0; k < s.count; ++k) {
@@ -93,8 +97,7 @@ template <int D> class Start {
         d.velocity[axis] = p[axis].rate_at(t);
       }
       d.velocity += cell.at(d.place);
-      if constexpr (D == 2) d.omega = p[D].rate_at(t);
-      else d.omega = by_axis<D>([&](int axis) { return p[D + axis].rate_at(t); });
+      for (int way = 0; way < turnings<D>; ++way) component(d.omega, way) = p[D + way].rate_at(t);
     }
     if (s.domain.periodic[0]) s.domain.tilt *= after[0].length / before[0].length;
     s.domain.tilt += t * s.shear_rate * s.domain.extent(1);
@@ -108,8 +111,7 @@ template <int D> class Start {
     for (std::size_t k = 0; k < s.count; ++k) {
       const Acceleration<D> now = acceleration_of(s, k);
       for (int axis = 0; axis < D; ++axis) a.push_back(now.linear[axis]);
-      if constexpr (D == 2) a.push_back(now.alpha);
-      else a.insert(a.end(), {now.alpha.x, now.alpha.y, now.alpha.z});
+      for (int way = 0; way < turnings<D>; ++way) a.push_back(component(now.alpha, way));
     }
     for (const double of_wall : wall_accelerations(s)) a.push_back(of_wall);
     return a;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "grains/dem/engine.hpp"
+#include "grains/dem/glue.hpp"
 #include "unit/grains/dem/samples.hpp"
 
 namespace arenite::dem {
@@ -33,7 +34,7 @@ double strongest_tension(Engine& engine, int steps) {
   double lowest = 0;
   for (int n = 0; n < steps; ++n) {
     engine.advance(1);
-    const Packing now = engine.packing();
+    const Packing now = packing_of(engine);
     for (std::size_t c = 0; c < now.contacts.size(); ++c)
       if (now.contacts.j[c] >= 0) lowest = std::min(lowest, now.contacts.fn[c]);
   }
@@ -52,11 +53,11 @@ TEST_P(Glue, ThatBreaksForGoodDoesNotActASecondTime) {
     Engine engine(pull.start, pull.contact, integration);
     const double first = strongest_tension(engine, 600);
     EXPECT_LT(first, 0);
-    EXPECT_EQ(engine.packing().contacts.size(), 0u);  // between two contacts
+    EXPECT_EQ(packing_of(engine).contacts.size(), 0u);  // between two contacts
     bool touched = false, glued = false;
     for (int n = 0; n < 20000 && !touched; ++n) {
       engine.advance(10);
-      const Packing now = engine.packing();
+      const Packing now = packing_of(engine);
       for (std::size_t c = 0; c < now.contacts.size(); ++c)
         if (now.contacts.j[c] >= 0) {
           touched = true;
@@ -74,13 +75,13 @@ TEST(Glue, ActsOnlyWhileItIsSwitchedOnAndBetweenThePairsThatAreNamed) {
   Pull pull(dem::GeometricalAdhesion{}, true);
   pull.start.grains.zone = {0, 0, 1};
   Engine engine(pull.start, pull.contact, {});
-  EXPECT_LT(engine.energies().adhesive, 0);
-  engine.set_glue(false);
-  EXPECT_EQ(engine.energies().adhesive, 0);
+  EXPECT_LT(energies_of(engine).adhesive, 0);
+  set_glue(engine, false);
+  EXPECT_EQ(energies_of(engine).adhesive, 0);
   engine.advance(1);
-  for (const double fn : engine.packing().contacts.fn) EXPECT_GE(fn, 0);
-  engine.set_glue(true);
-  EXPECT_LT(engine.energies().adhesive, 0);
+  for (const double fn : packing_of(engine).contacts.fn) EXPECT_GE(fn, 0);
+  set_glue(engine, true);
+  EXPECT_LT(energies_of(engine).adhesive, 0);
 }
 
 TEST(Glue, BondsThatBreakForGoodAreThosePairsThatTouchWhenItIsSwitchedOn) {
@@ -92,7 +93,7 @@ TEST(Glue, BondsThatBreakForGoodAreThosePairsThatTouchWhenItIsSwitchedOn) {
   bool met = false;
   for (int n = 0; n < 5000 && !met; ++n) {
     engine.advance(10);
-    const Packing now = engine.packing();
+    const Packing now = packing_of(engine);
     for (std::size_t c = 0; c < now.contacts.size(); ++c)
       if (now.contacts.j[c] == 2) {
         met = true;

@@ -20,8 +20,8 @@ TEST(Options, LockedGrainsDoNotTurn) {
     integration.rotations = false;
     Engine engine(p, {}, integration);
     engine.advance(500);
-    for (const double omega : engine.packing().grains.omega) EXPECT_EQ(omega, 0);
-    for (const double angle : engine.packing().grains.angle) EXPECT_EQ(angle, 0);
+    for (const double omega : packing_of(engine).grains.omega) EXPECT_EQ(omega, 0);
+    for (const double angle : packing_of(engine).grains.angle) EXPECT_EQ(angle, 0);
   }
 }
 
@@ -39,7 +39,7 @@ TEST(Options, TheOrderOfTheCallersGrainsDoesNotMatter) {
   Engine a(p, {}, {}), b(q, {}, {});
   a.advance(200);
   b.advance(200);
-  const Packing pa = a.packing(), pb = b.packing();
+  const Packing pa = packing_of(a), pb = packing_of(b);
   EXPECT_EQ(pa.contacts.size(), pb.contacts.size());
   for (std::size_t k = 0; k < n; ++k) {
     EXPECT_EQ(pa.grains.id[k], pb.grains.id[place(k)]);
@@ -54,17 +54,17 @@ TEST(Options, ASampleHandedOnKeepsTheFrictionOfItsSprings) {
   Engine first(testing::crowd(10, 10, 6, 0.012), contact, {});
   WallDrives drives;
   drives[top] = {WallDrive::Kind::velocity, -0.02};
-  first.set_drives(drives);
+  set_drives(first, drives);
   first.advance(20000);
-  first.set_drives({});
+  set_drives(first, {});
   first.advance(60000);
-  const Packing handed = first.packing();
+  const Packing handed = packing_of(first);
   Packing bare = handed;
   bare.contacts = {};
-  const double before = first.equilibrium().mobilisation;
+  const double before = equilibrium_of(first).mobilisation;
   ASSERT_GT(before, 0.02);
-  EXPECT_NEAR(Engine(handed, contact, {}).equilibrium().mobilisation, before, 0.01 * before);
-  EXPECT_LT(Engine(bare, contact, {}).equilibrium().mobilisation, 0.2 * before);
+  EXPECT_NEAR(equilibrium_of(Engine(handed, contact, {})).mobilisation, before, 0.01 * before);
+  EXPECT_LT(equilibrium_of(Engine(bare, contact, {})).mobilisation, 0.2 * before);
 }
 
 TEST(Options, FrictionOverriddenForAStageComesBack) {
@@ -72,17 +72,17 @@ TEST(Options, FrictionOverriddenForAStageComesBack) {
   testing::add_grain(p, 0.05, 0.005 - 2.3e-9, 0.005);
   p.grains.velocity[0].x = 1;
   Engine engine(p, {}, {});
-  engine.set_gravity({0, -9.81});
-  engine.set_friction(0.0);
+  set_gravity(engine, {0, -9.81});
+  set_friction(engine, 0.0);
   engine.advance(200);
-  const Packing smooth = engine.packing();
+  const Packing smooth = packing_of(engine);
   EXPECT_EQ(smooth.contacts.ft.at(0), 0);
-  engine.set_friction(std::nullopt);
+  set_friction(engine, std::nullopt);
   engine.advance(200);
-  const Packing rough = engine.packing();
+  const Packing rough = packing_of(engine);
   ASSERT_GT(rough.contacts.fn.at(0), 0);
   EXPECT_NEAR(std::abs(rough.contacts.ft.at(0)), 0.3 * rough.contacts.fn.at(0), 1e-9 * rough.contacts.fn.at(0));
-  EXPECT_THROW(engine.set_friction(-0.1), InputError);
+  EXPECT_THROW(set_friction(engine, -0.1), InputError);
 }
 
 TEST(Options, EveryProblemOfTheInputIsReportedInOnePass) {

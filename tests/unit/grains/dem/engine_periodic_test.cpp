@@ -28,7 +28,7 @@ TEST(PeriodicCell, KeepsItsMomentum) {
     integration.integrator = kind;
     Engine engine(p, {}, integration);
     engine.advance(2000);
-    const Packing now = engine.packing();
+    const Packing now = packing_of(engine);
     double px = 0, py = 0, before = 0, scale = 0;
     for (std::size_t k = 0; k < p.grains.size(); ++k) {
       const double m = mass_of(p, k);
@@ -48,7 +48,7 @@ TEST(PeriodicCell, DisksFarAboveAnOpenTopMeetAcrossItsSides) {
   p.domain.wall[top].present = false;
   testing::add_grain(p, 0.004, 0.2, 0.005);
   testing::add_grain(p, 0.1945, 0.2, 0.005);
-  EXPECT_EQ(Engine(p, {}, {}).packing().contacts.size(), 1u);
+  EXPECT_EQ(packing_of(Engine(p, {}, {})).contacts.size(), 1u);
 }
 
 TEST(PeriodicCell, GivesTheSameMotionWhereverItsEdgesLie) {
@@ -62,7 +62,7 @@ TEST(PeriodicCell, GivesTheSameMotionWhereverItsEdgesLie) {
   Engine a(p, {}, {}), b(q, {}, {});
   a.advance(300);
   b.advance(300);
-  const Packing pa = a.packing(), pb = b.packing();
+  const Packing pa = packing_of(a), pb = packing_of(b);
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
     EXPECT_NEAR(pa.grains.velocity[k].x, pb.grains.velocity[k].x, 1e-7);
     const Vec2 d = pa.domain.nearest_image(pb.grains.position[k] - shift - pa.grains.position[k]);
@@ -79,10 +79,10 @@ TEST(PeriodicCell, ThatIsSqueezedMovesItsGrainsAffinely) {
   WallDrives drives;
   drives[right] = {WallDrive::Kind::velocity, -1};
   drives[bottom] = {WallDrive::Kind::velocity, 0.5};
-  engine.set_drives(drives);
-  while (engine.time() < 0.01) engine.advance(1);
-  const double t = engine.time();
-  const Packing now = engine.packing();
+  set_drives(engine, drives);
+  while (time_of(engine) < 0.01) engine.advance(1);
+  const double t = time_of(engine);
+  const Packing now = packing_of(engine);
   EXPECT_NEAR(now.domain.wall[right].position, 0.2 - t, 1e-12);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_NEAR(now.grains.position[k].x, p.grains.position[k].x * (0.2 - t) / 0.2, 1e-12);
@@ -99,9 +99,9 @@ TEST(PeriodicCell, IsServedToItsPressureBothWays) {
   WallDrives drives;
   drives[right] = {WallDrive::Kind::force, 2000};
   drives[top] = {WallDrive::Kind::force, 3000};
-  engine.set_drives(drives);
+  set_drives(engine, drives);
   for (int n = 0; n < 100; ++n) engine.advance(1000);
-  const Packing now = engine.packing();
+  const Packing now = packing_of(engine);
   EXPECT_NEAR(now.domain.wall[right].force, 2000, 20);
   EXPECT_NEAR(now.domain.wall[top].force, 3000, 30);
   double xx = 0, yy = 0;

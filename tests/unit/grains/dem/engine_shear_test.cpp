@@ -41,17 +41,17 @@ TEST(ShearedCell, MovesFreeGrainsByTheShearAlone) {
     IntegrationParameters integration;
     integration.integrator = kind;
     Engine engine(p, {}, integration);
-    engine.set_shear_rate(2);
-    while (engine.time() < 0.3) engine.advance(100);
-    const Packing now = engine.packing();
-    const double t = engine.time();
+    set_shear_rate(engine, 2);
+    while (time_of(engine) < 0.3) engine.advance(100);
+    const Packing now = packing_of(engine);
+    const double t = time_of(engine);
     // In the plane of all images grain 0 goes on straight with the speed that its first height gave it; one image down,
     // it is slower by rate H.
     const Vec2 straight{0.05 + 2 * 0.09 * t, 0.19 + t};
     EXPECT_NEAR(norm(now.domain.nearest_image(now.grains.position[0] - straight)), 0, 1e-10);
     EXPECT_NEAR(now.grains.velocity[0].x, 2 * 0.09 - 2 * 0.2 * std::floor((0.19 + t) / 0.2), 1e-10);
     EXPECT_NEAR(norm(now.domain.nearest_image(now.grains.position[1] - Vec2{0.15 - 2 * 0.07 * t, 0.03})), 0, 1e-10);
-    EXPECT_NEAR(engine.shear_strain(), 2 * t, 1e-9);
+    EXPECT_NEAR(engine.sheared, 2 * t, 1e-9);
     EXPECT_LE(std::abs(now.domain.tilt), 0.5 * now.domain.width() + 1e-12);
   }
 }
@@ -64,11 +64,11 @@ TEST(ShearedCell, GivesTheSameMotionWhereverItsEdgesLie) {
                             std::fmod(q.grains.position[k].y + shift.y, q.domain.height())};
   }
   Engine a(p, {}, {}), b(q, {}, {});
-  a.set_shear_rate(5);
-  b.set_shear_rate(5);
+  set_shear_rate(a, 5);
+  set_shear_rate(b, 5);
   a.advance(1500);
   b.advance(1500);
-  const Packing pa = a.packing(), pb = b.packing();
+  const Packing pa = packing_of(a), pb = packing_of(b);
   // An image is as much faster as it is higher.
   const double height = p.domain.height();
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
@@ -84,11 +84,11 @@ TEST(ShearedCell, ClosesItsEnergy) {
   for (const auto kind : {IntegratorKind::velocity_verlet, IntegratorKind::gear5}) {
     const Packing p = periodic_crowd(4);
     Engine engine(p, {}, tracked(0.002, kind));
-    engine.set_shear_rate(20);
-    const Energies start = engine.energies();
+    set_shear_rate(engine, 20);
+    const Energies start = energies_of(engine);
     double t = 0;
-    while (t < 0.01) engine.advance(500), t = engine.time();
-    const Energies now = engine.energies();
+    while (t < 0.01) engine.advance(500), t = time_of(engine);
+    const Energies now = energies_of(engine);
     EXPECT_GT(now.work_walls, 0);
     EXPECT_NEAR(balance(now, start), 0, 1e-5 * (std::abs(now.work_walls) + start.elastic)) << now.work_walls;
   }
@@ -102,14 +102,14 @@ TEST(ShearedCell, GivesTheSameBitsOnTwoThreadsAndRestored) {
   two.threads = 2;
   Engine a(periodic, {}, one), b(periodic, {}, two), c(periodic, {}, one);
   for (Engine* e : {&a, &b}) {
-    e->set_shear_rate(10);
+    set_shear_rate(*e, 10);
     e->advance(2000);
   }
-  EXPECT_EQ(a.state_hash(), b.state_hash());
-  c.restore(a.save());
+  EXPECT_EQ(state_hash(a), state_hash(b));
+  restore_sample(c, save_sample(a));
   a.advance(300);
   c.advance(300);
-  EXPECT_EQ(a.state_hash(), c.state_hash());
+  EXPECT_EQ(state_hash(a), state_hash(c));
 }
 
 TEST(SlidingWall, DragsAGrainUpToItsSpeed) {
@@ -118,12 +118,12 @@ TEST(SlidingWall, DragsAGrainUpToItsSpeed) {
   ContactParameters contact;
   contact.friction = 0.5;
   Engine engine(p, contact, {});
-  engine.set_gravity({0, -9.81});
+  set_gravity(engine, {0, -9.81});
   WallDrives drives;
   drives[bottom].slide = 0.3;
-  engine.set_drives(drives);
-  while (engine.time() < 1) engine.advance(100);
-  const Packing now = engine.packing();
+  set_drives(engine, drives);
+  while (time_of(engine) < 1) engine.advance(100);
+  const Packing now = packing_of(engine);
   // Friction gives m v and, about the centre, I omega = R m v with I = m R^2/2; sliding ends at v + R omega = 3 v =
   // 0.3.
   EXPECT_NEAR(now.grains.velocity[0].x, 0.1, 2e-4);
@@ -137,23 +137,23 @@ TEST(RoughWall, CarriesTheGrainsNearIt) {
   Engine engine(cell, {}, tracked(0.01));
   WallDrives drives;
   drives[top] = {WallDrive::Kind::force, 2000};
-  engine.set_drives(drives);
+  set_drives(engine, drives);
   engine.advance(4000);
-  engine.set_rough({false, false, true, true});
-  const Packing before = engine.packing();
+  set_rough(engine, {false, false, true, true});
+  const Packing before = packing_of(engine);
   drives[top].slide = 0.5;
-  engine.set_drives(drives);
-  const double t0 = engine.time();
-  const Energies start = engine.energies();
+  set_drives(engine, drives);
+  const double t0 = time_of(engine);
+  const Energies start = energies_of(engine);
   engine.advance(60000);
   double shear = 0, normal = 0;
   for (int look = 0; look < 100; ++look) {
     engine.advance(400);
-    shear += engine.domain().wall[top].shear_force;
-    normal += engine.domain().wall[top].force;
+    shear += engine.domain.wall[top].shear_force;
+    normal += engine.domain.wall[top].force;
   }
-  const double t = engine.time() - t0;
-  const Packing now = engine.packing();
+  const double t = time_of(engine) - t0;
+  const Packing now = packing_of(engine);
   int low = 0, high = 0;
   const double rise = now.domain.wall[top].position - before.domain.wall[top].position;
   for (std::size_t k = 0; k < now.grains.size(); ++k) {
@@ -170,7 +170,7 @@ TEST(RoughWall, CarriesTheGrainsNearIt) {
   }
   EXPECT_GT(low, 3);
   EXPECT_GT(high, 3);
-  const Energies end = engine.energies();
+  const Energies end = energies_of(engine);
   EXPECT_NEAR(balance(end, start), 0, 2e-3 * (end.work_walls - start.work_walls)) << end.work_walls;
   EXPECT_LT(shear, -0.1 * normal)
       << shear / normal;  // grains between rough walls have a friction of 0.2 to 0.4; a state alone fluctuates
@@ -182,14 +182,14 @@ TEST(RoughWall, ThatHoldsNoGrainLeavesTheSpringsOfFrictionAsTheyAre) {
   p.domain.wall[top].position += 0.02;
   Engine engine(p, {}, {});
   engine.advance(200);
-  const Packing before = engine.packing();
-  engine.set_rough({false, false, true, false});
-  const Packing after = engine.packing();
+  const Packing before = packing_of(engine);
+  set_rough(engine, {false, false, true, false});
+  const Packing after = packing_of(engine);
   ASSERT_EQ(after.contacts.size(), before.contacts.size());
   // Stages begin between steps, where velocities are brought up to the places: forces see that, which is not the
   // springs' way.
-  engine.set_rough({false, false, false, false});
-  EXPECT_EQ(engine.packing().contacts.ft, after.contacts.ft);
+  set_rough(engine, {false, false, false, false});
+  EXPECT_EQ(packing_of(engine).contacts.ft, after.contacts.ft);
 }
 
 }  // namespace

@@ -68,14 +68,14 @@ TEST_P(Neighbours, StayCompleteWhileGrainsAndWallsMove) {
   WallDrives drives;
   drives[right] = {WallDrive::Kind::velocity, -1.5};
   drives[top] = {WallDrive::Kind::velocity, -1.0};
-  engine.set_drives(drives);
+  set_drives(engine, drives);
   for (int n = 0; n < 60; ++n) {
     engine.advance(97);
-    const Packing now = engine.packing();
+    const Packing now = packing_of(engine);
     std::set<std::uint64_t> touching;
     for (std::size_t c = 0; c < now.contacts.size(); ++c)
       if (!now.contacts.is_wall(c)) touching.insert(pair_key(now.contacts.i[c], now.contacts.j[c]));
-    ASSERT_EQ(touching, near_pairs(now, 0)) << "after " << engine.step() << " steps";
+    ASSERT_EQ(touching, near_pairs(now, 0)) << "after " << engine.step << " steps";
     ASSERT_TRUE(std::is_sorted(now.contacts.i.begin(), now.contacts.i.end()));
   }
 }

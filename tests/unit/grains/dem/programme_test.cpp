@@ -70,10 +70,10 @@ TEST(Programme, MovesAWallByTheAreaBelowItsVelocities) {
     while (!run.finished) continue_stage(engine, stage, run);
     // Triangles of 0.002 s x 2 m/s / 2 and the way down to -1 m/s; where a table bends within a step, the square of
     // that is lost at most.
-    const double bend = 2000 * engine.time_step() * engine.time_step(), late = engine.time() - 0.004;
-    EXPECT_NEAR(0.2 - engine.domain().wall[top].position, 0.002 + 0.001 - late, bend);
-    EXPECT_NEAR(engine.domain().wall[left].position, 0.001, engine.time_step());  // it stops within a step
-    EXPECT_NEAR(engine.domain().wall[top].velocity, 1, 2000 * engine.time_step());
+    const double bend = 2000 * engine.dt * engine.dt, late = time_of(engine) - 0.004;
+    EXPECT_NEAR(0.2 - engine.domain.wall[top].position, 0.002 + 0.001 - late, bend);
+    EXPECT_NEAR(engine.domain.wall[left].position, 0.001, engine.dt);  // it stops within a step
+    EXPECT_NEAR(engine.domain.wall[top].velocity, 1, 2000 * engine.dt);
   }
 }
 
@@ -89,12 +89,12 @@ TEST(Programme, TurnsAndScalesTheWeightOfAFreeGrain) {
   stage.gravity_angle = std::numbers::pi / 2;  // along +x
   StageRun run = begin_stage(engine, stage);
   while (!run.finished) continue_stage(engine, stage, run);
-  const Packing end = engine.packing();
-  const double dt = engine.time_step();                 // what the last step lies beyond the end of the table
+  const Packing end = packing_of(engine);
+  const double dt = engine.dt;                          // what the last step lies beyond the end of the table
   EXPECT_NEAR(end.grains.velocity[0].x, 0.5, 10 * dt);  // 100 m/s^3 t^2/2
   EXPECT_NEAR(end.grains.position[0].x - 5, 100 * 1e-3 / 6, dt);
   EXPECT_NEAR(end.grains.velocity[0].y, 0, 1e-12);
-  const Energies e = engine.energies();
+  const Energies e = energies_of(engine);
   EXPECT_NEAR(e.work_gravity, e.kinetic, 1e-6 * e.kinetic);
 }
 
@@ -124,10 +124,10 @@ TEST(Programme, HoldsACrystalOnAPathOfStressAtAGivenRatio) {
   double share = 0.25;
   while (!run.finished) {
     continue_stage(engine, stage, run);
-    if (engine.time() < share * time) continue;
+    if (time_of(engine) < share * time) continue;
     share += 0.25;
-    const Domain& d = engine.domain();
-    const double yy = engine.time() / time * peak, xx = 0.6 * yy;
+    const Domain& d = engine.domain;
+    const double yy = time_of(engine) / time * peak, xx = 0.6 * yy;
     EXPECT_NEAR(d.wall[top].force / (d.width() * d.thickness), yy, 0.005 * peak);
     EXPECT_NEAR(d.wall[right].force / (d.height() * d.thickness), xx, 0.005 * peak);
     // Hooke's law of the lattice, up to strains of their own order (0.4 %), and what the sides lag behind.
@@ -160,9 +160,9 @@ TEST(Programme, DoesTheWorkThatTheSampleTakes) {
   stage.gravity = true;
   stage.gravity_size = 500;
   StageRun run = begin_stage(engine, stage);
-  const Energies before = engine.energies();
+  const Energies before = energies_of(engine);
   while (!run.finished) continue_stage(engine, stage, run);
-  const Energies e = engine.energies();
+  const Energies e = energies_of(engine);
   const double kept = e.kinetic + e.elastic - before.kinetic - before.elastic;
   const double lost = e.dissipated_normal + e.dissipated_friction + e.dissipated_drag;
   EXPECT_GT(std::abs(e.work_walls), 1e-4);
@@ -181,24 +181,24 @@ TEST(Programme, ResumesToTheSameBits) {
   Engine whole(start, {}, {}), cut(start, {}, {});
   whole.advance(100);
   cut.advance(100);
-  const std::vector<std::uint8_t> at_start = cut.save();
+  const std::vector<std::uint8_t> at_start = save_sample(cut);
   StageRun one = begin_stage(whole, stage);
   while (!one.finished) continue_stage(whole, stage, one);
 
   StageRun first = begin_stage(cut, stage);
   for (int k = 0; k < 7; ++k) continue_stage(cut, stage, first);
   ASSERT_FALSE(first.finished);
-  const auto bytes = cut.save();
+  const auto bytes = save_sample(cut);
   Engine again(start, {}, {});
-  again.restore(at_start);
+  restore_sample(again, at_start);
   StageRun second = begin_stage(again, stage);
-  again.restore(bytes);
+  restore_sample(again, bytes);
   second.steps_in_increment = first.steps_in_increment;
   second.checks = first.checks;
   second.result = first.result;
   while (!second.finished) continue_stage(again, stage, second);
-  EXPECT_EQ(again.state_hash(), whole.state_hash());
-  EXPECT_NEAR(whole.shear_strain(), 0.01 - 0.06, 1e-4);
+  EXPECT_EQ(state_hash(again), state_hash(whole));
+  EXPECT_NEAR(whole.sheared, 0.01 - 0.06, 1e-4);
 }
 
 /// A plate by tables of its place, its angle, its velocity, and of the force on it.
@@ -223,8 +223,8 @@ TEST(Programme, MovesABoundary) {
   const Engine placed = moved(stage_with({of(x, {{0, 0}, {0.001, 0.002}, {0.002, 0}}, true),
                                           of(velocity_y, {{0, 1}, {0.005, 1}}), of(angle, {{0, 0}, {0.005, 0.3}})},
                                          0.005));
-  const double late = placed.time() - 0.005;
-  const Boundary& there = placed.domain().boundaries[0];
+  const double late = time_of(placed) - 0.005;
+  const Boundary& there = placed.domain.boundaries[0];
   EXPECT_NEAR(there.centre.x - 0.1, 2 * (0.001 - late), 1e-12);
   EXPECT_NEAR(there.centre.y - 0.1, 0.005 + late, 1e-12);
   const Vec2 along = there.points[1] - there.points[0];
@@ -234,9 +234,9 @@ TEST(Programme, MovesABoundary) {
   Stage pushed = stage_with({of(force_x, {{0, 2}, {0.005, 0}})}, 0.005);
   pushed.boundaries = {{"plate", {}, 0, {}, false, 0.5, {2, 0}}};
   const Engine thrown = moved(pushed);
-  EXPECT_NEAR(thrown.packing().domain.boundaries[0].velocity.x, 0.5 * 2 * 0.005 / 0.5, 1e-8);
-  EXPECT_NEAR(thrown.domain().boundaries[0].centre.x - 0.1,
-              2 / 0.5 * 0.005 * 0.005 / 3 + 0.01 * (thrown.time() - 0.005), 1e-9);
+  EXPECT_NEAR(packing_of(thrown).domain.boundaries[0].velocity.x, 0.5 * 2 * 0.005 / 0.5, 1e-8);
+  EXPECT_NEAR(thrown.domain.boundaries[0].centre.x - 0.1,
+              2 / 0.5 * 0.005 * 0.005 / 3 + 0.01 * (time_of(thrown) - 0.005), 1e-9);
 }
 
 }  // namespace

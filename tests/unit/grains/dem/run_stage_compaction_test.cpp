@@ -56,9 +56,9 @@ TEST(EvenMasses, KeepTheRestitutionOfUnlikeDisks) {
   IntegrationParameters integration;
   integration.safety = 1.0 / 500;
   Engine engine(p, springy(0.5), integration);
-  engine.set_mass_scaling(MassScaling::uniform);
+  set_mass_scaling(engine, MassScaling::uniform);
   engine.advance(2000);
-  const Packing after = engine.packing();
+  const Packing after = packing_of(engine);
   EXPECT_NEAR(after.grains.velocity[1].x - after.grains.velocity[0].x, 0.5, 1e-3);
   EXPECT_NEAR(after.grains.velocity[1].x + after.grains.velocity[0].x, 1.0, 1e-9) << "equal masses share the momentum";
 }
@@ -69,12 +69,12 @@ TEST(EvenMasses, AreThoseOfTheGrainWithTheFastestContacts) {
              soft = add_grain(p, 0.5, 0.5, 0.012, 1);
   for (const auto k : {light, heavy, soft}) p.grains.velocity[k].x = 1;
   Engine engine(p, springy(0.5), {});
-  const double own = engine.energies().kinetic;
-  engine.set_mass_scaling(MassScaling::uniform);
+  const double own = energies_of(engine).kinetic;
+  set_mass_scaling(engine, MassScaling::uniform);
   const double lightest = 1410 * std::numbers::pi * 0.004 * 0.004 * 0.06;
-  EXPECT_NEAR(engine.energies().kinetic, 0.5 * lightest * (2 + 6.43 / 27.35), 1e-12 * own);
-  engine.set_mass_scaling(MassScaling::none);
-  EXPECT_DOUBLE_EQ(engine.energies().kinetic, own);
+  EXPECT_NEAR(energies_of(engine).kinetic, 0.5 * lightest * (2 + 6.43 / 27.35), 1e-12 * own);
+  set_mass_scaling(engine, MassScaling::none);
+  EXPECT_DOUBLE_EQ(energies_of(engine).kinetic, own);
 }
 
 TEST(EvenMasses, AreHeavyEnoughForTheStepThatTheOwnOnesAllow) {
@@ -88,13 +88,13 @@ TEST(EvenMasses, AreHeavyEnoughForTheStepThatTheOwnOnesAllow) {
       add_grain(p, (c + 0.25 + 0.5 * (r % 2)) * pitch, (r + 0.5) * rise, (r == 6 && c == 6 ? 0.45 : 0.5) * d);
   IntegrationParameters integration;
   integration.time_step = 1e-9;
-  integration.time_step = 0.999 * Engine(p, springy(0.5), integration).bounds().largest();
+  integration.time_step = 0.999 * step_bounds(Engine(p, springy(0.5), integration)).largest();
   Engine engine(p, springy(0.5), integration);
-  engine.set_mass_scaling(MassScaling::uniform);
-  EXPECT_GE(engine.bounds().largest(), *integration.time_step);
-  EXPECT_LT(engine.bounds().largest(), 1.01 * *integration.time_step) << "no heavier than needed";
-  engine.set_mass_scaling(MassScaling::none);
-  EXPECT_NEAR(0.999 * engine.bounds().largest(), *integration.time_step, 1e-12);
+  set_mass_scaling(engine, MassScaling::uniform);
+  EXPECT_GE(step_bounds(engine).largest(), *integration.time_step);
+  EXPECT_LT(step_bounds(engine).largest(), 1.01 * *integration.time_step) << "no heavier than needed";
+  set_mass_scaling(engine, MassScaling::none);
+  EXPECT_NEAR(0.999 * step_bounds(engine).largest(), *integration.time_step, 1e-12);
 }
 
 /// A lattice of equal disks that do not touch yet, in a periodic cell: a step at its bound is too long once they do.
@@ -124,33 +124,33 @@ TEST(EvenMasses, AStepOfTheProgramsOwnIsShortenedWhereTheGrainsOwnMassesAreTooLi
   for (const auto integrator : {IntegratorKind::velocity_verlet, IntegratorKind::leapfrog, IntegratorKind::gear5}) {
     const auto how = as_long_as_allowed(integrator);
     Engine engine(lattice_about_to_touch(), springy(0.2), how), resumed(lattice_about_to_touch(), springy(0.2), how);
-    engine.set_mass_scaling(MassScaling::uniform);
-    engine.set_drives(squeezed());
-    while (engine.time() < 1e-3) engine.advance(1);
-    const double before = engine.time(), step = engine.time_step();
-    ASSERT_GT(step, engine.bounds().largest()) << "the case that this is about";
-    engine.set_mass_scaling(MassScaling::none);
-    EXPECT_LT(engine.time_step(), engine.bounds().largest());
-    EXPECT_EQ(engine.time(), before);
-    resumed.restore(engine.save());
+    set_mass_scaling(engine, MassScaling::uniform);
+    set_drives(engine, squeezed());
+    while (time_of(engine) < 1e-3) engine.advance(1);
+    const double before = time_of(engine), step = engine.dt;
+    ASSERT_GT(step, step_bounds(engine).largest()) << "the case that this is about";
+    set_mass_scaling(engine, MassScaling::none);
+    EXPECT_LT(engine.dt, step_bounds(engine).largest());
+    EXPECT_EQ(time_of(engine), before);
+    restore_sample(resumed, save_sample(engine));
     for (Engine* e : {&engine, &resumed}) {
       e->advance(100);
-      EXPECT_NEAR(e->time(), before + 100 * e->time_step(), 1e-12 * before);
-      EXPECT_LT(e->time_step(), step);
+      EXPECT_NEAR(time_of(*e), before + 100 * e->dt, 1e-12 * before);
+      EXPECT_LT(e->dt, step);
     }
-    EXPECT_EQ(engine.state_hash(), resumed.state_hash());
+    EXPECT_EQ(state_hash(engine), state_hash(resumed));
   }
 }
 
 TEST(EvenMasses, AStepThatWasGivenIsRefusedWithTheOneThatWouldDo) {
   auto how = as_long_as_allowed(IntegratorKind::velocity_verlet);
-  how.time_step = Engine(lattice_about_to_touch(), springy(0.2), how).time_step();
+  how.time_step = Engine(lattice_about_to_touch(), springy(0.2), how).dt;
   Engine engine(lattice_about_to_touch(), springy(0.2), how);
-  engine.set_mass_scaling(MassScaling::uniform);
-  engine.set_drives(squeezed());
-  while (engine.time() < 1e-3) engine.advance(1);
+  set_mass_scaling(engine, MassScaling::uniform);
+  set_drives(engine, squeezed());
+  while (time_of(engine) < 1e-3) engine.advance(1);
   try {
-    engine.set_mass_scaling(MassScaling::none);
+    set_mass_scaling(engine, MassScaling::none);
     FAIL() << "refused";
   } catch (const InputError& e) {
     EXPECT_NE(std::string(e.what()).find("integration.time_step"), std::string::npos) << e.what();
@@ -168,7 +168,7 @@ std::int64_t steps_of_ten_compactions(MassScaling masses) {
     stage.inertial_number = 1;
     const StageResult result = run(engine, stage);
     EXPECT_TRUE(result.converged) << result.outcome;
-    steps += engine.step();
+    steps += engine.step;
   }
   return steps;
 }
@@ -193,12 +193,12 @@ TEST(EvenMasses, GoOnWithTheSameBitsAfterARestore) {
   stage.mass_scaling = MassScaling::uniform;
   stage.inertial_number = 0.5;
   begin_stage(whole, stage);
-  whole.set_drives({{{WallDrive::Kind::force, 2000}, {}, {WallDrive::Kind::force, 2000}, {}}});
+  set_drives(whole, {{{WallDrive::Kind::force, 2000}, {}, {WallDrive::Kind::force, 2000}, {}}});
   whole.advance(300);
-  resumed.restore(whole.save());
+  restore_sample(resumed, save_sample(whole));
   whole.advance(300);
   resumed.advance(300);
-  EXPECT_EQ(whole.state_hash(), resumed.state_hash());
+  EXPECT_EQ(state_hash(whole), state_hash(resumed));
 }
 
 TEST(InertialNumber, LetsOverlappingGrainsPushTheirSidesAwayFaster) {
@@ -207,10 +207,10 @@ TEST(InertialNumber, LetsOverlappingGrainsPushTheirSidesAwayFaster) {
     Engine engine(crowd(14, 14, 3, 0.0145), springy(0.5), {});
     Stage stage = pressed_from_all_sides(1e-4 * 6.43e6 / 0.06);
     stage.inertial_number = number;
-    const double area = engine.domain().area();
+    const double area = engine.domain.area();
     StageRun under_way = begin_stage(engine, stage);
     for (int look = 0; look < 15; ++look) continue_stage(engine, stage, under_way);
-    grown[number > 0.5] = engine.domain().area() - area;
+    grown[number > 0.5] = engine.domain.area() - area;
   }
   EXPECT_GT(grown[0], 0);
   EXPECT_GT(grown[1], 2 * grown[0]);
@@ -226,7 +226,7 @@ TEST(CriticalDrag, IsPiOverThePassageOfAWave) {
   integration.drag = 30;
   Engine engine(p, springy(0.5), integration);
   const double passage = std::sqrt(2 * 1410 * std::numbers::pi * 25e-6 * 0.06 / (27.35e6 / 2));  // along the wide side
-  EXPECT_NEAR(engine.critical_drag(), std::numbers::pi / passage, 1e-9 / passage);
+  EXPECT_NEAR(critical_drag(engine), std::numbers::pi / passage, 1e-9 / passage);
   Stage stage;
   stage.name = "slow down";
   stage.drag = 20;
@@ -234,7 +234,7 @@ TEST(CriticalDrag, IsPiOverThePassageOfAWave) {
   stage.duration = 0.01;
   run(engine, stage);
   const double rate = 50 + 0.01 * std::numbers::pi / passage;
-  EXPECT_NEAR(engine.packing().grains.velocity[0].x, std::exp(-rate * engine.time()), 1e-6);
+  EXPECT_NEAR(packing_of(engine).grains.velocity[0].x, std::exp(-rate * time_of(engine)), 1e-6);
 }
 
 }  // namespace

@@ -79,11 +79,11 @@ TEST(StrainCycles, ResumeToTheSameBits) {
   for (int k = 0; k < 11; ++k) continue_stage(cut, stage, first);
   ASSERT_FALSE(first.finished);
   StageRun second = begin_stage(again, stage);
-  again.restore(cut.save());
+  restore_sample(again, save_sample(cut));
   second.increment = first.increment;
   second.steps_in_increment = first.steps_in_increment;
   while (!second.finished) continue_stage(again, stage, second);
-  EXPECT_EQ(again.state_hash(), whole.state_hash());
+  EXPECT_EQ(state_hash(again), state_hash(whole));
 }
 
 TEST(StressCycles, KnowEveryCycleOfThousandsWithoutItsStates) {

@@ -47,7 +47,7 @@ inline void squeeze(Engine& engine, std::int64_t steps) {
   WallDrives drives;
   drives[right] = {WallDrive::Kind::velocity, -0.5};
   drives[top] = {WallDrive::Kind::velocity, 0.5};
-  engine.set_drives(drives);
+  set_drives(engine, drives);
   engine.advance(steps);
 }
 

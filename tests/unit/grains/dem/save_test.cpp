@@ -31,8 +31,8 @@ Engine make(const Set& set) {
   WallDrives drives;
   drives[bottom] = {WallDrive::Kind::force, 3000};
   drives[right] = {WallDrive::Kind::velocity, -0.05};
-  engine.set_drives(drives);
-  engine.set_gravity({0, -9.81});
+  set_drives(engine, drives);
+  set_gravity(engine, {0, -9.81});
   return engine;
 }
 
@@ -41,18 +41,18 @@ class Save : public ::testing::TestWithParam<Set> {};
 TEST_P(Save, AResumedRunHasTheBitsOfOneInOnePiece) {
   Engine whole = make(GetParam());
   whole.advance(700);
-  const auto bytes = whole.save();
+  const auto bytes = save_sample(whole);
   whole.advance(811);
 
   Engine resumed = make(GetParam());
   resumed.advance(37);
-  resumed.restore(bytes);
-  EXPECT_EQ(resumed.save(), bytes);
+  restore_sample(resumed, bytes);
+  EXPECT_EQ(save_sample(resumed), bytes);
   resumed.advance(500);
   resumed.advance(311);
-  EXPECT_EQ(resumed.state_hash(), whole.state_hash());
-  EXPECT_EQ(resumed.save(), whole.save());
-  EXPECT_EQ(resumed.energies().dissipated_normal, whole.energies().dissipated_normal);
+  EXPECT_EQ(state_hash(resumed), state_hash(whole));
+  EXPECT_EQ(save_sample(resumed), save_sample(whole));
+  EXPECT_EQ(energies_of(resumed).dissipated_normal, energies_of(whole).dissipated_normal);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -66,22 +66,23 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(SavedState, IsRefusedWhenCutShortOrOfAnotherSample) {
   Engine engine(crowd(5, 5, 1), {}, {});
-  auto bytes = engine.save();
-  const auto hash = engine.state_hash();
+  auto bytes = save_sample(engine);
+  const auto hash = state_hash(engine);
   for (const std::size_t length : {std::size_t{0}, std::size_t{11}, bytes.size() / 2, bytes.size() - 1}) {
-    EXPECT_THROW(engine.restore({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length)}), InputError);
-    EXPECT_EQ(engine.state_hash(), hash);
+    EXPECT_THROW(restore_sample(engine, {bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length)}),
+                 InputError);
+    EXPECT_EQ(state_hash(engine), hash);
   }
   Engine other(crowd(6, 5, 1), {}, {});
-  EXPECT_THROW(other.restore(bytes), InputError);
+  EXPECT_THROW(restore_sample(other, bytes), InputError);
 }
 
 TEST(StateHash, ChangesWithTheStateAndOnlyThen) {
   Engine engine(crowd(5, 5, 1), {}, {});
-  const auto before = engine.state_hash();
-  EXPECT_EQ(engine.state_hash(), before);
+  const auto before = state_hash(engine);
+  EXPECT_EQ(state_hash(engine), before);
   engine.advance(1);
-  EXPECT_NE(engine.state_hash(), before);
+  EXPECT_NE(state_hash(engine), before);
 }
 
 }  // namespace

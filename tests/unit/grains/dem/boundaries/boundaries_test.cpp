@@ -48,11 +48,11 @@ double acceleration_on(double slope, double mu) {
   const Vec2 at = start + 0.1 * along + height * normal;
   testing::add_grain(p, at.x, at.y, r);
   Engine engine(p, with_friction(mu), {});
-  engine.set_gravity({0, -g});
-  while (engine.time() < 0.5) engine.advance(100);
-  const Packing now = engine.packing();
+  set_gravity(engine, {0, -g});
+  while (time_of(engine) < 0.5) engine.advance(100);
+  const Packing now = packing_of(engine);
   EXPECT_NEAR(dot(now.grains.position[0] - start, normal), height, 1e-3 * r);
-  return 2 * dot(now.grains.position[0] - at, along) / (engine.time() * engine.time());
+  return 2 * dot(now.grains.position[0] - at, along) / (time_of(engine) * time_of(engine));
 }
 
 TEST(Boundaries, DiskSlidesAndRollsDownASegmentAsOnAPlane) {
@@ -68,9 +68,9 @@ TEST(Boundaries, DiskInAGrooveRestsOnBothSides) {
   Packing p = container_with(polyline({tip + left_way, tip, tip + right_way}));
   testing::add_grain(p, 1, 0.5 + r / std::sin(half), r);
   Engine engine(p, with_friction(0), {});
-  engine.set_gravity({0, -g});
-  while (engine.time() < 0.2) engine.advance(100);
-  const Packing now = engine.packing();
+  set_gravity(engine, {0, -g});
+  while (time_of(engine) < 0.2) engine.advance(100);
+  const Packing now = packing_of(engine);
   const double weight = mass_of(r) * g;
   ASSERT_EQ(now.contacts.size(), 2u);
   for (std::size_t c = 0; c < 2; ++c) {
@@ -78,8 +78,8 @@ TEST(Boundaries, DiskInAGrooveRestsOnBothSides) {
     EXPECT_EQ(now.domain.boundary_of(now.contacts.element(c)), 0);
     EXPECT_NEAR(now.contacts.fn[c], weight / (2 * std::sin(half)), 1e-8 * weight);
   }
-  EXPECT_NEAR(engine.domain().boundaries[0].force.y, -weight, 1e-8 * weight);
-  EXPECT_NEAR(engine.domain().boundaries[0].force.x, 0, 1e-8 * weight);
+  EXPECT_NEAR(engine.domain.boundaries[0].force.y, -weight, 1e-8 * weight);
+  EXPECT_NEAR(engine.domain.boundaries[0].force.x, 0, 1e-8 * weight);
 }
 
 /// A disk that rolls at a speed along a plate and over its corner; the energy that it has too much or too little at the
@@ -95,12 +95,12 @@ double energy_change_over_corner(const ContactParameters& contact, IntegratorKin
   integration.track_energy = true;
   integration.integrator = integrator;
   Engine engine(p, contact, integration);
-  engine.set_gravity({0, -g});
-  const double before = engine.energies().kinetic, elastic_before = engine.energies().elastic;
-  while (engine.packing().grains.position[0].x < 1.03) engine.advance(20);
-  const Energies e = engine.energies();
+  set_gravity(engine, {0, -g});
+  const double before = energies_of(engine).kinetic, elastic_before = energies_of(engine).elastic;
+  while (packing_of(engine).grains.position[0].x < 1.03) engine.advance(20);
+  const Energies e = energies_of(engine);
   EXPECT_GT(e.work_gravity, 0);
-  EXPECT_NEAR(engine.packing().grains.velocity[0].x / std::cos(0.3), -engine.packing().grains.omega[0] * r,
+  EXPECT_NEAR(packing_of(engine).grains.velocity[0].x / std::cos(0.3), -packing_of(engine).grains.omega[0] * r,
               0.02 * speed);
   return (e.kinetic + e.elastic - elastic_before - e.work_gravity - before) / before;
 }
@@ -122,11 +122,11 @@ TEST(Boundaries, TurningPlateCarriesADiskAndItsWorkIsBooked) {
   IntegrationParameters integration;
   integration.track_energy = true;
   Engine engine(p, contact, integration);
-  engine.set_gravity({0, -g});
-  engine.set_boundaries({{"plate", {}, spin, Vec2{1, 1}}});
-  while (engine.time() < 0.5) engine.advance(100);
-  const double turned = spin * engine.time();
-  const Packing now = engine.packing();
+  set_gravity(engine, {0, -g});
+  set_boundaries(engine, {{"plate", {}, spin, Vec2{1, 1}}});
+  while (time_of(engine) < 0.5) engine.advance(100);
+  const double turned = spin * time_of(engine);
+  const Packing now = packing_of(engine);
   const Vec2 along{std::cos(turned), std::sin(turned)}, at = Vec2{1, 1} + 0.1 * along + r * perpendicular(along);
   EXPECT_NEAR(now.grains.position[0].x, at.x, 2e-5);
   EXPECT_NEAR(now.grains.position[0].y, at.y, 2e-5);
@@ -134,7 +134,7 @@ TEST(Boundaries, TurningPlateCarriesADiskAndItsWorkIsBooked) {
   EXPECT_NEAR(norm(now.domain.boundaries[0].points[1] - Vec2{1, 1}), 0.5, 1e-10);
   EXPECT_NEAR(now.domain.boundaries[0].points[1].y, 1 + 0.5 * std::sin(turned), 1e-9);
   EXPECT_NEAR(now.domain.boundaries[0].torque, -weight * (at.x - 1), 0.01 * weight * 0.1);
-  const Energies e = engine.energies();
+  const Energies e = energies_of(engine);
   const double gained = e.kinetic + e.elastic + e.dissipated_normal + e.dissipated_friction - e.work_gravity;
   EXPECT_NEAR(e.work_walls, weight * (at.y - 1 - r), 0.01 * e.work_walls);
   EXPECT_NEAR(gained, e.work_walls, 1e-4 * e.work_walls + 1e-9);
@@ -146,17 +146,17 @@ TEST(Boundaries, IntruderGivesItsMomentum) {
   Packing p = container_with(intruder);
   testing::add_grain(p, 0.6 + r + 0.001, 1, r);
   Engine engine(p, with_friction(0, 0.5), {});
-  engine.set_boundaries({{"plate", {1, 0}, 0, intruder.centre}});
+  set_boundaries(engine, {{"plate", {1, 0}, 0, intruder.centre}});
   double impulse = 0;
-  while (engine.time() < 0.01) {
-    const double from = engine.time();
+  while (time_of(engine) < 0.01) {
+    const double from = time_of(engine);
     engine.advance(1);
-    impulse += engine.domain().boundaries[0].force.x * (engine.time() - from);
+    impulse += engine.domain.boundaries[0].force.x * (time_of(engine) - from);
   }
-  const Packing now = engine.packing();
+  const Packing now = packing_of(engine);
   EXPECT_NEAR(now.grains.velocity[0].x, 1.5, 0.02);
   EXPECT_NEAR(impulse, -mass_of(r) * now.grains.velocity[0].x, 1e-3 * mass_of(r));
-  EXPECT_NEAR(now.domain.boundaries[0].points[1].x, 0.6 + engine.time(), 1e-12);
+  EXPECT_NEAR(now.domain.boundaries[0].points[1].x, 0.6 + time_of(engine), 1e-12);
 }
 
 /// A crowd in a turning drum within the container.
@@ -188,20 +188,20 @@ TEST_P(BoundaryBits, AreTheSameOnTwoThreadsAndRestored) {
   two.threads = 2;
   const auto make = [&](const IntegrationParameters& integration) {
     Engine engine(p, contact, integration);
-    engine.set_gravity({0, -g});
-    engine.set_boundaries({{"plate", {}, 20, p.domain.boundaries[0].centre}});
+    set_gravity(engine, {0, -g});
+    set_boundaries(engine, {{"plate", {}, 20, p.domain.boundaries[0].centre}});
     return engine;
   };
   Engine a = make(one), b = make(two), c(p, contact, one);
   a.advance(3000);
   b.advance(3000);
-  EXPECT_EQ(a.state_hash(), b.state_hash());
-  EXPECT_GT(a.list_builds(), 2);
-  c.restore(a.save());
+  EXPECT_EQ(state_hash(a), state_hash(b));
+  EXPECT_GT(a.builds, 2);
+  restore_sample(c, save_sample(a));
   a.advance(1500);
   c.advance(1500);
-  EXPECT_EQ(a.state_hash(), c.state_hash());
-  EXPECT_EQ(a.energies().work_walls, c.energies().work_walls);
+  EXPECT_EQ(state_hash(a), state_hash(c));
+  EXPECT_EQ(energies_of(a).work_walls, energies_of(c).work_walls);
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, BoundaryBits,
@@ -213,15 +213,15 @@ TEST(Boundaries, DrumHoldsItsGrainsAndItsEnergyIsAccounted) {
   IntegrationParameters integration;
   integration.track_energy = true;
   Engine engine(p, with_friction(0.5), integration);
-  const double before = engine.energies().elastic;
-  engine.set_gravity({0, -g});
+  const double before = energies_of(engine).elastic;
+  set_gravity(engine, {0, -g});
   const Vec2 middle = p.domain.boundaries[0].centre;
-  engine.set_boundaries({{"plate", {}, 5, middle}});
-  while (engine.time() < 0.1) engine.advance(1000);
-  const Packing now = engine.packing();
+  set_boundaries(engine, {{"plate", {}, 5, middle}});
+  while (time_of(engine) < 0.1) engine.advance(1000);
+  const Packing now = packing_of(engine);
   for (std::size_t k = 0; k < now.grains.size(); ++k)
     EXPECT_LT(norm(now.grains.position[k] - middle) + 0.9 * now.grains.radius[k], 0.18);
-  const Energies e = engine.energies();
+  const Energies e = energies_of(engine);
   const double open =
       e.kinetic + e.elastic + e.dissipated_normal + e.dissipated_friction - before - e.work_gravity - e.work_walls;
   EXPECT_GT(e.work_walls, 0);
@@ -232,24 +232,24 @@ TEST(Boundaries, GateThatGoesLetsItsGrainFallAndOpenSideLetsItOut) {
   Packing p = container_with(polyline({{0.5, 1}, {1.5, 1}}));
   testing::add_grain(p, 1, 1 + r, r);
   Engine engine(p, with_friction(0.5), {});
-  engine.set_gravity({0, -g});
-  while (engine.time() < 0.1) engine.advance(100);
-  EXPECT_NEAR(engine.packing().grains.position[0].y, 1 + r, 1e-5);
-  engine.set_boundaries({{"plate", {}, 0, Vec2{1, 1}, true}});
-  engine.set_open({false, false, true, false});
-  const double then = engine.time();
-  while (engine.time() < then + 0.6) engine.advance(100);
-  const double fallen = engine.time() - then;
-  EXPECT_NEAR(engine.packing().grains.position[0].y, 1 + r - 0.5 * g * fallen * fallen, 1e-4);
-  EXPECT_LT(engine.packing().grains.position[0].y, 0);
-  EXPECT_EQ(engine.below(0).grains, 1u);
-  EXPECT_NEAR(engine.below(0).mass, mass_of(r), 1e-12);
-  EXPECT_THROW(engine.set_open({}), InputError);
+  set_gravity(engine, {0, -g});
+  while (time_of(engine) < 0.1) engine.advance(100);
+  EXPECT_NEAR(packing_of(engine).grains.position[0].y, 1 + r, 1e-5);
+  set_boundaries(engine, {{"plate", {}, 0, Vec2{1, 1}, true}});
+  set_open(engine, {false, false, true, false});
+  const double then = time_of(engine);
+  while (time_of(engine) < then + 0.6) engine.advance(100);
+  const double fallen = time_of(engine) - then;
+  EXPECT_NEAR(packing_of(engine).grains.position[0].y, 1 + r - 0.5 * g * fallen * fallen, 1e-4);
+  EXPECT_LT(packing_of(engine).grains.position[0].y, 0);
+  EXPECT_EQ(amount_below(engine, 0).grains, 1u);
+  EXPECT_NEAR(amount_below(engine, 0).mass, mass_of(r), 1e-12);
+  EXPECT_THROW(set_open(engine, {}), InputError);
   Engine again(p, with_friction(0.5), {});
-  again.restore(engine.save());
+  restore_sample(again, save_sample(engine));
   again.advance(100);
   engine.advance(100);
-  EXPECT_EQ(again.state_hash(), engine.state_hash());
+  EXPECT_EQ(state_hash(again), state_hash(engine));
 }
 
 TEST(Boundaries, StagesMoveThemByName) {
@@ -263,7 +263,7 @@ TEST(Boundaries, StagesMoveThemByName) {
   stage.count_below = 1.5;
   StageRun run = begin_stage(engine, stage);
   while (!run.finished) continue_stage(engine, stage, run);
-  EXPECT_NEAR(engine.domain().boundaries[0].points[0].y, 1 + 0.5 * engine.time(), 1e-9);
+  EXPECT_NEAR(engine.domain.boundaries[0].points[0].y, 1 + 0.5 * time_of(engine), 1e-9);
   const auto& columns = run.result.history.columns;
   const auto has = [&](const char* name) {
     return std::any_of(columns.begin(), columns.end(), [&](const auto& c) { return c.name == name; });
@@ -291,11 +291,11 @@ TEST(Boundaries, ThatMakeNoSenseAreRefused) {
   p.domain.boundaries[0].points[1] = {1, 0};
   p.domain.periodic[1] = true;
   Engine engine(p, {}, {});
-  EXPECT_THROW(engine.set_shear_rate(1), InputError);
-  EXPECT_THROW(engine.set_boundaries({{"gate"}}), InputError);
-  EXPECT_THROW(engine.set_drives({{{WallDrive::Kind::velocity, 1}, {}, {}, {}}}), InputError);
-  EXPECT_THROW(engine.set_programmes({{{Programme::boundary, {{0, 0}}, false, "gate"}}, 0, 0, 0}), InputError);
-  EXPECT_THROW(engine.set_programmes({{{Programme::boundary + 6, {{0, 0}}, false, "plate"}}, 0, 0, 0}),
+  EXPECT_THROW(set_shear_rate(engine, 1), InputError);
+  EXPECT_THROW(set_boundaries(engine, {{"gate"}}), InputError);
+  EXPECT_THROW(set_drives(engine, {{{WallDrive::Kind::velocity, 1}, {}, {}, {}}}), InputError);
+  EXPECT_THROW(set_programmes(engine, {{{Programme::boundary, {{0, 0}}, false, "gate"}}, 0, 0, 0}), InputError);
+  EXPECT_THROW(set_programmes(engine, {{{Programme::boundary + 6, {{0, 0}}, false, "plate"}}, 0, 0, 0}),
                InputError);  // a force without a mass
 }
 
@@ -309,16 +309,16 @@ TEST(Boundaries, ADiskSlidesThroughAPeriodicSideAsOverAPlane) {
     testing::add_grain(p, 0.1, height, r);
     p.grains.velocity[0].x = 2;
     Engine engine(p, with_friction(0), {});
-    engine.set_gravity({0, -g});
-    while (engine.time() < 0.25) {
+    set_gravity(engine, {0, -g});
+    while (time_of(engine) < 0.25) {
       engine.advance(20);
-      const Packing now = engine.packing();
+      const Packing now = packing_of(engine);
       ASSERT_EQ(now.contacts.size(), 1U) << now.grains.position[0].x;
       ASSERT_NEAR(now.grains.position[0].y, height, 1e-9);
       ASSERT_NEAR(now.grains.velocity[0].x, 2, 1e-9);
     }
-    EXPECT_LT(engine.packing().grains.position[0].x, 0.21);
-    EXPECT_NEAR(engine.domain().boundaries[0].force.y, -mass_of(r) * g, 1e-6 * mass_of(r) * g);
+    EXPECT_LT(packing_of(engine).grains.position[0].x, 0.21);
+    EXPECT_NEAR(engine.domain.boundaries[0].force.y, -mass_of(r) * g, 1e-6 * mass_of(r) * g);
   }
 }
 
@@ -331,11 +331,11 @@ TEST(Boundaries, AnIntruderGoesOnThroughPeriodicSides) {
     p.domain.boundaries.push_back(intruder);
     testing::add_grain(p, std::fmod(from + 0.06, 0.2), 0.205, r);
     Engine engine(p, with_friction(0.3), {});
-    engine.set_boundaries({{"plate", {3, 0}, 0, intruder.centre}});
-    while (engine.time() < 0.06) engine.advance(50);
-    EXPECT_GE(engine.domain().boundaries[0].centre.x, -1e-3);
-    EXPECT_LE(engine.domain().boundaries[0].centre.x, 0.2 + 1e-3);
-    return engine.packing().grains;
+    set_boundaries(engine, {{"plate", {3, 0}, 0, intruder.centre}});
+    while (time_of(engine) < 0.06) engine.advance(50);
+    EXPECT_GE(engine.domain.boundaries[0].centre.x, -1e-3);
+    EXPECT_LE(engine.domain.boundaries[0].centre.x, 0.2 + 1e-3);
+    return packing_of(engine).grains;
   };
   const Grains a = pushed(0.03), b = pushed(0.15);
   EXPECT_GT(a.velocity[0].x, 1);
@@ -357,37 +357,38 @@ TEST(Boundaries, OneWithAMassBouncesOffADiskAndFalls) {
     integration.track_energy = true;
     Engine engine(p, elastic, integration);
     const double m = mass_of(r), mass = 3 * m;
-    engine.set_boundaries({{"plate", {-0.5, 0}, 0, Vec2{1, 1}, false, mass}});
-    const Energies before = engine.energies();
+    set_boundaries(engine, {{"plate", {-0.5, 0}, 0, Vec2{1, 1}, false, mass}});
+    const Energies before = energies_of(engine);
     EXPECT_NEAR(before.kinetic, 0.5 * m + 0.5 * mass * 0.25, 1e-12);
-    while (engine.time() < 0.002) engine.advance(50);
+    while (time_of(engine) < 0.002) engine.advance(50);
     const double common = (m - 0.5 * mass) / (m + mass);
-    EXPECT_NEAR(engine.packing().grains.velocity[0].x, 2 * common - 1, 1e-6);
-    EXPECT_NEAR(engine.packing().domain.boundaries[0].velocity.x, 2 * common + 0.5, 1e-6);
-    engine.set_gravity({0, -g});
-    const double then = engine.time(), place = engine.domain().boundaries[0].centre.y;
-    const auto bytes = engine.save();
-    while (engine.time() < then + 0.002) engine.advance(50);
-    const double fallen = engine.time() - then;
-    EXPECT_NEAR(engine.packing().domain.boundaries[0].velocity.y, -g * fallen, 1e-9);
-    EXPECT_NEAR(engine.domain().boundaries[0].centre.y - place, -0.5 * g * fallen * fallen, 1e-9);
-    const Energies e = engine.energies();
+    EXPECT_NEAR(packing_of(engine).grains.velocity[0].x, 2 * common - 1, 1e-6);
+    EXPECT_NEAR(packing_of(engine).domain.boundaries[0].velocity.x, 2 * common + 0.5, 1e-6);
+    set_gravity(engine, {0, -g});
+    const double then = time_of(engine), place = engine.domain.boundaries[0].centre.y;
+    const auto bytes = save_sample(engine);
+    while (time_of(engine) < then + 0.002) engine.advance(50);
+    const double fallen = time_of(engine) - then;
+    EXPECT_NEAR(packing_of(engine).domain.boundaries[0].velocity.y, -g * fallen, 1e-9);
+    EXPECT_NEAR(engine.domain.boundaries[0].centre.y - place, -0.5 * g * fallen * fallen, 1e-9);
+    const Energies e = energies_of(engine);
     EXPECT_NEAR(e.kinetic + e.elastic - before.kinetic, e.work_gravity + e.work_walls - before.work_walls,
                 1e-6 * before.kinetic);
-    const std::uint64_t hash = engine.state_hash();
-    const std::int64_t steps = engine.step();
+    const std::uint64_t hash = state_hash(engine);
+    const std::int64_t steps = engine.step;
     Engine again(p, elastic, integration);
-    again.set_boundaries({{"plate", {-0.5, 0}, 0, Vec2{1, 1}, false, mass}});
-    again.set_gravity({0, -g});
-    again.restore(bytes);
-    again.advance(steps - again.step());
-    EXPECT_EQ(again.state_hash(), hash);
+    set_boundaries(again, {{"plate", {-0.5, 0}, 0, Vec2{1, 1}, false, mass}});
+    set_gravity(again, {0, -g});
+    restore_sample(again, bytes);
+    again.advance(steps - again.step);
+    EXPECT_EQ(state_hash(again), hash);
   }
   IntegrationParameters gear;
   gear.integrator = IntegratorKind::gear5;
   Packing p = container_with(polyline({{1, 0.5}, {1, 1.5}}));
   testing::add_grain(p, 0.5, 1, r);
-  EXPECT_THROW(Engine(p, elastic, gear).set_boundaries({{"plate", {}, 0, {}, false, 1.0}}), InputError);
+  Engine engine(p, elastic, gear);
+  EXPECT_THROW(set_boundaries(engine, {{"plate", {}, 0, {}, false, 1.0}}), InputError);
 }
 
 }  // namespace

@@ -1,10 +1,14 @@
-#include "grains/dem/bonds.hpp"
+#include "grains/dem/parts/bonds.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
+#include "core/error.hpp"
+#include "grains/dem/conditions.hpp"
 #include "grains/dem/movers.hpp"
-#include "grains/dem/setup.hpp"
+#include "grains/dem/neighbours.hpp"
+#include "grains/dem/time_step.hpp"
 
 namespace arenite::dem {
 
@@ -29,7 +33,7 @@ double energy_of_break(const Sample& s, const BondSlot& b, const BeamMotion& m, 
 }
 
 void note_break(Sample& s, BondSlot& b, const BeamMotion& m, const BeamLoad& load, double energy) {
-  Bond& bond = s.bonds[b.bond];
+  Bond& bond = the<Bonds>(s).all[b.bond];
   b.state = State::breaking;
   bond.broken = load.kind;
   bond.load = load.share / b.strength;
@@ -40,18 +44,19 @@ void note_break(Sample& s, BondSlot& b, const BeamMotion& m, const BeamLoad& loa
 
 /// What broke in this step is booked in the order of bonds, whoever found it.
 void book_breaks(Sample& s) {
-  for (std::size_t n = 0; n < s.bond_slots.size(); ++n) {
-    if (s.bond_slots[n].state != State::breaking) continue;
+  for (std::size_t n = 0; n < the<Bonds>(s).slots.size(); ++n) {
+    if (the<Bonds>(s).slots[n].state != State::breaking) continue;
     end_bond(s, n);
-    s.tally.dissipated_breakage += s.bonds[s.bond_slots[n].bond].energy;
+    s.tally.dissipated_breakage += the<Bonds>(s).all[the<Bonds>(s).slots[n].bond].energy;
   }
 }
 
 /// The periodic images that bonds mean, where they are now.
 void move_images(Sample& s) {
-  const BondRow<double*> column = s.bond_numbers.columns();
-  for (const std::int32_t slot : s.bond_numbers.across) {
-    const Vec2 place = s.domain.way(s.bond_slots[slot].shift), velocity = image_velocity(s, s.bond_slots[slot].shift);
+  const BondRow<double*> column = the<Bonds>(s).numbers.columns();
+  for (const std::int32_t slot : the<Bonds>(s).numbers.across) {
+    const Vec2 place = s.domain.way(the<Bonds>(s).slots[slot].shift),
+               velocity = image_velocity(s, the<Bonds>(s).slots[slot].shift);
     column.image.x[slot] = place.x;
     column.image.y[slot] = place.y;
     column.image_velocity.x[slot] = velocity.x;
@@ -61,8 +66,8 @@ void move_images(Sample& s) {
 
 /// One bond, by the law itself. True if it breaks.
 template <class Law> bool look_at(Sample& s, const Law& law, std::size_t n) {
-  BondSlot& b = s.bond_slots[n];
-  SlotForce<2>& force = s.list.force[bond_force_place(s.list, n)];
+  BondSlot& b = the<Bonds>(s).slots[n];
+  SlotForce<2>& force = s.list.force[place_of_force(s.list, n)];
   force = {};
   if (b.state != State::holds) return false;
   const BeamMotion m = beam_motion(s, b);
@@ -76,14 +81,14 @@ template <class Law> bool look_at(Sample& s, const Law& law, std::size_t n) {
 }
 
 BondTask bond_task(Sample& s) {
-  BondNumbers& numbers = s.bond_numbers;
+  BondNumbers& numbers = the<Bonds>(s).numbers;
   const auto column = std::bit_cast<BondRow<const double*>>(numbers.columns());
   return {s.record.data(),
           s.angle.along[0].data(),
           numbers.i.data(),
           numbers.j.data(),
           column,
-          &s.list.force[bond_force_place(s.list, 0)],
+          &s.list.force[place_of_force(s.list, 0)],
           numbers.look.data(),
           numbers.damped};
 }
@@ -111,14 +116,39 @@ BeamForce<double> beam_dashpots(const Sample& s, const BondSlot& b, const BeamMo
   return b.dashpots.force(strain_rate(b, m, a.velocity - c.velocity - image_velocity(s, b.shift), a.omega, c.omega));
 }
 
-void add_bond_forces(Sample& s, const ThreadPool& pool) {
-  if (s.bond_slots.empty()) return;
+void Bonds::make(Sample& s, const Packing& /*given*/) {
+  if (s.contact.has_bonds()) all = s.start.bonds;
+  s.start.bonds.clear();
+}
+
+void Bonds::list_others(Sample& s) {
+  slots.clear();
+  if (all.empty()) return;
+  std::vector<std::int32_t> number(s.count);
+  for (std::size_t k = 0; k < s.count; ++k) number[s.record[k].grain] = static_cast<std::int32_t>(k);
+  const auto is_listed = [&](std::size_t n) {
+    return all[n].broken == BondBreak::none || std::ranges::binary_search(reopened, static_cast<std::int32_t>(n));
+  };
+  for (std::size_t n = 0; n < all.size(); ++n)
+    if (is_listed(n)) slots.push_back(slot_of(s, n, number));
+  numbers = lined_up(slots);
+  reopened.clear();
+  for (std::size_t n = 0; n < slots.size(); ++n)
+    if (all[slots[n].bond].broken != BondBreak::none) end_bond(s, n);
+}
+
+bool Bonds::joins(std::int32_t a, std::int32_t b) const {
+  return std::ranges::any_of(all, [&](const Bond& bond) { return pair_key(bond.i, bond.j) == pair_key(a, b); });
+}
+
+void Bonds::add_forces(Sample& s, const ThreadPool& pool) {
+  if (slots.empty()) return;
   move_images(s);
   const BondTask task = bond_task(s);
   const Kernel::BondLoop loop = s.kernel->bond_loops[s.contact.bonds.index()];
   std::atomic<bool> broke = false;
   s.contact.bonds.visit([&](const auto& law) {
-    pool.for_ranges(s.bond_slots.size(), [&](std::size_t begin, std::size_t end) {
+    pool.for_ranges(the<Bonds>(s).slots.size(), [&](std::size_t begin, std::size_t end) {
       if (!loop(task, s.contact.bonds, begin, end)) return;
       for (std::size_t n = begin; n < end; ++n)
         if (task.look[n] != 0 && look_at(s, law, n)) broke = true;
@@ -127,10 +157,22 @@ void add_bond_forces(Sample& s, const ThreadPool& pool) {
   if (broke) book_breaks(s);
 }
 
-std::vector<Bond> bonds_of(const Sample& s) {
-  std::vector<Bond> bonds = s.bonds;
+void Bonds::add_moments(const Sample& s, std::array<Vec2, 2>& sum) const {
+  for (std::size_t n = 0; n < slots.size(); ++n) {
+    const SlotForce<2>& f = s.list.force[place_of_force(s.list, n)];
+    if (!acts(f)) continue;
+    const Vec2 branch = beam_motion(s, slots[n]).branch;
+    for (int axis = 0; axis < 2; ++axis) sum[axis] += branch[axis] * f.on_i;
+  }
+}
+
+void Bonds::add_energy(const Sample& s, Energies& energies) const { energies.elastic += bond_energy(s); }
+
+/// With their forces now, by the caller's grains.
+void Bonds::report(const Sample& s, Packing& out) const {
+  std::vector<Bond>& bonds = out.bonds = all;
   s.contact.bonds.visit([&](const auto& law) {
-    for (const BondSlot& b : s.bond_slots) {
+    for (const BondSlot& b : the<Bonds>(s).slots) {
       if (b.state != State::holds) continue;
       const BeamMotion m = beam_motion(s, b);
       const BeamForce<double> f = law.elastic(b.beam, m.strain);
@@ -142,16 +184,48 @@ std::vector<Bond> bonds_of(const Sample& s) {
       bond.load = law.load(b.beam, f).share / b.strength;
     }
   });
-  return bonds;
+}
+
+std::vector<std::int32_t> Bonds::broken_in_list() const {
+  std::vector<std::int32_t> broken;
+  for (const BondSlot& b : slots)
+    if (b.state == State::broken) broken.push_back(b.bond);
+  return broken;
+}
+
+bool Bonds::are_within(const Sample& s, const std::vector<std::int32_t>& broken) const {
+  const auto is_grain = [&](std::int32_t k) { return k >= 0 && static_cast<std::size_t>(k) < s.count; };
+  return std::ranges::all_of(all, [&](const Bond& b) { return is_grain(b.i) && is_grain(b.j); }) &&
+         std::ranges::all_of(broken,
+                             [&](std::int32_t n) { return n >= 0 && static_cast<std::size_t>(n) < all.size(); });
 }
 
 double bond_energy(const Sample& s) {
   double sum = 0;
   s.contact.bonds.visit([&](const auto& law) {
-    for (const BondSlot& b : s.bond_slots)
+    for (const BondSlot& b : the<Bonds>(s).slots)
       if (b.state == State::holds) sum += law.energy(b.beam, beam_motion(s, b).strain);
   });
   return sum;
+}
+
+void make_bonds(Sample& s, const ThreadPool& pool) {
+  if (!s.contact.has_bonds()) throw InputError("bonds cannot be created if contact.bonds is \"none\"");
+  synchronise(s);
+  list_anew(s, pool);
+  bond_near_pairs(s);
+  list_anew(s, pool);
+  const double wanted = s.integration.safety * shortest_bond_time(s);
+  if (!s.integration.time_step && wanted < s.dt) change_step(s, wanted);
+  allow_step(s, "its bonds");
+}
+
+BondCount count_bonds(const Sample& s) {
+  const auto count = [&](BondBreak how) {
+    return static_cast<std::size_t>(std::ranges::count(the<Bonds>(s).all, how, &Bond::broken));
+  };
+  return {count(BondBreak::none), count(BondBreak::tension), count(BondBreak::bending), count(BondBreak::shear),
+          bond_energy(s)};
 }
 
 }  // namespace arenite::dem

@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "grains/dem/run_stage.hpp"
-#include "samples.hpp"
+#include "unit/grains/dem/samples.hpp"
 
 namespace arenite::dem {
 namespace {
@@ -46,16 +46,16 @@ TEST(Cohesion, SameBitsOnTwoThreadsAndRestored) {
   for (const Cohesion& law : laws) {
     SCOPED_TRACE(law.word());
     Engine a = squeezed(p, law, 1, 1500), b = squeezed(p, law, 2, 1500);
-    EXPECT_GT(a.cohesion_count().joined, 500u);
-    EXPECT_GT(a.cohesion_count().apart, 10u);
-    EXPECT_GT(a.list_builds(), 3);
-    EXPECT_EQ(a.state_hash(), b.state_hash());
+    EXPECT_GT(count_cohesion(a).joined, 500u);
+    EXPECT_GT(count_cohesion(a).apart, 10u);
+    EXPECT_GT(a.builds, 3);
+    EXPECT_EQ(state_hash(a), state_hash(b));
     Engine c = squeezed(p, law, 1, 0);
     for (int n = 0; n < 40; ++n) {  // wherever it stands between two lists, and between pairs that meet and part
-      c.restore(a.save());
+      restore_sample(c, save_sample(a));
       a.advance(7);
       c.advance(7);
-      ASSERT_EQ(a.state_hash(), c.state_hash()) << n;
+      ASSERT_EQ(state_hash(a), state_hash(c)) << n;
     }
   }
 }
@@ -69,7 +69,7 @@ TEST(Cohesion, KernelsOfEveryWidthGiveTheSameBits) {
     Engine portable(p, cohesive(law), how);
     widest.advance(500);
     portable.advance(500);
-    EXPECT_EQ(widest.state_hash(), portable.state_hash()) << law.word();
+    EXPECT_EQ(state_hash(widest), state_hash(portable)) << law.word();
   }
 }
 
@@ -82,11 +82,11 @@ Packing two_disks(double gap) {
 
 TEST(Cohesion, LiquidJoinsOnlyGrainsThatHaveTouched) {
   Engine apart(two_disks(1e-6), cohesive(wet()), {}), touching(two_disks(-1e-9), cohesive(wet()), {});
-  EXPECT_EQ(apart.cohesion_count().joined, 0u);
-  EXPECT_EQ(touching.cohesion_count().joined, 1u);
+  EXPECT_EQ(count_cohesion(apart).joined, 0u);
+  EXPECT_EQ(count_cohesion(touching).joined, 1u);
   Engine sticky(two_disks(1e-6), cohesive(Dmt{1, 1e-5}), {});
-  EXPECT_EQ(sticky.cohesion_count().apart, 1u);
-  EXPECT_EQ(sticky.packing().contacts.size(), 0u);
+  EXPECT_EQ(count_cohesion(sticky).apart, 1u);
+  EXPECT_EQ(packing_of(sticky).contacts.size(), 0u);
 }
 
 TEST(Cohesion, OfAStateGoesOnInTheNextEngine) {
@@ -95,14 +95,14 @@ TEST(Cohesion, OfAStateGoesOnInTheNextEngine) {
   ContactParameters contact = cohesive(wet());
   Engine first(p, contact, {});
   first.advance(20);
-  const Packing state = first.packing();
+  const Packing state = packing_of(first);
   ASSERT_EQ(state.contacts.size(), 0u);
   Engine second(state, contact, {});
-  ASSERT_EQ(second.cohesion_count().apart, 1u);
-  EXPECT_EQ(second.packing().cohesive.front().pull, state.cohesive.front().pull);
+  ASSERT_EQ(count_cohesion(second).apart, 1u);
+  EXPECT_EQ(packing_of(second).cohesive.front().pull, state.cohesive.front().pull);
   Packing parted = state;
   parted.cohesive.clear();
-  EXPECT_EQ(Engine(parted, contact, {}).cohesion_count().joined, 0u);
+  EXPECT_EQ(count_cohesion(Engine(parted, contact, {})).joined, 0u);
 }
 
 TEST(Cohesion, NeitherShortensNorMovesASampleWithoutIt) {
@@ -110,15 +110,15 @@ TEST(Cohesion, NeitherShortensNorMovesASampleWithoutIt) {
   ContactParameters weak;
   weak.cohesion = Dmt{1e-30, 1e-6};
   Engine none(p, {}, {}), almost_none(p, weak, {});
-  EXPECT_EQ(none.time_step(), almost_none.time_step());
+  EXPECT_EQ(none.dt, almost_none.dt);
   none.advance(300);
   almost_none.advance(300);
-  EXPECT_NEAR(none.packing().grains.position[0].x, almost_none.packing().grains.position[0].x, 1e-12);
+  EXPECT_NEAR(packing_of(none).grains.position[0].x, packing_of(almost_none).grains.position[0].x, 1e-12);
 }
 
 TEST(Cohesion, ASteepPullShortensTheStep) {
-  EXPECT_LT(Engine(two_disks(1e-6), cohesive(Dmt{1e4, 1e-7}), {}).time_step(),
-            0.5 * Engine(two_disks(1e-6), cohesive(Dmt{1e-3, 1e-7}), {}).time_step());
+  EXPECT_LT(Engine(two_disks(1e-6), cohesive(Dmt{1e4, 1e-7}), {}).dt,
+            0.5 * Engine(two_disks(1e-6), cohesive(Dmt{1e-3, 1e-7}), {}).dt);
 }
 
 TEST(Cohesion, ThatMakesNoSenseIsRefused) {
@@ -141,7 +141,7 @@ TEST(Cohesion, OfAStageIsToldInHistoryStatesAndOutcome) {
   stage.duration = 3e-3;
   StageRun run = begin_stage(engine, stage);
   while (!run.finished) continue_stage(engine, stage, run);
-  const CohesionCount count = engine.cohesion_count();
+  const CohesionCount count = count_cohesion(engine);
   ASSERT_GT(count.apart, 0u);
   EXPECT_NE(run.result.outcome.find(std::to_string(count.joined) + " cohesive pairs"), std::string::npos)
       << run.result.outcome;

@@ -1,11 +1,12 @@
+#include "grains/dem/parts/bond_list.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "core/random.hpp"
-#include "grains/dem/bonds.hpp"
-#include "grains/dem/neighbours.hpp"
+#include "grains/dem/glue.hpp"
 
 namespace arenite::dem {
 namespace {
@@ -44,8 +45,27 @@ double unstrained(double angle, double now) {
   return angle + turn * std::nearbyint((now - angle) / turn);
 }
 
+/// A strength that no stress is within: the loop hands the bond over, which then has no force.
+constexpr double never_holds = -std::numeric_limits<double>::infinity();
+
+bool is_before(const Bond& a, const Bond& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; }
+
+Bond bond_between(const Sample& s, std::int32_t i, std::int32_t j, Vec2 branch) {
+  const std::int32_t a = s.record[i].grain, b = s.record[j].grain;
+  Bond bond;
+  bond.i = std::min(a, b);
+  bond.j = std::max(a, b);
+  bond.length = norm(branch);
+  bond.normal = (a < b ? 1.0 : -1.0) / bond.length * branch;
+  bond.angle_i = s.angle[a < b ? i : j];
+  bond.angle_j = s.angle[a < b ? j : i];
+  return bond;
+}
+
+}  // namespace
+
 BondSlot slot_of(const Sample& s, std::size_t place, const std::vector<std::int32_t>& number) {
-  const Bond& bond = s.bonds[place];
+  const Bond& bond = the<Bonds>(s).all[place];
   BondSlot b;
   b.bond = static_cast<std::int32_t>(place);
   b.i = number[bond.i];
@@ -68,16 +88,11 @@ BondSlot slot_of(const Sample& s, std::size_t place, const std::vector<std::int3
   return b;
 }
 
-/// A strength that no stress is within: the loop hands the bond over, which then has no force.
-constexpr double never_holds = -std::numeric_limits<double>::infinity();
-
-/// The slots' numbers as the loop reads them.
-void line_up(Sample& s) {
-  BondNumbers& numbers = s.bond_numbers;
-  numbers = {};
-  numbers.look.resize(s.bond_slots.size());
-  for (std::size_t n = 0; n < s.bond_slots.size(); ++n) {
-    const BondSlot& b = s.bond_slots[n];
+BondNumbers lined_up(const std::vector<BondSlot>& slots) {
+  BondNumbers numbers;
+  numbers.look.resize(slots.size());
+  for (std::size_t n = 0; n < slots.size(); ++n) {
+    const BondSlot& b = slots[n];
     numbers.i.push_back(b.i);
     numbers.j.push_back(b.j);
     if (b.shift.x != 0 || b.shift.y != 0) numbers.across.push_back(static_cast<std::int32_t>(n));
@@ -85,29 +100,14 @@ void line_up(Sample& s) {
     const auto values = std::bit_cast<std::array<double, bond_columns>>(static_cast<const BondRow<double>&>(b));
     for (std::size_t q = 0; q < bond_columns; ++q) numbers.column.along[q].push_back(values[q]);
   }
+  return numbers;
 }
-
-bool is_before(const Bond& a, const Bond& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; }
-
-Bond bond_between(const Sample& s, std::int32_t i, std::int32_t j, Vec2 branch) {
-  const std::int32_t a = s.record[i].grain, b = s.record[j].grain;
-  Bond bond;
-  bond.i = std::min(a, b);
-  bond.j = std::max(a, b);
-  bond.length = norm(branch);
-  bond.normal = (a < b ? 1.0 : -1.0) / bond.length * branch;
-  bond.angle_i = s.angle[a < b ? i : j];
-  bond.angle_j = s.angle[a < b ? j : i];
-  return bond;
-}
-
-}  // namespace
 
 void bond_near_pairs(Sample& s) {
   const double bridged = s.contact.bonds.visit([](const auto& law) { return law.gap; });
   double mean_radius = 0;
   for (std::size_t k = 0; k < s.count; ++k) mean_radius += s.record[k].radius / static_cast<double>(s.count);
-  const std::vector<Bond> before = s.bonds;
+  const std::vector<Bond> before = the<Bonds>(s).all;
   const auto& zone = s.start.grains.zone;
   const bool marked =
       !s.contact.glued_pairs.empty() || std::any_of(zone.begin(), zone.end(), [](std::uint8_t z) { return z > 0; });
@@ -117,38 +117,28 @@ void bond_near_pairs(Sample& s) {
     const double reach = (1 + 1e-6) * (a.radius + b.radius) + bridged * mean_radius;
     if (dot(branch, branch) >= reach * reach || (marked && !is_marked_as_glued(s, a.grain, b.grain))) continue;
     const Bond bond = bond_between(s, s.list.i[p], s.list.owner[p], branch);
-    if (!std::binary_search(before.begin(), before.end(), bond, is_before)) s.bonds.push_back(bond);
+    if (!std::binary_search(before.begin(), before.end(), bond, is_before)) the<Bonds>(s).all.push_back(bond);
   }
-  std::sort(s.bonds.begin(), s.bonds.end(), is_before);
-}
-
-void list_bonds(Sample& s) {
-  s.bond_slots.clear();
-  if (s.bonds.empty()) return;
-  std::vector<std::int32_t> number(s.count);
-  for (std::size_t k = 0; k < s.count; ++k) number[s.record[k].grain] = static_cast<std::int32_t>(k);
-  for (std::size_t place = 0; place < s.bonds.size(); ++place)
-    if (s.bonds[place].broken == BondBreak::none) s.bond_slots.push_back(slot_of(s, place, number));
-  line_up(s);
+  std::sort(the<Bonds>(s).all.begin(), the<Bonds>(s).all.end(), is_before);
 }
 
 void end_bond(Sample& s, std::size_t slot) {
-  s.bond_slots[slot].state = BondSlot::State::broken;
-  s.bond_slots[slot].strength = s.bond_numbers.columns().strength[slot] = never_holds;
+  the<Bonds>(s).slots[slot].state = BondSlot::State::broken;
+  the<Bonds>(s).slots[slot].strength = the<Bonds>(s).numbers.columns().strength[slot] = never_holds;
 }
 
 void renew_bond_dashpots(Sample& s) {
   const double share = s.contact.bonds.visit([](const auto& law) { return law.damping; });
-  for (BondSlot& b : s.bond_slots) tune_dashpots(s, b, share);
-  if (!s.bond_slots.empty()) line_up(s);
+  for (BondSlot& b : the<Bonds>(s).slots) tune_dashpots(s, b, share);
+  the<Bonds>(s).numbers = lined_up(the<Bonds>(s).slots);
 }
 
 Rates bond_rates(const Sample& s) {
   std::vector<double> of_grain(s.count, 0.0);
-  for (const BondSlot& b : s.bond_slots)
+  for (const BondSlot& b : the<Bonds>(s).slots)
     for (const std::int32_t k : {b.i, b.j}) of_grain[k] += 1;
   Rates rates;
-  for (const BondSlot& b : s.bond_slots) {
+  for (const BondSlot& b : the<Bonds>(s).slots) {
     const Mobility m = mobility(s, b, of_grain[b.i], of_grain[b.j]);
     rates.frequency_squared =
         std::max(rates.frequency_squared,
@@ -161,7 +151,7 @@ Rates bond_rates(const Sample& s) {
 
 double shortest_bond_time(const Sample& s) {
   double fastest = 0;
-  for (const BondSlot& b : s.bond_slots) {
+  for (const BondSlot& b : the<Bonds>(s).slots) {
     const Mobility m = mobility(s, b);
     const DiskRecord &a = s.record[b.i], &c = s.record[b.j];
     const double contact = s.coefficients.pair_stiffness(a, c);

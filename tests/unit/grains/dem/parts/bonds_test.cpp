@@ -1,4 +1,4 @@
-#include "grains/dem/bonds.hpp"
+#include "grains/dem/parts/bonds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "grains/dem/engine.hpp"
+#include "grains/dem/neighbours.hpp"
 #include "grains/dem/run_stage.hpp"
 #include "grains/dem/setup.hpp"
 #include "unit/grains/dem/samples.hpp"
@@ -46,15 +47,16 @@ void move(Sample& s, std::size_t disk, Vec2 by, double turn) {
 }
 
 SlotForce<2> force_on_bond(Sample& s) {
-  add_bond_forces(s, ThreadPool());
-  return s.list.force[bond_force_place(s.list, 0)];
+  the<Bonds>(s).add_forces(s, ThreadPool());
+  return s.list.force[place_of_force(s.list, 0)];
 }
 
 TEST(Bonds, ForcesAreMinusTheGradientOfTheEnergyHoweverFarThePairHasTurned) {
   for (const double turned : {0.0, 0.02, 2.0, 30.0}) {
     Sample s = bonded(pair_of_disks(), cemented());
-    ASSERT_EQ(s.bond_slots.size(), 1u);
-    const auto i = static_cast<std::size_t>(s.bond_slots[0].i), j = static_cast<std::size_t>(s.bond_slots[0].j);
+    ASSERT_EQ(the<Bonds>(s).slots.size(), 1u);
+    const auto i = static_cast<std::size_t>(the<Bonds>(s).slots[0].i),
+               j = static_cast<std::size_t>(the<Bonds>(s).slots[0].j);
     // As a rigid body by `turned`, and then a strain of all three kinds.
     const Vec2 d = s.record[j].place - s.record[i].place, e{std::cos(turned), std::sin(turned)};
     move(s, j, Vec2{e.x * d.x - e.y * d.y, e.y * d.x + e.x * d.y} - d + Vec2{2e-5, -4e-5}, turned + 0.003);
@@ -77,7 +79,7 @@ TEST(Bonds, ForcesAreMinusTheGradientOfTheEnergyHoweverFarThePairHasTurned) {
     EXPECT_NEAR(f.torque_i, -slope(i, {}, 1), 1e-6 * scale * 0.01) << turned;
     EXPECT_NEAR(f.torque_j, -slope(j, {}, 1), 1e-6 * scale * 0.01) << turned;
     // Angular momentum: the torques and the couple of the forces vanish together.
-    const Vec2 branch = beam_motion(s, s.bond_slots[0]).branch;
+    const Vec2 branch = beam_motion(s, the<Bonds>(s).slots[0]).branch;
     EXPECT_NEAR(cross(branch, f.on_i) + f.torque_i + f.torque_j, 0, 1e-12 * scale * 0.016);
   }
 }
@@ -87,7 +89,7 @@ TEST(Bonds, StiffnessOfThePairIsThatOfABeam) {
   const double area = 2 * 0.006 * 0.06, k = 2e9 * area / 0.016,
                bending = 2e9 * (2.0 / 3 * std::pow(0.006, 3) * 0.06) / 0.016;
   Sample s = bonded(pair_of_disks(0), cemented());
-  const auto j = static_cast<std::size_t>(s.bond_slots[0].j);
+  const auto j = static_cast<std::size_t>(the<Bonds>(s).slots[0].j);
   move(s, j, {1e-6, 0}, 0);  // pulled
   EXPECT_NEAR(std::abs(force_on_bond(s).on_i.x), k * 1e-6, 1e-8 * k * 1e-6);
   move(s, j, {-1e-6, 1e-6}, 0);  // sheared
@@ -96,7 +98,7 @@ TEST(Bonds, StiffnessOfThePairIsThatOfABeam) {
   EXPECT_NEAR(std::abs(across.torque_i + across.torque_j), k / 2.5 * 1e-6 * 0.016, 1e-6 * k * 1e-6 * 0.016);
   move(s, j, {0, -1e-6}, 1e-5);  // turned alone: bent, and sheared by its arm of 6 mm
   const SlotForce<2> bent = force_on_bond(s);
-  const auto i = static_cast<std::size_t>(s.bond_slots[0].i);
+  const auto i = static_cast<std::size_t>(the<Bonds>(s).slots[0].i);
   ASSERT_GT(s.record[i].radius, s.record[j].radius);
   EXPECT_NEAR(bent.torque_i, bending * 1e-5 - k / 2.5 * 0.006 * 1e-5 * 0.010, 1e-9 * bending);
   EXPECT_NEAR(bent.torque_j, -bending * 1e-5 - k / 2.5 * 0.006 * 1e-5 * 0.006, 1e-9 * bending);
@@ -105,12 +107,13 @@ TEST(Bonds, StiffnessOfThePairIsThatOfABeam) {
 /// Moves the second disk until the bond breaks; how it broke, and the way made.
 std::pair<BondBreak, double> way_to_break(const ContactParameters& contact, Vec2 way, double turn, double step) {
   Sample s = bonded(pair_of_disks(0), contact);
-  const auto j = static_cast<std::size_t>(s.bond_slots[0].i == 0 ? s.bond_slots[0].j : s.bond_slots[0].i);
+  const auto j =
+      static_cast<std::size_t>(the<Bonds>(s).slots[0].i == 0 ? the<Bonds>(s).slots[0].j : the<Bonds>(s).slots[0].i);
   const std::size_t small = s.record[j].radius < 0.008 ? j : 1 - j;
   for (int n = 1; n <= 4000; ++n) {
     move(s, small, step * way, step * turn);
     force_on_bond(s);
-    if (s.bonds[0].broken != BondBreak::none) return {s.bonds[0].broken, n * step};
+    if (the<Bonds>(s).all[0].broken != BondBreak::none) return {the<Bonds>(s).all[0].broken, n * step};
   }
   return {BondBreak::none, 0};
 }
@@ -149,11 +152,11 @@ TEST(Bonds, JoinGrainsThatTouchOrNearlyAndOnlyMarkedOnesWhereGluedGrainsAre) {
   Packing p = testing::empty_container(1, 1);
   for (const double x : {0.1, 0.12, 0.1403, 0.2}) testing::add_grain(p, x, 0.5, 0.01);
   ContactParameters contact = cemented();
-  EXPECT_EQ(bonded(p, contact).bonds.size(), 1u);
+  EXPECT_EQ(count_bonds(bonded(p, contact)).intact, 1u);
   std::get<ParallelBond>(contact.bonds).gap = 0.05;
-  EXPECT_EQ(bonded(p, contact).bonds.size(), 2u);
+  EXPECT_EQ(count_bonds(bonded(p, contact)).intact, 2u);
   p.grains.zone = {0, 1, 1, 1};
-  EXPECT_EQ(bonded(p, contact).bonds.size(), 1u);
+  EXPECT_EQ(count_bonds(bonded(p, contact)).intact, 1u);
 }
 
 TEST(Bonds, StrengthsScatterAsAskedAndByGrainsAlone) {
@@ -161,7 +164,10 @@ TEST(Bonds, StrengthsScatterAsAskedAndByGrainsAlone) {
   auto& law = std::get<ParallelBond>(contact.bonds);
   law.scatter = 0.2;
   law.gap = 0.1;
-  const auto slots = [&] { return bonded(testing::crowd(60, 60, 6), contact).bond_slots; };
+  const auto slots = [&] {
+    const Sample s = bonded(testing::crowd(60, 60, 6), contact);
+    return the<Bonds>(s).slots;
+  };
   const std::vector<BondSlot> bonds = slots();
   double sum = 0, squares = 0;
   for (const BondSlot& b : bonds) {
@@ -180,20 +186,20 @@ TEST(Bonds, StrengthsScatterAsAskedAndByGrainsAlone) {
 
 TEST(Bonds, NoneAreMadeWhereTheLawHasNone) {
   Engine engine(pair_of_disks(), {}, {});
-  EXPECT_THROW(engine.make_bonds(), InputError);
+  EXPECT_THROW(make_bonds(engine), InputError);
 }
 
 TEST(Bonds, StepIsShortenedOrRefused) {
   ContactParameters contact = cemented();
   std::get<ParallelBond>(contact.bonds).modulus = 2e12;
   Engine engine(pair_of_disks(), contact, {});
-  const double before = engine.time_step();
-  engine.make_bonds();
-  EXPECT_LT(engine.time_step(), 0.1 * before);
+  const double before = engine.dt;
+  make_bonds(engine);
+  EXPECT_LT(engine.dt, 0.1 * before);
   IntegrationParameters given;
   given.time_step = before;
   Engine stubborn(pair_of_disks(), contact, given);
-  EXPECT_THROW(stubborn.make_bonds(), InputError);
+  EXPECT_THROW(make_bonds(stubborn), InputError);
 }
 
 /// Grains of two sizes, bonded, of which a wall that closes in breaks some.
@@ -204,7 +210,7 @@ Engine crushed(const Packing& p, int threads, std::int64_t steps) {
   IntegrationParameters how;
   how.threads = threads;
   Engine engine(p, contact, how);
-  engine.make_bonds();
+  make_bonds(engine);
   testing::squeeze(engine, steps);
   return engine;
 }
@@ -212,16 +218,16 @@ Engine crushed(const Packing& p, int threads, std::int64_t steps) {
 TEST(Bonds, SameBitsOnTwoThreadsAndRestored) {
   const Packing p = testing::crowd(50, 50, 6, 0.0135);
   Engine a = crushed(p, 1, 1500), b = crushed(p, 2, 1500);
-  const BondCount count = a.bond_count();
+  const BondCount count = count_bonds(a);
   EXPECT_GT(count.intact, 500u);
   EXPECT_GT(count.in_tension + count.in_bending + count.in_shear, 20u);
-  EXPECT_EQ(a.state_hash(), b.state_hash());
+  EXPECT_EQ(state_hash(a), state_hash(b));
   Engine c = crushed(p, 1, 0);
   for (int n = 0; n < 40; ++n) {  // wherever it stands between two lists and between breaks
-    c.restore(a.save());
+    restore_sample(c, save_sample(a));
     a.advance(7);
     c.advance(7);
-    ASSERT_EQ(a.state_hash(), c.state_hash()) << n;
+    ASSERT_EQ(state_hash(a), state_hash(c)) << n;
   }
 }
 
@@ -240,7 +246,7 @@ TEST(Bonds, OfAStageAreToldInHistoryStatesAndOutcome) {
       if (c.name == name) return c.values;
     return std::vector<double>{};
   };
-  const BondCount count = engine.bond_count();
+  const BondCount count = count_bonds(engine);
   ASSERT_GT(count.made() - count.intact, 10u);
   EXPECT_NE(run.result.outcome.find("bonds broken"), std::string::npos);
   EXPECT_EQ(column("bonds").size(), column("time").size());
@@ -271,10 +277,10 @@ TEST(Bonds, AreHandedOnWithThePacking) {
   const Packing p = testing::crowd(20, 20, 6, 0.0130);
   const Engine a = crushed(p, 1, 1500);
   ContactParameters contact = cemented(5e7);
-  const Engine b(a.packing(), contact, {});
-  EXPECT_EQ(b.bond_count().intact, a.bond_count().intact);
-  EXPECT_EQ(b.bond_count().made(), a.bond_count().made());
-  EXPECT_NEAR(b.bond_count().energy, a.bond_count().energy, 1e-9 * a.bond_count().energy);
+  const Engine b(packing_of(a), contact, {});
+  EXPECT_EQ(count_bonds(b).intact, count_bonds(a).intact);
+  EXPECT_EQ(count_bonds(b).made(), count_bonds(a).made());
+  EXPECT_NEAR(count_bonds(b).energy, count_bonds(a).energy, 1e-9 * count_bonds(a).energy);
 }
 
 }  // namespace

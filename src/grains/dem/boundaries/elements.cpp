@@ -1,11 +1,12 @@
+#include "grains/dem/boundaries/elements.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
-#include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/forces.hpp"
 
 namespace arenite::dem {
 namespace {
@@ -83,6 +84,15 @@ bool has_crossed(const Sample& s, std::size_t slot) {
 
 }  // namespace
 
+std::vector<Element> elements_of(const Domain& domain) {
+  std::vector<Element> elements;
+  for (std::size_t b = 0; b < domain.boundaries.size(); ++b)
+    for (std::size_t p = 0; p < domain.boundaries[b].points.size(); ++p)
+      for (const bool segment : {false, true})
+        elements.push_back({static_cast<std::int32_t>(b), static_cast<std::int32_t>(p), segment});
+  return elements;
+}
+
 bool goes_through_sides(const Domain& domain, const Boundary& boundary) {
   if (boundary.closed || !domain.is_cell()) return false;
   const Vec2 way = boundary.points.back() - boundary.points.front();
@@ -101,9 +111,8 @@ bool juts_out(const Domain& domain, const Boundary& boundary, std::size_t point,
   return sense * cross(ways.in, way) < 0 || sense * cross(ways.out, way) < 0;
 }
 
-void find_near_elements(const Sample& s, const std::vector<geometry::Rectangle>& boxes, const DiskRecord& d,
-                        std::vector<std::int32_t>& near) {
-  near.clear();
+void find_near_elements(const Sample& s, const DiskRecord& d, std::vector<std::int32_t>& near) {
+  const std::vector<geometry::Rectangle>& boxes = the<Boundaries>(s).box;
   const Domain& domain = s.domain;
   const double reach = d.radius + s.skin;
   std::size_t first = 0;
@@ -117,9 +126,9 @@ void find_near_elements(const Sample& s, const std::vector<geometry::Rectangle>&
     // through the sides.
     const std::size_t last = end - (boundary.closed ? 0 : goes_through_sides(domain, boundary) ? 2 : 1);
     for (std::size_t e = first; boundary.present && !far_x && !far_y && e < last; ++e) {
-      const Vec2 seen = seen_from(domain, boundary, s.element[e], d.place),
-                 way = seen - nearest_of(boundary, s.element[e], seen);
-      if (dot(way, way) < reach * reach) near.push_back(static_cast<std::int32_t>(e));
+      const Vec2 seen = seen_from(domain, boundary, the<Boundaries>(s).element[e], d.place),
+                 way = seen - nearest_of(boundary, the<Boundaries>(s).element[e], seen);
+      if (dot(way, way) < reach * reach) near.push_back(boundary_partner(static_cast<int>(e)));
     }
     first = end;
   }
@@ -127,7 +136,7 @@ void find_near_elements(const Sample& s, const std::vector<geometry::Rectangle>&
 
 Kinematics<2> element_kinematics(const Sample& s, const DiskRecord& d, std::int32_t number, bool as_point) {
   Kinematics<2> c;
-  const Element& element = s.element[number];
+  const Element& element = the<Boundaries>(s).element[number];
   const Boundary& boundary = s.domain.boundaries[element.boundary];
   const Vec2 place = seen_from(s.domain, boundary, element, d.place);
   const auto [a, b] = segment_at(boundary, element.point);
@@ -157,7 +166,7 @@ Vec2 touched_place(const Sample& s, std::size_t slot, const Kinematics<2>& c) {
 }
 
 void check_crossings(const Sample& s) {
-  if (s.element.empty()) return;
+  if (the<Boundaries>(s).element.empty()) return;
   for (std::size_t p = s.list.pairs; p < s.list.polygons; ++p) {
     if (!is_boundary(s.list.j[p]) || !has_crossed(s, p)) continue;
     const Boundary& now = boundary_of(s, s.list.j[p]);
