@@ -97,7 +97,8 @@ std::string ProgressLine::text(const workflow::Progress& progress) const {
   line += fmt::format(" {} {:3.0f} %", bar(progress.share), 100 * progress.share);
   if (progress.step > 0)
     line += fmt::format("  {} {}  {} {:.1e}", progress.field ? "iteration" : "step", progress.step,
-                        progress.field ? "residual" : "unbalanced", progress.unbalanced_ratio);
+                        progress.field ? "residual" : "unbalanced",
+                        progress.field ? progress.residual : progress.unbalanced_ratio);
   if (progress.share >= 1) return line + fmt::format("  {} total", whole_seconds(clock_.seconds()));
   const double left = clock_.seconds_left(progress.share);
   return std::isnan(left) ? line : line + fmt::format("  about {} left", whole_seconds(left));

@@ -72,6 +72,7 @@ RunStatus status_from(const std::string& text) {
   p.share = number("share");
   p.step = whole("step");
   p.unbalanced_ratio = number("unbalanced_ratio");
+  if (cells.contains("residual")) p.residual = number("residual");
   p.field = cells.at("field") == "true";
   p.key = cells.at("key");
   p.increment = whole("increment");
@@ -146,6 +147,7 @@ Numbers run_status_numbers(const RunStatus& s) {
                         {"step", p.step},
                         {"time_s", p.time},
                         {"unbalanced_ratio", p.unbalanced_ratio},
+                        {"residual", p.residual},
                         {"field", p.field},
                         {"walls", walls_of(p)},
                         {"seconds_left", s.seconds_left},

@@ -48,6 +48,12 @@ Grains picked(const Grains& from, const std::vector<std::int32_t>& which, Vec2 o
   return grains;
 }
 
+namespace {
+/// A turning whose every component is this number.
+double all(double number, double /*like*/) { return number; }
+Vec3 all(double number, Vec3 /*like*/) { return {number, number, number}; }
+}  // namespace
+
 template <int D>
 void ContactsIn<D>::add(std::int32_t a, std::int32_t b, Vec<D> n, double normal_force, Turning<D> tangential_force,
                         double arm_a, double arm_b) {
@@ -60,8 +66,7 @@ void ContactsIn<D>::add(std::int32_t a, std::int32_t b, Vec<D> n, double normal_
   arm_i.push_back(arm_a);
   arm_j.push_back(arm_b);
   overlap.push_back(unknown);
-  if constexpr (D == 2) sliding_velocity.push_back(unknown);
-  else sliding_velocity.push_back({unknown, unknown, unknown});
+  sliding_velocity.push_back(all(unknown, Turning<D>{}));
   glued.push_back(0);
 }
 template struct ContactsIn<2>;

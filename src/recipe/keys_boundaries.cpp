@@ -50,9 +50,9 @@ void declare(Visitor& v, dem::BoundaryMotion& motion, const Stage& stage, const 
 /// Boundaries do not change with a periodic cell.
 void require_still_cell(Visitor& v, const Stage& stage, const Recipe& recipe) {
   if (recipe.boundaries.empty()) return;
-  const bool sheared = stage.shear_rate != 0 ||
-                       (stage.strain_cycles && stage.strain_cycles->of == dem::StrainCycles::shear) ||
-                       std::ranges::count(stage.programmes, Programme::shear_rate, &Programme::of) > 0;
+  const bool sheared =
+      stage.shear_rate != 0 || (stage.strain_cycles && stage.strain_cycles->of == dem::StrainCycles::shear) ||
+      std::ranges::count(stage.programmes, dem::Driven{Programme::What::shear_rate}, &Programme::of) > 0;
   v.require(!sheared, {"shear_rate", "strain_cycles", "programmes"},
             "a periodic cell with boundaries cannot be sheared; move a boundary or a wall");
   for (std::size_t side = 0; side < 4; ++side) {
@@ -70,17 +70,17 @@ void require_boundary(Visitor& v, const Programme& p, const Stage& stage, const 
   const dem::BoundaryMotion* motion = at == stage.boundaries.end() ? nullptr : &*at;
   const bool free = motion && motion->mass, jumps = std::ranges::adjacent_find(p.table, {}, &Vec2::x) != p.table.end();
   v.require(
-      p.is_of_force() == free || p.boundary_axis() == 2, {"programmes", "boundaries"},
+      p.of.is_of_force() == free || p.of.axis() == 2, {"programmes", "boundaries"},
       free ? fmt::format("boundary \"{}\" has a mass in this stage, so that forces move it; leave its mass out", p.name)
            : fmt::format("a force moves only a boundary with a mass; write boundaries = [{{ name = \"{}\", mass = "
                          "\"... kg\" }}] in this stage",
                          p.name));
-  v.require(p.is_of_force() || !motion || (motion->velocity == Vec2{} && p.boundary_axis() < 2) ||
-                (motion->spin == 0 && p.boundary_axis() == 2),
+  v.require(p.of.is_of_force() || !motion || (motion->velocity == Vec2{} && p.of.axis() < 2) ||
+                (motion->spin == 0 && p.of.axis() == 2),
             {"programmes", "boundaries"},
             fmt::format("the motion of boundary \"{}\" is already prescribed in this stage; leave out its {}", p.name,
-                        p.boundary_axis() < 2 ? "velocity" : "spin"));
-  v.require(!p.is_of_place() || (!jumps && (!p.repeat || p.table.empty() || p.table.front().y == p.table.back().y)),
+                        p.of.axis() < 2 ? "velocity" : "spin"));
+  v.require(!p.of.is_of_place() || (!jumps && (!p.repeat || p.table.empty() || p.table.front().y == p.table.back().y)),
             {"programmes"},
             "a boundary cannot jump: no two rows may have the same time, and a repeated table must end where it began");
 }
@@ -88,29 +88,28 @@ void require_boundary(Visitor& v, const Programme& p, const Stage& stage, const 
 /// The first value of a programme is that of the stage itself, so that what looks at a stage knows what it begins with.
 void begin_with(const Programme& p, Stage& stage) {
   const double value = p.table.front().y;
-  if (p.drives_side())
-    stage.side[static_cast<std::size_t>(p.side())] = {static_cast<SideDrive::Kind>(1 + p.drive()), value};
-  else if (p.of < Programme::shear_rate) stage.slide[static_cast<std::size_t>(p.of - Programme::slide)] = value;
-  else if (p.of == Programme::shear_rate) stage.shear_rate = value;
-  else if (p.of == Programme::gravity_size) stage.gravity_size = value;
-  else if (p.of == Programme::gravity_angle) stage.gravity_angle = value;
+  if (p.of.is_of_side()) stage.side[static_cast<std::size_t>(p.of.side)] = {p.of.kind(), value};
+  else if (p.of.is(Programme::What::slide)) stage.slide[static_cast<std::size_t>(p.of.side)] = value;
+  else if (p.of.is(Programme::What::shear_rate)) stage.shear_rate = value;
+  else if (p.of.is(Programme::What::gravity_size)) stage.gravity_size = value;
+  else if (p.of.is(Programme::What::gravity_angle)) stage.gravity_angle = value;
 }
 
 void require_place(Visitor& v, const Programme& p, const Stage& stage, const Recipe& recipe) {
   const auto& container = recipe.container;
-  if (p.drives_side()) {
-    const auto kind = stage.side[static_cast<std::size_t>(p.side())].kind;
-    v.require(kind == SideDrive::Kind::fixed || static_cast<int>(kind) == 1 + p.drive(), {"of"},
-              fmt::format("the {} side is already driven in this stage; leave out \"{}\" there", side_names[p.side()],
-                          side_names[p.side()]));
-  } else if (p.of < Programme::shear_rate) {
-    const int side = p.of - Programme::slide;
+  if (p.of.is_of_side()) {
+    const auto kind = stage.side[static_cast<std::size_t>(p.of.side)].kind;
+    v.require(kind == SideDrive::Kind::fixed || kind == p.of.kind(), {"of"},
+              fmt::format("the {} side is already driven in this stage; leave out \"{}\" there", side_names[p.of.side],
+                          side_names[p.of.side]));
+  } else if (p.of.is(Programme::What::slide)) {
+    const int side = p.of.side;
     v.require(!container.is_periodic(side), {"of"},
               fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
-  } else if (p.of == Programme::shear_rate) {
+  } else if (p.of.is(Programme::What::shear_rate)) {
     v.require(container.periodic[0] && container.periodic[1], {"of"},
               "only a cell periodic in both directions can be sheared in this way");
-  } else if (!p.drives_boundary()) {
+  } else if (!p.of.is_of_boundary()) {
     v.require(stage.gravity, {"of"}, "there is no gravity in this stage; write gravity = true");
   }
 }
@@ -153,7 +152,8 @@ void declare_openings(Visitor& v, Stage& stage, const Recipe& recipe) {
             });
   for (std::size_t side = 0; side < 4; ++side) {
     const bool slides_later =
-        std::ranges::count(stage.programmes, Programme::slide + static_cast<int>(side), &Programme::of) > 0;
+        std::ranges::count(stage.programmes, dem::Driven{Programme::What::slide, static_cast<int>(side)},
+                           &Programme::of) > 0;
     const bool still = stage.side[side].kind == SideDrive::Kind::fixed && stage.slide[side] == 0 && !slides_later &&
                        !stage.rough[side];
     v.require(!stage.open[side] || still, {"open", side_names[side], "slide", "rough"},
@@ -199,7 +199,7 @@ void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParamet
 void require_boundary_loads(Visitor& v, const Stage& stage, const Recipe& recipe) {
   require_still_cell(v, stage, recipe);
   for (const auto& p : stage.programmes)
-    if (p.drives_boundary()) require_boundary(v, p, stage, recipe);
+    if (p.of.is_of_boundary()) require_boundary(v, p, stage, recipe);
 }
 
 void declare_programmes(Visitor& v, Stage& stage, const Recipe& recipe) {
@@ -212,13 +212,13 @@ void declare_programmes(Visitor& v, Stage& stage, const Recipe& recipe) {
       });
   for (const Programme& p : stage.programmes) {
     const auto same = std::count_if(stage.programmes.begin(), stage.programmes.end(), [&](const Programme& other) {
-      if (p.drives_boundary())
-        return other.drives_boundary() && other.name == p.name && other.boundary_axis() == p.boundary_axis();
-      return other.of == p.of || (p.drives_side() && other.drives_side() && other.side() == p.side());
+      if (p.of.is_of_boundary())
+        return other.of.is_of_boundary() && other.name == p.name && other.of.axis() == p.of.axis();
+      return other.of == p.of || (p.of.is_of_side() && other.of.is_of_side() && other.of.side == p.of.side);
     });
     v.require(same == 1, {"programmes"},
-              fmt::format("{} is driven by two of them", dem::programme_targets[static_cast<std::size_t>(p.of)].word));
-    if (!p.table.empty() && !p.drives_boundary()) begin_with(p, stage);
+              fmt::format("{} is driven by two of them", dem::programme_targets[dem::target_of(p.of)].word));
+    if (!p.table.empty() && !p.of.is_of_boundary()) begin_with(p, stage);
   }
 }
 

@@ -24,7 +24,7 @@ template <class Drive> double largest(const dem::Stage& stage, double value, Dri
 /// What a side does at its most.
 double largest_drive(const dem::Stage& stage, std::size_t side) {
   return largest(stage, stage.side[side].value,
-                 [&](const auto& p) { return p.drives_side() && p.side() == static_cast<int>(side); });
+                 [&](const auto& p) { return p.of.is_of_side() && p.of.side == static_cast<int>(side); });
 }
 
 /// Along x (axis 0) or y (1): Pa, the larger of what its two sides press with; 0 where none presses.
@@ -63,7 +63,7 @@ double shear_rate(const dem::Stage& stage, const Bulk& bulk) {
   const double along = std::abs(stage.slide[top] - stage.slide[bottom]) / bulk.height;
   double rate = std::max({std::abs(stage.shear_rate), across, along});
   if (stage.strain_cycles) rate = std::max(rate, stage.strain_cycles->rate);
-  return largest(stage, rate, [](const auto& p) { return p.of == dem::Programme::shear_rate; });
+  return largest(stage, rate, [](const auto& p) { return p.of.is(dem::Programme::What::shear_rate); });
 }
 
 Pressures pressures_of(const dem::Stage& stage, const Bulk& bulk, const Pressures& before) {

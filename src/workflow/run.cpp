@@ -40,7 +40,7 @@ class Run {
         options_(options),
         plan_(plan_of(recipe)),
         folder_(options.out, mapped(plan_, &PlannedStage::file)),
-        progress_{0, plan_.size(), "packing", 0, 0, 0, false, false} {}
+        progress_{.stages = plan_.size(), .name = "packing"} {}
 
   RunOutcome outcome() {
     for (const std::string& sentence : recipe_.notices) options_.notice(sentence);

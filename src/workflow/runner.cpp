@@ -74,7 +74,7 @@ peridynamics::Watch watch_of(Progress& progress, const RunOptions& options) {
   return [&](const peridynamics::Progress& p) {
     progress.share = std::min(p.share, 0.999);
     progress.step = p.iterations;
-    progress.unbalanced_ratio = p.residual;
+    progress.residual = p.residual;
     options.progress(progress);
     return !options.asked_to_stop();
   };

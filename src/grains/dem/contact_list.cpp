@@ -113,8 +113,8 @@ template <int D> void group_slots(SampleIn<D>& s) {
     }
     each_part(s, [&](const auto& part) {
       part.each_force([&](std::int32_t i, std::int32_t j, std::size_t n) {
-        see(2 * i, place_of_force(list, n));
-        see(2 * j + 1, place_of_force(list, n));
+        see(2 * i, place_of_force(list, part.first_force + n));
+        see(2 * j + 1, place_of_force(list, part.first_force + n));
       });
     });
   };
@@ -148,8 +148,12 @@ template <int D> void list_contacts(SampleIn<D>& s, const ThreadPool& pool) {
   list_walls(s);
   list.polygons = list.size();
   each_part(s, [&](auto& part) { part.list_others(s); });
+  std::size_t others = 0;
+  each_part(s, [&](auto& part) {
+    part.first_force = others;
+    others += part.force_count();
+  });
   group_slots(s);
-  const std::size_t others = sum_of_parts(s, [](const auto& part) { return part.force_count(); });
   list.force.assign(place_of_force(list, others), SlotForce<D>{});
   list.memory.assign(list.size());
   if (s.contact.normal.visit([](const auto& law) { return law.remembers; })) list.normal_memory.assign(list.size());

@@ -98,7 +98,7 @@ enum GlueState : std::uint8_t { never_touched = 0, touching = 1 };
 /// From the centres of two bodies to where a force acts on them, m.
 template <int D> struct Levers { Vec<D> i, j; };
 
-/// Where the n-th force of a part stands in the list.
+/// Where the n-th force of all parts stands in the list.
 template <int D> inline std::size_t place_of_force(const ContactListIn<D>& list, std::size_t n) {
   return list.size() + 1 + n;
 }

@@ -3,6 +3,7 @@
 
 #include "grains/dem/bounds.hpp"
 #include "grains/dem/conditions.hpp"
+#include "grains/dem/glue.hpp"
 #include "grains/dem/masses.hpp"
 #include "grains/dem/measure.hpp"
 #include "grains/dem/sample.hpp"
@@ -11,6 +12,9 @@
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
+
+/// Goes on by so many steps.
+template <int D> void advance(SampleIn<D>& sample, const ThreadPool& pool, std::int64_t steps);
 
 /// A sample that moves, with the threads that move it. Inside, disks are sorted by place and their contacts listed;
 /// what is measured has the caller's order. Same input, same kernel: same bits for any thread count. All else that is

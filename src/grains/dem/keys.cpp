@@ -169,18 +169,20 @@ void StrainCycles::declare(Visitor& v) {
 }
 
 void Programme::declare(Visitor& v) {
+  auto chosen = static_cast<int>(target_of(of));
   v.choice({"of",
             "Driven quantity: a side's velocity (inward), force or pressure, the sliding of a wall, the shear rate, "
             "gravity, or a boundary: its position or angle relative to the start of the stage, its velocity or spin, "
             "or the force on it.",
             true},
-           of, mapped(programme_targets, [](const auto& target) {
+           chosen, mapped(programme_targets, [](const auto& target) {
              return Word{target.word, ""};
            }));
-  v.when(drives_boundary(), "of = \"boundary...\"", [&](Visitor& inner) {
+  const auto& target = programme_targets[static_cast<std::size_t>(chosen)];
+  of = target.of;
+  v.when(of.is_of_boundary(), "of = \"boundary...\"", [&](Visitor& inner) {
     inner.text({"boundary", "Name of the boundary.", true}, name);
   });
-  const auto& target = programme_targets[static_cast<std::size_t>(of)];
   v.series(
       {"table",
        "Times from the beginning of the stage and values in the target's unit (mm, mm/s, N, kN, kPa, 1/s, m/s^2, deg "
@@ -193,8 +195,7 @@ void Programme::declare(Visitor& v) {
   v.require(in_order, {"table"}, "needs at least one row, with times from 0 s that never decrease");
   v.require(!repeat || (in_order && table.back().x > 0), {"repeat", "table"},
             "only a table with a duration can repeat");
-  const bool may_be_negative =
-      (drives_side() && drive() == 0) || (of >= Programme::slide && of != Programme::gravity_size);
+  const bool may_be_negative = of.is(What::velocity) || !(of.is_of_side() || of.is(What::gravity_size));
   v.require(may_be_negative || std::ranges::all_of(
                                    table, [](double y) { return y >= 0; }, &Vec2::y),
             {"table"}, fmt::format("no value of {} may be below 0", target.word));

@@ -4,8 +4,8 @@
 
 #include "grains/dem/conditions.hpp"
 #include "grains/dem/glue.hpp"
+#include "grains/dem/integrators/time_step.hpp"
 #include "grains/dem/measure.hpp"
-#include "grains/dem/time_step.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {

@@ -164,7 +164,7 @@ Equilibrium equilibrium_of(const Sample& s) {
   }
   for (std::size_t n = 0; n < the<Bonds>(s).slots.size(); ++n) {
     const BondSlot& b = the<Bonds>(s).slots[n];
-    const SlotForce<2>& f = s.list.force[place_of_force(s.list, n)];
+    const SlotForce<2>& f = s.list.force[the<Bonds>(s).place(s.list, n)];
     if (!acts(f)) continue;
     normal_sum += std::hypot(f.on_i.x, f.on_i.y);
     ++contacts;

@@ -1,5 +1,5 @@
 #pragma once
-#include "grains/dem/time_step.hpp"
+#include "grains/dem/integrators/time_step.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {

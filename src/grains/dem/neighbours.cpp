@@ -6,8 +6,8 @@
 
 #include "core/error.hpp"
 #include "grains/dem/forces.hpp"
+#include "grains/dem/integrators/time_step.hpp"
 #include "grains/dem/measure.hpp"
-#include "grains/dem/time_step.hpp"
 
 namespace arenite::dem {
 namespace {

@@ -23,7 +23,7 @@ enum class StiffnessRule {
 enum class WallStiffness { stiffest, grain, series };
 enum class Arms { contact_point, full_radius };
 enum class FrictionCap { raised_by_adhesion, as_printed };  ///< mu (F_n + |F_c|), or T (1.28) with F_c printed negative
-enum class MassScaling { none, uniform };                   ///< see dem/setup.hpp
+enum class MassScaling { none, uniform };                   ///< see dem/masses.hpp
 
 /// All integrators, the default first: each is the Integrator of this name in a file of its own, which
 /// integrators/integrators.hpp includes.

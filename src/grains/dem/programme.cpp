@@ -35,8 +35,8 @@ Vec2 gravity_at(const Stage& stage, double time) {
   if (!stage.gravity) return {};
   double g = stage.gravity_size, turned = stage.gravity_angle;
   for (const Programme& p : stage.programmes) {
-    if (p.of == Programme::gravity_size) g = p.at(time);
-    if (p.of == Programme::gravity_angle) turned = p.at(time);
+    if (p.of.is(Programme::What::gravity_size)) g = p.at(time);
+    if (p.of.is(Programme::What::gravity_angle)) turned = p.at(time);
   }
   return g * Vec2{std::sin(turned), -std::cos(turned)};
 }

@@ -46,7 +46,7 @@ void append(History& history, const char* name, const char* unit, double value) 
 bool shears_cell(const Stage& stage) {
   return stage.shear_rate != 0 || (stage.strain_cycles && stage.strain_cycles->of == StrainCycles::shear) ||
          std::any_of(stage.programmes.begin(), stage.programmes.end(),
-                     [](const Programme& p) { return p.of == Programme::shear_rate; });
+                     [](const Programme& p) { return p.of.is(Programme::What::shear_rate); });
 }
 
 void sample(History& history, const Engine& engine, const Stage& stage, const Equilibrium& now,

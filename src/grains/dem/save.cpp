@@ -7,7 +7,7 @@
 
 #include "core/bytes.hpp"
 #include "core/error.hpp"
-#include "grains/dem/time_step.hpp"
+#include "grains/dem/integrators/time_step.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {

@@ -11,8 +11,8 @@
 #include "grains/dem/conditions.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/glue.hpp"
+#include "grains/dem/integrators/time_step.hpp"
 #include "grains/dem/neighbours.hpp"
-#include "grains/dem/time_step.hpp"
 
 namespace arenite::dem {
 namespace {

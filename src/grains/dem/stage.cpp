@@ -75,6 +75,11 @@ void add_time(Leg& leg, const Stage& stage, std::int64_t snapshot, double time_s
 
 }  // namespace
 
+std::size_t target_of(const Driven& driven) {
+  return static_cast<std::size_t>(std::ranges::find(programme_targets, driven, &ProgrammeTarget::of) -
+                                  programme_targets.begin());
+}
+
 std::int64_t steps_of(double duration, double time_step) {
   return static_cast<std::int64_t>(std::ceil(duration / time_step));
 }

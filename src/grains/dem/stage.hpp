@@ -10,15 +10,63 @@
 
 namespace arenite::dem {
 
+/// What one side does in a stage. A force is reached from its present value in `increments` equal steps; a pressure
+/// acts in full at once.
+struct SideDrive {
+  enum class Kind { fixed, velocity, force, pressure };
+  Kind kind = Kind::fixed;
+  double value = 0;  ///< m/s inward, N, or Pa
+  bool operator==(const SideDrive&) const = default;
+};
+
+/// What a table over time drives: of a side, of the sample, or of a boundary where it is from where it was as the
+/// programme began, how fast it is, or the force on it.
+struct Driven {
+  enum class What {
+    velocity,  ///< of a side, inward
+    force,
+    pressure,
+    slide,
+    shear_rate,
+    gravity_size,
+    gravity_angle,
+    boundary_x,
+    boundary_y,
+    boundary_angle,
+    boundary_velocity_x,
+    boundary_velocity_y,
+    boundary_spin,
+    boundary_force_x,
+    boundary_force_y
+  };
+  What what = What::velocity;
+  int side = left;  ///< of velocity, force, pressure and slide
+  bool operator==(const Driven&) const = default;
+
+  bool is(What other) const { return what == other; }
+  bool is_of_side() const { return what <= What::pressure; }
+  bool is_of_boundary() const { return what >= What::boundary_x; }
+  /// Tables of places must neither jump nor, where they begin anew, end elsewhere than they began.
+  bool is_of_place() const { return is_of_boundary() && what <= What::boundary_angle; }
+  bool is_of_force() const { return what >= What::boundary_force_x; }
+  /// How a side is driven so.
+  SideDrive::Kind kind() const {
+    return is(What::velocity) ? SideDrive::Kind::velocity
+           : is(What::force)  ? SideDrive::Kind::force
+                              : SideDrive::Kind::pressure;
+  }
+  /// Of what drives a boundary: along x (0), along y (1), or around (2).
+  int axis() const {
+    if (is(What::boundary_angle) || is(What::boundary_spin)) return 2;
+    return is(What::boundary_y) || is(What::boundary_velocity_y) || is(What::boundary_force_y) ? 1 : 0;
+  }
+};
+
 /// A quantity of a stage's loading that a table gives over time: linear between two rows, as the first and last say
 /// before and after them; two rows of one time are a jump.
 struct Programme {
-  static constexpr int drives = 3, slide = sides * drives, shear_rate = slide + sides, gravity_size = shear_rate + 1,
-                       gravity_angle = gravity_size + 1, boundary = gravity_angle + 1, count = boundary + 8;
-  /// What drives a boundary: where it is from where it was as the programme began, how fast it is, or the force on it.
-  enum class OfBoundary { x, y, angle, velocity_x, velocity_y, spin, force_x, force_y };
-  int of = 0;  ///< drives * side + (0: velocity inward, 1: force, 2: pressure), slide + side, boundary + OfBoundary, or
-               ///< one of the others
+  using What = Driven::What;
+  Driven of;
   std::vector<Vec2> table;  ///< time since the stage began, s, and value in SI
   bool repeat = false;      ///< from the last row on it begins anew
   std::string name = {};    ///< of the boundary that it drives
@@ -27,50 +75,45 @@ struct Programme {
 
   /// At a time since the stage began, s.
   double at(double time) const;
-  bool drives_side() const { return of < slide; }
-  bool slides_side() const { return of >= slide && of < shear_rate; }
-  int side() const { return of / drives; }  ///< that is driven
-  int drive() const { return of % drives; }
-  bool drives_boundary() const { return of >= boundary; }
-  OfBoundary of_boundary() const { return static_cast<OfBoundary>(of - boundary); }
-  /// Tables of places must neither jump nor, where they begin anew, end elsewhere than they began.
-  bool is_of_place() const { return drives_boundary() && of_boundary() <= OfBoundary::angle; }
-  bool is_of_force() const { return drives_boundary() && of_boundary() >= OfBoundary::force_x; }
-  /// Along x (0), along y (1), or around (2).
-  int boundary_axis() const { return (of - boundary) % 3; }
 };
 
 /// A target of a programme as recipes call it, and the unit that its values are shown in.
 struct ProgrammeTarget {
   const char *word, *unit;
+  Driven of;
 };
-inline constexpr std::array<ProgrammeTarget, Programme::count> programme_targets{{{"left.velocity", "mm/s"},
-                                                                                  {"left.force", "kN"},
-                                                                                  {"left.pressure", "kPa"},
-                                                                                  {"right.velocity", "mm/s"},
-                                                                                  {"right.force", "kN"},
-                                                                                  {"right.pressure", "kPa"},
-                                                                                  {"bottom.velocity", "mm/s"},
-                                                                                  {"bottom.force", "kN"},
-                                                                                  {"bottom.pressure", "kPa"},
-                                                                                  {"top.velocity", "mm/s"},
-                                                                                  {"top.force", "kN"},
-                                                                                  {"top.pressure", "kPa"},
-                                                                                  {"slide.left", "mm/s"},
-                                                                                  {"slide.right", "mm/s"},
-                                                                                  {"slide.bottom", "mm/s"},
-                                                                                  {"slide.top", "mm/s"},
-                                                                                  {"shear_rate", "1/s"},
-                                                                                  {"gravity_size", "m/s^2"},
-                                                                                  {"gravity_angle", "deg"},
-                                                                                  {"boundary.x", "mm"},
-                                                                                  {"boundary.y", "mm"},
-                                                                                  {"boundary.angle", "deg"},
-                                                                                  {"boundary.velocity_x", "mm/s"},
-                                                                                  {"boundary.velocity_y", "mm/s"},
-                                                                                  {"boundary.spin", "deg/s"},
-                                                                                  {"boundary.force_x", "N"},
-                                                                                  {"boundary.force_y", "N"}}};
+inline constexpr auto programme_targets = [] {
+  using What = Driven::What;
+  return std::to_array<ProgrammeTarget>({{"left.velocity", "mm/s", {What::velocity, left}},
+                                         {"left.force", "kN", {What::force, left}},
+                                         {"left.pressure", "kPa", {What::pressure, left}},
+                                         {"right.velocity", "mm/s", {What::velocity, right}},
+                                         {"right.force", "kN", {What::force, right}},
+                                         {"right.pressure", "kPa", {What::pressure, right}},
+                                         {"bottom.velocity", "mm/s", {What::velocity, bottom}},
+                                         {"bottom.force", "kN", {What::force, bottom}},
+                                         {"bottom.pressure", "kPa", {What::pressure, bottom}},
+                                         {"top.velocity", "mm/s", {What::velocity, top}},
+                                         {"top.force", "kN", {What::force, top}},
+                                         {"top.pressure", "kPa", {What::pressure, top}},
+                                         {"slide.left", "mm/s", {What::slide, left}},
+                                         {"slide.right", "mm/s", {What::slide, right}},
+                                         {"slide.bottom", "mm/s", {What::slide, bottom}},
+                                         {"slide.top", "mm/s", {What::slide, top}},
+                                         {"shear_rate", "1/s", {What::shear_rate}},
+                                         {"gravity_size", "m/s^2", {What::gravity_size}},
+                                         {"gravity_angle", "deg", {What::gravity_angle}},
+                                         {"boundary.x", "mm", {What::boundary_x}},
+                                         {"boundary.y", "mm", {What::boundary_y}},
+                                         {"boundary.angle", "deg", {What::boundary_angle}},
+                                         {"boundary.velocity_x", "mm/s", {What::boundary_velocity_x}},
+                                         {"boundary.velocity_y", "mm/s", {What::boundary_velocity_y}},
+                                         {"boundary.spin", "deg/s", {What::boundary_spin}},
+                                         {"boundary.force_x", "N", {What::boundary_force_x}},
+                                         {"boundary.force_y", "N", {What::boundary_force_y}}});
+}();
+/// Its place among these.
+std::size_t target_of(const Driven& driven);
 
 /// What a sample follows, from a time on.
 struct Programmes {
@@ -92,15 +135,6 @@ struct EquilibriumCriterion {
   std::int64_t max_steps = 20'000'000;  ///< of one increment; then the stage ends with exit status 3
   bool operator==(const EquilibriumCriterion&) const = default;
   void declare(ParameterVisitor& visitor);
-};
-
-/// What one side does in a stage. A force is reached from its present value in `increments` equal steps; a pressure
-/// acts in full at once.
-struct SideDrive {
-  enum class Kind { fixed, velocity, force, pressure };
-  Kind kind = Kind::fixed;
-  double value = 0;  ///< m/s inward, N, or Pa
-  bool operator==(const SideDrive&) const = default;
 };
 
 /// Force cycles on one side after the ramp, e.g. 6-60 kN (T 3.2.1); each half cycle is a ramp to rest.
@@ -149,7 +183,7 @@ struct Stage {
   EquilibriumCriterion equilibrium;
   std::optional<double> friction;  ///< mu during this stage only (e.g. 0 to densify)
   double drag = 0;                 ///< 1/s, during this stage only, on top of the integration's
-  double critical_drag = 0;        ///< drag as a multiple of Engine::critical_drag; added to `drag`
+  double critical_drag = 0;        ///< drag as a multiple of critical_drag(sample); added to `drag`
   MassScaling mass_scaling = MassScaling::none;
   double inertial_number = default_inertial_number;
   bool glue = false;           ///< adhesion acts from this stage on

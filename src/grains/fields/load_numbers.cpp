@@ -20,7 +20,9 @@ struct Load {
 };
 
 const dem::Programme* programme_of(const dem::Stage& stage, int side) {
-  const auto drives = [&](const dem::Programme& p) { return p.drives_side() && p.side() == side && p.drive() != 0; };
+  const auto drives = [&](const dem::Programme& p) {
+    return p.of.is_of_side() && p.of.side == side && !p.of.is(dem::Programme::What::velocity);
+  };
   const auto at = std::ranges::find_if(stage.programmes, drives);
   return at == stage.programmes.end() ? nullptr : &*at;
 }

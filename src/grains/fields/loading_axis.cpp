@@ -8,9 +8,10 @@ namespace arenite::fields {
 namespace {
 
 using Kind = dem::SideDrive::Kind;
+using What = dem::Programme::What;
 
 /// What a programme first does of this; `value` where none drives it.
-double at_first(const dem::Stage& stage, int of, double value) {
+double at_first(const dem::Stage& stage, dem::Driven of, double value) {
   for (const dem::Programme& programme : stage.programmes)
     if (programme.of == of)
       for (const Vec2& row : programme.table)
@@ -25,8 +26,8 @@ double cycled(const dem::Stage& stage, int of) {
 
 /// Above 0 where du_x/dy + du_y/dx is.
 double sheared(const dem::Stage& stage) {
-  const auto slide = [&](int side) { return at_first(stage, dem::Programme::slide + side, stage.slide[side]); };
-  const double cell = at_first(stage, dem::Programme::shear_rate, stage.shear_rate);
+  const auto slide = [&](int side) { return at_first(stage, {What::slide, side}, stage.slide[side]); };
+  const double cell = at_first(stage, {What::shear_rate}, stage.shear_rate);
   const double slid = slide(top) - slide(bottom) + slide(right) - slide(left);
   for (const double way : {cell, cycled(stage, dem::StrainCycles::shear), slid})
     if (way != 0) return way;
@@ -39,7 +40,7 @@ double closing(const dem::Stage& stage, int axis) {
   for (int side = 2 * axis; side < 2 * axis + 2; ++side) {
     speed += cycled(stage, side);
     if (stage.side[side].kind == Kind::velocity)
-      speed += at_first(stage, dem::Programme::drives * side, stage.side[side].value);
+      speed += at_first(stage, {What::velocity, side}, stage.side[side].value);
   }
   return speed;
 }

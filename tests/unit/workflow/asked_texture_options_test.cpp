@@ -64,7 +64,7 @@ TEST(TextureOptions, SignsReferToTheDiagonalThatShearCompresses) {
   EXPECT_EQ(fields::loading_axis(cell), forth);
   cell.shear_rate = -2;
   EXPECT_EQ(fields::loading_axis(cell), back);
-  cell.programmes = {{dem::Programme::shear_rate, {{0, 0}, {1, 3}}}};
+  cell.programmes = {{{dem::Programme::What::shear_rate}, {{0, 0}, {1, 3}}}};
   EXPECT_EQ(fields::loading_axis(cell), forth);
   dem::Stage cycled;
   cycled.strain_cycles = {dem::StrainCycles::shear, -0.1, 0.1, 1, 3, {}};

@@ -8,7 +8,7 @@
 namespace arenite::dem {
 
 /// A bond that holds, with what follows from its making and from where its disks are numbered now. Its force stands
-/// behind those of the contacts, in ContactList::force at place_of_force.
+/// behind those of the contacts, in ContactList::force at Bonds::place.
 struct BondSlot : BondRow<double> {
   enum class State : std::int32_t { holds, breaking, broken };
   std::int32_t bond = 0;      ///< place in Bonds::all

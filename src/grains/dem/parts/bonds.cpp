@@ -6,9 +6,9 @@
 
 #include "core/error.hpp"
 #include "grains/dem/conditions.hpp"
+#include "grains/dem/integrators/time_step.hpp"
 #include "grains/dem/movers.hpp"
 #include "grains/dem/neighbours.hpp"
-#include "grains/dem/time_step.hpp"
 
 namespace arenite::dem {
 
@@ -67,7 +67,7 @@ void move_images(Sample& s) {
 /// One bond, by the law itself. True if it breaks.
 template <class Law> bool look_at(Sample& s, const Law& law, std::size_t n) {
   BondSlot& b = the<Bonds>(s).slots[n];
-  SlotForce<2>& force = s.list.force[place_of_force(s.list, n)];
+  SlotForce<2>& force = s.list.force[the<Bonds>(s).place(s.list, n)];
   force = {};
   if (b.state != State::holds) return false;
   const BeamMotion m = beam_motion(s, b);
@@ -88,7 +88,7 @@ BondTask bond_task(Sample& s) {
           numbers.i.data(),
           numbers.j.data(),
           column,
-          &s.list.force[place_of_force(s.list, 0)],
+          &s.list.force[the<Bonds>(s).place(s.list, 0)],
           numbers.look.data(),
           numbers.damped};
 }
@@ -159,7 +159,7 @@ void Bonds::add_forces(Sample& s, const ThreadPool& pool) {
 
 void Bonds::add_moments(const Sample& s, std::array<Vec2, 2>& sum) const {
   for (std::size_t n = 0; n < slots.size(); ++n) {
-    const SlotForce<2>& f = s.list.force[place_of_force(s.list, n)];
+    const SlotForce<2>& f = s.list.force[place(s.list, n)];
     if (!acts(f)) continue;
     const Vec2 branch = beam_motion(s, slots[n]).branch;
     for (int axis = 0; axis < 2; ++axis) sum[axis] += branch[axis] * f.on_i;

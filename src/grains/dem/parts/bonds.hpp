@@ -23,6 +23,9 @@ struct Bonds : PartOf<2> {
   void make(Sample& sample, const Packing& given);
   void list_others(Sample& sample);
   bool joins(std::int32_t a, std::int32_t b) const;
+  std::size_t place(const ContactList& list, std::size_t slot) const {
+    return place_of_force(list, first_force + slot);
+  }
   std::size_t force_count() const { return slots.size(); }
   void each_force(const std::function<void(std::int32_t, std::int32_t, std::size_t)>& see) const {
     for (std::size_t n = 0; n < slots.size(); ++n) see(slots[n].i, slots[n].j, n);

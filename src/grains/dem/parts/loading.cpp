@@ -12,20 +12,23 @@
 namespace arenite::dem {
 namespace {
 
+using What = Programme::What;
+
 /// The velocity of the step that begins after this time.
 void drive_boundary(Sample& s, const Programme& p, double middle) {
-  if (p.is_of_force()) return;
+  if (p.of.is_of_force()) return;
   Boundary& boundary = s.domain.boundaries[index_of(s.domain.boundaries, p.name)];
-  const double rate = p.is_of_place() ? (p.at(middle + 0.5 * s.dt) - p.at(middle - 0.5 * s.dt)) / s.dt : p.at(middle);
+  const double rate =
+      p.of.is_of_place() ? (p.at(middle + 0.5 * s.dt) - p.at(middle - 0.5 * s.dt)) / s.dt : p.at(middle);
   double* const velocity[] = {&boundary.velocity.x, &boundary.velocity.y, &boundary.spin};
-  *velocity[p.boundary_axis()] = rate;
+  *velocity[p.of.axis()] = rate;
 }
 
 /// N, of a side under force or pressure.
 double load_of(const Sample& s, const Programme& p, double time) {
   const double value = p.at(time);
-  if (p.drive() == 1) return value;
-  return value * s.domain.length(p.side()) * s.domain.thickness;
+  if (p.of.is(What::force)) return value;
+  return value * s.domain.length(p.of.side) * s.domain.thickness;
 }
 
 }  // namespace
@@ -37,12 +40,12 @@ void Loading::prepare(Sample& s) { follow_driving(s); }
 void Loading::before_step(Sample& s) {
   const double time = time_of(s) + 0.5 * s.dt - programmes.begin;
   for (const Programme& p : programmes.list) {
-    if (p.drives_boundary()) drive_boundary(s, p, time);
-    if (p.of == Programme::shear_rate) change_shear_rate(s, p.at(time));
-    if (p.slides_side()) s.wall[p.of - Programme::slide].drive.slide = p.at(time);
-    if (!p.drives_side() || p.drive() != 0) continue;
-    s.wall[p.side()].drive.value = s.wall[p.side()].rate = s.domain.wall[p.side()].velocity =
-        p.at(time) * inward_sign(p.side());
+    if (p.of.is_of_boundary()) drive_boundary(s, p, time);
+    if (p.of.is(What::shear_rate)) change_shear_rate(s, p.at(time));
+    if (p.of.is(What::slide)) s.wall[p.of.side].drive.slide = p.at(time);
+    if (!p.of.is(What::velocity)) continue;
+    s.wall[p.of.side].drive.value = s.wall[p.of.side].rate = s.domain.wall[p.of.side].velocity =
+        p.at(time) * inward_sign(p.of.side);
   }
 }
 
@@ -51,22 +54,22 @@ void Loading::after_step(Sample& s) {
   double g = programmes.gravity_size, turned = programmes.gravity_angle;
   bool weight_changes = false;
   for (const Programme& p : programmes.list) {
-    if (p.drives_side() && p.drive() != 0) s.wall[p.side()].drive.value = load_of(s, p, time);
-    if (p.is_of_force())
-      the<Boundaries>(s).body[index_of(s.domain.boundaries, p.name)].force[p.boundary_axis()] = p.at(time);
-    if (p.of == Programme::gravity_size) g = p.at(time);
-    if (p.of == Programme::gravity_angle) turned = p.at(time);
-    weight_changes |= p.of == Programme::gravity_size || p.of == Programme::gravity_angle;
+    if (p.of.is_of_side() && !p.of.is(What::velocity)) s.wall[p.of.side].drive.value = load_of(s, p, time);
+    if (p.of.is_of_force())
+      the<Boundaries>(s).body[index_of(s.domain.boundaries, p.name)].force[p.of.axis()] = p.at(time);
+    if (p.of.is(What::gravity_size)) g = p.at(time);
+    if (p.of.is(What::gravity_angle)) turned = p.at(time);
+    weight_changes |= p.of.is(What::gravity_size) || p.of.is(What::gravity_angle);
   }
   if (weight_changes) s.gravity = g * Vec2{std::sin(turned), -std::cos(turned)};
 }
 
 WallDrives under_programmes(const Sample& s, WallDrives drives) {
   for (const Programme& p : the<Loading>(s).programmes.list) {
-    if (p.slides_side()) drives[p.of - Programme::slide].slide = s.wall[p.of - Programme::slide].drive.slide;
-    if (!p.drives_side()) continue;
-    const int side = p.side();
-    if (p.drive() != 0) drives[side].value = load_of(s, p, time_of(s) - the<Loading>(s).programmes.begin);
+    if (p.of.is(What::slide)) drives[p.of.side].slide = s.wall[p.of.side].drive.slide;
+    if (!p.of.is_of_side()) continue;
+    const int side = p.of.side;
+    if (!p.of.is(What::velocity)) drives[side].value = load_of(s, p, time_of(s) - the<Loading>(s).programmes.begin);
     else if (s.wall[side].drive.kind == WallDrive::Kind::velocity) drives[side].value = s.wall[side].drive.value;
   }
   return drives;
@@ -77,20 +80,20 @@ void set_programmes(Sample& s, Programmes programmes) {
   WallDrives drives;
   bool sheared = false;
   for (const Programme& p : programmes.list) {
-    if (p.drives_side()) drives[p.side()].kind = WallDrive::Kind::velocity;
-    sheared |= p.of == Programme::shear_rate;
-    if (!p.drives_boundary()) continue;
+    if (p.of.is_of_side()) drives[p.of.side].kind = WallDrive::Kind::velocity;
+    sheared |= p.of.is(What::shear_rate);
+    if (!p.of.is_of_boundary()) continue;
     const std::size_t at = index_of(boundaries, p.name);
     if (at == boundaries.size())
       throw InputError(fmt::format("a programme drives boundary \"{}\", which does not exist", p.name));
     BoundaryBody& body = the<Boundaries>(s).body[at];
-    if (p.is_of_force() != (body.mass > 0) && p.boundary_axis() < 2)
+    if (p.of.is_of_force() != (body.mass > 0) && p.of.axis() < 2)
       throw InputError(fmt::format("boundary \"{}\" {} a mass; a table can give {}", p.name,
                                    body.mass > 0 ? "has" : "does not have",
                                    body.mass > 0 ? "the force on it" : "its position or velocity"));
-    if (!p.is_of_force()) continue;
+    if (!p.of.is_of_force()) continue;
     synchronise(s);
-    (p.boundary_axis() == 0 ? body.force.x : body.force.y) = p.at(0);
+    (p.of.axis() == 0 ? body.force.x : body.force.y) = p.at(0);
   }
   check_still_cell(s, drives, sheared);
   the<Loading>(s).programmes = std::move(programmes);

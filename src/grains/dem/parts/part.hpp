@@ -23,6 +23,7 @@ template <int D> struct Mover;
 /// them). A part keeps its own state; everything of the sample it is handed.
 template <int D> struct PartOf {
   using S = SampleIn<D>;
+  std::size_t first_force = 0;  ///< where the part's own forces begin among those of parts; set with the list
 
   // Making a sample: what is wrong with the input; what a part has before the disks are placed, which may put other
   // disks in the place of the caller's grains (S::start); what follows from the disks; what the packing remembers, once
@@ -152,6 +153,7 @@ concept Part = requires(P p, const P q, SampleIn<D>& s, const SampleIn<D>& now, 
   { q.joins(k, k) } -> std::same_as<bool>;
   { q.is_foot(now, n) } -> std::same_as<bool>;
   // adds to forces
+  { p.first_force } -> std::same_as<std::size_t&>;
   { q.force_count() } -> std::same_as<std::size_t>;
   q.each_force([](std::int32_t, std::int32_t, std::size_t) {});
   p.before_forces(s), p.add_forces(s, pool), q.add_to_walls(s), q.add_moments(now, moments);

@@ -3,9 +3,9 @@
 
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
-#include "grains/dem/energy_balance.hpp"
 #include "grains/dem/parts/bonds.hpp"
 #include "grains/dem/parts/cohesion.hpp"
+#include "grains/dem/parts/energy_balance.hpp"
 #include "grains/dem/parts/loading.hpp"
 #include "grains/dem/parts/rough_walls.hpp"
 #include "grains/dem/parts/spheres_alone.hpp"

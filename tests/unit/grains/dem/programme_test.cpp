@@ -15,9 +15,10 @@ using testing::add_grain;
 using testing::crowd;
 using testing::empty_container;
 
-constexpr int velocity_of(int side) { return Programme::drives * side; }
-constexpr int force_on(int side) { return Programme::drives * side + 1; }
-constexpr int pressure_on(int side) { return Programme::drives * side + 2; }
+using What = Programme::What;
+constexpr Driven velocity_of(int side) { return {What::velocity, side}; }
+constexpr Driven force_on(int side) { return {What::force, side}; }
+constexpr Driven pressure_on(int side) { return {What::pressure, side}; }
 
 Stage stage_with(std::vector<Programme> programmes, double duration) {
   Stage stage;
@@ -25,13 +26,12 @@ Stage stage_with(std::vector<Programme> programmes, double duration) {
   stage.duration = duration;
   stage.programmes = std::move(programmes);
   for (const Programme& p : stage.programmes)
-    if (p.drives_side())
-      stage.side[static_cast<std::size_t>(p.side())] = {static_cast<SideDrive::Kind>(1 + p.drive()), p.table.front().y};
+    if (p.of.is_of_side()) stage.side[static_cast<std::size_t>(p.of.side)] = {p.of.kind(), p.table.front().y};
   return stage;
 }
 
 TEST(Programme, IsLinearBetweenItsRowsJumpsWhereTwoHaveOneTimeAndBeginsAnew) {
-  Programme p{0, {{1, 10}, {2, 20}, {2, 5}, {4, 7}}, false};
+  Programme p{{}, {{1, 10}, {2, 20}, {2, 5}, {4, 7}}, false};
   EXPECT_EQ(p.at(-1), 10);
   EXPECT_EQ(p.at(0.5), 10);
   EXPECT_EQ(p.at(1.25), 12.5);
@@ -45,7 +45,7 @@ TEST(Programme, IsLinearBetweenItsRowsJumpsWhereTwoHaveOneTimeAndBeginsAnew) {
 }
 
 TEST(Programme, HasTheAreaBelowItsTable) {
-  Programme p{0, {{1, 10}, {2, 20}, {2, 5}, {4, 7}}, false};
+  Programme p{{}, {{1, 10}, {2, 20}, {2, 5}, {4, 7}}, false};
   EXPECT_EQ(integral(p, 0), 0);
   EXPECT_DOUBLE_EQ(integral(p, 1.5), 10 + 0.5 * 12.5);
   EXPECT_DOUBLE_EQ(integral(p, 2), 10 + 15);
@@ -83,7 +83,7 @@ TEST(Programme, TurnsAndScalesTheWeightOfAFreeGrain) {
   IntegrationParameters integration;
   integration.track_energy = true;
   Engine engine(start, {}, integration);
-  Stage stage = stage_with({{Programme::gravity_size, {{0, 0}, {0.1, 10}}}}, 0.1);
+  Stage stage = stage_with({{{What::gravity_size}, {{0, 0}, {0.1, 10}}}}, 0.1);
   stage.gravity = true;
   stage.gravity_size = 0;
   stage.gravity_angle = std::numbers::pi / 2;  // along +x
@@ -154,8 +154,8 @@ TEST(Programme, DoesTheWorkThatTheSampleTakes) {
   integration.safety = 0.005;
   Engine engine(start, law, integration);
   Stage stage = stage_with({{force_on(top), {{0, 0}, {0.002, 4e3}, {0.003, 1e3}}},
-                            {Programme::slide + top, {{0, 0}, {0.003, 0.2}}},
-                            {Programme::gravity_angle, {{0, 0}, {0.003, 1}}}},
+                            {{What::slide, top}, {{0, 0}, {0.003, 0.2}}},
+                            {{What::gravity_angle}, {{0, 0}, {0.003, 1}}}},
                            0.003);
   stage.gravity = true;
   stage.gravity_size = 500;
@@ -176,7 +176,7 @@ TEST(Programme, ResumesToTheSameBits) {
   for (Wall& wall : start.domain.wall) wall.present = false;
   Stage stage = stage_with({{pressure_on(top), {{0, 1e5}, {0.002, 1e6}, {0.003, 5e5}}, true},
                             {velocity_of(right), {{0, 0}, {0.002, 0.5}}},
-                            {Programme::shear_rate, {{0, 0}, {0.001, 20}, {0.001, -20}}}},
+                            {{What::shear_rate}, {{0, 0}, {0.001, 20}, {0.001, -20}}}},
                            0.004);
   Engine whole(start, {}, {}), cut(start, {}, {});
   whole.advance(100);
@@ -210,19 +210,19 @@ TEST(Programme, MovesABoundary) {
   plate.points = {{0.08, 0.1}, {0.12, 0.1}};
   plate.centre = {0.1, 0.1};
   start.domain.boundaries.push_back(plate);
-  const auto of = [](Programme::OfBoundary what, std::vector<Vec2> table, bool repeat = false) {
-    return Programme{Programme::boundary + static_cast<int>(what), std::move(table), repeat, "plate"};
+  const auto of = [](What what, std::vector<Vec2> table, bool repeat = false) {
+    return Programme{{what}, std::move(table), repeat, "plate"};
   };
-  using enum Programme::OfBoundary;
   const auto moved = [&](Stage stage) {
     Engine engine(start, {}, {});
     StageRun run = begin_stage(engine, stage);
     while (!run.finished) continue_stage(engine, stage, run);
     return engine;
   };
-  const Engine placed = moved(stage_with({of(x, {{0, 0}, {0.001, 0.002}, {0.002, 0}}, true),
-                                          of(velocity_y, {{0, 1}, {0.005, 1}}), of(angle, {{0, 0}, {0.005, 0.3}})},
-                                         0.005));
+  const Engine placed = moved(stage_with(
+      {of(What::boundary_x, {{0, 0}, {0.001, 0.002}, {0.002, 0}}, true),
+       of(What::boundary_velocity_y, {{0, 1}, {0.005, 1}}), of(What::boundary_angle, {{0, 0}, {0.005, 0.3}})},
+      0.005));
   const double late = time_of(placed) - 0.005;
   const Boundary& there = placed.domain.boundaries[0];
   EXPECT_NEAR(there.centre.x - 0.1, 2 * (0.001 - late), 1e-12);
@@ -231,7 +231,7 @@ TEST(Programme, MovesABoundary) {
   EXPECT_NEAR(std::atan2(along.y, along.x), 0.3, 1e-9);
   EXPECT_NEAR(norm(along), 0.04, 1e-12);
 
-  Stage pushed = stage_with({of(force_x, {{0, 2}, {0.005, 0}})}, 0.005);
+  Stage pushed = stage_with({of(What::boundary_force_x, {{0, 2}, {0.005, 0}})}, 0.005);
   pushed.boundaries = {{"plate", {}, 0, {}, false, 0.5, {2, 0}}};
   const Engine thrown = moved(pushed);
   EXPECT_NEAR(packing_of(thrown).domain.boundaries[0].velocity.x, 0.5 * 2 * 0.005 / 0.5, 1e-8);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "core/error.hpp"
 #include "grains/dem/engine.hpp"
 #include "unit/grains/dem/samples.hpp"
@@ -75,6 +77,20 @@ TEST(SavedState, IsRefusedWhenCutShortOrOfAnotherSample) {
   }
   Engine other(crowd(6, 5, 1), {}, {});
   EXPECT_THROW(restore_sample(other, bytes), InputError);
+}
+
+TEST(SavedState, OfAnotherVersionIsRefusedWithASentenceThatSaysSo) {
+  Engine engine(crowd(5, 5, 1), {}, {});
+  auto bytes = save_sample(engine);
+  const auto hash = state_hash(engine);
+  bytes[7] = '4';  // "a-dem-04"
+  try {
+    restore_sample(engine, bytes);
+    FAIL() << "was taken";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("another version"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(state_hash(engine), hash);
 }
 
 TEST(StateHash, ChangesWithTheStateAndOnlyThen) {

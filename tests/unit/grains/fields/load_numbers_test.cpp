@@ -80,7 +80,7 @@ TEST(LoadNumbers, FollowTheTableOfAProgramme) {
   dem::Stage stage;
   stage.duration = 12;
   stage.side[right] = {dem::SideDrive::Kind::pressure, 0};
-  stage.programmes = {{dem::Programme::drives * right + 2, {{0, 0}, {12, 12e3}}}};
+  stage.programmes = {{{dem::Programme::What::pressure, right}, {{0, 0}, {12, 12e3}}}};
   std::vector<double> forces;
   for (int k = 1; k <= 1200; ++k) forces.push_back(2e-3 * 10 * k);  // 2e-3 m^2 under 1000 Pa a second
   const Numbers load = load_numbers({loaded(forces), stage, nullptr, {}})["loads"]["right"];

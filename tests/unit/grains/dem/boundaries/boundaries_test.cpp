@@ -294,8 +294,9 @@ TEST(Boundaries, ThatMakeNoSenseAreRefused) {
   EXPECT_THROW(set_shear_rate(engine, 1), InputError);
   EXPECT_THROW(set_boundaries(engine, {{"gate"}}), InputError);
   EXPECT_THROW(set_drives(engine, {{{WallDrive::Kind::velocity, 1}, {}, {}, {}}}), InputError);
-  EXPECT_THROW(set_programmes(engine, {{{Programme::boundary, {{0, 0}}, false, "gate"}}, 0, 0, 0}), InputError);
-  EXPECT_THROW(set_programmes(engine, {{{Programme::boundary + 6, {{0, 0}}, false, "plate"}}, 0, 0, 0}),
+  EXPECT_THROW(set_programmes(engine, {{{{Programme::What::boundary_x}, {{0, 0}}, false, "gate"}}, 0, 0, 0}),
+               InputError);
+  EXPECT_THROW(set_programmes(engine, {{{{Programme::What::boundary_force_x}, {{0, 0}}, false, "plate"}}, 0, 0, 0}),
                InputError);  // a force without a mass
 }
 

@@ -48,7 +48,7 @@ void move(Sample& s, std::size_t disk, Vec2 by, double turn) {
 
 SlotForce<2> force_on_bond(Sample& s) {
   the<Bonds>(s).add_forces(s, ThreadPool());
-  return s.list.force[place_of_force(s.list, 0)];
+  return s.list.force[the<Bonds>(s).place(s.list, 0)];
 }
 
 TEST(Bonds, ForcesAreMinusTheGradientOfTheEnergyHoweverFarThePairHasTurned) {

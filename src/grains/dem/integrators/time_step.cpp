@@ -1,4 +1,4 @@
-#include "grains/dem/time_step.hpp"
+#include "grains/dem/integrators/time_step.hpp"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "grains/dem/energy_balance.hpp"
+#include "grains/dem/parts/energy_balance.hpp"
 
 #include <algorithm>
 
@@ -101,7 +101,7 @@ void add_bonds(const Sample& s, ForcesAndRates& shot) {
     const BondSlot& b = the<Bonds>(s).slots[n];
     if (b.state != BondSlot::State::holds) continue;
     const BeamMotion m = beam_motion(s, b);
-    const SlotForce<2> f = s.list.force[place_of_force(s.list, n)],
+    const SlotForce<2> f = s.list.force[the<Bonds>(s).place(s.list, n)],
                        dash = beam_slot_force(b, m, beam_dashpots(s, b, m));
     Load<2>&on_i = shot.disk[s.record[b.i].grain].dash, &on_j = shot.disk[s.record[b.j].grain].dash;
     on_i.force += dash.on_i;
