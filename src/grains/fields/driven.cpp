@@ -11,7 +11,7 @@ namespace {
 
 using dem::Programme;
 
-const Programme* programme_driving(const dem::Stage& stage, int of) {
+const Programme* programme_driving(const dem::Stage& stage, dem::Driven of) {
   const auto at = std::ranges::find(stage.programmes, of, &Programme::of);
   return at == stage.programmes.end() ? nullptr : &*at;
 }
@@ -24,14 +24,14 @@ void add_to(History& rows, const dem::Stage& stage, double begin) {
   const std::vector<double>* time = rows.find("time");
   if (!time || time->empty()) return;
   for (int side = 0; side < sides; ++side) {
-    const Programme* own = programme_driving(stage, Programme::slide + side);
+    const Programme* own = programme_driving(stage, {Programme::What::slide, side});
     const double speed = stage.slide[static_cast<std::size_t>(side)];
     const auto way = [&](double t) { return own ? dem::integral(*own, t - begin) : speed * (t - begin); };
     if (own || speed != 0)
       put(rows, std::string(side_names[static_cast<std::size_t>(side)]) + "_slid", "m", mapped(*time, way));
   }
-  if (!stage.gravity ||
-      (!programme_driving(stage, Programme::gravity_size) && !programme_driving(stage, Programme::gravity_angle)))
+  if (!stage.gravity || (!programme_driving(stage, {Programme::What::gravity_size}) &&
+                         !programme_driving(stage, {Programme::What::gravity_angle})))
     return;
   const auto gravity = mapped(*time, [&](double t) { return dem::gravity_at(stage, t - begin); });
   put(rows, "gravity_x", "m/s^2", mapped(gravity, &Vec2::x));

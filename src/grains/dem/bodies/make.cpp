@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/problems.hpp"
 #include "grains/dem/integrators/integrators.hpp"
 #include "grains/dem/measure.hpp"
 #include "grains/dem/sample.hpp"

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
+#include "core/problems.hpp"
 #include "grains/dem/boundaries/elements.hpp"
 #include "grains/dem/conditions.hpp"
 #include "grains/dem/forces.hpp"

@@ -6,12 +6,15 @@
 #include <limits>
 #include <vector>
 
-#include "core/problems.hpp"
 #include "core/threads.hpp"
 #include "grains/dem/bounds.hpp"
 #include "grains/dem/contact_list.hpp"
 #include "model/packing.hpp"
 #include "model/result.hpp"
+
+namespace arenite {
+class Problems;
+}
 
 namespace arenite::dem {
 
@@ -33,9 +36,8 @@ template <int D> struct PartOf {
   void set_up(S&) {}
   void recall(S&) {}
 
-  // The list of contacts. How far a part reaches beyond touch, m, and with what
-  // it pulls two disks of a slot together, N; the least side of a periodic cell that it fits, m;
-  // the farthest way of what it has since the list was built, m.
+  // The list of contacts. How far a part reaches beyond touch, m, and with what it pulls two disks of a slot together,
+  // N; the least side of a periodic cell that it fits, m; the farthest way of what it has since the list was built, m.
   double reach() const { return 0; }
   double pull_of(std::size_t /*slot*/) const { return 0; }
   double least_cell(const S&) const { return 0; }

@@ -6,12 +6,7 @@ namespace arenite::dem {
 /// Refuses what is not written for spheres.
 struct SpheresAlone : PartOf<3> {
   static void check(Problems& problems, const PackingIn<3>& start, const ContactParameters& contact,
-                    const IntegrationParameters& integration) {
-    problems.unless(!contact.has_bonds() && !contact.is_cohesive(), "bonds and cohesion are of the plane");
-    problems.unless(!integration.track_energy, "the account of energy is of the plane");
-    problems.unless(start.contacts.size() == 0 && start.grains.shapes.empty(),
-                    "contacts that a packing holds, and shapes, are of the plane");
-  }
+                    const IntegrationParameters& integration);
 };
 
 }  // namespace arenite::dem

@@ -16,7 +16,7 @@ TEST(Driven, WallsSlideAtTheirSpeedOrByTheIntegralOfTheirProgramme) {
   dem::Stage stage;
   stage.duration = 2;  // from 3 s on
   stage.slide[top] = 0.1;
-  stage.programmes = {{dem::Programme::slide + bottom, {{0, 0}, {2, 2}}}};
+  stage.programmes = {{{dem::Programme::What::slide, bottom}, {{0, 0}, {2, 2}}}};
   StageResult result = sampled();
   add_driven(result, stage);
   EXPECT_EQ(*result.history.find("top_slid"), (std::vector<double>{0.05, 0.1, 0.2}));
@@ -29,7 +29,7 @@ TEST(Driven, GravityIsThatOfItsProgrammeOrOfTheStage) {
   dem::Stage stage;
   stage.gravity = true;
   stage.duration = 2;
-  stage.programmes = {{dem::Programme::gravity_size, {{0, 2}, {2, 6}}}};
+  stage.programmes = {{{dem::Programme::What::gravity_size}, {{0, 2}, {2, 6}}}};
   StageResult result = sampled();
   add_driven(result, stage);
   EXPECT_EQ(*result.history.find("gravity_y"), (std::vector<double>{-3, -4, -6}));

@@ -96,13 +96,13 @@ TEST(FlowNumbers, WeighTheFillingOfASiloByTheGravityThatActed) {
               1e-9 * mass);
   // From 2 to 6 m/s^2: over the second half of 4 s the mean is 5.
   dem::Stage growing = moon;
-  growing.programmes = {{dem::Programme::gravity_size, {{0, 2}, {4, 6}}}};
+  growing.programmes = {{{dem::Programme::What::gravity_size}, {{0, 2}, {4, 6}}}};
   silo.asked.gravity = {0, -6};
   add_driven(silo, growing);
   EXPECT_NEAR(flow_numbers({silo, growing, nullptr, {}})["floor"]["hydrostatic_Pa"].get<double>(), 5 * mass / 0.06,
               0.01 * mass / 0.06);
   dem::Stage turning = moon;
-  turning.programmes = {{dem::Programme::gravity_angle, {{0, 0}, {4, 0.5}}}};
+  turning.programmes = {{{dem::Programme::What::gravity_angle}, {{0, 0}, {4, 0.5}}}};
   silo.history.columns.resize(silo.history.columns.size() - 2);
   add_driven(silo, turning);
   EXPECT_FALSE(flow_numbers({silo, turning, nullptr, {}}).contains("floor")) << "it pulls aside";

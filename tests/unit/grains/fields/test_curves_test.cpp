@@ -209,7 +209,7 @@ StageResult slid_to_and_fro() {
   dem::Stage asked;
   asked.duration = 4;
   asked.slide[top] = 0.01;
-  asked.programmes = {{dem::Programme::slide + top, {{0, 0.01}, {1, 0.02}, {2, -0.02}}, true}};
+  asked.programmes = {{{dem::Programme::What::slide, top}, {{0, 0.01}, {1, 0.02}, {2, -0.02}}, true}};
   add_driven(test.stage, asked);
   return test.stage;
 }
