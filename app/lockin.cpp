@@ -96,6 +96,8 @@ Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& f
       described(m.one_phase, "", "Share of the amplitude above the noise that has one phase, or its opposite");
   j["lost_frames"] =
       described(m.lost_frames, "", "Frames missing without a time stamp that shows it, found by the phase of the load");
+  j["level_jumps"] = described(m.levels.jumps.size(), "",
+                               "Jumps of the pixels' level (a camera's shutter), each fitted in every pixel");
   j["common_error"] =
       described(m.common_error, unit == "K" ? "K" : "", "Standard error of in_phase that all pixels share");
   j["column_error"] =

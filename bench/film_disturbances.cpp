@@ -1,7 +1,9 @@
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,7 @@ struct Row {
   const char* name;
   std::function<void(LaboratoryFilm&)> camera;
   std::function<void(recipe::FilmRecipe&)> laboratory;
-  bool listed = false;  ///< grains are given
+  enum class Grains { found, listed, optical } grains = Grains::found;
 };
 
 const std::vector<Row> rows{
@@ -42,9 +44,25 @@ const std::vector<Row> rows{
     {"left off by 1.2 px", {}, [](auto& r) { *r.container.left += 1.2; }},
     {"top off by 0.6 px", {}, [](auto& r) { *r.container.top += 0.6; }},
     {"blur told 0.6 px", {}, [](auto& r) { r.forces.blur = 0.6; }},
+    {"1/f noise of all pixels 20 mK", [](auto& f) { f.common = 0.02; }, {}},
+    {"1/f noise of columns 20 mK", [](auto& f) { f.columns = 0.02; }, {}},
+    {"2.7 % of frames lost", [](auto& f) { f.lost = 0.027; }, {}},
+    {"level jump 0.1 K", [](auto& f) { f.jump = 0.1; }, {}},
+    {"three jumps by pixel 30 mK",
+     [](auto& f) {
+       f.jump_pattern = 0.03, f.jump_at = {0.21, 0.54, 0.83};
+     },
+     {}},
+    {"warm-up 0.3 K in a fifth", [](auto& f) { f.drift = [](double x) { return -0.3 * std::exp(-5 * x); }; }, {}},
+    {"warm-up 0.3 K in a twentieth", [](auto& f) { f.drift = [](double x) { return -0.3 * std::exp(-20 * x); }; }, {}},
+    {"drift of 2.5 waves of 0.3 K",
+     [](auto& f) { f.drift = [](double x) { return 0.3 * std::sin(5 * std::numbers::pi * x); }; },
+     {}},
     {"noise 50 mK", [](auto& f) { f.noise = 0.05; }, {}},
-    {"isothermal, grains listed", [](auto& f) { f.ambient = f.temperature; }, {}, true},
-    {"grains listed", {}, {}, true},
+    {"isothermal, grains listed", [](auto& f) { f.ambient = f.temperature; }, {}, Row::Grains::listed},
+    {"isothermal, optical picture", [](auto& f) { f.ambient = f.temperature; }, {}, Row::Grains::optical},
+    {"optical picture", {}, {}, Row::Grains::optical},
+    {"grains listed", {}, {}, Row::Grains::listed},
 };
 
 void report(const Row& row, const LaboratorySample& sample, std::uint64_t seed) {
@@ -54,7 +72,11 @@ void report(const Row& row, const LaboratorySample& sample, std::uint64_t seed) 
   DrawnFilm drawn(sample.packing, how);
   recipe::FilmRecipe recipe = laboratory_recipe(sample, how, drawn);
   const test::TemporaryFolder folder;
-  if (row.listed) recipe.picture.grains = list_of_grains(sample, how, folder);
+  if (row.grains == Row::Grains::listed) recipe.picture.grains = list_of_grains(sample, how, folder);
+  if (row.grains == Row::Grains::optical) {
+    recipe.picture.optical = optical_picture(sample, how, drawn, folder), recipe.picture.optical_pixel = how.pixel / 3;
+    recipe.materials[0].brightness = 0.1, recipe.materials[1].brightness = 0.9;
+  }
   if (row.laboratory) row.laboratory(recipe);
   try {
     const test::FilmAccuracy a = measured(sample, how, drawn, recipe);
@@ -65,8 +87,10 @@ void report(const Row& row, const LaboratorySample& sample, std::uint64_t seed) 
     for (const auto& sentence : a.said) std::printf("    %s\n", sentence.c_str());
     for (std::size_t m = 0; m < a.result.fit.factor_scale.size(); ++m)
       std::printf("    scale %zu %.4f +- %.4f\n", m, a.result.fit.factor_scale[m], a.result.fit.factor_scale_error[m]);
-    std::printf("    over noise %.2f, model error %.4f, blur %.3f\n", a.result.fit.over_noise, a.result.fit.model_error,
-                a.result.rim_blur);
+    std::printf(
+        "    over noise %.2f, model error %.4f, blur %.3f, centres at the smallest load %.3f/%.3f, scale %+.3f %%\n",
+        a.result.fit.over_noise, a.result.fit.model_error, a.result.rim_blur, a.centres_low, a.centres_low_told,
+        100 * a.scale);
   } catch (const std::exception& e) { std::printf("| %-28s | refused: %s\n", row.name, e.what()); }
   std::fflush(stdout);
 }

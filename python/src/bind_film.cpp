@@ -63,6 +63,7 @@ py::dict stepped(const FilmLike& film, const std::optional<Quantity>& time, cons
   d["jump"] = map(maps.jump);
   d["standard_error"] = map(maps.standard_error);
   d["residual"] = map(maps.residual);
+  d["level_jumps"] = maps.level_jumps;
   d["blank_frames"] = maps.blank;
   return d;
 }

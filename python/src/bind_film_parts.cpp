@@ -23,6 +23,9 @@ void bind_lockin_maps(py::module_& m) {
       .def_readonly("reference_phase", &LockinMaps::reference_phase, "rad.")
       .def_readonly("frames", &LockinMaps::frames, "Number of frames used.")
       .def_property_readonly(
+          "disturbances", [](const LockinMaps& l) { return l.disturbances; },
+          "What the film shows beside the load and its drift, each a sentence.")
+      .def_property_readonly(
           "blank_frames", [](const LockinMaps& l) { return l.blank; },
           "Frames that hold no picture (no numbers, or zeros) and were left out.")
       .def_property_readonly(

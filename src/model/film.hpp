@@ -118,6 +118,20 @@ inline double to_peak_to_peak(AmplitudeConvention convention) {
   return convention == AmplitudeConvention::peak_to_peak ? 1 : 2;
 }
 
+/// A frame from which on pixels have another level, in the film's unit: by so much in all of them, and by so much
+/// (standard deviation) from one to another.
+struct LevelJump {
+  std::size_t frame = 0;
+  double common = 0, own = 0;
+};
+
+/// Changes of the level beside a film's load and the polynomial by which its pixels drift.
+struct LevelChanges {
+  std::vector<LevelJump> jumps;
+  std::vector<double> course;  ///< that all pixels share, one value a frame; empty: none
+  bool empty() const { return jumps.empty() && course.empty(); }
+};
+
 /// What a lock-in finds in every pixel of a film, in the film's unit (digital level or K), rows from the top. The
 /// oscillation at the load frequency f is a_1 cos(2 pi f t - phase); `in_phase` is a_1 cos(phase - reference): signed,
 /// positive where the pixel warms when the load rises.
@@ -143,6 +157,7 @@ struct LockinMaps {
       shared_sine;              ///< of what was taken off every pixel of a column; empty: nothing was
   std::size_t lost_frames = 0;  ///< that no time stamp shows, but the phase of the load does
   std::vector<double> time;     ///< of all frames where some were lost so, s after the first; else as the film says
+  LevelChanges levels;          ///< that were fitted to every pixel beside its drift; of the frames used
   std::vector<std::string> disturbances;  ///< what the film shows beside the load and its drift, each a sentence
   AmplitudeConvention convention = AmplitudeConvention::amplitude;  ///< of every amplitude below
   std::vector<float> mean;                                          ///< at the middle of the film

@@ -30,8 +30,10 @@ struct ForceFit {
   double load = 0;         ///< on the lower wall by forces inferred without it, N; 0: not known
   double model_error = 0;  ///< error of the disks' fields, share of the signal, that makes the two agree
   std::vector<double> factor_scale,
-      factor_scale_error;     ///< one a material: the film asks for a factor so many times larger
-  double factor_scatter = 0;  ///< by which factors of grains scatter about those of their materials, relative
+      factor_scale_error;             ///< one a material: the film asks for a factor so many times larger
+  double shift = 0, shift_error = 0;  ///< of all pixels together, as forces and balance show it, K peak to peak; error
+                                      ///< 0: pixels share no noise
+  double factor_scatter = 0;          ///< by which factors of grains scatter about those of their materials, relative
 };
 
 /// Light that lens and housing scatter far.

@@ -41,8 +41,9 @@ std::vector<Estimate> with_errors(const std::vector<double>& values, const std::
       sum += d;
       squares += d * d;
     }
-    const double error = std::sqrt(std::max(0.0, (n - 1) / n * (squares - sum * sum / n)));
-    if (std::isfinite(error)) result[s].error = error;
+    // Of blocks without which a statistic has no value its error is not known.
+    const double variance = (n - 1) / n * (squares - sum * sum / n);
+    if (std::isfinite(variance)) result[s].error = std::sqrt(std::max(0.0, variance));
   }
   return result;
 }

@@ -58,9 +58,16 @@ inference::ForceOptions force_options(const recipe::FilmRecipe& recipe, const Pi
 }
 
 inference::ThermoelasticPicture picture_of(const FilmResult& r) {
-  inference::ThermoelasticPicture picture{r.film.width, r.film.height,   r.pixel,
-                                          r.origin,     r.maps.in_phase, r.maps.standard_error};
+  inference::ThermoelasticPicture picture{r.film.width,          r.film.height,      r.pixel, r.origin, r.maps.in_phase,
+                                          r.maps.standard_error, r.maps.common_error};
+  // What all pixels share is one unknown of the fit and no error of single pixels.
+  const double common = r.maps.common_error * r.maps.common_error;
+  for (float& error : picture.error) {
+    const double square = static_cast<double>(error) * static_cast<double>(error);
+    error = static_cast<float>(std::sqrt(std::max(square - common, r.maps.own_share * square)));
+  }
   const auto to_full = static_cast<float>(to_peak_to_peak(r.maps.convention));
+  picture.common_error *= static_cast<double>(to_full);
   for (auto* values : {&picture.value, &picture.error})
     for (float& v : *values) v *= to_full;
   return picture;

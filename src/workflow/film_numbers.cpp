@@ -44,6 +44,12 @@ Numbers lockin_of(const FilmResult& r) {
   const LockinMaps& m = r.maps;
   Numbers j{{"convention", name_of(m.convention)}, {"frames", described(m.frames, "", "Frames of whole cycles")}};
   j["blank_frames"] = described(m.blank, "", "Frames that hold no picture and are left out");
+  if (!m.levels.jumps.empty())
+    j["level_jumps"] = described(m.levels.jumps.size(), "", "Jumps of the pixels' level, each fitted in every pixel");
+  if (!m.levels.course.empty()) {
+    const auto [low, high] = std::ranges::minmax(m.levels.course);
+    put(j, "common_drift_K", high - low, "K", "Drift of all pixels beside the polynomial, fitted in every pixel");
+  }
   put(j, "frequency_Hz", Estimate{m.frequency, m.frequency_error}, "Hz", "Frequency of the load");
   put(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi, "deg",
       "Phase of the load at the first frame");
@@ -147,6 +153,9 @@ Numbers checks_of(const FilmResult& r) {
     put(j, "factor_scatter", fit.factor_scatter, "",
         "Relative scatter of the thermoelastic factors of single grains of a material");
   if (r.rim_blur > 0) put(j, "blur_of_rims_pixels", r.rim_blur, "pixels", "Blur seen at the rims of grains");
+  if (fit.shift_error > 0)
+    put(j, "common_shift_K", Estimate{fit.shift, fit.shift_error}, "K",
+        "Shift of all pixels by the noise that they share, as the balance of forces shows it, peak to peak");
   if (fit.load != 0) put(j, "load_by_forces_N", fit.load, "N", "Load from the forces on the walls, peak to peak");
   for (std::size_t m = 0; m < fit.factor_scale.size(); ++m)
     put(j["factor_scale"], r.packing.materials[m].name, Estimate{fit.factor_scale[m], fit.factor_scale_error[m]}, "",

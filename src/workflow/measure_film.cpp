@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "core/mapped.hpp"
 #include "thermal/thermography/blank_frames.hpp"
@@ -91,9 +92,8 @@ class Measurement {
     return true;
   }
 
-  /// Grains in the picture at the smallest load, and where these are followed. The pictures are its own, for a halo is
-  /// taken from them.
-  void find(thermography::PhasePictures pictures, FilmResult& r) {
+  /// Grains in the picture at the smallest load, and where these are followed.
+  void find(const thermography::PhasePictures& pictures, FilmResult& r) {
     const std::size_t smallest = nearest_picture(pictures, r.maps.reference_phase + std::numbers::pi);
     r.picture = thermography::picture_of(pictures, smallest);
     // The spline's coefficients are the picture with most of the pixels' blur undone: more rims are seen in it.
@@ -120,23 +120,25 @@ class Measurement {
   /// Fits the grains' motion and locks in where they are. Grains are found at the smallest load; in the middle of the
   /// cycle they are half their travel further. The largest amplitude is that of the largest load: contacts are as they
   /// are then, so the maps show the grains there.
-  void follow(thermography::PhasePictures& pictures, FilmResult& r) {
+  void follow(const thermography::PhasePictures& seen, FilmResult& r) {
     PictureGrains middle = r.grains;
-    const auto followed = [&](double blur) {
+    const auto followed = [&](const thermography::PhasePictures& pictures, double blur) {
       return thermography::follow_grains(pictures, r.maps, middle, r.motion, loaded_, recipe_.lockin.phase,
                                          options_.threads, blur);
     };
+    std::optional<thermography::PhasePictures> bare;
     if (r.halo.share > 0) {
-      fit_motion(pictures, r, middle);
-      scattered_ = followed(recipe_.forces.blur);
-      thermography::remove_halo({r.halo.share, r.halo.width, r.halo.error}, pictures);
+      fit_motion(seen, r, middle);
+      scattered_ = followed(seen, recipe_.forces.blur);
+      thermography::remove_halo({r.halo.share, r.halo.width, r.halo.error}, bare.emplace(seen));
     }
+    const thermography::PhasePictures& pictures = bare ? *bare : seen;
     fit_motion(pictures, r, middle);
-    const bool seen = thermography::is_seen(r.motion);
-    if (!seen) move_with_wall(r, middle);
-    wider_ = followed(recipe_.forces.blur + blur_step);
-    if (seen) r.rim_blur = thermography::rim_blur(pictures, middle, r.motion, options_.threads);
-    r.maps = followed(recipe_.forces.blur);
+    const bool rims_show_it = thermography::is_seen(r.motion);
+    if (!rims_show_it) move_with_wall(r, middle);
+    wider_ = followed(pictures, recipe_.forces.blur + blur_step);
+    if (rims_show_it) r.rim_blur = thermography::rim_blur(pictures, middle, r.motion, options_.threads);
+    r.maps = followed(pictures, recipe_.forces.blur);
   }
 
   void fit_motion(const thermography::PhasePictures& pictures, FilmResult& r, PictureGrains& middle) {

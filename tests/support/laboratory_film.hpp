@@ -1,7 +1,9 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -11,6 +13,7 @@
 #include "core/random.hpp"
 #include "model/elasticity/disk_field.hpp"
 #include "model/film.hpp"
+#include "support/disturbed_film.hpp"
 #include "support/laboratory_sample.hpp"
 #include "support/temporary_folder.hpp"
 #include "thermal/radiometry/band.hpp"
@@ -33,9 +36,18 @@ struct LaboratoryFilm {
   double background = 0.45, frame = 0.45;        ///< emissivities
   double travel = 1.0;                           ///< of the lower wall, pixels, upwards
   double wander = 0.1;                           ///< of every grain beside the affine motion, pixels
+  double common = 0, columns = 0;                ///< 1/f noise of all pixels, and of those of a column, K
+  double jump = 0, jump_pattern = 0;             ///< of the level at shares of the film, K, and of each pixel its own
+  std::vector<double> jump_at{0.54};             ///< shares of the film's time
+  double lost = 0;                               ///< share of the frames that are not in the film
+  std::function<double(double)> drift = {};      ///< K, of the share of the film's time
   std::size_t cycles = 30;
   std::uint64_t seed = 1;
   static constexpr double rate = 148, frequency = 3, margin = 9;  ///< Hz, Hz, pixels round the container
+
+  /// Column and row of the container's inner corner in the film.
+  static double left() { return margin + 0.2; }
+  static double top_row() { return margin - 0.3; }
 
   /// The grains at the smallest load, m.
   std::vector<Vec2> start(const Packing& p) const {
@@ -56,7 +68,7 @@ class DrawnFilm {
     const double px = how.pixel;
     film.about.width = static_cast<int>(p_.domain.wall[right].position / px + 2 * how.margin);
     film.about.height = static_cast<int>((p_.domain.wall[top].position) / px + 2 * how.margin + how.travel);
-    left = how.margin + 0.2, top_row = how.margin - 0.3;
+    left = how.left(), top_row = how.top_row();
     film.about.frame_rate = how.rate, film.about.floating = true, film.about.quantity = FilmQuantity::kelvin;
     film.about.frames =
         static_cast<std::int64_t>(std::lround(static_cast<double>(how.cycles) * how.rate / how.frequency));
@@ -207,16 +219,61 @@ class DrawnFilm {
   void draw() {
     std::map<long, std::vector<double>> drawn;  // by the share of the load
     RandomStream random(how_.seed, Purpose::test, 73);
-    film.value.reserve(film.about.pixels() * static_cast<std::size_t>(film.about.frames));
-    for (std::int64_t n = 0; n < film.about.frames; ++n) {
+    const auto frames = static_cast<std::size_t>(film.about.frames);
+    const std::vector<std::size_t> lost = DisturbedFilm::some_of(frames, how_.lost, how_.seed);
+    const Levels levels(how_, film.about.width, film.about.height, frames);
+    film.value.reserve(film.about.pixels() * frames);
+    film.about.frames = 0;
+    for (std::size_t n = 0; n < frames; ++n) {
+      if (std::ranges::binary_search(lost, n)) continue;
+      ++film.about.frames;
       const double share =
           0.5 - 0.5 * std::cos(2 * std::numbers::pi * how_.frequency * static_cast<double>(n) / how_.rate);
       const long key = std::lround(1e9 * share);
       if (!drawn.contains(key)) drawn[key] = picture(share);
-      for (const double v : drawn[key])
-        film.value.push_back(static_cast<float>(how_.temperature + v + how_.noise * random.normal()));
+      for (std::size_t p = 0; p < drawn[key].size(); ++p)
+        film.value.push_back(
+            static_cast<float>(how_.temperature + drawn[key][p] + levels.at(n, p) + how_.noise * random.normal()));
     }
   }
+
+  /// What camera and room add to the pixels' levels.
+  class Levels {
+   public:
+    Levels(const LaboratoryFilm& how, int width, int height, std::size_t frames)
+        : width_(static_cast<std::size_t>(width)),
+          all_(frames) {
+      RandomStream shared(how.seed, Purpose::test, 75), own(how.seed, Purpose::test, 76);
+      const auto noise = [&](double size) {
+        std::vector<double> of = flicker(frames, shared);
+        for (double& v : of) v *= size;
+        return of;
+      };
+      if (how.common > 0) all_ = noise(how.common);
+      if (how.columns > 0)
+        for (std::size_t c = 0; c < width_; ++c) column_.push_back(noise(how.columns));
+      for (const double at : how.jump_at) {
+        if (how.jump == 0 && how.jump_pattern == 0) continue;
+        jump_.push_back({static_cast<std::size_t>(at * static_cast<double>(frames)), {}});
+        for (std::size_t p = 0; p < width_ * static_cast<std::size_t>(height); ++p)
+          jump_.back().second.push_back(how.jump + how.jump_pattern * own.normal());
+      }
+      for (std::size_t n = 0; how.drift && n < frames; ++n)
+        all_[n] += how.drift(static_cast<double>(n) / static_cast<double>(frames));
+    }
+    double at(std::size_t frame, std::size_t pixel) const {
+      double sum = all_[frame] + (column_.empty() ? 0 : column_[pixel % width_][frame]);
+      for (const auto& [from, step] : jump_)
+        if (frame >= from) sum += step[pixel];
+      return sum;
+    }
+
+   private:
+    std::size_t width_;
+    std::vector<double> all_;
+    std::vector<std::vector<double>> column_;
+    std::vector<std::pair<std::size_t, std::vector<double>>> jump_;
+  };
 
   double height() const { return p_.domain.wall[top].position; }
   double lower_wall(double share) const { return -(1 - share) * how_.travel * how_.pixel; }
@@ -294,14 +351,27 @@ inline std::string optical_picture(const LaboratorySample& sample, const Laborat
 /// What was found of a film, held against the truth.
 struct FilmAccuracy {
   std::size_t grains = 0, contacts = 0, true_contacts = 0;
-  double centres = 0, centres_told = 0;   ///< pixels, along one axis
-  double stress = 0, stress_told = 0;     ///< rms over the mean stress
-  double force = 0, force_told = 0;       ///< of normal forces, relative
-  double within_one = 0, within_two = 0;  ///< shares of forces
+  double centres = 0, centres_told = 0;          ///< pixels, along one axis, at the largest load
+  double centres_low = 0, centres_low_told = 0;  ///< likewise, at the smallest
+  double scale = 0;                              ///< by which centres lie too far from each other, relative
+  double stress = 0, stress_told = 0;            ///< rms over the mean stress
+  double force = 0, force_told = 0;              ///< of normal forces, relative
+  double within_one = 0, within_two = 0;         ///< shares of forces
   double stress_within_one = 0, stress_within_two = 0;
   std::vector<std::string> said;
   FilmResult result;
 };
+
+/// By how much places lie farther from their middle than the true ones, relative.
+inline double scale_between(const std::vector<Vec2>& truth, const std::vector<Vec2>& found) {
+  Vec2 middle, there;
+  const auto n = static_cast<double>(truth.size());
+  for (std::size_t k = 0; k < truth.size(); ++k) middle += truth[k] / n, there += found[k] / n;
+  double along = 0, square = 0;
+  for (std::size_t k = 0; k < truth.size(); ++k)
+    along += dot(truth[k] - middle, found[k] - there), square += dot(truth[k] - middle, truth[k] - middle);
+  return square > 0 ? along / square - 1 : 0;
+}
 
 inline FilmAccuracy judged(const Packing& truth, const LaboratoryFilm& how, FilmResult result,
                            std::vector<std::string> said) {
@@ -327,6 +397,8 @@ inline FilmAccuracy judged(const Packing& truth, const LaboratoryFilm& how, Film
       }
   }
   double mean = 0, n = 0;
+  const std::vector<Vec2> low = how.start(truth);
+  std::vector<Vec2> true_places, found_places;
   for (const auto& [i, j] : true_of) {
     const double off = result.peak_to_peak.sigma_hyd[i] - sigma[j], told = result.peak_to_peak.error[i];
     if (!std::isfinite(off) || !std::isfinite(told)) continue;
@@ -335,10 +407,19 @@ inline FilmAccuracy judged(const Packing& truth, const LaboratoryFilm& how, Film
     a.stress_within_one += std::abs(off) < told, a.stress_within_two += std::abs(off) < 2 * told;
     const Vec2 away = (1 / how.pixel) * (found.grains.position[i] - truth.grains.position[j] - shift);
     a.centres += 0.5 * dot(away, away);
-    if (!result.grains.position_error.empty()) a.centres_told += std::pow(result.grains.position_error[i], 2);
+    if (result.grains.position_error.empty()) continue;
+    const double motion = i < result.motion.size() ? 2 * result.motion.error[i] : 0,
+                 at_rest = result.grains.position_error[i];
+    a.centres_told += at_rest * at_rest + motion * motion;
+    const Vec2 there{how.left() + low[j].x / how.pixel,
+                     how.top_row() + (truth.domain.wall[top].position - low[j].y) / how.pixel},
+        astray = result.grains.centre[i] - there;
+    a.centres_low += 0.5 * dot(astray, astray), a.centres_low_told += at_rest * at_rest;
+    true_places.push_back(there), found_places.push_back(result.grains.centre[i]);
   }
+  a.scale = scale_between(true_places, found_places);
   for (double* v : {&a.stress, &a.stress_told}) *v = std::sqrt(*v / n) / (mean / n);
-  for (double* v : {&a.centres, &a.centres_told}) *v = std::sqrt(*v / n);
+  for (double* v : {&a.centres, &a.centres_told, &a.centres_low, &a.centres_low_told}) *v = std::sqrt(*v / n);
   a.stress_within_one /= n, a.stress_within_two /= n;
   std::vector<double> carried(truth.contacts.size(), 0.0);
   a.contacts = found.contacts.size(), a.true_contacts = truth.contacts.size();

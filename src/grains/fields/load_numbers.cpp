@@ -72,7 +72,8 @@ double mean_of_last(const std::vector<double>& values, std::size_t count) {
   return sum / static_cast<double>(count);
 }
 
-/// A stage that ends in equilibrium has the loads of its end, one that lasts a time those of its steady part.
+/// A stage that ends in equilibrium has the loads of its end, of which one sample tells no error; one that lasts a time
+/// those of its steady part.
 Numbers numbers_of(const Load& load, bool lasts, const std::string& unit) {
   const bool averaged = lasts && load.asked.size() >= 12;
   SteadyState off;
@@ -81,7 +82,7 @@ Numbers numbers_of(const Load& load, bool lasts, const std::string& unit) {
   const double reached = averaged ? asked + off.mean.value : load.reached.back();
   const char* u = unit.c_str();
   Numbers j{{"asked_" + unit, described(asked, u, "Load asked for")}};
-  j["reached_" + unit] = described({{"value", reached}, {"error", averaged ? off.mean.error : 0.0}}, u,
+  j["reached_" + unit] = described({{"value", reached}, {"error", averaged ? off.mean.error : statistics::unknown}}, u,
                                    "Load reached: the contact forces on the side, mean where the stage lasts a time");
   if (averaged)
     j["spread_" + unit] = described(off.deviation, u, "Standard deviation of the load from what was asked for");

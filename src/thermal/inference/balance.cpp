@@ -173,6 +173,8 @@ InferredForces ForceEquations::finish(const ForceOptions& options, const Touches
   }
   for (std::size_t m = 0; m < unknowns.scales; ++m)
     out.fit.factor_scale_error.push_back(std::sqrt(variance[static_cast<std::size_t>(unknowns.scale(m))]));
+  if (unknowns.shift > 0)
+    out.fit.shift_error = unknowns.shift * std::sqrt(variance[static_cast<std::size_t>(unknowns.common_shift())]);
   judge_presence(packing, options.widest_gap, out);
   out.imbalance = mapped(touches, [&](const std::vector<Touch>& own) {
     Vec2 sum;

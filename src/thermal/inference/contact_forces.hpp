@@ -33,6 +33,7 @@ struct ThermoelasticPicture {
   Vec2 first;                ///< centre of the pixel in column 0 and row 0 (top left), m, y up
   std::vector<float> value;  ///< K: warming when the load rises
   std::vector<float> error;  ///< standard error, K; a pixel without a positive one is left out
+  double common_error = 0;   ///< standard error of what all pixels are shifted by together, K; not in `error`
 };
 
 /// Normal force that the grains exert on a wall, likewise peak to peak or of the state.

@@ -78,7 +78,8 @@ void check_problem(const ForceProblem& problem, const ForceOptions& options, boo
 
 /// Unknowns of an inference: fn and ft of contact c are 2 c and 2 c + 1, in units of `force`; where centres are
 /// refined, the changes of centre g along x and y are 2 (contacts + g) and the next, in units of `move`; where factors
-/// are fitted, the changes of the grains' scales and of the materials' come last.
+/// are fitted, the changes of the grains' scales and of the materials' come next; the shift that all pixels share, in
+/// units of `shift`, is the last.
 struct Unknowns {
   std::size_t contacts = 0, grains = 0;
   double force = 1;  ///< N
@@ -86,11 +87,13 @@ struct Unknowns {
   std::size_t own_factors =
       0;  ///< grains whose factor is fitted beside that of their material; 0: those of a material are alike
   std::size_t scales = 0;  ///< materials whose factor is fitted; 0: factors stay
+  double shift = 0;        ///< K, by which all pixels may be shifted together; 0: they are not
 
-  int count() const { return scale(scales); }
+  int count() const { return common_shift() + (shift > 0 ? 1 : 0); }
   int centre(std::size_t g) const { return static_cast<int>(2 * (contacts + g)); }
   int own_factor(std::size_t g) const { return static_cast<int>(2 * contacts + (move > 0 ? 2 * grains : 0) + g); }
   int scale(std::size_t material) const { return own_factor(own_factors + material); }
+  int common_shift() const { return scale(scales); }
 };
 
 /// The columns of a grain's equations: its touches' forces and, where centres move, its own and its partners' centres.

@@ -26,6 +26,8 @@ PixelEquations equations_of(const Unknowns& unknowns, const Placed& placed, std:
   const std::size_t factors = b.columns.size();
   if (unknowns.own_factors > 0) b.columns.push_back(unknowns.own_factor(g));
   if (unknowns.scales > 0) b.columns.push_back(unknowns.scale(static_cast<std::size_t>(placed.material[g])));
+  const std::size_t end = b.columns.size();
+  if (unknowns.shift > 0) b.columns.push_back(unknowns.common_shift());
   const std::size_t n = b.columns.size();
   b.rows.assign(n * pixels.size(), 0.0);
   const double signal = root_mean_square(pixels);
@@ -41,7 +43,8 @@ PixelEquations equations_of(const Unknowns& unknowns, const Placed& placed, std:
       for (std::size_t k = 0; k < z; ++k) add_turn(unknowns, touches, k, found.turn(k, q), row);
     }
     // A hundredth more factor is a hundredth more warming by the present forces.
-    for (std::size_t k = factors; k < n; ++k) row[k] = warming;
+    for (std::size_t k = factors; k < end; ++k) row[k] = warming;
+    for (std::size_t k = end; k < n; ++k) row[k] = unknowns.shift;
     const double close = std::max(1.0, contact_margin / pixels[q].to_contact);
     b.model.push_back(signal * close * close * close);
     b.right.push_back(pixels[q].value - found.spill[q]);

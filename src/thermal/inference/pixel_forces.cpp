@@ -104,7 +104,7 @@ InferredForces infer_from_pixels(const ForceProblem& problem, const Thermoelasti
   const PointSpread spread(picture.pixel, options.blur);
   placed.near = near_grains(packing, spread.reach);
   const double force = typical_force(placed, pixels);
-  PixelRounds rounds(problem, options, pixels, spread, picture.pixel, std::move(placed), force);
+  PixelRounds rounds(problem, options, pixels, spread, picture.pixel, std::move(placed), force, picture.common_error);
   InferredForces out = rounds.solved();
   out.fit.picture = drawn(rounds.placed_by_material(), packing, picture, spread);
   return out;

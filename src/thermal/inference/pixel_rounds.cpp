@@ -20,20 +20,20 @@ std::vector<double> between(const std::vector<double>& from, const std::vector<d
 }  // namespace
 
 PixelRounds::PixelRounds(const ForceProblem& problem, const ForceOptions& options, const Pixels& pixels,
-                         const PointSpread& spread, double pixel, Placed placed, double force)
+                         const PointSpread& spread, double pixel, Placed placed, double force, double shift)
     : problem_(problem),
       options_(options),
       pixels_(pixels),
       spread_(spread),
       side_(pixel),
-      unknowns_(unknowns_of(force)),
+      unknowns_(unknowns_of(force, shift)),
       model_error_(options.model_error) {
   known_.placed = std::move(placed);
   known_.scale.assign(unknowns_.scales, 1.0);
   known_.own.assign(unknowns_.own_factors, 1.0);
 }
 
-Unknowns PixelRounds::unknowns_of(double force) const {
+Unknowns PixelRounds::unknowns_of(double force, double shift) const {
   const Packing& packing = problem_.packing;
   const std::size_t grains = packing.grains.size();
   const bool alone = options_.iterations == 1;  // without forces centres and factors are of no consequence
@@ -42,7 +42,8 @@ Unknowns PixelRounds::unknowns_of(double force) const {
           force,
           alone ? 0 : options_.position_error * side_,
           options_.own_factors && !alone ? grains : 0,
-          options_.fit_factors && !alone ? problem_.factor.size() : 0};
+          options_.fit_factors && !alone ? problem_.factor.size() : 0,
+          shift};
 }
 
 std::vector<PixelEquations> PixelRounds::linearised(const Known& known) const {
@@ -58,6 +59,7 @@ ForceEquations PixelRounds::assembled(const Known& known, const std::vector<Pixe
   equations.add_energy(options_.prior > 0 ? options_.prior : 10);
   add_positions(equations, known);
   add_factors(equations, known);
+  if (unknowns_.shift > 0) equations.add_diagonal(unknowns_.common_shift(), 1, 0);
   return equations;
 }
 
@@ -82,10 +84,11 @@ void PixelRounds::add_factors(ForceEquations& equations, const Known& known) con
   for (std::size_t g = 0; g < unknowns_.own_factors; ++g) add(unknowns_.own_factor(g), known.own[g], scatter_);
 }
 
-/// Changes are none.
+/// Changes are none; forces and the shift are as they are.
 std::vector<double> PixelRounds::as_unknowns(const Known& known) const {
   std::vector<double> x(static_cast<std::size_t>(unknowns_.count()), 0.0);
   for (std::size_t k = 0; k < 2 * unknowns_.contacts; ++k) x[k] = known.placed.force[k] / unknowns_.force;
+  if (unknowns_.shift > 0) x[static_cast<std::size_t>(unknowns_.common_shift())] = known.shift;
   return x;
 }
 
@@ -102,6 +105,7 @@ void PixelRounds::take(Known& known, const std::vector<double>& x) const {
     placed.factor[g] =
         problem_.factor[m] * (known.scale.empty() ? 1 : known.scale[m]) * (known.own.empty() ? 1 : known.own[g]);
   }
+  if (unknowns_.shift > 0) known.shift = x[static_cast<std::size_t>(unknowns_.common_shift())];
   if (unknowns_.move <= 0) return;
   for (std::size_t g = 0; g < unknowns_.grains; ++g) {
     const auto u = static_cast<std::size_t>(unknowns_.centre(g));
@@ -188,6 +192,7 @@ InferredForces PixelRounds::solved() {
   out.fit.model_error = model_error_;
   for (std::size_t m = 0; m < known_.scale.size(); ++m) out.fit.factor_scale_error[m] *= known_.scale[m];
   out.fit.factor_scale = known_.scale;
+  out.fit.shift = unknowns_.shift * known_.shift;
   out.fit.factor_scatter = known_.own.empty() ? 0 : scatter_;
   return out;
 }

@@ -10,9 +10,10 @@ namespace arenite::inference {
 /// the weights of pixels that are far off and the scatter of factors follow from what the last one left.
 class PixelRounds {
  public:
-  /// All of these must outlive it. `force` and `move` are the units of forces (N) and centres (m; 0: these stay).
+  /// All of these must outlive it. `force` and `move` are the units of forces (N) and centres (m; 0: these stay),
+  /// `shift` the error of what all pixels share (K).
   PixelRounds(const ForceProblem& problem, const ForceOptions& options, const Pixels& pixels, const PointSpread& spread,
-              double pixel, Placed placed, double force);
+              double pixel, Placed placed, double force, double shift);
 
   /// Forces with their errors; `fit` without `picture`.
   InferredForces solved();
@@ -24,9 +25,10 @@ class PixelRounds {
   struct Known {
     Placed placed;
     std::vector<double> scale, own;  ///< of materials, of grains beside that of their material
+    double shift = 0;                ///< of all pixels, in units of the unknown
   };
 
-  Unknowns unknowns_of(double force) const;
+  Unknowns unknowns_of(double force, double shift) const;
   std::vector<PixelEquations> linearised(const Known& known) const;
   ForceEquations assembled(const Known& known, const std::vector<PixelEquations>& rows) const;
   void add_positions(ForceEquations& equations, const Known& known) const;

@@ -34,10 +34,12 @@ void sinusoids_beside(const HarmonicFit& fit, double t, double* phi) {
   }
 }
 
-/// The functions that are fitted, at time t.
-void functions_at(const HarmonicFit& fit, double t, double* phi) {
+/// The functions that are fitted, at frame n.
+void functions_at(const HarmonicFit& fit, const SegmentSums& s, std::size_t n, double* phi) {
+  const double t = s.time[n];
   const double x = (t - fit.middle) / fit.half, angle = 2 * std::numbers::pi * fit.frequency * t;
   legendre(x, fit.drift, phi);
+  for (std::size_t k = 0; k < fit.levels; ++k) phi[fit.drift + k] = s.levels[k][n];
   for (std::size_t h = 1; h <= fit.harmonics; ++h) {
     phi[fit.harmonic(h)] = std::cos(static_cast<double>(h) * angle);
     phi[fit.harmonic(h) + 1] = std::sin(static_cast<double>(h) * angle);
@@ -48,10 +50,14 @@ void functions_at(const HarmonicFit& fit, double t, double* phi) {
 }
 
 /// Rows: what the film is projected on in this segment, columns: 1 and the weights of the pass.
-Matrix projection(const HarmonicFit& fit, double centre, std::size_t weights) {
+Matrix projection(const HarmonicFit& fit, const SegmentSums& s, std::size_t segment, std::size_t weights) {
   Matrix r(fit.size(), weights);
+  const double centre = s.centre[segment];
   const double x = (centre - fit.middle) / fit.half;
   legendre(x, fit.drift, r.column(0));
+  for (std::size_t k = 0; k < fit.levels; ++k)
+    for (std::size_t n = s.first[segment]; n < s.first[segment + 1]; ++n)
+      r(fit.drift + k, 0) += s.levels[k][n] / s.frames_of(segment);
   const auto turn = [&](std::size_t row, std::size_t h, double frequency, double amount) {
     const double angle = 2 * std::numbers::pi * frequency * centre;
     const std::size_t column = 2 * h - 1;
@@ -83,6 +89,7 @@ HarmonicFit harmonic_fit(const SegmentSums& s, double frequency, int drift_order
                          std::vector<int> beside) {
   HarmonicFit fit{frequency,
                   static_cast<std::size_t>(drift_order) + 1,
+                  s.levels.size(),
                   s.functions / 2,
                   (s.time.front() + s.time.back()) / 2,
                   (s.time.back() - s.time.front()) / 2,
@@ -95,9 +102,9 @@ HarmonicFit harmonic_fit(const SegmentSums& s, double frequency, int drift_order
   for (std::size_t k = 0; k < s.segments(); ++k) {
     const Matrix g = pass_weights(s, k);
     Matrix phi(size, g.columns());
-    for (std::size_t n = 0; n < g.columns(); ++n) functions_at(fit, s.time[s.first[k] + n], phi.column(n));
+    for (std::size_t n = 0; n < g.columns(); ++n) functions_at(fit, s, s.first[k] + n, phi.column(n));
     if (fit.beside.empty()) fit.normal += times_transposed(phi, phi);
-    const Matrix squared = times_transposed(g, g), r = projection(fit, s.centre[k], g.rows()), turned = r * squared;
+    const Matrix squared = times_transposed(g, g), r = projection(fit, s, k, g.rows()), turned = r * squared;
     mixed += r * times_transposed(g, phi);
     tests += times_transposed(turned, r);
     std::copy_n(r.column(0), r.size(), projections.column(k * planes));

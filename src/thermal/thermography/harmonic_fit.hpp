@@ -41,8 +41,9 @@ struct SegmentSums {
   std::size_t functions = 0;       ///< cos and sin of all harmonics
   std::vector<float> weights;      ///< frames x functions
   std::size_t pixels = 0;
-  std::vector<float> base;           ///< first frame
-  std::vector<std::size_t> watched;  ///< some pixels spread over the picture, whose every value is kept
+  std::vector<float> base;                  ///< first frame
+  std::vector<std::size_t> watched;         ///< some pixels spread over the picture, whose every value is kept
+  std::vector<std::vector<double>> levels;  ///< further functions of time that pixels follow, one value a frame
   std::vector<float> seen;  ///< watched x frames, less the pixel's first value; threads write apart from each other
   Buffer<float> sums;       ///< see SegmentView; planes 1, functions, squares, first frame less the film's first
 
@@ -54,19 +55,22 @@ struct SegmentSums {
 
 /// One pass over the film with `harmonics` (1 to 4) of `frequency`; a film in memory is not copied. Every segment is
 /// short against the drift polynomial of this order and, where the film allows it, against the beat of a frequency that
-/// is 1e-2 off. No sums if `progress` stopped it.
+/// is 1e-2 off. Pixels may follow `changes` of their level, each its own share of them: no segment goes on over a jump.
+/// No sums if `progress` stopped it.
 SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double frequency, int harmonics, int drift_order,
-                         const ThreadPool& pool, const Progress& progress);
+                         const ThreadPool& pool, const Progress& progress, const LevelChanges& changes = {});
 
 /// Least squares of drift and harmonics of one frequency, the same for all pixels, as numbers by which the sums of
-/// segments are multiplied. Functions fitted: Legendre polynomials of x = (t - middle)/half the film's time, then cos(h
-/// w t), sin(h w t) of every harmonic h, the highest first, then, if asked for, x cos(w t), x sin(w t), which show a
-/// frequency that is off, or cos and sin of frequencies beside w, which show the noise there. The film is projected on
-/// the same functions with x and the phase of a small w - w_0 constant within a segment: what is of the fitted form is
-/// found exactly, with a standard error larger than that of plain least squares by less than a per cent.
+/// segments are multiplied. Functions fitted: Legendre polynomials of x = (t - middle)/half the film's time, changes of
+/// the level, then cos(h w t), sin(h w t) of every harmonic h, the highest first, then, if asked for, x cos(w t), x
+/// sin(w t), which show a frequency that is off, or cos and sin of frequencies beside w, which show the noise there.
+/// The film is projected on the same functions with x and the phase of a small w - w_0 constant within a segment: what
+/// is of the fitted form is found exactly, with a standard error larger than that of plain least squares by less than a
+/// per cent.
 struct HarmonicFit {
-  double frequency = 0;   ///< Hz
-  std::size_t drift = 0;  ///< polynomials, order + 1
+  double frequency = 0;    ///< Hz
+  std::size_t drift = 0;   ///< polynomials, order + 1
+  std::size_t levels = 0;  ///< changes of the level
   std::size_t harmonics = 0;
   double middle = 0, half = 0;          ///< s
   double spacing = 0;                   ///< Hz
@@ -78,9 +82,11 @@ struct HarmonicFit {
 
   std::size_t size() const { return side(beside.size()) + (beat ? 2 : 0); }
   /// Column of cos of harmonic h; sin is next to it.
-  std::size_t harmonic(std::size_t h) const { return drift + 2 * (harmonics - h); }
+  std::size_t harmonic(std::size_t h) const { return slow() + 2 * (harmonics - h); }
+  /// All that is no oscillation.
+  std::size_t slow() const { return drift + levels; }
   /// Column of cos of frequency k beside; sin is next to it.
-  std::size_t side(std::size_t k) const { return drift + 2 * (harmonics + k); }
+  std::size_t side(std::size_t k) const { return slow() + 2 * (harmonics + k); }
   /// Variance of the amplitude over what it would be if nothing else were fitted to as many frames: 1 in a film of many
   /// cycles, far more where drift and harmonics can do what the load's frequency does.
   double inflation(std::size_t frames) const {

@@ -30,7 +30,7 @@ std::vector<int> frequencies_beside(const SegmentSums& s, const HarmonicFit& fit
   const Band band{fit.frequency * length, 1 + 0.5 * static_cast<double>(fit.drift - 1),
                   nyquist_frequency(s.time) * length - 1};
   const std::size_t values = std::min(s.time.size(), s.segments() * (1 + s.functions)),
-                    taken = fit.drift + 2 * fit.harmonics;
+                    taken = fit.slow() + 2 * fit.harmonics;
   const std::size_t most = std::min<std::size_t>(12, values / 2 > taken ? (values / 2 - taken) / 2 : 0);
   // Further than half the segments away, frequencies above and below would look alike in the segments' sums.
   const int reach = std::min(6, static_cast<int>(s.segments()) / 2 - 2);

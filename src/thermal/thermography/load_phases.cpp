@@ -107,8 +107,10 @@ LoadPhases load_phases(const SegmentSums& s) {
     for (std::size_t i = 0; i < pattern.size(); ++i)
       load += pattern[i] * all.value[i][k], power += std::norm(all.value[i][k]);
     signal += std::norm(load) / length;
-    const double angle = -std::arg(load), turns = std::round((last - angle) / (2 * std::numbers::pi));  // of e^(-i w t)
-    phases.segment.push_back(last = angle + 2 * std::numbers::pi * turns);
+    const double steady = 2 * std::numbers::pi * s.frequency * s.centre[k], ahead = -std::arg(load) - steady,
+                 turns = std::round((last - ahead) / (2 * std::numbers::pi));  // of e^(-i w t)
+    last = ahead + 2 * std::numbers::pi * turns;
+    phases.segment.push_back(steady + last);
   }
   const auto m = statistics::second_moments(s.centre, phases.segment);
   phases.wander = std::sqrt(std::max(0.0, m.yy - m.xy * m.xy / m.xx) / static_cast<double>(s.segments()));

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/median.hpp"
 #include "core/problems.hpp"
+#include "core/text.hpp"
 #include "thermal/thermography/blank_frames.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/level_changes.hpp"
 #include "thermal/thermography/lost_frames.hpp"
 #include "thermal/thermography/refine_frequency.hpp"
 #include "thermal/thermography/shared_noise.hpp"
@@ -90,6 +93,30 @@ void project(LockinMaps& maps, const std::vector<double>& cosine, const std::vec
   }
 }
 
+/// A sentence for each kind of change of the level.
+void tell_levels(const std::vector<double>& time, LockinMaps& maps) {
+  constexpr std::size_t most = 5;
+  const LevelChanges& changes = maps.levels;
+  double common = 0, own = 0;
+  std::vector<std::string> when;
+  for (const LevelJump& jump : changes.jumps) {
+    common = std::max(common, std::abs(jump.common)), own = std::max(own, jump.own);
+    if (when.size() < most) when.push_back(fmt::format("{:.4g} s", time[jump.frame]));
+  }
+  if (changes.jumps.size() > most) when.push_back(fmt::format("{} more times", changes.jumps.size() - most));
+  if (!when.empty())
+    maps.disturbances.push_back(fmt::format(
+        "the level of the pixels jumps at {}, by up to {:.2g} in all pixels and {:.2g} from one to another (in the "
+        "unit of the film), as where a camera closes its shutter; every pixel is fitted with its own jumps",
+        list_of(when), common, own));
+  if (changes.course.empty()) return;
+  const auto [low, high] = std::ranges::minmax(changes.course);
+  maps.disturbances.push_back(
+      fmt::format("all pixels drift along a curve of {:.2g} (in the unit of the film) that no polynomial of order {} "
+                  "follows; every pixel is fitted with that curve, too",
+                  high - low, maps.drift_order));
+}
+
 /// Sentences for a film without time stamps in whose segments the phase of the load wanders.
 void tell_wander(const LoadPhases& phases, const std::vector<LostFrames>& lost, LockinMaps& maps) {
   if (!lost.empty()) {
@@ -108,32 +135,60 @@ void tell_wander(const LoadPhases& phases, const std::vector<LostFrames>& lost, 
                   phases.wander * 180 / std::numbers::pi, 100 * (1 - std::exp(-phases.wander * phases.wander / 2))));
 }
 
-/// `lost` are the losses that the times allow for already.
+/// Of a film that shows a load at this frequency, and none of which it is a multiple.
+LevelChanges level_changes(SegmentSums& sums, double frequency, int drift_order) {
+  LevelChanges found = find_level_changes(sums, frequency, drift_order);
+  if (found.empty()) return found;
+  sums.levels = functions_of(found, sums.time.size());
+  const WatchedPixels watched(sums);
+  if (watched.have_line(frequency) && !watched.stronger_part(frequency)) return found;
+  sums.levels.clear();
+  return {};
+}
+
+/// What a first look at a film has shown of it.
+struct Known {
+  std::vector<LostFrames> lost = {};  ///< that the times allow for already
+  LevelChanges levels = {};
+  bool looked = false;  ///< for changes of the level
+};
+
 LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<double> time, int harmonics,
-                     const std::vector<LostFrames>& lost = {}) {
+                     Known known = {}) {
   const ThreadPool pool(o.threads);
-  SegmentSums sums = sum_segments(film, std::move(time), o.frequency, harmonics, o.drift_order, pool, o.progress);
+  SegmentSums sums =
+      sum_segments(film, std::move(time), o.frequency, harmonics, o.drift_order, pool, o.progress, known.levels);
   if (sums.sums.empty()) return {};
   if (may_lack_frames(sums))
     if (const auto blank = blank_frames(film); !blank.empty()) {
       FilmWithout kept(film, blank, sums.time);
       sums = {};
-      LockinMaps maps = locked_in(kept, o, kept.info().time, possible_harmonics(kept.info().time, o));
+      LockinMaps maps = locked_in(kept, o, kept.info().time, possible_harmonics(kept.info().time, o), std::move(known));
       maps.blank = blank;
       return maps;
     }
   refuse_constant(sums);
   std::optional<FrequencyFit> refined;
   if (o.refine) refined = refine_frequency(sums, o.drift_order, pool);
+  if (!std::exchange(known.looked, true))
+    if (auto found = level_changes(sums, refined ? refined->frequency : o.frequency, o.drift_order); !found.empty()) {
+      known.levels = std::move(found);
+      std::vector<double> again = std::move(sums.time);
+      sums = {};
+      return locked_in(film, o, std::move(again), harmonics, std::move(known));
+    }
+  const std::vector<LostFrames>& lost = known.lost;
   LoadPhases phases;
   // A load of another frequency, which is refused below, would be made one of this by losses that were none.
   if (refined && film.info().time.empty() && lost.empty() && WatchedPixels(sums).have_line(refined->frequency)) {
     phases = load_phases(sums);
     constexpr double in_step = 0.003, by_noise = 1.7;  // rad; of sixteen segments or more, once in some thousand films
     if (phases.wander > std::max(in_step, by_noise * phases.noise))
-      if (const auto found = find_lost_frames(film, sums, phases, o.progress); !found.empty())
+      if (const auto found = find_lost_frames(film, sums, phases, o.progress); !found.empty()) {
+        known.lost = found;
         return locked_in(film, o, times_with_losses(sums.time.size(), sums.time[1] - sums.time[0], found), harmonics,
-                         found);
+                         std::move(known));
+      }
   }
   LockinMaps maps;
   maps.width = film.info().width;
@@ -143,6 +198,8 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
   maps.drift_order = o.drift_order;
   maps.harmonics = harmonics;
   maps.convention = o.convention;
+  maps.levels = known.levels;
+  tell_levels(sums.time, maps);
   tell_wander(phases, lost, maps);
   if (!lost.empty()) maps.time = sums.time;
   const HarmonicFit fit = harmonic_fit(sums, maps.frequency, o.drift_order, false);
@@ -227,7 +284,7 @@ LockinMaps nearest_bin_transform(FilmSource& film, const LockinOptions& options)
   const double length =
       static_cast<double>(time.size()) * (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   o.frequency = std::max(1.0, std::round(o.frequency * length)) / length;
-  return locked_in(film, o, std::move(time), harmonics);
+  return locked_in(film, o, std::move(time), harmonics, {.looked = true});
 }
 
 }  // namespace arenite::thermography

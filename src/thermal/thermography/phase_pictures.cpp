@@ -3,9 +3,11 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/median.hpp"
 #include "core/threads.hpp"
 #include "thermal/thermography/blank_frames.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/level_changes.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -31,9 +33,9 @@ struct Bins {
   std::vector<std::size_t> of_frame;
   std::vector<double> frames;
   std::vector<Harmonics> phases;
-  std::vector<float>
-      slow;          ///< frames x order: Legendre's polynomials P_1, P_2 .. of the time, less their mean over the film
-  Matrix mean_slow;  ///< parts x order: their means over the frames of every part
+  std::vector<float> slow;  ///< frames x order: Legendre's polynomials P_1, P_2 .. of the time, and changes of the
+                            ///< level, less their mean over the film
+  Matrix mean_slow;         ///< parts x order: their means over the frames of every part
   std::size_t order = 0;
 };
 
@@ -43,17 +45,23 @@ std::size_t order_of(const LockinMaps& maps, const std::vector<double>& time) {
   return static_cast<std::size_t>(std::clamp(cycles - 1, 0.0, static_cast<double>(maps.drift_order)));
 }
 
-void weigh_drift(Bins& bins, const std::vector<double>& time) {
+void weigh_drift(Bins& bins, const std::vector<double>& time, const std::vector<std::vector<double>>& levels) {
   const double middle = (time.front() + time.back()) / 2, half = (time.back() - time.front()) / 2;
+  const std::size_t powers = bins.order + 1;
+  bins.order += levels.size();
   std::vector<double> now(bins.order + 1), mean(now.size());
-  for (const double t : time) {
-    legendre((t - middle) / half, now.size(), now.data());
+  const auto at = [&](std::size_t n) {
+    legendre((time[n] - middle) / half, powers, now.data());
+    for (std::size_t j = 0; j < levels.size(); ++j) now[powers + j] = levels[j][n];
+  };
+  for (std::size_t n = 0; n < time.size(); ++n) {
+    at(n);
     for (std::size_t j = 0; j < now.size(); ++j) mean[j] += now[j] / static_cast<double>(time.size());
   }
   bins.slow.resize(time.size() * bins.order);
   bins.mean_slow = Matrix(bins.frames.size(), bins.order);
   for (std::size_t n = 0; n < time.size(); ++n) {
-    legendre((time[n] - middle) / half, now.size(), now.data());
+    at(n);
     for (std::size_t j = 0; j < bins.order; ++j) {
       const double value =
           now[j + 1] - mean[j + 1];  // so the noise of the drift does not add to that of the pictures' mean
@@ -63,7 +71,8 @@ void weigh_drift(Bins& bins, const std::vector<double>& time) {
   }
 }
 
-Bins sort_frames(const std::vector<double>& time, double frequency, std::size_t parts, std::size_t order) {
+Bins sort_frames(const std::vector<double>& time, double frequency, std::size_t parts, std::size_t order,
+                 const std::vector<std::vector<double>>& levels) {
   Bins bins;
   bins.order = order;
   std::vector<std::size_t> name(parts, parts);
@@ -84,7 +93,7 @@ Bins sort_frames(const std::vector<double>& time, double frequency, std::size_t 
   }
   for (std::size_t b = 0; b < bins.phases.size(); ++b)
     for (double& each : bins.phases[b]) each /= bins.frames[b];
-  weigh_drift(bins, time);
+  weigh_drift(bins, time, levels);
   return bins;
 }
 
@@ -121,10 +130,44 @@ void solve_drift(const Bins& bins, const float* sums, std::size_t pixels, float*
   });
 }
 
+/// Median size of how far pixels lie beside the mean of their four neighbours.
+double roughness(const std::vector<float>& picture, std::size_t width) {
+  std::vector<float> away;
+  for (std::size_t p = width; p + width < picture.size(); ++p)
+    if (p % width > 0 && p % width + 1 < width)
+      away.push_back(
+          std::abs(4 * picture[p] - picture[p - 1] - picture[p + 1] - picture[p - width] - picture[p + width]));
+  return median_of_finite(std::move(away));
+}
+
+/// The film's mean picture. Where each pixel's level jumps on its own the pattern of the jumps would be taken for rims
+/// as grains move over it: the picture is then that between those jumps where it is smoothest, if any is clearly
+/// smoother.
+std::vector<float> picture_at_rest(const LockinMaps& maps, const Bins& bins,
+                                   const std::vector<std::vector<double>>& levels, const float* drift) {
+  constexpr double clearly = 0.9;
+  const auto& jumps = maps.levels.jumps;
+  std::vector<float> best = maps.mean;
+  if (jumps.empty()) return best;
+  double least = clearly * roughness(best, static_cast<std::size_t>(maps.width));
+  for (std::size_t k = 0; k <= jumps.size(); ++k) {
+    std::vector<float> here = maps.mean;
+    for (std::size_t j = 0; j < jumps.size(); ++j) {
+      const float* size = drift + (bins.order - levels.size() + j) * maps.size();
+      const auto level = static_cast<float>(levels[j][k == 0 ? 0 : jumps[k - 1].frame]);
+      for (std::size_t p = 0; p < here.size(); ++p) here[p] += level * size[p];
+    }
+    if (const double rough = roughness(here, static_cast<std::size_t>(maps.width)); rough < least)
+      least = rough, best = std::move(here);
+  }
+  return best;
+}
+
 /// Pixels without a value would spoil their lines in the spline.
-void finish(const LockinMaps& maps, const Bins& bins, const float* drift, std::size_t b, float* picture) {
+void finish(const LockinMaps& maps, const Bins& bins, const std::vector<float>& mean, const float* drift, std::size_t b,
+            float* picture) {
   for (std::size_t p = 0; p < maps.size(); ++p) {
-    picture[p] = maps.mean[p] + picture[p] / static_cast<float>(bins.frames[b]);
+    picture[p] = mean[p] + picture[p] / static_cast<float>(bins.frames[b]);
     for (std::size_t j = 0; j < bins.order; ++j)
       picture[p] -= drift[j * maps.size() + p] * static_cast<float>(bins.mean_slow(b, j));
     if (!std::isfinite(picture[p])) picture[p] = p > 0 ? picture[p - 1] : 0;
@@ -134,7 +177,8 @@ void finish(const LockinMaps& maps, const Bins& bins, const float* drift, std::s
 
 PhasePictures sorted_pictures(FilmSource& film, const std::vector<double>& time, const LockinMaps& maps,
                               const LockinOptions& options, std::size_t parts) {
-  const Bins bins = sort_frames(time, maps.frequency, parts, order_of(maps, time));
+  const auto levels = functions_of(maps.levels, time.size());
+  const Bins bins = sort_frames(time, maps.frequency, parts, order_of(maps, time), levels);
   PhasePictures result{maps.width, maps.height, bins.frames, bins.phases, {}};
   const std::size_t pixels = result.pixels();
   result.spline.resize(result.size() * pixels);
@@ -158,8 +202,9 @@ PhasePictures sorted_pictures(FilmSource& film, const std::vector<double>& time,
   };
   if (!read_frames(film, 0, time.size(), take)) return {};
   solve_drift(bins, result.spline.data(), pixels, drift.data(), pool);
+  const std::vector<float> mean = picture_at_rest(maps, bins, levels, drift.data());
   pool.for_each(result.size(),
-                [&](std::size_t b) { finish(maps, bins, drift.data(), b, result.spline.data() + b * pixels); });
+                [&](std::size_t b) { finish(maps, bins, mean, drift.data(), b, result.spline.data() + b * pixels); });
   return result;
 }
 

@@ -86,7 +86,8 @@ struct PhasePictures {
   }
 };
 
-/// One pass over the film, with the frequency and the drift's order of its lock-in; pictures are at the film's mean.
+/// One pass over the film, with the frequency and the drift's order of its lock-in; pictures are at the film's mean
+/// or, where pixels jump each on its own, between those jumps where the mean is smoothest.
 /// Parts of the cycle in which there is no frame have no picture. Empty if `options.progress` stopped it.
 PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const LockinOptions& options,
                              std::size_t parts = 48);

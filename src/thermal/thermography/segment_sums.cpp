@@ -6,6 +6,7 @@
 
 #include "core/median.hpp"
 #include "core/problems.hpp"
+#include "thermal/thermography/level_changes.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -17,10 +18,20 @@ std::size_t segment_count(std::size_t frames, double cycles, int drift_order) {
   return std::min(frames, std::max(needed, std::min(frames / 8, by_cycles)));
 }
 
-void cut(SegmentSums& s, std::size_t count) {
+/// Into so many segments, or one or two more: a jump of the level ends one of them.
+void cut(SegmentSums& s, std::size_t count, const std::vector<LevelJump>& jumps) {
   const std::size_t frames = s.time.size();
-  for (std::size_t k = 0; k <= count; ++k) s.first.push_back(frames * k / count);
-  for (std::size_t k = 0; k < count; ++k) s.centre.push_back((s.time[s.first[k]] + s.time[s.first[k + 1] - 1]) / 2);
+  for (std::size_t k = 0; k <= count; ++k) {
+    const std::size_t at = frames * k / count;
+    const auto replaced = [&](const LevelJump& j) {
+      return 2 * (std::max(j.frame, at) - std::min(j.frame, at)) * count < frames;
+    };
+    if (k == 0 || k == count || std::ranges::none_of(jumps, replaced)) s.first.push_back(at);
+  }
+  for (const LevelJump& j : jumps) s.first.push_back(j.frame);
+  std::ranges::sort(s.first);
+  for (std::size_t k = 0; k + 1 < s.first.size(); ++k)
+    s.centre.push_back((s.time[s.first[k]] + s.time[s.first[k + 1] - 1]) / 2);
 }
 
 void weigh(SegmentSums& s) {
@@ -135,13 +146,18 @@ double nyquist_frequency(const std::vector<double>& time) {
 }
 
 SegmentSums sum_segments(FilmSource& film, std::vector<double> time, double frequency, int harmonics, int drift_order,
-                         const ThreadPool& pool, const Progress& progress) {
+                         const ThreadPool& pool, const Progress& progress, const LevelChanges& changes) {
   SegmentSums s;
   s.time = std::move(time);
   s.frequency = frequency;
   s.functions = 2 * static_cast<std::size_t>(harmonics);
   s.pixels = film.info().pixels();
-  cut(s, segment_count(s.time.size(), frequency * (s.time.back() - s.time.front()), drift_order));
+  const std::size_t frames = s.time.size();
+  const double cycles = frequency * (s.time.back() - s.time.front());
+  std::size_t segments = segment_count(frames, cycles, drift_order);
+  if (!changes.course.empty()) segments = std::clamp(static_cast<std::size_t>(cycles / 1.5), segments, 2 * segments);
+  cut(s, segments, changes.jumps);
+  s.levels = functions_of(changes, frames);
   weigh(s);
   watch(s);
   s.base.resize(s.pixels);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "core/mapped.hpp"
@@ -34,11 +33,13 @@ std::pair<double, double> usual_jump(const Matrix& value) {
   return {usual, median(mapped(jumps, [&](double j) { return std::abs(j - usual); }))};
 }
 
-/// Where the pixels jump a second time, within a few frames and by a fifth of the step or more: the time, s.
-std::optional<double> another_step(const Matrix& series, const std::vector<double>& time, const StepSides& sides,
-                                   double jump) {
+}  // namespace
+
+std::vector<StepGap> other_steps(const Matrix& series, const std::vector<double>& time, const StepSides& sides) {
+  std::vector<StepGap> others;
+  const double jump = squares(jumps_at(series, sides));
   constexpr std::size_t least_frames = 40;
-  constexpr double beyond_noise = 15;
+  constexpr double beyond_noise = 15, least_share = 0.01;  // of the step's squares: a tenth of it
   for (const StepSide& side : sides.side) {
     if (side.count < least_frames) continue;
     const Matrix value = series.part(side.first, side.count);
@@ -49,25 +50,36 @@ std::optional<double> another_step(const Matrix& series, const std::vector<doubl
     if (rise.first < near || rise.end + near > side.count) continue;
     const auto [noise, spread] = usual_jump(value);
     const double above = jump_at_once(value, rise.first, rise.end) - noise;
-    if (rise.end - rise.first > side.count / 8 || above < 0.04 * jump || above < beyond_noise * spread) continue;
+    if (rise.end - rise.first > side.count / 8 || above < least_share * jump || above < beyond_noise * spread) continue;
     StepOptions o;
     if (const StepSides there = step_sides(value, times, rise.middle, rise, o); is_a_step(there, side.count))
-      return rise.middle;
+      others.push_back({rise.first + side.first, rise.end + side.first, rise.middle});
   }
-  return std::nullopt;
+  return others;
 }
 
-}  // namespace
+Matrix jumps_at(const Matrix& series, const StepSides& sides) {
+  const auto& [before, after] = sides.side;
+  Matrix jump = series.part(after.first, after.count) * after.height_weights();
+  return jump -= series.part(before.first, before.count) * before.height_weights();
+}
+
+double share_alike(const Matrix& jump) {
+  double sum = 0;
+  for (std::size_t i = 0; i < jump.rows(); ++i) sum += jump(i, 0);
+  const double all = squares(jump);
+  return all > 0 ? sum * sum / static_cast<double>(jump.rows()) / all : 0;
+}
 
 bool is_a_step(const StepSides& sides, std::size_t frames) {
   return sides.evidence >
          chi_squared_above(sides.noise.pixels, std::sqrt(2 * std::log(100 * static_cast<double>(frames))));
 }
 
-std::vector<std::string> step_doubts(const Matrix& series, const std::vector<double>& time, const StepGap& rise,
-                                     const StepSides& sides, const StepOptions& o) {
+std::vector<std::string> step_doubts(const std::vector<double>& time, const StepGap& rise, const StepSides& sides,
+                                     const std::vector<double>& jumps, const StepOptions& o) {
   std::vector<std::string> doubts;
-  const auto& [before, after] = sides.side;
+  const StepSide& after = sides.side[1];
   const double gap = time[rise.end] - time[rise.first - 1];
   if (rise.end > rise.first && gap > o.rise)
     doubts.push_back(
@@ -84,12 +96,11 @@ std::vector<std::string> step_doubts(const Matrix& series, const std::vector<dou
         fmt::format("for about {:.2g} s after the step the pixels go on in its direction, by {:.2g} % of it: the load "
                     "creeps, or takes long to change; the jump is what they show at once",
                     after.relaxation, 100 * after.onward));
-  Matrix jump = series.part(after.first, after.count) * after.height_weights();
-  jump -= series.part(before.first, before.count) * before.height_weights();
-  if (const auto other = another_step(series, time, sides, squares(jump)))
-    doubts.push_back(fmt::format(
-        "pixels jump again at {:.4g} s, where drift is taken to go on evenly; give --window so that one step is used",
-        *other));
+  for (const double other : jumps)
+    doubts.push_back(
+        fmt::format("pixels jump again at {:.4g} s, as where a camera closes its shutter; each is fitted with its own "
+                    "jump there; if that is a step of the load, give --window so that one step is used",
+                    other));
   return doubts;
 }
 

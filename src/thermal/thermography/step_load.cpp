@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "thermal/thermography/blank_frames.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
@@ -143,6 +145,31 @@ void fill(StepMaps& maps, const StepSides& sides, const StepSums (&sums)[2]) {
         "every pixel of the film is constant in time (or not a number); a step needs a film of a loaded sample");
 }
 
+/// The step of the load, and where else the level of the pixels jumps, s.
+struct StepsFound {
+  StepGap rise;
+  StepSides sides;
+  std::vector<double> jumps;
+};
+
+/// A camera's level jumps in all pixels alike: where that is the larger jump, the other one is the load's.
+StepsFound steps_found(const Matrix& series, const std::vector<double>& time, StepGap rise, const StepOptions& o) {
+  constexpr double alike = 0.9, clearly = 0.25;
+  const auto at = [&](const StepGap& gap) { return o.time ? *o.time : gap.middle; };
+  StepSides sides = step_sides(series, time, at(rise), rise, o);
+  std::vector<StepGap> others = other_steps(series, time, sides);
+  if (others.empty()) return {rise, std::move(sides), {}};
+  const auto uneven = [&](const StepSides& there) { return 1 - share_alike(jumps_at(series, there)); };
+  if (const double here = uneven(sides); !o.time && here < 1 - alike)
+    for (StepGap& other : others)
+      if (here < clearly * uneven(step_sides(series, time, other.middle, other, o, {rise.middle}))) {
+        std::swap(rise, other);
+        break;
+      }
+  const auto jumps = mapped(others, [](const StepGap& gap) { return gap.middle; });
+  return {rise, step_sides(series, time, at(rise), rise, o, jumps), jumps};
+}
+
 /// The first frame that is not before a time within the film.
 std::size_t frame_at(const std::vector<double>& time, double at) {
   return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), at) - time.begin());
@@ -173,9 +200,10 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
     throw InputError(
         "every pixel of the film is constant in time (or not a number); a step needs a film of a loaded sample");
   const std::size_t split = o.time ? frame_at(time, *o.time) : find_step(series, time, o.drift_order);
-  const StepGap rise = find_rise(series, time, split);
+  const StepsFound found = steps_found(series, time, find_rise(series, time, split), o);
+  const StepGap& rise = found.rise;
+  const StepSides& sides = found.sides;
   const double step = o.time ? *o.time : rise.middle;
-  const StepSides sides = step_sides(series, time, step, rise, o);
   if (!o.time && !is_a_step(sides, time.size()))
     throw InputError(
         "the film shows no step of the load: nowhere do its pixels jump by more than their noise; give the time of the "
@@ -184,8 +212,9 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
   StepMaps maps{film.info().width, film.info().height, step, before.count, after.count, {}, o.drift_order,
                 before.relaxation, after.relaxation};
   maps.rise = rise.end > rise.first ? time[rise.end] - time[rise.first - 1] : 0;
-  maps.time_error = o.time ? 0 : (time[split] - time[split - 1]) / std::sqrt(12.0);
-  maps.doubts = step_doubts(series, time, rise, sides, o);
+  maps.time_error = o.time ? 0 : (time[rise.end] - time[rise.end - 1]) / std::sqrt(12.0);
+  maps.doubts = step_doubts(time, rise, sides, found.jumps, o);
+  maps.level_jumps = found.jumps;
   StepSums sums[2] = {StepSums(film.info().pixels(), before.height.rows()),
                       StepSums(film.info().pixels(), after.height.rows())};
   const ThreadPool pool(o.threads);

@@ -31,6 +31,7 @@ struct StepMaps {
          relaxation_after = 0;  ///< s, of the exponential that was fitted on a side beside the polynomial; 0: none was
   double time_error = 0;        ///< s, of a time that was found
   double rise = 0;              ///< s for which the film shows the load on its way; 0: it does not
+  std::vector<double> level_jumps = {};  ///< s, where pixels jump beside the step; each was fitted with its own
   std::vector<std::string> doubts = {};  ///< what the film shows against what a step is taken for, each a sentence
   std::vector<float> jump =
       {};  ///< after less before, both continued to the middle of the step: -A times the stress step

@@ -76,6 +76,7 @@ struct Place {
   double step;
   int order;
   std::size_t first, end;
+  std::vector<double> jumps = {};  ///< s, well within it
 
   std::size_t count() const { return end - first; }
   double length() const { return std::max(std::abs(time[first] - step), std::abs(time[end - 1] - step)); }
@@ -85,8 +86,8 @@ struct Place {
 
 /// `with_time` adds the function by which the fit changes when the relaxation's time does.
 StepSide side_of(const Place& at, double relaxation, bool with_time = false) {
-  const std::size_t powers = static_cast<std::size_t>(at.order) + 1,
-                    size = powers + (relaxation > 0 ? 1 : 0) + (with_time ? 1 : 0);
+  const std::size_t powers = static_cast<std::size_t>(at.order) + 1, levels = powers + at.jumps.size(),
+                    size = levels + (relaxation > 0 ? 1 : 0) + (with_time ? 1 : 0);
   const double length = at.length();
   Matrix value(size, 1), slope = value;
   const auto functions = [&](double t) {
@@ -95,11 +96,12 @@ StepSide side_of(const Place& at, double relaxation, bool with_time = false) {
       value(k, 0) = k == 0 ? 1 : value(k - 1, 0) * x;
       slope(k, 0) = k == 0 ? 0 : static_cast<double>(k) * value(k - 1, 0) / length;
     }
+    for (std::size_t k = powers; k < levels; ++k) value(k, 0) = t >= at.jumps[k - powers] ? 1 : 0, slope(k, 0) = 0;
     if (relaxation <= 0) return;
     const double since = at.since(t), fall = std::exp(-since / relaxation);
-    value(powers, 0) = fall, slope(powers, 0) = -fall / relaxation;
+    value(levels, 0) = fall, slope(levels, 0) = -fall / relaxation;
     if (with_time)
-      value(powers + 1, 0) = since / length * fall, slope(powers + 1, 0) = (1 - since / relaxation) / length * fall;
+      value(levels + 1, 0) = since / length * fall, slope(levels + 1, 0) = (1 - since / relaxation) / length * fall;
   };
   Matrix all(at.count(), size);
   for (std::size_t n = 0; n < all.rows(); ++n) {
@@ -197,7 +199,8 @@ double measure_noise(const Matrix& series, StepSides& sides) {
   return squares(left) / static_cast<double>(left.rows()) / sides.freedom();
 }
 
-std::array<Place, 2> places_of(const std::vector<double>& time, double step, const StepGap& gap, const StepOptions& o) {
+std::array<Place, 2> places_of(const std::vector<double>& time, double step, const StepGap& gap, const StepOptions& o,
+                               const std::vector<double>& jumps) {
   const double far = o.window > 0 ? o.window : time.back() + 1;
   const auto from = [&](double t) {
     return static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
@@ -205,15 +208,20 @@ std::array<Place, 2> places_of(const std::vector<double>& time, double step, con
   const auto after = [&](double t) {
     return static_cast<std::size_t>(std::upper_bound(time.begin(), time.end(), t) - time.begin());
   };
-  const std::array places{
-      Place{time, step, o.drift_order, from(step - far), std::min(gap.first, from(step - o.rise / 2))},
-      Place{time, step, o.drift_order, std::max(gap.end, after(step + o.rise / 2)), after(step + far)}};
+  std::array places{Place{time, step, o.drift_order, from(step - far), std::min(gap.first, from(step - o.rise / 2))},
+                    Place{time, step, o.drift_order, std::max(gap.end, after(step + o.rise / 2)), after(step + far)}};
   for (const Place& at : places)
     if (at.end < at.first + static_cast<std::size_t>(o.drift_order) + 3)
       throw refusal(
           "the film has {} frames {} the step at {:.6g} s that can be used, too few for a drift of order {}; give "
           "another time, a longer window, a shorter rise or less drift",
           at.end > at.first ? at.count() : 0, &at == places.data() ? "before" : "after", step, o.drift_order);
+  constexpr std::size_t least_frames = 8;  // on both sides of a jump
+  for (Place& at : places)
+    for (const double jump : jumps)
+      if (at.count() > 2 * least_frames && jump > time[at.first + least_frames] &&
+          jump < time[at.end - 1 - least_frames])
+        at.jumps.push_back(jump);
   return places;
 }
 
@@ -241,8 +249,8 @@ double StepSides::variance() const {
 }
 
 StepSides step_sides(Matrix series, const std::vector<double>& time, double step, const StepGap& gap,
-                     const StepOptions& options) {
-  const std::array<Place, 2> places = places_of(time, step, gap, options);
+                     const StepOptions& options, const std::vector<double>& jumps) {
+  const std::array<Place, 2> places = places_of(time, step, gap, options, jumps);
   weigh(series, places);
   StepSides sides;
   for (std::size_t k = 0; k < 2; ++k) {

@@ -52,8 +52,9 @@ struct StepSides {
 /// Sides of a step at `step` (s) with the window, rise and polynomials of the options, without the frames of `gap`.
 /// Heat that flows after the step, or a camera that warms up, makes pixels relax exponentially: where the pixels of
 /// `series` (pixels x frames, each weighed by its noise) show by more than their noise that they do, an exponential in
-/// the time that fits them best is added to a side. Throws InputError for a side with too few frames.
+/// the time that fits them best is added to a side. At `jumps` (s) pixels have another level from there on, each its
+/// own. Throws InputError for a side with too few frames.
 StepSides step_sides(statistics::Matrix series, const std::vector<double>& time, double step, const StepGap& gap,
-                     const StepOptions& options);
+                     const StepOptions& options, const std::vector<double>& jumps = {});
 
 }  // namespace arenite::thermography

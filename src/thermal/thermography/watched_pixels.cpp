@@ -14,18 +14,22 @@ namespace {
 using Complex = std::complex<double>;
 using statistics::FloatMatrix;
 
-/// Polynomials that slow changes follow, orthonormal over the frames: frames x order.
-FloatMatrix slow_changes(const std::vector<double>& time) {
+/// Polynomials that slow changes follow, and other changes of the level, orthonormal over the frames: frames x
+/// functions.
+FloatMatrix slow_changes(const SegmentSums& s) {
   constexpr std::size_t order = 4;
-  statistics::Matrix slow(time.size(), order);
+  const std::vector<double>& time = s.time;
+  statistics::Matrix slow(time.size(), order + s.levels.size());
   for (std::size_t n = 0; n < slow.rows(); ++n) {
     double row[order];
     legendre(2 * (time[n] - time.front()) / (time.back() - time.front()) - 1, order, row);
     for (std::size_t k = 0; k < order; ++k) slow(n, k) = row[k];
+    for (std::size_t k = 0; k < s.levels.size(); ++k) slow(n, order + k) = s.levels[k][n];
   }
   const statistics::Matrix q = statistics::orthonormal(slow).q;
-  FloatMatrix result(slow.rows(), order);
-  std::transform(q.column(0), q.column(order), result.column(0), [](double v) { return static_cast<float>(v); });
+  FloatMatrix result(slow.rows(), slow.columns());
+  std::transform(q.column(0), q.column(slow.columns()), result.column(0),
+                 [](double v) { return static_cast<float>(v); });
   return result;
 }
 
@@ -72,7 +76,7 @@ double power_around(const std::vector<double>& power, std::size_t k, std::size_t
 WatchedPixels::WatchedPixels(const SegmentSums& s) : time_(s.time), value_(s.watched.size(), s.time.size()) {
   for (std::size_t n = 0; n < value_.columns(); ++n)
     for (std::size_t i = 0; i < value_.rows(); ++i) value_(i, n) = s.seen[i * value_.columns() + n];
-  const FloatMatrix slow = slow_changes(time_);
+  const FloatMatrix slow = slow_changes(s);
   value_ -= times_transposed(value_ * slow, slow);
   std::vector<float> squares(value_.rows());
   for (std::size_t n = 0; n < value_.columns(); ++n)

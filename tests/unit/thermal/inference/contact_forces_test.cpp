@@ -167,6 +167,42 @@ TEST(ContactForces, StandardErrorsAreHonest) {
   EXPECT_LT(t, 2.5);
 }
 
+/// A picture whose pixels are all shifted by the noise that they share: by an unknown of the fit, forces are as sure as
+/// without, and by wider errors of each pixel they were not.
+TEST(ContactForces, AShiftOfAllPixelsIsOneUnknown) {
+  constexpr double common = 1.5e-3;
+  constexpr int films = 12;
+  double one = 0, two = 0, shifts = 0, off = 0, told = 0, told_wider = 0;
+  for (int k = 1; k <= films; ++k) {
+    Film film;
+    RandomStream random(static_cast<std::uint64_t>(k), Purpose::test, 21);
+    film.drawing.seed = static_cast<std::uint64_t>(k);
+    film.picture = test::draw_thermoelastic(film.truth, factors(film.truth), film.drawing);
+    const double shift = common * random.normal();
+    for (float& v : film.picture.value) v += static_cast<float>(shift);
+    Film wider = film;
+    for (float& e : wider.picture.error) e = static_cast<float>(std::hypot(static_cast<double>(e), common));
+    film.picture.common_error = common;
+    ForceOptions options;
+    options.balance_error = 1e-3;
+    const InferredForces f = film.infer(options), before = wider.infer(options);
+    const auto count = static_cast<double>(f.contacts.size());
+    for (std::size_t c = 0; c < f.contacts.size(); ++c) {
+      const double error = f.contacts.fn[c] - film.truth.contacts.fn[c], over = std::abs(error) / f.fn_error[c];
+      one += (over < 1) / count / films, two += (over < 2) / count / films;
+      off += error * error / count / films, told += f.fn_error[c] * f.fn_error[c] / count / films;
+      told_wider += before.fn_error[c] * before.fn_error[c] / count / films;
+    }
+    shifts += std::pow((f.fit.shift - shift) / f.fit.shift_error, 2) / films;
+    EXPECT_LT(f.fit.shift_error, 0.2 * common);
+  }
+  EXPECT_NEAR(one, 0.68, 0.1);
+  EXPECT_NEAR(two, 0.94, 0.05);
+  EXPECT_NEAR(std::sqrt(told / off), 1, 0.25);
+  EXPECT_GT(std::sqrt(told_wider / off), 1.5);
+  EXPECT_LT(std::sqrt(shifts), 1.8);
+}
+
 /// Contacts that are offered but carry nothing come out near zero and are marked; those that carry are not.
 TEST(ContactForces, SpuriousContactsAreFound) {
   Film film;

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 
 #include "support/disturbed_film.hpp"
+#include "support/sentences.hpp"
 #include "thermal/thermography/lockin.hpp"
 
 namespace {
@@ -29,10 +29,6 @@ double errors(const test::DisturbedFilm& of, const LockinMaps& maps) {
   return std::sqrt(square / static_cast<double>(maps.size()));
 }
 
-std::string all_of(const std::vector<std::string>& sentences) {
-  return std::accumulate(sentences.begin(), sentences.end(), std::string());
-}
-
 TEST(LostFrames, AreFoundByThePhaseOfTheLoadAndTold) {
   for (const std::uint64_t seed : {1U, 2U}) {
     test::DisturbedFilm of;
@@ -43,7 +39,7 @@ TEST(LostFrames, AreFoundByThePhaseOfTheLoadAndTold) {
     EXPECT_NEAR(maps.frequency, of.frequency, 4 * maps.frequency_error) << seed;
     EXPECT_LT(maps.frequency_error, 0.0005);
     EXPECT_LT(errors(of, maps), 1.15) << seed;
-    EXPECT_NE(all_of(maps.disturbances).find("frames are missing"), std::string::npos);
+    EXPECT_NE(test::all_of(maps.disturbances).find("frames are missing"), std::string::npos);
     EXPECT_EQ(maps.time.size(), maps.frames);
   }
 }
@@ -66,7 +62,8 @@ TEST(LostFrames, NoiseAndDriftLoseNone) {
     of.drift = [](double t) { return 0.3 * std::sin(0.7 * t); };
     const LockinMaps maps = locked(of);
     EXPECT_EQ(maps.lost_frames, 0U) << seed;
-    EXPECT_EQ(all_of(maps.disturbances).find("phase of the load"), std::string::npos) << all_of(maps.disturbances);
+    EXPECT_EQ(test::all_of(maps.disturbances).find("phase of the load"), std::string::npos)
+        << test::all_of(maps.disturbances);
   }
 }
 
@@ -75,7 +72,8 @@ TEST(LostFrames, ALoadOfWanderingFrequencyHasNone) {
   of.late = [](double t) { return 0.5 * std::sin(1.3 * t); };
   const LockinMaps maps = locked(of);
   EXPECT_EQ(maps.lost_frames, 0U);
-  EXPECT_NE(all_of(maps.disturbances).find("wanders by 18 deg"), std::string::npos) << all_of(maps.disturbances);
+  EXPECT_NE(test::all_of(maps.disturbances).find("wanders by 18 deg"), std::string::npos)
+      << test::all_of(maps.disturbances);
 }
 
 TEST(LostFrames, StampsAreBelieved) {

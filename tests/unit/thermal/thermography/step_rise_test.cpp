@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <string>
 
 #include "support/correlated_noise.hpp"
 #include "support/oscillating_film.hpp"
+#include "support/sentences.hpp"
 #include "thermal/thermography/step_load.hpp"
 
 namespace {
@@ -60,10 +60,6 @@ Found found(const RisingFilm& of, const test::CorrelatedNoise& noise, const Step
   return f;
 }
 
-std::string joined(const std::vector<std::string>& sentences) {
-  return std::accumulate(sentences.begin(), sentences.end(), std::string());
-}
-
 TEST(StepRise, AFrameHalfWayIsNoHeatThatFlows) {
   for (const double noise : {0.001, 0.02, 0.05})
     for (const double part : {0.1, 0.5, 0.9}) {
@@ -90,7 +86,7 @@ TEST(StepRise, TheTimeThatALoadTakesIsFoundAndLeftOut) {
       EXPECT_NEAR(f.jump, 0.065, 0.003) << heat;
       EXPECT_GT(f.maps.rise, 0.05) << heat;
       EXPECT_LT(f.maps.rise, 0.25) << heat;
-      EXPECT_NE(joined(f.maps.doubts).find("on its way"), std::string::npos) << heat;
+      EXPECT_NE(test::all_of(f.maps.doubts).find("on its way"), std::string::npos) << heat;
     }
 }
 
@@ -101,7 +97,7 @@ TEST(StepRise, NoiseThatPixelsShareIsNoRise) {
     const Found f = found(of, {0.02, 0.01, 0.6, seed + 5});
     EXPECT_EQ(f.maps.rise, 0) << seed;
     EXPECT_NEAR(f.jump, 0.065, 0.02) << seed;
-    EXPECT_TRUE(f.maps.doubts.empty()) << seed << joined(f.maps.doubts);
+    EXPECT_TRUE(f.maps.doubts.empty()) << seed << test::all_of(f.maps.doubts);
   }
 }
 
@@ -111,7 +107,7 @@ TEST(StepRise, AWrongTimeIsTold) {
   StepOptions options;
   options.time = 3.08;
   const Found f = found(of, {0.02, 0, 0.0, 5}, options);
-  EXPECT_NE(joined(f.maps.doubts).find("not at the given"), std::string::npos) << joined(f.maps.doubts);
+  EXPECT_NE(test::all_of(f.maps.doubts).find("not at the given"), std::string::npos) << test::all_of(f.maps.doubts);
   EXPECT_NEAR(f.jump, 0.065, 0.004);
   options.time = of.step;
   EXPECT_TRUE(found(of, {0.02, 0, 0.0, 5}, options).maps.doubts.empty());
@@ -123,18 +119,45 @@ TEST(StepRise, ASecondStepIsTold) {
   StepOptions options;
   options.time = of.step;
   const Found f = found(of, {0.02, 0, 0.0, 5}, options);
-  EXPECT_NE(joined(f.maps.doubts).find("jump again at 4.7"), std::string::npos) << joined(f.maps.doubts);
+  EXPECT_NE(test::all_of(f.maps.doubts).find("jump again at 4.7"), std::string::npos) << test::all_of(f.maps.doubts);
   options.window = 1.5;
   const Found one = found(of, {0.02, 0, 0.0, 5}, options);
-  EXPECT_EQ(joined(one.maps.doubts).find("again"), std::string::npos) << joined(one.maps.doubts);
+  EXPECT_EQ(test::all_of(one.maps.doubts).find("again"), std::string::npos) << test::all_of(one.maps.doubts);
   EXPECT_NEAR(one.jump, 0.065, 0.003);
+}
+
+/// A camera's shutter closes during the film: pixels get new offsets, before or after the step, larger or smaller than
+/// it.
+TEST(StepRise, LevelsThatJumpAreFittedAndTold) {
+  for (const double at : {1.3, 4.6})
+    for (const double size : {0.02, 0.1, -0.5}) {
+      RisingFilm of;
+      of.step = 3 - 0.5 / 148;
+      Film film = test::draw_film(of);
+      test::CorrelatedNoise{0.02, 0, 0.0, 5}.add_to(film);
+      const std::size_t pixels = film.about.pixels(), from = static_cast<std::size_t>(at * of.rate);
+      for (std::size_t k = from * pixels; k < film.value.size(); ++k) film.value[k] += static_cast<float>(size);
+      const StepMaps maps = step_load(film, {});
+      double jump = 0, square = 0;
+      for (std::size_t p = 0; p < pixels; ++p) {
+        const double off = static_cast<double>(maps.jump[p]) - of.jump(p);
+        jump += static_cast<double>(maps.jump[p]) / static_cast<double>(pixels);
+        square += std::pow(off / static_cast<double>(maps.standard_error[p]), 2) / static_cast<double>(pixels);
+      }
+      EXPECT_NEAR(maps.time, of.step, 1 / of.rate) << size;
+      EXPECT_NEAR(jump, 0.065, 0.002) << size;
+      EXPECT_LT(std::sqrt(square), 1.2) << size;
+      ASSERT_EQ(maps.level_jumps.size(), 1U) << size;
+      EXPECT_NEAR(maps.level_jumps[0], static_cast<double>(from) / of.rate, 1 / of.rate) << size;
+      EXPECT_NE(test::all_of(maps.doubts).find("jump again at"), std::string::npos) << test::all_of(maps.doubts);
+    }
 }
 
 TEST(StepRise, ALoadThatCreepsIsTold) {
   RisingFilm of;
   of.done = [](double since) { return since < 0 ? 0 : 1 - 0.3 * std::exp(-since / 0.5); };
   const Found f = found(of, {0.01, 0, 0.0, 5});
-  EXPECT_NE(joined(f.maps.doubts).find("creeps"), std::string::npos) << joined(f.maps.doubts);
+  EXPECT_NE(test::all_of(f.maps.doubts).find("creeps"), std::string::npos) << test::all_of(f.maps.doubts);
 }
 
 }  // namespace
