@@ -139,7 +139,8 @@ void tell_wander(const LoadPhases& phases, const std::vector<LostFrames>& lost, 
 LevelChanges level_changes(SegmentSums& sums, double frequency, int drift_order) {
   LevelChanges found = find_level_changes(sums, frequency, drift_order);
   if (found.empty()) return found;
-  sums.levels = functions_of(found, sums.time.size());
+  // A course may hold the oscillation of which this frequency is a multiple; jumps hide those that there are.
+  sums.levels = functions_of({found.jumps, {}}, sums.time.size());
   const WatchedPixels watched(sums);
   if (watched.have_line(frequency) && !watched.stronger_part(frequency)) return found;
   sums.levels.clear();
