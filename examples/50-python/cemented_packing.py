@@ -30,7 +30,7 @@ with figures.journal_style():
     canvas = Figure(figsize=(figures.page_width, 2.6), layout="constrained")
     left, right = canvas.subplots(1, 2)
     figures.draw_field(left, field)
-    figures.draw_densities(right, field.statistics())
+    figures.draw_panel(right, figures.describe(field)["stress-pdf"][0]["panels"][1])
     canvas.savefig("cemented.pdf")
 
 # %% Voids of the sample with the least matrix.

@@ -133,7 +133,7 @@ std::pair<Numbers, stress::GrainStresses> measured(const FieldResult& result) {
 }
 
 Numbers field_of(const FieldResult& r, const stress::Statistics* known, std::size_t map, const Thinning& kept,
-                 NumberBlock& block) {
+                 NumberBlock& block, const figures::WriteList& write) {
   const auto [densities, grains] = known ? std::pair(stress::numbers(*known, true), known->grains) : measured(r);
   Numbers out{{"name", r.name},
               {"converged", r.converged},
@@ -142,11 +142,9 @@ Numbers field_of(const FieldResult& r, const stress::Statistics* known, std::siz
               {"map", map},
               {"components", components_of(r, kept, block)},
               {"grains", grains_of(grains, r.field.size() > 0, block)},
-              {"convergence", history_of(r.convergence, block)},
               {"curve", history_of(r.curve, block)},
-              {"statistics", shortened(densities)}};
+              {"figures", shortened(figures::numbers_of(figures::field_figures(), {r, densities}, write, true))}};
   add_numbers(out, r.numbers);
-  out["statistics"].erase("grains");
   if (!r.cracks.empty()) out["cracks"] = cracks_of(r.cracks, block);
   return out;
 }
@@ -166,7 +164,9 @@ Thinning::Thinning(const PhaseMap& map, std::size_t most) {
           map.index(std::min(map.width - 1, first + x * stride), std::min(map.height - 1, first + y * stride)));
 }
 
-void add_fields(Numbers& document, const PageData& data, NumberBlock& block) {
+Numbers densities_of(const FieldResult& result) { return measured(result).first; }
+
+void add_fields(Numbers& document, const PageData& data, NumberBlock& block, const figures::WriteList& write) {
   std::vector<const PhaseMap*> known;
   Numbers maps = Numbers::list(), list = Numbers::list();
   for (std::size_t f = 0; f < data.fields.size(); ++f) {
@@ -181,7 +181,7 @@ void add_fields(Numbers& document, const PageData& data, NumberBlock& block) {
       maps.push_back(map_of(map, shortened(result.numbers), kept, block));
     }
     list.push_back(
-        field_of(result, known_of(data.measured, &workflow::KnownStatistics::fields, f), place, kept, block));
+        field_of(result, known_of(data.measured, &workflow::KnownStatistics::fields, f), place, kept, block, write));
   }
   document["maps"] = std::move(maps);
   document["fields"] = std::move(list);

@@ -147,7 +147,8 @@ Numbers stresses_of(const workflow::FilmStresses& stresses, NumberBlock& block) 
   return all;
 }
 
-Numbers one_film(const FilmResult& r, const texture::Texture* texture, NumberBlock& block) {
+Numbers one_film(const FilmResult& r, const texture::Texture* texture, NumberBlock& block,
+                 const figures::WriteList& write) {
   const workflow::FilmStresses stresses =
       texture ? workflow::film_stresses(r, texture->per_grain.considered) : workflow::FilmStresses{};
   Numbers out{{"name", r.name},
@@ -161,16 +162,20 @@ Numbers one_film(const FilmResult& r, const texture::Texture* texture, NumberBlo
               {"grains", grains_of(r, stresses, block)},
               {"contacts", contacts_of(r, block)},
               {"container", container_of(r)},
-              {"stresses", stresses_of(stresses, block)}};
-  add_numbers(out, r.numbers);
+              {"stresses", stresses_of(stresses, block)},
+              {"figures", shortened(figures::numbers_of(figures::film_figures(), {r, stresses}, write))}};
+  Numbers numbers = r.numbers;
+  statistics::erase_curves(numbers, "pdf cumulative");
+  add_numbers(out, numbers);
   for (auto&& [name, meaning] : out["meanings"].items()) meaning[0] = unit_in(r.film, meaning[0].get<std::string>());
   return out;
 }
 
 }  // namespace
 
-void add_film(Numbers& document, const FilmResult& film, const texture::Texture* texture, NumberBlock& block) {
-  document["films"].push_back(one_film(film, texture, block));
+void add_film(Numbers& document, const FilmResult& film, const texture::Texture* texture, NumberBlock& block,
+              const figures::WriteList& write) {
+  document["films"].push_back(one_film(film, texture, block, write));
 }
 
 }  // namespace arenite::report

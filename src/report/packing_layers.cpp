@@ -4,15 +4,10 @@
 #include <cmath>
 
 #include "grains/fields/coarse_grained.hpp"
-#include "grains/packing/population.hpp"
 #include "model/shapes.hpp"
 
 namespace arenite::report {
 namespace {
-
-Numbers curve_of(const packing::SizeCurve& curve, NumberBlock& block) {
-  return {{"diameter", block.add_reals(curve.diameter, "m")}, {"passing", block.add_coarse(curve.passing)}};
-}
 
 /// Rims of grains that are no disks, from their centres where their angles are 0: those of grain g are points first[g]
 /// to first[g + 1] - 1.
@@ -193,12 +188,6 @@ Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock&
   out["vy"] = block.add_coarse(mapped(f.velocity, &Vec2::y), "m/s");
   add("kinetic", [](Stress, Stress t) { return -0.5 * trace(t); });
   return out;
-}
-
-Numbers size_curves_of(const Packing& packing, const Asked& asked, NumberBlock& block) {
-  if (asked.diameter.empty()) return {};
-  return {{"measured", curve_of(packing::measured_size_curve(packing.grains, packing.materials), block)},
-          {"asked", curve_of({asked.diameter, asked.passing}, block)}};
 }
 
 }  // namespace arenite::report

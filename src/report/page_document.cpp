@@ -11,6 +11,7 @@
 #include "grains/fields/coarse_grained.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/fields/test_curves.hpp"
+#include "report/figures/figure_document.hpp"
 #include "report/stage_doubts.hpp"
 #include "workflow/run_film.hpp"
 
@@ -56,13 +57,23 @@ Numbers test_of(const fields::TestCurves& curves, NumberBlock& block) {
   return out;
 }
 
-Numbers stage_of(const StageResult& stage, const Packing* before, NumberBlock& block) {
+/// The states that the page shows: those that have as many grains as the last one of all.
+std::vector<const Snapshot*> shown_states(const StageResult& stage, std::size_t grains) {
+  std::vector<const Snapshot*> states;
+  for (const Snapshot& snapshot : stage.snapshots)
+    if (snapshot.packing.grains.size() == grains) states.push_back(&snapshot);
+  return states;
+}
+
+Numbers stage_of(const StageResult& stage, const Packing* before, std::size_t grains, NumberBlock& block,
+                 const figures::WriteList& write) {
   Numbers out{{"name", stage.name},
               {"converged", stage.converged},
               {"outcome", stage.outcome},
               {"loads", loads_in_words(stage)},
               {"doubts", doubts_about(stage)},
-              {"history", history_of(stage.history, block)},
+              {"figures", shortened(figures::numbers_of(figures::stage_figures(), {stage, shown_states(stage, grains)},
+                                                        write, true))},
               {"provenance", provenance_of(stage.provenance)}};
   if (const auto curves = fields::test_curves({stage, before})) out["test"] = test_of(*curves, block);
   return out;
@@ -129,10 +140,28 @@ std::size_t states_per_fields(const std::vector<ShownStage>& stages) {
   return 1 + cells / most;
 }
 
+/// Figures of a state that has a texture, whose curves nothing else shows.
+void add_figures_of_state(Numbers& shown, const Packing& packing, const figures::WriteList& write) {
+  if (!shown.contains("texture")) return;
+  Numbers& texture = shown["texture"];
+  shown["figures"] = shortened(
+      figures::numbers_of(figures::state_figures(), {texture, mapped(packing.materials, &Material::name)}, write));
+  statistics::erase_curves(texture, "pdf cumulative histogram threshold");
+}
+
+/// Figures of the run as a whole.
+Numbers figures_of_run(const Numbers& snapshots, const Snapshot* last, const Asked& asked,
+                       const figures::WriteList& write) {
+  figures::RunData run{{}, last ? &last->packing : nullptr, asked};
+  for (const Numbers& snapshot : snapshots)
+    run.textures.push_back(snapshot.contains("texture") ? &snapshot["texture"] : nullptr);
+  return shortened(figures::numbers_of(figures::run_figures(), run, write));
+}
+
 /// The states of one stage that have as many grains as the last one of all, with the textures of all in a small sample,
 /// and fields of some.
 void add_states(Numbers& snapshots, Numbers& meanings, const ShownStage& stage, std::size_t s, std::size_t grains,
-                std::size_t every, NumberBlock& block) {
+                std::size_t every, NumberBlock& block, const figures::WriteList& write) {
   constexpr std::size_t small = 10'000;
   const auto& states = stage.result->snapshots;
   for (std::size_t f = 0; f < states.size(); ++f) {
@@ -143,12 +172,17 @@ void add_states(Numbers& snapshots, Numbers& meanings, const ShownStage& stage, 
     const texture::Texture* texture = is_last ? stage.last : nullptr;
     if (!texture && (is_last || grains <= small)) texture = &now.emplace(texture::measure(packing, stage.options));
     snapshots.push_back(snapshot_of(states[f], s, texture, is_last ? stage.result->texture : Numbers::tree(), block));
+    add_figures_of_state(snapshots.back(), packing, write);
     if (is_last) meanings.update(meanings_of(snapshots.back()["texture"]));
     if (!is_last && f % every != 0) continue;
     const double rate = fields::shear_rate_at(stage.result->history, states[f].time);
     if (Numbers fields = coarse_fields_of(packing, rate, block); fields.is_known())
       snapshots.back()["fields"] = std::move(fields);
   }
+}
+
+Numbers heads_of(const std::vector<figures::Head>& heads) {
+  return mapped(heads, [](const figures::Head& head) { return figures::numbers_of(head); });
 }
 
 }  // namespace
@@ -180,7 +214,12 @@ Numbers shortened(Numbers numbers) {
 
 PageDocument page_document(const PageData& data) {
   NumberBlock block;
+  figures::PageLists lists(block);
+  const figures::WriteList write = std::ref(lists);
   Numbers document{{"title", data.title}};
+  document["figures"] = {{"packing", heads_of(figures::packing_heads())},
+                         {"field", heads_of(figures::field_heads())},
+                         {"film", heads_of(figures::film_heads())}};
   Numbers stages = Numbers::list(), snapshots = Numbers::list();
   const auto films = films_of(data);  // stay in place while the stages point at them
   const auto shown = stages_of(data, films);
@@ -192,19 +231,18 @@ PageDocument page_document(const PageData& data) {
   const std::size_t every = states_per_fields(shown);
   const Packing* before = nullptr;  // of loadings; films are none
   for (std::size_t s = 0; s < shown.size(); ++s) {
-    stages.push_back(stage_of(*shown[s].result, before, block));
+    const std::size_t grains = last ? last->packing.grains.size() : 0;
+    stages.push_back(stage_of(*shown[s].result, before, grains, block, write));
     if (const auto& states = shown[s].result->snapshots; s >= data.films.size() && !states.empty())
       before = &states.back().packing;
-    if (last) add_states(snapshots, document["meanings"], shown[s], s, last->packing.grains.size(), every, block);
+    if (last) add_states(snapshots, document["meanings"], shown[s], s, grains, every, block, write);
   }
-  if (last)
-    if (Numbers sizes = size_curves_of(last->packing, asked_of(shown), block); sizes.is_known())
-      document["sizes"] = std::move(sizes);
+  if (last) document["run"] = figures_of_run(snapshots, last, asked_of(shown), write);
   document["stages"] = std::move(stages);
   document["snapshots"] = std::move(snapshots);
-  if (!data.fields.empty()) add_fields(document, data, block);
+  if (!data.fields.empty()) add_fields(document, data, block, write);
   for (std::size_t f = 0; f < films.size(); ++f)
-    add_film(document, data.films[f], films[f] ? films[f]->texture : nullptr, block);
+    add_film(document, data.films[f], films[f] ? films[f]->texture : nullptr, block, write);
   return {to_json(document), block.text()};
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/mapped.hpp"
 #include "io/results/groups.hpp"
+#include "report/figures/figure_document.hpp"
 #include "report/number_block.hpp"
 #include "report/page.hpp"
 #include "workflow/run.hpp"
@@ -72,12 +73,15 @@ const Part* known_of(const workflow::KnownStatistics* measured,
 
 /// Adds "maps" (every phase map once) and "fields" (one a result) to the page's document. Densities of stresses that
 /// are not known are measured as those in the result's numbers were; all components are shown, whichever these name.
-void add_fields(Numbers& document, const PageData& data, NumberBlock& block);
+void add_fields(Numbers& document, const PageData& data, NumberBlock& block, const figures::WriteList& write);
+/// Those densities of a field, as stress::numbers gives them.
+Numbers densities_of(const FieldResult& result);
 
 /// Adds a film to "films" of the page's document: maps, grains in pixels, contacts and, where there are any, the
 /// stresses of grains beside those of the companion simulation. `texture` is the film's (workflow::texture_of), if it
 /// has grains.
-void add_film(Numbers& document, const FilmResult& film, const texture::Texture* texture, NumberBlock& block);
+void add_film(Numbers& document, const FilmResult& film, const texture::Texture* texture, NumberBlock& block,
+              const figures::WriteList& write);
 
 // What the page shows of packings.
 
@@ -95,8 +99,5 @@ Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::
 /// The kernel is as wide as the mean grain, or as a cell where the sample has many. `shear_rate`, 1/s: of a cell that
 /// is sheared. Not known without grains or box.
 Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock& block);
-
-/// Asked and measured size curve of grains that were asked for by a size law; not known where none was.
-Numbers size_curves_of(const Packing& packing, const Asked& asked, NumberBlock& block);
 
 }  // namespace arenite::report

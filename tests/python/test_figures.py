@@ -14,11 +14,10 @@ import numpy as np
 import pytest
 from arenite.figures import (
     catalogue,
-    densities,
+    described,
+    drawing,
     fields,
-    film_forces,
     films,
-    histories,
     loadings,
     motion,
     packings,
@@ -28,41 +27,9 @@ from arenite.figures import (
     style,
 )
 
-# The figures of the page by their ids, and the journal's: of a stage, a field or a film.
-cards = {
-    "fabric": ("stage", "contact-orientations"),
-    "sigma-norm": ("stage", "sigma-norm"),
-    "forces": ("stage", "forces"),
-    "coordination": ("stage", "coordination"),
-    "grain-scatter": ("stage", "grain-scatter"),
-    "size-curve": ("stage", "size-curve"),
-    "coarse-fields": ("stage", "coarse-fields"),
-    "contact-numbers": ("stage", "contact-numbers"),
-    "rev": ("stage", "rev"),
-    "threshold": ("stage", "threshold"),
-    "stress-path": ("stage", "stress-path"),
-    "wall-forces": ("stage", "wall-forces"),
-    "travel": ("stage", "travel"),
-    "energies": ("stage", "energies"),
-    "equilibrium": ("stage", "equilibrium"),
-    "test-curves": ("stage", "stress-strain"),
-    "grain-bonds": ("stage", "broken-bonds"),
-    "discharge": ("stage", "discharge"),
-    "stress-strain": ("field", "stress-strain"),
-    "broken-bonds": ("field", "broken-bonds"),
-    "energy-balance": ("field", "energy-balance"),
-    "stress-pdf": ("field", "stress-pdf"),
-    "cavities": ("field", "cavities"),
-    "convergence": ("field", "convergence"),
-    "film-maps": ("film", "beside-simulation"),
-    "film-fit": ("film", "film-fit"),
-    "film-simulation": ("film", "against-simulation"),
-    "film-tails": ("film", "tails"),
-    "film-orientations": ("film", "contact-orientations"),
-    "film-forces": ("film", "forces"),
-    "film-certainty": ("film", "certainty"),
-    "film-stresses": ("film", "stresses"),
-}
+# What the library says of every figure of the page, by kind and id; the names of the journal's.
+heads = {(kind, head["id"]): head for kind, all in drawing.heads().items() for head in all}
+cards = {key: (key[0], head["name"]) for key, head in heads.items()}
 # What the page shows in its pictures and not on cards.
 pictures = {
     ("stage", "packing"),
@@ -86,15 +53,32 @@ def axes():
     return saving.Canvas().add_subplot()
 
 
-def test_every_card_of_the_page_has_its_figure():
-    page = pathlib.Path(__file__).resolve().parents[2] / "web/src/figures"
-    ids = [
-        name for file in page.glob("*.js") for name in re.findall(r'^  id: "([a-z-]+)",\s+title:', file.read_text(), re.M)
-    ]
-    assert sorted(ids) == sorted(cards)
+def test_every_figure_that_the_library_lists_is_drawn_by_the_page_and_in_print():
+    """The page makes a card for every head that it is given; those that it draws itself must be among them, as print's."""
+    page = (pathlib.Path(__file__).resolve().parents[2] / "web/src/figures/index.js").read_text()
+    own = set(re.findall(r'^  "([a-z-]+)": \w+,$', page, re.M))
+    assert own == {*catalogue.stage_pictures, *catalogue.film_pictures} <= {name for _, name in heads}
+    assert "describedFigure(head)" in page
     assert {(figure.kind, figure.name) for figure in figures.figures} == set(
         cards.values()
     ) | pictures | printed | components
+
+
+def test_renderers_say_nothing_of_their_own():
+    """No titles, captions and units of figures stand in the sources that draw what the library describes."""
+    root = pathlib.Path(__file__).resolve().parents[2]
+    sources = [root / "web/src/figures" / name for name in ("described.js", "panel.js", "roses.js", "index.js")]
+    text = "".join(path.read_text() for path in (*sources, *map(pathlib.Path, (drawing.__file__, described.__file__))))
+    for head in heads.values():
+        assert head["title"] not in text or head["title"] == "Grains", head["id"]
+        assert head["caption"] not in text
+    assert not re.search(r'label="[a-z]|_caption|xlabel="', text)
+
+
+def test_a_file_holds_its_title_and_caption(result, tmp_path):
+    (path,) = figures.save_all(result, tmp_path, "svg", "coordination")
+    content = html.unescape(path.read_text())
+    assert "Coordination number z" in content and heads["stage", "coordination"]["caption"] in content
 
 
 @pytest.fixture(scope="module")
@@ -139,7 +123,6 @@ def test_former_names_of_figures_are_read_with_a_notice(result, tmp_path):
     with pytest.warns(FutureWarning, match="contact-directions is now called contact-orientations"):
         (path,) = figures.save_all(result, tmp_path, "svg", "contact-directions")
     assert path.stem == "rest-contact-orientations"
-    assert figures.draw_course is figures.draw_stress_path and figures.draw_rest is figures.draw_equilibrium
 
 
 def test_the_same_result_gives_the_same_bytes(result, drawn, tmp_path):
@@ -265,13 +248,15 @@ def test_libraries_are_quiet_within_the_style_and_as_before_after_it():
     assert logger.level == before
 
 
-def test_materials_have_one_colour_in_all_figures():
-    names = ["POM", "HDPE"]
-    assert [style.colour_of(name, names) for name in ("POM", "HDPE", "POM-POM", "HDPE-POM", "POM-HDPE", "all")] == [
-        *style.colours[:2],
-        style.colours[0],
-        style.colours[2],
-        style.colours[2],
+def test_materials_have_one_colour_in_all_figures(result):
+    state = next(part for _, part in figures.figures_of(result))
+    shown = figures.describe(state)
+    roles = {(e["name"], e["colour"]) for name in ("sigma-norm", "forces") for e in shown[name][0]["key"]} | {
+        (rose["name"], rose["colour"]) for rose in shown["fabric"][0]["roses"]
+    }
+    assert ("all", "strong") in roles and len({name for name, _ in roles}) == len(roles)
+    assert [drawing.colour_of_role(role) for role in ("material 0", "material 1", "mixed 0", "strong")] == [
+        *style.colours[:3],
         style.strong,
     ]
 
@@ -310,16 +295,27 @@ def test_the_colours_of_a_stress_lie_evenly_about_its_mean(result):
 
 
 def test_cavities_are_those_that_are_stored(result):
-    stored = result.fields[-1].numbers
-    shown = axes()
-    figures.draw_cavities(shown, stored)
-    for kind, line in zip(("pores", "voids"), shown.lines):
-        density = [y for y in stored[kind]["pdf"]["density"] if y > 0]
-        assert list(line.get_ydata()) == density
-    assert [text.get_text() for text in shown.get_legend().get_texts()] == [
-        f"{kind} ({stored[kind]['count']})" for kind in ("pores", "voids")
+    field = result.fields[-1]
+    (shown,) = figures.describe(field)["cavities"]
+    for kind, series in zip(("pores", "voids"), shown["panels"][0]["series"]):
+        assert series["y"] == [y for y in field.numbers[kind]["pdf"]["density"] if y > 0]
+    assert [entry["name"] for entry in shown["key"]] == [
+        f"{kind} {field.numbers[kind]['count']}" for kind in ("pores", "voids")
     ]
-    assert not densities.has_cavities({"pores": {"count": 0}})
+    on = axes()
+    figures.draw_panel(on, shown["panels"][0])
+    assert on.get_xscale() == on.get_yscale() == "log" and on.get_ylabel() == "probability density"
+
+
+def test_densities_have_a_file_for_each_component_and_rows_over_the_sample_and_the_phase(result, tmp_path):
+    found = [
+        (f.name, f) for f, part in figures.figures_of(result) if f.kind == "field" and f.name.startswith("stress-pdf")
+    ]
+    assert {name for name, _ in found} <= {"stress-pdf"} | {name for _, name in components}
+    canvas = saving.Canvas()
+    dict(found)["stress-pdf"].draw(canvas, result.fields[-1])
+    scales = [a.get_yscale() for a in canvas.axes if a.axison]
+    assert scales == ["linear", "log"] * 2
 
 
 def test_a_map_that_was_loaded_shows_its_phases_and_cavities(result):
@@ -327,34 +323,6 @@ def test_a_map_that_was_loaded_shows_its_phases_and_cavities(result):
     alone = types.SimpleNamespace(stages=[], fields=[field, field], films=[])
     names = [figure.name for figure, _ in figures.figures_of(alone)]
     assert names.count("phases") == names.count("cavities") == 1 and names.count("stress") == 2
-
-
-def test_fits_hold_what_was_counted():
-    x, y = densities.q_gaussian_of(
-        {"q_gaussian": {"q": {"value": 1.0}, "beta": {"value": 0.5}, "centre": {"value": 1.0}}}, -9, 11
-    )
-    assert y.max() == pytest.approx(1 / np.sqrt(2 * np.pi), rel=1e-3) and np.trapz(y, x) == pytest.approx(1, rel=1e-3)
-    x, y = densities.tail_of({"count": 100, "tail": {"count": 20, "slope": {"value": 2.0}, "low": 1.0, "high": 3.0}})
-    assert (x[0], x[-1]) == (1, 3) and np.trapz(y, x) == pytest.approx(0.2, rel=1e-3)
-    assert densities.tail_of({"count": 9, "tail": {"count": 1, "low": 1.0}}) is None
-
-
-def test_other_components_are_drawn_where_they_are_measured(result):
-    measured = result.fields[-1].statistics()
-    parts = types.SimpleNamespace(
-        statistics=lambda: {
-            **measured,
-            "sigma_xy": {
-                "normalised_by": "root mean square",
-                "sets": {"all": {"pdf": {"x": [-1, 0, 1], "y": [0.1, 0.5, 0.1]}}},
-            },
-        }
-    )
-    assert panels.density_rows(parts, "sigma_xy") == [False]
-    assert panels.density_rows(parts, "sigma_yy") == [False, True]
-    canvas = saving.Canvas()
-    panels.density_panels(canvas, parts, "sigma_xy")
-    assert "r.m.s." in canvas.axes[0].get_xlabel() and [a.get_yscale() for a in canvas.axes] == ["linear", "log"]
 
 
 def test_forces_across_a_periodic_side_are_seen_from_both_grains():
@@ -374,49 +342,13 @@ def test_kinds_of_forces():
 
 def test_roses_are_of_all_of_strong_and_weak_contacts_and_of_types(result):
     state = next(part for _, part in figures.figures_of(result))
-    sets = panels.rose_sets(state.texture["fabric"], catalogue.materials(state))
-    assert [name for name, *_ in sets][:3] == ["all", "strong", "weak"] and len(sets) > 3
-    assert sets[0][2] is state.texture["fabric"]["sets"]["strong"]
+    (shown,) = figures.describe(state)["fabric"]
+    assert [rose["name"] for rose in shown["roses"]][:3] == ["all", "strong", "weak"] and len(shown["roses"]) > 3
+    strong = state.texture["fabric"]["sets"]["strong"]
+    assert shown["roses"][0]["inner"] == list(strong["sectors"]) and shown["roses"][1]["count"] == strong["contacts"]
     canvas = saving.Canvas()
-    panels.roses(canvas, state)
-    assert all(a.get_xlabel().startswith(r"$a_{\mathrm{c}}$ = ") for a in canvas.axes)
-
-
-def test_directions_of_a_film_and_its_simulation_are_on_one_scale():
-    sets = {
-        "film": {"contacts": 18, "sectors": [1] * 18},
-        "simulation": {"contacts": 18, "sectors": [3, 1, 0] * 4 + [0, 0, 0, 0, 0, 2]},
-    }
-    canvas = saving.Canvas()
-    panels.film_roses(canvas, types.SimpleNamespace(numbers={"contact_orientations": sets}))
-    film, simulation = canvas.axes
-    assert film.get_title() == "film (18)" and simulation.get_title() == "simulation (18)"
-    assert film.get_ylim() == simulation.get_ylim() == (0, pytest.approx(3))
-
-
-def test_tails_of_a_film_are_those_of_the_stresses_that_it_gives(result):
-    packing = result.stages[-1].packing
-    sigma = arenite.measure_grains(packing)["sigma_hyd"]
-    canvas = saving.Canvas()
-    panels.film_tails(
-        canvas,
-        types.SimpleNamespace(
-            packing=packing, sigma_hyd=sigma, simulation={"peak_to_peak": 2 * sigma, "state": sigma**2}
-        ),
-    )
-    film, change, state = [line for line in canvas.axes[0].lines if not line.get_label().startswith("_")]
-    assert [line.get_label().split(", $")[0] for line in (film, change, state)] == [
-        "film",
-        "simulation, peak to peak",
-        "simulation, state",
-    ]
-    assert film.get_xydata() == pytest.approx(change.get_xydata())  # over their means
-    stored = arenite.measure(packing)["sigma_norm"]
-    shown = [x for x, y in zip(stored["cumulative"]["x"], stored["cumulative"]["y"]) if y >= 0.7 / stored["count"]]
-    assert list(film.get_xdata()) == pytest.approx(shown)
-    assert len(state.get_xdata()) != len(shown) or list(state.get_xdata()) != pytest.approx(shown)
-    part = types.SimpleNamespace(packing=packing)
-    assert films.normalised(part, 3 * sigma) == pytest.approx(sigma / stored["mean_Pa"]["value"])
+    figures.draw_described(canvas, [shown])
+    assert all(a.get_xlabel().startswith("a$_{\\mathrm{c}}$ = ") for a in canvas.axes)
 
 
 def a_film(amplitude=1.0):
@@ -465,37 +397,6 @@ def test_maps_of_a_film_are_those_that_it_holds():
     assert low == -high and high > 300
 
 
-def a_film_of_forces():
-    contacts = types.SimpleNamespace(fn=np.array([100.0, 50.0, 1.0, -3.0, 9.0]), ft=np.zeros(5))
-    return types.SimpleNamespace(
-        packing=types.SimpleNamespace(contacts=contacts),
-        fn_error=np.ones(5),
-        ft_error=np.ones(5),
-        presence=np.array([1, 1, 0.6, 1, 0.9]),
-    )
-
-
-def test_contacts_that_may_be_absent_are_told_apart():
-    film = a_film_of_forces()
-    assert list(film_forces.uncertain(film)) == [False, False, True, False, True]
-    shown = axes()
-    figures.draw_ranked_forces(shown, film)
-    assert [text.get_text() for text in shown.get_legend().get_texts()] == ["3 present", "2 may be absent"]
-
-
-def test_every_contact_is_in_a_bar_of_its_certainty():
-    shown = axes()
-    figures.draw_certainty(shown, a_film_of_forces())
-    assert sum(bar.get_height() for bar in shown.patches) == 5
-    assert shown.get_title() == "1 beyond 50 in the last bar"
-
-
-def test_bars_of_certainty_are_few_whatever_the_numbers():
-    for far in (30.0, 1e4, 1e9, 1e300):
-        edges = film_forces.certainty_bins(np.array([-3.0, 0.0, far, far]))
-        assert 3 < len(edges) < 50 and edges[-1] >= far
-
-
 def test_numbers_of_another_shape_are_one_sentence(tmp_path):
     packing = arenite.Packing([1, 2, 3], [1, 1, 1], [0.5, 0.5, 0.5], width=4, height=2)
     (file,) = arenite.save(packing, tmp_path)
@@ -511,34 +412,17 @@ def test_numbers_of_another_shape_are_one_sentence(tmp_path):
     ), done.stderr
 
 
-def test_broken_bonds_are_counted_by_type_up_to_each_step():
-    shown = axes()
-    part = types.SimpleNamespace(curve={"broken": [0, 2, 5]}, cracks={"type": np.array([1, 1, 2, 3, 1])})
-    figures.draw_broken_bonds(shown, part)
-    assert {line.get_label(): list(line.get_ydata()) for line in shown.lines} == {
-        "matrix": [0, 2, 3],
-        "interface": [0, 0, 1],
-        "particle": [0, 0, 1],
-    }
-
-
 def test_stored_states_lie_on_the_travel_of_the_wall(result):
-    stage = next(part for part in result.stages[::-1] if histories.moving_wall(part.history))
-    shown = axes()
-    figures.draw_travel(shown, stage.history, stage.snapshots)
+    stage = result.stages[-1]
+    state = figures.State(stage.name, stage, stage.snapshots[-1], list(stage.snapshots))
+    (shown,) = figures.describe(state)["travel"]
     assert len(stage.frames) == len(stage.snapshots)  # the former name
-    line, states = shown.lines
+    on = axes()
+    figures.draw_panel(on, shown["panels"][0])
+    line, states = on.lines
     assert len(states.get_xdata()) == len(stage.snapshots) and states.get_xdata()[-1] == pytest.approx(
         line.get_xdata()[-1], abs=1e-3 * np.ptp(line.get_xdata())
     )
-
-
-def test_the_mass_that_has_passed_is_drawn_over_the_time():
-    axes_of = axes()
-    histories.draw_discharge(axes_of, {"time": np.array([2.0, 2.5, 3.0]), "passed_mass": np.array([0, 0.2, 0.4])})
-    line = axes_of.lines[0]
-    assert line.get_xdata().tolist() == [0, 0.5, 1] and line.get_ydata() == pytest.approx([0, 200, 400])
-    assert axes_of.get_ylabel() == "mass passed, g"
 
 
 def test_the_size_curve_is_by_mass_and_keeps_to_the_law():
@@ -570,9 +454,7 @@ top = { pressure = "1 kPa" }
     assert [np.interp(x, measured["diameter"], measured["passing"]) for x in d] == pytest.approx(
         [np.sum(packing.radius[2 * packing.radius <= x] ** 2) / whole for x in d], abs=0.012
     )
-    shown = axes()
-    figures.draw_size_curve(shown, measured, asked)
-    assert [line.get_label() for line in shown.lines] == ["measured", "asked"] and shown.lines[0].get_ydata()[-1] == 100
+    assert measured["passing"][-1] == pytest.approx(1)
 
 
 def test_a_critical_state_is_drawn_where_it_was_found():

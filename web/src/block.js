@@ -34,3 +34,19 @@ export function unpacked(block, about) {
     ? unpack(block, about)
     : Object.fromEntries(Object.entries(about).map(([name, value]) => [name, unpacked(block, value)]));
 }
+
+/** The drawings of one of the `figures` of a part, with their arrays in place, kept with it; undefined where it has none. */
+export function opened(block, part, id) {
+  if (!part?.figures?.[id]) return undefined;
+  const kept = (drawings.get(part.figures) ?? drawings.set(part.figures, {}).get(part.figures));
+  return (kept[id] ??= filled(unpacked(block, part.figures[id])));
+}
+
+const drawings = new WeakMap();
+
+/** What is not known is NaN in lists of numbers. */
+function filled(tree) {
+  if (Array.isArray(tree)) return tree.map((item) => (item === null ? NaN : filled(item)));
+  if (tree === null || typeof tree !== "object" || ArrayBuffer.isView(tree)) return tree;
+  return Object.fromEntries(Object.entries(tree).map(([name, value]) => [name, filled(value)]));
+}

@@ -22,9 +22,9 @@ function partsOf(sample, fields, films, state) {
     ...fields.map((result, k) => ({
       name: `field-${k}`,
       title: titleOf(result),
-      make: () => fieldSection(result, state),
+      make: () => fieldSection(result, state, sample.about.figures.field),
     })),
-    ...films.map((film, k) => ({ name: `film-${k}`, title: titleOf(film), make: () => filmSection(film, state) })),
+    ...films.map((film, k) => ({ name: `film-${k}`, title: titleOf(film), make: () => filmSection(film, state, sample.about.figures.film) })),
   ];
 }
 

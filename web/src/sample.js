@@ -1,4 +1,4 @@
-import { unpack, unpacked } from "./block.js";
+import { opened, unpack, unpacked } from "./block.js";
 import { text } from "./text.js";
 
 /** The data of the page: grains, materials, stages and snapshots; arrays of a snapshot are unpacked when first asked for. */
@@ -11,8 +11,7 @@ export class Sample {
     this.about = about;
     this.title = about.title;
     this.materials = about.materials ?? [];
-    this.stages = unpacked(block, about.stages);
-    this.sizes = unpacked(block, about.sizes ?? null);
+    this.stages = about.stages.map(({ figures: _, ...stage }) => unpacked(block, stage)); // figures when they are first drawn
     this.snapshotCount = about.snapshots.length;
     this.count = about.grains?.count ?? 0;
     const { id, radius, material, zone, shapes } = unpacked(block, about.grains ?? {});
@@ -25,6 +24,31 @@ export class Sample {
     this.hasZones = this.count > 0 && this.zone.some((z) => z > 0);
   }
 
+  /** What a figure shows of the state shown, of its stage or of the whole run, and the state's place in it; null where there is
+      nothing. */
+  drawn(id, state) {
+    const k = state.get("snapshot"),
+      { snapshots, stages, run } = this.about,
+      { stage } = snapshots[k];
+    const places = [
+      [run, k],
+      [snapshots[this.texture(k)?.snapshot], 0],
+      [stages[stage], k - snapshots.findIndex((snapshot) => snapshot.stage === stage)],
+    ];
+    for (const [part, here] of places) {
+      const drawings = opened(this.#block, part === run ? { figures: run } : part, id);
+      if (drawings) return { drawings, here };
+    }
+    return null;
+  }
+
+  /** Whether a figure has anything to show of the last state, of any stage, or of the run. */
+  hasDrawn(id) {
+    const { snapshots, stages, run } = this.about,
+      last = snapshots[this.texture(this.snapshotCount - 1)?.snapshot];
+    return Boolean(run?.[id] ?? last?.figures[id] ?? stages.find(({ figures }) => figures[id]));
+  }
+
   snapshot(k) {
     if (!this.#snapshots.has(k)) {
       if (this.#snapshots.size > 24) this.#snapshots.clear();
@@ -34,7 +58,7 @@ export class Sample {
   }
 
   #unpackSnapshot(k) {
-    const { texture = null, fields: _, ...about } = this.about.snapshots[k];
+    const { texture = null, fields: _, figures: __, ...about } = this.about.snapshots[k];
     const snapshot = { ...unpacked(this.#block, about), index: k, texture };
     for (const name of ["deviator", "vx", "vy", "omega"]) snapshot[name] ??= new Float32Array(this.count);
     snapshot.boundaries = snapshot.domain.boundaries ?? [];

@@ -1,21 +1,19 @@
 """Journal figures from stored results: `save_all(result, folder)`, or `python3 -m arenite.figures RESULT`.
 
-Each file of this package draws one subject on axes that it is given (`draw_*(axes, data)`), so that your own figure needs
-one call; `catalogue.figures` lists the figures that `save_all` draws of a result. Text is in DejaVu Sans, which comes with
+What a figure shows is described by the library, for the page and for print: `describe(part)` gives it by the figures' ids, and `draw_panel`,
+`draw_rose` and `draw_described` draw it, on axes of your own if you like. Pictures of grains, maps and fields are drawn by functions of
+their own (`draw_*(axes, data)`); `catalogue.figures` lists all figures that `save_all` draws of a result. Text is in DejaVu Sans, which comes with
 Matplotlib, or in the fonts of your rcParams; it is embedded in PDF and kept as text in SVG.
 """
 
 from .catalogue import figures, figures_of, save_all, study_figures
-from .densities import draw_cavities, draw_densities
-from .failure import draw_broken_bonds, draw_convergence, draw_energy_balance, draw_stress_strain
+from .drawing import describe, draw_described, draw_panel, draw_rose
 from .fields import draw_cracks, draw_field, draw_phases
-from .film_forces import draw_against_simulation, draw_certainty, draw_ranked_forces, draw_ranked_stresses
 from .films import draw_bad_pixels, draw_film_grains, draw_map, draw_phase, draw_simulated_grains
-from .histories import draw_energies, draw_equilibrium, draw_travel, draw_wall_forces
 from .loadings import draw_against_rate, draw_cycles, draw_friction, draw_pressure, draw_volume
 from .packings import draw_forces, draw_packing
 from .parts import State
-from .samples import draw_coarse_field, draw_grains_against, draw_size_curve
+from .samples import draw_coarse_field, draw_grains_against
 from .saving import Figure, save
 from .studies import (
     draw_study_figure,
@@ -27,22 +25,12 @@ from .studies import (
     study_document,
 )
 from .style import column_width, journal_style, page_width
-from .textures import (
-    draw_contact_numbers,
-    draw_coordination,
-    draw_cumulative,
-    draw_cumulative_sets,
-    draw_density,
-    draw_rev,
-    draw_rose,
-    draw_stress_path,
-    draw_threshold,
-)
 
 __all__ = [name for name in dir() if name.startswith("draw_")] + [
     "Figure",
     "State",
     "column_width",
+    "describe",
     "figures",
     "figures_of",
     "journal_style",
@@ -52,7 +40,3 @@ __all__ = [name for name in dir() if name.startswith("draw_")] + [
     "study_document",
     "study_figures",
 ]
-
-# Former names.
-draw_course = draw_stress_path
-draw_rest = draw_equilibrium

@@ -4,42 +4,14 @@ import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
-from .histories import moving_wall, sides
 from .packings import circles, container
-from .style import key_below, labelled, pale, tension, weak
+from .style import key_below, pale, tension, weak
 
 kinds = {1: ("tension", tension), 2: ("bending", "#e69f00"), 3: ("shear", "#0072b2")}  # as `broken` counts them
-opposite = {"left": "right", "right": "left", "bottom": "top", "top": "bottom"}
 
 
 def has_broken(history):
     return any(np.max(history.get(f"broken_in_{name}", [0])) > 0 for name, _ in kinds.values())
-
-
-def strain(history, side):
-    """Shortening of the sample by that wall since the stage began."""
-    position, other = history[f"{side}_position"], history[f"{opposite[side]}_position"][0]
-    return sides[side] * (position - position[0]) / abs(position[0] - other)
-
-
-def draw_broken_bonds(axes, history, units={}):
-    """Broken bonds by kind against the strain from the wall that moves farthest, with the force on it; against time if none moves."""
-    side = moving_wall(history)
-    x = 100 * strain(history, side) if side else history["time"] - history["time"][0]
-    for name, colour in kinds.values():
-        axes.plot(x, history[f"broken_in_{name}"], color=colour, label=name)
-    axes.set(xlabel=f"strain from the {side} wall, %" if side else "time, s", ylabel="broken bonds", ylim=(0, None))
-    axes.legend(loc="upper left")
-    if not side:
-        return
-    force = history[f"{side}_force"]
-    factor, label = labelled(f"force on the {side} wall", force, units.get(f"{side}_force"))
-    axes.set_zorder(1)
-    axes.patch.set_visible(False)
-    right = axes.twinx()
-    right.plot(x, force / factor, color=weak, linewidth=0.8)
-    right.set_ylabel(label, color=weak)
-    axes.tick_params(right=False)
 
 
 def segments(packing, chosen, across):

@@ -4,22 +4,8 @@ import pathlib
 import warnings
 
 from .._core import open as open_result
-from . import (
-    bonds,
-    densities,
-    failure,
-    fields,
-    film_forces,
-    films,
-    flows,
-    histories,
-    loadings,
-    packings,
-    panels,
-    samples,
-    studies,
-    textures,
-)
+from . import bonds, fields, films, flows, loadings, packings, panels, samples, studies
+from .described import all_described
 from .parts import parts_of, same_map
 from .saving import Canvas, Figure, listed, save
 from .style import sigma_norm
@@ -28,16 +14,6 @@ from .style import sigma_norm
 def one(draw, data, **options):
     """One drawing on the whole figure."""
     return lambda figure, part: draw(figure.add_subplot(), data(part), **options)
-
-
-def of_history(draw):
-    """A drawing of the history of a stage."""
-    return lambda figure, state: draw(figure.add_subplot(), state.history, units=state.stage.history_units)
-
-
-def of_curve(draw):
-    """A drawing of a test to failure."""
-    return lambda figure, field: draw(figure.add_subplot(), field.curve, units=field.curve_units)
 
 
 def with_bar(draw, data, label, **options):
@@ -59,42 +35,14 @@ def force_network(figure, state):
 
 
 def film_network(figure, film):
-    packings.draw_forces(figure.add_subplot(), film.packing, uncertain=film_forces.uncertain(film))
-
-
-def materials(state):
-    return panels.names_of(state.packing)
-
-
-def coordination(figure, state):
-    textures.draw_coordination(figure.add_subplot(), state.texture["coordination"], materials(state))
-
-
-def travel(figure, state):
-    histories.draw_travel(figure.add_subplot(), state.history, state.stage.snapshots, state.stage.history_units)
+    packings.draw_forces(figure.add_subplot(), film.packing, uncertain=films.uncertain(film))
 
 
 def has_contacts(state):
     return len(state.packing.contacts) > 10
 
 
-def has(*path):
-    """Whether the texture of a state with contacts holds this."""
-
-    def found(state):
-        about = state.texture if has_contacts(state) else {}
-        for name in path:
-            about = about.get(name, {})
-        return len(about) > 0
-
-    return found
-
-
-def has_time(*columns):
-    return lambda state: len(state.history.get("time", [])) > 1 and any(c in state.history for c in columns)
-
-
-def has_curve(field):
+def has_cracks(field):
     return len(field.curve.get("strain", [])) > 1
 
 
@@ -104,17 +52,6 @@ def has_forces(film):
 
 def has_simulation(film):
     return len(film.simulation) > 0
-
-
-def density_figure(component, name):
-    return Figure(
-        name,
-        "field",
-        lambda figure, field: panels.density_panels(figure, field, component),
-        lambda f: f.loaded and bool(panels.density_rows(f, component)),
-        lambda f: 0.4 * len(panels.density_rows(f, component)),
-        True,
-    )
 
 
 def of_packing(part):
@@ -129,6 +66,19 @@ def of_components_height(rows):
     return lambda field: rows * 0.25 * field.map.height / field.map.width + 0.02
 
 
+# Pictures of the page's cards have renderers of their own.
+stage_pictures = {
+    "grain-scatter": Figure("grain-scatter", "stage", samples.grain_scatter, has_contacts),
+    "coarse-fields": Figure(
+        "coarse-fields", "stage", samples.coarse_fields, samples.has_box, samples.fields_height, True
+    ),
+    "test-curves": Figure("stress-strain", "stage", loadings.stress_strain, loadings.has_test, 1.1),
+}
+film_pictures = {
+    "film-maps": Figure("beside-simulation", "film", panels.beside, has_simulation, 0.38, True),
+    "film-fit": Figure("film-fit", "film", films.draw_fit, lambda f: has_forces(f) and f.fitted.size > 0, 0.4, True),
+}
+
 figures = [
     Figure("packing", "stage", one(packings.draw_packing, lambda s: s.packing), height=of_packing),
     Figure(
@@ -139,45 +89,8 @@ figures = [
         lambda s: 0.85 * of_packing(s),
     ),
     Figure("force-network", "stage", force_network, has_contacts, of_packing),
-    Figure("contact-orientations", "stage", panels.roses, has("fabric", "sectors"), panels.roses_height, True),
-    Figure("sigma-norm", "stage", panels.sigma_norm_tails, has("sigma_norm", "cumulative"), 0.45, True),
-    Figure("forces", "stage", panels.forces, has("force", "pdf"), 0.46, True),
-    Figure("grain-scatter", "stage", samples.grain_scatter, has_contacts),
-    Figure("size-curve", "stage", samples.size_curves, lambda s: samples.asked_sizes(s) is not None),
-    Figure("coarse-fields", "stage", samples.coarse_fields, samples.has_box, samples.fields_height, True),
-    Figure("coordination", "stage", coordination, has("coordination", "all")),
-    Figure(
-        "contact-numbers",
-        "stage",
-        one(textures.draw_contact_numbers, lambda s: s.texture["coordination"]),
-        has("coordination", "histogram"),
-    ),
-    Figure("rev", "stage", one(textures.draw_rev, lambda s: s.texture), has("rev")),
-    Figure(
-        "threshold",
-        "stage",
-        one(textures.draw_threshold, lambda s: s.texture["fabric"]["threshold"]),
-        has("fabric", "threshold"),
-    ),
-    Figure(
-        "stress-path",
-        "stage",
-        panels.stress_path,
-        lambda s: sum(len(snapshot.packing.contacts) > 10 for snapshot in s.snapshots) > 2,
-        0.4,
-        True,
-    ),
-    Figure(
-        "wall-forces",
-        "stage",
-        of_history(histories.draw_wall_forces),
-        has_time(*(f"{side}_force" for side in histories.sides)),
-    ),
-    Figure("travel", "stage", travel, lambda s: histories.moving_wall(s.history) is not None),
-    Figure("energies", "stage", of_history(histories.draw_energies), has_time("elastic")),
-    Figure("stress-strain", "stage", loadings.stress_strain, loadings.has_test, 1.1),
+    *all_described("stage", stage_pictures),
     Figure("cycles", "stage", loadings.cycles, loadings.has_cycles),
-    Figure("broken-bonds", "stage", of_history(bonds.draw_broken_bonds), lambda s: bonds.has_broken(s.history)),
     Figure(
         "cracks",
         "stage",
@@ -185,16 +98,7 @@ figures = [
         lambda s: bonds.has_broken(s.history),
         of_packing,
     ),
-    Figure("discharge", "stage", one(histories.draw_discharge, lambda s: s.history), has_time("passed_mass")),
-    Figure("equilibrium", "stage", one(histories.draw_equilibrium, lambda s: s.history), has_time("unbalanced_ratio")),
     Figure("phases", "field", one(fields.draw_phases, lambda f: f), height=of_field, of_map=True),
-    Figure(
-        "cavities",
-        "field",
-        one(densities.draw_cavities, lambda f: f.numbers),
-        lambda f: densities.has_cavities(f.numbers),
-        of_map=True,
-    ),
     Figure(
         "stress",
         "field",
@@ -204,44 +108,14 @@ figures = [
         True,
     ),
     Figure("displacement", "field", of_components("ux", "uy", "u"), lambda f: f.loaded, of_components_height(1), True),
-    density_figure("sigma_yy", "stress-pdf"),
-    density_figure("sigma_xx", "stress-pdf-xx"),
-    density_figure("sigma_xy", "stress-pdf-xy"),
-    density_figure("sigma_hyd", "stress-pdf-hyd"),
-    Figure(
-        "convergence",
-        "field",
-        one(failure.draw_convergence, lambda f: f.convergence),
-        lambda f: len(f.convergence.get("residual", [])) > 1,
-    ),
-    Figure("stress-strain", "field", of_curve(failure.draw_stress_strain), has_curve),
-    Figure("cracks", "field", one(fields.draw_cracks, lambda f: f), has_curve, of_field),
-    Figure(
-        "broken-bonds",
-        "field",
-        one(failure.draw_broken_bonds, lambda f: f),
-        lambda f: has_curve(f) and len(f.cracks["type"]) > 0,
-    ),
-    Figure("energy-balance", "field", of_curve(failure.draw_energy_balance), has_curve),
+    *all_described("field", {}),
+    Figure("cracks", "field", one(fields.draw_cracks, lambda f: f), has_cracks, of_field),
     Figure("maps", "film", panels.film_maps, height=0.46, wide=True),
-    Figure("film-fit", "film", films.draw_fit, lambda f: has_forces(f) and f.fitted.size > 0, 0.4, True),
     Figure(
         "grains", "film", with_bar(films.draw_film_grains, lambda f: f, sigma_norm), lambda f: len(f.sigma_hyd) > 0, 0.9
     ),
-    Figure("stresses", "film", one(film_forces.draw_ranked_stresses, lambda f: f), lambda f: len(f.sigma_hyd) > 0),
-    Figure("forces", "film", panels.ranked_forces, has_forces, 0.4, True),
-    Figure("certainty", "film", one(film_forces.draw_certainty, lambda f: f), has_forces),
+    *all_described("film", film_pictures),
     Figure("force-network", "film", film_network, has_forces, of_packing),
-    Figure("beside-simulation", "film", panels.beside, has_simulation, 0.38, True),
-    Figure("against-simulation", "film", panels.against, has_simulation, 0.48, True),
-    Figure("tails", "film", panels.film_tails, lambda f: len(f.sigma_hyd) > 1),
-    Figure(
-        "contact-orientations",
-        "film",
-        panels.film_roses,
-        lambda f: "film" in f.numbers.get("contact_orientations", {}),
-        lambda f: 0.68 if len(panels.film_rose_sets(f)) > 1 else 1.1,
-    ),
 ]
 
 

@@ -8,6 +8,7 @@ from .._core import measure_grains
 from .packings import circles
 from .style import bare, cyclic_map, diverging_map, even_map, length_bar, most_stress, picture_map, stress_map, strong
 
+simulation_names = {"peak_to_peak": "simulation, peak to peak", "state": "simulation, largest load"}
 faint_below = 3  # standard errors
 bad_pixel = "#ff2d95"
 
@@ -102,6 +103,11 @@ def map_panels(film):
         (lambda axes: draw_bad_pixels(axes, film)) if np.any(getattr(film, "bad", False)) else None,
     ]
     return [draw for draw in drawn if draw]
+
+
+def uncertain(film):
+    """One flag per contact: accepted as present, but possibly absent."""
+    return np.asarray(film.presence) < 0.95
 
 
 def mean_stress(film, sigma):

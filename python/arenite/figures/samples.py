@@ -1,8 +1,8 @@
-"""A sample as a whole: its size curve, one quantity of its grains against another, coarse-grained fields."""
+"""A sample as a whole: one quantity of its grains against another, coarse-grained fields."""
 
 import numpy as np
 
-from .._core import coarse_grained, size_curve
+from .._core import coarse_grained
 from .motion import Shot, deviator, pressure
 from .style import bare, colours, diverging_map, even_map, plain, scaled, soft, stress_map, strong
 
@@ -43,38 +43,6 @@ def draw_grains_against(axes, shot, x="diameter", y="pressure"):
 
 def grain_scatter(figure, state):
     draw_grains_against(figure.add_subplot(), Shot(state.stage, state.snapshot))
-
-
-def asked_sizes(state):
-    """The size curve that the grains were asked for, as the first stage of the result has it; None without a size law."""
-    sizes = [stage.asked.get("sizes", {}) for stage in state.stages]
-    return next((curve for curve in sizes if len(curve.get("diameter", ()))), None)
-
-
-def draw_size_curve(axes, measured, asked=None):
-    """Fraction of the mass in grains no wider than each diameter; curves as returned by `arenite.size_curve` and `asked_size_curve`."""
-    for curve, colour, style, label in ((measured, strong, "-", "measured"), (asked, colours[1], "--", "asked")):
-        if curve is not None:
-            axes.step(
-                1e3 * curve["diameter"],
-                100 * curve["passing"],
-                where="post",
-                color=colour,
-                linestyle=style,
-                label=label,
-            )
-    d = measured["diameter"]
-    axes.set(
-        xlabel="diameter, mm",
-        ylabel="mass passing, %",
-        ylim=(0, 100),
-        xscale="log" if d[0] > 0 and d[-1] > 20 * d[0] else "linear",
-    )
-    axes.legend(loc="upper left")
-
-
-def size_curves(figure, state):
-    draw_size_curve(figure.add_subplot(), size_curve(state.packing), asked_sizes(state))
 
 
 def stress_of(fields):

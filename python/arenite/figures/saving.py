@@ -13,14 +13,15 @@ from .style import column_width, journal_style, make_ticks_plain, page_width
 
 @dataclasses.dataclass
 class Figure:
-    """`draw(figure, part)` on an empty matplotlib figure; `part` is a State, Field or FilmResult, and `when(part)` says whether it can."""
+    """`draw(figure, part)` on an empty matplotlib figure, whose height it may set; `part` is a State, Field or FilmResult, and `when(part)` says whether it can."""
 
     name: str
     kind: str
     draw: typing.Callable
     when: typing.Callable = lambda part: True
     height: typing.Any = 0.8  # over the width; a number or a function of the part
-    wide: bool = False
+    wide: typing.Any = False  # two columns; a truth or a function of the part
+    head: typing.Any = None  # what the library says of it: title and caption, which files hold
     of_map: bool = False  # shows nothing but the map, and so only the first of the fields that have the same
 
 
@@ -28,7 +29,8 @@ def save(figure, part, paths, width=None, **style):
     """Draws one figure and writes it to one or several files; their suffixes (pdf, svg, png) determine the format. `width`: inches; one or two
     columns if not given."""
     with journal_style(**style):
-        width = width or (page_width if figure.wide else column_width)
+        wide = figure.wide(part) if callable(figure.wide) else figure.wide
+        width = width or (page_width if wide else column_width)
         height = figure.height(part) if callable(figure.height) else figure.height
         canvas = Canvas(figsize=(width, width * height), layout="constrained")
         figure.draw(canvas, part)
@@ -38,11 +40,25 @@ def save(figure, part, paths, width=None, **style):
         canvas.set_layout_engine("none")
         for path in map(pathlib.Path, [paths] if isinstance(paths, (str, pathlib.Path)) else paths):
             # Without a date the same result gives the same bytes.
-            metadata = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}.get(path.suffix[1:], {})
+            metadata = metadata_of(path.suffix[1:], figure.head)
             with written_whole(path) as beside:
                 canvas.savefig(beside, metadata=metadata)
                 if path.suffix == ".svg":
                     number_clips(beside)
+
+
+def metadata_of(form, head):
+    """Title and caption, without a date."""
+    undated = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}.get(form, {})
+    if not head:
+        return undated
+    name = {"pdf": "Subject"}.get(form, "Description")
+    return {**undated, "Title": unmarked(head["title"]), name: unmarked(head["caption"])}
+
+
+def unmarked(text):
+    """Without the marks of what is lowered or raised."""
+    return re.sub(r"[_^]\{([^}]*)\}", r"\1", text)
 
 
 def number_clips(path):

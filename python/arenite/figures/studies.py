@@ -11,7 +11,7 @@ from matplotlib.patches import Circle
 
 from .. import _core
 from .fields import crack_dots
-from .style import bare, colours, length_bar, phase_colours, plain, soft, strong
+from .style import bare, colours, label, length_bar, phase_colours, plain, soft, strong
 
 stress_map, most_stress, most_stress_of_nodes = "magma_r", 3, 2
 
@@ -54,11 +54,6 @@ def not_drawn(path):
         if is_study(path) and has_page(path)
         else {}
     )
-
-
-def label(text):
-    """ "σ_{norm}" for matplotlib."""
-    return re.sub(r"([_^])\{([^}]*)\}", lambda m: f"${m[1]}\\mathrm{{{m[2]}}}$".replace("%", r"\%"), plain(text))
 
 
 def _colours(figure):

@@ -3,6 +3,7 @@
 import contextlib
 import logging
 import math
+import re
 
 import matplotlib
 import numpy as np
@@ -16,6 +17,7 @@ column_width, page_width = 3.35, 6.9  # inches: 85 mm and 175 mm, one and two co
 colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"]
 phase_colours = {"void": "#ffffff", "matrix": "#d9c79c", "small": "#7fa8c9", "large": "#2f5f8a", "particle": "#5583ab"}
 phases = ["void", "matrix", "particle", "small", "large"]  # in the order of their numbers in a map
+set_colours = {"all": "#1a1a1a", "large": colours[0], "small": colours[1], "particle": colours[0], "matrix": colours[2]}
 crack_colours = {1: ("matrix", "#d62728"), 2: ("interface", "#111111"), 3: ("particle", "#ff9d00")}
 strong, weak, soft, pale, tension = "#1a1a1a", "#8c8c8c", "#b5b5b5", "#c8c8c8", "#d81b60"
 
@@ -99,42 +101,14 @@ def make_ticks_plain(canvas):
             axis.set_major_formatter(PlainTicks())
 
 
-def estimate(statistic):
-    """(value, error) of {"value", "error"}; error 0 if it is not known."""
-    return statistic["value"], statistic.get("error") or 0.0
-
-
 def plain(name):
     """A name of somebody's as it is, whose dollar signs begin no formula."""
     return name.replace("$", r"\$")
 
 
-def measured(statistic):
-    """ "0.31 ± 0.12" of {"value", "error"}: two digits of the error."""
-    value, error = estimate(statistic)
-    if not error > 1e-12 * abs(value):
-        return f"{value:.4g}"
-    decimals = min(8, max(0, 1 - math.floor(math.log10(error))))
-    return f"{value:.{decimals}f} ± {error:.{decimals}f}"
-
-
-def colour_of(name, materials, otherwise=0):
-    """Colour of a material, or of contacts between two, "A-B"; like pairs have their material's colour, the others follow after the materials."""
-    if name == "all":
-        return strong
-    if name in ("wall", "walls"):
-        return soft
-    if name in materials:
-        return colours[materials.index(name) % len(colours)]
-    mixed = [(a, b) for k, a in enumerate(materials) for b in materials[k + 1 :]]
-    pairs = {
-        **{(a, a): k for k, a in enumerate(materials)},
-        **{pair: len(materials) + k for k, pair in enumerate(mixed)},
-    }
-    for (a, b), k in pairs.items():
-        if name in (f"{a}-{b}", f"{b}-{a}"):
-            return colours[k % len(colours)]
-    return colours[otherwise % len(colours)]
+def label(text):
+    """ "σ_{norm}" for matplotlib."""
+    return re.sub(r"([_^])\{([^}]*)\}", lambda m: f"${m[1]}\\mathrm{{{m[2]}}}$".replace("%", r"\%"), plain(text))
 
 
 def scaled(largest, unit):
@@ -143,12 +117,6 @@ def scaled(largest, unit):
         if abs(largest) >= factor:
             return factor, prefix + unit
     return 1, unit
-
-
-def labelled(words, values, unit):
-    """(factor, label) of an axis with these values in `unit`, SI; without a unit, the words alone."""
-    factor, prefixed = scaled(np.max(np.abs(values), initial=0), unit) if unit else (1, "")
-    return factor, f"{words}, {prefixed}" if unit else words
 
 
 def bare(axes):

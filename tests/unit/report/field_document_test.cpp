@@ -44,14 +44,18 @@ TEST(FieldDocument, GivesTheMeanOverWhatIsNotVoid) {
 
 TEST(FieldDocument, MeasuresDensitiesAsTheLoadsStatisticsAsk) {
   const Json document = Json::parse(report::page_document(field_sample().data).json);
-  EXPECT_TRUE(document["fields"][0]["statistics"].empty());
+  EXPECT_FALSE(document["fields"][0]["figures"].contains("stress-pdf"));
+  std::vector<Json> components;
+  for (const Json& drawing : document["fields"][1]["figures"]["stress-pdf"])
+    if (drawing["for"]["norm"] == "sample") components.push_back(drawing["for"]["component"]);
+  EXPECT_EQ(components, (std::vector<Json>{"yy", "xx", "xy", "hydrostatic"}));
   FieldResult asked = field_sample().load;
+  const Numbers usual = report::densities_of(asked);
   asked.numbers["stress"]["options"] = {{"clamp_rows", 8}, {"leave_out_surface", true}};
-  const Json statistics =
-      Json::parse(report::page_document({.title = "asked", .fields = {&asked, 1}}).json)["fields"][0]["statistics"];
+  const Numbers statistics = report::densities_of(asked);
   EXPECT_EQ(statistics["options"]["clamp_rows"], 8);
-  EXPECT_LT(statistics["sigma_yy"]["sets"]["all"]["count"],
-            document["fields"][1]["statistics"]["sigma_yy"]["sets"]["all"]["count"]);
+  EXPECT_LT(statistics["sigma_yy"]["sets"]["all"]["count"].get<double>(),
+            usual["sigma_yy"]["sets"]["all"]["count"].get<double>());
   for (const char* component : {"sigma_yy", "sigma_xx", "sigma_xy", "sigma_hyd"})
     EXPECT_TRUE(statistics[component]["sets"]["all"].contains("pdf")) << component;
 }
@@ -73,23 +77,22 @@ TEST(FieldDocument, AgreesWithTheNumbersThatALoadIsStoredWith) {
   load.statistics.clamp_rows = 8;
   auto result = workflow::apply_load(load, field_sample().cement, {});
   ASSERT_TRUE(result);
-  const auto field_now = [&] {
-    return Json::parse(report::page_document({.title = "one", .fields = {&*result, 1}}).json)["fields"][0];
-  };
-  const Json field = field_now();
-  Json numbers = field["numbers"]["stress"];
+  const auto densities = [&] { return Json::parse(to_json(report::shortened(report::densities_of(*result)))); };
+  Json numbers = Json::parse(
+      report::page_document({.title = "one", .fields = {&*result, 1}}).json)["fields"][0]["numbers"]["stress"];
   ASSERT_GT(numbers["sigma_yy"]["sets"]["all"]["count"], 1000);
   numbers.erase("grains");  // the page has its own
-  expect_holds(field["statistics"], numbers);
+  expect_holds(densities(), numbers);
   result->numbers["stress"].erase("options");
-  EXPECT_NE(field_now()["statistics"]["sigma_yy"]["sets"]["all"]["count"], numbers["sigma_yy"]["sets"]["all"]["count"]);
+  EXPECT_NE(densities()["sigma_yy"]["sets"]["all"]["count"], numbers["sigma_yy"]["sets"]["all"]["count"]);
 }
 
 TEST(FieldDocument, OfASampleWithoutAnyStressSaysWhyNothingWasMeasured) {
   FieldResult severed = field_sample().load;
   for (auto* values : {&severed.field.xx, &severed.field.yy, &severed.field.xy}) values->assign(values->size(), 0);
+  EXPECT_EQ(report::densities_of(severed)["notes"].size(), 1u);
   const Json document = Json::parse(report::page_document({.title = "severed", .fields = {&severed, 1}}).json);
-  EXPECT_EQ(document["fields"][0]["statistics"]["notes"].size(), 1u);
+  EXPECT_FALSE(document["fields"][0]["figures"].contains("stress-pdf"));
 }
 
 TEST(FieldDocument, HoldsVoidsAndPoresOfTheMap) {
@@ -116,7 +119,7 @@ TEST(FieldDocument, SaysUnitsAndMeaningsAsTheyAreDeclared) {
   EXPECT_EQ(load["components"]["ux"]["unit"], "m");
   EXPECT_EQ(load["meanings"]["modulus_Pa"], Json({"Pa", "Apparent modulus, mean stress over strain"}));
   EXPECT_EQ(load["meanings"]["stress.sigma_yy.sample_mean_Pa"][0], "Pa");
-  EXPECT_FALSE(load["convergence"]["residual"].contains("unit"));
+  EXPECT_FALSE(load["figures"]["convergence"][0]["panels"][0]["y"].contains("unit"));
 }
 
 TEST(FieldDocument, StandsBesideAPackingOrWithoutOne) {
@@ -131,15 +134,17 @@ TEST(FieldDocument, TakesOverWhatTheRunMeasured) {
   workflow::KnownStatistics known;
   auto result = workflow::apply_load(load, field_sample().cement, {}, {}, &known.fields.emplace_back());
   ASSERT_TRUE(result && known.fields[0]);
-  const auto statistics = [&](const workflow::KnownStatistics* measured) {
+  const auto figure = [&](const workflow::KnownStatistics* measured) {
     return Json::parse(report::page_document({.title = "one", .fields = {&*result, 1}, .measured = measured})
-                           .json)["fields"][0]["statistics"];
+                           .json)["fields"][0]["figures"]["stress-pdf"];
   };
-  EXPECT_EQ(statistics(&known), statistics(nullptr));
-  for (const char* component : {"sigma_xx", "sigma_xy", "sigma_hyd"}) {
-    EXPECT_TRUE(statistics(&known).contains(component));
-    EXPECT_FALSE(result->numbers["stress"].contains(component));
+  const Json shown = figure(&known);
+  EXPECT_EQ(shown, figure(nullptr));
+  for (const auto& [component, name] :
+       {std::pair{"xx", "sigma_xx"}, {"xy", "sigma_xy"}, {"hydrostatic", "sigma_hyd"}}) {
+    EXPECT_TRUE(std::ranges::any_of(shown, [&](const Json& one) { return one["for"]["component"] == component; }));
+    EXPECT_FALSE(result->numbers["stress"].contains(name));
   }
-  known.fields[0]->numbers["nodes"] = 1;  // which nobody would measure
-  EXPECT_EQ(statistics(&known)["nodes"], 1);
+  known.fields[0]->numbers["sigma_yy"]["sets"]["all"]["variance"] = 123.0;  // which nobody would measure
+  EXPECT_EQ(figure(&known)[0]["key"][0]["numbers"][0], Json({"var", "123.0", ""}));
 }

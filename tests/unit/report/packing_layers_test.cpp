@@ -42,8 +42,10 @@ TEST(PackingLayers, ALongLoadingHasFieldsOfSomeStatesAndOfTheLast) {
 TEST(PackingLayers, SizeCurvesAreThereWhereALawWasAskedFor) {
   const test::PageSample sample(60);
   const Json asked = Json::parse(report::page_document(sample.data).json);
-  EXPECT_GE(asked["sizes"]["asked"]["diameter"]["n"].get<int>(), 3);
+  const Json& lines = asked["run"]["size-curve"][0]["panels"][0]["series"];
+  EXPECT_EQ(lines[1]["name"], "asked");
+  EXPECT_GE(lines[1]["x"].is_array() ? lines[1]["x"].size() : lines[1]["x"]["n"].get<std::size_t>(), 3u);
   test::PageSample without(60);
   without.stage.asked.diameter.clear();
-  EXPECT_FALSE(Json::parse(report::page_document(without.data).json).contains("sizes"));
+  EXPECT_FALSE(Json::parse(report::page_document(without.data).json)["run"].contains("size-curve"));
 }

@@ -53,10 +53,16 @@ TEST(PageDocument, HasTheBoundariesOfEachStateThatHasThem) {
 
 TEST(PageDocument, KeepsAboutAThousandRowsOfALongHistoryAndItsLast) {
   test::PageSample sample(60);
-  for (auto& column : sample.stage.history.columns) column.values.assign(4096, 1.0);
+  for (auto& column : sample.stage.history.columns) {
+    column.values.assign(4096, 1.0);
+    if (column.name == "time")
+      for (std::size_t k = 0; k < column.values.size(); ++k) column.values[k] = static_cast<double>(k);
+  }
   const Json document = Json::parse(report::page_document(sample.data).json);
-  EXPECT_LE(document["stages"][0]["history"]["time"]["n"], 1001);
-  EXPECT_GE(document["stages"][0]["history"]["time"]["n"], 500);
+  const Json& line = document["stages"][0]["figures"]["wall-forces"][0]["panels"][0]["series"][0];
+  EXPECT_LE(line["x"]["n"], 1001);
+  EXPECT_GE(line["x"]["n"], 500);
+  EXPECT_EQ(line["y"]["n"], line["x"]["n"]);
 }
 
 TEST(PageDocument, SaysUnitsAndMeaningsAsTheyAreDeclared) {
@@ -67,7 +73,7 @@ TEST(PageDocument, SaysUnitsAndMeaningsAsTheyAreDeclared) {
   EXPECT_EQ(last["x"]["unit"], "m");
   EXPECT_EQ(last["angle"]["unit"], "rad");
   EXPECT_EQ(last["contacts"]["fn"]["unit"], "N");
-  EXPECT_EQ(document["stages"][0]["history"]["time"]["unit"], "s");
+  EXPECT_EQ(document["stages"][0]["figures"]["wall-forces"][0]["panels"][0]["x"]["unit"], "s");
   EXPECT_EQ(document["meanings"]["force.mean_N"][0], "N");
   EXPECT_EQ(last["texture"]["new_number_m"], 2.5);
   EXPECT_EQ(document["meanings"]["new_number_m"], Json({"m", "That no page knows of"}));

@@ -1,4 +1,4 @@
-import { unpack, unpacked } from "../block.js";
+import { opened, unpack, unpacked } from "../block.js";
 import { Numbers } from "../declared.js";
 import { components } from "./components.js";
 import { decodeField } from "./decode.js";
@@ -60,9 +60,8 @@ export class FieldResult {
       name: about.name,
       map: maps[about.map],
       declared: new Numbers(about.numbers, about.meanings),
-      statistics: about.statistics,
     });
-    for (const name of ["convergence", "curve", "grains", "cracks"]) this[name] = unpacked(block, about[name] ?? null);
+    for (const name of ["curve", "grains", "cracks"]) this[name] = unpacked(block, about[name] ?? null);
     this.steps = this.curve.strain?.length ?? 0;
     /** Mean stress sigma_yy over the nodes that are not void; what sizes are compared with. */
     this.mean = about.components.sigma_yy?.mean ?? null;
@@ -75,6 +74,15 @@ export class FieldResult {
   /** Figures ask for the texture of a packing; a field has none. */
   texture() {
     return null;
+  }
+
+  /** What a figure shows, and the step of the test that the reader is at. */
+  drawn(id, state) {
+    const drawings = opened(this.#block, this.about, id);
+    return drawings ? { drawings, here: Math.min(state.get("step"), this.steps - 1) } : null;
+  }
+  hasDrawn(id) {
+    return Boolean(this.about.figures[id]);
   }
 
   get loaded() {

@@ -1,7 +1,7 @@
 import { forms, keepInAddress } from "../address.js";
 import { h } from "../dom.js";
 import { figureCard } from "../figures/card.js";
-import { fieldFigures } from "../figures/index.js";
+import { figuresOf } from "../figures/index.js";
 import { resultNumbers } from "../numbers.js";
 import { State } from "../state.js";
 import { available } from "./components.js";
@@ -36,7 +36,7 @@ function begin(result, page) {
 }
 
 /** One result on a grid with its figures and tables: { element, state, view }. */
-export function fieldSection(result, page) {
+export function fieldSection(result, page, heads) {
   const state = begin(result, page);
   keepInAddress(
     state,
@@ -51,7 +51,7 @@ export function fieldSection(result, page) {
   );
   page.watch(["theme"], () => state.set({ theme: page.get("theme") }));
   const { panel, view } = fieldPanel(result, state, result.title);
-  const figures = fieldFigures
+  const figures = figuresOf(heads)
     .filter((figure) => figure.when({}, result))
     .map((figure) => figureCard(figure, result, state));
   const element = h(

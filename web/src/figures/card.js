@@ -2,7 +2,6 @@ import { h, plain, rich, s } from "../dom.js";
 import { choice, picker } from "../choice.js";
 import { fileName, savePng, saveSvg, saveText, svgText } from "../save.js";
 import { themeOf } from "../theme.js";
-import { text } from "../text.js";
 import { csvOf, rowsOf } from "./csv.js";
 
 /** A figure in its frame: title, key, drawing, caption and the buttons that save it. It follows the slider, the theme
@@ -88,14 +87,11 @@ function label(svg, { title, caption }) {
 /** The key's symbols: strokes within 18 by 8. */
 const strokes = { times: "M6,1l6,6M6,7l6,-6", plus: "M9,0v8M5,4h8", diamond: "M9,1.5l2,2.5l-2,2.5l-2,-2.5Z" };
 
-function entry({ name, colour, values, dash = null, symbol = null }) {
-  const numbers = values.map(([symbol, estimate]) => {
-    const { value, error } = text.withError(estimate.value, estimate.error);
-    return [
-      " ",
-      h("span", { class: "estimate" }, rich(symbol), ` ${value}`, error && h("small", {}, ` \u00b1 ${error}`)),
-    ];
-  });
+function entry({ name, colour, numbers = [], dash = null, symbol = null }) {
+  const said = numbers.map(([of, value, error]) => [
+    " ",
+    h("span", { class: "estimate" }, rich(of), ` ${value}`, error && h("small", {}, ` \u00b1 ${error}`)),
+  ]);
   const line = s(
     "svg",
     { width: 18, height: 8, viewBox: "0 0 18 8" },
@@ -112,5 +108,5 @@ function entry({ name, colour, values, dash = null, symbol = null }) {
           "stroke-linecap": dash ? null : "round",
         }),
   );
-  return h("span", { class: "entry" }, line, h("b", {}, rich(name)), numbers);
+  return h("span", { class: "entry" }, line, h("b", {}, rich(name)), said);
 }

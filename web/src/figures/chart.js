@@ -13,9 +13,9 @@ export function chart(theme, options) {
     most = Math.max(
       ...[...svg.querySelectorAll('[aria-label^="y-axis tick label"] text')].map((tick) => tick.textContent.length),
     );
-  // Room for more than four digits beside the axis.
-  return most > 4 && options.marginLeft === undefined
-    ? drawn(theme, { ...options, marginLeft: 50 + wideDigit * (most - 4) })
+  // Room for more than three digits beside the axis.
+  return most > 3 && options.marginLeft === undefined
+    ? drawn(theme, { ...options, marginLeft: 50 + wideDigit * (most - 3) })
     : svg;
 }
 

@@ -125,11 +125,7 @@ function ramp({ label: words, map }, si, [low, high], theme, y) {
 }
 
 export const coarseFields = {
-  id: "coarse-fields",
-  title: "Coarse-grained fields",
   follows: ["snapshot", "field"],
-  caption:
-    "Fields of the state shown, or of the nearest state that has them: averages over a kernel about as wide as a grain, which satisfy the balances of mass and momentum. Stress includes its kinetic part; compression is positive, except for the shear stress. Arrows: velocity.",
   when: (texture, sample) => sample.fields(0),
   pickers: {
     field: ["", (sample) => known(sample.fields(sample.snapshotCount - 1)).map(([name, layer]) => [name, layer.label])],

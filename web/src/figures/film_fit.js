@@ -36,11 +36,6 @@ function painted(film, values, scale, palette, none) {
 }
 
 export const fitMaps = {
-  id: "film-fit",
-  title: "Measured warming and its fit by contact forces",
-  wide: true,
-  caption:
-    "Warming with the load as measured, as predicted from the contact forces (through lens and pixels), and the residual; one scale, peak to peak. The fit leaves out pixels at rims and contacts, which are shown here.",
   when: (_, film) => film.hasForces && film.about.maps.fitted,
   draw({ sample: film, theme, width }) {
     const all = pictures(film),

@@ -20,11 +20,7 @@ function shownGrains(sample, selected) {
 }
 
 export const grainScatter = {
-  id: "grain-scatter",
-  title: "Grains",
   follows: ["snapshot", "across", "up", "selected"],
-  caption:
-    "One point per grain of the state shown, in the colour of its material; a click marks the grain in the picture and in the table.",
   when: (texture, sample) => sample.count > 1,
   pickers: { across: ["x", knownOf], up: ["y", knownOf] },
   draw({ sample, state, theme, width }) {

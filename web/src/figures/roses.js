@@ -1,91 +1,65 @@
 import { richSvg, s } from "../dom.js";
-import { pairColour } from "../theme.js";
 import { text } from "../text.js";
+import { colourOf } from "./colours.js";
 
-const sectorCount = 18;
-
-/** Polar histograms of contact orientations: all, by strength, by type; strong contacts darker within. */
-export const roses = {
-  id: "fabric",
-  title: "Contact orientations",
-  wide: true,
-  caption:
-    "Fraction of contacts in sectors of 10\u00b0, over the isotropic fraction (dashed circle); darker: strong contacts, F_{n} > \u27e8F_{n}\u27e9. " +
-    "Line: 1 + a_{c} cos 2(\u03b8 \u2212 \u03b8_{c}). \u25b6 marks the axis of compression.",
-  when: (texture) => texture.fabric?.sectors,
-  draw({ sample, texture, theme, width }) {
-    const list = sets(sample, texture, theme);
-    const perRow = Math.min(list.length, width >= 1000 ? 6 : width >= 380 ? 3 : 2);
-    const cell = width / perRow,
-      radius = Math.min(0.5 * cell - 18, 88),
-      height = 2 * radius + 96;
-    const rows = Math.ceil(list.length / perRow);
-    const svg = s("svg", {
-      viewBox: `0 0 ${width} ${rows * height}`,
-      width,
-      height: rows * height,
-      "font-family": theme.font,
-      "font-size": 11.5,
-      fill: theme.soft,
-    });
-    list.forEach((set, k) => {
-      const x = ((k % perRow) + 0.5) * cell,
-        y = Math.floor(k / perRow) * height + 26 + radius + 10;
-      svg.append(s("g", { transform: `translate(${x} ${y})` }, rose(set, radius, theme, texture.fabric.load_axis_deg)));
-    });
-    svg.numbers = [
-      {
-        x: "direction, \u00b0",
-        y: "contacts",
-        points: list.flatMap(({ label, set }) =>
-          set.sectors.map((y, k) => ({ name: label, x: ((k + 0.5) * 180) / set.sectors.length, y })),
-        ),
-      },
-    ];
-    return richSvg(svg);
-  },
-};
-
-function sets(sample, texture, theme) {
-  const { sets: named = {}, ...all } = texture.fabric;
-  const found = (name) => (named[name]?.contacts > 0 ? named[name] : null);
-  const list = [{ label: "all", colour: theme.strong, set: all, inner: found("strong") }];
-  if (found("strong")) list.push({ label: "strong", colour: theme.strong, set: named.strong, inner: named.strong });
-  if (found("weak")) list.push({ label: "weak", colour: theme.weak, set: named.weak });
-  for (const type of sample.types) {
-    if (sample.materials.length === 1 && !type.wall) continue; // they are all
-    const name = [type.key, type.wall ? "" : `${type.key.split("-").reverse().join("-")}`].find((key) => found(key));
-    if (name)
-      list.push({
-        label: type.label,
-        colour: pairColour(theme, type),
-        set: named[name],
-        inner: found(`${name} strong`),
-      });
-  }
-  return list;
+/** Polar histograms side by side, or in rows. */
+export function drawRoses(roses, { theme, width }) {
+  const perRow = Math.min(roses.length, width >= 1000 ? 6 : width >= 380 ? 3 : 2);
+  const cell = width / perRow,
+    radius = Math.min(0.5 * cell - 18, roses.length < 3 ? 110 : 88),
+    height = 2 * radius + 96,
+    rows = Math.ceil(roses.length / perRow);
+  const svg = s("svg", {
+    viewBox: `0 0 ${width} ${rows * height}`,
+    width,
+    height: rows * height,
+    "font-family": theme.font,
+    "font-size": 11.5,
+    fill: theme.soft,
+  });
+  roses.forEach((one, k) => {
+    const x = ((k % perRow) + 0.5) * cell,
+      y = Math.floor(k / perRow) * height + 36 + radius;
+    svg.append(s("g", { transform: `translate(${x} ${y})`, "data-set": one.name }, rose(one, radius, theme)));
+  });
+  svg.numbers = [
+    {
+      x: "direction, \u00b0",
+      y: "contacts",
+      points: roses.flatMap(({ name, sectors }) =>
+        Array.from(sectors, (y, k) => ({ name, x: ((k + 0.5) * 180) / sectors.length, y })),
+      ),
+    },
+  ];
+  return richSvg(svg);
 }
 
-/** How far a set's petals and its line reach, over the isotropic share. */
-export const reachOf = (set) =>
-  Math.max(1.6, ...set.sectors.map((n) => (n * sectorCount) / set.contacts), 1 + (set.a_c?.value ?? 0));
-
-/** The polar histogram of one set about the origin; `reach` is what the outer circle stands for. */
-export function rose({ label, colour, set, inner, reach = reachOf(set) }, radius, theme, loadAxis) {
-  const isotropic = set.contacts / sectorCount;
-  const scale = radius / reach;
+/** One about the origin. */
+function rose({ name, colour: role, count, sectors, inner, amplitude, direction: turn, axis, reach, words }, radius, theme) {
+  const isotropic = count / sectors.length,
+    scale = radius / reach,
+    colour = colourOf(theme, role);
   const group = s("g");
   group.append(s("circle", { r: radius, fill: "none", stroke: theme.rule }));
   for (const angle of [0, 45, 90, 135]) {
     const [dx, dy] = direction(angle, radius);
     group.append(s("line", { x1: -dx, y1: -dy, x2: dx, y2: dy, stroke: theme.rule }));
   }
-  group.append(...petals(set.sectors, isotropic, scale, colour, inner ? 0.35 : 0.5));
-  if (inner) group.append(...petals(inner.sectors, isotropic, scale, colour, 0.75));
+  group.append(...petals(sectors, isotropic, scale, colour, inner ? 0.35 : 0.5));
+  if (inner) group.append(...petals(inner, isotropic, scale, colour, 0.75));
   group.append(s("circle", { r: scale, fill: "none", stroke: theme.soft, "stroke-dasharray": "3 3" }));
-  if (set.a_c && set.theta_c_deg)
-    group.append(s("path", { d: fitted(set, scale), fill: "none", stroke: theme.ink, "stroke-width": 1.5 }));
-  group.append(...axisMarks(loadAxis, radius, theme), ...captions(label, set, radius, theme));
+  if (amplitude !== undefined && turn !== undefined)
+    group.append(s("path", { d: fitted(amplitude, turn, scale), fill: "none", stroke: theme.ink, "stroke-width": 1.5 }));
+  group.append(
+    ...axisMarks(axis, radius, theme),
+    s(
+      "text",
+      { y: -radius - 18, "text-anchor": "middle", fill: theme.ink, "font-weight": 600, "font-size": 12 },
+      name,
+      s("tspan", { fill: theme.soft, "font-weight": 400 }, `  ${text.count(count)}`),
+    ),
+    ...words.map((line, k) => s("text", { y: radius + 24 + 15 * k, "text-anchor": "middle" }, line)),
+  );
   return group;
 }
 
@@ -98,7 +72,7 @@ export function direction(degrees, r) {
 function petals(counts, isotropic, scale, fill, opacity) {
   return [...counts, ...counts].map((n, k) => {
     const r = (n / isotropic) * scale,
-      step = 180 / sectorCount;
+      step = 180 / counts.length;
     const [x1, y1] = direction(k * step + 0.8, r),
       [x2, y2] = direction((k + 1) * step - 0.8, r);
     return s("path", {
@@ -109,10 +83,10 @@ function petals(counts, isotropic, scale, fill, opacity) {
   });
 }
 
-function fitted(set, scale) {
+function fitted(amplitude, turn, scale) {
   const path = [];
   for (let angle = 0; angle <= 360; angle += 3) {
-    const r = (1 + set.a_c.value * Math.cos((2 * (angle - set.theta_c_deg.value) * Math.PI) / 180)) * scale;
+    const r = (1 + amplitude * Math.cos((2 * (angle - turn) * Math.PI) / 180)) * scale;
     path.push(
       direction(angle, r)
         .map((v) => v.toFixed(2))
@@ -132,26 +106,4 @@ function axisMarks(degrees, radius, theme) {
       transform: `translate(${x} ${y}) rotate(${-angle})`,
     });
   });
-}
-
-function captions(label, set, radius, theme) {
-  const a = text.withError(set.a_c?.value, set.a_c?.error);
-  const lost = set.a_c && set.a_c_noise && set.a_c.value < set.a_c_noise;
-  const theta = text.withError(set.theta_c_deg?.value, set.theta_c_deg?.error);
-  return [
-    s(
-      "text",
-      { y: -radius - 18, "text-anchor": "middle", fill: theme.ink, "font-weight": 600, "font-size": 12 },
-      label,
-      s("tspan", { fill: theme.soft, "font-weight": 400 }, `  ${text.count(set.contacts)}`),
-    ),
-    s("text", { y: radius + 24, "text-anchor": "middle" }, `a_{c} = ${a.value}${a.error && ` \u00b1 ${a.error}`}`),
-    s(
-      "text",
-      { y: radius + 39, "text-anchor": "middle" },
-      lost
-        ? `below its noise, ${text.number(set.a_c_noise, 2)}`
-        : `\u03b8_{c} = ${theta.value}${theta.error && ` \u00b1 ${theta.error}`}\u00b0`,
-    ),
-  ];
 }

@@ -1,8 +1,7 @@
 import * as Plot from "@observablehq/plot";
 import { inWords } from "../declared.js";
-import { prefixOf } from "../text.js";
+import { prefixOf, text } from "../text.js";
 import { chart, sideBySide } from "./chart.js";
-import { stageOf } from "./history.js";
 
 const ratioLabels = {
   mu: "friction, shear over normal force",
@@ -10,6 +9,9 @@ const ratioLabels = {
   axial_stress: "stress along the axis",
 };
 const symbols = { mu: "\u03bc", q_over_p: "q/p" };
+
+/** The stage of the state that is shown. */
+const stageOf = (sample, state) => sample.stages[sample.about.snapshots[state.get("snapshot")].stage];
 
 /** The curves of a stage as the program measured them: { strain, ratio: [{ x, y }], volume, critical }. Strains of sides in per cent. */
 function curvesOf(stage) {
@@ -118,12 +120,7 @@ function panel(theme, strain, points, y, width, critical = null) {
 }
 
 export const testCurves = {
-  id: "test-curves",
-  title: "Curves of the test",
-  wide: true,
   follows: true,
-  caption:
-    "Curves of the stage shown, or of the nearest stage that has curves (named on the axis), from the forces on its sides and their positions: stress ratio (without confinement or in tension, the stress) and volumetric strain (compaction positive) against strain. Thin: all sampled values; thick: running mean. Coloured: the critical state with its 95 % band, over the strains at which the ratio only fluctuates.",
   when: (texture, sample) => sample.stages.some((stage) => curvesOf(stage)),
   key: ({ sample, state, theme }) => {
     const { critical, symbol } = curvesOf(stageWithCurves(sample, state)) ?? {};
@@ -132,10 +129,10 @@ export const testCurves = {
           {
             name: "critical state",
             colour: theme.accent,
-            values: [
+            numbers: [
               [symbol, critical.ratio],
               ["\u03c6", critical.solid],
-            ],
+            ].map(([of, number]) => [of, ...Object.values(text.withError(number.value, number.error))]),
           },
         ]
       : [];
@@ -158,26 +155,5 @@ export const testCurves = {
         panel(theme, curves.strain, curves.ratio, { label: curves.ratioLabel, nice: true }, part, curves.critical),
       (part) => panel(theme, curves.strain, curves.volume, { label: "volumetric strain", unit: "%", nice: true }, part),
     ]);
-  },
-};
-
-export const discharge = {
-  id: "discharge",
-  title: "Discharge",
-  follows: true,
-  caption: "Mass of the grains below the height count_below of the recipe; its slope is the discharge rate.",
-  when: (texture, sample) => sample.stages.some((stage) => stage.history?.passed_mass),
-  draw({ sample, state, theme, width }) {
-    const { time, passed_mass: mass } = stageOf(sample, state).history;
-    if (!mass) return null;
-    const points = Array.from(mass, (m, k) => ({ x: time[k] - time[0], y: m }));
-    return chart(theme, {
-      width,
-      height: 236,
-      x: { label: "time", unit: time.unit, ticks: 5 },
-      y: { label: "mass passed", unit: mass.unit },
-      tips: { points },
-      marks: [Plot.line(points, { x: "x", y: "y", stroke: theme.strong, strokeWidth: 1.7 })],
-    });
   },
 };

@@ -1,4 +1,4 @@
-import { unpack, unpacked } from "../block.js";
+import { opened, unpack, unpacked } from "../block.js";
 import { Numbers, valueOf } from "../declared.js";
 import { decodeField } from "../field/decode.js";
 import { maps } from "./maps.js";
@@ -39,6 +39,14 @@ export class FilmResult {
   /** Figures ask for the texture of a packing; a film has none. */
   texture() {
     return null;
+  }
+
+  drawn(id) {
+    const drawings = opened(this.#block, this.about, id);
+    return drawings ? { drawings, here: 0 } : null;
+  }
+  hasDrawn(id) {
+    return Boolean(this.about.figures[id]);
   }
 
   get count() {

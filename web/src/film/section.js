@@ -1,6 +1,6 @@
 import { h } from "../dom.js";
 import { figureCard } from "../figures/card.js";
-import { filmFigures } from "../figures/index.js";
+import { figuresOf } from "../figures/index.js";
 import { resultNumbers } from "../numbers.js";
 import { textureCard } from "../packing/texture.js";
 import { State } from "../state.js";
@@ -28,13 +28,13 @@ function begin(film, page) {
 }
 
 /** A film with its figures and tables: { element, state, view, film }. */
-export function filmSection(film, page) {
+export function filmSection(film, page, heads) {
   const state = begin(film, page);
   page.watch(["theme"], () => state.set({ theme: page.get("theme") }));
   const { panel, view } = available(film).length
     ? filmPanel(film, state)
     : { panel: h("section", { class: "card" }, h("p", { class: "nothing" }, "This film has no maps.")), view: null };
-  const cards = filmFigures.filter((figure) => figure.when({}, film)).map((figure) => figureCard(figure, film, state));
+  const cards = figuresOf(heads).filter((figure) => figure.when({}, film)).map((figure) => figureCard(figure, film, state));
   const element = h(
     "div",
     {},

@@ -2,7 +2,7 @@ import { forms, keepInAddress } from "../address.js";
 import { h } from "../dom.js";
 import { figureCard } from "../figures/card.js";
 import { layers } from "../figures/coarse_fields.js";
-import { figures } from "../figures/index.js";
+import { figuresOf } from "../figures/index.js";
 import { State } from "../state.js";
 import { colouringsOf } from "./colouring.js";
 import { grainTable } from "./grain_table.js";
@@ -52,7 +52,7 @@ export function packingSection(sample, page) {
   keep(sample, state);
   page.watch(["theme"], () => state.set({ theme: page.get("theme") }));
   const texture = sample.texture(state.get("snapshot"));
-  const drawable = figures.filter((figure) => figure.when(texture ?? {}, sample));
+  const drawable = figuresOf(sample.about.figures.packing).filter((figure) => figure.when(texture ?? {}, sample));
   const { panel, view } = packingPanel(sample, state);
   const cards = h(
     "div",

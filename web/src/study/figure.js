@@ -159,7 +159,6 @@ function keyOf(figure, theme) {
     colour: one.colour,
     dash: dash(figure, one),
     symbol: one.source || one.beside ? symbolOf(one) : null,
-    values: [],
   }));
 }
 

@@ -13,7 +13,7 @@ export function roseFigure(figure, colours, dash) {
     key: ({ theme }) =>
       series
         .filter(({ name }) => name)
-        .map((one, k) => ({ name: one.name, colour: colours(theme, figure)[k], dash: dash(figure, one), values: [] })),
+        .map((one, k) => ({ name: one.name, colour: colours(theme, figure)[k], dash: dash(figure, one) })),
     draw({ theme, width }) {
       if (series.length === 0) return null;
       const height = 270,

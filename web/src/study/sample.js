@@ -7,7 +7,6 @@ export const stressKey = (theme, most = 3) =>
   Array.from({ length: most + 1 }, (_, v) => ({
     name: v === most ? `${v} and more` : `${v}`,
     colour: theme.stress(v / most),
-    values: [],
   }));
 
 /** One sample: its grains by material, with their normal forces as lines as wide as strong, or coloured by their stress over the mean. */
@@ -47,11 +46,11 @@ export function sampleFigure(figure) {
 
 function materialKey(theme, { materials = [], material, glued, f }) {
   const names = materials
-    .map((name, m) => ({ name, colour: materialColour(theme, m), values: [] }))
+    .map((name, m) => ({ name, colour: materialColour(theme, m) }))
     .filter((_, m) => material.includes(m));
   const last = [
-    glued.includes(1) && { name: "glued", colour: theme.accent, values: [] },
-    f?.some((v) => v < 0) && { name: "tension", colour: theme.tension, values: [] },
+    glued.includes(1) && { name: "glued", colour: theme.accent },
+    f?.some((v) => v < 0) && { name: "tension", colour: theme.tension },
   ];
   return [...(names.length > 1 ? names : []), ...last.filter(Boolean)];
 }

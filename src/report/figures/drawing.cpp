@@ -1,0 +1,139 @@
+#include "report/figures/drawing.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "core/mapped.hpp"
+
+namespace arenite::report::figures {
+namespace {
+
+std::string with_true_minus(std::string text) {
+  for (std::size_t at = 0; (at = text.find('-', at)) != std::string::npos; at += 3) text.replace(at, 1, "\u2212");
+  return text;
+}
+
+std::string raised(int exponent) {
+  static const char* const digits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                       "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  std::string text;
+  for (const char c : fmt::format("{}", exponent)) text += c == '-' ? "\u207b" : digits[c - '0'];
+  return text;
+}
+
+/// "kg/m^3" as kg/m\u00b3.
+std::string typeset(const std::string& unit) {
+  if (unit == "1") return "";
+  if (unit == "deg") return "\u00b0";
+  std::string text;
+  for (std::size_t k = 0; k < unit.size(); ++k) {
+    if (unit[k] != '^' || k + 1 >= unit.size()) {
+      text += unit[k];
+      continue;
+    }
+    std::size_t used = 0;
+    text += raised(std::stoi(unit.substr(k + 1), &used));
+    k += used;
+  }
+  return text;
+}
+
+int decimals_of(double error) { return std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 8); }
+
+}  // namespace
+
+Scale scale_of(double largest, const std::string& unit) {
+  static const char* const taken[] = {"N", "Pa", "J", "m", "s", "N/m", "J/m", "W", "K", "g"};
+  static constexpr std::pair<double, const char*> prefixes[] = {{1e9, "G"},  {1e6, "M"},       {1e3, "k"}, {1, ""},
+                                                                {1e-3, "m"}, {1e-6, "\u00b5"}, {1e-9, "n"}};
+  if (!(largest > 0) || std::ranges::find(taken, unit) == std::end(taken)) return {1, typeset(unit)};
+  const auto at = std::ranges::find_if(prefixes, [&](const auto& p) { return largest >= 0.9995 * p.first; });
+  const auto& [factor, prefix] = at == std::end(prefixes) ? *std::prev(std::end(prefixes)) : *at;
+  return {factor, prefix + typeset(unit)};
+}
+
+Scale scale_of(const std::vector<double>& values, const std::string& unit) {
+  return scale_of(largest_of(mapped(values, [](double v) { return std::abs(v); }), 0), unit);
+}
+
+std::string rounded(double value, int digits) {
+  if (!std::isfinite(value)) return "\u2013";
+  if (value == 0) return "0";
+  const int power = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  if (power >= 5 || power < -3) {
+    const std::string text = fmt::format("{:.{}e}", value, digits - 1);
+    const std::size_t e = text.find('e');
+    return with_true_minus(text.substr(0, e)) + "\u00b710" + raised(std::stoi(text.substr(e + 1)));
+  }
+  return with_true_minus(fmt::format("{:.{}f}", value, std::max(0, digits - 1 - power)));
+}
+
+std::string counted(double value) {
+  std::string text = fmt::format("{:.0f}", value);
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, "\u202f");
+  return text;
+}
+
+Said said(std::string symbol, const statistics::Estimate& e) {
+  if (!(e.error > 1e-7 * std::abs(e.value))) return {std::move(symbol), rounded(e.value, 4)};
+  const int decimals = decimals_of(e.error);
+  return {std::move(symbol), with_true_minus(fmt::format("{:.{}f}", e.value, decimals)),
+          fmt::format("{:.{}f}", e.error, decimals)};
+}
+
+std::string in_words(const Said& number) {
+  return fmt::format("{} = {}{}{}", number.symbol, number.value, number.error.empty() ? "" : " \u00b1 ", number.error);
+}
+
+std::string between_dashes(std::string key) {
+  if (const std::size_t at = key.find('-'); at != std::string::npos) key.replace(at, 1, "\u2013");
+  return key;
+}
+
+statistics::Estimate estimate_at(const Numbers& tree, std::string_view path) {
+  const Numbers* at = tree.at_path(path);
+  if (!at) return {};
+  if (at->is_number()) return {at->get<double>()};
+  const auto part = [&](const char* name) {
+    const auto found = at->is_tree() ? at->find(name) : at->end();
+    return found != at->end() && found->is_number() ? found->get<double>() : statistics::unknown;
+  };
+  return {part("value"), part("error")};
+}
+
+std::vector<double> reals_at(const Numbers& tree, std::string_view path) {
+  const Numbers* at = tree.at_path(path);
+  if (!at || !at->is_list()) return {};
+  std::vector<double> values;
+  for (const Numbers& item : *at) values.push_back(item.is_number() ? item.get<double>() : statistics::unknown);
+  return values;
+}
+
+std::vector<double> scaled(std::vector<double> values, double factor) {
+  for (double& value : values) value *= factor;
+  return values;
+}
+
+double largest_of(const std::vector<double>& values, double otherwise) {
+  for (const double value : values)
+    if (std::isfinite(value)) otherwise = std::max(otherwise, value);
+  return otherwise;
+}
+
+double least_above_zero(const std::vector<double>& values, double otherwise) {
+  for (const double value : values)
+    if (value > 0 && value < otherwise) otherwise = value;
+  return otherwise;
+}
+
+Axis decades_about(std::string label, double low, double high) {
+  return {.label = std::move(label),
+          .logarithmic = true,
+          .low = std::pow(10, std::floor(std::log10(low))),
+          .high = std::pow(10, std::ceil(std::log10(high)))};
+}
+
+}  // namespace arenite::report::figures

@@ -1,0 +1,251 @@
+#include "report/figures/figure_document.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/mapped.hpp"
+
+namespace arenite::report::figures {
+namespace {
+
+constexpr std::size_t inline_values = 6;  // fewer take less room in the document than a place in the block
+
+const char* word_for(Line line) {
+  return line == Line::solid ? "solid" : line == Line::dashed ? "dashed" : line == Line::dotted ? "dotted" : "";
+}
+
+const char* word_for(Choice::Print print) {
+  return print == Choice::Print::files ? "files" : print == Choice::Print::first ? "first" : "together";
+}
+
+/// Members that say nothing are left out.
+class Tree {
+ public:
+  Tree& text(const char* name, const std::string& value) {
+    if (!value.empty()) out[name] = value;
+    return *this;
+  }
+  Tree& flag(const char* name, bool value) {
+    if (value) out[name] = true;
+    return *this;
+  }
+  Tree& real(const char* name, double value, double usual) {
+    if (std::isfinite(value) && value != usual) out[name] = value;
+    return *this;
+  }
+  Tree& list(const char* name, const std::vector<double>& values, const WriteList& write) {
+    if (!values.empty()) out[name] = write(values);
+    return *this;
+  }
+  Numbers out = Numbers::tree();
+};
+
+Numbers numbers_of(const Axis& axis) {
+  Tree tree;
+  tree.text("label", axis.label).text("unit", axis.unit).text("brief", axis.brief).flag("log", axis.logarithmic);
+  if (axis.low) tree.out["low"] = *axis.low;
+  if (axis.high) tree.out["high"] = *axis.high;
+  if (!axis.names.empty()) tree.out["names"] = axis.names;
+  return tree.out;
+}
+
+Numbers numbers_of(const Series& series, const WriteList& write) {
+  Tree tree;
+  tree.text("name", series.name).text("colour", series.colour).text("line", word_for(series.line));
+  tree.list("x", series.x, write).list("y", series.y, write);
+  if (std::ranges::any_of(series.error, [](double e) { return e > 0; })) tree.list("error", series.error, write);
+  tree.list("low", series.low, write).list("high", series.high, write).list("members", series.members, write);
+  tree.flag("points", series.points)
+      .flag("steps", series.steps)
+      .flag("silent", !series.is_read)
+      .real("bars", series.bars, 0);
+  return tree.real("weight", series.weight, 1).real("opacity", series.opacity, 1).text("each", series.each).out;
+}
+
+/// Every k-th point of a line that has more than a drawing is wide, and the last one.
+Series thinned(const Series& series) {
+  constexpr std::size_t most = 1000;
+  const std::size_t n = series.x.size(), stride = (n + most - 1) / most;
+  if (series.line == Line::none || stride < 2) return series;
+  Series out = series;
+  for (auto* values : {&out.x, &out.y, &out.error, &out.low, &out.high, &out.members}) {
+    if (values->size() != n) continue;
+    std::vector<double> kept;
+    for (std::size_t k = 0; k < n; k += stride) kept.push_back((*values)[k]);
+    if ((n - 1) % stride != 0) kept.push_back(values->back());
+    *values = std::move(kept);
+  }
+  return out;
+}
+
+Numbers numbers_of(const Panel& panel, const WriteList& write) {
+  Tree tree;
+  tree.out["x"] = numbers_of(panel.x);
+  tree.out["y"] = numbers_of(panel.y);
+  tree.out["series"] = mapped(panel.series, [&](const Series& series) { return numbers_of(series, write); });
+  if (!panel.references.empty())
+    tree.out["references"] = mapped(panel.references, [](const Reference& r) {
+      return Tree()
+          .text("colour", r.colour)
+          .text("line", word_for(r.line))
+          .real("x", r.x.value_or(NAN), NAN)
+          .real("y", r.y.value_or(NAN), NAN)
+          .out;
+    });
+  if (!panel.corner.empty()) tree.out["corner"] = panel.corner;
+  if (!panel.now.x.empty()) tree.out["now"] = Tree().list("x", panel.now.x, write).list("y", panel.now.y, write).out;
+  return tree.text("selected", panel.selected)
+      .text("click", panel.click)
+      .flag("lying", panel.lying)
+      .flag("near", panel.near)
+      .flag("square", panel.square)
+      .out;
+}
+
+Numbers numbers_of(const Rose& rose, const WriteList& write) {
+  Tree tree;
+  tree.text("name", rose.name)
+      .text("colour", rose.colour)
+      .list("sectors", rose.sectors, write)
+      .list("inner", rose.inner, write);
+  tree.real("amplitude", rose.amplitude, NAN).real("direction", rose.direction, NAN).real("axis", rose.axis, NAN);
+  tree.out["count"] = rose.count;
+  tree.out["reach"] = rose.reach;
+  tree.out["words"] = rose.words;
+  return tree.out;
+}
+
+Numbers numbers_of(const KeyEntry& entry) {
+  Tree tree;
+  tree.text("name", entry.name).text("colour", entry.colour);
+  if (entry.line != Line::solid) tree.text("line", word_for(entry.line));
+  if (entry.counts >= 0) tree.out["counts"] = entry.counts;
+  if (!entry.numbers.empty())
+    tree.out["numbers"] = mapped(entry.numbers, [](const Said& n) {
+      return Numbers::list({n.symbol, n.value, n.error});
+    });
+  return tree.out;
+}
+
+const Head coarse_fields{"coarse-fields", "coarse-fields", "Coarse-grained fields",
+                         "Fields of the state shown, or of the nearest state that has them: averages over a kernel "
+                         "about as wide as a grain, "
+                         "which satisfy the balances of mass and momentum. Stress includes its kinetic part; "
+                         "compression is positive, except "
+                         "for the shear stress. Arrows: velocity."};
+const Head grain_scatter{
+    "grain-scatter", "grain-scatter", "Grains",
+    "One point per grain of the state shown, in the colour of its material; a click marks the grain in the picture and "
+    "in the table."};
+const Head test_curves{
+    "test-curves", "stress-strain", "Curves of the test",
+    "Curves of the stage shown, or of the nearest stage that has curves (named on the axis), from the forces on its "
+    "sides and their positions: stress ratio (without confinement or in tension, the stress) and volumetric strain "
+    "(compaction positive) against strain. Thin: all sampled values; thick: running mean. Coloured: the critical state "
+    "with its 95 % band, over the strains at which the ratio only fluctuates.",
+    true};
+const Head film_maps{
+    "film-maps", "beside-simulation", "Experiment and simulation: \u03c3_{norm} of every grain",
+    "Each normalised by its own mean, on one colour scale. A film shows the difference between two loads (peak to "
+    "peak); the state at the largest load also includes the stress at the smallest load.",
+    true};
+const Head film_fit{
+    "film-fit", "film-fit", "Measured warming and its fit by contact forces",
+    "Warming with the load as measured, as predicted from the contact forces (through lens and pixels), and the "
+    "residual; one scale, peak to peak. The fit leaves out pixels at rims and contacts, which are shown here.",
+    true};
+
+template <class Data> void add_heads(std::vector<Head>& to, const std::vector<Row<Data>>& list) {
+  for (const Row<Data>& row : list) to.push_back(row.head);
+}
+
+/// Those of these ids, in their order; all must be named.
+std::vector<Head> in_order(const std::vector<Head>& heads, const std::vector<std::string>& ids) {
+  std::vector<Head> out;
+  for (const std::string& id : ids) out.push_back(*std::ranges::find(heads, id, &Head::id));
+  for (const Head& head : heads)
+    if (std::ranges::find(ids, head.id) == ids.end()) throw std::logic_error(head.id + " has no place on the page");
+  return out;
+}
+
+}  // namespace
+
+Numbers numbers_of(const Head& head) {
+  Tree tree;
+  tree.text("id", head.id)
+      .text("name", head.name)
+      .text("title", head.title)
+      .text("caption", head.caption)
+      .flag("wide", head.wide);
+  if (!head.choices.empty())
+    tree.out["choices"] = mapped(head.choices, [](const Choice& choice) {
+      return Tree()
+          .text("key", choice.key)
+          .text("label", choice.label)
+          .text("print", word_for(choice.print))
+          .flag("silent", !choice.has_buttons)
+          .out;
+    });
+  for (std::size_t k = 0; k < head.choices.size(); ++k)
+    tree.out["choices"][k]["options"] = mapped(head.choices[k].options, [](const Option& option) {
+      return Numbers::list({option.value, option.words, option.file});
+    });
+  return tree.out;
+}
+
+Numbers numbers_of(const Drawing& drawing, const WriteList& write) {
+  Numbers out = Numbers::tree();
+  if (!drawing.chosen.empty()) {
+    out["for"] = Numbers::tree();
+    for (const auto& [key, value] : drawing.chosen) out["for"][key] = value;
+  }
+  if (!drawing.panels.empty())
+    out["panels"] = mapped(drawing.panels, [&](const Panel& panel) { return numbers_of(panel, write); });
+  if (!drawing.roses.empty())
+    out["roses"] = mapped(drawing.roses, [&](const Rose& rose) { return numbers_of(rose, write); });
+  if (!drawing.key.empty()) out["key"] = mapped(drawing.key, [](const KeyEntry& entry) { return numbers_of(entry); });
+  return out;
+}
+
+Drawing thinned(Drawing drawing) {
+  for (Panel& panel : drawing.panels)
+    for (Series& series : panel.series) series = thinned(series);
+  return drawing;
+}
+
+std::vector<Head> packing_heads() {
+  std::vector<Head> all{coarse_fields, grain_scatter, test_curves};
+  add_heads(all, state_figures());
+  add_heads(all, stage_figures());
+  add_heads(all, run_figures());
+  return in_order(all, {"test-curves", "grain-bonds", "discharge", "fabric", "sigma-norm", "forces", "grain-scatter",
+                        "size-curve", "coarse-fields", "coordination", "contact-numbers", "rev", "threshold",
+                        "stress-path", "wall-forces", "travel", "energies", "equilibrium"});
+}
+
+std::vector<Head> field_heads() {
+  std::vector<Head> all;
+  add_heads(all, field_figures());
+  return all;
+}
+
+std::vector<Head> film_heads() {
+  std::vector<Head> all{film_maps, film_fit};
+  add_heads(all, film_figures());
+  return in_order(all, {"film-maps", "film-simulation", "film-tails", "film-orientations", "film-fit", "film-forces",
+                        "film-certainty", "film-stresses"});
+}
+
+Numbers PageLists::operator()(const std::vector<double>& values) {
+  if (values.size() < inline_values) return whole_list(values);
+  const std::vector<float> narrow(values.begin(), values.end());
+  const auto [at, is_new] =
+      known_.try_emplace(std::string(reinterpret_cast<const char*>(narrow.data()), narrow.size() * sizeof(float)));
+  if (is_new) at->second = block_.add_reals(values);
+  return at->second;
+}
+
+Numbers whole_list(const std::vector<double>& values) { return values; }
+
+}  // namespace arenite::report::figures

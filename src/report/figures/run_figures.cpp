@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "grains/packing/population.hpp"
+#include "report/figures/stage_figures.hpp"
+
+namespace arenite::report::figures {
+namespace {
+
+using statistics::Estimate;
+
+struct Followed {
+  const char *name, *colour;
+  std::function<Estimate(const Numbers&)> of;
+};
+
+auto at(const char* path) {
+  return [path](const Numbers& texture) { return estimate_at(texture, path); };
+}
+
+Estimate stress_ratio(const Numbers& texture) {
+  const double p = estimate_at(texture, "/stress_details/pressure_Pa").value,
+               q = estimate_at(texture, "/stress_details/deviator_Pa").value;
+  return p > 0 ? Estimate{q / p} : Estimate{};
+}
+
+/// Numbers of the states in their order, counted from 1.
+Panel over_states(const RunData& run, const std::string& label, const std::vector<Followed>& lines) {
+  Panel panel{{.label = "stored state"}, {.label = label}};
+  for (const Followed& line : lines) {
+    Series series{.name = line.name, .colour = line.colour, .line = Line::solid, .points = true};
+    for (std::size_t k = 0; k < run.textures.size(); ++k) {
+      if (!run.textures[k] || !std::isfinite(estimate_at(*run.textures[k], "/fabric/a_c").value)) continue;
+      const Estimate number = line.of(*run.textures[k]);
+      if (!std::isfinite(number.value)) continue;
+      series.x.push_back(static_cast<double>(k + 1));
+      series.y.push_back(number.value);
+      series.error.push_back(number.error);
+    }
+    if (!series.x.empty()) panel.series.push_back(std::move(series));
+  }
+  for (std::size_t k = 0; k < run.textures.size(); ++k) panel.now.x.push_back(static_cast<double>(k + 1));
+  return panel;
+}
+
+Drawings stress_path(const RunData& run) {
+  const auto known = std::ranges::count_if(run.textures, [](const Numbers* texture) {
+    return texture && std::isfinite(estimate_at(*texture, "/fabric/a_c").value);
+  });
+  if (known < 3) return {};
+  Drawing drawing;
+  drawing.panels = {over_states(run, "contacts per grain",
+                                {{"z", "strong", at("/coordination/all")},
+                                 {"z without rattlers", "weak", at("/coordination/without_rattlers")}}),
+                    over_states(run, "anisotropy of contacts and stress",
+                                {{"q/p", "accent", stress_ratio},
+                                 {"a_{c}, all", "line 2", at("/fabric/a_c_signed")},
+                                 {"a_{c}, strong", "line 0", at("/fabric/sets/strong/a_c_signed")},
+                                 {"a_{c}, weak", "line 3", at("/fabric/sets/weak/a_c_signed")}})};
+  for (const Panel& panel : drawing.panels)
+    for (const Series& series : panel.series) drawing.key.push_back({series.name, series.colour});
+  return {drawing};
+}
+
+/// Size curves by mass of the grains as they are and as the recipe asked for them.
+Drawings size_curve(const RunData& run) {
+  if (!run.last || run.asked.diameter.empty()) return {};
+  const packing::SizeCurve measured = packing::measured_size_curve(run.last->grains, run.last->materials);
+  Panel panel{{.label = "diameter", .unit = "mm"},
+              {.label = "mass passing", .unit = "%", .brief = "passing", .low = 0, .high = 100}};
+  double low = 1e300, high = 0;
+  const auto add = [&](const char* name, const char* colour, Line line, const packing::SizeCurve& curve) {
+    for (const double d : curve.diameter) low = std::min(low, 1e3 * d), high = std::max(high, 1e3 * d);
+    panel.series.push_back({.name = name,
+                            .colour = colour,
+                            .x = scaled(curve.diameter, 1e3),
+                            .y = scaled(curve.passing, 100),
+                            .line = line,
+                            .steps = true});
+  };
+  add("measured", "strong", Line::solid, measured);
+  add("asked", "accent", Line::dashed, {run.asked.diameter, run.asked.passing});
+  if (panel.series.front().x.empty()) return {};
+  panel.x.logarithmic = low > 0 && high > 20 * low;
+  panel.x.low = high > low ? low : 0.9 * low;
+  panel.x.high = high > low ? high : 1.1 * low;
+  panel.selected = "diameter";
+  return {{.panels = {panel}, .key = {{"measured", "strong"}, {"asked", "accent", {}, Line::dashed}}}};
+}
+
+}  // namespace
+
+const std::vector<Row<RunData>>& run_figures() {
+  static const std::vector<Row<RunData>> list{
+      {{"size-curve", "size-curve", "Size curve",
+        "Fraction of the mass in grains no wider than the given diameter, for the grains drawn and for the size laws "
+        "of "
+        "the recipe."},
+       size_curve},
+      {{"stress-path", "stress-path", "Stress path",
+        "Stored states in order, with standard errors: coordination number; signed a_{c} of the contacts along the "
+        "loading axis, and the stress ratio q/p.",
+        true},
+       stress_path}};
+  return list;
+}
+
+}  // namespace arenite::report::figures

@@ -1,0 +1,264 @@
+#include "report/figures/stage_figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/mapped.hpp"
+
+namespace arenite::report::figures {
+namespace {
+
+using Column = History::Column;
+
+const Column* column_of(const History& history, std::string_view name) {
+  const auto at = std::ranges::find(history.columns, name, &Column::name);
+  return at == history.columns.end() || at->values.size() < 2 ? nullptr : &*at;
+}
+
+std::vector<double> since_first(const std::vector<double>& values) {
+  std::vector<double> out = values;
+  for (double& value : out) value -= values.front();
+  return out;
+}
+
+/// Time since the stage began, with the states on it; empty without a history.
+struct Clock {
+  Axis axis;
+  std::vector<double> time;
+  Chosen states;
+};
+Clock clock_of(const StageData& data) {
+  const Column* time = column_of(data.stage.history, "time");
+  if (!time) return {};
+  Clock clock{{.label = "time in \u201c" + data.stage.name + "\u201d", .unit = time->unit, .brief = "time"},
+              since_first(time->values),
+              {}};
+  for (const Snapshot* state : data.states) clock.states.x.push_back(std::max(0.0, state->time - time->values.front()));
+  return clock;
+}
+
+struct Named {
+  const char *column, *name;
+};
+
+/// One line for each of the columns that the history has; what `is_shown` refuses is left out of it.
+template <class Shown> Drawing lines_over_time(const StageData& data, const std::vector<Named>& names, Shown is_shown) {
+  const Clock clock = clock_of(data);
+  Drawing drawing;
+  Panel panel{.x = clock.axis, .now = clock.states};
+  for (std::size_t k = 0; k < names.size() && !clock.time.empty(); ++k) {
+    const Column* column = column_of(data.stage.history, names[k].column);
+    if (!column) continue;
+    auto y = column->values;
+    for (double& value : y)
+      if (!is_shown(value)) value = statistics::unknown;
+    if (std::ranges::count_if(y, [](double v) { return std::isfinite(v); }) < 2) continue;
+    const std::string colour = "line " + std::to_string(k);
+    drawing.key.push_back({names[k].name, colour});
+    panel.series.push_back(
+        {.name = names[k].name, .colour = colour, .x = clock.time, .y = std::move(y), .line = Line::solid});
+  }
+  if (!panel.series.empty()) drawing.panels.push_back(std::move(panel));
+  return drawing;
+}
+
+double largest_in(const Panel& panel) {
+  double most = 0;
+  for (const Series& one : panel.series)
+    for (const double y : one.y) most = std::fmax(most, std::abs(y));
+  return most;
+}
+
+double least_in(const Panel& panel) {
+  double least = largest_in(panel);
+  for (const Series& one : panel.series) least = least_above_zero(one.y, least);
+  return least;
+}
+
+Drawings wall_forces(const StageData& data) {
+  Drawing drawing = lines_over_time(data,
+                                    {{"bottom_force", "bottom wall"},
+                                     {"top_force", "top wall"},
+                                     {"left_force", "left wall"},
+                                     {"right_force", "right wall"}},
+                                    [](double) { return true; });
+  if (drawing.panels.empty()) return {};
+  Panel& panel = drawing.panels.front();
+  const Scale scale = scale_of(largest_in(panel), "N");
+  panel.y = {.label = "force", .unit = scale.unit};
+  for (std::size_t k = 0; k < panel.series.size(); ++k) {  // equal forces of opposite walls remain visible
+    panel.series[k].y = scaled(std::move(panel.series[k].y), 1 / scale.factor);
+    if (panel.series[k].colour == "line 1" || panel.series[k].colour == "line 3")
+      panel.series[k].line = drawing.key[k].line = Line::dashed;
+  }
+  return {drawing};
+}
+
+Drawings energies(const StageData& data) {
+  Drawing drawing = lines_over_time(data,
+                                    {{"elastic", "elastic"},
+                                     {"kinetic", "kinetic"},
+                                     {"dissipated_friction", "friction"},
+                                     {"dissipated_normal", "dashpots"},
+                                     {"dissipated_drag", "drag"},
+                                     {"work_walls", "work of walls"},
+                                     {"work_gravity", "work of gravity"}},
+                                    [](double v) { return v > 0; });
+  if (drawing.panels.empty()) return {};
+  Panel& panel = drawing.panels.front();
+  const double most = largest_in(panel);
+  panel.y = decades_about("energy", std::max(least_in(panel), 1e-7 * most), most);
+  panel.y.unit = "J";
+  return {drawing};
+}
+
+Drawings equilibrium(const StageData& data) {
+  if (!column_of(data.stage.history, "unbalanced_ratio")) return {};
+  Drawing drawing = lines_over_time(data,
+                                    {{"unbalanced_ratio", "unbalanced force ratio"},
+                                     {"kinetic_ratio", "kinetic/elastic energy"},
+                                     {"loose_kinetic_ratio", "kinetic/elastic energy of rattlers"},
+                                     {"falling", "fraction of falling grains"},
+                                     {"mobilisation", "mean |F_{t}|/F_{n}"}},
+                                    [](double v) { return v > 0 && v < 1e3; });
+  if (drawing.panels.empty()) return {};
+  Panel& panel = drawing.panels.front();
+  panel.y = decades_about("ratio", std::max(1e-10, least_in(panel)), largest_in(panel));
+  return {drawing};
+}
+
+/// A side of the container, the direction from it into the sample, and the side opposite.
+struct Side {
+  const char *name, *opposite;
+  double inward;
+  std::size_t place;  // in Domain::wall
+};
+constexpr std::array<Side, 4> sides{
+    {{"left", "right", 1, 0}, {"right", "left", -1, 1}, {"bottom", "top", 1, 2}, {"top", "bottom", -1, 3}}};
+
+std::string position(const char* side) { return std::string(side) + "_position"; }
+std::string force(const char* side) { return std::string(side) + "_force"; }
+
+/// The side whose wall moves farthest; none where none moves.
+const Side* moving_side(const History& history) {
+  const Side* best = nullptr;
+  double farthest = 1e-9;  // m
+  for (const Side& side : sides) {
+    const Column* at = column_of(history, position(side.name));
+    if (!at || !column_of(history, force(side.name))) continue;
+    if (const double way = std::abs(at->values.back() - at->values.front()); way > farthest)
+      best = &side, farthest = way;
+  }
+  return best;
+}
+
+Drawings travel(const StageData& data) {
+  const Side* side = moving_side(data.stage.history);
+  if (!side) return {};
+  const Column &at = *column_of(data.stage.history, position(side->name)),
+               &of = *column_of(data.stage.history, force(side->name));
+  const Scale scale = scale_of(of.values, of.unit);
+  const auto way = [&](double x) { return 1e3 * side->inward * (x - at.values.front()); };
+  Panel panel{
+      {.label = std::string("displacement of the ") + side->name + " wall", .unit = "mm", .brief = "displacement"},
+      {.label = "force", .unit = scale.unit}};
+  panel.series.push_back({.name = "curve",
+                          .colour = "weak",
+                          .x = mapped(at.values, way),
+                          .y = scaled(of.values, 1 / scale.factor),
+                          .line = Line::solid,
+                          .weight = 0.8});
+  Series states{.name = "stored states", .colour = "strong", .points = true, .weight = 1.3, .is_read = false};
+  for (const Snapshot* state : data.states) {
+    const Wall& wall = state->packing.domain.wall[side->place];
+    states.x.push_back(way(wall.position));
+    states.y.push_back(wall.force / scale.factor);
+  }
+  panel.now = {states.x, states.y};
+  panel.series.push_back(states);
+  panel.near = true;
+  return {{.panels = {panel}}};
+}
+
+/// Bonds between grains that broke, by what broke them, against the strain by the wall that moves farthest, and the
+/// force on it.
+Drawings grain_bonds(const StageData& data) {
+  static constexpr std::array<Named, 3> modes{{{"tension", "tension"}, {"bending", "mixed 0"}, {"shear", "strong"}}};
+  const History& history = data.stage.history;
+  const auto broken = [&](const Named& kind) { return column_of(history, std::string("broken_in_") + kind.column); };
+  if (std::ranges::none_of(modes,
+                           [&](const Named& kind) { return broken(kind) && largest_of(broken(kind)->values, 0) > 0; }))
+    return {};
+  const Side* side = moving_side(history);
+  Axis axis = clock_of(data).axis;
+  std::vector<double> x = clock_of(data).time;
+  if (side) {
+    const auto &at = column_of(history, position(side->name))->values, *other = history.find(position(side->opposite));
+    const double length = std::abs(at.front() - other->front());
+    axis = {.label = std::string("strain from the ") + side->name + " wall", .unit = "%", .brief = "strain"};
+    x = mapped(at, [&](double p) { return 100 * side->inward * (p - at.front()) / length; });
+  }
+  Drawing drawing;
+  Panel panel{axis, {.label = "broken bonds", .low = 0}};
+  for (const Named& kind : modes) {
+    if (!broken(kind)) continue;
+    panel.series.push_back(
+        {.name = kind.column, .colour = kind.name, .x = x, .y = broken(kind)->values, .line = Line::solid});
+    drawing.key.push_back({kind.column, kind.name});
+  }
+  drawing.panels = {panel};
+  if (side) {
+    const Column& of = *column_of(history, force(side->name));
+    const Scale scale = scale_of(of.values, of.unit);
+    drawing.panels.push_back(
+        {axis,
+         {.label = std::string("force on the ") + side->name + " wall", .unit = scale.unit, .brief = "force"},
+         {{.colour = "weak", .x = x, .y = scaled(of.values, 1 / scale.factor), .line = Line::solid}}});
+  }
+  return {drawing};
+}
+
+Drawings discharge(const StageData& data) {
+  const Column* mass = column_of(data.stage.history, "passed_mass");
+  Clock clock = clock_of(data);
+  if (!mass || clock.time.empty()) return {};
+  const Scale scale = scale_of(1e3 * largest_of(mass->values, 0), "g");
+  return {{.panels = {{clock.axis,
+                       {.label = "mass passed", .unit = scale.unit, .low = 0},
+                       {{.x = clock.time, .y = scaled(mass->values, 1e3 / scale.factor), .line = Line::solid}},
+                       {},
+                       {},
+                       clock.states}}}};
+}
+
+}  // namespace
+
+const std::vector<Row<StageData>>& stage_figures() {
+  static const std::vector<Row<StageData>> list{
+      {{"grain-bonds", "broken-bonds", "Broken bonds",
+        "Broken bonds between grains, by failure mode, and the force on the wall that moves farthest, against the "
+        "strain "
+        "by it in the stage shown. In the picture each is drawn as a crack between its grains.",
+        true},
+       grain_bonds},
+      {{"discharge", "discharge", "Discharge",
+        "Mass of the grains below the height count_below of the recipe; its slope is the discharge rate."},
+       discharge},
+      {{"wall-forces", "wall-forces", "Forces on the walls",
+        "Normal force of the grains on each wall over the loading; vertical line: the state shown."},
+       wall_forces},
+      {{"travel", "travel", "Force-displacement curve",
+        "Force on the wall that moves farthest in this stage against its displacement into the sample; dots: stored "
+        "states."},
+       travel},
+      {{"energies", "energies", "Energies",
+        "Stored and dissipated energy and work, on a logarithmic scale, which shows positive values only."},
+       energies},
+      {{"equilibrium", "equilibrium", "Approach to equilibrium",
+        "Distance of the sample from equilibrium during loading; every increment ends in equilibrium."},
+       equilibrium}};
+  return list;
+}
+
+}  // namespace arenite::report::figures
