@@ -25,8 +25,7 @@ LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const Quan
                      const Progress& progress) {
   thermography::LockinOptions o;
   o.frequency = frequency.si(dimension::frequency, "frequency");
-  o.frame_rate = frame_rate.si(dimension::frequency, "frame_rate");
-  const auto source = film_of(film, o.frame_rate, time);
+  const auto source = film_of(film, frame_rate.si(dimension::frequency, "frame_rate"), time);
   o.refine = refine;
   o.drift_order = drift_order;
   o.harmonics = harmonics;
@@ -50,8 +49,7 @@ py::dict stepped(const FilmLike& film, const std::optional<Quantity>& time, cons
   o.rise = rise.si(dimension::time, "rise");
   o.window = window.si(dimension::time, "window");
   o.drift_order = drift_order;
-  o.frame_rate = frame_rate.si(dimension::frequency, "frame_rate");
-  const auto source = film_of(film, o.frame_rate);
+  const auto source = film_of(film, frame_rate.si(dimension::frequency, "frame_rate"));
   Call call;
   o.progress = [&](double) { return !call.asked_to_stop(); };
   auto maps = call.without_lock([&] { return thermography::step_load(*source, o); });

@@ -188,23 +188,21 @@ py::dict means(const LockinMaps& maps, const PictureGrains& grains, const std::v
   return d;
 }
 
-thermography::PhasePictures pictures_of(FilmSource& film, const LockinMaps& maps, double frame_rate, Call& call) {
+thermography::PhasePictures pictures_of(FilmSource& film, const LockinMaps& maps, Call& call) {
   if (film.info().width != maps.width || film.info().height != maps.height)
     throw InputError("the maps belong to another film: their size differs from that of its frames");
   thermography::LockinOptions o;
   o.frequency = maps.frequency;
-  o.frame_rate = frame_rate;
   o.progress = [&](double) { return !call.asked_to_stop(); };
   return thermography::phase_pictures(film, maps, o);
 }
 
 GrainMotion motion_of(const FilmLike& film, const LockinMaps& maps, const PictureGrains& grains,
                       const Quantity& frame_rate, const std::optional<ArrayLike>& time) {
-  const double rate = frame_rate.si(dimension::frequency, "frame_rate");
-  const auto source = film_of(film, rate, time);
+  const auto source = film_of(film, frame_rate.si(dimension::frequency, "frame_rate"), time);
   Call call;
   return call.without_lock([&] {
-    const auto pictures = pictures_of(*source, maps, rate, call);
+    const auto pictures = pictures_of(*source, maps, call);
     return pictures.size() > 0 ? thermography::grain_motion(pictures, grains) : GrainMotion{};
   });
 }
@@ -229,11 +227,10 @@ LockinMaps followed(const FilmLike& film, const LockinMaps& maps, const PictureG
     throw InputError(fmt::format("the motion is that of {} grains, but there are {}; give grain_motion of these grains",
                                  motion.size(), grains.size()));
   require_all(maps);
-  const double rate = frame_rate.si(dimension::frequency, "frame_rate");
-  const auto source = film_of(film, rate, time);
+  const auto source = film_of(film, frame_rate.si(dimension::frequency, "frame_rate"), time);
   Call call;
   return call.without_lock([&] {
-    const auto pictures = pictures_of(*source, maps, rate, call);
+    const auto pictures = pictures_of(*source, maps, call);
     return pictures.size() > 0
                ? thermography::follow_grains(pictures, maps, grains, motion, grains, std::nullopt, 1, blur)
                : LockinMaps{};

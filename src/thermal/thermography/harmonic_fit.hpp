@@ -13,9 +13,9 @@
 namespace arenite::thermography {
 
 /// Times of all frames, s after the first: its stamps, so that dropped frames leave a gap, or number over frame rate
-/// where frames are not stamped (their own numbers, where the film has them). `frame_rate` (Hz) above 0 is used where
-/// the film says neither. Throws InputError where there is no rate at all or stamps do not rise.
-std::vector<double> frame_times(const FilmInfo& film, double frame_rate = 0);
+/// where frames are not stamped (their own numbers, where the film has them). Another rate is given where the film is
+/// opened (io::FilmChoice). Throws InputError where there is no rate at all or stamps do not rise.
+std::vector<double> frame_times(const FilmInfo& film);
 
 /// From the beginning of the first frame to the end of the last, s.
 inline double film_length(const std::vector<double>& time) {

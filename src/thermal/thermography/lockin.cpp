@@ -265,7 +265,7 @@ std::string Adiabatic::sentence() const {
 
 LockinMaps lock_in(FilmSource& film, const LockinOptions& options) {
   check(options);
-  std::vector<double> time = frame_times(film.info(), options.frame_rate);
+  std::vector<double> time = frame_times(film.info());
   const int harmonics = possible_harmonics(time, options);
   return locked_in(film, options, std::move(time), harmonics);
 }
@@ -280,7 +280,7 @@ LockinMaps nearest_bin_transform(FilmSource& film, const LockinOptions& options)
     even.frame_rate = static_cast<double>(even.time.size() - 1) / (even.time.back() - even.time.front());
   even.time.clear();
   even.number.clear();
-  std::vector<double> time = frame_times(even, o.frame_rate);
+  std::vector<double> time = frame_times(even);
   const int harmonics = possible_harmonics(time, o);
   const double length =
       static_cast<double>(time.size()) * (time.back() - time.front()) / static_cast<double>(time.size() - 1);

@@ -21,7 +21,6 @@ struct LockinOptions {
   /// Phase of the load, rad: the load is largest when 2 pi f t equals it, t in s after the first frame. Without it the
   /// phase is found on the film up to half a turn, see `reference_phase`.
   std::optional<double> reference_phase;
-  double frame_rate = 0;  ///< Hz; used where the film says neither rate nor times
   int threads = 1;
   Progress progress;
 };

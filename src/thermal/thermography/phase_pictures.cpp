@@ -218,7 +218,7 @@ void spline_coefficients(float* picture, int width, int height) {
 PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const LockinOptions& options,
                              std::size_t parts) {
   const bool stored = maps.blank.empty() && !maps.time.empty();
-  const std::vector<double> time = stored ? maps.time : frame_times(film.info(), options.frame_rate);
+  const std::vector<double> time = stored ? maps.time : frame_times(film.info());
   if (maps.blank.empty()) return sorted_pictures(film, time, maps, options, parts);
   FilmWithout kept(film, maps.blank, time);
   return sorted_pictures(kept, kept.info().time, maps, options, parts);

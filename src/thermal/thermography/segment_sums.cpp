@@ -117,11 +117,11 @@ bool pass_over(SegmentSums& s, const ThreadPool& pool, FilmSource& film, const P
 
 }  // namespace
 
-std::vector<double> frame_times(const FilmInfo& film, double frame_rate) {
+std::vector<double> frame_times(const FilmInfo& film) {
   const auto frames = static_cast<std::size_t>(film.frames);
   std::vector<double> time = film.time;
   if (time.empty()) {
-    const double rate = frame_rate > 0 ? frame_rate : film.frame_rate;
+    const double rate = film.frame_rate;
     if (!(rate > 0) || !std::isfinite(rate))
       throw InputError(
           "the film does not state its frame rate; give it (--frame-rate, frame_rate in [film] of a recipe or beside "

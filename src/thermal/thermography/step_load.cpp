@@ -179,7 +179,7 @@ std::size_t frame_at(const std::vector<double>& time, double at) {
 
 StepMaps step_load(FilmSource& film, const StepOptions& o) {
   check(o);
-  const std::vector<double> time = frame_times(film.info(), o.frame_rate);
+  const std::vector<double> time = frame_times(film.info());
   if (o.time && !(*o.time > time.front() && *o.time < time.back()))
     throw refusal("the step at {:.6g} s is not within the film, which lasts {:.6g} s", *o.time, time.back());
   bool stopped = false;

@@ -15,7 +15,6 @@ struct StepOptions {
   double rise = 0;             ///< s that the load takes; frames within it are left out, and those that the film shows
   double window = 0;           ///< s before and after the step that are used; 0: the whole film
   int drift_order = 1;         ///< of the polynomial in time by which a pixel drifts on each side, 0 to 4
-  double frame_rate = 0;       ///< Hz; used where the film says neither rate nor times
   int threads = 1;
   Progress progress;
 };
