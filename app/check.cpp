@@ -37,6 +37,7 @@ void check_simulation(const recipe::Recipe& recipe, bool json) {
   const std::string text = to_toml(recipe);
   if (!json) put(stdout, text);
   std::fflush(stdout);
+  if (recipe.map) return json ? put(stdout, to_json(Numbers::tree({{"recipe", text}}), 2) + "\n") : void();
   std::string why_not;
   const auto prediction = predicted(recipe, why_not);
   if (json) {

@@ -11,44 +11,22 @@
 
 namespace arenite::app {
 
-double above_zero(const char* option, const std::string& text, Dimension dimension, const char* unit) {
-  const double value = option_value(option, [&] { return parse_si(text, dimension, unit); });
-  if (!(value > 0)) throw InputError(fmt::format("{} is {}; it must be above 0", option, text));
-  return value;
-}
-
 void FilmReading::add_to(Options& command) {
-  command.add("--frame-rate", frame_rate, "Frame rate, overriding the film's own, e.g. \"148 Hz\"").type("FREQUENCY");
-  command.add("--scale", scale, "Temperature per level, e.g. \"0.01 K\": temperature = scale x level + offset")
-      .type("TEMPERATURE");
-  command.add("--offset", offset, "Temperature of level 0, e.g. \"273.15 K\"").type("TEMPERATURE");
-  command
-      .add("--dataset", dataset,
-           "Dataset to read from an HDF5 file that holds several, or channel of a TIFF hyperstack (\"channel 2\")")
-      .type("NAME");
+  keys_.add(command, "--frame-rate", "film.frame_rate").type("FREQUENCY");
+  keys_.add(command, "--scale", "film.scale").type("TEMPERATURE");
+  keys_.add(command, "--offset", "film.offset").type("TEMPERATURE");
+  keys_.add(command, "--dataset", "film.dataset").type("NAME");
 }
 
 io::FilmChoice FilmReading::choice() const {
-  io::FilmChoice choice;
-  choice.dataset = dataset;
-  if (!frame_rate.empty()) choice.frame_rate = above_zero("--frame-rate", frame_rate, dimension::frequency, "Hz");
-  if (!scale.empty()) choice.scale = above_zero("--scale", scale, dimension::temperature, "K");
-  if (!offset.empty())
-    choice.offset = option_value("--offset", [&] { return parse_si(offset, dimension::temperature, "K"); });
-  return choice;
+  recipe::FilmSection section;
+  read_options(section, keys_.given());
+  return section.film.value_or(io::FilmChoice{});
 }
 
 std::vector<std::string> FilmReading::overrides() const {
-  choice();  // refuses what is no quantity by its option's name
-  std::vector<std::string> set;
-  const auto add = [&](const char* key, const std::string& value) {
-    if (!value.empty()) set.push_back(fmt::format("film.{}=\"{}\"", key, value));
-  };
-  add("frame_rate", frame_rate);
-  add("scale", scale);
-  add("offset", offset);
-  add("dataset", dataset);
-  return set;
+  choice();  // refuses what is no such value by its option's name
+  return keys_.overrides();
 }
 
 void tell_remarks(const std::string& file, const FilmInfo& film) {

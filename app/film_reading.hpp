@@ -2,25 +2,24 @@
 #include <string>
 #include <vector>
 
-#include "core/units.hpp"
 #include "io/film/film.hpp"
 #include "options.hpp"
+#include "recipe/film_recipe.hpp"
 #include "statistics/numbers.hpp"
 
 namespace arenite::app {
 
-/// The value of an option in SI. Throws InputError that names it for what is no such quantity, or not above 0.
-double above_zero(const char* option, const std::string& text, Dimension dimension, const char* unit);
-
-/// Options that say of a film what it does not say itself, alike in every command that reads one.
-struct FilmReading {
-  std::string frame_rate, scale, offset, dataset;
-
+/// Options that say of a film what it does not say itself, alike in every command that reads one: [film] of a recipe.
+class FilmReading {
+ public:
   void add_to(Options& command);
   /// Throws InputError that names the option.
   io::FilmChoice choice() const;
   /// The same as overrides of a film's recipe.
   std::vector<std::string> overrides() const;
+
+ private:
+  KeyOptions keys_{recipe::every_key<recipe::FilmSection>()};
 };
 
 /// Prints what should be known of a film that was opened.

@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "film_reading.hpp"
+#include "io/table/table.hpp"
 #include "progress.hpp"
 #include "thermal/thermography/blank_frames.hpp"
 #include "workflow/measure_film.hpp"
@@ -19,11 +20,13 @@ namespace {
 using statistics::described;
 
 struct LockinArguments {
-  std::string film, frequency, out, convention = "amplitude", format = "tiff", diffusivity = "0.1 mm^2/s", pixel,
-                                    reference_phase;
+  std::string film, out, convention = "amplitude", format = "tiff";
   FilmReading reading;
+  KeyOptions keys{recipe::every_key<recipe::LockinAlone>()};
+  recipe::LockinAlone section;  ///< what they say
   thermography::LockinOptions options;
-  bool nearest_bin = false, no_refinement = false, by_lock_in_line = false, json = false, quiet = false;
+  bool no_refinement = false, by_lock_in_line = false, json = false, quiet = false;
+  bool is_nearest_bin() const { return section.method == recipe::LockinSection::Method::nearest_bin; }
 };
 
 constexpr double degrees = 180 / std::numbers::pi;
@@ -45,22 +48,16 @@ std::vector<float> phase_in_degrees(const LockinMaps& m) {
 }
 
 /// A bare number was in radians once, and still is.
-double read_phase(const std::string& text) {
-  const Quantity phase = option_value("--reference-phase", [&] { return parse_quantity(text); });
-  if (phase.dimension != dimension::none) throw InputError("--reference-phase: must be an angle, such as \"90 deg\"");
-  if (phase.unit.empty())
+void tell_bare_phase(const std::string& text) {
+  if (!text.empty() && io::to_number(text))
     print(stderr,
           "--reference-phase {0} is taken to be in radians; write \"{0} rad\" or an angle in degrees, such as \"90 "
           "deg\"\n",
           text);
-  return phase.value;
 }
 
 thermography::Adiabatic adiabatic(const LockinArguments& a, double frequency) {
-  thermography::Adiabatic check(above_zero("--diffusivity", a.diffusivity, dimension::area / dimension::time, "mm^2/s"),
-                                frequency);
-  if (!a.pixel.empty()) check.pixel = above_zero("--pixel", a.pixel, dimension::length, "mm");
-  return check;
+  return {a.section.diffusivity, frequency, a.section.pixel.value_or(0)};
 }
 
 Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& film,
@@ -70,7 +67,7 @@ Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& f
       {"frequency_Hz", described(m.frequency, "Hz", "Frequency of the load")},
       {"frequency_error_Hz",
        described(m.frequency_error, "Hz", "Its standard error; unknown where the film does not show the load")},
-      {"method", a.nearest_bin ? "nearest_bin" : "least_squares"},
+      {"method", a.is_nearest_bin() ? "nearest_bin" : "least_squares"},
       {"frames", described(m.frames, "", "Frames used")},
       {"blank_frames", described(m.blank, "", "Frames that hold no picture and are left out")},
       {"width", described(m.width, "", "Pixels along x")},
@@ -122,12 +119,15 @@ std::string text_of(Numbers found) {
 }
 
 int execute(LockinArguments& a) {
+  read_options(a.section, a.keys.given());
+  tell_bare_phase(a.keys.text("phase"));
   thermography::LockinOptions& o = a.options;
-  o.frequency = option_value("--frequency", [&] { return parse_si(a.frequency, dimension::frequency, "Hz"); });
+  o.frequency = a.section.frequency;
+  o.drift_order = static_cast<int>(a.section.drift);
+  o.harmonics = static_cast<int>(a.section.harmonics);
   o.refine = !a.no_refinement;
   o.convention = a.convention == "peak-to-peak" ? AmplitudeConvention::peak_to_peak : AmplitudeConvention::amplitude;
-  if (!a.reference_phase.empty()) o.reference_phase = read_phase(a.reference_phase);
-  adiabatic(a, 1);  // slips are reported before a long film is read
+  o.reference_phase = a.section.phase;
   const auto film = io::open_film(a.film, a.reading.choice());
   tell_remarks(a.film, film->info());
   watch_for_signals();
@@ -140,7 +140,7 @@ int execute(LockinArguments& a) {
       if (!o.reference_phase) o.reference_phase = load->phase, a.by_lock_in_line = true;
     }
     o.progress = frames_progress(line);
-    maps = a.nearest_bin ? thermography::nearest_bin_transform(*film, o) : thermography::lock_in(*film, o);
+    maps = a.is_nearest_bin() ? thermography::nearest_bin_transform(*film, o) : thermography::lock_in(*film, o);
   } catch (const InputError& error) { throw in_file(error, a.film); }
   if (maps.size() == 0) {
     print(stderr, "stopped; nothing was stored\n");
@@ -166,36 +166,22 @@ int execute(LockinArguments& a) {
 void add_lockin(Options& command, int& status) {
   const auto a = std::make_shared<LockinArguments>();
   command.add("film", a->film, "Film of a cyclically loaded sample").required().type("FILM");
-  command.add("--frequency", a->frequency, "Frequency of the load, e.g. \"3 Hz\"; refined on the film")
-      .required()
-      .type("FREQUENCY");
+  a->keys.add(command, "--frequency", "frequency").required().type("FREQUENCY");
   command.add("--out", a->out, "Folder for the maps; if not given, nothing is stored").type("DIR");
   command.add("--format", a->format, "Format of the maps").among(io::film_formats_to_write(true));
-  command
-      .add("--drift", a->options.drift_order, "Order of the polynomial that describes the drift of pixels; default 4")
-      .type("N");
-  command.add("--harmonics", a->options.harmonics, "Number of harmonics of the load frequency; default 2").type("N");
+  a->keys.add(command, "--drift", "drift");
+  a->keys.add(command, "--harmonics", "harmonics");
   command
       .add("--convention", a->convention,
            "Convention of the maps: the amplitude (default) or peak to peak, twice the amplitude")
       .among({"amplitude", "peak-to-peak"})
       .formerly("half", "amplitude")
       .formerly("full", "peak-to-peak");
-  command
-      .add("--reference-phase", a->reference_phase,
-           "Phase of the load at the first frame, i.e. the angle from there to its maximum, e.g. \"90 deg\"; if not "
-           "given, found on the film up to its sign")
-      .type("ANGLE");
-  command.add("--nearest-bin", a->nearest_bin, "Plain Fourier transform at the nearest bin, mean image subtracted");
+  a->keys.add(command, "--reference-phase", "phase", "rad").type("ANGLE");
+  a->keys.add_word(command, "--nearest-bin", "method", "nearest_bin");
   command.add("--no-refinement", a->no_refinement, "Keep the frequency as given");
-  command
-      .add("--diffusivity", a->diffusivity,
-           "Thermal diffusivity of the grains, for the adiabatic check; default \"0.1 mm^2/s\", about that of plastics")
-      .type("QUANTITY");
-  command
-      .add("--pixel", a->pixel,
-           "Side of a pixel on the sample, e.g. \"1.6 mm\": warns where the diffusion length of a cycle approaches it")
-      .type("LENGTH");
+  a->keys.add(command, "--diffusivity", "diffusivity");
+  a->keys.add(command, "--pixel", "pixel").type("LENGTH");
   a->reading.add_to(command);
   command.add("--threads", a->options.threads, "Threads (default: 1)").between(1, 256).type("N");
   command.add("--json", a->json, "Print all numbers as JSON");

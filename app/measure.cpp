@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <memory>
-#include <numbers>
 #include <numeric>
 #include <string>
 
@@ -13,6 +12,7 @@
 #include "io/sample/formats.hpp"
 #include "io/table/table.hpp"
 #include "print.hpp"
+#include "recipe/recipe.hpp"
 #include "solid/stress/stress.hpp"
 #include "thermal/imaging/proposed_contacts.hpp"
 
@@ -20,12 +20,10 @@ namespace arenite::app {
 namespace {
 
 struct MeasureArguments {
-  stress::StressOptions stress;
+  KeyOptions measure{recipe::every_key<recipe::MeasureSection>()}, load{recipe::every_key<recipe::Load>()};
   std::string grains, contacts, format = "auto", length_unit, force_unit, box, origin, periodic, thickness, materials,
                                 doubled = "error";
   std::string grain_columns, contact_columns, pixel, touching;
-  texture::Options texture;
-  double load_axis_deg = -1;
   bool json = false, curves = false, y_down = false;
 };
 
@@ -102,9 +100,11 @@ void propose_contacts(const MeasureArguments& a, io::Sample& sample, texture::Op
 
 void measure(const MeasureArguments& a) {
   io::Sample sample = io::read_sample(a.grains, a.contacts, sample_options(a));
-  texture::Options options = a.texture;
+  recipe::MeasureSection section;
+  read_options(section, a.measure.given());
+  texture::Options options;
+  section.apply_to(options);
   if (a.contacts.empty()) propose_contacts(a, sample, options);
-  if (a.load_axis_deg >= 0) options.load_axis = a.load_axis_deg * std::numbers::pi / 180;
   options.doubled_rows = sample.doubled_rows;
   texture::Texture t = texture::measure(sample.packing, options);
   if (a.contacts.empty()) texture::forget_forces(t);
@@ -172,35 +172,26 @@ void measure_field(const MeasureArguments& a) {
   const FieldResult field = io::read_field(a.grains);
   if (field.field.size() == 0)
     throw InputError(a.grains, 0, "is a sample that was not loaded and has no stresses; give the file of a load");
-  stress::StressOptions options = a.stress;
+  recipe::Load load;
+  read_options(load, a.load.given());
+  stress::StressOptions options = load.statistics;
   options.components = {stress::Component::yy, stress::Component::xx, stress::Component::xy,
                         stress::Component::hydrostatic};
   const auto statistics = stress::measure(field.map, field.field, options);
   put(stdout, a.json ? to_json(stress::numbers(statistics, a.curves), 2) + "\n" : stress::to_text(statistics));
 }
 
-void add_field_statistics(Options& command, MeasureArguments& a) {
-  command
-      .add("--clamp-rows", a.stress.clamp_rows, "Fields: rows to leave out at the lower and the upper edge; default 4")
-      .between(0, 1 << 20)
-      .type("N");
-  command.add("--leave-out-surface", a.stress.leave_out_surface,
-              "Fields: exclude nodes that border another phase or grain");
-  command.add("--leave-out-unloaded", a.stress.leave_out_unloaded, "Fields: exclude nodes that carry no stress");
-  command.add("--mean-over-area", a.stress.mean_over_area,
-              "Fields: count the void as zero stress in the mean of the sample");
+void add_field_statistics(Options& command, KeyOptions& load) {
+  for (const char* key : {"clamp_rows", "leave_out_surface", "leave_out_unloaded", "mean_over_area"}) {
+    Option& option = load.add(command, option_name(key), std::string("statistics.") + key);
+    option.sentence.insert(0, "Fields: ");
+  }
 }
 
 void add_statistics(Options& command, MeasureArguments& a) {
-  command.add("--border", a.texture.border, "Width of the strip left out along walls, in mean diameters; default 2.5")
-      .between(0.0, 1000.0)
-      .type("NUMBER");
-  command
-      .add("--load-axis", a.load_axis_deg,
-           "Direction of the load for signed anisotropies, in degrees from x; default: greatest compression")
-      .between(0.0, 180.0)
-      .type("DEGREES");
-  command.add("--seed", a.texture.seed, "Seed of the random positions of windows; default 1").type("NUMBER");
+  a.measure.add(command, "--border", "border");
+  a.measure.add(command, "--load-axis", "load_axis", "deg").type("ANGLE");
+  a.measure.add(command, "--seed", "seed");
   command.add("--json", a.json, "Print all statistics as JSON, each as value and error");
   command.add("--curves", a.curves, "With --json: also histograms, distributions and values by grain");
 }
@@ -224,7 +215,7 @@ void add_measure(Options& command, int&) {
   add_frame(command, *a);
   add_units(command, *a);
   add_reading(command, *a);
-  add_field_statistics(command, *a);
+  add_field_statistics(command, a->load);
   command.work = [a] {
     if (io::stored_kind(a->grains) == "field") return measure_field(*a);
     if (a->contacts.empty() == a->touching.empty())

@@ -8,6 +8,8 @@
 #include <string>
 
 #include "commands.hpp"
+#include "core/mapped.hpp"
+#include "core/text.hpp"
 #include "core/version.hpp"
 #include "io/table/table.hpp"
 #include "print.hpp"
@@ -66,7 +68,8 @@ template <class T> CLI::Option* declare(CLI::App& to, const Option& option, cons
 std::string out_of_range(const Option& option, const std::string& text) {
   double value = 0;
   if (!CLI::detail::lexical_cast(text, value)) return {};  // the reading of the value says so
-  if (std::isnan(value) || (option.is_real() && std::isinf(value))) return fmt::format("{} is no finite number", text);
+  if (std::isnan(value) || ((option.is_real() || option.is_number) && std::isinf(value)))
+    return fmt::format("{} is no finite number", text);
   if (!option.range || (value >= option.range->first && value <= option.range->second)) return {};
   return fmt::format("Value {} not in range {} to {}", text, option.range->first, option.range->second);
 }
@@ -74,7 +77,7 @@ std::string out_of_range(const Option& option, const std::string& text) {
 CLI::Option* declare(CLI::App& to, const Option& option, const std::string& name) {
   CLI::Option* declared = std::visit([&](auto* target) { return declare(to, option, name, *target); }, option.to);
   if (!option.choices.empty()) declared->check(CLI::IsMember(option.choices));
-  if (option.is_real() || option.range)
+  if (option.is_real() || option.is_number || option.range)
     declared->check(CLI::Validator([option](std::string& text) { return out_of_range(option, text); }, ""));
   const auto now = [former = option.former_choices](std::string& word) {
     if (const auto at = former.find(word); at != former.end()) word = at->second;
@@ -82,6 +85,10 @@ CLI::Option* declare(CLI::App& to, const Option& option, const std::string& name
   };
   if (!option.former_choices.empty()) declared->transform(CLI::Validator(now, ""));
   return declared;
+}
+
+std::vector<std::string> names_in(const recipe::Record& section) {
+  return mapped(section.tables.front(), &recipe::Record::name);
 }
 
 void declare(CLI::App& to, const Options& options) {
@@ -116,6 +123,92 @@ Option& Option::each() { return one_at_a_time = true, *this; }
 
 Option& Options::add(std::string_view name, Option::Target to, std::string_view sentence) {
   return table.emplace_back(Option{std::string(name), to, std::string(sentence), {}, {}, {}, {}, {}, {}});
+}
+
+Option& KeyOptions::add(Options& to, std::string_view name, std::string_view key, std::string_view bare_unit) {
+  using Type = recipe::Record::Type;
+  const recipe::Record& record = at(key);
+  Slot& slot =
+      slots_.emplace_back(Slot{std::string(name), std::string(key), std::string(bare_unit), &record, {}, {}, false});
+  std::string help = recipe::help_of(record);
+  if (record.kind == recipe::Record::Kind::section)
+    help += ", written " + list_of(names_in(record), "=VALUE,") + "=VALUE";
+  Option& option = record.type == Type::flag ? to.add(name, slot.on, help) : to.add(name, slot.text, help);
+  if (record.type == Type::number) option.type(record.unit.empty() ? "NUMBER" : "QUANTITY");
+  if (record.type == Type::integer) option.type("N");
+  option.is_number = record.type == Type::number || record.type == Type::integer;
+  std::vector<std::string> words;
+  for (const auto& choice : record.choices) {
+    words.emplace_back(choice.word.word);
+    if (!choice.word.former.empty()) option.formerly(choice.word.former, choice.word.word);
+  }
+  return option.among(words);
+}
+
+Option& KeyOptions::add_word(Options& to, std::string_view name, std::string_view key, std::string_view word) {
+  const recipe::Record& record = at(key);
+  Slot& slot =
+      slots_.emplace_back(Slot{std::string(name), std::string(key), {}, &record, {}, std::string(word), false});
+  const auto choice = std::ranges::find(record.choices, word, [](const auto& each) { return each.word.word; });
+  return to.add(name, slot.on,
+                fmt::format("{}: {}", record.key.sentence.substr(0, record.key.sentence.size() - 1), choice->sentence));
+}
+
+void KeyOptions::add_section(const Slot& slot, std::vector<recipe::Given>& given) const {
+  const auto names = names_in(*slot.record);
+  for (const std::string& part : parts_of(slot.text)) {
+    const auto equals = part.find('=');
+    const std::string name = part.substr(0, equals);
+    if (equals == std::string::npos || std::ranges::find(names, name) == names.end())
+      throw InputError(
+          fmt::format("{}: \"{}\" is not of the form {}=VALUE", slot.name, part, list_of(names, "=VALUE,")));
+    const std::string key = slot.key + "." + name;
+    given.push_back({slot.name + ": " + name, key, recipe::value_of(at(key), part.substr(equals + 1))});
+  }
+}
+
+std::vector<recipe::Given> KeyOptions::given() const {
+  std::vector<recipe::Given> given;
+  for (const Slot& slot : slots_) {
+    if (slot.record->kind == recipe::Record::Kind::section) {
+      if (!slot.text.empty()) add_section(slot, given);
+      continue;
+    }
+    const bool is_bare = !slot.bare_unit.empty() && io::to_number(slot.text);
+    const std::string text = slot.on   ? (slot.word.empty() ? "true" : slot.word)
+                             : is_bare ? slot.text + " " + slot.bare_unit
+                                       : slot.text;
+    if (!text.empty()) given.push_back({slot.name, slot.key, recipe::value_of(*slot.record, text)});
+  }
+  return given;
+}
+
+std::string KeyOptions::text(std::string_view key) const {
+  const auto at = std::ranges::find(slots_, key, &Slot::key);
+  return at == slots_.end() ? "" : at->text;
+}
+
+std::vector<std::string> KeyOptions::overrides() const {
+  std::vector<std::string> set;
+  for (const auto& [label, key, value] : given()) set.push_back(key + "=" + recipe::toml_literal(value));
+  return set;
+}
+
+std::string option_name(std::string_view key) {
+  std::string name = "--" + std::string(key);
+  std::ranges::replace(name, '_', '-');
+  return name;
+}
+
+void read_options(const std::vector<recipe::Given>& given, const Visit& declare) {
+  try {
+    for (const std::string& sentence : recipe::read_given(given, declare)) print(stderr, "{}\n", sentence);
+  } catch (const InputError& error) {
+    auto problems = error.problems();
+    for (Problem& problem : problems)  // an option is no file
+      if (!problem.file.empty()) problem = {"", 0, 0, problem.file + ": " + problem.message};
+    throw InputError(std::move(problems));
+  }
 }
 
 std::string trimmed(const std::string& text) { return std::string(arenite::trimmed(text)); }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "recipe/given.hpp"
 
 namespace arenite::app {
 
@@ -31,6 +32,7 @@ struct Option {
   std::map<std::string, std::string> former_choices;  ///< words that are read as others
   std::optional<std::pair<double, double>> range;
   bool is_required = false, one_at_a_time = false;
+  bool is_number = false;  ///< a text whose value is to be a finite number
 
   bool is_named() const { return name.starts_with('-'); }
   bool is_flag() const { return std::holds_alternative<bool*>(to) || name.ends_with('}'); }
@@ -64,6 +66,46 @@ struct Options {
     return add(name, Option::Target(&to), sentence);
   }
 };
+
+/// Options that stand for declared keys: name apart, all that help says of one and all that is wrong with its value is
+/// the declaration's. It must outlive the reading of the command line.
+class KeyOptions {
+ public:
+  explicit KeyOptions(recipe::RecordTable keys) : keys_(std::move(keys)) {}
+  /// An option for a key; that of a section takes its keys, "matrix=1 GPa,particle=4 GPa". A number without unit is
+  /// read in `bare_unit` where that is given.
+  Option& add(Options& to, std::string_view name, std::string_view key, std::string_view bare_unit = {});
+  /// A flag that gives a choice one of its words.
+  Option& add_word(Options& to, std::string_view name, std::string_view key, std::string_view word);
+  /// What the command line gives, under the names of its options.
+  std::vector<recipe::Given> given() const;
+  /// What is given for a key, as it was typed; empty if it was not.
+  std::string text(std::string_view key) const;
+  /// The same as overrides of a recipe that has these keys.
+  std::vector<std::string> overrides() const;
+  const recipe::Record& at(std::string_view key) const { return recipe::record_at(keys_, key); }
+
+ private:
+  struct Slot {
+    std::string name, key, bare_unit;
+    const recipe::Record* record;
+    std::string text, word;  ///< `word`: that a flag stands for
+    bool on = false;
+  };
+  void add_section(const Slot& slot, std::vector<recipe::Given>& given) const;
+  recipe::RecordTable keys_;
+  std::deque<Slot> slots_;
+};
+
+/// "--max-strain" of "max_strain".
+std::string option_name(std::string_view key);
+
+/// Reads what options give over what a declared struct holds, and prints what has no effect. Throws InputError that
+/// names the options.
+void read_options(const std::vector<recipe::Given>& given, const Visit& declare);
+template <class T> void read_options(T& to, const std::vector<recipe::Given>& given) {
+  read_options(given, [&](ParameterVisitor& visitor) { declare(visitor, to); });
+}
 
 /// Reads the command line and does the work of the command that it names; exit status, with a sentence on stderr where
 /// it is not understood.

@@ -15,8 +15,9 @@ namespace {
 using statistics::described;
 
 struct StepArguments {
-  std::string film, time, rise = "0 s", window, out, format = "tiff";
+  std::string film, out, format = "tiff";
   FilmReading reading;
+  KeyOptions keys{recipe::every_key<recipe::StepSection>()};
   thermography::StepOptions options;
   bool json = false, quiet = false;
 };
@@ -37,7 +38,7 @@ Numbers numbers(const thermography::StepMaps& m, const StepArguments& a, const F
     return described(time > 0 ? Numbers(time) : Numbers(), "s", sentence);
   };
   return {{"time_s", described(m.time, "s", "Middle of the step after the first frame")},
-          {"time", a.time.empty() ? "found on the film" : "given"},
+          {"time", a.options.time ? "given" : "found on the film"},
           {"rise_s",
            described(m.rise, "s", "Time for which the film shows the load on its way; frames in between are left out")},
           {"frames_before", described(m.before, "", "Frames used before the step")},
@@ -57,12 +58,12 @@ Numbers numbers(const thermography::StepMaps& m, const StepArguments& a, const F
 
 int execute(StepArguments& a) {
   thermography::StepOptions& o = a.options;
-  const auto seconds = [](const char* option, const std::string& text) {
-    return option_value(option, [&] { return parse_si(text, dimension::time, "s"); });
-  };
-  if (!a.time.empty()) o.time = seconds("--time", a.time);
-  o.rise = seconds("--rise", a.rise);
-  if (!a.window.empty()) o.window = seconds("--window", a.window);
+  recipe::StepSection section;
+  read_options(section, a.keys.given());
+  o.time = section.time;
+  o.rise = section.rise;
+  o.window = section.window;
+  o.drift_order = static_cast<int>(section.drift);
   const auto film = io::open_film(a.film, a.reading.choice());
   tell_remarks(a.film, film->info());
   watch_for_signals();
@@ -89,18 +90,8 @@ int execute(StepArguments& a) {
 void add_step(Options& command, int& status) {
   const auto a = std::make_shared<StepArguments>();
   command.add("film", a->film, "Film of a sample whose load steps once").required().type("FILM");
-  command
-      .add("--time", a->time,
-           "Time of the middle of the step after the first frame, e.g. \"2.5 s\"; if not given, found on the film")
-      .type("TIME");
-  command.add("--rise", a->rise, "Time that the load takes to change; frames within it are left out; default 0 s")
-      .type("TIME");
-  command.add("--window", a->window, "Time before and after the step that is used; default: the whole film")
-      .type("TIME");
-  command
-      .add("--drift", a->options.drift_order,
-           "Order of the polynomial that describes the drift of pixels on each side; default 1")
-      .type("N");
+  for (const char* key : {"time", "rise", "window"}) a->keys.add(command, option_name(key), key).type("TIME");
+  a->keys.add(command, "--drift", "drift");
   command.add("--out", a->out, "Folder for the maps; if not given, nothing is stored").type("DIR");
   command.add("--format", a->format, "Format of the maps").among(io::film_formats_to_write(true));
   a->reading.add_to(command);

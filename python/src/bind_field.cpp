@@ -2,6 +2,7 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
+#include "keywords.hpp"
 #include "module.hpp"
 #include "solid/cement/cement.hpp"
 #include "solid/grid/grid.hpp"
@@ -12,22 +13,33 @@ namespace {
 
 using recipe::Recipe;
 
-Cement cemented(const Packing& packing, const std::string& kind, const Quantity& gap, const Quantity& width,
-                bool full_width, const Quantity& thickness, const Quantity& volume,
-                const std::optional<Quantity>& saturation, const Quantity& crop) {
-  cement::CementParameters p;
-  p.kind = recipe::chosen<cement::CementParameters::Kind>(kind, "cement");
-  p.gap = gap.si(dimension::length, "gap");
-  p.width = width.si(dimension::none, "width");
-  p.full_width = full_width;
-  p.thickness = thickness.si(dimension::length, "thickness");
-  p.volume = volume.si(dimension::area, "volume");
-  p.saturation = si(saturation, dimension::none, "saturation");
+/// A declared section of a recipe that is read by itself.
+struct CementSection {
+  cement::CementParameters law;
+};
+void declare(ParameterVisitor& v, CementSection& section) { recipe::declare(v, section.law); }
+
+const Keywords& cement_keywords() {
+  static const Keywords keywords(recipe::every_key<CementSection>(), {{"kind", "kind", "", true},
+                                                                      {"gap", "gap"},
+                                                                      {"width", "width"},
+                                                                      {"full_width", "full_width"},
+                                                                      {"thickness", "thickness"},
+                                                                      {"volume", "volume"},
+                                                                      {"saturation", "saturation"}});
+  return keywords;
+}
+
+Cement cemented(const Packing& packing, const std::string& kind, const Quantity& crop, const py::kwargs& more) {
+  auto given = cement_keywords().given("cement", more);
+  given.push_back(cement_keywords().given("kind", py::str(kind)));
+  CementSection section;
+  read_keywords(section, given);
   const double side = crop.si(dimension::length, "crop");
   Call call;
   return call.without_lock([&] {
     cement::CementReport report;
-    return cement::make_cement(packing, p, grid::crop_window(packing, side), report);
+    return cement::make_cement(packing, section.law, grid::crop_window(packing, side), report);
   });
 }
 
@@ -43,31 +55,33 @@ PhaseMap rasterised(const Packing& packing, const Cement& cement, std::int64_t n
   });
 }
 
-FieldResult loaded(const PhaseMap& map, const std::string& loading, const Quantity& strain, const std::string& axis,
-                   const std::string& lower, const std::string& method, const Quantity& tolerance, bool moduli,
-                   bool failure, const Quantity& matrix, const std::optional<Quantity>& interface,
-                   const std::optional<Quantity>& particle, bool stop_at_voids, const Quantity& toughness,
-                   const std::optional<Quantity>& strength, bool cracks_stay_open, const Quantity& max_strain,
-                   const Progress& progress) {
-  using peridynamics::Loading, peridynamics::LowerEdge, peridynamics::Method;
+const Keywords& load_keywords() {
+  static const Keywords keywords(recipe::every_key<recipe::Load>(), {{"loading", "loading", "", true},
+                                                                     {"strain", "strain"},
+                                                                     {"axis", "axis"},
+                                                                     {"lower", "lower"},
+                                                                     {"method", "method"},
+                                                                     {"tolerance", "tolerance"},
+                                                                     {"moduli", "moduli"},
+                                                                     {"failure", "failure"},
+                                                                     {"matrix", "stiffness.matrix"},
+                                                                     {"interface", "stiffness.interface"},
+                                                                     {"particle", "stiffness.particle"},
+                                                                     {"stop_at_voids", "stop_at_voids"},
+                                                                     {"exact_stretch", "exact_stretch"},
+                                                                     {"toughness", "toughness.matrix"},
+                                                                     {"strength", "strength.matrix"},
+                                                                     {"cracks_stay_open", "cracks_stay_open"},
+                                                                     {"max_strain", "max_strain"}});
+  return keywords;
+}
+
+FieldResult loaded(const PhaseMap& map, const std::string& loading, const Progress& progress, const py::kwargs& more) {
+  auto given = load_keywords().given("load", more);
+  given.push_back(load_keywords().given("loading", py::str(loading)));
   recipe::Load load;
-  load.name = failure ? "failure" : loading;
-  load.loading = recipe::chosen<Loading>(loading, "loading");
-  load.axis = recipe::chosen<recipe::Load::Axis>(axis, "axis");
-  load.lower = recipe::chosen<LowerEdge>(lower, "lower edge");
-  load.method = recipe::chosen<Method>(method, "method");
-  load.strain = strain.si(dimension::none, "strain");
-  load.tolerance = tolerance.si(dimension::none, "tolerance");
-  load.moduli = moduli;
-  load.failure = failure;
-  load.stiffness.matrix = matrix.si(dimension::pressure, "matrix");
-  load.stiffness.interface = si(interface, dimension::pressure, "interface");
-  load.stiffness.particle = si(particle, dimension::pressure, "particle");
-  load.stop_at_voids = stop_at_voids;
-  load.toughness.matrix = toughness.si(dimension::toughness, "toughness");
-  load.strength.matrix = si(strength, dimension::pressure, "strength");
-  load.cracks_stay_open = cracks_stay_open;
-  load.max_strain = max_strain.si(dimension::none, "max_strain");
+  read_keywords(load, given);
+  load.name = load.failure ? "failure" : recipe::word_of(load.loading);
   Call call;
   auto result = call.without_lock([&] {
     const peridynamics::Watch watch = [&](const auto& at) {
@@ -82,13 +96,13 @@ FieldResult loaded(const PhaseMap& map, const std::string& loading, const Quanti
 }  // namespace
 
 void bind_field(py::module_& m) {
-  m.def("cement", &cemented, py::arg("packing"), py::arg("kind") = "bridges", py::kw_only(), py::arg("gap") = 0.0,
-        py::arg("width") = 0.4, py::arg("full_width") = false, py::arg("thickness") = 0.0, py::arg("volume") = 0.0,
-        py::arg("saturation") = py::none(), py::arg("crop") = 0.0,
-        "Matrix between grains: kind \"bridges\" (surface gap up to `gap`, half base `width` times the radius: P "
-        "II.B), \"full\", \"coating\" (`thickness`), \"menisci\" (`volume`, m^2 each) or \"none\". With `saturation` "
-        "the free parameter is computed so that S_m has this value in the centred square of side `crop` (0: the "
-        "largest that fits), as in recipes; give `rasterise` the same. Lengths in m, or text with a unit.");
+  def_with_keywords(
+      m, "cement", &cemented, cement_keywords(),
+      "Matrix between the grains of a packing (P II.B). With `saturation` the free parameter is computed so "
+      "that it holds in the centred square of side `crop` (0: the largest that fits), as in recipes; give "
+      "`rasterise` the same. Lengths in m, or text with a unit.",
+      py::arg("packing"), py::arg("kind") = recipe::word_of(cement::CementParameters{}.kind), py::kw_only(),
+      py::arg("crop") = 0.0);
   m.def("rasterise", &rasterised, py::arg("packing"), py::arg("cement"), py::kw_only(), py::arg("nodes") = 1024,
         py::arg("crop") = 0.0,
         "The centred square of side `crop` (m; 0: the largest that fits) as nodes x nodes, by phase and grain. The "
@@ -114,18 +128,12 @@ void bind_field(py::module_& m) {
       },
       py::arg("recipe"), py::arg("packing"),
       "Cement and grid according to the recipe, with phases, pores, voids and coordination as numbers.");
-  m.def("load", &loaded, py::arg("map"), py::arg("loading") = "tension", py::kw_only(), py::arg("strain") = 1e-4,
-        py::arg("axis") = "y", py::arg("lower") = "fixed", py::arg("method") = "static_solve",
-        py::arg("tolerance") = 1e-6, py::arg("moduli") = false, py::arg("failure") = false, py::arg("matrix") = "1 GPa",
-        py::arg("interface") = py::none(), py::arg("particle") = py::none(), py::arg("stop_at_voids") = false,
-        py::arg("toughness") = "0.1 MPa m^0.5", py::arg("strength") = py::none(), py::arg("cracks_stay_open") = false,
-        py::arg("max_strain") = 0.1, py::arg("progress") = py::none(),
-        "Loads a phase map by peridynamics (P II.C): \"tension\", \"compression\" or \"shear\" by displacement of the "
-        "top row. `matrix`, `interface` (E_m), `particle` (4 E_m): moduli of the bonds, Pa or text. `stop_at_voids`: "
-        "no bond passes through a void node. `failure`: loaded to failure, with `toughness` and, if given, `strength` "
-        "of the matrix and the interfaces (3.5 times as much in particles), to `max_strain` at most; faces that have "
-        "parted push where they meet again, unless `cracks_stay_open`. `moduli`: also apparent moduli along both axes "
-        "and in shear, between rigid clamps.");
+  def_with_keywords(m, "load", &loaded, load_keywords(),
+                    "Loads a phase map by peridynamics (P II.C) by displacement of its top row. `toughness` and "
+                    "`strength` are those of the matrix and the interfaces, and 3.5 times as much in particles. "
+                    "Quantities in SI, or text with a unit.",
+                    py::arg("map"), py::arg("loading") = recipe::word_of(recipe::Load{}.loading), py::kw_only(),
+                    py::arg("progress") = py::none());
 }
 
 }  // namespace arenite::python

@@ -2,6 +2,7 @@
 
 #include "calls.hpp"
 #include "core/mapped.hpp"
+#include "grains/fields/stage_numbers.hpp"
 #include "grains/texture/texture.hpp"
 #include "module.hpp"
 #include "report/figures/figure_document.hpp"
@@ -19,7 +20,7 @@ Numbers heads_of(const std::vector<figures::Head>& heads) {
 
 /// The texture of a state, as its stage's recipe says.
 Numbers texture_of(const StageResult& stage, const Packing& packing, bool all) {
-  texture::Options options = workflow::texture_options(stage);
+  texture::Options options = fields::texture_options(stage);
   if (!all) options.rev_sizes = 0;
   return texture::numbers(texture::measure(packing, options), all);
 }

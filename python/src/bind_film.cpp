@@ -9,7 +9,9 @@
 #include "calls.hpp"
 #include "film_source.hpp"
 #include "io/film/film.hpp"
+#include "keywords.hpp"
 #include "module.hpp"
+#include "recipe/film_recipe.hpp"
 #include "thermal/imaging/circles.hpp"
 #include "thermal/imaging/proposed_contacts.hpp"
 #include "thermal/inference/contact_forces.hpp"
@@ -19,19 +21,42 @@
 namespace arenite::python {
 namespace {
 
-LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const Quantity& frame_rate,
-                     const std::optional<ArrayLike>& time, bool refine, int drift_order, int harmonics,
-                     bool peak_to_peak, const std::optional<Quantity>& reference_phase, bool nearest_bin, int threads,
-                     const Progress& progress) {
+/// Parts of a film's recipe, read together.
+template <class Section> struct OfFilm : recipe::FilmSection { Section section; };
+template <class Section> void declare(ParameterVisitor& v, OfFilm<Section>& parts) {
+  recipe::declare(v, static_cast<recipe::FilmSection&>(parts));
+  recipe::declare(v, parts.section);
+}
+using LockinOfFilm = OfFilm<recipe::LockinSection>;
+using StepOfFilm = OfFilm<recipe::StepSection>;
+
+double rate_in(const recipe::FilmSection& parts) { return parts.film ? parts.film->frame_rate.value_or(0) : 0; }
+
+const Keywords& lockin_keywords() {
+  static const Keywords keywords(recipe::every_key<LockinOfFilm>(), {{"frequency", "frequency", "", true},
+                                                                     {"frame_rate", "film.frame_rate"},
+                                                                     {"drift_order", "drift"},
+                                                                     {"harmonics", "harmonics"},
+                                                                     {"reference_phase", "phase"}});
+  return keywords;
+}
+
+LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const std::optional<ArrayLike>& time, bool refine,
+                     bool peak_to_peak, bool nearest_bin, int threads, const Progress& progress,
+                     const py::kwargs& more) {
+  auto given = lockin_keywords().given("lock_in", more);
+  given.push_back(lockin_keywords().given("frequency", frequency));
+  LockinOfFilm parts;
+  read_keywords(parts, given);
+  const auto source = film_of(film, rate_in(parts), time);
   thermography::LockinOptions o;
-  o.frequency = frequency.si(dimension::frequency, "frequency");
-  const auto source = film_of(film, frame_rate.si(dimension::frequency, "frame_rate"), time);
+  o.frequency = parts.section.frequency;
   o.refine = refine;
-  o.drift_order = drift_order;
-  o.harmonics = harmonics;
+  o.drift_order = static_cast<int>(parts.section.drift);
+  o.harmonics = static_cast<int>(parts.section.harmonics);
   o.convention = peak_to_peak ? AmplitudeConvention::peak_to_peak : AmplitudeConvention::amplitude;
   o.threads = threads;
-  o.reference_phase = si(reference_phase, dimension::none, "reference_phase");
+  o.reference_phase = parts.section.phase;
   Call call;
   o.progress = [&](double share) {
     call.tell(progress, share, "lock-in");
@@ -42,14 +67,24 @@ LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const Quan
   });
 }
 
-py::dict stepped(const FilmLike& film, const std::optional<Quantity>& time, const Quantity& rise,
-                 const Quantity& window, int drift_order, const Quantity& frame_rate) {
+const Keywords& step_keywords() {
+  static const Keywords keywords(recipe::every_key<StepOfFilm>(), {{"time", "time"},
+                                                                   {"rise", "rise"},
+                                                                   {"window", "window"},
+                                                                   {"drift_order", "drift"},
+                                                                   {"frame_rate", "film.frame_rate"}});
+  return keywords;
+}
+
+py::dict stepped(const FilmLike& film, const py::kwargs& more) {
+  StepOfFilm parts;
+  read_keywords(parts, step_keywords().given("step_load", more));
   thermography::StepOptions o;
-  o.time = si(time, dimension::time, "time");
-  o.rise = rise.si(dimension::time, "rise");
-  o.window = window.si(dimension::time, "window");
-  o.drift_order = drift_order;
-  const auto source = film_of(film, frame_rate.si(dimension::frequency, "frame_rate"));
+  o.time = parts.section.time;
+  o.rise = parts.section.rise;
+  o.window = parts.section.window;
+  o.drift_order = static_cast<int>(parts.section.drift);
+  const auto source = film_of(film, rate_in(parts));
   Call call;
   o.progress = [&](double) { return !call.asked_to_stop(); };
   auto maps = call.without_lock([&] { return thermography::step_load(*source, o); });
@@ -184,19 +219,18 @@ py::dict inferred(const Packing& packing, const ArrayLike& signal, const ArrayLi
 }  // namespace
 
 void bind_film(py::module_& m) {
-  m.def("lock_in", &locked_in, py::arg("film"), py::arg("frequency"), py::kw_only(), py::arg("frame_rate") = 0.0,
-        py::arg("time") = py::none(), py::arg("refine") = true, py::arg("drift_order") = 4, py::arg("harmonics") = 2,
-        py::arg("peak_to_peak") = false, py::arg("reference_phase") = py::none(), py::arg("nearest_bin") = false,
-        py::arg("threads") = 1, py::arg("progress") = py::none(),
-        "Lock-in of a film: a file, or an array (frames, height, width), uint16 or float32, which is not copied, with "
-        "its `frame_rate` (Hz) or the `time` of every frame (s). Least squares on polynomial drift and harmonics with "
-        "the frequency (Hz) refined on the film; `reference_phase`: of the load, rad or with its unit (\"90 deg\"); "
-        "`nearest_bin`: the plain transform of T 1.4.");
-  m.def("step_load", &stepped, py::arg("film"), py::kw_only(), py::arg("time") = py::none(), py::arg("rise") = 0.0,
-        py::arg("window") = 0.0, py::arg("drift_order") = 1, py::arg("frame_rate") = 0.0,
-        "The jump of every pixel at a step of the load (s after the first frame; found on the film if not given): time "
-        "(s), jump, standard_error, residual (height, width), in the film's unit; blank_frames, which hold no picture "
-        "and were left out.");
+  def_with_keywords(m, "lock_in", &locked_in, lockin_keywords(),
+                    "Lock-in of a film: a file, or an array (frames, height, width), uint16 or float32, which is not "
+                    "copied, with its `frame_rate` or the `time` of every frame (s). Least squares on polynomial drift "
+                    "and harmonics; `nearest_bin`: the plain transform of T 1.4. `refine`: the frequency is refined on "
+                    "the film. Numbers are in SI, angles in rad.",
+                    py::arg("film"), py::arg("frequency"), py::kw_only(), py::arg("time") = py::none(),
+                    py::arg("refine") = true, py::arg("peak_to_peak") = false, py::arg("nearest_bin") = false,
+                    py::arg("threads") = 1, py::arg("progress") = py::none());
+  def_with_keywords(m, "step_load", &stepped, step_keywords(),
+                    "The jump of every pixel at a step of the load: time (s), jump, standard_error, residual (height, "
+                    "width), in the film's unit; blank_frames, which hold no picture and were left out.",
+                    py::arg("film"));
   m.def("film_info", &film_info, py::arg("path"),
         "Metadata of a film: width, height, frames, frame_rate (Hz), integration (s), bits, format, camera, and "
         "remarks, sentences on what the file states that should be known.");

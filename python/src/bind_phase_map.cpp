@@ -8,10 +8,11 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
-#include "io/image/phase_map.hpp"
+#include "keywords.hpp"
 #include "model/cement.hpp"
 #include "module.hpp"
 #include "thermal/imaging/label_grains.hpp"
+#include "workflow/field_stages.hpp"
 
 namespace arenite::python {
 namespace {
@@ -36,52 +37,53 @@ PhaseMap map_of(const ArrayLike& phase, const std::optional<ArrayLike>& grain, c
   return map;
 }
 
-void label(PhaseMap& map, const std::string& way, double smoothing) {
-  if (way == "none") io::label_alike(map);
-  else
-    imaging::label_grains(
-        map, {way == "watershed" ? imaging::Labelling::watershed : imaging::Labelling::components, smoothing});
-}
-
-io::Crop crop_of(const std::tuple<int, int, int, int>& crop) {
-  return {std::get<0>(crop), std::get<1>(crop), std::get<2>(crop), std::get<3>(crop)};
-}
+using Phases = std::variant<std::string, std::map<std::int32_t, std::string>>;
 
 /// "0=void,85=particle", or {0: "void", 85: "particle"}.
-io::PhaseTable phases_of(const std::variant<std::string, std::map<std::int32_t, std::string>>& phases) {
-  if (const auto* text = std::get_if<std::string>(&phases))
-    return text->empty() ? io::PhaseTable{} : io::parse_phase_table(*text);
+std::string text_of(const Phases& phases) {
+  if (const auto* text = std::get_if<std::string>(&phases)) return *text;
   std::string text;
-  if (std::get<1>(phases).empty()) return {};
   for (const auto& [value, name] : std::get<1>(phases))
     text += fmt::format("{}{}={}", text.empty() ? "" : ",", value, name);
-  return io::parse_phase_table(text);
+  return text;
 }
 
-PhaseMap read_map(const Path& file, const Quantity& dx, const Path& labels, double smoothing,
-                  const std::variant<std::string, std::map<std::int32_t, std::string>>& phases,
-                  const std::optional<std::int64_t>& slice, const std::optional<std::tuple<int, int, int, int>>& crop,
-                  const std::string& dataset, const std::optional<std::int64_t>& label_slice,
-                  const std::string& label_dataset) {
-  const std::string way = labels.string();
-  const bool by_program = way == "components" || way == "watershed" || way == "none";
-  if (!by_program && !std::filesystem::exists(labels))
-    throw InputError(fmt::format(
-        "labels is \"{}\", which is not a file; give \"components\", \"watershed\", \"none\", or a label image", way));
-  io::PhaseMapOptions options;
-  options.dx = dx.si(dimension::length, "dx");
-  if (!(options.dx > 0)) throw InputError(fmt::format("dx is {} m; give a length above 0", options.dx));
-  if (!by_program) options.labels = labels;
-  options.phases = phases_of(phases);
-  options.image = {slice, dataset};
-  options.label_image = {label_slice, label_dataset};
-  if (crop) options.crop = crop_of(*crop);
+const Keywords& map_keywords() {
+  static const Keywords keywords(recipe::every_key<recipe::MapSection>(), {{"file", "file", "", true},
+                                                                           {"dx", "dx", "", true},
+                                                                           {"labels", "labels", "", true},
+                                                                           {"phases", "phases", "", true},
+                                                                           {"crop", "crop", "", true},
+                                                                           {"smoothing", "smoothing"},
+                                                                           {"slice", "slice"},
+                                                                           {"dataset", "dataset"},
+                                                                           {"label_slice", "label_slice"},
+                                                                           {"label_dataset", "label_dataset"}});
+  return keywords;
+}
+
+PhaseMap read_map(const Path& file, const Quantity& dx, const Path& labels, const Phases& phases,
+                  const std::optional<std::tuple<int, int, int, int>>& crop, const py::kwargs& more) {
+  auto given = map_keywords().given("read_phase_map", more);
+  const auto add = [&](const char* name, const py::object& value) {
+    given.push_back(map_keywords().given(name, value));
+  };
+  add("file", py::str(file.string()));
+  add("dx", dx);
+  add("labels", py::str(labels.string()));
+  add("phases", py::str(text_of(phases)));
+  if (crop)
+    add("crop", py::str(fmt::format("{},{},{},{}", std::get<0>(*crop), std::get<1>(*crop), std::get<2>(*crop),
+                                    std::get<3>(*crop))));
+  recipe::MapSection map;
+  read_keywords(map, given);
+  if (map.has_label_file() && !std::filesystem::exists(labels))
+    throw InputError(
+        fmt::format("labels is \"{}\", which is not a file; give \"components\", \"watershed\", \"none\", or a label "
+                    "image",
+                    map.labels));
   Call call;
-  return call.without_lock([&] {
-    auto read = io::read_phase_map(file, options);
-    if (!read.labelled) label(read.map, way, smoothing);
-    return std::move(read.map);
-  });
+  return call.without_lock([&] { return workflow::read_map(map, [](const std::string&) {}); });
 }
 
 }  // namespace
@@ -134,15 +136,12 @@ void bind_phase_map(py::module_& m) {
       .def("__repr__", [](const PhaseMap& map) {
         return "<arenite.PhaseMap " + std::to_string(map.width) + " x " + std::to_string(map.height) + ">";
       });
-  m.def("read_phase_map", &read_map, py::arg("file"), py::kw_only(), py::arg("dx"), py::arg("labels") = "components",
-        py::arg("smoothing") = 1.0, py::arg("phases") = "", py::arg("slice") = py::none(), py::arg("crop") = py::none(),
-        py::arg("dataset") = "", py::arg("label_slice") = py::none(), py::arg("label_dataset") = "",
-        "A phase map from a picture with exact values (docs/formats.md), as `arenite load` reads it. `dx`: side of a "
-        "pixel (m, or text with a unit). `labels`: grains are \"components\", cut at necks by \"watershed\" "
-        "(`smoothing`: depth of a neck that is not cut, pixels), \"none\" (all one), or numbered by the values of a "
-        "picture. `phases`: which grey value is what, {0: \"void\", 85: \"particle\", 170: \"matrix\"} or the same as "
-        "text; a picture of two values needs none. `slice` of a stack, from 0; `crop`: (x, y, width, height), pixels "
-        "from the upper left corner; `dataset` of an HDF5 file that holds several.");
+  def_with_keywords(
+      m, "read_phase_map", &read_map, map_keywords(),
+      "A phase map from a picture with exact values (docs/formats.md), as `arenite load` reads it. `phases` "
+      "may be {0: \"void\", 85: \"particle\", 170: \"matrix\"}, and `crop` a tuple.",
+      py::arg("file"), py::kw_only(), py::arg("dx"), py::arg("labels") = recipe::MapSection{}.labels,
+      py::arg("phases") = "", py::arg("crop") = py::none());
 }
 
 }  // namespace arenite::python

@@ -1,44 +1,51 @@
 #include <fmt/core.h>
 #include <pybind11/stl.h>
 
-#include <cmath>
-#include <numbers>
-
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "grains/texture/texture.hpp"
 #include "io/sample/sample.hpp"
 #include "io/table/table.hpp"
+#include "keywords.hpp"
 #include "module.hpp"
+#include "recipe/recipe.hpp"
 
 namespace arenite::python {
 namespace {
 
-texture::Options options_of(double border) {
-  if (!(border >= 0) || !std::isfinite(border))
-    throw InputError(fmt::format("border is {}; give mean diameters, 0 or more", border));
+const Keywords& measure_keywords() {
+  static const Keywords keywords(recipe::every_key<recipe::MeasureSection>(),
+                                 {{"border", "border"}, {"load_axis", "load_axis", "deg"}, {"seed", "seed"}});
+  return keywords;
+}
+
+const Keywords& grains_keywords() {
+  static const Keywords keywords(recipe::every_key<recipe::MeasureSection>(), {{"border", "border"}});
+  return keywords;
+}
+
+texture::Options options_of(const std::vector<recipe::Given>& given) {
+  recipe::MeasureSection section;
+  read_keywords(section, given);
   texture::Options options;
-  options.border = border;
+  section.apply_to(options);
   return options;
 }
 
-py::dict measured(const Packing& packing, double border, const std::optional<double>& load_axis, bool curves,
-                  const std::optional<ArrayLike>& sigma_hyd) {
-  texture::Options options = options_of(border);
+py::dict measured(const Packing& packing, bool curves, const std::optional<ArrayLike>& sigma_hyd,
+                  const py::kwargs& more) {
+  texture::Options options = options_of(measure_keywords().given("measure", more));
   if (sigma_hyd) {
     options.grain_sigma_hyd = to_vector(*sigma_hyd, "sigma_hyd");
     if (options.grain_sigma_hyd.empty())
       throw InputError("sigma_hyd holds no value; give one per grain, or leave it out");
   }
-  if (load_axis && !std::isfinite(*load_axis))
-    throw InputError("load_axis is not finite; give degrees, or leave it out");
-  if (load_axis) options.load_axis = *load_axis * std::numbers::pi / 180;
   Call call;
   return to_arrays(call.without_lock([&] { return texture::numbers(texture::measure(packing, options), curves); }));
 }
 
-py::dict per_grain(const Packing& packing, double border) {
-  const auto options = options_of(border);
+py::dict per_grain(const Packing& packing, const py::kwargs& more) {
+  const auto options = options_of(grains_keywords().given("measure_grains", more));
   Call call;
   auto t = call.without_lock([&] { return texture::measure(packing, options).per_grain; });
   py::dict d;
@@ -95,17 +102,19 @@ Packing packing_of_files(const Path& grains, const std::optional<Path>& contacts
 }  // namespace
 
 void bind_texture(py::module_& m) {
-  m.def("measure", &measured, py::arg("packing"), py::kw_only(), py::arg("border") = 2.5,
-        py::arg("load_axis") = py::none(), py::arg("curves") = true, py::arg("sigma_hyd") = py::none(),
-        "Fabric, forces and stress of a packing as a dict: solid_fraction, rev, coordination (contacts of a grain), "
-        "fabric, force, stress, sigma_norm, local_order, quality. Each statistic is {\"value\", \"error\"}, its "
-        "standard error. The end of a name is its unit: _N, _Pa, _m, _deg; all other numbers have none (fractions, "
-        "ratios, x over the mean of its set). Curves are arrays. `border`: strip left out along walls, mean diameters "
-        "(T 3.2.4). `load_axis`: degrees from x; taken from the stress if not given. `sigma_hyd`: measured stress of "
-        "every grain, Pa, NaN if not known, instead of that from its contacts.");
-  m.def("measure_grains", &per_grain, py::arg("packing"), py::kw_only(), py::arg("border") = 2.5,
-        "Statistics of every grain, as writable arrays: considered, rattler (bool), contacts, sigma_hyd (Pa, tension "
-        "positive), sigma_norm (over the mean of the considered), psi6.");
+  def_with_keywords(
+      m, "measure", &measured, measure_keywords(),
+      "Fabric, forces and stress of a packing as a dict: solid_fraction, rev, coordination (contacts of a "
+      "grain), fabric, force, stress, sigma_norm, local_order, quality. Each statistic is {\"value\", "
+      "\"error\"}, its standard error. The end of a name is its unit: _N, _Pa, _m, _deg; all other numbers "
+      "have none (fractions, ratios, x over the mean of its set). Curves are arrays. `sigma_hyd`: measured "
+      "stress of every grain, Pa, NaN if not known, instead of that from its contacts.",
+      py::arg("packing"), py::kw_only(), py::arg("curves") = true, py::arg("sigma_hyd") = py::none());
+  def_with_keywords(
+      m, "measure_grains", &per_grain, grains_keywords(),
+      "Statistics of every grain, as writable arrays: considered, rattler (bool), contacts, sigma_hyd (Pa, "
+      "tension positive), sigma_norm (over the mean of the considered), psi6.",
+      py::arg("packing"));
   m.def("grain_stresses", &stresses_of, py::arg("packing"),
         "Mean stress tensor of every grain over its own volume, from its contacts, bonds and attraction across gaps (T "
         "eq. 1.11), Pa, tension positive, as an array (grain, 2, 2); first index that of the force.");

@@ -113,6 +113,9 @@ struct Asked {
   int cycled = -1;                         ///< the side that goes to and fro; -1: none
   bool in_motion = false;                  ///< it ends while its sample is strained or flows
   bool in_equilibrium = false;             ///< its last state is, by the criterion that it set
+  bool measures = false;                   ///< it says how its last state is measured:
+  double border = 0;                       ///< strip left out along walls, mean diameters
+  std::uint64_t measure_seed = 0;          ///< of the random positions of windows
   std::vector<double> diameter, passing;   ///< size curve of the grains, m and share of the mass; empty without a law
 };
 

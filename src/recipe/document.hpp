@@ -78,6 +78,8 @@ struct Reading {
   std::vector<Problem> problems;
   std::vector<std::string> bases = {};    ///< files that the recipe is laid over
   std::vector<std::string> notices = {};  ///< what the user should see, though nothing is wrong
+  bool bare_numbers_are_si = false;       ///< of keys with a dimension; otherwise these need their unit
+  bool leaves_idle_keys = false;          ///< keys that other values leave without effect are told, not refused
   void add(const Place& place, const std::string& path, const std::string& message);
 };
 
@@ -92,6 +94,7 @@ using RecordTable = std::vector<Record>;
 /// One declared key with what it holds, ready to be written as TOML or documented.
 struct Record {
   enum class Kind { value, section, sections };
+  enum class Type { number, integer, flag, text, numbers, choice, other };  ///< of a value
   struct Choice {
     std::string literal, sentence;
     Word word = {};  ///< that it is; none of a form with a quantity
@@ -99,7 +102,9 @@ struct Record {
   Key key;
   std::string form = {};     ///< a literal with dots for what is to be filled in
   std::string allowed = {};  ///< "above 0 mm"
-  std::string example = {};  ///< a literal of some value, where the form with 1 for its dots is none
+  Type type = Type::other;
+  std::string_view unit = {};  ///< that a number is written in; empty: it has no dimension
+  std::string example = {};    ///< a literal of some value, where the form with 1 for its dots is none
   Kind kind = Kind::value;
   std::string condition = {};               ///< `law = "normal"`, if the key exists only then
   std::optional<std::string> literal = {};  ///< value in TOML; nothing if it is not set

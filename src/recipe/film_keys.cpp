@@ -67,8 +67,10 @@ void declare(Visitor& v, FilmContainer& container) {
            container.travel, "mm", range::any);
 }
 
+Key pixel_key(bool required) { return {"pixel", "Side of the film's pixels on the sample.", required}; }
+
 void declare(Visitor& v, PictureSection& picture) {
-  v.number({"pixel", "Side of the film's pixels on the sample.", true}, picture.pixel, "mm", range::positive);
+  v.number(pixel_key(true), picture.pixel, "mm", range::positive);
   v.file({"grains",
           "CSV of positions made by hand (id, x, y, radius, material); if not given, grains are found automatically."},
          picture.grains);
@@ -129,25 +131,6 @@ void declare(Visitor& v, TemperatureSection& temperature) {
             {"band"}, "must be the shortest and the longest wavelength, such as [\"3.6 um\", \"5.1 um\"]");
 }
 
-void declare(Visitor& v, LockinSection& lockin) {
-  v.number({"frequency", "Frequency of the load; it is refined on the film.", true}, lockin.frequency, "Hz",
-           range::positive);
-  v.choice({"method", "Method that finds the amplitude."}, lockin.method,
-           {{"least_squares", "drift and harmonics fitted to every pixel"},
-            {"nearest_bin", "plain Fourier transform, as in the thesis"}});
-  v.integer({"drift", "Order of the polynomial that describes the drift."}, lockin.drift, {0, 8});
-  v.integer({"harmonics", "Number of harmonics of the load frequency that are fitted."}, lockin.harmonics, {1, 4});
-  v.number({"phase",
-            "Phase angle from the first frame to the maximum of the load, 360 deg per cycle; unless given, it is found "
-            "on the film."},
-           lockin.phase, "deg", range::between(-2 * std::numbers::pi, 2 * std::numbers::pi));
-  v.flag({"motion", "Motion of the grains is fitted and removed."}, lockin.motion);
-  v.number({"diffusivity",
-            "Thermal diffusivity of the grains: a notice is given if heat diffuses over about a pixel or more within a "
-            "cycle. The default is about that of plastics."},
-           lockin.diffusivity, "mm^2/s", range::positive);
-}
-
 void declare(Visitor& v, ForcesSection& forces) {
   v.choice({"from", "Data from which contact forces are inferred."}, forces.from,
            {{"pixels", "every pixel of the grains"}, {"means", "only the means of the grains"}, {"none", "no forces"}});
@@ -203,6 +186,46 @@ void require_emissivities_used(Visitor& v, const FilmRecipe& recipe) {
 
 }  // namespace
 
+void declare(Visitor& v, LockinSection& lockin) {
+  v.number({"frequency", "Frequency of the load; it is refined on the film.", true}, lockin.frequency, "Hz",
+           range::positive);
+  v.choice({"method", "Method that finds the amplitude."}, lockin.method,
+           {{"least_squares", "drift and harmonics fitted to every pixel"},
+            {"nearest_bin", "plain Fourier transform, as in the thesis"}});
+  v.integer({"drift", "Order of the polynomial that describes the drift."}, lockin.drift, {0, 8});
+  v.integer({"harmonics", "Number of harmonics of the load frequency that are fitted."}, lockin.harmonics, {1, 4});
+  v.number({"phase",
+            "Phase angle from the first frame to the maximum of the load, 360 deg per cycle; unless given, it is found "
+            "on the film."},
+           lockin.phase, "deg", range::between(-2 * std::numbers::pi, 2 * std::numbers::pi));
+  v.flag({"motion", "Motion of the grains is fitted and removed."}, lockin.motion);
+  v.number({"diffusivity",
+            "Thermal diffusivity of the grains: a notice is given if heat diffuses over about a pixel or more within a "
+            "cycle. The default is about that of plastics."},
+           lockin.diffusivity, "mm^2/s", range::positive);
+}
+
+void declare(Visitor& v, LockinAlone& lockin) {
+  declare(v, static_cast<LockinSection&>(lockin));
+  v.number(pixel_key(false), lockin.pixel, "mm", range::positive);
+}
+
+void declare(Visitor& v, StepSection& step) {
+  v.number({"time", "Middle of the step after the first frame; if not given, it is found on the film."}, step.time, "s",
+           range::any);
+  v.number({"rise", "Time that the load takes to change; frames within it are left out."}, step.rise, "s",
+           range::not_negative);
+  v.number({"window", "Time before and after the step that is used; 0: the whole film."}, step.window, "s",
+           range::not_negative);
+  v.integer({"drift", "Order of the polynomial that describes the drift of pixels on each side of the step."},
+            step.drift, {0, 4});
+}
+
+void declare(Visitor& v, FilmSection& section) {
+  v.optional_section<io::FilmChoice>({"film", "Metadata that are missing or wrong in the film."}, section.film,
+                                     [](Visitor& inner, io::FilmChoice& film) { declare(inner, film); });
+}
+
 std::vector<double> emissivities(const FilmRecipe& recipe) {
   return mapped(recipe.materials, [&](const FilmMaterial& m) {
     return m.emissivity.value_or(recipe.temperature.emissivity.value_or(0.9));
@@ -223,8 +246,9 @@ void declare(ParameterVisitor& v, FilmRecipe& recipe) {
              {[&] { return recipe.materials.size(); }, [&](std::size_t n) { recipe.materials.resize(n); },
               [&](Visitor& inner, std::size_t i) { declare(inner, recipe.materials[i]); },
               [&](std::size_t i) -> std::string& { return recipe.materials[i].name; }});
-  v.optional_section<io::FilmChoice>({"film", "Metadata that are missing or wrong in the film."}, recipe.film,
-                                     [](Visitor& inner, io::FilmChoice& film) { declare(inner, film); });
+  FilmSection film{recipe.film};
+  declare(v, film);
+  recipe.film = film.film;
   v.section({"container", "Box that holds the grains.", true, "frame"},
             [&](Visitor& inner) { declare(inner, recipe.container); });
   v.section({"picture", "How grains are found in the film.", true},

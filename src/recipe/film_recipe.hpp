@@ -9,6 +9,8 @@
 #include "core/parameters.hpp"
 #include "io/film/film.hpp"
 #include "thermal/camera/camera.hpp"
+#include "thermal/thermography/lockin.hpp"
+#include "thermal/thermography/step_load.hpp"
 
 namespace arenite::recipe {
 
@@ -58,10 +60,27 @@ struct LockinSection {
   enum class Method { least_squares, nearest_bin };
   double frequency = 0;  ///< Hz
   Method method = Method::least_squares;
-  std::int64_t drift = 4, harmonics = 2;
+  std::int64_t drift = thermography::LockinOptions{}.drift_order, harmonics = thermography::LockinOptions{}.harmonics;
   std::optional<double> phase;  ///< when the load is largest, rad after the first frame; found on the film if not given
   bool motion = true;           ///< grains' motion is fitted and taken out
   double diffusivity = 1e-7;    ///< of heat in the grains, m^2/s, about that of plastics
+};
+
+/// A step of the load, as its film is measured alone.
+struct StepSection {
+  std::optional<double> time;  ///< of its middle, s after the first frame
+  double rise = thermography::StepOptions{}.rise, window = thermography::StepOptions{}.window;  ///< s
+  std::int64_t drift = thermography::StepOptions{}.drift_order;
+};
+
+/// What the film that a command or a call opens does not say about itself, under [film] as in its recipe.
+struct FilmSection {
+  std::optional<io::FilmChoice> film;
+};
+
+/// The lock-in of a film alone: with the pixel of [picture], for the adiabatic check.
+struct LockinAlone : LockinSection {
+  std::optional<double> pixel;
 };
 
 struct ForcesSection {
@@ -143,8 +162,12 @@ std::string changed_keys(const FilmRecipe& recipe);
 /// Documentation of every key (Markdown).
 std::string film_key_reference();
 
-/// Every key of a film's recipe.
+/// Every key of a film's recipe, and its parts.
 void declare(ParameterVisitor& visitor, FilmRecipe& recipe);
+void declare(ParameterVisitor& visitor, FilmSection& section);
+void declare(ParameterVisitor& visitor, LockinSection& lockin);
+void declare(ParameterVisitor& visitor, LockinAlone& lockin);
+void declare(ParameterVisitor& visitor, StepSection& step);
 
 /// The recipe that `arenite init film` writes.
 FilmRecipe film_template();

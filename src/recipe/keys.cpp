@@ -228,10 +228,10 @@ void declare(Visitor& v, Population& population, const Recipe& recipe) {
                         format_quantity(width, "mm")));
 }
 
-void declare(Visitor& v, Recipe& recipe) {
-  v.text({"title", "Title of reports, one line."}, recipe.title);
-  v.integer({"seed", "Seed of all random numbers: the same seed gives the same sample."}, recipe.seed,
-            {0, std::numeric_limits<std::int64_t>::max()});
+namespace {
+
+/// Grains, what holds them, their laws and their stages.
+void declare_grains(Visitor& v, Recipe& recipe) {
   v.section({"packing", "Initial packing of the grains in the container."},
             [&](Visitor& inner) { declare(inner, recipe.packing); });
   v.section({"container", "The box, or periodic cell, that holds the grains.", true, "frame"},
@@ -264,8 +264,25 @@ void declare(Visitor& v, Recipe& recipe) {
   require_fill_area(v, recipe);
   v.list<Stage>({"stages", "Loading, stage after stage; each starts where the one before ended.", true}, recipe.stages,
                 [&](Visitor& inner, Stage& stage) { declare(inner, stage, recipe); });
+}
+
+}  // namespace
+
+void declare(Visitor& v, Recipe& recipe) {
+  v.text({"title", "Title of reports, one line."}, recipe.title);
+  v.integer({"seed", "Seed of all random numbers: the same seed gives the same sample."}, recipe.seed,
+            {0, std::numeric_limits<std::int64_t>::max()});
+  v.optional_section<MapSection>(
+      {"map", "Phase map that is loaded in the place of grains: a recipe with it has loads, and no other sections."},
+      recipe.map, [](Visitor& inner, MapSection& map) { declare(inner, map); });
+  v.when(!recipe.map, no_map, [&](Visitor& of_grains) { declare_grains(of_grains, recipe); });
   declare_field(v, recipe);
-  require_movable_shapes(v, recipe);
+  if (!recipe.map) require_movable_shapes(v, recipe);
+  v.when(!recipe.map, no_map, [&](Visitor& of_grains) {
+    of_grains.optional_section<MeasureSection>(
+        {"measure", "How statistics of grains and contacts are measured at the end of every stage."}, recipe.measure,
+        [](Visitor& inner, MeasureSection& measure) { declare(inner, measure); });
+  });
 }
 
 }  // namespace arenite::recipe

@@ -39,8 +39,6 @@ std::vector<Word> words(grid::Cavity) {
   return {{"pore", "space between grains, matrix or empty"}, {"void", "empty space"}};
 }
 
-namespace {
-
 void declare(Visitor& v, cement::CementParameters& law) {
   using Kind = cement::CementParameters::Kind;
   v.choice({"kind", "Where the matrix is placed."}, law.kind, words(law.kind));
@@ -70,6 +68,8 @@ void declare(Visitor& v, cement::CementParameters& law) {
     inner.number({"volume", "Volume of one meniscus per unit length.", true}, law.volume, "mm^2", range::positive);
   });
 }
+
+namespace {
 
 void declare(Visitor& v, GridSection& grid) {
   v.integer({"nodes", "Nodes along a side of the square."}, grid.nodes, {7, 32'768});
@@ -135,10 +135,10 @@ void require_own_name(Visitor& v, const Load& load, const Recipe& recipe) {
   v.require(same <= 1, {"name"}, fmt::format("another stage or load is called \"{}\"; names must differ", load.name));
 }
 
-void declare(Visitor& v, Load& load, const Recipe& recipe) {
+}  // namespace
+
+void declare(Visitor& v, Load& load) {
   using peridynamics::Loading;
-  v.text({"name", "Name of the load, used for its file: letters, digits, _ and -.", true}, load.name);
-  require_own_name(v, load, recipe);
   v.choice({"loading", "Direction in which the top row is moved relative to the bottom row."}, load.loading,
            words(load.loading));
   v.choice({"axis", "Axis from the bottom row to the top row; x loads the rotated sample."}, load.axis,
@@ -196,8 +196,6 @@ void declare(Visitor& v, Load& load, const Recipe& recipe) {
             [&](Visitor& inner) { declare(inner, load.statistics); });
 }
 
-}  // namespace
-
 peridynamics::Stiffness StiffnessSection::resolved() const {
   return {matrix, interface.value_or(matrix), particle.value_or(4 * matrix), calibrated};
 }
@@ -211,15 +209,28 @@ peridynamics::Strength StrengthSection::resolved() const {
   return {of_matrix, interface.value_or(of_matrix), particle.value_or(3.5 * of_matrix)};
 }
 
-void declare_field(Visitor& v, Recipe& recipe) {
+namespace {
+
+void declare_cemented(Visitor& v, Recipe& recipe) {
   v.optional_section<cement::CementParameters>(
       {"cement", "Binding matrix between the grains, added after the last stage."}, recipe.cement,
-      [](Visitor& inner, cement::CementParameters& law) { declare(inner, law); });
+      [](Visitor& inner, cement::CementParameters& law) { recipe::declare(inner, law); });
   v.optional_section<GridSection>(
       {"grid", "Square grid of nodes that discretises the cemented packing.", false, "raster"}, recipe.grid,
       [](Visitor& inner, GridSection& grid) { declare(inner, grid); });
-  v.list<Load>({"loads", "Loads on the cemented sample by peridynamics, each from the unloaded state."}, recipe.loads,
-               [&](Visitor& inner, Load& load) { declare(inner, load, recipe); });
+}
+
+}  // namespace
+
+void declare_field(Visitor& v, Recipe& recipe) {
+  v.when(!recipe.map, no_map, [&](Visitor& of_grains) { declare_cemented(of_grains, recipe); });
+  v.list<Load>(
+      {"loads", "Loads on the cemented sample, or on [map], by peridynamics, each from the unloaded state."},
+      recipe.loads, [&](Visitor& inner, Load& load) {
+        inner.text({"name", "Name of the load, used for its file: letters, digits, _ and -.", true}, load.name);
+        require_own_name(inner, load, recipe);
+        declare(inner, load);
+      });
 }
 
 }  // namespace arenite::recipe

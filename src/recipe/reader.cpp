@@ -115,6 +115,11 @@ class Reader : public KeyVisitor {
       if (known_.count(entry.key) > 0) continue;
       const auto conditional = conditional_.find(entry.key);
       const std::string near = nearest(entry.key, names);
+      if (conditional != conditional_.end() && reading_.leaves_idle_keys) {
+        reading_.notices.push_back(fmt::format("{}: only has an effect with {}; it is left aside",
+                                               file_of(entry.place, reading_), conditional->second));
+        continue;
+      }
       reading_.add(entry.place, path_of(entry.key),
                    conditional != conditional_.end()
                        ? fmt::format("this key is only valid with {}; leave it out or change that", conditional->second)

@@ -13,12 +13,14 @@
 #include "grains/dem/stage.hpp"
 #include "grains/packing/bidisperse.hpp"
 #include "grains/packing/population.hpp"
+#include "grains/texture/texture.hpp"
 #include "model/packing.hpp"
 #include "solid/cement/cement.hpp"
 #include "solid/grid/cavities.hpp"
 #include "solid/grid/grid.hpp"
 #include "solid/peridynamics/options.hpp"
 #include "solid/stress/options.hpp"
+#include "thermal/imaging/label_grains.hpp"
 
 namespace arenite::recipe {
 
@@ -69,6 +71,30 @@ struct GridSection {
   std::optional<double> crop;  ///< side of the square, m; if not given, 25.6 mean large radii, or what fits
   grid::CavityRules cavities;
   bool operator==(const GridSection&) const = default;
+};
+
+/// A phase map that loads act on in the place of a cemented packing: a picture, or a field of ours, which says all the
+/// rest by itself.
+struct MapSection {
+  std::string file;
+  std::string phases;                 ///< "0=void,85=particle,170=matrix"; empty: guessed of a picture of two values
+  std::string labels = "components";  ///< a way to find grains, "none", or a picture whose values number them
+  double smoothing = imaging::LabelOptions{}.smoothing;
+  std::string crop;  ///< "X,Y,WIDTH,HEIGHT", pixels from the upper left
+  std::optional<std::int64_t> slice, label_slice;
+  std::string dataset, label_dataset;
+  std::optional<double> dx;  ///< side of a pixel, m; if not given, lengths are in nodes
+  bool has_label_file() const { return labels != "components" && labels != "watershed" && labels != "none"; }
+  bool operator==(const MapSection&) const = default;
+};
+
+/// How grains and contacts are measured.
+struct MeasureSection {
+  double border = texture::Options{}.border;  ///< strip left out along each wall, mean diameters
+  std::optional<double> load_axis;            ///< rad from x; if not given, that of the load, or of compression
+  std::uint64_t seed = texture::Options{}.seed;
+  void apply_to(texture::Options& options) const;
+  bool operator==(const MeasureSection&) const = default;
 };
 
 /// Moduli of the bonds, Pa; what is not given follows P Table I.
@@ -131,13 +157,16 @@ struct Recipe {
   std::optional<cement::CementParameters> cement;  ///< the binding matrix of the packing at the end of its stages
   std::optional<GridSection> grid;
   std::vector<Load> loads;
+  std::optional<MapSection> map;  ///< instead of grains, their container and their stages
+  std::optional<MeasureSection> measure;
   /// The sections, or what stands for them where they are not given: no cement, and P's grid.
   cement::CementParameters cement_or_none() const;
   GridSection grid_or_default() const { return grid.value_or(GridSection{}); }
-  bool has_field() const { return cement || grid || !loads.empty(); }  ///< goes on to cement, grid and loads
+  bool has_field() const { return cement || grid || map || !loads.empty(); }  ///< goes on to nodes and loads
   std::filesystem::path beside(const std::string& file) const {
     return std::filesystem::path(source_file).parent_path() / file;
-  }  ///< that it names
+  }                               ///< that it names
+  MapSection map_beside() const;  ///< its map, with its files as they are opened
   bool operator==(const Recipe&) const = default;
 };
 
@@ -179,6 +208,8 @@ std::string key_reference();
 /// Every key of a recipe: its name, unit, range and meaning, and what must hold between keys. The structs that come
 /// from elsewhere declare their own.
 void declare(ParameterVisitor& visitor, Recipe& recipe);
+/// When keys of grains exist.
+inline constexpr std::string_view no_map = "no [map]";
 // Its parts. Where a part's keys must agree with others, it gets the recipe as far as it is known by then.
 void declare(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
 void declare_boundaries(ParameterVisitor& visitor, Recipe& recipe);
@@ -189,8 +220,13 @@ void declare_openings(ParameterVisitor& visitor, Stage& stage, const Recipe& rec
 void declare_strain_cycles(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
 void require_boundary_loads(ParameterVisitor& visitor, const Stage& stage, const Recipe& recipe);
 void require_usable_sides(ParameterVisitor& visitor, const Stage& stage, const ContainerParameters& container);
-/// Cement, grid and loads: what comes after loading by discrete elements.
+/// Cement and grid, and the loads on them or on a map: what comes after loading by discrete elements.
 void declare_field(ParameterVisitor& visitor, Recipe& recipe);
+void declare(ParameterVisitor& visitor, cement::CementParameters& law);
+void declare(ParameterVisitor& visitor, MapSection& map);
+void declare(ParameterVisitor& visitor, MeasureSection& measure);
+/// Of a load all but its name, which must differ from others.
+void declare(ParameterVisitor& visitor, Load& load);
 
 /// The words that a recipe, a command line and Python share for a choice, in the order of its enumeration.
 std::vector<Word> words(cement::CementParameters::Kind);

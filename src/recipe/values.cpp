@@ -32,7 +32,9 @@ template <class Items, class Literal> std::optional<std::string> list_literal(co
 
 Record record_of_rows(const Key& key, const std::vector<Vec2>& rows, std::string_view unit_x, std::string_view unit_y,
                       const std::string& example) {
-  Record record{key, fmt::format("[[{}, {}], ...]", with_unit("...", unit_x), with_unit("...", unit_y)), {}, example};
+  Record record{key, fmt::format("[[{}, {}], ...]", with_unit("...", unit_x), with_unit("...", unit_y)),
+                {},  Record::Type::other,
+                {},  example};
   record.literal = list_literal(rows, [&](Vec2 row) {
     return fmt::format("[{}, {}]", number_literal(row.x, unit_x), number_literal(row.y, unit_y));
   });
@@ -46,6 +48,15 @@ bool is_number(const Node& node) { return node.kind == Node::Kind::integer || no
 std::string as_written(const Node& node) {
   if (node.kind == Node::Kind::text) return "\"" + node.text + "\"";
   return node.kind == Node::Kind::integer ? std::to_string(node.integer) : format_quantity(node.real, "");
+}
+
+std::string unit_is_missing(const Node& node, std::string_view unit) {
+  if (unit == "deg")
+    return fmt::format(
+        "{} has no unit; write an angle with its unit, for example \"90 deg\" (of a part of a cycle 360 times as much: "
+        "\"{:.6g} deg\")",
+        as_written(node), 360 * (node.kind == Node::Kind::integer ? static_cast<double>(node.integer) : node.real));
+  return fmt::format("{0} has no unit; write it with its unit, for example \"{0} {1}\"", as_written(node), unit);
 }
 
 std::optional<double> read_number(const Written& at, std::string_view unit, const Range& range) {
@@ -64,14 +75,8 @@ std::optional<double> read_number(const Written& at, std::string_view unit, cons
     if (!is_in_reach(value))
       return at.refuse(fmt::format("{} is beyond the range of numbers; write 0 or a magnitude from 1e-60 to 1e60",
                                    as_written(node)));
-    if (unit == "deg")
-      return at.refuse(
-          fmt::format("{} has no unit; write an angle with its unit, for example \"90 deg\" (of a part of a cycle 360 "
-                      "times as much: \"{:.6g} deg\")",
-                      as_written(node), 360 * value));
-    if (wanted != dimension::none)
-      return at.refuse(
-          fmt::format("{0} has no unit; write it with its unit, for example \"{0} {1}\"", as_written(node), unit));
+    const bool lacks_unit = wanted != dimension::none || unit == "deg";
+    if (lacks_unit && !at.reading.bare_numbers_are_si) return at.refuse(unit_is_missing(node, unit));
   }
   return range.contains(value)
              ? std::optional(value)
@@ -162,7 +167,7 @@ void read_form(const Written& at, int& form, double& value, const std::vector<Fo
 }  // namespace
 
 void KeyVisitor::number(const Key& key, std::optional<double>& value, std::string_view unit, const Range& range) {
-  Record record{key, with_unit("...", unit), to_string(range, unit)};
+  Record record{key, with_unit("...", unit), to_string(range, unit), Record::Type::number, unit};
   if (value) record.literal = number_literal(*value, unit);
   visit(std::move(record), [&](const Written& at) {
     if (const auto read = read_number(at, unit, range)) value = read;
@@ -170,7 +175,7 @@ void KeyVisitor::number(const Key& key, std::optional<double>& value, std::strin
 }
 
 void KeyVisitor::integer(const Key& key, std::optional<std::int64_t>& value, const IntegerRange& range) {
-  Record record{key, "...", to_string(range)};
+  Record record{key, "...", to_string(range), Record::Type::integer};
   if (value) record.literal = std::to_string(*value);
   visit(std::move(record), [&](const Written& at) {
     const Node& node = at.node;
@@ -187,16 +192,17 @@ void KeyVisitor::integer(const Key& key, std::optional<std::int64_t>& value, con
 }
 
 void KeyVisitor::flag(const Key& key, bool& value) {
-  visit({.key = key, .form = "true", .literal = value ? "true" : "false"}, [&](const Written& at) {
-    if (at.is_a(Node::Kind::flag, "true or false (without quotes)")) value = at.node.flag;
-  });
+  visit({.key = key, .form = "true", .type = Record::Type::flag, .literal = value ? "true" : "false"},
+        [&](const Written& at) {
+          if (at.is_a(Node::Kind::flag, "true or false (without quotes)")) value = at.node.flag;
+        });
 }
 
 void KeyVisitor::text(const Key& key, std::string& value) { visit_text(key, value, false); }
 void KeyVisitor::file(const Key& key, std::string& value) { visit_text(key, value, true); }
 
 void KeyVisitor::visit_text(const Key& key, std::string& value, bool names_file) {
-  Record record{key, "\"...\""};
+  Record record{key, "\"...\"", {}, Record::Type::text};
   if (!value.empty() || key.required) record.literal = toml_text(value);
   visit(std::move(record), [&](const Written& at) {
     if (!at.is_a(Node::Kind::text, "a text in quotes")) return;
@@ -210,7 +216,11 @@ void KeyVisitor::visit_text(const Key& key, std::string& value, bool names_file)
 
 void KeyVisitor::numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) {
   const std::string each = to_string(range, unit);
-  Record record{key, fmt::format("[{}]", with_unit("...", unit)), each.empty() ? "" : "each " + each,
+  Record record{key,
+                fmt::format("[{}]", with_unit("...", unit)),
+                each.empty() ? "" : "each " + each,
+                Record::Type::numbers,
+                unit,
                 fmt::format("[{}, {}]", with_unit("1", unit), with_unit("2", unit))};
   record.literal = list_literal(values, [&](double value) { return number_literal(value, unit); });
   visit(std::move(record), [&](const Written& at) {
@@ -220,7 +230,7 @@ void KeyVisitor::numbers(const Key& key, std::vector<double>& values, std::strin
 }
 
 void KeyVisitor::pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) {
-  Record record{key, "[[0, 1], ...]", {}, "[[0, 1], [1, 2]]"};
+  Record record{key, "[[0, 1], ...]", {}, Record::Type::other, {}, "[[0, 1], [1, 2]]"};
   record.literal =
       list_literal(values, [](const auto& pair) { return fmt::format("[{}, {}]", pair.first, pair.second); });
   visit(std::move(record), [&](const Written& at) {
@@ -258,7 +268,7 @@ void KeyVisitor::series(const Key& key, std::vector<Vec2>& values, std::string_v
 
 void KeyVisitor::choice(const Key& key, int& index, const std::vector<Word>& words) {
   const auto names = mapped<std::string>(words, &Word::word);
-  Record record{key, "\"...\""};
+  Record record{key, "\"...\"", {}, Record::Type::choice};
   for (const auto& word : words) record.choices.push_back({toml_text(word.word), std::string(word.sentence), word});
   record.literal = record.choices[static_cast<std::size_t>(index)].literal;
   visit(std::move(record), [&](const Written& at) {

@@ -7,12 +7,13 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "core/hash.hpp"
 #include "core/version.hpp"
 #include "grains/texture/texture.hpp"
-#include "io/disk/file.hpp"
+#include "io/disk/store_file.hpp"
+#include "io/image/phase_map.hpp"
 #include "io/results/results.hpp"
 #include "solid/stress/stress.hpp"
+#include "thermal/imaging/label_grains.hpp"
 #include "workflow/runner.hpp"
 
 namespace arenite::workflow {
@@ -163,36 +164,47 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
 
 namespace {
 
-bool is_own_field(const MapSource& source) { return io::stored_kind(source.file) == "field"; }
+bool is_own_field(const recipe::MapSection& map) { return io::stored_kind(map.file) == "field"; }
 
-PhaseMap read_map(const MapSource& source, const RunOptions& options) {
-  if (is_own_field(source)) return io::read_field(source.file).map;
-  auto read = io::read_phase_map(source.file, source.reading);
-  for (const auto& note : read.notes) options.notice(fmt::format("{}: {}", source.file.string(), note));
-  if (read.labelled) return std::move(read.map);
-  if (source.labelling) imaging::label_grains(read.map, *source.labelling);
-  else io::label_alike(read.map);
-  return std::move(read.map);
-}
-
-FieldResult read_sample(const MapSource& source, const RunOptions& options) {
-  FieldResult sample = sample_of_map(read_map(source, options));
-  if (source.has_length || is_own_field(source)) return sample;
-  Numbers& map = sample.numbers["map"];
-  map.erase("dx_m");
-  map["lengths"] = "in nodes, since --dx was not given";
-  return sample;
-}
-
-/// Hash of all that the sample depends on.
-std::string map_key(const MapSource& source) {
-  HashBuilder hash;
-  hash.add("map", content_hash(io::read_file(source.file))).add("options", source.asked);
-  if (source.reading.labels) hash.add("labels", content_hash(io::read_file(*source.reading.labels)));
-  return hash.hex();
+io::PhaseMapOptions options_of(const recipe::MapSection& map) {
+  io::PhaseMapOptions options;
+  options.image = {map.slice, map.dataset};
+  options.label_image = {map.label_slice, map.label_dataset};
+  if (!map.phases.empty()) options.phases = io::parse_phase_table(map.phases);
+  if (!map.crop.empty()) options.crop = io::parse_crop(map.crop);
+  options.dx = map.dx.value_or(options.dx);
+  if (map.has_label_file()) options.labels = map.labels;
+  return options;
 }
 
 }  // namespace
+
+PhaseMap read_map(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice) {
+  if (is_own_field(map)) return io::read_field(map.file).map;
+  auto read = io::read_phase_map(map.file, options_of(map));
+  for (const auto& note : read.notes) notice(fmt::format("{}: {}", map.file, note));
+  if (read.labelled) return std::move(read.map);
+  using imaging::Labelling;
+  const auto way = map.labels == "watershed" ? Labelling::watershed : Labelling::components;
+  if (map.labels == "none") io::label_alike(read.map);
+  else imaging::label_grains(read.map, {way, map.smoothing});
+  return std::move(read.map);
+}
+
+FieldResult read_sample(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice) {
+  FieldResult sample = sample_of_map(read_map(map, notice));
+  if (map.dx || is_own_field(map)) return sample;
+  Numbers& numbers = sample.numbers["map"];
+  numbers.erase("dx_m");
+  numbers["lengths"] = "in nodes, since dx was not given";
+  return sample;
+}
+
+void require_length(const recipe::MapSection& map, const recipe::Load& load) {
+  if (load.failure && !map.dx && !is_own_field(map))
+    throw InputError(
+        "a crack needs a length; give the size of a pixel, for example --dx \"25 um\" (dx in [map] of a recipe)");
+}
 
 FieldResult sample_of_map(PhaseMap map, const grid::CavityRules& rules) {
   check(map);
@@ -208,14 +220,15 @@ FieldResult sample_of_map(PhaseMap map, const grid::CavityRules& rules) {
   return sample;
 }
 
-MapOutcome load_map(const MapSource& source, const recipe::Load& load, const RunOptions& options) {
+MapOutcome load_map(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options) {
+  require_length(map, load);
   const bool is_stored = !options.out.empty();
-  const PlannedStage stage = planned_stage(1, load.name, load_key(load, map_key(source)), true);
+  const PlannedStage stage = planned_stage(1, load.name, load_key(load, map_key(map)), true);
   Progress progress{1, 1, load.name, 0, 0, 0, false, true};
   MapOutcome outcome;
   auto* measured = options.page_follows ? &outcome.measured.fields.emplace_back() : nullptr;
   const auto make = [&](const fs::path& checkpoint) {
-    const FieldResult sample = read_sample(source, options);
+    const FieldResult sample = read_sample(map, options.notice);
     auto result = apply_load(
         load, sample, watch_of(progress, options),
         load.failure && is_stored ? failure_checkpoint(checkpoint, stage.hash, options) : FailureCheckpoint{},
@@ -227,7 +240,7 @@ MapOutcome load_map(const MapSource& source, const recipe::Load& load, const Run
                             "",
                             0,
                             "",
-                            {{"map", source.file.filename().string()}, {"options", source.asked}}};
+                            {{"map", fs::path(map.file).filename().string()}, {"options", map_keys(map)}}};
     return result;
   };
   if (is_stored) {

@@ -1,6 +1,7 @@
 #include "workflow/asked.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/error.hpp"
@@ -30,9 +31,16 @@ void note_stage(Asked& asked, const dem::Stage& stage) {
   asked.friction = stage.friction.value_or(asked.friction);
   asked.gravity = dem::gravity_at(stage, stage.duration.value_or(0));
   asked.slide = stage.slide;
-  asked.load_axis = fields::loading_axis(stage).value_or(statistics::unknown);
+  if (!std::isfinite(asked.load_axis)) asked.load_axis = fields::loading_axis(stage).value_or(statistics::unknown);
   asked.cycled = cycled_side(stage);
   asked.in_motion = fields::ends_in_motion(stage);
+}
+
+void note_measuring(Asked& asked, const recipe::MeasureSection& measure) {
+  asked.measures = true;
+  asked.border = measure.border;
+  asked.measure_seed = measure.seed;
+  asked.load_axis = measure.load_axis.value_or(asked.load_axis);
 }
 
 /// The curve of the recipe's size laws, which belongs to the packing.
@@ -61,6 +69,7 @@ void note_asked(StageResult& made, const recipe::Recipe& recipe, std::size_t pla
   asked.known = true;
   asked.friction = recipe.contact.friction;
   asked.pull = static_cast<int>(pull_of(recipe.contact));
+  if (recipe.measure) note_measuring(asked, *recipe.measure);
   const dem::EquilibriumCriterion criterion =
       place > 0 ? recipe.stages[place - 1].equilibrium : dem::EquilibriumCriterion{};
   asked.in_equilibrium =

@@ -1,12 +1,12 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "grains/texture/texture.hpp"
-#include "io/image/phase_map.hpp"
 #include "model/cement.hpp"
 #include "model/packing.hpp"
 #include "model/phase_map.hpp"
@@ -20,7 +20,6 @@
 #include "solid/peridynamics/load.hpp"
 #include "solid/stress/stress.hpp"
 #include "statistics/numbers.hpp"
-#include "thermal/imaging/label_grains.hpp"
 #include "workflow/run.hpp"
 
 /// The second half of a run: cement, grid, loads (P II.B to IV), and what they give as numbers, each statistic as value
@@ -67,14 +66,14 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
 /// mean area of a grain. Throws InputError unless the map is sound.
 FieldResult sample_of_map(PhaseMap map, const grid::CavityRules& rules = {});
 
-/// Anybody's phase map, and how it is read; a field of ours (.h5) says all of it by itself.
-struct MapSource {
-  std::filesystem::path file;
-  io::PhaseMapOptions reading;
-  bool has_length = false;                         ///< `reading.dx` was given; else lengths are in nodes
-  std::optional<imaging::LabelOptions> labelling;  ///< of particles without labels; unset: all are one grain
-  std::string asked;  ///< all this in words, which name the result with the bytes of the files
-};
+/// A phase map of a file; what is found worth a word is told.
+PhaseMap read_map(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice);
+
+/// The same from a file; its notes are told. Throws InputError for what cannot be read as a phase map.
+FieldResult read_sample(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice);
+
+/// Throws InputError for a load to failure of a map without a length: a crack needs one.
+void require_length(const recipe::MapSection& map, const recipe::Load& load);
 
 struct MapOutcome {
   std::optional<FieldResult> field;  ///< nothing if it was stopped
@@ -85,7 +84,7 @@ struct MapOutcome {
 /// Loads such a map as apply_load does a cemented sample. The field is one file in `options.out`, taken from there if
 /// it was computed before; without that folder nothing is stored. Throws InputError for what cannot be read as a phase
 /// map.
-MapOutcome load_map(const MapSource& source, const recipe::Load& load, const RunOptions& options);
+MapOutcome load_map(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options);
 
 /// What is known of a cemented packing beyond its map.
 struct SampleReports {

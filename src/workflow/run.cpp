@@ -45,7 +45,8 @@ class Run {
   RunOutcome outcome() {
     for (const std::string& sentence : recipe_.notices) options_.notice(sentence);
     if (const std::string sentence = folder_.what_was_put_aside(); !sentence.empty()) options_.notice(sentence);
-    if (pack() && load_grains() && recipe_.has_field()) load_nodes();
+    if (recipe_.map) load_map();
+    else if (pack() && load_grains() && recipe_.has_field()) load_cemented();
     if (outcome_.interrupted) return std::move(outcome_);
     // At the very end, since a run may be killed between writing its last file and this.
     std::error_code error;
@@ -140,22 +141,38 @@ class Run {
     return true;
   }
 
+  /// The phase map and its loads.
+  void load_map() {
+    const recipe::MapSection map = recipe_.map_beside();
+    for (const recipe::Load& load : recipe_.loads) require_length(map, load);
+    if (!add_field(0, [&](const fs::path&) { return std::optional(read_sample(map, options_.notice)); })) return;
+    io::write_atomically(folder_ / "recipe.toml", to_toml(recipe_));
+    load_nodes(0, nullptr);
+  }
+
   /// The cemented sample and its loads.
-  void load_nodes() {
+  void load_cemented() {
     const std::size_t first = recipe_.stages.size() + 1;
     const Packing& packing = outcome_.stages.back().snapshots.back().packing;
     if (!add_field(first, [&](const fs::path&) { return std::optional(make_cemented_sample(recipe_, packing)); }))
       return;
-    const auto& texture = outcome_.measured.stages.back();
+    load_nodes(first, &packing);
+  }
+
+  /// The loads on the sample at `s` of the plan; `packing` is the one that was cemented, if it was.
+  void load_nodes(std::size_t s, const Packing* packing) {
     std::optional<std::vector<Tensor2>> contacts;  // for all loads that are made
+    const auto stresses = [&] {
+      if (!packing) return std::vector<Tensor2>{};
+      const auto& texture = outcome_.measured.stages.back();
+      return contact_stresses(outcome_.fields.front(), *packing,
+                              texture ? texture->per_grain.sigma : std::vector<Tensor2>{});
+    };
     const auto watch = watch_of(progress_, options_);
-    std::size_t s = first;
     for (const recipe::Load& load : recipe_.loads) {
       ++s;
       const auto make = [&](const fs::path& kept) {
-        if (!contacts)
-          contacts = contact_stresses(outcome_.fields.front(), packing,
-                                      texture ? texture->per_grain.sigma : std::vector<Tensor2>{});
+        if (!contacts) contacts = stresses();
         const auto checkpoint = load.failure ? failure_checkpoint(kept, plan_[s].hash, options_) : FailureCheckpoint{};
         return apply_load(load, outcome_.fields.front(), watch, checkpoint,
                           options_.page_follows ? &outcome_.measured.fields.back() : nullptr, &*contacts);

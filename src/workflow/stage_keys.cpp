@@ -25,6 +25,7 @@ constexpr std::int64_t loading_version = 4;
 constexpr std::int64_t clipped_dashpot_version = 1;  // of loadings whose dashpots cannot pull, alone
 constexpr std::int64_t driven_loading_version = 1;   // of loadings that shear, or press while something drives, alone
 constexpr std::int64_t cement_version = 1;
+constexpr std::int64_t map_version = 1;
 constexpr std::int64_t load_version = 2;
 constexpr std::int64_t closing_version = 1;  // of loads to failure whose cracks close, alone
 
@@ -149,6 +150,7 @@ std::string seed_key(const recipe::Recipe& recipe) {
   part.contact.restitution = 0.1;
   part.contact.attractive_dashpot = true;
   part.contact.friction_law = dem::RegularisedCoulomb{};
+  part.measure.reset();
   return packing_key(recipe, to_toml_of_version_0_1(part));
 }
 
@@ -165,6 +167,21 @@ std::string load_key(const recipe::Load& load, const std::string& cement_hash) {
   return hash.hex();
 }
 
+std::string map_keys(const recipe::MapSection& map) {
+  recipe::Recipe part;
+  part.map = map;
+  part.map->file.clear();
+  if (map.has_label_file()) part.map->labels = "a file";
+  return changed_keys(part);
+}
+
+std::string map_key(const recipe::MapSection& map) {
+  HashBuilder hash;
+  hash.add("map version", map_version).add("map", content_hash(io::read_file(map.file))).add("recipe", map_keys(map));
+  if (map.has_label_file()) hash.add("labels", content_hash(io::read_file(map.labels)));
+  return hash.hex();
+}
+
 PlannedStage planned_stage(int place, std::string name, std::string hash, bool field) {
   return {name, hash, io::stage_file_name(place, name, hash), field};
 }
@@ -174,6 +191,12 @@ std::vector<PlannedStage> plan_of(const recipe::Recipe& recipe) {
   const auto add = [&plan](const std::string& name, const std::string& hash, bool field) {
     plan.push_back(planned_stage(static_cast<int>(plan.size()) + 1, name, hash, field));
   };
+  if (recipe.map) {
+    const std::string sample = map_key(recipe.map_beside());
+    add("map", sample, true);
+    for (const recipe::Load& load : recipe.loads) add(load.name, load_key(load, sample), true);
+    return plan;
+  }
   add("packing", packing_key(recipe, changed_keys(packing_part(recipe))), false);
   for (std::size_t s = 0; s < recipe.stages.size(); ++s)
     add(recipe.stages[s].name, stage_key(recipe, s, plan.front().hash), false);
@@ -185,9 +208,9 @@ std::vector<PlannedStage> plan_of(const recipe::Recipe& recipe) {
 }
 
 recipe::Recipe part_of(const recipe::Recipe& recipe, std::size_t s) {
-  if (s > recipe.stages.size()) {
+  if (recipe.map || s > recipe.stages.size()) {
     recipe::Recipe part = recipe;
-    const std::size_t load = s - recipe.stages.size() - 1;  // 0: the cemented sample, before all loads
+    const std::size_t load = recipe.map ? s : s - recipe.stages.size() - 1;  // 0: the sample, before all loads
     part.loads.clear();
     if (load > 0) part.loads.push_back(recipe.loads[load - 1]);
     return part;

@@ -29,6 +29,12 @@ std::string stage_key(const recipe::Recipe& recipe, std::size_t place, const std
 /// Hash of all that a load depends on: the cemented sample and the load itself, but not its name's place among others.
 std::string load_key(const recipe::Load& load, const std::string& cement_hash);
 
+/// The keys of a map that differ from their defaults, one a line, but for the names of its files.
+std::string map_keys(const recipe::MapSection& map);
+
+/// Hash of all that the sample of a map depends on: the bytes of its files, and how they are read.
+std::string map_key(const recipe::MapSection& map);
+
 /// Hash of a film, of all files that its recipe names, and of the recipe: what the measured film's name is made of. A
 /// film is hashed by what it says about itself and by the bytes of its file, or by its frames where they lie in several
 /// files.

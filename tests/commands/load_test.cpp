@@ -2,6 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <fstream>
+#include <set>
+
 #include "support/document_of_page.hpp"
 #include "support/program.hpp"
 
@@ -45,7 +48,7 @@ TEST(Load, StoresFieldAndPageAndMeasuresThemAgain) {
                               (folder / "out").string());
   ASSERT_EQ(loaded.status, 0) << loaded.err;
   EXPECT_NE(loaded.out.find("Apparent modulus"), std::string::npos);
-  EXPECT_NE(loaded.out.find("in nodes, since --dx was not given"), std::string::npos) << loaded.out;
+  EXPECT_NE(loaded.out.find("in nodes, since dx was not given"), std::string::npos) << loaded.out;
   EXPECT_EQ(loaded.out.find("Node spacing"), std::string::npos) << "1 m was not said by anybody";
   EXPECT_TRUE(fs::exists(folder / "out/report.html"));
   const auto shown = arenite("show --json " + (folder / "out").string());
@@ -143,6 +146,47 @@ TEST(Load, TellsWhatTheStrengthHangsOn) {
   EXPECT_EQ(own["failure"]["governed_by"]["matrix"], "strength");
   EXPECT_NEAR(own["failure"]["critical_stretch"]["matrix"].get<double>(), 0.5e6 / 1e9, 1e-12);
   EXPECT_NE(own["notes"][0].get<std::string>().find("where stress concentrates"), std::string::npos);
+}
+
+TEST(Load, MapOfARecipeIsRunSweptAndNamedByItsKeys) {
+  const TemporaryFolder folder;
+  layers(folder / "map.h5");
+  const auto write = [&](const std::string& name, const std::string& map, const std::string& end = {}) {
+    std::ofstream(folder / name) << "[map]\nfile = \"map.h5\"\nphases = \"1=particle,2=matrix\"\n"
+                                 << map << "[[loads]]\nname = \"tension\"\n"
+                                 << end;
+    return (folder / name).string();
+  };
+  const std::string out = " --quiet --out " + (folder / "out").string();
+  const auto files = [&] {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder / "out"))
+      if (entry.path().extension() == ".h5") names.insert(entry.path().filename().string());
+    return names;
+  };
+  ASSERT_EQ(arenite("run " + write("a.toml", "dx = \"25 um\"\n") + out).status, 0);
+  const auto first = files();
+  EXPECT_EQ(first.size(), 2u) << "the sample of the map and its load";
+  EXPECT_EQ(arenite("run " + write("b.toml", "dx = \"0.025 mm\"\nsmoothing = 1\n") + out).status, 0);
+  EXPECT_EQ(files(), first) << "the same length, and a default";
+  const auto shown = arenite("show --json " + (folder / "out").string());
+  const auto loaded =
+      arenite("load " + (folder / "map.h5").string() + " --phases 1=particle,2=matrix --dx 25um --json");
+  EXPECT_EQ(Json::parse(shown.out)["modulus_Pa"], Json::parse(loaded.out)["modulus_Pa"]);
+  const std::string study = write("s.toml", "", "[sweep.grid]\n\"map.crop\" = [\"0,0,40,40\", \"0,0,60,60\"]\n");
+  const auto swept = arenite("study run " + study + " --quiet --out " + (folder / "study").string());
+  EXPECT_EQ(swept.status, 0) << swept.err;
+  EXPECT_TRUE(test::contains(swept.out, "2 runs: 2 done")) << swept.out;
+  const auto mixed = arenite("check " + write("c.toml", "", "[container]\nwidth = \"1 mm\"\n"));
+  EXPECT_EQ(mixed.status, 2);
+  EXPECT_TRUE(test::contains(mixed.err, "only valid with no [map]")) << mixed.err;
+}
+
+TEST(Load, OptionWithoutEffectIsTold) {
+  const TemporaryFolder folder;
+  const auto loaded = arenite("load " + layers(folder / "map.h5") + " --phases 1=particle,2=matrix --max-strain 0.01");
+  EXPECT_EQ(loaded.status, 0);
+  EXPECT_TRUE(test::contains(loaded.err, "--max-strain: only has an effect with failure = true")) << loaded.err;
 }
 
 TEST(Load, SlipsAreOneSentenceEach) {

@@ -193,6 +193,10 @@ texture::Options texture_options(const StageResult& made) {
   if (!made.asked.known) return options;
   options.pull = static_cast<texture::Pull>(made.asked.pull);
   options.gravity = made.asked.gravity;
+  if (made.asked.measures) {
+    options.border = made.asked.border;
+    options.seed = made.asked.measure_seed;
+  }
   if (std::isfinite(made.asked.load_axis)) options.load_axis = made.asked.load_axis;
   if (!made.asked.in_motion || made.snapshots.empty()) return options;
   const double thickness = made.snapshots.back().packing.domain.thickness;

@@ -46,6 +46,12 @@ void transfer_asked(const Hdf5Group& file, Asked& asked) {
   at("cycled", asked.cycled);
   at("in_motion", asked.in_motion);
   at("in_equilibrium", asked.in_equilibrium);
+  if (!at.lacks("measure", !asked.measures)) {
+    const auto measure = at.group("measure");
+    asked.measures = true;
+    measure("border", asked.border);
+    measure("seed", asked.measure_seed);
+  }
   at.array("diameter", asked.diameter, "m");
   at.array("passing", asked.passing);
   at.same_length({asked.diameter.size(), asked.passing.size()});

@@ -1,0 +1,143 @@
+"""A parameter that recipes, commands and Python share is described by one sentence: that of its declaration."""
+
+import os
+import pathlib
+import re
+import subprocess
+
+import arenite
+import pytest
+
+root = pathlib.Path(__file__).parents[2]
+program = os.environ["ARENITE"]
+
+
+def keys_of(page):
+    """Sentence of every key of a generated page, by its section: {"map.dx": "Side of a pixel; ..."}."""
+    sentences, section = {}, ""
+    for line in (root / "docs" / page).read_text(encoding="utf-8").splitlines():
+        if heading := re.match(r"## (?:`\[+([\w.]+?)(?:\.NAME)?\]+`)?", line):
+            section = heading[1] or ""
+        elif row := re.match(r"\| `(\w+)` \| .* \| .* \| (.*) \|$", line):
+            key = f"{section}.{row[1]}".lstrip(".")
+            sentences[key] = re.split(r"\.?<br>| With `| Allowed: | See below", row[2])[0].replace("\\|", "|")
+    return {key: text.rstrip(".") for key, text in sentences.items()}
+
+
+recipe, film_recipe = keys_of("recipe.md"), keys_of("film-recipe.md")
+
+
+def same_names(section, *names):
+    return {"--" + name: f"{section}.{name.replace('-', '_')}" for name in names}
+
+
+of_film = same_names("film", "frame-rate", "scale", "offset", "dataset")
+statistics = ("clamp-rows", "leave-out-surface", "leave-out-unloaded", "mean-over-area")
+options = {
+    "load": (
+        recipe,
+        same_names("map", "phases", "labels", "smoothing", "crop", "slice", "dataset", "label-slice", "label-dataset", "dx")
+        | same_names("loads", "loading", "axis", "lower", "method", "strain", "tolerance", "stop-at-voids")
+        | same_names("loads", "exact-stretch", "moduli", "failure", "cracks-stay-open", "max-strain")
+        | same_names("loads", "stiffness", "toughness", "strength")
+        | same_names("loads.statistics", *statistics[:2]),
+    ),
+    "measure": (recipe, same_names("measure", "border", "load-axis", "seed") | same_names("loads.statistics", *statistics)),
+    "film": (film_recipe, of_film),
+    "show": (film_recipe, of_film),
+    "step": (film_recipe, of_film),
+    "lockin": (
+        film_recipe,
+        of_film
+        | same_names("lockin", "frequency", "drift", "harmonics", "diffusivity")
+        | {"--reference-phase": "lockin.phase", "--pixel": "picture.pixel", "--nearest-bin": "lockin.method"},
+    ),
+}
+
+parts = ("matrix", "interface", "particle")
+keywords = {
+    "load": (
+        recipe,
+        {name: f"loads.{name}" for name in "loading strain axis lower method tolerance moduli failure".split()}
+        | {name: f"loads.{name}" for name in "stop_at_voids exact_stretch cracks_stay_open max_strain".split()}
+        | {name: f"loads.stiffness.{name}" for name in parts}
+        | {"toughness": "loads.toughness.matrix", "strength": "loads.strength.matrix"},
+    ),
+    "read_phase_map": (
+        recipe,
+        {name: f"map.{name}" for name in "file dx labels phases crop smoothing slice dataset".split()}
+        | {name: f"map.{name}" for name in ("label_slice", "label_dataset")},
+    ),
+    "cement": (
+        recipe,
+        {name: f"cement.{name}" for name in "kind gap width full_width thickness volume saturation".split()},
+    ),
+    "measure": (recipe, {name: f"measure.{name}" for name in ("border", "load_axis", "seed")}),
+    "measure_grains": (recipe, {"border": "measure.border"}),
+    "lock_in": (
+        film_recipe,
+        {"frequency": "lockin.frequency", "drift_order": "lockin.drift", "harmonics": "lockin.harmonics"}
+        | {"reference_phase": "lockin.phase", "frame_rate": "film.frame_rate"},
+    ),
+    "step_load": (film_recipe, {"frame_rate": "film.frame_rate"}),
+}
+
+
+def help_of(command):
+    """The sentence of every option, as the program's help has it."""
+    text = subprocess.run([program, command, "--help"], capture_output=True, text=True, check=True).stdout
+    text = re.sub(r"\n {10,}", "   ", text)
+    return {row[1]: row[0] for row in re.finditer(r"^  (--[\w-]+) .*$", text, re.MULTILINE)}
+
+
+def manual_of(command):
+    """The same of the manual page, of which one section is this command's."""
+    page = subprocess.run([program, "man"], capture_output=True, text=True, check=True).stdout
+    section = page.split(f".SS arenite {command} ")[1].split(".SS ")[0]
+    return section.replace("\\-", "-").replace("\\e", "\\")
+
+
+@pytest.mark.parametrize("command", options)
+def test_help_and_manual_say_of_an_option_what_the_recipe_says_of_its_key(command):
+    keys, shared = options[command]
+    shown, manual = help_of(command), manual_of(command)
+    for option, key in shared.items():
+        assert keys[key] in shown[option], f"{command} {option}: {keys[key]}"
+        assert keys[key] in manual, f"{command} {option}: {keys[key]}"
+
+
+@pytest.mark.parametrize("function", keywords)
+def test_docstrings_say_of_a_keyword_what_the_recipe_says_of_its_key(function):
+    keys, shared = keywords[function]
+    lines = dict(re.findall(r"^`(\w+)`: (.*)$", getattr(arenite, function).__doc__, re.MULTILINE))
+    for name, key in shared.items():
+        assert keys[key] in lines[name], f"{function} {name}: {keys[key]}"
+
+
+def test_a_step_is_described_alike_in_help_and_docstring():
+    lines = dict(re.findall(r"^`(\w+)`: (.*)\.$", arenite.step_load.__doc__, re.MULTILINE))
+    shown = help_of("step")
+    for name in ("time", "rise", "window"):
+        assert lines[name] in shown[f"--{name}"]
+    assert lines["drift_order"] in shown["--drift"]
+
+
+def default_in(text):
+    return found[1] if (found := re.search(r"\(default ([^;)]*)", text)) else None
+
+
+def test_defaults_of_options_and_keywords_are_those_of_the_recipe():
+    shown = help_of("load")
+    lines = dict(re.findall(r"^`(\w+)`: (.*)$", arenite.load.__doc__, re.MULTILINE))
+    page = (root / "docs/recipe.md").read_text(encoding="utf-8")
+    for name in ("strain", "tolerance", "max_strain", "loading", "method"):
+        row = re.search(rf"^\| `{name}` \| [^|]* \| `\"?([^`\"]*)\"?` \|", page.split("## `[[loads]]`")[1], re.MULTILINE)
+        assert default_in(shown["--" + name.replace("_", "-")]) == default_in(lines[name]) == row[1], name
+
+
+def test_a_keyword_without_effect_is_a_warning():
+    map = arenite.PhaseMap([[1] * 16] * 16, dx="1 mm")
+    with pytest.warns(UserWarning, match="max_strain: only has an effect with failure = true"):
+        arenite.load(map, max_strain=0.01)
+    with pytest.raises(TypeError, match="unexpected keyword argument 'speed'"):
+        arenite.load(map, speed=1)
