@@ -126,6 +126,7 @@ std::string sample(const recipe::Recipe& recipe, Packing& packing) {
 }  // namespace
 
 StageResult make_packing(const recipe::Recipe& recipe) {
+  if (recipe.map) throw InputError("a recipe with [map] has no grains to pack; give one without it");
   StageResult result;
   result.name = "packing";
   Snapshot& snapshot = result.snapshots.emplace_back();
