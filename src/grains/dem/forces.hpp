@@ -71,12 +71,19 @@ template <int D> inline const GrainRecord<D>& touching_disk(const SampleIn<D>& s
   return s.record[s.count + s.ghost.size() + slot - s.list.polygons];
 }
 
+/// Of a slot whose partner is neither disk nor wall. Out of line: loops over walls go past it.
+template <int D> [[gnu::noinline]] Kinematics<D> kinematics_at_part(const SampleIn<D>& s, std::size_t slot) {
+  Kinematics<D> c;
+  each_part(s, [&](const auto& part) { part.meet(s, slot, c); });
+  return c;
+}
+
 template <int D> inline Kinematics<D> slot_kinematics(const SampleIn<D>& s, std::size_t slot) {
   const GrainRecord<D>& a = touching_disk(s, slot);
   const std::int32_t j = s.list.j[slot];
   if (j >= 0) return pair_kinematics(a, s.record[j], s.contact.arms);
-  if (Kinematics<D> c; any_part(s, [&](const auto& part) { return part.meet(s, slot, c); })) return c;
   const int side = wall_side(j);
+  if (side >= sides_in<D>) return kinematics_at_part(s, slot);
   const WallIn<D>& wall = s.domain.wall[side];
   return wall_kinematics(a, wall, of_side(side, wall.velocity, s.wall[side].drive.slide), side, s.contact.arms);
 }

@@ -12,6 +12,13 @@ template <int D> double sense(const SampleIn<D>& s, std::size_t slot) {
   return s.record[s.list.i[slot]].grain < s.record[j].grain ? 1 : -1;
 }
 
+/// Of what is neither disk nor wall, rad/s.
+template <int D> [[gnu::noinline]] Turning<D> spin_of_partner(const SampleIn<D>& s, std::int32_t partner) {
+  Turning<D> spin{};
+  each_part(s, [&](const auto& part) { spin += part.spin_of(s, partner); });
+  return spin;
+}
+
 /// What a rolling law sees of a slot.
 template <int D, class Law>
 Slip<double, Turning<D>> slip_of(const SampleIn<D>& s, const Law& law, std::size_t slot, Vec<D> normal,
@@ -25,8 +32,8 @@ Slip<double, Turning<D>> slip_of(const SampleIn<D>& s, const Law& law, std::size
     turning -= b.omega;
     radius = a.radius * b.radius / (a.radius + b.radius);
     inertia_of_both = inertia(a) * inertia(b) / (inertia(a) + inertia(b));
-  } else {
-    each_part(s, [&](const auto& part) { turning -= part.spin_of(s, j); });
+  } else if (wall_side(j) >= sides_in<D>) {
+    turning -= spin_of_partner(s, j);
   }
   const double stiffness = law.stiffness(s.list.stiffness[slot], radius);
   return {sense(s, slot) * without_twist(turning, normal),
