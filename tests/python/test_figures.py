@@ -348,7 +348,7 @@ def test_roses_are_of_all_of_strong_and_weak_contacts_and_of_types(result):
     assert shown["roses"][0]["inner"] == list(strong["sectors"]) and shown["roses"][1]["count"] == strong["contacts"]
     canvas = saving.Canvas()
     figures.draw_described(canvas, [shown])
-    assert all(a.get_xlabel().startswith("a$_{\\mathrm{c}}$ = ") for a in canvas.axes)
+    assert all(a.get_xlabel().startswith(r"$a_\mathrm{c}$ = ") for a in canvas.axes)
 
 
 def a_film(amplitude=1.0):

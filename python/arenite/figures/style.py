@@ -107,8 +107,10 @@ def plain(name):
 
 
 def label(text):
-    """ "σ_{norm}" for matplotlib."""
-    return re.sub(r"([_^])\{([^}]*)\}", lambda m: f"${m[1]}\\mathrm{{{m[2]}}}$".replace("%", r"\%"), plain(text))
+    """ "σ_{norm}" for matplotlib; a letter with an index is a quantity, in italics."""
+    return re.sub(
+        r"(\b[A-Za-z]_|[_^])\{([^}]*)\}", lambda m: f"${m[1]}\\mathrm{{{m[2]}}}$".replace("%", r"\%"), plain(text)
+    )
 
 
 def scaled(largest, unit):
