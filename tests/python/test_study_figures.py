@@ -169,7 +169,7 @@ def test_numbers_are_those_of_the_page(study):
     canvas = figures.catalogue.Canvas()
     figures.draw_study_plot(canvas.add_subplot(), shown)
     bars = canvas.axes[0].containers
-    assert [bar.get_label() for bar in bars] == ["S$_\\mathrm{m}$", "ρ$_\\mathrm{p}$", "beside"]
+    assert [bar.get_label() for bar in bars] == ["$S_\\mathrm{m}$", "ρ$_\\mathrm{p}$", "beside"]
     assert [list(point) for point in bars[0].lines[0].get_xydata()] == [
         point[:2] for point in shown["series"][0]["points"]
     ]
