@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/mapped.hpp"
 #include "core/parameters.hpp"
 #include "grains/dem/parameters.hpp"
 #include "grains/dem/stage.hpp"
@@ -240,9 +239,6 @@ std::vector<Word> words(grid::Cavity);
 template <class Enum> std::string word_of(Enum value) {
   return std::string(words(value)[static_cast<std::size_t>(value)].word);
 }
-
-/// All words without their sentences, as a check of a command line wants them.
-template <class Enum> std::vector<std::string> plain_words() { return mapped<std::string>(words(Enum{}), &Word::word); }
 
 /// The value that a word stands for. Throws InputError, which calls the choice `what`, for a word that is not among
 /// them.

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/mapped.hpp"
 #include "report/page_document.hpp"
 #include "solid/grid/cavities.hpp"
 #include "solid/stress/stress.hpp"

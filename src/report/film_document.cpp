@@ -2,6 +2,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/mapped.hpp"
 #include "report/page_document.hpp"
 #include "workflow/run_film.hpp"
 

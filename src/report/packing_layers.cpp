@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mapped.hpp"
 #include "grains/fields/coarse_grained.hpp"
 #include "model/shapes.hpp"
 

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/mapped.hpp"
 #include "grains/fields/coarse_grained.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/fields/test_curves.hpp"

@@ -6,6 +6,7 @@
 
 #include "core/problems.hpp"
 #include "geometry/rectangle.hpp"
+#include "grains/fields/loading.hpp"
 #include "grains/fields/steady_state.hpp"
 
 namespace arenite::fields {
@@ -26,15 +27,6 @@ void check(const std::vector<double>& time, const std::vector<double>& passed) {
       throw refusal("row {} of the passed amounts is not finite", k);
     if (k > 0 && !(time[k] > time[k - 1])) throw refusal("time does not increase in row {} of the passed amounts", k);
   }
-}
-
-/// What had passed at a time between two rows.
-double at(const std::vector<double>& time, const std::vector<double>& passed, double t) {
-  const auto after = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
-  if (after == 0) return passed.front();
-  if (after == time.size()) return passed.back();
-  const double share = (t - time[after - 1]) / (time[after] - time[after - 1]);
-  return passed[after - 1] + share * (passed[after] - passed[after - 1]);
 }
 
 /// From the points of one boundary to the segments of another.
@@ -66,14 +58,15 @@ Discharge find_discharge(const std::vector<double>& time, const std::vector<doub
   std::vector<double> rates;
   for (std::size_t k = 0; k < std::min(intervals, last - first); ++k) {
     const double t = time[first] + static_cast<double>(k) * width;
-    rates.push_back((at(time, passed, t + width) - at(time, passed, t)) / width);
+    rates.push_back((at_time(time, passed, t + width) - at_time(time, passed, t)) / width);
   }
   rates.resize(rates.size() - find_steady_state(std::vector<double>(rates.rbegin(), rates.rend())).first);
   const SteadyState steady = find_steady_state(rates);
   found.steady = steady.reached;
   found.begin = time[first] + static_cast<double>(found.steady ? steady.first : 0) * width;
   found.end = found.steady ? time[first] + static_cast<double>(rates.size()) * width : time[last];
-  found.rate.value = (at(time, passed, found.end) - at(time, passed, found.begin)) / (found.end - found.begin);
+  found.rate.value =
+      (at_time(time, passed, found.end) - at_time(time, passed, found.begin)) / (found.end - found.begin);
   if (found.steady) found.rate = {found.rate.value, steady.mean.error, steady.mean.freedom};
   return found;
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "core/mapped.hpp"
 #include "io/export/export.hpp"
 #include "io/results/groups.hpp"
 #include "io/table/table.hpp"

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "model/packing.hpp"
 #include "thermal/imaging/registration_search.hpp"

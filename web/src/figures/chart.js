@@ -67,9 +67,6 @@ export function decades([low, high]) {
   return list;
 }
 
-/** Whole decades that hold values from `low` to `high`. */
-export const decadesAround = (low, high) => [10 ** Math.floor(Math.log10(low)), 10 ** Math.ceil(Math.log10(high))];
-
 /** A logarithmic axis with powers of ten; where it holds one alone, with twice and five times them too. */
 export function logAxis(label, domain) {
   const whole = decades(domain),
