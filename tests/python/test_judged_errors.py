@@ -41,7 +41,23 @@ def test_angles_are_compared_around_the_circle_and_unknown_errors_are_not_judged
     assert study.numbers[0].scatter == pytest.approx(2.07, abs=0.2)
 
 
-def test_the_band_is_that_of_chi_square():
-    low, high = judge.chi_band(11)
-    assert low == pytest.approx(np.sqrt(2.6032 / 11), abs=0.01)
-    assert high == pytest.approx(np.sqrt(26.757 / 11), abs=0.01)
+def test_the_band_is_that_of_fishers_f():
+    # Tables of F at 0.5 and 99.5 %; with errors that are known exactly it is chi square over its freedom.
+    for told, expected in ((1e9, (0.4865, 1.5596)), (36, (0.4670, 1.7613)), (12, (0.4370, 2.2335))):
+        assert judge.band_of_ratios(11, told) == pytest.approx(expected, abs=0.02)
+
+
+def test_seeds_differ_by_chance_as_students_t_has_it():
+    assert judge.beyond_by_chance(3) == pytest.approx(0.0924, abs=2e-4)
+    assert judge.beyond_by_chance(200) == pytest.approx(0.0462, abs=2e-4)
+
+
+def test_errors_from_few_blocks_are_honest_though_they_scatter():
+    draw, freedom = np.random.default_rng(6), 3
+    trees = results(1.0, numbers=200)
+    for tree in trees:
+        for number in tree["z"].values():
+            number["error"] = np.sqrt(draw.chisquare(freedom) / freedom)
+    study = judge.Study("isotropic", trees)
+    assert judge.hold([study])
+    assert study.chance == pytest.approx(judge.beyond_by_chance(freedom), abs=0.02)

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -22,6 +23,7 @@ struct MovingDisks {
   double contrast = 1.5;  ///< K
   double radius = 4.6;
   double gap = 0.1;               ///< pixels between neighbours
+  double edge = 0;                ///< K by which what is behind them is warmer than what is outside of their container
   double curve = 0, warm_up = 0;  ///< K by which the scene warms, as the square of the time, and exponentially within a
                                   ///< fifth of the film
   std::uint64_t seed = 7;
@@ -52,6 +54,19 @@ struct MovingDisks {
     return thermal * (1 + 0.5 * std::sin(static_cast<double>(i))) * (1 + tilt * (x - g.centre[i].x) / radius);
   }
 
+  /// Share of a pixel in a container that touches the outermost disks; its lower wall moves as disks there would on
+  /// average.
+  double in_container(const PictureGrains& g, double x, double y, double s) const {
+    double left = width, right = 0, top = height, bottom = 0;
+    for (const Vec2 c : g.centre) {
+      left = std::min(left, c.x - radius), right = std::max(right, c.x + radius);
+      top = std::min(top, c.y - radius), bottom = std::max(bottom, c.y + radius);
+    }
+    bottom += s * 0.5 * travel * bottom / height;
+    const auto beyond = [](double distance) { return 0.5 * std::erfc(distance / 0.8); };
+    return beyond(left - x) * beyond(x - right) * beyond(top - y) * beyond(y - bottom);
+  }
+
   /// u(t) = amplitude s, warming s/2 with s = -cos(2 pi f t): the load is largest when cos is -1.
   Film draw() const {
     const PictureGrains g = grains();
@@ -66,6 +81,9 @@ struct MovingDisks {
     for (std::size_t n = 0; n < frames; ++n) {
       const double s = -std::cos(2 * std::numbers::pi * frequency * static_cast<double>(n) / rate);
       std::vector<double> frame(film.about.pixels(), 294);
+      for (std::size_t p = 0; edge != 0 && p < frame.size(); ++p)
+        frame[p] += edge * in_container(g, static_cast<double>(p % static_cast<std::size_t>(width)),
+                                        static_cast<double>(p / static_cast<std::size_t>(width)), s);
       for (std::size_t i = 0; i < g.size(); ++i) {
         const Vec2 moved = s * amplitude(g, i), centre = g.centre[i] + moved;
         const double reach = radius + 3;

@@ -58,6 +58,15 @@ TEST(GrainMotion, IsFoundAndTakenOut) {
   EXPECT_GT(before, 3 * after);
 }
 
+TEST(GrainMotion, AlongAContainersEdgesIsThatOfTheGrains) {
+  test::MovingDisks disks;
+  disks.edge = 3;     // twice the contrast of the grains: the edge of a container before a cold table
+  disks.apart = 1.5;  // grains move along and away from walls that stand still
+  const Seen seen = look(disks);
+  EXPECT_LT(seen.rms_motion, 0.04);
+  EXPECT_LT(seen.worst_motion, 0.15);
+}
+
 TEST(GrainMotion, DriftIsTakenOutOfTheGrainsThatMove) {
   test::MovingDisks disks;
   disks.frames = 420;  // half a cycle more than eight: drift that is left is in some phases more than in others

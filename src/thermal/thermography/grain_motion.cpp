@@ -18,8 +18,8 @@ using statistics::Matrix;
 /// Rim of a grain that another grain's rim is seen beside.
 struct OtherRim {
   std::size_t pixel = 0, grain = 0;  ///< of the list, and of the grains
-  double inside = 0;                 ///< share of the pixel in that grain
-  Vec2 slope;                        ///< of that share, a pixel
+  double away = 0;                   ///< of the pixel from that rim, pixels
+  Vec2 outwards;                     ///< unit vector from that grain's centre to the pixel
 };
 
 struct RimPixel {
@@ -43,9 +43,64 @@ constexpr double blur = 0.8;
 constexpr double margin = 0.6, reach_of_others = 2.2;
 
 double share_inside(double out) { return 0.5 * std::erfc(out / blur); }
-double slope_of_share(double out) {
-  return -std::exp(-out * out / (blur * blur)) / (blur * std::sqrt(std::numbers::pi));
-}
+
+/// Share of a pixel in a grain whose rim swings about `out` with an amplitude: its mean, and by how much a unit of the
+/// amplitude makes it swing. Amplitudes are not small beside the blur, so that the slope at rest would not do.
+struct SwingingShare {
+  double mean, slope;
+
+  SwingingShare(double out, double amplitude) : mean(0), slope(0) {
+    // Nodes of Chebyshev: exact up to the fifteenth harmonic of what erfc makes of a cosine.
+    constexpr int nodes = 8;
+    const double a = std::max(amplitude, 1e-3);
+    for (int k = 0; k < nodes; ++k) {
+      const double at = std::cos((k + 0.5) * std::numbers::pi / nodes), share = share_inside(out + a * at);
+      mean += share / nodes;
+      slope += 2 * share * at / (nodes * a);
+    }
+  }
+};
+
+/// Lines along which the outermost grains end, as along the walls of a container. An edge there may stand out more than
+/// any rim, and moves with none of the grains.
+struct Borders {
+  double left = std::numeric_limits<double>::infinity(), top = left, right = -left, bottom = -left;
+  double left_way = 0, top_way = 0, right_way = 0, bottom_way = 0;  ///< amplitudes across, of the grains along them
+
+  Borders(const PictureGrains& g, const GrainMotion& motion) {
+    for (std::size_t i = 0; i < g.size(); ++i) {
+      left = std::min(left, g.centre[i].x - g.radius[i]), right = std::max(right, g.centre[i].x + g.radius[i]);
+      top = std::min(top, g.centre[i].y - g.radius[i]), bottom = std::max(bottom, g.centre[i].y + g.radius[i]);
+    }
+    std::vector<double> ways[4];
+    for (std::size_t i = 0; i < g.size(); ++i) {
+      const double r = g.radius[i] + 1;
+      const auto [x, y] = amplitude(motion, i);
+      if (g.centre[i].x - r < left) ways[0].push_back(x);
+      if (g.centre[i].x + r > right) ways[1].push_back(x);
+      if (g.centre[i].y - r < top) ways[2].push_back(y);
+      if (g.centre[i].y + r > bottom) ways[3].push_back(y);
+    }
+    left_way = median(ways[0]), right_way = median(ways[1]), top_way = median(ways[2]), bottom_way = median(ways[3]);
+  }
+
+  /// Signed, in phase with the larger of both parts.
+  static Vec2 amplitude(const GrainMotion& motion, std::size_t i) {
+    const auto along = [](double c, double s) {
+      return std::copysign(std::hypot(c, s), std::abs(c) > std::abs(s) ? c : s);
+    };
+    return {along(motion.cosine[i].x, motion.sine[i].x), along(motion.cosine[i].y, motion.sine[i].y)};
+  }
+
+  /// Whether a pixel that goes with a grain comes near none of them.
+  bool keep_clear_of(Vec2 place, Vec2 way) const {
+    constexpr double blurred = 1.2;
+    return place.x - left > blurred + std::abs(way.x - left_way) &&
+           right - place.x > blurred + std::abs(way.x - right_way) &&
+           place.y - top > blurred + std::abs(way.y - top_way) &&
+           bottom - place.y > blurred + std::abs(way.y - bottom_way);
+  }
+};
 
 void add(const PictureGrains& g, std::size_t i, const std::vector<std::size_t>& neighbours, Vec2 place, Rim& own) {
   const Vec2 from_centre = place - g.centre[i];
@@ -56,25 +111,32 @@ void add(const PictureGrains& g, std::size_t i, const std::vector<std::size_t>& 
     const Vec2 from_other = place - g.centre[j];
     const double r = norm(from_other), away = r - g.radius[j];
     if (away < margin) return;
-    if (away <= reach_of_others)
-      others.push_back({own.pixels.size(), j, share_inside(away), slope_of_share(away) / r * from_other});
+    if (away <= reach_of_others) others.push_back({own.pixels.size(), j, away, from_other / r});
   }
   own.others.insert(own.others.end(), others.begin(), others.end());
   own.pixels.push_back({place, from_centre / g.radius[i], share_inside(out), 1 - std::pow(out / (rim_reach + 0.5), 2)});
 }
 
-std::vector<Rim> rims_of(const PictureGrains& g, int width, int height) {
+std::vector<Rim> rims_of(const PictureGrains& g, const GrainMotion& motion, int width, int height) {
   std::vector<Rim> rims(g.size());
+  const Borders borders(g, motion);
   for (std::size_t i = 0; i < g.size(); ++i) {
     const double reach = g.radius[i] + rim_reach;
     std::vector<std::size_t> neighbours;
     for (std::size_t j = 0; j < g.size(); ++j)
       if (j != i && norm(g.centre[j] - g.centre[i]) < reach + g.radius[j] + reach_of_others) neighbours.push_back(j);
+    const Vec2 way = Borders::amplitude(motion, i);
     each_pixel_near(g.centre[i], reach, width, height, [&](double column, double row, std::size_t) {
-      add(g, i, neighbours, {column, row}, rims[i]);
+      if (borders.keep_clear_of({column, row}, way)) add(g, i, neighbours, {column, row}, rims[i]);
     });
   }
   return rims;
+}
+
+/// Of a neighbour's rim, seen from the grain.
+SwingingShare share_of(const OtherRim& o, std::size_t grain, const GrainMotion& motion) {
+  return {o.away, std::hypot(dot(o.outwards, motion.cosine[o.grain] - motion.cosine[grain]),
+                             dot(o.outwards, motion.sine[o.grain] - motion.sine[grain]))};
 }
 
 /// What the rim of one grain says about the motion that is still left of it and of those beside it: normal matrix and
@@ -95,9 +157,10 @@ struct Left {
 };
 
 /// Contrast of a grain from its mean picture, where the neighbours' are known.
-double contrast_of(const Rim& rim, const std::vector<double>& mean, const std::vector<double>& contrast) {
+double contrast_of(const Rim& rim, std::size_t grain, const GrainMotion& motion, const std::vector<double>& mean,
+                   const std::vector<double>& contrast) {
   std::vector<double> value = mean;
-  for (const OtherRim& o : rim.others) value[o.pixel] -= contrast[o.grain] * o.inside;
+  for (const OtherRim& o : rim.others) value[o.pixel] -= contrast[o.grain] * share_of(o, grain, motion).mean;
   const auto m = statistics::second_moments(mapped(rim.pixels, &RimPixel::inside), value);
   return m.xx > 0 ? m.xy / m.xx : 0;
 }
@@ -134,13 +197,13 @@ Left motion_left(const PhasePictures& pictures, const Rim& rim, std::size_t grai
   left.warming = inner > 0 ? std::sqrt(warming / inner) : 0;
   for (const OtherRim& o : rim.others) {
     const std::size_t row = o.pixel, column = left.own(o.grain);
-    const Vec2 slope = weight(row) * contrast[o.grain] * o.slope;
+    const Vec2 slope = weight(row) * contrast[o.grain] * share_of(o, grain, motion).slope * o.outwards;
     rest(row, 0) += slope.x, rest(row, 1) += slope.y;
     rest(row, column) -= slope.x, rest(row, column + 1) -= slope.y;
     rest(row, unknowns) += dot(slope, motion.cosine[o.grain] - motion.cosine[grain]);
     rest(row, unknowns + 1) += dot(slope, motion.sine[o.grain] - motion.sine[grain]);
   }
-  left.contrast = contrast_of(rim, mean, contrast);
+  left.contrast = contrast_of(rim, grain, motion, mean, contrast);
   const Matrix q = statistics::orthonormal(part).q;
   rest -= q * transposed_times(q, rest);
   const Matrix slopes = rest.part(0, unknowns), signal = rest.part(unknowns, 2);
@@ -241,10 +304,12 @@ GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& gra
   const std::size_t n = grains.size();
   GrainMotion motion = unseen(n);
   if (n == 0) return motion;
-  const std::vector<Rim> rims = rims_of(grains, pictures.width, pictures.height);
+  std::vector<Rim> rims;
   std::vector<double> contrast(n, 0);
   const ThreadPool pool(threads);
   for (int turn = 0; turn < most_turns; ++turn) {
+    if (turn == 0 || turn == affine_turns || turn == affine_turns + 2)
+      rims = rims_of(grains, motion, pictures.width, pictures.height);
     std::vector<Left> left(n);
     pool.for_each(n, [&](std::size_t i) { left[i] = motion_left(pictures, rims[i], i, motion, contrast); });
     for (std::size_t i = 0; i < n; ++i) contrast[i] = left[i].contrast;
