@@ -180,7 +180,6 @@ def picture(drawn, columns=3):
     """A data URI of panels (part, x label, y label, scales, curves)."""
     from matplotlib.figure import Figure
 
-    from .figures.loadings import draw_curve
     from .figures.style import colours, journal_style, plain
 
     with journal_style(**{"svg.fonttype": "path"}):
@@ -190,9 +189,8 @@ def picture(drawn, columns=3):
             axes = canvas.add_subplot(across, columns, k + 1)
             for letter, colour, (x, y) in zip("AB", colours, both):
                 seen = np.isfinite(y) & ((y > 0) | (scales == "linear"))
-                draw_curve(
-                    axes, x[seen], y[seen], colour, letter, 2.0 if letter == "A" else 0.9
-                )  # equal ones are both seen
+                width = 2.0 if letter == "A" else 0.9  # equal ones are both seen
+                axes.plot(x[seen], y[seen], color=colour, label=letter, linewidth=width)
             axes.set(
                 title=plain(part),
                 xlabel=x_label,

@@ -8,8 +8,8 @@ namespace arenite::python {
 
 py::dict to_python(statistics::Columns&& columns) {
   py::dict d;
-  for (auto& [name, meaning, values, error] : columns.list) {
-    const py::object errors = error.empty() ? py::object(py::none()) : py::object(taken_over(std::move(error)));
+  for (auto& [name, meaning, values, error, tells_errors] : columns.list) {
+    const py::object errors = tells_errors ? py::object(taken_over(std::move(error))) : py::object(py::none());
     d[py::str(name)] = py::make_tuple(taken_over(std::move(values)), errors, meaning.unit.empty() ? "1" : meaning.unit,
                                       meaning.sentence);
   }

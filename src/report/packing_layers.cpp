@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "core/mapped.hpp"
-#include "grains/fields/coarse_grained.hpp"
+#include "grains/fields/coarse_layers.hpp"
+#include "grains/texture/grain_quantities.hpp"
 #include "model/shapes.hpp"
 
 namespace arenite::report {
@@ -26,14 +27,16 @@ Numbers shapes_of(Grains grains, NumberBlock& block) {
 }
 
 /// What the page knows of every grain in a state: place and angle, pressure p = -sigma_hyd and deviator q of its stress
-/// (half the sum and half the difference of the principal ones), velocity and spin. Of a state at rest the last two are
-/// left out.
+/// (half the sum and half the difference of the principal ones), the mean ratio of its forces, velocity and spin. Of a
+/// state at rest the last two are left out.
 void add_grain_values(Numbers& out, const Packing& packing, const std::vector<Tensor2>& stresses, NumberBlock& block) {
   std::vector<double> pressure, deviator;
   for (const Tensor2& stress : stresses) {
     pressure.push_back(-0.5 * trace(stress));
     deviator.push_back(texture::deviator(stress));
   }
+  if (std::ranges::any_of(packing.contacts.ft, [](double force) { return force != 0; }))
+    out["friction"] = block.add_coarse(texture::mobilisations(packing));
   const Grains& grains = packing.grains;
   add_columns(out, grains, io::grain_state_columns, {"x", "y", "angle"}, block);
   out["pressure"] = block.add_reals(pressure, "Pa");
@@ -163,31 +166,15 @@ Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::
 
 Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock& block) {
   if (!fields::has_fields(packing)) return {};
-  constexpr double most_cells = 2500;
-  const double spacing = std::max(packing.grains.mean_diameter(), std::sqrt(packing.domain.area() / most_cells));
-  const auto f = fields::coarse_fields(packing, shear_rate, spacing, spacing);
+  const auto f = fields::fields_to_show(packing, shear_rate);
   const auto& b = f.grid.bounds;
   Numbers out{{"bounds", {b.x_min, b.x_max, b.y_min, b.y_max}},
               {"columns", f.grid.columns},
               {"rows", f.grid.rows},
-              {"width", spacing}};
-  out["solid_fraction"] = block.add_coarse(f.solid_fraction);
-  out["density"] = block.add_coarse(f.density, "kg/m^3");
-  const auto add = [&](const char* name, auto of_stresses) {  // of contacts and kinetic
-    std::vector<double> values;
-    for (std::size_t k = 0; k < f.grid.size(); ++k)
-      values.push_back(of_stresses(f.contact_stress[k], f.kinetic_stress[k]));
-    out[name] = block.add_coarse(values, "Pa");
-  };
-  using Stress = const Tensor2&;
-  add("pressure", [](Stress c, Stress t) { return -0.5 * (trace(c) + trace(t)); });
-  add("deviator",
-      [](Stress c, Stress t) { return 0.5 * std::hypot(c.xx + t.xx - c.yy - t.yy, c.xy + c.yx + t.xy + t.yx); });
-  add("shear", [](Stress c, Stress t) { return 0.5 * (c.xy + c.yx + t.xy + t.yx); });
-  if (std::ranges::all_of(f.kinetic_stress, [](Stress t) { return trace(t) == 0; })) return out;
-  out["vx"] = block.add_coarse(mapped(f.velocity, &Vec2::x), "m/s");
-  out["vy"] = block.add_coarse(mapped(f.velocity, &Vec2::y), "m/s");
-  add("kinetic", [](Stress, Stress t) { return -0.5 * trace(t); });
+              {"width", b.width() / f.grid.columns}};
+  for (const fields::CoarseLayer& layer : fields::coarse_layers())
+    if (layer.name != "speed" && (!layer.is_of_motion || fields::are_in_motion(f)))  // the page has its components
+      out[layer.name] = block.add_coarse(layer.of(f), std::string(layer.unit));
   return out;
 }
 

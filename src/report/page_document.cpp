@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <deque>
-#include <tuple>
 #include <utility>
 
 #include "core/mapped.hpp"
-#include "grains/fields/coarse_grained.hpp"
+#include "grains/fields/coarse_layers.hpp"
+#include "grains/fields/loading.hpp"
 #include "grains/fields/stage_numbers.hpp"
-#include "grains/fields/test_curves.hpp"
+#include "grains/texture/grain_quantities.hpp"
 #include "report/figures/figure_document.hpp"
 #include "report/stage_doubts.hpp"
 #include "workflow/run_film.hpp"
@@ -47,17 +47,6 @@ Numbers meanings_of(const Numbers& numbers) {
   return out;
 }
 
-Numbers test_of(const fields::TestCurves& curves, NumberBlock& block) {
-  Numbers out{{"strain_name", curves.strain_name}, {"ratio_name", curves.ratio_name()}};
-  for (const auto& [name, values, unit] : {std::tuple{"strain", &curves.strain, ""},
-                                           {"ratio", &curves.ratio, curves.ratio_unit()},
-                                           {"volume", &curves.volume, ""}})
-    out[name] = block.add_reals(thinned(*values), unit);
-  if (const auto state = fields::critical_state(curves))
-    out["critical_state"] = shortened(fields::numbers_of(curves, *state));
-  return out;
-}
-
 /// The states that the page shows: those that have as many grains as the last one of all.
 std::vector<const Snapshot*> shown_states(const StageResult& stage, std::size_t grains) {
   std::vector<const Snapshot*> states;
@@ -66,18 +55,15 @@ std::vector<const Snapshot*> shown_states(const StageResult& stage, std::size_t 
   return states;
 }
 
-Numbers stage_of(const StageResult& stage, const Packing* before, std::size_t grains, NumberBlock& block,
-                 const figures::WriteList& write) {
-  Numbers out{{"name", stage.name},
-              {"converged", stage.converged},
-              {"outcome", stage.outcome},
-              {"loads", loads_in_words(stage)},
-              {"doubts", doubts_about(stage)},
-              {"figures", shortened(figures::numbers_of(figures::stage_figures(), {stage, shown_states(stage, grains)},
-                                                        write, true))},
-              {"provenance", provenance_of(stage.provenance)}};
-  if (const auto curves = fields::test_curves({stage, before})) out["test"] = test_of(*curves, block);
-  return out;
+Numbers stage_of(const StageResult& stage, const Packing* before, std::size_t grains, const figures::WriteList& write) {
+  return {{"name", stage.name},
+          {"converged", stage.converged},
+          {"outcome", stage.outcome},
+          {"loads", loads_in_words(stage)},
+          {"doubts", doubts_about(stage)},
+          {"figures", shortened(figures::numbers_of(figures::stage_figures(),
+                                                    {stage, shown_states(stage, grains), before}, write, true))},
+          {"provenance", provenance_of(stage.provenance)}};
 }
 
 /// A stage, how the texture of its states is measured, and that of its last state where it is known already.
@@ -159,6 +145,23 @@ Numbers figures_of_run(const Numbers& snapshots, const Snapshot* last, const Ask
   return shortened(figures::numbers_of(figures::run_figures(), run, write));
 }
 
+/// Ways of grains since the first state of a stage, which places alone do not tell where sides are periodic.
+void add_displacements(Numbers& snapshots, const std::vector<const Snapshot*>& states, const StageResult& stage,
+                       NumberBlock& block) {
+  if (states.size() < 2 || !(states.back()->packing.domain.periodic[0] || states.back()->packing.domain.periodic[1]))
+    return;
+  const auto* time = stage.history.find("time");
+  const auto* strain = stage.history.find("shear_strain");
+  const auto ways = texture::displacements(mapped(states, [&](const Snapshot* state) {
+    return texture::Sheared{&state->packing, time && strain ? fields::at_time(*time, *strain, state->time) : 0.0};
+  }));
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    Numbers& shown = snapshots[snapshots.size() - ways.size() + k];
+    shown["ux"] = block.add_coarse(mapped(ways[k], &Vec2::x), "m");
+    shown["uy"] = block.add_coarse(mapped(ways[k], &Vec2::y), "m");
+  }
+}
+
 /// The states of one stage that have as many grains as the last one of all, with the textures of all in a small sample,
 /// and fields of some.
 void add_states(Numbers& snapshots, Numbers& meanings, const ShownStage& stage, std::size_t s, std::size_t grains,
@@ -180,6 +183,15 @@ void add_states(Numbers& snapshots, Numbers& meanings, const ShownStage& stage, 
     if (Numbers fields = coarse_fields_of(packing, rate, block); fields.is_known())
       snapshots.back()["fields"] = std::move(fields);
   }
+  add_displacements(snapshots, shown_states(*stage.result, grains), *stage.result, block);
+}
+
+/// Words and symbols of what grains and coarse-grained fields are drawn by: {name: [label, symbol, unit]}.
+template <class Kinds> Numbers named_kinds(const Kinds& kinds) {
+  Numbers out = Numbers::tree();
+  for (const auto& kind : kinds)
+    out[kind.name] = Numbers::list({std::string(kind.label), std::string(kind.symbol), std::string(kind.unit)});
+  return out;
 }
 
 Numbers heads_of(const std::vector<figures::Head>& heads) {
@@ -217,7 +229,7 @@ PageDocument page_document(const PageData& data) {
   NumberBlock block;
   figures::PageLists lists(block);
   const figures::WriteList write = std::ref(lists);
-  Numbers document{{"title", data.title}};
+  Numbers document{{"title", data.title}, {"notation", figures::notation}};
   document["figures"] = {{"packing", heads_of(figures::packing_heads())},
                          {"field", heads_of(figures::field_heads())},
                          {"film", heads_of(figures::film_heads())}};
@@ -226,6 +238,8 @@ PageDocument page_document(const PageData& data) {
   const auto shown = stages_of(data, films);
   const Snapshot* last = last_snapshot(shown);
   if (last) {
+    document["quantities"] = named_kinds(texture::grain_quantities());
+    document["layers"] = named_kinds(fields::coarse_layers());
     document["materials"] = materials_of(last->packing.materials);
     document["grains"] = grains_of(last->packing.grains, block);
   }
@@ -233,7 +247,7 @@ PageDocument page_document(const PageData& data) {
   const Packing* before = nullptr;  // of loadings; films are none
   for (std::size_t s = 0; s < shown.size(); ++s) {
     const std::size_t grains = last ? last->packing.grains.size() : 0;
-    stages.push_back(stage_of(*shown[s].result, before, grains, block, write));
+    stages.push_back(stage_of(*shown[s].result, before, grains, write));
     if (const auto& states = shown[s].result->snapshots; s >= data.films.size() && !states.empty())
       before = &states.back().packing;
     if (last) add_states(snapshots, document["meanings"], shown[s], s, grains, every, block, write);

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mapped.hpp"
 #include "core/version.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
+#include "report/figures/figure_document.hpp"
 #include "report/page_template.hpp"
+#include "report/study_drawing.hpp"
 
 namespace arenite::report {
 
@@ -42,98 +45,24 @@ const char* marks_of(const Figure& figure) {
   return figure.curves.empty() || !figure.curve_x.empty() || !figure.lines ? "Bars" : "Bands";
 }
 
-struct Reach {
-  double low = statistics::unknown, high = statistics::unknown;
-  void add(double value) {
-    low = std::fmin(low, value);
-    high = std::fmax(high, value);
-  }
-};
-
-bool can_show(const FigureAxis& axis, double value) { return std::isfinite(value) && (!axis.logarithmic || value > 0); }
-
-/// How far the axis goes: as it is asked to, otherwise past all values by a twentieth.
-Numbers domain(const FigureAxis& axis, const Reach& reach) {
-  double low = reach.low, high = reach.high;
-  if (axis.logarithmic) {
-    const double more = std::pow(high / low, 0.04);
-    low /= more;
-    high *= more;
-  } else {
-    const double more = 0.05 * (high > low ? high - low : std::abs(high) + 1e-12);
-    low -= more;
-    high += more;
-  }
-  return {axis.low.value_or(low), axis.high.value_or(high)};
+/// NaN as what is not known.
+Numbers known_list(const std::vector<double>& values) {
+  return mapped(values, [](double v) { return std::isfinite(v) ? Numbers(v) : Numbers(); });
 }
 
-Numbers axis_json(const FigureAxis& axis, const std::string& name, const Reach& reach,
-                  const campaign::CollectedTable& table) {
-  return {{"label", axis.label.empty() ? label_of(table, name) : axis.label},
-          {"log", axis.logarithmic},
-          {"domain", domain(axis, reach)}};
-}
-
-bool within(const FigureAxis& axis, double value) {
-  return value >= axis.low.value_or(value) && value <= axis.high.value_or(value);
-}
-
-Numbers figure_json(const Figure& figure, const std::vector<FigureCurve>& curves,
-                    const campaign::CollectedTable& table) {
-  Reach x, y;
-  Numbers series = Numbers::list();
-  const bool density = !figure.curves.empty() && figure.curve_x.empty();
-  for (const auto& curve : curves) {
-    Numbers points = Numbers::list();
-    for (std::size_t k = 0; k < curve.points.x.size(); ++k) {
-      const double at = curve.points.x[k], value = curve.points.y[k], error = curve.points.error[k];
-      if (!can_show(figure.x_axis, at) || !within(figure.x_axis, at)) continue;
-      if (!can_show(figure.y_axis, value) || (density && !curve.fit && !within(figure.y_axis, value))) {
-        if (density && !points.empty() && points.back()[1].is_known())
-          points.push_back({at, nullptr, 0.0});  // the line is broken there
-        continue;
-      }
-      x.add(at);
-      y.add(value);
-      if (std::isfinite(error)) y.add(value + error);
-      if (std::isfinite(error) && can_show(figure.y_axis, value - error))
-        y.add(std::max(value - error, figure.y_axis.logarithmic ? 0.3 * value : value - error));
-      points.push_back({at, value, std::isfinite(error) ? error : 0.0});
-    }
-    if (!points.empty() && !points.back()[1].is_known()) points.pop_back();
-    if (!points.empty())
-      series.push_back({{"name", curve.name},
-                        {"group", curve.group},
-                        {"part", curve.part},
-                        {"film", curve.film},
-                        {"fit", curve.fit},
-                        {"beside", curve.beside},
-                        {"source", curve.source},
-                        {"points", points}});
-  }
-  Numbers references = Numbers::list();
-  for (const auto& r : figure.references) {
-    Numbers one{{"label", r.label}};
-    if (r.x) one["x"] = *r.x, x.add(*r.x);
-    if (r.y) one["y"] = *r.y, y.add(*r.y);
-    if (r.slope) one["slope"] = *r.slope;
-    references.push_back(one);
-  }
-  const std::string name = !figure.curves.empty() ? figure.curves.front() : figure.y.empty() ? "" : figure.y.front();
-  return {{"id", figure.id},
-          {"kind", word_for(figure.kind)},
-          {"title", figure.title},
-          {"source", figure.source},
-          {"caption", figure.caption},
-          {"spread", spread_text(figure, curves)},
-          {"lines", figure.lines},
-          {"density", density},
-          {"counts", figure.counts},
-          {"ordered", !figure.by.empty()},
-          {"x", axis_json(figure.x_axis, figure.x, x, table)},
-          {"y", axis_json(figure.y_axis, name, y, table)},
-          {"series", series},
-          {"references", references}};
+/// The source's figure, what is said of ours and of its scatter, and how wide a sample is.
+std::string caption_of(const Figure& figure, const std::string& spread, const Numbers& shown) {
+  std::string all;
+  const auto add = [&](std::string sentence) {
+    if (sentence.ends_with('.')) sentence.pop_back();
+    if (!sentence.empty()) all += (all.empty() ? "" : " ") + sentence + ".";
+  };
+  add(figure.source);
+  add(figure.caption);
+  add(spread);
+  if (shown.contains("sample") && shown["sample"].contains("size"))
+    add(fmt::format("{:.3g} mm across", shown["sample"]["size"][0].get<double>()));
+  return all;
 }
 
 /// Curves that no run has the numbers for, by what the key would call them.
@@ -172,16 +101,22 @@ Numbers document_of(const StudyPage& page) {
   });
   about["made"] = fmt::format("Arenite {}.{}", version,
                               has_source ? " Dashed lines and crosses show statements and tables of the source." : "");
+  about["notation"] = figures::notation;
   about["table"] = runs_table(page.table, page.link);
   about["figures"] = Numbers::list();
   campaign::CollectedTable table = page.table;
   std::erase_if(table.rows, [](const auto& row) { return row.status != "done"; });
   for (const Figure& figure : page.figures) {
     const auto curves = curves_of(figure, table, page.numbers);
-    about["figures"].push_back(figure_json(figure, curves, page.table));
+    Numbers shown{{"id", figure.id}, {"title", figure.title}};
+    if (const auto drawing = drawing_of(figure, curves, page.table);
+        !drawing.panels.empty() || drawing.outlines || drawing.cells)
+      shown["drawing"] = figures::numbers_of(drawing, known_list);
     if (const auto names = absent(figure, curves); !names.empty())
-      about["figures"].back()["missing"] = fmt::format("No finished run has its numbers yet: {}.", names);
-    if (shows_a_run(figure.kind)) add_drawing(about["figures"].back(), figure, run_of(figure, table), page);
+      shown["missing"] = fmt::format("No finished run has its numbers yet: {}.", names);
+    if (shows_a_run(figure.kind)) add_drawing(shown, figure, run_of(figure, table), page);
+    shown["caption"] = caption_of(figure, spread_text(figure, curves), shown);
+    about["figures"].push_back(std::move(shown));
   }
   return about;
 }

@@ -13,6 +13,7 @@ struct Column {
   std::string name;
   Meaning meaning;
   std::vector<double> values, error;
+  bool tells_errors = !error.empty();  ///< also where it has no rows
 };
 
 /// Columns of one length, by name.

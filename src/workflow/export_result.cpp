@@ -9,6 +9,7 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/fields/coarse_grained.hpp"
+#include "grains/fields/state_curves.hpp"
 #include "grains/texture/texture.hpp"
 #include "io/disk/file.hpp"
 #include "io/disk/store_file.hpp"
@@ -136,6 +137,18 @@ class ExportFolder {
   std::vector<fs::path> written_;
 };
 
+/// Of a stage that is a test: row by row of its history, and by its cycles.
+std::vector<io::ExportCurves> curves_of(const fields::Test& test) {
+  std::vector<io::ExportCurves> found;
+  const std::string& name = test.stage.name;
+  auto along = fields::loading_of(test);
+  if (!along) return found;
+  found.push_back({name + "_curves", std::move(along->curves)});
+  if (const auto* cycle = test.stage.cycles.find("cycle"); cycle && cycle->size() > 1)
+    found.push_back({name + "_cycles", fields::every_cycle(test)});
+  return found;
+}
+
 /// Smeared over a mean diameter, two points a diameter.
 io::GridFields grid_fields(const Packing& packing, double shear_rate) {
   if (!fields::has_fields(packing))
@@ -227,6 +240,7 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
   Loading loading(format, folder);
   Provenance last;
   bool has_field = false;
+  std::optional<Packing> before;
   for (const auto& file : files) {
     if (io::stored_kind(file) == "field") {
       if (!format.of_field) {
@@ -251,6 +265,10 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
     }
     StageResult stage = io::read_stage(file);
     last = stage.provenance;
+    if (format.of_curves && !last_only)
+      for (const io::ExportCurves& curves : curves_of({stage, before ? &*before : nullptr}))
+        loading.out().write(format.of_curves(curves));
+    if (!stage.snapshots.empty()) before = stage.snapshots.back().packing;
     if (last_only && stage.snapshots.size() > 1)
       stage.snapshots.erase(stage.snapshots.begin(), stage.snapshots.end() - 1);
     for (Snapshot& snapshot : stage.snapshots) {

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <sstream>
+
 #include <nlohmann/json.hpp>
 
 #include "io/disk/file.hpp"
@@ -187,6 +190,29 @@ TEST_F(Export, AFolderOfStagesIsOneLoadingAndASharedStateIsWrittenOnce) {
     EXPECT_NE(list.find("timestep=\"" + time + "\""), std::string::npos) << list;
   EXPECT_TRUE(std::filesystem::exists(folder / "vtk/walls_0002.vtp"));
   EXPECT_FALSE(std::filesystem::exists(folder / "vtk/walls_0003.vtp"));
+}
+
+TEST_F(Export, TheCurvesOfATestAreATableWithUnits) {
+  StageResult result = test::two_snapshots(6);
+  result.history.columns = {{"time", "s", {0, 1, 2}}};
+  for (const char* low : {"left", "bottom"})
+    result.history.columns.push_back({std::string(low) + "_position", "m", {0, 0, 0}});
+  result.history.columns.push_back({"right_position", "m", {1, 1, 1}});
+  result.history.columns.push_back({"top_position", "m", {1, 0.95, 0.9}});
+  for (const char* side : {"left", "right", "bottom", "top"})
+    result.history.columns.push_back({std::string(side) + "_force", "N", {10, 20, 30}});
+  io::write_stage(file, result);
+  const auto done = arenite("export " + file.string() + " --to csv");
+  ASSERT_EQ(done.status, 0) << done.err;
+  std::istringstream table(io::read_file((folder / "csv" / (result.name + "_curves.csv")).string()));
+  std::string heads, first, second, third;
+  for (std::string* line : {&heads, &first, &second, &third}) std::getline(table, *line);
+  EXPECT_TRUE(heads.starts_with("time [s],strain_x,strain_y,axial_strain,volumetric_strain,")) << heads;
+  EXPECT_NE(heads.find(",sigma_yy [Pa],"), std::string::npos) << heads;
+  EXPECT_EQ(std::ranges::count(heads, ','), std::ranges::count(third, ','));
+  EXPECT_TRUE(third.starts_with("2,0,0.09")) << third;
+  ASSERT_EQ(arenite("export --last " + file.string() + " --to csv --out " + (folder / "last").string()).status, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "last" / (result.name + "_curves.csv")));
 }
 
 TEST_F(Export, LastWritesOnlyTheLastState) {

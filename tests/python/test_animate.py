@@ -38,11 +38,22 @@ class Shown(types.SimpleNamespace):
         return len(self.own)
 
 
+def own(packing):
+    return getattr(packing, "own", packing)
+
+
 @pytest.fixture(autouse=True)
-def stresses_of_the_packing_behind(monkeypatch):
+def numbers_of_the_packing_behind(monkeypatch):
     """The module measures its own packings, which what is shown here stands for."""
     monkeypatch.setattr(
-        motion, "grain_stresses", lambda packing: arenite.grain_stresses(getattr(packing, "own", packing))
+        motion,
+        "_core",
+        types.SimpleNamespace(
+            _grain_quantities=arenite._core._grain_quantities,
+            grain_values=lambda packing, name: arenite.grain_values(own(packing), name),
+            mobilisation=lambda packing, friction: arenite.mobilisation(own(packing), friction),
+            displacements=lambda packings, strain: arenite.displacements([own(one) for one in packings], strain),
+        ),
     )
 
 
@@ -69,9 +80,10 @@ def a_result(*packings, asked=None, **history):
 def test_stresses_and_contacts_of_grains_are_those_of_the_module(result):
     shot = motion.shots_of(result)[-1]
     measured = arenite.measure_grains(shot.packing)
-    assert motion.pressure(shot) == pytest.approx(-measured["sigma_hyd"], rel=1e-9, abs=1e-9)
-    assert np.all(motion.contact_numbers(shot.packing) >= measured["contacts"])  # walls count here
-    assert np.all(motion.deviator(shot) >= 0)
+    values = {by: motion.colourings[by].values([shot])[0] for by in ("pressure", "z", "deviator")}
+    assert values["pressure"] == pytest.approx(-measured["sigma_hyd"], rel=1e-9, abs=1e-9)
+    assert np.all(values["z"] >= measured["contacts"])  # walls count here
+    assert np.all(values["deviator"] >= 0)
 
 
 def test_mobilised_friction_is_over_that_of_the_stage():
@@ -90,13 +102,6 @@ def test_displacements_go_on_across_periodic_sides():
         and ways[2][:, 0] == pytest.approx([3.0] * 3)
         and ways[2][:, 1] == pytest.approx([0] * 3)
     )
-
-
-def test_the_shear_of_a_cell_is_no_displacement():
-    start, end = a_packing(periodic="xy"), a_packing(periodic="xy", tilt=1.2)
-    end.x = start.x + 0.3 * (start.y - 2)
-    ways = motion.displacements(motion.shots_of(a_result(start, end, shear_strain=[0, 0.3])))
-    assert ways[1] == pytest.approx(np.zeros((3, 2)), abs=1e-12)
 
 
 def test_images_of_a_sheared_cell_lie_aside():
@@ -149,11 +154,10 @@ def test_a_gif_has_a_picture_a_state(tmp_path):
 def test_a_mark_moves_along_the_curve():
     stage = a_result(a_packing(), a_packing(0.2)).stages[0]
     beside = moving.Beside(None, ("time", "load"))
-    beside.axes, beside.stage, beside.columns = (
-        saving.Canvas().add_subplot(),
-        None,
-        {"shear": [(np.array([0.0, 1.0]), "time, s"), (np.array([5.0, 7.0]), "load")]},
-    )
+    beside.axes, beside.stage = saving.Canvas().add_subplot(), None
+    line = {"colour": "strong", "line": "solid", "x": [0.0, 1.0], "y": [5.0, 7.0]}
+    panel = {"x": {"label": "time", "unit": "s"}, "y": {"label": "load"}, "series": [line]}
+    beside.panels = {"shear": {**panel, "now": {"x": [0.0, 1.0], "y": [5.0, 7.0]}}}
     for k, load in enumerate((5.0, 7.0)):
         beside.show(types.SimpleNamespace(stage=stage, snapshot=stage.snapshots[k]))
         assert [float(v[0]) for v in beside.mark.get_data()] == [k, load]

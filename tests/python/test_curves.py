@@ -6,8 +6,8 @@ import arenite
 import arenite.figures as figures
 import numpy as np
 import pytest
-from arenite import curves
-from arenite.figures import loadings, saving
+from arenite import _core, curves
+from arenite.figures import runs, saving
 
 density, thickness = 1000.0, 0.1
 
@@ -180,8 +180,11 @@ def test_rheology_is_in_the_order_of_the_rate():
     )
     assert found["inertial_number"].values == pytest.approx(np.array([0.1, 0.4]) * 2 * np.sqrt(density / 100))
     canvas = saving.Canvas()
-    figures.draw_against_rate(canvas.add_subplot(), found, "mu")
-    assert canvas.axes[0].get_xscale() == "log"
+    figures.draw_runs(canvas, "rheology", [run(0.4, 0.5), run(0.1, 0.3)])
+    of_mu, of_phi = canvas.axes
+    assert of_mu.get_xscale() == "log" and of_phi.get_xlabel() == "inertial number I"
+    assert of_mu.lines[-1].get_ydata() == pytest.approx(found["mu"].values)
+    assert of_phi.lines[-1].get_ydata() == pytest.approx(found["solid_fraction"].values)
 
 
 def test_a_ratio_is_that_of_the_means():
@@ -226,7 +229,7 @@ def a_study(folder, stages, friction=0.3):
 
 def test_stages_of_a_study_that_strain_at_a_rate(tmp_path):
     def is_driven(name, *lines):
-        return len(loadings.driven_runs(a_study(tmp_path / name, ["\n".join(lines)] * 2))) == 2
+        return runs.figures_of_study(a_study(tmp_path / name, ["\n".join(lines)] * 2)) == ["rheology"]
 
     lasts = 'duration = "1 s"'
     assert is_driven("velocity", lasts, 'top = { velocity = "75 mm/s" }')
@@ -234,17 +237,26 @@ def test_stages_of_a_study_that_strain_at_a_rate(tmp_path):
     assert not is_driven("still", 'top = { force = "1 kN" }', 'slide = { top = "0 mm/s" }', 'left = "fixed"')
 
 
-def test_running_means_keep_what_is_straight():
-    line = np.linspace(0, 1, 101)
-    assert loadings.smooth(line, 20) == pytest.approx(line)
-    line[50] = np.nan
-    assert np.all(np.isfinite(loadings.smooth(line, 20)))
+def shown(stage, name):
+    """The drawing of a figure of a stage that is made up."""
+    (drawing,) = figures.describe(stage)[name]
+    return drawing
+
+
+def test_curves_that_fluctuate_are_drawn_under_their_running_mean_which_keeps_what_is_straight():
+    rows = 1001
+    width = np.linspace(4, 3.6, rows)
+    press = {side: np.linspace(1, 2, rows) * 100 for side in ("left", "right", "bottom", "top")}
+    press["bottom"] = press["top"] = 3 * press["top"] * (1 + 0.1 * (-1) ** np.arange(rows))
+    every, mean = shown(alone(a_stage(width[0] + 0 * width, width, press)).stages[0], "test-curves")["panels"][0]["series"]
+    assert every["silent"] and np.ptp(np.diff(every["y"])) > 0.02
+    assert np.std(np.diff(mean["y"][50:-50])) < 0.2 * np.std(np.diff(every["y"])) and mean["x"] == pytest.approx(list(100 * (1 - width / 4)))
 
 
 def test_cycles_are_drawn_at_both_ends_of_the_load():
-    axes = saving.Canvas().add_subplot()
-    figures.draw_cycles(axes, curves.of_cycles(alone(a_cyclic_stage())))
-    assert [list(line.get_ydata()) for line in axes.lines] == [pytest.approx([10, 12.5]), pytest.approx([5, 7.5])]
+    (panel,) = shown(alone(a_cyclic_stage()).stages[0], "cycles")["panels"]
+    assert [series["y"] for series in panel["series"]] == [pytest.approx([10, 12.5]), pytest.approx([5, 7.5])]
+    assert panel["y"]["label"] == "axial strain" and panel["y"]["unit"] == "%"
 
 
 def test_states_of_a_run_agree_with_its_history_and_its_texture(result):
@@ -259,13 +271,13 @@ def test_states_of_a_run_agree_with_its_history_and_its_texture(result):
 
 def test_figures_of_a_test_show_its_curves(result):
     state = next(part for _, part in figures.figures_of(result))
-    canvas = saving.Canvas()
-    loadings.stress_strain(canvas, state)
     found = curves.along(result, state.stage.name)
-    friction = canvas.axes[0].lines[0]
-    assert friction.get_ydata() == pytest.approx(
-        found["q_over_p"].values, nan_ok=True
-    ) and friction.get_xdata() == pytest.approx(100 * found["axial_strain"].values)
+    drawn = figures.describe(state)["test-curves"][0]["panels"] if "test-curves" in figures.describe(state) else None
+    assert (drawn is None) == (np.max(np.abs(found["axial_strain"].values)) < 2e-3)
+    panel = _core._curve_of_stage(*curves.find_test(result), "axial_strain", "q_over_p")["panel"]
+    (line,) = [series for series in panel["series"] if "silent" not in series]
+    assert line["x"] == pytest.approx(list(100 * found["axial_strain"].values))
+    assert len(panel["now"]["x"]) == len(state.stage.snapshots)
 
 
 def test_a_study_whose_runs_are_strained_at_a_rate_has_its_rheology(tmp_path, monkeypatch):
@@ -286,20 +298,22 @@ def test_a_study_whose_runs_are_strained_at_a_rate_has_its_rheology(tmp_path, mo
         shear = {"bottom": 40 * friction[name], "top": -40 * friction[name]}
         return alone(a_stage([4.0] * 40, [4.0] * 40, sides, shear, shear_strain=friction[name] * np.arange(40)))
 
-    monkeypatch.setattr(loadings, "open_result", opened)
-    assert list(loadings.rheology_of(loadings.driven_runs(tmp_path))["mu"].values) == pytest.approx([0.3, 0.4])
+    monkeypatch.setattr(runs, "open_result", opened)
+    for name in friction:
+        (tmp_path / "runs" / name / "status").write_text("done")
+    ((_, (drawing,)),) = runs.over_runs(tmp_path)
+    assert drawing["panels"][0]["series"][0]["y"] == pytest.approx([0.3, 0.4])
     (path,) = figures.save_all(tmp_path, tmp_path / "figures", names="rheology")
     assert path.read_bytes().startswith(b"%PDF")
     (tmp_path / "runs" / "later" / "recipe.toml").write_text(small + stage.format('top = { force = "1 kN" }'))
-    assert not loadings.driven_runs(tmp_path)
+    assert not runs.figures_of_study(tmp_path)
     with pytest.raises(ValueError, match="this study has no page yet"):
         figures.save_all(tmp_path, tmp_path / "figures")
 
 
 def test_without_confinement_the_stress_is_drawn():
     press = {side: np.array([0, 1e3, 2e3]) for side in ("bottom", "top")}
-    found = curves.along(alone(a_stage([0.1] * 3, [0.1, 0.0999, 0.0998], press)))
-    drawn = saving.Canvas().add_subplot()
-    loadings.draw_friction(drawn, found)
-    assert drawn.get_ylabel().startswith("stress along the axis") and len(drawn.lines) == 1
-    assert drawn.lines[0].get_ydata()[-1] > 0
+    stage = alone(a_stage([0.1] * 3, [0.1, 0.0999, 0.0995], press)).stages[0]
+    (panel,) = shown(stage, "test-curves")["panels"]
+    assert panel["y"]["label"] == "stress along the axis" and panel["y"]["unit"] == "kPa"
+    assert panel["series"][0]["y"][-1] > 0

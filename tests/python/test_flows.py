@@ -3,10 +3,11 @@
 import types
 
 import arenite
+import arenite.figures as figures
 import numpy as np
 import pytest
 from arenite import curves, flows
-from arenite.figures import flows as drawings
+from arenite.figures import runs
 
 
 small = """[container]
@@ -49,6 +50,33 @@ def test_beverloos_law_is_found_again():
     )
     assert 0.02 < law["exponent"][1] < 0.2
     assert flows.fit_beverloo(found, exponent=1.5)["factor"][0] == pytest.approx(33, rel=1e-6)
+
+
+def test_tables_of_no_results_have_the_columns_of_some():
+    some = flows.discharges([a_run(discharge={"opening_m": 0.1, "rate_kg_s": {"value": 1.0, "error": 0.1}})])
+    nothing = flows.discharges([])
+    assert list(nothing) == list(some) == ["opening", "rate", "rate_error"]
+    assert all(len(curve.values) == 0 and curve.unit == some[name].unit for name, curve in nothing.items())
+    for empty in (flows.runouts([]), flows.silos([]), flows.critical_states([]), curves.rheology([])):
+        assert any(name.endswith("_error") for name in empty)
+
+
+def test_the_law_of_beverloo_is_drawn_through_the_rates():
+    opening = np.array([0.03, 0.04, 0.055, 0.075, 0.1])
+    rate = 33 * (opening - 0.0096) ** 1.5
+    results = [
+        a_run(discharge={"opening_m": d, "rate_kg_s": {"value": w, "error": 0.01 * w}}) for d, w in zip(opening, rate)
+    ]
+    (drawing,) = runs.drawings_of_runs("beverloo", results)
+    points, law = drawing["panels"][0]["series"]
+    assert points["x"] == pytest.approx(list(1e3 * opening)) and points["y"] == pytest.approx(list(rate ** (2 / 3)))
+    assert points["error"] == pytest.approx(list(2 / 3 * 0.01 * rate ** (2 / 3)))
+    assert np.interp(points["x"], law["x"], law["y"]) == pytest.approx(points["y"], rel=1e-3)
+    ((symbol, lost, _),) = drawing["key"][0]["numbers"]
+    assert symbol == "w/mm" and float(lost) == pytest.approx(9.6, abs=0.1)
+    canvas = figures.saving.Canvas()
+    figures.draw_runs(canvas, "beverloo", results)
+    assert "W^" in canvas.axes[-1].get_ylabel() or "W^" in canvas.axes[0].get_ylabel()
 
 
 def test_errors_of_fits_are_those_of_many_samples():
@@ -177,5 +205,5 @@ def test_figures_know_which_study_is_which(tmp_path):
             start = small.replace("[packing]", periodic if kind == "critical-state" else "[packing]")
             stages = f'[[stages]]\nname = "test"\nduration = "1 s"\n{stage}\n'
             (run / "recipe.toml").write_text(f"{start}[contact]\nfriction = 0.{k}\n{stages}")
-        assert drawings.kind_of(tmp_path / kind) == kind
-    assert drawings.kind_of(tmp_path / "none") is None
+        assert runs.figures_of_study(tmp_path / kind)[0] == kind
+    assert not runs.figures_of_study(tmp_path / "none")

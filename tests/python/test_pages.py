@@ -82,12 +82,16 @@ def content_of(page):
 def test_curves_of_a_programmed_slide_are_those_of_python(tmp_path):
     result = arenite.run(arenite.Recipe.from_text(sliding), str(tmp_path / "run"))
     arenite.page(result, str(tmp_path / "page.html"))
-    shown = content_of(tmp_path / "page.html")["stages"][-1]["test"]
+    (shown,) = content_of(tmp_path / "page.html")["stages"][-1]["figures"]["test-curves"]
     found = curves.along(result)
-    assert shown["strain_name"] == "shear strain" and shown["ratio_name"] == "mu" and len(shown["strain"]) > 15
-    assert shown["strain"] == pytest.approx(found["shear_strain"].values, rel=1e-6)
-    assert shown["ratio"] == pytest.approx(np.abs(found["mu"].values), rel=1e-6, nan_ok=True)
-    assert shown["volume"] == pytest.approx(found["volumetric_strain"].values, rel=1e-5, abs=1e-7)
+    ratio, volume = shown["panels"]
+    assert ratio["x"]["brief"] == "shear strain" and "unit" not in ratio["x"] and ratio["y"]["brief"] == "μ"
+    (line,), (below,) = ratio["series"], volume["series"]
+    assert len(line["x"]) > 15 and line["x"] == pytest.approx(found["shear_strain"].values, rel=1e-5)
+    expected = np.abs(found["mu"].values)
+    expected[~(expected < 2)] = np.nan
+    assert np.array(line["y"], float) == pytest.approx(expected, rel=1e-5, nan_ok=True)
+    assert below["y"] == pytest.approx(100 * found["volumetric_strain"].values, rel=1e-5, abs=1e-5)
     # The way by the table: 20 mm in the first 10 ms and 6 in the next, over some 60 mm of height. Trapezia of the speeds at the rows would
     # not see the jump.
     history = result.stages[-1].history

@@ -166,33 +166,35 @@ def test_numbers_are_those_of_the_page(study):
     )
     assert document == {name: page[name] for name in ("title", "figures")}
     (shown,) = [f for f in document["figures"] if f["id"] == "saturation"]
+    (panel,) = shown["drawing"]["panels"]
+    assert [series["name"] for series in panel["series"]] == ["S_{m}", "ρ_{p}", "beside", "source"]
+    assert [series.get("mark") for series in panel["series"]] == [None, None, "diamond", "times"]
+    assert panel["references"][0] == {"y": 0.5, "label": "half", "colour": "source", "line": "dashed"}
     canvas = figures.catalogue.Canvas()
-    figures.draw_study_plot(canvas.add_subplot(), shown)
-    bars = canvas.axes[0].containers
-    assert [bar.get_label() for bar in bars] == ["$S_\\mathrm{m}$", "ρ$_\\mathrm{p}$", "beside"]
-    assert [list(point) for point in bars[0].lines[0].get_xydata()] == [
-        point[:2] for point in shown["series"][0]["points"]
-    ]
+    figures.draw_described(canvas, [shown["drawing"]])
+    axes, key = canvas.axes
+    assert [text.get_text() for text in key.get_legend().get_texts()][:2] == ["$S_\\mathrm{m}$", "$ρ_\\mathrm{p}$"]
+    bars, beside, _ = axes.containers
+    drawn = [line.get_xydata().tolist() for line in axes.lines if len(line.get_xydata()) == 3]
+    assert [list(point) for point in zip(panel["series"][0]["x"], panel["series"][0]["y"])] in drawn
+    assert "diamond" not in axes.get_xlabel() and axes.get_xlabel() == "η"
 
 
 def test_bands_and_ticks_show_the_scatter_over_samples(study):
     shown = {figure["id"]: figure for figure in figures.study_document(study)["figures"]}
-    canvas = figures.catalogue.Canvas()
-    figures.draw_study_plot(canvas.add_subplot(), shown["density"])
-    assert (
-        sum(
-            type(part).__name__ in ("PolyCollection", "FillBetweenPolyCollection")
-            for part in canvas.axes[0].collections
-        )
-        == 3
-    )
-    canvas = figures.catalogue.Canvas()
-    figures.draw_study_rose(canvas.add_subplot(projection="polar"), shown["counts"])
-    assert len(canvas.axes[0].collections) == 2
-    assert len(shown["counts"]["series"][0]["points"]) == 12
-    fractions = [y for _, y, _ in shown["window"]["series"][0]["points"]]
+    axes = figures.catalogue.Canvas().add_subplot()
+    figures.draw_panel(axes, shown["density"]["drawing"]["panels"][0])
+    bands = [type(part).__name__ for part in axes.collections]
+    assert sum(name in ("PolyCollection", "FillBetweenPolyCollection") for name in bands) == 3
+    axes = figures.catalogue.Canvas().add_subplot(projection="polar")
+    figures.draw_outlines(axes, shown["counts"]["drawing"]["outlines"])
+    assert len(axes.collections) == 2
+    assert len(shown["counts"]["drawing"]["outlines"]["series"][0]["y"]) == 12
+    fractions = shown["window"]["drawing"]["panels"][0]["series"][0]["y"]
     assert len(fractions) == 50 and all(0.5 < y < 1 for y in fractions)
-    assert shown["saturation"]["spread"] == "Bars: standard deviation over 2 samples"
+    assert shown["saturation"]["caption"].endswith("Bars: standard deviation over 2 samples.")
+    cells = shown["map"]["drawing"]["cells"]
+    assert len(cells["values"]) == len(cells["x"]["names"]) * len(cells["y"]["names"])
 
 
 def test_the_command_draws_and_tells_what_it_cannot(study, tmp_path):

@@ -1,6 +1,6 @@
 import { forms, keepInAddress } from "./address.js";
 import { loadData } from "./block.js";
-import { h } from "./dom.js";
+import { h, readNotation } from "./dom.js";
 import { FieldResult, PhaseMap } from "./field/result.js";
 import { fieldSection } from "./field/section.js";
 import { FilmResult } from "./film/result.js";
@@ -34,6 +34,7 @@ async function main() {
   const page = document.getElementById("page");
   try {
     const { about, block } = await loadData();
+    readNotation(about.notation);
     const sample = new Sample(about, block);
     const maps = (about.maps ?? []).map((map) => new PhaseMap(map, block));
     const fields = (about.fields ?? []).map((field) => new FieldResult(field, maps, block, about.title));

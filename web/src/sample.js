@@ -24,9 +24,9 @@ export class Sample {
     this.hasZones = this.count > 0 && this.zone.some((z) => z > 0);
   }
 
-  /** What a figure shows of the state shown, of its stage or of the whole run, and the state's place in it; null where there is
-      nothing. */
-  drawn(id, state) {
+  /** What a figure shows of the state shown, of its stage, or with `nearest` of the next stage that has it, or of the whole run, and
+      the state's place in it (null: not in it); null where there is nothing. */
+  drawn(id, state, nearest = false) {
     const k = state.get("snapshot"),
       { snapshots, stages, run } = this.about,
       { stage } = snapshots[k];
@@ -34,12 +34,19 @@ export class Sample {
       [run, k],
       [snapshots[this.texture(k)?.snapshot], 0],
       [stages[stage], k - snapshots.findIndex((snapshot) => snapshot.stage === stage)],
+      [nearest && this.#stageNear(stage, id), null],
     ];
     for (const [part, here] of places) {
       const drawings = opened(this.#block, part === run ? { figures: run } : part, id);
       if (drawings) return { drawings, here };
     }
     return null;
+  }
+
+  /** The last stage before that one in which a figure has something to show, or else the first after it. */
+  #stageNear(stage, id) {
+    const { stages } = this.about;
+    return [...stages.slice(0, stage).reverse(), ...stages.slice(stage)].find(({ figures }) => figures[id]);
   }
 
   /** Whether a figure has anything to show of the last state, of any stage, or of the run. */
@@ -77,11 +84,6 @@ export class Sample {
     if (known.length === 0) return null;
     const nearest = known.reduce((best, f) => (Math.abs(f - k) < Math.abs(best - k) ? f : best));
     return { ...this.about.snapshots[nearest].texture, snapshot: nearest };
-  }
-
-  /** Unit of an array by grain that any of the states has, or that all share; empty: it has none. */
-  unitOf(name) {
-    return this.about.grains[name]?.unit ?? this.about.snapshots.find((snapshot) => snapshot[name])?.[name].unit ?? "";
   }
 
   /** The coarse-grained fields of a snapshot, or of the nearest that has them; null where none has. */

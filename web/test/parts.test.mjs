@@ -8,7 +8,7 @@ import { wrapped } from "../src/film/maps.js";
 import { quantityWithError } from "../src/film/tooltip.js";
 import { boundaryElement, chainWidth, segmentsOf } from "../src/packing/chains.js";
 import { Camera } from "../src/camera.js";
-import { stageWithCurves } from "../src/figures/test_curves.js";
+import { Sample } from "../src/sample.js";
 import { State } from "../src/state.js";
 import { prefixOf, text, typeset } from "../src/text.js";
 
@@ -28,15 +28,22 @@ test("a value without an error keeps four digits and says no error", () => {
 });
 
 test("a stage without curves of its own shows those of the stage before it, or of the next", () => {
-  const test = { strain_name: "shear strain", ratio_name: "mu", strain: [0, 1], ratio: [0, 0.3], volume: [0, 0.01] };
-  const stages = [{ name: "rest" }, { name: "press", test }, { name: "shear", test }, { name: "relax" }];
-  const sample = { stages, about: { snapshots: stages.map((_, stage) => ({ stage })) } };
-  const shown = (snapshot, of = sample) => stageWithCurves(of, { get: () => snapshot })?.name;
+  const curves = (name) => ({ figures: { "test-curves": [name] } });
+  const stages = [{ figures: {} }, curves("press"), curves("shear"), { figures: {} }];
+  const snapshots = stages.map((_, stage) => ({ stage, figures: {} }));
+  const shown = (snapshot, nearest, of = stages) =>
+    new Sample({ stages: of, snapshots }).drawn("test-curves", { get: () => snapshot }, nearest);
   assert.deepEqual(
-    [0, 1, 2, 3].map((snapshot) => shown(snapshot)),
-    ["press", "press", "shear", "shear"],
+    [0, 1, 2, 3].map((snapshot) => shown(snapshot, true)),
+    [
+      { drawings: ["press"], here: null },
+      { drawings: ["press"], here: 0 },
+      { drawings: ["shear"], here: 0 },
+      { drawings: ["shear"], here: null },
+    ],
   );
-  assert.equal(shown(0, { ...sample, stages: [stages[0]] }), undefined);
+  assert.equal(shown(0, false), null);
+  assert.equal(shown(0, true, stages.map(() => ({ figures: {} }))), null);
 });
 
 test("quantities take the prefix that suits them", () => {

@@ -4,7 +4,7 @@ import pathlib
 import warnings
 
 from .._core import open as open_result
-from . import bonds, fields, films, flows, loadings, packings, panels, samples, studies
+from . import bonds, fields, films, packings, panels, runs, samples, studies
 from .described import all_described
 from .parts import parts_of, same_map
 from .saving import Canvas, Figure, listed, save
@@ -72,7 +72,6 @@ stage_pictures = {
     "coarse-fields": Figure(
         "coarse-fields", "stage", samples.coarse_fields, samples.has_box, samples.fields_height, True
     ),
-    "test-curves": Figure("stress-strain", "stage", loadings.stress_strain, loadings.has_test, 1.1),
 }
 film_pictures = {
     "film-maps": Figure("beside-simulation", "film", panels.beside, has_simulation, 0.38, True),
@@ -90,7 +89,6 @@ figures = [
     ),
     Figure("force-network", "stage", force_network, has_contacts, of_packing),
     *all_described("stage", stage_pictures),
-    Figure("cycles", "stage", loadings.cycles, loadings.has_cycles),
     Figure(
         "cracks",
         "stage",
@@ -140,31 +138,16 @@ def figures_of(result, stage=None, state=None):
 
 
 def study_figures(path):
-    """(figure, part) of everything on the page of a study that can be drawn so far, `rheology` if its runs are strained at a rate, and the
-    figures of `flows` for discharges, collapses, silos and critical states, with or without a page."""
-    runs, flow = loadings.driven_runs(path), flows.kind_of(path)
-    parts = studies.study_document(path)["figures"] if studies.has_page(path) or not (runs or flow) else []
+    """(figure, part) of everything on the page of a study that can be drawn so far, and those over the runs of studies that are strained at
+    a rate, discharge, collapse, fill a silo or reach the critical state, with or without a page."""
+    over_runs = list(runs.over_runs(path))
+    parts = studies.study_document(path)["figures"] if studies.has_page(path) or not over_runs else []
     found = [
-        (Figure(part["id"], "study", studies.draw_study_figure, height=studies.height_of(part)), part)
+        (Figure(part["id"], "study", studies.draw_study_figure, height=studies.height_of(part), head=part), part)
         for part in parts
         if studies.has_content(part)
     ]
-    if flow:
-        found.append(
-            (
-                Figure(
-                    flow,
-                    "study",
-                    flows.drawings[flow],
-                    height=0.42 if flow == "critical-state" else 0.7,
-                    wide=flow == "critical-state",
-                ),
-                path,
-            )
-        )
-    return found + [(Figure("rheology", "study", loadings.rheology, height=0.42, wide=True), runs)] * bool(
-        runs and flow in (None, "critical-state")
-    )
+    return found + over_runs
 
 
 def save_all(result, folder, formats=("pdf",), names=None, width=None, stage=None, state=None):

@@ -13,18 +13,12 @@ from matplotlib.patches import Patch
 
 from .. import _core
 from .parts import State
-from .style import colours, crack_colours, label, set_colours, soft, strong, tension, weak
+from .polar import draw_outlines, draw_roses
+from .style import colour_of_role, even_map, label, line_styles, note, numbers
 
-plain_roles = {
-    "strong": strong,
-    "weak": weak,
-    "soft": soft,
-    "wall": soft,
-    "fit": weak,
-    "accent": colours[1],
-    "tension": tension,
-}
-styles = {"solid": "-", "dashed": "--", "dotted": ":"}
+markers = {"diamond": "D", "times": "x", "plus": "+"}
+band_opacity = 0.25
+many = 200  # points, of which each is small
 key_line, letter = 0.155, 0.062  # inches: a line of the key, a letter of it
 
 
@@ -53,27 +47,11 @@ def _describe(part):
     return (_core._figures_of_field if isinstance(part, _core.Field) else _core._figures_of_film)(part)
 
 
-def colour_of_role(role):
-    """The colour of a role, "strong", "material 0", "set matrix"."""
-    name, _, which = role.partition(" ")
-    if name == "set":
-        return set_colours[which]
-    if name == "crack":
-        return crack_colours[int(which)][1]
-    if name in ("material", "mixed", "line"):
-        return colours[(int(which) + 2 * (name == "mixed")) % len(colours)]
-    return plain_roles[name]
-
-
-def _numbers(values):
-    return np.array([np.nan if v is None else v for v in values], float)
-
-
 def draw_series(axes, series, is_log=False):
     """One series of a panel."""
-    x, y = _numbers(series["x"]), _numbers(series["y"])
+    x, y = numbers(series["x"]), numbers(series["y"])
     colour, weight, alpha = colour_of_role(series["colour"]), series.get("weight", 1), series.get("opacity", 1)
-    low, high = (_numbers(series[name]) if name in series else None for name in ("low", "high"))
+    low, high = (numbers(series[name]) if name in series else None for name in ("low", "high"))
     if "bars" in series:
         base = 0 if low is None else low
         axes.bar(
@@ -81,26 +59,35 @@ def draw_series(axes, series, is_log=False):
         )
         return
     if low is not None:
-        axes.fill_between(x, low, high, color=colour, alpha=alpha, linewidth=0)
-        return
-    if "error" in series:
-        error = np.nan_to_num(_numbers(series["error"]))
+        axes.fill_between(x, low, high, color=colour, alpha=band_opacity if "line" in series else alpha, linewidth=0)
+        if "line" not in series:
+            return
+    elif "error" in series:
+        error = np.nan_to_num(numbers(series["error"]))
         least = np.minimum(error, 0.95 * np.abs(y)) if is_log else error
         axes.errorbar(x, y, yerr=[least, error], fmt="none", ecolor=colour, elinewidth=0.6, alpha=0.6 * alpha)
     if "line" in series:
         steps = {"drawstyle": "steps-post"} if series.get("steps") else {}
-        axes.plot(x, y, styles[series["line"]], color=colour, linewidth=1.1 * weight, alpha=alpha, **steps)
+        axes.plot(x, y, line_styles[series["line"]], color=colour, linewidth=1.1 * weight, alpha=alpha, **steps)
     if series.get("points"):
-        axes.plot(x, y, "o", color=colour, markersize=2.9 * weight, alpha=alpha, markeredgewidth=0)
+        axes.plot(x, y, color=colour, alpha=alpha, **_mark(series.get("mark"), weight if len(x) < many else 0.5 * weight))
+
+
+def _mark(mark, weight=1):
+    """Of points: a dot, or another mark."""
+    style = {"linestyle": "", "marker": markers.get(mark, "o"), "markersize": 2.9 * weight, "markeredgewidth": 0}
+    if mark in ("times", "plus"):
+        return {**style, "markersize": 4 * weight, "markeredgewidth": 0.8}
+    return {**style, "markerfacecolor": "white", "markeredgewidth": 0.6} if mark == "hollow" else style
 
 
 def _draw_bars_that_lie(axes, panel):
     for series in panel["series"]:
         axes.barh(
-            _numbers(series["x"]),
-            _numbers(series["y"]),
+            numbers(series["x"]),
+            numbers(series["y"]),
             series["bars"],
-            xerr=np.nan_to_num(_numbers(series.get("error", [0]))),
+            xerr=np.nan_to_num(numbers(series.get("error", [0]))),
             color=colour_of_role(series["colour"]),
             alpha=series.get("opacity", 1),
             error_kw={"elinewidth": 0.8},
@@ -122,13 +109,7 @@ def draw_panel(axes, panel):
         _draw_bars_that_lie(axes, panel)
         return
     for reference in panel.get("references", []):
-        style = {
-            "color": colour_of_role(reference["colour"]),
-            "linestyle": styles[reference["line"]],
-            "linewidth": 0.7,
-            "zorder": 0,
-        }
-        axes.axvline(reference["x"], **style) if "x" in reference else axes.axhline(reference["y"], **style)
+        _draw_reference(axes, reference)
     for series in panel["series"]:
         draw_series(axes, series, panel["y"].get("log", False))
     for name in "xy":
@@ -149,6 +130,39 @@ def draw_panel(axes, panel):
         )
 
 
+def _draw_reference(axes, reference):
+    """A line across, an upright one, one through the origin, or a cross, with what is said there."""
+    x, y, words = reference.get("x"), reference.get("y"), label(reference.get("label", ""))
+    style = {"color": colour_of_role(reference["colour"]), "linewidth": 0.7, "zorder": 0}
+    style["linestyle"] = line_styles[reference["line"]]
+    if "slope" in reference:
+        axes.axline((0, 0), slope=reference["slope"], **style)
+    elif x is not None and y is not None:
+        axes.plot([x], [y], "x", color=style["color"], markersize=4)
+        note(axes, words, (x, y), "data", (0, 4), ha="center")
+    elif y is not None:
+        axes.axhline(y, **style)
+        note(axes, words, (1, y), ("axes fraction", "data"), (-2, 1.5), ha="right", va="bottom")
+    else:
+        axes.axvline(x, **style)
+        note(axes, words, (x, 1), ("data", "axes fraction"), (-1.5, -3), rotation=90, ha="right", va="top")
+
+
+def draw_cells(axes, cells):
+    """A number over two others as colour, and written."""
+    columns, rows = cells["x"]["names"], cells["y"]["names"]
+    values = numbers(cells["values"]).reshape(len(rows), len(columns))
+    shown = axes.imshow(values, origin="lower", aspect="auto", cmap=even_map)
+    for row, column in np.argwhere(np.isfinite(values)):
+        ink = "white" if shown.norm(values[row, column]) < 0.55 else "black"
+        words = f"{values[row, column]:.3g}".replace("-", "\u2212")
+        axes.text(column, row, words, ha="center", va="center", fontsize="x-small", color=ink)
+    axes.set_xticks(range(len(columns)), columns)
+    axes.set_yticks(range(len(rows)), [label(name) for name in rows])
+    axes.set_xlabel(worded(cells["x"]))
+    axes.tick_params(top=False, right=False, length=0)
+
+
 def _is_whole(panel):
     return (
         "unit" not in panel["x"]
@@ -157,58 +171,13 @@ def _is_whole(panel):
     )
 
 
-def draw_rose(axes, rose):
-    """A polar histogram over the isotropic fraction (T Fig. 3.8) with its line 1 + a cos 2(angle - direction); `axes` are polar."""
-    sectors, colour = _numbers(rose["sectors"]), colour_of_role(rose["colour"])
-    step = 180 / len(sectors)
-    isotropic, angle = rose["count"] / len(sectors), np.radians(np.arange(0.5 * step, 360, step))
-    for name, alpha in (("sectors", 0.35 if "inner" in rose else 0.5), ("inner", 0.75)):
-        if name in rose:
-            axes.bar(
-                angle,
-                np.tile(_numbers(rose[name]), 2) / isotropic,
-                width=np.radians(0.9 * step),
-                color=colour,
-                alpha=alpha,
-                linewidth=0,
-            )
-    line = np.linspace(0, 2 * np.pi, 361)
-    axes.plot(line, np.ones_like(line), linestyle=":", color=weak, linewidth=0.8)
-    if "amplitude" in rose:
-        turned = np.cos(2 * (line - np.radians(rose["direction"])))
-        axes.plot(line, 1 + rose["amplitude"] * turned, color=strong, linewidth=0.9)
-    reach = rose["reach"]
-    for turn in (0, 180) if "axis" in rose else ():
-        at = np.radians(rose["axis"] + turn)
-        axes.annotate(
-            "",
-            (at, reach),
-            (at, 1.12 * reach),
-            arrowprops={
-                "arrowstyle": "-|>",
-                "color": colours[1],
-                "linewidth": 0.6,
-                "mutation_scale": 5,
-                "shrinkA": 0,
-                "shrinkB": 0,
-            },
-            annotation_clip=False,
-        )
-    axes.set(xticks=np.radians(np.arange(0, 360, 45)), yticks=[], ylim=(0, reach))
-    axes.set_xticklabels([])
-    axes.grid(color="#e0e0e0", linewidth=0.4)
-    axes.spines["polar"].set(color="#e0e0e0", linewidth=0.4)
-    axes.set_title(label(f"{rose['name']} ({rose['count']:.0f})"), pad=12)
-    axes.set_xlabel(label("\n".join(rose["words"])), labelpad=3)
-
-
 def key_entries(drawing):
     """[(handle, text)] of the key, with its numbers."""
     return [(_handle(entry, drawing.get("panels", [])), _words(entry, drawing)) for entry in drawing.get("key", [])]
 
 
 def _words(entry, drawing):
-    name = entry["name"]
+    name = entry.get("name", "")
     if "counts" in entry:
         name += f" {drawing['panels'][0]['series'][entry['counts']]['y'][-1]:.0f}"
     numbers = [f"{of} = {value}" + (f" ± {error}" if error else "") for of, value, error in entry.get("numbers", [])]
@@ -218,17 +187,18 @@ def _words(entry, drawing):
 def _handle(entry, panels):
     """As the series of this colour are drawn."""
     colour = colour_of_role(entry["colour"])
+    if "mark" in entry:
+        return Line2D([], [], color=colour, **_mark(entry["mark"]))
     if entry.get("line"):
-        return Line2D([], [], color=colour, linestyle=styles[entry["line"]])
+        return Line2D([], [], color=colour, linestyle=line_styles[entry["line"]])
     drawn = [one for panel in panels for one in panel["series"] if one["colour"] == entry["colour"]]
     alike = [one for one in drawn if "silent" not in one] or drawn
     if alike and ("bars" in alike[0] or ("low" in alike[0] and "line" not in alike[0])):
         return Patch(facecolor=colour, alpha=alike[0].get("opacity", 1))
     has_line = any("line" in one for one in alike) or not alike
     has_points = any(one.get("points") for one in alike)
-    return Line2D(
-        [], [], color=colour, linestyle="-" if has_line else "", marker="o" if has_points else "", markersize=3
-    )
+    mark = _mark(next((one.get("mark") for one in alike if one.get("points")), None)) if has_points else {}
+    return Line2D([], [], color=colour, **{**mark, "linestyle": "-" if has_line else ""})
 
 
 def _length(words):
@@ -260,9 +230,33 @@ def _draw_key(axes, entries, columns):
 def draw_described(figure, drawings):
     """One figure of a description: a row for each of its drawings with several panels, drawings of one panel beside each other. Sets the
     figure's height."""
-    if "roses" in drawings[0]:
-        draw_roses(figure, drawings[0]["roses"])
-        return
+    first = drawings[0]
+    if "roses" in first:
+        draw_roses(figure, first["roses"])
+    elif "panels" in first:
+        _draw_panels(figure, drawings)
+    else:
+        _draw_alone(figure, first)
+
+
+def _draw_alone(figure, drawing):
+    """Outlines or cells, below their key."""
+    of_outlines = "outlines" in drawing
+    width, entries = figure.get_figwidth(), key_entries(drawing)
+    columns = _columns(entries, width) if entries else 1
+    lines = math.ceil(len(entries) / columns)
+    heights = [key_line * lines + 0.04 * (lines > 0) + 1e-3, width * (0.95 if of_outlines else 0.75)]
+    figure.set_size_inches(width, sum(heights) + 0.05)
+    grid = figure.add_gridspec(2, 1, height_ratios=heights)
+    if entries:
+        _draw_key(figure.add_subplot(grid[0]), entries, columns)
+    if of_outlines:
+        draw_outlines(figure.add_subplot(grid[1], projection="polar"), drawing["outlines"])
+    else:
+        draw_cells(figure.add_subplot(grid[1]), drawing["cells"])
+
+
+def _draw_panels(figure, drawings):
     single = all(len(drawing["panels"]) == 1 for drawing in drawings)
     rows = [drawings] if single else [[drawing] for drawing in drawings]
     columns = len(drawings) if single else len(drawings[0]["panels"])
@@ -289,14 +283,3 @@ def _height(panel, width):
     if panel.get("lying"):
         return 0.2 * len(panel["y"]["names"]) + 0.55
     return width * (0.92 if panel.get("square") else 0.78)
-
-
-def draw_roses(figure, roses):
-    columns = min(3, len(roses))
-    rows = -(-len(roses) // columns)
-    width = figure.get_figwidth()
-    figure.set_size_inches(width, rows * (width / columns + 0.35) * (1 if columns > 1 else 1.05))
-    if figure.get_layout_engine():  # room for the words above and below, which are wider than the circles are apart
-        figure.get_layout_engine().set(w_pad=0.035 * width)
-    for k, rose in enumerate(roses):
-        draw_rose(figure.add_subplot(rows, columns, k + 1, projection="polar"), rose)

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import ListedColormap, Normalize
 
-from .._core import measure_grains
+from .. import _core
 from .packings import circles
 from .style import bare, cyclic_map, diverging_map, even_map, length_bar, most_stress, picture_map, stress_map, strong
 
@@ -110,16 +110,6 @@ def uncertain(film):
     return np.asarray(film.presence) < 0.95
 
 
-def mean_stress(film, sigma):
-    """Over the grains away from the border, as for all statistics of a film; over all grains if there are none."""
-    counted = np.asarray(measure_grains(film.packing)["considered"], bool) & np.isfinite(sigma)
-    return np.mean(sigma[counted] if counted.any() else sigma[np.isfinite(sigma)])
-
-
-def normalised(film, sigma):
-    return sigma / mean_stress(film, sigma)
-
-
 def _disks(axes, film, values, most):
     """Grains in metres, or in pixels if their size is not known."""
     grains, side = film.grains, film.pixel if film.pixel > 0 else 1
@@ -137,9 +127,9 @@ def _disks(axes, film, values, most):
 
 def draw_film_grains(axes, film, most=most_stress):
     """sigma_norm of every grain from the film."""
-    return _disks(axes, film, normalised(film, film.sigma_hyd), most)
+    return _disks(axes, film, _core._film_sigma_norm(film)["film"], most)
 
 
 def draw_simulated_grains(axes, film, which="peak_to_peak", most=most_stress):
     """The same for the companion simulation, "peak_to_peak" or its "state"."""
-    return _disks(axes, film, normalised(film, film.simulation[which]), most)
+    return _disks(axes, film, _core._film_sigma_norm(film)[f"simulation_{which}"], most)

@@ -7,9 +7,9 @@ import numpy as np
 from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
 from matplotlib.patches import Rectangle
 
-from .._core import grain_stresses
+from .. import _core
 from .packings import bars, kind_colours, kinds_of, segments
-from .style import chain_width, colours, diverging_map, even_map, pale, stress_map, strong, tension, weak, widest_chain
+from .style import chain_width, colours, diverging_map, even_map, label, pale, stress_map, strong, tension, weak, widest_chain
 
 
 @dataclasses.dataclass
@@ -49,111 +49,62 @@ def sheared_at(stage, time):
     return float(np.interp(time, history["time"], history["shear_strain"])) if "shear_strain" in history else 0.0
 
 
-def ends_of(packing):
-    """(grain, contact, sign): every contact from the side of each grain that it touches; sign -1 for that which n points away from."""
-    c = packing.contacts
-    inner = np.flatnonzero(c.j >= 0)
-    return (
-        np.concatenate([c.i, c.j[inner]]),
-        np.concatenate([np.arange(len(c)), inner]),
-        np.concatenate([np.ones(len(c)), -np.ones(len(inner))]),
-    )
-
-
-def contact_numbers(packing):
-    """Number of contacts of each grain, including those with walls."""
-    return np.bincount(ends_of(packing)[0], minlength=len(packing)).astype(float)
-
-
-def pressure(shot):
-    return -0.5 * np.trace(grain_stresses(shot.packing), axis1=1, axis2=2)
-
-
-def deviator(shot):
-    """Half the difference of the principal stresses."""
-    s = grain_stresses(shot.packing)
-    return np.hypot(0.5 * (s[:, 0, 0] - s[:, 1, 1]), 0.5 * (s[:, 0, 1] + s[:, 1, 0]))
-
-
 def mobilisation(shot):
-    """Mean |F_t|/(mu F_n) of a grain's pressed contacts; 0 without friction, |F_t|/F_n if mu is not known."""
-    c = shot.packing.contacts
-    mu = shot.stage.asked.get("friction")
-    if mu == 0:
-        return np.zeros(len(shot.packing))
-    pressed = c.fn > 0
-    share = np.where(pressed, np.abs(c.ft) / np.where(pressed, c.fn, 1), 0) / (mu or 1)
-    grain, at, _ = ends_of(shot.packing)
-    count = np.bincount(grain, pressed[at], minlength=len(shot.packing))
-    return np.bincount(grain, share[at], minlength=len(shot.packing)) / np.maximum(count, 1)
-
-
-def speed(shot):
-    return np.hypot(shot.packing.vx, shot.packing.vy)
-
-
-def nearest_image(dx, dy, domain):
-    """Position differences, wrapped to the nearest image in a periodic cell."""
-    if domain["periodic_y"]:
-        n = np.round(dy / domain["height"])
-        dx, dy = dx - n * domain["tilt"], dy - n * domain["height"]
-    if domain["periodic_x"]:
-        dx = dx - np.round(dx / domain["width"]) * domain["width"]
-    return dx, dy
+    """Mean |F_t|/(mu F_n) of a grain's pressed contacts; |F_t|/F_n if mu is not known."""
+    return _core.mobilisation(shot.packing, shot.stage.asked.get("friction"))
 
 
 def displacements(shots):
-    """Displacements of grains since the first state, m, (n, 2) for each state; without the shear of a sheared cell. In a periodic cell the
-    displacement between states is the shortest one, so grains must not move farther than half a cell between them."""
-    ways = [np.zeros((len(shots[0].packing), 2))]
-    for before, now in zip(shots, shots[1:]):
-        a, b, domain = before.packing, now.packing, now.packing.domain
-        up = nearest_image(0, b.y - a.y, domain)[1]
-        middle = 0.5 * (domain["bottom"]["position"] + domain["top"]["position"])
-        affine = (now.sheared - before.sheared) * (a.y + 0.5 * up - middle)
-        ways.append(ways[-1] + np.column_stack(nearest_image(b.x - a.x - affine, b.y - a.y, domain)))
-    return ways
+    """Displacements of grains since the first state, m, (n, 2) for each state; without the shear of a sheared cell."""
+    return _core.displacements([shot.packing for shot in shots], [shot.sheared for shot in shots])
 
 
 @dataclasses.dataclass
 class Colouring:
-    """A colouring of grains: `values(shots)` gives one array per state, in SI units, and `factor` converts them to `unit`."""
+    """A colouring of grains by a quantity of the library, whose label and unit it has: `values(shots)` gives one array per state, in SI units."""
 
-    label: str
+    quantity: str
     values: typing.Callable
     colour_map: typing.Any
-    unit: str = ""
-    factor: float = 1.0
     low: typing.Any = None  # None: from the states
     high: typing.Any = None
     symmetric: bool = False
+
+    @property
+    def label(self):
+        return label(_core._grain_quantities()[self.quantity][0])
+
+    @property
+    def unit(self):
+        return _core._grain_quantities()[self.quantity][2]
 
 
 def each(of):
     return lambda shots: [of(shot) for shot in shots]
 
 
+def by_quantity(name, colour_map, low=None):
+    """A colouring by a number that a state alone gives."""
+    return Colouring(name, each(lambda shot: _core.grain_values(shot.packing, name)), colour_map, low)
+
+
 colourings = {
     "material": None,
     "forces": None,
-    "pressure": Colouring("pressure", each(pressure), stress_map, "Pa", low=0.0),
-    "deviator": Colouring("deviator of stress", each(deviator), stress_map, "Pa", low=0.0),
-    "z": Colouring("contacts per grain", each(lambda shot: contact_numbers(shot.packing)), even_map),
-    "velocity": Colouring("speed", each(speed), even_map, "m/s", low=0.0),
+    "pressure": by_quantity("pressure", stress_map, 0.0),
+    "deviator": by_quantity("deviator", stress_map, 0.0),
+    "z": by_quantity("coordination", even_map),
+    "velocity": by_quantity("speed", even_map, 0.0),
     "displacement": Colouring(
-        "displacement", lambda shots: [np.hypot(*way.T) for way in displacements(shots)], even_map, "m", low=0.0
+        "displacement", lambda shots: [np.hypot(*way.T) for way in displacements(shots)], even_map, low=0.0
     ),
     "rotation": Colouring(
         "rotation",
         lambda shots: [shot.packing.angle - shots[0].packing.angle for shot in shots],
         diverging_map,
-        "°",
-        np.pi / 180,
         symmetric=True,
     ),
-    "mobilisation": Colouring(
-        r"mean $|F_{\mathrm{t}}|/(\mu F_{\mathrm{n}})$", each(mobilisation), stress_map, low=0.0, high=1.0
-    ),
+    "mobilisation": Colouring("mobilisation", each(mobilisation), stress_map, low=0.0, high=1.0),
 }
 
 

@@ -7,9 +7,9 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import BoundaryNorm, Normalize
 from matplotlib.figure import Figure as Canvas
 
-from .. import curves
+from .. import _core, curves
 from . import motion
-from .loadings import draw_curve
+from .drawing import draw_panel
 from .packings import material_key
 from .style import bare, colours, length_bar, plain, scaled, strong
 
@@ -91,12 +91,15 @@ def whole_numbers(values, low, high):
     return BoundaryNorm(np.arange(low, max(high, low + 1) + 2) - 0.5, 256)
 
 
+def scale_of(unit, largest):
+    """What numbers are divided by, and their unit; angles are in degrees."""
+    if unit == "rad":
+        return np.pi / 180, "°"
+    return scaled(largest, unit) if unit else (1, "")
+
+
 def bar(axes, colouring, norm, colour_map, by):
-    factor, unit = (
-        (colouring.factor, colouring.unit)
-        if colouring.unit in ("°", "")
-        else scaled(max(abs(norm.vmin), abs(norm.vmax)), colouring.unit)
-    )
+    factor, unit = scale_of(colouring.unit, max(abs(norm.vmin), abs(norm.vmax)))
     shown = axes.figure.colorbar(
         ScalarMappable(norm, colour_map),
         ax=axes,
@@ -116,66 +119,37 @@ def bar(axes, colouring, norm, colour_map, by):
 
 
 class Beside:
-    """Two columns of the stage of the state shown, one against the other, with a mark at that state. `names`: of x
-    and y, or "test"."""
+    """One curve of the stage of the state shown against another, with a mark at that state. `names`: of x and y, or "test"."""
 
     def __init__(self, result, names):
-        self.result, self.names = result, names
+        self.result, self.names = result, ("test", "test") if names == "test" else names
 
     def begin(self, axes, shots):
-        self.axes, self.stage, self.columns = axes, None, {}
-        for shot in shots:
-            if shot.stage.name not in self.columns and curves.has_history(shot.stage):
-                self.columns[shot.stage.name] = columns_of(self.result, shot.stage, self.names)
-        self.mark = None
+        self.axes, self.stage, self.mark = axes, None, None
+        stages = {shot.stage.name: shot.stage for shot in shots if curves.has_history(shot.stage)}
+        self.panels = {name: self.panel_of(name) for name in stages}
+
+    def panel_of(self, stage):
+        test = curves.find_test(self.result, stage)
+        return _core._curve_of_stage(test.stage, test.before, *self.names)["panel"]
 
     def show(self, shot):
         if shot.stage.name != self.stage:
             self.change(shot.stage)
         if self.mark:
-            time = shot.stage.history["time"]
-            self.mark.set_data(
-                *([np.interp(shot.snapshot.time, time, values)] for values, _ in self.columns[self.stage])
-            )
+            now, place = self.panels[self.stage]["now"], place_of(shot)
+            self.mark.set_data([now["x"][place]], [now["y"][place]])
 
     def change(self, stage):
         self.axes.clear()
         self.stage, self.mark = stage.name, None
-        self.axes.set_visible(stage.name in self.columns)
-        if stage.name in self.columns:
-            (x, x_label), (y, y_label) = self.columns[stage.name]
-            draw_curve(self.axes, x, y)
-            (self.mark,) = self.axes.plot(x[:1], y[:1], "o", color=colours[1], markersize=7, markeredgecolor=strong)
-            self.axes.set(xlabel=x_label, ylabel=y_label)
+        self.axes.set_visible(stage.name in self.panels)
+        if stage.name in self.panels:
+            draw_panel(self.axes, self.panels[stage.name])
+            (self.mark,) = self.axes.plot([], [], "o", color=colours[1], markersize=7, markeredgecolor=strong)
             self.axes.set_box_aspect(1)
 
 
-def columns_of(result, stage, names):
-    """((values, label), ...) of two columns of curves.along or of a stage's history, or of a "test". Raises ValueError for unknown columns."""
-    known = curves.along(result, stage.name)
-    known.update(
-        {
-            name: curves.Curve(stage.history[name], stage.history_units[name])
-            for name in stage.history
-            if name not in known
-        }
-    )
-    if names == "test":
-        names = ("shear_strain", "mu") if "mu" in known else ("axial_strain", "q_over_p")
-    missing = [name for name in names if name not in known]
-    if missing:
-        raise ValueError(
-            f"the stage {stage.name} has no {' and no '.join(missing)} to draw; there are {', '.join(known)}"
-        )
-    return [labelled(name, *known[name]) for name in names]
-
-
-def labelled(name, values, unit):
-    """Values in a convenient unit, and a label such as "axial strain, %"."""
-    words = {"q_over_p": "$q/p$", "mu": r"$\mu$"}.get(name, name.replace("_", " "))
-    if name.endswith("strain"):
-        return 100 * values, f"{words}, %"
-    if unit in ("", "1"):
-        return values, words
-    factor, unit = scaled(np.nanmax(np.abs(values)), unit)
-    return values / factor, f"{words}, {unit}"
+def place_of(shot):
+    """Of a state among those of its stage."""
+    return [snapshot.time for snapshot in shot.stage.snapshots].index(shot.snapshot.time)

@@ -8,7 +8,7 @@ import typing
 from matplotlib.figure import Figure as Canvas
 
 from .._written import written_whole
-from .style import column_width, journal_style, make_ticks_plain, page_width
+from .style import column_width, journal_style, make_ticks_plain, page_width, unmarked
 
 
 @dataclasses.dataclass
@@ -54,11 +54,6 @@ def metadata_of(form, head):
         return undated
     name = {"pdf": "Subject"}.get(form, "Description")
     return {**undated, "Title": unmarked(head["title"]), name: unmarked(head["caption"])}
-
-
-def unmarked(text):
-    """Without the marks of what is lowered or raised."""
-    return re.sub(r"[_^]\{([^}]*)\}", r"\1", text)
 
 
 def number_clips(path):

@@ -11,6 +11,8 @@ from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.patches import Patch
 from matplotlib.ticker import ScalarFormatter
 
+from .. import _core
+
 column_width, page_width = 3.35, 6.9  # inches: 85 mm and 175 mm, one and two columns of most journals
 
 # Okabe and Ito's colours, told apart by colour-blind readers and in grey.
@@ -107,10 +109,57 @@ def plain(name):
 
 
 def label(text):
-    """ "σ_{norm}" for matplotlib; a letter with an index is a quantity, in italics."""
-    return re.sub(
-        r"(\b[A-Za-z]_|[_^])\{([^}]*)\}", lambda m: f"${m[1]}\\mathrm{{{m[2]}}}$".replace("%", r"\%"), plain(text)
-    )
+    """ "σ_{norm}" for matplotlib, as the library says that quantities are written; a letter with an index is in italics."""
+
+    def formula(match):
+        letter, mark, index = match.groups(default="")
+        return f"${letter}{mark}\\mathrm{{{index}}}$".replace("%", r"\%").replace("\u2212", "-")
+
+    return re.sub(_core._notation, formula, plain(text))
+
+
+def unmarked(text):
+    """Without the marks of what is lowered or raised."""
+    return re.sub(_core._notation, lambda match: (match[1] or "") + match[3], text)
+
+
+def numbers(values):
+    """An array of a list in which None is what is not known."""
+    return np.array([np.nan if v is None else v for v in values], float)
+
+
+plain_roles = {
+    "strong": strong,
+    "weak": weak,
+    "soft": soft,
+    "wall": soft,
+    "fit": weak,
+    "accent": colours[1],
+    "tension": tension,
+    "source": "#707070",
+}
+line_styles = {"solid": "-", "dashed": "--", "dotted": ":"}
+
+
+def colour_of_role(role):
+    """The colour of a role of a description, "strong", "material 0", "set matrix"."""
+    name, _, which = role.partition(" ")
+    if name == "set":
+        return set_colours[which]
+    if name == "crack":
+        return crack_colours[int(which)][1]
+    if name == "scale":
+        return matplotlib.colormaps[even_map](0.9 * float(which))
+    if name in ("material", "mixed", "line"):
+        return colours[(int(which) + 2 * (name == "mixed")) % len(colours)]
+    return plain_roles[name]
+
+
+def note(axes, words, at, coordinates, offset, **options):
+    """Small words beside something, on a pale patch."""
+    patch = {"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.3}
+    style = {"color": "#606060", "fontsize": 6, "bbox": patch}
+    axes.annotate(words, at, xycoords=coordinates, xytext=offset, textcoords="offset points", **style, **options)
 
 
 def scaled(largest, unit):

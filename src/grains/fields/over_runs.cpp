@@ -35,6 +35,7 @@ Columns table_of(std::vector<std::vector<Estimate>> rows, std::initializer_list<
     if (kind.has_error) error = mapped(rows, [k](const auto& row) { return row[k].error; });
     table.put(kind.name, kind.unit, kind.sentence, mapped(rows, [k](const auto& row) { return row[k].value; }),
               std::move(error));
+    table.list.back().tells_errors = kind.has_error;
     ++k;
   }
   return table;

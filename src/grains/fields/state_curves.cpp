@@ -48,7 +48,8 @@ void put_number(Columns& to, const char* name, const std::string& path, const st
     column.error.push_back(number_in(measured ? node->at_path("/error") : nullptr));
     if (node && node->meaning()) column.meaning = *node->meaning();
   }
-  if (!is_any_known(column.error)) column.error.clear();
+  column.tells_errors = is_any_known(column.error);
+  if (!column.tells_errors) column.error.clear();
   if (is_any_known(column.values)) to.list.push_back(std::move(column));
 }
 

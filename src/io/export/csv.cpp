@@ -143,6 +143,18 @@ std::string curve_table(const History& curve) {
   return table_of(columns, curve.columns.front().values.size());
 }
 
+/// Errors stand behind what they are of.
+NamedBytes csv_curves(const ExportCurves& from) {
+  Columns columns;
+  for (const statistics::Column& c : from.curves.list) {
+    const std::string unit = c.meaning.unit.empty() ? "1" : c.meaning.unit;
+    columns.push_back(column(title(c.name, unit), [&](std::size_t row) { return c.values[row]; }));
+    if (c.tells_errors)
+      columns.push_back(column(title(c.name + "_error", unit), [&](std::size_t row) { return c.error[row]; }));
+  }
+  return {from.name + ".csv", table_of(columns, from.curves.list.front().values.size())};
+}
+
 std::vector<NamedBytes> csv_snapshot(const ExportSnapshot& snapshot) {
   return {{fmt::format("grains_{:04}.csv", snapshot.number), grain_table(snapshot)},
           {fmt::format("contacts_{:04}.csv", snapshot.number), contact_table(snapshot)}};
@@ -162,23 +174,28 @@ std::vector<NamedBytes> csv_field(const ExportField& from) {
 const ExportFormat exports::csv{
     .name = "csv",
     .sentence =
-        "Tables of grains and contacts, which `arenite measure` also reads; of nodes and mean stresses of grains",
-    .states = {{"grains",
-                "place, radius, material, zone, velocity, angle, omega, stresses and other numbers of grains, units in "
-                "the header"},
-               {"contacts",
-                "with grains, walls and boundaries: forces, normal from i to j, arms, overlap; of grains that are no "
-                "disks the contact point x, y"},
-               {"cell, thickness, time",
-                "left out: `arenite measure` takes --box, --origin, --periodic and --thickness"},
-               {"shapes of grains",
-                "left out: a grain is the disk of its area; stress and contacts are those of the shapes"},
-               {"bonds, pulls across gaps",
-                "left out: `links` counts those of each grain, and `arenite measure` says that their stress lacks"},
-               {"names that spreadsheets take for formulas",
-                "written behind an apostrophe, which `arenite measure` takes away"}},
+        "Tables of grains and contacts, which `arenite measure` also reads; of nodes and mean stresses of grains; of "
+        "the "
+        "curves of a test and of its cycles",
+    .states =
+        {{"grains",
+          "place, radius, material, zone, velocity, angle, omega, stresses and other numbers of grains, units in "
+          "the header"},
+         {"contacts",
+          "with grains, walls and boundaries: forces, normal from i to j, arms, overlap; of grains that are no "
+          "disks the contact point x, y"},
+         {"curves of a test",
+          "strains, stresses, ratios and densities row by row of a stage's history, and at both ends of each cycle; "
+          "not with --last"},
+         {"cell, thickness, time", "left out: `arenite measure` takes --box, --origin, --periodic and --thickness"},
+         {"shapes of grains", "left out: a grain is the disk of its area; stress and contacts are those of the shapes"},
+         {"bonds, pulls across gaps",
+          "left out: `links` counts those of each grain, and `arenite measure` says that their stress lacks"},
+         {"names that spreadsheets take for formulas",
+          "written behind an apostrophe, which `arenite measure` takes away"}},
     .of_snapshot = csv_snapshot,
-    .of_field = csv_field};
+    .of_field = csv_field,
+    .of_curves = csv_curves};
 
 std::vector<int> links_of_grains(const Packing& packing) {
   std::vector<int> count;

@@ -9,6 +9,7 @@
 #include "core/mapped.hpp"
 #include "io/formats.hpp"
 #include "model/result.hpp"
+#include "statistics/columns.hpp"
 
 namespace arenite::io {
 
@@ -49,6 +50,12 @@ struct NamedBytes {
   std::string name, bytes;
 };
 
+/// The curves of a stage, row by row of its history or by cycles.
+struct ExportCurves {
+  std::string name;  ///< "STAGE_curves", "STAGE_cycles"
+  statistics::Columns curves;
+};
+
 /// A format: what it makes of one snapshot. Files of the same name from successive snapshots are joined into one;
 /// `index` makes the files that list all snapshots by their times. A format of whole loadings has `of_loading` instead,
 /// which gets all snapshots and what made the last.
@@ -60,6 +67,7 @@ struct ExportFormat {
   std::vector<NamedBytes> (*of_snapshot)(const ExportSnapshot&) = nullptr;
   std::vector<NamedBytes> (*index)(const std::vector<double>& times) = nullptr;
   std::vector<NamedBytes> (*of_field)(const ExportField&) = nullptr;  ///< of a result on nodes; null: holds grains only
+  NamedBytes (*of_curves)(const ExportCurves&) = nullptr;             ///< null: holds states only
   std::vector<NamedBytes> (*of_loading)(const std::vector<ExportSnapshot>&, const Provenance&) = nullptr;
 };
 namespace exports {

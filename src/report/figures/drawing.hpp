@@ -6,7 +6,7 @@
 
 #include "statistics/numbers.hpp"
 
-/// What figures show, once for the page and for print. Labels are written as "F_{n}", "\u03c3_{norm}".
+/// What figures show, once for the page and for print. Labels are written as "F_{n}", "\u03c3_{norm}" (notation).
 namespace arenite::report::figures {
 
 struct Axis {
@@ -22,25 +22,28 @@ enum class Line { none, solid, dashed, dotted };
 
 /// Numbers of one kind against each other. A colour is a role that each renderer has a colour for: "strong", "weak",
 /// "soft", "accent", "fit", "tension", "wall"; "material 0", "mixed 0" (contacts between two), "line 0" (one of many),
-/// "set large" (nodes of this kind), "crack 1".
+/// "set large" (nodes of this kind), "crack 1"; "scale 0.5" (of values in an order, from 0 to 1), "source" (what a text
+/// says).
 struct Series {
   std::string name = {}, colour = "strong";
   std::vector<double> x = {}, y = {};
   std::vector<double> error = {};           ///< standard error of y; empty: none
-  std::vector<double> low = {}, high = {};  ///< ends of a band, or of bars along y
+  std::vector<double> low = {}, high = {};  ///< ends of a band, also about a line, or of bars along y
   Line line = Line::none;
   bool points = false;
-  bool steps = false;  ///< the line keeps its value up to the next point
-  double bars = 0;     ///< width of bars about x
+  std::string mark = {};  ///< of points: "hollow", "diamond", "times", "plus"; empty: a dot
+  bool steps = false;     ///< the line keeps its value up to the next point
+  double bars = 0;        ///< width of bars about x
   double weight = 1, opacity = 1;
   bool is_read = true;               ///< the pointer tells its points, and tables hold them
   std::string each = {};             ///< what a point is: "step" (counted from 1), "grain", "contact"
   std::vector<double> members = {};  ///< which grain (its id) or contact each point is
 };
 
-/// A line across at y, or upright at x.
+/// A line across at y, or upright at x, a cross at both, or a line through the origin of this slope.
 struct Reference {
-  std::optional<double> x = {}, y = {};
+  std::optional<double> x = {}, y = {}, slope = {};
+  std::string label = {};
   std::string colour = "soft";
   Line line = Line::dotted;
 };
@@ -76,6 +79,22 @@ struct Rose {
   std::vector<std::string> words = {};     ///< below
 };
 
+/// Outlines of numbers by direction over half a turn, which is mirrored: each series over the middles of its sectors,
+/// degrees, with ticks for its errors.
+struct Outlines {
+  std::vector<Series> series = {};
+  std::vector<double> rings = {};  ///< which are labelled
+  double reach = 1;                ///< of the outermost place
+  bool isotropic = false;          ///< the ring at 1 is that of no preferred direction
+  std::string corner = {};
+};
+
+/// A number over two others as colour, and written: one for each name of x, row by row of the names of y from below.
+struct Cells {
+  Axis x = {}, y = {};
+  std::vector<double> values = {}, error = {};  ///< NaN where there is none
+};
+
 /// A number in the key, as it is written.
 struct Said {
   std::string symbol = {}, value = {}, error = {};
@@ -86,14 +105,18 @@ struct KeyEntry {
   Line line = Line::solid;
   int counts =
       -1;  ///< the series of the first panel whose value at the chosen step, or at the end, stands behind the name
+  std::string mark = {};  ///< instead of a line, as of series
 };
 
-/// One drawing of a figure: panels side by side, or roses. A figure that follows choices has one for each.
+/// One drawing of a figure: panels side by side, or roses, outlines or cells. A figure that follows choices has one for
+/// each.
 struct Drawing {
   std::vector<std::pair<std::string, std::string>> chosen = {};  ///< {"component", "xx"}
   std::vector<Panel> panels = {};
   std::vector<Rose> roses = {};
   std::vector<KeyEntry> key = {};
+  std::optional<Outlines> outlines = {};
+  std::optional<Cells> cells = {};
 };
 using Drawings = std::vector<Drawing>;
 
@@ -117,6 +140,7 @@ struct Head {
   std::string id = {}, name = {}, title = {}, caption = {};
   bool wide = false;
   std::vector<Choice> choices = {};
+  bool nearest = false;  ///< of a stage that has none the page shows that of the stage before it, or of the next
 };
 
 /// A figure in a list: its head, and what it shows of the data; nothing where there is nothing to draw.
@@ -126,6 +150,11 @@ template <class Data> struct Row {
 };
 
 // Words and numbers.
+
+/// How quantities are written, as a regular expression of JavaScript and Python alike: "_{n}" is lowered, "^{2}"
+/// raised, and a letter before a lowered index is in italics. Its groups: that letter, the mark, and what is lowered or
+/// raised.
+inline constexpr const char* notation = "(\\b[A-Za-z]|[\u0370-\u03ff])?([_^])\\{([^}]*)\\}";
 
 /// The factor and the unit with its prefix under which numbers up to `largest`, SI, are written.
 struct Scale {

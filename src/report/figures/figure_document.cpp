@@ -57,6 +57,7 @@ Numbers numbers_of(const Series& series, const WriteList& write) {
   if (std::ranges::any_of(series.error, [](double e) { return e > 0; })) tree.list("error", series.error, write);
   tree.list("low", series.low, write).list("high", series.high, write).list("members", series.members, write);
   tree.flag("points", series.points)
+      .text("mark", series.mark)
       .flag("steps", series.steps)
       .flag("silent", !series.is_read)
       .real("bars", series.bars, 0);
@@ -79,30 +80,6 @@ Series thinned(const Series& series) {
   return out;
 }
 
-Numbers numbers_of(const Panel& panel, const WriteList& write) {
-  Tree tree;
-  tree.out["x"] = numbers_of(panel.x);
-  tree.out["y"] = numbers_of(panel.y);
-  tree.out["series"] = mapped(panel.series, [&](const Series& series) { return numbers_of(series, write); });
-  if (!panel.references.empty())
-    tree.out["references"] = mapped(panel.references, [](const Reference& r) {
-      return Tree()
-          .text("colour", r.colour)
-          .text("line", word_for(r.line))
-          .real("x", r.x.value_or(NAN), NAN)
-          .real("y", r.y.value_or(NAN), NAN)
-          .out;
-    });
-  if (!panel.corner.empty()) tree.out["corner"] = panel.corner;
-  if (!panel.now.x.empty()) tree.out["now"] = Tree().list("x", panel.now.x, write).list("y", panel.now.y, write).out;
-  return tree.text("selected", panel.selected)
-      .text("click", panel.click)
-      .flag("lying", panel.lying)
-      .flag("near", panel.near)
-      .flag("square", panel.square)
-      .out;
-}
-
 Numbers numbers_of(const Rose& rose, const WriteList& write) {
   Tree tree;
   tree.text("name", rose.name)
@@ -116,9 +93,23 @@ Numbers numbers_of(const Rose& rose, const WriteList& write) {
   return tree.out;
 }
 
+Numbers numbers_of(const Outlines& outlines, const WriteList& write) {
+  Tree tree;
+  tree.out["series"] = mapped(outlines.series, [&](const Series& series) { return numbers_of(series, write); });
+  tree.list("rings", outlines.rings, write).real("reach", outlines.reach, NAN).text("corner", outlines.corner);
+  return tree.flag("isotropic", outlines.isotropic).out;
+}
+
+Numbers numbers_of(const Cells& cells, const WriteList& write) {
+  Tree tree;
+  tree.out["x"] = numbers_of(cells.x);
+  tree.out["y"] = numbers_of(cells.y);
+  return tree.list("values", cells.values, write).list("error", cells.error, write).out;
+}
+
 Numbers numbers_of(const KeyEntry& entry) {
   Tree tree;
-  tree.text("name", entry.name).text("colour", entry.colour);
+  tree.text("name", entry.name).text("colour", entry.colour).text("mark", entry.mark);
   if (entry.line != Line::solid) tree.text("line", word_for(entry.line));
   if (entry.counts >= 0) tree.out["counts"] = entry.counts;
   if (!entry.numbers.empty())
@@ -138,13 +129,6 @@ const Head grain_scatter{
     "grain-scatter", "grain-scatter", "Grains",
     "One point per grain of the state shown, in the colour of its material; a click marks the grain in the picture and "
     "in the table."};
-const Head test_curves{
-    "test-curves", "stress-strain", "Curves of the test",
-    "Curves of the stage shown, or of the nearest stage that has curves (named on the axis), from the forces on its "
-    "sides and their positions: stress ratio (without confinement or in tension, the stress) and volumetric strain "
-    "(compaction positive) against strain. Thin: all sampled values; thick: running mean. Coloured: the critical state "
-    "with its 95 % band, over the strains at which the ratio only fluctuates.",
-    true};
 const Head film_maps{
     "film-maps", "beside-simulation", "Experiment and simulation: \u03c3_{norm} of every grain",
     "Each normalised by its own mean, on one colour scale. A film shows the difference between two loads (peak to "
@@ -177,7 +161,8 @@ Numbers numbers_of(const Head& head) {
       .text("name", head.name)
       .text("title", head.title)
       .text("caption", head.caption)
-      .flag("wide", head.wide);
+      .flag("wide", head.wide)
+      .flag("nearest", head.nearest);
   if (!head.choices.empty())
     tree.out["choices"] = mapped(head.choices, [](const Choice& choice) {
       return Tree()
@@ -194,6 +179,32 @@ Numbers numbers_of(const Head& head) {
   return tree.out;
 }
 
+Numbers numbers_of(const Panel& panel, const WriteList& write) {
+  Tree tree;
+  tree.out["x"] = numbers_of(panel.x);
+  tree.out["y"] = numbers_of(panel.y);
+  tree.out["series"] = mapped(panel.series, [&](const Series& series) { return numbers_of(series, write); });
+  if (!panel.references.empty())
+    tree.out["references"] = mapped(panel.references, [](const Reference& r) {
+      return Tree()
+          .text("colour", r.colour)
+          .text("line", word_for(r.line))
+          .real("x", r.x.value_or(NAN), NAN)
+          .real("y", r.y.value_or(NAN), NAN)
+          .real("slope", r.slope.value_or(NAN), NAN)
+          .text("label", r.label)
+          .out;
+    });
+  if (!panel.corner.empty()) tree.out["corner"] = panel.corner;
+  if (!panel.now.x.empty()) tree.out["now"] = Tree().list("x", panel.now.x, write).list("y", panel.now.y, write).out;
+  return tree.text("selected", panel.selected)
+      .text("click", panel.click)
+      .flag("lying", panel.lying)
+      .flag("near", panel.near)
+      .flag("square", panel.square)
+      .out;
+}
+
 Numbers numbers_of(const Drawing& drawing, const WriteList& write) {
   Numbers out = Numbers::tree();
   if (!drawing.chosen.empty()) {
@@ -204,6 +215,8 @@ Numbers numbers_of(const Drawing& drawing, const WriteList& write) {
     out["panels"] = mapped(drawing.panels, [&](const Panel& panel) { return numbers_of(panel, write); });
   if (!drawing.roses.empty())
     out["roses"] = mapped(drawing.roses, [&](const Rose& rose) { return numbers_of(rose, write); });
+  if (drawing.outlines) out["outlines"] = numbers_of(*drawing.outlines, write);
+  if (drawing.cells) out["cells"] = numbers_of(*drawing.cells, write);
   if (!drawing.key.empty()) out["key"] = mapped(drawing.key, [](const KeyEntry& entry) { return numbers_of(entry); });
   return out;
 }
@@ -215,18 +228,24 @@ Drawing thinned(Drawing drawing) {
 }
 
 std::vector<Head> packing_heads() {
-  std::vector<Head> all{coarse_fields, grain_scatter, test_curves};
+  std::vector<Head> all{coarse_fields, grain_scatter};
   add_heads(all, state_figures());
   add_heads(all, stage_figures());
   add_heads(all, run_figures());
-  return in_order(all, {"test-curves", "grain-bonds", "discharge", "fabric", "sigma-norm", "forces", "grain-scatter",
-                        "size-curve", "coarse-fields", "coordination", "contact-numbers", "rev", "threshold",
-                        "stress-path", "wall-forces", "travel", "energies", "equilibrium"});
+  return in_order(all, {"test-curves", "cycles", "grain-bonds", "discharge", "fabric", "sigma-norm", "forces",
+                        "grain-scatter", "size-curve", "coarse-fields", "coordination", "contact-numbers", "rev",
+                        "threshold", "stress-path", "wall-forces", "travel", "energies", "equilibrium"});
 }
 
 std::vector<Head> field_heads() {
   std::vector<Head> all;
   add_heads(all, field_figures());
+  return all;
+}
+
+std::vector<Head> heads_over_runs() {
+  std::vector<Head> all;
+  add_heads(all, figures_over_runs());
   return all;
 }
 

@@ -7,6 +7,7 @@
 #include "report/figures/drawing.hpp"
 #include "report/figures/field_figures.hpp"
 #include "report/figures/film_figures.hpp"
+#include "report/figures/over_runs.hpp"
 #include "report/figures/stage_figures.hpp"
 #include "report/figures/state_figures.hpp"
 #include "report/number_block.hpp"
@@ -17,6 +18,7 @@ namespace arenite::report::figures {
 using WriteList = std::function<Numbers(const std::vector<double>& values)>;
 
 Numbers numbers_of(const Head& head);
+Numbers numbers_of(const Panel& panel, const WriteList& write);
 Numbers numbers_of(const Drawing& drawing, const WriteList& write);
 /// Its lines with about a thousand points at most.
 Drawing thinned(Drawing drawing);
@@ -39,6 +41,8 @@ Numbers numbers_of(const std::vector<Row<Data>>& list, const Data& data, const W
 std::vector<Head> packing_heads();
 std::vector<Head> field_heads();
 std::vector<Head> film_heads();
+/// Of several results, which have no cards.
+std::vector<Head> heads_over_runs();
 
 /// Numbers of figures as the page carries them: lines of about a thousand points at most, short lists in the document,
 /// others in the block, equal ones once.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/mapped.hpp"
+#include "report/figures/test_figures.hpp"
 
 namespace arenite::report::figures {
 namespace {
@@ -236,6 +237,25 @@ Drawings discharge(const StageData& data) {
 
 const std::vector<Row<StageData>>& stage_figures() {
   static const std::vector<Row<StageData>> list{
+      {{"test-curves",
+        "stress-strain",
+        "Curves of the test",
+        "From the forces on the sides of the sample and their positions: stress ratio (without confinement or in "
+        "tension, the stress) and volumetric strain, compaction positive, or, where the sides are fixed, pressure, "
+        "against strain. Thin: all sampled values; thick: running mean. Coloured: the critical state with its 95 % "
+        "band, over the strains at which the ratio only fluctuates.",
+        true,
+        {},
+        true},
+       test_curves},
+      {{"cycles",
+        "cycles",
+        "Cycles",
+        "Strain at the largest and at the smallest load, or strain, of every whole cycle of the stage.",
+        false,
+        {},
+        true},
+       cycles},
       {{"grain-bonds", "broken-bonds", "Broken bonds",
         "Broken bonds between grains, by failure mode, and the force on the wall that moves farthest, against the "
         "strain "

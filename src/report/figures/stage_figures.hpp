@@ -7,10 +7,11 @@
 
 namespace arenite::report::figures {
 
-/// A stage with the stored states of it that are shown.
+/// A stage with the stored states of it that are shown, and the packing before it, to which its strains refer.
 struct StageData {
   const StageResult& stage;
   std::vector<const Snapshot*> states;
+  const Packing* before = nullptr;
 };
 
 /// Figures of the history of a stage, in their order on the page.

@@ -52,6 +52,8 @@ function drawn(theme, { width, height = 250, x = {}, y = {}, marks, tips = null,
     ],
   });
   if (tips) svg.prepend(s("path", { d: `M0,0h${width}v${height}h${-width}Z`, fill: "none", "pointer-events": "all" })); // a chart within an SVG hears the pointer only where something is
+  for (const tick of svg.querySelectorAll('[aria-label$="axis tick label"] text'))
+    tick.textContent = tick.textContent.replace(/,(?=\d{3})/g, "\u202f"); // as counts are written elsewhere
   svg.removeAttribute("class");
   svg.querySelectorAll("style").forEach((style) => style.remove());
   svg.setAttribute("viewBox", `0 0 ${width} ${height}`);

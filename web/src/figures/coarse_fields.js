@@ -2,29 +2,31 @@ import { label, richSvg, s } from "../dom.js";
 import { prefixOf, text, typeset } from "../text.js";
 import { bytes } from "../theme.js";
 
-/** What is drawn of the coarse-grained fields. A member gives: label, symbol, map, `of(fields)` = array by cell, `signed` = zero in the
-    middle, `arrows` = with velocities. A new one is one more row. */
+/** How the coarse-grained fields are drawn: map, `of(fields)` = array by cell where it is not the field of the name itself, `signed` = zero
+    in the middle, `arrows` = with velocities. Labels, symbols and units are the program's (`layers` of the document). */
 export const layers = {
-  solid_fraction: { label: "Solid fraction", symbol: "\u03c6", map: "viridis", closed: true },
-  density: { label: "Density", symbol: "\u03c1", map: "viridis", closed: true },
-  speed: {
-    label: "Velocity",
-    symbol: "|v|",
-    map: "viridis",
-    arrows: true,
-    needs: "vx",
-    of: ({ vx, vy }) => vx.map((v, k) => Math.hypot(v, vy[k])),
-  },
-  vx: { label: "Velocity along x", symbol: "v_{x}", map: "diverging", signed: true },
-  vy: { label: "Velocity along y", symbol: "v_{y}", map: "diverging", signed: true },
-  pressure: { label: "Pressure", symbol: "p", map: "magma" },
-  deviator: { label: "Deviator of stress", symbol: "q", map: "magma" },
-  shear: { label: "Shear stress", symbol: "\u03c3_{xy}", map: "diverging", signed: true },
-  kinetic: { label: "Kinetic pressure", symbol: "p_{kin}", map: "magma" },
+  solid_fraction: { map: "viridis", closed: true },
+  density: { map: "viridis", closed: true },
+  speed: { map: "viridis", arrows: true, needs: "vx", of: ({ vx, vy }) => vx.map((v, k) => Math.hypot(v, vy[k])) },
+  vx: { map: "diverging", signed: true },
+  vy: { map: "diverging", signed: true },
+  pressure: { map: "magma" },
+  deviator: { map: "magma" },
+  shear: { map: "diverging", signed: true },
+  kinetic: { map: "magma" },
 };
 
-const known = (fields) => Object.entries(layers).filter(([name, { needs = name }]) => fields?.[needs]);
-const unitOf = (fields, name) => fields[layers[name].needs ?? name].unit;
+/** Those that fields have: [[name, { label, symbol, unit }]]. */
+const known = (fields, { about }) =>
+  Object.entries(layers)
+    .filter(([name, { needs = name }]) => fields?.[needs])
+    .map(([name]) => [name, aboutLayer(name, about)]);
+
+function aboutLayer(name, { layers: all }) {
+  const [label, symbol, unit] = all[name];
+  return { label, symbol, unit };
+}
+
 const valuesOf = (fields, name) => layers[name].of?.(fields) ?? fields[name];
 
 /** Ends of the colours: all but a hundredth of the cells. */
@@ -98,7 +100,7 @@ function arrowsOf(fields, place, theme) {
   return group;
 }
 
-function ramp({ label: words, map }, si, [low, high], theme, y) {
+function ramp(words, map, si, [low, high], theme, y) {
   const { factor, unit } = prefixOf(Math.max(Math.abs(low), Math.abs(high)), si),
     length = 170,
     steps = 48;
@@ -128,13 +130,14 @@ export const coarseFields = {
   follows: ["snapshot", "field"],
   when: (texture, sample) => sample.fields(0),
   pickers: {
-    field: ["", (sample) => known(sample.fields(sample.snapshotCount - 1)).map(([name, layer]) => [name, layer.label])],
+    field: ["", (sample) => known(sample.fields(sample.snapshotCount - 1), sample).map(([name, layer]) => [name, layer.label])],
   },
   draw({ sample, state, theme, width }) {
     const fields = sample.fields(state.get("snapshot")),
       wanted = state.get("field"),
-      name = known(fields).some(([one]) => one === wanted) ? wanted : "solid_fraction";
+      name = known(fields, sample).some(([one]) => one === wanted) ? wanted : "solid_fraction";
     const layer = layers[name],
+      { label: words, unit } = aboutLayer(name, sample.about),
       values = valuesOf(fields, name),
       range = rangeOf(values, layer),
       [left, right, bottom, top] = fields.bounds;
@@ -161,29 +164,29 @@ export const coarseFields = {
         height: h,
         preserveAspectRatio: "none",
       }),
-      s("rect", { x, y: 0.5, width: w, height: h - 1, fill: "none", stroke: theme.rule }),
+      s("rect", { x, y: 0.5, width: w, height: Math.max(0, h - 1), fill: "none", stroke: theme.rule }),
       layer.arrows && arrowsOf(fields, place, theme),
-      ramp(layer, unitOf(fields, name), range, theme, h + 8),
+      ramp(words, layer.map, unit, range, theme, h + 8),
     );
-    svg.numbers = [tableOf(fields)];
+    svg.numbers = [tableOf(fields, sample)];
     return richSvg(svg);
   },
 };
 
 /** Every cell with all its fields, SI. */
-function tableOf(fields) {
+function tableOf(fields, sample) {
   const {
       columns,
       bounds: [left, right, bottom, top],
       rows,
     } = fields,
-    there = known(fields);
+    there = known(fields, sample);
   const at = (k) => ({
     x: left + (((k % columns) + 0.5) * (right - left)) / columns,
     y: bottom + ((Math.floor(k / columns) + 0.5) * (top - bottom)) / rows,
   });
-  const arrays = there.map(([name, { symbol }]) => [
-    [symbol, typeset(unitOf(fields, name))].filter(Boolean).join(", "),
+  const arrays = there.map(([name, { symbol, unit }]) => [
+    [symbol, typeset(unit)].filter(Boolean).join(", "),
     valuesOf(fields, name),
   ]);
   return {

@@ -21,6 +21,8 @@ export function colourOf(theme, role) {
   if (name === "material") return materialLine(theme, Number(which));
   if (name === "mixed") return at(theme.mixedLine, Number(which));
   if (name === "line") return at(lines(theme), Number(which));
+  if (name === "scale") return theme.size(Number(which));
+  if (name === "source") return theme.accent;
   if (name === "set") return which === "all" ? theme.strong : theme.kindLine[kinds[which]];
   return name === "crack" ? theme.crack[Number(which)] : theme[name];
 }

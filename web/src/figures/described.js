@@ -1,6 +1,8 @@
 import { text } from "../text.js";
+import { drawCells } from "./cells.js";
 import { sideBySide } from "./chart.js";
 import { colourOf, dashOf } from "./colours.js";
+import { drawOutlines } from "./outlines.js";
 import { drawPanel } from "./panel.js";
 import { drawRoses } from "./roses.js";
 
@@ -11,25 +13,36 @@ function pick(drawings, state) {
 }
 
 /** What is shown of a figure, and at which place of it the reader is; null where there is nothing. */
-function shown(id, { sample, state }) {
-  const { drawings, here } = sample.drawn(id, state) ?? {};
+function shown({ id, nearest }, { sample, state }) {
+  const { drawings, here } = sample.drawn(id, state, nearest) ?? {};
   return drawings ? { drawing: pick(drawings, state), here } : null;
 }
 
-function keyOf({ key = [], panels }, here, theme) {
-  return key.map(({ name, colour, line, numbers = [], counts }) => {
+export function keyOf({ key = [], panels }, here, theme) {
+  return key.map(({ name = "", colour, line, mark, numbers = [], counts }) => {
     const series = counts === undefined ? null : panels[0].series[counts].y;
     return {
       name: series ? `${name} ${text.count(series[Math.min(here, series.length - 1)])}` : name,
       colour: colourOf(theme, colour),
       dash: dashOf(line),
+      symbol: mark,
       numbers,
     };
   });
 }
 
+/** A drawing as an SVG. */
+export function draw({ panels, roses, outlines, cells }, about) {
+  if (roses) return drawRoses(roses, about);
+  if (outlines) return drawOutlines(outlines, about);
+  if (cells) return drawCells(cells, about);
+  const drawn = panels.map((panel) => (width) => drawPanel(panel, { ...about, width }));
+  return drawn.length === 1 ? drawn[0](about.width) : sideBySide(about.width, drawn);
+}
+
 /** A figure that the program describes, as a card shows it. */
-export function describedFigure({ id, title, caption, wide, choices = [] }) {
+export function describedFigure(head) {
+  const { id, title, caption, wide, choices = [] } = head;
   const buttons = choices.filter(({ silent }) => !silent).map(({ key, label, options }) => [key, [label, options]]);
   return {
     id,
@@ -40,16 +53,12 @@ export function describedFigure({ id, title, caption, wide, choices = [] }) {
     follows: ["snapshot", "step", "selected", ...choices.map(({ key }) => key)],
     when: (_, sample) => sample.hasDrawn(id),
     key: (about) => {
-      const found = shown(id, about);
+      const found = shown(head, about);
       return found ? keyOf(found.drawing, found.here, about.theme) : [];
     },
     draw(about) {
-      const found = shown(id, about);
-      if (!found) return null;
-      const { drawing, here } = found;
-      if (drawing.roses) return drawRoses(drawing.roses, about);
-      const panels = drawing.panels.map((panel) => (width) => drawPanel(panel, { ...about, here, width }));
-      return panels.length === 1 ? panels[0](about.width) : sideBySide(about.width, panels);
+      const found = shown(head, about);
+      return found && draw(found.drawing, { ...about, here: found.here });
     },
   };
 }

@@ -1,5 +1,5 @@
 import * as Plot from "@observablehq/plot";
-import { knownQuantities, quantities, topOf, unitOf, valuesOf } from "../packing/quantities.js";
+import { aboutQuantity, knownQuantities, topOf, valuesOf } from "../packing/quantities.js";
 import { prefixOf } from "../text.js";
 import { materialColour, materialLine } from "../theme.js";
 import { chart } from "./chart.js";
@@ -8,8 +8,9 @@ import { withUnit } from "./tips.js";
 const most = 6000; // points that a drawing holds; of more grains every k-th is shown
 
 function axisOf(name, sample) {
-  const { factor, unit } = prefixOf(topOf(name, sample), unitOf(name, sample));
-  return { factor, axis: { label: quantities[name].symbol, unit } };
+  const { symbol, unit: si } = aboutQuantity(name, sample),
+    { factor, unit } = prefixOf(topOf(name, sample), si);
+  return { factor, axis: { label: symbol, unit } };
 }
 
 /** The grains that are drawn, and always the one that is selected. */

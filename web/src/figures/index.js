@@ -3,7 +3,6 @@ import { describedFigure } from "./described.js";
 import { fitMaps } from "./film_fit.js";
 import { stressMaps } from "./film_grains.js";
 import { grainScatter } from "./grain_scatter.js";
-import { testCurves } from "./test_curves.js";
 
 /** Figures that are pictures, by their ids, with renderers of their own. A member gives: `when(texture, sample)` (is
     there anything to draw), `draw({ sample, state, texture, theme, width })` -> SVG; `key` (entries above the drawing),
@@ -14,7 +13,6 @@ const pictures = {
   "film-fit": fitMaps,
   "film-maps": stressMaps,
   "grain-scatter": grainScatter,
-  "test-curves": testCurves,
 };
 
 /** The figures of a part in the order of the page, from what the program says of each. */

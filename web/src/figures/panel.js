@@ -1,5 +1,5 @@
 import * as Plot from "@observablehq/plot";
-import { richSvg, s } from "../dom.js";
+import { plain, richSvg, s } from "../dom.js";
 import { contactName } from "../film/tooltip.js";
 import { text } from "../text.js";
 import { chart, logAxis } from "./chart.js";
@@ -49,7 +49,7 @@ function axisOf({ label, unit, brief, log, low, high }, whole = false) {
 }
 
 /** The marks of one series whose colour is known. */
-function marksOf(series, points, colour, { x: xAxis, y: yAxis }) {
+function marksOf(series, points, colour, { x: xAxis, y: yAxis }, theme) {
   const { line, steps, weight = 1, opacity = 1, bars } = series,
     there = points.filter((p) => inside(xAxis, p.x) && inside(yAxis, p.at));
   if (bars)
@@ -64,11 +64,14 @@ function marksOf(series, points, colour, { x: xAxis, y: yAxis }) {
         rx: 1,
       }),
     ];
-  if (series.low)
-    return [Plot.areaY(points, { x: "x", y1: "low", y2: "high", fill: colour, fillOpacity: opacity, clip: true })];
+  const band =
+    series.low &&
+    Plot.areaY(points, { x: "x", y1: "low", y2: "high", fill: colour, fillOpacity: line ? 0.2 : opacity, clip: true });
+  if (band && !line) return [band];
   const drawn = yAxis.log ? points.map((p) => (p.y > 0 ? p : { ...p, y: NaN })) : points,
-    spread = there.filter((p) => p.error > 0);
+    spread = band ? [] : there.filter((p) => p.error > 0);
   return [
+    band,
     spread.length > 0 &&
       Plot.ruleX(spread, {
         x: "x",
@@ -89,8 +92,18 @@ function marksOf(series, points, colour, { x: xAxis, y: yAxis }) {
         curve: steps ? "step-after" : "linear",
         clip: true,
       }),
-    series.points && Plot.dot(there, { x: "x", y: "y", fill: colour, fillOpacity: opacity, r: 2.5 * weight }),
+    series.points && dots(there, series, colour, theme),
   ].filter(Boolean);
+}
+
+/** Points as dots, hollow ones, diamonds or crosses. */
+function dots(points, { mark, weight = 1, opacity = 1 }, colour, theme) {
+  const at = { x: "x", y: "y", r: 2.6 * weight };
+  if (mark === "times" || mark === "plus")
+    return Plot.dot(points, { ...at, r: 3.6 * weight, symbol: mark, stroke: colour, strokeWidth: 1.4 });
+  if (mark === "hollow") return Plot.dot(points, { ...at, fill: theme.card, stroke: colour, strokeWidth: 1.2 });
+  const diamond = mark && { symbol: mark, r: 3.4 * weight };
+  return Plot.dot(points, { ...at, fill: colour, fillOpacity: opacity, ...diamond });
 }
 
 /** Bars that lie, each with its number behind it. */
@@ -127,7 +140,7 @@ function lyingPanel(panel, { theme, width, sample }) {
       Plot.gridX({ stroke: theme.rule, strokeOpacity: 1, ticks: 5 }),
       Plot.barX(rows, { x: "y", y: "label", fill: "colour", fillOpacity: 0.82, rx: 1.5 }),
       Plot.ruleY(rows, {
-        x1: (r) => r.y - r.error,
+        x1: (r) => Math.max(0, r.y - r.error),
         x2: (r) => r.y + r.error,
         y: "label",
         stroke: theme.ink,
@@ -147,7 +160,7 @@ function lyingPanel(panel, { theme, width, sample }) {
 
 /** Where the reader's choice is: a line, or a dot on a curve. */
 function nowMarks({ now }, here, theme) {
-  if (!now || !(here < now.x.length)) return [];
+  if (!now || here === null || !(here < now.x.length)) return [];
   if (!now.y) return [Plot.ruleX([now.x[here]], { stroke: theme.accent, strokeWidth: 1.25 })];
   return [
     Plot.dot([0], {
@@ -169,14 +182,36 @@ function selectedMarks({ selected, x }, { sample, state, texture, theme }) {
   return inside(x, at) ? [Plot.ruleX([at], { stroke: theme.accent, strokeWidth: 2, className: "selected" })] : [];
 }
 
-function referenceMark({ x, y, colour, line }, theme) {
+/** A line across, an upright one, one through the origin, or a cross. */
+function referenceMark({ x, y, slope, colour, line }, { x: across }, theme) {
   const options = { stroke: colourOf(theme, colour), strokeDasharray: dashOf(line) };
+  if (slope !== undefined) {
+    const ends = [across.low, across.high].map((at) => [at, slope * at]);
+    return Plot.line(ends, { ...options, clip: true });
+  }
+  if (x !== undefined && y !== undefined)
+    return Plot.dot([0], { x: () => x, y: () => y, symbol: "times", r: 4, stroke: options.stroke });
   return x === undefined ? Plot.ruleY([y], options) : Plot.ruleX([x], options);
+}
+
+/** Its words, over the curves; those of upright lines stand in rows. */
+function notesOf({ references = [], x: across, y: up }, theme) {
+  return references
+    .filter(({ label, slope }) => label && slope === undefined)
+    .map(({ x, y, label, colour }, row) => {
+      const note = { text: () => label, fill: colourOf(theme, colour), stroke: theme.card, strokeWidth: 3, fontSize: 10.5 };
+      if (x !== undefined && y !== undefined) return Plot.text([0], { x: () => x, y: () => y, dy: -9, ...note });
+      if (y !== undefined)
+        return Plot.text([0], { x: () => across.high, y: () => y, textAnchor: "end", dy: -6, ...note });
+      const right = x > 0.6 * across.high + 0.4 * across.low;
+      const side = { textAnchor: right ? "end" : "start", dx: right ? -4 : 4, dy: 5 + 13 * row };
+      return Plot.text([0], { x: () => x, y: () => up.high, ...side, ...note });
+    });
 }
 
 /** Lines of text in the upper left corner, on a patch of the card's colour. */
 function withCorner(svg, theme, lines, left) {
-  const wide = 12 + 6 * Math.max(...lines.map((line) => line.replace(/[_{}]/g, "").length));
+  const wide = 12 + 6 * Math.max(...lines.map((line) => plain(line).length));
   svg.append(
     s("rect", {
       x: left,
@@ -228,9 +263,10 @@ export function drawPanel(panel, { width, height = 254, ...about }) {
       ],
     },
     marks: [
-      ...(panel.references ?? []).map((one) => referenceMark(one, theme)),
+      ...(panel.references ?? []).map((one) => referenceMark(one, panel, theme)),
       ...selectedMarks(panel, about),
-      ...drawn.flatMap(({ series, points, colour }) => marksOf(series, points, colour, panel)),
+      ...drawn.flatMap(({ series, points, colour }) => marksOf(series, points, colour, panel, theme)),
+      ...notesOf(panel, theme),
       ...nowMarks(panel, here, theme),
     ],
   });

@@ -1,6 +1,6 @@
 import { prefixOf } from "../text.js";
 import { bytes, materialColour } from "../theme.js";
-import { quantities, topOf, unitOf, valuesOf } from "./quantities.js";
+import { aboutQuantity, isKnown, topOf, valuesOf } from "./quantities.js";
 import { shareOf } from "./scale.js";
 
 /** How far grains fade towards the background while force chains lie over them. */
@@ -44,7 +44,7 @@ export const colourings = {
   vx: { range: bothWays("vx", 1e-12), map: "diverging" },
   vy: { range: bothWays("vy", 1e-12), map: "diverging" },
   spin: { title: "Angular velocity, counter-clockwise", range: bothWays("spin", 1e-9), map: "diverging" },
-  friction: { title: "Mean |F_{t}|/F_{n} at the contacts of a grain", range: () => [0, 0.5], map: "viridis" },
+  friction: { range: () => [0, 0.5], map: "viridis" },
   zone: {
     label: "Zone",
     when: (sample) => sample.hasZones,
@@ -59,8 +59,8 @@ export const colourings = {
 /** Those that a sample has: [[mode, label]]. */
 export function colouringsOf(sample) {
   return Object.entries(colourings)
-    .filter(([mode, { when = quantities[mode]?.when }]) => when?.(sample) ?? true)
-    .map(([mode, { label }]) => [mode, label ?? quantities[mode].label]);
+    .filter(([mode, { when }]) => (when ? when(sample) : isKnown(mode, sample)))
+    .map(([mode, { label }]) => [mode, label ?? aboutQuantity(mode, sample).label]);
 }
 
 const decadesOfLog = 3; // below the upper end, where the lower one is no positive number
@@ -72,7 +72,7 @@ export function scaleOf(sample, state, mode = state.get("colour")) {
   if (!range) return null;
   const [least, most] = range(sample),
     chosen = state.get("scales")?.[mode] ?? {};
-  const { factor, unit } = prefixOf(Math.max(Math.abs(least), Math.abs(most)), unitOf(mode, sample));
+  const { factor, unit } = prefixOf(Math.max(Math.abs(least), Math.abs(most)), aboutQuantity(mode, sample).unit);
   const high = chosen.high ?? most,
     log = Boolean(chosen.log) && high > 0;
   let low = chosen.low ?? least;
@@ -83,7 +83,7 @@ export function scaleOf(sample, state, mode = state.get("colour")) {
     log,
     map: chosen.map ?? map,
     open: !closed || chosen.high !== undefined,
-    title: title ?? quantities[mode].label,
+    title: title ?? aboutQuantity(mode, sample).label,
     factor,
     unit,
   };

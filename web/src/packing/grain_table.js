@@ -1,7 +1,7 @@
 import { h, rich } from "../dom.js";
 import { fileName, saveText } from "../save.js";
 import { prefixOf, text } from "../text.js";
-import { knownQuantities, topOf, unitOf, valuesOf } from "./quantities.js";
+import { knownQuantities, topOf, valuesOf } from "./quantities.js";
 
 const rowHeight = 25,
   spare = 8; // px; rows beyond either end of what is seen
@@ -14,9 +14,8 @@ function columnsOf(sample) {
   ];
   return [
     ...names,
-    ...knownQuantities(sample).map(([key, { symbol, label }]) => {
-      const si = unitOf(key, sample),
-        { factor, unit } = prefixOf(topOf(key, sample), si);
+    ...knownQuantities(sample).map(([key, { symbol, label, unit: si }]) => {
+      const { factor, unit } = prefixOf(topOf(key, sample), si);
       return {
         key,
         head: symbol,

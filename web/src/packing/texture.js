@@ -1,6 +1,5 @@
 import { Numbers } from "../declared.js";
 import { h, rich } from "../dom.js";
-import { criticalTiles } from "../figures/test_curves.js";
 import { grid, headlines, list, notes, remainder, tilesOf } from "../numbers.js";
 
 const structure = (t) =>
@@ -89,11 +88,17 @@ export function textureCard(title, t) {
 
 const textureOf = (sample, state) => new Numbers(sample.texture(state.get("snapshot")), sample.about.meanings);
 
+/** What the key of a stage's curves says of its critical state. */
+const criticalTiles = ({ figures }) =>
+  (figures["test-curves"]?.[0].key ?? []).flatMap(({ name, numbers }) =>
+    numbers.map(([symbol, value, error]) => ({ words: name, symbol, value, error, unit: "" })),
+  );
+
 /** The six numbers that one asks for first; those of a critical state before all others. */
 export function packingHeadlines(sample, state) {
   const box = h("div");
   const refresh = () => {
-    const critical = criticalTiles(sample.stages[sample.about.snapshots[state.get("snapshot")].stage]);
+    const critical = criticalTiles(sample.about.stages[sample.about.snapshots[state.get("snapshot")].stage]);
     box.replaceChildren(
       headlines(
         [

@@ -1,7 +1,6 @@
 import { s } from "../dom.js";
 import { crackTypes } from "../field/cracks.js";
 import { bytes } from "../theme.js";
-import { captionOf } from "./caption.js";
 import { stressKey } from "./sample.js";
 
 const mostStress = 2; // over the mean: nodes scatter less than grains
@@ -14,7 +13,6 @@ export function fieldFigure(figure) {
   return {
     id: figure.id,
     title: figure.title,
-    caption: captionOf(figure),
     key: ({ theme }) => (sample.stress ? stressKey(theme, mostStress) : phaseKey(theme, sample)),
     draw({ theme, width }) {
       const side = Math.min(width, 420),

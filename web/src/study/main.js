@@ -1,4 +1,4 @@
-import { h, rich } from "../dom.js";
+import { h, readNotation, rich } from "../dom.js";
 import { figureCard } from "../figures/card.js";
 import { State } from "../state.js";
 import { followTheme, preferredTheme } from "../theme.js";
@@ -22,6 +22,7 @@ function main() {
   const page = document.getElementById("page");
   try {
     const about = JSON.parse(document.getElementById("figures").textContent);
+    readNotation(about.notation);
     const state = new State({ theme: preferredTheme() });
     followTheme(state);
     const sample = { title: about.title, texture: () => null };

@@ -1,6 +1,5 @@
 import { s } from "../dom.js";
 import { materialColour } from "../theme.js";
-import { captionOf } from "./caption.js";
 
 /** Colours of stresses over the mean, up to so many of them. */
 export const stressKey = (theme, most = 3) =>
@@ -16,7 +15,6 @@ export function sampleFigure(figure) {
   return {
     id: figure.id,
     title: figure.title,
-    caption: captionOf(figure),
     key: ({ theme }) => (sample.stress ? stressKey(theme) : materialKey(theme, sample)),
     draw({ theme, width }) {
       const scale = width / across,

@@ -1,0 +1,66 @@
+#include "grains/fields/coarse_layers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/mapped.hpp"
+
+namespace arenite::fields {
+namespace {
+
+using Values = std::vector<double>;
+
+/// `of(whole stress)` at every point.
+template <class Of> Values of_stress(const CoarseFields& f, Of of) {
+  Values values;
+  for (std::size_t k = 0; k < f.grid.size(); ++k) {
+    const Tensor2 c = f.contact_stress[k], t = f.kinetic_stress[k];
+    values.push_back(of(Tensor2{c.xx + t.xx, c.xy + t.xy, c.yx + t.yx, c.yy + t.yy}));
+  }
+  return values;
+}
+
+double length_of(Vec2 v) { return norm(v); }
+
+Values pressures(const CoarseFields& f) {
+  return of_stress(f, [](const Tensor2& s) { return -0.5 * trace(s); });
+}
+Values deviators(const CoarseFields& f) {
+  return of_stress(f, [](const Tensor2& s) { return 0.5 * std::hypot(s.xx - s.yy, s.xy + s.yx); });
+}
+Values shears(const CoarseFields& f) {
+  return of_stress(f, [](const Tensor2& s) { return 0.5 * (s.xy + s.yx); });
+}
+Values kinetic_pressures(const CoarseFields& f) {
+  return mapped(f.kinetic_stress, [](const Tensor2& t) { return -0.5 * trace(t); });
+}
+
+}  // namespace
+
+const std::vector<CoarseLayer>& coarse_layers() {
+  static const std::vector<CoarseLayer> list{
+      {"solid_fraction", "Solid fraction", "\u03c6", "", false, [](const CoarseFields& f) { return f.solid_fraction; }},
+      {"density", "Density", "\u03c1", "kg/m^3", false, [](const CoarseFields& f) { return f.density; }},
+      {"speed", "Velocity", "|v|", "m/s", true, [](const CoarseFields& f) { return mapped(f.velocity, length_of); }},
+      {"vx", "Velocity along x", "v_{x}", "m/s", true,
+       [](const CoarseFields& f) { return mapped(f.velocity, &Vec2::x); }},
+      {"vy", "Velocity along y", "v_{y}", "m/s", true,
+       [](const CoarseFields& f) { return mapped(f.velocity, &Vec2::y); }},
+      {"pressure", "Pressure", "p", "Pa", false, pressures},
+      {"deviator", "Deviator of stress", "q", "Pa", false, deviators},
+      {"shear", "Shear stress", "\u03c3_{xy}", "Pa", false, shears},
+      {"kinetic", "Kinetic pressure", "p_{kin}", "Pa", true, kinetic_pressures}};
+  return list;
+}
+
+CoarseFields fields_to_show(const Packing& packing, double shear_rate) {
+  constexpr double most_cells = 2500;
+  const double spacing = std::max(packing.grains.mean_diameter(), std::sqrt(packing.domain.area() / most_cells));
+  return coarse_fields(packing, shear_rate, spacing, spacing);
+}
+
+bool are_in_motion(const CoarseFields& fields) {
+  return std::ranges::any_of(fields.kinetic_stress, [](const Tensor2& t) { return trace(t) != 0; });
+}
+
+}  // namespace arenite::fields

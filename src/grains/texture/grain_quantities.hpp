@@ -1,0 +1,38 @@
+#pragma once
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "model/packing.hpp"
+
+namespace arenite::texture {
+
+/// A number that every grain of a state has: pictures are coloured by it, and grains are compared by it. `of` is null
+/// where it takes more than the state: a state before, or the grains that the texture considers.
+struct GrainQuantity {
+  std::string_view name, label, symbol, unit;
+  std::vector<double> (*of)(const Packing& packing) = nullptr;
+};
+
+/// All, in the order of the page. A new one is one more row.
+const std::vector<GrainQuantity>& grain_quantities();
+
+/// The one of this name. Throws InputError for another, and for one that takes more than the state.
+std::vector<double> values_of(const Packing& packing, std::string_view name);
+
+/// Mean |F_t|/F_n of the contacts of each grain that push, 0 without such; over `friction`, where it is given: the
+/// fraction of Coulomb's limit that is mobilised, 0 without friction.
+std::vector<double> mobilisations(const Packing& packing, std::optional<double> friction = {});
+
+/// A state and how far its cell is sheared.
+struct Sheared {
+  const Packing* packing;
+  double strain = 0;
+};
+
+/// Displacements of grains since the first of these states, m, of each state; without the shear of a sheared cell. In a
+/// periodic cell the way from state to state is the shortest, so that grains must not move farther than half a cell
+/// between them. Throws InputError where the numbers of grains differ.
+std::vector<std::vector<Vec2>> displacements(const std::vector<Sheared>& states);
+
+}  // namespace arenite::texture

@@ -1,0 +1,203 @@
+#include "report/figures/over_runs.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/mapped.hpp"
+#include "core/problems.hpp"
+#include "grains/fields/flow_laws.hpp"
+#include "grains/fields/over_runs.hpp"
+
+namespace arenite::report::figures {
+namespace {
+
+using statistics::Columns;
+using Tests = std::vector<fields::Test>;
+using Values = std::vector<double>;
+
+constexpr std::size_t least_points = 3;  // that a law is fitted to
+
+std::vector<const StageResult*> stages_of(const Tests& tests) {
+  return mapped(tests, [](const fields::Test& test) { return &test.stage; });
+}
+
+Axis logarithmic(std::string label, std::string brief, const Values& values) {
+  const double most = largest_of(values, 0), least = least_above_zero(values, most);
+  return {.label = std::move(label),
+          .brief = std::move(brief),
+          .logarithmic = true,
+          .low = 0.8 * least,
+          .high = 1.25 * most};
+}
+
+double largest_in(const Values& values) { return largest_of(values, 0); }
+
+Series points_of(const Columns& found, const char* x, const char* y) {
+  const statistics::Column& column = *found.find(y);
+  return {.x = found[x], .y = column.values, .error = column.error, .points = true};
+}
+
+Series law_of(std::string name, std::pair<Values, Values> at, Line line = Line::solid) {
+  return {.name = std::move(name),
+          .colour = "weak",
+          .x = std::move(at.first),
+          .y = std::move(at.second),
+          .line = line,
+          .is_read = false};
+}
+
+bool is_empty(const Columns& found) { return found.list.front().values.empty(); }
+
+Said in_unit(std::string symbol, const statistics::Estimate& e, double factor) {
+  return said(std::move(symbol), {e.value / factor, e.error / factor});
+}
+
+/// Friction and solid fraction side by side against the first column.
+Drawings both_against(const Columns& found, const Axis& x, const char* of, Axis friction, Axis solid) {
+  if (is_empty(found)) return {};
+  Drawing drawing;
+  drawing.panels = {{.x = x, .y = std::move(friction), .series = {points_of(found, of, "mu")}},
+                    {.x = x, .y = std::move(solid), .series = {points_of(found, of, "solid_fraction")}}};
+  return {drawing};
+}
+
+Drawings rheology(const Tests& tests) {
+  const Columns found = fields::rheology(tests);
+  if (!(largest_in(found["inertial_number"]) > 0)) return {};
+  const Axis axis = logarithmic("inertial number I", "I", found["inertial_number"]);
+  return both_against(found, axis, "inertial_number", {.label = "\u03bc", .brief = "\u03bc"},
+                      {.label = "solid fraction \u03c6", .brief = "\u03c6"});
+}
+
+Drawings critical_states(const Tests& tests) {
+  return both_against(fields::critical_states(tests),
+                      {.label = "friction of the grains \u03bc", .brief = "\u03bc of the grains", .low = 0}, "friction",
+                      {.label = "critical friction \u03bc_{c}", .brief = "\u03bc_{c}"},
+                      {.label = "critical solid fraction \u03c6_{c}", .brief = "\u03c6_{c}"});
+}
+
+/// W^(2/3), which the law of exponent 3/2 makes a line.
+Drawings beverloo(const Tests& tests) {
+  const Columns found = fields::discharges(stages_of(tests));
+  if (is_empty(found)) return {};
+  const statistics::Column& rate = *found.find("rate");
+  Series series{.x = scaled(found["opening"], 1e3), .points = true};
+  for (std::size_t k = 0; k < rate.values.size(); ++k) {
+    series.y.push_back(std::pow(rate.values[k], 2. / 3));
+    series.error.push_back(2. / 3 * rate.error[k] * std::pow(rate.values[k], -1. / 3));
+  }
+  Panel panel{.x = {.label = "opening D", .unit = "mm", .brief = "D", .low = 0},
+              .y = {.label = "W^{2/3}", .unit = "(kg/s)^{2/3}", .low = 0},
+              .series = {series}};
+  Drawing drawing;
+  if (rate.values.size() >= least_points) {
+    const auto law = fields::fit_beverloo(found["opening"], rate.values, rate.error, 1.5);
+    const double slope = std::pow(law.factor.value, 2. / 3), lost = law.lost_width.value;
+    panel.series.push_back(
+        law_of("W = a (D \u2212 w)^{3/2}", sampled(1e3 * lost, 1.05 * largest_in(panel.series[0].x),
+                                                   [&](double d) { return slope * (1e-3 * d - lost); })));
+    drawing.key = {{"W = a (D \u2212 w)^{3/2}", "weak", {in_unit("w/mm", law.lost_width, 1e-3)}}};
+  }
+  drawing.panels = {panel};
+  return {drawing};
+}
+
+Drawings runout(const Tests& tests) {
+  constexpr double low_ends = 3, high_begins = 1.5;  // each law is drawn a little beyond where the two meet
+  const Columns found = fields::runouts(stages_of(tests));
+  if (is_empty(found)) return {};
+  const Values &a = found["aspect_ratio"], &way = found["runout"];
+  Panel panel{.x = logarithmic("aspect ratio a", "a", a),
+              .y = logarithmic("run-out (L_{\u221e} \u2212 L_{0})/L_{0}", "run-out", way),
+              .series = {points_of(found, "aspect_ratio", "runout")}};
+  Drawing drawing;
+  const auto laws = fields::fit_runout(a, way);
+  const auto add = [&](const std::optional<statistics::PowerLaw>& law, double from, double to, Line line) {
+    if (!law) return;
+    const std::string name = fmt::format("\u221d a^{{{:.2f}}}", law->exponent.value);
+    panel.series.push_back(law_of(
+        name, sampled(from, to, [&](double at) { return law->factor.value * std::pow(at, law->exponent.value); }),
+        line));
+    drawing.key.push_back({name, "weak", {said("n", law->exponent)}, line});
+  };
+  add(laws.low, least_above_zero(a, largest_in(a)), low_ends, Line::solid);
+  add(laws.high, high_begins, largest_in(a), Line::dashed);
+  drawing.panels = {panel};
+  return {drawing};
+}
+
+/// Beside the pressure of a liquid.
+Drawings janssen(const Tests& tests) {
+  const Columns found = fields::silos(stages_of(tests));
+  if (is_empty(found)) return {};
+  const statistics::Column& pressure = *found.find("pressure");
+  const Scale scale = scale_of(pressure.values, "Pa");
+  const Values height = scaled(found["height"], 1e3);
+  const auto in_unit_of_axis = [&](const Values& values) { return scaled(values, 1 / scale.factor); };
+  Series points{.name = "measured",
+                .x = height,
+                .y = in_unit_of_axis(pressure.values),
+                .error = in_unit_of_axis(pressure.error),
+                .points = true};
+  Panel panel{.x = {.label = "height of the filling", .unit = "mm", .brief = "height", .low = 0},
+              .y = {.label = "pressure at the bottom", .unit = scale.unit, .brief = "pressure", .low = 0},
+              .series = {points, law_of("as a liquid", {height, in_unit_of_axis(found["hydrostatic"])}, Line::dotted)}};
+  Drawing drawing;
+  if (height.size() >= least_points) {
+    const auto law = fields::fit_janssen(found["height"], pressure.values, pressure.error, found["hydrostatic"]);
+    const double end = law.saturation.value / scale.factor, length = 1e3 * law.length.value;
+    panel.y.high = 2 * end;
+    panel.series.push_back(
+        law_of("Janssen", sampled(
+                              0, largest_in(height), [&](double h) { return -end * std::expm1(-h / length); }, 120)));
+    drawing.key = {{"Janssen",
+                    "weak",
+                    {in_unit("p_{s}/" + scale.unit, law.saturation, scale.factor), in_unit("l/mm", law.length, 1e-3)}},
+                   {"as a liquid", "weak", {}, Line::dotted}};
+  }
+  drawing.panels = {panel};
+  return {drawing};
+}
+
+}  // namespace
+
+const std::vector<Row<Tests>>& figures_over_runs() {
+  static const std::vector<Row<Tests>> list{
+      {{"rheology", "rheology", "Rheology",
+        "Ratio of shear and normal stress and solid fraction against the inertial number, a point a run: means over "
+        "its "
+        "steady part with standard errors.",
+        true},
+       rheology},
+      {{"critical-state", "critical-state", "Critical state",
+        "Friction and solid fraction of the plateau against the friction of the grains, a point a run, with standard "
+        "errors.",
+        true},
+       critical_states},
+      {{"beverloo", "beverloo", "Discharge against opening",
+        "Rate of discharge W, a point a run with its standard error, and the law of Beverloo with exponent 3/2 in two "
+        "dimensions; w: width lost at the edges."},
+       beverloo},
+      {{"runout", "runout", "Run-out against aspect ratio",
+        "Displacement of the front of a collapse over the width before, a point a run with its standard error, and "
+        "power "
+        "laws a^{n} of low and of high samples."},
+       runout},
+      {{"janssen", "janssen", "Pressure at the bottom of a silo",
+        "Mean pressure on the floor, a point a run with its standard error; full line: Janssen\u2019s law, p = p_{s} "
+        "(1 "
+        "\u2212 exp(\u2212H/l)); dotted: pressure of a liquid of the same bulk density."},
+       janssen}};
+  return list;
+}
+
+const Row<Tests>& figure_over_runs(const std::string& id) {
+  const auto& list = figures_over_runs();
+  const auto at = std::ranges::find(list, id, [](const auto& row) { return row.head.id; });
+  if (at == list.end()) throw refusal("there is no figure {} of several results", id);
+  return *at;
+}
+
+}  // namespace arenite::report::figures

@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+
+#include "report/figures/stage_figures.hpp"
+#include "statistics/columns.hpp"
+
+namespace arenite::report::figures {
+
+/// Stress ratio, or stress, and volumetric strain, or pressure, against the strain of a test.
+Drawings test_curves(const StageData& data);
+/// Strain at the largest and the smallest load against the number of the cycle.
+Drawings cycles(const StageData& data);
+
+/// How a curve of a test (fields::loading_of and the like) is drawn: its axis, and what its numbers are divided by.
+struct CurveAxis {
+  Axis axis;
+  double factor = 1;
+};
+CurveAxis axis_of(const statistics::Column& column);
+
+/// A line; one of many rows, which fluctuates, is pale under its running mean.
+void add_curve(Panel& panel, const std::vector<double>& x, std::vector<double> y, const std::string& colour);
+
+/// One curve of a test, or column of its history, against another, with the place of each state; "test" twice: the
+/// ratio of stresses against the strain. Throws InputError for a name that the stage has not.
+Panel one_against_another(const StageData& data, const std::string& x, const std::string& y);
+
+}  // namespace arenite::report::figures
