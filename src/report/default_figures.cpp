@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <set>
 
 #include "core/mapped.hpp"
@@ -60,6 +61,12 @@ std::vector<std::string> main_numbers(const campaign::CollectedTable& table) {
   return found;
 }
 
+/// "Saturation S_m" with its index as labels have it: "Saturation S_{m}".
+std::string with_indices(const std::string& words) {
+  static const std::regex letter_with_index("\\b([A-Za-z])_([a-z]+)\\b");
+  return std::regex_replace(words, letter_with_index, "$1_{$2}");
+}
+
 }  // namespace
 
 std::string label_of(const campaign::CollectedTable& table, const std::string& name) {
@@ -71,7 +78,8 @@ std::string label_of(const campaign::CollectedTable& table, const std::string& n
   const auto at = table.meanings.find(name);
   return at == table.meanings.end()
              ? name
-             : with_unit(at->second.sentence.substr(0, at->second.sentence.find_first_of(",:;")), at->second.unit);
+             : with_unit(with_indices(at->second.sentence.substr(0, at->second.sentence.find_first_of(",:;"))),
+                         at->second.unit);
 }
 
 std::vector<Figure> default_figures(const campaign::CollectedTable& table) {

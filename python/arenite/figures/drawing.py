@@ -127,6 +127,7 @@ def draw_panel(axes, panel):
             textcoords="offset points",
             va="top",
             fontsize="small",
+            bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 0.5},
         )
 
 

@@ -14,7 +14,9 @@ def components(figure, field, names, columns=3):
 def film_maps(figure, film):
     draws = films.map_panels(film)
     for k, draw in enumerate(draws):
-        draw(figure.add_subplot(-(-len(draws) // 4), 4, k + 1))
+        axes = figure.add_subplot(-(-len(draws) // 4), 4, k + 1)
+        draw(axes)
+        axes.title.set_fontsize("small")  # four in a row
 
 
 def beside(figure, film):

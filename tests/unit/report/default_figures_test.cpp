@@ -49,6 +49,13 @@ TEST(DefaultFigures, AreNoneWhereNothingIsSweptButTheSeedOrWords) {
   EXPECT_TRUE(default_figures(t).empty());
 }
 
+TEST(DefaultFigures, LettersWithAnIndexAreLabelsWithOne) {
+  campaign::CollectedTable table;
+  table.meanings = {{"S_m", {"", "Saturation S_m, matrix over pores"}}, {"z_all", {"m", "Mean way of all"}}};
+  EXPECT_EQ(label_of(table, "S_m"), "Saturation S_{m}");
+  EXPECT_EQ(label_of(table, "z_all"), "Mean way of all, m");
+}
+
 TEST(DefaultFigures, TheTableHasEveryRunWithItsNumbersAndItsPage) {
   const Numbers runs = runs_table(table(), [](const std::string& run) { return "runs/" + run + "/report.html"; });
   ASSERT_EQ(runs["rows"].size(), 12u);

@@ -35,7 +35,7 @@ function inside({ low, high }, value) {
 const isWhole = (panel) =>
   !panel.x.unit && panel.series.every(({ x }) => x.every(Number.isInteger)) && panel.series.some(({ x }) => x.length > 1);
 
-function axisOf({ label, unit, brief, log, low, high }, whole = false) {
+function axisOf({ label = null, unit, brief, log, low, high }, whole = false) {
   const domain = low === undefined || high === undefined ? undefined : [low, high];
   if (log) return { ...logAxis(label, domain), unit, short: brief };
   return {
@@ -258,7 +258,7 @@ export function drawPanel(panel, { width, height = 254, ...about }) {
       reach: panel.click ? Infinity : panel.near ? 60 : 200,
       lines: [
         ...(named ? [["", ({ name }) => name]] : []),
-        [panel.x.brief ?? panel.x.label, (p) => withUnit(p.x, panel.x.unit)],
+        [panel.x.brief ?? panel.x.label ?? "", (p) => withUnit(p.x, panel.x.unit)],
         [panel.y.brief ?? panel.y.label, (p) => withUnit(p.value, panel.y.unit, p.error)],
       ],
     },
