@@ -28,7 +28,8 @@ def source_of_build():
     for file in (os.path.join(build, "arenite"), module):
         if not os.path.exists(file):
             sys.exit(
-                f"ARENITE_BUILD={build}: there is no {os.path.relpath(file, build)}; `make build` makes it for /usr/bin/python3"
+                f"ARENITE_BUILD={build}: there is no {os.path.relpath(file, build)}; `make build` makes it for "
+                "/usr/bin/python3"
             )
     return os.path.join("cmake", "wheel"), [f"-DARENITE_BUILD={build}", f"-DARENITE_MODULE={module}"]
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Runs for an instant what needs more than itself: `tables` on a small simulated sample, `peers` beside the programs here.
+"""Runs for an instant what needs more than itself: `tables` on a small simulated sample, `peers` beside the programs
+here.
 
 usage: bench/instant.py tables|peers BUILD_FOLDER
 """

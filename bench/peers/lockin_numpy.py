@@ -2,9 +2,9 @@
 """The sums of a lock-in in NumPy, on a film like that of bench/lockin.cpp: 320 x 240 pixels of 16 bit in memory.
 
 usage: bench/peers/lockin_numpy.py [FRAMES]         (default: 8880)
-For every pixel the sums of its values weighed with 1, t, t^2, cos and sin of two harmonics, and of its squares. Two ways:
-`natural` as one writes it, one product of the weights with the film, which NumPy turns to doubles; `fastest` the fastest
-found: blocks of frames that fit the cache, in single precision about the first frame, multiplied by BLAS.
+For every pixel the sums of its values weighed with 1, t, t^2, cos and sin of two harmonics, and of its squares. Two
+ways: `natural` as one writes it, one product of the weights with the film, which NumPy turns to doubles; `fastest` the
+fastest found: blocks of frames that fit the cache, in single precision about the first frame, multiplied by BLAS.
 Prints seconds of wall and of CPU time, least of three, and GB/s by wall time.
 """
 import sys
@@ -68,7 +68,8 @@ def main():
             wall.append(time.perf_counter() - wall_0)
             cpu.append(time.process_time() - cpu_0)
         print(
-            f"{way.__name__:<8} {min(wall):7.3f} s wall  {min(cpu):7.3f} s CPU  {film.nbytes / min(wall) / 1e9:6.2f} GB/s"
+            f"{way.__name__:<8} {min(wall):7.3f} s wall  {min(cpu):7.3f} s CPU  {film.nbytes / min(wall) / 1e9:6.2f} "
+            "GB/s"
         )
 
 

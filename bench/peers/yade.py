@@ -1,4 +1,5 @@
-# The benchmark's packing between four walls under YADE: yade -n -x -j1 yade.py TABLE STEPS. Prints CPU seconds of STEPS steps.
+# The benchmark's packing between four walls under YADE: yade -n -x -j1 yade.py TABLE STEPS. Prints CPU seconds of STEPS
+# steps.
 import math
 import resource
 import sys

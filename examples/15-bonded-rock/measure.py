@@ -28,13 +28,16 @@ def measure(path):
     poisson = -across / along
     broken = [int(history[f"broken_in_{kind}"][peak]) for kind in ("tension", "bending", "shear")]
     print(
-        f"{stage.name}: strength {stress[peak] / 1e6:.0f} MPa at {100 * strain[peak]:.2f} %, E {modulus / 1e9:.1f} GPa, nu {poisson:.2f}"
+        f"{stage.name}: strength {stress[peak] / 1e6:.0f} MPa at {100 * strain[peak]:.2f} %, E {modulus / 1e9:.1f} "
+        f"GPa, nu {poisson:.2f}"
     )
     print(
-        f"  as of plane strain: E {modulus * (1 - (poisson / (1 + poisson)) ** 2) / 1e9:.1f} GPa, nu {poisson / (1 + poisson):.2f}"
+        f"  as of plane strain: E {modulus * (1 - (poisson / (1 + poisson)) ** 2) / 1e9:.1f} GPa, nu "
+        f"{poisson / (1 + poisson):.2f}"
     )
     print(
-        f"  broken at the peak in tension, bending, shear: {broken}; first bond at {stress[np.argmax(history['bonds'] < history['bonds'][0])] / 1e6:.0f} MPa"
+        f"  broken at the peak in tension, bending, shear: {broken}; first bond at "
+        f"{stress[np.argmax(history['bonds'] < history['bonds'][0])] / 1e6:.0f} MPa"
     )
 
 

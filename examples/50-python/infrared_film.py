@@ -1,4 +1,5 @@
-"""From an infrared film to stresses and contact forces, on a film with known forces: simulate, film, measure, compare."""
+"""From an infrared film to stresses and contact forces, on a film with known forces: simulate, film, measure,
+compare."""
 
 # %% A small sample between two loads, as laboratory sample 8 is simulated.
 import pathlib
@@ -43,7 +44,8 @@ print(f"{maps.frequency:.5f} +- {maps.frequency_error:.5f} Hz, noise floor {np.m
 result = arenite.film(files[0], files[-1], "measured")
 print(f"{len(result.grains)} grains, {len(result.packing.contacts)} contacts")
 print(
-    f"median error of a normal force: {np.median(result.fn_error):.1f} N of {np.mean(np.abs(result.packing.contacts.fn)):.0f} N"
+    f"median error of a normal force: {np.median(result.fn_error):.1f} N of "
+    f"{np.mean(np.abs(result.packing.contacts.fn)):.0f} N"
 )
 
 # %% Figures.

@@ -10,11 +10,13 @@ from . import _core, compare, curves
 from ._core import measure
 
 style = """
-body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 76rem; padding: 0 1rem; color: #1a1a1a; background: #fff }
-h1 { font-size: 1.4rem } h2 { font-size: 1.1rem; margin-top: 2rem } img { width: 100% }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums } th, td { padding: .15rem .8rem .15rem 0; text-align: left; border-bottom: 1px solid #ddd; vertical-align: top }
-td.n { text-align: right; white-space: nowrap } td code { overflow-wrap: anywhere } section th { text-align: right } section th:first-child { text-align: left } tr.beyond { background: #fdeadd } .a { color: #0072b2 } .b { color: #d55e00 } .wide { overflow-x: auto }
-#only:checked ~ section tr.other { display: none }
+body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 76rem; padding: 0 1rem; color: #1a1a1a;
+background: #fff } h1 { font-size: 1.4rem } h2 { font-size: 1.1rem; margin-top: 2rem } img { width: 100% }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums } th, td { padding: .15rem .8rem .15rem 0;
+text-align: left; border-bottom: 1px solid #ddd; vertical-align: top } td.n { text-align: right; white-space: nowrap }
+td code { overflow-wrap: anywhere } section th { text-align: right } section th:first-child { text-align: left }
+tr.beyond { background: #fdeadd } .a { color: #0072b2 } .b { color: #d55e00 } .wide { overflow-x: auto } #only:checked ~
+section tr.other { display: none }
 """
 
 
@@ -31,11 +33,13 @@ def page(a, b, names):
         f"<p>{html.escape(compare.summary(found))}</p>",
         settings(pairs),
         figure(pairs),
-        '<h2>Numbers</h2><input type="checkbox" id="only" checked> <label for="only">only differences beyond their errors</label>',
+        '<h2>Numbers</h2><input type="checkbox" id="only" checked> '
+        '<label for="only">only differences beyond their errors</label>',
     ]
     parts += [section(name, [row for row in found if row.part == name]) for name, *_ in pairs]
     return (
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">"
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width">'
         f"<title>{html.escape(' and '.join(names))}</title><style>{style}</style></head><body>\n"
         + "\n".join(parts)
         + "\n</body></html>\n"
@@ -89,7 +93,9 @@ def numbers_of(row):
         compare.in_errors(row),
     ]
     numbers = "".join(f'<td class="n">{html.escape(cell)}</td>' for cell in cells)
-    return f'<tr class="{"beyond" if row.verdict == compare.beyond else "other"}"><td><code>{html.escape(row.name)}</code></td>{numbers}<td>{row.verdict}</td></tr>'
+    kind = "beyond" if row.verdict == compare.beyond else "other"
+    name = f"<td><code>{html.escape(row.name)}</code></td>"
+    return f'<tr class="{kind}">{name}{numbers}<td>{row.verdict}</td></tr>'
 
 
 def figure(pairs):

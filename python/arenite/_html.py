@@ -6,7 +6,8 @@ import io
 
 
 def _picture(name, *objects, **options):
-    """The picture drawn by `arenite.figures.NAME`; empty without Matplotlib, so that the numbers are shown in any case."""
+    """The picture drawn by `arenite.figures.NAME`; empty without Matplotlib, so that the numbers are shown in any
+    case."""
     try:
         from matplotlib.figure import Figure
 
@@ -17,7 +18,8 @@ def _picture(name, *objects, **options):
     getattr(figures, name)(figure.add_subplot(), *objects, **options)
     store = io.BytesIO()
     figure.savefig(store, format="png", dpi=100)
-    return f'<img alt="picture" style="max-width: 100%" src="data:image/png;base64,{base64.b64encode(store.getvalue()).decode()}"/>'
+    picture = base64.b64encode(store.getvalue()).decode()
+    return f'<img alt="picture" style="max-width: 100%" src="data:image/png;base64,{picture}"/>'
 
 
 def _table(rows):

@@ -8,7 +8,8 @@ import sys
 
 
 def printable(text):
-    """For a terminal: control characters as their pictures, so that names from other people's files cannot speak to it."""
+    """For a terminal: control characters as their pictures, so that names from other people's files cannot speak to
+    it."""
     return re.sub(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]", lambda m: chr(0x2400 + ord(m[0])) if m[0] < " " else "\ufffd", text)
 
 
@@ -24,8 +25,8 @@ def said(sentence):
 
 
 def carry_out(main):
-    """Ends the process with the status of a command, whose options are one JSON object on the command line. Whoever closes
-    the pipe of its output ends it, as it ends other programs; output that cannot be written is told."""
+    """Ends the process with the status of a command, whose options are one JSON object on the command line. Whoever
+    closes the pipe of its output ends it, as it ends other programs; output that cannot be written is told."""
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     try:
         status = main(**json.loads(sys.argv[1]))

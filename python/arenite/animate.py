@@ -1,4 +1,5 @@
-"""Animations of a run along its loading: `save(result, "run.mp4", by="pressure")`, or `python3 -m arenite.animate RESULT`.
+"""Animations of a run along its loading: `save(result, "run.mp4", by="pressure")`, or `python3 -m arenite.animate
+RESULT`.
 
 ffmpeg, if installed, writes an MP4; Pillow, which comes with Matplotlib, a GIF.
 """
@@ -30,14 +31,15 @@ def save(
     curve=None,
     progress=None,
 ):
-    """Writes the stored states of a result (a Result or its path), or of one `stage`, as an animation; returns its path, which ends in .gif
-    instead of .mp4 if ffmpeg is not installed.
+    """Writes the stored states of a result (a Result or its path), or of one `stage`, as an animation; returns its
+    path, which ends in .gif instead of .mp4 if ffmpeg is not installed.
 
-    `by`: "material", "forces" (bars only), "pressure", "deviator" (Pa), "z", "velocity" (m/s), "displacement" (from the first
-    state, m), "rotation" (rad), "mobilisation" (mean ``|F_t|/(mu F_n)`` of a grain); `chains`: also forces as bars over the grains;
-    `colour_map`: a colour map of Matplotlib; `low`, `high`: limits of its scale in SI units, taken from the states unless given; `fps`:
-    states per second; `size`: width and height in pixels; `curve`: ("axial_strain", "top_force"), columns of `curves.along` or of
-    the history, drawn beside the grains with the current state marked, or "test": q/p or mu against strain; `progress(share, "states")` is called meanwhile. Raises
+    `by`: "material", "forces" (bars only), "pressure", "deviator" (Pa), "z", "velocity" (m/s), "displacement" (from the
+    first state, m), "rotation" (rad), "mobilisation" (mean ``|F_t|/(mu F_n)`` of a grain); `chains`: also forces as
+    bars over the grains; `colour_map`: a colour map of Matplotlib; `low`, `high`: limits of its scale in SI units,
+    taken from the states unless given; `fps`: states per second; `size`: width and height in pixels; `curve`:
+    ("axial_strain", "top_force"), columns of `curves.along` or of the history, drawn beside the grains with the current
+    state marked, or "test": q/p or mu against strain; `progress(share, "states")` is called meanwhile. Raises
     ValueError."""
     from .figures import motion, moving
     from .figures.style import journal_style
@@ -85,7 +87,8 @@ def has_ffmpeg():
 
 
 def write_mp4(path, pictures, fps, progress):
-    """With ffmpeg, which receives the images as they are drawn; in a format that every player and presentation program reads."""
+    """With ffmpeg, which receives the images as they are drawn; in a format that every player and presentation program
+    reads."""
     from matplotlib import animation
 
     writer = animation.FFMpegWriter(
@@ -116,7 +119,8 @@ def write_gif(path, pictures, fps, progress):
 
 
 def palette_of(images, colour_map=None, scale=176):
-    """256 colours for all states: those of lines, `scale` colours evenly along the colour map if there is one, the others from some states."""
+    """256 colours for all states: those of lines, `scale` colours evenly along the colour map if there is one, the
+    others from some states."""
     import matplotlib
     import numpy as np
     from PIL import Image
@@ -148,7 +152,8 @@ def main(
     size=None,
     curve=None,
 ):
-    """Implements `arenite animate`, whose options are declared by the program: prints the path; status 2 and a message on stderr for bad input."""
+    """Implements `arenite animate`, whose options are declared by the program: prints the path; status 2 and a message
+    on stderr for bad input."""
     folder = pathlib.Path(result) if os.path.isdir(result) else pathlib.Path(result).parent
     try:
         written = save(
@@ -169,7 +174,8 @@ def main(
         return said(str(error))
     except ImportError as error:
         return said(
-            f"an animation needs Matplotlib and Pillow (Debian: apt-get install python3-matplotlib python3-pil): {error}"
+            "an animation needs Matplotlib and Pillow (Debian: apt-get install python3-matplotlib python3-pil): "
+            f"{error}"
         )
     except OSError as error:
         return said(

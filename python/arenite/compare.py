@@ -1,7 +1,7 @@
 """Two results side by side: `rows(a, b)`, `save_page(a, b, "compare.html")`, or `python3 -m arenite.compare A B`.
 
-Every number of both, with its standard error if the result has one. A difference is significant beyond two of its standard errors;
-differences of numbers without errors are listed but not judged.
+Every number of both, with its standard error if the result has one. A difference is significant beyond two of its
+standard errors; differences of numbers without errors are listed but not judged.
 """
 
 import csv
@@ -21,7 +21,8 @@ sure = 2  # standard errors of the difference
 
 @dataclasses.dataclass
 class Row:
-    """A number of both results: `part` is the stage, sample, load or film, `name` its path with dots; NaN where one has none."""
+    """A number of both results: `part` is the stage, sample, load or film, `name` its path with dots; NaN where one has
+    none."""
 
     part: str
     name: str
@@ -54,7 +55,8 @@ class Row:
 
 
 def turn_of(name):
-    """Period of an angle in degrees: half a turn for axes, an n-th of a turn for n-fold symmetry; None for other numbers."""
+    """Period of an angle in degrees: half a turn for axes, an n-th of a turn for n-fold symmetry; None for other
+    numbers."""
     folds = re.search(r"modes\.(\d+)\.phase_deg$", name)
     if folds:
         return 360 / int(folds[1])
@@ -72,8 +74,8 @@ def parts_of(result):
 
 
 def pairs_of(a, b):
-    """[(name, part of a, part of b)], as parts_of gives them: parts of the same name, otherwise the last of each kind. Raises ValueError
-    if the two have nothing in common."""
+    """[(name, part of a, part of b)], as parts_of gives them: parts of the same name, otherwise the last of each kind.
+    Raises ValueError if the two have nothing in common."""
     parts, others = parts_of(a), parts_of(b)
     pairs = [(one[1], one, other) for one in parts for other in others if one[:2] == other[:2]]
     for kind in ("stage", "field", "film"):
@@ -97,8 +99,8 @@ def is_number(value):
 
 
 def flattened(numbers, path=""):
-    """{"coordination.all": (value, error)} of a tree of numbers; NaN for an unknown error. Items of lists are counted from
-    0; densities and other curves (groups of lists) are left to the figure."""
+    """{"coordination.all": (value, error)} of a tree of numbers; NaN for an unknown error. Items of lists are counted
+    from 0; densities and other curves (groups of lists) are left to the figure."""
     if is_number(numbers):
         return {path: (float(numbers), math.nan)}
     if isinstance(numbers, dict) and is_curve(numbers):
@@ -127,7 +129,8 @@ def is_curve(numbers):
 
 
 def rows(a, b):
-    """[Row] of all numbers of two results (Results or paths), part after part. Raises ValueError if they have no part in common."""
+    """[Row] of all numbers of two results (Results or paths), part after part. Raises ValueError if they have no part
+    in common."""
     found = []
     for name, one, other in pairs_of(opened(a), opened(b)):
         left, right = flattened(one[2]), flattened(other[2])
@@ -148,13 +151,23 @@ def counted(found):
 
 
 def summary(found):
-    """A summary in a sentence or two, with the number expected by chance, because among many numbers some always differ."""
+    """A summary in a sentence or two, with the number expected by chance, because among many numbers some always
+    differ."""
     counts = counted(found)
     known = counts[beyond] + counts[within]
-    text = f"{counts[beyond]} of {known} numbers with errors that differ are beyond {sure} standard errors of the difference"
+    text = (
+        f"{counts[beyond]} of {known} numbers with errors that differ are beyond {sure} standard errors of the "
+        "difference"
+    )
     if known:
-        text += f"; equal samples would give about {max(1, round(0.0455 * known))}, and numbers of one sample are correlated"
-    return f"{text}. {counts[equal]} are equal, {counts[unjudged]} differ but have no error, {counts[alone]} are in one result only."
+        text += (
+            f"; equal samples would give about {max(1, round(0.0455 * known))}, and numbers of one sample are "
+            "correlated"
+        )
+    return (
+        f"{text}. {counts[equal]} are equal, {counts[unjudged]} differ but have no error, {counts[alone]} are in one "
+        "result only."
+    )
 
 
 def text_table(found):
@@ -212,8 +225,8 @@ def save_table(found, path):
 
 
 def save_page(a, b, path, names=None):
-    """A self-contained page: the summary, the curves of both in one figure, and the table. `names` of the two results; their paths if not
-    given. Returns the path."""
+    """A self-contained page: the summary, the curves of both in one figure, and the table. `names` of the two results;
+    their paths if not given. Returns the path."""
     from ._compare_page import page
 
     one, other = opened(a), opened(b)
@@ -230,7 +243,8 @@ def name_of(result, given):
 
 
 def main(a, b, out="compare.html", csv=None, all=False):
-    """Implements `arenite compare`, whose options are declared by the program: prints the differences; status 2 and a message on stderr for bad input."""
+    """Implements `arenite compare`, whose options are declared by the program: prints the differences; status 2 and a
+    message on stderr for bad input."""
     try:
         one, other = opened(a), opened(b)
         found = rows(one, other)
@@ -243,7 +257,8 @@ def main(a, b, out="compare.html", csv=None, all=False):
         return said(f"the page's curves need Matplotlib (Debian: apt-get install python3-matplotlib): {error}")
     except OSError as error:
         return said(
-            f"{error.filename or out}: cannot be written ({error.strerror or error}); choose another file with --out or --csv"
+            f"{error.filename or out}: cannot be written ({error.strerror or error}); choose another file with --out "
+            "or --csv"
         )
     shown = found if all else [row for row in found if row.verdict == beyond]
     if shown:

@@ -1,10 +1,12 @@
-"""Curves of a test: strains, stresses and fabric along a loading and over its cycles, and mu(I), phi(I) over several runs.
+"""Curves of a test: strains, stresses and fabric along a loading and over its cycles, and mu(I), phi(I) over several
+runs.
 
-Each function returns a dict, {"axial_strain": Curve(values, unit), ...}; a Curve is a tuple of an array and its SI unit ("1"
-for numbers), with what it is as its `meaning`. Strains are positive in compression, as in `arenite show --states`, relative to the state
-before the stage; stresses of the sides are positive in compression, p their mean and q half the difference of the principal ones, so that
-q/p is the sine of the mobilised angle of friction. Quantities that a result lacks are left out. The numbers are those that `arenite show`
-and the page have (`grains/fields` of the library). For pandas: `pandas.DataFrame({name: c.values for name, c in along(result).items()})`.
+Each function returns a dict, {"axial_strain": Curve(values, unit), ...}; a Curve is a tuple of an array and its SI unit
+("1" for numbers), with what it is as its `meaning`. Strains are positive in compression, as in `arenite show --states`,
+relative to the state before the stage; stresses of the sides are positive in compression, p their mean and q half the
+difference of the principal ones, so that q/p is the sine of the mobilised angle of friction. Quantities that a result
+lacks are left out. The numbers are those that `arenite show` and the page have (`grains/fields` of the library). For
+pandas: `pandas.DataFrame({name: c.values for name, c in along(result).items()})`.
 """
 
 import collections
@@ -33,7 +35,8 @@ class Test(NamedTuple):
 
 
 def named_curves(columns):
-    """{name: Curve} of the library's columns, their errors as `name_error` behind them (`name_error_maximum` over cycles)."""
+    """{name: Curve} of the library's columns, their errors as `name_error` behind them (`name_error_maximum` over
+    cycles)."""
     found = {}
     for name, (values, error, unit, meaning) in columns.items():
         found[name] = Curve(values, unit, meaning)
@@ -59,12 +62,13 @@ def has_history(stage):
 
 def along(result, stage=None):
     """The history sampled while a stage ran: `time`; `strain_x`, `strain_y`, `axial_strain` (of the axis that shortens
-    most, or, without confinement, strains most), `volumetric_strain`, `shear_strain` (of a sheared cell or between sliding walls; otherwise
-    axial minus lateral strain);
-    `sigma_xx`, `sigma_yy`, `tau`, `p`, `q`, `q_over_p` and, if a cell is sheared or a wall slides, `mu`, shear over normal stress
-    there, negative for shear to the left; `axial_stress` of a test without confinement or in tension; ratios are NaN if the
-    sides are almost unloaded; `solid_fraction` of the whole box, `inertial_number`; for runs with
-    track_energy `dissipated_energy` and `work` since the first row. Raises ValueError for a result without such a stage.
+    most, or, without confinement, strains most), `volumetric_strain`, `shear_strain` (of a sheared cell or between
+    sliding walls; otherwise axial minus lateral strain);
+    `sigma_xx`, `sigma_yy`, `tau`, `p`, `q`, `q_over_p` and, if a cell is sheared or a wall slides, `mu`, shear over
+    normal stress there, negative for shear to the left; `axial_stress` of a test without confinement or in tension;
+    ratios are NaN if the sides are almost unloaded; `solid_fraction` of the whole box, `inertial_number`; for runs with
+    track_energy `dissipated_energy` and `work` since the first row. Raises ValueError for a result without such a
+    stage.
     """
     return curves_of(find_test(result, stage))
 
@@ -82,10 +86,10 @@ def slides(stage):
 
 
 def of_states(result, stage=None):
-    """Fabric against strain, for the stored states of a stage: the strains of `along` and `solid_fraction` (away from the walls),
-    `z`, `z_without_rattlers`, `rattlers`, `a_c` (and signed along the compression: all, strong, weak contacts), `a_n`, `a_t`,
-    `theta_c`, `mean_force`, `p`, `q`, `q_over_p` of the contacts; with standard errors such as `z_error`. NaN if a state has
-    no value. Raises ValueError for a result without such a stage."""
+    """Fabric against strain, for the stored states of a stage: the strains of `along` and `solid_fraction` (away from
+    the walls), `z`, `z_without_rattlers`, `rattlers`, `a_c` (and signed along the compression: all, strong, weak
+    contacts), `a_n`, `a_t`, `theta_c`, `mean_force`, `p`, `q`, `q_over_p` of the contacts; with standard errors such as
+    `z_error`. NaN if a state has no value. Raises ValueError for a result without such a stage."""
     return states_of(find_test(result, stage))
 
 
@@ -95,9 +99,10 @@ def states_of(test):
 
 
 def of_cycles(result, stage=None):
-    """Curves over the cycles of a stage with `cycles`: `cycle`, and every curve of `of_states` at the largest and at the
-    smallest load of each, `axial_strain_maximum`, `z_minimum`; `strain_amplitude` between the two; `accumulated_strain` at the
-    smallest load since the end of the first cycle; `dissipated_energy` in each cycle. Raises ValueError for a stage without cycles.
+    """Curves over the cycles of a stage with `cycles`: `cycle`, and every curve of `of_states` at the largest and at
+    the smallest load of each, `axial_strain_maximum`, `z_minimum`; `strain_amplitude` between the two;
+    `accumulated_strain` at the smallest load since the end of the first cycle; `dissipated_energy` in each cycle.
+    Raises ValueError for a stage without cycles.
     """
     return cycles_of(find_test(result, stage))
 
@@ -108,9 +113,10 @@ def cycles_of(test):
 
 
 def every_cycle(result, stage=None):
-    """Strains, stresses and energies of `along` at the largest and at the smallest load or strain of every cycle, of a stage with `cycles` or
-    `strain_cycles`, whether their states are stored or not: `cycle`, `axial_strain_maximum`, `shear_strain_minimum`; `accumulated_strain` at the
-    smallest since the end of the first. Raises ValueError for a stage without cycles."""
+    """Strains, stresses and energies of `along` at the largest and at the smallest load or strain of every cycle, of a
+    stage with `cycles` or `strain_cycles`, whether their states are stored or not: `cycle`, `axial_strain_maximum`,
+    `shear_strain_minimum`; `accumulated_strain` at the smallest since the end of the first. Raises ValueError for a
+    stage without cycles."""
     return every_cycle_of(find_test(result, stage))
 
 
@@ -120,7 +126,8 @@ def every_cycle_of(test):
 
 
 def steady(values):
-    """(mean, standard error) of the steady part of a series (`arenite.steady_state`): neighbours in time are not independent."""
+    """(mean, standard error) of the steady part of a series (`arenite.steady_state`): neighbours in time are not
+    independent."""
     known = values[np.isfinite(values)]
     found = steady_state(known) if len(known) else {"mean": np.nan, "error": np.nan}
     return found["mean"], found["error"]
@@ -133,7 +140,7 @@ def tests_of(results, stage=None):
 
 
 def rheology(results, stage=None):
-    """mu(I) and phi(I) of sheared runs: `inertial_number`, `mu` and `solid_fraction`, each the mean over the steady part of
-    a run with its error (`mu_error`, `solid_fraction_error`), in the order of I. mu is q/p unless a wall slides or a cell is
-    sheared, and the ratio of the means of the two stresses."""
+    """mu(I) and phi(I) of sheared runs: `inertial_number`, `mu` and `solid_fraction`, each the mean over the steady
+    part of a run with its error (`mu_error`, `solid_fraction_error`), in the order of I. mu is q/p unless a wall slides
+    or a cell is sheared, and the ratio of the means of the two stresses."""
     return named_curves(_core.rheology(*tests_of(results, stage)))

@@ -19,8 +19,8 @@ def run_study(
 ) -> Dict[str, int]:
     """Runs a recipe with [sweep], each run in its own process; finished runs are not repeated.
 
-    `progress(share, "runs")` is called meanwhile. Returns the numbers of runs that are done, not done (failed or without
-    equilibrium) and left. Raises ValueError with the program's message.
+    `progress(share, "runs")` is called meanwhile. Returns the numbers of runs that are done, not done (failed or
+    without equilibrium) and left. Raises ValueError with the program's message.
     """
     command = [
         sys.executable,

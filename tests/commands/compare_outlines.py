@@ -1,4 +1,5 @@
-"""Reads the exported rims of squares, pairs of disks and disks with VTK itself and holds them against closed forms of the stored shapes."""
+"""Reads the exported rims of squares, pairs of disks and disks with VTK itself and holds them against closed forms of
+the stored shapes."""
 import math
 import os
 import sys

@@ -10,7 +10,8 @@ kinds = {"R": number, "I": re.compile(r"[+-]?\d+"), "S": re.compile(r"\S+"), "L"
 
 
 def states_by_the_rules(path):
-    """Columns of every state by name, with its keys; all characters are ASCII, all cells of the kind that is announced."""
+    """Columns of every state by name, with its keys; all characters are ASCII, all cells of the kind that is
+    announced."""
     lines = open(path, encoding="ascii").read().splitlines()
     while lines:
         count = int(lines[0])

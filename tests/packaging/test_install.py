@@ -1,4 +1,5 @@
-"""What `make install` and the Debian package put on a machine: a program that runs, and pages whose links lead somewhere."""
+"""What `make install` and the Debian package put on a machine: a program that runs, and pages whose links lead
+somewhere."""
 import re
 
 import pytest

@@ -1,4 +1,5 @@
-"""pip makes a wheel of module and program that works in a virtual environment, without a network. The build is not made a second time."""
+"""pip makes a wheel of module and program that works in a virtual environment, without a network. The build is not made
+a second time."""
 import os
 import shutil
 import sys
@@ -66,7 +67,8 @@ def test_module_works_in_a_virtual_environment(environment, tmp_path):
     said = run(
         environment / "bin/python",
         "-c",
-        "import arenite, numpy; print(arenite.__file__); print(len(arenite.pack(arenite.Recipe.template('composite'))), arenite.__version__)",
+        "import arenite, numpy; print(arenite.__file__); "
+        "print(len(arenite.pack(arenite.Recipe.template('composite'))), arenite.__version__)",
         cwd=tmp_path,
         env=clean,
     ).splitlines()

@@ -1,4 +1,5 @@
-"""The type stub of the compiled module, from the signatures in its docstrings: python3 tests/python/stubs.py > python/arenite/_core.pyi"""
+"""The type stub of the compiled module, from the signatures in its docstrings: python3 tests/python/stubs.py >
+python/arenite/_core.pyi"""
 
 import inspect
 import os

@@ -177,7 +177,10 @@ def test_figures_that_cannot_be_made_say_why_in_one_sentence(result, tmp_path):
     refused = subprocess.run(run, capture_output=True, text=True, env={"PYTHONPATH": home})
     assert refused.returncode == 2 and refused.stderr.count("\n") == 1 and "--out" in refused.stderr
     (tmp_path / "matplotlib.py").write_text("")  # hides nothing: a finder that knows no Matplotlib does
-    hide = "import sys, importlib.util as u; f = u.find_spec; u.find_spec = lambda n, *a: None if n == 'matplotlib' else f(n, *a)"
+    hide = (
+        "import sys, importlib.util as u; f = u.find_spec; "
+        "u.find_spec = lambda n, *a: None if n == 'matplotlib' else f(n, *a)"
+    )
     (tmp_path / "sitecustomize.py").write_text(hide)
     (tmp_path / "matplotlib.py").unlink()
     lacking = subprocess.run(run, capture_output=True, text=True, env={"PYTHONPATH": f"{tmp_path}:{home}"})

@@ -54,14 +54,13 @@ def axes():
 
 
 def test_every_figure_that_the_library_lists_is_drawn_by_the_page_and_in_print():
-    """The page makes a card for every head that it is given; those that it draws itself must be among them, as print's."""
+    """The page makes a card for every head that it is given; those that it draws itself must be among them, as
+    print's."""
     page = (pathlib.Path(__file__).resolve().parents[2] / "web/src/figures/index.js").read_text()
     own = set(re.findall(r'^  "([a-z-]+)": \w+,$', page, re.M))
     assert own == {*catalogue.stage_pictures, *catalogue.film_pictures} <= {name for _, name in heads}
     assert "describedFigure(head)" in page
-    assert {(figure.kind, figure.name) for figure in figures.figures} == set(
-        cards.values()
-    ) | pictures | components
+    assert {(figure.kind, figure.name) for figure in figures.figures} == set(cards.values()) | pictures | components
 
 
 def test_renderers_say_nothing_of_their_own():
@@ -402,7 +401,11 @@ def test_maps_of_a_film_are_those_that_it_holds():
 def test_numbers_of_another_shape_are_one_sentence(tmp_path):
     packing = arenite.Packing([1, 2, 3], [1, 1, 1], [0.5, 0.5, 0.5], width=4, height=2)
     (file,) = arenite.save(packing, tmp_path)
-    program = "import json, sys, arenite.figures.catalogue as c\nc.save_all = lambda *a: {}['mean']\nsys.argv = ['figures', json.dumps({'result': sys.argv[1]})]\nimport runpy; runpy.run_module('arenite.figures', run_name='__main__')"
+    program = (
+        "import json, sys, arenite.figures.catalogue as c\nc.save_all = lambda *a: {}['mean']\n"
+        "sys.argv = ['figures', json.dumps({'result': sys.argv[1]})]\n"
+        "import runpy; runpy.run_module('arenite.figures', run_name='__main__')"
+    )
     done = subprocess.run(
         [sys.executable, "-c", program, file],
         capture_output=True,

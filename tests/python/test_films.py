@@ -122,7 +122,8 @@ def test_what_films_do_not_allow_is_a_value_error():
 
 
 def plates_and_film(frames=16):
-    """A camera whose pixels have gains and offsets of their own, one of them dead, looking at black-body references and at a picture."""
+    """A camera whose pixels have gains and offsets of their own, one of them dead, looking at black-body references and
+    at a picture."""
     random = np.random.default_rng(3)
     gain, offset = 1 + 0.1 * random.standard_normal((24, 32)), 50 * random.standard_normal((24, 32))
 

@@ -52,7 +52,8 @@ top = { pressure = "10 kPa" }
 slide = { top = "1 m/s" }
 rough = { top = true, bottom = true }
 duration = "40 ms"
-programmes = [{ of = "slide.top", repeat = true, table = [["0 s", "1 m/s"], ["10 ms", "3 m/s"], ["10 ms", "0.2 m/s"], ["20 ms", "1 m/s"]] }]
+programmes = [{ of = "slide.top", repeat = true, table = [["0 s", "1 m/s"], ["10 ms", "3 m/s"], ["10 ms", "0.2 m/s"],
+["20 ms", "1 m/s"]] }]
 """
 
 
@@ -92,8 +93,8 @@ def test_curves_of_a_programmed_slide_are_those_of_python(tmp_path):
     expected[~(expected < 2)] = np.nan
     assert np.array(line["y"], float) == pytest.approx(expected, rel=1e-5, nan_ok=True)
     assert below["y"] == pytest.approx(100 * found["volumetric_strain"].values, rel=1e-5, abs=1e-5)
-    # The way by the table: 20 mm in the first 10 ms and 6 in the next, over some 60 mm of height. Trapezia of the speeds at the rows would
-    # not see the jump.
+    # The way by the table: 20 mm in the first 10 ms and 6 in the next, over some 60 mm of height. Trapezia of the
+    # speeds at the rows would not see the jump.
     history = result.stages[-1].history
     begin, way = history["time"][-1] - 0.04, history["top_slid"]
     assert way[-1] == pytest.approx(0.052, rel=1e-6)

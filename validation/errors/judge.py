@@ -46,8 +46,8 @@ main_numbers = """solid_fraction coordination.all fabric.a_c fabric.a_n force.me
 
 
 def band_of_ratios(seeds, told):
-    """Between which ratios 99 % of honest ones lie, for a scatter of `seeds` and a mean square error of `told` degrees of
-    freedom: Fisher's F, after E. B. Wilson and M. M. Hilferty (PNAS 17, 684, 1931)."""
+    """Between which ratios 99 % of honest ones lie, for a scatter of `seeds` and a mean square error of `told` degrees
+    of freedom: Fisher's F, after E. B. Wilson and M. M. Hilferty (PNAS 17, 684, 1931)."""
     a, b = 2 / (9 * seeds), 2 / (9 * told)
 
     def bound(sign):
@@ -121,10 +121,10 @@ def mean_of(values, turn):
 
 
 class Judged:
-    """One number over the seeds, each (value, error, low_95, high_95): `ratio` of the scatter to the told error, with the
-    band of honest ones, `mean`, `told`; `freedom` of an error, as the errors scatter; `covered` seeds whose 95 % interval
-    holds the mean (None without intervals); share `beyond` of all pairs of seeds that differ by more than two errors, and
-    `chance` of it."""
+    """One number over the seeds, each (value, error, low_95, high_95): `ratio` of the scatter to the told error, with
+    the band of honest ones, `mean`, `told`; `freedom` of an error, as the errors scatter; `covered` seeds whose 95 %
+    interval holds the mean (None without intervals); share `beyond` of all pairs of seeds that differ by more than two
+    errors, and `chance` of it."""
 
     def __init__(self, name, seeds):
         turn = period(name)
@@ -208,8 +208,8 @@ def filmed(program, folder, camera, seed):
 def text_of(study):
     lines = [
         f"{study.name}: {study.seeds} seeds, {len(study.numbers)} numbers with an error, {100 * study.share:.1f} % "
-        f"within the band, largest {study.worst.ratio:.2f} ({study.worst.name}); {100 * study.beyond:.1f} % of comparisons "
-        f"of two seeds differ by more than two errors, {100 * study.chance:.1f} % by chance"
+        f"within the band, largest {study.worst.ratio:.2f} ({study.worst.name}); {100 * study.beyond:.1f} % of "
+        f"comparisons of two seeds differ by more than two errors, {100 * study.chance:.1f} % by chance"
     ]
     for n in sorted((n for n in study.numbers if not n.inside), key=lambda n: -n.ratio):
         lines.append(

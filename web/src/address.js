@@ -1,5 +1,5 @@
-/** How a key of the state is written behind the # of the page's address: `write(value)` -> text, `read(text)` -> value, undefined where the
-    text says nothing that there is. */
+/** How a key of the state is written behind the # of the page's address: `write(value)` -> text, `read(text)` -> value,
+    undefined where the text says nothing that there is. */
 export const forms = {
   word: (words) => ({ write: String, read: (text) => (words.includes(text) ? text : undefined) }),
   truth: { write: String, read: (text) => ({ true: true, false: false })[text] },
@@ -25,8 +25,8 @@ export const forms = {
 
 const parts = () => new URLSearchParams(window.location.hash.slice(1));
 
-/** Keeps what the reader has chosen in the address, so that a reload or a link shows the same; what is as in the beginning is left out.
-    `keys` = { name in the state: form }; `prefix` tells the states of one page apart. */
+/** Keeps what the reader has chosen in the address, so that a reload or a link shows the same; what is as in the
+    beginning is left out. `keys` = { name in the state: form }; `prefix` tells the states of one page apart. */
 export function keepInAddress(state, keys, prefix = "") {
   const begin = Object.fromEntries(Object.entries(keys).map(([key, form]) => [key, form.write(state.get(key))]));
   const there = parts();

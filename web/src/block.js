@@ -17,7 +17,8 @@ export async function loadData() {
   };
 }
 
-/** The bytes of equal rank lie side by side in the block; here they go back to where they belong. The array has the unit that the document gives it. */
+/** The bytes of equal rank lie side by side in the block; here they go back to where they belong. The array has the
+    unit that the document gives it. */
 export function unpack(block, { at, n, as, unit = "" }) {
   const width = arrays[as].BYTES_PER_ELEMENT;
   const bytes = new Uint8Array(n * width);
@@ -35,7 +36,8 @@ export function unpacked(block, about) {
     : Object.fromEntries(Object.entries(about).map(([name, value]) => [name, unpacked(block, value)]));
 }
 
-/** The drawings of one of the `figures` of a part, with their arrays in place, kept with it; undefined where it has none. */
+/** The drawings of one of the `figures` of a part, with their arrays in place, kept with it; undefined where it has
+    none. */
 export function opened(block, part, id) {
   if (!part?.figures?.[id]) return undefined;
   const kept = (drawings.get(part.figures) ?? drawings.set(part.figures, {}).get(part.figures));

@@ -1,7 +1,7 @@
 import { zoomIdentity } from "d3-zoom";
 
-/** Which part of the plane is seen: `scale` in pixels a metre, (x, y) the point in the middle, y upwards; `whole` is the same
-    where all is seen. */
+/** Which part of the plane is seen: `scale` in pixels a metre, (x, y) the point in the middle, y upwards; `whole` is
+    the same where all is seen. */
 export class Camera {
   constructor() {
     Object.assign(this, { scale: 1, x: 0, y: 0, width: 1, height: 1, whole: { scale: 1, x: 0, y: 0 } });

@@ -6,15 +6,17 @@ import { Tooltip } from "./tooltip.js";
 import { themeOf } from "./theme.js";
 
 const key = navigator.platform.startsWith("Mac") ? "\u2318" : "Ctrl";
-const gestureWords = `${key}+wheel or pinch to zoom, drag to pan, double-click to show all; keys: +, \u2212, 0 and arrows`;
+const gestureWords =
+  `${key}+wheel or pinch to zoom, drag to pan, double-click to show all; ` + "keys: +, \u2212, 0 and arrows";
 const hintWords = matchMedia("(hover: none)").matches
   ? "Two fingers move and zoom the picture"
   : `${key} + wheel zooms the picture; the wheel alone scrolls the page`;
 const hintTime = 1600; // ms
 
 /** A picture seen through a camera: canvas, overlay and legend, drawn at most once a frame after something has changed.
-    Whoever extends it gives `extent` (the box that is seen as a whole), `update(stale)` (the parts of the scene that have
-    changed), `paint()` (at another ratio of pixels for `savePainted`), `drawOverlay()`, `legend()` and `pick(place)`, which sets `picked` to what lies under the pointer. */
+    Whoever extends it gives `extent` (the box that is seen as a whole), `update(stale)` (the parts of the scene that
+    have changed), `paint()` (at another ratio of pixels for `savePainted`), `drawOverlay()`, `legend()` and
+    `pick(place)`, which sets `picked` to what lies under the pointer. */
 export class CanvasView {
   constructor(state, { name, label, margin, key = "key", legendHeight, parts, beside = [] }) {
     Object.assign(this, { state, margin, legendHeight, camera: new Camera(), stale: new Set(parts), picked: null });
@@ -100,8 +102,8 @@ export class CanvasView {
     this.key.replaceChildren(this.legend());
   }
 
-  /** Saves the canvas as PNG with SVG elements over it, `height` high in all and twice as fine as the screen at least: it is
-      painted once more at that size. */
+  /** Saves the canvas as PNG with SVG elements over it, `height` high in all and twice as fine as the screen at least:
+      it is painted once more at that size. */
   async savePainted(name, height, ...over) {
     const {
         camera: { width, height: painted },

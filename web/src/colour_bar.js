@@ -20,8 +20,8 @@ export function bar(palette, x, y, length, height) {
   );
 }
 
-/** A bar 64 high with the histogram of the values (`scale.order`) on it, round numbers below, and what lies beyond its ends;
-    `mean` is marked where it is given. */
+/** A bar 64 high with the histogram of the values (`scale.order`) on it, round numbers below, and what lies beyond its
+    ends; `mean` is marked where it is given. */
 export function colourBar({ title, unit, scale, palette, theme, length, mean = null, at = null }) {
   const top = 24,
     height = 24,

@@ -87,8 +87,9 @@ const hidden = new Set([
   "contact_orientations",
 ]);
 
-/** Numbers as statistics declare them: a group of a tree, with unit and sentence of each by its dotted name in the whole tree (`meanings` of the
-    document). Whatever is shown of them is noted, so that what no row names can stand at the end. */
+/** Numbers as statistics declare them: a group of a tree, with unit and sentence of each by its dotted name in the
+    whole tree (`meanings` of the document). Whatever is shown of them is noted, so that what no row names can stand at
+    the end. */
 export class Numbers {
   constructor(tree, meanings = {}, path = "", shown = new Set()) {
     Object.assign(this, { tree: tree ?? {}, meanings, path, shown });
@@ -114,7 +115,8 @@ export class Numbers {
     return { unit, sentence };
   }
 
-  /** A number as a row shows it: [{ name, symbol, value, unit, sentence }], of a tensor its three components; none where it is not known. */
+  /** A number as a row shows it: [{ name, symbol, value, unit, sentence }], of a tensor its three components; none
+      where it is not known. */
   row(name) {
     const value = this.at(name),
       about = this.about(name),

@@ -1,4 +1,5 @@
-/** An HTML element: h("p", { class: "note", onclick: f }, "text", child, [more]). Attributes that are null are left out. */
+/** An HTML element: h("p", { class: "note", onclick: f }, "text", child, [more]). Attributes that are null are left
+    out. */
 export function h(tag, attributes = {}, ...children) {
   return fill(document.createElement(tag), attributes, children);
 }
@@ -24,8 +25,8 @@ export const label = (x, y, words, anchor = null, more = {}) =>
 
 let notation = /$^/g;
 
-/** How quantities are written is one thought of the program's (`report/figures/drawing.hpp`): the page's data hold it as a regular
-    expression, whose groups are the letter before an index, the mark and the index. */
+/** How quantities are written is one thought of the program's (`report/figures/drawing.hpp`): the page's data hold it
+    as a regular expression, whose groups are the letter before an index, the mark and the index. */
 export function readNotation(pattern) {
   notation = new RegExp(pattern, "g");
 }
@@ -74,6 +75,7 @@ function spansOf(text) {
     const letter = part.letter && s("tspan", { dy, "font-style": "italic" }, part.letter);
     const offset = !letter && dy ? 1.32 * parseFloat(dy) : 0; // an index behind an index, in em of the smaller type
     back = after;
-    return [letter, s("tspan", { dy: `${(shift + offset).toFixed(2)}em`, "font-size": "76%" }, part.index)].filter(Boolean);
+    const at = { dy: `${(shift + offset).toFixed(2)}em`, "font-size": "76%" };
+    return [letter, s("tspan", at, part.index)].filter(Boolean);
   });
 }

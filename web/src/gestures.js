@@ -18,17 +18,18 @@ function isForThePicture(event) {
   return event.touches ? isTwoFingers(event) : !event.button && !event.ctrlKey;
 }
 
-/** Powers of two: a touchpad's pinch comes as many small turns of the wheel with Ctrl, a mouse's wheel as few large ones. */
+/** Powers of two: a touchpad's pinch comes as many small turns of the wheel with Ctrl, a mouse's wheel as few large
+    ones. */
 function powersOfTwo({ deltaY, deltaMode }) {
   return Math.max(-notch, Math.min(notch, -deltaY * (deltaMode === 1 ? 0.5 : deltaMode ? 10 : 0.02)));
 }
 
 const arrows = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
-/** What pointer, fingers and keys do on a picture with a camera: Ctrl and the wheel or a pinch zoom, dragging moves, double
-    click and 0 show all, + and - zoom, arrows move what is zoomed. Calls back: `moved()` after the camera moved,
-    `hover(place)`, `leave()`, `click(place)`, `reset()`, `scrolled()` when one scrolled the page over the picture. Gives a
-    function to call when the camera was moved by others. */
+/** What pointer, fingers and keys do on a picture with a camera: Ctrl and the wheel or a pinch zoom, dragging moves,
+    double click and 0 show all, + and - zoom, arrows move what is zoomed. Calls back: `moved()` after the camera moved,
+    `hover(place)`, `leave()`, `click(place)`, `reset()`, `scrolled()` when one scrolled the page over the picture.
+    Gives a function to call when the camera was moved by others. */
 export function gestures(canvas, camera, { moved, hover, leave, reset, scrolled, click = () => {} }) {
   const picture = select(canvas);
   const behaviour = zoom()
@@ -42,10 +43,12 @@ export function gestures(canvas, camera, { moved, hover, leave, reset, scrolled,
       moved();
     });
   picture
-    .on("touchstart", (event) => isTwoFingers(event) && event.preventDefault(), { passive: false }) // or the browser scrolls with both
+    // or the browser scrolls with both
+    .on("touchstart", (event) => isTwoFingers(event) && event.preventDefault(), { passive: false })
     .call(behaviour)
     .on("dblclick.zoom", null)
-    .on("wheel", (event) => (zoomsByWheel(event) ? event.preventDefault() : scrolled()), { passive: false }) // at its ends the zoom lets the browser zoom the page
+    // at its ends the zoom lets the browser zoom the page
+    .on("wheel", (event) => (zoomsByWheel(event) ? event.preventDefault() : scrolled()), { passive: false })
     .on("touchmove", (event) => event.touches.length === 1 && scrolled(), { passive: true })
     .on("pointermove", (event) => event.buttons === 0 && hover(pointer(event, canvas)))
     .on("pointerleave", leave)

@@ -47,7 +47,8 @@ function subtitle(sample) {
   const snapshot = sample.snapshot(sample.snapshotCount - 1),
     box = sample.box(snapshot);
   const counts = sample.materials.map((material, m) => `${text.count(sample.materialCounts[m])} ${material.name}`);
-  const size = `${text.number(1e3 * (box.right - box.left), 4)} \u00d7 ${text.number(1e3 * (box.top - box.bottom), 4)}\u202fmm`;
+  const [width, height] = [box.right - box.left, box.top - box.bottom].map((side) => text.number(1e3 * side, 4));
+  const size = `${width} \u00d7 ${height}\u202fmm`;
   const force = Math.max(...snapshot.domain.walls.map((wall) => wall.force));
   return [...counts, size, ...(force > 0 ? [`largest wall force ${text.quantity(force, "N")}`] : [])];
 }

@@ -24,7 +24,11 @@ function partsOf(sample, fields, films, state) {
       title: titleOf(result),
       make: () => fieldSection(result, state, sample.about.figures.field),
     })),
-    ...films.map((film, k) => ({ name: `film-${k}`, title: titleOf(film), make: () => filmSection(film, state, sample.about.figures.film) })),
+    ...films.map((film, k) => ({
+      name: `film-${k}`,
+      title: titleOf(film),
+      make: () => filmSection(film, state, sample.about.figures.film),
+    })),
   ];
 }
 

@@ -8,7 +8,8 @@ const cell = ({ value, error, unit }, withUnit = true) => [
   withUnit && unit && h("small", {}, "\u202f", rich(unit)),
 ];
 
-/** A table with a row a number, by dotted names, or [name, symbol] where one is to stand beside its words; null where none is known. */
+/** A table with a row a number, by dotted names, or [name, symbol] where one is to stand beside its words; null where
+    none is known. */
 export function list(title, numbers, dotted) {
   const rows = dotted
     .map((one) => [one].flat())
@@ -33,8 +34,8 @@ export function list(title, numbers, dotted) {
   );
 }
 
-/** A table with a row a set, [[name, its Numbers]], and a column a number; `columns` = names, or [name, symbol] where a symbol stands for the words. A unit
-    that a whole column has stands in its head. */
+/** A table with a row a set, [[name, its Numbers]], and a column a number; `columns` = names, or [name, symbol] where a
+    symbol stands for the words. A unit that a whole column has stands in its head. */
 export function grid(title, sets, columns) {
   const shown = columns
     .map((column) => [column].flat())
@@ -113,8 +114,8 @@ function within(title, key, numbers) {
     .replace(/^[a-z]/, (letter) => letter.toUpperCase());
 }
 
-/** What a group holds that nothing has shown, as { title, names, sets }: its own numbers, then its parts. What is said of several sets alike stands in one
-    table for all of them, level by level; without sets it is a row a number. */
+/** What a group holds that nothing has shown, as { title, names, sets }: its own numbers, then its parts. What is said
+    of several sets alike stands in one table for all of them, level by level; without sets it is a row a number. */
 export function tables(title, numbers) {
   const sets = numbers.parts,
     own = numbers.left.length > 0 ? [{ title: title || "Result", names: numbers.left, numbers }] : [];
@@ -168,7 +169,8 @@ export const notes = ({ tree }) =>
     (tree.notes ?? []).map((note) => h("li", {}, note)),
   );
 
-/** Numbers that one asks for first: rows = [words, symbol, dotted name], with "%" behind them where a share is said in per cent, "\u2030" in per mille. */
+/** Numbers that one asks for first: rows = [words, symbol, dotted name], with "%" behind them where a share is said in
+    per cent, "\u2030" in per mille. */
 export function tilesOf(numbers, rows) {
   return rows.map(([words, symbol, name, share]) => {
     const number = numbers.at(name),

@@ -1,7 +1,8 @@
 import { opened, unpack, unpacked } from "./block.js";
 import { text } from "./text.js";
 
-/** The data of the page: grains, materials, stages and snapshots; arrays of a snapshot are unpacked when first asked for. */
+/** The data of the page: grains, materials, stages and snapshots; arrays of a snapshot are unpacked when first asked
+    for. */
 export class Sample {
   #block;
   #snapshots = new Map();
@@ -11,7 +12,8 @@ export class Sample {
     this.about = about;
     this.title = about.title;
     this.materials = about.materials ?? [];
-    this.stages = about.stages.map(({ figures: _, ...stage }) => unpacked(block, stage)); // figures when they are first drawn
+    // Figures when they are first drawn.
+    this.stages = about.stages.map(({ figures: _, ...stage }) => unpacked(block, stage));
     this.snapshotCount = about.snapshots.length;
     this.count = about.grains?.count ?? 0;
     const { id, radius, material, zone, shapes } = unpacked(block, about.grains ?? {});
@@ -24,8 +26,8 @@ export class Sample {
     this.hasZones = this.count > 0 && this.zone.some((z) => z > 0);
   }
 
-  /** What a figure shows of the state shown, of its stage, or with `nearest` of the next stage that has it, or of the whole run, and
-      the state's place in it (null: not in it); null where there is nothing. */
+  /** What a figure shows of the state shown, of its stage, or with `nearest` of the next stage that has it, or of the
+      whole run, and the state's place in it (null: not in it); null where there is nothing. */
   drawn(id, state, nearest = false) {
     const k = state.get("snapshot"),
       { snapshots, stages, run } = this.about,
@@ -95,7 +97,8 @@ export class Sample {
     return (about.unpackedFields ??= { ...unpacked(this.#block, about.fields), snapshot: nearest });
   }
 
-  /** Hydrostatic stress of each grain over the mean of the grains that the texture considers (of all without texture). */
+  /** Hydrostatic stress of each grain over the mean of the grains that the texture considers (of all without texture).
+      */
   #sigmaNorm(snapshot) {
     if (snapshot.texture?.grain_sigma_norm) return unpack(this.#block, snapshot.texture.grain_sigma_norm);
     const average = mean(snapshot.pressure) || 1;

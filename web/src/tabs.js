@@ -1,7 +1,7 @@
 import { h } from "./dom.js";
 
-/** Parts of the page of which one is seen: parts = [{ name, title, make() -> { element } }]. Each is made when it is first
-    asked for. A single part has no row of tabs. Gives the elements, and by name what was made. */
+/** Parts of the page of which one is seen: parts = [{ name, title, make() -> { element } }]. Each is made when it is
+    first asked for. A single part has no row of tabs. Gives the elements, and by name what was made. */
 export function tabs(parts, state) {
   const made = new Map(),
     holder = h("div");

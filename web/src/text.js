@@ -22,7 +22,8 @@ export const text = {
     return `${text.number(value / factor, digits)}\u202f${prefixed}`;
   },
 
-  /** { value, error } as text, both to the place that the error's two leading digits reach; an error of rounding is none. */
+  /** { value, error } as text, both to the place that the error's two leading digits reach; an error of rounding is
+      none. */
   withError(value, error) {
     if (!Number.isFinite(value)) return { value: "\u2013", error: "" };
     if (!(error > 1e-7 * Math.abs(value))) return { value: text.number(value, 4), error: "" };

@@ -78,8 +78,8 @@ export async function painted(page) {
     );
 }
 
-/** Clicks and returns the bytes of the file that is saved. Headless Chromium loses about one download of a blob in sixty
-    without a word, so a click may be repeated. */
+/** Clicks and returns the bytes of the file that is saved. Headless Chromium loses about one download of a blob in
+    sixty without a word, so a click may be repeated. */
 export async function saved(page, selector) {
   for (let attempt = 1; ; ++attempt) {
     try {

@@ -21,7 +21,8 @@ const tab = async (page, title) => {
   await settle(page);
 };
 
-/** Nodes inside of which nothing else is for three nodes around, some of each kind: place on the page, kind, numbers. */
+/** Nodes inside of which nothing else is for three nodes around, some of each kind: place on the page, kind, numbers.
+    */
 const places = (page, kinds) =>
   page.evaluate((wanted) => {
     const { view, result } = window.arenite.field,

@@ -461,7 +461,10 @@ test("the pointer on a chart names the grain or the contact with its error and u
     contact = await tipOf(page, "film-forces");
   assert.match(
     grain.join("\n"),
-    /^Grain \d+, (POM|HDPE)\nsimulation, \u2212\u03c3hyd \u2212?[\d.]+\u202f[kM]Pa\nfilm, \u2212\u03c3hyd \u2212?[\d.]+ \u00b1 [\d.]+\u202f[kM]Pa$/,
+    new RegExp(
+      "^Grain \\d+, (POM|HDPE)\nsimulation, \u2212\u03c3hyd \u2212?[\\d.]+\u202f[kM]Pa\n" +
+        "film, \u2212\u03c3hyd \u2212?[\\d.]+ \u00b1 [\\d.]+\u202f[kM]Pa$",
+    ),
   );
   assert.match(
     contact.join("\n"),

@@ -87,7 +87,7 @@ const grainAt = (page, share) =>
 
 const viridis = async (page, t) => rgb(await page.evaluate((share) => window.arenite.theme.maps.viridis(share), t));
 
-test("velocity, rotation, pressure and deviator have colours of their own, and those of the velocity are those of its scale", async (page) => {
+test("velocity, rotation, pressure and deviator have colours of their own, as in their scales", async (page) => {
   await click(page, "chains", "off");
   for (const mode of ["pressure", "deviator", "rotation", "spin", "displacement", "coordination", "friction"]) {
     await colour(page, mode);
@@ -144,7 +144,7 @@ test("the reader chooses the map and the range, which the page's address keeps",
   assert.equal(await page.evaluate(() => window.location.hash), "");
 });
 
-test("a click on a row of the table marks its grain in the picture and in the charts, and a click on the picture its row", async (page) => {
+test("a click on a row of the table marks its grain everywhere, and a click on the picture its row", async (page) => {
   await click(page, "chains", "off");
   const rows = page.locator(".grains-rows tr[data-grain]");
   await page.locator(".grain-table").scrollIntoViewIfNeeded();
@@ -326,7 +326,7 @@ test("the wheel over the picture scrolls the page, leaves the picture, and a lin
   await page.waitForFunction(() => window.scrollY === 0);
 });
 
-test("Ctrl and the wheel zoom about the pointer without scrolling the page, and a double click shows all again", async (page) => {
+test("Ctrl and the wheel zoom about the pointer without scrolling; a double click shows all again", async (page) => {
   const before = await grain(page, 20);
   await page.mouse.move(before.x, before.y);
   await zoom(page, 2);
@@ -481,7 +481,7 @@ test("the slider moves the grains and the numbers with it", async (page) => {
   await settle(page);
 });
 
-test("a number that the page knows nothing of stands at the end of its card with its unit and sentence", async (page) => {
+test("a number that the page does not know stands at the end of its card with unit and sentence", async (page) => {
   await page.evaluate(() => {
     const { sample, state } = window.arenite,
       last = sample.snapshotCount - 1;

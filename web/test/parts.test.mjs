@@ -111,7 +111,8 @@ test("a state tells only those who watch what changed", () => {
   assert.deepEqual(told, ["b"]);
 });
 
-/** Two grains at the left and the right edge of a cell 1 m wide that touch through its periodic side, and one at a wall. */
+/** Two grains at the left and the right edge of a cell 1 m wide that touch through its periodic side, and one at a
+    wall. */
 function cell(periodic) {
   const sample = { count: 2, meanRadius: 0.1, box: () => ({ left: 0, right: 1, bottom: 0, top: 1 }) };
   const snapshot = {

@@ -229,7 +229,7 @@ test("light and dark differ and both are drawn", async (page) => {
   assert.equal((await drawing(page, "points")).dots, 4);
 });
 
-test("the table lists every run with its values and main numbers, and a click on a column header sorts it", async (page) => {
+test("the table lists every run with values and main numbers; a click on a column header sorts it", async (page) => {
   const rows = page.locator(".runs tr[data-run]"),
     cells = async (k) =>
       (await rows.locator(`td:nth-child(${k})`).allInnerTexts()).map((cell) => Number(cell.split(" ")[0]));

@@ -1,8 +1,9 @@
 """Journal figures from stored results: `save_all(result, folder)`, or `python3 -m arenite.figures RESULT`.
 
-What a figure shows is described by the library, for the page and for print: `describe(part)` gives it by the figures' ids, and `draw_panel`,
-`draw_rose`, `draw_outlines`, `draw_cells` and `draw_described` draw it, on axes of your own if you like. Pictures of grains, maps and fields are drawn by functions of
-their own (`draw_*(axes, data)`); `catalogue.figures` lists all figures that `save_all` draws of a result. Text is in DejaVu Sans, which comes with
+What a figure shows is described by the library, for the page and for print: `describe(part)` gives it by the figures'
+ids, and `draw_panel`, `draw_rose`, `draw_outlines`, `draw_cells` and `draw_described` draw it, on axes of your own if
+you like. Pictures of grains, maps and fields are drawn by functions of their own (`draw_*(axes, data)`);
+`catalogue.figures` lists all figures that `save_all` draws of a result. Text is in DejaVu Sans, which comes with
 Matplotlib, or in the fonts of your rcParams; it is embedded in PDF and kept as text in SVG.
 """
 
@@ -16,12 +17,7 @@ from .polar import draw_outlines, draw_rose
 from .runs import draw_runs
 from .samples import draw_coarse_field, draw_grains_against
 from .saving import Figure, save
-from .studies import (
-    draw_study_figure,
-    draw_study_nodes,
-    draw_study_sample,
-    study_document,
-)
+from .studies import draw_study_figure, draw_study_nodes, draw_study_sample, study_document
 from .style import column_width, journal_style, page_width
 
 __all__ = [name for name in dir() if name.startswith("draw_")] + [

@@ -15,7 +15,8 @@ def has_broken(history):
 
 
 def segments(packing, chosen, across):
-    """Lines from centre to centre of these bonds, or across them with their width, while the grains are near each other; none through a periodic side."""
+    """Lines from centre to centre of these bonds, or across them with their width, while the grains are near each
+    other; none through a periodic side."""
     i, j = packing.bonds["i"][chosen], packing.bonds["j"][chosen]
     a, b = (np.column_stack([packing.x[k], packing.y[k]]) for k in (i, j))
     near = np.all(np.abs(b - a) < 0.5 * np.array([packing.domain["width"], packing.domain["height"]]), axis=1)

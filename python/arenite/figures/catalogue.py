@@ -121,8 +121,9 @@ former_names = {"course": "stress-path", "contact-directions": "contact-orientat
 
 
 def figures_of(result, stage=None, state=None):
-    """(figure, part) of everything that can be drawn of a result: every field and film, and the last state of its stages. `stage`: only
-    this stage, load or film, by name; `state`: the stored state of this number, counted as in the figure `stress-path`.
+    """(figure, part) of everything that can be drawn of a result: every field and film, and the last state of its
+    stages. `stage`: only this stage, load or film, by name; `state`: the stored state of this number, counted as in the
+    figure `stress-path`.
     """
     parts, found = list(parts_of(result, stage, state)), []
     for k, (kind, part) in enumerate(parts):
@@ -138,8 +139,9 @@ def figures_of(result, stage=None, state=None):
 
 
 def study_figures(path):
-    """(figure, part) of everything on the page of a study that can be drawn so far, and those over the runs of studies that are strained at
-    a rate, discharge, collapse, fill a silo or reach the critical state, with or without a page."""
+    """(figure, part) of everything on the page of a study that can be drawn so far, and those over the runs of studies
+    that are strained at a rate, discharge, collapse, fill a silo or reach the critical state, with or without a
+    page."""
     over_runs = list(runs.over_runs(path))
     parts = studies.study_document(path)["figures"] if studies.has_page(path) or not over_runs else []
     found = [
@@ -151,8 +153,8 @@ def study_figures(path):
 
 
 def save_all(result, folder, formats=("pdf",), names=None, width=None, stage=None, state=None):
-    """Saves every figure of a result or a study (a Result or its path) in a folder; returns the paths. `formats`: pdf, svg, png;
-    `names`: only these figures; `stage` and `state` as in `figures_of`."""
+    """Saves every figure of a result or a study (a Result or its path) in a folder; returns the paths. `formats`: pdf,
+    svg, png; `names`: only these figures; `stage` and `state` as in `figures_of`."""
     is_path = isinstance(result, (str, pathlib.Path))
     of_study = is_path and studies.is_study(result)
     found = (

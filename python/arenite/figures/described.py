@@ -55,7 +55,8 @@ def described(kind, head):
 
 
 def all_described(kind, pictures):
-    """[Figure] of all heads of a kind in the order of the page; `pictures`: {id: Figure} of those with renderers of their own."""
+    """[Figure] of all heads of a kind in the order of the page; `pictures`: {id: Figure} of those with renderers of
+    their own."""
     found = []
     for head in heads()[kind]:
         if head["id"] in pictures:

@@ -1,7 +1,8 @@
-"""Draws what the library describes of a figure (`describe`): panels of series, bars and bands with their errors, and roses.
+"""Draws what the library describes of a figure (`describe`): panels of series, bars and bands with their errors, and
+roses.
 
-A description says what is shown, as the page has it: axes with labels, units and scales, series with their values and errors, lines of
-reference, and a key with numbers. This file chooses sizes, marks and colours, and nothing else.
+A description says what is shown, as the page has it: axes with labels, units and scales, series with their values and
+errors, lines of reference, and a key with numbers. This file chooses sizes, marks and colours, and nothing else.
 """
 
 import functools
@@ -32,7 +33,8 @@ _known = {}  # of the last part alone
 
 
 def describe(part):
-    """What every figure of a State, a Stage (its last state), a Field or a FilmResult shows, by the figures' ids: [{"panels" | "roses", "key", "for"}]."""
+    """What every figure of a State, a Stage (its last state), a Field or a FilmResult shows, by the figures' ids:
+    [{"panels" | "roses", "key", "for"}]."""
     if id(part) not in _known:
         _known.clear()
         _known[id(part)] = (part, _describe(part))
@@ -70,7 +72,8 @@ def draw_series(axes, series, is_log=False):
         steps = {"drawstyle": "steps-post"} if series.get("steps") else {}
         axes.plot(x, y, line_styles[series["line"]], color=colour, linewidth=1.1 * weight, alpha=alpha, **steps)
     if series.get("points"):
-        axes.plot(x, y, color=colour, alpha=alpha, **_mark(series.get("mark"), weight if len(x) < many else 0.5 * weight))
+        mark = _mark(series.get("mark"), weight if len(x) < many else 0.5 * weight)
+        axes.plot(x, y, color=colour, alpha=alpha, **mark)
 
 
 def _mark(mark, weight=1):
@@ -229,8 +232,8 @@ def _draw_key(axes, entries, columns):
 
 
 def draw_described(figure, drawings):
-    """One figure of a description: a row for each of its drawings with several panels, drawings of one panel beside each other. Sets the
-    figure's height."""
+    """One figure of a description: a row for each of its drawings with several panels, drawings of one panel beside
+    each other. Sets the figure's height."""
     first = drawings[0]
     if "roses" in first:
         draw_roses(figure, first["roses"])

@@ -79,7 +79,8 @@ def phase_key(map):
 
 
 def values_of(field, component):
-    """A component on all nodes, Pa or m: sigma_yy, sigma_xx, sigma_xy, sigma_hyd, sigma_1 and sigma_2 (the principal stresses, the larger first), ux, uy, u (magnitude)."""
+    """A component on all nodes, Pa or m: sigma_yy, sigma_xx, sigma_xy, sigma_hyd, sigma_1 and sigma_2 (the principal
+    stresses, the larger first), ux, uy, u (magnitude)."""
     if component == "sigma_hyd":
         return 0.5 * (field.sigma_xx + field.sigma_yy)
     if component in ("sigma_1", "sigma_2"):
@@ -101,7 +102,8 @@ def statistics_of(field, **options):
 
 
 def unit_of(field):
-    """(Pa, name of the component, "mean" or "root mean square") by which the stored statistics normalise stresses; None without statistics."""
+    """(Pa, name of the component, "mean" or "root mean square") by which the stored statistics normalise stresses; None
+    without statistics."""
     stored = field.numbers.get("stress") or statistics_of(field, curves=False)
     for component in [name for name in symbols if name in stored]:
         every = stored[component].get("sets", {}).get("all", {})
@@ -112,8 +114,9 @@ def unit_of(field):
 
 
 def scale_of(field, component):
-    """(values, centre, label) of a picture. The component of the statistics is shown over its mean about 1 or over its r.m.s. about 0,
-    the other stresses over the same number (without its sign) about their means; displacements in metres, the magnitude from its smallest value.
+    """(values, centre, label) of a picture. The component of the statistics is shown over its mean about 1 or over its
+    r.m.s. about 0, the other stresses over the same number (without its sign) about their means; displacements in
+    metres, the magnitude from its smallest value.
     """
     values, symbol = np.where(field.map.phase > 0, values_of(field, component), np.nan), symbols[component]
     unit = unit_of(field) if component.startswith("sigma") else None
@@ -129,7 +132,8 @@ def scale_of(field, component):
 
 
 def draw_field(axes, field, component="sigma_yy", share=0.005, colour_map=diverging_map):
-    """A component as `scale_of` gives it; the colour range excludes `share` of the nodes at each end, voids are white."""
+    """A component as `scale_of` gives it; the colour range excludes `share` of the nodes at each end, voids are
+    white."""
     values, centre, label = scale_of(field, component)
     low, high = np.nanquantile(values, [share, 1 - share])
     if centre is None:

@@ -28,8 +28,8 @@ def _show(axes, values, pixel, **options):
 
 
 def draw_map(axes, values, label=None, share=0.005, colour_map="inferno", about=None, pixel=0):
-    """A map of pixels, top row first; the colour range excludes `share` of the pixels at each end and is symmetric about `about`
-    if that is given; `label` adds a colour bar with a title, `pixel` (m) a scale bar."""
+    """A map of pixels, top row first; the colour range excludes `share` of the pixels at each end and is symmetric
+    about `about` if that is given; `label` adds a colour bar with a title, `pixel` (m) a scale bar."""
     known = values[np.isfinite(values)]
     low, high = np.quantile(known, [share, 1 - share]) if known.size else (0, 1)
     if about is not None:
@@ -65,7 +65,8 @@ def phase_after_load(maps):
 
 
 def draw_phase(axes, maps, pixel=0):
-    """Phase relative to the load; pale where the amplitude is below three standard errors and the phase is meaningless."""
+    """Phase relative to the load; pale where the amplitude is below three standard errors and the phase is
+    meaningless."""
     norm = Normalize(-180, 180)
     shown = cyclic_map(norm(phase_after_load(maps)))
     faint = np.asarray(maps.amplitude) < faint_below * np.asarray(maps.standard_error)

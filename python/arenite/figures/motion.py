@@ -1,4 +1,5 @@
-"""Fast drawing of stored states one after another: grains coloured by a quantity, force chains, walls and periodic images."""
+"""Fast drawing of stored states one after another: grains coloured by a quantity, force chains, walls and periodic
+images."""
 
 import dataclasses
 import typing
@@ -9,7 +10,19 @@ from matplotlib.patches import Rectangle
 
 from .. import _core
 from .packings import bars, kind_colours, kinds_of, segments
-from .style import chain_width, colours, diverging_map, even_map, label, pale, stress_map, strong, tension, weak, widest_chain
+from .style import (
+    chain_width,
+    colours,
+    diverging_map,
+    even_map,
+    label,
+    pale,
+    stress_map,
+    strong,
+    tension,
+    weak,
+    widest_chain,
+)
 
 
 @dataclasses.dataclass
@@ -39,7 +52,8 @@ def shots_of(result, stage=None):
     if len(shots) < 2:
         what = f"the stage {stage}" if stage else "this result"
         raise ValueError(
-            f"{what} holds {['no', 'one'][len(shots)]} stored state of a loading, too few for an animation; `snapshots` or `increments` of a stage store more"
+            f"{what} holds {['no', 'one'][len(shots)]} stored state of a loading, too few for an animation; "
+            "`snapshots` or `increments` of a stage store more"
         )
     return shots
 
@@ -61,7 +75,8 @@ def displacements(shots):
 
 @dataclasses.dataclass
 class Colouring:
-    """A colouring of grains by a quantity of the library, whose label and unit it has: `values(shots)` gives one array per state, in SI units."""
+    """A colouring of grains by a quantity of the library, whose label and unit it has: `values(shots)` gives one array
+    per state, in SI units."""
 
     quantity: str
     values: typing.Callable
@@ -109,8 +124,8 @@ colourings = {
 
 
 def limits_of(colouring, values, low=None, high=None):
-    """(lowest, highest) of the colour scale of all states, in SI units: as given, else the range without one per cent of the
-    values at either end."""
+    """(lowest, highest) of the colour scale of all states, in SI units: as given, else the range without one per cent
+    of the values at either end."""
     every = np.concatenate(values)
     every = every[np.isfinite(every)] if np.any(np.isfinite(every)) else np.zeros(1)
     found = np.percentile(every, [1, 99])
@@ -170,8 +185,8 @@ def spokes(axes, packing):
 
 
 def chains(axes, packing, mean):
-    """Forces as bars with a width in proportion to force over `mean`; strong ones, above the mean of this state, dark, tensile ones red. White
-    rims distinguish them from dark grains."""
+    """Forces as bars with a width in proportion to force over `mean`; strong ones, above the mean of this state, dark,
+    tensile ones red. White rims distinguish them from dark grains."""
     c = packing.contacts
     push = c.fn[c.fn > 0]
     kinds = kinds_of(c.fn, np.mean(push) if len(push) else 1.0, np.zeros(len(c), bool))
@@ -192,8 +207,8 @@ def chains(axes, packing, mean):
 
 
 def sides(axes, packing):
-    """Walls as thick lines, edges of a periodic cell dashed, and the shear displacement of a sheared cell; nothing where a
-    wall was removed."""
+    """Walls as thick lines, edges of a periodic cell dashed, and the shear displacement of a sheared cell; nothing
+    where a wall was removed."""
     d = packing.domain
     left, right, bottom, top = (d[side]["position"] for side in ("left", "right", "bottom", "top"))
     lines = {
@@ -238,8 +253,9 @@ def clip(axes, packing, drawn):
 
 
 def draw_shot(axes, shot, values=None, norm=None, colour_map=None, mean=None, spoked=False):
-    """One state on axes that keep their limits; returns what is drawn, to be removed before the next. `values`: one number per grain with
-    `norm` and `colour_map`, "material", or None for outlines; `mean`: force chains over this force; `spoked`: rotation is shown.
+    """One state on axes that keep their limits; returns what is drawn, to be removed before the next. `values`: one
+    number per grain with `norm` and `colour_map`, "material", or None for outlines; `mean`: force chains over this
+    force; `spoked`: rotation is shown.
     """
     packing = shot.packing
     of_material = isinstance(values, str)

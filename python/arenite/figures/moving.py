@@ -119,7 +119,8 @@ def bar(axes, colouring, norm, colour_map, by):
 
 
 class Beside:
-    """One curve of the stage of the state shown against another, with a mark at that state. `names`: of x and y, or "test"."""
+    """One curve of the stage of the state shown against another, with a mark at that state. `names`: of x and y, or
+    "test"."""
 
     def __init__(self, result, names):
         self.result, self.names = result, ("test", "test") if names == "test" else names

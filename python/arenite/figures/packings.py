@@ -26,7 +26,8 @@ from .style import (
 
 
 def container(axes, packing):
-    """The walls or the edges of the cell, and space around them; returns the position for a line of text below, (x, y)."""
+    """The walls or the edges of the cell, and space around them; returns the position for a line of text below, (x,
+    y)."""
     d = packing.domain
     x, y = d["left"]["position"], d["bottom"]["position"]
     axes.add_patch(
@@ -69,7 +70,8 @@ def material_key(axes, packing):
 
 
 def draw_packing(axes, packing, by="material", colour_map=stress_map, most=most_stress):
-    """Grains coloured `by` "material" or "sigma_norm" (pressure over its mean, up to `most`); returns what a colour bar needs."""
+    """Grains coloured `by` "material" or "sigma_norm" (pressure over its mean, up to `most`); returns what a colour bar
+    needs."""
     disks = circles(packing.x, packing.y, packing.radius, linewidth=0.25, edgecolor=strong)
     axes.add_collection(disks)
     container(axes, packing)
@@ -83,8 +85,8 @@ def draw_packing(axes, packing, by="material", colour_map=stress_map, most=most_
 
 
 def draw_forces(axes, packing, mean=None, uncertain=None):
-    """Normal forces as bars between centres: width in proportion to force, strong ones (above `mean`, by default that of the compressive ones)
-    dark, tensile ones red; those of `uncertain` (one flag per contact) are pale."""
+    """Normal forces as bars between centres: width in proportion to force, strong ones (above `mean`, by default that
+    of the compressive ones) dark, tensile ones red; those of `uncertain` (one flag per contact) are pale."""
     axes.add_collection(circles(packing.x, packing.y, packing.radius, linewidth=0.2, edgecolor=pale, facecolor="none"))
     at = container(axes, packing)
     c = packing.contacts
@@ -113,7 +115,8 @@ def kinds_of(fn, mean, uncertain):
 
 
 def segments(packing):
-    """(starts, ends) of the contacts, centre to centre or wall; also from the other grain if it crosses a periodic side."""
+    """(starts, ends) of the contacts, centre to centre or wall; also from the other grain if it crosses a periodic
+    side."""
     c = packing.contacts
     way = np.column_stack([c.nx, c.ny]) * (c.arm_i + c.arm_j)[:, None]
     from_i = np.column_stack([packing.x[c.i], packing.y[c.i]])

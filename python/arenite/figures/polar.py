@@ -8,7 +8,8 @@ grey, thin = "#e0e0e0", 0.4
 
 
 def draw_rose(axes, rose):
-    """A polar histogram over the isotropic fraction (T Fig. 3.8) with its line 1 + a cos 2(angle - direction); `axes` are polar."""
+    """A polar histogram over the isotropic fraction (T Fig. 3.8) with its line 1 + a cos 2(angle - direction); `axes`
+    are polar."""
     sectors, colour = numbers(rose["sectors"]), colour_of_role(rose["colour"])
     step = 180 / len(sectors)
     isotropic, angle = rose["count"] / len(sectors), np.radians(np.arange(0.5 * step, 360, step))
@@ -64,7 +65,8 @@ def draw_roses(figure, roses):
 
 
 def draw_outlines(axes, outlines):
-    """Outlines of numbers by direction, or of their fractions over the isotropic one, which is dotted; `axes` are polar."""
+    """Outlines of numbers by direction, or of their fractions over the isotropic one, which is dotted; `axes` are
+    polar."""
     for place, series in enumerate(outlines["series"]):
         middle, radius = numbers(series["x"]), numbers(series["y"])
         half, colour = 180 / (2 * len(middle)), colour_of_role(series["colour"])

@@ -21,9 +21,7 @@ def done_runs(study):
     """Results of the finished runs of a study."""
     path = pathlib.Path(study)
     runs = sorted(((path if path.is_dir() else path.parent) / "runs").glob("*/status"))
-    return [
-        open_result(str(run.parent)) for run in runs if run.read_text(encoding="utf-8").split()[:1] == ["done"]
-    ]
+    return [open_result(str(run.parent)) for run in runs if run.read_text(encoding="utf-8").split()[:1] == ["done"]]
 
 
 def figures_of_study(study):

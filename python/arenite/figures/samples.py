@@ -45,8 +45,8 @@ def grain_scatter(figure, state):
 
 
 def draw_coarse_field(axes, fields, name):
-    """One of the fields of a state (`fields_of`), with the velocity as arrows over its magnitude; returns what a colour bar needs, and its
-    label."""
+    """One of the fields of a state (`fields_of`), with the velocity as arrows over its magnitude; returns what a colour
+    bar needs, and its label."""
     words, symbol, unit = _core._coarse_layers()[name]
     values, x, y = fields[name], fields["x"], fields["y"]
     known = np.abs(values[np.isfinite(values)])

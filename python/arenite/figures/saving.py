@@ -13,7 +13,8 @@ from .style import column_width, journal_style, make_ticks_plain, page_width, un
 
 @dataclasses.dataclass
 class Figure:
-    """`draw(figure, part)` on an empty matplotlib figure, whose height it may set; `part` is a State, Field or FilmResult, and `when(part)` says whether it can."""
+    """`draw(figure, part)` on an empty matplotlib figure, whose height it may set; `part` is a State, Field or
+    FilmResult, and `when(part)` says whether it can."""
 
     name: str
     kind: str
@@ -26,8 +27,8 @@ class Figure:
 
 
 def save(figure, part, paths, width=None, **style):
-    """Draws one figure and writes it to one or several files; their suffixes (pdf, svg, png) determine the format. `width`: inches; one or two
-    columns if not given."""
+    """Draws one figure and writes it to one or several files; their suffixes (pdf, svg, png) determine the format.
+    `width`: inches; one or two columns if not given."""
     with journal_style(**style):
         wide = figure.wide(part) if callable(figure.wide) else figure.wide
         width = width or (page_width if wide else column_width)
@@ -57,7 +58,8 @@ def metadata_of(form, head):
 
 
 def number_clips(path):
-    """Names the clipping paths of an SVG by their order: Matplotlib names those that are not rectangles by their memory address."""
+    """Names the clipping paths of an SVG by their order: Matplotlib names those that are not rectangles by their memory
+    address."""
     text = path.read_text(encoding="utf-8")
     names = {name: f"clip{k}" for k, name in enumerate(re.findall(r'<clipPath id="(\w+)"', text))}
     path.write_text(

@@ -26,13 +26,15 @@ def has_page(path):
 
 
 def study_document(path):
-    """The contents of the page of a study, as a dict: `title` and `figures`; `path` is the page or the study's folder."""
+    """The contents of the page of a study, as a dict: `title` and `figures`; `path` is the page or the study's
+    folder."""
     page = page_of(path)
     document = _core._study_figures(page)
     if not document:
         if has_page(path):  # of an older program, or taken out of its folder
             raise ValueError(
-                f"{page}: the numbers of its figures, study.hdf5, are missing beside it; give the study's folder, in which `arenite study page RECIPE --out FOLDER` makes both"
+                f"{page}: the numbers of its figures, study.hdf5, are missing beside it; give the study's folder, in "
+                "which `arenite study page RECIPE --out FOLDER` makes both"
             )
         raise ValueError(
             f"{page}: this study has no page yet; `arenite study page RECIPE --out {page.parent}` makes it"
@@ -56,7 +58,8 @@ def not_drawn(path):
 
 
 def draw_study_sample(axes, sample):
-    """Grains by material, with their forces, or by their stress over the mean; returns what a colour bar needs, or None."""
+    """Grains by material, with their forces, or by their stress over the mean; returns what a colour bar needs, or
+    None."""
     x, y, r = (1e-3 * np.array(sample[name]) for name in ("x", "y", "r"))
     disks = PatchCollection([Circle((a, b), c) for a, b, c in zip(x, y, r)], linewidth=0.15, edgecolor=strong)
     by_stress = "stress" in sample
@@ -108,7 +111,8 @@ def _material_key(axes, sample):
 
 
 def draw_study_nodes(axes, sample):
-    """Phases of a sample on its nodes, or the stress in and around one grain; returns what a colour bar needs, or None."""
+    """Phases of a sample on its nodes, or the stress in and around one grain; returns what a colour bar needs, or
+    None."""
     columns, rows = sample["nodes"]
     width, height = (1e-3 * side for side in sample["size"])
     extent = {"extent": (0, width, 0, height), "interpolation": "nearest", "rasterized": True}
@@ -140,7 +144,8 @@ def _edges(axes, edges, side, height):
 
 
 def draw_study_figure(canvas, figure):
-    """Draws one figure of `study_document` on an empty matplotlib figure: what the library describes, or the picture of a run."""
+    """Draws one figure of `study_document` on an empty matplotlib figure: what the library describes, or the picture of
+    a run."""
     if "sample" not in figure:
         draw_described(canvas, [figure["drawing"]])
         return

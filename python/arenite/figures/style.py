@@ -83,7 +83,8 @@ def _quiet(name):
 
 
 class PlainTicks(ScalarFormatter):
-    """Tick labels as plain text, which is a hundred times faster than a formula; their common power of ten stays a formula."""
+    """Tick labels as plain text, which is a hundred times faster than a formula; their common power of ten stays a
+    formula."""
 
     def __init__(self):
         super().__init__(useMathText=False)
@@ -109,7 +110,8 @@ def plain(name):
 
 
 def label(text):
-    """ "σ_{norm}" for matplotlib, as the library says that quantities are written; a letter with an index is in italics."""
+    """ "σ_{norm}" for matplotlib, as the library says that quantities are written; a letter with an index is in
+    italics."""
 
     def formula(match):
         letter, mark, index = match.groups(default="")

@@ -1,5 +1,6 @@
 /** What may be painted on the nodes of a loaded sample. A member gives: symbol, and either `stored` (a field of the
-    document, which has its unit) or `from(parts)` of other members; `grain` from a grain's mean stress { xx, yy, xy }. A new one is one more row. */
+    document, which has its unit) or `from(parts)` of other members; `grain` from a grain's mean stress { xx, yy, xy }.
+    A new one is one more row. */
 export const components = {
   yy: { symbol: "\u03c3_{yy}", stored: "sigma_yy", grain: (g) => g.yy },
   xx: { symbol: "\u03c3_{xx}", stored: "sigma_xx", grain: (g) => g.xx },

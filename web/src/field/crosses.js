@@ -3,8 +3,8 @@ import { principal } from "./components.js";
 
 const widest = 0.85; // of the grain's radius
 
-/** Principal stresses of grains as crosses: along each axis a bar of the grain's length, as thick as the stress is large
-    against the mean. */
+/** Principal stresses of grains as crosses: along each axis a bar of the grain's length, as thick as the stress is
+    large against the mean. */
 export function crossesOf(result, theme) {
   const bars = [],
     { nodes, x, y } = result.grains;

@@ -11,7 +11,8 @@ function displacementsOf(result) {
   })());
 }
 
-/** How many times displacements are drawn larger than they are, where the slider is at `share`; 0 where nothing is displaced. */
+/** How many times displacements are drawn larger than they are, where the slider is at `share`; 0 where nothing is
+    displaced. */
 export function magnification(result, share) {
   const { most } = displacementsOf(result),
     { right, top } = result.map.box;

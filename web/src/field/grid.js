@@ -1,5 +1,5 @@
-/** Draws the grid of nodes: every node a square when it is larger than a pixel, the mean of several where it is smaller. Lines
-    stand where the label of two neighbours differs; with a chosen grain the rest steps back. */
+/** Draws the grid of nodes: every node a square when it is larger than a pixel, the mean of several where it is
+    smaller. Lines stand where the label of two neighbours differs; with a chosen grain the rest steps back. */
 export function gridDrawing(regl) {
   return regl({
     vert: `
@@ -29,7 +29,8 @@ export function gridDrawing(regl) {
         else {
           colour = vec3(0.0);
           for (int j = 0; j < 4; ++j)
-            for (int i = 0; i < 4; ++i) colour += paintAt(place + (vec2(float(i), float(j)) - 1.5) * 0.25 / pixelsPerNode);
+            for (int i = 0; i < 4; ++i)
+              colour += paintAt(place + (vec2(float(i), float(j)) - 1.5) * 0.25 / pixelsPerNode);
           colour /= 16.0;
         }
         float here = labelAt(place);

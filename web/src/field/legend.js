@@ -9,7 +9,8 @@ import { kindNames } from "./tooltip.js";
 
 export const legendHeight = 92;
 
-/** The strip below the picture: what the colours mean, how the values are spread over them, and a bar of known length. */
+/** The strip below the picture: what the colours mean, how the values are spread over them, and a bar of known length.
+    */
 export function legend(result, camera, theme, state, width, broken) {
   const group = s("g", { "font-family": theme.font, "font-size": 11.5, fill: theme.soft });
   const scale = scaleOf(result, state),
@@ -67,7 +68,8 @@ function phaseKey({ map }, theme, room) {
 
 function cavityKey({ map }, theme, state, length) {
   const { nodes, fewest_nodes: fewest, specks, cut } = map.cavities[state.get("show")];
-  const words = `${text.count(nodes.length)} counted; grey: ${text.count(cut)} cut by the edge, ${text.count(specks)} below ${fewest} nodes`;
+  const grey = `${text.count(cut)} cut by the edge, ${text.count(specks)} below ${fewest} nodes`;
+  const words = `${text.count(nodes.length)} counted; grey: ${grey}`;
   const group = s("g", {}, label(0, state.get("cavities") === "size" ? 66 : 11, words));
   if (state.get("cavities") !== "size") return group;
   group.append(

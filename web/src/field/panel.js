@@ -224,6 +224,8 @@ function note({ map }) {
   return h(
     "p",
     { class: "caption note" },
-    `The map has ${text.count(width)} \u00d7 ${text.count(height)} nodes: every ${stride}${stride === 2 ? "nd" : stride === 3 ? "rd" : "th"} in both directions is drawn; means and tables include all nodes.`,
+    `The map has ${text.count(width)} \u00d7 ${text.count(height)} nodes: every ` +
+      `${stride}${stride === 2 ? "nd" : stride === 3 ? "rd" : "th"} in both directions is drawn; ` +
+      "means and tables include all nodes.",
   );
 }

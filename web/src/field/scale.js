@@ -52,8 +52,8 @@ function share(order, limit, including = false) {
   return order.length ? from / order.length : 0;
 }
 
-/** How many of the values fall into each of `bins` equal parts of the scale, each shared between the two whose middles are
-    next to it (or coded values would make a comb); what lies beyond is left out. */
+/** How many of the values fall into each of `bins` equal parts of the scale, each shared between the two whose middles
+    are next to it (or coded values would make a comb); what lies beyond is left out. */
 export function histogram(order, scale, bins) {
   const counts = new Array(bins).fill(0);
   for (const v of order) {

@@ -121,7 +121,8 @@ export class FieldScene {
   }
 }
 
-/** Grain labels in three bytes, so that the card can tell grains apart; void and matrix stand apart from each other too. */
+/** Grain labels in three bytes, so that the card can tell grains apart; void and matrix stand apart from each other
+    too. */
 function labelBytes({ label, kind }) {
   const out = new Uint32Array(label.length);
   for (let k = 0; k < label.length; ++k) out[k] = label[k] > 0 ? label[k] : kind[k] === 0 ? 0xfffffe : 0xffffff;

@@ -5,8 +5,8 @@ import { tipMarks } from "./tips.js";
 
 const worded = ({ unit, short, ...axis }) => (unit ? { ...axis, label: `${axis.label}, ${unit}` } : axis);
 
-/** A chart in the page's manner: thin grid, no frame, labels along the axes, symbols with subscripts; `tips` (tips.js) are the
-    points whose numbers the pointer shows. An axis may have a `unit`, and a `short` name
+/** A chart in the page's manner: thin grid, no frame, labels along the axes, symbols with subscripts; `tips` (tips.js)
+    are the points whose numbers the pointer shows. An axis may have a `unit`, and a `short` name
     for tips. */
 export function chart(theme, options) {
   const svg = drawn(theme, options),
@@ -51,7 +51,8 @@ function drawn(theme, { width, height = 250, x = {}, y = {}, marks, tips = null,
       ...(tips ? tipMarks(theme, tips, { x, y }) : []),
     ],
   });
-  if (tips) svg.prepend(s("path", { d: `M0,0h${width}v${height}h${-width}Z`, fill: "none", "pointer-events": "all" })); // a chart within an SVG hears the pointer only where something is
+  // A chart within an SVG hears the pointer only where something is.
+  if (tips) svg.prepend(s("path", { d: `M0,0h${width}v${height}h${-width}Z`, fill: "none", "pointer-events": "all" }));
   for (const tick of svg.querySelectorAll('[aria-label$="axis tick label"] text'))
     tick.textContent = tick.textContent.replace(/,(?=\d{3})/g, "\u202f"); // as counts are written elsewhere
   svg.removeAttribute("class");

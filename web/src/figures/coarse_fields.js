@@ -2,8 +2,9 @@ import { label, richSvg, s } from "../dom.js";
 import { prefixOf, text, typeset } from "../text.js";
 import { bytes } from "../theme.js";
 
-/** How the coarse-grained fields are drawn: map, `of(fields)` = array by cell where it is not the field of the name itself, `signed` = zero
-    in the middle, `arrows` = with velocities. Labels, symbols and units are the program's (`layers` of the document). */
+/** How the coarse-grained fields are drawn: map, `of(fields)` = array by cell where it is not the field of the name
+    itself, `signed` = zero in the middle, `arrows` = with velocities. Labels, symbols and units are the program's
+    (`layers` of the document). */
 export const layers = {
   solid_fraction: { map: "viridis", closed: true },
   density: { map: "viridis", closed: true },
@@ -93,7 +94,9 @@ function arrowsOf(fields, place, theme) {
         ey = y + dy / 2;
       group.append(
         s("path", {
-          d: `M${ex - dx},${ey - dy}L${ex},${ey}M${ex - head * (ux + 0.6 * uy)},${ey - head * (uy - 0.6 * ux)}L${ex},${ey}L${ex - head * (ux - 0.6 * uy)},${ey - head * (uy + 0.6 * ux)}`,
+          d: `M${ex - dx},${ey - dy}L${ex},${ey}` +
+            `M${ex - head * (ux + 0.6 * uy)},${ey - head * (uy - 0.6 * ux)}L${ex},${ey}` +
+            `L${ex - head * (ux - 0.6 * uy)},${ey - head * (uy + 0.6 * ux)}`,
         }),
       );
     }
@@ -130,7 +133,11 @@ export const coarseFields = {
   follows: ["snapshot", "field"],
   when: (texture, sample) => sample.fields(0),
   pickers: {
-    field: ["", (sample) => known(sample.fields(sample.snapshotCount - 1), sample).map(([name, layer]) => [name, layer.label])],
+    field: [
+      "",
+      (sample) =>
+        known(sample.fields(sample.snapshotCount - 1), sample).map(([name, layer]) => [name, layer.label]),
+    ],
   },
   draw({ sample, state, theme, width }) {
     const fields = sample.fields(state.get("snapshot")),

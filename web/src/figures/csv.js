@@ -12,8 +12,8 @@ export function rowsOf(svg) {
   return (svg?.numbers ?? []).flatMap(({ points }) => points);
 }
 
-/** Every point of a drawing as a line of a table: which line it is of, x, y, and the standard error of y where there is one, and what else
-    a point has (`more`); a table a chart. */
+/** Every point of a drawing as a line of a table: which line it is of, x, y, and the standard error of y where there is
+    one, and what else a point has (`more`); a table a chart. */
 export function csvOf(svg) {
   const tables = (svg.numbers ?? []).map(({ x, y, points }) => {
     const columns = [

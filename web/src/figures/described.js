@@ -8,7 +8,8 @@ import { drawRoses } from "./roses.js";
 
 /** Of the drawings of a figure that which agrees with most of the reader's choices. */
 function pick(drawings, state) {
-  const agreed = ({ for: chosen = {} }) => Object.entries(chosen).filter(([key, value]) => state.get(key) === value).length;
+  const holds = ([key, value]) => state.get(key) === value;
+  const agreed = ({ for: chosen = {} }) => Object.entries(chosen).filter(holds).length;
   return drawings.reduce((best, one) => (agreed(one) > agreed(best) ? one : best));
 }
 

@@ -6,8 +6,8 @@ import { grainScatter } from "./grain_scatter.js";
 
 /** Figures that are pictures, by their ids, with renderers of their own. A member gives: `when(texture, sample)` (is
     there anything to draw), `draw({ sample, state, texture, theme, width })` -> SVG; `key` (entries above the drawing),
-    `follows` (redrawn at every snapshot, or when one of these keys of the state changes), `pickers` (keys of the state with their
-    options as lists: key = [label, function of the sample that gives the options]). */
+    `follows` (redrawn at every snapshot, or when one of these keys of the state changes), `pickers` (keys of the state
+    with their options as lists: key = [label, function of the sample that gives the options]). */
 const pictures = {
   "coarse-fields": coarseFields,
   "film-fit": fitMaps,

@@ -29,7 +29,8 @@ export function drawOutlines({ series, rings, reach, isotropic, corner }, { them
     { viewBox: `0 0 ${width} ${height}`, width, height, "font-family": theme.font, "font-size": 11 },
     group,
   );
-  svg.numbers = [{ x: "direction, \u00b0", y: corner ?? "over the isotropic number", points: series.flatMap(pointsOf) }];
+  const points = series.flatMap(pointsOf);
+  svg.numbers = [{ x: "direction, \u00b0", y: corner ?? "over the isotropic number", points }];
   return richSvg(svg);
 }
 

@@ -33,7 +33,9 @@ function inside({ low, high }, value) {
 }
 
 const isWhole = (panel) =>
-  !panel.x.unit && panel.series.every(({ x }) => x.every(Number.isInteger)) && panel.series.some(({ x }) => x.length > 1);
+  !panel.x.unit &&
+  panel.series.every(({ x }) => x.every(Number.isInteger)) &&
+  panel.series.some(({ x }) => x.length > 1);
 
 function axisOf({ label = null, unit, brief, log, low, high }, whole = false) {
   const domain = low === undefined || high === undefined ? undefined : [low, high];
@@ -199,7 +201,8 @@ function notesOf({ references = [], x: across, y: up }, theme) {
   return references
     .filter(({ label, slope }) => label && slope === undefined)
     .map(({ x, y, label, colour }, row) => {
-      const note = { text: () => label, fill: colourOf(theme, colour), stroke: theme.card, strokeWidth: 3, fontSize: 10.5 };
+      const fill = colourOf(theme, colour);
+      const note = { text: () => label, fill, stroke: theme.card, strokeWidth: 3, fontSize: 10.5 };
       if (x !== undefined && y !== undefined) return Plot.text([0], { x: () => x, y: () => y, dy: -9, ...note });
       if (y !== undefined)
         return Plot.text([0], { x: () => across.high, y: () => y, textAnchor: "end", dy: -6, ...note });

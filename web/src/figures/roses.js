@@ -35,7 +35,8 @@ export function drawRoses(roses, { theme, width }) {
 }
 
 /** One about the origin. */
-function rose({ name, colour: role, count, sectors, inner, amplitude, direction: turn, axis, reach, words }, radius, theme) {
+function rose(described, radius, theme) {
+  const { name, colour: role, count, sectors, inner, amplitude, direction: turn, axis, reach, words } = described;
   const isotropic = count / sectors.length,
     scale = radius / reach,
     colour = colourOf(theme, role);
@@ -49,7 +50,9 @@ function rose({ name, colour: role, count, sectors, inner, amplitude, direction:
   if (inner) group.append(...petals(inner, isotropic, scale, colour, 0.75));
   group.append(s("circle", { r: scale, fill: "none", stroke: theme.soft, "stroke-dasharray": "3 3" }));
   if (amplitude !== undefined && turn !== undefined)
-    group.append(s("path", { d: fitted(amplitude, turn, scale), fill: "none", stroke: theme.ink, "stroke-width": 1.5 }));
+    group.append(
+      s("path", { d: fitted(amplitude, turn, scale), fill: "none", stroke: theme.ink, "stroke-width": 1.5 }),
+    );
   group.append(
     ...axisMarks(axis, radius, theme),
     s(
@@ -76,7 +79,8 @@ function petals(counts, isotropic, scale, fill, opacity) {
     const [x1, y1] = direction(k * step + 0.8, r),
       [x2, y2] = direction((k + 1) * step - 0.8, r);
     return s("path", {
-      d: `M0,0L${x1.toFixed(2)},${y1.toFixed(2)}A${r.toFixed(2)},${r.toFixed(2)} 0 0 0 ${x2.toFixed(2)},${y2.toFixed(2)}Z`,
+      d: `M0,0L${x1.toFixed(2)},${y1.toFixed(2)}` +
+        `A${r.toFixed(2)},${r.toFixed(2)} 0 0 0 ${x2.toFixed(2)},${y2.toFixed(2)}Z`,
       fill,
       "fill-opacity": opacity,
     });

@@ -31,9 +31,9 @@ function anchorAt(x, y, { width, height }) {
     .join("-");
 }
 
-/** A ring around the point next to the pointer and its numbers beside it. `points` = [{ x, y, name, error }]; `by` is what
-    the nearest is measured along; `reach` in pixels; `lines` = [[label, function from a point to words]] where they are not
-    those of the axes. */
+/** A ring around the point next to the pointer and its numbers beside it. `points` = [{ x, y, name, error }]; `by` is
+    what the nearest is measured along; `reach` in pixels; `lines` = [[label, function from a point to words]] where
+    they are not those of the axes. */
 export function tipMarks(theme, { points, by = "x", reach = 40, lines = null }, axes) {
   const near = (options) => pointers[by]({ x: "x", y: "y", maxRadius: reach, ...options });
   const all = lines ?? linesOf(points, axes);

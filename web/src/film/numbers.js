@@ -36,7 +36,8 @@ export function comparisonNumbers(film) {
       "p",
       { class: "caption" },
       rich(
-        "Grains away from the border; \u03c3_{norm} of each set is over its own mean. Agreement: correlation, slope of the film on the simulation, r.m.s. difference.",
+        "Grains away from the border; \u03c3_{norm} of each set is over its own mean. " +
+          "Agreement: correlation, slope of the film on the simulation, r.m.s. difference.",
       ),
     ),
   );

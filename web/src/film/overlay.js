@@ -76,8 +76,8 @@ function grains(film, how, theme) {
   return group;
 }
 
-/** A bar as thick as its force is large, on a pale one thicker by the standard error, with a margin of the card's colour
-    so that it is seen on any map; what may not be there is dashed. */
+/** A bar as thick as its force is large, on a pale one thicker by the standard error, with a margin of the card's
+    colour so that it is seen on any map; what may not be there is dashed. */
 function forces(film, theme) {
   const { fn, fn_error: error } = film.contacts,
     group = s("g", { "stroke-linecap": "round" });

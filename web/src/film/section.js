@@ -34,7 +34,8 @@ export function filmSection(film, page, heads) {
   const { panel, view } = available(film).length
     ? filmPanel(film, state)
     : { panel: h("section", { class: "card" }, h("p", { class: "nothing" }, "This film has no maps.")), view: null };
-  const cards = figuresOf(heads).filter((figure) => figure.when({}, film)).map((figure) => figureCard(figure, film, state));
+  const shown = figuresOf(heads).filter((figure) => figure.when({}, film));
+  const cards = shown.map((figure) => figureCard(figure, film, state));
   const element = h(
     "div",
     {},

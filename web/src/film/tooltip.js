@@ -55,7 +55,8 @@ function grainRows(film, g) {
 
 /** "Contact 12 – 40", "Contact 3 – lower wall". */
 export function contactName({ contacts: { i, j }, grains: { id }, count }, c) {
-  return `Contact ${id[i[c]]}\u2009\u2013\u2009${j[c] < count ? id[j[c]] : `${["left", "right", "lower", "upper"][j[c] - count]} wall`}`;
+  const other = j[c] < count ? id[j[c]] : `${["left", "right", "lower", "upper"][j[c] - count]} wall`;
+  return `Contact ${id[i[c]]}\u2009\u2013\u2009${other}`;
 }
 
 export function contactNumbers(film, c, theme) {

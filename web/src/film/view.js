@@ -11,8 +11,8 @@ const label = "The film";
 const veil = 0.72,
   largePixel = 6;
 
-/** The picture of a film: the map on a canvas, grains and forces over it as vectors, legend and what the pointer does. The
-    camera looks on (column, -row). */
+/** The picture of a film: the map on a canvas, grains and forces over it as vectors, legend and what the pointer does.
+    The camera looks on (column, -row). */
 export class FilmView extends CanvasView {
   constructor(film, state) {
     super(state, { name: "film", label, margin: 6, key: "key field-key", legendHeight, parts: ["map", "lines"] });
@@ -62,7 +62,8 @@ export class FilmView extends CanvasView {
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.fillStyle = theme.card;
     context.fillRect(0, 0, this.canvas.width, this.canvas.height);
-    context.imageSmoothingEnabled = this.camera.scale * ratio < 1; // shrunk maps are averaged, large pixels stay squares
+    // Shrunk maps are averaged, large pixels stay squares.
+    context.imageSmoothingEnabled = this.camera.scale * ratio < 1;
     context.imageSmoothingQuality = "high";
     context.globalAlpha = 1 - this.veil;
     context.drawImage(this.picture, x * ratio, y * ratio, width * ratio, height * ratio);

@@ -3,7 +3,8 @@ import { s } from "../dom.js";
 const crackShare = 0.9; // of the smaller radius, on either side
 const farthest = 1.5; // of the radii's sum: beyond it there are two pieces, and no crack to be seen
 
-/** Bonds that hold as thin lines from centre to centre, and a crack across each that broke, where its grains are still near; none across a periodic side. */
+/** Bonds that hold as thin lines from centre to centre, and a crack across each that broke, where its grains are still
+    near; none across a periodic side. */
 export function bondShapes(sample, snapshot, camera, theme) {
   const { i, j, broken } = snapshot.bonds;
   const box = sample.box(snapshot);

@@ -22,7 +22,8 @@ export function chainColour(theme, snapshot, fn) {
   return fn > snapshot.meanForce ? theme.strong : theme.weak;
 }
 
-/** What a grain touches of the boundaries: elements are counted through all of them, two a point, the point and the segment to the next. */
+/** What a grain touches of the boundaries: elements are counted through all of them, two a point, the point and the
+    segment to the next. */
 export function boundaryElement(snapshot, element) {
   let number = element;
   for (const boundary of snapshot.boundaries) {
@@ -46,7 +47,8 @@ function footOn({ boundary, from, to }, x, y) {
   return { foot: [ax + share * dx, ay + share * dy], distance: Math.hypot(x - ax - within * dx, y - ay - within * dy) };
 }
 
-/** The foot on an element of that image of a grain at (x, y) that is nearest to it, and how far the image is shifted. */
+/** The foot on an element of that image of a grain at (x, y) that is nearest to it, and how far the image is shifted.
+    */
 function nearestFoot(element, box, domain, x, y) {
   const { boundary, from, to } = element;
   const [sx, sy] = nearestImage(box, domain, [

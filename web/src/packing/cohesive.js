@@ -2,7 +2,8 @@ import { s } from "../dom.js";
 
 const into = 0.35; // of the smaller radius: how far a stroke reaches into either grain
 
-/** Pairs that adhesion or a liquid bridge joins: a stroke across the contact or the gap, in the colour of tension where the grains are apart; none across a periodic side. */
+/** Pairs that adhesion or a liquid bridge joins: a stroke across the contact or the gap, in the colour of tension where
+    the grains are apart; none across a periodic side. */
 export function cohesiveShapes(sample, snapshot, camera, theme) {
   const { i, j, gap } = snapshot.cohesive;
   const box = sample.box(snapshot);

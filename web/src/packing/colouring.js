@@ -13,9 +13,9 @@ const bothWays =
   (name, least = 0) =>
   (sample) => [-Math.max(topOf(name, sample), least), Math.max(topOf(name, sample), least)];
 
-/** How grains may be coloured. By a quantity: `range(sample)` = [low, high] and `map`, which the reader may change; `title` where it is not the
-    quantity's label. By names: `colour(sample, theme)` = function from a grain to a colour, and `key(sample, theme)` = [[name, colour]]. A
-    new one is one more row. */
+/** How grains may be coloured. By a quantity: `range(sample)` = [low, high] and `map`, which the reader may change;
+    `title` where it is not the quantity's label. By names: `colour(sample, theme)` = function from a grain to a colour,
+    and `key(sample, theme)` = [[name, colour]]. A new one is one more row. */
 export const colourings = {
   material: {
     label: "Material",
@@ -65,8 +65,8 @@ export function colouringsOf(sample) {
 
 const decadesOfLog = 3; // below the upper end, where the lower one is no positive number
 
-/** What the colours of a quantity mean: { low, high (SI), log, map, title, unit, factor }; null where they are names. What the reader chose
-    (`scales` of the state, by mode) goes before the usual. */
+/** What the colours of a quantity mean: { low, high (SI), log, map, title, unit, factor }; null where they are names.
+    What the reader chose (`scales` of the state, by mode) goes before the usual. */
 export function scaleOf(sample, state, mode = state.get("colour")) {
   const { range, map, closed, title } = colourings[mode];
   if (!range) return null;

@@ -33,8 +33,8 @@ function columnsOf(sample) {
   ];
 }
 
-/** All grains of the state that is shown with their numbers, in a table that is sorted by a click on a column header; only the rows in sight are made.
-    A click on a row selects its grain everywhere, arrows go from row to row. */
+/** All grains of the state that is shown with their numbers, in a table that is sorted by a click on a column header;
+    only the rows in sight are made. A click on a row selects its grain everywhere, arrows go from row to row. */
 export function grainTable(sample, state) {
   const columns = columnsOf(sample),
     sorting = { column: columns[0], down: false };
@@ -159,8 +159,10 @@ export function grainTable(sample, state) {
       "p",
       { class: "caption" },
       rich(
-        `${text.count(sample.count)} grains in the state shown; click a column header to sort, click a row to mark the grain in the picture and the charts. ` +
-          "p, q: half the sum and half the difference of the principal stresses of a grain, compression positive; u, \u03b8: since the first state of the stage. The CSV file is in SI units.",
+        `${text.count(sample.count)} grains in the state shown; click a column header to sort, ` +
+          "click a row to mark the grain in the picture and the charts. " +
+          "p, q: half the sum and half the difference of the principal stresses of a grain, compression positive; " +
+          "u, \u03b8: since the first state of the stage. The CSV file is in SI units.",
       ),
     ),
   );

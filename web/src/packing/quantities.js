@@ -1,6 +1,6 @@
-/** How the page finds the numbers of every grain in a state: `find(sample, snapshot)` = array by grain, `when(sample)` = is it known (always
-    unless given). Labels, symbols and units are the program's (`quantities` of the document), by the same names. Colours, the table, the
-    scatter and what the pointer tells are made from both. */
+/** How the page finds the numbers of every grain in a state: `find(sample, snapshot)` = array by grain, `when(sample)`
+    = is it known (always unless given). Labels, symbols and units are the program's (`quantities` of the document), by
+    the same names. Colours, the table, the scatter and what the pointer tells are made from both. */
 const finders = {
   x: { find: (sample, snapshot) => snapshot.x },
   y: { find: (sample, snapshot) => snapshot.y },
@@ -18,7 +18,10 @@ const finders = {
     when: (sample) => sample.snapshotCount > 1,
     find: (sample, snapshot) => snapshot.angle.map((angle, g) => angle - startOf(sample, snapshot).angle[g]),
   },
-  speed: { when: has("vx"), find: ({ count }, { vx, vy }) => Float64Array.from({ length: count }, (_, g) => Math.hypot(vx[g], vy[g])) },
+  speed: {
+    when: has("vx"),
+    find: ({ count }, { vx, vy }) => Float64Array.from({ length: count }, (_, g) => Math.hypot(vx[g], vy[g])),
+  },
   vx: { when: has("vx"), find: (sample, snapshot) => snapshot.vx },
   vy: { when: has("vx"), find: (sample, snapshot) => snapshot.vy },
   spin: { when: has("omega"), find: (sample, snapshot) => snapshot.omega },

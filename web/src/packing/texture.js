@@ -60,7 +60,8 @@ const forces = (t) =>
     ["beta2_over_product", "T eq. 1.5"],
   ]);
 
-/** What is measured of a packing, in three columns with a caption, notes and at the end whatever no row names; `title` above it. */
+/** What is measured of a packing, in three columns with a caption, notes and at the end whatever no row names; `title`
+    above it. */
 export function textureCard(title, t) {
   const column = (...tables) => h("div", {}, tables.filter(Boolean));
   return h(
@@ -78,7 +79,8 @@ export function textureCard(title, t) {
       "p",
       { class: "caption" },
       rich(
-        "With standard errors, from grains away from the walls. a_{c}, \u03b8_{c}: contact orientations; noise: a_{c} of the same number of random orientations; a_{n}: normal forces.",
+        "With standard errors, from grains away from the walls. a_{c}, \u03b8_{c}: contact orientations; " +
+          "noise: a_{c} of the same number of random orientations; a_{n}: normal forces.",
       ),
     ),
     remainder(t),

@@ -86,7 +86,8 @@ export class PackingView extends CanvasView {
     this.tooltip.show(this.picked, this.sample, this.snapshot, this.theme, [px, py]);
   }
 
-  /** The grain under the pointer, which table and charts mark too; none where it is there already, or where no grain is. */
+  /** The grain under the pointer, which table and charts mark too; none where it is there already, or where no grain
+      is. */
   select() {
     const grain = this.picked?.grain ?? null;
     this.state.set({ selected: grain === this.state.get("selected") ? null : grain });

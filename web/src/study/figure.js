@@ -3,8 +3,8 @@ import { draw, keyOf } from "../figures/described.js";
 import { fieldFigure } from "./field.js";
 import { sampleFigure } from "./sample.js";
 
-/** A figure of a study as a card shows it: what the program describes, or the picture of a run; where nothing of it is there, the
-    sentence that says why. */
+/** A figure of a study as a card shows it: what the program describes, or the picture of a run; where nothing of it is
+    there, the sentence that says why. */
 export function studyFigure(figure) {
   const { sample, drawing, missing } = figure;
   const caption = [figure.caption, (sample || drawing) && missing].filter(Boolean).join(" ");

@@ -11,7 +11,8 @@ function written(number) {
 
 const quoted = (word) => (/[",\n]/.test(word) ? `"${word.replaceAll('"', '""')}"` : word);
 
-/** Every run of the study with what was swept and its main numbers, sorted by a click on a column header; a run's name leads to its page. */
+/** Every run of the study with what was swept and its main numbers, sorted by a click on a column header; a run's name
+    leads to its page. */
 export function runsTable(title, { keys, names, rows }) {
   const sorting = { column: 0, down: false },
     body = h("tbody");

@@ -8,7 +8,8 @@ export const stressKey = (theme, most = 3) =>
     colour: theme.stress(v / most),
   }));
 
-/** One sample: its grains by material, with their normal forces as lines as wide as strong, or coloured by their stress over the mean. */
+/** One sample: its grains by material, with their normal forces as lines as wide as strong, or coloured by their stress
+    over the mean. */
 export function sampleFigure(figure) {
   const { sample } = figure,
     [across, up] = sample.size;
