@@ -6,7 +6,7 @@
 #include "io/film/film.hpp"
 #include "print.hpp"
 #include "progress.hpp"
-#include "workflow/run_film.hpp"
+#include "workflow/film/render_film.hpp"
 
 namespace arenite::app {
 namespace {

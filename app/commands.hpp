@@ -36,7 +36,7 @@ struct Command {
   void (*add)(Options& command, int& status);
 };
 
-/// All commands, in the order of the help.
+/// All commands, in the order of the help (main.cpp).
 const std::vector<Command>& commands();
 
 /// Changes to a recipe, key=value, as `run` and `check` take them.

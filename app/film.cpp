@@ -8,9 +8,9 @@
 #include "film_reading.hpp"
 #include "print.hpp"
 #include "progress.hpp"
+#include "report/film_text.hpp"
 #include "report/page.hpp"
-#include "report/summary.hpp"
-#include "workflow/run_film.hpp"
+#include "workflow/film/run_film.hpp"
 
 namespace arenite::app {
 namespace {

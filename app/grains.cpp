@@ -7,7 +7,7 @@
 #include "io/table/table.hpp"
 #include "print.hpp"
 #include "report/found_grains.hpp"
-#include "workflow/measure_film.hpp"
+#include "workflow/film/grain_pictures.hpp"
 #include "workflow/result_folder.hpp"
 
 namespace arenite::app {

@@ -1,11 +1,14 @@
-
 #include <cstdio>
 #include <memory>
 #include <string>
 
 #include "commands.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "core/units.hpp"
 #include "print.hpp"
-#include "workflow/identify.hpp"
+#include "workflow/identify_curves.hpp"
+#include "workflow/identify_factor.hpp"
 
 namespace arenite::app {
 namespace {

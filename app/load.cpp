@@ -8,7 +8,7 @@
 #include "progress.hpp"
 #include "report/page.hpp"
 #include "report/summary.hpp"
-#include "workflow/field_stages.hpp"
+#include "workflow/apply_load.hpp"
 
 namespace arenite::app {
 namespace {

@@ -1,5 +1,4 @@
 #include "thermal/thermography/lockin.hpp"
-#include "print.hpp"
 
 #include <fmt/core.h>
 
@@ -10,9 +9,13 @@
 #include "commands.hpp"
 #include "film_reading.hpp"
 #include "io/table/table.hpp"
+#include "print.hpp"
 #include "progress.hpp"
+#include "statistics/numbers_text.hpp"
 #include "thermal/thermography/blank_frames.hpp"
-#include "workflow/measure_film.hpp"
+#include "thermal/thermography/film_checks.hpp"
+#include "thermal/thermography/judge_amplitude.hpp"
+#include "workflow/film/film_correction.hpp"
 
 namespace arenite::app {
 namespace {
@@ -149,7 +152,7 @@ int execute(LockinArguments& a) {
   if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps, phase_in_degrees(maps)));
   if (!maps.blank.empty()) print(stderr, "{}: {}\n", a.film, thermography::blank_frames_sentence(maps.blank));
   if (!thermography::shows_load(maps))
-    print(stderr, "{}: {}\n", a.film, workflow::no_load_sentence(maps, maps.frequency, "--frequency"));
+    print(stderr, "{}: {}\n", a.film, thermography::no_load_sentence(maps, maps.frequency, "--frequency"));
   else if (maps.other_frequency > 0)
     print(stderr, "{}: the amplitude is larger at {:.4g} Hz than at {:.6g} Hz, a multiple of it\n", a.film,
           maps.other_frequency, maps.frequency);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "core/text.hpp"
 #include "grains/texture/texture.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
@@ -13,6 +14,7 @@
 #include "io/table/table.hpp"
 #include "print.hpp"
 #include "recipe/recipe.hpp"
+#include "solid/stress/grains.hpp"
 #include "solid/stress/stress.hpp"
 #include "thermal/imaging/proposed_contacts.hpp"
 

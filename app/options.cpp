@@ -13,6 +13,8 @@
 #include "core/version.hpp"
 #include "io/table/table.hpp"
 #include "print.hpp"
+#include "recipe/document.hpp"
+#include "recipe/record.hpp"
 
 namespace arenite::app {
 namespace {
@@ -102,7 +104,6 @@ void declare(CLI::App& to, const Options& options) {
   for (const Option& option : options.table)
     for (const auto& other : option.without) to.get_option(option.name)->excludes(to.get_option(other));
   to.footer(options.footer);
-  if (options.work) to.callback(options.work);
 }
 
 }  // namespace
@@ -223,26 +224,28 @@ std::vector<std::string> parts_of(const std::string& text) {
   return parts;
 }
 
-int read_command_line(int argc, char** argv) {
-  int status = done;
+const Options* read_command_line(int argc, char** argv, const std::deque<Options>& tables, int& status) {
   CLI::App program("Micromechanics of composite and cemented granular materials", "arenite");
   program.set_version_flag("--version", std::string("arenite ") + version);
   program.require_subcommand(0, 1);
-  std::deque<Options> tables;
-  for (const auto& command : commands()) {
-    command.add(tables.emplace_back(), status);
-    declare(*program.add_subcommand(command.name, command.sentence), tables.back());
+  std::map<const CLI::App*, const Options*> table_of;
+  for (std::size_t c = 0; c < tables.size(); ++c) {
+    CLI::App* const command = program.add_subcommand(commands()[c].name, commands()[c].sentence);
+    declare(*command, tables[c]);
+    table_of[command] = &tables[c];
   }
-  if (argc > 1 && unknown_command(argv[1])) return bad_input;
+  if (argc > 1 && unknown_command(argv[1])) return status = bad_input, nullptr;
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return program.exit(error);
+    if (error.get_exit_code() == 0) return status = program.exit(error), nullptr;
     print(stderr, "{}\n", complaint(program, error));
-    return bad_input;
+    return status = bad_input, nullptr;
   }
-  if (program.get_subcommands().empty()) overview();
-  return status;
+  const auto named = program.get_subcommands();
+  if (!named.empty()) return table_of.at(named.front());
+  overview();
+  return nullptr;
 }
 
 }  // namespace arenite::app

@@ -107,9 +107,10 @@ template <class T> void read_options(T& to, const std::vector<recipe::Given>& gi
   read_options(given, [&](ParameterVisitor& visitor) { declare(visitor, to); });
 }
 
-/// Reads the command line and does the work of the command that it names; exit status, with a sentence on stderr where
-/// it is not understood.
-int read_command_line(int argc, char** argv);
+/// Reads the command line into the tables of all commands, in their order. The table of the command that it names,
+/// whose work is then to be done; null where nothing is left to do (help, version, overview), or with its status and a
+/// sentence on stderr where it is not understood.
+const Options* read_command_line(int argc, char** argv, const std::deque<Options>& tables, int& status);
 
 /// What `read` gives; an error of a value, which has no place, as one of its option.
 template <class Read> auto option_value(const char* option, Read read) {

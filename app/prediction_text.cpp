@@ -4,13 +4,14 @@
 
 #include <cmath>
 
+#include "grains/fields/regime/prediction.hpp"
 #include "progress.hpp"
 
 namespace arenite::app {
 namespace {
 
+using fields::StagePrediction;
 using workflow::Prediction;
-using workflow::StagePrediction;
 using workflow::StepLimit;
 
 std::string collision_text(const Prediction& p) {
@@ -39,7 +40,7 @@ std::string count_text(std::int64_t steps, bool exact) {
 
 std::string flow_text(const StagePrediction& stage) {
   if (!stage.inertial_number) return "";
-  return fmt::format("{:.2g} ({})", *stage.inertial_number, workflow::flow_regime(*stage.inertial_number));
+  return fmt::format("{:.2g} ({})", *stage.inertial_number, fields::flow_regime(*stage.inertial_number));
 }
 
 std::string stage_line(const StagePrediction& s) {

@@ -8,8 +8,11 @@
 #include "commands.hpp"
 #include "film_reading.hpp"
 #include "print.hpp"
+#include "report/film_text.hpp"
+#include "report/states_table.hpp"
 #include "report/summary.hpp"
 #include "run_status.hpp"
+#include "statistics/numbers_text.hpp"
 #include "validation/studies.hpp"
 
 namespace arenite::app {

@@ -7,7 +7,7 @@
 #include "print.hpp"
 #include "progress.hpp"
 #include "thermal/thermography/blank_frames.hpp"
-#include "thermal/thermography/step_load.hpp"
+#include "thermal/thermography/step/step_load.hpp"
 
 namespace arenite::app {
 namespace {

@@ -1,5 +1,4 @@
 #include "print.hpp"
-#include "study_parts.hpp"
 
 #include <fmt/core.h>
 
@@ -11,10 +10,12 @@
 
 #include "io/disk/store_file.hpp"
 #include "progress.hpp"
+#include "report/default_figures.hpp"
 #include "report/page.hpp"
 #include "report/run_drawing.hpp"
 #include "report/study_page.hpp"
 #include "report/summary.hpp"
+#include "study_parts.hpp"
 #include "workflow/store.hpp"
 
 namespace arenite::app {

@@ -8,6 +8,7 @@
 
 #include "run_status.hpp"
 #include "statistics/numbers.hpp"
+#include "statistics/numbers_text.hpp"
 
 namespace arenite::app {
 

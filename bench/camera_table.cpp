@@ -14,7 +14,9 @@
 #include "grains/texture/texture.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
-#include "workflow/run_film.hpp"
+#include "thermal/inference/film_stresses.hpp"
+#include "workflow/film/render_film.hpp"
+#include "workflow/film/run_film.hpp"
 
 /// camera_table STATES CAMERA.toml SCRATCH [THREADS [WORDS...]]: films simulated states with one property of the camera
 /// changed at a time, measures each film without knowing what was drawn, and prints what grains, stresses and forces
@@ -76,7 +78,7 @@ Packing last_state(const fs::path& states, const std::string& stage) {
 struct Errors {
   std::size_t found = 0, missed = 0, wrong_material = 0;
   double centres = 0;  ///< root mean square at the smallest load, pixels along one axis
-  workflow::Agreement stress;
+  inference::Agreement stress;
   double normal = 0, tangential = 0;  ///< relative L2 errors of contacts between grains
 };
 
@@ -123,7 +125,7 @@ Errors compare(const Truth& truth, const FilmResult& film) {
   for (const auto s : seen) e.missed += s == 0;
   e.found = grains;
   e.centres = std::sqrt(square / static_cast<double>(grains));
-  e.stress = workflow::agreement(film.peak_to_peak.sigma_hyd, change, counts);
+  e.stress = inference::agreement(film.peak_to_peak.sigma_hyd, change, counts);
   compare_forces(truth, film, match, e);
   return e;
 }

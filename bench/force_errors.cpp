@@ -9,6 +9,7 @@
 #include "../tests/support/thermoelastic_picture.hpp"
 #include "io/results/results.hpp"
 #include "thermal/inference/contact_forces.hpp"
+#include "thermal/inference/pixel_forces.hpp"
 
 /// force_errors LOW.h5 HIGH.h5: draws the difference of two simulated states as a film would show it, with every source
 /// of error, then with one switched off at a time, and prints what the inferred forces are off by.

@@ -3,6 +3,8 @@
 #include "../tests/support/pressed_crystal.hpp"
 #include "../tests/support/thermoelastic_picture.hpp"
 #include "thermal/inference/contact_forces.hpp"
+#include "thermal/inference/mean_forces.hpp"
+#include "thermal/inference/pixel_forces.hpp"
 
 /// Contact forces of some 700 grains from some 26 000 pixels at the thesis's pixel, lens and noise, on one core; the
 /// counters hold what was solved and how well.

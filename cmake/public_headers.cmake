@@ -3,16 +3,18 @@
 set(arenite_public_headers
   core/error.hpp
   core/units.hpp
+  statistics/numbers_text.hpp
   model/packing.hpp
   model/result.hpp
   model/phase_map.hpp
   recipe/recipe.hpp
+  workflow/make_packing.hpp
   workflow/run.hpp
   grains/dem/engine.hpp
   grains/dem/run_stage.hpp
   grains/texture/texture.hpp
   solid/cement/cement.hpp
-  solid/grid/grid.hpp
+  solid/grid/rasterise.hpp
   solid/peridynamics/load.hpp
   solid/stress/stress.hpp
   thermal/thermography/lockin.hpp

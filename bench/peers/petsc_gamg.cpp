@@ -14,7 +14,9 @@
 
 #include "../../tests/support/cemented_sample.hpp"
 #include "../process_use.hpp"
-#include "solid/peridynamics/solvers/solvers.hpp"
+#include "solid/peridynamics/bonds.hpp"
+#include "solid/peridynamics/load.hpp"
+#include "solid/peridynamics/support.hpp"
 
 namespace {
 

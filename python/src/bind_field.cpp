@@ -5,8 +5,9 @@
 #include "keywords.hpp"
 #include "module.hpp"
 #include "solid/cement/cement.hpp"
-#include "solid/grid/grid.hpp"
-#include "workflow/field_stages.hpp"
+#include "solid/grid/rasterise.hpp"
+#include "workflow/apply_load.hpp"
+#include "workflow/cemented_sample.hpp"
 
 namespace arenite::python {
 namespace {

@@ -9,10 +9,12 @@
 #include "grains/texture/grain_quantities.hpp"
 #include "grains/texture/texture.hpp"
 #include "module.hpp"
+#include "report/field_document.hpp"
 #include "report/figures/figure_document.hpp"
 #include "report/figures/test_figures.hpp"
 #include "report/page_document.hpp"
-#include "workflow/run_film.hpp"
+#include "thermal/inference/film_stresses.hpp"
+#include "workflow/film/film_numbers.hpp"
 
 namespace arenite::python {
 namespace {
@@ -62,13 +64,13 @@ Numbers of_state(const StageOfRun& of, const Snapshot& state, const std::vector<
   return out;
 }
 
-workflow::FilmStresses stresses_of(const FilmResult& film) {
+inference::FilmStresses stresses_of(const FilmResult& film) {
   if (film.packing.grains.size() == 0) return {};
-  return workflow::film_stresses(film, workflow::texture_of(film, false).per_grain.considered);
+  return inference::film_stresses(film, workflow::texture_of(film, false).per_grain.considered);
 }
 
 Numbers of_film(const FilmResult& film) {
-  const workflow::FilmStresses stresses = stresses_of(film);
+  const inference::FilmStresses stresses = stresses_of(film);
   return figures::numbers_of(figures::film_figures(), figures::FilmData{film, stresses}, figures::whole_list);
 }
 

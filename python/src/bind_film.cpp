@@ -7,6 +7,7 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
+#include "core/units.hpp"
 #include "film_source.hpp"
 #include "io/film/film.hpp"
 #include "keywords.hpp"
@@ -15,8 +16,9 @@
 #include "thermal/imaging/circles.hpp"
 #include "thermal/imaging/proposed_contacts.hpp"
 #include "thermal/inference/contact_forces.hpp"
+#include "thermal/inference/pixel_forces.hpp"
 #include "thermal/thermography/lockin.hpp"
-#include "thermal/thermography/step_load.hpp"
+#include "thermal/thermography/step/step_load.hpp"
 
 namespace arenite::python {
 namespace {

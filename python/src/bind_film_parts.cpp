@@ -3,12 +3,16 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
+#include "core/units.hpp"
 #include "film_source.hpp"
 #include "module.hpp"
 #include "thermal/thermography/correction.hpp"
-#include "thermal/thermography/grain_motion.hpp"
+#include "thermal/thermography/frame_statistics.hpp"
+#include "thermal/thermography/grains/follow_grains.hpp"
+#include "thermal/thermography/grains/grain_means.hpp"
+#include "thermal/thermography/grains/grain_motion.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
-#include "workflow/measure_film.hpp"
+#include "workflow/film/film_correction.hpp"
 
 /// The steps of the workflow from a film to grain stresses, each by itself, with the maps and grains that they give.
 namespace arenite::python {

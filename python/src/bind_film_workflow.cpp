@@ -5,8 +5,9 @@
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "module.hpp"
-#include "report/summary.hpp"
-#include "workflow/run_film.hpp"
+#include "report/film_text.hpp"
+#include "workflow/film/render_film.hpp"
+#include "workflow/film/run_film.hpp"
 
 namespace arenite::python {
 namespace {

@@ -4,8 +4,11 @@
 #include <cmath>
 
 #include "calls.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
 #include "module.hpp"
-#include "workflow/identify.hpp"
+#include "workflow/identify_curves.hpp"
+#include "workflow/identify_factor.hpp"
 
 namespace arenite::python {
 namespace {

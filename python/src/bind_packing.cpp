@@ -8,6 +8,7 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
+#include "io/sample/assemble.hpp"
 #include "io/sample/formats.hpp"
 #include "model/shapes.hpp"
 #include "module.hpp"

@@ -12,7 +12,7 @@
 #include "model/cement.hpp"
 #include "module.hpp"
 #include "thermal/imaging/label_grains.hpp"
-#include "workflow/field_stages.hpp"
+#include "workflow/apply_load.hpp"
 
 namespace arenite::python {
 namespace {

@@ -9,6 +9,7 @@
 #include "core/version.hpp"
 #include "model/result.hpp"
 #include "module.hpp"
+#include "solid/stress/grains.hpp"
 #include "solid/stress/stress.hpp"
 
 namespace arenite::python {

@@ -8,10 +8,12 @@
 #include "core/text.hpp"
 #include "grains/dem/engine.hpp"
 #include "module.hpp"
+#include "report/film_text.hpp"
 #include "report/page.hpp"
 #include "report/summary.hpp"
 #include "result.hpp"
 #include "workflow/export_result.hpp"
+#include "workflow/make_packing.hpp"
 #include "workflow/run.hpp"
 #include "workflow/stage_keys.hpp"
 

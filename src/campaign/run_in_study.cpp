@@ -1,4 +1,4 @@
-#include "campaign/run_study.hpp"
+#include "campaign/run_in_study.hpp"
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -15,6 +15,7 @@
 #include <new>
 #include <utility>
 
+#include "campaign/run_study.hpp"
 #include "core/error.hpp"
 #include "io/disk/file.hpp"
 #include "workflow/result_folder.hpp"

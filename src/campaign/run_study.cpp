@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "campaign/run_in_study.hpp"
 #include "core/mapped.hpp"
 #include "io/disk/file.hpp"
 #include "workflow/result_folder.hpp"

@@ -7,10 +7,15 @@
 #include <set>
 #include <tuple>
 
+#include "campaign/study_folder.hpp"
+#include "campaign/sweep.hpp"
 #include "core/hash.hpp"
 #include "core/problems.hpp"
 #include "io/disk/file.hpp"
 #include "recipe/document.hpp"
+#include "recipe/read_tree.hpp"
+#include "recipe/reader.hpp"
+#include "recipe/recipe.hpp"
 
 namespace arenite::campaign {
 namespace {

@@ -59,4 +59,11 @@ struct RunResult {
 };
 RunResult result_of(const StudyFolder& folder, const StudyRun& run);
 
+/// Adds a notice if there are runs in the study's folder that version 0.1 did, which are not taken up.
+void note_runs_of_version_0_1(const std::filesystem::path& folder, Study& study);
+
+void write_runs(const std::filesystem::path& file, const Study& study);
+/// False if there is none, or one of other inputs.
+bool read_runs(const std::filesystem::path& file, Study& study);
+
 }  // namespace arenite::campaign

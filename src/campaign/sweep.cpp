@@ -1,4 +1,4 @@
-#include "campaign/study.hpp"
+#include "campaign/sweep.hpp"
 
 #include <fmt/core.h>
 
@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <map>
 
+#include "campaign/sweep_latin_hypercube.hpp"
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "io/table/table.hpp"
+#include "io/table/text_file.hpp"
 
 namespace arenite::campaign {
 namespace {

@@ -1,3 +1,5 @@
+#include "campaign/sweep_latin_hypercube.hpp"
+
 #include <fmt/core.h>
 
 #include <charconv>
@@ -6,11 +8,13 @@
 #include <optional>
 
 #include "campaign/study.hpp"
+#include "campaign/sweep.hpp"
 #include "core/hash.hpp"
 #include "core/mapped.hpp"
 #include "core/random.hpp"
+#include "core/text.hpp"
+#include "core/unit_names.hpp"
 #include "core/units.hpp"
-#include "io/table/table.hpp"
 
 namespace arenite::campaign {
 namespace {

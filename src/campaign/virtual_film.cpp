@@ -9,8 +9,12 @@
 #include "core/problems.hpp"
 #include "grains/texture/texture.hpp"
 #include "io/results/results.hpp"
+#include "model/elasticity/disk_stress.hpp"
+#include "thermal/inference/film_stresses.hpp"
+#include "workflow/film/film_numbers.hpp"
+#include "workflow/film/render_film.hpp"
+#include "workflow/film/run_film.hpp"
 #include "workflow/result_folder.hpp"
-#include "workflow/run_film.hpp"
 #include "workflow/runner.hpp"
 
 namespace arenite::campaign {
@@ -69,8 +73,8 @@ std::vector<std::size_t> simulated_grains(const FilmResult& film, const Packing&
 
 /// Stress of these grains in `high` less that in `low`, if there is one.
 std::vector<double> true_change(const std::vector<std::size_t>& grains, const Packing* low, const Packing& high) {
-  const auto loaded = workflow::stress_of_disks(high),
-             released = low ? workflow::stress_of_disks(*low) : std::vector<double>(loaded.size(), 0.0);
+  const auto loaded = elasticity::stress_of_disks(high),
+             released = low ? elasticity::stress_of_disks(*low) : std::vector<double>(loaded.size(), 0.0);
   std::vector<double> change;
   for (const std::size_t g : grains) change.push_back(loaded[g] - released[g]);
   return change;
@@ -131,9 +135,9 @@ std::optional<Numbers> filmed(const recipe::FilmRecipe& camera, const fs::path& 
   film->packing.grains.zone.assign(simulated.size(), 0);  // who glues grains knows which
   for (std::size_t i = 0; i < simulated.size(); ++i) film->packing.grains.zone[i] = high.grains.zone[simulated[i]];
   const auto found =
-      workflow::agreement(film->peak_to_peak.sigma_hyd, truth, std::vector<std::uint8_t>(truth.size(), 1));
+      inference::agreement(film->peak_to_peak.sigma_hyd, truth, std::vector<std::uint8_t>(truth.size(), 1));
   fs::remove_all(folder);
-  Numbers numbers = workflow::numbers(found);
+  Numbers numbers = inference::numbers(found);
   numbers["found"] = found_grains(*film, truth);
   numbers["texture"] = curves_of(*film);
   return numbers;

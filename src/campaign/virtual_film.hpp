@@ -3,7 +3,6 @@
 #include <string>
 
 #include "campaign/study_folder.hpp"
-#include "statistics/estimate.hpp"
 #include "statistics/numbers.hpp"
 #include "workflow/run.hpp"
 
@@ -20,7 +19,7 @@ bool make_film(const Study& study, const StudyFolder& folder, const StudyRun& ru
 /// Whether a film of this run was made.
 bool has_film(const std::filesystem::path& run);
 /// What is kept of a run's film: how it agrees with what the simulation says of the same grains, of which it knew
-/// nothing (workflow::Agreement: `count`, `correlation`, `slope`, `rms_Pa`, `rms_sigma_norm`); `found`, its grains in
+/// nothing (inference::Agreement: `count`, `correlation`, `slope`, `rms_Pa`, `rms_sigma_norm`); `found`, its grains in
 /// metres (`x`, `y`, `radius`), their `material`, `zone` and stress over the mean as the film (`sigma_norm`) and the
 /// simulation (`simulation`) have it; `texture` of grains and contacts as the film gives them, as texture::numbers
 /// does. Throws InputError if no film was made.

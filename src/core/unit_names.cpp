@@ -1,3 +1,5 @@
+#include "core/unit_names.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>

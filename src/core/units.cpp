@@ -11,6 +11,7 @@
 
 #include "core/problems.hpp"
 #include "core/text.hpp"
+#include "core/unit_names.hpp"
 
 namespace arenite {
 namespace {

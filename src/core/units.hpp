@@ -26,24 +26,12 @@ inline constexpr Dimension thermoelastic_factor = temperature / pressure;
 inline constexpr Dimension toughness{1, -0.5, -2, 0};
 }  // namespace dimension
 
-/// A unit such as "kN/mm": SI value = number * factor * 10^decade. The decade is kept apart so that "16.4 mm" is the
-/// double nearest to 0.0164, with no rounding of its own.
-struct Unit {
-  double factor = 1;
-  int decade = 0;
-  Dimension dimension;
-};
-
 /// A number with its unit, in SI.
 struct Quantity {
   double value = 0;
   Dimension dimension;
   std::string unit;  ///< as it is written; empty for a bare number
 };
-
-/// Reads products, quotients and powers of units with SI prefixes: "kN/mm", "kg/m^3", "N s/m", "K/MPa", "%", "1/s",
-/// "MPa m^0.5". Throws InputError (without place) for what it does not know, offering the nearest known unit.
-Unit parse_unit(std::string_view text);
 
 /// Whether an SI value is 0 or of a magnitude, 1e-60 to 1e60, that is computed with: fourth powers of such numbers are
 /// still plain doubles, and no quantity that is measured lies beyond.
@@ -59,11 +47,5 @@ double parse_si(std::string_view text, Dimension wanted, std::string_view unit =
 /// The value written in `unit`, shortest text that reads back as the same double: format_quantity(0.0164, "mm") = "16.4
 /// mm". An empty unit gives the bare number. For units that are powers of ten of SI.
 std::string format_quantity(double value, std::string_view unit);
-
-/// The SI unit in its usual spelling ("N/m", "Pa", "kg/m^3"); empty for no dimension.
-std::string si_unit(Dimension dimension);
-
-/// What such a quantity is called ("a length", "a force"), or its SI unit in words where it has no name.
-std::string describe(Dimension dimension);
 
 }  // namespace arenite

@@ -84,26 +84,4 @@ void add_covered_parts(const Edge& edge, const Outline& outline, CoveredSide sid
 /// Appends the parts of `edge` that do not lie inside the window (on its border counts as not inside).
 void add_parts_outside(const Edge& edge, const Rectangle& window, double step, std::vector<Part>& parts);
 
-/// Area of the part of a window that at least one outline covers, by Green's theorem over those pieces of the
-/// boundaries that no other outline covers; exact to rounding, boundaries that coincide included. Cost is linear in the
-/// number of outlines for shapes of like size.
-double union_area(std::span<const Outline> outlines, const Rectangle& window);
-
-/// Area, centroid and second moment of a region.
-struct Moments {
-  double area = 0;
-  Vec2 centre;
-  double polar = 0;  ///< integral of the squared distance from the centroid, m^4
-};
-
-/// The boundary of the union of disks: arcs with the inside on their left, loop after loop, each arc beginning where
-/// the one before it ends. Holes are loops, too.
-std::vector<Edge> rim_of_disks(const std::vector<Vec2>& centre, const std::vector<double>& radius);
-
-/// The boundary of a convex polygon, corners counter-clockwise, widened by a radius: sides and arcs by turns.
-std::vector<Edge> rim_of_polygon(const std::vector<Vec2>& corner, double radius);
-
-/// Moments of the region within a rim, by Green's theorem; to rounding.
-Moments moments_within(const std::vector<Edge>& rim);
-
 }  // namespace arenite::geometry

@@ -60,9 +60,6 @@ constexpr bool overlap(const Rectangle& a, const Rectangle& b) {
   return a.x_min <= b.x_max && b.x_min <= a.x_max && a.y_min <= b.y_max && b.y_min <= a.y_max;
 }
 
-/// Area that a disk and a rectangle have in common, exact to rounding (union_area.cpp).
-double disk_window_area(Vec2 centre, double radius, const Rectangle& window);
-
 /// What holds disks (D = 2) or spheres (3): from its lowest corner, m; a direction may be periodic.
 template <int D> struct Box {
   Vec<D> corner, size;

@@ -1,8 +1,10 @@
-#include "geometry/outline.hpp"
+#include "geometry/rim.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "geometry/outline.hpp"
 
 namespace arenite::geometry {
 namespace {

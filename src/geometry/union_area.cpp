@@ -1,3 +1,5 @@
+#include "geometry/union_area.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

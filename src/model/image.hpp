@@ -52,13 +52,4 @@ struct PictureGrains {
   std::size_t size() const { return centre.size(); }
 };
 
-/// The one place where rows that point down become heights: pixels of a film as metres from the container's lower left
-/// inner corner at the smallest load.
-struct FilmPlace {
-  Vec2 origin;       ///< centre of the upper left pixel, m
-  double pixel = 1;  ///< m
-  Vec2 metres(Vec2 pixels) const { return {origin.x + pixels.x * pixel, origin.y - pixels.y * pixel}; }
-  Vec2 pixels(Vec2 metres) const { return {(metres.x - origin.x) / pixel, (origin.y - metres.y) / pixel}; }
-};
-
 }  // namespace arenite

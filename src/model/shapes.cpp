@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/rim.hpp"
+
 namespace arenite {
 
 std::vector<geometry::Edge> rim_of(const Shape& shape) {

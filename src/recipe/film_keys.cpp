@@ -2,7 +2,6 @@
 #include <limits>
 #include <numbers>
 
-#include "core/mapped.hpp"
 #include "recipe/film_recipe.hpp"
 
 namespace arenite::recipe {
@@ -224,18 +223,6 @@ void declare(Visitor& v, StepSection& step) {
 void declare(Visitor& v, FilmSection& section) {
   v.optional_section<io::FilmChoice>({"film", "Metadata that are missing or wrong in the film."}, section.film,
                                      [](Visitor& inner, io::FilmChoice& film) { declare(inner, film); });
-}
-
-std::vector<double> emissivities(const FilmRecipe& recipe) {
-  return mapped(recipe.materials, [&](const FilmMaterial& m) {
-    return m.emissivity.value_or(recipe.temperature.emissivity.value_or(0.9));
-  });
-}
-
-bool has_references(const FilmRecipe& recipe) {
-  const CorrectionSection& c = recipe.correction;
-  return recipe.temperature.from != TemperatureSection::From::references ||
-         (!c.cold.empty() && !c.warm.empty() && c.cold_temperature > 0 && c.warm_temperature > c.cold_temperature);
 }
 
 void declare(ParameterVisitor& v, FilmRecipe& recipe) {

@@ -10,7 +10,7 @@
 #include "io/film/film.hpp"
 #include "thermal/camera/camera.hpp"
 #include "thermal/thermography/lockin.hpp"
-#include "thermal/thermography/step_load.hpp"
+#include "thermal/thermography/step/step_load.hpp"
 
 namespace arenite::recipe {
 

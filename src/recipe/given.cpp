@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/text.hpp"
+#include "recipe/reader.hpp"
 
 namespace arenite::recipe {
 namespace {

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "recipe/document.hpp"
+#include "recipe/record.hpp"
+#include "recipe/writer.hpp"
 
 /// Declared keys outside of recipes: options of commands and keywords of Python take names, defaults, units, ranges and
 /// sentences from the declaration that recipes are read with.

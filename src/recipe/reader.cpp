@@ -1,3 +1,5 @@
+#include "recipe/reader.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,6 +9,8 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "recipe/document.hpp"
+#include "recipe/record.hpp"
+#include "recipe/values.hpp"
 
 namespace arenite::recipe {
 namespace {

@@ -14,9 +14,10 @@
 #include "grains/packing/population.hpp"
 #include "grains/texture/texture.hpp"
 #include "model/packing.hpp"
+#include "recipe/document.hpp"
+#include "recipe/record.hpp"
 #include "solid/cement/cement.hpp"
 #include "solid/grid/cavities.hpp"
-#include "solid/grid/grid.hpp"
 #include "solid/peridynamics/options.hpp"
 #include "solid/stress/options.hpp"
 #include "thermal/imaging/label_grains.hpp"
@@ -264,5 +265,8 @@ const std::vector<RecipeTemplate>& recipe_templates();
 
 /// A small recipe with a [sweep], for `arenite study run`.
 std::string study_template();
+
+/// Every key of a recipe of a simulation.
+const RecordTable& recipe_keys();
 
 }  // namespace arenite::recipe

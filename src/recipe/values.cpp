@@ -1,3 +1,5 @@
+#include "recipe/values.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -8,9 +10,11 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
+#include "core/unit_names.hpp"
 #include "core/units.hpp"
-#include "io/table/table.hpp"
+#include "io/table/laboratory_table.hpp"
 #include "recipe/document.hpp"
+#include "recipe/record.hpp"
 
 namespace arenite::recipe {
 namespace {

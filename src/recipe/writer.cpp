@@ -1,3 +1,5 @@
+#include "recipe/writer.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -5,6 +7,8 @@
 #include "core/mapped.hpp"
 #include "core/text.hpp"
 #include "recipe/document.hpp"
+#include "recipe/record.hpp"
+#include "recipe/values.hpp"
 
 namespace arenite::recipe {
 namespace {

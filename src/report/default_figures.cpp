@@ -1,4 +1,4 @@
-#include "report/study_page.hpp"
+#include "report/default_figures.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,15 @@
+#include "report/field_document.hpp"
+
 #include <algorithm>
 #include <numeric>
 #include <string_view>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
+#include "report/packing_layers.hpp"
 #include "report/page_document.hpp"
 #include "solid/grid/cavities.hpp"
+#include "solid/stress/grains.hpp"
 #include "solid/stress/stress.hpp"
 
 namespace arenite::report {

@@ -1,11 +1,12 @@
-#include "report/run_drawing.hpp"
+#include "report/field_drawing.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "core/error.hpp"
 #include "core/mapped.hpp"
-#include "solid/stress/stress.hpp"
+#include "solid/stress/grains.hpp"
 
 namespace arenite::report {
 namespace {

@@ -11,6 +11,7 @@
 #include "core/mapped.hpp"
 #include "core/text.hpp"
 #include "recipe/document.hpp"
+#include "recipe/reader.hpp"
 
 namespace arenite::report {
 namespace {

@@ -1,10 +1,14 @@
+#include "report/film_document.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
 #include "core/mapped.hpp"
+#include "model/film_place.hpp"
+#include "report/packing_layers.hpp"
 #include "report/page_document.hpp"
-#include "workflow/run_film.hpp"
+#include "thermal/inference/film_stresses.hpp"
 
 namespace arenite::report {
 namespace {
@@ -95,7 +99,7 @@ std::vector<double> way(const GrainMotion& motion, double phase, double Vec2::*a
   return out;
 }
 
-Numbers grains_of(const FilmResult& r, const workflow::FilmStresses& stresses, NumberBlock& block) {
+Numbers grains_of(const FilmResult& r, const inference::FilmStresses& stresses, NumberBlock& block) {
   const Grains& grains = r.packing.grains;
   const PictureGrains circles = circles_of(r);
   Numbers out{{"count", circles.size() == grains.size() ? grains.size() : 0}};
@@ -139,9 +143,9 @@ Numbers container_of(const FilmResult& r) {
   return {low.x, high.x, low.y, high.y};
 }
 
-Numbers stresses_of(const workflow::FilmStresses& stresses, NumberBlock& block) {
+Numbers stresses_of(const inference::FilmStresses& stresses, NumberBlock& block) {
   Numbers all = Numbers::tree();
-  for (const workflow::GrainStresses& s : stresses.sources)
+  for (const inference::GrainStresses& s : stresses.sources)
     all[s.source] = {{"mean", s.mean},
                      {"sigma_hyd", block.add_reals(s.sigma_hyd, "Pa")},
                      {"sigma_norm", block.add_reals(s.sigma_norm)}};
@@ -150,8 +154,8 @@ Numbers stresses_of(const workflow::FilmStresses& stresses, NumberBlock& block) 
 
 Numbers one_film(const FilmResult& r, const texture::Texture* texture, NumberBlock& block,
                  const figures::WriteList& write) {
-  const workflow::FilmStresses stresses =
-      texture ? workflow::film_stresses(r, texture->per_grain.considered) : workflow::FilmStresses{};
+  const inference::FilmStresses stresses =
+      texture ? inference::film_stresses(r, texture->per_grain.considered) : inference::FilmStresses{};
   Numbers out{{"name", r.name},
               {"converged", r.converged},
               {"outcome", r.outcome},

@@ -1,11 +1,13 @@
+#include "report/film_text.hpp"
+
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 #include "core/median.hpp"
 #include "io/film/film.hpp"
-#include "report/summary.hpp"
-#include "thermal/thermography/correction.hpp"
+#include "statistics/numbers_text.hpp"
+#include "thermal/thermography/frame_statistics.hpp"
 
 namespace arenite::report {
 namespace {

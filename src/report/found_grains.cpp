@@ -11,6 +11,7 @@
 #include "core/text.hpp"
 #include "io/results/groups.hpp"
 #include "statistics/numbers.hpp"
+#include "statistics/numbers_text.hpp"
 
 namespace arenite::report {
 namespace {

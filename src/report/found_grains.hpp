@@ -5,7 +5,7 @@
 #include "core/vec.hpp"
 #include "io/image/image.hpp"
 #include "thermal/imaging/circles.hpp"
-#include "workflow/measure_film.hpp"
+#include "workflow/film/grain_pictures.hpp"
 
 namespace arenite::report {
 

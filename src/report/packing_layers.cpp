@@ -1,4 +1,4 @@
-#include "report/page_document.hpp"
+#include "report/packing_layers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include "grains/fields/coarse_layers.hpp"
 #include "grains/texture/grain_quantities.hpp"
 #include "model/shapes.hpp"
+#include "report/page_document.hpp"
 
 namespace arenite::report {
 namespace {

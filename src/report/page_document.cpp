@@ -11,10 +11,15 @@
 #include "grains/fields/coarse_layers.hpp"
 #include "grains/fields/loading.hpp"
 #include "grains/fields/stage_numbers.hpp"
+#include "grains/fields/test_curves.hpp"
 #include "grains/texture/grain_quantities.hpp"
+#include "report/field_document.hpp"
 #include "report/figures/figure_document.hpp"
+#include "report/film_document.hpp"
+#include "report/packing_layers.hpp"
 #include "report/stage_doubts.hpp"
-#include "workflow/run_film.hpp"
+#include "workflow/film/film_numbers.hpp"
+#include "workflow/film/run_film.hpp"
 
 namespace arenite::report {
 namespace {

@@ -8,8 +8,9 @@
 #include "core/mapped.hpp"
 #include "geometry/rectangle.hpp"
 #include "io/disk/store_file.hpp"
+#include "report/field_drawing.hpp"
 #include "report/run_means.hpp"
-#include "report/study_page.hpp"
+#include "report/study_figures.hpp"
 
 namespace arenite::report {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "statistics/numbers.hpp"
+#include "statistics/numbers_text.hpp"
 
 namespace arenite::report {
 namespace {

@@ -1,3 +1,5 @@
+#include "report/states_table.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include "grains/fields/stage_numbers.hpp"
 #include "io/disk/store_file.hpp"
 #include "report/run_means.hpp"
-#include "report/summary.hpp"
 #include "workflow/asked.hpp"
 
 namespace arenite::report {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/mapped.hpp"
+#include "report/default_figures.hpp"
 
 namespace arenite::report {
 namespace {

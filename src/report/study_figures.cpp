@@ -1,3 +1,5 @@
+#include "report/study_figures.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -6,7 +8,6 @@
 #include "core/problems.hpp"
 #include "io/table/table.hpp"
 #include "report/run_means.hpp"
-#include "report/study_page.hpp"
 
 namespace arenite::report {
 namespace {

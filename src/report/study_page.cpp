@@ -9,9 +9,11 @@
 #include "core/version.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
+#include "report/default_figures.hpp"
 #include "report/figures/figure_document.hpp"
 #include "report/page_template.hpp"
 #include "report/study_drawing.hpp"
+#include "report/study_figures.hpp"
 
 namespace arenite::report {
 

@@ -9,6 +9,8 @@
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/fields/test_curves.hpp"
 #include "io/disk/store_file.hpp"
+#include "report/film_text.hpp"
+#include "report/packing_layers.hpp"
 #include "report/page_document.hpp"
 #include "report/stage_doubts.hpp"
 #include "workflow/asked.hpp"

@@ -50,16 +50,4 @@ class Summary {
 std::string field_summary(const FieldResult& result);
 Numbers field_numbers(const FieldResult& result);
 
-/// A film in a few numbers: size, times and missing frames, what the camera says, levels and noise of the first frames,
-/// up to `most_frames` of them.
-Numbers film_summary(FilmSource& film, std::size_t most_frames = 64);
-
-/// What a film gave, as a table for people and as JSON for programs.
-std::string film_text(const FilmResult& result);
-Numbers film_numbers(const FilmResult& result);
-
-/// The stress path through the stages of a run's folder as CSV: one row a stored state, units in the heads of the
-/// columns. Throws InputError for what holds no such stages.
-std::string states_table(const std::filesystem::path& result);
-
 }  // namespace arenite::report

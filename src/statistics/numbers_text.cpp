@@ -1,3 +1,5 @@
+#include "statistics/numbers_text.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>

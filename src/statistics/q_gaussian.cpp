@@ -1,4 +1,4 @@
-#include "statistics/tails.hpp"
+#include "statistics/q_gaussian.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "statistics/jackknife.hpp"
+#include "statistics/tails.hpp"
 
 namespace arenite::statistics {
 namespace {

@@ -1,3 +1,5 @@
+#include "workflow/apply_load.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -12,8 +14,12 @@
 #include "io/disk/store_file.hpp"
 #include "io/image/phase_map.hpp"
 #include "io/results/results.hpp"
+#include "solid/grid/crop.hpp"
+#include "solid/grid/map_numbers.hpp"
+#include "solid/stress/grains.hpp"
 #include "solid/stress/stress.hpp"
 #include "thermal/imaging/label_grains.hpp"
+#include "workflow/field_numbers.hpp"
 #include "workflow/runner.hpp"
 
 namespace arenite::workflow {

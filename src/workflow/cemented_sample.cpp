@@ -1,8 +1,12 @@
+#include "workflow/cemented_sample.hpp"
+
 #include <fmt/core.h>
 
 #include <utility>
 
-#include "workflow/field_stages.hpp"
+#include "solid/grid/crop.hpp"
+#include "solid/grid/map_numbers.hpp"
+#include "workflow/field_numbers.hpp"
 
 namespace arenite::workflow {
 namespace {

@@ -14,8 +14,9 @@
 #include "io/disk/file.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
-#include "solid/stress/stress.hpp"
-#include "workflow/run_film.hpp"
+#include "solid/stress/grains.hpp"
+#include "workflow/film/film_numbers.hpp"
+#include "workflow/film/run_film.hpp"
 
 namespace arenite::workflow {
 namespace fs = std::filesystem;

@@ -1,4 +1,4 @@
-#include "workflow/field_stages.hpp"
+#include "workflow/field_numbers.hpp"
 
 #include <fmt/core.h>
 

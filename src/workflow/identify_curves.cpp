@@ -1,10 +1,11 @@
+#include "workflow/identify_curves.hpp"
+
 #include <fmt/core.h>
 
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/mapped.hpp"
-#include "workflow/identify.hpp"
+#include "workflow/identify_tables.hpp"
 
 namespace arenite::workflow {
 namespace {

@@ -1,10 +1,12 @@
+#include "workflow/identify_factor.hpp"
+
 #include <fmt/core.h>
 
 #include <cmath>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
-#include "workflow/identify.hpp"
+#include "workflow/identify_tables.hpp"
 
 namespace arenite::workflow {
 namespace {

@@ -1,3 +1,5 @@
+#include "workflow/identify_tables.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,7 +9,7 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
-#include "workflow/identify.hpp"
+#include "core/unit_names.hpp"
 
 namespace arenite::workflow {
 namespace {

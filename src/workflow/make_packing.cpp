@@ -1,3 +1,5 @@
+#include "workflow/make_packing.hpp"
+
 #include <fmt/core.h>
 
 #include <cmath>
@@ -10,8 +12,7 @@
 #include "grains/packing/bidisperse.hpp"
 #include "grains/packing/fill.hpp"
 #include "grains/packing/population.hpp"
-#include "io/sample/sample.hpp"
-#include "workflow/run.hpp"
+#include "io/sample/placed_grains.hpp"
 
 namespace arenite::workflow {
 

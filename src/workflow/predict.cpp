@@ -5,58 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <numbers>
 
 #include "core/error.hpp"
-#include "core/root.hpp"
-#include "grains/dem/coefficients.hpp"
 #include "grains/dem/engine.hpp"
 #include "grains/dem/run_stage.hpp"
-#include "grains/texture/texture.hpp"
+#include "grains/fields/regime/prediction.hpp"
+#include "workflow/make_packing.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::workflow {
 
-double collision_time(double reduced_mass, double stiffness) {
-  return std::numbers::pi * std::sqrt(reduced_mass / stiffness);
-}
-
-double inertial_number(double rate, double diameter, double density, double pressure) {
-  return std::abs(rate) * diameter * std::sqrt(density / pressure);
-}
-
-std::string_view flow_regime(double number) {
-  return number < 1e-3 ? "quasi-static" : number <= 0.1 ? "dense flow" : "inertial";
-}
-
-double overlap_under(const dem::NormalLaw& law, double stiffness, double diameter, double force) {
-  const auto excess = [&](double h) {
-    double memory = 0;
-    return std::visit([&](const auto& normal) { return normal.elastic(h, stiffness, 4 / diameter, memory); }, law) -
-           force;
-  };
-  const double most = excess(diameter);
-  return most <= 0 ? diameter : bracketed_root<double>(excess, 0, -force, diameter, most);
-}
-
-double stiffness_number(const dem::NormalLaw& law, double stiffness, double diameter, double thickness,
-                        double pressure) {
-  return diameter / overlap_under(law, stiffness, diameter, pressure * thickness * diameter);
-}
-
-double settling_time(double period, double drag, double unbalanced, bool pressed_all_round) {
-  const double periods = pressed_all_round ? 1.0 : 4.5;
-  return std::log(1 / unbalanced) / (1 / (periods * period) + 0.5 * drag);
-}
-
 namespace {
 
 using statistics::described;
-
-/// As the engine bounds it: Hertz contacts count as stiff as at an overlap of 2 %.
-double tangent(const dem::ContactParameters& contact, double stiffness) {
-  return std::visit([&](const auto& law) { return law.tangent(0.02, stiffness, 1.0); }, contact.normal);
-}
 
 /// Processor's seconds that a step will take, from some hundred at the begin of the first stage.
 double measured_step(dem::Engine& engine, const dem::Stage& stage) {
@@ -120,7 +81,7 @@ void warn(Prediction& p, const recipe::Recipe& recipe) {
         p.collision.time / p.time_step,
         p.limit == StepLimit::damping ? ", but damping prevents it: use weaker dashpots or less drag" : ""));
   for (std::size_t s = 0; s < p.stages.size(); ++s) {
-    const StagePrediction& stage = p.stages[s];
+    const fields::StagePrediction& stage = p.stages[s];
     if (stage.overlap && *stage.overlap > 0.01)
       p.warnings.push_back(fmt::format(
           "stage {}: grains overlap by about {:.2g} % of their diameter (k/P = {:.3g}); they are hard above 1e4",
@@ -144,7 +105,7 @@ void warn(Prediction& p, const recipe::Recipe& recipe) {
 /// In the order of StepLimit.
 constexpr const char* limits[] = {"collision", "stiffness", "damping", "given"};
 
-Numbers numbers_of(const StagePrediction& s) {
+Numbers numbers_of(const fields::StagePrediction& s) {
   Numbers j{{"name", s.name},
             {"steps", described(s.steps, "", "Steps of the stage")},
             {"exact", described(s.exact, "", "Whether their number follows from a duration; else it is an estimate")},
@@ -154,7 +115,7 @@ Numbers numbers_of(const StagePrediction& s) {
   if (s.pressure > 0) j["pressure_Pa"] = described(s.pressure, "Pa", "Largest pressure of sides or weight");
   if (s.inertial_number) {
     j["inertial_number"] = described(*s.inertial_number, "", "Inertial number rate d sqrt(rho/P)");
-    j["flow"] = flow_regime(*s.inertial_number);
+    j["flow"] = fields::flow_regime(*s.inertial_number);
   }
   if (s.stiffness_number) {
     j["stiffness_number"] =
@@ -166,30 +127,15 @@ Numbers numbers_of(const StagePrediction& s) {
 
 }  // namespace
 
-ShortestCollision shortest_collision(const Packing& packing, const dem::ContactParameters& contact) {
-  const dem::CoefficientTable table(packing.materials, packing.grains.material, contact);
-  ShortestCollision shortest;
-  for (std::size_t k = 0; k < packing.grains.size(); ++k) {
-    const std::int32_t material = packing.grains.material[k];
-    const dem::DiskRecord disk{
-        .radius = packing.grains.radius[k], .mass = texture::mass_of(packing, k), .material = material};
-    const double pair = collision_time(0.5 * disk.mass, tangent(contact, table.pair_stiffness(disk, disk)));
-    const double wall = collision_time(disk.mass, tangent(contact, table.wall_stiffness(disk)));
-    if (const double time = std::min(pair, wall); shortest.time == 0 || time < shortest.time)
-      shortest = {time, disk.radius, material, wall < pair};
-  }
-  return shortest;
-}
-
 double Prediction::seconds() const {
   double sum = 0;
-  for (const StagePrediction& stage : stages) sum += stage.seconds;
+  for (const fields::StagePrediction& stage : stages) sum += stage.seconds;
   return sum;
 }
 
 Numbers numbers(const Prediction& p) {
   Numbers stages = Numbers::list();
-  for (const StagePrediction& stage : p.stages) stages.push_back(numbers_of(stage));
+  for (const fields::StagePrediction& stage : p.stages) stages.push_back(numbers_of(stage));
   return {{"time_step_s", described(p.time_step, "s", "Time step")},
           {"time_step_limited_by", limits[static_cast<std::size_t>(p.limit)]},
           {"largest_stable_step_s", described(p.largest_step, "s", "Largest stable time step")},
@@ -217,16 +163,16 @@ Prediction predict(const recipe::Recipe& recipe) {
   dem::Engine engine(start, recipe.contact, recipe.integration);
   p.time_step = engine.dt;
   p.largest_step = step_bounds(engine).largest();
-  p.collision = shortest_collision(start, recipe.contact);
+  p.collision = fields::shortest_collision(start, recipe.contact);
   p.material = start.materials[static_cast<std::size_t>(p.collision.material)].name;
   p.limit = limit_of(engine, recipe, p.collision.time);
-  Bulk bulk = bulk_of(start, recipe.contact);
+  fields::Bulk bulk = fields::bulk_of(start, recipe.contact);
   bulk.larger = 1 / std::sqrt(share);
   bulk.width *= bulk.larger;
   bulk.height *= bulk.larger;
-  Pressures pressures;
+  fields::Pressures pressures;
   for (const dem::Stage& stage : recipe.stages)
-    p.stages.push_back(predict_stage(engine, recipe, stage, bulk, pressures));
+    p.stages.push_back(fields::predict_stage(engine, recipe.contact, recipe.integration.drag, stage, bulk, pressures));
   if (recipe.stages.empty()) return p;
   try {
     dem::Engine timed(start, recipe.contact, recipe.integration);
@@ -234,7 +180,7 @@ Prediction predict(const recipe::Recipe& recipe) {
   } catch (const CannotGoOn& error) {
     p.warnings.push_back(fmt::format("stage {}: {}", recipe.stages.front().name, error.what()));
   }
-  for (StagePrediction& stage : p.stages) stage.seconds = p.seconds_per_step * static_cast<double>(stage.steps);
+  for (fields::StagePrediction& stage : p.stages) stage.seconds = p.seconds_per_step * static_cast<double>(stage.steps);
   warn(p, recipe);
   return p;
 }

@@ -6,7 +6,6 @@
 #include <set>
 #include <utility>
 
-#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/fields/stage_numbers.hpp"
@@ -15,8 +14,9 @@
 #include "io/export/export.hpp"
 #include "io/results/results.hpp"
 #include "recipe/recipe.hpp"
+#include "workflow/apply_load.hpp"
 #include "workflow/asked.hpp"
-#include "workflow/field_stages.hpp"
+#include "workflow/cemented_sample.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::workflow {

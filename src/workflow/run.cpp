@@ -11,6 +11,8 @@
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
 #include "workflow/asked.hpp"
+#include "workflow/cemented_sample.hpp"
+#include "workflow/make_packing.hpp"
 #include "workflow/runner.hpp"
 
 namespace arenite::workflow {

@@ -91,7 +91,4 @@ std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engi
                                       const std::filesystem::path& checkpoint, const RunOptions& options,
                                       Progress progress);
 
-/// The grains in their box before any loading: drawn, placed and relaxed, or read from a file (recipe's [packing]).
-StageResult make_packing(const recipe::Recipe& recipe);
-
 }  // namespace arenite::workflow

@@ -10,7 +10,7 @@
 
 #include "grains/dem/run_stage.hpp"
 #include "io/disk/store_file.hpp"
-#include "workflow/field_stages.hpp"
+#include "workflow/apply_load.hpp"
 #include "workflow/result_folder.hpp"
 #include "workflow/run.hpp"
 #include "workflow/stage_keys.hpp"

@@ -11,7 +11,6 @@
 #include "io/disk/store_file.hpp"
 #include "io/film/film.hpp"
 #include "recipe/film_recipe.hpp"
-#include "workflow/measure_film.hpp"
 
 namespace arenite::workflow {
 

@@ -6,9 +6,10 @@
 #include "io/film/film.hpp"
 #include "support/films.hpp"
 #include "support/virtual_film.hpp"
+#include "thermal/inference/film_stresses.hpp"
 #include "thermal/radiometry/band.hpp"
 #include "thermal/thermography/correction.hpp"
-#include "workflow/run_film.hpp"
+#include "thermal/thermography/frame_statistics.hpp"
 
 namespace {
 using namespace arenite;
@@ -57,7 +58,7 @@ TEST(FilmCommand, GivesBackTheStressesOfTheSimulationThatWasFilmed) {
   EXPECT_LT(std::sqrt(off_at_low), 0.1);
   EXPECT_GT(away, 20);
   EXPECT_LT(std::sqrt(off_at_high / away), 0.1);
-  const auto agreement = workflow::agreement(film.peak_to_peak.sigma_hyd, change, std::vector<std::uint8_t>(42, 1));
+  const auto agreement = inference::agreement(film.peak_to_peak.sigma_hyd, change, std::vector<std::uint8_t>(42, 1));
   EXPECT_EQ(agreement.relation.count, 42u);
   EXPECT_GT(agreement.relation.pearson.value, 0.98);
   EXPECT_LT(agreement.rms_sigma_norm, 0.05);
@@ -166,7 +167,7 @@ TEST(FilmCommand, PutsASimulationOfTheSameGrainsBesideTheFilm) {
     }
   ASSERT_EQ(film.simulation.state.size(), 42u);
   EXPECT_GT(
-      workflow::agreement(film.peak_to_peak.sigma_hyd, film.simulation.peak_to_peak, std::vector<std::uint8_t>(42, 1))
+      inference::agreement(film.peak_to_peak.sigma_hyd, film.simulation.peak_to_peak, std::vector<std::uint8_t>(42, 1))
           .relation.pearson.value,
       0.2);
   for (const char* what : {"film", "simulation"}) {

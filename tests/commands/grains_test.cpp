@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/image/image.hpp"
-#include "io/sample/sample.hpp"
+#include "io/sample/placed_grains.hpp"
 #include "support/drawn_picture.hpp"
 #include "support/films.hpp"
 #include "support/program.hpp"

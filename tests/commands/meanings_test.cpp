@@ -4,12 +4,14 @@
 #include <map>
 
 #include "campaign/collect.hpp"
+#include "io/film/film.hpp"
 #include "recipe/recipe.hpp"
+#include "report/film_text.hpp"
 #include "report/summary.hpp"
 #include "support/filmed_study.hpp"
 #include "support/small_study.hpp"
 #include "support/virtual_film.hpp"
-#include "workflow/identify.hpp"
+#include "workflow/identify_curves.hpp"
 #include "workflow/predict.hpp"
 
 namespace {

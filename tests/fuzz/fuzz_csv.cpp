@@ -5,7 +5,9 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "io/sample/assemble.hpp"
 #include "io/sample/formats.hpp"
+#include "io/sample/plane.hpp"
 
 namespace {
 

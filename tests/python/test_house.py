@@ -7,7 +7,8 @@ import subprocess
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "src"
 
-# From the ground up. A room includes its own files and those of floors below; the rooms of one floor do not know each other.
+# From the ground up. A room includes its own files and those of floors below; the rooms of one floor do not know each
+# other.
 FLOORS = [
     ["core"],
     ["geometry", "statistics"],
@@ -104,7 +105,7 @@ def test_only_the_ground_asks_for_the_dimension():
 
 
 def test_folders_and_files_stay_small():
-    """At most twelve rooms, forty files in a folder, three folders deep, 300 lines in a file, 120 columns."""
+    """At most twelve rooms, forty files in a folder, three folders deep, 300 lines in a file."""
     assert len(list(SOURCES.iterdir())) <= 12
     counts = {}
     for file in files():
@@ -116,13 +117,85 @@ def test_folders_and_files_stay_small():
     assert max(lengths.values()) <= 300, [str(file) for file, lines in lengths.items() if lines > 300]
 
 
+# Members of visible lists, by the header in which their list stands or which it fronts: they have none of their own.
+LISTS = {
+    "grains/dem/kernels/make_kernel.hpp": "avx2 avx512 portable",
+    "grains/dem/parameters.hpp": "keys",
+    "grains/fields/stage_numbers.hpp": "cohesion_numbers energy_numbers flow_numbers load_numbers",
+    "grains/texture/texture.hpp": "coordination distribution fabric gap_coordination local_order long_axes measure "
+    "quality solid_fraction stress",
+    "io/export/export.hpp": "csv extxyz fields lammps netcdf vtk",
+    "io/film/formats.hpp": "hcc hdf5 npy ptw raw series sfmov text tiff",
+    "io/image/image.hpp": "hdf5 jpeg png",
+    "io/results/results.hpp": "field film numbers stage",
+    "io/sample/formats.hpp": "csv lammps mercury yade",
+    "recipe/recipe.hpp": "film_keys keys keys_boundaries keys_loading keys_map keys_stages",
+    "report/figures/drawing.hpp": "distributions failure film_forces run_figures",
+    "solid/peridynamics/kernels/kernels.hpp": "avx2 avx512 portable",
+    "thermal/thermography/kernels/kernels.hpp": "avx2 avx512 portable",
+}
+
+
+def members_of_lists():
+    for header, stems in LISTS.items():
+        for stem in stems.split():
+            yield SOURCES / pathlib.Path(header).parent / f"{stem}.cpp"
+
+
+def test_a_source_has_a_header_of_its_name():
+    """Unless it is a member of a list."""
+    members = set(members_of_lists())
+    alone = {file for file in files() if file.suffix == ".cpp" and not file.with_suffix(".hpp").exists()}
+    assert all((SOURCES / header).exists() for header in LISTS)
+    assert not members - alone, f"no members, or with headers of their own: {sorted(members - alone)}"
+    assert not alone - members, f"give these a header of their name: {sorted(alone - members)}"
+
+
+def statements(file):
+    """Code without what stands in braces but those of namespaces; "@" stands for a body."""
+    code = re.sub(r'"(\\.|[^"\\])*"', '""', re.sub(r"^#.*", "", code_of(file), flags=re.M))
+    code = re.sub(r"\bnamespace\b[^{;]*\{", "", code)
+    while (fewer := re.sub(r"\{[^{}]*\}", "@", code)) != code:
+        code = fewer
+    return code
+
+
+def functions(file, end):
+    """Free functions that a file declares (end ";") or defines ("@"); no templates."""
+    head = r"(?:^|[;@}])\s*(?!template|using|extern|friend|return)[\w:][\w:<>,&*\[\] ]*[ &*](\w+)"
+    arguments = r"\((?:[^();]|\([^()]*\))*\)\s*(?:noexcept)?\s*"
+    return set(re.findall(rf"{head}{arguments}(?={end})", statements(file)))
+
+
+def test_headers_are_the_faces_of_their_sources():
+    """What a header declares is defined in the source of its name, or in a member of its list."""
+    listed = set(members_of_lists())
+    sources = {file: functions(file, "@") for file in files() if file.suffix == ".cpp" and file not in listed}
+    drawers, found = [], 0
+    for header in files():
+        own = header.with_suffix(".cpp")
+        if header.suffix != ".hpp" or own not in sources:
+            continue
+        declared = functions(header, ";")
+        found += len(declared & sources[own])
+        for name in declared - sources[own]:
+            others = [file.name for file, names in sources.items() if name in names and file.parent == header.parent]
+            if others:
+                drawers.append(f"{header.relative_to(SOURCES)} declares {name}, which is in {', '.join(others)}")
+    assert not drawers, "\n".join(sorted(drawers))
+    assert found > 500  # or the search has gone blind
+
+
 # Who may touch a recipe's text in Python and on the page: to show it, or to show what differs between two.
 SHOWN_RECIPES = ["_compare_page.py", "provenance.js"]
 
 
 def test_python_and_the_page_read_no_recipes_and_no_quantities():
     """What a stage was asked for is numbers of its result, and curves are the library's (grains/fields)."""
-    signs = r"tomllib|from_text\(|\.recipe\b|get\(.recipe.|\b9\.8\d|\"(mm|kN|kPa|mm/s|m/s\^2)\":|(Text|str)\([^)]*\)\.split\(\)\[0\]"
+    signs = (
+        r"tomllib|from_text\(|\.recipe\b|get\(.recipe.|\b9\.8\d|"
+        r"\"(mm|kN|kPa|mm/s|m/s\^2)\":|(Text|str)\([^)]*\)\.split\(\)\[0\]"
+    )
     read = [
         f"{file.relative_to(ROOT)}: {found.group(0)}"
         for room, ending in (("python/arenite", "*.py"), ("web/src", "*.js"))
@@ -160,9 +233,8 @@ def test_hops_of_the_architecture_are_true():
         if hop:
             chain.append((ROOT / hop.group(2), (hop.group(3) or "").split("::")[-1]))
     assert len(chains) == 3
-    assert len(chains[0]) == 10  # nine hops to the force law
     for chain in chains:
-        assert len(chain) <= 11
+        assert len(chain) - 1 <= 7, [str(file.relative_to(ROOT)) for file, _ in chain]
         assert chain[0][0] == ROOT / "app" / "main.cpp"
         for (file, call), (following, _) in zip(chain, chain[1:]):
             assert re.search(rf"\b{call}\b", code_of(file)), f"{file} does not call {call}"
@@ -181,6 +253,30 @@ def defines(file, name):
     return re.search(rf"\b(class|struct) {name}\b[^;]*?{{", code) or re.search(
         rf"\b{name}\([^;{{}}]*(\{{[^;]*?\}}[^;{{}}]*)?\)[^;{{}}()]*(\([^()]*\))?[^;{{}}]*{{", code
     )
+
+
+# Where lines are still to be wrapped.
+WIDE = ("tests/python/test_parameters.py",)
+
+
+def test_lines_end_before_column_121():
+    """Of C++ another test says so; Markdown has tables."""
+    listed = subprocess.run(["git", "ls-files", "*.py", "*.js", "*.mjs"], cwd=ROOT, capture_output=True, text=True)
+    sources = listed.stdout.split() or [
+        str(p.relative_to(ROOT))
+        for room in ("bench", "docs", "examples", "python", "scripts", "tests", "validation", "web/src", "web/test")
+        for p in (ROOT / room).rglob("*")
+        if p.suffix in (".py", ".js", ".mjs")
+    ]
+    assert len(sources) > 150
+    wide = [
+        f"{name}:{number}"
+        for name in sources
+        if (ROOT / name).exists() and not name.startswith(WIDE)
+        for number, line in enumerate((ROOT / name).read_text().splitlines(), 1)
+        if len(line) > 120
+    ]
+    assert not wide, "\n".join(wide)
 
 
 def test_sources_are_formatted():

@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "geometry/rectangle.hpp"
+#include "geometry/union_area.hpp"
 #include "io/disk/file.hpp"
 #include "io/sample/formats.hpp"
+#include "io/sample/plane.hpp"
 #include "model/image.hpp"
-#include "thermal/imaging/grain_search.hpp"
+#include "thermal/imaging/blur.hpp"
 
 /// Pictures of disks whose truth is known: every pixel holds the exact share that disks cover.
 namespace arenite::test {

@@ -5,11 +5,13 @@
 
 #include "model/result.hpp"
 #include "report/page.hpp"
+#include "solid/grid/map_numbers.hpp"
 #include "solid/peridynamics/damage.hpp"
 #include "solid/peridynamics/load.hpp"
+#include "solid/stress/grains.hpp"
 #include "solid/stress/stress.hpp"
 #include "support/cemented_sample.hpp"
-#include "workflow/field_stages.hpp"
+#include "workflow/field_numbers.hpp"
 
 namespace arenite::test {
 

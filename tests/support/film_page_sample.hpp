@@ -9,7 +9,7 @@
 #include "model/elasticity/disk_field.hpp"
 #include "report/page.hpp"
 #include "support/page_sample.hpp"
-#include "workflow/run_film.hpp"
+#include "workflow/film/film_numbers.hpp"
 
 namespace arenite::test {
 

@@ -17,7 +17,7 @@
 #include "support/laboratory_sample.hpp"
 #include "support/temporary_folder.hpp"
 #include "thermal/radiometry/band.hpp"
-#include "workflow/measure_film.hpp"
+#include "workflow/film/measure_film.hpp"
 
 namespace arenite::test {
 

@@ -5,7 +5,8 @@
 
 #include "core/random.hpp"
 #include "model/packing.hpp"
-#include "thermal/inference/equations.hpp"
+#include "thermal/inference/balance.hpp"
+#include "thermal/inference/normal_equations.hpp"
 
 namespace arenite::test {
 

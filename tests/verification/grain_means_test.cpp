@@ -1,5 +1,3 @@
-#include "thermal/thermography/grain_motion.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "model/elasticity/disk_field.hpp"
+#include "thermal/thermography/grains/grain_means.hpp"
 
 namespace arenite::thermography {
 namespace {

@@ -1,10 +1,12 @@
-#include "thermal/thermography/grain_motion.hpp"
+#include "thermal/thermography/grains/grain_motion.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "../support/moving_disks_film.hpp"
+#include "thermal/thermography/grains/follow_grains.hpp"
+#include "thermal/thermography/grains/grain_means.hpp"
 
 namespace arenite::thermography {
 namespace {

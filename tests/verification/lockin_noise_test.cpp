@@ -8,6 +8,7 @@
 #include "../support/films.hpp"
 #include "../support/oscillating_film.hpp"
 #include "../support/pictures.hpp"
+#include "thermal/thermography/judge_amplitude.hpp"
 #include "thermal/thermography/lockin.hpp"
 
 namespace arenite::thermography {

@@ -7,6 +7,7 @@
 #include "io/disk/file.hpp"
 #include "recipe/recipe.hpp"
 #include "support/numbers_of.hpp"
+#include "workflow/make_packing.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::verification {

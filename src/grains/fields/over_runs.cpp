@@ -8,6 +8,7 @@
 #include "core/problems.hpp"
 #include "grains/fields/silo.hpp"
 #include "grains/fields/steady_state.hpp"
+#include "statistics/numbers_text.hpp"
 
 namespace arenite::fields {
 namespace {

@@ -48,4 +48,7 @@ struct BidisperseReport {
 /// reach, and says what can be reached.
 BidisperseReport sample_bidisperse(Packing& packing, const BidisperseParameters& parameters, std::uint64_t seed);
 
+/// Throws InputError with everything that is wrong with the parameters.
+void check(const BidisperseParameters& parameters);
+
 }  // namespace arenite::packing

@@ -1,8 +1,10 @@
-#include "grains/packing/bidisperse_steps.hpp"
+#include "grains/packing/free_space.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "model/domain.hpp"
 
 namespace arenite::packing {
 

@@ -1,9 +1,11 @@
+#include "grains/packing/gap_search.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "core/problems.hpp"
-#include "grains/packing/bidisperse_steps.hpp"
+#include "grains/packing/two_classes.hpp"
 
 namespace arenite::packing {
 namespace {

@@ -1,10 +1,12 @@
-#include "grains/packing/bidisperse_steps.hpp"
+#include "grains/packing/poisson_disk.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <utility>
+
+#include "grains/packing/free_space.hpp"
 
 namespace arenite::packing {
 

@@ -8,6 +8,7 @@
 #include "model/packing.hpp"
 #include "statistics/estimate.hpp"
 #include "statistics/numbers.hpp"
+#include "statistics/numbers_text.hpp"
 
 namespace arenite::texture {
 

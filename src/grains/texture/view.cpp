@@ -4,6 +4,8 @@
 #include <numbers>
 #include <set>
 
+#include "geometry/union_area.hpp"
+
 namespace arenite::texture {
 namespace {
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/problems.hpp"
+#include "core/text.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::io {

@@ -53,10 +53,6 @@ FilmPointer scaled_film(FilmPointer film, const FilmChoice& choice);
 /// Files of one frame or more each, one after the other; a file is opened when its frames are read.
 FilmPointer open_series(const std::filesystem::path& pattern, const FilmChoice& choice);
 
-/// What a recording is that cannot be read as a film, by its first bytes or the ending of its name, and what to export
-/// instead, as a sentence after its name; empty for anything else.
-std::string other_recording(const std::filesystem::path& path, std::string_view head);
-
 /// Where the pixels of a film lie: frame i begins at offset + i stride.
 struct PlainLayout {
   std::uint64_t offset = 0, stride = 0;  ///< bytes

@@ -5,10 +5,10 @@
 #include <limits>
 #include <utility>
 
-#include "core/problems.hpp"
 #include "io/film/formats.hpp"
 #include "io/film/hdf5_facts.hpp"
 #include "io/film/hdf5_header.hpp"
+#include "io/hdf5/sandbox.hpp"
 #include "io/time_units.hpp"
 
 namespace arenite::io {

@@ -1,5 +1,4 @@
-#include "core/problems.hpp"
-#include "io/hdf5/foreign.hpp"
+#include "io/hdf5/sandbox.hpp"
 
 #include <fcntl.h>
 #include <hdf5.h>
@@ -16,6 +15,8 @@
 #include <exception>
 #include <fstream>
 #include <string_view>
+
+#include "core/problems.hpp"
 
 namespace arenite::io {
 namespace {

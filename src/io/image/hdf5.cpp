@@ -1,5 +1,4 @@
 #include "core/problems.hpp"
-#include "io/image/image.hpp"
 
 #include <algorithm>
 #include <initializer_list>
@@ -8,6 +7,8 @@
 
 #include "io/hdf5/dataset_search.hpp"
 #include "io/hdf5/foreign.hpp"
+#include "io/hdf5/sandbox.hpp"
+#include "io/image/image.hpp"
 #include "io/image/orientation.hpp"
 
 namespace arenite::io {

@@ -1,4 +1,7 @@
+#include "io/sample/assemble.hpp"
+
 #include "io/sample/contact_rows.hpp"
+#include "io/sample/materials.hpp"
 
 namespace arenite::io {
 namespace {

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/text.hpp"
 #include "io/sample/formats.hpp"
 #include "io/sample/table_snapshots.hpp"
 

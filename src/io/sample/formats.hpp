@@ -99,28 +99,6 @@ inline int side_towards(Vec2 d) {
   return d.y < 0 ? bottom : top;
 }
 
-/// Finds the plane in which the centres lie, takes their centres there and the cell that the file states. No grains,
-/// centres that fill space, and a cell that shifts its images out of the plane, are problems; a plane other than x-y,
-/// and one that holds the centres to a part of a radius only, is told.
-void lay_in_plane(RawGrains& grains, Problems& problems);
-
-/// Puts the corner of a box whose place nobody gave: at the origin if all centres lie in it so, else around the grains.
-/// A box smaller than the grains' extent is a problem unless it is periodic.
-void place_box(RawGrains& grains, Problems& problems);
-
-/// Checks rows against each other and makes a packing of them: numbers of grains become indices, the file's forces on j
-/// become the model's forces on i, arms halve the overlap or end at the contact point that the file gives. Rows without
-/// a force whose surfaces are apart are no contacts. Throws InputError with the problems of both files.
-void assemble(const RawGrains& grains, const RawContacts& contacts, const SampleOptions& options, Sample& sample,
-              Problems& grain_problems, Problems& contact_problems);
-
-/// Gives the packing its materials, in the order in which grains name them first, and every grain its material. `file`
-/// is a table with a column material (as the grains write it) and any of name, density, stiffness,
-/// thermoelastic_factor; its order then is the materials' order. Or it has columns id and material, for grains whose
-/// file has no material.
-void assign_materials(const RawGrains& raw, const std::optional<std::filesystem::path>& file, Packing& packing,
-                      Problems& problems);
-
 /// What to read of a file: the snapshot of this number, in the order of the file.
 struct Reading {
   std::string_view text;
@@ -147,14 +125,6 @@ namespace samples {
 ARENITE_FAMILY(SampleFormat, ARENITE_SAMPLE_FORMATS)
 }
 
-/// Which snapshots of two files are of the same moment: the last one that both have, else the last of each where one
-/// file states no moment. Two files that have none in common are a problem. Notes say what was left aside.
-struct SnapshotPair {
-  std::size_t grains = 0, contacts = 0;
-};
-SnapshotPair common_snapshot(const std::vector<Moment>& grains, const std::vector<Moment>& contacts,
-                             std::vector<std::string>& notes, Problems& problems);
-
 /// The note that a unit was assumed: of "length" m, unless --length-unit or the header of a column says otherwise.
 std::string assumed_unit(const char* what, const char* si, const char* option, const char* column = "");
 
@@ -162,14 +132,5 @@ std::string assumed_unit(const char* what, const char* si, const char* option, c
 /// are numbered from 0. `needed` goes on in the problem of a column that lacks. A column's own unit wins over that of
 /// the options.
 RawGrains grains_in(const Table& table, const char* needed, const SampleOptions& options, Problems& problems);
-
-/// Which columns are the two grains, fx, fy, p1 and p2 (in the plane) of a file of contacts, from what they hold, where
-/// their names do not say: the two grains are neighbouring columns of whole numbers that are grains; the normal force
-/// is the pair of columns along the line between their centres that is not the line itself, the tangential force the
-/// first behind it that is across (one place further than fy where a force along z follows). `candidates`: the columns
-/// that may be meant, in their order; rows with another number of cells are passed over. Nothing where the numbers do
-/// not tell.
-std::vector<std::size_t> find_pair_columns(const std::vector<std::vector<std::string_view>>& rows,
-                                           const std::vector<std::size_t>& candidates, const RawGrains& grains);
 
 }  // namespace arenite::io

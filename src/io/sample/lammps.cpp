@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "core/mapped.hpp"
+#include "core/text.hpp"
 #include "io/sample/formats.hpp"
 #include "io/sample/lammps_dump.hpp"
+#include "io/sample/pair_columns.hpp"
 
 namespace arenite::io {
 namespace {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/mapped.hpp"
+#include "core/text.hpp"
 
 namespace arenite::io {
 namespace {

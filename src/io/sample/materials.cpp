@@ -1,3 +1,5 @@
+#include "io/sample/materials.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -5,6 +7,7 @@
 #include <unordered_map>
 
 #include "io/sample/formats.hpp"
+#include "io/table/text_file.hpp"
 
 namespace arenite::io {
 namespace {

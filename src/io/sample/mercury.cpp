@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/text.hpp"
 #include "io/sample/formats.hpp"
 
 namespace arenite::io {

@@ -1,3 +1,5 @@
+#include "io/sample/pair_columns.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,3 +1,5 @@
+#include "io/sample/placed_grains.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -5,6 +7,8 @@
 
 #include "core/mapped.hpp"
 #include "io/sample/formats.hpp"
+#include "io/sample/plane.hpp"
+#include "io/table/text_file.hpp"
 
 namespace arenite::io {
 namespace {

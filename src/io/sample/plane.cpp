@@ -1,3 +1,5 @@
+#include "io/sample/plane.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>

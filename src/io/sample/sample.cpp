@@ -4,7 +4,12 @@
 
 #include <utility>
 
+#include "core/text.hpp"
+#include "io/sample/assemble.hpp"
 #include "io/sample/formats.hpp"
+#include "io/sample/plane.hpp"
+#include "io/sample/snapshots.hpp"
+#include "io/table/text_file.hpp"
 
 namespace arenite::io {
 namespace {

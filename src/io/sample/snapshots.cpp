@@ -1,9 +1,10 @@
+#include "io/sample/snapshots.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/mapped.hpp"
 #include "io/sample/formats.hpp"
 
 namespace arenite::io {

@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "core/text.hpp"
+
 namespace arenite::io {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/mapped.hpp"
+#include "core/text.hpp"
 #include "geometry/cell_grid.hpp"
 #include "io/sample/formats.hpp"
 

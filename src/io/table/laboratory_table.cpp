@@ -1,9 +1,13 @@
+#include "io/table/laboratory_table.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <limits>
 
+#include "core/unit_names.hpp"
 #include "io/table/table.hpp"
+#include "io/table/text_file.hpp"
 
 namespace arenite::io {
 namespace {

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/text.hpp"
+#include "core/unit_names.hpp"
+
 namespace arenite::io {
 namespace {
 

@@ -1,8 +1,11 @@
+#include "io/table/text_file.hpp"
+
 #include <algorithm>
 #include <cstdint>
 
+#include "core/problems.hpp"
+#include "core/text.hpp"
 #include "io/disk/file.hpp"
-#include "io/table/table.hpp"
 
 namespace arenite::io {
 namespace {

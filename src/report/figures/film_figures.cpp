@@ -19,8 +19,8 @@ constexpr Source sources[] = {{"film", "film", "strong"},
                               {"simulation_peak_to_peak", "simulation, peak to peak", "accent"},
                               {"simulation_state", "simulation, largest load", "mixed 1"}};
 
-const workflow::GrainStresses* stresses_by(const FilmData& data, std::string_view source) {
-  const auto at = std::ranges::find(data.stresses.sources, source, &workflow::GrainStresses::source);
+const inference::GrainStresses* stresses_by(const FilmData& data, std::string_view source) {
+  const auto at = std::ranges::find(data.stresses.sources, source, &inference::GrainStresses::source);
   return at == data.stresses.sources.end() ? nullptr : &*at;
 }
 
@@ -94,11 +94,11 @@ Drawings orientations(const FilmData& data) {
 }
 
 /// Both over their means, or in pascal; pale grains do not count.
-Drawing against(const FilmData& data, const workflow::GrainStresses& own, const workflow::GrainStresses& simulation,
+Drawing against(const FilmData& data, const inference::GrainStresses& own, const inference::GrainStresses& simulation,
                 bool over_mean, const std::string& source) {
   const FilmResult& film = data.result;
   const Scale scale = over_mean ? Scale{} : scale_of(std::max(std::abs(own.mean), std::abs(simulation.mean)), "Pa");
-  const auto value = [&](const workflow::GrainStresses& of, std::size_t g) {
+  const auto value = [&](const inference::GrainStresses& of, std::size_t g) {
     return over_mean ? of.sigma_norm[g] : -of.sigma_hyd[g] / scale.factor;
   };
   const double unit = over_mean ? std::abs(own.mean) : scale.factor;

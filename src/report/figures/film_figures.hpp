@@ -2,14 +2,14 @@
 #include <vector>
 
 #include "report/figures/drawing.hpp"
-#include "workflow/run_film.hpp"
+#include "thermal/inference/film_stresses.hpp"
 
 namespace arenite::report::figures {
 
 /// A film, with the stresses of its grains beside those of its companion simulation.
 struct FilmData {
   const FilmResult& result;
-  const workflow::FilmStresses& stresses;
+  const inference::FilmStresses& stresses;
 };
 
 /// Figures of a film, in their order on the page.

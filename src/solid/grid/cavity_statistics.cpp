@@ -1,3 +1,5 @@
+#include "solid/grid/cavity_statistics.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

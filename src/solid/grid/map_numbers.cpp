@@ -1,7 +1,9 @@
+#include "solid/grid/map_numbers.hpp"
+
 #include <algorithm>
 
 #include "solid/grid/cavities.hpp"
-#include "solid/grid/grid.hpp"
+#include "solid/grid/cavity_statistics.hpp"
 
 namespace arenite::grid {
 namespace {

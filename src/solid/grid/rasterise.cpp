@@ -4,11 +4,12 @@
 #include "core/problems.hpp"
 #include "geometry/outline.hpp"
 #include "geometry/rectangle.hpp"
+#include "geometry/union_area.hpp"
 #include "model/cement.hpp"
 #include "model/periodic_images.hpp"
 #include "solid/cement/cement.hpp"
-#include "solid/grid/grid.hpp"
 #include "solid/grid/necks.hpp"
+#include "solid/grid/rasterise.hpp"
 
 namespace arenite::grid {
 namespace {

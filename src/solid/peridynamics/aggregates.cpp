@@ -1,8 +1,9 @@
+#include "solid/peridynamics/aggregates.hpp"
+
 #include <algorithm>
 #include <array>
 
 #include "core/joined_sets.hpp"
-#include "solid/peridynamics/support.hpp"
 
 namespace arenite::peridynamics {
 namespace {

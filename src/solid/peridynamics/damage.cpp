@@ -1,13 +1,18 @@
+#include "solid/peridynamics/damage.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "core/problems.hpp"
-#include "solid/peridynamics/damage.hpp"
-#include "solid/peridynamics/failure.hpp"
-#include "solid/peridynamics/support.hpp"
+#include "solid/peridynamics/failure_equilibrium.hpp"
+#include "solid/peridynamics/failure_state.hpp"
 
 namespace arenite::peridynamics {
 namespace {
@@ -34,6 +39,89 @@ std::string sentence_of(const DamageResult& r) {
                      r.solves);
 }
 
+/// How near the bonds of a sample are to breaking.
+class FailureCriterion {
+ public:
+  FailureCriterion(const Bonds& bonds, double dx, const std::array<double, 4>& critical, const Field<double>& u)
+      : bonds_(bonds),
+        dx_(dx),
+        critical_(critical),
+        u_(u),
+        by_row_(static_cast<std::size_t>(bonds.grid.height)) {}
+
+  /// The law's damage at the linearised stretch: both stretches times |e|^2 dx, e in nodes.
+  template <BondLaw Law> double ratio(const Law& law, const Bond& b) const {
+    const Offset e = b.step();
+    return law.damage(e.x * (u_.x[b.j] - u_.x[b.i]) + e.y * (u_.y[b.j] - u_.y[b.i]),
+                      (e.x * e.x + e.y * e.y) * dx_ * critical_[b.type]);
+  }
+
+  /// Largest ratio of all bonds, 0 where none is stretched. Notes it row by row for `each_above`.
+  double largest() {
+    std::visit(
+        [&](const auto& law) {
+          for (int y = 0; y < bonds_.grid.height; ++y) {
+            double& worst = by_row_[y] = 0;
+            each_bond_of_row(bonds_, y, [&](const Bond& b) { worst = std::max(worst, ratio(law, b)); });
+          }
+        },
+        bonds_.law);
+    return *std::max_element(by_row_.begin(), by_row_.end());
+  }
+
+  /// Bonds whose ratio is `limit` or more, as `largest` last saw them, in order: `visit(Bond, ratio)`.
+  template <class Visit> void each_above(double limit, const Visit& visit) const {
+    std::visit(
+        [&](const auto& law) {
+          for (int y = 0; y < bonds_.grid.height; ++y)
+            if (by_row_[y] >= limit)
+              each_bond_of_row(bonds_, y, [&](const Bond& b) {
+                if (const double r = ratio(law, b); r >= limit) visit(b, r);
+              });
+        },
+        bonds_.law);
+  }
+
+ private:
+  const Bonds& bonds_;
+  double dx_;
+  std::array<double, 4> critical_;
+  const Field<double>& u_;
+  std::vector<double> by_row_;
+};
+
+auto changed_by_solve(auto& s) {
+  return std::tie(s.words, s.parted, s.words_at_setup, s.u, s.solves, s.iterations, s.share);
+}
+
+/// A test to failure on its way; displacements and forces are those of unit strain.
+class FailureTest : public FailureEquilibrium {
+ public:
+  FailureTest(const PhaseMap& map, const DamageOptions& options)
+      : FailureEquilibrium(map, options),
+        critical_(critical_stretches(options, map.dx)),
+        criterion_(bonds_, map.dx, critical_, state_.u) {}
+
+  /// Rounds of breaking until the test ends.
+  void run();
+  /// The result, once; `run` comes first.
+  DamageResult finish();
+
+ private:
+  double elastic(double strain) const { return strain * strain * unit_energy_; }
+  double stress(double strain) const { return strain * unit_force_ / (map_.width * map_.dx); }
+  void settle();
+  void strain_to(double next);
+  void remember();
+  void break_worst(double largest);
+  void hold();
+  FailureState state() const;
+
+  std::array<double, 4> critical_;
+  FailureCriterion criterion_;
+  FailureState before_;  ///< of this round's solve, what it changes; for those who keep states
+};
+
 }  // namespace
 
 std::array<double, 4> critical_stretches(const DamageOptions& o, double dx) {
@@ -52,25 +140,6 @@ std::array<double, 4> critical_stretches(const DamageOptions& o, double dx) {
                 lower(k.particle, f.particle, e.particle)};
       },
       o.law);
-}
-
-FailureTest::FailureTest(const PhaseMap& map, const DamageOptions& options)
-    : map_(map),
-      options_(options),
-      way_(direction_of(options.loading)),
-      closes_(!options.cracks_stay_open),
-      bonds_(make_bonds(map, options.stiffness, options.law, options.stop_at_voids)),
-      prescribed_(prescribed_rows(map.height, options.loading, options.lower)),
-      critical_(critical_stretches(options, map.dx)),
-      f_(bonds_.grid.padded_size()),
-      criterion_(bonds_, map.dx, critical_, state_.u) {
-  state_.width = map.width;
-  state_.height = map.height;
-  state_.u = f_;
-  if (closes_) state_.parted = bonds_.words;
-  make_cuts(bonds_, options.cuts);
-  for (std::size_t i = 0; i < state_.parted.size(); ++i) state_.parted[i] ^= bonds_.words[i];
-  resisting_ = bonds_;
 }
 
 /// After a round of breaking, at the strain that it happened at.
@@ -120,7 +189,7 @@ void FailureTest::break_worst(double largest) {
 
 void FailureTest::run() {
   ending_ = Ending::no_path;
-  if (!solver_) {
+  if (!is_set_up()) {
     uniform_strain();
     if (!prepare()) return;
   }
@@ -163,6 +232,19 @@ DamageResult FailureTest::finish() {
   }
   result.sentence = sentence_of(result);
   return result;
+}
+
+/// Notes what the solve of a round changes, where somebody may ask for the state before it.
+void FailureTest::hold() {
+  if (!options_.keep) return;
+  changed_by_solve(before_) = changed_by_solve(state_);
+  before_.words = bonds_.words;
+}
+
+FailureState FailureTest::state() const {
+  FailureState s = state_;  // this round's solve will be done again
+  changed_by_solve(s) = changed_by_solve(before_);
+  return s;
 }
 
 DamageResult load_to_failure(const PhaseMap& map, const DamageOptions& options) {

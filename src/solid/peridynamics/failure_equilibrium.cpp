@@ -1,10 +1,12 @@
-// Where a sample in a test to failure comes to rest: what of it resists, the solver for that, and faces that part and
-// meet.
+#include "solid/peridynamics/failure_equilibrium.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "solid/peridynamics/failure.hpp"
+#include "core/error.hpp"
+#include "solid/peridynamics/aggregates.hpp"
+#include "solid/peridynamics/solvers/residual.hpp"
 
 namespace arenite::peridynamics {
 namespace {
@@ -21,10 +23,53 @@ struct PartedBond {
   bool resisted;                  ///< in what the step was found with
 };
 
+bool fits(const FailureState& s, const PhaseMap& map, std::size_t padded, bool closes) {
+  if (s.parted.size() != (closes ? padded : 0)) return false;
+  for (const std::size_t size : {s.words.size(), s.words_at_setup.size(), s.u.x.size(), s.u.y.size()})
+    if (size != padded) return false;
+  const std::size_t strongest = s.strength > 0 ? padded : 0;
+  for (const std::size_t size : {s.strongest_words.size(), s.strongest_u.x.size(), s.strongest_u.y.size()})
+    if (size != strongest) return false;
+  return s.width == map.width && s.height == map.height;
+}
+
 }  // namespace
 
+FailureEquilibrium::FailureEquilibrium(const PhaseMap& map, const DamageOptions& options)
+    : map_(map),
+      options_(options),
+      closes_(!options.cracks_stay_open),
+      bonds_(make_bonds(map, options.stiffness, options.law, options.stop_at_voids)),
+      way_(direction_of(options.loading)),
+      prescribed_(prescribed_rows(map.height, options.loading, options.lower)),
+      f_(bonds_.grid.padded_size()) {
+  state_.width = map.width;
+  state_.height = map.height;
+  state_.u = f_;
+  if (closes_) state_.parted = bonds_.words;
+  make_cuts(bonds_, options.cuts);
+  for (std::size_t i = 0; i < state_.parted.size(); ++i) state_.parted[i] ^= bonds_.words[i];
+  resisting_ = bonds_;
+}
+
+void FailureEquilibrium::resume(const FailureState& s) {
+  if (!fits(s, map_, bonds_.words.size(), closes_))
+    throw InputError(
+        "the stored state of a test belongs to a phase map of another size; run the load again from its start");
+  state_ = s;
+  bonds_.words = s.words;
+  // The set-up lags behind the bonds: it is that of the bonds that it was once made for.
+  resisting_.words = s.words_at_setup;
+  classify_groups(resisting_, 0, map_.height - 1);
+  auto aggregates = cut_into_aggregates(map_, resisting_, prescribed_);
+  Buffer<Tie> tie;
+  if (prune(resisting_, aggregates, prescribed_, tie).carrying == 0)
+    throw InputError("in the stored state of a test the clamps are not connected; run the load again from its start");
+  solver_.emplace(resisting_, std::move(aggregates), prescribed_);
+}
+
 /// What resists at the displacements as they are: whole bonds, and parted ones whose faces press on each other.
-FailureTest::Joined FailureTest::join() {
+FailureEquilibrium::Joined FailureEquilibrium::join() {
   Joined joined;
   const Grid& grid = bonds_.grid;
   const bool set_up = state_.words_at_setup.size() == bonds_.words.size();
@@ -49,7 +94,7 @@ FailureTest::Joined FailureTest::join() {
   return joined;
 }
 
-void FailureTest::uniform_strain() {
+void FailureEquilibrium::uniform_strain() {
   auto phase = map_.phase.begin();
   bonds_.grid.each([&](std::ptrdiff_t i, int y) {
     if (*phase++ != Phase::empty) state_.u.set(i, y * map_.dx * way_);
@@ -58,7 +103,7 @@ void FailureTest::uniform_strain() {
 
 /// Set-up for what resists; false if nothing ties the clamps any more. A part that hangs on one clamp alone goes along
 /// with it, and may so meet the rest again; what stays loose is taken out.
-bool FailureTest::prepare() {
+bool FailureEquilibrium::prepare() {
   constexpr int most_looks = 4;
   for (int look = 1;; ++look) {
     const bool met = join().outside || look == 1;
@@ -77,7 +122,7 @@ bool FailureTest::prepare() {
   }
 }
 
-void FailureTest::follow_clamps(const Buffer<Tie>& tie) {
+void FailureEquilibrium::follow_clamps(const Buffer<Tie>& tie) {
   bonds_.grid.each([&](std::ptrdiff_t i, int) {
     if (tie[i] == Tie::below) state_.u.set(i, {});
     if (tie[i] == Tie::above) state_.u.set(i, gauge() * way_);
@@ -85,7 +130,7 @@ void FailureTest::follow_clamps(const Buffer<Tie>& tie) {
 }
 
 /// Takes all bonds of what does not carry out of the test, for good.
-void FailureTest::drop_loose(const Buffer<Tie>& tie) {
+void FailureEquilibrium::drop_loose(const Buffer<Tie>& tie) {
   const auto carries = [&](std::ptrdiff_t i, int y) {
     return prescribed_[y] == both_prescribed || tie[i] == Tie::both;
   };
@@ -98,7 +143,7 @@ void FailureTest::drop_loose(const Buffer<Tie>& tie) {
     }
 }
 
-bool FailureTest::watched(int iterations, double residual) {
+bool FailureEquilibrium::watched(int iterations, double residual) {
   if (!options_.watch) return true;
   const double fallen = state_.strength > 0 ? (1 - state_.now.stress / state_.strength) / (1 - options_.end_stress) : 0;
   state_.share = std::clamp(std::max({fallen, state_.now.strain / options_.max_strain,
@@ -108,7 +153,7 @@ bool FailureTest::watched(int iterations, double residual) {
                          state_.now.strain, state_.now.stress});
 }
 
-StaticReport FailureTest::solve(int most) {
+StaticReport FailureEquilibrium::solve(int most) {
   const StaticReport report = solver_->solve(resisting_, state_.u, options_.tolerance, most,
                                              [&](const Progress& p) { return watched(p.iterations, p.residual); });
   state_.iterations += report.iterations;
@@ -118,7 +163,7 @@ StaticReport FailureTest::solve(int most) {
 
 /// Goes back along the last solve's step to where the energy is least, if faces that met on its way hold it up; false
 /// if none does. The energy is convex and falls with every step, so which faces press is settled after finitely many.
-bool FailureTest::shorten_step(const Field<double>& from) {
+bool FailureEquilibrium::shorten_step(const Field<double>& from) {
   std::vector<PartedBond> parted;
   for (int y = 0; y < map_.height; ++y)
     each_bond_of_row(bonds_.grid, state_.parted, y, [&](const Bond& b) {
@@ -150,7 +195,7 @@ bool FailureTest::shorten_step(const Field<double>& from) {
 
 /// The field at unit strain from the last one: solves until the same faces press on each other at the end as at the
 /// start. A set-up that the bonds have left behind is made anew.
-FailureTest::Rest FailureTest::find_rest() {
+FailureEquilibrium::Rest FailureEquilibrium::find_rest() {
   constexpr int tired = 25, most_solves = 100;
   const bool may_meet = closes_ && (!state_.broken.empty() || !options_.cuts.empty());
   bool fresh = false;
@@ -177,7 +222,7 @@ FailureTest::Rest FailureTest::find_rest() {
 }
 
 /// False where the test ends here.
-bool FailureTest::equilibrate() {
+bool FailureEquilibrium::equilibrate() {
   ending_ = Ending::not_converged;
   ++state_.solves;
   const Rest rest = find_rest();

@@ -1,7 +1,7 @@
+#include "solid/peridynamics/hinges.hpp"
+
 #include <algorithm>
 #include <map>
-
-#include "solid/peridynamics/support.hpp"
 
 namespace arenite::peridynamics {
 namespace {

@@ -1,3 +1,5 @@
+#include "solid/peridynamics/load.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -5,8 +7,11 @@
 #include <utility>
 
 #include "core/problems.hpp"
-#include "solid/peridynamics/load.hpp"
-#include "solid/peridynamics/solvers/solvers.hpp"
+#include "solid/peridynamics/hinges.hpp"
+#include "solid/peridynamics/solvers/dynamics.hpp"
+#include "solid/peridynamics/solvers/residual.hpp"
+#include "solid/peridynamics/solvers/static_solver.hpp"
+#include "solid/peridynamics/support.hpp"
 
 namespace arenite::peridynamics {
 namespace {

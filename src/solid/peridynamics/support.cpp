@@ -1,8 +1,10 @@
+#include "solid/peridynamics/support.hpp"
+
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/joined_sets.hpp"
-#include "solid/peridynamics/support.hpp"
+#include "solid/peridynamics/aggregates.hpp"
 
 namespace arenite::peridynamics {
 namespace {

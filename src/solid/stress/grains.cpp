@@ -1,3 +1,5 @@
+#include "solid/stress/grains.hpp"
+
 #include <algorithm>
 #include <cmath>
 

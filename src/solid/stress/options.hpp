@@ -7,9 +7,6 @@ namespace arenite::stress {
 enum class Component { yy, xx, xy, hydrostatic };
 inline constexpr Component all_components[] = {Component::yy, Component::xx, Component::xy, Component::hydrostatic};
 
-/// "sigma_yy", "sigma_xx", "sigma_xy", "sigma_hyd".
-const char* name_of(Component component);
-
 /// Choices that the definitions leave open.
 struct StressOptions {
   std::vector<Component> components{Component::yy};

@@ -7,7 +7,9 @@
 #include <iterator>
 
 #include "core/mapped.hpp"
+#include "solid/stress/stress.hpp"
 #include "statistics/jackknife.hpp"
+#include "statistics/q_gaussian.hpp"
 #include "statistics/tails.hpp"
 
 namespace arenite::stress {

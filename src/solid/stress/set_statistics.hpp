@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "solid/stress/stress.hpp"
 #include "statistics/histogram.hpp"
+#include "statistics/numbers.hpp"
 
 namespace arenite::stress {
 

@@ -5,10 +5,6 @@
 
 #include "core/parameters.hpp"
 #include "core/vec.hpp"
-#include "model/film.hpp"
-#include "model/image.hpp"
-#include "model/packing.hpp"
-#include "model/result.hpp"
 #include "thermal/radiometry/band.hpp"
 
 namespace arenite::camera {
@@ -107,55 +103,5 @@ struct Parameters {
   double contact_arc = 0;  ///< half angle over which a contact presses, rad; 0: a point
   void declare(ParameterVisitor& visitor);
 };
-
-/// The peak-to-peak change of sigma_kk inside one grain, on a square grid round its centre, x fast, from the lower
-/// left.
-struct Patch {
-  int cells = 0;             ///< a side
-  double cell = 0;           ///< m
-  std::vector<float> value;  ///< Pa, mean over each cell
-  /// Between cells, linear; `offset` from the grain's centre, m.
-  float at(Vec2 offset) const;
-};
-
-/// What is filmed: grains in their places at the smallest and at the largest load, and how their stress changes
-/// between.
-struct Scene {
-  Grains grains;              ///< at the smallest load
-  std::vector<Vec2> travel;   ///< to their places at the largest load, m
-  std::vector<Patch> stress;  ///< change from the smallest to the largest load
-  Domain low, high;
-  Materials materials;
-};
-
-/// The scene between two states of the same grains (T eq. 1.55 with the field of disks under their contact forces).
-/// Throws InputError if the grains differ.
-Scene scene_between(const Packing& low, const Packing& high, const Parameters& parameters);
-
-/// The scene from no load to a state; nothing moves.
-Scene scene_of_state(const Packing& state, const Parameters& parameters);
-
-/// The scene from no load to the stresses that peridynamics found in the grains of a cemented sample (their matrix
-/// warms by nothing of its own). Grains move by the mean displacement of their nodes. Throws InputError for a sample
-/// without load, or one whose grains are no disks.
-Scene scene_of_field(const FieldResult& result, const Parameters& parameters);
-
-/// The picture of the scene at load fraction s: photons over those of a black body at 296 K, pixel by pixel, from the
-/// top. Where emissivities scatter, those of the grains follow from the seed.
-std::vector<float> expose(const Scene& scene, const Parameters& parameters, double s, std::uint64_t seed = 1);
-
-/// What the ordinary camera sees of the sample at the smallest load: one grey a material, of `brightness` 0 to 1, half
-/// of the way between the grains. Levels from 0 to 1 with noise, rows from the top; as wide and high on the sample as
-/// the film.
-FloatImage optical_picture(const Scene& scene, const Parameters& parameters, const std::vector<double>& brightness,
-                           std::uint64_t seed);
-
-/// A film of the scene; frames are drawn when they are read, and the same seed draws the same film.
-std::unique_ptr<FilmSource> film(const Scene& scene, const Parameters& parameters, std::uint64_t seed);
-
-/// The same camera (same pattern of gains, offsets and bad pixels) before a black-body reference of that temperature,
-/// K.
-std::unique_ptr<FilmSource> uniform_film(const Parameters& parameters, double temperature, std::int64_t frames,
-                                         std::uint64_t seed);
 
 }  // namespace arenite::camera

@@ -1,3 +1,5 @@
+#include "thermal/camera/expose.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -6,6 +8,7 @@
 #include "core/random.hpp"
 #include "geometry/rectangle.hpp"
 #include "thermal/camera/camera.hpp"
+#include "thermal/camera/scene.hpp"
 #include "thermal/optics/lens.hpp"
 
 namespace arenite::camera {

@@ -1,3 +1,5 @@
+#include "thermal/camera/scene.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,3 +1,5 @@
+#include "thermal/camera/virtual_film.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -7,6 +9,8 @@
 #include "core/problems.hpp"
 #include "thermal/camera/camera.hpp"
 #include "thermal/camera/detector.hpp"
+#include "thermal/camera/expose.hpp"
+#include "thermal/camera/scene.hpp"
 
 namespace arenite::camera {
 namespace {
@@ -109,12 +113,6 @@ class RecordedFilm : public FilmSource {
 };
 
 }  // namespace
-
-double Surroundings::warmer(double time) const {
-  const double curved = 0.5 * drift_growth * time * time - warm_up * std::expm1(-time / warm_up_time);
-  return drift * time + curved +
-         (drift_wave == 0 ? 0 : drift_wave * std::sin(2 * std::numbers::pi * time / drift_period));
-}
 
 std::unique_ptr<FilmSource> film(const Scene& scene, const Parameters& p, std::uint64_t seed) {
   const std::vector<std::int64_t> taken = frames_taken(p.timing, seed);

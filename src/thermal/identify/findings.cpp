@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/units.hpp"
-#include "statistics/estimate.hpp"
+#include "core/unit_names.hpp"
 
 namespace arenite::identify {
 namespace {

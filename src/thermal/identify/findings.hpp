@@ -5,6 +5,7 @@
 
 #include "statistics/measured.hpp"
 #include "statistics/numbers.hpp"
+#include "statistics/numbers_text.hpp"
 
 namespace arenite::identify {
 

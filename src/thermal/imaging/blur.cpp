@@ -1,9 +1,10 @@
+#include "thermal/imaging/blur.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 #include "core/median.hpp"
-#include "thermal/imaging/grain_search.hpp"
 #include "thermal/optics/lens.hpp"
 
 namespace arenite::imaging {

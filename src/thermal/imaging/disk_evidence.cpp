@@ -1,3 +1,5 @@
+#include "thermal/imaging/disk_evidence.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -5,7 +7,7 @@
 
 #include "core/median.hpp"
 #include "statistics/least_squares.hpp"
-#include "thermal/imaging/grain_search.hpp"
+#include "thermal/imaging/disk_model.hpp"
 
 namespace arenite::imaging {
 namespace {

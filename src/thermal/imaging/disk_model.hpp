@@ -139,4 +139,7 @@ class DiskModel {
   std::vector<float> background_, covered_, light_;
 };
 
+/// The smallest radius of which a blurred picture still shows a rim and not a spot, pixels.
+inline double least_resolved(const DiskModel& model) { return 2.5 * model.blur(); }
+
 }  // namespace arenite::imaging

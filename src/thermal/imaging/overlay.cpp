@@ -1,4 +1,4 @@
-#include "thermal/imaging/registration.hpp"
+#include "thermal/imaging/overlay.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,9 @@
 #include "core/median.hpp"
 #include "core/problems.hpp"
 #include "geometry/rectangle.hpp"
-#include "model/packing.hpp"
+#include "model/domain.hpp"
 #include "thermal/imaging/disk_model.hpp"
+#include "thermal/imaging/registration.hpp"
 
 namespace arenite::imaging {
 namespace {

@@ -1,7 +1,9 @@
-#include "thermal/imaging/grain_search.hpp"
+#include "thermal/imaging/rim_search.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "thermal/imaging/blur.hpp"
 
 namespace arenite::imaging {
 namespace {

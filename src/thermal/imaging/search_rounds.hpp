@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "core/mapped.hpp"
-#include "thermal/imaging/grain_search.hpp"
+#include "thermal/imaging/blur.hpp"
+#include "thermal/imaging/disk_evidence.hpp"
+#include "thermal/imaging/disk_model.hpp"
+#include "thermal/imaging/rim_search.hpp"
 
 namespace arenite::imaging {
 

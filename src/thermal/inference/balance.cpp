@@ -1,10 +1,11 @@
-#include "thermal/inference/equations.hpp"
+#include "thermal/inference/balance.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/mapped.hpp"
 #include "core/median.hpp"
+#include "thermal/inference/presence.hpp"
 
 namespace arenite::inference {
 namespace {

@@ -1,10 +1,11 @@
+#include "thermal/inference/check_problem.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "core/problems.hpp"
 #include "model/periodic_images.hpp"
-#include "thermal/inference/equations.hpp"
 
 namespace arenite::inference {
 namespace {

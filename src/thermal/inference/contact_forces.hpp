@@ -85,18 +85,4 @@ struct ForceProblem {
   std::vector<WallLoad> walls;
 };
 
-/// Forces from pixels: least squares of every pixel's warming (superposed Flamant fields with the term that frees the
-/// rim, seen through lens and pixel) with the balance of every grain, wall loads and, weakly, the smallest elastic
-/// energy; centres are refined with the forces. Standard errors hold the errors of pixels, fields and centres; they
-/// know of no cone. Throws InputError where a factor is missing, grains overlap by more than a fifth of the smaller
-/// diameter, or no pixel sees a contact.
-InferredForces infer_from_pixels(const ForceProblem& problem, const ThermoelasticPicture& picture,
-                                 const ForceOptions& options);
-
-/// Forces from the mean stresses of grains alone: sum of fn = 2 pi R L p (p = -sigma_hyd, Pa), with balance and wall
-/// loads. `sigma_hyd` and its standard `error`, one a grain; a grain without a positive error says nothing. Where that
-/// leaves forces undetermined (`null_space`), they are those of the smallest elastic energy.
-InferredForces infer_from_means(const ForceProblem& problem, const std::vector<double>& sigma_hyd,
-                                const std::vector<double>& error, const ForceOptions& options);
-
 }  // namespace arenite::inference

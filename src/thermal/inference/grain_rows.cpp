@@ -1,4 +1,4 @@
-#include "thermal/inference/pixel_equations.hpp"
+#include "thermal/inference/grain_rows.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,14 @@
+#include "thermal/inference/mean_forces.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
-#include "thermal/inference/equations.hpp"
+#include "thermal/inference/balance.hpp"
+#include "thermal/inference/check_problem.hpp"
+#include "thermal/inference/normal_equations.hpp"
 
 namespace arenite::inference {
 namespace {

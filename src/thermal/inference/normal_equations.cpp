@@ -1,4 +1,4 @@
-#include "thermal/inference/equations.hpp"
+#include "thermal/inference/normal_equations.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
+#include "model/cement.hpp"
 
 namespace arenite::inference {
 

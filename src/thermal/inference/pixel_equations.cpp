@@ -7,6 +7,7 @@
 #include "core/median.hpp"
 #include "model/image.hpp"
 #include "model/periodic_images.hpp"
+#include "thermal/inference/grain_rows.hpp"
 
 namespace arenite::inference {
 namespace {

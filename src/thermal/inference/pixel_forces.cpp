@@ -1,3 +1,5 @@
+#include "thermal/inference/pixel_forces.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -10,6 +12,7 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "model/periodic_images.hpp"
+#include "thermal/inference/check_problem.hpp"
 #include "thermal/inference/pixel_rounds.hpp"
 
 namespace arenite::inference {

@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "thermal/inference/grain_rows.hpp"
 #include "thermal/inference/pixel_equations.hpp"
 
 namespace arenite::inference {

@@ -1,4 +1,4 @@
-#include "thermal/inference/equations.hpp"
+#include "thermal/inference/presence.hpp"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 
 #include "core/mapped.hpp"
 #include "core/text.hpp"
-#include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
 

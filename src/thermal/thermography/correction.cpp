@@ -5,7 +5,8 @@
 
 #include "core/median.hpp"
 #include "core/problems.hpp"
-#include "thermal/thermography/grain_motion.hpp"
+#include "thermal/thermography/frame_statistics.hpp"
+#include "thermal/thermography/grains/follow_grains.hpp"
 
 namespace arenite::thermography {
 namespace {

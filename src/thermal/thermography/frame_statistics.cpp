@@ -1,4 +1,4 @@
-#include "thermal/thermography/correction.hpp"
+#include "thermal/thermography/frame_statistics.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,6 +7,7 @@
 
 #include "core/mapped.hpp"
 #include "core/median.hpp"
+#include "model/image.hpp"
 #include "thermal/thermography/blank_frames.hpp"
 
 namespace arenite::thermography {

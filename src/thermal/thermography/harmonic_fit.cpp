@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "thermal/thermography/segment_sums.hpp"
+
 namespace arenite::thermography {
 
 void legendre(double x, std::size_t count, double* value, double* slope) {

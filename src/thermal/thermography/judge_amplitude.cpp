@@ -1,5 +1,4 @@
-#include "thermal/thermography/refine_frequency.hpp"
-#include "thermal/thermography/shared_noise.hpp"
+#include "thermal/thermography/judge_amplitude.hpp"
 
 #include <fmt/core.h>
 
@@ -11,7 +10,9 @@
 #include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "core/problems.hpp"
-#include "thermal/thermography/lockin.hpp"
+#include "thermal/thermography/refine_frequency.hpp"
+#include "thermal/thermography/shared_noise.hpp"
+#include "thermal/thermography/watched_pixels.hpp"
 
 namespace arenite::thermography {
 namespace {

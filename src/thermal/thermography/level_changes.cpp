@@ -8,7 +8,7 @@
 #include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "statistics/least_squares.hpp"
-#include "thermal/thermography/refine_frequency.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 
 namespace arenite::thermography {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "model/film.hpp"
-#include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
 

@@ -1,3 +1,5 @@
+#include "thermal/thermography/load_phases.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -5,8 +7,8 @@
 #include <numeric>
 
 #include "statistics/correlation.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 #include "thermal/thermography/lockin.hpp"
-#include "thermal/thermography/lost_frames.hpp"
 #include "thermal/thermography/segment_phasors.hpp"
 
 namespace arenite::thermography {

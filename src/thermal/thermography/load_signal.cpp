@@ -1,3 +1,5 @@
+#include "thermal/thermography/load_signal.hpp"
+
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -6,7 +8,6 @@
 #include "core/mapped.hpp"
 #include "statistics/correlation.hpp"
 #include "statistics/least_squares.hpp"
-#include "thermal/thermography/lockin.hpp"
 
 namespace arenite::thermography {
 namespace {

@@ -12,10 +12,14 @@
 #include "core/text.hpp"
 #include "thermal/thermography/blank_frames.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/judge_amplitude.hpp"
 #include "thermal/thermography/level_changes.hpp"
+#include "thermal/thermography/load_phases.hpp"
 #include "thermal/thermography/lost_frames.hpp"
 #include "thermal/thermography/refine_frequency.hpp"
+#include "thermal/thermography/segment_sums.hpp"
 #include "thermal/thermography/shared_noise.hpp"
+#include "thermal/thermography/watched_pixels.hpp"
 
 namespace arenite::thermography {
 namespace {

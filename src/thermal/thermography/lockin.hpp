@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model/film.hpp"
-#include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
 
@@ -44,10 +44,6 @@ void put(LockinMaps& maps, std::size_t pixel, const Harmonics& fitted, double no
 /// spaced. Off a bin, and with drift, amplitudes are wrong by up to 1 - 2/pi; kept to reproduce results found this way.
 LockinMaps nearest_bin_transform(FilmSource& film, const LockinOptions& options);
 
-/// Whether pixels oscillate at the maps' frequency as a load makes them: in one phase, and more than noise does once in
-/// a hundred films.
-bool shows_load(const LockinMaps& maps);
-
 /// The phase in which the amplitude of all pixels together is largest: it maximises the sum of squares of what is in
 /// phase with it. No pixel counts for more than three times the median one, for rims that move past pixels change them
 /// by far more than a load warms them. The film alone does not distinguish it from its opposite; of the two the one is
@@ -76,17 +72,5 @@ struct Adiabatic {
   bool holds() const { return length <= pixel / 5; }
   std::string sentence() const;  ///< what to say where it does not hold
 };
-
-/// The cycle of a load's own signal.
-struct LoadSignal {
-  double frequency = 0, frequency_error = 0;  ///< Hz
-  double phase = 0;                           ///< rad: the signal is largest when 2 pi f t equals it
-};
-
-/// The cycle that takes most of a signal's squares, between half and twice the frequency that is given, by least
-/// squares of a straight line, cosine and sine at the times of its frames (s). Nothing where it takes less than half of
-/// what the line leaves (a square wave's takes 0.81), and where the signal holds less than two cycles.
-std::optional<LoadSignal> fit_load_signal(const std::vector<double>& time, const std::vector<double>& signal,
-                                          double given);
 
 }  // namespace arenite::thermography

@@ -9,9 +9,9 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "statistics/least_squares.hpp"
+#include "thermal/thermography/load_phases.hpp"
 #include "thermal/thermography/refine_frequency.hpp"
 
 namespace arenite::thermography {

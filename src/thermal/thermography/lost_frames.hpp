@@ -3,7 +3,8 @@
 #include <functional>
 #include <vector>
 
-#include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/load_phases.hpp"
+#include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
 
@@ -11,18 +12,6 @@ namespace arenite::thermography {
 struct LostFrames {
   std::size_t frame = 0, count = 0;
 };
-
-/// What the phases of the load in the segments of a film show of the times of its frames.
-struct LoadPhases {
-  double wander = 0;               ///< root mean square of their distance from a straight line over time, rad
-  double noise = 0;                ///< of it by the pixels' own noise
-  std::vector<double> segment;     ///< rad, that the load has gone by there; unwrapped
-  std::vector<std::size_t> pixel;  ///< some pixels, and
-  std::vector<double> weight;  ///< by which their values add up to the load's signal, free of what all of them share
-};
-
-/// Of a film whose segments show the load each by itself; nothing of one whose segments do not.
-LoadPhases load_phases(const SegmentSums& sums);
 
 /// Where frames of an even film were lost: the losses by which the signal of the load, weighed as `phases` say, has one
 /// frequency of the band in which that of the load is sought. They are found where they, and nothing else, make it so:

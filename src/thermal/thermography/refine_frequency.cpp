@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/median.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
 #include "thermal/thermography/segment_phasors.hpp"
 
 namespace arenite::thermography {

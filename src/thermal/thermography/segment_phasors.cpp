@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "thermal/thermography/harmonic_fit.hpp"
+
 namespace arenite::thermography {
 
 using statistics::Matrix;

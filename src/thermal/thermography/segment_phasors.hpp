@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "statistics/least_squares.hpp"
-#include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
 

@@ -1,4 +1,4 @@
-#include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/segment_sums.hpp"
 
 #include <algorithm>
 #include <cmath>

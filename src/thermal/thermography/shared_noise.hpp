@@ -3,6 +3,7 @@
 
 #include "model/film.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
 

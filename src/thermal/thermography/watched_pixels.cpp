@@ -1,4 +1,4 @@
-#include "thermal/thermography/refine_frequency.hpp"
+#include "thermal/thermography/watched_pixels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,8 @@
 #include <unsupported/Eigen/FFT>
 
 #include "core/median.hpp"
+#include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/refine_frequency.hpp"
 
 namespace arenite::thermography {
 namespace {

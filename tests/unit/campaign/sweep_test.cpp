@@ -8,7 +8,10 @@
 #include <set>
 
 #include "campaign/study.hpp"
+#include "campaign/study_folder.hpp"
+#include "campaign/sweep.hpp"
 #include "core/error.hpp"
+#include "core/unit_names.hpp"
 #include "support/small_study.hpp"
 #include "support/temporary_folder.hpp"
 

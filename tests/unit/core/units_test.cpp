@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/unit_names.hpp"
 
 namespace arenite {
 namespace {

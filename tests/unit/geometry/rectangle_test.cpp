@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/union_area.hpp"
+
 namespace arenite::geometry {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "geometry/outline.hpp"
+#include "geometry/rim.hpp"
 
 namespace arenite::geometry {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "core/random.hpp"
 #include "geometry/rectangle.hpp"
+#include "geometry/union_area.hpp"
 
 namespace arenite::geometry {
 namespace {

@@ -4,6 +4,8 @@
 
 #include <numbers>
 
+#include "geometry/rim.hpp"
+
 namespace arenite {
 namespace {
 

@@ -1,6 +1,6 @@
-#include "report/study_page.hpp"
-
 #include <gtest/gtest.h>
+
+#include "report/default_figures.hpp"
 
 namespace arenite::report {
 namespace {

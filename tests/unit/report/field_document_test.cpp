@@ -2,9 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "report/field_document.hpp"
 #include "report/page_document.hpp"
 #include "support/field_page_sample.hpp"
-#include "workflow/field_stages.hpp"
+#include "workflow/apply_load.hpp"
 
 using namespace arenite;
 using Json = nlohmann::json;

@@ -1,10 +1,9 @@
-#include "report/run_drawing.hpp"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "report/field_drawing.hpp"
 
 namespace arenite::report {
 namespace {

@@ -7,6 +7,7 @@
 #include "report/number_block.hpp"
 #include "report/page_document.hpp"
 #include "support/film_page_sample.hpp"
+#include "workflow/film/film_numbers.hpp"
 
 using namespace arenite;
 using Json = nlohmann::json;

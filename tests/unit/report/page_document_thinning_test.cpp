@@ -1,6 +1,6 @@
-#include "report/page_document.hpp"
-
 #include <gtest/gtest.h>
+
+#include "report/field_document.hpp"
 
 using namespace arenite;
 

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "io/disk/file.hpp"
 #include "report/run_means.hpp"
+#include "report/study_figures.hpp"
 #include "support/numbers_of.hpp"
 #include "support/temporary_folder.hpp"
 

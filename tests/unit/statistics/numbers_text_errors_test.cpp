@@ -1,8 +1,8 @@
-#include "statistics/numbers.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
+
+#include "statistics/numbers_text.hpp"
 
 namespace arenite::statistics {
 namespace {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "statistics/numbers.hpp"
+#include "statistics/numbers_text.hpp"
 
 namespace arenite {
 namespace {

@@ -1,10 +1,9 @@
-#include "statistics/tails.hpp"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "draws.hpp"
+#include "statistics/q_gaussian.hpp"
 
 namespace arenite::statistics {
 namespace {

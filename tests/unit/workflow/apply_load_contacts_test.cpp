@@ -3,8 +3,9 @@
 #include <numeric>
 
 #include "grains/texture/texture.hpp"
+#include "solid/grid/crop.hpp"
 #include "support/page_sample.hpp"
-#include "workflow/field_stages.hpp"
+#include "workflow/apply_load.hpp"
 
 namespace arenite::workflow {
 namespace {

@@ -28,7 +28,7 @@ struct GeometricalAdhesion : WithoutParameters {
   }
 };
 
-/// The same force; a bond whose contact has opened is gone for good.
+/// The same force; glue whose contact has opened is gone for good.
 struct BreakingAdhesion : GeometricalAdhesion {
   static constexpr Word word{"geometrical_breaking", "the same, lost for good once a contact opens"};
   static constexpr bool breaks = true;

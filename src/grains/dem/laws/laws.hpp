@@ -54,8 +54,8 @@ concept ElasticContact = NormalContact<L> && requires(const L law, double v) {
   { law.sliding_base(v, v, v) } -> std::same_as<double>;  // (h, stiffness, curvature), N/m
 };
 
-/// An adhesion gives the attraction of two glued grains, >= 0, its potential, <= 0 and 0 at h = 0, and whether bonds
-/// break for good.
+/// An adhesion gives the attraction of two glued grains, >= 0, its potential, <= 0 and 0 at h = 0, and whether glue
+/// breaks for good.
 template <class L>
 concept AdhesiveContact = ContactLaw<L> && requires(const L law, double v) {
   { law.attraction(v, v) } -> std::same_as<double>;  // (h, strength), N

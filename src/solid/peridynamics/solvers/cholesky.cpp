@@ -1,11 +1,11 @@
+#include "solid/peridynamics/solvers/cholesky.hpp"
+
 #include <dlfcn.h>
 #include <suitesparse/amd.h>
 #include <suitesparse/cholmod.h>
 
 #include <cstring>
 #include <new>
-
-#include "solid/peridynamics/solvers/coarse_space.hpp"
 
 namespace arenite::peridynamics {
 

@@ -1,7 +1,10 @@
+#include "solid/peridynamics/solvers/coarse_space.hpp"
+
 #include <algorithm>
 
 #include "core/joined_sets.hpp"
-#include "solid/peridynamics/solvers/coarse_space.hpp"
+#include "solid/peridynamics/solvers/cholesky.hpp"
+#include "solid/peridynamics/solvers/couplings.hpp"
 
 namespace arenite::peridynamics {
 

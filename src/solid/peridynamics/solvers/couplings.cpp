@@ -1,7 +1,7 @@
+#include "solid/peridynamics/solvers/couplings.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "solid/peridynamics/solvers/coarse_space.hpp"
 
 namespace arenite::peridynamics {
 namespace {

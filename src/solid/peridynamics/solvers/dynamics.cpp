@@ -1,9 +1,11 @@
+#include "solid/peridynamics/solvers/dynamics.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "solid/peridynamics/solvers/block_diagonal.hpp"
-#include "solid/peridynamics/solvers/solvers.hpp"
+#include "solid/peridynamics/solvers/residual.hpp"
 
 namespace arenite::peridynamics {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "core/random.hpp"
 #include "grains/fields/driven.hpp"
+#include "statistics/numbers_text.hpp"
 
 namespace arenite::fields {
 namespace {

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "grains/packing/bidisperse_steps.hpp"
+#include "grains/packing/free_space.hpp"
+#include "grains/packing/poisson_disk.hpp"
+#include "grains/packing/two_classes.hpp"
 
 namespace arenite::packing {
 namespace {

@@ -1,10 +1,10 @@
-#include "grains/packing/bidisperse_steps.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <numbers>
+
+#include "grains/packing/free_space.hpp"
 
 namespace arenite::packing {
 namespace {

@@ -15,6 +15,7 @@
 #include "core/error.hpp"
 #include "io/disk/file.hpp"
 #include "io/film/film.hpp"
+#include "io/hdf5/sandbox.hpp"
 #include "support/films.hpp"
 #include "support/pictures.hpp"
 #include "support/temporary_folder.hpp"

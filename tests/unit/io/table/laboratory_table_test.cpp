@@ -1,10 +1,9 @@
-#include "io/table/table.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/error.hpp"
+#include "io/table/laboratory_table.hpp"
 #include "support/films.hpp"
 #include "support/program.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "io/table/text_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace arenite::io {

@@ -21,7 +21,7 @@ FilmResult film_of_forces() {
 
 TEST(FilmForces, ContactsThatMayBeAbsentAreToldApart) {
   const FilmResult film = film_of_forces();
-  const workflow::FilmStresses none;
+  const inference::FilmStresses none;
   const Drawings drawings = ranked_forces({film, none});
   ASSERT_EQ(drawings.size(), 2u);
   EXPECT_EQ(drawings[0].key[0].name, "3 present");
@@ -32,7 +32,7 @@ TEST(FilmForces, ContactsThatMayBeAbsentAreToldApart) {
 
 TEST(FilmForces, EveryContactIsInABarOfItsCertainty) {
   const FilmResult film = film_of_forces();
-  const workflow::FilmStresses none;
+  const inference::FilmStresses none;
   const Panel panel = certainty({film, none}).front().panels.front();
   double all = 0;
   for (const Series& series : panel.series)

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "solid/grid/cavity_statistics.hpp"
 
 namespace arenite::grid {
 namespace {

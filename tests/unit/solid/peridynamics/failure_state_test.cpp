@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "solid/peridynamics/failure_state.hpp"
 #include "support/cemented_sample.hpp"
 #include "support/homogeneous_sample.hpp"
 

@@ -1,10 +1,9 @@
-#include "solid/peridynamics/support.hpp"
-
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "core/random.hpp"
+#include "solid/peridynamics/hinges.hpp"
 #include "support/homogeneous_sample.hpp"
 
 namespace arenite::peridynamics {

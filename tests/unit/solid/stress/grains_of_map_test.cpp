@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "solid/stress/stress.hpp"
+#include "solid/stress/grains.hpp"
 
 using namespace arenite;
 

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "samples.hpp"
+#include "solid/stress/grains.hpp"
 #include "support/numbers_of.hpp"
 
 namespace arenite::stress {

@@ -6,6 +6,9 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "thermal/camera/expose.hpp"
+#include "thermal/camera/scene.hpp"
+#include "thermal/camera/virtual_film.hpp"
 
 namespace arenite::camera {
 namespace {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "thermal/camera/camera.hpp"
+#include "thermal/camera/virtual_film.hpp"
 
 namespace arenite::camera {
 namespace {

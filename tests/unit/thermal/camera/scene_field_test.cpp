@@ -4,6 +4,8 @@
 
 #include "core/error.hpp"
 #include "thermal/camera/camera.hpp"
+#include "thermal/camera/expose.hpp"
+#include "thermal/camera/scene.hpp"
 
 namespace arenite::camera {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "support/drawn_picture.hpp"
 #include "support/pictures.hpp"
+#include "thermal/imaging/overlay.hpp"
 
 namespace {
 using namespace arenite;

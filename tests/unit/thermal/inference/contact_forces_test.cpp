@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "support/pressed_crystal.hpp"
 #include "support/thermoelastic_picture.hpp"
+#include "thermal/inference/pixel_forces.hpp"
 
 namespace arenite::inference {
 namespace {

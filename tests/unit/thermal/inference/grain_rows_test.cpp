@@ -1,8 +1,8 @@
-#include "thermal/inference/pixel_equations.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "thermal/inference/grain_rows.hpp"
 
 namespace arenite::inference {
 namespace {

@@ -7,8 +7,9 @@
 
 #include "core/error.hpp"
 #include "support/pressed_crystal.hpp"
+#include "thermal/inference/balance.hpp"
 #include "thermal/inference/contact_forces.hpp"
-#include "thermal/inference/equations.hpp"
+#include "thermal/inference/mean_forces.hpp"
 
 namespace arenite::inference {
 namespace {

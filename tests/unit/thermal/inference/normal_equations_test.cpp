@@ -1,5 +1,3 @@
-#include "thermal/inference/equations.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -9,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "thermal/inference/normal_equations.hpp"
 
 namespace arenite::inference {
 namespace {

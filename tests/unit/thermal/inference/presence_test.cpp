@@ -1,10 +1,9 @@
-#include "thermal/inference/equations.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/random.hpp"
+#include "thermal/inference/presence.hpp"
 
 namespace arenite::inference {
 namespace {

@@ -8,10 +8,11 @@
 
 #include "support/oscillating_film.hpp"
 #include "support/pictures.hpp"
-#include "thermal/thermography/correction.hpp"
+#include "thermal/thermography/frame_statistics.hpp"
+#include "thermal/thermography/judge_amplitude.hpp"
 #include "thermal/thermography/lockin.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
-#include "thermal/thermography/step_load.hpp"
+#include "thermal/thermography/step/step_load.hpp"
 
 namespace arenite::thermography {
 namespace {

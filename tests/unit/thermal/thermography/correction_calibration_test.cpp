@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/table/table.hpp"
+#include "io/table/laboratory_table.hpp"
 #include "support/films.hpp"
 #include "support/pictures.hpp"
 #include "support/temporary_folder.hpp"

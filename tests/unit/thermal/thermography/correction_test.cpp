@@ -11,6 +11,7 @@
 #include "core/random.hpp"
 #include "support/films.hpp"
 #include "support/pictures.hpp"
+#include "thermal/thermography/frame_statistics.hpp"
 
 namespace arenite::thermography {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 #include "support/oscillating_film.hpp"
-#include "thermal/thermography/harmonic_fit.hpp"
+#include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {
 namespace {

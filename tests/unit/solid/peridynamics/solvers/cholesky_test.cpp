@@ -1,10 +1,10 @@
-#include "solid/peridynamics/solvers/coarse_space.hpp"
-
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <initializer_list>
+
+#include "solid/peridynamics/solvers/cholesky.hpp"
 
 namespace arenite::peridynamics {
 namespace {

@@ -6,6 +6,7 @@
 #include "core/mapped.hpp"
 #include "core/random.hpp"
 #include "solid/peridynamics/solvers/coarse_space.hpp"
+#include "solid/peridynamics/solvers/couplings.hpp"
 #include "support/cemented_sample.hpp"
 
 namespace arenite::peridynamics {

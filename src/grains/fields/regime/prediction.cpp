@@ -1,0 +1,211 @@
+#include "grains/fields/regime/prediction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "core/root.hpp"
+#include "grains/dem/coefficients.hpp"
+#include "grains/dem/engine.hpp"
+#include "grains/dem/run_stage.hpp"
+#include "grains/texture/texture.hpp"
+
+namespace arenite::fields {
+
+double collision_time(double reduced_mass, double stiffness) {
+  return std::numbers::pi * std::sqrt(reduced_mass / stiffness);
+}
+
+double inertial_number(double rate, double diameter, double density, double pressure) {
+  return std::abs(rate) * diameter * std::sqrt(density / pressure);
+}
+
+std::string_view flow_regime(double number) {
+  return number < 1e-3 ? "quasi-static" : number <= 0.1 ? "dense flow" : "inertial";
+}
+
+double overlap_under(const dem::NormalLaw& law, double stiffness, double diameter, double force) {
+  const auto excess = [&](double h) {
+    double memory = 0;
+    return std::visit([&](const auto& normal) { return normal.elastic(h, stiffness, 4 / diameter, memory); }, law) -
+           force;
+  };
+  const double most = excess(diameter);
+  return most <= 0 ? diameter : bracketed_root<double>(excess, 0, -force, diameter, most);
+}
+
+double stiffness_number(const dem::NormalLaw& law, double stiffness, double diameter, double thickness,
+                        double pressure) {
+  return diameter / overlap_under(law, stiffness, diameter, pressure * thickness * diameter);
+}
+
+double settling_time(double period, double drag, double unbalanced, bool pressed_all_round) {
+  const double periods = pressed_all_round ? 1.0 : 4.5;
+  return std::log(1 / unbalanced) / (1 / (periods * period) + 0.5 * drag);
+}
+
+namespace {
+
+using Kind = dem::SideDrive::Kind;
+
+/// The largest of a value and of what the programmes that `drive` it make of it.
+template <class Drive> double largest(const dem::Stage& stage, double value, Drive drive) {
+  for (const dem::Programme& programme : stage.programmes)
+    if (drive(programme))
+      for (const Vec2& row : programme.table) value = std::max(value, std::abs(row.y));
+  return value;
+}
+
+/// What a side does at its most.
+double largest_drive(const dem::Stage& stage, std::size_t side) {
+  return largest(stage, stage.side[side].value,
+                 [&](const auto& p) { return p.of.is_of_side() && p.of.side == static_cast<int>(side); });
+}
+
+/// Along x (axis 0) or y (1): Pa, the larger of what its two sides press with; 0 where none presses.
+double pressure_along(const dem::Stage& stage, const Bulk& bulk, std::size_t axis) {
+  const double loaded = (axis == 0 ? bulk.height : bulk.width) * bulk.thickness;
+  double pressure = 0;
+  for (std::size_t side = 2 * axis; side < 2 * axis + 2; ++side) {
+    const dem::SideDrive& drive = stage.side[side];
+    if (drive.kind == Kind::pressure) pressure = std::max(pressure, largest_drive(stage, side));
+    if (drive.kind == Kind::force) pressure = std::max(pressure, largest_drive(stage, side) / loaded);
+    if (drive.kind == Kind::force && stage.cycles && stage.cycles->side == static_cast<int>(side))
+      pressure = std::max(pressure, stage.cycles->max / loaded);
+  }
+  return pressure;
+}
+
+/// Pa; what the grains of half the height weigh.
+double weight(const dem::Stage& stage, const Bulk& bulk) {
+  return stage.gravity ? 0.5 * bulk.solid_fraction * bulk.density * stage.gravity_size * bulk.height : 0;
+}
+
+/// 1/s; difference of the principal strain rates where sides close the sample, which yields where sides press across.
+double closing_rate(const dem::Stage& stage, const Bulk& bulk) {
+  double rate = 0;
+  for (int side = 0; side < sides; ++side) {
+    if (stage.side[side].kind != Kind::velocity) continue;
+    const double own = std::abs(largest_drive(stage, side)) / (side < 2 ? bulk.width : bulk.height);
+    rate = std::max(rate, pressure_along(stage, bulk, 1 - side / 2) > 0 ? 2 * own : own);
+  }
+  return rate;
+}
+
+/// 1/s; what shears it.
+double shear_rate(const dem::Stage& stage, const Bulk& bulk) {
+  const double across = std::abs(stage.slide[right] - stage.slide[left]) / bulk.width;
+  const double along = std::abs(stage.slide[top] - stage.slide[bottom]) / bulk.height;
+  double rate = std::max({std::abs(stage.shear_rate), across, along});
+  if (stage.strain_cycles) rate = std::max(rate, stage.strain_cycles->rate);
+  return largest(stage, rate, [](const auto& p) { return p.of.is(dem::Programme::What::shear_rate); });
+}
+
+Pressures pressures_of(const dem::Stage& stage, const Bulk& bulk, const Pressures& before) {
+  const double x = pressure_along(stage, bulk, 0), y = pressure_along(stage, bulk, 1), w = weight(stage, bulk);
+  if (x == 0 && y == 0) return w > 0 ? Pressures{w, w} : before;
+  return {std::max({x, y, w}), std::max(x > 0 && y > 0 ? std::min(x, y) : x + y, w)};
+}
+
+/// Time in which a loose sample is pressed together, s: its sides come in at some 2 I sqrt(F H/M) (dem/walls.hpp;
+/// measured on examples/01 and 05). `bulk` is then as dense as that leaves it.
+double closing_time(const dem::Stage& stage, const Pressures& pressures, bool without_friction, Bulk& bulk) {
+  const double dense = without_friction ? 0.84 : 0.81;  // random packings of disks, with little and with some friction
+  const bool x = pressure_along(stage, bulk, 0) > 0, y = pressure_along(stage, bulk, 1) > 0;
+  if ((!x && !y && !stage.gravity) || bulk.solid_fraction >= dense) return 0;
+  const double closer = x && y ? std::sqrt(bulk.solid_fraction / dense) : bulk.solid_fraction / dense;
+  const double speed = 2 * stage.inertial_number * std::sqrt(pressures.largest / (bulk.solid_fraction * bulk.density));
+  const double way = (1 - closer) * std::max(x ? bulk.width : 0.0, y || !x ? bulk.height : 0.0);
+  if (x) bulk.width *= closer;
+  if (y || !x) bulk.height *= closer;
+  bulk.solid_fraction = dense;
+  return way / (x || y ? speed : std::sqrt(stage.gravity_size * way));
+}
+
+/// As the engine bounds it: Hertz contacts count as stiff as at an overlap of 2 %.
+double tangent(const dem::ContactParameters& contact, double stiffness) {
+  return std::visit([&](const auto& law) { return law.tangent(0.02, stiffness, 1.0); }, contact.normal);
+}
+
+}  // namespace
+
+Bulk bulk_of(const Packing& packing, const dem::ContactParameters& contact) {
+  const Grains& g = packing.grains;
+  Bulk bulk{0, 0, 0, 0, packing.domain.width(), packing.domain.height(), packing.domain.thickness, 1};
+  const double area = g.area();
+  double mass = 0;
+  for (std::size_t k = 0; k < g.size(); ++k) {
+    mass += texture::mass_of(packing, k);
+    bulk.diameter += 2 * g.radius[k] / static_cast<double>(g.size());
+  }
+  bulk.density = mass / (area * bulk.thickness);
+  bulk.solid_fraction = area / packing.domain.area();
+  const dem::CoefficientTable table(packing.materials, g.material, contact);
+  const auto there = [&](std::size_t m) {
+    return std::find(g.material.begin(), g.material.end(), static_cast<int>(m)) != g.material.end();
+  };
+  for (std::size_t a = 0; a < packing.materials.size(); ++a)
+    for (std::size_t b = 0; b <= a; ++b)
+      if (there(a) && there(b)) {
+        const auto mean_grain = [&](std::size_t material) {
+          return dem::DiskRecord{.radius = bulk.diameter / 2, .material = static_cast<int>(material)};
+        };
+        const double k = table.pair_stiffness(mean_grain(a), mean_grain(b));
+        bulk.stiffness = bulk.stiffness == 0 ? k : std::min(bulk.stiffness, k);
+      }
+  return bulk;
+}
+
+StagePrediction predict_stage(dem::Engine& engine, const dem::ContactParameters& contact, double steady_drag,
+                              const dem::Stage& stage, Bulk& bulk, Pressures& pressures) {
+  dem::begin_stage(engine, stage);
+  StagePrediction p;
+  p.name = stage.name;
+  p.time_step = engine.dt;
+  pressures = pressures_of(stage, bulk, pressures);
+  p.pressure = pressures.largest;
+  if (p.pressure > 0) {
+    p.stiffness_number = stiffness_number(contact.normal, bulk.stiffness, bulk.diameter, bulk.thickness, p.pressure);
+    p.overlap = 1 / *p.stiffness_number;
+  }
+  if (const double rate = std::max(closing_rate(stage, bulk), shear_rate(stage, bulk));
+      rate > 0 && pressures.confining > 0)
+    p.inertial_number = inertial_number(rate, bulk.diameter, bulk.density, pressures.confining);
+  p.exact = stage.duration || stage.strain_cycles;
+  if (p.exact) {
+    p.duration = stage.duration.value_or(0);
+    for (std::int64_t half = 0; half < dem::increment_count(stage) && stage.strain_cycles; ++half)
+      p.duration += static_cast<double>(dem::strain_half(*stage.strain_cycles, half, p.time_step).steps) * p.time_step;
+    p.steps = dem::steps_of(p.duration, p.time_step);
+    return p;
+  }
+  const double critical = critical_drag(engine) / bulk.larger;
+  const double drag = steady_drag + stage.drag + stage.critical_drag * critical;
+  const auto increments = static_cast<double>(dem::increment_count(stage));
+  const bool without_friction = stage.friction.value_or(contact.friction) < 0.05;
+  const bool all_round = std::all_of(stage.side.begin(), stage.side.end(), [](const auto& side) {
+    return side.kind == Kind::force || side.kind == Kind::pressure;
+  });
+  const double settling = settling_time(4 * std::numbers::pi / critical, drag, stage.equilibrium.unbalanced, all_round);
+  p.duration = closing_time(stage, pressures, without_friction, bulk) + increments * settling;
+  p.steps = dem::steps_of(p.duration, p.time_step);
+  return p;
+}
+
+ShortestCollision shortest_collision(const Packing& packing, const dem::ContactParameters& contact) {
+  const dem::CoefficientTable table(packing.materials, packing.grains.material, contact);
+  ShortestCollision shortest;
+  for (std::size_t k = 0; k < packing.grains.size(); ++k) {
+    const std::int32_t material = packing.grains.material[k];
+    const dem::DiskRecord disk{
+        .radius = packing.grains.radius[k], .mass = texture::mass_of(packing, k), .material = material};
+    const double pair = collision_time(0.5 * disk.mass, tangent(contact, table.pair_stiffness(disk, disk)));
+    const double wall = collision_time(disk.mass, tangent(contact, table.wall_stiffness(disk)));
+    if (const double time = std::min(pair, wall); shortest.time == 0 || time < shortest.time)
+      shortest = {time, disk.radius, material, wall < pair};
+  }
+  return shortest;
+}
+
+}  // namespace arenite::fields

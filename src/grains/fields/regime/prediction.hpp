@@ -1,0 +1,85 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "grains/dem/laws/laws.hpp"
+#include "grains/dem/parameters.hpp"
+#include "grains/dem/stage.hpp"
+#include "model/packing.hpp"
+
+// What a stage of loading will be like, before it is run. SI units.
+namespace arenite::dem {
+class Engine;
+}
+
+namespace arenite::fields {
+
+/// How long two bodies on a linear spring touch, without damping, s: pi sqrt(m/k), of their reduced mass, kg, and
+/// stiffness, N/m.
+double collision_time(double reduced_mass, double stiffness);
+
+/// I = rate d sqrt(rho/P) of a shear or closing rate, 1/s, of grains of mean diameter d and density rho under the
+/// pressure P (GDR MiDi 2004): the time that a grain takes to fall into a gap over the time of a change of neighbours.
+double inertial_number(double rate, double diameter, double density, double pressure);
+
+/// What it says of a deformation: "quasi-static" below 1e-3, "dense flow" up to 0.1, "inertial" above.
+std::string_view flow_regime(double inertial_number);
+
+/// Overlap of two equal grains of diameter d that are pressed together with a force, m; at most d.
+double overlap_under(const dem::NormalLaw& law, double stiffness, double diameter, double force);
+
+/// Stiffness number d/h of the overlap h under the force P L d that falls on a grain of length L in a pressure P: k/(P
+/// L) of a linear law (Combe and Roux 2003). Grains count as hard above 1e4.
+double stiffness_number(const dem::NormalLaw& law, double stiffness, double diameter, double thickness,
+                        double pressure);
+
+/// An estimate of the time after which a sample rests, s: without drag the unbalanced force falls by a factor e in some
+/// 4.5 periods of its slowest wave, in one where every side presses and takes up the waves that reach it (measured on
+/// examples/01, 06 and 07); drag, 1/s, adds half its rate.
+double settling_time(double period, double drag, double unbalanced, bool pressed_all_round = false);
+
+/// The pair whose collision is shortest: two grains alike, or a grain and a wall.
+struct ShortestCollision {
+  double time = 0;    ///< s
+  double radius = 0;  ///< m
+  std::int32_t material = 0;
+  bool with_wall = false;
+};
+ShortestCollision shortest_collision(const Packing& packing, const dem::ContactParameters& contact);
+
+struct StagePrediction {
+  std::string name;
+  double time_step = 0;  ///< s
+  double duration = 0;   ///< s of the sample's time
+  std::int64_t steps = 0;
+  bool exact = false;   ///< steps follow from a duration; else they are an estimate
+  double seconds = 0;   ///< of one processor
+  double pressure = 0;  ///< Pa, the largest that its sides or its weight exert; 0: none known
+  std::optional<double> inertial_number, stiffness_number, overlap;  ///< overlap: over the diameter
+};
+
+/// A sample as a whole.
+struct Bulk {
+  double diameter = 0;  ///< mean, m
+  double density = 0;   ///< of the grains, kg/m^3
+  double solid_fraction = 0;
+  double stiffness = 0;  ///< of the softest pair of its materials, N/m
+  double width = 0, height = 0, thickness = 0;
+  double larger = 1;  ///< how much wider it is than the sample that was made
+};
+Bulk bulk_of(const Packing& packing, const dem::ContactParameters& contact);
+
+/// The pressures of a stage, Pa: the largest, and the one that confines it. Sides that only move or stand keep what the
+/// stage before left.
+struct Pressures {
+  double largest = 0, confining = 0;
+};
+
+/// What a stage will be like. `bulk` and `pressures` are those that the stage before left, and then its own;
+/// `steady_drag`, 1/s, acts in every stage.
+StagePrediction predict_stage(dem::Engine& engine, const dem::ContactParameters& contact, double steady_drag,
+                              const dem::Stage& stage, Bulk& bulk, Pressures& pressures);
+
+}  // namespace arenite::fields

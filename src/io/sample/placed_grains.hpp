@@ -1,0 +1,14 @@
+#pragma once
+#include <filesystem>
+
+#include "model/packing.hpp"
+
+namespace arenite::io {
+
+/// Grains to start a simulation from, as a laboratory gives them: a table with columns id, x, y, radius (or diameter)
+/// and material; lengths in m unless the header names a unit. Centres count from the container's lower left corner.
+/// Throws InputError with every problem found: unknown material, a grain outside the container, an id that occurs
+/// twice.
+Grains read_placed_grains(const std::filesystem::path& path, const Materials& materials, const Domain& domain);
+
+}  // namespace arenite::io

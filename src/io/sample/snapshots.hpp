@@ -1,0 +1,19 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/problems.hpp"
+#include "io/sample/formats.hpp"
+
+namespace arenite::io {
+
+/// Which snapshots of two files are of the same moment: the last one that both have, else the last of each where one
+/// file states no moment. Two files that have none in common are a problem. Notes say what was left aside.
+struct SnapshotPair {
+  std::size_t grains = 0, contacts = 0;
+};
+SnapshotPair common_snapshot(const std::vector<Moment>& grains, const std::vector<Moment>& contacts,
+                             std::vector<std::string>& notes, Problems& problems);
+
+}  // namespace arenite::io

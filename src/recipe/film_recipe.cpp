@@ -1,0 +1,75 @@
+#include "recipe/film_recipe.hpp"
+
+#include <algorithm>
+
+#include "core/mapped.hpp"
+#include "core/problems.hpp"
+#include "io/disk/file.hpp"
+#include "recipe/declared.hpp"
+#include "recipe/templates.hpp"
+
+namespace arenite::recipe {
+namespace {
+
+bool of_simulation(const Node& root) { return root.find("packing") || root.find("populations") || root.find("stages"); }
+
+/// A recipe of a simulation has most of its keys wrong as one of a film; that it is the wrong kind helps more than
+/// their list.
+void refuse_simulation(Node& root, Reading& reading) {
+  if (!root.find("lockin") && of_simulation(root))
+    refuse(reading.file_name,
+           "is the recipe of a simulation (`arenite run`), not of a film; `arenite init film r.toml` writes one of a "
+           "film");
+}
+
+}  // namespace
+
+FilmRecipe read_film_recipe(const std::string& file, const std::vector<std::string>& overrides) {
+  return read_text<FilmRecipe>(io::read_file(file), of_file(file), overrides, "film", refuse_simulation);
+}
+
+FilmRecipe parse_film_recipe(std::string_view text, const std::string& file_name,
+                             const std::vector<std::string>& overrides) {
+  return read_text<FilmRecipe>(text, of_text(file_name), overrides, "film", refuse_simulation);
+}
+
+std::string to_toml(const FilmRecipe& recipe) { return write_toml(keys_of(recipe)); }
+
+std::string changed_keys(const FilmRecipe& recipe) { return changed_keys_of(recipe); }
+
+std::string to_commented_toml(const FilmRecipe& recipe) {
+  return write_commented_toml(keys_of(recipe), all_keys<FilmRecipe>());
+}
+
+bool describes_film(std::string_view text) {
+  try {
+    const Node root = read_document(text, {});
+    return !of_simulation(root) && (root.find("lockin") || root.find("picture") || root.find("camera"));
+  } catch (const InputError&) { return false; }
+}
+
+std::string film_key_reference() {
+  return "# The recipe of a film\n\n"
+         "The recipe that `arenite film` and `arenite camera` read in addition to the film. It is written like every "
+         "recipe\n"
+         "([recipe.md](recipe.md)): TOML, quantities with their units, every problem reported at once. `arenite init "
+         "film` writes a\n"
+         "commented one to start from. This page is generated: `arenite man --film-keys`.\n\n" +
+         write_key_tables(all_keys<FilmRecipe>());
+}
+
+FilmRecipe film_template() { return parse_film_recipe(templates::film, {}); }
+
+std::vector<double> emissivities(const FilmRecipe& recipe) {
+  return mapped(recipe.materials, [&](const FilmMaterial& m) {
+    return m.emissivity.value_or(recipe.temperature.emissivity.value_or(0.9));
+  });
+}
+
+bool has_references(const FilmRecipe& recipe) {
+  const CorrectionSection& c = recipe.correction;
+  return recipe.temperature.from != TemperatureSection::From::references ||
+         (!c.cold.empty() && !c.warm.empty() && c.cold_temperature > 0 && c.warm_temperature > c.cold_temperature);
+}
+
+}  // namespace arenite::recipe

@@ -1,0 +1,11 @@
+#pragma once
+#include "model/phase_map.hpp"
+#include "solid/grid/cavities.hpp"
+#include "statistics/numbers.hpp"
+
+namespace arenite::grid {
+
+/// Size, phases, S_m, grains, pores and voids of any map. Volumes of pores and voids are over pi reference_radius^2.
+Numbers map_numbers(const PhaseMap& map, const CavityRules& rules, double reference_radius);
+
+}  // namespace arenite::grid

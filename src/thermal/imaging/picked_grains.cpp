@@ -1,0 +1,53 @@
+#include "thermal/imaging/picked_grains.hpp"
+
+#include <cstdint>
+
+namespace arenite::imaging {
+namespace {
+
+/// Leaves those grains of which `stays` (by their number) says so.
+template <class Stays> void keep(PictureGrains& grains, const Stays& stays) {
+  std::vector<std::uint8_t> kept;
+  for (std::size_t i = 0; i < grains.size(); ++i) kept.push_back(stays(i));
+  const auto filter = [&](auto&... arrays) {  // those that are filled
+    const auto thin = [&](auto& values) {
+      std::size_t i = 0;
+      std::erase_if(values, [&](const auto&) { return !kept[i++]; });
+    };
+    (thin(arrays), ...);
+  };
+  filter(grains.centre, grains.radius, grains.position_error, grains.radius_error, grains.brightness, grains.score,
+         grains.material, grains.size_class);
+}
+
+double quantile(std::vector<double> values, double share) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+}  // namespace
+
+void keep_inside(Vec2 container, const FilmPlace& place, PictureGrains& grains) {
+  keep(grains, [&](std::size_t i) {
+    const Vec2 c = place.metres(grains.centre[i]);
+    const double deep = 0.5 * grains.radius[i] * place.pixel;
+    return c.x > deep && c.x < container.x - deep && c.y > deep && c.y < container.y - deep;
+  });
+}
+
+void drop_overlapping(PictureGrains& grains) {
+  std::vector<std::uint8_t> kept(grains.size(), 1);
+  each_overlap(grains.centre, grains.radius,
+               [&](std::size_t i, std::size_t j, double) { kept[grains.score[i] < grains.score[j] ? i : j] = 0; });
+  keep(grains, [&](std::size_t i) { return kept[i]; });
+}
+
+void drop_pores(const std::vector<float>& frame, bool bright, PictureGrains& grains) {
+  const std::vector<double> levels(frame.begin(), frame.end());
+  const double behind = quantile(levels, bright ? 0.02 : 0.98),
+               halfway = 0.5 * (behind + quantile(grains.brightness, 0.5));
+  keep(grains, [&](std::size_t i) { return bright ? grains.brightness[i] > halfway : grains.brightness[i] < halfway; });
+}
+
+}  // namespace arenite::imaging

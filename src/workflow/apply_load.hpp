@@ -1,0 +1,64 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/packing.hpp"
+#include "model/phase_map.hpp"
+#include "model/result.hpp"
+#include "recipe/recipe.hpp"
+#include "solid/grid/cavities.hpp"
+#include "solid/peridynamics/failure_state.hpp"
+#include "solid/stress/stress.hpp"
+#include "workflow/run.hpp"
+
+namespace arenite::workflow {
+
+/// How a test to failure is kept on its way and where it goes on from; other loads take no notice.
+struct FailureCheckpoint {
+  peridynamics::KeepFailure keep{};
+  std::optional<peridynamics::FailureState> resume{};
+};
+
+/// Stress of every grain that a sample's map labels, from the contact forces of its packing, Pa, in the order of the
+/// labels; empty without. `known` are those of all grains of the packing that was cemented, where a texture has them
+/// (with bonds and cohesion, which the sample leaves out).
+std::vector<Tensor2> contact_stresses(const FieldResult& sample, const Packing& cemented = {},
+                                      const std::vector<Tensor2>& known = {});
+
+/// Loads a cemented sample. An unfinished field has `converged` false and says why; nothing if the watch stopped it.
+/// The numbers have the statistics of the load's own component of stress; those of all are in `measured`, if that is
+/// given. Stresses of grains are compared with the sample's `contact_stresses`, which are measured here unless they are
+/// given.
+std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResult& sample,
+                                      const peridynamics::Watch& watch, const FailureCheckpoint& checkpoint = {},
+                                      std::optional<stress::Statistics>* measured = nullptr,
+                                      const std::vector<Tensor2>* contact_stresses = nullptr);
+
+/// A sample for apply_load from anybody's phase map: its phases, pores and voids as numbers, their volumes over the
+/// mean area of a grain. Throws InputError unless the map is sound.
+FieldResult sample_of_map(PhaseMap map, const grid::CavityRules& rules = {});
+
+/// A phase map of a file; what is found worth a word is told.
+PhaseMap read_map(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice);
+
+/// The same from a file; its notes are told. Throws InputError for what cannot be read as a phase map.
+FieldResult read_sample(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice);
+
+/// Throws InputError for a load to failure of a map without a length: a crack needs one.
+void require_length(const recipe::MapSection& map, const recipe::Load& load);
+
+struct MapOutcome {
+  std::optional<FieldResult> field;  ///< nothing if it was stopped
+  std::filesystem::path file;        ///< empty where nothing is stored
+  KnownStatistics measured;
+};
+
+/// Loads such a map as apply_load does a cemented sample. The field is one file in `options.out`, taken from there if
+/// it was computed before; without that folder nothing is stored. Throws InputError for what cannot be read as a phase
+/// map.
+MapOutcome load_map(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options);
+
+}  // namespace arenite::workflow

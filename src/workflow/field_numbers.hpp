@@ -1,0 +1,34 @@
+#pragma once
+#include <optional>
+
+#include "model/phase_map.hpp"
+#include "recipe/recipe.hpp"
+#include "solid/cement/cement.hpp"
+#include "solid/grid/rasterise.hpp"
+#include "solid/peridynamics/damage.hpp"
+#include "solid/peridynamics/load.hpp"
+#include "statistics/numbers.hpp"
+
+namespace arenite::workflow {
+
+/// What is known of a cemented packing beyond its map.
+struct SampleReports {
+  cement::CementParameters law;  ///< with the gap at which grains are neighbours
+  cement::CementReport cement;
+  grid::GridReport grid;
+  Numbers coordination;  ///< of large and small grains, where there are two classes
+};
+
+/// Adds what cement, grid and coordination say.
+void add_reports(Numbers& numbers, const SampleReports& reports);
+
+/// Add numbers of a load to those of its sample.
+void add_load(Numbers& numbers, const recipe::Load& load, const peridynamics::LoadReport& report,
+              const std::optional<peridynamics::EffectiveModuli>& moduli);
+void add_failure(Numbers& numbers, const recipe::Load& load, const peridynamics::DamageResult& result, double dx);
+
+/// Tells how many bonds reach across voids, and notes where nothing else ties the clamps of a map, upright as it was
+/// loaded.
+void note_bonds_across_voids(Numbers& numbers, const recipe::Load& load, const PhaseMap& upright);
+
+}  // namespace arenite::workflow
