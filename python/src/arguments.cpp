@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/unit_names.hpp"
 
 namespace arenite::python {
 namespace {
