@@ -13,8 +13,12 @@ const katex = require(process.argv[1]);
 require('readline').createInterface({input: process.stdin}).on('line', line => {
   const [tex, displayMode] = JSON.parse(line);
   let answer;
-  try { answer = {html: katex.renderToString(tex, {displayMode, output: 'mathml', strict: 'ignore'})}; } catch (error) {
-  answer = {error: error.message}; } console.log(JSON.stringify(answer));
+  try {
+    answer = {html: katex.renderToString(tex, {displayMode, output: 'mathml', strict: 'ignore'})};
+  } catch (error) {
+    answer = {error: error.message};
+  }
+  console.log(JSON.stringify(answer));
 });
 """
 # Browsers show mathvariant as plain letters; Unicode has letters of their own.

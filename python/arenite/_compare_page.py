@@ -10,13 +10,15 @@ from . import _core, compare, curves
 from ._core import measure
 
 style = """
-body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 76rem; padding: 0 1rem; color: #1a1a1a;
-background: #fff } h1 { font-size: 1.4rem } h2 { font-size: 1.1rem; margin-top: 2rem } img { width: 100% }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums } th, td { padding: .15rem .8rem .15rem 0;
-text-align: left; border-bottom: 1px solid #ddd; vertical-align: top } td.n { text-align: right; white-space: nowrap }
-td code { overflow-wrap: anywhere } section th { text-align: right } section th:first-child { text-align: left }
-tr.beyond { background: #fdeadd } .a { color: #0072b2 } .b { color: #d55e00 } .wide { overflow-x: auto } #only:checked ~
-section tr.other { display: none }
+body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 76rem; padding: 0 1rem }
+body { color: #1a1a1a; background: #fff }
+h1 { font-size: 1.4rem } h2 { font-size: 1.1rem; margin-top: 2rem } img { width: 100% }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums }
+th, td { padding: .15rem .8rem .15rem 0; text-align: left; border-bottom: 1px solid #ddd; vertical-align: top }
+td.n { text-align: right; white-space: nowrap } td code { overflow-wrap: anywhere }
+section th { text-align: right } section th:first-child { text-align: left }
+tr.beyond { background: #fdeadd } .a { color: #0072b2 } .b { color: #d55e00 } .wide { overflow-x: auto }
+#only:checked ~ section tr.other { display: none }
 """
 
 

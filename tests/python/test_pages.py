@@ -52,8 +52,11 @@ top = { pressure = "10 kPa" }
 slide = { top = "1 m/s" }
 rough = { top = true, bottom = true }
 duration = "40 ms"
-programmes = [{ of = "slide.top", repeat = true, table = [["0 s", "1 m/s"], ["10 ms", "3 m/s"], ["10 ms", "0.2 m/s"],
-["20 ms", "1 m/s"]] }]
+
+[[stages.programmes]]
+of = "slide.top"
+repeat = true
+table = [["0 s", "1 m/s"], ["10 ms", "3 m/s"], ["10 ms", "0.2 m/s"], ["20 ms", "1 m/s"]]
 """
 
 

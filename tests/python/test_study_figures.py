@@ -53,8 +53,12 @@ names = ["S_{m}", "ρ_{p}"]
 spread = "deviation"
 beside = [{ name = "beside", x = "0.3", y = "S_m", where = { "cement.width" = 0.2 } }]
 source_points = [{ name = "source", part = 1, x = [0.2, 0.4], y = [0.5, 0.6] }]
-references = [{ y = 0.5, label = "half" }, { x = 0.3, label = "here" }, { slope = 1 }, { x = 0.3, y = 0.5, label =
-"point" }]
+references = [
+  { y = 0.5, label = "half" },
+  { x = 0.3, label = "here" },
+  { slope = 1 },
+  { x = 0.3, y = 0.5, label = "point" },
+]
 
 [[figures]]
 id = "density"
