@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/rim.hpp"
 #include "shapes.hpp"
 
 namespace arenite::verification {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/rim.hpp"
 #include "shapes.hpp"
 
 namespace arenite::verification {

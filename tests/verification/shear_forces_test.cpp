@@ -6,6 +6,8 @@
 #include "io/sample/sample.hpp"
 #include "support/pressed_crystal.hpp"
 #include "support/thermoelastic_picture.hpp"
+#include "thermal/inference/mean_forces.hpp"
+#include "thermal/inference/pixel_forces.hpp"
 
 /// The forces of another code (1024 disks under slow shear, friction coefficient 0.1, sheared periodic cell): inverted
 /// from grain sums and from a picture, and compared with its own.
