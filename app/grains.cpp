@@ -3,9 +3,11 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "core/text.hpp"
 #include "io/image/image.hpp"
 #include "io/table/table.hpp"
 #include "print.hpp"
+#include "recipe/film_recipe.hpp"
 #include "report/found_grains.hpp"
 #include "workflow/film/grain_pictures.hpp"
 #include "workflow/result_folder.hpp"
@@ -15,26 +17,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Parts of a film's recipe that a picture of grains has, too.
+struct PictureOfGrains : recipe::FilmSection {
+  recipe::PictureSection picture;
+};
+void declare(ParameterVisitor& v, PictureOfGrains& of) {
+  recipe::declare(v, static_cast<recipe::FilmSection&>(of));
+  v.section({"picture", "How grains are found."}, [&](ParameterVisitor& inner) { recipe::declare(inner, of.picture); });
+}
+
 struct GrainsArguments {
-  std::string picture, radii, pixel, materials, channel = "grey", contrast = "found", origin, out, dataset;
+  KeyOptions picture_keys{recipe::every_key<PictureOfGrains>()}, search{recipe::every_key<imaging::CircleOptions>()};
+  std::string picture, radii, materials, channel = "grey", origin, out;
   std::int64_t frame = -1;
-  double least_score = 0.5;
   bool mean = false, json = false;
 };
 
-double pixel_of(const GrainsArguments& a) {
-  if (a.pixel.empty()) return 0;
-  const double pixel = option_value("--pixel", [&] { return parse_si(a.pixel, dimension::length, "mm"); });
-  if (!(pixel > 0))
-    throw InputError("--pixel: the width of a pixel on the sample must be positive, for example \"1.6 mm\"");
-  return pixel;
+PictureOfGrains said_of(const GrainsArguments& a) {
+  PictureOfGrains of;
+  read_options(of, a.picture_keys.given());
+  return of;
 }
 
 /// Radii in pixels, from lengths or bare numbers of pixels.
 std::vector<double> radii_of(const GrainsArguments& a, double pixel) {
   std::vector<double> radii;
   if (a.radii.empty()) return radii;
-  for (const std::string& part : parts_of(a.radii)) {
+  for (const std::string& part : split_commas(a.radii)) {
     const auto number = io::to_number(part);
     if (!number && pixel == 0)
       throw InputError("--radii: \"" + part +
@@ -50,7 +59,7 @@ std::vector<double> radii_of(const GrainsArguments& a, double pixel) {
 /// Where x and y count from: the picture's lower left corner, or the pixel that was given.
 Vec2 corner_of(const GrainsArguments& a, const FloatImage& image) {
   if (a.origin.empty()) return {-0.5, image.height - 0.5};
-  const auto parts = parts_of(a.origin);
+  const auto parts = split_commas(a.origin);
   const auto column = parts.size() == 2 ? io::to_number(parts[0]) : std::nullopt,
              row = parts.size() == 2 ? io::to_number(parts[1]) : std::nullopt;
   if (!column || !row)
@@ -61,11 +70,9 @@ Vec2 corner_of(const GrainsArguments& a, const FloatImage& image) {
 imaging::CircleOptions circle_options(const GrainsArguments& a, double pixel,
                                       const std::vector<std::string>& materials) {
   imaging::CircleOptions options;
+  read_options(options, a.search.given());
   options.radii = radii_of(a, pixel);
   options.materials = materials.size();
-  options.least_score = a.least_score;
-  if (a.contrast != "found")
-    options.contrast = a.contrast == "bright" ? imaging::GrainContrast::bright : imaging::GrainContrast::dark;
   return options;
 }
 
@@ -92,13 +99,15 @@ void store(const GrainsArguments& a, const report::FoundGrains& grains) {
 }
 
 void find_grains(const GrainsArguments& a) {
-  const double pixel = pixel_of(a);
-  const std::vector<std::string> materials = a.materials.empty() ? std::vector<std::string>() : parts_of(a.materials);
+  const PictureOfGrains said = said_of(a);
+  const double pixel = said.picture.pixel;
+  const std::vector<std::string> materials =
+      a.materials.empty() ? std::vector<std::string>() : split_commas(a.materials);
   const imaging::CircleOptions options = circle_options(a, pixel, materials);
   io::ImageChoice choice;
   if (a.frame >= 0) choice.slice = a.frame;
   choice.channel = io::parse_channel(a.channel);
-  choice.dataset = a.dataset;
+  if (said.film) choice.dataset = said.film->dataset;
   const workflow::GrainPicture picture = workflow::read_grain_picture(a.picture, choice);
   const Vec2 corner = corner_of(a, picture.image);
   try {
@@ -123,12 +132,11 @@ void add_grains(Options& command, int&) {
   command.add("--mean", a->mean, "Use the mean of all frames of a film (the default)").not_with("--frame");
   command
       .add("--radii", a->radii,
-           "Grain radii expected in the picture, e.g. \"5.25 mm,8.2 mm\", or in pixels \"3.3,5.1\"; found "
-           "automatically if not given")
+           recipe::help_of(a->search.at("radii")) + ", e.g. \"3.3,5.1\", or as lengths \"5.25 mm,8.2 mm\"")
       .type("LENGTHS");
-  command
-      .add("--pixel", a->pixel, "Width of a pixel on the sample, e.g. \"1.6 mm\"; if not given, lengths are in pixels")
-      .type("LENGTH");
+  a->picture_keys.add(command, "--pixel", "picture.pixel").type("LENGTH").sentence +=
+      "; if not given, lengths are in pixels";
+  for (const char* key : {"smallest", "largest"}) a->search.add(command, option_name(key), key);
   command
       .add("--materials", a->materials,
            "Materials by brightness, darkest first, e.g. POM,HDPE; if not given, the classes are found automatically")
@@ -136,20 +144,14 @@ void add_grains(Options& command, int&) {
   command.add("--channel", a->channel, "Colour channel that is used; default grey")
       .among(io::channel_names())
       .type("NAME");
-  command
-      .add("--contrast", a->contrast,
-           "Whether grains are brighter or darker than their surroundings; default: found automatically")
-      .among({"found", "bright", "dark"})
-      .type("WAY");
-  command.add("--least-score", a->least_score, "Fraction of a grain's rim that must be visible; default 0.5")
-      .between(0.0, 1.0)
-      .type("NUMBER");
+  a->search.add(command, "--contrast", "contrast").type("WAY");
+  a->search.add(command, "--least-score", "least_score");
   command
       .add("--origin", a->origin,
            "Pixel at which x = y = 0, column and row counted from the upper left; default: the lower left corner of "
            "the picture")
       .type("COLUMN,ROW");
-  command.add("--dataset", a->dataset, "Dataset to read from an HDF5 file that holds several").type("NAME");
+  a->picture_keys.add(command, "--dataset", "film.dataset").type("NAME");
   command
       .add("--out", a->out,
            "Folder for the table (grains.csv), the picture with the circles found (grains.png) and all numbers "

@@ -10,6 +10,8 @@
 #include "commands.hpp"
 #include "core/mapped.hpp"
 #include "core/text.hpp"
+#include "core/unit_names.hpp"
+#include "core/units.hpp"
 #include "core/version.hpp"
 #include "io/table/table.hpp"
 #include "print.hpp"
@@ -89,6 +91,14 @@ CLI::Option* declare(CLI::App& to, const Option& option, const std::string& name
   return declared;
 }
 
+/// Numbers of a list, or a number, without unit get this one.
+std::string with_units(const std::string& text, const std::string& unit) {
+  if (unit.empty() || text.empty()) return text;
+  return list_of(mapped(split_commas(text),
+                        [&](const std::string& part) { return io::to_number(part) ? part + " " + unit : part; }),
+                 ",");
+}
+
 std::vector<std::string> names_in(const recipe::Record& section) {
   return mapped(section.tables.front(), &recipe::Record::name);
 }
@@ -157,7 +167,7 @@ Option& KeyOptions::add_word(Options& to, std::string_view name, std::string_vie
 
 void KeyOptions::add_section(const Slot& slot, std::vector<recipe::Given>& given) const {
   const auto names = names_in(*slot.record);
-  for (const std::string& part : parts_of(slot.text)) {
+  for (const std::string& part : split_commas(slot.text)) {
     const auto equals = part.find('=');
     const std::string name = part.substr(0, equals);
     if (equals == std::string::npos || std::ranges::find(names, name) == names.end())
@@ -168,17 +178,18 @@ void KeyOptions::add_section(const Slot& slot, std::vector<recipe::Given>& given
   }
 }
 
-std::vector<recipe::Given> KeyOptions::given() const {
+std::vector<recipe::Given> KeyOptions::given(std::string_view bare_length) const {
   std::vector<recipe::Given> given;
   for (const Slot& slot : slots_) {
     if (slot.record->kind == recipe::Record::Kind::section) {
       if (!slot.text.empty()) add_section(slot, given);
       continue;
     }
-    const bool is_bare = !slot.bare_unit.empty() && io::to_number(slot.text);
-    const std::string text = slot.on   ? (slot.word.empty() ? "true" : slot.word)
-                             : is_bare ? slot.text + " " + slot.bare_unit
-                                       : slot.text;
+    const bool is_length = !slot.record->unit.empty() && parse_unit(slot.record->unit).dimension == dimension::length;
+    const std::string text =
+        slot.on
+            ? (slot.word.empty() ? "true" : slot.word)
+            : with_units(slot.text, is_length && slot.bare_unit.empty() ? std::string(bare_length) : slot.bare_unit);
     if (!text.empty()) given.push_back({slot.name, slot.key, recipe::value_of(*slot.record, text)});
   }
   return given;
@@ -210,18 +221,6 @@ void read_options(const std::vector<recipe::Given>& given, const Visit& declare)
       if (!problem.file.empty()) problem = {"", 0, 0, problem.file + ": " + problem.message};
     throw InputError(std::move(problems));
   }
-}
-
-std::string trimmed(const std::string& text) { return std::string(arenite::trimmed(text)); }
-
-std::vector<std::string> parts_of(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    parts.push_back(trimmed(text.substr(from, comma - from)));
-    from = comma + 1;
-  }
-  return parts;
 }
 
 const Options* read_command_line(int argc, char** argv, const std::deque<Options>& tables, int& status) {

@@ -77,8 +77,9 @@ class KeyOptions {
   Option& add(Options& to, std::string_view name, std::string_view key, std::string_view bare_unit = {});
   /// A flag that gives a choice one of its words.
   Option& add_word(Options& to, std::string_view name, std::string_view key, std::string_view word);
-  /// What the command line gives, under the names of its options.
-  std::vector<recipe::Given> given() const;
+  /// What the command line gives, under the names of its options; a length without unit is in `bare_length` where that
+  /// is given.
+  std::vector<recipe::Given> given(std::string_view bare_length = {}) const;
   /// What is given for a key, as it was typed; empty if it was not.
   std::string text(std::string_view key) const;
   /// The same as overrides of a recipe that has these keys.
@@ -118,11 +119,5 @@ template <class Read> auto option_value(const char* option, Read read) {
     return read();
   } catch (const InputError& error) { throw InputError(std::string(option) + ": " + error.problems().front().message); }
 }
-
-/// Without spaces at both ends.
-std::string trimmed(const std::string& text);
-
-/// "a, b" as a and b.
-std::vector<std::string> parts_of(const std::string& text);
 
 }  // namespace arenite::app

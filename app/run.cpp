@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 
 struct RunArguments {
   std::vector<std::string> recipes, overrides;
-  std::string out, kernel;
+  KeyOptions keys{recipe::recipe_keys()};
+  std::string out;
   int threads = 1;
   bool quiet = false, watch = false;
   double checkpoint_seconds = 30;
@@ -110,7 +111,7 @@ recipe::Recipe read(const std::string& file, const std::vector<std::string>& ove
 /// All recipes are read before the first is run, so that a slip in the last shows at once.
 int execute(const RunArguments& arguments) {
   auto overrides = arguments.overrides;
-  if (!arguments.kernel.empty()) overrides.push_back("integration.kernel=" + arguments.kernel);
+  for (std::string& key : arguments.keys.overrides()) overrides.push_back(std::move(key));
   std::vector<recipe::Recipe> recipes;
   for (const auto& file : arguments.recipes) {
     recipes.push_back(read(file, overrides));
@@ -138,7 +139,7 @@ void add_run(Options& command, int& status) {
   command.add("--threads", arguments->threads, "Threads (default: 1); the results do not depend on their number")
       .between(1, 1024)
       .type("N");
-  command.add("--kernel", arguments->kernel, "Kernel of the contact loop: auto, portable, avx2, avx512").type("NAME");
+  arguments->keys.add(command, "--kernel", "integration.kernel").type("NAME");
   command.add("--checkpoint-every", arguments->checkpoint_seconds, "Seconds between two checkpoints")
       .between(0.0, 1e9)
       .type("S");

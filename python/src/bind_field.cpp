@@ -14,11 +14,15 @@ namespace {
 
 using recipe::Recipe;
 
-/// A declared section of a recipe that is read by itself.
+/// Declared sections of a recipe that are read together.
 struct CementSection {
   cement::CementParameters law;
+  recipe::GridSection grid;
 };
-void declare(ParameterVisitor& v, CementSection& section) { recipe::declare(v, section.law); }
+void declare(ParameterVisitor& v, CementSection& section) {
+  recipe::declare(v, section.law);
+  recipe::declare(v, section.grid);
+}
 
 const Keywords& cement_keywords() {
   static const Keywords keywords(recipe::every_key<CementSection>(), {{"kind", "kind", "", true},
@@ -27,33 +31,53 @@ const Keywords& cement_keywords() {
                                                                       {"full_width", "full_width"},
                                                                       {"thickness", "thickness"},
                                                                       {"volume", "volume"},
-                                                                      {"saturation", "saturation"}});
+                                                                      {"saturation", "saturation"},
+                                                                      {"crop", "crop"}});
   return keywords;
 }
 
-Cement cemented(const Packing& packing, const std::string& kind, const Quantity& crop, const py::kwargs& more) {
+Cement cemented(const Packing& packing, const std::string& kind, const py::kwargs& more) {
   auto given = cement_keywords().given("cement", more);
   given.push_back(cement_keywords().given("kind", py::str(kind)));
   CementSection section;
   read_keywords(section, given);
-  const double side = crop.si(dimension::length, "crop");
   Call call;
   return call.without_lock([&] {
     cement::CementReport report;
-    return cement::make_cement(packing, section.law, grid::crop_window(packing, side), report);
+    return cement::make_cement(packing, section.law, grid::crop_window(packing, section.grid.crop.value_or(0)), report);
   });
 }
 
-PhaseMap rasterised(const Packing& packing, const Cement& cement, std::int64_t nodes, const Quantity& crop) {
-  grid::GridParameters p;
-  p.nodes = nodes;
-  p.crop = crop.si(dimension::length, "crop");
+const Keywords& grid_keywords() {
+  static const Keywords keywords(recipe::every_key<recipe::GridSection>(), {{"nodes", "nodes"}, {"crop", "crop"}});
+  return keywords;
+}
+
+PhaseMap rasterised(const Packing& packing, const Cement& cement, const py::kwargs& more) {
+  recipe::GridSection grid;
+  read_keywords(grid, grid_keywords().given("rasterise", more));
+  const grid::GridParameters p{grid.nodes, grid.crop.value_or(0)};
   Call call;
   return call.without_lock([&] {
     grid::GridReport report;
     return grid::rasterise(packing, cement, p, workflow::classes(packing, workflow::class_materials({}, packing)),
                            report);
   });
+}
+
+const Keywords& cavity_keywords() {
+  static const Keywords keywords(recipe::every_key<recipe::GridSection>(), {{"eight_connected", "eight_connected"},
+                                                                            {"fewest_nodes", "fewest_nodes"},
+                                                                            {"leave_out_border", "leave_out_border"}});
+  return keywords;
+}
+
+py::array_t<std::int64_t> cavities(const PhaseMap& map, const std::string& kind, const py::kwargs& more) {
+  recipe::GridSection grid;
+  read_keywords(grid, cavity_keywords().given("cavities", more));
+  const auto what = recipe::chosen<grid::Cavity>(kind, "cavity");
+  Call call;
+  return taken_over(call.without_lock([&] { return grid::find_cavities(map, what, grid.cavities); }).nodes);
 }
 
 const Keywords& load_keywords() {
@@ -100,27 +124,20 @@ void bind_field(py::module_& m) {
   def_with_keywords(
       m, "cement", &cemented, cement_keywords(),
       "Matrix between the grains of a packing (P II.B). With `saturation` the free parameter is computed so "
-      "that it holds in the centred square of side `crop` (0: the largest that fits), as in recipes; give "
-      "`rasterise` the same. Lengths in m, or text with a unit.",
-      py::arg("packing"), py::arg("kind") = recipe::word_of(cement::CementParameters{}.kind), py::kw_only(),
-      py::arg("crop") = 0.0);
-  m.def("rasterise", &rasterised, py::arg("packing"), py::arg("cement"), py::kw_only(), py::arg("nodes") = 1024,
-        py::arg("crop") = 0.0,
-        "The centred square of side `crop` (m; 0: the largest that fits) as nodes x nodes, by phase and grain. The "
-        "material with the larger grains is class large.");
-  m.def(
-      "cavities",
-      [](const PhaseMap& map, const std::string& kind, bool eight_connected, int fewest_nodes, bool leave_out_border) {
-        const grid::CavityRules rules{eight_connected, fewest_nodes, leave_out_border};
-        Call call;
-        return taken_over(call.without_lock([&] {
-                                return grid::find_cavities(map, recipe::chosen<grid::Cavity>(kind, "cavity"), rules);
-                              })
-                              .nodes);
-      },
-      py::arg("map"), py::arg("kind") = "pore", py::kw_only(), py::arg("eight_connected") = false,
-      py::arg("fewest_nodes") = 5, py::arg("leave_out_border") = true,
-      "Sizes (nodes, int64) of the pores (not grain) or voids (neither grain nor matrix) by flood fill (P III).");
+      "that it holds in the square of side `crop`, as in recipes; give `rasterise` the same. Lengths in m, or text "
+      "with "
+      "a unit.",
+      py::arg("packing"), py::arg("kind") = recipe::word_of(cement::CementParameters{}.kind));
+  def_with_keywords(
+      m, "rasterise", &rasterised, grid_keywords(),
+      "The centred square of a packing as nodes x nodes, by phase and grain. The material with the larger "
+      "grains is class large. Lengths in m, or text with a unit.",
+      py::arg("packing"), py::arg("cement"));
+  def_with_keywords(
+      m, "cavities", &cavities, cavity_keywords(),
+      "Sizes (nodes, int64) of the pores (not grain) or voids (neither grain nor matrix) by flood fill (P "
+      "III).",
+      py::arg("map"), py::arg("kind") = "pore");
   m.def(
       "cement_sample",
       [](const Recipe& recipe, const Packing& packing) {

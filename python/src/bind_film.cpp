@@ -32,14 +32,12 @@ template <class Section> void declare(ParameterVisitor& v, OfFilm<Section>& part
 using LockinOfFilm = OfFilm<recipe::LockinSection>;
 using StepOfFilm = OfFilm<recipe::StepSection>;
 
-double rate_in(const recipe::FilmSection& parts) { return parts.film ? parts.film->frame_rate.value_or(0) : 0; }
-
 const Keywords& lockin_keywords() {
-  static const Keywords keywords(recipe::every_key<LockinOfFilm>(), {{"frequency", "frequency", "", true},
-                                                                     {"frame_rate", "film.frame_rate"},
-                                                                     {"drift_order", "drift"},
-                                                                     {"harmonics", "harmonics"},
-                                                                     {"reference_phase", "phase"}});
+  static const Keywords keywords(recipe::every_key<LockinOfFilm>(),
+                                 with_film_keywords({{"frequency", "frequency", "", true},
+                                                     {"drift_order", "drift"},
+                                                     {"harmonics", "harmonics"},
+                                                     {"reference_phase", "phase"}}));
   return keywords;
 }
 
@@ -50,7 +48,7 @@ LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const std:
   given.push_back(lockin_keywords().given("frequency", frequency));
   LockinOfFilm parts;
   read_keywords(parts, given);
-  const auto source = film_of(film, rate_in(parts), time);
+  const auto source = film_of(film, parts, time);
   thermography::LockinOptions o;
   o.frequency = parts.section.frequency;
   o.refine = refine;
@@ -70,11 +68,9 @@ LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const std:
 }
 
 const Keywords& step_keywords() {
-  static const Keywords keywords(recipe::every_key<StepOfFilm>(), {{"time", "time"},
-                                                                   {"rise", "rise"},
-                                                                   {"window", "window"},
-                                                                   {"drift_order", "drift"},
-                                                                   {"frame_rate", "film.frame_rate"}});
+  static const Keywords keywords(
+      recipe::every_key<StepOfFilm>(),
+      with_film_keywords({{"time", "time"}, {"rise", "rise"}, {"window", "window"}, {"drift_order", "drift"}}));
   return keywords;
 }
 
@@ -86,7 +82,7 @@ py::dict stepped(const FilmLike& film, const py::kwargs& more) {
   o.rise = parts.section.rise;
   o.window = parts.section.window;
   o.drift_order = static_cast<int>(parts.section.drift);
-  const auto source = film_of(film, rate_in(parts));
+  const auto source = film_of(film, parts);
   Call call;
   o.progress = [&](double) { return !call.asked_to_stop(); };
   auto maps = call.without_lock([&] { return thermography::step_load(*source, o); });
@@ -103,8 +99,8 @@ py::dict stepped(const FilmLike& film, const py::kwargs& more) {
   return d;
 }
 
-py::dict film_info(const Path& path) {
-  const auto film = io::open_film(path);
+py::dict film_info(const Path& path, const py::kwargs& more) {
+  const auto film = film_of(py::cast(path), film_said("film_info", more));
   const FilmInfo& i = film->info();
   py::dict d;
   d["width"] = i.width;
@@ -119,8 +115,8 @@ py::dict film_info(const Path& path) {
   return d;
 }
 
-py::array film_frames(const Path& path, std::int64_t first, std::int64_t count) {
-  const auto film = io::open_film(path);
+py::array film_frames(const Path& path, std::int64_t first, std::int64_t count, const py::kwargs& more) {
+  const auto film = film_of(py::cast(path), film_said("read_film", more));
   const FilmInfo& i = film->info();
   if (first < 0 || first >= i.frames)
     throw InputError(path.string(), 0, fmt::format("the film has frames 0 to {}; first is {}", i.frames - 1, first));
@@ -138,27 +134,24 @@ py::array film_frames(const Path& path, std::int64_t first, std::int64_t count) 
   return taken_over(std::move(block.level), std::move(shape));
 }
 
-PictureGrains circles(const ArrayLike& pixels, const std::vector<double>& radii, double smallest, double largest,
-                      std::size_t materials, const std::string& contrast) {
+const Keywords& circle_keywords() {
+  static const Keywords keywords(recipe::every_key<imaging::CircleOptions>(), {{"radii", "radii"},
+                                                                               {"smallest", "smallest"},
+                                                                               {"largest", "largest"},
+                                                                               {"materials", "materials"},
+                                                                               {"contrast", "contrast"},
+                                                                               {"least_score", "least_score"}});
+  return keywords;
+}
+
+PictureGrains circles(const ArrayLike& pixels, const py::kwargs& more) {
   const Floats image = floats(pixels, 2, "image");
-  for (const double radius : radii)
-    if (!(radius > 0) || !std::isfinite(radius))
-      throw InputError(fmt::format("radii holds {}; give radii above 0, pixels", radius));
-  if (!(smallest > 0) || !(largest >= 0))
-    throw InputError(fmt::format(
-        "smallest is {} and largest {}; give radii above 0, pixels (largest 0: half the picture)", smallest, largest));
   FloatImage picture{
       static_cast<int>(image.shape(1)), static_cast<int>(image.shape(0)), {image.data(), image.data() + image.size()}};
-  imaging::CircleOptions o;
-  o.radii = radii;
-  o.smallest = smallest;
-  o.largest = largest;
-  o.materials = materials;
-  if (contrast == "bright") o.contrast = imaging::GrainContrast::bright;
-  else if (contrast == "dark") o.contrast = imaging::GrainContrast::dark;
-  else if (contrast != "found") throw InputError("contrast is \"found\", \"bright\" or \"dark\"");
+  imaging::CircleOptions options;
+  read_keywords(options, circle_keywords().given("find_grains", more));
   Call call;
-  return call.without_lock([&] { return imaging::find_circles(picture, o).grains; });
+  return call.without_lock([&] { return imaging::find_circles(picture, options).grains; });
 }
 
 Packing touching(const Packing& packing, const Quantity& position_error, const Quantity& radius_error) {
@@ -197,14 +190,32 @@ inference::ThermoelasticPicture picture_of(const ArrayLike& signal, const ArrayL
           {errors.data(), errors.data() + errors.size()}};
 }
 
+struct OfPixels {
+  recipe::PictureSection picture;
+  recipe::ForcesSection forces;
+};
+void declare(ParameterVisitor& v, OfPixels& parts) {
+  recipe::declare(v, parts.picture);
+  recipe::declare(v, parts.forces);
+}
+
+const Keywords& force_keywords() {
+  static const Keywords keywords(recipe::every_key<OfPixels>(), {{"pixel", "pixel", "", true}, {"blur", "blur"}});
+  return keywords;
+}
+
 py::dict inferred(const Packing& packing, const ArrayLike& signal, const ArrayLike& error, const Quantity& pixel,
                   const std::pair<Quantity, Quantity>& first, const std::vector<Quantity>& factor,
-                  const std::map<std::string, Quantity>& walls, double blur) {
+                  const std::map<std::string, Quantity>& walls, const py::kwargs& more) {
+  OfPixels parts;
+  auto given = force_keywords().given("infer_forces", more);
+  given.push_back(force_keywords().given("pixel", pixel));
+  read_keywords(parts, given);
   const Vec2 corner{first.first.si(dimension::length, "first"), first.second.si(dimension::length, "first")};
-  const auto picture = picture_of(signal, error, pixel.si(dimension::length, "pixel"), corner);
+  const auto picture = picture_of(signal, error, parts.picture.pixel, corner);
   inference::ForceProblem problem{packing, si(factor, dimension::thermoelastic_factor, "factor"), wall_loads(walls)};
   inference::ForceOptions o;
-  o.blur = blur;
+  o.blur = parts.forces.blur;
   Call call;
   InferredForces f = call.without_lock([&] { return inference::infer_from_pixels(problem, picture, o); });
   py::dict d;
@@ -233,26 +244,27 @@ void bind_film(py::module_& m) {
                     "The jump of every pixel at a step of the load: time (s), jump, standard_error, residual (height, "
                     "width), in the film's unit; blank_frames, which hold no picture and were left out.",
                     py::arg("film"));
-  m.def("film_info", &film_info, py::arg("path"),
-        "Metadata of a film: width, height, frames, frame_rate (Hz), integration (s), bits, format, camera, and "
-        "remarks, sentences on what the file states that should be known.");
-  m.def("read_film", &film_frames, py::arg("path"), py::arg("first") = 0, py::arg("count") = 1,
-        "Frames of a film as an array (frames, height, width), top row first.");
-  m.def("find_grains", &circles, py::arg("image"), py::kw_only(), py::arg("radii") = std::vector<double>{},
-        py::arg("smallest") = 2.5, py::arg("largest") = 0.0, py::arg("materials") = 0, py::arg("contrast") = "found",
-        "Circles in a picture (height, width): centres, radii, material by brightness. `radii`: of the size classes, "
-        "pixels, if known; `materials`: number of levels of brightness.");
+  def_with_keywords(m, "film_info", &film_info, film_keywords(),
+                    "Metadata of a film: width, height, frames, frame_rate (Hz), integration (s), bits, format, "
+                    "camera, and remarks, sentences on what the file states that should be known.",
+                    py::arg("path"));
+  def_with_keywords(m, "read_film", &film_frames, film_keywords(),
+                    "Frames of a film as an array (frames, height, width), top row first.", py::arg("path"),
+                    py::arg("first") = 0, py::arg("count") = 1);
+  def_with_keywords(m, "find_grains", &circles, circle_keywords(),
+                    "Circles in a picture (height, width): centres, radii, material by brightness.", py::arg("image"));
   m.def("propose_contacts", &touching, py::arg("packing"), py::kw_only(), py::arg("position_error") = 0.0,
         py::arg("radius_error") = 0.0,
         "The packing with contacts where surfaces are no farther apart than three standard errors (m); forces are 0.");
-  m.def("infer_forces", &inferred, py::arg("packing"), py::arg("signal"), py::arg("error"), py::kw_only(),
-        py::arg("pixel"), py::arg("first"), py::arg("factor"), py::arg("walls") = std::map<std::string, Quantity>{},
-        py::arg("blur") = 0.5,
-        "Contact forces (N) from a picture of the thermoelastic signal, peak to peak (K, rows from the top): `pixel` "
-        "(m), `first`: centre of the upper left pixel (m), `factor`: A of every material (K/Pa), `walls`: wall forces "
-        "by side, peak to peak, {\"bottom\": 1000.0} (N, taken as known to 0.1 %); each a number or text with a unit. "
-        "Gives fn, ft, fn_error, ft_error (N), presence (probability that a contact exists), present (bool: the most "
-        "probable contacts, as many as expected), residual.");
+  def_with_keywords(
+      m, "infer_forces", &inferred, force_keywords(),
+      "Contact forces (N) from a picture of the thermoelastic signal, peak to peak (K, rows from the top): `first`: "
+      "centre of the upper left pixel (m), `factor`: A of every material (K/Pa), `walls`: wall forces by side, peak to "
+      "peak, {\"bottom\": 1000.0} (N, taken as known to 0.1 %); each a number or text with a unit. Gives fn, ft, "
+      "fn_error, ft_error (N), presence (probability that a contact exists), present (bool: the most probable "
+      "contacts, as many as expected), residual.",
+      py::arg("packing"), py::arg("signal"), py::arg("error"), py::kw_only(), py::arg("pixel"), py::arg("first"),
+      py::arg("factor"), py::arg("walls") = std::map<std::string, Quantity>{});
 }
 
 }  // namespace arenite::python

@@ -30,6 +30,7 @@ py::dict history_units(const History& history) {
 
 py::dict provenance_of(const Provenance& p) {
   py::dict d;
+  d["title"] = p.title;
   d["version"] = p.version;
   d["stage"] = p.stage;
   d["input_hash"] = p.input_hash;

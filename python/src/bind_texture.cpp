@@ -14,21 +14,19 @@ namespace arenite::python {
 namespace {
 
 const Keywords& measure_keywords() {
-  static const Keywords keywords(recipe::every_key<recipe::MeasureSection>(),
+  static const Keywords keywords(recipe::every_key<Measuring>(),
                                  {{"border", "border"}, {"load_axis", "load_axis", "deg"}, {"seed", "seed"}});
   return keywords;
 }
 
 const Keywords& grains_keywords() {
-  static const Keywords keywords(recipe::every_key<recipe::MeasureSection>(), {{"border", "border"}});
+  static const Keywords keywords(recipe::every_key<Measuring>(), {{"border", "border"}});
   return keywords;
 }
 
 texture::Options options_of(const std::vector<recipe::Given>& given) {
-  recipe::MeasureSection section;
-  read_keywords(section, given);
   texture::Options options;
-  section.apply_to(options);
+  read_keywords(static_cast<Measuring&>(options), given);
   return options;
 }
 
@@ -66,37 +64,31 @@ py::array_t<double> stresses_of(const Packing& packing) {
   return taken_over(std::move(values), {static_cast<py::ssize_t>(stresses.size()), 2, 2});
 }
 
-using Pair = std::optional<std::pair<Quantity, Quantity>>;
-
-std::optional<Vec2> lengths_of(const Pair& pair, const char* name) {
-  if (!pair) return std::nullopt;
-  return Vec2{pair->first.si(dimension::length, name), pair->second.si(dimension::length, name)};
+const Keywords& sample_keywords() {
+  static const Keywords keywords(recipe::every_key<io::SampleOptions>(), {{"format", "format", "", true},
+                                                                          {"box", "box"},
+                                                                          {"origin", "origin"},
+                                                                          {"thickness", "thickness"},
+                                                                          {"periodic", "periodic"},
+                                                                          {"length_unit", "length_unit"},
+                                                                          {"force_unit", "force_unit"},
+                                                                          {"pixel", "pixel"},
+                                                                          {"materials", "materials"},
+                                                                          {"grain_columns", "grain_columns"},
+                                                                          {"contact_columns", "contact_columns"},
+                                                                          {"y_down", "y_down"},
+                                                                          {"merge_doubled", "merge_doubled"}});
+  return keywords;
 }
 
 Packing packing_of_files(const Path& grains, const std::optional<Path>& contacts, const std::string& format,
-                         const Pair& box, const Pair& origin, const std::optional<Quantity>& thickness,
-                         const std::string& periodic, const std::optional<std::string>& length_unit,
-                         const std::optional<std::string>& force_unit, const std::optional<Quantity>& pixel,
-                         const std::optional<Path>& materials, const std::string& grain_columns,
-                         const std::string& contact_columns, bool y_down, bool merge_doubled) {
-  io::SampleOptions o;
-  o.format = format;
-  o.box = lengths_of(box, "box");
-  if (o.box && !(o.box->x > 0 && o.box->y > 0)) throw InputError("box: width and height must be positive");
-  o.origin = lengths_of(origin, "origin");
-  o.thickness = si(thickness, dimension::length, "thickness");
-  if (o.thickness && !(*o.thickness > 0)) throw InputError("thickness: the length of the cylinders must be positive");
-  std::tie(o.periodic[0], o.periodic[1]) = periodic_directions(periodic);
-  if (length_unit) o.length_unit = io::unit_factor(*length_unit, dimension::length);
-  if (force_unit) o.force_unit = io::unit_factor(*force_unit, dimension::force);
-  o.pixel = si(pixel, dimension::length, "pixel").value_or(0);
-  o.materials = materials;
-  o.grain_columns = grain_columns;
-  o.contact_columns = contact_columns;
-  o.y_down = y_down;
-  o.merge_doubled = merge_doubled;
+                         const py::kwargs& more) {
+  auto given = sample_keywords().given("read_packing", more);
+  given.push_back(sample_keywords().given("format", py::str(format)));
+  io::SampleOptions options;
+  read_keywords(options, given);
   Call call;
-  return call.without_lock([&] { return io::read_sample(grains, contacts.value_or(Path()), o).packing; });
+  return call.without_lock([&] { return io::read_sample(grains, contacts.value_or(Path()), options).packing; });
 }
 
 }  // namespace
@@ -118,17 +110,11 @@ void bind_texture(py::module_& m) {
   m.def("grain_stresses", &stresses_of, py::arg("packing"),
         "Mean stress tensor of every grain over its own volume, from its contacts, bonds and attraction across gaps (T "
         "eq. 1.11), Pa, tension positive, as an array (grain, 2, 2); first index that of the force.");
-  m.def("read_packing", &packing_of_files, py::arg("grains"), py::arg("contacts") = py::none(),
-        py::arg("format") = "auto", py::kw_only(), py::arg("box") = py::none(), py::arg("origin") = py::none(),
-        py::arg("thickness") = py::none(), py::arg("periodic") = "", py::arg("length_unit") = py::none(),
-        py::arg("force_unit") = py::none(), py::arg("pixel") = py::none(), py::arg("materials") = py::none(),
-        py::arg("grain_columns") = "", py::arg("contact_columns") = "", py::arg("y_down") = false,
-        py::arg("merge_doubled") = false,
-        "Grains and contacts from files of YADE, LAMMPS, MercuryDPM or CSV, as `arenite measure` reads them. Data "
-        "missing in the files: `box` (width, height) and its lower left corner `origin`, `thickness` of the cylinders "
-        "(m, or text with a unit), `periodic` (\"x\", \"y\", \"xy\"), units of columns without a unit, `pixel` for "
-        "tables in pixels, a table of `materials`, columns of tables without header (\"id,x,y,-,radius\"). `y_down`: y "
-        "counts image rows. `merge_doubled`: a contact listed twice is taken once, with the mean of its forces.");
+  def_with_keywords(
+      m, "read_packing", &packing_of_files, sample_keywords(),
+      "Grains and contacts from files of YADE, LAMMPS, MercuryDPM or CSV, as `arenite measure` reads them; "
+      "the keywords give what the files lack. Quantities in SI, or text with a unit.",
+      py::arg("grains"), py::arg("contacts") = py::none(), py::arg("format") = io::SampleOptions{}.format);
 }
 
 }  // namespace arenite::python

@@ -51,14 +51,35 @@ Path path_of(const FilmLike& film) {
 
 }  // namespace
 
-std::unique_ptr<FilmSource> film_of(const FilmLike& film, double frame_rate, const std::optional<ArrayLike>& time) {
-  if (!(frame_rate >= 0)) throw InputError("frame_rate is below 0; give frames a second");
-  if (py::isinstance<py::array>(film))
-    return std::make_unique<ArrayFilm>(py::array(unmasked(film)), frame_rate,
+std::vector<Keyword> with_film_keywords(std::vector<Keyword> own) {
+  own.insert(own.end(), {{"frame_rate", "film.frame_rate"},
+                         {"scale", "film.scale"},
+                         {"offset", "film.offset"},
+                         {"dataset", "film.dataset"}});
+  return own;
+}
+
+const Keywords& film_keywords() {
+  static const Keywords keywords(recipe::every_key<recipe::FilmSection>(), with_film_keywords());
+  return keywords;
+}
+
+recipe::FilmSection film_said(const char* function, const py::kwargs& more) {
+  recipe::FilmSection said;
+  read_keywords(said, film_keywords().given(function, more));
+  return said;
+}
+
+std::unique_ptr<FilmSource> film_of(const FilmLike& film, const recipe::FilmSection& said,
+                                    const std::optional<ArrayLike>& time) {
+  const io::FilmChoice choice = said.film.value_or(io::FilmChoice{});
+  if (py::isinstance<py::array>(film)) {
+    if (choice.scale || choice.offset || !choice.dataset.empty())
+      throw InputError("scale, offset and dataset are for films in files; an array is taken as it is");
+    return std::make_unique<ArrayFilm>(py::array(unmasked(film)), choice.frame_rate.value_or(0),
                                        time ? to_vector(*time, "time") : std::vector<double>{});
+  }
   if (time) throw InputError("the time of frames is for arrays; a file has its own times, or give its frame_rate");
-  io::FilmChoice choice;
-  if (frame_rate > 0) choice.frame_rate = frame_rate;
   return io::open_film(path_of(film), choice);
 }
 

@@ -60,7 +60,7 @@ std::string type_of(const Record& record) {
   switch (record.type) {
     case Record::Type::integer: return "int";
     case Record::Type::flag: return "bool";
-    case Record::Type::numbers: return "List[Union[float, str]]";
+    case Record::Type::numbers: return "Union[float, str, Sequence[Union[float, str]]]";
     case Record::Type::number: return "Union[float, str]";
     default: return "str";
   }
@@ -83,6 +83,10 @@ const Keyword* Keywords::find(const std::string& name) const {
 recipe::Given Keywords::given(const char* name, const py::handle& value) const {
   const Keyword& keyword = *find(name);
   Node node = node_of(name, value);
+  const Record& record = recipe::record_at(keys_, keyword.key);
+  if (record.type == Record::Type::numbers && node.kind == Node::Kind::text) node = recipe::value_of(record, node.text);
+  else if (record.type == Record::Type::numbers && node.kind != Node::Kind::array)
+    node = {.kind = Node::Kind::array, .items = {std::move(node)}, .entries = {}};
   const bool is_bare = node.kind == Node::Kind::integer || node.kind == Node::Kind::real;
   if (is_bare && *keyword.bare_unit != '\0')
     node = recipe::parse_value(fmt::format(

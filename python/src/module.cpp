@@ -13,14 +13,12 @@ namespace arenite::python {
 namespace {
 
 /// Options whose argument has another name than they have; longer ones first.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 7> renamed{
-    {{"--temperature-convention amplitude", "temperature_amplitudes"},
-     {"--doubled merge", "merge_doubled"},
-     {"--touching", "propose_contacts"},
-     {"--columns", "contact_columns"},
-     {"--radius", "radii"},
-     {"--set", "changes"},
-     {"--k ", "stiffness "}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> renamed{{{"--doubled merge", "merge_doubled"},
+                                                                                {"--touching", "propose_contacts"},
+                                                                                {"--columns", "contact_columns"},
+                                                                                {"--radius", "radii"},
+                                                                                {"--set", "changes"},
+                                                                                {"--k ", "stiffness "}}};
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 

@@ -171,6 +171,14 @@ class ParameterVisitor {
     section(key, present, [&](ParameterVisitor& visitor) { inside(visitor, holder); });
     value = present ? std::optional<T>(std::move(holder)) : std::nullopt;
   }
+  /// A section without which its defaults hold: one that holds just these is as none, and nothing is named by it.
+  template <class T>
+  void defaulted_section(const Key& key, std::optional<T>& value,
+                         const std::function<void(ParameterVisitor&, T&)>& inside) {
+    if (value == T{}) value.reset();
+    optional_section(key, value, inside);
+    if (value == T{}) value.reset();
+  }
   template <class T>
   void list(const Key& key, std::vector<T>& values, const std::function<void(ParameterVisitor&, T&)>& inside) {
     sections(key, {[&] { return values.size(); },

@@ -29,6 +29,17 @@ inline std::vector<std::string_view> split_blanks(std::string_view line) {
   return cells;
 }
 
+/// What stands between commas, without the blanks around it.
+inline std::vector<std::string> split_commas(std::string_view text) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    parts.emplace_back(trimmed(text.substr(from, comma - from)));
+    from = comma + 1;
+  }
+  return parts;
+}
+
 /// Words one after the other, with this between two of them.
 template <std::ranges::range Words>
 requires std::convertible_to<std::ranges::range_reference_t<const Words>, std::string_view> std::string list_of(

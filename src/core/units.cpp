@@ -78,6 +78,10 @@ Quantity parse_quantity(std::string_view text) {
 }
 
 double parse_si(std::string_view text, Dimension wanted, std::string_view unit) {
+  constexpr std::string_view times = " x ";
+  if (const auto at = text.find(times); wanted == dimension::area && at != text.npos)
+    return parse_si(text.substr(0, at), dimension::length) *
+           parse_si(text.substr(at + times.size()), dimension::length);
   const Quantity quantity = parse_quantity(text);
   if (quantity.dimension == wanted && (!quantity.unit.empty() || wanted == dimension::none)) return quantity.value;
   const std::string suggested = unit.empty() ? si_unit(wanted) : std::string(unit);

@@ -41,7 +41,8 @@ bool is_in_reach(double value);
 Quantity parse_quantity(std::string_view text);
 
 /// The SI value of a quantity that must have `wanted` as its dimension; a bare number is refused unless the dimension
-/// is none. `unit` is the unit that messages suggest (default: the SI unit). Throws InputError without place.
+/// is none. An area may be written as two lengths, "30.9 mm x 4.9 mm". `unit` is the unit that messages suggest
+/// (default: the SI unit). Throws InputError without place.
 double parse_si(std::string_view text, Dimension wanted, std::string_view unit = {});
 
 /// The value written in `unit`, shortest text that reads back as the same double: format_quantity(0.0164, "mm") = "16.4

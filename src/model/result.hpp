@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/cement.hpp"
+#include "model/measuring.hpp"
 #include "model/packing.hpp"
 #include "model/phase_map.hpp"
 #include "statistics/numbers.hpp"
@@ -91,6 +92,7 @@ struct Provenance {
   std::uint64_t seed = 0;
   std::string kernel;  ///< "portable", "avx2", "avx512"
   std::vector<std::pair<std::string, std::string>> options;
+  std::string title = {};  ///< of the recipe; empty: it has none
 };
 
 /// What the result of every kind of stage begins with.
@@ -113,9 +115,7 @@ struct Asked {
   int cycled = -1;                         ///< the side that goes to and fro; -1: none
   bool in_motion = false;                  ///< it ends while its sample is strained or flows
   bool in_equilibrium = false;             ///< its last state is, by the criterion that it set
-  bool measures = false;                   ///< it says how its last state is measured:
-  double border = 0;                       ///< strip left out along walls, mean diameters
-  std::uint64_t measure_seed = 0;          ///< of the random positions of windows
+  std::optional<Measuring> measure = {};   ///< how its states are measured, along the axis above; unset: by default
   std::vector<double> diameter, passing;   ///< size curve of the grains, m and share of the mass; empty without a law
 };
 

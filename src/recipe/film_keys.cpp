@@ -66,34 +66,7 @@ void declare(Visitor& v, FilmContainer& container) {
            container.travel, "mm", range::any);
 }
 
-Key pixel_key(bool required) { return {"pixel", "Side of the film's pixels on the sample.", required}; }
-
-void declare(Visitor& v, PictureSection& picture) {
-  v.number(pixel_key(true), picture.pixel, "mm", range::positive);
-  v.file({"grains",
-          "CSV of positions made by hand (id, x, y, radius, material); if not given, grains are found automatically."},
-         picture.grains);
-  v.file(
-      {"optical", "Picture of an ordinary camera in which grains are found; if not given, they are found in the film."},
-      picture.optical);
-  v.number({"optical_pixel", "Side of the optical picture's pixels on the sample; 0: that of the film."},
-           picture.optical_pixel, "mm", range::not_negative);
-  v.numbers({"radii", "Size classes of the grains; found automatically if not given."}, picture.radii, "mm",
-            range::positive);
-}
-
-void declare(Visitor& v, CorrectionSection& correction) {
-  v.file({"cold", "Film of a black-body reference: one-point non-uniformity correction of every pixel's offset."},
-         correction.cold);
-  v.file({"warm", "Film of a warmer reference: gains are then corrected as well."}, correction.warm);
-  v.require(correction.warm.empty() || !correction.cold.empty(), {"cold", "warm"}, "is needed together with warm");
-  v.number({"cold_temperature", "Temperature of the first reference; 0: not known."}, correction.cold_temperature, "K",
-           range::not_negative);
-  v.number({"warm_temperature", "Temperature of the second reference; 0: not known."}, correction.warm_temperature, "K",
-           range::not_negative);
-  v.flag({"bad_pixels", "Pixels with outlying level, gain or noise are replaced by their neighbours."},
-         correction.bad_pixels);
-}
+Key pixel_key(bool required) { return {"pixel", "Side of a pixel on the sample.", required}; }
 
 void declare(Visitor& v, TemperatureSection& temperature) {
   using From = TemperatureSection::From;
@@ -130,6 +103,56 @@ void declare(Visitor& v, TemperatureSection& temperature) {
             {"band"}, "must be the shortest and the longest wavelength, such as [\"3.6 um\", \"5.1 um\"]");
 }
 
+void declare(Visitor& v, SimulationSection& simulation) {
+  v.file({"recipe", "Recipe of the packing; its grains are replaced by those found.", true}, simulation.recipe);
+  v.text({"low", "Stage at whose end the load is smallest.", true}, simulation.low);
+  v.text({"high", "Stage at whose end it is largest.", true}, simulation.high);
+}
+
+/// Emissivities that nothing would read, or that contradict each other.
+void require_emissivities_used(Visitor& v, const FilmRecipe& recipe) {
+  const auto& t = recipe.temperature;
+  const auto has_own = [](const FilmMaterial& m) { return m.emissivity.has_value(); };
+  const bool every =
+      !recipe.materials.empty() && std::all_of(recipe.materials.begin(), recipe.materials.end(), has_own);
+  v.require(!(every && t.emissivity), {"temperature"},
+            "emissivity is for materials without their own, but every material has one; remove it, or theirs");
+  const bool of_surfaces = std::any_of(recipe.materials.begin(), recipe.materials.end(), has_own) || t.emissivity ||
+                           t.ambient || !t.band.empty();
+  const bool unread = t.from == TemperatureSection::From::film && !t.assumed_emissivity && of_surfaces;
+  v.require(!unread || recipe.camera, {"temperature", "materials"}, unread_emissivity);
+}
+
+}  // namespace
+
+void declare(Visitor& v, PictureSection& picture) {
+  v.number(pixel_key(true), picture.pixel, "mm", range::positive);
+  v.file({"grains",
+          "CSV of positions made by hand (id, x, y, radius, material); if not given, grains are found automatically."},
+         picture.grains);
+  v.file(
+      {"optical", "Picture of an ordinary camera in which grains are found; if not given, they are found in the film."},
+      picture.optical);
+  v.number({"optical_pixel", "Side of the optical picture's pixels on the sample; 0: that of the film."},
+           picture.optical_pixel, "mm", range::not_negative);
+  v.numbers({"radii", "Size classes of the grains; found automatically if not given."}, picture.radii, "mm",
+            range::positive);
+  imaging::declare_rims(v, picture.contrast, picture.least_score);
+}
+
+void declare(Visitor& v, CorrectionSection& correction) {
+  v.file({"cold", "Film of a black-body reference: one-point non-uniformity correction of every pixel's offset."},
+         correction.cold);
+  v.file({"warm", "Film of a warmer reference: gains are then corrected as well."}, correction.warm);
+  v.require(correction.warm.empty() || !correction.cold.empty(), {"cold", "warm"}, "is needed together with warm");
+  v.number({"cold_temperature", "Temperature of the first reference; 0: not known."}, correction.cold_temperature, "K",
+           range::not_negative);
+  v.number({"warm_temperature", "Temperature of the second reference; 0: not known."}, correction.warm_temperature, "K",
+           range::not_negative);
+  v.flag({"bad_pixels", "Pixels with outlying level, gain or noise are replaced by their neighbours."},
+         correction.bad_pixels);
+}
+
 void declare(Visitor& v, ForcesSection& forces) {
   v.choice({"from", "Data from which contact forces are inferred."}, forces.from,
            {{"pixels", "every pixel of the grains"}, {"means", "only the means of the grains"}, {"none", "no forces"}});
@@ -162,28 +185,6 @@ void declare(Visitor& v, ForcesSection& forces) {
           "between two states."},
          forces.state);
 }
-
-void declare(Visitor& v, SimulationSection& simulation) {
-  v.file({"recipe", "Recipe of the packing; its grains are replaced by those found.", true}, simulation.recipe);
-  v.text({"low", "Stage at whose end the load is smallest.", true}, simulation.low);
-  v.text({"high", "Stage at whose end it is largest.", true}, simulation.high);
-}
-
-/// Emissivities that nothing would read, or that contradict each other.
-void require_emissivities_used(Visitor& v, const FilmRecipe& recipe) {
-  const auto& t = recipe.temperature;
-  const auto has_own = [](const FilmMaterial& m) { return m.emissivity.has_value(); };
-  const bool every =
-      !recipe.materials.empty() && std::all_of(recipe.materials.begin(), recipe.materials.end(), has_own);
-  v.require(!(every && t.emissivity), {"temperature"},
-            "emissivity is for materials without their own, but every material has one; remove it, or theirs");
-  const bool of_surfaces = std::any_of(recipe.materials.begin(), recipe.materials.end(), has_own) || t.emissivity ||
-                           t.ambient || !t.band.empty();
-  const bool unread = t.from == TemperatureSection::From::film && !t.assumed_emissivity && of_surfaces;
-  v.require(!unread || recipe.camera, {"temperature", "materials"}, unread_emissivity);
-}
-
-}  // namespace
 
 void declare(Visitor& v, LockinSection& lockin) {
   v.number({"frequency", "Frequency of the load; it is refined on the film.", true}, lockin.frequency, "Hz",
@@ -221,8 +222,8 @@ void declare(Visitor& v, StepSection& step) {
 }
 
 void declare(Visitor& v, FilmSection& section) {
-  v.optional_section<io::FilmChoice>({"film", "Metadata that are missing or wrong in the film."}, section.film,
-                                     [](Visitor& inner, io::FilmChoice& film) { declare(inner, film); });
+  v.defaulted_section<io::FilmChoice>({"film", "Metadata that are missing or wrong in the film."}, section.film,
+                                      [](Visitor& inner, io::FilmChoice& film) { declare(inner, film); });
 }
 
 void declare(ParameterVisitor& v, FilmRecipe& recipe) {

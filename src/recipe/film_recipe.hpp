@@ -9,6 +9,7 @@
 #include "core/parameters.hpp"
 #include "io/film/film.hpp"
 #include "thermal/camera/camera.hpp"
+#include "thermal/imaging/circles.hpp"
 #include "thermal/thermography/lockin.hpp"
 #include "thermal/thermography/step/step_load.hpp"
 
@@ -38,6 +39,8 @@ struct PictureSection {
   std::string optical;        ///< picture of an ordinary camera for materials; empty: the film's own frames
   double optical_pixel = 0;   ///< m; 0: as `pixel`
   std::vector<double> radii;  ///< size classes, m; empty: found
+  imaging::GrainContrast contrast = imaging::CircleOptions{}.contrast;
+  double least_score = imaging::CircleOptions{}.least_score;  ///< share of a rim that must show
 };
 
 struct CorrectionSection {
@@ -168,6 +171,9 @@ void declare(ParameterVisitor& visitor, FilmSection& section);
 void declare(ParameterVisitor& visitor, LockinSection& lockin);
 void declare(ParameterVisitor& visitor, LockinAlone& lockin);
 void declare(ParameterVisitor& visitor, StepSection& step);
+void declare(ParameterVisitor& visitor, PictureSection& picture);
+void declare(ParameterVisitor& visitor, CorrectionSection& correction);
+void declare(ParameterVisitor& visitor, ForcesSection& forces);
 
 /// The recipe that `arenite init film` writes.
 FilmRecipe film_template();

@@ -13,7 +13,11 @@ namespace {
 
 Node text_node(std::string_view text) { return {.kind = Node::Kind::text, .text = std::string(text), .entries = {}}; }
 
-std::string without_quotes(std::string text) {
+/// As a person would type it: without the quotes and brackets of TOML.
+std::string as_typed(const Record& record) {
+  std::string text = *record.literal;
+  if (record.type == Record::Type::numbers)
+    std::erase_if(text, [](char c) { return c == '[' || c == ']' || c == '"'; });
   return text.size() > 1 && text.front() == '"' && text.back() == '"' ? text.substr(1, text.size() - 2) : text;
 }
 
@@ -44,10 +48,24 @@ std::string help_of(const Record& record) {
   if (text.ends_with('.')) text.pop_back();
   std::vector<std::string> more;
   const bool is_off = record.type == Record::Type::flag && record.literal == "false";
-  if (record.literal && !record.key.required && !is_off) more.push_back("default " + without_quotes(*record.literal));
+  if (record.literal && !record.key.required && !is_off) more.push_back("default " + as_typed(record));
   if (!record.allowed.empty()) more.push_back(record.allowed);
   return more.empty() ? text : fmt::format("{} ({})", text, list_of(more, "; "));
 }
+
+namespace {
+
+/// A number takes the unit that stands behind the last.
+std::vector<std::string> value_and_error(const std::string& text) {
+  const auto sign = text.find("+-");
+  if (sign == std::string::npos) return {text};
+  const std::string value(trimmed(text.substr(0, sign))), error(trimmed(text.substr(sign + 2)));
+  const auto unit = error.find(' ');
+  return {unit == std::string::npos || value.find(' ') != std::string::npos ? value : value + error.substr(unit),
+          error};
+}
+
+}  // namespace
 
 Node value_of(const Record& record, const std::string& text) {
   using Type = Record::Type;
@@ -55,11 +73,9 @@ Node value_of(const Record& record, const std::string& text) {
   if (is_quantity || record.type == Type::text || record.type == Type::choice) return text_node(trimmed(text));
   if (record.type != Type::numbers) return parse_value(text);
   Node list{.kind = Node::Kind::array, .entries = {}};
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    list.items.push_back(parse_value(text.substr(from, comma - from)));
-    from = comma + 1;
-  }
+  for (const std::string& part : split_commas(text))
+    for (const std::string& item : value_and_error(part))
+      list.items.push_back(record.unit.empty() ? parse_value(item) : text_node(item));
   return list;
 }
 

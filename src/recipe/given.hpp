@@ -30,7 +30,8 @@ const Record& record_at(const RecordTable& keys, std::string_view key);
 /// What help says of a key: its sentence, default and allowed values.
 std::string help_of(const Record& record);
 
-/// A text, as it is typed, as a value of that key: lists have commas between their items.
+/// A text, as it is typed, as a value of that key: lists have commas between their items, or "+-" between a value and
+/// its error, "27.35 +- 0.40 kN/mm".
 Node value_of(const Record& record, const std::string& text);
 
 /// Reads what is given over what a declared struct holds. A number without unit is in SI if `in_si`, else refused where

@@ -279,9 +279,9 @@ void declare(Visitor& v, Recipe& recipe) {
   declare_field(v, recipe);
   if (!recipe.map) require_movable_shapes(v, recipe);
   v.when(!recipe.map, no_map, [&](Visitor& of_grains) {
-    of_grains.optional_section<MeasureSection>(
+    of_grains.defaulted_section<Measuring>(
         {"measure", "How statistics of grains and contacts are measured at the end of every stage."}, recipe.measure,
-        [](Visitor& inner, MeasureSection& measure) { declare(inner, measure); });
+        [](Visitor& inner, Measuring& measure) { declare(inner, measure); });
   });
 }
 

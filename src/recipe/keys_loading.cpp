@@ -69,8 +69,6 @@ void declare(Visitor& v, cement::CementParameters& law) {
   });
 }
 
-namespace {
-
 void declare(Visitor& v, GridSection& grid) {
   v.integer({"nodes", "Nodes along a side of the square."}, grid.nodes, {7, 32'768});
   v.number({"crop",
@@ -83,6 +81,8 @@ void declare(Visitor& v, GridSection& grid) {
   v.flag({"leave_out_border", "Pores and voids that touch the edge are cut, and left out."},
          grid.cavities.leave_out_border);
 }
+
+namespace {
 
 void declare(Visitor& v, StiffnessSection& stiffness) {
   v.number({"matrix", "Young's modulus of bonds between two nodes of matrix."}, stiffness.matrix, "GPa",

@@ -47,28 +47,11 @@ void declare(ParameterVisitor& v, MapSection& map) {
   v.number({"dx", "Side of a pixel; if not given, lengths are in pixels."}, map.dx, "um", range::positive);
 }
 
-void declare(ParameterVisitor& v, MeasureSection& measure) {
-  v.number({"border", "Width of the strip left out along walls, in mean diameters."}, measure.border, "",
-           range::between(0, 1000));
-  v.number({"load_axis",
-            "Direction of the load for signed anisotropies, from x; unless given, the axis along which sides load, or "
-            "that of greatest compression."},
-           measure.load_axis, "deg", range::between(0, std::numbers::pi));
-  v.integer({"seed", "Seed of the random positions of windows."}, measure.seed,
-            {0, std::numeric_limits<std::int64_t>::max()});
-}
-
 MapSection Recipe::map_beside() const {
   MapSection opened = *map;
   opened.file = beside(opened.file).string();
   if (opened.has_label_file()) opened.labels = beside(opened.labels).string();
   return opened;
-}
-
-void MeasureSection::apply_to(texture::Options& options) const {
-  options.border = border;
-  options.seed = seed;
-  if (load_axis) options.load_axis = load_axis;
 }
 
 }  // namespace arenite::recipe

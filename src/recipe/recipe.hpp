@@ -12,7 +12,7 @@
 #include "grains/dem/stage.hpp"
 #include "grains/packing/bidisperse.hpp"
 #include "grains/packing/population.hpp"
-#include "grains/texture/texture.hpp"
+#include "model/measuring.hpp"
 #include "model/packing.hpp"
 #include "recipe/document.hpp"
 #include "recipe/record.hpp"
@@ -88,15 +88,6 @@ struct MapSection {
   bool operator==(const MapSection&) const = default;
 };
 
-/// How grains and contacts are measured.
-struct MeasureSection {
-  double border = texture::Options{}.border;  ///< strip left out along each wall, mean diameters
-  std::optional<double> load_axis;            ///< rad from x; if not given, that of the load, or of compression
-  std::uint64_t seed = texture::Options{}.seed;
-  void apply_to(texture::Options& options) const;
-  bool operator==(const MeasureSection&) const = default;
-};
-
 /// Moduli of the bonds, Pa; what is not given follows P Table I.
 struct StiffnessSection {
   double matrix = 1e9;
@@ -158,7 +149,7 @@ struct Recipe {
   std::optional<GridSection> grid;
   std::vector<Load> loads;
   std::optional<MapSection> map;  ///< instead of grains, their container and their stages
-  std::optional<MeasureSection> measure;
+  std::optional<Measuring> measure;
   /// The sections, or what stands for them where they are not given: no cement, and P's grid.
   cement::CementParameters cement_or_none() const;
   GridSection grid_or_default() const { return grid.value_or(GridSection{}); }
@@ -224,7 +215,7 @@ void require_usable_sides(ParameterVisitor& visitor, const Stage& stage, const C
 void declare_field(ParameterVisitor& visitor, Recipe& recipe);
 void declare(ParameterVisitor& visitor, cement::CementParameters& law);
 void declare(ParameterVisitor& visitor, MapSection& map);
-void declare(ParameterVisitor& visitor, MeasureSection& measure);
+void declare(ParameterVisitor& visitor, GridSection& grid);
 /// Of a load all but its name, which must differ from others.
 void declare(ParameterVisitor& visitor, Load& load);
 

@@ -6,7 +6,6 @@
 #include <variant>
 
 #include "io/disk/file.hpp"
-#include "recipe/recipe.hpp"
 #include "report/page_document.hpp"
 #include "report/page_template.hpp"
 #include "workflow/asked.hpp"
@@ -36,12 +35,11 @@ std::string html_text(std::string_view plain) {
 
 std::string title_of(const PageData& data) {
   const auto made_by = [](const Provenance& p, const char* file, const std::string& before) {
-    const std::string title = recipe::title_in(p.recipe);
     const auto from = std::ranges::find(p.options, file, &std::pair<std::string, std::string>::first);
-    return !title.empty() || from == p.options.end() ? title : before + from->second;
+    return !p.title.empty() || from == p.options.end() ? p.title : before + from->second;
   };
   if (!data.films.empty()) return made_by(data.films.front().provenance, "film", "");
-  if (!data.stages.empty()) return recipe::title_in(data.stages.front().provenance.recipe);
+  if (!data.stages.empty()) return data.stages.front().provenance.title;
   if (!data.fields.empty()) return made_by(data.fields.front().provenance, "map", data.fields.front().name + " of ");
   return {};
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grains/fields/loading.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "io/disk/store_file.hpp"
 #include "report/run_means.hpp"
@@ -29,23 +30,33 @@ constexpr std::pair<const char*, const char*> columns[] = {{"p", "stress_details
                                                            {"strong_share", "force.strong_share"},
                                                            {"q_on_strong", "stress_details.strong_share_of_deviator"}};
 
-std::string heads_of(const Numbers& texture) {
+/// The same of the strains, compression positive since the state before the stage.
+constexpr std::pair<const char*, const char*> strains[] = {
+    {"strain_x", "strain_x"}, {"strain_y", "strain_y"}, {"volume_strain", "volumetric_strain"}};
+
+std::string head_of(const char* name, const Meaning* meaning) {
+  return fmt::format(",{}{}", name, !meaning || meaning->unit.empty() ? "" : " [" + meaning->unit + "]");
+}
+
+std::string heads_of(const statistics::Columns& of_box, const Numbers& texture) {
   const auto numbers = named_numbers(texture);
-  std::string heads = "stage,label,time [s],strain_x,strain_y,volume_strain";
+  std::string heads = "stage,label,time [s]";
+  for (const auto& [head, name] : strains) {
+    const statistics::Column* column = of_box.find(name);
+    heads += head_of(head, column ? &column->meaning : nullptr);
+  }
   for (const auto& [head, name] : columns) {
     const auto at = std::ranges::find(numbers, name, &NamedNumber::name);
-    const std::string unit = at == numbers.end() || !at->meaning ? "" : at->meaning->unit;
-    heads += fmt::format(",{}{}", head, unit.empty() ? "" : " [" + unit + "]");
+    heads += head_of(head, at == numbers.end() ? nullptr : at->meaning);
   }
   return heads + ",mobilisation\n";
 }
 
-/// Strains are compression positive since the state before the stage; those of the volume are negative where the sample
-/// dilates.
-std::vector<double> row_of(const Snapshot& snapshot, const Domain& start, const Numbers& texture) {
-  const Domain& now = snapshot.packing.domain;
-  std::vector<double> row{snapshot.time, 1 - now.width() / start.width(), 1 - now.height() / start.height(),
-                          1 - now.area() / start.area()};
+std::vector<double> row_of(const StageResult& stage, std::size_t k, const statistics::Columns& of_box,
+                           const Numbers& texture) {
+  const Snapshot& snapshot = stage.snapshots[k];
+  std::vector<double> row{snapshot.time};
+  for (const auto& [head, name] : strains) row.push_back(of_box[name][k]);
   for (const auto& [head, name] : columns)
     row.push_back(*name ? number_at(texture, name) : row.back() / row[row.size() - 2]);
   row.push_back(snapshot.equilibrium.mobilisation);
@@ -67,6 +78,7 @@ std::vector<StageResult> stages_of(const std::filesystem::path& result) {
 
 std::string states_table(const std::filesystem::path& result) {
   Numbers last;
+  statistics::Columns of_box;
   std::string rows;
   const auto stages = stages_of(result);
   const Domain* before = nullptr;  // of the first stage the reference is its own first state
@@ -75,16 +87,17 @@ std::string states_table(const std::filesystem::path& result) {
     texture::Options options = fields::texture_options(stage);
     options.rev_sizes = options.rev_places = 1;
     const Domain& start = before ? *before : stage.snapshots.front().packing.domain;
-    for (const Snapshot& snapshot : stage.snapshots) {
-      last = texture::numbers(texture::measure(snapshot.packing, options));
-      rows += fmt::format("{},{}", stage.name, snapshot.label);
-      for (const double value : row_of(snapshot, start, last))
+    of_box = fields::strains_of_box(stage.snapshots, start);
+    for (std::size_t k = 0; k < stage.snapshots.size(); ++k) {
+      last = texture::numbers(texture::measure(stage.snapshots[k].packing, options));
+      rows += fmt::format("{},{}", stage.name, stage.snapshots[k].label);
+      for (const double value : row_of(stage, k, of_box, last))
         rows += std::isfinite(value) ? fmt::format(",{:.6g}", value + 0.0) : ",";
       rows += "\n";
     }
     before = &stage.snapshots.back().packing.domain;
   }
-  return heads_of(last) + rows;
+  return heads_of(of_box, last) + rows;
 }
 
 }  // namespace arenite::report

@@ -22,14 +22,13 @@ namespace {
 using statistics::described;
 
 std::string made_by(const Provenance& p) {
-  const std::string title = recipe::title_in(p.recipe);
-  return fmt::format("{}{}Made by Arenite {}, {}{}seed {}; input {}\n", title, title.empty() ? "" : "\n", p.version,
+  return fmt::format("{}{}Made by Arenite {}, {}{}seed {}; input {}\n", p.title, p.title.empty() ? "" : "\n", p.version,
                      p.kernel.empty() ? "" : "kernel ", p.kernel.empty() ? "" : p.kernel + ", ", p.seed,
                      p.input_hash.substr(0, 12));
 }
 
 Numbers provenance(const Provenance& p) {
-  Numbers j{{"title", recipe::title_in(p.recipe)}};
+  Numbers j{{"title", p.title}};
   j.update(provenance_of(p));
   return j;
 }

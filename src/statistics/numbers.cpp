@@ -195,6 +195,10 @@ void erase_if(Numbers& tree, const std::function<bool(std::string_view, const Nu
   for (const std::string& name : names) tree.erase(name);
 }
 
+void erase(Numbers& tree, Trait trait) {
+  erase_if(tree, [trait](std::string_view, const Numbers& node) { return node.has(trait); });
+}
+
 std::string to_json(const Numbers& numbers, int indent) {
   return json_of(numbers).dump(indent, ' ', false, Json::error_handler_t::replace);
 }
@@ -208,8 +212,8 @@ Numbers described(Numbers value, const char* unit, const char* sentence) {
   return value;
 }
 
-void put(Numbers& to, const std::string& name, Numbers value, const char* unit, const char* sentence) {
-  if (value.is_known()) to[name] = described(std::move(value), unit, sentence);
+void put(Numbers& to, const std::string& name, Numbers value, const char* unit, const char* sentence, Trait traits) {
+  if (value.is_known()) to[name] = described(std::move(value), unit, sentence).mark(traits);
 }
 
 void erase_curves(Numbers& tree, std::string_view names) {

@@ -23,6 +23,17 @@ class NumbersError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What a statistic says of a number where it puts it, so that nobody else need know it by its name.
+enum class Trait : std::uint8_t {
+  none = 0,
+  by_forces = 1,  ///< not known where forces of contacts are not
+  curve = 2,      ///< a curve, which few have use for
+  detail = 4      ///< a row that tables for people leave out
+};
+constexpr Trait operator|(Trait a, Trait b) {
+  return static_cast<Trait>(static_cast<std::uint8_t>(a) | static_cast<std::uint8_t>(b));
+}
+
 /// What a number is and its unit (empty: it has none), as its statistic declares them.
 struct Meaning {
   std::string unit, sentence;
@@ -114,6 +125,9 @@ class Numbers {
   void means(Meaning meaning) { meaning_ = std::make_shared<const Meaning>(std::move(meaning)); }
   void means_as(const Numbers& other) { meaning_ = other.meaning_; }
 
+  bool has(Trait trait) const { return (static_cast<std::uint8_t>(traits_) & static_cast<std::uint8_t>(trait)) != 0; }
+  Numbers& mark(Trait traits) { return traits_ = traits_ | traits, *this; }
+
   /// As a number, truth, text or list of such; throws NumbersError if it is none.
   template <class T> T get() const {
     if constexpr (std::same_as<T, bool>) return expect(is_truth(), "neither true nor false").integer_ != 0;
@@ -133,7 +147,7 @@ class Numbers {
   }
   std::string value(std::string_view name, const char* otherwise) const { return value(name, std::string(otherwise)); }
 
-  /// Numbers are equal by value, whatever their kind and meaning.
+  /// Numbers are equal by value, whatever their kind, meaning and traits.
   friend bool operator==(const Numbers& a, const Numbers& b);
 
  private:
@@ -147,6 +161,7 @@ class Numbers {
   }
 
   Kind kind_ = Kind::unknown;
+  Trait traits_ = Trait::none;
   std::int64_t integer_ = 0;
   double real_ = 0;
   std::string text_;
@@ -167,6 +182,8 @@ std::vector<NamedNumber> named_numbers(const Numbers& tree);
 
 /// Takes out the nodes, at any depth, for which `which` holds.
 void erase_if(Numbers& tree, const std::function<bool(std::string_view name, const Numbers& node)>& which);
+/// Those that have this trait.
+void erase(Numbers& tree, Trait trait);
 
 /// As JSON, in one line or with `indent` spaces a level. Text that is not UTF-8 is written with marks in its place.
 std::string to_json(const Numbers& numbers, int indent = -1);
@@ -179,8 +196,9 @@ namespace arenite::statistics {
 /// With its unit and what it is.
 Numbers described(Numbers value, const char* unit, const char* sentence);
 
-/// Adds a value, with its unit and what it is, unless it is not known.
-void put(Numbers& to, const std::string& name, Numbers value, const char* unit, const char* sentence);
+/// Adds a value, with its unit, what it is and its traits, unless it is not known.
+void put(Numbers& to, const std::string& name, Numbers value, const char* unit, const char* sentence,
+         Trait traits = Trait::none);
 
 /// Takes out the curves of these names, separated by blanks, at any depth: lists, and trees of lists. A set that
 /// somebody gave such a name stays.

@@ -193,7 +193,7 @@ Numbers numbers(const QGaussian& fit) {
   Numbers j = Numbers::tree();
   put(j, "q", fit.q, "", "Exponent of the tails; 1: a Gaussian");
   put(j, "beta", fit.beta, "", "Width, 1/(2 variance) of a Gaussian");
-  put(j, "centre", fit.centre, "", "mu, where the pdf is highest");
+  put(j, "centre", fit.centre, "", "mu, where the pdf is highest", Trait::detail);
   put(j, "r2", fit.r2, "", "Fraction of the variance of the pdf over the bins explained by the fit");
   return j;
 }

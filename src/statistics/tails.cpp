@@ -179,15 +179,16 @@ TailFit fit_tail(const BlockedSample& sample, const BlockCounts& counts, const s
 Numbers numbers(const TailFit& fit) {
   Numbers j = Numbers::tree();
   put(j, "slope", fit.slope, "", "s by maximum likelihood of the exponential truncated at both ends");
-  put(j, "line_slope", fit.line_slope, "", "s from a straight line through ln pdf in the bins");
-  put(j, "line_r2", fit.line_r2, "", "Fraction of the variance of ln pdf explained by the line");
+  put(j, "line_slope", fit.line_slope, "", "s from a straight line through ln pdf in the bins", Trait::detail);
+  put(j, "line_r2", fit.line_r2, "", "Fraction of the variance of ln pdf explained by the line", Trait::detail);
   put(j, "low", fit.low, "", "x from which the pdf stays below 0.1 of its peak");
   put(j, "high", fit.high, "", "x where the pdf first falls below 0.001 of its peak");
   put(j, "count", fit.count, "", "Values between low and high");
   put(j, "log_likelihood_ratio", fit.likelihood_ratio, "",
-      "ln L(exponential) - ln L(Gaussian about the mean), both truncated at both ends");
+      "ln L(exponential) - ln L(Gaussian about the mean), both truncated at both ends", Trait::detail);
   put(j, "p_value", fit.p_value, "",
-      "Probability that the exponential fits better by chance, from the scatter between blocks, one-sided");
+      "Probability that the exponential fits better by chance, from the scatter between blocks, one-sided",
+      Trait::detail);
   return j;
 }
 

@@ -19,6 +19,7 @@
 #include "solid/stress/grains.hpp"
 #include "solid/stress/stress.hpp"
 #include "thermal/imaging/label_grains.hpp"
+#include "workflow/asked.hpp"
 #include "workflow/field_numbers.hpp"
 #include "workflow/runner.hpp"
 
@@ -252,7 +253,7 @@ MapOutcome load_map(const recipe::MapSection& map, const recipe::Load& load, con
   if (is_stored) {
     outcome.file = options.out / stage.file;
     outcome.field =
-        carry_out<FieldResult>({stage, outcome.file, make, io::write_field, io::read_field}, options, progress.reused);
+        carry_out<FieldResult>({stage, outcome.file, make, io::write_field, read_field}, options, progress.reused);
   } else {
     outcome.field = make({});
   }

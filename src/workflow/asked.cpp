@@ -36,13 +36,6 @@ void note_stage(Asked& asked, const dem::Stage& stage) {
   asked.in_motion = fields::ends_in_motion(stage);
 }
 
-void note_measuring(Asked& asked, const recipe::MeasureSection& measure) {
-  asked.measures = true;
-  asked.border = measure.border;
-  asked.measure_seed = measure.seed;
-  asked.load_axis = measure.load_axis.value_or(asked.load_axis);
-}
-
 /// The curve of the recipe's size laws, which belongs to the packing.
 void note_sizes(Asked& asked, const recipe::Recipe& recipe) {
   if (recipe.populations.empty()) return;
@@ -51,7 +44,13 @@ void note_sizes(Asked& asked, const recipe::Recipe& recipe) {
   asked.passing = std::move(curve.passing);
 }
 
+/// Nothing else reads a recipe out of a provenance.
+void complete_title(Provenance& provenance) {
+  if (provenance.title.empty()) provenance.title = recipe::title_in(provenance.recipe);
+}
+
 void complete(StageResult& result) {
+  complete_title(result.provenance);
   if (result.asked.known || result.provenance.recipe.empty()) return;
   try {
     const recipe::Recipe recipe = recipe::parse_recipe(result.provenance.recipe, "recipe");
@@ -60,6 +59,8 @@ void complete(StageResult& result) {
                at == recipe.stages.end() ? 0 : static_cast<std::size_t>(at - recipe.stages.begin()) + 1);
   } catch (const InputError&) {}
 }
+void complete(FieldResult& result) { complete_title(result.provenance); }
+void complete(FilmResult& result) { complete_title(result.provenance); }
 
 }  // namespace
 
@@ -69,7 +70,8 @@ void note_asked(StageResult& made, const recipe::Recipe& recipe, std::size_t pla
   asked.known = true;
   asked.friction = recipe.contact.friction;
   asked.pull = static_cast<int>(pull_of(recipe.contact));
-  if (recipe.measure) note_measuring(asked, *recipe.measure);
+  asked.measure = recipe.measure;
+  if (recipe.measure && recipe.measure->load_axis) asked.load_axis = *recipe.measure->load_axis;
   const dem::EquilibriumCriterion criterion =
       place > 0 ? recipe.stages[place - 1].equilibrium : dem::EquilibriumCriterion{};
   asked.in_equilibrium =
@@ -85,10 +87,29 @@ StageResult read_stage(const std::filesystem::path& path) {
   return result;
 }
 
+FieldResult read_field(const std::filesystem::path& path) {
+  FieldResult result = io::read_field(path);
+  complete(result);
+  return result;
+}
+
+FilmResult read_film_result(const std::filesystem::path& path) {
+  FilmResult result = io::read_film_result(path);
+  complete(result);
+  return result;
+}
+
 std::variant<StageResult, FieldResult, FilmResult> read_result(const std::filesystem::path& path) {
   auto result = io::read_result(path);
-  if (auto* stage = std::get_if<StageResult>(&result)) complete(*stage);
+  std::visit([](auto& any) { complete(any); }, result);
   return result;
+}
+
+bool is_of_version_0_1(const std::filesystem::path& file) {
+  const auto recipe_of = [](const auto& result) { return result.provenance.recipe; };
+  try {
+    return std::visit(recipe_of, io::read_result(file)).find("\n[frame]\n") != std::string::npos;  // now [container]
+  } catch (const InputError&) { return false; }
 }
 
 }  // namespace arenite::workflow

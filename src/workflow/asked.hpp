@@ -12,9 +12,15 @@ namespace arenite::workflow {
 /// of its history what it drove (grains/fields/driven.hpp).
 void note_asked(StageResult& made, const recipe::Recipe& recipe, std::size_t place);
 
-/// A result as its file has it. One of a version that noted nothing gets it now by the recipe in its provenance, which
-/// nothing else reads; where that is of another version it stays unknown.
+/// A result as its file has it. One of a version that noted nothing, or no title, gets it now by the recipe in its
+/// provenance, which nothing else reads; where that is of another version it stays unknown.
 StageResult read_stage(const std::filesystem::path& path);
+FieldResult read_field(const std::filesystem::path& path);
+FilmResult read_film_result(const std::filesystem::path& path);
 std::variant<StageResult, FieldResult, FilmResult> read_result(const std::filesystem::path& path);
+
+/// Whether a result was made by version 0.1, which named results otherwise: they can be shown and exported, but nothing
+/// goes on with them.
+bool is_of_version_0_1(const std::filesystem::path& file);
 
 }  // namespace arenite::workflow

@@ -37,7 +37,9 @@ void add_components(std::vector<io::GrainField>& fields, const std::vector<Tenso
 
 /// What texture knows of every grain; tension is positive.
 std::vector<io::GrainField> derived_fields(const Packing& packing) {
-  const texture::PerGrain rows = texture::measure(packing, {.rev_sizes = 0}).per_grain;
+  texture::Options options;
+  options.rev_sizes = 0;
+  const texture::PerGrain rows = texture::measure(packing, options).per_grain;
   std::vector<io::GrainField> fields{{"contacts", "1", as_doubles(rows.contacts)},
                                      {"rattler", "1", as_doubles(rows.rattler)},
                                      {"sigma_norm", "1", rows.sigma_norm},

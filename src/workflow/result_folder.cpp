@@ -50,13 +50,6 @@ std::vector<fs::path> other_results(const fs::path& folder, const std::vector<st
   return others;
 }
 
-bool is_of_version_0_1(const fs::path& file) {
-  const auto recipe_of = [](const auto& result) { return result.provenance.recipe; };
-  try {
-    return std::visit(recipe_of, io::read_result(file)).find("\n[frame]\n") != std::string::npos;  // now [container]
-  } catch (const InputError&) { return false; }
-}
-
 namespace {
 
 io::FileLock lock_in(const fs::path& folder) {
@@ -140,7 +133,7 @@ std::optional<Packing> last_state(const fs::path& result, const std::string& sta
 
 std::optional<FieldResult> load_named(const fs::path& result, const std::string& name) {
   for (const auto& file : files_of(result, "field"))
-    if (auto field = io::read_field(file); field.name == name) return field;
+    if (auto field = read_field(file); field.name == name) return field;
   return std::nullopt;
 }
 

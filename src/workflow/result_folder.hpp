@@ -21,10 +21,6 @@ void make_folder(const std::filesystem::path& folder);
 std::vector<std::filesystem::path> other_results(const std::filesystem::path& folder,
                                                  const std::vector<std::string>& names);
 
-/// Whether a result was made by version 0.1, which named results otherwise: they can be shown and exported, but nothing
-/// goes on with them.
-bool is_of_version_0_1(const std::filesystem::path& file);
-
 /// A run's folder: result files of this recipe on top, those of other versions of it under earlier/, from where they
 /// come back when they are wanted again. One writer at a time has it: another is refused. A folder that was made for it
 /// and stays empty goes with it.

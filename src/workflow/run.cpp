@@ -86,11 +86,11 @@ class Run {
       options_.progress(progress_);
       std::optional<FieldResult> made = make(checkpoint);
       if (made)
-        made->provenance = {version, plan_[s].name, plan_[s].hash, to_toml(part_of(recipe_, s)), recipe_.seed, "", {}};
+        made->provenance = {version, plan_[s].name, plan_[s].hash, to_toml(part_of(recipe_, s)), recipe_.seed, "",
+                            {},      recipe_.title};
       return made;
     };
-    auto result =
-        carry_out_stage<FieldResult>({plan_[s], folder_ / plan_[s].file, shown, io::write_field, io::read_field});
+    auto result = carry_out_stage<FieldResult>({plan_[s], folder_ / plan_[s].file, shown, io::write_field, read_field});
     if (!result) return false;
     show_done();
     outcome_.converged = outcome_.converged && result->converged;
@@ -195,7 +195,7 @@ class Run {
 
 StageResult measure_stage(const GrainStage& stage, StageResult made, const std::string& kernel) {
   const auto& [recipe, place, hash, before, known] = stage;
-  made.provenance = {version, made.name, hash, to_toml(part_of(recipe, place)), recipe.seed, kernel, {}};
+  made.provenance = {version, made.name, hash, to_toml(part_of(recipe, place)), recipe.seed, kernel, {}, recipe.title};
   note_asked(made, recipe, place);
   if (made.snapshots.empty()) return made;
   const texture::Options measuring = fields::texture_options(made);

@@ -125,6 +125,11 @@ TEST(GrainsCommand, WritesATableInPixelsThatMeasureReads) {
   for (const char* name : {"rattlers", "without_rattlers"}) EXPECT_FALSE(j["coordination"].contains(name)) << name;
   for (const char* name : {"a_n", "a_c_signed", "load_axis_deg"}) EXPECT_FALSE(j["fabric"].contains(name)) << name;
   EXPECT_EQ(j["fabric"].dump().find("weak"), std::string::npos);
+  EXPECT_TRUE(j["fabric"].contains("sectors") && !j["fabric"].contains("sector_force_N"));
+  EXPECT_FALSE(j["quality"].contains("negative_forces")) << "nothing is known of forces";
+  const auto along = arenite("measure " + table + " --touching \"0.8 mm\" --pixel \"1.6 mm\" --json --load-axis 0");
+  EXPECT_NEAR(Json::parse(along.out)["fabric"]["a_c_signed"]["value"].get<double>(), 2, 0.01)
+      << "the axis of the load is said, no force tells it";
   EXPECT_EQ(arenite("measure " + table + " " + table + " --touching \"0.8 mm\"").status, 2);
   EXPECT_EQ(arenite("measure " + table + " --touching 0 --pixel \"1.6 mm\"").status, 2);
 }
@@ -158,7 +163,7 @@ TEST(GrainsCommand, RefusesPicturesWithoutGrainsInOneSentence) {
   expect_refused(path("none.png"), "none.png", "");
   expect_refused(path("a.png") + " --radii \"8 mm\"", "--radii", "give --pixel");
   expect_refused(path("a.png") + " --radii 0.2", "--radii", "less than a pixel");
-  expect_refused(path("a.png") + " --pixel \"0 mm\"", "--pixel", "must be positive");
+  expect_refused(path("a.png") + " --pixel \"0 mm\"", "--pixel", "must be above 0 mm");
   expect_refused(path("a.png") + " --origin 5", "--origin", "column and row");
   expect_refused(path("noise.png") + " --out " + path("o"), "noise.png: ", "no grains were found");
   EXPECT_FALSE(std::filesystem::exists(folder / "o"));

@@ -191,7 +191,7 @@ TEST(Identify, BadInputIsOneSentenceAndStatusTwo) {
   refused("glue [N],x\n", "adhesion " + file, "a.csv:1: has a header but no rows");
   expect_refused("stiffness " + (folder / "none.csv").string(), "none.csv");
   expect_refused("adhesion " + data("separation-force.csv") + " --k '27.35 mm'", "--k: \"27.35 mm\" is a length");
-  expect_refused("adhesion " + data("separation-force.csv") + " --radius '0 mm'", "--radius: \"0 mm\" must be above 0");
+  expect_refused("adhesion " + data("separation-force.csv") + " --radius '0 mm'", "must be above 0 mm");
   expect_refused("stiffness " + data("contact-stiffness-pom.csv") + " --stated " + data("stated-surface-energy.csv"),
                  "states none of the quantities found");
   expect_refused("hardness " + file, "what: hardness not in");

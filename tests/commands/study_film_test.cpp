@@ -41,6 +41,13 @@ TEST(StudyFilm, IsMadeOnceAndKeptInTheStoreUntilItsCameraChanges) {
   EXPECT_EQ(study.account().computed, before.computed + 1);
   EXPECT_NE(test::slurp(study.file()), bytes);
 
+  study.film_with("blur = 0.7\n[correction]\nbad_pixels = false\n");
+  ASSERT_TRUE(study.make());
+  EXPECT_EQ(study.account().computed, before.computed + 2) << "another correction is another film";
+  study.film_with("blur = 0.7\n[correction]\nbad_pixels = true\n");
+  ASSERT_TRUE(study.make());
+  EXPECT_EQ(study.account().computed, before.computed + 2) << "a default is none";
+
   Numbers former = io::read_numbers_file(study.file());
   former["grains"] = campaign::film_number(study.folder(), "count");
   former["correlation"] = 0.75;

@@ -8,7 +8,7 @@ import sys
 
 head = '''"""What the compiled part of Arenite offers; meaning, units and sources are in the docstrings."""
 import os
-from typing import Any, Callable, Dict, List, Optional, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy
 from numpy.typing import ArrayLike, NDArray

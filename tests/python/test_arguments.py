@@ -93,7 +93,7 @@ def test_pictures_of_a_signal_and_its_error_have_one_shape():
     [dict(radii=[-1.0]), dict(radii=[np.nan]), dict(smallest=-1.0), dict(smallest=np.nan), dict(contrast="x")],
 )
 def test_circles_have_radii(options):
-    with pytest.raises(ValueError, match="radii|contrast"):
+    with pytest.raises(ValueError, match="radii|smallest|contrast"):
         arenite.find_grains(np.eye(20), **options)
 
 

@@ -113,6 +113,23 @@ def test_films_of_files(examples):
     assert frames.shape == (2, info["height"], info["width"])
 
 
+def test_a_dataset_of_a_file_with_several_is_chosen_as_the_commands_choose_it(tmp_path):
+    h5py = pytest.importorskip("h5py")
+    frames = np.arange(3 * 4 * 5, dtype=np.uint16).reshape(3, 4, 5)
+    with h5py.File(tmp_path / "films.h5", "w") as file:
+        file["first"], file["second"] = frames, frames + 100
+    path = tmp_path / "films.h5"
+    with pytest.raises(ValueError, match="dataset"):
+        arenite.read_film(path)
+    assert np.array_equal(arenite.read_film(path, count=3, dataset="second"), frames + 100)
+    assert arenite.film_info(path, dataset="first", frame_rate="50 Hz")["frame_rate"] == 50
+    assert np.allclose(
+        arenite.read_film(path, dataset="first", scale="0.5 K", offset="273 K")[0], 273 + 0.5 * frames[0]
+    )
+    with pytest.raises(ValueError, match="dataset are for films in files"):
+        arenite.find_bad_pixels(frames, dataset="first")
+
+
 def test_what_films_do_not_allow_is_a_value_error():
     film, _ = oscillating(frames=40)
     with pytest.raises(ValueError):

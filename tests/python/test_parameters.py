@@ -31,18 +31,29 @@ def same_names(section, *names):
     return {"--" + name: f"{section}.{name.replace('-', '_')}" for name in names}
 
 
+def same_keywords(*names):
+    return {"--" + name: name.replace("-", "_") for name in names}
+
+
 of_film = same_names("film", "frame-rate", "scale", "offset", "dataset")
 statistics = ("clamp-rows", "leave-out-surface", "leave-out-unloaded", "mean-over-area")
 options = {
     "load": (
         recipe,
-        same_names("map", "phases", "labels", "smoothing", "crop", "slice", "dataset", "label-slice", "label-dataset", "dx")
+        same_names(
+            "map", "phases", "labels", "smoothing", "crop", "slice", "dataset", "label-slice", "label-dataset", "dx"
+        )
         | same_names("loads", "loading", "axis", "lower", "method", "strain", "tolerance", "stop-at-voids")
         | same_names("loads", "exact-stretch", "moduli", "failure", "cracks-stay-open", "max-strain")
         | same_names("loads", "stiffness", "toughness", "strength")
         | same_names("loads.statistics", *statistics[:2]),
     ),
-    "measure": (recipe, same_names("measure", "border", "load-axis", "seed") | same_names("loads.statistics", *statistics)),
+    "run": (recipe, same_names("integration", "kernel")),
+    "measure": (
+        recipe,
+        same_names("measure", "border", "load-axis", "seed") | same_names("loads.statistics", *statistics),
+    ),
+    "grains": (film_recipe, same_names("picture", "pixel", "contrast", "least-score") | {"--dataset": "film.dataset"}),
     "film": (film_recipe, of_film),
     "show": (film_recipe, of_film),
     "step": (film_recipe, of_film),
@@ -55,6 +66,7 @@ options = {
 }
 
 parts = ("matrix", "interface", "particle")
+film_keys = {name: f"film.{name}" for name in ("frame_rate", "scale", "offset", "dataset")}
 keywords = {
     "load": (
         recipe,
@@ -70,16 +82,29 @@ keywords = {
     ),
     "cement": (
         recipe,
-        {name: f"cement.{name}" for name in "kind gap width full_width thickness volume saturation".split()},
+        {name: f"cement.{name}" for name in "kind gap width full_width thickness volume saturation".split()}
+        | {"crop": "grid.crop"},
     ),
+    "rasterise": (recipe, {name: f"grid.{name}" for name in ("nodes", "crop")}),
+    "cavities": (recipe, {name: f"grid.{name}" for name in ("eight_connected", "fewest_nodes", "leave_out_border")}),
     "measure": (recipe, {name: f"measure.{name}" for name in ("border", "load_axis", "seed")}),
     "measure_grains": (recipe, {"border": "measure.border"}),
     "lock_in": (
         film_recipe,
         {"frequency": "lockin.frequency", "drift_order": "lockin.drift", "harmonics": "lockin.harmonics"}
-        | {"reference_phase": "lockin.phase", "frame_rate": "film.frame_rate"},
+        | {"reference_phase": "lockin.phase"}
+        | film_keys,
     ),
-    "step_load": (film_recipe, {"frame_rate": "film.frame_rate"}),
+    "step_load": (film_recipe, film_keys),
+    "film_info": (film_recipe, film_keys),
+    "read_film": (film_recipe, film_keys),
+    "find_bad_pixels": (film_recipe, film_keys),
+    "correct_film": (film_recipe, film_keys | {"bad_pixels": "correction.bad_pixels"}),
+    "grain_motion": (film_recipe, film_keys),
+    "follow_grains": (film_recipe, film_keys | {"blur": "forces.blur"}),
+    "grain_means": (film_recipe, {"share": "forces.central_share"}),
+    "infer_forces": (film_recipe, {"pixel": "picture.pixel", "blur": "forces.blur"}),
+    "find_grains": (film_recipe, {name: f"picture.{name}" for name in ("contrast", "least_score")}),
 }
 
 
@@ -87,7 +112,7 @@ def help_of(command):
     """The sentence of every option, as the program's help has it."""
     text = subprocess.run([program, command, "--help"], capture_output=True, text=True, check=True).stdout
     text = re.sub(r"\n {10,}", "   ", text)
-    return {row[1]: row[0] for row in re.finditer(r"^  (--[\w-]+) .*$", text, re.MULTILINE)}
+    return {row[1]: row[0] for row in re.finditer(r"^  (--[\w-]+)\b.*$", text, re.MULTILINE)}
 
 
 def manual_of(command):
@@ -114,12 +139,40 @@ def test_docstrings_say_of_a_keyword_what_the_recipe_says_of_its_key(function):
         assert keys[key] in lines[name], f"{function} {name}: {keys[key]}"
 
 
-def test_a_step_is_described_alike_in_help_and_docstring():
-    lines = dict(re.findall(r"^`(\w+)`: (.*)\.$", arenite.step_load.__doc__, re.MULTILINE))
-    shown = help_of("step")
-    for name in ("time", "rise", "window"):
-        assert lines[name] in shown[f"--{name}"]
-    assert lines["drift_order"] in shown["--drift"]
+# Parameters that no recipe has: options and the keywords that are the same.
+without_recipe = {
+    "step": (["step_load"], same_keywords("time", "rise", "window") | {"--drift": "drift_order"}),
+    "grains": (["find_grains"], same_keywords("smallest", "largest", "radii")),
+    "measure": (
+        ["read_packing"],
+        same_keywords(
+            "box", "origin", "thickness", "length-unit", "force-unit", "pixel", "materials", "format", "y-down"
+        )
+        | same_keywords("grain-columns", "periodic")
+        | {"--columns": "contact_columns", "--doubled": "merge_doubled"},
+    ),
+    "identify": (
+        ["identify_stiffness", "identify_adhesion", "identify_factor"],
+        same_keywords("preload", "branch", "length", "effective-radius", "section", "young", "poisson", "band")
+        | same_keywords("temperature-convention", "load-convention", "through-origin", "responsivity", "surface-at")
+        | same_keywords("responsivity-at", "amplification", "emissivity")
+        | {"--k": "stiffness", "--radius": "radii"},
+    ),
+}
+
+
+@pytest.mark.parametrize("command", without_recipe)
+def test_parameters_of_no_recipe_are_described_alike_in_help_manual_and_docstring(command):
+    functions, shared = without_recipe[command]
+    lines = {}
+    for function in functions:
+        lines |= dict(
+            re.findall(r"^`(\w+)`: (.*?)\.(?: A number is in .*)?$", getattr(arenite, function).__doc__, re.MULTILINE)
+        )
+    shown, manual = help_of(command), manual_of(command)
+    for option, name in shared.items():
+        assert lines[name] in shown[option], f"{command} {option}: {lines[name]}"
+        assert lines[name] in manual, f"{command} {option}: {lines[name]}"
 
 
 def default_in(text):
@@ -131,7 +184,9 @@ def test_defaults_of_options_and_keywords_are_those_of_the_recipe():
     lines = dict(re.findall(r"^`(\w+)`: (.*)$", arenite.load.__doc__, re.MULTILINE))
     page = (root / "docs/recipe.md").read_text(encoding="utf-8")
     for name in ("strain", "tolerance", "max_strain", "loading", "method"):
-        row = re.search(rf"^\| `{name}` \| [^|]* \| `\"?([^`\"]*)\"?` \|", page.split("## `[[loads]]`")[1], re.MULTILINE)
+        row = re.search(
+            rf"^\| `{name}` \| [^|]* \| `\"?([^`\"]*)\"?` \|", page.split("## `[[loads]]`")[1], re.MULTILINE
+        )
         assert default_in(shown["--" + name.replace("_", "-")]) == default_in(lines[name]) == row[1], name
 
 

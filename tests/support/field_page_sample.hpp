@@ -25,7 +25,8 @@ struct FieldPageSample {
     cement.name = "cement";
     cement.outcome = "Cemented by bridges.";
     cement.map = cemented_sample(sample);
-    cement.provenance = {"0.1.0", "cement", "00112233445566aa", "title = \"<cemented> sample\"\n", 3, "", {}};
+    cement.provenance = {"0.1.0", "cement", "00112233445566aa", "title = \"<cemented> sample\"\n", 3,
+                         "",      {},       "<cemented> sample"};
     cement.numbers = grid::map_numbers(cement.map, {}, 0.1 * cement.map.width * cement.map.dx);
     load = pull = cement;
     stretch();

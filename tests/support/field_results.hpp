@@ -9,7 +9,8 @@ namespace arenite::test {
 /// between them.
 inline FieldResult small_field(int width = 12, int height = 9) {
   FieldResult r;
-  r.provenance = {"0.1.0", "tension", "0123456789abcdef", "title = \"field\"\n", 5, "portable", {{"key", "value"}}};
+  r.provenance = {"0.1.0", "tension",  "0123456789abcdef", "title = \"field\"\n",
+                  5,       "portable", {{"key", "value"}}, "field"};
   r.name = "tension";
   r.outcome = "equilibrium";
   r.packing = row_of_grains(2);

@@ -26,7 +26,8 @@ struct FilmPageSample {
     truth_ = run.stage.snapshots[3].packing;
     film.name = "film";
     film.outcome = "Every grain of the container was found.";
-    film.provenance = {"0.1.0", "film", "89ab0123456789ab", "title = \"<film> of a frame\"\n", 5, "portable", {}};
+    film.provenance = {"0.1.0",    "film", "89ab0123456789ab", "title = \"<film> of a frame\"\n", 5,
+                       "portable", {},     "<film> of a frame"};
     film.pixel = pixel;
     place_camera();
     draw_maps();

@@ -118,7 +118,8 @@ bottom = { pressure = "1 kPa" }
     stage.name = "load";
     stage.outcome = "Equilibrium in all 5 increments.";
     stage.history = history;
-    stage.provenance = {"0.1.0", "load", "0123456789abcdef", recipe, 7, "portable", {}};
+    stage.provenance = {
+        "0.1.0", "load", "0123456789abcdef", recipe, 7, "portable", {}, "<two> materials & a container"};
     const auto asked = arenite::recipe::parse_recipe(recipe, "recipe");
     StageResult packed;
     workflow::note_asked(packed, asked, 0);

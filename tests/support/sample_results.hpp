@@ -49,9 +49,14 @@ inline Packing row_of_grains(int n, double shift = 0) {
 
 inline StageResult two_snapshots(int n = 5) {
   StageResult result;
-  result.provenance = {
-      "0.1.0",           "load", "0123456789abcdef0123456789abcdef", "title = \"two snapshots\"\n", 7, "portable",
-      {{"threads", "1"}}};
+  result.provenance = {"0.1.0",
+                       "load",
+                       "0123456789abcdef0123456789abcdef",
+                       "title = \"two snapshots\"\n",
+                       7,
+                       "portable",
+                       {{"threads", "1"}},
+                       "two snapshots"};
   result.name = "compact";
   result.outcome = "at rest after 2 increments";
   for (int f = 0; f < 2; ++f) {

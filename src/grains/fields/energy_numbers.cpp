@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grains/fields/loading.hpp"
 #include "grains/fields/stage_numbers.hpp"
 
 namespace arenite::fields {
@@ -36,6 +37,35 @@ Numbers energy_numbers(const StageEnd& end) {
                            "What the balance leaves open, over that: below 1e-6 at a step of T_c/500, 4e-5 to 1.5e-3 "
                            "at the default one, T_c/10")},
         {"closed", described(open <= 0.01, "", "Whether that is at most 1 %")}}}};
+}
+
+statistics::Columns energies_of(const History& rows) {
+  using Values = std::vector<double>;
+  statistics::Columns found;
+  const auto sum = [&](std::initializer_list<const char*> names) {
+    Values total;
+    for (const char* name : names)
+      if (const Values* values = rows.find(name)) {
+        total.resize(values->size(), 0.0);
+        for (std::size_t k = 0; k < total.size(); ++k) total[k] += (*values)[k];
+      }
+    return total;
+  };
+  Values spent = sum({"dissipated_normal", "dissipated_friction", "dissipated_drag", "dissipated_breakage"}),
+         work = sum({"work_walls", "work_gravity"});
+  const auto is_known = [](const Values& values) {
+    return std::ranges::any_of(values, [](double v) { return v != 0; });
+  };
+  if (!is_known(spent) && !is_known(work)) return found;
+  const std::size_t rows_there = std::max(spent.size(), work.size());
+  for (Values* values : {&spent, &work}) {
+    values->resize(rows_there, 0.0);
+    const double first = values->front();
+    for (double& v : *values) v -= first;
+  }
+  found.put("dissipated_energy", "J", "Energy dissipated since the first row", std::move(spent));
+  found.put("work", "J", "Work of sides and gravity since the first row", std::move(work));
+  return found;
 }
 
 }  // namespace arenite::fields

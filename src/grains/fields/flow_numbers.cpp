@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "grains/dem/programme.hpp"
 #include "grains/fields/discharge.hpp"
 #include "grains/fields/free_surface.hpp"
 #include "grains/fields/silo.hpp"
@@ -39,11 +38,11 @@ Numbers discharge_numbers(const StageResult& result) {
   return j;
 }
 
-bool has_free_surface(const dem::Stage& stage) {
+bool has_free_surface(const Asked& asked, const dem::Stage& stage) {
   using Kind = dem::SideDrive::Kind;
-  return norm(dem::gravity_at(stage, stage.duration.value_or(0))) > 0 &&
-         std::none_of(stage.side.begin(), stage.side.end(),
-                      [](const auto& side) { return side.kind == Kind::force || side.kind == Kind::pressure; });
+  return norm(asked.gravity) > 0 && std::none_of(stage.side.begin(), stage.side.end(), [](const auto& side) {
+           return side.kind == Kind::force || side.kind == Kind::pressure;
+         });
 }
 
 /// Mean angle over the second half of the states, of a drum that turns, say; nothing where it still changes, or stands
@@ -93,7 +92,7 @@ void put_floor(Numbers& j, const StageResult& result) {
 }
 
 Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, const Packing* before) {
-  const Vec2 gravity = dem::gravity_at(stage, stage.duration.value_or(0));
+  const Vec2 gravity = result.asked.gravity;
   const FreeSurface now = find_free_surface(result.snapshots.back().packing, gravity);
   Numbers j{{"grains", described(now.grains, "", "Grains of the heap")},
             {"left_m", described(now.left, "m", "Its left front")},
@@ -121,7 +120,7 @@ Numbers flow_numbers(const StageEnd& end) {
   Numbers j = Numbers::tree();
   if (result.snapshots.back().packing.grains.size() == 0) return j;
   if (Numbers discharge = discharge_numbers(result); !discharge.empty()) j["discharge"] = std::move(discharge);
-  if (!has_free_surface(stage)) return j;
+  if (!has_free_surface(result.asked, stage)) return j;
   j["surface"] = surface_numbers(result, stage, before);
   if (!stage.duration) return j;
   Numbers floor = Numbers::tree();

@@ -1,6 +1,7 @@
 #include "grains/fields/loading.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/mapped.hpp"
@@ -119,17 +120,35 @@ Values rate_of(const Values& value, const Values& time) {
   return rate;
 }
 
-void put_strains(const Loading& of, const Values& x, const Values& y, const Values& shear, Columns& to) {
-  const Values &axial = of.upright ? y : x, &lateral = of.upright ? x : y;
-  Values volume, deviator = shear;
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    volume.push_back(1 - (1 - x[k]) * (1 - y[k]));
-    if (!of.sheared) deviator.push_back(axial[k] - lateral[k]);
-  }
+void put_sides(const Values& x, const Values& y, Columns& to) {
   to.put("strain_x", "", "Shortening of the width over the width before the stage", x);
   to.put("strain_y", "", "Shortening of the height over the height before the stage", y);
-  to.put("axial_strain", "", "Strain along the axis of compression", axial);
+}
+
+void put_volume(const Values& x, const Values& y, Columns& to) {
+  Values volume;
+  for (std::size_t k = 0; k < x.size(); ++k) volume.push_back(1 - (1 - x[k]) * (1 - y[k]));
   to.put("volumetric_strain", "", "Decrease of the box's area over the area before the stage", std::move(volume));
+}
+
+/// Of the box of every state.
+std::array<Values, 2> shortening(const std::vector<Snapshot>& states, double width, double height) {
+  std::array<Values, 2> of;
+  for (const Snapshot& state : states) {
+    of[0].push_back(1 - state.packing.domain.width() / width);
+    of[1].push_back(1 - state.packing.domain.height() / height);
+  }
+  return of;
+}
+
+void put_strains(const Loading& of, const Values& x, const Values& y, const Values& shear, Columns& to) {
+  const Values &axial = of.upright ? y : x, &lateral = of.upright ? x : y;
+  Values deviator = shear;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    if (!of.sheared) deviator.push_back(axial[k] - lateral[k]);
+  put_sides(x, y, to);
+  to.put("axial_strain", "", "Strain along the axis of compression", axial);
+  put_volume(x, y, to);
   to.put("shear_strain", "",
          of.sheared ? "Shear strain of the cell, or by the walls that slide, since the first row"
                     : "Axial minus lateral strain",
@@ -247,11 +266,10 @@ Columns strains_of_states(const Test& test) {
   if (!of) return found;
   const auto s = *side_stresses(test.stage.history);
   const Start start = start_of(test, s);
-  Values time, x, y, shear;
+  const auto [x, y] = shortening(test.stage.snapshots, start.width, start.height);
+  Values time, shear;
   for (const Snapshot& state : test.stage.snapshots) {
     time.push_back(state.time - s.time.front());
-    x.push_back(1 - state.packing.domain.width() / start.width);
-    y.push_back(1 - state.packing.domain.height() / start.height);
     if (of->sheared) shear.push_back(at_time(of->curves["time"], of->curves["shear_strain"], time.back()));
   }
   found.put("time", "s", "Time since the first row of the history", std::move(time));
@@ -259,28 +277,11 @@ Columns strains_of_states(const Test& test) {
   return found;
 }
 
-Columns energies_of(const History& rows) {
+Columns strains_of_box(const std::vector<Snapshot>& states, const Domain& start) {
+  const auto [x, y] = shortening(states, start.width(), start.height());
   Columns found;
-  const auto sum = [&](std::initializer_list<const char*> names) {
-    Values total;
-    for (const char* name : names)
-      if (const Values* values = rows.find(name)) {
-        total.resize(values->size(), 0.0);
-        for (std::size_t k = 0; k < total.size(); ++k) total[k] += (*values)[k];
-      }
-    return total;
-  };
-  Values spent = sum({"dissipated_normal", "dissipated_friction", "dissipated_drag", "dissipated_breakage"}),
-         work = sum({"work_walls", "work_gravity"});
-  if (!any(spent) && !any(work)) return found;
-  const std::size_t rows_there = std::max(spent.size(), work.size());
-  for (Values* values : {&spent, &work}) {
-    values->resize(rows_there, 0.0);
-    const double first = values->front();
-    for (double& v : *values) v -= first;
-  }
-  found.put("dissipated_energy", "J", "Energy dissipated since the first row", std::move(spent));
-  found.put("work", "J", "Work of sides and gravity since the first row", std::move(work));
+  put_sides(x, y, found);
+  put_volume(x, y, found);
   return found;
 }
 

@@ -193,10 +193,7 @@ texture::Options texture_options(const StageResult& made) {
   if (!made.asked.known) return options;
   options.pull = static_cast<texture::Pull>(made.asked.pull);
   options.gravity = made.asked.gravity;
-  if (made.asked.measures) {
-    options.border = made.asked.border;
-    options.seed = made.asked.measure_seed;
-  }
+  static_cast<Measuring&>(options) = made.asked.measure.value_or(Measuring{});
   if (std::isfinite(made.asked.load_axis)) options.load_axis = made.asked.load_axis;
   if (!made.asked.in_motion || made.snapshots.empty()) return options;
   const double thickness = made.snapshots.back().packing.domain.thickness;

@@ -94,10 +94,10 @@ void put_by_material(Numbers& j, const View& view, const Partners& partners) {
       share.emplace_back(name, ratio(view, ends, all));
     }
   put(j, "rattlers", grain_mean(view, -1, [&](std::size_t g) { return view.rattler[g] ? 1.0 : 0.0; }), "",
-      "Fraction of grains with fewer than two force-bearing contacts");
-  put(j, "unlike_contacts_twice", doubled, "", "2 (N_XX + N_XY)/N_X (T 4.3.1)");
-  put(j, "parts_of_z", parts, "", "2 N_AB over all grains (T 5.3.1); the parts add up to z");
-  put(j, "share_of_contacts", share, "", "N_AB over all contacts");
+      "Fraction of grains with fewer than two force-bearing contacts", Trait::by_forces);
+  put(j, "unlike_contacts_twice", doubled, "", "2 (N_XX + N_XY)/N_X (T 4.3.1)", Trait::detail);
+  put(j, "parts_of_z", parts, "", "2 N_AB over all grains (T 5.3.1); the parts add up to z", Trait::detail);
+  put(j, "share_of_contacts", share, "", "N_AB over all contacts", Trait::detail);
 }
 
 }  // namespace
@@ -122,11 +122,11 @@ void coordination(const View& view, Texture& texture) {
     put(j, "without_rattlers",
         ratio(
             view, [&](std::size_t g) { return bears(g) * partners.bearing[g]; }, bears),
-        "", mean_number);
+        "", mean_number, Trait::by_forces);
     if (!view.packing.grains.shapes.empty()) put(j, "all, neighbours", neighbours(view), "", mean_number);
     put_by_material(j, view, partners);
   }
-  put(j, "histogram", histogram, "", "Fraction of grains with 0, 1, 2, .. contacts");
+  put(j, "histogram", histogram, "", "Fraction of grains with 0, 1, 2, .. contacts", Trait::detail);
 }
 
 }  // namespace arenite::texture

@@ -87,21 +87,23 @@ std::vector<double> numbers_of(const Items& sorted, const std::vector<double>& v
 void put_numbers(Numbers& to, const std::vector<Estimate>& n, const DistributionNames& names) {
   put(to, names.mean, n[mean_value], names.unit, names.mean_is);
   put(to, names.share, n[above_own], "", names.share_is);
-  put(to, "fraction_above_mean_of_all", n[above_all], "", "Fraction of the set above the mean of all");
+  put(to, "fraction_above_mean_of_all", n[above_all], "", "Fraction of the set above the mean of all", Trait::detail);
 }
 
 void put_laws(Numbers& to, const std::vector<Estimate>& n, const statistics::TailFit& tail) {
   put(to, "beta", n[beta], "", "Decay of values above the mean, P ~ exp(-beta x), by maximum likelihood");
-  put(to, "beta_error", n[beta].error, "", "Standard error of beta");
-  put(to, "beta_line", n[beta_line], "", "The same from a straight line through ln of the survival function");
-  put(to, "line_r2", tail.line_r2, "", "Coefficient of determination of that line");
-  put(to, "tail_count", tail.count, "", "Values above the mean");
-  put(to, "log_likelihood_ratio", n[lead], "", "ln L(exponential) - ln L(half-Gaussian)");
+  put(to, "beta_error", n[beta].error, "", "Standard error of beta", Trait::detail);
+  put(to, "beta_line", n[beta_line], "", "The same from a straight line through ln of the survival function",
+      Trait::detail);
+  put(to, "line_r2", tail.line_r2, "", "Coefficient of determination of that line", Trait::detail);
+  put(to, "tail_count", tail.count, "", "Values above the mean", Trait::detail);
+  put(to, "log_likelihood_ratio", n[lead], "", "ln L(exponential) - ln L(half-Gaussian)", Trait::detail);
   put(to, "p_value", statistics::chance_of_lead(n[lead]), "",
-      "Probability that the exponential fits better by chance (Vuong's test, one-sided)");
+      "Probability that the exponential fits better by chance (Vuong's test, one-sided)", Trait::detail);
   put(to, "alpha", n[alpha], "", "Exponent of values below the mean, P ~ x^-alpha, by maximum likelihood");
-  put(to, "k", n[k], "", "Height of the pdf at the mean, 1/k = 1/(1 - alpha) + 1/beta");
-  put(to, "beta2_over_product", n[relation], "", "beta^2/((1 - alpha)(2 - alpha)); 1 where T eq. 1.5 holds");
+  put(to, "k", n[k], "", "Height of the pdf at the mean, 1/k = 1/(1 - alpha) + 1/beta", Trait::detail);
+  put(to, "beta2_over_product", n[relation], "", "beta^2/((1 - alpha)(2 - alpha)); 1 where T eq. 1.5 holds",
+      Trait::detail);
 }
 
 }  // namespace
@@ -122,10 +124,10 @@ Numbers distribution(const Items& items, const std::vector<int>& block_of, const
   if (own_mean != 0) x = rising(sorted, value, own_mean);
   if (!x.empty()) put(j, "maximum", x.back(), "", "Largest value over the mean");
   put_laws(j, n, statistics::exponential_tail(x));
-  j["pdf"] = density(x);
-  const Numbers cumulative = survival_function(x);
+  j["pdf"] = Numbers(density(x)).mark(Trait::curve);
+  const Numbers cumulative = Numbers(survival_function(x)).mark(Trait::curve);
   for (double& v : x) v *= own_mean / mean_of_all;
-  j["pdf_over_all"] = density(x);
+  j["pdf_over_all"] = Numbers(density(x)).mark(Trait::curve);
   j["cumulative"] = cumulative;
   return j;
 }
@@ -158,7 +160,7 @@ void forces(const View& view, Texture& texture) {
       set.update(distribution(pushing, view.contact_block, push, view.mean_force, names, 1, view.level()));
       if (name != "all")
         put(set, "strong_share_of_all", strong_share_of_all(view, items), "",
-            "Fraction of all contacts that are of the set and above the mean of all");
+            "Fraction of all contacts that are of the set and above the mean of all", Trait::detail);
     }
     const Items pulling = kept(items, [&](std::size_t c) { return pull[c] > 0; });
     if (pulling.empty()) continue;
@@ -176,7 +178,7 @@ void forces(const View& view, Texture& texture) {
         "Mean tensile over mean compressive force");
     compressive["tensile"] = tensile;
   }
-  texture.numbers["force"] = compressive;
+  texture.numbers["force"] = compressive.mark(Trait::by_forces);
 }
 
 }  // namespace arenite::texture

@@ -93,9 +93,12 @@ void put_sectors(Numbers& to, const View& view, const Items& items) {
   }
   for (std::size_t s = 0; s < sectors; ++s)
     if (count[s] > 0) force[s] /= count[s];
-  to["sectors"] = count;
-  to["sector_force_N"] = force;
+  put(to, "sectors", count, "", "Contacts by sectors of directions over half a turn", Trait::curve);
+  put(to, "sector_force_N", force, "N", "Mean normal force of these contacts", Trait::curve | Trait::by_forces);
 }
+
+/// What the direction of the load follows from: what was said, or the forces.
+Trait by_axis(const View& view) { return view.options.load_axis ? Trait::none : Trait::by_forces; }
 
 /// Directions of one set of contacts, mirrored beyond half a turn. Directions in degrees from x, in [0, 180).
 Numbers fabric_of(const View& view, const Items& items) {
@@ -113,12 +116,16 @@ Numbers fabric_of(const View& view, const Items& items) {
       "Contact anisotropy a_c, 2 (phi_1 - phi_2), T eq. 1.8; 0: isotropic");
   put(j, "theta_c_deg", contacts.direction_deg, "deg", "Principal direction of the contacts, from x");
   put(j, "phi", statistics::TensorEstimate{tensor(&Estimate::value), tensor(&Estimate::error)}, "",
-      "Fabric tensor <n (x) n>, T eq. 1.6");
-  put(j, "a_c_signed", r[a_c_signed], "", "a_c cos 2(theta_c - theta_load): positive along the load");
+      "Fabric tensor <n (x) n>, T eq. 1.6", Trait::detail);
+  put(j, "a_c_signed", r[a_c_signed], "", "a_c cos 2(theta_c - theta_load): positive along the load",
+      Trait::detail | by_axis(view));
   put(j, "a_c_noise", 2 * noise, "", "a_c of the same number of random orientations");
-  put(j, "a_n", force.amplitude, "", "Anisotropy of the mean normal force");
-  put(j, "theta_n_deg", force.direction_deg, "deg", "Direction of the largest normal forces, from x");
-  put(j, "a_t", oscillation(r[friction_x], r[friction_y], 2).amplitude, "", "Anisotropy of the mean tangential force");
+  put(j, "a_n", force.amplitude, "", "Anisotropy of the mean normal force", Trait::detail | Trait::by_forces);
+  put(j, "theta_n_deg", force.direction_deg, "deg", "Direction of the largest normal forces, from x",
+      Trait::detail | Trait::by_forces);
+  put(j, "a_t", oscillation(r[friction_x], r[friction_y], 2).amplitude, "", "Anisotropy of the mean tangential force",
+      Trait::detail | Trait::by_forces);
+  j["modes"].mark(Trait::detail);
   for (int k = 0; k < 3; ++k) {
     Numbers& mode = j["modes"][std::to_string(2 * (k + 1))] = Numbers::tree();
     const Oscillation fold = oscillation(r[x2 + 2 * k], r[y2 + 2 * k], 2 * (k + 1));
@@ -135,12 +142,15 @@ void put_sets(Numbers& to, const View& view, const std::string& name, const Item
   Items strong, weak;
   for (const std::size_t c : items) (view.strong(c) ? strong : weak).push_back(c);
   const std::string prefix = name == "all" ? "" : name + " ";
-  const auto put_set = [&](const std::string& set, const Items& members) {
-    if (!members.empty()) place_of(set, to, "sets").update(fabric_of(view, members));
+  const auto put_set = [&](const std::string& set, const Items& members, Trait traits) {
+    if (members.empty()) return;
+    Numbers& place = place_of(set, to, "sets");
+    place.update(fabric_of(view, members));
+    place.mark(traits);
   };
-  put_set(name, items);
-  put_set(prefix + "strong", strong);
-  put_set(prefix + "weak", weak);
+  put_set(name, items, Trait::none);
+  put_set(prefix + "strong", strong, Trait::detail | Trait::by_forces);
+  put_set(prefix + "weak", weak, Trait::detail | Trait::by_forces);
 }
 
 }  // namespace
@@ -152,7 +162,7 @@ void fabric(const View& view, Texture& texture) {
   put_sets(j, view, "all", view.contacts);
   for (const auto& [name, items] : contacts_by_type(view)) put_sets(j, view, name, items);
   put(j, "load_axis_deg", view.load_axis * 180 / std::numbers::pi, "deg",
-      "Direction of the load, from x, to which signs refer");
+      "Direction of the load, from x, to which signs refer", Trait::detail | by_axis(view));
 }
 
 /// Signed a_c of the contacts that carry at most, and more than, a multiple of the mean force, from 0 to 4 by 0.1.
@@ -189,6 +199,7 @@ void threshold(const View& view, Texture& texture) {
                                             {"noise_below", noise_below},
                                             {"a_c_above", above},
                                             {"noise_above", noise_above}};
+  texture.numbers["fabric"]["threshold"].mark(Trait::curve | Trait::by_forces);
 }
 
 }  // namespace arenite::texture

@@ -44,7 +44,7 @@ void local_order(const View& view, Texture& texture) {
   put(j, "psi6", mean(touching, view.grain_block, [&](std::size_t g) { return any.psi(g); }), "",
       "Mean |<exp(6 i theta)>| over a grain's contacts");
   put(j, "triangular_share", ordered, "",
-      "Fraction of grains with five or more like neighbours and psi_6 of these above 0.9");
+      "Fraction of grains with five or more like neighbours and psi_6 of these above 0.9", Trait::detail);
 }
 
 }  // namespace arenite::texture

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "core/problems.hpp"
-#include "core/text.hpp"
 #include "grains/texture/view.hpp"
 
 namespace arenite::texture {
@@ -22,14 +21,15 @@ void sample(const View& view, Texture& texture) {
   texture.mean_diameter = view.mean_diameter;
   texture.per_grain.considered = view.considered;
   texture.per_grain.rattler = view.rattler;
-  texture.numbers = {{"grains", described(view.packing.grains.size(), "", "Grains of the sample")},
-                     {"contacts", described(contacts.size() - walls, "", "Contacts between grains")},
-                     {"wall_contacts", described(walls, "", "Contacts with walls")},
-                     {"considered",
-                      {{"grains", described(view.grains.size(), "", "Grains in the window of the statistics")},
-                       {"contacts", described(view.contacts.size(), "", "Contacts in that window")},
-                       {"border_m", described(view.window.border, "m", "Strip left out along walls")}}},
-                     {"mean_diameter_m", described(view.mean_diameter, "m", "Mean diameter of grains")}};
+  texture.numbers = {
+      {"grains", described(view.packing.grains.size(), "", "Grains of the sample")},
+      {"contacts", described(contacts.size() - walls, "", "Contacts between grains")},
+      {"wall_contacts", described(walls, "", "Contacts with walls")},
+      {"considered",
+       {{"grains", described(view.grains.size(), "", "Grains in the window of the statistics")},
+        {"contacts", described(view.contacts.size(), "", "Contacts in that window")},
+        {"border_m", described(view.window.border, "m", "Strip left out along walls").mark(Trait::detail)}}},
+      {"mean_diameter_m", described(view.mean_diameter, "m", "Mean diameter of grains")}};
   if (!view.has_box)
     texture.notes.push_back(
         "The box is not known, so solid fraction, REV and the stress of the assembly are omitted and no border is left "
@@ -91,7 +91,8 @@ Texture measure(const Packing& packing, const Options& options) {
 }
 
 Numbers stress_distribution(const Packing& packing, const std::vector<double>& sigma_hyd) {
-  const Options options{.grain_sigma_hyd = sigma_hyd};
+  Options options;
+  options.grain_sigma_hyd = sigma_hyd;
   const View view(packing, options);
   Texture texture;
   grain_stress(view, texture);
@@ -101,31 +102,20 @@ Numbers stress_distribution(const Packing& packing, const std::vector<double>& s
 
 Numbers numbers(const Texture& t, bool curves) {
   Numbers j = t.numbers;
-  if (!curves) statistics::erase_curves(j, "sectors sector_force_N threshold pdf pdf_over_all cumulative");
+  if (!curves) erase(j, Trait::curve);
   j["notes"] = t.notes;
   if (curves) j["by_grain"] = rows(t.per_grain);
   return j;
 }
 
 std::string to_text(const Texture& t) {
-  return arenite::to_text(
-      numbers(t), {"border_m load_axis_deg phi modes a_n theta_n_deg a_t a_c_signed histogram unlike_contacts_twice "
-                   "parts_of_z share_of_contacts fraction_above_mean_of_all strong_share_of_all beta_error beta_line "
-                   "line_r2 tail_count log_likelihood_ratio p_value k beta2_over_product in_window sum_over_grains "
-                   "from_walls_and_weight triangular_share doubled_rows negative_forces negative_share",
-                   "strong weak"});
+  Numbers shown = numbers(t);
+  erase(shown, Trait::detail);
+  return arenite::to_text(shown);
 }
 
 void forget_forces(Texture& t) {
-  for (const char* name : {"force", "stress", "stress_details", "sigma_norm"}) t.numbers.erase(name);
-  constexpr std::string_view by_force =
-      "without_rattlers rattlers a_n theta_n_deg a_t a_c_signed load_axis_deg threshold strong weak";
-  for (const char* group : {"coordination", "fabric"})
-    if (t.numbers.contains(group))
-      erase_if(t.numbers[group], [&](std::string_view name, const Numbers&) {
-        return std::ranges::count(split_blanks(by_force), name) > 0 || name.ends_with(" strong") ||
-               name.ends_with(" weak");
-      });
+  erase(t.numbers, Trait::by_forces);
   std::fill(t.per_grain.rattler.begin(), t.per_grain.rattler.end(), std::uint8_t{0});
   t.per_grain.sigma.clear();
   t.per_grain.sigma_hyd.clear();

@@ -58,9 +58,9 @@ void put_friction(Numbers& to, const View& view) {
   const double largest = *std::max_element(ratios.begin(), ratios.end());
   const auto sliding =
       std::count_if(ratios.begin(), ratios.end(), [&](double r) { return r > 0 && r >= (1 - 1e-3) * largest; });
-  put(to, "friction_ratio_max", largest, "", "Largest |F_t|/F_n of compressive contacts");
+  put(to, "friction_ratio_max", largest, "", "Largest |F_t|/F_n of compressive contacts", Trait::by_forces);
   put(to, "sliding_share", static_cast<double>(sliding) / static_cast<double>(ratios.size()), "",
-      "Fraction of contacts within 0.001 of the largest |F_t|/F_n");
+      "Fraction of contacts within 0.001 of the largest |F_t|/F_n", Trait::by_forces);
 }
 
 }  // namespace
@@ -73,11 +73,12 @@ void quality(const View& view, Texture& texture) {
       std::count_if(view.contacts.begin(), view.contacts.end(), [&](std::size_t c) { return force[c] < 0; }));
   const double imbalance = view.mean_force > 0 ? median_resultant(view) / view.mean_force : unknown;
   Numbers& j = texture.numbers["quality"];
-  put(j, "doubled_rows", view.options.doubled_rows, "", "Contacts listed twice and merged");
-  put(j, "negative_forces", negative, "", "Contacts with negative normal force");
+  put(j, "doubled_rows", view.options.doubled_rows, "", "Contacts listed twice and merged", Trait::detail);
+  put(j, "negative_forces", negative, "", "Contacts with negative normal force", Trait::detail | Trait::by_forces);
   put(j, "negative_share", contacts > 0 ? static_cast<double>(negative) / static_cast<double>(contacts) : 0.0, "",
-      "Fraction of contacts with negative normal force");
-  put(j, "median_imbalance", imbalance, "", "Median |sum F| of grains with at least 3 contacts over the mean force");
+      "Fraction of contacts with negative normal force", Trait::detail | Trait::by_forces);
+  put(j, "median_imbalance", imbalance, "", "Median |sum F| of grains with at least 3 contacts over the mean force",
+      Trait::by_forces);
   put_friction(j, view);
   if (negative > 0)
     texture.notes.push_back(fmt::format("{} of {} normal forces are tensile; {}.", negative, contacts,

@@ -103,13 +103,13 @@ void put_whole_stress(Numbers& to, Numbers& details, const View& view) {
   const double axis = 0.5 * std::atan2(-(s.xy + s.yx), -(s.xx - s.yy)) * 180 / std::numbers::pi;
   const std::string known = view.options.in_time ? "the scatter in time" : "unknown from one sample";
   put(to, "stress", with_scatter_in_time(view, s), "Pa",
-      ("Mean stress of the sample, tension positive; its error is " + known).c_str());
+      ("Mean stress of the sample, tension positive; its error is " + known).c_str(), Trait::by_forces);
   put(details, "in_window", statistics::TensorEstimate{inner_stress(view, moments)}, "Pa",
-      ("Stress of the grains in the window, tension positive; its error is " + known).c_str());
-  put(details, "sum_over_grains", sum, "Pa", "Stress as the sum over grains");
+      ("Stress of the grains in the window, tension positive; its error is " + known).c_str(), Trait::detail);
+  put(details, "sum_over_grains", sum, "Pa", "Stress as the sum over grains", Trait::detail);
   if (walled)
     put(details, "from_walls_and_weight", 1 / volume * wall_moment(view.packing, view.options.gravity), "Pa",
-        "Stress from the forces on walls and from weight; the same in equilibrium");
+        "Stress from the forces on walls and from weight; the same in equilibrium", Trait::detail);
   put(details, "pressure_Pa", -0.5 * trace(s), "Pa",
       "Pressure p, mean of the principal stresses, compression positive");
   put(details, "deviator_Pa", deviator(s), "Pa", "Deviator q, half the difference of the principal stresses");
@@ -173,7 +173,7 @@ void stress(const View& view, Texture& texture) {
   Numbers details = Numbers::tree();
   if (view.has_box && view.has_thickness) put_whole_stress(texture.numbers, details, view);
   put_strong_shares(details, view);
-  if (!details.empty()) texture.numbers["stress_details"] = std::move(details);
+  if (!details.empty()) texture.numbers["stress_details"] = details.mark(Trait::by_forces);
 }
 
 /// Stress of every grain over its own volume (T eq. 1.11). The normalised stress needs no length, since it cancels.
@@ -210,6 +210,7 @@ void sigma_norm(const View& view, Texture& texture) {
     if (const Items items = known(all, texture.per_grain.sigma_norm); !items.empty())
       place_of(name, texture.numbers["sigma_norm"], "by_material")
           .update(distribution(items, view.grain_block, texture.per_grain.sigma_norm, 1.0, names, mean, view.level()));
+  if (!measured && texture.numbers.contains("sigma_norm")) texture.numbers["sigma_norm"].mark(Trait::by_forces);
 }
 
 }  // namespace arenite::texture

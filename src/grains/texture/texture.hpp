@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/rectangle.hpp"
+#include "model/measuring.hpp"
 #include "model/packing.hpp"
 #include "statistics/estimate.hpp"
 #include "statistics/numbers.hpp"
@@ -26,15 +27,11 @@ struct TimeScatter {
 };
 
 /// Choices that the definitions leave open (science: T 1.2, 3.2.4, 4.3.1).
-struct Options {
-  double border = 2.5;                   ///< strip left out along each wall, in mean diameters (T 3.2.4)
-  std::optional<double> load_axis = {};  ///< direction of the load for signed anisotropies, rad from x; unset: the
-                                         ///< direction of greatest compression of the sample's own stress
-  int rattler_contacts = 2;              ///< a grain with fewer force-bearing contacts than this is a rattler
-  Vec2 gravity = {};                     ///< m/s^2; for the balance of grains and walls only
-  std::uint64_t seed = 1;                ///< of the places of windows
-  int rev_sizes = 20, rev_places = 50;   ///< windows of the REV study
-  int sectors = 18;                      ///< of directions, over half a turn
+struct Options : Measuring {
+  int rattler_contacts = 2;             ///< a grain with fewer force-bearing contacts than this is a rattler
+  Vec2 gravity = {};                    ///< m/s^2; for the balance of grains and walls only
+  int rev_sizes = 20, rev_places = 50;  ///< windows of the REV study
+  int sectors = 18;                     ///< of directions, over half a turn
   Pull pull =
       Pull::measured;  ///< where a simulation tells; of measured forces pulls are errors unless there is cohesion
   std::vector<double> grain_sigma_hyd =

@@ -20,6 +20,7 @@ struct FilmChoice {
                         offset =
                             {};  ///< K: pixels become scale * number + offset, whatever the film says that they are
   std::int64_t most_pixels = 100'000'000;  ///< in a frame; larger ones are refused before memory is asked for
+  bool operator==(const FilmChoice&) const = default;
 };
 
 /// A film that is read part by part, in any of the formats (docs/formats.md); raw frames have a sidecar (its name is

@@ -118,6 +118,7 @@ void transfer_provenance(const Hdf5Group& at, Provenance& provenance) {
   at("kernel", provenance.kernel);
   at.text("recipe", provenance.recipe);
   at.attributes("options", provenance.options);
+  if (!at.reads() || at.has_attribute("title")) at("title", provenance.title);
 }
 
 void transfer_materials(const Hdf5Group& at, Materials& materials) {

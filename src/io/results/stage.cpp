@@ -46,11 +46,11 @@ void transfer_asked(const Hdf5Group& file, Asked& asked) {
   at("cycled", asked.cycled);
   at("in_motion", asked.in_motion);
   at("in_equilibrium", asked.in_equilibrium);
-  if (!at.lacks("measure", !asked.measures)) {
-    const auto measure = at.group("measure");
-    asked.measures = true;
-    measure("border", asked.border);
-    measure("seed", asked.measure_seed);
+  if (!at.lacks("measure", !asked.measure)) {
+    const auto group = at.group("measure");
+    if (at.reads()) asked.measure.emplace();
+    group("border", asked.measure->border);
+    group("seed", asked.measure->seed);
   }
   at.array("diameter", asked.diameter, "m");
   at.array("passing", asked.passing);

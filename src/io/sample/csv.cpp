@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "core/text.hpp"
@@ -70,15 +72,23 @@ std::vector<Moment> contact_moments_csv(std::string_view text, const std::string
   return moments_of_rows(text, columns, pair_names);
 }
 
+/// The rows of the snapshot that is read; nothing where they cannot be used.
+std::optional<Table> rows_of(const Reading& reading, const std::string& columns,
+                             std::span<const std::string_view> names) {
+  Table table = read_table(reading.text, columns, reading.problems);
+  if (table.columns.empty()) return std::nullopt;
+  SnapshotsOfRows(table, names).keep(reading.snapshot, table);
+  if (!knows_pixels(table, reading.options, reading.problems)) return std::nullopt;
+  return table;
+}
+
 RawGrains read_grains_csv(const Reading& reading) {
   const SampleOptions& options = reading.options;
   Problems& problems = reading.problems;
-  Table table = read_table(reading.text, options.grain_columns, problems);
-  RawGrains grains;
-  if (table.columns.empty()) return grains;
-  SnapshotsOfRows(table, grain_names).keep(reading.snapshot, table);
-  if (!knows_pixels(table, options, problems)) return grains;
-  grains = grains_in(table, "grains need id, x, y, radius and may have z, material, zone", options, problems);
+  const auto rows = rows_of(reading, options.grain_columns, grain_names);
+  if (!rows) return {};
+  const Table& table = *rows;
+  RawGrains grains = grains_in(table, "grains need id, x, y, radius and may have z, material, zone", options, problems);
   note_assumed_unit(table, "x", options.length_unit.has_value(), "length", "m", "--length-unit", grains.notes);
   return grains;
 }
@@ -99,11 +109,10 @@ struct VectorField {
 RawContacts read_contacts_csv(const Reading& reading, const RawGrains& grains) {
   const SampleOptions& options = reading.options;
   Problems& problems = reading.problems;
-  Table table = read_table(reading.text, options.contact_columns, problems);
+  const auto rows = rows_of(reading, options.contact_columns, pair_names);
+  if (!rows) return {};
+  const Table& table = *rows;
   RawContacts contacts;
-  if (table.columns.empty()) return contacts;
-  SnapshotsOfRows(table, pair_names).keep(reading.snapshot, table);
-  if (!knows_pixels(table, options, problems)) return contacts;
   const auto i = table.find({"i", "id1"}), j = table.find({"j", "id2"});
   const auto force = [&](const char* name) {
     return find_field(table, {name}, dimension::force, options.force(), problems);

@@ -2,13 +2,16 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
+#include "core/error.hpp"
 #include "core/text.hpp"
 #include "io/sample/assemble.hpp"
 #include "io/sample/formats.hpp"
 #include "io/sample/plane.hpp"
 #include "io/sample/snapshots.hpp"
+#include "io/table/table.hpp"
 #include "io/table/text_file.hpp"
 
 namespace arenite::io {
@@ -96,6 +99,87 @@ Sample read_sample(const std::filesystem::path& grains_path, const std::filesyst
   if (options.y_down) turn_rows_up(contacts, grains.plane.second);
   assemble(grains, contacts, options, sample, grain_problems, contact_problems);
   return sample;
+}
+
+namespace {
+
+using Visitor = ParameterVisitor;
+
+void declare_format(Visitor& v, SampleOptions& options) {
+  std::vector<Word> words{{"auto", "by their first line"}};
+  for (const SampleFormat* format : samples::all) words.push_back({format->name, {}});
+  const auto at = std::ranges::find(words, options.format, &Word::word);
+  auto index = static_cast<int>(at == words.end() ? 0 : at - words.begin());
+  v.choice({"format", "Format of the files."}, index, words);
+  options.format = words[static_cast<std::size_t>(index)].word;
+}
+
+void declare_unit(Visitor& v, const Key& key, std::optional<double>& factor, Dimension dimension) {
+  std::string text, problem;
+  v.text(key, text);
+  try {
+    if (!text.empty()) factor = unit_factor(text, dimension);
+  } catch (const InputError& error) { problem = error.problems().front().message; }
+  v.require(problem.empty(), {key.name}, problem);
+}
+
+/// A list of lengths, or none.
+std::vector<double> lengths(Visitor& v, const Key& key, std::vector<double> values, std::size_t most) {
+  v.numbers(key, values, "mm", range::any);
+  const bool right = values.empty() || (values.size() >= 2 && values.size() <= most);
+  v.require(right, {key.name},
+            most == 2 ? "must be two lengths, for example 350 mm and 350 mm"
+                      : "must be two or three lengths, for example 350 mm and 350 mm");
+  return right ? values : std::vector<double>{};
+}
+
+void declare_frame(Visitor& v, SampleOptions& options) {
+  std::vector<double> box, origin;
+  if (options.box) box = {options.box->x, options.box->y, options.tilt};
+  if (options.origin) origin = {options.origin->x, options.origin->y};
+  box = lengths(v, {"box", "Width and height of the sample, and tilt of a sheared periodic cell."}, box, 3);
+  v.require(box.empty() || (box[0] > 0 && box[1] > 0), {"box"}, "width and height must be positive");
+  if (!box.empty()) options.box = {box[0], box[1]};
+  if (box.size() == 3) options.tilt = box[2];
+  origin = lengths(
+      v, {"origin", "Lower left corner of the box; unless given 0, or around the centres if they lie elsewhere."},
+      origin, 2);
+  if (!origin.empty()) options.origin = {origin[0], origin[1]};
+  constexpr const char* words[] = {"", "x", "y", "xy"};
+  std::string periodic = words[(options.periodic[0] ? 1 : 0) + (options.periodic[1] ? 2 : 0)];
+  v.text({"periodic", "Periodic directions: x, y or xy."}, periodic);
+  v.require(std::ranges::count(words, periodic) > 0, {"periodic"}, "must be x, y or xy");
+  options.periodic = {periodic.find('x') != std::string::npos, periodic.find('y') != std::string::npos};
+}
+
+}  // namespace
+
+void declare(Visitor& v, SampleOptions& options) {
+  declare_format(v, options);
+  v.text({"grain_columns", "Columns of a grain table without header, e.g. \"id,x,y,-,radius\"."},
+         options.grain_columns);
+  v.text(
+      {"contact_columns",
+       "Columns of a contact table without header, e.g. \"i,j,-,ft [N],fn [N]\" or \"i,j,fx,fy\"; or of a LAMMPS dump "
+       "with computes other than those in docs/measure.md, e.g. \"-,patom1,patom2,fx,fy,p1,p2\"."},
+      options.contact_columns);
+  declare_unit(v, {"length_unit", "Unit of lengths in columns without a unit, e.g. mm; m unless given."},
+               options.length_unit, dimension::length);
+  declare_unit(v, {"force_unit", "Unit of forces in columns without a unit, e.g. kN; N unless given."},
+               options.force_unit, dimension::force);
+  v.number_above_0({"pixel", "Side of a pixel on the sample, for a table in pixels."}, options.pixel, "mm");
+  declare_frame(v, options);
+  v.number({"thickness", "Length of the cylinders, out of the plane; stresses need it."}, options.thickness, "mm",
+           range::positive);
+  std::string materials = options.materials ? options.materials->string() : "";
+  v.text(
+      {"materials", "Table of materials (material,name,density,...) or of the material of each grain (id,material)."},
+      materials);
+  if (!materials.empty()) options.materials = materials;
+  v.flag({"y_down", "y counts image rows, which point down; y is flipped, fn and ft are kept."}, options.y_down);
+  v.flag(
+      {"merge_doubled", "A contact listed twice is taken once, with the mean of its forces; otherwise it is an error."},
+      options.merge_doubled);
 }
 
 }  // namespace arenite::io

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/parameters.hpp"
 #include "model/packing.hpp"
 
 namespace arenite::io {
@@ -28,6 +29,9 @@ struct SampleOptions {
   double length() const { return length_unit.value_or(1); }
   double force() const { return force_unit.value_or(1); }
 };
+
+/// Every parameter: its name, unit, range and meaning, for commands and Python.
+void declare(ParameterVisitor& visitor, SampleOptions& options);
 
 /// Grains and contacts from anybody's files.
 struct Sample {

@@ -112,6 +112,7 @@ Numbers numbers(const GrainStresses& g) {
   Numbers centres = Numbers::list();
   for (const Vec2 c : g.centre) centres.push_back({c.x, c.y});
   j["by_grain"] = {{"nodes", g.nodes}, {"whole", g.whole}, {"centre_m", centres}, {"sigma_Pa", g.stress}};
+  j["by_grain"].mark(Trait::curve);
   return j;
 }
 

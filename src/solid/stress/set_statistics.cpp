@@ -85,7 +85,7 @@ void put_moments(Numbers& to, const Scaled& s, const Normaliser& normaliser, boo
   put(to, "mean_Pa", e[0], "Pa", "Mean stress of the set, tension positive");
   put(to, "mean_over_sample_mean", e[1], "", "Mean stress of the set over that of the sample");
   put(to, "variance", e[2], "", "Variance of the stress over the sample's mean");
-  if (over_own_mean) put(to, "own_variance", e[3], "", "Variance of the stress over the set's own mean");
+  if (over_own_mean) put(to, "own_variance", e[3], "", "Variance of the stress over the set's own mean", Trait::detail);
   put(to, "skewness", e[4], "", "Skewness of the stress");
   put(to, "excess_kurtosis", e[5], "", "Excess kurtosis of the stress; 0 for a Gaussian");
 }
@@ -120,7 +120,8 @@ void put_ranks(Numbers& to, const Scaled& s, const BlockCounts& counts, const st
   put(to, "fraction_above_sample_mean", e[1], "", "Fraction of nodes above the sample's mean");
   statistics::ByName<statistics::Estimate> named;
   for (std::size_t k = 0; k < std::size(quantile_shares); ++k) named.emplace_back(quantile_shares[k].first, e[k + 2]);
-  put(to, "quantiles", named, "", "Stress over the sample's mean below which this fraction of nodes lies");
+  put(to, "quantiles", named, "", "Stress over the sample's mean below which this fraction of nodes lies",
+      Trait::detail);
 }
 
 /// Six digits are more than counting gives.
@@ -147,6 +148,7 @@ void put_shape(Numbers& to, const Scaled& s, const BlockCounts& counts) {
   if (const auto peak = statistics::peak_of(counts.bins, counts.all); std::isfinite(peak.at))
     to["peak"] = {{"at", statistics::described(peak.at, "", "Stress over the set's own mean where its pdf is highest")},
                   {"height", statistics::described(peak.height, "", "The pdf there")}};
+  if (to.contains("peak")) to["peak"].mark(Trait::detail);
 }
 
 }  // namespace
@@ -194,8 +196,8 @@ Numbers describe(const std::string& name, BlockedSample& sigma, const Normaliser
   j["histogram"] = rounded(statistics::histogram(sigma.x, r));
   if (own) j["own_histogram"] = rounded(statistics::histogram(sigma.x, 1));
   const statistics::Curve pdf = statistics::pdf(counts);
-  j["pdf"] = rescaled(pdf, std::abs(r));
-  if (own) j["own_pdf"] = pdf;
+  j["pdf"] = Numbers(rescaled(pdf, std::abs(r))).mark(Trait::curve);
+  if (own) j["own_pdf"] = Numbers(pdf).mark(Trait::curve);
   return j;
 }
 

@@ -166,8 +166,8 @@ Normaliser normalise(const Selection& selection, const BlockedSample& all, const
   const auto e = statistics::with_errors(whole, replicates);
   normaliser.value = whole[2];
   put(to, "sample_mean_Pa", options.mean_over_area ? e[1] : e[0], "Pa", "Mean by which stresses are divided");
-  put(to, "mean_over_nodes_Pa", e[0], "Pa", "Mean over nodes of particles and matrix");
-  put(to, "mean_over_area_Pa", e[1], "Pa", "Mean over the whole area, the void as zero");
+  put(to, "mean_over_nodes_Pa", e[0], "Pa", "Mean over nodes of particles and matrix", Trait::detail);
+  put(to, "mean_over_area_Pa", e[1], "Pa", "Mean over the whole area, the void as zero", Trait::detail);
   to["normalised_by"] = normaliser.over_mean ? "mean" : "root mean square";
   return normaliser;
 }
@@ -223,6 +223,7 @@ Statistics measure(const PhaseMap& map, const StressField& field, const StressOp
         {"leave_out_unloaded", options.leave_out_unloaded},
         {"sample_mean_over", options.mean_over_area ? "area" : "particles and matrix"},
         {"blocks", options.blocks}}}};
+  j["options"].mark(Trait::detail);
   std::vector<std::pair<Component, std::string>> notes;
   bool any = false;
   for (const Component component : options.components) {
@@ -247,13 +248,14 @@ Numbers numbers(const Statistics& s, bool curves, std::span<const Component> com
   for (const auto& [component, note] : s.notes)
     if (wanted(component)) notes.push_back(note);
   j["notes"] = std::move(notes);
-  if (!curves) statistics::erase_curves(j, "pdf own_pdf by_grain");
+  if (!curves) erase(j, Trait::curve);
   return j;
 }
 
 std::string to_text(const Statistics& s) {
-  return arenite::to_text(numbers(s), {"options quantiles own_variance mean_over_nodes_Pa mean_over_area_Pa line_slope "
-                                       "line_r2 log_likelihood_ratio p_value centre peak"});
+  Numbers shown = numbers(s);
+  erase(shown, Trait::detail);
+  return arenite::to_text(shown);
 }
 
 }  // namespace arenite::stress

@@ -185,4 +185,25 @@ FoundCircles find_circles(const FloatImage& image, const CircleOptions& options)
   return found;
 }
 
+void declare_rims(ParameterVisitor& v, GrainContrast& contrast, double& least_score) {
+  v.choice({"contrast", "Whether grains are brighter or darker than what is between them."}, contrast,
+           {{"found", "as the picture shows, some brighter and some darker, too"},
+            {"bright", "brighter"},
+            {"dark", "darker"}});
+  v.number({"least_score", "Fraction of a grain's rim that must be visible."}, least_score, "", range::between(0, 1));
+}
+
+void declare(ParameterVisitor& v, CircleOptions& options) {
+  v.numbers({"radii", "Radii of the size classes, in pixels; found automatically if not given."}, options.radii, "",
+            range::positive);
+  v.number({"smallest", "Smallest radius that is looked for where none are given, in pixels."}, options.smallest, "",
+           range::positive);
+  v.number({"largest",
+            "Largest radius that is looked for where none are given, in pixels; 0: half the picture's smaller side."},
+           options.largest, "", range::not_negative);
+  v.integer({"materials", "Number of materials by brightness; 0: found automatically."}, options.materials,
+            {0, 1'000'000});
+  declare_rims(v, options.contrast, options.least_score);
+}
+
 }  // namespace arenite::imaging

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/parameters.hpp"
 #include "model/image.hpp"
 #include "statistics/clusters.hpp"
 
@@ -19,6 +20,10 @@ struct CircleOptions {
   std::size_t materials = 0;  ///< classes of brightness; 0: found
   double least_score = 0.5;   ///< share of the rim that must show
 };
+
+/// Every parameter, lengths in pixels; and those of them that a film's recipe has, too.
+void declare(ParameterVisitor& visitor, CircleOptions& options);
+void declare_rims(ParameterVisitor& visitor, GrainContrast& contrast, double& least_score);
 
 /// What was found besides the grains.
 struct CircleReport {

@@ -116,8 +116,9 @@ PictureGrains optical_grains(const Image& whole, const OpticalView& view, const 
   const Part part = part_near_container(view, whole, fine);
   const FloatImage image = coarser(whole, part, times);
   const double pixel = times * fine;
-  auto found =
-      circles_of(view.radii, image, pixel, {.largest = 0.25 * std::min(view.container.x, view.container.y) / pixel});
+  CircleOptions search = view.search;
+  search.largest = 0.25 * std::min(view.container.x, view.container.y) / pixel;
+  auto found = circles_of(view.radii, image, pixel, search);
   if (found.grains.size() < 3)
     refuse(view.file,
            "shows {} grains; give a picture in which they stand out, or a list of the grains (picture.grains)",

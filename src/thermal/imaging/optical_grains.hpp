@@ -6,6 +6,7 @@
 #include "model/film.hpp"
 #include "model/film_place.hpp"
 #include "model/image.hpp"
+#include "thermal/imaging/circles.hpp"
 
 namespace arenite::imaging {
 
@@ -17,6 +18,7 @@ struct OpticalView {
   bool is_placed = false;            ///< its place in the film is given; else it is in the middle
   double travel = 0;                 ///< of its lower wall from the smallest to the largest load, m
   std::vector<double> radii;         ///< size classes of the grains, m; empty: found
+  CircleOptions search = {};         ///< how rims are searched
 };
 
 /// Grains found in an ordinary camera's picture of the sample at the smallest load and carried to where `frame`, the

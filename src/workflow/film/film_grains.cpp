@@ -80,10 +80,15 @@ void warn_of_gaps(const recipe::FilmRecipe& recipe, const FilmPlace& place, cons
                     grains.size(), 100 * share));
 }
 
+imaging::CircleOptions search_of(const recipe::PictureSection& picture) {
+  return {.contrast = picture.contrast, .least_score = picture.least_score};
+}
+
 /// Circles of the film's own picture, without pores.
 PictureGrains film_grains(const recipe::FilmRecipe& recipe, const FilmPlace& place, const FilmInfo& film,
                           const std::vector<float>& frame) {
-  auto found = imaging::circles_of(recipe.picture.radii, {film.width, film.height, frame}, place.pixel);
+  auto found = imaging::circles_of(recipe.picture.radii, {film.width, film.height, frame}, place.pixel,
+                                   search_of(recipe.picture));
   imaging::keep_inside({recipe.container.width, recipe.container.height}, place, found.grains);
   imaging::drop_overlapping(found.grains);
   if (found.grains.size() > 0 && !found.report.between) imaging::drop_pores(frame, found.report.bright, found.grains);
@@ -100,7 +105,8 @@ PictureGrains optical_grains(const recipe::FilmRecipe& recipe, const FilmPlace& 
                                   {container.width, container.height},
                                   container.left || container.top,
                                   container.travel,
-                                  picture.radii};
+                                  picture.radii,
+                                  search_of(picture)};
   return imaging::optical_grains(io::read_image(file), view, place, frame, maps, notes);
 }
 

@@ -92,7 +92,8 @@ Numbers motion_of(const FilmResult& r) {
 Numbers forces_of(const FilmResult& r) {
   const Contacts& contacts = r.packing.contacts;
   if (contacts.size() == 0) return Numbers::tree();
-  const texture::Options whole{.border = 0};
+  texture::Options whole;
+  whole.border = 0;
   const texture::View view(r.packing, whole);
   statistics::Items between;
   for (std::size_t c = 0; c < contacts.size(); ++c)
@@ -190,7 +191,8 @@ void add_stresses(Numbers& j, const FilmResult& r, const texture::Texture& textu
 }  // namespace
 
 texture::Texture texture_of(const FilmResult& film, bool rev) {
-  texture::Options options{.grain_sigma_hyd = film.peak_to_peak.sigma_hyd};
+  texture::Options options;
+  options.grain_sigma_hyd = film.peak_to_peak.sigma_hyd;
   if (!rev) options.rev_sizes = 0;
   return texture::measure(film.packing, options);
 }

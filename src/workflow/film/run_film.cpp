@@ -13,6 +13,7 @@
 #include "io/results/results.hpp"
 #include "model/elasticity/disk_stress.hpp"
 #include "model/film_place.hpp"
+#include "workflow/asked.hpp"
 #include "workflow/film/film_correction.hpp"
 #include "workflow/film/film_numbers.hpp"
 #include "workflow/film/measure_film.hpp"
@@ -114,10 +115,11 @@ void measure_grains(const recipe::FilmRecipe& recipe, FilmOutcome& outcome, Film
   std::optional<texture::Texture> simulation;
   if (recipe.simulation)
     if (const auto ends = compared_stages(outcome.simulation, *recipe.simulation)) {
+      texture::Options options;
+      options.rev_sizes = 0;
       simulation = outcome.simulation.measured.stages[ends->second];
       if (!simulation)
-        simulation =
-            texture::measure(outcome.simulation.stages[ends->second].snapshots.back().packing, {.rev_sizes = 0});
+        simulation = texture::measure(outcome.simulation.stages[ends->second].snapshots.back().packing, options);
     }
   film.numbers = film_numbers(film, *texture, simulation ? &*simulation : nullptr);
 }
@@ -176,12 +178,13 @@ FilmOutcome run_film(const fs::path& film, const recipe::FilmRecipe& recipe, con
     result->outcome = fmt::format("{} grains and {} contacts at {:.6g} Hz", result->packing.grains.size(),
                                   result->packing.contacts.size(), result->maps.frequency);
     result->provenance = {
-        version, "film", stage.hash, to_toml(recipe), recipe.seed, "", {{"film", film.filename().string()}}};
+        version,     "film", stage.hash, to_toml(recipe), recipe.seed, "", {{"film", film.filename().string()}},
+        recipe.title};
     return result;
   };
   bool reused = false;
   auto result = carry_out<FilmResult>(
-      {stage, outcome.file, make, io::write_film_result, io::read_film_result, "the film is measured again"}, options,
+      {stage, outcome.file, make, io::write_film_result, read_film_result, "the film is measured again"}, options,
       reused);
   outcome.interrupted = !result;
   if (!result) return outcome;

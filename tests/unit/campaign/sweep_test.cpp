@@ -89,6 +89,29 @@ TEST(Sweep, AListGivesEachRunItsOwnKeysAndGoesWithAGrid) {
       << "of two forms the swept one counts";
 }
 
+TEST(Sweep, LoadsOnAMapAreSweptAndShareItsSample) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "map.png") << "any bytes: names follow from them";
+  std::ofstream(folder / "map.toml") << R"([map]
+file = "map.png"
+dx = "1 um"
+[[loads]]
+name = "tension"
+[sweep.grid]
+"loads.0.strain" = [0.0001, 0.001]
+"map.crop" = ["0,0,40,40", "0,0,60,60"]
+)";
+  const Study study = read_study(folder / "map.toml");
+  EXPECT_EQ(
+      descriptions(study),
+      (Lines{"loads.0.strain = 0.0001, map.crop = \"0,0,40,40\"", "loads.0.strain = 0.0001, map.crop = \"0,0,60,60\"",
+             "loads.0.strain = 0.001, map.crop = \"0,0,40,40\"", "loads.0.strain = 0.001, map.crop = \"0,0,60,60\""}));
+  EXPECT_EQ(recipe_of(study, study.runs[3]).loads.at(0).strain, 0.001);
+  EXPECT_EQ(study.runs[0].stages.at(0), study.runs[2].stages.at(0)) << "one crop, one sample";
+  EXPECT_NE(study.runs[0].stages.at(0), study.runs[1].stages.at(0));
+  EXPECT_EQ(names(study).size(), 4u);
+}
+
 TEST(Sweep, ATableGivesARunARowWithUnitsInItsHeadOrItsCells) {
   const test::TemporaryFolder folder;
   std::ofstream(folder / "runs.csv")

@@ -128,5 +128,12 @@ TEST(Units, WritingAndReadingGivesTheSameBits) {
   }));
 }
 
+TEST(Units, AnAreaMayBeWrittenAsTwoLengths) {
+  EXPECT_DOUBLE_EQ(parse_si("30.9 mm x 4.9 mm", dimension::area), 30.9e-3 * 4.9e-3);
+  EXPECT_DOUBLE_EQ(parse_si("151.4 mm^2", dimension::area), 151.4e-6);
+  EXPECT_THROW(parse_si("30.9 mm x 4.9 kN", dimension::area), InputError);
+  EXPECT_THROW(parse_si("30.9 mm x 4.9 mm", dimension::length), InputError);
+}
+
 }  // namespace
 }  // namespace arenite

@@ -3,8 +3,10 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "recipe/film_recipe.hpp"
 #include "recipe/given.hpp"
 #include "recipe/recipe.hpp"
+#include "workflow/identify_keys.hpp"
 #include "workflow/stage_keys.hpp"
 
 namespace arenite::recipe {
@@ -68,7 +70,7 @@ TEST(Materials, SayWhatTheNormalLawNeeds) {
 
 }  // namespace
 TEST(Given, ValuesAreReadOverWhatIsThereAndProblemsBearTheirLabels) {
-  recipe::MeasureSection section;
+  Measuring section;
   section.seed = 7;
   recipe::read_given_into(section, {{"--border", "border", recipe::parse_value("1.5")}});
   EXPECT_EQ(section.border, 1.5);
@@ -82,11 +84,27 @@ TEST(Given, ValuesAreReadOverWhatIsThereAndProblemsBearTheirLabels) {
 }
 
 TEST(Given, NumbersWithoutUnitAreInSiOnlyWhereThatIsAsked) {
-  recipe::MeasureSection section;
+  Measuring section;
   const std::vector<recipe::Given> given{{"load_axis", "load_axis", recipe::parse_value("1.5")}};
   EXPECT_THROW(recipe::read_given_into(section, given), InputError);
   recipe::read_given_into(section, given, true);
   EXPECT_EQ(section.load_axis, 1.5);
+}
+
+TEST(Given, AMeasuredValueIsANumberPerhapsWithItsError) {
+  const auto read = [](const std::string& stiffness) {
+    const auto keys = recipe::every_key<workflow::AdhesionRequest>();
+    workflow::AdhesionRequest request;
+    recipe::read_given_into(request,
+                            {{"--k", "stiffness", recipe::value_of(recipe::record_at(keys, "stiffness"), stiffness)}});
+    return *request.stiffness;
+  };
+  EXPECT_DOUBLE_EQ(read("27.35 kN/mm").value, 27.35e6);
+  EXPECT_EQ(read("27.35 kN/mm").error, 0);
+  EXPECT_DOUBLE_EQ(read("27.35 +- 0.40 kN/mm").value, 27.35e6);
+  EXPECT_DOUBLE_EQ(read("27.35 +- 0.40 kN/mm").error, 0.40e6);
+  for (const char* wrong : {"-1 kN/mm", "0 kN/mm", "27.35 mm", "27.35 +- -1 kN/mm", "1 kN/mm,2 kN/mm,3 kN/mm", "27"})
+    EXPECT_THROW(read(wrong), InputError) << wrong;
 }
 
 TEST(Given, KeysWithoutEffectAreToldAndLeftAside) {
@@ -111,6 +129,25 @@ TEST(Given, MeasurementNamesResultsOnlyWhereItDiffersFromTheDefault) {
   measured.measure.emplace().border = 4;
   EXPECT_NE(workflow::plan_of(plain).front().hash, workflow::plan_of(measured).front().hash);
   EXPECT_EQ(workflow::seed_key(plain), workflow::seed_key(measured)) << "the same samples are drawn";
+  measured.measure = Measuring{};
+  EXPECT_EQ(workflow::plan_of(plain), workflow::plan_of(measured));
+}
+
+TEST(Given, ASectionThatHoldsItsDefaultsIsAsNone) {
+  const std::string text(recipe_templates().front().text);
+  const Recipe plain = parse_recipe(text, "r.toml");
+  for (const char* section : {"[measure]\n", "[measure]\nborder = 2.5\nseed = 1\n"}) {
+    const Recipe with = parse_recipe(text + section, "r.toml");
+    EXPECT_EQ(with, plain) << section;
+    EXPECT_EQ(workflow::plan_of(with), workflow::plan_of(plain)) << section;
+  }
+  EXPECT_EQ(changed_keys(parse_recipe(text + "[measure]\nborder = 2\n", "r.toml")),
+            changed_keys(plain) + "[measure]\nmeasure.border = 2\n")
+      << "the names that results of such recipes have had";
+  const std::string film = to_toml(film_template());
+  const auto film_keys = [](const std::string& of) { return changed_keys(parse_film_recipe(of, "film.toml")); };
+  EXPECT_EQ(film_keys(film + "[film]\n"), film_keys(film));
+  EXPECT_NE(film_keys(film + "[film]\nframe_rate = \"50 Hz\"\n"), film_keys(film));
 }
 
 }  // namespace arenite::recipe

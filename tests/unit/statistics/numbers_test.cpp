@@ -79,6 +79,24 @@ TEST(Numbers, WhatIsAskedOfTheWrongKindIsRefused) {
   EXPECT_THROW(five.push_back(1), NumbersError);
 }
 
+TEST(Numbers, AreTakenOutByWhatTheyWerePutWith) {
+  Numbers n = Numbers::tree();
+  statistics::put(n, "z", 4, "", "Contacts");
+  statistics::put(n, "mean_N", 2.5, "N", "Mean force", Trait::by_forces | Trait::detail);
+  statistics::put(n, "shares", {1, 2}, "", "Of each", Trait::curve);
+  n["sets"]["strong"] = {{"z", 2}};
+  n["sets"]["strong"].mark(Trait::by_forces);
+  const auto without = [&](Trait trait) {
+    Numbers rest = n;
+    erase(rest, trait);
+    return rest;
+  };
+  EXPECT_EQ(without(Trait::curve), (Numbers{{"z", 4}, {"mean_N", 2.5}, {"sets", {{"strong", {{"z", 2}}}}}}));
+  EXPECT_EQ(without(Trait::by_forces), (Numbers{{"z", 4}, {"shares", {1, 2}}, {"sets", Numbers::tree()}}));
+  EXPECT_FALSE(without(Trait::detail).contains("mean_N"));
+  EXPECT_TRUE(n["mean_N"].has(Trait::by_forces) && !n["z"].has(Trait::by_forces));
+}
+
 TEST(Numbers, AreEqualByValue) {
   EXPECT_EQ(Numbers(std::size_t{3}), Numbers(3));
   EXPECT_EQ(Numbers(3), Numbers(3.0));

@@ -87,5 +87,25 @@ TEST(Asked, IsStoredAndReadBackAndOfFormerVersionsFoundByTheirRecipe) {
   EXPECT_FALSE(read_stage(folder / "foreign.h5").asked.known);
 }
 
+TEST(Asked, TitlesAreStoredAndOfFormerVersionsFoundByTheirRecipe) {
+  const test::TemporaryFolder folder;
+  const auto title_of = [&](Provenance provenance) {
+    FieldResult field;
+    field.map = make_phase_map(1, 1, 1);
+    field.provenance = std::move(provenance);
+    io::write_field(folder / "field.h5", field);
+    return read_field(folder / "field.h5").provenance.title;
+  };
+  Provenance noted;
+  noted.recipe = "title = \"of the recipe\"\n";
+  EXPECT_EQ(title_of(noted), "of the recipe") << "a former version noted none";
+  noted.title = "as stored";
+  EXPECT_EQ(title_of(noted), "as stored");
+  noted = {};
+  noted.recipe = "this is no recipe";
+  EXPECT_EQ(title_of(noted), "");
+  EXPECT_EQ(std::get<FieldResult>(read_result(folder / "field.h5")).provenance.title, "");
+}
+
 }  // namespace
 }  // namespace arenite::workflow

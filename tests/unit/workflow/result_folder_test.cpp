@@ -6,6 +6,7 @@
 #include "io/results/results.hpp"
 #include "support/films.hpp"
 #include "support/temporary_folder.hpp"
+#include "workflow/asked.hpp"
 
 namespace arenite::workflow {
 namespace {

@@ -25,6 +25,8 @@ Packing column(bool fallen) {
 StageResult result() {
   StageResult r;
   r.snapshots.push_back({1, 1000, "end", column(true), {}, {}});
+  r.asked.known = true;
+  r.asked.gravity = {0, -dem::standard_gravity};
   std::vector<double> time, grains, mass;
   for (int k = 0; k <= 400; ++k) {
     time.push_back(0.01 * k);
@@ -67,8 +69,6 @@ TEST(FlowNumbers, TellTheFloorOfASilo) {
   dem::Stage stage;
   stage.gravity = true;
   stage.duration = 4;
-  silo.asked.known = true;
-  silo.asked.gravity = {0, -dem::standard_gravity};
   const Numbers floor = flow_numbers({silo, stage, nullptr, {}})["floor"];
   EXPECT_NEAR(floor["pressure_Pa"]["value"].get<double>(), 1000, 2);
   EXPECT_LT(floor["pressure_Pa"]["error"].get<double>(), 2);
@@ -89,7 +89,6 @@ TEST(FlowNumbers, WeighTheFillingOfASiloByTheGravityThatActed) {
   moon.gravity = true;
   moon.gravity_size = 1.62;
   moon.duration = 4;
-  silo.asked.known = true;
   silo.asked.gravity = {0, -1.62};
   const double mass = texture::mass_of(packing);
   EXPECT_NEAR(flow_numbers({silo, moon, nullptr, {}})["floor"]["hydrostatic_Pa"].get<double>(), 1.62 * mass / 0.06,
@@ -111,9 +110,10 @@ TEST(FlowNumbers, WeighTheFillingOfASiloByTheGravityThatActed) {
 TEST(FlowNumbers, AreNoneWithoutWeightAndUnderAPressingSide) {
   StageResult still = result();
   still.history = {};
+  still.asked.gravity = {};
   dem::Stage stage;
   EXPECT_TRUE(flow_numbers({still, stage, nullptr, {}}).empty());
-  stage.gravity = true;
+  still.asked.gravity = {0, -dem::standard_gravity};
   EXPECT_FALSE(flow_numbers({still, stage, nullptr, {}})["surface"].contains("runout_m"));
   stage.side[top] = {dem::SideDrive::Kind::force, 1};
   EXPECT_TRUE(flow_numbers({still, stage, nullptr, {}}).empty());

@@ -159,7 +159,8 @@ Snapshot any_snapshot(std::size_t n, const Packing& sample) {
 
 StageResult any_result() {
   StageResult r;
-  r.provenance = {any_text(), any_text(), any_text(), any_text(), *rc::gen::arbitrary<std::uint64_t>(), any_text(), {}};
+  r.provenance = {any_text(), any_text(), any_text(), any_text(), *rc::gen::arbitrary<std::uint64_t>(),
+                  any_text(), {},         any_text()};
   for (const auto& key : *rc::gen::container<std::set<std::string>>(
            rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::inRange('A', 'z')))))
     r.provenance.options.emplace_back(key, any_text());
