@@ -94,14 +94,15 @@ std::string ProgressLine::text(const workflow::Progress& progress) const {
   std::string line = progress.stages > 1 ? fmt::format("{}/{} ", progress.stage, progress.stages - 1) : "";
   line += fmt::format("{:<12}", progress.name);
   if (progress.reused) return line + " taken from an earlier run";
-  line += fmt::format(" {} {:3.0f} %", bar(progress.share), 100 * progress.share);
+  line += progress.settles ? fmt::format(" {} {:3.0f} %", bar(progress.share), 100 * progress.share)
+                           : std::string(" does not settle");
   if (progress.step > 0)
     line += fmt::format("  {} {}  {} {:.1e}", progress.field ? "iteration" : "step", progress.step,
                         progress.field ? "residual" : "unbalanced",
                         progress.field ? progress.residual : progress.unbalanced_ratio);
   if (progress.share >= 1) return line + fmt::format("  {} total", whole_seconds(clock_.seconds()));
   const double left = clock_.seconds_left(progress.share);
-  return std::isnan(left) ? line : line + fmt::format("  about {} left", whole_seconds(left));
+  return std::isnan(left) || !progress.settles ? line : line + fmt::format("  about {} left", whole_seconds(left));
 }
 
 void ProgressLine::show(const workflow::Progress& progress) {

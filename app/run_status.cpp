@@ -70,6 +70,7 @@ RunStatus status_from(const std::string& text) {
   p.stages = static_cast<std::size_t>(whole("stages"));
   p.name = cells.at("name");
   p.share = number("share");
+  p.settles = !cells.contains("settles") || cells.at("settles") == "true";
   p.step = whole("step");
   p.unbalanced_ratio = number("unbalanced_ratio");
   if (cells.contains("residual")) p.residual = number("residual");
@@ -102,7 +103,7 @@ std::string clock_text(double seconds) {
 std::string where(const workflow::Progress& p) {
   std::string text = fmt::format("stage {} of {}, {}", p.stage + 1, p.stages, p.name);
   if (p.increments > 1) text += fmt::format(", increment {} of {}", p.increment, p.increments);
-  text += fmt::format(", {:.0f} %", 100 * p.share);
+  text += p.settles ? fmt::format(", {:.0f} %", 100 * p.share) : std::string(", does not settle");
   return p.step > 0 ? text + fmt::format(", {} {}", p.field ? "iteration" : "step", p.step) : text;
 }
 
@@ -142,6 +143,7 @@ Numbers run_status_numbers(const RunStatus& s) {
                         {"stages", p.stages},
                         {"name", p.name},
                         {"share", p.share},
+                        {"settles", p.settles},
                         {"increment", p.increment},
                         {"increments", p.increments},
                         {"step", p.step},
@@ -261,7 +263,8 @@ bool StatusFile::write() {
   {
     const std::lock_guard lock(mutex_);
     status = status_;
-    status.seconds_left = clock_.seconds_left(status.progress.share);
+    status.seconds_left =
+        status.progress.settles ? clock_.seconds_left(status.progress.share) : std::numeric_limits<double>::quiet_NaN();
   }
   status.heard = now();
   if (!has_lock()) return false;

@@ -64,7 +64,8 @@ function show(s) {
   at('bar').setAttribute('aria-valuenow', Math.round(100 * share));
   at('now').textContent = !q ? '' : `stage ${q.stage + 1} of ${q.stages}, ${q.name}` +
     (q.increments > 1 ? `, increment ${q.increment} of ${q.increments}` : '') +
-    `: ${(100 * share).toFixed(0)} %` + (q.step ? `, ${q.field ? 'iteration' : 'step'} ${q.step}` : '') +
+    (q.settles ? `: ${(100 * share).toFixed(0)} %` : ': does not settle') +
+    (q.step ? `, ${q.field ? 'iteration' : 'step'} ${q.step}` : '') +
     (s.life === 'running' && q.seconds_left !== null ? `, about ${span(q.seconds_left)} left` : '');
   at('page').hidden = s.stages.length === 0;
   at('stop').hidden = s.life !== 'running';

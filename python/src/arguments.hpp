@@ -57,6 +57,12 @@ class Progress : public py::object {
   PYBIND11_OBJECT_DEFAULT(Progress, py::object, is_callable_or_none)
 };
 
+/// on_step(stage), or None.
+class OnStep : public py::object {
+ public:
+  PYBIND11_OBJECT_DEFAULT(OnStep, py::object, is_callable_or_none)
+};
+
 /// "", "x", "y" or "xy": which directions are periodic. Throws InputError for another word.
 std::pair<bool, bool> periodic_directions(const std::string& word);
 
@@ -77,5 +83,8 @@ template <> struct handle_type_name<arenite::python::MeasuredLike> {
 };
 template <> struct handle_type_name<arenite::python::Progress> {
   static constexpr auto name = const_name("Optional[Callable[[float, str], Any]]");
+};
+template <> struct handle_type_name<arenite::python::OnStep> {
+  static constexpr auto name = const_name("Optional[Callable[[RunningStage], Any]]");
 };
 }  // namespace pybind11::detail

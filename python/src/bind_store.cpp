@@ -12,6 +12,7 @@
 #include "report/page.hpp"
 #include "report/summary.hpp"
 #include "result.hpp"
+#include "running_stage.hpp"
 #include "workflow/export_result.hpp"
 #include "workflow/make_packing.hpp"
 #include "workflow/run.hpp"
@@ -113,15 +114,21 @@ std::size_t stage_number(const Recipe& recipe, const py::object& stage) {
 }
 
 StageResult load_stage(const Packing& packing, Recipe recipe, const py::object& stage, int threads,
-                       const Progress& progress) {
+                       const Progress& progress, const OnStep& on_step, std::int64_t every) {
   const std::size_t place = stage_number(recipe, stage) + 1;
   recipe.integration.threads = threads;
   Call call;
+  const auto steps = step_function(call, on_step, every);
+  workflow::RunOptions options = run_options(call, progress);
+  options.notice = [](const std::string& sentence) {
+    const py::gil_scoped_acquire lock;
+    if (PyErr_WarnEx(PyExc_UserWarning, sentence.c_str(), 1) != 0) throw py::error_already_set();
+  };
   return call.without_lock([&]() -> StageResult {
     dem::Engine engine(packing, recipe.contact, recipe.integration);
-    auto loaded =
-        workflow::load_stage({recipe, place, workflow::stage_key(recipe, place, save_sample(engine)), &packing}, engine,
-                             {}, run_options(call, progress), {.stages = 1, .name = recipe.stages[place - 1].name});
+    auto loaded = workflow::load_stage(
+        {recipe, place, workflow::stage_key(recipe, place, save_sample(engine)), &packing}, engine, {}, options,
+        {.stages = 1, .name = recipe.stages[place - 1].name}, steps ? &*steps : nullptr);
     return loaded ? std::move(*loaded) : StageResult{};
   });
 }
@@ -215,9 +222,12 @@ void bind_stages(py::module_& m) {
       "The grains in their container before any loading: drawn, placed and relaxed, or read from a file ([packing] of "
       "the recipe).");
   m.def("load_stage", &load_stage, py::arg("packing"), py::arg("recipe"), py::arg("stage") = 0, py::kw_only(),
-        py::arg("threads") = 1, py::arg("progress") = py::none(),
+        py::arg("threads") = 1, py::arg("progress") = py::none(), py::arg("on_step") = py::none(),
+        py::arg("every") = 1000,
         "Takes a packing through one stage of the recipe, by number or name: compaction or loading by discrete "
-        "elements. `progress(share, name)` is called meanwhile. Velocities are kept, the contact history is not.");
+        "elements. `progress(share, name)` is called meanwhile. Velocities are kept, the contact history is not. "
+        "`on_step(stage)` is called every so many steps, counted up to the next multiple of 200, with a RunningStage, "
+        "which it may read, change and stop; what it raises ends the stage.");
 }
 
 }  // namespace arenite::python

@@ -18,6 +18,7 @@ void bind_curves(pybind11::module_& m);
 void bind_over_runs(pybind11::module_& m);
 void bind_figures(pybind11::module_& m);
 void bind_store(pybind11::module_& m);
+void bind_running_stage(pybind11::module_& m);
 void bind_stages(pybind11::module_& m);
 void bind_field(pybind11::module_& m);
 void bind_film_workflow(pybind11::module_& m);

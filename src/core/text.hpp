@@ -58,6 +58,8 @@ inline std::string lower_case(std::string_view text) {
   return result;
 }
 
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 /// What plain names are made of, which stand in files, keys and commands without quotes: letters, digits, _ and -.
 inline bool is_name_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';

@@ -16,8 +16,6 @@
 namespace arenite {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// Length of the decimal number that `text` starts with (0: none), and where its exponent part begins.
 struct NumberSpan {
   std::size_t length = 0, mantissa = 0;

@@ -122,6 +122,7 @@ struct Asked {
 /// The result of one stage: one file in the store.
 struct StageResult : ResultHead {
   Asked asked;
+  std::optional<double> began;      ///< s; of a stage that ended before it came to its own end; else its duration tells
   std::vector<Snapshot> snapshots;  ///< in time order; the last is the state handed on
   History history;
   History cycles;   ///< of a stage with cycles: a row at the end of each half, as in the history, behind "cycle" and

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/error.hpp"
 #include "core/text.hpp"
+#include "grains/fields/regime/until.hpp"
 #include "model/packing.hpp"
 #include "recipe/recipe.hpp"
 
@@ -18,6 +20,29 @@ void declare_sides(Visitor& v, const Key& key, const std::function<void(Visitor&
   v.section(key, [&](Visitor& inner) {
     for (std::size_t side = 0; side < 4; ++side) one(inner, side);
   });
+}
+
+/// What is wrong with the condition that ends a stage; empty where nothing is.
+std::string problem_of_until(const Stage& stage, const Recipe& recipe) {
+  if (stage.until.empty()) return {};
+  Domain domain;
+  for (const Boundary& boundary : recipe.boundaries) domain.boundaries.emplace_back().name = boundary.name;
+  try {
+    fields::Until(stage.until)
+        .check(fields::history_numbers(stage, domain, recipe.contact.has_bonds(), recipe.contact.is_cohesive()));
+  } catch (const InputError& error) { return error.what(); }
+  return {};
+}
+
+void declare_until(Visitor& v, Stage& stage, const Recipe& recipe) {
+  v.text({"until",
+          "Condition on numbers of the stage's history or on its curves that ends it before its duration or its "
+          "increments do: \"axial_strain > 20 %\", \"q < 0.5*max(q)\" (half of the largest so far), "
+          "\"discharge_rate < 10 1/s\"; `and` and `or` join several. What is to be below a limit must have been as "
+          "large as it before. It is looked at with each row of the history."},
+         stage.until);
+  const std::string problem = problem_of_until(stage, recipe);
+  v.require(problem.empty(), {"until"}, problem);
 }
 
 }  // namespace
@@ -72,6 +97,7 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.integer({"snapshots", "States stored during a stage with a duration; other stages store one per increment.", false,
              "frames"},
             stage.snapshots, {1, 1'000'000});
+  declare_until(v, stage, recipe);
   v.number({"friction", "Coefficient mu during this stage only, for example 0 to densify."}, stage.friction, "",
            range::not_negative);
   v.number({"drag", "Viscous drag during this stage, as a rate: the force on a grain is -drag m v."}, stage.drag, "1/s",

@@ -27,9 +27,9 @@ int cycled_side(const dem::Stage& stage) {
   return stage.cycles ? stage.cycles->side : -1;
 }
 
-void note_stage(Asked& asked, const dem::Stage& stage) {
+void note_stage(Asked& asked, const StageResult& made, const dem::Stage& stage) {
   asked.friction = stage.friction.value_or(asked.friction);
-  asked.gravity = dem::gravity_at(stage, stage.duration.value_or(0));
+  asked.gravity = dem::gravity_at(stage, fields::length_of(made, stage));
   asked.slide = stage.slide;
   if (!std::isfinite(asked.load_axis)) asked.load_axis = fields::loading_axis(stage).value_or(statistics::unknown);
   asked.cycled = cycled_side(stage);
@@ -77,7 +77,7 @@ void note_asked(StageResult& made, const recipe::Recipe& recipe, std::size_t pla
   asked.in_equilibrium =
       made.converged && !made.snapshots.empty() && dem::is_at_rest(made.snapshots.back().equilibrium, criterion);
   if (place == 0) return note_sizes(asked, recipe);
-  note_stage(asked, recipe.stages[place - 1]);
+  note_stage(asked, made, recipe.stages[place - 1]);
   fields::add_driven(made, recipe.stages[place - 1]);
 }
 

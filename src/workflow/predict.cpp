@@ -171,8 +171,10 @@ Prediction predict(const recipe::Recipe& recipe) {
   bulk.width *= bulk.larger;
   bulk.height *= bulk.larger;
   fields::Pressures pressures;
-  for (const dem::Stage& stage : recipe.stages)
+  for (const dem::Stage& stage : recipe.stages) {
+    dem::begin_stage(engine, stage);
     p.stages.push_back(fields::predict_stage(engine, recipe.contact, recipe.integration.drag, stage, bulk, pressures));
+  }
   if (recipe.stages.empty()) return p;
   try {
     dem::Engine timed(start, recipe.contact, recipe.integration);

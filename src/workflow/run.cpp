@@ -14,25 +14,13 @@
 #include "workflow/cemented_sample.hpp"
 #include "workflow/make_packing.hpp"
 #include "workflow/runner.hpp"
+#include "workflow/stage_watch.hpp"
 
 namespace arenite::workflow {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Where a stage stands, from what it and its sample say.
-void look_at(const dem::Engine& engine, const dem::Stage& stage, const dem::StageRun& run, Progress& progress) {
-  progress.share = dem::share_done(stage, run);
-  if (stage.duration && !run.finished)  // finer than by the states that are stored
-    progress.share = std::max(
-        progress.share, std::min(0.999, static_cast<double>(run.steps_in_increment) * engine.dt / *stage.duration));
-  progress.increment = std::min(run.increment + 1, progress.increments);
-  progress.unbalanced_ratio = run.latest.unbalanced_ratio;
-  progress.step = engine.step;
-  progress.time = time_of(engine);
-  progress.wall = engine.domain.wall;
-}
 
 /// A run on its way through its plan.
 class Run {
@@ -207,21 +195,24 @@ StageResult measure_stage(const GrainStage& stage, StageResult made, const std::
 }
 
 std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engine, const fs::path& checkpoint,
-                                      const RunOptions& options, Progress progress) {
-  const dem::Stage& asked = stage.recipe.stages[stage.place - 1];
-  dem::StageRun run = begun_or_kept(engine, asked, stage.hash, checkpoint, options);
-  progress.increments = asked.duration ? 0 : dem::increment_count(asked);
+                                      const RunOptions& options, const Progress& progress,
+                                      const StepFunction* on_step) {
+  dem::StageRun run = begun_or_kept(engine, stage.recipe.stages[stage.place - 1], stage.hash, checkpoint, options);
+  StageWatch watch(stage, engine, run, options, progress, on_step);
   CheckpointTimes times(options);
   while (!run.finished) {
-    dem::continue_stage(engine, asked, run);
-    look_at(engine, asked, run, progress);
-    options.progress(progress);
+    dem::continue_stage(engine, watch.stage(), run);
+    watch.look();
     if (run.finished || !times.is_due()) continue;
     keep(engine, run, stage.hash, checkpoint);
     if (times.asked_to_stop()) return std::nullopt;
   }
   run.result.continuation = save_sample(engine);
-  return measure_stage(stage, std::move(run.result), engine.kernel->name);
+  const auto& [recipe, hash, changes] = watch.made_by();
+  StageResult made = measure_stage({recipe, stage.place, hash, stage.before, stage.texture}, std::move(run.result),
+                                   engine.kernel->name);
+  made.provenance.options = changes;
+  return made;
 }
 
 RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options) {

@@ -23,7 +23,8 @@ namespace arenite::workflow {
 struct Progress {
   std::size_t stage = 0, stages = 0;  ///< 0 is the packing
   std::string name;                   ///< of the stage
-  double share = 0;                   ///< of the stage, 0 to 1
+  double share = 0;                   ///< of the stage, 0 to 1; of one that does not settle, what came to rest so far
+  bool settles = true;                ///< as fast as predicted, within ten times
   double unbalanced_ratio = 0;        ///< of grains
   double residual = 0;                ///< of a field, relative
   std::int64_t step = 0;
@@ -36,6 +37,7 @@ struct Progress {
 };
 
 class Store;
+struct StepFunction;
 
 struct RunOptions {
   std::filesystem::path out;
@@ -86,9 +88,10 @@ struct GrainStage {
 StageResult measure_stage(const GrainStage& stage, StageResult made, const std::string& kernel = {});
 
 /// Takes the grains of an engine through a stage of loading and measures it. It is kept in the file `checkpoint` on its
-/// way, unless that is empty, and goes on from there; nothing if it was asked to stop.
+/// way, unless that is empty, and goes on from there; nothing if it was asked to stop. A result that `on_step`
+/// (stage_watch.hpp) has changed names the changes, and has a hash of its own.
 std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engine,
                                       const std::filesystem::path& checkpoint, const RunOptions& options,
-                                      Progress progress);
+                                      const Progress& progress, const StepFunction* on_step = nullptr);
 
 }  // namespace arenite::workflow

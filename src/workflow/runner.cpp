@@ -21,7 +21,8 @@ constexpr std::pair<const char*, std::int64_t dem::StageRun::*> counts[] = {
     {"increment", &dem::StageRun::increment},
     {"steps_in_increment", &dem::StageRun::steps_in_increment},
     {"sample_every", &dem::StageRun::sample_every},
-    {"checks", &dem::StageRun::checks}};
+    {"checks", &dem::StageRun::checks},
+    {"extra_states", &dem::StageRun::extra_states}};
 
 io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run, const std::string& key) {
   io::Checkpoint checkpoint;
@@ -36,7 +37,8 @@ io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run
 void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::StageRun& run) {
   restore_sample(engine, checkpoint.blobs.at("engine"));
   for (int side = 0; side < sides; ++side) run.start.force[side] = checkpoint.numbers.at(force_at_start(side));
-  for (const auto& [name, count] : counts) run.*count = checkpoint.integers.at(name);
+  for (const auto& [name, count] : counts)
+    if (const auto at = checkpoint.integers.find(name); at != checkpoint.integers.end()) run.*count = at->second;
   run.result = checkpoint.partial;
 }
 

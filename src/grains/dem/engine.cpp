@@ -18,6 +18,15 @@ int useful_threads(int asked, std::size_t disks) {
   return static_cast<int>(std::clamp<std::size_t>(disks / fewest_disks, 1, static_cast<std::size_t>(asked)));
 }
 
+Vec2 gravity_of(const Stage& stage) {
+  return stage.gravity ? stage.gravity_size * Vec2{std::sin(stage.gravity_angle), -std::cos(stage.gravity_angle)}
+                       : Vec2{};
+}
+
+double drag_of(const Sample& sample, const Stage& stage) {
+  return sample.integration.drag + stage.drag + stage.critical_drag * critical_drag(sample);
+}
+
 }  // namespace
 
 template <int D> void advance(SampleIn<D>& s, const ThreadPool& pool, std::int64_t steps) {
@@ -50,14 +59,13 @@ Engine::Engine(const Packing& given, const ContactParameters& parameters, const 
       pool_(std::make_unique<ThreadPool>(useful_threads(scheme.threads, given.grains.size()))) {}
 
 void Engine::begin(const Stage& stage) {
-  const double g = stage.gravity ? stage.gravity_size : 0;
-  set_gravity(*this, stage.gravity ? g * Vec2{std::sin(stage.gravity_angle), -std::cos(stage.gravity_angle)} : Vec2{});
+  set_gravity(*this, gravity_of(stage));
   set_friction(*this, stage.friction);
   if (stage.gravity && stage.mass_scaling == MassScaling::uniform)
     throw InputError("mass scaling cannot be used with gravity; leave gravity or mass_scaling out");
   set_mass_scaling(*this, stage.mass_scaling);
   set_inertial_number(*this, stage.inertial_number);
-  set_drag(*this, integration.drag + stage.drag + stage.critical_drag * critical_drag(*this));
+  set_drag(*this, drag_of(*this, stage));
   set_glue(*this, stage.glue);
   if (stage.bond) make_bonds(*this, *pool_);
   set_open(*this, stage.open, *pool_);
@@ -65,6 +73,14 @@ void Engine::begin(const Stage& stage) {
   set_rough(*this, stage.rough, *pool_);
   set_shear_rate(*this, stage.shear_rate);
   set_programmes(*this, {stage.programmes, time_of(*this), stage.gravity_size, stage.gravity_angle});
+}
+
+void Engine::change(const Stage& before, const Stage& after) {
+  if (gravity_of(after) != gravity_of(before)) set_gravity(*this, gravity_of(after));
+  if (after.friction != before.friction) set_friction(*this, after.friction);
+  if (after.drag != before.drag || after.critical_drag != before.critical_drag) set_drag(*this, drag_of(*this, after));
+  if (after.boundaries != before.boundaries) set_boundaries(*this, after.boundaries, *pool_);
+  if (after.shear_rate != before.shear_rate) set_shear_rate(*this, after.shear_rate);
 }
 
 void Engine::advance(std::int64_t steps) { dem::advance<2>(*this, *pool_, steps); }

@@ -29,6 +29,10 @@ class Engine : public Sample {
   /// leg to leg (drives_for).
   void begin(const Stage& stage);
 
+  /// From one way to drive the stage under way to another: gravity, friction, drag, boundaries and shear, as far as
+  /// they differ.
+  void change(const Stage& before, const Stage& after);
+
   /// Goes on by so many steps.
   void advance(std::int64_t steps);
 

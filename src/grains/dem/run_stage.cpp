@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace arenite::dem {
 
@@ -17,10 +19,32 @@ std::string describe(const Equilibrium& now) {
   return now.falling > 0 ? text + fmt::format(", {:.2g} % of the grains are falling", 100 * now.falling) : text;
 }
 
+namespace {
+
+/// One of the bounds below which a sample counts as at rest.
+struct Demand {
+  const char *what, *key;
+  double now, most;
+  bool may_equal = false;
+  bool is_met() const { return may_equal ? now <= most : now < most; }
+};
+
+std::vector<Demand> demands_on(const Equilibrium& now, const EquilibriumCriterion& wanted) {
+  std::vector<Demand> demands{
+      {"unbalanced force ratio", "equilibrium.unbalanced", now.unbalanced_ratio, wanted.unbalanced},
+      {"kinetic over elastic energy", "equilibrium.kinetic", now.kinetic_ratio, wanted.kinetic},
+      {"that of grains that carry no load", "equilibrium.loose_kinetic", now.loose_kinetic,
+       wanted.loose_kinetic.value_or(1e5 * wanted.kinetic)},
+      {"share of grains that fall", "equilibrium.falling", now.falling, wanted.falling, true}};
+  if (wanted.mobilisation)
+    demands.push_back({"mobilised friction", "equilibrium.mobilisation", now.mobilisation, *wanted.mobilisation});
+  return demands;
+}
+
+}  // namespace
+
 bool is_at_rest(const Equilibrium& now, const EquilibriumCriterion& wanted) {
-  return now.unbalanced_ratio < wanted.unbalanced && now.kinetic_ratio < wanted.kinetic &&
-         now.loose_kinetic < wanted.loose_kinetic.value_or(1e5 * wanted.kinetic) && now.falling <= wanted.falling &&
-         (!wanted.mobilisation || now.mobilisation < *wanted.mobilisation);
+  return std::ranges::all_of(demands_on(now, wanted), &Demand::is_met);
 }
 
 namespace {
@@ -49,47 +73,69 @@ bool shears_cell(const Stage& stage) {
                      [](const Programme& p) { return p.of.is(Programme::What::shear_rate); });
 }
 
-void sample(History& history, const Engine& engine, const Stage& stage, const Equilibrium& now,
-            std::int64_t increment) {
-  append(history, "time", "s", time_of(engine));
-  append(history, "increment", "1", static_cast<double>(increment + 1));
+/// What one row tells.
+struct HistoryRow {
+  const Domain& domain;
+  double time = 0, increment = 0, sheared = 0;
+  Amount passed = {};
+  std::optional<BondCount> bonds = {};      ///< where there are any
+  std::optional<CohesionCount> pairs = {};  ///< where grains cohere
+  Energies energies = {};
+  Equilibrium now = {};
+};
+
+void append_counts(History& history, const HistoryRow& row) {
+  if (row.bonds) {
+    append(history, "bonds", "1", static_cast<double>(row.bonds->intact));
+    append(history, "broken_in_tension", "1", static_cast<double>(row.bonds->in_tension));
+    append(history, "broken_in_bending", "1", static_cast<double>(row.bonds->in_bending));
+    append(history, "broken_in_shear", "1", static_cast<double>(row.bonds->in_shear));
+    append(history, "bond_energy", "J", row.bonds->energy);
+  }
+  if (row.pairs) {
+    append(history, "cohesive_pairs", "1", static_cast<double>(row.pairs->joined));
+    append(history, "cohesive_pairs_apart", "1", static_cast<double>(row.pairs->apart));
+  }
+}
+
+void append_row(History& history, const Stage& stage, const HistoryRow& row) {
+  append(history, "time", "s", row.time);
+  append(history, "increment", "1", row.increment);
   for (int side = 0; side < sides; ++side) {
-    const auto& wall = engine.domain.wall[side];
+    const auto& wall = row.domain.wall[side];
     append(history, fmt::format("{}_position", side_names[side]).c_str(), "m", wall.position);
     append(history, fmt::format("{}_force", side_names[side]).c_str(), "N", wall.force);
     append(history, fmt::format("{}_shear_force", side_names[side]).c_str(), "N", wall.shear_force);
   }
-  if (shears_cell(stage)) append(history, "shear_strain", "1", engine.sheared);
-  for (const Boundary& boundary : engine.domain.boundaries) {
+  if (shears_cell(stage)) append(history, "shear_strain", "1", row.sheared);
+  for (const Boundary& boundary : row.domain.boundaries) {
     append(history, (boundary.name + "_force_x").c_str(), "N", boundary.force.x);
     append(history, (boundary.name + "_force_y").c_str(), "N", boundary.force.y);
     append(history, (boundary.name + "_torque").c_str(), "N m", boundary.torque);
   }
   if (stage.count_below) {
-    const Amount passed = amount_below(engine, *stage.count_below);
-    append(history, "passed", "1", static_cast<double>(passed.grains));
-    append(history, "passed_mass", "kg", passed.mass);
+    append(history, "passed", "1", static_cast<double>(row.passed.grains));
+    append(history, "passed_mass", "kg", row.passed.mass);
   }
-  if (const BondCount bonds = count_bonds(engine); bonds.made() > 0) {
-    append(history, "bonds", "1", static_cast<double>(bonds.intact));
-    append(history, "broken_in_tension", "1", static_cast<double>(bonds.in_tension));
-    append(history, "broken_in_bending", "1", static_cast<double>(bonds.in_bending));
-    append(history, "broken_in_shear", "1", static_cast<double>(bonds.in_shear));
-    append(history, "bond_energy", "J", bonds.energy);
-  }
-  if (engine.contact.is_cohesive()) {
-    const CohesionCount pairs = count_cohesion(engine);
-    append(history, "cohesive_pairs", "1", static_cast<double>(pairs.joined));
-    append(history, "cohesive_pairs_apart", "1", static_cast<double>(pairs.apart));
-  }
-  const Energies energies = energies_of(engine);
-  for (const EnergyTerm& term : energy_terms) append(history, term.name, "J", energies.*term.value);
-  append(history, "unbalanced_ratio", "1", now.unbalanced_ratio);
-  append(history, "kinetic_ratio", "1", now.kinetic_ratio);
-  append(history, "mobilisation", "1", now.mobilisation);
-  append(history, "wall_speed", "m/s", now.wall_speed);
-  append(history, "falling", "1", now.falling);
-  append(history, "loose_kinetic_ratio", "1", now.loose_kinetic);
+  append_counts(history, row);
+  for (const EnergyTerm& term : energy_terms) append(history, term.name, "J", row.energies.*term.value);
+  append(history, "unbalanced_ratio", "1", row.now.unbalanced_ratio);
+  append(history, "kinetic_ratio", "1", row.now.kinetic_ratio);
+  append(history, "mobilisation", "1", row.now.mobilisation);
+  append(history, "wall_speed", "m/s", row.now.wall_speed);
+  append(history, "falling", "1", row.now.falling);
+  append(history, "loose_kinetic_ratio", "1", row.now.loose_kinetic);
+}
+
+void add_row(History& history, const Engine& engine, const Stage& stage, const Equilibrium& now,
+             std::int64_t increment) {
+  HistoryRow row{engine.domain, time_of(engine), static_cast<double>(increment + 1), engine.sheared};
+  if (stage.count_below) row.passed = amount_below(engine, *stage.count_below);
+  if (const BondCount bonds = count_bonds(engine); bonds.made() > 0) row.bonds = bonds;
+  if (engine.contact.is_cohesive()) row.pairs = count_cohesion(engine);
+  row.energies = energies_of(engine);
+  row.now = now;
+  append_row(history, stage, row);
 }
 
 /// Adds a row to the history, where one is due or wanted. It stays short however long the stage: when it is full, every
@@ -97,7 +143,7 @@ void sample(History& history, const Engine& engine, const Stage& stage, const Eq
 void note(const Engine& engine, const Stage& stage, bool wanted, StageRun& run) {
   auto& columns = run.result.history.columns;
   if (run.checks++ % run.sample_every == 0 || wanted)
-    sample(run.result.history, engine, stage, run.latest, run.increment);
+    add_row(run.result.history, engine, stage, run.latest, run.increment);
   if (columns.empty() || columns.front().values.size() < history_rows) return;
   for (auto& column : columns) {
     for (std::size_t k = 0; 2 * k < column.values.size(); ++k) column.values[k] = column.values[2 * k];
@@ -120,13 +166,17 @@ std::string describe_pressed(const Equilibrium& now, const WallDrives& drives, c
                   : "");
 }
 
-/// How the stage came to its end, how many of the bonds have broken, and how many pairs cohesion joins; nothing on
-/// these where there are none.
-std::string outcome_of(const Engine& engine, const Stage& stage, const Equilibrium& now, const WallDrives& drives) {
-  std::string text = stage.strain_cycles
-                         ? fmt::format("{} strain cycles completed; {}", stage.strain_cycles->count, describe(now))
-                     : stage.duration ? fmt::format("{:g} s passed; {}", *stage.duration, describe(now))
-                                      : "equilibrium: " + describe_pressed(now, drives, engine.domain);
+/// How the stage came to its end by itself.
+std::string ending_of(const Engine& engine, const Stage& stage, const Equilibrium& now, const WallDrives& drives) {
+  const std::string missed = stage.until.empty() ? "" : fmt::format(" before {}", stage.until);
+  if (stage.strain_cycles)
+    return fmt::format("{} strain cycles completed{}; {}", stage.strain_cycles->count, missed, describe(now));
+  if (stage.duration) return fmt::format("{:g} s passed{}; {}", *stage.duration, missed, describe(now));
+  return fmt::format("equilibrium{}: {}", missed, describe_pressed(now, drives, engine.domain));
+}
+
+/// With how many of the bonds have broken, and how many pairs cohesion joins; nothing on these where there are none.
+std::string outcome_of(const Engine& engine, std::string text) {
   if (const BondCount bonds = count_bonds(engine); bonds.made() > 0)
     text += fmt::format("; {} of {} bonds broken", bonds.made() - bonds.intact, bonds.made());
   if (!engine.contact.is_cohesive()) return text;
@@ -139,7 +189,7 @@ void end_leg(const Engine& engine, const Stage& stage, const Leg& leg, StageRun&
   if (leg.ends_half) {
     append(run.result.cycles, "cycle", "1", static_cast<double>(leg.cycle));
     append(run.result.cycles, "at_maximum", "1", leg.at_maximum ? 1.0 : 0.0);
-    sample(run.result.cycles, engine, stage, run.latest, run.increment);
+    add_row(run.result.cycles, engine, stage, run.latest, run.increment);
   }
   if (leg.stored) store_snapshot(engine, run.latest, leg.label, run.result);
   if (!leg.is_whole) return;
@@ -155,20 +205,35 @@ void give_up(const Engine& engine, const Stage& stage, const Leg& leg, const Wal
                                    describe_pressed(run.latest, drives, engine.domain));
 }
 
+/// What comes next in the stage.
+Leg leg_of(const Engine& engine, const Stage& stage, const StageRun& run) {
+  const auto states = static_cast<std::int64_t>(run.result.snapshots.size()) - run.extra_states;
+  return leg_at(stage, run.start, run.increment, states, engine.dt);
+}
+
 }  // namespace
+
+History history_columns(const Stage& stage, const Domain& domain, bool bonded, bool cohesive) {
+  HistoryRow row{domain};
+  if (bonded) row.bonds.emplace();
+  if (cohesive) row.pairs.emplace();
+  History history;
+  append_row(history, stage, row);
+  return history;
+}
 
 StageRun begin_stage(Engine& engine, const Stage& stage) {
   engine.begin(stage);
   StageRun run;
   run.result.name = stage.name;
+  run.start.time = time_of(engine);
   run.start.size = {engine.domain.width(), engine.domain.height()};
   for (int side = 0; side < sides; ++side) run.start.force[side] = engine.domain.wall[side].force;
   return run;
 }
 
 void continue_stage(Engine& engine, const Stage& stage, StageRun& run) {
-  const Leg leg =
-      leg_at(stage, run.start, run.increment, static_cast<std::int64_t>(run.result.snapshots.size()), engine.dt);
+  const Leg leg = leg_of(engine, stage, run);
   if (leg.shear_rate) set_shear_rate(engine, *leg.shear_rate);
   const WallDrives drives = drives_for(stage, leg, engine.domain);
   set_drives(engine, drives);
@@ -184,14 +249,45 @@ void continue_stage(Engine& engine, const Stage& stage, StageRun& run) {
   if (is_over) end_leg(engine, stage, leg, run);
   if (given_up) give_up(engine, stage, leg, drives, run);
   run.finished = given_up || (is_over && leg.is_last);
-  if (run.finished && !given_up) run.result.outcome = outcome_of(engine, stage, run.latest, drives);
+  if (run.finished && !given_up) run.result.outcome = outcome_of(engine, ending_of(engine, stage, run.latest, drives));
+}
+
+void store_state(const Engine& engine, std::string label, StageRun& run) {
+  store_snapshot(engine, run.latest, std::move(label), run.result);
+  ++run.extra_states;
+}
+
+void end_early(const Engine& engine, const Stage& stage, const std::string& why, StageRun& run) {
+  const std::vector<double>* time = run.result.history.find("time");
+  if (!time || time->back() != time_of(engine)) add_row(run.result.history, engine, stage, run.latest, run.increment);
+  const auto& states = run.result.snapshots;
+  if (states.empty() || states.back().step != engine.step) store_state(engine, "end", run);
+  run.finished = true;
+  run.result.began = run.start.time;
+  run.result.outcome = outcome_of(engine, fmt::format("{}; {}", why, describe(run.latest)));
+}
+
+std::string unrest(const Engine& engine, const Stage& stage, const StageRun& run) {
+  std::vector<Demand> demands = demands_on(run.latest, stage.equilibrium);
+  const WallDrives drives = drives_for(stage, leg_of(engine, stage, run), engine.domain);
+  demands.push_back({"forces on the sides, off their targets by", "equilibrium.unbalanced",
+                     load_error(drives, engine.domain), 10 * stage.equilibrium.unbalanced});
+  std::vector<std::string> lacks, keys;
+  for (const Demand& demand : demands) {
+    if (demand.is_met()) continue;
+    lacks.push_back(fmt::format("{} {:.1e} (wanted: {:.1e})", demand.what, demand.now, demand.most));
+    if (std::ranges::count(keys, demand.key) == 0) keys.emplace_back(demand.key);
+  }
+  return fmt::format("{}; brake it with critical_drag = 0.2 or drag, or ask for less with {}", list_of(lacks),
+                     list_of(keys));
 }
 
 double share_done(const Stage& stage, const StageRun& run) {
   if (run.finished) return 1;
   if (stage.duration) {
     const double snapshots = static_cast<double>(std::max<std::int64_t>(1, stage.snapshots));
-    return std::min(1.0, static_cast<double>(run.result.snapshots.size()) / snapshots);
+    const auto stored = static_cast<double>(run.result.snapshots.size()) - static_cast<double>(run.extra_states);
+    return std::min(1.0, stored / snapshots);
   }
   const auto total = static_cast<double>(increment_count(stage));
   if (stage.strain_cycles) return static_cast<double>(run.increment) / total;

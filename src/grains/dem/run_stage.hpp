@@ -16,6 +16,7 @@ struct StageRun {
   std::int64_t steps_in_increment = 0;
   std::int64_t sample_every = 1;  ///< checks between two rows of the history
   std::int64_t checks = 0;
+  std::int64_t extra_states = 0;  ///< stored beside those that the stage asks for
   bool finished = false;
   Equilibrium latest;  ///< what the last look at the sample found
   StageResult result;  ///< snapshots and history so far
@@ -27,6 +28,9 @@ bool is_at_rest(const Equilibrium& now, const EquilibriumCriterion& rest);
 /// The numbers that this is judged by, in words.
 std::string describe(const Equilibrium& now);
 
+/// The columns that the history of such a stage will have, in a container with these boundaries, as a row of zeros.
+History history_columns(const Stage& stage, const Domain& domain, bool bonded, bool cohesive);
+
 /// Sets gravity, friction, drag and glue of the stage and notes the walls' forces.
 StageRun begin_stage(Engine& engine, const Stage& stage);
 
@@ -35,6 +39,16 @@ StageRun begin_stage(Engine& engine, const Stage& stage);
 /// come to rest within `equilibrium.max_steps` (result.converged is then false and result.outcome says what was
 /// reached).
 void continue_stage(Engine& engine, const Stage& stage, StageRun& run);
+
+/// Keeps the state of the last look beside those that the stage asks for.
+void store_state(const Engine& engine, std::string label, StageRun& run);
+
+/// Ends a stage at the last look, before it came to its own end: its state is the last one, and `why` begins the
+/// sentence of its outcome.
+void end_early(const Engine& engine, const Stage& stage, const std::string& why, StageRun& run);
+
+/// What keeps the increment under way from rest, with the bounds asked for and the keys that mend it, in words.
+std::string unrest(const Engine& engine, const Stage& stage, const StageRun& run);
 
 /// Share of the stage that is done, 0 to 1, for a progress bar: increments, and within one how far its unbalanced ratio
 /// has come down on a logarithmic scale.

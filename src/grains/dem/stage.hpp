@@ -176,6 +176,7 @@ struct Stage {
   BySide<SideDrive> side;             ///< in the order of model/packing.hpp
   std::int64_t increments = 1;
   std::optional<double> duration;  ///< s; for stages driven by velocity, which do not end at rest
+  std::string until;  ///< a condition on numbers of its history that ends it (fields/regime/until.hpp); empty: none
   std::optional<Cycles> cycles;
   std::optional<StrainCycles> strain_cycles;
   std::vector<Programme> programmes;  ///< need a duration; of sides, slides and the like that these drive the values
@@ -207,6 +208,7 @@ StrainHalf strain_half(const StrainCycles& cycles, std::int64_t half, double tim
 
 /// How the sample was when the stage began.
 struct StageStart {
+  double time = 0;               ///< s
   BySide<double> force{};        ///< N
   std::array<double, 2> size{};  ///< width and height, m
 };

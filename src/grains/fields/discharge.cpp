@@ -71,6 +71,28 @@ Discharge find_discharge(const std::vector<double>& time, const std::vector<doub
   return found;
 }
 
+std::vector<double> discharge_rate(const std::vector<double>& time, const std::vector<double>& grains,
+                                   const std::vector<double>& amount) {
+  constexpr double grains_of_a_mean = 20;
+  std::vector<double> rate(time.size(), 0.0);
+  std::size_t from = 0;
+  for (std::size_t k = 1; k < time.size(); ++k) {
+    const auto passed_since = [&](std::size_t row) { return grains[k] - grains[row]; };
+    while (from + 1 < k && (grains[from + 1] <= grains.front() || passed_since(from + 1) >= grains_of_a_mean)) ++from;
+    if (grains[k] > grains.front()) rate[k] = (amount[k] - amount[from]) / (time[k] - time[from]);
+  }
+  return rate;
+}
+
+void put_discharge_rates(const History& rows, const std::vector<double>& time, statistics::Columns& to) {
+  const std::vector<double>*grains = rows.find("passed"), *mass = rows.find("passed_mass");
+  if (!grains || !mass) return;
+  to.put("discharge_rate", "1/s", "Grains that pass per time, over the last twenty of them",
+         discharge_rate(time, *grains, *grains));
+  to.put("discharge_mass_rate", "kg/s", "Mass that passes per time, over the last twenty grains",
+         discharge_rate(time, *grains, *mass));
+}
+
 double narrowest_opening(const Domain& domain) {
   std::optional<double> least;
   for (const Boundary& a : domain.boundaries)

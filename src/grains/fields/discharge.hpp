@@ -2,6 +2,8 @@
 #include <vector>
 
 #include "model/packing.hpp"
+#include "model/result.hpp"
+#include "statistics/columns.hpp"
 #include "statistics/measured.hpp"
 
 namespace arenite::fields {
@@ -22,6 +24,14 @@ struct Discharge {
 /// (steady_state.hpp). Unknown where nothing passes. Throws InputError for lists of unlike lengths, numbers that are
 /// not finite, and times that do not grow.
 Discharge find_discharge(const std::vector<double>& time, const std::vector<double>& passed);
+
+/// The rate at which something passes now, per s, row by row: of an `amount` (grains, mass) over the time that the last
+/// twenty grains took, up to now; before so many have passed over the time since the first. 0 before anything passes.
+std::vector<double> discharge_rate(const std::vector<double>& time, const std::vector<double>& grains,
+                                   const std::vector<double>& amount);
+
+/// As curves of a history that counts what passes, `discharge_rate` and `discharge_mass_rate`; nothing of others.
+void put_discharge_rates(const History& rows, const std::vector<double>& time, statistics::Columns& to);
 
 /// The narrowest way between two of the boundaries that are there, m; unknown where there are fewer than two.
 double narrowest_opening(const Domain& domain);

@@ -40,14 +40,21 @@ void add_to(History& rows, const dem::Stage& stage, double begin) {
 
 }  // namespace
 
-double begin_of(const History& history, const dem::Stage& stage) {
-  const std::vector<double>* time = history.find("time");
+double begin_of(const StageResult& result, const dem::Stage& stage) {
+  const std::vector<double>* time = result.history.find("time");
+  if (result.began) return *result.began;
   if (!time || time->empty()) return 0;
   return stage.duration ? time->back() - *stage.duration : time->front();
 }
 
+double length_of(const StageResult& result, const dem::Stage& stage) {
+  const std::vector<double>* time = result.history.find("time");
+  if (!stage.duration || !result.began || !time || time->empty()) return stage.duration.value_or(0);
+  return time->back() - *result.began;
+}
+
 void add_driven(StageResult& result, const dem::Stage& stage) {
-  const double begin = begin_of(result.history, stage);
+  const double begin = begin_of(result, stage);
   add_to(result.history, stage, begin);
   add_to(result.cycles, stage, begin);
 }

@@ -9,8 +9,10 @@ namespace arenite::fields {
 /// `gravity_y`, m/s^2, where programmes change or turn gravity. Programmes count as they ran, by their integral.
 void add_driven(StageResult& result, const dem::Stage& stage);
 
-/// When a stage began, s, by the rows of its history.
-double begin_of(const History& history, const dem::Stage& stage);
+/// When a stage began, s: as it knows, or by the rows of its history.
+double begin_of(const StageResult& result, const dem::Stage& stage);
+/// How long it lasted, s, of one with a duration, which something else may have ended; 0 of others.
+double length_of(const StageResult& result, const dem::Stage& stage);
 
 /// Gravity that acted at these rows of a history, m/s^2: as they say, or that of the whole stage.
 std::vector<Vec2> gravity_in(const History& rows, const Asked& asked);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "grains/fields/driven.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/fields/steady_state.hpp"
 
@@ -47,7 +48,7 @@ Load load_of(const StageResult& result, const dem::Stage& stage, int side) {
   if (stage.cycles && stage.cycles->side == side) return {};
   const auto area = areas(result.history, side, drive.kind, result.snapshots.back().packing.domain.thickness);
   const dem::Programme* programme = programme_of(stage, side);
-  const double begin = time->back() - stage.duration.value_or(0);
+  const double begin = time->back() - length_of(result, stage);
   Load load;
   for (std::size_t k = 0; k < area.size(); ++k) {
     load.asked.push_back(programme ? programme->at((*time)[k] - begin) : drive.value);

@@ -7,6 +7,7 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
+#include "grains/fields/discharge.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/texture/texture.hpp"
 #include "statistics/measured.hpp"
@@ -251,6 +252,7 @@ std::optional<Loading> loading_in(const History& rows, const Test& test) {
                   mapped(*axial, [&](double v) { return v / thickness; }));
   put_density(of, *s, packing);
   put_inertial_number(of, packing);
+  put_discharge_rates(rows, s->time, of.curves);
   for (auto& energy : energies_of(rows).list) of.curves.list.push_back(std::move(energy));
   return of;
 }

@@ -32,7 +32,8 @@ struct Loading {
 /// The curves of a test, row by row of its history: `time` since the first row; `strain_x`, `strain_y`, `axial_strain`,
 /// `volumetric_strain` since the state before, `shear_strain` since the first row; `sigma_xx`, `sigma_yy`, `tau`, `p`,
 /// `q`, `q_over_p` of the sides, `mu` where something is sheared along them, `axial_stress` of a uniaxial test;
-/// `solid_fraction`, `inertial_number`; `dissipated_energy` and `work` where energies were tracked. What is not known
+/// `solid_fraction`, `inertial_number`; `discharge_rate` and `discharge_mass_rate` of a stage that counts what passes;
+/// `dissipated_energy` and `work` where energies were tracked. What is not known
 /// is left out. Compression is positive; ratios are NaN where the sides are all but unloaded. Nothing without the
 /// sides' places or for a stage that has no history.
 std::optional<Loading> loading_of(const Test& test);

@@ -61,6 +61,11 @@ void transfer_asked(const Hdf5Group& file, Asked& asked) {
 void transfer_result(const Hdf5Group& at, StageResult& result) {
   transfer_origin(at, result);
   transfer_asked(at, result.asked);
+  if (at.reads() ? at.has_attribute("began [s]") : result.began.has_value()) {
+    double began = result.began.value_or(0);
+    at("began [s]", began);
+    result.began = began;
+  }
   Packing sample = result.snapshots.empty() ? Packing{} : result.snapshots.front().packing;
   transfer_materials(at, sample.materials);
   transfer_names(at.group("grains"), sample.grains, nullptr);

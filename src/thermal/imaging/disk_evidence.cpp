@@ -15,11 +15,11 @@ namespace {
 constexpr double least_explained =
     0.75;  // of a disk's squares; the rest is noise, marks, neighbours that are not found yet
 constexpr double rim_of_usual = 0.8, unexplained_of_usual = 4,
-                 few_unexplained = 0.05;  // against the median disk's; share that is never too much
-constexpr double least_contrast = 0.2;    // of the usual contrast
-constexpr double least_area = 0.005;      // share of all disks' area that a size needs
-constexpr double other_size = 1.28;       // times the radius
-constexpr double most_overlap = 0.3;      // of the smaller radius, in disks that are fitted
+                 few_unexplained = 0.05;     // against the median disk's; share that is never too much
+constexpr double least_contrast = 0.2;       // of the usual contrast
+constexpr double least_area = 0.005;         // share of all disks' area that a size needs
+constexpr double other_size = 1.28;          // times the radius
+constexpr double most_fitted_overlap = 0.3;  // of the smaller radius, in disks that are fitted
 
 using Disks = std::vector<DiskModel::Disk>;
 using Evidence = std::vector<DiskModel::Evidence>;
@@ -53,7 +53,7 @@ void mark_overlapping(const Disks& disks, const Evidence& evidence, std::vector<
           std::abs(disks[a].centre.y - disks[b].centre.y) > disks[a].radius + disks[b].radius)
         continue;
       const double gap = norm(disks[a].centre - disks[b].centre) - disks[a].radius - disks[b].radius;
-      if (gap > -most_overlap * std::min(disks[a].radius, disks[b].radius)) continue;
+      if (gap > -most_fitted_overlap * std::min(disks[a].radius, disks[b].radius)) continue;
       out[evidence[a].explained * evidence[a].rim < evidence[b].explained * evidence[b].rim ? a : b] = 1;
     }
 }

@@ -157,9 +157,8 @@ Bulk bulk_of(const Packing& packing, const dem::ContactParameters& contact) {
   return bulk;
 }
 
-StagePrediction predict_stage(dem::Engine& engine, const dem::ContactParameters& contact, double steady_drag,
+StagePrediction predict_stage(const dem::Engine& engine, const dem::ContactParameters& contact, double steady_drag,
                               const dem::Stage& stage, Bulk& bulk, Pressures& pressures) {
-  dem::begin_stage(engine, stage);
   StagePrediction p;
   p.name = stage.name;
   p.time_step = engine.dt;
@@ -188,8 +187,10 @@ StagePrediction predict_stage(dem::Engine& engine, const dem::ContactParameters&
     return side.kind == Kind::force || side.kind == Kind::pressure;
   });
   const double settling = settling_time(4 * std::numbers::pi / critical, drag, stage.equilibrium.unbalanced, all_round);
-  p.duration = closing_time(stage, pressures, without_friction, bulk) + increments * settling;
+  const double closing = closing_time(stage, pressures, without_friction, bulk);
+  p.duration = closing + increments * settling;
   p.steps = dem::steps_of(p.duration, p.time_step);
+  p.increment_steps = dem::steps_of(closing + settling, p.time_step);
   return p;
 }
 

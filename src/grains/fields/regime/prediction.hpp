@@ -54,9 +54,10 @@ struct StagePrediction {
   double time_step = 0;  ///< s
   double duration = 0;   ///< s of the sample's time
   std::int64_t steps = 0;
-  bool exact = false;   ///< steps follow from a duration; else they are an estimate
-  double seconds = 0;   ///< of one processor
-  double pressure = 0;  ///< Pa, the largest that its sides or its weight exert; 0: none known
+  std::int64_t increment_steps = 0;  ///< of the longest increment; 0 where `exact`
+  bool exact = false;                ///< steps follow from a duration; else they are an estimate
+  double seconds = 0;                ///< of one processor
+  double pressure = 0;               ///< Pa, the largest that its sides or its weight exert; 0: none known
   std::optional<double> inertial_number, stiffness_number, overlap;  ///< overlap: over the diameter
 };
 
@@ -77,9 +78,9 @@ struct Pressures {
   double largest = 0, confining = 0;
 };
 
-/// What a stage will be like. `bulk` and `pressures` are those that the stage before left, and then its own;
-/// `steady_drag`, 1/s, acts in every stage.
-StagePrediction predict_stage(dem::Engine& engine, const dem::ContactParameters& contact, double steady_drag,
+/// What a stage will be like that the engine has begun. `bulk` and `pressures` are those that the stage before left,
+/// and then its own; `steady_drag`, 1/s, acts in every stage.
+StagePrediction predict_stage(const dem::Engine& engine, const dem::ContactParameters& contact, double steady_drag,
                               const dem::Stage& stage, Bulk& bulk, Pressures& pressures);
 
 }  // namespace arenite::fields

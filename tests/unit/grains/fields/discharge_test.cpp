@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -123,6 +124,21 @@ TEST(NarrowestOpening, IsTheWayBetweenBoundariesThatAreThere) {
   EXPECT_NEAR(narrowest_opening(domain), 0.04, 1e-15);
   domain.boundaries[2].present = true;
   EXPECT_NEAR(narrowest_opening(domain), 0.001, 1e-15);
+}
+
+TEST(DischargeRate, IsThatOfTheLastTwentyGrainsAndFallsWhenNoneFollow) {
+  std::vector<double> time, grains, mass;
+  for (int k = 0; k < 400; ++k) {  // from 1 s to 3 s ten grains of 2 g pass a tenth of a second, then none
+    time.push_back(0.01 * k);
+    grains.push_back(std::clamp(k - 100, 0, 200));
+    mass.push_back(2e-3 * grains.back());
+  }
+  const auto rate = discharge_rate(time, grains, grains), by_mass = discharge_rate(time, grains, mass);
+  EXPECT_EQ(rate[50], 0);
+  for (const std::size_t k : {101, 110, 200, 300}) EXPECT_NEAR(rate[k], 100, 1e-9) << k;
+  EXPECT_NEAR(by_mass[200], 0.2, 1e-12);
+  // Twenty grains in the 0.2 s before, none in the 0.8 s since.
+  EXPECT_NEAR(rate[380], 20, 1e-9);
 }
 
 }  // namespace

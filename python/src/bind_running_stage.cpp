@@ -1,0 +1,99 @@
+#include <fmt/core.h>
+#include <pybind11/stl.h>
+
+#include <memory>
+#include <utility>
+
+#include "arrays.hpp"
+#include "core/problems.hpp"
+#include "grains/dem/measure.hpp"
+#include "module.hpp"
+#include "running_stage.hpp"
+
+/// A stage of loading on its way, as a function of Python sees it.
+namespace arenite::python {
+namespace {
+
+/// What is handed to the function; it may outlive the call, but tells nothing then.
+class RunningStage {
+ public:
+  explicit RunningStage(workflow::StageUnderWay& now) : now_(&now) {}
+  void end() { now_ = nullptr; }
+  workflow::StageUnderWay& now() const {
+    if (now_) return *now_;
+    throw InputError("the stage has gone on; a running stage can be used only in the function that got it");
+  }
+
+ private:
+  workflow::StageUnderWay* now_;
+};
+
+py::dict history_so_far(const RunningStage& stage) {
+  py::dict columns;
+  for (const auto& column : stage.now().run().result.history.columns)
+    columns[py::str(column.name)] = taken_over(std::vector(column.values));
+  return columns;
+}
+
+}  // namespace
+
+std::optional<workflow::StepFunction> step_function(Call& call, const OnStep& function, std::int64_t every) {
+  if (function.is_none()) return std::nullopt;
+  if (every < 1) throw refusal("every is {}; give a number of steps from 1", every);
+  return workflow::StepFunction{[&call, &function](workflow::StageUnderWay& now) {
+                                  if (call.asked_to_stop()) return;
+                                  const py::gil_scoped_acquire lock;
+                                  const auto stage = std::make_shared<RunningStage>(now);
+                                  try {
+                                    function(stage);
+                                  } catch (...) {
+                                    stage->end();
+                                    throw;
+                                  }
+                                  stage->end();
+                                },
+                                every};
+}
+
+void bind_running_stage(py::module_& m) {
+  py::class_<RunningStage, std::shared_ptr<RunningStage>>(
+      m, "RunningStage", "A stage of loading on its way, which `load_stage` hands to `on_step`.")
+      .def_property_readonly(
+          "name", [](const RunningStage& s) { return s.now().stage().name; }, "Name in the recipe.")
+      .def_property_readonly(
+          "time", [](const RunningStage& s) { return dem::time_of(s.now().engine()); }, "s since the start of the run.")
+      .def_property_readonly(
+          "step", [](const RunningStage& s) { return s.now().engine().step; }, "Time steps since the start of the run.")
+      .def_property_readonly(
+          "time_step", [](const RunningStage& s) { return s.now().engine().dt; }, "Time step, s.")
+      .def_property_readonly(
+          "increment", [](const RunningStage& s) { return s.now().run().increment + 1; },
+          "Increment under way, from 1.")
+      .def_property_readonly(
+          "unbalanced_ratio", [](const RunningStage& s) { return s.now().run().latest.unbalanced_ratio; },
+          "Mean resultant force on a grain over the mean contact force.")
+      .def_property_readonly(
+          "kinetic_ratio", [](const RunningStage& s) { return s.now().run().latest.kinetic_ratio; },
+          "Kinetic over elastic energy.")
+      .def_property_readonly(
+          "packing", [](const RunningStage& s) { return dem::packing_of(s.now().engine()); },
+          "Grains, walls and contacts now (a copy).")
+      .def_property_readonly("history", &history_so_far, "Columns by name so far, as in Stage.history (copies).")
+      .def(
+          "stop", [](const RunningStage& s, const std::string& why) { s.now().stop("stopped by on_step: " + why); },
+          py::arg("why") = "as asked", "Ends the stage with the state of now; `why` is told in its outcome.")
+      .def(
+          "store", [](const RunningStage& s, std::string label) { s.now().store(std::move(label)); },
+          py::arg("label") = "stored by on_step", "Keeps the state of now among the stage's snapshots.")
+      .def(
+          "change", [](const RunningStage& s, const py::dict& changes) { s.now().change(overrides_of(changes)); },
+          py::arg("changes"),
+          "Changes what drives the stage from the next step on: {\"top.pressure\": \"20 kPa\", \"gravity_angle\": \"5 "
+          "deg\"}. Keys are those of the stage in the recipe: sides, slide, gravity, shear_rate, boundaries, friction, "
+          "drag, critical_drag.")
+      .def("__repr__", [](const RunningStage& s) {
+        return fmt::format("<arenite.RunningStage \"{}\", step {}>", s.now().stage().name, s.now().engine().step);
+      });
+}
+
+}  // namespace arenite::python
