@@ -33,7 +33,9 @@ struct Template {
 std::vector<Template> all_templates() {
   std::vector<Template> list;
   for (const auto& each : recipe::recipe_templates())
-    list.push_back({each.name, each.sentence, "run", [&each] { return recipe::to_commented_toml(each.make()); }});
+    list.push_back({each.name, each.sentence, "run", [&each] {
+                      return each.explained ? recipe::to_commented_toml(each.make()) : std::string(each.text);
+                    }});
   list.push_back({"film", "grain stresses and contact forces from an infrared film of a loaded packing",
                   "film FILM --recipe", [] { return recipe::to_commented_toml(recipe::film_template()); }});
   list.push_back(

@@ -1,7 +1,7 @@
 # The recipes that `arenite init` writes, src/recipe/templates/NAME.toml, as recipe::templates::NAME in the header recipe/templates.hpp.
 include(cmake/raw_literals.cmake)
 set(texts "")
-foreach(name composite cemented film study)
+foreach(name biaxial cemented collapse composite cycles deposit drum film rock shear silo study)
   set(toml ${CMAKE_SOURCE_DIR}/src/recipe/templates/${name}.toml)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${toml})
   raw_literals(${toml} literals)

@@ -207,6 +207,7 @@ class ExpressionReader {
     std::size_t at = text.find_first_not_of(' ');
     if (at == std::string_view::npos) return std::nullopt;
     if (!first && (text[at] == '/' || text[at] == '*')) at = std::min(text.find_first_not_of(' ', at + 1), text.size());
+    if (first && text.substr(at).starts_with("1/")) at += 2;  // 5 1/s
     std::size_t end = at;
     while (end < text.size() &&
            (is_letter(text[end]) || text[end] == '%' || static_cast<unsigned char>(text[end]) >= 128))

@@ -60,7 +60,7 @@ constexpr NamedUnit units[] = {
     {"J", {1, 0, dimension::energy}, true},         {"W", {1, 0, dimension::energy / dimension::time}, true},
     {"Hz", {1, 0, dimension::frequency}, true},     {"rad", {1, 0, dimension::none}, false},
     {"deg", {pi / 180, 0, dimension::none}, false}, {"%", {1, -2, dimension::none}, false},
-    {"1", {1, 0, dimension::none}, false}};
+    {"1", {1, 0, dimension::none}, false},          {"rpm", {pi / 30, 0, dimension::frequency}, false}};
 
 struct Prefix {
   std::string_view symbol;

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
+#include "core/problems.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 
@@ -116,11 +117,25 @@ std::string real_literal(double value) {
   return text;
 }
 
+/// What an item of a list is called: by its name, or by its material; empty if by neither.
+std::string name_of_item(const Node& item) {
+  for (const char* key : {"name", "material"})
+    if (const Entry* entry = item.find(key); entry && entry->value.kind == Node::Kind::text) return entry->value.text;
+  return {};
+}
+
+/// Of the item with that number, counted from 0, or of that name.
 std::size_t item_index(const std::string& part, const Node& array) {
   const auto index = parse_number<std::size_t>(part);
-  if (!index || *index >= array.items.size())
-    throw InputError(fmt::format("\"{}\" is not one of the {} items, counted from 0", part, array.items.size()));
-  return *index;
+  if (index && *index < array.items.size()) return *index;
+  std::vector<std::string> names = mapped(array.items, name_of_item);
+  const auto same = std::ranges::count(names, part);
+  if (same == 1) return static_cast<std::size_t>(std::ranges::find(names, part) - names.begin());
+  if (same > 1)
+    throw InputError(fmt::format("{} items are called \"{}\"; give the number of one, counted from 0", same, part));
+  std::erase(names, "");
+  throw InputError(fmt::format("\"{}\" is not one of the {} items, counted from 0{}", part, array.items.size(),
+                               names.empty() ? "" : ", nor the name of one: " + list_of(names)));
 }
 
 /// The value under `part`; made where there is none, and turned into a table where `part` needs one.

@@ -16,25 +16,6 @@ namespace {
 
 using dem::Programme;
 
-void declare(Visitor& v, Boundary& boundary, const Recipe& recipe) {
-  v.text({"name", "Name in stages and results: letters, digits, _ and -.", true}, boundary.name);
-  const bool is_side = std::ranges::count(side_names, boundary.name) > 0;
-  v.require(is_plain_name(boundary.name) && !is_side, {"name"},
-            "must be made of letters, digits, _ and -, and not be that of a wall");
-  v.require(std::ranges::count(recipe.boundaries, boundary.name, &Boundary::name) <= 1, {"name"},
-            fmt::format("another boundary is called \"{}\"; names must differ", boundary.name));
-  v.points({"points", "Points joined by straight segments, from the lower left corner of the container.", true},
-           boundary.points, "mm");
-  v.flag({"closed", "A segment joins the last point with the first."}, boundary.closed);
-  const auto& points = boundary.points;
-  v.require(points.size() >= (boundary.closed ? 3u : 2u), {"points"},
-            boundary.closed ? "must be three or more where closed" : "must be two or more");
-  const bool repeats = std::ranges::adjacent_find(points) != points.end() ||
-                       (boundary.closed && !points.empty() && points.front() == points.back());
-  v.require(!repeats, {"points"},
-            "each must differ from the one before; a closed boundary does not repeat its first point at the end");
-}
-
 void declare(Visitor& v, dem::BoundaryMotion& motion, const Stage& stage, const Recipe& recipe) {
   motion.declare(v);
   const auto names = mapped(recipe.boundaries, &Boundary::name);
@@ -134,13 +115,6 @@ void require_one_pressing_edge(Visitor& v, const Stage& stage, std::size_t first
 
 }  // namespace
 
-void declare_boundaries(Visitor& v, Recipe& recipe) {
-  v.list<Boundary>({"boundaries",
-                    "Thin rigid boundaries in addition to the walls: hoppers, gates, drums, obstacles, intruders. "
-                    "Contacts with them are like those with walls."},
-                   recipe.boundaries, [&](Visitor& inner, Boundary& boundary) { declare(inner, boundary, recipe); });
-}
-
 void declare_openings(Visitor& v, Stage& stage, const Recipe& recipe) {
   bool has_open = std::ranges::count(stage.open, true) > 0;
   v.section({"open",
@@ -191,9 +165,10 @@ void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParamet
             "duration = \"1 s\"");
   if (!stage.cycles) return;
   const auto side = static_cast<std::size_t>(stage.cycles->side);
-  v.require(
-      stage.side[side].kind == Kind::force, {"cycles", side_names[side]},
-      fmt::format("cycles need a side under force; write {} = {{ force = \"...\" }} in this stage", side_names[side]));
+  const char* load = stage.cycles->of_pressure ? "pressure" : "force";
+  v.require(stage.side[side].kind == stage.cycles->kind(), {"cycles", side_names[side]},
+            fmt::format("cycles need a side under {0}; write {1} = {{ {0} = \"...\" }} in this stage", load,
+                        side_names[side]));
 }
 
 void require_boundary_loads(Visitor& v, const Stage& stage, const Recipe& recipe) {

@@ -9,6 +9,7 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "recipe/document.hpp"
+#include "recipe/quantities.hpp"
 #include "recipe/record.hpp"
 #include "recipe/values.hpp"
 
@@ -88,13 +89,17 @@ class Reader : public KeyVisitor {
   }
 
   void when(bool active, std::string_view condition, const Visit& inside) override {
-    if (active) return inside(*this);
+    // Of a choice that could not be read, no form's keys are missing or out of place.
+    const bool undecided =
+        std::ranges::any_of(failed_, [&](const std::string& key) { return condition.starts_with(key + " = "); });
+    if (active && !undecided) return inside(*this);
     // A reader of an empty table knows which keys there would be.
     const Node nothing;
     Reading unheard{};
     Reader reader(nothing, path_, unheard);
     inside(reader);
     for (const auto& [name, also] : reader.conditional_) reader.known_.insert(name);
+    if (undecided) return known_.merge(reader.known_);
     for (const auto& name : reader.known_) {
       const auto [place, is_new] = conditional_.emplace(name, condition);
       if (!is_new) place->second += fmt::format(" or {}", condition);
@@ -111,6 +116,9 @@ class Reader : public KeyVisitor {
       }
     reading_.add(*place, keys.size() == 0 ? path_ : path_of(*keys.begin()), std::string(message));
   }
+
+  /// A key that is read elsewhere.
+  void know(const std::string& key) { known_.insert(key); }
 
   /// Call when all keys were visited: what is left over is unknown.
   void refuse_unknown_keys() {
@@ -265,7 +273,9 @@ void set_value(Node& root, const std::string& key, Node value, const RecordTable
 }
 
 void read_declared(const Node& root, Reading& reading, const Visit& declare) {
+  read_variables(root, reading);
   Reader reader(root, "", reading);
+  reader.know("variables");
   declare(reader);
   reader.refuse_unknown_keys();
   if (reading.problems.empty()) return;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/expression.hpp"
 #include "core/parameters.hpp"
 #include "recipe/document.hpp"
 #include "recipe/record.hpp"
@@ -20,6 +21,7 @@ struct Reading {
   std::vector<std::string> notices = {};  ///< what the user should see, though nothing is wrong
   bool bare_numbers_are_si = false;       ///< of keys with a dimension; otherwise these need their unit
   bool leaves_idle_keys = false;          ///< keys that other values leave without effect are told, not refused
+  Variables variables = {};               ///< that numbers of the recipe may be written with
   void add(const Place& place, const std::string& path, const std::string& message);
 };
 
@@ -31,7 +33,8 @@ void add_problem(Reading& reading, const Place& place, const std::string& path, 
 /// Puts a value at a dotted key into the tree (`put`); names of before become those of now, as `keys` knows them.
 void set_value(Node& root, const std::string& key, Node value, const RecordTable& keys);
 
-/// Reads all keys that a declaration visits. Throws InputError with every problem found, in the order of the text.
+/// Reads [variables] and all keys that a declaration visits. Throws InputError with every problem found, in the order
+/// of the text.
 void read_declared(const Node& root, Reading& reading, const Visit& declare);
 
 // Former names: keys and words say theirs where they are declared.

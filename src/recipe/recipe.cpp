@@ -8,6 +8,7 @@
 #include "io/disk/file.hpp"
 #include "io/table/table.hpp"
 #include "recipe/declared.hpp"
+#include "recipe/doubts.hpp"
 #include "recipe/templates.hpp"
 
 namespace arenite::recipe {
@@ -20,6 +21,11 @@ void refuse_study(Node& root, Reading& reading) {
                 fmt::format("this recipe is a study of many runs; `arenite study plan {0}` shows them, `arenite study "
                             "run {0}` runs them",
                             reading.file_name));
+}
+
+Recipe with_doubts(Recipe recipe) {
+  for (std::string& doubt : doubts_of(recipe)) recipe.notices.push_back(std::move(doubt));
+  return recipe;
 }
 
 /// Lines that a resolved recipe of version 0.1 did not have: keys that came later, as they stand where nothing else is
@@ -41,10 +47,10 @@ Recipe recipe_from(const Node& root, const std::string& file) {
 }
 
 Recipe read_recipe(const std::string& file, const std::vector<std::string>& overrides) {
-  return read_text<Recipe>(io::read_file(file), of_file(file), overrides, "composite", refuse_study);
+  return with_doubts(read_text<Recipe>(io::read_file(file), of_file(file), overrides, "composite", refuse_study));
 }
 Recipe parse_recipe(std::string_view text, const std::string& file_name, const std::vector<std::string>& overrides) {
-  return read_text<Recipe>(text, of_text(file_name), overrides, "composite", refuse_study);
+  return with_doubts(read_text<Recipe>(text, of_text(file_name), overrides, "composite", refuse_study));
 }
 
 std::string to_toml(const Recipe& recipe) { return write_toml(keys_of(recipe)); }
@@ -82,8 +88,18 @@ std::string key_reference() {
          "recipe as\n"
          "interpreted, `arenite init composite` a commented one to start from, and `--set stages.0.bottom.force=\"60 "
          "kN\"` changes a\n"
-         "key for one run (items of lists are counted from 0). A section [sweep] makes many runs of one recipe:\n"
-         "[studies.md](studies.md).\n\n"
+         "key for one run; items of lists are counted from 0 or called by name (`stages.shear.shear_rate`, "
+         "`populations.POM.count`).\n"
+         "A section [sweep] makes many runs of one recipe: [studies.md](studies.md).\n\n"
+         "`[variables]` gives names to numbers and quantities: with `D = \"40 mm\"` there, every number of the recipe "
+         "may "
+         "be an\n"
+         "expression in quotes, such as `width = \"10*D\"` or `points = [[\"D/2\", \"0 mm\"], ...]`: numbers with "
+         "their "
+         "units, variables,\n"
+         "`+ - * / ^`, brackets, `pi` and the functions sqrt, abs, min, max, sin, cos, tan, exp, log, round, floor and "
+         "ceil. `--set\n"
+         "variables.D=\"50 mm\"` and sweeps change them; results are named by the numbers that follow.\n\n"
          "`base = \"../paper/recipe.toml\"`, before any section, builds a recipe on another one, found relative to it, "
          "which may have a\n"
          "base of its own. Sections are merged key by key; all other values, including lists such as `[[stages]]`, "
@@ -97,9 +113,17 @@ std::string key_reference() {
 
 const std::vector<RecipeTemplate>& recipe_templates() {
   static const std::vector<RecipeTemplate> list{
-      {"composite", "two materials in a rigid container, compacted by the lower wall", templates::composite},
+      {"composite", "two materials in a rigid container, compacted by the lower wall", templates::composite, true},
       {"cemented", "two sizes of grains bound by a matrix, loaded in tension, with the stress of every node",
-       templates::cemented},
+       templates::cemented, true},
+      {"biaxial", "compression at a constant side pressure: q/p, volume, critical state", templates::biaxial},
+      {"shear", "a periodic cell sheared at a constant pressure: mu(I)", templates::shear},
+      {"cycles", "loading and unloading many times: strain that stays, loops", templates::cycles},
+      {"deposit", "grains that rain into a box; oedometer", templates::deposit},
+      {"silo", "discharge through an opening: rate, Beverloo's law", templates::silo},
+      {"collapse", "a column that runs out over a floor: front, deposit", templates::collapse},
+      {"drum", "a rotating drum: slope of the free surface", templates::drum},
+      {"rock", "bonded grains compressed until they fail: modulus, strength, cracks", templates::rock},
   };
   return list;
 }

@@ -248,6 +248,7 @@ template <class Enum> Enum chosen(std::string_view word, std::string_view what) 
 struct RecipeTemplate {
   const char *name, *sentence;
   std::string_view text;
+  bool explained = false;  ///< written with every key that it leaves at its default, and what each means; else as it is
   Recipe make() const { return parse_recipe(text, {}); }
 };
 

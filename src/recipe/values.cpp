@@ -14,6 +14,7 @@
 #include "core/units.hpp"
 #include "io/table/laboratory_table.hpp"
 #include "recipe/document.hpp"
+#include "recipe/quantities.hpp"
 #include "recipe/record.hpp"
 
 namespace arenite::recipe {
@@ -49,27 +50,13 @@ Dimension dimension_of(std::string_view unit) { return unit.empty() ? dimension:
 
 bool is_number(const Node& node) { return node.kind == Node::Kind::integer || node.kind == Node::Kind::real; }
 
-std::string as_written(const Node& node) {
-  if (node.kind == Node::Kind::text) return "\"" + node.text + "\"";
-  return node.kind == Node::Kind::integer ? std::to_string(node.integer) : format_quantity(node.real, "");
-}
-
-std::string unit_is_missing(const Node& node, std::string_view unit) {
-  if (unit == "deg")
-    return fmt::format(
-        "{} has no unit; write an angle with its unit, for example \"90 deg\" (of a part of a cycle 360 times as much: "
-        "\"{:.6g} deg\")",
-        as_written(node), 360 * (node.kind == Node::Kind::integer ? static_cast<double>(node.integer) : node.real));
-  return fmt::format("{0} has no unit; write it with its unit, for example \"{0} {1}\"", as_written(node), unit);
-}
-
 std::optional<double> read_number(const Written& at, std::string_view unit, const Range& range) {
   const Node& node = at.node;
   const Dimension wanted = dimension_of(unit);
   double value = 0;
   if (node.kind == Node::Kind::text) {
     try {
-      value = parse_si(node.text, wanted, unit);
+      value = si_value(node.text, wanted, unit, at.reading.variables);
     } catch (const InputError& error) { return at.refuse(error.what()); }
   } else {
     if (!at.is(is_number(node), "a number, such as " + with_unit(unit.empty() ? "0.5" : "1", unit)))
@@ -182,7 +169,12 @@ void KeyVisitor::integer(const Key& key, std::optional<std::int64_t>& value, con
   Record record{key, "...", to_string(range), Record::Type::integer};
   if (value) record.literal = std::to_string(*value);
   visit(std::move(record), [&](const Written& at) {
-    const Node& node = at.node;
+    Node node = at.node;
+    if (node.kind == Node::Kind::text && is_expression(node.text, at.reading.variables)) {
+      const auto found = read_number(at, "", range::any);
+      if (!found) return;
+      node.kind = Node::Kind::real, node.real = nearest_whole(*found);
+    }
     const bool is_whole =
         node.kind == Node::Kind::real && std::floor(node.real) == node.real && std::abs(node.real) < 1e15;
     const std::int64_t read = is_whole ? static_cast<std::int64_t>(node.real) : node.integer;

@@ -62,16 +62,18 @@ class Circles {
   Circles& operator=(const Circles&) = delete;
 
   /// Throws InputError where grains that are no disks get no room to be put down.
-  void check_room(const Domain& domain) const {
+  void check_room(const Domain& domain, bool size_is_given) const {
     constexpr double most = 0.8;
     double around = 0, within = 0;
     for (const double r : grains_.radius) around += std::numbers::pi * r * r / domain.area();
     for (const double r : own_) within += std::numbers::pi * r * r / domain.area();
     if (!grains_.shapes.empty() && around > most)
-      throw InputError(
-          fmt::format("the circumscribed circles of the grains cover {:.3g} of the container; start from a "
-                      "packing.solid_fraction of {:.2f} or less and let a loading stage compact it",
-                      around, std::floor(100 * within * most / around) / 100));
+      throw InputError(fmt::format(
+          "the circumscribed circles of the grains cover {:.3g} of {}; {} and let a loading stage compact it", around,
+          size_is_given ? "the area that they fill" : "the container",
+          size_is_given ? fmt::format("give it {:.2g} times as much, or take fewer grains", around / most)
+                        : fmt::format("start from a packing.solid_fraction of {:.2f} or less",
+                                      std::floor(100 * within * most / around) / 100)));
   }
 
  private:
@@ -89,7 +91,7 @@ std::string fill(const recipe::Recipe& recipe, Packing& packing) {
   const Domain part = area_of(packing.domain, recipe.packing.area);
   const Circles circles(grains);
   if (at_random) {
-    circles.check_room(part);
+    circles.check_room(part, height_given || recipe.packing.area.has_value());
     return "random filling, " + describe(packing::fill_at_random(grains, part, recipe.seed));
   }
   const double filled = packing::fill_lattice(grains, part), room = part.height();

@@ -79,7 +79,7 @@ void warn(Prediction& p, const recipe::Recipe& recipe) {
     p.warnings.push_back(fmt::format(
         "a collision takes {:.0f} steps; a step of a tenth of its duration would suffice{}",
         p.collision.time / p.time_step,
-        p.limit == StepLimit::damping ? ", but damping prevents it: use weaker dashpots or less drag" : ""));
+        p.limit == StepLimit::damping ? ", but damping prevents it: raise contact.restitution, or lower drag" : ""));
   for (std::size_t s = 0; s < p.stages.size(); ++s) {
     const fields::StagePrediction& stage = p.stages[s];
     if (stage.overlap && *stage.overlap > 0.01)

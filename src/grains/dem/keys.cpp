@@ -26,10 +26,11 @@ void declare_vector(Visitor& v, const Key& key, std::optional<Vec2>& value, std:
 
 /// Of cycles, how many have their states stored.
 void declare_store_every(Visitor& v, std::optional<std::int64_t>& every) {
-  v.integer({"store_every",
-             "States are stored every so many cycles, and for the first and the last; unless given, for all. Curves "
-             "against cycles contain all."},
-            every, {1, 1'000'000});
+  v.integer(
+      {"store_every",
+       "States are stored every so many cycles, and for the first and the last; unless given, for some twenty of them. "
+       "Curves against cycles contain all."},
+      every, {1, 1'000'000});
 }
 
 }  // namespace
@@ -145,9 +146,20 @@ void EquilibriumCriterion::declare(Visitor& v) {
 
 void Cycles::declare(Visitor& v) {
   v.choice({"side", "The side that cycles."}, side, {{"left", ""}, {"right", ""}, {"bottom", ""}, {"top", ""}});
-  v.number({"min", "Force at the end of each cycle.", true}, min, "kN", range::not_negative);
-  v.number({"max", "Force in the middle of each cycle.", true}, max, "kN", range::positive);
-  v.require(max > min, {"max", "min"}, "must be above min");
+  std::optional<double> force[2], pressure[2];
+  if (max > 0) (of_pressure ? pressure : force)[0] = min, (of_pressure ? pressure : force)[1] = max;
+  v.number({"min", "Force at the end of each cycle."}, force[0], "kN", range::not_negative);
+  v.number({"max", "Force in the middle of each cycle."}, force[1], "kN", range::positive);
+  v.number({"min_pressure", "Pressure at the end of each cycle, where these are of pressure."}, pressure[0], "kPa",
+           range::not_negative);
+  v.number({"max_pressure", "Pressure in the middle of each cycle."}, pressure[1], "kPa", range::positive);
+  const bool by_force = force[0] && force[1], by_pressure = pressure[0] && pressure[1];
+  v.require(by_force != by_pressure && !(force[0] || force[1]) != !(pressure[0] || pressure[1]),
+            {"max", "min", "max_pressure", "min_pressure"}, "give min and max, or min_pressure and max_pressure");
+  of_pressure = by_pressure;
+  min = (by_pressure ? pressure : force)[0].value_or(min), max = (by_pressure ? pressure : force)[1].value_or(max);
+  v.require(max > min, {by_pressure ? "max_pressure" : "max", by_pressure ? "min_pressure" : "min"},
+            by_pressure ? "must be above min_pressure" : "must be above min");
   v.integer({"count", "Number of cycles.", true}, count, {1, 1'000'000});
   v.integer({"increments", "Increments of each half cycle."}, increments, {1, 1'000'000});
   declare_store_every(v, store_every);

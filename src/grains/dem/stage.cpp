@@ -32,7 +32,9 @@ void place_in_cycle(Leg& leg, std::int64_t half, bool ends_half) {
 
 /// The first cycle is stored, and every so many, and the last.
 template <class AnyCycles> bool is_stored(const AnyCycles& cycles, std::int64_t cycle) {
-  return cycle <= 1 || !cycles.store_every || cycle % *cycles.store_every == 0 || cycle == cycles.count;
+  constexpr std::int64_t stored = 20;  // of many cycles, where nothing else is asked for
+  return cycle <= 1 || cycle == cycles.count ||
+         cycle % cycles.store_every.value_or((cycles.count + stored - 1) / stored) == 0;
 }
 
 /// A ramp to rest.
@@ -42,14 +44,14 @@ void add_half_cycle(Leg& leg, const Stage& stage, const StageStart& start, std::
   place_in_cycle(leg, half, step == cycles.increments);
   if (!leg.ends_half) leg.label = fmt::format("{}, {} of {}", leg.label, step, cycles.increments);
   const SideDrive& ramp = stage.side[cycles.side];
-  const double first = is_ramped(ramp) ? ramp.value : start.force[cycles.side];
+  const double first = ramp.kind == cycles.kind() ? ramp.value : start.force[cycles.side];
   const double from = half == 0        ? first
                       : leg.at_maximum ? cycles.min
                                        : cycles.max,
                to = leg.at_maximum ? cycles.max : cycles.min;
   const double share = static_cast<double>(step) / static_cast<double>(cycles.increments);
   leg.side = stage.side;
-  leg.side[cycles.side] = {SideDrive::Kind::force, from + share * (to - from)};
+  leg.side[cycles.side] = {cycles.kind(), from + share * (to - from)};
   leg.stored = is_stored(cycles, leg.cycle);
 }
 

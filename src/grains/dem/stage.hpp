@@ -140,12 +140,16 @@ struct EquilibriumCriterion {
 /// Force cycles on one side after the ramp, e.g. 6-60 kN (T 3.2.1); each half cycle is a ramp to rest.
 struct Cycles {
   int side = bottom;        ///< model/packing.hpp
-  double min = 0, max = 0;  ///< N
+  double min = 0, max = 0;  ///< Pa or N
   std::int64_t count = 0;
   std::int64_t increments = 5;              ///< a half cycle
-  std::optional<std::int64_t> store_every;  ///< states are stored in the first cycle and every so many; unset: in all
+  std::optional<std::int64_t> store_every;  ///< states are stored in the first cycle and every so many; unset: in
+                                            ///< some twenty
+  bool of_pressure = false;                 ///< min and max are in Pa, else in N
   bool operator==(const Cycles&) const = default;
   void declare(ParameterVisitor& visitor);
+
+  SideDrive::Kind kind() const { return of_pressure ? SideDrive::Kind::pressure : SideDrive::Kind::force; }
 };
 
 /// Cycles of strain at a given rate: one side goes in and out, or a periodic cell is sheared to and fro, between two

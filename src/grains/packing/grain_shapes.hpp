@@ -68,6 +68,9 @@ struct PolygonShape {
   static constexpr Word word{"polygon", "a regular convex polygon with rounded corners"};
   void declare(ParameterVisitor& visitor) {
     visitor.integer({"corners", "Number of corners of a polygon."}, corners, {3, 64});
+    declare_form(visitor);
+  }
+  void declare_form(ParameterVisitor& visitor) {
     visitor.number({"aspect", "Stretch along one of its axes; 1: regular."}, aspect, "", range::between(1, 20));
     visitor.number(
         {"rounding", "Radius of the corners over that of the disk of equal area; small values need stiff contacts."},
@@ -98,6 +101,17 @@ struct PolygonShape {
   }
 };
 
+/// A polygon by its name.
+template <int Corners> struct NamedPolygon : PolygonShape {
+  static constexpr Word word = Corners == 3   ? Word{"triangle", "an equilateral triangle with rounded corners"}
+                               : Corners == 4 ? Word{"square", "a square with rounded corners"}
+                               : Corners == 5 ? Word{"pentagon", "a regular pentagon with rounded corners"}
+                                              : Word{"hexagon", "a regular hexagon with rounded corners"};
+  NamedPolygon() { corners = Corners; }
+  void declare(ParameterVisitor& visitor) { declare_form(visitor); }
+  bool operator==(const NamedPolygon&) const = default;
+};
+
 /// What a family of shapes gives: its word in recipes, its own parameters, equality, and a shape, of any size and
 /// anywhere.
 template <class S>
@@ -111,6 +125,7 @@ template <MakesShapes... Each> using GrainShapes = std::variant<Each...>;
 
 /// The shapes there are, the usual one first. A new one is a struct beside these and a word here: recipe keys, their
 /// documentation and hashes follow.
-using GrainShape = GrainShapes<DiskShape, ClumpShape, PolygonShape>;
+using GrainShape = GrainShapes<DiskShape, ClumpShape, PolygonShape, NamedPolygon<3>, NamedPolygon<4>, NamedPolygon<5>,
+                               NamedPolygon<6>>;
 
 }  // namespace arenite::packing

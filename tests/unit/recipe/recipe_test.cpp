@@ -408,7 +408,7 @@ TEST(RecipeOverride, ProblemsNameTheOverride) {
                                                                "unit; write it with its unit, for example \"350 mm\""});
   EXPECT_EQ(problems(smallest, {"frme.width=3", "stages.1.name=x", "nothing", "a..b=1"}).size(), 4u);
   EXPECT_EQ(problems(smallest, {"stages.1.name=x"}),
-            Lines{"--set stages.1.name=x: \"1\" is not one of the 1 items, counted from 0"});
+            Lines{"--set stages.1.name=x: \"1\" is not one of the 1 items, counted from 0, nor the name of one: load"});
 }
 
 TEST(RecipeFile, WhatCannotBeReadIsOneSentence) {

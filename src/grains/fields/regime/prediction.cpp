@@ -71,8 +71,8 @@ double pressure_along(const dem::Stage& stage, const Bulk& bulk, std::size_t axi
     const dem::SideDrive& drive = stage.side[side];
     if (drive.kind == Kind::pressure) pressure = std::max(pressure, largest_drive(stage, side));
     if (drive.kind == Kind::force) pressure = std::max(pressure, largest_drive(stage, side) / loaded);
-    if (drive.kind == Kind::force && stage.cycles && stage.cycles->side == static_cast<int>(side))
-      pressure = std::max(pressure, stage.cycles->max / loaded);
+    if (stage.cycles && stage.cycles->side == static_cast<int>(side))
+      pressure = std::max(pressure, stage.cycles->max / (stage.cycles->of_pressure ? 1 : loaded));
   }
   return pressure;
 }

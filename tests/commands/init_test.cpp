@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/program.hpp"
+
+namespace {
+using arenite::test::arenite;
+using arenite::test::contains;
+using arenite::test::slurp;
+using arenite::test::TemporaryFolder;
+
+struct Template {
+  const char *name, *smaller, *tells;  ///< what makes it a small one, and what its numbers must hold
+};
+
+class Init : public ::testing::TestWithParam<Template> {};
+
+TEST_P(Init, WritesARecipeThatRunsAsItIs) {
+  const Template& t = GetParam();
+  const TemporaryFolder folder;
+  const std::string recipe = (folder / "r.toml").string(), out = (folder / "out").string();
+  ASSERT_EQ(arenite("init " + std::string(t.name) + " " + recipe).status, 0);
+  const auto checked = arenite("check " + recipe);
+  ASSERT_EQ(checked.status, 0) << checked.err;
+  EXPECT_FALSE(contains(checked.err, "warning") || contains(checked.err, "stages.")) << checked.err;
+  const auto ran = arenite("run " + recipe + " --quiet --out " + out + " " + t.smaller);
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_EQ(ran.err, "");
+  const auto shown = arenite("show " + out);
+  EXPECT_TRUE(contains(shown.out, t.tells)) << shown.out;
+  EXPECT_TRUE(contains(slurp(folder / "out/report.html"), "</html>"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Templates, Init,
+    ::testing::Values(
+        Template{"biaxial", "--set packing.grains=80 --set variables.W='\"30 mm\"' --set variables.rate='\"400 mm/s\"'",
+                 "asked for"},
+        Template{"shear", "--set populations.glass.count=80 --set container.width='\"9*d\"' --set variables.I=0.1",
+                 "mu"},
+        Template{"silo", "--set populations.acrylic.count=250 --set stages.discharge.duration='\"0.3 s\"'",
+                 "discharge"},
+        Template{"collapse",
+                 "--set populations.acrylic.count=120 --set variables.L='\"40 mm\"' --set "
+                 "stages.collapse.duration='\"0.3 s\"'",
+                 "surface.runout"},
+        Template{
+            "drum",
+            "--set populations.acrylic.count=60 --set variables.D='\"70 mm\"' --set stages.turn.duration='\"0.5 s\"'",
+            "surface"},
+        Template{"rock",
+                 "--set populations.granite.count=100 --set container.width='\"13 mm\"' --set "
+                 "stages.press.duration='\"0.4 ms\"'",
+                 "bonds"},
+        Template{"cycles",
+                 "--set populations.sand.count=60 --set container.width='\"45 mm\"' --set stages.cycle.cycles.count=2",
+                 "cycle"},
+        Template{
+            "deposit",
+            "--set populations.glass.count=60 --set container.width='\"40 mm\"' --set container.height='\"150 mm\"'",
+            "surface"}),
+    [](const auto& of) { return std::string(of.param.name); });
+
+TEST(Templates, AreListed) {
+  const auto listed = arenite("init");
+  EXPECT_EQ(listed.status, 0);
+  for (const char* name :
+       {"biaxial", "shear", "silo", "collapse", "drum", "rock", "cycles", "deposit", "composite", "film", "study"})
+    EXPECT_TRUE(contains(listed.out, name)) << name;
+}
+
+}  // namespace
