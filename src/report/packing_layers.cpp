@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/mapped.hpp"
+#include "geometry/rectangle.hpp"
 #include "grains/fields/coarse_layers.hpp"
 #include "grains/texture/grain_quantities.hpp"
 #include "model/shapes.hpp"
@@ -98,6 +99,33 @@ Numbers domain_of(const Domain& domain, NumberBlock& block) {
   return out;
 }
 
+/// What a picture of a state shows, m: its grains, closed boundaries, and of others, of sides and of the edges of a
+/// periodic cell what lies near them.
+Numbers extent_of(const Packing& packing) {
+  constexpr double near = 0.25;  // of the grains' extent
+  const Domain& domain = packing.domain;
+  const geometry::Rectangle grains = geometry::bounds(packing.grains.position, packing.grains.radius);
+  const double x = near * grains.width(), y = near * grains.height();
+  geometry::Rectangle seen = grains;
+  for (const Boundary& boundary : domain.boundaries) {
+    if (!boundary.present || boundary.points.empty()) continue;
+    const geometry::Rectangle all = geometry::bounds(boundary.points);
+    const auto clipped = [&](double low, double high, double at) {
+      return boundary.closed ? at : std::clamp(at, low, high);
+    };
+    seen.x_min = std::min(seen.x_min, clipped(grains.x_min - x, grains.x_max + x, all.x_min));
+    seen.x_max = std::max(seen.x_max, clipped(grains.x_min - x, grains.x_max + x, all.x_max));
+    seen.y_min = std::min(seen.y_min, clipped(grains.y_min - y, grains.y_max + y, all.y_min));
+    seen.y_max = std::max(seen.y_max, clipped(grains.y_min - y, grains.y_max + y, all.y_max));
+  }
+  const auto reach = [](double& end, double side, double most) {
+    if (std::abs(side - end) <= most) end = side;
+  };
+  reach(seen.x_min, domain.wall[left].position, x), reach(seen.x_max, domain.wall[right].position, x);
+  reach(seen.y_min, domain.wall[bottom].position, y), reach(seen.y_max, domain.wall[top].position, y);
+  return {seen.x_min, seen.x_max, seen.y_min, seen.y_max};
+}
+
 /// Takes over what is known of a state that was measured: what it lacks, and the errors, which know how the state
 /// fluctuates in time.
 void take_over(Numbers& out, const Numbers& known) {
@@ -155,6 +183,7 @@ Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::
               {"time", snapshot.time},
               {"step", snapshot.step},
               {"domain", domain_of(snapshot.packing.domain, block)},
+              {"extent", extent_of(snapshot.packing)},
               {"contacts", contacts_of(snapshot.packing, block)}};
   const bool known = texture && !texture->per_grain.sigma.empty();
   add_grain_values(out, snapshot.packing, known ? texture->per_grain.sigma : texture::grain_stresses(snapshot.packing),

@@ -15,6 +15,7 @@
 #include "grains/texture/grain_quantities.hpp"
 #include "report/field_document.hpp"
 #include "report/figures/figure_document.hpp"
+#include "report/figures/headlines.hpp"
 #include "report/film_document.hpp"
 #include "report/packing_layers.hpp"
 #include "report/stage_doubts.hpp"
@@ -61,14 +62,17 @@ std::vector<const Snapshot*> shown_states(const StageResult& stage, std::size_t 
 }
 
 Numbers stage_of(const StageResult& stage, const Packing* before, std::size_t grains, const figures::WriteList& write) {
-  return {{"name", stage.name},
-          {"converged", stage.converged},
-          {"outcome", stage.outcome},
-          {"loads", loads_in_words(stage)},
-          {"doubts", doubts_about(stage)},
-          {"figures", shortened(figures::numbers_of(figures::stage_figures(),
-                                                    {stage, shown_states(stage, grains), before}, write, true))},
-          {"provenance", provenance_of(stage.provenance)}};
+  const auto states = shown_states(stage, grains);
+  Numbers shown{
+      {"name", stage.name},
+      {"converged", stage.converged},
+      {"outcome", stage.outcome},
+      {"loads", loads_in_words(stage)},
+      {"doubts", doubts_about(stage)},
+      {"figures", shortened(figures::numbers_of(figures::stage_figures(), {stage, states, before}, write, true))},
+      {"provenance", provenance_of(stage.provenance)}};
+  figures::add_test(shown, {stage, states, before});
+  return shown;
 }
 
 /// A stage, how the texture of its states is measured, and that of its last state where it is known already.

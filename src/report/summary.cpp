@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "grains/dem/run_stage.hpp"
+#include "grains/fields/laboratory/test_numbers.hpp"
 #include "grains/fields/stage_numbers.hpp"
-#include "grains/fields/test_curves.hpp"
 #include "io/disk/store_file.hpp"
 #include "report/film_text.hpp"
 #include "report/packing_layers.hpp"
@@ -156,7 +156,8 @@ std::string headlines(const Numbers& numbers) {
                  "contacts wall_contacts solid_fraction coordination.all coordination.without_rattlers "
                  "coordination.all,* coordination.rattlers coordination.Z fabric.a_c fabric.a_c_noise long_axes.order "
                  "long_axes.noise force.mean_N force.strong_share force.beta stress_details.pressure_Pa "
-                 "stress_details.deviator_Pa critical_state discharge surface floor cohesion map.lengths grains.all "
+                 "stress_details.deviator_Pa critical_state peak uniaxial oedometer cycles discharge surface floor "
+                 "cohesion map.lengths grains.all "
                  "phases.void phases.matrix S_m pores.count pores.mean voids.count modulus_Pa poisson apparent_moduli "
                  "strength_Pa failure.strain_at_strength stress.sigma_yy.sets.*.mean_over_sample_mean");
 }
@@ -201,9 +202,9 @@ Numbers Summary::numbers() const {
     Numbers one = entry(stage.result, stage.file);
     one["states"] = described(stage.states, "", "Stored states");
     if (!stage.result.snapshots.empty()) one["last_state"] = state(stage.result.snapshots.back());
-    if (const auto curves = fields::test_curves({stage.result, before}))
-      if (const auto critical = fields::critical_state(*curves))
-        one["critical_state"] = j["critical_state"] = fields::numbers_of(*curves, *critical);
+    const Numbers test = fields::test_numbers({stage.result, before});
+    one.update(test);
+    j.update(test);
     j["stages"].push_back(one);
     if (!stage.result.snapshots.empty()) before = &stage.result.snapshots.back().packing;
   }

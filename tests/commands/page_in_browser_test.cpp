@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
+#include "io/disk/file.hpp"
 #include "report/page.hpp"
 #include "report/study_page.hpp"
 #include "support/field_page_sample.hpp"
@@ -8,6 +9,7 @@
 #include "support/numbers_of.hpp"
 #include "support/page_sample.hpp"
 #include "support/program.hpp"
+#include "support/small_study.hpp"
 
 using namespace arenite;
 
@@ -17,6 +19,30 @@ TEST(Page, IsPaintedAndAnswersInABrowserFromTheDisk) {
   report::write_page(folder / "page.html", sample.data);
   const auto outcome =
       test::shell("node " ARENITE_SOURCE_DIR "/web/test/page.test.mjs " + (folder / "page.html").string());
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
+TEST(Page, OfABiaxialTestAnswersInABrowserFromItsPackingToItsEnd) {
+  const test::TemporaryFolder folder;
+  io::write_atomically(folder / "biaxial.toml", test::small_packing_recipe + R"(solid_fraction = 0.7
+[contact]
+friction = 0.3
+wall_friction = 0
+[[stages]]
+name = "densify"
+right = { pressure = "50 kPa" }
+top = { pressure = "50 kPa" }
+[[stages]]
+name = "shear"
+right = { pressure = "50 kPa" }
+top = { velocity = "200 mm/s" }
+duration = "0.1 s"
+snapshots = 4
+)");
+  const std::string out = (folder / "out").string();
+  const auto run = test::shell(ARENITE_BINARY " run " + (folder / "biaxial.toml").string() + " --out " + out);
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/run_page.test.mjs " + out + "/report.html");
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 

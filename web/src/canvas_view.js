@@ -12,6 +12,8 @@ const hintWords = matchMedia("(hover: none)").matches
   ? "Two fingers move and zoom the picture"
   : `${key} + wheel zooms the picture; the wheel alone scrolls the page`;
 const hintTime = 1600; // ms
+const flattest = 2.4,
+  highest = 0.8; // pictures, width over height
 
 /** A picture seen through a camera: canvas, overlay and legend, drawn at most once a frame after something has changed.
     Whoever extends it gives `extent` (the box that is seen as a whole), `update(stale)` (the parts of the scene that
@@ -67,7 +69,11 @@ export class CanvasView {
     });
   }
 
+  /** All that is to be seen; the picture is as flat or high as that, within bounds. */
   fit() {
+    const { left, right, bottom, top } = this.extent,
+      shape = Math.min(flattest, Math.max(highest, (right - left) / (top - bottom)));
+    this.stage.style.setProperty("--shape", shape.toFixed(2));
     this.camera.fit(this.extent, this.margin);
     this.followCamera();
   }

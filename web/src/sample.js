@@ -1,6 +1,8 @@
 import { opened, unpack, unpacked } from "./block.js";
 import { text } from "./text.js";
 
+const aroundFailure = 0.08; // of a sample's longer side
+
 /** The data of the page: grains, materials, stages and snapshots; arrays of a snapshot are unpacked when first asked
     for. */
 export class Sample {
@@ -27,20 +29,23 @@ export class Sample {
   }
 
   /** What a figure shows of the state shown, of its stage, or with `nearest` of the next stage that has it, or of the
-      whole run, and the state's place in it (null: not in it); null where there is nothing. */
+      whole run, the state's place in it (null: not in it), and the first state that has a place in it; null where there
+      is nothing. */
   drawn(id, state, nearest = false) {
     const k = state.get("snapshot"),
       { snapshots, stages, run } = this.about,
       { stage } = snapshots[k];
+    const firstOf = (s) => snapshots.findIndex((snapshot) => snapshot.stage === s),
+      near = nearest ? stages.indexOf(this.#stageNear(stage, id)) : -1;
     const places = [
-      [run, k],
-      [snapshots[this.texture(k)?.snapshot], 0],
-      [stages[stage], k - snapshots.findIndex((snapshot) => snapshot.stage === stage)],
-      [nearest && this.#stageNear(stage, id), null],
+      [run, 0],
+      [snapshots[this.texture(k)?.snapshot], k],
+      [stages[stage], firstOf(stage)],
+      [stages[near], firstOf(near)],
     ];
-    for (const [part, here] of places) {
+    for (const [part, first] of places) {
       const drawings = opened(this.#block, part === run ? { figures: run } : part, id);
-      if (drawings) return { drawings, here };
+      if (drawings) return { drawings, here: part === stages[near] && near !== stage ? null : k - first, first };
     }
     return null;
   }
@@ -69,7 +74,8 @@ export class Sample {
   #unpackSnapshot(k) {
     const { texture = null, fields: _, figures: __, ...about } = this.about.snapshots[k];
     const snapshot = { ...unpacked(this.#block, about), index: k, texture };
-    for (const name of ["deviator", "vx", "vy", "omega"]) snapshot[name] ??= new Float32Array(this.count);
+    for (const name of ["pressure", "deviator", "vx", "vy", "omega"]) snapshot[name] ??= new Float32Array(this.count);
+    for (const name of ["fn", "ft"]) snapshot.contacts[name] ??= new Float32Array(snapshot.contacts.i.length);
     snapshot.boundaries = snapshot.domain.boundaries ?? [];
     snapshot.contacts.type = this.#typesOf(snapshot.contacts);
     snapshot.meanForce = snapshot.texture?.force?.mean_N?.value ?? meanOfPositive(snapshot.contacts.fn);
@@ -139,6 +145,27 @@ export class Sample {
   coordination(snapshot, grain) {
     const { start } = this.contactsByGrain(snapshot);
     return start[grain + 1] - start[grain];
+  }
+
+  /** The box that holds what is to be seen of all states of a snapshot's stage, so that the picture stands still while
+      they pass; of a sample that failed that of the states until then and a margin, for its pieces fly far. */
+  extent(k) {
+    const { stage } = this.about.snapshots[k],
+      { opens } = this.stages[stage],
+      boxes = this.about.snapshots.filter((snapshot) => snapshot.stage === stage).map(({ extent }) => extent);
+    const [left, right, bottom, top] = [Math.min, Math.max, Math.min, Math.max].map((end, side) =>
+      end(...boxes.slice(0, opens === undefined ? boxes.length : opens + 1).map((box) => box[side])),
+    );
+    const margin = opens === undefined ? 0 : aroundFailure * Math.max(right - left, top - bottom);
+    return { left: left - margin, right: right + margin, bottom: bottom - margin, top: top + margin };
+  }
+
+  /** The state with which the page opens: the last one, or that of the last stage at which its sample failed. */
+  get opening() {
+    const last = this.snapshotCount - 1,
+      stage = this.about.snapshots[last]?.stage;
+    const { opens } = this.stages[stage] ?? {};
+    return opens === undefined ? last : this.about.snapshots.findIndex((one) => one.stage === stage) + opens;
   }
 
   /** Rectangle of the snapshot: what the walls or the periodic cell enclose. */

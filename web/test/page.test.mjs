@@ -410,6 +410,31 @@ test("keys zoom, move what is zoomed, and show all", async (page) => {
   assert.ok(Math.hypot((await grain(page, 20)).x - before.x, (await grain(page, 20)).y - before.y) < 1e-9);
 });
 
+test("a click on a curve shows the state next to it, which every curve of the stage marks", async (page) => {
+  const shown = () => page.evaluate(() => window.arenite.state.get("snapshot")),
+    last = await shown();
+  for (const figure of ["wall-forces", "energies", "stress-path"]) {
+    const drawing = page.locator(`[data-figure="${figure}"] .drawing`),
+      mark = () =>
+        drawing
+          .locator('[aria-label="rule"][stroke="#a4522a"] line, [aria-label="dot"][fill="#a4522a"] circle')
+          .evaluateAll((all) => all.map((one) => one.getBoundingClientRect().x));
+    await drawing.scrollIntoViewIfNeeded();
+    await settle(page);
+    const before = await mark(),
+      box = await drawing.boundingBox();
+    assert.ok(before.length > 0, `${figure} marks no state`);
+    await page.mouse.click(box.x + 56, box.y + box.height / 2);
+    await settle(page);
+    assert.equal(await shown(), 0, figure);
+    assert.ok((await mark())[0] < before[0] - 50, `${figure}: ${before} -> ${await mark()}`);
+    await page.evaluate((k) => window.arenite.state.set({ snapshot: k }), last);
+    await page.mouse.move(2, 2);
+    await settle(page);
+  }
+  await page.evaluate(() => window.scrollTo(0, 0));
+});
+
 test("hovering a chart rings a point and shows its numbers with units, and a saved figure is without", async (page) => {
   const force = await tipOf(page, "wall-forces");
   assert.match(force[0], /^(bottom|top|left|right) wall$/);

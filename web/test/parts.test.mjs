@@ -36,14 +36,30 @@ test("a stage without curves of its own shows those of the stage before it, or o
   assert.deepEqual(
     [0, 1, 2, 3].map((snapshot) => shown(snapshot, true)),
     [
-      { drawings: ["press"], here: null },
-      { drawings: ["press"], here: 0 },
-      { drawings: ["shear"], here: 0 },
-      { drawings: ["shear"], here: null },
+      { drawings: ["press"], here: null, first: 1 },
+      { drawings: ["press"], here: 0, first: 1 },
+      { drawings: ["shear"], here: 0, first: 2 },
+      { drawings: ["shear"], here: null, first: 2 },
     ],
   );
   assert.equal(shown(0, false), null);
   assert.equal(shown(0, true, stages.map(() => ({ figures: {} }))), null);
+});
+
+test("a page opens with the last state, or where the sample failed, and shows the states of a stage alike", () => {
+  const stages = [{ figures: {} }, { figures: {}, opens: 1 }],
+    extents = [
+      [0, 9, 0, 9],
+      [0, 1, 0, 1],
+      [0, 3, -1, 1],
+      [0, 2, 0, 2],
+    ];
+  const snapshots = extents.map((extent, k) => ({ stage: Math.min(k, 1), extent }));
+  const sample = new Sample({ stages, snapshots });
+  assert.equal(sample.opening, 2);
+  assert.deepEqual(sample.extent(1), { left: -0.24, right: 3.24, bottom: -1.24, top: 1.24 });
+  assert.deepEqual(sample.extent(0), { left: 0, right: 9, bottom: 0, top: 9 });
+  assert.equal(new Sample({ stages: [stages[0], { figures: {} }], snapshots }).opening, 3);
 });
 
 test("quantities take the prefix that suits them", () => {

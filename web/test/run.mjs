@@ -1,6 +1,7 @@
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { watch, withBrowser } from "./browser.mjs";
+import { everyPage } from "./walk.mjs";
 
 export const settle = (page) =>
   page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
@@ -39,8 +40,8 @@ export async function tipOf(page, figure) {
 
 export const rgb = (hex) => [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16));
 
-/** Opens a page from the disk, runs the tests on it one after the other, and leaves with their verdict; an error in the
-    console or a request to anybody is a failure. */
+/** Opens a page from the disk, runs its tests and those of every page on it one after the other, and leaves with their
+    verdict; an error in the console or a request to anybody is a failure. */
 export async function runTests(file, tests) {
   const failures = await withBrowser(
     { viewport: { width: 1400, height: 900 }, colorScheme: "light" },
@@ -52,7 +53,7 @@ export async function runTests(file, tests) {
       await page.waitForSelector("html[data-ready]", { timeout: 60000 });
       await page.waitForTimeout(200);
       const failed = [];
-      for (const { name, run } of tests) {
+      for (const { name, run } of [...tests, ...everyPage]) {
         try {
           await run(page);
           console.log(`ok    ${name}`);
@@ -61,7 +62,8 @@ export async function runTests(file, tests) {
           console.log(`FAIL  ${name}\n      ${error.message}`);
         }
       }
-      if (seen.errors.length) failed.push(`errors in the console: ${seen.errors.join("; ")}`);
+      if (seen.errors.length)
+        failed.push(`errors in the console: ${[...new Set(seen.errors)].slice(0, 3).join("; ")}`);
       if (seen.requests.length) failed.push(`requests: ${seen.requests.join("; ")}`);
       return failed;
     },

@@ -58,6 +58,19 @@ std::optional<TestCurves> test_curves(const Test& test) {
   return curves;
 }
 
+std::vector<double> running_mean(const std::vector<double>& values, std::size_t rows) {
+  std::vector<double> sum{0}, count{0}, mean;
+  for (const double v : values) {
+    sum.push_back(sum.back() + (std::isfinite(v) ? v : 0));
+    count.push_back(count.back() + (std::isfinite(v) ? 1 : 0));
+  }
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const std::size_t half = std::min({rows / 2, k, values.size() - 1 - k});
+    mean.push_back((sum[k + half + 1] - sum[k - half]) / (count[k + half + 1] - count[k - half]));
+  }
+  return mean;
+}
+
 std::optional<CriticalState> critical_state(const TestCurves& curves) {
   if (!curves.confined) return {};
   const auto loaded = std::ranges::find_if(curves.ratio, [](double v) { return std::isfinite(v); });

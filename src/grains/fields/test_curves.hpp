@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ struct TestCurves {
 /// From the forces on the sides and their places. Nothing for a stage that strains by less than 0.2 %, on which nothing
 /// presses, or that kept no history of its sides.
 std::optional<TestCurves> test_curves(const Test& test);
+
+/// Over `rows` rows, fewer at the ends, of what is known there.
+std::vector<double> running_mean(const std::vector<double>& values, std::size_t rows);
 
 /// The critical state: the part of a test in which its ratio and the volume only fluctuate while the strain goes on.
 struct CriticalState {

@@ -84,6 +84,13 @@ Said said(std::string symbol, const statistics::Estimate& e) {
           fmt::format("{:.{}f}", e.error, decimals)};
 }
 
+Said said_in_unit(std::string symbol, const statistics::Estimate& e, const std::string& unit) {
+  const Scale scale = scale_of(e.value, unit);
+  Said number = said(std::move(symbol), {e.value / scale.factor, e.error / scale.factor});
+  (number.error.empty() ? number.value : number.error) += "\u202f" + scale.unit;
+  return number;
+}
+
 std::string in_words(const Said& number) {
   return fmt::format("{} = {}{}{}", number.symbol, number.value, number.error.empty() ? "" : " \u00b1 ", number.error);
 }

@@ -166,6 +166,8 @@ Scale scale_of(const std::vector<double>& values, const std::string& unit);
 
 /// "0.123", "0.029": both to the second digit of the error; without an error four digits.
 Said said(std::string symbol, const statistics::Estimate& estimate);
+/// The same with the prefix of the unit that suits it, and the unit behind.
+Said said_in_unit(std::string symbol, const statistics::Estimate& estimate, const std::string& unit);
 /// "a_{c} = 0.12 \u00b1 0.03".
 std::string in_words(const Said& number);
 /// Whole, with thin blanks between thousands.

@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "core/mapped.hpp"
+#include "grains/fields/laboratory/test_kind.hpp"
+#include "report/figures/cycle_figures.hpp"
+#include "report/figures/flow_figures.hpp"
 #include "report/figures/test_figures.hpp"
 
 namespace arenite::report::figures {
@@ -129,14 +132,13 @@ Drawings equilibrium(const StageData& data) {
   return {drawing};
 }
 
-/// A side of the container, the direction from it into the sample, and the side opposite.
+/// A side of the container, and the direction from it into the sample.
 struct Side {
-  const char *name, *opposite;
+  const char* name;
   double inward;
   std::size_t place;  // in Domain::wall
 };
-constexpr std::array<Side, 4> sides{
-    {{"left", "right", 1, 0}, {"right", "left", -1, 1}, {"bottom", "top", 1, 2}, {"top", "bottom", -1, 3}}};
+constexpr std::array<Side, 4> sides{{{"left", 1, 0}, {"right", -1, 1}, {"bottom", 1, 2}, {"top", -1, 3}}};
 
 std::string position(const char* side) { return std::string(side) + "_position"; }
 std::string force(const char* side) { return std::string(side) + "_force"; }
@@ -182,89 +184,72 @@ Drawings travel(const StageData& data) {
   return {{.panels = {panel}}};
 }
 
-/// Bonds between grains that broke, by what broke them, against the strain by the wall that moves farthest, and the
-/// force on it.
+/// Bonds between grains that broke, by failure mode; those of a test along one axis stand beside its stress.
 Drawings grain_bonds(const StageData& data) {
-  static constexpr std::array<Named, 3> modes{{{"tension", "tension"}, {"bending", "mixed 0"}, {"shear", "strong"}}};
-  const History& history = data.stage.history;
-  const auto broken = [&](const Named& kind) { return column_of(history, std::string("broken_in_") + kind.column); };
-  if (std::ranges::none_of(modes,
-                           [&](const Named& kind) { return broken(kind) && largest_of(broken(kind)->values, 0) > 0; }))
-    return {};
-  const Side* side = moving_side(history);
-  Axis axis = clock_of(data).axis;
-  std::vector<double> x = clock_of(data).time;
-  if (side) {
-    const auto &at = column_of(history, position(side->name))->values, *other = history.find(position(side->opposite));
-    const double length = std::abs(at.front() - other->front());
-    axis = {.label = std::string("strain from the ") + side->name + " wall", .unit = "%", .brief = "strain"};
-    x = mapped(at, [&](double p) { return 100 * side->inward * (p - at.front()) / length; });
-  }
-  Drawing drawing;
-  Panel panel{axis, {.label = "broken bonds", .low = 0}};
-  for (const Named& kind : modes) {
-    if (!broken(kind)) continue;
-    panel.series.push_back(
-        {.name = kind.column, .colour = kind.name, .x = x, .y = broken(kind)->values, .line = Line::solid});
-    drawing.key.push_back({kind.column, kind.name});
-  }
-  drawing.panels = {panel};
-  if (side) {
-    const Column& of = *column_of(history, force(side->name));
-    const Scale scale = scale_of(of.values, of.unit);
-    drawing.panels.push_back(
-        {axis,
-         {.label = std::string("force on the ") + side->name + " wall", .unit = scale.unit, .brief = "force"},
-         {{.colour = "weak", .x = x, .y = scaled(of.values, 1 / scale.factor), .line = Line::solid}}});
-  }
+  if (fields::kind_of({data.stage, data.before}) == fields::TestKind::uniaxial) return {};
+  Drawing drawing = lines_over_time(
+      data, {{"broken_in_tension", "tension"}, {"broken_in_bending", "bending"}, {"broken_in_shear", "shear"}},
+      [](double) { return true; });
+  if (drawing.panels.empty() || !(largest_in(drawing.panels.front()) > 0)) return {};
+  drawing.panels.front().y = {.label = "broken bonds", .low = 0};
   return {drawing};
-}
-
-Drawings discharge(const StageData& data) {
-  const Column* mass = column_of(data.stage.history, "passed_mass");
-  Clock clock = clock_of(data);
-  if (!mass || clock.time.empty()) return {};
-  const Scale scale = scale_of(1e3 * largest_of(mass->values, 0), "g");
-  return {{.panels = {{clock.axis,
-                       {.label = "mass passed", .unit = scale.unit, .low = 0},
-                       {{.x = clock.time, .y = scaled(mass->values, 1e3 / scale.factor), .line = Line::solid}},
-                       {},
-                       {},
-                       clock.states}}}};
 }
 
 }  // namespace
 
 const std::vector<Row<StageData>>& stage_figures() {
   static const std::vector<Row<StageData>> list{
+      {{"cycles",
+        "cycles",
+        "Cycles",
+        "Left: strain at the largest and at the smallest load, or strain, of every whole cycle of the stage. Right: "
+        "stress along the axis that cycles against its strain, thin over the whole stage. A click on a curve shows the "
+        "state next to it.",
+        true,
+        {},
+        true},
+       cycles},
       {{"test-curves",
         "stress-strain",
         "Curves of the test",
-        "From the forces on the sides of the sample and their positions: stress ratio (without confinement or in "
-        "tension, the stress) and volumetric strain, compaction positive, or, where the sides are fixed, pressure, "
-        "against strain. Thin: all sampled values; thick: running mean. Coloured: the critical state with its 95 % "
-        "band, over the strains at which the ratio only fluctuates.",
+        "From the forces on the sides of the sample and their positions, against strain: stress ratio and volumetric "
+        "strain, compaction positive; between sides that stand still, the stresses along the axis and across it; "
+        "without confinement or in tension, the stress, with the slope from a tenth to half of the largest, and broken "
+        "bonds. Thin: all sampled values; thick: running mean. Coloured: the critical state with its 95 % band, over "
+        "the strains at which the ratio only fluctuates. A click on a curve shows the state next to it.",
         true,
         {},
         true},
        test_curves},
-      {{"cycles",
-        "cycles",
-        "Cycles",
-        "Strain at the largest and at the smallest load, or strain, of every whole cycle of the stage.",
-        false,
+      {{"discharge",
+        "discharge",
+        "Discharge",
+        "Mass of the grains below the height count_below of the recipe. Dashed: the discharge rate, over the part in "
+        "which it is steady.",
+        true,
         {},
         true},
-       cycles},
-      {{"grain-bonds", "broken-bonds", "Broken bonds",
-        "Broken bonds between grains, by failure mode, and the force on the wall that moves farthest, against the "
-        "strain "
-        "by it in the stage shown. In the picture each is drawn as a crack between its grains.",
-        true},
-       grain_bonds},
-      {{"discharge", "discharge", "Discharge",
-        "Mass of the grains below the height count_below of the recipe; its slope is the discharge rate."},
        discharge},
+      {{"collapse",
+        "collapse",
+        "Collapse",
+        "Left: way of the front since the stage began. Right: surface of the grains that hang together, before, after "
+        "each quarter of that way, and in the end.",
+        true,
+        {},
+        true},
+       collapse},
+      {{"surface-angle",
+        "surface-angle",
+        "Angle of the surface",
+        "Slope of the free surface at the stored states, with standard errors; band: their mean over the second half.",
+        true,
+        {},
+        true},
+       surface_angle},
+      {{"grain-bonds", "broken-bonds", "Broken bonds",
+        "Broken bonds between grains, by failure mode. In the picture each is drawn as a crack between its grains."},
+       grain_bonds},
       {{"wall-forces", "wall-forces", "Forces on the walls",
         "Normal force of the grains on each wall over the loading; vertical line: the state shown."},
        wall_forces},

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "grains/fields/test_curves.hpp"
 #include "report/figures/stage_figures.hpp"
 #include "statistics/columns.hpp"
 
@@ -8,8 +9,17 @@ namespace arenite::report::figures {
 
 /// Stress ratio, or stress, and volumetric strain, or pressure, against the strain of a test.
 Drawings test_curves(const StageData& data);
-/// Strain at the largest and the smallest load against the number of the cycle.
-Drawings cycles(const StageData& data);
+
+inline constexpr double largest_ratio = 2;  ///< of stresses; beyond it the sides are all but unloaded
+std::vector<double> known_up_to(std::vector<double> values, double most);
+
+/// What strains of a test are multiplied by: those of sides are in per cent, shear strains are numbers.
+double factor_of(const fields::TestCurves& curves);
+/// A panel over the strain of a test, with the place of each state.
+Panel against_strain(const fields::TestCurves& curves, const StageData& data, Axis y);
+
+/// "axial_strain_maximum" as words, with the symbols that quantities have.
+std::string words_of(std::string name);
 
 /// How a curve of a test (fields::loading_of and the like) is drawn: its axis, and what its numbers are divided by.
 struct CurveAxis {

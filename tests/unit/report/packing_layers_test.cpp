@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "geometry/rectangle.hpp"
 #include "report/page_document.hpp"
 #include "support/page_sample.hpp"
 
@@ -48,4 +49,26 @@ TEST(PackingLayers, SizeCurvesAreThereWhereALawWasAskedFor) {
   test::PageSample without(60);
   without.stage.asked.diameter.clear();
   EXPECT_FALSE(Json::parse(report::page_document(without.data).json)["run"].contains("size-curve"));
+}
+
+TEST(PackingLayers, TheExtentIsThatOfTheGrainsWithBoundariesAndNearSides) {
+  test::PageSample sample(60);
+  Packing& packing = sample.stage.snapshots.back().packing;
+  const auto grains = geometry::bounds(packing.grains.position, packing.grains.radius);
+  const auto extent = [&] {
+    return Json::parse(report::page_document(sample.data).json)["snapshots"]
+        .back()["extent"]
+        .get<std::vector<double>>();
+  };
+  const double right_before = packing.domain.wall[right].position;
+  EXPECT_NEAR(extent()[1], right_before, 1e-5);
+  packing.domain.wall[right].position = grains.x_max + 10 * grains.width();
+  EXPECT_NEAR(extent()[1], grains.x_max, 1e-5);
+  const double high = grains.y_max + 3 * grains.height();
+  packing.domain.boundaries.resize(1);
+  packing.domain.boundaries[0].points = {{grains.x_min, 0}, {grains.x_min, high}};
+  EXPECT_NEAR(extent()[3], grains.y_max + 0.25 * grains.height(), 1e-5);
+  packing.domain.boundaries[0].points.push_back({grains.x_max, high});
+  packing.domain.boundaries[0].closed = true;
+  EXPECT_NEAR(extent()[3], high, 1e-5);
 }

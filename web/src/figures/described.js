@@ -15,8 +15,8 @@ function pick(drawings, state) {
 
 /** What is shown of a figure, and at which place of it the reader is; null where there is nothing. */
 function shown({ id, nearest }, { sample, state }) {
-  const { drawings, here } = sample.drawn(id, state, nearest) ?? {};
-  return drawings ? { drawing: pick(drawings, state), here } : null;
+  const { drawings, here, first } = sample.drawn(id, state, nearest) ?? {};
+  return drawings ? { drawing: pick(drawings, state), here, first } : null;
 }
 
 export function keyOf({ key = [], panels }, here, theme) {
@@ -59,7 +59,7 @@ export function describedFigure(head) {
     },
     draw(about) {
       const found = shown(head, about);
-      return found && draw(found.drawing, { ...about, here: found.here });
+      return found && draw(found.drawing, { ...about, here: found.here, first: found.first });
     },
   };
 }

@@ -176,6 +176,26 @@ function nowMarks({ now }, here, theme) {
   ];
 }
 
+/** Which of the places of a reader's choices is nearest to a place of the pointer, as the eye sees it. */
+function nearestOf({ now }, svg, { clientX, clientY }) {
+  const [x, y] = ["x", "y"].map((axis) => svg.scale(axis)),
+    pointer = new DOMPoint(clientX, clientY).matrixTransform(svg.firstChild.getScreenCTM().inverse());
+  const away = now.x.map((at, k) => Math.hypot(x.apply(at) - pointer.x, now.y ? y.apply(now.y[k]) - pointer.y : 0));
+  return away.reduce((best, distance, k) => (distance < away[best] || !(away[best] >= 0) ? k : best), 0);
+}
+
+/** A click goes to the state, or the step, whose place is nearest. */
+function answerClicks(svg, panel, { state, sample, first = 0 }) {
+  const toStep = panel.click === "step";
+  if (!panel.now || (!toStep && state.get("snapshot") === undefined)) return;
+  svg.style.cursor = "pointer";
+  svg.addEventListener("click", (event) => {
+    const place = nearestOf(panel, svg, event);
+    if (toStep) state.set({ step: place, cracks: true, playing: false });
+    else state.set({ snapshot: Math.min(first + place, sample.snapshotCount - 1), playing: false });
+  });
+}
+
 /** The place of the grain that is selected, upright. */
 function selectedMarks({ selected, x }, { sample, state, texture, theme }) {
   const g = selected ? state.get("selected") : null;
@@ -236,7 +256,7 @@ function withCorner(svg, theme, lines, left) {
 
 /** One panel as an SVG; `about` is what a card gives, with `here`, the place of what the reader chose. */
 export function drawPanel(panel, { width, height = 254, ...about }) {
-  const { theme, sample, state, here } = about;
+  const { theme, sample, here } = about;
   if (panel.lying) return lyingPanel(panel, { ...about, width });
   const drawn = panel.series.map((series) => ({
     series,
@@ -275,9 +295,6 @@ export function drawPanel(panel, { width, height = 254, ...about }) {
   });
   const known = told.filter(({ y }) => Number.isFinite(y));
   svg.numbers = svg.numbers.map((table) => ({ ...table, points: known }));
-  if (panel.click === "step") {
-    svg.style.cursor = "pointer";
-    svg.addEventListener("click", () => svg.value && state.set({ step: svg.value.k, cracks: true, playing: false }));
-  }
+  answerClicks(svg, panel, about);
   return panel.corner ? withCorner(svg, theme, panel.corner, 54) : svg;
 }

@@ -8,12 +8,12 @@ import { colouringsOf } from "./colouring.js";
 import { grainTable } from "./grain_table.js";
 import { packingPanel } from "./panel.js";
 import { knownQuantities } from "./quantities.js";
-import { numbersTable, packingHeadlines } from "./texture.js";
+import { loadsCard, numbersTable, packingHeadlines } from "./texture.js";
 
 function begin(sample, page) {
   return new State({
     theme: page.get("theme"),
-    snapshot: sample.snapshotCount - 1,
+    snapshot: sample.opening,
     playing: false,
     colour: "material",
     chains: true,
@@ -62,7 +62,12 @@ export function packingSection(sample, page) {
   const element = h(
     "div",
     {},
-    h("main", {}, panel, h("div", { class: "results" }, packingHeadlines(sample, state), cards)),
+    h(
+      "main",
+      {},
+      panel,
+      h("div", { class: "results" }, packingHeadlines(sample, state), loadsCard(sample, state), cards),
+    ),
     numbersTable(sample, state),
     grainTable(sample, state),
   );

@@ -88,25 +88,30 @@ export function textureCard(title, t) {
   );
 }
 
-const textureOf = (sample, state) => new Numbers(sample.texture(state.get("snapshot")), sample.about.meanings);
+const stageOf = (sample, state) => sample.stages[sample.about.snapshots[state.get("snapshot")].stage];
 
-/** What the key of a stage's curves says of its critical state. */
-const criticalTiles = ({ figures }) =>
-  (figures["test-curves"]?.[0].key ?? []).flatMap(({ name, numbers }) =>
-    numbers.map(([symbol, value, error]) => ({ words: name, symbol, value, error, unit: "" })),
+/** The numbers of the state shown, and what its stage gave. */
+function numbersOf(sample, state) {
+  const { numbers, meanings } = stageOf(sample, state);
+  return new Numbers(
+    { ...sample.texture(state.get("snapshot")), ...numbers },
+    { ...sample.about.meanings, ...meanings },
   );
+}
 
-/** The six numbers that one asks for first; those of a critical state before all others. */
+/** The six numbers that one asks for first: those of the stage's test that are known, then those of the grains. */
 export function packingHeadlines(sample, state) {
   const box = h("div");
   const refresh = () => {
-    const critical = criticalTiles(sample.about.stages[sample.about.snapshots[state.get("snapshot")].stage]);
+    const numbers = numbersOf(sample, state),
+      isFree = ["discharge", "collapse", "drum"].includes(stageOf(sample, state).test), // its box is not full
+      ofTest = tilesOf(numbers, stageOf(sample, state).headlines).filter(({ known }) => known);
     box.replaceChildren(
       headlines(
         [
-          ...critical,
-          ...tilesOf(textureOf(sample, state), [
-            ["solid fraction", "\u03c6", "solid_fraction"],
+          ...ofTest,
+          ...tilesOf(numbers, [
+            ...(isFree ? [] : [["solid fraction", "\u03c6", "solid_fraction"]]),
             ["coordination", "z", "coordination.all"],
             ["anisotropy", "a_{c}", "fabric.a_c"],
             ["mean force", "\u27e8F_{n}\u27e9", "force.mean_N"],
@@ -122,12 +127,33 @@ export function packingHeadlines(sample, state) {
   return box;
 }
 
+/** What the sides of the stage shown were to press with, and what they did. */
+export function loadsCard(sample, state) {
+  const holder = h("div", { class: "loads" });
+  const refresh = () => {
+    const { numbers, meanings } = stageOf(sample, state),
+      loads = new Numbers(numbers, meanings).in("loads"),
+      names = Object.keys(Object.assign({}, ...loads.parts.map(([, side]) => side.tree))),
+      column = (stem, words) => names.filter((name) => name.startsWith(stem)).map((name) => [name, words]);
+    const table = grid("Loads", loads.parts, [
+      ...column("asked_", "prescribed"),
+      ...column("reached_", "reached"),
+      ...column("spread_", "standard deviation"),
+    ]);
+    holder.replaceChildren(...(table ? [h("section", { class: "card" }, h("div", { class: "scroller" }, table))] : []));
+    holder.hidden = !table;
+  };
+  state.watch(["snapshot"], refresh);
+  refresh();
+  return holder;
+}
+
 /** Every number with its standard error and unit, for the state that is shown; what is unfolded stays so. */
 export function numbersTable(sample, state) {
   const holder = h("div");
   const refresh = () => {
     const open = holder.querySelector("details")?.open;
-    holder.replaceChildren(textureCard("Numbers", textureOf(sample, state)));
+    holder.replaceChildren(textureCard("Numbers", numbersOf(sample, state)));
     if (open) holder.querySelector("details").open = true;
   };
   state.watch(["snapshot"], refresh);

@@ -38,16 +38,8 @@ export class PackingView extends CanvasView {
     super.refresh(...parts);
   }
 
-  /** One box for all snapshots, so that the picture stands still while a wall moves. */
   get extent() {
-    if (this.whole) return this.whole;
-    const boxes = this.sample.about.snapshots.map((snapshot) => this.sample.box(snapshot));
-    return (this.whole = {
-      left: Math.min(...boxes.map((b) => b.left)),
-      right: Math.max(...boxes.map((b) => b.right)),
-      bottom: Math.min(...boxes.map((b) => b.bottom)),
-      top: Math.max(...boxes.map((b) => b.top)),
-    });
+    return this.sample.extent(this.state.get("snapshot"));
   }
 
   update(stale) {

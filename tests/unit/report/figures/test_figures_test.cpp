@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "report/figures/cycle_figures.hpp"
 
 using namespace arenite;
 using namespace arenite::report::figures;
@@ -56,11 +57,15 @@ TEST(TestFigures, RatioAndVolumeStandSideBySideAgainstTheStrainOfTheSides) {
   EXPECT_NEAR(panels[0].now.x[0], 5, 1e-12);
 }
 
-TEST(TestFigures, WithFixedSidesThePressureStandsInPlaceOfTheVolume) {
+TEST(TestFigures, WithFixedSidesTheStressesAlongTheAxisAndAcrossItStandInPlaceOfTheVolume) {
   const StageResult stage = pressed(5, false);
   const auto panels = test_curves(data_of(stage)).front().panels;
-  EXPECT_EQ(panels[1].y.label, "pressure p");
-  EXPECT_NEAR(panels[1].series[0].y.back(), 0.5 * (40 / 0.36 + 120 / 0.4), 1e-9);
+  ASSERT_EQ(panels[0].series.size(), 2u);
+  EXPECT_EQ(panels[0].series[0].name, "along the axis");
+  EXPECT_NEAR(panels[0].series[0].y.back(), 120 / 0.4, 1e-9);
+  EXPECT_NEAR(panels[0].series[1].y.back(), 40 / 0.36, 1e-9);
+  EXPECT_EQ(panels[1].y.brief, "q/p");
+  EXPECT_NEAR(panels[0].now.x[0], 5, 1e-12);
 }
 
 TEST(TestFigures, WithoutConfinementTheStressStandsAlone) {
@@ -69,6 +74,23 @@ TEST(TestFigures, WithoutConfinementTheStressStandsAlone) {
   ASSERT_EQ(panels.size(), 1u);
   EXPECT_EQ(panels[0].y.label, "stress along the axis");
   EXPECT_EQ(panels[0].y.unit, "Pa");
+}
+
+TEST(TestFigures, OfARockStrengthModulusAndBrokenBondsAreShown) {
+  StageResult stage = pressed(5, false, 0);
+  const std::vector<double> force{0, 60, 120, 30, 20};
+  for (auto& column : stage.history.columns)
+    if (column.name == "bottom_force" || column.name == "top_force") column.values = force;
+  stage.history.columns.push_back({"broken_in_tension", "1", {0, 0, 1, 7, 8}});
+  const Drawing drawing = test_curves(data_of(stage)).front();
+  ASSERT_EQ(drawing.panels.size(), 2u);
+  const Reference& strength = drawing.panels[0].references.back();
+  EXPECT_EQ(strength.label, "strength");
+  EXPECT_NEAR(*strength.x, 5, 1e-12);
+  EXPECT_NEAR(*strength.y, 120 / 0.4, 1e-9);
+  EXPECT_EQ(drawing.panels[1].series[0].y.back(), 8);
+  EXPECT_NEAR(drawing.panels[1].now.x[0], 5, 1e-12);
+  EXPECT_EQ(drawing.key.front().numbers.front().value, "300.0\u202fPa");
 }
 
 TEST(TestFigures, ManyRowsArePaleUnderTheirRunningMeanWhichKeepsWhatIsStraight) {
@@ -109,7 +131,12 @@ TEST(TestFigures, CyclesShowBothEndsOfTheLoad) {
   EXPECT_EQ(drawing.panels[0].series[0].x, (std::vector<double>{1, 2, 3, 4}));
   EXPECT_NEAR(drawing.panels[0].series[0].y[3], 10, 1e-9);
   EXPECT_NEAR(drawing.panels[0].series[1].y[3], 5, 1e-9);
-  EXPECT_EQ(drawing.key.size(), 2u);
+  ASSERT_EQ(drawing.panels.size(), 2u);
+  EXPECT_EQ(drawing.panels[1].series[0].y.size(), 5u);
+  EXPECT_EQ(drawing.panels[1].series[1].name, "last cycle");
+  EXPECT_NEAR(drawing.panels[1].now.x[0], 5, 1e-12);
+  EXPECT_NEAR(drawing.panels[1].now.y[0], 120 / 0.41, 1e-9);
+  EXPECT_EQ(drawing.key.size(), 3u);
 }
 
 }  // namespace

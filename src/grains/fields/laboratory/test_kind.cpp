@@ -1,0 +1,65 @@
+#include "grains/fields/laboratory/test_kind.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grains/fields/laboratory/axial_tests.hpp"
+#include "grains/fields/state_curves.hpp"
+
+namespace arenite::fields {
+namespace {
+
+bool is_cyclic(const StageResult& stage) {
+  const auto* cycle = stage.cycles.find("cycle");
+  return (cycle && cycle->size() > 3) || whole_cycles(stage).size() > 1;
+}
+
+/// Whether a boundary turns in the end.
+bool has_drum(const StageResult& stage) {
+  return std::ranges::any_of(stage.snapshots.back().packing.domain.boundaries,
+                             [](const Boundary& b) { return b.present && b.closed && b.spin != 0; });
+}
+
+/// Compressed along one axis by more than its volume tells.
+bool is_biaxial(const Test& test) {
+  const auto of = loading_of(test);
+  return of && std::abs(of->curves["shear_strain"].back()) > std::abs(of->curves["volumetric_strain"].back());
+}
+
+TestKind kind_by_sides(const Test& test) {
+  const auto curves = test_curves(test);
+  if (!curves) return TestKind::none;
+  if (curves->sheared) return TestKind::shear;
+  if (!curves->confined) return TestKind::uniaxial;
+  if (is_oedometric(*curves)) return TestKind::oedometer;
+  return is_biaxial(test) ? TestKind::biaxial : TestKind::none;
+}
+
+}  // namespace
+
+TestKind kind_of(const Test& test) {
+  if (test.stage.snapshots.empty()) return TestKind::none;
+  const Numbers& numbers = test.stage.texture;
+  if (numbers.at_path("/discharge")) return TestKind::discharge;
+  if (is_cyclic(test.stage)) return TestKind::cycles;
+  if (numbers.at_path("/surface") && has_drum(test.stage)) return TestKind::drum;
+  if (numbers.at_path("/surface/runout_m")) return TestKind::collapse;
+  return kind_by_sides(test);
+}
+
+const char* name_of(TestKind kind) {
+  switch (kind) {
+    case TestKind::none: return "";
+    case TestKind::biaxial: return "biaxial";
+    case TestKind::shear: return "shear";
+    case TestKind::uniaxial: return "uniaxial";
+    case TestKind::oedometer: return "oedometer";
+    case TestKind::cycles: return "cycles";
+    case TestKind::discharge: return "discharge";
+    case TestKind::collapse: return "collapse";
+    case TestKind::drum: return "drum";
+  }
+  return "";
+}
+
+}  // namespace arenite::fields

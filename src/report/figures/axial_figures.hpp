@@ -1,0 +1,13 @@
+#pragma once
+#include "grains/fields/test_curves.hpp"
+#include "report/figures/stage_figures.hpp"
+
+namespace arenite::report::figures {
+
+/// Stress against strain with the strength and the slope that is the modulus, and, of grains with bonds, those that
+/// broke.
+Drawing uniaxial_drawing(const fields::TestCurves& curves, const StageData& data);
+/// Stresses along the axis and across it, and their ratio.
+Drawing oedometer_drawing(const fields::TestCurves& curves, const StageData& data);
+
+}  // namespace arenite::report::figures

@@ -1,0 +1,135 @@
+#include "grains/fields/laboratory/test_numbers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "grains/fields/laboratory/axial_tests.hpp"
+#include "grains/fields/laboratory/test_kind.hpp"
+
+namespace arenite::fields {
+namespace {
+
+/// A box of 100 by 100 mm, 10 mm thick, in which nothing has happened yet.
+StageResult box(std::size_t rows) {
+  StageResult stage;
+  stage.name = "press";
+  Snapshot snapshot;
+  snapshot.packing.grains.resize(1);
+  snapshot.packing.grains.radius = {0.05};
+  snapshot.packing.domain.thickness = 0.01;
+  stage.snapshots.push_back(snapshot);
+  for (const char* name :
+       {"time", "left_position", "right_position", "bottom_position", "top_position", "left_force", "right_force",
+        "bottom_force", "top_force", "broken_in_tension", "broken_in_bending", "broken_in_shear"})
+    stage.history.columns.push_back({name, "", std::vector<double>(rows, 0.0)});
+  return stage;
+}
+
+std::vector<double>& column(StageResult& stage, const std::string& name) {
+  return std::ranges::find(stage.history.columns, name, &History::Column::name)->values;
+}
+
+/// Rises by 50 GPa to 100 MPa at 0.2 %, then falls to nothing at 0.4 %; a bond breaks with every row after the peak.
+StageResult rock(double sign = 1) {
+  StageResult stage = box(401);
+  for (std::size_t k = 0; k <= 400; ++k) {
+    const double strain = 1e-5 * static_cast<double>(k), stress = 50e9 * std::min(strain, 4e-3 - strain);
+    column(stage, "time")[k] = static_cast<double>(k);
+    column(stage, "right_position")[k] = 0.1;
+    column(stage, "top_position")[k] = 0.1 * (1 - sign * strain);
+    column(stage, "bottom_force")[k] = column(stage, "top_force")[k] = sign * stress * 0.1 * 0.01;
+    column(stage, "broken_in_tension")[k] = std::max(0.0, static_cast<double>(k) - 200);
+    column(stage, "broken_in_shear")[k] = k >= 100 ? 3 : 0;
+  }
+  return stage;
+}
+
+TEST(TestNumbers, OfARockAreStrengthModulusAndBrokenBonds) {
+  for (const double sign : {1.0, -1.0}) {
+    const StageResult stage = rock(sign);
+    EXPECT_EQ(kind_of({stage}), TestKind::uniaxial);
+    const Numbers found = test_numbers({stage});
+    const Numbers& n = found["uniaxial"];
+    EXPECT_NEAR(n["strength_Pa"].get<double>(), 100e6, 1);
+    EXPECT_NEAR(n["strain_at_strength"].get<double>(), 2e-3, 1e-12);
+    EXPECT_NEAR(n["modulus_Pa"]["value"].get<double>(), 50e9, 1e3);
+    EXPECT_LT(n["modulus_Pa"]["error"].get<double>(), 1e3);
+    EXPECT_TRUE(n["failed"].get<bool>());
+    EXPECT_EQ(n["in_tension"].get<bool>(), sign < 0);
+    EXPECT_EQ(n["broken"]["tension"].get<double>(), 200);
+    EXPECT_EQ(n["broken"]["all"].get<double>(), 203);
+    EXPECT_EQ(n["broken_at_strength"]["all"].get<double>(), 3);
+    EXPECT_FALSE(found.contains("peak"));
+  }
+}
+
+TEST(TestNumbers, OfARockThatStillHoldsSayThatItHasNotFailed) {
+  StageResult stage = rock();
+  for (auto& c : stage.history.columns) c.values.resize(210);
+  EXPECT_FALSE(test_numbers({stage})["uniaxial"]["failed"].get<bool>());
+}
+
+TEST(TestNumbers, ErrorOfAModulusGrowsWithTheCurvature) {
+  StageResult stage = rock();
+  for (double& f : column(stage, "top_force")) f += 0.05 * f * std::sin(1e-3 * f);
+  for (double& f : column(stage, "bottom_force")) f += 0.05 * f * std::sin(1e-3 * f);
+  const Numbers n = test_numbers({stage})["uniaxial"];
+  const double error = n["modulus_Pa"]["error"].get<double>();
+  EXPECT_GT(error, 1e8);
+  EXPECT_NEAR(n["modulus_Pa"]["value"].get<double>(), 50e9, 4 * error);
+}
+
+TEST(TestNumbers, OfAnOedometerAreItsModulusAndTheLateralStress) {
+  StageResult stage = box(101);
+  for (std::size_t k = 0; k <= 100; ++k) {
+    const double strain = 1e-4 * static_cast<double>(k), stress = 2e7 * strain;
+    column(stage, "time")[k] = static_cast<double>(k);
+    column(stage, "right_position")[k] = 0.1;
+    column(stage, "top_position")[k] = 0.1 * (1 - strain);
+    column(stage, "bottom_force")[k] = column(stage, "top_force")[k] = stress * 0.1 * 0.01;
+    column(stage, "left_force")[k] = column(stage, "right_force")[k] = 0.4 * stress * 0.1 * (1 - strain) * 0.01;
+  }
+  EXPECT_EQ(kind_of({stage}), TestKind::oedometer);
+  const Numbers n = test_numbers({stage})["oedometer"];
+  EXPECT_NEAR(n["modulus_Pa"]["value"].get<double>(), 2e7, 1);
+  EXPECT_NEAR(n["lateral_ratio"].get<double>(), 0.4, 1e-12);
+  EXPECT_NEAR(n["stress_Pa"].get<double>(), 2e5, 1e-6);
+  EXPECT_NEAR(n["strain"].get<double>(), 0.01, 1e-12);
+}
+
+TEST(TestNumbers, OfACompressionFromAllSidesAreNone) {
+  StageResult stage = box(101);
+  for (std::size_t k = 0; k <= 100; ++k) {
+    const double size = 0.1 * (1 - 1e-4 * static_cast<double>(k));
+    column(stage, "time")[k] = static_cast<double>(k);
+    column(stage, "right_position")[k] = column(stage, "top_position")[k] = size;
+    for (const char* side : {"left", "right", "bottom", "top"}) column(stage, std::string(side) + "_force")[k] = 10;
+  }
+  EXPECT_EQ(kind_of({stage}), TestKind::none);
+  EXPECT_TRUE(test_numbers({stage}).empty());
+}
+
+TEST(TestKind, TellsASiloACollapseAndADrum) {
+  StageResult stage = box(2);
+  stage.texture = Numbers{{"surface", Numbers{{"runout_m", 0.1}}}};
+  EXPECT_EQ(kind_of({stage}), TestKind::collapse);
+  Boundary drum;
+  drum.points = {{0, 0}, {1, 0}, {0, 1}};
+  drum.closed = true;
+  drum.spin = 1;
+  stage.snapshots.back().packing.domain.boundaries.push_back(drum);
+  EXPECT_EQ(kind_of({stage}), TestKind::drum);
+  stage.texture["discharge"] = Numbers{{"steady", true}};
+  EXPECT_EQ(kind_of({stage}), TestKind::discharge);
+}
+
+TEST(TestKind, TellsCyclesByTheirTable) {
+  StageResult stage = rock();
+  stage.cycles.columns = {{"cycle", "1", {1, 1, 2, 2}}};
+  EXPECT_EQ(kind_of({stage}), TestKind::cycles);
+}
+
+}  // namespace
+}  // namespace arenite::fields

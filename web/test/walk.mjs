@@ -1,0 +1,99 @@
+import assert from "node:assert/strict";
+import { settle } from "./run.mjs";
+
+const phone = { width: 360, height: 780 };
+
+/** Every part of a page in turn. */
+async function eachPart(page, then) {
+  const tabs = await page.locator('[role="tab"]').all();
+  if (tabs.length === 0) return then();
+  for (const tab of tabs) {
+    await tab.click();
+    await settle(page);
+    await then();
+  }
+}
+
+/** All positions of a slider, from its first (Home) to its last, and back again. */
+async function walkSlider(page, slider) {
+  await slider.focus();
+  await page.keyboard.press("Home");
+  await settle(page);
+  const steps = await slider.evaluate(({ min, max, step }) => (max - min) / (Number(step) || 1));
+  const coarse = Math.max(1, Math.round(steps / 40));
+  for (let k = 0; k < steps; k += coarse) {
+    for (let press = 0; press < coarse; ++press) await page.keyboard.press("ArrowRight");
+    await settle(page);
+  }
+  await page.keyboard.press("Home");
+  await page.keyboard.press("End");
+  await settle(page);
+}
+
+/** All that a list offers, and then what it had. */
+async function walkList(page, list) {
+  const before = await list.inputValue();
+  for (const value of await list.locator("option").evaluateAll((all) => all.map((one) => one.value))) {
+    await list.selectOption(value);
+    await settle(page);
+  }
+  await list.selectOption(before);
+}
+
+/** Buttons are counted anew after each click, which may make or hide others. */
+async function pressButtons(page) {
+  const buttons = page.locator("button:visible:enabled:not([role=tab])");
+  for (let k = 0; k < (await buttons.count()); ++k) {
+    await buttons.nth(k).click({ timeout: 5000 });
+    await settle(page);
+  }
+}
+
+async function playFromTheEnd(page) {
+  const play = page.locator("button.play:visible"),
+    slider = page.locator(".timeline .track input:visible");
+  if ((await play.count()) === 0) return;
+  await slider.focus();
+  await page.keyboard.press("End");
+  await play.click();
+  await page.waitForTimeout(1000);
+  await play.click();
+  await settle(page);
+}
+
+/** What every kind of page is asked: whatever can be chosen is chosen once without an error in the console (runTests
+    reads it), and on a phone nothing is wider than the screen. */
+export const everyPage = [
+  {
+    name: "every position of every slider, every choice and every button can be had",
+    run: (page) =>
+      eachPart(page, async () => {
+        for (const slider of await page.locator("input[type=range]:visible:enabled").all())
+          await walkSlider(page, slider);
+        for (const list of await page.locator("select:visible").all()) await walkList(page, list);
+        await pressButtons(page);
+        await playFromTheEnd(page);
+        assert.equal(await page.locator(".failure").count(), 0);
+      }),
+  },
+  {
+    name: "on a phone no page is wider than the screen",
+    run: async (page) => {
+      const before = page.viewportSize();
+      await page.setViewportSize(phone);
+      await eachPart(page, async () => {
+        await page.waitForTimeout(100);
+        const wide = await page.evaluate(() => [
+          document.documentElement.scrollWidth,
+          [...document.querySelectorAll("#page *")]
+            .filter((one) => one.getBoundingClientRect().right > innerWidth + 0.5)
+            .map((one) => `${one.tagName.toLowerCase()}.${one.getAttribute("class") ?? ""}`)
+            .slice(0, 12)
+            .join(", "),
+        ]);
+        assert.ok(wide[0] <= phone.width, `${wide[0]} px wide; beyond the screen: ${wide[1]}`);
+      });
+      await page.setViewportSize(before);
+    },
+  },
+];
