@@ -103,7 +103,7 @@ void warn(Prediction& p, const recipe::Recipe& recipe) {
 }
 
 /// In the order of StepLimit.
-constexpr const char* limits[] = {"collision", "stiffness", "damping", "given"};
+constexpr const char* limit_words[] = {"collision", "stiffness", "damping", "given"};
 
 Numbers numbers_of(const fields::StagePrediction& s) {
   Numbers j{{"name", s.name},
@@ -137,7 +137,7 @@ Numbers numbers(const Prediction& p) {
   Numbers stages = Numbers::list();
   for (const fields::StagePrediction& stage : p.stages) stages.push_back(numbers_of(stage));
   return {{"time_step_s", described(p.time_step, "s", "Time step")},
-          {"time_step_limited_by", limits[static_cast<std::size_t>(p.limit)]},
+          {"time_step_limited_by", limit_words[static_cast<std::size_t>(p.limit)]},
           {"largest_stable_step_s", described(p.largest_step, "s", "Largest stable time step")},
           {"shortest_collision",
            {{"time_s", described(p.collision.time, "s", "Duration of the collision without damping")},

@@ -94,6 +94,8 @@ def test_every_figure_of_a_run_is_drawn_and_embeds_its_fonts(drawn):
         "cycles",
         "stress-strain",
         "discharge",
+        "collapse",
+        "surface-angle",
         "size-curve",
         "broken-bonds",
         "cracks",
