@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "grains/texture/texture.hpp"
 #include "solid/grid/crop.hpp"
 #include "solid/grid/map_numbers.hpp"
 #include "workflow/field_numbers.hpp"
