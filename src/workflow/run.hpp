@@ -24,13 +24,13 @@ struct Progress {
   std::size_t stage = 0, stages = 0;  ///< 0 is the packing
   std::string name;                   ///< of the stage
   double share = 0;                   ///< of the stage, 0 to 1; of one that does not settle, what came to rest so far
-  bool settles = true;                ///< as fast as predicted, within ten times
   double unbalanced_ratio = 0;        ///< of grains
   double residual = 0;                ///< of a field, relative
   std::int64_t step = 0;
   bool reused = false;                         ///< the stage's file was there already
   bool field = false;                          ///< of nodes: `step` counts iterations
-  std::string key{};                           ///< hash of the stage, which its checkpoint carries
+  std::string key{  bool settles = true;                ///< as fast as predicted, within ten times
+};                           ///< hash of the stage, which its checkpoint carries
   std::int64_t increment = 0, increments = 0;  ///< the one under way, from 1; 0 where the stage has none
   double time = 0;                             ///< of the sample, s
   BySide<Wall> wall{};                         ///< now; none is present where `time` is none
