@@ -29,11 +29,11 @@ struct Progress {
   std::int64_t step = 0;
   bool reused = false;                         ///< the stage's file was there already
   bool field = false;                          ///< of nodes: `step` counts iterations
-  std::string key{  bool settles = true;                ///< as fast as predicted, within ten times
-};                           ///< hash of the stage, which its checkpoint carries
+  std::string key{};                           ///< hash of the stage, which its checkpoint carries
   std::int64_t increment = 0, increments = 0;  ///< the one under way, from 1; 0 where the stage has none
   double time = 0;                             ///< of the sample, s
   BySide<Wall> wall{};                         ///< now; none is present where `time` is none
+  bool settles = true;                         ///< as fast as predicted, within ten times
 };
 
 class Store;
