@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "model/packing.hpp"
+#include "recipe/doubts.hpp"
 #include "recipe/recipe.hpp"
 
 namespace arenite::recipe {
@@ -165,7 +166,8 @@ Recipe any_recipe() {
 
 TEST(ResolvedRecipe, ReadsBackAsTheSameRecipe) {
   EXPECT_TRUE(rc::check("parse(to_toml(r)) == r", [] {
-    const Recipe recipe = any_recipe();
+    Recipe recipe = any_recipe();
+    recipe.notices = doubts_of(recipe);
     const std::string text = to_toml(recipe);
     RC_LOG(text);
     const Recipe back = parse_recipe(text, "r.toml");
@@ -176,7 +178,8 @@ TEST(ResolvedRecipe, ReadsBackAsTheSameRecipe) {
 
 TEST(ResolvedRecipe, CommentedRecipeSaysTheSame) {
   EXPECT_TRUE(rc::check("parse(to_commented_toml(r)) == r", [] {
-    const Recipe recipe = any_recipe();
+    Recipe recipe = any_recipe();
+    recipe.notices = doubts_of(recipe);
     const std::string text = to_commented_toml(recipe);
     RC_LOG(text);
     RC_ASSERT(parse_recipe(text, "r.toml") == recipe);
