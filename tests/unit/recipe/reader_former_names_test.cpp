@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "recipe/film_recipe.hpp"
 #include "recipe/doubts.hpp"
+#include "recipe/film_recipe.hpp"
 #include "recipe/recipe.hpp"
 
 namespace arenite::recipe {
