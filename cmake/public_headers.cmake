@@ -6,6 +6,7 @@ set(arenite_public_headers
   statistics/numbers_text.hpp
   model/packing.hpp
   model/result.hpp
+  model/measuring.hpp
   model/phase_map.hpp
   recipe/recipe.hpp
   workflow/make_packing.hpp

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 
 #include "support/program.hpp"
@@ -13,6 +14,8 @@ using arenite::test::TemporaryFolder;
 struct Template {
   const char *name, *smaller, *tells;  ///< what makes it a small one, and what its numbers must hold
 };
+
+void PrintTo(const Template& t, std::ostream* out) { *out << t.name; }
 
 class Init : public ::testing::TestWithParam<Template> {};
 
@@ -54,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "stages.press.duration='\"0.4 ms\"'",
                  "bonds"},
         Template{"cycles",
-                 "--set populations.sand.count=60 --set container.width='\"45 mm\"' --set stages.cycle.cycles.count=2",
+                 "--set populations.sand.count=100 --set container.width='\"75 mm\"' --set stages.cycle.cycles.count=2",
                  "cycle"},
         Template{
             "deposit",

@@ -39,13 +39,14 @@ template <int D> void add_contacts(const SampleIn<D>& s, PackingIn<D>& out) {
   }
 }
 
-/// Of a mover, J; 0 of one that goes with a wall.
-template <int D> double kinetic_energy(const SampleIn<D>& s, std::size_t k) {
+/// Of a mover, J, with its spin or without; 0 of one that goes with a wall.
+template <int D> double kinetic_energy(const SampleIn<D>& s, std::size_t k, bool with_spin = true) {
   if (is_held(s, k)) return 0;
   using lane::dot;
   const Motion<D> v = motion_of(s, k);
   const Mover<D> m = mover_at(s, k);
-  return 0.5 * m.mass * dot(v.velocity, v.velocity) + dot(0.5 * m.inertia * v.omega, v.omega);
+  const double of_centre = 0.5 * m.mass * dot(v.velocity, v.velocity);
+  return with_spin ? of_centre + dot(0.5 * m.inertia * v.omega, v.omega) : of_centre;
 }
 
 /// Force on a mover, its weight included, N; 0 on one that goes with a wall.
@@ -57,7 +58,7 @@ double resultant_of(const Sample& s, std::size_t k) {
 
 /// Grains that carry force between two contacts or more, and the loose others, apart: a loose grain moves on for long
 /// without moving the others, and its weight is nothing beside their forces, so that it is at rest or not by a measure
-/// of its own.
+/// of its own. Without contacts a disk spins for ever and touches nobody by it: its spin is no motion then.
 struct Motions {
   double bearing = 0, loose = 0;  ///< kinetic energies, J
   std::size_t falling = 0;        ///< loose grains more than half of whose weight nothing holds
@@ -68,7 +69,8 @@ Motions motions_of(const Sample& s, const std::vector<int>& pressed_contacts) {
   Motions motions;
   each_mover(s, [&](std::size_t k) {
     const bool loose = pressed_contacts[k] < 2;
-    (loose ? motions.loose : motions.bearing) += kinetic_energy(s, k);
+    const bool alone = k < s.count && pressed_contacts[k] == 0;
+    (loose ? motions.loose : motions.bearing) += kinetic_energy(s, k, !alone);
     if (loose && g > 0 && resultant_of(s, k) > 0.5 * mover_at(s, k).mass * g) ++motions.falling;
   });
   return motions;

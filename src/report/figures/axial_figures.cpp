@@ -24,15 +24,15 @@ Series modulus_line(const fields::UniaxialTest& test, const Panel& panel, double
   const double sign = test.in_tension ? -1 : 1, most = test.strength / factor, half = 0.5 * most;
   const auto at = std::ranges::find_if(curve.y, [&](double v) { return sign * v >= half; });
   const double strain = curve.x[static_cast<std::size_t>(at - curve.y.begin())];
-  const double slope = test.modulus.value / factor / 100;  // strains are in per cent
+  const double slope = test.modulus / factor / 100;  // strains are in per cent
   const auto where = [&](double stress) { return strain + sign * (stress - half) / slope; };
   return {
       .colour = "accent", .x = {where(0), where(most)}, .y = {0, sign * most}, .line = Line::dashed, .is_read = false};
 }
 
-void add_modulus(Drawing& drawing, const statistics::Estimate& modulus) {
-  if (std::isfinite(modulus.value))
-    drawing.key.push_back({"modulus", "accent", {said_in_unit("E", modulus, "Pa")}, Line::dashed});
+void add_modulus(Drawing& drawing, double modulus) {
+  if (std::isfinite(modulus))
+    drawing.key.push_back({"modulus", "accent", {said_in_unit("E", {modulus}, "Pa")}, Line::dashed});
 }
 
 /// Nothing where grains have no bonds.
@@ -58,7 +58,7 @@ Drawing uniaxial_drawing(const fields::TestCurves& curves, const StageData& data
   add_curve(panel, strain, scaled(curves.ratio, 1 / scale.factor), "strong");
   if (const auto test = fields::uniaxial_test(curves)) {
     const double sign = test->in_tension ? -1 : 1;
-    if (std::isfinite(test->modulus.value)) panel.series.push_back(modulus_line(*test, panel, scale.factor));
+    if (std::isfinite(test->modulus)) panel.series.push_back(modulus_line(*test, panel, scale.factor));
     panel.references.push_back({.x = sign * 100 * test->strain,
                                 .y = sign * test->strength / scale.factor,
                                 .label = test->failed ? "strength" : "largest stress",

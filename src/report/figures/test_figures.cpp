@@ -148,7 +148,7 @@ Drawings test_curves(const StageData& data) {
   const auto curves = fields::test_curves({data.stage, data.before});
   if (!curves) return {};
   if (!curves->confined) return {uniaxial_drawing(*curves, data)};
-  if (fields::is_oedometric(*curves)) return {oedometer_drawing(*curves, data)};
+  if (fields::is_oedometric({data.stage, data.before}, *curves)) return {oedometer_drawing(*curves, data)};
   const double factor = factor_of(*curves);
   const Values strain = scaled(curves->strain, factor);
   Drawing drawing;

@@ -6,36 +6,29 @@
 
 #include "core/mapped.hpp"
 #include "statistics/correlation.hpp"
-#include "statistics/jackknife.hpp"
 
 namespace arenite::fields {
 namespace {
 
 using Values = std::vector<double>;
 
-constexpr std::size_t parts = 8;  // of the way over which a modulus is taken, for its error
 constexpr double fallen = 0.1;    // of the largest stress: a sample that has lost as much has failed
+constexpr double pressed = 0.01;  // of the largest stress: a sample that bears as much at first is one
 
 /// Slope of stress over strain from one row to another.
-statistics::Estimate slope_between(const Values& strain, const Values& stress, std::size_t first, std::size_t last) {
-  if (last < first + 2) return {};
-  statistics::Items rows;
-  std::vector<int> part(stress.size(), 0);
-  for (std::size_t k = first; k <= last; ++k) {
-    part[k] = static_cast<int>((k - first) * parts / (last + 1 - first));
-    rows.push_back(k);
-  }
-  const auto slope = [&](const statistics::Items& some) {
-    const auto of = [&](const Values& v) { return mapped(some, [&](std::size_t k) { return v[k]; }); };
-    return Values{statistics::fit_line(of(strain), of(stress)).slope};
+double slope_between(const Values& strain, const Values& stress, std::size_t first, std::size_t last) {
+  if (last < first + 2) return statistics::unknown;
+  const auto from = [&](const Values& v) {
+    return Values(v.begin() + static_cast<std::ptrdiff_t>(first), v.begin() + static_cast<std::ptrdiff_t>(last) + 1);
   };
-  if (rows.size() < 2 * parts) return {slope(rows).front(), statistics::unknown};
-  return statistics::jackknife(rows, part, slope).front();
+  return statistics::fit_line(from(strain), from(stress)).slope;
 }
 
 std::size_t first_above(const Values& stress, double level) {
   return static_cast<std::size_t>(std::ranges::find_if(stress, [&](double v) { return v >= level; }) - stress.begin());
 }
+
+const Values& stress_along(const Loading& loading) { return loading.curves[loading.upright ? "sigma_yy" : "sigma_xx"]; }
 
 }  // namespace
 
@@ -55,18 +48,20 @@ std::optional<UniaxialTest> uniaxial_test(const TestCurves& curves) {
   return found;
 }
 
-bool is_oedometric(const TestCurves& curves) {
+bool is_oedometric(const Test& test, const TestCurves& curves) {
+  if (curves.sheared || !curves.confined) return false;
   for (std::size_t k = 0; k < curves.strain.size(); ++k)
     if (!(std::abs(curves.volume[k] - curves.strain[k]) <= 1e-9)) return false;
-  return !curves.sheared && curves.confined;
+  const auto loading = loading_of(test);
+  if (!loading || !loading->curves.has("sigma_xx") || !loading->curves.has("sigma_yy")) return false;
+  const Values& along = stress_along(*loading);
+  return test.stage.asked.in_motion || along.front() > pressed * std::ranges::max(along);
 }
 
 std::optional<OedometerTest> oedometer_test(const Test& test, const TestCurves& curves) {
   const auto loading = loading_of(test);
-  if (!loading || !is_oedometric(curves) || !loading->curves.has("sigma_xx") || !loading->curves.has("sigma_yy"))
-    return {};
-  const Values &along = loading->curves[loading->upright ? "sigma_yy" : "sigma_xx"],
-               &across = loading->curves[loading->upright ? "sigma_xx" : "sigma_yy"];
+  if (!is_oedometric(test, curves)) return {};
+  const Values &along = stress_along(*loading), &across = loading->curves[loading->upright ? "sigma_xx" : "sigma_yy"];
   const auto most = static_cast<std::size_t>(std::ranges::max_element(along) - along.begin());
   if (!(along[most] > 0) || !(along.back() > 0)) return {};
   return OedometerTest{along.back(), curves.strain.back(), across.back() / along.back(),

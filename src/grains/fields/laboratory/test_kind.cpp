@@ -31,7 +31,7 @@ TestKind kind_by_sides(const Test& test) {
   if (!curves) return TestKind::none;
   if (curves->sheared) return TestKind::shear;
   if (!curves->confined) return TestKind::uniaxial;
-  if (is_oedometric(*curves)) return TestKind::oedometer;
+  if (is_oedometric(test, *curves)) return TestKind::oedometer;
   return is_biaxial(test) ? TestKind::biaxial : TestKind::none;
 }
 

@@ -14,10 +14,6 @@ namespace {
 using statistics::described;
 using Values = std::vector<double>;
 
-Numbers estimate(const statistics::Estimate& e, const char* unit, const char* sentence) {
-  return described({{"value", e.value}, {"error", e.error}}, unit, sentence);
-}
-
 /// The largest ratio of stresses on the way to the critical state.
 Numbers peak_numbers(const TestCurves& curves) {
   const Values ratio = running_mean(curves.ratio, curves.ratio.size() / 100);
@@ -50,8 +46,10 @@ Numbers uniaxial_numbers(const StageResult& stage, const UniaxialTest& test) {
             {"strain_at_strength", described(test.strain, "", "Strain along the axis there")},
             {"failed", described(test.failed, "", "Whether the stress has fallen by a tenth since")},
             {"in_tension", described(test.in_tension, "", "Whether the sample was drawn apart")}};
-  if (std::isfinite(test.modulus.value))
-    j["modulus_Pa"] = estimate(test.modulus, "Pa", "Slope of stress over strain from a tenth to half of the strength");
+  if (std::isfinite(test.modulus))
+    j["modulus_Pa"] = described(test.modulus, "Pa",
+                                "Slope of stress over strain from a tenth to half of the strength; of one sample, so "
+                                "that its error is not known");
   const std::size_t last = stage.history.columns.front().values.size() - 1;
   Numbers broken = broken_up_to(stage.history, last, "Bonds between grains that broke in the stage");
   if (broken.empty()) return j;
@@ -65,9 +63,10 @@ Numbers oedometer_numbers(const OedometerTest& test) {
       {"stress_Pa", described(test.stress, "Pa", "Stress along the axis in the end")},
       {"strain", described(test.strain, "", "Strain along the axis in the end")},
       {"lateral_ratio", described(test.lateral_ratio, "", "Stress across the axis over that along it in the end")}};
-  if (std::isfinite(test.modulus.value))
-    j["modulus_Pa"] = estimate(test.modulus, "Pa",
-                               "Constrained modulus, slope of stress over strain from half of the largest stress");
+  if (std::isfinite(test.modulus))
+    j["modulus_Pa"] = described(test.modulus, "Pa",
+                                "Constrained modulus, slope of stress over strain from half of the largest stress; of "
+                                "one sample, so that its error is not known");
   return j;
 }
 

@@ -71,6 +71,15 @@ TEST(Rest, IsNotReachedWhileALooseDiskFliesFast) {
   EXPECT_LT(calm.step, engine.step);
 }
 
+TEST(Rest, IsReachedWhileADiskThatTouchesNothingSpins) {
+  Packing start = pressed_and_loose();
+  start.grains.omega.back() = 1e4;
+  Engine engine(start, contact(0.9), {});
+  const StageRun run = to_its_end(engine, pressed(false));
+  ASSERT_TRUE(run.result.converged) << run.result.outcome;
+  EXPECT_EQ(run.result.snapshots.back().packing.grains.omega.back(), 1e4);
+}
+
 TEST(Rest, ManyDisksThatAllFallAreNotAtRest) {
   Packing start = empty_container(0.2, 1);
   for (int k = 0; k < 10; ++k) add_grain(start, 0.02 * k + 0.01, 0.9, radius);

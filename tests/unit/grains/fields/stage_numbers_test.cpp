@@ -20,6 +20,7 @@ TEST(StageNumbers, AreThoseOfEveryStatistic) {
   packing.cohesive.push_back({0, 1, -1e-6, 0.4, 0});
   dem::Stage stage;
   stage.gravity = true;
+  result.asked.gravity = {0, -9.81};
   const Numbers numbers = stage_numbers({result, stage, nullptr, texture::measure(packing)});
   EXPECT_EQ(numbers["grains"].get<int>(), 2);
   EXPECT_EQ(numbers["surface"]["grains"].get<int>(), 2);

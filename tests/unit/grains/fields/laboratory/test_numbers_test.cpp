@@ -54,8 +54,7 @@ TEST(TestNumbers, OfARockAreStrengthModulusAndBrokenBonds) {
     const Numbers& n = found["uniaxial"];
     EXPECT_NEAR(n["strength_Pa"].get<double>(), 100e6, 1);
     EXPECT_NEAR(n["strain_at_strength"].get<double>(), 2e-3, 1e-12);
-    EXPECT_NEAR(n["modulus_Pa"]["value"].get<double>(), 50e9, 1e3);
-    EXPECT_LT(n["modulus_Pa"]["error"].get<double>(), 1e3);
+    EXPECT_NEAR(n["modulus_Pa"].get<double>(), 50e9, 1e3);
     EXPECT_TRUE(n["failed"].get<bool>());
     EXPECT_EQ(n["in_tension"].get<bool>(), sign < 0);
     EXPECT_EQ(n["broken"]["tension"].get<double>(), 200);
@@ -71,17 +70,8 @@ TEST(TestNumbers, OfARockThatStillHoldsSayThatItHasNotFailed) {
   EXPECT_FALSE(test_numbers({stage})["uniaxial"]["failed"].get<bool>());
 }
 
-TEST(TestNumbers, ErrorOfAModulusGrowsWithTheCurvature) {
-  StageResult stage = rock();
-  for (double& f : column(stage, "top_force")) f += 0.05 * f * std::sin(1e-3 * f);
-  for (double& f : column(stage, "bottom_force")) f += 0.05 * f * std::sin(1e-3 * f);
-  const Numbers n = test_numbers({stage})["uniaxial"];
-  const double error = n["modulus_Pa"]["error"].get<double>();
-  EXPECT_GT(error, 1e8);
-  EXPECT_NEAR(n["modulus_Pa"]["value"].get<double>(), 50e9, 4 * error);
-}
-
-TEST(TestNumbers, OfAnOedometerAreItsModulusAndTheLateralStress) {
+/// A box whose lid comes down: stress over strain is 20 MPa, across it 0.4 of that.
+StageResult oedometer() {
   StageResult stage = box(101);
   for (std::size_t k = 0; k <= 100; ++k) {
     const double strain = 1e-4 * static_cast<double>(k), stress = 2e7 * strain;
@@ -91,12 +81,24 @@ TEST(TestNumbers, OfAnOedometerAreItsModulusAndTheLateralStress) {
     column(stage, "bottom_force")[k] = column(stage, "top_force")[k] = stress * 0.1 * 0.01;
     column(stage, "left_force")[k] = column(stage, "right_force")[k] = 0.4 * stress * 0.1 * (1 - strain) * 0.01;
   }
+  stage.asked.in_motion = true;
+  return stage;
+}
+
+TEST(TestNumbers, OfAnOedometerAreItsModulusAndTheLateralStress) {
+  const StageResult stage = oedometer();
   EXPECT_EQ(kind_of({stage}), TestKind::oedometer);
   const Numbers n = test_numbers({stage})["oedometer"];
-  EXPECT_NEAR(n["modulus_Pa"]["value"].get<double>(), 2e7, 1);
+  EXPECT_NEAR(n["modulus_Pa"].get<double>(), 2e7, 1);
   EXPECT_NEAR(n["lateral_ratio"].get<double>(), 0.4, 1e-12);
   EXPECT_NEAR(n["stress_Pa"].get<double>(), 2e5, 1e-6);
   EXPECT_NEAR(n["strain"].get<double>(), 0.01, 1e-12);
+}
+
+TEST(TestNumbers, OfASampleThatAPressureClosesFromNothingAreNone) {
+  StageResult stage = oedometer();
+  stage.asked.in_motion = false;
+  EXPECT_EQ(kind_of({stage}), TestKind::none);
 }
 
 TEST(TestNumbers, OfACompressionFromAllSidesAreNone) {
