@@ -3,6 +3,7 @@
 #include "arrays.hpp"
 #include "module.hpp"
 #include "thermal/thermography/grains/follow_grains.hpp"
+#include "thermal/thermography/lockin.hpp"
 
 /// The maps and grains that the steps from a film to grain stresses give.
 namespace arenite::python {
@@ -38,6 +39,12 @@ void bind_lockin_maps(py::module_& m) {
   map("drift", &LockinMaps::drift, "Slope of the mean, unit/s.");
   map("amplitude", &LockinMaps::amplitude, "Amplitude at the load frequency.");
   map("phase", &LockinMaps::phase, "rad.");
+  c.def_property_readonly(
+      "phase_after_load",
+      [](const LockinMaps& maps) {
+        return taken_over(thermography::phase_after_load(maps), {maps.height, maps.width});
+      },
+      "Phase relative to that of the load, rad in [-pi, pi].");
   map("in_phase", &LockinMaps::in_phase,
       "Component in phase with the load, signed: positive if a pixel warms as the load rises.");
   map("quadrature", &LockinMaps::quadrature, "Component a quarter of a cycle off the load.");

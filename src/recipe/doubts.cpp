@@ -7,10 +7,6 @@
 namespace arenite::recipe {
 namespace {
 
-bool presses(const SideDrive& drive) {
-  return drive.kind == SideDrive::Kind::pressure || drive.kind == SideDrive::Kind::force;
-}
-
 /// Whether the sample is compressed along an axis (0: x) while a load acts across.
 bool is_biaxial(const Stage& stage, std::size_t axis) {
   const auto cycled = [&](std::size_t side) {
@@ -21,7 +17,7 @@ bool is_biaxial(const Stage& stage, std::size_t axis) {
   for (std::size_t end = 0; end < 2; ++end) {
     const std::size_t along = 2 * axis + end, across = 2 * (1 - axis) + end;
     driven |= stage.side[along].kind == SideDrive::Kind::velocity || cycled(along);
-    loaded |= presses(stage.side[across]) && !cycled(across);
+    loaded |= stage.side[across].presses() && !cycled(across);
   }
   return driven && loaded;
 }
@@ -52,7 +48,7 @@ void doubt_its_end(const Stage& stage, std::vector<std::string>& doubts) {
                     "stage a duration, for example duration = \"1 s\"",
                     stage.name));
   for (std::size_t side = 0; side < 4; ++side)
-    if (presses(stage.side[side]) && !(stage.side[side].value > 0))
+    if (stage.side[side].presses() && !(stage.side[side].value > 0))
       doubts.push_back(
           fmt::format("stages.{}.{}: no sample comes to equilibrium under a load of 0; give a load above it, or the "
                       "stage a duration",

@@ -95,17 +95,13 @@ void require_place(Visitor& v, const Programme& p, const Stage& stage, const Rec
   }
 }
 
-bool presses(const SideDrive& drive) {
-  return drive.kind == SideDrive::Kind::force || drive.kind == SideDrive::Kind::pressure;
-}
-
 /// A force on an edge of a periodic cell moves that edge and strains the cell; with the opposite edge free as well, the
 /// cell would drift.
 void require_one_pressing_edge(Visitor& v, const Stage& stage, std::size_t first, bool periodic) {
   const SideDrive &one = stage.side[first], &other = stage.side[first + 1];
   const char *name = side_names[first], *opposite = side_names[first + 1];
-  const bool both_at_work =
-      (presses(one) && other.kind != SideDrive::Kind::fixed) || (presses(other) && one.kind != SideDrive::Kind::fixed);
+  const bool both_at_work = (one.presses() && other.kind != SideDrive::Kind::fixed) ||
+                            (other.presses() && one.kind != SideDrive::Kind::fixed);
   v.require(
       !periodic || !both_at_work, {opposite, name},
       fmt::format(

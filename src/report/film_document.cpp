@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 
 #include "core/mapped.hpp"
@@ -9,16 +10,19 @@
 #include "report/packing_layers.hpp"
 #include "report/page_document.hpp"
 #include "thermal/inference/film_stresses.hpp"
+#include "thermal/thermography/lockin.hpp"
 
 namespace arenite::report {
 namespace {
 
 /// Which maps the page has, with the steps of their codes over their middle half width: noise does not deflate, so maps
 /// of nothing else have coarse ones; a phase comes to a tenth of a degree.
-constexpr double picture_steps = 2000, fine = 500, coarse = 125;
-constexpr std::pair<std::string_view, double> steps_of_maps[] = {
-    {"amplitude", fine},        {"phase", 1000},     {"in_phase", fine}, {"second_harmonic", coarse},
-    {"standard_error", coarse}, {"residual", coarse}};
+constexpr double picture_steps = 2000, phase_steps = 1000, fine = 500, coarse = 125;
+constexpr std::pair<std::string_view, double> steps_of_maps[] = {{"amplitude", fine},
+                                                                 {"in_phase", fine},
+                                                                 {"second_harmonic", coarse},
+                                                                 {"standard_error", coarse},
+                                                                 {"residual", coarse}};
 
 /// Kelvin are digital levels in a film of these.
 std::string unit_in(const FilmInfo& film, const std::string& unit) {
@@ -55,6 +59,8 @@ Numbers maps_of(const FilmResult& r, NumberBlock& block) {
     const LockinMap& map = *std::ranges::find(lockin_maps, name, &LockinMap::name);
     add(name, map.unit, r.maps.*map.values, steps);
   }
+  const auto degrees = [](float phase) { return static_cast<float>(phase * 180 / std::numbers::pi); };
+  add("phase", "deg", mapped(thermography::phase_after_load(r.maps), degrees), phase_steps);
   return all;
 }
 
@@ -72,7 +78,6 @@ Numbers film_of(const FilmResult& r) {
           {"used", r.maps.frames},
           {"frequency", r.maps.frequency},
           {"frequency_error", r.maps.frequency_error},
-          {"reference_phase", r.maps.reference_phase},
           {"convention", name_of(r.maps.convention)}};
 }
 

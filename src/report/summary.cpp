@@ -180,7 +180,7 @@ Summary::Summary(const workflow::RunOutcome& outcome) {
 }
 
 void Summary::add(const std::filesystem::path& file, const StageResult& stage) {
-  StageResult kept{stage, stage.asked, stage.began, {}, stage.history, {}, stage.texture, {}};
+  StageResult kept{stage, stage.asked, stage.began, {}, stage.history, stage.cycles, stage.texture, {}};
   if (!stage.snapshots.empty()) kept.snapshots.push_back(stage.snapshots.back());
   stages_.push_back({file.filename().string(), std::move(kept), stage.snapshots.size()});
 }

@@ -107,15 +107,12 @@ std::string packing_key(const recipe::Recipe& recipe, const std::string& part) {
 
 /// Its walls are those of a driven sample (dem/walls.hpp), or its anisotropies have the signs of shear.
 bool presses_while_driven_or_shears(const dem::Stage& stage) {
-  using Kind = dem::SideDrive::Kind;
-  const auto is_of = [&](auto... kinds) {
-    return std::ranges::any_of(stage.side, [&](const dem::SideDrive& side) { return ((side.kind == kinds) || ...); });
-  };
+  const auto closes = [](const dem::SideDrive& side) { return side.kind == dem::SideDrive::Kind::velocity; };
   const auto moves = [](const dem::BoundaryMotion& b) { return b.velocity != Vec2{} || b.spin != 0; };
   const bool shears = stage.shear_rate != 0 || stage.slide != BySide<double>{};
-  const bool driven = is_of(Kind::velocity) || stage.strain_cycles || !stage.programmes.empty() ||
+  const bool driven = std::ranges::any_of(stage.side, closes) || stage.strain_cycles || !stage.programmes.empty() ||
                       std::ranges::any_of(stage.boundaries, moves);
-  return shears || (driven && is_of(Kind::force, Kind::pressure));
+  return shears || (driven && std::ranges::any_of(stage.side, &dem::SideDrive::presses));
 }
 
 /// Of all that stage `s` (0-based) depends on: the packing, laws, integration, the stages up to it. What changes no bit

@@ -30,7 +30,7 @@ TEST_P(Init, WritesARecipeThatRunsAsItIs) {
   const auto ran = arenite("run " + recipe + " --quiet --out " + out + " " + t.smaller);
   ASSERT_EQ(ran.status, 0) << ran.err;
   EXPECT_EQ(ran.err, "");
-  const auto shown = arenite("show " + out);
+  const auto shown = arenite("show " + out + " --numbers");
   EXPECT_TRUE(contains(shown.out, t.tells)) << shown.out;
   EXPECT_TRUE(contains(slurp(folder / "out/report.html"), "</html>"));
 }
@@ -39,30 +39,30 @@ INSTANTIATE_TEST_SUITE_P(
     Templates, Init,
     ::testing::Values(
         Template{"biaxial", "--set packing.grains=80 --set variables.W='\"30 mm\"' --set variables.rate='\"400 mm/s\"'",
-                 "asked for"},
+                 "peak.q_over_p"},
         Template{"shear", "--set populations.glass.count=80 --set container.width='\"9*d\"' --set variables.I=0.1",
-                 "mu"},
+                 "peak.mu"},
         Template{"silo", "--set populations.acrylic.count=250 --set stages.discharge.duration='\"0.3 s\"'",
-                 "discharge"},
+                 "discharge.rate_kg_s"},
         Template{"collapse",
                  "--set populations.acrylic.count=120 --set variables.L='\"40 mm\"' --set "
                  "stages.collapse.duration='\"0.3 s\"'",
-                 "surface.runout"},
+                 "surface.runout_m"},
         Template{
             "drum",
             "--set populations.acrylic.count=60 --set variables.D='\"70 mm\"' --set stages.turn.duration='\"0.5 s\"'",
-            "surface"},
+            "surface.angle_deg"},
         Template{"rock",
                  "--set populations.granite.count=100 --set container.width='\"13 mm\"' --set "
                  "stages.press.duration='\"0.4 ms\"'",
-                 "bonds"},
+                 "uniaxial.strength_Pa"},
         Template{"cycles",
                  "--set populations.sand.count=100 --set container.width='\"75 mm\"' --set stages.cycle.cycles.count=2",
-                 "cycle"},
+                 "cycles.strain_amplitude"},
         Template{
             "deposit",
             "--set populations.glass.count=60 --set container.width='\"40 mm\"' --set container.height='\"150 mm\"'",
-            "surface"}),
+            "surface.top_m"}),
     [](const auto& of) { return std::string(of.param.name); });
 
 TEST(Templates, AreListed) {

@@ -4,7 +4,6 @@ import { zoomIdentity } from "d3-zoom";
 import { inWords, named, Numbers } from "../src/declared.js";
 import { tables } from "../src/numbers.js";
 import { histogram, makeScale } from "../src/field/scale.js";
-import { wrapped } from "../src/film/maps.js";
 import { quantityWithError } from "../src/film/tooltip.js";
 import { boundaryElement, chainWidth, segmentsOf } from "../src/packing/chains.js";
 import { Camera } from "../src/camera.js";
@@ -318,18 +317,6 @@ test("a number is written with its error and the prefix that suits it", () => {
   assert.deepEqual(inWords(7, ""), { value: "7", error: "", unit: "" });
   assert.deepEqual(inWords(true, ""), { value: "yes", error: "", unit: "" });
   assert.deepEqual(inWords({ value: 5, error: 1 }, "Pa", 5000), { value: "0.0050", error: "0.0010", unit: "kPa" });
-});
-
-test("an angle comes into half a turn to both sides", () => {
-  for (const [angle, wanted] of [
-    [0, 0],
-    [190, -170],
-    [-190, 170],
-    [180, 180],
-    [-180, 180],
-    [725, 5],
-  ])
-    assert.equal(wrapped(angle), wanted);
 });
 
 test("a quantity and its error share the prefix of the larger one", () => {

@@ -58,17 +58,11 @@ def draw_fit(figure, film):
     figure.colorbar(shown, ax=figure.axes, label="warming with the load (K)", shrink=0.8)
 
 
-def phase_after_load(maps):
-    """Phase of the signal relative to that of the load, degrees in (-180, 180]."""
-    angle = np.degrees(np.asarray(maps.phase, float) - maps.reference_phase)
-    return angle - 360 * np.ceil(angle / 360 - 0.5)
-
-
 def draw_phase(axes, maps, pixel=0):
     """Phase relative to the load; pale where the amplitude is below three standard errors and the phase is
     meaningless."""
     norm = Normalize(-180, 180)
-    shown = cyclic_map(norm(phase_after_load(maps)))
+    shown = cyclic_map(norm(np.degrees(maps.phase_after_load)))
     faint = np.asarray(maps.amplitude) < faint_below * np.asarray(maps.standard_error)
     shown[faint, :3] = 1 - 0.2 * (1 - shown[faint, :3])
     _show(axes, shown, pixel)
@@ -95,7 +89,7 @@ def map_panels(film):
         of(film.picture, "smallest load, K", colour_map=picture_map),
         of(1e3 * maps.amplitude, "amplitude, mK", colour_map=stress_map),
         (lambda axes: draw_phase(axes, maps, film.pixel))
-        if np.size(maps.phase) and np.size(maps.standard_error)
+        if np.size(maps.phase_after_load) and np.size(maps.standard_error)
         else None,
         of(1e3 * maps.in_phase, "warming with the load, mK", colour_map=diverging_map, about=0),
         of(1e3 * maps.second_harmonic, "amplitude at 2 f, mK", colour_map=stress_map),

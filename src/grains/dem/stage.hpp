@@ -16,6 +16,8 @@ struct SideDrive {
   enum class Kind { fixed, velocity, force, pressure };
   Kind kind = Kind::fixed;
   double value = 0;  ///< m/s inward, N, or Pa
+  /// Whether it is a load that is prescribed, and the side moves as that has it.
+  bool presses() const { return kind == Kind::force || kind == Kind::pressure; }
   bool operator==(const SideDrive&) const = default;
 };
 

@@ -39,10 +39,7 @@ Numbers discharge_numbers(const StageResult& result) {
 }
 
 bool has_free_surface(const Asked& asked, const dem::Stage& stage) {
-  using Kind = dem::SideDrive::Kind;
-  return norm(asked.gravity) > 0 && std::none_of(stage.side.begin(), stage.side.end(), [](const auto& side) {
-           return side.kind == Kind::force || side.kind == Kind::pressure;
-         });
+  return norm(asked.gravity) > 0 && std::ranges::none_of(stage.side, &dem::SideDrive::presses);
 }
 
 /// Mean angle over the second half of the states, of a drum that turns, say; nothing where it still changes, or stands

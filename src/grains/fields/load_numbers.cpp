@@ -44,7 +44,7 @@ Load load_of(const StageResult& result, const dem::Stage& stage, int side) {
   const dem::SideDrive& drive = stage.side[side];
   const auto *time = result.history.find("time"),
              *force = result.history.find(std::string(side_names[side]) + "_force");
-  if ((drive.kind != Kind::force && drive.kind != Kind::pressure) || !time || !force) return {};
+  if (!drive.presses() || !time || !force) return {};
   if (stage.cycles && stage.cycles->side == side) return {};
   const auto area = areas(result.history, side, drive.kind, result.snapshots.back().packing.domain.thickness);
   const dem::Programme* programme = programme_of(stage, side);

@@ -8,6 +8,7 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/fields/discharge.hpp"
+#include "grains/fields/regime/prediction.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/texture/texture.hpp"
 #include "statistics/measured.hpp"
@@ -199,10 +200,10 @@ void put_inertial_number(Loading& of, const Packing& packing) {
   if (pressure.empty() || packing.grains.size() == 0 || !std::ranges::all_of(packing.grains.material, has_density))
     return;
   const double density = texture::mass_of(packing) / (packing.grains.area() * packing.domain.thickness);
-  Values number = ratio(Values(pressure.size(), density), pressure);
+  Values number(pressure.size());
   const Values rate = rate_of(of.curves["shear_strain"], of.curves["time"]);
   const double diameter = packing.grains.mean_diameter();
-  for (std::size_t k = 0; k < number.size(); ++k) number[k] = std::abs(rate[k]) * diameter * std::sqrt(number[k]);
+  for (std::size_t k = 0; k < number.size(); ++k) number[k] = inertial_number(rate[k], diameter, density, pressure[k]);
   of.curves.put(
       "inertial_number", "",
       "Rate of shear times mean diameter over sqrt(pressure/density) (GDR MiDi, Eur. Phys. J. E 14, 341, 2004)",

@@ -46,10 +46,7 @@ double closing(const dem::Stage& stage, int axis) {
 }
 
 bool presses(const dem::Stage& stage, int axis) {
-  const auto by_load = [&](int side) {
-    return stage.side[side].kind == Kind::force || stage.side[side].kind == Kind::pressure;
-  };
-  return by_load(2 * axis) || by_load(2 * axis + 1);
+  return stage.side[2 * axis].presses() || stage.side[2 * axis + 1].presses();
 }
 
 double angle_of(int axis) { return axis == 0 ? 0 : std::numbers::pi / 2; }

@@ -58,7 +58,8 @@ std::optional<TestCurves> test_curves(const Test& test) {
   return curves;
 }
 
-std::vector<double> running_mean(const std::vector<double>& values, std::size_t rows) {
+std::vector<double> running_mean(const std::vector<double>& values) {
+  const std::size_t rows = values.size() / 100;
   std::vector<double> sum{0}, count{0}, mean;
   for (const double v : values) {
     sum.push_back(sum.back() + (std::isfinite(v) ? v : 0));
@@ -69,6 +70,15 @@ std::vector<double> running_mean(const std::vector<double>& values, std::size_t 
     mean.push_back((sum[k + half + 1] - sum[k - half]) / (count[k + half + 1] - count[k - half]));
   }
   return mean;
+}
+
+std::vector<double> running_ratio(const TestCurves& curves) {
+  if (curves.normal.empty()) return running_mean(curves.ratio);
+  std::vector<double> ratio = running_mean(curves.shear);
+  const std::vector<double> normal = running_mean(curves.normal);
+  for (std::size_t k = 0; k < ratio.size(); ++k)
+    ratio[k] = std::isfinite(curves.ratio[k]) ? std::abs(ratio[k]) / normal[k] : statistics::unknown;
+  return ratio;
 }
 
 std::optional<CriticalState> critical_state(const TestCurves& curves) {

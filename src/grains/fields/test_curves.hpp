@@ -30,8 +30,10 @@ struct TestCurves {
 /// presses, or that kept no history of its sides.
 std::optional<TestCurves> test_curves(const Test& test);
 
-/// Over `rows` rows, fewer at the ends, of what is known there.
-std::vector<double> running_mean(const std::vector<double>& values, std::size_t rows);
+/// Of what is known over a hundredth of the rows, fewer at the ends.
+std::vector<double> running_mean(const std::vector<double>& values);
+/// The ratio of such means of what it is the ratio of, as the critical state is told; of a stress its mean.
+std::vector<double> running_ratio(const TestCurves& curves);
 
 /// The critical state: the part of a test in which its ratio and the volume only fluctuate while the strain goes on.
 struct CriticalState {

@@ -7,49 +7,18 @@
 
 #include "core/problems.hpp"
 #include "core/random.hpp"
+#include "geometry/polygon.hpp"
 #include "model/periodic_images.hpp"
 
 namespace arenite::packing {
 namespace {
 
-using Points = std::vector<Vec2>;
-
-/// Hands every segment of a closed line to `visit`.
-template <class Visit> void each_segment(const Points& points, const Visit& visit) {
-  for (std::size_t k = 0; k < points.size(); ++k) visit(points[k], points[(k + 1) % points.size()]);
-}
-
-double enclosed_area(const Points& points) {
-  double twice = 0;
-  each_segment(points, [&](Vec2 a, Vec2 b) { twice += cross(a, b); });
-  return 0.5 * std::abs(twice);
-}
-
-bool encloses(const Points& points, Vec2 p) {
-  bool inside = false;
-  each_segment(points, [&](Vec2 a, Vec2 b) {
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) inside = !inside;
-  });
-  return inside;
-}
-
-/// The way from the nearest point of a closed line to `p`.
-Vec2 way_from(const Points& points, Vec2 p) {
-  Vec2 nearest{};
-  double least = std::numeric_limits<double>::infinity();
-  each_segment(points, [&](Vec2 a, Vec2 b) {
-    const double along = std::clamp(dot(p - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
-    const Vec2 way = p - (a + along * (b - a));
-    if (norm(way) < least) least = norm(way), nearest = way;
-  });
-  return nearest;
-}
-
 /// Closed boundaries that grains lie around. What encloses more than half of the container holds them, as a drum does.
-std::vector<Points> obstacles_of(const Domain& domain) {
-  std::vector<Points> obstacles;
+std::vector<geometry::Polygon> obstacles_of(const Domain& domain) {
+  std::vector<geometry::Polygon> obstacles;
   for (const Boundary& boundary : domain.boundaries)
-    if (boundary.closed && enclosed_area(boundary.points) < 0.5 * domain.area()) obstacles.push_back(boundary.points);
+    if (boundary.closed && geometry::area_of(boundary.points) < 0.5 * domain.area())
+      obstacles.push_back(boundary.points);
   return obstacles;
 }
 
@@ -58,7 +27,7 @@ struct Relaxation {
   Grains& grains;
   const Domain& domain;
   double unit, skin;
-  std::vector<Points> obstacles;
+  std::vector<geometry::Polygon> obstacles;
   std::vector<geometry::Pair> pairs;
   std::vector<Vec2> force, velocity, listed_at;
   double largest_overlap = 0;
@@ -118,10 +87,10 @@ struct Relaxation {
 
   /// Grains inside of an obstacle are pushed out over its nearest side.
   void add_obstacle_forces() {
-    for (const Points& obstacle : obstacles)
+    for (const geometry::Polygon& obstacle : obstacles)
       for (std::size_t i = 0; i < grains.size(); ++i) {
-        const Vec2 way = way_from(obstacle, grains.position[i]);
-        const double outside = norm(way) * (encloses(obstacle, grains.position[i]) ? -1 : 1);
+        const Vec2 way = geometry::way_from(obstacle, grains.position[i]);
+        const double outside = norm(way) * (geometry::encloses(obstacle, grains.position[i]) ? -1 : 1);
         const double overlap = grains.radius[i] - outside;
         if (overlap <= 0 || outside == 0) continue;
         // One that lies deep goes no faster than one that just overlaps.

@@ -91,7 +91,8 @@ Drawing oedometer_drawing(const fields::TestCurves& curves, const StageData& dat
     stresses.series.back().name = words;
   }
   Panel ratio = against_strain(curves, data, {.label = "q/p from the forces on the sides", .brief = "q/p"});
-  add_curve(ratio, strain, known_up_to(curves.ratio, largest_ratio), "strong");
+  add_curve(ratio, strain, known_up_to(curves.ratio, largest_ratio),
+            known_up_to(fields::running_ratio(curves), largest_ratio), "strong");
   if (const auto found = fields::oedometer_test(test, curves)) add_modulus(drawing, found->modulus);
   drawing.panels = {std::move(stresses), std::move(ratio)};
   return drawing;

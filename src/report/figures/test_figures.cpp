@@ -44,7 +44,8 @@ Said with_half_interval(const char* symbol, const statistics::Measured& m) {
 Panel ratio_panel(const fields::TestCurves& curves, const StageData& data, const Values& strain) {
   const auto& [name, label, symbol] = *std::ranges::find(ratios, curves.ratio_name(), &Ratio::name);
   Panel panel = against_strain(curves, data, {.label = label, .brief = symbol});
-  add_curve(panel, strain, known_up_to(curves.ratio, largest_ratio), "strong");
+  add_curve(panel, strain, known_up_to(curves.ratio, largest_ratio),
+            known_up_to(fields::running_ratio(curves), largest_ratio), "strong");
   return panel;
 }
 
@@ -110,13 +111,17 @@ CurveAxis axis_of(const statistics::Column& column) {
   return {{.label = words, .unit = scale.unit}, scale.factor};
 }
 
-void add_curve(Panel& panel, const Values& x, Values y, const std::string& colour) {
+void add_curve(Panel& panel, const Values& x, const Values& y, const std::string& colour) {
+  add_curve(panel, x, y, fields::running_mean(y), colour);
+}
+
+void add_curve(Panel& panel, const Values& x, Values y, Values mean, const std::string& colour) {
   Series curve{.colour = colour, .x = x, .y = std::move(y), .line = Line::solid};
   if (x.size() > many_rows) {
     Series all = curve;
     all.weight = 0.45, all.opacity = 0.3, all.is_read = false;
     panel.series.push_back(std::move(all));
-    curve.y = fields::running_mean(curve.y, x.size() / 100);
+    curve.y = std::move(mean);
   }
   panel.series.push_back(std::move(curve));
 }

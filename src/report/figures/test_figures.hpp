@@ -29,7 +29,9 @@ struct CurveAxis {
 CurveAxis axis_of(const statistics::Column& column);
 
 /// A line; one of many rows, which fluctuates, is pale under its running mean.
-void add_curve(Panel& panel, const std::vector<double>& x, std::vector<double> y, const std::string& colour);
+void add_curve(Panel& panel, const std::vector<double>& x, const std::vector<double>& y, const std::string& colour);
+void add_curve(Panel& panel, const std::vector<double>& x, std::vector<double> y, std::vector<double> mean,
+               const std::string& colour);
 
 /// One curve of a test, or column of its history, against another, with the place of each state; "test" twice: the
 /// ratio of stresses against the strain. Throws InputError for a name that the stage has not.

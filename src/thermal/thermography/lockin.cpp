@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
@@ -235,6 +236,11 @@ void put(LockinMaps& maps, std::size_t p, const Harmonics& fitted, double noise,
   maps.noise_floor[p] = static_cast<float>(std::sqrt(std::numbers::pi / 2) * error);
 }
 
+std::vector<float> phase_after_load(const LockinMaps& maps) {
+  const auto after = [&](float phase) { return std::remainder(phase - maps.reference_phase, 2 * std::numbers::pi); };
+  return mapped<float>(maps.phase, after);
+}
+
 double reference_phase(const std::vector<double>& cosine, const std::vector<double>& sine) {
   std::vector<double> sizes;
   for (std::size_t p = 0; p < cosine.size(); ++p)
@@ -269,9 +275,8 @@ std::string Adiabatic::sentence() const {
 
 LockinMaps lock_in(FilmSource& film, const LockinOptions& options) {
   check(options);
-  std::vector<double> time = frame_times(film.info());
-  const int harmonics = possible_harmonics(time, options);
-  return locked_in(film, options, std::move(time), harmonics);
+  const std::vector<double> time = frame_times(film.info());
+  return locked_in(film, options, time, possible_harmonics(time, options));
 }
 
 LockinMaps nearest_bin_transform(FilmSource& film, const LockinOptions& options) {

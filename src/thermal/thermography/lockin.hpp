@@ -51,6 +51,9 @@ LockinMaps nearest_bin_transform(FilmSource& film, const LockinOptions& options)
 /// compression.
 double reference_phase(const std::vector<double>& cosine, const std::vector<double>& sine);
 
+/// Of every pixel relative to that of the load, rad in [-pi, pi].
+std::vector<float> phase_after_load(const LockinMaps& maps);
+
 /// Length over which heat diffuses within a cycle, sqrt(D/(pi f)), m; the signal is adiabatic where this is far below a
 /// pixel and a grain. `diffusivity` in m^2/s, `frequency` in Hz.
 inline double diffusion_length(double diffusivity, double frequency) {

@@ -1,14 +1,9 @@
-const degrees = 180 / Math.PI;
-
-/** Into (-180, 180]. */
-export const wrapped = (angle) => angle - 360 * Math.ceil(angle / 360 - 0.5);
-
 const convention = (film) => (film.about.film.convention === "peak_to_peak" ? "peak to peak" : "half of peak to peak");
 
 /** What may be painted on the pixels of a film. A member gives: label; `stored` (a map of the document); `title(film)`;
     `unit` where it is not the stored map's; `palette` (a name in the theme); `around` (what the scale is centred on, of
-    field/scale.js); `of(value, film)` where what is shown is not what is stored; `cyclic` where colours come back, and
-    are pale where the amplitude is lost in noise. A new one is one more row. */
+    field/scale.js); `cyclic` where colours come back, and are pale where the amplitude is lost in noise. A new one is
+    one more row. */
 export const maps = {
   picture: {
     label: "Picture",
@@ -32,7 +27,6 @@ export const maps = {
     palette: "cyclic",
     around: "ends",
     cyclic: true,
-    of: (phase, film) => wrapped((phase - film.about.film.reference_phase) * degrees),
   },
   in_phase: {
     label: "Signed",

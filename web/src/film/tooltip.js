@@ -1,6 +1,6 @@
 import { materialColour } from "../theme.js";
 import { prefixOf, text } from "../text.js";
-import { maps, wrapped } from "./maps.js";
+import { maps } from "./maps.js";
 
 /** A value and its standard error in the unit that suits the larger one: "3.60 ± 0.17 kN". */
 export function quantityWithError(value, error, unit) {
@@ -24,7 +24,7 @@ export function pixelNumbers(film, pixel, grain, theme) {
           label.toLowerCase(),
           Number.isFinite(value) ? `${value.toFixed(unit === "K" ? 3 : 0)}\u202f${unit}` : "\u2013",
         ];
-      return [label.toLowerCase(), cyclic ? `${text.number(wrapped(value), 3)}\u00b0` : text.quantity(value, unit)];
+      return [label.toLowerCase(), cyclic ? `${text.number(value, 3)}\u00b0` : text.quantity(value, unit)];
     });
   if (film.bad.includes(pixel)) rows.push(["replaced", "bad pixel"]);
   const place = `column ${column}, row ${row}`;

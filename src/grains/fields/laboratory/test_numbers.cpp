@@ -16,12 +16,13 @@ using Values = std::vector<double>;
 
 /// The largest ratio of stresses on the way to the critical state.
 Numbers peak_numbers(const TestCurves& curves) {
-  const Values ratio = running_mean(curves.ratio, curves.ratio.size() / 100);
+  const Values ratio = running_ratio(curves);
   const auto known = [](double v) { return std::isfinite(v) ? v : -HUGE_VAL; };
   const auto peak = std::ranges::max_element(ratio, {}, known);
   if (!std::isfinite(*peak)) return {};
   return {
-      {curves.ratio_name(), described(*peak, "", "Largest ratio of stresses, of means over a hundredth of the test")},
+      {curves.ratio_name(),
+       described(*peak, "", "Largest ratio of stresses, each the mean over a hundredth of the test")},
       {"strain", described(curves.strain[static_cast<std::size_t>(peak - ratio.begin())], "", "Strain there")},
       {"volumetric_strain", described(curves.volume.back(), "", "Volumetric strain in the end, compaction positive")}};
 }

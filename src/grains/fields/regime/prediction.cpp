@@ -183,9 +183,7 @@ StagePrediction predict_stage(const dem::Engine& engine, const dem::ContactParam
   const double drag = steady_drag + stage.drag + stage.critical_drag * critical;
   const auto increments = static_cast<double>(dem::increment_count(stage));
   const bool without_friction = stage.friction.value_or(contact.friction) < 0.05;
-  const bool all_round = std::all_of(stage.side.begin(), stage.side.end(), [](const auto& side) {
-    return side.kind == Kind::force || side.kind == Kind::pressure;
-  });
+  const bool all_round = std::ranges::all_of(stage.side, &dem::SideDrive::presses);
   const double settling = settling_time(4 * std::numbers::pi / critical, drag, stage.equilibrium.unbalanced, all_round);
   const double closing = closing_time(stage, pressures, without_friction, bulk);
   p.duration = closing + increments * settling;

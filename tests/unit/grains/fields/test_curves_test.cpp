@@ -244,5 +244,19 @@ TEST(TestCurves, NoCriticalStateWhereTheRatioDriftsOrTheStrainTurns) {
   EXPECT_FALSE(critical_state(*test_curves({back.stage})));
 }
 
+TEST(TestCurves, RunningRatioIsThatOfTheMeans) {
+  TestCurves curves;
+  for (std::size_t k = 0; k < 1000; ++k) {
+    curves.shear.push_back(-1);
+    curves.normal.push_back(k % 2 == 0 ? 1 : 3);
+    curves.ratio.push_back(k < 5 ? std::nan("") : 1 / curves.normal.back());
+  }
+  const std::vector<double> found = running_ratio(curves);
+  EXPECT_TRUE(std::isnan(found[4]));
+  EXPECT_NEAR(found[500], 11.0 / 23, 1e-12);  // of eleven rows, of which five have 1: not the mean ratio, 7/11
+  curves.normal.clear();
+  EXPECT_NEAR(running_ratio(curves)[500], 7.0 / 11, 1e-12);
+}
+
 }  // namespace
 }  // namespace arenite::fields

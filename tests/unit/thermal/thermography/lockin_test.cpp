@@ -145,6 +145,16 @@ TEST(LockIn, HarmonicsAboveTheNyquistFrequencyAreLeftOut) {
   EXPECT_NEAR(maps.amplitude[3], film.amplitude_of(3), 1e-5);
 }
 
+TEST(LockIn, PhaseAfterTheLoadIsWithinHalfATurn) {
+  constexpr double pi = std::numbers::pi;
+  LockinMaps maps;
+  maps.reference_phase = 0.5;
+  maps.phase = {1.0F, 0.5F, static_cast<float>(0.5 - 0.99 * pi), static_cast<float>(3.0 * pi), -3.0F};
+  const double wanted[] = {0.5, 0, -0.99 * pi, pi - 0.5, 2 * pi - 3.5};
+  const std::vector<float> found = phase_after_load(maps);
+  for (std::size_t k = 0; k < found.size(); ++k) EXPECT_NEAR(static_cast<double>(found[k]), wanted[k], 1e-6);
+}
+
 TEST(LockIn, OneCycleIsEnough) {
   OscillatingFilm film;
   film.frames = 50;  // 1.01 cycles
