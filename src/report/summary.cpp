@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "grains/dem/run_stage.hpp"
@@ -68,16 +69,27 @@ Numbers boundaries(const Domain& domain) {
   return j;
 }
 
-Numbers state(const Snapshot& snapshot) {
+/// Without the terms that are added up on the way where nobody asked for that; broken bonds always are.
+Numbers energies_of(const Energies& e) {
+  const bool tracked = std::ranges::any_of(
+      std::array{e.dissipated_normal, e.dissipated_friction, e.dissipated_drag, e.work_walls, e.work_gravity},
+      [](double v) { return v != 0; });
   Numbers energies = Numbers::tree();
-  for (const EnergyTerm& term : energy_terms)
-    energies[term.name] = described(snapshot.energies.*term.value, "J", term.phrase);
+  for (const EnergyTerm& term : energy_terms) {
+    const bool stored = term.value == &Energies::kinetic || term.value == &Energies::elastic ||
+                        term.value == &Energies::adhesive || term.value == &Energies::dissipated_breakage;
+    if (tracked || stored) energies[term.name] = described(e.*term.value, "J", term.phrase);
+  }
+  return energies;
+}
+
+Numbers state(const Snapshot& snapshot) {
   Numbers j{{"label", snapshot.label},
             {"time_s", described(snapshot.time, "s", "Time since the run began")},
             {"step", described(snapshot.step, "", "Steps since the run began")},
             {"walls", walls(snapshot.packing.domain)},
             {"equilibrium", equilibrium(snapshot.equilibrium)},
-            {"energies_J", energies}};
+            {"energies_J", energies_of(snapshot.energies)}};
   if (!snapshot.packing.domain.boundaries.empty()) j["boundaries"] = boundaries(snapshot.packing.domain);
   return j;
 }
@@ -152,14 +164,17 @@ std::string doubts_of(const StageResult& stage) {
 
 /// The numbers that one asks for first, of grains, of what flows and of nodes, as rows of a table.
 std::string headlines(const Numbers& numbers) {
-  return rows_of(numbers,
-                 "contacts wall_contacts solid_fraction coordination.all coordination.without_rattlers "
-                 "coordination.all,* coordination.rattlers coordination.Z fabric.a_c fabric.a_c_noise long_axes.order "
-                 "long_axes.noise force.mean_N force.strong_share force.beta stress_details.pressure_Pa "
-                 "stress_details.deviator_Pa critical_state peak uniaxial oedometer cycles discharge surface floor "
-                 "cohesion map.lengths grains.all "
-                 "phases.void phases.matrix S_m pores.count pores.mean voids.count modulus_Pa poisson apparent_moduli "
-                 "strength_Pa failure.strain_at_strength stress.sigma_yy.sets.*.mean_over_sample_mean");
+  const std::string filled = numbers.contains("surface") ? "surface.solid_fraction " : "solid_fraction ";
+  return rows_of(
+      numbers,
+      "contacts wall_contacts " + filled +
+          "coordination.all coordination.without_rattlers "
+          "coordination.all,* coordination.rattlers coordination.Z fabric.a_c fabric.a_c_noise long_axes.order "
+          "long_axes.noise force.mean_N force.strong_share force.beta stress_details.pressure_Pa "
+          "stress_details.deviator_Pa critical_state peak uniaxial oedometer cycles discharge surface floor "
+          "cohesion map.lengths grains.all "
+          "phases.void phases.matrix S_m pores.count pores.mean voids.count modulus_Pa poisson apparent_moduli "
+          "strength_Pa failure.strain_at_strength stress.sigma_yy.sets.*.mean_over_sample_mean");
 }
 
 }  // namespace

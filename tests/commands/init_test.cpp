@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
         Template{
             "drum",
             "--set populations.acrylic.count=60 --set variables.D='\"70 mm\"' --set stages.turn.duration='\"0.5 s\"'",
-            "surface.angle_deg"},
+            "surface.top_m"},
         Template{"rock",
                  "--set populations.granite.count=100 --set container.width='\"13 mm\"' --set "
                  "stages.press.duration='\"0.4 ms\"'",

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "grains/fields/loading.hpp"
@@ -15,10 +16,21 @@ double change_of(const History& history, const char* name) {
   return values && !values->empty() ? values->back() - values->front() : 0;
 }
 
+/// Whether dissipation and work were added up on the way. That of broken bonds always is, and tells nothing of it.
+bool are_tracked(const History& history) {
+  return std::ranges::any_of(
+      std::array{"dissipated_normal", "dissipated_friction", "dissipated_drag", "work_walls", "work_gravity"},
+      [&](const char* name) {
+        const auto* values = history.find(name);
+        return values && std::ranges::any_of(*values, [](double v) { return v != 0; });
+      });
+}
+
 }  // namespace
 
 Numbers energy_numbers(const StageEnd& end) {
   const History& history = end.result.history;
+  if (!are_tracked(history)) return Numbers::tree();
   double stored = 0, spent = 0, work = 0, turned_over = 0;
   for (const char* name : {"kinetic", "elastic", "adhesive"}) stored += change_of(history, name);
   for (const char* name : {"dissipated_normal", "dissipated_friction", "dissipated_drag", "dissipated_breakage"})
@@ -27,7 +39,6 @@ Numbers energy_numbers(const StageEnd& end) {
     work += change_of(history, name);
     turned_over += std::abs(change_of(history, name));
   }
-  if (spent == 0 && work == 0) return Numbers::tree();  // not tracked
   turned_over = std::max({turned_over, std::abs(stored), std::abs(spent)});
   const double open = std::abs(stored + spent - work) / turned_over;
   return {
@@ -42,6 +53,7 @@ Numbers energy_numbers(const StageEnd& end) {
 statistics::Columns energies_of(const History& rows) {
   using Values = std::vector<double>;
   statistics::Columns found;
+  if (!are_tracked(rows)) return found;
   const auto sum = [&](std::initializer_list<const char*> names) {
     Values total;
     for (const char* name : names)
@@ -53,10 +65,6 @@ statistics::Columns energies_of(const History& rows) {
   };
   Values spent = sum({"dissipated_normal", "dissipated_friction", "dissipated_drag", "dissipated_breakage"}),
          work = sum({"work_walls", "work_gravity"});
-  const auto is_known = [](const Values& values) {
-    return std::ranges::any_of(values, [](double v) { return v != 0; });
-  };
-  if (!is_known(spent) && !is_known(work)) return found;
   const std::size_t rows_there = std::max(spent.size(), work.size());
   for (Values* values : {&spent, &work}) {
     values->resize(rows_there, 0.0);

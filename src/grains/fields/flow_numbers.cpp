@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/union_area.hpp"
 #include "grains/fields/discharge.hpp"
 #include "grains/fields/free_surface.hpp"
 #include "grains/fields/silo.hpp"
@@ -59,6 +60,29 @@ void put_mean_angle(Numbers& j, const StageResult& result, Vec2 gravity) {
   j["states_in_mean"] = described(angles.size(), "", "Number of states averaged");
 }
 
+/// Solid fraction of a layer between the walls, two mean diameters off its floor and its surface, with its error by
+/// strips; nothing where so much is not there, or boundaries stand in it.
+void put_filling(Numbers& j, const Packing& packing, Vec2 gravity, const FreeSurface& surface) {
+  constexpr std::size_t strips = 8;
+  const double away = 2 * surface.diameter;
+  if (!packing.domain.boundaries.empty() || gravity.x != 0 || gravity.y > 0 || surface.height.size() < strips) return;
+  const double low = surface.bottom + away, high = std::ranges::min(surface.height) - away,
+               width = (surface.right - surface.left) / strips;
+  if (!(high - low >= 5 * surface.diameter)) return;
+  std::vector<double> fraction;
+  for (std::size_t k = 0; k < strips; ++k) {
+    const double left = surface.left + static_cast<double>(k) * width;
+    const geometry::Rectangle window{left, left + width, low, high};
+    double covered = 0;
+    for (std::size_t g = 0; g < packing.grains.size(); ++g)
+      covered += geometry::disk_window_area(packing.grains.position[g], packing.grains.radius[g], window);
+    fraction.push_back(covered / window.area());
+  }
+  const statistics::Measured mean = statistics::mean_of(fraction);
+  j["solid_fraction"] = estimate(mean.value, mean.error, "",
+                                 "Solid fraction between the walls, two mean diameters off floor and surface");
+}
+
 /// Way of the farther front, and beside the column that was there before. A front of grains is known to half a grain.
 void put_runout(Numbers& j, const FreeSurface& now, const FreeSurface& then) {
   const double width = then.right - then.left, way = std::max(now.right - then.right, then.left - now.left);
@@ -102,6 +126,7 @@ Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, cons
   put_angle("angle_deg", now.angle, "Angle of the whole free surface, counter-clockwise");
   put_angle("left_angle_deg", now.left_flank.angle, "Angle of the left flank");
   put_angle("right_angle_deg", now.right_flank.angle, "Angle of the right flank");
+  put_filling(j, result.snapshots.back().packing, gravity, now);
   if (stage.duration && result.snapshots.size() >= 12) put_mean_angle(j, result, gravity);
   if (before) {
     const FreeSurface then = find_free_surface(*before, gravity);

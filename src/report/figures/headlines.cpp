@@ -49,6 +49,7 @@ std::vector<Headline> headlines_of(fields::TestKind kind) {
               {"run-out over width", "", "surface.runout_over_width"},
               {"aspect ratio before", "a", "surface.aspect_ratio_before"},
               {"angle of repose", "\u03b8", "surface.angle_deg"}};
+    case deposit: return {{"solid fraction", "\u03c6", "surface.solid_fraction"}, {"height", "h", "surface.top_m"}};
     case drum:
       return {{"mean angle", "\u03b8", "surface.mean_angle_deg"}, {"angle in the end", "\u03b8", "surface.angle_deg"}};
   }

@@ -104,7 +104,7 @@ export function packingHeadlines(sample, state) {
   const box = h("div");
   const refresh = () => {
     const numbers = numbersOf(sample, state),
-      isFree = ["discharge", "collapse", "drum"].includes(stageOf(sample, state).test), // its box is not full
+      isFree = ["discharge", "collapse", "deposit", "drum"].includes(stageOf(sample, state).test), // its box is not full
       ofTest = tilesOf(numbers, stageOf(sample, state).headlines).filter(({ known }) => known);
     box.replaceChildren(
       headlines(

@@ -54,8 +54,10 @@ bool is_oedometric(const Test& test, const TestCurves& curves) {
     if (!(std::abs(curves.volume[k] - curves.strain[k]) <= 1e-9)) return false;
   const auto loading = loading_of(test);
   if (!loading || !loading->curves.has("sigma_xx") || !loading->curves.has("sigma_yy")) return false;
+  if (test.stage.asked.in_motion) return true;
+  if (test.before) return test.before->contacts.size() > 0;
   const Values& along = stress_along(*loading);
-  return test.stage.asked.in_motion || along.front() > pressed * std::ranges::max(along);
+  return along.front() > pressed * std::ranges::max(along);
 }
 
 std::optional<OedometerTest> oedometer_test(const Test& test, const TestCurves& curves) {

@@ -44,7 +44,8 @@ TestKind kind_of(const Test& test) {
   if (is_cyclic(test.stage)) return TestKind::cycles;
   if (numbers.at_path("/surface") && has_drum(test.stage)) return TestKind::drum;
   if (numbers.at_path("/surface/runout_m")) return TestKind::collapse;
-  return kind_by_sides(test);
+  const TestKind kind = kind_by_sides(test);
+  return kind == TestKind::none && numbers.at_path("/surface/solid_fraction") ? TestKind::deposit : kind;
 }
 
 const char* name_of(TestKind kind) {
@@ -57,6 +58,7 @@ const char* name_of(TestKind kind) {
     case TestKind::cycles: return "cycles";
     case TestKind::discharge: return "discharge";
     case TestKind::collapse: return "collapse";
+    case TestKind::deposit: return "deposit";
     case TestKind::drum: return "drum";
   }
   return "";

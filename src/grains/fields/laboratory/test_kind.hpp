@@ -13,6 +13,7 @@ enum class TestKind {
   cycles,     ///< loaded or strained to and fro
   discharge,  ///< what passes is counted, as below a silo
   collapse,   ///< spreads under its weight
+  deposit,    ///< came to rest under its weight, with a free surface
   drum        ///< turned with its boundary, so that its surface keeps a slope
 };
 TestKind kind_of(const Test& test);

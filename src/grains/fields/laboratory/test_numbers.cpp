@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "grains/fields/laboratory/axial_tests.hpp"
@@ -14,12 +15,17 @@ namespace {
 using statistics::described;
 using Values = std::vector<double>;
 
-/// The largest ratio of stresses on the way to the critical state.
-Numbers peak_numbers(const TestCurves& curves) {
-  const Values ratio = running_ratio(curves);
+/// The largest ratio of stresses on the way to the critical state, where it is above that.
+Numbers peak_numbers(const TestCurves& curves, const std::optional<CriticalState>& state) {
+  Values ratio = running_ratio(curves);
+  if (state) {
+    const auto begins = std::ranges::find_if(curves.strain, [&](double v) { return v >= state->from; });
+    ratio.resize(static_cast<std::size_t>(begins - curves.strain.begin()));
+  }
+  if (ratio.empty()) return {};
   const auto known = [](double v) { return std::isfinite(v) ? v : -HUGE_VAL; };
   const auto peak = std::ranges::max_element(ratio, {}, known);
-  if (!std::isfinite(*peak)) return {};
+  if (!std::isfinite(*peak) || (state && !(*peak > state->ratio.value))) return {};
   return {
       {curves.ratio_name(),
        described(*peak, "", "Largest ratio of stresses, each the mean over a hundredth of the test")},
@@ -98,8 +104,9 @@ Numbers test_numbers(const Test& test) {
   if (kind == TestKind::cycles) put("cycles", cycle_numbers(test));
   const auto curves = test_curves(test);
   if (!curves) return j;
-  if (const auto state = critical_state(*curves)) put("critical_state", numbers_of(*curves, *state));
-  if (kind == TestKind::biaxial || kind == TestKind::shear) put("peak", peak_numbers(*curves));
+  const auto state = critical_state(*curves);
+  if (state) put("critical_state", numbers_of(*curves, *state));
+  if (kind == TestKind::biaxial || kind == TestKind::shear) put("peak", peak_numbers(*curves, state));
   if (const auto uniaxial = uniaxial_test(*curves)) put("uniaxial", uniaxial_numbers(test.stage, *uniaxial));
   if (kind == TestKind::oedometer)
     if (const auto oedometer = oedometer_test(test, *curves)) put("oedometer", oedometer_numbers(*oedometer));

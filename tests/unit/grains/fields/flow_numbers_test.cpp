@@ -54,6 +54,25 @@ TEST(FlowNumbers, TellDischargeAngleAndRunOut) {
   EXPECT_NEAR(surface["aspect_ratio_before"].get<double>(), 2, 0.01);
 }
 
+TEST(FlowNumbers, OfALayerTellItsSolidFractionAwayFromFloorAndSurface) {
+  StageResult layer = result();
+  Packing& p = layer.snapshots.back().packing = {};
+  p.materials = {{"glass", 2500, 1e6, 0}};
+  for (int c = 0; c < 16; ++c)
+    for (int r = 0; r < 20; ++r) {
+      p.grains.resize(p.grains.size() + 1);
+      p.grains.position.back() = {0.01 * (c + 0.5), 0.01 * (r + 0.5)};
+      p.grains.radius.back() = 0.005;
+    }
+  p.domain.wall[right].position = 0.16, p.domain.wall[top].position = 1;  // the box is empty above
+  dem::Stage stage;
+  stage.gravity = true;
+  const Numbers fraction = flow_numbers({layer, stage, nullptr, {}})["surface"]["solid_fraction"];
+  EXPECT_NEAR(fraction["value"].get<double>(), std::numbers::pi / 4, 1e-9);  // of a square lattice
+  EXPECT_NEAR(fraction["error"].get<double>(), 0, 1e-9);
+  EXPECT_FALSE(flow_numbers({result(), stage, nullptr, {}})["surface"].contains("solid_fraction"));  // a ramp
+}
+
 TEST(FlowNumbers, TellTheFloorOfASilo) {
   StageResult silo = result();
   silo.history.columns.resize(1);

@@ -101,5 +101,15 @@ TEST(EnergyNumbers, TellWhatTheBalanceLeavesOpenAndDoubtItBeyondOnePerCent) {
   EXPECT_TRUE(energy_numbers({loaded({1, 1, 1}), dem::Stage{}, nullptr, {}}).empty());
 }
 
+TEST(EnergyNumbers, AreNoneWhereOnlyBrokenBondsAreCounted) {
+  StageResult result = loaded({1, 1, 1});
+  result.history.columns.push_back({"elastic", "J", {0, 0.8, 0.1}});
+  for (const char* name : {"dissipated_normal", "dissipated_friction", "dissipated_drag", "work_walls", "work_gravity"})
+    result.history.columns.push_back({name, "J", {0, 0, 0}});
+  result.history.columns.push_back({"dissipated_breakage", "J", {0, 0.1, 0.5}});
+  EXPECT_TRUE(energy_numbers({result, dem::Stage{}, nullptr, {}}).empty());
+  EXPECT_TRUE(energies_of(result.history).list.empty());
+}
+
 }  // namespace
 }  // namespace arenite::fields

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/random.hpp"
 #include "grains/fields/laboratory/axial_tests.hpp"
 #include "grains/fields/laboratory/test_kind.hpp"
 
@@ -68,6 +69,35 @@ TEST(TestNumbers, OfARockThatStillHoldsSayThatItHasNotFailed) {
   StageResult stage = rock();
   for (auto& c : stage.history.columns) c.values.resize(210);
   EXPECT_FALSE(test_numbers({stage})["uniaxial"]["failed"].get<bool>());
+}
+
+/// Sheared along its top: friction rises to 0.5, falls to 0.3 within a third of the test, and scatters about that by
+/// 0.02.
+StageResult dense(std::size_t rows = 3000) {
+  StageResult stage = box(rows);
+  for (const char* name : {"shear_strain", "bottom_shear_force", "top_shear_force"})
+    stage.history.columns.push_back({name, "", std::vector<double>(rows, 0.0)});
+  RandomStream random(5, Purpose::order);
+  for (std::size_t k = 0; k < rows; ++k) {
+    const double strain = 4 * static_cast<double>(k) / static_cast<double>(rows);
+    const double mu = 0.3 * (1 - std::exp(-40 * strain)) + 0.3 * std::min(1.0, 10 * strain) * std::exp(-4 * strain) +
+                      0.02 * random.normal();
+    column(stage, "time")[k] = static_cast<double>(k);
+    column(stage, "right_position")[k] = 0.1;
+    column(stage, "top_position")[k] = 0.1 * (1 + 1e-3 * random.normal());
+    column(stage, "shear_strain")[k] = strain;
+    column(stage, "bottom_force")[k] = column(stage, "top_force")[k] = 100;
+    column(stage, "bottom_shear_force")[k] = 100 * mu;
+    column(stage, "top_shear_force")[k] = -100 * mu;
+  }
+  return stage;
+}
+
+TEST(TestNumbers, OfADenseSampleHaveAPeakBeforeTheCriticalState) {
+  const Numbers found = test_numbers({dense()});
+  ASSERT_TRUE(found.contains("critical_state") && found.contains("peak"));
+  EXPECT_LT(found["peak"]["strain"].get<double>(), found["critical_state"]["from"].get<double>());
+  EXPECT_NEAR(found["peak"]["mu"].get<double>(), 0.3 + 0.3 * std::exp(-0.4), 0.03);
 }
 
 /// A box whose lid comes down: stress over strain is 20 MPa, across it 0.4 of that.
