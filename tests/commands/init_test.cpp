@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(
         Template{"biaxial", "--set packing.grains=80 --set variables.W='\"30 mm\"' --set variables.rate='\"400 mm/s\"'",
                  "peak.q_over_p"},
         Template{"shear", "--set populations.glass.count=80 --set container.width='\"9*d\"' --set variables.I=0.1",
-                 "peak.mu"},
+                 "loads.top.asked_Pa"},
         Template{"silo", "--set populations.acrylic.count=250 --set stages.discharge.duration='\"0.3 s\"'",
                  "discharge.rate_kg_s"},
         Template{"collapse",

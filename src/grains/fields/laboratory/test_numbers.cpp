@@ -15,17 +15,19 @@ namespace {
 using statistics::described;
 using Values = std::vector<double>;
 
-/// The largest ratio of stresses on the way to the critical state, where it is above that.
+/// The largest ratio of stresses on the way to the critical state, where it is above all that this may be. Rows at the
+/// ends, whose means are of few, do not count.
 Numbers peak_numbers(const TestCurves& curves, const std::optional<CriticalState>& state) {
-  Values ratio = running_ratio(curves);
-  if (state) {
-    const auto begins = std::ranges::find_if(curves.strain, [&](double v) { return v >= state->from; });
-    ratio.resize(static_cast<std::size_t>(begins - curves.strain.begin()));
-  }
-  if (ratio.empty()) return {};
+  const Values ratio = running_ratio(curves);
+  const auto edge = static_cast<std::ptrdiff_t>(ratio.size() / 200);
+  const auto critical =
+      state ? std::ranges::find_if(curves.strain, [&](double v) { return v >= state->from; }) - curves.strain.begin()
+            : std::ssize(ratio);
+  const auto first = ratio.begin() + edge, last = ratio.begin() + std::min(critical, std::ssize(ratio) - edge);
+  if (first >= last) return {};
   const auto known = [](double v) { return std::isfinite(v) ? v : -HUGE_VAL; };
-  const auto peak = std::ranges::max_element(ratio, {}, known);
-  if (!std::isfinite(*peak) || (state && !(*peak > state->ratio.value))) return {};
+  const auto peak = std::ranges::max_element(first, last, {}, known);
+  if (!std::isfinite(*peak) || (state && !(*peak > statistics::confidence_95(state->ratio).high))) return {};
   return {
       {curves.ratio_name(),
        described(*peak, "", "Largest ratio of stresses, each the mean over a hundredth of the test")},
