@@ -9,6 +9,8 @@ import { kindNames } from "./tooltip.js";
 
 export const legendHeight = 92;
 
+const narrow = 420; // px: a phone, on which the counts alone fit
+
 /** The strip below the picture: what the colours mean, how the values are spread over them, and a bar of known length.
     */
 export function legend(result, camera, theme, state, width, broken) {
@@ -18,7 +20,7 @@ export function legend(result, camera, theme, state, width, broken) {
   if (scale) group.append(scaleKey(result, scale, theme, room));
   else if (state.get("show") === "phases") group.append(phaseKey(result, theme, width - 130));
   else group.append(cavityKey(result, theme, state, room));
-  if (broken > 0) group.append(crackKey(result, theme, broken));
+  if (broken > 0) group.append(crackKey(result, theme, broken, width));
   else if (state.get("crosses") && result.loaded) group.append(crossKey(theme, width));
   group.append(scaleBar(camera, theme, width));
   return richSvg(group);
@@ -81,12 +83,12 @@ function cavityKey({ map }, theme, state, length) {
   return group;
 }
 
-function crackKey(result, theme, broken) {
+function crackKey(result, theme, broken, width) {
   const counts = byType(result, broken),
     group = s("g", { transform: "translate(0 70)" });
   const entries = [1, 2, 3].map((type) => ({ type, name: `${crackTypes[type]} ${text.count(counts[type])}` }));
   group.append(
-    flow([{ type: 0, name: "broken bonds:" }, ...entries], 1e9, ({ type }, x, y) =>
+    flow([...(width < narrow ? [] : [{ type: 0, name: "broken bonds:" }]), ...entries], 1e9, ({ type }, x, y) =>
       type ? s("circle", { cx: x + 9, cy: y, r: 4, fill: theme.crack[type] }) : s("g"),
     ),
   );

@@ -8,6 +8,7 @@ import { barWidth, magnification, stressTop } from "./overlay.js";
 import { scaleOf } from "./paint.js";
 
 export const legendHeight = 92;
+const narrow = 260; // px, of the colours' bar
 
 /** The strip below the film: what the colours mean, what the lines mean, and a bar of known length. */
 export function legend(film, camera, theme, state, width) {
@@ -26,8 +27,9 @@ export function legend(film, camera, theme, state, width) {
 function mapKey(film, state, theme, length) {
   const name = state.get("map"),
     { title, palette, cyclic, marks } = maps[name];
+  const words = title(film);
   const key = colourBar({
-    title: title(film),
+    title: length < narrow ? words.replace(/ \(.*\)/, "") : words, // beside it there is the bar of known length
     unit: film.unitOf(name),
     scale: scaleOf(film, state),
     palette: theme[palette],
