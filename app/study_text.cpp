@@ -2,17 +2,20 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <set>
 
+#include "campaign/key_words.hpp"
+#include "core/text.hpp"
 #include "io/disk/store_file.hpp"
 #include "progress.hpp"
-#include "report/default_figures.hpp"
 #include "report/page.hpp"
 #include "report/run_drawing.hpp"
+#include "report/study/default_figures.hpp"
 #include "report/study_page.hpp"
 #include "report/summary.hpp"
 #include "study_parts.hpp"
@@ -136,9 +139,23 @@ namespace {
 
 constexpr std::size_t most_pages = 24;  // of runs, each some megabytes
 
+/// "Silo: D = 30 mm", by what varies.
+std::string title_of_run(const campaign::Study& study, const std::string& run) {
+  const auto at = std::ranges::find(study.runs, run, &campaign::StudyRun::name);
+  if (at == study.runs.end() || at->values.empty()) return run;
+  std::vector<std::string> said;
+  for (const auto& [key, value] : at->values) {
+    const recipe::Node node = recipe::parse_value(value);
+    said.push_back(fmt::format("{} = {}", campaign::words_of_key(study.tree, key),
+                               node.kind == recipe::Node::Kind::text ? node.text : value));
+  }
+  return (study.title.empty() ? "" : study.title + ": ") + list_of(said);
+}
+
 /// The page of a run, made where it is not there; relative to the study's page. Of many runs the folder, which a
 /// browser lists.
-std::string link_to_run(const campaign::StudyFolder& folder, const std::string& run, bool with_page) {
+std::string link_to_run(const campaign::StudyFolder& folder, const campaign::Study& study, const std::string& run,
+                        bool with_page) {
   const std::filesystem::path of_run = folder.run(run), page = of_run / "report.html";
   const auto from_study = [&](const std::filesystem::path& path) {
     return path.lexically_relative(folder.out).generic_string();
@@ -152,7 +169,7 @@ std::string link_to_run(const campaign::StudyFolder& folder, const std::string& 
   };
   if (!with_page || !is_settled()) return from_study(of_run) + "/";
   try {
-    report::write_page(page, io::stage_files(of_run), run);
+    report::write_page(page, io::stage_files(of_run), title_of_run(study, run));
   } catch (const InputError&) { return from_study(of_run) + "/"; }  // nothing that a page shows
   return from_study(page);
 }
@@ -163,7 +180,11 @@ std::filesystem::path write_study_figures(const campaign::Study& study, const ca
   report::RunNumbers numbers;
   auto table = campaign::collect(study, folder);
   auto figures = read_study_figures(study);
-  if (figures.empty()) figures = report::default_figures(table);
+  report::StudyTests tests;
+  if (figures.empty()) {
+    tests = report::tests_of_study(folder.out, table);
+    figures = report::default_figures(table, tests.headlines());
+  }
   const bool few = table.rows.size() <= most_pages;
   report::StudyPage page{study.title,
                          std::move(figures),
@@ -174,7 +195,8 @@ std::filesystem::path write_study_figures(const campaign::Study& study, const ca
                          [&](const std::string& run, const report::Figure& figure) {
                            return report::run_drawing(folder.run(run), figure);
                          },
-                         [&](const std::string& run) { return link_to_run(folder, run, few); }};
+                         [&](const std::string& run) { return link_to_run(folder, study, run, few); },
+                         std::move(tests)};
   const std::filesystem::path file = folder.out / "study.html";
   report::write_study_page(file, page);
   return file;

@@ -1,7 +1,8 @@
 """Two results side by side: `rows(a, b)`, `save_page(a, b, "compare.html")`, or `python3 -m arenite.compare A B`.
 
-Every number of both, with its standard error if the result has one. A difference is significant beyond two of its
-standard errors; differences of numbers without errors are listed but not judged.
+What one asks of a test first (peak and critical state, strength, rate of discharge), then every number of both, with
+its standard error if the result has one. A difference is significant beyond two of its standard errors; differences of
+numbers without errors are listed but not judged. The numbers are the library's.
 """
 
 import csv
@@ -11,6 +12,7 @@ import os
 import pathlib
 import re
 
+from . import _core
 from ._core import open as open_result
 from ._said import carry_out, said, tell
 from ._written import written_whole
@@ -22,7 +24,7 @@ sure = 2  # standard errors of the difference
 @dataclasses.dataclass
 class Row:
     """A number of both results: `part` is the stage, sample, load or film, `name` its path with dots; NaN where one has
-    none."""
+    none. `words` of what one asks of a test first."""
 
     part: str
     name: str
@@ -30,6 +32,7 @@ class Row:
     a_error: float
     b: float
     b_error: float
+    words: str = ""
 
     @property
     def difference(self):
@@ -64,13 +67,35 @@ def turn_of(name):
 
 
 def parts_of(result):
-    """[(kind, name, numbers, part)]: texture of every stage, numbers of every sample, load and film."""
-    found = [("stage", part.name, part.texture, part) for part in result.stages if len(part.texture) > 0]
+    """[(kind, name, numbers, part, stages of the result)]: every stage, sample, load and film with its numbers."""
+    stages = list(result.stages)
+    found = [
+        ("stage", part.name, {**part.texture, **test_of(part, stages[:k])["numbers"]}, part, stages)
+        for k, part in enumerate(stages)
+        if len(part.texture) > 0
+    ]
     return found + [
-        (kind, part.name, part.numbers, part)
+        (kind, part.name, part.numbers, part, stages)
         for kind, parts in (("field", result.fields), ("film", result.films))
         for part in parts
     ]
+
+
+def test_of(stage, earlier):
+    """What a stage says as a test, and which of it one asks first; nothing of other objects than stages of results."""
+    if not isinstance(stage, _core.Stage):
+        return {"numbers": {}, "headlines": []}
+    before = [part.snapshots[-1].packing for part in earlier if len(part.snapshots) > 0]
+    return _core._test_of_stage(stage, before[-1] if before else None)
+
+
+def headlines_of(part):
+    """{dotted name: words} of what one asks of a part first."""
+    stages = part[4]
+    if part[0] != "stage":
+        return {}
+    of_test = test_of(part[3], stages[: stages.index(part[3])])
+    return {name: " ".join(filter(None, [words, symbol])) for words, symbol, name in of_test["headlines"]}
 
 
 def pairs_of(a, b):
@@ -94,49 +119,34 @@ def listed(parts):
     return ", ".join(name for _, name, *_ in parts) or "nothing measured"
 
 
-def is_number(value):
-    return isinstance(value, (int, float)) and not isinstance(value, bool)
-
-
-def flattened(numbers, path=""):
-    """{"coordination.all": (value, error)} of a tree of numbers; NaN for an unknown error. Items of lists are counted
-    from 0; densities and other curves (groups of lists) are left to the figure."""
-    if is_number(numbers):
-        return {path: (float(numbers), math.nan)}
-    if isinstance(numbers, dict) and is_curve(numbers):
-        return {}
-    if isinstance(numbers, (list, tuple)):
-        numbers = dict(enumerate(numbers))
-    if not isinstance(numbers, dict):
-        return {}
-    if "value" in numbers:
-        values, errors = flattened(numbers["value"], path), flattened(numbers.get("error"), path)
-        return {name: (value, errors.get(name, (math.nan,))[0]) for name, (value, _) in values.items()}
-    found = {}
-    for name, value in numbers.items():
-        if name != "provenance":
-            found.update(flattened(value, f"{path}.{name}" if path else str(name)))
-    return found
-
-
-def is_curve(numbers):
-    lists = [
-        value
-        for value in numbers.values()
-        if isinstance(value, (list, tuple)) and all(is_number(v) or v is None for v in value)
-    ]
-    return len(lists) > 1 and "value" not in numbers
-
-
 def rows(a, b):
-    """[Row] of all numbers of two results (Results or paths), part after part. Raises ValueError if they have no part
-    in common."""
-    found = []
+    """[Row] of all numbers of two results (Results or paths), part after part, what one asks of a test first before the
+    rest. Numbers that only repeat one before them are left out, as those of the only material. Raises ValueError if
+    they have no part in common."""
+    found, unknown = [], (math.nan, math.nan)
     for name, one, other in pairs_of(opened(a), opened(b)):
-        left, right = flattened(one[2]), flattened(other[2])
-        unknown = (math.nan, math.nan)
-        found += [Row(name, key, *left.get(key, unknown), *right.get(key, unknown)) for key in {**left, **right}]
+        left, right = _core._flat_numbers(one[2]), _core._flat_numbers(other[2])
+        words = {**headlines_of(one), **headlines_of(other)}
+        names = [key for key in words if key in left or key in right]
+        names += [key for key in {**left, **right} if key not in words]
+        seen = set()
+        for key in names:
+            row = Row(name, key, *left.get(key, unknown), *right.get(key, unknown), words.get(key, ""))
+            if repeated(row) not in seen:
+                found.append(row)
+            seen.add(repeated(row))
     return found
+
+
+def repeated(row):
+    """Equal for numbers that say the same: whole ones only if their names end alike, because small counts are often
+    equal."""
+    values = (row.a, row.a_error, row.b, row.b_error)
+    if any(math.isnan(value) for value in (row.a, row.b)):
+        return row.name
+    is_whole = row.a == round(row.a) and row.b == round(row.b)
+    digits = tuple(f"{value:.10g}" for value in values)
+    return (row.name.rsplit(".", 1)[-1], *digits) if is_whole else digits
 
 
 def opened(result):
@@ -176,7 +186,7 @@ def text_table(found):
     shown += [
         (
             r.part,
-            r.name,
+            r.words or r.name,
             with_error(r.a, r.a_error),
             with_error(r.b, r.b_error),
             number(r.difference),
@@ -225,8 +235,9 @@ def save_table(found, path):
 
 
 def save_page(a, b, path, names=None):
-    """A self-contained page: the summary, the curves of both in one figure, and the table. `names` of the two results;
-    their paths if not given. Returns the path."""
+    """A self-contained page in the manner of the results' own: what one asks first, the figures with the curves of
+    both, the settings that differ and all numbers. `names` of the two results; their paths if not given. Returns the
+    path."""
     from ._compare_page import page
 
     one, other = opened(a), opened(b)
@@ -253,14 +264,12 @@ def main(a, b, out="compare.html", csv=None, all=False):
             save_table(found, csv)
     except ValueError as error:
         return said(str(error))
-    except ImportError as error:
-        return said(f"the page's curves need Matplotlib (Debian: apt-get install python3-matplotlib): {error}")
     except OSError as error:
         return said(
             f"{error.filename or out}: cannot be written ({error.strerror or error}); choose another file with --out "
             "or --csv"
         )
-    shown = found if all else [row for row in found if row.verdict == beyond]
+    shown = found if all else [row for row in found if row.words or row.verdict == beyond]
     if shown:
         tell(text_table(shown))
     tell(summary(found))

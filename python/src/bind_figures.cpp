@@ -5,12 +5,14 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "grains/fields/coarse_layers.hpp"
+#include "grains/fields/laboratory/test_numbers.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/texture/grain_quantities.hpp"
 #include "grains/texture/texture.hpp"
 #include "module.hpp"
 #include "report/field_document.hpp"
 #include "report/figures/figure_document.hpp"
+#include "report/figures/headlines.hpp"
 #include "report/figures/test_figures.hpp"
 #include "report/page_document.hpp"
 #include "thermal/inference/film_stresses.hpp"
@@ -212,6 +214,20 @@ void bind_figures(py::module_& m) {
       },
       py::arg("stage"), py::arg("before"), py::arg("x"), py::arg("y"),
       "A panel of one curve of a test, or column of its history, against another.");
+  m.def(
+      "_test_of_stage",
+      [](const StageResult& stage, const Packing* before) {
+        return drawn([&] {
+          const fields::Test test{stage, before};
+          const auto first = figures::headlines_of(fields::kind_of(test));
+          return Numbers{{"numbers", fields::test_numbers(test)},
+                         {"headlines", mapped(first, [](const figures::Headline& one) {
+                            return Numbers::list({one.words, one.symbol, one.name});
+                          })}};
+        });
+      },
+      py::arg("stage"), py::arg("before"),
+      "What a test says by its history, and what one asks of it first: [words, symbol, dotted name].");
   m.def(
       "_figure_of_runs",
       [](const std::string& id, const std::vector<const StageResult*>& stages,

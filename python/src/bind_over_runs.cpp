@@ -98,6 +98,7 @@ py::dict study_kind(const Path& study) {
   py::dict d;
   d["driven"] = driven;
   d["flow"] = found.flow.empty() ? py::object(py::none()) : py::object(py::str(found.flow));
+  d["figures"] = found.figures();
   return d;
 }
 
@@ -150,7 +151,8 @@ void bind_over_runs(py::module_& m) {
   bind_laws(m);
   m.def("study_kind", &study_kind, py::arg("study"),
         "What the runs of a study are by the last stage of their recipes: driven, the folders of runs that all strain "
-        "their sample at a rate; flow: \"beverloo\", \"runout\", \"janssen\", \"critical-state\" or None.");
+        "their sample at a rate; flow: \"beverloo\", \"runout\", \"janssen\", \"critical-state\" or "
+        "None; figures: ids of those over runs that suit them.");
   m.def(
       "settings", [](const std::string& recipe) { return recipe::settings_of(recipe); }, py::arg("recipe"),
       "[(key, value)] of a recipe in a result's provenance, as text; keys with dots, items of lists counted from 0. Of "

@@ -100,6 +100,22 @@ void bind_study(py::module_& m) {
       "Contents of the page of a study, from the numbers that `arenite study page` writes beside it: its title and its "
       "figures; empty if there are none.");
   m.def(
+      "_flat_numbers",
+      [](const py::dict& tree) {
+        const Numbers numbers = from_python(tree);
+        py::dict flat;
+        for (const auto& [name, estimate, meaning] : campaign::flat_numbers(numbers))
+          flat[py::str(name)] = py::make_tuple(estimate.value, estimate.error);
+        return flat;
+      },
+      py::arg("tree"),
+      "{dotted name: (value, error)} of the single numbers of a tree, NaN where there is none; of lists those of at "
+      "most "
+      "four.");
+  m.def(
+      "_page_of_figures", [](const py::dict& document) { return report::html_of(from_python(document)); },
+      py::arg("document"), "HTML of a page with these figures and tables, as report::html_of has it.");
+  m.def(
       "_run_study",
       [](const Path& recipe, const Path& out, std::size_t jobs, const Progress& progress) {
         if (jobs < 1) throw InputError("jobs is 0; give at least 1");

@@ -7,6 +7,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "campaign/key_words.hpp"
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "core/text.hpp"
@@ -128,7 +129,7 @@ Flat flat_numbers(const Numbers& numbers) {
 CollectedTable collect(const Study& study, const StudyFolder& folder) {
   CollectedTable table;
   std::unordered_map<std::string, std::size_t> column;
-  for (const auto& key : study.keys) table.keys.push_back({key, {}});
+  for (const auto& key : study.keys) table.keys.push_back({key, {}, words_of_key(study.tree, key)});
   for (const StudyRun& run : study.runs) {
     const RunResult result = result_of(folder, run);
     Row row;

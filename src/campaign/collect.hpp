@@ -31,8 +31,9 @@ struct CollectedTable {
     std::vector<Estimate> numbers;
   };
   struct Key {
-    std::string name, unit;
-  };  ///< unit empty where values have none, or several
+    std::string name, unit;  ///< unit empty where values have none, or several
+    std::string words = {};  ///< the name as one would say it (key_words.hpp); empty: as it is
+  };
   std::vector<Key> keys;
   std::vector<std::string> names;           ///< of the numbers
   std::map<std::string, Meaning> meanings;  ///< of those that a statistic declares

@@ -52,6 +52,13 @@ bool is_driven(const dem::Stage& stage) {
          std::ranges::any_of(stage.slide, [](double speed) { return speed != 0; });
 }
 
+std::vector<std::string> StudyKind::figures() const {
+  std::vector<std::string> ids;
+  if (!flow.empty()) ids.push_back(flow);
+  if (!driven.empty() && (flow.empty() || flow == "critical-state")) ids.emplace_back("rheology");
+  return ids;
+}
+
 StudyKind kind_of_study(const fs::path& study) {
   const auto runs = runs_of(study);
   std::vector<Recipe> recipes;

@@ -13,6 +13,9 @@ struct StudyKind {
   std::string
       flow;  ///< "beverloo": three runs or more that discharge; "runout": a side is opened; "janssen": the floor
              ///< sinks; "critical-state": a cell is sheared, under several frictions; empty: none of these
+
+  /// Ids of the figures over runs that suit them.
+  std::vector<std::string> figures() const;
 };
 
 /// Of a study's folder, or a file in it; of none where runs have no recipe that can be read.

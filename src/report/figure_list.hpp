@@ -11,6 +11,8 @@ struct FigureAxis {
   std::string label;
   bool logarithmic = false;
   std::optional<double> low, high;  ///< unless given, as far as the points reach
+  std::string unit = {};            ///< behind the label; of a label that is declared it is part of it
+  double factor = 1;                ///< of that unit, by which numbers are divided
 };
 
 /// What the text of the source says of a figure: a level, an abscissa or, with both, a point; or a line through the

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/mapped.hpp"
-#include "report/default_figures.hpp"
+#include "report/study/default_figures.hpp"
 
 namespace arenite::report {
 namespace {
@@ -41,6 +41,7 @@ figures::Axis axis_of(const FigureAxis& axis, const std::string& name, const Rea
   const double low = axis.logarithmic ? reach.low / part : reach.low - more,
                high = axis.logarithmic ? reach.high * part : reach.high + more;
   return {.label = axis.label.empty() ? label_of(table, name) : axis.label,
+          .unit = axis.unit,
           .logarithmic = axis.logarithmic,
           .low = axis.low.value_or(low),
           .high = axis.high.value_or(high)};
@@ -58,7 +59,8 @@ struct Shown {
 Shown shown_of(const Figure& figure, const FigureCurve& curve) {
   Shown shown{&curve, {}, {}, {}};
   for (std::size_t k = 0; k < curve.points.x.size(); ++k) {
-    const double at = curve.points.x[k], value = curve.points.y[k], error = curve.points.error[k];
+    const double at = curve.points.x[k] / figure.x_axis.factor, value = curve.points.y[k] / figure.y_axis.factor,
+                 error = curve.points.error[k] / figure.y_axis.factor;
     if (!can_show(figure.x_axis, at) || !within(figure.x_axis, at)) continue;
     const bool is_aside = is_density(figure) && !curve.fit && !within(figure.y_axis, value);
     if (can_show(figure.y_axis, value) && !is_aside) shown.add(at, value, std::isfinite(error) ? error : 0);

@@ -151,7 +151,7 @@ class MeanRows {
       if (!std::isfinite(at.value) || !std::isfinite(value.value)) continue;
       const std::size_t n = samples(*row, y);
       const double scale = figure.spread == Spread::deviation ? std::sqrt(static_cast<double>(n)) : 1;
-      points.push_back({at.value, value.value, n > 1 ? scale * value.error : statistics::unknown});
+      points.push_back({at.value, value.value, n > 1 ? scale * value.error : own_error(*row, y)});
       curve.fewest = curve.fewest == 0 ? n : std::min(curve.fewest, n);
       curve.most = std::max(curve.most, n);
     }
@@ -160,6 +160,15 @@ class MeanRows {
   }
 
  private:
+  /// Of one run what it says of itself.
+  double own_error(const Row& mean, const std::string& y) const {
+    const auto at = of_values_.find(mean.values);
+    if (at == of_values_.end()) return statistics::unknown;
+    const auto known =
+        std::ranges::find_if(at->second, [&](const Row* row) { return std::isfinite(value_of(runs_, *row, y).value); });
+    return known == at->second.end() ? statistics::unknown : value_of(runs_, **known, y).error;
+  }
+
   std::size_t samples(const Row& mean, const std::string& y) const {
     const auto at = of_values_.find(mean.values);
     if (at == of_values_.end()) return 0;

@@ -9,9 +9,9 @@
 #include "core/version.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
-#include "report/default_figures.hpp"
 #include "report/figures/figure_document.hpp"
 #include "report/page_template.hpp"
+#include "report/study/default_figures.hpp"
 #include "report/study_drawing.hpp"
 #include "report/study_figures.hpp"
 
@@ -104,8 +104,12 @@ Numbers document_of(const StudyPage& page) {
   about["made"] = fmt::format("Arenite {}.{}", version,
                               has_source ? " Dashed lines and crosses show statements and tables of the source." : "");
   about["notation"] = figures::notation;
-  about["table"] = runs_table(page.table, page.link);
+  about["table"] = runs_table(page.table, figures::headlines_of(page.tests.kind), page.link);
   about["figures"] = Numbers::list();
+  for (const auto& [head, drawing] : page.tests.laws) {
+    about["figures"].push_back(figures::numbers_of(head));
+    about["figures"].back()["drawing"] = figures::numbers_of(drawing, known_list);
+  }
   campaign::CollectedTable table = page.table;
   std::erase_if(table.rows, [](const auto& row) { return row.status != "done"; });
   for (const Figure& figure : page.figures) {
@@ -123,13 +127,6 @@ Numbers document_of(const StudyPage& page) {
   return about;
 }
 
-std::string html_of(const Numbers& document) {
-  std::string json = to_json(document, -1);
-  for (std::size_t at = 0; (at = json.find("</", at)) != std::string::npos; at += 3) json.replace(at, 2, "<\\/");
-  return filled(study_template(),
-                {{"__TITLE__", html_text(document["title"].get<std::string>())}, {"__FIGURES__", json}});
-}
-
 fs::path numbers_beside(fs::path page) { return page.replace_extension(".hdf5"); }
 
 }  // namespace
@@ -138,13 +135,25 @@ std::string spread_text(const Figure& figure, const std::vector<FigureCurve>& cu
   const Samples ours = samples_of(curves, false), film = samples_of(curves, true);
   const std::size_t most = std::max(ours.most, film.most);
   if (most == 0 || figure.kind == FigureKind::map) return "";
-  if (most == 1) return "One sample";
+  if (most == 1) {
+    const bool has_bars = std::ranges::any_of(curves, [](const FigureCurve& curve) {
+      return curve.most == 1 && std::ranges::any_of(curve.points.error, [](double e) { return e > 0; });
+    });
+    return has_bars ? "One sample; bars: the standard error that it tells of itself" : "One sample";
+  }
   std::string text = fmt::format("{}: {} over {}", marks_of(figure),
                                  figure.spread == Spread::deviation ? "standard deviation" : "standard error",
                                  number_of(ours.most > 0 ? ours : film));
   if (ours.most > 0 && film.most > 0 && (film.fewest != ours.fewest || film.most != ours.most))
     text += fmt::format("; of the film: {}", number_of(film));
   return text;
+}
+
+std::string html_of(const Numbers& document) {
+  std::string json = to_json(document, -1);
+  for (std::size_t at = 0; (at = json.find("</", at)) != std::string::npos; at += 3) json.replace(at, 2, "<\\/");
+  return filled(study_template(),
+                {{"__TITLE__", html_text(document["title"].get<std::string>())}, {"__FIGURES__", json}});
 }
 
 void write_study_page(const fs::path& path, const StudyPage& page) {

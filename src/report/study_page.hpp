@@ -6,6 +6,7 @@
 
 #include "campaign/collect.hpp"
 #include "report/figure_list.hpp"
+#include "report/study/study_tests.hpp"
 #include "report/study_figures.hpp"
 #include "statistics/numbers.hpp"
 
@@ -24,13 +25,18 @@ struct StudyPage {
   /// What a figure shows of one run, run_drawing; may throw InputError, whose sentence the figure then says.
   std::function<Numbers(const std::string& run, const Figure& figure)> drawing = {};
   std::function<std::string(const std::string& run)> link =
-      {};  ///< to the page of a run from that of the study; empty where there is none
+      {};                 ///< to the page of a run from that of the study; empty where there is none
+  StudyTests tests = {};  ///< whose figures stand first
 };
 
 /// Writes one HTML file without references to others, all figures with their curves, error bars and what the source
 /// says, and beside it as numbers (study.hdf5 of study.html) the title and the figures, from which these are drawn for
 /// print.
 void write_study_page(const std::filesystem::path& path, const StudyPage& page);
+
+/// The page of such a document: {"title", "runs", "made", "notation", "figures"}, "table" (runs_table), and tables of
+/// texts, "first" and "tables" ({"title", "heads", "rows"}), before and after the figures.
+std::string html_of(const Numbers& document);
 
 /// {"title", "figures"} as they are on a page; not known where they do not lie beside it. Throws InputError for what is
 /// damaged.

@@ -1,13 +1,16 @@
 """Two results side by side: numbers, verdicts, table and page."""
 
 import csv
+import json
 import math
+import os
 import re
+import subprocess
 import types
 
 import arenite
 import pytest
-from arenite import _compare_page, compare
+from arenite import _compare_page, _core, compare
 
 
 def a_result(texture, name="load", title="a sample"):
@@ -36,17 +39,17 @@ def test_a_tree_becomes_numbers_with_their_errors():
         "ok": True,
         "text": "x",
         "none": None,
-        "pdf": {"x": [1, 2], "y": [3, 4]},
+        "pdf": {"x": [1, 2, 3, 4, 5], "y": [3, 4, 5, 6, 7]},
         "provenance": {"seed": 1},
     }
-    found = compare.flattened(tree)
+    found = _core._flat_numbers(tree)
     assert (
         found["z"] == (3, 0.1)
         and found["phi.1.0"] == (3, 0.3)
         and found["list.1"][0] == 8
         and math.isnan(found["count"][1])
     )
-    assert set(found) == {"z", "phi.0.0", "phi.0.1", "phi.1.0", "phi.1.1", "list.0", "list.1", "count"}
+    assert set(found) == {"z", "phi.0.0", "phi.0.1", "phi.1.0", "phi.1.1", "list.0", "list.1", "count", "ok"}
 
 
 def test_differences_count_beyond_two_standard_errors():
@@ -89,28 +92,78 @@ def test_the_table_says_what_is_beyond(tmp_path):
     )
 
 
-def test_the_page_needs_no_other_file(tmp_path):
-    one, other = a_result({"z": measured(3.0, 0.1)}, title="dense <1>"), a_result(
-        {"z": measured(4.0, 0.1)}, title="loose"
-    )
-    path = compare.save_page(one, other, tmp_path / "deep" / "page.html", ["first", "second"])
+def document_of(path):
     page = path.read_text(encoding="utf-8")
-    assert (
-        "dense &lt;1&gt;" in page
-        and "<1>" not in page
-        and "Settings that differ" in page
-        and "contact.friction" in page
+    assert not re.search(r'(src|href)="(?!data:)', page)
+    return json.loads(page.split('id="figures">')[1].split("</script>")[0])
+
+
+def test_the_page_says_which_settings_differ_and_marks_what_is_beyond(tmp_path):
+    one = a_result({"z": measured(3.0, 0.1), "n": 5}, title="dense <1>")
+    other = a_result({"z": measured(4.0, 0.1), "n": 6}, title="loose")
+    document = document_of(
+        compare.save_page(one, other, tmp_path / "deep" / "page.html", ["first </script>", "second"])
     )
-    assert not re.search(r'(src|href)="(?!data:)', page) and 'class="beyond"' in page
+    assert document["title"] == "first </script> and second"
+    settings, load = document["tables"]
+    assert ["contact.friction", "0.9", "0.5"] in [row["cells"] for row in settings["rows"]]
+    assert [row["cells"][0] for row in load["rows"]] == ["z"] and load["rows"][0]["marked"]
+    assert [row["cells"][0] for row in load["more"]] == ["n"]
 
 
-def test_curves_of_both_are_drawn(result, tmp_path):
-    pairs = compare.pairs_of(result, result)
-    labels = [panel[:2] for name, one, other in pairs for panel in _compare_page.panels(one[0], one[3], other[3])]
-    assert ("contacts per grain", "fraction of grains") in labels and any(y == "probability density" for _, y in labels)
+def test_numbers_of_the_only_material_are_not_said_twice():
+    texture = {
+        "coordination": {"all": measured(2.33, 0.1), "glass-glass": measured(2.33, 0.1)},
+        "grains": 200,
+        "considered": {"grains": 200, "walls": 200},
+    }
+    names = [row.name for row in compare.rows(a_result(texture), a_result(texture))]
+    assert names == ["coordination.all", "grains", "considered.walls"]
+
+
+def test_figures_hold_both_in_the_units_of_the_first():
+    def panel(unit, high):
+        series = [{"x": [1, 2], "y": [3, None], "colour": "strong"}, {"x": [0], "y": [0], "silent": True}]
+        return {"panels": [{"x": {"label": "t"}, "y": {"label": "p", "unit": unit, "high": high}, "series": series}]}
+
+    drawing = _compare_page.together([panel("kPa", 5)], [panel("MPa", 4)])
+    (shown,) = drawing["panels"]
+    assert [(series["name"], series["y"]) for series in shown["series"]] == [("A", [3, None]), ("B", [3000, None])]
+    assert shown["y"]["high"] == 4000
+    assert _compare_page.together([panel("kPa", 5)], None) is None
+
+
+def test_a_result_compared_with_itself_has_its_figures_and_no_difference(result, tmp_path):
     found = compare.rows(result, result)
-    assert {row.verdict for row in found} <= {compare.equal, compare.alone} and len(found) > 100
-    assert "data:image/svg+xml" in compare.save_page(result, result, tmp_path / "page.html").read_text(encoding="utf-8")
+    assert {row.verdict for row in found} <= {compare.equal, compare.alone} and len(found) > 50
+    document = document_of(compare.save_page(result, result, tmp_path / "page.html"))
+    shown = {figure["id"]: figure["drawing"] for figure in document["figures"]}
+    assert "contact-numbers" in shown, list(shown)
+    for drawing in shown.values():
+        for panel in drawing["panels"]:
+            by_name = {letter: [s["y"] for s in panel["series"] if s["name"] == letter] for letter in ("A", "B")}
+            assert by_name["A"] == by_name["B"]
+
+
+def test_tests_begin_with_what_one_asks_of_them(tmp_path):
+    recipe = subprocess.run([os.environ["ARENITE"], "init", "shear"], capture_output=True, text=True, check=True).stdout
+    recipe = recipe.replace("24*d", "8*d").replace("count = 500", "count = 60").replace("I = 0.01", "I = 0.3")
+    (tmp_path / "shear.toml").write_text(recipe)
+    for friction in ("0.1", "0.5"):
+        subprocess.run(
+            [os.environ["ARENITE"], "run", "shear.toml", "--set", f"contact.friction={friction}", "--out", friction]
+            + ["--quiet"],
+            cwd=tmp_path,
+            check=True,
+            capture_output=True,
+        )
+    one, other = str(tmp_path / "0.1"), str(tmp_path / "0.5")
+    words = [row.words for row in compare.rows(one, other) if row.words]
+    assert "peak μ" in words and words.count("peak μ") == 1
+    document = document_of(compare.save_page(one, other, tmp_path / "cmp.html"))
+    assert document["first"][0]["rows"][0]["cells"][0] in words
+    curve = document["figures"][0]["drawing"]["panels"][0]
+    assert {series["name"] for series in curve["series"]} == {"A", "B"} and "strain" in curve["x"]["label"]
 
 
 def test_the_command_prints_and_writes(result, tmp_path, capsys):

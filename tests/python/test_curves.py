@@ -284,7 +284,7 @@ def test_figures_of_a_test_show_its_curves(result):
 
 def test_a_study_whose_runs_are_strained_at_a_rate_has_its_rheology(tmp_path, monkeypatch):
     (tmp_path / "runs.tsv").write_text("")
-    friction = {"slow": 0.3, "fast": 0.4}
+    friction, rate = {"slow": 0.3, "fast": 0.4}, {"slow": 0.1, "fast": 0.3}
     stage = '[[stages]]\nname = "test"\n{}\n'
     for name in [*friction, "later"]:
         (tmp_path / "runs" / name).mkdir(parents=True)
@@ -298,7 +298,7 @@ def test_a_study_whose_runs_are_strained_at_a_rate_has_its_rheology(tmp_path, mo
             raise ValueError("not done yet")
         sides = {side: 40.0 for side in ("left", "right", "bottom", "top")}
         shear = {"bottom": 40 * friction[name], "top": -40 * friction[name]}
-        return alone(a_stage([4.0] * 40, [4.0] * 40, sides, shear, shear_strain=friction[name] * np.arange(40)))
+        return alone(a_stage([4.0] * 40, [4.0] * 40, sides, shear, shear_strain=rate[name] * np.arange(40)))
 
     monkeypatch.setattr(runs, "open_result", opened)
     for name in friction:
@@ -306,6 +306,9 @@ def test_a_study_whose_runs_are_strained_at_a_rate_has_its_rheology(tmp_path, mo
     ((_, (drawing,)),) = runs.over_runs(tmp_path)
     assert drawing["panels"][0]["series"][0]["y"] == pytest.approx([0.3, 0.4])
     (path,) = figures.save_all(tmp_path, tmp_path / "figures", names="rheology")
+    rate["fast"] = 0.1
+    assert not list(runs.over_runs(tmp_path)), "runs of one rate say nothing of how friction follows from it"
+    rate["fast"] = 0.3
     assert path.read_bytes().startswith(b"%PDF")
     (tmp_path / "runs" / "later" / "recipe.toml").write_text(small + stage.format('top = { force = "1 kN" }'))
     assert not runs.figures_of_study(tmp_path)

@@ -144,12 +144,23 @@ def study_figures(path):
     page."""
     over_runs = list(runs.over_runs(path))
     parts = studies.study_document(path)["figures"] if studies.has_page(path) or not over_runs else []
+    on_page = {part["id"] for part in parts}
     found = [
-        (Figure(part["id"], "study", studies.draw_study_figure, height=studies.height_of(part), head=part), part)
+        (
+            Figure(
+                part["id"],
+                "study",
+                studies.draw_study_figure,
+                height=studies.height_of(part),
+                wide=part.get("wide", False),
+                head=part,
+            ),
+            part,
+        )
         for part in parts
         if studies.has_content(part)
     ]
-    return found + over_runs
+    return found + [(figure, drawings) for figure, drawings in over_runs if figure.name not in on_page]
 
 
 def save_all(result, folder, formats=("pdf",), names=None, width=None, stage=None, state=None):

@@ -26,9 +26,7 @@ def done_runs(study):
 
 def figures_of_study(study):
     """Ids of the figures that suit the runs of a study."""
-    kind = _core.study_kind(study)
-    flow = [kind["flow"]] if kind["flow"] else []
-    return flow + ["rheology"] * bool(kind["driven"] and kind["flow"] in (None, "critical-state"))
+    return _core.study_kind(study)["figures"]
 
 
 def drawings_of_runs(name, results):

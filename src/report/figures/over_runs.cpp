@@ -65,7 +65,9 @@ Drawings both_against(const Columns& found, const Axis& x, const char* of, Axis 
 
 Drawings rheology(const Tests& tests) {
   const Columns found = fields::rheology(tests);
-  if (!(largest_in(found["inertial_number"]) > 0)) return {};
+  constexpr double least_reach = 2;
+  const double most = largest_in(found["inertial_number"]);
+  if (!(most > least_reach * least_above_zero(found["inertial_number"], most))) return {};  // runs of one rate
   const Axis axis = logarithmic("inertial number I", "I", found["inertial_number"]);
   return both_against(found, axis, "inertial_number", {.label = "\u03bc", .brief = "\u03bc"},
                       {.label = "solid fraction \u03c6", .brief = "\u03c6"});

@@ -4,6 +4,7 @@ import { State } from "../state.js";
 import { followTheme, preferredTheme } from "../theme.js";
 import { studyFigure } from "./figure.js";
 import { runsTable } from "./runs_table.js";
+import { plainTable } from "./table.js";
 
 function head(about, state) {
   const button = h(
@@ -30,10 +31,13 @@ function main() {
     cards.forEach((card, k) => {
       card.id = about.figures[k].id;
     });
+    const { first = [], tables = [] } = about;
     page.replaceChildren(
       head(about, state),
+      ...first.map(plainTable),
       h("div", { class: "figures study" }, cards),
-      about.table && runsTable(about.title, about.table),
+      about.table ? runsTable(about.title, about.table) : "",
+      ...tables.map(plainTable),
       h("footer", {}, h("p", {}, about.made)),
     );
     document.getElementById(decodeURIComponent(location.hash.slice(1)))?.scrollIntoView();

@@ -1,4 +1,4 @@
-import { h } from "../dom.js";
+import { h, plain, rich } from "../dom.js";
 import { fileName, saveText } from "../save.js";
 import { text } from "../text.js";
 
@@ -11,36 +11,33 @@ function written(number) {
 
 const quoted = (word) => (/[",\n]/.test(word) ? `"${word.replaceAll('"', '""')}"` : word);
 
-/** Every run of the study with what was swept and its main numbers, sorted by a click on a column header; a run's name
-    leads to its page. */
+/** Every run of the study with what was swept and its main numbers, sorted by a click on a column header; what a run
+    was given leads to its page, or its name where nothing was swept. */
 export function runsTable(title, { keys, names, rows }) {
   const sorting = { column: 0, down: false },
     body = h("tbody");
-  const cells = ({ run, status, values, numbers }) => [
-    run,
-    status,
-    ...values,
-    ...numbers.map((number) => number?.[0] ?? NaN),
-  ];
+  const first = keys.length ? keys : ["run"],
+    given = ({ run, values }) => (keys.length ? values : [run.slice(0, 8)]);
+  const cells = (row) => [...given(row), row.status, ...row.numbers.map((number) => number?.[0] ?? NaN)];
   const order = (a, b) =>
     typeof a === "string" && (Number.isNaN(Number(a)) || Number.isNaN(Number(b)))
       ? a.localeCompare(b)
       : Number(a) - Number(b) || 0;
-  const heads = ["run", "", ...keys, ...names].map((head, k) =>
+  const heads = [...first, "", ...names].map((head, k) =>
     h(
       "th",
       { scope: "col" },
       h(
         "button",
         {
-          "aria-label": head || "status",
+          "aria-label": plain(head) || "status",
           onclick: () => {
             sorting.down = sorting.column === k && !sorting.down;
             sorting.column = k;
             draw();
           },
         },
-        head || "status",
+        rich(head || "status"),
       ),
     ),
   );
@@ -56,9 +53,14 @@ export function runsTable(title, { keys, names, rows }) {
         h(
           "tr",
           { "data-run": row.run },
-          h("td", {}, row.link ? h("a", { href: row.link }, row.run.slice(0, 8)) : row.run.slice(0, 8)),
+          given(row).map((value, k) =>
+            h(
+              "td",
+              { title: k ? null : `run ${row.run}` },
+              row.link && !k ? h("a", { href: row.link }, value || "\u2013") : value,
+            ),
+          ),
           h("td", {}, row.status),
-          row.values.map((value) => h("td", {}, value)),
           row.numbers.map((number) => h("td", {}, written(number))),
         ),
       ),
@@ -66,7 +68,7 @@ export function runsTable(title, { keys, names, rows }) {
   };
   const csv = () => {
     const lines = [
-      ["run", "status", ...keys, ...names.flatMap((name) => [name, `${name}, standard error`])],
+      ["run", "status", ...keys, ...names.map(plain).flatMap((name) => [name, `${name}, standard error`])],
       ...rows.map(({ run, status, values, numbers }) => [
         run,
         status,

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "report/default_figures.hpp"
+#include "report/study/default_figures.hpp"
 
 namespace arenite::report {
 namespace {
 
-campaign::CollectedTable table() {
+campaign::CollectedTable two_kinds() {
   campaign::CollectedTable t;
   t.keys = {{"cement.kind", ""}, {"contact.friction", ""}, {"seed", ""}};
   t.names = {"odd.number", "coordination.all", "solid_fraction"};
@@ -23,12 +23,13 @@ campaign::CollectedTable table() {
 }
 
 TEST(DefaultFigures, AreMainNumbersAgainstTheKeyWithTheMostNumbers) {
-  const auto figures = default_figures(table());
+  const auto figures = default_figures(two_kinds());
   ASSERT_EQ(figures.size(), 3u);
   EXPECT_EQ(figures[0].y.front(), "solid_fraction");
   EXPECT_EQ(figures[1].y.front(), "coordination.all");
   EXPECT_EQ(figures[2].y.front(), "odd.number");  // what there is, where less is known
-  EXPECT_EQ(figures[0].title, "Area of grains, %");
+  EXPECT_EQ(figures[0].title, "Area of grains");
+  EXPECT_EQ(figures[0].y_axis.unit, "%");
   EXPECT_EQ(figures[1].title, "Contacts of a grain");
   EXPECT_EQ(figures[1].caption, "Contacts of a grain, mean of all.");
   EXPECT_EQ(figures[2].title, "odd.number");
@@ -40,13 +41,46 @@ TEST(DefaultFigures, AreMainNumbersAgainstTheKeyWithTheMostNumbers) {
 }
 
 TEST(DefaultFigures, AreNoneWhereNothingIsSweptButTheSeedOrWords) {
-  auto t = table();
+  auto t = two_kinds();
   t.keys = {{"seed", ""}};
   for (auto& row : t.rows) row.values = {"1"};
   EXPECT_TRUE(default_figures(t).empty());
   t.keys = {{"cement.kind", ""}};
   for (auto& row : t.rows) row.values = {row.run.substr(0, 4)};
   EXPECT_TRUE(default_figures(t).empty());
+}
+
+TEST(DefaultFigures, KeysThatVaryTogetherAreOneAxis) {
+  auto t = two_kinds();
+  t.keys = {{"variables.D", "mm", "D"}, {"contact.friction", "", "friction"}, {"variables.W", "mm", "W"}};
+  const char *widths[] = {"30", "40", "60"}, *outer[] = {"150", "200", "300"};
+  for (std::size_t k = 0; k < t.rows.size(); ++k)
+    t.rows[k].values = {widths[k % 3], k % 2 == 0 ? "0.1" : "0.5", outer[k % 3]};
+  const Figure first = default_figures(t).front();
+  EXPECT_EQ(first.x, "variables.D");
+  EXPECT_EQ(first.x_axis.label, "D");
+  EXPECT_EQ(first.x_axis.unit, "mm");
+  EXPECT_EQ(first.by, "contact.friction");
+  EXPECT_TRUE(first.caption.ends_with("With D goes W.")) << first.caption;
+  t.rows.back().values[2] = "150";
+  EXPECT_NE(default_figures(t).front().by, "contact.friction") << "W now differs where D does not";
+}
+
+TEST(DefaultFigures, BeginWithWhatOneAsksOfTheTestAndHoldNumbersOfOneSymbolTogether) {
+  auto t = two_kinds();
+  t.names = {"peak.q_over_p", "uniaxial.strength_Pa", "critical_state.q_over_p"};
+  t.meanings = {{"uniaxial.strength_Pa", {"Pa", "Strength"}}};
+  for (auto& row : t.rows) row.numbers[1] = {2e6};
+  auto first = figures::headlines_of(fields::TestKind::biaxial);
+  first.push_back({"strength", "\u03c3", "uniaxial.strength_Pa"});
+  const auto figures = default_figures(t, first);
+  ASSERT_EQ(figures.size(), 2u);
+  EXPECT_EQ(figures[0].y, (std::vector<std::string>{"critical_state.q_over_p", "peak.q_over_p"}));
+  EXPECT_EQ(figures[0].names, (std::vector<std::string>{"critical state", "peak"}));
+  EXPECT_EQ(figures[0].y_axis.label, "q/p");
+  EXPECT_EQ(figures[1].y_axis.unit, "MPa");
+  EXPECT_EQ(figures[1].y_axis.factor, 1e6);
+  EXPECT_EQ(runs_table(t, first, {})["names"], Numbers({"Critical state q/p", "Peak q/p", "Strength \u03c3, Pa"}));
 }
 
 TEST(DefaultFigures, LettersWithAnIndexAreLabelsWithOne) {
@@ -57,7 +91,8 @@ TEST(DefaultFigures, LettersWithAnIndexAreLabelsWithOne) {
 }
 
 TEST(DefaultFigures, TheTableHasEveryRunWithItsNumbersAndItsPage) {
-  const Numbers runs = runs_table(table(), [](const std::string& run) { return "runs/" + run + "/report.html"; });
+  const Numbers runs =
+      runs_table(two_kinds(), {}, [](const std::string& run) { return "runs/" + run + "/report.html"; });
   ASSERT_EQ(runs["rows"].size(), 12u);
   EXPECT_EQ(runs["names"], Numbers({"Area of grains, %", "Contacts of a grain", "odd.number"}));
   const Numbers& first = runs["rows"][0];
