@@ -44,19 +44,26 @@ std::string flow_text(const StagePrediction& stage) {
 }
 
 std::string stage_line(const StagePrediction& s) {
-  return fmt::format("{:<12} {:>12} {:>10} {:>9}  {:<22} {:>8}\n", s.name, count_text(s.steps, s.exact),
-                     fmt::format("{}{:.3g} s", s.exact ? "" : "~", s.duration), "~" + duration_text(s.seconds),
-                     flow_text(s), s.stiffness_number ? fmt::format("{:.2g}", *s.stiffness_number) : "");
+  return fmt::format("{:<12} {:>12} {:>10} {:>9}  {:<22} {:>8} {:>9} {:>8} {:>7}\n", s.name,
+                     count_text(s.steps, s.exact), fmt::format("{}{:.3g} s", s.exact ? "" : "~", s.duration),
+                     "~" + duration_text(s.seconds), flow_text(s),
+                     s.stiffness_number ? fmt::format("{:.2g}", *s.stiffness_number) : "",
+                     s.height ? fmt::format("~{:.3g} mm", 1e3 * *s.height) : "",
+                     s.strain ? fmt::format("{:.3g} %", 100 * *s.strain) : "", s.states);
 }
 
 }  // namespace
+
+std::string bytes_text(double bytes) {
+  return bytes < 1e9 ? fmt::format("{:.2g} MB", 1e-6 * bytes) : fmt::format("{:.2g} GB", 1e-9 * bytes);
+}
 
 std::string prediction_text(const Prediction& p) {
   std::string text =
       fmt::format("\ntime step    {:.3g} s: {}; stable up to {:.3g} s\n", p.time_step, limit_text(p), p.largest_step);
   if (p.stages.empty()) return text;
-  text += fmt::format("{:<12} {:>12} {:>10} {:>9}  {:<22} {:>8}\n", "stage", "steps", "simulated", "CPU time",
-                      "inertial number", "k/P");
+  text += fmt::format("{:<12} {:>12} {:>10} {:>9}  {:<22} {:>8} {:>9} {:>8} {:>7}\n", "stage", "steps", "simulated",
+                      "CPU time", "inertial number", "k/P", "height", "strain", "states");
   bool all_exact = true;
   std::int64_t steps = 0;
   for (const StagePrediction& stage : p.stages) {
@@ -68,6 +75,7 @@ std::string prediction_text(const Prediction& p) {
                                                : fmt::format("its {} grains", p.grains);
   text += fmt::format("total        {:>12} steps, about {} on one free core, at {:.2g} s per step timed on {}\n",
                       count_text(steps, all_exact), duration_text(p.seconds()), p.seconds_per_step, from);
+  text += fmt::format("files        about {}\n", bytes_text(p.bytes()));
   if (!all_exact)
     text +=
         "~ marks an estimate: a stage that ends at equilibrium lasts until the sample stops oscillating, which may "

@@ -112,6 +112,10 @@ Numbers numbers_of(const fields::StagePrediction& s) {
             {"duration_s", described(s.duration, "s", "Simulated time")},
             {"time_step_s", described(s.time_step, "s", "Time step of the stage")},
             {"computing_s", described(s.seconds, "s", "CPU time on one free core")}};
+  j["states"] = described(s.states, "", "States that are stored");
+  if (s.height) j["height_m"] = described(*s.height, "m", "Height of the sample in the end, an estimate");
+  if (s.strain)
+    j["strain"] = described(*s.strain, "", "Strain reached: of shear, or of the axis along which sides move");
   if (s.pressure > 0) j["pressure_Pa"] = described(s.pressure, "Pa", "Largest pressure of sides or weight");
   if (s.inertial_number) {
     j["inertial_number"] = described(*s.inertial_number, "", "Inertial number rate d sqrt(rho/P)");
@@ -133,6 +137,14 @@ double Prediction::seconds() const {
   return sum;
 }
 
+double Prediction::bytes() const {
+  constexpr double of_grain = 170, of_stage = 4e5;  // in a state; rows of a history (measured on three recipes of init)
+  double sum = of_grain * static_cast<double>(grains);
+  for (const fields::StagePrediction& stage : stages)
+    sum += of_stage + of_grain * static_cast<double>(grains) * static_cast<double>(stage.states);
+  return sum;
+}
+
 Numbers numbers(const Prediction& p) {
   Numbers stages = Numbers::list();
   for (const fields::StagePrediction& stage : p.stages) stages.push_back(numbers_of(stage));
@@ -149,6 +161,7 @@ Numbers numbers(const Prediction& p) {
           {"grains_timed", described(p.sample, "", "Grains of the sample that was timed")},
           {"seconds_per_step", described(p.seconds_per_step, "s", "CPU time of one step on one free core")},
           {"computing_s", described(p.seconds(), "s", "CPU time of all stages on one free core")},
+          {"files_bytes", described(p.bytes(), "", "Bytes of the files of all stages, to a factor of two or so")},
           {"stages", std::move(stages)},
           {"warnings", p.warnings}};
 }

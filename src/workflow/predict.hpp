@@ -31,6 +31,7 @@ struct Prediction {
   std::vector<fields::StagePrediction> stages;
   std::vector<std::string> warnings;  ///< what is legal but costly or unphysical, a sentence each
   double seconds() const;             ///< of all stages
+  double bytes() const;               ///< of the files of its stages, to a factor of two or so
 };
 
 /// Looks at the recipe's sample before its loading, or at a small one of the same kind where that is large, and times

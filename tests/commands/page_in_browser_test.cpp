@@ -125,6 +125,23 @@ TEST(Page, OfAStudyIsPaintedInABrowser) {
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 
+TEST(Page, OfTwoResultsIsPaintedInABrowser) {
+  const test::TemporaryFolder folder;
+  const auto document = test::numbers_of(
+      R"json({"title":"A and B","runs":"","made":"","notation":"(x)?([_^])",
+          "first":[{"title":"Tests","heads":["","A"],"rows":[{"cells":["peak q/p","0.5"]}]}],
+          "figures":[{"id":"stress","title":"Stress","caption":"","drawing":{"panels":[{"x":{"label":"t"},"y":{"label":
+          "q"},"series":[{"name":"A","colour":"line 0","line":"solid","x":[1,2],"y":[3,4]},{"name":"B","colour":
+          "line 1","line":"solid","x":[1,2],"y":[4,5]}]}],"key":[{"name":"A","colour":"line 0"},{"name":"B","colour":
+          "line 1"}]}}],
+          "tables":[{"title":"load","heads":["number","A"],"rows":[{"cells":["z","3 ± 0.1"],"marked":true}],
+          "more":[{"cells":["n","5"]}]}]})json");
+  io::write_atomically(folder / "cmp.html", report::html_of(document));
+  const auto outcome =
+      test::shell("node " ARENITE_SOURCE_DIR "/web/test/compare_page.test.mjs " + (folder / "cmp.html").string());
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
 TEST(Page, PartsWriteNumbersAndPlacesAsTheirTestsSay) {
   const auto outcome = test::shell("node --test " ARENITE_SOURCE_DIR "/web/test/parts.test.mjs");
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;

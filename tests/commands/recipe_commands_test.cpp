@@ -5,7 +5,9 @@
 #include <fstream>
 #include <string>
 
+#include "io/disk/file.hpp"
 #include "support/program.hpp"
+#include "support/small_study.hpp"
 
 namespace {
 using arenite::test::arenite;
@@ -107,6 +109,35 @@ TEST(Check, PredictsTheRunOnStderrAndAsNumbers) {
   EXPECT_EQ(json["stages"][1]["exact"], false);
   EXPECT_NEAR(json["stages"][1]["pressure_Pa"].get<double>(), 50e3 / (0.35 * 0.06), 1);
   EXPECT_TRUE(contains(json["recipe"], "restitution = 0.5\n"));
+}
+
+TEST(Check, OfAStudyTellsItsRunsKeysAndWhatEachWillBe) {
+  const TemporaryFolder folder;
+  const auto recipe = (folder / "study.toml").string();
+  io::write_atomically(recipe, test::small_packing_recipe + R"(solid_fraction = 0.7
+[[stages]]
+name = "shear"
+right = { pressure = "20 kPa" }
+top = { velocity = "10 mm/s" }
+duration = "1 s"
+snapshots = 5
+[sweep.grid]
+"stages.shear.duration" = ["0.5 s", "1 s"]
+"contact.friction" = [0.1, 0.3, 0.5, 0.7, 0.9]
+)");
+  const auto text = arenite("check " + recipe);
+  ASSERT_EQ(text.status, 0) << text.err;
+  for (const char* part : {"10 runs of stages.shear.duration, contact.friction",
+                           "8 of them:", "stages.shear.duration = \"0.5 s\", contact.friction = 0.1\n  60 grains",
+                           "stages.shear.duration = \"1 s\", contact.friction = 0.9\n", "shear: 5 states, strain "})
+    EXPECT_TRUE(contains(text.out, part)) << part << text.out;
+  const auto json = nlohmann::json::parse(arenite("check --json " + recipe).out);
+  EXPECT_EQ(json["runs"], 10);
+  const auto strain = [&](std::size_t k) { return json["predicted"][k]["stages"][0]["strain"].get<double>(); };
+  EXPECT_NEAR(strain(7) / strain(0), 2, 1e-6) << "twice as long at the same speed";
+  const auto wrong = arenite("check " + recipe + " --set contact.restitution=7");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_EQ(lines_of(wrong.err), 1) << wrong.err;
 }
 
 TEST(Check, OfASampleThatCannotBeMadeIsNoRefusal) {

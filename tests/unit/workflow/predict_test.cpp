@@ -54,6 +54,21 @@ TEST(Prediction, WarnsOfSoftGrainsFastSidesAndTinySteps) {
   EXPECT_GT(p.stages[0].steps, 0);
 }
 
+TEST(Prediction, KnowsStrainHeightStatesAndFilesFromWhatIsAsked) {
+  const auto p = workflow::predict(
+      elastic("[[stages]]\nname = \"press\"\nright = { pressure = \"20 kPa\" }\ntop = { velocity = \"10 mm/s\" }\n"
+              "duration = \"1 s\"\nsnapshots = 7\n"
+              "[[stages]]\nname = \"sink\"\nbottom = { velocity = \"-5 mm/s\" }\nduration = \"1 s\"\n"));
+  const fields::StagePrediction &press = p.stages[0], &sink = p.stages[1];
+  const double before = *press.height / (1 - *press.strain);
+  EXPECT_NEAR(before - *press.height, 0.01, 1e-12) << "way of the top";
+  EXPECT_NEAR(*sink.height - *press.height, 0.005, 1e-12);
+  EXPECT_NEAR(*sink.strain, -0.005 / *press.height, 1e-12);
+  EXPECT_EQ(press.states, 7);
+  EXPECT_EQ(sink.states, 1);
+  EXPECT_GT(p.bytes(), 9 * 60 * 8 * 10.) << "nine states of sixty grains, ten numbers of each";
+}
+
 TEST(Prediction, OfProgrammesAndCyclesOfStrainKnowsWhatTheyAskFor) {
   const auto p = workflow::predict(elastic(
       "[[stages]]\nname = \"ramp\"\nright = { pressure = \"20 kPa\" }\nduration = \"10 ms\"\n"

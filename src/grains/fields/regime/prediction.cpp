@@ -102,6 +102,25 @@ double shear_rate(const dem::Stage& stage, const Bulk& bulk) {
   return largest(stage, rate, [](const auto& p) { return p.of.is(dem::Programme::What::shear_rate); });
 }
 
+/// What a stage that lasts so long strains its sample by: shear, or the larger closing of an axis, which the bulk then
+/// has. Programmes are not followed.
+std::optional<double> strain_over(double duration, const dem::Stage& stage, Bulk& bulk) {
+  if (!stage.programmes.empty() || stage.strain_cycles) return {};
+  if (const double rate = shear_rate(stage, bulk); rate > 0) return rate * duration;
+  std::optional<double> strain;
+  for (int axis = 0; axis < 2; ++axis) {
+    double speed = 0;
+    for (int side = 2 * axis; side < 2 * axis + 2; ++side)
+      if (stage.side[side].kind == Kind::velocity) speed += stage.side[side].value;
+    double& length = axis == 0 ? bulk.width : bulk.height;
+    const double closed = speed * duration / length;
+    if (speed == 0) continue;
+    length = std::max(length * (1 - closed), 0.0);
+    if (!strain || std::abs(closed) > std::abs(*strain)) strain = closed;
+  }
+  return strain;
+}
+
 Pressures pressures_of(const dem::Stage& stage, const Bulk& bulk, const Pressures& before) {
   const double x = pressure_along(stage, bulk, 0), y = pressure_along(stage, bulk, 1), w = weight(stage, bulk);
   if (x == 0 && y == 0) return w > 0 ? Pressures{w, w} : before;
@@ -157,8 +176,10 @@ Bulk bulk_of(const Packing& packing, const dem::ContactParameters& contact) {
   return bulk;
 }
 
-StagePrediction predict_stage(const dem::Engine& engine, const dem::ContactParameters& contact, double steady_drag,
-                              const dem::Stage& stage, Bulk& bulk, Pressures& pressures) {
+namespace {
+
+StagePrediction of_stage(const dem::Engine& engine, const dem::ContactParameters& contact, double steady_drag,
+                         const dem::Stage& stage, Bulk& bulk, Pressures& pressures) {
   StagePrediction p;
   p.name = stage.name;
   p.time_step = engine.dt;
@@ -177,8 +198,11 @@ StagePrediction predict_stage(const dem::Engine& engine, const dem::ContactParam
     for (std::int64_t half = 0; half < dem::increment_count(stage) && stage.strain_cycles; ++half)
       p.duration += static_cast<double>(dem::strain_half(*stage.strain_cycles, half, p.time_step).steps) * p.time_step;
     p.steps = dem::steps_of(p.duration, p.time_step);
+    p.strain = strain_over(p.duration, stage, bulk);
+    p.states = stage.strain_cycles ? dem::increment_count(stage) : std::max<std::int64_t>(1, stage.snapshots);
     return p;
   }
+  p.states = dem::increment_count(stage);
   const double critical = critical_drag(engine) / bulk.larger;
   const double drag = steady_drag + stage.drag + stage.critical_drag * critical;
   const auto increments = static_cast<double>(dem::increment_count(stage));
@@ -189,6 +213,15 @@ StagePrediction predict_stage(const dem::Engine& engine, const dem::ContactParam
   p.duration = closing + increments * settling;
   p.steps = dem::steps_of(p.duration, p.time_step);
   p.increment_steps = dem::steps_of(closing + settling, p.time_step);
+  return p;
+}
+
+}  // namespace
+
+StagePrediction predict_stage(const dem::Engine& engine, const dem::ContactParameters& contact, double steady_drag,
+                              const dem::Stage& stage, Bulk& bulk, Pressures& pressures) {
+  StagePrediction p = of_stage(engine, contact, steady_drag, stage, bulk, pressures);
+  if (engine.domain.boundaries.empty()) p.height = bulk.height;
   return p;
 }
 

@@ -59,6 +59,9 @@ struct StagePrediction {
   double seconds = 0;                ///< of one processor
   double pressure = 0;               ///< Pa, the largest that its sides or its weight exert; 0: none known
   std::optional<double> inertial_number, stiffness_number, overlap;  ///< overlap: over the diameter
+  std::int64_t states = 1;                                           ///< that are stored
+  std::optional<double> strain;  ///< that it reaches: of shear, or of the axis along which sides move, closing positive
+  std::optional<double> height;  ///< m, of the sample in the end; an estimate, of a box without boundaries inside
 };
 
 /// A sample as a whole.
