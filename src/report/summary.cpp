@@ -264,7 +264,8 @@ std::string Summary::all() const {
 
 std::string field_summary(const FieldResult& result) {
   return fmt::format("{}{}: {}\n", result.name, result.converged ? "" : " NOT SOLVED", result.outcome) +
-         to_text(result.numbers, {"cavity_rules options quantiles"});
+         "\nNumbers of the sample, each +- its standard error\n" + headlines(result.numbers) +
+         "\n`--json` prints every number; of a result that is kept (`--out`) `arenite show RESULT --all` does.\n";
 }
 
 Numbers field_numbers(const FieldResult& result) {

@@ -15,6 +15,7 @@
 #include "workflow/make_packing.hpp"
 #include "workflow/runner.hpp"
 #include "workflow/stage_watch.hpp"
+#include "workflow/state_of_now.hpp"
 
 namespace arenite::workflow {
 
@@ -200,9 +201,11 @@ std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engi
   dem::StageRun run = begun_or_kept(engine, stage.recipe.stages[stage.place - 1], stage.hash, checkpoint, options);
   StageWatch watch(stage, engine, run, options, progress, on_step);
   CheckpointTimes times(options);
+  StateOfNow now(stage, options.page_follows ? checkpoint.parent_path() : fs::path());
   while (!run.finished) {
     dem::continue_stage(engine, watch.stage(), run);
     watch.look();
+    now.show(engine, run);
     if (run.finished || !times.is_due()) continue;
     keep(engine, run, stage.hash, checkpoint);
     if (times.asked_to_stop()) return std::nullopt;

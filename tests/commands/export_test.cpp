@@ -120,8 +120,12 @@ TEST_F(Export, AseReadsExtendedXyzWhateverMaterialsAreCalled) {
 }
 
 TEST_F(Export, FormatsAreAskedForByTheProgramsThatReadThem) {
-  for (const auto& [program, format] :
-       {std::pair{"ovito", "lammps"}, {"xarray", "netcdf"}, {"paraview", "vtk"}, {"ase", "extxyz"}}) {
+  for (const auto& [program, format] : {std::pair{"ovito", "lammps"},
+                                        {"xarray", "netcdf"},
+                                        {"paraview", "vtk"},
+                                        {"ase", "extxyz"},
+                                        {"pandas", "csv"},
+                                        {"xyz", "extxyz"}}) {
     const auto done = arenite("export " + file.string() + " --to " + program);
     EXPECT_EQ(done.status, 0) << done.err;
     const auto named = arenite("export " + file.string() + " --to " + format + " --out " + (folder / "named").string());

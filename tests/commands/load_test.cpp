@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 
@@ -183,6 +184,22 @@ TEST(Load, MapOfARecipeIsRunSweptAndNamedByItsKeys) {
   const auto mixed = arenite("check " + write("c.toml", "", "[container]\nwidth = \"1 mm\"\n"));
   EXPECT_EQ(mixed.status, 2);
   EXPECT_TRUE(test::contains(mixed.err, "only valid with no [map]")) << mixed.err;
+}
+
+TEST(Load, OfGrainsThatTouchTellsTheOptionThatPartsThemAndPrintsTheNumbersOfTheSample) {
+  const TemporaryFolder folder;
+  const std::string disks =
+      picture(folder / "disks.h5", 120, 60, "((x % 20) - 9.5)**2 + ((y % 20) - 9.5)**2 < 104, 1, 2");
+  const std::string line = "load " + disks + " --phases 1=particle,2=matrix";
+  const auto as_one = arenite(line);
+  ASSERT_EQ(as_one.status, 0) << as_one.err;
+  EXPECT_TRUE(test::contains(as_one.err, "1 grains, 18 where they are cut at their necks by `--labels watershed`"))
+      << as_one.err;
+  EXPECT_LT(std::ranges::count(as_one.out, '\n'), 40) << as_one.out;
+  const auto parted = arenite(line + " --labels watershed");
+  EXPECT_FALSE(test::contains(parted.err, "watershed")) << parted.err;
+  const auto apart = picture(folder / "apart.h5", 120, 60, "((x % 20) - 9.5)**2 + ((y % 20) - 9.5)**2 < 64, 1, 2");
+  EXPECT_FALSE(test::contains(arenite("load " + apart + " --phases 1=particle,2=matrix").err, "watershed"));
 }
 
 TEST(Load, OptionWithoutEffectIsTold) {

@@ -142,6 +142,18 @@ TEST(Page, OfTwoResultsIsPaintedInABrowser) {
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 
+TEST(Page, OfARunUnderWayIsPaintedInABrowser) {
+  const test::TemporaryFolder folder;
+  std::string page =
+      report::html_of(test::numbers_of(R"json({"title":"Arenite","live":true,"notation":"(x)?([_^])"})json"));
+  const std::string head = "<head>", no_server = "<script>window.fetch = async () => { throw new Error(); };</script>";
+  page.insert(page.find(head) + head.size(), no_server);
+  io::write_atomically(folder / "live.html", page);
+  const auto outcome =
+      test::shell("node " ARENITE_SOURCE_DIR "/web/test/live_page.test.mjs " + (folder / "live.html").string());
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
 TEST(Page, PartsWriteNumbersAndPlacesAsTheirTestsSay) {
   const auto outcome = test::shell("node --test " ARENITE_SOURCE_DIR "/web/test/parts.test.mjs");
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;

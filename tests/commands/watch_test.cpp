@@ -166,8 +166,15 @@ TEST(Watch, ShowsARunAsItGrowsAndStopsIt) {
   const auto state = page.state();
   EXPECT_EQ(state["life"], "running");
   EXPECT_EQ(state["stages"].size(), 2u);
-  EXPECT_GT(state["curves"]["time"].size(), 10u);
-  EXPECT_EQ(state["curves"]["time"].size(), state["curves"]["top_force"].size());
+  ASSERT_TRUE(becomes([&] { return page.state()["figures"].size() > 1; }));
+  const auto drawn = page.state()["figures"];
+  EXPECT_EQ(drawn[0]["sample"]["x"].size(), 60u);
+  EXPECT_EQ(drawn[1]["id"], "test-curves");
+  const auto points = [](const nlohmann::json& figures) {
+    return figures[1]["drawing"]["panels"][0]["series"][0]["x"].size();
+  };
+  EXPECT_GT(points(drawn), 1u);
+  EXPECT_TRUE(becomes([&] { return page.state()["at"] > state["at"]; })) << "the state of now is kept anew";
   EXPECT_NE(page.get("page").text.find("<html"), std::string::npos);
   const auto shown = test::arenite("show " + out.string());
   EXPECT_EQ(shown.out.find("Running: stage 3 of 3, shear"), 0u) << shown.out;
@@ -178,6 +185,7 @@ TEST(Watch, ShowsARunAsItGrowsAndStopsIt) {
   EXPECT_EQ(run.status(), 1);
   EXPECT_TRUE(fs::exists(out / "run.checkpoint"));
   EXPECT_EQ(page.state()["life"], "stopped");
+  EXPECT_FALSE(fs::exists(out / "run.now"));
   EXPECT_EQ(page.post("stop").status, 409);
   EXPECT_EQ(test::arenite("show " + out.string()).out.find("Stopped: stage 3 of 3, shear"), 0u);
   EXPECT_EQ(watch.end(SIGTERM), 0);

@@ -193,6 +193,7 @@ const ExportFormat exports::csv{
           "left out: `links` counts those of each grain, and `arenite measure` says that their stress lacks"},
          {"names that spreadsheets take for formulas",
           "written behind an apostrophe, which `arenite measure` takes away"}},
+    .other_names = {"pandas", "tables"},
     .of_snapshot = csv_snapshot,
     .of_field = csv_field,
     .of_curves = csv_curves};

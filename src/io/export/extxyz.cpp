@@ -72,7 +72,7 @@ const ExportFormat exports::extxyz{
                {"numbers not known of some grain", "the column is left out, and `LeftOut` names it"},
                {"shapes of grains", "left out: a grain is the disk of its area"},
                {"contacts, walls, boundaries, bonds", "left out; `vtk`, `lammps`, `netcdf` and `csv` have contacts"}},
-    .other_names = {"ase"},
+    .other_names = {"ase", "xyz"},
     .of_snapshot = extxyz_snapshot};
 
 }  // namespace arenite::io

@@ -98,7 +98,7 @@ const ExportFormat exports::lammps{
                {"bonds, pulls across gaps",
                 "left out: `links` counts those of each grain, and `arenite measure` says that their stress lacks"},
                {"numbers not known of some grain", "nan"}},
-    .other_names = {"ovito"},
+    .other_names = {"ovito", "dump"},
     .of_snapshot = lammps_snapshot};
 
 }  // namespace arenite::io

@@ -252,7 +252,7 @@ const ExportFormat exports::netcdf{
                {"boundaries, bonds, shapes of grains", "left out"},
                {"states of different grains", "refused"},
                {"numbers not known", "NaN"}},
-    .other_names = {"xarray"},
+    .other_names = {"xarray", "nc"},
     .of_loading = netcdf_loading};
 
 }  // namespace arenite::io

@@ -211,7 +211,7 @@ const ExportFormat exports::vtk{
                {"time", "in every file and in the .pvd"},
                {"names of materials, periodic sides, thickness, bonds",
                 "left out; `netcdf` has the names, the sides and the thickness"}},
-    .other_names = {"paraview"},
+    .other_names = {"paraview", "vtp"},
     .of_snapshot = vtk_snapshot,
     .index = vtk_index,
     .of_field = vti_field};

@@ -3,10 +3,11 @@ import { figureCard } from "../figures/card.js";
 import { State } from "../state.js";
 import { followTheme, preferredTheme } from "../theme.js";
 import { studyFigure } from "./figure.js";
+import { livePage } from "./live.js";
 import { runsTable } from "./runs_table.js";
 import { plainTable } from "./table.js";
 
-function head(about, state) {
+function head(words, state) {
   const button = h(
     "button",
     {
@@ -16,7 +17,7 @@ function head(about, state) {
     },
     "\u25d0",
   );
-  return h("header", {}, h("div", {}, h("h1", {}, rich(about.title)), h("p", {}, about.runs)), button);
+  return h("header", {}, h("div", {}, words), button);
 }
 
 function main() {
@@ -26,6 +27,12 @@ function main() {
     readNotation(about.notation);
     const state = new State({ theme: preferredTheme() });
     followTheme(state);
+    if (about.live) {
+      const live = livePage(state);
+      page.replaceChildren(head(live.head, state), ...live.body);
+      document.documentElement.dataset.ready = "true";
+      return;
+    }
     const sample = { title: about.title, texture: () => null };
     const cards = about.figures.map((figure) => figureCard(studyFigure(figure), sample, state));
     cards.forEach((card, k) => {
@@ -33,7 +40,7 @@ function main() {
     });
     const { first = [], tables = [] } = about;
     page.replaceChildren(
-      head(about, state),
+      head([h("h1", {}, rich(about.title)), h("p", {}, about.runs)], state),
       ...first.map(plainTable),
       h("div", { class: "figures study" }, cards),
       about.table ? runsTable(about.title, about.table) : "",

@@ -1,0 +1,45 @@
+#include "workflow/state_of_now.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/error.hpp"
+#include "io/results/results.hpp"
+#include "workflow/asked.hpp"
+
+namespace arenite::workflow {
+namespace {
+
+StageResult as_it_is(const GrainStage& stage, const dem::Engine& engine, const dem::StageRun& run) {
+  dem::StageRun now;
+  now.latest = run.latest;
+  dem::store_state(engine, "now", now);
+  now.result.name = run.result.name;
+  now.result.outcome = "under way";
+  now.result.history = run.result.history;
+  note_asked(now.result, stage.recipe, stage.place);
+  return std::move(now.result);
+}
+
+}  // namespace
+
+StateOfNow::StateOfNow(const GrainStage& stage, std::filesystem::path folder)
+    : stage_(stage),
+      file_(folder.empty() ? std::filesystem::path() : std::move(folder) / state_of_now) {}
+
+StateOfNow::~StateOfNow() {
+  std::error_code ignored;
+  if (!file_.empty()) std::filesystem::remove(file_, ignored);
+}
+
+void StateOfNow::show(const dem::Engine& engine, const dem::StageRun& run) {
+  const auto began = Clock::now();
+  if (file_.empty() || began < next_) return;
+  try {
+    io::write_stage(file_, as_it_is(stage_, engine, run));
+  } catch (const InputError&) {}  // the next one may have room
+  const auto took = Clock::now() - began;
+  next_ = Clock::now() + std::max<Clock::duration>(std::chrono::seconds(2), 100 * took);
+}
+
+}  // namespace arenite::workflow

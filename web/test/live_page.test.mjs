@@ -1,0 +1,71 @@
+// Opens the page of a run under way, whose server is played here. Usage: node live_page.test.mjs PAGE.html
+import assert from "node:assert/strict";
+import { runTests } from "./run.mjs";
+
+const tests = [];
+const test = (name, run) => tests.push({ name, run });
+
+const sample = { size: [20, 10], x: [5, 15], y: [5, 5], r: [5, 5], material: [0, 0], glued: [0, 0], materials: ["A"] };
+const panel = (y) => ({
+  x: { label: "strain" },
+  y: { label: "q/p" },
+  series: [{ name: "", colour: "strong", line: "solid", x: [0, 1, 2], y }],
+});
+const run = {
+  title: "Biaxial test",
+  folder: "out/a",
+  life: "running",
+  at: 1,
+  status: { stage: 2, stages: 3, name: "shear", share: 0.25, step: 7, settles: true, increments: 0, seconds_left: 120 },
+  stages: [{ name: "densify", outcome: "equilibrium" }],
+  figures: [
+    { id: "grains", title: "Grains", caption: "", sample: { ...sample, i: [0], j: [1], f: [1] } },
+    { id: "test-curves", title: "Curves", caption: "", drawing: { panels: [panel([0, 1, 0.5])] } },
+  ],
+};
+
+/** What the server answers from now on; waits until the page has asked. */
+async function answered(page, state) {
+  await page.evaluate((told) => {
+    window.fetch = async (what, { method } = {}) => {
+      window.asked = [...(window.asked ?? []), `${method ?? "GET"} ${what}`];
+      return { ok: true, json: async () => told };
+    };
+    window.asked = [];
+  }, state);
+  await page.waitForFunction(() => window.asked.length > 0, null, { timeout: 10000 });
+  await page.waitForTimeout(100);
+}
+
+test("a run under way has its grains, its curve and where it stands", async (page) => {
+  await answered(page, run);
+  assert.equal(await page.locator("h1").innerText(), "Biaxial test");
+  assert.match(await page.locator(".now").innerText(), /^stage 3 of 3, shear, 25 %, step 7, about 2 min left$/);
+  assert.equal(await page.locator('[role="progressbar"]').getAttribute("aria-valuenow"), "25");
+  assert.equal(await page.locator('[data-figure="grains"] .drawing > svg path').count(), 2);
+  assert.equal(await page.locator('[data-figure="test-curves"] .drawing > svg').count(), 1);
+});
+
+test("figures are drawn anew when they have changed, and only then", async (page) => {
+  const mark = () => page.evaluate(() => (document.querySelector('[data-figure="grains"]').dataset.seen = "yes"));
+  const seen = () => page.evaluate(() => document.querySelector('[data-figure="grains"]').dataset.seen);
+  await mark();
+  await answered(page, run);
+  assert.equal(await seen(), "yes");
+  await answered(page, { ...run, at: 2 });
+  assert.equal(await seen(), undefined);
+});
+
+test("the button asks the run to stop", async (page) => {
+  await page.click("text=Stop the run");
+  assert.ok((await page.evaluate(() => window.asked)).includes("POST stop"));
+});
+
+test("a run that has ended has its page and no button", async (page) => {
+  await answered(page, { ...run, life: "ended", status: undefined });
+  assert.equal(await page.locator("text=Stop the run").isVisible(), false);
+  assert.equal(await page.locator('a[href="page"]').isVisible(), true);
+  assert.equal(await page.locator('[role="progressbar"]').getAttribute("aria-valuenow"), "100");
+});
+
+await runTests(process.argv[2], tests);
