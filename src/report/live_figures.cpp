@@ -10,6 +10,7 @@ namespace arenite::report {
 namespace {
 
 constexpr std::size_t most_figures = 2;
+constexpr std::size_t most_grains = 20'000;  // that are sent and drawn again every few seconds
 
 Numbers known_values(const std::vector<double>& values) {
   return mapped(values, [](double v) { return std::isfinite(v) ? Numbers(v) : Numbers(); });
@@ -23,8 +24,10 @@ Numbers live_figures(const StageResult& now, const Packing* before) {
   const Snapshot& state = now.snapshots.back();
   found.push_back({{"id", "grains"},
                    {"title", "Grains and forces now"},
-                   {"caption", "Lines: normal forces between grains, as wide as strong."},
-                   {"sample", sample_drawing({state.packing, {}}, FigureKind::forces)}});
+                   {"caption", "Lines: normal forces between grains, as wide as strong."}});
+  if (state.packing.grains.size() <= most_grains)
+    found.back()["sample"] = sample_drawing({state.packing, {}}, FigureKind::forces);
+  else found.back()["missing"] = "So many grains are drawn on the full page only.";
   const figures::StageData data{now, {&state}, before};
   for (const auto& row : figures::stage_figures()) {
     if (found.size() > most_figures) break;
