@@ -44,6 +44,7 @@ py::dict provenance_of(const Provenance& p) {
 py::dict energies_of(const Snapshot& snapshot) {
   py::dict d;
   for (const EnergyTerm& term : energy_terms) d[term.name] = snapshot.energies.*term.value;
+  if (snapshot.energies.exchanged != 0) d[exchange_term.name] = snapshot.energies.exchanged;
   return d;
 }
 

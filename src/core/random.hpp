@@ -20,6 +20,8 @@ enum class Purpose : std::uint32_t {
   flicker = 14,
   level_jump = 15,
   emissivity = 16,
+  inflow = 17,
+  inflow_place = 18,
   test = 99
 };
 

@@ -15,8 +15,8 @@
 
 namespace arenite {
 
-/// Energies of a sample, J. Closed when kinetic + elastic + adhesive = work_walls + work_gravity - dissipated_* + what
-/// was there at the start.
+/// Energies of a sample, J. Closed when kinetic + elastic + adhesive = work_walls + work_gravity + exchanged -
+/// dissipated_* + what was there at the start.
 struct Energies {
   double kinetic = 0;              ///< translation and rotation of grains, motion of servo walls
   double elastic = 0;              ///< springs of contacts and bonds
@@ -27,6 +27,7 @@ struct Energies {
   double dissipated_breakage = 0;  ///< lost when a bond breaks for good
   double work_walls = 0;           ///< done on the sample by walls or by a moving periodic cell
   double work_gravity = 0;
+  double exchanged = 0;  ///< stored by grains as they came in, less what was stored by those that left
 };
 
 /// One term of the account: its name in files and tables, and in a sentence.
@@ -44,6 +45,9 @@ inline constexpr EnergyTerm energy_terms[] = {
     {"dissipated_breakage", "dissipated by broken bonds", &Energies::dissipated_breakage},
     {"work_walls", "work of the sides", &Energies::work_walls},
     {"work_gravity", "work of gravity", &Energies::work_gravity}};
+/// A further term of samples that grains came into or left; others have no such column.
+inline constexpr EnergyTerm exchange_term{"exchanged", "brought by grains that came in, less taken by those that left",
+                                          &Energies::exchanged};
 
 /// How far a state is from rest.
 struct Equilibrium {

@@ -202,7 +202,8 @@ void require_constants(Visitor& v, const Recipe& recipe) {
 void declare(Visitor& v, Population& population, const Recipe& recipe) {
   v.text({"material", "Name of a section of [materials].", true}, population.material);
   require_known_material(v, population, recipe.materials);
-  v.integer({"count", "Number of grains."}, population.count, {1, 100'000'000});
+  v.integer({"count", "Number of grains; 0 of a population that only an inflow brings."}, population.count,
+            {0, 100'000'000});
   v.number({"ratio", "Fraction by number of packing.grains, relative to the ratios of the other populations."},
            population.ratio, "", range::positive);
   v.require(population.count.has_value() != population.ratio.has_value(), {"ratio", "count"},

@@ -137,6 +137,7 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
                              [](Visitor& inner, Cycles& cycles) { cycles.declare(inner); });
   declare_strain_cycles(v, stage, recipe);
   require_boundary_loads(v, stage, recipe);
+  declare_exchange(v, stage, recipe);
   v.section({"equilibrium", "Criteria that end an increment.", false, "rest"},
             [&](Visitor& inner) { stage.equilibrium.declare(inner); });
   require_usable_sides(v, stage, recipe.container);

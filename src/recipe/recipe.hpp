@@ -205,9 +205,11 @@ inline constexpr std::string_view no_map = "no [map]";
 void declare(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
 void declare_boundaries(ParameterVisitor& visitor, Recipe& recipe);
 /// Of a stage, tables in time that drive it, which sides are open, how boundaries move, what is counted as having
-/// passed, and cycles of strain; and what boundaries ask of a stage whose keys have all been read.
+/// passed, which grains come in and leave, and cycles of strain; and what boundaries ask of a stage whose keys have all
+/// been read.
 void declare_programmes(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
 void declare_openings(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
+void declare_exchange(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
 void declare_strain_cycles(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
 void require_boundary_loads(ParameterVisitor& visitor, const Stage& stage, const Recipe& recipe);
 void require_usable_sides(ParameterVisitor& visitor, const Stage& stage, const ContainerParameters& container);

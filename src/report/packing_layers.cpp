@@ -148,6 +148,16 @@ Numbers texture_of(const texture::Texture& texture, const Numbers& known, Number
   return out;
 }
 
+/// What does not change with time of one grain.
+void add_grain(Grains& to, const Grains& from, std::size_t g) {
+  const std::size_t n = to.size();
+  to.resize(n + 1);
+  to.id[n] = from.id[g];
+  to.radius[n] = from.radius[g];
+  to.material[n] = from.material[g];
+  to.zone[n] = from.zone[g];
+}
+
 }  // namespace
 
 Numbers materials_of(const Materials& materials) {
@@ -206,6 +216,47 @@ Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock&
     if (layer.name != "speed" && (!layer.is_of_motion || fields::are_in_motion(f)))  // the page has its components
       out[layer.name] = block.add_coarse(layer.of(f), std::string(layer.unit));
   return out;
+}
+
+ShownGrains::ShownGrains(const std::vector<const StageResult*>& stages) {
+  for (const StageResult* stage : stages) {
+    if (!stage->snapshots.empty()) all_ = stage->snapshots.back().packing.grains;
+    exchanged_ = exchanged_ || stage->history.find("inserted");
+  }
+  last_ = all_.size();
+  if (!exchanged_) return;
+  for (std::size_t g = 0; g < last_; ++g) place_.emplace(all_.id[g], static_cast<std::uint32_t>(g));
+  for (const StageResult* stage : stages)
+    for (const Snapshot& snapshot : stage->snapshots) {
+      const Grains& grains = snapshot.packing.grains;
+      if (fits_last(grains)) continue;
+      for (std::size_t g = 0; g < grains.size(); ++g)
+        if (place_.emplace(grains.id[g], static_cast<std::uint32_t>(all_.size())).second) add_grain(all_, grains, g);
+    }
+}
+
+bool ShownGrains::fits_last(const Grains& grains) const {
+  const std::size_t n = grains.size();
+  return n == last_ && std::equal(grains.radius.begin(), grains.radius.end(), all_.radius.begin()) &&
+         std::equal(grains.material.begin(), grains.material.end(), all_.material.begin());
+}
+
+bool ShownGrains::has(const Grains& grains) const { return exchanged_ || grains.size() == last_; }
+
+std::vector<const Snapshot*> ShownGrains::states_of(const StageResult& stage) const {
+  std::vector<const Snapshot*> states;
+  for (const Snapshot& snapshot : stage.snapshots)
+    if (has(snapshot.packing.grains)) states.push_back(&snapshot);
+  return states;
+}
+
+std::vector<std::uint32_t> ShownGrains::places_of(const Grains& grains) const {
+  std::vector<std::uint32_t> places;
+  const bool fits = fits_last(grains);
+  if (!exchanged_ || (fits && all_.size() == last_)) return places;
+  for (std::size_t g = 0; g < grains.size(); ++g)
+    places.push_back(fits ? static_cast<std::uint32_t>(g) : place_.at(grains.id[g]));
+  return places;
 }
 
 }  // namespace arenite::report

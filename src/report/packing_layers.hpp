@@ -1,5 +1,8 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
 
 #include "grains/texture/texture.hpp"
 #include "model/result.hpp"
@@ -24,5 +27,31 @@ Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::
 /// The kernel is as wide as the mean grain, or as a cell where the sample has many. `shear_rate`, 1/s: of a cell that
 /// is sheared. Not known without grains or box.
 Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock& block);
+
+/// The grains that a page knows: those of its last state, and where grains came in or left those of all other states
+/// behind them, each once.
+class ShownGrains {
+ public:
+  /// Of these stages, whose last state is the last one of all.
+  explicit ShownGrains(const std::vector<const StageResult*>& stages);
+
+  const Grains& all() const { return all_; }
+  /// Whether a state can be shown: its grains are among these.
+  bool has(const Grains& grains) const;
+  /// The states of a stage that can.
+  std::vector<const Snapshot*> states_of(const StageResult& stage) const;
+  /// Where the grains of a state are among all; empty where each is at its own place. Grains put back elsewhere take
+  /// the place of what they were.
+  std::vector<std::uint32_t> places_of(const Grains& grains) const;
+  bool exchanged() const { return exchanged_; }
+
+ private:
+  bool fits_last(const Grains& grains) const;
+
+  Grains all_;
+  std::size_t last_ = 0;  ///< how many the last state has
+  bool exchanged_ = false;
+  std::unordered_map<std::int64_t, std::uint32_t> place_;
+};
 
 }  // namespace arenite::report

@@ -53,16 +53,9 @@ Numbers meanings_of(const Numbers& numbers) {
   return out;
 }
 
-/// The states that the page shows: those that have as many grains as the last one of all.
-std::vector<const Snapshot*> shown_states(const StageResult& stage, std::size_t grains) {
-  std::vector<const Snapshot*> states;
-  for (const Snapshot& snapshot : stage.snapshots)
-    if (snapshot.packing.grains.size() == grains) states.push_back(&snapshot);
-  return states;
-}
-
-Numbers stage_of(const StageResult& stage, const Packing* before, std::size_t grains, const figures::WriteList& write) {
-  const auto states = shown_states(stage, grains);
+Numbers stage_of(const StageResult& stage, const Packing* before, const ShownGrains& grains,
+                 const figures::WriteList& write) {
+  const auto states = grains.states_of(stage);
   Numbers shown{
       {"name", stage.name},
       {"converged", stage.converged},
@@ -154,10 +147,12 @@ Numbers figures_of_run(const Numbers& snapshots, const Snapshot* last, const Ask
   return shortened(figures::numbers_of(figures::run_figures(), run, write));
 }
 
-/// Ways of grains since the first state of a stage, which places alone do not tell where sides are periodic.
-void add_displacements(Numbers& snapshots, const std::vector<const Snapshot*>& states, const StageResult& stage,
-                       NumberBlock& block) {
-  if (states.size() < 2 || !(states.back()->packing.domain.periodic[0] || states.back()->packing.domain.periodic[1]))
+/// Ways of grains since the first state of a stage, which places alone do not tell where sides are periodic, or grains
+/// come and go.
+void add_displacements(Numbers& snapshots, const ShownGrains& grains, const StageResult& stage, NumberBlock& block) {
+  const auto states = grains.states_of(stage);
+  if (states.size() < 2 ||
+      !(grains.exchanged() || states.back()->packing.domain.periodic[0] || states.back()->packing.domain.periodic[1]))
     return;
   const auto* time = stage.history.find("time");
   const auto* strain = stage.history.find("shear_strain");
@@ -171,20 +166,22 @@ void add_displacements(Numbers& snapshots, const std::vector<const Snapshot*>& s
   }
 }
 
-/// The states of one stage that have as many grains as the last one of all, with the textures of all in a small sample,
-/// and fields of some.
-void add_states(Numbers& snapshots, Numbers& meanings, const ShownStage& stage, std::size_t s, std::size_t grains,
-                std::size_t every, NumberBlock& block, const figures::WriteList& write) {
+/// The states of one stage whose grains the page knows, with the textures of all in a small sample, and fields of some.
+void add_states(Numbers& snapshots, Numbers& meanings, const ShownStage& stage, std::size_t s,
+                const ShownGrains& grains, std::size_t every, NumberBlock& block, const figures::WriteList& write) {
   constexpr std::size_t small = 10'000;
   const auto& states = stage.result->snapshots;
   for (std::size_t f = 0; f < states.size(); ++f) {
     const Packing& packing = states[f].packing;
-    if (packing.grains.size() != grains) continue;
+    if (!grains.has(packing.grains)) continue;
     const bool is_last = f + 1 == states.size();
     std::optional<texture::Texture> now;
     const texture::Texture* texture = is_last ? stage.last : nullptr;
-    if (!texture && (is_last || grains <= small)) texture = &now.emplace(texture::measure(packing, stage.options));
+    if (!texture && (is_last || packing.grains.size() <= small))
+      texture = &now.emplace(texture::measure(packing, stage.options));
     snapshots.push_back(snapshot_of(states[f], s, texture, is_last ? stage.result->texture : Numbers::tree(), block));
+    if (const auto places = grains.places_of(packing.grains); !places.empty())
+      snapshots.back()["present"] = block.add_indices(places);
     add_figures_of_state(snapshots.back(), packing, write);
     if (is_last) meanings.update(meanings_of(snapshots.back()["texture"]));
     if (!is_last && f % every != 0) continue;
@@ -192,7 +189,7 @@ void add_states(Numbers& snapshots, Numbers& meanings, const ShownStage& stage, 
     if (Numbers fields = coarse_fields_of(packing, rate, block); fields.is_known())
       snapshots.back()["fields"] = std::move(fields);
   }
-  add_displacements(snapshots, shown_states(*stage.result, grains), *stage.result, block);
+  add_displacements(snapshots, grains, *stage.result, block);
 }
 
 /// Words and symbols of what grains and coarse-grained fields are drawn by: {name: [label, symbol, unit]}.
@@ -246,16 +243,16 @@ PageDocument page_document(const PageData& data) {
   const auto films = films_of(data);  // stay in place while the stages point at them
   const auto shown = stages_of(data, films);
   const Snapshot* last = last_snapshot(shown);
+  const ShownGrains grains(mapped(shown, &ShownStage::result));
   if (last) {
     document["quantities"] = named_kinds(texture::grain_quantities());
     document["layers"] = named_kinds(fields::coarse_layers());
     document["materials"] = materials_of(last->packing.materials);
-    document["grains"] = grains_of(last->packing.grains, block);
+    document["grains"] = grains_of(grains.all(), block);
   }
   const std::size_t every = states_per_fields(shown);
   const Packing* before = nullptr;  // of loadings; films are none
   for (std::size_t s = 0; s < shown.size(); ++s) {
-    const std::size_t grains = last ? last->packing.grains.size() : 0;
     stages.push_back(stage_of(*shown[s].result, before, grains, write));
     if (const auto& states = shown[s].result->snapshots; s >= data.films.size() && !states.empty())
       before = &states.back().packing;

@@ -80,6 +80,7 @@ Numbers energies_of(const Energies& e) {
                         term.value == &Energies::adhesive || term.value == &Energies::dissipated_breakage;
     if (tracked || stored) energies[term.name] = described(e.*term.value, "J", term.phrase);
   }
+  if (e.exchanged != 0) energies[exchange_term.name] = described(e.exchanged, "J", exchange_term.phrase);
   return energies;
 }
 

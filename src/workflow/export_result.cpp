@@ -14,6 +14,7 @@
 #include "io/disk/file.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
+#include "model/matching.hpp"
 #include "solid/stress/grains.hpp"
 #include "workflow/film/film_numbers.hpp"
 #include "workflow/film/run_film.hpp"
@@ -215,12 +216,14 @@ class Loading {
   /// the other moved by what they did.
   void move_to(const Packing& now) {
     const Grains& g = now.grains;
-    if (g.id != last_.id) displacement_.assign(g.size(), {});
-    else
-      for (std::size_t i = 0; i < g.size(); ++i) {
-        const Vec2 step = now.domain.nearest_image(g.position[i] - last_.position[i]);
-        displacement_[i] += step;
+    const std::vector<std::int32_t> places = places_in(last_, g);
+    std::vector<Vec2> displacement(g.size());
+    for (std::size_t i = 0; i < g.size(); ++i)
+      if (places[i] >= 0) {
+        const auto then = static_cast<std::size_t>(places[i]);
+        displacement[i] = displacement_[then] + now.domain.nearest_image(g.position[i] - last_.position[then]);
       }
+    displacement_ = std::move(displacement);
     last_ = g;
   }
 

@@ -116,6 +116,8 @@ Numbers numbers_of(const fields::StagePrediction& s) {
   if (s.height) j["height_m"] = described(*s.height, "m", "Height of the sample in the end, an estimate");
   if (s.strain)
     j["strain"] = described(*s.strain, "", "Strain reached: of shear, or of the axis along which sides move");
+  if (s.inserted > 0)
+    j["grains_inserted"] = described(std::round(s.inserted), "", "Grains that its inflows bring, if all find room");
   if (s.pressure > 0) j["pressure_Pa"] = described(s.pressure, "Pa", "Largest pressure of sides or weight");
   if (s.inertial_number) {
     j["inertial_number"] = described(*s.inertial_number, "", "Inertial number rate d sqrt(rho/P)");
@@ -195,7 +197,13 @@ Prediction predict(const recipe::Recipe& recipe) {
   } catch (const CannotGoOn& error) {
     p.warnings.push_back(fmt::format("stage {}: {}", recipe.stages.front().name, error.what()));
   }
-  for (fields::StagePrediction& stage : p.stages) stage.seconds = p.seconds_per_step * static_cast<double>(stage.steps);
+  const auto first = static_cast<double>(p.grains);
+  double grains = first;
+  for (fields::StagePrediction& stage : p.stages) {
+    const double in_mean = (grains + 0.5 * stage.inserted) / first;
+    stage.seconds = p.seconds_per_step * static_cast<double>(stage.steps) * in_mean;
+    grains += stage.inserted;
+  }
   warn(p, recipe);
   return p;
 }

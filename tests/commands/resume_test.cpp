@@ -129,6 +129,91 @@ TEST(Resume, KilledAtRandomMomentsAPullToFailureEndsWithTheSameBytes) {
   kill_at_random_moments(folder / "recipe.toml", 5, 2, 5);
 }
 
+/// Grains come in and leave, in a stage and in the one after.
+const char* const exchanged = R"(
+title = "grains that come and go"
+seed = 3
+[materials.POM]
+density = "1410 kg/m^3"
+stiffness = "0.3 kN/mm"
+[[populations]]
+material = "POM"
+count = 60
+size = { law = "uniform", min = "10 mm", max = "16 mm" }
+[container]
+width = "100 mm"
+height = "300 mm"
+thickness = "60 mm"
+[packing]
+area = { bottom = "30 mm", top = "200 mm" }
+[contact]
+friction_law = "cundall_strack"
+[integration]
+track_energy = true
+[[stages]]
+name = "feed"
+gravity = true
+duration = "0.4 s"
+snapshots = 4
+[[stages.inflow]]
+bottom = "250 mm"
+rate = "80 1/s"
+velocity = ["0 m/s", "-1 m/s"]
+[[stages.outlets]]
+top = "20 mm"
+right = "20 mm"
+[[stages]]
+name = "recycle"
+gravity = true
+duration = "0.3 s"
+[[stages.outlets]]
+top = "30 mm"
+right = "40 mm"
+recycle_to = { bottom = "230 mm" }
+)";
+
+TEST(Resume, KilledAtRandomMomentsARunThatGrainsComeIntoEndsWithTheSameBytes) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "recipe.toml") << exchanged;
+  kill_at_random_moments(folder / "recipe.toml", 3, 4, 5);
+}
+
+TEST(Exchange, IsPredictedToldAndCounted) {
+  const test::TemporaryFolder folder;
+  const std::string file = (folder / "recipe.toml").string(), out = (folder / "out").string();
+  std::ofstream(file) << exchanged;
+  const auto checked = test::arenite("check " + file);
+  ASSERT_EQ(checked.status, 0) << checked.err;
+  EXPECT_TRUE(test::contains(checked.err, "32 grains come in")) << checked.err;
+  const auto ran = test::arenite("run " + file + " --quiet --out " + out);
+  ASSERT_EQ(ran.status, 0) << ran.err;
+  EXPECT_TRUE(test::contains(ran.out, "grains came in")) << ran.out;
+  const auto shown = test::arenite("show " + out + " --json");
+  for (const char* part : {"\"exchange\"", "\"inserted\": ", "\"removed_kg\"", "\"exchanged\"", "\"closed\": true"})
+    EXPECT_TRUE(test::contains(shown.out, part)) << part << shown.out;
+  const auto text = test::arenite("show " + out);
+  EXPECT_TRUE(test::contains(text.out, "32 grains came in")) << text.out;
+}
+
+TEST(Exchange, IsRefusedWithTheMendAtItsLine) {
+  const test::TemporaryFolder folder;
+  const std::string file = (folder / "recipe.toml").string();
+  std::ofstream(file) << exchanged;
+  const std::pair<const char*, const char*> wrong[] = {
+      {"stages.0.inflow.0.top=400 mm", "must lie in the container"},
+      {"stages.0.inflow.0.mass_rate=1 kg/s", "give either rate or mass_rate"},
+      {"stages.0.inflow.0.material=gold", "no population is of"},
+      {"stages.1.rough.bottom=true", "rough wall"},
+      {"stages.1.count_below=30 mm", "leave count_below out"},
+      {"contact.bonds=parallel", "bonded grains cannot come in or leave"},
+      {"populations.0.shape=square", "grains other than disks cannot come in or leave"}};
+  for (const auto& [change, part] : wrong) {
+    const auto refused = test::arenite("check " + file + " --set '" + change + "'");
+    EXPECT_EQ(refused.status, 2) << change;
+    EXPECT_TRUE(test::contains(refused.err, part)) << change << ": " << refused.err;
+  }
+}
+
 TEST(Resume, NothingIsComputedTwice) {
   const test::TemporaryFolder folder;
   const auto file = write_recipe(folder);

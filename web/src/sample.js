@@ -25,6 +25,7 @@ export class Sample {
     this.materialCounts = this.materials.map((_, m) =>
       this.count ? this.material.reduce((sum, other) => sum + (other === m), 0) : 0,
     );
+    this.exchanges = about.snapshots.some(({ present }) => present);
     this.hasZones = this.count > 0 && this.zone.some((z) => z > 0);
   }
 
@@ -73,7 +74,7 @@ export class Sample {
 
   #unpackSnapshot(k) {
     const { texture = null, fields: _, figures: __, ...about } = this.about.snapshots[k];
-    const snapshot = { ...unpacked(this.#block, about), index: k, texture };
+    const snapshot = { ...spread(unpacked(this.#block, about), this.count), index: k, texture };
     for (const name of ["pressure", "deviator", "vx", "vy", "omega"]) snapshot[name] ??= new Float32Array(this.count);
     for (const name of ["fn", "ft"]) snapshot.contacts[name] ??= new Float32Array(snapshot.contacts.i.length);
     snapshot.boundaries = snapshot.domain.boundaries ?? [];
@@ -106,8 +107,11 @@ export class Sample {
   /** Hydrostatic stress of each grain over the mean of the grains that the texture considers (of all without texture).
       */
   #sigmaNorm(snapshot) {
-    if (snapshot.texture?.grain_sigma_norm) return unpack(this.#block, snapshot.texture.grain_sigma_norm);
-    const average = mean(snapshot.pressure) || 1;
+    if (snapshot.texture?.grain_sigma_norm) {
+      const known = unpack(this.#block, snapshot.texture.grain_sigma_norm);
+      return snapshot.present ? placed(known, snapshot.present, this.count, 0) : known;
+    }
+    const average = mean(snapshot.present ? snapshot.present.map((g) => snapshot.pressure[g]) : snapshot.pressure) || 1;
     return snapshot.pressure.map((p) => p / average);
   }
 
@@ -178,6 +182,33 @@ export class Sample {
     return text.material(this.materials[this.material[grain]]);
   }
 }
+
+/** Values of the grains of a state at the places that these have among all. */
+function placed(values, places, count, fill) {
+  const all = new Float64Array(count).fill(fill);
+  places.forEach((g, k) => (all[g] = values[k]));
+  return all;
+}
+
+/** A state in which some of the sample's grains are missing, because they come in later or have left: its values are
+    put where its grains stand among all, and what is missing lies nowhere (NaN). */
+function spread(snapshot, count) {
+  const { present } = snapshot;
+  if (!present) return snapshot;
+  const spread = { ...snapshot };
+  for (const [name, values] of Object.entries(snapshot))
+    if (name !== "present" && ArrayBuffer.isView(values) && values.length === present.length)
+      spread[name] = placed(values, present, count, name === "x" || name === "y" ? NaN : 0);
+  const place = (g) => (g < present.length ? present[g] : g - present.length + count);
+  for (const name of ["contacts", "bonds", "cohesive"]) {
+    const links = snapshot[name];
+    if (links) spread[name] = { ...links, i: Uint32Array.from(links.i, place), j: Uint32Array.from(links.j, place) };
+  }
+  return spread;
+}
+
+/** Whether a grain is there in a state. */
+export const isPresent = (snapshot, g) => !Number.isNaN(snapshot.x[g]);
 
 function contactTypes(materials) {
   const types = [];

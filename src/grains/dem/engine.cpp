@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "grains/dem/exchange/traffic.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/movers.hpp"
 #include "grains/dem/neighbours.hpp"
@@ -73,6 +74,7 @@ void Engine::begin(const Stage& stage) {
   set_rough(*this, stage.rough, *pool_);
   set_shear_rate(*this, stage.shear_rate);
   set_programmes(*this, {stage.programmes, time_of(*this), stage.gravity_size, stage.gravity_angle});
+  begin_exchange(*this, stage.exchange);
 }
 
 void Engine::change(const Stage& before, const Stage& after) {
@@ -84,5 +86,7 @@ void Engine::change(const Stage& before, const Stage& after) {
 }
 
 void Engine::advance(std::int64_t steps) { dem::advance<2>(*this, *pool_, steps); }
+
+void Engine::exchange(const Exchange& exchange, double since) { exchange_grains(*this, exchange, since, *pool_); }
 
 }  // namespace arenite::dem

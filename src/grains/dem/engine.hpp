@@ -25,8 +25,8 @@ class Engine : public Sample {
   Engine(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration);
 
   /// Sets all that a stage says of the whole sample, in the order in which it takes effect: gravity, friction, masses,
-  /// drag, glue, bonds, open walls, boundaries, rough walls, shear and programmes. What drives the sides changes from
-  /// leg to leg (drives_for).
+  /// drag, glue, bonds, open walls, boundaries, rough walls, shear, programmes and exchange of grains. What drives the
+  /// sides changes from leg to leg (drives_for).
   void begin(const Stage& stage);
 
   /// From one way to drive the stage under way to another: gravity, friction, drag, boundaries and shear, as far as
@@ -35,6 +35,9 @@ class Engine : public Sample {
 
   /// Goes on by so many steps.
   void advance(std::int64_t steps);
+
+  /// Inserts and removes the grains that are due, `since` so many s.
+  void exchange(const Exchange& exchange, double since);
 
  private:
   std::unique_ptr<ThreadPool> pool_;

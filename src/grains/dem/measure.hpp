@@ -26,7 +26,7 @@ struct Amount {
 Amount amount_below(const Sample& sample, double height);
 
 /// Changes something by decree, and books what an energy, a term of energies_of or a function of the sample, gains by
-/// that as work of the sides, or what it loses as another `term` of the account.
+/// that as work of the sides or as exchanged, or what it loses as another `term` of the account.
 template <class Energy, class Change>
 void book_change(Sample& s, double Energies::*term, const Energy& energy, const Change& change) {
   if (!s.integration.track_energy) return change();
@@ -37,7 +37,7 @@ void book_change(Sample& s, double Energies::*term, const Energy& energy, const 
   const double before = now();
   change();
   const double gain = now() - before;
-  s.tally.*term += term == &Energies::work_walls ? gain : -gain;
+  s.tally.*term += term == &Energies::work_walls || term == &Energies::exchanged ? gain : -gain;
 }
 
 /// Gives a grain this place, angle and motion.

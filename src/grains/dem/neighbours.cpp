@@ -114,8 +114,10 @@ void carry_over(SampleIn<D>& s, ContactListIn<D>& before, const std::vector<std:
     return;
   pool.for_ranges(list.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
+      const bool walled = list.j[p] < 0;
       const std::int32_t a = was[list.i[p]];
-      const std::int32_t b = list.j[p] < 0 ? list.j[p] : was[list.owner[p]];
+      const std::int32_t b = walled ? list.j[p] : was[list.owner[p]];
+      if (a == new_disk || (!walled && b == new_disk)) continue;
       const std::size_t old = find_slot(before, a, b, p >= list.polygons, !is_foot(s, p));
       if (old == before.size()) continue;
       const auto take_over = [&](auto& now, const auto& then) {
@@ -132,13 +134,18 @@ void carry_over(SampleIn<D>& s, ContactListIn<D>& before, const std::vector<std:
 
 }  // namespace
 
-template <int D> void rebuild_list(SampleIn<D>& s, const ThreadPool& pool) {
+template <int D> void end_list(SampleIn<D>& s) {
   check_places(s);
   if (s.step > 0) check_pairs(s);
   each_part(s, [&](auto& part) { part.check_list(s); });
   wrap(s);
   each_part(s, [&](auto& part) { part.wrap(s); });
-  const std::vector<std::int32_t> was = sort_by_cell(s);
+}
+
+template <int D> void begin_list(SampleIn<D>& s, const ThreadPool& pool, const std::vector<std::int32_t>& renumbered) {
+  std::vector<std::int32_t> was = sort_by_cell(s);
+  if (!renumbered.empty())
+    for (std::int32_t& k : was) k = renumbered[k];
   s.listed.assign(s.count);
   for (std::size_t k = 0; k < s.count; ++k) s.listed.put(k, s.record[k].place);
   s.listed_domain = s.domain;
@@ -150,6 +157,11 @@ template <int D> void rebuild_list(SampleIn<D>& s, const ThreadPool& pool) {
   each_part(s, [&](auto& part) { part.renew(s); });
 }
 
+template <int D> void rebuild_list(SampleIn<D>& s, const ThreadPool& pool) {
+  end_list(s);
+  begin_list(s, pool, {});
+}
+
 void list_anew(Sample& s, const ThreadPool& pool) {
   book_change(s, &Energies::work_walls, &Energies::elastic, [&] {
     rebuild_list(s, pool);
@@ -159,6 +171,8 @@ void list_anew(Sample& s, const ThreadPool& pool) {
   });
 }
 
+template void end_list(SampleIn<2>&);
+template void begin_list(SampleIn<2>&, const ThreadPool&, const std::vector<std::int32_t>&);
 template void rebuild_list(SampleIn<2>&, const ThreadPool&);
 template void rebuild_list(SampleIn<3>&, const ThreadPool&);
 

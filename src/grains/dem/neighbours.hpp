@@ -1,5 +1,7 @@
 #pragma once
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 #include "core/threads.hpp"
 #include "geometry/cell_grid.hpp"
@@ -11,6 +13,13 @@ namespace arenite::dem {
 /// than the skin. What touching pairs remember is kept. Throws CannotGoOn, naming grain and step, if a grain has left
 /// the walls, gone through a boundary or into another grain beyond that one's centre, or a coordinate is not finite.
 template <int D> void rebuild_list(SampleIn<D>& sample, const ThreadPool& pool = ThreadPool());
+
+/// The same in two steps, between which disks may come and go: the first looks at the list that ends; `renumbered` then
+/// says which number each disk has in that one, new_disk of one that has none. Empty: its own.
+template <int D> void end_list(SampleIn<D>& sample);
+template <int D>
+void begin_list(SampleIn<D>& sample, const ThreadPool& pool, const std::vector<std::int32_t>& renumbered);
+inline constexpr std::int32_t new_disk = -1;
 
 /// Puts what has crossed a periodic edge back at the opposite one. Its own velocity is without the affine motion and
 /// does not change, that which the forces see does; across the edges of a sheared cell both go on as the image does

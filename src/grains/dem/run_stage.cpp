@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "grains/dem/history/history.hpp"
 
 namespace arenite::dem {
 
@@ -61,89 +62,12 @@ double load_error(const WallDrives& drives, const Domain& domain) {
   return worst;
 }
 
-void append(History& history, const char* name, const char* unit, double value) {
-  auto it = std::find_if(history.columns.begin(), history.columns.end(), [&](const auto& c) { return c.name == name; });
-  if (it == history.columns.end()) it = history.columns.insert(it, {name, unit, {}});
-  it->values.push_back(value);
-}
-
-bool shears_cell(const Stage& stage) {
-  return stage.shear_rate != 0 || (stage.strain_cycles && stage.strain_cycles->of == StrainCycles::shear) ||
-         std::any_of(stage.programmes.begin(), stage.programmes.end(),
-                     [](const Programme& p) { return p.of.is(Programme::What::shear_rate); });
-}
-
-/// What one row tells.
-struct HistoryRow {
-  const Domain& domain;
-  double time = 0, increment = 0, sheared = 0;
-  Amount passed = {};
-  std::optional<BondCount> bonds = {};      ///< where there are any
-  std::optional<CohesionCount> pairs = {};  ///< where grains cohere
-  Energies energies = {};
-  Equilibrium now = {};
-};
-
-void append_counts(History& history, const HistoryRow& row) {
-  if (row.bonds) {
-    append(history, "bonds", "1", static_cast<double>(row.bonds->intact));
-    append(history, "broken_in_tension", "1", static_cast<double>(row.bonds->in_tension));
-    append(history, "broken_in_bending", "1", static_cast<double>(row.bonds->in_bending));
-    append(history, "broken_in_shear", "1", static_cast<double>(row.bonds->in_shear));
-    append(history, "bond_energy", "J", row.bonds->energy);
-  }
-  if (row.pairs) {
-    append(history, "cohesive_pairs", "1", static_cast<double>(row.pairs->joined));
-    append(history, "cohesive_pairs_apart", "1", static_cast<double>(row.pairs->apart));
-  }
-}
-
-void append_row(History& history, const Stage& stage, const HistoryRow& row) {
-  append(history, "time", "s", row.time);
-  append(history, "increment", "1", row.increment);
-  for (int side = 0; side < sides; ++side) {
-    const auto& wall = row.domain.wall[side];
-    append(history, fmt::format("{}_position", side_names[side]).c_str(), "m", wall.position);
-    append(history, fmt::format("{}_force", side_names[side]).c_str(), "N", wall.force);
-    append(history, fmt::format("{}_shear_force", side_names[side]).c_str(), "N", wall.shear_force);
-  }
-  if (shears_cell(stage)) append(history, "shear_strain", "1", row.sheared);
-  for (const Boundary& boundary : row.domain.boundaries) {
-    append(history, (boundary.name + "_force_x").c_str(), "N", boundary.force.x);
-    append(history, (boundary.name + "_force_y").c_str(), "N", boundary.force.y);
-    append(history, (boundary.name + "_torque").c_str(), "N m", boundary.torque);
-  }
-  if (stage.count_below) {
-    append(history, "passed", "1", static_cast<double>(row.passed.grains));
-    append(history, "passed_mass", "kg", row.passed.mass);
-  }
-  append_counts(history, row);
-  for (const EnergyTerm& term : energy_terms) append(history, term.name, "J", row.energies.*term.value);
-  append(history, "unbalanced_ratio", "1", row.now.unbalanced_ratio);
-  append(history, "kinetic_ratio", "1", row.now.kinetic_ratio);
-  append(history, "mobilisation", "1", row.now.mobilisation);
-  append(history, "wall_speed", "m/s", row.now.wall_speed);
-  append(history, "falling", "1", row.now.falling);
-  append(history, "loose_kinetic_ratio", "1", row.now.loose_kinetic);
-}
-
-void add_row(History& history, const Engine& engine, const Stage& stage, const Equilibrium& now,
-             std::int64_t increment) {
-  HistoryRow row{engine.domain, time_of(engine), static_cast<double>(increment + 1), engine.sheared};
-  if (stage.count_below) row.passed = amount_below(engine, *stage.count_below);
-  if (const BondCount bonds = count_bonds(engine); bonds.made() > 0) row.bonds = bonds;
-  if (engine.contact.is_cohesive()) row.pairs = count_cohesion(engine);
-  row.energies = energies_of(engine);
-  row.now = now;
-  append_row(history, stage, row);
-}
-
 /// Adds a row to the history, where one is due or wanted. It stays short however long the stage: when it is full, every
 /// second row goes and sampling halves.
 void note(const Engine& engine, const Stage& stage, bool wanted, StageRun& run) {
   auto& columns = run.result.history.columns;
   if (run.checks++ % run.sample_every == 0 || wanted)
-    add_row(run.result.history, engine, stage, run.latest, run.increment);
+    add_row(run.result.history, {engine, stage, run.latest, run.increment});
   if (columns.empty() || columns.front().values.size() < history_rows) return;
   for (auto& column : columns) {
     for (std::size_t k = 0; 2 * k < column.values.size(); ++k) column.values[k] = column.values[2 * k];
@@ -179,6 +103,10 @@ std::string ending_of(const Engine& engine, const Stage& stage, const Equilibriu
 std::string outcome_of(const Engine& engine, std::string text) {
   if (const BondCount bonds = count_bonds(engine); bonds.made() > 0)
     text += fmt::format("; {} of {} bonds broken", bonds.made() - bonds.intact, bonds.made());
+  if (const ExchangeAccount& account = engine.exchanged; !account.through.empty() || account.removed.grains > 0) {
+    text += fmt::format("; {} grains came in, {} left", account.inserted.grains, account.removed.grains);
+    if (account.waiting > 0) text += fmt::format(", {} wait, for there is no room for them", account.waiting);
+  }
   if (!engine.contact.is_cohesive()) return text;
   const CohesionCount pairs = count_cohesion(engine);
   return text + fmt::format("; {} cohesive pairs, {} of them not touching", pairs.joined, pairs.apart);
@@ -189,7 +117,7 @@ void end_leg(const Engine& engine, const Stage& stage, const Leg& leg, StageRun&
   if (leg.ends_half) {
     append(run.result.cycles, "cycle", "1", static_cast<double>(leg.cycle));
     append(run.result.cycles, "at_maximum", "1", leg.at_maximum ? 1.0 : 0.0);
-    add_row(run.result.cycles, engine, stage, run.latest, run.increment);
+    add_row(run.result.cycles, {engine, stage, run.latest, run.increment});
   }
   if (leg.stored) store_snapshot(engine, run.latest, leg.label, run.result);
   if (!leg.is_whole) return;
@@ -213,15 +141,6 @@ Leg leg_of(const Engine& engine, const Stage& stage, const StageRun& run) {
 
 }  // namespace
 
-History history_columns(const Stage& stage, const Domain& domain, bool bonded, bool cohesive) {
-  HistoryRow row{domain};
-  if (bonded) row.bonds.emplace();
-  if (cohesive) row.pairs.emplace();
-  History history;
-  append_row(history, stage, row);
-  return history;
-}
-
 StageRun begin_stage(Engine& engine, const Stage& stage) {
   engine.begin(stage);
   StageRun run;
@@ -240,6 +159,7 @@ void continue_stage(Engine& engine, const Stage& stage, StageRun& run) {
   const std::int64_t steps = leg.until ? std::min(check_interval, *leg.until - run.steps_in_increment) : check_interval;
   engine.advance(steps);
   run.steps_in_increment += steps;
+  engine.exchange(stage.exchange, time_of(engine) - run.start.time);
   run.latest = equilibrium_of(engine);
   const bool at_rest = is_at_rest(run.latest, stage.equilibrium) &&
                        load_error(drives, engine.domain) < 10 * stage.equilibrium.unbalanced;
@@ -259,7 +179,7 @@ void store_state(const Engine& engine, std::string label, StageRun& run) {
 
 void end_early(const Engine& engine, const Stage& stage, const std::string& why, StageRun& run) {
   const std::vector<double>* time = run.result.history.find("time");
-  if (!time || time->back() != time_of(engine)) add_row(run.result.history, engine, stage, run.latest, run.increment);
+  if (!time || time->back() != time_of(engine)) add_row(run.result.history, {engine, stage, run.latest, run.increment});
   const auto& states = run.result.snapshots;
   if (states.empty() || states.back().step != engine.step) store_state(engine, "end", run);
   run.finished = true;

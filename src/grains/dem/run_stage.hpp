@@ -28,9 +28,6 @@ bool is_at_rest(const Equilibrium& now, const EquilibriumCriterion& rest);
 /// The numbers that this is judged by, in words.
 std::string describe(const Equilibrium& now);
 
-/// The columns that the history of such a stage will have, in a container with these boundaries, as a row of zeros.
-History history_columns(const Stage& stage, const Domain& domain, bool bonded, bool cohesive);
-
 /// Sets gravity, friction, drag and glue of the stage and notes the walls' forces.
 StageRun begin_stage(Engine& engine, const Stage& stage);
 

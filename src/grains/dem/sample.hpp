@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "grains/dem/coefficients.hpp"
+#include "grains/dem/exchange/exchange.hpp"
 #include "grains/dem/parts/parts.hpp"
 #include "grains/dem/stage.hpp"
 #include "model/packing.hpp"
@@ -77,7 +78,8 @@ template <int D> struct SampleIn {
   std::vector<std::uint64_t> glued_pairs;  ///< sorted keys of the glued pairs that hold, where these part for good
   typename PartsOf<D>::type parts;         ///< what there is beside single disks and walls
 
-  Energies tally;        ///< dissipation and work so far
+  Energies tally;  ///< dissipation and work so far
+  ExchangeAccount exchanged;
   bool settled = false;  ///< the integrator has its starting values
 };
 

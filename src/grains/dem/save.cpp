@@ -16,6 +16,8 @@ namespace {
 /// "a-dem-" and the version of a state; changes with what `Members` and the parts list.
 constexpr std::uint64_t family = 0x2d6d65642d61, version = 0x3530;
 constexpr std::uint64_t mark = family | version << 48;
+/// Of a state that has its grains and what came and went: "x" and the version's last digit.
+constexpr std::uint64_t mark_with_grains = family | ((version & 0xff00) | 0x78) << 48;
 
 /// Takes members to an archive or from it, one after another, so that one list of them serves both ways.
 template <class Archive> class Members {
@@ -84,6 +86,18 @@ template <class Archive> class Members {
     each_part(s, [&](auto& part) { part.transfer(s, *this); });
   }
 
+  void take(Batch& batch) { (*this)(batch.grains, batch.mass); }
+  void take(ExchangeAccount& account) {
+    (*this)(account.next_id, account.first_id, account.tries, account.inserted, account.removed, account.waiting);
+    auto count = static_cast<std::uint64_t>(account.through.size());
+    take(count);
+    if (reads()) {
+      expect(count <= left() / sizeof(double));
+      account.through.resize(count);
+    }
+    for (Batch& batch : account.through) take(batch);
+  }
+
   /// The slots' contents; their number follows from the list.
   void take(ContactList& list) {
     (*this)(list.strength, list.memory);
@@ -95,16 +109,31 @@ template <class Archive> class Members {
   Archive& archive_;
 };
 
+/// Grains that are no longer those which the sample was made of, and the account of that.
+template <class Archive> void transfer_grains(Members<Archive>& members, Sample& s) {
+  Grains& g = s.start.grains;
+  members(g.id, g.position, g.radius, g.material, g.zone, s.largest_radius, s.exchanged, s.tally.exchanged);
+  if (!members.reads()) return;
+  const std::size_t n = g.id.size();
+  members.expect(n > 0 && g.position.size() == n && g.radius.size() == n && g.material.size() == n &&
+                 g.zone.size() == n);
+  g.resize(n);
+  s.count = n;
+  s.exchanged.kept = true;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> save_sample(const Sample& sample) {
   ByteWriter write;
   Members members(write);
   auto& s = const_cast<Sample&>(sample);  // the writer does not change what it is given
-  std::array<std::uint64_t, 3> header{mark, s.count, 0};
+  std::array<std::uint64_t, 3> header{s.exchanged.kept ? mark_with_grains : mark, s.count, 0};
   std::memcpy(&header[2], &s.dt_at_start, sizeof s.dt_at_start);
   std::vector<DiskRecord> disks(s.record.begin(), s.record.begin() + static_cast<std::ptrdiff_t>(s.count));
-  members(header, disks, s, s.list);
+  members(header);
+  if (s.exchanged.kept) transfer_grains(members, s);
+  members(disks, s, s.list);
   each_part(s, [&](auto& part) { part.transfer_listed(s, members); });
   return std::move(write.bytes);
 }
@@ -118,10 +147,14 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   members(header);
   std::memcpy(&step, &s.dt_at_start, sizeof step);
   members.expect((header[0] & 0xffffffffffff) == family);
-  if (header[0] != mark)
+  const bool has_grains = header[0] == mark_with_grains;
+  if (header[0] != mark && !has_grains)
     throw InputError(
         "the stored state was written by another version of the program; compute the stage that it "
         "belongs to again, in another folder");
+  if (!has_grains && s.exchanged.kept)
+    throw InputError("the stored state is one from before grains came in or left; restore it into a sample made anew");
+  if (has_grains) transfer_grains(members, s);
   if (header[1] != s.count || header[2] != step)
     throw InputError("the stored state belongs to another sample or time step (" + std::to_string(header[1]) +
                      " grains; here " + std::to_string(s.count) + ")");

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "grains/dem/exchange/exchange.hpp"
 #include "grains/dem/parameters.hpp"
 #include "model/packing.hpp"
 
@@ -177,6 +178,7 @@ struct Stage {
   BySide<bool> rough{};                    ///< walls that hold the grains nearest to them as the stage begins
   BySide<bool> open{};                     ///< walls that are taken away
   std::vector<BoundaryMotion> boundaries;
+  Exchange exchange;                  ///< grains that come in and leave; needs a duration
   std::optional<double> count_below;  ///< m; the history counts the grains whose centre is below
   double shear_rate = 0;              ///< 1/s, of a cell that is periodic both ways
   BySide<SideDrive> side;             ///< in the order of model/packing.hpp

@@ -20,7 +20,7 @@ template <class Of> Values of_stress(const CoarseFields& f, Of of) {
   return values;
 }
 
-double length_of(Vec2 v) { return norm(v); }
+double magnitude(Vec2 v) { return norm(v); }
 
 Values pressures(const CoarseFields& f) {
   return of_stress(f, [](const Tensor2& s) { return -0.5 * trace(s); });
@@ -41,7 +41,7 @@ const std::vector<CoarseLayer>& coarse_layers() {
   static const std::vector<CoarseLayer> list{
       {"solid_fraction", "Solid fraction", "\u03c6", "", false, [](const CoarseFields& f) { return f.solid_fraction; }},
       {"density", "Density", "\u03c1", "kg/m^3", false, [](const CoarseFields& f) { return f.density; }},
-      {"speed", "Velocity", "|v|", "m/s", true, [](const CoarseFields& f) { return mapped(f.velocity, length_of); }},
+      {"speed", "Velocity", "|v|", "m/s", true, [](const CoarseFields& f) { return mapped(f.velocity, magnitude); }},
       {"vx", "Velocity along x", "v_{x}", "m/s", true,
        [](const CoarseFields& f) { return mapped(f.velocity, &Vec2::x); }},
       {"vy", "Velocity along y", "v_{y}", "m/s", true,

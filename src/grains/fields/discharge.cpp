@@ -84,8 +84,13 @@ std::vector<double> discharge_rate(const std::vector<double>& time, const std::v
   return rate;
 }
 
+Passed passed_in(const History& rows) {
+  const bool counts = rows.find("passed") != nullptr;
+  return {rows.find(counts ? "passed" : "removed"), rows.find(counts ? "passed_mass" : "removed_mass")};
+}
+
 void put_discharge_rates(const History& rows, const std::vector<double>& time, statistics::Columns& to) {
-  const std::vector<double>*grains = rows.find("passed"), *mass = rows.find("passed_mass");
+  const auto [grains, mass] = passed_in(rows);
   if (!grains || !mass) return;
   to.put("discharge_rate", "1/s", "Grains that pass per time, over the last twenty of them",
          discharge_rate(time, *grains, *grains));

@@ -30,6 +30,13 @@ Discharge find_discharge(const std::vector<double>& time, const std::vector<doub
 std::vector<double> discharge_rate(const std::vector<double>& time, const std::vector<double>& grains,
                                    const std::vector<double>& amount);
 
+/// What has passed so far, row by row: what a history counts below a height, else what left through outlets. Null where
+/// it counts neither.
+struct Passed {
+  const std::vector<double>*grains, *mass;
+};
+Passed passed_in(const History& rows);
+
 /// As curves of a history that counts what passes, `discharge_rate` and `discharge_mass_rate`; nothing of others.
 void put_discharge_rates(const History& rows, const std::vector<double>& time, statistics::Columns& to);
 

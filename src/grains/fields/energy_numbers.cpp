@@ -35,7 +35,7 @@ Numbers energy_numbers(const StageEnd& end) {
   for (const char* name : {"kinetic", "elastic", "adhesive"}) stored += change_of(history, name);
   for (const char* name : {"dissipated_normal", "dissipated_friction", "dissipated_drag", "dissipated_breakage"})
     spent += change_of(history, name);
-  for (const char* name : {"work_walls", "work_gravity"}) {
+  for (const char* name : {"work_walls", "work_gravity", "exchanged"}) {
     work += change_of(history, name);
     turned_over += std::abs(change_of(history, name));
   }
@@ -64,15 +64,20 @@ statistics::Columns energies_of(const History& rows) {
     return total;
   };
   Values spent = sum({"dissipated_normal", "dissipated_friction", "dissipated_drag", "dissipated_breakage"}),
-         work = sum({"work_walls", "work_gravity"});
+         work = sum({"work_walls", "work_gravity", "exchanged"});
   const std::size_t rows_there = std::max(spent.size(), work.size());
   for (Values* values : {&spent, &work}) {
     values->resize(rows_there, 0.0);
     const double first = values->front();
     for (double& v : *values) v -= first;
   }
+  const char* const work_sentence =
+      rows.find("exchanged")
+          ? "Work of sides and gravity, and energy brought by grains that came in less that of those "
+            "that left, since the first row"
+          : "Work of sides and gravity since the first row";
   found.put("dissipated_energy", "J", "Energy dissipated since the first row", std::move(spent));
-  found.put("work", "J", "Work of sides and gravity since the first row", std::move(work));
+  found.put("work", "J", work_sentence, std::move(work));
   return found;
 }
 

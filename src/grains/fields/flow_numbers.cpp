@@ -21,8 +21,8 @@ Numbers estimate(double value, double error, const char* unit, const char* sente
 }
 
 Numbers discharge_numbers(const StageResult& result) {
-  const auto *time = result.history.find("time"), *mass = result.history.find("passed_mass"),
-             *grains = result.history.find("passed");
+  const auto* time = result.history.find("time");
+  const auto [grains, mass] = passed_in(result.history);
   if (!time || !mass || !grains || time->size() < 2) return Numbers::tree();
   const Discharge by_mass = find_discharge(*time, *mass), by_grains = find_discharge(*time, *grains);
   if (!std::isfinite(by_mass.rate.value)) return Numbers::tree();
@@ -37,6 +37,23 @@ Numbers discharge_numbers(const StageResult& result) {
   if (const double opening = narrowest_opening(result.snapshots.back().packing.domain); std::isfinite(opening))
     j["opening_m"] = described(opening, "m", "Narrowest opening between boundaries");
   return j;
+}
+
+/// Counts at the end of a stage in which grains come in or leave.
+Numbers exchange_numbers(const StageResult& result) {
+  const auto last = [&](const char* name) {
+    const auto* values = result.history.find(name);
+    return values && !values->empty() ? values->back() : 0.0;
+  };
+  if (!result.history.find("inserted")) return Numbers::tree();
+  return {
+      {"inserted", described(std::llround(last("inserted")), "", "Grains that came in during the stage")},
+      {"inserted_kg", described(last("inserted_mass"), "kg", "Their mass")},
+      {"removed",
+       described(std::llround(last("removed")), "", "Grains that left during the stage; those put back count as both")},
+      {"removed_kg", described(last("removed_mass"), "kg", "Their mass")},
+      {"grains", described(std::llround(last("grains")), "", "Grains at the end of the stage")},
+      {"waiting", described(std::llround(last("waiting")), "", "Grains that are due at the end and found no room")}};
 }
 
 bool has_free_surface(const Asked& asked, const dem::Stage& stage) {
@@ -142,6 +159,7 @@ Numbers flow_numbers(const StageEnd& end) {
   Numbers j = Numbers::tree();
   if (result.snapshots.back().packing.grains.size() == 0) return j;
   if (Numbers discharge = discharge_numbers(result); !discharge.empty()) j["discharge"] = std::move(discharge);
+  if (Numbers exchange = exchange_numbers(result); !exchange.empty()) j["exchange"] = std::move(exchange);
   if (!has_free_surface(result.asked, stage)) return j;
   j["surface"] = surface_numbers(result, stage, before);
   if (!stage.duration) return j;

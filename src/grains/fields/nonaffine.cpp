@@ -1,9 +1,11 @@
 #include "grains/fields/nonaffine.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
 #include "core/problems.hpp"
+#include "model/matching.hpp"
 #include "model/periodic_images.hpp"
 #include "statistics/estimate.hpp"
 
@@ -24,12 +26,15 @@ Tensor2 cell_motion(const Domain& before, const Domain& after) {
   return {wider, (after.tilt - wider * before.tilt) / before.height(), 0, after.height() / before.height()};
 }
 
-void check(const Packing& before, const Packing& after) {
-  if (before.grains.size() != after.grains.size())
-    throw refusal("states of {} and {} grains; compare states of the same grains", before.grains.size(),
-                  after.grains.size());
+/// Where the grains are in the state after; -1 of those that left.
+std::vector<std::int32_t> matched(const Packing& before, const Packing& after) {
+  const std::vector<std::int32_t> places = places_in(after.grains, before.grains);
+  if (before.grains.size() > 0 && std::ranges::all_of(places, [](std::int32_t place) { return place < 0; }))
+    throw refusal("states of {} and {} grains have no grain in common; compare states of the same grains",
+                  before.grains.size(), after.grains.size());
   if (before.domain.periodic[0] != after.domain.periodic[0] || before.domain.periodic[1] != after.domain.periodic[1])
     throw InputError("one state is periodic along a side where the other has walls; compare states of one sample");
+  return places;
 }
 
 struct Neighbour {
@@ -72,7 +77,7 @@ Tensor2 best_gradient(std::span<const Vec2> from, std::span<const Vec2> to) {
 }  // namespace
 
 LocalDeformation local_deformation(const Packing& before, const Packing& after, double range) {
-  check(before, after);
+  const std::vector<std::int32_t> places = matched(before, after);
   if (!(range > 0)) throw refusal("neighbours within {:g} m; give a positive length", range);
   const Tensor2 motion = cell_motion(before.domain, after.domain);
   const auto list = neighbours_within(before, range);
@@ -84,10 +89,12 @@ LocalDeformation local_deformation(const Packing& before, const Packing& after, 
     from.clear();
     to.clear();
     for (const Neighbour& k : list[g]) {
+      if (places[g] < 0 || places[k.grain] < 0) continue;
       const Vec2 carried = times(motion, k.separation);
       from.push_back(k.separation);
       to.push_back(carried +
-                   after.domain.nearest_image(after.grains.position[k.grain] - after.grains.position[g] - carried));
+                   after.domain.nearest_image(after.grains.position[static_cast<std::size_t>(places[k.grain])] -
+                                              after.grains.position[static_cast<std::size_t>(places[g])] - carried));
     }
     out.neighbours[g] = static_cast<std::int32_t>(from.size());
     const Tensor2 f = best_gradient(from, to);
@@ -105,15 +112,18 @@ LocalDeformation local_deformation(const Packing& before, const Packing& after, 
 }
 
 AffineFit affine_fit(const Packing& before, const Packing& after) {
-  check(before, after);
+  const std::vector<std::int32_t> places = matched(before, after);
   const Tensor2 motion = cell_motion(before.domain, after.domain);
   std::vector<Vec2> from, to;
+  std::vector<std::size_t> both;
   for (std::size_t g = 0; g < before.grains.size(); ++g) {
+    if (places[g] < 0) continue;
+    both.push_back(g);
+    const Vec2 now = after.grains.position[static_cast<std::size_t>(places[g])];
     from.push_back(before.grains.position[g]);
     // Carried along by the cell and by the first grain: the images are those nearest to that.
-    const Vec2 start = g == 0 ? after.grains.position[0] : to.front(),
-               carried = start + times(motion, from[g] - from.front());
-    to.push_back(carried + after.domain.nearest_image(after.grains.position[g] - carried));
+    const Vec2 start = to.empty() ? now : to.front(), carried = start + times(motion, from.back() - from.front());
+    to.push_back(carried + after.domain.nearest_image(now - carried));
   }
   const Vec2 middle = mean_point(from), middle_after = mean_point(to);
   for (Vec2& p : from) p = p - middle;
@@ -123,9 +133,10 @@ AffineFit affine_fit(const Packing& before, const Packing& after) {
   fit.gradient = best_gradient(from, to);
   fit.shift = middle_after - times(fit.gradient, middle);
   double sum = 0;
-  for (std::size_t g = 0; g < from.size(); ++g) {
-    fit.residual.push_back(to[g] - times(fit.gradient, from[g]));
-    sum += dot(fit.residual.back(), fit.residual.back());
+  fit.residual.assign(before.grains.size(), {unknown, unknown});
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const Vec2 residual = fit.residual[both[k]] = to[k] - times(fit.gradient, from[k]);
+    sum += dot(residual, residual);
   }
   fit.fluctuation = from.empty() ? unknown : std::sqrt(sum / static_cast<double>(from.size()));
   return fit;

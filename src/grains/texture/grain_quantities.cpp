@@ -7,6 +7,7 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/texture/texture.hpp"
+#include "model/matching.hpp"
 
 namespace arenite::texture {
 namespace {
@@ -92,17 +93,20 @@ std::vector<std::vector<Vec2>> displacements(const std::vector<Sheared>& states)
       continue;
     }
     const Grains& before = states[k - 1].packing->grains;
-    if (before.size() != now.size()) throw refusal("displacements are of the same grains in all states");
+    const std::vector<std::int32_t> places = places_in(before, now);
     const Domain& domain = states[k].packing->domain;
     const double middle = 0.5 * (domain.wall[bottom].position + domain.wall[top].position),
                  sheared = states[k].strain - states[k - 1].strain;
-    ways.push_back(ways.back());
+    std::vector<Vec2> way(now.size());
     for (std::size_t g = 0; g < now.size(); ++g) {
-      const Vec2 step = now.position[g] - before.position[g];
+      if (places[g] < 0) continue;
+      const auto then = static_cast<std::size_t>(places[g]);
+      const Vec2 step = now.position[g] - before.position[then];
       const double up = domain.nearest_image({0, step.y}).y;
-      const double affine = sheared * (before.position[g].y + 0.5 * up - middle);
-      ways.back()[g] += domain.nearest_image({step.x - affine, step.y});
+      const double affine = sheared * (before.position[then].y + 0.5 * up - middle);
+      way[g] = ways.back()[then] + domain.nearest_image({step.x - affine, step.y});
     }
+    ways.push_back(std::move(way));
   }
   return ways;
 }

@@ -32,7 +32,7 @@ struct Sheared {
 
 /// Displacements of grains since the first of these states, m, of each state; without the shear of a sheared cell. In a
 /// periodic cell the way from state to state is the shortest, so that grains must not move farther than half a cell
-/// between them. Throws InputError where the numbers of grains differ.
+/// between them. Grains are known by their ids; one that came in later counts from the state where it is first seen.
 std::vector<std::vector<Vec2>> displacements(const std::vector<Sheared>& states);
 
 }  // namespace arenite::texture

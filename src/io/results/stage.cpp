@@ -7,6 +7,9 @@ namespace {
 void transfer_energies(const Hdf5Group& at, Snapshot& snapshot) {
   const auto energies = at.group("energies");
   for (const EnergyTerm& term : energy_terms) energies(std::string(term.name) + " [J]", snapshot.energies.*term.value);
+  const std::string exchanged = std::string(exchange_term.name) + " [J]";
+  if (at.reads() ? energies.has_attribute(exchanged) : snapshot.energies.exchanged != 0)
+    energies(exchanged, snapshot.energies.exchanged);
   const auto equilibrium = at.group("equilibrium");
   equilibrium("unbalanced_ratio", snapshot.equilibrium.unbalanced_ratio);
   equilibrium("kinetic_ratio", snapshot.equilibrium.kinetic_ratio);

@@ -6,6 +6,7 @@
 
 #include "core/mapped.hpp"
 #include "core/vec.hpp"
+#include "grains/fields/discharge.hpp"
 #include "grains/fields/free_surface.hpp"
 #include "grains/fields/laboratory/test_kind.hpp"
 
@@ -77,7 +78,7 @@ Panel profile_panel(const std::vector<fields::FreeSurface>& surfaces, const fiel
 }  // namespace
 
 Drawings discharge(const StageData& data) {
-  const Values *time = data.stage.history.find("time"), *mass = data.stage.history.find("passed_mass");
+  const Values *time = data.stage.history.find("time"), *mass = fields::passed_in(data.stage.history).mass;
   if (!time || !mass || time->size() < 2 || mass->size() < 2) return {};
   const double begin = time->front();
   const Scale scale = scale_of(1e3 * largest_of(*mass, 0), "g");

@@ -60,7 +60,7 @@ void add_test(Numbers& shown, const StageData& data) {
   const auto& [stage, states, before] = data;
   const fields::Test test{stage, before};
   Numbers numbers = fields::test_numbers(test);
-  for (const char* name : {"loads", "discharge", "surface", "floor"})
+  for (const char* name : {"loads", "discharge", "exchange", "surface", "floor"})
     if (const auto at = stage.texture.is_tree() ? stage.texture.find(name) : stage.texture.end();
         at != stage.texture.end())
       numbers[name] = *at;

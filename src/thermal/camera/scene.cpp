@@ -170,9 +170,12 @@ float Patch::at(Vec2 offset) const {
 }
 
 Scene scene_between(const Packing& low, const Packing& high, const Parameters& parameters) {
-  if (low.grains.radius != high.grains.radius || low.grains.material != high.grains.material)
-    throw refusal("the two states do not hold the same grains ({} and {}); take them from one run", low.grains.size(),
-                  high.grains.size());
+  if (low.grains.radius != high.grains.radius || low.grains.material != high.grains.material ||
+      low.grains.id != high.grains.id)
+    throw refusal(
+        "the two states do not hold the same grains ({} and {}); take them from one run, between which none came in or "
+        "left",
+        low.grains.size(), high.grains.size());
   return make_scene(&low, high, parameters);
 }
 

@@ -200,8 +200,8 @@ TEST(BadRecipe, UnknownWordOffersTheNearest) {
 TEST(BadRecipe, ValueOutOfRangeNamesTheRange) {
   EXPECT_EQ(problems(replaced(smallest, "16.4 mm", "-16.4 mm")),
             Lines{"r.toml:10:12: populations.0.diameter: \"-16.4 mm\" is out of range; it must be above 0 mm"});
-  EXPECT_EQ(problems(replaced(smallest, "count = 10", "count = 0")),
-            Lines{"r.toml:9:9: populations.0.count: 0 is out of range; it must be from 1 to 100000000"});
+  EXPECT_EQ(problems(replaced(smallest, "count = 10", "count = -1")),
+            Lines{"r.toml:9:9: populations.0.count: -1 is out of range; it must be from 0 to 100000000"});
   EXPECT_EQ(problems(smallest + "[contact]\nrestitution = 1.5\n"),
             Lines{"r.toml:15:15: contact.restitution: 1.5 is out of range; it must be above 0, up to 1"});
 }

@@ -1,5 +1,6 @@
 import * as Plot from "@observablehq/plot";
 import { aboutQuantity, knownQuantities, topOf, valuesOf } from "../packing/quantities.js";
+import { isPresent } from "../sample.js";
 import { prefixOf } from "../text.js";
 import { materialColour, materialLine } from "../theme.js";
 import { chart } from "./chart.js";
@@ -30,6 +31,7 @@ export const grainScatter = {
     const [x, y] = ["across", "up"].map((key) => axisOf(state.get(key), sample)),
       [across, up] = ["across", "up"].map((key) => valuesOf(state.get(key), sample, snapshot));
     const points = shownGrains(sample, selected)
+      .filter((g) => isPresent(snapshot, g))
       .map((g) => ({
         g,
         x: across[g] / x.factor,

@@ -1,4 +1,5 @@
 import { h, rich } from "../dom.js";
+import { isPresent } from "../sample.js";
 import { fileName, saveText } from "../save.js";
 import { prefixOf, text } from "../text.js";
 import { knownQuantities, topOf, valuesOf } from "./quantities.js";
@@ -36,6 +37,7 @@ function columnsOf(sample) {
 /** All grains of the state that is shown with their numbers, in a table that is sorted by a click on a column header;
     only the rows in sight are made. A click on a row selects its grain everywhere, arrows go from row to row. */
 export function grainTable(sample, state) {
+  const states = sample.exchanges ? "all states, those of the state shown in the table" : "the state shown";
   const columns = columnsOf(sample),
     sorting = { column: columns[0], down: false };
   const scroller = h("div", {
@@ -56,7 +58,9 @@ export function grainTable(sample, state) {
     const sign = sorting.down ? -1 : 1,
       compare = sorting.column.key === "material" ? (a, b) => a.localeCompare(b) : (a, b) => a - b;
     values = of;
-    order = Array.from({ length: sample.count }, (_, g) => g).sort((a, b) => sign * compare(by(a), by(b)) || a - b);
+    const here = sample.snapshot(state.get("snapshot"));
+    const present = Array.from({ length: sample.count }, (_, g) => g).filter((g) => isPresent(here, g));
+    order = present.sort((a, b) => sign * compare(by(a), by(b)) || a - b);
     heads.forEach((head, k) =>
       head.setAttribute(
         "aria-sort",
@@ -159,7 +163,7 @@ export function grainTable(sample, state) {
       "p",
       { class: "caption" },
       rich(
-        `${text.count(sample.count)} grains in the state shown; click a column header to sort, ` +
+        `${text.count(sample.count)} grains in ${states}; click a column header to sort, ` +
           "click a row to mark the grain in the picture and the charts. " +
           "p, q: half the sum and half the difference of the principal stresses of a grain, compression positive; " +
           "u, \u03b8: since the first state of the stage. The CSV file is in SI units.",

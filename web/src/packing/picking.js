@@ -1,3 +1,4 @@
+import { isPresent } from "../sample.js";
 import { distanceToSegment } from "../segment.js";
 import { chainWidth, isShown, segmentsOf } from "./chains.js";
 
@@ -8,10 +9,11 @@ export class Picker {
     this.snapshot = snapshot;
     const { x, y } = snapshot;
     this.cell = 2 * sample.radius.reduce((most, r) => Math.max(most, r), 0) || 1;
-    this.left = x.reduce((least, v) => Math.min(least, v), Infinity);
-    this.bottom = y.reduce((least, v) => Math.min(least, v), Infinity);
+    this.left = x.reduce((least, v) => (v < least ? v : least), Infinity);
+    this.bottom = y.reduce((least, v) => (v < least ? v : least), Infinity);
     this.cells = new Map();
     for (let g = 0; g < sample.count; ++g) {
+      if (!isPresent(snapshot, g)) continue;
       const key = this.#key(this.#column(x[g]), this.#row(y[g]));
       if (!this.cells.has(key)) this.cells.set(key, []);
       this.cells.get(key).push(g);

@@ -1,4 +1,5 @@
 import { s } from "../dom.js";
+import { isPresent } from "../sample.js";
 import { chainColour, chainWidth, segmentsOf, shownContacts } from "./chains.js";
 import { fadeUnderChains, grainColour, scaleOf } from "./colouring.js";
 import { legend, legendHeight } from "./legend.js";
@@ -47,6 +48,7 @@ function grains(sample, snapshot, camera, theme, state) {
     return group;
   }
   for (let g = 0; g < sample.count; ++g) {
+    if (!isPresent(snapshot, g)) continue;
     const [cx, cy] = camera.toScreen(snapshot.x[g], snapshot.y[g]);
     group.append(
       s("circle", {

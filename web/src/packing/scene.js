@@ -1,4 +1,5 @@
 import createRegl from "regl";
+import { isPresent } from "../sample.js";
 import { bytes } from "../theme.js";
 import { chainBuffers } from "./chains.js";
 import { fadeUnderChains, grainColours, scaleOf } from "./colouring.js";
@@ -6,6 +7,7 @@ import { diskDrawing } from "./disks.js";
 import { segmentDrawing } from "./segments.js";
 import { ShapeScene } from "./shapes.js";
 
+const farAway = 1e9; // m
 const unit = (colour) => bytes(colour).map((v) => v / 255);
 
 /** The packing on the graphics card. `update` uploads what a change of state touches, `draw` paints one picture. */
@@ -43,8 +45,9 @@ export class Scene {
   updatePositions(snapshot) {
     const centre = new Float32Array(2 * this.sample.count);
     for (let g = 0; g < this.sample.count; ++g) {
-      centre[2 * g] = snapshot.x[g] - this.origin.x;
-      centre[2 * g + 1] = snapshot.y[g] - this.origin.y;
+      const there = isPresent(snapshot, g);
+      centre[2 * g] = there ? snapshot.x[g] - this.origin.x : farAway;
+      centre[2 * g + 1] = there ? snapshot.y[g] - this.origin.y : farAway;
     }
     this.grains.centre({ data: centre, usage: "dynamic" });
     this.grains.angle({ data: snapshot.angle, usage: "dynamic" });

@@ -8,6 +8,7 @@
 #include "core/root.hpp"
 #include "grains/dem/coefficients.hpp"
 #include "grains/dem/engine.hpp"
+#include "grains/dem/exchange/traffic.hpp"
 #include "grains/dem/run_stage.hpp"
 #include "grains/texture/texture.hpp"
 
@@ -200,6 +201,7 @@ StagePrediction of_stage(const dem::Engine& engine, const dem::ContactParameters
     p.steps = dem::steps_of(p.duration, p.time_step);
     p.strain = strain_over(p.duration, stage, bulk);
     p.states = stage.strain_cycles ? dem::increment_count(stage) : std::max<std::int64_t>(1, stage.snapshots);
+    p.inserted = dem::grains_due(engine, stage.exchange, p.duration);
     return p;
   }
   p.states = dem::increment_count(stage);

@@ -57,6 +57,7 @@ struct StagePrediction {
   std::int64_t increment_steps = 0;  ///< of the longest increment; 0 where `exact`
   bool exact = false;                ///< steps follow from a duration; else they are an estimate
   double seconds = 0;                ///< of one processor
+  double inserted = 0;               ///< grains that its inflows bring, if all find room
   double pressure = 0;               ///< Pa, the largest that its sides or its weight exert; 0: none known
   std::optional<double> inertial_number, stiffness_number, overlap;  ///< overlap: over the diameter
   std::int64_t states = 1;                                           ///< that are stored

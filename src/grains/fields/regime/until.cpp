@@ -11,7 +11,7 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "core/unit_names.hpp"
-#include "grains/dem/run_stage.hpp"
+#include "grains/dem/history/history.hpp"
 #include "grains/fields/driven.hpp"
 #include "grains/fields/loading.hpp"
 

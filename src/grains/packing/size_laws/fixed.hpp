@@ -17,6 +17,7 @@ struct FixedSize {
 
   double draw(std::int64_t /*k*/, RandomStream& /*random*/) const { return diameter; }
   double largest() const { return diameter; }
+  double smallest() const { return diameter; }
 };
 
 }  // namespace arenite::packing

@@ -22,6 +22,7 @@ struct SizeList {
     return values[static_cast<std::size_t>(k) % values.size()];
   }
   double largest() const { return values.empty() ? 0 : *std::max_element(values.begin(), values.end()); }
+  double smallest() const { return values.empty() ? 0 : *std::min_element(values.begin(), values.end()); }
 };
 
 }  // namespace arenite::packing

@@ -38,6 +38,7 @@ struct SieveCurve {
     return 1 / (1 / sieves[c] - share * (1 / sieves[c] - 1 / sieves[c + 1]));
   }
   double largest() const { return sieves.empty() ? 0 : sieves.back(); }
+  double smallest() const { return sieves.empty() ? 0 : sieves.front(); }
 
  private:
   /// Grains between sieves c and c + 1, per mass of all.

@@ -22,6 +22,7 @@ concept DrawsDiameters = std::default_initializable<L> && std::equality_comparab
   { law.declare(visitor) } -> std::same_as<void>;
   { law.draw(std::int64_t{}, random) } -> std::same_as<double>;  // of grain k of its population, m
   { law.largest() } -> std::same_as<double>;                     // no grain is wider, m
+  { law.smallest() } -> std::same_as<double>;                    // or narrower
 };
 template <DrawsDiameters... Law> using SizeLaws = std::variant<Law...>;
 

@@ -19,6 +19,7 @@ struct UniformSizes {
 
   double draw(std::int64_t /*k*/, RandomStream& random) const { return random.uniform(min, max); }
   double largest() const { return max; }
+  double smallest() const { return min; }
 };
 
 /// Throws InputError: the truncation of a law leaves almost none of its grains. Lengths in m.

@@ -1,0 +1,115 @@
+#include "grains/dem/history/history.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace arenite::dem {
+namespace {
+
+bool shears_cell(const Stage& stage) {
+  return stage.shear_rate != 0 || (stage.strain_cycles && stage.strain_cycles->of == StrainCycles::shear) ||
+         std::any_of(stage.programmes.begin(), stage.programmes.end(),
+                     [](const Programme& p) { return p.of.is(Programme::What::shear_rate); });
+}
+
+/// What one row tells.
+struct HistoryRow {
+  const Domain& domain;
+  double time = 0, increment = 0, sheared = 0;
+  Amount passed = {};
+  std::optional<BondCount> bonds = {};      ///< where there are any
+  std::optional<CohesionCount> pairs = {};  ///< where grains cohere
+  ExchangeAccount exchanged = {};           ///< where grains come in and leave
+  std::size_t grains = 0;                   ///< and how many there are
+  Energies energies = {};
+  Equilibrium now = {};
+};
+
+void append_counts(History& history, const HistoryRow& row) {
+  if (row.bonds) {
+    append(history, "bonds", "1", static_cast<double>(row.bonds->intact));
+    append(history, "broken_in_tension", "1", static_cast<double>(row.bonds->in_tension));
+    append(history, "broken_in_bending", "1", static_cast<double>(row.bonds->in_bending));
+    append(history, "broken_in_shear", "1", static_cast<double>(row.bonds->in_shear));
+    append(history, "bond_energy", "J", row.bonds->energy);
+  }
+  if (row.pairs) {
+    append(history, "cohesive_pairs", "1", static_cast<double>(row.pairs->joined));
+    append(history, "cohesive_pairs_apart", "1", static_cast<double>(row.pairs->apart));
+  }
+}
+
+void append_exchange(History& history, const HistoryRow& row) {
+  const Batch &inserted = row.exchanged.inserted, &removed = row.exchanged.removed;
+  append(history, "grains", "1", static_cast<double>(row.grains));
+  append(history, "inserted", "1", static_cast<double>(inserted.grains));
+  append(history, "inserted_mass", "kg", inserted.mass);
+  append(history, "removed", "1", static_cast<double>(removed.grains));
+  append(history, "removed_mass", "kg", removed.mass);
+  append(history, "waiting", "1", static_cast<double>(row.exchanged.waiting));
+}
+
+void append_row(History& history, const Stage& stage, const HistoryRow& row) {
+  append(history, "time", "s", row.time);
+  append(history, "increment", "1", row.increment);
+  for (int side = 0; side < sides; ++side) {
+    const auto& wall = row.domain.wall[side];
+    append(history, fmt::format("{}_position", side_names[side]).c_str(), "m", wall.position);
+    append(history, fmt::format("{}_force", side_names[side]).c_str(), "N", wall.force);
+    append(history, fmt::format("{}_shear_force", side_names[side]).c_str(), "N", wall.shear_force);
+  }
+  if (shears_cell(stage)) append(history, "shear_strain", "1", row.sheared);
+  for (const Boundary& boundary : row.domain.boundaries) {
+    append(history, (boundary.name + "_force_x").c_str(), "N", boundary.force.x);
+    append(history, (boundary.name + "_force_y").c_str(), "N", boundary.force.y);
+    append(history, (boundary.name + "_torque").c_str(), "N m", boundary.torque);
+  }
+  if (stage.count_below) {
+    append(history, "passed", "1", static_cast<double>(row.passed.grains));
+    append(history, "passed_mass", "kg", row.passed.mass);
+  }
+  append_counts(history, row);
+  if (!stage.exchange.is_none()) append_exchange(history, row);
+  for (const EnergyTerm& term : energy_terms) append(history, term.name, "J", row.energies.*term.value);
+  if (!stage.exchange.is_none()) append(history, exchange_term.name, "J", row.energies.*exchange_term.value);
+  append(history, "unbalanced_ratio", "1", row.now.unbalanced_ratio);
+  append(history, "kinetic_ratio", "1", row.now.kinetic_ratio);
+  append(history, "mobilisation", "1", row.now.mobilisation);
+  append(history, "wall_speed", "m/s", row.now.wall_speed);
+  append(history, "falling", "1", row.now.falling);
+  append(history, "loose_kinetic_ratio", "1", row.now.loose_kinetic);
+}
+
+}  // namespace
+
+void append(History& history, const char* name, const char* unit, double value) {
+  auto it = std::find_if(history.columns.begin(), history.columns.end(), [&](const auto& c) { return c.name == name; });
+  if (it == history.columns.end()) it = history.columns.insert(it, {name, unit, {}});
+  it->values.push_back(value);
+}
+
+void add_row(History& history, const Look& look) {
+  const auto& [engine, stage, now, increment] = look;
+  HistoryRow row{engine.domain, time_of(engine), static_cast<double>(increment + 1), engine.sheared};
+  if (stage.count_below) row.passed = amount_below(engine, *stage.count_below);
+  if (const BondCount bonds = count_bonds(engine); bonds.made() > 0) row.bonds = bonds;
+  if (engine.contact.is_cohesive()) row.pairs = count_cohesion(engine);
+  row.exchanged = engine.exchanged;
+  row.grains = grain_count(engine);
+  row.energies = energies_of(engine);
+  row.now = now;
+  append_row(history, stage, row);
+}
+
+History history_columns(const Stage& stage, const Domain& domain, bool bonded, bool cohesive) {
+  HistoryRow row{domain};
+  if (bonded) row.bonds.emplace();
+  if (cohesive) row.pairs.emplace();
+  History history;
+  append_row(history, stage, row);
+  return history;
+}
+
+}  // namespace arenite::dem

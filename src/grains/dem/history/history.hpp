@@ -1,0 +1,26 @@
+#pragma once
+#include <cstdint>
+
+#include "grains/dem/engine.hpp"
+#include "grains/dem/stage.hpp"
+#include "model/result.hpp"
+
+namespace arenite::dem {
+
+/// Adds a value to a column of that name, which is made if there is none.
+void append(History& history, const char* name, const char* unit, double value);
+
+/// A look at a stage under way.
+struct Look {
+  const Engine& engine;
+  const Stage& stage;
+  const Equilibrium& now;
+  std::int64_t increment = 0;  ///< from 0
+};
+/// Adds what it finds as a row.
+void add_row(History& history, const Look& look);
+
+/// The columns that the history of such a stage will have, in a container with these boundaries, as a row of zeros.
+History history_columns(const Stage& stage, const Domain& domain, bool bonded, bool cohesive);
+
+}  // namespace arenite::dem
