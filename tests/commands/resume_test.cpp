@@ -188,6 +188,8 @@ TEST(Exchange, IsPredictedToldAndCounted) {
   const auto ran = test::arenite("run " + file + " --quiet --out " + out);
   ASSERT_EQ(ran.status, 0) << ran.err;
   EXPECT_TRUE(test::contains(ran.out, "grains came in")) << ran.out;
+  const auto page = test::shell("node " ARENITE_SOURCE_DIR "/web/test/exchange_page.test.mjs " + out + "/report.html");
+  EXPECT_EQ(page.status, 0) << page.out << page.err;
   const auto shown = test::arenite("show " + out + " --json");
   for (const char* part : {"\"exchange\"", "\"inserted\": ", "\"removed_kg\"", "\"exchanged\"", "\"closed\": true"})
     EXPECT_TRUE(test::contains(shown.out, part)) << part << shown.out;

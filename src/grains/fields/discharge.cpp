@@ -85,8 +85,11 @@ std::vector<double> discharge_rate(const std::vector<double>& time, const std::v
 }
 
 Passed passed_in(const History& rows) {
-  const bool counts = rows.find("passed") != nullptr;
-  return {rows.find(counts ? "passed" : "removed"), rows.find(counts ? "passed_mass" : "removed_mass")};
+  const auto either = [&](const char* below, const char* left) {
+    const std::vector<double>* values = rows.find(below);
+    return values ? values : rows.find(left);
+  };
+  return {either("passed", "removed"), either("passed_mass", "removed_mass")};
 }
 
 void put_discharge_rates(const History& rows, const std::vector<double>& time, statistics::Columns& to) {

@@ -224,7 +224,7 @@ const std::vector<Row<StageData>>& stage_figures() {
       {{"discharge",
         "discharge",
         "Discharge",
-        "Mass of the grains below the height count_below of the recipe. Dashed: the discharge rate, over the part in "
+        "Mass of the grains below the height count_below of the recipe, or that left. Dashed: the discharge rate, over the part in "
         "which it is steady.",
         true,
         {},
