@@ -224,8 +224,8 @@ const std::vector<Row<StageData>>& stage_figures() {
       {{"discharge",
         "discharge",
         "Discharge",
-        "Mass of the grains below the height count_below of the recipe, or that left. Dashed: the discharge rate, over the part in "
-        "which it is steady.",
+        "Mass of the grains below the height count_below of the recipe, or that left. Dashed: the discharge rate, over "
+        "the part in which it is steady.",
         true,
         {},
         true},

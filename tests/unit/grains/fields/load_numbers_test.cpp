@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "grains/fields/loading.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "report/stage_doubts.hpp"
 
