@@ -1,8 +1,9 @@
 #include "geometry/polygon.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "geometry/rectangle.hpp"
 
 namespace arenite::geometry {
 namespace {
@@ -32,8 +33,7 @@ Vec2 way_from(const Polygon& polygon, Vec2 point) {
   Vec2 nearest{};
   double least = std::numeric_limits<double>::infinity();
   each_segment(polygon, [&](Vec2 a, Vec2 b) {
-    const double along = std::clamp(dot(point - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
-    const Vec2 way = point - (a + along * (b - a));
+    const Vec2 way = point - nearest_on_segment(a, b, point);
     if (norm(way) < least) least = norm(way), nearest = way;
   });
   return nearest;

@@ -19,6 +19,9 @@ constexpr double rounding =
 constexpr double long_pause =
     0.1;  // of the time of flow without a passing: longer than the gaps of a flow that goes on
 
+constexpr double bulk = 0.95;    // of all that passes
+constexpr double dribbling = 3;  // times slower than the bulk: stragglers of a silo that has run empty
+
 void check(const std::vector<double>& time, const std::vector<double>& passed) {
   if (time.size() != passed.size())
     throw refusal("there are {} times and {} amounts passed; give one per time", time.size(), passed.size());
@@ -51,9 +54,14 @@ Discharge find_discharge(const std::vector<double>& time, const std::vector<doub
     return static_cast<std::size_t>(std::find_if(passed.begin(), passed.end(), holds) - passed.begin());
   };
   const auto first = row_where([&](double p) { return p > passed.front() + nothing; });
-  const auto last = row_where([&](double p) { return p >= passed.back() - nothing; });
+  auto last = row_where([&](double p) { return p >= passed.back() - nothing; });
   if (first >= last) return found;
   found.stopped = time.back() - time[last] > long_pause * (time[last] - time[first]);
+  const auto most_passed =
+      row_where([&](double p) { return p >= passed.front() + bulk * (passed.back() - passed.front()); });
+  if ((time[last] - time[most_passed]) * bulk > dribbling * (1 - bulk) * (time[most_passed] - time[first]) &&
+      most_passed > first)
+    last = most_passed;
   const double width = (time[last] - time[first]) / static_cast<double>(std::min(intervals, last - first));
   std::vector<double> rates;
   for (std::size_t k = 0; k < std::min(intervals, last - first); ++k) {

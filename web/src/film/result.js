@@ -101,7 +101,7 @@ export class FilmResult {
   #decoded(name) {
     const { stored } = maps[name],
       about = this.about.maps[stored];
-    if (name !== stored && !of) return this.values(stored);
+    if (name !== stored) return this.values(stored);
     const values = decodeField(this.width, unpack(this.#block, about.residual), about);
     if (about.holes) for (const k of unpack(this.#block, about.holes)) values[k] = NaN;
     return values;

@@ -99,12 +99,14 @@ function numbersOf(sample, state) {
   );
 }
 
+const withEmptyBox = ["discharge", "collapse", "deposit", "drum"];
+
 /** The six numbers that one asks for first: those of the stage's test that are known, then those of the grains. */
 export function packingHeadlines(sample, state) {
   const box = h("div");
   const refresh = () => {
     const numbers = numbersOf(sample, state),
-      isFree = ["discharge", "collapse", "deposit", "drum"].includes(stageOf(sample, state).test), // its box is not full
+      isFree = withEmptyBox.includes(stageOf(sample, state).test),
       ofTest = tilesOf(numbers, stageOf(sample, state).headlines).filter(({ known }) => known);
     box.replaceChildren(
       headlines(

@@ -141,5 +141,16 @@ TEST(DischargeRate, IsThatOfTheLastTwentyGrainsAndFallsWhenNoneFollow) {
   EXPECT_NEAR(rate[380], 20, 1e-9);
 }
 
+TEST(Discharge, OfASiloThatRunsEmptyIsThatBeforeItsStragglers) {
+  std::vector<double> time, passed;
+  for (int k = 0; k <= 1500; ++k) {
+    time.push_back(1e-3 * k);
+    passed.push_back(std::min(k, 400) * 1.0 + (k - 400) / 220 * (k > 400));
+  }
+  const Discharge found = find_discharge(time, passed);
+  EXPECT_NEAR(found.rate.value, 1000, 20);
+  EXPECT_LT(found.end, 0.41);
+}
+
 }  // namespace
 }  // namespace arenite::fields
