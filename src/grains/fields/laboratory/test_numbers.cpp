@@ -55,10 +55,9 @@ Numbers uniaxial_numbers(const StageResult& stage, const UniaxialTest& test) {
             {"strain_at_strength", described(test.strain, "", "Strain along the axis there")},
             {"failed", described(test.failed, "", "Whether the stress has fallen by a tenth since")},
             {"in_tension", described(test.in_tension, "", "Whether the sample was drawn apart")}};
-  if (std::isfinite(test.modulus))
-    j["modulus_Pa"] = described(test.modulus, "Pa",
-                                "Slope of stress over strain from a tenth to half of the strength; of one sample, so "
-                                "that its error is not known");
+  statistics::put(j, "modulus_Pa", test.modulus, "Pa",
+                  "Slope of stress over strain from a tenth to half of the strength; of one sample, so that its error "
+                  "is not known");
   const std::size_t last = stage.history.columns.front().values.size() - 1;
   Numbers broken = broken_up_to(stage.history, last, "Bonds between grains that broke in the stage");
   if (broken.empty()) return j;
@@ -72,10 +71,9 @@ Numbers oedometer_numbers(const OedometerTest& test) {
       {"stress_Pa", described(test.stress, "Pa", "Stress along the axis in the end")},
       {"strain", described(test.strain, "", "Strain along the axis in the end")},
       {"lateral_ratio", described(test.lateral_ratio, "", "Stress across the axis over that along it in the end")}};
-  if (std::isfinite(test.modulus))
-    j["modulus_Pa"] = described(test.modulus, "Pa",
-                                "Constrained modulus, slope of stress over strain from half of the largest stress; of "
-                                "one sample, so that its error is not known");
+  statistics::put(j, "modulus_Pa", test.modulus, "Pa",
+                  "Constrained modulus, slope of stress over strain from half of the largest stress; of one sample, so "
+                  "that its error is not known");
   return j;
 }
 
