@@ -154,6 +154,29 @@ Material material(std::string name, const Quantity& density, const Quantity& sti
           factor.si(dimension::thermoelastic_factor, "thermoelastic_factor")};
 }
 
+py::array_t<double> rows_of_points(const std::vector<Vec2>& points) {
+  py::array_t<double> rows({points.size(), std::size_t{2}});
+  auto at = rows.mutable_unchecked<2>();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    at(static_cast<py::ssize_t>(k), 0) = points[k].x;
+    at(static_cast<py::ssize_t>(k), 1) = points[k].y;
+  }
+  return rows;
+}
+
+py::list boundaries_of(const Domain& domain) {
+  py::list all;
+  for (const Boundary& boundary : domain.boundaries) {
+    py::dict d;
+    d["name"] = boundary.name;
+    d["points"] = rows_of_points(boundary.points);
+    d["closed"] = boundary.closed;
+    d["present"] = boundary.present;
+    all.append(d);
+  }
+  return all;
+}
+
 py::dict domain_of(const Packing& p) {
   py::dict d;
   const Domain& box = p.domain;
@@ -173,6 +196,7 @@ py::dict domain_of(const Packing& p) {
   d["periodic_x"] = box.periodic[0];
   d["periodic_y"] = box.periodic[1];
   d["tilt"] = box.tilt;
+  d["boundaries"] = boundaries_of(box);
   return d;
 }
 
@@ -214,16 +238,6 @@ py::dict cohesive_of(const Packing& packing) {
   d["pull"] = column(&CohesivePair::pull);
   d["energy"] = column(&CohesivePair::energy);
   return d;
-}
-
-py::array_t<double> rows_of_points(const std::vector<Vec2>& points) {
-  py::array_t<double> rows({points.size(), std::size_t{2}});
-  auto at = rows.mutable_unchecked<2>();
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    at(static_cast<py::ssize_t>(k), 0) = points[k].x;
-    at(static_cast<py::ssize_t>(k), 1) = points[k].y;
-  }
-  return rows;
 }
 
 py::array_t<double> levers_of(const Contacts& contacts) {
@@ -355,7 +369,8 @@ void bind_packing(py::module_& m) {
           "materials", [](const Packing& p) { return p.materials; }, "Materials, to which `material` refers by index.")
       .def_property_readonly(
           "domain", &domain_of,
-          "The container: position (m), velocity (m/s) and force (N) of every wall, width, height, thickness (m).")
+          "The container: position (m), velocity (m/s) and force (N) of every wall, width, height, thickness (m), and "
+          "boundaries and membranes (points, m).")
       .def_property_readonly(
           "are_disks", [](const Packing& p) { return p.grains.shapes.empty(); }, "Whether all grains are disks.")
       .def("outlines", &outlines_of,

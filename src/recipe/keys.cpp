@@ -262,6 +262,7 @@ void declare_grains(Visitor& v, Recipe& recipe) {
   v.require(!recipe.glued || recipe.contact.adheres() || recipe.contact.has_bonds(), {"glued", "contact"},
             "there is nothing to glue with; set contact.adhesion and contact.surface_energy, or contact.bonds");
   declare_boundaries(v, recipe);
+  declare_membrane(v, recipe);
   require_fill_area(v, recipe);
   v.list<Stage>({"stages", "Loading, stage after stage; each starts where the one before ended.", true}, recipe.stages,
                 [&](Visitor& inner, Stage& stage) { declare(inner, stage, recipe); });

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "grains/dem/membranes/membranes.hpp"
 #include "grains/fields/regime/until.hpp"
 #include "model/packing.hpp"
 #include "recipe/recipe.hpp"
@@ -27,6 +28,8 @@ std::string problem_of_until(const Stage& stage, const Recipe& recipe) {
   if (stage.until.empty()) return {};
   Domain domain;
   for (const Boundary& boundary : recipe.boundaries) domain.boundaries.emplace_back().name = boundary.name;
+  for (int side = 0; side < sides; ++side)
+    if (stage.side[side].is_skin()) domain.boundaries.emplace_back().name = dem::membrane_name(side);
   try {
     fields::Until(stage.until)
         .check(fields::history_numbers(stage, domain, recipe.contact.has_bonds(), recipe.contact.is_cohesive()));
@@ -85,6 +88,9 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
                range::not_negative},
               {"pressure", "kPa",
                "presses on the sample, acting in full at once; of two periodic edges one presses and one is fixed",
+               range::not_negative},
+              {"membrane", "kPa",
+               "becomes a flexible membrane with this pressure outside, held by the walls beside it ([membrane])",
                range::not_negative}});
     drive.kind = static_cast<SideDrive::Kind>(form);
   }
@@ -141,6 +147,7 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.section({"equilibrium", "Criteria that end an increment.", false, "rest"},
             [&](Visitor& inner) { stage.equilibrium.declare(inner); });
   require_usable_sides(v, stage, recipe.container);
+  require_membranes(v, stage, recipe);
 }
 
 }  // namespace arenite::recipe

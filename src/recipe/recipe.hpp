@@ -142,7 +142,8 @@ struct Recipe {
   dem::ContactParameters contact;
   dem::IntegrationParameters integration;
   std::optional<Region> glued;
-  std::vector<Boundary> boundaries;  ///< name, points and closed; the rest is the stages' to say
+  std::optional<dem::SkinParameters> membrane;  ///< of all sides that a stage makes membranes
+  std::vector<Boundary> boundaries;             ///< name, points and closed; the rest is the stages' to say
   std::vector<Stage> stages;
   std::optional<BidisperseSection> bidisperse;
   std::optional<cement::CementParameters> cement;  ///< the binding matrix of the packing at the end of its stages
@@ -204,6 +205,9 @@ inline constexpr std::string_view no_map = "no [map]";
 // Its parts. Where a part's keys must agree with others, it gets the recipe as far as it is known by then.
 void declare(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
 void declare_boundaries(ParameterVisitor& visitor, Recipe& recipe);
+/// What membranes are made of; of a stage whose keys have all been read, that its sides can be membranes.
+void declare_membrane(ParameterVisitor& visitor, Recipe& recipe);
+void require_membranes(ParameterVisitor& visitor, Stage& stage, const Recipe& recipe);
 /// Of a stage, tables in time that drive it, which sides are open, how boundaries move, what is counted as having
 /// passed, which grains come in and leave, and cycles of strain; and what boundaries ask of a stage whose keys have all
 /// been read.

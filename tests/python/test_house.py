@@ -130,7 +130,7 @@ LISTS = {
     "io/results/results.hpp": "field film numbers stage",
     "io/sample/formats.hpp": "csv lammps mercury yade",
     "recipe/recipe.hpp": "film_keys keys keys_boundaries keys_boundary_shapes keys_exchange keys_loading "
-    "keys_map keys_stages",
+    "keys_map keys_membranes keys_stages",
     "report/figures/drawing.hpp": "distributions failure film_forces run_figures",
     "solid/peridynamics/kernels/kernels.hpp": "avx2 avx512 portable",
     "thermal/thermography/kernels/kernels.hpp": "avx2 avx512 portable",

@@ -100,8 +100,8 @@ TEST(ObliqueCollision, FrictionStopsWhereTheDashpotPulls) {
   const double zeta = 0.3, s = std::sqrt(1 - zeta * zeta), mu = 0.3;
   const double clipped = std::exp(-zeta / s * (pi - std::atan2(2 * zeta * s, 1 - 2 * zeta * zeta)));
   Packing probe = box(1, 1);
-  add(probe, {{}, 8.2e-3, pom});
-  add(probe, {{}, 5.25e-3, hdpe});
+  add(probe, Disk{{}, 8.2e-3, pom});
+  add(probe, Disk{{}, 5.25e-3, hdpe});
   const double m = reduced(mass(probe, 0), mass(probe, 1)), k = reduced(k_pom, k_hdpe);
   for (const bool attractive : {true, false}) {
     dem::ContactParameters law;
@@ -127,8 +127,8 @@ TEST(ObliqueCollision, AStiffViscosityWithinTheConeTakesTheWholeSlidingVelocityA
   law.normal_damping = 0;
   const double v_s = 4e-4;
   Packing probe = box(1, 1);
-  add(probe, {{}, 8.2e-3, pom});
-  add(probe, {{}, 5.25e-3, hdpe});
+  add(probe, Disk{{}, 8.2e-3, pom});
+  add(probe, Disk{{}, 5.25e-3, hdpe});
   const double m = reduced(mass(probe, 0), mass(probe, 1)), k = reduced(k_pom, k_hdpe);
   law.sliding_viscosity = 10 * m / (3 * contact_time(m, k));  // e^-10 of the sliding is left
   const Oblique o = run(v_s, law);

@@ -9,7 +9,7 @@ from matplotlib.collections import EllipseCollection, LineCollection, PolyCollec
 from matplotlib.patches import Rectangle
 
 from .. import _core
-from .packings import bars, kind_colours, kinds_of, segments
+from .packings import bars, boundaries_of, kind_colours, kinds_of, segments, sides_of
 from .style import (
     chain_width,
     colours,
@@ -207,20 +207,16 @@ def chains(axes, packing, mean):
 
 
 def sides(axes, packing):
-    """Walls as thick lines, edges of a periodic cell dashed, and the shear displacement of a sheared cell; nothing
-    where a wall was removed."""
+    """Walls as thick lines, boundaries and membranes, edges of a periodic cell dashed, and the shear displacement of a
+    sheared cell; nothing where a wall was removed."""
     d = packing.domain
     left, right, bottom, top = (d[side]["position"] for side in ("left", "right", "bottom", "top"))
-    lines = {
-        "left": ((left, bottom), (left, top)),
-        "right": ((right, bottom), (right, top)),
-        "bottom": ((left, bottom), (right, bottom)),
-        "top": ((left, top), (right, top)),
-    }
+    lines = sides_of(packing)
     walls = [line for side, line in lines.items() if d[side]["present"]]
     edges = [line for side, line in lines.items() if d["periodic_x" if side in ("left", "right") else "periodic_y"]]
     drawn = [
         LineCollection(walls, colors=strong, linewidths=1.8, capstyle="projecting"),
+        LineCollection(boundaries_of(packing), colors=strong, linewidths=1.4, zorder=3),
         LineCollection(edges, colors=weak, linewidths=0.7, linestyles="--"),
     ]
     if d["tilt"]:

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure as Canvas
 from .. import _core, curves
 from . import motion
 from .drawing import draw_panel
-from .packings import material_key
+from .packings import extent_of, material_key
 from .style import bare, colours, length_bar, plain, scaled, strong
 
 dots = 100  # pixels an inch
@@ -52,11 +52,8 @@ class Pictures:
 def panels(figure, shots, beside):
     """Axes of the picture, which hold the cell of every state, and those of the curve, or None."""
     axes, side = figure.subplots(1, 2, width_ratios=(1.5, 1)) if beside else (figure.subplots(), None)
-    domains = [shot.packing.domain for shot in shots]
-    (left, right), (bottom, top) = (
-        (min(d[low]["position"] for d in domains), max(d[high]["position"] for d in domains))
-        for low, high in (("left", "right"), ("bottom", "top"))
-    )
+    ends = np.array([extent_of(shot.packing) for shot in shots])
+    left, right, bottom, top = ends[:, 0].min(), ends[:, 1].max(), ends[:, 2].min(), ends[:, 3].max()
     margin = 0.02 * max(right - left, top - bottom)
     axes.set(xlim=(left - margin, right + margin), ylim=(bottom - 3 * margin, top + margin))
     length_bar(axes, right - left, left, bottom - 2.6 * margin)

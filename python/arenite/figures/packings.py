@@ -1,7 +1,7 @@
 """Pictures of packings."""
 
 import numpy as np
-from matplotlib.collections import PatchCollection, PolyCollection
+from matplotlib.collections import LineCollection, PatchCollection, PolyCollection
 from matplotlib.patches import Circle, Rectangle
 
 from .._core import measure_grains
@@ -25,33 +25,55 @@ from .style import (
 )
 
 
-def container(axes, packing):
-    """The walls or the edges of the cell, and space around them; returns the position for a line of text below, (x,
-    y)."""
+def sides_of(packing):
+    """Ends of the lines that walls or the edges of the cell are, by side."""
+    left, right, bottom, top = (packing.domain[side]["position"] for side in ("left", "right", "bottom", "top"))
+    return {
+        "left": ((left, bottom), (left, top)),
+        "right": ((right, bottom), (right, top)),
+        "bottom": ((left, bottom), (right, bottom)),
+        "top": ((left, top), (right, top)),
+    }
+
+
+def boundaries_of(packing):
+    """Boundaries and membranes that are there, each by its points; of a closed one the first again at the end."""
+    there = [b for b in packing.domain["boundaries"] if b["present"]]
+    return [np.vstack([b["points"], b["points"][:1]]) if b["closed"] else b["points"] for b in there]
+
+
+def extent_of(packing):
+    """(left, right, bottom, top) of a picture: the container, or how far membranes bulge out of it."""
     d = packing.domain
-    x, y = d["left"]["position"], d["bottom"]["position"]
-    axes.add_patch(
-        Rectangle(
-            (x, y),
-            d["width"],
-            d["height"],
-            fill=False,
-            linewidth=0.6,
-            edgecolor=strong,
-            linestyle="-" if d["left"]["present"] else "--",
-        )
+    names = [f"{side}_membrane" for side in ("left", "right", "bottom", "top")]
+    bulged = [b["points"] for b in d["boundaries"] if b["name"] in names]
+    corners = [(d["left"]["position"], d["bottom"]["position"]), (d["right"]["position"], d["top"]["position"])]
+    points = np.vstack([corners, *bulged])
+    return points[:, 0].min(), points[:, 0].max(), points[:, 1].min(), points[:, 1].max()
+
+
+def container(axes, packing):
+    """The walls or the edges of the cell, boundaries, and space around them; returns the position for a line of text
+    below, (x, y)."""
+    lines = sides_of(packing)
+    styles = ["-" if packing.domain[side]["present"] else "--" for side in lines]
+    axes.add_collection(
+        LineCollection(list(lines.values()), colors=strong, linewidths=0.6, linestyles=styles, capstyle="projecting")
     )
-    margin = 0.02 * max(d["width"], d["height"])
-    axes.set_xlim(x - margin, x + d["width"] + margin)
-    axes.set_ylim(y - 4 * margin, y + d["height"] + margin)
-    length_bar(axes, d["width"], x, y - 3 * margin)
+    axes.add_collection(LineCollection(boundaries_of(packing), colors=strong, linewidths=0.9, zorder=3))
+    left, right, bottom, top = extent_of(packing)
+    margin = 0.02 * max(right - left, top - bottom)
+    axes.set_xlim(left - margin, right + margin)
+    axes.set_ylim(bottom - 4 * margin, top + margin)
+    length_bar(axes, right - left, left, bottom - 3 * margin)
     bare(axes)
-    return x + 0.3 * d["width"], y - 3 * margin
+    return left + 0.3 * (right - left), bottom - 3 * margin
 
 
 def height_of(packing, room=0.12):
     """Height over width of a picture with its key."""
-    return min(1.6, packing.domain["height"] / packing.domain["width"] + room)
+    left, right, bottom, top = extent_of(packing)
+    return min(1.6, (top - bottom) / (right - left) + room)
 
 
 def circles(x, y, radius, **options):

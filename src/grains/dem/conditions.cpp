@@ -15,6 +15,7 @@ void synchronise(Sample& s) {
   if (s.lag == 0 && !s.settled) return;
   // All is read before anything is set, for rates of walls hang on the places and velocities of disks.
   const Domain now = domain_now(s);
+  the<Membranes>(s).synchronise(s);
   std::vector<Motion<2>> moved;
   for (std::size_t b = 0; b < the<Bodies>(s).body.size(); ++b) moved.push_back(motion_of(s, s.count + b));
   for (std::size_t k = 0; k < s.count; ++k) {

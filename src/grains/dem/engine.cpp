@@ -28,6 +28,15 @@ double drag_of(const Sample& sample, const Stage& stage) {
   return sample.integration.drag + stage.drag + stage.critical_drag * critical_drag(sample);
 }
 
+/// Walls that are taken away, those of membranes among them. One that is a membrane stays so: set_membranes says what
+/// is wrong where it is not meant to.
+BySide<bool> open_in(const Sample& sample, const Stage& stage) {
+  BySide<bool> open = stage.open;
+  for (int side = 0; side < sides; ++side)
+    open[side] = open[side] || stage.side[side].is_skin() || sample.wall[side].skin;
+  return open;
+}
+
 }  // namespace
 
 template <int D> void advance(SampleIn<D>& s, const ThreadPool& pool, std::int64_t steps) {
@@ -69,8 +78,9 @@ void Engine::begin(const Stage& stage) {
   set_drag(*this, drag_of(*this, stage));
   set_glue(*this, stage.glue);
   if (stage.bond) make_bonds(*this, *pool_);
-  set_open(*this, stage.open, *pool_);
+  set_open(*this, open_in(*this, stage), *pool_);
   set_boundaries(*this, stage.boundaries, *pool_);
+  set_membranes(*this, membrane_pressures(stage), stage.skin, *pool_);
   set_rough(*this, stage.rough, *pool_);
   set_shear_rate(*this, stage.shear_rate);
   set_programmes(*this, {stage.programmes, time_of(*this), stage.gravity_size, stage.gravity_angle});
@@ -82,6 +92,8 @@ void Engine::change(const Stage& before, const Stage& after) {
   if (after.friction != before.friction) set_friction(*this, after.friction);
   if (after.drag != before.drag || after.critical_drag != before.critical_drag) set_drag(*this, drag_of(*this, after));
   if (after.boundaries != before.boundaries) set_boundaries(*this, after.boundaries, *pool_);
+  if (membrane_pressures(after) != membrane_pressures(before))
+    set_membranes(*this, membrane_pressures(after), after.skin, *pool_);
   if (after.shear_rate != before.shear_rate) set_shear_rate(*this, after.shear_rate);
 }
 

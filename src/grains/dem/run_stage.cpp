@@ -107,6 +107,10 @@ std::string outcome_of(const Engine& engine, std::string text) {
     text += fmt::format("; {} grains came in, {} left", account.inserted.grains, account.removed.grains);
     if (account.waiting > 0) text += fmt::format(", {} wait, for there is no room for them", account.waiting);
   }
+  for (const Membrane& m : the<Membranes>(engine).list)
+    if (m.stretched > m.may_stretch)
+      text += fmt::format("; the membrane at the {} was stretched by {:.0f} %, beyond its largest strain of {:.0f} %",
+                          side_names[m.side], 100 * m.stretched, 100 * m.may_stretch);
   if (!engine.contact.is_cohesive()) return text;
   const CohesionCount pairs = count_cohesion(engine);
   return text + fmt::format("; {} cohesive pairs, {} of them not touching", pairs.joined, pairs.apart);

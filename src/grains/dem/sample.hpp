@@ -32,7 +32,8 @@ template <int D> struct WallBodyIn {
   std::array<double, 4> higher{};  ///< Gear's further derivatives
   Along<D> slid = {};              ///< way along itself so far, m
   bool rough = false;              ///< grains near it when it becomes rough go with it
-  bool open = false;               ///< taken away
+  bool open = false;               ///< taken away,
+  bool skin = false;               ///< for a membrane
 };
 using WallBody = WallBodyIn<2>;
 

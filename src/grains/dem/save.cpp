@@ -54,11 +54,12 @@ template <class Archive> class Members {
 
   void take(Wall& wall) { (*this)(wall.position, wall.velocity, wall.force, wall.shear_force); }
   void take(WallBody& w) {
-    auto state = static_cast<std::uint8_t>((w.rough ? 1 : 0) | (w.open ? 2 : 0));
+    auto state = static_cast<std::uint8_t>((w.rough ? 1 : 0) | (w.open ? 2 : 0) | (w.skin ? 4 : 0));
     (*this)(w.drive.kind, w.drive.value, w.mass, w.impedance, w.sample_mass, w.drift, w.rate, w.acceleration, w.higher,
             w.drive.slide, w.slid, state);
     w.rough = (state & 1) != 0;
     w.open = (state & 2) != 0;
+    w.skin = (state & 4) != 0;
   }
   void take(Energies& e) {
     for (const EnergyTerm& term : energy_terms) take(e.*term.value);

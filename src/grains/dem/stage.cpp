@@ -112,12 +112,20 @@ Leg leg_at(const Stage& stage, const StageStart& start, std::int64_t k, std::int
   return leg;
 }
 
+BySide<std::optional<double>> membrane_pressures(const Stage& stage) {
+  BySide<std::optional<double>> pressures;
+  for (int side = 0; side < sides; ++side)
+    if (stage.side[side].is_skin()) pressures[side] = stage.side[side].value;
+  return pressures;
+}
+
 WallDrives drives_for(const Stage& stage, const Leg& leg, const Domain& domain) {
   WallDrives drives;
   for (int side = 0; side < sides; ++side) {
     const auto& [kind, value] = leg.side[side];
     switch (kind) {
-      case SideDrive::Kind::fixed: break;
+      case SideDrive::Kind::fixed:
+      case SideDrive::Kind::membrane: break;
       case SideDrive::Kind::velocity: drives[side] = {WallDrive::Kind::velocity, value * inward_sign(side)}; break;
       case SideDrive::Kind::force: drives[side] = {WallDrive::Kind::force, value}; break;
       case SideDrive::Kind::pressure:

@@ -6,19 +6,21 @@
 #include <vector>
 
 #include "grains/dem/exchange/exchange.hpp"
+#include "grains/dem/membranes/skin.hpp"
 #include "grains/dem/parameters.hpp"
 #include "model/packing.hpp"
 
 namespace arenite::dem {
 
 /// What one side does in a stage. A force is reached from its present value in `increments` equal steps; a pressure
-/// acts in full at once.
+/// acts in full at once, on a wall or on a membrane in its place.
 struct SideDrive {
-  enum class Kind { fixed, velocity, force, pressure };
+  enum class Kind { fixed, velocity, force, pressure, membrane };
   Kind kind = Kind::fixed;
   double value = 0;  ///< m/s inward, N, or Pa
   /// Whether it is a load that is prescribed, and the side moves as that has it.
-  bool presses() const { return kind == Kind::force || kind == Kind::pressure; }
+  bool presses() const { return kind == Kind::force || kind == Kind::pressure || kind == Kind::membrane; }
+  bool is_skin() const { return kind == Kind::membrane; }
   bool operator==(const SideDrive&) const = default;
 };
 
@@ -177,6 +179,7 @@ struct Stage {
   BySide<double> slide{};                  ///< m/s of each wall along itself, along +y or +x
   BySide<bool> rough{};                    ///< walls that hold the grains nearest to them as the stage begins
   BySide<bool> open{};                     ///< walls that are taken away
+  SkinParameters skin;                     ///< of the sides that are membranes
   std::vector<BoundaryMotion> boundaries;
   Exchange exchange;                  ///< grains that come in and leave; needs a duration
   std::optional<double> count_below;  ///< m; the history counts the grains whose centre is below
@@ -203,6 +206,9 @@ struct Stage {
 
 /// How many increments a stage has, or half cycles of strain.
 std::int64_t increment_count(const Stage& stage);
+
+/// Pressures on the sides that are membranes, Pa.
+BySide<std::optional<double>> membrane_pressures(const Stage& stage);
 
 /// Steps that a duration takes.
 std::int64_t steps_of(double duration, double time_step);

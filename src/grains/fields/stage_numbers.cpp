@@ -165,8 +165,9 @@ std::optional<SideStresses> side_stresses(const History& history) {
   s.time = *time;
   s.width = weighed(history, 1, "right_position", -1, "left_position", rows);
   s.height = weighed(history, 1, "top_position", -1, "bottom_position", rows);
-  s.xx = quotient(weighed(history, 0.5, "left_force", 0.5, "right_force", rows), s.height);
-  s.yy = quotient(weighed(history, 0.5, "bottom_force", 0.5, "top_force", rows), s.width);
+  const auto *across_x = history.find("mean_force_x"), *across_y = history.find("mean_force_y");
+  s.xx = quotient(across_x ? *across_x : weighed(history, 0.5, "left_force", 0.5, "right_force", rows), s.height);
+  s.yy = quotient(across_y ? *across_y : weighed(history, 0.5, "bottom_force", 0.5, "top_force", rows), s.width);
   s.along_x = quotient(weighed(history, 0.5, "bottom_shear_force", -0.5, "top_shear_force", rows), s.width);
   s.along_y = quotient(weighed(history, 0.5, "left_shear_force", -0.5, "right_shear_force", rows), s.height);
   return s;

@@ -240,7 +240,8 @@ void check_still_cell(const Sample& s, const WallDrives& drives, bool sheared) {
 
 void set_boundaries(Sample& s, const std::vector<BoundaryMotion>& named, const ThreadPool& pool) {
   auto& boundaries = s.domain.boundaries;
-  const std::vector<BoundaryMotion> motions = motions_of(boundaries, named);
+  std::vector<BoundaryMotion> motions = motions_of(boundaries, named);
+  for (const Membrane& m : the<Membranes>(s).list) motions[m.boundary] = motion_now(s, m.boundary);
   bool changed = false, others_there = false;
   for (std::size_t b = 0; b < motions.size(); ++b) {
     changed |= motions[b] != motion_now(s, b);

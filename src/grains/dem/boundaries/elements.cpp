@@ -142,8 +142,9 @@ Kinematics<2> element_kinematics(const Sample& s, const DiskRecord& d, std::int3
   const auto [a, b] = segment_at(boundary, element.point);
   const Vec2 along = b - a;
   Vec2 foot = a;
+  double share = 0;
   if (element.segment) {
-    const double share = dot(place - a, along) / dot(along, along);
+    share = dot(place - a, along) / dot(along, along);
     if (!(share > 0 && share < 1)) return c;
     foot = a + share * along;
   } else if (!as_point && !is_beyond(s.domain, boundary, element.point, place)) {
@@ -154,8 +155,10 @@ Kinematics<2> element_kinematics(const Sample& s, const DiskRecord& d, std::int3
   c.overlap = d.radius - distance;
   if (!(c.overlap > 0)) return c;
   c.normal = distance > 0 ? c.branch / distance : perpendicular(along) / norm(along);
-  lean_on(c, d, distance, d.velocity - boundary.velocity - boundary.spin * perpendicular(foot - boundary.centre),
-          s.contact.arms);
+  const Membrane* skin = the<Membranes>(s).of_boundary(static_cast<std::size_t>(element.boundary));
+  const Vec2 velocity = skin ? velocity_at(*skin, static_cast<std::size_t>(element.point), share)
+                             : boundary.velocity + boundary.spin * perpendicular(foot - boundary.centre);
+  lean_on(c, d, distance, d.velocity - velocity, s.contact.arms);
   return c;
 }
 

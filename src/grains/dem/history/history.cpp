@@ -18,6 +18,8 @@ bool shears_cell(const Stage& stage) {
 struct HistoryRow {
   const Domain& domain;
   double time = 0, increment = 0, sheared = 0;
+  Vec2 mean_forces = {};                         ///< where there are membranes
+  BySide<std::optional<double>> stretched = {};  ///< their strains
   Amount passed = {};
   std::optional<BondCount> bonds = {};      ///< where there are any
   std::optional<CohesionCount> pairs = {};  ///< where grains cohere
@@ -39,6 +41,18 @@ void append_counts(History& history, const HistoryRow& row) {
     append(history, "cohesive_pairs", "1", static_cast<double>(row.pairs->joined));
     append(history, "cohesive_pairs_apart", "1", static_cast<double>(row.pairs->apart));
   }
+}
+
+void append_membranes(History& history, const HistoryRow& row) {
+  bool is_any = false;
+  for (int side = 0; side < sides; ++side) {
+    if (!row.stretched[side]) continue;
+    append(history, (membrane_name(side) + "_strain").c_str(), "1", *row.stretched[side]);
+    is_any = true;
+  }
+  if (!is_any) return;
+  append(history, "mean_force_x", "N", row.mean_forces.x);
+  append(history, "mean_force_y", "N", row.mean_forces.y);
 }
 
 void append_exchange(History& history, const HistoryRow& row) {
@@ -66,6 +80,7 @@ void append_row(History& history, const Stage& stage, const HistoryRow& row) {
     append(history, (boundary.name + "_force_y").c_str(), "N", boundary.force.y);
     append(history, (boundary.name + "_torque").c_str(), "N m", boundary.torque);
   }
+  append_membranes(history, row);
   if (stage.count_below) {
     append(history, "passed", "1", static_cast<double>(row.passed.grains));
     append(history, "passed_mass", "kg", row.passed.mass);
@@ -93,6 +108,9 @@ void append(History& history, const char* name, const char* unit, double value) 
 void add_row(History& history, const Look& look) {
   const auto& [engine, stage, now, increment] = look;
   HistoryRow row{engine.domain, time_of(engine), static_cast<double>(increment + 1), engine.sheared};
+  row.mean_forces = mean_forces(engine);
+  for (const Membrane& m : the<Membranes>(engine).list)
+    row.stretched[m.side] = mean_strain(m.skin, engine.domain.boundaries[m.boundary].points);
   if (stage.count_below) row.passed = amount_below(engine, *stage.count_below);
   if (const BondCount bonds = count_bonds(engine); bonds.made() > 0) row.bonds = bonds;
   if (engine.contact.is_cohesive()) row.pairs = count_cohesion(engine);
@@ -107,6 +125,8 @@ History history_columns(const Stage& stage, const Domain& domain, bool bonded, b
   HistoryRow row{domain};
   if (bonded) row.bonds.emplace();
   if (cohesive) row.pairs.emplace();
+  for (int side = 0; side < sides; ++side)
+    if (stage.side[side].is_skin()) row.stretched[side] = 0;
   History history;
   append_row(history, stage, row);
   return history;

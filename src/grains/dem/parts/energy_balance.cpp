@@ -15,6 +15,13 @@ constexpr std::size_t slides = 4, cell_shear = 8;  // of ForcesAndRates::edge
 /// What a contact with a boundary does to it, by class, about its centre as well.
 void add_boundary_contact(const Sample& s, std::size_t slot, const Kinematics<2>& c, Vec2 dash, Vec2 slip,
                           ForcesAndRates& shot) {
+  if (const TouchedSkin at = touched_skin(s, slot, c); at.of) {
+    for (const auto& [node, share] : {std::pair{at.node, 1 - at.share}, std::pair{at.next, at.share}})
+      for (const int axis : {0, 1})
+        shot.node[2 * (at.of->first + node) + static_cast<std::size_t>(axis)].push(-share * dash[axis],
+                                                                                   -share * slip[axis]);
+    return;
+  }
   const std::size_t b = boundary_index(s, s.list.j[slot]);
   const Vec2 arm = touched_place(s, slot, c) - s.domain.boundaries[b].centre;
   const double dashes[] = {dash.x, dash.y, cross(arm, dash)},
@@ -112,6 +119,17 @@ void add_bonds(const Sample& s, ForcesAndRates& shot) {
   }
 }
 
+/// Nodes of membranes: those that a platen holds do its work, on all others the pressure works.
+void add_nodes(const Sample& s, ForcesAndRates& shot) {
+  for (const Membrane& m : the<Membranes>(s).list)
+    for (std::size_t k = 0; k < m.nodes(); ++k)
+      for (const int axis : {0, 1}) {
+        const double braked = m.own.braked[k][axis];
+        shot.node.push_back({m.rate[k][axis], m.of_grains[k][axis] + m.own.pulled[k][axis] + braked, 0, 0,
+                             m.own.pressed[k][axis], braked, m.is_free(k, axis)});
+      }
+}
+
 ForcesAndRates take(const Sample& s) {
   ForcesAndRates shot;
   shot.gravity = s.gravity;
@@ -145,6 +163,7 @@ ForcesAndRates take(const Sample& s) {
     shot.boundary.push_back({velocity.y, boundary.force.y, 0, 0, push.y, 0, free});
     shot.boundary.push_back({boundary.spin, boundary.torque});
   }
+  add_nodes(s, shot);
   add_contacts(s, shot);
   add_bonds(s, shot);
   for (const int low : {left, bottom})
@@ -177,6 +196,7 @@ WorkTerms products(const Sample& s, const ForcesAndRates& p, const ForcesAndRate
   };
   for (std::size_t n = 0; n < q.edge.size(); ++n) add_edge(p.edge[n], q.edge[n]);
   for (std::size_t n = 0; n < q.boundary.size(); ++n) add_edge(p.boundary[n], q.boundary[n]);
+  for (std::size_t n = 0; n < q.node.size(); ++n) add_edge(p.node[n], q.node[n]);
   return w;
 }
 

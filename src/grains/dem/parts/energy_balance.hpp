@@ -35,6 +35,7 @@ struct ForcesAndRates {
   };
   std::vector<Disk> disk;
   std::vector<Edge> boundary;  ///< three each: along +x and +y, and about the centre with torques for forces
+  std::vector<Edge> node;      ///< two each of the nodes of membranes: along +x and +y
   std::array<Edge, 9> edge;    ///< walls along their normals, walls along themselves, and the shear of the cell
   Vec2 gravity;                ///< m/s^2
   double springs = 0;          ///< energy of the tangential springs, J

@@ -3,6 +3,7 @@
 
 #include "grains/dem/bodies/bodies.hpp"
 #include "grains/dem/boundaries/boundaries.hpp"
+#include "grains/dem/membranes/membranes.hpp"
 #include "grains/dem/parts/bonds.hpp"
 #include "grains/dem/parts/cohesion.hpp"
 #include "grains/dem/parts/energy_balance.hpp"
@@ -15,7 +16,7 @@ namespace arenite::dem {
 /// The parts that a sample of each dimension has, in the order in which they are called. The one place that knows.
 template <int D> struct PartsOf;
 template <> struct PartsOf<2> {
-  using type = std::tuple<RoughWalls, Bodies, CohesivePairs, Bonds, Boundaries, Loading, EnergyBalance>;
+  using type = std::tuple<RoughWalls, Bodies, CohesivePairs, Bonds, Membranes, Boundaries, Loading, EnergyBalance>;
 };
 template <> struct PartsOf<3> { using type = std::tuple<SpheresAlone>; };
 

@@ -70,7 +70,7 @@ double pressure_along(const dem::Stage& stage, const Bulk& bulk, std::size_t axi
   double pressure = 0;
   for (std::size_t side = 2 * axis; side < 2 * axis + 2; ++side) {
     const dem::SideDrive& drive = stage.side[side];
-    if (drive.kind == Kind::pressure) pressure = std::max(pressure, largest_drive(stage, side));
+    if (drive.kind == Kind::pressure || drive.is_skin()) pressure = std::max(pressure, largest_drive(stage, side));
     if (drive.kind == Kind::force) pressure = std::max(pressure, largest_drive(stage, side) / loaded);
     if (stage.cycles && stage.cycles->side == static_cast<int>(side))
       pressure = std::max(pressure, stage.cycles->max / (stage.cycles->of_pressure ? 1 : loaded));
