@@ -27,13 +27,10 @@ from .style import (
 
 def sides_of(packing):
     """Ends of the lines that walls or the edges of the cell are, by side."""
-    left, right, bottom, top = (packing.domain[side]["position"] for side in ("left", "right", "bottom", "top"))
-    return {
-        "left": ((left, bottom), (left, top)),
-        "right": ((right, bottom), (right, top)),
-        "bottom": ((left, bottom), (right, bottom)),
-        "top": ((left, top), (right, top)),
-    }
+    at = {side: packing.domain[side]["position"] for side in ("left", "right", "bottom", "top")}
+    left, right, bottom, top = extent_of(packing)
+    upright = {side: ((at[side], bottom), (at[side], top)) for side in ("left", "right")}
+    return upright | {side: ((left, at[side]), (right, at[side])) for side in ("bottom", "top")}
 
 
 def boundaries_of(packing):
