@@ -18,12 +18,12 @@ std::vector<Headline> headlines_of(fields::TestKind kind) {
       return {{"critical state", "q/p", "critical_state.q_over_p"},
               {"critical state", "\u03c6", "critical_state.solid_fraction"},
               {"peak", "q/p", "peak.q_over_p"},
-              {"volumetric strain", "", "peak.volumetric_strain", "%"}};
+              {"volumetric strain", "", "end.volumetric_strain", "%"}};
     case shear:
       return {{"critical state", "\u03bc", "critical_state.mu"},
               {"critical state", "\u03c6", "critical_state.solid_fraction"},
               {"peak", "\u03bc", "peak.mu"},
-              {"volumetric strain", "", "peak.volumetric_strain", "%"}};
+              {"volumetric strain", "", "end.volumetric_strain", "%"}};
     case uniaxial:
       return {{"strength", "\u03c3", "uniaxial.strength_Pa"},
               {"modulus", "E", "uniaxial.modulus_Pa"},

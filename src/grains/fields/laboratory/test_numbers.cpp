@@ -28,11 +28,16 @@ Numbers peak_numbers(const TestCurves& curves, const std::optional<CriticalState
   const auto known = [](double v) { return std::isfinite(v) ? v : -HUGE_VAL; };
   const auto peak = std::ranges::max_element(first, last, {}, known);
   if (!std::isfinite(*peak) || (state && !(*peak > statistics::confidence_95(state->ratio).high))) return {};
-  return {
-      {curves.ratio_name(),
-       described(*peak, "", "Largest ratio of stresses, each the mean over a hundredth of the test")},
-      {"strain", described(curves.strain[static_cast<std::size_t>(peak - ratio.begin())], "", "Strain there")},
-      {"volumetric_strain", described(curves.volume.back(), "", "Volumetric strain in the end, compaction positive")}};
+  const auto row = static_cast<std::size_t>(peak - ratio.begin());
+  return {{curves.ratio_name(),
+           described(*peak, "", "Largest ratio of stresses, each the mean over a hundredth of the test")},
+          {"strain", described(curves.strain[row], "", "Strain there")},
+          {"volumetric_strain", described(curves.volume[row], "", "Volumetric strain there, compaction positive")}};
+}
+
+Numbers end_numbers(const TestCurves& curves) {
+  return {{"strain", described(curves.strain.back(), "", "Strain in the end")},
+          {"volumetric_strain", described(curves.volume.back(), "", "Volumetric strain there, compaction positive")}};
 }
 
 /// Bonds that have broken up to a row of the history, by failure mode; empty where grains have none.
@@ -106,7 +111,10 @@ Numbers test_numbers(const Test& test) {
   if (!curves) return j;
   const auto state = critical_state(*curves);
   if (state) put("critical_state", numbers_of(*curves, *state));
-  if (kind == TestKind::biaxial || kind == TestKind::shear) put("peak", peak_numbers(*curves, state));
+  if (kind == TestKind::biaxial || kind == TestKind::shear) {
+    put("peak", peak_numbers(*curves, state));
+    put("end", end_numbers(*curves));
+  }
   if (const auto uniaxial = uniaxial_test(*curves)) put("uniaxial", uniaxial_numbers(test.stage, *uniaxial));
   if (kind == TestKind::oedometer)
     if (const auto oedometer = oedometer_test(test, *curves)) put("oedometer", oedometer_numbers(*oedometer));

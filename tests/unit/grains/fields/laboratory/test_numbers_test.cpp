@@ -71,8 +71,10 @@ TEST(TestNumbers, OfARockThatStillHoldsSayThatItHasNotFailed) {
   EXPECT_FALSE(test_numbers({stage})["uniaxial"]["failed"].get<bool>());
 }
 
+double growth_at(double strain) { return 0.05 * (1 - std::exp(-4 * strain)); }
+
 /// Sheared along its top: friction rises to 0.5, falls to 0.3 within a third of the test, and scatters about that by
-/// 0.02.
+/// 0.02. Meanwhile it grows by 5 %.
 StageResult dense(std::size_t rows = 3000) {
   StageResult stage = box(rows);
   for (const char* name : {"shear_strain", "bottom_shear_force", "top_shear_force"})
@@ -84,7 +86,7 @@ StageResult dense(std::size_t rows = 3000) {
                       0.02 * random.normal();
     column(stage, "time")[k] = static_cast<double>(k);
     column(stage, "right_position")[k] = 0.1;
-    column(stage, "top_position")[k] = 0.1 * (1 + 1e-3 * random.normal());
+    column(stage, "top_position")[k] = 0.1 * (1 + growth_at(strain) + 1e-3 * random.normal());
     column(stage, "shear_strain")[k] = strain;
     column(stage, "bottom_force")[k] = column(stage, "top_force")[k] = 100;
     column(stage, "bottom_shear_force")[k] = 100 * mu;
@@ -98,6 +100,11 @@ TEST(TestNumbers, OfADenseSampleHaveAPeakBeforeTheCriticalState) {
   ASSERT_TRUE(found.contains("critical_state") && found.contains("peak"));
   EXPECT_LT(found["peak"]["strain"].get<double>(), found["critical_state"]["from"].get<double>());
   EXPECT_NEAR(found["peak"]["mu"].get<double>(), 0.3 + 0.3 * std::exp(-0.4), 0.03);
+  // Of one row each, which scatters by 0.1 %: four times that.
+  const double peak = found["peak"]["strain"].get<double>();
+  EXPECT_NEAR(found["peak"]["volumetric_strain"].get<double>(), -growth_at(peak), 4e-3);
+  EXPECT_NEAR(found["end"]["volumetric_strain"].get<double>(), -growth_at(4), 4e-3);
+  EXPECT_LT(growth_at(peak), 0.5 * growth_at(4));
 }
 
 /// A box whose lid comes down: stress over strain is 20 MPa, across it 0.4 of that.
