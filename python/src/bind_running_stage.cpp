@@ -57,7 +57,7 @@ std::optional<workflow::StepFunction> step_function(Call& call, const OnStep& fu
 
 void bind_running_stage(py::module_& m) {
   py::class_<RunningStage, std::shared_ptr<RunningStage>>(
-      m, "RunningStage", "A stage of loading on its way, which `load_stage` hands to `on_step`.")
+      m, "RunningStage", "A stage of loading on its way, which `load_stage` and `run` hand to `on_step`.")
       .def_property_readonly(
           "name", [](const RunningStage& s) { return s.now().stage().name; }, "Name in the recipe.")
       .def_property_readonly(

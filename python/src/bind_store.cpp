@@ -36,12 +36,15 @@ workflow::RunOptions run_options(Call& call, const Progress& progress) {
   return options;
 }
 
-Result run(recipe::Recipe recipe, const Path& out, int threads, const Progress& progress) {
+Result run(recipe::Recipe recipe, const Path& out, int threads, const Progress& progress, const OnStep& on_step,
+           std::int64_t every) {
   recipe.integration.threads = threads;
   Call call;
+  const auto steps = step_function(call, on_step, every);
   call.without_lock([&] {
     workflow::RunOptions options = run_options(call, progress);
     options.out = out;
+    options.on_step = steps ? &*steps : nullptr;
     return workflow::run(recipe, options);
   });
   return call.without_lock([&] { return open_result(out); });
@@ -177,9 +180,10 @@ void bind_store(py::module_& m) {
       },
       py::arg("path"), "Reads a run's folder, or one file of it.");
   m.def("run", &run, py::arg("recipe"), py::arg("out"), py::kw_only(), py::arg("threads") = 1,
-        py::arg("progress") = py::none(),
+        py::arg("progress") = py::none(), py::arg("on_step") = py::none(), py::arg("every") = 1000,
         "Runs a recipe: packing, loading stage by stage, cement, grid, loads. Stages already in `out` are not computed "
-        "again. `progress(share, name)` is called meanwhile.");
+        "again. `progress(share, name)` is called meanwhile, and `on_step(stage)` as by `load_stage`, in each stage of "
+        "loading that is computed. A stage that it changes, and what comes after it, is computed anew by another run.");
   m.def(
       "save",
       [](const py::object& what, const Path& folder) {

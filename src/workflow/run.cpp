@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/hash.hpp"
 #include "core/mapped.hpp"
 #include "core/version.hpp"
 #include "grains/dem/kernels/kernel.hpp"
@@ -113,6 +114,14 @@ class Run {
     return true;
   }
 
+  /// A stage that was changed on its way is not the one that its key says; nor is then what follows.
+  void tell_what_follows(std::size_t s) {
+    const std::string& made = outcome_.stages.back().provenance.input_hash;
+    if (made == plan_[s].hash) return;
+    for (std::size_t later = s + 1; later < plan_.size(); ++later)
+      plan_[later].hash = HashBuilder().add("stage", plan_[later].hash).add("after", made).hex();
+  }
+
   /// All stages of loading by discrete elements; true if the run may go on.
   bool load_grains() {
     const Packing start = outcome_.stages[0].snapshots.back().packing;
@@ -122,9 +131,11 @@ class Run {
       const auto make = [&](const GrainStage& stage, const fs::path& checkpoint) {
         if (!engine) engine.emplace(start, recipe_.contact, recipe_.integration);
         if (s > 1) restore_sample(*engine, outcome_.stages.back().continuation);
-        return load_stage(stage, *engine, checkpoint, options_, progress_);
+        return load_stage(stage, *engine, options_.on_step ? fs::path() : checkpoint, options_, progress_,
+                          options_.on_step);
       };
       if (!add_stage(s, make)) return false;
+      tell_what_follows(s);
       if (progress_.reused) show_done();
       outcome_.converged = outcome_.stages.back().converged;
       if (!outcome_.converged) return false;
@@ -174,7 +185,7 @@ class Run {
 
   const recipe::Recipe& recipe_;
   const RunOptions& options_;
-  const std::vector<PlannedStage> plan_;
+  std::vector<PlannedStage> plan_;  ///< with other hashes behind a stage that was changed on its way
   const ResultFolder folder_;
   Progress progress_;
   RunOutcome outcome_;

@@ -47,6 +47,7 @@ struct RunOptions {
   double checkpoint_seconds = 30;                                              ///< between two checkpoints
   const Store* store = nullptr;  ///< stages that are there are taken from it, and what is computed is put there
   bool page_follows = false;     ///< of stresses, what a page alone shows is measured with the rest
+  const StepFunction* on_step = nullptr;  ///< called while a stage of loading is computed (stage_watch.hpp)
 };
 
 /// What a run measured of its results, in their order, for the page to take over; nothing where a result was there
@@ -72,6 +73,9 @@ struct RunOutcome {
 /// goes on from its last checkpoint and ends with the same bytes. Of runs that share a store and want the same stage at
 /// once, one computes it and the others wait. A damaged file counts as none, with a notice. A stage that finds no
 /// equilibrium ends the run; loads of the cemented sample are independent of each other, and the next is tried.
+/// A stage that `on_step` has changed has a hash of its own, and so has all that comes after it: such files are no
+/// results of the recipe alone, which computes them again, and no store gets them. Stages with it are not resumed on
+/// their way.
 [[nodiscard]] RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options);
 
 /// A stage of grains on its own, as a run and Python take it.

@@ -91,7 +91,7 @@ std::optional<Result> carry_out(const StageRecord<Result>& stage, const RunOptio
   }
   make_folder(stage.file.parent_path());
   stage.write(stage.file, *made);
-  if (store) {
+  if (store && made->provenance.input_hash == stage.key.hash) {
     store->put(stage.key.hash, stage.file);
     store->note(Store::Event::computed, stage.key, seconds());
   }

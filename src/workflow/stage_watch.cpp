@@ -32,6 +32,16 @@ std::optional<std::int64_t> patience_of(const GrainStage& stage, const dem::Engi
 
 }  // namespace
 
+void StageUnderWay::store(std::string label) {
+  changes_.emplace_back(fmt::format("stored at {:.9g} s", time_of(engine_)), label);
+  dem::store_state(engine_, std::move(label), run_);
+}
+
+void StageUnderWay::stop(const std::string& why) {
+  changes_.emplace_back(fmt::format("stopped at {:.9g} s", time_of(engine_)), why);
+  dem::end_early(engine_, stage(), why, run_);
+}
+
 void StageUnderWay::change(const std::vector<std::string>& assignments) {
   std::vector<std::string> overrides;
   for (const std::string& each : assignments) overrides.push_back(fmt::format("stages.{}.{}", place_ - 1, each));

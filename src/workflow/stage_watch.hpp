@@ -27,8 +27,8 @@ class StageUnderWay {
   const dem::StageRun& run() const { return run_; }
   const dem::Stage& stage() const { return recipe_.stages[place_ - 1]; }
 
-  void store(std::string label) { dem::store_state(engine_, std::move(label), run_); }
-  void stop(const std::string& why) { dem::end_early(engine_, stage(), why, run_); }
+  void store(std::string label);
+  void stop(const std::string& why);
   /// Keys of the stage and their values ("top.pressure=20 kPa"): sides, slides, gravity, shear, the motion of
   /// boundaries, friction and drag. Throws InputError for others, and for what a recipe may not say.
   void change(const std::vector<std::string>& assignments);

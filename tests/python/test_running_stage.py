@@ -122,3 +122,47 @@ equilibrium = { unbalanced = 0.1, max_steps = 150000 }
     with pytest.warns(UserWarning, match="unbalanced force ratio.*critical_drag"):
         stage = arenite.load_stage(arenite.pack(restless), restless)
     assert not stage.converged
+
+
+two_stages = (
+    pressing
+    + """
+[[stages]]
+name = "hold"
+right = { pressure = "20 kPa" }
+duration = "10 ms"
+"""
+)
+
+
+def results(folder):
+    return {file.name: file.read_bytes() for file in sorted(folder.glob("0*.h5"))}
+
+
+def test_a_run_calls_it_in_every_stage_and_has_the_same_bytes_where_it_only_looks(tmp_path):
+    recipe, seen = arenite.Recipe.from_text(two_stages), []
+    arenite.run(recipe, tmp_path / "plain")
+    arenite.run(recipe, tmp_path / "watched", on_step=lambda stage: seen.append(stage.name), every=200)
+    assert set(seen) == {"press", "hold"}
+    assert results(tmp_path / "watched") == results(tmp_path / "plain")
+    seen.clear()
+    arenite.run(recipe, tmp_path / "plain", on_step=lambda stage: seen.append(stage.name), every=200)
+    assert not seen  # all is there already
+
+
+def test_a_run_that_was_changed_is_not_taken_for_one_of_the_recipe(tmp_path):
+    recipe = arenite.Recipe.from_text(two_stages)
+
+    def stop(stage):
+        if stage.name == "press" and stage.step >= 2000:
+            stage.stop("enough")
+
+    stopped = arenite.run(recipe, tmp_path / "run", on_step=stop, every=200)
+    assert "enough" in stopped.stages[1].outcome
+    changed = [stage.provenance["input_hash"] for stage in stopped.stages]
+    plain = arenite.run(recipe, tmp_path / "run")
+    own = [stage.provenance["input_hash"] for stage in plain.stages]
+    assert "enough" not in plain.stages[1].outcome
+    assert changed[0] == own[0] and changed[1] != own[1] and changed[2] != own[2]
+    arenite.run(recipe, tmp_path / "other")
+    assert results(tmp_path / "run") == results(tmp_path / "other")

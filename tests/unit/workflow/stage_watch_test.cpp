@@ -151,7 +151,7 @@ TEST(StepFunction, ChangesStoresAndStops) {
   EXPECT_EQ(result.snapshots.front().label, "loaded anew");
   EXPECT_LT(result.asked.gravity.y, -9);
   EXPECT_NE(result.provenance.input_hash, "key");
-  ASSERT_EQ(result.provenance.options.size(), 2u);
+  ASSERT_EQ(result.provenance.options.size(), 4u);  // two keys, a state, the stop
   EXPECT_EQ(result.provenance.options[0].second, "right.pressure=40 kPa");
   EXPECT_NE(result.provenance.recipe.find("40 kPa"), std::string::npos);
 }
