@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/decimals.hpp"
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
@@ -58,7 +59,7 @@ class ExpressionReader {
     skip_spaces();
     if (!rest_.empty()) fail(fmt::format("unexpected \"{}\"", rest_));
     if (!std::isfinite(value.value) || !is_in_reach(value.value)) fail("it is not a finite number in reach");
-    return {value.value, value.dimension, si_unit(value.dimension)};
+    return {in_decimals(value.value, value.value), value.dimension, si_unit(value.dimension)};
   }
 
  private:
@@ -87,7 +88,8 @@ class ExpressionReader {
       if (!plus && !take('-')) return value;
       const Quantity other = product(depth);
       require_alike(value, other, plus ? "added to" : "taken from");
-      value.value += plus ? other.value : -other.value;
+      const double size = std::max(std::abs(value.value), std::abs(other.value));
+      value.value = in_decimals(value.value + (plus ? other.value : -other.value), size);
     }
   }
 

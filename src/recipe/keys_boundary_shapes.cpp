@@ -1,9 +1,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
 
+#include "core/decimals.hpp"
 #include "core/text.hpp"
 #include "recipe/recipe.hpp"
 
@@ -25,11 +27,16 @@ struct Round {
     v.number({"y", "Of the centre, from the container's bottom.", true}, centre.y, "mm", range::any);
     v.number({"diameter", "Of the circle on which the points lie.", true}, diameter, "mm", range::positive);
   }
+  double on_rim(double middle, double off) const {
+    return in_decimals(middle + off, std::max(std::abs(middle), 0.5 * diameter));
+  }
   /// From `from` on, `steps` of them in a turn by `angle`.
   void add_points(double from, double angle, std::int64_t steps, std::int64_t count, std::vector<Vec2>& points) const {
-    for (std::int64_t k = 0; k < count; ++k)
-      points.push_back(centre +
-                       0.5 * diameter * direction(from + angle * static_cast<double>(k) / static_cast<double>(steps)));
+    for (std::int64_t k = 0; k < count; ++k) {
+      const Vec2 radius =
+          0.5 * diameter * direction(from + angle * static_cast<double>(k) / static_cast<double>(steps));
+      points.push_back({on_rim(centre.x, radius.x), on_rim(centre.y, radius.y)});
+    }
   }
 };
 

@@ -48,6 +48,21 @@ void doubt_energy(const StageResult& stage, std::vector<std::string>& doubts) {
                   100 * balance["open"].get<double>()));
 }
 
+/// Above an opening that is wide beside its height a filling sinks in as it empties, and passes less than a silo would.
+void doubt_discharge(const StageResult& stage, std::vector<std::string>& doubts) {
+  constexpr double lowest = 2;  // openings
+  const auto number_at = [&](const char* path) {
+    const Numbers* node = stage.texture.at_path(path);
+    return node && node->is_number() ? node->get<double>() : statistics::unknown;
+  };
+  const double filling = number_at("/surface/height_before_m") / number_at("/discharge/opening_m");
+  if (filling < lowest)
+    doubts.push_back(
+        fmt::format("the filling was {:.2g} openings high, too low for a rate that does not depend on it; take more "
+                    "grains, a narrower container or a smaller opening",
+                    filling));
+}
+
 }  // namespace
 
 std::vector<std::string> loads_in_words(const StageResult& stage) {
@@ -61,6 +76,7 @@ std::vector<std::string> doubts_about(const StageResult& stage) {
   std::vector<std::string> doubts;
   doubt_loads(stage, doubts);
   doubt_energy(stage, doubts);
+  doubt_discharge(stage, doubts);
   return doubts;
 }
 

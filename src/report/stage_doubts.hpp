@@ -7,7 +7,8 @@
 namespace arenite::report {
 
 /// What a reader of a stage's numbers has to know first, one sentence each: loads that differ by more than 5 % from
-/// those asked for, and an energy balance that is open by more than 1 %. As the numbers stored with the stage say.
+/// those asked for, an energy balance that is open by more than 1 %, and a silo whose filling is low beside its
+/// opening. As the numbers stored with the stage say.
 std::vector<std::string> doubts_about(const StageResult& stage);
 
 /// What each side was to press with and what it did: "top: 10.002 +- 0.006 kPa reached, 10 kPa asked for, spread 1.4

@@ -172,7 +172,8 @@ std::string headlines(const Numbers& numbers) {
           "coordination.all coordination.without_rattlers "
           "coordination.all,* coordination.rattlers coordination.Z fabric.a_c fabric.a_c_noise long_axes.order "
           "long_axes.noise force.mean_N force.strong_share force.beta stress_details.pressure_Pa "
-          "stress_details.deviator_Pa critical_state peak uniaxial oedometer cycles discharge surface floor "
+          "stress_details.deviator_Pa critical_state peak uniaxial oedometer cycles discharge boundary_loads surface "
+          "floor "
           "cohesion map.lengths grains.all "
           "phases.void phases.matrix S_m pores.count pores.mean voids.count modulus_Pa poisson apparent_moduli "
           "strength_Pa failure.strain_at_strength stress.sigma_yy.sets.*.mean_over_sample_mean");

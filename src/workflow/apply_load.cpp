@@ -246,7 +246,7 @@ MapOutcome load_map(const recipe::MapSection& map, const recipe::Load& load, con
   require_length(map, load);
   const bool is_stored = !options.out.empty();
   const PlannedStage stage = planned_stage(1, load.name, load_key(load, map_key(map)), true);
-  Progress progress{1, 1, load.name, 0, 0, 0, false, true};
+  Progress progress{.stage = 1, .stages = 1, .name = load.name, .field = true};
   MapOutcome outcome;
   auto* measured = options.page_follows ? &outcome.measured.fields.emplace_back() : nullptr;
   const auto make = [&](const fs::path& checkpoint) {

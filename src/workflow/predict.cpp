@@ -76,10 +76,13 @@ recipe::Recipe with_fewer(recipe::Recipe recipe, double share) {
 void warn(Prediction& p, const recipe::Recipe& recipe) {
   constexpr double tiny = 0.01;
   if (p.time_step < tiny * p.collision.time)
-    p.warnings.push_back(fmt::format(
-        "a collision takes {:.0f} steps; a step of a tenth of its duration would suffice{}",
-        p.collision.time / p.time_step,
-        p.limit == StepLimit::damping ? ", but damping prevents it: raise contact.restitution, or lower drag" : ""));
+    p.warnings.push_back(
+        fmt::format("a collision takes {:.0f} steps; a step of a tenth of its duration would suffice{}",
+                    p.collision.time / p.time_step,
+                    p.limit == StepLimit::damping
+                        ? fmt::format(", but damping prevents it: raise contact.restitution (now {:g}), or lower drag",
+                                      recipe.contact.restitution)
+                        : ""));
   for (std::size_t s = 0; s < p.stages.size(); ++s) {
     const fields::StagePrediction& stage = p.stages[s];
     if (stage.overlap && *stage.overlap > 0.01)

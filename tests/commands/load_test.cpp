@@ -43,6 +43,16 @@ TEST(Load, LayersInParallelHaveTheMeanModulus) {
   EXPECT_LT(Json::parse(across.out)["modulus_Pa"].get<double>(), 0.9 * j["modulus_Pa"].get<double>());
 }
 
+TEST(Load, TellsTheIterationsOfWhatIsNotStored) {
+  const TemporaryFolder folder;
+  const std::string map = layers(folder / "map.h5");
+  const auto solved = arenite("load " + map + " --phases 1=particle,2=matrix");
+  EXPECT_NE(solved.err.find("iteration"), std::string::npos) << solved.err;
+  EXPECT_NE(solved.err.find("residual"), std::string::npos) << solved.err;
+  const auto apart = arenite("load " + map + " --phases 1=particle,2=void");
+  EXPECT_EQ(apart.err.find("taken from an earlier run"), std::string::npos) << apart.err;
+}
+
 TEST(Load, StoresFieldAndPageAndMeasuresThemAgain) {
   const TemporaryFolder folder;
   const auto loaded = arenite("load " + layers(folder / "map.h5") + " --phases 1=particle,2=matrix --moduli --out " +

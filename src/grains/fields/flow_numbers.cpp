@@ -1,13 +1,19 @@
 #include "grains/fields/stage_numbers.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <span>
+#include <string>
 
 #include "geometry/union_area.hpp"
 #include "grains/fields/discharge.hpp"
 #include "grains/fields/free_surface.hpp"
 #include "grains/fields/silo.hpp"
+#include "grains/fields/steady_state.hpp"
 
 namespace arenite::fields {
 namespace {
@@ -37,6 +43,55 @@ Numbers discharge_numbers(const StageResult& result) {
   if (const double opening = narrowest_opening(result.snapshots.back().packing.domain); std::isfinite(opening))
     j["opening_m"] = described(opening, "m", "Narrowest opening between boundaries");
   return j;
+}
+
+/// The part of a series over which a flow is averaged: the steady part of a discharge, else that in which the series
+/// only fluctuates; empty where it does not settle.
+struct Steady {
+  std::size_t first = 0, count = 0;
+};
+
+std::optional<Steady> steady_rows(const std::vector<double>& time, const Numbers& flow, const std::vector<double>& of) {
+  if (const Numbers* steady = flow.at_path("/discharge/steady")) {
+    if (!steady->get<bool>()) return {};
+    const auto row_at = [&](const char* name) {
+      return static_cast<std::size_t>(std::ranges::lower_bound(time, flow.at_path(name)->get<double>() - 1e-12) -
+                                      time.begin());
+    };
+    const std::size_t first = row_at("/discharge/begin_s"), end = std::min(row_at("/discharge/end_s") + 1, of.size());
+    return Steady{first, end - first};
+  }
+  const SteadyState state = find_steady_state(of);
+  if (!state.settled) return {};
+  return Steady{state.first, state.count};
+}
+
+/// What the grains do to the boundaries of a stage that lasts a time: an obstacle in a flow, a blade, a drum.
+Numbers boundary_numbers(const StageResult& result, const Numbers& flow) {
+  constexpr std::size_t fewest_rows = 12;
+  Numbers all = Numbers::tree();
+  const auto* time = result.history.find("time");
+  if (!time || time->size() < fewest_rows) return all;
+  const bool discharges = flow.contains("discharge");
+  for (const Boundary& boundary : result.snapshots.back().packing.domain.boundaries) {
+    const auto put = [&](const char* column, const char* name, const char* unit, const char* what) {
+      const auto* values = result.history.find(boundary.name + column);
+      if (!values || !boundary.present) return;
+      const auto steady = steady_rows(*time, flow, *values);
+      if (!steady || steady->count < fewest_rows) return;
+      const auto rows = std::span(*values).subspan(steady->first, steady->count);
+      statistics::Measured mean = block_average(rows).mean;
+      if (!std::isfinite(mean.error)) mean = mean_of_blocks(rows, 6);
+      const std::string sentence =
+          fmt::format("{} of the grains on the boundary, mean over {}", what,
+                      discharges ? "the steady part of the discharge" : "the part in which it only fluctuates");
+      all[boundary.name][name] = estimate(mean.value, mean.error, unit, sentence.c_str());
+    };
+    put("_force_x", "force_x_N", "N", "Force along x");
+    put("_force_y", "force_y_N", "N", "Force along y");
+    if (boundary.spin != 0) put("_torque", "torque_N_m", "N m", "Torque");
+  }
+  return all;
 }
 
 /// Counts at the end of a stage in which grains come in or leave.
@@ -145,7 +200,7 @@ Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, cons
   put_angle("right_angle_deg", now.right_flank.angle, "Angle of the right flank");
   put_filling(j, result.snapshots.back().packing, gravity, now);
   if (stage.duration && result.snapshots.size() >= 12) put_mean_angle(j, result, gravity);
-  if (before) {
+  if (before && !in_drum(result.snapshots.back().packing.domain)) {
     const FreeSurface then = find_free_surface(*before, gravity);
     if (!then.height.empty()) put_runout(j, now, then);
   }
@@ -160,6 +215,9 @@ Numbers flow_numbers(const StageEnd& end) {
   if (result.snapshots.back().packing.grains.size() == 0) return j;
   if (Numbers discharge = discharge_numbers(result); !discharge.empty()) j["discharge"] = std::move(discharge);
   if (Numbers exchange = exchange_numbers(result); !exchange.empty()) j["exchange"] = std::move(exchange);
+  if (stage.duration)
+    if (Numbers boundaries = boundary_numbers(result, j); !boundaries.empty())
+      j["boundary_loads"] = std::move(boundaries);
   if (!has_free_surface(result.asked, stage)) return j;
   j["surface"] = surface_numbers(result, stage, before);
   if (!stage.duration) return j;

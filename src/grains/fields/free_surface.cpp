@@ -144,4 +144,8 @@ FreeSurface find_free_surface(const Packing& packing, Vec2 gravity, double gap) 
   return surface;
 }
 
+bool in_drum(const Domain& domain) {
+  return std::ranges::any_of(domain.boundaries, [](const Boundary& b) { return b.present && b.closed && b.spin != 0; });
+}
+
 }  // namespace arenite::fields

@@ -33,4 +33,7 @@ struct FreeSurface {
 /// are no grains, and for a gap below 0.
 FreeSurface find_free_surface(const Packing& packing, Vec2 gravity, double gap = 0.1);
 
+/// Whether a closed boundary turns: grains in a drum, which run out nowhere.
+bool in_drum(const Domain& domain);
+
 }  // namespace arenite::fields

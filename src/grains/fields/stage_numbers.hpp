@@ -62,7 +62,8 @@ StageStatistic energy_numbers;
 
 /// Numbers of what flows under its weight, each with its error: "discharge" of a stage that counts what passes;
 /// "surface" of one that weighs and on which no side presses: angle of repose, ends, and the run-out since the state
-/// before; "floor" of one that lasts a time between walls: pressure at the bottom. Empty where it is none of these.
+/// before; "floor" of one that lasts a time between walls: pressure at the bottom; "boundary_loads" of one with
+/// boundaries: the mean force of the grains on each. Empty where it is none of these.
 StageStatistic flow_numbers;
 
 /// Numbers of a sample whose grains cohere: pairs joined at the end of the stage and those of them that are apart, the

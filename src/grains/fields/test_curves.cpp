@@ -33,6 +33,21 @@ statistics::Measured over(const std::vector<double>& values, std::size_t first, 
   return mean;
 }
 
+/// Whether loads press on both of a sample's axes, as its numbers say.
+bool is_loaded_on_both_axes(const Numbers& numbers) {
+  const auto presses = [&](int side) {
+    return numbers.at_path(std::string("/loads/") + side_names[static_cast<std::size_t>(side)]) != nullptr;
+  };
+  return (presses(left) || presses(right)) && (presses(bottom) || presses(top));
+}
+
+double mean_size_from(const std::vector<double>& values, std::size_t first) {
+  std::vector<double> known;
+  for (std::size_t k = first; k < values.size(); ++k)
+    if (std::isfinite(values[k])) known.push_back(std::abs(values[k]));
+  return known.empty() ? statistics::unknown : statistics::mean_of(known).value;
+}
+
 Numbers with_interval(const statistics::Measured& m, const char* sentence) {
   const auto interval = statistics::confidence_95(m);
   return statistics::described(
@@ -55,6 +70,8 @@ std::optional<TestCurves> test_curves(const Test& test) {
   if (curves.confined) curves.shear = std::move(of->shear), curves.normal = std::move(of->normal);
   curves.volume = of->curves["volumetric_strain"];
   curves.solid_fraction = of->curves["solid_fraction"];
+  curves.by_stress = !of->sheared && is_loaded_on_both_axes(test.stage.texture);
+  if (const auto* inertial = of->curves.find("inertial_number")) curves.inertial_number = inertial->values;
   return curves;
 }
 
@@ -82,7 +99,7 @@ std::vector<double> running_ratio(const TestCurves& curves) {
 }
 
 std::optional<CriticalState> critical_state(const TestCurves& curves) {
-  if (!curves.confined) return {};
+  if (!curves.confined || curves.by_stress) return {};
   const auto loaded = std::ranges::find_if(curves.ratio, [](double v) { return std::isfinite(v); });
   const auto offset = static_cast<std::size_t>(loaded - curves.ratio.begin());
   const std::vector<double> ratio(loaded, curves.ratio.end());
@@ -94,14 +111,14 @@ std::optional<CriticalState> critical_state(const TestCurves& curves) {
   const auto solid = find_steady_state(std::span(curves.solid_fraction).subspan(offset));
   const std::size_t first = offset + std::max(steady.first, solid.first);
   if (!steady.settled || !solid.settled || last - curves.strain[first] < 0.2 * last) return {};
-  CriticalState state{curves.strain[first], last, {}, {}};
+  CriticalState state{curves.strain[first], last, mean_size_from(curves.inertial_number, first), {}, {}};
   state.ratio = over(about_ratio_of_means(curves.shear, curves.normal, first), 0, state.sure);
   state.solid_fraction = over(curves.solid_fraction, first, state.sure);
   return state;
 }
 
 Numbers numbers_of(const TestCurves& curves, const CriticalState& state) {
-  return {
+  Numbers j{
       {"strain", curves.strain_name},
       {"from", statistics::described(state.from, "", "Strain beyond which the ratio and the volume only fluctuate")},
       {"to", statistics::described(state.to, "", "Last strain of the test")},
@@ -114,6 +131,12 @@ Numbers numbers_of(const TestCurves& curves, const CriticalState& state) {
                                       : "Mean q over mean p in the critical state, from the forces on the sides")},
       {"solid_fraction",
        with_interval(state.solid_fraction, "Solid fraction of the whole box, mean over the critical state")}};
+  if (std::isfinite(state.inertial_number))
+    j["inertial_number"] =
+        statistics::described(state.inertial_number, "",
+                              "Mean inertial number there: quasi-static below 1e-3, a dense flow, whose ratio grows "
+                              "with the rate, up to 0.1");
+  return j;
 }
 
 }  // namespace arenite::fields

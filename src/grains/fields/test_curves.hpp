@@ -12,15 +12,17 @@ namespace arenite::fields {
 /// Of a stage's curves (loading.hpp) those that tell of its test: its strain, and what answers to it.
 struct TestCurves {
   std::string strain_name;  ///< "shear strain", "strain of the height", "strain of the width"
-  bool sheared = false;  ///< along the sides: the ratio is shear over normal stress there, "mu"; else q over p of the
-                         ///< sides, "q_over_p"
-  bool confined = true;  ///< across its axis, too, and not drawn apart; else instead of the ratio there is the stress
-                         ///< along the axis, Pa
-  std::vector<double> strain;          ///< positive where a side shortens; how large it is where the sample is sheared
-  std::vector<double> ratio;           ///< NaN where the sides are all but unloaded
-  std::vector<double> shear, normal;   ///< what it is the ratio of, Pa; empty of a stress
-  std::vector<double> volume;          ///< volumetric strain, compaction positive
-  std::vector<double> solid_fraction;  ///< of the whole box
+  bool sheared = false;    ///< along the sides: the ratio is shear over normal stress there, "mu"; else q over p of the
+                           ///< sides, "q_over_p"
+  bool confined = true;    ///< across its axis, too, and not drawn apart; else instead of the ratio there is the stress
+                           ///< along the axis, Pa
+  bool by_stress = false;  ///< compressed by loads along the axis and across it: the ratio is what was asked for
+  std::vector<double> strain;           ///< positive where a side shortens; how large it is where the sample is sheared
+  std::vector<double> ratio;            ///< NaN where the sides are all but unloaded
+  std::vector<double> shear, normal;    ///< what it is the ratio of, Pa; empty of a stress
+  std::vector<double> volume;           ///< volumetric strain, compaction positive
+  std::vector<double> solid_fraction;   ///< of the whole box
+  std::vector<double> inertial_number;  ///< empty where it is not known
 
   std::string ratio_name() const { return sheared ? "mu" : confined ? "q_over_p" : "axial_stress"; }
   const char* ratio_unit() const { return sheared || confined ? "" : "Pa"; }
@@ -37,19 +39,21 @@ std::vector<double> running_ratio(const TestCurves& curves);
 
 /// The critical state: the part of a test in which its ratio and the volume only fluctuate while the strain goes on.
 struct CriticalState {
-  double from = 0, to = 0;  ///< strain
+  double from = 0, to = 0;                       ///< strain
+  double inertial_number = statistics::unknown;  ///< mean of its size
   statistics::Measured ratio,
       solid_fraction;  ///< the ratio of the means of shear and normal stress, not the mean of their ratio
   bool sure =
       true;  ///< both errors are of blocks that are independent; else one or both are the largest of few long blocks
 };
 
-/// Where the transients of both have ended (fields::find_steady_state). Nothing where the test was cyclic, where its
-/// strain all but stops, or where the ratio or the solid fraction drifts to the end.
+/// Where the transients of both have ended (fields::find_steady_state). Nothing where the test was cyclic, where loads
+/// alone compress the sample, where its strain all but stops, or where the ratio or the solid fraction drifts to the
+/// end.
 std::optional<CriticalState> critical_state(const TestCurves& curves);
 
-/// As `arenite show` and the page have it: from, to, whether it is sure, and value, error, low_95, high_95 of the
-/// ratio, by its name, and of the solid fraction.
+/// As `arenite show` and the page have it: from, to, the inertial number, whether it is sure, and value, error, low_95,
+/// high_95 of the ratio, by its name, and of the solid fraction.
 Numbers numbers_of(const TestCurves& curves, const CriticalState& state);
 
 }  // namespace arenite::fields

@@ -120,6 +120,11 @@ std::string proposal(const Counts& counts) {
   return text;
 }
 
+/// The same of two values whose lower one is no void.
+std::string proposal_of_matrix(const Counts& counts) {
+  return fmt::format("{}=matrix,{}=particle", counts.begin()->first, counts.rbegin()->first);
+}
+
 PhaseTable guess(const Counts& counts, std::size_t total, const std::string& file, std::vector<std::string>& notes) {
   if (counts.size() == 1)
     refuse(
@@ -135,8 +140,10 @@ PhaseTable guess(const Counts& counts, std::size_t total, const std::string& fil
   if (counts.size() > 2)
     refuse(file, "has the values {}; state the phase of each, for example with --phases {}", listed(counts, total),
            proposal(counts));
-  notes.push_back(
-      fmt::format("Values {}: the lower was taken as void, the higher as particle.", listed(counts, total)));
+  notes.push_back(fmt::format(
+      "Values {}: the lower was taken as void, the higher as particle. Where particles lie in a matrix, give "
+      "--phases {}.",
+      listed(counts, total), proposal_of_matrix(counts)));
   return {{counts.begin()->first, Phase::empty}, {counts.rbegin()->first, Phase::particle}};
 }
 

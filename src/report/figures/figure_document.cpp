@@ -232,11 +232,11 @@ std::vector<Head> packing_heads() {
   add_heads(all, state_figures());
   add_heads(all, stage_figures());
   add_heads(all, run_figures());
-  return in_order(
-      all,
-      {"cycles",     "test-curves", "discharge",     "collapse",    "surface-angle", "grain-bonds",  "fabric",
-       "sigma-norm", "forces",      "grain-scatter", "size-curve",  "coarse-fields", "coordination", "contact-numbers",
-       "rev",        "threshold",   "stress-path",   "wall-forces", "travel",        "energies",     "equilibrium"});
+  return in_order(all,
+                  {"cycles",          "test-curves",     "discharge", "collapse",      "surface-angle", "grain-bonds",
+                   "fabric",          "sigma-norm",      "forces",    "grain-scatter", "size-curve",    "coarse-fields",
+                   "coordination",    "contact-numbers", "rev",       "threshold",     "stress-path",   "wall-forces",
+                   "boundary-forces", "travel",          "energies",  "equilibrium"});
 }
 
 std::vector<Head> field_heads() {

@@ -99,6 +99,27 @@ Drawings wall_forces(const StageData& data) {
   return {drawing};
 }
 
+/// Of each boundary along x and y.
+Drawings boundary_forces(const StageData& data) {
+  if (data.stage.snapshots.empty()) return {};
+  std::vector<std::string> words;
+  for (const Boundary& boundary : data.stage.snapshots.back().packing.domain.boundaries)
+    for (const char* axis : {"x", "y"})
+      if (boundary.present)
+        words.push_back(boundary.name + "_force_" + axis), words.push_back(boundary.name + ", " + axis);
+  std::vector<Named> names;
+  for (std::size_t k = 0; k < words.size(); k += 2) names.push_back({words[k].c_str(), words[k + 1].c_str()});
+  constexpr std::size_t most_lines = 8;
+  if (names.empty() || names.size() > most_lines) return {};
+  Drawing drawing = lines_over_time(data, names, [](double) { return true; });
+  if (drawing.panels.empty()) return {};
+  Panel& panel = drawing.panels.front();
+  const Scale scale = scale_of(largest_in(panel), "N");
+  panel.y = {.label = "force", .unit = scale.unit};
+  for (Series& series : panel.series) series.y = scaled(std::move(series.y), 1 / scale.factor);
+  return {drawing};
+}
+
 Drawings energies(const StageData& data) {
   Drawing drawing = lines_over_time(data,
                                     {{"elastic", "elastic"},
@@ -253,6 +274,9 @@ const std::vector<Row<StageData>>& stage_figures() {
       {{"wall-forces", "wall-forces", "Forces on the walls",
         "Normal force of the grains on each wall over the loading; vertical line: the state shown."},
        wall_forces},
+      {{"boundary-forces", "boundary-forces", "Forces on the boundaries",
+        "Force of the grains on each boundary along x and y; vertical line: the state shown."},
+       boundary_forces},
       {{"travel", "travel", "Force-displacement curve",
         "Force on the wall that moves farthest in this stage against its displacement into the sample; dots: stored "
         "states."},

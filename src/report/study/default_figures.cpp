@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <regex>
 #include <set>
 
@@ -16,7 +18,7 @@ namespace {
 
 using campaign::CollectedTable;
 
-constexpr std::size_t most_figures = 8, most_curves = 8;
+constexpr std::size_t most_figures = 8, most_curves = 8, most_panels = 8;
 
 /// What one asks of a run first, in the order of the page.
 constexpr std::string_view known_numbers =
@@ -158,6 +160,57 @@ std::vector<Figure> headline_figures(const CollectedTable& table, const Headline
   return mapped(groups, [&](const Headlines& group) { return figure_of(table, group); });
 }
 
+/// The swept keys that tell a figure's curves and panels apart: a curve for each value of `by`, a panel for each
+/// combination of the others.
+struct Apart {
+  std::optional<std::size_t> by;
+  std::vector<std::size_t> others;
+};
+
+Apart keys_apart(const std::vector<SweptAxis>& axes) {
+  Apart apart;
+  for (std::size_t k = 1; k < axes.size(); ++k)
+    if (axes[k].values < 2) continue;
+    else if (!apart.by && axes[k].values <= most_curves) apart.by = axes[k].place;
+    else apart.others.push_back(axes[k].place);
+  return apart;
+}
+
+/// The combinations of these keys' values that runs have, in the order of the runs.
+std::vector<std::vector<std::string>> combinations(const CollectedTable& table, const std::vector<std::size_t>& keys) {
+  std::vector<std::vector<std::string>> found;
+  for (const auto& row : table.rows) {
+    auto one = mapped(keys, [&](std::size_t k) { return row.values[k]; });
+    if (std::ranges::count(found, one) == 0) found.push_back(std::move(one));
+  }
+  return found;
+}
+
+/// A figure for each combination of the keys that neither axis nor curves show; points that nothing joins where these
+/// would be too many.
+std::vector<Figure> panels_of(const CollectedTable& table, const Figure& figure, const std::vector<std::size_t>& keys) {
+  if (keys.empty()) return {figure};
+  const auto all = combinations(table, keys);
+  const std::string names = list_of(mapped(keys, [&](std::size_t k) { return words_of(table.keys[k]); }));
+  if (all.size() > most_panels) {
+    Figure points = figure;
+    points.lines = false;
+    points.caption += fmt::format("{}Runs of every value of {}.", points.caption.empty() ? "" : " ", names);
+    return {points};
+  }
+  std::vector<Figure> panels;
+  for (const auto& values : all) {
+    Figure& panel = panels.emplace_back(figure);
+    panel.id += fmt::format("-{}", panels.size());
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+      const auto& key = table.keys[keys[k]];
+      panel.where.push_back({key.name, {values[k]}});
+      panel.title += fmt::format(", {} = {}{}{}", words_of(key), values[k], key.unit.empty() ? "" : " ", key.unit);
+    }
+  }
+  return panels;
+}
+
 }  // namespace
 
 std::string label_of(const CollectedTable& table, const std::string& name) {
@@ -199,15 +252,17 @@ std::vector<Figure> default_figures(const CollectedTable& table, const Headlines
   }
   const auto& key = table.keys[axes.front().place];
   const FigureAxis axis{words_of(key), is_wide(table, axes.front()), {}, {}, key.unit};
+  const Apart apart = keys_apart(axes);
+  std::vector<Figure> panels;
   for (Figure& figure : figures) {
     figure.x = key.name;
     figure.x_axis = axis;
     if (const auto& with = axes.front().with; !with.empty())
       figure.caption += fmt::format("{}With {} goes {}.", figure.caption.empty() ? "" : " ", axis.label, list_of(with));
-    if (axes.size() > 1 && axes[1].values > 1 && axes[1].values <= most_curves)
-      figure.by = table.keys[axes[1].place].name, figure.by_label = words_of(table.keys[axes[1].place]);
+    if (apart.by) figure.by = table.keys[*apart.by].name, figure.by_label = words_of(table.keys[*apart.by]);
+    std::ranges::move(panels_of(table, figure, apart.others), std::back_inserter(panels));
   }
-  return figures;
+  return panels;
 }
 
 Numbers runs_table(const CollectedTable& table, const Headlines& first,

@@ -27,8 +27,8 @@ struct SweptAxis {
 std::vector<SweptAxis> swept_axes(const campaign::CollectedTable& table);
 
 /// What the page of a study without figures.toml shows: what one asks first of its kind of test, and each main number,
-/// against the swept key with the most values that are numbers, a curve for each value of the next one; none where no
-/// key but the seed has two numbers.
+/// against the swept key with the most values that are numbers, a curve for each value of the next one and a figure for
+/// each combination of further ones; none where no key but the seed has two numbers.
 std::vector<Figure> default_figures(const campaign::CollectedTable& table, const Headlines& first = {});
 
 /// The runs as the page lists them: keys, main numbers, and a row a run with its values, numbers and a link to its page

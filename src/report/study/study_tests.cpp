@@ -8,6 +8,7 @@
 #include "campaign/study_kind.hpp"
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
+#include "core/text.hpp"
 #include "grains/fields/loading.hpp"
 #include "io/disk/store_file.hpp"
 #include "report/figures/over_runs.hpp"
@@ -97,25 +98,34 @@ struct Grouped {
   double reach = 0;
 };
 
-/// A curve for each value of a swept key.
+/// "D = 40 mm, friction = 0.3".
+std::string name_of(const CollectedTable& table, const std::vector<SweptAxis>& by, const CollectedTable::Row& row) {
+  return list_of(mapped(by,
+                        [&](const SweptAxis& axis) {
+                          const auto& key = table.keys[axis.place];
+                          return fmt::format("{} = {}{}{}", key.words, row.values[axis.place],
+                                             key.unit.empty() ? "" : " ", key.unit);
+                        }),
+                 ", ");
+}
+
+/// A curve for each combination of the values of swept keys.
 Grouped grouped(const figures::Row<Tests>& row, const std::list<Run>& runs, const CollectedTable& table,
-                const SweptAxis& by) {
+                const std::vector<SweptAxis>& by) {
   std::vector<std::pair<std::string, Tests>> groups;
   for (const Run& run : runs) {
-    const std::string& value = run.row->values[by.place];
-    auto at = std::ranges::find(groups, value, &std::pair<std::string, Tests>::first);
-    if (at == groups.end()) at = groups.insert(at, {value, {}});
+    const std::string name = name_of(table, by, *run.row);
+    auto at = std::ranges::find(groups, name, &std::pair<std::string, Tests>::first);
+    if (at == groups.end()) at = groups.insert(at, {name, {}});
     at->second.push_back(run.test());
   }
-  const CollectedTable::Key& key = table.keys[by.place];
   Grouped found;
   for (std::size_t k = 0; k < groups.size(); ++k) {
     const auto drawings = row.draw(groups[k].second);
     if (drawings.empty()) continue;
     const double reach = reach_of(drawings.front());
     found.reach = found.drawing.panels.empty() ? reach : std::min(found.reach, reach);
-    const std::string unit = key.unit.empty() ? "" : " " + key.unit;
-    take_up(found.drawing, drawings.front(), fmt::format("{} = {}{}", key.words, groups[k].first, unit),
+    take_up(found.drawing, drawings.front(), groups[k].first,
             groups.size() < 3
                 ? fmt::format("line {}", k)
                 : fmt::format("scale {}", static_cast<double>(k) / static_cast<double>(groups.size() - 1)));
@@ -123,16 +133,20 @@ Grouped grouped(const figures::Row<Tests>& row, const std::list<Run>& runs, cons
   return found;
 }
 
-/// By the key that leaves most to the abscissa of the law.
+/// By all keys but the one that leaves most to the abscissa of the law.
 figures::Drawing drawing_of(const figures::Row<Tests>& row, const std::list<Run>& runs, const CollectedTable& table) {
-  const auto axes = swept_axes(table);
+  auto axes = swept_axes(table);
+  std::erase_if(axes, [](const SweptAxis& axis) { return axis.values < 2; });
   if (axes.size() < 2) {
     const auto drawings = row.draw(mapped(runs, &Run::test));
     return drawings.empty() ? figures::Drawing{} : drawings.front();
   }
   Grouped best;
-  for (const SweptAxis& by : axes)
+  for (std::size_t along = 0; along < axes.size(); ++along) {
+    std::vector<SweptAxis> by = axes;
+    by.erase(by.begin() + static_cast<std::ptrdiff_t>(along));
     if (Grouped found = grouped(row, runs, table, by); found.reach > best.reach) best = std::move(found);
+  }
   return best.drawing;
 }
 

@@ -47,6 +47,14 @@ TEST(Expression, CarriesUnits) {
   EXPECT_DOUBLE_EQ(rate.value, 0.01 / 0.04 * std::sqrt(1e5 / 2500));
 }
 
+TEST(Expression, GivesTheDecimalsOneWouldWrite) {
+  const Variables silo{{"W", parse_quantity("150 mm")}, {"D", parse_quantity("40 mm")}};
+  EXPECT_EQ(format_quantity(evaluate("(W - D)/2", silo).value, "mm"), "55 mm");
+  EXPECT_EQ(format_quantity(evaluate("(W - D)/2 - 4 mm", silo).value, "mm"), "51 mm");
+  EXPECT_EQ(format_quantity(evaluate("105 mm - 100 mm", {}).value, "mm"), "5 mm");
+  EXPECT_EQ(format_quantity(evaluate("0.35*80 mm/(100 mm/s)", {}).value, "s"), "0.28 s");
+}
+
 TEST(Expression, ANumberKeepsItsUnitAndAVariableItsName) {
   EXPECT_DOUBLE_EQ(length("40 mm/2"), 0.02);
   EXPECT_EQ(evaluate("9.81 m/s^2", known).dimension, dimension::acceleration);

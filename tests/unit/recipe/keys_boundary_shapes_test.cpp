@@ -29,6 +29,14 @@ TEST(BoundaryShapes, CircleHasItsPointsOnIt) {
   EXPECT_EQ(parse_recipe(to_toml(recipe), "r.toml"), recipe);
 }
 
+TEST(BoundaryShapes, ACircleTouchesItsBoxWithoutTheNoiseOfArithmetic) {
+  const Boundary drum =
+      with_boundary("circle = { x = \"105 mm\", y = \"105 mm\", diameter = \"200 mm\" }").boundaries.front();
+  EXPECT_EQ(drum.points[0], (Vec2{0.205, 0.105}));
+  EXPECT_EQ(drum.points[16], (Vec2{0.105, 0.205}));
+  EXPECT_EQ(drum.points[32], (Vec2{0.005, 0.105}));
+}
+
 TEST(BoundaryShapes, ArcIsOpenAndEndsWhereItIsTold) {
   const Boundary arc =
       with_boundary(

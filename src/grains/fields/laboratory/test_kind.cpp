@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grains/fields/free_surface.hpp"
 #include "grains/fields/laboratory/axial_tests.hpp"
 #include "grains/fields/state_curves.hpp"
 
@@ -12,12 +13,6 @@ namespace {
 bool is_cyclic(const StageResult& stage) {
   const auto* cycle = stage.cycles.find("cycle");
   return (cycle && cycle->size() > 3) || whole_cycles(stage).size() > 1;
-}
-
-/// Whether a boundary turns in the end.
-bool has_drum(const StageResult& stage) {
-  return std::ranges::any_of(stage.snapshots.back().packing.domain.boundaries,
-                             [](const Boundary& b) { return b.present && b.closed && b.spin != 0; });
 }
 
 /// Compressed along one axis by more than its volume tells.
@@ -42,7 +37,7 @@ TestKind kind_of(const Test& test) {
   const Numbers& numbers = test.stage.texture;
   if (numbers.at_path("/discharge")) return TestKind::discharge;
   if (is_cyclic(test.stage)) return TestKind::cycles;
-  if (numbers.at_path("/surface") && has_drum(test.stage)) return TestKind::drum;
+  if (numbers.at_path("/surface") && in_drum(test.stage.snapshots.back().packing.domain)) return TestKind::drum;
   if (numbers.at_path("/surface/runout_m")) return TestKind::collapse;
   const TestKind kind = kind_by_sides(test);
   return kind == TestKind::none && numbers.at_path("/surface/solid_fraction") ? TestKind::deposit : kind;

@@ -54,6 +54,63 @@ TEST(FlowNumbers, TellDischargeAngleAndRunOut) {
   EXPECT_NEAR(surface["aspect_ratio_before"].get<double>(), 2, 0.01);
 }
 
+TEST(FlowNumbers, OfADrumAreNoRunOut) {
+  StageResult drum = result();
+  Boundary round;
+  round.name = "drum", round.closed = true, round.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  drum.snapshots.back().packing.domain.boundaries = {round};
+  dem::Stage stage;
+  stage.gravity = true;
+  const Packing before = column(false);
+  EXPECT_TRUE(flow_numbers({drum, stage, &before, {}})["surface"].contains("runout_m")) << "it stands still";
+  drum.snapshots.back().packing.domain.boundaries.front().spin = 1;
+  const Numbers surface = flow_numbers({drum, stage, &before, {}})["surface"];
+  EXPECT_TRUE(surface.contains("angle_deg"));
+  for (const char* name : {"runout_m", "runout_over_width", "aspect_ratio_before", "width_before_m"})
+    EXPECT_FALSE(surface.contains(name)) << name;
+}
+
+/// A force of -3 N with fluctuations while the grains pass, of -50 N before and of none after.
+StageResult with_obstacle() {
+  StageResult flow = result();
+  auto& boundaries = flow.snapshots.back().packing.domain.boundaries;
+  boundaries.resize(2);
+  boundaries[0].name = "post", boundaries[1].name = "gate", boundaries[1].present = false;
+  const auto& time = flow.history.columns[0].values;
+  std::vector<double> force;
+  for (std::size_t k = 0; k < time.size(); ++k)
+    force.push_back(time[k] < 0.5 ? -50 : -3 + 0.2 * std::cos(2.4 * static_cast<double>(k)));
+  for (const char* name : {"post_force_y", "gate_force_y"}) flow.history.columns.push_back({name, "N", force});
+  return flow;
+}
+
+TEST(FlowNumbers, TellTheForceOnAnObstacleOverTheSteadyPartOfADischarge) {
+  StageResult flow = with_obstacle();
+  dem::Stage stage;
+  stage.gravity = true;
+  EXPECT_FALSE(flow_numbers({flow, stage, nullptr, {}}).contains("boundary_loads")) << "it ends at rest";
+  stage.duration = 4;
+  const Numbers loads = flow_numbers({flow, stage, nullptr, {}})["boundary_loads"];
+  EXPECT_NEAR(loads["post"]["force_y_N"]["value"].get<double>(), -3, 0.01);
+  EXPECT_GT(loads["post"]["force_y_N"]["error"].get<double>(), 0);
+  EXPECT_LT(loads["post"]["force_y_N"]["error"].get<double>(), 0.02);
+  EXPECT_FALSE(loads["post"].contains("force_x_N")) << "its history has none";
+  EXPECT_FALSE(loads.contains("gate")) << "it is not there any more";
+}
+
+TEST(FlowNumbers, TellTheForceOnAnObstacleOfASteadyFlow) {
+  StageResult flow = with_obstacle();
+  std::erase_if(flow.history.columns, [](const auto& column) { return column.name.starts_with("passed"); });
+  dem::Stage stage;
+  stage.duration = 4;
+  const Numbers loads = flow_numbers({flow, stage, nullptr, {}})["boundary_loads"];
+  EXPECT_NEAR(loads["post"]["force_y_N"]["value"].get<double>(), -3, 0.01);
+  auto& force = flow.history.columns.back().values = {};
+  for (std::size_t k = 0; k < flow.history.columns[0].values.size(); ++k) force.push_back(static_cast<double>(k));
+  flow.history.columns[1].values = force;
+  EXPECT_FALSE(flow_numbers({flow, stage, nullptr, {}}).contains("boundary_loads")) << "it grows to the end";
+}
+
 TEST(FlowNumbers, OfALayerTellItsSolidFractionAwayFromFloorAndSurface) {
   StageResult layer = result();
   Packing& p = layer.snapshots.back().packing = {};

@@ -90,6 +90,34 @@ TEST(TestCurves, OfABiaxialTestAreAlongTheAxisOfCompressionThoughTheWidthGrowsBy
   EXPECT_NEAR(critical_state(*curves)->ratio.value, 0.5, 1e-12);
 }
 
+TEST(TestCurves, UnderLoadsOnBothAxesHaveNoCriticalState) {
+  Loading test(100, false);
+  for (std::size_t k = 0; k < 100; ++k) {
+    const double share = static_cast<double>(k) / 99;
+    test.of("top_position")[k] = 0.1 * (1 - 0.4 * share);
+    test.of("right_position")[k] = 0.1 / (1 - 0.4 * share);
+    test.of("bottom_force")[k] = test.of("top_force")[k] = 3e3 * 0.01 * test.of("right_position")[k];
+    test.of("left_force")[k] = test.of("right_force")[k] = 1e3 * 0.01 * test.of("top_position")[k];
+  }
+  test.stage.texture["loads"]["right"]["asked_Pa"] = 1e3;
+  ASSERT_TRUE(critical_state(*test_curves({test.stage}))) << "the top moves at a given speed";
+  test.stage.texture["loads"]["top"]["asked_Pa"] = 3e3;
+  EXPECT_TRUE(test_curves({test.stage})->by_stress);
+  EXPECT_FALSE(critical_state(*test_curves({test.stage}))) << "its ratio is what was asked for";
+}
+
+TEST(TestCurves, ACriticalStateTellsItsInertialNumber) {
+  Loading test = steady_shear(0.3);
+  Packing& packing = test.stage.snapshots.back().packing;
+  packing.materials = {{"glass", 2500, 1e6, 0}};
+  const auto curves = test_curves({test.stage});
+  const auto state = critical_state(*curves);
+  ASSERT_TRUE(state);
+  const double pressure = 100 / (0.1 * 0.01), expected = 4.0 / 1999 * 0.1 * std::sqrt(2500 / pressure);
+  EXPECT_NEAR(state->inertial_number, expected, 0.01 * expected);
+  EXPECT_NEAR(numbers_of(*curves, *state)["inertial_number"].get<double>(), expected, 0.01 * expected);
+}
+
 TEST(TestCurves, OfASampleThatIsDrawnApartAreOfTheStressAlongTheAxis) {
   Loading test(5, false);
   test.of("top_position") = {0.1, 0.101, 0.102, 0.103, 0.104};

@@ -52,7 +52,10 @@ TEST(PhaseMapImage, GuessesTwoValuesAndSaysSo) {
   const auto read = made({4, 1, {7, 255, 255, 255}});
   EXPECT_EQ(read.map.phase, (std::vector{empty, particle, particle, particle}));
   ASSERT_EQ(read.notes.size(), 1u);
-  EXPECT_EQ(read.notes[0], "Values 7 (25 %), 255 (75 %): the lower was taken as void, the higher as particle.");
+  EXPECT_EQ(
+      read.notes[0],
+      "Values 7 (25 %), 255 (75 %): the lower was taken as void, the higher as particle. Where particles lie in a "
+      "matrix, give --phases 7=matrix,255=particle.");
 }
 
 TEST(PhaseMapImage, AsksForThePhasesOfThreeValues) {

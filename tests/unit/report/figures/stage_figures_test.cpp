@@ -29,3 +29,22 @@ TEST(StageFigures, ForcesOfOppositeWallsAreToldApartWhereTheyAreEqual) {
   EXPECT_EQ(drawing.panels[0].series[1].line, Line::dashed);
   EXPECT_EQ(drawing.key[1].line, Line::dashed);
 }
+
+TEST(StageFigures, TheForcesOnBoundariesThatAreThereAreDrawnOverTheTime) {
+  StageResult stage;
+  Snapshot state;
+  auto& boundaries = state.packing.domain.boundaries;
+  boundaries.resize(2);
+  boundaries[0].name = "post", boundaries[1].name = "gate", boundaries[1].present = false;
+  stage.snapshots.push_back(state);
+  stage.history.columns = {
+      {"time", "s", {0, 1, 2}}, {"post_force_y", "N", {0, -0.1, -0.2}}, {"gate_force_y", "N", {1, 1, 1}}};
+  const auto& row = *std::ranges::find(stage_figures(), "boundary-forces", [](const auto& r) { return r.head.id; });
+  const Drawing drawing = row.draw({stage, {}}).front();
+  ASSERT_EQ(drawing.key.size(), 1u);
+  EXPECT_EQ(drawing.key[0].name, "post, y");
+  EXPECT_EQ(drawing.panels[0].y.unit, "mN");
+  EXPECT_NEAR(drawing.panels[0].series[0].y[2], -200, 1e-9);
+  stage.snapshots.back().packing.domain.boundaries.front().present = false;
+  EXPECT_TRUE(row.draw({stage, {}}).empty());
+}

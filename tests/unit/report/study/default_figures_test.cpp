@@ -40,6 +40,40 @@ TEST(DefaultFigures, AreMainNumbersAgainstTheKeyWithTheMostNumbers) {
   }
 }
 
+/// Three keys, each combination of their values once.
+campaign::CollectedTable three_keys(int thirds) {
+  campaign::CollectedTable t;
+  t.keys = {{"variables.I", "", "I"}, {"contact.friction", "", "friction"}, {"variables.P", "kPa", "P"}};
+  t.names = {"solid_fraction"};
+  for (const char* rate : {"0.01", "0.02", "0.03", "0.04", "0.05", "0.06", "0.07", "0.08", "0.09", "0.1"})
+    for (const char* friction : {"0.1", "0.3"})
+      for (int p = 0; p < thirds; ++p) {
+        const std::string pressure = std::to_string(10 + p);
+        t.rows.push_back({rate + pressure + friction, "done", {rate, friction, pressure}, 1, {campaign::Estimate{1}}});
+      }
+  return t;
+}
+
+TEST(DefaultFigures, OfThreeKeysAreOneForEachValueOfTheOneThatNeitherAxisNorCurvesShow) {
+  const auto figures = default_figures(three_keys(3));
+  ASSERT_EQ(figures.size(), 2u);
+  EXPECT_EQ(figures[0].x, "variables.I");
+  EXPECT_EQ(figures[0].by, "variables.P");
+  EXPECT_EQ(figures[0].where, (Where{{"contact.friction", {"0.1"}}}));
+  EXPECT_EQ(figures[1].where, (Where{{"contact.friction", {"0.3"}}}));
+  EXPECT_EQ(figures[1].title, "solid_fraction, friction = 0.3");
+  EXPECT_NE(figures[0].id, figures[1].id);
+}
+
+TEST(DefaultFigures, OfAKeyWithTooManyValuesForCurvesJoinNoPointsOfOthers) {
+  const auto figures = default_figures(three_keys(9));
+  ASSERT_EQ(figures.size(), 1u);
+  EXPECT_EQ(figures[0].by, "contact.friction");
+  EXPECT_TRUE(figures[0].where.empty());
+  EXPECT_FALSE(figures[0].lines);
+  EXPECT_EQ(figures[0].caption, "Runs of every value of P.");
+}
+
 TEST(DefaultFigures, AreNoneWhereNothingIsSweptButTheSeedOrWords) {
   auto t = two_kinds();
   t.keys = {{"seed", ""}};
