@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <memory>
-#include <numeric>
 #include <string>
 
 #include "commands.hpp"
@@ -16,6 +15,7 @@
 #include "recipe/recipe.hpp"
 #include "solid/stress/grains.hpp"
 #include "solid/stress/stress.hpp"
+#include "statistics/correlation.hpp"
 #include "thermal/imaging/proposed_contacts.hpp"
 
 namespace arenite::app {
@@ -63,8 +63,7 @@ void propose_contacts(const MeasureArguments& a, io::Sample& sample, texture::Op
   imaging::ContactTolerance tolerance;
   tolerance.floor = 1;
   tolerance.pixel = gap.touching.value();
-  const std::vector<double>& radius = sample.packing.grains.radius;
-  const double mean_radius = std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
+  const double mean_radius = statistics::mean_of_known(sample.packing.grains.radius);
   if (tolerance.pixel > mean_radius)
     throw InputError(fmt::format(
         "--touching: {} is wider than the mean radius of the grains, {:.4g} m; grains so far apart do not touch",

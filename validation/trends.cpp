@@ -10,19 +10,6 @@
 namespace arenite::validation {
 namespace {
 
-std::vector<double> ranks(const std::vector<double>& values) {
-  std::vector<double> rank;
-  for (const double value : values) {
-    double below = 0, equal = 0;
-    for (const double other : values) {
-      below += other < value;
-      equal += other == value;
-    }
-    rank.push_back(below + (equal + 1) / 2);
-  }
-  return rank;
-}
-
 std::pair<std::vector<double>, std::vector<double>> columns(const Series& points) {
   std::pair<std::vector<double>, std::vector<double>> xy;
   for (const Point& p : points) {
@@ -70,8 +57,7 @@ double line_r2(const Series& points) {
 
 double spearman(const Series& points) {
   const auto [x, y] = columns(points);
-  const auto line = statistics::fit_line(ranks(x), ranks(y));
-  return std::copysign(std::sqrt(line.r2), line.slope);
+  return points.size() > 2 ? statistics::spearman(x, y) : statistics::unknown;
 }
 
 Family steps(const Series& points) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -196,6 +197,10 @@ struct GrainMotion {
   std::size_t size() const { return cosine.size(); }
   /// From its mean place, where the phase 2 pi f t has this cosine and sine.
   Vec2 at(std::size_t grain, double c, double s) const { return c * cosine[grain] + s * sine[grain]; }
+  /// From the smallest to the largest load, which goes as cos(2 pi f t - phase).
+  Vec2 way(std::size_t grain, double phase) const { return 2 * at(grain, std::cos(phase), std::sin(phase)); }
+  /// Length of the way in whatever phase it is, peak to peak.
+  double travel(std::size_t grain) const { return 2 * std::hypot(norm(cosine[grain]), norm(sine[grain])); }
 };
 
 /// Peak-to-peak change of temperature and stress of every grain between the smallest and the largest load, as a film

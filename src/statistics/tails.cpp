@@ -105,6 +105,12 @@ double weak_exponent(const std::vector<double>& sorted) {
   return count < 2 ? unknown : 1 - count / sum;
 }
 
+double share_beyond(const std::vector<double>& values, double threshold) {
+  const double limit = threshold + 1e-12 * std::abs(threshold);
+  return static_cast<double>(std::ranges::count_if(values, [&](double v) { return v > limit; })) /
+         static_cast<double>(values.size());
+}
+
 double chance_of_lead(const Estimate& lead) {
   return lead.error > 0 ? 0.5 * std::erfc(lead.value / lead.error / std::numbers::sqrt2) : unknown;
 }

@@ -27,6 +27,9 @@ TailFit exponential_tail(const std::vector<double>& sorted);
 /// than two.
 double weak_exponent(const std::vector<double>& sorted);
 
+/// Share of the values above a threshold; rounding must not put those that are equal to it above it.
+double share_beyond(const std::vector<double>& values, double threshold);
+
 /// How often chance would give a lead as large or larger, by its error (Q. Vuong, Econometrica 57, 307, 1989),
 /// one-sided; unknown without an error.
 double chance_of_lead(const Estimate& lead);

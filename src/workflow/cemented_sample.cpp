@@ -2,11 +2,14 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <utility>
 
+#include "core/mapped.hpp"
 #include "grains/texture/texture.hpp"
 #include "solid/grid/crop.hpp"
 #include "solid/grid/map_numbers.hpp"
+#include "statistics/correlation.hpp"
 #include "workflow/field_numbers.hpp"
 
 namespace arenite::workflow {
@@ -17,10 +20,10 @@ constexpr double gap_over_radius = 0.075,
 
 /// Mean radius of the grains of a material (of all: -1); 0 without any.
 double mean_radius(const Packing& packing, std::int32_t material) {
-  double sum = 0, count = 0;
-  for (std::size_t g = 0; g < packing.grains.size(); ++g)
-    if (material < 0 || packing.grains.material[g] == material) sum += packing.grains.radius[g], ++count;
-  return count > 0 ? sum / count : 0;
+  const auto counts =
+      mapped<std::uint8_t>(packing.grains.material, [&](auto m) { return material < 0 || m == material; });
+  const double mean = statistics::mean_of_known(packing.grains.radius, counts);
+  return std::isfinite(mean) ? mean : 0;
 }
 
 /// P's crop where nothing else is asked for and the sample is wide enough for it; 0: the largest square.

@@ -100,7 +100,7 @@ Identification identify_stiffness(const std::string& file, const StiffnessReques
 
 namespace {
 
-const Constant separation_force{"separation_force", "N", "F_c, the largest tension that the bond holds"},
+const Constant separation_force{"separation_force", "N", "F_c, the largest tension that the glue holds"},
     surface_energy{"surface_energy", "kN/mm", "gamma = sqrt(4 k F_c/r_eff), T eq. 1.25"},
     threshold_force{"threshold_force", "N", "r_eff gamma^2/(4 k), the tension at which the law separates"},
     overlap_without_force{"overlap_without_force", "um", "r_eff gamma^2/k^2, where attraction and repulsion balance"},
@@ -144,7 +144,7 @@ Tests peaks_of(const RecordGroup& group, std::vector<std::string>& notes) {
     const std::string name = test.name.empty() ? fmt::format("record {}", peaks.size() + 1) : test.name;
     if (!peak.separated)
       notes.push_back(fmt::format(
-          "{}{}{}: the record ends before the force has fallen to half of its peak; the bond may have held more",
+          "{}{}{}: the record ends before the force has fallen to half of its peak; the glue may have held more",
           group.name, group.name.empty() ? "" : ", ", name));
     peaks.emplace_back(name, peak.force);
   }

@@ -70,7 +70,7 @@ function contactNumbers(c, sample, snapshot, theme) {
     ["F_{n}/\u27e8F_{n}\u27e9", text.number(fn[c] / snapshot.meanForce)],
     ["|F_{t}|/F_{n}", text.number(Math.abs(ft[c] / fn[c]), 2)],
   ];
-  if (glued[c]) rows.push(["bond", "glued"]);
+  if (glued[c]) rows.push(["glue", "holds"]);
   return {
     title: `Contact ${sample.id[i[c]]}\u2013${partner}${kind.wall ? "" : `, ${kind.label}`}`,
     colour: pairColour(theme, kind),

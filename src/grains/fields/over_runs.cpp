@@ -55,10 +55,6 @@ SteadyState steady(const Values& values) {
 
 Estimate as_estimate(const statistics::Measured& m) { return {m.value, m.error}; }
 
-Estimate late_mean(const Values& values) {
-  return as_estimate(mean_of_blocks(std::span(values).last(values.size() - values.size() / 2), blocks_of_late));
-}
-
 /// The loading of a test that has a ratio of stresses.
 Loading stressed(const Test& test) {
   auto of = loading_of(test);
@@ -94,8 +90,10 @@ std::vector<Estimate> critical_row(const Test& test) {
   if (!ratio.reached || !std::isfinite(friction.error))
     friction = as_estimate(mean_of_blocks(about_ratio_of_means(shear, normal, shear.size() / 2), blocks_of_late));
   const double both = ratio.reached && density.reached ? 1 : 0;
-  return {
-      {test.stage.asked.friction}, friction, density.reached ? as_estimate(density.mean) : late_mean(solid), {both}};
+  return {{test.stage.asked.friction},
+          friction,
+          density.reached ? as_estimate(density.mean) : as_estimate(late_mean(solid)),
+          {both}};
 }
 
 double number_at(const Numbers& numbers, const std::string& path) {

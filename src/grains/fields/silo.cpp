@@ -14,12 +14,9 @@
 namespace arenite::fields {
 namespace {
 
-constexpr std::size_t blocks_of_half = 10;
-
-/// Of the second half, by blocks.
-statistics::Measured late_mean(const History& history, const char* name) {
+statistics::Measured late_mean_of(const History& history, const char* name) {
   const std::vector<double>* values = history.find(name);
-  return values ? mean_of_blocks(std::span(*values).last(values->size() / 2), blocks_of_half) : statistics::Measured{};
+  return values ? late_mean(*values) : statistics::Measured{};
 }
 
 /// Mean gravity over the second half, m/s^2 downward; 0 where it ever pulls aside.
@@ -52,8 +49,9 @@ std::optional<SiloState> silo_state(const StageResult& stage) {
   if (!(gravity > 0)) return {};
   const FreeSurface surface = find_free_surface(packing, {0, -gravity});
   SiloState silo{statistics::mean_of(surface.height).value - surface.bottom, d.width(), d.thickness,
-                 late_mean(stage.history, "bottom_force"), gravity * texture::mass_of(packing)};
-  const double sides = late_mean(stage.history, "left_force").value + late_mean(stage.history, "right_force").value;
+                 late_mean_of(stage.history, "bottom_force"), gravity * texture::mass_of(packing)};
+  const double sides =
+      late_mean_of(stage.history, "left_force").value + late_mean_of(stage.history, "right_force").value;
   if (!(silo.force.value > 0) || !(sides > 0)) return {};
   silo.wall_friction = (silo.weight - silo.force.value) / sides;
   silo.stress_ratio = ratio_of_stresses(stage);

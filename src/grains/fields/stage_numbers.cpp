@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "grains/fields/steady_state.hpp"
 #include "statistics/measured.hpp"
 
 namespace arenite::fields {
@@ -30,12 +31,13 @@ std::vector<double> quotient(std::vector<double> a, const std::vector<double>& b
   return a;
 }
 
-statistics::Measured later_half(const std::vector<double>& values) {
-  return statistics::mean_of({values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end()});
+statistics::Measured mean_of_later(const std::vector<double>& values) {
+  const auto late = later_half(values);
+  return statistics::mean_of({late.begin(), late.end()});
 }
 
 double deviation(const std::vector<double>& values) {
-  const auto mean = later_half(values);
+  const auto mean = mean_of_later(values);
   return mean.error * std::sqrt(mean.freedom + 1);
 }
 
@@ -149,12 +151,6 @@ std::vector<double> SideStresses::pressure() const {
   return p;
 }
 
-std::vector<double> SideStresses::deviator() const {
-  std::vector<double> q;
-  for (std::size_t k = 0; k < time.size(); ++k) q.push_back(std::hypot(0.5 * (xx[k] - yy[k]), along_x[k]));
-  return q;
-}
-
 std::optional<SideStresses> side_stresses(const History& history) {
   const auto* time = history.find("time");
   if (!time || time->size() < 2) return {};
@@ -182,7 +178,7 @@ std::optional<texture::TimeScatter> stress_in_time(const History& history, doubl
   const auto sides = side_stresses(history);
   if (!sides || sides->time.size() < 3 || !(thickness > 0)) return {};
   const auto p = sides->pressure();
-  const double mean = later_half(p).value;
+  const double mean = mean_of_later(p).value;
   if (!(mean > 0)) return {};
   const double shear = deviation(sides->along_x);
   const Tensor2 pascal = 1 / thickness * Tensor2{deviation(sides->xx), shear, shear, deviation(sides->yy)};

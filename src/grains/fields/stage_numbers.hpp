@@ -27,7 +27,6 @@ struct SideStresses {
   std::vector<double> along_x,
       along_y;  ///< shear on bottom and top, on left and right: positive where the top, or the right, is held back
   std::vector<double> pressure() const;  ///< mean of the two normal ones
-  std::vector<double> deviator() const;  ///< half the difference of the principal ones
 };
 
 /// Nothing without the sides' places or with fewer than two rows; a force that the history lacks counts as 0.

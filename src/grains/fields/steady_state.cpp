@@ -104,6 +104,13 @@ statistics::Measured mean_of_blocks(std::span<const double> samples, std::size_t
   return statistics::mean_of(means);
 }
 
+std::span<const double> later_half(std::span<const double> samples) { return samples.subspan(samples.size() / 2); }
+
+statistics::Measured late_mean(std::span<const double> samples) {
+  constexpr std::size_t blocks = 10;
+  return mean_of_blocks(later_half(samples), blocks);
+}
+
 SteadyState find_steady_state(std::span<const double> samples) {
   if (const auto bad = std::find_if(samples.begin(), samples.end(), [](double v) { return !std::isfinite(v); });
       bad != samples.end())

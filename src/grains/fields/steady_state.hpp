@@ -38,6 +38,11 @@ std::vector<double> about_ratio_of_means(std::span<const double> a, std::span<co
 /// independent.
 statistics::Measured mean_of_blocks(std::span<const double> samples, std::size_t blocks);
 
+/// From the middle on.
+std::span<const double> later_half(std::span<const double> samples);
+/// Mean of the later half, its error by ten blocks.
+statistics::Measured late_mean(std::span<const double> samples);
+
 /// Finds where the standard error of what remains, taken as if its batches were independent, is least (MSER-5: K. P.
 /// White, M. J. Cobb and S. C. Spratt, Proc. Winter Simulation Conf. 2000, 755), cuts twice as much, for what an
 /// exponential transient leaves there is a few tenths of the error still, and averages the rest. A series that drifts

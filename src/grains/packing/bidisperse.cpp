@@ -2,11 +2,14 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "grains/packing/free_space.hpp"
 #include "grains/packing/gap_search.hpp"
 #include "grains/packing/two_classes.hpp"
+#include "statistics/correlation.hpp"
 
 namespace arenite::packing {
 namespace {
@@ -25,9 +28,7 @@ geometry::Box<2> set_box(Domain& domain, double side) {
 }
 
 double mean_radius(const std::vector<Disk>& disks, std::size_t from, std::size_t to) {
-  double sum = 0;
-  for (std::size_t i = from; i < to; ++i) sum += disks[i].radius;
-  return sum / static_cast<double>(to - from);
+  return statistics::mean_of_known(mapped(std::span(disks).subspan(from, to - from), &Disk::radius));
 }
 
 void hand_over(const TwoClasses& classes, Grains& grains) {

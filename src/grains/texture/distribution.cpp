@@ -16,16 +16,14 @@ double mean_of(const Items& items, const std::vector<double>& value) {
   return sum / static_cast<double>(items.size());
 }
 
-/// Share of items beyond the mean, on the mean's side: for stresses under compression both are negative.
-double share_beyond(const Items& items, const std::vector<double>& value, double mean) {
-  double above = 0;
-  for (const std::size_t i : items) above += value[i] / mean > 1;
-  return above / static_cast<double>(items.size());
-}
-
 /// The values over their mean, of items in their order.
 std::vector<double> rising(const Items& sorted, const std::vector<double>& value, double mean) {
   return mapped(sorted, [&](std::size_t i) { return value[i] / mean; });
+}
+
+/// Share of items beyond the mean, on the mean's side: for stresses under compression both are negative.
+double share_beyond(const Items& items, const std::vector<double>& value, double mean) {
+  return statistics::share_beyond(rising(items, value, mean), 1);
 }
 
 statistics::Curve density(const std::vector<double>& sorted) {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "core/mapped.hpp"
 #include "geometry/rectangle.hpp"
 #include "io/sample/formats.hpp"
+#include "statistics/correlation.hpp"
 
 namespace arenite::io {
 namespace {
@@ -20,9 +20,7 @@ constexpr double flat = 0.02;                         // of the mean radius: rou
 constexpr double layer = 1;                           // of it: no two grains of one layer lie on top of each other
 
 double mean_radius(const RawGrains& grains) {
-  double sum = 0;
-  for (const RawGrain& g : grains.rows) sum += std::max(g.radius, 0.0);
-  return sum / static_cast<double>(grains.rows.size());
+  return statistics::mean_of_known(mapped(grains.rows, [](const RawGrain& g) { return std::max(g.radius, 0.0); }));
 }
 
 /// How far the centres reach along an axis.

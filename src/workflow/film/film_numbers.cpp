@@ -74,10 +74,7 @@ Numbers grains_of(const FilmResult& r) {
 
 Numbers motion_of(const FilmResult& r) {
   std::vector<double> travel;
-  for (std::size_t i = 0; i < r.motion.size(); ++i) {
-    const Vec2 c = r.motion.cosine[i], s = r.motion.sine[i];
-    travel.push_back(2 * std::hypot(c.x, s.x, std::hypot(c.y, s.y)));
-  }
+  for (std::size_t i = 0; i < r.motion.size(); ++i) travel.push_back(r.motion.travel(i));
   Numbers j = Numbers::tree();
   if (travel.empty()) return j;
   put(j, "median_travel_pixels", median(travel, statistics::unknown), "pixels",

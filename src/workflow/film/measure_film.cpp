@@ -160,11 +160,10 @@ class Measurement {
   }
 
   void take_motion(const FilmResult& r, PictureGrains& middle) {
-    const double largest = r.maps.reference_phase;
     for (std::size_t i = 0; i < r.grains.size(); ++i) {
-      const Vec2 way = r.motion.at(i, std::cos(largest), std::sin(largest));
-      middle.centre[i] = r.grains.centre[i] + way;
-      loaded_.centre[i] = r.grains.centre[i] + 2 * way;
+      const Vec2 way = r.motion.way(i, r.maps.reference_phase);
+      middle.centre[i] = r.grains.centre[i] + 0.5 * way;
+      loaded_.centre[i] = r.grains.centre[i] + way;
     }
   }
 
