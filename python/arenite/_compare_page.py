@@ -99,7 +99,7 @@ def shown_of(part):
     """{id: drawings} of the last state of a stage, of a field or a film."""
     of, stages = part[3:]
     if isinstance(of, _core.Stage):
-        return _core._figures_of_state(of, of.snapshots[-1], list(of.snapshots), stages)
+        return _core._figures_of_state(of, of.snapshots[-1], [of], stages)
     return (_core._figures_of_field if isinstance(of, _core.Field) else _core._figures_of_film)(of)
 
 

@@ -34,13 +34,13 @@ def save(
     """Writes the stored states of a result (a Result or its path), or of one `stage`, as an animation; returns its
     path, which ends in .gif instead of .mp4 if ffmpeg is not installed.
 
-    `by`: "material", "forces" (bars only), "pressure", "deviator" (Pa), "z", "velocity" (m/s), "displacement" (from the
-    first state, m), "rotation" (rad), "mobilisation" (mean ``|F_t|/(mu F_n)`` of a grain); `chains`: also forces as
-    bars over the grains; `colour_map`: a colour map of Matplotlib; `low`, `high`: limits of its scale in SI units,
-    taken from the states unless given; `fps`: states per second; `size`: width and height in pixels; `curve`:
-    ("axial_strain", "top_force"), columns of `curves.along` or of the history, drawn beside the grains with the current
-    state marked, or "test": q/p or mu against strain; `progress(share, "states")` is called meanwhile. Raises
-    ValueError."""
+    `by`: "material", "forces" (bars only), "pressure", "deviator" (Pa), "z", "velocity" (m/s), "displacement" (from
+    the first state of the stage, m), "rotation" (rad), "mobilisation" (mean ``|F_t|/(mu F_n)`` of a grain);
+    `chains`: also forces as bars over the grains; `colour_map`: a colour map of Matplotlib; `low`, `high`: limits
+    of its scale in SI units, taken from the states unless given; `fps`: states per second; `size`: width and height
+    in pixels; `curve`: ("axial_strain", "top_force"), columns of `curves.along` or of the history, drawn beside the
+    grains with the current state marked, or "test": q/p or mu against strain; `progress(share, "states")` is called
+    meanwhile. Raises ValueError."""
     from .figures import motion, moving
     from .figures.style import journal_style
 

@@ -92,6 +92,7 @@ PYBIND11_MODULE(_core, m) {
   arenite::python::bind_curves(m);
   arenite::python::bind_over_runs(m);
   arenite::python::bind_figures(m);
+  arenite::python::bind_pictures(m);
   arenite::python::bind_store(m);
   arenite::python::bind_running_stage(m);
   arenite::python::bind_stages(m);

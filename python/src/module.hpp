@@ -17,6 +17,7 @@ void bind_results(pybind11::module_& m);
 void bind_curves(pybind11::module_& m);
 void bind_over_runs(pybind11::module_& m);
 void bind_figures(pybind11::module_& m);
+void bind_pictures(pybind11::module_& m);
 void bind_store(pybind11::module_& m);
 void bind_running_stage(pybind11::module_& m);
 void bind_stages(pybind11::module_& m);

@@ -1,6 +1,8 @@
 #include "report/field_document.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 #include <string_view>
 
@@ -85,18 +87,26 @@ Numbers components_of(const FieldResult& result, const Thinning& kept, NumberBlo
   return all;
 }
 
-/// Nodes, centres and mean stresses of all grains; no stresses without a field.
-Numbers grains_of(const stress::GrainStresses& g, bool loaded, NumberBlock& block) {
+/// Nodes, radii of disks of the same area, centres, mean stresses and extremes of all grains; no stresses without a
+/// field.
+Numbers grains_of(const stress::GrainStresses& g, const FieldResult& result, NumberBlock& block) {
   const auto column = [&](const auto& rows, auto member, const char* unit) {
     return block.add_reals(mapped(rows, member), unit);
   };
+  const auto radius = [&](auto nodes) {
+    return std::sqrt(static_cast<double>(nodes) / std::numbers::pi) * result.map.dx;
+  };
   Numbers out{{"nodes", block.add_indices(g.nodes)},
+              {"radius", block.add_reals(mapped(g.nodes, radius), "m")},
               {"x", column(g.centre, &Vec2::x, "m")},
               {"y", column(g.centre, &Vec2::y, "m")}};
-  if (loaded)
-    out.update({{"xx", column(g.stress, &Tensor2::xx, "Pa")},
-                {"yy", column(g.stress, &Tensor2::yy, "Pa")},
-                {"xy", column(g.stress, &Tensor2::xy, "Pa")}});
+  if (result.field.size() == 0) return out;
+  const auto [least, most] = extremes_of(result.map, result.field);
+  out.update({{"xx", column(g.stress, &Tensor2::xx, "Pa")},
+              {"yy", column(g.stress, &Tensor2::yy, "Pa")},
+              {"xy", column(g.stress, &Tensor2::xy, "Pa")},
+              {"yy_least", block.add_reals(least, "Pa")},
+              {"yy_most", block.add_reals(most, "Pa")}});
   return out;
 }
 
@@ -146,7 +156,7 @@ Numbers field_of(const FieldResult& r, const stress::Statistics* known, std::siz
               {"provenance", provenance_of(r.provenance)},
               {"map", map},
               {"components", components_of(r, kept, block)},
-              {"grains", grains_of(grains, r.field.size() > 0, block)},
+              {"grains", grains_of(grains, r, block)},
               {"curve", history_of(r.curve, block)},
               {"figures", shortened(figures::numbers_of(figures::field_figures(), {r, densities}, write, true))}};
   add_numbers(out, r.numbers);
@@ -155,6 +165,17 @@ Numbers field_of(const FieldResult& r, const stress::Statistics* known, std::siz
 }
 
 }  // namespace
+
+GrainExtremes extremes_of(const PhaseMap& map, const StressField& field) {
+  std::vector<double> least(map.grain_class.size(), statistics::unknown), most = least;
+  for (std::size_t k = 0; k < field.size(); ++k) {
+    if (map.grain[k] < 0) continue;
+    const auto g = static_cast<std::size_t>(map.grain[k]);
+    least[g] = std::fmin(least[g], field.yy[k]);
+    most[g] = std::fmax(most[g], field.yy[k]);
+  }
+  return {std::move(least), std::move(most)};
+}
 
 Thinning::Thinning(const PhaseMap& map, std::size_t most) {
   const auto left = [](int nodes, int by) { return std::max(1, nodes / by); };

@@ -7,8 +7,10 @@
 
 #include "core/mapped.hpp"
 #include "model/film_place.hpp"
+#include "report/figures/state_numbers.hpp"
 #include "report/packing_layers.hpp"
 #include "report/page_document.hpp"
+#include "thermal/inference/film_fit.hpp"
 #include "thermal/inference/film_stresses.hpp"
 #include "thermal/thermography/lockin.hpp"
 
@@ -55,6 +57,7 @@ Numbers maps_of(const FilmResult& r, NumberBlock& block) {
   };
   add("picture", "K", r.picture, picture_steps);
   add("fitted", "K", r.fit.picture, fine);
+  add("fit_residual", "K", inference::fit_maps(r).residual, coarse);
   for (const auto& [name, steps] : steps_of_maps) {
     const LockinMap& map = *std::ranges::find(lockin_maps, name, &LockinMap::name);
     add(name, map.unit, r.maps.*map.values, steps);
@@ -95,12 +98,10 @@ PictureGrains circles_of(const FilmResult& r) {
   return out;
 }
 
-/// Way of each grain from the smallest to the largest load along one axis, pixels: the load goes as cos(2 pi f t -
-/// phase).
+/// Way of each grain from the smallest to the largest load along one axis, pixels.
 std::vector<double> way(const GrainMotion& motion, double phase, double Vec2::*axis) {
   std::vector<double> out;
-  for (std::size_t g = 0; g < motion.size(); ++g)
-    out.push_back(2 * (motion.at(g, std::cos(phase), std::sin(phase)).*axis));
+  for (std::size_t g = 0; g < motion.size(); ++g) out.push_back(motion.way(g, phase).*axis);
   return out;
 }
 
@@ -136,7 +137,17 @@ Numbers contacts_of(const FilmResult& r, NumberBlock& block) {
   for (const auto& [name, values, unit] :
        {std::tuple{"fn_error", &r.fn_error, "N"}, {"ft_error", &r.ft_error, "N"}, {"presence", &r.presence, ""}})
     if (values->size() == contacts.size()) out[name] = block.add_reals(*values, unit);
+  out["may_be_absent"] = block.add_indices(inference::doubtful_contacts(r));
   return out;
+}
+
+/// Root mean squares of what the film shows and of what the forces make of it, and what makes the maps peak to peak.
+Numbers fit_of(const FilmResult& r) {
+  const inference::FitMaps maps = inference::fit_maps(r);
+  return {{"to_peak_to_peak", to_peak_to_peak(r.maps.convention)},
+          {"measured_rms", inference::root_mean_square(maps.measured)},
+          {"fitted_rms", inference::root_mean_square(maps.fitted)},
+          {"residual_rms", inference::root_mean_square(maps.residual)}};
 }
 
 /// The container's inner sides in pixels: left, right, bottom, top; y down.
@@ -171,6 +182,8 @@ Numbers one_film(const FilmResult& r, const texture::Texture* texture, NumberBlo
               {"materials", materials_of(r.packing.materials)},
               {"grains", grains_of(r, stresses, block)},
               {"contacts", contacts_of(r, block)},
+              {"force_scale", numbers_of(figures::force_scale(r))},
+              {"fit", fit_of(r)},
               {"container", container_of(r)},
               {"stresses", stresses_of(stresses, block)},
               {"figures", shortened(figures::numbers_of(figures::film_figures(), {r, stresses}, write))}};

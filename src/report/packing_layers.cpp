@@ -8,6 +8,7 @@
 #include "grains/fields/coarse_layers.hpp"
 #include "grains/texture/grain_quantities.hpp"
 #include "model/shapes.hpp"
+#include "report/figures/state_numbers.hpp"
 #include "report/page_document.hpp"
 
 namespace arenite::report {
@@ -126,25 +127,12 @@ Numbers extent_of(const Packing& packing) {
   return {seen.x_min, seen.x_max, seen.y_min, seen.y_max};
 }
 
-/// Takes over what is known of a state that was measured: what it lacks, and the errors, which know how the state
-/// fluctuates in time.
-void take_over(Numbers& out, const Numbers& known) {
-  for (const auto& [name, number] : known.items())
-    if (!out.contains(name) || number.contains("error")) out[name] = number;
-    else if (number.is_tree()) take_over(out[name], number);
-}
-
-/// The statistics as texture writes them, with what else is `known` of the state; the rows by grain go into the block.
-Numbers texture_of(const texture::Texture& texture, const Numbers& known, NumberBlock& block) {
-  Numbers out = texture::numbers(texture, true);
-  out.erase("by_grain");
-  take_over(out, known);
-  out = shortened(std::move(out));
-  const texture::PerGrain& rows = texture.per_grain;
+/// The numbers of a state, and the window that they are of.
+Numbers texture_of(const texture::Texture& texture, const Numbers& numbers, NumberBlock& block) {
+  Numbers out = shortened(numbers);
   const texture::Window& window = texture.window;
   out["window"] = {{"known", window.known}, {"x", {window.x_min, window.x_max}}, {"y", {window.y_min, window.y_max}}};
-  if (!rows.sigma_norm.empty()) out["grain_sigma_norm"] = block.add_reals(rows.sigma_norm);
-  out["grain_considered"] = block.add_indices(rows.considered);
+  out["grain_considered"] = block.add_indices(texture.per_grain.considered);
   return out;
 }
 
@@ -186,21 +174,25 @@ Numbers pairs_of(const Packing& packing, NumberBlock& block) {
   return {{"i", block.add_indices(contacts.i)}, {"j", block.add_indices(partner)}};
 }
 
-Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::Texture* texture,
-                    const Numbers& also_known, NumberBlock& block) {
+Numbers numbers_of(const texture::ForceScale& scale) { return {{"mean", scale.mean}, {"tension", scale.tension}}; }
+
+Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::Texture& texture,
+                    const Numbers& numbers, NumberBlock& block) {
+  const texture::PerGrain& rows = texture.per_grain;
   Numbers out{{"stage", stage},
               {"label", snapshot.label},
               {"time", snapshot.time},
               {"step", snapshot.step},
               {"domain", domain_of(snapshot.packing.domain, block)},
               {"extent", extent_of(snapshot.packing)},
-              {"contacts", contacts_of(snapshot.packing, block)}};
-  const bool known = texture && !texture->per_grain.sigma.empty();
-  add_grain_values(out, snapshot.packing, known ? texture->per_grain.sigma : texture::grain_stresses(snapshot.packing),
+              {"contacts", contacts_of(snapshot.packing, block)},
+              {"force_scale", numbers_of(figures::force_scale(snapshot.packing, numbers))}};
+  add_grain_values(out, snapshot.packing, rows.sigma.empty() ? texture::grain_stresses(snapshot.packing) : rows.sigma,
                    block);
+  if (!rows.sigma_norm.empty()) out["sigma_norm"] = block.add_reals(rows.sigma_norm);
   if (!snapshot.packing.bonds.empty()) out["bonds"] = bonds_of(snapshot.packing, block);
   if (!snapshot.packing.cohesive.empty()) out["cohesive"] = cohesive_of(snapshot.packing, block);
-  if (texture) out["texture"] = texture_of(*texture, also_known, block);
+  if (numbers.is_known()) out["texture"] = texture_of(texture, numbers, block);
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "grains/texture/force_scale.hpp"
 #include "grains/texture/texture.hpp"
 #include "model/result.hpp"
 #include "report/number_block.hpp"
@@ -17,10 +18,12 @@ Numbers materials_of(const Materials& materials);
 /// What is the same of all states: names, radii, materials, zones and shapes of the grains.
 Numbers grains_of(const Grains& grains, NumberBlock& block);
 
-/// One state: its container, grains, contacts, bonds and pulls, and its texture, where that is known, with what else
-/// is.
-Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::Texture* texture,
-                    const Numbers& also_known, NumberBlock& block);
+/// One state: its container, grains, contacts, bonds and pulls, with the rows by grain of its texture, and `numbers`
+/// (figures::state_numbers), where they are known.
+Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::Texture& texture,
+                    const Numbers& numbers, NumberBlock& block);
+/// What a picture's forces are told apart by: {mean, tension}, N.
+Numbers numbers_of(const texture::ForceScale& scale);
 
 /// The coarse-grained fields of a state on a grid over its box: {bounds, columns, rows, width of the kernel} and arrays
 /// of solid fraction, density, velocity, pressure and deviator of the whole stress, its shear and the kinetic pressure.

@@ -16,6 +16,7 @@
 #include "report/field_document.hpp"
 #include "report/figures/figure_document.hpp"
 #include "report/figures/headlines.hpp"
+#include "report/figures/state_numbers.hpp"
 #include "report/film_document.hpp"
 #include "report/packing_layers.hpp"
 #include "report/stage_doubts.hpp"
@@ -177,9 +178,10 @@ void add_states(Numbers& snapshots, Numbers& meanings, const ShownStage& stage, 
     const bool is_last = f + 1 == states.size();
     std::optional<texture::Texture> now;
     const texture::Texture* texture = is_last ? stage.last : nullptr;
-    if (!texture && (is_last || packing.grains.size() <= small))
-      texture = &now.emplace(texture::measure(packing, stage.options));
-    snapshots.push_back(snapshot_of(states[f], s, texture, is_last ? stage.result->texture : Numbers::tree(), block));
+    const bool measured = texture || is_last || packing.grains.size() <= small;
+    if (!texture) texture = &now.emplace((measured ? texture::measure : texture::grain_rows)(packing, stage.options));
+    const Numbers numbers = measured ? figures::state_numbers(*stage.result, states[f], *texture) : Numbers();
+    snapshots.push_back(snapshot_of(states[f], s, *texture, numbers, block));
     if (const auto places = grains.places_of(packing.grains); !places.empty())
       snapshots.back()["present"] = block.add_indices(places);
     add_figures_of_state(snapshots.back(), packing, write);

@@ -53,6 +53,9 @@ def numbers_of_the_packing_behind(monkeypatch):
             grain_values=lambda packing, name: arenite.grain_values(own(packing), name),
             mobilisation=lambda packing, friction: arenite.mobilisation(own(packing), friction),
             displacements=lambda packings, strain: arenite.displacements([own(one) for one in packings], strain),
+            _rotations=lambda packings: [one.angle - packings[0].angle for one in packings],
+            _at_time=arenite._core._at_time,
+            _force_scale=lambda stage, state: arenite._core._force_scale(own(state.packing)),
         ),
     )
 
@@ -102,6 +105,15 @@ def test_displacements_go_on_across_periodic_sides():
         and ways[2][:, 0] == pytest.approx([3.0] * 3)
         and ways[2][:, 1] == pytest.approx([0] * 3)
     )
+
+
+def test_displacements_and_rotations_count_from_the_first_state_of_their_stage():
+    packings = [a_packing(k, periodic="x", omega=0.1 * k) for k in range(4)]
+    one, two = a_result(*packings[:2]), a_result(*packings[2:])
+    two.stages[0].name = "second"
+    shots = motion.shots_of(types.SimpleNamespace(stages=[*one.stages, *two.stages]))
+    assert [way[0, 0] for way in motion.displacements(shots)] == pytest.approx([0, 1, 0, 1])
+    assert [turned[0] for turned in motion.colourings["rotation"].values(shots)] == pytest.approx([0, 0.1, 0, 0.1])
 
 
 def test_images_of_a_sheared_cell_lie_aside():

@@ -251,6 +251,22 @@ def test_libraries_are_quiet_within_the_style_and_as_before_after_it():
     assert logger.level == before
 
 
+def test_print_has_the_errors_that_a_stage_is_stored_with(result):
+    packing = result.stages[-1].packing
+    wide = {"coordination": {"all": {"value": 4.0, "error": 0.75}}}
+    stage = arenite.Stage("made", states=[(0.0, "first", packing), (1.0, "last", packing)], texture=wide)
+    first, last = (
+        figures.describe(figures.State("made", stage, snapshot, [stage]))["coordination"][0]["panels"][0]["series"][0]
+        for snapshot in stage.snapshots
+    )
+    assert last["error"] == [0.75] and first["error"][0] < 0.7
+
+
+def test_forces_of_a_state_are_told_apart_by_its_measured_mean(result):
+    state = next(part for _, part in figures.figures_of(result) if isinstance(part, figures.State))
+    assert state.mean_force == pytest.approx(state.stage.texture["force"]["mean_N"]["value"])
+
+
 def test_materials_have_one_colour_in_all_figures(result):
     state = next(part for _, part in figures.figures_of(result))
     shown = figures.describe(state)
@@ -339,7 +355,8 @@ def test_forces_across_a_periodic_side_are_seen_from_both_grains():
 
 
 def test_kinds_of_forces():
-    kinds = packings.kinds_of(np.array([0.5, 2.0, -0.1, -1e-4, 3.0]), 1.0, np.array([False, False, False, False, True]))
+    force, doubtful = np.array([0.5, 2.0, -0.1, -1e-4, 3.0]), np.array([False, False, False, False, True])
+    kinds = packings.kinds_of(force, (1.0, -1e-3), doubtful)
     assert list(kinds) == ["weak", "strong", "tension", "weak", "may be absent"]
 
 
@@ -347,7 +364,7 @@ def test_roses_are_of_all_of_strong_and_weak_contacts_and_of_types(result):
     state = next(part for _, part in figures.figures_of(result))
     (shown,) = figures.describe(state)["fabric"]
     assert [rose["name"] for rose in shown["roses"]][:3] == ["all", "strong", "weak"] and len(shown["roses"]) > 3
-    strong = state.texture["fabric"]["sets"]["strong"]
+    strong = arenite.measure(state.packing)["fabric"]["sets"]["strong"]
     assert shown["roses"][0]["inner"] == list(strong["sectors"]) and shown["roses"][1]["count"] == strong["contacts"]
     canvas = saving.Canvas()
     figures.draw_described(canvas, [shown])
@@ -414,7 +431,7 @@ def test_numbers_of_another_shape_are_one_sentence(tmp_path):
 
 def test_stored_states_lie_on_the_travel_of_the_wall(result):
     stage = result.stages[-1]
-    state = figures.State(stage.name, stage, stage.snapshots[-1], list(stage.snapshots))
+    state = figures.State(stage.name, stage, stage.snapshots[-1], [stage])
     (shown,) = figures.describe(state)["travel"]
     assert len(stage.frames) == len(stage.snapshots)  # the former name
     on = axes()

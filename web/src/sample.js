@@ -1,4 +1,4 @@
-import { opened, unpack, unpacked } from "./block.js";
+import { opened, unpacked } from "./block.js";
 import { text } from "./text.js";
 
 const aroundFailure = 0.08; // of a sample's longer side
@@ -79,11 +79,10 @@ export class Sample {
     for (const name of ["fn", "ft"]) snapshot.contacts[name] ??= new Float32Array(snapshot.contacts.i.length);
     snapshot.boundaries = snapshot.domain.boundaries ?? [];
     snapshot.contacts.type = this.#typesOf(snapshot.contacts);
-    snapshot.meanForce = snapshot.texture?.force?.mean_N?.value ?? meanOfPositive(snapshot.contacts.fn);
-    // In equilibrium the dashpots leave traces of tension that mean nothing.
-    snapshot.tensile = -1e-3 * snapshot.meanForce;
+    snapshot.meanForce = snapshot.force_scale.mean;
+    snapshot.tensile = snapshot.force_scale.tension;
     snapshot.hasTension = snapshot.contacts.fn.some((force) => force < snapshot.tensile);
-    snapshot.sigmaNorm = this.#sigmaNorm(snapshot);
+    snapshot.sigmaNorm = snapshot.sigma_norm;
     return snapshot;
   }
 
@@ -102,17 +101,6 @@ export class Sample {
     const nearest = known.reduce((best, f) => (Math.abs(f - k) < Math.abs(best - k) ? f : best)),
       about = this.about.snapshots[nearest];
     return (about.unpackedFields ??= { ...unpacked(this.#block, about.fields), snapshot: nearest });
-  }
-
-  /** Hydrostatic stress of each grain over the mean of the grains that the texture considers (of all without texture).
-      */
-  #sigmaNorm(snapshot) {
-    if (snapshot.texture?.grain_sigma_norm) {
-      const known = unpack(this.#block, snapshot.texture.grain_sigma_norm);
-      return snapshot.present ? placed(known, snapshot.present, this.count, 0) : known;
-    }
-    const average = mean(snapshot.present ? snapshot.present.map((g) => snapshot.pressure[g]) : snapshot.pressure) || 1;
-    return snapshot.pressure.map((p) => p / average);
   }
 
   #typesOf({ i, j }) {
@@ -225,12 +213,4 @@ function contactTypes(materials) {
   }
   types.push({ wall: true, label: "walls", key: "wall" });
   return types;
-}
-
-function mean(values) {
-  return values.length ? values.reduce((sum, v) => sum + v, 0) / values.length : 0;
-}
-
-function meanOfPositive(values) {
-  return mean(values.filter((v) => v > 0));
 }

@@ -3,6 +3,7 @@
 import pathlib
 import warnings
 
+from .. import _core
 from .._core import open as open_result
 from . import bonds, fields, films, packings, panels, runs, samples, studies
 from .described import all_described
@@ -35,7 +36,7 @@ def force_network(figure, state):
 
 
 def film_network(figure, film):
-    packings.draw_forces(figure.add_subplot(), film.packing, uncertain=films.uncertain(film))
+    packings.draw_forces(figure.add_subplot(), film.packing, _core._force_scale(film)[0], films.uncertain(film))
 
 
 def has_contacts(state):

@@ -43,9 +43,9 @@ def describe(part):
 
 def _describe(part):
     if isinstance(part, _core.Stage):
-        part = State(part.name, part, part.snapshots[-1], list(part.snapshots))
+        part = State(part.name, part, part.snapshots[-1], [part])
     if isinstance(part, State):
-        return _core._figures_of_state(part.stage, part.snapshot, part.snapshots, part.stages)
+        return _core._figures_of_state(part.stage, part.snapshot, part.stages, part.stages)
     return (_core._figures_of_field if isinstance(part, _core.Field) else _core._figures_of_film)(part)
 
 

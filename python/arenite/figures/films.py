@@ -44,17 +44,16 @@ def draw_map(axes, values, label=None, share=0.005, colour_map="inferno", about=
 
 def draw_fit(figure, film):
     """The measured map, the map predicted from the contact forces, and their difference: peak to peak on one scale."""
-    fitted = np.asarray(film.fitted, float)
-    full = 1 if film.maps.peak_to_peak else 2
-    measured = np.where(np.isfinite(fitted), full * np.asarray(film.maps.in_phase, float), np.nan)
-    known = measured[np.isfinite(measured)]
+    maps = _core._fit_maps(film)
+    known = maps["measured"][0][np.isfinite(maps["measured"][0])]
     reach = np.quantile(np.abs(known), 0.99) if known.size else 1
-    for k, (title, values) in enumerate(
-        [("measured", measured), ("from the forces", fitted), ("residual", measured - fitted)]
+    for k, (title, name) in enumerate(
+        [("measured", "measured"), ("from the forces", "fitted"), ("residual", "residual")]
     ):
         axes = figure.add_subplot(1, 3, k + 1)
+        values, spread = maps[name]
         shown = _show(axes, values, film.pixel, vmin=-reach, vmax=reach, cmap=diverging_map)
-        axes.set_title(title)
+        axes.set_title(f"{title}, r.m.s. {1e3 * spread:.3g} mK" if np.isfinite(spread) else title)
     figure.colorbar(shown, ax=figure.axes, label="warming with the load (K)", shrink=0.8)
 
 
@@ -102,7 +101,7 @@ def map_panels(film):
 
 def uncertain(film):
     """One flag per contact: accepted as present, but possibly absent."""
-    return np.asarray(film.presence) < 0.95
+    return _core._doubtful_contacts(film).astype(bool)
 
 
 def _disks(axes, film, values, most):

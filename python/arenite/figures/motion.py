@@ -60,7 +60,7 @@ def shots_of(result, stage=None):
 
 def sheared_at(stage, time):
     history = stage.history
-    return float(np.interp(time, history["time"], history["shear_strain"])) if "shear_strain" in history else 0.0
+    return _core._at_time(history["time"], history["shear_strain"], time) if "shear_strain" in history else 0.0
 
 
 def mobilisation(shot):
@@ -68,9 +68,25 @@ def mobilisation(shot):
     return _core.mobilisation(shot.packing, shot.stage.asked.get("friction"))
 
 
+def by_stage(of):
+    """What `of` makes of the states of each stage, one after another."""
+    return lambda shots: [
+        value
+        for stage in dict.fromkeys(shot.stage.name for shot in shots)
+        for value in of([shot for shot in shots if shot.stage.name == stage])
+    ]
+
+
+@by_stage
 def displacements(shots):
-    """Displacements of grains since the first state, m, (n, 2) for each state; without the shear of a sheared cell."""
+    """Displacements of grains since the first state of the stage, m, (n, 2) for each; without the shear of a cell."""
     return _core.displacements([shot.packing for shot in shots], [shot.sheared for shot in shots])
+
+
+@by_stage
+def rotations(shots):
+    """Rotations of grains since the first state of the stage, rad."""
+    return _core._rotations([shot.packing for shot in shots])
 
 
 @dataclasses.dataclass
@@ -113,12 +129,7 @@ colourings = {
     "displacement": Colouring(
         "displacement", lambda shots: [np.hypot(*way.T) for way in displacements(shots)], even_map, low=0.0
     ),
-    "rotation": Colouring(
-        "rotation",
-        lambda shots: [shot.packing.angle - shots[0].packing.angle for shot in shots],
-        diverging_map,
-        symmetric=True,
-    ),
+    "rotation": Colouring("rotation", rotations, diverging_map, symmetric=True),
     "mobilisation": Colouring("mobilisation", each(mobilisation), stress_map, low=0.0, high=1.0),
 }
 
@@ -184,12 +195,11 @@ def spokes(axes, packing):
     )
 
 
-def chains(axes, packing, mean):
+def chains(axes, packing, mean, scale):
     """Forces as bars with a width in proportion to force over `mean`; strong ones, above the mean of this state, dark,
-    tensile ones red. White rims distinguish them from dark grains."""
+    tensile ones red, by its `scale`. White rims distinguish them from dark grains."""
     c = packing.contacts
-    push = c.fn[c.fn > 0]
-    kinds = kinds_of(c.fn, np.mean(push) if len(push) else 1.0, np.zeros(len(c), bool))
+    kinds = kinds_of(c.fn, scale, np.zeros(len(c), bool))
     width = np.mean(packing.radius) * np.minimum(widest_chain, chain_width * np.abs(c.fn) / mean)
     drawn = []
     for kind in ("weak", "strong", "tension"):
@@ -269,6 +279,6 @@ def draw_shot(axes, shot, values=None, norm=None, colour_map=None, mean=None, sp
     if spoked:
         drawn.append(spokes(axes, packing))
     if mean and len(packing.contacts) > 0:
-        drawn += chains(axes, packing, mean)
+        drawn += chains(axes, packing, mean, _core._force_scale(shot.stage, shot.snapshot))
     clip(axes, packing, drawn)
     return drawn + sides(axes, packing)

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.collections import LineCollection, PatchCollection, PolyCollection
 from matplotlib.patches import Circle, Rectangle
 
-from .._core import measure_grains
+from .. import _core
 from .style import (
     bare,
     chain_width,
@@ -95,7 +95,7 @@ def draw_packing(axes, packing, by="material", colour_map=stress_map, most=most_
     axes.add_collection(disks)
     container(axes, packing)
     if by == "sigma_norm" and len(packing.contacts) > 0:
-        disks.set(array=measure_grains(packing)["sigma_norm"], clim=(0, most), cmap=colour_map)
+        disks.set(array=_core.measure_grains(packing)["sigma_norm"], clim=(0, most), cmap=colour_map)
     else:
         disks.set_facecolor([colours[m % len(colours)] for m in packing.material])
         disks.set_alpha(0.75)
@@ -112,9 +112,9 @@ def draw_forces(axes, packing, mean=None, uncertain=None):
     if len(c) == 0:
         return
     uncertain = np.zeros(len(c), bool) if uncertain is None else np.asarray(uncertain, bool)
-    push = c.fn[(c.fn > 0) & ~uncertain]
-    mean = mean or (push.mean() if len(push) else 1.0)
-    kinds = kinds_of(c.fn, mean, uncertain)
+    scale = _core._force_scale(packing, np.nan if mean is None else mean, uncertain.astype(np.uint8))
+    mean = scale[0] or 1.0
+    kinds = kinds_of(c.fn, scale, uncertain)
     width = np.mean(packing.radius) * np.minimum(widest_chain, chain_width * np.abs(c.fn) / mean)
     for kind, colour in kind_colours.items():
         drawn = [
@@ -128,9 +128,10 @@ def draw_forces(axes, packing, mean=None, uncertain=None):
 kind_colours = {"may be absent": pale, "weak": weak, "strong": strong, "tension": tension}  # in the order of drawing
 
 
-def kinds_of(fn, mean, uncertain):
-    """The kind of every force; as on the page, a tensile force counts from a thousandth of the mean."""
-    return np.select([uncertain, fn < -1e-3 * mean, fn > mean], ["may be absent", "tension", "strong"], "weak")
+def kinds_of(fn, scale, uncertain):
+    """The kind of every force by (mean, tension), N."""
+    mean, tension = scale
+    return np.select([uncertain, fn < tension, fn > mean], ["may be absent", "tension", "strong"], "weak")
 
 
 def segments(packing):

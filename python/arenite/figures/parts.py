@@ -1,23 +1,21 @@
 """The drawable parts of a result: a stored state of a stage, fields, films."""
 
 import dataclasses
-import functools
 import typing
 
 import numpy as np
 
-from .._core import measure
+from .. import _core
 
 
 @dataclasses.dataclass
 class State:
-    """A stored state with its stage; `snapshots` are those of all `stages`, as in the page's slider."""
+    """A stored state with its stage and all `stages` of its run."""
 
     name: str
     stage: typing.Any
     snapshot: typing.Any
-    snapshots: list
-    stages: list = dataclasses.field(default_factory=list)
+    stages: list
 
     @property
     def packing(self):
@@ -27,27 +25,22 @@ class State:
     def history(self):
         return self.stage.history
 
-    @functools.cached_property
-    def texture(self):
-        return measure(self.packing)
-
     @property
     def mean_force(self):
-        return self.texture.get("force", {}).get("mean_N", {}).get("value")
+        return _core._force_scale(self.stage, self.snapshot)[0]
 
 
 def states_of(result, stage=None, state=None):
     """The state that is drawn: the last of a stage, the last of all, or the `state`-th of all stored states, from 1."""
     stages = list(result.stages)
     stored = [(part, snapshot) for part in stages for snapshot in part.snapshots]
-    snapshots = [snapshot for _, snapshot in stored]
     if state is not None:
         if not 1 <= state <= len(stored):
             raise ValueError(f"there is no stored state {state}; this result has {len(stored)}")
         part, snapshot = stored[state - 1]
-        return [State(f"{part.name}-{state}", part, snapshot, snapshots, stages)] if stage in (None, part.name) else []
+        return [State(f"{part.name}-{state}", part, snapshot, stages)] if stage in (None, part.name) else []
     chosen = [(part, snapshot) for part, snapshot in stored if stage in (None, part.name)]
-    return [State(part.name, part, snapshot, snapshots, stages) for part, snapshot in chosen[-1:]]
+    return [State(part.name, part, snapshot, stages) for part, snapshot in chosen[-1:]]
 
 
 def parts_of(result, stage=None, state=None):

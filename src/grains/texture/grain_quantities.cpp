@@ -111,4 +111,21 @@ std::vector<std::vector<Vec2>> displacements(const std::vector<Sheared>& states)
   return ways;
 }
 
+std::vector<std::vector<double>> rotations(const std::vector<const Packing*>& states) {
+  std::vector<Values> turned;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const Grains& now = states[k]->grains;
+    turned.emplace_back(now.size(), 0.0);
+    if (k == 0) continue;
+    const Grains& before = states[k - 1]->grains;
+    const std::vector<std::int32_t> places = places_in(before, now);
+    for (std::size_t g = 0; g < now.size(); ++g) {
+      if (places[g] < 0) continue;
+      const auto then = static_cast<std::size_t>(places[g]);
+      turned[k][g] = turned[k - 1][then] + now.angle[g] - before.angle[then];
+    }
+  }
+  return turned;
+}
+
 }  // namespace arenite::texture

@@ -35,4 +35,7 @@ struct Sheared {
 /// between them. Grains are known by their ids; one that came in later counts from the state where it is first seen.
 std::vector<std::vector<Vec2>> displacements(const std::vector<Sheared>& states);
 
+/// Rotations likewise, rad.
+std::vector<std::vector<double>> rotations(const std::vector<const Packing*>& states);
+
 }  // namespace arenite::texture

@@ -90,6 +90,16 @@ Texture measure(const Packing& packing, const Options& options) {
   return texture;
 }
 
+Texture grain_rows(const Packing& packing, const Options& options) {
+  const View view(packing, options);
+  Texture texture;
+  texture.window = view.window;
+  texture.mean_diameter = view.mean_diameter;
+  texture.per_grain.considered = view.considered;
+  grain_stress(view, texture);
+  return texture;
+}
+
 Numbers stress_distribution(const Packing& packing, const std::vector<double>& sigma_hyd) {
   Options options;
   options.grain_sigma_hyd = sigma_hyd;

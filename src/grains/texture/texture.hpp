@@ -78,6 +78,9 @@ struct Texture {
 /// is not positive that the length is not; what needs them is left out and a note says so. Throws InputError where
 /// measured stresses are not one a grain.
 Texture measure(const Packing& packing, const Options& options = {});
+/// Window and rows by grain alone, as `measure` has them, without the statistics: of rows those of stresses and of the
+/// window.
+Texture grain_rows(const Packing& packing, const Options& options = {});
 
 /// The statistics of sigma_norm alone, with their curves, of stresses that a laboratory gave, Pa, one a grain, NaN
 /// where not known.

@@ -4,15 +4,10 @@
 
 #include "core/mapped.hpp"
 #include "report/figures/film_figures.hpp"
+#include "thermal/inference/film_fit.hpp"
 
 namespace arenite::report::figures {
 namespace {
-
-constexpr double sure = 0.95;  // probability from which a contact is there without doubt
-
-bool may_be_absent(const FilmResult& film, std::size_t contact) {
-  return contact < film.presence.size() && film.presence[contact] < sure;
-}
 
 struct Kind {
   bool doubtful;
@@ -30,10 +25,10 @@ Drawings ranked_forces(const FilmData& data) {
   const FilmResult& film = data.result;
   const Contacts& contacts = film.packing.contacts;
   if (!has_forces(film)) return {};
+  const std::vector<std::uint8_t> doubtful = inference::doubtful_contacts(film);
   std::vector<KeyEntry> key;
   for (const Kind& kind : kinds) {
-    std::size_t count = 0;
-    for (std::size_t c = 0; c < contacts.size(); ++c) count += may_be_absent(film, c) == kind.doubtful ? 1 : 0;
+    const auto count = std::ranges::count(doubtful, kind.doubtful ? 1 : 0);
     if (count > 0) key.push_back({counted(static_cast<double>(count)) + " " + kind.name, kind.colour});
   }
   Drawings drawings;
@@ -54,7 +49,7 @@ Drawings ranked_forces(const FilmData& data) {
       for (const std::size_t c : order) {
         if (!std::isfinite((*force)[c])) continue;
         ++rank;
-        if (may_be_absent(film, c) != kind.doubtful) continue;
+        if ((doubtful[c] != 0) != kind.doubtful) continue;
         series.x.push_back(rank);
         series.y.push_back((*force)[c] / scale.factor);
         series.error.push_back(c < error->size() ? (*error)[c] / scale.factor : statistics::unknown);
@@ -90,6 +85,7 @@ Drawings certainty(const FilmData& data) {
   if (ratios.empty()) return {};
   const Bins bins = certainty_bins(ratios);
   const auto n = static_cast<std::size_t>(bins.count);
+  const std::vector<std::uint8_t> doubtful = inference::doubtful_contacts(film);
   std::vector<double> middle, base(n, 0.0);
   for (std::size_t b = 0; b < n; ++b) middle.push_back(bins.first + (static_cast<double>(b) + 0.5) * bins.step);
   Drawing drawing;
@@ -98,7 +94,7 @@ Drawings certainty(const FilmData& data) {
     std::vector<double> counts(n, 0.0);
     for (std::size_t c = 0; c < force.size(); ++c) {
       const double ratio = force[c] / film.fn_error[c];
-      if (!std::isfinite(ratio) || may_be_absent(film, c) != kind.doubtful) continue;
+      if (!std::isfinite(ratio) || (doubtful[c] != 0) != kind.doubtful) continue;
       ++counts[static_cast<std::size_t>(
           std::clamp(std::floor((ratio - bins.first) / bins.step), 0.0, static_cast<double>(n - 1)))];
     }

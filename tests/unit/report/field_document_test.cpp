@@ -149,3 +149,31 @@ TEST(FieldDocument, TakesOverWhatTheRunMeasured) {
   known.fields[0]->numbers["sigma_yy"]["sets"]["all"]["variance"] = 123.0;  // which nobody would measure
   EXPECT_EQ(figure(&known)[0]["key"][0]["numbers"][0], Json({"var", "123.0", ""}));
 }
+
+TEST(FieldDocument, ExtremesOfAGrainAreThoseOfAllItsNodesWhicheverThePageShows) {
+  PhaseMap map;
+  map.width = map.height = 4;
+  map.phase.assign(16, Phase::particle);
+  map.grain.assign(16, 0);
+  map.grain[15] = 1;
+  map.grain_class.assign(3, GrainClass::none);
+  StressField field{4, 4, 1, {}, {}, {}, std::vector<double>(16, -2.0), {}};
+  field.xx = field.xy = field.yy;
+  const report::Thinning shown(map, 4);
+  ASSERT_EQ(shown.stride, 2);
+  field.yy[0] = -9, field.yy[1] = 5, field.yy[15] = 3;
+  for (const double value : shown.of(field.yy)) EXPECT_GT(value, -9);
+  const report::GrainExtremes extremes = report::extremes_of(map, field);
+  EXPECT_EQ(extremes.least[0], -9);
+  EXPECT_EQ(extremes.most[0], 5);
+  EXPECT_EQ(extremes.most[1], 3);
+  EXPECT_TRUE(std::isnan(extremes.most[2]));
+}
+
+TEST(FieldDocument, GrainsHaveRadiiOfTheirAreaAndExtremesWhereTheyAreLoaded) {
+  const Json document = Json::parse(report::page_document(field_sample().data).json);
+  const Json &bare = document["fields"][0]["grains"], &loaded = document["fields"][1]["grains"];
+  for (const char* name : {"radius", "yy_least", "yy_most"}) EXPECT_EQ(loaded[name]["n"], loaded["nodes"]["n"]) << name;
+  EXPECT_TRUE(bare.contains("radius"));
+  EXPECT_FALSE(bare.contains("yy_most"));
+}

@@ -39,6 +39,19 @@ TEST(FilmDocument, HoldsEveryMapThatTheResultHas) {
   EXPECT_FALSE(document_of(bare)["maps"].contains("picture"));
 }
 
+TEST(FilmDocument, SaysHowFilmAndForcesCompare) {
+  const FilmResult& result = film_sample().film;
+  const Json film = document_of(result);
+  const double measured = film["fit"]["measured_rms"], fitted = film["fit"]["fitted_rms"],
+               residual = film["fit"]["residual_rms"];
+  EXPECT_GT(measured, 0);
+  EXPECT_GT(fitted, 0);
+  EXPECT_LT(residual, measured);
+  EXPECT_EQ(film["maps"]["fit_residual"]["residual"]["n"], result.film.pixels());
+  EXPECT_EQ(film["contacts"]["may_be_absent"]["n"], result.packing.contacts.size());
+  EXPECT_DOUBLE_EQ(film["force_scale"]["mean"], result.numbers["forces"]["mean_N"]["value"].get<double>());
+}
+
 TEST(FilmDocument, ListsPixelsWithoutAValue) {
   FilmResult holed = film_sample().film;
   holed.maps.in_phase[7] = holed.maps.in_phase[11] = std::nanf("");

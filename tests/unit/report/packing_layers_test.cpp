@@ -40,6 +40,23 @@ TEST(PackingLayers, ALongLoadingHasFieldsOfSomeStatesAndOfTheLast) {
   EXPECT_TRUE(snapshots.back().contains("fields"));
 }
 
+TEST(PackingLayers, EveryStateHasItsForceScaleAndStressesOverTheirMean) {
+  test::PageSample sample(60);
+  const Json measured = Json::parse(report::page_document(sample.data).json)["snapshots"][1];
+  EXPECT_NEAR(measured["force_scale"]["mean"], measured["texture"]["force"]["mean_N"]["value"],
+              1e-5 * measured["force_scale"]["mean"].get<double>());
+  EXPECT_NEAR(measured["force_scale"]["tension"], -1e-3 * measured["force_scale"]["mean"].get<double>(), 1e-12);
+  EXPECT_EQ(measured["sigma_norm"]["n"], 60);
+  Snapshot large = sample.stage.snapshots[1];
+  large.packing.grains.resize(10'001);  // too many to measure all states
+  large.packing.grains.radius.assign(10'001, 1e-3);
+  sample.stage.snapshots.assign(2, large);
+  const Json bare = Json::parse(report::page_document(sample.data).json)["snapshots"][0];
+  EXPECT_FALSE(bare.contains("texture"));
+  EXPECT_EQ(bare["sigma_norm"]["n"], 10'001);
+  EXPECT_GT(bare["force_scale"]["mean"], 0);
+}
+
 TEST(PackingLayers, SizeCurvesAreThereWhereALawWasAskedFor) {
   const test::PageSample sample(60);
   const Json asked = Json::parse(report::page_document(sample.data).json);

@@ -41,27 +41,14 @@ function rows(result, g) {
   if (!result.loaded) return list;
   const s = result.stressOfGrain(g),
     { first, second, angle } = principal(s.xx, s.yy, s.xy);
-  const [least, most] = extremes(result, g),
-    { unit } = result.grains.yy;
+  const { yy, yy_least: least, yy_most: most } = result.grains,
+    { unit } = yy;
   return [
     ...list,
     ["mean \u03c3_{yy}", text.quantity(s.yy, unit)],
     ["over \u27e8\u03c3_{yy}\u27e9", text.number(s.yy / result.mean)],
     ["\u03c3_{1}, \u03c3_{2}", `${text.quantity(first, unit)}, ${text.quantity(second, unit)}`],
     ["direction of \u03c3_{1}", `${Math.round((angle * 180) / Math.PI)}\u00b0`],
-    ["\u03c3_{yy} from, to", `${text.quantity(least, unit)}, ${text.quantity(most, unit)}`],
+    ["\u03c3_{yy} from, to", `${text.quantity(least[g], unit)}, ${text.quantity(most[g], unit)}`],
   ];
-}
-
-function extremes(result, g) {
-  const { label } = result.map,
-    yy = result.values("yy");
-  let least = Infinity,
-    most = -Infinity;
-  for (let k = 0; k < label.length; ++k) {
-    if (label[k] !== g + 1) continue;
-    if (yy[k] < least) least = yy[k];
-    if (yy[k] > most) most = yy[k];
-  }
-  return [least, most];
 }

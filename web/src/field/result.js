@@ -131,7 +131,7 @@ export class FieldResult {
 
   /** Radius of the disk of the grain's area, m. */
   radiusOfGrain(g) {
-    return Math.sqrt(this.grains.nodes[g] / Math.PI) * this.map.about.dx;
+    return this.grains.radius[g];
   }
 
   /** Rectangle around the nodes of grain g. */

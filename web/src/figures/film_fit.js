@@ -9,15 +9,18 @@ const shades = 512,
   line = 15,
   key = 76;
 
-/** What the film shows, what the forces make of it, and the difference, in the pixels that have both; peak to peak. */
+/** What the film shows, what the forces make of it, and the difference, in the pixels that have both, peak to peak;
+    with their root mean squares. */
 function pictures(film) {
-  const toFull = film.about.film.convention === "peak_to_peak" ? 1 : 2,
-    fitted = film.values("fitted");
-  const measured = film.values("in_phase").map((v, k) => (Number.isFinite(fitted[k]) ? toFull * v : NaN));
+  const { fit } = film.about,
+    residual = film.values("fit_residual");
+  const measured = film
+    .values("in_phase")
+    .map((v, k) => (Number.isFinite(residual[k]) ? fit.to_peak_to_peak * v : NaN));
   return [
-    ["measured", measured],
-    ["from the forces", fitted],
-    ["residual", measured.map((v, k) => v - fitted[k])],
+    ["measured", measured, fit.measured_rms],
+    ["from the forces", film.values("fitted"), fit.fitted_rms],
+    ["residual", residual, fit.residual_rms],
   ];
 }
 
@@ -36,7 +39,7 @@ function painted(film, values, scale, palette, none) {
 }
 
 export const fitMaps = {
-  when: (_, film) => film.hasForces && film.about.maps.fitted,
+  when: (_, film) => film.hasForces && film.about.maps.fit_residual,
   draw({ sample: film, theme, width }) {
     const all = pictures(film),
       order = all[0][1].filter(Number.isFinite).sort();
@@ -57,9 +60,9 @@ export const fitMaps = {
       "font-size": 11.5,
       fill: theme.soft,
     });
-    all.forEach(([name, values], k) => {
+    all.forEach(([name, values, rms], k) => {
       const x = k * (wide + gap),
-        spread = `r.m.s. ${text.quantity(Math.sqrt(meanSquare(values)), film.about.film.unit)}`;
+        spread = `r.m.s. ${text.quantity(rms, film.about.film.unit)}`;
       svg.append(
         label(x, 9, narrow ? name : `${name}, ${spread}`, null, { fill: theme.ink }),
         narrow ? label(x, 9 + line, spread) : "",
@@ -103,13 +106,6 @@ export const fitMaps = {
     return svg;
   },
 };
-
-function meanSquare(values) {
-  let sum = 0,
-    n = 0;
-  for (const v of values) if (Number.isFinite(v)) [sum, n] = [sum + v * v, n + 1];
-  return n ? sum / n : 0;
-}
 
 /** The part of the film where grains are. */
 function around({ grains: { x, y, radius }, count }) {

@@ -42,6 +42,13 @@ export const maps = {
     palette: "diverging",
     around: "zero",
   },
+  fit_residual: {
+    label: "Misfit",
+    stored: "fit_residual",
+    title: () => "Warming beyond that predicted from the contact forces (peak to peak)",
+    palette: "diverging",
+    around: "zero",
+  },
   second_harmonic: {
     label: "2\u2009f",
     stored: "second_harmonic",

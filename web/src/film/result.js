@@ -1,10 +1,7 @@
 import { opened, unpack, unpacked } from "../block.js";
-import { Numbers, valueOf } from "../declared.js";
+import { Numbers } from "../declared.js";
 import { decodeField } from "../field/decode.js";
 import { maps } from "./maps.js";
-
-/** Probability from which a contact is there without doubt. */
-const sure = 0.95;
 
 /** A film of a loaded packing: maps are decoded when first asked for; grains in pixels, y down. */
 export class FilmResult {
@@ -26,10 +23,8 @@ export class FilmResult {
     for (const name of ["grains", "contacts", "bad", "stresses"]) this[name] = unpacked(block, about[name]);
     for (const [name, source] of Object.entries(this.stresses))
       source.statistics = about.numbers.stresses?.[name] ?? {};
-    this.meanForce =
-      valueOf(this.declared.at("forces.mean_N")) ??
-      meanOf(this.contacts.fn ?? [], (force, c) => force > 0 && !this.isUncertain(c));
-    this.meanRadius = meanOf(this.grains.radius ?? [], () => true) || 1;
+    this.meanForce = about.force_scale.mean;
+    this.meanRadius = meanOf(this.grains.radius ?? []) || 1;
   }
 
   get resultName() {
@@ -67,7 +62,7 @@ export class FilmResult {
 
   /** A contact that counts as there, and by its force and its gap may not be. */
   isUncertain(c) {
-    return (this.contacts.presence?.[c] ?? 1) < sure;
+    return Boolean(this.contacts.may_be_absent[c]);
   }
 
   /** Where a contact's bar goes in the picture: centre to centre, or centre to the rim at a wall. */
@@ -108,11 +103,6 @@ export class FilmResult {
   }
 }
 
-function meanOf(values, counts) {
-  let sum = 0,
-    n = 0;
-  values.forEach((v, k) => {
-    if (counts(v, k)) [sum, n] = [sum + v, n + 1];
-  });
-  return n ? sum / n : 0;
+function meanOf(values) {
+  return values.length ? values.reduce((sum, v) => sum + v, 0) / values.length : 0;
 }

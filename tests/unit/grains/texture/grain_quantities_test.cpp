@@ -56,6 +56,16 @@ TEST(GrainQuantities, GoOnAcrossPeriodicSides) {
   EXPECT_NEAR(ways[2][2].y, 0, 1e-12);
 }
 
+TEST(GrainQuantities, RotationsCountFromTheFirstStateOfEachGrain) {
+  Packing first = three(), second = three(), third = three();
+  second.grains.angle = {0.5, -0.25, 0};
+  third.grains.angle = {1, -0.5, 7};
+  third.grains.id[2] = 99;  // put in since
+  const auto turned = rotations({&first, &second, &third});
+  EXPECT_EQ(turned[0], (std::vector<double>{0, 0, 0}));
+  EXPECT_EQ(turned[2], (std::vector<double>{1, -0.5, 0}));
+}
+
 TEST(GrainQuantities, TheShearOfACellIsNoDisplacement) {
   Packing start = three(), end = three();
   for (Packing* packing : {&start, &end}) packing->domain.periodic = {true, true};

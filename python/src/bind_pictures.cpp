@@ -1,0 +1,152 @@
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "calls.hpp"
+#include "core/problems.hpp"
+#include "grains/fields/coarse_layers.hpp"
+#include "grains/fields/loading.hpp"
+#include "grains/texture/grain_quantities.hpp"
+#include "module.hpp"
+#include "report/figures/state_numbers.hpp"
+#include "thermal/inference/film_fit.hpp"
+
+/// What pictures are drawn from.
+namespace arenite::python {
+namespace {
+
+namespace figures = report::figures;
+
+py::array_t<double> pairs(const std::vector<Vec2>& values) {
+  std::vector<double> flat;
+  for (const Vec2& v : values) flat.insert(flat.end(), {v.x, v.y});
+  return taken_over(std::move(flat), {static_cast<py::ssize_t>(values.size()), 2});
+}
+
+template <class Kinds> py::dict named_kinds(const Kinds& kinds) {
+  py::dict d;
+  for (const auto& kind : kinds) d[py::str(kind.name)] = py::make_tuple(kind.label, kind.symbol, kind.unit);
+  return d;
+}
+
+/// Coarse-grained fields as pictures show them, on a grid whose lines are at x and y.
+py::dict layers_of(const StageResult& stage, const Snapshot& state) {
+  Call call;
+  const auto f = call.without_lock(
+      [&] { return fields::fields_to_show(state.packing, fields::shear_rate_at(stage.history, state.time)); });
+  std::vector<double> x, y;
+  for (int c = 0; c < f.grid.columns; ++c) x.push_back(f.grid.point(c, 0).x);
+  for (int r = 0; r < f.grid.rows; ++r) y.push_back(f.grid.point(0, r).y);
+  py::dict d;
+  d["x"] = taken_over(std::move(x));
+  d["y"] = taken_over(std::move(y));
+  for (const fields::CoarseLayer& layer : fields::coarse_layers())
+    if (!layer.is_of_motion || fields::are_in_motion(f))
+      d[py::str(layer.name)] = taken_over(layer.of(f), {f.grid.rows, f.grid.columns});
+  return d;
+}
+
+template <class Work> std::pair<double, double> scale_of(Work&& work) {
+  Call call;
+  const texture::ForceScale scale = call.without_lock(work);
+  return {scale.mean, scale.tension};
+}
+
+}  // namespace
+
+void bind_pictures(py::module_& m) {
+  m.def(
+      "_grain_quantities", [] { return named_kinds(texture::grain_quantities()); },
+      "{name: (label, symbol, unit)} of what grains are drawn by.");
+  m.def(
+      "_coarse_layers", [] { return named_kinds(fields::coarse_layers()); },
+      "{name: (label, symbol, unit)} of pictures of coarse-grained fields.");
+  m.def("_layers_of_state", &layers_of, py::arg("stage"), py::arg("state"),
+        "Coarse-grained fields of a state by their names, rows from below, and x, y of their columns and rows.");
+  m.def(
+      "_fit_maps",
+      [](const FilmResult& film) {
+        Call call;
+        auto maps = call.without_lock([&] { return inference::fit_maps(film); });
+        py::dict d;
+        const auto add = [&](const char* name, std::vector<float>& map) {
+          const double rms = inference::root_mean_square(map);
+          if (!map.empty())
+            d[name] = py::make_tuple(taken_over(std::move(map), {film.film.height, film.film.width}), rms);
+        };
+        add("measured", maps.measured), add("fitted", maps.fitted), add("residual", maps.residual);
+        return d;
+      },
+      py::arg("film"),
+      "{name: (map, its root mean square)} of the warming with the load, of what the forces make of it, and of the "
+      "difference, peak to peak; NaN where one of the two is not known. Empty without forces.");
+  m.def(
+      "_doubtful_contacts", [](const FilmResult& film) { return taken_over(inference::doubtful_contacts(film)); },
+      py::arg("film"), "1 for each contact that counts as there, and by its force and its gap may not be.");
+  m.def(
+      "grain_values",
+      [](const Packing& packing, const std::string& name) {
+        Call call;
+        return taken_over(call.without_lock([&] { return texture::values_of(packing, name); }));
+      },
+      py::arg("packing"), py::arg("name"),
+      "A number of every grain: x, y, size (diameter, m), coordination (contacts), pressure, deviator (half the "
+      "difference of the principal stresses, Pa), friction (mean |F_t|/F_n of the contacts that push), speed, vx, vy "
+      "(m/s), spin (rad/s).");
+  m.def(
+      "mobilisation",
+      [](const Packing& packing, std::optional<double> friction) {
+        Call call;
+        return taken_over(call.without_lock([&] { return texture::mobilisations(packing, friction); }));
+      },
+      py::arg("packing"), py::arg("friction") = py::none(),
+      "Mean |F_t|/(mu F_n) of the contacts of every grain that push; of |F_t|/F_n where mu is not given; 0 without "
+      "friction.");
+  m.def(
+      "displacements",
+      [](const std::vector<const Packing*>& packings, const std::vector<double>& shear_strain) {
+        if (!shear_strain.empty() && shear_strain.size() != packings.size())
+          throw refusal("there are {} packings and {} shear strains; give as many", packings.size(),
+                        shear_strain.size());
+        std::vector<texture::Sheared> states;
+        for (std::size_t k = 0; k < packings.size(); ++k)
+          states.push_back({packings[k], shear_strain.empty() ? 0 : shear_strain[k]});
+        Call call;
+        const auto ways = call.without_lock([&] { return texture::displacements(states); });
+        py::list list;
+        for (const auto& way : ways) list.append(pairs(way));
+        return list;
+      },
+      py::arg("packings"), py::arg("shear_strain") = std::vector<double>{},
+      "Displacements of grains since the first of these states, m, (n, 2) for each; without the shear of a cell whose "
+      "strains are given. In a periodic cell grains must not move farther than half a cell between two states.");
+  m.def("_at_time", &fields::at_time, py::arg("time"), py::arg("values"), py::arg("t"),
+        "Values at a time between two rows, straight from one to the next; those of the first and last row beyond.");
+  m.def(
+      "_rotations",
+      [](const std::vector<const Packing*>& packings) {
+        py::list list;
+        for (auto& turned : texture::rotations(packings)) list.append(taken_over(std::move(turned)));
+        return list;
+      },
+      py::arg("packings"), "Rotations of grains since the first of these states, rad, an array for each.");
+  const char* scale = "(mean, tension), N: forces above the one are strong, those below the other pull.";
+  m.def(
+      "_force_scale",
+      [](const StageResult& stage, const Snapshot& state) {
+        return scale_of(
+            [&] { return figures::force_scale(state.packing, figures::state_numbers(stage, state, false)); });
+      },
+      py::arg("stage"), py::arg("state"), scale);
+  m.def(
+      "_force_scale", [](const FilmResult& film) { return scale_of([&] { return figures::force_scale(film); }); },
+      py::arg("film"), scale);
+  m.def(
+      "_force_scale",
+      [](const Packing& packing, double mean, const std::vector<std::uint8_t>& doubtful) {
+        return scale_of([&] { return texture::force_scale(packing.contacts, mean, doubtful); });
+      },
+      py::arg("packing"), py::arg("mean") = statistics::unknown, py::arg("doubtful") = std::vector<std::uint8_t>{},
+      scale);
+}
+
+}  // namespace arenite::python

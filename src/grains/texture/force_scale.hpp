@@ -1,0 +1,19 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "model/packing.hpp"
+
+namespace arenite::texture {
+
+/// By what a picture tells forces apart, N.
+struct ForceScale {
+  double mean = 0;     ///< normal forces above it are strong; widths of bars are in proportion to it; 0: none pushes
+  double tension = 0;  ///< those below it pull: in equilibrium the dashpots leave traces of tension that mean nothing
+};
+
+/// By the mean that was `measured` of the sample, where it is known and above 0, or else by that of the contacts that
+/// push. `doubtful`: 1 for contacts that may be absent and do not count; empty: there is none.
+ForceScale force_scale(const Contacts& contacts, double measured, const std::vector<std::uint8_t>& doubtful = {});
+
+}  // namespace arenite::texture

@@ -1,0 +1,21 @@
+#include "grains/texture/force_scale.hpp"
+
+#include <gtest/gtest.h>
+
+#include "statistics/estimate.hpp"
+
+namespace arenite::texture {
+namespace {
+
+TEST(ForceScale, IsByTheMeasuredMeanOrElseByContactsThatPush) {
+  Contacts contacts;
+  for (const double force : {1.0, 3.0, -8.0, 20.0}) contacts.add(0, 1, {1, 0}, force, 0, 1, 1);
+  EXPECT_DOUBLE_EQ(force_scale(contacts, 5).mean, 5);
+  EXPECT_DOUBLE_EQ(force_scale(contacts, 5).tension, -0.005);
+  EXPECT_DOUBLE_EQ(force_scale(contacts, statistics::unknown).mean, 8);
+  EXPECT_DOUBLE_EQ(force_scale(contacts, statistics::unknown, {0, 0, 0, 1}).mean, 2);
+  EXPECT_EQ(force_scale({}, statistics::unknown).mean, 0);
+}
+
+}  // namespace
+}  // namespace arenite::texture
