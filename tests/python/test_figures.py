@@ -371,6 +371,16 @@ def test_roses_are_of_all_of_strong_and_weak_contacts_and_of_types(result):
     assert all(a.get_xlabel().startswith(r"$a_\mathrm{c}$ = ") for a in canvas.axes)
 
 
+def test_the_fit_of_a_film_is_drawn_with_the_root_mean_squares_of_the_library(monkeypatch):
+    maps = {name: (np.full((2, 2), value), value) for name, value in (("measured", 3e-3), ("fitted", 2e-3))}
+    maps["residual"] = (np.full((2, 2), np.nan), np.nan)
+    monkeypatch.setattr(films, "_core", types.SimpleNamespace(_fit_maps=lambda film: maps))
+    figure = saving.Canvas()
+    films.draw_fit(figure, types.SimpleNamespace(pixel=1e-3))
+    titles = [a.get_title() for a in figure.axes]
+    assert titles[:3] == ["measured, r.m.s. 3 mK", "from the forces, r.m.s. 2 mK", "residual"]
+
+
 def a_film(amplitude=1.0):
     """Two by two pixels whose signal is late by a quarter, on time, opposite, and lost in noise."""
     size = (2, 2)
