@@ -13,6 +13,7 @@
 #include "print.hpp"
 #include "recipe/film_recipe.hpp"
 #include "recipe/recipe.hpp"
+#include "report/figure_list.hpp"
 
 namespace arenite::app {
 namespace {
@@ -121,14 +122,16 @@ void print_format_reference() {
 
 void add_man(Options& command, int&) {
   const auto keys = std::make_shared<bool>(false), film_keys = std::make_shared<bool>(false),
-             formats = std::make_shared<bool>(false);
+             figure_keys = std::make_shared<bool>(false), formats = std::make_shared<bool>(false);
   command.add("--keys", *keys, "Print the reference of all keys of a recipe instead (Markdown)");
   command.add("--film-keys", *film_keys, "Print the reference of all keys of a film's recipe instead (Markdown)");
+  command.add("--figure-keys", *figure_keys, "Print the reference of all keys of figures.toml instead (Markdown)");
   command.add("--formats", *formats, "Print the reference of all file formats instead (Markdown)");
   command.footer = "To read the page: arenite man | man -l -";
-  command.work = [keys, film_keys, formats] {
+  command.work = [keys, film_keys, figure_keys, formats] {
     if (*keys) print("{}", recipe::key_reference());
     else if (*film_keys) print("{}", recipe::film_key_reference());
+    else if (*figure_keys) print("{}", report::figure_key_reference());
     else if (*formats) print_format_reference();
     else print_page(command_texts());
   };

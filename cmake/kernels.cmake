@@ -7,10 +7,10 @@ set(solid src/solid/peridynamics/kernels)
 set_source_files_properties(${solid}/avx2.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-mavx2;-mfma")
 set_source_files_properties(${solid}/avx512.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON  # GCC 12 warns about its own intrinsics
   COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl;-mfma;-Wno-uninitialized;-Wno-maybe-uninitialized")
-set(film src/thermal/thermography/kernels)  # contraction makes their only product and sum, of Lanes, one instruction
+set(film src/thermal/thermography/kernels)
 set_source_files_properties(${film}/portable.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-O3")
-set_source_files_properties(${film}/avx2.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-O3;-mavx2;-mfma;-ffp-contract=fast")
+set_source_files_properties(${film}/avx2.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-O3;-mavx2;-mfma")
 set_source_files_properties(${film}/avx512.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
-  COMPILE_OPTIONS "-O3;-mavx512f;-mavx512dq;-mavx512vl;-mfma;-ffp-contract=fast;-Wno-uninitialized;-Wno-maybe-uninitialized")
+  COMPILE_OPTIONS "-O3;-mavx512f;-mavx512dq;-mavx512vl;-mfma;-Wno-uninitialized;-Wno-maybe-uninitialized")
 set_source_files_properties(src/thermal/imaging/rim_search.cpp src/thermal/imaging/blur.cpp src/thermal/optics/lens.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
   COMPILE_OPTIONS "-O3;-fno-trapping-math;-falign-loops=32")  # loops of a few instructions: a line of the cache cut through one costs a third of its speed

@@ -154,10 +154,25 @@ PictureGrains circles(const ArrayLike& pixels, const py::kwargs& more) {
   return call.without_lock([&] { return imaging::find_circles(picture, options).grains; });
 }
 
-Packing touching(const Packing& packing, const Quantity& position_error, const Quantity& radius_error) {
+struct ErrorsOfGrains {
+  double position = 0, radius = 0;
+};
+void declare(ParameterVisitor& v, ErrorsOfGrains& errors) {
+  v.number({"position_error", "Standard error of a grain's position."}, errors.position, "m", range::not_negative);
+  v.number({"radius_error", "Standard error of a grain's radius."}, errors.radius, "m", range::not_negative);
+}
+
+const Keywords& touching_keywords() {
+  static const Keywords keywords(recipe::every_key<ErrorsOfGrains>(),
+                                 {{"position_error", "position_error"}, {"radius_error", "radius_error"}});
+  return keywords;
+}
+
+Packing touching(const Packing& packing, const py::kwargs& more) {
+  ErrorsOfGrains errors;
+  read_keywords(errors, touching_keywords().given("propose_contacts", more));
   const std::size_t n = packing.grains.size();
-  const std::vector<double> position(n, position_error.si(dimension::length, "position_error")),
-      radius(n, radius_error.si(dimension::length, "radius_error"));
+  const std::vector<double> position(n, errors.position), radius(n, errors.radius);
   Packing result = packing;
   result.contacts = imaging::propose_contacts(packing.grains, packing.domain, {position, radius});
   return result;
@@ -253,9 +268,10 @@ void bind_film(py::module_& m) {
                     py::arg("first") = 0, py::arg("count") = 1);
   def_with_keywords(m, "find_grains", &circles, circle_keywords(),
                     "Circles in a picture (height, width): centres, radii, material by brightness.", py::arg("image"));
-  m.def("propose_contacts", &touching, py::arg("packing"), py::kw_only(), py::arg("position_error") = 0.0,
-        py::arg("radius_error") = 0.0,
-        "The packing with contacts where surfaces are no farther apart than three standard errors (m); forces are 0.");
+  def_with_keywords(
+      m, "propose_contacts", &touching, touching_keywords(),
+      "The packing with contacts where surfaces are no farther apart than three standard errors; forces are 0.",
+      py::arg("packing"));
   def_with_keywords(
       m, "infer_forces", &inferred, force_keywords(),
       "Contact forces (N) from a picture of the thermoelastic signal, peak to peak (K, rows from the top): `first`: "

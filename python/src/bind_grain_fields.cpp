@@ -4,21 +4,37 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
-#include "core/error.hpp"
 #include "grains/fields/coarse_grained.hpp"
 #include "grains/fields/discharge.hpp"
-#include "grains/fields/force_chains.hpp"
 #include "grains/fields/free_surface.hpp"
 #include "grains/fields/friction.hpp"
-#include "grains/fields/loops.hpp"
 #include "grains/fields/nonaffine.hpp"
 #include "grains/fields/steady_state.hpp"
+#include "keywords.hpp"
 #include "module.hpp"
 
 namespace arenite::python {
 namespace {
 
 using Shape = std::vector<py::ssize_t>;
+
+/// What functions of few choices ask.
+struct Neighbourhood {
+  double range = 0;
+};
+void declare(ParameterVisitor& v, Neighbourhood& asked) {
+  v.number({"range", "Distance up to which grains are neighbours.", true}, asked.range, "m", range::positive);
+}
+
+struct SurfaceAsked {
+  double gravity_angle = 0, gap = 0.1;
+};
+void declare(ParameterVisitor& v, SurfaceAsked& asked) {
+  v.number({"gravity_angle", "Angle of gravity from straight down, counter-clockwise."}, asked.gravity_angle, "rad",
+           range::any);
+  v.number({"gap", "Grains are connected whose surfaces are nearer than this, in mean diameters."}, asked.gap, "",
+           range::not_negative);
+}
 
 py::array_t<double> vectors(const std::vector<Vec2>& values, Shape shape) {
   std::vector<double> flat;
@@ -34,18 +50,23 @@ py::array_t<double> tensors(const std::vector<Tensor2>& values, Shape shape) {
   return taken_over(std::move(flat), std::move(shape));
 }
 
+const Keywords& coarse_keywords() {
+  static const Keywords keywords(recipe::every_key<fields::CoarseGraining>(), {{"width", "width", "", true},
+                                                                               {"spacing", "spacing", "", true},
+                                                                               {"kernel", "kernel"},
+                                                                               {"tilt_rate", "tilt_rate"}});
+  return keywords;
+}
+
 py::dict coarse_grained(const Packing& packing, const Quantity& width, const std::optional<Quantity>& spacing,
-                        const std::string& kernel, const std::optional<double>& tilt_rate) {
+                        const py::kwargs& more) {
+  auto given = coarse_keywords().given("coarse_grained", more);
+  given.push_back(coarse_keywords().given("width", width));
+  if (spacing) given.push_back(coarse_keywords().given("spacing", *spacing));
   fields::CoarseGraining choice;
-  choice.width = width.si(dimension::length, "width");
-  choice.tilt_rate = tilt_rate;
-  if (kernel != "lucy" && kernel != "gaussian")
-    throw InputError("kernel \"" + kernel + "\" is neither \"lucy\" nor \"gaussian\"");
-  choice.kernel = kernel == "lucy" ? fields::KernelShape::lucy : fields::KernelShape::gaussian;
-  const double between = spacing ? spacing->si(dimension::length, "spacing") : choice.width;
+  read_keywords(choice, given);
   Call call;
-  auto f = call.without_lock(
-      [&] { return fields::coarse_grain(packing, fields::grid_over(packing.domain, between), choice); });
+  auto f = call.without_lock([&] { return fields::coarse_grain(packing, choice); });
   const Shape shape{f.grid.rows, f.grid.columns};
   std::vector<double> x, y;
   for (int c = 0; c < f.grid.columns; ++c) x.push_back(f.grid.point(c, 0).x);
@@ -64,48 +85,20 @@ py::dict coarse_grained(const Packing& packing, const Quantity& width, const std
   return d;
 }
 
-py::dict force_chains(const Packing& packing, double stress_factor, double angle, std::size_t least) {
+const Keywords& nonaffine_keywords() {
+  static const Keywords keywords(recipe::every_key<Neighbourhood>(), {{"range", "range", "", true}});
+  return keywords;
+}
+
+py::dict nonaffine(const Packing& before, const Packing& after, const Quantity& range, const py::kwargs& more) {
+  auto given = nonaffine_keywords().given("nonaffine", more);
+  given.push_back(nonaffine_keywords().given("range", range));
+  Neighbourhood asked;
+  read_keywords(asked, given);
   Call call;
-  const auto found = call.without_lock([&] {
-    return fields::find_force_chains(packing, {stress_factor, angle, least});
+  auto [local, global] = call.without_lock([&] {
+    return std::pair(fields::local_deformation(before, after, asked.range), fields::affine_fit(before, after));
   });
-  py::dict d;
-  d["chains"] = found.chains;
-  d["mean_length"] = found.mean_length;
-  d["grain_share"] = found.grain_share;
-  d["mean_stress_Pa"] = found.mean_stress;
-  return d;
-}
-
-py::dict strong_clusters(const Packing& packing, double factor) {
-  Call call;
-  auto found = call.without_lock([&] { return fields::strong_clusters(packing, factor); });
-  py::dict d;
-  d["threshold_N"] = found.threshold;
-  d["share"] = found.share;
-  d["grains"] = found.grains;
-  d["contacts"] = found.contacts_of;
-  d["of"] = taken_over(std::move(found.of));
-  return d;
-}
-
-py::dict loops(const Packing& packing, bool bearing_only) {
-  Call call;
-  auto found = call.without_lock([&] { return fields::find_loops(packing, bearing_only); });
-  py::dict d;
-  d["mean_edges"] = found.mean_edges;
-  d["rattlers"] = found.rattlers;
-  d["histogram"] = found.histogram;
-  d["edges"] = taken_over(std::move(found.edges));
-  d["area"] = taken_over(std::move(found.area));
-  return d;
-}
-
-py::dict nonaffine(const Packing& before, const Packing& after, const Quantity& range) {
-  const double reach = range.si(dimension::length, "range");
-  Call call;
-  auto [local, global] = call.without_lock(
-      [&] { return std::pair(fields::local_deformation(before, after, reach), fields::affine_fit(before, after)); });
   const Shape grains{static_cast<py::ssize_t>(local.d2min.size())};
   py::dict d;
   d["neighbours"] = taken_over(std::move(local.neighbours));
@@ -118,9 +111,19 @@ py::dict nonaffine(const Packing& before, const Packing& after, const Quantity& 
   return d;
 }
 
-py::dict friction(const Packing& packing, double mu, const std::optional<double>& wall_mu) {
+const Keywords& friction_keywords() {
+  static const Keywords keywords(recipe::every_key<fields::FrictionOptions>(),
+                                 {{"mu", "friction", "", true}, {"wall_mu", "wall_friction"}});
+  return keywords;
+}
+
+py::dict friction(const Packing& packing, const Quantity& mu, const py::kwargs& more) {
+  auto given = friction_keywords().given("friction_state", more);
+  given.push_back(friction_keywords().given("mu", mu));
+  fields::FrictionOptions options;
+  read_keywords(options, given);
   Call call;
-  auto found = call.without_lock([&] { return fields::measure_friction(packing, {mu, wall_mu}); });
+  auto found = call.without_lock([&] { return fields::measure_friction(packing, options); });
   py::dict d;
   d["mobilisation"] = taken_over(std::move(found.mobilisation));
   d["power_W"] = taken_over(std::move(found.power));
@@ -156,12 +159,18 @@ py::dict discharge(const ArrayLike& time, const ArrayLike& passed) {
   return d;
 }
 
-py::dict free_surface(const Packing& packing, const Quantity& gravity_angle, double gap) {
-  const double turned = gravity_angle.si(dimension::none, "gravity_angle");
+const Keywords& surface_keywords() {
+  static const Keywords keywords(recipe::every_key<SurfaceAsked>(),
+                                 {{"gravity_angle", "gravity_angle"}, {"gap", "gap"}});
+  return keywords;
+}
+
+py::dict free_surface(const Packing& packing, const py::kwargs& more) {
+  SurfaceAsked asked;
+  read_keywords(asked, surface_keywords().given("free_surface", more));
+  const Vec2 down{std::sin(asked.gravity_angle), -std::cos(asked.gravity_angle)};
   Call call;
-  auto found = call.without_lock([&] {
-    return fields::find_free_surface(packing, {std::sin(turned), -std::cos(turned)}, gap);
-  });
+  auto found = call.without_lock([&] { return fields::find_free_surface(packing, down, asked.gap); });
   const auto angle = [](const statistics::Estimate& e) { return py::make_tuple(e.value, e.error); };
   py::dict d;
   d["place"] = taken_over(std::move(found.place));
@@ -184,37 +193,29 @@ void bind_grain_fields(py::module_& m) {
         "Discharge rate from the amounts passed at given times (`passed_mass` of a history): rate (value, error) of "
         "the steady part between begin and end (s), without its onset and end; steady: whether there is such a part; "
         "otherwise the rate has no error; stopped: whether nothing passes any more in the end.");
-  m.def("free_surface", &free_surface, py::arg("packing"), py::kw_only(), py::arg("gravity_angle") = 0.0,
-        py::arg("gap") = 0.1,
-        "Surface of the largest connected set of grains (surfaces nearer than `gap` mean diameters): position and "
-        "height (m) of its upper rim, grains, left, right, bottom, top (m), and the angle of its flanks in rad by a "
-        "line through the middle of their height, each (value, error). `gravity_angle`: angle of gravity from straight "
-        "down, counter-clockwise, rad or text with a unit.");
-  m.def("coarse_grained", &coarse_grained, py::arg("packing"), py::arg("width"), py::arg("spacing") = py::none(),
-        py::kw_only(), py::arg("kernel") = "lucy", py::arg("tilt_rate") = py::none(),
-        "Coarse-grained fields of a state (Goldhirsch 2010) on a grid of points x, y (m), arrays of rows from below: "
-        "density (kg/m^3), solid_fraction, velocity (m/s), velocity_gradient (1/s), contact_stress, kinetic_stress of "
-        "fluctuations about the mean flow, and gradient_stress of its own differences within the width (Pa, tension "
-        "positive), wall_force (N/m^3). `width`: standard deviation of the kernel, m or text with a unit; `spacing` of "
-        "the points, the width unless given; `tilt_rate` of a sheared cell, m/s.");
-  m.def("force_chains", &force_chains, py::arg("packing"), py::kw_only(), py::arg("stress_factor") = 1.0,
-        py::arg("angle") = 45.0, py::arg("least") = 3,
-        "Force chains (Peters et al. 2005): chains (lists of grains in order), mean_length (grains), grain_share, "
-        "mean_stress_Pa. `stress_factor`: of the mean major principal stress; `angle`, degrees; `least` grains of a "
-        "chain.");
-  m.def("strong_clusters", &strong_clusters, py::arg("packing"), py::kw_only(), py::arg("factor") = 1.0,
-        "Clusters of grains joined by contacts above `factor` times the mean force, the largest first: threshold_N, "
-        "fraction of strong contacts, grains and contacts of each, of (cluster of every grain, -1: none).");
-  m.def("loops", &loops, py::arg("packing"), py::kw_only(), py::arg("bearing_only") = true,
-        "Smallest cycles of the contact network without rattlers: edges (contacts of each), area (m^2), histogram by "
-        "number of contacts, mean_edges.");
-  m.def("nonaffine", &nonaffine, py::arg("before"), py::arg("after"), py::arg("range"),
-        "Deformation between two states of the same grains: strain and rotation of every grain's surroundings within "
-        "`range` (m or text with a unit), d2min (m^2, mean over neighbours; Falk and Langer 1998), and of all grains "
-        "the gradient, residual displacements (m) and their root mean square, fluctuation.");
-  m.def("friction_state", &friction, py::arg("packing"), py::arg("mu"), py::arg("wall_mu") = py::none(),
-        "Friction at the contacts: mobilisation (tangential force over mu times the normal one) and power_W of each; "
-        "mean and sliding (fraction of contacts that slide), each (value, error); total_power_W.");
+  def_with_keywords(
+      m, "free_surface", &free_surface, surface_keywords(),
+      "Surface of the largest connected set of grains: position and height (m) of its upper rim, grains, left, right, "
+      "bottom, top (m), and the angle of its flanks in rad by a line through the middle of their height, each (value, "
+      "error).",
+      py::arg("packing"));
+  def_with_keywords(
+      m, "coarse_grained", &coarse_grained, coarse_keywords(),
+      "Coarse-grained fields of a state (Goldhirsch 2010) on a grid of points x, y (m), arrays of rows from below: "
+      "density (kg/m^3), solid_fraction, velocity (m/s), velocity_gradient (1/s), contact_stress, kinetic_stress of "
+      "fluctuations about the mean flow, and gradient_stress of its own differences within the width (Pa, tension "
+      "positive), wall_force (N/m^3).",
+      py::arg("packing"), py::arg("width"), py::arg("spacing") = py::none());
+  def_with_keywords(m, "nonaffine", &nonaffine, nonaffine_keywords(),
+                    "Deformation between two states of the same grains: strain and rotation of every grain's "
+                    "surroundings, d2min (m^2, mean over neighbours; Falk and Langer 1998), and of all grains the "
+                    "gradient, residual displacements (m) and their root mean square, fluctuation.",
+                    py::arg("before"), py::arg("after"), py::arg("range"));
+  def_with_keywords(
+      m, "friction_state", &friction, friction_keywords(),
+      "Friction at the contacts: mobilisation (tangential force over mu times the normal one) and power_W of each; "
+      "mean and sliding (fraction of contacts that slide), each (value, error); total_power_W.",
+      py::arg("packing"), py::arg("mu"));
   m.def("steady_state", &steady, py::arg("series"),
         "The stationary part of an evenly sampled series, in which it only fluctuates: reached, first (sample), mean "
         "with its error, which allows for correlation, low_95 and high_95, deviation.");

@@ -115,9 +115,9 @@ std::string Keywords::docstring(const std::string& own, const std::string& sente
     if (*bare_unit != '\0') meanings.back() += fmt::format(" A number is in {}.", bare_unit);
   }
   std::string signature = own.substr(0, own.find('\n'));
-  const std::string_view rest = "**kwargs";
-  signature.replace(signature.find(rest), rest.size(),
-                    (signature.find("*, ") == std::string::npos ? "*, " : "") + list_of(in_signature));
+  const std::string_view rest = in_signature.empty() ? ", **kwargs" : "**kwargs";
+  const bool is_first = !in_signature.empty() && signature.find("*, ") == std::string::npos;
+  signature.replace(signature.find(rest), rest.size(), (is_first ? "*, " : "") + list_of(in_signature));
   return fmt::format("{}\n\n{}\n\n{}", signature, sentence, list_of(meanings, "\n"));
 }
 

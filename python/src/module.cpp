@@ -82,6 +82,7 @@ PYBIND11_MODULE(_core, m) {
   arenite::python::bind_packing(m);
   arenite::python::bind_texture(m);
   arenite::python::bind_grain_fields(m);
+  arenite::python::bind_chains(m);
   arenite::python::bind_recipe(m);
   arenite::python::bind_phase_map(m);
   arenite::python::bind_maps(m);

@@ -8,6 +8,7 @@ namespace arenite::python {
 void bind_packing(pybind11::module_& m);
 void bind_texture(pybind11::module_& m);
 void bind_grain_fields(pybind11::module_& m);
+void bind_chains(pybind11::module_& m);
 void bind_recipe(pybind11::module_& m);
 void bind_phase_map(pybind11::module_& m);
 void bind_maps(pybind11::module_& m);

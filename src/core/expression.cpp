@@ -180,7 +180,7 @@ class ExpressionReader {
 
   /// A number with what follows of it that is a unit and no variable: "27.35 kN/mm" is one quantity.
   Quantity number() {
-    const std::size_t digits = digits_at(rest_);
+    const std::size_t digits = number_length(rest_);
     std::size_t end = digits;
     for (std::size_t next = digits; const auto length = unit_at(rest_.substr(next), end == digits);) {
       next += *length;
@@ -189,19 +189,6 @@ class ExpressionReader {
     const std::string_view quantity = rest_.substr(0, end);
     rest_.remove_prefix(end);
     return parse_quantity(quantity);
-  }
-
-  static std::size_t digits_at(std::string_view text) {
-    std::size_t n = 0;
-    while (n < text.size() && (is_digit(text[n]) || text[n] == '.')) ++n;
-    if (n + 1 < text.size() && (text[n] == 'e' || text[n] == 'E')) {
-      std::size_t m = n + 1 + (text[n + 1] == '-' || text[n + 1] == '+' ? 1 : 0);
-      if (m < text.size() && is_digit(text[m])) {
-        while (m < text.size() && is_digit(text[m])) ++m;
-        return m;
-      }
-    }
-    return n;
   }
 
   /// Length of " mm", "/mm^2" or " s" at the start of a text; nothing if no unit stands there.

@@ -58,6 +58,9 @@ struct Form {
   Range range;
 };
 
+/// What keys of another table must hold, each one of its values as they are written, texts without quotes.
+using Wanted = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
 class ParameterVisitor;
 
 /// What is done with a visitor, handed down for one call. Unlike std::function it refers to what it is made of and
@@ -97,6 +100,9 @@ class ParameterVisitor {
   /// A text that names a file; relative to the folder of the recipe.
   virtual void file(const Key& key, std::string& value) = 0;
   virtual void numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) = 0;
+  virtual void texts(const Key& key, std::vector<std::string>& values) = 0;
+  /// Keys of other tables, each with a value or a list of these.
+  virtual void wanted(const Key& key, Wanted& values) = 0;
   virtual void pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) = 0;
   /// Places, each two numbers with units.
   virtual void points(const Key& key, std::vector<Vec2>& values, std::string_view unit) = 0;

@@ -62,6 +62,8 @@ bool is_in_reach(double value) {
   return magnitude == 0 || (magnitude >= 1e-60 && magnitude <= 1e60);
 }
 
+std::size_t number_length(std::string_view text) { return number_span(text).length; }
+
 Quantity parse_quantity(std::string_view text) {
   text = trimmed(text);
   const NumberSpan span = number_span(text);

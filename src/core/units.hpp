@@ -37,6 +37,9 @@ struct Quantity {
 /// still plain doubles, and no quantity that is measured lies beyond.
 bool is_in_reach(double value);
 
+/// How many characters a number at the start of a text takes; 0 where there is none.
+std::size_t number_length(std::string_view text);
+
 /// Reads "27.35 kN/mm". Throws InputError (without place) for anything that is not one number in reach and a unit.
 Quantity parse_quantity(std::string_view text);
 

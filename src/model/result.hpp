@@ -30,24 +30,29 @@ struct Energies {
   double exchanged = 0;  ///< stored by grains as they came in, less what was stored by those that left
 };
 
+/// Where a term stands in the balance: stored and spent ones change by what is supplied.
+enum class EnergyRole : std::uint8_t { stored, spent, supplied };
+
 /// One term of the account: its name in files and tables, and in a sentence.
 struct EnergyTerm {
   const char *name, *phrase;
   double Energies::*value;
+  EnergyRole role;
+  bool tracked;  ///< added up on the way, and 0 where a run was not asked to; other terms are always known
 };
 inline constexpr EnergyTerm energy_terms[] = {
-    {"kinetic", "kinetic energy", &Energies::kinetic},
-    {"elastic", "elastic energy", &Energies::elastic},
-    {"adhesive", "adhesive energy", &Energies::adhesive},
-    {"dissipated_normal", "dissipated by dashpots", &Energies::dissipated_normal},
-    {"dissipated_friction", "dissipated by friction", &Energies::dissipated_friction},
-    {"dissipated_drag", "dissipated by drag and wall damping", &Energies::dissipated_drag},
-    {"dissipated_breakage", "dissipated by broken bonds", &Energies::dissipated_breakage},
-    {"work_walls", "work of the sides", &Energies::work_walls},
-    {"work_gravity", "work of gravity", &Energies::work_gravity}};
+    {"kinetic", "kinetic energy", &Energies::kinetic, EnergyRole::stored, false},
+    {"elastic", "elastic energy", &Energies::elastic, EnergyRole::stored, false},
+    {"adhesive", "adhesive energy", &Energies::adhesive, EnergyRole::stored, false},
+    {"dissipated_normal", "dissipated by dashpots", &Energies::dissipated_normal, EnergyRole::spent, true},
+    {"dissipated_friction", "dissipated by friction", &Energies::dissipated_friction, EnergyRole::spent, true},
+    {"dissipated_drag", "dissipated by drag and wall damping", &Energies::dissipated_drag, EnergyRole::spent, true},
+    {"dissipated_breakage", "dissipated by broken bonds", &Energies::dissipated_breakage, EnergyRole::spent, false},
+    {"work_walls", "work of the sides", &Energies::work_walls, EnergyRole::supplied, true},
+    {"work_gravity", "work of gravity", &Energies::work_gravity, EnergyRole::supplied, true}};
 /// A further term of samples that grains came into or left; others have no such column.
 inline constexpr EnergyTerm exchange_term{"exchanged", "brought by grains that came in, less taken by those that left",
-                                          &Energies::exchanged};
+                                          &Energies::exchanged, EnergyRole::supplied, false};
 
 /// How far a state is from rest.
 struct Equilibrium {

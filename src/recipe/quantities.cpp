@@ -12,6 +12,7 @@
 #include "core/expression.hpp"
 #include "core/text.hpp"
 #include "core/unit_names.hpp"
+#include "core/units.hpp"
 
 namespace arenite::recipe {
 namespace {
@@ -90,6 +91,25 @@ std::string unit_is_missing(const Node& node, std::string_view unit) {
         "\"{:.6g} deg\")",
         as_written(node), 360 * (node.kind == Node::Kind::integer ? static_cast<double>(node.integer) : node.real));
   return fmt::format("{0} has no unit; write it with its unit, for example \"{0} {1}\"", as_written(node), unit);
+}
+
+Dimension dimension_of(std::string_view unit) { return unit.empty() ? dimension::none : parse_unit(unit).dimension; }
+
+std::string number_literal(double value, std::string_view unit) {
+  return unit.empty() ? format_quantity(value, unit) : toml_text(format_quantity(value, unit));
+}
+
+std::string with_unit(std::string_view number, std::string_view unit) {
+  return unit.empty() ? std::string(number) : fmt::format("\"{} {}\"", number, unit);
+}
+
+std::string tag_of_quantity(const std::string& text, const std::vector<Form>& forms) {
+  try {
+    const Dimension dimension = parse_quantity(text).dimension;
+    const auto at = std::ranges::find_if(
+        forms, [&](const Form& form) { return !form.unit.empty() && parse_unit(form.unit).dimension == dimension; });
+    return at == forms.end() ? "" : std::string(at->word);
+  } catch (const InputError&) { return {}; }  // no quantity
 }
 
 }  // namespace arenite::recipe

@@ -1,8 +1,10 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/expression.hpp"
+#include "core/parameters.hpp"
 #include "recipe/document.hpp"
 #include "recipe/reader.hpp"
 
@@ -23,5 +25,16 @@ std::string as_written(const Node& node);
 
 /// What is wrong with a number that is written without its unit.
 std::string unit_is_missing(const Node& node, std::string_view unit);
+
+/// Of a unit's name; none of an empty one.
+Dimension dimension_of(std::string_view unit);
+
+/// A number with its unit as a recipe has it: "27.35 kN/mm" in quotes, or 0.5.
+std::string number_literal(double value, std::string_view unit);
+/// A literal with this in the place of the number.
+std::string with_unit(std::string_view number, std::string_view unit);
+
+/// The form that a quantity without its tag could be meant for, by its dimension.
+std::string tag_of_quantity(const std::string& text, const std::vector<Form>& forms);
 
 }  // namespace arenite::recipe

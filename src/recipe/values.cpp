@@ -20,15 +20,6 @@
 namespace arenite::recipe {
 namespace {
 
-std::string number_literal(double value, std::string_view unit) {
-  return unit.empty() ? format_quantity(value, unit) : toml_text(format_quantity(value, unit));
-}
-
-/// A literal with this in the place of the number.
-std::string with_unit(std::string_view number, std::string_view unit) {
-  return unit.empty() ? std::string(number) : fmt::format("\"{} {}\"", number, unit);
-}
-
 /// In brackets; nothing without items.
 template <class Items, class Literal> std::optional<std::string> list_literal(const Items& items, Literal literal) {
   if (items.empty()) return std::nullopt;
@@ -45,8 +36,6 @@ Record record_of_rows(const Key& key, const std::vector<Vec2>& rows, std::string
   });
   return record;
 }
-
-Dimension dimension_of(std::string_view unit) { return unit.empty() ? dimension::none : parse_unit(unit).dimension; }
 
 bool is_number(const Node& node) { return node.kind == Node::Kind::integer || node.kind == Node::Kind::real; }
 
@@ -109,16 +98,6 @@ const Entry* only_entry(const Node& table) {
   const auto last =
       std::find_if(table.entries.rbegin(), table.entries.rend(), [](const Entry& entry) { return entry.place.wins; });
   return last == table.entries.rend() ? nullptr : &*last;
-}
-
-/// The form that a quantity without its tag could be meant for, by its dimension.
-std::string tag_of_quantity(const std::string& text, const std::vector<Form>& forms) {
-  try {
-    const Dimension dimension = parse_quantity(text).dimension;
-    const auto at = std::ranges::find_if(
-        forms, [&](const Form& form) { return !form.unit.empty() && parse_unit(form.unit).dimension == dimension; });
-    return at == forms.end() ? "" : std::string(at->word);
-  } catch (const InputError&) { return {}; }  // no quantity
 }
 
 std::string form_literal(const Form& form, const std::string& quantity) {
@@ -222,6 +201,36 @@ void KeyVisitor::numbers(const Key& key, std::vector<double>& values, std::strin
   visit(std::move(record), [&](const Written& at) {
     if (at.is_a(Node::Kind::array, "a list"))
       read_items(at, values, [&](const Written& item) { return read_number(item, unit, range); });
+  });
+}
+
+void KeyVisitor::texts(const Key& key, std::vector<std::string>& values) {
+  Record record{key, "[\"...\"]", {}, Record::Type::other, {}, "[\"a\", \"b\"]"};
+  record.literal = list_literal(values, toml_text);
+  visit(std::move(record), [&](const Written& at) {
+    const auto text = [&](const Written& item) {
+      return item.is_a(Node::Kind::text, "a text in quotes") ? std::optional(item.node.text) : std::nullopt;
+    };
+    if (at.is_a(Node::Kind::array, "a list of texts in quotes")) read_items(at, values, text);
+  });
+}
+
+void KeyVisitor::wanted(const Key& key, Wanted& values) {
+  const auto written = [](const Node& node) { return node.kind == Node::Kind::text ? node.text : toml_literal(node); };
+  Record record{key, "{ KEY = VALUE }", {}, Record::Type::other, {}, "{ \"cement.kind\" = \"full\" }"};
+  if (!values.empty())
+    record.literal =
+        fmt::format("{{ {} }}", list_of(mapped(values, [](const auto& each) {
+                      return fmt::format("{} = [{}]", toml_key(each.first), list_of(mapped(each.second, toml_text)));
+                    })));
+  visit(std::move(record), [&](const Written& at) {
+    values.clear();
+    if (!at.is_a(Node::Kind::table, "a table of keys and values")) return;
+    for (const Entry& entry : at.node.entries) {
+      const Node& value = entry.value;
+      values.emplace_back(entry.key,
+                          value.kind == Node::Kind::array ? mapped(value.items, written) : std::vector{written(value)});
+    }
   });
 }
 

@@ -44,6 +44,8 @@ class KeyVisitor : public ParameterVisitor {
   void text(const Key& key, std::string& value) override;
   void file(const Key& key, std::string& value) override;
   void numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) override;
+  void texts(const Key& key, std::vector<std::string>& values) override;
+  void wanted(const Key& key, Wanted& values) override;
   void pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) override;
   void points(const Key& key, std::vector<Vec2>& values, std::string_view unit) override;
   void series(const Key& key, std::vector<Vec2>& values, std::string_view unit) override;

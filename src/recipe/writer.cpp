@@ -259,8 +259,11 @@ std::string write_commented_toml(const RecordTable& root, const RecordTable& all
 }
 
 std::string write_key_tables(const RecordTable& all) {
-  std::string text = "## Top of the file\n\n";
-  write_rows(text, values_in(all));
+  std::string text;
+  if (const RecordTable top = values_in(all); !top.empty()) {
+    text = "## Top of the file\n\n";
+    write_rows(text, top);
+  }
   for (const auto& record : all) {
     if (record.kind != Record::Kind::value) write_section(text, record, "");
   }

@@ -1,144 +1,129 @@
 #include "report/figure_list.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <set>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
-#include "core/text.hpp"
+#include "recipe/declared.hpp"
 #include "recipe/document.hpp"
 #include "recipe/reader.hpp"
 
 namespace arenite::report {
 namespace {
 
-using recipe::Entry;
-using recipe::Node;
-using Kind = Node::Kind;
+using Visitor = ParameterVisitor;
 
-bool get(const Node& node, double& value) {
-  if (node.kind != Kind::integer && node.kind != Kind::real) return false;
-  value = node.kind == Kind::integer ? static_cast<double>(node.integer) : node.real;
-  return true;
+/// In the order of FigureKind.
+const std::vector<Word>& kinds() {
+  static const std::vector<Word> words = {
+      {"plot", "points and lines"},
+      {"rose",
+       "`curves` are counts in angular sectors, drawn relative to the isotropic value, or with `counts = true` as the "
+       "mean numbers of contacts of a sample"},
+      {"map", "a single `y` as a colour over `x` and `by`"},
+      {"grains", "the grains of a run by material, in its last state or in that of `stage`"},
+      {"forces", "its grains with their normal forces"},
+      {"stresses", "its grains coloured by their stress over the mean"},
+      {"film", "the stresses of its grains as measured on a film"},
+      {"phases", "the nodes of its cemented sample"},
+      {"zoom",
+       "the vertical stress in and around the large grain nearest to the middle, in its first load or that of `stage`"},
+      {"cracks", "its phases and the bonds broken in its first load, or in that of `stage`"}};
+  return words;
 }
-bool get(const Node& node, std::optional<double>& value) { return get(node, value.emplace()); }
-bool get(const Node& node, std::string& value) {
-  value = node.text;
-  return node.kind == Kind::text;
-}
-bool get(const Node& node, bool& value) {
-  value = node.flag;
-  return node.kind == Kind::flag;
-}
 
-template <class T> constexpr const char* wanted = "is a number";
-template <> constexpr const char* wanted<std::string> = "is a text in quotes";
-template <> constexpr const char* wanted<bool> = "is true or false";
-template <> constexpr const char* wanted<std::vector<std::string>> = "is a list of texts";
-template <> constexpr const char* wanted<std::vector<double>> = "is a list of numbers";
-
-/// Reads the keys of one table; what is left over is unknown.
-class Table {
- public:
-  Table(const Node& node, const std::string& file, std::vector<Problem>& problems)
-      : node_(node),
-        file_(file),
-        problems_(problems) {}
-
-  template <class T> void read(const std::string& key, T& value, bool needed = false) {
-    const Entry* entry = take(key);
-    if (!entry && needed) refuse(node_, key, "is missing");
-    if (entry && !get(entry->value, value)) refuse(entry->value, key, wanted<T>);
-  }
-  template <class T> void read(const std::string& key, std::vector<T>& values) {
-    const Entry* entry = take(key);
-    if (!entry) return;
-    if (entry->value.kind != Kind::array) return refuse(entry->value, key, wanted<std::vector<T>>);
-    for (const Node& item : entry->value.items)
-      if (T value; get(item, value)) values.push_back(std::move(value));
-      else refuse(item, key, wanted<std::vector<T>>);
-  }
-  const Entry* take(const std::string& key) {
-    known_.insert(key);
-    return node_.find(key);
-  }
-  void refuse_unknown() {
-    for (const Entry& entry : node_.entries)
-      if (!known_.contains(entry.key))
-        problems_.push_back(
-            {file_, entry.place.line, entry.place.column, fmt::format("`{}` is not a key of a figure", entry.key)});
-  }
-  void refuse(const Node& node, const std::string& key, const std::string& message) {
-    problems_.push_back({file_, node.place.line, node.place.column, fmt::format("`{}` {}", key, message)});
-  }
-
- private:
-  const Node& node_;
-  const std::string& file_;
-  std::vector<Problem>& problems_;
-  std::set<std::string, std::less<>> known_;
+struct AxisKeys {
+  Key label, log, low, high;
 };
+constexpr AxisKeys x_keys{
+    {"x_label", "Label of the x axis; unless given, the declared meaning of the number or key, with its unit."},
+    {"x_log", "A logarithmic x axis."},
+    {"x_low", "Where the x axis begins; unless given, where the points do."},
+    {"x_high", "Where it ends."}};
+constexpr AxisKeys y_keys{{"y_label", "The same of the y axis."},
+                          {"y_log", "A logarithmic y axis."},
+                          {"y_low", "Where the y axis begins; unless given, where the points do."},
+                          {"y_high", "Where it ends."}};
 
-constexpr std::array words = {"plot",     "rose", "map",    "grains", "forces",
-                              "stresses", "film", "phases", "zoom",   "cracks"};
-constexpr std::array spreads = {"error", "deviation"};
+void declare_axis(Visitor& v, const AxisKeys& keys, FigureAxis& axis) {
+  v.text(keys.label, axis.label);
+  v.flag(keys.log, axis.logarithmic);
+  v.number(keys.low, axis.low, "", range::any);
+  v.number(keys.high, axis.high, "", range::any);
+}
 
-/// One of the words that the values of an enumeration have in their order.
-template <class Choice>
-void read_choice(Table& table, const Node& node, const char* key, const auto& among, Choice& choice) {
-  std::string word = among[static_cast<std::size_t>(choice)];
-  table.read(key, word);
-  const auto at = std::find(among.begin(), among.end(), word);
-  if (at == among.end()) return table.refuse(node, key, fmt::format("is one of {}", list_of(among)));
-  choice = static_cast<Choice>(at - among.begin());
+constexpr Key where_key{"where", "Only runs with these values of swept keys count; a list gives several values."};
+
+void declare_reference(Visitor& v, FigureReference& reference) {
+  v.number({"x", "An abscissa; with `y`, a point."}, reference.x, "", range::any);
+  v.number({"y", "A level."}, reference.y, "", range::any);
+  v.number({"slope", "A line through the origin."}, reference.slope, "", range::any);
+  v.text({"label", "What the source says there."}, reference.label);
+}
+
+void declare_source_points(Visitor& v, SourcePoints& points) {
+  v.text({"name", "What the key of the figure calls them.", true}, points.name);
+  v.integer({"part", "Which of `y` or `curves` they belong to, from 0."}, points.part, {0, 1000});
+  v.flag({"film", "They are measured, by a source that also has simulated ones."}, points.film);
+  v.numbers({"x", "Abscissae."}, points.x, "", range::any);
+  v.numbers({"y", "Ordinates."}, points.y, "", range::any);
+  v.require(points.x.size() == points.y.size(), {"y"}, "must be as many as x");
+}
+
+void declare_beside(Visitor& v, BesideCurve& curve) {
+  v.text({"name", "What the key of the figure calls it.", true}, curve.name);
+  v.text({"x", "As of the figure.", true}, curve.x);
+  v.text({"y", "As of the figure.", true}, curve.y);
+  v.wanted(where_key, curve.where);
+}
+
+void declare_quantities(Visitor& v, Figure& figure) {
+  v.text({"x",
+          "A swept key or a number of the runs, \"1/NAME\", the quotient of two numbers, or a literal number. A point "
+          "is the mean over runs that differ only in their seed, its bar the standard error over them."},
+         figure.x);
+  v.texts({"y", "Numbers of the runs."}, figure.y);
+  v.texts({"curves",
+           "Instead of `x` and `y`: probability densities of the runs' numbers, averaged over runs (\"pores.pdf\", "
+           "\"stress.sigma_yy.sets.large.histogram\"); of packings also those of `arenite measure --json --curves` "
+           "(\"sigma_norm.by_material.POM.pdf_over_all\"), for which the last states are measured again."},
+          figure.curves);
+  v.text({"curve_x", "A list that the lists in `curves` are drawn against (\"rev.area_share\" for \"rev.mean\")."},
+         figure.curve_x);
+  v.texts(
+      {"fits",
+       "One for each of `curves`, \"\" for none: exponential tails in the runs' numbers "
+       "(\"stress.sigma_yy.sets.large.tail\"), drawn over the fitted range of the density; of a set with `beta_line` "
+       "(\"sigma_norm\") the regression line of ln P, drawn over the survival function."},
+      figure.fits);
+  v.flag({"survival",
+          "Instead of densities, the survival function (the fraction above x) of each sample, averaged over samples.",
+          false, "share_above"},
+         figure.survival);
+  v.flag({"counts", "Of a rose: mean numbers of contacts of a sample instead of their share."}, figure.counts);
+  v.integer({"sectors",
+             "Of a rose: the last states are measured again with that many sectors; stored results of a film are "
+             "redistributed among them."},
+            figure.sectors, {2, 360});
+  v.number({"window",
+            "For `curves = [\"window.solid_fraction\"]` against `curve_x = \"window.place\"`: the solid fraction of "
+            "windows with this fraction of the area of the box at 50 random positions, the same in every sample."},
+           figure.window, "", range::above(0, 1));
 }
 
 /// What the kind of figure needs.
-void check_figure(Table& table, const Node& node, const Figure& figure) {
+void require_what_is_drawn(Visitor& v, const Figure& figure) {
   const bool points = !figure.x.empty() && !figure.y.empty();
-  if (figure.kind == FigureKind::plot && figure.curves.empty() && !points)
-    table.refuse(node, "x", "and `y`, or `curves`, are needed");
-  if (figure.kind == FigureKind::rose && figure.curves.empty()) table.refuse(node, "curves", "are needed for a rose");
-  if (figure.kind == FigureKind::map && (!points || figure.by.empty() || figure.y.size() != 1))
-    table.refuse(node, "x", ", `by` and one `y` are needed for a map");
-  if (const std::size_t n = figure.curves.empty() ? figure.y.size() : figure.curves.size();
-      !figure.names.empty() && figure.names.size() != n)
-    table.refuse(node, "names", fmt::format("must be as many as the curves drawn: {}", n));
-  if (const double n = figure.sectors.value_or(18); !(n >= 2 && n <= 360 && n == std::floor(n)))
-    table.refuse(node, "sectors", "is a whole number, 2 to 360");
-  if (const double share = figure.window.value_or(1); !(share > 0 && share <= 1))
-    table.refuse(node, "window", "is a fraction of the area, above 0 and up to 1");
-  if (!figure.fits.empty() && figure.fits.size() != figure.curves.size())
-    table.refuse(node, "fits", "must be as many as `curves`");
-}
-
-std::string cell_of(const Node& node) { return node.kind == Kind::text ? node.text : recipe::toml_literal(node); }
-
-void read_where(Table& table, Where& read) {
-  const Entry* where = table.take("where");
-  if (!where) return;
-  if (where->value.kind != Kind::table) return table.refuse(where->value, "where", "is a table of keys and values");
-  for (const Entry& entry : where->value.entries) {
-    const bool is_list = entry.value.kind == Kind::array;
-    read.emplace_back(entry.key, is_list ? mapped(entry.value.items, cell_of) : std::vector{cell_of(entry.value)});
-  }
-}
-
-/// Reads every table of the list at `key`.
-template <class T, class Read>
-void read_each(Table& table, const char* key, const std::string& file, std::vector<Problem>& problems,
-               std::vector<T>& values, Read read) {
-  const Entry* list = table.take(key);
-  if (!list) return;
-  for (const Node& item : list->value.items) {
-    Table inner(item, file, problems);
-    read(inner, item, values.emplace_back());
-    inner.refuse_unknown();
-  }
+  v.require(figure.kind != FigureKind::plot || !figure.curves.empty() || points, {"x"},
+            "x and y, or curves, are needed");
+  v.require(figure.kind != FigureKind::rose || !figure.curves.empty(), {"curves"}, "curves are needed for a rose");
+  v.require(figure.kind != FigureKind::map || (points && !figure.by.empty() && figure.y.size() == 1), {"x"},
+            "x, by and one y are needed for a map");
+  const std::size_t drawn = figure.curves.empty() ? figure.y.size() : figure.curves.size();
+  v.require(figure.names.empty() || figure.names.size() == drawn, {"names"},
+            "must be as many as what is drawn, y or curves");
+  v.require(figure.fits.empty() || figure.fits.size() == figure.curves.size(), {"fits"}, "must be as many as curves");
 }
 
 /// What numbers were called in version 0.1, and are called now.
@@ -170,91 +155,72 @@ void rename_former(std::vector<std::string*> paths, std::vector<std::string>& no
     }
 }
 
-Figure read_figure(const Node& node, const std::string& file, std::vector<Problem>& problems,
-                   std::vector<std::string>& notices) {
-  Figure figure;
-  Table table(node, file, problems);
-  table.read("id", figure.id, true);
-  table.read("title", figure.title, true);
-  table.read("source", figure.source);
-  table.read("caption", figure.caption);
-  table.read("x", figure.x);
-  table.read("y", figure.y);
-  table.read("curves", figure.curves);
-  table.read("curve_x", figure.curve_x);
-  table.read("fits", figure.fits);
-  for (const char* key : {"survival", "share_above"}) table.read(key, figure.survival);
-  if (node.find("share_above")) recipe::note_former_name(notices, "share_above", "survival");
-  table.read("counts", figure.counts);
-  table.read("sectors", figure.sectors);
-  table.read("window", figure.window);
-  read_choice(table, node, "spread", spreads, figure.spread);
-  table.read("stage", figure.stage);
-  read_choice(table, node, "kind", words, figure.kind);
-  table.read("names", figure.names);
-  table.read("by", figure.by);
-  table.read("by_label", figure.by_label);
-  table.read("by_empty", figure.by_empty);
-  table.read("lines", figure.lines);
-  for (auto [axis, prefix] : {std::pair(&figure.x_axis, std::string("x_")), {&figure.y_axis, "y_"}}) {
-    table.read(prefix + "label", axis->label);
-    table.read(prefix + "log", axis->logarithmic);
-    table.read(prefix + "low", axis->low);
-    table.read(prefix + "high", axis->high);
-  }
-  read_where(table, figure.where);
-  read_each(table, "references", file, problems, figure.references,
-            [](Table& inner, const Node&, FigureReference& reference) {
-              inner.read("x", reference.x);
-              inner.read("y", reference.y);
-              inner.read("slope", reference.slope);
-              inner.read("label", reference.label);
-            });
-  read_each(table, "source_points", file, problems, figure.source_points,
-            [](Table& inner, const Node& item, SourcePoints& points) {
-              inner.read("name", points.name, true);
-              inner.read("part", points.part);
-              inner.read("film", points.film);
-              inner.read("x", points.x);
-              inner.read("y", points.y);
-              if (points.x.size() != points.y.size()) inner.refuse(item, "y", "must be as many as `x`");
-            });
-  read_each(table, "beside", file, problems, figure.beside, [](Table& inner, const Node&, BesideCurve& curve) {
-    inner.read("name", curve.name, true);
-    inner.read("x", curve.x, true);
-    inner.read("y", curve.y, true);
-    read_where(inner, curve.where);
-  });
+struct FigureList {
+  std::vector<Figure> figures;
+};
+void declare(Visitor& v, FigureList& list) {
+  v.list<Figure>({"figures", "A figure of a study's page."}, list.figures,
+                 [](Visitor& inner, Figure& figure) { report::declare(inner, figure); });
+}
+
+void rename_former_numbers(Figure& figure, std::vector<std::string>& notices) {
   std::vector<std::string*> paths{&figure.x, &figure.curve_x};
   for (auto* list : {&figure.y, &figure.curves, &figure.fits})
     for (std::string& path : *list) paths.push_back(&path);
   for (BesideCurve& curve : figure.beside) paths.insert(paths.end(), {&curve.x, &curve.y});
   rename_former(paths, notices);
-  table.refuse_unknown();
-  check_figure(table, node, figure);
-  return figure;
 }
 
 }  // namespace
 
-const char* word_for(FigureKind kind) { return words[static_cast<std::size_t>(kind)]; }
+const char* word_for(FigureKind kind) { return kinds()[static_cast<std::size_t>(kind)].word.data(); }
+
+void declare(Visitor& v, Figure& figure) {
+  v.text({"id", "Its name.", true}, figure.id);
+  v.text({"title", "What stands above it.", true}, figure.title);
+  v.text({"source", "The figure of the source that it repeats."}, figure.source);
+  v.text({"caption", "What stands below it."}, figure.caption);
+  v.choice({"kind", "How it is drawn. Pictures show the first run that `where` selects."}, figure.kind, kinds());
+  declare_quantities(v, figure);
+  v.texts({"names", "What the key of the figure calls several `y` or `curves`."}, figure.names);
+  v.text({"by", "A swept key: a curve for each of its values."}, figure.by);
+  v.text({"by_label", "What the key of the figure calls it; unless given, its symbol."}, figure.by_label);
+  v.text({"by_empty", "What it calls runs without that value."}, figure.by_empty);
+  v.wanted(where_key, figure.where);
+  v.text({"stage", "Whose last state is shown (\"packing\": before any loading); unless given, the last one's."},
+         figure.stage);
+  v.choice({"spread",
+            "What bars of points, bands of densities drawn as lines and ticks of roses are. The caption states it, and "
+            "over how many samples."},
+           figure.spread, {{"error", "standard errors over samples"}, {"deviation", "standard deviations"}});
+  v.flag({"lines", "Points are joined; false: they are not, and densities are points."}, figure.lines);
+  declare_axis(v, x_keys, figure.x_axis);
+  declare_axis(v, y_keys, figure.y_axis);
+  v.list<BesideCurve>({"beside", "Curves of other runs or numbers."}, figure.beside, declare_beside);
+  v.list<SourcePoints>({"source_points", "Values from the source's tables or text, drawn as crosses."},
+                       figure.source_points, declare_source_points);
+  v.list<FigureReference>({"references", "Statements of the source's text."}, figure.references, declare_reference);
+  require_what_is_drawn(v, figure);
+}
+
+std::string figure_key_reference() {
+  return "# Figures of a study\n\n"
+         "The keys of figures.toml, which declares the figures of a study's page ([studies.md](studies.md)). It is "
+         "written like every\n"
+         "recipe ([recipe.md](recipe.md)), and every problem is reported at once. This page is generated: `arenite man "
+         "--figure-keys`.\n\n" +
+         recipe::write_key_tables(recipe::all_keys<FigureList>());
+}
 
 std::vector<Figure> read_figures(const std::string& text, const std::string& file, std::vector<std::string>* notices) {
-  const Node root = recipe::read_document(text, file);
-  std::vector<Problem> problems;
-  std::vector<std::string> former;
-  std::vector<Figure> figures;
-  for (const Entry& entry : root.entries) {
-    if (entry.key != "figures" || entry.value.kind != Kind::array) {
-      problems.push_back({file, entry.place.line, entry.place.column,
-                          fmt::format("`{}` is unknown; figures are written as [[figures]]", entry.key)});
-      continue;
-    }
-    for (const Node& node : entry.value.items) figures.push_back(read_figure(node, file, problems, former));
-  }
-  if (!problems.empty()) throw InputError(std::move(problems));
-  if (notices) *notices = std::move(former);
-  return figures;
+  recipe::Node root = recipe::read_document(text, file);
+  recipe::Reading reading = recipe::of_text(file);
+  recipe::rename_former_keys(root, recipe::all_keys<FigureList>(), reading.notices);
+  FigureList list;
+  recipe::read_declared(root, reading, [&](Visitor& visitor) { declare(visitor, list); });
+  for (Figure& figure : list.figures) rename_former_numbers(figure, reading.notices);
+  if (notices) *notices = std::move(reading.notices);
+  return list.figures;
 }
 
 }  // namespace arenite::report

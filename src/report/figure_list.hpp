@@ -1,8 +1,11 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "core/parameters.hpp"
 
 namespace arenite::report {
 
@@ -25,18 +28,15 @@ struct FigureReference {
 /// Points that the source gives, in a table or in its text; drawn as crosses in the colour of what they stand beside.
 struct SourcePoints {
   std::string name;
-  std::optional<double> part;  ///< which of `y` or `curves`, from 0
-  bool film = false;           ///< what the source measured, where it also simulated
+  std::optional<std::int64_t> part;  ///< which of `y` or `curves`, from 0
+  bool film = false;                 ///< what the source measured, where it also simulated
   std::vector<double> x, y;
 };
-
-/// Which runs count: those with one of these values of these keys.
-using Where = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
 /// A curve beside those of a figure, of other runs or another number.
 struct BesideCurve {
   std::string name, x, y;
-  Where where;
+  Wanted where;  ///< runs that count: those with one of these values of these keys
 };
 
 /// What bars show of the scatter over samples: the standard error of the mean or the standard deviation.
@@ -61,8 +61,8 @@ struct Figure {
   std::vector<std::string> fits;    ///< of `curves`: exponential tails of the runs' numbers, {"slope", "low", "high"}
   bool survival = false;            ///< of densities, the survival function: the share above x
   bool counts = false;              ///< of a rose: contacts of a sample, not their share
-  std::optional<double> sectors;    ///< of a rose: into how many; as many as the runs have unless given
-  std::optional<double> window;     ///< share of the box's area of the windows in "window.solid_fraction"
+  std::optional<std::int64_t> sectors;  ///< of a rose: into how many; as many as the runs have unless given
+  std::optional<double> window;         ///< share of the box's area of the windows in "window.solid_fraction"
   Spread spread = Spread::error;
   std::string stage;  ///< whose last state is shown; the last one's unless given
   FigureKind kind = FigureKind::plot;
@@ -71,11 +71,16 @@ struct Figure {
   std::string by_empty;            ///< how the key shows runs without that value
   bool lines = true;               ///< points are joined
   FigureAxis x_axis, y_axis;
-  Where where;
+  Wanted where;  ///< runs that count: those with one of these values of these keys
   std::vector<FigureReference> references;
   std::vector<SourcePoints> source_points;
   std::vector<BesideCurve> beside;
 };
+
+void declare(ParameterVisitor& visitor, Figure& figure);
+
+/// The reference of all keys of figures.toml, in Markdown.
+std::string figure_key_reference();
 
 /// Reads figures.toml. Former names of keys and of numbers count as those of now; each adds a sentence to `notices`.
 /// Throws InputError with every problem.

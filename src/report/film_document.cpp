@@ -188,7 +188,7 @@ Numbers one_film(const FilmResult& r, const texture::Texture* texture, NumberBlo
               {"stresses", stresses_of(stresses, block)},
               {"figures", shortened(figures::numbers_of(figures::film_figures(), {r, stresses}, write))}};
   Numbers numbers = r.numbers;
-  statistics::erase_curves(numbers, "pdf cumulative");
+  erase(numbers, Trait::curve);
   add_numbers(out, numbers);
   for (auto&& [name, meaning] : out["meanings"].items()) meaning[0] = unit_in(r.film, meaning[0].get<std::string>());
   return out;

@@ -136,7 +136,7 @@ void add_figures_of_state(Numbers& shown, const Packing& packing, const figures:
   Numbers& texture = shown["texture"];
   shown["figures"] = shortened(
       figures::numbers_of(figures::state_figures(), {texture, mapped(packing.materials, &Material::name)}, write));
-  statistics::erase_curves(texture, "pdf cumulative histogram threshold");
+  erase(texture, Trait::curve);
 }
 
 /// Figures of the run as a whole.

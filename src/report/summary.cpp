@@ -71,15 +71,11 @@ Numbers boundaries(const Domain& domain) {
 
 /// Without the terms that are added up on the way where nobody asked for that; broken bonds always are.
 Numbers energies_of(const Energies& e) {
-  const bool tracked = std::ranges::any_of(
-      std::array{e.dissipated_normal, e.dissipated_friction, e.dissipated_drag, e.work_walls, e.work_gravity},
-      [](double v) { return v != 0; });
+  const bool tracked =
+      std::ranges::any_of(energy_terms, [&](const EnergyTerm& t) { return t.tracked && e.*t.value != 0; });
   Numbers energies = Numbers::tree();
-  for (const EnergyTerm& term : energy_terms) {
-    const bool stored = term.value == &Energies::kinetic || term.value == &Energies::elastic ||
-                        term.value == &Energies::adhesive || term.value == &Energies::dissipated_breakage;
-    if (tracked || stored) energies[term.name] = described(e.*term.value, "J", term.phrase);
-  }
+  for (const EnergyTerm& term : energy_terms)
+    if (tracked || !term.tracked) energies[term.name] = described(e.*term.value, "J", term.phrase);
   if (e.exchanged != 0) energies[exchange_term.name] = described(e.exchanged, "J", exchange_term.phrase);
   return energies;
 }

@@ -216,11 +216,4 @@ void put(Numbers& to, const std::string& name, Numbers value, const char* unit, 
   if (value.is_known()) to[name] = described(std::move(value), unit, sentence).mark(traits);
 }
 
-void erase_curves(Numbers& tree, std::string_view names) {
-  const auto is_list = [](const Numbers& node) { return node.is_list(); };
-  erase_if(tree, [&](std::string_view name, const Numbers& node) {
-    return std::ranges::count(split_blanks(names), name) > 0 && (node.is_list() || std::ranges::all_of(node, is_list));
-  });
-}
-
 }  // namespace arenite::statistics

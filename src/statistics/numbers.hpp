@@ -126,6 +126,7 @@ class Numbers {
   void means_as(const Numbers& other) { meaning_ = other.meaning_; }
 
   bool has(Trait trait) const { return (static_cast<std::uint8_t>(traits_) & static_cast<std::uint8_t>(trait)) != 0; }
+  Trait traits() const { return traits_; }
   Numbers& mark(Trait traits) { return traits_ = traits_ | traits, *this; }
 
   /// As a number, truth, text or list of such; throws NumbersError if it is none.
@@ -199,9 +200,5 @@ Numbers described(Numbers value, const char* unit, const char* sentence);
 /// Adds a value, with its unit, what it is and its traits, unless it is not known.
 void put(Numbers& to, const std::string& name, Numbers value, const char* unit, const char* sentence,
          Trait traits = Trait::none);
-
-/// Takes out the curves of these names, separated by blanks, at any depth: lists, and trees of lists. A set that
-/// somebody gave such a name stays.
-void erase_curves(Numbers& tree, std::string_view names);
 
 }  // namespace arenite::statistics

@@ -225,6 +225,15 @@ Grid grid_over(const Domain& domain, double spacing) {
   return {box_of(domain), cells(domain.width()), cells(domain.height())};
 }
 
+void declare(ParameterVisitor& v, CoarseGraining& choice) {
+  v.number({"width", "Standard deviation of the kernel along one axis.", true}, choice.width, "m", range::positive);
+  v.number({"spacing", "Distance between the points; unless given, the width."}, choice.spacing, "m", range::positive);
+  v.choice({"kernel", "What a point is smeared out into."}, choice.kernel,
+           {{"lucy", "Lucy's function, zero beyond sqrt(56/5) widths"}, {"gaussian", "Gauss's, which reaches far"}});
+  v.number({"tilt_rate", "Rate at which a sheared cell tilts; unless given, its tilt moves with its width alone."},
+           choice.tilt_rate, "m/s", range::any);
+}
+
 CoarseFields coarse_grain(const Packing& packing, const Grid& grid, const CoarseGraining& choice) {
   check(packing, grid);
   const Kernel kernel(choice.kernel, choice.width);
@@ -245,6 +254,10 @@ CoarseFields coarse_grain(const Packing& packing, const Grid& grid, const Coarse
   return fields;
 }
 
+CoarseFields coarse_grain(const Packing& packing, const CoarseGraining& choice) {
+  return coarse_grain(packing, grid_over(packing.domain, choice.spacing.value_or(choice.width)), choice);
+}
+
 double shear_rate_at(const History& history, double time) {
   const auto *strain = history.find("shear_strain"), *times = history.find("time");
   if (!strain || !times || times->size() < 2) return 0;
@@ -263,8 +276,9 @@ bool has_fields(const Packing& packing) {
 CoarseFields coarse_fields(const Packing& packing, double shear_rate, double width, double spacing) {
   CoarseGraining choice;
   choice.width = width;
+  choice.spacing = spacing;
   if (shear_rate != 0) choice.tilt_rate = shear_rate * packing.domain.height();
-  return coarse_grain(packing, grid_over(packing.domain, spacing), choice);
+  return coarse_grain(packing, choice);
 }
 
 }  // namespace arenite::fields

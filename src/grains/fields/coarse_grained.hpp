@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/parameters.hpp"
 #include "core/vec.hpp"
 #include "geometry/rectangle.hpp"
 #include "model/packing.hpp"
@@ -12,9 +13,9 @@ namespace arenite::fields {
 
 /// What a point is smeared out into.
 enum class KernelShape {
-  gaussian,  ///< exp(-r^2/2w^2)/(2 pi w^2): smooth to all orders, reaches far
-  lucy  ///< 5/(pi c^2) (1 + 3 r/c)(1 - r/c)^3, zero beyond c: two continuous derivatives (L. B. Lucy, Astron. J. 82,
-        ///< 1013, 1977)
+  lucy,  ///< 5/(pi c^2) (1 + 3 r/c)(1 - r/c)^3, zero beyond c: two continuous derivatives (L. B. Lucy, Astron. J. 82,
+         ///< 1013, 1977)
+  gaussian  ///< exp(-r^2/2w^2)/(2 pi w^2): smooth to all orders, reaches far
 };
 
 /// A coarse-graining function of the plane: not negative, the same in all directions, of integral 1. `width` is the
@@ -62,10 +63,11 @@ Grid grid_over(const Domain& domain, double spacing);
 /// Choices that the definitions leave open.
 struct CoarseGraining {
   KernelShape kernel = KernelShape::lucy;
-  double width = 0;  ///< standard deviation of the kernel along one axis, m
-  std::optional<double>
-      tilt_rate;  ///< rate of change of `Domain::tilt`, m/s; unset: the tilt moves with the width of the cell alone
+  double width = 0;
+  std::optional<double> spacing;    ///< of the points of a grid that is made over the box; the width unless given
+  std::optional<double> tilt_rate;  ///< of `Domain::tilt`; unset: the tilt moves with the width of the cell alone
 };
+void declare(ParameterVisitor& visitor, CoarseGraining& choice);
 
 /// Continuum fields of one state at the points of a grid; all arrays have its size.
 struct CoarseFields {
@@ -102,6 +104,9 @@ double shear_rate_at(const History& history, double time);
 
 /// Whether a state has what fields need: grains, a box and its thickness.
 bool has_fields(const Packing& packing);
+
+/// The same at points over its whole box, `choice.spacing` apart.
+CoarseFields coarse_grain(const Packing& packing, const CoarseGraining& choice);
 
 /// Fields of a state over its whole box, smeared by Lucy's function of that width, at points so far apart (m).
 CoarseFields coarse_fields(const Packing& packing, double shear_rate, double width, double spacing);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "grains/fields/loading.hpp"
@@ -16,14 +15,20 @@ double change_of(const History& history, const char* name) {
   return values && !values->empty() ? values->back() - values->front() : 0;
 }
 
-/// Whether dissipation and work were added up on the way. That of broken bonds always is, and tells nothing of it.
+/// Whether dissipation and work were added up on the way.
 bool are_tracked(const History& history) {
-  return std::ranges::any_of(
-      std::array{"dissipated_normal", "dissipated_friction", "dissipated_drag", "work_walls", "work_gravity"},
-      [&](const char* name) {
-        const auto* values = history.find(name);
-        return values && std::ranges::any_of(*values, [](double v) { return v != 0; });
-      });
+  return std::ranges::any_of(energy_terms, [&](const EnergyTerm& term) {
+    const auto* values = term.tracked ? history.find(term.name) : nullptr;
+    return values && std::ranges::any_of(*values, [](double v) { return v != 0; });
+  });
+}
+
+std::vector<const char*> names_of(EnergyRole role) {
+  std::vector<const char*> names;
+  for (const EnergyTerm& term : energy_terms)
+    if (term.role == role) names.push_back(term.name);
+  if (exchange_term.role == role) names.push_back(exchange_term.name);
+  return names;
 }
 
 }  // namespace
@@ -32,10 +37,9 @@ Numbers energy_numbers(const StageEnd& end) {
   const History& history = end.result.history;
   if (!are_tracked(history)) return Numbers::tree();
   double stored = 0, spent = 0, work = 0, turned_over = 0;
-  for (const char* name : {"kinetic", "elastic", "adhesive"}) stored += change_of(history, name);
-  for (const char* name : {"dissipated_normal", "dissipated_friction", "dissipated_drag", "dissipated_breakage"})
-    spent += change_of(history, name);
-  for (const char* name : {"work_walls", "work_gravity", "exchanged"}) {
+  for (const char* name : names_of(EnergyRole::stored)) stored += change_of(history, name);
+  for (const char* name : names_of(EnergyRole::spent)) spent += change_of(history, name);
+  for (const char* name : names_of(EnergyRole::supplied)) {
     work += change_of(history, name);
     turned_over += std::abs(change_of(history, name));
   }
@@ -54,17 +58,16 @@ statistics::Columns energies_of(const History& rows) {
   using Values = std::vector<double>;
   statistics::Columns found;
   if (!are_tracked(rows)) return found;
-  const auto sum = [&](std::initializer_list<const char*> names) {
+  const auto sum = [&](EnergyRole role) {
     Values total;
-    for (const char* name : names)
+    for (const char* name : names_of(role))
       if (const Values* values = rows.find(name)) {
         total.resize(values->size(), 0.0);
         for (std::size_t k = 0; k < total.size(); ++k) total[k] += (*values)[k];
       }
     return total;
   };
-  Values spent = sum({"dissipated_normal", "dissipated_friction", "dissipated_drag", "dissipated_breakage"}),
-         work = sum({"work_walls", "work_gravity", "exchanged"});
+  Values spent = sum(EnergyRole::spent), work = sum(EnergyRole::supplied);
   const std::size_t rows_there = std::max(spent.size(), work.size());
   for (Values* values : {&spent, &work}) {
     values->resize(rows_there, 0.0);

@@ -114,9 +114,19 @@ std::vector<GrainCompression> grain_compressions(const Packing& packing) {
   return out;
 }
 
+void declare(ParameterVisitor& v, ChainOptions& options) {
+  v.number({"stress_factor", "A grain is loaded highly above this multiple of the mean major principal stress."},
+           options.stress_factor, "", range::not_negative);
+  v.number(
+      {"angle", "Largest angle between a grain's direction of greatest compression and the branch to the next grain."},
+      options.angle, "deg", range::above(0, std::numbers::pi / 2));
+  v.integer({"least", "Grains that a chain has at least."}, options.least, {1, 1'000'000});
+}
+
 ForceChains find_force_chains(const Packing& packing, const ChainOptions& options) {
-  if (!(options.angle_deg > 0 && options.angle_deg < 90))
-    throw refusal("an angle of {:g} degrees in force chains; give one between 0 and 90", options.angle_deg);
+  if (!(options.angle > 0 && options.angle < std::numbers::pi / 2))
+    throw refusal("an angle of {:g} degrees in force chains; give one between 0 and 90",
+                  options.angle * 180 / std::numbers::pi);
   const std::vector<GrainCompression> grains = grain_compressions(packing);
   ForceChains result;
   double sum = 0, loaded = 0;
@@ -126,8 +136,7 @@ ForceChains find_force_chains(const Packing& packing, const ChainOptions& option
   const double threshold = options.stress_factor * result.mean_stress;
   for (const GrainCompression& g : grains) result.highly_loaded += g.loaded && g.major > threshold;
 
-  const auto list =
-      candidates(packing.contacts, grains, threshold, std::cos(options.angle_deg * std::numbers::pi / 180));
+  const auto list = candidates(packing.contacts, grains, threshold, std::cos(options.angle));
   collect(packing.contacts, linked(packing.contacts, list, grains.size()), std::max<std::size_t>(2, options.least),
           result);
   std::size_t members = 0;

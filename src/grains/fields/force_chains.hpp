@@ -1,8 +1,10 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
+#include "core/parameters.hpp"
 #include "core/vec.hpp"
 #include "model/packing.hpp"
 
@@ -10,11 +12,11 @@ namespace arenite::fields {
 
 /// Choices that the definitions leave open.
 struct ChainOptions {
-  double stress_factor = 1;  ///< a grain is loaded highly above this multiple of the mean major principal stress
-  double angle_deg =
-      45;  ///< largest angle between a grain's direction of greatest compression and the branch to the next grain
-  std::size_t least = 3;  ///< grains of a chain
+  double stress_factor = 1;
+  double angle = std::numbers::pi / 4;
+  std::size_t least = 3;
 };
+void declare(ParameterVisitor& visitor, ChainOptions& options);
 
 /// Principal compression of a grain, from its contact forces.
 struct GrainCompression {
@@ -41,7 +43,7 @@ struct ForceChains {
 
 /// Force chains after J. F. Peters, M. Muthuswamy, J. Wibowo and A. Tordesillas, Phys. Rev. E 72, 041307 (2005): grains
 /// whose major principal stress is above the mean, each joined to the next by a pushing contact whose branch lies
-/// within `angle_deg` of the direction of greatest compression of both. Where several would continue a chain, the
+/// within `angle` of the direction of greatest compression of both. Where several would continue a chain, the
 /// straightest does (greatest sum of the two cosines, chosen over the whole sample from the best on), so that a grain
 /// has at most one neighbour to either side and the result depends on no order. Walls end chains. Throws InputError for
 /// an angle that is not between 0 and 90 degrees.

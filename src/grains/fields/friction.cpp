@@ -48,6 +48,12 @@ statistics::Curve density_of(const FrictionState& state, const statistics::Items
 
 }  // namespace
 
+void declare(ParameterVisitor& v, FrictionOptions& options) {
+  v.number({"friction", "Coefficient mu between grains."}, options.friction, "", range::not_negative);
+  v.number({"wall_friction", "Coefficient mu at the walls; unless given, that of the grains."}, options.wall_friction,
+           "", range::not_negative);
+}
+
 FrictionState measure_friction(const Packing& packing, const FrictionOptions& options) {
   check(options);
   const Contacts& contacts = packing.contacts;

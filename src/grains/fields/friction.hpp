@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/parameters.hpp"
 #include "model/packing.hpp"
 #include "statistics/estimate.hpp"
 
@@ -10,11 +11,13 @@ namespace arenite::fields {
 
 /// What a state does not say of its contacts.
 struct FrictionOptions {
-  double friction = 0;                  ///< mu between grains
-  std::optional<double> wall_friction;  ///< mu at walls; that of the grains unless given
-  double tolerance = 1e-3;              ///< a contact slides where |F_t| is above (1 - tolerance) mu F_n
-  int bins = 20;                        ///< of the distribution
+  double friction = 0;
+  std::optional<double> wall_friction;
+  double tolerance = 1e-3;  ///< a contact slides where |F_t| is above (1 - tolerance) mu F_n
+  int bins = 20;            ///< of the distribution
 };
+/// What is chosen by those who ask.
+void declare(ParameterVisitor& visitor, FrictionOptions& options);
 
 /// Friction at the contacts of one state. Without adhesion 0 <= mobilisation <= 1; where contacts are glued Coulomb's
 /// cap is higher.

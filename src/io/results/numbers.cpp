@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "core/text.hpp"
@@ -15,31 +17,42 @@ struct NumberRows {
   std::vector<std::string> name;
   std::vector<std::uint8_t> depth, kind;
   std::vector<double> value;
-  std::vector<std::int64_t> worded, described;  ///< rows of what is a text, and of what has a meaning
+  std::vector<std::int64_t> worded, described, marked;  ///< rows of what is a text, has a meaning, has traits
   std::vector<std::string> text, unit, sentence;
+  std::vector<std::uint8_t> trait;
 
   void transfer(const Hdf5Group& at) {
     at.texts("name", name);
     at.array("depth", depth);
     at.array("kind", kind);
     at.array("value", value, "of the name");
-    transfer_some(at, "text", worded, {{"text", &text}});
-    transfer_some(at, "meaning", described, {{"unit", &unit}, {"sentence", &sentence}});
+    transfer_some(at, "text", worded, [&](const Hdf5Group& group) { column(group, "text", text, worded); });
+    transfer_some(at, "meaning", described, [&](const Hdf5Group& group) {
+      column(group, "unit", unit, described);
+      column(group, "sentence", sentence, described);
+    });
+    transfer_some(at, "trait", marked, [&](const Hdf5Group& group) { column(group, "trait", trait, marked); });
   }
 
-  /// What only some rows have, as a group that lists these; a text of one row widens all that stand with it.
+  /// What only some rows have, as a group that lists these.
   void transfer_some(const Hdf5Group& at, const char* what, std::vector<std::int64_t>& rows,
-                     const std::vector<std::pair<const char*, std::vector<std::string>*>>& columns) const {
+                     const std::function<void(const Hdf5Group&)>& columns) const {
     if (at.reads() ? !at.has_group(what) : rows.empty()) return;
     const auto group = at.group(what);
     group.note("row", "index into the arrays of numbers");
     group.array("row", rows);
-    for (const auto& [column, texts] : columns) {
-      group.texts(column, *texts);
-      if (texts->size() != rows.size()) group.refuse("holds columns that do not agree");
-    }
+    columns(group);
     const bool there = rows.empty() || (rows.front() >= 0 && rows.back() < static_cast<std::int64_t>(name.size()));
     if (!std::ranges::is_sorted(rows) || !there) group.refuse("lists rows that are not there, or out of their order");
+  }
+
+  /// A text of one row widens all that stand with it.
+  template <class T>
+  static void column(const Hdf5Group& group, const char* name, std::vector<T>& values,
+                     const std::vector<std::int64_t>& rows) {
+    if constexpr (std::is_same_v<T, std::string>) group.texts(name, values);
+    else group.array(name, values);
+    if (values.size() != rows.size()) group.refuse("holds columns that do not agree");
   }
 
   /// The place of a row in such a list; nothing if it is not there.
@@ -55,6 +68,10 @@ struct NumberRows {
       described.push_back(static_cast<std::int64_t>(name.size()));
       unit.push_back(m->unit);
       sentence.push_back(m->sentence);
+    }
+    if (node.traits() != Trait::none) {
+      marked.push_back(static_cast<std::int64_t>(name.size()));
+      trait.push_back(static_cast<std::uint8_t>(node.traits()));
     }
     name.push_back(path);
     depth.push_back(level);
@@ -95,7 +112,8 @@ Numbers leaf(Numbers::Kind kind, double value, const std::string& text) {
 /// Takes rows from `row` on that lie deeper than their parent.
 Numbers node_at(const NumberRows& table, std::size_t& row) {
   const std::size_t own = row++;
-  const auto text = NumberRows::place_of(own, table.worded), meaning = NumberRows::place_of(own, table.described);
+  const auto text = NumberRows::place_of(own, table.worded), meaning = NumberRows::place_of(own, table.described),
+             trait = NumberRows::place_of(own, table.marked);
   Numbers node = leaf(static_cast<Numbers::Kind>(table.kind[own]), table.value[own], text ? table.text[*text] : "");
   const std::size_t prefix = table.name[own].empty() ? 0 : table.name[own].size() + 1;
   while (row < table.name.size() && table.depth[row] == table.depth[own] + 1) {
@@ -106,6 +124,7 @@ Numbers node_at(const NumberRows& table, std::size_t& row) {
     else node[name] = std::move(item);
   }
   if (meaning) node.means({table.unit[*meaning], table.sentence[*meaning]});
+  if (trait) node.mark(static_cast<Trait>(table.trait[*trait]));
   return node;
 }
 

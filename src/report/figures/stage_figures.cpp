@@ -128,7 +128,10 @@ Drawings energies(const StageData& data) {
                                      {"dissipated_normal", "dashpots"},
                                      {"dissipated_drag", "drag"},
                                      {"work_walls", "work of walls"},
-                                     {"work_gravity", "work of gravity"}},
+                                     {"work_gravity", "work of gravity"},
+                                     {"dissipated_breakage", "broken bonds"},
+                                     {"adhesive", "adhesive"},
+                                     {"exchanged", "grains that came in, less those that left"}},
                                     [](double v) { return v > 0; });
   if (drawing.panels.empty()) return {};
   Panel& panel = drawing.panels.front();

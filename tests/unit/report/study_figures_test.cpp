@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 #include "core/error.hpp"
 #include "io/disk/file.hpp"
@@ -275,10 +277,32 @@ TEST(StudyFigures, FormerNamesAreReadWithANotice) {
   EXPECT_EQ(read.front().beside.front().y, "grid");
   EXPECT_TRUE(read.front().survival);
   EXPECT_EQ(notices,
-            (std::vector<std::string>{"share_above is now called survival; the former name is still read",
+            (std::vector<std::string>{"figures.*.share_above is now called survival; the former name is still read",
                                       "even_pdf is now called histogram; the former name is still read",
                                       "directions is now called contact_orientations; the former name is still read",
                                       "raster is now called grid; the former name is still read"}));
+}
+
+TEST(StudyFigures, KeysThatAreUnknownWrongOrMissingAreToldAtTheirPlaces) {
+  try {
+    read_figures("[[figures]]\ntitle = 3\nx = \"gamma\"\ny = [\"z\"]\nfigure = 1\nkind = \"plott\"\n", "figures.toml");
+    FAIL();
+  } catch (const InputError& error) {
+    const auto& problems = error.problems();
+    ASSERT_EQ(problems.size(), 4u);
+    EXPECT_EQ(problems[0].line, 1);
+    EXPECT_NE(problems[0].message.find("figures.0.id: is missing"), std::string::npos) << problems[0].message;
+    EXPECT_EQ(problems[1].line, 2);
+    EXPECT_EQ(problems[2].line, 5);
+    EXPECT_NE(problems[3].message.find("did you mean \"plot\"?"), std::string::npos) << problems[3].message;
+  }
+}
+
+TEST(StudyFigures, ReferencePageIsUpToDate) {
+  std::ifstream file(ARENITE_SOURCE_DIR "/docs/figures.md");
+  std::ostringstream page;
+  page << file.rdbuf();
+  EXPECT_EQ(page.str(), figure_key_reference()) << "write it anew: build/arenite man --figure-keys > docs/figures.md";
 }
 
 TEST(StudyFigures, SectorsAndWindowsAreWithinReason) {
@@ -329,8 +353,8 @@ TEST(StudyFigures, AWrongKeyAndAMissingOneAreToldWithTheirLines) {
   } catch (const InputError& error) {
     const std::string text = error.what();
     EXPECT_NE(text.find("figures.toml:4"), std::string::npos) << text;
-    EXPECT_NE(text.find("`xx`"), std::string::npos) << text;
-    EXPECT_NE(text.find("`curves`"), std::string::npos) << text;
+    EXPECT_NE(text.find("figures.0.xx: unknown key"), std::string::npos) << text;
+    EXPECT_NE(text.find("curves, are needed"), std::string::npos) << text;
   }
   EXPECT_THROW(curves_of(figures("x = \"gamma\"\ny = [\"z\"]\nby = \"theta\"").front(), table(), none), InputError);
 }

@@ -56,7 +56,7 @@ ARENITE_INLINE Pack<W> correct_and_predict(const SweepTask<D>& t, std::size_t k,
 /// One fused sweep for W disks or spheres: corrects the state at t_n, which was predicted, by the forces there, and
 /// predicts t_{n+1}.
 template <int W, int D> struct Step<IntegratorKind::gear5, W, D> {
-  ARENITE_INLINE static typename Pack<W>::Bits run(const SweepTask<D>& t, std::size_t k) {
+  ARENITE_INLINE static typename Pack<W>::Truths run(const SweepTask<D>& t, std::size_t k) {
     using V = Pack<W>;
     const V zero(0.0);
     const MotionPack<W, D> m(t, k);

@@ -18,7 +18,7 @@ template <int W> ARENITE_INLINE Pack<W> small_angle(Pack<W> sine) {
 
 template <int W> ARENITE_INLINE Pack<W> picked_numbers(const double* values, const std::int32_t* index) {
   Pack<W> numbers;
-  for (int k = 0; k < W; ++k) numbers.raw[k] = values[index[k]];
+  for (int k = 0; k < W; ++k) numbers.v[k] = values[index[k]];
   return numbers;
 }
 

@@ -1,69 +1,25 @@
 #pragma once
 #include <array>
-#include <cstdint>
 #include <cstring>
 #ifdef __AVX512F__
 #include <immintrin.h>
 #endif
 
+#include "core/lanes.hpp"
 #include "core/vec.hpp"
-
-/// Inner functions are compiled into their loop, never on their own: a function of its own could be taken by the linker
-/// for the same function of a file compiled for another processor.
-#define ARENITE_INLINE inline __attribute__((always_inline))
 
 namespace arenite::dem {
 
-template <int W> struct RawPack {
-  typedef double Numbers __attribute__((vector_size(8 * W)));
-  typedef std::int64_t Bits __attribute__((vector_size(8 * W)));
-};
-
-/// W doubles computed side by side, one contact each: the number type that the laws are written over, beside double.
-/// Every operation is the exactly rounded one of a single double, so a lane's bits do not depend on W.
-template <int W> struct Pack {
-  using Raw = typename RawPack<W>::Numbers;
-  using Bits = typename RawPack<W>::Bits;
-  Raw raw;
-
-  Pack() = default;
-  ARENITE_INLINE Pack(Raw r) : raw(r) {}
-  ARENITE_INLINE explicit Pack(double a) : raw(a - Raw{}) {}  // a - 0 is a, signed zeros too
-
-  /// W doubles from memory; no alignment asked.
-  ARENITE_INLINE static Pack load(const double* p) {
-    Pack a;
-    std::memcpy(&a.raw, p, sizeof a.raw);
-    return a;
-  }
-  ARENITE_INLINE void store(double* p) const { std::memcpy(p, &raw, sizeof raw); }
-
-  ARENITE_INLINE friend Pack operator+(Pack a, Pack b) { return a.raw + b.raw; }
-  ARENITE_INLINE friend Pack operator-(Pack a, Pack b) { return a.raw - b.raw; }
-  ARENITE_INLINE friend Pack operator-(Pack a) { return -a.raw; }
-  ARENITE_INLINE friend Pack operator*(Pack a, Pack b) { return a.raw * b.raw; }
-  ARENITE_INLINE friend Pack operator/(Pack a, Pack b) { return a.raw / b.raw; }
-  ARENITE_INLINE friend Bits operator>(Pack a, Pack b) { return a.raw > b.raw; }
-  ARENITE_INLINE friend Bits operator<=(Pack a, Pack b) { return a.raw <= b.raw; }
-  ARENITE_INLINE friend Pack min(Pack a, Pack b) { return b.raw < a.raw ? b.raw : a.raw; }
-  ARENITE_INLINE friend Pack max(Pack a, Pack b) { return a.raw < b.raw ? b.raw : a.raw; }
-  ARENITE_INLINE friend Pack abs(Pack a) { return max(a, Pack(0.0) - a); }
-  ARENITE_INLINE friend Pack dot(Pack a, Pack b) { return a.raw * b.raw; }
-  ARENITE_INLINE friend Pack select(Bits condition, Pack yes, Pack no) { return condition ? yes.raw : no.raw; }
-  ARENITE_INLINE friend Pack sqrt(Pack a) {
-    Raw root;
-    for (int k = 0; k < W; ++k) root[k] = __builtin_sqrt(a.raw[k]);
-    return root;
-  }
-};
+/// W contacts or grains at a time: the number type that the laws are written over, beside double.
+template <int W> using Pack = Lanes<double, W>;
 
 template <int W, int D>
-ARENITE_INLINE Vec<D, Pack<W>> select(typename Pack<W>::Bits condition, Vec<D, Pack<W>> yes, Vec<D, Pack<W>> no) {
+ARENITE_INLINE Vec<D, Pack<W>> select(typename Pack<W>::Truths condition, Vec<D, Pack<W>> yes, Vec<D, Pack<W>> no) {
   return by_axis<D>([&](int axis) { return select(condition, yes[axis], no[axis]); });
 }
 
 /// Two neighbouring doubles, the piece in which records are read and written.
-using Piece = RawPack<2>::Numbers;
+using Piece = Vector<double, 2>;
 
 ARENITE_INLINE Piece load_piece(const double* p) {
   Piece a;
@@ -72,7 +28,7 @@ ARENITE_INLINE Piece load_piece(const double* p) {
 }
 
 /// piece(first), piece(first + 2), ..., of W records, side by side.
-template <int W, class PieceOf> ARENITE_INLINE typename Pack<W>::Raw every_second(int first, PieceOf&& piece) {
+template <int W, class PieceOf> ARENITE_INLINE typename Pack<W>::V every_second(int first, PieceOf&& piece) {
   if constexpr (W == 2) {
     return piece(first);
   } else if constexpr (W == 4) {
@@ -88,12 +44,12 @@ template <int W, class PieceOf> ARENITE_INLINE typename Pack<W>::Raw every_secon
 }
 
 /// First and second numbers of a's and b's pieces in turn: a0 b0 a1 b1 ...
-template <int W> ARENITE_INLINE Pack<W> first_numbers(typename Pack<W>::Raw a, typename Pack<W>::Raw b) {
+template <int W> ARENITE_INLINE Pack<W> first_numbers(typename Pack<W>::V a, typename Pack<W>::V b) {
   if constexpr (W == 2) return __builtin_shufflevector(a, b, 0, 2);
   if constexpr (W == 4) return __builtin_shufflevector(a, b, 0, 4, 2, 6);
   if constexpr (W == 8) return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
 }
-template <int W> ARENITE_INLINE Pack<W> second_numbers(typename Pack<W>::Raw a, typename Pack<W>::Raw b) {
+template <int W> ARENITE_INLINE Pack<W> second_numbers(typename Pack<W>::V a, typename Pack<W>::V b) {
   if constexpr (W == 2) return __builtin_shufflevector(a, b, 1, 3);
   if constexpr (W == 4) return __builtin_shufflevector(a, b, 1, 5, 3, 7);
   if constexpr (W == 8) return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
@@ -144,10 +100,10 @@ ARENITE_INLINE void store_columns(Vec<D, Pack<W>> vector, const std::array<doubl
 /// The inverse of gather.
 template <int W, class Address> ARENITE_INLINE void scatter(Address&& address, Pack<W> first, Pack<W> second) {
   if constexpr (W == 1) {
-    address(0)[0] = first.raw[0];
-    address(0)[1] = second.raw[0];
+    address(0)[0] = first.v[0];
+    address(0)[1] = second.v[0];
   } else {
-    const auto even = first_numbers<W>(first.raw, second.raw).raw, odd = second_numbers<W>(first.raw, second.raw).raw;
+    const auto even = first_numbers<W>(first.v, second.v).v, odd = second_numbers<W>(first.v, second.v).v;
 #pragma GCC unroll 4
     for (int k = 0; k < W; k += 2) {
       std::memcpy(address(k), reinterpret_cast<const double*>(&even) + k, sizeof(Piece));
@@ -161,7 +117,7 @@ template <int W, class Address> ARENITE_INLINE void scatter(Address&& address, P
 template <int W, int D, class Address> ARENITE_INLINE void scatter(Address&& address, Vec<D, Pack<W>> vector) {
   scatter<W>(address, vector.x, vector.y);
   if constexpr (D == 3)
-    for (int k = 0; k < W; ++k) address(k)[2] = vector.z.raw[k];
+    for (int k = 0; k < W; ++k) address(k)[2] = vector.z.v[k];
 }
 
 }  // namespace arenite::dem

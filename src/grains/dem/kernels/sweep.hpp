@@ -27,19 +27,17 @@ template <int W, int D> struct LoadPack {
 #pragma GCC unroll 8
       for (std::size_t n = 0; n < W; ++n) {
         const Pack<4> own = sum_of_groups(slots, 2 * (k + n)), reaction = sum_of_groups(slots, 2 * (k + n) + 1);
-        const Pack<4> turned = __builtin_shufflevector(reaction.raw, reaction.raw, 0, 1, 3, 2);
-        load[n] = __builtin_shufflevector((own - reaction).raw, (own + turned).raw, 0, 1, 6, 7);
+        const Pack<4> turned = __builtin_shufflevector(reaction.v, reaction.v, 0, 1, 3, 2);
+        load[n] = __builtin_shufflevector((own - reaction).v, (own + turned).v, 0, 1, 6, 7);
       }
       Pack<W> spare;
-      sort_pieces<W>([&](int n) { return Piece(__builtin_shufflevector(load[n].raw, load[n].raw, 0, 1)); }, force.x,
+      sort_pieces<W>([&](int n) { return Piece(__builtin_shufflevector(load[n].v, load[n].v, 0, 1)); }, force.x,
                      force.y);
-      sort_pieces<W>([&](int n) { return Piece(__builtin_shufflevector(load[n].raw, load[n].raw, 2, 3)); }, torque,
-                     spare);
+      sort_pieces<W>([&](int n) { return Piece(__builtin_shufflevector(load[n].v, load[n].v, 2, 3)); }, torque, spare);
     } else {
       for (int n = 0; n < W; ++n) {
         const Load<D> load = contact_load(slots, k + static_cast<std::size_t>(n));
-        for (int axis = 0; axis < D; ++axis)
-          force[axis].raw[n] = load.force[axis], torque[axis].raw[n] = load.torque[axis];
+        for (int axis = 0; axis < D; ++axis) force[axis].v[n] = load.force[axis], torque[axis].v[n] = load.torque[axis];
       }
     }
   }
@@ -71,8 +69,9 @@ template <int W, int D> struct MotionPack {
 
 /// Puts W disks or spheres where they are seen next. All bits set where one is near enough to its place in the list.
 template <int W, int D>
-ARENITE_INLINE typename Pack<W>::Bits put(const SweepTask<D>& t, std::size_t k, const MotionPack<W, D>& m,
-                                          Vec<D, Pack<W>> place, Vec<D, Pack<W>> velocity, Turning<D, Pack<W>> omega) {
+ARENITE_INLINE typename Pack<W>::Truths put(const SweepTask<D>& t, std::size_t k, const MotionPack<W, D>& m,
+                                            Vec<D, Pack<W>> place, Vec<D, Pack<W>> velocity,
+                                            Turning<D, Pack<W>> omega) {
   GrainRecord<D>* d = t.record + k;
   scatter<W>([=](int n) { return &d[n].place.x; }, place);
   scatter<W>([=](int n) { return &d[n].velocity.x; }, velocity + t.after.at(place));
@@ -85,7 +84,7 @@ ARENITE_INLINE typename Pack<W>::Bits put(const SweepTask<D>& t, std::size_t k, 
 /// A step of W disks or spheres that kicks the integrated velocities on by the accelerations and then drifts with them.
 /// A scheme that does otherwise has a specialisation.
 template <IntegratorKind scheme, int W, int D> struct Step {
-  ARENITE_INLINE static typename Pack<W>::Bits run(const SweepTask<D>& t, std::size_t k) {
+  ARENITE_INLINE static typename Pack<W>::Truths run(const SweepTask<D>& t, std::size_t k) {
     using V = Pack<W>;
     const MotionPack<W, D> m(t, k);
     const V kick(t.kick), ahead(t.ahead);

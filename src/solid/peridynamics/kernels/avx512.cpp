@@ -14,9 +14,6 @@ namespace {
 /// Vectors of 64 bytes. Sums are kept in the four lanes and in the order of AVX2, so that both give the same bits.
 struct Avx512 {
   static constexpr int bytes = 64, sum_lanes = 4;
-  static __m512d fma(__m512d a, __m512d b, __m512d c) { return _mm512_fmadd_pd(a, b, c); }
-  static __m512 fma(__m512 a, __m512 b, __m512 c) { return _mm512_fmadd_ps(a, b, c); }
-  static __m256d fma(__m256d a, __m256d b, __m256d c) { return _mm256_fmadd_pd(a, b, c); }
   template <std::size_t k> static __m256d doubles(__m512d a) { return _mm512_extractf64x4_pd(a, k); }
   template <std::size_t k> static __m256d doubles(__m512 a) { return _mm256_cvtps_pd(_mm512_extractf32x4_ps(a, k)); }
   template <int lanes> struct Words {
@@ -34,7 +31,7 @@ struct Avx512 {
       if constexpr (L::lanes == 16) v = _mm512_broadcast_f32x4(_mm_loadu_ps(four));
       else v = _mm512_cvtps_pd(_mm256_broadcast_ps(reinterpret_cast<const __m128*>(four)));
     }
-    template <int shift> L find(typename L::Words words) const {
+    template <int shift> L find(Words<L::lanes> words) const {
       if constexpr (L::lanes == 16) return {_mm512_permutexvar_ps(_mm512_srli_epi32(words.w, shift), v)};
       else return {_mm512_permutexvar_pd(_mm512_srli_epi64(words.w, shift), v)};
     }

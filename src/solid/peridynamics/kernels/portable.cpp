@@ -12,10 +12,9 @@ namespace {
 /// everywhere.
 struct Portable {
   static constexpr int bytes = 16, sum_lanes = 2;
-  template <class V> static V fma(V a, V b, V c) { return a * b + c; }
-  template <std::size_t k> static Vector<double, 16> doubles(Vector<double, 16> a) { return a; }
-  template <std::size_t k> static Vector<double, 16> doubles(Vector<float, 16> a) {
-    return Vector<double, 16>{a[2 * k], a[2 * k + 1]};
+  template <std::size_t k> static Vector<double, 2> doubles(Vector<double, 2> a) { return a; }
+  template <std::size_t k> static Vector<double, 2> doubles(Vector<float, 4> a) {
+    return Vector<double, 2>{a[2 * k], a[2 * k + 1]};
   }
   template <int lanes> struct Words {
     std::uint32_t w[lanes];
@@ -25,7 +24,7 @@ struct Portable {
   template <class L> struct Table {
     typename L::Scalar four[4];
     explicit Table(const float* p) : four{p[0], p[1], p[2], p[3]} {}
-    template <int shift> L find(typename L::Words w) const {
+    template <int shift> L find(Words<L::lanes> w) const {
       typename L::Scalar found[L::lanes];
       for (int i = 0; i < L::lanes; ++i) found[i] = four[w.w[i] >> shift & 3u];
       return L::load(found);

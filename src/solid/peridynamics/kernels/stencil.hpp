@@ -33,7 +33,7 @@ template <int d, class V> [[gnu::always_inline]] inline V along(V x, V y, V two)
   else return two * y - x;
 }
 
-template <class V, BondLaw Law> class Stencil {
+template <class Machine, class V, BondLaw Law> class Stencil {
  public:
   using T = typename V::Scalar;
   static constexpr int lanes = V::lanes;
@@ -47,7 +47,7 @@ template <class V, BondLaw Law> class Stencil {
         bonds_(bonds),
         law_(*std::get_if<Law>(&bonds.law)) {}
 
-  static V all(double c) { return V::all(static_cast<T>(c)); }
+  static V all(double c) { return V(static_cast<T>(c)); }
 
   /// Calls `then(i, own, force)` for every vector of nodes from i on, tile by tile, rows upwards in each;
   /// `row(y)` is called before each row of a tile.
@@ -80,8 +80,8 @@ template <class V, BondLaw Law> class Stencil {
 
   /// Tensions of the bonds that start in a row of the tile and, for bonds into it, one vector on either side.
   [[gnu::always_inline]] void pull(std::ptrdiff_t first, int nodes, const Rows rows) const {
-    const auto table = typename V::Table(bonds_.relative.data());
-    const V two = V::all(2);
+    const auto table = typename Machine::template Table<V>(bonds_.relative.data());
+    const V two = V(2);
     const std::ptrdiff_t stride = grid_.stride;
     const T* const ux = u_.x + first - lanes;
     const T* const uy = u_.y + first - lanes;
@@ -90,7 +90,7 @@ template <class V, BondLaw Law> class Stencil {
       __builtin_prefetch(ux + k + 4 * stride);  // the row that the next one will be the first to ask for
       __builtin_prefetch(uy + k + 4 * stride);
       __builtin_prefetch(words + k + stride);
-      const auto word = typename V::Words(words + k);
+      const auto word = typename Machine::template Words<lanes>(words + k);
       const V x = V::load(ux + k), y = V::load(uy + k);
       const auto one = [&]<int d>() __attribute__((always_inline)) {
         constexpr Offset e = half_bonds[d];
@@ -109,7 +109,7 @@ template <class V, BondLaw Law> class Stencil {
   [[gnu::always_inline]] void add(std::ptrdiff_t first, int nodes, const Rows starting, const Rows ending,
                                   const Then& then) const {
     const double root2 = std::sqrt(2.0), root5 = std::sqrt(5.0), scale = bonds_.scale;
-    const V axis1 = all(scale), axis2 = all(scale / 2), axis3 = all(scale / 3), two = V::all(2);
+    const V axis1 = all(scale), axis2 = all(scale / 2), axis3 = all(scale / 3), two = V(2);
     const V diagonal1 = all(scale / (2 * root2)), diagonal2 = all(scale / (4 * root2)),
             knight = all(scale / (5 * root5));
     const Plane<const T> u = u_;

@@ -4,50 +4,12 @@
 #include <array>
 #include <cstdint>
 #include <utility>
-#ifdef __AVX2__
-#include <immintrin.h>
-#endif
 
+#include "core/lanes.hpp"
 #include "thermal/thermography/kernels/kernels.hpp"
 
 namespace arenite::thermography {
 namespace {
-
-/// n numbers computed side by side; a single one is what is left over at the end of a row of lanes.
-template <class T, std::size_t n> struct Lanes {
-  typedef T Numbers __attribute__((vector_size(n * sizeof(T))));
-  typedef T Anywhere
-      __attribute__((vector_size(n * sizeof(T)), aligned(alignof(T)), may_alias));  // as they lie in an array
-  static constexpr std::size_t lanes = n;
-  Numbers v;
-
-  static Lanes load(const float* p) {
-#if defined(__AVX512F__)  // read and widened by one instruction; GCC 12 makes five of what is said below
-    if constexpr (sizeof(Numbers) == 64 && sizeof(T) == 8) return {_mm512_cvtps_pd(_mm256_loadu_ps(p))};
-#elif defined(__AVX2__)
-    if constexpr (sizeof(Numbers) == 32 && sizeof(T) == 8) return {_mm256_cvtps_pd(_mm_loadu_ps(p))};
-#endif
-    return {__builtin_convertvector(*reinterpret_cast<const typename Lanes<float, n>::Anywhere*>(p), Numbers)};
-  }
-  static Lanes load(const double* p) { return {*reinterpret_cast<const Anywhere*>(p)}; }
-  static Lanes load(const std::uint16_t* p) {
-#if defined(__AVX512F__)
-    if constexpr (sizeof(Numbers) == 64)
-      return {_mm512_cvtepi32_ps(_mm512_cvtepu16_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))))};
-#elif defined(__AVX2__)
-    if constexpr (sizeof(Numbers) == 32)
-      return {_mm256_cvtepi32_ps(_mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(p))))};
-#endif
-    const auto& level = *reinterpret_cast<const typename Lanes<std::uint16_t, n>::Anywhere*>(p);
-    return {__builtin_convertvector(__builtin_convertvector(level, typename Lanes<std::int32_t, n>::Numbers), Numbers)};
-  }
-  static Lanes all(T c) { return {c - Numbers{}}; }  // c - 0 is c, signed zeros too
-  void store(T* p) const { *reinterpret_cast<Anywhere*>(p) = v; }
-  friend Lanes operator+(Lanes a, Lanes b) { return {a.v + b.v}; }
-  friend Lanes operator-(Lanes a, Lanes b) { return {a.v - b.v}; }
-  /// Rounded once where the source is compiled so (cmake/kernels.cmake).
-  friend Lanes fma(Lanes a, Lanes b, Lanes c) { return {a.v * b.v + c.v}; }
-};
 
 /// `n` neighbouring vectors at once, so that a weight is fetched once for all; `sums` are those of the first.
 template <class V, int n, int functions, class T>
@@ -70,7 +32,7 @@ inline void add_pixels(const WeighedFrames<T>& f, float* sums, std::size_t p) {
       sum[functions + 1][i] = fma(d[i], d[i], sum[functions + 1][i]);
     }
     for (int k = 0; k < functions; ++k) {
-      const V w = V::all(weight[k]);
+      const V w = V(weight[k]);
       for (int i = 0; i < n; ++i) sum[k + 1][i] = fma(w, d[i], sum[k + 1][i]);
     }
     value += f.pixels, weight += functions;
@@ -100,14 +62,13 @@ void add(const WeighedFrames<T>& f, float* sums, std::size_t stride, std::size_t
 template <class V, int rows>
 inline void combine_at(const SegmentView& s, std::size_t p, const double* coefficient, double* out, std::size_t apart) {
   V sum[rows];
-  for (int m = 0; m < rows; ++m) sum[m] = V::all(0);
+  for (int m = 0; m < rows; ++m) sum[m] = V(0);
   const std::size_t count = s.segments * s.planes;
   const float* plane = s.sums + s.at(p, 0, 0);
   for (std::size_t q = 0; q < count; ++q, plane += chunk) {
     if constexpr (V::lanes > 1) __builtin_prefetch(plane + count * chunk);
     const V d = V::load(plane);
-    for (int m = 0; m < rows; ++m)
-      sum[m] = fma(V::all(coefficient[static_cast<std::size_t>(m) * count + q]), d, sum[m]);
+    for (int m = 0; m < rows; ++m) sum[m] = fma(V(coefficient[static_cast<std::size_t>(m) * count + q]), d, sum[m]);
   }
   for (int m = 0; m < rows; ++m) sum[m].store(out + static_cast<std::size_t>(m) * apart);
 }
@@ -145,18 +106,18 @@ void combine(const SegmentView& s, const double* coefficient, std::size_t rows, 
 template <class V>
 inline void residual_at(const SegmentView& s, std::size_t p, const double* frames, const double* normal,
                         std::size_t rows, const double* fitted, std::size_t apart, double* out) {
-  V sum = V::all(0);
+  V sum = V(0);
   const float* plane = s.sums + s.at(p, 0, 0);
   for (std::size_t q = 0; q < s.segments; ++q, plane += s.planes * chunk) {
     const V level = V::load(plane), squares = V::load(plane + (s.planes - 2) * chunk),
             step = V::load(plane + (s.planes - 1) * chunk);
-    sum = fma(fma(V::all(frames[q]), step, level + level), step, sum + squares);
+    sum = fma(fma(V(frames[q]), step, level + level), step, sum + squares);
   }
   for (std::size_t m = 0; m < rows; ++m, normal += rows) {
-    V mixed = V::all(0);
-    for (std::size_t n = 0; n < m; ++n) mixed = fma(V::all(normal[n]), V::load(fitted + n * apart), mixed);
+    V mixed = V(0);
+    for (std::size_t n = 0; n < m; ++n) mixed = fma(V(normal[n]), V::load(fitted + n * apart), mixed);
     const V own = V::load(fitted + m * apart);
-    sum = fma(V::all(0) - own, fma(V::all(normal[m]), own, mixed + mixed), sum);
+    sum = fma(V(0) - own, fma(V(normal[m]), own, mixed + mixed), sum);
   }
   sum.store(out);
 }
@@ -170,7 +131,7 @@ void residual(const SegmentView& s, const double* frames, const double* normal, 
 }
 
 /// The passes for `floats` single or half as many double numbers at once.
-template <std::size_t floats> constexpr Kernels kernels_of(const char* name) {
+template <int floats> constexpr Kernels kernels_of(const char* name) {
   using Floats = Lanes<float, floats>;
   using Doubles = Lanes<double, floats / 2>;
   return {name, add<Floats, std::uint16_t>, add<Floats, float>, combine<Doubles>, residual<Doubles>};

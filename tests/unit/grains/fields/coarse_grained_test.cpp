@@ -89,13 +89,15 @@ TEST(CoarseGrained, IntegratesOverAPeriodicCellToMassMomentumAndLoveWeberSum) {
   // the tail cut at 2e-16.
   for (const double tilt : {0.0, 2.7, -13.0}) {
     const Packing p = gas(3, tilt);
-    EXPECT_LT(worst_integral(p, coarse_grain(p, grid_over(p.domain, 0.25), {KernelShape::gaussian, 0.4, {}})), 1e-12)
+    EXPECT_LT(worst_integral(p, coarse_grain(p, grid_over(p.domain, 0.25), {KernelShape::gaussian, 0.4, {}, {}})),
+              1e-12)
         << tilt;
-    EXPECT_LT(worst_integral(p, coarse_grain(p, grid_over(p.domain, 0.5), {KernelShape::gaussian, 5, {}})), 1e-12)
+    EXPECT_LT(worst_integral(p, coarse_grain(p, grid_over(p.domain, 0.5), {KernelShape::gaussian, 5, {}, {}})), 1e-12)
         << tilt;
     // Lucy's components fall as 1/k^4.5 only, from 1 at k c = 1: at k = 2 pi/h with c = 13.4 h that is 84^-4.5 = 2e-9
     // times its numerical factor (at the rim 5/pi 6 times 2 pi sqrt(2/pi) = 48, in each of 4 directions).
-    EXPECT_LT(worst_integral(p, coarse_grain(p, grid_over(p.domain, 0.25), {KernelShape::lucy, 1, {}})), 4e-7) << tilt;
+    EXPECT_LT(worst_integral(p, coarse_grain(p, grid_over(p.domain, 0.25), {KernelShape::lucy, 1, {}, {}})), 4e-7)
+        << tilt;
   }
 }
 
@@ -159,7 +161,7 @@ TEST(CoarseGrained, ConservesMassAndMomentumAtEveryPoint) {
   const double width = 0.8;
   const Packing p = gas(7);
   const Grid grid = grid_over(p.domain, 0.25);
-  const CoarseFields f = coarse_grain(p, grid, {KernelShape::gaussian, width, {}});
+  const CoarseFields f = coarse_grain(p, grid, {KernelShape::gaussian, width, {}, {}});
   std::vector<Tensor2> flux = f.contact_stress;  // of momentum
   for (std::size_t k = 0; k < flux.size(); ++k) {
     flux[k] += f.kinetic_stress[k];
@@ -184,7 +186,7 @@ TEST(CoarseGrained, BalancesForcesByTheContactStressAlone) {
   Packing p = gas(8);
   for (std::size_t g = 0; g < p.grains.size(); ++g) p.grains.velocity[g].x = p.grains.velocity[g].y = 0;
   const Grid grid = grid_over(p.domain, 0.25);
-  const CoarseFields f = coarse_grain(p, grid, {KernelShape::gaussian, 0.8, {}});
+  const CoarseFields f = coarse_grain(p, grid, {KernelShape::gaussian, 0.8, {}, {}});
   const std::vector<double> push =
       divergence(grid, part(f.contact_stress, &Tensor2::xx), part(f.contact_stress, &Tensor2::xy));
   for (int row = 0; row < grid.rows; ++row)
@@ -199,7 +201,7 @@ TEST(CoarseGrained, HasTheGradientOfItsVelocity) {
   // derivative, 1e-8, and rounding 1e-12.
   const Packing p = gas(9, 1.3);
   for (const KernelShape shape : {KernelShape::gaussian, KernelShape::lucy}) {
-    const CoarseGraining choice{shape, 1, {}};
+    const CoarseGraining choice{shape, 1, {}, {}};
     const auto at = [&](double x, double y) { return coarse_grain(p, {{x - 1, x + 1, y - 1, y + 1}, 1, 1}, choice); };
     const double e = 1e-4;
     for (const Vec2 r : {Vec2{1, 1}, Vec2{5.3, 7.9}, Vec2{9.9, 0.1}}) {
@@ -223,7 +225,7 @@ TEST(CoarseGrained, KineticStressIsThatOfTheFluctuationAboutTheLocalVelocity) {
   test::add_grain(p, {6, 4}, 0.5);
   p.grains.velocity = {{101, 2}, {99, -2}};
   const Grid middle{{4.5, 5.5, 3.5, 4.5}, 1, 1};
-  const CoarseFields f = coarse_grain(p, middle, {KernelShape::lucy, 0.8, {}});
+  const CoarseFields f = coarse_grain(p, middle, {KernelShape::lucy, 0.8, {}, {}});
   const Kernel kernel(KernelShape::lucy, 0.8);
   const double rho = 2 * 1000 * pi * 0.25 * kernel.value({1, 0}), far = kernel.value({2, 0});
   const double share = 2 * far / (kernel.value({}) + far), square = rho * share * share;
@@ -241,7 +243,7 @@ TEST(CoarseGrained, KineticStressOfAShearWithoutFluctuationIsNoneWhateverTheWidt
   Packing p = test::square_lattice(12);
   for (std::size_t g = 0; g < p.grains.size(); ++g) p.grains.velocity[g].x = 0.3 * p.grains.position[g].y;
   for (const double width : {0.9, 1.5, 2.5}) {
-    const CoarseFields f = coarse_grain(p, grid_over(p.domain, 1), {KernelShape::gaussian, width, 0.3 * 12});
+    const CoarseFields f = coarse_grain(p, grid_over(p.domain, 1), {KernelShape::gaussian, width, {}, 0.3 * 12});
     EXPECT_LT(largest(part(f.kinetic_stress, &Tensor2::xx)), 1e-10 * f.density[0]) << width;
     EXPECT_NEAR(f.gradient_stress[0].xx, -f.density[0] * 0.09 * width * width,
                 0.02 * f.density[0] * 0.09 * width * width)
@@ -254,7 +256,7 @@ TEST(CoarseGrained, ImagesMoveWithTheSidesOfTheCell) {
   // velocity, in every row alike.
   Packing p = test::square_lattice(6);
   for (std::size_t g = 0; g < p.grains.size(); ++g) p.grains.velocity[g].x = 0.3 * p.grains.position[g].y;
-  const CoarseFields f = coarse_grain(p, grid_over(p.domain, 1), {KernelShape::lucy, 0.9, 0.3 * 6});
+  const CoarseFields f = coarse_grain(p, grid_over(p.domain, 1), {KernelShape::lucy, 0.9, {}, 0.3 * 6});
   for (std::size_t g = 0; g < p.grains.size(); ++g) {
     EXPECT_NEAR(f.velocity[g].x, p.grains.velocity[g].x, 1e-14);
     EXPECT_NEAR(f.density[g], f.density[0], 1e-11);  // of 1000 kg/m^3: the sums differ in their order only
@@ -266,7 +268,7 @@ TEST(CoarseGrained, ImagesMoveWithTheSidesOfTheCell) {
   p.domain.wall[right].velocity = 0.3;
   p.domain.wall[left].velocity = -0.3;
   for (std::size_t g = 0; g < p.grains.size(); ++g) p.grains.velocity[g].x = 0.1 * (p.grains.position[g].x - 3);
-  const CoarseFields wide = coarse_grain(p, grid_over(p.domain, 1), {KernelShape::lucy, 0.9, {}});
+  const CoarseFields wide = coarse_grain(p, grid_over(p.domain, 1), {KernelShape::lucy, 0.9, {}, {}});
   for (std::size_t g = 0; g < p.grains.size(); ++g) EXPECT_NEAR(wide.velocity[g].x, p.grains.velocity[g].x, 1e-14);
 }
 
@@ -277,7 +279,7 @@ TEST(CoarseGrained, KnowsWallsByTheirForceOnTheGrains) {
   test::add_grain(p, {1, 0.3}, 0.3);
   test::add_wall_contact(p, 0, bottom, 7, 2);
   const Kernel kernel(KernelShape::lucy, 0.1);
-  const CoarseFields at = coarse_grain(p, {{0.9, 1.1, 0.05, 0.15}, 1, 1}, {KernelShape::lucy, 0.1, {}});
+  const CoarseFields at = coarse_grain(p, {{0.9, 1.1, 0.05, 0.15}, 1, 1}, {KernelShape::lucy, 0.1, {}, {}});
   // f = 7 N up and, with t = n turned = -x, 2 N to the left; l = (0, -0.3) m. The point (1, 0.1) lies on the branch.
   const double mean = kernel.line_mean({0, -0.2}, {0, 0.1}) / 0.5;
   EXPECT_NEAR(at.contact_stress[0].yy, -7 * 0.3 * mean, 1e-13 * 7 * mean);
@@ -285,7 +287,7 @@ TEST(CoarseGrained, KnowsWallsByTheirForceOnTheGrains) {
   EXPECT_NEAR(at.wall_force[0].y, 7 * kernel.value({0, 0.1}) / 0.5, 1e-11);
   // The whole force, if the grid reaches as far below the floor as the kernel (Lucy's sum as above, c = 13 steps).
   const Grid around{{0, 2, -1, 1}, 80, 80};
-  const CoarseFields f = coarse_grain(p, around, {KernelShape::lucy, 0.1, {}});
+  const CoarseFields f = coarse_grain(p, around, {KernelShape::lucy, 0.1, {}, {}});
   EXPECT_NEAR(total(part(f.wall_force, &Vec2::y)) * around.cell_area() * 0.5, 7, 7 * 4e-7);
   EXPECT_NEAR(total(part(f.wall_force, &Vec2::x)) * around.cell_area() * 0.5, -2, 2 * 4e-7);
   EXPECT_TRUE(std::isnan(f.velocity[0].x));  // no grain in reach of a corner
@@ -295,10 +297,10 @@ TEST(CoarseGrained, KnowsWallsByTheirForceOnTheGrains) {
 TEST(CoarseGrained, RefusesWhatHasNoVolume) {
   Packing p = gas(1);
   EXPECT_THROW(grid_over(p.domain, 0), InputError);
-  EXPECT_THROW(coarse_grain(p, grid_over(p.domain, 1), {KernelShape::lucy, 0, {}}), InputError);
-  EXPECT_THROW(coarse_grain(p, {{0, 1, 0, 1}, 0, 3}, {KernelShape::lucy, 1, {}}), InputError);
+  EXPECT_THROW(coarse_grain(p, grid_over(p.domain, 1), {KernelShape::lucy, 0, {}, {}}), InputError);
+  EXPECT_THROW(coarse_grain(p, {{0, 1, 0, 1}, 0, 3}, {KernelShape::lucy, 1, {}, {}}), InputError);
   p.domain.thickness = 0;
-  EXPECT_THROW(coarse_grain(p, grid_over(p.domain, 1), {KernelShape::lucy, 1, {}}), InputError);
+  EXPECT_THROW(coarse_grain(p, grid_over(p.domain, 1), {KernelShape::lucy, 1, {}, {}}), InputError);
   EXPECT_EQ(grid_over(p.domain, 0.1).columns, 100);
 }
 

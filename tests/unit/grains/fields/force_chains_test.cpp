@@ -74,8 +74,8 @@ TEST(ForceChains, FindsTheLoadedColumnOfALattice) {
   EXPECT_DOUBLE_EQ(f.mean_length, 5);
   EXPECT_DOUBLE_EQ(f.grain_share, 0.2);
   EXPECT_NEAR(f.mean_stress, 2 * 2.8 / (std::numbers::pi * 0.5), 1e-12);
-  EXPECT_TRUE(find_force_chains(p, {1, 45, 6}).chains.empty());
-  EXPECT_TRUE(find_force_chains(p, {3.6, 45, 3}).chains.empty());  // 10 N are 3.57 times the mean
+  EXPECT_TRUE(find_force_chains(p, {1, 45 * degree, 6}).chains.empty());
+  EXPECT_TRUE(find_force_chains(p, {3.6, 45 * degree, 3}).chains.empty());  // 10 N are 3.57 times the mean
 }
 
 TEST(ForceChains, CloseAroundAPeriodicCell) {
@@ -91,7 +91,7 @@ TEST(ForceChains, CloseAroundAPeriodicCell) {
 TEST(ForceChains, BreakWhereTheyBendByMoreThanTwiceTheAngle) {
   // At a bend by 60 degrees the direction of greatest compression halves it: 30 degrees off either branch.
   const Packing p = bent_chain({0, 0, 0, 60, 60, 60});
-  const auto whole = find_force_chains(p, {1, 31, 3}), parts = find_force_chains(p, {1, 29, 2});
+  const auto whole = find_force_chains(p, {1, 31 * degree, 3}), parts = find_force_chains(p, {1, 29 * degree, 2});
   EXPECT_EQ(whole.chains, std::vector<Chain>{(Chain{0, 1, 2, 3, 4, 5, 6})});
   EXPECT_EQ(parts.chains, (std::vector<Chain>{{0, 1, 2}, {4, 5, 6}}));  // the grain at the bend belongs to neither
 }
@@ -111,7 +111,7 @@ TEST(ForceChains, GoStraightOnAtAFork) {
   }
   p.contacts.add(static_cast<std::int32_t>(last), wall_partner(top), {-std::cos(35 * degree), -std::sin(35 * degree)},
                  0.8, 0, 0.5, 0);
-  const ForceChains f = find_force_chains(p, {1, 45, 3});
+  const ForceChains f = find_force_chains(p, {1, 45 * degree, 3});
   ASSERT_EQ(f.chains.size(), 2u);
   EXPECT_EQ(f.chains[0], (Chain{0, 1, 2, 3, 4, 5, 6}));
   EXPECT_EQ(f.chains[1], (Chain{27, 28, 29}));
