@@ -83,10 +83,11 @@ void add_reading(Options& command, KeyOptions& map) {
 }
 
 void add_loading(Options& command, KeyOptions& load) {
-  for (const char* key : {"loading", "axis", "lower", "method", "strain", "tolerance", "stop_at_voids", "exact_stretch",
-                          "moduli", "failure", "cracks_stay_open", "max_strain"})
+  for (const char* key : {"loading", "axis", "lower", "method", "element", "plane", "strain", "tolerance",
+                          "stop_at_voids", "exact_stretch", "moduli", "failure", "cracks_stay_open", "max_strain"})
     load.add(command, option_name(key), key);
   load.add(command, "--stiffness", "stiffness").type("MODULI");
+  load.add(command, "--poisson", "poisson").type("RATIOS");
   load.add(command, "--toughness", "toughness").type("TOUGHNESS");
   load.add(command, "--strength", "strength").type("STRENGTH");
   load.add(command, "--clamp-rows", "statistics.clamp_rows");

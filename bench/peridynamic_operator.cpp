@@ -2,6 +2,7 @@
 
 #include "../tests/support/cemented_sample.hpp"
 #include "process_use.hpp"
+#include "solid/elements/kernels/kernels.hpp"
 #include "solid/peridynamics/kernels/kernels.hpp"
 
 namespace {
@@ -37,30 +38,33 @@ template <class Pass> void measure(benchmark::State& state, const PhaseMap& map,
   state.counters["S_m"] = test::matrix_saturation(map);
 }
 
-template <class T> void force_of_bonds(benchmark::State& state) {
+auto of_bonds(const PhaseMap& map) { return make_bonds(map, {}); }
+auto of_elements(const PhaseMap& map) { return elements::make_elements(map, {}); }
+
+template <class T, auto make> void force(benchmark::State& state) {
   const PhaseMap map = sample(state);
-  const Bonds bonds = make_bonds(map, {});
-  const std::vector<std::uint8_t> prescribed(static_cast<std::size_t>(map.height), 0);
-  const Field<T> u = ramp<T>(bonds.grid);
-  Field<T> f(bonds.grid.padded_size());
-  const Kernels& k = kernels();
+  const auto cut = make(map);
+  const std::vector<std::uint8_t> prescribed(static_cast<std::size_t>(cut.grid.height), 0);
+  const Field<T> u = ramp<T>(cut.grid);
+  Field<T> f(cut.grid.padded_size());
+  const auto& k = kernels_of(cut);
   measure(state, map, [&] {
     if constexpr (std::is_same_v<T, double>)
-      benchmark::DoNotOptimize(k.force(bonds, prescribed.data(), plane(u), plane(f)));
-    else benchmark::DoNotOptimize(k.force_float(bonds, prescribed.data(), plane(u), plane(f)));
+      benchmark::DoNotOptimize(k.force(cut, prescribed.data(), plane(u), plane(f)));
+    else benchmark::DoNotOptimize(k.force_float(cut, prescribed.data(), plane(u), plane(f)));
   });
   state.SetLabel(k.name);
 }
 
-void chebyshev_step(benchmark::State& state) {
+template <auto make> void chebyshev_step(benchmark::State& state) {
   const PhaseMap map = sample(state);
-  const Bonds bonds = make_bonds(map, {});
-  const auto n = bonds.grid.padded_size();
-  const Field<float> z = ramp<float>(bonds.grid), r = ramp<float>(bonds.grid);
+  const auto cut = make(map);
+  const auto n = cut.grid.padded_size();
+  const Field<float> z = ramp<float>(cut.grid), r = ramp<float>(cut.grid);
   Field<float> older(n);
   Buffer<float> xx(n), xy(n), yy(n);
   measure(state, map, [&] {
-    kernels().chebyshev(bonds, plane(z), plane(older), plane(r), {xx.data(), xy.data(), yy.data()}, 0.3f, 0.2f);
+    kernels_of(cut).chebyshev(cut, plane(z), plane(older), plane(r), {xx.data(), xy.data(), yy.data()}, 0.3f, 0.2f);
   });
 }
 
@@ -88,9 +92,12 @@ void samples(benchmark::internal::Benchmark* b) {
 
 }  // namespace
 
-BENCHMARK(force_of_bonds<double>)->Apply(samples);
-BENCHMARK(force_of_bonds<float>)->Apply(samples);
-BENCHMARK(chebyshev_step)->Apply(samples);
+BENCHMARK(force<double, of_bonds>)->Apply(samples);
+BENCHMARK(force<float, of_bonds>)->Apply(samples);
+BENCHMARK(chebyshev_step<of_bonds>)->Apply(samples);
+BENCHMARK(force<double, of_elements>)->Apply(samples);
+BENCHMARK(force<float, of_elements>)->Apply(samples);
+BENCHMARK(chebyshev_step<of_elements>)->Apply(samples);
 BENCHMARK(explicit_step)->Apply(samples);
 BENCHMARK(make_all_bonds)->Args({250, 20});
 

@@ -4,6 +4,7 @@
 
 #include "../tests/support/cemented_sample.hpp"
 #include "process_use.hpp"
+#include "solid/elements/load.hpp"
 #include "solid/peridynamics/load.hpp"
 
 namespace {
@@ -28,7 +29,7 @@ const PhaseMap& sample(const benchmark::State& state) {
   return made[key];
 }
 
-void run(benchmark::State& state, const LoadOptions& options) {
+template <class Options> void run(benchmark::State& state, const Options& options) {
   const PhaseMap& map = sample(state);
   LoadReport report;
   const double start = cpu_seconds();
@@ -46,7 +47,10 @@ void run(benchmark::State& state, const LoadOptions& options) {
 }
 
 /// The whole of `load`: bonds, pieces, coarse factor, iterations, stresses.
-void static_solve(benchmark::State& state) { run(state, {}); }
+void static_solve(benchmark::State& state) { run(state, LoadOptions{}); }
+
+/// The same of elements of the same moduli.
+void solve_of_elements(benchmark::State& state) { run(state, elements::LoadOptions{}); }
 
 void adaptive_relaxation(benchmark::State& state) {
   LoadOptions options;
@@ -71,6 +75,7 @@ BENCHMARK(static_solve)
     ->ArgNames({"nodes", "gamma", "bridge"})
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
+BENCHMARK(solve_of_elements)->Apply(samples);
 BENCHMARK(adaptive_relaxation)
     ->Args({1024, 250, 40})
     ->ArgNames({"nodes", "gamma", "bridge"})

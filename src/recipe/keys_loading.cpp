@@ -27,10 +27,26 @@ std::vector<Word> words(peridynamics::LowerEdge) {
   return {{"fixed", "nothing moves"}, {"sliding", "free along the row"}};
 }
 
-std::vector<Word> words(peridynamics::Method) {
-  return {{"static_solve", "conjugate gradients with a coarse space divided by grain: seconds"},
-          {"relaxation", "adaptive dynamic relaxation: half a minute"},
-          {"damped", "dynamics with a fixed viscosity, as in the paper: minutes"}};
+std::vector<Word> words(LoadMethod) {
+  return {
+      {"peridynamics",
+       "bonds between nodes, as in the paper, whose Poisson's ratio is 1/3; conjugate gradients with a coarse space "
+       "divided by grain: seconds",
+       "static_solve"},
+      {"elements",
+       "finite elements, one a pixel, with any Poisson's ratio, by the same solver; necks of few nodes are as stiff as "
+       "they are"},
+      {"relaxation", "bonds, by adaptive dynamic relaxation: half a minute"},
+      {"damped", "bonds, by dynamics with a fixed viscosity, as in the paper: minutes"}};
+}
+
+std::vector<Word> words(elements::Element) {
+  return {{"wilson", "with incompatible modes: exact in bending"}, {"full", "bilinear, fully integrated"}};
+}
+
+std::vector<Word> words(elements::PlaneState) {
+  return {{"stress", "nothing pulls across the plane: a thin plate"},
+          {"strain", "nothing strains across the plane: a long prism"}};
 }
 
 std::vector<Word> words(Load::Axis) { return {{"y", ""}, {"x", ""}}; }
@@ -85,17 +101,27 @@ void declare(Visitor& v, GridSection& grid) {
 namespace {
 
 void declare(Visitor& v, StiffnessSection& stiffness) {
-  v.number({"matrix", "Young's modulus of bonds between two nodes of matrix."}, stiffness.matrix, "GPa",
-           range::positive);
+  v.number({"matrix", "Young's modulus of the matrix: of bonds between two of its nodes, or its elements."},
+           stiffness.matrix, "GPa", range::positive);
   v.number(
-      {"interface", "Young's modulus of bonds between two grains, or grain and matrix; unless given, the matrix's."},
+      {"interface",
+       "Young's modulus of bonds between two grains, or grain and matrix; of elements of a grain that touch another "
+       "grain, and of the matrix that touch one; unless given, the matrix's."},
       stiffness.interface, "GPa", range::positive);
-  v.number({"particle", "Young's modulus of bonds inside a grain; unless given, four times the matrix's."},
-           stiffness.particle, "GPa", range::positive);
+  v.number({"particle", "Young's modulus of the grains; unless given, four times the matrix's."}, stiffness.particle,
+           "GPa", range::positive);
   v.flag({"calibrated",
           "The modulus of the lattice along its axes has the prescribed value; false: the continuum formula, 6 % "
           "stiffer."},
          stiffness.calibrated);
+}
+
+void declare(Visitor& v, PoissonSection& poisson) {
+  constexpr Range allowed{-0.99, 0.499};
+  v.number({"matrix", "Poisson's ratio of the matrix."}, poisson.matrix, "", allowed);
+  v.number({"interface", "Poisson's ratio of the interfaces; unless given, the matrix's."}, poisson.interface, "",
+           allowed);
+  v.number({"particle", "Poisson's ratio of the grains; unless given, the matrix's."}, poisson.particle, "", allowed);
 }
 
 void declare(Visitor& v, ToughnessSection& toughness) {
@@ -158,7 +184,14 @@ void declare(Visitor& v, Load& load) {
   v.when(!load.failure, "failure = false", [&](Visitor& inner) {
     inner.number({"strain", "Nominal strain: displacement of the top row over the height."}, load.strain, "",
                  range::above(0, 0.5));
-    inner.choice({"method", "Solution method for the equilibrium field."}, load.method, words(load.method));
+    inner.choice({"method", "What joins the nodes, and how the field at equilibrium is found."}, load.method,
+                 words(load.method));
+    inner.when(load.method == LoadMethod::elements, "method = \"elements\"", [&](Visitor& elements) {
+      elements.choice({"element", "How an element bends."}, load.element, words(load.element));
+      elements.choice({"plane", "What happens across the plane."}, load.plane, words(load.plane));
+      elements.section({"poisson", "Poisson's ratios of elements by phase."},
+                       [&](Visitor& section) { declare(section, load.poisson); });
+    });
     inner.flag({"exact_stretch", "Exact stretch of the rotated bond, as printed in the paper; otherwise linearised."},
                load.exact_stretch);
     inner.flag(
@@ -190,10 +223,25 @@ void declare(Visitor& v, Load& load) {
                    "toughness, on any grid."},
                   [&](Visitor& section) { declare(section, load.strength); });
   });
-  v.section({"stiffness", "Young's moduli of the bonds by type."},
+  v.section({"stiffness", "Young's moduli of bonds or elements by type."},
             [&](Visitor& inner) { declare(inner, load.stiffness); });
   v.section({"statistics", "Nodes that the statistics leave out."},
             [&](Visitor& inner) { declare(inner, load.statistics); });
+}
+
+peridynamics::Method Load::bond_method() const {
+  return method == LoadMethod::relaxation ? peridynamics::Method::relaxation
+         : method == LoadMethod::damped   ? peridynamics::Method::damped
+                                          : peridynamics::Method::static_solve;
+}
+
+elements::Material Load::material() const {
+  const peridynamics::Stiffness e = stiffness.resolved();
+  return {{e.matrix, poisson.matrix},
+          {e.interface, poisson.interface.value_or(poisson.matrix)},
+          {e.particle, poisson.particle.value_or(poisson.matrix)},
+          element,
+          plane};
 }
 
 peridynamics::Stiffness StiffnessSection::resolved() const {
@@ -225,7 +273,7 @@ void declare_cemented(Visitor& v, Recipe& recipe) {
 void declare_field(Visitor& v, Recipe& recipe) {
   v.when(!recipe.map, no_map, [&](Visitor& of_grains) { declare_cemented(of_grains, recipe); });
   v.list<Load>(
-      {"loads", "Loads on the cemented sample, or on [map], by peridynamics, each from the unloaded state."},
+      {"loads", "Loads on the cemented sample, or on [map], by bonds or elements, each from the unloaded state."},
       recipe.loads, [&](Visitor& inner, Load& load) {
         inner.text({"name", "Name of the load, used for its file: letters, digits, _ and -.", true}, load.name);
         require_own_name(inner, load, recipe);

@@ -17,6 +17,7 @@
 #include "recipe/document.hpp"
 #include "recipe/record.hpp"
 #include "solid/cement/cement.hpp"
+#include "solid/elements/options.hpp"
 #include "solid/grid/cavities.hpp"
 #include "solid/peridynamics/options.hpp"
 #include "solid/stress/options.hpp"
@@ -97,6 +98,13 @@ struct StiffnessSection {
   peridynamics::Stiffness resolved() const;
 };
 
+/// Poisson's ratio of elements; what is not given is as in the lattice, 1/3.
+struct PoissonSection {
+  double matrix = 1.0 / 3;
+  std::optional<double> interface, particle;  ///< as the matrix
+  bool operator==(const PoissonSection&) const = default;
+};
+
 /// Fracture toughness of the bonds, Pa m^0.5; what is not given follows P Table I.
 struct ToughnessSection {
   double matrix = 1e5;
@@ -112,7 +120,10 @@ struct StrengthSection {
   peridynamics::Strength resolved() const;
 };
 
-/// One loading of the cemented sample by peridynamics.
+/// What joins the nodes of a sample, and how its field is found: bonds (peridynamics::Method), or elements.
+enum class LoadMethod { peridynamics, elements, relaxation, damped };
+
+/// One loading of the cemented sample.
 struct Load : peridynamics::LoadCase, peridynamics::FieldChoices, peridynamics::FailureChoices {
   enum class Axis { y, x };
   Load() { max_strain = 0.1; }
@@ -120,10 +131,17 @@ struct Load : peridynamics::LoadCase, peridynamics::FieldChoices, peridynamics::
   Axis axis = Axis::y;
   bool moduli = false;   ///< load it along both axes and in shear, too
   bool failure = false;  ///< pull until it breaks
+  LoadMethod method = LoadMethod::peridynamics;
+  elements::Element element = elements::Element::wilson;
+  elements::PlaneState plane = elements::PlaneState::stress;
+  PoissonSection poisson;
   StiffnessSection stiffness;
   ToughnessSection toughness;
   StrengthSection strength;
   stress::StressOptions statistics;
+  bool by_elements() const { return !failure && method == LoadMethod::elements; }
+  peridynamics::Method bond_method() const;
+  elements::Material material() const;
   bool operator==(const Load&) const = default;
 };
 
@@ -229,7 +247,9 @@ void declare(ParameterVisitor& visitor, Load& load);
 std::vector<Word> words(cement::CementParameters::Kind);
 std::vector<Word> words(peridynamics::Loading);
 std::vector<Word> words(peridynamics::LowerEdge);
-std::vector<Word> words(peridynamics::Method);
+std::vector<Word> words(LoadMethod);
+std::vector<Word> words(elements::Element);
+std::vector<Word> words(elements::PlaneState);
 std::vector<Word> words(Load::Axis);
 std::vector<Word> words(grid::Cavity);
 

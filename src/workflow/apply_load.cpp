@@ -14,6 +14,7 @@
 #include "io/disk/store_file.hpp"
 #include "io/image/phase_map.hpp"
 #include "io/results/results.hpp"
+#include "solid/elements/load.hpp"
 #include "solid/grid/crop.hpp"
 #include "solid/grid/map_numbers.hpp"
 #include "solid/stress/grains.hpp"
@@ -58,16 +59,6 @@ History curve_of(const std::vector<peridynamics::DamageState>& states) {
   return curve;
 }
 
-std::vector<Crack> cracks_of(const std::vector<peridynamics::BrokenBond>& broken, double dx) {
-  std::vector<Crack> cracks;
-  for (const auto& bond : broken) {
-    const auto step = peridynamics::half_bonds[bond.direction];
-    cracks.push_back({static_cast<float>((bond.x + 0.5 + 0.5 * step.x) * dx),
-                      static_cast<float>((bond.y + 0.5 + 0.5 * step.y) * dx), bond.type, bond.strain});
-  }
-  return cracks;
-}
-
 /// As a file holds it, in single precision, so that statistics are the same before and after.
 StressField as_stored(StressField field) {
   for (auto* values : {&field.ux, &field.uy, &field.xx, &field.yy, &field.xy})
@@ -110,12 +101,34 @@ std::optional<FieldResult> load_until_failure(const recipe::Load& load, FieldRes
       tested.ending == Ending::severed || tested.ending == Ending::dropped || tested.ending == Ending::strain_reached;
   result.outcome = tested.sentence;
   result.curve = curve_of(tested.curve);
-  result.cracks = cracks_of(tested.broken, result.map.dx);
+  result.cracks = peridynamics::cracks_of(tested.broken, result.map.dx);
   add_failure(result.numbers, load, tested, result.map.dx);
   note_bonds_across_voids(result.numbers, load, result.map);
   result.field = as_stored(std::move(tested.at_strength));
   return result;
 }
+
+/// Bonds or elements.
+class Loader {
+ public:
+  Loader(const recipe::Load& load, const statics::Watch& watch)
+      : by_elements_(load.by_elements()),
+        bonds_{load, load, load.stiffness.resolved(), watch},
+        elements_{load.loading, load.lower, load.strain, load.tolerance, load.max_iterations, load.material(), watch} {
+    bonds_.method = load.bond_method();
+  }
+  statics::LoadResult load(const PhaseMap& map) const {
+    return by_elements_ ? elements::load(map, elements_) : peridynamics::load(map, bonds_);
+  }
+  statics::EffectiveModuli effective_moduli(const PhaseMap& map) const {
+    return by_elements_ ? elements::effective_moduli(map, elements_) : peridynamics::effective_moduli(map, bonds_);
+  }
+
+ private:
+  bool by_elements_;
+  peridynamics::LoadOptions bonds_;
+  elements::LoadOptions elements_;
+};
 
 }  // namespace
 
@@ -148,22 +161,22 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
     if (tested) measure_stress(load, *tested, measured, contact_stresses);
     return tested;
   }
-  const peridynamics::LoadOptions options{load, load, load.stiffness.resolved(), watch};
-  auto loaded = peridynamics::load(result.map, options);
-  if (loaded.report.ending == peridynamics::Ending::stopped) return std::nullopt;
-  result.converged = loaded.report.ending == peridynamics::Ending::solved;
+  const Loader loader(load, watch);
+  auto loaded = loader.load(result.map);
+  if (loaded.report.ending == statics::Ending::stopped) return std::nullopt;
+  result.converged = loaded.report.ending == statics::Ending::solved;
   result.outcome = loaded.report.sentence;
   result.convergence = convergence_of(loaded.report.history);
-  std::optional<peridynamics::EffectiveModuli> moduli;
+  std::optional<statics::EffectiveModuli> moduli;
   if (load.moduli && result.converged) {
-    moduli = peridynamics::effective_moduli(result.map, options);
+    moduli = loader.effective_moduli(result.map);
     for (const auto& report : moduli->reports) {
-      if (report.ending == peridynamics::Ending::stopped) return std::nullopt;
-      result.converged = result.converged && report.ending == peridynamics::Ending::solved;
+      if (report.ending == statics::Ending::stopped) return std::nullopt;
+      result.converged = result.converged && report.ending == statics::Ending::solved;
     }
   }
   add_load(result.numbers, load, loaded.report, moduli);
-  note_bonds_across_voids(result.numbers, load, result.map);
+  if (!load.by_elements()) note_bonds_across_voids(result.numbers, load, result.map);
   result.field = as_stored(std::move(loaded.field));
   measure_stress(load, result, measured, contact_stresses);
   return result;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "model/elasticity/bounds.hpp"
 #include "recipe/recipe.hpp"
@@ -46,18 +47,34 @@ Numbers limits(const peridynamics::Strength& f) {
 
 Numbers as_asked(const recipe::Load& load) {
   const peridynamics::Stiffness e = load.stiffness.resolved();
-  return {{"loading", recipe::word_of(load.loading)},
-          {"axis", recipe::word_of(load.axis)},
-          {"stiffness_Pa", described({{"matrix", e.matrix}, {"interface", e.interface}, {"particle", e.particle}}, "Pa",
-                                     "Young's modulus of these bonds")}};
+  Numbers j{{"loading", recipe::word_of(load.loading)},
+            {"axis", recipe::word_of(load.axis)},
+            {"stiffness_Pa", described({{"matrix", e.matrix}, {"interface", e.interface}, {"particle", e.particle}},
+                                       "Pa", "Young's modulus of these bonds or elements")}};
+  if (!load.by_elements()) return j;
+  const elements::Material m = load.material();
+  j["element"] = recipe::word_of(m.element);
+  j["plane"] = recipe::word_of(m.plane);
+  j["poisson_ratio"] =
+      described({{"matrix", m.matrix.poisson}, {"interface", m.interface.poisson}, {"particle", m.particle.poisson}},
+                "", "Poisson's ratio of these elements");
+  return j;
 }
 
-/// Of Young's modulus, by the phases' shares. The lattice's Poisson's ratio is 1/3.
-Numbers bounds(const Numbers& phases, const peridynamics::Stiffness& e) {
+/// Poisson's ratio of all phases under plane stress; nothing where they differ, or strains across the plane are held.
+std::optional<double> one_poisson_ratio(const recipe::Load& load) {
+  if (!load.by_elements()) return 1.0 / 3;  // the lattice's
+  const elements::Material m = load.material();
+  const bool alike = m.matrix.poisson == m.particle.poisson && m.plane == elements::PlaneState::stress;
+  return alike ? std::optional(m.matrix.poisson) : std::nullopt;
+}
+
+/// Of Young's modulus, by the phases' shares.
+Numbers bounds(const Numbers& phases, const peridynamics::Stiffness& e, double poisson) {
   const auto b = elasticity::modulus_bounds({{phases["particle"].get<double>(), e.particle},
                                              {phases["matrix"].get<double>(), e.matrix},
                                              {phases["void"].get<double>(), 0}},
-                                            1.0 / 3);
+                                            poisson);
   return {{"voigt", b.voigt},
           {"hashin_shtrikman_upper", b.shtrikman_upper},
           {"hashin_shtrikman_lower", b.shtrikman_lower},
@@ -123,8 +140,8 @@ void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadRepo
     j["modulus_Pa"] = described(report.modulus, "Pa", "Apparent modulus, mean stress over strain");
     if (load.loading != peridynamics::Loading::shear)
       j["poisson"] = described(report.poisson, "", "Apparent Poisson's ratio, of the middle half");
-    if (j.contains("phases"))
-      j["modulus_bounds_Pa"] = described(bounds(j["phases"], load.stiffness.resolved()), "Pa",
+    if (const auto poisson = one_poisson_ratio(load); poisson && j.contains("phases"))
+      j["modulus_bounds_Pa"] = described(bounds(j["phases"], load.stiffness.resolved(), *poisson), "Pa",
                                          "Bound of Young's modulus from the phase fractions");
   }
   if (moduli)

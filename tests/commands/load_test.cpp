@@ -53,6 +53,28 @@ TEST(Load, TellsTheIterationsOfWhatIsNotStored) {
   EXPECT_EQ(apart.err.find("taken from an earlier run"), std::string::npos) << apart.err;
 }
 
+TEST(Load, ElementsGiveLayersTheirExactModulusAndSayWhatTheyAreMadeOf) {
+  const TemporaryFolder folder;
+  const std::string map = layers(folder / "map.h5") + " --phases 1=particle,2=matrix --method elements --json ";
+  const auto loaded = arenite("load " + map + "--poisson 'matrix=0'");
+  ASSERT_EQ(loaded.status, 0) << loaded.err;
+  const Json j = Json::parse(loaded.out);
+  EXPECT_NEAR(j["modulus_Pa"].get<double>() / 2.5e9, 1, 1e-5);  // interfaces lie in the matrix
+  EXPECT_NEAR(j["load"]["reaction_balance_error"].get<double>(), 0, 1e-6);
+  EXPECT_EQ(j["load"]["method"], "elements");
+  EXPECT_EQ(j["load"]["element"], "wilson");
+  EXPECT_EQ(j["load"]["plane"], "stress");
+  EXPECT_EQ(j["load"]["poisson_ratio"]["particle"], 0);
+  EXPECT_FALSE(j["load"].contains("bonds_across_voids"));
+  const auto strained = arenite("load " + map + "--poisson 'matrix=0.3,particle=0.2' --plane strain");
+  ASSERT_EQ(strained.status, 0) << strained.err;
+  EXPECT_FALSE(Json::parse(strained.out).contains("modulus_bounds_Pa"));
+  EXPECT_GT(Json::parse(strained.out)["modulus_Pa"].get<double>(), j["modulus_Pa"].get<double>());
+  const auto wrong = arenite("load " + map + "--poisson 'matrix=0.5'");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_NE(wrong.err.find("0.499"), std::string::npos) << wrong.err;
+}
+
 TEST(Load, StoresFieldAndPageAndMeasuresThemAgain) {
   const TemporaryFolder folder;
   const auto loaded = arenite("load " + layers(folder / "map.h5") + " --phases 1=particle,2=matrix --moduli --out " +

@@ -18,6 +18,16 @@ def test_a_map_is_loaded_and_its_reaction_is_the_mean_stress():
     assert 1e9 * 1e-4 < rows.mean() < 4e9 * 1e-4
 
 
+def test_elements_take_poissons_ratios_of_phases():
+    soft = arenite.load(two_blocks(), method="elements", matrix_poisson=0.1)
+    held = arenite.load(two_blocks(), method="elements", matrix_poisson=0.45, plane="strain")
+    assert soft.converged and soft.sigma_yy.shape == (64, 48)
+    assert np.ptp(soft.sigma_yy.mean(axis=1)) < 1e-4 * soft.sigma_yy.mean()  # equilibrium row by row, clamps too
+    assert held.sigma_yy.mean() > 1.1 * soft.sigma_yy.mean()
+    with pytest.raises(ValueError, match="matrix_poisson"):
+        arenite.load(two_blocks(), method="elements", matrix_poisson=0.5)
+
+
 def test_units_are_read_and_moduli_scale():
     soft = arenite.load(two_blocks(), matrix="1 GPa")
     stiff = arenite.load(two_blocks(), matrix=2e9)

@@ -98,6 +98,7 @@ def test_every_figure_of_a_run_is_drawn_and_embeds_its_fonts(drawn):
         "surface-angle",
         "size-curve",
         "broken-bonds",
+        "boundary-forces",
         "cracks",
     }
     field = {"stress", "displacement", "stress-pdf", "convergence"}

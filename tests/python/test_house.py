@@ -22,7 +22,7 @@ FLOORS = [
 # The chambers of a room, from left to right: one includes itself and those before it.
 CHAMBERS = {
     "grains": ["packing", "dem", "texture", "fields"],
-    "solid": ["cement", "grid", "peridynamics", "stress"],
+    "solid": ["cement", "grid", "statics", "peridynamics", "elements", "stress"],
     "thermal": ["radiometry", "optics", "camera", "imaging", "thermography", "inference", "identify"],
 }
 
@@ -132,6 +132,7 @@ LISTS = {
     "recipe/recipe.hpp": "film_keys keys keys_boundaries keys_boundary_shapes keys_exchange keys_loading "
     "keys_map keys_membranes keys_stages",
     "report/figures/drawing.hpp": "distributions failure film_forces run_figures",
+    "solid/elements/kernels/kernels.hpp": "avx2 avx512 portable",
     "solid/peridynamics/kernels/kernels.hpp": "avx2 avx512 portable",
     "thermal/thermography/kernels/kernels.hpp": "avx2 avx512 portable",
 }

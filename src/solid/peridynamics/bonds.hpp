@@ -9,54 +9,34 @@
 #include "model/phase_map.hpp"
 #include "solid/peridynamics/lattice.hpp"
 #include "solid/peridynamics/options.hpp"
+#include "solid/statics/aggregates.hpp"
+#include "solid/statics/block_diagonal.hpp"
+#include "solid/statics/couplings.hpp"
+#include "solid/statics/grid.hpp"
 
 namespace arenite::peridynamics {
 
-/// How a grid lies in memory while it is worked on: rows padded with empty nodes by at least a horizon on every side,
-/// so that no loop asks where the sample ends, and to whole vectors of 16 nodes, so that loops run in full lanes.
-struct Grid {
-  static constexpr int lanes = 8;    ///< nodes of a group
-  static constexpr int vector = 16;  ///< nodes of the widest vector
-  int width = 0, height = 0;         ///< nodes of the sample
-  int groups = 0;                    ///< groups of 8 nodes a row
-  std::ptrdiff_t stride = 0;         ///< nodes from one row to the next
-
-  Grid() = default;
-  Grid(int w, int h) : width(w), height(h), groups((w + lanes - 1) / lanes), stride(row_vectors() * vector + vector) {
-    if (stride % 128 == 0) stride += vector;  // rows a power of two apart share cache sets
-  }
-  int row_vectors() const { return (width + vector - 1) / vector; }
-  std::ptrdiff_t row(int y) const { return (y + 3) * stride + vector; }
-  std::ptrdiff_t index(int x, int y) const { return row(y) + x; }
-  std::ptrdiff_t step(int d) const { return half_bonds[d].x + half_bonds[d].y * stride; }  ///< along a half bond
-  /// Every node of the sample in the map's order: visit(i, y).
-  template <class Visit> void each(const Visit& visit) const {
-    for (int y = 0; y < height; ++y)
-      for (std::ptrdiff_t i = row(y), end = i + width; i < end; ++i) visit(i, y);
-  }
-  std::size_t padded_size() const { return static_cast<std::size_t>((height + 6) * stride + 3 * vector); }
-};
-
-/// A plane vector at every node of a grid.
-template <class T> struct Field {
-  Buffer<T> x, y;
-  Field() = default;
-  explicit Field(std::size_t padded_size) : x(padded_size), y(padded_size) {}
-  Vec2 at(std::ptrdiff_t i) const { return {static_cast<double>(x[i]), static_cast<double>(y[i])}; }
-  void set(std::ptrdiff_t i, Vec2 v) { x[i] = static_cast<T>(v.x), y[i] = static_cast<T>(v.y); }
-};
-
-template <class T> void set_zero(Field<T>& a) {
-  std::fill_n(a.x.data(), a.x.size(), T(0));
-  std::fill_n(a.y.data(), a.y.size(), T(0));
-}
+using statics::Aggregates;
+using statics::Block;
+using statics::BlockDiagonal;
+using statics::BlockPlane;
+using statics::Coupling;
+using statics::Field;
+using statics::Grid;
+using statics::Hats;
+using statics::hats_at;
+using statics::Plane;
+using statics::plane;
+using statics::Prescribed;
+using statics::set_zero;
+using enum statics::Prescribed;
 
 /// Type of a bond, by what its two nodes are (P II.D): both matrix; both in one particle; otherwise interface. A void
 /// node has no bonds.
 enum BondType : unsigned { no_bond = 0, matrix_bond = 1, interface_bond = 2, particle_bond = 3 };
 
-/// What is prescribed in a row of nodes, as bits.
-enum Prescribed : std::uint8_t { nothing_prescribed = 0, x_prescribed = 1, y_prescribed = 2, both_prescribed = 3 };
+/// From a node of a grid to its neighbour along a half bond.
+inline std::ptrdiff_t step_of(const Grid& grid, int d) { return half_bonds[d].x + half_bonds[d].y * grid.stride; }
 
 /// Throws InputError where a parameter of bonds is not positive for a type of bond.
 void check_by_type(const char* parameter, const char* unit, double matrix, double interface, double particle);
@@ -79,7 +59,7 @@ struct Bonds {
   std::uint8_t group_at(int x, int y) const {
     return group[static_cast<std::ptrdiff_t>(y) * grid.groups + x / Grid::lanes];
   }
-  std::ptrdiff_t step(int d) const { return grid.step(d); }
+  std::ptrdiff_t step(int d) const { return step_of(grid, d); }
   /// Force over e (e . du)/|e|^3 of a bond of this type, Pa.
   double modulus(unsigned t) const { return scale * static_cast<double>(relative[t]); }
 };
@@ -118,7 +98,7 @@ void each_bond_of_row(const Grid& grid, const Buffer<std::uint32_t>& words, int 
     const std::uint32_t word = words[i];
     if (!word) continue;
     for (int d = 0; d < bonds_per_node; ++d)
-      if (const unsigned type = word >> (2 * d) & 3u) visit(Bond{i, i + grid.step(d), x, y, d, type});
+      if (const unsigned type = word >> (2 * d) & 3u) visit(Bond{i, i + step_of(grid, d), x, y, d, type});
   }
 }
 template <class Visit> void each_bond_of_row(const Bonds& bonds, int y, const Visit& visit) {

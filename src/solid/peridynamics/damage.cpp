@@ -255,4 +255,14 @@ DamageResult load_to_failure(const PhaseMap& map, const DamageOptions& options) 
   return test.finish();
 }
 
+std::vector<Crack> cracks_of(const std::vector<BrokenBond>& broken, double dx) {
+  std::vector<Crack> cracks;
+  for (const auto& bond : broken) {
+    const auto step = half_bonds[bond.direction];
+    cracks.push_back({static_cast<float>((bond.x + 0.5 + 0.5 * step.x) * dx),
+                      static_cast<float>((bond.y + 0.5 + 0.5 * step.y) * dx), bond.type, bond.strain});
+  }
+  return cracks;
+}
+
 }  // namespace arenite::peridynamics

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/phase_map.hpp"
+#include "model/result.hpp"
 #include "solid/peridynamics/failure_state.hpp"
 
 namespace arenite::peridynamics {
@@ -47,5 +48,8 @@ std::array<double, 4> critical_stretches(const DamageOptions& options, double dx
 /// columns, which carry on: bound such a run by its strain or its rounds. Throws InputError for a map or options that
 /// make no sense and for a state of a map of another size.
 DamageResult load_to_failure(const PhaseMap& map, const DamageOptions& options);
+
+/// Broken bonds as cracks: their middles, m from the lower left corner of the map.
+std::vector<Crack> cracks_of(const std::vector<BrokenBond>& broken, double dx);
 
 }  // namespace arenite::peridynamics

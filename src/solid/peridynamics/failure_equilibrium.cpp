@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "solid/peridynamics/aggregates.hpp"
-#include "solid/peridynamics/solvers/residual.hpp"
+#include "solid/peridynamics/bonded_aggregates.hpp"
 
 namespace arenite::peridynamics {
 namespace {

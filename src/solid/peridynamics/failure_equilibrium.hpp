@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "solid/peridynamics/damage.hpp"
+#include "solid/peridynamics/exact_stretch.hpp"
 #include "solid/peridynamics/failure_state.hpp"
-#include "solid/peridynamics/solvers/static_solver.hpp"
 #include "solid/peridynamics/support.hpp"
 
 namespace arenite::peridynamics {

@@ -6,9 +6,16 @@
 
 #include "core/vec.hpp"
 #include "solid/peridynamics/laws/laws.hpp"
+#include "solid/statics/loading.hpp"
+#include "solid/statics/watch.hpp"
 
 /// Bonds between the nodes of a phase map, and what a load does to them (P II.C). Here are the choices.
 namespace arenite::peridynamics {
+
+using statics::Loading;
+using statics::LowerEdge;
+using statics::Progress;
+using statics::Watch;
 
 /// Young moduli of the bond types, Pa (P Table I: E_p = 4 E_m, E_i = E_m).
 struct Stiffness {
@@ -28,30 +35,10 @@ struct Strength {
   double matrix = HUGE_VAL, interface = HUGE_VAL, particle = HUGE_VAL;
 };
 
-/// How the top row of nodes is moved against the bottom row: up, down, or to the right.
-enum class Loading { tension, compression, shear };
-
-/// What holds the bottom row: both components fixed, or free to slide along x (the top row is always held in x).
-enum class LowerEdge { fixed, sliding };
-
 /// A straight cut through all bonds that cross it, in nodes: a notch without width.
 struct Cut {
   Vec2 from, to;
 };
-
-/// What a long solve tells on its way.
-struct Progress {
-  double share = 0;        ///< of the work that is done, 0 to 1, never falling: for a progress bar
-  int iterations = 0;      ///< of the static solver, or steps, so far
-  double residual = 0;     ///< relative, the latest
-  std::size_t broken = 0;  ///< bonds, where they may break
-  double strain = 0;       ///< that the sample has reached, where bonds may break
-  double stress = 0;       ///< the same for the stress, Pa
-};
-
-/// Called between iterations (of dynamics: every 20 steps) and after each round of breaking bonds; false stops the
-/// work, and what was reached is handed back with the ending `stopped`. Empty: nobody watches.
-using Watch = std::function<bool(const Progress&)>;
 
 /// Ways to the field at equilibrium.
 enum class Method {
@@ -73,7 +60,6 @@ struct LoadCase {
 
 /// How the field at a strain is found.
 struct FieldChoices {
-  Method method = Method::static_solve;
   double strain = 1e-4;    ///< displacement of the top row over the distance of the two rows
   int max_iterations = 0;  ///< 0: a million steps; for the static solve 50, more for tolerances below 1e-6
   /// P's stretch (|xi + eta| - |xi|)/|xi| along the turned bond; otherwise the linearised one.
@@ -95,6 +81,7 @@ struct FailureChoices {
 struct LoadOptions : LoadCase, FieldChoices {
   Stiffness stiffness{};
   Watch watch{};
+  Method method = Method::static_solve;
   /// Look for hinges in any case; otherwise only where the solve hints at one (a loose node, or many iterations).
   bool look_for_hinges = false;
 };

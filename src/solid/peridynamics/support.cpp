@@ -2,9 +2,7 @@
 
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/joined_sets.hpp"
-#include "solid/peridynamics/aggregates.hpp"
 
 namespace arenite::peridynamics {
 namespace {
@@ -113,20 +111,6 @@ Support prune(Bonds& bonds, Aggregates& aggregates, const std::vector<std::uint8
   keep_carrying(grid, ties, aggregates);
   cut_loose_bonds(bonds, prescribed, tie);
   return support;
-}
-
-Vec2 direction_of(Loading loading) {
-  constexpr Vec2 directions[] = {{0, 1}, {0, -1}, {1, 0}};
-  return directions[static_cast<std::size_t>(loading)];
-}
-
-std::vector<std::uint8_t> prescribed_rows(int height, Loading loading, LowerEdge lower) {
-  if (loading == Loading::shear && lower == LowerEdge::sliding)
-    throw InputError("a sliding lower edge carries no shear; fix it, or choose tension or compression");
-  std::vector<std::uint8_t> rows(static_cast<std::size_t>(height), nothing_prescribed);
-  rows.front() = lower == LowerEdge::sliding ? y_prescribed : both_prescribed;
-  rows.back() = both_prescribed;
-  return rows;
 }
 
 }  // namespace arenite::peridynamics

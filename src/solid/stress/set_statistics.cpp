@@ -90,19 +90,11 @@ void put_moments(Numbers& to, const Scaled& s, const Normaliser& normaliser, boo
   put(to, "excess_kurtosis", e[5], "", "Excess kurtosis of the stress; 0 for a Gaussian");
 }
 
-/// Rounding must not put the nodes of a uniform stress above their mean.
-double share_beyond(const std::vector<double>& x, double threshold) {
-  double above = 0;
-  const double limit = threshold + 1e-12 * std::abs(threshold);
-  for (const double v : x) above += v > limit;
-  return above / static_cast<double>(x.size());
-}
-
 /// Shares and quantiles by rank; their errors from the counts, straight within a bin.
 void put_ranks(Numbers& to, const Scaled& s, const BlockCounts& counts, const std::vector<double>& quantiles,
                const Normaliser& normaliser) {
   const double r = s.unit / normaliser.value;  // from units of the set to those of the sample
-  std::vector<double> values{share_beyond(s.x.x, s.centre), share_beyond(s.x.x, 1 / r)};
+  std::vector<double> values{statistics::share_beyond(s.x.x, s.centre), statistics::share_beyond(s.x.x, 1 / r)};
   for (const double q : quantiles) values.push_back(q * r);
   std::vector<std::vector<double>> replicates;
   for (std::size_t b = 0; b < s.powers.size() && counts.bins.count > 0; ++b) {

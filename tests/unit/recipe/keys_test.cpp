@@ -119,8 +119,9 @@ TEST(Given, HelpHasSentenceDefaultAndRange) {
   const auto keys = recipe::every_key<recipe::Load>();
   EXPECT_EQ(recipe::help_of(recipe::record_at(keys, "strain")),
             "Nominal strain: displacement of the top row over the height (default 0.0001; above 0, up to 0.5)");
-  EXPECT_EQ(recipe::help_of(recipe::record_at(keys, "stiffness.matrix")),
-            "Young's modulus of bonds between two nodes of matrix (default 1 GPa; above 0 GPa)");
+  EXPECT_EQ(
+      recipe::help_of(recipe::record_at(keys, "stiffness.matrix")),
+      "Young's modulus of the matrix: of bonds between two of its nodes, or its elements (default 1 GPa; above 0 GPa)");
   EXPECT_THROW(recipe::record_at(keys, "nothing"), std::logic_error);
 }
 

@@ -99,7 +99,7 @@ Load any_load(int index) {
   load.loading = any_of<peridynamics::Loading>(3);
   if (load.loading != peridynamics::Loading::shear) load.lower = any_of<peridynamics::LowerEdge>(2);
   load.strain = any_number(1e-3);
-  load.method = any_of<peridynamics::Method>(3);
+  load.method = any_of<LoadMethod>(4);
   load.exact_stretch = *rc::gen::arbitrary<bool>();
   load.moduli = *rc::gen::arbitrary<bool>();
   load.max_iterations = *rc::gen::inRange(0, 1000);

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstring>
 #include <utility>
+#include <variant>
 
 #include "solid/peridynamics/kernels/kernels.hpp"
+#include "solid/statics/passes.hpp"
 
 /// The 28-neighbour force, row by row.
 ///
@@ -14,11 +16,11 @@
 /// Tensions live in a ring of as many rows as the bonds reach, which stays in the nearest cache.
 namespace arenite::peridynamics {
 
+using statics::Force;
+
 /// Place of a half bond among those that reach as many rows: 3 stay in theirs, 5 reach the next, 5 the one after, 1 the
 /// third.
 inline constexpr std::array<int, bonds_per_node> place{0, 1, 2, 0, 0, 0, 1, 1, 2, 2, 3, 4, 3, 4};
-
-template <class V> struct Force { V x, y; };
 
 /// p . u for the primitive direction of half bond d.
 template <int d, class V> [[gnu::always_inline]] inline V along(V x, V y, V two) {
@@ -139,5 +141,23 @@ template <class Machine, class V, BondLaw Law> class Stencil {
   const Law law_;
   alignas(64) T ring_[32 * pitch];
 };
+
+/// The passes of the static solver and of dynamics over bonds of a law.
+template <BondLaw Law> struct BondSweep {
+  using Of = Bonds;
+  template <class V> using At = Stencil<statics::Machine, V, Law>;
+};
+
+namespace {
+
+template <class... Law> constexpr KernelSet every_law(std::variant<Law...>*) {
+  constexpr const char* name = statics::Machine::name;
+  return {name, {statics::Passes<BondSweep<Law>>::table(name)...}};
+}
+
+/// The passes for every law that there is, for the processor that the source is compiled for.
+constexpr KernelSet kernel_set() { return every_law(static_cast<BondLawChoice*>(nullptr)); }
+
+}  // namespace
 
 }  // namespace arenite::peridynamics

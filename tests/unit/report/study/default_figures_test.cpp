@@ -59,8 +59,8 @@ TEST(DefaultFigures, OfThreeKeysAreOneForEachValueOfTheOneThatNeitherAxisNorCurv
   ASSERT_EQ(figures.size(), 2u);
   EXPECT_EQ(figures[0].x, "variables.I");
   EXPECT_EQ(figures[0].by, "variables.P");
-  EXPECT_EQ(figures[0].where, (Where{{"contact.friction", {"0.1"}}}));
-  EXPECT_EQ(figures[1].where, (Where{{"contact.friction", {"0.3"}}}));
+  EXPECT_EQ(figures[0].where, (Wanted{{"contact.friction", {"0.1"}}}));
+  EXPECT_EQ(figures[1].where, (Wanted{{"contact.friction", {"0.3"}}}));
   EXPECT_EQ(figures[1].title, "solid_fraction, friction = 0.3");
   EXPECT_NE(figures[0].id, figures[1].id);
 }

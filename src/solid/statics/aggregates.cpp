@@ -1,0 +1,75 @@
+#include "solid/statics/aggregates.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace arenite::statics {
+namespace {
+
+/// Numbers the aggregates of one cell in the order of their first node.
+void add_aggregates(const Grid& grid, const Buffer<std::int32_t>& owner, const Cell& c, JoinedSets& sets,
+                    Aggregates& aggregates) {
+  std::array<std::int32_t, Aggregates::cell * Aggregates::cell> aggregate;
+  for (int y = 0; y < c.high; ++y)
+    for (int x = 0; x < c.wide; ++x) {
+      const std::ptrdiff_t i = grid.index(c.x0 + x, c.y0 + y);
+      if (owner[i] < 0) continue;
+      const std::int32_t k = y * Aggregates::cell + x, root = sets.find(k);
+      if (root == k) {
+        aggregate[k] = aggregates.count();
+        aggregates.list.push_back({owner[i], c.x0 / Aggregates::cell, c.y0 / Aggregates::cell});
+      }
+      const std::int32_t p = aggregate[root];
+      aggregates.of_node[i] = p;
+      ++aggregates.list[p].nodes;
+    }
+}
+
+}  // namespace
+
+std::vector<std::int32_t> owners_in(const PhaseMap& map) {
+  constexpr std::int32_t unowned = -2;
+  const Grid grid(map.width, map.height);
+  Buffer<std::int32_t> owner(grid.padded_size(), -1);
+  std::size_t k = 0;
+  grid.each([&](std::ptrdiff_t i, int) {
+    owner[i] = map.phase[k] == Phase::particle ? map.grain[k] : map.phase[k] == Phase::matrix ? unowned : -1;
+    ++k;
+  });
+  std::vector<std::ptrdiff_t> front;
+  const std::array<std::ptrdiff_t, 4> sides{1, -1, grid.stride, -grid.stride};
+  const auto flood_from = [&](std::ptrdiff_t i) {
+    for (const auto step : sides)
+      if (owner[i + step] == unowned) {
+        owner[i + step] = owner[i];
+        front.push_back(i + step);
+      }
+  };
+  auto phase = map.phase.begin();
+  grid.each([&](std::ptrdiff_t i, int) {
+    if (*phase++ == Phase::particle) flood_from(i);
+  });
+  for (std::size_t n = 0; n < front.size(); ++n) flood_from(front[n]);
+  std::replace(owner.begin(), owner.end(), unowned, static_cast<std::int32_t>(map.grain_class.size()));
+  std::vector<std::int32_t> compact;
+  compact.reserve(map.size());
+  grid.each([&](std::ptrdiff_t i, int) { compact.push_back(owner[i]); });
+  return compact;
+}
+
+Aggregates cut_by_owner(const Grid& grid, const Buffer<std::int32_t>& owner,
+                        const std::function<void(const Cell&, JoinedSets&)>& join) {
+  Aggregates aggregates;
+  aggregates.of_node.assign(grid.padded_size(), Aggregates::none);
+  JoinedSets sets;
+  for (int y0 = 0; y0 < grid.height; y0 += Aggregates::cell)
+    for (int x0 = 0; x0 < grid.width; x0 += Aggregates::cell) {
+      const Cell c{x0, y0, std::min(Aggregates::cell, grid.width - x0), std::min(Aggregates::cell, grid.height - y0)};
+      sets.part(static_cast<std::size_t>(Aggregates::cell * Aggregates::cell));
+      join(c, sets);
+      add_aggregates(grid, owner, c, sets, aggregates);
+    }
+  return aggregates;
+}
+
+}  // namespace arenite::statics

@@ -1,0 +1,32 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace arenite::statics {
+
+/// Symmetric sparse matrix of 2 x 2 blocks: the lower triangle by block columns, rows ascending, the diagonal block
+/// first in each column.
+struct BlockMatrix {
+  std::vector<std::int32_t> column_begin, row;
+  std::vector<double> value;  ///< 4 a block: (0,0), (1,0), (0,1), (1,1)
+  std::int32_t columns() const { return static_cast<std::int32_t>(column_begin.size()) - 1; }
+};
+
+/// A direct solver of one matrix: CHOLMOD's supernodal factor, nodes ordered by AMD.
+class Cholesky {
+ public:
+  explicit Cholesky(const BlockMatrix& matrix);
+  ~Cholesky();
+
+  /// False where a pivot was not positive; then solve() must not be called.
+  bool positive() const;
+  /// b becomes the solution.
+  void solve(std::vector<double>& b);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace arenite::statics

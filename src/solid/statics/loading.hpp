@@ -1,0 +1,111 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/pages.hpp"
+#include "core/vec.hpp"
+#include "model/phase_map.hpp"
+#include "solid/statics/grid.hpp"
+#include "solid/statics/watch.hpp"
+
+/// A sample between two clamps, its lowest and its highest row of nodes: how it is loaded, what of it hangs together,
+/// and what came out, whatever the discretisation.
+namespace arenite::statics {
+
+/// How the top row of nodes is moved against the bottom row: up, down, or to the right.
+enum class Loading { tension, compression, shear };
+
+/// What holds the bottom row: both components fixed, or free to slide along x (the top row is always held in x).
+enum class LowerEdge { fixed, sliding };
+
+/// Unit vector along which the top row moves.
+Vec2 direction_of(Loading loading);
+
+/// What is prescribed in each row of nodes. Throws InputError for shear above a sliding edge.
+std::vector<std::uint8_t> prescribed_rows(int height, Loading loading, LowerEdge lower);
+
+/// Throws InputError for a strain or a tolerance that make no sense.
+void check_load(double strain, double tolerance);
+
+/// Iterations after which a static solve is given up: 50 for the six decades of the usual tolerance, more for more.
+int usual_cap(double tolerance);
+
+/// Which clamp a node moves with where it carries nothing.
+enum class Tie : std::uint8_t { none = 0, below = 1, above = 2, both = 3 };
+
+enum class Ending {
+  solved,
+  not_converged,  ///< the tolerance was not reached; the field is the last one
+  stopped,        ///< the watch asked for it; the field is the last one
+  severed,        ///< nothing ties the two clamps: no stress anywhere
+  empty           ///< all void
+};
+
+/// What of a sample hangs together between its two clamps; counts are nodes that are not void.
+struct Support {
+  std::size_t solid = 0;
+  std::size_t carrying = 0;    ///< tied to both clamps
+  std::size_t held_below = 0;  ///< tied to the lower clamp only: moves with it, without stress
+  std::size_t held_above = 0;  ///< tied to the upper clamp only
+  std::size_t floating = 0;    ///< tied to neither: left where it is, without stress
+  int islands = 0;             ///< separate parts among the floating
+};
+
+/// A node about which a part of the sample can turn, because nothing else ties that part to the rest.
+struct Hinge {
+  std::int32_t x, y;  ///< node
+  std::size_t nodes;  ///< of the part behind it, seen from the bottom row
+  bool carries;       ///< the part holds the upper clamp: the load itself passes the hinge
+};
+
+struct LoadReport : StaticReport {
+  Ending ending = Ending::empty;
+  std::string sentence;  ///< the same in words, with what was found loose
+  Support support;
+  std::vector<Hinge> hinges;     ///< that were found, if they were looked for
+  Vec2 top_force, bottom_force;  ///< of the clamps on the sample per unit thickness, N/m
+  /// sum sigma_yy V over F_top (y_top - y_bottom), less one: zero at equilibrium.
+  double identity_defect = 0;
+  double modulus = 0;  ///< apparent: mean stress of the top row over the strain, Pa; Young's or shear
+  double poisson = 0;  ///< lateral over axial mean gradient of the displacement, middle half; 0 for shear
+};
+
+struct LoadResult {
+  LoadReport report;
+  StressField field;
+};
+
+/// A sample that has been loaded, by its nodes.
+struct LoadedSample {
+  const Grid& grid;
+  const Buffer<Tie>& tie;
+  Loading loading;
+  double strain, dx, gauge, width;  ///< lengths in m: spacing of nodes, distance of the clamps, breadth
+};
+
+/// Fills in forces of the clamps, the reaction balance, modulus and Poisson's ratio; `force` is that of the sample on
+/// every node. The field's stresses stand for dx^2 each.
+void judge(const LoadedSample& sample, const Field<double>& u, const Field<double>& force, LoadResult& result);
+
+/// How it ended, in words.
+std::string sentence_of(const LoadReport& report, double tolerance);
+
+/// Apparent moduli of a sample between rigid clamps, Pa. They hold for the sample with its clamps: a fixed edge hinders
+/// contraction (LowerEdge::sliding frees one edge of it), and free sides are softer than the bulk.
+struct EffectiveModuli {
+  double young_x = 0, young_y = 0;        ///< pulled along x, along y
+  double poisson_xy = 0, poisson_yx = 0;  ///< contraction along y when pulled along x, and the other way round
+  double shear = 0;                       ///< rows moved along x; above a fixed edge
+  std::array<LoadReport, 3> reports;      ///< of the pulls along x and y and of the shearing
+};
+
+/// Three loads: tension of the map and of the map turned, and shear; `load` is asked for each. The watch sees one run
+/// from 0 to 1, and what it stops leaves zeros.
+EffectiveModuli effective_moduli(const PhaseMap& map, const Watch& watch,
+                                 const std::function<LoadReport(const PhaseMap&, Loading, const Watch&)>& load);
+
+}  // namespace arenite::statics
