@@ -87,29 +87,28 @@ template <class T, int n> struct Lanes {
     return root;
   }
   /// a b + c and c - a b.
-  ARENITE_INLINE friend Lanes fma(Lanes a, Lanes b, Lanes c) { return multiply_add(a, b, c); }
-  ARENITE_INLINE friend Lanes fnma(Lanes a, Lanes b, Lanes c) { return multiply_add(-a, b, c); }
-
- private:
-  ARENITE_INLINE static Lanes multiply_add(const Lanes& x, const Lanes& y, const Lanes& z) {
-    const V &a = x.v, &b = y.v, &c = z.v;
+  ARENITE_INLINE friend Lanes fma(Lanes a, Lanes b, Lanes c) {
 #ifdef __FMA__
     constexpr bool is_double = std::same_as<T, double>;
-#ifdef __AVX512F__
-    if constexpr (sizeof(V) == 64 && is_double) return V(_mm512_fmadd_pd(a, b, c));
-    else if constexpr (sizeof(V) == 64) return V(_mm512_fmadd_ps(a, b, c));
-#endif
-    if constexpr (sizeof(V) == 32 && is_double) return V(_mm256_fmadd_pd(a, b, c));
-    else if constexpr (sizeof(V) == 32) return V(_mm256_fmadd_ps(a, b, c));
     Lanes sum;
-    for (int k = 0; k < n; ++k)
-      if constexpr (is_double) sum.v[k] = __builtin_fma(a[k], b[k], c[k]);
-      else sum.v[k] = __builtin_fmaf(a[k], b[k], c[k]);
+#ifdef __AVX512F__
+    if constexpr (sizeof(V) == 64 && is_double) sum.v = _mm512_fmadd_pd(a.v, b.v, c.v);
+    else if constexpr (sizeof(V) == 64) sum.v = _mm512_fmadd_ps(a.v, b.v, c.v);
+    else
+#endif
+        if constexpr (sizeof(V) == 32 && is_double)
+      sum.v = _mm256_fmadd_pd(a.v, b.v, c.v);
+    else if constexpr (sizeof(V) == 32) sum.v = _mm256_fmadd_ps(a.v, b.v, c.v);
+    else if constexpr (is_double)
+      for (int k = 0; k < n; ++k) sum.v[k] = __builtin_fma(a.v[k], b.v[k], c.v[k]);
+    else
+      for (int k = 0; k < n; ++k) sum.v[k] = __builtin_fmaf(a.v[k], b.v[k], c.v[k]);
     return sum;
 #else
-    return V(a * b + c);
+    return a.v * b.v + c.v;
 #endif
   }
+  ARENITE_INLINE friend Lanes fnma(Lanes a, Lanes b, Lanes c) { return fma(-a, b, c); }
 };
 
 }  // namespace arenite
