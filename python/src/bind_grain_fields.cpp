@@ -68,12 +68,9 @@ py::dict coarse_grained(const Packing& packing, const Quantity& width, const std
   Call call;
   auto f = call.without_lock([&] { return fields::coarse_grain(packing, choice); });
   const Shape shape{f.grid.rows, f.grid.columns};
-  std::vector<double> x, y;
-  for (int c = 0; c < f.grid.columns; ++c) x.push_back(f.grid.point(c, 0).x);
-  for (int r = 0; r < f.grid.rows; ++r) y.push_back(f.grid.point(0, r).y);
   py::dict d;
-  d["x"] = taken_over(std::move(x));
-  d["y"] = taken_over(std::move(y));
+  d["x"] = taken_over(f.grid.lines_x());
+  d["y"] = taken_over(f.grid.lines_y());
   d["density"] = taken_over(std::move(f.density), shape);
   d["solid_fraction"] = taken_over(std::move(f.solid_fraction), shape);
   d["velocity"] = vectors(f.velocity, shape);

@@ -33,12 +33,9 @@ py::dict layers_of(const StageResult& stage, const Snapshot& state) {
   Call call;
   const auto f = call.without_lock(
       [&] { return fields::fields_to_show(state.packing, fields::shear_rate_at(stage.history, state.time)); });
-  std::vector<double> x, y;
-  for (int c = 0; c < f.grid.columns; ++c) x.push_back(f.grid.point(c, 0).x);
-  for (int r = 0; r < f.grid.rows; ++r) y.push_back(f.grid.point(0, r).y);
   py::dict d;
-  d["x"] = taken_over(std::move(x));
-  d["y"] = taken_over(std::move(y));
+  d["x"] = taken_over(f.grid.lines_x());
+  d["y"] = taken_over(f.grid.lines_y());
   for (const fields::CoarseLayer& layer : fields::coarse_layers())
     if (!layer.is_of_motion || fields::are_in_motion(f))
       d[py::str(layer.name)] = taken_over(layer.of(f), {f.grid.rows, f.grid.columns});

@@ -225,6 +225,18 @@ Grid grid_over(const Domain& domain, double spacing) {
   return {box_of(domain), cells(domain.width()), cells(domain.height())};
 }
 
+std::vector<double> Grid::lines_x() const {
+  std::vector<double> x;
+  for (int c = 0; c < columns; ++c) x.push_back(point(c, 0).x);
+  return x;
+}
+
+std::vector<double> Grid::lines_y() const {
+  std::vector<double> y;
+  for (int r = 0; r < rows; ++r) y.push_back(point(0, r).y);
+  return y;
+}
+
 void declare(ParameterVisitor& v, CoarseGraining& choice) {
   v.number({"width", "Standard deviation of the kernel along one axis.", true}, choice.width, "m", range::positive);
   v.number({"spacing", "Distance between the points; unless given, the width."}, choice.spacing, "m", range::positive);

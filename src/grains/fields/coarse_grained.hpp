@@ -51,6 +51,8 @@ struct Grid {
 
   std::size_t size() const { return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows); }
   double cell_area() const { return bounds.area() / (static_cast<double>(columns) * rows); }
+  std::vector<double> lines_x() const;  ///< places of the columns
+  std::vector<double> lines_y() const;  ///< and of the rows
   Vec2 point(int column, int row) const {
     return {bounds.x_min + (column + 0.5) * bounds.width() / columns,
             bounds.y_min + (row + 0.5) * bounds.height() / rows};

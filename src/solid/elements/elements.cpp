@@ -165,45 +165,35 @@ Aggregates cut_into_aggregates(const PhaseMap& map, const Elements& elements,
     if (prescribed[y] != statics::both_prescribed) owner[i] = owner_of(elements, of_pixel, i);
   });
   return statics::cut_by_owner(grid, owner, [&](const statics::Cell& c, JoinedSets& sets) {
-    for (int y = 0; y + 1 < c.high; ++y)
-      for (int x = 0; x + 1 < c.wide; ++x) {
+    // A pixel joins those of its corners that lie in the cell: it may reach over the cell's border on every side.
+    for (int y = -1; y < c.high; ++y)
+      for (int x = -1; x < c.wide; ++x) {
         const std::ptrdiff_t i = grid.index(c.x0 + x, c.y0 + y);
         if (elements.kind(i) == none) continue;
         const auto corners = corners_of(grid, i);
         const auto place = [&](unsigned k) {
-          return (y + static_cast<int>(k >> 1)) * Aggregates::cell + x + static_cast<int>(k & 1);
+          const int right = x + static_cast<int>(k & 1), up = y + static_cast<int>(k >> 1);
+          const bool inside = right >= 0 && right < c.wide && up >= 0 && up < c.high && owner[corners[k]] >= 0;
+          return inside ? up * Aggregates::cell + right : -1;
         };
-        for (unsigned a = 0; a < 4; ++a)
-          for (unsigned b = a + 1; b < 4; ++b)
-            if (owner[corners[a]] >= 0 && owner[corners[a]] == owner[corners[b]]) sets.join(place(a), place(b));
-      }
-    // Pixels that reach over the border of the cell have two corners in it.
-    for (int y = 0; y < c.high; ++y)
-      for (int x = 0; x < c.wide; ++x) {
-        const std::ptrdiff_t i = grid.index(c.x0 + x, c.y0 + y);
-        const auto beside = [&](std::ptrdiff_t one, std::ptrdiff_t other) {
-          return elements.kind(one) != none || elements.kind(other) != none;
-        };
-        const bool right = x + 1 < c.wide && beside(i, i - grid.stride), up = y + 1 < c.high && beside(i, i - 1);
-        if (right && owner[i] >= 0 && owner[i] == owner[i + 1])
-          sets.join(y * Aggregates::cell + x, y * Aggregates::cell + x + 1);
-        if (up && owner[i] >= 0 && owner[i] == owner[i + grid.stride])
-          sets.join(y * Aggregates::cell + x, (y + 1) * Aggregates::cell + x);
+        for (unsigned m = 0; m < 4; ++m)
+          for (unsigned n = m + 1; n < 4; ++n)
+            if (place(m) >= 0 && place(n) >= 0 && owner[corners[m]] == owner[corners[n]]) sets.join(place(m), place(n));
       }
   });
 }
 
-StressField pixel_stress(const Elements& elements, double dx, const Field<double>& u) {
+StressField pixel_stress(const PhaseMap& map, const Elements& elements, const Field<double>& u) {
   const Grid& grid = elements.grid;
   StressField field;
-  field.width = elements.columns();
-  field.height = elements.rows();
-  field.dx = dx;
-  const std::size_t n = static_cast<std::size_t>(field.width) * static_cast<std::size_t>(field.height);
-  for (auto* values : {&field.ux, &field.uy, &field.xx, &field.yy, &field.xy}) values->assign(n, 0.0);
+  field.width = map.width;
+  field.height = map.height;
+  field.dx = map.dx;
+  for (auto* values : {&field.ux, &field.uy, &field.xx, &field.yy, &field.xy}) values->assign(map.size(), 0.0);
   std::size_t k = 0;
   for (int y = 0; y < field.height; ++y)
     for (int x = 0; x < field.width; ++x, ++k) {
+      if (map.phase[k] == Phase::empty) continue;
       const std::ptrdiff_t i = grid.index(x, y);
       Vec2 sum, gx, gy;
       const auto corners = corners_of(grid, i);
@@ -216,9 +206,10 @@ StressField pixel_stress(const Elements& elements, double dx, const Field<double
       field.ux[k] = sum.x / 4;
       field.uy[k] = sum.y / 4;
       const Modes& m = elements.modes[elements.kind(i)];
-      field.xx[k] = 2 / dx * (m.axial * gx.x + m.cross * gy.y);  // C e, with C four times the modes and e = g/(2 dx)
-      field.yy[k] = 2 / dx * (m.cross * gx.x + m.axial * gy.y);
-      field.xy[k] = 2 / dx * m.shear * (gy.x + gx.y);
+      field.xx[k] =
+          2 / map.dx * (m.axial * gx.x + m.cross * gy.y);  // C e, with C four times the modes and e = g/(2 dx)
+      field.yy[k] = 2 / map.dx * (m.cross * gx.x + m.axial * gy.y);
+      field.xy[k] = 2 / map.dx * m.shear * (gy.x + gx.y);
     }
   return field;
 }

@@ -37,6 +37,7 @@ Modes modes_of(const Constants& constants, Element element, PlaneState plane);
 /// A phase map as elements. Nodes are the corners of the pixels, one more each way than there are pixels; the pixel
 /// whose lower left corner is node i has its kind at words[i], in bits 0 and 1.
 struct Elements {
+  static constexpr bool rests_when_strained = true;
   Grid grid;                                    ///< of corners
   Buffer<std::uint32_t> words;                  ///< padded
   std::array<Modes, 4> modes;                   ///< by kind, as the kernels have them: rounded to single precision
@@ -62,8 +63,8 @@ statics::Smoothing smoothing_of(const Elements& elements);
 Aggregates cut_into_aggregates(const PhaseMap& map, const Elements& elements,
                                const std::vector<std::uint8_t>& prescribed);
 
-/// Displacement and stress in the middle of every pixel, in the map's order; `dx` in m. The stress there is the mean of
+/// Displacement and stress in the middle of every pixel of the map; zero in the void. The stress there is the mean of
 /// the element's.
-StressField pixel_stress(const Elements& elements, double dx, const Field<double>& u);
+StressField pixel_stress(const PhaseMap& map, const Elements& elements, const Field<double>& u);
 
 }  // namespace arenite::elements

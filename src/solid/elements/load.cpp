@@ -1,9 +1,5 @@
 #include "solid/elements/load.hpp"
 
-#include <algorithm>
-#include <array>
-#include <utility>
-
 #include "solid/elements/kernels/kernels.hpp"
 #include "solid/elements/support.hpp"
 #include "solid/statics/static_solver.hpp"
@@ -41,13 +37,11 @@ statics::LoadResult load(const PhaseMap& map, const LoadOptions& options) {
     statics::StaticSolver<Elements> solver(elements, cut_into_aggregates(map, elements, prescribed), prescribed);
     const int most = options.max_iterations > 0 ? options.max_iterations : statics::usual_cap(options.tolerance);
     static_cast<statics::StaticReport&>(r) = solver.solve(elements, u, options.tolerance, most, options.watch);
-    r.ending = r.converged ? statics::Ending::solved
-               : r.stopped ? statics::Ending::stopped
-                           : statics::Ending::not_converged;
+    r.ending = statics::ending_of(r);
   } else {
     r.ending = r.support.solid > 0 ? statics::Ending::severed : statics::Ending::empty;
   }
-  result.field = pixel_stress(elements, map.dx, u);
+  result.field = pixel_stress(map, elements, u);
   if (r.support.carrying > 0) {
     Field<double> force(grid.padded_size());
     const std::vector<std::uint8_t> none(static_cast<std::size_t>(grid.height), statics::nothing_prescribed);
@@ -59,14 +53,7 @@ statics::LoadResult load(const PhaseMap& map, const LoadOptions& options) {
 }
 
 statics::EffectiveModuli effective_moduli(const PhaseMap& map, const LoadOptions& options) {
-  return statics::effective_moduli(map, options.watch,
-                                   [&](const PhaseMap& sample, statics::Loading loading, const statics::Watch& watch) {
-                                     LoadOptions o = options;
-                                     o.loading = loading;
-                                     if (loading == statics::Loading::shear) o.lower = statics::LowerEdge::fixed;
-                                     o.watch = watch;
-                                     return load(sample, o).report;
-                                   });
+  return statics::effective_moduli(map, options, load);
 }
 
 }  // namespace arenite::elements

@@ -47,6 +47,8 @@ struct Bonds {
   /// What the 28 bonds of a node are, for 8 nodes at once: the kernels skip the empty and hasten over the uniform.
   enum Group : std::uint8_t { empty = 0, mixed = 4 };  // 1..3: all of that BondType
 
+  static constexpr bool rests_when_strained = false;  ///< nodes at surfaces lack bonds
+
   Grid grid;
   Buffer<std::uint32_t> words;      ///< padded
   Buffer<std::uint8_t> group;       ///< grid.groups a row, not padded

@@ -82,7 +82,7 @@ LoadResult load(const PhaseMap& map, const LoadOptions& options) {
   Field<double> u = s.first_guess();
   if (s.support.carrying > 0) {
     static_cast<StaticReport&>(r) = find_equilibrium(s, u);
-    r.ending = r.converged ? Ending::solved : r.stopped ? Ending::stopped : Ending::not_converged;
+    r.ending = statics::ending_of(r);
     const bool suspicious = r.ending == Ending::not_converged || r.loose_nodes > 0 ||
                             (options.method == Method::static_solve && r.iterations > 25);
     if (options.look_for_hinges || suspicious) r.hinges = find_hinges(s.bonds);
@@ -99,14 +99,7 @@ LoadResult load(const PhaseMap& map, const LoadOptions& options) {
 }
 
 EffectiveModuli effective_moduli(const PhaseMap& map, const LoadOptions& options) {
-  return statics::effective_moduli(map, options.watch,
-                                   [&](const PhaseMap& sample, Loading loading, const Watch& watch) {
-                                     LoadOptions o = options;
-                                     o.loading = loading;
-                                     if (loading == Loading::shear) o.lower = LowerEdge::fixed;
-                                     o.watch = watch;
-                                     return load(sample, o).report;
-                                   });
+  return statics::effective_moduli(map, options, load);
 }
 
 }  // namespace arenite::peridynamics

@@ -52,12 +52,14 @@ struct Smoothing {
 ///  - block_diagonal: the stiffness of every node against its neighbours held fast, in double.
 ///  - couplings: the Galerkin sums of the coarse space, in double.
 ///  - smoothing_of: the steps of the smoother.
+///  - rests_when_strained: whether uniform strain of one material leaves no force on any node that is free.
 /// What belongs to one grain and hangs together (`Aggregates`), and the stress that a field leaves, are up to the
 /// discretisation, too, but the solver does not ask for them.
 template <class D>
 concept Discretisation = requires(const D& d, const Aggregates& aggregates, const BlockDiagonal<double>& diagonal,
                                   const std::vector<std::uint8_t>& prescribed) {
   { d.grid } -> std::convertible_to<Grid>;
+  { D::rests_when_strained } -> std::convertible_to<bool>;
   { kernels_of(d) } -> std::same_as<const KernelsOf<D>&>;
   { block_diagonal(d) } -> std::same_as<BlockDiagonal<double>>;
   { couplings(d, aggregates, diagonal, prescribed) } -> std::same_as<std::vector<Coupling>>;

@@ -77,6 +77,10 @@ void judge(const LoadedSample& s, const Field<double>& u, const Field<double>& f
   if (axial != 0) r.poisson = -slope(s, u.x, true) / axial;
 }
 
+Ending ending_of(const StaticReport& report) {
+  return report.converged ? Ending::solved : report.stopped ? Ending::stopped : Ending::not_converged;
+}
+
 std::string sentence_of(const LoadReport& r, double tolerance) {
   std::string text;
   switch (r.ending) {

@@ -91,6 +91,9 @@ struct LoadedSample {
 /// every node. The field's stresses stand for dx^2 each.
 void judge(const LoadedSample& sample, const Field<double>& u, const Field<double>& force, LoadResult& result);
 
+/// Of a solve that was made.
+Ending ending_of(const StaticReport& report);
+
 /// How it ended, in words.
 std::string sentence_of(const LoadReport& report, double tolerance);
 
@@ -107,5 +110,18 @@ struct EffectiveModuli {
 /// from 0 to 1, and what it stops leaves zeros.
 EffectiveModuli effective_moduli(const PhaseMap& map, const Watch& watch,
                                  const std::function<LoadReport(const PhaseMap&, Loading, const Watch&)>& load);
+
+/// The same of a way to load with its options, of which loading, edge and watch are set for each.
+template <class Options>
+EffectiveModuli effective_moduli(const PhaseMap& map, const Options& options,
+                                 LoadResult (*load)(const PhaseMap&, const Options&)) {
+  return effective_moduli(map, options.watch, [&](const PhaseMap& sample, Loading loading, const Watch& watch) {
+    Options o = options;
+    o.loading = loading;
+    if (loading == Loading::shear) o.lower = LowerEdge::fixed;
+    o.watch = watch;
+    return load(sample, o).report;
+  });
+}
 
 }  // namespace arenite::statics
