@@ -100,9 +100,28 @@ Numbers domain_of(const Domain& domain, NumberBlock& block) {
   return out;
 }
 
-/// What a picture of a state shows, m: its grains, closed boundaries, and of others, of sides and of the edges of a
-/// periodic cell what lies near them.
-Numbers extent_of(const Packing& packing) {
+/// The numbers of a state, and the window that they are of.
+Numbers texture_of(const texture::Texture& texture, const Numbers& numbers, NumberBlock& block) {
+  Numbers out = shortened(numbers);
+  const texture::Window& window = texture.window;
+  out["window"] = {{"known", window.known}, {"x", {window.x_min, window.x_max}}, {"y", {window.y_min, window.y_max}}};
+  out["grain_considered"] = block.add_indices(texture.per_grain.considered);
+  return out;
+}
+
+/// What does not change with time of one grain.
+void add_grain(Grains& to, const Grains& from, std::size_t g) {
+  const std::size_t n = to.size();
+  to.resize(n + 1);
+  to.id[n] = from.id[g];
+  to.radius[n] = from.radius[g];
+  to.material[n] = from.material[g];
+  to.zone[n] = from.zone[g];
+}
+
+}  // namespace
+
+geometry::Rectangle seen_of(const Packing& packing) {
   constexpr double near = 0.25;  // of the grains' extent
   const Domain& domain = packing.domain;
   const geometry::Rectangle grains = geometry::bounds(packing.grains.position, packing.grains.radius);
@@ -124,29 +143,8 @@ Numbers extent_of(const Packing& packing) {
   };
   reach(seen.x_min, domain.wall[left].position, x), reach(seen.x_max, domain.wall[right].position, x);
   reach(seen.y_min, domain.wall[bottom].position, y), reach(seen.y_max, domain.wall[top].position, y);
-  return {seen.x_min, seen.x_max, seen.y_min, seen.y_max};
+  return seen;
 }
-
-/// The numbers of a state, and the window that they are of.
-Numbers texture_of(const texture::Texture& texture, const Numbers& numbers, NumberBlock& block) {
-  Numbers out = shortened(numbers);
-  const texture::Window& window = texture.window;
-  out["window"] = {{"known", window.known}, {"x", {window.x_min, window.x_max}}, {"y", {window.y_min, window.y_max}}};
-  out["grain_considered"] = block.add_indices(texture.per_grain.considered);
-  return out;
-}
-
-/// What does not change with time of one grain.
-void add_grain(Grains& to, const Grains& from, std::size_t g) {
-  const std::size_t n = to.size();
-  to.resize(n + 1);
-  to.id[n] = from.id[g];
-  to.radius[n] = from.radius[g];
-  to.material[n] = from.material[g];
-  to.zone[n] = from.zone[g];
-}
-
-}  // namespace
 
 Numbers materials_of(const Materials& materials) {
   return mapped(materials, [](const Material& m) {
@@ -179,12 +177,13 @@ Numbers numbers_of(const texture::ForceScale& scale) { return {{"mean", scale.me
 Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::Texture& texture,
                     const Numbers& numbers, NumberBlock& block) {
   const texture::PerGrain& rows = texture.per_grain;
+  const geometry::Rectangle seen = seen_of(snapshot.packing);
   Numbers out{{"stage", stage},
               {"label", snapshot.label},
               {"time", snapshot.time},
               {"step", snapshot.step},
               {"domain", domain_of(snapshot.packing.domain, block)},
-              {"extent", extent_of(snapshot.packing)},
+              {"extent", {seen.x_min, seen.x_max, seen.y_min, seen.y_max}},
               {"contacts", contacts_of(snapshot.packing, block)},
               {"force_scale", numbers_of(figures::force_scale(snapshot.packing, numbers))}};
   add_grain_values(out, snapshot.packing, rows.sigma.empty() ? texture::grain_stresses(snapshot.packing) : rows.sigma,

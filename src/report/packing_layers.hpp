@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "geometry/rectangle.hpp"
 #include "grains/texture/force_scale.hpp"
 #include "grains/texture/texture.hpp"
 #include "model/result.hpp"
@@ -22,6 +23,9 @@ Numbers grains_of(const Grains& grains, NumberBlock& block);
 /// (figures::state_numbers), where they are known.
 Numbers snapshot_of(const Snapshot& snapshot, std::size_t stage, const texture::Texture& texture,
                     const Numbers& numbers, NumberBlock& block);
+/// What a picture of a state shows, m: its grains, closed boundaries, and of others, of sides and of the edges of a
+/// periodic cell what lies near them.
+geometry::Rectangle seen_of(const Packing& packing);
 /// What a picture's forces are told apart by: {mean, tension}, N.
 Numbers numbers_of(const texture::ForceScale& scale);
 

@@ -8,7 +8,9 @@
 #include "core/mapped.hpp"
 #include "geometry/rectangle.hpp"
 #include "io/disk/store_file.hpp"
+#include "model/shapes.hpp"
 #include "report/field_drawing.hpp"
+#include "report/packing_layers.hpp"
 #include "report/run_means.hpp"
 #include "report/study_figures.hpp"
 
@@ -41,8 +43,7 @@ struct Disks {
   std::vector<std::uint8_t> zone;
 };
 
-Numbers disks_json(const Disks& disks) {
-  const geometry::Rectangle box = geometry::bounds(disks.centre, disks.radius);
+Numbers disks_json(const Disks& disks, const geometry::Rectangle& box) {
   std::vector<std::uint8_t> zone = disks.zone;
   zone.resize(disks.centre.size(), 0);
   return {{"size", {in_mm(box.width()), in_mm(box.height())}},
@@ -51,6 +52,28 @@ Numbers disks_json(const Disks& disks) {
           {"r", mapped(disks.radius, in_mm)},
           {"material", disks.material},
           {"glued", mapped(zone, [](std::uint8_t z) { return z != 0 ? 1 : 0; })}};
+}
+
+/// Points in a picture of a box: {"x", "y"}.
+Numbers points_json(const std::vector<Vec2>& points, const geometry::Rectangle& box) {
+  return {{"x", mapped(points, [&](Vec2 at) { return in_mm(at.x - box.x_min); })},
+          {"y", mapped(points, [&](Vec2 at) { return in_mm(at.y - box.y_min); })}};
+}
+
+/// The rims of grains that are no disks, and the boundaries.
+void add_outlines(Numbers& to, const Packing& packing, const geometry::Rectangle& box) {
+  if (!packing.grains.shapes.empty()) {
+    to["rims"] = Numbers::list();
+    for (std::size_t g = 0; g < packing.grains.size(); ++g)
+      to["rims"].push_back(points_json(outline_of(packing.grains, g, 0.3), box));
+  }
+  if (packing.domain.boundaries.empty()) return;
+  to["boundaries"] = mapped(packing.domain.boundaries, [&](const Boundary& boundary) {
+    Numbers one = points_json(boundary.points, box);
+    one["closed"] = boundary.closed;
+    one["present"] = boundary.present;
+    return one;
+  });
 }
 
 Numbers stress_json(const std::vector<double>& sigma_norm) { return mapped(sigma_norm, hundredth); }
@@ -68,7 +91,11 @@ Numbers windows_of(const fs::path& run, double share) {
 
 Numbers sample_drawing(const workflow::FinalState& state, FigureKind kind) {
   const Grains& grains = state.packing.grains;
-  Numbers j = disks_json({grains.position, grains.radius, grains.material, grains.zone});
+  const geometry::Rectangle box = state.packing.domain.boundaries.empty()
+                                      ? geometry::bounds(grains.position, grains.radius)
+                                      : seen_of(state.packing);
+  Numbers j = disks_json({grains.position, grains.radius, grains.material, grains.zone}, box);
+  add_outlines(j, state.packing, box);
   j["materials"] = mapped(state.packing.materials, &Material::name);
   if (kind == FigureKind::forces) j.update(contacts_json(state.packing.contacts));
   if (kind == FigureKind::stresses) j["stress"] = stress_json(state.texture.per_grain.sigma_norm);
@@ -84,8 +111,10 @@ Numbers film_drawing(const Numbers& film) {
   const std::vector<double> x = list("x"), y = list("y");
   std::vector<Vec2> centre;
   for (std::size_t g = 0; g < x.size(); ++g) centre.push_back({x[g], y[g]});
-  Numbers j = disks_json({centre, list("radius"), found["material"].get<std::vector<std::int32_t>>(),
-                          found["zone"].get<std::vector<std::uint8_t>>()});
+  const std::vector<double> radius = list("radius");
+  Numbers j = disks_json({centre, radius, found["material"].get<std::vector<std::int32_t>>(),
+                          found["zone"].get<std::vector<std::uint8_t>>()},
+                         geometry::bounds(centre, radius));
   j["stress"] = stress_json(list("sigma_norm"));
   return j;
 }

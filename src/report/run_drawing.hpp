@@ -9,7 +9,8 @@
 namespace arenite::report {
 
 /// One state as JSON for a figure: `size` of the box in mm; `x`, `y`, `r` of the grains in mm from its lower left
-/// corner, their `material`, a place in `materials`, and 1 for those that are `glued`; for FigureKind::forces the
+/// corner, their `material`, a place in `materials`, and 1 for those that are `glued`; `rims` of grains that are no
+/// disks, and `boundaries` with what is seen of them; for FigureKind::forces the
 /// contacts between grains `i`, `j` with their normal force `f` over the mean push, for FigureKind::stresses `stress`
 /// of the grains over the mean.
 Numbers sample_drawing(const workflow::FinalState& state, FigureKind kind);

@@ -275,7 +275,7 @@ MapOutcome load_map(const recipe::MapSection& map, const recipe::Load& load, con
                             "",
                             0,
                             "",
-                            {{"map", fs::path(map.file).filename().string()}, {"options", map_keys(map)}}};
+                            {{"map", fs::path(map.file).filename().string()}, {"options", told_map_keys(map)}}};
     return result;
   };
   if (is_stored) {

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 #include <string_view>
 
 #include "core/hash.hpp"
+#include "core/text.hpp"
 #include "io/disk/file.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/film/film.hpp"
@@ -169,6 +171,15 @@ std::string map_keys(const recipe::MapSection& map) {
   part.map->file.clear();
   if (map.has_label_file()) part.map->labels = "a file";
   return changed_keys(part);
+}
+
+std::string told_map_keys(const recipe::MapSection& map) {
+  constexpr std::string_view before = "map.";
+  std::vector<std::string> told;
+  std::istringstream lines(map_keys(map));
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with(before) && line != "map.file = \"\"") told.push_back(line.substr(before.size()));
+  return list_of(told, ", ");
 }
 
 std::string map_key(const recipe::MapSection& map) {

@@ -32,6 +32,9 @@ std::string load_key(const recipe::Load& load, const std::string& cement_hash);
 /// The keys of a map that differ from their defaults, one a line, but for the names of its files.
 std::string map_keys(const recipe::MapSection& map);
 
+/// The same for people, in a line without the names of files: dx = "25 um", labels = "watershed".
+std::string told_map_keys(const recipe::MapSection& map);
+
 /// Hash of all that the sample of a map depends on: the bytes of its files, and how they are read.
 std::string map_key(const recipe::MapSection& map);
 

@@ -102,6 +102,19 @@ TEST(Load, StoresFieldAndPageAndMeasuresThemAgain) {
   EXPECT_EQ(quiet.out, shear.out);
 }
 
+TEST(Load, ThePageTellsTheOptionsOfAPictureAndNoEmptyOnes) {
+  const TemporaryFolder folder;
+  const std::string map = layers(folder / "map.h5") + " --phases 1=particle,2=matrix --out ";
+  ASSERT_EQ(arenite("load " + map + (folder / "a").string()).status, 0);
+  ASSERT_EQ(arenite("load " + map + (folder / "b").string() + " --dx '25 um'").status, 0);
+  const auto told = [&](const char* name) {
+    const Json page = test::document_of_page(folder / name / "report.html");
+    return page["fields"][0]["provenance"]["options"]["options"].get<std::string>();
+  };
+  EXPECT_EQ(told("a"), "phases = \"1=particle,2=matrix\"");
+  EXPECT_EQ(told("b"), "phases = \"1=particle,2=matrix\", dx = \"25 um\"");
+}
+
 TEST(Load, IsTakenFromItsFolderTheSecondTime) {
   const TemporaryFolder folder;
   const std::string map = layers(folder / "map.h5"),

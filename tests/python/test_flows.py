@@ -79,6 +79,32 @@ def test_the_law_of_beverloo_is_drawn_through_the_rates():
     assert "W^" in canvas.axes[-1].get_ylabel() or "W^" in canvas.axes[0].get_ylabel()
 
 
+def runs_of_collapses(aspect):
+    surface = [
+        {"aspect_ratio_before": a, "runout_over_width": {"value": 2 * a, "error": 0.02}, "height_over_width": 1.0}
+        for a in aspect
+    ]
+    return [a_run(surface=one) for one in surface]
+
+
+def test_a_law_that_is_not_drawn_says_how_many_runs_are_missing():
+    rates = [a_run(discharge={"opening_m": d, "rate_kg_s": {"value": d, "error": 0.01}}) for d in (0.03, 0.05, 0.08)]
+    (drawing,) = runs.drawings_of_runs("beverloo", rates)
+    assert len(drawing["panels"][0]["series"]) == 2 and "note" not in drawing
+    (drawing,) = runs.drawings_of_runs("beverloo", rates[:2])
+    assert len(drawing["panels"][0]["series"]) == 1
+    assert drawing["note"] == "Beverloo\u2019s law is fitted to 3 runs or more, and there are 2."
+    (drawing,) = runs.drawings_of_runs("runout", runs_of_collapses([0.5, 1, 2, 3]))
+    assert len(drawing["panels"][0]["series"]) == 2
+    assert drawing["note"] == "A power law is fitted to 3 runs or more; of a \u2265 2.5 there is 1."
+    (drawing,) = runs.drawings_of_runs("runout", runs_of_collapses([0.5, 1, 2]))
+    assert drawing["note"].endswith("; of a \u2265 2.5 there is none.")
+    canvas = figures.saving.Canvas()
+    figures.draw_runs(canvas, "runout", runs_of_collapses([0.5, 4]))
+    words = "".join(text.get_text() for text in canvas.texts)
+    assert "there is 1" in words and "2.5" in words
+
+
 def test_errors_of_fits_are_those_of_many_samples():
     generator = np.random.default_rng(1)
     x = np.array([1.0, 2, 3, 5, 8, 13])

@@ -46,6 +46,25 @@ test("a run under way has its grains, its curve and where it stands", async (pag
   assert.equal(await page.locator('[data-figure="test-curves"] .drawing > svg').count(), 1);
 });
 
+test("bodies have their rims, and boundaries and membranes are drawn, as on the page of a run", async (page) => {
+  const rims = [
+    { x: [0, 10, 5], y: [0, 0, 10] },
+    { x: [10, 20, 20, 10], y: [0, 0, 10, 10] },
+  ];
+  const boundaries = [
+    { x: [0, 20], y: [10, 10], closed: false, present: true },
+    { x: [0, 20, 20], y: [0, 0, 5], closed: true, present: false },
+  ];
+  const grains = { id: "grains", title: "Grains", caption: "", sample: { ...sample, rims, boundaries } };
+  await answered(page, { ...run, at: 1.5, figures: [grains] });
+  const drawing = page.locator('[data-figure="grains"] .drawing > svg');
+  const corners = (await drawing.locator("path").first().getAttribute("d")).match(/[ML]/g);
+  assert.equal(corners.length, 7);
+  assert.equal(await drawing.locator("polyline.boundary").getAttribute("stroke-dasharray"), null);
+  assert.equal(await drawing.locator("polygon.boundary").getAttribute("stroke-dasharray"), "4 4");
+  await answered(page, run);
+});
+
 test("figures are drawn anew when they have changed, and only then", async (page) => {
   const mark = () => page.evaluate(() => (document.querySelector('[data-figure="grains"]').dataset.seen = "yes"));
   const seen = () => page.evaluate(() => document.querySelector('[data-figure="grains"]').dataset.seen);

@@ -7,6 +7,7 @@ errors, lines of reference, and a key with numbers. This file chooses sizes, mar
 
 import functools
 import math
+import textwrap
 
 import numpy as np
 from matplotlib.lines import Line2D
@@ -21,6 +22,7 @@ markers = {"diamond": "D", "times": "x", "plus": "+"}
 band_opacity = 0.25
 many = 200  # points, of which each is small
 key_line, letter = 0.155, 0.062  # inches: a line of the key, a letter of it
+note_line, small_letter = 0.13, 0.055  # of a note
 
 
 @functools.lru_cache(maxsize=1)
@@ -241,6 +243,15 @@ def draw_described(figure, drawings):
         _draw_panels(figure, drawings)
     else:
         _draw_alone(figure, first)
+    _write_notes(figure, [drawing["note"] for drawing in drawings if "note" in drawing])
+
+
+def _write_notes(figure, notes):
+    """Below everything, what is not drawn and why."""
+    width, height = figure.get_size_inches()
+    if lines := [line for one in notes for line in textwrap.wrap(one, int(width / small_letter))]:
+        figure.set_size_inches(width, height + note_line * len(lines))
+        figure.supxlabel(label("\n".join(lines)), x=0.02, ha="left", fontsize="small")
 
 
 def _draw_alone(figure, drawing):

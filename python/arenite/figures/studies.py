@@ -5,7 +5,7 @@ import pathlib
 import numpy as np
 from matplotlib.collections import LineCollection, PatchCollection
 from matplotlib.colors import ListedColormap
-from matplotlib.patches import Circle
+from matplotlib.patches import Circle, Polygon
 
 from .. import _core
 from .drawing import draw_described
@@ -57,11 +57,21 @@ def not_drawn(path):
     )
 
 
+def metres(points):
+    """Of {"x", "y"} in mm."""
+    return 1e-3 * np.column_stack([points["x"], points["y"]])
+
+
+def _circles(x, y, r):
+    return [Circle((a, b), c) for a, b, c in zip(x, y, r)]
+
+
 def draw_study_sample(axes, sample):
     """Grains by material, with their forces, or by their stress over the mean; returns what a colour bar needs, or
     None."""
     x, y, r = (1e-3 * np.array(sample[name]) for name in ("x", "y", "r"))
-    disks = PatchCollection([Circle((a, b), c) for a, b, c in zip(x, y, r)], linewidth=0.15, edgecolor=strong)
+    outlines = [Polygon(metres(rim)) for rim in sample.get("rims", [])] or _circles(x, y, r)
+    disks = PatchCollection(outlines, linewidth=0.15, edgecolor=strong)
     by_stress = "stress" in sample
     if by_stress:
         disks.set(array=np.array(sample["stress"]), cmap=stress_map, clim=(0, most_stress))
@@ -69,10 +79,13 @@ def draw_study_sample(axes, sample):
         disks.set_facecolor([colours[m % len(colours)] for m in sample["material"]])
         disks.set_alpha(0.25 if "f" in sample else 0.8)
     axes.add_collection(disks)
-    glued = [Circle((a, b), c) for a, b, c, g in zip(x, y, r, sample["glued"]) if g]
+    glued = [outline for outline, is_glued in zip(outlines, sample["glued"]) if is_glued]
     axes.add_collection(PatchCollection(glued, facecolor="none", edgecolor="#d55e00", linewidth=0.7))
     if "f" in sample:
         _chains(axes, sample, x, y, r)
+    there = [boundary for boundary in sample.get("boundaries", []) if boundary["present"]]
+    lines = [np.vstack([points, points[:1]]) if b["closed"] else points for b in there for points in [metres(b)]]
+    axes.add_collection(LineCollection(lines, colors=strong, linewidths=0.9, zorder=3))
     width, height = (1e-3 * side for side in sample["size"])
     axes.set(xlim=(0, width), ylim=(-0.07 * height, height))
     length_bar(axes, width, 0, -0.055 * height)

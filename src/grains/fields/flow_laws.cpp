@@ -43,7 +43,7 @@ RunoutLaws fit_runout(const Values& aspect_ratio, const Values& runout, double l
     for (std::size_t k = 0; k < runout.size(); ++k)
       if (holds(aspect_ratio[k]))
         x.push_back(aspect_ratio[k]), y.push_back(runout[k]), error.push_back(scatter_of_front * runout[k]);
-    if (x.size() < 3) return {};
+    if (x.size() < least_points_of_law) return {};
     return statistics::fit_power(x, y, error);
   };
   return {law_where([&](double a) { return a <= low; }), law_where([&](double a) { return a >= high; })};

@@ -6,6 +6,9 @@
 
 namespace arenite::fields {
 
+constexpr std::size_t least_points_of_law = 3;  ///< that figures draw, with two constants to be found
+constexpr double runout_bend = 2.5;  ///< aspect ratio at which collapses change from one power law to the other
+
 /// W = factor (D - lost_width)^exponent. In two dimensions the exponent is 3/2 (Beverloo, Leniger and van de Velde,
 /// Chem. Eng. Sci. 15, 260, 1961), factor C rho_b sqrt(g) times the out-of-plane length, lost_width k d.
 struct BeverlooLaw {
@@ -22,8 +25,8 @@ BeverlooLaw fit_beverloo(const std::vector<double>& opening, const std::vector<d
 struct RunoutLaws {
   std::optional<statistics::PowerLaw> low, high;
 };
-RunoutLaws fit_runout(const std::vector<double>& aspect_ratio, const std::vector<double>& runout, double low = 2.5,
-                      double high = 2.5);
+RunoutLaws fit_runout(const std::vector<double>& aspect_ratio, const std::vector<double>& runout,
+                      double low = runout_bend, double high = runout_bend);
 
 /// p = saturation (1 - exp(-H/length)) (H. A. Janssen, Z. VDI 39, 1045, 1895), Pa and m.
 struct JanssenLaw {

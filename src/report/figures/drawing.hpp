@@ -117,6 +117,7 @@ struct Drawing {
   std::vector<KeyEntry> key = {};
   std::optional<Outlines> outlines = {};
   std::optional<Cells> cells = {};
+  std::string note = {};  ///< a sentence of what is not drawn, and why
 };
 using Drawings = std::vector<Drawing>;
 

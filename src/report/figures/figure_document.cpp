@@ -218,6 +218,7 @@ Numbers numbers_of(const Drawing& drawing, const WriteList& write) {
   if (drawing.outlines) out["outlines"] = numbers_of(*drawing.outlines, write);
   if (drawing.cells) out["cells"] = numbers_of(*drawing.cells, write);
   if (!drawing.key.empty()) out["key"] = mapped(drawing.key, [](const KeyEntry& entry) { return numbers_of(entry); });
+  if (!drawing.note.empty()) out["note"] = drawing.note;
   return out;
 }
 

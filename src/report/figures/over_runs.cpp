@@ -7,6 +7,7 @@
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
+#include "core/text.hpp"
 #include "grains/fields/flow_laws.hpp"
 #include "grains/fields/over_runs.hpp"
 
@@ -16,8 +17,6 @@ namespace {
 using statistics::Columns;
 using Tests = std::vector<fields::Test>;
 using Values = std::vector<double>;
-
-constexpr std::size_t least_points = 3;  // that a law is fitted to
 
 std::vector<const StageResult*> stages_of(const Tests& tests) {
   return mapped(tests, [](const fields::Test& test) { return &test.stage; });
@@ -46,6 +45,15 @@ Series law_of(std::string name, std::pair<Values, Values> at, Line line = Line::
           .y = std::move(at.second),
           .line = line,
           .is_read = false};
+}
+
+std::string runs(std::size_t count) {
+  return count == 0 ? "there is none" : count == 1 ? "there is 1" : fmt::format("there are {}", count);
+}
+
+/// Why a law is not drawn.
+std::string too_few(const char* law, std::size_t count) {
+  return fmt::format("{} is fitted to {} runs or more, and {}.", law, fields::least_points_of_law, runs(count));
 }
 
 bool is_empty(const Columns& found) { return found.list.front().values.empty(); }
@@ -94,16 +102,32 @@ Drawings beverloo(const Tests& tests) {
               .y = {.label = "W^{2/3}", .unit = "(kg/s)^{2/3}", .low = 0},
               .series = {series}};
   Drawing drawing;
-  if (rate.values.size() >= least_points) {
+  if (rate.values.size() >= fields::least_points_of_law) {
     const auto law = fields::fit_beverloo(found["opening"], rate.values, rate.error, 1.5);
     const double slope = std::pow(law.factor.value, 2. / 3), lost = law.lost_width.value;
     panel.series.push_back(
         law_of("W = a (D \u2212 w)^{3/2}", sampled(1e3 * lost, 1.05 * largest_in(panel.series[0].x),
                                                    [&](double d) { return slope * (1e-3 * d - lost); })));
     drawing.key = {{"W = a (D \u2212 w)^{3/2}", "weak", {in_unit("w/mm", law.lost_width, 1e-3)}}};
+  } else {
+    drawing.note = too_few("Beverloo\u2019s law", rate.values.size());
   }
   drawing.panels = {panel};
   return {drawing};
+}
+
+/// Which of the two power laws is not drawn, and why.
+std::string missing_runout(const fields::RunoutLaws& laws, const Values& aspect_ratio) {
+  const auto count = [&](auto holds) { return static_cast<std::size_t>(std::ranges::count_if(aspect_ratio, holds)); };
+  std::vector<std::string> missing;
+  if (!laws.low)
+    missing.push_back(fmt::format("of a \u2264 {} {}", fields::runout_bend,
+                                  runs(count([](double a) { return a <= fields::runout_bend; }))));
+  if (!laws.high)
+    missing.push_back(fmt::format("of a \u2265 {} {}", fields::runout_bend,
+                                  runs(count([](double a) { return a >= fields::runout_bend; }))));
+  if (missing.empty()) return {};
+  return fmt::format("A power law is fitted to {} runs or more; {}.", fields::least_points_of_law, list_of(missing));
 }
 
 Drawings runout(const Tests& tests) {
@@ -126,6 +150,7 @@ Drawings runout(const Tests& tests) {
   };
   add(laws.low, least_above_zero(a, largest_in(a)), low_ends, Line::solid);
   add(laws.high, high_begins, largest_in(a), Line::dashed);
+  drawing.note = missing_runout(laws, a);
   drawing.panels = {panel};
   return {drawing};
 }
@@ -147,7 +172,7 @@ Drawings janssen(const Tests& tests) {
               .y = {.label = "pressure at the bottom", .unit = scale.unit, .brief = "pressure", .low = 0},
               .series = {points, law_of("as a liquid", {height, in_unit_of_axis(found["hydrostatic"])}, Line::dotted)}};
   Drawing drawing;
-  if (height.size() >= least_points) {
+  if (height.size() >= fields::least_points_of_law) {
     const auto law = fields::fit_janssen(found["height"], pressure.values, pressure.error, found["hydrostatic"]);
     const double end = law.saturation.value / scale.factor, length = 1e3 * law.length.value;
     panel.y.high = 2 * end;
@@ -158,6 +183,8 @@ Drawings janssen(const Tests& tests) {
                     "weak",
                     {in_unit("p_{s}/" + scale.unit, law.saturation, scale.factor), in_unit("l/mm", law.length, 1e-3)}},
                    {"as a liquid", "weak", {}, Line::dotted}};
+  } else {
+    drawing.note = too_few("Janssen\u2019s law", height.size());
   }
   drawing.panels = {panel};
   return {drawing};

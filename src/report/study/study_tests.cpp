@@ -91,6 +91,7 @@ void take_up(figures::Drawing& whole, figures::Drawing part, const std::string& 
   whole.key.push_back({.name = name,
                        .colour = colour,
                        .numbers = part.key.empty() ? std::vector<figures::Said>{} : part.key.front().numbers});
+  if (!part.note.empty()) whole.note += fmt::format("{}{}: {}", whole.note.empty() ? "" : " ", name, part.note);
 }
 
 struct Grouped {

@@ -4,7 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <numbers>
+
 #include "core/error.hpp"
+#include "model/shapes.hpp"
 #include "support/numbers_of.hpp"
 
 namespace arenite::report {
@@ -35,6 +39,34 @@ TEST(SampleDrawing, GrainsStandInTheirBoxWithMaterialsAndGlue) {
   EXPECT_EQ(j["glued"], Json::parse("[0,1]"));
   EXPECT_EQ(j["materials"], Json::parse(R"(["POM","HDPE"])"));
   EXPECT_FALSE(j.contains("f") || j.contains("stress"));
+}
+
+/// A square that has turned by 45 degrees beside an open boundary that is absent and ends far away.
+TEST(SampleDrawing, BodiesHaveTheirRimsAndBoundariesWhatIsSeenOfThem) {
+  auto of_polygon = state();
+  Grains& grains = of_polygon.packing.grains;
+  constexpr double sharp = 1e-6;
+  for (const double half : {0.01, 0.02})
+    add_shape(grains.shapes,
+              {{{-half, -half}, {half, -half}, {half, half}, {-half, half}}, std::vector<double>(4, sharp), true},
+              half);
+  grains.angle = {std::numbers::pi / 4, 0};
+  Boundary lid;
+  lid.points = {{0.1, 0.05}, {9, 0.05}};
+  lid.present = false;
+  of_polygon.packing.domain.boundaries = {lid};
+  const Json j = Json::parse(to_json(sample_drawing(of_polygon, FigureKind::grains)));
+  ASSERT_EQ(j["rims"].size(), 2u);
+  const double tip = 10 * std::numbers::sqrt2, rounding = 0.02;
+  double least = 1e9, most = -1e9;
+  for (const double x : j["rims"][0]["x"]) least = std::min(least, x), most = std::max(most, x);
+  EXPECT_NEAR(most - least, 2 * tip, rounding);
+  EXPECT_NEAR(most, j["x"][0].get<double>() + tip, rounding);
+  const Json& seen = j["boundaries"][0];
+  EXPECT_EQ(seen["present"], false);
+  EXPECT_EQ(seen["closed"], false);
+  EXPECT_NEAR(seen["x"][1].get<double>() - seen["x"][0].get<double>(), 8900, 0.01);
+  EXPECT_LT(j["size"][0].get<double>(), 100);
 }
 
 TEST(SampleDrawing, ForcesOrStressesAreThereWhereTheyAreShown) {

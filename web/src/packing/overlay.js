@@ -74,9 +74,9 @@ function wallShapes(sample, snapshot, camera, theme) {
   });
 }
 
-/** Boundaries beside the walls; a dashed line where one is absent. */
-function boundaryShapes(snapshot, camera, theme) {
-  return snapshot.boundaries.map(({ x, y, closed, present }) =>
+/** Boundaries and membranes beside the walls; a dashed line where one is absent. */
+export function boundaryShapes(snapshot, camera, theme) {
+  return (snapshot.boundaries ?? []).map(({ x, y, closed, present }) =>
     s(closed ? "polygon" : "polyline", {
       points: Array.from(x, (_, p) => camera.toScreen(x[p], y[p]).join(",")).join(" "),
       fill: "none",

@@ -7,7 +7,7 @@ import { sampleFigure } from "./sample.js";
     there, the sentence that says why. */
 export function studyFigure(figure) {
   const { sample, drawing, missing } = figure;
-  const caption = [figure.caption, (sample || drawing) && missing].filter(Boolean).join(" ");
+  const caption = [figure.caption, drawing?.note, (sample || drawing) && missing].filter(Boolean).join(" ");
   if (sample) return { ...(sample.nodes ? fieldFigure(figure) : sampleFigure(figure)), caption };
   if (!drawing) return { ...figure, caption, draw: () => missing && h("p", { class: "nothing" }, missing) };
   return {

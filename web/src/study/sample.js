@@ -1,4 +1,5 @@
 import { s } from "../dom.js";
+import { boundaryShapes } from "../packing/overlay.js";
 import { materialColour } from "../theme.js";
 
 /** Colours of stresses over the mean, up to so many of them. */
@@ -9,7 +10,7 @@ export const stressKey = (theme, most = 3) =>
   }));
 
 /** One sample: its grains by material, with their normal forces as lines as wide as strong, or coloured by their stress
-    over the mean. */
+    over the mean; its boundaries as the page of a run has them. */
 export function sampleFigure(figure) {
   const { sample } = figure,
     [across, up] = sample.size;
@@ -20,24 +21,27 @@ export function sampleFigure(figure) {
     draw({ theme, width }) {
       const scale = width / across,
         height = Math.ceil(up * scale);
-      const place = (k) => [sample.x[k] * scale, (up - sample.y[k]) * scale];
+      const toScreen = (x, y) => [x * scale, (up - y) * scale],
+        place = (k) => toScreen(sample.x[k], sample.y[k]),
+        outline = (k) => (sample.rims ? rim(sample.rims[k], toScreen) : disk(place(k), sample.r[k] * scale));
       const svg = s("svg", { viewBox: `0 0 ${width} ${height}`, width, height });
       const fill = sample.stress
         ? (k) => theme.stress(Math.round(24 * Math.min(1, Math.max(0, sample.stress[k] / 3))) / 24)
         : (k) => materialColour(theme, sample.material[k]);
-      const disks = grouped(sample.x.keys(), fill, (k) => disk(place(k), sample.r[k] * scale));
+      const disks = grouped(sample.x.keys(), fill, outline);
       for (const [colour, d] of disks) svg.append(s("path", { d, fill: colour, "fill-opacity": sample.f ? 0.28 : 1 }));
       const glued = [...sample.x.keys()].filter((k) => sample.glued[k]);
       if (glued.length > 0)
         svg.append(
           s("path", {
-            d: glued.map((k) => disk(place(k), sample.r[k] * scale)).join(""),
+            d: glued.map(outline).join(""),
             fill: "none",
             stroke: theme.accent,
             "stroke-width": 1.2,
           }),
         );
       if (sample.f) svg.append(...chains(sample, place, scale, theme));
+      svg.append(...boundaryShapes(sample, { toScreen }, theme));
       return svg;
     },
   };
@@ -58,6 +62,11 @@ function grouped(keys, kind, shape) {
   const paths = new Map();
   for (const k of keys) paths.set(kind(k), (paths.get(kind(k)) ?? "") + shape(k));
   return paths;
+}
+
+function rim({ x, y }, toScreen) {
+  const corner = (_, p) => toScreen(x[p], y[p]).map((v) => v.toFixed(2)).join(",");
+  return `M${x.map(corner).join("L")}Z`;
 }
 
 function disk([x, y], r) {

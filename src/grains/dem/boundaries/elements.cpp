@@ -63,12 +63,18 @@ bool is_beyond(const Domain& domain, const Boundary& boundary, std::size_t point
   return ways.out == Vec2{} || dot(way, ways.out) <= 0;
 }
 
-/// On which side of a segment a place is, +1 or -1; 0 where it lies beyond an end.
-int side_of(const Ends& segment, Vec2 place) {
+/// A place as a segment sees it: how far along, of its length, and how far aside, in its length, left above 0.
+Vec2 as_seen(const Ends& segment, Vec2 place) {
   const Vec2 along = segment.to - segment.from, way = place - segment.from;
-  const double share = dot(way, along);
-  if (!(share > 0 && share < dot(along, along))) return 0;
-  return cross(along, way) > 0 ? 1 : -1;
+  return Vec2{dot(way, along), cross(along, way)} / dot(along, along);
+}
+
+/// Whether the way from one place to the other, both as a segment sees them, leads through it or one of its ends.
+bool leads_through(Vec2 from, Vec2 to) {
+  if (!(from.y * to.y < 0)) return false;
+  const double share = from.x + from.y / (from.y - to.y) * (to.x - from.x);
+  constexpr double rounding = 1e-9;  // without it the way through a corner would miss both segments
+  return share >= -rounding && share <= 1 + rounding;
 }
 
 /// Whether the disk of a slot has gone through its segment since the list was built.
@@ -79,7 +85,8 @@ bool has_crossed(const Sample& s, std::size_t slot) {
   if (!element.segment || !now.present) return false;
   const Vec2 listed = s.listed[k], before = seen_from(s.domain, then, element, listed);
   const Vec2 place = before + (s.record[k].place - listed);
-  return side_of(segment_at(then, element.point), before) * side_of(segment_at(now, element.point), place) < 0;
+  return leads_through(as_seen(segment_at(then, element.point), before),
+                       as_seen(segment_at(now, element.point), place));
 }
 
 }  // namespace

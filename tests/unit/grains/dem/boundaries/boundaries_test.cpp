@@ -274,12 +274,34 @@ TEST(Boundaries, StagesMoveThemByName) {
   EXPECT_THROW(begin_stage(engine, stage), InputError);
 }
 
-TEST(Boundaries, AGrainThatIsShotThroughOneEndsInAnError) {
-  Packing p = container_with(polyline({{1, 0.5}, {1, 1.5}}));
-  testing::add_grain(p, 0.95, 1, r);
-  p.grains.velocity[0].x = 500;
+/// Whether the error of a grain that is shot from there at a boundary names the boundary.
+bool shot_names_it(std::vector<Vec2> points, Vec2 from, Vec2 velocity) {
+  Packing p = container_with(polyline(std::move(points)));
+  testing::add_grain(p, from.x, from.y, r);
+  p.grains.velocity[0] = velocity;
   Engine engine(p, {}, {});
-  EXPECT_THROW(engine.advance(1000), CannotGoOn);
+  try {
+    engine.advance(1000);
+  } catch (const CannotGoOn& error) {
+    return std::string(error.what()).find("the boundary \"plate\"") != std::string::npos;
+  }
+  return false;
+}
+
+TEST(Boundaries, AGrainThatIsShotThroughOneEndsInAnErrorThatNamesIt) {
+  EXPECT_TRUE(shot_names_it({{1, 0.5}, {1, 1.5}}, {0.95, 1}, {1000, 0}));
+}
+
+/// Straight and obliquely through a point of a boundary that is straight there or turns to either side, and from one
+/// segment's side to the other's close to the point.
+TEST(Boundaries, AGrainThatIsShotThroughAPointOfOneEndsInAnErrorThatNamesIt) {
+  for (const double back : {-0.3, 0., 0.3})
+    for (const double upwards : {-100., 0., 100.})
+      for (const double aside : {0., 1e-4}) {
+        const Vec2 from{0.95, 1 + aside - 0.05 * upwards / 1000};
+        EXPECT_TRUE(shot_names_it({{1 - back, 0.5}, {1, 1}, {1 - back, 1.5}}, from, {1000, upwards}))
+            << back << " " << upwards << " " << aside;
+      }
 }
 
 TEST(Boundaries, ThatMakeNoSenseAreRefused) {
