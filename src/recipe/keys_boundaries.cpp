@@ -69,8 +69,10 @@ void require_boundary(Visitor& v, const Programme& p, const Stage& stage, const 
 /// The first value of a programme is that of the stage itself, so that what looks at a stage knows what it begins with.
 void begin_with(const Programme& p, Stage& stage) {
   const double value = p.table.front().y;
-  if (p.of.is_of_side()) stage.side[static_cast<std::size_t>(p.of.side)] = {p.of.kind(), value};
-  else if (p.of.is(Programme::What::slide)) stage.slide[static_cast<std::size_t>(p.of.side)] = value;
+  if (p.of.is_of_side()) {
+    SideDrive& side = stage.side[static_cast<std::size_t>(p.of.side)];
+    side = {side.is_skin() ? side.kind : p.of.kind(), value};
+  } else if (p.of.is(Programme::What::slide)) stage.slide[static_cast<std::size_t>(p.of.side)] = value;
   else if (p.of.is(Programme::What::shear_rate)) stage.shear_rate = value;
   else if (p.of.is(Programme::What::gravity_size)) stage.gravity_size = value;
   else if (p.of.is(Programme::What::gravity_angle)) stage.gravity_angle = value;
@@ -79,8 +81,12 @@ void begin_with(const Programme& p, Stage& stage) {
 void require_place(Visitor& v, const Programme& p, const Stage& stage, const Recipe& recipe) {
   const auto& container = recipe.container;
   if (p.of.is_of_side()) {
-    const auto kind = stage.side[static_cast<std::size_t>(p.of.side)].kind;
-    v.require(kind == SideDrive::Kind::fixed || kind == p.of.kind(), {"of"},
+    const SideDrive& side = stage.side[static_cast<std::size_t>(p.of.side)];
+    v.require(!side.is_skin() || p.of.is(Programme::What::pressure), {"of"},
+              fmt::format("the {0} side is a membrane, and what changes with time is its pressure; write of = "
+                          "\"{0}.pressure\"",
+                          side_names[p.of.side]));
+    v.require(side.kind == SideDrive::Kind::fixed || side.is_skin() || side.kind == p.of.kind(), {"of"},
               fmt::format("the {} side is already driven in this stage; leave out \"{}\" there", side_names[p.of.side],
                           side_names[p.of.side]));
   } else if (p.of.is(Programme::What::slide)) {

@@ -33,7 +33,9 @@ void require_disks(Visitor& v, const Stage& stage, const Recipe& recipe) {
   const bool disks = std::ranges::all_of(
       recipe.populations, [](const auto& p) { return std::holds_alternative<packing::DiskShape>(p.shape); });
   const std::initializer_list<std::string_view> keys = {"inflow", "outlets"};
-  v.require(disks, keys, "grains other than disks cannot come in or leave; leave inflow and outlets out");
+  v.require(
+      disks, keys,
+      "grains other than disks cannot come in or leave; leave shape out of the populations, or inflow and outlets out");
   v.require(!recipe.contact.has_bonds(), keys, "bonded grains cannot come in or leave; set contact.bonds = \"none\"");
   v.require(!stage.glue, keys, "glued grains cannot come in or leave; leave glue out");
   v.require(stage.rough == BySide<bool>{}, keys, "grains cannot come in or leave where a rough wall holds some");

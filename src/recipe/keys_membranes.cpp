@@ -76,8 +76,9 @@ void require_membranes(Visitor& v, Stage& stage, const Recipe& recipe) {
             "a membrane needs a container with four walls; set container.periodic_x = false and periodic_y = false");
   v.require(dem::integrator_of(recipe.integration.integrator).moves_bodies, {name},
             "membranes need integration.integrator = " + dem::integrators_of_bodies());
-  v.require(stage.exchange.is_none(), {name, "inflow", "outlets"},
-            "grains neither come in nor leave between membranes; leave inflow and outlets out");
+  v.require(
+      stage.exchange.is_none(), {name, "inflow", "outlets"},
+      "grains neither come in nor leave between membranes; leave inflow and outlets out, or give this side a pressure");
   v.require(!has_polygons(recipe), {name},
             "the nodes of a membrane would cut into polygons; take disks or clumps, or give this side a pressure");
   for (std::size_t side = 0; side < 4; ++side)

@@ -208,7 +208,7 @@ TEST(Exchange, IsRefusedWithTheMendAtItsLine) {
       {"stages.1.rough.bottom=true", "rough wall"},
       {"stages.1.count_below=30 mm", "leave count_below out"},
       {"contact.bonds=parallel", "bonded grains cannot come in or leave"},
-      {"populations.0.shape=square", "grains other than disks cannot come in or leave"}};
+      {"populations.0.shape=square", "leave shape out of the populations"}};
   for (const auto& [change, part] : wrong) {
     const auto refused = test::arenite("check " + file + " --set '" + change + "'");
     EXPECT_EQ(refused.status, 2) << change;

@@ -88,6 +88,25 @@ TEST(Membrane, BetweenTwoPlatensTakesTheArcOfLaplace) {
   }
 }
 
+/// From half of the pressure to all of it by a table, and at rest there.
+TEST(Membrane, FollowsATableOfItsPressure) {
+  const double side = 0.2, pressure = 200, ramp = 0.5;
+  Engine engine(all_but_empty(side), {}, {});
+  Stage stage = pressed(0.5 * pressure, {left});
+  stage.skin.stiffness = 5e3;
+  stage.drag = 60;
+  stage.programmes = {{{dem::Driven::What::pressure, left}, {{0, 0.5 * pressure}, {ramp, pressure}}}};
+  engine.begin(stage);
+  engine.advance(static_cast<std::int64_t>(0.5 * ramp / engine.dt));
+  const Membrane& m = *dem::the<Membranes>(engine).on_side(left);
+  const double thickness = engine.domain.thickness;
+  EXPECT_NEAR(m.skin.pressure, 0.75 * pressure * thickness, 1e-4 * pressure * thickness);
+  engine.advance(static_cast<std::int64_t>(3 / engine.dt));
+  const Arc arc = arc_of(static_cast<double>(m.nodes() - 1), side, pressure * thickness, 5e3 * thickness);
+  const double stretched = norm(points(engine, left)[1] - points(engine, left)[0]);
+  EXPECT_NEAR(dem::pull_of(m.skin, stretched), arc.tension, 1e-5 * arc.tension);
+}
+
 TEST(Membrane, IsSlackWhereItIsShortenedAndDoesNotFold) {
   const dem::Skin skin{100, 0.01};
   EXPECT_NEAR(dem::pull_of(skin, 0.011), 10, 1e-12);
@@ -181,6 +200,7 @@ TEST(Membrane, ClosesTheEnergyBalance) {
   Stage shear = pressed(5e4, {left, right});
   shear.side[top] = {Kind::velocity, 0.5};
   shear.duration = 0.01;
+  shear.programmes = {{{dem::Driven::What::pressure, left}, {{0, 5e4}, {0.01, 8e4}}}};
   const Vec2 before = held();
   to_its_end(engine, shear);
   const Vec2 gain = held() - before;
@@ -193,6 +213,7 @@ Stage sheared() {
   Stage stage = pressed(3e5, {left, right});
   stage.side[top] = {Kind::velocity, 0.3};
   stage.duration = 1;
+  stage.programmes = {{{dem::Driven::What::pressure, right}, {{0, 3e5}, {1e-3, 4e5}}}};
   return stage;
 }
 
@@ -206,6 +227,7 @@ TEST(Membrane, ThatIsResumedHasTheBitsOfOneInOnePiece) {
   continue_stage(whole, sheared(), *std::make_unique<dem::StageRun>());
   const auto bytes = save_sample(whole);
   whole.advance(811);
+  resumed.begin(sheared());  // its table is no part of a state
   restore_sample(resumed, bytes);
   EXPECT_EQ(save_sample(resumed), bytes);
   resumed.advance(500);

@@ -58,6 +58,26 @@ test("grains carry their material's colour", async (page) => {
   }
 });
 
+test("the legend has the colours of the grains, which are paler under force chains", async (page) => {
+  const alone = await page.evaluate(() => {
+    const { view, sample } = window.arenite;
+    return [...sample.radius.keys()].find((g) => sample.coordination(view.snapshot, g) === 0);
+  });
+  const { x, y, material } = await grain(page, alone);
+  for (const [chains, pale] of [
+    ["all", true],
+    ["off", false],
+  ]) {
+    await click(page, "chains", chains);
+    await settle(page);
+    const picture = await painted(page),
+      box = await page.locator("svg.key circle").nth(material).boundingBox();
+    const [swatch, seen] = [await picture(box.x + box.width / 2, box.y + box.height / 2), await picture(x, y)];
+    assert.ok(difference(swatch, seen) <= 3, `chains ${chains}: ${swatch} is not ${seen}`);
+    assert.equal(difference(swatch, light.materials[material]) > 20, pale);
+  }
+});
+
 test("the space between the wall and the page is empty", async (page) => {
   const box = await page.locator("canvas.grains").boundingBox();
   assert.ok(difference(await (await painted(page))(box.x + 3, box.y + 3), light.card) <= 1);

@@ -5,9 +5,10 @@ from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
 from .packings import circles, container
-from .style import key_below, pale, tension, weak
+from .style import broken_colours, key_below, pale, weak
 
-kinds = {1: ("tension", tension), 2: ("bending", "#e69f00"), 3: ("shear", "#0072b2")}  # as `broken` counts them
+names = ["tension", "bending", "shear"]
+kinds = {k + 1: kind for k, kind in enumerate(zip(names, broken_colours))}  # as `broken` counts them
 
 
 def has_broken(history):

@@ -16,7 +16,7 @@ using Values = std::vector<double>;
 struct Mode {
   const char *name, *colour;
 };
-constexpr std::array<Mode, 3> modes{{{"tension", "tension"}, {"bending", "mixed 0"}, {"shear", "strong"}}};
+constexpr std::array<Mode, 3> modes{{{"tension", "broken 0"}, {"bending", "broken 1"}, {"shear", "broken 2"}}};
 
 /// The straight line whose slope is the modulus, through the curve where it has half of the strength.
 Series modulus_line(const fields::UniaxialTest& test, const Panel& panel, double factor) {

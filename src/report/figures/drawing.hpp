@@ -22,8 +22,8 @@ enum class Line { none, solid, dashed, dotted };
 
 /// Numbers of one kind against each other. A colour is a role that each renderer has a colour for: "strong", "weak",
 /// "soft", "accent", "fit", "tension", "wall"; "material 0", "mixed 0" (contacts between two), "line 0" (one of many),
-/// "set large" (nodes of this kind), "crack 1"; "scale 0.5" (of values in an order, from 0 to 1), "source" (what a text
-/// says).
+/// "set large" (nodes of this kind), "crack 1", "broken 0" (bonds by how they break); "scale 0.5" (of values in an
+/// order, from 0 to 1), "source" (what a text says).
 struct Series {
   std::string name = {}, colour = "strong";
   std::vector<double> x = {}, y = {};

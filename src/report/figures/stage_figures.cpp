@@ -215,7 +215,10 @@ Drawings grain_bonds(const StageData& data) {
       data, {{"broken_in_tension", "tension"}, {"broken_in_bending", "bending"}, {"broken_in_shear", "shear"}},
       [](double) { return true; });
   if (drawing.panels.empty() || !(largest_in(drawing.panels.front()) > 0)) return {};
-  drawing.panels.front().y = {.label = "broken bonds", .low = 0};
+  Panel& panel = drawing.panels.front();
+  panel.y = {.label = "broken bonds", .low = 0};
+  for (std::size_t k = 0; k < panel.series.size(); ++k)
+    panel.series[k].colour = drawing.key[k].colour = "broken " + std::to_string(k);
   return {drawing};
 }
 

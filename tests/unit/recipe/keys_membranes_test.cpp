@@ -59,6 +59,20 @@ TEST(MembranesInRecipes, AreReadAndWritten) {
   EXPECT_EQ(parse_recipe(to_toml(recipe), "again.toml").stages, recipe.stages);
 }
 
+TEST(MembranesInRecipes, TakeATableOfPressureAndNothingElse) {
+  const auto table = [](const std::string& of, const std::string& values) {
+    return "duration = \"1 s\"\n[[stages.programmes]]\nof = \"" + of + "\"\ntable = " + values + "\n";
+  };
+  std::string changed = between_membranes;
+  const std::string end = "duration = \"1 s\"\n";
+  changed.replace(changed.rfind(end), end.size(), table("right.pressure", R"([["0 s", "60 kPa"], ["1 s", "90 kPa"]])"));
+  const Recipe recipe = parse_recipe(changed, "membranes.toml");
+  EXPECT_EQ(membrane_pressures(recipe.stages[1])[right], 60e3);
+  EXPECT_EQ(recipe.stages[1].programmes.at(0).at(0.5), 75e3);
+  EXPECT_EQ(parse_recipe(to_toml(recipe), "again.toml").stages, recipe.stages);
+  EXPECT_TRUE(is_refused(end, table("right.force", R"([["0 s", "0 kN"], ["1 s", "1 kN"]])"), "right.pressure"));
+}
+
 TEST(MembranesInRecipes, ThatMakeNoSenseAreRefused) {
   EXPECT_TRUE(is_refused("thickness", "periodic_y = true\nthickness", "four walls"));
   EXPECT_TRUE(is_refused("[membrane]", "[integration]\nintegrator = \"gear5\"\n[membrane]", "need integration"));
@@ -67,6 +81,8 @@ TEST(MembranesInRecipes, ThatMakeNoSenseAreRefused) {
   EXPECT_TRUE(is_refused("duration", "slide = { left = \"1 mm/s\" }\nduration", "neither slides"));
   EXPECT_TRUE(is_refused("left = { membrane = \"50 kPa\" }\nright = { membrane = \"60 kPa\" }",
                          "right = { membrane = \"60 kPa\" }", "from stage \"cell\" on"));
+  EXPECT_TRUE(is_refused("duration = \"1 s\"", "duration = \"1 s\"\noutlets = [{ top = \"1 mm\" }]",
+                         "leave inflow and outlets out, or give this side a pressure"));
   EXPECT_TRUE(is_refused("diameter = \"5 mm\"", "diameter = \"5 mm\"\nshape = \"pentagon\"", "cut into polygons"));
   EXPECT_TRUE(is_refused("[membrane]",
                          "[[boundaries]]\nname = \"left_membrane\"\npoints = [[\"0 mm\", \"0 mm\"], [\"1 mm\", "

@@ -24,7 +24,7 @@ export function colourOf(theme, role) {
   if (name === "scale") return theme.size(Number(which));
   if (name === "source") return theme.accent;
   if (name === "set") return which === "all" ? theme.strong : theme.kindLine[kinds[which]];
-  return name === "crack" ? theme.crack[Number(which)] : theme[name];
+  return ["crack", "broken"].includes(name) ? theme[name][Number(which)] : theme[name];
 }
 
 /** How a line is broken. */

@@ -2,6 +2,11 @@ import { s } from "../dom.js";
 
 const crackShare = 0.9; // of the smaller radius, on either side
 const farthest = 1.5; // of the radii's sum: beyond it there are two pieces, and no crack to be seen
+const ways = ["tension", "bending", "shear"]; // of breaking, as `broken` counts them from 1
+
+/** What cracks mean: [{ name, colour }] of the ways in which bonds of a state have broken. */
+export const crackKey = ({ bonds }, theme) =>
+  ways.map((name, k) => ({ name, colour: theme.broken[k] })).filter((_, k) => bonds?.broken.includes(k + 1));
 
 /** Bonds that hold as thin lines from centre to centre, and a crack across each that broke, where its grains are still
     near; none across a periodic side. */
@@ -43,9 +48,7 @@ export function bondShapes(sample, snapshot, camera, theme) {
     });
   return [
     path(whole, theme.soft, 0.6, "bonds"),
-    path(cracks[0], theme.tension, 2, "cracks tension"),
-    path(cracks[1], theme.tension, 1.2, "cracks bending"),
-    path(cracks[2], theme.strong, 2, "cracks shear"),
+    ...ways.map((name, k) => path(cracks[k], theme.broken[k], 2, `cracks ${name}`)),
   ].filter((shape) => shape.getAttribute("d"));
 }
 

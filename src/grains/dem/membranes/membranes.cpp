@@ -240,6 +240,10 @@ Vec2 mean_forces(const Sample& s) {
   return mean;
 }
 
+void press_membrane(Sample& s, int side, double pressure) {
+  std::ranges::find(the<Membranes>(s).list, side, &Membrane::side)->skin.pressure = pressure * s.domain.thickness;
+}
+
 void set_membranes(Sample& s, const BySide<std::optional<double>>& pressure, const SkinParameters& of,
                    const ThreadPool& pool) {
   Membranes& all = the<Membranes>(s);

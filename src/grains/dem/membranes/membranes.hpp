@@ -102,4 +102,7 @@ Vec2 mean_forces(const Sample& sample);
 void set_membranes(Sample& sample, const BySide<std::optional<double>>& pressure, const SkinParameters& of,
                    const ThreadPool& pool = ThreadPool());
 
+/// The pressure outside of the membrane on a side from now on, Pa; the forces of now stay until they are found anew.
+void press_membrane(Sample& sample, int side, double pressure);
+
 }  // namespace arenite::dem

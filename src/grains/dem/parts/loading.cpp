@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "grains/dem/conditions.hpp"
+#include "grains/dem/membranes/membranes.hpp"
 #include "grains/dem/walls.hpp"
 
 namespace arenite::dem {
@@ -31,6 +32,8 @@ double load_of(const Sample& s, const Programme& p, double time) {
   return value * s.domain.length(p.of.side) * s.domain.thickness;
 }
 
+bool drives_skin(const Sample& s, const Programme& p) { return p.of.is(What::pressure) && s.wall[p.of.side].skin; }
+
 }  // namespace
 
 void Loading::set_up(Sample& s) { tune_servo(s); }
@@ -54,7 +57,8 @@ void Loading::after_step(Sample& s) {
   double g = programmes.gravity_size, turned = programmes.gravity_angle;
   bool weight_changes = false;
   for (const Programme& p : programmes.list) {
-    if (p.of.is_of_side() && !p.of.is(What::velocity)) s.wall[p.of.side].drive.value = load_of(s, p, time);
+    if (drives_skin(s, p)) press_membrane(s, p.of.side, p.at(time));
+    else if (p.of.is_of_side() && !p.of.is(What::velocity)) s.wall[p.of.side].drive.value = load_of(s, p, time);
     if (p.of.is_of_force())
       the<Boundaries>(s).body[index_of(s.domain.boundaries, p.name)].force[p.of.axis()] = p.at(time);
     if (p.of.is(What::gravity_size)) g = p.at(time);
@@ -67,7 +71,7 @@ void Loading::after_step(Sample& s) {
 WallDrives under_programmes(const Sample& s, WallDrives drives) {
   for (const Programme& p : the<Loading>(s).programmes.list) {
     if (p.of.is(What::slide)) drives[p.of.side].slide = s.wall[p.of.side].drive.slide;
-    if (!p.of.is_of_side()) continue;
+    if (!p.of.is_of_side() || drives_skin(s, p)) continue;
     const int side = p.of.side;
     if (!p.of.is(What::velocity)) drives[side].value = load_of(s, p, time_of(s) - the<Loading>(s).programmes.begin);
     else if (s.wall[side].drive.kind == WallDrive::Kind::velocity) drives[side].value = s.wall[side].drive.value;
@@ -80,7 +84,7 @@ void set_programmes(Sample& s, Programmes programmes) {
   WallDrives drives;
   bool sheared = false;
   for (const Programme& p : programmes.list) {
-    if (p.of.is_of_side()) drives[p.of.side].kind = WallDrive::Kind::velocity;
+    if (p.of.is_of_side() && !drives_skin(s, p)) drives[p.of.side].kind = WallDrive::Kind::velocity;
     sheared |= p.of.is(What::shear_rate);
     if (!p.of.is_of_boundary()) continue;
     const std::size_t at = index_of(boundaries, p.name);

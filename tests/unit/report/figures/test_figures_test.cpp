@@ -89,6 +89,7 @@ TEST(TestFigures, OfARockStrengthModulusAndBrokenBondsAreShown) {
   EXPECT_NEAR(*strength.x, 5, 1e-12);
   EXPECT_NEAR(*strength.y, 120 / 0.4, 1e-9);
   EXPECT_EQ(drawing.panels[1].series[0].y.back(), 8);
+  EXPECT_EQ(drawing.panels[1].series[0].colour, "broken 0");  // as the cracks in the picture
   EXPECT_NEAR(drawing.panels[1].now.x[0], 5, 1e-12);
   EXPECT_EQ(drawing.key.front().numbers.front().value, "300.0\u202fPa");
 }
