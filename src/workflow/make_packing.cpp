@@ -71,9 +71,10 @@ class Circles {
       throw InputError(fmt::format(
           "the circumscribed circles of the grains cover {:.3g} of {}; {} and let a loading stage compact it", around,
           size_is_given ? "the area that they fill" : "the container",
-          size_is_given ? fmt::format("give it {:.2g} times as much, or take fewer grains", around / most)
-                        : fmt::format("start from a packing.solid_fraction of {:.2f} or less",
-                                      std::floor(100 * within * most / around) / 100)));
+          size_is_given
+              ? fmt::format("give it {:.2f} times as much, or take fewer grains", std::ceil(100 * around / most) / 100)
+              : fmt::format("start from a packing.solid_fraction of {:.2f} or less",
+                            std::floor(100 * within * most / around) / 100)));
   }
 
  private:

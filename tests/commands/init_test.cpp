@@ -65,6 +65,22 @@ INSTANTIATE_TEST_SUITE_P(
             "surface.top_m"}),
     [](const auto& of) { return std::string(of.param.name); });
 
+TEST(Templates, OfADrumTakesTheShapesThatItNames) {
+  const TemporaryFolder folder;
+  const std::string recipe = (folder / "r.toml").string();
+  ASSERT_EQ(arenite("init drum " + recipe).status, 0);
+  for (const char* shape : {"triangle", "square", "pentagon", "hexagon", "clump"}) {
+    const auto checked =
+        arenite("check " + recipe + " --set populations.acrylic.count=300 --set populations.acrylic.shape=" + shape);
+    EXPECT_EQ(checked.status, 0) << checked.err;
+    EXPECT_FALSE(contains(checked.err, "refuse")) << shape << ": " << checked.err;
+  }
+  // Circles about them on 1.02 times the area that is allowed: the mend is more than nothing.
+  const auto full =
+      arenite("check " + recipe + " --set populations.acrylic.count=600 --set populations.acrylic.shape=pentagon");
+  EXPECT_TRUE(contains(full.err, "give it 1.0") && !contains(full.err, "1.00")) << full.err;
+}
+
 TEST(Templates, AreListed) {
   const auto listed = arenite("init");
   EXPECT_EQ(listed.status, 0);

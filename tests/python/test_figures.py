@@ -13,6 +13,7 @@ import arenite.figures as figures
 import numpy as np
 import pytest
 from arenite.figures import (
+    bonds,
     catalogue,
     described,
     drawing,
@@ -279,6 +280,11 @@ def test_materials_have_one_colour_in_all_figures(result):
         *style.colours[:3],
         style.strong,
     ]
+
+
+def test_bonds_that_broke_have_one_colour_in_the_curves_and_in_the_picture():
+    for kind, (_, colour) in bonds.kinds.items():
+        assert drawing.colour_of_role(f"broken {kind - 1}") == colour
 
 
 def a_field(by, value=-2.0):
