@@ -120,6 +120,8 @@ Drawings certainty(const FilmData& data) {
   if (const auto below = std::ranges::count_if(ratios, [&](double r) { return r < bins.first; }); below > 0)
     panel.corner.push_back(counted(static_cast<double>(below)) + " below " + rounded(bins.first, 2) +
                            " in the first bar");
+  constexpr double above_bars = 1.3;  // room for these words
+  if (!panel.corner.empty()) panel.y.high = above_bars * largest_of(base, 1);
   panel.references = {{.x = 0, .line = Line::solid}};
   drawing.panels = {panel};
   return {drawing};

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "report/figures/film_figures.hpp"
 
 using namespace arenite;
@@ -39,6 +41,9 @@ TEST(FilmForces, EveryContactIsInABarOfItsCertainty) {
     for (const double count : series.y) all += count;
   EXPECT_EQ(all, 5);
   EXPECT_EQ(panel.corner, (std::vector<std::string>{"1 beyond 50 in the last bar"}));
+  double tallest = 0;
+  for (const double top : panel.series.back().high) tallest = std::max(tallest, top);
+  EXPECT_GT(panel.y.high.value_or(0), 1.2 * tallest);  // the words stand above the bars
 }
 
 TEST(FilmForces, BarsOfCertaintyAreFewWhateverTheNumbers) {
