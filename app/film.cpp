@@ -66,9 +66,7 @@ void add_film(Options& command, int& status) {
   add_overrides(command, a->overrides);
   a->reading.add_to(command);
   command.add("--out", a->out, "Folder of the result, the simulation and the page (default: out/NAME)").type("DIR");
-  command.add("--threads", a->threads, "Threads (default: 1); the results do not depend on their number")
-      .between(1, 1024)
-      .type("N");
+  add_threads(command, a->threads);
   command.add("--json", a->json, "Print all numbers as JSON");
   command.add("--quiet", a->quiet, "Show no progress");
   command.work = [a, &status] { status = execute(*a); };

@@ -27,9 +27,9 @@ void declare(ParameterVisitor& v, PictureOfGrains& of) {
 }
 
 struct GrainsArguments {
-  KeyOptions picture_keys{recipe::every_key<PictureOfGrains>()}, search{recipe::every_key<imaging::CircleOptions>()};
-  std::string picture, radii, materials, channel = "grey", origin, out;
-  std::int64_t frame = -1;
+  KeyOptions picture_keys{recipe::every_key<PictureOfGrains>()}, search{recipe::every_key<imaging::CircleOptions>()},
+      reading{recipe::every_key<workflow::GrainPictureKeys>()};
+  std::string picture, radii, out;
   bool mean = false, json = false;
 };
 
@@ -57,14 +57,8 @@ std::vector<double> radii_of(const GrainsArguments& a, double pixel) {
 }
 
 /// Where x and y count from: the picture's lower left corner, or the pixel that was given.
-Vec2 corner_of(const GrainsArguments& a, const FloatImage& image) {
-  if (a.origin.empty()) return {-0.5, image.height - 0.5};
-  const auto parts = split_commas(a.origin);
-  const auto column = parts.size() == 2 ? io::to_number(parts[0]) : std::nullopt,
-             row = parts.size() == 2 ? io::to_number(parts[1]) : std::nullopt;
-  if (!column || !row)
-    throw InputError("--origin: expected column and row of a pixel, counted from the upper left, for example 50,228");
-  return {*column, *row};
+Vec2 corner_of(const workflow::GrainPictureKeys& keys, const FloatImage& image) {
+  return keys.origin.empty() ? Vec2{-0.5, image.height - 0.5} : Vec2{keys.origin[0], keys.origin[1]};
 }
 
 imaging::CircleOptions circle_options(const GrainsArguments& a, double pixel,
@@ -100,16 +94,18 @@ void store(const GrainsArguments& a, const report::FoundGrains& grains) {
 
 void find_grains(const GrainsArguments& a) {
   const PictureOfGrains said = said_of(a);
+  workflow::GrainPictureKeys keys;
+  read_options(keys, a.reading.given());
   const double pixel = said.picture.pixel;
   const std::vector<std::string> materials =
-      a.materials.empty() ? std::vector<std::string>() : split_commas(a.materials);
+      keys.materials.empty() ? std::vector<std::string>() : split_commas(keys.materials);
   const imaging::CircleOptions options = circle_options(a, pixel, materials);
   io::ImageChoice choice;
-  if (a.frame >= 0) choice.slice = a.frame;
-  choice.channel = io::parse_channel(a.channel);
+  choice.slice = keys.frame;
+  choice.channel = keys.channel;
   if (said.film) choice.dataset = said.film->dataset;
   const workflow::GrainPicture picture = workflow::read_grain_picture(a.picture, choice);
-  const Vec2 corner = corner_of(a, picture.image);
+  const Vec2 corner = corner_of(keys, picture.image);
   try {
     const imaging::FoundCircles found = find(picture.image, options);
     const report::FoundGrains grains{found, picture, pixel, corner, materials, a.picture};
@@ -125,10 +121,7 @@ void add_grains(Options& command, int&) {
   command.add("picture", a->picture, "Picture (" + io::picture_formats() + ") or film of the grains")
       .required()
       .type("IMAGE");
-  command
-      .add("--frame", a->frame, "Frame of a film, or slice of a stack, counted from 0; default: the mean of all frames")
-      .between(0, 1e12)
-      .type("N");
+  a->reading.add(command, "--frame", "frame");
   command.add("--mean", a->mean, "Use the mean of all frames of a film (the default)").not_with("--frame");
   command
       .add("--radii", a->radii,
@@ -137,20 +130,11 @@ void add_grains(Options& command, int&) {
   a->picture_keys.add(command, "--pixel", "picture.pixel").type("LENGTH").sentence +=
       "; if not given, lengths are in pixels";
   for (const char* key : {"smallest", "largest"}) a->search.add(command, option_name(key), key);
-  command
-      .add("--materials", a->materials,
-           "Materials by brightness, darkest first, e.g. POM,HDPE; if not given, the classes are found automatically")
-      .type("NAMES");
-  command.add("--channel", a->channel, "Colour channel that is used; default grey")
-      .among(io::channel_names())
-      .type("NAME");
+  a->reading.add(command, "--materials", "materials").type("NAMES");
+  a->reading.add(command, "--channel", "channel").type("NAME");
   a->search.add(command, "--contrast", "contrast").type("WAY");
   a->search.add(command, "--least-score", "least_score");
-  command
-      .add("--origin", a->origin,
-           "Pixel at which x = y = 0, column and row counted from the upper left; default: the lower left corner of "
-           "the picture")
-      .type("COLUMN,ROW");
+  a->reading.add(command, "--origin", "origin").type("COLUMN,ROW");
   a->picture_keys.add(command, "--dataset", "film.dataset").type("NAME");
   command
       .add("--out", a->out,

@@ -23,12 +23,12 @@ namespace {
 using statistics::described;
 
 struct LockinArguments {
-  std::string film, out, convention = "amplitude", format = "tiff";
+  std::string film, out, format = "tiff";
   FilmReading reading;
   KeyOptions keys{recipe::every_key<recipe::LockinAlone>()};
   recipe::LockinAlone section;  ///< what they say
   thermography::LockinOptions options;
-  bool no_refinement = false, by_lock_in_line = false, json = false, quiet = false;
+  bool by_lock_in_line = false, json = false, quiet = false;
   bool is_nearest_bin() const { return section.method == recipe::LockinSection::Method::nearest_bin; }
 };
 
@@ -128,8 +128,8 @@ int execute(LockinArguments& a) {
   o.frequency = a.section.frequency;
   o.drift_order = static_cast<int>(a.section.drift);
   o.harmonics = static_cast<int>(a.section.harmonics);
-  o.refine = !a.no_refinement;
-  o.convention = a.convention == "peak-to-peak" ? AmplitudeConvention::peak_to_peak : AmplitudeConvention::amplitude;
+  o.refine = a.section.refine;
+  o.convention = a.section.convention;
   o.reference_phase = a.section.phase;
   const auto film = io::open_film(a.film, a.reading.choice());
   tell_remarks(a.film, film->info());
@@ -174,19 +174,14 @@ void add_lockin(Options& command, int& status) {
   command.add("--format", a->format, "Format of the maps").among(io::film_formats_to_write(true));
   a->keys.add(command, "--drift", "drift");
   a->keys.add(command, "--harmonics", "harmonics");
-  command
-      .add("--convention", a->convention,
-           "Convention of the maps: the amplitude (default) or peak to peak, twice the amplitude")
-      .among({"amplitude", "peak-to-peak"})
-      .formerly("half", "amplitude")
-      .formerly("full", "peak-to-peak");
+  a->keys.add(command, "--convention", "convention");
   a->keys.add(command, "--reference-phase", "phase", "rad").type("ANGLE");
   a->keys.add_word(command, "--nearest-bin", "method", "nearest_bin");
-  command.add("--no-refinement", a->no_refinement, "Keep the frequency as given");
+  a->keys.add_word(command, "--no-refinement", "refine", "false");
   a->keys.add(command, "--diffusivity", "diffusivity");
   a->keys.add(command, "--pixel", "pixel").type("LENGTH");
   a->reading.add_to(command);
-  command.add("--threads", a->options.threads, "Threads (default: 1)").between(1, 256).type("N");
+  add_threads(command, a->options.threads);
   command.add("--json", a->json, "Print all numbers as JSON");
   command.add("--quiet", a->quiet, "Show no progress");
   command.work = [a, &status] { status = execute(*a); };

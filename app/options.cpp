@@ -17,6 +17,7 @@
 #include "print.hpp"
 #include "recipe/document.hpp"
 #include "recipe/record.hpp"
+#include "recipe/threads.hpp"
 
 namespace arenite::app {
 namespace {
@@ -160,9 +161,10 @@ Option& KeyOptions::add_word(Options& to, std::string_view name, std::string_vie
   const recipe::Record& record = at(key);
   Slot& slot =
       slots_.emplace_back(Slot{std::string(name), std::string(key), {}, &record, {}, std::string(word), false});
+  const std::string_view sentence = record.key.sentence.substr(0, record.key.sentence.size() - 1);
+  if (record.type == recipe::Record::Type::flag) return to.add(name, slot.on, fmt::format("Off: {}", sentence));
   const auto choice = std::ranges::find(record.choices, word, [](const auto& each) { return each.word.word; });
-  return to.add(name, slot.on,
-                fmt::format("{}: {}", record.key.sentence.substr(0, record.key.sentence.size() - 1), choice->sentence));
+  return to.add(name, slot.on, fmt::format("{}: {}", sentence, choice->sentence));
 }
 
 void KeyOptions::add_section(const Slot& slot, std::vector<recipe::Given>& given) const {
@@ -204,6 +206,14 @@ std::vector<std::string> KeyOptions::overrides() const {
   std::vector<std::string> set;
   for (const auto& [label, key, value] : given()) set.push_back(key + "=" + recipe::toml_literal(value));
   return set;
+}
+
+Option& add_threads(Options& to, int& threads) {
+  static const recipe::RecordTable keys = recipe::every_key<recipe::Threads>();
+  const recipe::Record& record = recipe::record_at(keys, "threads");
+  return to.add("--threads", threads, recipe::help_of(record))
+      .between(static_cast<double>(record.integers.min), static_cast<double>(record.integers.max))
+      .type("N");
 }
 
 std::string option_name(std::string_view key) {

@@ -98,6 +98,9 @@ class KeyOptions {
   std::deque<Slot> slots_;
 };
 
+/// --threads, alike in every command that computes.
+Option& add_threads(Options& to, int& threads);
+
 /// "--max-strain" of "max_strain".
 std::string option_name(std::string_view key);
 

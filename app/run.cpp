@@ -136,9 +136,7 @@ void add_run(Options& command, int& status) {
   add_overrides(command, arguments->overrides);
   command.add("--out", arguments->out, "Output folder; with several recipes, one subfolder each (default: out/NAME)")
       .type("DIR");
-  command.add("--threads", arguments->threads, "Threads (default: 1); the results do not depend on their number")
-      .between(1, 1024)
-      .type("N");
+  add_threads(command, arguments->threads);
   arguments->keys.add(command, "--kernel", "integration.kernel").type("NAME");
   command.add("--checkpoint-every", arguments->checkpoint_seconds, "Seconds between two checkpoints")
       .between(0.0, 1e9)

@@ -95,7 +95,7 @@ void add_step(Options& command, int& status) {
   command.add("--out", a->out, "Folder for the maps; if not given, nothing is stored").type("DIR");
   command.add("--format", a->format, "Format of the maps").among(io::film_formats_to_write(true));
   a->reading.add_to(command);
-  command.add("--threads", a->options.threads, "Threads (default: 1)").between(1, 256).type("N");
+  add_threads(command, a->options.threads);
   command.add("--json", a->json, "Print all numbers as JSON");
   command.add("--quiet", a->quiet, "Show no progress");
   command.work = [a, &status] { status = execute(*a); };

@@ -138,9 +138,7 @@ void add_study(Options& command, int& status) {
   command.add("--jobs", a->jobs, "Concurrent runs, each in its own process (default: all cores)")
       .between(1, 4096)
       .type("J");
-  command.add("--threads", a->threads, "Threads in each run (default: 1); the results do not depend on their number")
-      .between(1, 1024)
-      .type("N");
+  add_threads(command, a->threads);
   command.add("--shard", a->shard, "run: do only one part of the runs, e.g. 2/4").type("I/N");
   command.add("--retry", a->retry, "run: repeat failed runs");
   command.add("--keep", a->keep, "run: keep all files, or only the numbers of cemented samples and loads")

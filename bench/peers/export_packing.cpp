@@ -7,6 +7,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "grains/texture/mass.hpp"
 #include "grains/texture/texture.hpp"
 #include "model/shapes.hpp"
 #include "samples.hpp"

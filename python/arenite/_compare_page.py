@@ -2,8 +2,6 @@
 
 from . import _core, compare
 
-colours = {"A": "line 0", "B": "line 1"}
-prefixes = {"G": 1e9, "M": 1e6, "k": 1e3, "": 1.0, "m": 1e-3, "µ": 1e-6, "n": 1e-9}
 columns = ["A", "B", "B − A", "standard errors", ""]
 
 
@@ -82,9 +80,8 @@ def figures(pairs):
     for kind, (one, other) in last.items():
         drawn = [shown_of(part) for part in (one, other)]
         for head in _core._figure_heads()[kind]:
-            drawing = together(*(part.get(head["id"]) for part in drawn))
-            if drawing:
-                found.append({**head, "caption": head["caption"].split(". ")[0], "drawing": drawing})
+            if figure := _core._compared(head, *(part.get(head["id"], []) for part in drawn)):
+                found.append(figure)
     return found
 
 
@@ -101,54 +98,3 @@ def shown_of(part):
     if isinstance(of, _core.Stage):
         return _core._figures_of_state(of, of.snapshots[-1], [of], stages)
     return (_core._figures_of_field if isinstance(of, _core.Field) else _core._figures_of_film)(of)
-
-
-def together(one, other):
-    """The first drawings of a figure with the series of both in each panel; None if there are no panels of one kind."""
-    if not one or not other:
-        return None
-    both = [one[0].get("panels", []), other[0].get("panels", [])]
-    panels = [joined(*pair) for pair in zip(*both)]
-    if not panels or None in panels or len(both[0]) != len(both[1]):
-        return None
-    return {"panels": panels, "key": [{"name": letter, "colour": colour} for letter, colour in colours.items()]}
-
-
-def joined(one, other):
-    """A panel with the series of both that the pointer reads, in the units of the first; None for other axes."""
-    panel = {"x": dict(one["x"]), "y": dict(one["y"]), "near": True, "series": []}
-    for axis in "xy":
-        if one[axis].get("label") != other[axis].get("label") or "names" in one[axis]:
-            return None
-    for letter, part in zip("AB", (one, other)):
-        scale = {axis: factor(part[axis].get("unit", ""), panel[axis].get("unit", "")) for axis in "xy"}
-        panel["series"] += [
-            {**scaled(series, scale), "name": letter, "colour": colours[letter]}
-            for series in part["series"]
-            if "silent" not in series
-        ]
-    for axis in "xy":
-        scale = factor(other[axis].get("unit", ""), panel[axis].get("unit", ""))
-        for end, outer in (("low", min), ("high", max)):
-            if end in one[axis] and end in other[axis]:
-                panel[axis][end] = outer(one[axis][end], scale * other[axis][end])
-            else:
-                panel[axis].pop(end, None)
-    return panel
-
-
-def factor(unit, wanted):
-    """From one prefix of a unit to another: kPa to MPa."""
-    for prefix, power in prefixes.items():
-        for other, of_other in prefixes.items():
-            if unit == prefix + wanted[len(other) :] and wanted.startswith(other):
-                return power / of_other
-    return 1.0
-
-
-def scaled(series, scale):
-    def times(values, by):
-        return values if by == 1 else [None if value is None else by * value for value in values]
-
-    of = {"x": "x", "y": "y", "error": "y", "low": "y", "high": "y"}
-    return {name: times(value, scale[of[name]]) if name in of else value for name, value in series.items()}

@@ -8,12 +8,13 @@ import os
 import pathlib
 import sys
 
+from . import _core
 from ._core import open as open_result
 from ._said import carry_out, said, tell
 from ._written import written_whole
 
 no_ffmpeg = "ffmpeg is not installed (Debian: apt-get install ffmpeg), so this is a GIF: larger, and with fewer colours"
-colourings = ("material", "forces", "pressure", "deviator", "z", "velocity", "displacement", "rotation", "mobilisation")
+colourings = tuple(_core._colourings)
 
 
 def save(

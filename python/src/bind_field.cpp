@@ -3,6 +3,7 @@
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "keywords.hpp"
+#include "model/grain_classes.hpp"
 #include "module.hpp"
 #include "solid/cement/cement.hpp"
 #include "solid/grid/rasterise.hpp"
@@ -60,8 +61,7 @@ PhaseMap rasterised(const Packing& packing, const Cement& cement, const py::kwar
   Call call;
   return call.without_lock([&] {
     grid::GridReport report;
-    return grid::rasterise(packing, cement, p, workflow::classes(packing, workflow::class_materials({}, packing)),
-                           report);
+    return grid::rasterise(packing, cement, p, classes_of(packing, classes_by_radius(packing)), report);
   });
 }
 

@@ -2,12 +2,16 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
+#include "core/formula.hpp"
 #include "core/mapped.hpp"
 #include "grains/fields/laboratory/test_numbers.hpp"
+#include "model/field_quantities.hpp"
 #include "module.hpp"
 #include "report/field_document.hpp"
+#include "report/figures/comparison.hpp"
 #include "report/figures/figure_document.hpp"
 #include "report/figures/headlines.hpp"
+#include "report/figures/run_figures.hpp"
 #include "report/figures/state_numbers.hpp"
 #include "report/figures/test_figures.hpp"
 #include "report/page_document.hpp"
@@ -82,6 +86,21 @@ Numbers of_runs(const std::string& id, const std::vector<fields::Test>& tests) {
            })}};
 }
 
+/// A quantity of nodes by the arrays of anything that has the stored ones, as a Field has.
+py::array_t<double> field_values(const py::object& field, const std::string& name) {
+  using Stored = py::array_t<double, py::array::c_style | py::array::forcecast>;
+  const auto array_of = [&](std::string_view quantity) {
+    return Stored::ensure(field.attr(std::string(field_quantity(quantity).name).c_str()));
+  };
+  const Stored like = array_of("yy");
+  const auto size = static_cast<std::size_t>(like.size());
+  auto values = evaluated(field_quantity(name).formula, size, [&](std::string_view id) {
+    const Stored array = array_of(id);
+    return std::vector<double>(array.data(), array.data() + array.size());
+  });
+  return taken_over(std::move(values), {like.shape(), like.shape() + like.ndim()});
+}
+
 template <class Work> py::dict drawn(Work&& work) {
   Call call;
   return to_python(call.without_lock(work));
@@ -100,6 +119,25 @@ void bind_figures(py::module_& m) {
       },
       "What is said of every figure, by the kind of part that it is of: id, name in print, title, caption, choices.");
   m.attr("_notation") = figures::notation;
+  m.def(
+      "_compared",
+      [](const py::dict& head, const py::list& one, const py::list& other) {
+        return to_python(figures::compared(from_python(head), from_python(one), from_python(other)));
+      },
+      py::arg("head"), py::arg("one"), py::arg("other"),
+      "A figure of two results, from the drawings of each: a list of one, or empty where these have not the same "
+      "axes.");
+  m.def(
+      "_field_quantities",
+      [] {
+        py::dict list;
+        for (const FieldQuantity& q : field_quantities())
+          list[py::str(std::string(q.name))] = py::make_tuple(q.symbol, q.unit, q.is_magnitude);
+        return list;
+      },
+      "What a picture of a field may show: symbol, unit and whether it is a magnitude, by name.");
+  m.def("_field_values", &field_values, py::arg("field"), py::arg("name"),
+        "That quantity on all nodes, from the arrays of a field.");
   m.def(
       "_curve_of_stage",
       [](const StageResult& stage, const Packing* before, const std::string& x, const std::string& y) {

@@ -2,11 +2,14 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "grains/fields/coarse_layers.hpp"
 #include "grains/fields/loading.hpp"
+#include "grains/texture/force_scale.hpp"
 #include "grains/texture/grain_quantities.hpp"
 #include "module.hpp"
+#include "report/animation.hpp"
 #include "report/figures/state_numbers.hpp"
 #include "thermal/inference/film_fit.hpp"
 
@@ -51,6 +54,8 @@ template <class Work> std::pair<double, double> scale_of(Work&& work) {
 }  // namespace
 
 void bind_pictures(py::module_& m) {
+  m.attr("_colourings") =
+      py::cast(mapped(report::colourings(), [](const report::Colouring& each) { return std::string(each.name); }));
   m.def(
       "_grain_quantities", [] { return named_kinds(texture::grain_quantities()); },
       "{name: (label, symbol, unit)} of what grains are drawn by.");
@@ -127,6 +132,8 @@ void bind_pictures(py::module_& m) {
       },
       py::arg("packings"), "Rotations of grains since the first of these states, rad, an array for each.");
   const char* scale = "(mean, tension), N: forces above the one are strong, those below the other pull.";
+  m.def("_mean_push", &texture::mean_push, py::arg("states"),
+        "Mean force of the contacts that push, of several states together, N.");
   m.def(
       "_force_scale",
       [](const StageResult& stage, const Snapshot& state) {

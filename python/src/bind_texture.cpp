@@ -3,6 +3,7 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
+#include "grains/texture/stress.hpp"
 #include "grains/texture/texture.hpp"
 #include "io/sample/sample.hpp"
 #include "io/table/table.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <unordered_map>
+#include <utility>
 
 #include "campaign/key_words.hpp"
 #include "core/error.hpp"

@@ -1,6 +1,7 @@
 #include "campaign/key_words.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "core/text.hpp"
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <string_view>
+#include <utility>
 
 #include "core/hash.hpp"
 #include "core/text.hpp"

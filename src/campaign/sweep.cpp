@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <string_view>
+#include <utility>
 
 #include "campaign/sweep_latin_hypercube.hpp"
 #include "core/mapped.hpp"

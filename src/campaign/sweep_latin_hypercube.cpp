@@ -6,6 +6,9 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "campaign/study.hpp"
 #include "campaign/sweep.hpp"

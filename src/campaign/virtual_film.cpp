@@ -4,12 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <optional>
+#include <utility>
+#include <vector>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "grains/texture/texture.hpp"
 #include "io/results/results.hpp"
 #include "model/elasticity/disk_stress.hpp"
+#include "model/film_place.hpp"
+#include "model/matching.hpp"
 #include "thermal/inference/film_stresses.hpp"
 #include "workflow/film/film_numbers.hpp"
 #include "workflow/film/render_film.hpp"
@@ -59,25 +66,8 @@ Packing state_of(const fs::path& run, const std::string& stage) {
 /// Of every grain found at the smallest load the simulated one that lies nearest in that state.
 std::vector<std::size_t> simulated_grains(const FilmResult& film, const Packing& start) {
   const Vec2 corner = start.domain.corner();
-  std::vector<std::size_t> nearest;
-  for (std::size_t i = 0; i < film.packing.grains.size(); ++i) {
-    const Vec2 found = film.origin + Vec2{film.grains.centre[i].x * film.pixel, -film.grains.centre[i].y * film.pixel};
-    std::size_t best = 0;
-    for (std::size_t j = 1; j < start.grains.size(); ++j)
-      if (norm(start.grains.position[j] - corner - found) < norm(start.grains.position[best] - corner - found))
-        best = j;
-    nearest.push_back(best);
-  }
-  return nearest;
-}
-
-/// Stress of these grains in `high` less that in `low`, if there is one.
-std::vector<double> true_change(const std::vector<std::size_t>& grains, const Packing* low, const Packing& high) {
-  const auto loaded = elasticity::stress_of_disks(high),
-             released = low ? elasticity::stress_of_disks(*low) : std::vector<double>(loaded.size(), 0.0);
-  std::vector<double> change;
-  for (const std::size_t g : grains) change.push_back(loaded[g] - released[g]);
-  return change;
+  return nearest_grains(in_metres(film.grains, {film.origin, film.pixel}).position,
+                        mapped(start.grains.position, [&](Vec2 centre) { return centre - corner; }));
 }
 
 /// Those whose stress is known.
@@ -131,7 +121,8 @@ std::optional<Numbers> filmed(const recipe::FilmRecipe& camera, const fs::path& 
   if (!camera.camera->low.empty()) low = state_of(run, camera.camera->low);
   const Packing high = state_of(run, camera.camera->high);
   const auto simulated = simulated_grains(*film, low ? *low : high);
-  const auto truth = true_change(simulated, low ? &*low : nullptr, high);
+  const auto change = elasticity::stress_change(low ? &*low : nullptr, high);
+  const auto truth = mapped(simulated, [&](std::size_t grain) { return change[grain]; });
   film->packing.grains.zone.assign(simulated.size(), 0);  // who glues grains knows which
   for (std::size_t i = 0; i < simulated.size(); ++i) film->packing.grains.zone[i] = high.grains.zone[simulated[i]];
   const auto found =

@@ -1,6 +1,7 @@
 #include "model/cement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/problems.hpp"

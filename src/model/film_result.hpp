@@ -5,7 +5,9 @@
 
 #include "core/vec.hpp"
 #include "model/film.hpp"
+#include "model/grain_motion.hpp"
 #include "model/image.hpp"
+#include "model/lockin_maps.hpp"
 #include "model/packing.hpp"
 #include "model/result.hpp"
 #include "statistics/numbers.hpp"

@@ -20,4 +20,15 @@ std::vector<std::int32_t> places_in(const Grains& other, const Grains& grains) {
   return places;
 }
 
+std::vector<std::size_t> nearest_grains(const std::vector<Vec2>& places, const std::vector<Vec2>& others) {
+  std::vector<std::size_t> nearest;
+  for (const Vec2 place : places) {
+    std::size_t best = 0;
+    for (std::size_t j = 1; j < others.size(); ++j)
+      if (norm(others[j] - place) < norm(others[best] - place)) best = j;
+    nearest.push_back(best);
+  }
+  return nearest;
+}
+
 }  // namespace arenite

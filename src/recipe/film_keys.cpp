@@ -1,6 +1,10 @@
+#include "recipe/film_keys.hpp"
+
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "recipe/film_recipe.hpp"
 
@@ -208,6 +212,9 @@ void declare(Visitor& v, LockinSection& lockin) {
 void declare(Visitor& v, LockinAlone& lockin) {
   declare(v, static_cast<LockinSection&>(lockin));
   v.number(pixel_key(false), lockin.pixel, "mm", range::positive);
+  v.choice({"convention", "Convention of the maps."}, lockin.convention,
+           {{"amplitude", "that of the oscillation", "half"}, {"peak-to-peak", "twice the amplitude", "full"}});
+  v.flag({"refine", "The frequency is refined on the film."}, lockin.refine);
 }
 
 void declare(Visitor& v, StepSection& step) {

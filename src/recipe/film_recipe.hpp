@@ -8,6 +8,7 @@
 
 #include "core/parameters.hpp"
 #include "io/film/film.hpp"
+#include "recipe/film_keys.hpp"
 #include "thermal/camera/camera.hpp"
 #include "thermal/imaging/circles.hpp"
 #include "thermal/thermography/lockin.hpp"
@@ -81,9 +82,11 @@ struct FilmSection {
   std::optional<io::FilmChoice> film;
 };
 
-/// The lock-in of a film alone: with the pixel of [picture], for the adiabatic check.
+/// The lock-in of a film alone: with the pixel of [picture], for the adiabatic check, and how its maps are given.
 struct LockinAlone : LockinSection {
   std::optional<double> pixel;
+  AmplitudeConvention convention = AmplitudeConvention::amplitude;
+  bool refine = true;
 };
 
 struct ForcesSection {
@@ -164,16 +167,6 @@ std::string changed_keys(const FilmRecipe& recipe);
 
 /// Documentation of every key (Markdown).
 std::string film_key_reference();
-
-/// Every key of a film's recipe, and its parts.
-void declare(ParameterVisitor& visitor, FilmRecipe& recipe);
-void declare(ParameterVisitor& visitor, FilmSection& section);
-void declare(ParameterVisitor& visitor, LockinSection& lockin);
-void declare(ParameterVisitor& visitor, LockinAlone& lockin);
-void declare(ParameterVisitor& visitor, StepSection& step);
-void declare(ParameterVisitor& visitor, PictureSection& picture);
-void declare(ParameterVisitor& visitor, CorrectionSection& correction);
-void declare(ParameterVisitor& visitor, ForcesSection& forces);
 
 /// The recipe that `arenite init film` writes.
 FilmRecipe film_template();

@@ -1,15 +1,25 @@
+#include "recipe/keys.hpp"
+
 #include "recipe/recipe.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
 #include <variant>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/units.hpp"
 #include "grains/dem/integrators/integrators.hpp"
+#include "recipe/keys/boundary_shapes.hpp"
+#include "recipe/keys/membranes.hpp"
+#include "recipe/keys/stages.hpp"
 
 namespace arenite::recipe {
 

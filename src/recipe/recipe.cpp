@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/error.hpp"
 #include "io/disk/file.hpp"
@@ -40,6 +41,13 @@ cement::CementParameters Recipe::cement_or_none() const {
 }
 
 const RecordTable& recipe_keys() { return all_keys<Recipe>(); }
+
+MapSection Recipe::map_beside() const {
+  MapSection opened = *map;
+  opened.file = beside(opened.file).string();
+  if (opened.has_label_file()) opened.labels = beside(opened.labels).string();
+  return opened;
+}
 
 Recipe recipe_from(const Node& root, const std::string& file) {
   Reading reading = of_file(file);

@@ -33,6 +33,7 @@ struct Record {
   std::vector<RecordTable> tables = {};       ///< section: one; sections: one each
   std::vector<std::string> table_names = {};  ///< of sections with names
   bool named = false;
+  IntegerRange integers = {};  ///< of a whole number
   std::string name() const { return std::string(key.name); }
 };
 

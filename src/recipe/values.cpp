@@ -146,6 +146,7 @@ void KeyVisitor::number(const Key& key, std::optional<double>& value, std::strin
 
 void KeyVisitor::integer(const Key& key, std::optional<std::int64_t>& value, const IntegerRange& range) {
   Record record{key, "...", to_string(range), Record::Type::integer};
+  record.integers = range;
   if (value) record.literal = std::to_string(*value);
   visit(std::move(record), [&](const Written& at) {
     Node node = at.node;

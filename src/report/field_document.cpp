@@ -2,17 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <numeric>
-#include <string_view>
+#include <string>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
+#include "model/field_quantities.hpp"
+#include "report/figures/headlines.hpp"
 #include "report/packing_layers.hpp"
 #include "report/page_document.hpp"
 #include "solid/grid/cavities.hpp"
 #include "solid/stress/grains.hpp"
 #include "solid/stress/stress.hpp"
+#include "statistics/correlation.hpp"
 
 namespace arenite::report {
 namespace {
@@ -73,16 +78,34 @@ Numbers component(const PhaseMap& map, const Thinning& kept, const std::vector<s
   return out;
 }
 
+/// Those that are stored; the page forms the others by the formulas of `quantities_of`.
 Numbers components_of(const FieldResult& result, const Thinning& kept, NumberBlock& block) {
   const auto solid =
       mapped<std::uint8_t>(kept.node, [&](std::size_t node) { return result.map.phase[node] != Phase::empty; });
   Numbers all = Numbers::tree();
-  for (const auto& column : io::field_columns) {
-    const bool is_stress = std::string_view(column.unit) == "Pa";  // which has tails; displacements have none
-    const std::vector<double> values = column.of(result.field);
+  for (const FieldQuantity& quantity : field_quantities()) {
+    if (!quantity.is_stored()) continue;
+    const std::vector<double> values = values_of(quantity, result.field);
     if (values.size() != result.map.size()) continue;
-    all[column.name] = component(result.map, kept, solid, values, is_stress, block);
-    all[column.name]["unit"] = column.unit;
+    const bool is_stress = quantity.unit == "Pa";  // which has tails; displacements have none
+    Numbers& one = all[std::string(quantity.name)];
+    one = component(result.map, kept, solid, values, is_stress, block);
+    one["unit"] = std::string(quantity.unit);
+  }
+  return all;
+}
+
+/// What the page may paint or tell of nodes and grains, in its order, with the mean over the nodes that are not void.
+Numbers quantities_of(const FieldResult& result) {
+  Numbers all = Numbers::tree();
+  if (result.field.size() == 0) return all;
+  const auto solid = mapped<std::uint8_t>(result.map.phase, [](Phase phase) { return phase != Phase::empty; });
+  for (const FieldQuantity& q : field_quantities()) {
+    Numbers& one = all[std::string(q.id)];
+    one = {{"name", std::string(q.name)},       {"symbol", std::string(q.symbol)}, {"unit", std::string(q.unit)},
+           {"formula", std::string(q.formula)}, {"offered", q.is_offered},         {"magnitude", q.is_magnitude}};
+    if (q.is_offered && has(result.field, q))
+      one["mean"] = statistics::mean_of_known(values_of(q, result.field), solid);
   }
   return all;
 }
@@ -155,9 +178,11 @@ Numbers field_of(const FieldResult& r, const stress::Statistics* known, std::siz
               {"outcome", r.outcome},
               {"provenance", provenance_of(r.provenance)},
               {"map", map},
+              {"quantities", quantities_of(r)},
               {"components", components_of(r, kept, block)},
               {"grains", grains_of(grains, r, block)},
               {"curve", history_of(r.curve, block)},
+              {"headlines", figures::numbers_of(figures::headlines_of(r))},
               {"figures", shortened(figures::numbers_of(figures::field_figures(), {r, densities}, write, true))}};
   add_numbers(out, r.numbers);
   if (!r.cracks.empty()) out["cracks"] = cracks_of(r.cracks, block);

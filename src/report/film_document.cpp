@@ -2,11 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <string>
+#include <string_view>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "core/mapped.hpp"
 #include "model/film_place.hpp"
+#include "model/grain_motion.hpp"
+#include "model/lockin_maps.hpp"
+#include "report/figures/headlines.hpp"
 #include "report/figures/state_numbers.hpp"
 #include "report/packing_layers.hpp"
 #include "report/page_document.hpp"
@@ -137,6 +145,8 @@ Numbers contacts_of(const FilmResult& r, NumberBlock& block) {
   for (const auto& [name, values, unit] :
        {std::tuple{"fn_error", &r.fn_error, "N"}, {"ft_error", &r.ft_error, "N"}, {"presence", &r.presence, ""}})
     if (values->size() == contacts.size()) out[name] = block.add_reals(*values, unit);
+  if (const auto ratios = inference::forces_over_errors(r); !ratios.empty())
+    out["over_error"] = block.add_reals(ratios);
   out["may_be_absent"] = block.add_indices(inference::doubtful_contacts(r));
   return out;
 }
@@ -186,6 +196,7 @@ Numbers one_film(const FilmResult& r, const texture::Texture* texture, NumberBlo
               {"fit", fit_of(r)},
               {"container", container_of(r)},
               {"stresses", stresses_of(stresses, block)},
+              {"headlines", figures::numbers_of(figures::headlines_of(r))},
               {"figures", shortened(figures::numbers_of(figures::film_figures(), {r, stresses}, write))}};
   Numbers numbers = r.numbers;
   erase(numbers, Trait::curve);

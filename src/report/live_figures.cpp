@@ -1,6 +1,7 @@
 #include "report/live_figures.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include "core/mapped.hpp"
 #include "report/figures/figure_document.hpp"
@@ -9,7 +10,7 @@
 namespace arenite::report {
 namespace {
 
-constexpr std::size_t most_figures = 2;
+constexpr std::size_t most_live_figures = 2;
 constexpr std::size_t most_grains = 20'000;  // that are sent and drawn again every few seconds
 
 Numbers known_values(const std::vector<double>& values) {
@@ -30,7 +31,7 @@ Numbers live_figures(const StageResult& now, const Packing* before) {
   else found.back()["missing"] = "So many grains are drawn on the full page only.";
   const figures::StageData data{now, {&state}, before};
   for (const auto& row : figures::stage_figures()) {
-    if (found.size() > most_figures) break;
+    if (found.size() > most_live_figures) break;
     const figures::Drawings drawings = row.draw(data);
     if (drawings.empty()) continue;
     found.push_back({{"id", row.head.id}, {"title", row.head.title}, {"caption", ""}});

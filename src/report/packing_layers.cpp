@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 
 #include "core/mapped.hpp"
 #include "geometry/rectangle.hpp"
 #include "grains/fields/coarse_layers.hpp"
 #include "grains/texture/grain_quantities.hpp"
+#include "grains/texture/stress.hpp"
 #include "model/shapes.hpp"
+#include "report/figures/distributions.hpp"
 #include "report/figures/state_numbers.hpp"
 #include "report/page_document.hpp"
 
@@ -204,7 +208,7 @@ Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock&
               {"rows", f.grid.rows},
               {"width", b.width() / f.grid.columns}};
   for (const fields::CoarseLayer& layer : fields::coarse_layers())
-    if (layer.name != "speed" && (!layer.is_of_motion || fields::are_in_motion(f)))  // the page has its components
+    if (layer.formula.empty() && (!layer.is_of_motion || fields::are_in_motion(f)))
       out[layer.name] = block.add_coarse(layer.of(f), std::string(layer.unit));
   return out;
 }

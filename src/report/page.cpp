@@ -1,7 +1,9 @@
 #include "report/page.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 #include <variant>
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <deque>
+#include <functional>
+#include <optional>
 #include <utility>
 
 #include "core/mapped.hpp"
@@ -16,6 +18,7 @@
 #include "report/field_document.hpp"
 #include "report/figures/figure_document.hpp"
 #include "report/figures/headlines.hpp"
+#include "report/figures/run_figures.hpp"
 #include "report/figures/state_numbers.hpp"
 #include "report/film_document.hpp"
 #include "report/packing_layers.hpp"
@@ -197,8 +200,7 @@ void add_states(Numbers& snapshots, Numbers& meanings, const ShownStage& stage, 
 /// Words and symbols of what grains and coarse-grained fields are drawn by: {name: [label, symbol, unit]}.
 template <class Kinds> Numbers named_kinds(const Kinds& kinds) {
   Numbers out = Numbers::tree();
-  for (const auto& kind : kinds)
-    out[kind.name] = Numbers::list({std::string(kind.label), std::string(kind.symbol), std::string(kind.unit)});
+  for (const auto& kind : kinds) out[kind.name] = Numbers::list({kind.label, kind.symbol, kind.unit, kind.formula});
   return out;
 }
 
@@ -223,8 +225,13 @@ Numbers provenance_of(const Provenance& p) {
 }
 
 void add_numbers(Numbers& out, const Numbers& numbers) {
+  // Curves are drawn as figures, and the others stand in cards of their own.
+  static const std::vector<std::string> told_elsewhere{"curves",     "pdf",        "histogram", "own_histogram",
+                                                       "cumulative", "provenance", "recipe",    "stages",
+                                                       "notes",      "window",     "snapshot",  "contact_orientations"};
   out["numbers"] = shortened(numbers);
   out["meanings"] = meanings_of(numbers);
+  out["elsewhere"] = told_elsewhere;
 }
 
 Numbers shortened(Numbers numbers) {

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -39,7 +40,8 @@ void add_columns(Numbers& out, const Owner& owner, const io::Column<Owner> (&dec
 /// Every column by its name, at most about a thousand rows of it.
 Numbers history_of(const History& history, NumberBlock& block);
 Numbers provenance_of(const Provenance& provenance);
-/// Adds "numbers", shortened, and their "meanings": from these the page names all that it shows of them.
+/// Adds "numbers", shortened, and their "meanings": from these the page names all that it shows of them; and
+/// "elsewhere", the names of those that it tells otherwise than in a table.
 void add_numbers(Numbers& out, const Numbers& numbers);
 /// With six significant digits: more than a figure or a standard error can use, and a third of the bytes. A tree where
 /// nothing is known.

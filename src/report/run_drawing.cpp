@@ -1,18 +1,20 @@
 #include "report/run_drawing.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
 #include "campaign/virtual_film.hpp"
 #include "core/mapped.hpp"
 #include "geometry/rectangle.hpp"
+#include "grains/texture/solid_fraction.hpp"
 #include "io/disk/store_file.hpp"
 #include "model/shapes.hpp"
 #include "report/field_drawing.hpp"
 #include "report/packing_layers.hpp"
-#include "report/run_means.hpp"
 #include "report/study_figures.hpp"
+#include "statistics/run_means.hpp"
 
 namespace arenite::report {
 
@@ -135,7 +137,7 @@ Numbers RunNumbers::with(const fs::path& run, const std::string& path, const Fig
   if (path.starts_with("window."))
     return io::stage_files(run).empty() ? Numbers{} : windows_of(run, figure.window.value_or(1));
   Numbers numbers = campaign::numbers_of(run);
-  if (path.empty() || has_numbers(numbers, path) || io::stage_files(run).empty()) return numbers;
+  if (path.empty() || statistics::has_numbers(numbers, path) || io::stage_files(run).empty()) return numbers;
   const auto sectors = static_cast<int>(figure.sectors.value_or(texture::Options{}.sectors));
   const auto [at, is_new] = curves_.try_emplace({run, sectors});
   if (is_new) at->second = workflow::numbers(workflow::final_state(run, {.sectors = sectors}), true);

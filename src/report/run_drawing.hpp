@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "report/figure_list.hpp"
 #include "workflow/result_folder.hpp"

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "grains/fields/loading.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "io/disk/store_file.hpp"
-#include "report/run_means.hpp"
+#include "statistics/run_means.hpp"
 #include "workflow/asked.hpp"
 
 namespace arenite::report {
@@ -58,7 +61,7 @@ std::vector<double> row_of(const StageResult& stage, std::size_t k, const statis
   std::vector<double> row{snapshot.time};
   for (const auto& [head, name] : strains) row.push_back(of_box[name][k]);
   for (const auto& [head, name] : columns)
-    row.push_back(*name ? number_at(texture, name) : row.back() / row[row.size() - 2]);
+    row.push_back(*name ? statistics::number_at(texture, name) : row.back() / row[row.size() - 2]);
   row.push_back(snapshot.equilibrium.mobilisation);
   return row;
 }

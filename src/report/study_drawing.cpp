@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
+#include <utility>
 
 #include "core/mapped.hpp"
 #include "report/study/default_figures.hpp"

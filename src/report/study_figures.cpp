@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "io/table/table.hpp"
-#include "report/run_means.hpp"
+#include "statistics/run_means.hpp"
 
 namespace arenite::report {
 namespace {
@@ -73,11 +74,11 @@ void add_curve(std::vector<FigureCurve>& curves, FigureCurve curve) {
   if (!curve.points.x.empty()) curves.push_back(std::move(curve));
 }
 
-SampleMean mean_of(const Figure& figure, const std::vector<Numbers>& found, const std::string& path) {
-  const Sectors sectors{static_cast<std::size_t>(figure.sectors.value_or(0)), !figure.counts};
+statistics::SampleMean mean_of(const Figure& figure, const std::vector<Numbers>& found, const std::string& path) {
+  const statistics::Sectors sectors{static_cast<std::size_t>(figure.sectors.value_or(0)), !figure.counts};
   if (figure.kind == FigureKind::rose || !figure.curve_x.empty())
-    return mean_list(found, figure.curve_x, path, sectors);
-  return figure.survival ? mean_survival(found, path) : mean_density(found, path);
+    return statistics::mean_list(found, figure.curve_x, path, sectors);
+  return figure.survival ? statistics::mean_survival(found, path) : statistics::mean_density(found, path);
 }
 
 /// Curves of lists and densities, with what is fitted to them; errors become deviations where the figure asks for
@@ -90,7 +91,7 @@ std::vector<FigureCurve> list_curves(const Figure& figure, const StudyTable& tab
       const bool film = is_of_film(figure.curves[k]);
       const auto found =
           mapped(group.rows, [&](const Row* row) { return numbers(row->run, figure.curves[k], figure); });
-      SampleMean mean = mean_of(figure, found, figure.curves[k]);
+      statistics::SampleMean mean = mean_of(figure, found, figure.curves[k]);
       if (figure.spread == Spread::deviation)
         for (double& error : mean.error) error *= std::sqrt(static_cast<double>(mean.samples));
       FigureCurve curve{.name = name_of(figure, group, k),
@@ -101,7 +102,8 @@ std::vector<FigureCurve> list_curves(const Figure& figure, const StudyTable& tab
                         .fewest = mean.samples,
                         .most = mean.samples};
       FigureCurve fit{.group = place, .part = k, .film = film, .fit = true};
-      if (k < figure.fits.size() && !figure.fits[k].empty()) fit.points = tail_line(found, figure.fits[k], mean);
+      if (k < figure.fits.size() && !figure.fits[k].empty())
+        fit.points = statistics::tail_line(found, figure.fits[k], mean);
       add_curve(curves, std::move(curve));
       add_curve(curves, std::move(fit));
     }

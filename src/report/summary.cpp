@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <utility>
+#include <variant>
 
 #include "grains/dem/run_stage.hpp"
 #include "grains/fields/laboratory/test_numbers.hpp"

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <unordered_map>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/version.hpp"
+#include "grains/texture/stress.hpp"
 #include "grains/texture/texture.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/image/phase_map.hpp"

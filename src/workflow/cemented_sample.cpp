@@ -2,35 +2,26 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <utility>
 
-#include "core/mapped.hpp"
+#include "grains/texture/gap_coordination.hpp"
 #include "grains/texture/texture.hpp"
+#include "model/grain_classes.hpp"
 #include "solid/grid/crop.hpp"
 #include "solid/grid/map_numbers.hpp"
-#include "statistics/correlation.hpp"
 #include "workflow/field_numbers.hpp"
 
 namespace arenite::workflow {
 namespace {
 
-constexpr double gap_over_radius = 0.075,
-                 crop_over_radius = 25.6;  // P's 3 nodes and 1024 nodes of 40 to a large radius
-
-/// Mean radius of the grains of a material (of all: -1); 0 without any.
-double mean_radius(const Packing& packing, std::int32_t material) {
-  const auto counts =
-      mapped<std::uint8_t>(packing.grains.material, [&](auto m) { return material < 0 || m == material; });
-  const double mean = statistics::mean_of_known(packing.grains.radius, counts);
-  return std::isfinite(mean) ? mean : 0;
-}
-
 /// P's crop where nothing else is asked for and the sample is wide enough for it; 0: the largest square.
 double crop_side(const recipe::Recipe& recipe, const recipe::GridSection& section, const Packing& packing,
                  double radius) {
   if (section.crop) return *section.crop;
-  const double side = crop_over_radius * radius;
+  const double side = sample_lengths(radius).window;
   return recipe.bidisperse && grid::crop_window(packing, 0).width() >= side ? side : 0;
 }
 
@@ -48,28 +39,16 @@ std::string sentence(const SampleReports& reports, const PhaseMap& map, const re
   return text;
 }
 
-}  // namespace
-
+/// Those of [bidisperse], or by the radii.
 std::optional<ClassMaterials> class_materials(const recipe::Recipe& recipe, const Packing& packing) {
+  if (!recipe.bidisperse) return classes_by_radius(packing);
   const auto index = [&](const std::string& name) {
     return static_cast<std::int32_t>(index_of(packing.materials, name));
   };
-  if (recipe.bidisperse) return ClassMaterials{index(recipe.bidisperse->large), index(recipe.bidisperse->small)};
-  if (packing.materials.size() != 2) return std::nullopt;
-  const double a = mean_radius(packing, 0), b = mean_radius(packing, 1);
-  if (a == 0 || b == 0 || a == b) return std::nullopt;
-  return a > b ? ClassMaterials{0, 1} : ClassMaterials{1, 0};
+  return ClassMaterials{index(recipe.bidisperse->large), index(recipe.bidisperse->small)};
 }
 
-std::vector<GrainClass> classes(const Packing& packing, const std::optional<ClassMaterials>& materials) {
-  std::vector<GrainClass> result;
-  if (!materials) return result;
-  for (const std::int32_t m : packing.grains.material)
-    result.push_back(m == materials->large   ? GrainClass::large
-                     : m == materials->small ? GrainClass::small
-                                             : GrainClass::none);
-  return result;
-}
+}  // namespace
 
 FieldResult make_cemented_sample(const recipe::Recipe& recipe, const Packing& packing) {
   const recipe::GridSection section = recipe.grid_or_default();
@@ -80,13 +59,13 @@ FieldResult make_cemented_sample(const recipe::Recipe& recipe, const Packing& pa
       recipe.bidisperse ? recipe.bidisperse->law.large_radius : mean_radius(packing, materials ? materials->large : -1);
   SampleReports reports;
   reports.law = recipe.cement_or_none();
-  if (!reports.law.gap) reports.law.gap = gap_over_radius * radius;
+  if (!reports.law.gap) reports.law.gap = sample_lengths(radius).gap;
   const double side = crop_side(recipe, section, packing, radius);
   const auto window = grid::crop_window(packing, side);
   const Cement cement = cement::make_cement(packing, reports.law, window, reports.cement);
   FieldResult result;
   result.name = "cement";
-  result.map = grid::rasterise(packing, cement, {section.nodes, side}, classes(packing, materials), reports.grid);
+  result.map = grid::rasterise(packing, cement, {section.nodes, side}, classes_of(packing, materials), reports.grid);
   auto cropped = grid::crop(packing, cement, reports.grid.grain_of_label, {window.x_min, window.y_min});
   result.packing = std::move(cropped.packing);
   result.cement = std::move(cropped.cement);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "model/elasticity/bounds.hpp"
 #include "recipe/recipe.hpp"

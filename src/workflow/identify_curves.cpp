@@ -2,22 +2,22 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/mapped.hpp"
+#include "thermal/identify/constants.hpp"
 #include "workflow/identify_tables.hpp"
 
 namespace arenite::workflow {
 namespace {
 
-using identify::Constant;
 using identify::Finding;
 using identify::Group;
 using identify::Identification;
 using statistics::Measured;
 
-const Constant stiffness{"stiffness", "kN/mm", "k, force over displacement, T eq. 2.1"},
-    stiffness_per_length{"stiffness_per_length", "MPa", "k over the length of the cylinders"};
 const io::Quantity stiffness_quantity{{"stiffness", "k"}, dimension::stiffness, "kN/mm"};
 constexpr const char* needs_of_stiffness =
     "has no columns for a stiffness; give displacement and force (a record), or stiffness (a table), or a table with "
@@ -41,13 +41,6 @@ template <class Findings> Group group_of(const std::string& name, const Tests& t
   return group;
 }
 
-std::vector<Finding> findings_of(const Measured& k, const StiffnessRequest& request) {
-  std::vector<Finding> findings{{stiffness, k}};
-  if (request.length)
-    findings.push_back({stiffness_per_length, statistics::product({{k, 1}, {{*request.length}, -1}})});
-  return findings;
-}
-
 /// Slopes of one group's cycles; the weakest fit goes to `worst_r2`.
 Tests slopes_of(const RecordGroup& group, const identify::StiffnessOptions& options, double& worst_r2) {
   Tests slopes;
@@ -69,7 +62,7 @@ void add_all(Identification& found, const std::vector<TestGroup>& groups, const 
   std::vector<double> all;
   const auto values = mapped(groups, [](const TestGroup& group) { return values_of(group.tests); });
   for (const auto& each : values) all.insert(all.end(), each.begin(), each.end());
-  found.all = Group{"all", all.size(), findings_of(statistics::mean_of(all), request)};
+  found.all = Group{"all", all.size(), identify::stiffness_findings(statistics::mean_of(all), request.length)};
   const double chance = statistics::chance_of_equal_means(values);
   if (std::isfinite(chance))
     found.notes.push_back(
@@ -93,47 +86,35 @@ Identification identify_stiffness(const std::string& file, const StiffnessReques
     found.notes.push_back(fmt::format(
         "the records are not linear (smallest R^2 {:.3f}): k is the mean slope between preload and peak", worst_r2));
   for (const auto& [name, tests] : groups)
-    found.groups.push_back(group_of(name, tests, [&](const Measured& k) { return findings_of(k, request); }));
+    found.groups.push_back(
+        group_of(name, tests, [&](const Measured& k) { return identify::stiffness_findings(k, request.length); }));
   add_all(found, groups, request);
   return finished(std::move(found), table, request.stated);
 }
 
 namespace {
 
-const Constant separation_force{"separation_force", "N", "F_c, the largest tension that the glue holds"},
-    surface_energy{"surface_energy", "kN/mm", "gamma = sqrt(4 k F_c/r_eff), T eq. 1.25"},
-    threshold_force{"threshold_force", "N", "r_eff gamma^2/(4 k), the tension at which the law separates"},
-    overlap_without_force{"overlap_without_force", "um", "r_eff gamma^2/k^2, where attraction and repulsion balance"},
-    stiffness_over_surface_energy{"stiffness_over_surface_energy", "",
-                                  "k/gamma; above 50 cohesion has no effect on the mechanics, T 2.4.3"};
 const io::Quantity separation_quantity{
     {"separation_force", "mean_separation_force", "pull_off_force"}, dimension::force, ""};
 constexpr const char* needs_of_adhesion =
     "has no columns for an adhesion; give displacement (or time) and force (a record), or separation_force (a table), "
     "or a table with the specimen in its first column and the separation forces of one glue in each other";
-constexpr double no_trace = 50;  // k/gamma above which cohesion does not show in the mechanics (T 2.4.3)
 
-std::vector<Finding> findings_of(const Measured& force, const AdhesionRequest& request) {
-  std::vector<Finding> findings{{separation_force, force}};
-  if (!request.stiffness || !request.radii) return findings;
-  const double radius =
-      identify::effective_radius(request.effective_radius, request.radii->first, request.radii->second);
-  const Measured gamma = identify::surface_energy(force, *request.stiffness, radius);
-  const auto at = identify::threshold(gamma.value, request.stiffness->value, radius);
-  findings.push_back({surface_energy, gamma});
-  findings.push_back({threshold_force, {at.force, force.error, force.freedom}});
-  findings.push_back({overlap_without_force, {at.free_overlap}});
-  findings.push_back({stiffness_over_surface_energy, {request.stiffness->value / gamma.value}});
-  return findings;
+std::optional<identify::Pair> pair_of(const AdhesionRequest& request) {
+  if (!request.stiffness || !request.radii) return std::nullopt;
+  return identify::Pair{*request.stiffness, identify::effective_radius(request.effective_radius, request.radii->first,
+                                                                       request.radii->second)};
 }
 
 void add_group(Identification& found, const std::string& name, const Tests& forces, const AdhesionRequest& request) {
-  found.groups.push_back(group_of(name, forces, [&](const Measured& force) { return findings_of(force, request); }));
+  const auto pair = pair_of(request);
+  found.groups.push_back(
+      group_of(name, forces, [&](const Measured& force) { return identify::adhesion_findings(force, pair); }));
   const Group& group = found.groups.back();
-  if (request.stiffness && request.radii && group.findings.back().value.value > no_trace)
+  if (pair && group.findings.back().value.value > identify::no_trace_of_cohesion)
     found.notes.push_back(
         fmt::format("{}: with k/gamma above {:.0f} cohesion is not expected to affect the mechanics of a packing",
-                    group.name, no_trace));
+                    group.name, identify::no_trace_of_cohesion));
 }
 
 /// The peaks of one group's records.

@@ -3,16 +3,18 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
+#include "model/lockin_maps.hpp"
+#include "thermal/identify/constants.hpp"
 #include "workflow/identify_tables.hpp"
 
 namespace arenite::workflow {
 namespace {
 
-using identify::Constant;
-using identify::Factor;
 using identify::Group;
 using identify::Identification;
 using io::Quantity;
@@ -43,18 +45,11 @@ const char* words_of(AmplitudeConvention convention) {
   return convention == AmplitudeConvention::peak_to_peak ? "peak-to-peak values" : "amplitudes";
 }
 
-void scale(Column& values, double factor) {
-  for (double& v : values) v *= factor;
-}
-
 /// Peak-to-peak stresses, empty where the file has neither stresses nor forces.
 Column stresses(io::LaboratoryTable& table, const FactorRequest& request, std::string& way) {
-  const double to_full = to_peak_to_peak(request.load);
   if (const auto column = table.find(stress_quantity)) {
     way = "stress";
-    Column stress = table.values(*column, stress_quantity);
-    scale(stress, to_full);
-    return stress;
+    return identify::peak_to_peak(table.values(*column, stress_quantity), request.load);
   }
   Column force;
   if (const auto high = table.find(force_max_quantity), low = table.find(force_min_quantity); high && low) {
@@ -64,8 +59,7 @@ Column stresses(io::LaboratoryTable& table, const FactorRequest& request, std::s
     for (std::size_t k = 0; k < force.size(); ++k) force[k] -= least[k];
   } else if (const auto column = table.find(force_quantity)) {
     way = "force/section";
-    force = table.values(*column, force_quantity);
-    scale(force, to_full);
+    force = identify::peak_to_peak(table.values(*column, force_quantity), request.load);
   } else {
     return {};
   }
@@ -99,8 +93,7 @@ Column strains(io::LaboratoryTable& table, const FactorRequest& request) {
     throw InputError(table.file(), table.header_line(),
                      "strains need the modulus and Poisson's ratio of the specimen; give --young \"2.8 +- 0.1 GPa\" "
                      "--poisson \"0.35 +- 0.02\"");
-  scale(strain, to_peak_to_peak(request.load));
-  return strain;
+  return identify::peak_to_peak(std::move(strain), request.load);
 }
 
 Column picked(const Column& from, const RowGroup& group) {
@@ -118,27 +111,11 @@ Column picked(const Column& from, const RowGroup& group) {
       of + "the load is the same in every row, or there is no response to it; give tests at several loads");
 }
 
-const Constant factor{"factor", "K/MPa", "A of dT = -A d(sigma_kk), T eq. 1.55"},
-    factor_from_strain{"factor_from_strain", "K/MPa", "A from the stresses that follow from strains, T eq. 1.70"},
-    signal_constant{"signal_constant", "MPa", "A' of sigma_kk = A' S, the stress of one level of signal, T eq. 1.69"},
-    signal_constant_from_strain{"signal_constant_from_strain", "MPa",
-                                "A' from the stresses that follow from strains, T eq. 1.71"},
-    signal_constant_direct{"signal_constant_direct", "MPa",
-                           "A' = D R F/(T eps A) with R of a detector of all wavelengths, T eq. 1.68"},
-    signal_constant_direct_in_band{"signal_constant_direct_in_band", "MPa", "The same with R of the band"},
-    exitance_exponent{"exitance_exponent", "", "n of the photons N ~ T^n in the band"};
-
-/// The findings of one slope: what it is, and its intercept, which a linear answer has at 0.
-void put_slope(Group& group, Identification& found, const Constant& constant, const Factor& f,
-               const char* intercept_unit) {
-  group.findings.push_back({constant, f.factor});
-  const auto& intercept = f.line.intercept;
-  if (!std::isfinite(intercept.error)) return;
-  group.findings.push_back(
-      {{constant.name + "_intercept", intercept_unit, "Intercept of the line at zero load; 0 for a linear response"},
-       intercept});
-  const auto range = statistics::confidence_95(intercept);
-  if (range.low > 0 || range.high < 0)
+/// The findings of one slope: what it is, and its intercept.
+void put_slope(Group& group, Identification& found, const identify::SlopeFound& slope) {
+  group.findings.push_back({slope.constant, slope.factor.factor});
+  if (auto intercept = identify::intercept_of(slope)) group.findings.push_back(std::move(*intercept));
+  if (identify::misses_origin(slope.factor))
     found.notes.push_back(
         fmt::format("{}: the line misses the origin beyond its error; check whether the response is linear in the load",
                     group.name));
@@ -147,47 +124,29 @@ void put_slope(Group& group, Identification& found, const Constant& constant, co
 /// `value` of the factor, a copy: it may stand in the group that grows.
 void put_direct(Group& group, const FactorRequest& request, const Measured value) {
   if (!request.detector) return;
-  const auto& d = *request.detector;
-  group.findings.push_back(
-      {signal_constant_direct, identify::direct_constant(d, identify::printed_correction(d), value)});
-  group.findings.push_back(
-      {signal_constant_direct_in_band, identify::direct_constant(d, identify::band_correction(d), value)});
-  group.findings.push_back({exitance_exponent, {radiometry::exitance_exponent(d.band, d.surface)}});
+  for (auto& finding : identify::direct_findings(*request.detector, value))
+    group.findings.push_back(std::move(finding));
 }
 
-/// Causes and responses, peak to peak, as far as the file has them.
-struct Columns {
-  Column stress, strain, temperature, signal;
-};
-
-void put_group(const io::LaboratoryTable& table, const RowGroup& rows, const Columns& columns,
+void put_group(const io::LaboratoryTable& table, const RowGroup& rows, const identify::CausesAndResponses& columns,
                const FactorRequest& request, Identification& found) {
   Group group{rows.name.empty() ? "all" : rows.name, rows.rows.size(), {}};
-  const auto put = [&](bool warms, bool strained, Factor f) {
-    if (!std::isfinite(f.factor.value) || !(f.factor.value > 0)) refuse_fit(table, rows, request.through_origin);
-    if (strained && !warms)
-      f.factor =
-          statistics::product({{f.factor, 1}, {identify::stress_over_strain({*request.young, *request.poisson}), 1}});
-    const bool beside = strained && !columns.stress.empty();
-    const Constant& constant = warms    ? (beside ? factor_from_strain : factor)
-                               : beside ? signal_constant_from_strain
-                                        : signal_constant;
-    put_slope(group, found, constant, f, warms ? "K" : "");
+  const auto of = [&](const Column& column) { return column.empty() ? column : picked(column, rows); };
+  const identify::CausesAndResponses tests{of(columns.stress), of(columns.strain), of(columns.temperature),
+                                           of(columns.signal)};
+  const auto specimen =
+      tests.strain.empty() ? std::nullopt : std::optional(identify::Elastic{*request.young, *request.poisson});
+  const auto slopes = identify::factors_of(tests, specimen, request.through_origin);
+  for (const auto& slope : slopes)
+    if (const double value = slope.factor.factor.value; !std::isfinite(value) || !(value > 0))
+      refuse_fit(table, rows, request.through_origin);
+  const auto put = [&](bool warms) {
+    for (const auto& slope : slopes)
+      if (slope.of_temperature == warms) put_slope(group, found, slope);
   };
-  const auto of = [&](const Column& column) { return picked(column, rows); };
-  const bool origin = request.through_origin, stressed = !columns.stress.empty(), strained = !columns.strain.empty();
-  if (!columns.temperature.empty()) {
-    if (stressed) put(true, false, identify::factor_from_stress(of(columns.stress), of(columns.temperature), origin));
-    if (strained)
-      put(true, true,
-          identify::factor_from_strain(of(columns.strain), of(columns.temperature), {*request.young, *request.poisson},
-                                       origin));
-    put_direct(group, request, group.findings.front().value);
-  }
-  if (!columns.signal.empty()) {
-    if (stressed) put(false, false, identify::signal_constant(of(columns.stress), of(columns.signal), origin));
-    if (strained) put(false, true, identify::signal_constant(of(columns.strain), of(columns.signal), origin));
-  }
+  put(true);
+  if (!tests.temperature.empty()) put_direct(group, request, group.findings.front().value);
+  put(false);
   found.groups.push_back(std::move(group));
 }
 
@@ -234,7 +193,7 @@ void from_properties(io::LaboratoryTable& table, const FactorRequest& request, I
                     ? fmt::format("{}line {}", group.name.empty() ? "" : group.name + ", ", table.line(row))
                     : group.name,
                 1,
-                {{factor, of_properties}}};
+                {identify::factor_finding(of_properties)}};
       put_direct(one, request, of_properties);
       found.groups.push_back(std::move(one));
     }
@@ -251,13 +210,14 @@ Identification identify_factor(const std::string& file, const FactorRequest& req
   } else {
     const auto temperature_column = table.find(temperature_quantity), signal_column = table.find(signal_quantity);
     std::string way;
-    Columns columns{stresses(table, request, way), strains(table, request), {}, {}};
+    identify::CausesAndResponses columns{stresses(table, request, way), strains(table, request), {}, {}};
     if ((!temperature_column && !signal_column) || (columns.stress.empty() && columns.strain.empty()))
       throw InputError(file, table.header_line(), needs);
-    if (temperature_column) columns.temperature = table.values(*temperature_column, temperature_quantity);
-    if (signal_column) columns.signal = table.values(*signal_column, signal_quantity);
-    for (Column* response : {&columns.temperature, &columns.signal})
-      scale(*response, to_peak_to_peak(request.temperature));
+    const auto response = [&](const auto& column, const Quantity& quantity) {
+      return column ? identify::peak_to_peak(table.values(*column, quantity), request.temperature) : Column{};
+    };
+    columns.temperature = response(temperature_column, temperature_quantity);
+    columns.signal = response(signal_column, signal_quantity);
     for (const auto& group : groups_of(table)) put_group(table, group, columns, request, found);
     if (!columns.stress.empty()) found.notes.push_back("the stress is " + way);
     found.notes.push_back(fmt::format(

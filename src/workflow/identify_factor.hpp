@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "model/film.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/identify/curve.hpp"
 #include "thermal/identify/findings.hpp"
 

@@ -1,8 +1,11 @@
 #include "workflow/identify_keys.hpp"
 
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <vector>
+
+#include "model/lockin_maps.hpp"
 
 namespace arenite::workflow {
 namespace {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <string_view>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"

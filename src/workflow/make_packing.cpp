@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
-#include <numbers>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "grains/packing/bidisperse.hpp"
 #include "grains/packing/fill.hpp"
 #include "grains/packing/population.hpp"
+#include "grains/packing/room.hpp"
 #include "io/sample/placed_grains.hpp"
 
 namespace arenite::workflow {
@@ -51,36 +54,18 @@ std::string describe(const packing::RelaxReport& report) {
       report.iterations, 1e3 * report.largest_move, 100 * report.overlap_after);
 }
 
-/// While it lives, the grains are the circles around them, so that they may be put anywhere at any angle.
-class Circles {
- public:
-  explicit Circles(Grains& grains) : grains_(grains), own_(packing::circle_radii(grains)) {
-    std::swap(grains_.radius, own_);
-  }
-  ~Circles() { std::swap(grains_.radius, own_); }
-  Circles(const Circles&) = delete;
-  Circles& operator=(const Circles&) = delete;
-
-  /// Throws InputError where grains that are no disks get no room to be put down.
-  void check_room(const Domain& domain, bool size_is_given) const {
-    constexpr double most = 0.8;
-    double around = 0, within = 0;
-    for (const double r : grains_.radius) around += std::numbers::pi * r * r / domain.area();
-    for (const double r : own_) within += std::numbers::pi * r * r / domain.area();
-    if (!grains_.shapes.empty() && around > most)
-      throw InputError(fmt::format(
-          "the circumscribed circles of the grains cover {:.3g} of {}; {} and let a loading stage compact it", around,
-          size_is_given ? "the area that they fill" : "the container",
-          size_is_given
-              ? fmt::format("give it {:.2f} times as much, or take fewer grains", std::ceil(100 * around / most) / 100)
-              : fmt::format("start from a packing.solid_fraction of {:.2f} or less",
-                            std::floor(100 * within * most / around) / 100)));
-  }
-
- private:
-  Grains& grains_;
-  std::vector<double> own_;
-};
+/// Throws InputError where grains that are no disks get no room to be put down.
+void check_room(const Grains& grains, const packing::Circles& circles, const Domain& domain, bool size_is_given) {
+  const auto room = packing::room_in(domain.area(), grains.radius, circles.own_radii());
+  if (grains.shapes.empty() || room.suffices()) return;
+  throw InputError(
+      fmt::format("the circumscribed circles of the grains cover {:.3g} of {}; {} and let a loading stage compact it",
+                  room.circles, size_is_given ? "the area that they fill" : "the container",
+                  size_is_given ? fmt::format("give it {:.2f} times as much, or take fewer grains",
+                                              std::ceil(100 * room.times_larger()) / 100)
+                                : fmt::format("start from a packing.solid_fraction of {:.2f} or less",
+                                              std::floor(100 * room.solid_fraction()) / 100)));
+}
 
 std::string fill(const recipe::Recipe& recipe, Packing& packing) {
   auto& grains = packing.grains;
@@ -90,9 +75,9 @@ std::string fill(const recipe::Recipe& recipe, Packing& packing) {
   if (at_random && !height_given)
     height = packing::height_for(grains, recipe.container.width, recipe.packing.solid_fraction);
   const Domain part = area_of(packing.domain, recipe.packing.area);
-  const Circles circles(grains);
+  const packing::Circles circles(grains);
   if (at_random) {
-    circles.check_room(part, height_given || recipe.packing.area.has_value());
+    check_room(grains, circles, part, height_given || recipe.packing.area.has_value());
     return "random filling, " + describe(packing::fill_at_random(grains, part, recipe.seed));
   }
   const double filled = packing::fill_lattice(grains, part), room = part.height();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <utility>
 
 #include "core/error.hpp"
 #include "grains/dem/engine.hpp"

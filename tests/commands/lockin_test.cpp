@@ -5,12 +5,14 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "commands/rows_of_text.hpp"
 #include "io/film/film.hpp"
 #include "support/films.hpp"
 #include "support/oscillating_film.hpp"
 #include "support/program.hpp"
 
 namespace {
+
 using namespace arenite;
 using test::arenite;
 using test::TemporaryFolder;
@@ -22,19 +24,6 @@ std::string film_in(const TemporaryFolder& folder, double noise = 0.1) {
   Film film = oscillating.draw();
   io::write_film(folder / "film.h5", film);
   return (folder / "film.h5").string() + " --frame-rate 148Hz";
-}
-
-/// Numbers of the JSON that have no row in the text, or one that does not say what they are.
-std::string rows_without_meaning(const std::string& text, const Json& numbers, const std::string& prefix = "") {
-  std::string without;
-  for (const auto& [name, value] : numbers.items()) {
-    if (value.is_object()) without += rows_without_meaning(text, value, prefix + name + ".");
-    if (!value.is_number() && !value.is_boolean()) continue;
-    const auto at = text.find("  " + prefix + name + " ");
-    const std::string row = at == std::string::npos ? "" : text.substr(at, text.find('\n', at) - at);
-    if (!std::regex_search(row, std::regex("  [A-Z][a-z]+ "))) without += prefix + name + " ";
-  }
-  return without;
 }
 
 std::string film_of_others(const char* name) {
@@ -84,7 +73,7 @@ TEST(LockInCommand, TextAndJsonHaveTheSameNumbersEachWithItsMeaning) {
   const auto json = arenite(lockin + " --json"), text = arenite(lockin);
   ASSERT_EQ(json.status, 0) << json.err;
   const Json numbers = Json::parse(json.out);
-  EXPECT_EQ(rows_without_meaning(text.out, numbers), "") << text.out;
+  EXPECT_EQ(test::rows_without_meaning(text.out, numbers), "") << text.out;
   EXPECT_NE(text.out.find("median.drift"), std::string::npos);
   EXPECT_TRUE(std::regex_search(text.out, std::regex(" frequency_Hz +[0-9.]+ \\+- [0-9.e-]+ Hz "))) << text.out;
   EXPECT_NE(text.out.find(" level/s "), std::string::npos) << text.out;
@@ -249,49 +238,6 @@ TEST(LockInCommand, SaysWhetherTheSignalIsAdiabatic) {
   EXPECT_EQ(Json::parse(fine.out)["adiabatic"], false);
   EXPECT_NEAR(Json::parse(fine.out)["amplitude_lost_in_finest_detail"].get<double>(),
               1 - 1 / std::sqrt(1 + std::pow(0.5818, 2)), 1e-3);
-}
-
-TEST(StepCommand, MeasuresTheJumpAndWritesMaps) {
-  const TemporaryFolder folder;
-  test::OscillatingFilm still;
-  still.amplitude = 0;
-  still.drift = 0.2;
-  still.noise = 0.05;
-  Film film = still.draw();
-  for (std::size_t i = 400 * 45; i < film.value.size(); ++i) film.value[i] += 0.75F;
-  io::write_film(folder / "film.npy", film);
-  const std::string step = "step " + (folder / "film.npy").string() + " --frame-rate 148Hz --json";
-  const auto found = arenite(step + " --out " + (folder / "maps").string()),
-             given = arenite(step + " --time 2.7s --rise 0.02s --window 1s");
-  ASSERT_EQ(found.status, 0) << found.err;
-  EXPECT_NEAR(Json::parse(found.out)["time_s"].get<double>(), 399.5 / 148, 1e-6);
-  EXPECT_NEAR(Json::parse(found.out)["median"]["jump"].get<double>(), 0.75, 0.01);
-  EXPECT_TRUE(std::filesystem::exists(folder / "maps" / "jump.tif"));
-  ASSERT_EQ(given.status, 0) << given.err;
-  EXPECT_EQ(Json::parse(given.out)["time"], "given");
-  const auto refused = arenite(step + " --time 9s --out " + (folder / "none").string());
-  EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.err.find("film.npy: the step at 9 s is not within the film"), std::string::npos) << refused.err;
-  EXPECT_FALSE(std::filesystem::exists(folder / "none"));
-}
-
-TEST(StepCommand, SaysThatAJumpRelaxes) {
-  const TemporaryFolder folder;
-  test::OscillatingFilm still;
-  still.amplitude = 0;
-  still.noise = 0.02;
-  still.frames = 1480;
-  Film film = still.draw();
-  for (std::size_t i = 740 * 45; i < film.value.size(); ++i)
-    film.value[i] += static_cast<float>(0.75 * std::exp(-(static_cast<double>(i / 45) - 740) / 148 / 1.5));
-  io::write_film(folder / "film.npy", film);
-  const std::string step = "step " + (folder / "film.npy").string() + " --frame-rate 148Hz --time 4.997s";
-  const auto found = arenite(step + " --json"), text = arenite(step);
-  ASSERT_EQ(found.status, 0) << found.err;
-  EXPECT_NEAR(Json::parse(found.out)["relaxation_after_s"].get<double>(), 1.5, 0.05);
-  EXPECT_TRUE(Json::parse(found.out)["relaxation_before_s"].is_null());
-  EXPECT_NEAR(Json::parse(found.out)["median"]["jump"].get<double>(), 0.75, 0.01);
-  EXPECT_EQ(rows_without_meaning(text.out, Json::parse(found.out)), "") << text.out;
 }
 
 TEST(LockInCommand, RefusesInOneSentence) {

@@ -10,7 +10,7 @@ import types
 
 import arenite
 import pytest
-from arenite import _compare_page, _core, compare
+from arenite import _core, compare
 
 
 def a_result(texture, name="load", title="a sample"):
@@ -126,11 +126,13 @@ def test_figures_hold_both_in_the_units_of_the_first():
         series = [{"x": [1, 2], "y": [3, None], "colour": "strong"}, {"x": [0], "y": [0], "silent": True}]
         return {"panels": [{"x": {"label": "t"}, "y": {"label": "p", "unit": unit, "high": high}, "series": series}]}
 
-    drawing = _compare_page.together([panel("kPa", 5)], [panel("MPa", 4)])
-    (shown,) = drawing["panels"]
+    head = {"id": "p", "caption": "The pressure. Of one result alone: more."}
+    figure = _core._compared(head, [panel("kPa", 5)], [panel("MPa", 4)])
+    (shown,) = figure["drawing"]["panels"]
+    assert figure["caption"] == "The pressure"
     assert [(series["name"], series["y"]) for series in shown["series"]] == [("A", [3, None]), ("B", [3000, None])]
     assert shown["y"]["high"] == 4000
-    assert _compare_page.together([panel("kPa", 5)], None) is None
+    assert _core._compared(head, [panel("kPa", 5)], []) == {}
 
 
 def test_a_result_compared_with_itself_has_its_figures_and_no_difference(result, tmp_path):

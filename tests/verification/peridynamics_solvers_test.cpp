@@ -4,28 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "solid/peridynamics/load.hpp"
 #include "support/cemented_sample.hpp"
 #include "support/homogeneous_sample.hpp"
+#include "verification/loaded.hpp"
 
 namespace arenite::peridynamics {
 namespace {
-
-PhaseMap cemented(int nodes = 96, double bridge = 0.4, double gamma = 2) {
-  return test::cemented_sample({.nodes = nodes, .size_ratio = gamma, .bridge = bridge});
-}
-
-LoadResult loaded(const PhaseMap& map, LoadOptions options, double tolerance = 1e-10) {
-  options.tolerance = tolerance;
-  return load(map, options);
-}
-
-double mean(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double v : values) sum += v;
-  return sum / static_cast<double>(values.size());
-}
 
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0;
@@ -164,138 +149,6 @@ TEST(Robustness, LittleCementFewIterations) {
       EXPECT_LE(result.report.iterations, 20) << gamma << " " << bridge;
       EXPECT_EQ(result.report.repairs, 0);
     }
-}
-
-void expect_finite(const LoadResult& result) {
-  for (const auto* values : {&result.field.ux, &result.field.uy, &result.field.xx, &result.field.yy, &result.field.xy})
-    EXPECT_TRUE(std::all_of(values->begin(), values->end(), [](double v) { return std::isfinite(v); }));
-  EXPECT_TRUE(std::isfinite(result.report.modulus) && std::isfinite(result.report.residual) &&
-              std::isfinite(result.report.identity_defect));
-}
-
-void put(PhaseMap& map, int x0, int x1, int y0, int y1, Phase phase) {
-  for (int y = y0; y < y1; ++y)
-    for (int x = x0; x < x1; ++x) map.phase[map.index(x, y)] = phase;
-}
-
-TEST(Ending, AllVoidIsEmpty) {
-  const auto result = load(make_phase_map(40, 40, 1), {});
-  EXPECT_EQ(result.report.ending, Ending::empty);
-  expect_finite(result);
-}
-
-TEST(Ending, SampleInTwoHalvesIsSeveredAndFollowsItsClamps) {
-  PhaseMap map = test::homogeneous_sample(40, 60);
-  put(map, 0, 40, 28, 33, Phase::empty);
-  const auto result = load(map, {});
-  EXPECT_EQ(result.report.ending, Ending::severed);
-  EXPECT_EQ(result.report.support.held_below, 40u * 27);
-  EXPECT_EQ(result.report.support.held_above, 40u * 26);
-  EXPECT_EQ(result.report.modulus, 0);
-  EXPECT_EQ(result.field.uy[map.index(20, 40)], result.field.uy[map.index(20, 59)]);
-  EXPECT_EQ(mean(result.field.yy), 0);
-  expect_finite(result);
-}
-
-TEST(Ending, FloatingIslandIsCountedAndLeftWithoutStress) {
-  PhaseMap map = test::homogeneous_sample(60, 60);
-  put(map, 20, 40, 20, 40, Phase::empty);
-  put(map, 26, 34, 26, 34, Phase::matrix);
-  const auto result = load(map, {});
-  EXPECT_EQ(result.report.ending, Ending::solved);
-  EXPECT_EQ(result.report.support.floating, 64u);
-  EXPECT_EQ(result.report.support.islands, 1);
-  EXPECT_EQ(result.field.yy[map.index(30, 30)], 0);
-  EXPECT_NE(result.report.sentence.find("64 floating nodes in 1 islands"), std::string::npos) << result.report.sentence;
-  expect_finite(result);
-}
-
-TEST(Ending, NodeOnASingleBondIsAHingeAndTheRestIsSolved) {
-  PhaseMap map = test::homogeneous_sample(60, 60);
-  put(map, 40, 60, 20, 40, Phase::empty);
-  map.phase[map.index(42, 30)] = Phase::matrix;  // held by the bond of length 3 alone
-  const auto result = load(map, {});
-  EXPECT_EQ(result.report.ending, Ending::solved) << result.report.sentence;
-  EXPECT_EQ(result.report.loose_nodes, 1u);
-  ASSERT_EQ(result.report.hinges.size(), 1u);
-  EXPECT_EQ(result.report.hinges[0].x, 39);
-  EXPECT_EQ(result.report.hinges[0].nodes, 1u);
-  EXPECT_LT(std::abs(result.report.identity_defect), 1e-5);
-  expect_finite(result);
-}
-
-TEST(Ending, HingeUnderThePapersStretchStaysWhereItIs) {
-  PhaseMap map = test::homogeneous_sample(60, 60);
-  put(map, 40, 60, 20, 40, Phase::empty);
-  map.phase[map.index(41, 31)] = Phase::matrix;
-  map.phase[map.index(44, 31)] = Phase::matrix;  // on one bond, which the pull turns
-  LoadOptions options;
-  options.exact_stretch = true;
-  const auto result = load(map, options);
-  EXPECT_EQ(result.report.ending, Ending::solved) << result.report.sentence;
-  EXPECT_LT(std::abs(result.field.uy[map.index(44, 31)]), 60 * map.dx * options.strain * 10);
-  expect_finite(result);
-}
-
-TEST(Ending, HalvesJoinedByAHingeStillCarryAPull) {
-  // Two blocks that meet in a single node: free to turn, yet in line with the pull.
-  PhaseMap map = test::homogeneous_sample(41, 61);
-  put(map, 0, 41, 29, 34, Phase::empty);
-  map.phase[map.index(20, 31)] = Phase::matrix;
-  LoadOptions options;
-  options.look_for_hinges = true;
-  const auto result = load(map, options);
-  EXPECT_EQ(result.report.ending, Ending::solved) << result.report.sentence;
-  EXPECT_GT(result.report.modulus, 0);
-  EXPECT_NE(result.report.sentence.find("it transmits the load"), std::string::npos) << result.report.sentence;
-  expect_finite(result);
-}
-
-TEST(Ending, TooFewStepsIsToldWithWhatWasReached) {
-  LoadOptions options;
-  options.method = Method::damped;
-  options.max_iterations = 20;
-  const auto result = load(cemented(64), options);
-  EXPECT_EQ(result.report.ending, Ending::not_converged);
-  EXPECT_NE(result.report.sentence.find("after 20 iterations"), std::string::npos) << result.report.sentence;
-  expect_finite(result);
-}
-
-TEST(SolveWatch, SeesEveryWayGoOnAndMayStopIt) {
-  const PhaseMap map = cemented(64);
-  for (const Method method : {Method::static_solve, Method::relaxation, Method::damped})
-    for (const bool exact : {false, true}) {
-      LoadOptions options;
-      options.method = method;
-      options.exact_stretch = exact;
-      double share = 0;
-      int calls = 0;
-      options.watch = [&](const Progress& p) {
-        EXPECT_GE(p.share, share);
-        EXPECT_LE(p.share, 1);
-        share = p.share;
-        return ++calls < 4;
-      };
-      const auto result = loaded(map, options);
-      EXPECT_EQ(result.report.ending, Ending::stopped) << result.report.sentence;
-      EXPECT_EQ(calls, 4);
-      EXPECT_GT(share, 0);
-      expect_finite(result);
-    }
-}
-
-TEST(LoadOptions, NonsenseIsRefused) {
-  const PhaseMap map = test::homogeneous_sample(20, 20);
-  LoadOptions options;
-  options.strain = -1;
-  EXPECT_THROW(load(map, options), InputError);
-  options = {};
-  options.loading = Loading::shear;
-  options.lower = LowerEdge::sliding;
-  EXPECT_THROW(load(map, options), InputError);
-  options = {};
-  options.tolerance = 0;
-  EXPECT_THROW(load(map, options), InputError);
 }
 
 }  // namespace

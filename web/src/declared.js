@@ -71,28 +71,13 @@ const isGroup = (v) => v !== null && typeof v === "object" && !Array.isArray(v) 
 
 export const valueOf = (number) => number?.value ?? number;
 
-/** What is told elsewhere on the page, or is drawn. */
-const hidden = new Set([
-  "provenance",
-  "stages",
-  "notes",
-  "curves",
-  "pdf",
-  "histogram",
-  "own_histogram",
-  "cumulative",
-  "recipe",
-  "window",
-  "snapshot",
-  "contact_orientations",
-]);
-
 /** Numbers as statistics declare them: a group of a tree, with unit and sentence of each by its dotted name in the
     whole tree (`meanings` of the document). Whatever is shown of them is noted, so that what no row names can stand at
     the end. */
 export class Numbers {
-  constructor(tree, meanings = {}, path = "", shown = new Set()) {
-    Object.assign(this, { tree: tree ?? {}, meanings, path, shown });
+  /** `elsewhere`: names that the page tells otherwise than in a table. */
+  constructor(tree, meanings = {}, elsewhere = [], path = "", shown = new Set()) {
+    Object.assign(this, { tree: tree ?? {}, meanings, elsewhere, path, shown });
   }
 
   #dotted(name) {
@@ -101,7 +86,7 @@ export class Numbers {
 
   /** A group within; empty where there is none. */
   in(name) {
-    return new Numbers(this.tree[name], this.meanings, this.#dotted(name), this.shown);
+    return new Numbers(this.tree[name], this.meanings, this.elsewhere, this.#dotted(name), this.shown);
   }
 
   /** Number at a dotted name; undefined where it is not known. */
@@ -135,14 +120,14 @@ export class Numbers {
   /** Names of the numbers of this group that nothing has shown yet. */
   get left() {
     return Object.keys(this.tree).filter(
-      (name) => isLeaf(this.tree[name]) && !hidden.has(name) && !this.shown.has(this.#dotted(name)),
+      (name) => isLeaf(this.tree[name]) && !this.elsewhere.includes(name) && !this.shown.has(this.#dotted(name)),
     );
   }
 
   /** Groups within: [[name, Numbers]]. */
   get parts() {
     return Object.keys(this.tree)
-      .filter((name) => isGroup(this.tree[name]) && !hidden.has(name))
+      .filter((name) => isGroup(this.tree[name]) && !this.elsewhere.includes(name))
       .map((name) => [name, this.in(name)]);
   }
 }

@@ -170,9 +170,11 @@ export const notes = ({ tree }) =>
   );
 
 /** Numbers that one asks for first: rows = [words, symbol, dotted name], with "%" behind them where a share is said in
-    per cent, "\u2030" in per mille. */
+    per cent, "\u2030" in per mille; or { words, value, unit } as they are written. */
 export function tilesOf(numbers, rows) {
-  return rows.map(([words, symbol, name, share]) => {
+  return rows.map((row) => {
+    if (!Array.isArray(row)) return { symbol: "", error: "", known: true, ...row };
+    const [words, symbol, name, share] = row;
     const number = numbers.at(name),
       { unit, sentence } = numbers.about(name),
       times = { "%": 100, "\u2030": 1000 }[share] ?? 1;

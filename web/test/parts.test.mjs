@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { zoomIdentity } from "d3-zoom";
 import { inWords, named, Numbers } from "../src/declared.js";
+import { evaluate, evaluateAll, namesIn } from "../src/formula.js";
 import { tables } from "../src/numbers.js";
 import { histogram, makeScale } from "../src/field/scale.js";
 import { quantityWithError } from "../src/film/tooltip.js";
@@ -214,6 +215,16 @@ test("the width of a chain is proportional to its force", () => {
   assert.ok(Math.abs(chainWidth(sample, snapshot, 4) - 2 * chainWidth(sample, snapshot, 2)) < 1e-15);
 });
 
+test("formulas of the program are formed as it forms them", () => {
+  const at = { xx: 3, yy: 1, xy: 1 };
+  assert.equal(evaluate("xx yy + 2 /", (name) => at[name]), 2);
+  assert.equal(evaluate("xx yy - 2 / xy hypot", (name) => at[name]), Math.SQRT2);
+  assert.ok(Math.abs(evaluate("2 xy * xx yy - atan2 90 * pi /", (name) => at[name]) - 22.5) < 1e-12);
+  const all = { a: Float32Array.of(3, 6), b: Float32Array.of(4, 8) };
+  assert.deepEqual([...evaluateAll("a b hypot 1 -", 2, (name) => all[name])], [4, 9]);
+  assert.deepEqual(namesIn("2 xy * xx yy - atan2 90 * pi /"), ["xy", "xx", "yy"]);
+});
+
 test("keys of numbers become words of the field, without the unit that is declared", () => {
   assert.deepEqual(named("mean_Pa", "Pa"), { name: "mean", symbol: "" });
   assert.deepEqual(named("toughness_Pa_m0.5", "Pa m^0.5"), { name: "toughness", symbol: "" });
@@ -258,6 +269,7 @@ test("what is said of several sets alike stands in one table, and what is drawn,
       notes: ["a sentence"],
     },
     { modulus_Pa: ["Pa", "Young's modulus"] },
+    ["histogram", "notes"],
   );
   assert.deepEqual(
     numbers.row("poisson").map(({ value }) => value),

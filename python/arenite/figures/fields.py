@@ -4,12 +4,14 @@ import numpy as np
 from matplotlib.colors import ListedColormap
 from matplotlib.lines import Line2D
 
+from .. import _core
 from .style import (
     bare,
     crack_colours,
     diverging_map,
     even_map,
     key_below,
+    label,
     length_bar,
     patch,
     phase_colours,
@@ -17,17 +19,10 @@ from .style import (
     scaled,
 )
 
-symbols = {
-    "sigma_yy": r"\sigma_{\mathrm{yy}}",
-    "sigma_xx": r"\sigma_{\mathrm{xx}}",
-    "sigma_xy": r"\sigma_{\mathrm{xy}}",
-    "sigma_hyd": r"\sigma_{\mathrm{hyd}}",
-    "sigma_1": r"\sigma_1",
-    "sigma_2": r"\sigma_2",
-    "ux": r"u_{\mathrm{x}}",
-    "uy": r"u_{\mathrm{y}}",
-    "u": r"|\mathbf{u}|",
-}
+
+def symbol_of(component):
+    """Its symbol, for matplotlib."""
+    return label(_core._field_quantities()[component][0])
 
 
 def _picture(axes, map, values, **options):
@@ -81,16 +76,7 @@ def phase_key(map):
 def values_of(field, component):
     """A component on all nodes, Pa or m: sigma_yy, sigma_xx, sigma_xy, sigma_hyd, sigma_1 and sigma_2 (the principal
     stresses, the larger first), ux, uy, u (magnitude)."""
-    if component == "sigma_hyd":
-        return 0.5 * (field.sigma_xx + field.sigma_yy)
-    if component in ("sigma_1", "sigma_2"):
-        sign = 1 if component == "sigma_1" else -1
-        return 0.5 * (field.sigma_xx + field.sigma_yy) + sign * np.hypot(
-            0.5 * (field.sigma_xx - field.sigma_yy), field.sigma_xy
-        )
-    if component == "u":
-        return np.hypot(field.ux, field.uy)
-    return np.asarray(getattr(field, component))
+    return _core._field_values(field, component)
 
 
 def statistics_of(field, **options):
@@ -105,7 +91,7 @@ def unit_of(field):
     """(Pa, name of the component, "mean" or "root mean square") by which the stored statistics normalise stresses; None
     without statistics."""
     stored = field.numbers.get("stress") or statistics_of(field, curves=False)
-    for component in [name for name in symbols if name in stored]:
+    for component in [name for name in _core._field_quantities() if name in stored]:
         every = stored[component].get("sets", {}).get("all", {})
         over = every.get("mean_over_sample_mean", {}).get("value")
         if over:
@@ -118,17 +104,18 @@ def scale_of(field, component):
     r.m.s. about 0, the other stresses over the same number (without its sign) about their means; displacements in
     metres, the magnitude from its smallest value.
     """
-    values, symbol = np.where(field.map.phase > 0, values_of(field, component), np.nan), symbols[component]
-    unit = unit_of(field) if component.startswith("sigma") else None
+    _, in_unit, is_magnitude = _core._field_quantities()[component]
+    values, symbol = np.where(field.map.phase > 0, values_of(field, component), np.nan), symbol_of(component)
+    unit = unit_of(field) if in_unit == "Pa" else None
     if unit is None:
-        factor, name = scaled(np.nanmax(np.abs(values)), "Pa" if component.startswith("sigma") else "m")
-        return values / factor, None if component == "u" else np.nanmean(values) / factor, f"${symbol}$, {name}"
+        factor, name = scaled(np.nanmax(np.abs(values)), in_unit)
+        return values / factor, None if is_magnitude else np.nanmean(values) / factor, f"{symbol}, {name}"
     value, of, by = unit
     if of == component:
-        return values / value, float(by == "mean"), f"${symbol}$ over its {'mean' if by == 'mean' else 'r.m.s.'}"
+        return values / value, float(by == "mean"), f"{symbol} over its {'mean' if by == 'mean' else 'r.m.s.'}"
     values = values / abs(value)
-    over = rf"|\langle {symbols[of]}\rangle|" if by == "mean" else rf"\mathrm{{rms}}({symbols[of]})"
-    return values, np.nanmean(values), f"${symbol}/{over}$"
+    over = f"|\u27e8{symbol_of(of)}\u27e9|" if by == "mean" else f"rms({symbol_of(of)})"
+    return values, np.nanmean(values), f"{symbol}/{over}"
 
 
 def draw_field(axes, field, component="sigma_yy", share=0.005, colour_map=diverging_map):

@@ -65,8 +65,7 @@ def look(axes, shots, by, chains, colour_map, low, high):
     """(`values` of each state for draw_shot, its other options); draws the legend or the colour bar."""
     style = {"spoked": by == "rotation"}
     if chains or by == "forces":
-        pushing = [shot.packing.contacts.fn[shot.packing.contacts.fn > 0] for shot in shots]
-        style["mean"] = np.mean(np.concatenate(pushing)) if any(map(len, pushing)) else None
+        style["mean"] = _core._mean_push([shot.packing.contacts for shot in shots]) or None
     colouring = motion.colourings[by]
     if colouring is None:
         if by == "material":

@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "grains/dem/kernels/kernel.hpp"

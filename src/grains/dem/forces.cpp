@@ -1,6 +1,8 @@
 #include "grains/dem/forces.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <limits>
 
 #include "grains/dem/glue.hpp"

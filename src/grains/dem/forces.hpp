@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "core/threads.hpp"
 #include "grains/dem/sample.hpp"

@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+
 #include "grains/dem/integrators/time_step.hpp"
 #include "grains/dem/walls.hpp"
 

@@ -1,5 +1,9 @@
 #include "grains/dem/rolling.hpp"
 
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
 #include "grains/dem/forces.hpp"
 
 namespace arenite::dem {

@@ -2,8 +2,12 @@
 
 #include <xxhash.h>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 #include "core/bytes.hpp"
 #include "core/error.hpp"

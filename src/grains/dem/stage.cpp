@@ -4,8 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "core/mapped.hpp"
 
 namespace arenite::dem {
+
+using Visitor = ParameterVisitor;
+
 namespace {
 
 bool is_ramped(const SideDrive& drive) { return drive.kind == SideDrive::Kind::force; }
@@ -135,6 +141,107 @@ WallDrives drives_for(const Stage& stage, const Leg& leg, const Domain& domain) 
     if (domain.wall[side].present) drives[side].slide = stage.slide[side];
   }
   return drives;
+}
+
+namespace {
+
+/// Of cycles, how many have their states stored.
+void declare_store_every(Visitor& v, std::optional<std::int64_t>& every) {
+  v.integer(
+      {"store_every",
+       "States are stored every so many cycles, and for the first and the last; unless given, for some twenty of them. "
+       "Curves against cycles contain all."},
+      every, {1, 1'000'000});
+}
+
+}  // namespace
+
+void EquilibriumCriterion::declare(Visitor& v) {
+  v.number({"unbalanced", "Unbalanced force ratio below this."}, unbalanced, "", range::positive);
+  v.number({"kinetic", "Kinetic over elastic energy below this."}, kinetic, "", range::positive);
+  v.number(
+      {"falling", "Fraction of grains that still fall (gravity, fewer than two compressive contacts) not above this."},
+      falling, "", range::not_negative);
+  v.number({"loose_kinetic",
+            "Kinetic energy of the grains that carry no load (fewer than two compressive contacts) over elastic energy "
+            "below this; a hundred thousand times `kinetic` unless given, because without gravity only rare collisions "
+            "slow them."},
+           loose_kinetic, "", range::positive);
+  v.number(
+      {"mobilisation",
+       "Mean |F_t|/F_n below this as well, if given: distinguishes creep from equilibrium where friction is viscous."},
+      mobilisation, "", range::not_negative);
+  v.integer({"max_steps", "Steps of one increment, after which the run stops with exit status 3."}, max_steps,
+            {1, 1'000'000'000'000});
+}
+
+void Cycles::declare(Visitor& v) {
+  v.choice({"side", "The side that cycles."}, side, {{"left", ""}, {"right", ""}, {"bottom", ""}, {"top", ""}});
+  std::optional<double> force[2], pressure[2];
+  if (max > 0) (of_pressure ? pressure : force)[0] = min, (of_pressure ? pressure : force)[1] = max;
+  v.number({"min", "Force at the end of each cycle."}, force[0], "kN", range::not_negative);
+  v.number({"max", "Force in the middle of each cycle."}, force[1], "kN", range::positive);
+  v.number({"min_pressure", "Pressure at the end of each cycle, where these are of pressure."}, pressure[0], "kPa",
+           range::not_negative);
+  v.number({"max_pressure", "Pressure in the middle of each cycle."}, pressure[1], "kPa", range::positive);
+  const bool by_force = force[0] && force[1], by_pressure = pressure[0] && pressure[1];
+  v.require(by_force != by_pressure && !(force[0] || force[1]) != !(pressure[0] || pressure[1]),
+            {"max", "min", "max_pressure", "min_pressure"}, "give min and max, or min_pressure and max_pressure");
+  of_pressure = by_pressure;
+  min = (by_pressure ? pressure : force)[0].value_or(min), max = (by_pressure ? pressure : force)[1].value_or(max);
+  v.require(max > min, {by_pressure ? "max_pressure" : "max", by_pressure ? "min_pressure" : "min"},
+            by_pressure ? "must be above min_pressure" : "must be above min");
+  v.integer({"count", "Number of cycles.", true}, count, {1, 1'000'000});
+  v.integer({"increments", "Increments of each half cycle."}, increments, {1, 1'000'000});
+  declare_store_every(v, store_every);
+}
+
+void StrainCycles::declare(Visitor& v) {
+  v.choice({"of", "Quantity that cycles."}, of,
+           {{"left", ""},
+            {"right", ""},
+            {"bottom", ""},
+            {"top", "this side; strains are those of the sample normal to it, positive inward"},
+            {"shear", "a cell periodic in both directions, sheared back and forth"}});
+  v.number({"min", "Strain at the end of each cycle."}, min, "", range::between(-0.9, 0.9));
+  v.number({"max", "Strain in the middle of each cycle.", true}, max, "", range::between(-0.9, 0.9));
+  v.require(max > min, {"max", "min"}, "must be above min");
+  v.number({"rate", "Of strain.", true}, rate, "1/s", range::positive);
+  v.integer({"count", "Number of cycles.", true}, count, {1, 1'000'000'000});
+  declare_store_every(v, store_every);
+}
+
+void Programme::declare(Visitor& v) {
+  auto chosen = static_cast<int>(target_of(of));
+  v.choice({"of",
+            "Driven quantity: a side's velocity (inward), force or pressure, the sliding of a wall, the shear rate, "
+            "gravity, or a boundary: its position or angle relative to the start of the stage, its velocity or spin, "
+            "or the force on it.",
+            true},
+           chosen, mapped(programme_targets, [](const auto& target) {
+             return Word{target.word, ""};
+           }));
+  const auto& target = programme_targets[static_cast<std::size_t>(chosen)];
+  of = target.of;
+  v.when(of.is_of_boundary(), "of = \"boundary...\"", [&](Visitor& inner) {
+    inner.text({"boundary", "Name of the boundary.", true}, name);
+  });
+  v.series(
+      {"table",
+       "Times from the beginning of the stage and values in the target's unit (mm, mm/s, N, kN, kPa, 1/s, m/s^2, deg "
+       "or deg/s), with linear interpolation, constant before the first and after the last row; two rows with the same "
+       "time are a jump. Or the name of a CSV file of these two columns with their units (`time [s],force [kN]`).",
+       true},
+      table, target.unit);
+  v.flag({"repeat", "The table starts again after its last time, for cycles."}, repeat);
+  const bool in_order = !table.empty() && table.front().x >= 0 && std::ranges::is_sorted(table, {}, &Vec2::x);
+  v.require(in_order, {"table"}, "needs at least one row, with times from 0 s that never decrease");
+  v.require(!repeat || (in_order && table.back().x > 0), {"repeat", "table"},
+            "only a table with a duration can repeat");
+  const bool may_be_negative = of.is(What::velocity) || !(of.is_of_side() || of.is(What::gravity_size));
+  v.require(may_be_negative || std::ranges::all_of(
+                                   table, [](double y) { return y >= 0; }, &Vec2::y),
+            {"table"}, fmt::format("no value of {} may be below 0", target.word));
 }
 
 }  // namespace arenite::dem

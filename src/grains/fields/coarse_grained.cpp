@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "core/problems.hpp"
 #include "geometry/cell_grid.hpp"
+#include "grains/texture/mass.hpp"
 #include "grains/texture/view.hpp"
 #include "model/periodic_images.hpp"
 

@@ -41,7 +41,8 @@ const std::vector<CoarseLayer>& coarse_layers() {
   static const std::vector<CoarseLayer> list{
       {"solid_fraction", "Solid fraction", "\u03c6", "", false, [](const CoarseFields& f) { return f.solid_fraction; }},
       {"density", "Density", "\u03c1", "kg/m^3", false, [](const CoarseFields& f) { return f.density; }},
-      {"speed", "Velocity", "|v|", "m/s", true, [](const CoarseFields& f) { return mapped(f.velocity, magnitude); }},
+      {"speed", "Velocity", "|v|", "m/s", true, [](const CoarseFields& f) { return mapped(f.velocity, magnitude); },
+       "vx vy hypot"},
       {"vx", "Velocity along x", "v_{x}", "m/s", true,
        [](const CoarseFields& f) { return mapped(f.velocity, &Vec2::x); }},
       {"vy", "Velocity along y", "v_{y}", "m/s", true,

@@ -13,6 +13,7 @@ struct CoarseLayer {
   std::string_view name, label, symbol, unit;
   bool is_of_motion = false;  ///< nothing where grains are at rest
   std::vector<double> (*of)(const CoarseFields& fields) = nullptr;
+  std::string_view formula = {};  ///< of other layers (core/formula.hpp), by which the page forms it
 };
 
 /// All, in the order of the page. A new one is one more row.

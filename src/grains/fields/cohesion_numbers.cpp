@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <numbers>
 #include <string>
+#include <vector>
 
-#include "grains/texture/texture.hpp"
+#include "grains/texture/mass.hpp"
 #include "statistics/measured.hpp"
 
 namespace arenite::fields {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/mapped.hpp"
 #include "grains/dem/programme.hpp"

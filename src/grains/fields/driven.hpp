@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "grains/dem/stage.hpp"
 #include "model/result.hpp"
 

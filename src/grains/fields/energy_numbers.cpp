@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "grains/fields/loading.hpp"
 #include "grains/fields/stage_numbers.hpp"

@@ -8,6 +8,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "geometry/union_area.hpp"
 #include "grains/fields/discharge.hpp"

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/joined_sets.hpp"
 #include "core/problems.hpp"
+#include "grains/texture/stress.hpp"
 #include "grains/texture/texture.hpp"
 
 namespace arenite::fields {

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "grains/fields/driven.hpp"
 #include "grains/fields/stage_numbers.hpp"

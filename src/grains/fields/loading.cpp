@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
@@ -10,8 +12,7 @@
 #include "grains/fields/discharge.hpp"
 #include "grains/fields/regime/prediction.hpp"
 #include "grains/fields/stage_numbers.hpp"
-#include "grains/texture/texture.hpp"
-#include "statistics/measured.hpp"
+#include "grains/texture/mass.hpp"
 
 namespace arenite::fields {
 namespace {

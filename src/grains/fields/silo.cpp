@@ -4,12 +4,14 @@
 #include <cmath>
 #include <numeric>
 #include <span>
+#include <vector>
 
 #include "core/mapped.hpp"
 #include "grains/fields/driven.hpp"
 #include "grains/fields/free_surface.hpp"
 #include "grains/fields/steady_state.hpp"
-#include "grains/texture/texture.hpp"
+#include "grains/texture/mass.hpp"
+#include "grains/texture/stress.hpp"
 
 namespace arenite::fields {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "grains/fields/steady_state.hpp"
 #include "statistics/measured.hpp"

@@ -1,8 +1,14 @@
 #include "grains/fields/state_curves.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"

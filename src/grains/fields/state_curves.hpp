@@ -1,5 +1,7 @@
 #pragma once
+#include <cstdint>
 #include <map>
+#include <utility>
 
 #include "grains/fields/loading.hpp"
 

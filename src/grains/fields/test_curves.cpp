@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "core/mapped.hpp"
 #include "grains/fields/steady_state.hpp"

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <vector>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "grains/packing/free_space.hpp"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <variant>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"

@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <cstdint>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "grains/texture/view.hpp"
 

@@ -1,8 +1,11 @@
+#include "grains/texture/distribution.hpp"
+
 #include "grains/texture/view.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "core/mapped.hpp"
 #include "statistics/tails.hpp"

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <string>
+#include <vector>
 
+#include "grains/texture/oscillation.hpp"
 #include "grains/texture/view.hpp"
 
 namespace arenite::texture {

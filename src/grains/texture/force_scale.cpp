@@ -19,4 +19,13 @@ ForceScale force_scale(const Contacts& contacts, double measured, const std::vec
   return {mean, -trace * mean};
 }
 
+double mean_push(const std::vector<const Contacts*>& states) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const Contacts* state : states)
+    for (const double force : state->fn)
+      if (force > 0) sum += force, ++count;
+  return count > 0 ? sum / static_cast<double>(count) : 0;
+}
+
 }  // namespace arenite::texture

@@ -16,4 +16,7 @@ struct ForceScale {
 /// push. `doubtful`: 1 for contacts that may be absent and do not count; empty: there is none.
 ForceScale force_scale(const Contacts& contacts, double measured, const std::vector<std::uint8_t>& doubtful = {});
 
+/// Mean force of the contacts that push, of several states together: one scale for all of them, N; 0 where none pushes.
+double mean_push(const std::vector<const Contacts*>& states);
+
 }  // namespace arenite::texture

@@ -1,4 +1,7 @@
+#include "grains/texture/gap_coordination.hpp"
+
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "core/problems.hpp"

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
+#include "grains/texture/stress.hpp"
 #include "grains/texture/texture.hpp"
 #include "model/matching.hpp"
 
@@ -37,6 +40,8 @@ Values deviators(const Packing& packing) { return mapped(grain_stresses(packing)
 
 double length_of(Vec2 v) { return norm(v); }
 
+constexpr const char *speed = "vx vy hypot", *way = "ux uy hypot";
+
 Values ratios_of_forces(const Packing& packing) { return mobilisations(packing); }
 
 }  // namespace
@@ -53,9 +58,9 @@ const std::vector<GrainQuantity>& grain_quantities() {
       {"stress", "Stress over its mean", "\u03c3_{norm}", ""},
       {"friction", "Mean |F_{t}|/F_{n}", "|F_{t}|/F_{n}", "", ratios_of_forces},
       {"mobilisation", "Mobilised friction, mean |F_{t}|/(\u03bc\u2009F_{n})", "|F_{t}|/(\u03bc\u2009F_{n})", ""},
-      {"displacement", "Displacement", "|u|", "m"},
+      {"displacement", "Displacement", "|u|", "m", nullptr, way},
       {"rotation", "Rotation", "\u03b8", "rad"},
-      {"speed", "Velocity", "|v|", "m/s", [](const Packing& p) { return mapped(p.grains.velocity, length_of); }},
+      {"speed", "Velocity", "|v|", "m/s", [](const Packing& p) { return mapped(p.grains.velocity, length_of); }, speed},
       {"vx", "Velocity along x", "v_{x}", "m/s", [](const Packing& p) { return mapped(p.grains.velocity, &Vec2::x); }},
       {"vy", "Velocity along y", "v_{y}", "m/s", [](const Packing& p) { return mapped(p.grains.velocity, &Vec2::y); }},
       {"spin", "Angular velocity", "\u03c9", "rad/s", [](const Packing& p) { return p.grains.omega; }}};

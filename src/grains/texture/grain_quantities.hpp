@@ -12,6 +12,8 @@ namespace arenite::texture {
 struct GrainQuantity {
   std::string_view name, label, symbol, unit;
   std::vector<double> (*of)(const Packing& packing) = nullptr;
+  /// Of numbers that the page has of every grain (core/formula.hpp); empty: it has the number itself.
+  std::string_view formula = {};
 };
 
 /// All, in the order of the page. A new one is one more row.

@@ -1,4 +1,5 @@
 #include <complex>
+#include <vector>
 
 #include "grains/texture/view.hpp"
 

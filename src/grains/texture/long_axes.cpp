@@ -1,6 +1,8 @@
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include "grains/texture/oscillation.hpp"
 #include "grains/texture/view.hpp"
 #include "model/shapes.hpp"
 

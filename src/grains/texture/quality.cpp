@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
+#include "grains/texture/mass.hpp"
 #include "grains/texture/view.hpp"
 
 namespace arenite::texture {

@@ -1,3 +1,5 @@
+#include "grains/texture/solid_fraction.hpp"
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,3 +1,7 @@
+#include "grains/texture/stress.hpp"
+
+#include "grains/texture/distribution.hpp"
+#include "grains/texture/mass.hpp"
 #include "grains/texture/view.hpp"
 
 #include <algorithm>
@@ -141,18 +145,6 @@ std::vector<Tensor2> grain_moments(const Packing& packing) {
     moments[link.j] += rj / (ri + rj) * moment;
   });
   return moments;
-}
-
-double mass_of(const Packing& packing, std::size_t g) {
-  const double r = packing.grains.radius[g];
-  const double density = packing.materials.at(packing.grains.material[g]).density;
-  return density * std::numbers::pi * r * r * packing.domain.thickness;
-}
-
-double mass_of(const Packing& packing) {
-  double mass = 0;
-  for (std::size_t g = 0; g < packing.grains.size(); ++g) mass += mass_of(packing, g);
-  return mass;
 }
 
 double deviator(const Tensor2& s) { return 0.5 * std::hypot(s.xx - s.yy, s.xy + s.yx); }

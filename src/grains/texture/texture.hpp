@@ -86,11 +86,6 @@ Texture grain_rows(const Packing& packing, const Options& options = {});
 /// where not known.
 Numbers stress_distribution(const Packing& packing, const std::vector<double>& sigma_hyd);
 
-/// Solid fraction of windows of the box's shape with `area_share` of its area, one for each of so many random places in
-/// the whole box (T Fig. 3.6b); over the box's sides the places are the same for every packing. Empty where the box is
-/// not known.
-std::vector<double> window_fractions(const Packing& packing, double area_share, int places, std::uint64_t seed = 1);
-
 /// Leaves what places alone tell: for contacts whose forces are not known and stand as 0. Strength, rattlers,
 /// anisotropies of forces, stresses and their signs go. `Options::rattler_contacts` should be 0 in the measurement.
 void forget_forces(Texture& texture);
@@ -101,29 +96,5 @@ Numbers numbers(const Texture& texture, bool curves = false);
 
 /// The main statistics as a table: name, value +- error, unit, meaning.
 std::string to_text(const Texture& texture);
-
-/// Internal moment of every grain about its centre, N m (T eq. 1.9). Their sum is the sum over contacts, bonds and
-/// pulls across gaps.
-std::vector<Tensor2> grain_moments(const Packing& packing);
-/// Mean stress of every grain over its own volume, Pa, tension positive (T eq. 1.11).
-std::vector<Tensor2> grain_stresses(const Packing& packing);
-/// Half the difference of the principal values, of the symmetric part.
-double deviator(const Tensor2& stress);
-
-/// Mass of a grain by its material's density, kg; and of all.
-double mass_of(const Packing& packing, std::size_t grain);
-double mass_of(const Packing& packing);
-
-/// Numbers of grains of two classes, large and small, and mean numbers of neighbours a grain, which are grains whose
-/// surfaces are no farther apart than a given gap (P eqs. 8, 9 and Fig. 5; there the gap is the peridynamic horizon):
-/// "Z_ls" small neighbours of a large grain, Z_l = Z_ll + Z_ls, Z_s = Z_sl + Z_ss, Z = (Z_l + Z_s)/2. Errors by leaving
-/// out blocks (statistics/jackknife.hpp); what a class without grains in the window leaves open is left out.
-///
-/// Classes are two materials by index; grains of other materials count neither as grains nor as neighbours. Counted are
-/// grains whose centre lies in the window (unset: the whole box), while neighbours may lie anywhere, in periodic images
-/// too. `gap` in m, 0 or more; grains that overlap are neighbours. Throws InputError for a negative gap or one material
-/// for both.
-Numbers gap_coordination(const Packing& packing, double gap, int large = 0, int small = 1,
-                         const std::optional<geometry::Rectangle>& window = {});
 
 }  // namespace arenite::texture

@@ -1,12 +1,14 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <iterator>
 #include <string>
 #include <vector>
 
 #include "geometry/rectangle.hpp"
+#include "grains/texture/blocks.hpp"
 #include "grains/texture/texture.hpp"
 #include "model/periodic_images.hpp"
 #include "statistics/jackknife.hpp"
@@ -21,36 +23,6 @@ using statistics::jackknife_of_sums;
 using statistics::mean;
 using statistics::put;
 using statistics::standard_error;
-
-/// A rectangle cut into k x k equal blocks. Neighbouring grains and contacts are not independent, so errors come from
-/// the scatter between blocks, not between grains.
-struct BlockGrid {
-  geometry::Rectangle bounds;
-  int per_side = 1;
-
-  int count() const { return per_side * per_side; }
-  /// Points outside belong to the nearest block.
-  int block_of(Vec2 p) const {
-    const auto along = [&](double x, double low, double width) {
-      const double share = width > 0 ? (x - low) / width : 0;
-      return static_cast<int>(std::clamp(std::floor(share * per_side), 0.0, per_side - 1.0));
-    };
-    return along(p.y, bounds.y_min, bounds.height()) * per_side + along(p.x, bounds.x_min, bounds.width());
-  }
-  /// That of an item there; where the rectangle is too small to be cut every item is its own.
-  int block_of(Vec2 p, std::size_t item) const { return per_side > 1 ? block_of(p) : static_cast<int>(item); }
-  geometry::Rectangle block(int b) const {
-    const double w = bounds.width() / per_side, h = bounds.height() / per_side;
-    const int column = b % per_side, row = b / per_side;
-    return {bounds.x_min + column * w, bounds.x_min + (column + 1) * w, bounds.y_min + row * h,
-            bounds.y_min + (row + 1) * h};
-  }
-};
-
-/// Blocks of about a dozen grains or more, 6 x 6 at most; 1 for a sample too small to be cut.
-inline int blocks_per_side(std::size_t grains) {
-  return std::clamp(static_cast<int>(std::sqrt(static_cast<double>(grains) / 12)), 1, 6);
-}
 
 /// What the statistics share: which grains and contacts count, in which block each lies, and the mean force. Contacts
 /// with walls count for stress and balance, never for coordination, fabric or force statistics.
@@ -108,29 +80,6 @@ double mean_of_known(const Items& items, const std::vector<double>& values);
 
 /// Area of a disk inside a rectangle, periodic images of the disk included.
 double covered_area(const Domain& domain, Vec2 centre, double radius, const geometry::Rectangle& window);
-
-/// How strongly and which way something depends on direction, A cos m(theta - theta_0).
-struct Oscillation {
-  Estimate amplitude, direction_deg;  ///< the direction in [0, 360/m)
-};
-
-/// By its parts along cos m theta and sin m theta. Noise of the same size in both, sigma, makes an amplitude out of
-/// nothing: a true one a, found as A, is about sqrt(A^2 - 2 sigma^2), the scatter of A is that of Rice's distribution
-/// (0.655 sigma where there is nothing, sigma where a is large), and a direction is known to sigma/(m a), with 1.25
-/// sigma for m > 2, but never worse than a random one, (360/m)/sqrt(12).
-Oscillation oscillation(const Estimate& x, const Estimate& y, int m);
-
-/// What a kind of values calls its mean and the share above it.
-struct DistributionNames {
-  const char *mean, *unit, *share, *mean_is, *share_is;
-};
-
-/// Numbers of one set of positive values (forces, stresses) over their own mean, x = F/<F>. `mean_of_all` is the mean
-/// of the set that this one is part of. `scale` turns the mean into its unit, NaN where that cannot be known; `level`
-/// is View::level. All errors come from leaving out blocks, whatever the law: values of neighbours depend on each
-/// other.
-Numbers distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value,
-                     double mean_of_all, const DistributionNames& names, double scale = 1, double level = 0);
 
 /// Where the numbers of a set go: those of "all" stand by themselves, those of the others in a group.
 inline Numbers& place_of(const std::string& set, Numbers& to, const char* group) {

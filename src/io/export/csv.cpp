@@ -4,7 +4,10 @@
 #include <functional>
 #include <iterator>
 #include <span>
+#include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "core/mapped.hpp"
 #include "io/export/export.hpp"

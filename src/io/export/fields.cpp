@@ -1,3 +1,6 @@
+#include <string>
+#include <vector>
+
 #include <fmt/core.h>
 
 #include "io/export/export.hpp"

@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "io/export/export.hpp"
 #include "io/results/groups.hpp"

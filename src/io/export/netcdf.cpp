@@ -1,8 +1,13 @@
 #include <hdf5_hl.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
 
 #include "core/mapped.hpp"
 #include "core/text.hpp"

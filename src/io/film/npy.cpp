@@ -1,7 +1,11 @@
 #include <fmt/core.h>
 
 #include <charconv>
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/problems.hpp"

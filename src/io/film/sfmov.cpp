@@ -1,7 +1,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <map>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "core/problems.hpp"
 #include "core/text.hpp"

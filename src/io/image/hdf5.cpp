@@ -1,7 +1,10 @@
 #include "core/problems.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <initializer_list>
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 

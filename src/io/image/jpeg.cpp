@@ -3,7 +3,9 @@
 
 // jpeglib.h needs these two before it.
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
+#include <string>
 
 #include <jerror.h>
 #include <jpeglib.h>

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <csetjmp>
+#include <cstdint>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>

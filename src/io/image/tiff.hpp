@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "core/problems.hpp"
 #include "io/disk/byte_source.hpp"

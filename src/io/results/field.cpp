@@ -1,3 +1,7 @@
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
 #include "core/mapped.hpp"
 #include "io/results/groups.hpp"
 #include "io/results/results.hpp"

@@ -1,5 +1,9 @@
+#include <filesystem>
+
 #include "io/results/groups.hpp"
 #include "io/results/results.hpp"
+#include "model/grain_motion.hpp"
+#include "model/lockin_maps.hpp"
 
 namespace arenite::io {
 namespace {

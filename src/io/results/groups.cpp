@@ -1,5 +1,8 @@
 #include "io/results/groups.hpp"
 
+#include <algorithm>
+#include <optional>
+
 #include "core/mapped.hpp"
 
 namespace arenite::io {

@@ -1,3 +1,8 @@
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+
 #include "io/results/groups.hpp"
 #include "io/results/results.hpp"
 

@@ -1,5 +1,7 @@
 #include "io/sample/assemble.hpp"
 
+#include <cstdint>
+
 #include "io/sample/contact_rows.hpp"
 #include "io/sample/materials.hpp"
 

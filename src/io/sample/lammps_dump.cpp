@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
 
 #include "core/mapped.hpp"
 #include "core/text.hpp"

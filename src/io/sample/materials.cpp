@@ -3,8 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
+#include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "io/sample/formats.hpp"
 #include "io/table/text_file.hpp"

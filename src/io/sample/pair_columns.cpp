@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <unordered_map>
+#include <utility>
 
 #include "core/mapped.hpp"
 #include "io/sample/formats.hpp"

@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
+#include <string>
 
 #include "core/mapped.hpp"
 #include "io/sample/formats.hpp"

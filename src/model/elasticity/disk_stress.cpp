@@ -1,5 +1,7 @@
 #include "model/elasticity/disk_stress.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <numbers>
 
 namespace arenite::elasticity {
@@ -14,6 +16,14 @@ std::vector<double> stress_of_disks(const Packing& packing) {
   for (std::size_t i = 0; i < pushed.size(); ++i)
     pushed[i] /= -2 * std::numbers::pi * packing.grains.radius[i] * packing.domain.thickness;
   return pushed;
+}
+
+std::vector<double> stress_change(const Packing* low, const Packing& high) {
+  std::vector<double> change = stress_of_disks(high);
+  if (!low) return change;
+  const std::vector<double> released = stress_of_disks(*low);
+  std::ranges::transform(change, released, change.begin(), std::minus());
+  return change;
 }
 
 }  // namespace arenite::elasticity

@@ -1,7 +1,8 @@
+#include "report/figures/distributions.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "report/figures/state_figures.hpp"
+#include <utility>
 
 namespace arenite::report::figures {
 namespace {

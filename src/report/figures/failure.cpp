@@ -1,8 +1,12 @@
+#include "report/figures/failure.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/mapped.hpp"
-#include "report/figures/field_figures.hpp"
 
 namespace arenite::report::figures {
 namespace {

@@ -3,6 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "report/figures/failure.hpp"
 
 namespace arenite::report::figures {
 namespace {

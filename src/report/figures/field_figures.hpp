@@ -16,9 +16,4 @@ struct FieldData {
 /// Figures of a sample on a grid, in their order on the page.
 const std::vector<Row<FieldData>>& field_figures();
 
-/// Those of tests to failure.
-Drawings stress_strain(const FieldData& data);
-Drawings broken_bonds(const FieldData& data);
-Drawings energy_balance(const FieldData& data);
-
 }  // namespace arenite::report::figures

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "core/mapped.hpp"
+#include "report/figures/film_forces.hpp"
+#include "report/figures/run_figures.hpp"
 
 namespace arenite::report::figures {
 namespace {

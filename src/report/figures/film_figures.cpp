@@ -2,8 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "core/mapped.hpp"
+#include "report/figures/distributions.hpp"
+#include "report/figures/film_forces.hpp"
+#include "report/figures/roses.hpp"
 #include "report/figures/state_figures.hpp"
 
 namespace arenite::report::figures {

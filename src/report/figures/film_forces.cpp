@@ -1,9 +1,15 @@
+#include "report/figures/film_forces.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "core/mapped.hpp"
-#include "report/figures/film_figures.hpp"
 #include "thermal/inference/film_fit.hpp"
 
 namespace arenite::report::figures {
@@ -77,11 +83,10 @@ Bins certainty_bins(std::vector<double> ratios) {
 /// Normal forces over their standard errors.
 Drawings certainty(const FilmData& data) {
   const FilmResult& film = data.result;
-  const auto& force = film.packing.contacts.fn;
-  if (!has_forces(film) || film.fn_error.size() != force.size()) return {};
+  if (!has_forces(film)) return {};
+  const std::vector<double> all = inference::forces_over_errors(film);
   std::vector<double> ratios;
-  for (std::size_t c = 0; c < force.size(); ++c)
-    if (const double ratio = force[c] / film.fn_error[c]; std::isfinite(ratio)) ratios.push_back(ratio);
+  std::ranges::copy_if(all, std::back_inserter(ratios), [](double ratio) { return std::isfinite(ratio); });
   if (ratios.empty()) return {};
   const Bins bins = certainty_bins(ratios);
   const auto n = static_cast<std::size_t>(bins.count);
@@ -92,8 +97,8 @@ Drawings certainty(const FilmData& data) {
   Panel panel{{.label = "F_{n} / standard error", .brief = "F_{n} / s.e."}, {.label = "contacts", .low = 0}};
   for (const Kind& kind : kinds) {
     std::vector<double> counts(n, 0.0);
-    for (std::size_t c = 0; c < force.size(); ++c) {
-      const double ratio = force[c] / film.fn_error[c];
+    for (std::size_t c = 0; c < all.size(); ++c) {
+      const double ratio = all[c];
       if (!std::isfinite(ratio) || (doubtful[c] != 0) != kind.doubtful) continue;
       ++counts[static_cast<std::size_t>(
           std::clamp(std::floor((ratio - bins.first) / bins.step), 0.0, static_cast<double>(n - 1)))];
@@ -109,9 +114,8 @@ Drawings certainty(const FilmData& data) {
                             .high = top,
                             .bars = 0.92 * bins.step,
                             .opacity = 0.75});
-    double all = 0;
-    for (const double count : counts) all += count;
-    drawing.key.push_back({counted(all) + " " + kind.name, kind.colour});
+    const double whole = std::accumulate(counts.begin(), counts.end(), 0.0);
+    drawing.key.push_back({counted(whole) + " " + kind.name, kind.colour});
     base = std::move(top);
   }
   const double end = bins.first + bins.count * bins.step;

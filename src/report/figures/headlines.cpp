@@ -1,12 +1,18 @@
 #include "report/figures/headlines.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
 
 #include "core/mapped.hpp"
 #include "grains/fields/laboratory/axial_tests.hpp"
 #include "grains/fields/laboratory/test_numbers.hpp"
 #include "report/page_document.hpp"
+#include "thermal/inference/film_fit.hpp"
 
 namespace arenite::report::figures {
 
@@ -56,6 +62,78 @@ std::vector<Headline> headlines_of(fields::TestKind kind) {
   return {};
 }
 
+namespace {
+
+/// The number at a dotted name.
+bool is_known(const Numbers& numbers, std::string path) {
+  std::ranges::replace(path, '.', '/');
+  const Numbers* at = numbers.at_path("/" + path);
+  return at && at->is_known();
+}
+
+/// The first three of them that are known.
+void add_known(std::vector<Headline>& to, const std::vector<Headline>& wanted, const Numbers& numbers) {
+  std::size_t count = 0;
+  for (const Headline& one : wanted)
+    if (count < 3 && is_known(numbers, one.name)) to.push_back(one), ++count;
+}
+
+}  // namespace
+
+std::vector<Headline> headlines_of(const FieldResult& field) {
+  static constexpr const char* over_all = "\u27e8\u03c3_{yy}\u27e9/\u27e8\u03c3_{yy}\u27e9_{all}";
+  const Headline modulus{"apparent modulus", "E", "modulus_Pa"};
+  const std::vector<Headline> sample{{"grains", "\u03c1_{p}", "phases.particle", "%"},
+                                     {"matrix in the pores", "S_{m}", "S_m", "%"},
+                                     {"void", "\u03c1_{v}", "phases.void", "%"}},
+      failure{modulus,
+              {"strength", "", "strength_Pa"},
+              {"strain at peak stress", "", "failure.strain_at_strength", "\u2030"}},
+      response{modulus,
+               {"mean stress", "\u27e8\u03c3_{yy}\u27e9", "stress.sigma_yy.sample_mean_Pa"},
+               {"in large grains", over_all, "stress.sigma_yy.sets.large.mean_over_sample_mean"},
+               {"in small grains", over_all, "stress.sigma_yy.sets.small.mean_over_sample_mean"},
+               {"in grains", over_all, "stress.sigma_yy.sets.particle.mean_over_sample_mean"}};
+  std::vector<Headline> list;
+  add_known(list, sample, field.numbers);
+  const auto* strain = field.curve.find("strain");
+  if (strain && strain->size() > 1) add_known(list, failure, field.numbers);
+  else if (field.field.size() > 0) add_known(list, response, field.numbers);
+  return list;
+}
+
+std::vector<Headline> headlines_of(const FilmResult& film) {
+  const auto plain = [](const char* words, std::string said, std::string behind = {}) {
+    return Headline{words, "", "", "", std::move(said), std::move(behind)};
+  };
+  std::vector<Headline> list;
+  for (const Headline& one :
+       {Headline{"load frequency", "f", "lockin.frequency_Hz"},
+        {"noise of a pixel", "", "lockin.standard_error_K"},
+        {"grains", "N_{p}", "grains.all"},
+        {"stress", "\u27e8\u03c3_{hyd}\u27e9", "stresses.film.mean_Pa"},
+        {"force", "\u27e8F_{n}\u27e9", "forces.mean_N"},
+        {"correlation with simulation", "r", "agreement.simulation_peak_to_peak.all.correlation"}})
+    if (is_known(film.numbers, one.name)) list.push_back(one);
+  if (const auto& forces = film.packing.contacts.fn; std::ranges::any_of(forces, [](double f) { return f != 0; })) {
+    const auto sure = std::ranges::count(inference::doubtful_contacts(film), std::uint8_t{0});
+    list.push_back(plain("certain contacts", counted(static_cast<double>(sure)),
+                         "of " + counted(static_cast<double>(forces.size()))));
+  }
+  const std::size_t frames = film.maps.frames > 0 ? film.maps.frames : static_cast<std::size_t>(film.film.frames);
+  list.push_back(plain("frames", counted(static_cast<double>(frames))));
+  list.push_back(plain("pixels", fmt::format("{}\u202f\u00d7\u202f{}", film.film.width, film.film.height)));
+  list.resize(list.size() >= 6 ? 6 : 3, list.back());
+  return list;
+}
+
+Numbers numbers_of(const std::vector<Headline>& list) {
+  return mapped(list, [](const Headline& one) {
+    return one.said.empty() ? Numbers::list({one.words, one.symbol, one.name, one.share})
+                            : Numbers{{"words", one.words}, {"value", one.said}, {"unit", one.behind}};
+  });
+}
+
 void add_test(Numbers& shown, const StageData& data) {
   const auto& [stage, states, before] = data;
   const fields::Test test{stage, before};
@@ -66,9 +144,7 @@ void add_test(Numbers& shown, const StageData& data) {
       numbers[name] = *at;
   const fields::TestKind kind = fields::kind_of(test);
   shown["test"] = fields::name_of(kind);
-  shown["headlines"] = mapped(headlines_of(kind), [](const Headline& one) {
-    return Numbers::list({one.words, one.symbol, one.name, one.share});
-  });
+  shown["headlines"] = numbers_of(headlines_of(kind));
   add_numbers(shown, numbers);
   const auto curves = fields::test_curves(test);
   const auto uniaxial = curves ? fields::uniaxial_test(*curves) : std::nullopt;

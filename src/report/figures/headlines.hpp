@@ -1,15 +1,31 @@
 #pragma once
+#include <string>
+#include <vector>
+
 #include "grains/fields/laboratory/test_kind.hpp"
+#include "model/film_result.hpp"
+#include "model/result.hpp"
 #include "report/figures/stage_figures.hpp"
 
 namespace arenite::report::figures {
 
-/// A number that one asks for first: its words, its symbol, its dotted name, and "%" where a share is said in per cent.
+/// A number that one asks for first: its words, its symbol, its dotted name, and "%" or "\u2030" where a share is said
+/// in per cent or per mille. One that no statistic declares has no name, and is written as it is, with what stands
+/// behind it.
 struct Headline {
   const char *words, *symbol, *name, *share = "";
+  std::string said = {}, behind = {};
 };
 /// Of a kind of test, the most telling first; empty where it is none.
 std::vector<Headline> headlines_of(fields::TestKind kind);
+
+/// Of a sample on a grid always, with its response where it was loaded; those that are known, three of each.
+std::vector<Headline> headlines_of(const FieldResult& field);
+/// Of a film: six, or three where fewer are known.
+std::vector<Headline> headlines_of(const FilmResult& film);
+
+/// [words, symbol, name, share] of each, or {words, value, unit} of what is written as it is.
+Numbers numbers_of(const std::vector<Headline>& list);
 
 /// What the page has of a stage's test: its kind, what it gave beyond the texture of its states, and which of it one
 /// asks for first; of a sample that failed also the shown state nearest to its strength, with which the page opens.

@@ -1,9 +1,12 @@
+#include "report/figures/run_figures.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
+#include <utility>
 
 #include "grains/packing/population.hpp"
-#include "report/figures/stage_figures.hpp"
 
 namespace arenite::report::figures {
 namespace {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "core/mapped.hpp"
 #include "grains/fields/laboratory/test_kind.hpp"
@@ -120,19 +123,11 @@ Drawings boundary_forces(const StageData& data) {
   return {drawing};
 }
 
+/// All terms of the account that are above 0 at some time.
 Drawings energies(const StageData& data) {
-  Drawing drawing = lines_over_time(data,
-                                    {{"elastic", "elastic"},
-                                     {"kinetic", "kinetic"},
-                                     {"dissipated_friction", "friction"},
-                                     {"dissipated_normal", "dashpots"},
-                                     {"dissipated_drag", "drag"},
-                                     {"work_walls", "work of walls"},
-                                     {"work_gravity", "work of gravity"},
-                                     {"dissipated_breakage", "broken bonds"},
-                                     {"adhesive", "adhesive"},
-                                     {"exchanged", "grains that came in, less those that left"}},
-                                    [](double v) { return v > 0; });
+  auto names = mapped(energy_terms, [](const EnergyTerm& term) { return Named{term.name, term.phrase}; });
+  names.push_back({exchange_term.name, exchange_term.phrase});
+  Drawing drawing = lines_over_time(data, names, [](double v) { return v > 0; });
   if (drawing.panels.empty()) return {};
   Panel& panel = drawing.panels.front();
   const double most = largest_in(panel);

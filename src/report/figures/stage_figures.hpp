@@ -1,5 +1,4 @@
 #pragma once
-#include <string>
 #include <vector>
 
 #include "model/result.hpp"
@@ -16,16 +15,5 @@ struct StageData {
 
 /// Figures of the history of a stage, in their order on the page.
 const std::vector<Row<StageData>>& stage_figures();
-
-/// All states of a run: the texture of each, none where it is not known, the packing at the end and what was asked of
-/// it.
-struct RunData {
-  std::vector<const Numbers*> textures;
-  const Packing* last = nullptr;
-  Asked asked = {};
-};
-
-/// Figures of a run as a whole.
-const std::vector<Row<RunData>>& run_figures();
 
 }  // namespace arenite::report::figures

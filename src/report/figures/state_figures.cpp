@@ -1,7 +1,14 @@
+#include "report/figures/state_figures.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
-#include "report/figures/state_figures.hpp"
+#include "report/figures/distributions.hpp"
+#include "report/figures/roses.hpp"
 
 namespace arenite::report::figures {
 namespace {
@@ -116,24 +123,6 @@ Drawings fabric(const StateData& state) {
 }
 
 }  // namespace
-
-Rose rose_of(std::string name, std::string colour, const Numbers& set, const Numbers* inner) {
-  Rose rose{.name = std::move(name), .colour = std::move(colour), .count = estimate_at(set, "/contacts").value};
-  rose.sectors = reals_at(set, "/sectors");
-  if (inner) rose.inner = reals_at(*inner, "/sectors");
-  const auto a = estimate_at(set, "/a_c"), theta = estimate_at(set, "/theta_c_deg");
-  const double noise = estimate_at(set, "/a_c_noise").value;
-  if (std::isfinite(a.value)) {
-    rose.words.push_back(in_words(said("a_{c}", a)));
-    if (a.value < noise) rose.words.push_back("below its noise, " + rounded(noise, 2));
-    else if (std::isfinite(theta.value)) rose.words.push_back(in_words(said("\u03b8_{c}", theta)) + "\u00b0");
-    if (std::isfinite(theta.value)) rose.amplitude = a.value, rose.direction = theta.value;
-    rose.reach = std::max(rose.reach, 1 + a.value);
-  }
-  const double isotropic = rose.count / static_cast<double>(std::max<std::size_t>(1, rose.sectors.size()));
-  rose.reach = std::max(rose.reach, largest_of(rose.sectors, 0) / isotropic);
-  return rose;
-}
 
 const std::vector<Row<StateData>>& state_figures() {
   static const std::vector<Row<StateData>> list{

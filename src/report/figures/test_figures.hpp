@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "grains/fields/test_curves.hpp"
 #include "report/figures/stage_figures.hpp"

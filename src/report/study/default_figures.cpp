@@ -9,6 +9,8 @@
 #include <optional>
 #include <regex>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "core/mapped.hpp"
 #include "core/text.hpp"

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
 
 #include "campaign/study_kind.hpp"
 #include "core/mapped.hpp"

@@ -1,5 +1,8 @@
 #include "thermal/camera/camera.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace arenite::camera {
 namespace {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "core/mapped.hpp"
@@ -208,6 +209,13 @@ Scene scene_of_field(const FieldResult& result, const Parameters& parameters) {
     }));
   }
   return scene;
+}
+
+WallChange change_of_lower_wall(const Packing* low, const Packing& high) {
+  const Wall& end = high.domain.wall[bottom];
+  if (!low) return {end.force, 0};
+  const Wall& start = low->domain.wall[bottom];
+  return {end.force - start.force, end.position - start.position};
 }
 
 }  // namespace arenite::camera

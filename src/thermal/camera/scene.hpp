@@ -35,6 +35,14 @@ Scene scene_between(const Packing& low, const Packing& high, const Parameters& p
 /// The scene from no load to a state; nothing moves.
 Scene scene_of_state(const Packing& state, const Parameters& parameters);
 
+/// What the lower wall does between two states, as a testing machine tells it: from the smallest load (null: none) to
+/// the largest.
+struct WallChange {
+  double force = 0;   ///< N
+  double travel = 0;  ///< m, upwards
+};
+WallChange change_of_lower_wall(const Packing* low, const Packing& high);
+
 /// The scene from no load to the stresses that peridynamics found in the grains of a cemented sample (their matrix
 /// warms by nothing of its own). Grains move by the mean displacement of their nodes. Throws InputError for a sample
 /// without load, or one whose grains are no disks.

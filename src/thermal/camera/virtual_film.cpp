@@ -5,6 +5,7 @@
 #include <functional>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "core/problems.hpp"
 #include "thermal/camera/camera.hpp"

@@ -1,6 +1,7 @@
 #include "thermal/imaging/disk_evidence.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/problems.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/imaging/grains_of_picture.hpp"
 #include "thermal/imaging/overlay.hpp"
 #include "thermal/imaging/registration.hpp"

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "core/vec.hpp"
-#include "model/film.hpp"
 #include "model/film_place.hpp"
 #include "model/image.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/imaging/circles.hpp"
 
 namespace arenite::imaging {

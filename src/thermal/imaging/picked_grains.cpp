@@ -1,6 +1,7 @@
 #include "thermal/imaging/picked_grains.hpp"
 
 #include <cstdint>
+#include <numbers>
 
 namespace arenite::imaging {
 namespace {
@@ -34,6 +35,12 @@ void keep_inside(Vec2 container, const FilmPlace& place, PictureGrains& grains) 
     const double deep = 0.5 * grains.radius[i] * place.pixel;
     return c.x > deep && c.x < container.x - deep && c.y > deep && c.y < container.y - deep;
   });
+}
+
+double covered_share(Vec2 container, const FilmPlace& place, const PictureGrains& grains) {
+  double area = 0;
+  for (const double r : grains.radius) area += std::numbers::pi * r * r * place.pixel * place.pixel;
+  return area / (container.x * container.y);
 }
 
 void drop_overlapping(PictureGrains& grains) {

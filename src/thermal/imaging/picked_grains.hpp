@@ -13,6 +13,16 @@ namespace arenite::imaging {
 /// Drops what does not lie in a container of these inner sides (m): its screws and edges look round, too.
 void keep_inside(Vec2 container, const FilmPlace& place, PictureGrains& grains);
 
+/// Share of a container of these inner sides (m) that the disks of the grains cover.
+double covered_share(Vec2 container, const FilmPlace& place, const PictureGrains& grains);
+
+/// Grains in a container fill three quarters of it and more (random close packing of disks: 0.82 to 0.84); less than
+/// this means that some were not found.
+inline constexpr double least_covered_share = 0.65;
+
+/// Standard error of the centre of a grain that a list places by hand, pixels: even within a pixel, 1/sqrt(12).
+inline constexpr double listed_position_error = 0.3;
+
 /// Share of the smaller radius by which load never presses two grains together.
 inline constexpr double most_overlap = 0.3;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "core/problems.hpp"
 #include "model/periodic_images.hpp"

@@ -1,5 +1,6 @@
 #include "thermal/imaging/registration.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/mapped.hpp"

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <set>
+#include <string>
+#include <utility>
 
 #include "core/problems.hpp"
 #include "model/periodic_images.hpp"

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "model/lockin_maps.hpp"
+
 namespace arenite::inference {
 
 FitMaps fit_maps(const FilmResult& film) {
@@ -33,6 +35,13 @@ std::vector<std::uint8_t> doubtful_contacts(const FilmResult& film) {
   std::vector<std::uint8_t> doubtful(film.packing.contacts.size(), 0);
   for (std::size_t c = 0; c < doubtful.size() && c < film.presence.size(); ++c) doubtful[c] = film.presence[c] < sure;
   return doubtful;
+}
+
+std::vector<double> forces_over_errors(const FilmResult& film) {
+  std::vector<double> ratios = film.packing.contacts.fn;
+  if (film.fn_error.size() != ratios.size()) return {};
+  for (std::size_t c = 0; c < ratios.size(); ++c) ratios[c] /= film.fn_error[c];
+  return ratios;
 }
 
 }  // namespace arenite::inference

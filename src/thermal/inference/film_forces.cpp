@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <initializer_list>
 #include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "model/film_place.hpp"
+#include "model/lockin_maps.hpp"
 #include "statistics/measured.hpp"
 #include "thermal/imaging/proposed_contacts.hpp"
 #include "thermal/inference/mean_forces.hpp"

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/median.hpp"
+#include "model/grain_motion.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/thermography/grains/grain_means.hpp"
 
 namespace arenite::inference {
@@ -14,6 +17,11 @@ void add_blur_error(PeakToPeak& change, const PeakToPeak& wider, double step, do
     const double slope = (wider.sigma_hyd[i] - change.sigma_hyd[i]) / step;
     if (std::isfinite(slope)) change.error[i] = std::hypot(change.error[i], slope * blur_error);
   }
+}
+
+double blur_error(double seen_at_rims, double assumed) {
+  constexpr double least = 0.05;
+  return std::max(least, seen_at_rims > 0 ? std::abs(seen_at_rims - assumed) : 0);
 }
 
 void add_fit_error(FilmResult& r, const PictureGrains& shown, double share) {

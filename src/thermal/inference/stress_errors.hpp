@@ -1,5 +1,6 @@
 #pragma once
 #include "model/film_result.hpp"
+#include "model/grain_motion.hpp"
 #include "model/image.hpp"
 
 /// What noise does not tell of the errors of grains' stresses.
@@ -8,6 +9,10 @@ namespace arenite::inference {
 /// Adds to the errors of the stresses what a blur of the lens that is known to `blur_error` only leaves; `wider` are
 /// the stresses when rims are taken off with a blur larger by `step` (pixels).
 void add_blur_error(PeakToPeak& change, const PeakToPeak& wider, double step, double blur_error);
+
+/// By how much an assumed blur may be off, pixels: by what the rims of the grains show instead (0: nothing), and never
+/// by less than 0.05, which is what rims show of the blur at best.
+double blur_error(double seen_at_rims, double assumed);
 
 /// Adds to the errors of the stresses what is not known of the halo that was taken off; `scattered` are the stresses
 /// with it, and what it costs goes to `result.halo`.

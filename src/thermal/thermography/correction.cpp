@@ -5,6 +5,7 @@
 
 #include "core/median.hpp"
 #include "core/problems.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/thermography/frame_statistics.hpp"
 #include "thermal/thermography/grains/follow_grains.hpp"
 

@@ -5,6 +5,7 @@
 
 #include "model/film.hpp"
 #include "model/image.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/radiometry/band.hpp"
 #include "thermal/thermography/frame_statistics.hpp"
 

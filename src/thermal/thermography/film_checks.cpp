@@ -8,6 +8,7 @@
 
 #include "core/median.hpp"
 #include "core/problems.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/thermography/judge_amplitude.hpp"
 #include "thermal/thermography/lockin.hpp"
 

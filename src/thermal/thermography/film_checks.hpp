@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "model/film.hpp"
+#include "model/lockin_maps.hpp"
 
 /// Whether maps can be those of a load, and what to say where they cannot.
 namespace arenite::thermography {

@@ -6,10 +6,14 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "core/problems.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/thermography/refine_frequency.hpp"
 #include "thermal/thermography/shared_noise.hpp"
 #include "thermal/thermography/watched_pixels.hpp"

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "core/mapped.hpp"
 #include "core/median.hpp"
+#include "model/lockin_maps.hpp"
 #include "statistics/least_squares.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
 

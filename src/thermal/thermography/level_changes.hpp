@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "model/film.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {

@@ -5,6 +5,7 @@
 #include <complex>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "statistics/correlation.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"

@@ -1,5 +1,6 @@
 #include "thermal/thermography/load_signal.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>

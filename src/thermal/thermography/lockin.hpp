@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "model/film.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/thermography/segment_sums.hpp"
 
 namespace arenite::thermography {

@@ -1,6 +1,7 @@
 #include "thermal/thermography/lost_frames.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "core/median.hpp"
 #include "statistics/least_squares.hpp"

@@ -2,9 +2,12 @@
 
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "core/median.hpp"
 #include "core/threads.hpp"
+#include "model/grain_motion.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/thermography/blank_frames.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
 #include "thermal/thermography/level_changes.hpp"
@@ -234,6 +237,21 @@ std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k) {
           static_cast<float>(Resampled(pictures.width, pictures.height, place).of(pictures.picture(k), slope)));
   return values;
 }
+
+std::size_t picture_at_smallest_load(const PhasePictures& pictures, double largest) {
+  const double phase = largest + std::numbers::pi;
+  std::size_t best = 0;
+  double most = -2;
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    const double along = pictures.phases[k][1] * std::cos(phase) + pictures.phases[k][2] * std::sin(phase);
+    if (along > most) most = along, best = k;
+  }
+  return best;
+}
+
+double opposite(double phase) { return std::remainder(phase + std::numbers::pi, 2 * std::numbers::pi); }
+
+bool are_opposite(double phase, double other) { return std::cos(phase - other) < 0; }
 
 PixelHarmonics::PixelHarmonics(const PhasePictures& p, const GrainMotion& motion, std::size_t grain) {
   Matrix design(5, p.size()), weighed = design;

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "model/film.hpp"
+#include "model/grain_motion.hpp"
+#include "model/lockin_maps.hpp"
 #include "statistics/least_squares.hpp"
 #include "thermal/thermography/lockin.hpp"
 
@@ -94,6 +96,15 @@ PhasePictures phase_pictures(FilmSource& film, const LockinMaps& maps, const Loc
 
 /// One of the pictures itself, rows from the top.
 std::vector<float> picture_of(const PhasePictures& pictures, std::size_t k);
+
+/// The picture whose phase is nearest to that of the smallest load, where the load goes as cos(2 pi f t - phase).
+std::size_t picture_at_smallest_load(const PhasePictures& pictures, double phase);
+
+/// The phase of a load that is largest where one of this phase is smallest, -pi to pi.
+double opposite(double phase);
+
+/// Whether two phases are more than a quarter of a cycle apart.
+bool are_opposite(double phase, double other);
 
 /// What one place that follows a grain shows: mean, first and second harmonic, slope of the mean picture.
 struct Followed {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "core/median.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/median.hpp"
 #include "core/problems.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/thermography/level_changes.hpp"
 
 namespace arenite::thermography {

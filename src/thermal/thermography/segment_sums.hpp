@@ -6,6 +6,7 @@
 #include "core/pages.hpp"
 #include "core/threads.hpp"
 #include "model/film.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/thermography/kernels/kernels.hpp"
 
 namespace arenite::thermography {

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "core/median.hpp"
+#include "model/lockin_maps.hpp"
 
 namespace arenite::thermography {
 namespace {

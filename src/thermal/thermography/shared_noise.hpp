@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "model/film.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
 #include "thermal/thermography/segment_sums.hpp"
 

@@ -5,6 +5,7 @@
 #include <complex>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
+#include <utility>
 
 #include "core/median.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"

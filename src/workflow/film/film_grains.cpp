@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <numbers>
 #include <tuple>
 #include <utility>
 
@@ -11,6 +10,7 @@
 #include "core/problems.hpp"
 #include "io/image/image.hpp"
 #include "io/sample/placed_grains.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/imaging/grains_of_picture.hpp"
 #include "thermal/imaging/optical_grains.hpp"
 #include "thermal/imaging/picked_grains.hpp"
@@ -18,12 +18,9 @@
 namespace arenite::workflow {
 
 FilmPlace place_of(const recipe::FilmRecipe& recipe, const FilmInfo& film) {
-  const double pixel = recipe.picture.pixel;
-  const double left_edge =
-      recipe.container.left.value_or(0.5 * (film.width - 1) - 0.5 * recipe.container.width / pixel);
-  const double top_edge =
-      recipe.container.top.value_or(0.5 * (film.height - 1) - 0.5 * recipe.container.height / pixel);
-  return {{-left_edge * pixel, recipe.container.height + top_edge * pixel}, pixel};
+  const auto& container = recipe.container;
+  return place_of_container(film.width, film.height, recipe.picture.pixel, {container.width, container.height},
+                            container.left, container.top);
 }
 
 Domain container_at(const recipe::FilmRecipe& recipe, double share) {
@@ -61,19 +58,15 @@ PictureGrains read_list(const recipe::FilmRecipe& recipe, const FilmPlace& place
   PictureGrains grains;
   grains.centre = mapped(read.position, [&](Vec2 p) { return place.pixels(p); });
   grains.radius = mapped(read.radius, [&](double r) { return r / place.pixel; });
-  grains.position_error.assign(read.size(), 0.3);
+  grains.position_error.assign(read.size(), imaging::listed_position_error);
   grains.material = read.material;
   return grains;
 }
 
-/// Grains in a container fill three quarters of it and more; less means that grains were not found.
 void warn_of_gaps(const recipe::FilmRecipe& recipe, const FilmPlace& place, const PictureGrains& grains,
                   std::vector<std::string>& notes) {
-  constexpr double loose = 0.65;
-  double area = 0;
-  for (const double r : grains.radius) area += std::numbers::pi * r * r * place.pixel * place.pixel;
-  const double share = area / (recipe.container.width * recipe.container.height);
-  if (share < loose)
+  const double share = imaging::covered_share({recipe.container.width, recipe.container.height}, place, grains);
+  if (share < imaging::least_covered_share)
     notes.push_back(
         fmt::format("the {} grains that were found cover {:.0f} % of the container; if the sample fills it, give a "
                     "sharper or finer optical picture (picture.optical) or a list of the grains (picture.grains)",

@@ -6,6 +6,7 @@
 #include "model/film.hpp"
 #include "model/film_place.hpp"
 #include "model/image.hpp"
+#include "model/lockin_maps.hpp"
 #include "model/packing.hpp"
 #include "recipe/film_recipe.hpp"
 

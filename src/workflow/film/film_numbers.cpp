@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "core/median.hpp"
-#include "grains/texture/view.hpp"
+#include "grains/texture/force_level.hpp"
+#include "grains/texture/texture.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/inference/film_stresses.hpp"
 
 namespace arenite::workflow {
@@ -89,30 +94,14 @@ Numbers motion_of(const FilmResult& r) {
 Numbers forces_of(const FilmResult& r) {
   const Contacts& contacts = r.packing.contacts;
   if (contacts.size() == 0) return Numbers::tree();
-  texture::Options whole;
-  whole.border = 0;
-  const texture::View view(r.packing, whole);
-  statistics::Items between;
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (!contacts.is_wall(c)) between.push_back(c);
+  const texture::ForceLevel level = texture::force_level(r.packing, r.fit.present_error);
   Numbers j{{"proposed", described(r.fit.proposed, "", "Contacts proposed by distance")},
             {"present", described(contacts.size(), "", "Contacts present according to their forces")},
-            {"between_grains", described(between.size(), "", "Of these, contacts between grains")}};
+            {"between_grains", described(level.contacts, "", "Of these, contacts between grains")}};
   put(j, "present_error", r.fit.present_error, "", "Standard error of the number of contacts present");
-  if (between.size() > 1) {
-    const auto mean_and_share = [&](const statistics::Items& some) {
-      double mean = 0, above = 0;
-      for (const std::size_t c : some) mean += contacts.fn[c] / static_cast<double>(some.size());
-      for (const std::size_t c : some) above += contacts.fn[c] > mean;
-      return std::vector<double>{mean, above / static_cast<double>(some.size())};
-    };
-    const auto both = statistics::jackknife(between, view.contact_block, mean_and_share);
-    // Of the sample's contacts by blocks, and of how many there are: one more or less of those that carry next to
-    // nothing.
-    const double counted = both[0].value * r.fit.present_error / static_cast<double>(between.size());
-    put(j, "mean_N", Estimate{both[0].value, std::hypot(both[0].error, counted)}, "N",
-        "Mean normal force between grains, peak to peak");
-    put(j, "fraction_above_mean", both[1], "", "Fraction of contacts above the mean force");
+  if (level.contacts > 1) {
+    put(j, "mean_N", level.mean, "N", "Mean normal force between grains, peak to peak");
+    put(j, "fraction_above_mean", level.above_mean, "", "Fraction of contacts above the mean force");
   }
   put(j, "fn_error_N", median(r.fn_error, statistics::unknown), "N", "Median standard error of a normal force");
   put(j, "ft_error_N", median(r.ft_error, statistics::unknown), "N", "Median standard error of a tangential force");

@@ -46,6 +46,26 @@ GrainPicture picture_of_film(const std::filesystem::path& path, const io::ImageC
 
 }  // namespace
 
+void declare(ParameterVisitor& v, GrainPictureKeys& keys) {
+  v.integer({"frame", "Frame of a film, or slice of a stack, counted from 0; unless given, the mean of all frames."},
+            keys.frame, {0, 1'000'000'000'000});
+  int channel = static_cast<int>(keys.channel) - 1;  // `none` cannot be chosen
+  v.choice({"channel", "Colour channel that is used."}, channel,
+           {{"red", ""}, {"green", ""}, {"blue", ""}, {"mean", ""}, {"grey", "as bright as the eye sees it"}});
+  keys.channel = static_cast<io::Channel>(channel + 1);
+  v.numbers(
+      {"origin",
+       "Pixel at which x = y = 0, column and row counted from the upper left; unless given, the lower left corner "
+       "of the picture."},
+      keys.origin, "", range::any);
+  v.require(keys.origin.empty() || keys.origin.size() == 2, {"origin"},
+            "must be column and row of a pixel, counted from the upper left, for example 50,228");
+  v.text({"materials",
+          "Materials by brightness, darkest first, with commas between; unless given, the classes are found "
+          "automatically."},
+         keys.materials);
+}
+
 GrainPicture read_grain_picture(const std::filesystem::path& path, const io::ImageChoice& choice) {
   io::refuse_other_recording(path);
   if (!is_photograph(path) && io::looks_like_film(path)) return picture_of_film(path, choice);

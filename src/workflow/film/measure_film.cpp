@@ -2,15 +2,12 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
 #include <optional>
 #include <tuple>
 
 #include "core/mapped.hpp"
 #include "model/film_place.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/imaging/settled_walls.hpp"
 #include "thermal/inference/film_doubts.hpp"
 #include "thermal/inference/film_forces.hpp"
@@ -19,7 +16,7 @@
 #include "thermal/thermography/film_checks.hpp"
 #include "thermal/thermography/grains/follow_grains.hpp"
 #include "thermal/thermography/grains/grain_means.hpp"
-#include "thermal/thermography/grains/grain_motion.hpp"
+#include "thermal/thermography/grains/grain_places.hpp"
 #include "thermal/thermography/grains/halo.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
 #include "workflow/film/film_correction.hpp"
@@ -80,32 +77,22 @@ class Measurement {
     return true;
   }
 
-  static std::size_t nearest_picture(const thermography::PhasePictures& pictures, double phase) {
-    std::size_t best = 0;
-    double most = -2;
-    for (std::size_t k = 0; k < pictures.size(); ++k) {
-      const double along = pictures.phases[k][1] * std::cos(phase) + pictures.phases[k][2] * std::sin(phase);
-      if (along > most) most = along, best = k;
-    }
-    return best;
-  }
-
   bool find(FilmSource& film, FilmResult& r) {
     const auto pictures = thermography::phase_pictures(film, r.maps, lockin_options("pictures", 2));
     if (pictures.size() == 0) return false;
     const LockinMaps still = r.maps;
     find(pictures, r);
     // Of the two opposite phases only pixels inside of grains that are followed show which is that of the largest load.
-    if (recipe_.lockin.phase || std::cos(r.maps.reference_phase - still.reference_phase) >= 0) return true;
+    if (recipe_.lockin.phase || !thermography::are_opposite(r.maps.reference_phase, still.reference_phase)) return true;
     r.maps = still;
-    r.maps.reference_phase = std::remainder(still.reference_phase + std::numbers::pi, 2 * std::numbers::pi);
+    r.maps.reference_phase = thermography::opposite(still.reference_phase);
     find(pictures, r);
     return true;
   }
 
   /// Grains in the picture at the smallest load, and where these are followed.
   void find(const thermography::PhasePictures& pictures, FilmResult& r) {
-    const std::size_t smallest = nearest_picture(pictures, r.maps.reference_phase + std::numbers::pi);
+    const std::size_t smallest = thermography::picture_at_smallest_load(pictures, r.maps.reference_phase);
     r.picture = thermography::picture_of(pictures, smallest);
     // The spline's coefficients are the picture with most of the pixels' blur undone: more rims are seen in it.
     const std::vector<float> sharp(pictures.picture(smallest), pictures.picture(smallest) + pictures.pixels());
@@ -153,31 +140,17 @@ class Measurement {
   }
 
   void fit_motion(const thermography::PhasePictures& pictures, FilmResult& r, PictureGrains& middle) {
-    for (int round = 0; round < 3; ++round) {
-      r.motion = thermography::grain_motion(pictures, middle, options_.threads);
-      take_motion(r, middle);
-    }
+    r.motion = thermography::motion_from_smallest(pictures, r.grains, r.maps.reference_phase, middle, options_.threads);
+    loaded_ = thermography::moved(r.grains, r.motion, r.maps.reference_phase, 1);
   }
 
-  void take_motion(const FilmResult& r, PictureGrains& middle) {
-    for (std::size_t i = 0; i < r.grains.size(); ++i) {
-      const Vec2 way = r.motion.way(i, r.maps.reference_phase);
-      middle.centre[i] = r.grains.centre[i] + 0.5 * way;
-      loaded_.centre[i] = r.grains.centre[i] + way;
-    }
-  }
-
-  /// Of grains whose rims have no contrast nothing is seen of their motion: they go with the lower wall, the less the
-  /// higher they are.
+  /// Of grains whose rims have no contrast nothing is seen of their motion: they go with the lower wall.
   void move_with_wall(FilmResult& r, PictureGrains& middle) {
-    const double largest = r.maps.reference_phase, travel = recipe_.container.travel / place_.pixel;
-    for (std::size_t i = 0; i < r.grains.size(); ++i) {
-      const double height = place_.metres(r.grains.centre[i]).y / recipe_.container.height;
-      const Vec2 amplitude{0, -0.5 * travel * (1 - height)};  // rows point down
-      r.motion.cosine[i] = std::cos(largest) * amplitude, r.motion.sine[i] = std::sin(largest) * amplitude;
-      r.motion.error[i] = 0.1 + 0.1 * std::abs(amplitude.y);
-    }
-    take_motion(r, middle);
+    const double largest = r.maps.reference_phase, height = recipe_.container.height;
+    const auto heights = mapped(r.grains.centre, [&](Vec2 centre) { return place_.metres(centre).y / height; });
+    r.motion = thermography::motion_with_wall(heights, recipe_.container.travel / place_.pixel, largest);
+    middle = thermography::moved(r.grains, r.motion, largest, 0.5);
+    loaded_ = thermography::moved(r.grains, r.motion, largest, 1);
     options_.notice(
         fmt::format("the rims of the grains have no contrast, so that their motion is not seen; they are taken to move "
                     "with the lower wall, by container.travel ({:.3g} mm)",
@@ -189,18 +162,16 @@ class Measurement {
     const thermography::GrainMeanOptions means{recipe_.forces.central_share,
                                                mapped(recipe_.materials, &recipe::FilmMaterial::thermoelastic_factor)};
     // Places at the largest load are those found plus all of the way that was fitted.
-    PictureGrains uncertain = loaded_;
-    for (std::size_t i = 0; i < r.motion.size(); ++i)
-      if (!uncertain.position_error.empty() && std::isfinite(r.motion.error[i]))
-        uncertain.position_error[i] = std::hypot(uncertain.position_error[i], 2 * r.motion.error[i]);
+    const PictureGrains uncertain = thermography::with_errors_of_way(loaded_, r.motion);
     r.peak_to_peak = thermography::grain_means(r.maps, uncertain, means);
-    if (wider_.size() > 0) {
-      constexpr double least = 0.05;  // what rims show of the blur at best
+    if (wider_.size() > 0)
       inference::add_blur_error(r.peak_to_peak, thermography::grain_means(wider_, uncertain, means), blur_step,
-                                std::max(least, r.rim_blur > 0 ? std::abs(r.rim_blur - recipe_.forces.blur) : 0));
-    }
+                                inference::blur_error(r.rim_blur, recipe_.forces.blur));
     if (scattered_.size() > 0) inference::add_halo_error(r, thermography::grain_means(scattered_, uncertain, means));
-    forget_lost(r);
+    if (const std::size_t lost = thermography::forget_lost(r.motion, r.peak_to_peak); lost > 0)
+      options_.notice(
+          fmt::format("the motion of {} of {} grains is not visible well enough in the film; their stress is unknown",
+                      lost, r.motion.size()));
     r.packing.materials = materials_of(recipe_);
     start_ = imaging::settle_walls(containers(), loaded_, place_, r);
     r.packing.grains = in_metres(loaded_, place_);
@@ -213,20 +184,6 @@ class Measurement {
     for (const auto& doubt : r.doubts) options_.notice(doubt);
     options_.progress({3, 5, "grains", 1, 0, 0, false, false});
     return !options_.asked_to_stop();
-  }
-
-  /// What stands in the maps where a grain was thought to be, and was not, is no stress of it.
-  void forget_lost(FilmResult& r) {
-    const auto lost = thermography::lost_grains(r.motion);
-    for (std::size_t i = 0; i < lost.size(); ++i) {
-      if (!lost[i]) continue;
-      r.peak_to_peak.temperature[i] = r.peak_to_peak.sigma_hyd[i] = std::numeric_limits<double>::quiet_NaN();
-      r.peak_to_peak.error[i] = std::numeric_limits<double>::infinity();
-    }
-    if (const auto count = std::count(lost.begin(), lost.end(), 1); count > 0)
-      options_.notice(
-          fmt::format("the motion of {} of {} grains is not visible well enough in the film; their stress is unknown",
-                      count, lost.size()));
   }
 
   // What the recipe says, as those who infer from a film take it.

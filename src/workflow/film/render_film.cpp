@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <cstdint>
 #include <optional>
 
 #include "core/problems.hpp"
@@ -106,7 +106,7 @@ class Rendering {
   recipe::FilmRecipe laboratory_recipe(const Packing* low, const Packing& high) const {
     recipe::FilmRecipe lab = recipe_;
     const Domain& start = low ? low->domain : high.domain;
-    const double unloaded = low ? low->domain.wall[bottom].force : 0;
+    const camera::WallChange change = camera::change_of_lower_wall(low, high);
     lab.camera.reset();
     for (std::size_t m = 0; m < lab.materials.size(); ++m) {
       for (const Material& of : high.materials)
@@ -118,8 +118,8 @@ class Rendering {
                      .thickness = start.thickness,
                      .left = {},
                      .top = {},
-                     .load_peak_to_peak = high.domain.wall[bottom].force - unloaded,
-                     .travel = p_.motion ? high.domain.wall[bottom].position - start.wall[bottom].position : 0};
+                     .load_peak_to_peak = change.force,
+                     .travel = p_.motion ? change.travel : 0};
     lab.picture.pixel = p_.optics.pixel;
     lab.picture.optical = "optical.tif";
     lab.picture.optical_pixel = p_.photograph.pixel;
@@ -138,7 +138,7 @@ class Rendering {
       lab.container.travel = 0;
     } else {
       lab.temperature.ambient = p_.surroundings.ambient;
-      lab.lockin.phase = std::numbers::pi;
+      lab.lockin.phase = camera::phase_at_first_frame;
       lab.forces.blur = p_.optics.blur;
     }
     return lab;

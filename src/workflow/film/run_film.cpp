@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
+#include <utility>
 
 #include "core/problems.hpp"
 #include "core/version.hpp"
@@ -71,14 +71,6 @@ std::optional<std::pair<std::size_t, std::size_t>> compared_stages(const RunOutc
   return std::max(found.first, found.second) < outcome.stages.size() ? std::optional(found) : std::nullopt;
 }
 
-/// What the ends of these two stages give.
-FilmSimulation stresses_of(const Packing& low, const Packing& high) {
-  FilmSimulation stresses{elasticity::stress_of_disks(low), elasticity::stress_of_disks(high)};
-  std::transform(stresses.state.begin(), stresses.state.end(), stresses.peak_to_peak.begin(),
-                 stresses.peak_to_peak.begin(), std::minus());
-  return stresses;
-}
-
 /// Simulates the grains that were found in a film, from their places at the smallest load, by the recipe that
 /// [simulation] names: its packing is replaced, its container, laws and stages are kept. False if it was stopped.
 bool add_companion(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmResult& film,
@@ -98,9 +90,11 @@ bool add_companion(const recipe::FilmRecipe& recipe, const FilmRunOptions& optio
   outcome = run(companion_recipe(recipe, grains), companion);
   if (outcome.interrupted) return false;
   const auto& stages = outcome.stages;
-  if (const auto ends = compared_stages(outcome, *recipe.simulation))
-    film.simulation =
-        stresses_of(stages[ends->first].snapshots.back().packing, stages[ends->second].snapshots.back().packing);
+  if (const auto ends = compared_stages(outcome, *recipe.simulation)) {
+    const Packing &low = stages[ends->first].snapshots.back().packing,
+                  &high = stages[ends->second].snapshots.back().packing;
+    film.simulation = {elasticity::stress_change(&low, high), elasticity::stress_of_disks(high)};
+  }
   if (!outcome.converged)
     options.notice("the companion simulation did not reach equilibrium: " +
                    (stages.empty() ? std::string() : stages.back().outcome));

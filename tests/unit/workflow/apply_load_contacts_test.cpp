@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "grains/texture/stress.hpp"
 #include "grains/texture/texture.hpp"
 #include "solid/grid/crop.hpp"
 #include "support/page_sample.hpp"

@@ -1,6 +1,5 @@
 import { h, rich } from "../dom.js";
 import { text } from "../text.js";
-import { principal } from "./components.js";
 import { kindNames } from "./tooltip.js";
 
 /** What is said of the grain that is shown close up, in a corner of the picture, with the way back. */
@@ -39,16 +38,15 @@ function rows(result, g) {
     ["nodes", text.count(result.grains.nodes[g])],
   ];
   if (!result.loaded) return list;
-  const s = result.stressOfGrain(g),
-    { first, second, angle } = principal(s.xx, s.yy, s.xy);
-  const { yy, yy_least: least, yy_most: most } = result.grains,
-    { unit } = yy;
+  const of = (id) => result.ofGrain(id, g),
+    unit = result.unitOf("yy"),
+    { yy_least: least, yy_most: most } = result.grains;
   return [
     ...list,
-    ["mean \u03c3_{yy}", text.quantity(s.yy, unit)],
-    ["over \u27e8\u03c3_{yy}\u27e9", text.number(s.yy / result.mean)],
-    ["\u03c3_{1}, \u03c3_{2}", `${text.quantity(first, unit)}, ${text.quantity(second, unit)}`],
-    ["direction of \u03c3_{1}", `${Math.round((angle * 180) / Math.PI)}\u00b0`],
+    ["mean \u03c3_{yy}", text.quantity(of("yy"), unit)],
+    ["over \u27e8\u03c3_{yy}\u27e9", text.number(of("yy") / result.mean)],
+    ["\u03c3_{1}, \u03c3_{2}", `${text.quantity(of("principal"), unit)}, ${text.quantity(of("second"), unit)}`],
+    ["direction of \u03c3_{1}", `${Math.round(of("angle"))}\u00b0`],
     ["\u03c3_{yy} from, to", `${text.quantity(least[g], unit)}, ${text.quantity(most[g], unit)}`],
   ];
 }

@@ -1,5 +1,4 @@
 import { bytes } from "../theme.js";
-import { principal } from "./components.js";
 
 const widest = 0.85; // of the grain's radius
 
@@ -10,8 +9,7 @@ export function crossesOf(result, theme) {
     { nodes, x, y } = result.grains;
   for (let g = 0; g < nodes.length; ++g) {
     if (nodes[g] < 4) continue;
-    const s = result.stressOfGrain(g);
-    add(bars, result, theme, x[g], y[g], result.radiusOfGrain(g), s.xx, s.yy, s.xy);
+    add(bars, result, theme, x[g], y[g], result.radiusOfGrain(g), (id) => result.ofGrain(id, g));
   }
   return bars.sort((a, b) => a.size - b.size);
 }
@@ -23,23 +21,22 @@ export function crossesInGrain(result, theme, g) {
     box = result.boxOfGrain(g),
     d = map.spacing;
   const stride = Math.max(1, Math.round(result.radiusOfGrain(g) / d / 7));
-  const [xx, yy, xy] = ["xx", "yy", "xy"].map((name) => result.values(name));
   const first = [Math.round(box.left / d), Math.round(box.bottom / d)],
     last = [Math.round(box.right / d), Math.round(box.top / d)];
   for (let j = first[1] + (stride >> 1); j < last[1]; j += stride)
     for (let i = first[0] + (stride >> 1); i < last[0]; i += stride) {
       const k = i + map.width * j;
       if (map.label[k] === g + 1)
-        add(bars, result, theme, (i + 0.5) * d, (j + 0.5) * d, 0.46 * stride * d, xx[k], yy[k], xy[k]);
+        add(bars, result, theme, (i + 0.5) * d, (j + 0.5) * d, 0.46 * stride * d, (id) => result.atNode(id, k));
     }
   return bars.sort((a, b) => a.size - b.size);
 }
 
-function add(bars, result, theme, x, y, reach, xx, yy, xy) {
-  const { first, second, angle } = principal(xx, yy, xy);
+function add(bars, result, theme, x, y, reach, of) {
+  const angle = (of("angle") * Math.PI) / 180;
   for (const [stress, turn] of [
-    [first, angle],
-    [second, angle + Math.PI / 2],
+    [of("principal"), angle],
+    [of("second"), angle + Math.PI / 2],
   ]) {
     const size = Math.abs(stress) / result.scale;
     if (size < 0.05) continue;

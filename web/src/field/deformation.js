@@ -6,7 +6,8 @@ function displacementsOf(result) {
     const [ux, uy] = ["ux", "uy"].map((name) => result.values(name)),
       { kind } = result.map;
     let most = 0;
-    for (let k = 0; k < kind.length; ++k) if (kind[k] > 0) most = Math.max(most, Math.hypot(ux[k], uy[k]));
+    const travel = result.values("travel");
+    for (let k = 0; k < kind.length; ++k) if (kind[k] > 0) most = Math.max(most, travel[k]);
     return { ux, uy, most };
   })());
 }

@@ -2,7 +2,6 @@ import { bar, colourBar } from "../colour_bar.js";
 import { label, richSvg, s } from "../dom.js";
 import { scaleBar } from "../scale_bar.js";
 import { text } from "../text.js";
-import { components } from "./components.js";
 import { byType, crackTypes } from "./cracks.js";
 import { mapOf, scaleOf } from "./paint.js";
 import { kindNames } from "./tooltip.js";
@@ -27,7 +26,7 @@ export function legend(result, camera, theme, state, width, broken) {
 }
 
 function scaleKey(result, scale, theme, length) {
-  const { symbol } = components[scale.name],
+  const { symbol } = result.quantity(scale.name),
     largest = Math.max(Math.abs(scale.low), Math.abs(scale.high));
   const mean = scale.name === "yy" || scale.mean > 0.02 * largest ? scale.mean : null;
   return colourBar({

@@ -1,6 +1,5 @@
 import { packed } from "../theme.js";
 import { cavityColours } from "./cavities.js";
-import { components } from "./components.js";
 import { clips, makeScale, sorted } from "./scale.js";
 
 const shades = 512;
@@ -9,16 +8,14 @@ const shades = 512;
 export function scaleOf(result, state) {
   if (state.get("show") !== "field") return null;
   const name = state.get("component"),
-    { sequential } = components[name];
+    { magnitude } = result.quantity(name);
   const key = ["component", "around", "law", "clip"].map((k) => state.get(k)).join(" ");
   if (result.scaleKey === key) return result.keptScale;
   result.orders ??= new Map();
   if (!result.orders.has(name)) result.orders.set(name, sorted(result.values(name), result.map.kind));
   const order = result.orders.get(name);
-  const mean =
-    result.about.components[components[name].stored]?.mean ??
-    order.reduce((sum, v) => sum + v, 0) / (order.length || 1);
-  const around = sequential && state.get("around") !== "ends" ? "ends" : state.get("around");
+  const { mean } = result.quantity(name);
+  const around = magnitude && state.get("around") !== "ends" ? "ends" : state.get("around");
   result.scaleKey = key;
   return (result.keptScale = {
     ...makeScale(order, { around, symlog: state.get("law") === "symlog", clip: clips[state.get("clip")], mean }),
@@ -48,8 +45,7 @@ function paintByTable(out, index, table) {
 /** A threshold puts aside what carries less than so many times the mean: what is left are the stress chains. */
 function paintField(out, result, state, theme) {
   const { map } = result,
-    scale = scaleOf(result, state),
-    of = components[scale.name].grain;
+    scale = scaleOf(result, state);
   const palette = mapOf(theme, scale),
     table = Uint32Array.from({ length: shades }, (_, k) => packed(palette((k + 0.5) / shades)));
   const empty = packed(theme.field.empty),
@@ -58,9 +54,9 @@ function paintField(out, result, state, theme) {
   const shade = (v) =>
     Math.abs(v) < least ? aside : table[Math.min(shades - 1, Math.max(0, Math.floor(scale.of(v) * shades)))];
   const { kind, label } = map;
-  if (state.get("by") === "grain" && of) {
+  if (state.get("by") === "grain" && result.grainsHave(scale.name)) {
     const table_ = Uint32Array.from({ length: map.grainClass.length + 1 }, (_, g) =>
-      g === 0 ? aside : shade(of(result.stressOfGrain(g - 1))),
+      g === 0 ? aside : shade(result.ofGrain(scale.name, g - 1)),
     );
     for (let k = 0; k < out.length; ++k) out[k] = kind[k] === 0 ? empty : table_[label[k]];
     return;

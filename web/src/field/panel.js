@@ -2,7 +2,6 @@ import { choice, toggle } from "../choice.js";
 import { h, rich } from "../dom.js";
 import { text } from "../text.js";
 import { cavityKinds } from "./cavities.js";
-import { available, components } from "./components.js";
 import { magnification } from "./deformation.js";
 import { Picture } from "./picture.js";
 import { stepSlider } from "./steps.js";
@@ -82,7 +81,7 @@ function componentChoice(result, state) {
     "",
     "component",
     state,
-    available(result).map((name) => [name, components[name].symbol]),
+    result.offered.map((id) => [id, result.quantity(id).symbol]),
   );
 }
 

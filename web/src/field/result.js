@@ -1,6 +1,6 @@
 import { opened, unpack, unpacked } from "../block.js";
 import { Numbers } from "../declared.js";
-import { components } from "./components.js";
+import { evaluate, evaluateAll, namesIn } from "../formula.js";
 import { decodeField } from "./decode.js";
 
 export const classes = { empty: 0, matrix: 1, particle: 2, small: 3, large: 4 };
@@ -59,12 +59,12 @@ export class FieldResult {
       title,
       name: about.name,
       map: maps[about.map],
-      declared: new Numbers(about.numbers, about.meanings),
+      declared: new Numbers(about.numbers, about.meanings, about.elsewhere),
     });
     for (const name of ["curve", "grains", "cracks"]) this[name] = unpacked(block, about[name] ?? null);
     this.steps = this.curve.strain?.length ?? 0;
     /** Mean stress sigma_yy over the nodes that are not void; what sizes are compared with. */
-    this.mean = about.components.sigma_yy?.mean ?? null;
+    this.mean = this.stored("yy")?.mean ?? null;
   }
 
   get resultName() {
@@ -86,26 +86,38 @@ export class FieldResult {
   }
 
   get loaded() {
-    return this.about.components.sigma_yy !== undefined;
+    return this.has("yy");
   }
 
   /** Size that "strong" is measured by: the mean of sigma_yy, or of the largest component under shear. */
   get scale() {
     return (
       Math.max(
-        ...["sigma_yy", "sigma_xx", "sigma_xy"].map((name) => Math.abs(this.about.components[name]?.mean ?? 0)),
+        ...["yy", "xx", "xy"].map((id) => Math.abs(this.stored(id)?.mean ?? 0)),
       ) || 1
     );
   }
 
-  has(name) {
-    const { stored, needs } = components[name];
-    return needs ? needs.every((part) => this.has(part)) : this.about.components[stored] !== undefined;
+  /** What the program says of a quantity: { name, symbol, unit, formula, offered, magnitude }. */
+  quantity(id) {
+    return this.about.quantities[id];
+  }
+  /** A quantity as it is stored; undefined where it is formed of others. */
+  stored(id) {
+    return this.about.components[this.quantity(id)?.name];
+  }
+  has(id) {
+    const about = this.quantity(id);
+    return about !== undefined && namesIn(about.formula).every((name) => this.stored(name) !== undefined);
   }
 
-  unitOf(name) {
-    const { stored, needs } = components[name];
-    return needs ? this.unitOf(needs[0]) : this.about.components[stored].unit;
+  /** Those that can be painted. */
+  get offered() {
+    return Object.keys(this.about.quantities).filter((id) => this.quantity(id).offered && this.has(id));
+  }
+
+  unitOf(id) {
+    return this.quantity(id).unit;
   }
 
   values(name) {
@@ -113,20 +125,25 @@ export class FieldResult {
     return this.#values.get(name);
   }
 
-  #make(name) {
-    const { stored, needs, from } = components[name];
-    if (stored) {
-      const about = this.about.components[stored];
-      return decodeField(this.map.width, unpack(this.#block, about.residual), about);
-    }
-    const parts = needs.map((part) => this.values(part));
-    return Float32Array.from(parts[0], (_, k) => from(...parts.map((part) => part[k])));
+  #make(id) {
+    const about = this.stored(id);
+    return about
+      ? decodeField(this.map.width, unpack(this.#block, about.residual), about)
+      : evaluateAll(this.quantity(id).formula, this.map.size, (name) => this.values(name));
   }
 
-  /** Mean stress of grain g (from 0), Pa. */
-  stressOfGrain(g) {
-    const { xx, yy, xy } = this.grains;
-    return { xx: xx[g], yy: yy[g], xy: xy[g] };
+  /** A quantity at one node. */
+  atNode(id, node) {
+    return evaluate(this.quantity(id).formula, (name) => this.values(name)[node]);
+  }
+
+  /** A quantity by the mean stress of grain g (from 0). */
+  ofGrain(id, g) {
+    return evaluate(this.quantity(id).formula, (name) => this.grains[name][g]);
+  }
+  /** Whether grains have it: their mean stresses are known, no displacements. */
+  grainsHave(id) {
+    return namesIn(this.quantity(id).formula).every((name) => this.grains[name] !== undefined);
   }
 
   /** Radius of the disk of the grain's area, m. */

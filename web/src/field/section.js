@@ -2,10 +2,8 @@ import { forms, keepInAddress } from "../address.js";
 import { h } from "../dom.js";
 import { figureCard } from "../figures/card.js";
 import { figuresOf } from "../figures/index.js";
-import { resultNumbers } from "../numbers.js";
+import { headlines, resultNumbers, tilesOf } from "../numbers.js";
 import { State } from "../state.js";
-import { available } from "./components.js";
-import { fieldHeadlines } from "./headlines.js";
 import { fieldPanel } from "./panel.js";
 
 /** What the reader may choose on the section of one result. */
@@ -42,7 +40,7 @@ export function fieldSection(result, page, heads) {
     state,
     {
       show: forms.word(["phases", "field"]),
-      component: forms.word(available(result)),
+      component: forms.word(result.offered),
       step: forms.whole(result.steps),
       grain: forms.whole(result.grains.nodes.length + 1),
       deform: forms.share,
@@ -54,6 +52,7 @@ export function fieldSection(result, page, heads) {
   const figures = figuresOf(heads)
     .filter((figure) => figure.when({}, result))
     .map((figure) => figureCard(figure, result, state));
+  const tiles = headlines(tilesOf(result.declared, result.about.headlines));
   const element = h(
     "div",
     {},
@@ -61,7 +60,7 @@ export function fieldSection(result, page, heads) {
       "main",
       {},
       panel,
-      h("div", { class: "results" }, fieldHeadlines(result), h("div", { class: "figures" }, figures)),
+      h("div", { class: "results" }, tiles, h("div", { class: "figures" }, figures)),
     ),
     resultNumbers(result.declared),
   );

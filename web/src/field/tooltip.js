@@ -1,5 +1,4 @@
 import { text } from "../text.js";
-import { principal } from "./components.js";
 import { classes } from "./result.js";
 
 export const kindNames = ["void", "matrix", "grain", "small grain", "large grain"];
@@ -22,25 +21,21 @@ export function nodeNumbers(result, node, theme, which) {
 const name = (kind) => kindNames[kind][0].toUpperCase() + kindNames[kind].slice(1);
 
 function stressRows(result, node) {
-  const at = (component) => result.values(component)[node],
-    written = (value, like) => text.quantity(value, result.unitOf(like));
-  const [xx, yy, xy] = ["xx", "yy", "xy"].map(at);
-  const { first, angle } = principal(xx, yy, xy);
+  const at = (id) => result.atNode(id, node),
+    written = (id) => text.quantity(at(id), result.unitOf(id)),
+    row = (id) => [result.quantity(id).symbol, written(id)];
   const rows = [
-    ["\u03c3_{yy}", written(yy, "yy")],
-    ["\u03c3_{xx}", written(xx, "xx")],
-    ["\u03c3_{xy}", written(xy, "xy")],
-    ["\u03c3_{1}", `${written(first, "yy")} at ${Math.round((angle * 180) / Math.PI)}\u00b0`],
-    ["\u03c3_{yy}/\u27e8\u03c3_{yy}\u27e9", text.number(yy / result.mean)],
+    ...["yy", "xx", "xy"].map(row),
+    [result.quantity("principal").symbol, `${written("principal")} at ${Math.round(at("angle"))}\u00b0`],
+    ["\u03c3_{yy}/\u27e8\u03c3_{yy}\u27e9", text.number(at("yy") / result.mean)],
   ];
-  if (result.has("ux") && result.has("uy"))
-    rows.push(["u_{x}, u_{y}", `${written(at("ux"), "ux")}, ${written(at("uy"), "uy")}`]);
+  if (result.has("travel")) rows.push(["u_{x}, u_{y}", `${written("ux")}, ${written("uy")}`]);
   return rows;
 }
 
 function grainRows(result, g) {
   const rows = [["grain\u2019s diameter", text.quantity(2 * result.radiusOfGrain(g), "m")]];
   if (result.loaded)
-    rows.push(["grain\u2019s mean \u03c3_{yy}", text.quantity(result.stressOfGrain(g).yy, result.grains.yy.unit)]);
+    rows.push(["grain\u2019s mean \u03c3_{yy}", text.quantity(result.ofGrain("yy", g), result.unitOf("yy"))]);
   return rows;
 }

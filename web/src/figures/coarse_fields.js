@@ -1,14 +1,14 @@
 import { label, richSvg, s } from "../dom.js";
+import { evaluateAll, namesIn } from "../formula.js";
 import { prefixOf, text, typeset } from "../text.js";
 import { bytes } from "../theme.js";
 
-/** How the coarse-grained fields are drawn: map, `of(fields)` = array by cell where it is not the field of the name
-    itself, `signed` = zero in the middle, `arrows` = with velocities. Labels, symbols and units are the program's
-    (`layers` of the document). */
+/** How the coarse-grained fields are drawn: map, `signed` = zero in the middle, `arrows` = with velocities. Labels,
+    symbols, units and formulas are the program's (`layers` of the document). */
 export const layers = {
   solid_fraction: { map: "viridis", closed: true },
   density: { map: "viridis", closed: true },
-  speed: { map: "viridis", arrows: true, needs: "vx", of: ({ vx, vy }) => vx.map((v, k) => Math.hypot(v, vy[k])) },
+  speed: { map: "viridis", arrows: true },
   vx: { map: "diverging", signed: true },
   vy: { map: "diverging", signed: true },
   pressure: { map: "magma" },
@@ -19,16 +19,19 @@ export const layers = {
 
 /** Those that fields have: [[name, { label, symbol, unit }]]. */
 const known = (fields, { about }) =>
-  Object.entries(layers)
-    .filter(([name, { needs = name }]) => fields?.[needs])
-    .map(([name]) => [name, aboutLayer(name, about)]);
+  Object.keys(layers)
+    .map((name) => [name, aboutLayer(name, about)])
+    .filter(([name, { formula }]) => namesIn(formula || name).every((part) => fields?.[part]));
 
 function aboutLayer(name, { layers: all }) {
-  const [label, symbol, unit] = all[name];
-  return { label, symbol, unit };
+  const [label, symbol, unit, formula] = all[name];
+  return { label, symbol, unit, formula };
 }
 
-const valuesOf = (fields, name) => layers[name].of?.(fields) ?? fields[name];
+function valuesOf(fields, name, about) {
+  const { formula } = aboutLayer(name, about);
+  return formula ? evaluateAll(formula, fields.columns * fields.rows, (part) => fields[part]) : fields[name];
+}
 
 /** Ends of the colours: all but a hundredth of the cells. */
 function rangeOf(values, { signed, closed }) {
@@ -62,14 +65,12 @@ function pictureOf({ columns, rows }, values, [low, high], theme, map) {
 }
 
 /** About 16 arrows along the longer side; the longest is as long as their distance. */
-function arrowsOf(fields, place, theme) {
+function arrowsOf(fields, speed, place, theme) {
   const { columns, rows, vx, vy } = fields,
     step = Math.max(1, Math.round(Math.max(columns, rows) / 16)),
     [x0] = place(0, 0),
     [x1] = place(step, 0);
-  const speeds = Float64Array.from(vx, (v, k) => Math.hypot(v, vy[k]))
-      .filter(Number.isFinite)
-      .sort(),
+  const speeds = speed.filter(Number.isFinite).sort(),
     most = speeds[Math.floor(0.98 * (speeds.length - 1))] || 1;
   const group = s("g", {
     stroke: theme.ink,
@@ -145,7 +146,7 @@ export const coarseFields = {
       name = known(fields, sample).some(([one]) => one === wanted) ? wanted : "solid_fraction";
     const layer = layers[name],
       { label: words, unit } = aboutLayer(name, sample.about),
-      values = valuesOf(fields, name),
+      values = valuesOf(fields, name, sample.about),
       range = rangeOf(values, layer),
       [left, right, bottom, top] = fields.bounds;
     const scale = Math.min(width / (right - left), 420 / (top - bottom)),
@@ -172,7 +173,7 @@ export const coarseFields = {
         preserveAspectRatio: "none",
       }),
       s("rect", { x, y: 0.5, width: w, height: Math.max(0, h - 1), fill: "none", stroke: theme.rule }),
-      layer.arrows && arrowsOf(fields, place, theme),
+      layer.arrows && arrowsOf(fields, values, place, theme),
       ramp(words, layer.map, unit, range, theme, h + 8),
     );
     svg.numbers = [tableOf(fields, sample)];
@@ -194,7 +195,7 @@ function tableOf(fields, sample) {
   });
   const arrays = there.map(([name, { symbol, unit }]) => [
     [symbol, typeset(unit)].filter(Boolean).join(", "),
-    valuesOf(fields, name),
+    valuesOf(fields, name, sample.about),
   ]);
   return {
     x: "x, m",

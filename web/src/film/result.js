@@ -14,7 +14,7 @@ export class FilmResult {
       about,
       title,
       name: about.name,
-      declared: new Numbers(about.numbers, about.meanings),
+      declared: new Numbers(about.numbers, about.meanings, about.elsewhere),
       materials: about.materials,
       container: about.container,
     });

@@ -1,10 +1,9 @@
 import { h } from "../dom.js";
 import { figureCard } from "../figures/card.js";
 import { figuresOf } from "../figures/index.js";
-import { resultNumbers } from "../numbers.js";
+import { headlines, resultNumbers, tilesOf } from "../numbers.js";
 import { textureCard } from "../packing/texture.js";
 import { State } from "../state.js";
-import { filmHeadlines } from "./headlines.js";
 import { comparisonNumbers } from "./numbers.js";
 import { available } from "./maps.js";
 import { filmPanel } from "./panel.js";
@@ -36,6 +35,7 @@ export function filmSection(film, page, heads) {
     : { panel: h("section", { class: "card" }, h("p", { class: "nothing" }, "This film has no maps.")), view: null };
   const shown = figuresOf(heads).filter((figure) => figure.when({}, film));
   const cards = shown.map((figure) => figureCard(figure, film, state));
+  const tiles = headlines(tilesOf(film.declared, film.about.headlines));
   const element = h(
     "div",
     {},
@@ -43,7 +43,7 @@ export function filmSection(film, page, heads) {
       "main",
       {},
       panel,
-      h("div", { class: "results" }, filmHeadlines(film), h("div", { class: "figures" }, cards), missing(film)),
+      h("div", { class: "results" }, tiles, h("div", { class: "figures" }, cards), missing(film)),
     ),
     [
       comparisonNumbers(film),

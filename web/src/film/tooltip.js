@@ -60,12 +60,12 @@ export function contactName({ contacts: { i, j }, grains: { id }, count }, c) {
 }
 
 export function contactNumbers(film, c, theme) {
-  const { fn, ft, fn_error: fe, ft_error: te, presence } = film.contacts;
+  const { fn, ft, fn_error: fe, ft_error: te, over_error: over, presence } = film.contacts;
   const rows = [
     ["F_{n}", quantityWithError(fn[c], fe?.[c], fn.unit)],
     ["F_{t}", quantityWithError(ft[c], te?.[c], ft.unit)],
   ];
-  if (fe) rows.push(["F_{n}/s.e.", text.number(fn[c] / fe[c], 3)]);
+  if (over) rows.push(["F_{n}/s.e.", text.number(over[c], 3)]);
   if (film.isUncertain(c)) rows.push(["may be absent", `${text.number(100 * (1 - presence[c]), 2)}\u202f%`]);
   return { title: contactName(film, c), colour: fn[c] < 0 ? theme.tension : theme.strong, rows };
 }

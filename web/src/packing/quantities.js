@@ -1,3 +1,5 @@
+import { evaluateAll } from "../formula.js";
+
 /** How the page finds the numbers of every grain in a state: `find(sample, snapshot)` = array by grain, `when(sample)`
     = is it known (always unless given). Labels, symbols and units are the program's (`quantities` of the document), by
     the same names. Colours, the table, the scatter and what the pointer tells are made from both. */
@@ -12,7 +14,7 @@ const finders = {
   friction: { when: has("friction"), find: (sample, snapshot) => snapshot.friction ?? new Float32Array(sample.count) },
   displacement: {
     when: (sample) => sample.snapshotCount > 1,
-    find: (sample, snapshot) => displacements(sample, snapshot).map(([ux, uy]) => Math.hypot(ux, uy)),
+    find: (sample, snapshot) => formed("displacement", sample, displacements(sample, snapshot)),
   },
   rotation: {
     when: (sample) => sample.snapshotCount > 1,
@@ -20,7 +22,7 @@ const finders = {
   },
   speed: {
     when: has("vx"),
-    find: ({ count }, { vx, vy }) => Float64Array.from({ length: count }, (_, g) => Math.hypot(vx[g], vy[g])),
+    find: (sample, snapshot) => formed("speed", sample, snapshot),
   },
   vx: { when: has("vx"), find: (sample, snapshot) => snapshot.vx },
   vy: { when: has("vx"), find: (sample, snapshot) => snapshot.vy },
@@ -29,9 +31,13 @@ const finders = {
 
 /** What the program says of a quantity: { label, symbol, unit }, the unit in SI; empty: it has none. */
 export function aboutQuantity(name, sample) {
-  const [label, symbol, unit] = sample.about.quantities[name];
-  return { label, symbol, unit };
+  const [label, symbol, unit, formula] = sample.about.quantities[name];
+  return { label, symbol, unit, formula };
 }
+
+/** As the program says that it is formed of other numbers of every grain. */
+const formed = (name, sample, parts) =>
+  evaluateAll(aboutQuantity(name, sample).formula, sample.count, (part) => parts[part]);
 
 export const isKnown = (name, sample) => finders[name]?.when?.(sample) ?? true;
 
@@ -72,5 +78,5 @@ const startOf = (sample, snapshot) =>
 /** Ways since the first state of the snapshot's stage, m; the program tells them where sides are periodic. */
 function displacements(sample, { stage, x, y, ux, uy }) {
   const start = startOf(sample, { stage });
-  return Array.from(x, (_, g) => (ux ? [ux[g], uy[g]] : [x[g] - start.x[g], y[g] - start.y[g]]));
+  return ux ? { ux, uy } : { ux: x.map((now, g) => now - start.x[g]), uy: y.map((now, g) => now - start.y[g]) };
 }

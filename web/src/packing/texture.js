@@ -92,10 +92,11 @@ const stageOf = (sample, state) => sample.stages[sample.about.snapshots[state.ge
 
 /** The numbers of the state shown, and what its stage gave. */
 function numbersOf(sample, state) {
-  const { numbers, meanings } = stageOf(sample, state);
+  const { numbers, meanings, elsewhere } = stageOf(sample, state);
   return new Numbers(
     { ...sample.texture(state.get("snapshot")), ...numbers },
     { ...sample.about.meanings, ...meanings },
+    elsewhere,
   );
 }
 

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include "grains/dem/bodies/crowd.hpp"
 #include "grains/dem/bodies/feet.hpp"

@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "grains/dem/bodies/bodies.hpp"
 
 namespace arenite::dem {

@@ -1,6 +1,7 @@
 #include "grains/dem/bodies/make.hpp"
 
 #include <cmath>
+#include <cstdint>
 
 #include "core/problems.hpp"
 #include "grains/dem/integrators/integrators.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 
 #include "grains/dem/neighbours.hpp"
 #include "grains/dem/sample.hpp"

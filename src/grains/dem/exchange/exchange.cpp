@@ -1,5 +1,7 @@
 #include "grains/dem/exchange/exchange.hpp"
 
+#include <string_view>
+
 #include "core/parameters.hpp"
 
 namespace arenite::dem {

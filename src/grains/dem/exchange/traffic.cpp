@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
+#include <variant>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/random.hpp"

@@ -1,5 +1,9 @@
 #include "grains/dem/integrators/gear.hpp"
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
 #include "grains/dem/forces.hpp"
 #include "grains/dem/movers.hpp"
 #include "grains/dem/neighbours.hpp"

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <utility>
 
 #include "grains/dem/kernels/kernel.hpp"

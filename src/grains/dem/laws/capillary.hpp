@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "geometry/liquid_bridge.hpp"
 #include "grains/dem/laws/parts.hpp"

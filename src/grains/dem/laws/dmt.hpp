@@ -1,5 +1,6 @@
 #pragma once
 #include <numbers>
+#include <string_view>
 
 #include "grains/dem/laws/parts.hpp"
 #include "grains/dem/laws/pull_curve.hpp"

@@ -1,4 +1,6 @@
 #pragma once
+#include <cmath>
+
 #include "grains/dem/laws/parts.hpp"
 
 namespace arenite::dem {

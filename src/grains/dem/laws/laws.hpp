@@ -1,5 +1,7 @@
 #pragma once
 #include <concepts>
+#include <cstdint>
+#include <string_view>
 #include <variant>
 
 #include "grains/dem/laws/capillary.hpp"

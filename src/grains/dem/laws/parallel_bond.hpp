@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "grains/dem/laws/beam.hpp"

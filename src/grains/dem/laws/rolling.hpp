@@ -1,4 +1,6 @@
 #pragma once
+#include <cmath>
+
 #include "grains/dem/laws/cundall_strack.hpp"
 #include "grains/dem/laws/regularised_coulomb.hpp"
 

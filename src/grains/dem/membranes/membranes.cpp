@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "core/error.hpp"
 #include "grains/dem/boundaries/elements.hpp"

@@ -1,7 +1,9 @@
 #include "grains/dem/parts/bond_list.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <bit>
+#include <cstdint>
 #include <vector>
 
 #include "grains/dem/bounds.hpp"

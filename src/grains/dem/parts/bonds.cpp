@@ -1,8 +1,10 @@
 #include "grains/dem/parts/bonds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 
 #include "core/error.hpp"
 #include "grains/dem/conditions.hpp"

@@ -1,4 +1,8 @@
 #pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "grains/dem/parts/bond_list.hpp"

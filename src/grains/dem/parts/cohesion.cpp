@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <string_view>
 
 #include "core/error.hpp"
 #include "grains/dem/forces.hpp"

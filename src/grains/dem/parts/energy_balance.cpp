@@ -1,6 +1,7 @@
 #include "grains/dem/parts/energy_balance.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "grains/dem/boundaries/elements.hpp"
 #include "grains/dem/movers.hpp"

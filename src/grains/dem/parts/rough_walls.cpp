@@ -1,6 +1,8 @@
 #include "grains/dem/parts/rough_walls.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
 #include "core/error.hpp"
 #include "grains/dem/conditions.hpp"

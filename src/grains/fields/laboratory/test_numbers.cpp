@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "grains/fields/laboratory/axial_tests.hpp"
 #include "grains/fields/laboratory/test_kind.hpp"

@@ -10,7 +10,7 @@
 #include "grains/dem/engine.hpp"
 #include "grains/dem/exchange/traffic.hpp"
 #include "grains/dem/run_stage.hpp"
-#include "grains/texture/texture.hpp"
+#include "grains/texture/mass.hpp"
 
 namespace arenite::fields {
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <cstdint>
 
 #include "grains/packing/size_laws/uniform.hpp"
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+
 #include "grains/packing/size_laws/uniform.hpp"
 
 namespace arenite::packing {

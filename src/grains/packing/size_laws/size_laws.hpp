@@ -1,5 +1,6 @@
 #pragma once
 #include <concepts>
+#include <cstdint>
 #include <variant>
 
 #include "grains/packing/size_laws/fixed.hpp"

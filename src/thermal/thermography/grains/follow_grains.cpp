@@ -8,6 +8,8 @@
 #include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "core/threads.hpp"
+#include "model/grain_motion.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/optics/lens.hpp"
 
 namespace arenite::thermography {

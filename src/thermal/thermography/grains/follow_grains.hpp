@@ -3,8 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "model/film.hpp"
+#include "model/grain_motion.hpp"
 #include "model/image.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
 
 namespace arenite::thermography {

@@ -1,11 +1,14 @@
 #include "thermal/thermography/grains/grain_means.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <set>
 
 #include "core/problems.hpp"
 #include "geometry/union_area.hpp"
+#include "model/grain_motion.hpp"
+#include "model/lockin_maps.hpp"
 
 namespace arenite::thermography {
 namespace {

@@ -1,8 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "model/film.hpp"
+#include "model/grain_motion.hpp"
 #include "model/image.hpp"
+#include "model/lockin_maps.hpp"
 
 namespace arenite::thermography {
 

@@ -7,6 +7,7 @@
 #include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "core/threads.hpp"
+#include "model/grain_motion.hpp"
 #include "statistics/correlation.hpp"
 #include "thermal/thermography/grains/rims.hpp"
 

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/film.hpp"
+#include "model/grain_motion.hpp"
 #include "model/image.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
 

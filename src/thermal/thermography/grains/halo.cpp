@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "model/lockin_maps.hpp"
 #include "thermal/imaging/blur.hpp"
 
 namespace arenite::thermography {

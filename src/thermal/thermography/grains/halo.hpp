@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "model/film.hpp"
 #include "model/image.hpp"
+#include "model/lockin_maps.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
 
 namespace arenite::thermography {

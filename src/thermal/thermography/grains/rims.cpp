@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/median.hpp"
+#include "model/grain_motion.hpp"
 #include "thermal/thermography/phase_pictures.hpp"
 
 namespace arenite::thermography {

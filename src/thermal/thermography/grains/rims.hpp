@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/vec.hpp"
-#include "model/film.hpp"
+#include "model/grain_motion.hpp"
 #include "model/image.hpp"
 
 namespace arenite::thermography {

@@ -1,5 +1,6 @@
 #include "grains/fields/driven.hpp"
 #include "grains/fields/stage_numbers.hpp"
+#include "grains/texture/mass.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/random.hpp"
+#include "grains/texture/distribution.hpp"
 #include "statistics/tails.hpp"
 #include "support/numbers_of.hpp"
 

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/random.hpp"
+#include "grains/texture/oscillation.hpp"
 #include "grains/texture/view.hpp"
 #include "support/numbers_of.hpp"
 #include "unit/grains/texture/packings.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "grains/texture/gap_coordination.hpp"
 #include "support/numbers_of.hpp"
 #include "unit/grains/texture/packings.hpp"
 

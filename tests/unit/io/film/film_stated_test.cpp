@@ -1,7 +1,6 @@
 // What a file states of its frames (how many, of which channel, when, which way up, what is missing) is used, refused
 // or told.
 #include <gtest/gtest.h>
-#include <hdf5.h>
 #include <tiffio.h>
 
 #include <cmath>
@@ -12,21 +11,13 @@
 #include "support/films.hpp"
 #include "support/pictures.hpp"
 #include "support/temporary_folder.hpp"
+#include "unit/io/film/stated.hpp"
 
 namespace arenite::io {
 namespace {
 
 using test::counted;
 using Numbers64 = std::vector<std::int64_t>;
-
-std::filesystem::path data(const char* name) {
-  return std::filesystem::path(ARENITE_SOURCE_DIR) / "tests/data/films" / name;
-}
-
-bool tells(const FilmSource& film, const std::string& part) {
-  return std::ranges::any_of(film.info().remarks,
-                             [&](const std::string& said) { return said.find(part) != std::string::npos; });
-}
 
 // TIFF
 
@@ -302,148 +293,6 @@ TEST(StatedFilm, TextStatesNumbersOrTimesBetweenItsFrames) {
 }
 
 // HDF5
-
-/// A file of HDF5's own making.
-struct Hdf5File {
-  test::TemporaryFolder folder;
-  hid_t file = H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-
-  template <class T>
-  hid_t write(const char* name, const std::vector<hsize_t>& shape, hid_t stored, hid_t type,
-              const std::vector<T>& values) {
-    const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
-    const hid_t set = H5Dcreate2(file, name, stored, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    if (!values.empty()) H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
-    H5Sclose(space);
-    return set;
-  }
-  static void state(hid_t at, const char* name, hid_t type, const void* value) {
-    const hid_t space = H5Screate(H5S_SCALAR), attribute = H5Acreate2(at, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
-    H5Awrite(attribute, type, value);
-    H5Aclose(attribute);
-    H5Sclose(space);
-  }
-  static void state(hid_t at, const char* name, double value) { state(at, name, H5T_NATIVE_DOUBLE, &value); }
-  /// Of any length, as h5py writes it.
-  static void state(hid_t at, const char* name, const char* text) {
-    const hid_t type = H5Tcopy(H5T_C_S1);
-    H5Tset_size(type, H5T_VARIABLE);
-    state(at, name, type, &text);
-    H5Tclose(type);
-  }
-  std::unique_ptr<FilmSource> open() {
-    H5Fclose(file);
-    return open_film(folder / "a.h5");
-  }
-};
-
-TEST(StatedFilm, PicturesOfMatlabAreTurned) {
-  const auto film = open_film(data("matlab.mat"), {.frame_rate = 30.0});
-  EXPECT_EQ(film->info().width, 10);
-  EXPECT_EQ(film->info().height, 6);
-  EXPECT_EQ(film->info().frames, 120);
-  EXPECT_TRUE(tells(*film, "height x width x frames: 6 x 10 x 120"));
-  // In its bytes, from HDF5 itself, the first length after the frames is the column.
-  const hid_t file = H5Fopen(data("matlab.mat").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT),
-              set = H5Dopen2(file, "frames", H5P_DEFAULT);
-  std::vector<float> stored(7200);
-  H5Dread(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, stored.data());
-  H5Dclose(set);
-  H5Fclose(file);
-  FrameBlock block;
-  for (const std::int64_t f : {0, 7, 119}) {
-    film->read(f, 1, block);
-    for (std::size_t y = 0; y < 6; ++y)
-      for (std::size_t x = 0; x < 10; ++x) {
-        const float right = stored[static_cast<std::size_t>(f) * 60 + x * 6 + y];
-        EXPECT_EQ(film->info().floating ? block.value[y * 10 + x] : static_cast<float>(block.level[y * 10 + x]), right);
-      }
-  }
-}
-
-TEST(StatedFilm, MatlabKeepsTimesAndRateAsArrays) {
-  Hdf5File h;
-  H5Dclose(h.write<std::uint16_t>("film", {3, 4, 5}, H5T_STD_U16LE, H5T_NATIVE_UINT16, counted().level));
-  H5Dclose(h.write<double>("time", {1, 3}, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, {1, 1.5, 3}));
-  H5Dclose(h.write<double>("fps", {1, 1}, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, {2}));
-  const auto film = h.open();
-  EXPECT_EQ(film->info().time, (std::vector<double>{0, 0.5, 2}));
-  EXPECT_EQ(film->info().frame_rate, 2);
-}
-
-TEST(StatedFilm, TimesHaveUnits) {
-  for (const auto& [unit, seconds] : {std::pair{"ms", 1e-3}, {"seconds since 2024-01-01", 1.0}, {"ns", 1e-9}}) {
-    Hdf5File h;
-    H5Dclose(h.write<std::uint16_t>("film", {3, 4, 5}, H5T_STD_U16LE, H5T_NATIVE_UINT16, counted().level));
-    const hid_t time = h.write<double>("time", {3}, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, {10, 20, 40});
-    h.state(time, "units", unit);
-    H5Dclose(time);
-    EXPECT_NEAR(h.open()->info().time.at(2), 30 * seconds, 1e-12 * seconds) << unit;
-  }
-  Hdf5File h;
-  H5Dclose(h.write<std::uint16_t>("film", {3, 4, 5}, H5T_STD_U16LE, H5T_NATIVE_UINT16, counted().level));
-  const hid_t time = h.write<double>("time", {3}, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, {10, 20, 40});
-  h.state(time, "units", "fortnights");
-  H5Dclose(time);
-  const auto film = h.open();
-  EXPECT_TRUE(film->info().time.empty());
-  EXPECT_TRUE(tells(*film, "\"fortnights\""));
-}
-
-TEST(StatedFilm, ScaleUnitAndMissingValuesOfNetcdf) {
-  Hdf5File h;
-  std::vector<std::int16_t> stored(60, 100);
-  stored[7] = -999;
-  const hid_t set = h.write<std::int16_t>("T", {3, 4, 5}, H5T_STD_I16LE, H5T_NATIVE_INT16, stored);
-  h.state(set, "scale_factor", 0.01);
-  h.state(set, "add_offset", 20);
-  h.state(set, "_FillValue", -999);
-  h.state(set, "units", "degC");
-  H5Dclose(set);
-  const auto film = h.open();
-  EXPECT_EQ(film->info().quantity, FilmQuantity::kelvin);
-  const FrameBlock all = test::all_of(*film);
-  for (std::size_t i = 0; i < 60; ++i) {
-    if (i == 7) EXPECT_TRUE(std::isnan(all.value[i]));
-    else EXPECT_NEAR(all.value[i], 294.15, 1e-4);
-  }
-}
-
-TEST(StatedFilm, WhatWasNeverWrittenIsNoNumber) {
-  Hdf5File h;
-  const hsize_t shape[] = {3, 4, 5}, chunk[] = {1, 4, 5}, start[] = {0, 0, 0};
-  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE), space = H5Screate_simple(3, shape, nullptr),
-              one = H5Screate_simple(3, chunk, nullptr);
-  H5Pset_chunk(creation, 3, chunk);
-  const hid_t set = H5Dcreate2(h.file, "film", H5T_IEEE_F32BE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
-  const std::vector<float> frame(20, 7);
-  H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, chunk, nullptr);
-  H5Dwrite(set, H5T_NATIVE_FLOAT, one, space, H5P_DEFAULT, frame.data());
-  H5Dclose(set);
-  H5Sclose(space);
-  H5Sclose(one);
-  H5Pclose(creation);
-  const FrameBlock all = test::all_of(*h.open());
-  for (std::size_t i = 0; i < 60; ++i) EXPECT_EQ(std::isnan(all.value[i]), i >= 20);
-  EXPECT_EQ(all.value[3], 7);
-}
-
-TEST(StatedFilm, DeepGroupsAreNotSearchedWithoutEnd) {
-  Hdf5File h;
-  hid_t group = H5Gcreate2(h.file, "g", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-  H5Lcreate_hard(h.file, "g", group, "again", H5P_DEFAULT, H5P_DEFAULT);  // a loop
-  for (int depth = 0; depth < 3000; ++depth) {
-    const hid_t next = H5Gcreate2(group, "g", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    if (depth == 10)
-      H5Dclose(
-          H5Dcreate2(next, "numbers", H5T_NATIVE_INT, H5Screate(H5S_SCALAR), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
-    H5Gclose(group);
-    group = next;
-  }
-  H5Gclose(group);
-  EXPECT_NE(test::complaint([&] { h.open(); }).find("holds no dataset of numbers over frames x height x width"),
-            std::string::npos);
-}
 
 }  // namespace
 }  // namespace arenite::io

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "grains/texture/stress.hpp"
 #include "grains/texture/texture.hpp"
 #include "io/export/export.hpp"
 #include "io/sample/sample.hpp"

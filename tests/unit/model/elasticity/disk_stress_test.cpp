@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 #include "model/elasticity/disk_field.hpp"
@@ -29,6 +30,23 @@ TEST(DiskStress, IsTheMeanOfTheClosedForm) {
     const double closed = sigma_kk(disks[g], {}) / 2;
     EXPECT_NEAR(stress[g], closed, 1e-9 * std::abs(closed));
   }
+}
+
+TEST(DiskStress, ChangesByWhatTheLoadAdds) {
+  // A disk squeezed by two walls, fn on either side: -2 fn/(2 pi R L), in a state of 30 N and one of 100 N.
+  Packing low;
+  low.materials = {{"A", 1000, 0, 0}};
+  low.domain.thickness = 0.05;
+  low.grains.resize(1);
+  low.grains.radius = {0.01};
+  Packing high = low;
+  for (const double side : {-1.0, 1.0}) {
+    low.contacts.add(0, wall_partner(side < 0 ? left : right), {-side, 0}, 30, 0, 0.01, 0);
+    high.contacts.add(0, wall_partner(side < 0 ? left : right), {-side, 0}, 100, 0, 0.01, 0);
+  }
+  const double per_newton = -1 / (std::numbers::pi * 0.01 * 0.05);
+  EXPECT_NEAR(stress_change(&low, high)[0], 70 * per_newton, 1e-9 * 1e5);
+  EXPECT_NEAR(stress_change(nullptr, high)[0], 100 * per_newton, 1e-9 * 1e5);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "report/figures/field_figures.hpp"
+#include "report/figures/failure.hpp"
 
 #include <gtest/gtest.h>
 

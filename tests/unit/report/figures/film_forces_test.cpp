@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "report/figures/film_figures.hpp"
+#include "report/figures/film_forces.hpp"
 
 using namespace arenite;
 using namespace arenite::report::figures;

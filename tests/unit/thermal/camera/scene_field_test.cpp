@@ -109,5 +109,16 @@ TEST(FieldScene, WhatCannotBeFilmedIsRefused) {
   EXPECT_THROW(scene_of_field(picture, {}), InputError);
 }
 
+TEST(SceneOfStates, TheLowerWallTellsLoadAndTravel) {
+  Packing low, high;
+  low.domain.wall[bottom] = {.position = 1e-3, .force = 200};
+  high.domain.wall[bottom] = {.position = 3.5e-3, .force = 5200};
+  const WallChange change = change_of_lower_wall(&low, high);
+  EXPECT_DOUBLE_EQ(change.force, 5000);
+  EXPECT_DOUBLE_EQ(change.travel, 2.5e-3);
+  EXPECT_DOUBLE_EQ(change_of_lower_wall(nullptr, high).force, 5200);
+  EXPECT_EQ(change_of_lower_wall(nullptr, high).travel, 0);
+}
+
 }  // namespace
 }  // namespace arenite::camera

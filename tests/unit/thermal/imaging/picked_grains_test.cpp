@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace arenite::imaging {
 namespace {
 
@@ -34,6 +36,14 @@ TEST(PickedGrains, PoresAreAsDarkAsWhatIsBehind) {
   grains.brightness = {1, 0.1, 1};
   drop_pores(frame, true, grains);
   EXPECT_EQ(grains.centre, (std::vector<Vec2>{{1, 1}, {3, 3}}));
+}
+
+TEST(PickedGrains, CoverTheContainerByTheirDisks) {
+  const FilmPlace place{{0, 0.1}, 1e-3};
+  std::vector<Vec2> centres;  // disks that touch on a square lattice cover pi/4
+  for (int k = 0; k < 100; ++k) centres.push_back({5.0 + 10 * (k % 10), 5.0 + 10 * (k / 10)});
+  EXPECT_NEAR(covered_share({0.1, 0.1}, place, circles(centres, 5)), std::numbers::pi / 4, 1e-12);
+  EXPECT_LT(least_covered_share, std::numbers::pi / 4);
 }
 
 }  // namespace

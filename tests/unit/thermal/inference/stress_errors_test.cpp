@@ -23,6 +23,13 @@ TEST(StressErrors, ABlurCountsBySlopeTimesItsError) {
   EXPECT_NEAR(change.error[2], 3e4, 1e-6);  // nothing is known of its slope
 }
 
+TEST(StressErrors, ABlurIsAsWellKnownAsRimsShowIt) {
+  EXPECT_DOUBLE_EQ(blur_error(0.9, 0.5), 0.4);
+  EXPECT_DOUBLE_EQ(blur_error(0.2, 0.5), 0.3);
+  EXPECT_DOUBLE_EQ(blur_error(0.51, 0.5), 0.05);
+  EXPECT_DOUBLE_EQ(blur_error(0, 0.5), 0.05);  // nothing was seen
+}
+
 TEST(StressErrors, AHaloCountsByWhatIsNotKnownOfIt) {
   FilmResult r;
   r.peak_to_peak = stresses({-1e6, -3e6}, 0);

@@ -1,0 +1,19 @@
+#include "grains/texture/mass.hpp"
+
+#include <numbers>
+
+namespace arenite::texture {
+
+double mass_of(const Packing& packing, std::size_t g) {
+  const double r = packing.grains.radius[g];
+  const double density = packing.materials.at(packing.grains.material[g]).density;
+  return density * std::numbers::pi * r * r * packing.domain.thickness;
+}
+
+double mass_of(const Packing& packing) {
+  double mass = 0;
+  for (std::size_t g = 0; g < packing.grains.size(); ++g) mass += mass_of(packing, g);
+  return mass;
+}
+
+}  // namespace arenite::texture

@@ -1,0 +1,14 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "model/packing.hpp"
+
+namespace arenite::texture {
+
+/// Solid fraction of windows of the box's shape with `area_share` of its area, one for each of so many random places in
+/// the whole box (T Fig. 3.6b); over the box's sides the places are the same for every packing. Empty where the box is
+/// not known.
+std::vector<double> window_fractions(const Packing& packing, double area_share, int places, std::uint64_t seed = 1);
+
+}  // namespace arenite::texture

@@ -1,0 +1,137 @@
+#include "grains/texture/texture.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/problems.hpp"
+#include "grains/texture/view.hpp"
+
+namespace arenite::texture {
+
+// Each in its own file.
+Statistic grain_stress, solid_fraction, coordination, fabric, threshold, stress, forces, sigma_norm, local_order,
+    long_axes, rev, quality;
+
+namespace {
+
+void sample(const View& view, Texture& texture) {
+  const Contacts& contacts = view.pairs();
+  const auto walls = static_cast<std::size_t>(std::ranges::count_if(contacts.j, arenite::is_wall));
+  texture.window = view.window;
+  texture.mean_diameter = view.mean_diameter;
+  texture.per_grain.considered = view.considered;
+  texture.per_grain.rattler = view.rattler;
+  texture.numbers = {
+      {"grains", described(view.packing.grains.size(), "", "Grains of the sample")},
+      {"contacts", described(contacts.size() - walls, "", "Contacts between grains")},
+      {"wall_contacts", described(walls, "", "Contacts with walls")},
+      {"considered",
+       {{"grains", described(view.grains.size(), "", "Grains in the window of the statistics")},
+        {"contacts", described(view.contacts.size(), "", "Contacts in that window")},
+        {"border_m", described(view.window.border, "m", "Strip left out along walls").mark(Trait::detail)}}},
+      {"mean_diameter_m", described(view.mean_diameter, "m", "Mean diameter of grains")}};
+  if (!view.has_box)
+    texture.notes.push_back(
+        "The box is not known, so solid fraction, REV and the stress of the assembly are omitted and no border is left "
+        "out.");
+  if (!view.has_thickness)
+    texture.notes.push_back("The out-of-plane length is not known, so stresses in Pa are left out.");
+  if (!view.options.load_axis && !view.contacts.empty())
+    texture.notes.push_back(
+        "The direction of the load is not given: signed anisotropies refer to the sample's own axis of greatest "
+        "compression, for which even a random network gives a positive value.");
+  const bool walled = view.has_box && !(view.packing.domain.periodic[0] && view.packing.domain.periodic[1]);
+  if (walled && view.options.border > 0 && view.window.border == 0)
+    texture.notes.push_back(
+        fmt::format("The sample is too small to leave out {:g} mean diameters along its walls, so it is taken whole.",
+                    view.options.border));
+}
+
+/// Every statistic that there is, in the order of their numbers. Grain stress comes first, because the normalised
+/// stress builds on it.
+constexpr Statistic* statistics[] = {sample, grain_stress, solid_fraction, coordination, fabric, threshold, stress,
+                                     forces, sigma_norm,   local_order,    long_axes,    rev,    quality};
+
+Numbers rows(const PerGrain& g) {
+  Numbers j{{"considered", g.considered},
+            {"rattler", g.rattler},
+            {"contacts", g.contacts},
+            {"sigma_norm", g.sigma_norm},
+            {"psi6", g.psi6}};
+  if (!g.sigma_hyd.empty()) j["sigma_hyd_Pa"] = g.sigma_hyd;
+  if (!g.sigma.empty()) j["sigma_Pa"] = g.sigma;
+  return j;
+}
+
+/// A grain wider than a periodic cell covers itself, and the cell as often as it pleases.
+void check_widths(const Packing& packing) {
+  const Domain& d = packing.domain;
+  const Grains& grains = packing.grains;
+  for (std::size_t g = 0; g < grains.size(); ++g)
+    for (const auto& [periodic, side] : {std::pair(d.periodic[0], d.width()), std::pair(d.periodic[1], d.height())})
+      if (periodic && side > 0 && !(2 * grains.radius[g] <= (1 + 1e-9) * side))
+        throw refusal(
+            "grain {} is {:.4g} m wide in a periodic cell of {:.4g} m, so it would overlap itself; correct the unit of "
+            "the radii, or the cell",
+            grains.id[g], 2 * grains.radius[g], side);
+}
+
+}  // namespace
+
+Texture measure(const Packing& packing, const Options& options) {
+  check_widths(packing);
+  const std::size_t measured = options.grain_sigma_hyd.size();
+  if (measured > 0 && measured != packing.grains.size())
+    throw refusal("sigma_hyd has {} values for {} grains; give one per grain, NaN where it is not known", measured,
+                  packing.grains.size());
+  Texture texture;
+  const View view(packing, options);
+  for (Statistic* statistic : statistics) statistic(view, texture);
+  return texture;
+}
+
+Texture grain_rows(const Packing& packing, const Options& options) {
+  const View view(packing, options);
+  Texture texture;
+  texture.window = view.window;
+  texture.mean_diameter = view.mean_diameter;
+  texture.per_grain.considered = view.considered;
+  grain_stress(view, texture);
+  return texture;
+}
+
+Numbers stress_distribution(const Packing& packing, const std::vector<double>& sigma_hyd) {
+  Options options;
+  options.grain_sigma_hyd = sigma_hyd;
+  const View view(packing, options);
+  Texture texture;
+  grain_stress(view, texture);
+  sigma_norm(view, texture);
+  return texture.numbers.value("sigma_norm", Numbers::tree());
+}
+
+Numbers numbers(const Texture& t, bool curves) {
+  Numbers j = t.numbers;
+  if (!curves) erase(j, Trait::curve);
+  j["notes"] = t.notes;
+  if (curves) j["by_grain"] = rows(t.per_grain);
+  return j;
+}
+
+std::string to_text(const Texture& t) {
+  Numbers shown = numbers(t);
+  erase(shown, Trait::detail);
+  return arenite::to_text(shown);
+}
+
+void forget_forces(Texture& t) {
+  erase(t.numbers, Trait::by_forces);
+  std::fill(t.per_grain.rattler.begin(), t.per_grain.rattler.end(), std::uint8_t{0});
+  t.per_grain.sigma.clear();
+  t.per_grain.sigma_hyd.clear();
+  t.per_grain.sigma_norm.assign(t.per_grain.sigma_norm.size(), unknown);
+}
+
+}  // namespace arenite::texture

@@ -1,0 +1,18 @@
+#pragma once
+#include <string_view>
+
+#include "core/parameters.hpp"
+
+namespace arenite::recipe {
+
+struct Recipe;
+
+/// Every key of a recipe: its name, unit, range and meaning, and what must hold between keys. The structs that come
+/// from elsewhere declare their own, and its larger parts stand in sources of theirs (keys/, loads.cpp): where the
+/// keys of one must agree with others, it gets the recipe as far as it is known by then.
+void declare(ParameterVisitor& visitor, Recipe& recipe);
+
+/// When keys of grains exist.
+inline constexpr std::string_view no_map = "no [map]";
+
+}  // namespace arenite::recipe

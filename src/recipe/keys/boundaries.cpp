@@ -1,0 +1,231 @@
+#include "recipe/keys/boundaries.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "core/mapped.hpp"
+#include "core/problems.hpp"
+#include "core/text.hpp"
+#include "grains/dem/integrators/integrators.hpp"
+#include "recipe/keys/stages.hpp"
+#include "recipe/recipe.hpp"
+
+namespace arenite::recipe {
+
+using Visitor = ParameterVisitor;
+
+namespace {
+
+using dem::Programme;
+
+void declare(Visitor& v, dem::BoundaryMotion& motion, const Stage& stage, const Recipe& recipe) {
+  motion.declare(v);
+  const auto names = mapped(recipe.boundaries, &Boundary::name);
+  v.require(std::ranges::count(names, motion.name) > 0, {"name"},
+            names.empty() ? std::string("there are no [[boundaries]] that could move; add them")
+                          : fmt::format("there is no boundary \"{}\"; there are: {}", motion.name, list_of(names)));
+  v.require(std::ranges::count(stage.boundaries, motion.name, &dem::BoundaryMotion::name) <= 1, {"name"},
+            fmt::format("boundary \"{}\" is named twice in this stage", motion.name));
+  v.require(!motion.mass || dem::integrator_of(recipe.integration.integrator).moves_bodies, {"mass"},
+            "boundaries with a mass need integration.integrator = " + dem::integrators_of_bodies());
+}
+
+/// Boundaries do not change with a periodic cell.
+void require_still_cell(Visitor& v, const Stage& stage, const Recipe& recipe) {
+  if (recipe.boundaries.empty()) return;
+  const bool sheared =
+      stage.shear_rate != 0 || (stage.strain_cycles && stage.strain_cycles->of == dem::StrainCycles::shear) ||
+      std::ranges::count(stage.programmes, dem::Driven{Programme::What::shear_rate}, &Programme::of) > 0;
+  v.require(!sheared, {"shear_rate", "strain_cycles", "programmes"},
+            "a periodic cell with boundaries cannot be sheared; move a boundary or a wall");
+  for (std::size_t side = 0; side < 4; ++side) {
+    const bool moves = stage.side[side].kind != SideDrive::Kind::fixed ||
+                       (stage.strain_cycles && stage.strain_cycles->of == static_cast<int>(side));
+    v.require(!moves || !recipe.container.is_periodic(side), {side_names[side]},
+              "is periodic and cannot move, because the boundaries would no longer fit the cell; leave it \"fixed\"");
+  }
+}
+
+void require_boundary(Visitor& v, const Programme& p, const Stage& stage, const Recipe& recipe) {
+  v.require(std::ranges::count(recipe.boundaries, p.name, &Boundary::name) > 0, {"programmes"},
+            fmt::format("there is no boundary \"{}\"; name one of [[boundaries]]", p.name));
+  const auto at = std::ranges::find(stage.boundaries, p.name, &dem::BoundaryMotion::name);
+  const dem::BoundaryMotion* motion = at == stage.boundaries.end() ? nullptr : &*at;
+  const bool free = motion && motion->mass, jumps = std::ranges::adjacent_find(p.table, {}, &Vec2::x) != p.table.end();
+  v.require(
+      p.of.is_of_force() == free || p.of.axis() == 2, {"programmes", "boundaries"},
+      free ? fmt::format("boundary \"{}\" has a mass in this stage, so that forces move it; leave its mass out", p.name)
+           : fmt::format("a force moves only a boundary with a mass; write boundaries = [{{ name = \"{}\", mass = "
+                         "\"... kg\" }}] in this stage",
+                         p.name));
+  v.require(p.of.is_of_force() || !motion || (motion->velocity == Vec2{} && p.of.axis() < 2) ||
+                (motion->spin == 0 && p.of.axis() == 2),
+            {"programmes", "boundaries"},
+            fmt::format("the motion of boundary \"{}\" is already prescribed in this stage; leave out its {}", p.name,
+                        p.of.axis() < 2 ? "velocity" : "spin"));
+  v.require(!p.of.is_of_place() || (!jumps && (!p.repeat || p.table.empty() || p.table.front().y == p.table.back().y)),
+            {"programmes"},
+            "a boundary cannot jump: no two rows may have the same time, and a repeated table must end where it began");
+}
+
+/// The first value of a programme is that of the stage itself, so that what looks at a stage knows what it begins with.
+void begin_with(const Programme& p, Stage& stage) {
+  const double value = p.table.front().y;
+  if (p.of.is_of_side()) {
+    SideDrive& side = stage.side[static_cast<std::size_t>(p.of.side)];
+    side = {side.is_skin() ? side.kind : p.of.kind(), value};
+  } else if (p.of.is(Programme::What::slide)) stage.slide[static_cast<std::size_t>(p.of.side)] = value;
+  else if (p.of.is(Programme::What::shear_rate)) stage.shear_rate = value;
+  else if (p.of.is(Programme::What::gravity_size)) stage.gravity_size = value;
+  else if (p.of.is(Programme::What::gravity_angle)) stage.gravity_angle = value;
+}
+
+void require_place(Visitor& v, const Programme& p, const Stage& stage, const Recipe& recipe) {
+  const auto& container = recipe.container;
+  if (p.of.is_of_side()) {
+    const SideDrive& side = stage.side[static_cast<std::size_t>(p.of.side)];
+    v.require(!side.is_skin() || p.of.is(Programme::What::pressure), {"of"},
+              fmt::format("the {0} side is a membrane, and what changes with time is its pressure; write of = "
+                          "\"{0}.pressure\"",
+                          side_names[p.of.side]));
+    v.require(side.kind == SideDrive::Kind::fixed || side.is_skin() || side.kind == p.of.kind(), {"of"},
+              fmt::format("the {} side is already driven in this stage; leave out \"{}\" there", side_names[p.of.side],
+                          side_names[p.of.side]));
+  } else if (p.of.is(Programme::What::slide)) {
+    const int side = p.of.side;
+    v.require(!container.is_periodic(side), {"of"},
+              fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
+  } else if (p.of.is(Programme::What::shear_rate)) {
+    v.require(container.periodic[0] && container.periodic[1], {"of"},
+              "only a cell periodic in both directions can be sheared in this way");
+  } else if (!p.of.is_of_boundary()) {
+    v.require(stage.gravity, {"of"}, "there is no gravity in this stage; write gravity = true");
+  }
+}
+
+/// A force on an edge of a periodic cell moves that edge and strains the cell; with the opposite edge free as well, the
+/// cell would drift.
+void require_one_pressing_edge(Visitor& v, const Stage& stage, std::size_t first, bool periodic) {
+  const SideDrive &one = stage.side[first], &other = stage.side[first + 1];
+  const char *name = side_names[first], *opposite = side_names[first + 1];
+  const bool both_at_work = (one.presses() && other.kind != SideDrive::Kind::fixed) ||
+                            (other.presses() && one.kind != SideDrive::Kind::fixed);
+  v.require(
+      !periodic || !both_at_work, {opposite, name},
+      fmt::format(
+          "of the two periodic edges {0} and {1} one is under pressure and the other fixed; leave {0} = \"fixed\"",
+          name, opposite));
+}
+
+}  // namespace
+
+void declare_openings(Visitor& v, Stage& stage, const Recipe& recipe) {
+  bool has_open = std::ranges::count(stage.open, true) > 0;
+  v.section({"open",
+             "Walls that are removed in this stage; grains may leave there. A wall can be restored only if no grain is "
+             "left beyond it."},
+            has_open, [&](Visitor& inner) {
+              for (std::size_t side = 0; side < 4; ++side)
+                inner.flag({side_names[side], "This side is open."}, stage.open[side]);
+            });
+  for (std::size_t side = 0; side < 4; ++side) {
+    const bool slides_later =
+        std::ranges::count(stage.programmes, dem::Driven{Programme::What::slide, static_cast<int>(side)},
+                           &Programme::of) > 0;
+    const bool still = stage.side[side].kind == SideDrive::Kind::fixed && stage.slide[side] == 0 && !slides_later &&
+                       !stage.rough[side];
+    v.require(!stage.open[side] || still, {"open", side_names[side], "slide", "rough"},
+              fmt::format("the {} wall cannot be open and move, press or carry grains in one stage", side_names[side]));
+    v.require(!stage.open[side] || !recipe.container.is_periodic(side), {"open"},
+              fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
+  }
+  v.list<dem::BoundaryMotion>(
+      {"boundaries", "Motion of boundaries in this stage; boundaries not listed stay in place."}, stage.boundaries,
+      [&](Visitor& inner, dem::BoundaryMotion& motion) { declare(inner, motion, stage, recipe); });
+  v.number({"count_below",
+            "The history gets the columns `passed` and `passed_mass`: number and mass of the grains whose centre is "
+            "below this height."},
+           stage.count_below, "mm", range::any);
+}
+
+void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParameters& container) {
+  using Kind = SideDrive::Kind;
+  require_one_pressing_edge(v, stage, left, container.periodic[0]);
+  require_one_pressing_edge(v, stage, bottom, container.periodic[1]);
+  v.require(!stage.gravity || !container.periodic[1], {"gravity"},
+            "grains would fall for ever through periodic sides; set container.periodic_y = false");
+  const bool moves =
+      std::ranges::count(stage.side, Kind::velocity, &SideDrive::kind) > 0 || stage.slide != std::array<double, 4>{} ||
+      stage.shear_rate != 0 ||
+      std::ranges::any_of(stage.boundaries, [](const auto& b) { return b.velocity != Vec2{} || b.spin != 0; });
+  v.require(stage.shear_rate == 0 || (container.periodic[0] && container.periodic[1]), {"shear_rate"},
+            "only a cell periodic in both directions can be sheared in this way; set container.periodic_x and "
+            "periodic_y, or let a wall slide");
+  for (std::size_t side = 0; side < 4; ++side)
+    v.require((stage.slide[side] == 0 && !stage.rough[side]) || !container.is_periodic(side), {"slide", "rough"},
+              fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
+  v.require(!moves || stage.duration, {"duration", "left", "right", "bottom", "top", "boundaries"},
+            "a stage with a moving side or boundary never reaches equilibrium; give it a duration, for example "
+            "duration = \"1 s\"");
+  if (!stage.cycles) return;
+  const auto side = static_cast<std::size_t>(stage.cycles->side);
+  const char* load = stage.cycles->of_pressure ? "pressure" : "force";
+  v.require(stage.side[side].kind == stage.cycles->kind(), {"cycles", side_names[side]},
+            fmt::format("cycles need a side under {0}; write {1} = {{ {0} = \"...\" }} in this stage", load,
+                        side_names[side]));
+}
+
+void require_boundary_loads(Visitor& v, const Stage& stage, const Recipe& recipe) {
+  require_still_cell(v, stage, recipe);
+  for (const auto& p : stage.programmes)
+    if (p.of.is_of_boundary()) require_boundary(v, p, stage, recipe);
+}
+
+void declare_programmes(Visitor& v, Stage& stage, const Recipe& recipe) {
+  v.list<Programme>(
+      {"programmes",
+       "Tables in time that drive the stage, which then needs a duration. They are followed step by step."},
+      stage.programmes, [&](Visitor& inner, Programme& p) {
+        p.declare(inner);
+        require_place(inner, p, stage, recipe);
+      });
+  for (const Programme& p : stage.programmes) {
+    const auto same = std::count_if(stage.programmes.begin(), stage.programmes.end(), [&](const Programme& other) {
+      if (p.of.is_of_boundary())
+        return other.of.is_of_boundary() && other.name == p.name && other.of.axis() == p.of.axis();
+      return other.of == p.of || (p.of.is_of_side() && other.of.is_of_side() && other.of.side == p.of.side);
+    });
+    v.require(same == 1, {"programmes"},
+              fmt::format("{} is driven by two of them", dem::programme_targets[dem::target_of(p.of)].word));
+    if (!p.table.empty() && !p.of.is_of_boundary()) begin_with(p, stage);
+  }
+}
+
+void declare_strain_cycles(Visitor& v, Stage& stage, const Recipe& recipe) {
+  v.optional_section<dem::StrainCycles>(
+      {"strain_cycles",
+       "Cycles between two strains, each half at a constant rate; they end the stage. The first half starts from the "
+       "initial strain and ends at `max`."},
+      stage.strain_cycles, [&](Visitor& inner, dem::StrainCycles& cycles) {
+        cycles.declare(inner);
+        const auto of = static_cast<std::size_t>(cycles.of);
+        if (cycles.of == dem::StrainCycles::shear)
+          inner.require(recipe.container.periodic[0] && recipe.container.periodic[1], {"of"},
+                        "only a cell periodic in both directions can be sheared in this way");
+        else
+          inner.require(stage.side[of].kind == SideDrive::Kind::fixed, {"of"},
+                        fmt::format("the {} side is already driven in this stage; leave it \"fixed\"", side_names[of]));
+      });
+  v.require(!stage.strain_cycles || !stage.duration, {"duration", "strain_cycles"},
+            "strain cycles end the stage; leave out its duration");
+  v.require(!stage.strain_cycles || (!stage.cycles && stage.programmes.empty()),
+            {"strain_cycles", "cycles", "programmes"}, "only one of them can drive a stage");
+  v.require(stage.programmes.empty() || stage.duration, {"programmes", "duration"},
+            "a stage with programmes needs its duration, for example duration = \"1 s\"");
+  v.require(stage.programmes.empty() || !stage.cycles, {"programmes", "cycles"}, "only one of them can drive a stage");
+}
+
+}  // namespace arenite::recipe

@@ -1,0 +1,148 @@
+#include "recipe/keys/boundary_shapes.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "core/decimals.hpp"
+#include "core/text.hpp"
+#include "recipe/recipe.hpp"
+
+namespace arenite::recipe {
+
+using Visitor = ParameterVisitor;
+
+namespace {
+
+// What stands for the points of a boundary; a recipe holds the points that follow.
+
+struct Round {
+  Vec2 centre;
+  double diameter = 0;
+  std::int64_t segments = 64;
+
+  void declare(Visitor& v) {
+    v.number({"x", "Of the centre, from the container's left side.", true}, centre.x, "mm", range::any);
+    v.number({"y", "Of the centre, from the container's bottom.", true}, centre.y, "mm", range::any);
+    v.number({"diameter", "Of the circle on which the points lie.", true}, diameter, "mm", range::positive);
+  }
+  double on_rim(double middle, double off) const {
+    return in_decimals(middle + off, std::max(std::abs(middle), 0.5 * diameter));
+  }
+  /// From `from` on, `steps` of them in a turn by `angle`.
+  void add_points(double from, double angle, std::int64_t steps, std::int64_t count, std::vector<Vec2>& points) const {
+    for (std::int64_t k = 0; k < count; ++k) {
+      const Vec2 radius =
+          0.5 * diameter * direction(from + angle * static_cast<double>(k) / static_cast<double>(steps));
+      points.push_back({on_rim(centre.x, radius.x), on_rim(centre.y, radius.y)});
+    }
+  }
+};
+
+struct Circle : Round {
+  void declare(Visitor& v) {
+    Round::declare(v);
+    v.integer({"segments", "Number of straight segments."}, segments, {3, 4096});
+  }
+  void add_to(Boundary& boundary) const {
+    boundary.closed = true;
+    add_points(0, 2 * std::numbers::pi, segments, segments, boundary.points);
+  }
+};
+
+struct Arc : Round {
+  double from = 0, to = std::numbers::pi;
+
+  void declare(Visitor& v) {
+    Round::declare(v);
+    v.number({"from", "Angle of the first point, counter-clockwise from x."}, from, "deg", range::any);
+    v.number({"to", "Angle of the last point."}, to, "deg", range::any);
+    v.require(to != from && std::abs(to - from) < 2 * std::numbers::pi, {"to", "from"},
+              "must differ from `from` by less than a turn; a whole circle is `circle`");
+    v.integer({"segments", "Number of straight segments."}, segments, {1, 4096});
+  }
+  void add_to(Boundary& boundary) const { add_points(from, to - from, segments, segments + 1, boundary.points); }
+};
+
+struct RegularPolygon : Round {
+  double angle = 0;
+  RegularPolygon() { segments = 6; }
+
+  void declare(Visitor& v) {
+    Round::declare(v);
+    v.integer({"corners", "Number of corners."}, segments, {3, 64});
+    v.number({"angle", "Of the first corner, counter-clockwise from x."}, angle, "deg", range::any);
+  }
+  void add_to(Boundary& boundary) const {
+    boundary.closed = true;
+    add_points(angle, 2 * std::numbers::pi, segments, segments, boundary.points);
+  }
+};
+
+struct Rectangle {
+  double left = 0, right = 0, bottom = 0, top = 0;
+
+  void declare(Visitor& v) {
+    v.number({"left", "Edge, from the container's left side.", true}, left, "mm", range::any);
+    v.number({"right", "Edge, from the container's left side.", true}, right, "mm", range::any);
+    v.number({"bottom", "Edge, from the container's bottom.", true}, bottom, "mm", range::any);
+    v.number({"top", "Edge, from the container's bottom.", true}, top, "mm", range::any);
+    v.require(left < right, {"right", "left"}, "must be right of left");
+    v.require(bottom < top, {"top", "bottom"}, "must be above bottom");
+  }
+  void add_to(Boundary& boundary) const {
+    boundary.closed = true;
+    boundary.points.insert(boundary.points.end(), {{left, bottom}, {right, bottom}, {right, top}, {left, top}});
+  }
+};
+
+/// Reads one of them; returns whether it stands there.
+template <class Figure> bool declare_figure(Visitor& v, const Key& key, Boundary& boundary) {
+  std::optional<Figure> figure;
+  v.optional_section<Figure>(key, figure, [](Visitor& inner, Figure& it) { it.declare(inner); });
+  if (figure) figure->add_to(boundary);
+  return figure.has_value();
+}
+
+void declare(Visitor& v, Boundary& boundary, const Recipe& recipe) {
+  v.text({"name", "Name in stages and results: letters, digits, _ and -.", true}, boundary.name);
+  const bool is_side = std::ranges::count(side_names, boundary.name) > 0;
+  v.require(is_plain_name(boundary.name) && !is_side, {"name"},
+            "must be made of letters, digits, _ and -, and not be that of a wall");
+  v.require(std::ranges::count(recipe.boundaries, boundary.name, &Boundary::name) <= 1, {"name"},
+            fmt::format("another boundary is called \"{}\"; names must differ", boundary.name));
+  v.points({"points", "Points joined by straight segments, from the lower left corner of the container."},
+           boundary.points, "mm");
+  v.flag({"closed", "A segment joins the last point with the first."}, boundary.closed);
+  const int given = (boundary.points.empty() ? 0 : 1) +
+                    declare_figure<Circle>(v, {"circle", "A circle instead of points."}, boundary) +
+                    declare_figure<Arc>(v, {"arc", "An arc of a circle instead of points."}, boundary) +
+                    declare_figure<Rectangle>(v, {"rectangle", "A rectangle instead of points."}, boundary) +
+                    declare_figure<RegularPolygon>(v, {"polygon", "A regular polygon instead of points."}, boundary);
+  v.require(given == 1, {"points", "circle", "arc", "rectangle", "polygon"},
+            given == 0 ? "is missing; give points, or a circle, an arc, a rectangle or a polygon"
+                       : "give one of points, circle, arc, rectangle and polygon");
+  const auto& points = boundary.points;
+  v.require(given != 1 || points.size() >= (boundary.closed ? 3u : 2u), {"points"},
+            boundary.closed ? "must be three or more where closed" : "must be two or more");
+  const bool repeats = std::ranges::adjacent_find(points) != points.end() ||
+                       (boundary.closed && !points.empty() && points.front() == points.back());
+  v.require(!repeats, {"points"},
+            "each must differ from the one before; a closed boundary does not repeat its first point at the end");
+}
+
+}  // namespace
+
+void declare_boundaries(Visitor& v, Recipe& recipe) {
+  v.list<Boundary>({"boundaries",
+                    "Thin rigid boundaries in addition to the walls: hoppers, gates, drums, obstacles, intruders. "
+                    "Contacts with them are like those with walls."},
+                   recipe.boundaries, [&](Visitor& inner, Boundary& boundary) { declare(inner, boundary, recipe); });
+}
+
+}  // namespace arenite::recipe

@@ -1,0 +1,287 @@
+#include "recipe/loads.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "model/packing.hpp"
+#include "recipe/recipe.hpp"
+
+namespace arenite::recipe {
+
+using Visitor = ParameterVisitor;
+
+std::vector<Word> words(cement::CementParameters::Kind) {
+  return {{"none", "nowhere"},
+          {"bridges", "trapezia between neighbouring grains"},
+          {"full", "in all space between the grains"},
+          {"coating", "a layer of uniform thickness around every grain"},
+          {"menisci", "between two arcs that touch both neighbours, like a liquid"}};
+}
+
+std::vector<Word> words(peridynamics::Loading) {
+  return {{"tension", "away from it"}, {"compression", "towards it"}, {"shear", "along it, to the right"}};
+}
+
+std::vector<Word> words(peridynamics::LowerEdge) {
+  return {{"fixed", "nothing moves"}, {"sliding", "free along the row"}};
+}
+
+std::vector<Word> words(LoadMethod) {
+  return {
+      {"peridynamics",
+       "bonds between nodes, as in the paper, whose Poisson's ratio is 1/3; conjugate gradients with a coarse space "
+       "divided by grain: seconds",
+       "static_solve"},
+      {"elements",
+       "finite elements, one a pixel, with any Poisson's ratio, by the same solver; necks of few nodes are as stiff as "
+       "they are"},
+      {"relaxation", "bonds, by adaptive dynamic relaxation: half a minute"},
+      {"damped", "bonds, by dynamics with a fixed viscosity, as in the paper: minutes"}};
+}
+
+std::vector<Word> words(elements::Element) {
+  return {{"wilson", "with incompatible modes: exact in bending"}, {"full", "bilinear, fully integrated"}};
+}
+
+std::vector<Word> words(elements::PlaneState) {
+  return {{"stress", "nothing pulls across the plane: a thin plate"},
+          {"strain", "nothing strains across the plane: a long prism"}};
+}
+
+std::vector<Word> words(Load::Axis) { return {{"y", ""}, {"x", ""}}; }
+
+std::vector<Word> words(grid::Cavity) {
+  return {{"pore", "space between grains, matrix or empty"}, {"void", "empty space"}};
+}
+
+void declare(Visitor& v, cement::CementParameters& law) {
+  using Kind = cement::CementParameters::Kind;
+  v.choice({"kind", "Where the matrix is placed."}, law.kind, words(law.kind));
+  v.number({"gap",
+            "Widest surface gap that is bridged, and at which two grains count as neighbours; unless given, 0.075 of "
+            "the mean large radius."},
+           law.gap, "mm", range::not_negative);
+  const bool is_free = law.kind == Kind::bridges || law.kind == Kind::coating || law.kind == Kind::menisci;
+  v.when(is_free, "kind = \"bridges\", \"coating\" or \"menisci\"", [&](Visitor& inner) {
+    inner.number({"saturation",
+                  "S_m, the fraction of the space between grains filled by matrix: width, thickness or volume is then "
+                  "found so that it holds in the square that becomes the grid (`[grid] crop`)."},
+                 law.saturation, "", range::above(0, 1));
+  });
+  const bool given = !law.saturation;
+  v.when(law.kind == Kind::bridges, "kind = \"bridges\"", [&](Visitor& inner) {
+    inner.flag({"full_width", "width is the full base of a neck over the radius, not half of it."}, law.full_width);
+  });
+  v.when(law.kind == Kind::bridges && given, "kind = \"bridges\" without saturation", [&](Visitor& inner) {
+    inner.number({"width", "eta: half base of a neck over the radius of its grain."}, law.width, "",
+                 range::above(0, 2));
+  });
+  v.when(law.kind == Kind::coating && given, "kind = \"coating\" without saturation", [&](Visitor& inner) {
+    inner.number({"thickness", "Thickness of the layer.", true}, law.thickness, "mm", range::positive);
+  });
+  v.when(law.kind == Kind::menisci && given, "kind = \"menisci\" without saturation", [&](Visitor& inner) {
+    inner.number({"volume", "Volume of one meniscus per unit length.", true}, law.volume, "mm^2", range::positive);
+  });
+}
+
+void declare(Visitor& v, GridSection& grid) {
+  v.integer({"nodes", "Nodes along a side of the square."}, grid.nodes, {7, 32'768});
+  v.number({"crop",
+            "Side of the centred square to crop; unless given, 25.6 mean large radii of a sampled packing, otherwise "
+            "the largest square inside the sample."},
+           grid.crop, "mm", range::positive);
+  v.flag({"eight_connected", "Pores and voids are also connected across corners."}, grid.cavities.eight_connected);
+  v.integer({"fewest_nodes", "Pores and voids of fewer nodes are artefacts of the grid and left out."},
+            grid.cavities.fewest_nodes, {1, 1'000'000});
+  v.flag({"leave_out_border", "Pores and voids that touch the edge are cut, and left out."},
+         grid.cavities.leave_out_border);
+}
+
+namespace {
+
+void declare(Visitor& v, StiffnessSection& stiffness) {
+  v.number({"matrix", "Young's modulus of the matrix: of bonds between two of its nodes, or its elements."},
+           stiffness.matrix, "GPa", range::positive);
+  v.number(
+      {"interface",
+       "Young's modulus of bonds between two grains, or grain and matrix; of elements of a grain that touch another "
+       "grain, and of the matrix that touch one; unless given, the matrix's."},
+      stiffness.interface, "GPa", range::positive);
+  v.number({"particle", "Young's modulus of the grains; unless given, four times the matrix's."}, stiffness.particle,
+           "GPa", range::positive);
+  v.flag({"calibrated",
+          "The modulus of the lattice along its axes has the prescribed value; false: the continuum formula, 6 % "
+          "stiffer."},
+         stiffness.calibrated);
+}
+
+void declare(Visitor& v, PoissonSection& poisson) {
+  constexpr Range allowed{-0.99, 0.499};
+  v.number({"matrix", "Poisson's ratio of the matrix."}, poisson.matrix, "", allowed);
+  v.number({"interface", "Poisson's ratio of the interfaces; unless given, the matrix's."}, poisson.interface, "",
+           allowed);
+  v.number({"particle", "Poisson's ratio of the grains; unless given, the matrix's."}, poisson.particle, "", allowed);
+}
+
+void declare(Visitor& v, ToughnessSection& toughness) {
+  v.number({"matrix", "Fracture toughness of the matrix; it sets the scale of the load."}, toughness.matrix,
+           "MPa m^0.5", range::positive);
+  v.number({"interface", "Fracture toughness of the interfaces; unless given, the matrix's."}, toughness.interface,
+           "MPa m^0.5", range::positive);
+  v.number({"particle", "Fracture toughness of the grains; unless given, 3.5 times the matrix's."}, toughness.particle,
+           "MPa m^0.5", range::positive);
+}
+
+void declare(Visitor& v, StrengthSection& strength) {
+  v.number({"matrix", "Tensile strength of the matrix; unless given, toughness alone breaks its bonds."},
+           strength.matrix, "MPa", range::positive);
+  v.number({"interface", "Tensile strength of the interfaces; unless given, the matrix's."}, strength.interface, "MPa",
+           range::positive);
+  v.number({"particle", "Tensile strength of the grains; unless given, 3.5 times the matrix's."}, strength.particle,
+           "MPa", range::positive);
+}
+
+void declare(Visitor& v, stress::StressOptions& statistics) {
+  v.integer({"clamp_rows", "Rows of nodes left out at the lower and the upper edge."}, statistics.clamp_rows,
+            {0, 10'000});
+  v.flag({"leave_out_surface", "Leave out nodes with a neighbour of another phase or grain."},
+         statistics.leave_out_surface);
+  v.flag({"leave_out_unloaded", "Leave out nodes without any stress: parts not connected to both edges."},
+         statistics.leave_out_unloaded);
+  v.flag({"mean_over_area",
+          "The sample's mean counts the void as zero stress; otherwise it is that of particles and matrix."},
+         statistics.mean_over_area);
+}
+
+void require_own_name(Visitor& v, const Load& load, const Recipe& recipe) {
+  v.require(is_plain_name(load.name), {"name"}, "must be made of letters, digits, _ and -");
+  const auto same = std::ranges::count(recipe.loads, load.name, &Load::name) +
+                    std::ranges::count(recipe.stages, load.name, &Stage::name);
+  v.require(same <= 1, {"name"}, fmt::format("another stage or load is called \"{}\"; names must differ", load.name));
+}
+
+}  // namespace
+
+void declare(Visitor& v, Load& load) {
+  using peridynamics::Loading;
+  v.choice({"loading", "Direction in which the top row is moved relative to the bottom row."}, load.loading,
+           words(load.loading));
+  v.choice({"axis", "Axis from the bottom row to the top row; x loads the rotated sample."}, load.axis,
+           words(load.axis));
+  v.choice({"lower", "Support of the bottom row."}, load.lower, words(load.lower));
+  v.require(load.loading != Loading::shear || load.lower == peridynamics::LowerEdge::fixed, {"lower", "loading"},
+            "a sliding lower edge carries no shear; fix it, or choose tension or compression");
+  v.member({"bond_law", "Law of the bonds between nodes."}, load.law);
+  v.flag({"stop_at_voids",
+          "No bond passes through a void node, so that a crack of one node cuts; otherwise bonds reach across voids "
+          "thinner than the horizon of 3 nodes."},
+         load.stop_at_voids);
+  v.flag({"failure",
+          "Load to failure: bonds break at the critical stretch of their type, load by load. In compression a sample "
+          "splits and keeps carrying load: max_strain ends the test."},
+         load.failure);
+  v.when(!load.failure, "failure = false", [&](Visitor& inner) {
+    inner.number({"strain", "Nominal strain: displacement of the top row over the height."}, load.strain, "",
+                 range::above(0, 0.5));
+    inner.choice({"method", "What joins the nodes, and how the field at equilibrium is found."}, load.method,
+                 words(load.method));
+    inner.when(load.method == LoadMethod::elements, "method = \"elements\"", [&](Visitor& elements) {
+      elements.choice({"element", "How an element bends."}, load.element, words(load.element));
+      elements.choice({"plane", "What happens across the plane."}, load.plane, words(load.plane));
+      elements.section({"poisson", "Poisson's ratios of elements by phase."},
+                       [&](Visitor& section) { declare(section, load.poisson); });
+    });
+    inner.flag({"exact_stretch", "Exact stretch of the rotated bond, as printed in the paper; otherwise linearised."},
+               load.exact_stretch);
+    inner.flag(
+        {"moduli",
+         "Also load along both axes and in shear, for the apparent moduli and Poisson's ratios between rigid clamps."},
+        load.moduli);
+    inner.integer({"max_iterations", "Iterations after which a solve gives up; 0: 50, or a million steps of dynamics."},
+                  load.max_iterations, {0, 1'000'000'000});
+  });
+  v.number({"tolerance", "Residual, relative to that of uniform strain, at which equilibrium is reached."},
+           load.tolerance, "", range::between(1e-12, 0.1));
+  v.when(load.failure, "failure = true", [&](Visitor& inner) {
+    inner.number({"max_strain", "Strain at which the test ends."}, load.max_strain, "", range::above(0, 1));
+    inner.number({"end_stress", "The test also ends when the stress has fallen to this fraction of its maximum."},
+                 load.end_stress, "", range::above(0, 1));
+    inner.number({"band",
+                  "Bonds within this fraction of the one furthest beyond its critical stretch break in one round: "
+                  "larger is faster and coarser."},
+                 load.band, "", range::between(0, 1));
+    inner.flag(
+        {"cracks_stay_open", "A broken bond is gone; otherwise faces that have parted push where they meet again."},
+        load.cracks_stay_open);
+    inner.section({"toughness",
+                   "Fracture toughness: bonds break at the critical stretch that it sets, which grows as the node "
+                   "spacing to the power -1/2."},
+                  [&](Visitor& section) { declare(section, load.toughness); });
+    inner.section({"strength",
+                   "Tensile strength: bonds break at its strain where that is below the critical stretch of the "
+                   "toughness, on any grid."},
+                  [&](Visitor& section) { declare(section, load.strength); });
+  });
+  v.section({"stiffness", "Young's moduli of bonds or elements by type."},
+            [&](Visitor& inner) { declare(inner, load.stiffness); });
+  v.section({"statistics", "Nodes that the statistics leave out."},
+            [&](Visitor& inner) { declare(inner, load.statistics); });
+}
+
+peridynamics::Method Load::bond_method() const {
+  return method == LoadMethod::relaxation ? peridynamics::Method::relaxation
+         : method == LoadMethod::damped   ? peridynamics::Method::damped
+                                          : peridynamics::Method::static_solve;
+}
+
+elements::Material Load::material() const {
+  const peridynamics::Stiffness e = stiffness.resolved();
+  return {{e.matrix, poisson.matrix},
+          {e.interface, poisson.interface.value_or(poisson.matrix)},
+          {e.particle, poisson.particle.value_or(poisson.matrix)},
+          element,
+          plane};
+}
+
+peridynamics::Stiffness StiffnessSection::resolved() const {
+  return {matrix, interface.value_or(matrix), particle.value_or(4 * matrix), calibrated};
+}
+
+peridynamics::Toughness ToughnessSection::resolved() const {
+  return {matrix, interface.value_or(matrix), particle.value_or(3.5 * matrix)};
+}
+
+peridynamics::Strength StrengthSection::resolved() const {
+  const double of_matrix = matrix.value_or(HUGE_VAL);
+  return {of_matrix, interface.value_or(of_matrix), particle.value_or(3.5 * of_matrix)};
+}
+
+namespace {
+
+void declare_cemented(Visitor& v, Recipe& recipe) {
+  v.optional_section<cement::CementParameters>(
+      {"cement", "Binding matrix between the grains, added after the last stage."}, recipe.cement,
+      [](Visitor& inner, cement::CementParameters& law) { recipe::declare(inner, law); });
+  v.optional_section<GridSection>(
+      {"grid", "Square grid of nodes that discretises the cemented packing.", false, "raster"}, recipe.grid,
+      [](Visitor& inner, GridSection& grid) { declare(inner, grid); });
+}
+
+}  // namespace
+
+void declare_field(Visitor& v, Recipe& recipe) {
+  v.when(!recipe.map, no_map, [&](Visitor& of_grains) { declare_cemented(of_grains, recipe); });
+  v.list<Load>(
+      {"loads", "Loads on the cemented sample, or on [map], by bonds or elements, each from the unloaded state."},
+      recipe.loads, [&](Visitor& inner, Load& load) {
+        inner.text({"name", "Name of the load, used for its file: letters, digits, _ and -.", true}, load.name);
+        require_own_name(inner, load, recipe);
+        declare(inner, load);
+      });
+}
+
+}  // namespace arenite::recipe

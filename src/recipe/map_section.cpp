@@ -1,0 +1,53 @@
+#include "recipe/map_section.hpp"
+
+#include <fmt/core.h>
+
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "io/image/phase_map.hpp"
+#include "recipe/recipe.hpp"
+
+namespace arenite::recipe {
+namespace {
+
+/// What is wrong with a text that has a form of its own; empty where nothing is, and of no text.
+template <class Parse> std::string refusal(const std::string& text, Parse parse) {
+  try {
+    if (!text.empty()) parse(text);
+    return {};
+  } catch (const InputError& error) { return error.problems().front().message; }
+}
+
+}  // namespace
+
+void declare(ParameterVisitor& v, MapSection& map) {
+  v.file({"file", "Phase map: a picture of grey values, or a field file of Arenite (.h5), which needs no more keys.",
+          true},
+         map.file);
+  v.text({"phases",
+          "Phase of each grey value, for example \"0=void,85=particle,170=matrix\"; not needed for a picture of two "
+          "values."},
+         map.phases);
+  const std::string phases = refusal(map.phases, io::parse_phase_table), crop = refusal(map.crop, io::parse_crop);
+  v.require(phases.empty(), {"phases"}, phases);
+  v.text(
+      {"labels",
+       "Grains: components (connected particles), watershed (split at necks), none (all one grain), or the file of a "
+       "label image."},
+      map.labels);
+  v.number({"smoothing", "Watershed: depth of a neck up to which it is not cut, in pixels."}, map.smoothing, "",
+           range::not_negative);
+  v.text({"crop", "Part of the picture to use: x, y, width and height in pixels from its upper left corner."},
+         map.crop);
+  v.require(crop.empty(), {"crop"}, crop);
+  constexpr IntegerRange slices{0, 1'000'000'000'000};
+  v.integer({"slice", "Slice of a stack, counted from 0."}, map.slice, slices);
+  v.text({"dataset", "Dataset to read from an HDF5 file that holds several."}, map.dataset);
+  v.integer({"label_slice", "Slice of the labels, counted from 0."}, map.label_slice, slices);
+  v.text({"label_dataset", "Dataset of the labels."}, map.label_dataset);
+  v.number({"dx", "Side of a pixel; if not given, lengths are in pixels."}, map.dx, "um", range::positive);
+}
+
+}  // namespace arenite::recipe

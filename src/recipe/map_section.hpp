@@ -1,0 +1,28 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/parameters.hpp"
+#include "thermal/imaging/label_grains.hpp"
+
+namespace arenite::recipe {
+
+/// A phase map that loads act on in the place of a cemented packing: a picture, or a field of ours, which says all the
+/// rest by itself.
+struct MapSection {
+  std::string file;
+  std::string phases;                 ///< "0=void,85=particle,170=matrix"; empty: guessed of a picture of two values
+  std::string labels = "components";  ///< a way to find grains, "none", or a picture whose values number them
+  double smoothing = imaging::LabelOptions{}.smoothing;
+  std::string crop;  ///< "X,Y,WIDTH,HEIGHT", pixels from the upper left
+  std::optional<std::int64_t> slice, label_slice;
+  std::string dataset, label_dataset;
+  std::optional<double> dx;  ///< side of a pixel, m; if not given, lengths are in nodes
+  bool has_label_file() const { return labels != "components" && labels != "watershed" && labels != "none"; }
+  bool operator==(const MapSection&) const = default;
+};
+
+void declare(ParameterVisitor& visitor, MapSection& map);
+
+}  // namespace arenite::recipe

@@ -1,0 +1,20 @@
+#pragma once
+#include <vector>
+
+#include "model/result.hpp"
+#include "report/figures/drawing.hpp"
+
+namespace arenite::report::figures {
+
+/// All states of a run: the texture of each, none where it is not known, the packing at the end and what was asked of
+/// it.
+struct RunData {
+  std::vector<const Numbers*> textures;
+  const Packing* last = nullptr;
+  Asked asked = {};
+};
+
+/// Figures of a run as a whole.
+const std::vector<Row<RunData>>& run_figures();
+
+}  // namespace arenite::report::figures

@@ -1,0 +1,32 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "model/grain_motion.hpp"
+#include "model/image.hpp"
+#include "thermal/thermography/phase_pictures.hpp"
+
+/// Where grains are during a cycle of the load, that were found at its smallest.
+namespace arenite::thermography {
+
+/// Grains when they have gone this share of their way from the smallest to the largest load, which goes as
+/// cos(2 pi f t - phase): 0.5 is the middle of their motion.
+PictureGrains moved(const PictureGrains& smallest, const GrainMotion& motion, double phase, double share);
+
+/// The motion of grains that were found at the smallest load. `middle`, their places in the middle of the cycle as far
+/// as these are known, is what a motion is fitted about; it follows from the motion, so both are found in turns.
+GrainMotion motion_from_smallest(const PhasePictures& pictures, const PictureGrains& smallest, double phase,
+                                 PictureGrains& middle, int threads = 1);
+
+/// Motion of grains between a lower wall that travels by `travel` pixels from the smallest to the largest load and an
+/// upper one that rests, strained evenly between: `height` is that of each grain over the container's, 0 at the lower
+/// wall. The error, of each of the four coordinates, is a tenth of a pixel and of the amplitude.
+GrainMotion motion_with_wall(const std::vector<double>& height, double travel, double phase);
+
+/// The same grains with position errors that hold those of the whole way of their motion.
+PictureGrains with_errors_of_way(PictureGrains grains, const GrainMotion& motion);
+
+/// Makes unknown what stands in the maps where a grain was thought to be, and was not (`lost_grains`); how many.
+std::size_t forget_lost(const GrainMotion& motion, PeakToPeak& change);
+
+}  // namespace arenite::thermography
