@@ -4,11 +4,14 @@
 
 #include "commands.hpp"
 #include "io/image/image.hpp"
+#include "io/volume/volume.hpp"
 #include "print.hpp"
 #include "progress.hpp"
 #include "report/page.hpp"
 #include "report/summary.hpp"
+#include "statistics/numbers_text.hpp"
 #include "workflow/apply_load.hpp"
+#include "workflow/load_voxels.hpp"
 
 namespace arenite::app {
 namespace {
@@ -49,9 +52,32 @@ workflow::MapOutcome carry_out(const LoadArguments& a, const recipe::MapSection&
   } catch (const InputError& error) { throw in_file(error, a.file); }
 }
 
+int execute_in_space(const LoadArguments& a, const recipe::MapSection& map, const recipe::Load& load) {
+  ProgressLine line(a.quiet || a.json);
+  workflow::RunOptions options;
+  options.out = a.out;
+  options.asked_to_stop = stop_requested;
+  options.progress = [&](const workflow::Progress& progress) { line.show(progress); };
+  options.notice = [&](const std::string& sentence) { line.notice(sentence); };
+  watch_for_signals();
+  const workflow::VoxelOutcome outcome = workflow::load_voxels(map, load, options);
+  if (outcome.stopped) {
+    print(stderr, "stopped; nothing was stored\n");
+    return other_failure;
+  }
+  if (a.json) print("{}\n", to_json(outcome.numbers, 2));
+  else
+    print("{}{}: {}\n\n{}", load.name, outcome.converged ? "" : " NOT SOLVED", outcome.sentence,
+          to_text(outcome.numbers));
+  if (!a.json && !outcome.file.empty())
+    print("\nfield:   {}\nnumbers: {}\n", outcome.field.string(), outcome.file.string());
+  return outcome.converged ? done : not_converged;
+}
+
 int execute(const LoadArguments& a) {
   const recipe::MapSection map = map_of(a);
   const recipe::Load load = load_of(a);
+  if (workflow::is_in_space(map)) return execute_in_space(a, map, load);
   workflow::require_length(map, load);
   watch_for_signals();
   const auto [field, file, measured] = carry_out(a, map, load);
@@ -75,6 +101,7 @@ void add_reading(Options& command, KeyOptions& map) {
   map.add(command, "--labels", "labels").type("WAY");
   map.add(command, "--smoothing", "smoothing");
   map.add(command, "--crop", "crop").type("X,Y,WIDTH,HEIGHT");
+  map.add(command, "--dimension", "dimension");
   map.add(command, "--slice", "slice");
   map.add(command, "--dataset", "dataset").type("NAME");
   map.add(command, "--label-slice", "label_slice");
@@ -98,7 +125,10 @@ void add_loading(Options& command, KeyOptions& load) {
 
 void add_load(Options& command, int& status) {
   const auto a = std::make_shared<LoadArguments>();
-  command.add("map", a->file, recipe::help_of(a->map.at("file")) + "; pictures: " + io::picture_formats(true))
+  command
+      .add("map", a->file,
+           recipe::help_of(a->map.at("file")) + "; pictures: " + io::picture_formats(true) +
+               "; volumes: " + io::volume_formats())
       .required()
       .type("PHASEMAP");
   add_reading(command, a->map);

@@ -10,6 +10,7 @@
 #include "io/film/formats.hpp"
 #include "io/image/image.hpp"
 #include "io/sample/formats.hpp"
+#include "io/volume/volume.hpp"
 #include "print.hpp"
 #include "recipe/film_recipe.hpp"
 #include "recipe/recipe.hpp"
@@ -107,6 +108,11 @@ void print_format_reference() {
                   return Cells{std::string(f.sentence), yes(!f.blurs), yes(f.has_datasets)};
                 });
   print_statements(read_heads, io::pictures::all);
+  print_formats("Volumes", {"format", "what it is", "known as a sample in space"}, io::volumes::all,
+                [&](const io::VolumeFormat& f) {
+                  return Cells{std::string(f.sentence), f.always ? "by its content" : "by --dimension 3"};
+                });
+  print_statements(read_heads, io::volumes::all);
   print_formats("Grains and contacts", {"format", "grains", "contacts"}, io::samples::all,
                 [](const io::SampleFormat& f) {
                   return Cells{std::string(f.grains_are), std::string(f.contacts_are)};

@@ -50,8 +50,8 @@ template <class T, auto make> void force(benchmark::State& state) {
   const auto& k = kernels_of(cut);
   measure(state, map, [&] {
     if constexpr (std::is_same_v<T, double>)
-      benchmark::DoNotOptimize(k.force(cut, prescribed.data(), plane(u), plane(f)));
-    else benchmark::DoNotOptimize(k.force_float(cut, prescribed.data(), plane(u), plane(f)));
+      benchmark::DoNotOptimize(k.force(cut, prescribed.data(), pointers(u), pointers(f)));
+    else benchmark::DoNotOptimize(k.force_float(cut, prescribed.data(), pointers(u), pointers(f)));
   });
   state.SetLabel(k.name);
 }
@@ -64,7 +64,8 @@ template <auto make> void chebyshev_step(benchmark::State& state) {
   Field<float> older(n);
   Buffer<float> xx(n), xy(n), yy(n);
   measure(state, map, [&] {
-    kernels_of(cut).chebyshev(cut, plane(z), plane(older), plane(r), {xx.data(), xy.data(), yy.data()}, 0.3f, 0.2f);
+    kernels_of(cut).chebyshev(cut, pointers(z), pointers(older), pointers(r), {xx.data(), xy.data(), yy.data()}, 0.3f,
+                              0.2f);
   });
 }
 
@@ -74,7 +75,7 @@ void explicit_step(benchmark::State& state) {
   const std::vector<std::uint8_t> prescribed(static_cast<std::size_t>(map.height), 0);
   Field<double> u = ramp<double>(bonds.grid), older = ramp<double>(bonds.grid);
   measure(state, map, [&] {
-    benchmark::DoNotOptimize(kernels().stormer(bonds, prescribed.data(), plane(u), plane(older), 0.9, 0.01));
+    benchmark::DoNotOptimize(kernels().stormer(bonds, prescribed.data(), pointers(u), pointers(older), 0.9, 0.01));
     std::swap(u, older);
   });
 }

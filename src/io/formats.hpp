@@ -11,12 +11,14 @@
 #include <vector>
 
 // All file formats that are read or written, but for our own (io/results): a word a format, in the order in which a
-// file is tried. Each is one file of its name in its family's folder (film, image, sample, export), which ends with its
+// file is tried. Each is one file of its name in its family's folder (film, image, volume, sample,
+// export), which ends with its
 // record: name, sentence, how a file is recognised, what reads and writes it, what it states and what is done with
 // that. Choices by name, ending and content, messages, help texts, docs/formats.md and fuzz targets follow from these
 // lists.
 #define ARENITE_FILM_FORMATS(each) each(tiff) each(npy) each(hdf5) each(sfmov) each(ptw) each(hcc) each(raw) each(text)
 #define ARENITE_PICTURE_FORMATS(each) each(png) each(tiff) each(jpeg) each(hdf5)
+#define ARENITE_VOLUME_FORMATS(each) each(nrrd) each(meta_image) each(nifti) each(npy) each(npz) each(stack)
 #define ARENITE_SAMPLE_FORMATS(each) each(lammps) each(yade) each(mercury) each(csv)
 #define ARENITE_EXPORT_FORMATS(each) each(vtk) each(fields) each(lammps) each(extxyz) each(netcdf) each(csv)
 

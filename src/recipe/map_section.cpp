@@ -42,6 +42,8 @@ void declare(ParameterVisitor& v, MapSection& map) {
   v.text({"crop", "Part of the picture to use: x, y, width and height in pixels from its upper left corner."},
          map.crop);
   v.require(crop.empty(), {"crop"}, crop);
+  v.integer({"dimension", "2: a picture, or one slice of a stack; 3: all slices, a sample in space."}, map.dimension,
+            {2, 3});
   constexpr IntegerRange slices{0, 1'000'000'000'000};
   v.integer({"slice", "Slice of a stack, counted from 0."}, map.slice, slices);
   v.text({"dataset", "Dataset to read from an HDF5 file that holds several."}, map.dataset);

@@ -15,7 +15,8 @@ struct MapSection {
   std::string phases;                 ///< "0=void,85=particle,170=matrix"; empty: guessed of a picture of two values
   std::string labels = "components";  ///< a way to find grains, "none", or a picture whose values number them
   double smoothing = imaging::LabelOptions{}.smoothing;
-  std::string crop;  ///< "X,Y,WIDTH,HEIGHT", pixels from the upper left
+  std::string crop;            ///< "X,Y,WIDTH,HEIGHT", pixels from the upper left
+  std::int64_t dimension = 2;  ///< 3: all slices, a sample in space
   std::optional<std::int64_t> slice, label_slice;
   std::string dataset, label_dataset;
   std::optional<double> dx;  ///< side of a pixel, m; if not given, lengths are in nodes

@@ -15,8 +15,10 @@ LISTS = {
     "io/image/image.hpp": "hdf5 jpeg png",
     "io/results/results.hpp": "field film numbers stage",
     "io/sample/formats.hpp": "csv lammps mercury yade",
+    "io/volume/volume.hpp": "meta_image nifti npy npz nrrd",
     "solid/elements/kernels/kernels.hpp": "avx2 avx512 portable",
     "solid/peridynamics/kernels/kernels.hpp": "avx2 avx512 portable",
+    "solid/voxels/kernels/kernels.hpp": "avx2 avx512 portable",
     "thermal/thermography/kernels/kernels.hpp": "avx2 avx512 portable",
 }
 

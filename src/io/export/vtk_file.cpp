@@ -147,10 +147,12 @@ std::string vtp_bytes(const VtkPolyData& data) {
 }
 
 std::string vti_bytes(const VtkImage& image) {
-  const std::string extent = fmt::format("0 {} 0 {} 0 0", image.width - 1, image.height - 1);
+  const std::string extent = fmt::format("0 {} 0 {} 0 {}", image.width - 1, image.height - 1, image.depth - 1);
   VtkWriter file("ImageData");
-  file.line("<ImageData WholeExtent=\"{}\" Origin=\"{} {} 0\" Spacing=\"{} {} {}\">", extent, image.left + image.dx / 2,
-            image.bottom + image.dy / 2, image.dx, image.dy, image.dx);
+  if (!image.provenance.empty()) file.line("<!-- {} -->", escaped(image.provenance));
+  file.line("<ImageData WholeExtent=\"{}\" Origin=\"{} {} {}\" Spacing=\"{} {} {}\">", extent,
+            image.left + image.dx / 2, image.bottom + image.dy / 2, image.depth > 1 ? image.dx / 2 : 0, image.dx,
+            image.dy, image.dx);
   file.line("<Piece Extent=\"{}\">", extent);
   file.arrays("PointData", image.point_arrays);
   file.line("</Piece>\n</ImageData>");

@@ -36,13 +36,16 @@ struct VtkPolyData {
 /// The bytes of a .vtp file (VTK XML PolyData, appended raw data, zlib), as ParaView and VTK >= 6 read them.
 std::string vtp_bytes(const VtkPolyData& data);
 
-/// Values at the nodes of a lattice, row after row; the first node lies half a spacing from the corner.
+/// Values at the nodes of a lattice, row after row and layer after layer; the first node lies half a spacing from the
+/// corner.
 struct VtkImage {
   int width = 0, height = 0;
   double dx = 1;  ///< m
   std::vector<VtkArray> point_arrays;
   double dy = dx;               ///< m
   double left = 0, bottom = 0;  ///< corner, m
+  int depth = 1;                ///< layers, dx apart; those of a plane lie at 0
+  std::string provenance = {};  ///< a comment of the file
 };
 
 /// The bytes of a .vti file (VTK XML ImageData, appended raw data, zlib).

@@ -50,4 +50,47 @@ ModulusBounds modulus_bounds(const std::vector<Share>& phases, double poisson) {
   return bounds;
 }
 
+namespace {
+
+/// As `mixed`, by volumes.
+template <class Of> double mixed_in_space(const std::vector<SpaceShare>& phases, double around, Of of) {
+  double sum = 0;
+  for (const SpaceShare& phase : phases) {
+    if (!(phase.volume > 0)) continue;
+    const double stiffness = of(phase) + around;
+    if (!(stiffness > 0)) return 0;
+    sum += phase.volume / stiffness;
+  }
+  return 1 / sum - around;
+}
+
+BulkAndShear mixed_around(const std::vector<SpaceShare>& phases, BulkAndShear extreme) {
+  const double turned = extreme.bulk + 2 * extreme.shear;
+  const double around = turned > 0 ? extreme.shear / 6 * (9 * extreme.bulk + 8 * extreme.shear) / turned : 0;
+  return {mixed_in_space(phases, 4 * extreme.shear / 3, [](const SpaceShare& p) { return p.bulk; }),
+          mixed_in_space(phases, around, [](const SpaceShare& p) { return p.shear; })};
+}
+
+}  // namespace
+
+SpaceBounds space_bounds(const std::vector<SpaceShare>& phases) {
+  SpaceBounds bounds;
+  BulkAndShear least, greatest;
+  bool first = true;
+  for (const SpaceShare& phase : phases) {
+    if (!(phase.volume > 0)) continue;
+    bounds.voigt.bulk += phase.volume * phase.bulk;
+    bounds.voigt.shear += phase.volume * phase.shear;
+    greatest = {std::max(greatest.bulk, phase.bulk), std::max(greatest.shear, phase.shear)};
+    least = first ? BulkAndShear{phase.bulk, phase.shear}
+                  : BulkAndShear{std::min(least.bulk, phase.bulk), std::min(least.shear, phase.shear)};
+    first = false;
+  }
+  bounds.reuss = {mixed_in_space(phases, 0, [](const SpaceShare& p) { return p.bulk; }),
+                  mixed_in_space(phases, 0, [](const SpaceShare& p) { return p.shear; })};
+  bounds.shtrikman_upper = mixed_around(phases, greatest);
+  bounds.shtrikman_lower = mixed_around(phases, least);
+  return bounds;
+}
+
 }  // namespace arenite::elasticity

@@ -32,8 +32,8 @@ void add(const Modes& m, const Part& p, const Part& q, Coupling& to) {
   for (unsigned a = 0; a < 4; ++a) {
     to.block[0][a] += (m.axial * p.gx_u[a]) * q.gx_u + (m.shear * p.gy_u[a]) * q.gy_u + (m.bending * p.h_u[a]) * q.h_u;
     to.block[1][a] += (m.cross * p.gx_u[a]) * q.gy_v + (m.shear * p.gy_u[a]) * q.gx_v;
-    to.block[2][a] += (m.axial * p.gy_v[a]) * q.gy_v + (m.shear * p.gx_v[a]) * q.gx_v + (m.bending * p.h_v[a]) * q.h_v;
-    to.block[3][a] += (m.cross * p.gy_v[a]) * q.gx_u + (m.shear * p.gx_v[a]) * q.gy_u;
+    to.block[2][a] += (m.cross * p.gy_v[a]) * q.gx_u + (m.shear * p.gx_v[a]) * q.gy_u;
+    to.block[3][a] += (m.axial * p.gy_v[a]) * q.gy_v + (m.shear * p.gx_v[a]) * q.gx_v + (m.bending * p.h_v[a]) * q.h_v;
   }
 }
 

@@ -37,6 +37,7 @@ Modes modes_of(const Constants& constants, Element element, PlaneState plane);
 /// A phase map as elements. Nodes are the corners of the pixels, one more each way than there are pixels; the pixel
 /// whose lower left corner is node i has its kind at words[i], in bits 0 and 1.
 struct Elements {
+  static constexpr int dimension = 2;
   static constexpr bool rests_when_strained = true;
   Grid grid;                                    ///< of corners
   Buffer<std::uint32_t> words;                  ///< padded

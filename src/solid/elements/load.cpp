@@ -45,7 +45,7 @@ statics::LoadResult load(const PhaseMap& map, const LoadOptions& options) {
   if (r.support.carrying > 0) {
     Field<double> force(grid.padded_size());
     const std::vector<std::uint8_t> none(static_cast<std::size_t>(grid.height), statics::nothing_prescribed);
-    kernels_of(elements).force(elements, none.data(), plane(u), plane(force));
+    kernels_of(elements).force(elements, none.data(), pointers(u), pointers(force));
     statics::judge({grid, tie, options.loading, options.strain, map.dx, gauge, map.width * map.dx}, u, force, result);
   }
   r.sentence = statics::sentence_of(r, options.tolerance);

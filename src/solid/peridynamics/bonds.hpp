@@ -26,7 +26,7 @@ using statics::Grid;
 using statics::Hats;
 using statics::hats_at;
 using statics::Plane;
-using statics::plane;
+using statics::pointers;
 using statics::Prescribed;
 using statics::set_zero;
 using enum statics::Prescribed;
@@ -47,6 +47,7 @@ struct Bonds {
   /// What the 28 bonds of a node are, for 8 nodes at once: the kernels skip the empty and hasten over the uniform.
   enum Group : std::uint8_t { empty = 0, mixed = 4 };  // 1..3: all of that BondType
 
+  static constexpr int dimension = 2;
   static constexpr bool rests_when_strained = false;  ///< nodes at surfaces lack bonds
 
   Grid grid;

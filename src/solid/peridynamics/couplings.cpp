@@ -10,6 +10,7 @@ namespace arenite::peridynamics {
 namespace {
 
 constexpr int cell = Aggregates::cell;
+constexpr std::array<std::size_t, 3> upper{0, 1, 3};  // where a coupling has xx, xy and yy
 
 /// What one node's bonds to one aggregate sum to: block times hats of the other ends.
 struct Reach {
@@ -42,7 +43,7 @@ struct BondSum : statics::CouplingSum {
   BondBlocks blocks;
 
   BondSum(const Bonds& b, const Aggregates& p)
-      : CouplingSum(p.list.size()),
+      : CouplingSumIn(p.list.size()),
         bonds(b),
         aggregates(p),
         blocks(bond_blocks(b)) {}
@@ -72,7 +73,7 @@ struct BondSum : statics::CouplingSum {
                   const std::array<Hats, 3>& sums) {
     for (unsigned c = 0; c < 3; ++c) {
       const Hats row = 0.5 * diagonal[c] * own - modulus * sums[c];
-      for (unsigned a = 0; a < 4; ++a) self(p).block[c][a] += own[a] * row;
+      for (unsigned a = 0; a < 4; ++a) self(p).block[upper[c]][a] += own[a] * row;
     }
   }
 
@@ -110,7 +111,7 @@ struct BondSum : statics::CouplingSum {
     for (unsigned k = 1; k < reached; ++k) {
       Coupling& to = between(p, reach[k].q);
       for (unsigned c = 0; c < 3; ++c)
-        for (unsigned a = 0; a < 4; ++a) to.block[c][a] -= own[a] * reach[k].sum[c];
+        for (unsigned a = 0; a < 4; ++a) to.block[upper[c]][a] -= own[a] * reach[k].sum[c];
     }
   }
 };
@@ -134,7 +135,7 @@ std::vector<Coupling> couplings(const Bonds& bonds, const Aggregates& aggregates
           else sum.add_node(i, x - x0, y - y0, own);
         }
   for (auto* list : {&sum.selves(), &sum.crosses()})
-    for (Coupling& c : *list) c.block[3] = c.block[1];
+    for (Coupling& c : *list) c.block[2] = c.block[1];
   for (int y = 0; y < grid.height; ++y)
     if (prescribed[y] == y_prescribed)
       for (int x = 0; x < grid.width; ++x)
@@ -144,10 +145,10 @@ std::vector<Coupling> couplings(const Bonds& bonds, const Aggregates& aggregates
     for (unsigned a = 0; a < 4; ++a)
       for (unsigned b = 0; b < 4; ++b) {
         if (b <= a)
-          for (const unsigned c : {0u, 2u})
+          for (const unsigned c : {0u, 3u})
             within.block[c][a][b] = within.block[c][b][a] = within.block[c][a][b] + within.block[c][b][a];
-        within.block[1][a][b] += within.block[3][b][a];
-        within.block[3][b][a] = within.block[1][a][b];
+        within.block[1][a][b] += within.block[2][b][a];
+        within.block[2][b][a] = within.block[1][a][b];
       }
   return sum.taken();
 }

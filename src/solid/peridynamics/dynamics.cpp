@@ -15,7 +15,7 @@ constexpr std::int64_t look_every = 20;  ///< steps between two looks at the res
 /// Force of the bonds where displacements are free, by the stretch asked for.
 void form_force(const Dynamics& s, const Field<double>& u, Field<double>& f) {
   if (!s.exact_stretch) {
-    kernels(s.bonds.law).force(s.bonds, s.prescribed.data(), plane(u), plane(f));
+    kernels(s.bonds.law).force(s.bonds, s.prescribed.data(), pointers(u), pointers(f));
     return;
   }
   exact_force(s.bonds, s.dx, u, f);
@@ -51,9 +51,9 @@ struct Step {
       form_force(s, u, f);
       plain_step(s.bonds.grid, u, older, f, inverse, a, b);
     } else if (inverse) {
-      k.relax(s.bonds, plane(u), plane(older), *inverse, a, b);
+      k.relax(s.bonds, pointers(u), pointers(older), *inverse, a, b);
     } else {
-      k.stormer(s.bonds, s.prescribed.data(), plane(u), plane(older), a, b);
+      k.stormer(s.bonds, s.prescribed.data(), pointers(u), pointers(older), a, b);
     }
   }
 };
@@ -108,7 +108,7 @@ StaticReport damped_dynamics(const Dynamics& s, Field<double>& u) {
 StaticReport adaptive_relaxation(const Dynamics& s, Field<double>& u) {
   const auto diagonal = block_diagonal(s.bonds);
   const auto inverse = statics::inverse_diagonal(s.bonds.grid, diagonal, s.prescribed);
-  const BlockPlane blocks = inverse.plane();
+  const BlockPlane blocks = inverse.pointers();
   const Grid& grid = s.bonds.grid;
   const double dt = 0.99 * std::sqrt(2.0);  // D^-1 A stays below 2, so no frequency exceeds sqrt(2)
   Step step{&blocks, 1, dt * dt};
@@ -120,7 +120,7 @@ StaticReport adaptive_relaxation(const Dynamics& s, Field<double>& u) {
       velocity.set(i, v);
       kinetic += v.x * (diagonal.xx[i] * v.x + 2 * diagonal.xy[i] * v.y) + diagonal.yy[i] * v.y * v.y;
     }
-    const double elastic = -kernels(s.bonds.law).force(s.bonds, s.prescribed.data(), plane(velocity), plane(f));
+    const double elastic = -kernels(s.bonds.law).force(s.bonds, s.prescribed.data(), pointers(velocity), pointers(f));
     const double frequency = kinetic > 0 ? std::sqrt(std::max(0.0, elastic / kinetic)) : 0;
     const double half = frequency * dt;  // critical damping c = 2 omega, times dt/2
     step.a = (1 - half) / (1 + half);

@@ -26,7 +26,7 @@ void hold_to_bonds(const Grid& grid, const BlockDiagonal<double>& diagonal, cons
 
 double linear_force(const Bonds& bonds, const Field<double>& u, Field<double>& f) {
   const std::vector<std::uint8_t> none(static_cast<std::size_t>(bonds.grid.height), nothing_prescribed);
-  return kernels_of(bonds).force(bonds, none.data(), plane(u), plane(f));
+  return kernels_of(bonds).force(bonds, none.data(), pointers(u), pointers(f));
 }
 
 StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vector<std::uint8_t>& prescribed,
@@ -51,7 +51,7 @@ StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vecto
     if (!(total.residual < least)) break;
     least = total.residual;
     best = u;
-    kernels(bonds.law).force(bonds, prescribed.data(), plane(u), plane(linear));
+    kernels(bonds.law).force(bonds, prescribed.data(), pointers(u), pointers(linear));
     for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i)
       body.set(i, body.at(i) - linear.at(i));
     const StaticReport more = solver.solve(bonds, u, 0.1 * tolerance, max_iterations, later, &body);

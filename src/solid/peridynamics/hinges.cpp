@@ -34,16 +34,19 @@ struct Walk {
   int ties_of(std::ptrdiff_t i) const { return i == upper_clamp ? bonds.grid.width : bonds_of_node + 1; }
   bool has_bonds(std::ptrdiff_t i) const {
     for (int k = 0; k < bonds_of_node; ++k)
-      if (tied(i, k) >= 0) return true;
+      if (bonded(i, k) >= 0) return true;
     return false;
   }
 
-  /// Where tie k of a node leads, -1 where it has none: the 14 bonds that start there, the 14 that end there, the
-  /// clamp.
+  /// Where tie k of a node leads, -1 where it has none: the 28 bonds, the clamp.
   std::ptrdiff_t tied(std::ptrdiff_t i, int k) const {
     const int top = bonds.grid.height - 1;
     if (i == upper_clamp) return has_bonds(bonds.grid.index(k, top)) ? bonds.grid.index(k, top) : -1;
     if (k == bonds_of_node) return row_of(i) == top ? upper_clamp : -1;
+    return bonded(i, k);
+  }
+  /// The 14 bonds that start at a node come first, then the 14 that end there.
+  std::ptrdiff_t bonded(std::ptrdiff_t i, int k) const {
     if (k < bonds_per_node) return bonds.type(i, k) ? i + bonds.step(k) : -1;
     const std::ptrdiff_t j = i - bonds.step(k - bonds_per_node);
     return bonds.type(j, k - bonds_per_node) ? j : -1;

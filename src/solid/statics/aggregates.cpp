@@ -8,28 +8,32 @@ namespace {
 
 /// Numbers the aggregates of one cell in the order of their first node.
 void add_aggregates(const Grid& grid, const Buffer<std::int32_t>& owner, const Cell& c, JoinedSets& sets,
-                    Aggregates& aggregates) {
-  std::array<std::int32_t, Aggregates::cell * Aggregates::cell> aggregate;
-  for (int y = 0; y < c.high; ++y)
-    for (int x = 0; x < c.wide; ++x) {
-      const std::ptrdiff_t i = grid.index(c.x0 + x, c.y0 + y);
-      if (owner[i] < 0) continue;
-      const std::int32_t k = y * Aggregates::cell + x, root = sets.find(k);
-      if (root == k) {
-        aggregate[k] = aggregates.count();
-        aggregates.list.push_back({owner[i], c.x0 / Aggregates::cell, c.y0 / Aggregates::cell});
+                    std::vector<std::int32_t>& aggregate, Aggregates& aggregates) {
+  const int side = aggregates.side;
+  for (int z = 0; z < c.deep; ++z)
+    for (int y = 0; y < c.high; ++y)
+      for (int x = 0; x < c.wide; ++x) {
+        const std::ptrdiff_t i = grid.index(c.x0 + x, c.y0 + y, c.z0 + z);
+        if (owner[i] < 0) continue;
+        const std::int32_t k = (z * side + y) * side + x, root = sets.find(k);
+        if (root == k) {
+          aggregate[k] = aggregates.count();
+          aggregates.list.push_back({owner[i], {c.x0 / side, c.y0 / side, c.z0 / side}});
+        }
+        const std::int32_t p = aggregate[root];
+        aggregates.of_node[i] = p;
+        ++aggregates.list[p].nodes;
       }
-      const std::int32_t p = aggregate[root];
-      aggregates.of_node[i] = p;
-      ++aggregates.list[p].nodes;
-    }
 }
 
 }  // namespace
 
-std::vector<std::int32_t> owners_in(const PhaseMap& map) {
+namespace {
+
+/// `sides` leads to the neighbours of a node.
+template <class Map>
+std::vector<std::int32_t> flooded(const Map& map, const Grid& grid, const std::vector<std::ptrdiff_t>& sides) {
   constexpr std::int32_t unowned = -2;
-  const Grid grid(map.width, map.height);
   Buffer<std::int32_t> owner(grid.padded_size(), -1);
   std::size_t k = 0;
   grid.each([&](std::ptrdiff_t i, int) {
@@ -37,7 +41,6 @@ std::vector<std::int32_t> owners_in(const PhaseMap& map) {
     ++k;
   });
   std::vector<std::ptrdiff_t> front;
-  const std::array<std::ptrdiff_t, 4> sides{1, -1, grid.stride, -grid.stride};
   const auto flood_from = [&](std::ptrdiff_t i) {
     for (const auto step : sides)
       if (owner[i + step] == unowned) {
@@ -57,18 +60,39 @@ std::vector<std::int32_t> owners_in(const PhaseMap& map) {
   return compact;
 }
 
+}  // namespace
+
+std::vector<std::int32_t> owners_in(const PhaseMap& map) {
+  const Grid grid(map.width, map.height);
+  return flooded(map, grid, {1, -1, grid.stride, -grid.stride});
+}
+
+std::vector<std::int32_t> owners_in(const VoxelMap& map) {
+  const Grid grid(map.width, map.height, map.depth);
+  return flooded(map, grid, {1, -1, grid.stride, -grid.stride, grid.layer, -grid.layer});
+}
+
 Aggregates cut_by_owner(const Grid& grid, const Buffer<std::int32_t>& owner,
-                        const std::function<void(const Cell&, JoinedSets&)>& join) {
+                        const std::function<void(const Cell&, JoinedSets&)>& join, int side) {
   Aggregates aggregates;
+  aggregates.side = side;
   aggregates.of_node.assign(grid.padded_size(), Aggregates::none);
   JoinedSets sets;
-  for (int y0 = 0; y0 < grid.height; y0 += Aggregates::cell)
-    for (int x0 = 0; x0 < grid.width; x0 += Aggregates::cell) {
-      const Cell c{x0, y0, std::min(Aggregates::cell, grid.width - x0), std::min(Aggregates::cell, grid.height - y0)};
-      sets.part(static_cast<std::size_t>(Aggregates::cell * Aggregates::cell));
-      join(c, sets);
-      add_aggregates(grid, owner, c, sets, aggregates);
-    }
+  const auto places = static_cast<std::size_t>(side * side * (grid.in_space() ? side : 1));
+  std::vector<std::int32_t> aggregate(places);
+  for (int z0 = 0; z0 < grid.depth; z0 += side)
+    for (int y0 = 0; y0 < grid.height; y0 += side)
+      for (int x0 = 0; x0 < grid.width; x0 += side) {
+        const Cell c{x0,
+                     y0,
+                     std::min(side, grid.width - x0),
+                     std::min(side, grid.height - y0),
+                     z0,
+                     std::min(side, grid.depth - z0)};
+        sets.part(places);
+        join(c, sets);
+        add_aggregates(grid, owner, c, sets, aggregate, aggregates);
+      }
   return aggregates;
 }
 

@@ -16,18 +16,48 @@ Block inverse_of(Block b, std::uint8_t prescribed, bool& loose) {
   return {s * b.xx, s * b.xy, s * b.yy};
 }
 
+BlockIn<3> inverse_of(BlockIn<3> b, std::uint8_t prescribed, bool& loose) {
+  for (int a = 0; a < 3; ++a)
+    if (prescribed >> a & 1)
+      for (int c = 0; c < 3; ++c) b(a, c) = a == c ? 1 : 0;
+  BlockIn<3> cofactor;
+  for (int a = 0; a < 3; ++a)
+    for (int c = a; c < 3; ++c) {
+      const int a1 = (a + 1) % 3, a2 = (a + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
+      cofactor(a, c) = b(a1, c1) * b(a2, c2) - b(a1, c2) * b(a2, c1);
+    }
+  const double determinant = b.xx * cofactor.xx + b.xy * cofactor.xy + b.xz * cofactor.xz;
+  loose = !(determinant > 1e-9 * b.xx * b.yy * b.zz);
+  for (int a = 0; a < 3; ++a)
+    for (int c = a; c < 3; ++c) {
+      const bool held = prescribed >> a & 1 || prescribed >> c & 1;
+      cofactor(a, c) = loose || held ? 0 : cofactor(a, c) / determinant;
+    }
+  return cofactor;
+}
+
+bool has_stiffness(const Block& b) { return b.xx + b.yy > 0; }
+bool has_stiffness(const BlockIn<3>& b) { return b.xx + b.yy + b.zz > 0; }
+
 }  // namespace
 
-InverseDiagonal inverse_diagonal(const Grid& grid, const BlockDiagonal<double>& diagonal,
-                                 const std::vector<std::uint8_t>& prescribed) {
-  InverseDiagonal inverse{BlockDiagonal<float>(grid.padded_size())};
-  grid.each([&](std::ptrdiff_t i, int y) {
-    if (!(diagonal.xx[i] + diagonal.yy[i] > 0)) return;
+template <int D>
+InverseDiagonalIn<D> inverse_diagonal(const Grid& grid, const BlockDiagonalIn<D, double>& diagonal,
+                                      const std::vector<std::uint8_t>& prescribed) {
+  InverseDiagonalIn<D> inverse{BlockDiagonalIn<D, float>(grid.padded_size())};
+  grid.each([&](std::ptrdiff_t i, int level) {
+    const BlockIn<D> own = diagonal.at(i);
+    if (!has_stiffness(own)) return;
     bool loose = false;
-    inverse.blocks.set(i, inverse_of({diagonal.xx[i], diagonal.xy[i], diagonal.yy[i]}, prescribed[y], loose));
+    inverse.blocks.set(i, inverse_of(own, prescribed[static_cast<std::size_t>(level)], loose));
     inverse.loose += loose;
   });
   return inverse;
 }
+
+template InverseDiagonalIn<2> inverse_diagonal(const Grid&, const BlockDiagonalIn<2, double>&,
+                                               const std::vector<std::uint8_t>&);
+template InverseDiagonalIn<3> inverse_diagonal(const Grid&, const BlockDiagonalIn<3, double>&,
+                                               const std::vector<std::uint8_t>&);
 
 }  // namespace arenite::statics

@@ -57,14 +57,13 @@ class NoOpenMp {
 /// Elimination order of the blocks, each kept whole, as an order of scalars.
 std::vector<int> ordering(const BlockMatrix& m) {
   const int n = m.columns();
-  std::vector<int> blocks(static_cast<std::size_t>(n)), scalars(2 * static_cast<std::size_t>(n));
+  std::vector<int> blocks(static_cast<std::size_t>(n)), scalars;
+  scalars.reserve(static_cast<std::size_t>(m.side) * blocks.size());
   double control[AMD_CONTROL];
   amd_defaults(control);
   amd_order(n, m.column_begin.data(), m.row.data(), blocks.data(), control, nullptr);
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    scalars[2 * k] = 2 * blocks[k];
-    scalars[2 * k + 1] = 2 * blocks[k] + 1;
-  }
+  for (const int block : blocks)
+    for (int s = 0; s < m.side; ++s) scalars.push_back(m.side * block + s);
   return scalars;
 }
 
@@ -95,8 +94,9 @@ struct Cholesky::State {
 
 Cholesky::Cholesky(const BlockMatrix& m) : state_(std::make_unique<State>()) {
   cholmod_common& common = state_->common;
-  const auto n = 2 * static_cast<std::size_t>(m.columns());
-  std::size_t entries = 4 * m.row.size() - static_cast<std::size_t>(m.columns());
+  const int side = m.side;
+  const auto n = static_cast<std::size_t>(side) * static_cast<std::size_t>(m.columns());
+  const std::size_t entries = m.value.size() - static_cast<std::size_t>(m.columns() * (side * (side - 1) / 2));
   cholmod_sparse* a = cholmod_allocate_sparse(n, n, entries, 1, 1, -1, CHOLMOD_REAL, &common);
   if (!a) throw std::bad_alloc();
   auto* begin = static_cast<int*>(a->p);
@@ -104,15 +104,14 @@ Cholesky::Cholesky(const BlockMatrix& m) : state_(std::make_unique<State>()) {
   auto* value = static_cast<double*>(a->x);
   int k = 0;
   for (int c = 0; c < m.columns(); ++c)
-    for (int s = 0; s < 2; ++s) {
-      begin[2 * c + s] = k;
+    for (int s = 0; s < side; ++s) {
+      begin[side * c + s] = k;
       for (int j = m.column_begin[c]; j < m.column_begin[static_cast<std::size_t>(c) + 1]; ++j)
-        for (int r = 0; r < 2; ++r) {
-          const int scalar_row = 2 * m.row[j] + r;
-          if (scalar_row < 2 * c + s) continue;
+        for (int r = 0; r < side; ++r) {
+          const int scalar_row = side * m.row[j] + r;
+          if (scalar_row < side * c + s) continue;
           row[k] = scalar_row;
-          value[k++] =
-              m.value[4 * static_cast<std::size_t>(j) + 2 * static_cast<std::size_t>(s) + static_cast<std::size_t>(r)];
+          value[k++] = m.value[static_cast<std::size_t>((static_cast<std::ptrdiff_t>(j) * side + s) * side + r)];
         }
     }
   begin[n] = k;

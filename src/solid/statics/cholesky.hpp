@@ -5,11 +5,12 @@
 
 namespace arenite::statics {
 
-/// Symmetric sparse matrix of 2 x 2 blocks: the lower triangle by block columns, rows ascending, the diagonal block
+/// Symmetric sparse matrix of square blocks: the lower triangle by block columns, rows ascending, the diagonal block
 /// first in each column.
 struct BlockMatrix {
+  int side = 2;  ///< of a block
   std::vector<std::int32_t> column_begin, row;
-  std::vector<double> value;  ///< 4 a block: (0,0), (1,0), (0,1), (1,1)
+  std::vector<double> value;  ///< side^2 a block, column by column: (0,0), (1,0), ..
   std::int32_t columns() const { return static_cast<std::int32_t>(column_begin.size()) - 1; }
 };
 

@@ -1,210 +1,279 @@
 #include "solid/statics/coarse_space.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/joined_sets.hpp"
 #include "solid/statics/cholesky.hpp"
 #include "solid/statics/couplings.hpp"
+#include "solid/statics/hats.hpp"
 
 namespace arenite::statics {
 
 namespace {
 
-/// A block of the coarse matrix, in a column that is known.
-struct Entry {
-  std::int32_t row;
-  double value[4];
-};
-
-/// Adds up the entries of each column k, begin[k] to begin[k + 1] - 1, by row.
-BlockMatrix gathered(const std::vector<std::int64_t>& begin, const std::vector<Entry>& entries) {
-  const std::size_t columns = begin.size() - 1;
-  BlockMatrix matrix;
-  matrix.column_begin.assign(1, 0);
-  matrix.row.reserve(entries.size() / 3);
-  matrix.value.reserve(4 * entries.size() / 3);
-  std::vector<std::int32_t> place(columns, -1), rows;
-  std::vector<double> sums;
-  for (std::size_t k = 0; k < columns; ++k) {
-    rows.clear();
-    sums.clear();
-    for (auto e = begin[k]; e < begin[k + 1]; ++e) {
-      const Entry& entry = entries[e];
-      auto& p = place[entry.row];
-      if (p < 0) {
-        p = static_cast<std::int32_t>(rows.size());
-        rows.push_back(entry.row);
-        sums.resize(sums.size() + 4, 0);
-      }
-      for (unsigned s = 0; s < 4; ++s) sums[4 * static_cast<std::size_t>(p) + s] += entry.value[s];
-    }
-    std::sort(rows.begin(), rows.end());
-    for (const auto r : rows) {
-      const auto p = static_cast<std::size_t>(place[r]);
-      matrix.row.push_back(r);
-      matrix.value.insert(matrix.value.end(), &sums[4 * p], &sums[4 * p] + 4);
-    }
-    for (const auto r : rows) place[r] = -1;
-    matrix.column_begin.push_back(static_cast<std::int32_t>(matrix.row.size()));
+/// Where a corner of one cell lies, as seen from another: visit(corner) for each that it is of the other.
+template <int D, class Visit>
+void each_same_corner(const Aggregates::Aggregate& p, const Aggregates::Aggregate& q, const std::array<int, 3>& cells,
+                      bool periodic, int a, int axis, int found, const Visit& visit) {
+  if (axis == D) {
+    visit(found);
+    return;
   }
-  return matrix;
+  const auto k = static_cast<std::size_t>(axis);
+  const int at = (a >> axis & 1) + p.cell[k] - q.cell[k];
+  for (const int turn : {0, cells[k], -cells[k]}) {
+    if (turn != 0 && !periodic) break;
+    if (const int here = at + turn; here == 0 || here == 1)
+      each_same_corner<D>(p, q, cells, periodic, a, axis + 1, found | here << axis, visit);
+  }
+}
+
+/// Coarse nodes up to which a factor is cheaper than the third level. In the plane it always is.
+constexpr std::int32_t most_direct(int dimension) {
+  return dimension == 2 ? std::numeric_limits<std::int32_t>::max() : 5000;
 }
 
 }  // namespace
 
-CoarseSpace::CoarseSpace(const Grid& grid, Aggregates aggregates, const std::vector<Coupling>& sums,
-                         const std::vector<std::uint8_t>& prescribed)
+template <int D>
+CoarseSpaceIn<D>::CoarseSpaceIn(const Grid& grid, Aggregates aggregates, const GalerkinSums<D>& sums,
+                                const std::vector<std::uint8_t>& prescribed)
     : grid_(grid),
       aggregates_(std::move(aggregates)) {
   number_corners(sums);
   list_runs(prescribed);
-  BlockMatrix matrix = assemble(sums);
-  // An aggregate of few nodes carries more functions than it has freedoms, and a hat may vanish on all of its nodes: a
-  // trace of stiffness on the diagonal keeps these apart and is too small to slow anything down.
-  const auto diagonal_block = [&](std::int32_t c) {
-    return &matrix.value[4 * static_cast<std::size_t>(matrix.column_begin[c])];
-  };
-  double stiffest = 0;
-  for (std::int32_t c = 0; c < matrix.columns(); ++c)
-    stiffest = std::max(stiffest, diagonal_block(c)[0] + diagonal_block(c)[3]);
-  for (double extra = 1e-7;; extra *= 100, ++repairs_) {
-    for (std::int32_t c = 0; c < matrix.columns(); ++c) {
-      double* block = diagonal_block(c);
-      const double more = extra * (block[0] + block[3]) + 1e-3 * extra * stiffest;
-      block[0] += more;
-      block[3] += more;
-    }
-    factor_.emplace(matrix);
-    if (factor_->positive() || repairs_ == 3) break;
-  }
-  load_.resize(2 * static_cast<std::size_t>(nodes_));
-  moments_.resize(8 * aggregates_.list.size());
+  BlockMatrix matrix = pattern(sums);
+  assemble(sums, matrix);
+  factorise(matrix);
+  load_.resize(static_cast<std::size_t>(D * nodes_));
+  moments_.resize(D * moments * aggregates_.list.size());
 }
 
-void CoarseSpace::number_corners(const std::vector<Coupling>& couplings) {
-  const std::size_t corners = 4 * aggregates_.list.size();
-  JoinedSets sets(corners);
-  for (const Coupling& c : couplings) {
-    const Aggregates::Aggregate &p = aggregates_.list[c.p], &q = aggregates_.list[c.q];
-    if (c.p == c.q || p.owner != q.owner) continue;
-    const int right = q.cell_x - p.cell_x, up = q.cell_y - p.cell_y;
-    for (int a = 0; a < 4; ++a) {
-      const int x = (a & 1) - right, y = (a >> 1) - up;
-      if (x < 0 || x > 1 || y < 0 || y > 1) continue;
-      sets.join(4 * c.p + a, 4 * c.q + 2 * y + x);
+template <int D> void CoarseSpaceIn<D>::factorise(BlockMatrix& matrix) {
+  // An aggregate of few nodes carries more functions than it has freedoms, and a hat may vanish on all of its nodes: a
+  // trace of stiffness on the diagonal keeps these apart and is too small to slow anything down.
+  const auto diagonal = [&](std::int32_t c, int a) -> double& {
+    return matrix
+        .value[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(matrix.column_begin[c]) * D * D + a * (D + 1))];
+  };
+  const auto trace = [&](std::int32_t c) {
+    double sum = 0;
+    for (int a = 0; a < D; ++a) sum += diagonal(c, a);
+    return sum;
+  };
+  double stiffest = 0;
+  for (std::int32_t c = 0; c < matrix.columns(); ++c) stiffest = std::max(stiffest, trace(c));
+  // Nothing holds a periodic sample: one coarse node is held, whose answer is taken about its mean.
+  for (int a = 0; grid_.periodic && a < D; ++a)
+    diagonal(0, a) = std::abs(diagonal(0, a)) + (stiffest > 0 ? 10 * stiffest : 1);
+  for (double extra = 1e-7;; extra *= 100, ++repairs_) {
+    for (std::int32_t c = 0; c < matrix.columns(); ++c) {
+      const double more = extra * trace(c) + 1e-3 * extra * stiffest;
+      for (int a = 0; a < D; ++a) diagonal(c, a) += more;
     }
+    if (matrix.columns() > most_direct(D)) cycle_.emplace(matrix, places());
+    else factor_.emplace(matrix);
+    if ((cycle_ ? cycle_->positive() : factor_->positive()) || repairs_ == 3) break;
   }
-  corner_.resize(corners);
+}
+
+template <int D> std::vector<CoarsePlace> CoarseSpaceIn<D>::places() const {
+  std::vector<CoarsePlace> places(static_cast<std::size_t>(nodes_));
+  for (std::int32_t p = 0; p < aggregates_.count(); ++p) {
+    const Aggregates::Aggregate& own = aggregates_.list[p];
+    for (int a = 0; a < corners<D>; ++a)
+      places[static_cast<std::size_t>(corner(p, a))] = {
+          own.owner, {own.cell[0] + (a & 1), own.cell[1] + (a >> 1 & 1), own.cell[2] + (a >> 2)}};
+  }
+  return places;
+}
+
+template <int D> void CoarseSpaceIn<D>::solve() {
+  if (grid_.periodic) take_about_mean();
+  if (cycle_) cycle_->solve(load_);
+  else factor_->solve(load_);
+  if (grid_.periodic) take_about_mean();
+}
+
+template <int D> void CoarseSpaceIn<D>::number_corners(const GalerkinSums<D>& sums) {
+  const std::size_t all = corners<D> * aggregates_.list.size();
+  std::array<int, 3> cells;
+  for (std::size_t k = 0; k < 3; ++k) cells[k] = (grid_.size()[k] + aggregates_.side - 1) / aggregates_.side;
+  JoinedSets sets(all);
+  for (const auto& [pp, qq] : sums.pairs) {
+    const Aggregates::Aggregate &p = aggregates_.list[pp], &q = aggregates_.list[qq];
+    if ((pp == qq && !grid_.periodic) || p.owner != q.owner) continue;
+    for (int a = 0; a < corners<D>; ++a)
+      each_same_corner<D>(p, q, cells, grid_.periodic, a, 0, 0,
+                          [&, from = corners<D> * pp + a, to = qq](int b) { sets.join(from, corners<D> * to + b); });
+  }
+  corner_.resize(all);
   nodes_ = 0;
-  for (std::size_t k = 0; k < corners; ++k) {
+  for (std::size_t k = 0; k < all; ++k) {
     const auto root = static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(k)));
     corner_[k] = root == k ? nodes_++ : corner_[root];
   }
 }
 
-BlockMatrix CoarseSpace::assemble(const std::vector<Coupling>& couplings) const {
+template <int D> BlockMatrix CoarseSpaceIn<D>::pattern(const GalerkinSums<D>& sums) const {
   // Every coupling of corners goes into the column of its lower coarse node.
   const auto columns = static_cast<std::size_t>(nodes_);
   const auto each = [&](auto&& visit) {
-    for (const Coupling& c : couplings)
-      for (int a = 0; a < 4; ++a)
-        for (int b = c.p == c.q ? a : 0; b < 4; ++b) visit(c, a, b, corner_[4 * c.p + a], corner_[4 * c.q + b]);
+    for (const auto& [p, q] : sums.pairs)
+      for (int a = 0; a < corners<D>; ++a)
+        for (int b = p == q ? a : 0; b < corners<D>; ++b) {
+          const auto m = corner(p, a), n = corner(q, b);
+          visit(static_cast<std::size_t>(std::min(m, n)), std::max(m, n));
+        }
   };
   std::vector<std::int64_t> begin(columns + 1, 0);
-  each([&](const Coupling&, int, int, std::int32_t m, std::int32_t n) {
-    ++begin[static_cast<std::size_t>(std::min(m, n)) + 1];
-  });
+  each([&](std::size_t column, std::int32_t) { ++begin[column + 1]; });
   for (std::size_t k = 0; k < columns; ++k) begin[k + 1] += begin[k];
-  std::vector<Entry> entries(static_cast<std::size_t>(begin[columns]));
+  std::vector<std::int32_t> rows(static_cast<std::size_t>(begin[columns]));
   auto at = begin;
-  each([&](const Coupling& c, int a, int b, std::int32_t m, std::int32_t n) {
-    const auto ua = static_cast<unsigned>(a), ub = static_cast<unsigned>(b);
-    const double xx = c.block[0][ua][ub], xy = c.block[1][ua][ub], yy = c.block[2][ua][ub], yx = c.block[3][ua][ub];
-    Entry& entry = entries[static_cast<std::size_t>(at[std::min(m, n)]++)];
-    // Two corners of different aggregates may share a coarse node: then the block and its transpose both land on the
-    // diagonal.
-    if (m == n && c.p != c.q) entry = {m, {2 * xx, xy + yx, xy + yx, 2 * yy}};
-    else if (m >= n) entry = {m, {xx, yx, xy, yy}};
-    else entry = {n, {xx, xy, yx, yy}};
+  each([&](std::size_t column, std::int32_t row) { rows[static_cast<std::size_t>(at[column]++)] = row; });
+  BlockMatrix matrix;
+  matrix.side = D;
+  matrix.column_begin.assign(1, 0);
+  for (std::size_t k = 0; k < columns; ++k) {
+    const auto first = rows.begin() + begin[k], last = rows.begin() + begin[k + 1];
+    std::sort(first, last);
+    matrix.row.insert(matrix.row.end(), first, std::unique(first, last));
+    matrix.column_begin.push_back(static_cast<std::int32_t>(matrix.row.size()));
+  }
+  matrix.value.assign(D * D * matrix.row.size(), 0.0);
+  return matrix;
+}
+
+template <int D> void CoarseSpaceIn<D>::assemble(const GalerkinSums<D>& sums, BlockMatrix& matrix) const {
+  const auto block_at = [&](std::int32_t row, std::int32_t column) {
+    const auto first = matrix.row.begin() + matrix.column_begin[column],
+               last = matrix.row.begin() + matrix.column_begin[static_cast<std::size_t>(column) + 1];
+    return &matrix.value[static_cast<std::size_t>(std::lower_bound(first, last, row) - matrix.row.begin()) * D * D];
+  };
+  sums.each(aggregates_, [&](const CouplingIn<D>& c) {
+    for (int a = 0; a < corners<D>; ++a)
+      for (int b = c.p == c.q ? a : 0; b < corners<D>; ++b) {
+        const std::int32_t m = corner(c.p, a), n = corner(c.q, b);
+        const auto stiffness = [&](int of_p, int of_q) {
+          return c.block[static_cast<std::size_t>(D * of_p + of_q)][static_cast<std::size_t>(a)][b];
+        };
+        // Two corners that share a coarse node: then the block and its transpose both land on the diagonal.
+        const bool twice = m == n && !(c.p == c.q && a == b);
+        double* to = block_at(std::max(m, n), std::min(m, n));
+        for (int s = 0; s < D; ++s)
+          for (int r = 0; r < D; ++r)
+            *to++ += twice ? stiffness(r, s) + stiffness(s, r) : m >= n ? stiffness(r, s) : stiffness(s, r);
+      }
   });
-  return gathered(begin, entries);
 }
 
-void CoarseSpace::list_runs(const std::vector<std::uint8_t>& prescribed) {
-  for (int y = 0; y < grid_.height; ++y)
-    for (int x = 0; x < grid_.width;) {
-      const std::ptrdiff_t i = grid_.index(x, y);
-      const std::int32_t aggregate = aggregates_.of_node[i];
-      const int end = std::min(grid_.width, (x / Aggregates::cell + 1) * Aggregates::cell);
-      int length = 1;
-      while (x + length < end && aggregates_.of_node[i + length] == aggregate) ++length;
-      if (aggregate >= 0)
-        runs_.push_back({i, aggregate, static_cast<std::int16_t>(x % Aggregates::cell),
-                         static_cast<std::int16_t>(y % Aggregates::cell), static_cast<std::int16_t>(length),
-                         prescribed[y] == y_prescribed});
-      x += length;
-    }
+template <int D> void CoarseSpaceIn<D>::list_runs(const std::vector<std::uint8_t>& prescribed) {
+  const int side = aggregates_.side;
+  for (int z = 0; z < grid_.depth; ++z)
+    for (int y = 0; y < grid_.height; ++y)
+      for (int x = 0; x < grid_.width;) {
+        const std::ptrdiff_t i = grid_.index(x, y, z);
+        const std::int32_t aggregate = aggregates_.of_node[i];
+        const int end = std::min(grid_.width, (x / side + 1) * side);
+        int length = 1;
+        while (x + length < end && aggregates_.of_node[i + length] == aggregate) ++length;
+        const auto level = static_cast<std::size_t>(grid_.in_space() ? z : y);
+        if (aggregate >= 0) {
+          runs_.push_back({i,
+                           aggregate,
+                           static_cast<std::int16_t>(x % side),
+                           static_cast<std::int16_t>(length),
+                           {},
+                           prescribed[level] == normal_component<D>});
+          set_monomials(static_cast<float>(y % side), static_cast<float>(z % side), runs_.back().monomials);
+        }
+        x += length;
+      }
 }
 
-void CoarseSpace::correct(Plane<const float> r, Plane<float> z) {
+template <int D> void CoarseSpaceIn<D>::correct(PointersIn<D, const float> r, PointersIn<D, float> z) {
   std::fill(moments_.begin(), moments_.end(), 0.0f);
   for (const Run& run : runs_) {
-    float x0 = 0, x1 = 0, y0 = 0, y1 = 0;
-    const float *rx = r.x + run.begin, *ry = r.y + run.begin;
+    const auto from = static_cast<float>(run.x);
+    const float* at[D];
+    float sum[D] = {}, first[D] = {};
+    for (int c = 0; c < D; ++c) at[c] = r[c] + run.begin;
     for (int k = 0; k < run.length; ++k) {
-      const auto s = static_cast<float>(k);
-      x0 += rx[k];
-      x1 += s * rx[k];
-      y0 += ry[k];
-      y1 += s * ry[k];
+      const auto along = static_cast<float>(k);
+#pragma GCC unroll 3
+      for (int c = 0; c < D; ++c) {
+        sum[c] += at[c][k];
+        first[c] += along * at[c][k];
+      }
     }
-    if (run.slides) y0 = y1 = 0;
-    const auto from = static_cast<float>(run.x), t = static_cast<float>(run.y);
-    x1 += from * x0;
-    y1 += from * y0;
-    float* m = &moments_[8 * static_cast<std::size_t>(run.aggregate)];
-    m[0] += x0;
-    m[1] += x1;
-    m[2] += t * x0;
-    m[3] += t * x1;
-    m[4] += y0;
-    m[5] += y1;
-    m[6] += t * y0;
-    m[7] += t * y1;
+    if (run.slides) sum[D - 1] = first[D - 1] = 0;
+    float* m = &moments_[D * moments * static_cast<std::size_t>(run.aggregate)];
+    for (int c = 0; c < D; ++c, m += moments) {
+      first[c] += from * sum[c];
+#pragma GCC unroll 4
+      for (std::size_t k = 0; k < moments / 2; ++k) {
+        m[2 * k] += run.monomials[k] * sum[c];
+        m[2 * k + 1] += run.monomials[k] * first[c];
+      }
+    }
   }
   std::fill(load_.begin(), load_.end(), 0.0);
-  constexpr double h = 1.0 / Aggregates::cell;
-  for (std::size_t p = 0; p < aggregates_.list.size(); ++p)
-    for (unsigned c = 0; c < 2; ++c) {
-      const float* m = &moments_[8 * p + 4 * c];
-      const double one = m[0], s = h * m[1], t = h * m[2], st = h * h * m[3];
-      const double weight[4] = {one - s - t + st, s - st, t - st, st};
-      for (unsigned a = 0; a < 4; ++a) load_[2 * static_cast<std::size_t>(corner_[4 * p + a]) + c] += weight[a];
-    }
-  factor_->solve(load_);
-  for (std::size_t p = 0; p < aggregates_.list.size(); ++p)
-    for (unsigned c = 0; c < 2; ++c) {
-      double u[4];
-      for (unsigned a = 0; a < 4; ++a) u[a] = load_[2 * static_cast<std::size_t>(corner_[4 * p + a]) + c];
-      float* m = &moments_[8 * p + 4 * c];
-      m[0] = static_cast<float>(u[0]);
-      m[1] = static_cast<float>(h * (u[1] - u[0]));
-      m[2] = static_cast<float>(h * (u[2] - u[0]));
-      m[3] = static_cast<float>(h * h * (u[0] - u[1] - u[2] + u[3]));
-    }
+  const double h = 1.0 / aggregates_.side;
+  const auto each_part = [&](const auto& visit) {
+    for (std::int32_t p = 0; p < aggregates_.count(); ++p)
+      for (int c = 0; c < D; ++c) visit(p, c, &moments_[static_cast<std::size_t>((p * D + c) * moments)]);
+  };
+  const auto load = [&](std::int32_t p, int a, int c) -> double& {
+    return load_[static_cast<std::size_t>(D * corner(p, a) + c)];
+  };
+  each_part([&](std::int32_t p, int c, const float* m) {
+    std::array<double, corners<D>> weight;
+    to_corners(m, h, weight);
+    for (int a = 0; a < corners<D>; ++a) load(p, a, c) += weight[static_cast<std::size_t>(a)];
+  });
+  solve();
+  each_part([&](std::int32_t p, int c, float* m) {
+    std::array<double, corners<D>> u;
+    for (int a = 0; a < corners<D>; ++a) u[static_cast<std::size_t>(a)] = load(p, a, c);
+    to_polynomial(u, h, m);
+  });
   for (const Run& run : runs_) {
-    const float* m = &moments_[8 * static_cast<std::size_t>(run.aggregate)];
-    const auto from = static_cast<float>(run.x), t = static_cast<float>(run.y);
-    const float gx = m[1] + t * m[3], gy = run.slides ? 0 : m[5] + t * m[7];
-    const float ax = m[0] + t * m[2] + from * gx, ay = run.slides ? 0 : m[4] + t * m[6] + from * gy;
-    float *zx = z.x + run.begin, *zy = z.y + run.begin;
+    const auto from = static_cast<float>(run.x);
+    const float* m = &moments_[D * moments * static_cast<std::size_t>(run.aggregate)];
+    float* at[D];
+    float value[D] = {}, slope[D] = {};
+    for (int c = 0; c < D; ++c, m += moments) {
+      at[c] = z[c] + run.begin;
+      if (run.slides && c == D - 1) continue;
+#pragma GCC unroll 4
+      for (std::size_t k = 0; k < moments / 2; ++k) {
+        value[c] += run.monomials[k] * m[2 * k];
+        slope[c] += run.monomials[k] * m[2 * k + 1];
+      }
+      value[c] += from * slope[c];
+    }
     for (int k = 0; k < run.length; ++k) {
-      const auto s = static_cast<float>(k);
-      zx[k] += ax + s * gx;
-      zy[k] += ay + s * gy;
+      const auto along = static_cast<float>(k);
+#pragma GCC unroll 3
+      for (int c = 0; c < D; ++c) at[c][k] += value[c] + along * slope[c];
     }
   }
 }
+
+template <int D> void CoarseSpaceIn<D>::take_about_mean() {
+  for (int c = 0; c < D; ++c) {
+    double sum = 0;
+    for (std::int32_t k = 0; k < nodes_; ++k) sum += load_[static_cast<std::size_t>(D * k + c)];
+    for (std::int32_t k = 0; k < nodes_; ++k) load_[static_cast<std::size_t>(D * k + c)] -= sum / nodes_;
+  }
+}
+
+template class CoarseSpaceIn<2>;
+template class CoarseSpaceIn<3>;
 
 }  // namespace arenite::statics

@@ -1,52 +1,67 @@
 #pragma once
-#include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "solid/statics/aggregates.hpp"
 #include "solid/statics/cholesky.hpp"
+#include "solid/statics/coarse_cycle.hpp"
 #include "solid/statics/couplings.hpp"
 #include "solid/statics/grid.hpp"
 
 namespace arenite::statics {
 
 /// The second level of the static solve: one coarse node at each cell corner for each set of aggregates of one owner
-/// that hang together there, with a bilinear hat on those aggregates. `correct` projects a residual on this space,
-/// solves there and adds the answer.
-class CoarseSpace {
+/// that hang together there, with a multilinear hat on those aggregates. `correct` projects a residual on this space,
+/// solves there, or takes the third level's answer (coarse_cycle.hpp), and adds it.
+template <int D> class CoarseSpaceIn {
  public:
-  CoarseSpace(const Grid& grid, Aggregates aggregates, const std::vector<Coupling>& couplings,
-              const std::vector<std::uint8_t>& prescribed);
+  CoarseSpaceIn(const Grid& grid, Aggregates aggregates, const GalerkinSums<D>& sums,
+                const std::vector<std::uint8_t>& prescribed);
 
   /// z += P (P^T A P)^-1 P^T r.
-  void correct(Plane<const float> r, Plane<float> z);
+  void correct(PointersIn<D, const float> r, PointersIn<D, float> z);
 
   /// How often the matrix had to be stiffened on its diagonal until all pivots were positive; 0 in a sound sample.
   int repairs() const { return repairs_; }
+  std::int32_t nodes() const { return nodes_; }
 
  private:
+  static constexpr int moments = 1 << D;  ///< of a component on an aggregate
+
   /// Nodes of one aggregate that follow each other in a row.
   struct Run {
     std::ptrdiff_t begin;
     std::int32_t aggregate;
-    std::int16_t x, y, length;  ///< of the first node, in its cell
-    bool slides;                ///< moves along x only
+    std::int16_t x, length;                    ///< of the first node, in its cell
+    std::array<float, moments / 2> monomials;  ///< 1, y, (z, y z): of the row in its cell
+    bool slides;                               ///< does not move across the clamps
   };
-  void number_corners(const std::vector<Coupling>& couplings);
-  BlockMatrix assemble(const std::vector<Coupling>& couplings) const;
+  void number_corners(const GalerkinSums<D>& sums);
+  BlockMatrix pattern(const GalerkinSums<D>& sums) const;
+  void assemble(const GalerkinSums<D>& sums, BlockMatrix& matrix) const;
+  void factorise(BlockMatrix& matrix);
+  std::vector<CoarsePlace> places() const;
+  void solve();
+  void take_about_mean();  ///< right sides and answers of a periodic sample: without a translation
   void list_runs(const std::vector<std::uint8_t>& prescribed);
+  std::int32_t corner(std::int32_t aggregate, int a) const {
+    return corner_[static_cast<std::size_t>(corners<D> * aggregate + a)];
+  }
 
   Grid grid_;
   Aggregates aggregates_;
   std::int32_t nodes_ = 0;
-  std::vector<std::int32_t> corner_;  ///< coarse node of corner a of aggregate p at 4 p + a
+  std::vector<std::int32_t> corner_;  ///< coarse node of corner a of aggregate p at 2^D p + a
   std::vector<Run> runs_;
   std::optional<Cholesky> factor_;
-  std::vector<double> load_;    ///< right side and solution, 2 a coarse node
-  std::vector<float> moments_;  ///< 8 an aggregate
+  std::optional<CoarseCycle<D>> cycle_;  ///< instead, where the factor would be large
+  std::vector<double> load_;             ///< right side and solution, D a coarse node
+  std::vector<float> moments_;           ///< D 2^D an aggregate
   int repairs_ = 0;
 };
+using CoarseSpace = CoarseSpaceIn<2>;
+extern template class CoarseSpaceIn<2>;
+extern template class CoarseSpaceIn<3>;
 
 }  // namespace arenite::statics

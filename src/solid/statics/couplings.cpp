@@ -23,15 +23,18 @@ const std::array<Hats, cell* cell> all_hats = make_hats();
 
 }  // namespace
 
-CouplingSum::CouplingSum(std::size_t aggregates) : self_(aggregates), latest_(aggregates, -1) {
-  for (std::size_t k = 0; k < aggregates; ++k) {
+template <int D>
+CouplingSumIn<D>::CouplingSumIn(std::size_t aggregates, bool with_selves)
+    : self_(with_selves ? aggregates : 0),
+      latest_(aggregates, -1) {
+  for (std::size_t k = 0; k < self_.size(); ++k) {
     const auto p = static_cast<std::int32_t>(k);
     self_[k] = {p, p, {}};
   }
-  cross_.reserve(6 * aggregates);
+  cross_.reserve(6 * self_.size());
 }
 
-Coupling& CouplingSum::between(std::int32_t p, std::int32_t q) {
+template <int D> CouplingIn<D>& CouplingSumIn<D>::between(std::int32_t p, std::int32_t q) {
   for (std::int32_t c = latest_[p]; c >= 0; c = next_[c])
     if (cross_[c].q == q) return cross_[c];
   next_.push_back(latest_[p]);
@@ -40,9 +43,24 @@ Coupling& CouplingSum::between(std::int32_t p, std::int32_t q) {
   return cross_.back();
 }
 
-std::vector<Coupling> CouplingSum::taken() {
+template <int D> std::vector<CouplingIn<D>> CouplingSumIn<D>::taken() {
   self_.insert(self_.end(), cross_.begin(), cross_.end());
   return std::move(self_);
+}
+
+template class CouplingSumIn<2>;
+template class CouplingSumIn<3>;
+
+HatTable::HatTable(int side) : side_(side) {
+  for (int z = 0; z < side; ++z)
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x) {
+        const double s = x / static_cast<double>(side), t = y / static_cast<double>(side),
+                     r = z / static_cast<double>(side);
+        HatsIn<3> hats;
+        for (int c = 0; c < 8; ++c) hats[c] = (c & 1 ? s : 1 - s) * (c >> 1 & 1 ? t : 1 - t) * (c >> 2 ? r : 1 - r);
+        hats_.push_back(hats);
+      }
 }
 
 const Hats& hats_at(int x, int y) {

@@ -2,38 +2,86 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
+#include <utility>
 #include <vector>
+
+#include "core/lanes.hpp"
+#include "solid/statics/aggregates.hpp"
 
 namespace arenite::statics {
 
-/// The four bilinear hats of a cell at one of its nodes; corners in the order (0,0), (1,0), (0,1), (1,1).
-using Hats = double __attribute__((vector_size(32)));
+template <int D> inline constexpr int corners = 1 << D;  ///< of a cell
 
-/// Stiffness between the corners of aggregate p and those of aggregate q: [component][corner of p](corner of q), Pa,
-/// with the components xx, xy (x of p, y of q), yy, yx.
-struct Coupling {
+/// The multilinear hats of a cell at one of its nodes; corners in the order (0,0), (1,0), (0,1), (1,1), the next layer
+/// after them.
+template <int D> using HatsIn = Vector<double, corners<D>>;
+using Hats = HatsIn<2>;
+
+/// Stiffness between the corners of aggregate p and those of aggregate q: [component][corner of p](corner of q), Pa in
+/// the plane and N/m in space. Components row by row: xx, xy (x of p, y of q), yx, ..
+template <int D> struct CouplingIn {
   std::int32_t p, q;
-  std::array<std::array<Hats, 4>, 4> block;
+  std::array<std::array<HatsIn<D>, corners<D>>, D * D> block;
 };
+using Coupling = CouplingIn<2>;
 
 /// Couplings by the pair that they join.
-class CouplingSum {
+template <int D> class CouplingSumIn {
  public:
-  explicit CouplingSum(std::size_t aggregates);
-  Coupling& self(std::int32_t p) { return self_[static_cast<std::size_t>(p)]; }
-  std::vector<Coupling>& selves() { return self_; }
-  std::vector<Coupling>& crosses() { return cross_; }
+  /// `with_selves`: those of every aggregate with itself are kept apart; otherwise they are pairs like others.
+  explicit CouplingSumIn(std::size_t aggregates, bool with_selves = true);
+  CouplingIn<D>& self(std::int32_t p) { return self_[static_cast<std::size_t>(p)]; }
+  std::vector<CouplingIn<D>>& selves() { return self_; }
+  std::vector<CouplingIn<D>>& crosses() { return cross_; }
   /// Of p with q, in this order; added where there is none.
-  Coupling& between(std::int32_t p, std::int32_t q);
+  CouplingIn<D>& between(std::int32_t p, std::int32_t q);
   /// All: of every aggregate with itself first, in order of aggregates.
-  std::vector<Coupling> taken();
+  std::vector<CouplingIn<D>> taken();
 
  private:
-  std::vector<Coupling> self_, cross_;
+  std::vector<CouplingIn<D>> self_, cross_;
   std::vector<std::int32_t> latest_, next_;  ///< of each aggregate's couplings, the newest; they form a chain
 };
+using CouplingSum = CouplingSumIn<2>;
+extern template class CouplingSumIn<2>;
+extern template class CouplingSumIn<3>;
 
-/// Hats at a node, whose place counts from the corner of any cell.
+/// The Galerkin sums of a sample: which pairs of aggregates are coupled, of each with itself among them, and their
+/// couplings as they are worked out. A pair may come several times; what came adds up. In space all of them at once
+/// would outweigh the sample.
+template <int D> struct GalerkinSums {
+  using Take = std::function<void(const CouplingIn<D>&)>;
+  std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
+  std::function<void(const Aggregates&, const Take&)> each;
+
+  GalerkinSums() = default;
+  /// Of couplings that are there.
+  GalerkinSums(std::vector<CouplingIn<D>> couplings) {
+    for (const auto& c : couplings) pairs.push_back({c.p, c.q});
+    auto all = std::make_shared<const std::vector<CouplingIn<D>>>(std::move(couplings));
+    each = [all = std::move(all)](const Aggregates&, const Take& take) {
+      for (const auto& c : *all) take(c);
+    };
+  }
+};
+
+/// Hats at the nodes of cubic cells.
+class HatTable {
+ public:
+  explicit HatTable(int side);
+  /// Of a node, by its place in the sample.
+  const HatsIn<3>& at(int x, int y, int z) const {
+    return hats_[static_cast<std::size_t>((z % side_ * side_ + y % side_) * side_ + x % side_)];
+  }
+
+ private:
+  int side_;
+  std::vector<HatsIn<3>> hats_;
+};
+
+/// Hats at a node of the plane, whose place counts from the corner of any cell.
 const Hats& hats_at(int x, int y);
 
 }  // namespace arenite::statics

@@ -81,13 +81,14 @@ Ending ending_of(const StaticReport& report) {
   return report.converged ? Ending::solved : report.stopped ? Ending::stopped : Ending::not_converged;
 }
 
-std::string sentence_of(const LoadReport& r, double tolerance) {
+std::string sentence_of(Ending ending, const StaticReport& r, const Support& support, double tolerance,
+                        const char* parts) {
   std::string text;
-  switch (r.ending) {
+  switch (ending) {
     case Ending::empty: return "the map is all void: there is nothing to load";
     case Ending::severed:
-      text = fmt::format("{} nodes are connected to the lower clamp, {} to the upper one, and none to both; no stress",
-                         r.support.held_below, r.support.held_above);
+      text = fmt::format("{} {} are connected to the lower clamp, {} to the upper one, and none to both; no stress",
+                         support.held_below, parts, support.held_above);
       break;
     case Ending::solved:
       text = fmt::format("equilibrium to a relative residual of {:.1e} in {} iterations", r.residual, r.iterations);
@@ -100,12 +101,16 @@ std::string sentence_of(const LoadReport& r, double tolerance) {
                          r.residual, r.iterations, tolerance);
       break;
   }
-  if (r.support.floating > 0)
-    text += fmt::format("; {} floating nodes in {} islands without stress", r.support.floating, r.support.islands);
-  if (r.ending != Ending::severed && r.support.held_below + r.support.held_above > 0)
-    text +=
-        fmt::format("; {} nodes held on one side only, without stress", r.support.held_below + r.support.held_above);
-  if (!r.hinges.empty()) {
+  if (support.floating > 0)
+    text += fmt::format("; {} floating {} in {} islands without stress", support.floating, parts, support.islands);
+  if (const std::size_t held = support.held_below + support.held_above; ending != Ending::severed && held > 0)
+    text += fmt::format("; {} {} held on one side only, without stress", held, parts);
+  return text;
+}
+
+std::string sentence_of(const LoadReport& r, double tolerance) {
+  std::string text = sentence_of(r.ending, r, r.support, tolerance, "nodes");
+  if (!r.hinges.empty() && r.ending != Ending::empty) {
     const auto carrying = std::find_if(r.hinges.begin(), r.hinges.end(), [](const Hinge& h) { return h.carries; });
     const Hinge& h = carrying != r.hinges.end() ? *carrying : r.hinges.front();
     text +=

@@ -96,6 +96,9 @@ Ending ending_of(const StaticReport& report);
 
 /// How it ended, in words.
 std::string sentence_of(const LoadReport& report, double tolerance);
+/// The same of any solve; `parts` names what the support counts.
+std::string sentence_of(Ending ending, const StaticReport& report, const Support& support, double tolerance,
+                        const char* parts);
 
 /// Apparent moduli of a sample between rigid clamps, Pa. They hold for the sample with its clamps: a fixed edge hinders
 /// contraction (LowerEdge::sliding frees one edge of it), and free sides are softer than the bulk.

@@ -9,18 +9,37 @@
 namespace arenite::statics {
 
 /// A vector at each of some nodes.
-template <class V> struct Force { V x, y; };
+template <int D, class V> struct ForceIn;
+template <class V> struct ForceIn<2, V> {
+  V x, y;
+  ARENITE_INLINE V& operator[](int axis) { return axis == 0 ? x : y; }
+  ARENITE_INLINE const V& operator[](int axis) const { return axis == 0 ? x : y; }
+};
+template <class V> struct ForceIn<3, V> {
+  V x, y, z;
+  ARENITE_INLINE V& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : z; }
+  ARENITE_INLINE const V& operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+};
+template <class V> using Force = ForceIn<2, V>;
 
 namespace {
 
-/// A sum of products a b of the two components of a plane field, in the doubles that the machine keeps sums in, lower
-/// lanes first.
+/// visit(0), visit(1), ..: of every component, or from the last one down.
+template <int D, class Visit> ARENITE_INLINE void by_component(const Visit& visit) {
+  [&]<int... c>(std::integer_sequence<int, c...>) { (visit(c), ...); }
+  (std::make_integer_sequence<int, D>());
+}
+template <int D, class Visit> ARENITE_INLINE void by_component_down(const Visit& visit) {
+  [&]<int... c>(std::integer_sequence<int, c...>) { (visit(D - 1 - c), ...); }
+  (std::make_integer_sequence<int, D>());
+}
+
+/// A sum of products a b of the components of a field, in the doubles that the machine keeps sums in, lower lanes
+/// first.
 class Sum {
  public:
-  template <class V> void add(V ax, V bx, V ay, V by) {
-    [&]<std::size_t... k>(std::index_sequence<k...>) {
-      ((sum_ = fma(part<k>(ax), part<k>(bx), fma(part<k>(ay), part<k>(by), sum_))), ...);
-    }
+  template <int D, class V> ARENITE_INLINE void add(const ForceIn<D, V>& a, const ForceIn<D, V>& b) {
+    [&]<std::size_t... k>(std::index_sequence<k...>) __attribute__((always_inline)) { (add_part<k>(a, b), ...); }
     (std::make_index_sequence<V::lanes / n>());
   }
   double value() const {
@@ -36,152 +55,178 @@ class Sum {
   template <std::size_t k, class V> [[gnu::always_inline]] static Part part(V numbers) {
     return Machine::template doubles<k>(numbers.v);
   }
+  template <std::size_t k, int D, class V>
+  ARENITE_INLINE void add_part(const ForceIn<D, V>& a, const ForceIn<D, V>& b) {
+    by_component_down<D>([&](int c) { sum_ = fma(part<k>(a[c]), part<k>(b[c]), sum_); });
+  }
   Part sum_{};
 };
 
-/// The passes of KernelsOf for one machine. `Sweep` is a discretisation's own: with `At<V>(sample, u).sweep(row, then)`
-/// it calls `then(i, own, force)` for every vector of nodes from i on, rows upwards, and `row(y)` before each of them.
+/// The passes of KernelsOf for one machine. `Sweep` is a discretisation's own: with `At<V>(sample, u).sweep(level,
+/// then)` it calls `then(i, own, force)` for every vector of nodes from i on, rows upwards, and `level(y)` before each
+/// row.
 template <class Sweep> struct Passes {
   using D = typename Sweep::Of;
+  static constexpr int dimension = D::dimension;
   using Doubles = Lanes<double, Machine::bytes / 8>;
   using Floats = Lanes<float, Machine::bytes / 4>;
   template <class V> using At = typename Sweep::template At<V>;
+  template <class V> using Vector = ForceIn<dimension, V>;
+  template <class T> using To = PointersIn<dimension, T>;
+  using Inverse = BlockPointers<dimension>;
 
-  /// 1 where a component of a row is free to move, 0 where its displacement is prescribed.
-  template <class V> static Force<V> freedom(std::uint8_t prescribed) {
-    return {V(static_cast<typename V::Scalar>(prescribed & x_prescribed ? 0 : 1)),
-            V(static_cast<typename V::Scalar>(prescribed & y_prescribed ? 0 : 1))};
+  /// 1 where a component of a level is free to move, 0 where its displacement is prescribed.
+  template <class V> static Vector<V> freedom(std::uint8_t prescribed) {
+    Vector<V> open{};
+    by_component<dimension>([&](int c) { open[c] = V(static_cast<typename V::Scalar>(prescribed >> c & 1 ? 0 : 1)); });
+    return open;
+  }
+  template <class V, class T> ARENITE_INLINE static Vector<V> load(To<T> field, std::ptrdiff_t i) {
+    Vector<V> at{};
+    by_component<dimension>([&](int c) { at[c] = V::load(field[c] + i); });
+    return at;
+  }
+  /// The inverse blocks of some nodes times v.
+  template <class V> ARENITE_INLINE static Vector<V> solved(const Inverse& inverse, std::ptrdiff_t i, Vector<V> v) {
+    Symmetric<dimension, V> block{};
+    by_component<dimension>([&](int a) {
+      by_component<dimension>([&](int b) {
+        if (a <= b) block(a, b) = V::load(inverse(a, b) + i);
+      });
+    });
+    Vector<V> product{};
+    by_component<dimension>([&](int a) {
+      product[a] = block(a, dimension - 1) * v[dimension - 1];
+      by_component_down<dimension - 1>([&](int b) { product[a] = fma(block(a, b), v[b], product[a]); });
+    });
+    return product;
+  }
+  /// older := own + a (own - older) + b step.
+  template <class V, class T>
+  ARENITE_INLINE static void put(To<T> older, std::ptrdiff_t i, const Vector<V>& own, V a, V b, const Vector<V>& step) {
+    by_component<dimension>(
+        [&](int c) { fma(b, step[c], fma(a, own[c] - V::load(older[c] + i), own[c])).store(older[c] + i); });
   }
 
   template <class V, class T = typename V::Scalar>
-  static double force(const D& sample, const std::uint8_t* prescribed, Plane<const T> u, Plane<T> f) {
+  static double force(const D& sample, const std::uint8_t* prescribed, To<const T> u, To<T> f) {
     Sum sum;
-    Force<V> open{};
+    Vector<V> open{};
     At<V>(sample, u).sweep([&](int y) { open = freedom<V>(prescribed[y]); },
-                           [&](std::ptrdiff_t i, Force<V> own, Force<V> g) {
-                             g = {open.x * g.x, open.y * g.y};
-                             __builtin_prefetch(f.x + i + sample.grid.stride, 1);
-                             __builtin_prefetch(f.y + i + sample.grid.stride, 1);
-                             g.x.store(f.x + i);
-                             g.y.store(f.y + i);
-                             sum.add(own.x, g.x, own.y, g.y);
+                           [&](std::ptrdiff_t i, const Vector<V>& own, Vector<V> g) {
+                             by_component<dimension>([&](int c) {
+                               g[c] = open[c] * g[c];
+                               __builtin_prefetch(f[c] + i + sample.grid.stride, 1);
+                               g[c].store(f[c] + i);
+                             });
+                             sum.add(own, g);
                            });
     return sum.value();
   }
 
-  static double imbalance(const D& sample, const std::uint8_t* prescribed, Plane<const double> u, Plane<float> r) {
+  static double imbalance(const D& sample, const std::uint8_t* prescribed, To<const double> u, To<float> r) {
     Sum sum;
-    Force<Doubles> open{};
+    Vector<Doubles> open{};
     At<Doubles>(sample, u).sweep([&](int y) { open = freedom<Doubles>(prescribed[y]); },
-                                 [&](std::ptrdiff_t i, Force<Doubles>, Force<Doubles> g) {
-                                   g = {open.x * g.x, open.y * g.y};
-                                   g.x.store(r.x + i);
-                                   g.y.store(r.y + i);
-                                   sum.add(g.x, g.x, g.y, g.y);
+                                 [&](std::ptrdiff_t i, const Vector<Doubles>&, Vector<Doubles> g) {
+                                   by_component<dimension>([&](int c) {
+                                     g[c] = open[c] * g[c];
+                                     g[c].store(r[c] + i);
+                                   });
+                                   sum.add(g, g);
                                  });
     return sum.value();
   }
 
-  static void chebyshev(const D& sample, Plane<const float> z, Plane<float> older, Plane<const float> r,
-                        BlockPlane inverse, float a, float b) {
+  static void chebyshev(const D& sample, To<const float> z, To<float> older, To<const float> r, Inverse inverse,
+                        float a, float b) {
     using V = Floats;
     const V va = V(a), vb = V(b);
-    At<V>(sample, z).sweep(
-        [](int) {},
-        [&](std::ptrdiff_t i, Force<V> own, Force<V> g) {
-          const V rx = V::load(r.x + i) + g.x, ry = V::load(r.y + i) + g.y, xy = V::load(inverse.xy + i);
-          const V dx = fma(V::load(inverse.xx + i), rx, xy * ry), dy = fma(xy, rx, V::load(inverse.yy + i) * ry);
-          fma(vb, dx, fma(va, own.x - V::load(older.x + i), own.x)).store(older.x + i);
-          fma(vb, dy, fma(va, own.y - V::load(older.y + i), own.y)).store(older.y + i);
-        });
-  }
-
-  static void residual(const D& sample, Plane<const float> z, Plane<const float> r, Plane<float> out) {
-    using V = Floats;
     At<V>(sample, z).sweep([](int) {},
-                           [&](std::ptrdiff_t i, Force<V>, Force<V> g) {
-                             (V::load(r.x + i) + g.x).store(out.x + i);
-                             (V::load(r.y + i) + g.y).store(out.y + i);
+                           [&](std::ptrdiff_t i, const Vector<V>& own, Vector<V> g) {
+                             by_component<dimension>([&](int c) { g[c] = V::load(r[c] + i) + g[c]; });
+                             put(older, i, own, va, vb, solved(inverse, i, g));
                            });
   }
 
-  static double stormer(const D& sample, const std::uint8_t* prescribed, Plane<const double> u, Plane<double> older,
-                        double a, double b) {
+  static void residual(const D& sample, To<const float> z, To<const float> r, To<float> out) {
+    using V = Floats;
+    At<V>(sample, z).sweep([](int) {},
+                           [&](std::ptrdiff_t i, const Vector<V>&, const Vector<V>& g) {
+                             by_component<dimension>([&](int c) { (V::load(r[c] + i) + g[c]).store(out[c] + i); });
+                           });
+  }
+
+  static double stormer(const D& sample, const std::uint8_t* prescribed, To<const double> u, To<double> older, double a,
+                        double b) {
     using V = Doubles;
     const V va = V(a), vb = V(b);
     Sum sum;
-    Force<V> open{};
+    Vector<V> open{};
     At<V>(sample, u).sweep([&](int y) { open = freedom<V>(prescribed[y]); },
-                           [&](std::ptrdiff_t i, Force<V> own, Force<V> g) {
-                             g = {open.x * g.x, open.y * g.y};
-                             __builtin_prefetch(older.x + i + sample.grid.stride, 1);
-                             __builtin_prefetch(older.y + i + sample.grid.stride, 1);
-                             sum.add(g.x, g.x, g.y, g.y);
-                             fma(vb, g.x, fma(va, own.x - V::load(older.x + i), own.x)).store(older.x + i);
-                             fma(vb, g.y, fma(va, own.y - V::load(older.y + i), own.y)).store(older.y + i);
+                           [&](std::ptrdiff_t i, const Vector<V>& own, Vector<V> g) {
+                             by_component<dimension>([&](int c) {
+                               g[c] = open[c] * g[c];
+                               __builtin_prefetch(older[c] + i + sample.grid.stride, 1);
+                             });
+                             sum.add(g, g);
+                             put(older, i, own, va, vb, g);
                            });
     return sum.value();
   }
 
-  static double relax(const D& sample, Plane<const double> u, Plane<double> older, BlockPlane inverse, double a,
-                      double b) {
+  static double relax(const D& sample, To<const double> u, To<double> older, Inverse inverse, double a, double b) {
     using V = Doubles;
     const V va = V(a), vb = V(b);
     Sum sum;
-    At<V>(sample, u).sweep([](int) {},
-                           [&](std::ptrdiff_t i, Force<V> own, Force<V> g) {
-                             __builtin_prefetch(older.x + i + sample.grid.stride, 1);
-                             __builtin_prefetch(older.y + i + sample.grid.stride, 1);
-                             const V xx = Doubles::load(inverse.xx + i), xy = Doubles::load(inverse.xy + i),
-                                     yy = Doubles::load(inverse.yy + i);
-                             const V dx = fma(xx, g.x, xy * g.y), dy = fma(xy, g.x, yy * g.y);
-                             sum.add(dx, g.x, dy, g.y);
-                             fma(vb, dx, fma(va, own.x - V::load(older.x + i), own.x)).store(older.x + i);
-                             fma(vb, dy, fma(va, own.y - V::load(older.y + i), own.y)).store(older.y + i);
-                           });
+    At<V>(sample, u).sweep(
+        [](int) {},
+        [&](std::ptrdiff_t i, const Vector<V>& own, const Vector<V>& g) {
+          by_component<dimension>([&](int c) { __builtin_prefetch(older[c] + i + sample.grid.stride, 1); });
+          const Vector<V> step = solved(inverse, i, g);
+          sum.add(step, g);
+          put(older, i, own, va, vb, step);
+        });
     return sum.value();
   }
 
   /// Every vector of nodes of a grid, pads between the rows included: these hold zeros and stay so.
   template <class Visit> [[gnu::always_inline]] static void each_vector(const Grid& grid, const Visit& visit) {
-    for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; i += Floats::lanes) visit(i);
+    const std::ptrdiff_t end = grid.row(grid.height - 1, grid.depth - 1) + grid.stride;
+    for (std::ptrdiff_t i = grid.row(0); i < end; i += Floats::lanes) visit(i);
   }
 
-  static double conjugate_step(const D& sample, float alpha, Plane<const float> p, Plane<const float> f,
-                               Plane<double> u, Plane<float> r, BlockPlane inverse, float b, Plane<float> z) {
+  static double conjugate_step(const D& sample, float alpha, To<const float> p, To<const float> f, To<double> u,
+                               To<float> r, Inverse inverse, float b, To<float> z) {
     const Floats step = Floats(alpha), vb = Floats(b);
     const Doubles long_step = Doubles(static_cast<double>(alpha));
     Sum sum;
-    const auto component = [&](std::ptrdiff_t i, const float* pp, const float* ff, double* uu, float* rr) {
-      for (std::ptrdiff_t j = i; j < i + Floats::lanes; j += Doubles::lanes)
-        fma(long_step, Doubles::load(pp + j), Doubles::load(uu + j)).store(uu + j);
-      const Floats now = fma(step, Floats::load(ff + i), Floats::load(rr + i));
-      now.store(rr + i);
-      return now;
-    };
     each_vector(sample.grid, [&](std::ptrdiff_t i) {
-      const Floats rx = component(i, p.x, f.x, u.x, r.x), ry = component(i, p.y, f.y, u.y, r.y);
-      sum.add(rx, rx, ry, ry);
-      const Floats xy = Floats::load(inverse.xy + i);
-      (vb * fma(Floats::load(inverse.xx + i), rx, xy * ry)).store(z.x + i);
-      (vb * fma(xy, rx, Floats::load(inverse.yy + i) * ry)).store(z.y + i);
+      Vector<Floats> now{};
+      by_component<dimension>([&](int c) {
+        for (std::ptrdiff_t j = i; j < i + Floats::lanes; j += Doubles::lanes)
+          fma(long_step, Doubles::load(p[c] + j), Doubles::load(u[c] + j)).store(u[c] + j);
+        now[c] = fma(step, Floats::load(f[c] + i), Floats::load(r[c] + i));
+        now[c].store(r[c] + i);
+      });
+      sum.add(now, now);
+      const Vector<Floats> first = solved(inverse, i, now);
+      by_component<dimension>([&](int c) { (vb * first[c]).store(z[c] + i); });
     });
     return sum.value();
   }
 
-  static double dot(const D& sample, Plane<const float> a, Plane<const float> b) {
+  static double dot(const D& sample, To<const float> a, To<const float> b) {
     Sum sum;
-    each_vector(sample.grid, [&](std::ptrdiff_t i) {
-      sum.add(Floats::load(a.x + i), Floats::load(b.x + i), Floats::load(a.y + i), Floats::load(b.y + i));
-    });
+    each_vector(sample.grid, [&](std::ptrdiff_t i) { sum.add(load<Floats>(a, i), load<Floats>(b, i)); });
     return sum.value();
   }
 
-  static void direct(const D& sample, float beta, Plane<const float> z, Plane<float> p) {
+  static void direct(const D& sample, float beta, To<const float> z, To<float> p) {
     const Floats keep = Floats(beta);
     each_vector(sample.grid, [&](std::ptrdiff_t i) {
-      fma(keep, Floats::load(p.x + i), Floats::load(z.x + i)).store(p.x + i);
-      fma(keep, Floats::load(p.y + i), Floats::load(z.y + i)).store(p.y + i);
+      by_component<dimension>(
+          [&](int c) { fma(keep, Floats::load(p[c] + i), Floats::load(z[c] + i)).store(p[c] + i); });
     });
   }
 

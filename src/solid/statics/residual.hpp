@@ -12,7 +12,7 @@
 namespace arenite::statics {
 
 /// sum a . a over the nodes of the sample.
-template <class T> double square_norm(const Grid& grid, const Field<T>& a) {
+template <int D, class T> double square_norm(const Grid& grid, const FieldIn<D, T>& a) {
   double sum = 0;
   grid.each([&](std::ptrdiff_t i, int) { sum += dot(a.at(i), a.at(i)); });
   return sum;
@@ -23,20 +23,27 @@ template <class T> double square_norm(const Grid& grid, const Field<T>& a) {
 /// displacements, `work` and `f` are overwritten. Where uniform strain is nearly at equilibrium itself, the reactions
 /// of the clamps count with it. Zero only where nothing is displaced or no strain leaves a force.
 template <Discretisation D, class T>
-double residual_reference(const D& sample, const std::vector<std::uint8_t>& prescribed, const Field<double>& u,
-                          Field<T>& work, Field<T>& f) {
+double residual_reference(const D& sample, const std::vector<std::uint8_t>& prescribed,
+                          const FieldIn<D::dimension, double>& u, FieldIn<D::dimension, T>& work,
+                          FieldIn<D::dimension, T>& f) {
   const Grid& grid = sample.grid;
-  Vec2 top;
-  for (std::ptrdiff_t i = grid.row(grid.height - 1), end = i + grid.width; i < end; ++i)
-    if (std::abs(u.x[i]) + std::abs(u.y[i]) > std::abs(top.x) + std::abs(top.y)) top = {u.x[i], u.y[i]};
-  for (int y = 0; y < grid.height; ++y) {
-    const double share = static_cast<double>(y) / (grid.height - 1) - 0.5;  // about the middle: small numbers
-    std::fill_n(work.x.data() + grid.row(y), grid.width, static_cast<T>(share * top.x));
-    std::fill_n(work.y.data() + grid.row(y), grid.width, static_cast<T>(share * top.y));
-  }
+  constexpr int dimension = D::dimension;
+  const auto size_of = [](Vec<dimension> v) {
+    double sum = 0;
+    for (int c = 0; c < dimension; ++c) sum += std::abs(v[c]);
+    return sum;
+  };
+  Vec<dimension> top;
+  grid.each([&](std::ptrdiff_t i, int level) {
+    if (level == grid.levels() - 1 && size_of(u.at(i)) > size_of(top)) top = u.at(i);
+  });
+  grid.each([&](std::ptrdiff_t i, int level) {
+    const double share = static_cast<double>(level) / (grid.levels() - 1) - 0.5;  // about the middle: small numbers
+    work.set(i, share * top);
+  });
   const auto norm_of_force = [&](const std::vector<std::uint8_t>& rows) {
-    if constexpr (std::is_same_v<T, double>) kernels_of(sample).force(sample, rows.data(), plane(work), plane(f));
-    else kernels_of(sample).force_float(sample, rows.data(), plane(work), plane(f));
+    if constexpr (std::is_same_v<T, double>) kernels_of(sample).force(sample, rows.data(), pointers(work), pointers(f));
+    else kernels_of(sample).force_float(sample, rows.data(), pointers(work), pointers(f));
     return std::sqrt(square_norm(grid, f));
   };
   const double inside = norm_of_force(prescribed);

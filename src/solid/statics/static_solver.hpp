@@ -8,30 +8,35 @@
 
 #include "solid/statics/coarse_space.hpp"
 #include "solid/statics/discretisation.hpp"
+#include "solid/statics/halo.hpp"
 #include "solid/statics/residual.hpp"
 #include "solid/statics/watch.hpp"
 
 namespace arenite::statics {
 
-/// The preconditioner: Chebyshev steps on the 2 x 2 block diagonal, a correction on the coarse space cut by grain, and
+/// The preconditioner: Chebyshev steps on the block diagonal, a correction on the coarse space cut by grain, and
 /// the same steps again, all in single precision. Symmetric and positive, as conjugate gradients ask.
 template <Discretisation D> struct Preconditioner {
   struct Coefficient {
     float a, b;
   };
 
+  static constexpr int dimension = D::dimension;
+  using Floats = FieldIn<dimension, float>;
+  using Doubles = FieldIn<dimension, double>;
+  using Diagonal = BlockDiagonalIn<dimension, double>;
+
   std::vector<std::uint8_t> prescribed;
-  InverseDiagonal inverse;
-  CoarseSpace coarse;
-  Field<float> r, p, f, z, other, left;
+  InverseDiagonalIn<dimension> inverse;
+  CoarseSpaceIn<dimension> coarse;
+  Floats r, p, f, z, other, left;
   std::vector<Coefficient> coefficient;
 
-  Preconditioner(const D& sample, Aggregates aggregates, std::vector<std::uint8_t> rows,
-                 const BlockDiagonal<double>& diagonal)
+  Preconditioner(const D& sample, Aggregates aggregates, std::vector<std::uint8_t> rows, const Diagonal& diagonal)
       : prescribed(std::move(rows)),
         inverse(inverse_diagonal(sample.grid, diagonal, prescribed)),
         coarse(coarse_space(sample, std::move(aggregates), diagonal, prescribed)) {
-    for (Field<float>* field : {&r, &p, &f, &z, &other, &left}) *field = Field<float>(sample.grid.padded_size());
+    for (Floats* field : {&r, &p, &f, &z, &other, &left}) *field = Floats(sample.grid.padded_size());
     const auto [degree, lowest, highest] = smoothing_of(sample);
     const double centre = (highest + lowest) / 2, half = (highest - lowest) / 2;
     double rho = half / centre;
@@ -43,42 +48,46 @@ template <Discretisation D> struct Preconditioner {
     }
   }
 
-  static CoarseSpace coarse_space(const D& sample, Aggregates aggregates, const BlockDiagonal<double>& diagonal,
-                                  const std::vector<std::uint8_t>& rows) {
-    const std::vector<Coupling> sums = couplings(sample, aggregates, diagonal, rows);
-    return {sample.grid, std::move(aggregates), sums, rows};
+  static CoarseSpaceIn<dimension> coarse_space(const D& sample, Aggregates aggregates, const Diagonal& diagonal,
+                                               const std::vector<std::uint8_t>& levels) {
+    const GalerkinSums<dimension> sums = couplings(sample, aggregates, diagonal, levels);
+    return {sample.grid, std::move(aggregates), sums, levels};
   }
 
   /// z := M r, where z comes in as the first step from zero.
   void apply(const D& sample) {
     const KernelsOf<D>& k = kernels_of(sample);
     const auto step = [&](Coefficient c) {
-      k.chebyshev(sample, plane(z), plane(other), plane(r), inverse.plane(), c.a, c.b);
+      close_period(sample.grid, z);
+      k.chebyshev(sample, pointers(z), pointers(other), pointers(r), inverse.pointers(), c.a, c.b);
       std::swap(z, other);
     };
     set_zero(other);  // from zero the first step has no force: `move` has taken it; the second looks back at zero
     for (std::size_t s = 1; s < coefficient.size(); ++s) step(coefficient[s]);
-    k.residual(sample, plane(z), plane(r), plane(left));
-    coarse.correct(plane(left), plane(z));
+    close_period(sample.grid, z);
+    k.residual(sample, pointers(z), pointers(r), pointers(left));
+    coarse.correct(pointers(left), pointers(z));
     for (const Coefficient c : coefficient) step(c);
   }
 
   /// r := residual of u, worked out anew in double; returns its norm.
-  double fresh_residual(const D& sample, const Field<double>& u, const Field<double>* body) {
-    const double square = kernels_of(sample).imbalance(sample, prescribed.data(), plane(u), plane(r));
+  double fresh_residual(const D& sample, Doubles& u, const Doubles* body) {
+    close_period(sample.grid, u);
+    const double square = kernels_of(sample).imbalance(sample, prescribed.data(), pointers(u), pointers(r));
     if (!body) return std::sqrt(square);
-    sample.grid.each([&](std::ptrdiff_t i, int y) {
-      const auto rows = prescribed[y];
-      if (!(rows & x_prescribed)) r.x[i] += static_cast<float>(body->x[i]);
-      if (!(rows & y_prescribed)) r.y[i] += static_cast<float>(body->y[i]);
+    sample.grid.each([&](std::ptrdiff_t i, int level) {
+      const auto held = prescribed[static_cast<std::size_t>(level)];
+      for (int c = 0; c < dimension; ++c)
+        if (!(held >> c & 1)) r[c][i] += static_cast<float>((*body)[c][i]);
     });
     return std::sqrt(square_norm(sample.grid, r));
   }
 
   /// u and r move along p, and z becomes the first step of the preconditioner; returns the norm of r.
-  double move(const D& sample, double alpha, Field<double>& u) {
-    return std::sqrt(kernels_of(sample).conjugate_step(sample, static_cast<float>(alpha), plane(p), plane(f), plane(u),
-                                                       plane(r), inverse.plane(), coefficient[0].b, plane(z)));
+  double move(const D& sample, double alpha, Doubles& u) {
+    return std::sqrt(kernels_of(sample).conjugate_step(sample, static_cast<float>(alpha), pointers(p), pointers(f),
+                                                       pointers(u), pointers(r), inverse.pointers(), coefficient[0].b,
+                                                       pointers(z)));
   }
 };
 
@@ -86,30 +95,34 @@ template <Discretisation D> struct Preconditioner {
 /// right sides, and through broken bonds: the preconditioner may lag behind the bonds.
 template <Discretisation D> class StaticSolver {
  public:
-  /// `aggregates` are those that carry, `prescribed` has one entry a row.
+  using Doubles = FieldIn<D::dimension, double>;
+
+  /// `aggregates` are those that carry, `prescribed` has one entry a level.
   StaticSolver(const D& sample, Aggregates aggregates, std::vector<std::uint8_t> prescribed)
       : state_(std::make_unique<Preconditioner<D>>(sample, std::move(aggregates), std::move(prescribed),
                                                    block_diagonal(sample))) {}
 
   /// On entry `u` holds the prescribed displacements and a first guess, on return the field at equilibrium. Residuals
-  /// are relative to that of uniform strain (residual_reference). `body`, if given, is a force on every node beside
-  /// that of the sample.
-  StaticReport solve(const D& sample, Field<double>& u, double tolerance, int max_iterations, const Watch& watch = {},
-                     const Field<double>* body = nullptr);
+  /// are relative to that of uniform strain (residual_reference), in a periodic sample to `body`: a force on every
+  /// node beside that of the sample.
+  StaticReport solve(const D& sample, Doubles& u, double tolerance, int max_iterations, const Watch& watch = {},
+                     const Doubles* body = nullptr);
+  std::int32_t coarse_nodes() const { return state_->coarse.nodes(); }
 
  private:
   std::unique_ptr<Preconditioner<D>> state_;
 };
 
 template <Discretisation D>
-StaticReport StaticSolver<D>::solve(const D& sample, Field<double>& u, double tolerance, int max_iterations,
-                                    const Watch& watch, const Field<double>* body) {
+StaticReport StaticSolver<D>::solve(const D& sample, Doubles& u, double tolerance, int max_iterations,
+                                    const Watch& watch, const Doubles* body) {
   Preconditioner<D>& s = *state_;
   const KernelsOf<D>& k = kernels_of(sample);
   StaticReport report;
   report.repairs = s.coarse.repairs();
   report.loose_nodes = s.inverse.loose;
-  const double reference = residual_reference(sample, s.prescribed, u, s.z, s.r);
+  const double reference = body && sample.grid.periodic ? std::sqrt(square_norm(sample.grid, *body))
+                                                        : residual_reference(sample, s.prescribed, u, s.z, s.r);
   if (!(reference > 0)) {
     report.converged = std::isfinite(reference);
     return report;
@@ -133,11 +146,12 @@ StaticReport StaticSolver<D>::solve(const D& sample, Field<double>& u, double to
       break;
     }
     s.apply(sample);
-    const double rz = k.dot(sample, plane(s.r), plane(s.z));
+    const double rz = k.dot(sample, pointers(s.r), pointers(s.z));
     if (!(rz > 0) || !std::isfinite(rz)) break;
-    k.direct(sample, static_cast<float>(last > 0 ? rz / last : 0.0), plane(s.z), plane(s.p));
+    k.direct(sample, static_cast<float>(last > 0 ? rz / last : 0.0), pointers(s.z), pointers(s.p));
     last = rz;
-    const double curvature = -k.force_float(sample, s.prescribed.data(), plane(s.p), plane(s.f));
+    close_period(sample.grid, s.p);
+    const double curvature = -k.force_float(sample, s.prescribed.data(), pointers(s.p), pointers(s.f));
     if (!(curvature > 0)) break;
     report.residual = s.move(sample, rz / curvature, u) / reference;
     ++report.iterations;

@@ -2,45 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/problems.hpp"
+#include "solid/stress/component_statistics.hpp"
 #include "solid/stress/grains.hpp"
-#include "solid/stress/set_statistics.hpp"
 #include "solid/stress/stress.hpp"
-#include "statistics/jackknife.hpp"
 
 namespace arenite::stress {
 namespace {
 
-using statistics::BlockedSample;
 using statistics::described;
-using statistics::put;
-
-/// The sets that do not overlap; unclassed are particles without class.
-enum class NodeSet : std::uint8_t { left_out, matrix, small, large, unclassed };
-
-/// What is reported: a range of these.
-struct NamedSet {
-  const char* name;
-  NodeSet first, last;
-};
-constexpr NamedSet named_sets[] = {{"all", NodeSet::matrix, NodeSet::unclassed},
-                                   {"particle", NodeSet::small, NodeSet::unclassed},
-                                   {"large", NodeSet::large, NodeSet::large},
-                                   {"small", NodeSet::small, NodeSet::small},
-                                   {"matrix", NodeSet::matrix, NodeSet::matrix}};
-
-/// Which nodes count, and in which block each lies.
-struct Selection {
-  std::size_t nodes = 0;                           ///< considered: particle or matrix
-  std::size_t clamp_nodes = 0, surface_nodes = 0;  ///< left out as clamp rows, as outermost ones
-  std::size_t unloaded_nodes = 0;                  ///< particle or matrix without any stress beyond the clamp rows
-  std::vector<NodeSet> set;                        ///< one a node
-  std::vector<std::uint16_t> block;                ///< one a node
-  int blocks = 1;                                  ///< in all
-  std::vector<double> block_area;                  ///< nodes of a block beyond the clamp rows, void included
-};
 
 void check(const PhaseMap& map, const StressField& field, const StressOptions& options) {
   arenite::check(map);
@@ -60,14 +31,9 @@ void check(const PhaseMap& map, const StressField& field, const StressOptions& o
   problems.raise();
 }
 
-NodeSet set_of(const PhaseMap& map, std::size_t i) {
-  if (map.phase[i] == Phase::empty) return NodeSet::left_out;
-  if (map.phase[i] == Phase::matrix) return NodeSet::matrix;
-  switch (map.grain_class[static_cast<std::size_t>(map.grain[i])]) {
-    case GrainClass::small: return NodeSet::small;
-    case GrainClass::large: return NodeSet::large;
-    default: return NodeSet::unclassed;
-  }
+NodeSet set_at(const PhaseMap& map, std::size_t i) {
+  const bool particle = map.phase[i] == Phase::particle;
+  return set_of(map.phase[i], particle ? map.grain_class[static_cast<std::size_t>(map.grain[i])] : GrainClass::none);
 }
 
 /// Whether one of a node's eight neighbours is of another phase or grain; beyond the map there is none.
@@ -93,7 +59,7 @@ Selection select(const PhaseMap& map, const StressField& field, const StressOpti
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x) {
       const std::size_t i = map.index(x, y);
-      const NodeSet set = set_of(map, i);
+      const NodeSet set = set_at(map, i);
       if (y < first || y >= first + rows) {
         selection.clamp_nodes += set != NodeSet::left_out;
         continue;
@@ -127,76 +93,6 @@ double value(const StressField& field, Component component, std::size_t i) {
   }
 }
 
-BlockedSample gather(const Selection& selection, const StressField& field, Component component,
-                     const NamedSet& wanted) {
-  BlockedSample sample{{}, {}, selection.blocks};
-  sample.x.reserve(selection.nodes);
-  sample.block.reserve(selection.nodes);
-  for (std::size_t i = 0; i < selection.set.size(); ++i)
-    if (selection.set[i] >= wanted.first && selection.set[i] <= wanted.last) {
-      sample.x.push_back(value(field, component, i));
-      sample.block.push_back(selection.block[i]);
-    }
-  return sample;
-}
-
-/// Puts the means of the sample; returns what divides its stresses, all and without each block. One of them is not
-/// zero.
-Normaliser normalise(const Selection& selection, const BlockedSample& all, const StressOptions& options, Numbers& to) {
-  const std::vector<Powers> blocks = powers_by_block(all, 0);
-  const std::vector<double>& areas = selection.block_area;
-  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
-  Powers total;
-  for (const Powers& block : blocks) total += block;
-  Normaliser normaliser;
-  normaliser.over_mean = !near_zero(total.d1 / total.n, total.d2 / total.n);
-  const auto values = [&](const Powers& s, double of_area) {
-    const double scale =
-        !normaliser.over_mean ? std::sqrt(s.d2 / s.n) : s.d1 / (options.mean_over_area ? of_area : s.n);
-    return std::vector<double>{s.d1 / s.n, s.d1 / of_area, scale};
-  };
-  std::vector<std::vector<double>> replicates;
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const Powers rest = total - blocks[b];
-    const bool any = rest.n > 0 && rest.d2 > 0;
-    normaliser.without.push_back(any ? values(rest, area - areas[b])[2] : unknown);
-    if (any) replicates.push_back(values(rest, area - areas[b]));
-  }
-  const auto whole = values(total, area);
-  const auto e = statistics::with_errors(whole, replicates);
-  normaliser.value = whole[2];
-  put(to, "sample_mean_Pa", options.mean_over_area ? e[1] : e[0], "Pa", "Mean by which stresses are divided");
-  put(to, "mean_over_nodes_Pa", e[0], "Pa", "Mean over nodes of particles and matrix", Trait::detail);
-  put(to, "mean_over_area_Pa", e[1], "Pa", "Mean over the whole area, the void as zero", Trait::detail);
-  to["normalised_by"] = normaliser.over_mean ? "mean" : "root mean square";
-  return normaliser;
-}
-
-/// Not known where the component is zero in every node.
-Numbers measure_component(const Selection& selection, const StressField& field, Component component,
-                          const StressOptions& options, std::vector<std::string>& notes) {
-  const std::string stress = name_of(component);
-  BlockedSample all = gather(selection, field, component, named_sets[0]);
-  if (std::ranges::all_of(all.x, [](double sigma) { return sigma == 0; })) {
-    notes.push_back(
-        fmt::format("{} is zero in every node, so there is nothing to normalise by; load the sample", stress));
-    return {};
-  }
-  Numbers j = Numbers::tree();
-  const Normaliser normaliser = normalise(selection, all, options, j);
-  if (!normaliser.over_mean)
-    notes.push_back(
-        fmt::format("the sample's mean of {} is near zero, below a tenth of its root mean square: stresses are given "
-                    "over the latter",
-                    stress));
-  for (const NamedSet& set : named_sets) {
-    BlockedSample sample = &set == named_sets ? std::move(all) : gather(selection, field, component, set);
-    if (!sample.x.empty())
-      j["sets"][set.name] = describe(fmt::format("{} in {}", stress, set.name), sample, normaliser, notes);
-  }
-  return j;
-}
-
 }  // namespace
 
 const char* name_of(Component component) {
@@ -228,7 +124,10 @@ Statistics measure(const PhaseMap& map, const StressField& field, const StressOp
   bool any = false;
   for (const Component component : options.components) {
     std::vector<std::string> said;
-    if (Numbers measured = measure_component(selection, field, component, options, said); measured.is_known()) {
+    Numbers measured = component_statistics(
+        selection, name_of(component), [&](std::size_t i) { return value(field, component, i); },
+        options.mean_over_area, said);
+    if (measured.is_known()) {
       j[name_of(component)] = std::move(measured);
       any = true;
     }

@@ -11,6 +11,7 @@
 #include "io/film/formats.hpp"
 #include "io/image/image.hpp"
 #include "io/sample/formats.hpp"
+#include "io/volume/volume.hpp"
 #include "support/films.hpp"
 #include "support/pictures.hpp"
 #include "support/temporary_folder.hpp"
@@ -44,6 +45,7 @@ template <class Family> std::set<std::string> named_in(const Family& all) {
 TEST(Formats, EachIsOneFileOfItsNameAndOneWordInItsList) {
   EXPECT_EQ(defined_in("film", "films"), named_in(films::all));
   EXPECT_EQ(defined_in("image", "pictures"), named_in(pictures::all));
+  EXPECT_EQ(defined_in("volume", "volumes"), named_in(volumes::all));
   EXPECT_EQ(defined_in("sample", "samples"), named_in(samples::all));
   EXPECT_EQ(defined_in("export", "exports"), named_in(exports::all));
 }
@@ -93,6 +95,10 @@ TEST(Formats, MessagesSayWhatTheFormatsSayOfThemselves) {
   expect_words(no_film, {std::string(films::raw.sidecar)});
   const std::string no_picture = test::complaint([] { decode_image("no picture", "x"); });
   expect_words(no_picture, words_of(pictures::all, &PictureFormat::sentence));
+  const test::TemporaryFolder volume_folder;
+  write_atomically(volume_folder / "x", "no volume\n");
+  const std::string no_volume = test::complaint([&] { open_volume(volume_folder / "x"); });
+  expect_words(no_volume, words_of(volumes::all, &VolumeFormat::sentence));
   const std::string set_of_png = test::complaint([] { decode_image("\x89PNG\r\n\x1a\n", "x", {.dataset = "a"}); });
   EXPECT_NE(set_of_png.find("PNG, which holds no datasets"), std::string::npos) << set_of_png;
   const test::TemporaryFolder folder;

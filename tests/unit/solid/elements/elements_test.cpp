@@ -73,7 +73,7 @@ Matrix by_quadrature(Constants constants, PlaneState plane, bool modes) {
 Field<double> applied(const Elements& elements, const Kernels& kernels, const Field<double>& u) {
   Field<double> f(elements.grid.padded_size());
   const std::vector<std::uint8_t> free(static_cast<std::size_t>(elements.grid.height), statics::nothing_prescribed);
-  kernels.force(elements, free.data(), statics::plane(u), statics::plane(f));
+  kernels.force(elements, free.data(), statics::pointers(u), statics::pointers(f));
   return f;
 }
 
@@ -236,7 +236,7 @@ TEST(Elements, CouplingsAreTheEnergyOfWhatTheCoarseSpaceHolds) {
           const double* p = &corner[8 * static_cast<std::size_t>(c.p) + 2 * a];
           const double* q = &corner[8 * static_cast<std::size_t>(c.q) + 2 * b];
           found += (c.p == c.q ? 1 : 2) * (p[0] * (c.block[0][a][b] * q[0] + c.block[1][a][b] * q[1]) +
-                                           p[1] * (c.block[3][a][b] * q[0] + c.block[2][a][b] * q[1]));
+                                           p[1] * (c.block[2][a][b] * q[0] + c.block[3][a][b] * q[1]));
         }
     EXPECT_NEAR(found / wanted, 1, 1e-10);
   }

@@ -37,8 +37,8 @@ TEST(Aggregates, EveryPieceHasOneOwnerAndOneCellAndHoldsTogether) {
       ASSERT_EQ(p >= 0, solid) << x << " " << y;
       if (p < 0) continue;
       const auto k = static_cast<std::size_t>(p);
-      ASSERT_EQ(s.aggregates.list[k].cell_x, x / Aggregates::cell);
-      ASSERT_EQ(s.aggregates.list[k].cell_y, y / Aggregates::cell);
+      ASSERT_EQ(s.aggregates.list[k].cell[0], x / Aggregates::cell);
+      ASSERT_EQ(s.aggregates.list[k].cell[1], y / Aggregates::cell);
       if (s.map.phase[s.map.index(x, y)] == Phase::particle) {
         ASSERT_EQ(s.aggregates.list[k].owner, s.map.grain[s.map.index(x, y)]);
       }
@@ -67,7 +67,7 @@ void expect_energy_of_bonds(Prepared s, Prescribed bottom) {
           u.y[i] += h[a] * corner[8 * static_cast<std::size_t>(p) + 2 * a + 1];
       }
     }
-  const double wanted = -kernels().force(s.bonds, s.prescribed.data(), plane(u), plane(f));
+  const double wanted = -kernels().force(s.bonds, s.prescribed.data(), pointers(u), pointers(f));
   double energy = 0;
   for (const Coupling& c : sums)
     for (unsigned a = 0; a < 4; ++a)
@@ -75,7 +75,7 @@ void expect_energy_of_bonds(Prepared s, Prescribed bottom) {
         const double* p = &corner[8 * static_cast<std::size_t>(c.p) + 2 * a];
         const double* q = &corner[8 * static_cast<std::size_t>(c.q) + 2 * b];
         energy += (c.p == c.q ? 1 : 2) * (c.block[0][a][b] * p[0] * q[0] + c.block[1][a][b] * p[0] * q[1] +
-                                          c.block[3][a][b] * p[1] * q[0] + c.block[2][a][b] * p[1] * q[1]);
+                                          c.block[2][a][b] * p[1] * q[0] + c.block[3][a][b] * p[1] * q[1]);
       }
   EXPECT_NEAR(energy / wanted, 1, 1e-12);
 }
@@ -97,12 +97,12 @@ TEST(CoarseSpace, CorrectionLeavesNothingOfAFieldThatItHolds) {
       u.x[s.bonds.grid.index(x, y)] = 1 + 0.01f * static_cast<float>(y);
       u.y[s.bonds.grid.index(x, y)] = 2 - 0.02f * static_cast<float>(x);
     }
-  kernels().force_float(s.bonds, s.prescribed.data(), plane(u), plane(r));
+  kernels().force_float(s.bonds, s.prescribed.data(), pointers(u), pointers(r));
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(r.x.size()); ++i) {
     r.x[i] = -r.x[i];
     r.y[i] = -r.y[i];
   }
-  coarse.correct(plane(r), plane(z));
+  coarse.correct(pointers(r), pointers(z));
   for (int y = 1; y < s.map.height - 1; ++y)
     for (int x = 0; x < s.map.width; ++x) {
       ASSERT_NEAR(z.x[s.bonds.grid.index(x, y)], u.x[s.bonds.grid.index(x, y)], 2e-4) << x << " " << y;

@@ -64,7 +64,7 @@ TEST_P(EveryKernel, ForceIsTheSumOverBonds) {
   const std::vector<std::uint8_t> open(static_cast<std::size_t>(map.height), 0);
   const auto u = random_field<double>(bonds, map);
   Field<double> f(bonds.grid.padded_size());
-  const double work = k().force(bonds, open.data(), plane(u), plane(f));
+  const double work = k().force(bonds, open.data(), pointers(u), pointers(f));
   const auto wanted = force_by_law(bonds, u);
   double sum = 0;
   for (int y = 0; y < map.height; ++y)
@@ -86,8 +86,8 @@ TEST_P(EveryKernel, SingleAndDoublePrecisionAgree) {
   const auto v = random_field<float>(bonds, map);
   Field<double> f(bonds.grid.padded_size());
   Field<float> g(bonds.grid.padded_size());
-  k().force(bonds, open.data(), plane(u), plane(f));
-  k().force_float(bonds, open.data(), plane(v), plane(g));
+  k().force(bonds, open.data(), pointers(u), pointers(f));
+  k().force_float(bonds, open.data(), pointers(v), pointers(g));
   for (std::ptrdiff_t i = bonds.grid.row(0); i < bonds.grid.row(map.height); ++i) ASSERT_NEAR(f.y[i], g.y[i], 1e-5);
 }
 
@@ -101,7 +101,7 @@ TEST_P(EveryKernel, UniformStrainLeavesNoForceInside) {
       u.x[bonds.grid.index(x, y)] = 1e-3 * x - 2e-4 * y;
       u.y[bonds.grid.index(x, y)] = 3e-4 * x + 5e-4 * y;
     }
-  k().force(bonds, open.data(), plane(u), plane(f));
+  k().force(bonds, open.data(), pointers(u), pointers(f));
   for (int y = 3; y < map.height - 3; ++y)
     for (int x = 3; x < map.width - 3; ++x) {
       ASSERT_NEAR(f.x[bonds.grid.index(x, y)], 0, 1e-16);
@@ -127,8 +127,8 @@ TEST_P(EveryKernel, TurnedSampleHasTurnedForces) {
       v.x[bonds.grid.index(n - 1 - y, x)] = -u.y[bonds.grid.index(x, y)];
       v.y[bonds.grid.index(n - 1 - y, x)] = u.x[bonds.grid.index(x, y)];
     }
-  k().force(bonds, open.data(), plane(u), plane(f));
-  k().force(other, open.data(), plane(v), plane(g));
+  k().force(bonds, open.data(), pointers(u), pointers(f));
+  k().force(other, open.data(), pointers(v), pointers(g));
   for (int y = 0; y < n; ++y)
     for (int x = 0; x < n; ++x) {
       ASSERT_NEAR(g.x[bonds.grid.index(n - 1 - y, x)], -f.y[bonds.grid.index(x, y)], 1e-13);
@@ -144,7 +144,7 @@ TEST_P(EveryKernel, PrescribedComponentsGetNoForce) {
   rows.back() = both_prescribed;
   const auto u = random_field<double>(bonds, map);
   Field<double> f(bonds.grid.padded_size());
-  k().force(bonds, rows.data(), plane(u), plane(f));
+  k().force(bonds, rows.data(), pointers(u), pointers(f));
   double open_x = 0;
   for (int x = 0; x < map.width; ++x) {
     const auto low = bonds.grid.index(x, 0), high = bonds.grid.index(x, map.height - 1);
@@ -172,9 +172,9 @@ TEST_P(EveryKernel, ChebyshevAndResidualAndMotionAreForceAndArithmetic) {
     xy[i] = 0.125f;
     yy[i] = 0.25f;
   }
-  k().force_float(bonds, open.data(), plane(z), plane(f));
-  k().residual(bonds, plane(z), plane(r), plane(out));
-  k().chebyshev(bonds, plane(z), plane(older), plane(r), {xx.data(), xy.data(), yy.data()}, 0.5f, 2.0f);
+  k().force_float(bonds, open.data(), pointers(z), pointers(f));
+  k().residual(bonds, pointers(z), pointers(r), pointers(out));
+  k().chebyshev(bonds, pointers(z), pointers(older), pointers(r), {xx.data(), xy.data(), yy.data()}, 0.5f, 2.0f);
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x) {
       const auto i = bonds.grid.index(x, y);
@@ -202,8 +202,8 @@ TEST_P(EveryKernel, StepOfConjugateGradientsIsItsArithmetic) {
     f.x[i] = 3 * p.y[i];
     f.y[i] = -p.x[i];
   }
-  k().force(bonds, open.data(), plane(u), plane(exact));
-  const double square = k().imbalance(bonds, open.data(), plane(u), plane(r));
+  k().force(bonds, open.data(), pointers(u), pointers(exact));
+  const double square = k().imbalance(bonds, open.data(), pointers(u), pointers(r));
   double wanted = 0, moved = 0, both = 0;
   for (std::ptrdiff_t i = bonds.grid.row(0); i < bonds.grid.row(map.height); ++i) {
     ASSERT_EQ(r.x[i], static_cast<float>(exact.x[i]));
@@ -212,8 +212,8 @@ TEST_P(EveryKernel, StepOfConjugateGradientsIsItsArithmetic) {
   }
   EXPECT_NEAR(square / wanted, 1, 1e-12);
   const Field<double> before = random_field<double>(bonds, map);
-  const double after = k().conjugate_step(bonds, 0.5f, plane(p), plane(f), plane(u), plane(r),
-                                          {xx.data(), xy.data(), yy.data()}, 2.0f, plane(z));
+  const double after = k().conjugate_step(bonds, 0.5f, pointers(p), pointers(f), pointers(u), pointers(r),
+                                          {xx.data(), xy.data(), yy.data()}, 2.0f, pointers(z));
   for (std::ptrdiff_t i = bonds.grid.row(0); i < bonds.grid.row(map.height); ++i) {
     ASSERT_EQ(u.x[i], before.x[i] + 0.5 * static_cast<double>(p.x[i]));
     ASSERT_NEAR(r.y[i], exact.y[i] - 0.5 * p.x[i], 1e-6);
@@ -223,10 +223,10 @@ TEST_P(EveryKernel, StepOfConjugateGradientsIsItsArithmetic) {
     both += static_cast<double>(r.x[i]) * z.x[i] + static_cast<double>(r.y[i]) * z.y[i];
   }
   EXPECT_NEAR(after / moved, 1, 1e-12);
-  EXPECT_NEAR(k().dot(bonds, plane(r), plane(z)) / both, 1, 1e-12);
-  k().direct(bonds, -0.5f, plane(z), plane(q));
+  EXPECT_NEAR(k().dot(bonds, pointers(r), pointers(z)) / both, 1, 1e-12);
+  k().direct(bonds, -0.5f, pointers(z), pointers(q));
   for (std::ptrdiff_t i = bonds.grid.row(0); i < bonds.grid.row(map.height); ++i) ASSERT_EQ(q.x[i], z.x[i]);
-  k().direct(bonds, -0.5f, plane(p), plane(q));
+  k().direct(bonds, -0.5f, pointers(p), pointers(q));
   for (std::ptrdiff_t i = bonds.grid.row(0); i < bonds.grid.row(map.height); ++i)
     ASSERT_NEAR(q.y[i], p.y[i] - 0.5f * z.y[i], 1e-6);
 }
@@ -242,18 +242,19 @@ TEST(Kernels, WidestVectorsGiveTheSameBits) {
   const auto v = random_field<float>(bonds, map);
   Field<double> f(n), g(n);
   Field<float> a(n), b(n);
-  EXPECT_EQ(narrow->force(bonds, open.data(), plane(u), plane(f)), wide->force(bonds, open.data(), plane(u), plane(g)));
-  EXPECT_EQ(narrow->force_float(bonds, open.data(), plane(v), plane(a)),
-            wide->force_float(bonds, open.data(), plane(v), plane(b)));
-  EXPECT_EQ(narrow->dot(bonds, plane(a), plane(v)), wide->dot(bonds, plane(b), plane(v)));
+  EXPECT_EQ(narrow->force(bonds, open.data(), pointers(u), pointers(f)),
+            wide->force(bonds, open.data(), pointers(u), pointers(g)));
+  EXPECT_EQ(narrow->force_float(bonds, open.data(), pointers(v), pointers(a)),
+            wide->force_float(bonds, open.data(), pointers(v), pointers(b)));
+  EXPECT_EQ(narrow->dot(bonds, pointers(a), pointers(v)), wide->dot(bonds, pointers(b), pointers(v)));
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(n); ++i) {
     ASSERT_EQ(f.x[i], g.x[i]);
     ASSERT_EQ(f.y[i], g.y[i]);
     ASSERT_EQ(a.x[i], b.x[i]);
     ASSERT_EQ(a.y[i], b.y[i]);
   }
-  EXPECT_EQ(narrow->stormer(bonds, open.data(), plane(u), plane(f), 0.5, 0.25),
-            wide->stormer(bonds, open.data(), plane(u), plane(g), 0.5, 0.25));
+  EXPECT_EQ(narrow->stormer(bonds, open.data(), pointers(u), pointers(f), 0.5, 0.25),
+            wide->stormer(bonds, open.data(), pointers(u), pointers(g), 0.5, 0.25));
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(n); ++i) ASSERT_EQ(f.y[i], g.y[i]);
 }
 

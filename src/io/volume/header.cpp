@@ -1,0 +1,113 @@
+#include "io/volume/header.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <functional>
+#include <sstream>
+#include <string_view>
+
+#include "core/problems.hpp"
+#include "core/text.hpp"
+#include "core/units.hpp"
+
+namespace arenite::io {
+namespace {
+
+constexpr std::size_t longest_header = std::size_t{1} << 16;
+
+std::string trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r=");
+  if (first == std::string_view::npos) return {};
+  return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
+}
+
+TextHeader read_header(const Bytes& bytes, char separator,
+                       const std::function<bool(std::string_view line, const std::string& key)>& is_last) {
+  const std::string head = bytes->text(0, longest_header);
+  TextHeader header{bytes->name(), {}, 0};
+  while (header.size < head.size()) {
+    const std::size_t end = std::min(head.find('\n', header.size), head.size());
+    const std::string_view line = std::string_view(head).substr(header.size, end - header.size);
+    header.size = std::min(end + 1, head.size());
+    const std::size_t at = line.find(separator);
+    std::string key;
+    if (at != std::string_view::npos && !line.starts_with('#')) {
+      key = trimmed(line.substr(0, at));
+      std::ranges::transform(key, key.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+      header.values[key] = trimmed(line.substr(at + 1));
+    }
+    if (is_last(line, key)) return header;
+  }
+  refuse(bytes->name(), "has a header that does not end; copy it again");
+}
+
+}  // namespace
+
+const std::string& TextHeader::word(const std::string& key) const {
+  const auto found = values.find(key);
+  if (found == values.end()) refuse(file, "does not state \"{}\" in its header; save it again", key);
+  return found->second;
+}
+
+std::vector<double> TextHeader::numbers(const std::string& key, std::size_t count) const {
+  std::istringstream text(word(key));
+  std::vector<double> list;
+  for (double value = 0; text >> value;) list.push_back(value);
+  if (list.size() != count) refuse(file, "states {} = \"{}\"; {} numbers are wanted", key, word(key), count);
+  return list;
+}
+
+std::vector<std::int64_t> TextHeader::whole_numbers(const std::string& key, std::size_t count) const {
+  std::istringstream text(word(key));
+  std::vector<std::int64_t> list;
+  for (std::int64_t value = 0; text >> value;) list.push_back(value);
+  if (list.size() != count) refuse(file, "states {} = \"{}\"; {} whole numbers are wanted", key, word(key), count);
+  return list;
+}
+
+TextHeader header_until_blank(const Bytes& bytes, char separator) {
+  return read_header(bytes, separator,
+                     [](std::string_view line, const std::string&) { return line.empty() || line == "\r"; });
+}
+
+TextHeader header_until_key(const Bytes& bytes, char separator, const std::string& key) {
+  return read_header(bytes, separator, [&](std::string_view, const std::string& found) { return found == key; });
+}
+
+Bytes opened_beside(const Bytes& bytes, const std::string& name) {
+  const std::filesystem::path* path = bytes->path();
+  if (!path) refuse(bytes->name(), "names the file \"{}\" beside it, and there is none in memory", name);
+  return open_bytes(path->parent_path() / name);
+}
+
+void take_side(VolumeFacts& facts, double side, const std::string& unit) {
+  try {
+    if (!unit.empty()) {
+      facts.dx = parse_si(fmt::format("{} {}", side, unit), dimension::length);
+      return;
+    }
+  } catch (const InputError&) {  // a unit of its own: told below
+  }
+  facts.remarks.push_back(fmt::format("a spacing of {:g} {}, which is no known length, is left aside; give --dx", side,
+                                      unit.empty() ? "without a unit" : unit));
+}
+
+VolumePointer header_and_numbers(const Bytes& data, std::size_t start, bool packed, std::int64_t skip,
+                                 const VolumeFacts& facts, VoxelLayout layout) {
+  const std::size_t wanted = bytes_of(layout.type) * facts.slice() * static_cast<std::size_t>(facts.depth);
+  if (packed) {
+    const auto behind = static_cast<std::size_t>(std::max<std::int64_t>(skip, 0));
+    const std::string plain =
+        unpacked(data->text(start, static_cast<std::size_t>(data->size()) - start), wanted + behind, data->name());
+    layout.start = behind;
+    return voxels_in(bytes_in_memory(plain, data->name()), facts, layout);
+  }
+  layout.start =
+      skip < 0 ? std::max<std::uint64_t>(data->size(), wanted) - wanted : start + static_cast<std::uint64_t>(skip);
+  return voxels_in(data, facts, layout);
+}
+
+}  // namespace arenite::io

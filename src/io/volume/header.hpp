@@ -1,0 +1,41 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "io/disk/byte_source.hpp"
+#include "io/volume/volume.hpp"
+
+namespace arenite::io {
+
+/// Lines "key: value" or "key = value" before the numbers of a volume, keys in lower case.
+struct TextHeader {
+  std::string file;
+  std::map<std::string, std::string> values;
+  std::size_t size = 0;  ///< of the header, its last line included
+
+  bool has(const std::string& key) const { return values.contains(key); }
+  /// Throws InputError where the header does not say it.
+  const std::string& word(const std::string& key) const;
+  std::vector<double> numbers(const std::string& key, std::size_t count) const;
+  std::vector<std::int64_t> whole_numbers(const std::string& key, std::size_t count) const;
+};
+
+/// Up to an empty line.
+TextHeader header_until_blank(const Bytes& bytes, char separator);
+/// Up to and with the line of this key.
+TextHeader header_until_key(const Bytes& bytes, char separator, const std::string& key);
+
+/// A file that a header names, beside it.
+Bytes opened_beside(const Bytes& bytes, const std::string& name);
+
+/// The side of a voxel in a unit, if it is one of length; otherwise it is left aside, with a remark.
+void take_side(VolumeFacts& facts, double side, const std::string& unit);
+
+/// Numbers from `start` on, packed or not, of which `skip` bytes are left out; -1: all but those of the voxels.
+VolumePointer header_and_numbers(const Bytes& data, std::size_t start, bool packed, std::int64_t skip,
+                                 const VolumeFacts& facts, VoxelLayout layout);
+
+}  // namespace arenite::io

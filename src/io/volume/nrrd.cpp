@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/problems.hpp"
+#include "io/volume/header.hpp"
+#include "io/volume/volume.hpp"
+
+namespace arenite::io {
+namespace {
+
+std::optional<NumberType> nrrd_type(const std::string& word) {
+  using enum NumberType;
+  static const std::map<std::string, NumberType> known = {
+      {"uchar", u8},         {"unsigned char", u8}, {"uint8", u8},           {"uint8_t", u8},       {"signed char", i8},
+      {"int8", i8},          {"int8_t", i8},        {"short", i16},          {"signed short", i16}, {"int16", i16},
+      {"int16_t", i16},      {"ushort", u16},       {"unsigned short", u16}, {"uint16", u16},       {"uint16_t", u16},
+      {"int", i32},          {"signed int", i32},   {"int32", i32},          {"int32_t", i32},      {"uint", u32},
+      {"unsigned int", u32}, {"uint32", u32},       {"uint32_t", u32},       {"longlong", i64},     {"int64", i64},
+      {"int64_t", i64},      {"ulonglong", u64},    {"uint64", u64},         {"uint64_t", u64},     {"float", f32},
+      {"double", f64}};
+  const auto found = known.find(word);
+  return found == known.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// The length of every axis' step: of "(0.5,0,0) (0,0.5,0) (0,0,0.5)".
+std::vector<double> direction_lengths(std::string directions) {
+  std::replace_if(
+      directions.begin(), directions.end(), [](char c) { return c == ',' || c == ')'; }, ' ');
+  std::vector<double> lengths;
+  std::size_t at = 0;
+  while ((at = directions.find('(', at)) != std::string::npos) {
+    std::istringstream text(directions.substr(++at));
+    double square = 0, value = 0;
+    for (int k = 0; k < 3 && text >> value; ++k) square += value * value;
+    lengths.push_back(std::sqrt(square));
+  }
+  return lengths;
+}
+
+VolumePointer open_nrrd(const Bytes& bytes, const VolumeChoice&) {
+  const std::string& file = bytes->name();
+  const TextHeader header = header_until_blank(bytes, ':');
+  const auto number = [&](const std::string& key, long long otherwise) {
+    return header.has(key) ? header.whole_numbers(key, 1)[0] : otherwise;
+  };
+  if (number("dimension", 0) != 3) refuse(file, "has {} dimensions; save a volume of three", header.word("dimension"));
+  const auto type = nrrd_type(header.word("type"));
+  if (!type) refuse(file, "has voxels of type \"{}\"; save whole numbers of up to 64 bits", header.word("type"));
+  const auto size = header.whole_numbers("sizes", 3);
+  VolumeFacts facts = sized({size[0], size[1], size[2]}, file);
+  std::vector<double> spacing;
+  if (header.has("spacings")) spacing = header.numbers("spacings", 3);
+  else if (header.has("space directions")) spacing = direction_lengths(header.word("space directions"));
+  if (spacing.size() == 3) {
+    const double side = side_of({spacing[0], spacing[1], spacing[2]}, file);
+    std::string unit = header.has("space units") ? header.word("space units") : std::string{};
+    unit = unit.substr(unit.find('"') == std::string::npos ? 0 : unit.find('"') + 1);
+    unit = unit.substr(0, unit.find_first_of("\" "));
+    take_side(facts, side, unit);
+  }
+  VoxelLayout layout{.type = *type, .big_endian = header.has("endian") && header.word("endian") == "big"};
+  const std::string encoding = header.word("encoding");
+  const bool packed = encoding == "gzip" || encoding == "gz";
+  if (!packed && encoding != "raw")
+    refuse(file, "is stored as \"{}\"; save it with the encoding raw or gzip", encoding);
+  if (header.has("line skip")) refuse(file, "skips lines of another file's header; save it as one file");
+  const std::string beside = header.has("data file")  ? header.word("data file")
+                             : header.has("datafile") ? header.word("datafile")
+                                                      : std::string{};
+  const Bytes data = beside.empty() ? bytes : opened_beside(bytes, beside);
+  return header_and_numbers(data, beside.empty() ? header.size : 0, packed, number("byte skip", 0), facts, layout);
+}
+
+}  // namespace
+
+constinit const VolumeFormat volumes::nrrd{
+    .name = "nrrd",
+    .sentence = "NRRD",
+    .states = {{"sizes", "used: x fastest, z slowest"},
+               {"spacings, space directions",
+                "used with their unit (space units), refused where voxels are no cubes; "
+                "without a unit left aside, and told"},
+               {"data file", "read beside the header"},
+               {"encoding", "raw and gzip are read, others refused"}},
+    .is = [](std::string_view head) { return head.starts_with("NRRD000"); },
+    .open = open_nrrd};
+
+}  // namespace arenite::io

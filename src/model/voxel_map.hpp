@@ -1,0 +1,47 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/vec.hpp"
+#include "model/phase_map.hpp"
+
+namespace arenite {
+
+/// A sample in space, cut into voxels, row by row and layer by layer from the bottom: voxel (x, y, z) has index
+/// x + width (y + height z). Voxels of one particle carry the same grain label, an index into `grain_class`; -1 where
+/// there is no particle.
+struct VoxelMap {
+  int width = 0, height = 0, depth = 0;  ///< voxels along x, y, z
+  double dx = 1;                         ///< side of a voxel, m
+  std::vector<Phase> phase;              ///< one a voxel
+  std::vector<std::int32_t> grain;       ///< one a voxel
+  std::vector<GrainClass> grain_class;   ///< one a grain
+
+  std::size_t size() const { return phase.size(); }
+  std::size_t index(int x, int y, int z) const {
+    return static_cast<std::size_t>(x) +
+           static_cast<std::size_t>(width) *
+               (static_cast<std::size_t>(y) + static_cast<std::size_t>(height) * static_cast<std::size_t>(z));
+  }
+};
+
+/// All voxels empty, no grains. Throws InputError for sizes that are not positive or too many.
+VoxelMap make_voxel_map(int width, int height, int depth, double dx);
+
+/// Throws InputError, with every problem found, unless sizes, labels and spacing fit each other.
+void check(const VoxelMap& map);
+
+/// Displacement and stress in the middle of every voxel, in the map's order; zero in the void. Tension is positive.
+struct VoxelStress {
+  int width = 0, height = 0, depth = 0;
+  double dx = 1;                              ///< m
+  std::vector<float> ux, uy, uz;              ///< m
+  std::vector<float> xx, yy, zz, yz, xz, xy;  ///< Pa
+  std::size_t size() const { return xx.size(); }
+};
+
+/// Symmetric tensors of space in Voigt's order.
+enum VoigtIndex { voigt_xx, voigt_yy, voigt_zz, voigt_yz, voigt_xz, voigt_xy };
+
+}  // namespace arenite

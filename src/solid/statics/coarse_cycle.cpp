@@ -1,0 +1,264 @@
+#include "solid/statics/coarse_cycle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+#include "core/definite.hpp"
+#include "core/joined_sets.hpp"
+
+namespace arenite::statics {
+namespace {
+
+constexpr int box_side = 3;  ///< cells a side of the boxes of owners that reach further than two of them
+constexpr int degree = 6;    ///< of the smoother
+
+/// The boxes that an owner is cut into, alike along each axis.
+struct Boxes {
+  std::array<std::int32_t, 3> first{}, last{}, count{1, 1, 1};
+  bool met = false;
+
+  void meet(const std::array<std::int32_t, 3>& at) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      first[k] = met ? std::min(first[k], at[k]) : at[k];
+      last[k] = met ? std::max(last[k], at[k]) : at[k];
+    }
+    met = true;
+  }
+  void cut() {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int32_t extent = last[k] - first[k];
+      count[k] = extent <= 2 * box_side ? 1 : (extent + box_side - 1) / box_side;
+    }
+  }
+  /// Which box along an axis, and how far through it.
+  std::pair<std::int32_t, double> place(std::size_t k, std::int32_t at) const {
+    if (last[k] == first[k]) return {0, 0.0};
+    const double share = static_cast<double>(at - first[k]) * count[k] / (last[k] - first[k]);
+    const auto box = std::min(static_cast<std::int32_t>(share), count[k] - 1);
+    return {box, share - box};
+  }
+};
+
+/// visit(row, column, block) for each block of the lower triangle.
+template <class Visit> void each_block(const BlockMatrix& m, const Visit& visit) {
+  const std::ptrdiff_t size = m.side * m.side;
+  for (std::int32_t c = 0; c < m.columns(); ++c)
+    for (std::int32_t j = m.column_begin[c]; j < m.column_begin[static_cast<std::size_t>(c) + 1]; ++j)
+      visit(m.row[j], c, &m.value[static_cast<std::size_t>(j * size)]);
+}
+
+}  // namespace
+
+template <int D>
+CoarseCycle<D>::CoarseCycle(const BlockMatrix& matrix, const std::vector<CoarsePlace>& places)
+    : n_(static_cast<std::size_t>(matrix.columns())),
+      column_begin_(matrix.column_begin),
+      row_(matrix.row),
+      value_(matrix.value.begin(), matrix.value.end()) {
+  for (Vector* v : {&x_, &older_, &f_, &right_}) v->assign(D * n_, 0.0f);
+  invert_diagonal(matrix);
+  set_steps();
+  cut(matrix, places);
+  factorise(matrix);
+}
+
+template <int D> void CoarseCycle<D>::invert_diagonal(const BlockMatrix& matrix) {
+  inverse_.resize(D * D * n_);
+  each_block(matrix, [&](std::int32_t r, std::int32_t c, const double* block) {
+    if (r != c) return;
+    std::array<double, D * D> own;
+    std::copy_n(block, D * D, own.begin());
+    const auto inverse = inverse_of_definite<D>(own);
+    std::transform(inverse.begin(), inverse.end(), &inverse_[static_cast<std::size_t>(D * D * c)],
+                   [](double value) { return static_cast<float>(value); });
+  });
+}
+
+template <int D> void CoarseCycle<D>::set_steps() {
+  // The largest eigenvalue by the power method; it comes from below, so that something is added.
+  for (std::size_t k = 0; k < x_.size(); ++k) x_[k] = static_cast<float>(std::cos(2.0 * static_cast<double>(k) + 1));
+  double highest = 1;
+  for (int round = 0; round < 25; ++round) {
+    apply(x_, f_);
+    precondition(f_, older_);
+    double before = 0, after = 0;
+    for (std::size_t k = 0; k < x_.size(); ++k) {
+      before += static_cast<double>(x_[k]) * static_cast<double>(x_[k]);
+      after += static_cast<double>(older_[k]) * static_cast<double>(older_[k]);
+    }
+    highest = std::sqrt(after / before);
+    for (std::size_t k = 0; k < x_.size(); ++k) x_[k] = older_[k] / static_cast<float>(highest);
+  }
+  highest *= 1.2;
+  const double lowest = highest / 25, centre = (highest + lowest) / 2, half = (highest - lowest) / 2;
+  double rho = half / centre;
+  steps_.push_back({0, static_cast<float>(1 / centre)});
+  for (int k = 1; k < degree; ++k) {
+    const double next = 1 / (2 * centre / half - rho);
+    steps_.push_back({static_cast<float>(next * rho), static_cast<float>(2 * next / half)});
+    rho = next;
+  }
+}
+
+template <int D> void CoarseCycle<D>::cut(const BlockMatrix& matrix, const std::vector<CoarsePlace>& places) {
+  constexpr std::size_t corners = 1 << D;
+  std::unordered_map<std::int32_t, Boxes> boxes;
+  for (const CoarsePlace& p : places) boxes[p.owner].meet(p.at);
+  for (auto& [owner, of_owner] : boxes) of_owner.cut();
+  std::vector<std::array<std::int32_t, 3>> box(n_);
+  corner_.resize(n_);
+  weight_.resize(n_);
+  for (std::size_t k = 0; k < n_; ++k) {
+    const Boxes& of_owner = boxes[places[k].owner];
+    weight_[k].fill(1);
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      const auto [which, share] = of_owner.place(axis, places[k].at[axis]);
+      box[k][axis] = which;
+      for (std::size_t c = 0; c < corners; ++c) weight_[k][c] *= static_cast<float>(c >> axis & 1 ? share : 1 - share);
+    }
+  }
+  // Coarse nodes of one owner that are coupled share the corners that their boxes have in common.
+  JoinedSets sets(corners * n_);
+  each_block(matrix, [&](std::int32_t r, std::int32_t c, const double*) {
+    const auto ur = static_cast<std::size_t>(r), uc = static_cast<std::size_t>(c);
+    if (r == c || places[ur].owner != places[uc].owner) return;
+    for (int a = 0; a < static_cast<int>(corners); ++a) {
+      int b = 0;
+      bool shared = true;
+      for (std::size_t axis = 0; axis < D; ++axis) {
+        const int there = (a >> axis & 1) + box[ur][axis] - box[uc][axis];
+        shared = shared && (there == 0 || there == 1);
+        b |= there << axis;
+      }
+      if (shared) sets.join(static_cast<std::int32_t>(corners) * r + a, static_cast<std::int32_t>(corners) * c + b);
+    }
+  });
+  std::vector<std::int32_t> number(corners * n_);
+  for (std::size_t k = 0; k < number.size(); ++k) {
+    const auto root = static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(k)));
+    number[k] = root == k ? corners_++ : number[root];
+    corner_[k / corners][k % corners] = number[k];
+  }
+}
+
+template <int D> void CoarseCycle<D>::factorise(const BlockMatrix& matrix) {
+  // The product with the hats from both sides, gathered by the pairs of corners.
+  std::vector<std::unordered_map<std::int32_t, std::array<double, D * D>>> columns(static_cast<std::size_t>(corners_));
+  each_block(matrix, [&](std::int32_t r, std::int32_t c, const double* block) {
+    const auto ur = static_cast<std::size_t>(r), uc = static_cast<std::size_t>(c);
+    for (std::size_t a = 0; a < weight_[ur].size(); ++a)
+      for (std::size_t b = 0; b < weight_[uc].size(); ++b) {
+        const double w = static_cast<double>(weight_[ur][a]) * static_cast<double>(weight_[uc][b]);
+        if (w == 0) continue;
+        const std::int32_t m = corner_[ur][a], n = corner_[uc][b];
+        // A block on the diagonal has all pairs of corners, so that those above it are left out; a block off the
+        // diagonal stands for its mirror image too.
+        if (r == c && m < n) continue;
+        auto& to = columns[static_cast<std::size_t>(std::min(m, n))][std::max(m, n)];
+        for (std::size_t s = 0; s < D; ++s)
+          for (std::size_t q = 0; q < D; ++q) {
+            const double straight = block[s * D + q], turned = block[q * D + s];
+            to[s * D + q] += w * (r == c ? straight : m == n ? straight + turned : m > n ? straight : turned);
+          }
+      }
+  });
+  BlockMatrix coarse;
+  coarse.side = D;
+  coarse.column_begin.assign(1, 0);
+  double stiffest = 0;
+  for (std::int32_t c = 0; c < corners_; ++c) {
+    std::vector<std::int32_t> rows{c};
+    auto& column = columns[static_cast<std::size_t>(c)];
+    for (const auto& [r, block] : column)
+      if (r != c) rows.push_back(r);
+    std::sort(rows.begin(), rows.end());
+    for (const std::int32_t r : rows) {
+      coarse.row.push_back(r);
+      const auto& block = column[r];
+      coarse.value.insert(coarse.value.end(), block.begin(), block.end());
+      for (std::size_t a = 0; r == c && a < D; ++a) stiffest = std::max(stiffest, block[a * (D + 1)]);
+    }
+    coarse.column_begin.push_back(static_cast<std::int32_t>(coarse.row.size()));
+  }
+  // Boxes that are flat, or hold few coarse nodes, carry more functions than these have freedoms.
+  for (std::int32_t c = 0; c < corners_; ++c)
+    for (std::size_t a = 0; a < D; ++a) {
+      double& own = coarse.value[static_cast<std::size_t>(coarse.column_begin[c]) * D * D + a * (D + 1)];
+      own += 1e-6 * own + 1e-9 * stiffest;
+    }
+  factor_.emplace(coarse);
+  load_.resize(static_cast<std::size_t>(D * corners_));
+}
+
+template <int D> void CoarseCycle<D>::apply(const Vector& x, Vector& y) const {
+  std::fill(y.begin(), y.end(), 0.0f);
+  const float* block = value_.data();
+  for (std::size_t c = 0; c < n_; ++c) {
+    float own[D] = {}, at[D];
+    for (std::size_t a = 0; a < D; ++a) at[a] = x[D * c + a];
+    for (std::int32_t j = column_begin_[c]; j < column_begin_[c + 1]; ++j, block += D * D) {
+      const auto r = static_cast<std::size_t>(row_[j]);
+      float* const there = &y[D * r];
+      for (std::size_t s = 0; s < D; ++s)
+        for (std::size_t q = 0; q < D; ++q) {
+          there[q] += block[s * D + q] * at[s];
+          if (r != c) own[s] += block[s * D + q] * x[D * r + q];
+        }
+    }
+    for (std::size_t a = 0; a < D; ++a) y[D * c + a] += own[a];
+  }
+}
+
+template <int D> void CoarseCycle<D>::precondition(const Vector& r, Vector& z) const {
+  for (std::size_t k = 0; k < n_; ++k)
+    for (std::size_t a = 0; a < D; ++a) {
+      float sum = 0;
+      for (std::size_t b = 0; b < D; ++b) sum += inverse_[D * D * k + D * b + a] * r[D * k + b];
+      z[D * k + a] = sum;
+    }
+}
+
+template <int D> void CoarseCycle<D>::smooth(const Vector& b, bool from_zero) {
+  if (from_zero) std::fill(x_.begin(), x_.end(), 0.0f);
+  older_ = x_;
+  Vector z(x_.size());
+  for (std::size_t s = 0; s < steps_.size(); ++s) {
+    if (s == 0 && from_zero) std::fill(f_.begin(), f_.end(), 0.0f);
+    else apply(x_, f_);
+    for (std::size_t k = 0; k < f_.size(); ++k) f_[k] = b[k] - f_[k];
+    precondition(f_, z);
+    for (std::size_t k = 0; k < x_.size(); ++k)
+      older_[k] = x_[k] + steps_[s].keep * (x_[k] - older_[k]) + steps_[s].add * z[k];
+    std::swap(x_, older_);
+  }
+}
+
+template <int D> void CoarseCycle<D>::correct(const Vector& b) {
+  apply(x_, f_);
+  std::fill(load_.begin(), load_.end(), 0.0);
+  for (std::size_t k = 0; k < n_; ++k)
+    for (std::size_t c = 0; c < weight_[k].size(); ++c)
+      for (std::size_t a = 0; a < D; ++a)
+        load_[static_cast<std::size_t>(D * corner_[k][c]) + a] +=
+            static_cast<double>(weight_[k][c] * (b[D * k + a] - f_[D * k + a]));
+  factor_->solve(load_);
+  for (std::size_t k = 0; k < n_; ++k)
+    for (std::size_t c = 0; c < weight_[k].size(); ++c)
+      for (std::size_t a = 0; a < D; ++a)
+        x_[D * k + a] += weight_[k][c] * static_cast<float>(load_[static_cast<std::size_t>(D * corner_[k][c]) + a]);
+}
+
+template <int D> void CoarseCycle<D>::solve(std::vector<double>& b) {
+  right_.assign(b.begin(), b.end());
+  smooth(right_, true);
+  correct(right_);
+  smooth(right_, false);
+  b.assign(x_.begin(), x_.end());
+}
+
+template class CoarseCycle<2>;
+template class CoarseCycle<3>;
+
+}  // namespace arenite::statics

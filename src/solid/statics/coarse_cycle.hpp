@@ -1,0 +1,57 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "solid/statics/cholesky.hpp"
+
+namespace arenite::statics {
+
+/// Where a coarse node is: its grain and the corner of cells, counted along each axis.
+struct CoarsePlace {
+  std::int32_t owner;
+  std::array<std::int32_t, 3> at;
+};
+
+/// The third level, for coarse matrices whose factor would outgrow the sample: Chebyshev steps on the matrix, a
+/// correction by multilinear hats on the bounding box of every grain, and the same steps again. Boxes of owners that
+/// reach far are cut into smaller ones, and what does not hang together in a box is told apart. Symmetric and positive.
+template <int D> class CoarseCycle {
+ public:
+  CoarseCycle(const BlockMatrix& matrix, const std::vector<CoarsePlace>& places);
+
+  /// False where a pivot of the last matrix was not positive.
+  bool positive() const { return factor_->positive(); }
+  /// b becomes the answer.
+  void solve(std::vector<double>& b);
+
+ private:
+  using Vector = std::vector<float>;
+  struct Step {
+    float keep, add;
+  };
+  void invert_diagonal(const BlockMatrix& matrix);
+  void set_steps();
+  void cut(const BlockMatrix& matrix, const std::vector<CoarsePlace>& places);
+  void factorise(const BlockMatrix& matrix);
+  void apply(const Vector& x, Vector& y) const;
+  void precondition(const Vector& r, Vector& z) const;
+  void smooth(const Vector& b, bool from_zero);
+  void correct(const Vector& b);
+
+  std::size_t n_ = 0;
+  std::vector<std::int32_t> column_begin_, row_;
+  Vector value_, inverse_;  ///< of the matrix, D^2 a block, and of its diagonal blocks
+  std::vector<Step> steps_;
+  std::vector<std::array<std::int32_t, 1 << D>> corner_;  ///< of every coarse node: the corners of its box
+  std::vector<std::array<float, 1 << D>> weight_;
+  std::int32_t corners_ = 0;
+  std::optional<Cholesky> factor_;
+  Vector x_, older_, f_, right_;
+  std::vector<double> load_;
+};
+extern template class CoarseCycle<2>;
+extern template class CoarseCycle<3>;
+
+}  // namespace arenite::statics

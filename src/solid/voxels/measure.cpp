@@ -1,0 +1,63 @@
+#include "solid/voxels/measure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "core/problems.hpp"
+#include "solid/stress/component_statistics.hpp"
+
+namespace arenite::voxels {
+
+using statistics::described;
+
+Numbers map_numbers(const VoxelMap& map) {
+  std::array<double, 3> count{};
+  for (const Phase phase : map.phase) count[static_cast<std::size_t>(phase)] += 1;
+  const auto share = [&](Phase phase) {
+    return count[static_cast<std::size_t>(phase)] / static_cast<double>(map.size());
+  };
+  return {{"voxels", described({map.width, map.height, map.depth}, "", "Voxels along x, y and z")},
+          {"dx_m", described(map.dx, "m", "Side of a voxel")},
+          {"phases",
+           {{"void", described(share(Phase::empty), "", "Fraction of the volume that is void")},
+            {"matrix", described(share(Phase::matrix), "", "Fraction of the volume in matrix")},
+            {"particle", described(share(Phase::particle), "", "Fraction of the volume in grains")}}},
+          {"grains", described(map.grain_class.size(), "", "Grains")}};
+}
+
+Numbers measure(const VoxelMap& map, const VoxelStress& field, const StressOptions& options,
+                std::vector<std::string>& notes) {
+  const int first = options.clamp_layers, layers = map.depth - 2 * first, k = options.blocks;
+  if (layers < 1)
+    throw refusal("leaving out {} layers at each clamp leaves none of the map's {}; leave out fewer", first, map.depth);
+  stress::Selection selection;
+  selection.set.assign(map.size(), stress::NodeSet::left_out);
+  selection.block.assign(map.size(), 0);
+  selection.blocks = k * k * k;
+  selection.block_area.assign(static_cast<std::size_t>(selection.blocks), 0);
+  const auto part = [k](int at, int of) { return static_cast<int>(static_cast<std::int64_t>(at) * k / of); };
+  std::size_t i = map.index(0, 0, first);
+  for (int z = 0; z < layers; ++z)
+    for (int y = 0; y < map.height; ++y)
+      for (int x = 0; x < map.width; ++x, ++i) {
+        const int block = (part(z, layers) * k + part(y, map.height)) * k + part(x, map.width);
+        selection.block[i] = static_cast<std::uint16_t>(block);
+        selection.block_area[static_cast<std::size_t>(block)] += 1;
+        if (map.phase[i] == Phase::empty) continue;
+        const bool particle = map.phase[i] == Phase::particle;
+        selection.set[i] = stress::set_of(
+            map.phase[i], particle ? map.grain_class[static_cast<std::size_t>(map.grain[i])] : GrainClass::none);
+        ++selection.nodes;
+      }
+  const std::vector<float>& values = options.shear ? field.xz : field.zz;
+  const std::string name = options.shear ? "sigma_xz" : "sigma_zz";
+  Numbers numbers{{"nodes", described(selection.nodes, "", "Voxels of particles and matrix that are considered")}};
+  Numbers component = stress::component_statistics(
+      selection, name, [&](std::size_t n) { return static_cast<double>(values[n]); }, false, notes);
+  if (component.is_known()) numbers[name] = std::move(component);
+  return numbers;
+}
+
+}  // namespace arenite::voxels

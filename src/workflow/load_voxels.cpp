@@ -1,0 +1,171 @@
+#include "workflow/load_voxels.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/problems.hpp"
+#include "core/version.hpp"
+#include "io/disk/file.hpp"
+#include "io/export/vtk_file.hpp"
+#include "io/volume/voxel_map.hpp"
+#include "solid/voxels/label_grains.hpp"
+#include "solid/voxels/load.hpp"
+#include "solid/voxels/measure.hpp"
+#include "solid/voxels/stiffness_numbers.hpp"
+#include "statistics/numbers.hpp"
+#include "workflow/stage_keys.hpp"
+
+namespace arenite::workflow {
+namespace {
+
+namespace fs = std::filesystem;
+using statistics::described;
+
+void refuse_keys_of_the_plane(const recipe::MapSection& map, const recipe::Load& load) {
+  if (!load.by_elements())
+    throw InputError(load.failure ? "bonds that break are of the plane; leave --failure out in space"
+                                  : "a sample in space is made of elements, bonds are of the plane; give --method "
+                                    "elements");
+  if (load.axis == recipe::Load::Axis::x)
+    throw InputError("in space the load acts along z, across the slices; leave --axis out, or turn the image");
+  if (load.plane != elements::PlaneState::stress)
+    throw InputError("plane strain is of the plane; leave --plane out in space");
+  if (!map.crop.empty() || map.slice || map.label_slice)
+    throw InputError("crop and slice are of pictures; leave them out in space, or load a slice with --dimension 2");
+  if (map.labels == "watershed")
+    throw InputError(
+        "grains in space are found as connected particles, or read from a volume of labels; give --labels "
+        "components, none or a file");
+}
+
+Numbers load_numbers(const recipe::Load& load, const voxels::LoadReport& r) {
+  const elements::Material m = load.material();
+  const auto by_phase = [](double matrix, double interface, double particle) {
+    return Numbers{{"matrix", matrix}, {"interface", interface}, {"particle", particle}};
+  };
+  return {{"loading", recipe::word_of(load.loading)},
+          {"element", recipe::word_of(m.element)},
+          {"stiffness_Pa", described(by_phase(m.matrix.young, m.interface.young, m.particle.young), "Pa",
+                                     "Young's modulus of these elements")},
+          {"poisson_ratio", described(by_phase(m.matrix.poisson, m.interface.poisson, m.particle.poisson), "",
+                                      "Poisson's ratio of these elements")},
+          {"strain", described(load.strain, "", "Strain of the sample")},
+          {"iterations", described(r.iterations, "", "Iterations of the solver")},
+          {"residual", described(r.residual, "", "Out-of-balance force over that of uniform strain")},
+          {"reaction_balance_error",
+           described(r.identity_defect, "",
+                     "Volume integral of the stress over the product of clamp force and height, minus 1")},
+          {"top_force_N",
+           described({r.top_force.x, r.top_force.y, r.top_force.z}, "N", "Force of the upper clamp on the sample")},
+          {"voxels", voxels::support_numbers(r.support)}};
+}
+
+/// The field with its phases, for ParaView and whatever else reads VTK images.
+io::VtkImage image_of(const VoxelMap& map, const VoxelStress& field, const std::string& provenance) {
+  io::VtkImage image;
+  image.width = map.width, image.height = map.height, image.depth = map.depth;
+  image.dx = image.dy = map.dx;
+  std::vector<std::uint8_t> phase;
+  for (const Phase p : map.phase) phase.push_back(static_cast<std::uint8_t>(p));
+  std::vector<float> displacement, stress;
+  for (std::size_t k = 0; k < map.size(); ++k) {
+    displacement.insert(displacement.end(), {field.ux[k], field.uy[k], field.uz[k]});
+    stress.insert(stress.end(), {field.xx[k], field.yy[k], field.zz[k], field.xy[k], field.yz[k], field.xz[k]});
+  }
+  image.point_arrays = {{"phase", std::move(phase)},
+                        {"grain", map.grain},
+                        {"displacement", std::move(displacement), 3},
+                        {"stress", std::move(stress), 6}};
+  image.provenance = provenance;
+  return image;
+}
+
+}  // namespace
+
+bool is_in_space(const recipe::MapSection& map) { return map.dimension == 3 || io::is_volume(map.file); }
+
+VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice) {
+  io::VoxelMapOptions options;
+  options.volume.dataset = map.dataset;
+  if (!map.phases.empty()) options.phases = io::parse_phase_table(map.phases);
+  options.dx = map.dx;
+  if (map.has_label_file()) options.labels = map.labels;
+  options.label_volume.dataset = map.label_dataset;
+  io::ForeignVoxels read = io::read_voxel_map(map.file, options);
+  for (const std::string& note : read.notes) notice(fmt::format("{}: {}", map.file, note));
+  if (!read.has_length) notice(fmt::format("{}: lengths are in voxels, since dx was not given", map.file));
+  if (!read.labelled && map.labels == "none") voxels::label_alike(read.map);
+  else if (!read.labelled) voxels::label_grains(read.map);
+  return std::move(read.map);
+}
+
+VoxelOutcome load_voxels(const recipe::MapSection& map_keys_given, const recipe::Load& load,
+                         const RunOptions& options) {
+  refuse_keys_of_the_plane(map_keys_given, load);
+  const VoxelMap map = read_voxels(map_keys_given, options.notice);
+  const elements::Material material = load.material();
+  const double parts = load.moduli ? 7 : 1;
+  Progress progress{.stage = 1, .stages = 1, .name = load.name, .field = true};
+  double done = 0;
+  voxels::LoadOptions solve;
+  solve.tolerance = load.tolerance;
+  solve.max_iterations = load.max_iterations;
+  solve.material = {material.matrix, material.interface, material.particle, material.element};
+  solve.loading = load.loading;
+  solve.lower = load.lower;
+  solve.strain = load.strain;
+  solve.watch = [&](const statics::Progress& p) {
+    progress.share = (done + p.share) / parts;
+    progress.residual = p.residual;
+    options.progress(progress);
+    return !options.asked_to_stop || !options.asked_to_stop();
+  };
+  VoxelOutcome outcome;
+  const voxels::LoadResult loaded = voxels::load(map, solve);
+  outcome.stopped = loaded.report.ending == statics::Ending::stopped;
+  if (outcome.stopped) return outcome;
+  done = 1;
+  outcome.converged = loaded.report.ending == statics::Ending::solved;
+  outcome.sentence = loaded.report.sentence;
+  Numbers& j = outcome.numbers;
+  j["map"] = voxels::map_numbers(map);
+  j["load"] = load_numbers(load, loaded.report);
+  if (outcome.converged) {
+    j["modulus_Pa"] =
+        described(loaded.report.modulus, "Pa", "Apparent modulus, mean stress over strain, between clamps");
+    std::vector<std::string> notes;
+    voxels::StressOptions statistics;
+    statistics.clamp_layers = static_cast<int>(std::min<std::int64_t>(load.statistics.clamp_rows, (map.depth - 1) / 2));
+    statistics.shear = load.loading == statics::Loading::shear;
+    j["stress"] = voxels::measure(map, loaded.field, statistics, notes);
+    for (std::string& note : notes) j["notes"].push_back(std::move(note));
+  }
+  if (load.moduli && outcome.converged) {
+    const auto effective = voxels::effective_stiffness(map, solve);
+    outcome.stopped = std::ranges::any_of(effective.solves, &statics::StaticReport::stopped);
+    if (outcome.stopped) return outcome;
+    outcome.converged = std::ranges::all_of(effective.solves, &statics::StaticReport::converged);
+    j["effective_stiffness"] = voxels::stiffness_numbers(effective);
+  }
+  recipe::Recipe part;
+  part.loads = {load};
+  j["provenance"] = {{"program", fmt::format("arenite {}", version)},
+                     {"map", fs::path(map_keys_given.file).filename().string()},
+                     {"map_keys", map_keys(map_keys_given)},
+                     {"load_keys", recipe::changed_keys(part)}};
+  if (!options.out.empty()) {
+    outcome.field = options.out / (load.name + ".vti");
+    outcome.file = options.out / (load.name + ".json");
+    fs::create_directories(options.out);
+    io::write_atomically(outcome.field, io::vti_bytes(image_of(map, loaded.field, to_json(j["provenance"]))));
+    io::write_atomically(outcome.file, to_json(j, 2) + "\n");
+  }
+  return outcome;
+}
+
+}  // namespace arenite::workflow

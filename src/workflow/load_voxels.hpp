@@ -1,0 +1,33 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "model/voxel_map.hpp"
+#include "recipe/recipe.hpp"
+#include "statistics/numbers.hpp"
+#include "workflow/run.hpp"
+
+namespace arenite::workflow {
+
+/// Whether a map is a sample in space: its key says so, or its file holds nothing but volumes.
+bool is_in_space(const recipe::MapSection& map);
+
+/// A voxel map of a file, its grains labelled; what is found worth a word is told.
+VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice);
+
+/// A sample in space under load.
+struct VoxelOutcome {
+  bool stopped = false, converged = false;
+  std::string sentence;               ///< how it ended
+  Numbers numbers;                    ///< of the sample, the load and its stresses
+  std::filesystem::path field, file;  ///< the field (.vti) and the numbers (.json); empty where nothing is stored
+};
+
+/// Loads a sample in space between its lowest and its highest layer by elements; with `load.moduli` its effective
+/// stiffness follows, as of a sample that repeats itself. Throws InputError for what cannot be read as a voxel map, and
+/// for keys that are of the plane.
+VoxelOutcome load_voxels(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options);
+
+}  // namespace arenite::workflow
