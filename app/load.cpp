@@ -9,7 +9,6 @@
 #include "progress.hpp"
 #include "report/page.hpp"
 #include "report/summary.hpp"
-#include "statistics/numbers_text.hpp"
 #include "workflow/apply_load.hpp"
 #include "workflow/load_voxels.hpp"
 
@@ -60,18 +59,15 @@ int execute_in_space(const LoadArguments& a, const recipe::MapSection& map, cons
   options.progress = [&](const workflow::Progress& progress) { line.show(progress); };
   options.notice = [&](const std::string& sentence) { line.notice(sentence); };
   watch_for_signals();
-  const workflow::VoxelOutcome outcome = workflow::load_voxels(map, load, options);
-  if (outcome.stopped) {
+  const auto [result, field, file] = workflow::load_voxels(map, load, options);
+  if (!result) {
     print(stderr, "stopped; nothing was stored\n");
     return other_failure;
   }
-  if (a.json) print("{}\n", to_json(outcome.numbers, 2));
-  else
-    print("{}{}: {}\n\n{}", load.name, outcome.converged ? "" : " NOT SOLVED", outcome.sentence,
-          to_text(outcome.numbers));
-  if (!a.json && !outcome.file.empty())
-    print("\nfield:   {}\nnumbers: {}\n", outcome.field.string(), outcome.file.string());
-  return outcome.converged ? done : not_converged;
+  if (a.json) print("{}\n", to_json(result->numbers, 2));
+  else print("{}", report::voxel_summary(load.name, *result));
+  if (!a.json && !file.empty()) print("\nfield:   {}\nnumbers: {}\n", field.string(), file.string());
+  return result->converged ? done : not_converged;
 }
 
 int execute(const LoadArguments& a) {

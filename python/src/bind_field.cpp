@@ -3,6 +3,7 @@
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "keywords.hpp"
+#include "load_keywords.hpp"
 #include "model/grain_classes.hpp"
 #include "module.hpp"
 #include "solid/cement/cement.hpp"
@@ -80,38 +81,8 @@ py::array_t<std::int64_t> cavities(const PhaseMap& map, const std::string& kind,
   return taken_over(call.without_lock([&] { return grid::find_cavities(map, what, grid.cavities); }).nodes);
 }
 
-const Keywords& load_keywords() {
-  static const Keywords keywords(recipe::every_key<recipe::Load>(), {{"loading", "loading", "", true},
-                                                                     {"strain", "strain"},
-                                                                     {"axis", "axis"},
-                                                                     {"lower", "lower"},
-                                                                     {"method", "method"},
-                                                                     {"element", "element"},
-                                                                     {"plane", "plane"},
-                                                                     {"matrix_poisson", "poisson.matrix"},
-                                                                     {"interface_poisson", "poisson.interface"},
-                                                                     {"particle_poisson", "poisson.particle"},
-                                                                     {"tolerance", "tolerance"},
-                                                                     {"moduli", "moduli"},
-                                                                     {"failure", "failure"},
-                                                                     {"matrix", "stiffness.matrix"},
-                                                                     {"interface", "stiffness.interface"},
-                                                                     {"particle", "stiffness.particle"},
-                                                                     {"stop_at_voids", "stop_at_voids"},
-                                                                     {"exact_stretch", "exact_stretch"},
-                                                                     {"toughness", "toughness.matrix"},
-                                                                     {"strength", "strength.matrix"},
-                                                                     {"cracks_stay_open", "cracks_stay_open"},
-                                                                     {"max_strain", "max_strain"}});
-  return keywords;
-}
-
 FieldResult loaded(const PhaseMap& map, const std::string& loading, const Progress& progress, const py::kwargs& more) {
-  auto given = load_keywords().given("load", more);
-  given.push_back(load_keywords().given("loading", py::str(loading)));
-  recipe::Load load;
-  read_keywords(load, given);
-  load.name = load.failure ? "failure" : recipe::word_of(load.loading);
+  const recipe::Load load = load_of("load", loading, more);
   Call call;
   auto result = call.without_lock([&] {
     const peridynamics::Watch watch = [&](const auto& at) {

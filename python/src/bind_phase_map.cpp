@@ -11,6 +11,7 @@
 #include "keywords.hpp"
 #include "model/cement.hpp"
 #include "module.hpp"
+#include "phase_words.hpp"
 #include "thermal/imaging/label_grains.hpp"
 #include "workflow/apply_load.hpp"
 
@@ -37,17 +38,6 @@ PhaseMap map_of(const ArrayLike& phase, const std::optional<ArrayLike>& grain, c
   return map;
 }
 
-using Phases = std::variant<std::string, std::map<std::int32_t, std::string>>;
-
-/// "0=void,85=particle", or {0: "void", 85: "particle"}.
-std::string text_of(const Phases& phases) {
-  if (const auto* text = std::get_if<std::string>(&phases)) return *text;
-  std::string text;
-  for (const auto& [value, name] : std::get<1>(phases))
-    text += fmt::format("{}{}={}", text.empty() ? "" : ",", value, name);
-  return text;
-}
-
 const Keywords& map_keywords() {
   static const Keywords keywords(recipe::every_key<recipe::MapSection>(), {{"file", "file", "", true},
                                                                            {"dx", "dx", "", true},
@@ -62,7 +52,7 @@ const Keywords& map_keywords() {
   return keywords;
 }
 
-PhaseMap read_map(const Path& file, const Quantity& dx, const Path& labels, const Phases& phases,
+PhaseMap read_map(const Path& file, const Quantity& dx, const Path& labels, const PhaseWords& phases,
                   const std::optional<std::tuple<int, int, int, int>>& crop, const py::kwargs& more) {
   auto given = map_keywords().given("read_phase_map", more);
   const auto add = [&](const char* name, const py::object& value) {

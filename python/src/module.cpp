@@ -85,6 +85,7 @@ PYBIND11_MODULE(_core, m) {
   arenite::python::bind_chains(m);
   arenite::python::bind_recipe(m);
   arenite::python::bind_phase_map(m);
+  arenite::python::bind_voxels(m);
   arenite::python::bind_maps(m);
   arenite::python::bind_film(m);
   arenite::python::bind_film_parts(m);

@@ -18,6 +18,7 @@
 #include "report/page_document.hpp"
 #include "report/stage_doubts.hpp"
 #include "workflow/asked.hpp"
+#include "workflow/load_voxels.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::report {
@@ -175,7 +176,11 @@ std::string headlines(const Numbers& numbers) {
           "floor "
           "cohesion map.lengths grains.all "
           "phases.void phases.matrix S_m pores.count pores.mean voids.count modulus_Pa poisson apparent_moduli "
-          "strength_Pa failure.strain_at_strength stress.sigma_yy.sets.*.mean_over_sample_mean");
+          "strength_Pa failure.strain_at_strength stress.sigma_yy.sets.*.mean_over_sample_mean map.voxels "
+          "map.phases map.grains load.voxels.carrying load.voxels.floating effective_stiffness.young_Pa "
+          "effective_stiffness.shear_Pa effective_stiffness.poisson effective_stiffness.isotropic_mean_Pa "
+          "effective_stiffness.anisotropy effective_stiffness.bounds_Pa stress.sigma_zz.sets.*.mean_over_sample_mean "
+          "stress.sigma_xz.sets.*.mean_over_sample_mean");
 }
 
 }  // namespace
@@ -263,10 +268,24 @@ std::string Summary::all() const {
   return text + "\nNumbers, each +- its standard error\n" + to_text(numbers(), {"provenance"});
 }
 
+namespace {
+
+std::string summary_of(const std::string& name, bool converged, const std::string& outcome, const Numbers& numbers,
+                       const char* more) {
+  return fmt::format("{}{}: {}\n\nNumbers of the sample, each +- its standard error\n{}\n{}\n", name,
+                     converged ? "" : " NOT SOLVED", outcome, headlines(numbers), more);
+}
+
+}  // namespace
+
 std::string field_summary(const FieldResult& result) {
-  return fmt::format("{}{}: {}\n", result.name, result.converged ? "" : " NOT SOLVED", result.outcome) +
-         "\nNumbers of the sample, each +- its standard error\n" + headlines(result.numbers) +
-         "\n`--json` prints every number; of a result that is kept (`--out`) `arenite show RESULT --all` does.\n";
+  return summary_of(
+      result.name, result.converged, result.outcome, result.numbers,
+      "`--json` prints every number; of a result that is kept (`--out`) `arenite show RESULT --all` does.");
+}
+
+std::string voxel_summary(const std::string& name, const workflow::VoxelResult& result) {
+  return summary_of(name, result.converged, result.outcome, result.numbers, "`--json` prints every number.");
 }
 
 Numbers field_numbers(const FieldResult& result) {

@@ -7,7 +7,8 @@
 
 namespace arenite::workflow {
 struct RunOutcome;
-}
+struct VoxelResult;
+}  // namespace arenite::workflow
 
 namespace arenite::report {
 
@@ -48,6 +49,9 @@ class Summary {
 
 /// One field by itself, as text for people and as numbers.
 std::string field_summary(const FieldResult& result);
+
+/// The same of a sample in space.
+std::string voxel_summary(const std::string& name, const workflow::VoxelResult& result);
 Numbers field_numbers(const FieldResult& result);
 
 }  // namespace arenite::report

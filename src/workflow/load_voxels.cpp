@@ -26,21 +26,23 @@ namespace {
 namespace fs = std::filesystem;
 using statistics::described;
 
-void refuse_keys_of_the_plane(const recipe::MapSection& map, const recipe::Load& load) {
-  if (!load.by_elements())
-    throw InputError(load.failure ? "bonds that break are of the plane; leave --failure out in space"
-                                  : "a sample in space is made of elements, bonds are of the plane; give --method "
-                                    "elements");
-  if (load.axis == recipe::Load::Axis::x)
-    throw InputError("in space the load acts along z, across the slices; leave --axis out, or turn the image");
-  if (load.plane != elements::PlaneState::stress)
-    throw InputError("plane strain is of the plane; leave --plane out in space");
+void refuse_keys_of_the_plane(const recipe::MapSection& map) {
   if (!map.crop.empty() || map.slice || map.label_slice)
     throw InputError("crop and slice are of pictures; leave them out in space, or load a slice with --dimension 2");
   if (map.labels == "watershed")
     throw InputError(
-        "grains in space are found as connected particles, or read from a volume of labels; give --labels "
-        "components, none or a file");
+        "grains in space are found as connected particles, or read from a volume of labels; give --labels components, "
+        "none or a file");
+}
+
+void refuse_keys_of_the_plane(const recipe::Load& load) {
+  if (load.failure) throw InputError("bonds that break are of the plane; leave failure out in space");
+  if (!load.by_elements())
+    throw InputError("a sample in space is made of elements, bonds are of the plane; give --method elements");
+  if (load.axis == recipe::Load::Axis::x)
+    throw InputError("in space the load acts along z, across the slices; leave axis out, or turn the image");
+  if (load.plane != elements::PlaneState::stress)
+    throw InputError("plane strain is of the plane; leave plane out in space");
 }
 
 Numbers load_numbers(const recipe::Load& load, const voxels::LoadReport& r) {
@@ -104,14 +106,11 @@ VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(con
   return std::move(read.map);
 }
 
-VoxelOutcome load_voxels(const recipe::MapSection& map_keys_given, const recipe::Load& load,
-                         const RunOptions& options) {
-  refuse_keys_of_the_plane(map_keys_given, load);
-  const VoxelMap map = read_voxels(map_keys_given, options.notice);
+std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch) {
+  refuse_keys_of_the_plane(load);
   const elements::Material material = load.material();
-  const double parts = load.moduli ? 7 : 1;
-  Progress progress{.stage = 1, .stages = 1, .name = load.name, .field = true};
-  double done = 0;
+  const double parts = load.moduli ? 7 : 1;  // one load, and six of a period
+  double begun = 0;
   voxels::LoadOptions solve;
   solve.tolerance = load.tolerance;
   solve.max_iterations = load.max_iterations;
@@ -119,23 +118,21 @@ VoxelOutcome load_voxels(const recipe::MapSection& map_keys_given, const recipe:
   solve.loading = load.loading;
   solve.lower = load.lower;
   solve.strain = load.strain;
-  solve.watch = [&](const statics::Progress& p) {
-    progress.share = (done + p.share) / parts;
-    progress.residual = p.residual;
-    options.progress(progress);
-    return !options.asked_to_stop || !options.asked_to_stop();
-  };
-  VoxelOutcome outcome;
-  const voxels::LoadResult loaded = voxels::load(map, solve);
-  outcome.stopped = loaded.report.ending == statics::Ending::stopped;
-  if (outcome.stopped) return outcome;
-  done = 1;
-  outcome.converged = loaded.report.ending == statics::Ending::solved;
-  outcome.sentence = loaded.report.sentence;
-  Numbers& j = outcome.numbers;
+  if (watch)
+    solve.watch = [&](statics::Progress p) {
+      begun += p.iterations == 0;
+      p.share = (begun - 1 + p.share) / parts;
+      return watch(p);
+    };
+  voxels::LoadResult loaded = voxels::load(map, solve);
+  if (loaded.report.ending == statics::Ending::stopped) return std::nullopt;
+  VoxelResult result;
+  result.converged = loaded.report.ending == statics::Ending::solved;
+  result.outcome = loaded.report.sentence;
+  Numbers& j = result.numbers;
   j["map"] = voxels::map_numbers(map);
   j["load"] = load_numbers(load, loaded.report);
-  if (outcome.converged) {
+  if (result.converged) {
     j["modulus_Pa"] =
         described(loaded.report.modulus, "Pa", "Apparent modulus, mean stress over strain, between clamps");
     std::vector<std::string> notes;
@@ -145,26 +142,44 @@ VoxelOutcome load_voxels(const recipe::MapSection& map_keys_given, const recipe:
     j["stress"] = voxels::measure(map, loaded.field, statistics, notes);
     for (std::string& note : notes) j["notes"].push_back(std::move(note));
   }
-  if (load.moduli && outcome.converged) {
+  if (load.moduli && result.converged) {
     const auto effective = voxels::effective_stiffness(map, solve);
-    outcome.stopped = std::ranges::any_of(effective.solves, &statics::StaticReport::stopped);
-    if (outcome.stopped) return outcome;
-    outcome.converged = std::ranges::all_of(effective.solves, &statics::StaticReport::converged);
+    if (std::ranges::any_of(effective.solves, &statics::StaticReport::stopped)) return std::nullopt;
+    result.converged = std::ranges::all_of(effective.solves, &statics::StaticReport::converged);
     j["effective_stiffness"] = voxels::stiffness_numbers(effective);
   }
+  result.field = std::move(loaded.field);
+  return result;
+}
+
+VoxelOutcome load_voxels(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options) {
+  refuse_keys_of_the_plane(map);
+  refuse_keys_of_the_plane(load);
+  const VoxelMap voxels = read_voxels(map, options.notice);
+  Progress progress{.stage = 1, .stages = 1, .name = load.name, .field = true};
+  VoxelOutcome outcome;
+  outcome.result = apply_load(load, voxels, [&](const statics::Progress& p) {
+    progress.share = p.share;
+    progress.residual = p.residual;
+    progress.step = p.iterations;
+    options.progress(progress);
+    return !options.asked_to_stop || !options.asked_to_stop();
+  });
+  if (!outcome.result) return outcome;
   recipe::Recipe part;
   part.loads = {load};
-  j["provenance"] = {{"program", fmt::format("arenite {}", version)},
-                     {"map", fs::path(map_keys_given.file).filename().string()},
-                     {"map_keys", map_keys(map_keys_given)},
-                     {"load_keys", recipe::changed_keys(part)}};
-  if (!options.out.empty()) {
-    outcome.field = options.out / (load.name + ".vti");
-    outcome.file = options.out / (load.name + ".json");
-    fs::create_directories(options.out);
-    io::write_atomically(outcome.field, io::vti_bytes(image_of(map, loaded.field, to_json(j["provenance"]))));
-    io::write_atomically(outcome.file, to_json(j, 2) + "\n");
-  }
+  Numbers& numbers = outcome.result->numbers;
+  numbers["provenance"] = {{"program", fmt::format("arenite {}", version)},
+                           {"map", fs::path(map.file).filename().string()},
+                           {"map_keys", map_keys(map)},
+                           {"load_keys", recipe::changed_keys(part)}};
+  if (options.out.empty()) return outcome;
+  outcome.field = options.out / (load.name + ".vti");
+  outcome.file = options.out / (load.name + ".json");
+  fs::create_directories(options.out);
+  const std::string provenance = to_json(numbers["provenance"]);
+  io::write_atomically(outcome.field, io::vti_bytes(image_of(voxels, outcome.result->field, provenance)));
+  io::write_atomically(outcome.file, to_json(numbers, 2) + "\n");
   return outcome;
 }
 

@@ -71,8 +71,8 @@ TEST(LoadVoxels, WhatIsOfThePlaneIsRefused) {
     return r.err;
   };
   EXPECT_NE(refused("").find("--method elements"), std::string::npos);
-  EXPECT_NE(refused("--failure --dx '1 um'").find("--failure"), std::string::npos);
-  EXPECT_NE(refused("--method elements --axis x").find("--axis"), std::string::npos);
+  EXPECT_NE(refused("--failure --dx '1 um'").find("leave failure out"), std::string::npos);
+  EXPECT_NE(refused("--method elements --axis x").find("leave axis out"), std::string::npos);
   EXPECT_NE(refused("--method elements --labels watershed").find("components"), std::string::npos);
   EXPECT_NE(refused("--method elements --slice 3").find("--dimension 2"), std::string::npos);
 }

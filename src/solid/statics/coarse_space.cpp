@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -47,13 +46,13 @@ CoarseSpaceIn<D>::CoarseSpaceIn(const Grid& grid, Aggregates aggregates, const G
   number_corners(sums);
   list_runs(prescribed);
   BlockMatrix matrix = pattern(sums);
-  assemble(sums, matrix);
-  factorise(matrix);
+  const double stiffest_corner = assemble(sums, matrix);
+  factorise(matrix, stiffest_corner);
   load_.resize(static_cast<std::size_t>(D * nodes_));
   moments_.resize(D * moments * aggregates_.list.size());
 }
 
-template <int D> void CoarseSpaceIn<D>::factorise(BlockMatrix& matrix) {
+template <int D> void CoarseSpaceIn<D>::factorise(BlockMatrix& matrix, double stiffest_corner) {
   // An aggregate of few nodes carries more functions than it has freedoms, and a hat may vanish on all of its nodes: a
   // trace of stiffness on the diagonal keeps these apart and is too small to slow anything down.
   const auto diagonal = [&](std::int32_t c, int a) -> double& {
@@ -67,9 +66,8 @@ template <int D> void CoarseSpaceIn<D>::factorise(BlockMatrix& matrix) {
   };
   double stiffest = 0;
   for (std::int32_t c = 0; c < matrix.columns(); ++c) stiffest = std::max(stiffest, trace(c));
-  // Nothing holds a periodic sample: one coarse node is held, whose answer is taken about its mean.
-  for (int a = 0; grid_.periodic && a < D; ++a)
-    diagonal(0, a) = std::abs(diagonal(0, a)) + (stiffest > 0 ? 10 * stiffest : 1);
+  // Nothing holds a periodic sample: one coarse node is held, as firmly as a corner of a cell by the others.
+  for (int a = 0; grid_.periodic && a < D; ++a) diagonal(0, a) += stiffest_corner;
   for (double extra = 1e-7;; extra *= 100, ++repairs_) {
     for (std::int32_t c = 0; c < matrix.columns(); ++c) {
       const double more = extra * trace(c) + 1e-3 * extra * stiffest;
@@ -93,10 +91,8 @@ template <int D> std::vector<CoarsePlace> CoarseSpaceIn<D>::places() const {
 }
 
 template <int D> void CoarseSpaceIn<D>::solve() {
-  if (grid_.periodic) take_about_mean();
   if (cycle_) cycle_->solve(load_);
   else factor_->solve(load_);
-  if (grid_.periodic) take_about_mean();
 }
 
 template <int D> void CoarseSpaceIn<D>::number_corners(const GalerkinSums<D>& sums) {
@@ -149,7 +145,8 @@ template <int D> BlockMatrix CoarseSpaceIn<D>::pattern(const GalerkinSums<D>& su
   return matrix;
 }
 
-template <int D> void CoarseSpaceIn<D>::assemble(const GalerkinSums<D>& sums, BlockMatrix& matrix) const {
+template <int D> double CoarseSpaceIn<D>::assemble(const GalerkinSums<D>& sums, BlockMatrix& matrix) const {
+  double stiffest_corner = 0;
   const auto block_at = [&](std::int32_t row, std::int32_t column) {
     const auto first = matrix.row.begin() + matrix.column_begin[column],
                last = matrix.row.begin() + matrix.column_begin[static_cast<std::size_t>(column) + 1];
@@ -164,12 +161,14 @@ template <int D> void CoarseSpaceIn<D>::assemble(const GalerkinSums<D>& sums, Bl
         };
         // Two corners that share a coarse node: then the block and its transpose both land on the diagonal.
         const bool twice = m == n && !(c.p == c.q && a == b);
+        stiffest_corner = std::max(stiffest_corner, stiffness(0, 0));
         double* to = block_at(std::max(m, n), std::min(m, n));
         for (int s = 0; s < D; ++s)
           for (int r = 0; r < D; ++r)
             *to++ += twice ? stiffness(r, s) + stiffness(s, r) : m >= n ? stiffness(r, s) : stiffness(s, r);
       }
   });
+  return stiffest_corner;
 }
 
 template <int D> void CoarseSpaceIn<D>::list_runs(const std::vector<std::uint8_t>& prescribed) {
@@ -262,14 +261,6 @@ template <int D> void CoarseSpaceIn<D>::correct(PointersIn<D, const float> r, Po
 #pragma GCC unroll 3
       for (int c = 0; c < D; ++c) at[c][k] += value[c] + along * slope[c];
     }
-  }
-}
-
-template <int D> void CoarseSpaceIn<D>::take_about_mean() {
-  for (int c = 0; c < D; ++c) {
-    double sum = 0;
-    for (std::int32_t k = 0; k < nodes_; ++k) sum += load_[static_cast<std::size_t>(D * k + c)];
-    for (std::int32_t k = 0; k < nodes_; ++k) load_[static_cast<std::size_t>(D * k + c)] -= sum / nodes_;
   }
 }
 

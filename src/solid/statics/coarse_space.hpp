@@ -39,11 +39,11 @@ template <int D> class CoarseSpaceIn {
   };
   void number_corners(const GalerkinSums<D>& sums);
   BlockMatrix pattern(const GalerkinSums<D>& sums) const;
-  void assemble(const GalerkinSums<D>& sums, BlockMatrix& matrix) const;
-  void factorise(BlockMatrix& matrix);
+  /// Returns the stiffest entry of a coupling.
+  double assemble(const GalerkinSums<D>& sums, BlockMatrix& matrix) const;
+  void factorise(BlockMatrix& matrix, double stiffest_corner);
   std::vector<CoarsePlace> places() const;
   void solve();
-  void take_about_mean();  ///< right sides and answers of a periodic sample: without a translation
   void list_runs(const std::vector<std::uint8_t>& prescribed);
   std::int32_t corner(std::int32_t aggregate, int a) const {
     return corner_[static_cast<std::size_t>(corners<D> * aggregate + a)];

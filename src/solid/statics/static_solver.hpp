@@ -54,6 +54,14 @@ template <Discretisation D> struct Preconditioner {
     return {sample.grid, std::move(aggregates), sums, levels};
   }
 
+  /// Nothing holds a periodic sample against a translation, which would grow out of rounding.
+  static void take_about_mean(const Grid& grid, Floats& field) {
+    Vec<dimension> sum;
+    double count = 0;
+    grid.each([&](std::ptrdiff_t i, int) { sum += field.at(i), count += 1; });
+    grid.each([&](std::ptrdiff_t i, int) { field.set(i, field.at(i) - sum / count); });
+  }
+
   /// z := M r, where z comes in as the first step from zero.
   void apply(const D& sample) {
     const KernelsOf<D>& k = kernels_of(sample);
@@ -68,17 +76,21 @@ template <Discretisation D> struct Preconditioner {
     k.residual(sample, pointers(z), pointers(r), pointers(left));
     coarse.correct(pointers(left), pointers(z));
     for (const Coefficient c : coefficient) step(c);
+    if (sample.grid.periodic) take_about_mean(sample.grid, z);
   }
 
   /// r := residual of u, worked out anew in double; returns its norm.
   double fresh_residual(const D& sample, Doubles& u, const Doubles* body) {
     close_period(sample.grid, u);
-    const double square = kernels_of(sample).imbalance(sample, prescribed.data(), pointers(u), pointers(r));
-    if (!body) return std::sqrt(square);
+    const KernelsOf<D>& k = kernels_of(sample);
+    if (!body) return std::sqrt(k.imbalance(sample, prescribed.data(), pointers(u), pointers(r)));
+    // Added in double: in single precision the two would leave the rounding of each.
+    Doubles force(sample.grid.padded_size());
+    k.force(sample, prescribed.data(), pointers(std::as_const(u)), pointers(force));
     sample.grid.each([&](std::ptrdiff_t i, int level) {
       const auto held = prescribed[static_cast<std::size_t>(level)];
       for (int c = 0; c < dimension; ++c)
-        if (!(held >> c & 1)) r[c][i] += static_cast<float>((*body)[c][i]);
+        r[c][i] = held >> c & 1 ? 0.0f : static_cast<float>(force[c][i] + (*body)[c][i]);
     });
     return std::sqrt(square_norm(sample.grid, r));
   }

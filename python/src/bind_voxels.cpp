@@ -1,0 +1,157 @@
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "arrays.hpp"
+#include "calls.hpp"
+#include "keywords.hpp"
+#include "load_keywords.hpp"
+#include "model/voxel_map.hpp"
+#include "module.hpp"
+#include "phase_words.hpp"
+#include "solid/voxels/label_grains.hpp"
+#include "workflow/load_voxels.hpp"
+
+namespace arenite::python {
+namespace {
+
+VoxelMap voxels_of(const ArrayLike& phase, const std::optional<ArrayLike>& grain, const Quantity& dx) {
+  const auto values = whole_numbers(phase, 0, 2, "phase (0 void, 1 matrix, 2 particle)", 3);
+  const auto shape = py::array(phase).request().shape;
+  VoxelMap map = make_voxel_map(static_cast<int>(shape[2]), static_cast<int>(shape[1]), static_cast<int>(shape[0]),
+                                dx.si(dimension::length, "dx"));
+  std::ranges::transform(values, map.phase.begin(), [](std::int32_t value) { return static_cast<Phase>(value); });
+  if (grain && py::array(*grain).request().shape != shape)
+    throw InputError("grain: the labels must have the voxel map's shape");
+  if (grain) {
+    map.grain = whole_numbers(*grain, -1, static_cast<std::int32_t>(map.size()) - 1, "grain", 3);
+    const std::int32_t last = map.grain.empty() ? -1 : *std::ranges::max_element(map.grain);
+    map.grain_class.assign(static_cast<std::size_t>(last + 1), GrainClass::none);
+  } else {
+    voxels::label_grains(map);
+  }
+  check(map);
+  return map;
+}
+
+const Keywords& voxel_map_keywords() {
+  static const Keywords keywords(recipe::every_key<recipe::MapSection>(), {{"file", "file", "", true},
+                                                                           {"dx", "dx", "", true},
+                                                                           {"labels", "labels", "", true},
+                                                                           {"phases", "phases", "", true},
+                                                                           {"dataset", "dataset"},
+                                                                           {"label_dataset", "label_dataset"}});
+  return keywords;
+}
+
+VoxelMap voxel_map_in(const Path& file, const std::optional<Quantity>& dx, const Path& labels, const PhaseWords& phases,
+                      const py::kwargs& more) {
+  auto given = voxel_map_keywords().given("read_voxel_map", more);
+  given.push_back(voxel_map_keywords().given("file", py::str(file.string())));
+  given.push_back(voxel_map_keywords().given("labels", py::str(labels.string())));
+  given.push_back(voxel_map_keywords().given("phases", py::str(text_of(phases))));
+  if (dx) given.push_back(voxel_map_keywords().given("dx", *dx));
+  recipe::MapSection map;
+  map.dimension = 3;
+  read_keywords(map, given);
+  Call call;
+  return call.without_lock([&] { return workflow::read_voxels(map, [](const std::string&) {}); });
+}
+
+workflow::VoxelResult loaded_voxels(const VoxelMap& map, const std::string& loading, const Progress& progress,
+                                    const py::kwargs& more) {
+  const recipe::Load load = load_of("load_voxels", loading, more);
+  Call call;
+  auto result = call.without_lock([&] {
+    return workflow::apply_load(load, map, [&](const statics::Progress& at) {
+      call.tell(progress, at.share, load.name);
+      return !call.asked_to_stop();
+    });
+  });
+  return result ? std::move(*result) : workflow::VoxelResult{};
+}
+
+template <class T>
+py::array_t<T> volume_view(const std::vector<T>& values, int depth, int height, int width, const py::object& owner) {
+  return shaped_view<T, 3>(values, {depth, height, width}, owner);
+}
+
+void def_component(py::class_<workflow::VoxelResult>& c, const char* name, std::vector<float> VoxelStress::*member,
+                   const char* sentence) {
+  c.def_property_readonly(
+      name,
+      [member](const py::object& self) {
+        const VoxelStress& field = self.cast<const workflow::VoxelResult&>().field;
+        return volume_view(field.*member, field.depth, field.height, field.width, self);
+      },
+      sentence);
+}
+
+}  // namespace
+
+void bind_voxels(py::module_& m) {
+  py::class_<VoxelMap>(m, "VoxelMap", "A sample in space, cut into voxels; arrays are (depth, height, width), z first.")
+      .def(py::init(&voxels_of), py::arg("phase"), py::arg("grain") = py::none(), py::kw_only(), py::arg("dx"),
+           "A map from your own data, which are copied: `phase` is 0 (void), 1 (matrix) or 2 (particle), `grain` "
+           "numbers the particles from 0, -1 elsewhere (connected particles if not given), `dx` is the side of a voxel "
+           "(m, or text with a unit).")
+      .def_readonly("width", &VoxelMap::width, "Voxels along x.")
+      .def_readonly("height", &VoxelMap::height, "Voxels along y.")
+      .def_readonly("depth", &VoxelMap::depth, "Voxels along z.")
+      .def_readonly("dx", &VoxelMap::dx, "Side of a voxel, m.")
+      .def_property_readonly(
+          "phase",
+          [](const py::object& self) {
+            const auto& map = self.cast<const VoxelMap&>();
+            py::array_t<std::uint8_t> array({map.depth, map.height, map.width},
+                                            reinterpret_cast<const std::uint8_t*>(map.phase.data()), self);
+            array.attr("setflags")(py::arg("write") = false);
+            return array;
+          },
+          "0 void, 1 matrix, 2 particle; uint8, (depth, height, width).")
+      .def_property_readonly(
+          "grain",
+          [](const py::object& self) {
+            const auto& map = self.cast<const VoxelMap&>();
+            return volume_view(map.grain, map.depth, map.height, map.width, self);
+          },
+          "Number of the grain, -1 outside grains; int32, (depth, height, width).")
+      .def("__repr__", [](const VoxelMap& map) {
+        return "<arenite.VoxelMap " + std::to_string(map.width) + " x " + std::to_string(map.height) + " x " +
+               std::to_string(map.depth) + ">";
+      });
+  using workflow::VoxelResult;
+  py::class_<VoxelResult> result(m, "VoxelResult", "A sample in space under load.");
+  result.def_readonly("converged", &VoxelResult::converged, "Whether equilibrium was found.")
+      .def_readonly("outcome", &VoxelResult::outcome, "How it ended, in words.")
+      .def_property_readonly(
+          "numbers", [](const VoxelResult& r) { return to_python(r.numbers); },
+          "Modulus, forces, statistics by phase, effective stiffness; as `arenite load --json` prints them.");
+  const std::pair<const char*, std::vector<float> VoxelStress::*> stresses[] = {
+      {"sigma_xx", &VoxelStress::xx}, {"sigma_yy", &VoxelStress::yy}, {"sigma_zz", &VoxelStress::zz},
+      {"sigma_yz", &VoxelStress::yz}, {"sigma_xz", &VoxelStress::xz}, {"sigma_xy", &VoxelStress::xy}};
+  for (const auto& [name, member] : stresses)
+    def_component(result, name, member, "Stress of every voxel, Pa; float32, (depth, height, width).");
+  const std::pair<const char*, std::vector<float> VoxelStress::*> displacements[] = {
+      {"u_x", &VoxelStress::ux}, {"u_y", &VoxelStress::uy}, {"u_z", &VoxelStress::uz}};
+  for (const auto& [name, member] : displacements)
+    def_component(result, name, member, "Displacement of every voxel, m; float32, (depth, height, width).");
+  def_with_keywords(
+      m, "read_voxel_map", &voxel_map_in, voxel_map_keywords(),
+      "A voxel map from NumPy, NRRD, MetaImage, NIfTI or a stack of pictures (docs/formats.md), as `arenite load "
+      "--dimension 3` reads it. `phases` may be {0: \"void\", 1: \"matrix\", 2: \"particle\"}.",
+      py::arg("file"), py::kw_only(), py::arg("dx") = py::none(), py::arg("labels") = recipe::MapSection{}.labels,
+      py::arg("phases") = "");
+  def_with_keywords(m, "load_voxels", &loaded_voxels, load_keywords(),
+                    "Loads a sample in space along z by elements (docs/voxels.md): give method=\"elements\". With "
+                    "`moduli` the effective stiffness of the periodic sample follows.",
+                    py::arg("map"), py::arg("loading") = recipe::word_of(recipe::Load{}.loading), py::kw_only(),
+                    py::arg("progress") = py::none());
+}
+
+}  // namespace arenite::python

@@ -1,0 +1,57 @@
+"""Samples in space from arrays and files."""
+
+import numpy as np
+import pytest
+
+import arenite
+
+
+def layers():
+    z, y, x = np.mgrid[0:10, 0:12, 0:14]
+    return np.where(z < 5, 1, 2), np.where(z < 5, -1, 0)
+
+
+def test_layers_in_series_have_the_harmonic_modulus():
+    phase, grain = layers()
+    sample = arenite.VoxelMap(phase, grain, dx="10 um")
+    assert (sample.width, sample.height, sample.depth) == (14, 12, 10)
+    assert np.array_equal(sample.phase, phase) and np.array_equal(sample.grain, grain)
+    result = arenite.load_voxels(
+        sample, method="elements", matrix="1 GPa", interface="1 GPa", particle="4 GPa", matrix_poisson=0, tolerance=1e-8
+    )
+    assert result.converged, result.outcome
+    assert result.numbers["modulus_Pa"] == pytest.approx(1e9 / (0.5 + 0.5 / 4), rel=1e-6)
+    assert result.sigma_zz.shape == (10, 12, 14)
+    assert np.allclose(result.sigma_zz, 1.6e5, rtol=1e-5)
+    assert np.all(np.diff(result.u_z, axis=0) > 0)
+
+
+def test_the_effective_stiffness_is_symmetric_and_between_its_bounds():
+    rng = np.random.default_rng(1)
+    sample = arenite.VoxelMap(rng.integers(1, 3, (12, 12, 12)), dx=1e-5)
+    result = arenite.load_voxels(sample, method="elements", particle="20 GPa", moduli=True)
+    assert result.converged
+    effective = result.numbers["effective_stiffness"]
+    stiffness = np.array(effective["stiffness_Pa"])
+    assert np.allclose(stiffness, stiffness.T, atol=1e-4 * stiffness[0, 0])
+    bounds, mean = effective["bounds_Pa"], effective["isotropic_mean_Pa"]
+    for modulus in ("bulk", "shear"):
+        assert (
+            bounds["hashin_shtrikman_lower"][modulus] < mean[modulus] < bounds["hashin_shtrikman_upper"][modulus]
+        ), modulus
+
+
+def test_files_are_read_as_arrays_are_given(tmp_path):
+    phase, _ = layers()
+    np.savez_compressed(tmp_path / "sample.npz", im=phase.astype(np.uint8), other=np.arange(3))
+    read = arenite.read_voxel_map(tmp_path / "sample.npz", dx="5 um", phases={1: "matrix", 2: "particle"})
+    assert np.array_equal(read.phase, phase) and read.dx == 5e-6
+    assert read.grain.max() == 0
+
+
+def test_what_is_of_the_plane_is_refused():
+    sample = arenite.VoxelMap(np.ones((4, 4, 4), int), dx=1)
+    with pytest.raises(ValueError, match="elements"):
+        arenite.load_voxels(sample)
+    with pytest.raises(ValueError, match="shape"):
+        arenite.VoxelMap(np.ones((4, 4, 4), int), np.zeros((4, 4, 5), int), dx=1)
