@@ -38,14 +38,19 @@ recipe::Load load_of(const LoadArguments& a) {
   return load;
 }
 
-workflow::MapOutcome carry_out(const LoadArguments& a, const recipe::MapSection& map, const recipe::Load& load) {
-  ProgressLine line(a.quiet || a.json);
+workflow::RunOptions options_of(const LoadArguments& a, ProgressLine& line) {
   workflow::RunOptions options;
   options.out = a.out;
-  options.page_follows = !a.out.empty();
   options.asked_to_stop = stop_requested;
   options.progress = [&](const workflow::Progress& progress) { line.show(progress); };
   options.notice = [&](const std::string& sentence) { line.notice(sentence); };
+  return options;
+}
+
+workflow::MapOutcome carry_out(const LoadArguments& a, const recipe::MapSection& map, const recipe::Load& load) {
+  ProgressLine line(a.quiet || a.json);
+  workflow::RunOptions options = options_of(a, line);
+  options.page_follows = !a.out.empty();
   try {
     return workflow::load_map(map, load, options);
   } catch (const InputError& error) { throw in_file(error, a.file); }
@@ -53,11 +58,7 @@ workflow::MapOutcome carry_out(const LoadArguments& a, const recipe::MapSection&
 
 int execute_in_space(const LoadArguments& a, const recipe::MapSection& map, const recipe::Load& load) {
   ProgressLine line(a.quiet || a.json);
-  workflow::RunOptions options;
-  options.out = a.out;
-  options.asked_to_stop = stop_requested;
-  options.progress = [&](const workflow::Progress& progress) { line.show(progress); };
-  options.notice = [&](const std::string& sentence) { line.notice(sentence); };
+  const workflow::RunOptions options = options_of(a, line);
   watch_for_signals();
   const auto [result, field, file] = workflow::load_voxels(map, load, options);
   if (!result) {

@@ -92,14 +92,7 @@ template <int D> void CoarseCycle<D>::set_steps() {
     for (std::size_t k = 0; k < x_.size(); ++k) x_[k] = older_[k] / static_cast<float>(highest);
   }
   highest *= 1.2;
-  const double lowest = highest / 25, centre = (highest + lowest) / 2, half = (highest - lowest) / 2;
-  double rho = half / centre;
-  steps_.push_back({0, static_cast<float>(1 / centre)});
-  for (int k = 1; k < degree; ++k) {
-    const double next = 1 / (2 * centre / half - rho);
-    steps_.push_back({static_cast<float>(next * rho), static_cast<float>(2 * next / half)});
-    rho = next;
-  }
+  steps_ = chebyshev_steps(degree, highest / 25, highest);
 }
 
 template <int D> void CoarseCycle<D>::cut(const BlockMatrix& matrix, const std::vector<CoarsePlace>& places) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "solid/statics/chebyshev.hpp"
 #include "solid/statics/cholesky.hpp"
 
 namespace arenite::statics {
@@ -28,9 +29,6 @@ template <int D> class CoarseCycle {
 
  private:
   using Vector = std::vector<float>;
-  struct Step {
-    float keep, add;
-  };
   void invert_diagonal(const BlockMatrix& matrix);
   void set_steps();
   void cut(const BlockMatrix& matrix, const std::vector<CoarsePlace>& places);
@@ -43,7 +41,7 @@ template <int D> class CoarseCycle {
   std::size_t n_ = 0;
   std::vector<std::int32_t> column_begin_, row_;
   Vector value_, inverse_;  ///< of the matrix, D^2 a block, and of its diagonal blocks
-  std::vector<Step> steps_;
+  std::vector<ChebyshevStep> steps_;
   std::vector<std::array<std::int32_t, 1 << D>> corner_;  ///< of every coarse node: the corners of its box
   std::vector<std::array<float, 1 << D>> weight_;
   std::int32_t corners_ = 0;

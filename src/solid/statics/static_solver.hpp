@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "solid/statics/chebyshev.hpp"
 #include "solid/statics/coarse_space.hpp"
 #include "solid/statics/discretisation.hpp"
 #include "solid/statics/halo.hpp"
@@ -17,10 +18,6 @@ namespace arenite::statics {
 /// The preconditioner: Chebyshev steps on the block diagonal, a correction on the coarse space cut by grain, and
 /// the same steps again, all in single precision. Symmetric and positive, as conjugate gradients ask.
 template <Discretisation D> struct Preconditioner {
-  struct Coefficient {
-    float a, b;
-  };
-
   static constexpr int dimension = D::dimension;
   using Floats = FieldIn<dimension, float>;
   using Doubles = FieldIn<dimension, double>;
@@ -30,7 +27,7 @@ template <Discretisation D> struct Preconditioner {
   InverseDiagonalIn<dimension> inverse;
   CoarseSpaceIn<dimension> coarse;
   Floats r, p, f, z, other, left;
-  std::vector<Coefficient> coefficient;
+  std::vector<ChebyshevStep> coefficient;
 
   Preconditioner(const D& sample, Aggregates aggregates, std::vector<std::uint8_t> rows, const Diagonal& diagonal)
       : prescribed(std::move(rows)),
@@ -38,14 +35,7 @@ template <Discretisation D> struct Preconditioner {
         coarse(coarse_space(sample, std::move(aggregates), diagonal, prescribed)) {
     for (Floats* field : {&r, &p, &f, &z, &other, &left}) *field = Floats(sample.grid.padded_size());
     const auto [degree, lowest, highest] = smoothing_of(sample);
-    const double centre = (highest + lowest) / 2, half = (highest - lowest) / 2;
-    double rho = half / centre;
-    coefficient.push_back({0, static_cast<float>(1 / centre)});
-    for (int k = 1; k < degree; ++k) {
-      const double next = 1 / (2 * centre / half - rho);
-      coefficient.push_back({static_cast<float>(next * rho), static_cast<float>(2 * next / half)});
-      rho = next;
-    }
+    coefficient = chebyshev_steps(degree, lowest, highest);
   }
 
   static CoarseSpaceIn<dimension> coarse_space(const D& sample, Aggregates aggregates, const Diagonal& diagonal,
@@ -65,9 +55,9 @@ template <Discretisation D> struct Preconditioner {
   /// z := M r, where z comes in as the first step from zero.
   void apply(const D& sample) {
     const KernelsOf<D>& k = kernels_of(sample);
-    const auto step = [&](Coefficient c) {
+    const auto step = [&](ChebyshevStep c) {
       close_period(sample.grid, z);
-      k.chebyshev(sample, pointers(z), pointers(other), pointers(r), inverse.pointers(), c.a, c.b);
+      k.chebyshev(sample, pointers(z), pointers(other), pointers(r), inverse.pointers(), c.keep, c.add);
       std::swap(z, other);
     };
     set_zero(other);  // from zero the first step has no force: `move` has taken it; the second looks back at zero
@@ -75,7 +65,7 @@ template <Discretisation D> struct Preconditioner {
     close_period(sample.grid, z);
     k.residual(sample, pointers(z), pointers(r), pointers(left));
     coarse.correct(pointers(left), pointers(z));
-    for (const Coefficient c : coefficient) step(c);
+    for (const ChebyshevStep c : coefficient) step(c);
     if (sample.grid.periodic) take_about_mean(sample.grid, z);
   }
 
@@ -98,7 +88,7 @@ template <Discretisation D> struct Preconditioner {
   /// u and r move along p, and z becomes the first step of the preconditioner; returns the norm of r.
   double move(const D& sample, double alpha, Doubles& u) {
     return std::sqrt(kernels_of(sample).conjugate_step(sample, static_cast<float>(alpha), pointers(p), pointers(f),
-                                                       pointers(u), pointers(r), inverse.pointers(), coefficient[0].b,
+                                                       pointers(u), pointers(r), inverse.pointers(), coefficient[0].add,
                                                        pointers(z)));
   }
 };

@@ -51,6 +51,13 @@ struct Around {
 double highest_ratio(const Modes& m) {
   std::array<double, 24> u{};
   for (std::size_t k = 0; k < 24; ++k) u[k] = std::cos(2.0 * static_cast<double>(k) + 1);  // along no symmetry
+  std::array<std::array<double, 9>, 8> inverses;
+  for (int c = 0; c < 8; ++c) {
+    const auto block = corner_block(m, c, c);
+    inverses[static_cast<std::size_t>(c)] =
+        inverse_of_definite<3>({block[0][0], block[0][1], block[0][2], block[1][0], block[1][1], block[1][2],
+                                block[2][0], block[2][1], block[2][2]});
+  }
   double ratio = 0;
   for (int round = 0; round < 2000; ++round) {
     Amplitudes<double> a{};
@@ -60,9 +67,7 @@ double highest_ratio(const Modes& m) {
     const Amplitudes<double> work = work_of(m, a);
     double square = 0;
     for (int c = 0; c < 8; ++c) {
-      const auto block = corner_block(m, c, c);
-      const auto inverse = inverse_of_definite<3>({block[0][0], block[0][1], block[0][2], block[1][0], block[1][1],
-                                                   block[1][2], block[2][0], block[2][1], block[2][2]});
+      const auto& inverse = inverses[static_cast<std::size_t>(c)];
       std::array<double, 3> force{};
       for (std::size_t k = 0; k < 3; ++k)
         for (int mode = 1; mode < modes_of_a_voxel; ++mode) force[k] += sign_of(mode, c) * work.at[k][mode];
