@@ -11,6 +11,7 @@
 #include "report/summary.hpp"
 #include "workflow/apply_load.hpp"
 #include "workflow/load_voxels.hpp"
+#include "workflow/read_map.hpp"
 
 namespace arenite::app {
 namespace {
@@ -107,8 +108,9 @@ void add_reading(Options& command, KeyOptions& map) {
 }
 
 void add_loading(Options& command, KeyOptions& load) {
-  for (const char* key : {"loading", "axis", "lower", "method", "element", "plane", "strain", "tolerance",
-                          "stop_at_voids", "exact_stretch", "moduli", "failure", "cracks_stay_open", "max_strain"})
+  for (const char* key :
+       {"loading", "axis", "lower", "method", "element", "plane", "strain", "tolerance", "stop_at_voids",
+        "exact_stretch", "moduli", "effective_stiffness", "failure", "cracks_stay_open", "max_strain"})
     load.add(command, option_name(key), key);
   load.add(command, "--stiffness", "stiffness").type("MODULI");
   load.add(command, "--poisson", "poisson").type("RATIOS");

@@ -39,7 +39,7 @@ template <class Pass> void measure(benchmark::State& state, const PhaseMap& map,
 }
 
 auto of_bonds(const PhaseMap& map) { return make_bonds(map, {}); }
-auto of_elements(const PhaseMap& map) { return elements::make_elements(map, {}); }
+auto of_elements(const PhaseMap& map) { return elements::make_elements<2>(map, {}); }
 
 template <class T, auto make> void force(benchmark::State& state) {
   const PhaseMap map = sample(state);

@@ -3,9 +3,9 @@
 #include <map>
 #include <utility>
 
-#include "../tests/support/voxel_samples.hpp"
+#include "../tests/support/element_samples.hpp"
 #include "process_use.hpp"
-#include "solid/voxels/load.hpp"
+#include "solid/elements/load.hpp"
 
 namespace {
 
@@ -25,11 +25,11 @@ const VoxelMap& sample(const benchmark::State& state) {
 /// The whole of `load`: elements, pieces, coarse levels, iterations, stresses; at a ratio of moduli.
 void voxel_solve(benchmark::State& state) {
   const VoxelMap& map = sample(state);
-  voxels::LoadOptions options;
+  elements::LoadOptions options;
   options.material = {{1, 0.3}, {1, 0.3}, {static_cast<double>(state.range(1)), 0.25}};
-  voxels::LoadReport report;
+  statics::LoadReportIn<3> report;
   const double start = bench::cpu_seconds();
-  for (auto _ : state) report = voxels::load(map, options).report;
+  for (auto _ : state) report = elements::load(map, options).report;
   state.counters["cpu_seconds"] = (bench::cpu_seconds() - start) / static_cast<double>(state.iterations());
   state.counters["solver_iterations"] = report.iterations;
   state.counters["residual"] = report.residual;

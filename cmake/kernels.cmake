@@ -3,7 +3,7 @@ set(dem src/grains/dem/kernels)
 set_source_files_properties(${dem}/portable.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-fno-math-errno;-Wno-psabi")
 set_source_files_properties(${dem}/avx2.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-fno-math-errno;-mavx2")
 set_source_files_properties(${dem}/avx512.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-fno-math-errno;-mavx512f;-mavx512dq;-mavx512vl")
-foreach(solid src/solid/peridynamics/kernels src/solid/elements/kernels src/solid/voxels/kernels)
+foreach(solid src/solid/peridynamics/kernels src/solid/elements/kernels)
   set_source_files_properties(${solid}/avx2.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-mavx2;-mfma")
   set_source_files_properties(${solid}/avx512.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON  # GCC 12 warns about its own intrinsics
     COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl;-mfma;-Wno-uninitialized;-Wno-maybe-uninitialized")

@@ -40,7 +40,7 @@ struct System {
 
   System(const PhaseMap& map, double strain) : bonds(make_bonds(map, {})) {
     const Grid& grid = bonds.grid;
-    const auto rows = prescribed_rows(map.height, Loading::tension, LowerEdge::fixed);
+    const auto rows = prescribed_levels<2>(map.height, Loading::tension, LowerEdge::fixed);
     auto aggregates = cut_into_aggregates(map, bonds, rows);
     Buffer<Tie> tie;
     prune(bonds, aggregates, rows, tie);

@@ -10,6 +10,7 @@
 #include "solid/grid/rasterise.hpp"
 #include "workflow/apply_load.hpp"
 #include "workflow/cemented_sample.hpp"
+#include "workflow/read_map.hpp"
 
 namespace arenite::python {
 namespace {

@@ -13,7 +13,7 @@
 #include "module.hpp"
 #include "phase_words.hpp"
 #include "thermal/imaging/label_grains.hpp"
-#include "workflow/apply_load.hpp"
+#include "workflow/read_map.hpp"
 
 namespace arenite::python {
 namespace {

@@ -14,7 +14,7 @@
 #include "model/voxel_map.hpp"
 #include "module.hpp"
 #include "phase_words.hpp"
-#include "solid/voxels/label_grains.hpp"
+#include "solid/grid/label_grains.hpp"
 #include "workflow/load_voxels.hpp"
 
 namespace arenite::python {
@@ -33,7 +33,7 @@ VoxelMap voxels_of(const ArrayLike& phase, const std::optional<ArrayLike>& grain
     const std::int32_t last = map.grain.empty() ? -1 : *std::ranges::max_element(map.grain);
     map.grain_class.assign(static_cast<std::size_t>(last + 1), GrainClass::none);
   } else {
-    voxels::label_grains(map);
+    grid::label_grains(map);
   }
   check(map);
   return map;
@@ -149,7 +149,7 @@ void bind_voxels(py::module_& m) {
       py::arg("phases") = "");
   def_with_keywords(m, "load_voxels", &loaded_voxels, load_keywords(),
                     "Loads a sample in space along z by elements (docs/voxels.md): give method=\"elements\". With "
-                    "`moduli` the effective stiffness of the periodic sample follows.",
+                    "`effective_stiffness` that stiffness of the periodic sample follows.",
                     py::arg("map"), py::arg("loading") = recipe::word_of(recipe::Load{}.loading), py::kw_only(),
                     py::arg("progress") = py::none());
 }

@@ -15,6 +15,7 @@ const Keywords& load_keywords() {
                                                                      {"particle_poisson", "poisson.particle"},
                                                                      {"tolerance", "tolerance"},
                                                                      {"moduli", "moduli"},
+                                                                     {"effective_stiffness", "effective_stiffness"},
                                                                      {"failure", "failure"},
                                                                      {"matrix", "stiffness.matrix"},
                                                                      {"interface", "stiffness.interface"},

@@ -1,6 +1,8 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "core/vec.hpp"
@@ -41,7 +43,15 @@ struct VoxelStress {
   std::size_t size() const { return xx.size(); }
 };
 
-/// Symmetric tensors of space in Voigt's order.
-enum VoigtIndex { voigt_xx, voigt_yy, voigt_zz, voigt_yz, voigt_xz, voigt_xy };
+/// The map of a sample in the plane or in space, and the stress that belongs to it.
+template <int D> using MapIn = std::conditional_t<D == 2, PhaseMap, VoxelMap>;
+template <int D> using StressIn = std::conditional_t<D == 2, StressField, VoxelStress>;
+
+/// The components of a symmetric tensor by their two axes, in Voigt's order: xx, yy, xy; xx, yy, zz, yz, xz, xy.
+template <int D> inline constexpr std::size_t voigt_count = D*(D + 1) / 2;
+template <int D> inline constexpr std::array<std::array<int, 2>, voigt_count<D>> voigt_axes{};
+template <> inline constexpr std::array<std::array<int, 2>, 3> voigt_axes<2>{{{0, 0}, {1, 1}, {0, 1}}};
+template <>
+inline constexpr std::array<std::array<int, 2>, 6> voigt_axes<3>{{{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
 
 }  // namespace arenite

@@ -194,6 +194,10 @@ void declare(Visitor& v, Load& load) {
       elements.choice({"plane", "What happens across the plane."}, load.plane, words(load.plane));
       elements.section({"poisson", "Poisson's ratios of elements by phase."},
                        [&](Visitor& section) { declare(section, load.poisson); });
+      elements.flag({"effective_stiffness",
+                     "Also find the effective stiffness of the sample repeated in all directions, which needs no "
+                     "clamps: three uniform strains in the plane, six in space."},
+                    load.effective_stiffness);
     });
     inner.flag({"exact_stretch", "Exact stretch of the rotated bond, as printed in the paper; otherwise linearised."},
                load.exact_stretch);

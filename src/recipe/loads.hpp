@@ -67,8 +67,9 @@ struct Load : peridynamics::LoadCase, peridynamics::FieldChoices, peridynamics::
   Load() { max_strain = 0.1; }
   std::string name;
   Axis axis = Axis::y;
-  bool moduli = false;   ///< load it along both axes and in shear, too
-  bool failure = false;  ///< pull until it breaks
+  bool moduli = false;               ///< load it along both axes and in shear, too
+  bool effective_stiffness = false;  ///< of the sample as a period, by elements
+  bool failure = false;              ///< pull until it breaks
   LoadMethod method = LoadMethod::peridynamics;
   elements::Element element = elements::Element::wilson;
   elements::PlaneState plane = elements::PlaneState::stress;

@@ -3,9 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <unordered_map>
 #include <utility>
 
@@ -14,17 +12,15 @@
 #include "core/version.hpp"
 #include "grains/texture/stress.hpp"
 #include "grains/texture/texture.hpp"
-#include "io/disk/store_file.hpp"
-#include "io/image/phase_map.hpp"
 #include "io/results/results.hpp"
 #include "solid/elements/load.hpp"
+#include "solid/elements/stiffness_numbers.hpp"
 #include "solid/grid/crop.hpp"
-#include "solid/grid/map_numbers.hpp"
 #include "solid/stress/grains.hpp"
 #include "solid/stress/stress.hpp"
-#include "thermal/imaging/label_grains.hpp"
 #include "workflow/asked.hpp"
 #include "workflow/field_numbers.hpp"
+#include "workflow/read_map.hpp"
 #include "workflow/runner.hpp"
 
 namespace arenite::workflow {
@@ -117,7 +113,13 @@ class Loader {
   Loader(const recipe::Load& load, const statics::Watch& watch)
       : by_elements_(load.by_elements()),
         bonds_{load, load, load.stiffness.resolved(), watch},
-        elements_{load.loading, load.lower, load.strain, load.tolerance, load.max_iterations, load.material(), watch} {
+        elements_{{.tolerance = load.tolerance,
+                   .max_iterations = load.max_iterations,
+                   .material = load.material(),
+                   .watch = watch},
+                  load.loading,
+                  load.lower,
+                  load.strain} {
     bonds_.method = load.bond_method();
   }
   statics::LoadResult load(const PhaseMap& map) const {
@@ -125,6 +127,9 @@ class Loader {
   }
   statics::EffectiveModuli effective_moduli(const PhaseMap& map) const {
     return by_elements_ ? elements::effective_moduli(map, elements_) : peridynamics::effective_moduli(map, bonds_);
+  }
+  elements::EffectiveStiffness<2> effective_stiffness(const PhaseMap& map) const {
+    return elements::effective_stiffness(map, elements_);
   }
 
  private:
@@ -179,84 +184,16 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
     }
   }
   add_load(result.numbers, load, loaded.report, moduli);
+  if (load.effective_stiffness && load.by_elements() && result.converged) {
+    const auto effective = loader.effective_stiffness(result.map);
+    if (std::ranges::any_of(effective.solves, &statics::StaticReport::stopped)) return std::nullopt;
+    result.converged = std::ranges::all_of(effective.solves, &statics::StaticReport::converged);
+    result.numbers["effective_stiffness"] = elements::stiffness_numbers(effective);
+  }
   if (!load.by_elements()) note_bonds_across_voids(result.numbers, load, result.map);
   result.field = as_stored(std::move(loaded.field));
   measure_stress(load, result, measured, contact_stresses);
   return result;
-}
-
-namespace {
-
-bool is_own_field(const recipe::MapSection& map) { return io::stored_kind(map.file) == "field"; }
-
-io::PhaseMapOptions options_of(const recipe::MapSection& map) {
-  io::PhaseMapOptions options;
-  options.image = {map.slice, map.dataset};
-  options.label_image = {map.label_slice, map.label_dataset};
-  if (!map.phases.empty()) options.phases = io::parse_phase_table(map.phases);
-  if (!map.crop.empty()) options.crop = io::parse_crop(map.crop);
-  options.dx = map.dx.value_or(options.dx);
-  if (map.has_label_file()) options.labels = map.labels;
-  return options;
-}
-
-/// Where cutting at necks finds many more grains, those that touch were counted as one.
-void tell_of_touching(const PhaseMap& map, double smoothing, const std::string& file,
-                      const std::function<void(const std::string&)>& notice) {
-  constexpr double many_more = 1.3;
-  PhaseMap cut = map;
-  imaging::label_grains(cut, {imaging::Labelling::watershed, smoothing});
-  const std::size_t found = map.grain_class.size(), apart = cut.grain_class.size();
-  if (static_cast<double>(apart) < many_more * static_cast<double>(found)) return;
-  notice(
-      fmt::format("{}: grains that touch count as one: {} grains, {} where they are cut at their necks by `--labels "
-                  "watershed` (labels = \"watershed\" in [map] of a recipe)",
-                  file, found, apart));
-}
-
-}  // namespace
-
-PhaseMap read_map(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice) {
-  if (map.dimension == 3) refuse(map.file, "is a sample in space; recipes load maps of the plane, `arenite load` both");
-  if (is_own_field(map)) return io::read_field(map.file).map;
-  auto read = io::read_phase_map(map.file, options_of(map));
-  for (const auto& note : read.notes) notice(fmt::format("{}: {}", map.file, note));
-  if (read.labelled) return std::move(read.map);
-  using imaging::Labelling;
-  const auto way = map.labels == "watershed" ? Labelling::watershed : Labelling::components;
-  if (map.labels == "none") io::label_alike(read.map);
-  else imaging::label_grains(read.map, {way, map.smoothing});
-  if (map.labels != "none" && way == Labelling::components) tell_of_touching(read.map, map.smoothing, map.file, notice);
-  return std::move(read.map);
-}
-
-FieldResult read_sample(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice) {
-  FieldResult sample = sample_of_map(read_map(map, notice));
-  if (map.dx || is_own_field(map)) return sample;
-  Numbers& numbers = sample.numbers["map"];
-  numbers.erase("dx_m");
-  numbers["lengths"] = "in nodes, since dx was not given";
-  return sample;
-}
-
-void require_length(const recipe::MapSection& map, const recipe::Load& load) {
-  if (load.failure && !map.dx && !is_own_field(map))
-    throw InputError(
-        "a crack needs a length; give the size of a pixel, for example --dx \"25 um\" (dx in [map] of a recipe)");
-}
-
-FieldResult sample_of_map(PhaseMap map, const grid::CavityRules& rules) {
-  check(map);
-  std::size_t particle = 0;
-  for (const Phase p : map.phase) particle += p == Phase::particle;
-  // Without particles the unit of volume is a node.
-  const double grains = static_cast<double>(map.grain_class.size());
-  const double nodes_per_grain = grains > 0 && particle > 0 ? static_cast<double>(particle) / grains : 1;
-  FieldResult sample;
-  sample.name = "map";
-  sample.numbers = grid::map_numbers(map, rules, map.dx * std::sqrt(nodes_per_grain / std::numbers::pi));
-  sample.map = std::move(map);
-  return sample;
 }
 
 MapOutcome load_map(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options) {

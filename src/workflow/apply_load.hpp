@@ -1,15 +1,11 @@
 #pragma once
 #include <filesystem>
-#include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "model/packing.hpp"
-#include "model/phase_map.hpp"
 #include "model/result.hpp"
 #include "recipe/recipe.hpp"
-#include "solid/grid/cavities.hpp"
 #include "solid/peridynamics/failure_state.hpp"
 #include "solid/stress/stress.hpp"
 #include "workflow/run.hpp"
@@ -36,19 +32,6 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
                                       const peridynamics::Watch& watch, const FailureCheckpoint& checkpoint = {},
                                       std::optional<stress::Statistics>* measured = nullptr,
                                       const std::vector<Tensor2>* contact_stresses = nullptr);
-
-/// A sample for apply_load from anybody's phase map: its phases, pores and voids as numbers, their volumes over the
-/// mean area of a grain. Throws InputError unless the map is sound.
-FieldResult sample_of_map(PhaseMap map, const grid::CavityRules& rules = {});
-
-/// A phase map of a file; what is found worth a word is told.
-PhaseMap read_map(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice);
-
-/// The same from a file; its notes are told. Throws InputError for what cannot be read as a phase map.
-FieldResult read_sample(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice);
-
-/// Throws InputError for a load to failure of a map without a length: a crack needs one.
-void require_length(const recipe::MapSection& map, const recipe::Load& load);
 
 struct MapOutcome {
   std::optional<FieldResult> field;  ///< nothing if it was stopped

@@ -13,10 +13,11 @@
 #include "io/disk/file.hpp"
 #include "io/export/vtk_file.hpp"
 #include "io/volume/voxel_map.hpp"
-#include "solid/voxels/label_grains.hpp"
-#include "solid/voxels/load.hpp"
-#include "solid/voxels/measure.hpp"
-#include "solid/voxels/stiffness_numbers.hpp"
+#include "solid/elements/load.hpp"
+#include "solid/elements/stiffness_numbers.hpp"
+#include "solid/grid/label_grains.hpp"
+#include "solid/grid/map_numbers.hpp"
+#include "solid/stress/measure_voxels.hpp"
 #include "statistics/numbers.hpp"
 #include "workflow/stage_keys.hpp"
 
@@ -41,11 +42,14 @@ void refuse_keys_of_the_plane(const recipe::Load& load) {
     throw InputError("a sample in space is made of elements, bonds are of the plane; give --method elements");
   if (load.axis == recipe::Load::Axis::x)
     throw InputError("in space the load acts along z, across the slices; leave axis out, or turn the image");
+  if (load.moduli)
+    throw InputError(
+        "moduli between clamps along both axes are of the plane; in space give effective_stiffness, which needs none");
   if (load.plane != elements::PlaneState::stress)
     throw InputError("plane strain is of the plane; leave plane out in space");
 }
 
-Numbers load_numbers(const recipe::Load& load, const voxels::LoadReport& r) {
+Numbers load_numbers(const recipe::Load& load, const statics::LoadReportIn<3>& r) {
   const elements::Material m = load.material();
   const auto by_phase = [](double matrix, double interface, double particle) {
     return Numbers{{"matrix", matrix}, {"interface", interface}, {"particle", particle}};
@@ -64,7 +68,7 @@ Numbers load_numbers(const recipe::Load& load, const voxels::LoadReport& r) {
                      "Volume integral of the stress over the product of clamp force and height, minus 1")},
           {"top_force_N",
            described({r.top_force.x, r.top_force.y, r.top_force.z}, "N", "Force of the upper clamp on the sample")},
-          {"voxels", voxels::support_numbers(r.support)}};
+          {"voxels", elements::support_numbers(r.support)}};
 }
 
 /// The field with its phases, for ParaView and whatever else reads VTK images.
@@ -101,20 +105,19 @@ VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(con
   io::ForeignVoxels read = io::read_voxel_map(map.file, options);
   for (const std::string& note : read.notes) notice(fmt::format("{}: {}", map.file, note));
   if (!read.has_length) notice(fmt::format("{}: lengths are in voxels, since dx was not given", map.file));
-  if (!read.labelled && map.labels == "none") voxels::label_alike(read.map);
-  else if (!read.labelled) voxels::label_grains(read.map);
+  if (!read.labelled && map.labels == "none") grid::label_alike(read.map);
+  else if (!read.labelled) grid::label_grains(read.map);
   return std::move(read.map);
 }
 
 std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch) {
   refuse_keys_of_the_plane(load);
-  const elements::Material material = load.material();
-  const double parts = load.moduli ? 7 : 1;  // one load, and six of a period
+  const double parts = load.effective_stiffness ? 7 : 1;  // one load, and six of a period
   double begun = 0;
-  voxels::LoadOptions solve;
+  elements::LoadOptions solve;
   solve.tolerance = load.tolerance;
   solve.max_iterations = load.max_iterations;
-  solve.material = {material.matrix, material.interface, material.particle, material.element};
+  solve.material = load.material();
   solve.loading = load.loading;
   solve.lower = load.lower;
   solve.strain = load.strain;
@@ -124,29 +127,29 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
       p.share = (begun - 1 + p.share) / parts;
       return watch(p);
     };
-  voxels::LoadResult loaded = voxels::load(map, solve);
+  auto loaded = elements::load(map, solve);
   if (loaded.report.ending == statics::Ending::stopped) return std::nullopt;
   VoxelResult result;
   result.converged = loaded.report.ending == statics::Ending::solved;
   result.outcome = loaded.report.sentence;
   Numbers& j = result.numbers;
-  j["map"] = voxels::map_numbers(map);
+  j["map"] = grid::map_numbers(map);
   j["load"] = load_numbers(load, loaded.report);
   if (result.converged) {
     j["modulus_Pa"] =
         described(loaded.report.modulus, "Pa", "Apparent modulus, mean stress over strain, between clamps");
     std::vector<std::string> notes;
-    voxels::StressOptions statistics;
+    stress::VoxelStressOptions statistics;
     statistics.clamp_layers = static_cast<int>(std::min<std::int64_t>(load.statistics.clamp_rows, (map.depth - 1) / 2));
     statistics.shear = load.loading == statics::Loading::shear;
-    j["stress"] = voxels::measure(map, loaded.field, statistics, notes);
+    j["stress"] = stress::measure(map, loaded.field, statistics, notes);
     for (std::string& note : notes) j["notes"].push_back(std::move(note));
   }
-  if (load.moduli && result.converged) {
-    const auto effective = voxels::effective_stiffness(map, solve);
+  if (load.effective_stiffness && result.converged) {
+    const auto effective = elements::effective_stiffness(map, solve);
     if (std::ranges::any_of(effective.solves, &statics::StaticReport::stopped)) return std::nullopt;
     result.converged = std::ranges::all_of(effective.solves, &statics::StaticReport::converged);
-    j["effective_stiffness"] = voxels::stiffness_numbers(effective);
+    j["effective_stiffness"] = elements::stiffness_numbers(effective);
   }
   result.field = std::move(loaded.field);
   return result;

@@ -26,9 +26,9 @@ struct VoxelResult {
   Numbers numbers;  ///< of the sample, the load and its stresses
 };
 
-/// Loads a sample in space between its lowest and its highest layer by elements; with `load.moduli` its effective
-/// stiffness follows, as of a sample that repeats itself. Nothing if the watch stopped it. Throws InputError for keys
-/// that are of the plane.
+/// Loads a sample in space between its lowest and its highest layer by elements; with `load.effective_stiffness` that
+/// follows, as of a sample that repeats itself. Nothing if the watch stopped it. Throws InputError for keys that are of
+/// the plane.
 std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch);
 
 struct VoxelOutcome {

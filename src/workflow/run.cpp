@@ -14,6 +14,7 @@
 #include "workflow/asked.hpp"
 #include "workflow/cemented_sample.hpp"
 #include "workflow/make_packing.hpp"
+#include "workflow/read_map.hpp"
 #include "workflow/runner.hpp"
 #include "workflow/stage_watch.hpp"
 #include "workflow/state_of_now.hpp"

@@ -56,7 +56,7 @@ TEST(Load, TellsTheIterationsOfWhatIsNotStored) {
 TEST(Load, ElementsGiveLayersTheirExactModulusAndSayWhatTheyAreMadeOf) {
   const TemporaryFolder folder;
   const std::string map = layers(folder / "map.h5") + " --phases 1=particle,2=matrix --method elements --json ";
-  const auto loaded = arenite("load " + map + "--poisson 'matrix=0'");
+  const auto loaded = arenite("load " + map + "--poisson 'matrix=0' --effective-stiffness");
   ASSERT_EQ(loaded.status, 0) << loaded.err;
   const Json j = Json::parse(loaded.out);
   EXPECT_NEAR(j["modulus_Pa"].get<double>() / 2.5e9, 1, 1e-5);  // interfaces lie in the matrix
@@ -66,6 +66,8 @@ TEST(Load, ElementsGiveLayersTheirExactModulusAndSayWhatTheyAreMadeOf) {
   EXPECT_EQ(j["load"]["plane"], "stress");
   EXPECT_EQ(j["load"]["poisson_ratio"]["particle"], 0);
   EXPECT_FALSE(j["load"].contains("bonds_across_voids"));
+  EXPECT_NEAR(j["effective_stiffness"]["young_Pa"][0].get<double>() / 1.6e9, 1, 1e-5);  // across layers of 1 and 4 GPa
+  EXPECT_NEAR(j["effective_stiffness"]["young_Pa"][1].get<double>() / 2.5e9, 1, 1e-5);
   const auto strained = arenite("load " + map + "--poisson 'matrix=0.3,particle=0.2' --plane strain");
   ASSERT_EQ(strained.status, 0) << strained.err;
   EXPECT_FALSE(Json::parse(strained.out).contains("modulus_bounds_Pa"));

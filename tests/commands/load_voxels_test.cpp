@@ -29,8 +29,8 @@ TEST(LoadVoxels, LayersInSpaceHaveTheirExactModuli) {
   const TemporaryFolder folder;
   const std::string map = volume(folder / "map.npy", "x % 6 < 3, 1, 2");
   const auto loaded =
-      arenite("load " + map + by_elements + "--phases 1=particle,2=matrix --moduli --tolerance 1e-8 --out " +
-              (folder / "out").string());
+      arenite("load " + map + by_elements +
+              "--phases 1=particle,2=matrix --effective-stiffness --tolerance 1e-8 --out " + (folder / "out").string());
   ASSERT_EQ(loaded.status, 0) << loaded.err;
   const Json j = Json::parse(loaded.out);
   EXPECT_NEAR(j["modulus_Pa"].get<double>() / 2.5e9, 1, 1e-6);  // 1 and 4 GPa, along the layers

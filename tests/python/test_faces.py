@@ -18,7 +18,6 @@ LISTS = {
     "io/volume/volume.hpp": "meta_image nifti npy npz nrrd",
     "solid/elements/kernels/kernels.hpp": "avx2 avx512 portable",
     "solid/peridynamics/kernels/kernels.hpp": "avx2 avx512 portable",
-    "solid/voxels/kernels/kernels.hpp": "avx2 avx512 portable",
     "thermal/thermography/kernels/kernels.hpp": "avx2 avx512 portable",
 }
 

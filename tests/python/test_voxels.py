@@ -29,7 +29,7 @@ def test_layers_in_series_have_the_harmonic_modulus():
 def test_the_effective_stiffness_is_symmetric_and_between_its_bounds():
     rng = np.random.default_rng(1)
     sample = arenite.VoxelMap(rng.integers(1, 3, (12, 12, 12)), dx=1e-5)
-    result = arenite.load_voxels(sample, method="elements", particle="20 GPa", moduli=True)
+    result = arenite.load_voxels(sample, method="elements", particle="20 GPa", effective_stiffness=True)
     assert result.converged
     effective = result.numbers["effective_stiffness"]
     stiffness = np.array(effective["stiffness_Pa"])

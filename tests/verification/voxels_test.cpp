@@ -5,22 +5,22 @@
 #include <cstddef>
 
 #include "io/volume/voxel_map.hpp"
-#include "solid/voxels/label_grains.hpp"
-#include "solid/voxels/load.hpp"
-#include "support/voxel_samples.hpp"
+#include "solid/elements/effective_stiffness.hpp"
+#include "solid/grid/label_grains.hpp"
+#include "support/element_samples.hpp"
 
-namespace arenite::voxels {
+namespace arenite::elements {
 namespace {
 
 TEST(EffectiveStiffness, OfCastIronIsThatOfAnotherCode) {
   io::VoxelMapOptions options;
   options.phases = io::parse_phase_table("87=matrix,182=particle");
   VoxelMap map = io::read_voxel_map(ARENITE_SOURCE_DIR "/tests/data/voxels/iron.nrrd", options).map;
-  label_alike(map);
+  grid::label_alike(map);
   SolveOptions o;
   o.cell = 10;
   o.material = {{39.7, 0.2225}, {39.7, 0.2225}, {210, 0.3}, Element::full};
-  const EffectiveStiffness r = effective_stiffness(map, o);
+  const auto r = effective_stiffness(map, o);
   const std::array<double, 4> published{94.196, 233.161, 92.879, -0.777};  // xx, yy, zz and one shear of a strain yy
   for (std::size_t row = 0; row < 4; ++row) EXPECT_NEAR(r.stiffness[row][1], published[row], 1e-3) << row;
   for (std::size_t a = 0; a < 6; ++a)
@@ -68,7 +68,7 @@ TEST(VoxelLoad, AThinCantileverBendsAsABeam) {
   o.loading = statics::Loading::shear;
   o.tolerance = 1e-8;
   o.material = test::alike({1, 0.0});
-  const LoadResult r = load(test::solid(thick, deep, length), o);
+  const auto r = load(test::solid(thick, deep, length), o);
   ASSERT_EQ(r.report.ending, statics::Ending::solved);
   const double inertia = deep * std::pow(thick, 3) / 12.0, area = thick * deep, shear_modulus = 0.5;
   const double bending = std::pow(length, 3) / (12 * inertia), slip = 1.2 * length / (shear_modulus * area);
@@ -77,4 +77,4 @@ TEST(VoxelLoad, AThinCantileverBendsAsABeam) {
 }
 
 }  // namespace
-}  // namespace arenite::voxels
+}  // namespace arenite::elements

@@ -5,92 +5,58 @@
 namespace arenite::elasticity {
 namespace {
 
-/// Moduli of the plane in plane stress: bulk E/(2(1 - nu)), shear E/(2(1 + nu)).
-struct Moduli {
-  double bulk, shear;
-  double young() const { return bulk + shear > 0 ? 4 * bulk * shear / (bulk + shear) : 0; }
-};
-
-Moduli moduli_of(double young, double poisson) { return {young / (2 * (1 - poisson)), young / (2 * (1 + poisson))}; }
-
 /// (sum of c_i/(m_i + around))^-1 - around, the mixture in a matrix that `around` stands for.
-template <class Of> double mixed(const std::vector<Share>& phases, double around, Of of) {
+template <int D, class Of> double mixed(const std::vector<PhaseShare<D>>& phases, double around, Of of) {
   double sum = 0;
-  for (const Share& phase : phases) {
-    if (!(phase.area > 0)) continue;
-    const double stiffness = of(phase) + around;
+  for (const PhaseShare<D>& phase : phases) {
+    if (!(phase.share > 0)) continue;
+    const double stiffness = of(phase.moduli) + around;
     if (!(stiffness > 0)) return 0;
-    sum += phase.area / stiffness;
+    sum += phase.share / stiffness;
   }
   return 1 / sum - around;
 }
 
-double shtrikman(const std::vector<Share>& phases, double poisson, Moduli extreme) {
-  const double turned = extreme.bulk + 2 * extreme.shear;
-  const double around = turned > 0 ? extreme.shear * extreme.bulk / turned : 0;
-  return Moduli{mixed(phases, extreme.shear, [&](const Share& p) { return moduli_of(p.young, poisson).bulk; }),
-                mixed(phases, around, [&](const Share& p) { return moduli_of(p.young, poisson).shear; })}
-      .young();
+template <int D> double bulk_of(const BulkAndShear<D>& m) { return m.bulk; }
+template <int D> double shear_of(const BulkAndShear<D>& m) { return m.shear; }
+
+/// Hashin and Shtrikman's bound from the extreme moduli.
+template <int D> BulkAndShear<D> shtrikman(const std::vector<PhaseShare<D>>& phases, BulkAndShear<D> extreme) {
+  const auto [bulk, shear] = extreme;
+  const double turned = bulk + 2 * shear;
+  const double around = turned > 0 ? shear * (D * bulk / 2 + (D + 1) * (D - 2) * shear / D) / turned : 0;
+  return {mixed(phases, 2.0 * (D - 1) / D * shear, bulk_of<D>), mixed(phases, around, shear_of<D>)};
 }
 
 }  // namespace
 
-ModulusBounds modulus_bounds(const std::vector<Share>& phases, double poisson) {
-  ModulusBounds bounds;
-  double least = -1, greatest = 0;
-  for (const Share& phase : phases) {
-    if (!(phase.area > 0)) continue;
-    bounds.voigt += phase.area * phase.young;
-    greatest = std::max(greatest, phase.young);
-    least = least < 0 ? phase.young : std::min(least, phase.young);
-  }
-  bounds.reuss = mixed(phases, 0, [](const Share& phase) { return phase.young; });
-  bounds.shtrikman_upper = shtrikman(phases, poisson, moduli_of(greatest, poisson));
-  bounds.shtrikman_lower = shtrikman(phases, poisson, moduli_of(std::max(least, 0.0), poisson));
-  return bounds;
-}
-
-namespace {
-
-/// As `mixed`, by volumes.
-template <class Of> double mixed_in_space(const std::vector<SpaceShare>& phases, double around, Of of) {
-  double sum = 0;
-  for (const SpaceShare& phase : phases) {
-    if (!(phase.volume > 0)) continue;
-    const double stiffness = of(phase) + around;
-    if (!(stiffness > 0)) return 0;
-    sum += phase.volume / stiffness;
-  }
-  return 1 / sum - around;
-}
-
-BulkAndShear mixed_around(const std::vector<SpaceShare>& phases, BulkAndShear extreme) {
-  const double turned = extreme.bulk + 2 * extreme.shear;
-  const double around = turned > 0 ? extreme.shear / 6 * (9 * extreme.bulk + 8 * extreme.shear) / turned : 0;
-  return {mixed_in_space(phases, 4 * extreme.shear / 3, [](const SpaceShare& p) { return p.bulk; }),
-          mixed_in_space(phases, around, [](const SpaceShare& p) { return p.shear; })};
-}
-
-}  // namespace
-
-SpaceBounds space_bounds(const std::vector<SpaceShare>& phases) {
-  SpaceBounds bounds;
-  BulkAndShear least, greatest;
+template <int D> BoundsIn<D> bounds(const std::vector<PhaseShare<D>>& phases) {
+  BoundsIn<D> bounds;
+  BulkAndShear<D> least, greatest;
   bool first = true;
-  for (const SpaceShare& phase : phases) {
-    if (!(phase.volume > 0)) continue;
-    bounds.voigt.bulk += phase.volume * phase.bulk;
-    bounds.voigt.shear += phase.volume * phase.shear;
-    greatest = {std::max(greatest.bulk, phase.bulk), std::max(greatest.shear, phase.shear)};
-    least = first ? BulkAndShear{phase.bulk, phase.shear}
-                  : BulkAndShear{std::min(least.bulk, phase.bulk), std::min(least.shear, phase.shear)};
+  for (const auto& [share, moduli] : phases) {
+    if (!(share > 0)) continue;
+    bounds.voigt.bulk += share * moduli.bulk;
+    bounds.voigt.shear += share * moduli.shear;
+    greatest = {std::max(greatest.bulk, moduli.bulk), std::max(greatest.shear, moduli.shear)};
+    least = first ? moduli : BulkAndShear<D>{std::min(least.bulk, moduli.bulk), std::min(least.shear, moduli.shear)};
     first = false;
   }
-  bounds.reuss = {mixed_in_space(phases, 0, [](const SpaceShare& p) { return p.bulk; }),
-                  mixed_in_space(phases, 0, [](const SpaceShare& p) { return p.shear; })};
-  bounds.shtrikman_upper = mixed_around(phases, greatest);
-  bounds.shtrikman_lower = mixed_around(phases, least);
+  bounds.reuss = {mixed(phases, 0, bulk_of<D>), mixed(phases, 0, shear_of<D>)};
+  bounds.shtrikman_upper = shtrikman(phases, greatest);
+  bounds.shtrikman_lower = shtrikman(phases, least);
   return bounds;
+}
+
+template BoundsIn<2> bounds(const std::vector<PhaseShare<2>>& phases);
+template BoundsIn<3> bounds(const std::vector<PhaseShare<3>>& phases);
+
+ModulusBounds modulus_bounds(const std::vector<Share>& phases, double poisson) {
+  std::vector<PhaseShare<2>> shares;
+  for (const auto& [area, young] : phases)
+    shares.push_back({area, {young / (2 * (1 - poisson)), young / (2 * (1 + poisson))}});
+  const BoundsIn<2> all = bounds(shares);
+  return {all.voigt.young(), all.reuss.young(), all.shtrikman_upper.young(), all.shtrikman_lower.young()};
 }
 
 }  // namespace arenite::elasticity

@@ -15,20 +15,25 @@ struct ModulusBounds {
 };
 ModulusBounds modulus_bounds(const std::vector<Share>& phases, double poisson);
 
-/// A phase in space: its share of the volume and its moduli, Pa (0: void).
-struct SpaceShare {
-  double volume = 0, bulk = 0, shear = 0;
-};
-struct BulkAndShear {
+/// Moduli of something isotropic in D dimensions, Pa. In the plane bulk is E/(2(1 - nu)) in plane stress: half the sum
+/// of the stresses over the sum of the strains.
+template <int D> struct BulkAndShear {
   double bulk = 0, shear = 0;
-  double young() const { return bulk > 0 && shear > 0 ? 9 * bulk * shear / (3 * bulk + shear) : 0; }
+  double young() const {
+    if (!(bulk > 0 && shear > 0)) return 0;
+    return D == 2 ? 4 * bulk * shear / (bulk + shear) : 9 * bulk * shear / (3 * bulk + shear);
+  }
 };
 
-/// Bounds of the bulk and the shear modulus of a mixture in space, Pa. Shares must add up to 1. Voigt and Reuss hold
-/// for any mixture, Hashin and Shtrikman's (1963, with the extremes of several phases) for isotropic ones.
-struct SpaceBounds {
-  BulkAndShear voigt, reuss, shtrikman_upper, shtrikman_lower;
+/// A phase: its share of the sample and its moduli (0: void).
+template <int D> struct PhaseShare {
+  double share = 0;
+  BulkAndShear<D> moduli{};
 };
-SpaceBounds space_bounds(const std::vector<SpaceShare>& phases);
+
+/// Bounds of the bulk and the shear modulus of a mixture, Pa. Shares must add up to 1. Voigt and Reuss hold for any
+/// mixture, Hashin and Shtrikman's (1963; with the extremes of several phases) for isotropic ones.
+template <int D> struct BoundsIn { BulkAndShear<D> voigt, reuss, shtrikman_upper, shtrikman_lower; };
+template <int D> BoundsIn<D> bounds(const std::vector<PhaseShare<D>>& phases);
 
 }  // namespace arenite::elasticity

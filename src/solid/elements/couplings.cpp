@@ -1,72 +1,170 @@
 #include "solid/elements/couplings.hpp"
 
+#include <algorithm>
 #include <array>
+#include <utility>
+
+#include "solid/elements/kernels/kernels.hpp"
 
 namespace arenite::elements {
 namespace {
 
-using statics::Coupling;
-using statics::Hats;
-using statics::hats_at;
+using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-/// The hats of one aggregate on the corners of one element: their amplitudes, for either component. In a row that
-/// slides hats move nodes along x only.
-struct Part {
-  std::int32_t p;
-  Hats gx_u{}, gy_u{}, h_u{}, gx_v{}, gy_v{}, h_v{};
-
-  void add(const Hats& hats, unsigned corner, bool slides) {
-    const double x = corner & 1 ? 1 : -1, y = corner & 2 ? 1 : -1;
-    gx_u += x * hats;
-    gy_u += y * hats;
-    h_u += x * y * hats;
-    if (slides) return;
-    gx_v += x * hats;
-    gy_v += y * hats;
-    h_v += x * y * hats;
-  }
+/// The corners of an element by the aggregates that they are of.
+template <int D> struct Owners {
+  std::array<std::int32_t, ElementsIn<D>::corner_count> list;
+  std::array<std::uint8_t, ElementsIn<D>::corner_count> of_corner;  ///< place in the list
+  unsigned count = 0;
+  bool is_whole = true;  ///< every corner is somebody's, and no period has led to another place
+  static constexpr std::uint8_t nobody = 255;
 };
 
-/// What two parts of an element add to the coupling of their aggregates.
-void add(const Modes& m, const Part& p, const Part& q, Coupling& to) {
-  for (unsigned a = 0; a < 4; ++a) {
-    to.block[0][a] += (m.axial * p.gx_u[a]) * q.gx_u + (m.shear * p.gy_u[a]) * q.gy_u + (m.bending * p.h_u[a]) * q.h_u;
-    to.block[1][a] += (m.cross * p.gx_u[a]) * q.gy_v + (m.shear * p.gy_u[a]) * q.gx_v;
-    to.block[2][a] += (m.cross * p.gy_v[a]) * q.gx_u + (m.shear * p.gx_v[a]) * q.gy_u;
-    to.block[3][a] += (m.axial * p.gy_v[a]) * q.gy_v + (m.shear * p.gx_v[a]) * q.gx_v + (m.bending * p.h_v[a]) * q.h_v;
+/// The aggregates of elements, by their lowest corners.
+template <int D> class Corners {
+ public:
+  Corners(const ElementsIn<D>& elements, const Aggregates& aggregates)
+      : elements_(elements),
+        aggregates_(aggregates),
+        steps_(elements.steps()) {}
+
+  Owners<D> of(int x, int y, int z) const {
+    const auto& cells = elements_.cells;
+    const std::ptrdiff_t i = elements_.grid.index(x, y, z);
+    const bool wraps = elements_.grid.periodic && (x + 1 == cells[0] || y + 1 == cells[1] || z + 1 == cells[2]);
+    Owners<D> owners;
+    owners.is_whole = !wraps;
+    for (std::size_t c = 0; c < steps_.size(); ++c) {
+      const auto [right, back, up] = place_of(static_cast<int>(c));
+      const std::ptrdiff_t node = wraps ? elements_.node(x + right, y + back, z + up) : i + steps_[c];
+      const std::int32_t p = aggregates_.of_node[node];
+      unsigned at = 0;
+      while (at < owners.count && owners.list[at] != p) ++at;
+      if (p >= 0 && at == owners.count) owners.list[owners.count++] = p;
+      owners.is_whole = owners.is_whole && p >= 0;
+      owners.of_corner[c] = p < 0 ? Owners<D>::nobody : static_cast<std::uint8_t>(at);
+    }
+    return owners;
   }
+  /// Of a corner in its element.
+  static std::array<int, 3> place_of(int corner) { return {corner & 1, corner >> 1 & 1, corner >> 2}; }
+
+ private:
+  const ElementsIn<D>& elements_;
+  const Aggregates& aggregates_;
+  std::array<std::ptrdiff_t, ElementsIn<D>::corner_count> steps_;
+};
+
+template <int D> Pairs coupled_pairs(const ElementsIn<D>& elements, const Aggregates& aggregates) {
+  const Corners<D> corners(elements, aggregates);
+  const auto count = static_cast<std::size_t>(aggregates.count());
+  Pairs pairs;
+  for (std::int32_t p = 0; p < aggregates.count(); ++p) pairs.push_back({p, p});
+  std::vector<std::vector<std::int32_t>> others(count);
+  elements.each([&](int x, int y, int z) {
+    if (elements.kind(elements.grid.index(x, y, z)) == none) return;
+    const Owners<D> owners = corners.of(x, y, z);
+    for (unsigned a = 0; a < owners.count; ++a)
+      for (unsigned b = a + 1; b < owners.count; ++b) {
+        const auto [low, high] = std::minmax(owners.list[a], owners.list[b]);
+        auto& known = others[static_cast<std::size_t>(low)];
+        if (std::find(known.rbegin(), known.rend(), high) == known.rend()) known.push_back(high);
+      }
+  });
+  for (std::size_t p = 0; p < count; ++p)
+    for (const std::int32_t q : others[p]) pairs.push_back({static_cast<std::int32_t>(p), q});
+  return pairs;
 }
+
+/// The sums of one level of coarse cells.
+template <int D> class LevelSums {
+ public:
+  LevelSums(const ElementsIn<D>& elements, const Aggregates& cut, const std::vector<std::uint8_t>& prescribed)
+      : elements_(elements),
+        corners_(elements, cut),
+        hats_(cut.side),
+        prescribed_(prescribed),
+        side_(cut.side) {
+    // An element whose corners are of one aggregate has the same part in it wherever its cell lies.
+    const int last = side_ - 1;
+    whole_.resize(static_cast<std::size_t>(side_ * side_ * (D > 2 ? side_ : 1)));
+    for (int z = 0; z < (D > 2 ? last : 1); ++z)
+      for (int y = 0; y < last; ++y)
+        for (int x = 0; x < last; ++x) {
+          Part<D>& part = whole_[place_in_cell(x, y, z)];
+          part.clear();
+          for (int c = 0; c < statics::corners<D>; ++c) {
+            const auto [right, back, up] = Corners<D>::place_of(c);
+            part.add(hats_.at(x + right, y + back, z + up), c, false);
+          }
+        }
+  }
+
+  void add(int x, int y, int z, statics::CouplingSumIn<D>& sum) const {
+    const Kind kind = elements_.kind(elements_.grid.index(x, y, z));
+    if (kind == none) return;
+    const Owners<D> owners = corners_.of(x, y, z);
+    const Modes<D>& modes = elements_.modes[kind];
+    if (owners.count == 1 && owners.is_whole && !slides(D > 2 ? z : y)) {
+      const Part<D>& part = whole_[place_in_cell(x % side_, y % side_, z % side_)];
+      couple_(modes, part, part, sum.between(owners.list[0], owners.list[0]));
+      return;
+    }
+    std::array<Part<D>, ElementsIn<D>::corner_count> parts;
+    for (unsigned p = 0; p < owners.count; ++p) parts[p].clear();
+    const std::array<int, 3> nodes = elements_.grid.size();
+    for (std::size_t c = 0; c < owners.of_corner.size(); ++c)
+      if (const unsigned at = owners.of_corner[c]; at != Owners<D>::nobody) {
+        std::array<int, 3> node = Corners<D>::place_of(static_cast<int>(c));
+        node[0] = (x + node[0]) % nodes[0], node[1] = (y + node[1]) % nodes[1], node[2] = (z + node[2]) % nodes[2];
+        parts[at].add(hats_.at(node[0], node[1], node[2]), static_cast<int>(c), slides(node[D - 1]));
+      }
+    for (unsigned a = 0; a < owners.count; ++a)
+      for (unsigned b = a; b < owners.count; ++b) {
+        const bool swap = owners.list[b] < owners.list[a];
+        const unsigned low = swap ? b : a, high = swap ? a : b;
+        couple_(modes, parts[low], parts[high], sum.between(owners.list[low], owners.list[high]));
+      }
+  }
+
+ private:
+  bool slides(int level) const { return prescribed_[static_cast<std::size_t>(level)] == statics::normal_component<D>; }
+  std::size_t place_in_cell(int x, int y, int z) const { return static_cast<std::size_t>((z * side_ + y) * side_ + x); }
+
+  const ElementsIn<D>& elements_;
+  Corners<D> corners_;
+  statics::HatTableIn<D> hats_;
+  std::vector<Part<D>> whole_;  ///< by the place of an element in its cell
+  const std::vector<std::uint8_t>& prescribed_;
+  int side_;
+  CouplingKernel<D> couple_ = coupling_kernel<D>();
+};
 
 }  // namespace
 
-std::vector<Coupling> couplings(const Elements& elements, const Aggregates& aggregates, const BlockDiagonal<double>&,
-                                const std::vector<std::uint8_t>& prescribed) {
-  const Grid& grid = elements.grid;
-  statics::CouplingSum sum(aggregates.list.size());
-  for (int y = 0; y < elements.rows(); ++y)
-    for (int x = 0; x < elements.columns(); ++x) {
-      const std::ptrdiff_t i = grid.index(x, y);
-      if (elements.kind(i) == none) continue;
-      std::array<Part, 4> parts;
-      unsigned count = 0;
-      for (unsigned c = 0; c < 4; ++c) {
-        const int right = static_cast<int>(c & 1), up = static_cast<int>(c >> 1);
-        const std::int32_t p = aggregates.of_node[i + right + up * grid.stride];
-        if (p < 0) continue;
-        unsigned at = 0;
-        while (at < count && parts[at].p != p) ++at;
-        if (at == count) parts[count++] = {p};
-        parts[at].add(hats_at(x + right, y + up), c, prescribed[y + up] == statics::y_prescribed);
-      }
-      const Modes& m = elements.modes[elements.kind(i)];
-      for (unsigned a = 0; a < count; ++a)
-        for (unsigned b = a; b < count; ++b) {
-          const bool swap = parts[b].p < parts[a].p;
-          const Part &low = parts[swap ? b : a], &high = parts[swap ? a : b];
-          add(m, low, high, low.p == high.p ? sum.self(low.p) : sum.between(low.p, high.p));
-        }
+template <int D>
+statics::GalerkinSums<D> couplings(const ElementsIn<D>& elements, const Aggregates& aggregates,
+                                   const BlockDiagonalIn<D, double>&, const std::vector<std::uint8_t>& prescribed) {
+  statics::GalerkinSums<D> sums;
+  sums.pairs = coupled_pairs(elements, aggregates);
+  sums.each = [&elements, prescribed](const Aggregates& cut, const typename statics::GalerkinSums<D>::Take& take) {
+    const LevelSums<D> level(elements, cut, prescribed);
+    const int levels = elements.cells[D - 1];
+    for (int first = 0; first < levels; first += cut.side) {
+      statics::CouplingSumIn<D> sum(cut.list.size(), false);
+      elements.each_between(first, std::min(first + cut.side, levels),
+                            [&](int x, int y, int z) { level.add(x, y, z, sum); });
+      for (const statics::CouplingIn<D>& c : sum.crosses()) take(c);
     }
-  return sum.taken();
+  };
+  return sums;
 }
+
+template statics::GalerkinSums<2> couplings(const Elements& elements, const Aggregates& aggregates,
+                                            const BlockDiagonalIn<2, double>& diagonal,
+                                            const std::vector<std::uint8_t>& prescribed);
+template statics::GalerkinSums<3> couplings(const Voxels& elements, const Aggregates& aggregates,
+                                            const BlockDiagonalIn<3, double>& diagonal,
+                                            const std::vector<std::uint8_t>& prescribed);
 
 }  // namespace arenite::elements

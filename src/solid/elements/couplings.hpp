@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "solid/elements/elements.hpp"
@@ -7,10 +8,29 @@
 
 namespace arenite::elements {
 
-/// Galerkin sums over all elements, in double: couplings of every aggregate with itself (first, in order of aggregates)
-/// and of pairs of aggregates that share an element. In a bottom row that slides, hats move nodes along x only.
-std::vector<statics::Coupling> couplings(const Elements& elements, const Aggregates& aggregates,
-                                         const BlockDiagonal<double>& diagonal,
-                                         const std::vector<std::uint8_t>& prescribed);
+/// Amplitudes of the hats of one aggregate on one element, for a component: [mode][hat].
+template <int D> struct Part {
+  using Hatwise = double[mode_count<D>][statics::corners<D>];
+  Hatwise along, across;  ///< the clamps: in their plane; the last component
+
+  void clear() { std::memset(this, 0, sizeof *this); }
+  void add(const statics::HatsIn<D>& hats, int corner, bool slides) {
+    for (int m = 1; m < mode_count<D>; ++m) {
+      const double sign = sign_of(m, corner);
+      for (int hat = 0; hat < statics::corners<D>; ++hat) {
+        along[m][hat] += sign * hats[hat];
+        if (!slides) across[m][hat] += sign * hats[hat];
+      }
+    }
+  }
+  ARENITE_INLINE const Hatwise& of(int component) const { return component == D - 1 ? across : along; }
+};
+
+/// Galerkin sums over all elements, in double, one level of coarse cells after the other. In a bottom level that
+/// slides, hats move nodes across the clamps by nothing. `elements` is asked again when the sums are.
+template <int D>
+statics::GalerkinSums<D> couplings(const ElementsIn<D>& elements, const Aggregates& aggregates,
+                                   const BlockDiagonalIn<D, double>& diagonal,
+                                   const std::vector<std::uint8_t>& prescribed);
 
 }  // namespace arenite::elements

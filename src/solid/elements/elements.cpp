@@ -2,20 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/joined_sets.hpp"
 #include "core/problems.hpp"
-#include "core/vec.hpp"
+#include "solid/statics/halo.hpp"
 
 namespace arenite::elements {
 namespace {
-
-/// Corners of a pixel in the order (0,0), (1,0), (0,1), (1,1), from its lower left one on.
-std::array<std::ptrdiff_t, 4> corners_of(const Grid& grid, std::ptrdiff_t i) {
-  return {i, i + 1, i + grid.stride, i + grid.stride + 1};
-}
-/// What a corner's value counts in the amplitudes gx, gy and h.
-constexpr double sign_x[4] = {-1, 1, -1, 1}, sign_y[4] = {-1, -1, 1, 1}, sign_h[4] = {1, -1, -1, 1};
 
 void check(const char* kind, const Constants& c) {
   if (!(c.young > 0) || !std::isfinite(c.young))
@@ -24,194 +18,187 @@ void check(const char* kind, const Constants& c) {
     throw refusal("Poisson's ratio of {} elements is {:g}; give one above -1 and below 0.5", kind, c.poisson);
 }
 
-/// Kind of the pixel at (x, y), by its own phase and those around it.
-Kind kind_at(const PhaseMap& map, int x, int y) {
-  const std::size_t k = map.index(x, y);
-  if (map.phase[k] == Phase::empty) return none;
-  const bool in_grain = map.phase[k] == Phase::particle;
-  for (int b = std::max(0, y - 1); b <= std::min(map.height - 1, y + 1); ++b)
-    for (int a = std::max(0, x - 1); a <= std::min(map.width - 1, x + 1); ++a) {
-      const std::size_t n = map.index(a, b);
-      if (map.phase[n] == Phase::particle && (!in_grain || map.grain[n] != map.grain[k])) return interface;
-    }
-  return in_grain ? particle : matrix;
-}
+std::array<int, 3> cells_of(const PhaseMap& map) { return {map.width, map.height, 1}; }
+std::array<int, 3> cells_of(const VoxelMap& map) { return {map.width, map.height, map.depth}; }
 
-/// Stiffness of the corners c and d of an element against each other.
-std::array<std::array<double, 2>, 2> corner_block(const Modes& m, int c, int d) {
-  const double xx = sign_x[c] * sign_x[d], xy = sign_x[c] * sign_y[d], yx = sign_y[c] * sign_x[d],
-               yy = sign_y[c] * sign_y[d], hh = m.bending * sign_h[c] * sign_h[d];
-  return {{{m.axial * xx + m.shear * yy + hh, m.cross * xy + m.shear * yx},
-           {m.cross * yx + m.shear * xy, m.axial * yy + m.shear * xx + hh}}};
-}
+Grid grid_of(const PhaseMap& map, int more) { return {map.width + more, map.height + more}; }
+Grid grid_of(const VoxelMap& map, int more) { return {map.width + more, map.height + more, map.depth + more}; }
 
-/// The largest eigenvalue of D_e^-1 K_e of one kind, by the power method.
-double highest_ratio(const Modes& m) {
-  std::array<double, 8> u{};
-  for (std::size_t k = 0; k < 8; ++k) u[k] = std::cos(2.0 * static_cast<double>(k) + 1);  // along no symmetry
-  double ratio = 0;
-  for (int round = 0; round < 2000; ++round) {
-    std::array<double, 8> next{};
-    for (int c = 0; c < 4; ++c) {
-      double f[2] = {0, 0};
-      for (int d = 0; d < 4; ++d) {
-        const auto block = corner_block(m, c, d);
-        for (std::size_t a = 0; a < 2; ++a)
-          f[a] +=
-              block[a][0] * u[static_cast<std::size_t>(2 * d)] + block[a][1] * u[static_cast<std::size_t>(2 * d + 1)];
+/// Kind of the cell at (x, y, z), by its own phase and those around it, beyond the border of a periodic sample too.
+template <int D> Kind kind_at(const MapIn<D>& map, const ElementsIn<D>& elements, std::array<int, 3> at) {
+  const auto own = static_cast<std::size_t>(elements.place(at[0], at[1], at[2]));
+  if (map.phase[own] == Phase::empty) return none;
+  const bool in_grain = map.phase[own] == Phase::particle;
+  const auto& cells = elements.cells;
+  const int reach = D > 2 ? 1 : 0;
+  for (int c = at[2] - reach; c <= at[2] + reach; ++c)
+    for (int b = at[1] - 1; b <= at[1] + 1; ++b)
+      for (int a = at[0] - 1; a <= at[0] + 1; ++a) {
+        const bool outside = a < 0 || b < 0 || c < 0 || a >= cells[0] || b >= cells[1] || c >= cells[2];
+        if (outside && !elements.grid.periodic) continue;
+        const auto n = static_cast<std::size_t>(
+            outside ? elements.place((a + cells[0]) % cells[0], (b + cells[1]) % cells[1], (c + cells[2]) % cells[2])
+                    : elements.place(a, b, c));
+        if (map.phase[n] == Phase::particle && (!in_grain || map.grain[n] != map.grain[own])) return interface;
       }
-      const auto own = corner_block(m, c, c);
-      const double det = own[0][0] * own[1][1] - own[0][1] * own[1][0];
-      const auto at = static_cast<std::size_t>(2 * c);
-      next[at] = (own[1][1] * f[0] - own[0][1] * f[1]) / det;
-      next[at + 1] = (own[0][0] * f[1] - own[1][0] * f[0]) / det;
-    }
-    double square = 0;
-    for (const double v : next) square += v * v;
-    ratio = std::sqrt(square);
-    for (std::size_t k = 0; k < 8; ++k) u[k] = next[k] / ratio;
-  }
-  return ratio;
+  return in_grain ? particle : matrix;
 }
 
 }  // namespace
 
-Modes modes_of(const Constants& constants, Element element, PlaneState plane) {
-  const auto [e, nu] = constants;
-  const double g = e / (2 * (1 + nu));
-  const double c11 = plane == PlaneState::stress ? e / (1 - nu * nu) : e * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
-  const double c12 = plane == PlaneState::stress ? nu * c11 : e * nu / ((1 + nu) * (1 - 2 * nu));
-  const double bending = element == Element::wilson ? c11 - c12 * c12 / c11 : c11 + g;
-  return {c11 / 4, c12 / 4, g / 4, bending / 12};
+template <int D> std::array<std::ptrdiff_t, ElementsIn<D>::corner_count> ElementsIn<D>::steps() const {
+  std::array<std::ptrdiff_t, corner_count> steps;
+  for (std::size_t corner = 0; corner < corner_count; ++corner) {
+    const auto c = static_cast<std::ptrdiff_t>(corner);
+    steps[corner] = (c & 1) + (c >> 1 & 1) * grid.stride + (c >> 2) * grid.layer;
+  }
+  return steps;
 }
 
-Elements make_elements(const PhaseMap& map, const Material& material) {
+template <int D> ElementsIn<D> make_elements(const MapIn<D>& map, const Material& material, bool periodic) {
   arenite::check(map);
   check("matrix", material.matrix);
   check("interface", material.interface);
   check("particle", material.particle);
-  Elements elements;
-  elements.grid = Grid(map.width + 1, map.height + 1);
+  ElementsIn<D> elements;
+  elements.cells = cells_of(map);
+  elements.grid = grid_of(map, periodic ? 0 : 1);
+  elements.grid.periodic = periodic;
   elements.words = Buffer<std::uint32_t>(elements.grid.padded_size());
-  for (int y = 0; y < map.height; ++y)
-    for (int x = 0; x < map.width; ++x) elements.words[elements.grid.index(x, y)] = kind_at(map, x, y);
+  elements.each([&](int x, int y, int z) {
+    elements.words[elements.grid.index(x, y, z)] = kind_at<D>(map, elements, {x, y, z});
+  });
+  statics::close_period(elements.grid, elements.words.data());
   for (const auto& [kind, constants] :
        {std::pair{matrix, material.matrix}, {interface, material.interface}, {particle, material.particle}}) {
-    const Modes exact = modes_of(constants, material.element, material.plane);
-    Modes& m = elements.modes[kind];
+    const Modes<D> exact = modes_of<D>(constants, material.element, material.plane);
     unsigned column = 0;
-    for (double Modes::*mode : {&Modes::axial, &Modes::cross, &Modes::shear, &Modes::bending}) {
+    for (const auto mode : Modes<D>::members) {
       elements.table[column][kind] = static_cast<float>(exact.*mode);
-      m.*mode = static_cast<double>(elements.table[column++][kind]);
+      elements.modes[kind].*mode = static_cast<double>(elements.table[column++][kind]);
     }
   }
   return elements;
 }
 
-BlockDiagonal<double> block_diagonal(const Elements& elements) {
+template <int D> BlockDiagonalIn<D, double> block_diagonal(const ElementsIn<D>& elements) {
   const Grid& grid = elements.grid;
-  BlockDiagonal<double> sum(grid.padded_size());
-  for (int y = 0; y < elements.rows(); ++y)
-    for (int x = 0; x < elements.columns(); ++x) {
-      const std::ptrdiff_t i = grid.index(x, y);
-      if (elements.kind(i) == none) continue;
-      const auto corners = corners_of(grid, i);
-      for (int c = 0; c < 4; ++c) {
-        const auto block = corner_block(elements.modes[elements.kind(i)], c, c);
-        const std::ptrdiff_t j = corners[static_cast<std::size_t>(c)];
-        sum.set(j, {sum.xx[j] + block[0][0], sum.xy[j] + block[0][1], sum.yy[j] + block[1][1]});
-      }
+  BlockDiagonalIn<D, double> sum(grid.padded_size());
+  constexpr std::size_t corners = ElementsIn<D>::corner_count;
+  std::array<std::array<statics::BlockIn<D>, corners>, 4> of_kind{};
+  for (const Kind kind : solid_kinds)
+    for (std::size_t c = 0; c < corners; ++c) {
+      const auto block = corner_block<D>(elements.modes[kind], static_cast<int>(c), static_cast<int>(c));
+      for (int a = 0; a < D; ++a)
+        for (int b = a; b < D; ++b)
+          of_kind[kind][c](a, b) = block[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
     }
+  const auto steps = elements.steps();
+  grid.each([&](std::ptrdiff_t i, int) {
+    statics::BlockIn<D> own;
+    for (std::size_t c = corners; c-- > 0;) {
+      const auto& block = of_kind[elements.kind(i - steps[c])][c];
+      for (int a = 0; a < D; ++a)
+        for (int b = a; b < D; ++b) own(a, b) += block(a, b);
+    }
+    sum.set(i, own);
+  });
   return sum;
 }
 
-statics::Smoothing smoothing_of(const Elements& elements) {
+template <int D> statics::Smoothing smoothing_of(const ElementsIn<D>& elements) {
   double highest = 0;
-  for (const Kind kind : {matrix, interface, particle})
-    highest = std::max(highest, highest_ratio(elements.modes[kind]));
-  return {6, highest / 40, highest};
+  for (const Kind kind : solid_kinds) highest = std::max(highest, highest_ratio<D>(elements.modes[kind]));
+  return D == 2 ? statics::Smoothing{6, highest / 40, highest} : statics::Smoothing{4, highest / 20, highest};
 }
 
 namespace {
 
 /// The grain that most of the stiffness around a corner is of; -1 where all is void.
-std::int32_t owner_of(const Elements& elements, const Buffer<std::int32_t>& of_pixel, std::ptrdiff_t i) {
-  const Grid& grid = elements.grid;
+template <int D, class Steps>
+std::int32_t owner_of(const ElementsIn<D>& elements, const Steps& steps, const Buffer<std::int32_t>& of_cell,
+                      std::ptrdiff_t i) {
   std::int32_t best = -1;
   double most = 0;
-  const std::array<std::ptrdiff_t, 4> around{i, i - 1, i - grid.stride, i - grid.stride - 1};
-  for (const std::ptrdiff_t own : around) {
+  for (const std::ptrdiff_t own_step : steps) {
+    const std::ptrdiff_t own = i - own_step;
     if (elements.kind(own) == none) continue;
     double weight = 0;
-    for (const std::ptrdiff_t other : around)
-      if (elements.kind(other) != none && of_pixel[other] == of_pixel[own])
+    for (const std::ptrdiff_t other_step : steps)
+      if (const std::ptrdiff_t other = i - other_step; elements.kind(other) != none && of_cell[other] == of_cell[own])
         weight += elements.modes[elements.kind(other)].axial;
-    if (weight > most || (weight == most && of_pixel[own] < best)) most = weight, best = of_pixel[own];
+    if (weight > most || (weight == most && of_cell[own] < best)) most = weight, best = of_cell[own];
   }
   return best;
 }
 
-}  // namespace
-
-Aggregates cut_into_aggregates(const PhaseMap& map, const Elements& elements,
+template <int D>
+Buffer<std::int32_t> owners_of(const MapIn<D>& map, const ElementsIn<D>& elements,
                                const std::vector<std::uint8_t>& prescribed) {
   const Grid& grid = elements.grid;
   const auto of_map = statics::owners_in(map);
-  Buffer<std::int32_t> of_pixel(grid.padded_size(), -1), owner(grid.padded_size(), -1);
-  for (int y = 0; y < map.height; ++y)
-    std::copy_n(of_map.begin() + static_cast<std::ptrdiff_t>(map.index(0, y)), map.width,
-                of_pixel.begin() + grid.index(0, y));
-  grid.each([&](std::ptrdiff_t i, int y) {
-    if (prescribed[y] != statics::both_prescribed) owner[i] = owner_of(elements, of_pixel, i);
+  Buffer<std::int32_t> of_cell(grid.padded_size(), -1), owner(grid.padded_size(), -1);
+  elements.each([&](int x, int y, int z) {
+    of_cell[grid.index(x, y, z)] = of_map[static_cast<std::size_t>(elements.place(x, y, z))];
   });
-  return statics::cut_by_owner(grid, owner, [&](const statics::Cell& c, JoinedSets& sets) {
-    // A pixel joins those of its corners that lie in the cell: it may reach over the cell's border on every side.
-    for (int y = -1; y < c.high; ++y)
-      for (int x = -1; x < c.wide; ++x) {
-        const std::ptrdiff_t i = grid.index(c.x0 + x, c.y0 + y);
-        if (elements.kind(i) == none) continue;
-        const auto corners = corners_of(grid, i);
-        const auto place = [&](unsigned k) {
-          const int right = x + static_cast<int>(k & 1), up = y + static_cast<int>(k >> 1);
-          const bool inside = right >= 0 && right < c.wide && up >= 0 && up < c.high && owner[corners[k]] >= 0;
-          return inside ? up * Aggregates::cell + right : -1;
-        };
-        for (unsigned m = 0; m < 4; ++m)
-          for (unsigned n = m + 1; n < 4; ++n)
-            if (place(m) >= 0 && place(n) >= 0 && owner[corners[m]] == owner[corners[n]]) sets.join(place(m), place(n));
-      }
+  statics::close_period(grid, of_cell.data());
+  const auto steps = elements.steps();
+  grid.each([&](std::ptrdiff_t i, int level) {
+    if (prescribed[static_cast<std::size_t>(level)] != statics::every_component<D>)
+      owner[i] = owner_of(elements, steps, of_cell, i);
   });
+  return owner;
 }
 
-StressField pixel_stress(const PhaseMap& map, const Elements& elements, const Field<double>& u) {
+}  // namespace
+
+template <int D>
+Aggregates cut_into_aggregates(const MapIn<D>& map, const ElementsIn<D>& elements,
+                               const std::vector<std::uint8_t>& prescribed, int side) {
   const Grid& grid = elements.grid;
-  StressField field;
-  field.width = map.width;
-  field.height = map.height;
-  field.dx = map.dx;
-  for (auto* values : {&field.ux, &field.uy, &field.xx, &field.yy, &field.xy}) values->assign(map.size(), 0.0);
-  std::size_t k = 0;
-  for (int y = 0; y < field.height; ++y)
-    for (int x = 0; x < field.width; ++x, ++k) {
-      if (map.phase[k] == Phase::empty) continue;
-      const std::ptrdiff_t i = grid.index(x, y);
-      Vec2 sum, gx, gy;
-      const auto corners = corners_of(grid, i);
-      for (unsigned c = 0; c < 4; ++c) {
-        const Vec2 at = u.at(corners[c]);
-        sum += at;
-        gx += sign_x[c] * at;
-        gy += sign_y[c] * at;
-      }
-      field.ux[k] = sum.x / 4;
-      field.uy[k] = sum.y / 4;
-      const Modes& m = elements.modes[elements.kind(i)];
-      field.xx[k] =
-          2 / map.dx * (m.axial * gx.x + m.cross * gy.y);  // C e, with C four times the modes and e = g/(2 dx)
-      field.yy[k] = 2 / map.dx * (m.cross * gx.x + m.axial * gy.y);
-      field.xy[k] = 2 / map.dx * m.shear * (gy.x + gx.y);
+  const auto steps = elements.steps();
+  const Buffer<std::int32_t> owner = owners_of<D>(map, elements, prescribed);
+  // A cell of the map joins those of its corners that lie in the coarse cell: it may reach over the border on every
+  // side.
+  const auto join = [&](const statics::Cell& cell, JoinedSets& sets, int x, int y, int z) {
+    const std::ptrdiff_t i = grid.index(cell.x0 + x, cell.y0 + y, cell.z0 + z);
+    if (elements.kind(i) == none) return;
+    std::array<int, ElementsIn<D>::corner_count> place;
+    for (std::size_t c = 0; c < place.size(); ++c) {
+      const int right = x + static_cast<int>(c & 1), back = y + static_cast<int>(c >> 1 & 1),
+                up = z + static_cast<int>(c >> 2);
+      const bool inside = right >= 0 && right < cell.wide && back >= 0 && back < cell.high && up >= 0 &&
+                          up < cell.deep && owner[i + steps[c]] >= 0;
+      place[c] = inside ? (up * side + back) * side + right : -1;
+      if (place[c] < 0) continue;
+      for (std::size_t b = 0; b < c; ++b)
+        if (place[b] >= 0 && owner[i + steps[b]] == owner[i + steps[c]]) {
+          sets.join(place[b], place[c]);
+          break;
+        }
     }
-  return field;
+  };
+  return statics::cut_by_owner(
+      grid, owner,
+      [&](const statics::Cell& cell, JoinedSets& sets) {
+        for (int z = D > 2 ? -1 : 0; z < cell.deep; ++z)
+          for (int y = -1; y < cell.high; ++y)
+            for (int x = -1; x < cell.wide; ++x) join(cell, sets, x, y, z);
+      },
+      side);
 }
+
+template struct ElementsIn<2>;
+template struct ElementsIn<3>;
+template Elements make_elements<2>(const PhaseMap& map, const Material& material, bool periodic);
+template Voxels make_elements<3>(const VoxelMap& map, const Material& material, bool periodic);
+template BlockDiagonalIn<2, double> block_diagonal(const Elements& elements);
+template BlockDiagonalIn<3, double> block_diagonal(const Voxels& elements);
+template statics::Smoothing smoothing_of(const Elements& elements);
+template statics::Smoothing smoothing_of(const Voxels& elements);
+template Aggregates cut_into_aggregates<2>(const PhaseMap& map, const Elements& elements,
+                                           const std::vector<std::uint8_t>& prescribed, int side);
+template Aggregates cut_into_aggregates<3>(const VoxelMap& map, const Voxels& elements,
+                                           const std::vector<std::uint8_t>& prescribed, int side);
 
 }  // namespace arenite::elements

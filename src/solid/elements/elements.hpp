@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "core/pages.hpp"
-#include "model/phase_map.hpp"
+#include "model/voxel_map.hpp"
+#include "solid/elements/modes.hpp"
 #include "solid/elements/options.hpp"
 #include "solid/statics/aggregates.hpp"
 #include "solid/statics/block_diagonal.hpp"
@@ -15,57 +16,66 @@
 namespace arenite::elements {
 
 using statics::Aggregates;
-using statics::Block;
-using statics::BlockDiagonal;
-using statics::Field;
+using statics::BlockDiagonalIn;
+using statics::FieldIn;
 using statics::Grid;
 
-/// Kind of a pixel.
+/// Kind of a pixel or a voxel.
 enum Kind : std::uint32_t { none = 0, matrix = 1, interface = 2, particle = 3 };
+inline constexpr std::array<Kind, 3> solid_kinds{matrix, interface, particle};
 
-/// The stiffness of an element in modes. With the corners' values u00, u10, u01, u11 (first index along x) the
-/// amplitudes of a component are gx = u10 + u11 - u00 - u01, gy = u01 + u11 - u00 - u10, h = u00 + u11 - u10 - u01:
-/// twice the mean gradient times dx, and the bending. The energy of an element, J/m, is half of
-///   axial (gx_u^2 + gy_v^2) + 2 cross gx_u gy_v + shear (gy_u + gx_v)^2 + bending (h_u^2 + h_v^2),
-/// with axial, cross and shear a quarter of the elastic constants C_11, C_12 and C_66, and bending a twelfth of
-/// C_11 + C_66 (full) or C_11 - C_12^2/C_11 (Wilson), all in Pa.
-struct Modes {
-  double axial = 0, cross = 0, shear = 0, bending = 0;
-};
-Modes modes_of(const Constants& constants, Element element, PlaneState plane);
-
-/// A phase map as elements. Nodes are the corners of the pixels, one more each way than there are pixels; the pixel
-/// whose lower left corner is node i has its kind at words[i], in bits 0 and 1.
-struct Elements {
-  static constexpr int dimension = 2;
+/// A map as elements. Nodes are the corners of its cells, of the pixels in the plane and of the voxels in space: one
+/// more each way than there are cells, or in a periodic sample as many. The cell whose lowest corner is node i has its
+/// kind at words[i], in bits 0 and 1.
+template <int D> struct ElementsIn {
+  static constexpr int dimension = D;
+  static constexpr std::size_t corner_count = 1u << D;
   static constexpr bool rests_when_strained = true;
-  Grid grid;                                    ///< of corners
-  Buffer<std::uint32_t> words;                  ///< padded
-  std::array<Modes, 4> modes;                   ///< by kind, as the kernels have them: rounded to single precision
-  std::array<std::array<float, 4>, 4> table{};  ///< axial, cross, shear and bending by kind
+  Grid grid;                          ///< of corners
+  std::array<int, 3> cells{1, 1, 1};  ///< along x, y and z; one layer in the plane
+  Buffer<std::uint32_t> words;        ///< padded
+  std::array<Modes<D>, 4> modes;      ///< by kind, as the kernels have them: rounded to single precision
+  std::array<std::array<float, 4>, Modes<D>::members.size()> table{};  ///< the members of Modes, each by kind
 
   Kind kind(std::ptrdiff_t i) const { return static_cast<Kind>(words[i] & 3u); }
-  int columns() const { return grid.width - 1; }  ///< of pixels
-  int rows() const { return grid.height - 1; }
+  std::size_t count() const {
+    return static_cast<std::size_t>(cells[0]) * static_cast<std::size_t>(cells[1]) * static_cast<std::size_t>(cells[2]);
+  }
+  /// Of a cell in the map's order.
+  std::int32_t place(int x, int y, int z) const { return x + cells[0] * (y + cells[1] * z); }
+  /// Steps from a cell's lowest corner to each.
+  std::array<std::ptrdiff_t, corner_count> steps() const;
+  /// The node that a corner is, where a period has led beyond the last.
+  std::ptrdiff_t node(int x, int y, int z) const {
+    return grid.periodic ? grid.index(x % cells[0], y % cells[1], z % cells[2]) : grid.index(x, y, z);
+  }
+  /// visit(x, y, z) for every cell of some levels (rows in the plane, layers in space), in the map's order.
+  template <class Visit> void each_between(int from, int to, const Visit& visit) const {
+    std::array<int, 3> first{0, 0, 0}, last = cells;
+    first[D - 1] = from, last[D - 1] = to;
+    for (int z = first[2]; z < last[2]; ++z)
+      for (int y = first[1]; y < last[1]; ++y)
+        for (int x = 0; x < cells[0]; ++x) visit(x, y, z);
+  }
+  template <class Visit> void each(const Visit& visit) const { each_between(0, cells[D - 1], visit); }
 };
+using Elements = ElementsIn<2>;
+using Voxels = ElementsIn<3>;
 
 /// Throws InputError for a modulus that is not positive or a Poisson's ratio outside (-1, 1/2).
-Elements make_elements(const PhaseMap& map, const Material& material);
+template <int D> ElementsIn<D> make_elements(const MapIn<D>& map, const Material& material, bool periodic = false);
 
 // What the static solver asks (statics/discretisation.hpp), beside couplings and kernels_of (kernels/kernels.hpp).
 
-BlockDiagonal<double> block_diagonal(const Elements& elements);
+template <int D> BlockDiagonalIn<D, double> block_diagonal(const ElementsIn<D>& elements);
 /// Up to the largest eigenvalue of D_e^-1 K_e over the kinds, which no sum of elements exceeds. Elements reach less far
 /// than bonds, so that the coarse space leaves the smoother longer waves.
-statics::Smoothing smoothing_of(const Elements& elements);
+template <int D> statics::Smoothing smoothing_of(const ElementsIn<D>& elements);
 
-/// A corner belongs to the grain that most of the stiffness of its four pixels is of, matrix flooded to grains; pieces
-/// hang together by elements. `prescribed` has one entry a row of corners.
-Aggregates cut_into_aggregates(const PhaseMap& map, const Elements& elements,
-                               const std::vector<std::uint8_t>& prescribed);
-
-/// Displacement and stress in the middle of every pixel of the map; zero in the void. The stress there is the mean of
-/// the element's.
-StressField pixel_stress(const PhaseMap& map, const Elements& elements, const Field<double>& u);
+/// A corner belongs to the grain that most of the stiffness of its cells is of, matrix flooded to grains; pieces hang
+/// together by cells. `prescribed` has one entry a level of corners, `side` is that of the coarse space's cells.
+template <int D>
+Aggregates cut_into_aggregates(const MapIn<D>& map, const ElementsIn<D>& elements,
+                               const std::vector<std::uint8_t>& prescribed, int side = Aggregates::cell);
 
 }  // namespace arenite::elements

@@ -1,59 +1,76 @@
 #include "solid/elements/load.hpp"
 
 #include "solid/elements/kernels/kernels.hpp"
+#include "solid/elements/stress.hpp"
 #include "solid/elements/support.hpp"
 #include "solid/statics/static_solver.hpp"
 
 namespace arenite::elements {
-namespace {
-
-/// Uniform strain where the sample carries; the clamp's displacement where it hangs on one only.
-Field<double> first_guess(const Elements& elements, const Buffer<statics::Tie>& tie, Vec2 top) {
-  const Grid& grid = elements.grid;
-  Field<double> u(grid.padded_size());
-  grid.each([&](std::ptrdiff_t i, int y) {
-    double share = static_cast<double>(y) / (grid.height - 1);
-    const bool clamped = y == 0 || y == grid.height - 1;
-    if (!clamped && tie[i] != statics::Tie::both) share = tie[i] == statics::Tie::above ? 1 : 0;
-    u.set(i, share * top);
-  });
-  return u;
+/// Images of porous matter without grains take a few times as many iterations as packings.
+template <int D> int most_iterations(const SolveOptions& options) {
+  if (options.max_iterations > 0) return options.max_iterations;
+  return (D == 2 ? 1 : 4) * statics::usual_cap(options.tolerance);
 }
 
-}  // namespace
+template <int D> int coarse_side(const SolveOptions& options) {
+  return options.cell > 0 ? options.cell : D == 2 ? Aggregates::cell : 8;
+}
 
-statics::LoadResult load(const PhaseMap& map, const LoadOptions& options) {
+template <int D> FieldIn<D, double> forces_of(const ElementsIn<D>& elements, const FieldIn<D, double>& u) {
+  FieldIn<D, double> force(elements.grid.padded_size());
+  const std::vector<std::uint8_t> free(static_cast<std::size_t>(elements.grid.levels()), statics::nothing_prescribed);
+  kernels_of(elements).force(elements, free.data(), statics::pointers(u), statics::pointers(force));
+  return force;
+}
+
+namespace {
+
+template <int D> statics::LoadResultIn<D> load_in(const MapIn<D>& map, const LoadOptions& options) {
   statics::check_load(options.strain, options.tolerance);
-  Elements elements = make_elements(map, options.material);
+  ElementsIn<D> elements = make_elements<D>(map, options.material);
   const Grid& grid = elements.grid;
-  const auto prescribed = statics::prescribed_rows(grid.height, options.loading, options.lower);
+  const auto prescribed = statics::prescribed_levels<D>(grid.levels(), options.loading, options.lower);
   Buffer<statics::Tie> tie;
-  statics::LoadResult result;
-  statics::LoadReport& r = result.report;
+  statics::LoadResultIn<D> result;
+  statics::LoadReportIn<D>& r = result.report;
   r.support = prune(elements, tie);
-  const double gauge = map.height * map.dx;
-  Field<double> u = first_guess(elements, tie, options.strain * gauge * statics::direction_of(options.loading));
+  const double gauge = elements.cells[D - 1] * map.dx;
+  FieldIn<D, double> u =
+      statics::uniform_strain<D>(grid, tie, options.strain * gauge * statics::direction_of<D>(options.loading));
   if (r.support.carrying > 0) {
-    statics::StaticSolver<Elements> solver(elements, cut_into_aggregates(map, elements, prescribed), prescribed);
-    const int most = options.max_iterations > 0 ? options.max_iterations : statics::usual_cap(options.tolerance);
-    static_cast<statics::StaticReport&>(r) = solver.solve(elements, u, options.tolerance, most, options.watch);
+    statics::StaticSolver<ElementsIn<D>> solver(
+        elements, cut_into_aggregates<D>(map, elements, prescribed, coarse_side<D>(options)), prescribed);
+    static_cast<statics::StaticReport&>(r) =
+        solver.solve(elements, u, options.tolerance, most_iterations<D>(options), options.watch);
     r.ending = statics::ending_of(r);
   } else {
     r.ending = r.support.solid > 0 ? statics::Ending::severed : statics::Ending::empty;
   }
-  result.field = pixel_stress(map, elements, u);
+  result.field = element_stress<D>(map, elements, u);
   if (r.support.carrying > 0) {
-    Field<double> force(grid.padded_size());
-    const std::vector<std::uint8_t> none(static_cast<std::size_t>(grid.height), statics::nothing_prescribed);
-    kernels_of(elements).force(elements, none.data(), pointers(u), pointers(force));
-    statics::judge({grid, tie, options.loading, options.strain, map.dx, gauge, map.width * map.dx}, u, force, result);
+    double section = 1;
+    for (std::size_t axis = 0; axis + 1 < D; ++axis) section *= elements.cells[axis] * map.dx;
+    statics::judge<D>({grid, tie, options.loading, options.strain, map.dx, gauge, section}, u, forces_of(elements, u),
+                      result);
   }
-  r.sentence = statics::sentence_of(r, options.tolerance);
+  r.sentence = statics::sentence_of(r.ending, r, r.support, options.tolerance, D == 2 ? "nodes" : "voxels");
   return result;
 }
+
+}  // namespace
+
+statics::LoadResult load(const PhaseMap& map, const LoadOptions& options) { return load_in<2>(map, options); }
+statics::LoadResultIn<3> load(const VoxelMap& map, const LoadOptions& options) { return load_in<3>(map, options); }
 
 statics::EffectiveModuli effective_moduli(const PhaseMap& map, const LoadOptions& options) {
   return statics::effective_moduli(map, options, load);
 }
+
+template int most_iterations<2>(const SolveOptions& options);
+template int most_iterations<3>(const SolveOptions& options);
+template int coarse_side<2>(const SolveOptions& options);
+template int coarse_side<3>(const SolveOptions& options);
+template FieldIn<2, double> forces_of(const Elements& elements, const FieldIn<2, double>& u);
+template FieldIn<3, double> forces_of(const Voxels& elements, const FieldIn<3, double>& u);
 
 }  // namespace arenite::elements

@@ -1,25 +1,38 @@
 #pragma once
-#include "model/phase_map.hpp"
+#include "model/voxel_map.hpp"
+#include "solid/elements/elements.hpp"
 #include "solid/elements/options.hpp"
 #include "solid/statics/loading.hpp"
 
 namespace arenite::elements {
 
-/// How a sample of elements is held and loaded.
-struct LoadOptions {
-  statics::Loading loading = statics::Loading::tension;
-  statics::LowerEdge lower = statics::LowerEdge::fixed;
-  double strain = 1e-4;     ///< displacement of the upper edge over the height
+/// How a sample of elements is solved.
+struct SolveOptions {
   double tolerance = 1e-6;  ///< of the residual, relative to that of uniform strain
-  int max_iterations = 0;   ///< 0: 50, more for tolerances below 1e-6
+  int max_iterations = 0;   ///< 0: 50 in the plane and 200 in space, more for tolerances below 1e-6
+  int cell = 0;             ///< elements a side of the coarse cells; 0: 16 in the plane and 8 in space (thin struts: 4)
   Material material{};
   statics::Watch watch{};
 };
+/// What 0 stands for.
+template <int D> int coarse_side(const SolveOptions& options);
+template <int D> int most_iterations(const SolveOptions& options);
 
-/// Loads a sample by the displacement of its upper edge and finds its field at equilibrium, in the middle of every
-/// pixel. Pixels that no edges join to both clamps carry nothing, those that hang by a corner among them. Throws
-/// InputError for a map or options that make no sense; anything that a sound map can turn out to be is an Ending.
+/// How it is held between its lowest and its highest level and loaded: shear moves the top along x.
+struct LoadOptions : SolveOptions {
+  statics::Loading loading = statics::Loading::tension;
+  statics::LowerEdge lower = statics::LowerEdge::fixed;
+  double strain = 1e-4;  ///< displacement of the upper edge over the height
+};
+
+/// Loads a sample by the displacement of its upper edge, or face, and finds its field at equilibrium, in the middle of
+/// every pixel or voxel. What prune() finds loose carries nothing. Throws InputError for a map or options that make no
+/// sense; anything that a sound map can turn out to be is an Ending.
 statics::LoadResult load(const PhaseMap& map, const LoadOptions& options);
+statics::LoadResultIn<3> load(const VoxelMap& map, const LoadOptions& options);
+
+/// The force of every element on its corners, clamps or not; of unit spacing (statics::judge).
+template <int D> FieldIn<D, double> forces_of(const ElementsIn<D>& elements, const FieldIn<D, double>& u);
 
 /// Three loads (statics/loading.hpp). `options.loading` is not used.
 statics::EffectiveModuli effective_moduli(const PhaseMap& map, const LoadOptions& options);

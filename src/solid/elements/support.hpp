@@ -5,8 +5,13 @@
 
 namespace arenite::elements {
 
-/// Empties all pixels that edges do not join to both clamps, and counts them. `tie` says, a corner (padded), what the
-/// stiffest-held of its pixels is tied to. What hangs by a corner could turn about it and carries nothing.
-statics::Support prune(Elements& elements, Buffer<statics::Tie>& tie);
+/// Empties all pixels that edges (voxels that faces) do not join to both clamps, the lowest and the highest level, and
+/// counts them. `tie` says, a corner (padded), what the stiffest-held of its cells is tied to. What hangs by less could
+/// turn about it and carries nothing.
+template <int D> statics::Support prune(ElementsIn<D>& elements, Buffer<statics::Tie>& tie);
+
+/// Empties, in a periodic sample, all cells that are not joined like this to their own images, and counts them: the
+/// others float.
+template <int D> statics::Support prune_periodic(ElementsIn<D>& elements);
 
 }  // namespace arenite::elements

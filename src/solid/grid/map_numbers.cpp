@@ -82,4 +82,19 @@ Numbers map_numbers(const PhaseMap& map, const CavityRules& rules, double refere
   return j;
 }
 
+Numbers map_numbers(const VoxelMap& map) {
+  std::array<double, 3> count{};
+  for (const Phase phase : map.phase) count[static_cast<std::size_t>(phase)] += 1;
+  const auto share = [&](Phase phase) {
+    return count[static_cast<std::size_t>(phase)] / static_cast<double>(map.size());
+  };
+  return {{"voxels", described({map.width, map.height, map.depth}, "", "Voxels along x, y and z")},
+          {"dx_m", described(map.dx, "m", "Side of a voxel")},
+          {"phases",
+           {{"void", described(share(Phase::empty), "", "Fraction of the volume that is void")},
+            {"matrix", described(share(Phase::matrix), "", "Fraction of the volume in matrix")},
+            {"particle", described(share(Phase::particle), "", "Fraction of the volume in grains")}}},
+          {"grains", described(map.grain_class.size(), "", "Grains")}};
+}
+
 }  // namespace arenite::grid

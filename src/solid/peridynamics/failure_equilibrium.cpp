@@ -39,8 +39,8 @@ FailureEquilibrium::FailureEquilibrium(const PhaseMap& map, const DamageOptions&
       options_(options),
       closes_(!options.cracks_stay_open),
       bonds_(make_bonds(map, options.stiffness, options.law, options.stop_at_voids)),
-      way_(direction_of(options.loading)),
-      prescribed_(prescribed_rows(map.height, options.loading, options.lower)),
+      way_(direction_of<2>(options.loading)),
+      prescribed_(prescribed_levels<2>(map.height, options.loading, options.lower)),
       f_(bonds_.grid.padded_size()) {
   state_.width = map.width;
   state_.height = map.height;

@@ -28,24 +28,19 @@ struct Specimen {
       : map(m),
         options(o),
         bonds(make_bonds(m, o.stiffness, o.law, o.stop_at_voids)) {
-    prescribed = statics::prescribed_rows(map.height, o.loading, o.lower);
+    prescribed = statics::prescribed_levels<2>(map.height, o.loading, o.lower);
     aggregates = cut_into_aggregates(map, bonds, prescribed);
     support = prune(bonds, aggregates, prescribed, tie);
-    top_displacement = o.strain * gauge() * statics::direction_of(o.loading);
+    top_displacement = o.strain * gauge() * statics::direction_of<2>(o.loading);
   }
 
   double gauge() const { return (map.height - 1) * map.dx; }
 
-  /// Uniform strain where the sample carries; the clamp's displacement where it hangs on one only.
   Field<double> first_guess() const {
-    const Grid& grid = bonds.grid;
-    Field<double> u(grid.padded_size());
+    Field<double> u = statics::uniform_strain(bonds.grid, tie, top_displacement);
     auto phase = map.phase.begin();
-    grid.each([&](std::ptrdiff_t i, int y) {
-      if (*phase++ == Phase::empty) return;
-      double share = static_cast<double>(y) / (grid.height - 1);
-      if (!prescribed[y] && tie[i] != Tie::both) share = tie[i] == Tie::above ? 1 : 0;
-      u.set(i, share * top_displacement);
+    bonds.grid.each([&](std::ptrdiff_t i, int) {
+      if (*phase++ == Phase::empty) u.set(i, {});
     });
     return u;
   }

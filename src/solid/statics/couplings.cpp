@@ -5,23 +5,6 @@
 #include "solid/statics/aggregates.hpp"
 
 namespace arenite::statics {
-namespace {
-
-constexpr int cell = Aggregates::cell;
-
-std::array<Hats, cell * cell> make_hats() {
-  std::array<Hats, cell * cell> hats;
-  for (unsigned y = 0; y < cell; ++y)
-    for (unsigned x = 0; x < cell; ++x) {
-      const double s = x / static_cast<double>(cell), t = y / static_cast<double>(cell);
-      hats[y * cell + x] = Hats{(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t};
-    }
-  return hats;
-}
-
-const std::array<Hats, cell* cell> all_hats = make_hats();
-
-}  // namespace
 
 template <int D>
 CouplingSumIn<D>::CouplingSumIn(std::size_t aggregates, bool with_selves)
@@ -51,20 +34,26 @@ template <int D> std::vector<CouplingIn<D>> CouplingSumIn<D>::taken() {
 template class CouplingSumIn<2>;
 template class CouplingSumIn<3>;
 
-HatTable::HatTable(int side) : side_(side) {
-  for (int z = 0; z < side; ++z)
+template <int D> HatTableIn<D>::HatTableIn(int side) : side_(side) {
+  for (int z = 0; z < (D > 2 ? side : 1); ++z)
     for (int y = 0; y < side; ++y)
       for (int x = 0; x < side; ++x) {
         const double s = x / static_cast<double>(side), t = y / static_cast<double>(side),
                      r = z / static_cast<double>(side);
-        HatsIn<3> hats;
-        for (int c = 0; c < 8; ++c) hats[c] = (c & 1 ? s : 1 - s) * (c >> 1 & 1 ? t : 1 - t) * (c >> 2 ? r : 1 - r);
+        HatsIn<D> hats;
+        for (int c = 0; c < corners<D>; ++c)
+          hats[c] = (c & 1 ? s : 1 - s) * (c >> 1 & 1 ? t : 1 - t) * (c >> 2 ? r : 1 - r);
         hats_.push_back(hats);
       }
 }
 
+template class HatTableIn<2>;
+template class HatTableIn<3>;
+
 const Hats& hats_at(int x, int y) {
-  return all_hats[static_cast<unsigned>((y & (cell - 1)) * cell + (x & (cell - 1)))];
+  static const HatTableIn<2> table(Aggregates::cell);
+  constexpr int inside = Aggregates::cell - 1;
+  return table.at(x & inside, y & inside, 0);
 }
 
 }  // namespace arenite::statics

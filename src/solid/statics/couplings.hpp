@@ -67,21 +67,23 @@ template <int D> struct GalerkinSums {
   }
 };
 
-/// Hats at the nodes of cubic cells.
-class HatTable {
+/// Hats at the nodes of square or cubic cells.
+template <int D> class HatTableIn {
  public:
-  explicit HatTable(int side);
+  explicit HatTableIn(int side);
   /// Of a node, by its place in the sample.
-  const HatsIn<3>& at(int x, int y, int z) const {
+  const HatsIn<D>& at(int x, int y, int z) const {
     return hats_[static_cast<std::size_t>((z % side_ * side_ + y % side_) * side_ + x % side_)];
   }
 
  private:
   int side_;
-  std::vector<HatsIn<3>> hats_;
+  std::vector<HatsIn<D>> hats_;
 };
+extern template class HatTableIn<2>;
+extern template class HatTableIn<3>;
 
-/// Hats at a node of the plane, whose place counts from the corner of any cell.
+/// Hats at a node of the plane, whose place counts from the corner of any cell of the usual side.
 const Hats& hats_at(int x, int y);
 
 }  // namespace arenite::statics

@@ -47,8 +47,8 @@ struct Smoothing {
   double lowest, highest;
 };
 
-/// What the static solver asks of a sample that is cut into nodes and what joins them: bonds (solid/peridynamics),
-/// elements (solid/elements) or voxels (solid/voxels). Each is a plain struct with its grid of nodes; these are
+/// What the static solver asks of a sample that is cut into nodes and what joins them: bonds (solid/peridynamics), or
+/// elements in the plane or in space (solid/elements). Each is a plain struct with its grid of nodes; these are
 /// functions of it.
 ///  - kernels_of: the passes over all nodes, for this machine.
 ///  - block_diagonal: the stiffness of every node against its neighbours held fast, in double.

@@ -11,18 +11,20 @@
 
 namespace arenite::statics {
 
-Vec2 direction_of(Loading loading) {
-  constexpr Vec2 directions[] = {{0, 1}, {0, -1}, {1, 0}};
-  return directions[static_cast<std::size_t>(loading)];
+template <int D> Vec<D> direction_of(Loading loading) {
+  Vec<D> direction;
+  if (loading == Loading::shear) direction[0] = 1;
+  else direction[D - 1] = loading == Loading::tension ? 1 : -1;
+  return direction;
 }
 
-std::vector<std::uint8_t> prescribed_rows(int height, Loading loading, LowerEdge lower) {
+template <int D> std::vector<std::uint8_t> prescribed_levels(int levels, Loading loading, LowerEdge lower) {
   if (loading == Loading::shear && lower == LowerEdge::sliding)
     throw InputError("a sliding lower edge carries no shear; fix it, or choose tension or compression");
-  std::vector<std::uint8_t> rows(static_cast<std::size_t>(height), nothing_prescribed);
-  rows.front() = lower == LowerEdge::sliding ? y_prescribed : both_prescribed;
-  rows.back() = both_prescribed;
-  return rows;
+  std::vector<std::uint8_t> prescribed(static_cast<std::size_t>(levels), nothing_prescribed);
+  prescribed.front() = lower == LowerEdge::sliding ? normal_component<D> : every_component<D>;
+  prescribed.back() = every_component<D>;
+  return prescribed;
 }
 
 void check_load(double strain, double tolerance) {
@@ -34,47 +36,66 @@ void check_load(double strain, double tolerance) {
 
 int usual_cap(double tolerance) { return static_cast<int>(std::ceil(50 * std::max(1.0, std::log10(tolerance) / -6))); }
 
-namespace {
-
-Vec2 row_sum(const Grid& grid, const Field<double>& f, int y) {
-  Vec2 sum;
-  for (std::ptrdiff_t i = grid.row(y), end = i + grid.width; i < end; ++i) sum += f.at(i);
-  return sum;
+template <int D> FieldIn<D, double> uniform_strain(const Grid& grid, const Buffer<Tie>& tie, Vec<D> top) {
+  FieldIn<D, double> u(grid.padded_size());
+  const int last = grid.levels() - 1;
+  grid.each([&](std::ptrdiff_t i, int level) {
+    double share = static_cast<double>(level) / last;
+    const bool clamped = level == 0 || level == last;
+    if (!clamped && tie[i] != Tie::both) share = tie[i] == Tie::above ? 1 : 0;
+    u.set(i, share * top);
+  });
+  return u;
 }
 
+namespace {
+
 /// Mean slope of a displacement along an axis, by least squares over the carrying nodes of the middle half.
-double slope(const LoadedSample& s, const Buffer<double>& u, bool along_x) {
-  const Grid& grid = s.grid;
+double slope(const LoadedSample& s, const Buffer<double>& u, std::size_t axis) {
+  const std::array<int, 3> size = s.grid.size();
+  const auto skipped = [&](std::size_t a) { return size[a] / 4; };
   double n = 0, sp = 0, spp = 0, su = 0, spu = 0;
-  for (int y = grid.height / 4; y < grid.height - grid.height / 4; ++y)
-    for (int x = grid.width / 4; x < grid.width - grid.width / 4; ++x) {
-      const std::ptrdiff_t i = grid.index(x, y);
-      if (s.tie[i] != Tie::both) continue;
-      const double p = along_x ? x : y;
-      n += 1;
-      sp += p;
-      spp += p * p;
-      su += u[i];
-      spu += p * u[i];
-    }
+  for (int z = skipped(2); z < size[2] - skipped(2); ++z)
+    for (int y = skipped(1); y < size[1] - skipped(1); ++y)
+      for (int x = skipped(0); x < size[0] - skipped(0); ++x) {
+        const std::ptrdiff_t i = s.grid.index(x, y, z);
+        if (s.tie[i] != Tie::both) continue;
+        const double p = std::array{x, y, z}[axis];
+        n += 1;
+        sp += p;
+        spp += p * p;
+        su += u[i];
+        spu += p * u[i];
+      }
   const double spread = n * spp - sp * sp;
   return spread > 0 ? (n * spu - sp * su) / spread : 0;
 }
 
+/// The stress along the load.
+const std::vector<double>& stress_along(const StressField& field, bool shear) { return shear ? field.xy : field.yy; }
+const std::vector<float>& stress_along(const VoxelStress& field, bool shear) { return shear ? field.xz : field.zz; }
+
 }  // namespace
 
-void judge(const LoadedSample& s, const Field<double>& u, const Field<double>& f, LoadResult& result) {
-  LoadReport& r = result.report;
-  r.top_force = -row_sum(s.grid, f, s.grid.height - 1);
-  r.bottom_force = -row_sum(s.grid, f, 0);
+template <int D>
+void judge(const LoadedSample& s, const FieldIn<D, double>& u, const FieldIn<D, double>& f, LoadResultIn<D>& result) {
+  LoadReportIn<D>& r = result.report;
+  const double of_node = D == 2 ? 1 : s.dx;  // an element of side dx has dx^(D-2) times the stiffness of unit side
+  s.grid.each([&](std::ptrdiff_t i, int level) {
+    if (level == 0) r.bottom_force -= of_node * f.at(i);
+    if (level == s.grid.levels() - 1) r.top_force -= of_node * f.at(i);
+  });
   const bool shear = s.loading == Loading::shear;
-  const double force = shear ? r.top_force.x : r.top_force.y;
+  const double force = shear ? r.top_force[0] : r.top_force[D - 1];
   double sum = 0;
-  for (const double stress : shear ? result.field.xy : result.field.yy) sum += stress;
-  if (force != 0) r.identity_defect = sum * s.dx * s.dx / (force * s.gauge) - 1;
-  r.modulus = std::abs(force) / (s.width * s.strain);
-  const double axial = shear ? 0 : slope(s, u.y, false);
-  if (axial != 0) r.poisson = -slope(s, u.x, true) / axial;
+  for (const auto stress : stress_along(result.field, shear)) sum += static_cast<double>(stress);
+  for (int axis = 0; axis < D; ++axis) sum *= s.dx;
+  if (force != 0) r.identity_defect = sum / (force * s.gauge) - 1;
+  r.modulus = std::abs(force) / (s.section * s.strain);
+  const double axial = shear ? 0 : slope(s, u[D - 1], D - 1);
+  double lateral = 0;
+  for (int axis = 0; axis + 1 < D; ++axis) lateral += slope(s, u[axis], static_cast<std::size_t>(axis)) / (D - 1);
+  if (axial != 0) r.poisson = -lateral / axial;
 }
 
 Ending ending_of(const StaticReport& report) {
@@ -146,5 +167,16 @@ EffectiveModuli effective_moduli(const PhaseMap& map, const Watch& watch,
   m.shear = m.reports[2].modulus;
   return m;
 }
+
+template Vec2 direction_of<2>(Loading loading);
+template Vec3 direction_of<3>(Loading loading);
+template std::vector<std::uint8_t> prescribed_levels<2>(int levels, Loading loading, LowerEdge lower);
+template std::vector<std::uint8_t> prescribed_levels<3>(int levels, Loading loading, LowerEdge lower);
+template FieldIn<2, double> uniform_strain(const Grid& grid, const Buffer<Tie>& tie, Vec2 top);
+template FieldIn<3, double> uniform_strain(const Grid& grid, const Buffer<Tie>& tie, Vec3 top);
+template void judge(const LoadedSample& sample, const FieldIn<2, double>& u, const FieldIn<2, double>& force,
+                    LoadResult& result);
+template void judge(const LoadedSample& sample, const FieldIn<3, double>& u, const FieldIn<3, double>& force,
+                    LoadResultIn<3>& result);
 
 }  // namespace arenite::statics

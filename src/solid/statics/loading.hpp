@@ -9,24 +9,25 @@
 #include "core/pages.hpp"
 #include "core/vec.hpp"
 #include "model/phase_map.hpp"
+#include "model/voxel_map.hpp"
 #include "solid/statics/grid.hpp"
 #include "solid/statics/watch.hpp"
 
-/// A sample between two clamps, its lowest and its highest row of nodes: how it is loaded, what of it hangs together,
-/// and what came out, whatever the discretisation.
+/// A sample between two clamps, its lowest and its highest level of nodes (a row in the plane, a layer in space): how
+/// it is loaded, what of it hangs together, and what came out, whatever the discretisation.
 namespace arenite::statics {
 
-/// How the top row of nodes is moved against the bottom row: up, down, or to the right.
+/// How the top level of nodes is moved against the bottom one: up, down, or to the right.
 enum class Loading { tension, compression, shear };
 
-/// What holds the bottom row: both components fixed, or free to slide along x (the top row is always held in x).
+/// What holds the bottom level: all components fixed, or free to slide along itself (the top is always held).
 enum class LowerEdge { fixed, sliding };
 
-/// Unit vector along which the top row moves.
-Vec2 direction_of(Loading loading);
+/// Unit vector along which the top level moves.
+template <int D> Vec<D> direction_of(Loading loading);
 
-/// What is prescribed in each row of nodes. Throws InputError for shear above a sliding edge.
-std::vector<std::uint8_t> prescribed_rows(int height, Loading loading, LowerEdge lower);
+/// What is prescribed in each level of nodes. Throws InputError for shear above a sliding edge.
+template <int D> std::vector<std::uint8_t> prescribed_levels(int levels, Loading loading, LowerEdge lower);
 
 /// Throws InputError for a strain or a tolerance that make no sense.
 void check_load(double strain, double tolerance);
@@ -62,34 +63,42 @@ struct Hinge {
   bool carries;       ///< the part holds the upper clamp: the load itself passes the hinge
 };
 
-struct LoadReport : StaticReport {
+template <int D> struct LoadReportIn : StaticReport {
   Ending ending = Ending::empty;
   std::string sentence;  ///< the same in words, with what was found loose
   Support support;
-  std::vector<Hinge> hinges;     ///< that were found, if they were looked for
-  Vec2 top_force, bottom_force;  ///< of the clamps on the sample per unit thickness, N/m
-  /// sum sigma_yy V over F_top (y_top - y_bottom), less one: zero at equilibrium.
+  std::vector<Hinge> hinges;       ///< that were found, if they were looked for
+  Vec<D> top_force, bottom_force;  ///< of the clamps on the sample, N; in the plane per unit thickness, N/m
+  /// sum sigma V over F_top (y_top - y_bottom), along the load, less one: zero at equilibrium.
   double identity_defect = 0;
-  double modulus = 0;  ///< apparent: mean stress of the top row over the strain, Pa; Young's or shear
+  double modulus = 0;  ///< apparent: mean stress of the top over the strain, Pa; Young's or shear
   double poisson = 0;  ///< lateral over axial mean gradient of the displacement, middle half; 0 for shear
 };
+using LoadReport = LoadReportIn<2>;
 
-struct LoadResult {
-  LoadReport report;
-  StressField field;
+template <int D> struct LoadResultIn {
+  LoadReportIn<D> report;
+  StressIn<D> field;
 };
+using LoadResult = LoadResultIn<2>;
 
 /// A sample that has been loaded, by its nodes.
 struct LoadedSample {
   const Grid& grid;
   const Buffer<Tie>& tie;
   Loading loading;
-  double strain, dx, gauge, width;  ///< lengths in m: spacing of nodes, distance of the clamps, breadth
+  double strain, dx, gauge;  ///< lengths in m: spacing of nodes, distance of the clamps
+  double section;            ///< of the sample between them: m^2, in the plane m
 };
 
 /// Fills in forces of the clamps, the reaction balance, modulus and Poisson's ratio; `force` is that of the sample on
-/// every node. The field's stresses stand for dx^2 each.
-void judge(const LoadedSample& sample, const Field<double>& u, const Field<double>& force, LoadResult& result);
+/// every node of unit spacing. The field's stresses stand for dx^2, or dx^3, each.
+template <int D>
+void judge(const LoadedSample& sample, const FieldIn<D, double>& u, const FieldIn<D, double>& force,
+           LoadResultIn<D>& result);
+
+/// Where the sample carries uniform strain; the clamp's displacement where it hangs on one only, none where it floats.
+template <int D> FieldIn<D, double> uniform_strain(const Grid& grid, const Buffer<Tie>& tie, Vec<D> top);
 
 /// Of a solve that was made.
 Ending ending_of(const StaticReport& report);

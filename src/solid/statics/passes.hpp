@@ -34,6 +34,14 @@ template <int D, class Visit> ARENITE_INLINE void by_component_down(const Visit&
   (std::make_integer_sequence<int, D>());
 }
 
+/// Nodes of a row that repeat the first ones of a period, beyond so many inside, feel nothing.
+template <int D, class V> ARENITE_INLINE void clear_beyond(int inside, ForceIn<D, V>& force) {
+  using T = typename V::Scalar;
+  T mask[V::lanes];
+  for (int k = 0; k < V::lanes; ++k) mask[k] = T(k < inside ? 1 : 0);
+  by_component<D>([&](int c) { force[c] = V::load(mask) * force[c]; });
+}
+
 /// A sum of products a b of the components of a field, in the doubles that the machine keeps sums in, lower lanes
 /// first.
 class Sum {

@@ -109,7 +109,6 @@ template <Discretisation D> class StaticSolver {
   /// node beside that of the sample.
   StaticReport solve(const D& sample, Doubles& u, double tolerance, int max_iterations, const Watch& watch = {},
                      const Doubles* body = nullptr);
-  std::int32_t coarse_nodes() const { return state_->coarse.nodes(); }
 
  private:
   std::unique_ptr<Preconditioner<D>> state_;
@@ -123,6 +122,7 @@ StaticReport StaticSolver<D>::solve(const D& sample, Doubles& u, double toleranc
   StaticReport report;
   report.repairs = s.coarse.repairs();
   report.loose_nodes = s.inverse.loose;
+  report.coarse_nodes = static_cast<std::size_t>(s.coarse.nodes());
   const double reference = body && sample.grid.periodic ? std::sqrt(square_norm(sample.grid, *body))
                                                         : residual_reference(sample, s.prescribed, u, s.z, s.r);
   if (!(reference > 0)) {

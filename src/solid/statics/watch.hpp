@@ -29,6 +29,7 @@ struct StaticReport {
   std::vector<double> history;  ///< relative residual after each iteration, the start first
   int repairs = 0;              ///< CoarseSpace::repairs
   std::size_t loose_nodes = 0;  ///< that no bond holds in some direction
+  std::size_t coarse_nodes = 0;
 };
 
 }  // namespace arenite::statics

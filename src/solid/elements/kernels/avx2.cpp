@@ -1,7 +1,10 @@
-#include "solid/elements/kernels/sweep.hpp"
+#include "solid/elements/kernels/couple.hpp"
+#include "solid/elements/kernels/plane_sweep.hpp"
+#include "solid/elements/kernels/space_sweep.hpp"
 
 namespace arenite::elements {
 
-constinit const Kernels avx2_kernels = statics::Passes<ElementSweep>::table(statics::Machine::name);
+constinit const Compiled<2> avx2_plane = compiled<2, PlaneSweep>();
+constinit const Compiled<3> avx2_space = compiled<3, SpaceSweep>();
 
 }  // namespace arenite::elements

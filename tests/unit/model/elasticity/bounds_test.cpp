@@ -37,5 +37,20 @@ RC_GTEST_PROP(ModulusBounds, NestInTheirOrder, ()) {
   RC_ASSERT(b.shtrikman_upper <= b.voigt * (1 + 1e-12));
 }
 
+TEST(Bounds, OfAFewSphericalPoresAreTheDiluteOnes) {
+  // Mackenzie (1950): K falls by c (1 + 3 K/(4 G)), G by 5 c (3 K + 4 G)/(9 K + 8 G).
+  const double c = 1e-6, k = 3, g = 2;
+  const auto upper = bounds<3>({{1 - c, {k, g}}, {c, {}}}).shtrikman_upper;
+  EXPECT_NEAR((1 - upper.bulk / k) / c, 1 + 3 * k / (4 * g), 1e-4);
+  EXPECT_NEAR((1 - upper.shear / g) / c, 5 * (3 * k + 4 * g) / (9 * k + 8 * g), 1e-4);
+}
+
+TEST(Bounds, OfAFewRoundHolesAreTheDiluteOnes) {
+  const double c = 1e-6, k = 3, g = 2;
+  const auto upper = bounds<2>({{1 - c, {k, g}}, {c, {}}}).shtrikman_upper;
+  EXPECT_NEAR((1 - upper.bulk / k) / c, 1 + k / g, 1e-4);
+  EXPECT_NEAR((1 - upper.shear / g) / c, 2 * (1 + g / k), 1e-4);
+}
+
 }  // namespace
 }  // namespace arenite::elasticity

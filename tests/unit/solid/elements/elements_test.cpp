@@ -11,28 +11,19 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "solid/elements/kernels/kernels.hpp"
-#include "solid/elements/load.hpp"
+#include "solid/elements/stress.hpp"
 #include "solid/elements/support.hpp"
 #include "support/cemented_sample.hpp"
+#include "support/element_samples.hpp"
 
 namespace arenite::elements {
 namespace {
 
+using statics::Field;
+using Kernels = KernelsIn<2>;
 using Matrix = std::vector<std::vector<double>>;
-
-Material alike(Constants c, Element element = Element::wilson, PlaneState plane = PlaneState::stress) {
-  return {c, c, c, element, plane};
-}
-
-PhaseMap solid(int width, int height, Phase phase = Phase::matrix) {
-  PhaseMap map = make_phase_map(width, height, 1e-3);
-  std::ranges::fill(map.phase, phase);
-  if (phase == Phase::particle) {
-    map.grain_class = {GrainClass::none};
-    std::ranges::fill(map.grain, 0);
-  }
-  return map;
-}
+using test::alike;
+using test::solid;
 
 /// Elastic constants {C_11, C_12, C_66}, written apart from the program's.
 std::array<double, 3> elastic(Constants c, PlaneState plane) {
@@ -94,7 +85,7 @@ TEST(Elements, OneIsTheMatrixThatQuadratureGives) {
   for (const auto& [element, plane, nu] : cases()) {
     const Constants constants{2.5, nu};
     const Matrix expected = by_quadrature(constants, plane, element == Element::wilson);
-    const Elements one = make_elements(solid(1, 1), alike(constants, element, plane));
+    const Elements one = make_elements<2>(solid(1, 1), alike(constants, element, plane));
     for (std::size_t b = 0; b < 8; ++b) {
       Field<double> u(one.grid.padded_size());
       const auto corner = [&](std::size_t c) {
@@ -114,7 +105,7 @@ TEST(Elements, ALinearFieldLeavesNoForceInsideAndTheStressOfHooke) {
   RandomStream random(3, Purpose::test);
   for (const auto& [element, plane, nu] : cases()) {
     const PhaseMap map = solid(37, 21);
-    const Elements elements = make_elements(map, alike({3, nu}, element, plane));
+    const Elements elements = make_elements<2>(map, alike({3, nu}, element, plane));
     double g[2][2];
     for (auto& row : g)
       for (double& v : row) v = random.uniform(-1, 1);
@@ -126,7 +117,7 @@ TEST(Elements, ALinearFieldLeavesNoForceInsideAndTheStressOfHooke) {
     for (int y = 1; y < map.height; ++y)
       for (int x = 1; x < map.width; ++x) ASSERT_LT(norm(f.at(elements.grid.index(x, y))), 1e-15) << x << " " << y;
     const auto [c11, c12, c66] = elastic({3, nu}, plane);
-    const StressField stress = pixel_stress(map, elements, u);
+    const StressField stress = element_stress<2>(map, elements, u);
     for (std::size_t k = 0; k < stress.size(); ++k) {
       ASSERT_NEAR(stress.xx[k], c11 * g[0][0] + c12 * g[1][1], 1e-6);
       ASSERT_NEAR(stress.yy[k], c12 * g[0][0] + c11 * g[1][1], 1e-6);
@@ -139,7 +130,7 @@ TEST(Elements, ALinearFieldLeavesNoForceInsideAndTheStressOfHooke) {
 double bending(int n, double nu, Element element) {
   const int length = 12;
   const PhaseMap map = solid(length, n);
-  const Elements elements = make_elements(map, alike({1, nu}, element));
+  const Elements elements = make_elements<2>(map, alike({1, nu}, element));
   Field<double> u(elements.grid.padded_size());
   for (int y = 0; y <= n; ++y)
     for (int x = 0; x <= length; ++x) {
@@ -164,7 +155,7 @@ TEST(Elements, WilsonsBendAsBeamsAndFullOnesAreStifferByOneOverTheSquareOfTheirN
 /// A cemented sample with voids, matrix and touching grains.
 struct Sample {
   PhaseMap map = test::cemented_sample({.nodes = 93, .size_ratio = 2.5, .bridge = 0.4});
-  Elements elements = make_elements(map, {{1, 0.3}, {2, 0.2}, {7, 0.4}});
+  Elements elements = make_elements<2>(map, {{1, 0.3}, {2, 0.2}, {7, 0.4}});
 };
 
 Field<double> random_field(const Grid& grid) {
@@ -176,15 +167,15 @@ Field<double> random_field(const Grid& grid) {
 
 TEST(Elements, TheKernelsOfEveryMachineAgree) {
   const Sample s;
-  const Field<double> u = random_field(s.elements.grid), f = applied(s.elements, *kernels_named("portable"), u);
+  const Field<double> u = random_field(s.elements.grid), f = applied(s.elements, *kernels_named<2>("portable"), u);
   std::vector<Field<double>> wide;
   for (const char* name : {"avx2", "avx512"}) {
-    if (!kernels_named(name)) continue;
-    wide.push_back(applied(s.elements, *kernels_named(name), u));
+    if (!kernels_named<2>(name)) continue;
+    wide.push_back(applied(s.elements, *kernels_named<2>(name), u));
     s.elements.grid.each([&](std::ptrdiff_t i, int) { ASSERT_LT(norm(wide.back().at(i) - f.at(i)), 1e-13); });
   }
   if (wide.size() == 2) s.elements.grid.each([&](std::ptrdiff_t i, int) { ASSERT_EQ(wide[0].at(i), wide[1].at(i)); });
-  EXPECT_EQ(kernels_named("abacus"), nullptr);
+  EXPECT_EQ(kernels_named<2>("abacus"), nullptr);
 }
 
 TEST(Elements, TheBlockDiagonalIsWhatANodeFeelsOfItsOwnMotion) {
@@ -210,8 +201,7 @@ TEST(Elements, CouplingsAreTheEnergyOfWhatTheCoarseSpaceHolds) {
     std::vector<std::uint8_t> prescribed(static_cast<std::size_t>(grid.height), 0);
     prescribed.front() = bottom;
     prescribed.back() = statics::both_prescribed;
-    const Aggregates aggregates = cut_into_aggregates(s.map, s.elements, prescribed);
-    const auto sums = couplings(s.elements, aggregates, block_diagonal(s.elements), prescribed);
+    const Aggregates aggregates = cut_into_aggregates<2>(s.map, s.elements, prescribed);
     RandomStream random(1, Purpose::test);
     std::vector<double> corner(8 * aggregates.list.size());
     for (double& c : corner) c = random.uniform(-1, 1);
@@ -230,7 +220,8 @@ TEST(Elements, CouplingsAreTheEnergyOfWhatTheCoarseSpaceHolds) {
     const Field<double> f = applied(s.elements, kernels_of(s.elements), u);
     double wanted = 0, found = 0;
     grid.each([&](std::ptrdiff_t i, int) { wanted -= dot(u.at(i), f.at(i)); });
-    for (const statics::Coupling& c : sums)
+    const auto sums = couplings(s.elements, aggregates, block_diagonal(s.elements), prescribed);
+    sums.each(aggregates, [&](const statics::Coupling& c) {
       for (unsigned a = 0; a < 4; ++a)
         for (unsigned b = 0; b < 4; ++b) {
           const double* p = &corner[8 * static_cast<std::size_t>(c.p) + 2 * a];
@@ -238,13 +229,14 @@ TEST(Elements, CouplingsAreTheEnergyOfWhatTheCoarseSpaceHolds) {
           found += (c.p == c.q ? 1 : 2) * (p[0] * (c.block[0][a][b] * q[0] + c.block[1][a][b] * q[1]) +
                                            p[1] * (c.block[2][a][b] * q[0] + c.block[3][a][b] * q[1]));
         }
+    });
     EXPECT_NEAR(found / wanted, 1, 1e-10);
   }
 }
 
 TEST(Elements, NoFieldExceedsTheHighestRatio) {
   for (const double nu : {0.0, 0.25, 0.4, 0.49}) {
-    const Elements elements = make_elements(solid(40, 40), alike({1, nu}, Element::wilson, PlaneState::strain));
+    const Elements elements = make_elements<2>(solid(40, 40), alike({1, nu}, Element::wilson, PlaneState::strain));
     const auto diagonal = block_diagonal(elements);
     const double highest = smoothing_of(elements).highest;
     Field<double> u = random_field(elements.grid);
@@ -276,7 +268,7 @@ TEST(Elements, PixelsOfAGrainThatTouchAnotherAreInterface) {
   map.grain_class = {GrainClass::none, GrainClass::none};
   for (int y = 0; y < 3; ++y)
     for (int x = 3; x < 6; ++x) map.grain[map.index(x, y)] = 1;
-  const Elements elements = make_elements(map, {});
+  const Elements elements = make_elements<2>(map, {});
   const Kind expected[] = {particle, particle, interface, interface, particle, particle};
   for (int x = 0; x < 6; ++x) EXPECT_EQ(elements.kind(elements.grid.index(x, 1)), expected[x]) << x;
 }
@@ -290,7 +282,7 @@ TEST(ElementSupport, WhatHangsByACornerOrByNothingCarriesNothing) {
   fill(6, 4);                              // an island
   fill(8, 0);                              // held below
   fill(8, 8);                              // held above
-  Elements elements = make_elements(map, {});
+  Elements elements = make_elements<2>(map, {});
   Buffer<statics::Tie> tie;
   const statics::Support support = prune(elements, tie);
   EXPECT_EQ(support.solid, 14u);
@@ -301,45 +293,6 @@ TEST(ElementSupport, WhatHangsByACornerOrByNothingCarriesNothing) {
   EXPECT_EQ(support.held_above, 1u);
   EXPECT_EQ(elements.kind(elements.grid.index(3, 6)), none);
   EXPECT_EQ(elements.kind(elements.grid.index(2, 5)), matrix);
-}
-
-TEST(ElementLoad, LaminatesAreExact) {
-  for (const bool along : {false, true}) {
-    PhaseMap map = solid(24, 40, Phase::particle);
-    for (int y = 0; y < map.height; ++y)
-      for (int x = 0; x < map.width; ++x)
-        if ((along ? x : y) % 8 < 3) map.phase[map.index(x, y)] = Phase::matrix, map.grain[map.index(x, y)] = -1;
-    // Interfaces are made of what they lie in: of matrix.
-    const LoadOptions options{.tolerance = 1e-9, .material = {{1, 0}, {1, 0}, {5, 0}}};
-    const statics::LoadResult result = load(map, options);
-    ASSERT_EQ(result.report.ending, statics::Ending::solved) << result.report.sentence;
-    const double share = 3.0 / 8, expected = along ? share + 5 * (1 - share) : 1 / (share + (1 - share) / 5);
-    EXPECT_NEAR(result.report.modulus / expected, 1, 1e-6);
-    EXPECT_NEAR(result.report.identity_defect, 0, 1e-7);
-  }
-}
-
-TEST(ElementLoad, ACementedSampleIsSolvedAndItsReactionsBalance) {
-  const PhaseMap map = test::cemented_sample({.nodes = 160, .size_ratio = 2.5, .bridge = 0.3});
-  for (const auto loading : {statics::Loading::tension, statics::Loading::shear})
-    for (const double ratio : {4.0, 100.0}) {
-      const statics::LoadResult result =
-          load(map, {.loading = loading, .material = {{1, 0.3}, {1, 0.3}, {ratio, 0.2}}});
-      const statics::LoadReport& r = result.report;
-      ASSERT_EQ(r.ending, statics::Ending::solved) << r.sentence;
-      EXPECT_LE(r.iterations, 35) << r.sentence;
-      EXPECT_LT(std::abs(r.identity_defect), 1e-5);
-      EXPECT_LT(norm(r.top_force + r.bottom_force), 1e-4 * norm(r.top_force));
-      EXPECT_EQ(r.repairs, 0);
-    }
-}
-
-TEST(ElementLoad, NonsenseIsRefused) {
-  const PhaseMap map = solid(10, 10);
-  EXPECT_THROW(load(map, {.strain = 0}), InputError);
-  EXPECT_THROW(load(map, {.material = alike({1, 0.5})}), InputError);
-  EXPECT_THROW(load(map, {.material = alike({0, 0.3})}), InputError);
-  EXPECT_THROW(load(map, {.loading = statics::Loading::shear, .lower = statics::LowerEdge::sliding}), InputError);
 }
 
 }  // namespace

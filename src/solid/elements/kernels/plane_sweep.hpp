@@ -1,8 +1,12 @@
 #pragma once
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 
+#include "core/lanes.hpp"
 #include "solid/elements/kernels/kernels.hpp"
+#include "solid/elements/modes.hpp"
 #include "solid/statics/passes.hpp"
 
 /// The force of elements on their corners, row by row.
@@ -12,27 +16,29 @@
 /// below and above it. What elements do to the row above waits in a buffer, which stays in the nearest cache.
 namespace arenite::elements {
 
-template <class V> class Sweep {
+template <class V> class SweepInPlane {
  public:
   using T = typename V::Scalar;
   static constexpr int lanes = V::lanes;
   static constexpr int tile = 4096 / static_cast<int>(sizeof(T));
   static constexpr int pitch = tile + 2 * lanes;
 
-  Sweep(const Elements& elements, statics::Plane<const T> u)
+  SweepInPlane(const Elements& elements, statics::Plane<const T> u)
       : elements_(elements),
         grid_(elements.grid),
         words_(elements.words.data()),
         u_(u) {}
 
   template <class Row, class Then> [[gnu::always_inline]] void sweep(const Row& row, const Then& then) {
+    const int first = grid_.periodic ? -1 : 0;
     for (int x = 0; x < grid_.row_vectors() * Grid::vector; x += tile) {
       const int nodes = std::min(tile, grid_.row_vectors() * Grid::vector - x);
       std::memset(buffer_, 0, sizeof buffer_);
-      for (int y = 0; y < grid_.height; ++y) {
+      for (int y = first; y < grid_.height; ++y) {
         stretch(grid_.index(x, y), nodes, y);
+        if (y < 0) continue;
         row(y);
-        add(grid_.index(x, y), nodes, y, then);
+        add(x, nodes, y, then);
       }
     }
   }
@@ -59,38 +65,38 @@ template <class V> class Sweep {
       __builtin_prefetch(uy + k + 2 * stride);
       __builtin_prefetch(words + k + stride);
       const auto word = statics::Machine::Words<lanes>(words + k);
-      const V c11 = axial.template find<0>(word), c12 = cross.template find<0>(word), g = shear.template find<0>(word),
-              b = bending.template find<0>(word);
-      const Amplitudes u(ux + k, stride), v(uy + k, stride);
-      const V pull_x = fma(c11, u.gx, c12 * v.gy), pull_y = fma(c11, v.gy, c12 * u.gx), slide = g * (u.gy + v.gx);
-      const V bend_x = b * u.h, bend_y = b * v.h;
-      put(lx + k, rx + k, slide, pull_x - bend_x);
-      put(above_lx + k, above_rx + k, V(T(0)) - slide, pull_x + bend_x);
-      put(ly + k, ry + k, pull_y, slide - bend_y);
-      put(above_ly + k, above_ry + k, V(T(0)) - pull_y, slide + bend_y);
+      const ModesOf<2, V> m{axial.template find<0>(word), cross.template find<0>(word), shear.template find<0>(word),
+                            bending.template find<0>(word)};
+      Amplitudes<2, V> a{};
+      amplitudes(ux + k, stride, a.at[0]);
+      amplitudes(uy + k, stride, a.at[1]);
+      const Amplitudes<2, V> p = work_of(m, a);
+      const V *const x = p.at[0], *const z = p.at[1];
+      put(lx + k, rx + k, x[mode_y], x[mode_x] - x[mode_xy]);
+      put(above_lx + k, above_rx + k, V(T(0)) - x[mode_y], x[mode_x] + x[mode_xy]);
+      put(ly + k, ry + k, z[mode_y], z[mode_x] - z[mode_xy]);
+      put(above_ly + k, above_ry + k, V(T(0)) - z[mode_y], z[mode_x] + z[mode_xy]);
     }
   }
 
-  /// gx, gy and h of one component (Modes).
-  struct Amplitudes {
-    V gx, gy, h;
-    [[gnu::always_inline]] Amplitudes(const T* p, std::ptrdiff_t stride) {
-      const V low = V::load(p), low_right = V::load(p + 1), high = V::load(p + stride),
-              high_right = V::load(p + stride + 1);
-      const V below = low_right - low, above = high_right - high;
-      gx = below + above;
-      h = above - below;
-      gy = (high + high_right) - (low + low_right);
-    }
-  };
+  /// Of one component.
+  [[gnu::always_inline]] static void amplitudes(const T* p, std::ptrdiff_t stride, V* a) {
+    const V low = V::load(p), low_right = V::load(p + 1), high = V::load(p + stride),
+            high_right = V::load(p + stride + 1);
+    const V below = low_right - low, above = high_right - high;
+    a[mode_x] = below + above;
+    a[mode_xy] = above - below;
+    a[mode_y] = (high + high_right) - (low + low_right);
+  }
 
   [[gnu::always_inline]] static void put(T* left, T* right, V even, V odd) {
     (even + odd).store(left);
     (even - odd).store(right);
   }
 
-  template <class Then> [[gnu::always_inline]] void add(std::ptrdiff_t first, int nodes, int y, const Then& then) {
+  template <class Then> [[gnu::always_inline]] void add(int x0, int nodes, int y, const Then& then) {
     const statics::Plane<const T> u = u_;
+    const std::ptrdiff_t first = grid_.index(x0, y);
     const T *const lx = lower(left_x) + lanes, *const rx = lower(right_x) + lanes - 1,
                    *const ly = lower(left_y) + lanes, *const ry = lower(right_y) + lanes - 1;
     const T *const below_lx = upper(left_x, y + 1) + lanes, *const below_rx = upper(right_x, y + 1) + lanes - 1,
@@ -99,7 +105,9 @@ template <class V> class Sweep {
       const V x = (V::load(lx + k) + V::load(rx + k)) + (V::load(below_lx + k) + V::load(below_rx + k));
       const V z = (V::load(ly + k) + V::load(ry + k)) + (V::load(below_ly + k) + V::load(below_ry + k));
       const std::ptrdiff_t i = first + k;
-      then(i, statics::Force<V>{V::load(u.x + i), V::load(u.y + i)}, statics::Force<V>{x, z});
+      statics::Force<V> force{x, z};
+      if (grid_.periodic && x0 + k + lanes > grid_.width) statics::clear_beyond(grid_.width - x0 - k, force);
+      then(i, statics::Force<V>{V::load(u.x + i), V::load(u.y + i)}, force);
     }
   }
 
@@ -110,9 +118,9 @@ template <class V> class Sweep {
   alignas(64) T buffer_[12 * pitch];
 };
 
-struct ElementSweep {
+struct PlaneSweep {
   using Of = Elements;
-  template <class V> using At = Sweep<V>;
+  template <class V> using At = SweepInPlane<V>;
 };
 
 }  // namespace arenite::elements

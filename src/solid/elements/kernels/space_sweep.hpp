@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "core/lanes.hpp"
+#include "solid/elements/kernels/kernels.hpp"
+#include "solid/elements/modes.hpp"
 #include "solid/statics/passes.hpp"
-#include "solid/voxels/kernels/kernels.hpp"
-#include "solid/voxels/modes.hpp"
 
 /// The force of voxels on their corners, row by row.
 ///
@@ -15,16 +15,16 @@
 /// corners along four edges; a second pass adds up, for each node of the lower edge, the voxels on either side of it,
 /// before it and below it. What a row of voxels does to the nodes behind it waits in a buffer in the nearest cache,
 /// what a layer does to the nodes above it in one of a layer of the tile.
-namespace arenite::voxels {
+namespace arenite::elements {
 
-template <class V> class Sweep {
+template <class V> class SweepInSpace {
  public:
   using T = typename V::Scalar;
   static constexpr int lanes = V::lanes;
   static constexpr int tile = 512 / static_cast<int>(sizeof(T));
   static constexpr int pitch = tile + 2 * lanes;
 
-  Sweep(const Voxels& voxels, statics::PointersIn<3, const T> u)
+  SweepInSpace(const Voxels& voxels, statics::PointersIn<3, const T> u)
       : voxels_(voxels),
         grid_(voxels.grid),
         u_(u),
@@ -66,11 +66,12 @@ template <class V> class Sweep {
                *const front_of_high = edge(front_high, y), *const back_of_high = edge(back_high, y);
     for (int k = 0; k < nodes + lanes; k += lanes) {
       const auto word = statics::Machine::Words<lanes>(words + k);
-      const ModesOf<V> m{axial.template find<0>(word), cross.template find<0>(word),  shear.template find<0>(word),
-                         along.template find<0>(word), across.template find<0>(word), trilinear.template find<0>(word)};
-      Amplitudes<V> a{};
+      const ModesOf<3, V> m{axial.template find<0>(word),  cross.template find<0>(word),
+                            shear.template find<0>(word),  along.template find<0>(word),
+                            across.template find<0>(word), trilinear.template find<0>(word)};
+      Amplitudes<3, V> a{};
       statics::by_component<3>([&](int c) { amplitudes(u_[c] + begin + k, stride, layer, a.at[c]); });
-      const Amplitudes<V> p = work_of(m, a);
+      const Amplitudes<3, V> p = work_of(m, a);
       statics::by_component<3>([&](int c) {
         const V* const q = p.at[c];
         put(front_of_low, c, k, (q[mode_yz] - q[mode_y]) - q[mode_z],
@@ -132,17 +133,10 @@ template <class V> class Sweep {
       });
       if (z < 0) continue;
       const std::ptrdiff_t i = first + k;
-      if (grid_.periodic && x + k + lanes > grid_.width) clear_beyond(grid_.width - x - k, force);
+      if (grid_.periodic && x + k + lanes > grid_.width) statics::clear_beyond(grid_.width - x - k, force);
       statics::by_component<3>([&](int c) { own[c] = V::load(u_[c] + i); });
       then(i, own, force);
     }
-  }
-
-  /// Nodes that repeat the first ones of a period feel nothing.
-  [[gnu::always_inline]] static void clear_beyond(int inside, statics::ForceIn<3, V>& force) {
-    T mask[lanes];
-    for (int k = 0; k < lanes; ++k) mask[k] = T(k < inside ? 1 : 0);
-    statics::by_component<3>([&](int c) { force[c] = V::load(mask) * force[c]; });
   }
 
   const Voxels& voxels_;
@@ -152,9 +146,9 @@ template <class V> class Sweep {
   alignas(64) T edge_[8][6][pitch];  ///< [edge, behind: of even and odd rows][left and right of each component]
 };
 
-struct VoxelSweep {
+struct SpaceSweep {
   using Of = Voxels;
-  template <class V> using At = Sweep<V>;
+  template <class V> using At = SweepInSpace<V>;
 };
 
-}  // namespace arenite::voxels
+}  // namespace arenite::elements

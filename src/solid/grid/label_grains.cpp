@@ -1,4 +1,4 @@
-#include "solid/voxels/label_grains.hpp"
+#include "solid/grid/label_grains.hpp"
 
 #include <array>
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 #include "core/joined_sets.hpp"
 
-namespace arenite::voxels {
+namespace arenite::grid {
 
 void label_grains(VoxelMap& map) {
   JoinedSets sets(map.size());
@@ -37,4 +37,4 @@ void label_alike(VoxelMap& map) {
   map.grain_class.assign(1, GrainClass::none);
 }
 
-}  // namespace arenite::voxels
+}  // namespace arenite::grid

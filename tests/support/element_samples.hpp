@@ -8,15 +8,26 @@
 #include "core/random.hpp"
 #include "core/vec.hpp"
 #include "model/voxel_map.hpp"
-#include "solid/voxels/voxels.hpp"
+#include "solid/elements/elements.hpp"
 
 namespace arenite::test {
 
-inline voxels::Material alike(elements::Constants c, elements::Element element = elements::Element::wilson) {
-  return {c, c, c, element};
+inline elements::Material alike(elements::Constants c, elements::Element element = elements::Element::wilson,
+                                elements::PlaneState plane = elements::PlaneState::stress) {
+  return {c, c, c, element, plane};
 }
-inline voxels::Material two_phases() { return {{1, 0.3}, {1.5, 0.2}, {4, 0.25}}; }
+inline elements::Material two_phases() { return {{1, 0.3}, {1.5, 0.2}, {4, 0.25}}; }
 
+/// All of one phase; particles are one grain.
+inline PhaseMap solid(int width, int height, Phase phase = Phase::matrix) {
+  PhaseMap map = make_phase_map(width, height, 1e-3);
+  std::ranges::fill(map.phase, phase);
+  if (phase == Phase::particle) {
+    map.grain_class = {GrainClass::none};
+    std::ranges::fill(map.grain, 0);
+  }
+  return map;
+}
 inline VoxelMap solid(int width, int height, int depth, double dx = 1) {
   VoxelMap map = make_voxel_map(width, height, depth, dx);
   std::ranges::fill(map.phase, Phase::matrix);

@@ -1,4 +1,4 @@
-#include "solid/voxels/voxels.hpp"
+#include "solid/elements/elements.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,14 +9,16 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "solid/elements/kernels/kernels.hpp"
 #include "solid/statics/halo.hpp"
-#include "solid/voxels/kernels/kernels.hpp"
-#include "support/voxel_samples.hpp"
+#include "support/element_samples.hpp"
 
-namespace arenite::voxels {
+namespace arenite::elements::elements_in_space_test {
 namespace {
 
 using Matrix = std::vector<std::vector<double>>;
+using Kernels = KernelsIn<3>;
+template <class T> using Field = FieldIn<3, T>;
 using test::alike;
 using test::solid;
 
@@ -78,8 +80,8 @@ TEST(Voxels, OneIsTheMatrixThatQuadratureGives) {
   for (const Element element : {Element::wilson, Element::full})
     for (const double nu : {-0.3, 0.0, 0.1, 0.3, 0.45}) {
       const Matrix expected = by_quadrature({2.5, nu}, element == Element::wilson);
-      const Voxels one = make_voxels(solid(1, 1, 1), alike({2.5, nu}, element));
-      const auto steps = one.corners();
+      const Voxels one = make_elements<3>(solid(1, 1, 1), alike({2.5, nu}, element));
+      const auto steps = one.steps();
       const std::ptrdiff_t i = one.grid.index(0, 0, 0);
       for (std::size_t b = 0; b < 24; ++b) {
         Field<double> u(one.grid.padded_size());
@@ -93,11 +95,11 @@ TEST(Voxels, OneIsTheMatrixThatQuadratureGives) {
 }
 
 TEST(Voxels, BlocksOfCornersAreWhatTheKernelGives) {
-  const Voxels one = make_voxels(solid(1, 1, 1), alike({2.5, 0.3}));
+  const Voxels one = make_elements<3>(solid(1, 1, 1), alike({2.5, 0.3}));
   const Matrix expected = by_quadrature({2.5, 0.3}, true);
   for (int c = 0; c < 8; ++c)
     for (int d = 0; d < 8; ++d) {
-      const auto block = corner_block(one.modes[matrix], c, d);
+      const auto block = corner_block<3>(one.modes[matrix], c, d);
       for (std::size_t a = 0; a < 3; ++a)
         for (std::size_t b = 0; b < 3; ++b)
           EXPECT_NEAR(block[a][b], expected[static_cast<std::size_t>(3 * c) + a][static_cast<std::size_t>(3 * d) + b],
@@ -106,7 +108,7 @@ TEST(Voxels, BlocksOfCornersAreWhatTheKernelGives) {
 }
 
 TEST(Voxels, LinearFieldsLeaveNoForceInside) {
-  const Voxels voxels = make_voxels(solid(37, 9, 6), alike({1, 0.3}));
+  const Voxels voxels = make_elements<3>(solid(37, 9, 6), alike({1, 0.3}));
   Field<double> u(voxels.grid.padded_size());
   for (int z = 0; z < voxels.grid.depth; ++z)
     for (int y = 0; y < voxels.grid.height; ++y)
@@ -127,7 +129,7 @@ TEST(Voxels, LinearFieldsLeaveNoForceInside) {
 
 /// A sample with voids and two grains, wider than a tile of every kernel.
 Voxels mixed(bool periodic = false) {
-  return make_voxels(test::random_voxels(150, 11, 9), test::two_phases(), periodic);
+  return make_elements<3>(test::random_voxels(150, 11, 9), test::two_phases(), periodic);
 }
 
 Field<double> noise(const Grid& grid, std::uint64_t seed) {
@@ -144,15 +146,15 @@ TEST(Voxels, TheKernelIsTheSumOfVoxels) {
     const Voxels voxels = mixed(periodic);
     Field<double> u = noise(voxels.grid, 1), expected(voxels.grid.padded_size());
     statics::close_period(voxels.grid, u);
-    for (int z = 0; z < voxels.depth; ++z)
-      for (int y = 0; y < voxels.height; ++y)
-        for (int x = 0; x < voxels.width; ++x) {
+    for (int z = 0; z < voxels.cells[2]; ++z)
+      for (int y = 0; y < voxels.cells[1]; ++y)
+        for (int x = 0; x < voxels.cells[0]; ++x) {
           const Kind kind = voxels.kind(voxels.grid.index(x, y, z));
           if (kind == none) continue;
           const auto node = [&](int c) { return voxels.node(x + (c & 1), y + (c >> 1 & 1), z + (c >> 2)); };
           for (int c = 0; c < 8; ++c)
             for (int d = 0; d < 8; ++d) {
-              const auto block = corner_block(voxels.modes[kind], c, d);
+              const auto block = corner_block<3>(voxels.modes[kind], c, d);
               for (int a = 0; a < 3; ++a)
                 for (int b = 0; b < 3; ++b)
                   expected[a][node(c)] -=
@@ -160,7 +162,7 @@ TEST(Voxels, TheKernelIsTheSumOfVoxels) {
             }
         }
     for (const char* name : {"portable", "avx2", "avx512"}) {
-      const Kernels* kernels = kernels_named(name);
+      const Kernels* kernels = kernels_named<3>(name);
       if (!kernels) continue;
       const Field<double> f = applied(voxels, *kernels, u);
       voxels.grid.each([&](std::ptrdiff_t i, int) { ASSERT_LT(norm(f.at(i) - expected.at(i)), 1e-12) << name; });
@@ -170,7 +172,7 @@ TEST(Voxels, TheKernelIsTheSumOfVoxels) {
 
 TEST(Voxels, TheBlockDiagonalIsWhatANodeFeelsOfItsOwnMotion) {
   const Voxels voxels = mixed();
-  const BlockDiagonal diagonal = block_diagonal(voxels);
+  const auto diagonal = block_diagonal(voxels);
   for (const auto [x, y, z] : {std::array{3, 4, 5}, std::array{149, 0, 0}, std::array{70, 11, 9}}) {
     const std::ptrdiff_t i = voxels.grid.index(x, y, z);
     for (int b = 0; b < 3; ++b) {
@@ -184,17 +186,17 @@ TEST(Voxels, TheBlockDiagonalIsWhatANodeFeelsOfItsOwnMotion) {
 
 TEST(Voxels, TheEnergyOfHatsIsTheEnergyOfVoxels) {
   const VoxelMap map = test::random_voxels(21, 13, 10);
-  const Voxels voxels = make_voxels(map, test::two_phases());
+  const Voxels voxels = make_elements<3>(map, test::two_phases());
   for (const std::uint8_t bottom : {statics::z_prescribed, statics::all_prescribed}) {
     std::vector<std::uint8_t> prescribed(static_cast<std::size_t>(voxels.grid.depth), statics::nothing_prescribed);
     prescribed.front() = bottom;
     prescribed.back() = statics::all_prescribed;
-    const Aggregates cut = cut_into_aggregates(map, voxels, prescribed, 4);
+    const Aggregates cut = cut_into_aggregates<3>(map, voxels, prescribed, 4);
     RandomStream random(3, Purpose::test);
     std::vector<std::array<Vec3, 8>> corner(cut.list.size());
     for (auto& values : corner)
       for (Vec3& v : values) v = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-    const statics::HatTable hats(4);
+    const statics::HatTableIn<3> hats(4);
     Field<double> u(voxels.grid.padded_size());
     for (int z = 0; z < voxels.grid.depth; ++z)
       for (int y = 0; y < voxels.grid.height; ++y)
@@ -227,4 +229,4 @@ TEST(Voxels, TheEnergyOfHatsIsTheEnergyOfVoxels) {
 }
 
 }  // namespace
-}  // namespace arenite::voxels
+}  // namespace arenite::elements::elements_in_space_test

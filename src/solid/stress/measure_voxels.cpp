@@ -1,4 +1,4 @@
-#include "solid/voxels/measure.hpp"
+#include "solid/stress/measure_voxels.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,32 +8,17 @@
 #include "core/problems.hpp"
 #include "solid/stress/component_statistics.hpp"
 
-namespace arenite::voxels {
+namespace arenite::stress {
 
 using statistics::described;
 
-Numbers map_numbers(const VoxelMap& map) {
-  std::array<double, 3> count{};
-  for (const Phase phase : map.phase) count[static_cast<std::size_t>(phase)] += 1;
-  const auto share = [&](Phase phase) {
-    return count[static_cast<std::size_t>(phase)] / static_cast<double>(map.size());
-  };
-  return {{"voxels", described({map.width, map.height, map.depth}, "", "Voxels along x, y and z")},
-          {"dx_m", described(map.dx, "m", "Side of a voxel")},
-          {"phases",
-           {{"void", described(share(Phase::empty), "", "Fraction of the volume that is void")},
-            {"matrix", described(share(Phase::matrix), "", "Fraction of the volume in matrix")},
-            {"particle", described(share(Phase::particle), "", "Fraction of the volume in grains")}}},
-          {"grains", described(map.grain_class.size(), "", "Grains")}};
-}
-
-Numbers measure(const VoxelMap& map, const VoxelStress& field, const StressOptions& options,
+Numbers measure(const VoxelMap& map, const VoxelStress& field, const VoxelStressOptions& options,
                 std::vector<std::string>& notes) {
   const int first = options.clamp_layers, layers = map.depth - 2 * first, k = options.blocks;
   if (layers < 1)
     throw refusal("leaving out {} layers at each clamp leaves none of the map's {}; leave out fewer", first, map.depth);
-  stress::Selection selection;
-  selection.set.assign(map.size(), stress::NodeSet::left_out);
+  Selection selection;
+  selection.set.assign(map.size(), NodeSet::left_out);
   selection.block.assign(map.size(), 0);
   selection.blocks = k * k * k;
   selection.block_area.assign(static_cast<std::size_t>(selection.blocks), 0);
@@ -47,17 +32,17 @@ Numbers measure(const VoxelMap& map, const VoxelStress& field, const StressOptio
         selection.block_area[static_cast<std::size_t>(block)] += 1;
         if (map.phase[i] == Phase::empty) continue;
         const bool particle = map.phase[i] == Phase::particle;
-        selection.set[i] = stress::set_of(
-            map.phase[i], particle ? map.grain_class[static_cast<std::size_t>(map.grain[i])] : GrainClass::none);
+        selection.set[i] =
+            set_of(map.phase[i], particle ? map.grain_class[static_cast<std::size_t>(map.grain[i])] : GrainClass::none);
         ++selection.nodes;
       }
   const std::vector<float>& values = options.shear ? field.xz : field.zz;
   const std::string name = options.shear ? "sigma_xz" : "sigma_zz";
   Numbers numbers{{"nodes", described(selection.nodes, "", "Voxels of particles and matrix that are considered")}};
-  Numbers component = stress::component_statistics(
+  Numbers component = component_statistics(
       selection, name, [&](std::size_t n) { return static_cast<double>(values[n]); }, false, notes);
   if (component.is_known()) numbers[name] = std::move(component);
   return numbers;
 }
 
-}  // namespace arenite::voxels
+}  // namespace arenite::stress
