@@ -109,7 +109,7 @@ std::optional<campaign::StudyFolder> LedgerStudies::folder(const std::string& na
   const auto& only = arguments_.only;
   if (!source || (!only.empty() && std::ranges::count(only, name) == 0)) return std::nullopt;
   if (arguments_.read_only && source->has_runs() && !fs::exists(out_ / name)) return std::nullopt;
-  return campaign::StudyFolder(out_ / name);
+  return campaign::StudyFolder(out_ / name, out_ / "store");  // what two studies make alike is made once
 }
 
 const validation::SeededStudy* LedgerStudies::find(const std::string& name) {

@@ -204,7 +204,7 @@ const std::vector<Claim>& claims() {
        "Full samples: the largest stresses are about twice the mean; the mean stress of the matrix is below, that of "
        "large grains above the sample's mean, and the pdf of large grains is narrower than that of small ones",
        "about 2",
-       {"paper", "paper-choices", "paper-loads"},
+       {"paper", "paper-choices", "paper-loads", "paper-elements"},
        "stress-full",
        judge_p5},
       {"P6",
@@ -212,7 +212,7 @@ const std::vector<Claim>& claims() {
        "Full samples: the mean stress in large grains is about 1.07 times that of the sample for any gamma; in small "
        "grains it falls with gamma to below 1",
        "1.07; below 1",
-       {"paper", "paper-choices", "paper-loads"},
+       {"paper", "paper-choices", "paper-loads", "paper-elements"},
        "means",
        judge_p6},
       {"P7",
@@ -220,14 +220,14 @@ const std::vector<Claim>& claims() {
        "Full samples: the variance of stress in large grains is linear in the standard deviation of single-pore "
        "volume, with one line for all theta",
        "linear",
-       {"paper", "paper-choices", "paper-loads"},
+       {"paper", "paper-choices", "paper-loads", "paper-elements"},
        "variance-pores",
        judge_p7},
       {"P8",
        "paper IV.A, figure 12a",
        "Full samples: the variance of stress in large grains falls with Z_ls",
        "falls",
-       {"paper", "paper-choices", "paper-loads"},
+       {"paper", "paper-choices", "paper-loads", "paper-elements"},
        "variance-contacts",
        judge_p8},
       {"P9",
@@ -235,7 +235,7 @@ const std::vector<Claim>& claims() {
        "Partly filled samples: stress tails are exponential in large and small grains; their slope s grows with S_m, "
        "and the effect of gamma on s grows with S_m; the pdf of the matrix is broad and has no peak at low S_m",
        "exponential",
-       {"paper", "paper-choices", "paper-loads"},
+       {"paper", "paper-choices", "paper-loads", "paper-elements"},
        "tails",
        judge_p9},
       {"P10",
@@ -243,7 +243,7 @@ const std::vector<Claim>& claims() {
        "Partly filled samples: the highest stresses are in small grains; the less matrix there is, the larger the "
        "fraction of it above the mean stress",
        "-",
-       {"paper", "paper-choices", "paper-loads"},
+       {"paper", "paper-choices", "paper-loads", "paper-elements"},
        "stress-partial",
        judge_p10},
       {"P11",
@@ -257,7 +257,7 @@ const std::vector<Claim>& claims() {
        "paper IV, not shown",
        "q of the q-Gaussian grows with gamma; excess kurtosis in large grains is highest at the largest gamma",
        "-",
-       {"paper", "paper-choices", "paper-loads"},
+       {"paper", "paper-choices", "paper-loads", "paper-elements"},
        "shape",
        judge_p12},
   };

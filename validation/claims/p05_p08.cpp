@@ -5,6 +5,7 @@
 #include "validation/claims/claims.hpp"
 #include "validation/claims/paper_checks.hpp"
 #include "validation/claims/paper_choices.hpp"
+#include "validation/claims/paper_elements.hpp"
 #include "validation/claims/paper_errors.hpp"
 #include "validation/claims/paper_loads.hpp"
 
@@ -119,6 +120,7 @@ Judgement judge_p5(const Results& results) {
   }
   add_compression(j, results);
   add_shear(j, results, asked_p5);
+  add_elements(j, results, asked_p5);
   for (const double gamma : {1.0, 5.0})
     add_choices(j, results, fmt::format("99.99 % quantile over the mean, gamma {:g}, theta 1.4", gamma),
                 at("all", "quantiles.99.99 %", gamma, 1.4), wanted_between(1.8, 2.2));
@@ -141,6 +143,7 @@ Judgement judge_p6(const Results& results) {
                     gammas(small).back(),
                     text_of(overall(only(small, [&](const PairMean& m) { return m.gamma == gammas(small).back(); }))));
   add_shear(j, results, asked_p6);
+  add_elements(j, results, asked_p6);
   for (const double theta : {1.4, 6.0}) {
     const auto in_small = [=](double gamma) { return at("small", "mean_over_sample_mean", gamma, theta); };
     add_choices(j, results, fmt::format("Mean in small grains at gamma 5, theta {:g}", theta), in_small(5),
@@ -166,6 +169,7 @@ Judgement judge_p7(const Results& results) {
     j.checks.push_back(reported(fmt::format("R^2 of the line at theta {:g}", theta),
                                 when_three({of_theta(xy[0], theta), xy[1]}, straight_r2)));
   add_shear(j, results, asked_p7);
+  add_elements(j, results, asked_p7);
   add_choices(j, results, "R^2 of one line through the pairs", line_through_all, wanted_above(0.9));
   return j;
 }
@@ -176,6 +180,7 @@ Judgement judge_p8(const Results& results) {
   Judgement j;
   j.checks = asked_p8(samples);
   add_shear(j, results, asked_p8);
+  add_elements(j, results, asked_p8);
   add_choices(j, results, "Rank correlation of variance and Z_ls over the pairs", rank_with_contacts,
               wanted_below(-0.85));
   return j;

@@ -6,6 +6,7 @@
 #include "validation/claims/claims.hpp"
 #include "validation/claims/paper_checks.hpp"
 #include "validation/claims/paper_choices.hpp"
+#include "validation/claims/paper_elements.hpp"
 #include "validation/claims/paper_loads.hpp"
 #include "validation/claims/tail_growth.hpp"
 #include "validation/pooled.hpp"
@@ -138,6 +139,7 @@ Judgement judge_p9(const Results& results) {
   Judgement j;
   j.checks = asked_p9(samples);
   add_shear(j, results, asked_p9);
+  add_elements(j, results, asked_p9);
   for (const std::string set : classes) {
     for (const double width : {0.2, 1.0})
       for (const double gamma : {1.0, 5.0})
@@ -164,6 +166,7 @@ Judgement judge_p10(const Results& results) {
         beside(on_the_whole(fmt::format("largest node, small minus large grains, eta {:g}", width),
                             "highest in small grains", members(small_less_large(samples, "maximum", width)), +1)));
   add_shear(j, results, asked_p10);
+  add_elements(j, results, asked_p10);
   for (const double width : {0.2, 1.0})
     add_choices(
         j, results, fmt::format("99.9 % quantile in small minus large grains, eta {:g}, gamma 5, theta 1.4", width),

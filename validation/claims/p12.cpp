@@ -3,6 +3,7 @@
 #include "validation/claims/claims.hpp"
 #include "validation/claims/paper_checks.hpp"
 #include "validation/claims/paper_choices.hpp"
+#include "validation/claims/paper_elements.hpp"
 #include "validation/claims/paper_loads.hpp"
 
 namespace arenite::validation {
@@ -48,6 +49,7 @@ Judgement judge_p12(const Results& results) {
   Judgement j;
   j.checks = asked_p12(samples);
   add_shear(j, results, asked_p12);
+  add_elements(j, results, asked_p12);
   for (const double theta : {1.4, 6.0}) {
     add_choices(
         j, results, fmt::format("Slope of q against gamma, theta {:g}", theta),
