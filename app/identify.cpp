@@ -7,7 +7,7 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "print.hpp"
-#include "workflow/identify_keys.hpp"
+#include "workflow/identify/identify_keys.hpp"
 
 namespace arenite::app {
 namespace {

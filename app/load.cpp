@@ -57,18 +57,26 @@ workflow::MapOutcome carry_out(const LoadArguments& a, const recipe::MapSection&
   } catch (const InputError& error) { throw in_file(error, a.file); }
 }
 
+void tell(const LoadArguments& a, const ResultHead& result, const Numbers& numbers) {
+  if (a.json) print("{}\n", to_json(report::field_numbers(result, numbers), 2));
+  else print("{}", report::field_summary(result, numbers));
+}
+
 int execute_in_space(const LoadArguments& a, const recipe::MapSection& map, const recipe::Load& load) {
   ProgressLine line(a.quiet || a.json);
   const workflow::RunOptions options = options_of(a, line);
   watch_for_signals();
-  const auto [result, field, file] = workflow::load_voxels(map, load, options);
+  const auto [result, file] = workflow::load_voxels(map, load, options);
   if (!result) {
     print(stderr, "stopped; nothing was stored\n");
     return other_failure;
   }
-  if (a.json) print("{}\n", to_json(result->numbers, 2));
-  else print("{}", report::voxel_summary(load.name, *result));
-  if (!a.json && !file.empty()) print("\nfield:   {}\nnumbers: {}\n", field.string(), file.string());
+  tell(a, *result, result->numbers);
+  if (!a.out.empty()) {
+    const fs::path page = fs::path(a.out) / "report.html";
+    report::write_page(page, {.voxels = {&*result, 1}});
+    if (!a.json) print("\nresult: {}\npage:   {}\n", file.string(), page.string());
+  }
   return result->converged ? done : not_converged;
 }
 
@@ -85,7 +93,7 @@ int execute(const LoadArguments& a) {
     else print(stderr, "stopped; nothing was stored\n");
     return other_failure;
   }
-  print("{}", a.json ? to_json(report::field_numbers(*field), 2) + "\n" : report::field_summary(*field));
+  tell(a, *field, field->numbers);
   if (!a.out.empty()) {
     const fs::path page = fs::path(a.out) / "report.html";
     report::write_page(page, {.fields = {&*field, 1}, .measured = &measured});

@@ -12,7 +12,7 @@
 #include "io/results/results.hpp"
 #include "recipe/recipe.hpp"
 #include "report/figures/drawing.hpp"
-#include "report/live_figures.hpp"
+#include "report/figures/live_figures.hpp"
 #include "report/page.hpp"
 #include "report/study_page.hpp"
 #include "workflow/state_of_now.hpp"
@@ -108,7 +108,7 @@ void WatchState::read_now() {
   const auto written = fs::last_write_time(file, error);
   if (error || written == now_written_ || fs::file_size(file, error) > cheap) return;
   try {
-    figures_ = report::live_figures(io::read_stage(file), before_ ? &*before_ : nullptr);
+    figures_ = report::figures::live_figures(io::read_stage(file), before_ ? &*before_ : nullptr);
     now_written_ = written;
     ++at_;
   } catch (const InputError&) {  // the run has just replaced it, or its stage has ended

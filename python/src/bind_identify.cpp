@@ -3,7 +3,7 @@
 #include "calls.hpp"
 #include "keywords.hpp"
 #include "module.hpp"
-#include "workflow/identify_keys.hpp"
+#include "workflow/identify/identify_keys.hpp"
 
 namespace arenite::python {
 namespace {

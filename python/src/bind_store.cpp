@@ -23,6 +23,7 @@ namespace arenite::python {
 namespace {
 
 Numbers numbers_of(const Result& r) {
+  if (!r.voxels.empty()) return report::field_numbers(r.voxels.back(), r.voxels.back().numbers);
   return r.films.empty() ? report::Summary(r.run).numbers() : report::film_numbers(r.films.back());
 }
 
@@ -141,8 +142,9 @@ StageResult load_stage(const Packing& packing, Recipe recipe, const py::object& 
 void bind_store(py::module_& m) {
   py::class_<Result>(m, "Result", "Contents of a folder or file of results, or parts computed separately.")
       .def(py::init(&result_of), py::arg("stages") = std::vector<StageResult>{},
-           py::arg("fields") = std::vector<FieldResult>{}, py::arg("films") = std::vector<FilmResult>{}, py::kw_only(),
-           py::arg("title") = "", "Parts (copied) as one result, for figures, `save`, `page` and `export`.")
+           py::arg("fields") = std::vector<FieldResult>{}, py::arg("films") = std::vector<FilmResult>{},
+           py::arg("voxels") = std::vector<VoxelResult>{}, py::kw_only(), py::arg("title") = "",
+           "Parts (copied) as one result, for figures, `save`, `page` and `export`.")
       .def_readonly("path", &Result::path, "Path it was read from; empty if assembled from parts.")
       .def_readonly("title", &Result::title, "Title of the recipe.")
       .def_property_readonly(
@@ -154,6 +156,7 @@ void bind_store(py::module_& m) {
           "fields", [](const Result& r) -> const std::vector<FieldResult>& { return r.run.fields; },
           "The cemented sample and its loads.")
       .def_readonly("films", &Result::films, "Results of films.")
+      .def_readonly("voxels", &Result::voxels, "Samples in space under load.")
       .def_property_readonly(
           "numbers", [](const Result& r) { return to_python(numbers_of(r)); },
           "As `arenite show --json` prints them; the end of a name is its unit.")
@@ -192,12 +195,14 @@ void bind_store(py::module_& m) {
         return names_of(call.without_lock([&] { return save(result, folder); }));
       },
       py::arg("result"), py::arg("folder"),
-      "Stores a Result, Stage, Field, FilmResult or Packing as result files in a folder, which `open`, `arenite show`, "
+      "Stores a Result, Stage, Field, FilmResult, VoxelResult or Packing as result files in a folder, which `open`, "
+      "`arenite show`, "
       "`arenite export` and `arenite figures` read; returns the files. Other results in the folder are moved to "
       "earlier/.");
   m.def("export", &exported, py::arg("result"), py::arg("folder"), py::arg("format") = "vtk", py::kw_only(),
         py::arg("last") = false,
-        "Writes a result (its folder or file, a Result, Stage, Field, FilmResult or Packing) as `arenite export` does, "
+        "Writes a result (its folder or file, a Result, Stage, Field, FilmResult, VoxelResult or Packing) as `arenite "
+        "export` does, "
         "in one of the formats in docs/formats.md; returns the files. `last`: the last state only.");
   m.def(
       "page",
@@ -206,12 +211,14 @@ void bind_store(py::module_& m) {
         Call call;
         call.without_lock([&] {
           const auto& stages = result.run.stages.empty() ? result.companion : result.run.stages;
-          report::write_page(file, {result.title, stages, result.run.fields, result.films, &result.run.measured});
+          report::write_page(
+              file, {result.title, stages, result.run.fields, result.films, result.voxels, &result.run.measured});
           return 0;
         });
       },
       py::arg("result"), py::arg("file"),
-      "Writes the page (self-contained HTML) of a Result, Stage, Field, FilmResult or Packing, or of a folder of "
+      "Writes the page (self-contained HTML) of a Result, Stage, Field, FilmResult, VoxelResult or Packing, or of a "
+      "folder of "
       "results.");
 }
 

@@ -63,8 +63,8 @@ VoxelMap voxel_map_in(const Path& file, const std::optional<Quantity>& dx, const
   return call.without_lock([&] { return workflow::read_voxels(map, [](const std::string&) {}); });
 }
 
-workflow::VoxelResult loaded_voxels(const VoxelMap& map, const std::string& loading, const Progress& progress,
-                                    const py::kwargs& more) {
+VoxelResult loaded_voxels(const VoxelMap& map, const std::string& loading, const Progress& progress,
+                          const py::kwargs& more) {
   const recipe::Load load = load_of("load_voxels", loading, more);
   Call call;
   auto result = call.without_lock([&] {
@@ -73,7 +73,7 @@ workflow::VoxelResult loaded_voxels(const VoxelMap& map, const std::string& load
       return !call.asked_to_stop();
     });
   });
-  return result ? std::move(*result) : workflow::VoxelResult{};
+  return result ? std::move(*result) : VoxelResult{};
 }
 
 template <class T>
@@ -81,12 +81,12 @@ py::array_t<T> volume_view(const std::vector<T>& values, int depth, int height, 
   return shaped_view<T, 3>(values, {depth, height, width}, owner);
 }
 
-void def_component(py::class_<workflow::VoxelResult>& c, const char* name, std::vector<float> VoxelStress::*member,
+void def_component(py::class_<VoxelResult>& c, const char* name, std::vector<float> VoxelStress::*member,
                    const char* sentence) {
   c.def_property_readonly(
       name,
       [member](const py::object& self) {
-        const VoxelStress& field = self.cast<const workflow::VoxelResult&>().field;
+        const VoxelStress& field = self.cast<const VoxelResult&>().field;
         return volume_view(field.*member, field.depth, field.height, field.width, self);
       },
       sentence);
@@ -125,10 +125,10 @@ void bind_voxels(py::module_& m) {
         return "<arenite.VoxelMap " + std::to_string(map.width) + " x " + std::to_string(map.height) + " x " +
                std::to_string(map.depth) + ">";
       });
-  using workflow::VoxelResult;
   py::class_<VoxelResult> result(m, "VoxelResult", "A sample in space under load.");
   result.def_readonly("converged", &VoxelResult::converged, "Whether equilibrium was found.")
       .def_readonly("outcome", &VoxelResult::outcome, "How it ended, in words.")
+      .def_readonly("map", &VoxelResult::map, "The sample.")
       .def_property_readonly(
           "numbers", [](const VoxelResult& r) { return to_python(r.numbers); },
           "Modulus, forces, statistics by phase, effective stiffness; as `arenite load --json` prints them.");

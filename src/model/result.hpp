@@ -11,6 +11,7 @@
 #include "model/measuring.hpp"
 #include "model/packing.hpp"
 #include "model/phase_map.hpp"
+#include "model/voxel_map.hpp"
 #include "statistics/numbers.hpp"
 
 namespace arenite {
@@ -158,6 +159,14 @@ struct FieldResult : ResultHead {
   History curve;        ///< of a test to failure: "strain", "stress", "work", "elastic", "released", "broken"
   std::vector<Crack> cracks;  ///< in the order of breaking
   Numbers numbers;            ///< report and statistics as `show --json` gives them
+};
+
+/// A sample in space under load. One file in the store.
+struct VoxelResult : ResultHead {
+  VoxelMap map;
+  VoxelStress field;
+  History convergence;  ///< columns "iteration", "residual"
+  Numbers numbers;      ///< of the sample, the load and its stresses, as `show --json` gives them
 };
 
 }  // namespace arenite

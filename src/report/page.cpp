@@ -43,6 +43,7 @@ std::string title_of(const PageData& data) {
   if (!data.films.empty()) return made_by(data.films.front().provenance, "film", "");
   if (!data.stages.empty()) return data.stages.front().provenance.title;
   if (!data.fields.empty()) return made_by(data.fields.front().provenance, "map", data.fields.front().name + " of ");
+  if (!data.voxels.empty()) return made_by(data.voxels.front().provenance, "map", data.voxels.front().name + " of ");
   return {};
 }
 
@@ -63,13 +64,15 @@ void write_page(const std::filesystem::path& path, const std::vector<std::filesy
   std::vector<StageResult> stages;
   std::vector<FieldResult> fields;
   std::vector<FilmResult> films;
+  std::vector<VoxelResult> voxels;
   for (const auto& file : files) {
     auto any = workflow::read_result(file);
     if (auto* stage = std::get_if<StageResult>(&any)) stages.push_back(std::move(*stage));
     else if (auto* field = std::get_if<FieldResult>(&any)) fields.push_back(std::move(*field));
+    else if (auto* sample = std::get_if<VoxelResult>(&any)) voxels.push_back(std::move(*sample));
     else films.push_back(std::move(std::get<FilmResult>(any)));
   }
-  write_page(path, {.title = title, .stages = stages, .fields = fields, .films = films});
+  write_page(path, {.title = title, .stages = stages, .fields = fields, .films = films, .voxels = voxels});
 }
 
 }  // namespace arenite::report

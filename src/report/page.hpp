@@ -13,13 +13,14 @@ struct KnownStatistics;
 namespace arenite::report {
 
 /// What a result holds, wherever it comes from: a run that has just ended, a folder, parts put together. Any part may
-/// be missing. The page shows the stages in their order; results on a grid follow, then films, each on a tab of its
-/// own.
+/// be missing. The page shows the stages in their order; results on a grid follow, then films, then samples in space,
+/// each on a tab of its own.
 struct PageData {
   std::string title{};  ///< if empty, title_of
   std::span<const StageResult> stages{};
   std::span<const FieldResult> fields{};
   std::span<const FilmResult> films{};
+  std::span<const VoxelResult> voxels{};
   const workflow::KnownStatistics* measured = nullptr;  ///< what the run measured of these already; unset: nothing
 };
 

@@ -189,7 +189,8 @@ Summary::Summary(const std::filesystem::path& result) {
   for (const auto& file : io::stage_files(result)) {
     auto any = workflow::read_result(file);
     if (auto* film = std::get_if<FilmResult>(&any)) films_.push_back(std::move(*film));
-    else if (const auto* field = std::get_if<FieldResult>(&any)) add(file, *field);
+    else if (const auto* field = std::get_if<FieldResult>(&any)) add(file, *field, field->numbers);
+    else if (const auto* voxels = std::get_if<VoxelResult>(&any)) add(file, *voxels, voxels->numbers);
     else add(file, std::get<StageResult>(any));
   }
 }
@@ -197,7 +198,7 @@ Summary::Summary(const std::filesystem::path& result) {
 Summary::Summary(const workflow::RunOutcome& outcome) {
   auto file = outcome.files.begin();
   for (const StageResult& stage : outcome.stages) add(*file++, stage);
-  for (const FieldResult& field : outcome.fields) add(*file++, field);
+  for (const FieldResult& field : outcome.fields) add(*file++, field, field.numbers);
 }
 
 void Summary::add(const std::filesystem::path& file, const StageResult& stage) {
@@ -206,8 +207,8 @@ void Summary::add(const std::filesystem::path& file, const StageResult& stage) {
   stages_.push_back({file.filename().string(), std::move(kept), stage.snapshots.size()});
 }
 
-void Summary::add(const std::filesystem::path& file, const FieldResult& field) {
-  fields_.push_back({file.filename().string(), field, field.numbers});
+void Summary::add(const std::filesystem::path& file, const ResultHead& head, const Numbers& numbers) {
+  fields_.push_back({file.filename().string(), head, numbers});
 }
 
 const ResultHead& Summary::last() const { return fields_.empty() ? stages_.back().result : fields_.back().head; }
@@ -268,32 +269,18 @@ std::string Summary::all() const {
   return text + "\nNumbers, each +- its standard error\n" + to_text(numbers(), {"provenance"});
 }
 
-namespace {
-
-std::string summary_of(const std::string& name, bool converged, const std::string& outcome, const Numbers& numbers,
-                       const char* more) {
-  return fmt::format("{}{}: {}\n\nNumbers of the sample, each +- its standard error\n{}\n{}\n", name,
-                     converged ? "" : " NOT SOLVED", outcome, headlines(numbers), more);
+std::string field_summary(const ResultHead& result, const Numbers& numbers) {
+  return fmt::format(
+      "{}{}: {}\n\nNumbers of the sample, each +- its standard error\n{}\n`--json` prints every number; of a result "
+      "that is kept (`--out`) `arenite show RESULT --all` does.\n",
+      result.name, result.converged ? "" : " NOT SOLVED", result.outcome, headlines(numbers));
 }
 
-}  // namespace
-
-std::string field_summary(const FieldResult& result) {
-  return summary_of(
-      result.name, result.converged, result.outcome, result.numbers,
-      "`--json` prints every number; of a result that is kept (`--out`) `arenite show RESULT --all` does.");
-}
-
-std::string voxel_summary(const std::string& name, const workflow::VoxelResult& result) {
-  return summary_of(name, result.converged, result.outcome, result.numbers, "`--json` prints every number.");
-}
-
-Numbers field_numbers(const FieldResult& result) {
-  Numbers j = result.numbers;
-  j["provenance"] = provenance(result.provenance);
-  j["converged"] = converged(result);
-  j["outcome"] = result.outcome;
-  return j;
+Numbers field_numbers(const ResultHead& result, Numbers numbers) {
+  numbers["provenance"] = provenance(result.provenance);
+  numbers["converged"] = converged(result);
+  numbers["outcome"] = result.outcome;
+  return numbers;
 }
 
 }  // namespace arenite::report

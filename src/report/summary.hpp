@@ -7,7 +7,6 @@
 
 namespace arenite::workflow {
 struct RunOutcome;
-struct VoxelResult;
 }  // namespace arenite::workflow
 
 namespace arenite::report {
@@ -40,18 +39,16 @@ class Summary {
     Numbers numbers;
   };
   void add(const std::filesystem::path& file, const StageResult& stage);
-  void add(const std::filesystem::path& file, const FieldResult& field);
+  void add(const std::filesystem::path& file, const ResultHead& head, const Numbers& numbers);
   const ResultHead& last() const;
   std::vector<Stage> stages_;
   std::vector<Field> fields_;  ///< after the stages
   std::vector<FilmResult> films_;
 };
 
-/// One field by itself, as text for people and as numbers.
-std::string field_summary(const FieldResult& result);
-
-/// The same of a sample in space.
-std::string voxel_summary(const std::string& name, const workflow::VoxelResult& result);
-Numbers field_numbers(const FieldResult& result);
+/// One result on a grid by itself, of the plane or of space, as text for people and as numbers; `numbers` are those
+/// that it carries.
+std::string field_summary(const ResultHead& result, const Numbers& numbers);
+Numbers field_numbers(const ResultHead& result, Numbers numbers);
 
 }  // namespace arenite::report

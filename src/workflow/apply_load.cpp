@@ -38,12 +38,6 @@ FieldResult upright(const FieldResult& sample, recipe::Load::Axis axis) {
   return result;
 }
 
-History convergence_of(const std::vector<double>& residuals) {
-  std::vector<double> iteration;
-  for (std::size_t k = 0; k < residuals.size(); ++k) iteration.push_back(static_cast<double>(k));
-  return {{{"iteration", "1", std::move(iteration)}, {"residual", "1", residuals}}};
-}
-
 History curve_of(const std::vector<peridynamics::DamageState>& states) {
   History curve{{{"strain", "1", {}},
                  {"stress", "Pa", {}},

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "core/error.hpp"
 #include "grains/dem/programme.hpp"
@@ -62,6 +63,7 @@ void complete(StageResult& result) {
 }
 void complete(FieldResult& result) { complete_title(result.provenance); }
 void complete(FilmResult& result) { complete_title(result.provenance); }
+void complete(VoxelResult& result) { complete_title(result.provenance); }
 
 }  // namespace
 
@@ -100,7 +102,7 @@ FilmResult read_film_result(const std::filesystem::path& path) {
   return result;
 }
 
-std::variant<StageResult, FieldResult, FilmResult> read_result(const std::filesystem::path& path) {
+io::AnyResult read_result(const std::filesystem::path& path) {
   auto result = io::read_result(path);
   std::visit([](auto& any) { complete(any); }, result);
   return result;

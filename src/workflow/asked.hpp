@@ -1,7 +1,7 @@
 #pragma once
 #include <filesystem>
-#include <variant>
 
+#include "io/results/results.hpp"
 #include "model/film_result.hpp"
 #include "model/result.hpp"
 #include "recipe/recipe.hpp"
@@ -17,7 +17,7 @@ void note_asked(StageResult& made, const recipe::Recipe& recipe, std::size_t pla
 StageResult read_stage(const std::filesystem::path& path);
 FieldResult read_field(const std::filesystem::path& path);
 FilmResult read_film_result(const std::filesystem::path& path);
-std::variant<StageResult, FieldResult, FilmResult> read_result(const std::filesystem::path& path);
+io::AnyResult read_result(const std::filesystem::path& path);
 
 /// Whether a result was made by version 0.1, which named results otherwise: they can be shown and exported, but nothing
 /// goes on with them.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,81 +14,17 @@
 #include "core/text.hpp"
 #include "grains/fields/coarse_grained.hpp"
 #include "grains/fields/state_curves.hpp"
-#include "grains/texture/texture.hpp"
 #include "io/disk/file.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
 #include "model/matching.hpp"
-#include "solid/stress/grains.hpp"
-#include "workflow/film/film_numbers.hpp"
+#include "workflow/export_fields.hpp"
 #include "workflow/film/run_film.hpp"
 
 namespace arenite::workflow {
 namespace fs = std::filesystem;
 
 namespace {
-
-template <class T> std::vector<double> as_doubles(const std::vector<T>& values) {
-  return {values.begin(), values.end()};
-}
-
-void add_components(std::vector<io::GrainField>& fields, const std::vector<Tensor2>& stress,
-                    std::initializer_list<std::pair<const char*, double Tensor2::*>> wanted) {
-  for (const auto& [name, component] : wanted) {
-    fields.push_back({name, "Pa", {}});
-    for (const Tensor2& t : stress) fields.back().values.push_back(t.*component);
-  }
-}
-
-/// What texture knows of every grain; tension is positive.
-std::vector<io::GrainField> derived_fields(const Packing& packing) {
-  texture::Options options;
-  options.rev_sizes = 0;
-  const texture::PerGrain rows = texture::measure(packing, options).per_grain;
-  std::vector<io::GrainField> fields{{"contacts", "1", as_doubles(rows.contacts)},
-                                     {"rattler", "1", as_doubles(rows.rattler)},
-                                     {"sigma_norm", "1", rows.sigma_norm},
-                                     {"psi6", "1", rows.psi6}};
-  if (rows.sigma.empty()) return fields;
-  fields.push_back({"sigma_hyd", "Pa", rows.sigma_hyd});
-  add_components(
-      fields, rows.sigma,
-      {{"sigma_xx", &Tensor2::xx}, {"sigma_xy", &Tensor2::xy}, {"sigma_yx", &Tensor2::yx}, {"sigma_yy", &Tensor2::yy}});
-  return fields;
-}
-
-/// What a film says of every grain, peak to peak, with its error.
-std::vector<io::GrainField> derived_fields(const FilmResult& film) {
-  const texture::PerGrain rows = texture_of(film, false).per_grain;
-  return {{"contacts", "1", as_doubles(rows.contacts)},
-          {"sigma_norm", "1", rows.sigma_norm},
-          {"sigma_hyd", "Pa", film.peak_to_peak.sigma_hyd},
-          {"sigma_hyd_error", "Pa", film.peak_to_peak.error}};
-}
-
-/// What a film says of every contact beside its forces.
-std::vector<io::GrainField> fields_of_contacts(const FilmResult& film) {
-  if (film.fn_error.empty()) return {};
-  return {{"fn_error", "N", film.fn_error}, {"ft_error", "N", film.ft_error}, {"presence", "1", film.presence}};
-}
-
-/// Of the grains of a map: nodes, whole (no node on the edge), centre and, under load, mean stresses.
-std::vector<io::GrainField> derived_fields(const FieldResult& result) {
-  const bool loaded = result.field.size() > 0;
-  StressField none;
-  if (!loaded)
-    for (auto* component : {&none.ux, &none.uy, &none.xx, &none.yy, &none.xy})
-      component->assign(result.map.size(), 0.0);
-  const auto rows = stress::measure_grains(result.map, loaded ? result.field : none, 0, 1);
-  std::vector<double> x, y;
-  for (const Vec2& centre : rows.centre) x.push_back(centre.x), y.push_back(centre.y);
-  std::vector<io::GrainField> fields{
-      {"nodes", "1", as_doubles(rows.nodes)}, {"whole", "1", as_doubles(rows.whole)}, {"x", "m", x}, {"y", "m", y}};
-  if (loaded)
-    add_components(fields, rows.stress,
-                   {{"sigma_xx", &Tensor2::xx}, {"sigma_yy", &Tensor2::yy}, {"sigma_xy", &Tensor2::xy}});
-  return fields;
-}
 
 /// Collects files and writes each when it cannot grow any more. Unless it gets to its end, what it wrote goes again:
 /// half of a loading looks like a whole one.
@@ -240,6 +177,23 @@ class Loading {
   std::vector<io::ExportSnapshot> all_;
 };
 
+/// Writes a result on nodes or voxels; false where the format has no way to, which is refused where nothing else is
+/// there.
+template <class Write>
+bool write_on_grid(const fs::path& file, const io::ExportFormat& format, Write io::ExportFormat::*of, const char* what,
+                   bool alone, const std::function<std::vector<io::NamedBytes>()>& bytes, Loading& loading) {
+  if (format.*of) {
+    for (const auto& written : bytes()) loading.out().write(written);
+    return true;
+  }
+  if (alone)
+    refuse(file.string(), "holds {}, and {} holds grains only; choose {}", what, format.name,
+           list_of(io::words_of(io::exports::all, &io::ExportFormat::name,
+                                [&](const auto& other) { return other.*of != nullptr; }),
+                   " or "));
+  return false;
+}
+
 }  // namespace
 
 std::vector<fs::path> export_result(const fs::path& result, const io::ExportFormat& format, const fs::path& folder,
@@ -251,21 +205,22 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
   bool has_field = false;
   std::optional<Packing> before;
   for (const auto& file : files) {
-    if (io::stored_kind(file) == "field") {
-      if (!format.of_field) {
-        if (files.size() == 1)
-          refuse(file.string(), "holds a field on nodes, and {} holds grains only; choose {}", format.name,
-                 list_of(io::words_of(io::exports::all, &io::ExportFormat::name,
-                                      [](const auto& other) { return other.of_field != nullptr; }),
-                         " or "));
-        continue;
-      }
-      const FieldResult field = io::read_field(file);
-      has_field = true;
-      for (const auto& written : format.of_field({&field, derived_fields(field)})) loading.out().write(written);
+    const std::string kind = io::stored_kind(file);
+    const bool alone = files.size() == 1;
+    if (kind == "voxels" || kind == "field") {
+      const auto voxels = [&] { return format.of_voxels(io::read_voxels(file)); };
+      const auto nodes = [&] {
+        const FieldResult field = io::read_field(file);
+        return format.of_field({&field, derived_fields(field)});
+      };
+      const bool written =
+          kind == "voxels"
+              ? write_on_grid(file, format, &io::ExportFormat::of_voxels, "a sample in space", alone, voxels, loading)
+              : write_on_grid(file, format, &io::ExportFormat::of_field, "a field on nodes", alone, nodes, loading);
+      has_field = has_field || written;
       continue;
     }
-    if (io::stored_kind(file) == "film") {
+    if (kind == "film") {
       const FilmResult film = io::read_film_result(file);
       last = film.provenance;
       loading.add(film.name, std::move(measured_stage(film).snapshots.front()), derived_fields(film),

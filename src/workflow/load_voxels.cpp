@@ -10,8 +10,7 @@
 
 #include "core/problems.hpp"
 #include "core/version.hpp"
-#include "io/disk/file.hpp"
-#include "io/export/vtk_file.hpp"
+#include "io/results/results.hpp"
 #include "io/volume/voxel_map.hpp"
 #include "solid/elements/load.hpp"
 #include "solid/elements/stiffness_numbers.hpp"
@@ -19,6 +18,7 @@
 #include "solid/grid/map_numbers.hpp"
 #include "solid/stress/measure_voxels.hpp"
 #include "statistics/numbers.hpp"
+#include "workflow/runner.hpp"
 #include "workflow/stage_keys.hpp"
 
 namespace arenite::workflow {
@@ -71,26 +71,6 @@ Numbers load_numbers(const recipe::Load& load, const statics::LoadReportIn<3>& r
           {"voxels", elements::support_numbers(r.support)}};
 }
 
-/// The field with its phases, for ParaView and whatever else reads VTK images.
-io::VtkImage image_of(const VoxelMap& map, const VoxelStress& field, const std::string& provenance) {
-  io::VtkImage image;
-  image.width = map.width, image.height = map.height, image.depth = map.depth;
-  image.dx = image.dy = map.dx;
-  std::vector<std::uint8_t> phase;
-  for (const Phase p : map.phase) phase.push_back(static_cast<std::uint8_t>(p));
-  std::vector<float> displacement, stress;
-  for (std::size_t k = 0; k < map.size(); ++k) {
-    displacement.insert(displacement.end(), {field.ux[k], field.uy[k], field.uz[k]});
-    stress.insert(stress.end(), {field.xx[k], field.yy[k], field.zz[k], field.xy[k], field.yz[k], field.xz[k]});
-  }
-  image.point_arrays = {{"phase", std::move(phase)},
-                        {"grain", map.grain},
-                        {"displacement", std::move(displacement), 3},
-                        {"stress", std::move(stress), 6}};
-  image.provenance = provenance;
-  return image;
-}
-
 }  // namespace
 
 bool is_in_space(const recipe::MapSection& map) { return map.dimension == 3 || io::is_volume(map.file); }
@@ -130,6 +110,8 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
   auto loaded = elements::load(map, solve);
   if (loaded.report.ending == statics::Ending::stopped) return std::nullopt;
   VoxelResult result;
+  result.name = load.name;
+  result.convergence = convergence_of(loaded.report.history);
   result.converged = loaded.report.ending == statics::Ending::solved;
   result.outcome = loaded.report.sentence;
   Numbers& j = result.numbers;
@@ -151,6 +133,7 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
     result.converged = std::ranges::all_of(effective.solves, &statics::StaticReport::converged);
     j["effective_stiffness"] = elements::stiffness_numbers(effective);
   }
+  result.map = map;
   result.field = std::move(loaded.field);
   return result;
 }
@@ -158,31 +141,32 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
 VoxelOutcome load_voxels(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options) {
   refuse_keys_of_the_plane(map);
   refuse_keys_of_the_plane(load);
-  const VoxelMap voxels = read_voxels(map, options.notice);
+  const PlannedStage stage = planned_stage(1, load.name, load_key(load, map_key(map)), true);
   Progress progress{.stage = 1, .stages = 1, .name = load.name, .field = true};
+  const auto make = [&](const fs::path&) {
+    const VoxelMap voxels = read_voxels(map, options.notice);
+    auto result = apply_load(load, voxels, watch_of(progress, options));
+    if (result)
+      result->provenance = {version,
+                            load.name,
+                            stage.hash,
+                            "",
+                            0,
+                            "",
+                            {{"map", fs::path(map.file).filename().string()}, {"options", told_map_keys(map)}}};
+    return result;
+  };
   VoxelOutcome outcome;
-  outcome.result = apply_load(load, voxels, [&](const statics::Progress& p) {
-    progress.share = p.share;
-    progress.residual = p.residual;
-    progress.step = p.iterations;
-    options.progress(progress);
-    return !options.asked_to_stop || !options.asked_to_stop();
-  });
+  if (options.out.empty()) {
+    outcome.result = make({});
+  } else {
+    outcome.file = options.out / stage.file;
+    outcome.result = carry_out<VoxelResult>({stage, outcome.file, make, io::write_voxels, io::read_voxels}, options,
+                                            progress.reused);
+  }
   if (!outcome.result) return outcome;
-  recipe::Recipe part;
-  part.loads = {load};
-  Numbers& numbers = outcome.result->numbers;
-  numbers["provenance"] = {{"program", fmt::format("arenite {}", version)},
-                           {"map", fs::path(map.file).filename().string()},
-                           {"map_keys", map_keys(map)},
-                           {"load_keys", recipe::changed_keys(part)}};
-  if (options.out.empty()) return outcome;
-  outcome.field = options.out / (load.name + ".vti");
-  outcome.file = options.out / (load.name + ".json");
-  fs::create_directories(options.out);
-  const std::string provenance = to_json(numbers["provenance"]);
-  io::write_atomically(outcome.field, io::vti_bytes(image_of(voxels, outcome.result->field, provenance)));
-  io::write_atomically(outcome.file, to_json(numbers, 2) + "\n");
+  progress.share = 1;
+  options.progress(progress);
   return outcome;
 }
 

@@ -73,6 +73,12 @@ bool CheckpointTimes::is_due() {
   return due;
 }
 
+History convergence_of(const std::vector<double>& residuals) {
+  std::vector<double> iteration;
+  for (std::size_t k = 0; k < residuals.size(); ++k) iteration.push_back(static_cast<double>(k));
+  return {{{"iteration", "1", std::move(iteration)}, {"residual", "1", residuals}}};
+}
+
 peridynamics::Watch watch_of(Progress& progress, const RunOptions& options) {
   return [&](const peridynamics::Progress& p) {
     progress.share = std::min(p.share, 0.999);

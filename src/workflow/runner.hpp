@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "grains/dem/run_stage.hpp"
 #include "io/disk/store_file.hpp"
@@ -111,6 +112,9 @@ class CheckpointTimes {
   std::chrono::steady_clock::time_point last_;
   bool asked_to_stop_ = false;
 };
+
+/// The residuals of a solve as a history.
+History convergence_of(const std::vector<double>& residuals);
 
 /// Shows how far a load has come, by its iterations and residual, and stops it where that is asked for.
 peridynamics::Watch watch_of(Progress& progress, const RunOptions& options);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "support/document_of_page.hpp"
 #include "support/program.hpp"
 
 namespace {
@@ -40,13 +41,51 @@ TEST(LoadVoxels, LayersInSpaceHaveTheirExactModuli) {
   EXPECT_NEAR(young[2].get<double>() / 2.5e9, 1, 1e-6);
   EXPECT_NEAR(j["stress"]["sigma_zz"]["sets"]["particle"]["mean_over_sample_mean"]["value"].get<double>(), 1.6, 1e-4);
   EXPECT_EQ(j["map"]["voxels"], (Json{12, 12, 12}));
-  EXPECT_EQ(Json::parse(test::slurp(folder / "out" / "tension.json")), j);
+  const auto shown = arenite("show --json " + (folder / "out").string());
+  ASSERT_EQ(shown.status, 0) << shown.err;
+  EXPECT_EQ(Json::parse(shown.out)["effective_stiffness"], j["effective_stiffness"]);
+  const auto exported = arenite("export " + (folder / "out").string() + " --to vtk --out " + (folder / "vtk").string());
+  ASSERT_EQ(exported.status, 0) << exported.err;
   const auto read = test::shell(
       "/usr/bin/python3 -c \"import vtk; r = vtk.vtkXMLImageDataReader(); r.SetFileName('" +
-      (folder / "out" / "tension.vti").string() +
+      (folder / "vtk" / "tension.vti").string() +
       "'); r.Update(); o = r.GetOutput(); a = o.GetPointData().GetArray('stress'); print(o.GetDimensions(), "
       "o.GetSpacing()[2], a.GetNumberOfComponents(), round(a.GetTuple(0)[2] / 1e4))\"");
   EXPECT_EQ(read.out, "(12, 12, 12) 1e-05 6 40\n") << read.err;
+  const auto csv = arenite("export " + (folder / "out").string() + " --to csv");
+  EXPECT_EQ(csv.status, 2);
+  EXPECT_NE(csv.err.find("choose vtk"), std::string::npos) << csv.err;
+}
+
+TEST(LoadVoxels, TheResultIsStoredOnceAndDrawn) {
+  const TemporaryFolder folder;
+  const std::string out = " --out " + (folder / "out").string();
+  const std::string map = volume(folder / "map.npy", "x % 6 < 3, 1, 2") + " --phases 1=particle,2=matrix";
+  const auto first = arenite("load " + map + by_elements + out);
+  ASSERT_EQ(first.status, 0) << first.err;
+  fs::path file;
+  for (const auto& entry : fs::directory_iterator(folder / "out"))
+    if (entry.path().extension() == ".h5") file = entry.path();
+  const std::string bytes = test::slurp(file);
+  ASSERT_FALSE(bytes.empty());
+  const auto again = arenite("load " + map + by_elements + out);
+  EXPECT_EQ(again.out, first.out);
+  EXPECT_EQ(test::slurp(file), bytes);
+  const auto read = test::shell("/usr/bin/python3 -c \"import h5py; f = h5py.File('" + file.string() +
+                                "'); print(f['field/sigma_zz'].shape, f['field/sigma_zz'].attrs['unit'].decode(), "
+                                "f['map/phase'][0, 0, :4].tolist())\"");
+  EXPECT_EQ(read.out, "(12, 12, 12) Pa [2, 2, 2, 1]\n") << read.err;
+  const Json document = test::document_of_page(folder / "out" / "report.html");
+  ASSERT_EQ(document["volumes"].size(), 1u);
+  const Json& volume = document["volumes"][0];
+  EXPECT_EQ(volume["size"], (Json{12, 12, 12}));
+  EXPECT_EQ(volume["quantities"]["zz"]["code"]["n"], 1728);
+  EXPECT_NEAR(volume["quantities"]["zz"]["mean"].get<double>(), 2.5e5, 1);  // 2.5 GPa at 1e-4
+  // A damaged file is computed again.
+  fs::resize_file(file, 2000);
+  const auto mended = arenite("load " + map + by_elements + out);
+  EXPECT_EQ(mended.status, 0) << mended.err;
+  EXPECT_EQ(test::slurp(file), bytes);
 }
 
 TEST(LoadVoxels, AStackOfPicturesIsASampleInSpaceWhereItIsSaid) {

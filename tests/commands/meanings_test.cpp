@@ -11,7 +11,7 @@
 #include "support/filmed_study.hpp"
 #include "support/small_study.hpp"
 #include "support/virtual_film.hpp"
-#include "workflow/identify_curves.hpp"
+#include "workflow/identify/identify_curves.hpp"
 #include "workflow/predict.hpp"
 
 namespace {

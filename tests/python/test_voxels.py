@@ -55,3 +55,17 @@ def test_what_is_of_the_plane_is_refused():
         arenite.load_voxels(sample)
     with pytest.raises(ValueError, match="shape"):
         arenite.VoxelMap(np.ones((4, 4, 4), int), np.zeros((4, 4, 5), int), dx=1)
+
+
+def test_results_are_kept_and_opened_again(tmp_path):
+    phase, grain = layers()
+    result = arenite.load_voxels(arenite.VoxelMap(phase, grain, dx="10 um"), method="elements", matrix_poisson=0)
+    files = arenite.save(result, tmp_path / "kept")
+    (kept,) = arenite.open(tmp_path / "kept").voxels
+    assert len(files) == 1 and kept.converged
+    assert np.array_equal(kept.sigma_zz, result.sigma_zz) and np.array_equal(kept.map.phase, phase)
+    assert arenite.open(files[0]).numbers["modulus_Pa"] == result.numbers["modulus_Pa"]
+    arenite.page(result, tmp_path / "page.html")
+    assert (tmp_path / "page.html").stat().st_size > 100_000
+    (image,) = arenite.export(result, tmp_path / "vtk")
+    assert str(image).endswith(".vti")

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "workflow/identify_curves.hpp"
-#include "workflow/identify_factor.hpp"
+#include "workflow/identify/identify_curves.hpp"
+#include "workflow/identify/identify_factor.hpp"
 
 /// The thesis's tables of its identification tests (T chapter 2).
 namespace {

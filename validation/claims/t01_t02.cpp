@@ -5,7 +5,7 @@
 
 #include "validation/checks.hpp"
 #include "validation/claims/claims.hpp"
-#include "workflow/identify_curves.hpp"
+#include "workflow/identify/identify_curves.hpp"
 
 namespace arenite::validation {
 namespace {

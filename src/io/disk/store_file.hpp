@@ -23,7 +23,7 @@ class DamagedFile : public InputError {
 };
 
 /// Writes `bytes`, of which HDF5 left the first 512 free for length and checksum, to `path`, all or nothing. `kind` is
-/// "result", "field", "film", "numbers" or "checkpoint".
+/// "result", "field", "voxels", "film", "numbers" or "checkpoint".
 void write_checksummed(const std::filesystem::path& path, std::string_view kind, std::string bytes);
 
 /// Reads the bytes of a whole file of that kind; InputError for any other, DamagedFile for one that is no longer whole.

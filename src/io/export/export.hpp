@@ -68,7 +68,8 @@ struct ExportFormat {
   std::vector<NamedBytes> (*of_snapshot)(const ExportSnapshot&) = nullptr;
   std::vector<NamedBytes> (*index)(const std::vector<double>& times) = nullptr;
   std::vector<NamedBytes> (*of_field)(const ExportField&) = nullptr;  ///< of a result on nodes; null: holds grains only
-  NamedBytes (*of_curves)(const ExportCurves&) = nullptr;             ///< null: holds states only
+  std::vector<NamedBytes> (*of_voxels)(const VoxelResult&) = nullptr;  ///< of a sample in space; null: of none
+  NamedBytes (*of_curves)(const ExportCurves&) = nullptr;              ///< null: holds states only
   std::vector<NamedBytes> (*of_loading)(const std::vector<ExportSnapshot>&, const Provenance&) = nullptr;
 };
 namespace exports {

@@ -200,6 +200,25 @@ std::vector<NamedBytes> vti_field(const ExportField& from) {
   return files;
 }
 
+/// The voxels as an image (NAME.vti).
+std::vector<NamedBytes> vti_voxels(const VoxelResult& r) {
+  VtkImage image;
+  image.width = r.map.width, image.height = r.map.height, image.depth = r.map.depth;
+  image.dx = image.dy = r.map.dx;
+  const VoxelStress& f = r.field;
+  std::vector<float> displacement, stress;
+  for (std::size_t k = 0; k < f.size(); ++k) {
+    displacement.insert(displacement.end(), {f.ux[k], f.uy[k], f.uz[k]});
+    stress.insert(stress.end(), {f.xx[k], f.yy[k], f.zz[k], f.xy[k], f.yz[k], f.xz[k]});
+  }
+  image.point_arrays = {{"phase", mapped(r.map.phase, [](Phase p) { return static_cast<std::uint8_t>(p); })},
+                        {"grain", r.map.grain},
+                        {"displacement", std::move(displacement), 3},
+                        {"stress", std::move(stress), 6}};
+  image.provenance = fmt::format("Arenite {}, {}", r.provenance.version, r.provenance.input_hash);
+  return {{r.name + ".vti", vti_bytes(image)}};
+}
+
 }  // namespace
 
 const ExportFormat exports::vtk{
@@ -219,6 +238,7 @@ const ExportFormat exports::vtk{
     .other_names = {"paraview", "vtp"},
     .of_snapshot = vtk_snapshot,
     .index = vtk_index,
-    .of_field = vti_field};
+    .of_field = vti_field,
+    .of_voxels = vti_voxels};
 
 }  // namespace arenite::io

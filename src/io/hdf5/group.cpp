@@ -3,6 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
+#include <string>
+#include <vector>
 
 #include "core/problems.hpp"
 #include "core/text.hpp"
@@ -197,23 +201,29 @@ template void Hdf5Group::array(const std::string&, std::vector<std::uint8_t>&, c
 template <class T>
 void Hdf5Group::image(const std::string& name, std::vector<T>& values, Shape shape, const std::string& unit) const {
   constexpr hsize_t values_per_chunk = 1 << 16;
-  const auto rows = static_cast<hsize_t>(shape.rows), columns = static_cast<hsize_t>(shape.columns);
+  std::vector<hsize_t> size{static_cast<hsize_t>(shape.rows), static_cast<hsize_t>(shape.columns)};
+  if (shape.layers > 0) size.insert(size.begin(), static_cast<hsize_t>(shape.layers));
+  const hsize_t count = std::accumulate(size.begin(), size.end(), hsize_t{1}, std::multiplies<>());
   if constexpr (std::is_same_v<T, double>) {  // faster than HDF5's own conversion
     std::vector<float> single(values.begin(), values.end());
     image(name, single, shape, unit);
     if (reads_) values.assign(single.begin(), single.end());
   } else if (reads_) {
     const auto set = open_set(*this, *id_, name, "array");
-    hsize_t size[2] = {0, 0};
-    if (!has_shape(*set, 2, size) || size[0] != rows || size[1] != columns)
-      refuse(fmt::format("holds \"{}\", which is not an array of {} rows and {} columns", name, shape.rows,
-                         shape.columns));
-    values = read_values<T>(*this, *set, name, rows * columns);
+    std::vector<hsize_t> found(size.size(), 0);
+    if (!has_shape(*set, static_cast<int>(size.size()), found.data()) || found != size)
+      refuse(fmt::format("holds \"{}\", which is not an array of {}{} rows and {} columns", name,
+                         shape.layers > 0 ? fmt::format("{} layers, ", shape.layers) : "", shape.rows, shape.columns));
+    values = read_values<T>(*this, *set, name, count);
   } else {
     const auto properties = timeless(H5P_DATASET_CREATE);
-    if (compress_ && rows * columns > 0)
-      pack(*properties, {std::clamp<hsize_t>(values_per_chunk / columns, 1, rows), columns}, sizeof(T) > 1, 1);
-    write_text(*write_set(*id_, name, {rows, columns}, number_type<T>(), *properties, values.data()), "unit", unit);
+    if (compress_ && count > 0) {
+      std::vector<hsize_t> chunk = size;
+      chunk[chunk.size() - 2] = std::clamp<hsize_t>(values_per_chunk / size.back(), 1, chunk[chunk.size() - 2]);
+      if (shape.layers > 0) chunk[0] = std::clamp<hsize_t>(values_per_chunk / (chunk[1] * chunk[2]), 1, size[0]);
+      pack(*properties, chunk, sizeof(T) > 1, 1);
+    }
+    write_text(*write_set(*id_, name, size, number_type<T>(), *properties, values.data()), "unit", unit);
   }
 }
 template void Hdf5Group::image(const std::string&, std::vector<double>&, Shape, const std::string&) const;

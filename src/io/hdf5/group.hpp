@@ -20,9 +20,9 @@ namespace arenite::io {
 
 class Hdf5Turn;
 
-/// Of a two-dimensional array.
+/// Of an array of two dimensions, or of three where it has layers.
 struct Shape {
-  int rows = 0, columns = 0;
+  int rows = 0, columns = 0, layers = 0;
 };
 
 /// One member of a record, as an array of all records: name, place (a member, or a function that gives a reference to

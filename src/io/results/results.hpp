@@ -36,8 +36,16 @@ void write_film_result(const std::filesystem::path& path, const FilmResult& resu
 /// Reads it back. Throws InputError for a file that is missing, foreign, newer, cut short (DamagedFile) or damaged.
 FilmResult read_film_result(const std::filesystem::path& path);
 
-/// Reads a result of whichever kind its file says it is.
-std::variant<StageResult, FieldResult, FilmResult> read_result(const std::filesystem::path& path);
+/// Writes a sample in space as one HDF5 file, all or nothing. /map and /field hold arrays of depth x height x width
+/// voxels, the lowest layer first; those of the field with their SI unit as the attribute "unit".
+void write_voxels(const std::filesystem::path& path, const VoxelResult& result);
+
+/// Reads it back. Throws InputError for a file that is missing, foreign, newer, cut short (DamagedFile) or damaged.
+VoxelResult read_voxels(const std::filesystem::path& path);
+
+/// A result of whichever kind its file says it is.
+using AnyResult = std::variant<StageResult, FieldResult, FilmResult, VoxelResult>;
+AnyResult read_result(const std::filesystem::path& path);
 
 /// Writes a tree of numbers as one HDF5 file, all or nothing.
 void write_numbers_file(const std::filesystem::path& path, const Numbers& numbers);

@@ -104,8 +104,9 @@ void write_stage(const std::filesystem::path& path, const StageResult& result) {
 
 StageResult read_stage(const std::filesystem::path& path) { return read_result_file(path, "result", transfer_result); }
 
-std::variant<StageResult, FieldResult, FilmResult> read_result(const std::filesystem::path& path) {
+AnyResult read_result(const std::filesystem::path& path) {
   const std::string kind = stored_kind(path);
+  if (kind == "voxels") return read_voxels(path);
   if (kind == "field") return read_field(path);
   if (kind == "film") return read_film_result(path);
   return read_stage(path);

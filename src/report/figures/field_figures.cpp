@@ -134,6 +134,8 @@ Drawings stress_densities(const FieldData& data) {
   for (const auto& [component, name, symbol] : {std::tuple{"yy", "sigma_yy", "\u03c3_{yy}"},
                                                 {"xx", "sigma_xx", "\u03c3_{xx}"},
                                                 {"xy", "sigma_xy", "\u03c3_{xy}"},
+                                                {"zz", "sigma_zz", "\u03c3_{zz}"},
+                                                {"xz", "sigma_xz", "\u03c3_{xz}"},
                                                 {"hydrostatic", "sigma_hyd", "\u03c3_{hyd}"}}) {
     const auto of = data.densities.find(name);
     if (of == data.densities.end() || !of->is_tree()) continue;
@@ -230,6 +232,8 @@ const std::vector<Row<FieldData>>& field_figures() {
           {{"yy", "\u03c3_{yy}"},
            {"xx", "\u03c3_{xx}", "xx"},
            {"xy", "\u03c3_{xy}", "xy"},
+           {"zz", "\u03c3_{zz}", "zz"},
+           {"xz", "\u03c3_{xz}", "xz"},
            {"hydrostatic", "\u03c3_{hyd}", "hyd"}},
           Choice::Print::files,
           false},

@@ -102,6 +102,23 @@ std::vector<Headline> headlines_of(const FieldResult& field) {
   return list;
 }
 
+std::vector<Headline> headlines_of(const VoxelResult& sample) {
+  static constexpr const char* over_all = "\u27e8\u03c3_{zz}\u27e9/\u27e8\u03c3_{zz}\u27e9_{all}";
+  std::vector<Headline> list;
+  add_known(list,
+            {{"grains", "\u03c1_{p}", "map.phases.particle", "%"},
+             {"matrix", "\u03c1_{m}", "map.phases.matrix", "%"},
+             {"void", "\u03c1_{v}", "map.phases.void", "%"}},
+            sample.numbers);
+  add_known(list,
+            {{"apparent modulus", "E", "modulus_Pa"},
+             {"Young's modulus without clamps", "E_{iso}", "effective_stiffness.isotropic_mean_Pa.young"},
+             {"in grains", over_all, "stress.sigma_zz.sets.particle.mean_over_sample_mean"},
+             {"in the matrix", over_all, "stress.sigma_zz.sets.matrix.mean_over_sample_mean"}},
+            sample.numbers);
+  return list;
+}
+
 std::vector<Headline> headlines_of(const FilmResult& film) {
   const auto plain = [](const char* words, std::string said, std::string behind = {}) {
     return Headline{words, "", "", "", std::move(said), std::move(behind)};

@@ -21,6 +21,8 @@ std::vector<Headline> headlines_of(fields::TestKind kind);
 
 /// Of a sample on a grid always, with its response where it was loaded; those that are known, three of each.
 std::vector<Headline> headlines_of(const FieldResult& field);
+/// Of a sample in space.
+std::vector<Headline> headlines_of(const VoxelResult& sample);
 /// Of a film: six, or three where fewer are known.
 std::vector<Headline> headlines_of(const FilmResult& film);
 

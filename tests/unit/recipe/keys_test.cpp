@@ -6,7 +6,7 @@
 #include "recipe/film_recipe.hpp"
 #include "recipe/given.hpp"
 #include "recipe/recipe.hpp"
-#include "workflow/identify_keys.hpp"
+#include "workflow/identify/identify_keys.hpp"
 #include "workflow/stage_keys.hpp"
 
 namespace arenite::recipe {

@@ -1,4 +1,4 @@
-#include "workflow/identify_keys.hpp"
+#include "workflow/identify/identify_keys.hpp"
 
 #include <cmath>
 #include <optional>

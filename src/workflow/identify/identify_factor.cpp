@@ -1,4 +1,4 @@
-#include "workflow/identify_factor.hpp"
+#include "workflow/identify/identify_factor.hpp"
 
 #include <fmt/core.h>
 
@@ -10,7 +10,7 @@
 #include "core/problems.hpp"
 #include "model/lockin_maps.hpp"
 #include "thermal/identify/constants.hpp"
-#include "workflow/identify_tables.hpp"
+#include "workflow/identify/identify_tables.hpp"
 
 namespace arenite::workflow {
 namespace {

@@ -1,8 +1,8 @@
-#include "report/live_figures.hpp"
+#include "report/figures/live_figures.hpp"
 
 #include <gtest/gtest.h>
 
-namespace arenite::report {
+namespace arenite::report::figures {
 namespace {
 
 StageResult stage_of(std::size_t grains) {
@@ -27,4 +27,4 @@ TEST(LiveFigures, SayThatTooManyGrainsAreNotDrawn) {
 }
 
 }  // namespace
-}  // namespace arenite::report
+}  // namespace arenite::report::figures

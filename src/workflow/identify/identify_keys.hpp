@@ -1,7 +1,7 @@
 #pragma once
 #include "core/parameters.hpp"
-#include "workflow/identify_curves.hpp"
-#include "workflow/identify_factor.hpp"
+#include "workflow/identify/identify_curves.hpp"
+#include "workflow/identify/identify_factor.hpp"
 
 namespace arenite::workflow {
 

@@ -1,4 +1,4 @@
-#include "workflow/identify_tables.hpp"
+#include "workflow/identify/identify_tables.hpp"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "workflow/identify_curves.hpp"
+#include "workflow/identify/identify_curves.hpp"
 
 #include <fmt/core.h>
 
@@ -8,7 +8,7 @@
 
 #include "core/mapped.hpp"
 #include "thermal/identify/constants.hpp"
-#include "workflow/identify_tables.hpp"
+#include "workflow/identify/identify_tables.hpp"
 
 namespace arenite::workflow {
 namespace {

@@ -1,4 +1,4 @@
-#include "report/live_figures.hpp"
+#include "report/figures/live_figures.hpp"
 
 #include <cmath>
 #include <vector>
@@ -7,7 +7,7 @@
 #include "report/figures/figure_document.hpp"
 #include "report/run_drawing.hpp"
 
-namespace arenite::report {
+namespace arenite::report::figures {
 namespace {
 
 constexpr std::size_t most_live_figures = 2;
@@ -40,4 +40,4 @@ Numbers live_figures(const StageResult& now, const Packing* before) {
   return found;
 }
 
-}  // namespace arenite::report
+}  // namespace arenite::report::figures

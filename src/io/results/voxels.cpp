@@ -1,0 +1,72 @@
+#include <cstdint>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/mapped.hpp"
+#include "io/results/groups.hpp"
+#include "io/results/results.hpp"
+
+namespace arenite::io {
+namespace {
+
+constexpr std::pair<const char*, std::vector<float> VoxelStress::*> voxel_displacements[] = {
+    {"ux", &VoxelStress::ux}, {"uy", &VoxelStress::uy}, {"uz", &VoxelStress::uz}};
+constexpr std::pair<const char*, std::vector<float> VoxelStress::*> voxel_stresses[] = {
+    {"sigma_xx", &VoxelStress::xx}, {"sigma_yy", &VoxelStress::yy}, {"sigma_zz", &VoxelStress::zz},
+    {"sigma_yz", &VoxelStress::yz}, {"sigma_xz", &VoxelStress::xz}, {"sigma_xy", &VoxelStress::xy}};
+
+void transfer_voxel_map(const Hdf5Group& at, VoxelMap& map) {
+  const auto group = at.group("map");
+  group("width", map.width);
+  group("height", map.height);
+  group("depth", map.depth);
+  group("dx [m]", map.dx);
+  group.note("axes", "z, y, x");
+  group.note("phases", "0 empty, 1 matrix, 2 particle");
+  constexpr int largest = 1 << 16;
+  if (at.reads())
+    for (const int size : {map.width, map.height, map.depth})
+      if (size < 1 || size > largest) group.refuse("has an impossible size");
+  const Shape shape{map.height, map.width, map.depth};
+  auto phases = mapped(map.phase, [](Phase phase) { return static_cast<std::uint8_t>(phase); });
+  auto grains = static_cast<std::int64_t>(map.grain_class.size());
+  group.image("phase", phases, shape);
+  group.image("grain", map.grain, shape);
+  group("grains", grains);
+  if (!at.reads()) return;
+  for (const auto phase : phases)
+    if (phase > static_cast<std::uint8_t>(Phase::particle)) group.refuse("names a phase that does not exist");
+  if (grains < 0 || grains > static_cast<std::int64_t>(phases.size()))
+    group.refuse("has an impossible number of grains");
+  map.phase = mapped(phases, [](std::uint8_t phase) { return static_cast<Phase>(phase); });
+  map.grain_class.assign(static_cast<std::size_t>(grains), GrainClass::none);
+  try {
+    check(map);
+  } catch (const InputError& error) { group.refuse(error.what()); }
+}
+
+void transfer_voxels(const Hdf5Group& at, VoxelResult& result) {
+  transfer_origin(at, result);
+  transfer_voxel_map(at, result.map);
+  const auto group = at.group("field");
+  VoxelStress& field = result.field;
+  field.width = result.map.width, field.height = result.map.height, field.depth = result.map.depth;
+  field.dx = result.map.dx;
+  const Shape shape{field.height, field.width, field.depth};
+  for (const auto& [name, values] : voxel_displacements) group.image(name, field.*values, shape, "m");
+  for (const auto& [name, values] : voxel_stresses) group.image(name, field.*values, shape, "Pa");
+  transfer_history(at, "convergence", result.convergence);
+  transfer_numbers(at, "numbers", result.numbers);
+}
+
+}  // namespace
+
+void write_voxels(const std::filesystem::path& path, const VoxelResult& result) {
+  write_result_file(path, "voxels", transfer_voxels, result);
+}
+
+VoxelResult read_voxels(const std::filesystem::path& path) { return read_result_file(path, "voxels", transfer_voxels); }
+
+}  // namespace arenite::io

@@ -1,0 +1,33 @@
+#include "model/voxel_quantities.hpp"
+
+#include <cmath>
+
+namespace arenite {
+namespace {
+
+double at(const std::vector<float>& values, std::size_t voxel) { return static_cast<double>(values[voxel]); }
+
+double hydrostatic(const VoxelStress& f, std::size_t k) { return (at(f.xx, k) + at(f.yy, k) + at(f.zz, k)) / 3; }
+
+double von_mises(const VoxelStress& f, std::size_t k) {
+  const double a = at(f.xx, k) - at(f.yy, k), b = at(f.yy, k) - at(f.zz, k), c = at(f.zz, k) - at(f.xx, k);
+  const double yz = at(f.yz, k), xz = at(f.xz, k), xy = at(f.xy, k);
+  return std::sqrt((a * a + b * b + c * c) / 2 + 3 * (yz * yz + xz * xz + xy * xy));
+}
+
+}  // namespace
+
+const std::vector<VoxelQuantity>& voxel_quantities() {
+  static const std::vector<VoxelQuantity> list{
+      {"zz", "sigma_zz", "stress along the clamps", "\u03c3_{zz}", "Pa", false,
+       [](const VoxelStress& f, std::size_t k) { return at(f.zz, k); }},
+      {"xz", "sigma_xz", "shear stress along the load", "\u03c3_{xz}", "Pa", false,
+       [](const VoxelStress& f, std::size_t k) { return at(f.xz, k); }},
+      {"hydrostatic", "sigma_hyd", "mean stress", "\u03c3_{hyd}", "Pa", false, hydrostatic},
+      {"mises", "sigma_mises", "von Mises stress", "\u03c3_{vM}", "Pa", true, von_mises},
+      {"uz", "u_z", "displacement along the clamps", "u_{z}", "m", false,
+       [](const VoxelStress& f, std::size_t k) { return at(f.uz, k); }}};
+  return list;
+}
+
+}  // namespace arenite

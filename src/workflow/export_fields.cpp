@@ -1,0 +1,73 @@
+#include "workflow/export_fields.hpp"
+
+#include <initializer_list>
+#include <utility>
+
+#include "grains/texture/texture.hpp"
+#include "solid/stress/grains.hpp"
+#include "workflow/film/film_numbers.hpp"
+
+namespace arenite::workflow {
+namespace {
+
+template <class T> std::vector<double> as_doubles(const std::vector<T>& values) {
+  return {values.begin(), values.end()};
+}
+
+void add_components(std::vector<io::GrainField>& fields, const std::vector<Tensor2>& stress,
+                    std::initializer_list<std::pair<const char*, double Tensor2::*>> wanted) {
+  for (const auto& [name, component] : wanted) {
+    fields.push_back({name, "Pa", {}});
+    for (const Tensor2& t : stress) fields.back().values.push_back(t.*component);
+  }
+}
+
+}  // namespace
+
+std::vector<io::GrainField> derived_fields(const Packing& packing) {
+  texture::Options options;
+  options.rev_sizes = 0;
+  const texture::PerGrain rows = texture::measure(packing, options).per_grain;
+  std::vector<io::GrainField> fields{{"contacts", "1", as_doubles(rows.contacts)},
+                                     {"rattler", "1", as_doubles(rows.rattler)},
+                                     {"sigma_norm", "1", rows.sigma_norm},
+                                     {"psi6", "1", rows.psi6}};
+  if (rows.sigma.empty()) return fields;
+  fields.push_back({"sigma_hyd", "Pa", rows.sigma_hyd});
+  add_components(
+      fields, rows.sigma,
+      {{"sigma_xx", &Tensor2::xx}, {"sigma_xy", &Tensor2::xy}, {"sigma_yx", &Tensor2::yx}, {"sigma_yy", &Tensor2::yy}});
+  return fields;
+}
+
+std::vector<io::GrainField> derived_fields(const FilmResult& film) {
+  const texture::PerGrain rows = texture_of(film, false).per_grain;
+  return {{"contacts", "1", as_doubles(rows.contacts)},
+          {"sigma_norm", "1", rows.sigma_norm},
+          {"sigma_hyd", "Pa", film.peak_to_peak.sigma_hyd},
+          {"sigma_hyd_error", "Pa", film.peak_to_peak.error}};
+}
+
+std::vector<io::GrainField> fields_of_contacts(const FilmResult& film) {
+  if (film.fn_error.empty()) return {};
+  return {{"fn_error", "N", film.fn_error}, {"ft_error", "N", film.ft_error}, {"presence", "1", film.presence}};
+}
+
+std::vector<io::GrainField> derived_fields(const FieldResult& result) {
+  const bool loaded = result.field.size() > 0;
+  StressField none;
+  if (!loaded)
+    for (auto* component : {&none.ux, &none.uy, &none.xx, &none.yy, &none.xy})
+      component->assign(result.map.size(), 0.0);
+  const auto rows = stress::measure_grains(result.map, loaded ? result.field : none, 0, 1);
+  std::vector<double> x, y;
+  for (const Vec2& centre : rows.centre) x.push_back(centre.x), y.push_back(centre.y);
+  std::vector<io::GrainField> fields{
+      {"nodes", "1", as_doubles(rows.nodes)}, {"whole", "1", as_doubles(rows.whole)}, {"x", "m", x}, {"y", "m", y}};
+  if (loaded)
+    add_components(fields, rows.stress,
+                   {{"sigma_xx", &Tensor2::xx}, {"sigma_yy", &Tensor2::yy}, {"sigma_xy", &Tensor2::xy}});
+  return fields;
+}
+
+}  // namespace arenite::workflow
