@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "io/film/film.hpp"
+#include "io/film/written_format.hpp"
 #include "print.hpp"
 #include "progress.hpp"
 #include "workflow/film/render_film.hpp"
@@ -12,20 +12,23 @@ namespace arenite::app {
 namespace {
 
 struct CameraArguments {
-  std::string result, recipe, out = "out/film", format = "ptw";
+  std::string result, recipe, out = "out/film";
+  KeyOptions written{recipe::every_key<io::WrittenFilms>()};
   std::vector<std::string> overrides;
   bool quiet = false, blind = false;
 };
 
 int execute(const CameraArguments& a) {
   const auto recipe = recipe::read_film_recipe(a.recipe, a.overrides);
+  io::WrittenFilms written;
+  read_options(written, a.written.given());
   watch_for_signals();
   std::vector<std::filesystem::path> files;
   {
     ProgressLine line(a.quiet);
     workflow::RenderOptions options;
     options.out = a.out;
-    options.format = a.format;
+    options.format = written.format;
     options.blind = a.blind;
     options.progress = [&](double share) {
       line.show({1, 2, "film", share, 0, 0, false, false});
@@ -54,7 +57,7 @@ void add_camera(Options& command, int& status) {
       .type("RECIPE.toml");
   add_overrides(command, a->overrides);
   command.add("--out", a->out, "Folder of the film, its references and its recipe (default: out/film)").type("DIR");
-  command.add("--format", a->format, "Format of the films").among(io::film_formats_to_write());
+  a->written.add(command, "--format", "format");
   command.add("--blind", a->blind,
               "Omit from film.toml what no laboratory knows exactly: lens blur, surroundings, phase of the load, "
               "displacement of the wall");

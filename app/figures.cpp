@@ -1,25 +1,26 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "core/units.hpp"
 #include "options.hpp"
 #include "python_module.hpp"
+#include "report/print.hpp"
 
 namespace arenite::app {
 namespace {
 
 struct FiguresArguments {
-  std::string result, out, width;
-  std::vector<std::string> formats{"pdf"}, only;
+  std::string result, out;
+  report::Print print;  ///< what the command line gives, but the width
+  KeyOptions keys{recipe::every_key<report::Print>()};
 };
 
-void draw(const FiguresArguments& a) {
+void draw(FiguresArguments& a) {
   refuse_neither_result_nor_study(a.result);
-  Numbers options{{"result", a.result}, {"formats", a.formats}};
-  if (!a.only.empty()) options["only"] = a.only;
+  read_options(a.print, a.keys.given("mm"));
+  Numbers options{{"result", a.result}, {"formats", a.print.formats}};
+  if (!a.print.names.empty()) options["only"] = a.print.names;
   if (!a.out.empty()) options["out"] = a.out;
-  if (!a.width.empty())
-    options["width"] = option_value("--width", [&] { return parse_si(a.width, dimension::length, "mm"); });
+  if (a.print.width) options["width"] = *a.print.width;
   continue_in_python("figures", "arenite.figures", options);
 }
 
@@ -31,12 +32,11 @@ void add_figures(Options& command, int&) {
       .required()
       .type("RESULT");
   command.add("--out", a->out, "Folder to write to (default: figures in the result's folder)").type("DIR");
-  command.add("--format", a->formats, "Formats: pdf, svg, png; several may be given")
-      .among({"pdf", "svg", "png"})
+  command.add("--format", a->print.formats, recipe::help_of(a->keys.at("formats")))
+      .among(report::print_formats())
       .type("FORMAT");
-  command.add("--only", a->only, "Names of the figures to draw; all if not given").type("NAME");
-  command.add("--width", a->width, "Width, e.g. \"85 mm\" (default: 85 mm for one column, 175 mm for two)")
-      .type("LENGTH");
+  command.add("--only", a->print.names, recipe::help_of(a->keys.at("names"))).type("NAME");
+  a->keys.add(command, "--width", "width").type("LENGTH");
   command.work = [a] { draw(*a); };
 }
 

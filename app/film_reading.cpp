@@ -6,6 +6,7 @@
 
 #include "core/median.hpp"
 #include "io/film/formats.hpp"
+#include "io/film/written_format.hpp"
 #include "print.hpp"
 #include "workflow/result_folder.hpp"
 
@@ -46,9 +47,11 @@ Numbers medians(const FilmMaps& maps, const FilmInfo& film) {
   return all;
 }
 
-void write_maps(const std::string& folder, const std::string& format, const FilmMaps& maps) {
+void write_maps(const std::string& folder, const std::vector<recipe::Given>& written, const FilmMaps& maps) {
+  io::WrittenMaps asked;
+  read_options(asked, written);
   workflow::make_folder(folder);
-  const std::string ending(io::format_named(io::films::all, format)->endings[0]);
+  const std::string ending(io::format_named(io::films::all, asked.format)->endings[0]);
   for (const auto& [name, unit, values] : maps.maps) {
     if (values->empty()) continue;
     Film film;

@@ -42,6 +42,7 @@ struct FilmMaps {
 Numbers medians(const FilmMaps& maps, const FilmInfo& film);
 
 /// Writes every map into the folder, which is made: NAME with the first ending of the format.
-void write_maps(const std::string& folder, const std::string& format, const FilmMaps& maps);
+/// `written`: what is given of io::WrittenMaps.
+void write_maps(const std::string& folder, const std::vector<recipe::Given>& written, const FilmMaps& maps);
 
 }  // namespace arenite::app

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "film_reading.hpp"
+#include "io/film/written_format.hpp"
 #include "io/table/table.hpp"
 #include "print.hpp"
 #include "progress.hpp"
@@ -23,7 +24,8 @@ namespace {
 using statistics::described;
 
 struct LockinArguments {
-  std::string film, out, format = "tiff";
+  std::string film, out;
+  KeyOptions written{recipe::every_key<io::WrittenMaps>()};
   FilmReading reading;
   KeyOptions keys{recipe::every_key<recipe::LockinAlone>()};
   recipe::LockinAlone section;  ///< what they say
@@ -149,7 +151,7 @@ int execute(LockinArguments& a) {
     print(stderr, "stopped; nothing was stored\n");
     return other_failure;
   }
-  if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps, phase_in_degrees(maps)));
+  if (!a.out.empty()) write_maps(a.out, a.written.given(), maps_of(maps, phase_in_degrees(maps)));
   if (!maps.blank.empty()) print(stderr, "{}: {}\n", a.film, thermography::blank_frames_sentence(maps.blank));
   if (!thermography::shows_load(maps))
     print(stderr, "{}: {}\n", a.film, thermography::no_load_sentence(maps, maps.frequency, "--frequency"));
@@ -171,7 +173,7 @@ void add_lockin(Options& command, int& status) {
   command.add("film", a->film, "Film of a cyclically loaded sample").required().type("FILM");
   a->keys.add(command, "--frequency", "frequency").required().type("FREQUENCY");
   command.add("--out", a->out, "Folder for the maps; if not given, nothing is stored").type("DIR");
-  command.add("--format", a->format, "Format of the maps").among(io::film_formats_to_write(true));
+  a->written.add(command, "--format", "format");
   a->keys.add(command, "--drift", "drift");
   a->keys.add(command, "--harmonics", "harmonics");
   a->keys.add(command, "--convention", "convention");

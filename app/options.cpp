@@ -140,8 +140,8 @@ Option& Options::add(std::string_view name, Option::Target to, std::string_view 
 Option& KeyOptions::add(Options& to, std::string_view name, std::string_view key, std::string_view bare_unit) {
   using Type = recipe::Record::Type;
   const recipe::Record& record = at(key);
-  Slot& slot =
-      slots_.emplace_back(Slot{std::string(name), std::string(key), std::string(bare_unit), &record, {}, {}, false});
+  Slot& slot = slots_.emplace_back(Slot{
+      std::string(name.substr(0, name.find('{'))), std::string(key), std::string(bare_unit), &record, {}, {}, false});
   std::string help = recipe::help_of(record);
   if (record.kind == recipe::Record::Kind::section)
     help += ", written " + list_of(names_in(record), "=VALUE,") + "=VALUE";

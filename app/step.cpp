@@ -4,6 +4,7 @@
 
 #include "commands.hpp"
 #include "film_reading.hpp"
+#include "io/film/written_format.hpp"
 #include "print.hpp"
 #include "progress.hpp"
 #include "thermal/thermography/blank_frames.hpp"
@@ -15,7 +16,8 @@ namespace {
 using statistics::described;
 
 struct StepArguments {
-  std::string film, out, format = "tiff";
+  std::string film, out;
+  KeyOptions written{recipe::every_key<io::WrittenMaps>()};
   FilmReading reading;
   KeyOptions keys{recipe::every_key<recipe::StepSection>()};
   thermography::StepOptions options;
@@ -79,7 +81,7 @@ int execute(StepArguments& a) {
   }
   if (!maps.blank.empty()) print(stderr, "{}: {}\n", a.film, thermography::blank_frames_sentence(maps.blank));
   for (const std::string& doubt : maps.doubts) print(stderr, "{}: {}\n", a.film, doubt);
-  if (!a.out.empty()) write_maps(a.out, a.format, maps_of(maps));
+  if (!a.out.empty()) write_maps(a.out, a.written.given(), maps_of(maps));
   const Numbers found = numbers(maps, a, film->info());
   print("{}", a.json ? to_json(found, 2) + "\n" : to_text(found));
   return done;
@@ -93,7 +95,7 @@ void add_step(Options& command, int& status) {
   for (const char* key : {"time", "rise", "window"}) a->keys.add(command, option_name(key), key).type("TIME");
   a->keys.add(command, "--drift", "drift");
   command.add("--out", a->out, "Folder for the maps; if not given, nothing is stored").type("DIR");
-  command.add("--format", a->format, "Format of the maps").among(io::film_formats_to_write(true));
+  a->written.add(command, "--format", "format");
   a->reading.add_to(command);
   add_threads(command, a->options.threads);
   command.add("--json", a->json, "Print all numbers as JSON");

@@ -7,6 +7,7 @@ ffmpeg, if installed, writes an MP4; Pillow, which comes with Matplotlib, a GIF.
 import os
 import pathlib
 import sys
+import types
 
 from . import _core
 from ._core import open as open_result
@@ -17,68 +18,47 @@ no_ffmpeg = "ffmpeg is not installed (Debian: apt-get install ffmpeg), so this i
 colourings = tuple(_core._colourings)
 
 
-def save(
-    result,
-    path,
-    by="material",
-    *,
-    stage=None,
-    chains=False,
-    colour_map=None,
-    low=None,
-    high=None,
-    fps=10.0,
-    size=(800, 800),
-    curve=None,
-    progress=None,
-):
-    """Writes the stored states of a result (a Result or its path), or of one `stage`, as an animation; returns its
-    path, which ends in .gif instead of .mp4 if ffmpeg is not installed.
-
-    `by`: "material", "forces" (bars only), "pressure", "deviator" (Pa), "z", "velocity" (m/s), "displacement" (from
-    the first state of the stage, m), "rotation" (rad), "mobilisation" (mean ``|F_t|/(mu F_n)`` of a grain);
-    `chains`: also forces as bars over the grains; `colour_map`: a colour map of Matplotlib; `low`, `high`: limits
-    of its scale in SI units, taken from the states unless given; `fps`: states per second; `size`: width and height
-    in pixels; `curve`: ("axial_strain", "top_force"), columns of `curves.along` or of the history, drawn beside the
-    grains with the current state marked, or "test": q/p or mu against strain; `progress(share, "states")` is called
-    meanwhile. Raises ValueError."""
+def save(result, path, by=None, *, low=None, high=None, size=None, curve=None, progress=None, **asked):
+    """Writes the stored states of a result (a Result or its path) as an animation; returns its path, which ends in .gif
+    instead of .mp4 if ffmpeg is not installed. `low` and `high` are in SI units, `size` is (width, height), `curve`
+    ("axial_strain", "top_force"), columns of `curves.along` or of the history, or "test"; `progress(share, "states")`
+    is called meanwhile. Raises ValueError. What is asked for:"""
     from .figures import motion, moving
     from .figures.style import journal_style
 
+    told = {"size": size and "x".join(str(n) for n in size), "curve": curve and str(curve)}
+    wanted = types.SimpleNamespace(**_core._animation(by=by, **told, **asked))
     path = pathlib.Path(path)
-    refuse(by, path, colour_map, fps, size)
+    refuse(path, wanted.colour_map)
     result = open_result(os.fspath(result)) if isinstance(result, (str, os.PathLike)) else result
-    shots = motion.shots_of(result, stage)
+    shots = motion.shots_of(result, wanted.stage)
     if path.suffix == ".mp4" and not has_ffmpeg():
         path = path.with_suffix(".gif")
     with journal_style(**moving.text_size):
-        even = [2 * (n // 2) for n in size]  # video codecs halve both sides
-        pictures = moving.Pictures(
-            shots, by, chains, colour_map, low, high, even, curve and moving.Beside(result, curve)
-        )
+        even = [2 * (n // 2) for n in wanted.size]  # video codecs halve both sides
+        beside = curve and moving.Beside(result, curve)
+        pictures = moving.Pictures(shots, wanted.by, wanted.chains, wanted.colour_map, low, high, even, beside)
         path.parent.mkdir(parents=True, exist_ok=True)
-        with written_whole(path) as beside:
+        with written_whole(path) as part:
             write = write_mp4 if path.suffix == ".mp4" else write_gif
-            write(beside, pictures, fps, progress or (lambda share, name: None))
+            write(part, pictures, wanted.fps, progress or (lambda share, name: None))
     return path
 
 
-def refuse(by, path, colour_map, fps, size):
-    """Raises ValueError for invalid arguments."""
+# The library says of each what its key says, to a line.
+save.__doc__ += "\n\n" + _core._animation.__doc__.split("\n\n")[-1]
+
+
+def refuse(path, colour_map):
+    """Raises ValueError for what the library knows nothing of."""
     import matplotlib
 
-    if by not in colourings:
-        raise ValueError(f"grains cannot be coloured by {by}; there are {', '.join(colourings)}")
     if path.suffix not in (".mp4", ".gif"):
         raise ValueError(f"{path}: give a name that ends in .mp4 or .gif")
     if colour_map is not None and colour_map not in matplotlib.colormaps:
         raise ValueError(
             f"Matplotlib has no colour map {colour_map}; examples are viridis, magma_r, RdBu_r, cividis and turbo"
         )
-    if not 0 < fps <= 100:
-        raise ValueError(f"{fps:g} states per second cannot be shown; give up to 100")
-    if not all(100 <= n <= 4000 for n in size):
-        raise ValueError("give 100 to 4000 pixels for width and height")
 
 
 def has_ffmpeg():
@@ -140,19 +120,7 @@ def palette_of(images, colour_map=None, scale=176):
     return palette
 
 
-def main(
-    result,
-    out=None,
-    by="material",
-    stage=None,
-    chains=False,
-    map=None,
-    low=None,
-    high=None,
-    fps=10,
-    size=None,
-    curve=None,
-):
+def main(result, out=None, map=None, curve=None, **options):
     """Implements `arenite animate`, whose options are declared by the program: prints the path; status 2 and a message
     on stderr for bad input."""
     folder = pathlib.Path(result) if os.path.isdir(result) else pathlib.Path(result).parent
@@ -160,16 +128,10 @@ def main(
         written = save(
             result,
             out or folder / "animation.mp4",
-            by,
-            stage=stage,
-            chains=chains,
             colour_map=map,
-            low=low,
-            high=high,
-            fps=fps,
-            size=size or (1200 if curve else 800, 800),
             curve=curve and pair(curve),
             progress=progress_on(sys.stderr),
+            **options,
         )
     except ValueError as error:
         return said(str(error))

@@ -7,18 +7,18 @@ numbers without errors are listed but not judged. The numbers are the library's.
 
 import csv
 import dataclasses
+import functools
 import math
 import os
 import pathlib
-import re
 
 from . import _core
 from ._core import open as open_result
 from ._said import carry_out, said, tell
 from ._written import written_whole
 
-beyond, within, equal, unjudged, alone = "beyond errors", "within errors", "equal", "no errors given", "in one only"
-sure = 2  # standard errors of the difference
+beyond, within, equal, unjudged, alone = _core._verdicts
+sure = _core._least_told  # standard errors of the difference
 
 
 @dataclasses.dataclass
@@ -37,33 +37,25 @@ class Row:
     @property
     def difference(self):
         """b - a; the shorter difference for angles."""
-        turn = turn_of(self.name)
-        return (self.b - self.a + turn / 2) % turn - turn / 2 if turn else self.b - self.a
+        return self._told[0]
 
     @property
     def error(self):
         """Standard error of the difference; that of one of the two if the other has none, NaN if neither has."""
-        known = [e for e in (self.a_error, self.b_error) if not math.isnan(e)]
-        return math.hypot(*known) if known else math.nan
+        return self._told[1]
+
+    @property
+    def in_errors(self):
+        """The difference over its error; NaN where one of them is not known."""
+        return self._told[2]
 
     @property
     def verdict(self):
-        if math.isnan(self.a) or math.isnan(self.b):
-            return alone
-        if self.a == self.b:
-            return equal
-        if not self.error > 0:
-            return unjudged
-        return beyond if abs(self.difference) > sure * self.error else within
+        return self._told[3]
 
-
-def turn_of(name):
-    """Period of an angle in degrees: half a turn for axes, an n-th of a turn for n-fold symmetry; None for other
-    numbers."""
-    folds = re.search(r"modes\.(\d+)\.phase_deg$", name)
-    if folds:
-        return 360 / int(folds[1])
-    return 180 if re.search(r"(theta_\w*|axis\w*)_deg$", name) else None
+    @functools.cached_property
+    def _told(self):
+        return _core._difference(self.name, self.a, self.a_error, self.b, self.b_error)
 
 
 def parts_of(result):
@@ -166,14 +158,12 @@ def summary(found):
     counts = counted(found)
     known = counts[beyond] + counts[within]
     text = (
-        f"{counts[beyond]} of {known} numbers with errors that differ are beyond {sure} standard errors of the "
+        f"{counts[beyond]} of {known} numbers with errors that differ are beyond {sure:g} standard errors of the "
         "difference"
     )
     if known:
-        text += (
-            f"; equal samples would give about {max(1, round(0.0455 * known))}, and numbers of one sample are "
-            "correlated"
-        )
+        by_chance = max(1, round(_core._beyond_by_chance(known)))
+        text += f"; equal samples would give about {by_chance}, and numbers of one sample are correlated"
     return (
         f"{text}. {counts[equal]} are equal, {counts[unjudged]} differ but have no error, {counts[alone]} are in one "
         "result only."
@@ -208,8 +198,7 @@ def with_error(value, error):
 
 
 def in_errors(row):
-    """The difference over its error."""
-    return f"{row.difference / row.error:+.1f}" if row.error > 0 and not math.isnan(row.difference) else ""
+    return "" if math.isnan(row.in_errors) else f"{row.in_errors:+.1f}"
 
 
 def plain(name):

@@ -34,7 +34,7 @@ def runouts(results):
 def gravity_of(stage):
     """Acceleration of gravity that a stage was asked for, m/s^2: at the end of its programme, if it has one; NaN where
     it is not known."""
-    return math.hypot(*stage.asked.get("gravity", (math.nan, 0.0)))
+    return _core._gravity_of(stage)
 
 
 def silos(results):

@@ -7,6 +7,7 @@
 #include "grains/fields/laboratory/test_numbers.hpp"
 #include "model/field_quantities.hpp"
 #include "module.hpp"
+#include "recipe/given.hpp"
 #include "report/field_document.hpp"
 #include "report/figures/comparison.hpp"
 #include "report/figures/figure_document.hpp"
@@ -15,6 +16,7 @@
 #include "report/figures/state_numbers.hpp"
 #include "report/figures/test_figures.hpp"
 #include "report/page_document.hpp"
+#include "report/print.hpp"
 #include "thermal/inference/film_stresses.hpp"
 #include "workflow/film/film_numbers.hpp"
 
@@ -119,6 +121,11 @@ void bind_figures(py::module_& m) {
       },
       "What is said of every figure, by the kind of part that it is of: id, name in print, title, caption, choices.");
   m.attr("_notation") = figures::notation;
+  py::dict print_words;
+  const auto print_keys = recipe::every_key<report::Print>();
+  for (const char* name : {"formats", "names", "width"})
+    print_words[name] = recipe::help_of(recipe::record_at(print_keys, name)) + ".";
+  m.attr("_print_words") = print_words;
   m.def(
       "_compared",
       [](const py::dict& head, const py::list& one, const py::list& other) {

@@ -4,6 +4,8 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
+#include "io/film/written_format.hpp"
+#include "keywords.hpp"
 #include "module.hpp"
 #include "report/film_text.hpp"
 #include "workflow/film/render_film.hpp"
@@ -58,14 +60,23 @@ FilmResult film(const Path& path, const RecipeLike& recipe, const Path& out, con
   });
 }
 
+const Keywords& camera_keywords() {
+  static const Keywords keywords{recipe::every_key<io::WrittenFilms>(), {{"format", "format", "", true}}};
+  return keywords;
+}
+
 std::vector<std::string> camera(const Path& result, const RecipeLike& recipe, const Path& out,
-                                const std::string& format, const py::dict& changes, const Progress& progress) {
+                                const std::string& format, const py::dict& changes, const Progress& progress,
+                                const py::kwargs& more) {
+  camera_keywords().given("camera", more);
+  io::WrittenFilms written;
+  read_keywords(written, {camera_keywords().given("format", py::str(format))});
   const auto asked = recipe_of(recipe, changes);
   Call call;
   return call.without_lock([&] {
     workflow::RenderOptions options;
     options.out = out;
-    options.format = format;
+    options.format = written.format;
     options.progress = [&](double share) {
       call.tell(progress, share, "film");
       return !call.asked_to_stop();
@@ -133,10 +144,12 @@ void bind_film_workflow(py::module_& m) {
         py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
         "The whole workflow from a film (a file) to grain stresses and contact forces, as `arenite film` runs it; "
         "`recipe`: a FilmRecipe or its file (docs/film-recipe.md).");
-  m.def("camera", &camera, py::arg("result"), py::arg("recipe"), py::arg("out"), py::arg("format") = "ptw",
-        py::arg("changes") = py::dict(), py::kw_only(), py::arg("progress") = py::none(),
-        "Films simulated states of a run's folder with a virtual infrared camera, according to [camera] of the recipe "
-        "(a FilmRecipe or its file); returns the files written.");
+  def_with_keywords(
+      m, "camera", &camera, camera_keywords(),
+      "Films simulated states of a run's folder with a virtual infrared camera, according to [camera] of the recipe "
+      "(a FilmRecipe or its file); returns the files written.",
+      py::arg("result"), py::arg("recipe"), py::arg("out"), py::arg("format") = io::WrittenFilms{}.format,
+      py::arg("changes") = py::dict(), py::kw_only(), py::arg("progress") = py::none());
 }
 
 }  // namespace arenite::python

@@ -5,6 +5,7 @@
 #include "campaign/study_kind.hpp"
 #include "columns.hpp"
 #include "core/problems.hpp"
+#include "grains/fields/driven.hpp"
 #include "grains/fields/flow_laws.hpp"
 #include "grains/fields/over_runs.hpp"
 #include "module.hpp"
@@ -118,6 +119,9 @@ void bind_laws(py::module_& m) {
         "Power laws of run-outs below and above aspect ratios, low and high, where three points are there.");
   m.def("fit_janssen", &janssen, py::arg("height"), py::arg("pressure"), py::arg("error"), py::arg("hydrostatic"),
         "p = saturation (1 - exp(-H/length)) of pressures (Pa) under fillings (m), each (value, error).");
+  m.def(
+      "_gravity_of", [](const StageResult& stage) { return fields::gravity_size(stage.asked); }, py::arg("stage"),
+      "Acceleration of gravity that a stage was asked for, m/s^2; NaN where it is not known.");
   m.def(
       "length_by_stresses",
       [](const ArrayLike& width, const ArrayLike& wall_friction, const ArrayLike& ratio) {

@@ -8,6 +8,7 @@
 #include "grains/fields/loading.hpp"
 #include "grains/texture/force_scale.hpp"
 #include "grains/texture/grain_quantities.hpp"
+#include "keywords.hpp"
 #include "module.hpp"
 #include "report/animation.hpp"
 #include "report/figures/state_numbers.hpp"
@@ -51,9 +52,41 @@ template <class Work> std::pair<double, double> scale_of(Work&& work) {
   return {scale.mean, scale.tension};
 }
 
+/// Keywords of arenite.animate.save.
+const Keywords& animation_keywords() {
+  static const Keywords keywords{recipe::every_key<report::Animation>(),
+                                 {{"by", "by"},
+                                  {"chains", "chains"},
+                                  {"stage", "stage"},
+                                  {"colour_map", "map"},
+                                  {"low", "low", "", true},
+                                  {"high", "high", "", true},
+                                  {"fps", "fps"},
+                                  {"size", "size"},
+                                  {"curve", "curve"}}};
+  return keywords;
+}
+
+py::dict animation_of(const py::kwargs& given) {
+  report::Animation animation;
+  read_keywords(animation, animation_keywords().given("save", given));
+  const report::PictureSize size = report::size_of(animation);
+  const auto or_none = [](const std::string& text) { return text.empty() ? py::object(py::none()) : py::str(text); };
+  py::dict d;
+  d["by"] = report::colourings()[animation.by].name;
+  d["chains"] = animation.chains;
+  d["stage"] = or_none(animation.stage);
+  d["colour_map"] = or_none(animation.map);
+  d["fps"] = animation.fps;
+  d["size"] = py::make_tuple(size.width, size.height);
+  return d;
+}
+
 }  // namespace
 
 void bind_pictures(py::module_& m) {
+  def_with_keywords(m, "_animation", &animation_of, animation_keywords(),
+                    "What an animation is asked for, as declared, with defaults for what is not given.");
   m.attr("_colourings") =
       py::cast(mapped(report::colourings(), [](const report::Colouring& each) { return std::string(each.name); }));
   m.def(

@@ -3,22 +3,28 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "campaign/collect.hpp"
 #include "campaign/run_study.hpp"
 #include "core/mapped.hpp"
+#include "grains/texture/periods.hpp"
 #include "io/table/table.hpp"
 #include "module.hpp"
 #include "report/study_page.hpp"
 #include "report/summary.hpp"
+#include "statistics/difference.hpp"
 #include "workflow/result_folder.hpp"
 
 namespace arenite::python {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// In the order of statistics::Verdict.
+constexpr const char* verdicts[] = {"beyond errors", "within errors", "equal", "no errors given", "in one only"};
 
 /// Numbers where all cells are numbers (NaN where empty), the words otherwise.
 py::object swept_column(const campaign::CollectedTable& table, std::size_t k) {
@@ -112,6 +118,19 @@ void bind_study(py::module_& m) {
       "{dotted name: (value, error)} of the single numbers of a tree, NaN where there is none; of lists those of at "
       "most "
       "four.");
+  m.def(
+      "_difference",
+      [](const std::string& name, double a, double a_error, double b, double b_error) {
+        const auto d = statistics::difference_of({a, a_error}, {b, b_error}, texture::period_deg(name));
+        return py::make_tuple(d.value, d.error, d.in_errors, verdicts[static_cast<std::size_t>(d.verdict)]);
+      },
+      py::arg("name"), py::arg("a"), py::arg("a_error"), py::arg("b"), py::arg("b_error"),
+      "(b - a, its error, the one over the other, verdict) of two numbers of this dotted name; of angles the shorter "
+      "way.");
+  m.attr("_verdicts") = std::vector<std::string>(std::begin(verdicts), std::end(verdicts));
+  m.attr("_least_told") = statistics::least_told;
+  m.def("_beyond_by_chance", &statistics::beyond_by_chance, py::arg("judged"),
+        "How many of so many differences of equal samples are beyond their errors by chance.");
   m.def(
       "_page_of_figures", [](const py::dict& document) { return report::html_of(from_python(document)); },
       py::arg("document"), "HTML of a page with these figures and tables, as report::html_of has it.");

@@ -1,8 +1,34 @@
 #include "report/animation.hpp"
 
+#include <fmt/core.h>
+
+#include <optional>
+
+#include "core/error.hpp"
 #include "core/mapped.hpp"
+#include "core/text.hpp"
 
 namespace arenite::report {
+namespace {
+
+constexpr int least_side = 100, longest_side = 4000;
+constexpr PictureSize usual{800, 800}, usual_with_curve{1200, 800};
+
+bool can_be_shown(int side) { return side >= least_side && side <= longest_side; }
+
+/// "1200x800" as 1200 and 800.
+std::optional<PictureSize> size_in(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) return std::nullopt;
+  const PictureSize size{parse_number<int>(text.substr(0, cross)).value_or(0),
+                         parse_number<int>(text.substr(cross + 1)).value_or(0)};
+  return can_be_shown(size.width) && can_be_shown(size.height) ? std::optional(size) : std::nullopt;
+}
+
+const std::string no_size =
+    fmt::format("is not a size; give {} to {} pixels for width and height, e.g. 1200x800", least_side, longest_side);
+
+}  // namespace
 
 const std::vector<Colouring>& colourings() {
   static const std::vector<Colouring> list{{"material", ""},
@@ -26,7 +52,23 @@ void declare(ParameterVisitor& v, Animation& animation) {
   v.flag({"chains", "Also draw contact forces as bars over the grains."}, animation.chains);
   v.text({"stage", "Only the states of this stage; all if not given."}, animation.stage);
   v.text({"map", "Colour map of Matplotlib, e.g. viridis."}, animation.map);
+  v.text({"low", "Lower end of the colour scale, e.g. \"0 kPa\"; taken from the states if not given."}, animation.low);
+  v.text({"high", "Upper end of the colour scale, e.g. \"200 kPa\"; taken from the states if not given."},
+         animation.high);
   v.number({"fps", "States per second."}, animation.fps, "", range::between(0.01, 100));
+  v.text({"size", "Width and height in pixels; if not given 800x800, with a curve 1200x800."}, animation.size);
+  v.require(animation.size.empty() || size_in(animation.size), {"size"}, no_size);
+  v.text({"curve",
+          "Draw a curve beside the grains, with the current state marked: X,Y, e.g. axial_strain,top_force, or test: "
+          "q/p or mu against strain."},
+         animation.curve);
+}
+
+PictureSize size_of(const Animation& animation) {
+  if (animation.size.empty()) return animation.curve.empty() ? usual : usual_with_curve;
+  const auto size = size_in(animation.size);
+  if (!size) throw InputError(animation.size + " " + no_size);
+  return *size;
 }
 
 }  // namespace arenite::report

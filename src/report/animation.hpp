@@ -19,8 +19,17 @@ struct Animation {
   std::size_t by = 0;  ///< in `colourings`
   bool chains = false;
   std::string stage, map;
-  double fps = 10;  ///< states per second
+  std::string low, high;  ///< of the colour scale, as they are written
+  double fps = 10;        ///< states per second
+  std::string size, curve;
 };
 void declare(ParameterVisitor& visitor, Animation& animation);
+
+/// Sides of a picture in pixels.
+struct PictureSize {
+  int width = 0, height = 0;
+};
+/// As asked for, or the usual one, which is wider with a curve. Throws InputError for what is no size.
+PictureSize size_of(const Animation& animation);
 
 }  // namespace arenite::report

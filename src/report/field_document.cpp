@@ -110,6 +110,17 @@ Numbers quantities_of(const FieldResult& result) {
   return all;
 }
 
+/// How a stress is told against the mean of the sample, and what "strong" is measured by, Pa: the largest mean of a
+/// component, which is the shear stress where the sample is sheared; 1 where there is none.
+void add_comparison(Numbers& out) {
+  out["relative"] = {{"symbol", std::string(relative_stress.symbol)},
+                     {"formula", std::string(relative_stress.formula)}};
+  double scale = 0;
+  for (const auto& [name, component] : std::as_const(out["components"]).items())
+    if (component["unit"] == Numbers("Pa")) scale = std::fmax(scale, std::abs(component["mean"].get<double>()));
+  out["scale"] = scale > 0 ? scale : 1;
+}
+
 /// Nodes, radii of disks of the same area, centres, mean stresses and extremes of all grains; no stresses without a
 /// field.
 Numbers grains_of(const stress::GrainStresses& g, const FieldResult& result, NumberBlock& block) {
@@ -184,6 +195,7 @@ Numbers field_of(const FieldResult& r, const stress::Statistics* known, std::siz
               {"curve", history_of(r.curve, block)},
               {"headlines", figures::numbers_of(figures::headlines_of(r))},
               {"figures", shortened(figures::numbers_of(figures::field_figures(), {r, densities}, write, true))}};
+  add_comparison(out);
   add_numbers(out, r.numbers);
   if (!r.cracks.empty()) out["cracks"] = cracks_of(r.cracks, block);
   return out;

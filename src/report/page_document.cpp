@@ -21,6 +21,7 @@
 #include "report/figures/run_figures.hpp"
 #include "report/figures/state_numbers.hpp"
 #include "report/film_document.hpp"
+#include "report/number_words.hpp"
 #include "report/packing_layers.hpp"
 #include "report/stage_doubts.hpp"
 #include "report/voxel_document.hpp"
@@ -245,7 +246,7 @@ PageDocument page_document(const PageData& data) {
   NumberBlock block;
   figures::PageLists lists(block);
   const figures::WriteList write = std::ref(lists);
-  Numbers document{{"title", data.title}, {"notation", figures::notation}};
+  Numbers document{{"title", data.title}, {"notation", figures::notation}, {"words", number_words()}};
   document["figures"] = {{"packing", heads_of(figures::packing_heads())},
                          {"field", heads_of(figures::field_heads())},
                          {"film", heads_of(figures::film_heads())}};

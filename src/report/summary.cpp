@@ -163,18 +163,18 @@ std::string doubts_of(const StageResult& stage) {
   return text;
 }
 
-/// The numbers that one asks for first, of grains, of what flows and of nodes, as rows of a table.
+/// The numbers that one asks for first, as rows of a table: of a test what it tells, as on the page, then those of
+/// grains and of nodes.
 std::string headlines(const Numbers& numbers) {
-  const std::string filled = numbers.contains("surface") ? "surface.solid_fraction " : "solid_fraction ";
   return rows_of(
       numbers,
-      "contacts wall_contacts " + filled +
+      "critical_state peak uniaxial oedometer cycles discharge surface floor cohesion boundary_loads contacts "
+      "wall_contacts " +
+          std::string(numbers.contains("surface") ? "" : "solid_fraction ") +
           "coordination.all coordination.without_rattlers "
           "coordination.all,* coordination.rattlers coordination.Z fabric.a_c fabric.a_c_noise long_axes.order "
           "long_axes.noise force.mean_N force.strong_share force.beta stress_details.pressure_Pa "
-          "stress_details.deviator_Pa critical_state peak uniaxial oedometer cycles discharge boundary_loads surface "
-          "floor "
-          "cohesion map.lengths grains.all "
+          "stress_details.deviator_Pa map.lengths grains.all "
           "phases.void phases.matrix S_m pores.count pores.mean voids.count modulus_Pa poisson apparent_moduli "
           "strength_Pa failure.strain_at_strength stress.sigma_yy.sets.*.mean_over_sample_mean map.voxels "
           "map.phases map.grains load.voxels.carrying load.voxels.floating effective_stiffness.young_Pa "

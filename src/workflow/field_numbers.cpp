@@ -2,16 +2,14 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "model/elasticity/bounds.hpp"
 #include "recipe/recipe.hpp"
-#include "solid/grid/cavities.hpp"
 #include "solid/peridynamics/bonds.hpp"
+#include "solid/peridynamics/measures.hpp"
 #include "statistics/numbers.hpp"
 
 namespace arenite::workflow {
@@ -62,24 +60,18 @@ Numbers as_asked(const recipe::Load& load) {
   return j;
 }
 
-/// Poisson's ratio of all phases under plane stress; nothing where they differ, or strains across the plane are held.
-std::optional<double> one_poisson_ratio(const recipe::Load& load) {
-  if (!load.by_elements()) return 1.0 / 3;  // the lattice's
+/// Of Young's modulus, by the phases' shares; none are told of plane strain and of phases that differ in Poisson's
+/// ratio.
+std::optional<elasticity::ModulusBounds> bounds(const Numbers& phases, const recipe::Load& load) {
   const elements::Material m = load.material();
-  const bool alike = m.matrix.poisson == m.particle.poisson && m.plane == elements::PlaneState::stress;
-  return alike ? std::optional(m.matrix.poisson) : std::nullopt;
-}
-
-/// Of Young's modulus, by the phases' shares.
-Numbers bounds(const Numbers& phases, const peridynamics::Stiffness& e, double poisson) {
-  const auto b = elasticity::modulus_bounds({{phases["particle"].get<double>(), e.particle},
-                                             {phases["matrix"].get<double>(), e.matrix},
-                                             {phases["void"].get<double>(), 0}},
-                                            poisson);
-  return {{"voigt", b.voigt},
-          {"hashin_shtrikman_upper", b.shtrikman_upper},
-          {"hashin_shtrikman_lower", b.shtrikman_lower},
-          {"reuss", b.reuss}};
+  if (load.by_elements() && m.plane != elements::PlaneState::stress) return std::nullopt;
+  const auto poisson = [&](const elements::Constants& of) {
+    return load.by_elements() ? of.poisson : peridynamics::lattice_poisson;
+  };
+  const peridynamics::Stiffness e = load.stiffness.resolved();
+  return elasticity::modulus_bounds({{phases["particle"].get<double>(), e.particle, poisson(m.particle)},
+                                     {phases["matrix"].get<double>(), e.matrix, poisson(m.matrix)},
+                                     {phases["void"].get<double>(), 0, poisson(m.matrix)}});
 }
 
 // In the order of peridynamics::Ending.
@@ -141,9 +133,12 @@ void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadRepo
     j["modulus_Pa"] = described(report.modulus, "Pa", "Apparent modulus, mean stress over strain");
     if (load.loading != peridynamics::Loading::shear)
       j["poisson"] = described(report.poisson, "", "Apparent Poisson's ratio, of the middle half");
-    if (const auto poisson = one_poisson_ratio(load); poisson && j.contains("phases"))
-      j["modulus_bounds_Pa"] = described(bounds(j["phases"], load.stiffness.resolved(), *poisson), "Pa",
-                                         "Bound of Young's modulus from the phase fractions");
+    if (const auto b = j.contains("phases") ? bounds(j["phases"], load) : std::nullopt)
+      j["modulus_bounds_Pa"] = described({{"voigt", b->voigt},
+                                          {"hashin_shtrikman_upper", b->shtrikman_upper},
+                                          {"hashin_shtrikman_lower", b->shtrikman_lower},
+                                          {"reuss", b->reuss}},
+                                         "Pa", "Bound of Young's modulus from the phase fractions");
   }
   if (moduli)
     j["apparent_moduli"] = {
@@ -158,13 +153,12 @@ void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadRepo
 
 void note_bonds_across_voids(Numbers& j, const recipe::Load& load, const PhaseMap& upright) {
   if (load.stop_at_voids) return;
-  const std::size_t across = peridynamics::bonds_across_voids(upright);
   j["load"]["bonds_across_voids"] =
-      described(across, "", "Bonds that pass through a void node: they carry load across cracks thinner than 3 nodes");
+      described(peridynamics::bonds_across_voids(upright), "",
+                "Bonds that pass through a void node: they carry load across cracks thinner than 3 nodes");
   const Numbers* carrying = j.at_path("/load/nodes/carrying");
   const bool carries = carrying ? carrying->get<double>() > 0 : j["strength_Pa"].get<double>() > 0;
-  // What bonds join that stop at voids is joined side by side: solid where voids go through corners.
-  if (across == 0 || !carries || grid::find_percolation(upright, true).solid_bottom_top) return;
+  if (!carries || !peridynamics::joined_through_voids_only(upright)) return;
   j["notes"].push_back(
       "no solid joins the two clamps: all load passes through bonds that reach across voids thinner than 3 nodes; "
       "stop_at_voids (--stop-at-voids) lets no bond pass");
@@ -174,23 +168,23 @@ namespace {
 
 /// What breaks the bonds of this grid, and what a strength found on it hangs on.
 void add_criterion(Numbers& j, const recipe::Load& load, double dx) {
-  const peridynamics::Stiffness e = load.stiffness.resolved();
-  peridynamics::DamageOptions options{load, load, e, {}, load.toughness.resolved(), {}};
-  const auto of_toughness = peridynamics::critical_stretches(options, dx);
-  options.strength = load.strength.resolved();
-  const auto s = peridynamics::critical_stretches(options, dx);
-  const auto governs = [&](std::size_t type) { return s[type] < of_toughness[type] ? "strength" : "toughness"; };
+  const auto limits = peridynamics::breaking_limits(
+      {load, load, load.stiffness.resolved(), {}, load.toughness.resolved(), load.strength.resolved()}, dx);
+  const auto& s = limits.stretch;
+  const auto governs = [&](std::size_t type) {
+    return limits.set_by[type] == peridynamics::Limit::strength ? "strength" : "toughness";
+  };
   j["failure"]["critical_stretch"] = described({{"matrix", s[1]}, {"interface", s[2]}, {"particle", s[3]}}, "",
                                                "Stretch at which these bonds break on this grid");
   j["failure"]["governed_by"] = {{"matrix", governs(1)}, {"interface", governs(2)}, {"particle", governs(3)}};
-  const bool tough = s[1] == of_toughness[1] || s[2] == of_toughness[2];
   j["notes"].push_back(fmt::format(
       "the strength is that of this grid, of node spacing {:.4g} m: {}; compare samples at one spacing "
       "(docs/peridynamics.md)",
       dx,
-      tough ? "bonds break at a stretch that follows from their toughness and grows as the spacing to the power -1/2"
-            : "bonds break at the strength given, which is reached the sooner where stress concentrates the finer the "
-              "grid"));
+      limits.follow_spacing()
+          ? "bonds break at a stretch that follows from their toughness and grows as the spacing to the power -1/2"
+          : "bonds break at the strength given, which is reached the sooner where stress concentrates the finer the "
+            "grid"));
 }
 
 }  // namespace
@@ -210,15 +204,13 @@ void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::Damag
   j["load"] = l;
   j["modulus_Pa"] = described(result.modulus, "Pa", "Apparent modulus before the first bond breaks");
   j["strength_Pa"] = described(result.strength, "Pa", "Strength, largest mean stress");
-  std::array<std::size_t, 4> by_type{};
-  for (const auto& bond : result.broken) ++by_type[bond.type & 3u];
+  const auto by_type = peridynamics::broken_by_type(result.broken);
   Numbers failure{{"broken", described({{"matrix", by_type[1]}, {"interface", by_type[2]}, {"particle", by_type[3]}},
                                        "", "Bonds broken")},
                   {"energy_balance_error",
                    described(result.energy_defect, "", "Largest |work - elastic - released energy| over the work")}};
-  for (const auto& state : result.curve)
-    if (state.stress == result.strength)
-      failure["strain_at_strength"] = described(state.strain, "", "Strain at the largest mean stress");
+  if (const auto strain = peridynamics::strain_at_strength(result))
+    failure["strain_at_strength"] = described(*strain, "", "Strain at the largest mean stress");
   if (!result.curve.empty()) {
     const auto& last = result.curve.back();
     failure.update({{"work_J_per_m", described(last.work, "J/m", "Work of the load, per metre of depth")},

@@ -126,10 +126,10 @@ def test_figures_hold_both_in_the_units_of_the_first():
         series = [{"x": [1, 2], "y": [3, None], "colour": "strong"}, {"x": [0], "y": [0], "silent": True}]
         return {"panels": [{"x": {"label": "t"}, "y": {"label": "p", "unit": unit, "high": high}, "series": series}]}
 
-    head = {"id": "p", "caption": "The pressure. Of one result alone: more."}
+    head = {"id": "p", "caption": "At 1. 2 m of water. Of one alone.", "shown": "At 1. 2 m of water."}
     figure = _core._compared(head, [panel("kPa", 5)], [panel("MPa", 4)])
     (shown,) = figure["drawing"]["panels"]
-    assert figure["caption"] == "The pressure"
+    assert figure["caption"] == head["shown"]
     assert [(series["name"], series["y"]) for series in shown["series"]] == [("A", [3, None]), ("B", [3000, None])]
     assert shown["y"]["high"] == 4000
     assert _core._compared(head, [panel("kPa", 5)], []) == {}

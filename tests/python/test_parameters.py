@@ -1,11 +1,14 @@
 """A parameter that recipes, commands and Python share is described by one sentence: that of its declaration."""
 
+import operator
 import os
 import pathlib
 import re
 import subprocess
 
 import arenite
+import arenite.animate
+import arenite.figures
 import pytest
 
 root = pathlib.Path(__file__).parents[2]
@@ -161,18 +164,30 @@ without_recipe = {
 }
 
 
+without_recipe["camera"] = (["camera"], same_keywords("format"))
+without_recipe["figures"] = (["figures.save_all"], same_keywords("width") | {"--format": "formats", "--only": "names"})
+without_recipe["animate"] = (
+    ["animate.save"],
+    same_keywords("by", "chains", "stage", "low", "high", "fps", "size", "curve") | {"--map": "colour_map"},
+)
+
+
 @pytest.mark.parametrize("command", without_recipe)
 def test_parameters_of_no_recipe_are_described_alike_in_help_manual_and_docstring(command):
     functions, shared = without_recipe[command]
     lines = {}
     for function in functions:
         lines |= dict(
-            re.findall(r"^`(\w+)`: (.*?)\.(?: A number is in .*)?$", getattr(arenite, function).__doc__, re.MULTILINE)
+            re.findall(r"^`(\w+)`: (.*?)\.(?: A number is in .*)?$", docstring_of(function), re.MULTILINE)
         )
     shown, manual = help_of(command), manual_of(command)
     for option, name in shared.items():
         assert lines[name] in shown[option], f"{command} {option}: {lines[name]}"
         assert lines[name] in manual, f"{command} {option}: {lines[name]}"
+
+
+def docstring_of(function):
+    return operator.attrgetter(function)(arenite).__doc__
 
 
 def default_in(text):

@@ -1,42 +1,12 @@
 import { prefixOf, text } from "./text.js";
 
-/** Keys whose words are not the field's: what stands instead. */
-const names = {
-  sigma_yy: "\u03c3_{yy}",
-  sigma_xx: "\u03c3_{xx}",
-  sigma_xy: "\u03c3_{xy}",
-  sigma_hyd: "\u03c3_{hyd}",
-  sigma_norm: "\u03c3_{norm}",
-  psi6: "local order \u03c8_{6}",
-  a_c: "a_{c}",
-  a_c_signed: "a_{c}, signed",
-  a_c_noise: "noise of a_{c}",
-  phi: "\u03c6",
-  a_n: "a_{n}",
-  a_t: "a_{t}",
-  theta_c: "\u03b8_{c}",
-  theta_n: "\u03b8_{n}",
-  P0: "P_{0}",
-  alpha: "\u03b1",
-  beta: "\u03b2",
-  S_m: "S_{m}",
-  r2: "R^{2}",
-  line_r2: "R^{2} of a line",
-  q_gaussian: "q-Gaussian",
-  p_value: "p-value",
-  cv: "coefficient of variation",
-  rms: "r.m.s.",
-  dx: "node spacing",
-  lockin: "lock-in",
-  fn_error: "s.e. of F_{n}",
-  ft_error: "s.e. of F_{t}",
-  thinnest_neck_nodes: "nodes across the thinnest neck",
-  smallest_grain_nodes: "nodes across the smallest grain",
-  modulus: "apparent modulus",
-};
+let called = {};
 
-/** Symbols that stand beside words. */
-const symbols = { stress: "\u03c3", solid_fraction: "\u03c6", pressure: "p", deviator: "q", modulus: "E" };
+/** Name and symbol of keys whose own words are not the field's are one thought of the program's
+    (`report/number_words.hpp`): the page's data hold them, { key: [name, symbol] }. */
+export function readWords(words) {
+  called = words;
+}
 
 const letters = (words) => words.replaceAll("_per_", "_").replace(/[^A-Za-z0-9]/g, "");
 
@@ -50,17 +20,12 @@ function stemOf(key, unit) {
 /** Words and symbol of a key: { name, symbol }. */
 export function named(key, unit = "") {
   const stem = stemOf(key, unit),
-    coordination = /^Z_([ls]{1,2})$/.exec(stem);
-  if (coordination) return { name: `Z_{${coordination[1]}}`, symbol: "" };
-  return {
-    name:
-      names[stem] ??
-      stem
-        .replaceAll("_", " ")
-        .replace("-ANY", "-any")
-        .replace(/(?<=\w)-(?=\w)/, "\u2013"),
-    symbol: symbols[stem] ?? "",
-  };
+    own = stem
+      .replaceAll("_", " ")
+      .replace("-ANY", "-any")
+      .replace(/(?<=\w)-(?=\w)/, "\u2013"),
+    [name, symbol] = called[stem] ?? [own, ""];
+  return { name, symbol };
 }
 
 export const isEstimate = (v) => v !== null && typeof v === "object" && "value" in v && !Array.isArray(v.value);

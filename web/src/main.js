@@ -1,5 +1,6 @@
 import { forms, keepInAddress } from "./address.js";
 import { loadData } from "./block.js";
+import { readWords } from "./declared.js";
 import { h, readNotation } from "./dom.js";
 import { FieldResult, PhaseMap } from "./field/result.js";
 import { fieldSection } from "./field/section.js";
@@ -39,6 +40,7 @@ async function main() {
   try {
     const { about, block } = await loadData();
     readNotation(about.notation);
+    readWords(about.words);
     const sample = new Sample(about, block);
     const maps = (about.maps ?? []).map((map) => new PhaseMap(map, block));
     const fields = (about.fields ?? []).map((field) => new FieldResult(field, maps, block, about.title));

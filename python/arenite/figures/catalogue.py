@@ -165,8 +165,8 @@ def study_figures(path):
 
 
 def save_all(result, folder, formats=("pdf",), names=None, width=None, stage=None, state=None):
-    """Saves every figure of a result or a study (a Result or its path) in a folder; returns the paths. `formats`: pdf,
-    svg, png; `names`: only these figures; `stage` and `state` as in `figures_of`."""
+    """Saves every figure of a result or a study (a Result or its path) in a folder; returns the paths. `stage` and
+    `state` as in `figures_of`; the width in inches."""
     is_path = isinstance(result, (str, pathlib.Path))
     of_study = is_path and studies.is_study(result)
     found = (
@@ -186,6 +186,10 @@ def save_all(result, folder, formats=("pdf",), names=None, width=None, stage=Non
         save(figure, part, new, width)
         paths += new
     return paths
+
+
+# The library says of each what its key says, to a line.
+save_all.__doc__ += "\n\n" + "\n".join(f"`{name}`: {words}" for name, words in _core._print_words.items())
 
 
 def name_now(name):

@@ -68,4 +68,6 @@ std::vector<Vec2> gravity_in(const History& rows, const Asked& asked) {
   return gravity;
 }
 
+double gravity_size(const Asked& asked) { return asked.known ? norm(asked.gravity) : statistics::unknown; }
+
 }  // namespace arenite::fields

@@ -18,5 +18,7 @@ double length_of(const StageResult& result, const dem::Stage& stage);
 
 /// Gravity that acted at these rows of a history, m/s^2: as they say, or that of the whole stage.
 std::vector<Vec2> gravity_in(const History& rows, const Asked& asked);
+/// Size of the gravity that a stage was asked for, at its end, m/s^2; NaN where it is not known.
+double gravity_size(const Asked& asked);
 
 }  // namespace arenite::fields

@@ -84,7 +84,10 @@ std::string_view bare(std::string_view line) {
   return trimmed(line);
 }
 
-/// Lines "key = value".
+/// Lines "key = value". A sidecar is the header of a film, as a camera's own headers are, and not a recipe: recording
+/// programs and scripts write it, bare words and all, it is found by the frames beside it, and a film must open where
+/// no recipe is read. The reader of recipes, which stands above this room, asks for TOML and for units; this one takes
+/// what those programs write, as each reader of another header does.
 Sidecar read_sidecar(std::string_view text, Problems& problems) {
   Sidecar sidecar;
   std::set<std::string, std::less<>> said;

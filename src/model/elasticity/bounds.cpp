@@ -28,6 +28,17 @@ template <int D> BulkAndShear<D> shtrikman(const std::vector<PhaseShare<D>>& pha
   return {mixed(phases, 2.0 * (D - 1) / D * shear, bulk_of<D>), mixed(phases, around, shear_of<D>)};
 }
 
+/// That of all solid phases; nothing where they differ.
+std::optional<double> one_poisson(const std::vector<Share>& phases) {
+  std::optional<double> one;
+  for (const Share& phase : phases) {
+    if (!(phase.young > 0)) continue;
+    if (one && *one != phase.poisson) return std::nullopt;
+    one = phase.poisson;
+  }
+  return one.value_or(0);  // of voids alone any
+}
+
 }  // namespace
 
 template <int D> BoundsIn<D> bounds(const std::vector<PhaseShare<D>>& phases) {
@@ -51,12 +62,14 @@ template <int D> BoundsIn<D> bounds(const std::vector<PhaseShare<D>>& phases) {
 template BoundsIn<2> bounds(const std::vector<PhaseShare<2>>& phases);
 template BoundsIn<3> bounds(const std::vector<PhaseShare<3>>& phases);
 
-ModulusBounds modulus_bounds(const std::vector<Share>& phases, double poisson) {
+std::optional<ModulusBounds> modulus_bounds(const std::vector<Share>& phases) {
+  const auto poisson = one_poisson(phases);
+  if (!poisson) return std::nullopt;
   std::vector<PhaseShare<2>> shares;
-  for (const auto& [area, young] : phases)
-    shares.push_back({area, {young / (2 * (1 - poisson)), young / (2 * (1 + poisson))}});
+  for (const Share& phase : phases)
+    shares.push_back({phase.area, {phase.young / (2 * (1 - *poisson)), phase.young / (2 * (1 + *poisson))}});
   const BoundsIn<2> all = bounds(shares);
-  return {all.voigt.young(), all.reuss.young(), all.shtrikman_upper.young(), all.shtrikman_lower.young()};
+  return ModulusBounds{all.voigt.young(), all.reuss.young(), all.shtrikman_upper.young(), all.shtrikman_lower.young()};
 }
 
 }  // namespace arenite::elasticity

@@ -1,19 +1,22 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 namespace arenite::elasticity {
 
-/// A phase of a mixture: its share of the area and its modulus, Pa (0: void).
+/// A phase of a plane mixture: its share of the area, its modulus, Pa (0: void), and its Poisson's ratio.
 struct Share {
   double area = 0, young = 0;
+  double poisson = 1.0 / 3;
 };
 
-/// Bounds of Young's modulus of a plane mixture, Pa. Shares must add up to 1. Voigt and Reuss hold for any mixture,
-/// Hashin and Shtrikman's (in the plane, by bulk and shear modulus) for isotropic ones.
+/// Bounds of Young's modulus of a plane mixture in plane stress, Pa; nothing where its solid phases differ in Poisson's
+/// ratio. Shares must add up to 1. Voigt and Reuss hold for any mixture, Hashin and Shtrikman's (in the plane, by bulk
+/// and shear modulus) for isotropic ones.
 struct ModulusBounds {
   double voigt = 0, reuss = 0, shtrikman_upper = 0, shtrikman_lower = 0;
 };
-ModulusBounds modulus_bounds(const std::vector<Share>& phases, double poisson);
+std::optional<ModulusBounds> modulus_bounds(const std::vector<Share>& phases);
 
 /// Moduli of something isotropic in D dimensions, Pa. In the plane bulk is E/(2(1 - nu)) in plane stress: half the sum
 /// of the stresses over the sum of the strains.

@@ -105,8 +105,7 @@ Numbers compared(const Numbers& head, const Numbers& one, const Numbers& other) 
   auto drawing = together(one.front(), other.front());
   if (!drawing) return {};
   Numbers figure = head;
-  const std::string caption = text_at(head, "caption");
-  figure["caption"] = caption.substr(0, caption.find(". "));
+  if (head.contains("shown")) figure["caption"] = head["shown"];
   figure["drawing"] = std::move(*drawing);
   return figure;
 }

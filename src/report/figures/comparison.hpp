@@ -10,8 +10,8 @@ namespace arenite::report::figures {
 /// numbers, or there are no panels.
 std::optional<Numbers> together(const Numbers& one, const Numbers& other);
 
-/// A figure of `head` with the first of the drawings of both, and the first sentence of its caption, which says what is
-/// drawn; not known where they have nothing in common.
+/// A figure of `head` with the first of the drawings of both, and of its caption what is shown; not known where they
+/// have nothing in common.
 Numbers compared(const Numbers& head, const Numbers& one, const Numbers& other);
 
 }  // namespace arenite::report::figures

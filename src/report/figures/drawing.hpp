@@ -137,9 +137,17 @@ struct Choice {
   bool has_buttons = true;  ///< else it is chosen elsewhere on the page
 };
 
+/// What stands below a figure: what it shows, whoever draws it, and how to read it where it stands alone.
+struct Caption {
+  std::string shown, details;
+  Caption(const char* what = "", const char* how = "") : shown(what), details(how) {}
+  std::string whole() const { return details.empty() ? shown : shown + " " + details; }
+};
+
 /// What is said of a figure whatever it shows: id on the page, name in print.
 struct Head {
-  std::string id = {}, name = {}, title = {}, caption = {};
+  std::string id = {}, name = {}, title = {};
+  Caption caption = {};
   bool wide = false;
   std::vector<Choice> choices = {};
   bool nearest = false;  ///< of a stage that has none the page shows that of the stage before it, or of the next

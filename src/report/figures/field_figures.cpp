@@ -209,23 +209,29 @@ Drawings convergence(const FieldData& data) {
 
 const std::vector<Row<FieldData>>& field_figures() {
   static const std::vector<Row<FieldData>> list{
-      {{"stress-strain", "stress-strain", "Stress and strain",
-        "Mean stress of the loaded row against strain, one point before each round of breaking. Dot: the step shown in "
-        "the picture. A click on the curve selects a step."},
+      {{"stress-strain",
+        "stress-strain",
+        "Stress and strain",
+        {"Mean stress of the loaded row against strain, one point before each round of breaking.",
+         "Dot: the step shown in the picture. A click on the curve selects a step."}},
        stress_strain},
       {{"broken-bonds", "broken-bonds", "Broken bonds",
         "Number of broken bonds by type over the steps of the test; vertical line: the step shown."},
        broken_bonds},
-      {{"energy-balance", "energy-balance", "Energy balance of the test",
-        "Per unit thickness. The work of the clamp is stored in bonds (elastic) or released when they break. Line: "
-        "work; areas: its parts."},
+      {{"energy-balance",
+        "energy-balance",
+        "Energy balance of the test",
+        {"Energies per unit thickness, against strain.",
+         "The work of the clamp is stored in bonds (elastic) or released when they break. Line: work; areas: its "
+         "parts."}},
        energy_balance},
       {{"stress-pdf",
         "stress-pdf",
         "Stress of nodes by phase",
-        "Probability density of the component shown in the picture, over the mean of the sample or of the phase, "
-        "without the clamped rows. Over the mean of the phase: dotted (left), q-Gaussian fits; dashed (right), tails "
-        "exp(\u2212s\u2009x) by maximum likelihood where the density falls from 0.1 to 0.001 of its peak.",
+        {"Probability density of the component shown in the picture, over the mean of the sample or of the phase, "
+         "without the clamped rows.",
+         "Over the mean of the phase: dotted (left), q-Gaussian fits; dashed (right), tails exp(\u2212s\u2009x) by "
+         "maximum likelihood where the density falls from 0.1 to 0.001 of its peak."},
         true,
         {{"component",
           "",
@@ -239,10 +245,12 @@ const std::vector<Row<FieldData>>& field_figures() {
           false},
          {"norm", "Over the mean of", {{"sample", "the sample"}, {"own", "the phase"}}}}},
        stress_densities},
-      {{"cavities", "cavities", "Single pores and voids",
-        "Probability density of the volumes of single pores (not grain) and single voids (neither grain nor matrix), "
-        "over that of a large grain of nominal radius (reference radius in the table), with counting errors. The table "
-        "states which volumes at the edge and which specks of the grid are left out."},
+      {{"cavities",
+        "cavities",
+        "Single pores and voids",
+        {"Probability density of the volumes of single pores (not grain) and single voids (neither grain nor matrix), "
+         "over that of a large grain of nominal radius (reference radius in the table), with counting errors.",
+         "The table states which volumes at the edge and which specks of the grid are left out."}},
        cavities},
       {{"convergence", "convergence", "Convergence of the solver",
         "Residual relative to that of uniform strain, after every iteration."},

@@ -122,26 +122,31 @@ Numbers numbers_of(const KeyEntry& entry) {
   return tree.out;
 }
 
-const Head coarse_fields{"coarse-fields", "coarse-fields", "Coarse-grained fields",
-                         "Fields of the state shown, or of the nearest state that has them: averages over a kernel "
-                         "about as wide as a grain, "
-                         "which satisfy the balances of mass and momentum. Stress includes its kinetic part; "
-                         "compression is positive, except "
-                         "for the shear stress. Arrows: velocity."};
+const Head coarse_fields{
+    "coarse-fields",
+    "coarse-fields",
+    "Coarse-grained fields",
+    {"Fields of the state shown, or of the nearest state that has them: averages over a kernel about as wide as a "
+     "grain, which satisfy the balances of mass and momentum.",
+     "Stress includes its kinetic part; compression is positive, except for the shear stress. Arrows: velocity."}};
 const Head grain_scatter{
     "grain-scatter", "grain-scatter", "Grains",
     "One point per grain of the state shown, in the colour of its material; a click marks the grain in the picture and "
     "in the table."};
-const Head film_maps{
-    "film-maps", "beside-simulation", "Experiment and simulation: \u03c3_{norm} of every grain",
-    "Each normalised by its own mean, on one colour scale. A film shows the difference between two loads (peak to "
-    "peak); the state at the largest load also includes the stress at the smallest load.",
-    true};
-const Head film_fit{
-    "film-fit", "film-fit", "Measured warming and its fit by contact forces",
-    "Warming with the load as measured, as predicted from the contact forces (through lens and pixels), and the "
-    "residual; one scale, peak to peak. The fit leaves out pixels at rims and contacts, which are shown here.",
-    true};
+const Head film_maps{"film-maps",
+                     "beside-simulation",
+                     "Experiment and simulation: \u03c3_{norm} of every grain",
+                     {"Each normalised by its own mean, on one colour scale.",
+                      "A film shows the difference between two loads (peak to peak); the state at the largest load "
+                      "also includes the stress at the smallest load."},
+                     true};
+const Head film_fit{"film-fit",
+                    "film-fit",
+                    "Measured warming and its fit by contact forces",
+                    {"Warming with the load as measured, as predicted from the contact forces (through lens and "
+                     "pixels), and the residual; one scale, peak to peak.",
+                     "The fit leaves out pixels at rims and contacts, which are shown here."},
+                    true};
 
 template <class Data> void add_heads(std::vector<Head>& to, const std::vector<Row<Data>>& list) {
   for (const Row<Data>& row : list) to.push_back(row.head);
@@ -163,7 +168,8 @@ Numbers numbers_of(const Head& head) {
   tree.text("id", head.id)
       .text("name", head.name)
       .text("title", head.title)
-      .text("caption", head.caption)
+      .text("caption", head.caption.whole())
+      .text("shown", head.caption.details.empty() ? "" : head.caption.shown)
       .flag("wide", head.wide)
       .flag("nearest", head.nearest);
   if (!head.choices.empty())

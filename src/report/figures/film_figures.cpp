@@ -174,28 +174,35 @@ const std::vector<Row<FilmData>>& film_figures() {
       {{"film-simulation",
         "against-simulation",
         "Film against simulation",
-        "Every grain with the film\u2019s standard error, pale near the border; line: equality; r and the difference "
-        "exclude the border. Largest load: includes the stress at the smallest load, which no film shows. On virtual "
-        "films a simulation from positions alone reaches a correlation of about 0.4 to 0.5: individual contact forces "
-        "depend on the friction history of filling and loading, and this history is lost.",
+        {"Every grain with the film\u2019s standard error, pale near the border; line: equality; r and the difference "
+         "exclude the border.",
+         "Largest load: includes the stress at the smallest load, which no film shows. On virtual films a simulation "
+         "from positions alone reaches a correlation of about 0.4 to 0.5: individual contact forces depend on the "
+         "friction history of filling and loading, and this history is lost."},
         false,
         {{"companion", "", {{"peak_to_peak", "Peak to peak"}, {"state", "Largest load"}}},
          {"over", "", {{"mean", "\u03c3_{norm}"}, {"unit", "Pa"}}, Choice::Print::first}}},
        against_simulation},
-      {{"film-tails", "tails", "Tails of \u03c3_{norm}",
-        "P: survival function, the fraction of grains above \u03c3_{norm}, away from the border. Dashed: P_{0} "
-        "exp[\u03b2(1 \u2212 \u03c3_{norm})], maximum likelihood."},
+      {{"film-tails",
+        "tails",
+        "Tails of \u03c3_{norm}",
+        {"P: survival function, the fraction of grains above \u03c3_{norm}, away from the border.",
+         "Dashed: P_{0} exp[\u03b2(1 \u2212 \u03c3_{norm})], maximum likelihood."}},
        tails},
-      {{"film-orientations", "contact-orientations", "Contact orientations",
-        "Fraction of contacts between grains in sectors of 10\u00b0, over the isotropic fraction (dashed circle), away "
-        "from the border. Film: contacts whose force changes with the load; simulation: those at the largest load. "
-        "Line: 1 + a_{c} cos 2(\u03b8 \u2212 \u03b8_{c})."},
+      {{"film-orientations",
+        "contact-orientations",
+        "Contact orientations",
+        {"Fraction of contacts between grains in sectors of 10\u00b0, over the isotropic fraction (dashed circle), "
+         "away from the border.",
+         "Film: contacts whose force changes with the load; simulation: those at the largest load. Line: 1 + a_{c} cos "
+         "2(\u03b8 \u2212 \u03b8_{c})."}},
        orientations},
       {{"film-forces",
         "forces",
         "Contact forces \u00b1 s.e.",
-        "Peak-to-peak forces, ranked, with one standard error on either side. May be absent: contacts that are present "
-        "with a probability below 95\u202f%; about as many present contacts are missed.",
+        {"Peak-to-peak forces, ranked, with one standard error on either side.",
+         "May be absent: contacts that are present with a probability below 95\u202f%; about as many present contacts "
+         "are missed."},
         true,
         {{"component", "", {{"fn", "F_{n}"}, {"ft", "F_{t}"}}}}},
        ranked_forces},

@@ -224,9 +224,9 @@ const std::vector<Row<StageData>>& stage_figures() {
       {{"cycles",
         "cycles",
         "Cycles",
-        "Left: strain at the largest and at the smallest load, or strain, of every whole cycle of the stage. Right: "
-        "stress along the axis that cycles against its strain, thin over the whole stage. A click on a curve shows the "
-        "state next to it.",
+        {"Left: strain at the largest and at the smallest load, or strain, of every whole cycle of the stage.",
+         "Right: stress along the axis that cycles against its strain, thin over the whole stage. A click on a curve "
+         "shows the state next to it."},
         true,
         {},
         true},
@@ -234,11 +234,12 @@ const std::vector<Row<StageData>>& stage_figures() {
       {{"test-curves",
         "stress-strain",
         "Curves of the test",
-        "From the forces on the sides of the sample and their positions, against strain: stress ratio and volumetric "
-        "strain, compaction positive; between sides that stand still, the stresses along the axis and across it; "
-        "without confinement or in tension, the stress, with the slope from a tenth to half of the largest, and broken "
-        "bonds. Thin: all sampled values; thick: running mean. Coloured: the critical state with its 95 % band, over "
-        "the strains at which the ratio only fluctuates. A click on a curve shows the state next to it.",
+        {"From the forces on the sides of the sample and their positions, against strain: stress ratio and volumetric "
+         "strain, compaction positive; between sides that stand still, the stresses along the axis and across it; "
+         "without confinement or in tension, the stress, with the slope from a tenth to half of the largest, and "
+         "broken bonds.",
+         "Thin: all sampled values; thick: running mean. Coloured: the critical state with its 95 % band, over the "
+         "strains at which the ratio only fluctuates. A click on a curve shows the state next to it."},
         true,
         {},
         true},
@@ -246,8 +247,8 @@ const std::vector<Row<StageData>>& stage_figures() {
       {{"discharge",
         "discharge",
         "Discharge",
-        "Mass of the grains below the height count_below of the recipe, or that left. Dashed: the discharge rate, over "
-        "the part in which it is steady.",
+        {"Mass of the grains below the height count_below of the recipe, or that left.",
+         "Dashed: the discharge rate, over the part in which it is steady."},
         true,
         {},
         true},
@@ -255,8 +256,8 @@ const std::vector<Row<StageData>>& stage_figures() {
       {{"collapse",
         "collapse",
         "Collapse",
-        "Left: way of the front since the stage began. Right: surface of the grains that hang together, before, after "
-        "each quarter of that way, and in the end.",
+        {"Left: way of the front since the stage began.",
+         "Right: surface of the grains that hang together, before, after each quarter of that way, and in the end."},
         true,
         {},
         true},
@@ -269,8 +270,11 @@ const std::vector<Row<StageData>>& stage_figures() {
         {},
         true},
        surface_angle},
-      {{"grain-bonds", "broken-bonds", "Broken bonds",
-        "Broken bonds between grains, by failure mode. In the picture each is drawn as a crack between its grains."},
+      {{"grain-bonds",
+        "broken-bonds",
+        "Broken bonds",
+        {"Broken bonds between grains, by failure mode.",
+         "In the picture each is drawn as a crack between its grains."}},
        grain_bonds},
       {{"wall-forces", "wall-forces", "Forces on the walls",
         "Normal force of the grains on each wall over the loading; vertical line: the state shown."},

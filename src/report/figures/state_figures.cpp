@@ -126,24 +126,27 @@ Drawings fabric(const StateData& state) {
 
 const std::vector<Row<StateData>>& state_figures() {
   static const std::vector<Row<StateData>> list{
-      {{"fabric", "contact-orientations", "Contact orientations",
-        "Fraction of contacts in sectors of 10\u00b0, over the isotropic fraction (dashed circle); darker: strong "
-        "contacts, F_{n} > \u27e8F_{n}\u27e9. Line: 1 + a_{c} cos 2(\u03b8 \u2212 \u03b8_{c}). \u25b6 marks the axis "
-        "of "
-        "compression.",
+      {{"fabric",
+        "contact-orientations",
+        "Contact orientations",
+        {"Fraction of contacts in sectors of 10\u00b0, over the isotropic fraction (dashed circle); darker: strong "
+         "contacts, F_{n} > \u27e8F_{n}\u27e9.",
+         "Line: 1 + a_{c} cos 2(\u03b8 \u2212 \u03b8_{c}). \u25b6 marks the axis of compression."},
         true},
        fabric},
-      {{"sigma-norm", "sigma-norm",
+      {{"sigma-norm",
+        "sigma-norm",
         "Normalised stress of grains, \u03c3_{norm} = \u03c3_{hyd}/\u27e8\u03c3_{hyd}\u27e9",
-        "P: survival function, the fraction of grains above \u03c3_{norm}. Dashed: P_{0} exp[\u03b2(1 \u2212 "
-        "\u03c3_{norm})], maximum likelihood.",
+        {"P: survival function, the fraction of grains above \u03c3_{norm}.",
+         "Dashed: P_{0} exp[\u03b2(1 \u2212 \u03c3_{norm})], maximum likelihood."},
         true},
        grain_stresses},
-      {{"forces", "forces", "Contact forces, F = F_{n}",
-        "Left: density of F/\u27e8F\u27e9 (each type over its own mean), all contacts with counting errors, and the "
-        "fits "
-        "k x^{\u2212\u03b1} (weak) and k exp[\u03b2(1 \u2212 x)] (strong). Right: survival function, the fraction of "
-        "contacts above.",
+      {{"forces",
+        "forces",
+        "Contact forces, F = F_{n}",
+        {"Left: density of F/\u27e8F\u27e9 (each type over its own mean), all contacts with counting errors, and the "
+         "fits k x^{\u2212\u03b1} (weak) and k exp[\u03b2(1 \u2212 x)] (strong).",
+         "Right: survival function, the fraction of contacts above."},
         true},
        contact_forces},
       {{"coordination", "coordination", "Coordination number z",
@@ -152,9 +155,11 @@ const std::vector<Row<StateData>>& state_figures() {
       {{"contact-numbers", "contact-numbers", "Contacts per grain",
         "Fraction of grains by number of contacts with other grains."},
        contact_numbers},
-      {{"rev", "rev", "Representative volume",
-        "Solid fraction of windows at random positions: mean with standard error, band of one standard deviation. "
-        "Dashed: whole sample without its border."},
+      {{"rev",
+        "rev",
+        "Representative volume",
+        {"Solid fraction of windows at random positions: mean with standard error, band of one standard deviation.",
+         "Dashed: whole sample without its border."}},
        rev},
       {{"threshold", "threshold", "Anisotropy by force",
         "Signed a_{c} along the loading axis, for the contacts above and below a force threshold; bands: values for "

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/formula.hpp"
 #include "report/field_document.hpp"
 #include "report/page_document.hpp"
 #include "support/field_page_sample.hpp"
@@ -41,6 +42,16 @@ TEST(FieldDocument, GivesTheMeanOverWhatIsNotVoid) {
   for (std::size_t k = 0; k < load.map.size(); ++k)
     if (load.map.phase[k] != Phase::empty) sum += load.field.yy[k], ++count;
   EXPECT_NEAR(document["fields"][1]["components"]["sigma_yy"]["mean"], sum / static_cast<double>(count), 1e-9 * sum);
+}
+
+TEST(FieldDocument, SaysHowAStressIsToldAgainstTheMean) {
+  const Json document = Json::parse(report::page_document(field_sample().data).json);
+  const Json& load = document["fields"][1];
+  const auto given = [](std::string_view name) { return std::vector<double>{name == "mean" ? 2.0 : 3.0}; };
+  EXPECT_EQ(evaluated(load["relative"]["formula"].get<std::string>(), 1, given), std::vector<double>{1.5});
+  // Pulled along y, the sample carries most along y; one that is not loaded carries nothing.
+  EXPECT_EQ(load["scale"], load["components"]["sigma_yy"]["mean"]);
+  EXPECT_EQ(document["fields"][0]["scale"], 1);
 }
 
 TEST(FieldDocument, MeasuresDensitiesAsTheLoadsStatisticsAsk) {

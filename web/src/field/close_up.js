@@ -40,11 +40,12 @@ function rows(result, g) {
   if (!result.loaded) return list;
   const of = (id) => result.ofGrain(id, g),
     unit = result.unitOf("yy"),
+    [against, relative] = result.relative(of),
     { yy_least: least, yy_most: most } = result.grains;
   return [
     ...list,
     ["mean \u03c3_{yy}", text.quantity(of("yy"), unit)],
-    ["over \u27e8\u03c3_{yy}\u27e9", text.number(of("yy") / result.mean)],
+    [against, text.number(relative)],
     ["\u03c3_{1}, \u03c3_{2}", `${text.quantity(of("principal"), unit)}, ${text.quantity(of("second"), unit)}`],
     ["direction of \u03c3_{1}", `${Math.round(of("angle"))}\u00b0`],
     ["\u03c3_{yy} from, to", `${text.quantity(least[g], unit)}, ${text.quantity(most[g], unit)}`],

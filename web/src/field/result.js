@@ -89,13 +89,15 @@ export class FieldResult {
     return this.has("yy");
   }
 
-  /** Size that "strong" is measured by: the mean of sigma_yy, or of the largest component under shear. */
+  /** Size that "strong" is measured by. */
   get scale() {
-    return (
-      Math.max(
-        ...["yy", "xx", "xy"].map((id) => Math.abs(this.stored(id)?.mean ?? 0)),
-      ) || 1
-    );
+    return this.about.scale;
+  }
+
+  /** A stress against the mean of the sample, [symbol, number]: `of(id)` at a node or of a grain. */
+  relative(of) {
+    const { symbol, formula } = this.about.relative;
+    return [symbol, evaluate(formula, (name) => (name === "mean" ? this.mean : of(name)))];
   }
 
   /** What the program says of a quantity: { name, symbol, unit, formula, offered, magnitude }. */

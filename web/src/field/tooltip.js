@@ -23,11 +23,12 @@ const name = (kind) => kindNames[kind][0].toUpperCase() + kindNames[kind].slice(
 function stressRows(result, node) {
   const at = (id) => result.atNode(id, node),
     written = (id) => text.quantity(at(id), result.unitOf(id)),
-    row = (id) => [result.quantity(id).symbol, written(id)];
+    row = (id) => [result.quantity(id).symbol, written(id)],
+    [against, relative] = result.relative(at);
   const rows = [
     ...["yy", "xx", "xy"].map(row),
     [result.quantity("principal").symbol, `${written("principal")} at ${Math.round(at("angle"))}\u00b0`],
-    ["\u03c3_{yy}/\u27e8\u03c3_{yy}\u27e9", text.number(at("yy") / result.mean)],
+    [against, text.number(relative)],
   ];
   if (result.has("travel")) rows.push(["u_{x}, u_{y}", `${written("ux")}, ${written("uy")}`]);
   return rows;

@@ -38,7 +38,7 @@ TEST(Drawing, EveryFigureHasItsNamesTitleAndCaption) {
       EXPECT_TRUE(ids.insert(head.id).second) << head.id;
       EXPECT_TRUE(names.insert(head.name).second) << head.name;
       EXPECT_FALSE(head.title.empty()) << head.id;
-      EXPECT_TRUE(head.caption.ends_with(".")) << head.id;
+      EXPECT_TRUE(head.caption.whole().ends_with(".")) << head.id;
     }
   }
 }

@@ -1,0 +1,27 @@
+#include "report/print.hpp"
+
+#include <algorithm>
+
+#include "core/text.hpp"
+
+namespace arenite::report {
+
+const std::vector<std::string>& print_formats() {
+  static const std::vector<std::string> list{"pdf", "svg", "png"};
+  return list;
+}
+
+void declare(ParameterVisitor& v, Print& print) {
+  static const std::string formats = "Formats: " + list_of(print_formats(), ", ") + "; several may be given.",
+                           unknown = "must be among " + list_of(print_formats(), ", ");
+  v.texts({"formats", formats}, print.formats);
+  v.require(
+      std::ranges::all_of(print.formats,
+                          [](const std::string& format) { return std::ranges::count(print_formats(), format) > 0; }),
+      {"formats"}, unknown);
+  v.texts({"names", "Names of the figures to draw; all if not given."}, print.names);
+  v.number({"width", "Width of a figure; if not given 85 mm for one column, 175 mm for two."}, print.width, "mm",
+           range::positive);
+}
+
+}  // namespace arenite::report

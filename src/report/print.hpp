@@ -1,0 +1,20 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/parameters.hpp"
+
+namespace arenite::report {
+
+/// Figures of a result or a study as files.
+struct Print {
+  std::vector<std::string> formats{"pdf"}, names;
+  std::optional<double> width;  ///< m
+};
+void declare(ParameterVisitor& visitor, Print& print);
+
+/// Formats that figures can be written in.
+const std::vector<std::string>& print_formats();
+
+}  // namespace arenite::report

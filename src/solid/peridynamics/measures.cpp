@@ -1,0 +1,36 @@
+#include "solid/peridynamics/measures.hpp"
+
+#include "solid/grid/cavities.hpp"
+#include "solid/peridynamics/damage.hpp"
+
+namespace arenite::peridynamics {
+
+std::array<std::size_t, 4> broken_by_type(const std::vector<BrokenBond>& broken) {
+  std::array<std::size_t, 4> count{};
+  for (const BrokenBond& bond : broken) ++count[bond.type & 3u];
+  return count;
+}
+
+std::optional<double> strain_at_strength(const FailureRecord& test) {
+  std::optional<double> strain;
+  for (const DamageState& state : test.curve)
+    if (state.stress == test.strength) strain = state.strain;
+  return strain;
+}
+
+BreakingLimits breaking_limits(const DamageOptions& options, double dx) {
+  DamageOptions tough_alone = options;
+  tough_alone.strength = {};
+  const auto of_toughness = critical_stretches(tough_alone, dx);
+  BreakingLimits limits{critical_stretches(options, dx), {}};
+  for (std::size_t type = 0; type < of_toughness.size(); ++type)
+    if (limits.stretch[type] < of_toughness[type]) limits.set_by[type] = Limit::strength;
+  return limits;
+}
+
+bool joined_through_voids_only(const PhaseMap& map) {
+  // What bonds join that stop at voids is joined side by side: solid where voids go through corners.
+  return bonds_across_voids(map) > 0 && !grid::find_percolation(map, true).solid_bottom_top;
+}
+
+}  // namespace arenite::peridynamics
