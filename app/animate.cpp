@@ -8,7 +8,7 @@
 #include "core/units.hpp"
 #include "options.hpp"
 #include "python_module.hpp"
-#include "report/animation.hpp"
+#include "report/print/animation.hpp"
 
 namespace arenite::app {
 namespace {

@@ -80,10 +80,13 @@ struct PredictedRun {
   std::string values;
   std::optional<workflow::Prediction> prediction;
   std::string why_not;
+  bool is_refused = false;
 };
 
 std::string line_of(const PredictedRun& run) {
-  if (!run.prediction) return fmt::format("{}: `arenite study run` will refuse this: {}\n", run.values, run.why_not);
+  if (!run.prediction)
+    return fmt::format("{}: {}{}\n", run.values, run.is_refused ? "`arenite study run` will refuse this: " : "",
+                       run.why_not);
   const workflow::Prediction& p = *run.prediction;
   std::string text = fmt::format("{}\n  {} grains, about {}, {}", run.values, p.grains, duration_text(p.seconds()),
                                  bytes_text(p.bytes()));
@@ -116,10 +119,14 @@ void check_study(const CheckArguments& a) {
   std::size_t known = 0;
   for (const std::size_t place : looked_at(study.runs.size())) {
     const campaign::StudyRun& run = study.runs[place];
+    if (study.of_films) {
+      runs.push_back({campaign::describe(run), std::nullopt, "its film is measured, at a cost that is not predicted"});
+      continue;
+    }
     const recipe::Recipe recipe = campaign::recipe_of(study, run);
-    PredictedRun& one =
-        runs.emplace_back(PredictedRun{campaign::describe(run), std::nullopt, "its phase map is loaded"});
-    if (!recipe.map) one.prediction = predicted(recipe, one.why_not);
+    PredictedRun& one = runs.emplace_back(PredictedRun{campaign::describe(run), std::nullopt,
+                                                       "its phase map is loaded, at a cost that is not predicted"});
+    if (!recipe.map) one.prediction = predicted(recipe, one.why_not), one.is_refused = !one.prediction;
     if (one.prediction) seconds += one.prediction->seconds(), bytes += one.prediction->bytes(), ++known;
   }
   const auto all = static_cast<double>(study.runs.size()) / static_cast<double>(std::max<std::size_t>(1, known));
@@ -151,13 +158,13 @@ bool is_study(const std::string& text, const std::string& file) {
 
 void check(const CheckArguments& a) {
   const std::string text = io::read_file(a.recipe);
+  if (is_study(text, a.recipe)) return check_study(a);
   if (recipe::describes_film(text)) {
     const auto film = recipe::read_film_recipe(a.recipe, a.overrides);
     say(film.notices);
     if (!a.quiet) check_film(film, a.json);
     return;
   }
-  if (is_study(text, a.recipe)) return check_study(a);
   const auto recipe = recipe::read_recipe(a.recipe, a.overrides);
   say(recipe.notices);
   if (!a.quiet) check_simulation(recipe, a.json);

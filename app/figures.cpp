@@ -3,7 +3,7 @@
 #include "commands.hpp"
 #include "options.hpp"
 #include "python_module.hpp"
-#include "report/print.hpp"
+#include "report/print/print.hpp"
 
 namespace arenite::app {
 namespace {

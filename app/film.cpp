@@ -29,7 +29,8 @@ int execute(const FilmArguments& a) {
   std::vector<std::string> overrides = a.overrides;
   for (auto& given : a.reading.overrides()) overrides.push_back(std::move(given));
   const auto recipe = recipe::read_film_recipe(a.recipe, overrides);
-  const fs::path folder = a.out.empty() ? fs::path("out") / fs::path(a.film).stem() : fs::path(a.out);
+  const fs::path film = a.film.empty() ? recipe.film_named() : fs::path(a.film),
+                 folder = a.out.empty() ? fs::path("out") / film.stem() : fs::path(a.out);
   watch_for_signals();
   workflow::FilmOutcome outcome;
   {
@@ -40,7 +41,7 @@ int execute(const FilmArguments& a) {
     options.asked_to_stop = stop_requested;
     options.progress = [&](const workflow::Progress& progress) { line.show(progress); };
     options.notice = [&](const std::string& sentence) { line.notice(sentence); };
-    outcome = workflow::run_film(a.film, recipe, options);
+    outcome = workflow::run_film(film, recipe, options);
   }
   if (outcome.interrupted) {
     print(stderr, "stopped; the simulation so far is kept in {}\n", folder.string());
@@ -59,7 +60,8 @@ int execute(const FilmArguments& a) {
 
 void add_film(Options& command, int& status) {
   const auto a = std::make_shared<FilmArguments>();
-  command.add("film", a->film, "Film of a cyclically loaded packing: " + io::film_formats()).required().type("FILM");
+  command.add("film", a->film, "Film of a cyclically loaded packing, unless the recipe names it: " + io::film_formats())
+      .type("FILM");
   command.add("--recipe", a->recipe, "Recipe of the film (TOML); `arenite init film` writes one")
       .required()
       .type("RECIPE.toml");

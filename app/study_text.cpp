@@ -13,6 +13,7 @@
 #include "core/text.hpp"
 #include "io/disk/store_file.hpp"
 #include "progress.hpp"
+#include "report/film_text.hpp"
 #include "report/page.hpp"
 #include "report/run_drawing.hpp"
 #include "report/study/default_figures.hpp"
@@ -110,6 +111,7 @@ std::string status_text(const campaign::Study& study, const campaign::StudyFolde
 campaign::StudyOutcome run_missing(const campaign::Study& study, const campaign::StudyFolder& folder,
                                    campaign::StudyOptions options, bool quiet) {
   options.numbers = [](const workflow::RunOutcome& outcome) { return report::Summary(outcome).numbers(); };
+  options.film_numbers = report::film_numbers;
   options.asked_to_stop = [also = options.asked_to_stop] { return stop_requested() || also(); };
   options.notice = [](const std::string& sentence) { print(stderr, "{}\n", sentence); };
   for (const std::string& sentence : study.notices) options.notice(sentence);

@@ -16,7 +16,7 @@
 #include "report/figures/state_numbers.hpp"
 #include "report/figures/test_figures.hpp"
 #include "report/page_document.hpp"
-#include "report/print.hpp"
+#include "report/print/print.hpp"
 #include "thermal/inference/film_stresses.hpp"
 #include "workflow/film/film_numbers.hpp"
 

@@ -109,7 +109,7 @@ py::array_t<float> corrected(const FilmLike& film, const std::optional<FilmLike>
 
 py::array_t<float> in_kelvin(const FilmLike& film, const recipe::FilmRecipe& recipe) {
   const bool is_file = !py::isinstance<py::array>(film);
-  const auto source = film_of(film, {is_file ? recipe.film : std::nullopt});
+  const auto source = film_of(film, {is_file ? std::optional(recipe.choice()) : std::nullopt});
   return all_frames(*source, workflow::make_correction(recipe, *source).correction);
 }
 

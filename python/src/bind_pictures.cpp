@@ -10,8 +10,8 @@
 #include "grains/texture/grain_quantities.hpp"
 #include "keywords.hpp"
 #include "module.hpp"
-#include "report/animation.hpp"
 #include "report/figures/state_numbers.hpp"
+#include "report/print/animation.hpp"
 #include "thermal/inference/film_fit.hpp"
 
 /// What pictures are drawn from.

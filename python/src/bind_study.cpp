@@ -13,6 +13,7 @@
 #include "grains/texture/periods.hpp"
 #include "io/table/table.hpp"
 #include "module.hpp"
+#include "report/film_text.hpp"
 #include "report/study_page.hpp"
 #include "report/summary.hpp"
 #include "statistics/difference.hpp"
@@ -144,6 +145,7 @@ void bind_study(py::module_& m) {
           campaign::StudyOptions options;
           options.jobs = jobs;
           options.numbers = [](const workflow::RunOutcome& run) { return report::Summary(run).numbers(); };
+          options.film_numbers = report::film_numbers;
           options.progress = [&](const campaign::StudyProgress& p) {
             call.tell(progress,
                       static_cast<double>(p.done + p.not_done) / static_cast<double>(std::max<std::size_t>(p.runs, 1)),

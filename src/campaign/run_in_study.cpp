@@ -18,6 +18,7 @@
 #include "campaign/run_study.hpp"
 #include "core/error.hpp"
 #include "io/disk/file.hpp"
+#include "workflow/film/run_film.hpp"
 #include "workflow/result_folder.hpp"
 
 namespace arenite::campaign {
@@ -80,8 +81,25 @@ std::string why_unfinished(const workflow::RunOutcome& outcome) {
   return "it did not converge";
 }
 
+/// A film as the run's recipe measures it.
+RunState measure(const Study& study, const StudyRun& run, const StudyFolder& folder, const StudyOptions& options) {
+  const recipe::FilmRecipe recipe = film_recipe_of(study, run);
+  workflow::FilmRunOptions how;
+  how.out = folder.run(run.name);
+  how.notice = options.notice;
+  how.asked_to_stop = options.asked_to_stop;
+  how.checkpoint_seconds = options.checkpoint_seconds;
+  how.threads = options.threads;
+  const workflow::FilmOutcome outcome = workflow::run_film(recipe.film_named(), recipe, how);
+  if (outcome.interrupted) return {};
+  keep_numbers(how.out, options.film_numbers(outcome.result));
+  if (outcome.result.converged) return {Kind::done, 0, {}};
+  return {Kind::unfinished, 0, outcome.result.outcome};
+}
+
 RunState attempt(const Study& study, const StudyRun& run, const StudyFolder& folder, const workflow::Store& store,
                  const StudyOptions& options) {
+  if (study.of_films) return measure(study, run, folder, options);
   recipe::Recipe recipe = recipe_of(study, run);
   recipe.integration.threads = options.threads;
   const workflow::RunOutcome outcome = workflow::run(recipe, {.out = folder.run(run.name),

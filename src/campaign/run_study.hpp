@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "campaign/study_folder.hpp"
+#include "model/film_result.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::campaign {
@@ -30,6 +31,7 @@ struct StudyOptions {
   std::function<Numbers(const workflow::RunOutcome&)> numbers = [](const workflow::RunOutcome&) {
     return Numbers::tree();
   };
+  std::function<Numbers(const FilmResult&)> film_numbers = [](const FilmResult& film) { return film.numbers; };
   std::function<void(const StudyProgress&)> progress = [](const StudyProgress&) {};
   std::function<void(const std::string&)> notice = [](const std::string&) {};
   std::function<bool()> asked_to_stop = [] { return false; };  ///< true: checkpoint and leave; asked in every process

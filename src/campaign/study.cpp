@@ -12,6 +12,7 @@
 #include "core/hash.hpp"
 #include "core/problems.hpp"
 #include "io/disk/file.hpp"
+#include "io/film/film.hpp"
 #include "recipe/document.hpp"
 #include "recipe/read_tree.hpp"
 #include "recipe/reader.hpp"
@@ -57,15 +58,35 @@ class RunProblems {
   std::size_t failing_ = 0;
 };
 
-/// The tree of the recipe, its overrides applied; its [sweep] is taken out of it.
-Sweep take_sweep(Study& study, recipe::Reading& reading) {
-  study.tree =
-      recipe::read_tree(io::read_file(study.file), reading, study.overrides, recipe::recipe_keys(), "composite");
+const recipe::RecordTable& keys_of(const Study& study) {
+  return study.of_films ? recipe::film_keys() : recipe::recipe_keys();
+}
+
+/// The tree of the recipe, its overrides applied, by the keys of its kind, which only the tree tells, base and all.
+void read_kind_and_tree(Study& study, recipe::Reading& reading) {
+  const std::string text = io::read_file(study.file);
+  recipe::Reading first = reading;
+  study.of_films = recipe::describes_film(recipe::read_tree(text, first, {}, recipe::film_keys(), "composite"));
+  study.tree = recipe::read_tree(text, reading, study.overrides, keys_of(study), study.of_films ? "film" : "composite");
   study.notices = reading.notices;
+}
+
+/// Seeds change no measurement.
+void refuse_seeds(const recipe::Node& sweep, recipe::Reading& reading) {
+  for (const char* key : {"replicates", "seeds"})
+    if (const recipe::Entry* entry = sweep.find(key))
+      add_problem(reading, entry->place, std::string("sweep.") + key,
+                  "a film is measured alike with any seed; leave it out");
+}
+
+/// Takes [sweep] out of the tree.
+Sweep take_sweep(Study& study, recipe::Reading& reading) {
+  read_kind_and_tree(study, reading);
   const auto section = study.tree.take("sweep");
   if (!section)
-    refuse(study.file, "has no section [sweep], so it is one run: `arenite run {}`; docs/studies.md describes [sweep]",
-           study.file);
+    refuse(study.file, "has no section [sweep], so it is one run: `arenite {} {}`; docs/studies.md describes [sweep]",
+           study.of_films ? "film --recipe" : "run", study.file);
+  if (study.of_films) refuse_seeds(section->value, reading);
   const recipe::Entry* seed = study.tree.find("seed");
   const bool has_seed = seed && seed->value.kind == recipe::Node::Kind::integer;
   return read_sweep(section->value, reading, has_seed ? static_cast<std::uint64_t>(seed->value.integer) : 1);
@@ -78,10 +99,11 @@ std::int64_t seed_of(const recipe::Recipe& recipe, Sweep::Seeds seeds, std::int6
   return std::stoll(hash.hex().substr(0, 12), nullptr, 16);  // 48 bits, which a double holds exactly
 }
 
-recipe::Node with(recipe::Node tree, const Point& point, const recipe::Reading& reading) {
+recipe::Node with(const Study& study, const Point& point, const recipe::Reading& reading) {
+  recipe::Node tree = study.tree;
   for (const auto& [key, value] : point) {
     try {
-      set_value(tree, key, value, recipe::recipe_keys());
+      set_value(tree, key, value, keys_of(study));
     } catch (const InputError& error) {
       throw InputError({Problem{file_of(value.place, reading), value.place.line, value.place.column,
                                 fmt::format("{}: {}", key, error.what())}});
@@ -101,7 +123,9 @@ class Expansion {
     StudyRun run;
     for (const auto& [key, value] : point) run.values.emplace_back(key, toml_literal(value));
     try {
-      recipe::Recipe recipe = recipe_from(with(study_.tree, point, reading_), study_.file);
+      const recipe::Node tree = with(study_, point, reading_);
+      if (study_.of_films) return add_film(run, recipe::film_recipe_from(tree, study_.file));
+      recipe::Recipe recipe = recipe_from(tree, study_.file);
       if (recipe.packing.method == recipe::PackingParameters::Method::file)
         files_.insert(recipe.beside(recipe.packing.file).string());
       const recipe::Recipe base = recipe;
@@ -111,7 +135,7 @@ class Expansion {
           recipe.seed = static_cast<std::uint64_t>(seed_of(base, sweep_.seeds, r));
           replicate.values.emplace_back("seed", std::to_string(recipe.seed));
         }
-        finish(std::move(replicate), recipe);
+        finish(std::move(replicate), workflow::plan_of(recipe));
       }
     } catch (const InputError& error) { problems_.add(error, run); }
   }
@@ -122,8 +146,15 @@ class Expansion {
   }
 
  private:
-  void finish(StudyRun run, const recipe::Recipe& recipe) {
-    run.stages = workflow::plan_of(recipe);
+  void add_film(StudyRun run, const recipe::FilmRecipe& recipe) {
+    const fs::path film = recipe.film_named();
+    const auto source = io::open_film(film, recipe.choice());
+    finish(std::move(run),
+           {workflow::planned_stage(1, "film", workflow::film_key(film, *source, recipe, known_), false)});
+  }
+
+  void finish(StudyRun run, std::vector<workflow::PlannedStage> stages) {
+    run.stages = std::move(stages);
     HashBuilder hash;
     for (const workflow::PlannedStage& stage : run.stages) hash.add(stage.name, stage.hash);
     run.name = hash.hex().substr(0, 16);
@@ -135,6 +166,7 @@ class Expansion {
   const Sweep& sweep_;
   RunProblems problems_;
   std::set<std::string> files_;
+  workflow::KnownFilms known_;
 };
 
 }  // namespace
@@ -152,7 +184,8 @@ Study read_study(const std::string& file, const std::vector<std::string>& overri
   recipe::Reading reading{file, fs::path(file).parent_path().string(), true, {}};
   const bool is_known = !folder.empty() && read_runs(folder / "runs.tsv", study);
   const Sweep sweep = take_sweep(study, reading);
-  if (is_known) return study;
+  if (is_known && !study.of_films) return study;
+  study.runs.clear(), study.inputs.clear();  // what films hold is seen by reading them
   if (!reading.problems.empty()) throw InputError(std::move(reading.problems));
   study.inputs.emplace_back(file, content_hash(io::read_file(file)));
   for (const auto& base : reading.bases) study.inputs.emplace_back(base, content_hash(io::read_file(base)));
@@ -173,10 +206,22 @@ Study read_study(const std::string& file, const std::vector<std::string>& overri
   return study;
 }
 
-recipe::Recipe recipe_of(const Study& study, const StudyRun& run) {
+namespace {
+
+recipe::Node tree_of(const Study& study, const StudyRun& run) {
   recipe::Node tree = study.tree;
-  for (const auto& [key, value] : run.values) set_value(tree, key, recipe::parse_value(value), recipe::recipe_keys());
-  return recipe_from(tree, study.file);
+  for (const auto& [key, value] : run.values) set_value(tree, key, recipe::parse_value(value), keys_of(study));
+  return tree;
+}
+
+}  // namespace
+
+recipe::Recipe recipe_of(const Study& study, const StudyRun& run) {
+  return recipe_from(tree_of(study, run), study.file);
+}
+
+recipe::FilmRecipe film_recipe_of(const Study& study, const StudyRun& run) {
+  return recipe::film_recipe_from(tree_of(study, run), study.file);
 }
 
 }  // namespace arenite::campaign

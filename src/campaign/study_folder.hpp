@@ -52,7 +52,8 @@ Numbers numbers_of(const std::filesystem::path& run);
 struct RunResult {
   RunState state;
   std::filesystem::path folder;
-  std::vector<std::filesystem::path> stages;  ///< files with a StageResult (io::read_stage), packing first
+  std::vector<std::filesystem::path> stages;  ///< files with a StageResult (io::read_stage), packing first; of a
+                                              ///< measurement that with the FilmResult
   std::vector<std::filesystem::path>
       fields;       ///< files with a FieldResult (io::read_field), cemented sample first; empty where they were dropped
   Numbers numbers;  ///< as `show --json` gives them; not known if the run has not ended

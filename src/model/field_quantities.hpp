@@ -18,9 +18,10 @@ struct FieldQuantity {
   bool is_stored() const { return formula == id; }
 };
 
-/// A stress against that of the whole sample: of "yy" and of "mean", which is sigma_yy over all nodes that are not void.
-inline constexpr FieldQuantity relative_stress{
-    "relative", "sigma_yy_relative", "\u03c3_{yy}/\u27e8\u03c3_{yy}\u27e9", "", "yy mean /", false};
+/// A stress against that of the whole sample: of "yy" and of "mean", which is sigma_yy over all nodes that are not
+/// void.
+inline constexpr FieldQuantity relative_stress{"relative", "sigma_yy_relative", "\u03c3_{yy}/\u27e8\u03c3_{yy}\u27e9",
+                                               "",         "yy mean /",         false};
 
 /// All, in the order of the page; a new one is one more row.
 const std::vector<FieldQuantity>& field_quantities();

@@ -44,6 +44,13 @@ R read_text(std::string_view text, Reading reading, const std::vector<std::strin
   return recipe;
 }
 
+/// The section [sweep] of a recipe that is read as that of one run, or one film.
+inline void refuse_sweep(const Entry& sweep, Reading& reading) {
+  add_problem(reading, sweep.place, "sweep",
+              "this recipe is a study of many runs; `arenite study plan " + reading.file_name +
+                  "` shows them, `arenite study run " + reading.file_name + "` runs them");
+}
+
 inline Reading of_file(const std::string& file) {
   return {file, std::filesystem::path(file).parent_path().string(), true, {}};
 }

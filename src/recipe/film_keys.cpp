@@ -228,8 +228,10 @@ void declare(Visitor& v, StepSection& step) {
             step.drift, {0, 4});
 }
 
+constexpr const char* film_sentence = "Metadata that are missing or wrong in the film.";
+
 void declare(Visitor& v, FilmSection& section) {
-  v.defaulted_section<io::FilmChoice>({"film", "Metadata that are missing or wrong in the film."}, section.film,
+  v.defaulted_section<io::FilmChoice>({"film", film_sentence}, section.film,
                                       [](Visitor& inner, io::FilmChoice& film) { declare(inner, film); });
 }
 
@@ -241,9 +243,11 @@ void declare(ParameterVisitor& v, FilmRecipe& recipe) {
              {[&] { return recipe.materials.size(); }, [&](std::size_t n) { recipe.materials.resize(n); },
               [&](Visitor& inner, std::size_t i) { declare(inner, recipe.materials[i]); },
               [&](std::size_t i) -> std::string& { return recipe.materials[i].name; }});
-  FilmSection film{recipe.film};
-  declare(v, film);
-  recipe.film = film.film;
+  v.defaulted_section<MeasuredFilm>({"film", film_sentence}, recipe.film, [](Visitor& inner, MeasuredFilm& film) {
+    inner.text({"file", "The film, found beside the recipe; that of the command if it names one. A study needs it."},
+               film.file);
+    declare(inner, static_cast<io::FilmChoice&>(film));
+  });
   v.section({"container", "Box that holds the grains.", true, "frame"},
             [&](Visitor& inner) { declare(inner, recipe.container); });
   v.section({"picture", "How grains are found in the film.", true},

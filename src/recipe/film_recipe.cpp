@@ -14,23 +14,36 @@ namespace {
 bool of_simulation(const Node& root) { return root.find("packing") || root.find("populations") || root.find("stages"); }
 
 /// A recipe of a simulation has most of its keys wrong as one of a film; that it is the wrong kind helps more than
-/// their list.
-void refuse_simulation(Node& root, Reading& reading) {
+/// their list. A study is none either.
+void refuse_others(Node& root, Reading& reading) {
   if (!root.find("lockin") && of_simulation(root))
     refuse(reading.file_name,
            "is the recipe of a simulation (`arenite run`), not of a film; `arenite init film r.toml` writes one of a "
            "film");
+  if (const auto sweep = root.take("sweep")) refuse_sweep(*sweep, reading);
 }
 
 }  // namespace
 
 FilmRecipe read_film_recipe(const std::string& file, const std::vector<std::string>& overrides) {
-  return read_text<FilmRecipe>(io::read_file(file), of_file(file), overrides, "film", refuse_simulation);
+  return read_text<FilmRecipe>(io::read_file(file), of_file(file), overrides, "film", refuse_others);
 }
 
 FilmRecipe parse_film_recipe(std::string_view text, const std::string& file_name,
                              const std::vector<std::string>& overrides) {
-  return read_text<FilmRecipe>(text, of_text(file_name), overrides, "film", refuse_simulation);
+  return read_text<FilmRecipe>(text, of_text(file_name), overrides, "film", refuse_others);
+}
+
+FilmRecipe film_recipe_from(const Node& root, const std::string& file) {
+  Reading reading = of_file(file);
+  return read_from<FilmRecipe>(root, reading);
+}
+
+const RecordTable& film_keys() { return all_keys<FilmRecipe>(); }
+
+std::filesystem::path FilmRecipe::film_named() const {
+  if (film && !film->file.empty()) return beside(film->file);
+  refuse(source_file, "names no film; give it as [film] file = \"film.ptw\", found beside the recipe");
 }
 
 std::string to_toml(const FilmRecipe& recipe) { return write_toml(keys_of(recipe)); }
@@ -43,9 +56,12 @@ std::string to_commented_toml(const FilmRecipe& recipe) {
 
 bool describes_film(std::string_view text) {
   try {
-    const Node root = read_document(text, {});
-    return !of_simulation(root) && (root.find("lockin") || root.find("picture") || root.find("camera"));
+    return describes_film(read_document(text, {}));
   } catch (const InputError&) { return false; }
+}
+
+bool describes_film(const Node& root) {
+  return !of_simulation(root) && (root.find("lockin") || root.find("picture") || root.find("camera"));
 }
 
 std::string film_key_reference() {

@@ -8,7 +8,9 @@
 
 #include "core/parameters.hpp"
 #include "io/film/film.hpp"
+#include "recipe/document.hpp"
 #include "recipe/film_keys.hpp"
+#include "recipe/record.hpp"
 #include "thermal/camera/camera.hpp"
 #include "thermal/imaging/circles.hpp"
 #include "thermal/thermography/lockin.hpp"
@@ -117,13 +119,19 @@ struct CameraSection {
   double reference_cold = 291, reference_warm = 301;  ///< K
 };
 
+/// The film that is measured, and what it does not say about itself, or says wrongly.
+struct MeasuredFilm : io::FilmChoice {
+  std::string file;  ///< empty: the command or the call names it
+  bool operator==(const MeasuredFilm&) const = default;
+};
+
 /// What `arenite film` and `arenite camera` are given; one file may serve both.
 struct FilmRecipe {
   std::string title;
   std::uint64_t seed = 1;
   std::string source_file;
-  std::vector<std::string> notices;    ///< what the reader of the recipe found worth a word
-  std::optional<io::FilmChoice> film;  ///< what the film does not say about itself, or says wrongly
+  std::vector<std::string> notices;  ///< what the reader of the recipe found worth a word
+  std::optional<MeasuredFilm> film;
   std::vector<FilmMaterial> materials;
   FilmContainer container;
   PictureSection picture;
@@ -136,6 +144,10 @@ struct FilmRecipe {
   std::filesystem::path beside(const std::string& file) const {
     return std::filesystem::path(source_file).parent_path() / file;
   }  ///< that it names
+  /// What films are opened with.
+  io::FilmChoice choice() const { return film.value_or(MeasuredFilm{}); }
+  /// The film that it names. Throws InputError where it names none.
+  std::filesystem::path film_named() const;
 };
 
 /// Emissivity of every material: its own, that of [temperature], or 0.9.
@@ -157,10 +169,15 @@ inline constexpr const char* unread_emissivity =
 /// TOML.
 bool describes_film(std::string_view text);
 
+/// The same of a recipe's tree.
+bool describes_film(const Node& root);
+
 /// As read_recipe (recipe/recipe.hpp), for films.
 FilmRecipe read_film_recipe(const std::string& file, const std::vector<std::string>& overrides = {});
 FilmRecipe parse_film_recipe(std::string_view text, const std::string& file_name,
                              const std::vector<std::string>& overrides = {});
+FilmRecipe film_recipe_from(const Node& root, const std::string& file);
+const RecordTable& film_keys();
 std::string to_toml(const FilmRecipe& recipe);
 std::string to_commented_toml(const FilmRecipe& recipe);
 std::string changed_keys(const FilmRecipe& recipe);

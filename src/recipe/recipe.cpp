@@ -17,11 +17,7 @@ namespace arenite::recipe {
 namespace {
 
 void refuse_study(Node& root, Reading& reading) {
-  if (const auto sweep = root.take("sweep"))
-    add_problem(reading, sweep->place, "sweep",
-                fmt::format("this recipe is a study of many runs; `arenite study plan {0}` shows them, `arenite study "
-                            "run {0}` runs them",
-                            reading.file_name));
+  if (const auto sweep = root.take("sweep")) refuse_sweep(*sweep, reading);
 }
 
 Recipe with_doubts(Recipe recipe) {

@@ -1,5 +1,7 @@
 #include "report/number_words.hpp"
 
+#include <string>
+
 #include "model/field_quantities.hpp"
 
 namespace arenite::report {

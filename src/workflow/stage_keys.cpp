@@ -50,11 +50,19 @@ constexpr std::int64_t film_version = 5;
 constexpr std::int64_t virtual_film_version = 1;  // of films that are rendered from a run
 
 /// The bytes of a file that need not fit into memory.
-void add_file(HashBuilder& hash, const fs::path& path) {
+std::vector<std::string> hashes_of(const fs::path& path) {
+  std::vector<std::string> hashes;
   std::ifstream file(path, std::ios::binary);
   std::string part(std::size_t{8} << 20, '\0');
   while (file.read(part.data(), static_cast<std::streamsize>(part.size())) || file.gcount() > 0)
-    hash.add("part", content_hash(std::string_view(part).substr(0, static_cast<std::size_t>(file.gcount()))));
+    hashes.push_back(content_hash(std::string_view(part).substr(0, static_cast<std::size_t>(file.gcount()))));
+  return hashes;
+}
+
+void add_file(HashBuilder& hash, const fs::path& path, KnownFilms& known) {
+  const auto [at, is_new] = known.try_emplace(path.string());
+  if (is_new) at->second = hashes_of(path);
+  for (const std::string& part : at->second) hash.add("part", part);
 }
 
 template <class T> std::string_view bytes_of(const std::vector<T>& values) {
@@ -82,11 +90,11 @@ void add_info(HashBuilder& hash, const FilmInfo& info) {
   hash.add("time", content_hash(bytes_of(info.time)));
 }
 
-void add_film(HashBuilder& hash, const char* name, const fs::path& path, FilmSource& source) {
+void add_film(HashBuilder& hash, const char* name, const fs::path& path, FilmSource& source, KnownFilms& known) {
   hash.add("film", name);
   add_info(hash, source.info());
   // A raw film may be named by the file that describes its frames.
-  if (fs::is_regular_file(path) && source.info().format != "raw") add_file(hash, path);
+  if (fs::is_regular_file(path) && source.info().format != "raw") add_file(hash, path, known);
   else add_frames(hash, source);
 }
 
@@ -236,14 +244,15 @@ std::string key_versions() {
                      load_version, clipped_dashpot_version, closing_version, driven_loading_version);
 }
 
-std::string film_key(const fs::path& film, FilmSource& source, const recipe::FilmRecipe& recipe) {
+std::string film_key(const fs::path& film, FilmSource& source, const recipe::FilmRecipe& recipe, KnownFilms& known) {
+  recipe::FilmRecipe asked = recipe;  // where the film lies changes nothing
+  if (asked.film) asked.film->file.clear();
   HashBuilder hash;
-  hash.add("film version", film_version).add("recipe", changed_keys(recipe));
-  add_film(hash, "film", film, source);
+  hash.add("film version", film_version).add("recipe", changed_keys(asked));
+  add_film(hash, "film", film, source, known);
   const auto add_reference = [&](const char* name, const std::string& file) {
     if (!file.empty())
-      add_film(hash, name, recipe.beside(file),
-               *io::open_film(recipe.beside(file), recipe.film.value_or(io::FilmChoice{})));
+      add_film(hash, name, recipe.beside(file), *io::open_film(recipe.beside(file), recipe.choice()), known);
   };
   const auto add = [&](const char* name, const std::string& file) {
     if (!file.empty()) hash.add(name, content_hash(io::read_file(recipe.beside(file))));

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,9 @@ std::string map_key(const recipe::MapSection& map);
 /// Hash of a film, of all files that its recipe names, and of the recipe: what the measured film's name is made of. A
 /// film is hashed by what it says about itself and by the bytes of its file, or by its frames where they lie in several
 /// files.
-std::string film_key(const std::filesystem::path& film, FilmSource& source, const recipe::FilmRecipe& recipe);
+using KnownFilms = std::map<std::string, std::vector<std::string>>;  ///< hashes of what was read once, by file
+std::string film_key(const std::filesystem::path& film, FilmSource& source, const recipe::FilmRecipe& recipe,
+                     KnownFilms& known);
 
 /// Hash of all that the film of a run depends on: the camera's recipe, and the states or the load that it films, by the
 /// names of their results.

@@ -197,7 +197,7 @@ def test_bad_requests_are_refused_in_one_sentence(tmp_path, capsys):
     for options, sentence in (
         ({"by": "taste"}, "by: .*taste.*material"),
         ({"colour_map": "no"}, "no colour map no"),
-        ({"fps": 0}, "fps: .*between 0.01 and 100"),
+        ({"fps": 0}, "fps: .*from 0.01 to 100"),
         ({"size": (5, 5)}, "size: .*100 to 4000 pixels"),
         ({"stage": "other"}, "no stage other; there are shear"),
     ):

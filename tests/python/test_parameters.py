@@ -177,9 +177,7 @@ def test_parameters_of_no_recipe_are_described_alike_in_help_manual_and_docstrin
     functions, shared = without_recipe[command]
     lines = {}
     for function in functions:
-        lines |= dict(
-            re.findall(r"^`(\w+)`: (.*?)\.(?: A number is in .*)?$", docstring_of(function), re.MULTILINE)
-        )
+        lines |= dict(re.findall(r"^`(\w+)`: (.*?)\.(?: A number is in .*)?$", docstring_of(function), re.MULTILINE))
     shown, manual = help_of(command), manual_of(command)
     for option, name in shared.items():
         assert lines[name] in shown[option], f"{command} {option}: {lines[name]}"

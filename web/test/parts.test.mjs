@@ -225,8 +225,18 @@ test("formulas of the program are formed as it forms them", () => {
   assert.deepEqual(namesIn("2 xy * xx yy - atan2 90 * pi /"), ["xy", "xx", "yy"]);
 });
 
+/** As the program's page has them. */
+const words = {
+  S_m: ["S_{m}", ""],
+  dx: ["node spacing", ""],
+  pressure: ["pressure", "p"],
+  sigma_yy: ["\u03c3_{yy}", ""],
+  stress: ["stress", "\u03c3"],
+  modulus: ["apparent modulus", "E"],
+};
+
 test("keys of numbers become the words that the data hold, or their own, without the unit that is declared", () => {
-  readWords({ S_m: ["S_{m}", ""], dx: ["node spacing", ""], pressure: ["pressure", "p"] });
+  readWords(words);
   assert.deepEqual(named("mean_Pa", "Pa"), { name: "mean", symbol: "" });
   assert.deepEqual(named("toughness_Pa_m0.5", "Pa m^0.5"), { name: "toughness", symbol: "" });
   assert.deepEqual(named("work_J_per_m", "J/m"), { name: "work", symbol: "" });
@@ -254,6 +264,7 @@ test("units are printed as in books", () => {
 });
 
 test("what is said of several sets alike stands in one table, and what is drawn, or was shown, is left out", () => {
+  readWords(words);
   const of = (count) => ({
     count,
     tail: { slope: { value: 5, error: 1 }, low: 2 },
@@ -290,6 +301,7 @@ test("what is said of several sets alike stands in one table, and what is drawn,
 });
 
 test("names with dots are found, and a tensor has a row a component", () => {
+  readWords(words);
   const numbers = new Numbers(
     {
       quantiles: { "0.01 %": 3 },

@@ -28,7 +28,7 @@ constexpr std::string_view known_numbers =
     "surface.runout_over_width floor.pressure_Pa critical_state.mu critical_state.q_over_p "
     "critical_state.solid_fraction solid_fraction coordination.all coordination.Z fabric.a_c "
     "stress_details.pressure_Pa stress_details.deviator_Pa force.mean_N sigma_norm.P0 S_m "
-    "agreement.simulation_peak_to_peak.all.correlation";
+    "agreement.simulation_peak_to_peak.all.correlation stresses.film.mean_Pa forces.mean_N forces.fn_error_N";
 
 /// Beside what a test is asked first: of the sample that it ends with.
 constexpr std::string_view of_tests = "coordination.all fabric.a_c force.mean_N";

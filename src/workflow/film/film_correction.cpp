@@ -40,7 +40,7 @@ std::optional<FrameStatistics> reference(const recipe::FilmRecipe& recipe, const
                                          const FilmInfo& film) {
   if (file.empty()) return std::nullopt;
   const auto path = recipe.beside(file);
-  const auto source = io::open_film(path, recipe.film.value_or(io::FilmChoice{}));
+  const auto source = io::open_film(path, recipe.choice());
   if (source->info().width != film.width || source->info().height != film.height)
     refuse(path.string(),
            "has frames of {} x {} pixels, and the film of {} x {}; film the reference with the same camera and window",

@@ -156,10 +156,11 @@ StageResult measured_stage(const FilmResult& film) {
 FilmOutcome run_film(const fs::path& film, const recipe::FilmRecipe& recipe, const FilmRunOptions& options) {
   for (const std::string& sentence : recipe.notices) options.notice(sentence);
   FilmOutcome outcome;
-  const auto source = io::open_film(film, recipe.film.value_or(io::FilmChoice{}));
+  const auto source = io::open_film(film, recipe.choice());
   refuse_temperatures(recipe, film, source->info());
   for (const std::string& remark : source->info().remarks) options.notice(remark);
-  const PlannedStage stage = planned_stage(1, "film", film_key(film, *source, recipe), false);
+  KnownFilms known;
+  const PlannedStage stage = planned_stage(1, "film", film_key(film, *source, recipe, known), false);
   if (recipe.simulation) read_companion_recipe(recipe);
   outcome.file = options.out / stage.file;
   const ResultFolder folder(options.out, {stage.file}, "film");

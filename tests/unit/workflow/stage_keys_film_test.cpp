@@ -16,7 +16,8 @@ std::string key_of(const std::filesystem::path& film, const recipe::FilmRecipe& 
   alone.correction = {};
   alone.picture.optical.clear();
   alone.simulation.reset();
-  return workflow::film_key(film, *io::open_film(film), alone);
+  workflow::KnownFilms known;
+  return workflow::film_key(film, *io::open_film(film), alone, known);
 }
 
 void write(const std::filesystem::path& file, const std::string& text) {

@@ -1,4 +1,4 @@
-#include "report/print.hpp"
+#include "report/print/print.hpp"
 
 #include <algorithm>
 

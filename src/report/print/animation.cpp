@@ -1,4 +1,4 @@
-#include "report/animation.hpp"
+#include "report/print/animation.hpp"
 
 #include <fmt/core.h>
 
