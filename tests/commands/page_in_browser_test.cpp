@@ -55,6 +55,23 @@ TEST(Page, OfACementedSampleIsPaintedAndAnswersInABrowser) {
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 
+TEST(Page, OfASampleInSpaceIsPaintedAndAnswersInABrowser) {
+  // A column and a ball of grains in their matrix, which together join both clamps.
+  const test::TemporaryFolder folder;
+  const std::string map = (folder / "map.npy").string(), out = (folder / "out").string();
+  const auto made = test::shell(
+      "/usr/bin/python3 -c \"import numpy as np; z, y, x = np.mgrid[0:12, 0:12, 0:12]; "
+      "r = np.minimum(np.hypot(x - 3.5, y - 3.5), np.sqrt((x - 8.5)**2 + (y - 8)**2 + (z - 8)**2) - 0.3); np.save('" +
+      map + "', np.where(r < 2.2, 2, np.where(r < 4.3, 1, 0)).astype(np.uint8))\"");
+  ASSERT_EQ(made.status, 0) << made.err;
+  const auto loaded =
+      test::shell(ARENITE_BINARY " load " + map +
+                  " --phases 0=void,1=matrix,2=particle --dx '10 um' --loading shear --method elements --out " + out);
+  ASSERT_EQ(loaded.status, 0) << loaded.err;
+  const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/volume_page.test.mjs " + out + "/report.html");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
 TEST(Page, OfAFilmIsPaintedAndAnswersInABrowser) {
   const test::TemporaryFolder folder;
   const test::FilmPageSample sample;
@@ -155,6 +172,7 @@ TEST(Page, OfARunUnderWayIsPaintedInABrowser) {
 }
 
 TEST(Page, PartsWriteNumbersAndPlacesAsTheirTestsSay) {
-  const auto outcome = test::shell("node --test " ARENITE_SOURCE_DIR "/web/test/parts.test.mjs");
+  const std::string folder = ARENITE_SOURCE_DIR "/web/test/";
+  const auto outcome = test::shell("node --test " + folder + "parts.test.mjs " + folder + "volume_parts.test.mjs");
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }

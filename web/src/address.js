@@ -1,3 +1,9 @@
+/** A number between two, a whole one if it is to be. */
+function between(least, most, whole = false) {
+  const fits = (value) => value >= least && value <= most && (!whole || Number.isInteger(value));
+  return { write: String, read: (text) => (text !== "" && fits(Number(text)) ? Number(text) : undefined) };
+}
+
 /** How a key of the state is written behind the # of the page's address: `write(value)` -> text, `read(text)` -> value,
     undefined where the text says nothing that there is. */
 export const forms = {
@@ -7,10 +13,8 @@ export const forms = {
     write: (v) => (v === null ? "" : String(v)),
     read: (text) => (text === "" ? null : /^\d+$/.test(text) && Number(text) < below ? Number(text) : undefined),
   }),
-  share: {
-    write: String,
-    read: (text) => (text !== "" && Number(text) >= 0 && Number(text) <= 1 ? Number(text) : undefined),
-  },
+  between,
+  share: between(0, 1),
   tree: {
     write: JSON.stringify,
     read: (text) => {

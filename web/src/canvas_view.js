@@ -44,13 +44,13 @@ export class CanvasView {
       hover: (place) => this.pick(place),
       leave: () => this.unpick(),
       reset: () => this.reset(),
-      scrolled: () => this.#sayHow(),
+      scrolled: () => this.sayHow(),
       ...more,
     });
   }
 
   /** Who scrolls the page over the picture may have wanted to zoom. */
-  #sayHow() {
+  sayHow() {
     this.hint.classList.add("shown");
     clearTimeout(this.hiding);
     this.hiding = setTimeout(() => this.hint.classList.remove("shown"), hintTime);

@@ -2,7 +2,7 @@ import { h } from "./dom.js";
 import { text } from "./text.js";
 
 /** Title, what the page is about in a line, and the button for the colours. */
-export function header(title, sample, fields, films, state) {
+export function header(title, sample, fields, films, volumes, state) {
   const button = h("button", {
     class: "theme",
     onclick: () => state.set({ theme: state.get("theme") === "dark" ? "light" : "dark" }),
@@ -18,12 +18,13 @@ export function header(title, sample, fields, films, state) {
   return h(
     "header",
     {},
-    h("div", {}, h("h1", {}, title), h("p", {}, subtitleOf(sample, fields, films).join("  \u00b7  "))),
+    h("div", {}, h("h1", {}, title), h("p", {}, subtitleOf(sample, fields, films, volumes).join("  \u00b7  "))),
     button,
   );
 }
 
-function subtitleOf(sample, fields, films) {
+function subtitleOf(sample, fields, films, volumes) {
+  if (volumes.length) return volumeSubtitle(volumes.at(-1));
   if (films.length) return filmSubtitle(films.at(-1));
   return fields.length ? gridSubtitle(fields.at(-1).map) : subtitle(sample);
 }
@@ -66,4 +67,14 @@ function gridSubtitle({
     size,
     ...(grainClass.length ? [`${text.count(grainClass.length)} grains`] : []),
   ];
+}
+
+function volumeSubtitle(result) {
+  const { full, dx } = result.about,
+    grains = result.declared.at("map.grains");
+  return [
+    `${full.map(text.count).join(" \u00d7 ")} voxels`,
+    !result.inVoxels && `${full.map((n) => text.number(1e3 * n * dx, 3)).join(" \u00d7 ")}\u202fmm`,
+    grains > 1 && `${text.count(grains)} grains`,
+  ].filter(Boolean);
 }

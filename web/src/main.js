@@ -13,9 +13,11 @@ import { Sample } from "./sample.js";
 import { State } from "./state.js";
 import { tabs } from "./tabs.js";
 import { followTheme, preferredTheme, themeOf } from "./theme.js";
+import { VolumeResult } from "./volume/result.js";
+import { volumeSection } from "./volume/section.js";
 
-/** The packing if there is one, then every result on a grid, then every film. */
-function partsOf(sample, fields, films, state) {
+/** The packing if there is one, then every result on a grid, every film, and every sample in space. */
+function partsOf(sample, fields, films, volumes, state) {
   const packing =
     sample.snapshotCount > 0 ? [{ name: "packing", title: "Packing", make: () => packingSection(sample, state) }] : [];
   return [
@@ -29,6 +31,11 @@ function partsOf(sample, fields, films, state) {
       name: `film-${k}`,
       title: titleOf(film),
       make: () => filmSection(film, state, sample.about.figures.film),
+    })),
+    ...volumes.map((volume, k) => ({
+      name: `volume-${k}`,
+      title: titleOf(volume),
+      make: () => volumeSection(volume, state, sample.about.figures.field),
     })),
   ];
 }
@@ -45,19 +52,18 @@ async function main() {
     const maps = (about.maps ?? []).map((map) => new PhaseMap(map, block));
     const fields = (about.fields ?? []).map((field) => new FieldResult(field, maps, block, about.title));
     const films = (about.films ?? []).map((film) => new FilmResult(film, block, about.title));
-    const last = films.length ? `film-${films.length - 1}` : fields.length ? `field-${fields.length - 1}` : "packing";
-    const state = new State({ theme: preferredTheme(), tab: last });
-    keepInAddress(state, {
-      tab: forms.word(["packing", ...fields.map((_, k) => `field-${k}`), ...films.map((_, k) => `film-${k}`)]),
-    });
-    const parts = partsOf(sample, fields, films, state);
+    const volumes = (about.volumes ?? []).map((volume) => new VolumeResult(volume, block, about.title));
+    const state = new State({ theme: preferredTheme() }),
+      parts = partsOf(sample, fields, films, volumes, state);
+    state.set({ tab: parts.at(-1)?.name });
+    keepInAddress(state, { tab: forms.word(parts.map(({ name }) => name)) });
     if (parts.length === 0) throw new Error("this result holds no state of a packing");
     followTheme(state);
     const { elements, made } = tabs(parts, state);
     page.replaceChildren(
-      header(about.title, sample, fields, films, state),
+      header(about.title, sample, fields, films, volumes, state),
       ...elements,
-      provenance([...sample.stages, ...[...fields, ...films].map((result) => result.about)]),
+      provenance([...sample.stages, ...[...fields, ...films, ...volumes].map((result) => result.about)]),
     );
     window.arenite = {
       state,
@@ -67,6 +73,9 @@ async function main() {
         return made.get(state.get("tab"));
       },
       get film() {
+        return made.get(state.get("tab"));
+      },
+      get volume() {
         return made.get(state.get("tab"));
       },
       get theme() {

@@ -40,11 +40,11 @@ function scaleKey(result, scale, theme, length) {
   });
 }
 
-const square = (x, y, fill, theme) =>
+export const square = (x, y, fill, theme) =>
   s("rect", { x, y: y - 6, width: 12, height: 12, rx: 2.5, fill, stroke: theme.ink, "stroke-opacity": 0.25 });
 
 /** Entries one after the other, on a new line where the room ends. */
-function flow(entries, room, draw) {
+export function flow(entries, room, draw) {
   const key = s("g");
   let x = 1,
     y = 11;

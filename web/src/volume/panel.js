@@ -1,0 +1,107 @@
+import { choice, toggle } from "../choice.js";
+import { h } from "../dom.js";
+import { saveButtons } from "../save_buttons.js";
+import { text } from "../text.js";
+import { axes } from "./result.js";
+import { slider } from "./slider.js";
+import { VolumeView } from "./view.js";
+
+/** The card with the sample in space: what its colours are, what is cut away, and the picture. */
+export function volumePanel(result, state) {
+  const view = new VolumeView(result, state);
+  const panel = h(
+    "section",
+    { class: "card packing sample", "aria-label": "Sample" },
+    h(
+      "div",
+      { class: "controls" },
+      choice("Show", "show", state, [["phases", "Phases"], ...(result.offered.length ? [["field", "Field"]] : [])]),
+      ofField(
+        state,
+        choice(
+          "",
+          "component",
+          state,
+          result.offered.map((id) => [id, result.quantity(id).symbol]),
+        ),
+      ),
+      view.scene && saveButtons("the picture", { svg: () => view.saveSvg(), png: () => view.savePng() }),
+    ),
+    ofField(state, h("div", { class: "controls second" }, scaleControls(state))),
+    view.scene && h("div", { class: "controls second" }, switches(result, state), cuts(result, state)),
+    view.element,
+    note(result),
+  );
+  return { panel, view };
+}
+
+/** Shows an element only while a field is shown. */
+function ofField(state, element) {
+  const refresh = () => {
+    element.hidden = state.get("show") !== "field";
+  };
+  state.watch(["show"], refresh);
+  refresh();
+  return element;
+}
+
+const scaleControls = (state) => [
+  choice("Centre", "around", state, [
+    ["mean", "Mean"],
+    ["zero", "0"],
+    ["ends", "None"],
+  ]),
+  choice("", "law", state, [
+    ["linear", "Linear"],
+    ["symlog", "Symlog"],
+  ]),
+  choice("Clip", "clip", state, [
+    ["0.1", "0.1"],
+    ["1", "1"],
+    ["5", "5\u202f%"],
+  ]),
+];
+
+function switches(result, state) {
+  return h(
+    "div",
+    { class: "choice overlays" },
+    result.phases.length > 1 && [
+      toggle("Matrix", "matrix", state, "Off: the matrix is transparent"),
+      toggle("Grains", "particle", state, "Off: the grains are transparent"),
+    ],
+    toggle("Slices", "lines", state, "Dashed lines where the slices cut the faces of the sample"),
+  );
+}
+
+/** In voxels a number alone, for which there is room. */
+const lengthOf = (result, kept) =>
+  result.inVoxels ? text.count(kept * result.about.stride) : result.length(result.place(kept, 0));
+
+/** What lies beyond these places is cut away. */
+const cuts = (result, state) =>
+  h(
+    "div",
+    { class: "cuts" },
+    axes.map((axis, a) =>
+      slider(
+        `${axis}\u2009\u2264`,
+        `What is kept along ${axis}; the rest is cut away`,
+        `cut${axis}`,
+        state,
+        [1, result.size[a]],
+        (kept) => (kept === result.size[a] ? "all" : lengthOf(result, kept)),
+      ),
+    ),
+  );
+
+function note({ about: { stride, full } }) {
+  if (stride === 1) return null;
+  const every = `${stride}${stride === 2 ? "nd" : stride === 3 ? "rd" : "th"}`;
+  return h(
+    "p",
+    { class: "caption note" },
+    `The sample has ${full.map(text.count).join(" \u00d7 ")} voxels: every ${every} along each axis is drawn; ` +
+      "means and tables include all.",
+  );
+}
