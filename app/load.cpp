@@ -113,6 +113,8 @@ void add_reading(Options& command, KeyOptions& map) {
   map.add(command, "--label-slice", "label_slice");
   map.add(command, "--label-dataset", "label_dataset").type("NAME");
   map.add(command, "--dx", "dx").type("LENGTH");
+  map.add(command, "--voxels", "voxels");
+  map.add(command, "--cement", "cement").type("CEMENT");
 }
 
 void add_loading(Options& command, KeyOptions& load) {
@@ -135,7 +137,7 @@ void add_load(Options& command, int& status) {
   command
       .add("map", a->file,
            recipe::help_of(a->map.at("file")) + "; pictures: " + io::picture_formats(true) +
-               "; volumes: " + io::volume_formats())
+               "; volumes: " + io::volume_formats() + "; spheres: .csv, LBPM's pack.out")
       .required()
       .type("PHASEMAP");
   add_reading(command, a->map);

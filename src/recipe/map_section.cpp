@@ -7,6 +7,7 @@
 #include <string>
 
 #include "io/image/phase_map.hpp"
+#include "recipe/loads.hpp"
 #include "recipe/recipe.hpp"
 
 namespace arenite::recipe {
@@ -23,7 +24,9 @@ template <class Parse> std::string refusal(const std::string& text, Parse parse)
 }  // namespace
 
 void declare(ParameterVisitor& v, MapSection& map) {
-  v.file({"file", "Phase map: a picture of grey values, or a field file of Arenite (.h5), which needs no more keys.",
+  v.file({"file",
+          "Phase map: a picture of grey values, or a field file of Arenite (.h5), which needs no more keys; in space a "
+          "volume, or a table of spheres.",
           true},
          map.file);
   v.text({"phases",
@@ -50,6 +53,9 @@ void declare(ParameterVisitor& v, MapSection& map) {
   v.integer({"label_slice", "Slice of the labels, counted from 0."}, map.label_slice, slices);
   v.text({"label_dataset", "Dataset of the labels."}, map.label_dataset);
   v.number({"dx", "Side of a pixel; if not given, lengths are in pixels."}, map.dx, "um", range::positive);
+  v.integer({"voxels", "Of a table of spheres: voxels along the longest side of its box."}, map.voxels, {8, 2048});
+  v.section({"cement", "Of a table of spheres: the matrix between them."},
+            [&](ParameterVisitor& section) { declare(section, map.cement); });
 }
 
 }  // namespace arenite::recipe

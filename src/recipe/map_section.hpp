@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/parameters.hpp"
+#include "solid/cement/cement.hpp"
 #include "thermal/imaging/label_grains.hpp"
 
 namespace arenite::recipe {
@@ -19,7 +20,9 @@ struct MapSection {
   std::int64_t dimension = 2;  ///< 3: all slices, a sample in space
   std::optional<std::int64_t> slice, label_slice;
   std::string dataset, label_dataset;
-  std::optional<double> dx;  ///< side of a pixel, m; if not given, lengths are in nodes
+  std::optional<double> dx;         ///< side of a pixel, m; if not given, lengths are in nodes
+  std::int64_t voxels = 128;        ///< of a table of spheres: along the longest side of its box
+  cement::CementParameters cement;  ///< and the matrix between them
   bool has_label_file() const { return labels != "components" && labels != "watershed" && labels != "none"; }
   bool operator==(const MapSection&) const = default;
 };

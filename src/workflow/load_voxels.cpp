@@ -11,11 +11,13 @@
 #include "core/problems.hpp"
 #include "core/version.hpp"
 #include "io/results/results.hpp"
+#include "io/volume/spheres.hpp"
 #include "io/volume/voxel_map.hpp"
 #include "solid/elements/load.hpp"
 #include "solid/elements/stiffness_numbers.hpp"
 #include "solid/grid/label_grains.hpp"
 #include "solid/grid/map_numbers.hpp"
+#include "solid/grid/rasterise_spheres.hpp"
 #include "solid/stress/measure_voxels.hpp"
 #include "statistics/numbers.hpp"
 #include "workflow/runner.hpp"
@@ -71,11 +73,32 @@ Numbers load_numbers(const recipe::Load& load, const statics::LoadReportIn<3>& r
           {"voxels", elements::support_numbers(r.support)}};
 }
 
+/// A table of spheres, cemented and cut into voxels.
+VoxelMap read_cemented_spheres(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice) {
+  std::vector<std::string> notes;
+  const SpherePack pack = io::read_spheres(map.file, notes);
+  double parameter = 0;
+  VoxelMap voxels = grid::cemented_voxels(pack, map.cement, static_cast<int>(map.voxels), parameter);
+  for (const std::string& note : notes) notice(fmt::format("{}: {}", map.file, note));
+  std::string used;
+  if (map.cement.saturation)
+    used = fmt::format(", {} {:.4g}",
+                       map.cement.kind == cement::CementParameters::Kind::coating ? "by a thickness in m of"
+                                                                                  : "by a width over the radius of",
+                       parameter);
+  notice(fmt::format("{}: {} spheres, {} x {} x {} voxels of {:.4g} m; S_m {:.4f}{}", map.file, pack.size(),
+                     voxels.width, voxels.height, voxels.depth, voxels.dx, grid::saturation_of(voxels), used));
+  return voxels;
+}
+
 }  // namespace
 
-bool is_in_space(const recipe::MapSection& map) { return map.dimension == 3 || io::is_volume(map.file); }
+bool is_in_space(const recipe::MapSection& map) {
+  return map.dimension == 3 || io::is_sphere_table(map.file) || io::is_volume(map.file);
+}
 
 VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice) {
+  if (io::is_sphere_table(map.file)) return read_cemented_spheres(map, notice);
   io::VoxelMapOptions options;
   options.volume.dataset = map.dataset;
   if (!map.phases.empty()) options.phases = io::parse_phase_table(map.phases);

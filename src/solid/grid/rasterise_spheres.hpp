@@ -1,0 +1,21 @@
+#pragma once
+#include "model/sphere_pack.hpp"
+#include "model/voxel_map.hpp"
+#include "solid/cement/cement.hpp"
+
+namespace arenite::grid {
+
+/// The voxels of a pack's box, at their middles, by phase and by grain: `voxels` of them along its longest side. Where
+/// spheres overlap a voxel goes to the one with the smaller power distance (distance^2 - radius^2). Labels are places
+/// in the pack; images carry those of their spheres. Throws InputError for a periodic box whose sides are no whole
+/// numbers of voxels, and for no spheres.
+VoxelMap rasterise_spheres(const SpherePack& pack, const SphereCement& cement, int voxels);
+
+/// The same with the matrix that parameters ask for; a saturation is met by the width of bridges or the thickness of a
+/// coating, to less than a voxel. `parameter` is what was used. Throws InputError where none reaches it.
+VoxelMap cemented_voxels(const SpherePack& pack, cement::CementParameters parameters, int voxels, double& parameter);
+
+/// S_m: matrix over what is not grain; 0 where all is grain.
+double saturation_of(const VoxelMap& map);
+
+}  // namespace arenite::grid
