@@ -1,6 +1,7 @@
-#include "io/volume/numpy_array.hpp"
-
 #include <string_view>
+
+#include "io/disk/numpy_header.hpp"
+#include "io/volume/numpy_array.hpp"
 
 namespace arenite::io {
 
@@ -10,7 +11,7 @@ constinit const VolumeFormat volumes::npy{
     .states = {{"shape", "used: slices (z) x rows (y) x columns (x)"},
                {"fortran_order, byte order", "used"},
                {"type", "whole numbers and bool; floating numbers must be whole"}},
-    .is = [](std::string_view head) { return head.starts_with("\x93NUMPY"); },
+    .is = is_numpy_array,
     .open = [](const Bytes& bytes, const VolumeChoice&) { return open_numpy_array(bytes); }};
 
 }  // namespace arenite::io

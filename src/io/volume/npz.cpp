@@ -9,6 +9,7 @@
 
 #include "core/problems.hpp"
 #include "core/text.hpp"
+#include "io/disk/numpy_header.hpp"
 #include "io/volume/numpy_array.hpp"
 
 namespace arenite::io {
@@ -67,7 +68,7 @@ VolumePointer open_npz(const Bytes& bytes, const VolumeChoice& choice) {
     names.push_back(name);
     if (!choice.dataset.empty() && name != choice.dataset) continue;
     const Bytes array = array_of(bytes, member);
-    if (!choice.dataset.empty() || numpy_array_in(array).shape.size() == 3) volumes.push_back(array);
+    if (!choice.dataset.empty() || numpy_header_in(array).shape.size() == 3) volumes.push_back(array);
   }
   if (volumes.size() != 1)
     refuse(bytes->name(), "has {} arrays of three dimensions{}; choose one by --dataset: {}", volumes.size(),

@@ -1,5 +1,8 @@
 #include "solid/elements/load.hpp"
 
+#include <cstdint>
+#include <vector>
+
 #include "solid/elements/kernels/kernels.hpp"
 #include "solid/elements/stress.hpp"
 #include "solid/elements/support.hpp"

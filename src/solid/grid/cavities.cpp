@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "core/joined_sets.hpp"
 #include "core/problems.hpp"

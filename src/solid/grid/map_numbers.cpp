@@ -1,6 +1,8 @@
 #include "solid/grid/map_numbers.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "solid/grid/cavities.hpp"
 #include "solid/grid/cavity_statistics.hpp"

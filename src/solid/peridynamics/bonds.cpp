@@ -1,6 +1,8 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <utility>
+#include <variant>
 
 #include "core/problems.hpp"
 #include "solid/peridynamics/bonds.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "core/error.hpp"
 #include "solid/peridynamics/bonded_aggregates.hpp"

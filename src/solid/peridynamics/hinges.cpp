@@ -1,6 +1,7 @@
 #include "solid/peridynamics/hinges.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 
 namespace arenite::peridynamics {

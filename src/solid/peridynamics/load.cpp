@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "solid/peridynamics/bonded_aggregates.hpp"
 #include "solid/peridynamics/dynamics.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "core/mapped.hpp"
 #include "solid/stress/stress.hpp"
