@@ -23,7 +23,6 @@ namespace arenite::python {
 namespace {
 
 Numbers numbers_of(const Result& r) {
-  if (!r.voxels.empty()) return report::field_numbers(r.voxels.back(), r.voxels.back().numbers);
   return r.films.empty() ? report::Summary(r.run).numbers() : report::film_numbers(r.films.back());
 }
 
@@ -156,7 +155,9 @@ void bind_store(py::module_& m) {
           "fields", [](const Result& r) -> const std::vector<FieldResult>& { return r.run.fields; },
           "The cemented sample and its loads.")
       .def_readonly("films", &Result::films, "Results of films.")
-      .def_readonly("voxels", &Result::voxels, "Samples in space under load.")
+      .def_property_readonly(
+          "voxels", [](const Result& r) -> const std::vector<VoxelResult>& { return r.run.voxels; },
+          "Samples in space under load.")
       .def_property_readonly(
           "numbers", [](const Result& r) { return to_python(numbers_of(r)); },
           "As `arenite show --json` prints them; the end of a name is its unit.")
@@ -212,7 +213,7 @@ void bind_store(py::module_& m) {
         call.without_lock([&] {
           const auto& stages = result.run.stages.empty() ? result.companion : result.run.stages;
           report::write_page(
-              file, {result.title, stages, result.run.fields, result.films, result.voxels, &result.run.measured});
+              file, {result.title, stages, result.run.fields, result.films, result.run.voxels, &result.run.measured});
           return 0;
         });
       },

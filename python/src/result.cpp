@@ -38,7 +38,7 @@ std::vector<std::string> file_names(const Result& result) {
       names.push_back(io::stage_file_name(static_cast<int>(names.size()), part.name, hash.empty() ? "python" : hash));
     }
   };
-  name(result.run.stages), name(result.run.fields), name(result.films), name(result.voxels);
+  name(result.run.stages), name(result.run.fields), name(result.films), name(result.run.voxels);
   return names;
 }
 
@@ -50,13 +50,13 @@ Result result_of(std::vector<StageResult> stages, std::vector<FieldResult> field
   r.run.stages = std::move(stages);
   r.run.fields = std::move(fields);
   r.films = std::move(films);
-  r.voxels = std::move(voxels);
-  r.run.converged =
-      all_converged(r.run.stages) && all_converged(r.run.fields) && all_converged(r.films) && all_converged(r.voxels);
+  r.run.voxels = std::move(voxels);
+  r.run.converged = all_converged(r.run.stages) && all_converged(r.run.fields) && all_converged(r.films) &&
+                    all_converged(r.run.voxels);
   for (const auto& name : file_names(r)) r.run.files.emplace_back(name);
   r.title =
       title.empty()
-          ? report::title_of({.stages = r.run.stages, .fields = r.run.fields, .films = r.films, .voxels = r.voxels})
+          ? report::title_of({.stages = r.run.stages, .fields = r.run.fields, .films = r.films, .voxels = r.run.voxels})
           : std::move(title);
   return r;
 }
@@ -99,7 +99,7 @@ std::vector<Path> save(const Result& result, const Path& folder) {
   for (const auto& stage : result.run.stages) io::write_stage(next(), stage);
   for (const auto& field : result.run.fields) io::write_field(next(), field);
   for (const auto& film : result.films) io::write_film_result(next(), film);
-  for (const auto& sample : result.voxels) io::write_voxels(next(), sample);
+  for (const auto& sample : result.run.voxels) io::write_voxels(next(), sample);
   return files;
 }
 

@@ -13,7 +13,6 @@ struct Result {
   std::string path, title;
   workflow::RunOutcome run;
   std::vector<FilmResult> films;
-  std::vector<VoxelResult> voxels{};     ///< samples in space
   std::vector<StageResult> companion{};  ///< stages of the simulation beside a film, which its page shows
 };
 

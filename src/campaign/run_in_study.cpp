@@ -78,6 +78,8 @@ std::string why_unfinished(const workflow::RunOutcome& outcome) {
     if (!stage.converged) return stage.name + ": " + stage.outcome;
   for (const auto& field : outcome.fields)
     if (!field.converged) return field.name + ": " + field.outcome;
+  for (const auto& sample : outcome.voxels)
+    if (!sample.converged) return sample.name + ": " + sample.outcome;
   return "it did not converge";
 }
 

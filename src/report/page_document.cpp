@@ -249,6 +249,7 @@ PageDocument page_document(const PageData& data) {
   Numbers document{{"title", data.title}, {"notation", figures::notation}, {"words", number_words()}};
   document["figures"] = {{"packing", heads_of(figures::packing_heads())},
                          {"field", heads_of(figures::field_heads())},
+                         {"volume", heads_of(figures::voxel_heads())},
                          {"film", heads_of(figures::film_heads())}};
   Numbers stages = Numbers::list(), snapshots = Numbers::list();
   const auto films = films_of(data);  // stay in place while the stages point at them

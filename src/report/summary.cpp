@@ -199,6 +199,7 @@ Summary::Summary(const workflow::RunOutcome& outcome) {
   auto file = outcome.files.begin();
   for (const StageResult& stage : outcome.stages) add(*file++, stage);
   for (const FieldResult& field : outcome.fields) add(*file++, field, field.numbers);
+  for (const VoxelResult& sample : outcome.voxels) add(*file++, sample, sample.numbers);
 }
 
 void Summary::add(const std::filesystem::path& file, const StageResult& stage) {

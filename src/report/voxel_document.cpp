@@ -70,7 +70,6 @@ Numbers volume_of(const VoxelResult& r, NumberBlock& block, const figures::Write
   Numbers quantities = Numbers::tree();
   for (const VoxelQuantity& quantity : voxel_quantities())
     quantities[std::string(quantity.id)] = coded(quantity, r, kept, block);
-  // The figures of a field of the plane, of its numbers and its solver.
   const FieldResult as_field{r, {}, {}, {}, {}, r.convergence, {}, {}, r.numbers};
   const Numbers densities = r.numbers.value("stress", Numbers::tree());
   Numbers out{
@@ -85,7 +84,7 @@ Numbers volume_of(const VoxelResult& r, NumberBlock& block, const figures::Write
       {"phase", block.add_indices(phase)},
       {"quantities", std::move(quantities)},
       {"headlines", figures::numbers_of(figures::headlines_of(r))},
-      {"figures", shortened(figures::numbers_of(figures::field_figures(), {as_field, densities}, write, true))}};
+      {"figures", shortened(figures::numbers_of(figures::voxel_figures(), {as_field, densities}, write, true))}};
   add_numbers(out, r.numbers);
   return out;
 }

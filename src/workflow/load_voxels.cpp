@@ -98,6 +98,7 @@ bool is_in_space(const recipe::MapSection& map) {
 }
 
 VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice) {
+  refuse_keys_of_the_plane(map);
   if (io::is_sphere_table(map.file)) return read_cemented_spheres(map, notice);
   io::VoxelMapOptions options;
   options.volume.dataset = map.dataset;
@@ -162,7 +163,6 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
 }
 
 VoxelOutcome load_voxels(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options) {
-  refuse_keys_of_the_plane(map);
   refuse_keys_of_the_plane(load);
   const PlannedStage stage = planned_stage(1, load.name, load_key(load, map_key(map)), true);
   Progress progress{.stage = 1, .stages = 1, .name = load.name, .field = true};

@@ -47,7 +47,7 @@ void tell_of_touching(const PhaseMap& map, double smoothing, const std::string& 
 }  // namespace
 
 PhaseMap read_map(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice) {
-  if (map.dimension == 3) refuse(map.file, "is a sample in space; recipes load maps of the plane, `arenite load` both");
+  if (map.dimension == 3) refuse(map.file, "is a sample in space where a map of the plane is wanted");
   if (is_own_field(map)) return io::read_field(map.file).map;
   auto read = io::read_phase_map(map.file, options_of(map));
   for (const auto& note : read.notes) notice(fmt::format("{}: {}", map.file, note));

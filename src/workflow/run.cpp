@@ -13,6 +13,7 @@
 #include "io/results/results.hpp"
 #include "workflow/asked.hpp"
 #include "workflow/cemented_sample.hpp"
+#include "workflow/load_voxels.hpp"
 #include "workflow/make_packing.hpp"
 #include "workflow/read_map.hpp"
 #include "workflow/runner.hpp"
@@ -38,7 +39,8 @@ class Run {
   RunOutcome outcome() {
     for (const std::string& sentence : recipe_.notices) options_.notice(sentence);
     if (const std::string sentence = folder_.what_was_put_aside(); !sentence.empty()) options_.notice(sentence);
-    if (recipe_.map) load_map();
+    if (recipe_.map && is_in_space(recipe_.map_beside())) load_space();
+    else if (recipe_.map) load_map();
     else if (pack() && load_grains() && recipe_.has_field()) load_cemented();
     if (outcome_.interrupted) return std::move(outcome_);
     // At the very end, since a run may be killed between writing its last file and this.
@@ -70,23 +72,30 @@ class Run {
     return true;
   }
 
-  template <class Make> bool add_field(std::size_t s, Make make) {
+  /// A result on a grid, of the plane or of space, at the end of a list.
+  template <class Result, class Make>
+  bool add_on_grid(std::size_t s, std::vector<Result>& list, Make make, void (*write)(const fs::path&, const Result&),
+                   Result (*read)(const fs::path&)) {
     begin(s);
-    outcome_.measured.fields.emplace_back();
     const auto shown = [&](const fs::path& checkpoint) {
       options_.progress(progress_);
-      std::optional<FieldResult> made = make(checkpoint);
+      std::optional<Result> made = make(checkpoint);
       if (made)
         made->provenance = {version, plan_[s].name, plan_[s].hash, to_toml(part_of(recipe_, s)), recipe_.seed, "",
                             {},      recipe_.title};
       return made;
     };
-    auto result = carry_out_stage<FieldResult>({plan_[s], folder_ / plan_[s].file, shown, io::write_field, read_field});
+    auto result = carry_out_stage<Result>({plan_[s], folder_ / plan_[s].file, shown, write, read});
     if (!result) return false;
     show_done();
     outcome_.converged = outcome_.converged && result->converged;
-    outcome_.fields.push_back(std::move(*result));
+    list.push_back(std::move(*result));
     return true;
+  }
+
+  template <class Make> bool add_field(std::size_t s, Make make) {
+    outcome_.measured.fields.emplace_back();
+    return add_on_grid<FieldResult>(s, outcome_.fields, make, io::write_field, read_field);
   }
 
   void begin(std::size_t s) {
@@ -151,6 +160,21 @@ class Run {
     if (!add_field(0, [&](const fs::path&) { return std::optional(read_sample(map, options_.notice)); })) return;
     io::write_atomically(folder_ / "recipe.toml", to_toml(recipe_));
     load_nodes(0, nullptr);
+  }
+
+  /// The loads of a sample in space, which is read once.
+  void load_space() {
+    const recipe::MapSection map = recipe_.map_beside();
+    std::optional<VoxelMap> sample;
+    const auto watch = watch_of(progress_, options_);
+    for (std::size_t s = 0; s < recipe_.loads.size(); ++s) {
+      const auto make = [&](const fs::path&) {
+        if (!sample) sample = read_voxels(map, options_.notice);
+        return apply_load(recipe_.loads[s], *sample, watch);
+      };
+      if (!add_on_grid<VoxelResult>(s, outcome_.voxels, make, io::write_voxels, io::read_voxels)) return;
+      io::write_atomically(folder_ / "recipe.toml", to_toml(recipe_));
+    }
   }
 
   /// The cemented sample and its loads.

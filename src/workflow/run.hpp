@@ -65,6 +65,7 @@ struct RunOutcome {
   std::vector<std::filesystem::path> files;  ///< one a stage, in order
   std::vector<StageResult> stages;
   std::vector<FieldResult> fields;  ///< the cemented sample and its loads, after the stages
+  std::vector<VoxelResult> voxels;  ///< loads of a sample in space
   KnownStatistics measured;
 };
 

@@ -13,6 +13,7 @@
 #include "io/disk/store_file.hpp"
 #include "io/film/film.hpp"
 #include "recipe/film_recipe.hpp"
+#include "workflow/load_voxels.hpp"
 
 namespace arenite::workflow {
 
@@ -208,7 +209,7 @@ std::vector<PlannedStage> plan_of(const recipe::Recipe& recipe) {
   };
   if (recipe.map) {
     const std::string sample = map_key(recipe.map_beside());
-    add("map", sample, true);
+    if (!is_in_space(recipe.map_beside())) add("map", sample, true);  // in space it is part of each load's result
     for (const recipe::Load& load : recipe.loads) add(load.name, load_key(load, sample), true);
     return plan;
   }
@@ -225,7 +226,8 @@ std::vector<PlannedStage> plan_of(const recipe::Recipe& recipe) {
 recipe::Recipe part_of(const recipe::Recipe& recipe, std::size_t s) {
   if (recipe.map || s > recipe.stages.size()) {
     recipe::Recipe part = recipe;
-    const std::size_t load = recipe.map ? s : s - recipe.stages.size() - 1;  // 0: the sample, before all loads
+    // 0: the sample, before all loads; in space there is none.
+    const std::size_t load = !recipe.map ? s - recipe.stages.size() - 1 : is_in_space(recipe.map_beside()) ? s + 1 : s;
     part.loads.clear();
     if (load > 0) part.loads.push_back(recipe.loads[load - 1]);
     return part;

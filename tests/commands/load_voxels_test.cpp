@@ -108,18 +108,18 @@ TEST(LoadVoxels, ATableOfSpheresIsCementedAndLoaded) {
   {
     std::ofstream file(table);
     file << "x [mm],y [mm],z [mm],radius [mm]\n";
-    for (int k = 0; k < 27; ++k) file << k % 3 << ',' << k / 3 % 3 << ',' << k / 9 << ",0.5\n";
+    for (int k = 0; k < 27; ++k)  // a crystal that is not quite one: its necks grow at different widths
+      file << k % 3 + 0.011 * (k % 5) << ',' << k / 3 % 3 + 0.007 * (k % 7) << ',' << k / 9 << ",0.5\n";
   }
   const auto loaded = arenite("load " + table.string() +
                               " --method elements --voxels 36 --cement kind=bridges,saturation=0.1 --json --out " +
                               (folder / "out").string());
   ASSERT_EQ(loaded.status, 0) << loaded.err;
   const Json j = Json::parse(loaded.out);
-  EXPECT_EQ(j["map"]["voxels"], (Json{36, 36, 36}));
   EXPECT_EQ(j["map"]["grains"], 27);
-  EXPECT_NEAR(j["map"]["dx_m"].get<double>(), 3e-3 / 36, 1e-12);
+  EXPECT_NEAR(j["map"]["dx_m"].get<double>(), 3.044e-3 / 36, 1e-9);
   const double grains = j["map"]["phases"]["particle"], matrix = j["map"]["phases"]["matrix"];
-  EXPECT_NEAR(grains, 3.14159265 / 6, 0.005);
+  EXPECT_NEAR(grains, 3.14159265 / 6, 0.02);
   EXPECT_NEAR(matrix / (1 - grains), 0.1, 0.01);
   EXPECT_GT(j["modulus_Pa"].get<double>(), 1e7);
   EXPECT_NE(loaded.err.find("27 spheres"), std::string::npos) << loaded.err;

@@ -15,7 +15,7 @@ namespace {
 TEST(EffectiveStiffness, OfCastIronIsThatOfAnotherCode) {
   io::VoxelMapOptions options;
   options.phases = io::parse_phase_table("87=matrix,182=particle");
-  VoxelMap map = io::read_voxel_map(ARENITE_SOURCE_DIR "/tests/data/voxels/iron.nrrd", options).map;
+  VoxelMap map = io::read_voxel_map(ARENITE_SOURCE_DIR "/examples/32-cast-iron/iron.nrrd", options).map;
   grid::label_alike(map);
   SolveOptions o;
   o.cell = 10;

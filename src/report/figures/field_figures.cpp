@@ -205,6 +205,25 @@ Drawings convergence(const FieldData& data) {
   return {{.panels = {{{.label = "iteration"}, decades_about("residual", least, most), {series}}}}};
 }
 
+/// What densities of these components are called and say.
+Head densities_of(std::vector<Option> components) {
+  return {"stress-pdf",
+          "stress-pdf",
+          "Stress of nodes by phase",
+          {"Probability density of the component shown in the picture, over the mean of the sample or of the phase, "
+           "without the clamped rows.",
+           "Over the mean of the phase: dotted (left), q-Gaussian fits; dashed (right), tails exp(\u2212s\u2009x) by "
+           "maximum likelihood where the density falls from 0.1 to 0.001 of its peak."},
+          true,
+          {{"component", "", std::move(components), Choice::Print::files, false},
+           {"norm", "Over the mean of", {{"sample", "the sample"}, {"own", "the phase"}}}}};
+}
+
+Head solver_head() {
+  return {"convergence", "convergence", "Convergence of the solver",
+          "Residual relative to that of uniform strain, after every iteration."};
+}
+
 }  // namespace
 
 const std::vector<Row<FieldData>>& field_figures() {
@@ -225,25 +244,10 @@ const std::vector<Row<FieldData>>& field_figures() {
          "The work of the clamp is stored in bonds (elastic) or released when they break. Line: work; areas: its "
          "parts."}},
        energy_balance},
-      {{"stress-pdf",
-        "stress-pdf",
-        "Stress of nodes by phase",
-        {"Probability density of the component shown in the picture, over the mean of the sample or of the phase, "
-         "without the clamped rows.",
-         "Over the mean of the phase: dotted (left), q-Gaussian fits; dashed (right), tails exp(\u2212s\u2009x) by "
-         "maximum likelihood where the density falls from 0.1 to 0.001 of its peak."},
-        true,
-        {{"component",
-          "",
-          {{"yy", "\u03c3_{yy}"},
-           {"xx", "\u03c3_{xx}", "xx"},
-           {"xy", "\u03c3_{xy}", "xy"},
-           {"zz", "\u03c3_{zz}", "zz"},
-           {"xz", "\u03c3_{xz}", "xz"},
-           {"hydrostatic", "\u03c3_{hyd}", "hyd"}},
-          Choice::Print::files,
-          false},
-         {"norm", "Over the mean of", {{"sample", "the sample"}, {"own", "the phase"}}}}},
+      {densities_of({{"yy", "\u03c3_{yy}"},
+                     {"xx", "\u03c3_{xx}", "xx"},
+                     {"xy", "\u03c3_{xy}", "xy"},
+                     {"hydrostatic", "\u03c3_{hyd}", "hyd"}}),
        stress_densities},
       {{"cavities",
         "cavities",
@@ -252,9 +256,14 @@ const std::vector<Row<FieldData>>& field_figures() {
          "over that of a large grain of nominal radius (reference radius in the table), with counting errors.",
          "The table states which volumes at the edge and which specks of the grid are left out."}},
        cavities},
-      {{"convergence", "convergence", "Convergence of the solver",
-        "Residual relative to that of uniform strain, after every iteration."},
-       convergence}};
+      {solver_head(), convergence}};
+  return list;
+}
+
+const std::vector<Row<FieldData>>& voxel_figures() {
+  static const std::vector<Row<FieldData>> list{
+      {densities_of({{"zz", "\u03c3_{zz}"}, {"xz", "\u03c3_{xz}", "xz"}}), stress_densities},
+      {solver_head(), convergence}};
   return list;
 }
 

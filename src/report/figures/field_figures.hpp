@@ -15,5 +15,7 @@ struct FieldData {
 
 /// Figures of a sample on a grid, in their order on the page.
 const std::vector<Row<FieldData>>& field_figures();
+/// Of a sample in space, by its numbers and its solver.
+const std::vector<Row<FieldData>>& voxel_figures();
 
 }  // namespace arenite::report::figures

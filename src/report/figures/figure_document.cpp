@@ -255,6 +255,12 @@ std::vector<Head> field_heads() {
   return all;
 }
 
+std::vector<Head> voxel_heads() {
+  std::vector<Head> all;
+  add_heads(all, voxel_figures());
+  return all;
+}
+
 std::vector<Head> heads_over_runs() {
   std::vector<Head> all;
   add_heads(all, figures_over_runs());

@@ -41,6 +41,7 @@ Numbers numbers_of(const std::vector<Row<Data>>& list, const Data& data, const W
 /// renderers of their own.
 std::vector<Head> packing_heads();
 std::vector<Head> field_heads();
+std::vector<Head> voxel_heads();
 std::vector<Head> film_heads();
 /// Of several results, which have no cards.
 std::vector<Head> heads_over_runs();

@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "support/program.hpp"
+
+namespace {
+using namespace arenite;
+using test::arenite;
+using test::TemporaryFolder;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+const std::string examples = ARENITE_SOURCE_DIR "/examples/";
+
+Json shown(const fs::path& result) {
+  const auto told = arenite("show --json " + result.string());
+  EXPECT_EQ(told.status, 0) << told.err;
+  return Json::parse(told.out);
+}
+
+TEST(SpaceExamples, CastIronIsLoadedByItsRecipe) {
+  const TemporaryFolder folder;
+  const std::string run = "run " + examples +
+                          "32-cast-iron/recipe.toml --quiet --set loads.0.effective_stiffness=false " + "--out " +
+                          (folder / "out").string();
+  const auto first = arenite(run);
+  ASSERT_EQ(first.status, 0) << first.err;
+  EXPECT_NE(first.out.find("tension"), std::string::npos) << first.out;
+  EXPECT_TRUE(fs::exists(folder / "out/report.html"));
+  EXPECT_TRUE(fs::exists(folder / "out/recipe.toml"));
+  const Json j = shown(folder / "out");
+  EXPECT_EQ(j["map"]["voxels"], (Json{100, 100, 100}));
+  // Between Voigt's bound and Reuss' (phases 0.886 and 0.114).
+  EXPECT_LT(j["modulus_Pa"].get<double>(), 0.886 * 210e9 + 0.114 * 39.7e9);
+  EXPECT_GT(j["modulus_Pa"].get<double>(), 1 / (0.886 / 210e9 + 0.114 / 39.7e9));
+  EXPECT_LT(std::abs(j["load"]["reaction_balance_error"].get<double>()), 1e-4);
+  const auto again = arenite(run);
+  EXPECT_EQ(again.status, 0);
+  EXPECT_EQ(shown(folder / "out"), j);
+}
+
+TEST(SpaceExamples, SpheresAreCementedAndSwept) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "study.toml") << "base = \"" << examples << "33-cemented-spheres/recipe.toml\"\n"
+                                       << "[map]\nfile = \"" << examples << "33-cemented-spheres/spheres.out\"\n"
+                                       << "voxels = 40\n[sweep]\nlist = [{ \"map.cement.width\" = 0.3 }, "
+                                          "{ \"map.cement.width\" = 0.7 }]\n";
+  const auto studied =
+      arenite("study run " + (folder / "study.toml").string() + " --out " + (folder / "out").string() + " --quiet");
+  ASSERT_EQ(studied.status, 0) << studied.err;
+  const auto table =
+      arenite("study collect " + (folder / "study.toml").string() + " --out " + (folder / "out").string() + " --json");
+  ASSERT_EQ(table.status, 0) << table.err;
+  std::vector<double> moduli, matrix;
+  for (const auto& entry : fs::directory_iterator(folder / "out/runs")) {
+    const Json numbers = Json::parse(test::slurp(entry.path() / "numbers.json"));
+    moduli.push_back(numbers["effective_stiffness"]["isotropic_mean_Pa"]["young"]);
+    matrix.push_back(numbers["map"]["phases"]["matrix"]);
+    EXPECT_NEAR(numbers["map"]["phases"]["particle"].get<double>(), 0.645, 0.01);
+  }
+  ASSERT_EQ(moduli.size(), 2u);
+  EXPECT_LT(3 * std::min(matrix[0], matrix[1]), std::max(matrix[0], matrix[1]));
+  EXPECT_GT(moduli[matrix[0] > matrix[1] ? 0 : 1], 1.5 * moduli[matrix[0] > matrix[1] ? 1 : 0]);
+}
+
+}  // namespace
