@@ -3,6 +3,7 @@
 #include <string>
 
 #include "model/field_quantities.hpp"
+#include "model/voxel_quantities.hpp"
 
 namespace arenite::report {
 namespace {
@@ -53,6 +54,8 @@ constexpr Called called[] = {{"sigma_norm", "\u03c3_{norm}"},
 Numbers number_words() {
   Numbers words = Numbers::tree();
   for (const FieldQuantity& q : field_quantities())
+    if (q.unit == "Pa") words[q.name] = Numbers::list({std::string(q.symbol), ""});
+  for (const VoxelQuantity& q : voxel_quantities())
     if (q.unit == "Pa") words[q.name] = Numbers::list({std::string(q.symbol), ""});
   for (const Called& one : called) words[one.key] = Numbers::list({one.name, one.symbol});
   return words;
