@@ -56,9 +56,6 @@ TEST(SpaceExamples, SpheresAreCementedAndSwept) {
   const auto studied =
       arenite("study run " + (folder / "study.toml").string() + " --out " + (folder / "out").string() + " --quiet");
   ASSERT_EQ(studied.status, 0) << studied.err;
-  const auto table =
-      arenite("study collect " + (folder / "study.toml").string() + " --out " + (folder / "out").string() + " --json");
-  ASSERT_EQ(table.status, 0) << table.err;
   std::vector<double> moduli, matrix;
   for (const auto& entry : fs::directory_iterator(folder / "out/runs")) {
     const Json numbers = Json::parse(test::slurp(entry.path() / "numbers.json"));
