@@ -70,21 +70,19 @@ Numbers volume_of(const VoxelResult& r, NumberBlock& block, const figures::Write
   Numbers quantities = Numbers::tree();
   for (const VoxelQuantity& quantity : voxel_quantities())
     quantities[std::string(quantity.id)] = coded(quantity, r, kept, block);
-  const FieldResult as_field{r, {}, {}, {}, {}, r.convergence, {}, {}, r.numbers};
   const Numbers densities = r.numbers.value("stress", Numbers::tree());
-  Numbers out{
-      {"name", r.name},
-      {"converged", r.converged},
-      {"outcome", r.outcome},
-      {"provenance", provenance_of(r.provenance)},
-      {"size", {kept.width, kept.height, kept.depth}},
-      {"full", {r.map.width, r.map.height, r.map.depth}},
-      {"stride", kept.stride},
-      {"dx", r.map.dx},
-      {"phase", block.add_indices(phase)},
-      {"quantities", std::move(quantities)},
-      {"headlines", figures::numbers_of(figures::headlines_of(r))},
-      {"figures", shortened(figures::numbers_of(figures::voxel_figures(), {as_field, densities}, write, true))}};
+  Numbers out{{"name", r.name},
+              {"converged", r.converged},
+              {"outcome", r.outcome},
+              {"provenance", provenance_of(r.provenance)},
+              {"size", {kept.width, kept.height, kept.depth}},
+              {"full", {r.map.width, r.map.height, r.map.depth}},
+              {"stride", kept.stride},
+              {"dx", r.map.dx},
+              {"phase", block.add_indices(phase)},
+              {"quantities", std::move(quantities)},
+              {"headlines", figures::numbers_of(figures::headlines_of(r))},
+              {"figures", shortened(figures::numbers_of(figures::voxel_figures(), {r, densities}, write, true))}};
   add_numbers(out, r.numbers);
   return out;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -14,7 +15,6 @@
 #include "grains/texture/texture.hpp"
 #include "io/results/results.hpp"
 #include "solid/elements/load.hpp"
-#include "solid/elements/stiffness_numbers.hpp"
 #include "solid/grid/crop.hpp"
 #include "solid/stress/grains.hpp"
 #include "solid/stress/stress.hpp"
@@ -122,9 +122,7 @@ class Loader {
   statics::EffectiveModuli effective_moduli(const PhaseMap& map) const {
     return by_elements_ ? elements::effective_moduli(map, elements_) : peridynamics::effective_moduli(map, bonds_);
   }
-  elements::EffectiveStiffness<2> effective_stiffness(const PhaseMap& map) const {
-    return elements::effective_stiffness(map, elements_);
-  }
+  const elements::SolveOptions& of_elements() const { return elements_; }
 
  private:
   bool by_elements_;
@@ -178,12 +176,9 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
     }
   }
   add_load(result.numbers, load, loaded.report, moduli);
-  if (load.effective_stiffness && load.by_elements() && result.converged) {
-    const auto effective = loader.effective_stiffness(result.map);
-    if (std::ranges::any_of(effective.solves, &statics::StaticReport::stopped)) return std::nullopt;
-    result.converged = std::ranges::all_of(effective.solves, &statics::StaticReport::converged);
-    result.numbers["effective_stiffness"] = elements::stiffness_numbers(effective);
-  }
+  if (load.effective_stiffness && load.by_elements() && result.converged &&
+      !add_effective_stiffness(result.map, loader.of_elements(), result))
+    return std::nullopt;
   if (!load.by_elements()) note_bonds_across_voids(result.numbers, load, result.map);
   result.field = as_stored(std::move(loaded.field));
   measure_stress(load, result, measured, contact_stresses);
@@ -193,38 +188,18 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
 MapOutcome load_map(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options) {
   require_length(map, load);
   const bool is_stored = !options.out.empty();
-  const PlannedStage stage = planned_stage(1, load.name, load_key(load, map_key(map)), true);
-  Progress progress{.stage = 1, .stages = 1, .name = load.name, .field = true};
   MapOutcome outcome;
   auto* measured = options.page_follows ? &outcome.measured.fields.emplace_back() : nullptr;
-  const auto make = [&](const fs::path& checkpoint) {
-    const FieldResult sample = read_sample(map, options.notice);
-    auto result = apply_load(
-        load, sample, watch_of(progress, options),
-        load.failure && is_stored ? failure_checkpoint(checkpoint, stage.hash, options) : FailureCheckpoint{},
-        measured);
-    if (result)
-      result->provenance = {version,
-                            load.name,
-                            stage.hash,
-                            "",
-                            0,
-                            "",
-                            {{"map", fs::path(map.file).filename().string()}, {"options", told_map_keys(map)}}};
-    return result;
+  const auto make = [&](const statics::Watch& watch, const std::string& hash, const fs::path& checkpoint) {
+    return apply_load(load, read_sample(map, options.notice), watch,
+                      load.failure && is_stored ? failure_checkpoint(checkpoint, hash, options) : FailureCheckpoint{},
+                      measured);
   };
-  if (is_stored) {
-    outcome.file = options.out / stage.file;
-    outcome.field =
-        carry_out<FieldResult>({stage, outcome.file, make, io::write_field, read_field}, options, progress.reused);
-  } else {
-    outcome.field = make({});
-  }
-  if (!outcome.field) return outcome;
-  progress.share = 1;
-  options.progress(progress);
+  auto loaded = load_by_itself<FieldResult>(map, load, options, make, io::write_field, read_field);
+  outcome.field = std::move(loaded.result);
+  outcome.file = std::move(loaded.file);
   std::error_code error;
-  if (is_stored) fs::remove(options.out / "run.checkpoint", error);
+  if (outcome.field && is_stored) fs::remove(options.out / "run.checkpoint", error);
   return outcome;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -6,6 +7,7 @@
 #include "model/packing.hpp"
 #include "model/result.hpp"
 #include "recipe/recipe.hpp"
+#include "solid/elements/stiffness_numbers.hpp"
 #include "solid/peridynamics/failure_state.hpp"
 #include "solid/stress/stress.hpp"
 #include "workflow/run.hpp"
@@ -32,6 +34,16 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
                                       const peridynamics::Watch& watch, const FailureCheckpoint& checkpoint = {},
                                       std::optional<stress::Statistics>* measured = nullptr,
                                       const std::vector<Tensor2>* contact_stresses = nullptr);
+
+/// Adds to a loaded sample's numbers its effective stiffness as a period (docs/elements.md); false if it was stopped.
+template <class Map, class Result>
+bool add_effective_stiffness(const Map& map, const elements::SolveOptions& how, Result& result) {
+  const auto effective = elements::effective_stiffness(map, how);
+  if (std::ranges::any_of(effective.solves, &statics::StaticReport::stopped)) return false;
+  result.converged = std::ranges::all_of(effective.solves, &statics::StaticReport::converged);
+  result.numbers["effective_stiffness"] = elements::stiffness_numbers(effective);
+  return true;
+}
 
 struct MapOutcome {
   std::optional<FieldResult> field;  ///< nothing if it was stopped

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/problems.hpp"
-#include "core/version.hpp"
 #include "io/results/results.hpp"
 #include "io/volume/spheres.hpp"
 #include "io/volume/voxel_map.hpp"
@@ -21,7 +20,6 @@
 #include "solid/stress/measure_voxels.hpp"
 #include "statistics/numbers.hpp"
 #include "workflow/runner.hpp"
-#include "workflow/stage_keys.hpp"
 
 namespace arenite::workflow {
 namespace {
@@ -36,19 +34,6 @@ void refuse_keys_of_the_plane(const recipe::MapSection& map) {
     throw InputError(
         "grains in space are found as connected particles, or read from a volume of labels; give --labels components, "
         "none or a file");
-}
-
-void refuse_keys_of_the_plane(const recipe::Load& load) {
-  if (load.failure) throw InputError("bonds that break are of the plane; leave failure out in space");
-  if (!load.by_elements())
-    throw InputError("a sample in space is made of elements, bonds are of the plane; give --method elements");
-  if (load.axis == recipe::Load::Axis::x)
-    throw InputError("in space the load acts along z, across the slices; leave axis out, or turn the image");
-  if (load.moduli)
-    throw InputError(
-        "moduli between clamps along both axes are of the plane; in space give effective_stiffness, which needs none");
-  if (load.plane != elements::PlaneState::stress)
-    throw InputError("plane strain is of the plane; leave plane out in space");
 }
 
 Numbers load_numbers(const recipe::Load& load, const statics::LoadReportIn<3>& r) {
@@ -93,6 +78,19 @@ VoxelMap read_cemented_spheres(const recipe::MapSection& map, const std::functio
 
 }  // namespace
 
+void require_space(const recipe::Load& load) {
+  if (load.failure) throw InputError("bonds that break are of the plane; leave failure out in space");
+  if (!load.by_elements())
+    throw InputError("a sample in space is made of elements, bonds are of the plane; give --method elements");
+  if (load.axis == recipe::Load::Axis::x)
+    throw InputError("in space the load acts along z, across the slices; leave axis out, or turn the image");
+  if (load.moduli)
+    throw InputError(
+        "moduli between clamps along both axes are of the plane; in space give effective_stiffness, which needs none");
+  if (load.plane != elements::PlaneState::stress)
+    throw InputError("plane strain is of the plane; leave plane out in space");
+}
+
 bool is_in_space(const recipe::MapSection& map) {
   return map.dimension == 3 || io::is_sphere_table(map.file) || io::is_volume(map.file);
 }
@@ -115,7 +113,7 @@ VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(con
 }
 
 std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch) {
-  refuse_keys_of_the_plane(load);
+  require_space(load);
   const double parts = load.effective_stiffness ? 7 : 1;  // one load, and six of a period
   double begun = 0;
   elements::LoadOptions solve;
@@ -151,46 +149,18 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
     j["stress"] = stress::measure(map, loaded.field, statistics, notes);
     for (std::string& note : notes) j["notes"].push_back(std::move(note));
   }
-  if (load.effective_stiffness && result.converged) {
-    const auto effective = elements::effective_stiffness(map, solve);
-    if (std::ranges::any_of(effective.solves, &statics::StaticReport::stopped)) return std::nullopt;
-    result.converged = std::ranges::all_of(effective.solves, &statics::StaticReport::converged);
-    j["effective_stiffness"] = elements::stiffness_numbers(effective);
-  }
+  if (load.effective_stiffness && result.converged && !add_effective_stiffness(map, solve, result)) return std::nullopt;
   result.map = map;
   result.field = std::move(loaded.field);
   return result;
 }
 
-VoxelOutcome load_voxels(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options) {
-  refuse_keys_of_the_plane(load);
-  const PlannedStage stage = planned_stage(1, load.name, load_key(load, map_key(map)), true);
-  Progress progress{.stage = 1, .stages = 1, .name = load.name, .field = true};
-  const auto make = [&](const fs::path&) {
-    const VoxelMap voxels = read_voxels(map, options.notice);
-    auto result = apply_load(load, voxels, watch_of(progress, options));
-    if (result)
-      result->provenance = {version,
-                            load.name,
-                            stage.hash,
-                            "",
-                            0,
-                            "",
-                            {{"map", fs::path(map.file).filename().string()}, {"options", told_map_keys(map)}}};
-    return result;
+LoadedMap<VoxelResult> load_voxels(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options) {
+  require_space(load);
+  const auto make = [&](const statics::Watch& watch, const std::string&, const fs::path&) {
+    return apply_load(load, read_voxels(map, options.notice), watch);
   };
-  VoxelOutcome outcome;
-  if (options.out.empty()) {
-    outcome.result = make({});
-  } else {
-    outcome.file = options.out / stage.file;
-    outcome.result = carry_out<VoxelResult>({stage, outcome.file, make, io::write_voxels, io::read_voxels}, options,
-                                            progress.reused);
-  }
-  if (!outcome.result) return outcome;
-  progress.share = 1;
-  options.progress(progress);
-  return outcome;
+  return load_by_itself<VoxelResult>(map, load, options, make, io::write_voxels, io::read_voxels);
 }
 
 }  // namespace arenite::workflow

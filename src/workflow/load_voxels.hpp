@@ -8,12 +8,15 @@
 #include "model/voxel_map.hpp"
 #include "recipe/recipe.hpp"
 #include "solid/statics/watch.hpp"
-#include "workflow/run.hpp"
+#include "workflow/runner.hpp"
 
 namespace arenite::workflow {
 
 /// Whether a map is a sample in space: its key says so, or its file holds nothing but volumes.
 bool is_in_space(const recipe::MapSection& map);
+
+/// Throws InputError for keys of a load that are of the plane.
+void require_space(const recipe::Load& load);
 
 /// A voxel map of a file, its grains labelled; what is found worth a word is told.
 VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice);
@@ -23,13 +26,7 @@ VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(con
 /// the plane.
 std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch);
 
-struct VoxelOutcome {
-  std::optional<VoxelResult> result;  ///< nothing if it was stopped
-  std::filesystem::path file;         ///< empty where nothing is stored
-};
-
-/// The same of a file; the result is one file in `options.out`, taken from there if it was computed before. Throws
-/// InputError for what cannot be read as a voxel map.
-VoxelOutcome load_voxels(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options);
+/// The same of a file, kept as load_by_itself says. Throws InputError for what cannot be read as a voxel map.
+LoadedMap<VoxelResult> load_voxels(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options);
 
 }  // namespace arenite::workflow

@@ -165,6 +165,7 @@ class Run {
   /// The loads of a sample in space, which is read once.
   void load_space() {
     const recipe::MapSection map = recipe_.map_beside();
+    for (const recipe::Load& load : recipe_.loads) require_space(load);
     std::optional<VoxelMap> sample;
     const auto watch = watch_of(progress_, options_);
     for (std::size_t s = 0; s < recipe_.loads.size(); ++s) {

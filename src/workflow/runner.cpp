@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/version.hpp"
 #include "io/results/results.hpp"
 
 namespace arenite::workflow {
@@ -77,6 +78,16 @@ History convergence_of(const std::vector<double>& residuals) {
   std::vector<double> iteration;
   for (std::size_t k = 0; k < residuals.size(); ++k) iteration.push_back(static_cast<double>(k));
   return {{{"iteration", "1", std::move(iteration)}, {"residual", "1", residuals}}};
+}
+
+Provenance provenance_of(const recipe::MapSection& map, const recipe::Load& load, const std::string& hash) {
+  return {version,
+          load.name,
+          hash,
+          "",
+          0,
+          "",
+          {{"map", fs::path(map.file).filename().string()}, {"options", told_map_keys(map)}}};
 }
 
 peridynamics::Watch watch_of(Progress& progress, const RunOptions& options) {

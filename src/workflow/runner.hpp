@@ -99,6 +99,43 @@ std::optional<Result> carry_out(const StageRecord<Result>& stage, const RunOptio
   return stage.read(stage.file);
 }
 
+/// Shows how far a load has come, by its iterations and residual, and stops it where that is asked for.
+peridynamics::Watch watch_of(Progress& progress, const RunOptions& options);
+
+/// What made the result of a load of a map by itself, whose name is `hash`.
+Provenance provenance_of(const recipe::MapSection& map, const recipe::Load& load, const std::string& hash);
+
+/// A load of a map by itself, of the plane or of space.
+template <class Result> struct LoadedMap {
+  std::optional<Result> result;  ///< nothing if it was stopped
+  std::filesystem::path file;    ///< empty where nothing is stored
+};
+/// The result is one file in `options.out`, taken from there if it was computed before; without that folder nothing is
+/// stored. `make(watch, hash, checkpoint)` reads the map and loads it.
+template <class Result, class Make>
+LoadedMap<Result> load_by_itself(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options,
+                                 Make make, void (*write)(const std::filesystem::path&, const Result&),
+                                 Result (*read)(const std::filesystem::path&)) {
+  const PlannedStage stage = planned_stage(1, load.name, load_key(load, map_key(map)), true);
+  Progress progress{.stage = 1, .stages = 1, .name = load.name, .field = true};
+  const auto made = [&](const std::filesystem::path& checkpoint) {
+    std::optional<Result> result = make(watch_of(progress, options), stage.hash, checkpoint);
+    if (result) result->provenance = provenance_of(map, load, stage.hash);
+    return result;
+  };
+  LoadedMap<Result> loaded;
+  if (options.out.empty()) {
+    loaded.result = made({});
+  } else {
+    loaded.file = options.out / stage.file;
+    loaded.result = carry_out<Result>({stage, loaded.file, made, write, read}, options, progress.reused);
+  }
+  if (!loaded.result) return loaded;
+  progress.share = 1;
+  options.progress(progress);
+  return loaded;
+}
+
 /// When a stage that takes long is kept on its way, so that it goes on there when it was killed: every
 /// `checkpoint_seconds`, and when it is asked to stop.
 class CheckpointTimes {
@@ -115,9 +152,6 @@ class CheckpointTimes {
 
 /// The residuals of a solve as a history.
 History convergence_of(const std::vector<double>& residuals);
-
-/// Shows how far a load has come, by its iterations and residual, and stops it where that is asked for.
-peridynamics::Watch watch_of(Progress& progress, const RunOptions& options);
 
 /// A stage of loading by discrete elements, at its begin or where it was kept by its file.
 dem::StageRun begun_or_kept(dem::Engine& engine, const dem::Stage& stage, const std::string& key,

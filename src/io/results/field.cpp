@@ -33,26 +33,20 @@ void transfer_map(const Hdf5Group& at, PhaseMap& map) {
   group("height", map.height);
   group("dx [m]", map.dx);
   group.note("first_row", "bottom");
-  group.note("phases", "0 empty, 1 matrix, 2 particle");
   constexpr int largest = 1 << 20;
   if (at.reads() && (map.width < 0 || map.height < 0 || map.width > largest || map.height > largest))
     group.refuse("has an impossible size");
   const Shape shape{map.height, map.width};
-  auto phases = converted<std::uint8_t>(map.phase), classes = converted<std::uint8_t>(map.grain_class);
-  group.image("phase", phases, shape);
+  auto classes = converted<std::uint8_t>(map.grain_class);
+  transfer_phases(group, map.phase, shape);
   group.image("grain", map.grain, shape);
   group.array("grain_class", classes);
   if (!at.reads()) return;
-  for (const auto phase : phases)
-    if (phase > static_cast<std::uint8_t>(Phase::particle)) group.refuse("names a phase that does not exist");
   for (const auto each : classes)
     if (each > static_cast<std::uint8_t>(GrainClass::large))
       group.refuse("names a class of grains that does not exist");
-  map.phase = converted<Phase>(phases);
   map.grain_class = converted<GrainClass>(classes);
-  try {
-    check(map);
-  } catch (const InputError& error) { group.refuse(error.what()); }
+  refuse_unsound(group, map);
 }
 
 /// A field that is there; none is where nothing was loaded.

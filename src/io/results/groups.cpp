@@ -219,6 +219,16 @@ void transfer_joints(const Hdf5Group& at, Packing& packing) {
     transfer_cohesive(at.group("cohesive"), packing.cohesive, grains);
 }
 
+void transfer_phases(const Hdf5Group& map_at, std::vector<Phase>& phases, Shape shape) {
+  auto stored = mapped(phases, [](Phase phase) { return static_cast<std::uint8_t>(phase); });
+  map_at.note("phases", "0 empty, 1 matrix, 2 particle");
+  map_at.image("phase", stored, shape);
+  if (!map_at.reads()) return;
+  for (const auto phase : stored)
+    if (phase > static_cast<std::uint8_t>(Phase::particle)) map_at.refuse("names a phase that does not exist");
+  phases = mapped(stored, [](std::uint8_t phase) { return static_cast<Phase>(phase); });
+}
+
 void transfer_history(const Hdf5Group& at, const char* name, History& history) {
   const auto group = at.group(name);
   if (at.reads())

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/hdf5/group.hpp"
@@ -150,6 +151,16 @@ void check_ends(const Hdf5Group& at, const Items& items, std::size_t grains, con
 
 /// A whole packing as the group "packing".
 void transfer_packing(const Hdf5Group& at, Packing& packing);
+
+/// The phases of a map in its group; those that do not exist are refused.
+void transfer_phases(const Hdf5Group& map_at, std::vector<Phase>& phases, Shape shape);
+/// Refuses a map that was read and is not sound.
+template <class Map> void refuse_unsound(const Hdf5Group& map_at, const Map& map) {
+  if (!map_at.reads()) return;
+  try {
+    check(map);
+  } catch (const InputError& error) { map_at.refuse(error.what()); }
+}
 
 void transfer_history(const Hdf5Group& at, const char* name, History& history);
 

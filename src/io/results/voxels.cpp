@@ -3,8 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.hpp"
-#include "core/mapped.hpp"
 #include "io/results/groups.hpp"
 #include "io/results/results.hpp"
 
@@ -24,27 +22,20 @@ void transfer_voxel_map(const Hdf5Group& at, VoxelMap& map) {
   group("depth", map.depth);
   group("dx [m]", map.dx);
   group.note("axes", "z, y, x");
-  group.note("phases", "0 empty, 1 matrix, 2 particle");
   constexpr int largest = 1 << 16;
   if (at.reads())
     for (const int size : {map.width, map.height, map.depth})
       if (size < 1 || size > largest) group.refuse("has an impossible size");
   const Shape shape{map.height, map.width, map.depth};
-  auto phases = mapped(map.phase, [](Phase phase) { return static_cast<std::uint8_t>(phase); });
   auto grains = static_cast<std::int64_t>(map.grain_class.size());
-  group.image("phase", phases, shape);
+  transfer_phases(group, map.phase, shape);
   group.image("grain", map.grain, shape);
   group("grains", grains);
   if (!at.reads()) return;
-  for (const auto phase : phases)
-    if (phase > static_cast<std::uint8_t>(Phase::particle)) group.refuse("names a phase that does not exist");
-  if (grains < 0 || grains > static_cast<std::int64_t>(phases.size()))
+  if (grains < 0 || grains > static_cast<std::int64_t>(map.phase.size()))
     group.refuse("has an impossible number of grains");
-  map.phase = mapped(phases, [](std::uint8_t phase) { return static_cast<Phase>(phase); });
   map.grain_class.assign(static_cast<std::size_t>(grains), GrainClass::none);
-  try {
-    check(map);
-  } catch (const InputError& error) { group.refuse(error.what()); }
+  refuse_unsound(group, map);
 }
 
 void transfer_voxels(const Hdf5Group& at, VoxelResult& result) {

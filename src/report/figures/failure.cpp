@@ -13,18 +13,18 @@ namespace {
 
 std::vector<double> steps_of(const FieldData& data) {
   std::vector<double> steps;
-  if (const auto* strain = data.result.curve.find("strain"))
+  if (const auto* strain = data.curve.find("strain"))
     for (std::size_t k = 0; k < strain->size(); ++k) steps.push_back(static_cast<double>(k + 1));
   return steps;
 }
 
 const std::vector<double>* column(const FieldData& data, const char* name) {
-  const auto* values = data.result.curve.find(name);
+  const auto* values = data.curve.find(name);
   return steps_of(data).size() > 1 ? values : nullptr;
 }
 
 std::string unit_of(const FieldData& data, const char* name) {
-  return std::ranges::find(data.result.curve.columns, name, &History::Column::name)->unit;
+  return std::ranges::find(data.curve.columns, name, &History::Column::name)->unit;
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ Drawings stress_strain(const FieldData& data) {
 
 Drawings broken_bonds(const FieldData& data) {
   const auto* broken = column(data, "broken");
-  if (!broken || data.result.cracks.empty()) return {};
+  if (!broken || data.cracks.empty()) return {};
   Drawing drawing;
   Panel panel{{.label = "step"}, {.label = "broken bonds", .low = 0}};
   panel.now = {steps_of(data)};
@@ -56,8 +56,8 @@ Drawings broken_bonds(const FieldData& data) {
     std::size_t k = 0;
     double count = 0;
     for (const double until : *broken) {
-      for (; k < data.result.cracks.size() && static_cast<double>(k) < until; ++k)
-        count += data.result.cracks[k].type == type ? 1 : 0;
+      for (; k < data.cracks.size() && static_cast<double>(k) < until; ++k)
+        count += data.cracks[k].type == type ? 1 : 0;
       series.y.push_back(count);
     }
     drawing.key.push_back({series.name, colour, {}, Line::solid, type - 1});

@@ -162,8 +162,8 @@ Drawings cavities(const FieldData& data) {
   double low = 1e300, high = 0, least = 1e300, most = 0;
   bool any = false;
   for (const auto& [kind, colour] : {std::pair{"pores", "material 0"}, {"voids", "material 1"}}) {
-    const auto of = data.result.numbers.find(kind);
-    if (of == data.result.numbers.end()) continue;
+    const auto of = data.numbers.find(kind);
+    if (of == data.numbers.end()) continue;
     const auto edge = reals_at(*of, "/pdf/edge"), density = reals_at(*of, "/pdf/density"),
                error = reals_at(*of, "/pdf/error");
     Series series{.name = kind, .colour = colour, .line = Line::solid, .points = true, .weight = 0.9};
@@ -192,9 +192,9 @@ Drawings cavities(const FieldData& data) {
 }
 
 Drawings convergence(const FieldData& data) {
-  const auto* residual = data.result.convergence.find("residual");
+  const auto* residual = data.convergence.find("residual");
   if (!residual || residual->size() < 2) return {};
-  const auto* iteration = data.result.convergence.find("iteration");
+  const auto* iteration = data.convergence.find("iteration");
   Series series{.colour = "material 0", .y = *residual, .line = Line::solid, .points = residual->size() < 200};
   for (std::size_t k = 0; k < residual->size(); ++k)
     series.x.push_back(iteration ? (*iteration)[k] : static_cast<double>(k));
@@ -204,6 +204,9 @@ Drawings convergence(const FieldData& data) {
   if (!(most > 0)) return {};
   return {{.panels = {{{.label = "iteration"}, decades_about("residual", least, most), {series}}}}};
 }
+
+const History no_curve{};
+const std::vector<Crack> no_cracks{};
 
 /// What densities of these components are called and say.
 Head densities_of(std::vector<Option> components) {
@@ -225,6 +228,13 @@ Head solver_head() {
 }
 
 }  // namespace
+
+FieldData::FieldData(const VoxelResult& result, const Numbers& of_stresses)
+    : convergence(result.convergence),
+      curve(no_curve),
+      cracks(no_cracks),
+      numbers(result.numbers),
+      densities(of_stresses) {}
 
 const std::vector<Row<FieldData>>& field_figures() {
   static const std::vector<Row<FieldData>> list{

@@ -6,11 +6,22 @@
 
 namespace arenite::report::figures {
 
-/// A cemented sample or its stresses, with the densities of these by component and set (stress::numbers); a tree
-/// without any where they are not known.
+/// What figures show of a sample on a grid: how it was solved, how it failed (a sample in space never does), its
+/// numbers, and the densities of its stresses by component and set; a tree without any where they are not known.
 struct FieldData {
-  const FieldResult& result;
+  const History& convergence;
+  const History& curve;
+  const std::vector<Crack>& cracks;
+  const Numbers& numbers;
   const Numbers& densities;
+
+  FieldData(const FieldResult& result, const Numbers& of_stresses)
+      : convergence(result.convergence),
+        curve(result.curve),
+        cracks(result.cracks),
+        numbers(result.numbers),
+        densities(of_stresses) {}
+  FieldData(const VoxelResult& result, const Numbers& of_stresses);
 };
 
 /// Figures of a sample on a grid, in their order on the page.

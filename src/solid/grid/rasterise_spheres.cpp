@@ -26,8 +26,7 @@ class Voxels {
       if (pack.periodic && std::abs(side - whole) > 1e-6 * whole)
         throw refusal(
             "a periodic box of {:g} x {:g} x {:g} m is no whole number of voxels along each axis; choose another "
-            "number "
-            "of voxels",
+            "number of voxels",
             pack.high.x - pack.low.x, pack.high.y - pack.low.y, pack.high.z - pack.low.z);
       count_[static_cast<std::size_t>(axis)] = std::max(1, static_cast<int>(whole));
     }
@@ -91,11 +90,20 @@ void add_neck(const Voxels& voxels, const SphereNeck& neck, VoxelMap& map) {
   });
 }
 
-void add_cement(const Voxels& voxels, const SpherePack& all, const SphereCement& cement, VoxelMap& map) {
+VoxelMap grains_in(const Voxels& voxels, const SpherePack& pack) {
+  const auto [width, height, depth] = voxels.count();
+  VoxelMap map = make_voxel_map(width, height, depth, voxels.dx());
+  map.grain_class.assign(pack.size(), GrainClass::none);
+  add_spheres(voxels, cement::with_images(pack, 0), map);
+  return map;
+}
+
+void add_cement(const Voxels& voxels, const SpherePack& pack, const SphereCement& cement, VoxelMap& map) {
   if (cement.full)
     for (Phase& phase : map.phase)
       if (phase == Phase::empty) phase = Phase::matrix;
-  for (std::size_t s = 0; cement.coating > 0 && s < all.size(); ++s) {
+  const SpherePack all = cement.coating > 0 ? cement::with_images(pack, cement.coating) : SpherePack{};
+  for (std::size_t s = 0; s < all.size(); ++s) {
     const double reach = all.radius[s] + cement.coating;
     voxels.each_in(map, about(all.centre[s], reach, -1), about(all.centre[s], reach, 1), [&](std::size_t k, Vec3 at) {
       const Vec3 d = at - all.centre[s];
@@ -109,12 +117,8 @@ void add_cement(const Voxels& voxels, const SpherePack& all, const SphereCement&
 
 VoxelMap rasterise_spheres(const SpherePack& pack, const SphereCement& cement, int voxels) {
   const Voxels grid(pack, voxels);
-  const auto [width, height, depth] = grid.count();
-  VoxelMap map = make_voxel_map(width, height, depth, grid.dx());
-  const SpherePack all = cement::with_images(pack, cement.coating);
-  map.grain_class.assign(pack.size(), GrainClass::none);
-  add_spheres(grid, all, map);
-  add_cement(grid, all, cement, map);
+  VoxelMap map = grains_in(grid, pack);
+  add_cement(grid, pack, cement, map);
   return map;
 }
 
@@ -129,9 +133,13 @@ VoxelMap cemented_voxels(const SpherePack& pack, cement::CementParameters parame
   using Kind = cement::CementParameters::Kind;
   const bool coats = parameters.kind == Kind::coating;
   double& free = coats ? parameters.thickness : parameters.width;
+  const Voxels grid(pack, voxels);
+  const VoxelMap grains = grains_in(grid, pack);
   const auto made = [&] {
     parameter = free;
-    return rasterise_spheres(pack, cement::cement_spheres(pack, parameters), voxels);
+    VoxelMap map = grains;
+    add_cement(grid, pack, cement::cement_spheres(pack, parameters), map);
+    return map;
   };
   if (!parameters.saturation || (!coats && parameters.kind != Kind::bridges)) return made();
   double low = 0, high = coats ? 2 * *std::ranges::max_element(pack.radius) : 1;

@@ -4,6 +4,7 @@ import { text } from "../text.js";
 import { cavityKinds } from "./cavities.js";
 import { magnification } from "./deformation.js";
 import { Picture } from "./picture.js";
+import { componentChoice, isField, only, scaleChoices } from "./scale_controls.js";
 import { stepSlider } from "./steps.js";
 import { FieldView } from "./view.js";
 
@@ -64,52 +65,8 @@ function shows(result) {
   return [["phases", "Phases"], ...(result.loaded ? [["field", "Field"]] : []), ...cavities];
 }
 
-const isField = (show) => show === "field";
-
-/** Shows an element only while `fits` what is shown. */
-function only(state, fits, element) {
-  const refresh = () => {
-    element.hidden = !fits(state.get("show"));
-  };
-  state.watch(["show"], refresh);
-  refresh();
-  return element;
-}
-
-function componentChoice(result, state) {
-  return choice(
-    "",
-    "component",
-    state,
-    result.offered.map((id) => [id, result.quantity(id).symbol]),
-  );
-}
-
-function scaleControls(state) {
-  return only(
-    state,
-    isField,
-    h(
-      "div",
-      { class: "controls" },
-      choice("Centre", "around", state, [
-        ["mean", "Mean"],
-        ["zero", "0"],
-        ["ends", "None"],
-      ]),
-      choice("", "law", state, [
-        ["linear", "Linear"],
-        ["symlog", "Symlog"],
-      ]),
-      choice("Clip", "clip", state, [
-        ["all", "0"],
-        ["0.1", "0.1"],
-        ["1", "1"],
-        ["5", "5\u202f%"],
-      ]),
-    ),
-  );
-}
+const scaleControls = (state) =>
+  only(state, isField, h("div", { class: "controls" }, scaleChoices(state, [["all", "0"]])));
 
 function fieldOverlays(state) {
   return only(

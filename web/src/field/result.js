@@ -1,5 +1,5 @@
-import { opened, unpack, unpacked } from "../block.js";
-import { Numbers } from "../declared.js";
+import { unpack, unpacked } from "../block.js";
+import { DescribedResult } from "../described_result.js";
 import { evaluate, evaluateAll, namesIn } from "../formula.js";
 import { decodeField } from "./decode.js";
 
@@ -48,41 +48,23 @@ export class PhaseMap {
 }
 
 /** A result on a grid: fields are decoded when first asked for. */
-export class FieldResult {
+export class FieldResult extends DescribedResult {
   #block;
   #values = new Map();
 
   constructor(about, maps, block, title) {
+    super(about, block, title);
     this.#block = block;
-    Object.assign(this, {
-      about,
-      title,
-      name: about.name,
-      map: maps[about.map],
-      declared: new Numbers(about.numbers, about.meanings, about.elsewhere),
-    });
+    this.map = maps[about.map];
     for (const name of ["curve", "grains", "cracks"]) this[name] = unpacked(block, about[name] ?? null);
     this.steps = this.curve.strain?.length ?? 0;
     /** Mean stress sigma_yy over the nodes that are not void; what sizes are compared with. */
     this.mean = this.stored("yy")?.mean ?? null;
   }
 
-  get resultName() {
-    return this.name;
-  }
-
-  /** Figures ask for the texture of a packing; a field has none. */
-  texture() {
-    return null;
-  }
-
-  /** What a figure shows, and the step of the test that the reader is at. */
-  drawn(id, state) {
-    const drawings = opened(this.#block, this.about, id);
-    return drawings ? { drawings, here: Math.min(state.get("step"), this.steps - 1) } : null;
-  }
-  hasDrawn(id) {
-    return Boolean(this.about.figures[id]);
+  /** The step of the test that the reader is at. */
+  stepAt(state) {
+    return Math.min(state.get("step"), this.steps - 1);
   }
 
   get loaded() {

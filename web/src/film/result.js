@@ -1,23 +1,17 @@
-import { opened, unpack, unpacked } from "../block.js";
-import { Numbers } from "../declared.js";
+import { unpack, unpacked } from "../block.js";
+import { DescribedResult } from "../described_result.js";
 import { decodeField } from "../field/decode.js";
 import { maps } from "./maps.js";
 
 /** A film of a loaded packing: maps are decoded when first asked for; grains in pixels, y down. */
-export class FilmResult {
+export class FilmResult extends DescribedResult {
   #block;
   #values = new Map();
 
   constructor(about, block, title) {
+    super(about, block, title);
     this.#block = block;
-    Object.assign(this, {
-      about,
-      title,
-      name: about.name,
-      declared: new Numbers(about.numbers, about.meanings, about.elsewhere),
-      materials: about.materials,
-      container: about.container,
-    });
+    Object.assign(this, { materials: about.materials, container: about.container });
     this.width = about.film.width;
     this.height = about.film.height;
     for (const name of ["grains", "contacts", "bad", "stresses"]) this[name] = unpacked(block, about[name]);
@@ -25,23 +19,6 @@ export class FilmResult {
       source.statistics = about.numbers.stresses?.[name] ?? {};
     this.meanForce = about.force_scale.mean;
     this.meanRadius = meanOf(this.grains.radius ?? []) || 1;
-  }
-
-  get resultName() {
-    return this.name;
-  }
-
-  /** Figures ask for the texture of a packing; a film has none. */
-  texture() {
-    return null;
-  }
-
-  drawn(id) {
-    const drawings = opened(this.#block, this.about, id);
-    return drawings ? { drawings, here: 0 } : null;
-  }
-  hasDrawn(id) {
-    return Boolean(this.about.figures[id]);
   }
 
   get count() {

@@ -1,5 +1,6 @@
 import { choice, toggle } from "../choice.js";
 import { h } from "../dom.js";
+import { componentChoice, isField, only, scaleChoices } from "../field/scale_controls.js";
 import { saveButtons } from "../save_buttons.js";
 import { text } from "../text.js";
 import { axes } from "./result.js";
@@ -16,51 +17,16 @@ export function volumePanel(result, state) {
       "div",
       { class: "controls" },
       choice("Show", "show", state, [["phases", "Phases"], ...(result.offered.length ? [["field", "Field"]] : [])]),
-      ofField(
-        state,
-        choice(
-          "",
-          "component",
-          state,
-          result.offered.map((id) => [id, result.quantity(id).symbol]),
-        ),
-      ),
+      only(state, isField, componentChoice(result, state)),
       view.scene && saveButtons("the picture", { svg: () => view.saveSvg(), png: () => view.savePng() }),
     ),
-    ofField(state, h("div", { class: "controls second" }, scaleControls(state))),
+    only(state, isField, h("div", { class: "controls second" }, scaleChoices(state))),
     view.scene && h("div", { class: "controls second" }, switches(result, state), cuts(result, state)),
     view.element,
     note(result),
   );
   return { panel, view };
 }
-
-/** Shows an element only while a field is shown. */
-function ofField(state, element) {
-  const refresh = () => {
-    element.hidden = state.get("show") !== "field";
-  };
-  state.watch(["show"], refresh);
-  refresh();
-  return element;
-}
-
-const scaleControls = (state) => [
-  choice("Centre", "around", state, [
-    ["mean", "Mean"],
-    ["zero", "0"],
-    ["ends", "None"],
-  ]),
-  choice("", "law", state, [
-    ["linear", "Linear"],
-    ["symlog", "Symlog"],
-  ]),
-  choice("Clip", "clip", state, [
-    ["0.1", "0.1"],
-    ["1", "1"],
-    ["5", "5\u202f%"],
-  ]),
-];
 
 function switches(result, state) {
   return h(

@@ -1,5 +1,5 @@
-import { opened, unpack } from "../block.js";
-import { Numbers } from "../declared.js";
+import { unpack } from "../block.js";
+import { DescribedResult } from "../described_result.js";
 import { prefixOf, text } from "../text.js";
 
 const codes = 254; // steps between the ends of a quantity; code 0 is the void
@@ -10,42 +10,22 @@ export const axes = ["x", "y", "z"];
 
 /** A sample in space: phases and quantities of its voxels (x fastest, then y, then z), unpacked when first asked
     for. */
-export class VolumeResult {
+export class VolumeResult extends DescribedResult {
   #block;
   #codes = new Map();
   #orders = new Map();
 
   constructor(about, block, title) {
+    super(about, block, title);
     this.#block = block;
     Object.assign(this, {
-      about,
-      title,
-      name: about.name,
       size: about.size,
       spacing: about.dx * about.stride,
       phase: unpack(block, about.phase),
-      declared: new Numbers(about.numbers, about.meanings, about.elsewhere),
     });
     /** Without a side of the voxels lengths are in voxels. */
     this.inVoxels = about.dx === 1;
     this.phases = [phases.matrix, phases.particle].filter((phase) => this.share(phase) > 0);
-  }
-
-  get resultName() {
-    return this.name;
-  }
-
-  /** Figures ask for the texture of a packing; a volume has none. */
-  texture() {
-    return null;
-  }
-
-  drawn(id) {
-    const drawings = opened(this.#block, this.about, id);
-    return drawings ? { drawings, here: 0 } : null;
-  }
-  hasDrawn(id) {
-    return Boolean(this.about.figures[id]);
   }
 
   /** Fraction of the volume that is of a phase. */
