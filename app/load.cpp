@@ -113,7 +113,9 @@ void add_reading(Options& command, KeyOptions& map) {
   map.add(command, "--label-slice", "label_slice");
   map.add(command, "--label-dataset", "label_dataset").type("NAME");
   map.add(command, "--dx", "dx").type("LENGTH");
+  map.add(command, "--periodic", "periodic");
   map.add(command, "--voxels", "voxels");
+  map.add(command, "--box", "box").type("CORNERS");
   map.add(command, "--cement", "cement").type("CEMENT");
 }
 

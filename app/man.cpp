@@ -118,9 +118,10 @@ void print_format_reference() {
                   return Cells{std::string(f.grains_are), std::string(f.contacts_are)};
                 });
   print_statements(read_heads, io::samples::all);
-  print_formats("Exports", {"format", "what for", "fields on nodes"}, io::exports::all, [&](const io::ExportFormat& f) {
-    return Cells{std::string(f.sentence), yes(f.of_field != nullptr)};
-  });
+  print_formats("Exports", {"format", "what for", "fields on nodes", "samples in space"}, io::exports::all,
+                [&](const io::ExportFormat& f) {
+                  return Cells{std::string(f.sentence), yes(f.of_field != nullptr), yes(f.of_voxels != nullptr)};
+                });
   print_statements("of a state | what its files hold", io::exports::all);
 }
 

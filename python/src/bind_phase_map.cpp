@@ -45,6 +45,7 @@ const Keywords& map_keywords() {
                                                                            {"phases", "phases", "", true},
                                                                            {"crop", "crop", "", true},
                                                                            {"smoothing", "smoothing"},
+                                                                           {"periodic", "periodic"},
                                                                            {"slice", "slice"},
                                                                            {"dataset", "dataset"},
                                                                            {"label_slice", "label_slice"},

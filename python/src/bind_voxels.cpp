@@ -44,6 +44,10 @@ const Keywords& voxel_map_keywords() {
                                                                            {"dx", "dx", "", true},
                                                                            {"labels", "labels", "", true},
                                                                            {"phases", "phases", "", true},
+                                                                           {"smoothing", "smoothing"},
+                                                                           {"periodic", "periodic"},
+                                                                           {"voxels", "voxels"},
+                                                                           {"box", "box"},
                                                                            {"dataset", "dataset"},
                                                                            {"label_dataset", "label_dataset"}});
   return keywords;
@@ -143,8 +147,9 @@ void bind_voxels(py::module_& m) {
     def_component(result, name, member, "Displacement of every voxel, m; float32, (depth, height, width).");
   def_with_keywords(
       m, "read_voxel_map", &voxel_map_in, voxel_map_keywords(),
-      "A voxel map from NumPy, NRRD, MetaImage, NIfTI or a stack of pictures (docs/formats.md), as `arenite load "
-      "--dimension 3` reads it. `phases` may be {0: \"void\", 1: \"matrix\", 2: \"particle\"}.",
+      "A voxel map from NumPy, NRRD, MetaImage, NIfTI or a stack of pictures (docs/formats.md), or of a table of "
+      "spheres, as `arenite load --dimension 3` reads it. `phases` may be {0: \"void\", 1: \"matrix\", 2: "
+      "\"particle\"}.",
       py::arg("file"), py::kw_only(), py::arg("dx") = py::none(), py::arg("labels") = recipe::MapSection{}.labels,
       py::arg("phases") = "");
   def_with_keywords(m, "load_voxels", &loaded_voxels, load_keywords(),

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/vec.hpp"
+#include "geometry/meniscus.hpp"
 
 namespace arenite {
 
@@ -23,11 +24,18 @@ struct SphereNeck {
   double half_a, half_b;  ///< its radius at each
 };
 
+/// A meniscus between two spheres, turned about the line of their centres.
+struct SphereMeniscus {
+  Vec3 a, b;                      ///< centres, of images too, m
+  geometry::MeniscusShape shape;  ///< its half section, from `a`
+};
+
 /// Matrix between spheres.
 struct SphereCement {
   bool full = false;   ///< all space between the spheres
   double coating = 0;  ///< thickness of a layer on each, m
   std::vector<SphereNeck> necks;
+  std::vector<SphereMeniscus> menisci;
 };
 
 }  // namespace arenite

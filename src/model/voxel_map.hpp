@@ -19,6 +19,7 @@ struct VoxelMap {
   std::vector<Phase> phase;              ///< one a voxel
   std::vector<std::int32_t> grain;       ///< one a voxel
   std::vector<GrainClass> grain_class;   ///< one a grain
+  bool has_length = true;                ///< false: nobody said how long a voxel is, and `dx` stands for one
 
   std::size_t size() const { return phase.size(); }
   std::size_t index(int x, int y, int z) const {

@@ -21,7 +21,51 @@ template <class Parse> std::string refusal(const std::string& text, Parse parse)
   } catch (const InputError& error) { return error.problems().front().message; }
 }
 
+/// The matrix between spheres.
+void declare_between_spheres(ParameterVisitor& v, cement::CementParameters& law) {
+  using Kind = cement::CementParameters::Kind;
+  v.choice({"kind", "Where the matrix is placed."}, law.kind, words(law.kind));
+  v.number({"gap", "Widest surface gap that is bridged; unless given, 0.075 mean radii."}, law.gap, "mm",
+           range::not_negative);
+  const bool necks = law.kind == Kind::bridges || law.kind == Kind::menisci, given = !law.saturation;
+  v.when(necks || law.kind == Kind::coating, "kind = \"bridges\", \"coating\" or \"menisci\"",
+         [&](ParameterVisitor& inner) {
+           inner.number({"saturation",
+                         "S_m, the fraction of the space between the spheres filled by matrix: width or thickness is "
+                         "then found on the voxels so that it holds."},
+                        law.saturation, "", range::above(0, 1));
+         });
+  v.when(necks && given, "kind = \"bridges\" or \"menisci\" without saturation", [&](ParameterVisitor& inner) {
+    inner.number(
+        {"width",
+         "Half base of a neck over the radius of its sphere; menisci end on such a circle of the smaller one."},
+        law.width, "", range::above(0, 2));
+  });
+  v.when(law.kind == Kind::bridges, "kind = \"bridges\"", [&](ParameterVisitor& inner) {
+    inner.flag({"full_width", "width is the full base of a neck over the radius, not half of it."}, law.full_width);
+  });
+  v.when(law.kind == Kind::coating && given, "kind = \"coating\" without saturation", [&](ParameterVisitor& inner) {
+    inner.number({"thickness", "Thickness of the layer.", true}, law.thickness, "mm", range::positive);
+  });
+  v.when(law.kind == Kind::menisci, "kind = \"menisci\"", [&](ParameterVisitor& inner) {
+    inner.number({"contact_angle", "Angle at which the matrix meets a sphere, measured in the matrix."},
+                 law.contact_angle, "deg", range::between(0, 80 * std::numbers::pi / 180));
+  });
+}
+
+std::string box_problem(const std::vector<double>& box) {
+  if (box.empty()) return {};
+  if (box.size() != 6) return "must be six lengths, the lowest corner x, y, z and the highest one";
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (!(box[axis + 3] > box[axis])) return "must name the lowest corner first, and the highest behind it";
+  return {};
+}
+
 }  // namespace
+
+geometry::LabelOptions MapSection::label_options() const {
+  return {labels == "watershed" ? geometry::Labelling::watershed : geometry::Labelling::components, smoothing};
+}
 
 void declare(ParameterVisitor& v, MapSection& map) {
   v.file({"file",
@@ -40,8 +84,8 @@ void declare(ParameterVisitor& v, MapSection& map) {
        "Grains: components (connected particles), watershed (split at necks), none (all one grain), or the file of a "
        "label image."},
       map.labels);
-  v.number({"smoothing", "Watershed: depth of a neck up to which it is not cut, in pixels."}, map.smoothing, "",
-           range::not_negative);
+  v.number({"smoothing", "Watershed: depth of a neck up to which it is not cut, in pixels or voxels."}, map.smoothing,
+           "", range::not_negative);
   v.text({"crop", "Part of the picture to use: x, y, width and height in pixels from its upper left corner."},
          map.crop);
   v.require(crop.empty(), {"crop"}, crop);
@@ -53,9 +97,16 @@ void declare(ParameterVisitor& v, MapSection& map) {
   v.integer({"label_slice", "Slice of the labels, counted from 0."}, map.label_slice, slices);
   v.text({"label_dataset", "Dataset of the labels."}, map.label_dataset);
   v.number({"dx", "Side of a pixel; if not given, lengths are in pixels."}, map.dx, "um", range::positive);
+  v.flag({"periodic", "The map repeats itself along all axes: grains go on across its sides."}, map.periodic);
   v.integer({"voxels", "Of a table of spheres: voxels along the longest side of its box."}, map.voxels, {8, 2048});
+  v.numbers({"box",
+             "Of a table of spheres: the part that is cut out, its lowest corner x, y, z and its highest; unless "
+             "given, the smallest that holds all."},
+            map.box, "mm", range::any);
+  const std::string box = box_problem(map.box);
+  v.require(box.empty(), {"box"}, box);
   v.section({"cement", "Of a table of spheres: the matrix between them."},
-            [&](ParameterVisitor& section) { declare(section, map.cement); });
+            [&](ParameterVisitor& section) { declare_between_spheres(section, map.cement); });
 }
 
 }  // namespace arenite::recipe

@@ -79,6 +79,7 @@ Numbers volume_of(const VoxelResult& r, NumberBlock& block, const figures::Write
               {"full", {r.map.width, r.map.height, r.map.depth}},
               {"stride", kept.stride},
               {"dx", r.map.dx},
+              {"in_voxels", !r.map.has_length},
               {"phase", block.add_indices(phase)},
               {"quantities", std::move(quantities)},
               {"headlines", figures::numbers_of(figures::headlines_of(r))},

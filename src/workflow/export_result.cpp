@@ -128,6 +128,11 @@ class Loading {
 
   void add(const std::string& stage, Snapshot snapshot, std::vector<io::GrainField> fields,
            std::vector<io::GrainField> of_contacts, double shear_rate = 0) {
+    if (!format_.of_snapshot && !format_.of_loading)
+      throw refusal("{} holds fields of nodes and voxels, and this result has grains; choose {}", format_.name,
+                    list_of(io::words_of(io::exports::all, &io::ExportFormat::name,
+                                         [](const auto& other) { return other.of_snapshot || other.of_loading; }),
+                            " or "));
     times_.push_back(snapshot.time);
     move_to(snapshot.packing);
     snapshots_.push_back(std::move(snapshot));

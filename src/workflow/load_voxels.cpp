@@ -30,10 +30,6 @@ using statistics::described;
 void refuse_keys_of_the_plane(const recipe::MapSection& map) {
   if (!map.crop.empty() || map.slice || map.label_slice)
     throw InputError("crop and slice are of pictures; leave them out in space, or load a slice with --dimension 2");
-  if (map.labels == "watershed")
-    throw InputError(
-        "grains in space are found as connected particles, or read from a volume of labels; give --labels components, "
-        "none or a file");
 }
 
 Numbers load_numbers(const recipe::Load& load, const statics::LoadReportIn<3>& r) {
@@ -61,9 +57,11 @@ Numbers load_numbers(const recipe::Load& load, const statics::LoadReportIn<3>& r
 /// A table of spheres, cemented and cut into voxels.
 VoxelMap read_cemented_spheres(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice) {
   std::vector<std::string> notes;
-  const SpherePack pack = io::read_spheres(map.file, notes);
+  SpherePack pack = io::read_spheres(map.file, notes);
+  if (!map.box.empty()) grid::cut_out(pack, map.box);
   double parameter = 0;
   VoxelMap voxels = grid::cemented_voxels(pack, map.cement, static_cast<int>(map.voxels), parameter);
+  if (!map.box.empty()) grid::drop_absent_grains(voxels);
   for (const std::string& note : notes) notice(fmt::format("{}: {}", map.file, note));
   std::string used;
   if (map.cement.saturation)
@@ -71,8 +69,9 @@ VoxelMap read_cemented_spheres(const recipe::MapSection& map, const std::functio
                        map.cement.kind == cement::CementParameters::Kind::coating ? "by a thickness in m of"
                                                                                   : "by a width over the radius of",
                        parameter);
-  notice(fmt::format("{}: {} spheres, {} x {} x {} voxels of {:.4g} m; S_m {:.4f}{}", map.file, pack.size(),
-                     voxels.width, voxels.height, voxels.depth, voxels.dx, grid::saturation_of(voxels), used));
+  notice(fmt::format("{}: {} spheres, {} x {} x {} voxels of {:.4g} m; S_m {:.4f}{}", map.file,
+                     voxels.grain_class.size(), voxels.width, voxels.height, voxels.depth, voxels.dx,
+                     grid::saturation_of(voxels), used));
   return voxels;
 }
 
@@ -98,6 +97,7 @@ bool is_in_space(const recipe::MapSection& map) {
 VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice) {
   refuse_keys_of_the_plane(map);
   if (io::is_sphere_table(map.file)) return read_cemented_spheres(map, notice);
+  if (!map.box.empty()) refuse(map.file, "is a volume, and box is of a table of spheres; leave it out");
   io::VoxelMapOptions options;
   options.volume.dataset = map.dataset;
   if (!map.phases.empty()) options.phases = io::parse_phase_table(map.phases);
@@ -106,9 +106,9 @@ VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(con
   options.label_volume.dataset = map.label_dataset;
   io::ForeignVoxels read = io::read_voxel_map(map.file, options);
   for (const std::string& note : read.notes) notice(fmt::format("{}: {}", map.file, note));
-  if (!read.has_length) notice(fmt::format("{}: lengths are in voxels, since dx was not given", map.file));
+  if (!read.map.has_length) notice(fmt::format("{}: lengths are in voxels, since dx was not given", map.file));
   if (!read.labelled && map.labels == "none") grid::label_alike(read.map);
-  else if (!read.labelled) grid::label_grains(read.map);
+  else if (!read.labelled) grid::label_grains(read.map, map.label_options(), map.periodic);
   return std::move(read.map);
 }
 

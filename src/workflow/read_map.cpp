@@ -31,32 +31,31 @@ io::PhaseMapOptions options_of(const recipe::MapSection& map) {
 }
 
 /// Where cutting at necks finds many more grains, those that touch were counted as one.
-void tell_of_touching(const PhaseMap& map, double smoothing, const std::string& file,
+void tell_of_touching(const PhaseMap& map, const recipe::MapSection& section,
                       const std::function<void(const std::string&)>& notice) {
   constexpr double many_more = 1.3;
   PhaseMap cut = map;
-  imaging::label_grains(cut, {imaging::Labelling::watershed, smoothing});
+  imaging::label_grains(cut, {imaging::Labelling::watershed, section.smoothing}, section.periodic);
   const std::size_t found = map.grain_class.size(), apart = cut.grain_class.size();
   if (static_cast<double>(apart) < many_more * static_cast<double>(found)) return;
   notice(
       fmt::format("{}: grains that touch count as one: {} grains, {} where they are cut at their necks by `--labels "
                   "watershed` (labels = \"watershed\" in [map] of a recipe)",
-                  file, found, apart));
+                  section.file, found, apart));
 }
 
 }  // namespace
 
 PhaseMap read_map(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice) {
   if (map.dimension == 3) refuse(map.file, "is a sample in space where a map of the plane is wanted");
+  if (!map.box.empty()) refuse(map.file, "is a picture, and box is of a table of spheres; use crop");
   if (is_own_field(map)) return io::read_field(map.file).map;
   auto read = io::read_phase_map(map.file, options_of(map));
   for (const auto& note : read.notes) notice(fmt::format("{}: {}", map.file, note));
   if (read.labelled) return std::move(read.map);
-  using imaging::Labelling;
-  const auto way = map.labels == "watershed" ? Labelling::watershed : Labelling::components;
   if (map.labels == "none") io::label_alike(read.map);
-  else imaging::label_grains(read.map, {way, map.smoothing});
-  if (map.labels != "none" && way == Labelling::components) tell_of_touching(read.map, map.smoothing, map.file, notice);
+  else imaging::label_grains(read.map, map.label_options(), map.periodic);
+  if (map.labels == "components") tell_of_touching(read.map, map, notice);
   return std::move(read.map);
 }
 

@@ -53,9 +53,17 @@ TEST(LoadVoxels, LayersInSpaceHaveTheirExactModuli) {
       "'); r.Update(); o = r.GetOutput(); a = o.GetPointData().GetArray('stress'); print(o.GetDimensions(), "
       "o.GetSpacing()[2], a.GetNumberOfComponents(), round(a.GetTuple(0)[2] / 1e4))\"");
   EXPECT_EQ(read.out, "(12, 12, 12) 1e-05 6 40\n") << read.err;
+  const auto arrays = arenite("export " + (folder / "out").string() + " --to numpy --out " + (folder / "npy").string());
+  ASSERT_EQ(arrays.status, 0) << arrays.err;
+  const auto loads = test::shell(
+      "/usr/bin/python3 -c \"import numpy as np; a = lambda n: np.load('" + (folder / "npy" / "tension_").string() +
+      "' + n + '.npy'); s = a('sigma_zz'); print(s.shape, s.dtype, a('phase')[0, 0].tolist(), "
+      "a('grain')[5, 7, 4], round(float(s[0, 0, 0]) / 1e4), a('uz')[-1, 0, 0] > "
+      "a('uz')[0, 0, 0])\"");
+  EXPECT_EQ(loads.out, "(12, 12, 12) float32 [2, 2, 2, 1, 1, 1, 2, 2, 2, 1, 1, 1] -1 40 True\n") << loads.err;
   const auto csv = arenite("export " + (folder / "out").string() + " --to csv");
   EXPECT_EQ(csv.status, 2);
-  EXPECT_NE(csv.err.find("choose vtk"), std::string::npos) << csv.err;
+  EXPECT_NE(csv.err.find("choose vtk or npy"), std::string::npos) << csv.err;
 }
 
 TEST(LoadVoxels, TheResultIsStoredOnceAndDrawn) {
@@ -123,9 +131,54 @@ TEST(LoadVoxels, ATableOfSpheresIsCementedAndLoaded) {
   EXPECT_NEAR(matrix / (1 - grains), 0.1, 0.01);
   EXPECT_GT(j["modulus_Pa"].get<double>(), 1e7);
   EXPECT_NE(loaded.err.find("27 spheres"), std::string::npos) << loaded.err;
-  const auto menisci = arenite("load " + table.string() + " --method elements --cement kind=menisci,volume=1mm^2");
-  EXPECT_EQ(menisci.status, 2);
-  EXPECT_NE(menisci.err.find("choose bridges"), std::string::npos) << menisci.err;
+}
+
+TEST(LoadVoxels, ABoxOfMenisciIsCutOutOfATable) {
+  const TemporaryFolder folder;
+  const fs::path table = folder / "spheres.csv";
+  {
+    std::ofstream file(table);
+    file << "x [mm],y [mm],z [mm],radius [mm]\n";
+    for (int k = 0; k < 125; ++k) file << k % 5 << ',' << k / 5 % 5 << ',' << k / 25 << ",0.5\n";
+  }
+  const std::string load = "load " + table.string() + " --method elements --voxels 32 --json --cement ";
+  const auto loaded = arenite(load + "kind=menisci,width=0.5,contact_angle=20deg --box 1mm,1mm,1mm,3mm,3mm,3mm");
+  ASSERT_EQ(loaded.status, 0) << loaded.err;
+  const Json j = Json::parse(loaded.out);
+  EXPECT_EQ(j["map"]["voxels"], (Json{32, 32, 32}));
+  EXPECT_EQ(j["map"]["grains"], 27);
+  EXPECT_NEAR(j["map"]["dx_m"].get<double>(), 2e-3 / 32, 1e-12);
+  EXPECT_NEAR(j["map"]["phases"]["particle"].get<double>(), 3.14159265 / 6, 0.01);
+  EXPECT_GT(j["map"]["phases"]["matrix"].get<double>(), 0.005);
+  const auto refused = [&](const std::string& box) { return arenite(load + "kind=none --box " + box); };
+  EXPECT_NE(refused("1mm,1mm,1mm").err.find("six lengths"), std::string::npos);
+  EXPECT_NE(refused("3mm,1mm,1mm,1mm,3mm,3mm").err.find("lowest corner first"), std::string::npos);
+  const auto beside = refused("13mm,1mm,1mm,14mm,3mm,3mm");
+  EXPECT_EQ(beside.status, 2);
+  EXPECT_NE(beside.err.find("no sphere reaches"), std::string::npos) << beside.err;
+}
+
+TEST(LoadVoxels, GrainsArePartedByWatershedAndALackingLengthIsAFact) {
+  const TemporaryFolder folder;
+  const std::string load = "load " +
+                           volume(folder / "map.npy",
+                                  "((x - 2)**2 + (y - 5.5)**2 + (z - 5.5)**2 < 14) | ((x - 9)**2 + (y - 5.5)**2 + "
+                                  "(z - 5.5)**2 < 14), 2, 1") +
+                           " --method elements --phases 1=matrix,2=particle --json ";
+  const auto together = arenite(load), apart = arenite(load + "--labels watershed --out " + (folder / "out").string());
+  ASSERT_EQ(together.status, 0) << together.err;
+  ASSERT_EQ(apart.status, 0) << apart.err;
+  EXPECT_EQ(Json::parse(together.out)["map"]["grains"], 1);
+  const Json map = Json::parse(apart.out)["map"];
+  EXPECT_EQ(map["grains"], 2);
+  EXPECT_FALSE(map.contains("dx_m"));
+  EXPECT_EQ(map["lengths"], "in voxels, since dx was not given");
+  EXPECT_NE(arenite("show " + (folder / "out").string()).out.find("in voxels, since dx was not given"),
+            std::string::npos);
+  EXPECT_EQ(test::document_of_page(folder / "out" / "report.html")["volumes"][0]["in_voxels"], true);
+  const auto box = arenite(load + "--box 0m,0m,0m,1m,1m,1m");
+  EXPECT_EQ(box.status, 2);
+  EXPECT_NE(box.err.find("leave it out"), std::string::npos) << box.err;
 }
 
 TEST(LoadVoxels, WhatIsOfThePlaneIsRefused) {
@@ -139,7 +192,6 @@ TEST(LoadVoxels, WhatIsOfThePlaneIsRefused) {
   EXPECT_NE(refused("").find("--method elements"), std::string::npos);
   EXPECT_NE(refused("--failure --dx '1 um'").find("leave failure out"), std::string::npos);
   EXPECT_NE(refused("--method elements --axis x").find("leave axis out"), std::string::npos);
-  EXPECT_NE(refused("--method elements --labels watershed").find("components"), std::string::npos);
   EXPECT_NE(refused("--method elements --slice 3").find("--dimension 2"), std::string::npos);
 }
 

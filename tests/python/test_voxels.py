@@ -1,5 +1,7 @@
 """Samples in space from arrays and files."""
 
+import pathlib
+
 import numpy as np
 import pytest
 
@@ -69,3 +71,23 @@ def test_results_are_kept_and_opened_again(tmp_path):
     assert (tmp_path / "page.html").stat().st_size > 100_000
     (image,) = arenite.export(result, tmp_path / "vtk")
     assert str(image).endswith(".vti")
+    exported = map(pathlib.Path, arenite.export(result, tmp_path / "npy", "npy"))
+    arrays = {file.stem.split("_", 1)[1]: np.load(file) for file in exported}
+    assert np.array_equal(arrays["phase"], phase) and np.array_equal(arrays["grain"], grain)
+    assert np.array_equal(arrays["sigma_zz"], result.sigma_zz) and np.array_equal(arrays["ux"], result.u_x)
+
+
+def test_touching_grains_of_a_file_are_parted_by_watershed(tmp_path):
+    z, y, x = np.mgrid[0:20, 0:20, 0:40]
+    balls = sum((x - a) ** 2 + (y - 9.5) ** 2 + (z - 9.5) ** 2 < 81 for a in (9.5, 24.5, 39.5)) > 0
+    np.save(tmp_path / "balls.npy", balls.astype(np.uint8))
+
+    def read(**options):
+        return arenite.read_voxel_map(tmp_path / "balls.npy", dx="1 um", **options).grain
+
+    assert read().max() == 0
+    grain = read(labels="watershed")
+    assert grain.max() == 2 and np.array_equal(grain >= 0, balls)
+    for a, b in ((0, 17), (18, 32), (33, 40)):
+        assert len(np.unique(grain[:, :, a:b][balls[:, :, a:b]])) == 1
+    assert read(labels="watershed", smoothing=8).max() == 0

@@ -1,10 +1,14 @@
 #include "io/disk/numpy_header.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <utility>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
+#include "core/text.hpp"
 
 namespace arenite::io {
 namespace {
@@ -74,6 +78,20 @@ NumpyHeader numpy_header_in(const Bytes& bytes) {
   array.fortran = stated_in(header, "fortran_order", file).starts_with("True");
   array.shape = shape_in(stated_in(header, "shape", file), file);
   return array;
+}
+
+std::string numpy_file(std::string_view type, const std::vector<std::int64_t>& shape, std::string_view numbers) {
+  std::string header = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}), }}", type,
+                                   list_of(mapped(shape, [](std::int64_t n) { return std::to_string(n); })),
+                                   shape.size() == 1 ? "," : "");
+  constexpr std::size_t before = 10, multiple = 64;  // the numbers begin at a multiple
+  header.append(multiple - (before + header.size() + 1) % multiple, ' ');
+  header += '\n';
+  std::string bytes("\x93NUMPY\x01\x00", 8);
+  bytes += static_cast<char>(header.size() & 0xffU);
+  bytes += static_cast<char>(header.size() >> 8U);
+  bytes.reserve(bytes.size() + header.size() + numbers.size());
+  return bytes.append(header).append(numbers);
 }
 
 }  // namespace arenite::io

@@ -25,4 +25,7 @@ struct NumpyHeader {
 /// Throws InputError for what is no .npy array of numbers.
 NumpyHeader numpy_header_in(const Bytes& bytes);
 
+/// A .npy file: its header, and `numbers` (their bytes, the last axis fastest) of this type, as numpy.load reads it.
+std::string numpy_file(std::string_view type, const std::vector<std::int64_t>& shape, std::string_view numbers);
+
 }  // namespace arenite::io

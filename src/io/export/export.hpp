@@ -65,7 +65,7 @@ struct ExportFormat {
   Statements states = {};                            ///< what its files carry of a state, and what they leave out
   std::array<std::string_view, 2> other_names = {};  ///< of programs that read it, by which it may be asked for
   bool wants_grid = false;                           ///< coarse-grained fields, ExportSnapshot::grid
-  std::vector<NamedBytes> (*of_snapshot)(const ExportSnapshot&) = nullptr;
+  std::vector<NamedBytes> (*of_snapshot)(const ExportSnapshot&) = nullptr;  ///< null: holds fields only
   std::vector<NamedBytes> (*index)(const std::vector<double>& times) = nullptr;
   std::vector<NamedBytes> (*of_field)(const ExportField&) = nullptr;  ///< of a result on nodes; null: holds grains only
   std::vector<NamedBytes> (*of_voxels)(const VoxelResult&) = nullptr;  ///< of a sample in space; null: of none

@@ -94,6 +94,16 @@ inline constexpr Column<StressField> field_columns[] = {{"ux", "m", &StressField
                                                         {"sigma_yy", "Pa", &StressField::yy},
                                                         {"sigma_xy", "Pa", &StressField::xy}};
 
+/// Displacements and stresses of a sample in space.
+struct VoxelColumn {
+  const char *name, *unit;
+  std::vector<float> VoxelStress::*values;
+};
+inline constexpr VoxelColumn voxel_columns[] = {
+    {"ux", "m", &VoxelStress::ux},        {"uy", "m", &VoxelStress::uy},        {"uz", "m", &VoxelStress::uz},
+    {"sigma_xx", "Pa", &VoxelStress::xx}, {"sigma_yy", "Pa", &VoxelStress::yy}, {"sigma_zz", "Pa", &VoxelStress::zz},
+    {"sigma_yz", "Pa", &VoxelStress::yz}, {"sigma_xz", "Pa", &VoxelStress::xz}, {"sigma_xy", "Pa", &VoxelStress::xy}};
+
 /// All columns of an owner, of which each has `size` values, or none where it may lack them.
 template <class Owner, class Columns>
 void transfer_columns(const Hdf5Group& at, Owner& owner, const Columns& columns, std::size_t size,

@@ -9,18 +9,13 @@
 namespace arenite::io {
 namespace {
 
-constexpr std::pair<const char*, std::vector<float> VoxelStress::*> voxel_displacements[] = {
-    {"ux", &VoxelStress::ux}, {"uy", &VoxelStress::uy}, {"uz", &VoxelStress::uz}};
-constexpr std::pair<const char*, std::vector<float> VoxelStress::*> voxel_stresses[] = {
-    {"sigma_xx", &VoxelStress::xx}, {"sigma_yy", &VoxelStress::yy}, {"sigma_zz", &VoxelStress::zz},
-    {"sigma_yz", &VoxelStress::yz}, {"sigma_xz", &VoxelStress::xz}, {"sigma_xy", &VoxelStress::xy}};
-
 void transfer_voxel_map(const Hdf5Group& at, VoxelMap& map) {
   const auto group = at.group("map");
   group("width", map.width);
   group("height", map.height);
   group("depth", map.depth);
   group("dx [m]", map.dx);
+  if (!at.reads() || group.has_attribute("has_length")) group("has_length", map.has_length);
   group.note("axes", "z, y, x");
   constexpr int largest = 1 << 16;
   if (at.reads())
@@ -46,8 +41,7 @@ void transfer_voxels(const Hdf5Group& at, VoxelResult& result) {
   field.width = result.map.width, field.height = result.map.height, field.depth = result.map.depth;
   field.dx = result.map.dx;
   const Shape shape{field.height, field.width, field.depth};
-  for (const auto& [name, values] : voxel_displacements) group.image(name, field.*values, shape, "m");
-  for (const auto& [name, values] : voxel_stresses) group.image(name, field.*values, shape, "Pa");
+  for (const VoxelColumn& c : voxel_columns) group.image(c.name, field.*c.values, shape, c.unit);
   transfer_history(at, "convergence", result.convergence);
   transfer_numbers(at, "numbers", result.numbers);
 }

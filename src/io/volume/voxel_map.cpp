@@ -80,8 +80,8 @@ ForeignVoxels read_voxel_map(const std::filesystem::path& path, const VoxelMapOp
   ForeignVoxels read;
   read.notes = facts.remarks;
   const std::optional<double> dx = options.dx ? options.dx : facts.dx;
-  read.has_length = dx.has_value();
   read.map = make_voxel_map(facts.width, facts.height, facts.depth, dx.value_or(1));
+  read.map.has_length = dx.has_value();
   const PhaseTable table = options.phases.empty() ? guessed_phases(*volume, file, read.notes) : options.phases;
   each_layer(*volume, [&](int z, const std::vector<std::int32_t>& layer) {
     Phase* phase = &read.map.phase[read.map.index(0, 0, z)];

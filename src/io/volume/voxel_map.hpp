@@ -22,7 +22,7 @@ struct VoxelMapOptions {
 /// A voxel map from a volume.
 struct ForeignVoxels {
   VoxelMap map;  ///< without labels: `grain` is -1 everywhere and `grain_class` empty, to be labelled
-  bool labelled = false, has_length = false;
+  bool labelled = false;
   std::vector<std::string> notes;
 };
 

@@ -17,10 +17,11 @@ struct CementParameters {
   /// ell: widest surface gap that is bridged, m (bridges, menisci); unless given 0, in recipes 0.075 mean large radii
   /// (P's 3 dx).
   std::optional<double> gap = {};
-  double width = 0.4;       ///< eta: half base of a bridge over the radius of its grain (bridges)
-  bool full_width = false;  ///< eta is the whole base over the radius
-  double thickness = 0;     ///< of the layer, m (coating)
-  double volume = 0;        ///< of one meniscus, m^2 per unit length (menisci)
+  double width = 0.4;        ///< eta: half base of a bridge over the radius of its grain (bridges)
+  bool full_width = false;   ///< eta is the whole base over the radius
+  double thickness = 0;      ///< of the layer, m (coating)
+  double volume = 0;         ///< of one meniscus, m^2 per unit length (menisci in the plane)
+  double contact_angle = 0;  ///< at which menisci in space meet their spheres, rad
   /// S_m, the share of the space between grains that is matrix: width, thickness or volume is found so that it is met.
   std::optional<double> saturation = {};
   bool operator==(const CementParameters&) const = default;

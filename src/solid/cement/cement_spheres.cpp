@@ -8,6 +8,7 @@
 #include "core/problems.hpp"
 #include "geometry/close_pairs.hpp"
 #include "geometry/rectangle.hpp"
+#include "geometry/round_bridge.hpp"
 
 namespace arenite::cement {
 namespace {
@@ -28,6 +29,15 @@ template <class Use> void along(const SpherePack& pack, Vec3 centre, int axis, d
     image[axis] += shift * side;
     if (image[axis] >= pack.low[axis] - reach && image[axis] <= pack.high[axis] + reach) use(image);
   }
+}
+
+/// From the smaller sphere of a pair, whose radius says how wide it is.
+void add_meniscus(const SpherePack& pack, std::size_t small, std::size_t large, const CementParameters& parameters,
+                  SphereCement& cement) {
+  const geometry::MeniscusDisks disks{pack.radius[small], pack.radius[large],
+                                      norm(pack.centre[large] - pack.centre[small])};
+  if (const auto shape = geometry::round_bridge(disks, parameters.contact_angle, parameters.width))
+    cement.menisci.push_back({pack.centre[small], pack.centre[large], *shape});
 }
 
 }  // namespace
@@ -59,9 +69,7 @@ SphereCement cement_spheres(const SpherePack& pack, const CementParameters& para
   SphereCement cement;
   cement.full = parameters.kind == Kind::full;
   if (parameters.kind == Kind::coating) cement.coating = parameters.thickness;
-  if (parameters.kind == Kind::menisci)
-    throw InputError("menisci are of the plane; between spheres choose bridges, coating or full");
-  if (parameters.kind != Kind::bridges) return cement;
+  if (parameters.kind != Kind::bridges && parameters.kind != Kind::menisci) return cement;
   const double gap = gap_of(pack, parameters), share = parameters.width / (parameters.full_width ? 2 : 1);
   const SpherePack all = with_images(pack, gap);
   Vec3 low = all.centre.front(), high = low;
@@ -72,6 +80,11 @@ SphereCement cement_spheres(const SpherePack& pack, const CementParameters& para
   const geometry::Box<3> box{low - trifle, high - low + 2 * trifle, {}};
   for (const auto [i, j] : geometry::close_pairs<3>(std::span(all.centre), std::span(all.radius), box, gap)) {
     const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+    if (parameters.kind == Kind::menisci) {
+      add_meniscus(all, all.radius[a] <= all.radius[b] ? a : b, all.radius[a] <= all.radius[b] ? b : a, parameters,
+                   cement);
+      continue;
+    }
     cement.necks.push_back({all.centre[a], all.centre[b], share * all.radius[a], share * all.radius[b]});
   }
   return cement;

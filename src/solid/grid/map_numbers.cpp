@@ -90,13 +90,14 @@ Numbers map_numbers(const VoxelMap& map) {
   const auto share = [&](Phase phase) {
     return count[static_cast<std::size_t>(phase)] / static_cast<double>(map.size());
   };
-  return {{"voxels", described({map.width, map.height, map.depth}, "", "Voxels along x, y and z")},
-          {"dx_m", described(map.dx, "m", "Side of a voxel")},
-          {"phases",
-           {{"void", described(share(Phase::empty), "", "Fraction of the volume that is void")},
-            {"matrix", described(share(Phase::matrix), "", "Fraction of the volume in matrix")},
-            {"particle", described(share(Phase::particle), "", "Fraction of the volume in grains")}}},
-          {"grains", described(map.grain_class.size(), "", "Grains")}};
+  Numbers j{{"voxels", described({map.width, map.height, map.depth}, "", "Voxels along x, y and z")}};
+  if (map.has_length) j["dx_m"] = described(map.dx, "m", "Side of a voxel");
+  else j["lengths"] = "in voxels, since dx was not given";
+  j["phases"] = {{"void", described(share(Phase::empty), "", "Fraction of the volume that is void")},
+                 {"matrix", described(share(Phase::matrix), "", "Fraction of the volume in matrix")},
+                 {"particle", described(share(Phase::particle), "", "Fraction of the volume in grains")}};
+  j["grains"] = described(map.grain_class.size(), "", "Grains");
+  return j;
 }
 
 }  // namespace arenite::grid

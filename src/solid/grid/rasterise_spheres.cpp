@@ -90,6 +90,23 @@ void add_neck(const Voxels& voxels, const SphereNeck& neck, VoxelMap& map) {
   });
 }
 
+void add_meniscus(const Voxels& voxels, const SphereMeniscus& meniscus, VoxelMap& map) {
+  const auto& shape = meniscus.shape;
+  const Vec3 axis = (1 / shape.length) * (meniscus.b - meniscus.a);
+  const double widest = std::max(shape.touch_i.y, shape.touch_j.y);
+  Vec3 low, high;
+  for (int c = 0; c < 3; ++c) {
+    low[c] = std::min(meniscus.a[c], meniscus.b[c]) - widest;
+    high[c] = std::max(meniscus.a[c], meniscus.b[c]) + widest;
+  }
+  voxels.each_in(map, low, high, [&](std::size_t k, Vec3 at) {
+    if (map.phase[k] != Phase::empty) return;
+    const Vec3 e = at - meniscus.a;
+    const double along = dot(e, axis), across = std::sqrt(std::max(0.0, dot(e, e) - along * along));
+    if (shape.contains({along, across})) map.phase[k] = Phase::matrix;
+  });
+}
+
 VoxelMap grains_in(const Voxels& voxels, const SpherePack& pack) {
   const auto [width, height, depth] = voxels.count();
   VoxelMap map = make_voxel_map(width, height, depth, voxels.dx());
@@ -111,6 +128,7 @@ void add_cement(const Voxels& voxels, const SpherePack& pack, const SphereCement
     });
   }
   for (const SphereNeck& neck : cement.necks) add_neck(voxels, neck, map);
+  for (const SphereMeniscus& meniscus : cement.menisci) add_meniscus(voxels, meniscus, map);
 }
 
 }  // namespace
@@ -120,6 +138,20 @@ VoxelMap rasterise_spheres(const SpherePack& pack, const SphereCement& cement, i
   VoxelMap map = grains_in(grid, pack);
   add_cement(grid, pack, cement, map);
   return map;
+}
+
+void cut_out(SpherePack& pack, const std::vector<double>& box) {
+  if (pack.periodic) throw InputError("these spheres repeat themselves, and their box is their period; leave box out");
+  pack.low = {box[0], box[1], box[2]};
+  pack.high = {box[3], box[4], box[5]};
+  for (std::size_t k = 0; k < pack.size(); ++k) {
+    const Vec3 c = pack.centre[k];
+    const Vec3 nearest{std::clamp(c.x, box[0], box[3]), std::clamp(c.y, box[1], box[4]),
+                       std::clamp(c.z, box[2], box[5])};
+    if (norm(nearest - c) < pack.radius[k]) return;
+  }
+  throw refusal("no sphere reaches into a box from {:g}, {:g}, {:g} to {:g}, {:g}, {:g} m; move it", box[0], box[1],
+                box[2], box[3], box[4], box[5]);
 }
 
 double saturation_of(const VoxelMap& map) {
@@ -141,13 +173,17 @@ VoxelMap cemented_voxels(const SpherePack& pack, cement::CementParameters parame
     add_cement(grid, pack, cement::cement_spheres(pack, parameters), map);
     return map;
   };
-  if (!parameters.saturation || (!coats && parameters.kind != Kind::bridges)) return made();
+  const bool necks = parameters.kind == Kind::bridges || parameters.kind == Kind::menisci;
+  if (!parameters.saturation || (!coats && !necks)) return made();
   double low = 0, high = coats ? 2 * *std::ranges::max_element(pack.radius) : 1;
   free = high;
   VoxelMap map = made();
   if (const double most = saturation_of(map); most < *parameters.saturation)
     throw refusal("{} fill at most {:.3f} of the space between these spheres; ask for less than that, or for full",
-                  coats ? "coatings" : "bridges", most);
+                  coats                              ? "coatings"
+                  : parameters.kind == Kind::menisci ? "menisci"
+                                                     : "bridges",
+                  most);
   for (int round = 0; round < 24; ++round) {
     free = (low + high) / 2;
     map = made();

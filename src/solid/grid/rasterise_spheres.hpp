@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "model/sphere_pack.hpp"
 #include "model/voxel_map.hpp"
 #include "solid/cement/cement.hpp"
@@ -11,9 +13,14 @@ namespace arenite::grid {
 /// numbers of voxels, and for no spheres.
 VoxelMap rasterise_spheres(const SpherePack& pack, const SphereCement& cement, int voxels);
 
-/// The same with the matrix that parameters ask for; a saturation is met by the width of bridges or the thickness of a
-/// coating, to less than a voxel. `parameter` is what was used. Throws InputError where none reaches it.
+/// The same with the matrix that parameters ask for; a saturation is met by the width of bridges or menisci or the
+/// thickness of a coating, to less than a voxel. `parameter` is what was used. Throws InputError where none reaches it.
 VoxelMap cemented_voxels(const SpherePack& pack, cement::CementParameters parameters, int voxels, double& parameter);
+
+/// Cuts a box out of spheres: its lowest and its highest corner, m. Spheres around it stay, for what they hold may
+/// reach into it. Throws InputError for a pack that repeats itself, whose box is its period, and where no sphere
+/// reaches in.
+void cut_out(SpherePack& pack, const std::vector<double>& box);
 
 /// S_m: matrix over what is not grain; 0 where all is grain.
 double saturation_of(const VoxelMap& map);

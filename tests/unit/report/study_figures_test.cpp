@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "report/study_page.hpp"
 #include "support/numbers_of.hpp"
 #include "support/study_table.hpp"
 

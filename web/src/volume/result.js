@@ -24,7 +24,7 @@ export class VolumeResult extends DescribedResult {
       phase: unpack(block, about.phase),
     });
     /** Without a side of the voxels lengths are in voxels. */
-    this.inVoxels = about.dx === 1;
+    this.inVoxels = about.in_voxels;
     this.phases = [phases.matrix, phases.particle].filter((phase) => this.share(phase) > 0);
   }
 

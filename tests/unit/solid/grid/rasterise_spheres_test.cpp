@@ -68,7 +68,8 @@ TEST(RasteriseSpheres, ACoatingIsAShell) {
 }
 
 TEST(RasteriseSpheres, ASaturationIsMet) {
-  for (const auto kind : {cement::CementParameters::Kind::bridges, cement::CementParameters::Kind::coating}) {
+  using Kind = cement::CementParameters::Kind;
+  for (const auto kind : {Kind::bridges, Kind::coating, Kind::menisci}) {
     cement::CementParameters parameters;
     parameters.kind = kind;
     parameters.gap = 0.3;
@@ -120,10 +121,46 @@ TEST(RasteriseSpheres, WhatFitsNoVoxelsIsRefused) {
   pack.high.x = 2.03;
   EXPECT_THROW(rasterise_spheres(pack, {}, 50), InputError);
   EXPECT_THROW(rasterise_spheres({}, {}, 50), InputError);
-  cement::CementParameters menisci;
-  menisci.kind = cement::CementParameters::Kind::menisci;
+}
+
+TEST(RasteriseSpheres, AMeniscusHasTheVolumeOfItsTurnedSection) {
+  // Of equal spheres with filling angle b, contact angle t and half gap s: an arc of radius R = (s + r (1 - cos b)) /
+  // cos(b + t) about a point r sin b + R sin(b + t) above the middle. Volumes by slices across the line of centres.
+  constexpr double r = 0.8, gap = 0.04, t = 0.35, width = 0.55;
+  const double b = std::asin(width), arc = (gap / 2 + r * (1 - std::cos(b))) / std::cos(b + t);
+  const double centre = r * width + arc * std::sin(b + t), end = r + gap / 2 - r * std::cos(b);
+  double volume = 0;
+  constexpr int slices = 4000;
+  for (int k = 0; k < slices; ++k) {
+    const double x = end * (k + 0.5) / slices, from_centre = r + gap / 2 - x;
+    const double rim = centre - std::sqrt(arc * arc - x * x);
+    volume += 2 * pi * end / slices * (rim * rim - std::max(0.0, r * r - from_centre * from_centre));
+  }
+  cement::CementParameters parameters;
+  parameters.kind = cement::CementParameters::Kind::menisci;
+  parameters.width = width;
+  parameters.contact_angle = t;
   double used = 0;
-  EXPECT_THROW(cemented_voxels(two_spheres(1, 0.4, 0.4), menisci, 20, used), InputError);
+  const VoxelMap map = cemented_voxels(two_spheres(2 * r + gap, r, r), parameters, 240, used);
+  EXPECT_NEAR(volume_of(map, Phase::matrix) / volume, 1, 0.01);
+  parameters.contact_angle = 0;  // a wetting liquid is drawn in more deeply
+  EXPECT_LT(volume_of(cemented_voxels(two_spheres(2 * r + gap, r, r), parameters, 240, used), Phase::matrix),
+            0.95 * volume);
+}
+
+TEST(RasteriseSpheres, ABoxIsCutOut) {
+  SpherePack pack = two_spheres(1.2, 0.8, 0.8);
+  const VoxelMap all = rasterise_spheres(pack, {}, 80);  // of 0.05
+  cut_out(pack, {-1.5, -0.5, -0.5, 0.5, 0.5, 1});
+  const VoxelMap part = rasterise_spheres(pack, {}, 40);
+  ASSERT_EQ((std::array{part.width, part.height, part.depth}), (std::array{40, 20, 30}));
+  for (int z = 0; z < 30; ++z)
+    for (int y = 0; y < 20; ++y)
+      for (int x = 0; x < 40; ++x)
+        ASSERT_EQ(part.grain[part.index(x, y, z)], all.grain[all.index(x + 10, y + 30, z + 30)]);
+  EXPECT_THROW(cut_out(pack, {1.9, 1.9, 1.9, 2, 2, 2}), InputError);
+  pack.periodic = true;
+  EXPECT_THROW(cut_out(pack, {-1, -1, -1, 1, 1, 1}), InputError);
 }
 
 }  // namespace
