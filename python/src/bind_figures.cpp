@@ -117,6 +117,7 @@ void bind_figures(py::module_& m) {
         return to_python({{"stage", heads_of(figures::packing_heads())},
                           {"field", heads_of(figures::field_heads())},
                           {"film", heads_of(figures::film_heads())},
+                          {"voxels", heads_of(figures::voxel_heads())},
                           {"runs", heads_of(figures::heads_over_runs())}});
       },
       "What is said of every figure, by the kind of part that it is of: id, name in print, title, caption, choices.");
@@ -212,6 +213,16 @@ void bind_figures(py::module_& m) {
         });
       },
       py::arg("field"), "What the figures of a field show, by their ids.");
+  m.def(
+      "_figures_of_voxels",
+      [](const VoxelResult& sample) {
+        return drawn([&] {
+          const Numbers densities = sample.numbers.value("stress", Numbers::tree());
+          return figures::numbers_of(figures::voxel_figures(), figures::FieldData{sample, densities},
+                                     figures::whole_list);
+        });
+      },
+      py::arg("sample"), "What the figures of a sample in space show, by their ids.");
   m.def(
       "_figures_of_film", [](const FilmResult& film) { return drawn([&] { return of_film(film); }); }, py::arg("film"),
       "What the figures of a film show, by their ids.");

@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "keywords.hpp"
 #include "load_keywords.hpp"
 #include "model/voxel_map.hpp"
+#include "model/voxel_quantities.hpp"
 #include "module.hpp"
 #include "phase_words.hpp"
 #include "solid/grid/label_grains.hpp"
@@ -85,6 +87,16 @@ py::array_t<T> volume_view(const std::vector<T>& values, int depth, int height, 
   return shaped_view<T, 3>(values, {depth, height, width}, owner);
 }
 
+py::array_t<double> voxel_values(const VoxelResult& sample, const std::string& name) {
+  const auto& list = voxel_quantities();
+  const auto found = std::ranges::find(list, name, &VoxelQuantity::name);
+  if (found == list.end()) throw py::key_error(name);
+  const VoxelStress& field = sample.field;
+  std::vector<double> values(field.size());
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = found->of(field, k);
+  return taken_over(std::move(values), {field.depth, field.height, field.width});
+}
+
 void def_component(py::class_<VoxelResult>& c, const char* name, std::vector<float> VoxelStress::*member,
                    const char* sentence) {
   c.def_property_readonly(
@@ -108,6 +120,7 @@ void bind_voxels(py::module_& m) {
       .def_readonly("height", &VoxelMap::height, "Voxels along y.")
       .def_readonly("depth", &VoxelMap::depth, "Voxels along z.")
       .def_readonly("dx", &VoxelMap::dx, "Side of a voxel, m.")
+      .def_readonly("has_length", &VoxelMap::has_length, "False where nobody said how long a voxel is: `dx` is 1 then.")
       .def_property_readonly(
           "phase",
           [](const py::object& self) {
@@ -130,7 +143,8 @@ void bind_voxels(py::module_& m) {
                std::to_string(map.depth) + ">";
       });
   py::class_<VoxelResult> result(m, "VoxelResult", "A sample in space under load.");
-  result.def_readonly("converged", &VoxelResult::converged, "Whether equilibrium was found.")
+  result.def_readonly("name", &VoxelResult::name, "Name of the load.")
+      .def_readonly("converged", &VoxelResult::converged, "Whether equilibrium was found.")
       .def_readonly("outcome", &VoxelResult::outcome, "How it ended, in words.")
       .def_readonly("map", &VoxelResult::map, "The sample.")
       .def_property_readonly(
@@ -145,6 +159,17 @@ void bind_voxels(py::module_& m) {
       {"u_x", &VoxelStress::ux}, {"u_y", &VoxelStress::uy}, {"u_z", &VoxelStress::uz}};
   for (const auto& [name, member] : displacements)
     def_component(result, name, member, "Displacement of every voxel, m; float32, (depth, height, width).");
+  m.def(
+      "_voxel_quantities",
+      [] {
+        py::dict list;
+        for (const VoxelQuantity& q : voxel_quantities())
+          list[py::str(std::string(q.name))] = py::make_tuple(q.symbol, q.unit, q.is_magnitude);
+        return list;
+      },
+      "What a picture of a sample in space may show: symbol, unit and whether it is a magnitude, by name.");
+  m.def("_voxel_values", &voxel_values, py::arg("sample"), py::arg("name"),
+        "That quantity in all voxels; float64, (depth, height, width).");
   def_with_keywords(
       m, "read_voxel_map", &voxel_map_in, voxel_map_keywords(),
       "A voxel map from NumPy, NRRD, MetaImage, NIfTI or a stack of pictures (docs/formats.md), or of a table of "

@@ -47,6 +47,36 @@ TEST(SpaceExamples, CastIronIsLoadedByItsRecipe) {
   EXPECT_EQ(shown(folder / "out"), j);
 }
 
+/// Runs an example's recipe without its effective stiffness, and gives its numbers.
+Json loaded(const std::string& example, const fs::path& out) {
+  const auto run = arenite("run " + examples + example +
+                           "/recipe.toml --quiet --set loads.0.effective_stiffness=false" + " --out " + out.string());
+  EXPECT_EQ(run.status, 0) << run.err;
+  return shown(out);
+}
+
+TEST(SpaceExamples, AnElectrodeOfThreePhasesIsLoaded) {
+  const TemporaryFolder folder;
+  const Json j = loaded("34-electrode-in-space", folder / "out");
+  EXPECT_EQ(j["map"]["voxels"], (Json{64, 64, 64}));
+  EXPECT_EQ(j["map"]["grains"], 37);
+  EXPECT_EQ(j["map"]["lengths"], "in voxels, since dx was not given");
+  EXPECT_NEAR(j["map"]["phases"]["particle"].get<double>(), 0.3594, 1e-4);
+  EXPECT_NEAR(j["modulus_Pa"].get<double>() / 0.333e9, 1, 1e-3);
+  EXPECT_LT(std::abs(j["load"]["reaction_balance_error"].get<double>()), 1e-4);
+}
+
+TEST(SpaceExamples, APorousRockIsCutIntoGrainsAndLoaded) {
+  const TemporaryFolder folder;
+  const Json j = loaded("35-berea", folder / "out");
+  EXPECT_EQ(j["map"]["voxels"], (Json{64, 64, 64}));
+  EXPECT_GT(j["map"]["grains"], 8);
+  EXPECT_EQ(j["map"]["phases"]["matrix"], 0);
+  // Below Voigt's bound, which counts interfaces as grains.
+  EXPECT_LT(j["modulus_Pa"].get<double>(), 0.831 * 80e9);
+  EXPECT_LT(std::abs(j["load"]["reaction_balance_error"].get<double>()), 1e-4);
+}
+
 TEST(SpaceExamples, SpheresAreCementedAndSwept) {
   const TemporaryFolder folder;
   std::ofstream(folder / "study.toml") << "base = \"" << examples << "33-cemented-spheres/recipe.toml\"\n"

@@ -30,8 +30,11 @@ pictures = {
     ("film", "maps"),
     ("film", "grains"),
     ("film", "force-network"),
+    ("voxels", "phases"),
+    ("voxels", "stress"),
+    ("voxels", "displacement"),
 }
-components = {("field", f"stress-pdf-{name}") for name in ("xx", "xy", "hyd")}
+components = {("field", f"stress-pdf-{name}") for name in ("xx", "xy", "hyd")} | {("voxels", "stress-pdf-xz")}
 
 
 def test_every_figure_that_the_library_lists_is_drawn_by_the_page_and_in_print():

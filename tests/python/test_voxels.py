@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 import arenite
+from arenite import _core
+from arenite.figures import catalogue, saving, volumes
 
 
 def layers():
@@ -91,3 +93,37 @@ def test_touching_grains_of_a_file_are_parted_by_watershed(tmp_path):
     for a, b in ((0, 17), (18, 32), (33, 40)):
         assert len(np.unique(grain[:, :, a:b][balls[:, :, a:b]])) == 1
     assert read(labels="watershed", smoothing=8).max() == 0
+
+
+def sheared(loading="tension", dx="10 um", **options):
+    rng = np.random.default_rng(3)
+    sample = arenite.VoxelMap(rng.integers(0, 3, (14, 12, 16)).clip(1), dx=dx)
+    return arenite.load_voxels(sample, loading, method="elements", particle="5 GPa", **options)
+
+
+def test_slices_of_phases_and_stresses_are_printed(tmp_path):
+    result = sheared()
+    arenite.save(result, tmp_path / "kept")
+    saved = {path.stem: path for path in catalogue.save_all(tmp_path / "kept", tmp_path, "svg")}
+    assert {"tension-phases", "tension-stress", "tension-displacement", "tension-stress-pdf"} <= set(saved)
+    text = saved["tension-stress"].read_text()
+    # A slice across each axis with its place, in its own directions.
+    for name in ("z = 75 µm: x", "y = 65 µm: x", "x = 85 µm: y"):
+        assert name in text, name
+
+
+def test_pictures_show_the_middle_of_the_voxels_over_their_mean():
+    result, canvas = sheared("shear"), saving.Canvas()
+    assert volumes.stresses_of(result) == ["sigma_xz", "sigma_hyd", "sigma_mises"]
+    volumes.draw_component(canvas, result, "sigma_xz", volumes._rows(canvas, result.map, 1)[0])
+    across_z, across_y, across_x = (axes.images[0] for axes in canvas.axes[:3])
+    mean = result.numbers["stress"]["sigma_xz"]["sets"]["all"]["mean_Pa"]["value"]
+    over = result.numbers["stress"]["sigma_xz"]["sets"]["all"]["mean_over_sample_mean"]["value"]
+    shown = result.sigma_xz.astype(float) * over / mean
+    assert np.allclose(across_z.get_array(), shown[7]) and np.allclose(across_y.get_array(), shown[:, 6])
+    assert np.allclose(across_x.get_array(), shown[:, :, 8])
+    assert len({picture.get_clim() for picture in (across_z, across_y, across_x)}) == 1
+    values = _core._voxel_values(result, "sigma_mises")
+    xx, yy, zz = (getattr(result, f"sigma_{name}").astype(float) for name in ("xx", "yy", "zz"))
+    shears = sum(getattr(result, f"sigma_{name}").astype(float) ** 2 for name in ("yz", "xz", "xy"))
+    assert np.allclose(values**2, ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * shears)

@@ -5,7 +5,7 @@ import warnings
 
 from .. import _core
 from .._core import open as open_result
-from . import bonds, fields, films, packings, panels, runs, samples, studies
+from . import bonds, fields, films, packings, panels, runs, samples, studies, volumes
 from .described import all_described
 from .parts import parts_of, same_map
 from .saving import Canvas, Figure, listed, save
@@ -115,6 +115,10 @@ figures = [
     ),
     *all_described("film", film_pictures),
     Figure("force-network", "film", film_network, has_forces, of_packing),
+    Figure("phases", "voxels", volumes.draw_phases, height=volumes.height_of(1, 0.06), wide=True, of_map=True),
+    Figure("stress", "voxels", volumes.of_stress, volumes.is_loaded, volumes.height_of(volumes.stresses), True),
+    Figure("displacement", "voxels", volumes.of_displacement, volumes.is_loaded, volumes.height_of(1), True),
+    *all_described("voxels", {}),
 ]
 
 
@@ -122,14 +126,14 @@ former_names = {"course": "stress-path", "contact-directions": "contact-orientat
 
 
 def figures_of(result, stage=None, state=None):
-    """(figure, part) of everything that can be drawn of a result: every field and film, and the last state of its
-    stages. `stage`: only this stage, load or film, by name; `state`: the stored state of this number, counted as in the
-    figure `stress-path`.
+    """(figure, part) of everything that can be drawn of a result: every field, film and sample in space, and the last
+    state of its stages. `stage`: only this stage, load or film, by name; `state`: the stored state of this number,
+    counted as in the figure `stress-path`.
     """
     parts, found = list(parts_of(result, stage, state)), []
     for k, (kind, part) in enumerate(parts):
-        again = kind == "field" and any(
-            before == "field" and same_map(other.map, part.map) for before, other in parts[:k]
+        again = kind in ("field", "voxels") and any(
+            before == kind and same_map(other.map, part.map) for before, other in parts[:k]
         )
         found += [
             (figure, part)

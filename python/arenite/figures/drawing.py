@@ -27,7 +27,7 @@ note_line, small_letter = 0.13, 0.055  # of a note
 
 @functools.lru_cache(maxsize=1)
 def heads():
-    """What is said of every figure: {"stage" | "field" | "film": [{"id", "name", "title", "caption", "choices"}]}."""
+    """What is said of every figure, by kind: [{"id", "name", "title", "caption", "choices"}]."""
     return _core._figure_heads()
 
 
@@ -35,8 +35,7 @@ _known = {}  # of the last part alone
 
 
 def describe(part):
-    """What every figure of a State, a Stage (its last state), a Field or a FilmResult shows, by the figures' ids:
-    [{"panels" | "roses", "key", "for"}]."""
+    """What every figure of a part of a result shows, of a Stage its last state: {id: [{"panels" | "roses", "key"}]}."""
     if id(part) not in _known:
         _known.clear()
         _known[id(part)] = (part, _describe(part))
@@ -48,7 +47,8 @@ def _describe(part):
         part = State(part.name, part, part.snapshots[-1], [part])
     if isinstance(part, State):
         return _core._figures_of_state(part.stage, part.snapshot, part.stages, part.stages)
-    return (_core._figures_of_field if isinstance(part, _core.Field) else _core._figures_of_film)(part)
+    kinds = {_core.Field: "field", _core.VoxelResult: "voxels", _core.FilmResult: "film"}
+    return getattr(_core, f"_figures_of_{kinds[type(part)]}")(part)
 
 
 def draw_series(axes, series, is_log=False):

@@ -90,8 +90,12 @@ def statistics_of(field, **options):
 def unit_of(field):
     """(Pa, name of the component, "mean" or "root mean square") by which the stored statistics normalise stresses; None
     without statistics."""
-    stored = field.numbers.get("stress") or statistics_of(field, curves=False)
-    for component in [name for name in _core._field_quantities() if name in stored]:
+    return unit_in(field.numbers.get("stress") or statistics_of(field, curves=False), _core._field_quantities())
+
+
+def unit_in(stored, quantities):
+    """The same of stored statistics."""
+    for component in [name for name in quantities if name in stored]:
         every = stored[component].get("sets", {}).get("all", {})
         over = every.get("mean_over_sample_mean", {}).get("value")
         if over:
@@ -104,9 +108,15 @@ def scale_of(field, component):
     r.m.s. about 0, the other stresses over the same number (without its sign) about their means; displacements in
     metres, the magnitude from its smallest value.
     """
-    _, in_unit, is_magnitude = _core._field_quantities()[component]
-    values, symbol = np.where(field.map.phase > 0, values_of(field, component), np.nan), symbol_of(component)
-    unit = unit_of(field) if in_unit == "Pa" else None
+    values = np.where(field.map.phase > 0, values_of(field, component), np.nan)
+    return scale_in(values, component, _core._field_quantities(), lambda: unit_of(field))
+
+
+def scale_in(values, component, quantities, unit_of_stress):
+    """The same of values that are NaN in voids: `quantities` as the library gives them, and what normalises stresses as
+    `unit_in` says it."""
+    symbol, in_unit, is_magnitude = quantities[component]
+    symbol, unit = label(symbol), unit_of_stress() if in_unit == "Pa" else None
     if unit is None:
         factor, name = scaled(np.nanmax(np.abs(values)), in_unit)
         return values / factor, None if is_magnitude else np.nanmean(values) / factor, f"{symbol}, {name}"
@@ -114,22 +124,26 @@ def scale_of(field, component):
     if of == component:
         return values / value, float(by == "mean"), f"{symbol} over its {'mean' if by == 'mean' else 'r.m.s.'}"
     values = values / abs(value)
-    over = f"|\u27e8{symbol_of(of)}\u27e9|" if by == "mean" else f"rms({symbol_of(of)})"
-    return values, np.nanmean(values), f"{symbol}/{over}"
+    over = f"|\u27e8{label(quantities[of][0])}\u27e9|" if by == "mean" else f"rms({label(quantities[of][0])})"
+    return values, None if is_magnitude else np.nanmean(values), f"{symbol}/{over}"
 
 
 def draw_field(axes, field, component="sigma_yy", share=0.005, colour_map=diverging_map):
     """A component as `scale_of` gives it; the colour range excludes `share` of the nodes at each end, voids are
     white."""
     values, centre, label = scale_of(field, component)
-    low, high = np.nanquantile(values, [share, 1 - share])
-    if centre is None:
-        shown = _picture(axes, field.map, values, cmap=even_map, vmin=low, vmax=high)
-    else:
-        reach = max(high - centre, centre - low) or 1.0
-        shown = _picture(axes, field.map, values, cmap=colour_map, vmin=centre - reach, vmax=centre + reach)
+    shown = _picture(axes, field.map, values, **colours_of(values, centre, share, colour_map))
     shown.set_label(label)
     return shown
+
+
+def colours_of(values, centre, share=0.005, colour_map=diverging_map):
+    """A colour map and its ends for values about a centre, or from their least where that is None."""
+    low, high = np.nanquantile(values, [share, 1 - share])
+    if centre is None:
+        return {"cmap": even_map, "vmin": low, "vmax": high}
+    reach = max(high - centre, centre - low) or 1.0
+    return {"cmap": colour_map, "vmin": centre - reach, "vmax": centre + reach}
 
 
 def draw_cracks(axes, field):

@@ -1,4 +1,4 @@
-"""The drawable parts of a result: a stored state of a stage, fields, films."""
+"""The drawable parts of a result: a stored state of a stage, fields, films, samples in space."""
 
 import dataclasses
 import typing
@@ -45,16 +45,19 @@ def states_of(result, stage=None, state=None):
 
 def parts_of(result, stage=None, state=None):
     """(kind, part) of the drawable parts of a result."""
-    names = [part.name for part in [*result.stages, *result.fields, *result.films]]
+    names = [part.name for part in [*result.stages, *result.fields, *result.films, *result.voxels]]
     if stage is not None and stage not in names:
         raise ValueError(f"there is no stage {stage}; there are {', '.join(names)}")
     yield from (("stage", shown) for shown in states_of(result, stage, state))
     yield from (("field", field) for field in result.fields if stage in (None, field.name))
     yield from (("film", film) for film in result.films if stage in (None, film.name))
+    yield from (("voxels", sample) for sample in result.voxels if stage in (None, sample.name))
 
 
 def same_map(a, b):
     return a is b or (
         a.dx == b.dx
-        and all(np.array_equal(getattr(a, name), getattr(b, name)) for name in ("phase", "grain", "grain_class"))
+        and all(
+            np.array_equal(getattr(a, name, None), getattr(b, name, None)) for name in ("phase", "grain", "grain_class")
+        )
     )

@@ -184,11 +184,11 @@ def bare(axes):
         spine.set_visible(False)
 
 
-def length_bar(axes, metres, left, bottom):
-    """A scale bar of a round length, about a fifth of `metres`."""
+def length_bar(axes, metres, left, bottom, unit=None):
+    """A scale bar of a round length, about a fifth of `metres`; with a unit given, of that many."""
+    known = [(1.0, unit)] if unit else [(1.0, "m"), (1e3, "mm")]
     per, unit = next(
-        ((per, unit) for per, unit in [(1.0, "m"), (1e3, "mm")] if per * metres / 5 >= (1 if unit == "m" else 0.1)),
-        (1e6, "µm"),
+        ((per, name) for per, name in known if unit or per * metres / 5 >= (1 if name == "m" else 0.1)), (1e6, "µm")
     )
     wanted = per * metres / 5
     power = 10 ** math.floor(math.log10(wanted))
