@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "core/thread_count.hpp"
 #include "film_reading.hpp"
 #include "print.hpp"
 #include "progress.hpp"
@@ -21,7 +22,7 @@ struct FilmArguments {
   std::string film, recipe, out;
   std::vector<std::string> overrides;
   FilmReading reading;
-  int threads = 1;
+  int threads = Threads{}.threads;
   bool json = false, quiet = false;
 };
 

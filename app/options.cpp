@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "core/mapped.hpp"
 #include "core/text.hpp"
+#include "core/thread_count.hpp"
 #include "core/unit_names.hpp"
 #include "core/units.hpp"
 #include "core/version.hpp"
@@ -17,7 +18,7 @@
 #include "print.hpp"
 #include "recipe/document.hpp"
 #include "recipe/record.hpp"
-#include "recipe/threads.hpp"
+#include "workflow/checkpoints.hpp"
 
 namespace arenite::app {
 namespace {
@@ -209,11 +210,25 @@ std::vector<std::string> KeyOptions::overrides() const {
 }
 
 Option& add_threads(Options& to, int& threads) {
-  static const recipe::RecordTable keys = recipe::every_key<recipe::Threads>();
+  static const recipe::RecordTable keys = recipe::every_key<Threads>();
   const recipe::Record& record = recipe::record_at(keys, "threads");
   return to.add("--threads", threads, recipe::help_of(record))
       .between(static_cast<double>(record.integers.min), static_cast<double>(record.integers.max))
       .type("N");
+}
+
+Option& add_checkpoints(Options& to, double& seconds) {
+  static const recipe::RecordTable keys = recipe::every_key<workflow::Checkpoints>();
+  const recipe::Record& record = recipe::record_at(keys, "checkpoint_every");
+  return to.add("--checkpoint-every", seconds, recipe::help_of(record))
+      .between(workflow::Checkpoints::allowed.min, workflow::Checkpoints::allowed.max)
+      .type("S");
+}
+
+Option& add_jobs(Options& to, std::uint64_t& jobs) {
+  return to.add("--jobs", jobs, "Concurrent runs, each in its own process (default: all cores)")
+      .between(1, 4096)
+      .type("J");
 }
 
 std::string option_name(std::string_view key) {

@@ -100,6 +100,9 @@ class KeyOptions {
 
 /// --threads, alike in every command that computes.
 Option& add_threads(Options& to, int& threads);
+/// --checkpoint-every and --jobs, likewise.
+Option& add_checkpoints(Options& to, double& seconds);
+Option& add_jobs(Options& to, std::uint64_t& jobs);
 
 /// "--max-strain" of "max_strain".
 std::string option_name(std::string_view key);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "commands.hpp"
+#include "core/thread_count.hpp"
 #include "io/disk/file.hpp"
 #include "print.hpp"
 #include "progress.hpp"
@@ -13,6 +14,7 @@
 #include "report/page.hpp"
 #include "run_status.hpp"
 #include "watch_server.hpp"
+#include "workflow/checkpoints.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::app {
@@ -25,9 +27,9 @@ struct RunArguments {
   std::vector<std::string> recipes, overrides;
   KeyOptions keys{recipe::recipe_keys()};
   std::string out;
-  int threads = 1;
+  int threads = Threads{}.threads;
   bool quiet = false, watch = false;
-  double checkpoint_seconds = 30;
+  double checkpoint_seconds = workflow::Checkpoints{}.every;
 };
 
 /// A recipe's folder if its file is called recipe.toml, the file's own name otherwise.
@@ -141,9 +143,7 @@ void add_run(Options& command, int& status) {
       .type("DIR");
   add_threads(command, arguments->threads);
   arguments->keys.add(command, "--kernel", "integration.kernel").type("NAME");
-  command.add("--checkpoint-every", arguments->checkpoint_seconds, "Seconds between two checkpoints")
-      .between(0.0, 1e9)
-      .type("S");
+  add_checkpoints(command, arguments->checkpoint_seconds);
   command.add("--watch", arguments->watch,
               "Serve a live page of the run to browsers on this machine, and print its address");
   command.add("--quiet", arguments->quiet, "Show no progress");

@@ -135,18 +135,14 @@ void add_study(Options& command, int& status) {
   command.add("--out", a->out, "Folder of the study (default: out/NAME)").type("DIR");
   command.add("--store", a->store, "Folder of stages shared by runs (default: store in the study's folder)")
       .type("DIR");
-  command.add("--jobs", a->jobs, "Concurrent runs, each in its own process (default: all cores)")
-      .between(1, 4096)
-      .type("J");
+  add_jobs(command, a->jobs);
   add_threads(command, a->threads);
   command.add("--shard", a->shard, "run: do only one part of the runs, e.g. 2/4").type("I/N");
   command.add("--retry", a->retry, "run: repeat failed runs");
   command.add("--keep", a->keep, "run: keep all files, or only the numbers of cemented samples and loads")
       .type("WHAT")
       .among({"all", "numbers"});
-  command.add("--checkpoint-every", a->checkpoint_seconds, "run: seconds between two checkpoints of a run")
-      .between(0.0, 1e9)
-      .type("S");
+  add_checkpoints(command, a->checkpoint_seconds);
   command.add("--quiet", a->quiet, "run, script: show no progress");
   command.add("--by", a->by, "collect: average over runs with equal values of this swept key; may be repeated")
       .each()

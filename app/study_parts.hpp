@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "campaign/run_study.hpp"
+#include "core/thread_count.hpp"
 #include "report/figure_list.hpp"
+#include "workflow/checkpoints.hpp"
 
 namespace arenite::app {
 
@@ -13,8 +15,8 @@ struct StudyArguments {
   std::string what, recipe, out, store, shard, keep = "all", time = "1:00:00";
   std::vector<std::string> overrides, by;
   std::size_t jobs = 1, tasks = 4;
-  int threads = 1;
-  double checkpoint_seconds = 30;
+  int threads = Threads{}.threads;
+  double checkpoint_seconds = workflow::Checkpoints{}.every;
   bool retry = false, quiet = false, slurm = false;
 };
 

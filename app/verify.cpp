@@ -128,9 +128,7 @@ void add_verify(Options& command, int& status) {
            "Exit with status 3 when a verdict differs from this file, not when a claim is not reproduced")
       .type("FILE");
   command.add("--out", a->out, "Folder of the studies (default: out/ledger, or out/ledger-small)").type("DIR");
-  command.add("--jobs", a->jobs, "Concurrent runs, each in its own process (default: all cores)")
-      .between(1, 4096)
-      .type("J");
+  add_jobs(command, a->jobs);
   command.add("--only", a->only, "Run and read only this study; may be repeated").each().type("STUDY");
   command.add("--read", a->read_only, "Run nothing: judge the existing runs");
   command

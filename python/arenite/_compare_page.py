@@ -87,14 +87,14 @@ def figures(pairs):
 
 def drawable(part):
     """Whether the library describes figures of it."""
-    return isinstance(part[3], (_core.Stage, _core.Field, _core.FilmResult)) and (
+    return isinstance(part[3], (_core.Stage, _core.Field, _core.VoxelResult, _core.FilmResult)) and (
         part[0] != "stage" or len(part[3].snapshots) > 0
     )
 
 
 def shown_of(part):
-    """{id: drawings} of the last state of a stage, of a field or a film."""
+    """{id: drawings} of the last state of a stage, of a field, a sample in space or a film."""
     of, stages = part[3:]
     if isinstance(of, _core.Stage):
         return _core._figures_of_state(of, of.snapshots[-1], [of], stages)
-    return (_core._figures_of_field if isinstance(of, _core.Field) else _core._figures_of_film)(of)
+    return _core._figures_of_part(of)

@@ -24,7 +24,7 @@ sure = _core._least_told  # standard errors of the difference
 @dataclasses.dataclass
 class Row:
     """A number of both results: `part` is the stage, sample, load or film, `name` its path with dots; NaN where one has
-    none. `words` of what one asks of a test first."""
+    none. `words` of what one asks of a test first, `period` of an angle, degrees."""
 
     part: str
     name: str
@@ -33,6 +33,7 @@ class Row:
     b: float
     b_error: float
     words: str = ""
+    period: float = 0.0
 
     @property
     def difference(self):
@@ -55,7 +56,7 @@ class Row:
 
     @functools.cached_property
     def _told(self):
-        return _core._difference(self.name, self.a, self.a_error, self.b, self.b_error)
+        return _core._difference(self.a, self.a_error, self.b, self.b_error, self.period)
 
 
 def parts_of(result):
@@ -68,7 +69,7 @@ def parts_of(result):
     ]
     return found + [
         (kind, part.name, part.numbers, part, stages)
-        for kind, parts in (("field", result.fields), ("film", result.films))
+        for kind, parts in (("field", result.fields), ("voxels", result.voxels), ("film", result.films))
         for part in parts
     ]
 
@@ -95,7 +96,7 @@ def pairs_of(a, b):
     Raises ValueError if the two have nothing in common."""
     parts, others = parts_of(a), parts_of(b)
     pairs = [(one[1], one, other) for one in parts for other in others if one[:2] == other[:2]]
-    for kind in ("stage", "field", "film"):
+    for kind in ("stage", "field", "voxels", "film"):
         left, right = (
             [part for part in every if part[0] == kind and not any(part in pair[1:] for pair in pairs)]
             for every in (parts, others)
@@ -119,11 +120,13 @@ def rows(a, b):
     for name, one, other in pairs_of(opened(a), opened(b)):
         left, right = _core._flat_numbers(one[2]), _core._flat_numbers(other[2])
         words = {**headlines_of(one), **headlines_of(other)}
+        periods = {**_core._periods(one[3]), **_core._periods(other[3])}
         names = [key for key in words if key in left or key in right]
         names += [key for key in {**left, **right} if key not in words]
         seen = set()
         for key in names:
-            row = Row(name, key, *left.get(key, unknown), *right.get(key, unknown), words.get(key, ""))
+            both = (*left.get(key, unknown), *right.get(key, unknown))
+            row = Row(name, key, *both, words.get(key, ""), periods.get(key, 0.0))
             if repeated(row) not in seen:
                 found.append(row)
             seen.add(repeated(row))

@@ -25,10 +25,6 @@ namespace {
 
 namespace figures = report::figures;
 
-Numbers heads_of(const std::vector<figures::Head>& heads) {
-  return mapped(heads, [](const figures::Head& head) { return figures::numbers_of(head); });
-}
-
 /// A stage of a run and the packing before it; null where there is none.
 struct StageOfRun {
   const StageResult& stage;
@@ -114,11 +110,10 @@ void bind_figures(py::module_& m) {
   m.def(
       "_figure_heads",
       [] {
-        return to_python({{"stage", heads_of(figures::packing_heads())},
-                          {"field", heads_of(figures::field_heads())},
-                          {"film", heads_of(figures::film_heads())},
-                          {"voxels", heads_of(figures::voxel_heads())},
-                          {"runs", heads_of(figures::heads_over_runs())}});
+        Numbers heads = figures::heads_of_parts();
+        heads["runs"] =
+            mapped(figures::heads_over_runs(), [](const figures::Head& head) { return figures::numbers_of(head); });
+        return to_python(heads);
       },
       "What is said of every figure, by the kind of part that it is of: id, name in print, title, caption, choices.");
   m.attr("_notation") = figures::notation;
@@ -204,7 +199,7 @@ void bind_figures(py::module_& m) {
       py::arg("film"),
       "Stress of every grain over its mean by source: film, simulation_peak_to_peak, simulation_state.");
   m.def(
-      "_figures_of_field",
+      "_figures_of_part",
       [](const FieldResult& field) {
         return drawn([&] {
           const Numbers densities = report::densities_of(field);
@@ -212,20 +207,19 @@ void bind_figures(py::module_& m) {
                                      figures::whole_list);
         });
       },
-      py::arg("field"), "What the figures of a field show, by their ids.");
+      py::arg("field"), "What the figures of a field, a sample in space or a film show, by their ids.");
   m.def(
-      "_figures_of_voxels",
-      [](const VoxelResult& sample) {
+      "_figures_of_part",
+      [](const VoxelResult& volume) {
         return drawn([&] {
-          const Numbers densities = sample.numbers.value("stress", Numbers::tree());
-          return figures::numbers_of(figures::voxel_figures(), figures::FieldData{sample, densities},
+          const Numbers densities = volume.numbers.value("stress", Numbers::tree());
+          return figures::numbers_of(figures::voxel_figures(), figures::FieldData{volume, densities},
                                      figures::whole_list);
         });
       },
-      py::arg("sample"), "What the figures of a sample in space show, by their ids.");
+      py::arg("volume"));
   m.def(
-      "_figures_of_film", [](const FilmResult& film) { return drawn([&] { return of_film(film); }); }, py::arg("film"),
-      "What the figures of a film show, by their ids.");
+      "_figures_of_part", [](const FilmResult& film) { return drawn([&] { return of_film(film); }); }, py::arg("film"));
 }
 
 }  // namespace arenite::python

@@ -55,7 +55,7 @@ LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const std:
   o.drift_order = static_cast<int>(parts.section.drift);
   o.harmonics = static_cast<int>(parts.section.harmonics);
   o.convention = peak_to_peak ? AmplitudeConvention::peak_to_peak : AmplitudeConvention::amplitude;
-  o.threads = threads;
+  o.threads = threads_given(threads);
   o.reference_phase = parts.section.phase;
   Call call;
   o.progress = [&](double share) {
@@ -254,7 +254,7 @@ void bind_film(py::module_& m) {
                     "the film. Numbers are in SI, angles in rad.",
                     py::arg("film"), py::arg("frequency"), py::kw_only(), py::arg("time") = py::none(),
                     py::arg("refine") = true, py::arg("peak_to_peak") = false, py::arg("nearest_bin") = false,
-                    py::arg("threads") = 1, py::arg("progress") = py::none());
+                    threads_argument(), py::arg("progress") = py::none());
   def_with_keywords(m, "step_load", &stepped, step_keywords(),
                     "The jump of every pixel at a step of the load: time (s), jump, standard_error, residual (height, "
                     "width), in the film's unit; blank_frames, which hold no picture and were left out.",

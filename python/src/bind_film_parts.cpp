@@ -3,6 +3,7 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
+#include "core/thread_count.hpp"
 #include "core/units.hpp"
 #include "film_source.hpp"
 #include "module.hpp"
@@ -148,7 +149,7 @@ GrainMotion motion_of(const FilmLike& film, const LockinMaps& maps, const Pictur
   Call call;
   return call.without_lock([&] {
     const auto pictures = pictures_of(*source, maps, call);
-    return pictures.size() > 0 ? thermography::grain_motion(pictures, grains) : GrainMotion{};
+    return pictures.size() > 0 ? thermography::grain_motion(pictures, grains, Threads{}.threads) : GrainMotion{};
   });
 }
 
@@ -190,9 +191,9 @@ LockinMaps followed(const FilmLike& film, const LockinMaps& maps, const PictureG
   Call call;
   return call.without_lock([&] {
     const auto pictures = pictures_of(*source, maps, call);
-    return pictures.size() > 0
-               ? thermography::follow_grains(pictures, maps, grains, motion, grains, std::nullopt, 1, parts.forces.blur)
-               : LockinMaps{};
+    return pictures.size() > 0 ? thermography::follow_grains(pictures, maps, grains, motion, grains, Threads{}.threads,
+                                                             std::nullopt, parts.forces.blur)
+                               : LockinMaps{};
   });
 }
 

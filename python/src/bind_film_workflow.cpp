@@ -53,7 +53,7 @@ FilmResult film(const Path& path, const RecipeLike& recipe, const Path& out, con
   return call.without_lock([&] {
     workflow::FilmRunOptions options;
     options.out = out;
-    options.threads = threads;
+    options.threads = threads_given(threads);
     options.progress = [&](const workflow::Progress& p) { call.tell(progress, p.share, p.name); };
     options.asked_to_stop = [&] { return call.asked_to_stop(); };
     return workflow::run_film(path, asked, options).result;
@@ -141,7 +141,7 @@ void bind_film_workflow(py::module_& m) {
       "Image reconstructed from the contact forces, K (height, width), for comparison with maps.in_phase; NaN outside "
       "grains.");
   m.def("film", &film, py::arg("film"), py::arg("recipe"), py::arg("out"), py::arg("changes") = py::dict(),
-        py::kw_only(), py::arg("threads") = 1, py::arg("progress") = py::none(),
+        py::kw_only(), threads_argument(), py::arg("progress") = py::none(),
         "The whole workflow from a film (a file) to grain stresses and contact forces, as `arenite film` runs it; "
         "`recipe`: a FilmRecipe or its file (docs/film-recipe.md).");
   def_with_keywords(

@@ -28,19 +28,6 @@ py::dict history_units(const History& history) {
   return d;
 }
 
-py::dict provenance_of(const Provenance& p) {
-  py::dict d;
-  d["title"] = p.title;
-  d["version"] = p.version;
-  d["stage"] = p.stage;
-  d["input_hash"] = p.input_hash;
-  d["recipe"] = p.recipe;
-  d["seed"] = p.seed;
-  d["kernel"] = p.kernel;
-  d["options"] = p.options;
-  return d;
-}
-
 py::dict energies_of(const Snapshot& snapshot) {
   py::dict d;
   for (const EnergyTerm& term : energy_terms) d[term.name] = snapshot.energies.*term.value;
@@ -185,7 +172,7 @@ void bind_stage_results(py::module_& m) {
           "fro or None), in_motion, in_equilibrium, sizes (diameter, passing); empty where it is not "
           "known.")
       .def_property_readonly(
-          "provenance", [](const StageResult& s) { return provenance_of(s.provenance); },
+          "provenance", [](const StageResult& s) { return to_python(s.provenance); },
           "Provenance: version, stage, input_hash, recipe, seed, kernel, options.")
       .def("__repr__", [](const StageResult& s) { return "<arenite.Stage \"" + s.name + "\": " + s.outcome + ">"; });
 }
@@ -234,7 +221,7 @@ void bind_fields(py::module_& m) {
                              "Broken bonds in the order of breaking: x, y (m, float32), type (1 matrix, 2 interface, 3 "
                              "particle), strain of the sample.")
       .def_property_readonly(
-          "provenance", [](const FieldResult& f) { return provenance_of(f.provenance); },
+          "provenance", [](const FieldResult& f) { return to_python(f.provenance); },
           "Provenance: version, stage, input_hash, recipe, seed, kernel, options.")
       .def(
           "statistics",

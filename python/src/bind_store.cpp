@@ -38,7 +38,7 @@ workflow::RunOptions run_options(Call& call, const Progress& progress) {
 
 Result run(recipe::Recipe recipe, const Path& out, int threads, const Progress& progress, const OnStep& on_step,
            std::int64_t every) {
-  recipe.integration.threads = threads;
+  recipe.integration.threads = threads_given(threads);
   Call call;
   const auto steps = step_function(call, on_step, every);
   call.without_lock([&] {
@@ -119,7 +119,7 @@ std::size_t stage_number(const Recipe& recipe, const py::object& stage) {
 StageResult load_stage(const Packing& packing, Recipe recipe, const py::object& stage, int threads,
                        const Progress& progress, const OnStep& on_step, std::int64_t every) {
   const std::size_t place = stage_number(recipe, stage) + 1;
-  recipe.integration.threads = threads;
+  recipe.integration.threads = threads_given(threads);
   Call call;
   const auto steps = step_function(call, on_step, every);
   workflow::RunOptions options = run_options(call, progress);
@@ -183,7 +183,7 @@ void bind_store(py::module_& m) {
         return call.without_lock([&] { return open_result(path); });
       },
       py::arg("path"), "Reads a run's folder, or one file of it.");
-  m.def("run", &run, py::arg("recipe"), py::arg("out"), py::kw_only(), py::arg("threads") = 1,
+  m.def("run", &run, py::arg("recipe"), py::arg("out"), py::kw_only(), threads_argument(),
         py::arg("progress") = py::none(), py::arg("on_step") = py::none(), py::arg("every") = 1000,
         "Runs a recipe: packing, loading stage by stage, cement, grid, loads. Stages already in `out` are not computed "
         "again. `progress(share, name)` is called meanwhile, and `on_step(stage)` as by `load_stage`, in each stage of "
@@ -234,8 +234,7 @@ void bind_stages(py::module_& m) {
       "The grains in their container before any loading: drawn, placed and relaxed, or read from a file ([packing] of "
       "the recipe).");
   m.def("load_stage", &load_stage, py::arg("packing"), py::arg("recipe"), py::arg("stage") = 0, py::kw_only(),
-        py::arg("threads") = 1, py::arg("progress") = py::none(), py::arg("on_step") = py::none(),
-        py::arg("every") = 1000,
+        threads_argument(), py::arg("progress") = py::none(), py::arg("on_step") = py::none(), py::arg("every") = 1000,
         "Takes a packing through one stage of the recipe, by number or name: compaction or loading by discrete "
         "elements. `progress(share, name)` is called meanwhile. Velocities are kept, the contact history is not. "
         "`on_step(stage)` is called every so many steps, counted up to the next multiple of 200, with a RunningStage, "

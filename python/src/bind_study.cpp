@@ -10,8 +10,8 @@
 #include "campaign/collect.hpp"
 #include "campaign/run_study.hpp"
 #include "core/mapped.hpp"
-#include "grains/texture/periods.hpp"
 #include "io/table/table.hpp"
+#include "model/result.hpp"
 #include "module.hpp"
 #include "report/film_text.hpp"
 #include "report/study_page.hpp"
@@ -85,6 +85,22 @@ campaign::Study study_in(const Path& recipe, const Path& out) {
   }
 }
 
+Numbers numbers_of_part(const py::object& part) {
+  if (py::isinstance<StageResult>(part)) return part.cast<const StageResult&>().texture;
+  if (py::isinstance<FieldResult>(part)) return part.cast<const FieldResult&>().numbers;
+  if (py::isinstance<VoxelResult>(part)) return part.cast<const VoxelResult&>().numbers;
+  if (py::isinstance<FilmResult>(part)) return report::film_numbers(part.cast<const FilmResult&>());
+  return Numbers::tree();
+}
+
+py::dict periods_of(const py::object& part) {
+  const Numbers numbers = numbers_of_part(part);
+  py::dict periods;
+  for (const auto& [name, estimate, meaning] : campaign::flat_numbers(numbers))
+    if (meaning && meaning->period > 0) periods[py::str(name)] = meaning->period;
+  return periods;
+}
+
 }  // namespace
 
 void bind_study(py::module_& m) {
@@ -119,15 +135,18 @@ void bind_study(py::module_& m) {
       "{dotted name: (value, error)} of the single numbers of a tree, NaN where there is none; of lists those of at "
       "most "
       "four.");
+  m.def("_periods", &periods_of, py::arg("part"),
+        "{dotted name: period, degrees} of the angles among the numbers of a Stage, Field, VoxelResult or FilmResult "
+        "that are the "
+        "same again after a period; of other objects nothing.");
   m.def(
       "_difference",
-      [](const std::string& name, double a, double a_error, double b, double b_error) {
-        const auto d = statistics::difference_of({a, a_error}, {b, b_error}, texture::period_deg(name));
+      [](double a, double a_error, double b, double b_error, double period) {
+        const auto d = statistics::difference_of({a, a_error}, {b, b_error}, period);
         return py::make_tuple(d.value, d.error, d.in_errors, verdicts[static_cast<std::size_t>(d.verdict)]);
       },
-      py::arg("name"), py::arg("a"), py::arg("a_error"), py::arg("b"), py::arg("b_error"),
-      "(b - a, its error, the one over the other, verdict) of two numbers of this dotted name; of angles the shorter "
-      "way.");
+      py::arg("a"), py::arg("a_error"), py::arg("b"), py::arg("b_error"), py::arg("period") = 0.0,
+      "(b - a, its error, the one over the other, verdict) of two numbers; of angles with a period the shorter way.");
   m.attr("_verdicts") = std::vector<std::string>(std::begin(verdicts), std::end(verdicts));
   m.attr("_least_told") = statistics::least_told;
   m.def("_beyond_by_chance", &statistics::beyond_by_chance, py::arg("judged"),

@@ -149,7 +149,10 @@ void bind_voxels(py::module_& m) {
       .def_readonly("map", &VoxelResult::map, "The sample.")
       .def_property_readonly(
           "numbers", [](const VoxelResult& r) { return to_python(r.numbers); },
-          "Modulus, forces, statistics by phase, effective stiffness; as `arenite load --json` prints them.");
+          "Modulus, forces, statistics by phase, effective stiffness; as `arenite load --json` prints them.")
+      .def_property_readonly(
+          "provenance", [](const VoxelResult& r) { return to_python(r.provenance); },
+          "Provenance: version, stage, input_hash, recipe, seed, kernel, options.");
   const std::pair<const char*, std::vector<float> VoxelStress::*> stresses[] = {
       {"sigma_xx", &VoxelStress::xx}, {"sigma_yy", &VoxelStress::yy}, {"sigma_zz", &VoxelStress::zz},
       {"sigma_yz", &VoxelStress::yz}, {"sigma_xz", &VoxelStress::xz}, {"sigma_xy", &VoxelStress::xy}};

@@ -67,6 +67,19 @@ py::object with_arrays(const py::object& value) {
 
 py::dict to_python(const Numbers& numbers) { return numbers.is_known() ? py::dict(value_of(numbers)) : py::dict(); }
 
+py::dict to_python(const Provenance& p) {
+  py::dict d;
+  d["title"] = p.title;
+  d["version"] = p.version;
+  d["stage"] = p.stage;
+  d["input_hash"] = p.input_hash;
+  d["recipe"] = p.recipe;
+  d["seed"] = p.seed;
+  d["kernel"] = p.kernel;
+  d["options"] = p.options;
+  return d;
+}
+
 Numbers from_python(const py::handle& value) {
   if (value.is_none()) return {};
   if (py::isinstance<py::bool_>(value)) return value.cast<bool>();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "model/result.hpp"
 #include "statistics/numbers.hpp"
 
 /// What calls from Python have in common.
@@ -14,6 +15,9 @@ namespace arenite::python {
 
 /// As dicts, lists and numbers; an empty dict for what is not known.
 py::dict to_python(const Numbers& numbers);
+
+/// By what and of what a result was made.
+py::dict to_python(const Provenance& provenance);
 
 /// A tree of dicts, lists, texts and numbers. Throws InputError for anything else.
 Numbers from_python(const py::handle& value);

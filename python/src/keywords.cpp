@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "core/thread_count.hpp"
 
 namespace arenite::python {
 namespace {
@@ -119,6 +120,15 @@ std::string Keywords::docstring(const std::string& own, const std::string& sente
   const bool is_first = !in_signature.empty() && signature.find("*, ") == std::string::npos;
   signature.replace(signature.find(rest), rest.size(), (is_first ? "*, " : "") + list_of(in_signature));
   return fmt::format("{}\n\n{}\n\n{}", signature, sentence, list_of(meanings, "\n"));
+}
+
+py::arg_v threads_argument() { return py::arg("threads") = Threads{}.threads; }
+
+int threads_given(int threads) {
+  Threads read;
+  recipe::read_given_into(read,
+                          {{"threads", "threads", {.kind = Node::Kind::integer, .integer = threads, .entries = {}}}});
+  return read.threads;
 }
 
 void warn_of_idle(const std::vector<std::string>& sentences) {

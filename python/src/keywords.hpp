@@ -34,6 +34,10 @@ class Keywords {
   std::vector<Keyword> list_;
 };
 
+/// The keyword `threads`, and what is given for it; throws InputError beyond its range.
+py::arg_v threads_argument();
+int threads_given(int threads);
+
 /// Says what has no effect as warnings of Python.
 void warn_of_idle(const std::vector<std::string>& sentences);
 

@@ -105,15 +105,19 @@ std::string head(const std::string& name, const std::string& unit) {
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
 
-Row mean_of(const std::vector<const Row*>& group, std::vector<std::string> values, std::size_t columns) {
+/// Of the runs' numbers, column by column; of angles with a period as directions.
+Row mean_of(const std::vector<const Row*>& group, std::vector<std::string> values, const CollectedTable& table) {
   Row mean;
   mean.values = std::move(values);
   mean.runs = group.size();
-  for (std::size_t c = 0; c < columns; ++c) {
+  for (std::size_t c = 0; c < table.names.size(); ++c) {
     std::vector<double> parts;
     for (const Row* row : group)
       if (std::isfinite(row->numbers[c].value)) parts.push_back(row->numbers[c].value);
-    const statistics::Measured of_all = statistics::mean_of(parts);
+    const auto meaning = table.meanings.find(table.names[c]);
+    const double period = meaning == table.meanings.end() ? 0 : meaning->second.period;
+    const statistics::Measured of_all =
+        period > 0 ? statistics::mean_of_angles(parts, period) : statistics::mean_of(parts);
     mean.numbers.push_back({of_all.value, of_all.error});
   }
   return mean;
@@ -178,7 +182,7 @@ CollectedTable averaged(const CollectedTable& table, const std::vector<std::stri
     if (is_new) groups.push_back({values, {}});
     groups[at->second].second.push_back(&row);
   }
-  for (auto& [values, group] : groups) result.rows.push_back(mean_of(group, values, table.names.size()));
+  for (auto& [values, group] : groups) result.rows.push_back(mean_of(group, values, table));
   return result;
 }
 

@@ -84,35 +84,32 @@ std::string why_unfinished(const workflow::RunOutcome& outcome) {
 }
 
 /// A film as the run's recipe measures it.
-RunState measure(const Study& study, const StudyRun& run, const StudyFolder& folder, const StudyOptions& options) {
-  const recipe::FilmRecipe recipe = film_recipe_of(study, run);
-  workflow::FilmRunOptions how;
-  how.out = folder.run(run.name);
-  how.notice = options.notice;
-  how.asked_to_stop = options.asked_to_stop;
-  how.checkpoint_seconds = options.checkpoint_seconds;
-  how.threads = options.threads;
-  const workflow::FilmOutcome outcome = workflow::run_film(recipe.film_named(), recipe, how);
+RunState measure(const recipe::FilmRecipe& recipe, const workflow::RunOptions& how, const StudyOptions& options) {
+  const workflow::FilmOutcome outcome = workflow::run_film(recipe.film_named(), recipe, {how, options.threads});
   if (outcome.interrupted) return {};
   keep_numbers(how.out, options.film_numbers(outcome.result));
   if (outcome.result.converged) return {Kind::done, 0, {}};
   return {Kind::unfinished, 0, outcome.result.outcome};
 }
 
-RunState attempt(const Study& study, const StudyRun& run, const StudyFolder& folder, const workflow::Store& store,
-                 const StudyOptions& options) {
-  if (study.of_films) return measure(study, run, folder, options);
-  recipe::Recipe recipe = recipe_of(study, run);
+RunState simulate(recipe::Recipe recipe, const workflow::RunOptions& how, const StudyOptions& options) {
   recipe.integration.threads = options.threads;
-  const workflow::RunOutcome outcome = workflow::run(recipe, {.out = folder.run(run.name),
-                                                              .notice = options.notice,
-                                                              .asked_to_stop = options.asked_to_stop,
-                                                              .checkpoint_seconds = options.checkpoint_seconds,
-                                                              .store = &store});
+  const workflow::RunOutcome outcome = workflow::run(recipe, how);
   if (outcome.interrupted) return {};
-  keep_numbers(folder.run(run.name), options.numbers(outcome));
+  keep_numbers(how.out, options.numbers(outcome));
   if (outcome.converged) return {Kind::done, 0, {}};
   return {Kind::unfinished, 0, why_unfinished(outcome)};
+}
+
+RunState attempt(const Study& study, const StudyRun& run, const StudyFolder& folder, const workflow::Store& store,
+                 const StudyOptions& options) {
+  const workflow::RunOptions how{.out = folder.run(run.name),
+                                 .notice = options.notice,
+                                 .asked_to_stop = options.asked_to_stop,
+                                 .checkpoint_seconds = options.checkpoint_seconds,
+                                 .store = &store};
+  return study.of_films ? measure(film_recipe_of(study, run), how, options)
+                        : simulate(recipe_of(study, run), how, options);
 }
 
 RunState attempt_whatever_happens(const Study& study, const StudyRun& run, const StudyFolder& folder,

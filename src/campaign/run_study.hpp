@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "campaign/study_folder.hpp"
+#include "core/thread_count.hpp"
 #include "model/film_result.hpp"
+#include "workflow/checkpoints.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::campaign {
@@ -23,11 +25,11 @@ struct StudyProgress {
 
 struct StudyOptions {
   std::size_t jobs = 1;               ///< runs at once, one process each
-  int threads = 1;                    ///< in each of them
+  int threads = Threads{}.threads;    ///< in each of them
   std::size_t shard = 0, shards = 1;  ///< this process does one of `shards` equal parts of the runs
   bool retry = false;                 ///< runs that failed or found no equilibrium are done again
   bool keep_fields = true;            ///< false: field files go when their numbers are kept
-  double checkpoint_seconds = 30;
+  double checkpoint_seconds = workflow::Checkpoints{}.every;
   std::function<Numbers(const workflow::RunOutcome&)> numbers = [](const workflow::RunOutcome&) {
     return Numbers::tree();
   };

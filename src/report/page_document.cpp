@@ -206,10 +206,6 @@ template <class Kinds> Numbers named_kinds(const Kinds& kinds) {
   return out;
 }
 
-Numbers heads_of(const std::vector<figures::Head>& heads) {
-  return mapped(heads, [](const figures::Head& head) { return figures::numbers_of(head); });
-}
-
 }  // namespace
 
 Numbers history_of(const History& history, NumberBlock& block) {
@@ -247,10 +243,7 @@ PageDocument page_document(const PageData& data) {
   figures::PageLists lists(block);
   const figures::WriteList write = std::ref(lists);
   Numbers document{{"title", data.title}, {"notation", figures::notation}, {"words", number_words()}};
-  document["figures"] = {{"packing", heads_of(figures::packing_heads())},
-                         {"field", heads_of(figures::field_heads())},
-                         {"volume", heads_of(figures::voxel_heads())},
-                         {"film", heads_of(figures::film_heads())}};
+  document["figures"] = figures::heads_of_parts();
   Numbers stages = Numbers::list(), snapshots = Numbers::list();
   const auto films = films_of(data);  // stay in place while the stages point at them
   const auto shown = stages_of(data, films);

@@ -3,6 +3,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/beta.hpp>
 #include <cmath>
+#include <numbers>
 
 namespace arenite::statistics {
 
@@ -50,6 +51,17 @@ Measured mean_of(const std::vector<double>& values) {
   const double n = static_cast<double>(values.size()), mean = plain_mean(values);
   if (values.size() == 1) return {mean};
   return {mean, std::sqrt(squares_about(values, mean) / (n - 1) / n), n - 1};
+}
+
+Measured mean_of_angles(std::vector<double> values, double period) {
+  const double turn = 2 * std::numbers::pi / period;
+  double x = 0, y = 0;
+  for (const double v : values) x += std::cos(turn * v), y += std::sin(turn * v);
+  const double along = std::atan2(y, x) / turn;
+  for (double& v : values) v = along + std::remainder(v - along, period);
+  Measured mean = mean_of(values);
+  mean.value -= period * std::floor(mean.value / period);
+  return mean;
 }
 
 Measured product(const std::vector<std::pair<Measured, double>>& factors) {

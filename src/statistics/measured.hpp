@@ -22,6 +22,9 @@ Interval confidence_95(const Measured& m);
 
 /// Mean of values alike, its standard error from their scatter, n - 1 degrees of freedom. One value has no error.
 Measured mean_of(const std::vector<double>& values);
+/// Of angles that are the same again after `period`, in [0, period): each is taken the shorter way from the direction
+/// of all of them as vectors.
+Measured mean_of_angles(std::vector<double> values, double period);
 
 /// Product of independent quantities to powers: relative errors add in squares, degrees of freedom after Welch and
 /// Satterthwaite. Quantities whose error is not known add none; if that holds for all, the product's is not known.

@@ -208,12 +208,18 @@ std::string to_json(const Numbers& numbers, int indent) {
 namespace arenite::statistics {
 
 Numbers described(Numbers value, const char* unit, const char* sentence) {
-  value.means({unit, sentence});
+  value.means({.unit = unit, .sentence = sentence});
   return value;
 }
 
 void put(Numbers& to, const std::string& name, Numbers value, const char* unit, const char* sentence, Trait traits) {
   if (value.is_known()) to[name] = described(std::move(value), unit, sentence).mark(traits);
+}
+
+void put_angle(Numbers& to, const std::string& name, Numbers value, double period, const char* sentence, Trait traits) {
+  if (!value.is_known()) return;
+  value.means({.unit = "deg", .sentence = sentence, .period = period});
+  to[name] = std::move(value.mark(traits));
 }
 
 }  // namespace arenite::statistics

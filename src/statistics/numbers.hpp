@@ -37,6 +37,7 @@ constexpr Trait operator|(Trait a, Trait b) {
 /// What a number is and its unit (empty: it has none), as its statistic declares them.
 struct Meaning {
   std::string unit, sentence;
+  double period = 0;  ///< of an angle, in its unit: after so much it is the same again; 0 of all other numbers
 };
 
 /// What is measured, as an ordered tree: a node is a value (truth, integer, real, text), a list of nodes, or nodes with
@@ -200,5 +201,9 @@ Numbers described(Numbers value, const char* unit, const char* sentence);
 /// Adds a value, with its unit, what it is and its traits, unless it is not known.
 void put(Numbers& to, const std::string& name, Numbers value, const char* unit, const char* sentence,
          Trait traits = Trait::none);
+/// The same of an angle in degrees that is the same again after `period`: half a turn of a direction without a head.
+void put_angle(Numbers& to, const std::string& name, Numbers value, double period, const char* sentence,
+               Trait traits = Trait::none);
+inline constexpr double half_turn = 180, whole_turn = 360;
 
 }  // namespace arenite::statistics

@@ -161,15 +161,15 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
     if (tested) measure_stress(load, *tested, measured, contact_stresses);
     return tested;
   }
-  const Loader loader(load, watch);
-  auto loaded = loader.load(result.map);
+  const SolveShares shares(load, voigt_count<2>, watch);
+  auto loaded = Loader(load, shares.of_load()).load(result.map);
   if (loaded.report.ending == statics::Ending::stopped) return std::nullopt;
   result.converged = loaded.report.ending == statics::Ending::solved;
   result.outcome = loaded.report.sentence;
   result.convergence = convergence_of(loaded.report.history);
   std::optional<statics::EffectiveModuli> moduli;
   if (load.moduli && result.converged) {
-    moduli = loader.effective_moduli(result.map);
+    moduli = Loader(load, shares.of_moduli()).effective_moduli(result.map);
     for (const auto& report : moduli->reports) {
       if (report.ending == statics::Ending::stopped) return std::nullopt;
       result.converged = result.converged && report.ending == statics::Ending::solved;
@@ -177,7 +177,7 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
   }
   add_load(result.numbers, load, loaded.report, moduli);
   if (load.effective_stiffness && load.by_elements() && result.converged &&
-      !add_effective_stiffness(result.map, loader.of_elements(), result))
+      !add_effective_stiffness(result.map, Loader(load, shares.of_stiffness()).of_elements(), result))
     return std::nullopt;
   if (!load.by_elements()) note_bonds_across_voids(result.numbers, load, result.map);
   result.field = as_stored(std::move(loaded.field));

@@ -20,6 +20,23 @@ struct FailureCheckpoint {
   std::optional<peridynamics::FailureState> resume{};
 };
 
+/// What of a load's progress is whose: one solve of the load itself, three of its moduli between clamps, and one for
+/// each strain of its effective stiffness.
+class SolveShares {
+ public:
+  SolveShares(const recipe::Load& load, std::size_t strains, const statics::Watch& watch)
+      : watch_(watch),
+        moduli_(1 + (load.moduli ? 3.0 : 0.0)),
+        all_(moduli_ + (load.effective_stiffness && load.by_elements() ? static_cast<double>(strains) : 0.0)) {}
+  statics::Watch of_load() const { return statics::of_part(watch_, 0.0, 1 / all_); }
+  statics::Watch of_moduli() const { return statics::of_part(watch_, 1 / all_, moduli_ / all_); }
+  statics::Watch of_stiffness() const { return statics::of_part(watch_, moduli_ / all_, 1.0); }
+
+ private:
+  const statics::Watch& watch_;
+  double moduli_, all_;  ///< solves until moduli are known, and in all
+};
+
 /// Stress of every grain that a sample's map labels, from the contact forces of its packing, Pa, in the order of the
 /// labels; empty without. `known` are those of all grains of the packing that was cemented, where a texture has them
 /// (with bonds and cohesion, which the sample leaves out).

@@ -114,8 +114,7 @@ VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(con
 
 std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch) {
   require_space(load);
-  const double parts = load.effective_stiffness ? 7 : 1;  // one load, and six of a period
-  double begun = 0;
+  const SolveShares shares(load, voigt_count<3>, watch);
   elements::LoadOptions solve;
   solve.tolerance = load.tolerance;
   solve.max_iterations = load.max_iterations;
@@ -123,12 +122,7 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
   solve.loading = load.loading;
   solve.lower = load.lower;
   solve.strain = load.strain;
-  if (watch)
-    solve.watch = [&](statics::Progress p) {
-      begun += p.iterations == 0;
-      p.share = (begun - 1 + p.share) / parts;
-      return watch(p);
-    };
+  solve.watch = shares.of_load();
   auto loaded = elements::load(map, solve);
   if (loaded.report.ending == statics::Ending::stopped) return std::nullopt;
   VoxelResult result;
@@ -149,6 +143,7 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
     j["stress"] = stress::measure(map, loaded.field, statistics, notes);
     for (std::string& note : notes) j["notes"].push_back(std::move(note));
   }
+  solve.watch = shares.of_stiffness();
   if (load.effective_stiffness && result.converged && !add_effective_stiffness(map, solve, result)) return std::nullopt;
   result.map = map;
   result.field = std::move(loaded.field);

@@ -12,6 +12,7 @@
 #include "model/result.hpp"
 #include "recipe/recipe.hpp"
 #include "solid/stress/stress.hpp"
+#include "workflow/checkpoints.hpp"
 
 namespace arenite::dem {
 class Engine;
@@ -44,7 +45,7 @@ struct RunOptions {
   std::function<void(const Progress&)> progress = [](const Progress&) {};
   std::function<void(const std::string&)> notice = [](const std::string&) {};  ///< a sentence the user should see
   std::function<bool()> asked_to_stop = [] { return false; };                  ///< true: checkpoint and leave
-  double checkpoint_seconds = 30;                                              ///< between two checkpoints
+  double checkpoint_seconds = Checkpoints{}.every;                             ///< between two checkpoints
   const Store* store = nullptr;  ///< stages that are there are taken from it, and what is computed is put there
   bool page_follows = false;     ///< of stresses, what a page alone shows is measured with the rest
   const StepFunction* on_step = nullptr;  ///< called while a stage of loading is computed (stage_watch.hpp)

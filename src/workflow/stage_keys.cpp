@@ -9,6 +9,7 @@
 
 #include "core/hash.hpp"
 #include "core/text.hpp"
+#include "core/thread_count.hpp"
 #include "io/disk/file.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/film/film.hpp"
@@ -34,7 +35,7 @@ constexpr std::int64_t closing_version = 1;  // of loads to failure whose cracks
 recipe::Recipe without_what_changes_no_bit(recipe::Recipe recipe) {
   recipe.title.clear();
   recipe.source_file.clear();
-  recipe.integration.threads = 1;
+  recipe.integration.threads = Threads{}.threads;
   recipe.integration.kernel = "auto";
   return recipe;
 }

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -34,7 +35,9 @@ fs::path stored_file(const fs::path& store, const std::string& hash) { return in
 
 Store::Store(fs::path folder, std::function<void(const std::string&)> notice)
     : folder_(std::move(folder)),
-      account_((make_folder(folder_ / "locks"), folder_ / "account"), std::move(notice)) {}
+      account_(std::in_place, (make_folder(folder_ / "locks"), folder_ / "account"), std::move(notice)) {}
+
+std::unique_ptr<const Store> Store::for_parts() const { return std::unique_ptr<const Store>(new Store(this)); }
 
 fs::path Store::file(const std::string& hash) const { return stored_file(folder_, hash); }
 fs::path Store::checkpoint(const std::string& hash) const {
@@ -62,8 +65,9 @@ void Store::put(const std::string& hash, const fs::path& from) const {
 void Store::drop(const std::string& hash) const { ::unlink(file(hash).c_str()); }
 
 void Store::note(Event event, const PlannedStage& stage, double seconds) const {
-  account_.add(
-      fmt::format("{}\t{}\t{}\t{:.6g}", events[static_cast<std::size_t>(event)], stage.hash, stage.name, seconds));
+  if (account_)
+    account_->add(
+        fmt::format("{}\t{}\t{}\t{:.6g}", events[static_cast<std::size_t>(event)], stage.hash, stage.name, seconds));
 }
 
 StoreAccount read_account(const fs::path& store) {

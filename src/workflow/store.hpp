@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -23,6 +24,9 @@ class Store {
   /// Makes the folder. Throws InputError if that cannot be. `notice` hears what is lost from the account.
   explicit Store(std::filesystem::path folder, std::function<void(const std::string&)> notice = {});
 
+  /// The same stages for those that are made as a part of another, whose cost in the account has theirs.
+  std::unique_ptr<const Store> for_parts() const;
+
   std::filesystem::path file(const std::string& hash) const;
   std::filesystem::path checkpoint(const std::string& hash) const;
   bool has(const std::string& hash) const;
@@ -40,8 +44,9 @@ class Store {
   void note(Event event, const PlannedStage& stage, double seconds = 0) const;
 
  private:
+  explicit Store(const Store* of) : folder_(of->folder_) {}
   std::filesystem::path folder_;
-  io::AppendLog account_;
+  std::optional<io::AppendLog> account_;  ///< nothing for parts of stages
 };
 
 /// What the stages of a store cost, in CPU seconds, and what sharing them saved.

@@ -4,7 +4,9 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <tuple>
 
 #include "io/disk/store_file.hpp"
 #include "support/program.hpp"
@@ -89,6 +91,27 @@ TEST_F(FilmStudy, DoesAgainOnlyWhatChanged) {
   const auto after = written("again");
   EXPECT_EQ(after.size(), 3u);
   for (const auto& [run, time] : before) EXPECT_EQ(after.at(run), time) << run;
+}
+
+TEST_F(FilmStudy, SharesItsRunsWithOtherStudiesAndKnowsWhatTheyCost) {
+  const std::string shared = "--store " + virtual_film().at("shared").string();
+  const std::string first = study("first", two_blurs),
+                    second = study("second", of_film + "[sweep.grid]\n\"forces.blur\" = [0.6, 0.9]\n");
+  const auto plan = act("plan", first, "first", shared);
+  EXPECT_TRUE(test::contains(plan.out, "not known until the first run has ended")) << plan.out;
+  ASSERT_EQ(act("run", first, "first", "--quiet --jobs 1 " + shared).status, 0);
+  const auto next = act("plan", second, "second", shared);
+  EXPECT_TRUE(test::contains(next.out, "of CPU time left")) << next.out;
+  const std::string film_line = next.out.substr(next.out.find("\nfilm ") + 1);
+  std::istringstream columns(film_line);
+  std::string name;
+  int wanted = 0, different = 0, there = 0;
+  columns >> name >> wanted >> different >> there;
+  EXPECT_EQ(std::tuple(wanted, different, there), std::tuple(2, 2, 1)) << next.out;
+  const auto run = act("run", second, "second", "--quiet --jobs 1 " + shared);
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(test::contains(run.out, "store: 3 stages computed")) << run.out;
+  EXPECT_TRUE(test::contains(run.out, "; 1 reused")) << run.out;
 }
 
 TEST_F(FilmStudy, OfWhatCannotBeMeasuredIsRefusedBeforeAFolderIsMade) {

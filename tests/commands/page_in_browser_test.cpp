@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <string>
+
 #include "core/error.hpp"
 #include "io/disk/file.hpp"
 #include "report/page.hpp"
@@ -13,14 +16,23 @@
 
 using namespace arenite;
 
-TEST(Page, IsPaintedAndAnswersInABrowserFromTheDisk) {
-  const test::TemporaryFolder folder;
-  const test::PageSample sample;
-  report::write_page(folder / "page.html", sample.data);
-  const auto outcome =
-      test::shell("node " ARENITE_SOURCE_DIR "/web/test/page.test.mjs " + (folder / "page.html").string());
+namespace {
+
+/// Opens the page in a browser, where the test of that name in web/test asserts what is painted.
+void expect_in_browser(const std::string& test, const std::filesystem::path& page) {
+  const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/" + test + " " + page.string());
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
+
+void expect_in_browser(const std::string& test, const report::PageData& data) {
+  const test::TemporaryFolder folder;
+  report::write_page(folder / "page.html", data);
+  expect_in_browser(test, folder / "page.html");
+}
+
+}  // namespace
+
+TEST(Page, IsPaintedAndAnswersInABrowserFromTheDisk) { expect_in_browser("page.test.mjs", test::PageSample().data); }
 
 TEST(Page, OfABiaxialTestAnswersInABrowserFromItsPackingToItsEnd) {
   const test::TemporaryFolder folder;
@@ -42,17 +54,11 @@ snapshots = 4
   const std::string out = (folder / "out").string();
   const auto run = test::shell(ARENITE_BINARY " run " + (folder / "biaxial.toml").string() + " --out " + out);
   ASSERT_EQ(run.status, 0) << run.err;
-  const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/run_page.test.mjs " + out + "/report.html");
-  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  expect_in_browser("run_page.test.mjs", out + "/report.html");
 }
 
 TEST(Page, OfACementedSampleIsPaintedAndAnswersInABrowser) {
-  const test::TemporaryFolder folder;
-  const test::FieldPageSample sample;
-  report::write_page(folder / "page.html", sample.data);
-  const auto outcome =
-      test::shell("node " ARENITE_SOURCE_DIR "/web/test/field_page.test.mjs " + (folder / "page.html").string());
-  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  expect_in_browser("field_page.test.mjs", test::FieldPageSample().data);
 }
 
 TEST(Page, OfASampleInSpaceIsPaintedAndAnswersInABrowser) {
@@ -68,17 +74,11 @@ TEST(Page, OfASampleInSpaceIsPaintedAndAnswersInABrowser) {
       test::shell(ARENITE_BINARY " load " + map +
                   " --phases 0=void,1=matrix,2=particle --dx '10 um' --loading shear --method elements --out " + out);
   ASSERT_EQ(loaded.status, 0) << loaded.err;
-  const auto outcome = test::shell("node " ARENITE_SOURCE_DIR "/web/test/volume_page.test.mjs " + out + "/report.html");
-  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  expect_in_browser("volume_page.test.mjs", out + "/report.html");
 }
 
 TEST(Page, OfAFilmIsPaintedAndAnswersInABrowser) {
-  const test::TemporaryFolder folder;
-  const test::FilmPageSample sample;
-  report::write_page(folder / "page.html", sample.data);
-  const auto outcome =
-      test::shell("node " ARENITE_SOURCE_DIR "/web/test/film_page.test.mjs " + (folder / "page.html").string());
-  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  expect_in_browser("film_page.test.mjs", test::FilmPageSample().data);
 }
 
 TEST(Page, OfAStudyIsPaintedInABrowser) {
@@ -137,9 +137,7 @@ TEST(Page, OfAStudyIsPaintedInABrowser) {
                                                                                 : R"("stress":[0.5,1.5]})"));
   };
   report::write_study_page(folder / "study.html", {"A study", figures, table, numbers, drawing});
-  const auto outcome =
-      test::shell("node " ARENITE_SOURCE_DIR "/web/test/study_page.test.mjs " + (folder / "study.html").string());
-  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  expect_in_browser("study_page.test.mjs", folder / "study.html");
 }
 
 TEST(Page, OfTwoResultsIsPaintedInABrowser) {
@@ -154,9 +152,7 @@ TEST(Page, OfTwoResultsIsPaintedInABrowser) {
           "tables":[{"title":"load","heads":["number","A"],"rows":[{"cells":["z","3 ± 0.1"],"marked":true}],
           "more":[{"cells":["n","5"]}]}]})json");
   io::write_atomically(folder / "cmp.html", report::html_of(document));
-  const auto outcome =
-      test::shell("node " ARENITE_SOURCE_DIR "/web/test/compare_page.test.mjs " + (folder / "cmp.html").string());
-  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  expect_in_browser("compare_page.test.mjs", folder / "cmp.html");
 }
 
 TEST(Page, OfARunUnderWayIsPaintedInABrowser) {
@@ -166,9 +162,7 @@ TEST(Page, OfARunUnderWayIsPaintedInABrowser) {
   const std::string head = "<head>", no_server = "<script>window.fetch = async () => { throw new Error(); };</script>";
   page.insert(page.find(head) + head.size(), no_server);
   io::write_atomically(folder / "live.html", page);
-  const auto outcome =
-      test::shell("node " ARENITE_SOURCE_DIR "/web/test/live_page.test.mjs " + (folder / "live.html").string());
-  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  expect_in_browser("live_page.test.mjs", folder / "live.html");
 }
 
 TEST(Page, PartsWriteNumbersAndPlacesAsTheirTestsSay) {

@@ -17,19 +17,16 @@ namespace {
 namespace fs = std::filesystem;
 using test::ask;
 using test::Background;
-using test::becomes;
 using test::Page;
-using test::recipe_of;
+using test::WatchedRun;
 
 TEST(Watch, RefusesWhoLacksTheTokenComesByAnotherNameOrAsksForAnythingElse) {
-  const test::TemporaryFolder folder;
-  const auto file = folder / "recipe.toml", out = folder / "out";
-  std::ofstream(file) << recipe_of("0.01 s");
-  ASSERT_EQ(test::arenite("run " + file.string() + " --quiet --out " + out.string()).status, 0);
-  Background watch("watch " + out.string(), folder / "watch.out", folder / "watch.err");
-  const Page page(folder / "watch.out");
-  ASSERT_GT(page.port, 0);
-  EXPECT_EQ(test::slurp(folder / "watch.out").find("the run in " + out.string() + " has ended"), 0u);
+  const WatchedRun watched("0.01 s");
+  ASSERT_EQ(test::arenite(watched.line()).status, 0);
+  const Background watch = watched.watch();
+  const Page page = watched.page();
+  ASSERT_GT(page.port, 0) << watched.printed();
+  EXPECT_EQ(test::slurp(watched.folder / "watch.out").find("the run in " + watched.out.string() + " has ended"), 0u);
 
   EXPECT_EQ(page.get("").status, 200);
   EXPECT_EQ(page.state()["life"], "ended");
@@ -78,14 +75,14 @@ class Bystander {
 };
 
 TEST(Watch, StopsNoProcessThatAFileNames) {
-  const test::TemporaryFolder folder;
+  const WatchedRun watched("1 s");  // which does not begin
   const Bystander bystander;
   // The second is -1 where it is cut to the 32 bits of a process number.
   for (const long named : {static_cast<long>(bystander.process), 0xffffffffL}) {
-    std::ofstream(folder / "status.csv") << status_naming(named);
-    Background watch("watch " + folder.path().string(), folder / "watch.out", folder / "watch.err");
-    const Page page(folder / "watch.out");
-    ASSERT_GT(page.port, 0) << test::slurp(folder / "watch.err");
+    std::ofstream(watched.folder / "status.csv") << status_naming(named);
+    Background watch = watched.watch(watched.folder.path());
+    const Page page = watched.page();
+    ASSERT_GT(page.port, 0) << watched.printed();
     EXPECT_EQ(page.state()["life"], "died");
     EXPECT_EQ(page.post("stop").status, 409);
     EXPECT_EQ(watch.end(SIGTERM), 0);
@@ -95,14 +92,11 @@ TEST(Watch, StopsNoProcessThatAFileNames) {
 }
 
 TEST(Run, ASecondOneIntoTheSameFolderIsRefused) {
-  const test::TemporaryFolder folder;
-  const auto file = folder / "recipe.toml", other = folder / "other.toml", out = folder / "out";
-  std::ofstream(file) << recipe_of("20 s");
-  std::ofstream(other) << recipe_of("10 s");
-  const auto line = [&](const fs::path& recipe) { return "run " + recipe.string() + " --quiet --out " + out.string(); };
-  Background run(line(file), folder / "run.out", folder / "run.err");
-  ASSERT_TRUE(becomes([&] { return fs::exists(out / "status.csv"); }));
-  const auto second = test::arenite(line(other));
+  const WatchedRun watched("20 s"), other("10 s");
+  const fs::path& out = watched.out;
+  Background run = watched.begin();
+  ASSERT_TRUE(watched.begins()) << watched.printed();
+  const auto second = test::arenite(other.line(out));
   EXPECT_EQ(second.status, 2);
   EXPECT_NE(second.err.find("another run writes into this folder"), std::string::npos) << second.err;
   EXPECT_FALSE(fs::exists(out / "earlier"));

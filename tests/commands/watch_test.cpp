@@ -4,13 +4,10 @@
 
 #include <csignal>
 #include <filesystem>
-#include <fstream>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "support/program.hpp"
-#include "support/temporary_folder.hpp"
 #include "support/watched_run.hpp"
 
 namespace arenite {
@@ -22,8 +19,7 @@ using test::Background;
 using test::becomes;
 using test::connection_to;
 using test::Page;
-using test::recipe_of;
-using test::wait;
+using test::WatchedRun;
 
 double share_of(const nlohmann::json& state) {
   if (!state.is_object() || !state.contains("status") || state["status"]["name"] != "shear") return 0;
@@ -31,15 +27,13 @@ double share_of(const nlohmann::json& state) {
 }
 
 TEST(Watch, ShowsARunAsItGrowsAndStopsIt) {
-  const test::TemporaryFolder folder;
-  const auto file = folder / "recipe.toml", out = folder / "out";
-  std::ofstream(file) << recipe_of("20 s");
-  const std::string line = "run " + file.string() + " --quiet --checkpoint-every 0.5 --out " + out.string();
-  Background run(line, folder / "run.out", folder / "run.err");
-  ASSERT_TRUE(becomes([&] { return fs::exists(out / "status.csv"); })) << test::slurp(folder / "run.err");
-  Background watch("watch " + out.string(), folder / "watch.out", folder / "watch.err");
-  const Page page(folder / "watch.out");
-  ASSERT_GT(page.port, 0) << test::slurp(folder / "watch.out") << test::slurp(folder / "watch.err");
+  const WatchedRun watched("20 s");
+  const fs::path& out = watched.out;
+  Background run = watched.begin(" --checkpoint-every 0.5");
+  ASSERT_TRUE(watched.begins()) << watched.printed();
+  Background watch = watched.watch();
+  const Page page = watched.page();
+  ASSERT_GT(page.port, 0) << watched.printed();
 
   ASSERT_TRUE(becomes([&] { return share_of(page.state()) > 0; }));
   const double before = share_of(page.state());
@@ -73,16 +67,13 @@ TEST(Watch, ShowsARunAsItGrowsAndStopsIt) {
 }
 
 TEST(Watch, ARunThatIsWatchedAndStoppedEndsWithTheBytesOfOneThatIsNot) {
-  const test::TemporaryFolder folder;
-  const auto file = folder / "recipe.toml", out = folder / "out";
-  std::ofstream(file) << recipe_of("4 s");
-  const std::string line = "run " + file.string() + " --quiet --out ";
+  const WatchedRun watched("4 s");
+  const fs::path& out = watched.out;
   int stops = 0;
   for (int life = 0; life < 20; ++life) {
-    const fs::path printed = folder / ("run.err" + std::to_string(life));
-    Background run(line + out.string() + " --watch", folder / "run.out", printed);
-    const Page page(printed);
-    ASSERT_GT(page.port, 0) << test::slurp(printed);
+    Background run = watched.begin(" --watch");
+    const Page page(watched.folder / "run.err");
+    ASSERT_GT(page.port, 0) << watched.printed();
     if (stops < 2 &&
         becomes([&] { return share_of(page.state()) > 0.2 * (stops + 1) || fs::exists(out / "report.html"); }))
       page.post("stop");
@@ -92,18 +83,17 @@ TEST(Watch, ARunThatIsWatchedAndStoppedEndsWithTheBytesOfOneThatIsNot) {
   EXPECT_GT(stops, 0);
   ASSERT_TRUE(fs::exists(out / "report.html"));
   EXPECT_FALSE(fs::exists(out / "status.csv"));
-  ASSERT_EQ(test::arenite(line + (folder / "alone").string()).status, 0);
-  EXPECT_EQ(test::stage_files(out), test::stage_files(folder / "alone"));
+  const fs::path alone = watched.folder / "alone";
+  ASSERT_EQ(test::arenite(watched.line(alone)).status, 0);
+  EXPECT_EQ(test::stage_files(out), test::stage_files(alone));
 }
 
 TEST(Watch, AnswersBesideConnectionsThatSendNothing) {
-  const test::TemporaryFolder folder;
-  const auto file = folder / "recipe.toml", out = folder / "out";
-  std::ofstream(file) << recipe_of("0.01 s");
-  ASSERT_EQ(test::arenite("run " + file.string() + " --quiet --out " + out.string()).status, 0);
-  Background watch("watch " + out.string(), folder / "watch.out", folder / "watch.err");
-  const Page page(folder / "watch.out");
-  ASSERT_GT(page.port, 0);
+  const WatchedRun watched("0.01 s");
+  ASSERT_EQ(test::arenite(watched.line()).status, 0);
+  const Background watch = watched.watch();
+  const Page page = watched.page();
+  ASSERT_GT(page.port, 0) << watched.printed();
   std::vector<int> silent;
   for (int k = 0; k < 40; ++k) silent.push_back(connection_to(page.port));
   EXPECT_EQ(page.state()["life"], "ended");
@@ -114,11 +104,10 @@ TEST(Watch, AnswersBesideConnectionsThatSendNothing) {
 }
 
 TEST(Status, OfARunThatWasKilledSaysThatItsProcessIsGone) {
-  const test::TemporaryFolder folder;
-  const auto file = folder / "recipe.toml", out = folder / "out";
-  std::ofstream(file) << recipe_of("20 s");
-  Background run("run " + file.string() + " --quiet --out " + out.string(), folder / "run.out", folder / "run.err");
-  ASSERT_TRUE(becomes([&] { return fs::exists(out / "status.csv"); }));
+  const WatchedRun watched("20 s");
+  const fs::path& out = watched.out;
+  Background run = watched.begin();
+  ASSERT_TRUE(watched.begins()) << watched.printed();
   run.end(SIGKILL);
   const auto shown = test::arenite("show " + out.string());
   EXPECT_EQ(shown.status, 0) << shown.err;

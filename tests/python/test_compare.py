@@ -65,9 +65,21 @@ def test_differences_count_beyond_two_standard_errors():
 
 
 def test_directions_differ_by_the_shorter_way():
-    assert compare.Row("load", "fabric.theta_c_deg", 179, 5, 1, 5).difference == pytest.approx(2)
-    assert compare.Row("load", "fabric.modes.6.phase_deg", 59, 5, 1, 5).difference == pytest.approx(2)
+    assert compare.Row("load", "fabric.theta_c_deg", 179, 5, 1, 5, period=180).difference == pytest.approx(2)
+    assert compare.Row("load", "fabric.modes.6.phase_deg", 59, 5, 1, 5, period=60).difference == pytest.approx(2)
     assert compare.Row("load", "motion_deg", 179, 5, 1, 5).difference == -178
+
+
+def test_directions_say_their_periods(result, tmp_path):
+    def periods(of):
+        return {row.name: row.period for row in compare.rows(of, of) if row.period}
+
+    found = periods(result)
+    assert found["fabric.theta_c_deg"] == found["fabric.load_axis_deg"] == 180
+    assert found["fabric.modes.4.phase_deg"] == 90 and found["fabric.modes.6.phase_deg"] == 60
+    assert not [name for name in found if not name.endswith("_deg")]
+    arenite.save(arenite.open(result.path), tmp_path)
+    assert periods(str(tmp_path)) == found
 
 
 def test_parts_are_paired_by_name_and_others_by_their_place():

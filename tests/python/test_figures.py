@@ -44,6 +44,9 @@ def test_every_figure_that_the_library_lists_is_drawn_by_the_page_and_in_print()
     own = set(re.findall(r'^  "([a-z-]+)": \w+,$', page, re.M))
     assert own == {*catalogue.stage_pictures, *catalogue.film_pictures} <= {name for _, name in heads}
     assert "describedFigure(head)" in page
+    sections = pathlib.Path(__file__).resolve().parents[2].glob("web/src/**/*.js")
+    kinds = {kind for path in sections for kind in re.findall(r"about\.figures\.(\w+)\)", path.read_text())}
+    assert kinds == {kind for kind, _ in heads} == {figure.kind for figure in figures.figures}
     assert {(figure.kind, figure.name) for figure in figures.figures} == set(cards.values()) | pictures | components
 
 

@@ -9,7 +9,7 @@ import zlib
 import arenite
 import numpy as np
 import pytest
-from arenite import curves
+from arenite import _core, curves
 
 
 def program(*words, folder):
@@ -28,6 +28,13 @@ def test_of_a_run_and_of_a_load(recipe, tmp_path):
     (sample,) = (tmp_path / "out").glob("*cement*.h5")
     program("load", str(sample), "--out", "loaded", folder=tmp_path)
     check_page(tmp_path / "loaded")
+
+
+def test_its_figures_are_those_of_print(result, tmp_path):
+    arenite.page(result, str(tmp_path / "page.html"))
+    heads = _core._figure_heads()
+    del heads["runs"]
+    assert content_of(tmp_path / "page.html")["figures"] == heads
 
 
 sliding = """seed = 1

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import arenite
-from arenite import _core
-from arenite.figures import catalogue, saving, volumes
+from arenite import _core, compare, figures
+from arenite.figures import catalogue, drawing, saving, volumes
 
 
 def layers():
@@ -127,3 +127,22 @@ def test_pictures_show_the_middle_of_the_voxels_over_their_mean():
     xx, yy, zz = (getattr(result, f"sigma_{name}").astype(float) for name in ("xx", "yy", "zz"))
     shears = sum(getattr(result, f"sigma_{name}").astype(float) ** 2 for name in ("yz", "xz", "xy"))
     assert np.allclose(values**2, ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) / 2 + 3 * shears)
+
+
+def test_print_draws_what_the_page_shows_and_compares_it(tmp_path):
+    phase, grain = layers()
+    paths = []
+    for name, stiffness in (("soft", "2 GPa"), ("stiff", "4 GPa")):
+        sample = arenite.VoxelMap(phase, grain, dx="10 um")
+        paths.append(tmp_path / name)
+        arenite.save(arenite.load_voxels(sample, method="elements", particle=stiffness), paths[-1])
+    drawn = figures.save_all(paths[0], tmp_path / "drawn", formats="svg")
+    (volume,) = arenite.open(paths[0]).voxels
+    names = {path.stem.removeprefix(f"{volume.name}-") for path in drawn}
+    described = {head["name"] for head in drawing.heads()["voxels"] if drawing.describe(volume).get(head["id"])}
+    assert {"phases", "stress"} <= names and described
+    assert all(any(name.startswith(one) for name in names) for one in described), (names, described)
+    modulus = next(row for row in compare.rows(*paths) if row.name == "modulus_Pa")
+    assert modulus.part == volume.name and 0 < modulus.a < modulus.b
+    compare.save_page(*paths, tmp_path / "cmp.html")
+    assert "stress" in (tmp_path / "cmp.html").read_text()

@@ -10,12 +10,14 @@
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <thread>
 
 #include "support/program.hpp"
 #include "support/small_study.hpp"
+#include "support/temporary_folder.hpp"
 
 /// A run in the background, and the page by which it is watched.
 namespace arenite::test {
@@ -137,6 +139,37 @@ class Page {
   nlohmann::json state() const { return nlohmann::json::parse(get("state").text, nullptr, false); }
   int port = 0;
   std::string path, host;
+};
+
+/// A folder with a recipe, the run of it in the background or to its end, and the page by which it is watched.
+class WatchedRun {
+ public:
+  explicit WatchedRun(const char* duration) { std::ofstream(folder / "recipe.toml") << recipe_of(duration); }
+  /// The command that runs it, quietly, into that folder.
+  std::string line(const std::filesystem::path& into) const {
+    return "run " + (folder / "recipe.toml").string() + " --quiet --out " + into.string();
+  }
+  std::string line() const { return line(out); }
+  Background begin(const std::string& more = "") const {
+    return Background(line() + more, folder / "run.out", folder / "run.err");
+  }
+  /// Whether a run has begun that can be watched.
+  bool begins() const {
+    return becomes([&] { return std::filesystem::exists(out / "status.csv"); });
+  }
+  Background watch() const { return watch(out); }
+  Background watch(const std::filesystem::path& what) const {
+    return Background("watch " + what.string(), folder / "watch.out", folder / "watch.err");
+  }
+  Page page() const { return Page(folder / "watch.out"); }
+  std::string printed() const {
+    std::string all;
+    for (const char* file : {"run.err", "watch.out", "watch.err"}) all += slurp(folder / file);
+    return all;
+  }
+
+  const TemporaryFolder folder{};
+  const std::filesystem::path out = folder / "out";
 };
 
 }  // namespace arenite::test

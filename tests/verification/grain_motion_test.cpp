@@ -26,8 +26,8 @@ Seen look(const test::MovingDisks& disks) {
   o.frequency = disks.frequency;
   seen.still = lock_in(film, o);
   const PhasePictures pictures = phase_pictures(film, seen.still, o);
-  seen.motion = grain_motion(pictures, seen.grains);
-  seen.moving = follow_grains(pictures, seen.still, seen.grains, seen.motion, seen.grains);
+  seen.motion = grain_motion(pictures, seen.grains, 1);
+  seen.moving = follow_grains(pictures, seen.still, seen.grains, seen.motion, seen.grains, 1);
   for (std::size_t i = 0; i < seen.grains.size(); ++i) {
     const double off =
         std::hypot(norm(seen.motion.cosine[i] + disks.amplitude(seen.grains, i)), norm(seen.motion.sine[i]));
@@ -111,7 +111,7 @@ TEST(GrainMotion, LeavesLittleBelowRims) {
   for (std::size_t i = 0; i < grains.size(); ++i) motion.cosine.push_back(-disks.amplitude(grains, i));
   motion.sine.resize(grains.size());
   motion.error.resize(grains.size());
-  const LockinMaps followed = follow_grains(phase_pictures(film, maps, o), maps, grains, motion, grains);
+  const LockinMaps followed = follow_grains(phase_pictures(film, maps, o), maps, grains, motion, grains, 1);
   EXPECT_LT(error_below_rims(disks, grains, followed),
             3.4e-3);  // noise alone: 2.8 mK; 10.5 mK if rims are resampled with the rest
 }

@@ -40,7 +40,7 @@ export function unpacked(block, about) {
     none. */
 export function opened(block, part, id) {
   if (!part?.figures?.[id]) return undefined;
-  const kept = (drawings.get(part.figures) ?? drawings.set(part.figures, {}).get(part.figures));
+  const kept = drawings.get(part.figures) ?? drawings.set(part.figures, {}).get(part.figures);
   return (kept[id] ??= filled(unpacked(block, part.figures[id])));
 }
 

@@ -35,7 +35,7 @@ function partsOf(sample, fields, films, volumes, state) {
     ...volumes.map((volume, k) => ({
       name: `volume-${k}`,
       title: titleOf(volume),
-      make: () => volumeSection(volume, state, sample.about.figures.volume),
+      make: () => volumeSection(volume, state, sample.about.figures.voxels),
     })),
   ];
 }

@@ -22,7 +22,7 @@ const tab = async (page, title) => {
 };
 
 /** Nodes inside of which nothing else is for three nodes around, some of each kind: place on the page, kind, numbers.
-    */
+ */
 const places = (page, kinds) =>
   page.evaluate((wanted) => {
     const { view, result } = window.arenite.field,

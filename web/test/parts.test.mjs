@@ -43,7 +43,14 @@ test("a stage without curves of its own shows those of the stage before it, or o
     ],
   );
   assert.equal(shown(0, false), null);
-  assert.equal(shown(0, true, stages.map(() => ({ figures: {} }))), null);
+  assert.equal(
+    shown(
+      0,
+      true,
+      stages.map(() => ({ figures: {} })),
+    ),
+    null,
+  );
 });
 
 test("a page opens with the last state, or where the sample failed, and shows the states of a stage alike", () => {
@@ -217,8 +224,14 @@ test("the width of a chain is proportional to its force", () => {
 
 test("formulas of the program are formed as it forms them", () => {
   const at = { xx: 3, yy: 1, xy: 1 };
-  assert.equal(evaluate("xx yy + 2 /", (name) => at[name]), 2);
-  assert.equal(evaluate("xx yy - 2 / xy hypot", (name) => at[name]), Math.SQRT2);
+  assert.equal(
+    evaluate("xx yy + 2 /", (name) => at[name]),
+    2,
+  );
+  assert.equal(
+    evaluate("xx yy - 2 / xy hypot", (name) => at[name]),
+    Math.SQRT2,
+  );
   assert.ok(Math.abs(evaluate("2 xy * xx yy - atan2 90 * pi /", (name) => at[name]) - 22.5) < 1e-12);
   const all = { a: Float32Array.of(3, 6), b: Float32Array.of(4, 8) };
   assert.deepEqual([...evaluateAll("a b hypot 1 -", 2, (name) => all[name])], [4, 9]);

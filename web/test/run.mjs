@@ -62,8 +62,7 @@ export async function runTests(file, tests) {
           console.log(`FAIL  ${name}\n      ${error.message}`);
         }
       }
-      if (seen.errors.length)
-        failed.push(`errors in the console: ${[...new Set(seen.errors)].slice(0, 3).join("; ")}`);
+      if (seen.errors.length) failed.push(`errors in the console: ${[...new Set(seen.errors)].slice(0, 3).join("; ")}`);
       if (seen.requests.length) failed.push(`requests: ${seen.requests.join("; ")}`);
       return failed;
     },

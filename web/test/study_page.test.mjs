@@ -198,7 +198,7 @@ test("a fit is a dashed line over its density, without an entry of the key", asy
       entries: card.querySelectorAll(".entry").length,
     };
   });
-  assert.deepEqual(dashes, ["6 3", "6 3"]);  // the source's line and the fit
+  assert.deepEqual(dashes, ["6 3", "6 3"]); // the source's line and the fit
   assert.equal(entries, 0);
 });
 
@@ -234,13 +234,7 @@ test("the table lists every run with values and main numbers; a click on a colum
     cells = async (k) =>
       (await rows.locator(`td:nth-child(${k})`).allInnerTexts()).map((cell) => Number(cell.split(" ")[0]));
   assert.equal(await rows.count(), 8);
-  assert.deepEqual(await page.locator(".runs thead th").allInnerTexts(), [
-    "gamma",
-    "width",
-    "seed",
-    "status",
-    "z",
-  ]);
+  assert.deepEqual(await page.locator(".runs thead th").allInnerTexts(), ["gamma", "width", "seed", "status", "z"]);
   assert.equal(await rows.locator("td:first-child[title^='run ']").count(), 8);
   await page.click('.runs th button:text-is("z")');
   const rising = await cells(5);

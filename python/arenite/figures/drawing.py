@@ -47,8 +47,7 @@ def _describe(part):
         part = State(part.name, part, part.snapshots[-1], [part])
     if isinstance(part, State):
         return _core._figures_of_state(part.stage, part.snapshot, part.stages, part.stages)
-    kinds = {_core.Field: "field", _core.VoxelResult: "voxels", _core.FilmResult: "film"}
-    return getattr(_core, f"_figures_of_{kinds[type(part)]}")(part)
+    return _core._figures_of_part(part)
 
 
 def draw_series(axes, series, is_log=False):

@@ -8,8 +8,7 @@ grey, thin = "#e0e0e0", 0.4
 
 
 def draw_rose(axes, rose):
-    """A polar histogram over the isotropic fraction (T Fig. 3.8) with its line 1 + a cos 2(angle - direction); `axes`
-    are polar."""
+    """A polar histogram over the isotropic fraction (T Fig. 3.8) with its line; `axes` are polar."""
     sectors, colour = numbers(rose["sectors"]), colour_of_role(rose["colour"])
     step = 180 / len(sectors)
     isotropic, angle = rose["count"] / len(sectors), np.radians(np.arange(0.5 * step, 360, step))
@@ -23,11 +22,11 @@ def draw_rose(axes, rose):
                 alpha=alpha,
                 linewidth=0,
             )
-    line = np.linspace(0, 2 * np.pi, 361)
-    axes.plot(line, np.ones_like(line), linestyle=":", color=weak, linewidth=0.8)
-    if "amplitude" in rose:
-        turned = np.cos(2 * (line - np.radians(rose["direction"])))
-        axes.plot(line, 1 + rose["amplitude"] * turned, color=strong, linewidth=0.9)
+    turn = np.linspace(0, 2 * np.pi, 361)
+    axes.plot(turn, np.ones_like(turn), linestyle=":", color=weak, linewidth=0.8)
+    if "line" in rose:
+        radii = np.append(np.tile(numbers(rose["line"]), 2), rose["line"][0])
+        axes.plot(np.linspace(0, 2 * np.pi, len(radii)), radii, color=strong, linewidth=0.9)
     reach = rose["reach"]
     for turn in (0, 180) if "axis" in rose else ():
         at = np.radians(rose["axis"] + turn)

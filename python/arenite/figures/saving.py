@@ -13,8 +13,8 @@ from .style import column_width, journal_style, make_ticks_plain, page_width, un
 
 @dataclasses.dataclass
 class Figure:
-    """`draw(figure, part)` on an empty matplotlib figure, whose height it may set; `part` is a State, Field or
-    FilmResult, and `when(part)` says whether it can."""
+    """`draw(figure, part)` on an empty matplotlib figure, whose height it may set; `part` is a State, Field,
+    VoxelResult or FilmResult, and `when(part)` says whether it can."""
 
     name: str
     kind: str

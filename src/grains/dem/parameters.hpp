@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/parameters.hpp"
+#include "core/thread_count.hpp"
 #include "core/vec.hpp"
 #include "grains/dem/laws/laws.hpp"
 #include "model/elasticity/disk_field.hpp"
@@ -84,7 +85,7 @@ struct IntegrationParameters {
   double drag = 0;              ///< global viscous drag, 1/s: force -drag m v (0: none)
   bool track_energy = false;    ///< account for dissipation and work every step (slower)
   std::string kernel = "auto";  ///< "auto", "portable", "avx2", "avx512"
-  int threads = 1;
+  int threads = Threads{}.threads;
   bool operator==(const IntegrationParameters&) const = default;
   void declare(ParameterVisitor& visitor);
 };

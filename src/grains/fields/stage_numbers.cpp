@@ -100,11 +100,13 @@ void set_error(Numbers& group, const std::string& name, Numbers& item, Numbers e
   item["error"] = std::move(error);
 }
 
+bool is_angle_with_period(const Numbers& number) { return number.meaning() && number.meaning()->period > 0; }
+
 /// Of all numbers that may have an error but directions, which have no mean in time.
 void widen(Numbers& node, const Nodes& states) {
   for (auto&& [name, item] : node.items())
     if (item.is_tree() && item.contains("error")) {
-      if (!name.ends_with("_deg"))
+      if (!is_angle_with_period(item))
         set_error(node, name, item, widened(item["value"], item["error"], below(below(states, name), "value")));
     } else if (item.is_tree()) {
       widen(item, below(states, name));

@@ -117,23 +117,24 @@ Numbers fabric_of(const View& view, const Items& items) {
   put(j, "contacts", items.size(), "", "Contacts of the set");
   put(j, "a_c", Estimate{2 * contacts.amplitude.value, 2 * contacts.amplitude.error}, "",
       "Contact anisotropy a_c, 2 (phi_1 - phi_2), T eq. 1.8; 0: isotropic");
-  put(j, "theta_c_deg", contacts.direction_deg, "deg", "Principal direction of the contacts, from x");
+  put_angle(j, "theta_c_deg", contacts.direction_deg, half_turn, "Principal direction of the contacts, from x");
   put(j, "phi", statistics::TensorEstimate{tensor(&Estimate::value), tensor(&Estimate::error)}, "",
       "Fabric tensor <n (x) n>, T eq. 1.6", Trait::detail);
   put(j, "a_c_signed", r[a_c_signed], "", "a_c cos 2(theta_c - theta_load): positive along the load",
       Trait::detail | by_axis(view));
   put(j, "a_c_noise", 2 * noise, "", "a_c of the same number of random orientations");
   put(j, "a_n", force.amplitude, "", "Anisotropy of the mean normal force", Trait::detail | Trait::by_forces);
-  put(j, "theta_n_deg", force.direction_deg, "deg", "Direction of the largest normal forces, from x",
-      Trait::detail | Trait::by_forces);
+  put_angle(j, "theta_n_deg", force.direction_deg, half_turn, "Direction of the largest normal forces, from x",
+            Trait::detail | Trait::by_forces);
   put(j, "a_t", oscillation(r[friction_x], r[friction_y], 2).amplitude, "", "Anisotropy of the mean tangential force",
       Trait::detail | Trait::by_forces);
   j["modes"].mark(Trait::detail);
   for (int k = 0; k < 3; ++k) {
     Numbers& mode = j["modes"][std::to_string(2 * (k + 1))] = Numbers::tree();
-    const Oscillation fold = oscillation(r[x2 + 2 * k], r[y2 + 2 * k], 2 * (k + 1));
+    const int m = 2 * (k + 1);
+    const Oscillation fold = oscillation(r[x2 + 2 * k], r[y2 + 2 * k], m);
     put(mode, "amplitude", fold.amplitude, "", "|<exp(i m theta)>| of contact orientations");
-    put(mode, "phase_deg", fold.direction_deg, "deg", "Direction of its maximum, in [0, 360/m)");
+    put_angle(mode, "phase_deg", fold.direction_deg, whole_turn / m, "Direction of its maximum, in [0, 360/m)");
     put(mode, "noise", noise, "", "Amplitude for the same number of random orientations");
   }
   put_sectors(j, view, items);
@@ -164,8 +165,8 @@ void fabric(const View& view, Texture& texture) {
   Numbers& j = texture.numbers["fabric"];
   put_sets(j, view, "all", view.contacts);
   for (const auto& [name, items] : contacts_by_type(view)) put_sets(j, view, name, items);
-  put(j, "load_axis_deg", view.load_axis * 180 / std::numbers::pi, "deg",
-      "Direction of the load, from x, to which signs refer", Trait::detail | by_axis(view));
+  put_angle(j, "load_axis_deg", view.load_axis * 180 / std::numbers::pi, half_turn,
+            "Direction of the load, from x, to which signs refer", Trait::detail | by_axis(view));
 }
 
 /// Signed a_c of the contacts that carry at most, and more than, a multiple of the mean force, from 0 to 4 by 0.1.

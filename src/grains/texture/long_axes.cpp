@@ -55,7 +55,7 @@ void long_axes(const View& view, Texture& texture) {
   put(j, "noise", 0.886 / std::sqrt(static_cast<double>(longish.size())), "",
       "Order for the same number of random orientations");
   put(j, "order", order.amplitude, "", "|<exp(2 i theta)>| of long axes; 0 at random, 1 all alike");
-  put(j, "direction_deg", order.direction_deg, "deg", "Preferred direction of the long axes, from x");
+  put_angle(j, "direction_deg", order.direction_deg, half_turn, "Preferred direction of the long axes, from x");
 }
 
 }  // namespace arenite::texture

@@ -117,8 +117,8 @@ void put_whole_stress(Numbers& to, Numbers& details, const View& view) {
   put(details, "pressure_Pa", -0.5 * trace(s), "Pa",
       "Pressure p, mean of the principal stresses, compression positive");
   put(details, "deviator_Pa", deviator(s), "Pa", "Deviator q, half the difference of the principal stresses");
-  put(details, "axis_of_compression_deg", axis < 0 ? axis + 180 : axis, "deg",
-      "Direction of greatest compression, from x");
+  put_angle(details, "axis_of_compression_deg", axis < 0 ? axis + 180 : axis, half_turn,
+            "Direction of greatest compression, from x");
 }
 
 /// What a laboratory could not measure is NaN, and no part of the mean.

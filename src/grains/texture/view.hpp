@@ -17,12 +17,15 @@ namespace arenite::texture {
 
 using statistics::ByName;
 using statistics::described;
+using statistics::half_turn;
 using statistics::Items;
 using statistics::jackknife;
 using statistics::jackknife_of_sums;
 using statistics::mean;
 using statistics::put;
+using statistics::put_angle;
 using statistics::standard_error;
+using statistics::whole_turn;
 
 /// What the statistics share: which grains and contacts count, in which block each lies, and the mean force. Contacts
 /// with walls count for stress and balance, never for coordination, fabric or force statistics.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/text.hpp"
+#include "io/results/former_periods.hpp"
 #include "io/results/groups.hpp"
 #include "io/results/results.hpp"
 
@@ -21,9 +22,11 @@ struct NumberRows {
   std::vector<std::string> name;
   std::vector<std::uint8_t> depth, kind;
   std::vector<double> value;
-  std::vector<std::int64_t> worded, described, marked;  ///< rows of what is a text, has a meaning, has traits
+  std::vector<std::int64_t> worded, described, marked, periodic;  ///< rows of what is a text, has a meaning, traits, a
+                                                                  ///< period
   std::vector<std::string> text, unit, sentence;
   std::vector<std::uint8_t> trait;
+  std::vector<double> period;
 
   void transfer(const Hdf5Group& at) {
     at.texts("name", name);
@@ -36,6 +39,7 @@ struct NumberRows {
       column(group, "sentence", sentence, described);
     });
     transfer_some(at, "trait", marked, [&](const Hdf5Group& group) { column(group, "trait", trait, marked); });
+    transfer_some(at, "period", periodic, [&](const Hdf5Group& group) { column(group, "period", period, periodic); });
   }
 
   /// What only some rows have, as a group that lists these.
@@ -72,6 +76,10 @@ struct NumberRows {
       described.push_back(static_cast<std::int64_t>(name.size()));
       unit.push_back(m->unit);
       sentence.push_back(m->sentence);
+    }
+    if (const Meaning* m = node.meaning(); m && m->period > 0) {
+      periodic.push_back(static_cast<std::int64_t>(name.size()));
+      period.push_back(m->period);
     }
     if (node.traits() != Trait::none) {
       marked.push_back(static_cast<std::int64_t>(name.size()));
@@ -113,6 +121,13 @@ Numbers leaf(Numbers::Kind kind, double value, const std::string& text) {
   return {};
 }
 
+/// Files of versions before numbers said their periods have none.
+double period_of(const NumberRows& table, std::size_t row) {
+  if (table.periodic.empty()) return former_period_deg(table.name[row]);
+  const auto at = NumberRows::place_of(row, table.periodic);
+  return at ? table.period[*at] : 0;
+}
+
 /// Takes rows from `row` on that lie deeper than their parent.
 Numbers node_at(const NumberRows& table, std::size_t& row) {
   const std::size_t own = row++;
@@ -127,7 +142,8 @@ Numbers node_at(const NumberRows& table, std::size_t& row) {
     if (node.is_list()) node.push_back(std::move(item));
     else node[name] = std::move(item);
   }
-  if (meaning) node.means({table.unit[*meaning], table.sentence[*meaning]});
+  if (meaning)
+    node.means({.unit = table.unit[*meaning], .sentence = table.sentence[*meaning], .period = period_of(table, own)});
   if (trait) node.mark(static_cast<Trait>(table.trait[*trait]));
   return node;
 }

@@ -73,11 +73,10 @@ struct Rose {
   std::string name = {}, colour = {};
   double count = 0;
   std::vector<double> sectors = {}, inner = {};  ///< numbers of contacts; of a part of them, drawn darker
-  double amplitude = statistics::unknown,
-         direction = statistics::unknown;  ///< of 1 + a cos 2(theta - direction), degrees
-  double axis = statistics::unknown;       ///< which is marked, degrees
-  double reach = 1.6;                      ///< of the outer circle, over isotropic
-  std::vector<std::string> words = {};     ///< below
+  std::vector<double> line = {};        ///< radii of 1 + a cos 2(theta - direction) by equal angles of half a turn
+  double axis = statistics::unknown;    ///< which is marked, degrees
+  double reach = 1.6;                   ///< of the outer circle, over isotropic
+  std::vector<std::string> words = {};  ///< below
 };
 
 /// Outlines of numbers by direction over half a turn, which is mirrored: each series over the middles of its sectors,

@@ -88,8 +88,9 @@ Numbers numbers_of(const Rose& rose, const WriteList& write) {
   tree.text("name", rose.name)
       .text("colour", rose.colour)
       .list("sectors", rose.sectors, write)
-      .list("inner", rose.inner, write);
-  tree.real("amplitude", rose.amplitude, NAN).real("direction", rose.direction, NAN).real("axis", rose.axis, NAN);
+      .list("inner", rose.inner, write)
+      .list("line", rose.line, write)
+      .real("axis", rose.axis, NAN);
   tree.out["count"] = rose.count;
   tree.out["reach"] = rose.reach;
   tree.out["words"] = rose.words;
@@ -272,6 +273,16 @@ std::vector<Head> film_heads() {
   add_heads(all, film_figures());
   return in_order(all, {"film-maps", "film-simulation", "film-tails", "film-orientations", "film-fit", "film-forces",
                         "film-certainty", "film-stresses"});
+}
+
+Numbers heads_of_parts() {
+  const auto all = [](const std::vector<Head>& heads) {
+    return Numbers(mapped(heads, [](const Head& head) { return numbers_of(head); }));
+  };
+  return {{"stage", all(packing_heads())},
+          {"field", all(field_heads())},
+          {"voxels", all(voxel_heads())},
+          {"film", all(film_heads())}};
 }
 
 Numbers PageLists::operator()(const std::vector<double>& values) {

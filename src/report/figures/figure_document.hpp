@@ -43,6 +43,8 @@ std::vector<Head> packing_heads();
 std::vector<Head> field_heads();
 std::vector<Head> voxel_heads();
 std::vector<Head> film_heads();
+/// All of these as {"stage", "field", "voxels", "film"}: the one list of page and print.
+Numbers heads_of_parts();
 /// Of several results, which have no cards.
 std::vector<Head> heads_over_runs();
 

@@ -2,9 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
+#include <vector>
 
 namespace arenite::report::figures {
+
+namespace {
+
+/// The contact distribution of second order over the isotropic one, T eq. 1.8.
+std::vector<double> line_of(double anisotropy, double direction_deg) {
+  constexpr int steps = 60;
+  std::vector<double> radius;
+  for (int k = 0; k < steps; ++k)
+    radius.push_back(1 + anisotropy * std::cos(2 * (180.0 * k / steps - direction_deg) * std::numbers::pi / 180));
+  return radius;
+}
+
+}  // namespace
 
 Rose rose_of(std::string name, std::string colour, const Numbers& set, const Numbers* inner) {
   Rose rose{.name = std::move(name), .colour = std::move(colour), .count = estimate_at(set, "/contacts").value};
@@ -16,7 +31,7 @@ Rose rose_of(std::string name, std::string colour, const Numbers& set, const Num
     rose.words.push_back(in_words(said("a_{c}", a)));
     if (a.value < noise) rose.words.push_back("below its noise, " + rounded(noise, 2));
     else if (std::isfinite(theta.value)) rose.words.push_back(in_words(said("\u03b8_{c}", theta)) + "\u00b0");
-    if (std::isfinite(theta.value)) rose.amplitude = a.value, rose.direction = theta.value;
+    if (std::isfinite(theta.value)) rose.line = line_of(a.value, theta.value);
     rose.reach = std::max(rose.reach, 1 + a.value);
   }
   const double isotropic = rose.count / static_cast<double>(std::max<std::size_t>(1, rose.sectors.size()));

@@ -79,8 +79,8 @@ template <int D> EffectiveStiffness<D> effective_stiffness_in(const MapIn<D>& ma
     const double left = std::sqrt(statics::square_norm(grid, body) / static_cast<double>(elements.count()));
     if (left < rounding) result.solves[k].converged = true;
     else
-      result.solves[k] =
-          solver.solve(elements, u, options.tolerance, most_iterations<D>(options), options.watch, &body);
+      result.solves[k] = solver.solve(elements, u, options.tolerance, most_iterations<D>(options),
+                                      statics::of_part(options.watch, k, voigt_count<D>), &body);
     if (result.solves[k].stopped) return result;
     const Voigt<D> stress = mean_stress(elements, u, strain, map.dx);
     for (std::size_t row = 0; row < stress.size(); ++row) result.stiffness[row][k] = stress[row];

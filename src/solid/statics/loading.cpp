@@ -147,13 +147,7 @@ EffectiveModuli effective_moduli(const PhaseMap& map, const Watch& watch,
   bool going = true;
   const auto run = [&](std::size_t k, const PhaseMap& sample, Loading loading) {
     if (!going) return;
-    Watch part;
-    if (watch)
-      part = [&watch, k](Progress p) {
-        p.share = (static_cast<double>(k) + p.share) / 3;
-        return watch(p);
-      };
-    m.reports[k] = load(sample, loading, part);
+    m.reports[k] = load(sample, loading, of_part(watch, k, m.reports.size()));
     going = m.reports[k].ending != Ending::stopped;
   };
   run(0, transposed(map), Loading::tension);

@@ -20,6 +20,20 @@ struct Progress {
 /// work, and what was reached is handed back with the ending `stopped`. Empty: nobody watches.
 using Watch = std::function<bool(const Progress&)>;
 
+/// The watch over a part of the work, whose shares are those from `begin` to `end` of the whole.
+inline Watch of_part(const Watch& watch, double begin, double end) {
+  if (!watch) return {};
+  return [watch, begin, end](Progress p) {
+    p.share = begin + (end - begin) * p.share;
+    return watch(p);
+  };
+}
+/// Over the part k of so many alike.
+inline Watch of_part(const Watch& watch, std::size_t k, std::size_t parts) {
+  const double whole = static_cast<double>(parts);
+  return of_part(watch, static_cast<double>(k) / whole, static_cast<double>(k + 1) / whole);
+}
+
 /// How a solve ended.
 struct StaticReport {
   bool converged = false;

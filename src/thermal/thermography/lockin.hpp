@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/thread_count.hpp"
 #include "model/film.hpp"
 #include "model/lockin_maps.hpp"
 #include "thermal/thermography/segment_sums.hpp"
@@ -23,7 +24,7 @@ struct LockinOptions {
   /// Phase of the load, rad: the load is largest when 2 pi f t equals it, t in s after the first frame. Without it the
   /// phase is found on the film up to half a turn, see `reference_phase`.
   std::optional<double> reference_phase;
-  int threads = 1;
+  int threads = Threads{}.threads;
   Progress progress;
 };
 

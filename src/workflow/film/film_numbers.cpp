@@ -19,6 +19,7 @@ namespace {
 using statistics::described;
 using statistics::Estimate;
 using statistics::put;
+using statistics::put_angle;
 
 /// Adds the contact orientations of one source under its name, where it has contacts.
 void add_orientations(Numbers& out, const char* source, const texture::Texture& texture) {
@@ -57,8 +58,8 @@ Numbers lockin_of(const FilmResult& r) {
     put(j, "common_drift_K", high - low, "K", "Drift of all pixels beside the polynomial, fitted in every pixel");
   }
   put(j, "frequency_Hz", Estimate{m.frequency, m.frequency_error}, "Hz", "Frequency of the load");
-  put(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi, "deg",
-      "Phase of the load at the first frame");
+  put_angle(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi, statistics::whole_turn,
+            "Phase of the load at the first frame");
   put(j, "standard_error_K", median_of_finite(m.standard_error), "K", "Median standard error of a pixel's amplitude");
   put(j, "residual_K", median_of_finite(m.residual), "K", "Median residual of the fit in a pixel");
   if (!m.second_harmonic.empty())

@@ -121,8 +121,8 @@ class Measurement {
   void follow(const thermography::PhasePictures& seen, FilmResult& r) {
     PictureGrains middle = r.grains;
     const auto followed = [&](const thermography::PhasePictures& pictures, double blur) {
-      return thermography::follow_grains(pictures, r.maps, middle, r.motion, loaded_, recipe_.lockin.phase,
-                                         options_.threads, blur);
+      return thermography::follow_grains(pictures, r.maps, middle, r.motion, loaded_, options_.threads,
+                                         recipe_.lockin.phase, blur);
     };
     std::optional<thermography::PhasePictures> bare;
     if (r.halo.share > 0) {

@@ -20,6 +20,7 @@
 #include "workflow/result_folder.hpp"
 #include "workflow/runner.hpp"
 #include "workflow/stage_keys.hpp"
+#include "workflow/store.hpp"
 
 namespace arenite::workflow {
 
@@ -76,6 +77,8 @@ std::optional<std::pair<std::size_t, std::size_t>> compared_stages(const RunOutc
 bool add_companion(const recipe::FilmRecipe& recipe, const FilmRunOptions& options, FilmResult& film,
                    RunOutcome& outcome) {
   RunOptions companion = options;
+  const auto parts = options.store ? options.store->for_parts() : nullptr;
+  companion.store = parts.get();
   companion.out = options.out / "simulation";
   companion.progress = [&](const Progress& p) {
     Progress shown = p;

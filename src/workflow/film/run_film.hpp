@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/thread_count.hpp"
 #include "model/film_result.hpp"
 #include "recipe/film_recipe.hpp"
 #include "workflow/run.hpp"
@@ -12,7 +13,7 @@
 namespace arenite::workflow {
 
 struct FilmRunOptions : RunOptions {
-  int threads = 1;
+  int threads = Threads{}.threads;
 };
 
 struct FilmOutcome {

@@ -22,6 +22,14 @@ TEST(Measured, MeanWithItsErrorAndInterval) {
   EXPECT_TRUE(std::isnan(confidence_95(mean_of({5})).low));
 }
 
+TEST(Measured, MeanOfDirectionsIsAcrossTheEndOfTheirPeriod) {
+  const Measured m = mean_of_angles({178, 2, 176, 4}, 180), plain = mean_of({-2, 2, -4, 4});
+  EXPECT_NEAR(std::remainder(m.value, 180), 0, 1e-9);
+  EXPECT_NEAR(m.error, plain.error, 1e-9);
+  EXPECT_NEAR(mean_of_angles({59, 1, 3}, 60).value, 1, 1e-9);
+  EXPECT_TRUE(std::isnan(mean_of_angles({}, 180).value));
+}
+
 TEST(Measured, ProductsAddRelativeErrorsInSquares) {
   const Measured p = product({{{4, 0.4, 5}, 0.5}, {{2, 0.1, 8}, -1}, {{3}, 2}});
   EXPECT_DOUBLE_EQ(p.value, 9);

@@ -11,7 +11,7 @@ export const legendHeight = 92;
 const narrow = 420; // px: a phone, on which the counts alone fit
 
 /** The strip below the picture: what the colours mean, how the values are spread over them, and a bar of known length.
-    */
+ */
 export function legend(result, camera, theme, state, width, broken) {
   const group = s("g", { "font-family": theme.font, "font-size": 11.5, fill: theme.soft });
   const scale = scaleOf(result, state),

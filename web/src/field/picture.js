@@ -6,7 +6,7 @@ import { legend, legendHeight } from "./legend.js";
 import { paint } from "./paint.js";
 
 /** Saves what a FieldView shows: as SVG with the nodes as an embedded picture, or painted at twice the screen's size.
-    */
+ */
 export class Picture {
   constructor(view, title) {
     Object.assign(this, { view, title });

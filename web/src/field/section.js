@@ -1,20 +1,14 @@
-import { forms, keepInAddress } from "../address.js";
-import { h } from "../dom.js";
-import { figureCard } from "../figures/card.js";
-import { figuresOf } from "../figures/index.js";
-import { headlines, resultNumbers, tilesOf } from "../numbers.js";
-import { State } from "../state.js";
+import { forms } from "../address.js";
+import { choicesOf, resultSection } from "../result_section.js";
 import { fieldPanel } from "./panel.js";
 
 /** What the reader may choose on the section of one result. */
-function begin(result, page) {
+function choices(result) {
   const mean = result.mean ?? 0,
     tension = Math.abs(mean) > 0.3 * result.scale;
-  const component = tension ? "yy" : "xy";
-  return new State({
-    theme: page.get("theme"),
+  return {
     show: result.loaded && !result.cracks ? "field" : "phases",
-    component,
+    component: tension ? "yy" : "xy",
     around: "mean",
     law: "linear",
     clip: "0.1",
@@ -30,39 +24,21 @@ function begin(result, page) {
     playing: false,
     grain: 0,
     deform: 0,
-  });
+  };
 }
 
-/** One result on a grid with its figures and tables: { element, state, view }. */
+/** What of it is kept in the address. */
+const kept = (result) => ({
+  show: forms.word(["phases", "field"]),
+  component: forms.word(result.offered),
+  step: forms.whole(result.steps),
+  grain: forms.whole(result.grains.nodes.length + 1),
+  deform: forms.share,
+});
+
+/** One result on a grid with its figures and tables: { element, state, view, result }. */
 export function fieldSection(result, page, heads) {
-  const state = begin(result, page);
-  keepInAddress(
-    state,
-    {
-      show: forms.word(["phases", "field"]),
-      component: forms.word(result.offered),
-      step: forms.whole(result.steps),
-      grain: forms.whole(result.grains.nodes.length + 1),
-      deform: forms.share,
-    },
-    `${result.name}-`,
-  );
-  page.watch(["theme"], () => state.set({ theme: page.get("theme") }));
+  const state = choicesOf(result, page, choices(result), kept(result));
   const { panel, view } = fieldPanel(result, state, result.title);
-  const figures = figuresOf(heads)
-    .filter((figure) => figure.when({}, result))
-    .map((figure) => figureCard(figure, result, state));
-  const tiles = headlines(tilesOf(result.declared, result.about.headlines));
-  const element = h(
-    "div",
-    {},
-    h(
-      "main",
-      {},
-      panel,
-      h("div", { class: "results" }, tiles, h("div", { class: "figures" }, figures)),
-    ),
-    resultNumbers(result.declared),
-  );
-  return { element, state, view, result };
+  return { element: resultSection(result, state, heads, { panel }), state, view, result };
 }

@@ -95,7 +95,8 @@ function arrowsOf(fields, speed, place, theme) {
         ey = y + dy / 2;
       group.append(
         s("path", {
-          d: `M${ex - dx},${ey - dy}L${ex},${ey}` +
+          d:
+            `M${ex - dx},${ey - dy}L${ex},${ey}` +
             `M${ex - head * (ux + 0.6 * uy)},${ey - head * (uy - 0.6 * ux)}L${ex},${ey}` +
             `L${ex - head * (ux - 0.6 * uy)},${ey - head * (uy + 0.6 * ux)}`,
         }),
@@ -136,8 +137,7 @@ export const coarseFields = {
   pickers: {
     field: [
       "",
-      (sample) =>
-        known(sample.fields(sample.snapshotCount - 1), sample).map(([name, layer]) => [name, layer.label]),
+      (sample) => known(sample.fields(sample.snapshotCount - 1), sample).map(([name, layer]) => [name, layer.label]),
     ],
   },
   draw({ sample, state, theme, width }) {

@@ -36,7 +36,7 @@ export function drawRoses(roses, { theme, width }) {
 
 /** One about the origin. */
 function rose(described, radius, theme) {
-  const { name, colour: role, count, sectors, inner, amplitude, direction: turn, axis, reach, words } = described;
+  const { name, colour: role, count, sectors, inner, line, axis, reach, words } = described;
   const isotropic = count / sectors.length,
     scale = radius / reach,
     colour = colourOf(theme, role);
@@ -49,10 +49,7 @@ function rose(described, radius, theme) {
   group.append(...petals(sectors, isotropic, scale, colour, inner ? 0.35 : 0.5));
   if (inner) group.append(...petals(inner, isotropic, scale, colour, 0.75));
   group.append(s("circle", { r: scale, fill: "none", stroke: theme.soft, "stroke-dasharray": "3 3" }));
-  if (amplitude !== undefined && turn !== undefined)
-    group.append(
-      s("path", { d: fitted(amplitude, turn, scale), fill: "none", stroke: theme.ink, "stroke-width": 1.5 }),
-    );
+  if (line) group.append(s("path", { d: around(line, scale), fill: "none", stroke: theme.ink, "stroke-width": 1.5 }));
   group.append(
     ...axisMarks(axis, radius, theme),
     s(
@@ -79,7 +76,8 @@ function petals(counts, isotropic, scale, fill, opacity) {
     const [x1, y1] = direction(k * step + 0.8, r),
       [x2, y2] = direction((k + 1) * step - 0.8, r);
     return s("path", {
-      d: `M0,0L${x1.toFixed(2)},${y1.toFixed(2)}` +
+      d:
+        `M0,0L${x1.toFixed(2)},${y1.toFixed(2)}` +
         `A${r.toFixed(2)},${r.toFixed(2)} 0 0 0 ${x2.toFixed(2)},${y2.toFixed(2)}Z`,
       fill,
       "fill-opacity": opacity,
@@ -87,17 +85,10 @@ function petals(counts, isotropic, scale, fill, opacity) {
   });
 }
 
-function fitted(amplitude, turn, scale) {
-  const path = [];
-  for (let angle = 0; angle <= 360; angle += 3) {
-    const r = (1 + amplitude * Math.cos((2 * (angle - turn) * Math.PI) / 180)) * scale;
-    path.push(
-      direction(angle, r)
-        .map((v) => v.toFixed(2))
-        .join(","),
-    );
-  }
-  return `M${path.join("L")}Z`;
+/** A line of these radii by equal angles over half a turn, and mirrored. */
+function around(radii, scale) {
+  const places = [...radii, ...radii].map((r, k) => direction((180 * k) / radii.length, r * scale));
+  return `M${places.map((place) => place.map((v) => v.toFixed(2)).join(",")).join("L")}Z`;
 }
 
 function axisMarks(degrees, radius, theme) {

@@ -1,19 +1,15 @@
 import { h } from "../dom.js";
-import { figureCard } from "../figures/card.js";
-import { figuresOf } from "../figures/index.js";
-import { headlines, resultNumbers, tilesOf } from "../numbers.js";
 import { textureCard } from "../packing/texture.js";
-import { State } from "../state.js";
+import { choicesOf, resultSection } from "../result_section.js";
 import { comparisonNumbers } from "./numbers.js";
 import { available } from "./maps.js";
 import { filmPanel } from "./panel.js";
 
 /** What the reader may choose on the section of a film. */
-function begin(film, page) {
+function choices(film) {
   const known = available(film),
     map = ["in_phase", "amplitude", "picture"].find((name) => known.includes(name)) ?? known[0];
-  return new State({
-    theme: page.get("theme"),
+  return {
     map,
     law: "linear",
     clip: "1",
@@ -23,34 +19,20 @@ function begin(film, page) {
     component: "fn",
     companion: film.stresses.simulation_peak_to_peak ? "peak_to_peak" : "state",
     over: "mean",
-  });
+  };
 }
 
 /** A film with its figures and tables: { element, state, view, film }. */
 export function filmSection(film, page, heads) {
-  const state = begin(film, page);
-  page.watch(["theme"], () => state.set({ theme: page.get("theme") }));
+  const state = choicesOf(film, page, choices(film));
   const { panel, view } = available(film).length
     ? filmPanel(film, state)
     : { panel: h("section", { class: "card" }, h("p", { class: "nothing" }, "This film has no maps.")), view: null };
-  const shown = figuresOf(heads).filter((figure) => figure.when({}, film));
-  const cards = shown.map((figure) => figureCard(figure, film, state));
-  const tiles = headlines(tilesOf(film.declared, film.about.headlines));
-  const element = h(
-    "div",
-    {},
-    h(
-      "main",
-      {},
-      panel,
-      h("div", { class: "results" }, tiles, h("div", { class: "figures" }, cards), missing(film)),
-    ),
-    [
-      comparisonNumbers(film),
-      film.declared.at("texture") && textureCard("Microstructure and forces", film.declared.in("texture")),
-      resultNumbers(film.declared),
-    ],
-  );
+  const tables = [
+    comparisonNumbers(film),
+    film.declared.at("texture") && textureCard("Microstructure and forces", film.declared.in("texture")),
+  ];
+  const element = resultSection(film, state, heads, { panel, remarks: missing(film), tables });
   return { element, state, view, film };
 }
 

@@ -48,7 +48,7 @@ function footOn({ boundary, from, to }, x, y) {
 }
 
 /** The foot on an element of that image of a grain at (x, y) that is nearest to it, and how far the image is shifted.
-    */
+ */
 function nearestFoot(element, box, domain, x, y) {
   const { boundary, from, to } = element;
   const [sx, sy] = nearestImage(box, domain, [

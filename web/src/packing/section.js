@@ -52,7 +52,7 @@ export function packingSection(sample, page) {
   keep(sample, state);
   page.watch(["theme"], () => state.set({ theme: page.get("theme") }));
   const texture = sample.texture(state.get("snapshot"));
-  const drawable = figuresOf(sample.about.figures.packing).filter((figure) => figure.when(texture ?? {}, sample));
+  const drawable = figuresOf(sample.about.figures.stage).filter((figure) => figure.when(texture ?? {}, sample));
   const { panel, view } = packingPanel(sample, state);
   const cards = h(
     "div",

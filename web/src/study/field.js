@@ -43,9 +43,7 @@ export function fieldFigure(figure) {
 
 function phaseKey(theme, sample) {
   const seen = new Set(sample.phases.filter((_, k) => k % 2 === 0));
-  const kinds = phases
-    .map((name, kind) => ({ name, colour: theme.kind[kind] }))
-    .filter((_, kind) => seen.has(kind));
+  const kinds = phases.map((name, kind) => ({ name, colour: theme.kind[kind] })).filter((_, kind) => seen.has(kind));
   const broken = crackTypes
     .map((name, type) => ({ name: `broken: ${name}`, colour: theme.crack[type] }))
     .filter((_, type) => sample.cracks?.type.includes(type));

@@ -65,7 +65,10 @@ function grouped(keys, kind, shape) {
 }
 
 function rim({ x, y }, toScreen) {
-  const corner = (_, p) => toScreen(x[p], y[p]).map((v) => v.toFixed(2)).join(",");
+  const corner = (_, p) =>
+    toScreen(x[p], y[p])
+      .map((v) => v.toFixed(2))
+      .join(",");
   return `M${x.map(corner).join("L")}Z`;
 }
 

@@ -1,18 +1,13 @@
-import { forms, keepInAddress } from "../address.js";
-import { h } from "../dom.js";
-import { figureCard } from "../figures/card.js";
-import { figuresOf } from "../figures/index.js";
-import { headlines, resultNumbers, tilesOf } from "../numbers.js";
-import { State } from "../state.js";
+import { forms } from "../address.js";
+import { choicesOf, resultSection } from "../result_section.js";
 import { volumePanel } from "./panel.js";
 import { axes } from "./result.js";
 import { slicesCard } from "./slices.js";
 import { firstLook } from "./view.js";
 
 /** What the reader may choose on the section of a sample in space: three slices through its middle, and all of it. */
-function begin(result, page) {
-  return new State({
-    theme: page.get("theme"),
+function choices(result) {
+  return {
     show: result.offered.length ? "field" : "phases",
     component: result.loaded,
     around: "mean",
@@ -25,7 +20,7 @@ function begin(result, page) {
     ...firstLook,
     ...Object.fromEntries(axes.map((axis, a) => [axis, Math.floor(result.size[a] / 2)])),
     ...Object.fromEntries(axes.map((axis, a) => [`cut${axis}`, result.size[a]])),
-  });
+  };
 }
 
 /** What of it is kept in the address. */
@@ -43,20 +38,9 @@ const kept = (result) => ({
 
 /** A sample in space with its slices, figures and tables: { element, state, view, slices, result }. */
 export function volumeSection(result, page, heads) {
-  const state = begin(result, page);
-  keepInAddress(state, kept(result), `${result.name}-`);
-  page.watch(["theme"], () => state.set({ theme: page.get("theme") }));
+  const state = choicesOf(result, page, choices(result), kept(result));
   const { panel, view } = volumePanel(result, state),
     { card, slices } = slicesCard(result, state);
-  const figures = figuresOf(heads)
-    .filter((figure) => figure.when({}, result))
-    .map((figure) => figureCard(figure, result, state));
-  const tiles = headlines(tilesOf(result.declared, result.about.headlines));
-  const element = h(
-    "div",
-    {},
-    h("main", {}, panel, h("div", { class: "results" }, tiles, card, h("div", { class: "figures" }, figures))),
-    resultNumbers(result.declared),
-  );
+  const element = resultSection(result, state, heads, { panel, cards: card });
   return { element, state, view, slices, result };
 }

@@ -191,8 +191,8 @@ std::vector<std::int32_t> owners(const PictureGrains& grains, int width, int hei
 }
 
 LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, const PictureGrains& grains,
-                         const GrainMotion& motion, const PictureGrains& shown, std::optional<double> given_phase,
-                         int threads, double blur) {
+                         const GrainMotion& motion, const PictureGrains& shown, int threads,
+                         std::optional<double> given_phase, double blur) {
   LockinMaps result = maps;
   const double own = maps.shared_cosine.empty() ? 1 : maps.own_share;
   const double spread = std::sqrt(2 * maps.noise_ratio * own / static_cast<double>(maps.frames));

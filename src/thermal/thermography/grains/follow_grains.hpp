@@ -29,8 +29,8 @@ std::vector<std::int32_t> owners(const PictureGrains& grains, int width, int hei
 /// mean and drift stay, amplitudes have no value. The reference phase is found anew on the inner pixels of grains
 /// unless `reference_phase` gives it. Standard errors are those of a resting pixel.
 LockinMaps follow_grains(const PhasePictures& pictures, const LockinMaps& maps, const PictureGrains& grains,
-                         const GrainMotion& motion, const PictureGrains& shown,
-                         std::optional<double> reference_phase = {}, int threads = 1, double blur = 0.5);
+                         const GrainMotion& motion, const PictureGrains& shown, int threads,
+                         std::optional<double> reference_phase = {}, double blur = 0.5);
 
 /// Standard deviation of a Gaussian lens, pixels, with which a drawing of even disks comes nearest to the rims of one
 /// of the pictures: the film's own word on its blur. `grains` are at their mean places. No number without grains.

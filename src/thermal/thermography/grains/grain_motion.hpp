@@ -15,6 +15,6 @@ namespace arenite::thermography {
 /// the grain, until nothing is left to add. All grains first move together by an affine map, so that none loses itself.
 /// `grains` are at their mean places; grains that show no contrast get that affine motion, with an error of infinity.
 /// Where rims as a whole have no contrast, as of an isothermal sample, motions are 0 and all errors infinite.
-GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& grains, int threads = 1);
+GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& grains, int threads);
 
 }  // namespace arenite::thermography

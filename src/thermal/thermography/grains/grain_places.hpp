@@ -16,7 +16,7 @@ PictureGrains moved(const PictureGrains& smallest, const GrainMotion& motion, do
 /// The motion of grains that were found at the smallest load. `middle`, their places in the middle of the cycle as far
 /// as these are known, is what a motion is fitted about; it follows from the motion, so both are found in turns.
 GrainMotion motion_from_smallest(const PhasePictures& pictures, const PictureGrains& smallest, double phase,
-                                 PictureGrains& middle, int threads = 1);
+                                 PictureGrains& middle, int threads);
 
 /// Motion of grains between a lower wall that travels by `travel` pixels from the smallest to the largest load and an
 /// upper one that rests, strained evenly between: `height` is that of each grain over the container's, 0 at the lower

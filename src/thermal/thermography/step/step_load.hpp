@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/thread_count.hpp"
 #include "model/film.hpp"
 #include "thermal/thermography/segment_sums.hpp"
 
@@ -15,7 +16,7 @@ struct StepOptions {
   double rise = 0;             ///< s that the load takes; frames within it are left out, and those that the film shows
   double window = 0;           ///< s before and after the step that are used; 0: the whole film
   int drift_order = 1;         ///< of the polynomial in time by which a pixel drifts on each side, 0 to 4
-  int threads = 1;
+  int threads = Threads{}.threads;
   Progress progress;
 };
 

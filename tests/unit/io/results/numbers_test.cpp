@@ -48,6 +48,20 @@ RC_GTEST_PROP(NumbersTable, GivesBackEveryNumberInItsOrder, ()) {
   RC_ASSERT(through_a_file(n) == n);
 }
 
+TEST(NumbersTable, KeepsPeriodsOfAngles) {
+  Numbers n = Numbers::tree();
+  statistics::put_angle(n, "way_of_long_axes", {{"value", 170}, {"error", 5}}, statistics::half_turn, "Long axes");
+  statistics::put(n, "theta_of_flank_deg", 30, "deg", "Angle of a flank");
+  const Numbers again = through_a_file(n);
+  EXPECT_EQ(again["way_of_long_axes"].meaning()->period, 180);
+  EXPECT_EQ(again["theta_of_flank_deg"].meaning()->period, 0);
+}
+
+TEST(NumbersTable, HasThePeriodsOfAnglesInFilesWithoutThem) {
+  const Numbers n{{"fabric", {{"theta_c_deg", statistics::described(170, "deg", "Principal direction")}}}};
+  EXPECT_EQ(through_a_file(n)["fabric"]["theta_c_deg"].meaning()->period, 180);
+}
+
 TEST(NumbersTable, KeepsWhatEachNumberIs) {
   const Numbers n{{"z", statistics::described({{"value", 3.9}, {"error", 0.1}}, "", "Contacts of a grain")},
                   {"list", {1, statistics::described(2, "m", "Second")}},
@@ -58,6 +72,7 @@ TEST(NumbersTable, KeepsWhatEachNumberIs) {
   EXPECT_EQ(again["z"]["value"].meaning(), nullptr);
   ASSERT_TRUE(again["list"][1].meaning());
   EXPECT_EQ(again["list"][1].meaning()->unit, "m");
+  EXPECT_EQ(again["list"][1].meaning()->period, 0);
   EXPECT_EQ(again["plain"].meaning(), nullptr);
 }
 

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <set>
+#include <vector>
 
 #include "report/figures/figure_document.hpp"
+#include "report/figures/roses.hpp"
 
 using namespace arenite;
 using namespace arenite::report::figures;
@@ -32,7 +35,7 @@ TEST(Drawing, QuantitiesTakeThePrefixThatSuitsThem) {
 }
 
 TEST(Drawing, EveryFigureHasItsNamesTitleAndCaption) {
-  for (const auto& heads : {packing_heads(), field_heads(), film_heads()}) {
+  for (const auto& heads : {packing_heads(), field_heads(), voxel_heads(), film_heads()}) {
     std::set<std::string> ids, names;
     for (const Head& head : heads) {
       EXPECT_TRUE(ids.insert(head.id).second) << head.id;
@@ -41,6 +44,20 @@ TEST(Drawing, EveryFigureHasItsNamesTitleAndCaption) {
       EXPECT_TRUE(head.caption.whole().ends_with(".")) << head.id;
     }
   }
+}
+
+TEST(Drawing, TheLineOfARoseIsTheDistributionOfSecondOrder) {
+  const Numbers set{{"contacts", 80},
+                    {"a_c", {{"value", 0.3}, {"error", 0.01}}},
+                    {"theta_c_deg", {{"value", 30}, {"error", 1}}},
+                    {"a_c_noise", 0.1},
+                    {"sectors", {20, 20, 20, 20}}};
+  const std::vector<double> line = rose_of("all", "line 0", set, nullptr).line;
+  const auto at = [&](int degrees) { return line.at(line.size() * static_cast<std::size_t>(degrees) / 180); };
+  EXPECT_NEAR(at(30), 1.3, 1e-12);
+  EXPECT_NEAR(at(120), 0.7, 1e-12);
+  EXPECT_NEAR(at(75), 1, 1e-12);
+  EXPECT_NEAR(at(0), 1.15, 1e-12);
 }
 
 TEST(Drawing, EqualListsStandInAPageOnce) {

@@ -1,9 +1,9 @@
-#include "grains/texture/periods.hpp"
+#include "io/results/former_periods.hpp"
 
 #include <charconv>
 #include <system_error>
 
-namespace arenite::texture {
+namespace arenite::io {
 namespace {
 
 /// m of "modes.m.phase_deg"; 0 of other names.
@@ -19,11 +19,11 @@ int folds_of(std::string_view name) {
 
 }  // namespace
 
-double period_deg(std::string_view name) {
+double former_period_deg(std::string_view name) {
   if (const int folds = folds_of(name); folds > 0) return 360.0 / folds;
   const std::string_view last = name.substr(name.rfind('.') + 1);
   const bool is_axis = last.starts_with("theta_") || last.starts_with("axis") || last.find("_axis") != last.npos;
   return is_axis && last.ends_with("_deg") ? 180 : 0;
 }
 
-}  // namespace arenite::texture
+}  // namespace arenite::io
