@@ -171,6 +171,39 @@ test("a phase that is switched off is looked through", async (page) => {
   await page.click('[data-toggle="matrix"]');
 });
 
+test("what is below a level is looked through, and a surface is smooth where that is asked for", async (page) => {
+  await set(page, { show: "field", surface: false });
+  const shown = () =>
+    page.evaluate(() => {
+      const { view, result, state } = window.arenite.volume,
+        { width, height } = view.camera,
+        codes = result.codes(state.get("component")),
+        found = [];
+      for (let x = 0.1; x < 0.9; x += 0.01)
+        for (let y = 0.1; y < 0.9; y += 0.01) {
+          const cell = view.cellAt([x * width, y * height]);
+          if (cell) found.push(codes[result.voxelAt(cell)]);
+        }
+      return { count: found.length, least: Math.min(...found) };
+    });
+  const pixels = async () => {
+    await page.waitForTimeout(pause);
+    return page.locator("canvas.volume").evaluate((canvas) => canvas.toDataURL());
+  };
+  const all = await shown();
+  await set(page, { level: 10 });
+  const above = await shown();
+  assert.ok(all.least < 128 && above.least >= 128, `${all.least} ${above.least}`);
+  assert.ok(above.count < all.count && above.count > 0);
+  assert.match(await page.locator('.level output').innerText(), /Pa$/);
+  const faces = await pixels();
+  await page.click('[data-toggle="surface"]');
+  assert.notEqual(await pixels(), faces);
+  await set(page, { component: "zz" });
+  assert.equal(await get(page, "level"), 0);
+  await set(page, { component: "xz", surface: false });
+});
+
 test("it turns by dragging and keys, zooms with Ctrl and the wheel; 0 shows it as in the beginning", async (page) => {
   await page.keyboard.press("0");
   await page.locator("canvas.volume").scrollIntoViewIfNeeded();

@@ -58,10 +58,10 @@ test("codes of a volume are values again, in order, and said to lie beyond where
 
 test("how much of a neighbourhood is seen is a mean over the neighbours of a voxel", () => {
   const one = new Uint8Array(27);
-  one[13] = 2;
-  const full = filling(one, [3, 3, 3], (phase) => phase === 2);
+  one[13] = 255;
+  const full = filling(one, [3, 3, 3]);
   // 255/8 in the middle, half of it beside, each rounded three times.
   assert.ok(Math.abs(full[13] - 255 / 8) <= 1.5, `${full[13]}`);
   assert.ok(Math.abs(full[14] - 255 / 16) <= 1.5, `${full[14]}`);
-  assert.ok(filling(one, [3, 3, 3], () => true).every((share) => share === 255));
+  assert.ok(filling(new Uint8Array(27).fill(255), [3, 3, 3]).every((share) => share === 255));
 });

@@ -3,7 +3,7 @@ import { h } from "../dom.js";
 import { componentChoice, isField, only, scaleChoices } from "../field/scale_controls.js";
 import { saveButtons } from "../save_buttons.js";
 import { text } from "../text.js";
-import { axes } from "./result.js";
+import { axes, levels } from "./result.js";
 import { slider } from "./slider.js";
 import { VolumeView } from "./view.js";
 
@@ -20,7 +20,11 @@ export function volumePanel(result, state) {
       only(state, isField, componentChoice(result, state)),
       view.scene && saveButtons("the picture", { svg: () => view.saveSvg(), png: () => view.savePng() }),
     ),
-    only(state, isField, h("div", { class: "controls second" }, scaleChoices(state))),
+    only(
+      state,
+      isField,
+      h("div", { class: "controls second" }, scaleChoices(state), view.scene && level(result, state)),
+    ),
     view.scene && h("div", { class: "controls second" }, switches(result, state), cuts(result, state)),
     view.element,
     note(result),
@@ -36,9 +40,26 @@ function switches(result, state) {
       toggle("Matrix", "matrix", state, "Off: the matrix is transparent"),
       toggle("Grains", "particle", state, "Off: the grains are transparent"),
     ],
+    toggle("Surface", "surface", state, "On: what is seen has a smooth surface; off: the faces of its voxels"),
     toggle("Slices", "lines", state, "Dashed lines where the slices cut the faces of the sample"),
   );
 }
+
+/** Voxels whose value is below this are transparent: what is left ends at a level surface of the field. */
+const level = (result, state) =>
+  slider(
+    "\u2265",
+    "Voxels whose value is below this are transparent",
+    "level",
+    state,
+    [0, levels],
+    (part) => {
+      const name = state.get("component"),
+        value = result.valueOfCode(name, result.codeOfLevel(part));
+      return part === 0 ? "all" : text.quantity(value, result.unitOf(name));
+    },
+    "choice threshold level",
+  );
 
 /** In voxels a number alone, for which there is room. */
 const lengthOf = (result, kept) =>

@@ -5,6 +5,8 @@ import { prefixOf, text } from "../text.js";
 const codes = 254; // steps between the ends of a quantity; code 0 is the void
 const mostOrdered = 8192;
 
+/** Parts of the codes among which a level surface is chosen. */
+export const levels = 20;
 export const phases = { empty: 0, matrix: 1, particle: 2 };
 export const axes = ["x", "y", "z"];
 
@@ -56,6 +58,11 @@ export class VolumeResult extends DescribedResult {
   valueOfCode(id, code) {
     const { low, high } = this.quantity(id);
     return low + ((code - 1) * (high - low)) / codes;
+  }
+
+  /** The code that a share of the codes begins with, in `levels` parts; below it voxels are not seen. */
+  codeOfLevel(level) {
+    return 1 + Math.round((level * codes) / levels);
   }
 
   /** A value as text; at the ends of its codes it may lie beyond. */

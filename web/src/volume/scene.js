@@ -1,9 +1,9 @@
 import { bytes } from "../theme.js";
 import { fragment, vertex } from "./shaders.js";
 
-const units = { phase: 0, index: 1, solid: 2, table: 3 };
+const units = { seen: 0, index: 1, solid: 2, table: 3 };
 
-/** The voxels on the graphics card as three textures in space: phases, rows of the colour table, and how much of the
+/** The voxels on the graphics card as three textures in space: which are seen, rows of the colour table, and how much of the
     neighbourhood of a place is seen. */
 export class VolumeScene {
   #gl;
@@ -37,7 +37,7 @@ export class VolumeScene {
     gl.uniform3f(this.#at("size"), ...size);
   }
 
-  /** Bytes of all voxels: "phase", "index" or "solid". */
+  /** Bytes of all voxels: "seen" (not 0), "index" or "solid". */
   setVoxels(name, data) {
     const gl = this.#gl;
     gl.activeTexture(gl.TEXTURE0 + units[name]);
@@ -52,19 +52,19 @@ export class VolumeScene {
 
   /** `perPixel` voxels a pixel, `middle` the point of the picture's plane in its middle, in voxels; `finer` times
       `finer` lines of sight a pixel; `glow` lights the shapes of dark colours. */
-  draw({ frame, kept, seen, perPixel, middle, card, finer, glow }) {
+  draw({ frame, kept, isSurface, perPixel, middle, card, finer, glow }) {
     const gl = this.#gl,
       { width, height } = this.canvas;
     gl.viewport(0, 0, width, height);
     for (const [name, direction] of Object.entries(frame)) gl.uniform3f(this.#at(name), ...direction);
     gl.uniform3f(this.#at("kept"), ...kept);
     gl.uniform3f(this.#at("card"), ...bytes(card).map((v) => v / 255));
-    gl.uniform2f(this.#at("seen"), ...seen);
     gl.uniform2f(this.#at("middle"), ...middle);
     gl.uniform2f(this.#at("canvas"), width, height);
     gl.uniform1f(this.#at("perPixel"), perPixel);
     gl.uniform1f(this.#at("glow"), glow);
     gl.uniform1i(this.#at("finer"), finer);
+    gl.uniform1i(this.#at("isSurface"), Number(isSurface));
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 }
@@ -86,9 +86,10 @@ function programOf(gl) {
   return program;
 }
 
-/** How much of the neighbourhood of every voxel is seen, 0 to 255: means with weights 1, 2, 1 along each axis. */
-export function filling(phase, size, isSeen) {
-  let from = Uint8Array.from(phase, (p) => (isSeen(p) ? 255 : 0)),
+/** How much of the neighbourhood of every voxel is seen, 0 to 255: means with weights 1, 2, 1 along each axis of those
+    that are seen (255, others 0). */
+export function filling(seen, size) {
+  let from = seen.slice(),
     to = new Uint8Array(from.length);
   const [width, height] = size,
     steps = [1, width, width * height];

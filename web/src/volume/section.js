@@ -1,7 +1,7 @@
 import { forms } from "../address.js";
 import { choicesOf, resultSection } from "../result_section.js";
 import { volumePanel } from "./panel.js";
-import { axes } from "./result.js";
+import { axes, levels } from "./result.js";
 import { slicesCard } from "./slices.js";
 import { firstLook } from "./view.js";
 
@@ -17,6 +17,8 @@ function choices(result) {
     matrix: true,
     particle: true,
     lines: true,
+    surface: false,
+    level: 0,
     ...firstLook,
     ...Object.fromEntries(axes.map((axis, a) => [axis, Math.floor(result.size[a] / 2)])),
     ...Object.fromEntries(axes.map((axis, a) => [`cut${axis}`, result.size[a]])),
@@ -29,6 +31,8 @@ const kept = (result) => ({
   component: forms.word(result.offered),
   matrix: forms.truth,
   particle: forms.truth,
+  surface: forms.truth,
+  level: forms.between(0, levels, true),
   azimuth: forms.between(0, 360),
   elevation: forms.between(-90, 90),
   zoom: forms.between(0.5, 40),
@@ -39,6 +43,7 @@ const kept = (result) => ({
 /** A sample in space with its slices, figures and tables: { element, state, view, slices, result }. */
 export function volumeSection(result, page, heads) {
   const state = choicesOf(result, page, choices(result), kept(result));
+  state.watch(["component"], () => state.set({ level: 0 })); // a level of another quantity
   const { panel, view } = volumePanel(result, state),
     { card, slices } = slicesCard(result, state);
   const element = resultSection(result, state, heads, { panel, cards: card });

@@ -5,7 +5,7 @@ import { legend, legendHeight } from "./legend.js";
 import { along, outline } from "./outline.js";
 import { indexOf, painted, tableOf } from "./paint.js";
 import { frameOf, seenCell } from "./ray.js";
-import { axes, phases } from "./result.js";
+import { axes } from "./result.js";
 import { filling, VolumeScene } from "./scene.js";
 import { voxelNumbers } from "./tooltip.js";
 import { degreesAPixel, turning } from "./turning.js";
@@ -40,11 +40,12 @@ export class VolumeView extends CanvasView {
     this.look = Object.fromEntries(turned.map((key) => [key, state.get(key)]));
     this.scene = VolumeScene.on(this.canvas, result.size);
     this.followCamera = () => {};
-    if (this.scene) this.scene.setVoxels("phase", result.phase);
-    else this.#sayWhy();
+    if (!this.scene) this.#sayWhy();
     this.#listen();
     state.watch(painted, () => this.refresh("index", "table"));
-    state.watch(["matrix", "particle"], () => this.refresh("solid"));
+    state.watch(["matrix", "particle", "level"], () => this.refresh("solid"));
+    state.watch(["show", "component"], () => state.get("level") > 0 && this.refresh("solid"));
+    state.watch(["surface"], () => this.refresh());
     state.watch(
       axes.map((a) => `cut${a}`),
       () => this.refresh(),
@@ -149,8 +150,17 @@ export class VolumeView extends CanvasView {
     this.state.set(this.look);
   }
 
-  isSeen = (phase) =>
-    (phase === phases.matrix && this.state.get("matrix")) || (phase === phases.particle && this.state.get("particle"));
+  /** The code of the field below which voxels are not seen. */
+  get level() {
+    return this.state.get("show") === "field" ? this.result.codeOfLevel(this.state.get("level")) : 1;
+  }
+  /** Whether a voxel is, by its number. */
+  get isSeen() {
+    const { result, state, level } = this,
+      isOn = [false, state.get("matrix"), state.get("particle")],
+      codes = level > 1 ? result.codes(state.get("component")) : null;
+    return (voxel) => isOn[result.phase[voxel]] && (!codes || codes[voxel] >= level);
+  }
 
   update(stale) {
     const { scene, result, state, theme } = this;
@@ -158,7 +168,12 @@ export class VolumeView extends CanvasView {
     if (!scene) return;
     if (stale.has("index")) scene.setVoxels("index", indexOf(result, state));
     if (stale.has("table")) scene.setTable(tableOf(result, state, theme));
-    if (stale.has("solid")) scene.setVoxels("solid", filling(result.phase, result.size, this.isSeen));
+    if (stale.has("solid")) {
+      const { isSeen } = this,
+        seen = result.phase.map((_, voxel) => (isSeen(voxel) ? 255 : 0));
+      scene.setVoxels("seen", seen);
+      scene.setVoxels("solid", filling(seen, result.size));
+    }
   }
 
   paint(pixelRatio = this.pixelRatio) {
@@ -166,7 +181,7 @@ export class VolumeView extends CanvasView {
     this.scene?.draw({
       frame: this.frame,
       kept: this.kept,
-      seen: [state.get("matrix"), state.get("particle")].map(Number),
+      isSurface: state.get("surface"),
       perPixel: 1 / (camera.scale * pixelRatio * result.spacing),
       middle: [camera.x / result.spacing, camera.y / result.spacing],
       card: theme.card,
@@ -202,11 +217,9 @@ export class VolumeView extends CanvasView {
 
   /** The voxel that is seen at a place of the picture, or null. */
   cellAt(place) {
-    const { result, camera } = this,
+    const { result, camera, isSeen } = this,
       point = camera.toWorld(...place).map((value) => value / result.spacing);
-    return seenCell(this.frame, point, result.size, this.kept, (cell) =>
-      this.isSeen(result.phase[result.voxelAt(cell)]),
-    );
+    return seenCell(this.frame, point, result.size, this.kept, (cell) => isSeen(result.voxelAt(cell)));
   }
 
   pick(place) {
