@@ -3,8 +3,8 @@ import { fragment, vertex } from "./shaders.js";
 
 const units = { seen: 0, index: 1, solid: 2, table: 3 };
 
-/** The voxels on the graphics card as three textures in space: which are seen, rows of the colour table, and how much of
-    the neighbourhood of a place is seen. */
+/** The voxels on the graphics card as three textures in space: which are seen, rows of the colour table, and how
+    much of the neighbourhood of a place is seen. */
 export class VolumeScene {
   #gl;
   #at;
