@@ -39,12 +39,12 @@ std::string kernels() {
   std::string found;
   for (const char* name : {"portable", "avx2", "avx512"}) {
     try {
-      found += fmt::format("{}{}", found.empty() ? "" : ", ", dem::find_kernel(name).name);
+      found += fmt::format("{}{}", found.empty() ? "" : ", ", dem::find_kernel<2>(name).name);
     } catch (const InputError&) {
       // Not on this processor.
     }
   }
-  return fmt::format("{} (auto: {})", found, dem::find_kernel("auto").name);
+  return fmt::format("{} (auto: {})", found, dem::find_kernel<2>("auto").name);
 }
 
 void report(const char* what, const std::string& state) { print("{:<12} {}\n", what, state); }

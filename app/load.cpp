@@ -8,7 +8,7 @@
 #include "print.hpp"
 #include "progress.hpp"
 #include "report/page.hpp"
-#include "report/summary.hpp"
+#include "report/summary/summary.hpp"
 #include "workflow/apply_load.hpp"
 #include "workflow/load_voxels.hpp"
 #include "workflow/read_map.hpp"

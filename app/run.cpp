@@ -92,12 +92,15 @@ Status run_one(const recipe::Recipe& recipe, const fs::path& folder, const RunAr
     return other_failure;
   }
   for (const auto& stage : outcome.stages) print("{:<12} {}\n", stage.name, stage.outcome);
+  for (const auto& stage : outcome.spheres) print("{:<12} {}\n", stage.name, stage.outcome);
   for (const auto& field : outcome.fields) print("{:<12} {}\n", field.name, field.outcome);
   for (const auto& sample : outcome.voxels) print("{:<12} {}\n", sample.name, sample.outcome);
   const auto page = folder / "report.html";
-  report::write_page(
-      page,
-      {.stages = outcome.stages, .fields = outcome.fields, .voxels = outcome.voxels, .measured = &outcome.measured});
+  report::write_page(page, {.stages = outcome.stages,
+                            .fields = outcome.fields,
+                            .voxels = outcome.voxels,
+                            .spheres = outcome.spheres,
+                            .measured = &outcome.measured});
   status.finish();
   print("\nresults: {0}\npage:    {1}   (open it in a browser)\nnumbers: arenite show {0}\n", folder.string(),
         page.string());

@@ -10,7 +10,7 @@
 #include "print.hpp"
 #include "report/film_text.hpp"
 #include "report/states_table.hpp"
-#include "report/summary.hpp"
+#include "report/summary/summary.hpp"
 #include "run_status.hpp"
 #include "statistics/numbers_text.hpp"
 #include "validation/studies.hpp"

@@ -18,7 +18,7 @@
 #include "report/run_drawing.hpp"
 #include "report/study/default_figures.hpp"
 #include "report/study_page.hpp"
-#include "report/summary.hpp"
+#include "report/summary/summary.hpp"
 #include "study_parts.hpp"
 #include "workflow/store.hpp"
 

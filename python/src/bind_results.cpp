@@ -5,6 +5,7 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
+#include "columns.hpp"
 #include "core/problems.hpp"
 #include "core/version.hpp"
 #include "model/result.hpp"
@@ -14,13 +15,6 @@
 
 namespace arenite::python {
 namespace {
-
-/// Columns by name, which look into the result that `self` is.
-py::dict columns_of(const History& history, const py::object& self) {
-  py::dict d;
-  for (const auto& column : history.columns) d[py::str(column.name)] = view(column.values, self);
-  return d;
-}
 
 py::dict history_units(const History& history) {
   py::dict d;

@@ -10,12 +10,12 @@
 #include "module.hpp"
 #include "report/film_text.hpp"
 #include "report/page.hpp"
-#include "report/summary.hpp"
+#include "report/summary/summary.hpp"
 #include "result.hpp"
 #include "running_stage.hpp"
 #include "workflow/export_result.hpp"
-#include "workflow/make_packing.hpp"
 #include "workflow/run.hpp"
+#include "workflow/make_packing.hpp"
 #include "workflow/stage_keys.hpp"
 
 /// Results as folders, files and pages, and single stages of a run.
@@ -142,7 +142,8 @@ void bind_store(py::module_& m) {
   py::class_<Result>(m, "Result", "Contents of a folder or file of results, or parts computed separately.")
       .def(py::init(&result_of), py::arg("stages") = std::vector<StageResult>{},
            py::arg("fields") = std::vector<FieldResult>{}, py::arg("films") = std::vector<FilmResult>{},
-           py::arg("voxels") = std::vector<VoxelResult>{}, py::kw_only(), py::arg("title") = "",
+           py::arg("voxels") = std::vector<VoxelResult>{}, py::arg("spheres") = std::vector<SphereResult>{},
+           py::kw_only(), py::arg("title") = "",
            "Parts (copied) as one result, for figures, `save`, `page` and `export`.")
       .def_readonly("path", &Result::path, "Path it was read from; empty if assembled from parts.")
       .def_readonly("title", &Result::title, "Title of the recipe.")
@@ -158,6 +159,9 @@ void bind_store(py::module_& m) {
       .def_property_readonly(
           "voxels", [](const Result& r) -> const std::vector<VoxelResult>& { return r.run.voxels; },
           "Samples in space under load.")
+      .def_property_readonly(
+          "spheres", [](const Result& r) -> const std::vector<SphereResult>& { return r.run.spheres; },
+          "Packing of spheres first, then the stages of loading, of a recipe with dimension = 3.")
       .def_property_readonly(
           "numbers", [](const Result& r) { return to_python(numbers_of(r)); },
           "As `arenite show --json` prints them; the end of a name is its unit.")
@@ -196,15 +200,16 @@ void bind_store(py::module_& m) {
         return names_of(call.without_lock([&] { return save(result, folder); }));
       },
       py::arg("result"), py::arg("folder"),
-      "Stores a Result, Stage, Field, FilmResult, VoxelResult or Packing as result files in a folder, which `open`, "
+      "Stores a Result, Stage, Field, FilmResult, VoxelResult, SphereStage or Packing as result files in a folder, "
+      "which `open`, "
       "`arenite show`, "
       "`arenite export` and `arenite figures` read; returns the files. Other results in the folder are moved to "
       "earlier/.");
   m.def("export", &exported, py::arg("result"), py::arg("folder"), py::arg("format") = "vtk", py::kw_only(),
         py::arg("last") = false,
-        "Writes a result (its folder or file, a Result, Stage, Field, FilmResult, VoxelResult or Packing) as `arenite "
-        "export` does, "
-        "in one of the formats in docs/formats.md; returns the files. `last`: the last state only.");
+        "Writes a result (its folder or file, a Result, Stage, Field, FilmResult, VoxelResult, SphereStage or Packing) "
+        "as `arenite export` does, in one of the formats in docs/formats.md; returns the files. `last`: the last state "
+        "only.");
   m.def(
       "page",
       [](const py::object& what, const Path& file) {
@@ -212,15 +217,19 @@ void bind_store(py::module_& m) {
         Call call;
         call.without_lock([&] {
           const auto& stages = result.run.stages.empty() ? result.companion : result.run.stages;
-          report::write_page(
-              file, {result.title, stages, result.run.fields, result.films, result.run.voxels, &result.run.measured});
+          report::write_page(file, {.title = result.title,
+                                    .stages = stages,
+                                    .fields = result.run.fields,
+                                    .films = result.films,
+                                    .voxels = result.run.voxels,
+                                    .spheres = result.run.spheres,
+                                    .measured = &result.run.measured});
           return 0;
         });
       },
       py::arg("result"), py::arg("file"),
-      "Writes the page (self-contained HTML) of a Result, Stage, Field, FilmResult, VoxelResult or Packing, or of a "
-      "folder of "
-      "results.");
+      "Writes the page (self-contained HTML) of a Result, Stage, Field, FilmResult, VoxelResult, SphereStage or "
+      "Packing, or of a folder of results.");
 }
 
 void bind_stages(py::module_& m) {

@@ -18,4 +18,10 @@ py::dict to_python(statistics::Columns&& columns) {
 
 py::tuple to_python(const statistics::Estimate& estimate) { return py::make_tuple(estimate.value, estimate.error); }
 
+py::dict columns_of(const History& history, const py::object& self) {
+  py::dict d;
+  for (const auto& column : history.columns) d[py::str(column.name)] = view(column.values, self);
+  return d;
+}
+
 }  // namespace arenite::python

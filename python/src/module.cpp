@@ -86,6 +86,7 @@ PYBIND11_MODULE(_core, m) {
   arenite::python::bind_recipe(m);
   arenite::python::bind_phase_map(m);
   arenite::python::bind_voxels(m);
+  arenite::python::bind_spheres(m);
   arenite::python::bind_maps(m);
   arenite::python::bind_film(m);
   arenite::python::bind_film_parts(m);

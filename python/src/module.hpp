@@ -12,6 +12,7 @@ void bind_chains(pybind11::module_& m);
 void bind_recipe(pybind11::module_& m);
 void bind_phase_map(pybind11::module_& m);
 void bind_voxels(pybind11::module_& m);
+void bind_spheres(pybind11::module_& m);
 void bind_maps(pybind11::module_& m);
 void bind_film(pybind11::module_& m);
 void bind_film_parts(pybind11::module_& m);

@@ -20,9 +20,9 @@ struct Result {
 Result open_result(const Path& path);
 /// Parts that were computed one by one. `title` is that of their recipe if it is empty.
 Result result_of(std::vector<StageResult> stages, std::vector<FieldResult> fields, std::vector<FilmResult> films,
-                 std::vector<VoxelResult> voxels, std::string title);
-/// A Result as it is; a Stage, Field, FilmResult, VoxelResult or Packing as its only part; a path opened. Throws
-/// InputError for anything else.
+                 std::vector<VoxelResult> voxels, std::vector<SphereResult> spheres, std::string title);
+/// A Result as it is; a Stage, Field, FilmResult, VoxelResult, SphereStage or Packing as its only part; a path opened.
+/// Throws InputError for anything else.
 Result any_result(const py::object& what);
 
 /// Writes every part as a file of the store into `folder`, which is made; gives the files in their order. Other results

@@ -12,11 +12,15 @@
 
 namespace arenite {
 
-/// The rigid planes of a container, two an axis, in this order everywhere (arrays, files, figures).
-enum Side : int { left = 0, right = 1, bottom = 2, top = 3 };
+/// The rigid planes of a container, two an axis, in this order everywhere (arrays, files, figures). In space y points
+/// up as in the plane, and z from back to front.
+enum Side : int { left = 0, right = 1, bottom = 2, top = 3, back = 4, front = 5 };
 template <int D> inline constexpr int sides_in = 2 * D;
 inline constexpr int sides = sides_in<2>;
 template <class T> using BySide = std::array<T, sides>;
+/// Of what is asked for in a dimension that is not known before: in the plane the last two stay empty.
+template <class T> using ByAnySide = std::array<T, sides_in<3>>;
+inline constexpr ByAnySide<const char*> any_side_names{"left", "right", "bottom", "top", "back", "front"};
 inline constexpr BySide<const char*> side_names{"left", "right", "bottom", "top"};
 
 /// The axis that is normal to a side, and +1 if the way into the sample from there is along it, else -1.
@@ -45,6 +49,12 @@ constexpr Vec3 of_side(int side, double across, Vec3 along) {
   return along;
 }
 constexpr Vec3 along(int side, Vec3 v) { return of_side(side, 0, v); }
+/// A way along a side, of left and right along y, of the others along x.
+template <int D> constexpr Along<D> way_along(int side, double size);
+template <> constexpr double way_along<2>(int /*side*/, double size) { return size; }
+template <> constexpr Vec3 way_along<3>(int side, double size) {
+  return axis_of(side) == 0 ? Vec3{0, size, 0} : Vec3{size, 0, 0};
+}
 
 /// One rigid plane. `position` is its coordinate along the axis that is normal to it.
 template <int D> struct WallIn {
@@ -169,6 +179,18 @@ struct Domain : Container<2> {
   /// The boundary that an element belongs to; -1 for a number beyond them.
   int boundary_of(int element) const;
 };
+
+/// Force of a pressure on a side, N.
+inline double thrust_on(const Domain& domain, int side, double pressure) {
+  return pressure * domain.length(side) * domain.thickness;
+}
+inline double thrust_on(const Container<3>& domain, int side, double pressure) {
+  const int axis = axis_of(side);
+  return pressure * domain.extent((axis + 1) % 3) * domain.extent((axis + 2) % 3);
+}
+/// m^3.
+inline double volume_of(const Domain& domain) { return domain.area() * domain.thickness; }
+inline double volume_of(const Container<3>& domain) { return domain.extent(0) * domain.extent(1) * domain.extent(2); }
 
 /// Boundaries are of the plane.
 template <int D> using DomainIn = std::conditional_t<D == 2, Domain, Container<D>>;

@@ -14,6 +14,12 @@ template <int D> double GrainsIn<D>::area() const requires(D == 2) {
   return sum;
 }
 
+template <int D> double GrainsIn<D>::volume() const requires(D == 3) {
+  double sum = 0;
+  for (const double r : radius) sum += 4.0 / 3.0 * std::numbers::pi * r * r * r;
+  return sum;
+}
+
 template <int D> double GrainsIn<D>::mean_diameter() const {
   return radius.empty() ? 0
                         : 2 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());

@@ -60,8 +60,9 @@ template <int D> struct GrainsIn {
   Shapes shapes;                   ///< in the plane alone
 
   std::size_t size() const { return position.size(); }
-  double area() const requires(D == 2);  ///< of all disks, m^2
-  double mean_diameter() const;          ///< m; 0 without grains
+  double area() const requires(D == 2);    ///< of all disks, m^2
+  double volume() const requires(D == 3);  ///< of all spheres, m^3
+  double mean_diameter() const;            ///< m; 0 without grains
   /// Resizes every array; new grains are at rest at the origin, radius 0, id = index.
   void resize(std::size_t n);
 };
@@ -70,8 +71,8 @@ using Grains = GrainsIn<2>;
 /// Those of the grains, at rest, with centres counted from `origin`.
 Grains picked(const Grains& from, const std::vector<std::int32_t>& grains, Vec2 origin = {});
 
-/// What Contacts::j says of a partner that is no grain: below 0 stand the four sides, and behind them the elements of
-/// boundaries.
+/// What Contacts::j says of a partner that is no grain: below 0 stand the sides, and behind the four of the plane the
+/// elements of boundaries, which space does not have.
 constexpr std::int32_t wall_partner(int side) { return -1 - side; }
 constexpr std::int32_t boundary_partner(int element) { return wall_partner(top) - 1 - element; }
 constexpr bool is_wall(std::int32_t partner) { return partner < 0; }  ///< of a boundary as well
@@ -99,8 +100,8 @@ template <int D> struct ContactsIn {
 
   std::size_t size() const { return i.size(); }
   bool is_wall(std::size_t c) const { return arenite::is_wall(j[c]); }
-  int wall_side(std::size_t c) const { return arenite::wall_side(j[c]); }  ///< 4 and more: of a boundary
-  bool is_boundary(std::size_t c) const { return arenite::is_boundary(j[c]); }
+  int wall_side(std::size_t c) const { return arenite::wall_side(j[c]); }  ///< 4 and more: in the plane of a boundary
+  bool is_boundary(std::size_t c) const { return D == 2 && arenite::is_boundary(j[c]); }
   int element(std::size_t c) const { return element_of(j[c]); }  ///< of the boundary that the contact joins
   Vec<D> force_on_i(std::size_t c) const { return fn[c] * normal[c] + cross(ft[c], normal[c]); }
   /// From the centre of grain i to the contact point; the same of grain j (0 for a wall), m.

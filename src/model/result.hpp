@@ -68,14 +68,15 @@ struct Equilibrium {
 };
 
 /// One stored state of a stage.
-struct Snapshot {
+template <int D> struct SnapshotIn {
   double time = 0;  ///< s since the start of the run
   std::int64_t step = 0;
   std::string label;  ///< "increment 3 of 10", "cycle 2 maximum"
-  Packing packing;
+  PackingIn<D> packing;
   Energies energies;
   Equilibrium equilibrium;
 };
+using Snapshot = SnapshotIn<2>;
 
 /// Scalars sampled often while a stage runs; all columns have one length. Columns have fixed names, e.g. "time",
 /// "bottom_position", "bottom_force", "kinetic", "unbalanced_ratio"; units beside them.
@@ -120,7 +121,7 @@ struct Asked {
   double friction = statistics::unknown;   ///< mu between grains
   int pull = 0;                            ///< what can make contacts pull (texture::Pull)
   Vec2 gravity{};                          ///< at the end of the stage, m/s^2
-  BySide<double> slide{};                  ///< of walls along themselves as the stage begins, m/s
+  ByAnySide<double> slide{};               ///< of walls along themselves as the stage begins, m/s
   double load_axis = statistics::unknown;  ///< along which it compresses, rad from x
   int cycled = -1;                         ///< the side that goes to and fro; -1: none
   bool in_motion = false;                  ///< it ends while its sample is strained or flows
@@ -130,10 +131,10 @@ struct Asked {
 };
 
 /// The result of one stage: one file in the store.
-struct StageResult : ResultHead {
+template <int D> struct StageResultIn : ResultHead {
   Asked asked;
-  std::optional<double> began;      ///< s; of a stage that ended before it came to its own end; else its duration tells
-  std::vector<Snapshot> snapshots;  ///< in time order; the last is the state handed on
+  std::optional<double> began;  ///< s; of a stage that ended before it came to its own end; else its duration tells
+  std::vector<SnapshotIn<D>> snapshots;  ///< in time order; the last is the state handed on
   History history;
   History cycles;   ///< of a stage with cycles: a row at the end of each half, as in the history, behind "cycle" and
                     ///< "at_maximum"
@@ -141,6 +142,8 @@ struct StageResult : ResultHead {
   std::vector<std::uint8_t>
       continuation;  ///< the engine's state at the end, for the next stage; empty if there is none
 };
+using StageResult = StageResultIn<2>;
+using SphereResult = StageResultIn<3>;  ///< of a sample in space
 
 /// A bond that broke in a test to failure.
 struct Crack {

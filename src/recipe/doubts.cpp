@@ -47,12 +47,12 @@ void doubt_its_end(const Stage& stage, std::vector<std::string>& doubts) {
                     "reached; give the "
                     "stage a duration, for example duration = \"1 s\"",
                     stage.name));
-  for (std::size_t side = 0; side < 4; ++side)
+  for (std::size_t side = 0; side < stage.side.size(); ++side)
     if (stage.side[side].presses() && !(stage.side[side].value > 0))
       doubts.push_back(
           fmt::format("stages.{}.{}: no sample comes to equilibrium under a load of 0; give a load above it, or the "
                       "stage a duration",
-                      stage.name, side_names[side]));
+                      stage.name, any_side_names[side]));
 }
 
 }  // namespace

@@ -19,6 +19,8 @@
 #include "grains/dem/integrators/integrators.hpp"
 #include "recipe/keys/boundary_shapes.hpp"
 #include "recipe/keys/membranes.hpp"
+#include "recipe/keys/room.hpp"
+#include "recipe/keys/space.hpp"
 #include "recipe/keys/stages.hpp"
 
 namespace arenite::recipe {
@@ -58,56 +60,6 @@ void require_known_material(Visitor& v, const Population& population, const Mate
                         near.empty() ? "add it" : fmt::format("did you mean \"{}\"?", near)));
 }
 
-void declare(Visitor& v, ContainerParameters& container, PackingParameters::Method method) {
-  v.when(method != PackingParameters::Method::poisson, "packing.method other than \"poisson\", which makes its own box",
-         [&](Visitor& inner) {
-           inner.number({"width", "Inner width of the container, or of the periodic cell.", true}, container.width,
-                        "mm", range::positive);
-           inner.number_above_0(
-               {"height", "Inner height at the start; if not given, it follows from packing.solid_fraction."},
-               container.height, "mm");
-         });
-  v.number({"thickness", "Length of the cylinders, out of the plane.", true}, container.thickness, "mm",
-           range::positive);
-  v.flag({"periodic_x", "Periodic in x: no walls on the left and right."}, container.periodic[0]);
-  v.flag({"periodic_y", "Periodic in y: no walls at the bottom and top."}, container.periodic[1]);
-}
-
-void declare_fill_area(Visitor& v, std::optional<FillArea>& area) {
-  v.optional_section<FillArea>(
-      {"area", "Part of the container to fill, for containers with boundaries; needs container.height."}, area,
-      [](Visitor& inner, FillArea& edges) {
-        inner.number({"left", "Edge, from the container's left side."}, edges.left, "mm", range::not_negative);
-        inner.number({"right", "Edge, from the container's left side."}, edges.right, "mm", range::positive);
-        inner.number({"bottom", "Edge, from the container's bottom."}, edges.bottom, "mm", range::not_negative);
-        inner.number({"top", "Edge, from the container's bottom."}, edges.top, "mm", range::positive);
-      });
-}
-
-void declare(Visitor& v, PackingParameters& packing) {
-  using Method = PackingParameters::Method;
-  v.choice({"method", "Method that gives the initial positions of the grains."}, packing.method,
-           {{"random", "at random, then relaxed until overlaps vanish"},
-            {"lattice", "stacked row by row as a triangular lattice"},
-            {"file", "read from a CSV of centres, radii and materials"},
-            {"poisson", "two size classes by fast Poisson disk sampling, defined in [bidisperse]"}});
-  v.when(packing.method == Method::random || packing.method == Method::lattice, "method = \"random\" or \"lattice\"",
-         [&](Visitor& inner) {
-           inner.integer({"grains", "Total number of grains, if populations give ratios."}, packing.grains,
-                         {0, 100'000'000});
-           declare_fill_area(inner, packing.area);
-         });
-  v.when(packing.method == Method::random, "method = \"random\"", [&](Visitor& inner) {
-    inner.number(
-        {"solid_fraction",
-         "Target solid fraction (area of grains over area of the box) of the random filling; loading compacts it."},
-        packing.solid_fraction, "", range::above(0, 0.9));
-  });
-  v.when(packing.method == Method::file, "method = \"file\"", [&](Visitor& inner) {
-    inner.file({"file", "CSV of the grains: id, x, y, radius, material.", true}, packing.file);
-  });
-}
-
 void declare(Visitor& v, BidisperseSection& classes, const Materials& materials) {
   classes.law.declare(v);
   v.text({"large", "Material of the large disks, a section of [materials]."}, classes.large);
@@ -143,22 +95,6 @@ void require_grains(Visitor& v, const Recipe& recipe) {
   v.require(
       !shares || recipe.packing.grains > counted, {"packing", "populations"},
       fmt::format("populations with a ratio share packing.grains minus the {} counted grains; set it higher", counted));
-}
-
-void require_fill_area(Visitor& v, const Recipe& recipe) {
-  const ContainerParameters& container = recipe.container;
-  const auto& area = recipe.packing.area;
-  if (!area) return;
-  v.require(container.height > 0, {"container", "packing"},
-            "a part of it can be filled only if its height is given; write height = \"... mm\"");
-  v.require((!container.periodic[0] || (!area->left && !area->right)) &&
-                (!container.periodic[1] || (!area->bottom && !area->top)),
-            {"packing"}, "packing.area cannot end before a periodic side; leave out its edges there");
-  const auto fits = [](std::optional<double> low, std::optional<double> high, double size) {
-    return low.value_or(0) < high.value_or(size) && high.value_or(size) <= size;
-  };
-  v.require(fits(area->left, area->right, container.width) && fits(area->bottom, area->top, container.height),
-            {"packing"}, "packing.area must lie in the container, left before right and bottom below top");
 }
 
 /// What only disks can be part of.
@@ -244,9 +180,9 @@ namespace {
 /// Grains, what holds them, their laws and their stages.
 void declare_grains(Visitor& v, Recipe& recipe) {
   v.section({"packing", "Initial packing of the grains in the container."},
-            [&](Visitor& inner) { declare(inner, recipe.packing); });
+            [&](Visitor& inner) { declare_packing(inner, recipe); });
   v.section({"container", "The box, or periodic cell, that holds the grains.", true, "frame"},
-            [&](Visitor& inner) { declare(inner, recipe.container, recipe.packing.method); });
+            [&](Visitor& inner) { declare_container(inner, recipe); });
   declare_materials(v, recipe.materials);
   const bool sampled = recipe.packing.method == PackingParameters::Method::poisson;
   v.when(sampled, "packing.method = \"poisson\"", [&](Visitor& outer) {
@@ -284,12 +220,18 @@ void declare(Visitor& v, Recipe& recipe) {
   v.text({"title", "Title of reports, one line."}, recipe.title);
   v.integer({"seed", "Seed of all random numbers: the same seed gives the same sample."}, recipe.seed,
             {0, std::numeric_limits<std::int64_t>::max()});
+  // Of the plane nothing is written, so that its recipes read as before.
+  std::optional<std::int64_t> dimension = recipe.dimension == 2 ? std::nullopt : std::optional<std::int64_t>(3);
+  v.integer({"dimension", "2 (unless given): disks in the plane; 3: spheres in space, whose container has a depth."},
+            dimension, {2, 3});
+  recipe.dimension = static_cast<int>(dimension.value_or(2));
   v.optional_section<MapSection>(
       {"map", "Phase map that is loaded in the place of grains: a recipe with it has loads, and no other sections."},
       recipe.map, [](Visitor& inner, MapSection& map) { declare(inner, map); });
   v.when(!recipe.map, no_map, [&](Visitor& of_grains) { declare_grains(of_grains, recipe); });
   declare_field(v, recipe);
   if (!recipe.map) require_movable_shapes(v, recipe);
+  require_in_space(v, recipe);
   v.when(!recipe.map, no_map, [&](Visitor& of_grains) {
     of_grains.defaulted_section<Measuring>(
         {"measure", "How statistics of grains and contacts are measured at the end of every stage."}, recipe.measure,

@@ -14,5 +14,7 @@ void declare(ParameterVisitor& visitor, Recipe& recipe);
 
 /// When keys of grains exist.
 inline constexpr std::string_view no_map = "no [map]";
+/// When keys of the third dimension do.
+inline constexpr std::string_view space = "dimension = 3";
 
 }  // namespace arenite::recipe

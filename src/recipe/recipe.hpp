@@ -30,8 +30,9 @@ using packing::SizeLaw;
 struct ContainerParameters {
   double width = 0;      ///< m
   double height = 0;     ///< m; 0: as packing.solid_fraction asks
-  double thickness = 0;  ///< m
-  std::array<bool, 2> periodic{};
+  double thickness = 0;  ///< m, of disks
+  double depth = 0;      ///< m, of a container in space
+  std::array<bool, 3> periodic{};
   bool is_periodic(std::size_t side) const { return periodic[side / 2]; }
   bool operator==(const ContainerParameters&) const = default;
 };
@@ -48,7 +49,12 @@ struct PackingParameters {
   std::int64_t grains = 0;  ///< total, where populations give ratios
   std::string file;         ///< CSV of centres, radii, materials
   std::optional<FillArea> area;
-  double solid_fraction = 0.78;  ///< of the random filling; loading stages compact it further
+  static constexpr double usual_fraction = 0.78, usual_in_space = 0.55;
+  double solid_fraction = usual_fraction;  ///< of the random filling; loading stages compact it further
+  /// The usual one of disks is beyond any packing of spheres, and stands for theirs.
+  double fraction_in(int dimension) const {
+    return dimension == 3 && solid_fraction == usual_fraction ? usual_in_space : solid_fraction;
+  }
   bool operator==(const PackingParameters&) const = default;
 };
 
@@ -70,6 +76,7 @@ struct BidisperseSection {
 struct Recipe {
   std::string title;
   std::uint64_t seed = 1;
+  int dimension = 2;                 ///< 3: of spheres
   std::string source_file;           ///< as given; relative paths in the recipe start at its folder
   std::vector<std::string> notices;  ///< what the reader of the recipe found worth a word
   Materials materials;

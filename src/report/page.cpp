@@ -42,6 +42,7 @@ std::string title_of(const PageData& data) {
   };
   if (!data.films.empty()) return made_by(data.films.front().provenance, "film", "");
   if (!data.stages.empty()) return data.stages.front().provenance.title;
+  if (!data.spheres.empty()) return data.spheres.front().provenance.title;
   if (!data.fields.empty()) return made_by(data.fields.front().provenance, "map", data.fields.front().name + " of ");
   if (!data.voxels.empty()) return made_by(data.voxels.front().provenance, "map", data.voxels.front().name + " of ");
   return {};
@@ -65,14 +66,17 @@ void write_page(const std::filesystem::path& path, const std::vector<std::filesy
   std::vector<FieldResult> fields;
   std::vector<FilmResult> films;
   std::vector<VoxelResult> voxels;
+  std::vector<SphereResult> spheres;
   for (const auto& file : files) {
     auto any = workflow::read_result(file);
     if (auto* stage = std::get_if<StageResult>(&any)) stages.push_back(std::move(*stage));
     else if (auto* field = std::get_if<FieldResult>(&any)) fields.push_back(std::move(*field));
     else if (auto* sample = std::get_if<VoxelResult>(&any)) voxels.push_back(std::move(*sample));
+    else if (auto* stage_in_space = std::get_if<SphereResult>(&any)) spheres.push_back(std::move(*stage_in_space));
     else films.push_back(std::move(std::get<FilmResult>(any)));
   }
-  write_page(path, {.title = title, .stages = stages, .fields = fields, .films = films, .voxels = voxels});
+  write_page(
+      path, {.title = title, .stages = stages, .fields = fields, .films = films, .voxels = voxels, .spheres = spheres});
 }
 
 }  // namespace arenite::report

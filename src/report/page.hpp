@@ -21,6 +21,7 @@ struct PageData {
   std::span<const FieldResult> fields{};
   std::span<const FilmResult> films{};
   std::span<const VoxelResult> voxels{};
+  std::span<const SphereResult> spheres{};
   const workflow::KnownStatistics* measured = nullptr;  ///< what the run measured of these already; unset: nothing
 };
 

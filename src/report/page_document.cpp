@@ -66,8 +66,8 @@ Numbers stage_of(const StageResult& stage, const Packing* before, const ShownGra
       {"name", stage.name},
       {"converged", stage.converged},
       {"outcome", stage.outcome},
-      {"loads", loads_in_words(stage)},
-      {"doubts", doubts_about(stage)},
+      {"loads", loads_in_words(stage.texture)},
+      {"doubts", doubts_about(stage.texture)},
       {"figures", shortened(figures::numbers_of(figures::stage_figures(), {stage, states, before}, write, true))},
       {"provenance", provenance_of(stage.provenance)}};
   figures::add_test(shown, {stage, states, before});

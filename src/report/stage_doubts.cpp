@@ -11,8 +11,8 @@ namespace arenite::report {
 namespace {
 
 /// The loads by side; nothing of a stage without, or whose numbers were stored before there were any.
-const Numbers* loads_of(const StageResult& stage) {
-  return stage.texture.is_tree() && stage.texture.contains("loads") ? &stage.texture["loads"] : nullptr;
+const Numbers* loads_of(const Numbers& stage) {
+  return stage.is_tree() && stage.contains("loads") ? &stage["loads"] : nullptr;
 }
 
 std::string in_words(const std::string& side, const Numbers& load) {
@@ -31,16 +31,16 @@ std::string in_words(const std::string& side, const Numbers& load) {
   return text;
 }
 
-void doubt_loads(const StageResult& stage, std::vector<std::string>& doubts) {
+void doubt_loads(const Numbers& stage, std::vector<std::string>& doubts) {
   const Numbers* loads = loads_of(stage);
   if (!loads) return;
   for (const auto& [side, load] : loads->items())
     if (!load["held"].get<bool>()) doubts.push_back("a load is not the one asked for: " + in_words(side, load));
 }
 
-void doubt_energy(const StageResult& stage, std::vector<std::string>& doubts) {
-  if (!stage.texture.is_tree() || !stage.texture.contains("energy_balance")) return;
-  const Numbers& balance = stage.texture["energy_balance"];
+void doubt_energy(const Numbers& stage, std::vector<std::string>& doubts) {
+  if (!stage.is_tree() || !stage.contains("energy_balance")) return;
+  const Numbers& balance = stage["energy_balance"];
   if (balance["closed"].get<bool>()) return;
   doubts.push_back(
       fmt::format("the energy balance is open by {:.2g} %, and work and dissipation are no better known; a smaller "
@@ -49,10 +49,10 @@ void doubt_energy(const StageResult& stage, std::vector<std::string>& doubts) {
 }
 
 /// Above an opening that is wide beside its height a filling sinks in as it empties, and passes less than a silo would.
-void doubt_discharge(const StageResult& stage, std::vector<std::string>& doubts) {
+void doubt_discharge(const Numbers& stage, std::vector<std::string>& doubts) {
   constexpr double lowest = 2;  // openings
   const auto number_at = [&](const char* path) {
-    const Numbers* node = stage.texture.at_path(path);
+    const Numbers* node = stage.at_path(path);
     return node && node->is_number() ? node->get<double>() : statistics::unknown;
   };
   const double filling = number_at("/surface/height_before_m") / number_at("/discharge/opening_m");
@@ -65,14 +65,14 @@ void doubt_discharge(const StageResult& stage, std::vector<std::string>& doubts)
 
 }  // namespace
 
-std::vector<std::string> loads_in_words(const StageResult& stage) {
+std::vector<std::string> loads_in_words(const Numbers& stage) {
   std::vector<std::string> words;
   if (const Numbers* loads = loads_of(stage))
     for (const auto& [side, load] : loads->items()) words.push_back(in_words(side, load));
   return words;
 }
 
-std::vector<std::string> doubts_about(const StageResult& stage) {
+std::vector<std::string> doubts_about(const Numbers& stage) {
   std::vector<std::string> doubts;
   doubt_loads(stage, doubts);
   doubt_energy(stage, doubts);

@@ -29,7 +29,7 @@ int cycled_side(const dem::Stage& stage) {
   return stage.cycles ? stage.cycles->side : -1;
 }
 
-void note_stage(Asked& asked, const StageResult& made, const dem::Stage& stage) {
+template <int D> void note_stage(Asked& asked, const StageResultIn<D>& made, const dem::Stage& stage) {
   asked.friction = stage.friction.value_or(asked.friction);
   asked.gravity = dem::gravity_at(stage, fields::length_of(made, stage));
   asked.slide = stage.slide;
@@ -40,7 +40,7 @@ void note_stage(Asked& asked, const StageResult& made, const dem::Stage& stage) 
 
 /// The curve of the recipe's size laws, which belongs to the packing.
 void note_sizes(Asked& asked, const recipe::Recipe& recipe) {
-  if (recipe.populations.empty()) return;
+  if (recipe.populations.empty() || recipe.dimension == 3) return;  // the curve is one of cylinders
   auto curve = packing::asked_size_curve(recipe.populations, recipe.materials, recipe.packing.grains);
   asked.diameter = std::move(curve.diameter);
   asked.passing = std::move(curve.passing);
@@ -51,7 +51,7 @@ void complete_title(Provenance& provenance) {
   if (provenance.title.empty()) provenance.title = recipe::title_in(provenance.recipe);
 }
 
-void complete(StageResult& result) {
+template <int D> void complete(StageResultIn<D>& result) {
   complete_title(result.provenance);
   if (result.asked.known || result.provenance.recipe.empty()) return;
   try {
@@ -67,7 +67,7 @@ void complete(VoxelResult& result) { complete_title(result.provenance); }
 
 }  // namespace
 
-void note_asked(StageResult& made, const recipe::Recipe& recipe, std::size_t place) {
+template <int D> void note_asked(StageResultIn<D>& made, const recipe::Recipe& recipe, std::size_t place) {
   Asked& asked = made.asked;
   asked = {};
   asked.known = true;
@@ -84,11 +84,16 @@ void note_asked(StageResult& made, const recipe::Recipe& recipe, std::size_t pla
   fields::add_driven(made, recipe.stages[place - 1]);
 }
 
-StageResult read_stage(const std::filesystem::path& path) {
-  StageResult result = io::read_stage(path);
+template void note_asked(StageResult&, const recipe::Recipe&, std::size_t);
+template void note_asked(SphereResult&, const recipe::Recipe&, std::size_t);
+
+template <int D> StageResultIn<D> read_stage(const std::filesystem::path& path) {
+  StageResultIn<D> result = io::read_stage<D>(path);
   complete(result);
   return result;
 }
+template StageResult read_stage(const std::filesystem::path&);
+template SphereResult read_stage(const std::filesystem::path&);
 
 FieldResult read_field(const std::filesystem::path& path) {
   FieldResult result = io::read_field(path);

@@ -10,11 +10,11 @@ namespace arenite::workflow {
 
 /// Notes in the result of a stage, 0 the packing, what its recipe asked of it (model/result.hpp), and beside the rows
 /// of its history what it drove (grains/fields/driven.hpp).
-void note_asked(StageResult& made, const recipe::Recipe& recipe, std::size_t place);
+template <int D> void note_asked(StageResultIn<D>& made, const recipe::Recipe& recipe, std::size_t place);
 
 /// A result as its file has it. One of a version that noted nothing, or no title, gets it now by the recipe in its
 /// provenance, which nothing else reads; where that is of another version it stays unknown.
-StageResult read_stage(const std::filesystem::path& path);
+template <int D = 2> StageResultIn<D> read_stage(const std::filesystem::path& path);
 FieldResult read_field(const std::filesystem::path& path);
 FilmResult read_film_result(const std::filesystem::path& path);
 io::AnyResult read_result(const std::filesystem::path& path);

@@ -112,7 +112,35 @@ std::string sample(const recipe::Recipe& recipe, Packing& packing) {
       classes.law.volume_ratio, 100 * report.volume_ratio_error, 1e3 * report.gap, left_out, report.solid_fraction);
 }
 
+Container<3> container_in_space(const recipe::Recipe& recipe) {
+  const recipe::ContainerParameters& container = recipe.container;
+  Container<3> domain;
+  domain.periodic = container.periodic;
+  for (int side = 0; side < sides_in<3>; ++side) domain.wall[side].present = !container.is_periodic(side);
+  domain.wall[right].position = container.width;
+  domain.wall[top].position = container.height;
+  domain.wall[front].position = container.depth;
+  return domain;
+}
+
 }  // namespace
+
+SphereResult make_sphere_packing(const recipe::Recipe& recipe) {
+  SphereResult result;
+  result.name = "packing";
+  auto& snapshot = result.snapshots.emplace_back();
+  snapshot.label = "start";
+  PackingIn<3>& packing = snapshot.packing;
+  packing.materials = recipe.materials;
+  packing.domain = container_in_space(recipe);
+  packing.grains = packing::draw_spheres(recipe.populations, recipe.materials, recipe.packing.grains, recipe.seed);
+  if (!(recipe.container.height > 0))
+    packing.domain.wall[top].position =
+        packing.grains.volume() / (recipe.packing.solid_fraction * recipe.container.width * recipe.container.depth);
+  result.outcome =
+      "random filling, " + describe(packing::fill_at_random<3>(packing.grains, packing.domain, recipe.seed));
+  return result;
+}
 
 StageResult make_packing(const recipe::Recipe& recipe) {
   if (recipe.map) throw InputError("a recipe with [map] has no grains to pack; give one without it");

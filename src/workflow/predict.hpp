@@ -12,8 +12,9 @@
 
 // What a simulation will cost and what it will be like, before it is run. SI units.
 namespace arenite::dem {
-class Engine;
-}
+template <int D> class EngineIn;
+using Engine = EngineIn<2>;
+}  // namespace arenite::dem
 
 namespace arenite::workflow {
 

@@ -8,7 +8,6 @@
 #include "core/mapped.hpp"
 #include "core/version.hpp"
 #include "grains/dem/kernels/kernel.hpp"
-#include "grains/fields/stage_numbers.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
 #include "workflow/asked.hpp"
@@ -26,6 +25,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The stages of grains of an outcome.
+template <int D> std::vector<StageResultIn<D>>& stages_of(RunOutcome& outcome);
+template <> std::vector<StageResult>& stages_of(RunOutcome& outcome) { return outcome.stages; }
+template <> std::vector<SphereResult>& stages_of(RunOutcome& outcome) { return outcome.spheres; }
+
+/// The packing that a recipe of either dimension begins with.
+template <int D> StageResultIn<D> packing_of(const recipe::Recipe& recipe);
+template <> StageResult packing_of<2>(const recipe::Recipe& recipe) { return make_packing(recipe); }
+template <> SphereResult packing_of<3>(const recipe::Recipe& recipe) { return make_sphere_packing(recipe); }
+
 /// A run on its way through its plan.
 class Run {
  public:
@@ -41,7 +50,8 @@ class Run {
     if (const std::string sentence = folder_.what_was_put_aside(); !sentence.empty()) options_.notice(sentence);
     if (recipe_.map && is_in_space(recipe_.map_beside())) load_space();
     else if (recipe_.map) load_map();
-    else if (pack() && load_grains() && recipe_.has_field()) load_cemented();
+    else if (recipe_.dimension == 3) void(pack<3>() && load_grains<3>());
+    else if (pack<2>() && load_grains<2>() && recipe_.has_field()) load_cemented();
     if (outcome_.interrupted) return std::move(outcome_);
     // At the very end, since a run may be killed between writing its last file and this.
     std::error_code error;
@@ -58,17 +68,19 @@ class Run {
     return result;
   }
 
-  template <class Make> bool add_stage(std::size_t s, Make make) {
-    const bool has_before = s > 0 && !outcome_.stages.back().snapshots.empty();
-    const Packing* const before = has_before ? &outcome_.stages.back().snapshots.back().packing : nullptr;
-    const GrainStage stage{recipe_, s, plan_[s].hash, before, &outcome_.measured.stages.emplace_back()};
+  template <int D, class Make> bool add_stage(std::size_t s, Make make) {
+    auto& stages = stages_of<D>(outcome_);
+    const bool has_before = s > 0 && !stages.back().snapshots.empty();
+    const PackingIn<D>* const before = has_before ? &stages.back().snapshots.back().packing : nullptr;
+    const GrainStageIn<D> stage{recipe_, s, plan_[s].hash, before, &outcome_.measured.stages.emplace_back()};
     const auto made = [&](const fs::path& checkpoint) { return make(stage, checkpoint); };
-    auto result = carry_out_stage<StageResult>({plan_[s], folder_ / plan_[s].file, made, io::write_stage, read_stage});
+    auto result =
+        carry_out_stage<StageResultIn<D>>({plan_[s], folder_ / plan_[s].file, made, io::write_stage<D>, read_stage<D>});
     if (!result) {
       outcome_.measured.stages.pop_back();
       return false;
     }
-    outcome_.stages.push_back(std::move(*result));
+    stages.push_back(std::move(*result));
     return true;
   }
 
@@ -114,40 +126,40 @@ class Run {
     options_.progress(progress_);
   }
 
-  bool pack() {
-    const auto make = [&](const GrainStage& stage, const fs::path&) {
-      return std::optional(measure_stage(stage, make_packing(recipe_)));
+  template <int D> bool pack() {
+    const auto make = [&](const GrainStageIn<D>& stage, const fs::path&) {
+      return std::optional(measure_stage(stage, packing_of<D>(recipe_)));
     };
-    if (!add_stage(0, make)) return false;
+    if (!add_stage<D>(0, make)) return false;
     show_done();
     io::write_atomically(folder_ / "recipe.toml", to_toml(recipe_));
     return true;
   }
 
   /// A stage that was changed on its way is not the one that its key says; nor is then what follows.
-  void tell_what_follows(std::size_t s) {
-    const std::string& made = outcome_.stages.back().provenance.input_hash;
+  void tell_what_follows(std::size_t s, const std::string& made) {
     if (made == plan_[s].hash) return;
     for (std::size_t later = s + 1; later < plan_.size(); ++later)
       plan_[later].hash = HashBuilder().add("stage", plan_[later].hash).add("after", made).hex();
   }
 
   /// All stages of loading by discrete elements; true if the run may go on.
-  bool load_grains() {
-    const Packing start = outcome_.stages[0].snapshots.back().packing;
-    std::optional<dem::Engine> engine;
+  template <int D> bool load_grains() {
+    auto& stages = stages_of<D>(outcome_);
+    const PackingIn<D> start = stages[0].snapshots.back().packing;
+    std::optional<dem::EngineIn<D>> engine;
     for (std::size_t s = 1; s <= recipe_.stages.size(); ++s) {
       begin(s);
-      const auto make = [&](const GrainStage& stage, const fs::path& checkpoint) {
+      const auto make = [&](const GrainStageIn<D>& stage, const fs::path& checkpoint) {
         if (!engine) engine.emplace(start, recipe_.contact, recipe_.integration);
-        if (s > 1) restore_sample(*engine, outcome_.stages.back().continuation);
+        if (s > 1) dem::restore_sample<D>(*engine, stages.back().continuation);
         return load_stage(stage, *engine, options_.on_step ? fs::path() : checkpoint, options_, progress_,
                           options_.on_step);
       };
-      if (!add_stage(s, make)) return false;
-      tell_what_follows(s);
+      if (!add_stage<D>(s, make)) return false;
+      tell_what_follows(s, stages.back().provenance.input_hash);
       if (progress_.reused) show_done();
-      outcome_.converged = outcome_.stages.back().converged;
+      outcome_.converged = stages.back().converged;
       if (!outcome_.converged) return false;
     }
     return true;
@@ -219,19 +231,6 @@ class Run {
 
 }  // namespace
 
-StageResult measure_stage(const GrainStage& stage, StageResult made, const std::string& kernel) {
-  const auto& [recipe, place, hash, before, known] = stage;
-  made.provenance = {version, made.name, hash, to_toml(part_of(recipe, place)), recipe.seed, kernel, {}, recipe.title};
-  note_asked(made, recipe, place);
-  if (made.snapshots.empty()) return made;
-  const texture::Options measuring = fields::texture_options(made);
-  texture::Texture texture = texture::measure(made.snapshots.back().packing, measuring);
-  made.texture = fields::stage_numbers(
-      {made, place > 0 ? recipe.stages[place - 1] : dem::Stage{}, place > 1 ? before : nullptr, texture, &measuring});
-  if (known) *known = std::move(texture);
-  return made;
-}
-
 std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engine, const fs::path& checkpoint,
                                       const RunOptions& options, const Progress& progress,
                                       const StepFunction* on_step) {
@@ -255,9 +254,33 @@ std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engi
   return made;
 }
 
+std::optional<SphereResult> load_stage(const GrainStageIn<3>& stage, dem::EngineIn<3>& engine,
+                                       const fs::path& checkpoint, const RunOptions& options, const Progress& progress,
+                                       const StepFunction* /*on_step*/) {
+  const dem::Stage& loading = stage.recipe.stages[stage.place - 1];
+  dem::StageRunIn<3> run = begun_or_kept(engine, loading, stage.hash, checkpoint, options);
+  CheckpointTimes times(options);
+  Progress now = progress;
+  now.increments = loading.duration ? 0 : dem::increment_count(loading);
+  while (!run.finished) {
+    dem::continue_stage(engine, loading, run);
+    now.share = dem::share_done(loading, run);
+    now.increment = std::min(run.increment + 1, now.increments);
+    now.unbalanced_ratio = run.latest.unbalanced_ratio;
+    now.step = engine.step;
+    now.time = dem::time_of<3>(engine);
+    options.progress(now);
+    if (run.finished || !times.is_due()) continue;
+    keep(engine, run, stage.hash, checkpoint);
+    if (times.asked_to_stop()) return std::nullopt;
+  }
+  run.result.continuation = dem::save_sample<3>(engine);
+  return measure_stage(stage, std::move(run.result), engine.kernel->name);
+}
+
 RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options) {
   try {
-    dem::find_kernel(recipe.integration.kernel);
+    dem::find_kernel<2>(recipe.integration.kernel);
     return Run(recipe, options).outcome();
   } catch (const InputError& error) { throw in_file(error, recipe.source_file); }
 }

@@ -13,10 +13,12 @@
 #include "recipe/recipe.hpp"
 #include "solid/stress/stress.hpp"
 #include "workflow/checkpoints.hpp"
+#include "workflow/grain_stage.hpp"
 
 namespace arenite::dem {
-class Engine;
-}
+template <int D> class EngineIn;
+using Engine = EngineIn<2>;
+}  // namespace arenite::dem
 
 namespace arenite::workflow {
 
@@ -65,8 +67,9 @@ struct RunOutcome {
   bool interrupted = false;                  ///< asked to stop; the next run goes on from the checkpoint
   std::vector<std::filesystem::path> files;  ///< one a stage, in order
   std::vector<StageResult> stages;
-  std::vector<FieldResult> fields;  ///< the cemented sample and its loads, after the stages
-  std::vector<VoxelResult> voxels;  ///< loads of a sample in space
+  std::vector<SphereResult> spheres;  ///< stages of a recipe in space
+  std::vector<FieldResult> fields;    ///< the cemented sample and its loads, after the stages
+  std::vector<VoxelResult> voxels;    ///< loads of a sample in space
   KnownStatistics measured;
 };
 
@@ -80,24 +83,15 @@ struct RunOutcome {
 /// their way.
 [[nodiscard]] RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options);
 
-/// A stage of grains on its own, as a run and Python take it.
-struct GrainStage {
-  const recipe::Recipe& recipe;
-  std::size_t place = 0;            ///< 0 is the packing
-  std::string hash;                 ///< names its result
-  const Packing* before = nullptr;  ///< the state that it begins with; null for the packing
-  std::optional<texture::Texture>* texture =
-      nullptr;  ///< gets that of the last state, whose numbers the result has; nothing without states
-};
-
-/// Measures what was made of a stage by all that fields::stage_numbers knows, and says where it comes from.
-StageResult measure_stage(const GrainStage& stage, StageResult made, const std::string& kernel = {});
-
 /// Takes the grains of an engine through a stage of loading and measures it. It is kept in the file `checkpoint` on its
 /// way, unless that is empty, and goes on from there; nothing if it was asked to stop. A result that `on_step`
 /// (stage_watch.hpp) has changed names the changes, and has a hash of its own.
 std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engine,
                                       const std::filesystem::path& checkpoint, const RunOptions& options,
                                       const Progress& progress, const StepFunction* on_step = nullptr);
+/// The same of spheres, which no function looks at on their way.
+std::optional<SphereResult> load_stage(const GrainStageIn<3>& stage, dem::EngineIn<3>& engine,
+                                       const std::filesystem::path& checkpoint, const RunOptions& options,
+                                       const Progress& progress, const StepFunction* on_step = nullptr);
 
 }  // namespace arenite::workflow

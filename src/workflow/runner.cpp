@@ -17,29 +17,33 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string force_at_start(int side) { return fmt::format("force_at_start {}", side_names[side]); }
+std::string force_at_start(int side) { return fmt::format("force_at_start {}", any_side_names[side]); }
 
-constexpr std::pair<const char*, std::int64_t dem::StageRun::*> counts[] = {
-    {"increment", &dem::StageRun::increment},
-    {"steps_in_increment", &dem::StageRun::steps_in_increment},
-    {"sample_every", &dem::StageRun::sample_every},
-    {"checks", &dem::StageRun::checks},
-    {"extra_states", &dem::StageRun::extra_states}};
+template <int D>
+constexpr std::pair<const char*, std::int64_t dem::StageRunIn<D>::*> counts[] = {
+    {"increment", &dem::StageRunIn<D>::increment},
+    {"steps_in_increment", &dem::StageRunIn<D>::steps_in_increment},
+    {"sample_every", &dem::StageRunIn<D>::sample_every},
+    {"checks", &dem::StageRunIn<D>::checks},
+    {"extra_states", &dem::StageRunIn<D>::extra_states}};
 
-io::Checkpoint to_checkpoint(const dem::Engine& engine, const dem::StageRun& run, const std::string& key) {
-  io::Checkpoint checkpoint;
+template <int D>
+io::CheckpointIn<D> to_checkpoint(const dem::EngineIn<D>& engine, const dem::StageRunIn<D>& run,
+                                  const std::string& key) {
+  io::CheckpointIn<D> checkpoint;
   checkpoint.key = key;
-  checkpoint.blobs["engine"] = save_sample(engine);
-  for (int side = 0; side < sides; ++side) checkpoint.numbers[force_at_start(side)] = run.start.force[side];
-  for (const auto& [name, count] : counts) checkpoint.integers[name] = run.*count;
+  checkpoint.blobs["engine"] = dem::save_sample<D>(engine);
+  for (int side = 0; side < sides_in<D>; ++side) checkpoint.numbers[force_at_start(side)] = run.start.force[side];
+  for (const auto& [name, count] : counts<D>) checkpoint.integers[name] = run.*count;
   checkpoint.partial = run.result;
   return checkpoint;
 }
 
-void restore_from(const io::Checkpoint& checkpoint, dem::Engine& engine, dem::StageRun& run) {
-  restore_sample(engine, checkpoint.blobs.at("engine"));
-  for (int side = 0; side < sides; ++side) run.start.force[side] = checkpoint.numbers.at(force_at_start(side));
-  for (const auto& [name, count] : counts)
+template <int D>
+void restore_from(const io::CheckpointIn<D>& checkpoint, dem::EngineIn<D>& engine, dem::StageRunIn<D>& run) {
+  dem::restore_sample<D>(engine, checkpoint.blobs.at("engine"));
+  for (int side = 0; side < sides_in<D>; ++side) run.start.force[side] = checkpoint.numbers.at(force_at_start(side));
+  for (const auto& [name, count] : counts<D>)
     if (const auto at = checkpoint.integers.find(name); at != checkpoint.integers.end()) run.*count = at->second;
   run.result = checkpoint.partial;
 }
@@ -100,18 +104,28 @@ peridynamics::Watch watch_of(Progress& progress, const RunOptions& options) {
   };
 }
 
-dem::StageRun begun_or_kept(dem::Engine& engine, const dem::Stage& stage, const std::string& key, const fs::path& file,
-                            const RunOptions& options) {
-  dem::StageRun run = dem::begin_stage(engine, stage);
+template <int D>
+dem::StageRunIn<D> begun_or_kept(dem::EngineIn<D>& engine, const dem::Stage& stage, const std::string& key,
+                                 const fs::path& file, const RunOptions& options) {
+  dem::StageRunIn<D> run = dem::begin_stage(engine, stage);
   const auto kept =
-      unless_damaged(file, options, "the stage starts again", [&] { return io::read_checkpoint(file, key); });
+      unless_damaged(file, options, "the stage starts again", [&] { return io::read_checkpoint<D>(file, key); });
   if (kept && *kept) restore_from(**kept, engine, run);
   return run;
 }
 
-void keep(const dem::Engine& engine, const dem::StageRun& run, const std::string& key, const fs::path& file) {
+template <int D>
+void keep(const dem::EngineIn<D>& engine, const dem::StageRunIn<D>& run, const std::string& key, const fs::path& file) {
   if (!file.empty()) io::write_checkpoint(file, to_checkpoint(engine, run, key));
 }
+
+#define ARENITE_OF(D)                                                                                                  \
+  template dem::StageRunIn<D> begun_or_kept(dem::EngineIn<D>&, const dem::Stage&, const std::string&, const fs::path&, \
+                                            const RunOptions&);                                                        \
+  template void keep(const dem::EngineIn<D>&, const dem::StageRunIn<D>&, const std::string&, const fs::path&);
+ARENITE_OF(2)
+ARENITE_OF(3)
+#undef ARENITE_OF
 
 FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const std::string& key,
                                      const RunOptions& options) {

@@ -154,11 +154,13 @@ class CheckpointTimes {
 History convergence_of(const std::vector<double>& residuals);
 
 /// A stage of loading by discrete elements, at its begin or where it was kept by its file.
-dem::StageRun begun_or_kept(dem::Engine& engine, const dem::Stage& stage, const std::string& key,
-                            const std::filesystem::path& file, const RunOptions& options);
+template <int D>
+dem::StageRunIn<D> begun_or_kept(dem::EngineIn<D>& engine, const dem::Stage& stage, const std::string& key,
+                                 const std::filesystem::path& file, const RunOptions& options);
 
 /// Keeps it there; nowhere if `file` is empty.
-void keep(const dem::Engine& engine, const dem::StageRun& run, const std::string& key,
+template <int D>
+void keep(const dem::EngineIn<D>& engine, const dem::StageRunIn<D>& run, const std::string& key,
           const std::filesystem::path& file);
 
 /// Where a killed test stood by its file, and how this one is kept there.

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "grains/dem/run_stage.hpp"
-#include "workflow/runner.hpp"
+#include "workflow/grain_stage.hpp"
 
 namespace arenite::workflow {
 

@@ -7,7 +7,7 @@
 #include "io/film/film.hpp"
 #include "recipe/recipe.hpp"
 #include "report/film_text.hpp"
-#include "report/summary.hpp"
+#include "report/summary/summary.hpp"
 #include "support/filmed_study.hpp"
 #include "support/small_study.hpp"
 #include "support/virtual_film.hpp"

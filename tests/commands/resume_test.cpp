@@ -7,6 +7,7 @@
 
 #include "core/random.hpp"
 #include "support/program.hpp"
+#include "support/small_spheres.hpp"
 #include "support/small_study.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -127,6 +128,12 @@ TEST(Resume, KilledAtRandomMomentsAPullToFailureEndsWithTheSameBytes) {
   const test::TemporaryFolder folder;
   std::ofstream(folder / "recipe.toml") << pulled;
   kill_at_random_moments(folder / "recipe.toml", 5, 2, 5);
+}
+
+TEST(Resume, KilledAtRandomMomentsARunOfSpheresEndsWithTheSameBytes) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "recipe.toml") << test::small_triaxial;
+  kill_at_random_moments(folder / "recipe.toml", 3, 2, 4);
 }
 
 /// Grains come in and leave, in a stage and in the one after.

@@ -1,7 +1,6 @@
 #include "grains/dem/engine.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "core/error.hpp"
@@ -20,12 +19,11 @@ int useful_threads(int asked, std::size_t disks) {
   return static_cast<int>(std::clamp<std::size_t>(disks / fewest_disks, 1, static_cast<std::size_t>(asked)));
 }
 
-Vec2 gravity_of(const Stage& stage) {
-  return stage.gravity ? stage.gravity_size * Vec2{std::sin(stage.gravity_angle), -std::cos(stage.gravity_angle)}
-                       : Vec2{};
+template <int D> Vec<D> gravity_of(const Stage& stage) {
+  return stage.gravity ? gravity_along<D>(stage.gravity_size, stage.gravity_angle) : Vec<D>{};
 }
 
-double drag_of(const Sample& sample, const Stage& stage) {
+template <int D> double drag_of(const SampleIn<D>& sample, const Stage& stage) {
   return sample.integration.drag + stage.drag + stage.critical_drag * critical_drag(sample);
 }
 
@@ -36,6 +34,31 @@ BySide<bool> open_in(const Sample& sample, const Stage& stage) {
   for (int side = 0; side < sides; ++side)
     open[side] = open[side] || stage.side[side].is_skin() || sample.wall[side].skin;
   return open;
+}
+
+/// What a stage says of parts that the plane alone has, as it begins and where it changes.
+void begin_parts(SampleIn<3>& /*sample*/, const Stage& /*stage*/, const ThreadPool& /*pool*/) {}
+void begin_parts(Sample& s, const Stage& stage, const ThreadPool& pool) {
+  if (stage.bond) make_bonds(s, pool);
+  set_open(s, open_in(s, stage), pool);
+  set_boundaries(s, stage.boundaries, pool);
+  set_membranes(s, membrane_pressures(stage), stage.skin, pool);
+  set_rough(s, stage.rough, pool);
+}
+
+void change_parts(SampleIn<3>& /*sample*/, const Stage& /*before*/, const Stage& /*after*/,
+                  const ThreadPool& /*pool*/) {}
+void change_parts(Sample& s, const Stage& before, const Stage& after, const ThreadPool& pool) {
+  if (after.boundaries != before.boundaries) set_boundaries(s, after.boundaries, pool);
+  if (membrane_pressures(after) != membrane_pressures(before))
+    set_membranes(s, membrane_pressures(after), after.skin, pool);
+}
+
+void begin_traffic(SampleIn<3>& /*sample*/, const Exchange& /*exchange*/) {}
+void begin_traffic(Sample& s, const Exchange& exchange) { begin_exchange(s, exchange); }
+void let_pass(SampleIn<3>& /*sample*/, const Exchange& /*exchange*/, double /*since*/, const ThreadPool& /*pool*/) {}
+void let_pass(Sample& s, const Exchange& exchange, double since, const ThreadPool& pool) {
+  exchange_grains(s, exchange, since, pool);
 }
 
 }  // namespace
@@ -65,12 +88,14 @@ template <int D> void advance(SampleIn<D>& s, const ThreadPool& pool, std::int64
 template void advance(SampleIn<2>&, const ThreadPool&, std::int64_t);
 template void advance(SampleIn<3>&, const ThreadPool&, std::int64_t);
 
-Engine::Engine(const Packing& given, const ContactParameters& parameters, const IntegrationParameters& scheme)
-    : Sample(make_sample(given, parameters, scheme, find_kernel(scheme.kernel))),
+template <int D>
+EngineIn<D>::EngineIn(const PackingIn<D>& given, const ContactParameters& parameters,
+                      const IntegrationParameters& scheme)
+    : SampleIn<D>(make_sample(given, parameters, scheme, find_kernel<D>(scheme.kernel))),
       pool_(std::make_unique<ThreadPool>(useful_threads(scheme.threads, given.grains.size()))) {}
 
-void Engine::begin(const Stage& stage) {
-  set_gravity(*this, gravity_of(stage));
+template <int D> void EngineIn<D>::begin(const Stage& stage) {
+  set_gravity(*this, gravity_of<D>(stage));
   set_friction(*this, stage.friction);
   if (stage.gravity && stage.mass_scaling == MassScaling::uniform)
     throw InputError("mass scaling cannot be used with gravity; leave gravity or mass_scaling out");
@@ -78,28 +103,27 @@ void Engine::begin(const Stage& stage) {
   set_inertial_number(*this, stage.inertial_number);
   set_drag(*this, drag_of(*this, stage));
   set_glue(*this, stage.glue);
-  if (stage.bond) make_bonds(*this, *pool_);
-  set_open(*this, open_in(*this, stage), *pool_);
-  set_boundaries(*this, stage.boundaries, *pool_);
-  set_membranes(*this, membrane_pressures(stage), stage.skin, *pool_);
-  set_rough(*this, stage.rough, *pool_);
+  begin_parts(*this, stage, *pool_);
   set_shear_rate(*this, stage.shear_rate);
   set_programmes(*this, {stage.programmes, time_of(*this), stage.gravity_size, stage.gravity_angle});
-  begin_exchange(*this, stage.exchange);
+  begin_traffic(*this, stage.exchange);
 }
 
-void Engine::change(const Stage& before, const Stage& after) {
-  if (gravity_of(after) != gravity_of(before)) set_gravity(*this, gravity_of(after));
+template <int D> void EngineIn<D>::change(const Stage& before, const Stage& after) {
+  if (gravity_of<D>(after) != gravity_of<D>(before)) set_gravity(*this, gravity_of<D>(after));
   if (after.friction != before.friction) set_friction(*this, after.friction);
   if (after.drag != before.drag || after.critical_drag != before.critical_drag) set_drag(*this, drag_of(*this, after));
-  if (after.boundaries != before.boundaries) set_boundaries(*this, after.boundaries, *pool_);
-  if (membrane_pressures(after) != membrane_pressures(before))
-    set_membranes(*this, membrane_pressures(after), after.skin, *pool_);
+  change_parts(*this, before, after, *pool_);
   if (after.shear_rate != before.shear_rate) set_shear_rate(*this, after.shear_rate);
 }
 
-void Engine::advance(std::int64_t steps) { dem::advance<2>(*this, *pool_, steps); }
+template <int D> void EngineIn<D>::advance(std::int64_t steps) { dem::advance<D>(*this, *pool_, steps); }
 
-void Engine::exchange(const Exchange& exchange, double since) { exchange_grains(*this, exchange, since, *pool_); }
+template <int D> void EngineIn<D>::exchange(const Exchange& exchange, double since) {
+  let_pass(*this, exchange, since, *pool_);
+}
+
+template class EngineIn<2>;
+template class EngineIn<3>;
 
 }  // namespace arenite::dem

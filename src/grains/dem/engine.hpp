@@ -20,10 +20,10 @@ template <int D> void advance(SampleIn<D>& sample, const ThreadPool& pool, std::
 /// A sample that moves, with the threads that move it. Inside, disks are sorted by place and their contacts listed;
 /// what is measured has the caller's order. Same input, same kernel: same bits for any thread count. All else that is
 /// done with a sample are functions of it: packing_of, energies_of, set_drives, save_sample and the like.
-class Engine : public Sample {
+template <int D> class EngineIn : public SampleIn<D> {
  public:
   /// Throws InputError for a step beyond the bounds, naming the step that would do.
-  Engine(const Packing& start, const ContactParameters& contact, const IntegrationParameters& integration);
+  EngineIn(const PackingIn<D>& start, const ContactParameters& contact, const IntegrationParameters& integration);
 
   /// Sets all that a stage says of the whole sample, in the order in which it takes effect: gravity, friction, masses,
   /// drag, glue, bonds, open walls, boundaries, rough walls, shear, programmes and exchange of grains. What drives the
@@ -43,5 +43,6 @@ class Engine : public Sample {
  private:
   std::unique_ptr<ThreadPool> pool_;
 };
+using Engine = EngineIn<2>;
 
 }  // namespace arenite::dem

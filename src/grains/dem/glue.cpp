@@ -36,13 +36,16 @@ template <int D> void end_opened_glue(SampleIn<D>& s) {
 template void end_opened_glue(SampleIn<2>&);
 template void end_opened_glue(SampleIn<3>&);
 
-void set_glue(Sample& s, bool on) {
+template <int D> void set_glue(SampleIn<D>& s, bool on) {
   if (on == s.glue) return;
-  book_change(s, &Energies::dissipated_breakage, adhesive_energy<2>, [&] {
+  book_change(s, &Energies::dissipated_breakage, adhesive_energy<D>, [&] {
     s.glue = on;
     glue_touching_pairs(s);
   });
-  the<EnergyBalance>(s).open = false;
+  each_part(s, [&](auto& part) { part.break_step(s); });
 }
+
+template void set_glue(Sample&, bool);
+template void set_glue(SampleIn<3>&, bool);
 
 }  // namespace arenite::dem

@@ -55,6 +55,6 @@ template <int D> void glue_touching_pairs(SampleIn<D>& s) {
 template <int D> void end_opened_glue(SampleIn<D>& sample);
 
 /// Adhesion acts, or does not; of glue that breaks for good: pairs that touch now are glued.
-void set_glue(Sample& sample, bool on);
+template <int D> void set_glue(SampleIn<D>& sample, bool on);
 
 }  // namespace arenite::dem

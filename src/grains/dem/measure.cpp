@@ -53,10 +53,12 @@ template <int D> double kinetic_energy(const SampleIn<D>& s, std::size_t k, bool
 }
 
 /// Force on a mover, its weight included, N; 0 on one that goes with a wall.
-double resultant_of(const Sample& s, std::size_t k) {
+double hypotenuse(Vec2 f) { return std::hypot(f.x, f.y); }
+double hypotenuse(Vec3 f) { return std::hypot(f.x, f.y, f.z); }
+template <int D> double resultant_of(const SampleIn<D>& s, std::size_t k) {
   if (is_held(s, k)) return 0;
-  const Vec2 f = load_on(s, k).force + mover_at(s, k).mass * s.gravity;
-  return k < s.count ? std::hypot(f.x, f.y) : norm(f);
+  const Vec<D> f = load_on(s, k).force + mover_at(s, k).mass * s.gravity;
+  return k < s.count ? hypotenuse(f) : norm(f);
 }
 
 /// Grains that carry force between two contacts or more, and the loose others, apart: a loose grain moves on for long
@@ -67,7 +69,7 @@ struct Motions {
   std::size_t falling = 0;        ///< loose grains more than half of whose weight nothing holds
 };
 
-Motions motions_of(const Sample& s, const std::vector<int>& pressed_contacts) {
+template <int D> Motions motions_of(const SampleIn<D>& s, const std::vector<int>& pressed_contacts) {
   const double g = norm(s.gravity);
   Motions motions;
   each_mover(s, [&](std::size_t k) {
@@ -137,13 +139,7 @@ template <int D> Energies energies_of(const SampleIn<D>& s) {
   return e;
 }
 
-template double adhesive_energy(const SampleIn<2>&);
-template Packing packing_of(const SampleIn<2>&);
-template PackingIn<3> packing_of(const SampleIn<3>&);
-template Energies energies_of(const SampleIn<2>&);
-template Energies energies_of(const SampleIn<3>&);
-
-Equilibrium equilibrium_of(const Sample& s) {
+template <int D> Equilibrium equilibrium_of(const SampleIn<D>& s) {
   Equilibrium q;
   std::vector<int> pressed_contacts(s.count + body_count(s), 0);
   const auto grains = static_cast<double>(grain_count(s));
@@ -151,30 +147,29 @@ Equilibrium equilibrium_of(const Sample& s) {
   std::size_t contacts = 0, pressed = 0;
   each_mover(s, [&](std::size_t k) { resultant += resultant_of(s, k); });
   for (std::size_t p = 0; p < s.list.size(); ++p) {
-    const Kinematics<2> c = slot_kinematics(s, p);
-    const double pull = the<CohesivePairs>(s).pull_of(p);
+    const Kinematics<D> c = slot_kinematics(s, p);
+    const double pull = sum_of_parts(s, [&](const auto& part) { return part.pull_of(p); });
     const bool touches = c.overlap > 0;
     if (!touches && !(pull > 0)) continue;
-    const Vec2 force = s.list.force[p].on_i;
+    const Vec<D> force = s.list.force[p].on_i;
     const double fn = touches ? dot(force, c.normal) : 0.0;
     normal_sum += touches ? std::abs(fn) : pull;
     ++contacts;
     if (fn > 0) {
-      mobilised += std::abs(dot(force, perpendicular(c.normal))) / fn;
+      mobilised += size_of(cross(c.normal, force)) / fn;
       ++pressed;
     }
     if (!(fn > 0) && !(pull > 0)) continue;  // a pull holds its grains, whatever presses them
     ++pressed_contacts[moving(s, s.list.i[p])];
     if (s.list.j[p] >= 0) ++pressed_contacts[moving(s, s.list.owner[p])];
   }
-  for (std::size_t n = 0; n < the<Bonds>(s).slots.size(); ++n) {
-    const BondSlot& b = the<Bonds>(s).slots[n];
-    const SlotForce<2>& f = s.list.force[the<Bonds>(s).place(s.list, n)];
-    if (!acts(f)) continue;
-    normal_sum += std::hypot(f.on_i.x, f.on_i.y);
-    ++contacts;
-    for (const std::int32_t k : {b.i, b.j}) ++pressed_contacts[moving(s, k)];
-  }
+  each_part(s, [&](const auto& part) {
+    part.each_joint(s, [&](std::int32_t i, std::int32_t j, double size) {
+      normal_sum += size;
+      ++contacts;
+      for (const std::int32_t k : {i, j}) ++pressed_contacts[moving(s, k)];
+    });
+  });
   if (s.count > 0 && resultant > 0)
     q.unbalanced_ratio = normal_sum > 0 ? (resultant / grains) * static_cast<double>(contacts) / normal_sum
                                         : std::numeric_limits<double>::infinity();
@@ -184,19 +179,29 @@ Equilibrium equilibrium_of(const Sample& s) {
   q.loose_kinetic = over_elastic(motions.loose, elastic);
   if (s.count > 0) q.falling = static_cast<double>(motions.falling) / grains;
   if (pressed > 0) q.mobilisation = mobilised / static_cast<double>(pressed);
-  q.wall_speed = fastest_point(s.domain);
-  for (int side = 0; side < sides; ++side) q.wall_speed = std::max(q.wall_speed, std::abs(wall_rate(s, side)));
+  each_part(s, [&](const auto& part) { q.wall_speed = std::max(q.wall_speed, part.fastest_point(s)); });
+  for (int side = 0; side < sides_in<D>; ++side) q.wall_speed = std::max(q.wall_speed, std::abs(wall_rate(s, side)));
   return q;
 }
 
-Amount amount_below(const Sample& s, double height) {
+template <int D> Amount amount_below(const SampleIn<D>& s, double height) {
   Amount amount;
   each_mover(s, [&](std::size_t k) {
     if (!(mover_at(s, k).place.y < height)) return;
     ++amount.grains;
-    amount.mass += k < s.count ? own_mass(s, s.record[k].grain) : own_mass(s, the<Bodies>(s).body[k - s.count].first);
+    amount.mass += own_mass_of(s, mover_at(s, k).grain);
   });
   return amount;
 }
+
+template double adhesive_energy(const SampleIn<2>&);
+template Packing packing_of(const SampleIn<2>&);
+template PackingIn<3> packing_of(const SampleIn<3>&);
+template Energies energies_of(const SampleIn<2>&);
+template Energies energies_of(const SampleIn<3>&);
+template Equilibrium equilibrium_of(const SampleIn<2>&);
+template Equilibrium equilibrium_of(const SampleIn<3>&);
+template Amount amount_below(const SampleIn<2>&, double);
+template Amount amount_below(const SampleIn<3>&, double);
 
 }  // namespace arenite::dem

@@ -12,7 +12,7 @@ template <int D> PackingIn<D> packing_of(const SampleIn<D>& sample);
 /// Energies stored now, with the tally of what was dissipated and done so far, which is there only with track_energy.
 template <int D> Energies energies_of(const SampleIn<D>& sample);
 
-Equilibrium equilibrium_of(const Sample& sample);
+template <int D> Equilibrium equilibrium_of(const SampleIn<D>& sample);
 
 /// Energy of the adhesion, J, <= 0.
 template <int D> double adhesive_energy(const SampleIn<D>& sample);
@@ -23,12 +23,12 @@ struct Amount {
   double mass = 0;
 };
 /// Grains whose centre is below a height, m.
-Amount amount_below(const Sample& sample, double height);
+template <int D> Amount amount_below(const SampleIn<D>& sample, double height);
 
 /// Changes something by decree, and books what an energy, a term of energies_of or a function of the sample, gains by
 /// that as work of the sides or as exchanged, or what it loses as another `term` of the account.
-template <class Energy, class Change>
-void book_change(Sample& s, double Energies::*term, const Energy& energy, const Change& change) {
+template <int D, class Energy, class Change>
+void book_change(SampleIn<D>& s, double Energies::*term, const Energy& energy, const Change& change) {
   if (!s.integration.track_energy) return change();
   const auto now = [&] {
     if constexpr (std::is_member_object_pointer_v<Energy>) return energies_of(s).*energy;

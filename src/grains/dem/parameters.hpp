@@ -99,8 +99,9 @@ template <int D> struct WallDriveIn {
   Along<D> slide = {};  ///< m/s of a wall along itself
   bool operator==(const WallDriveIn&) const = default;
 };
+template <int D> using WallDrivesIn = std::array<WallDriveIn<D>, sides_in<D>>;
 using WallDrive = WallDriveIn<2>;
-using WallDrives = BySide<WallDrive>;
+using WallDrives = WallDrivesIn<2>;
 
 /// How a boundary moves in a stage; one that is not named is there, at rest.
 struct BoundaryMotion {

@@ -38,7 +38,7 @@ Vec2 gravity_at(const Stage& stage, double time) {
     if (p.of.is(Programme::What::gravity_size)) g = p.at(time);
     if (p.of.is(Programme::What::gravity_angle)) turned = p.at(time);
   }
-  return g * Vec2{std::sin(turned), -std::cos(turned)};
+  return gravity_along<2>(g, turned);
 }
 
 }  // namespace arenite::dem

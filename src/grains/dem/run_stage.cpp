@@ -55,20 +55,20 @@ constexpr std::int64_t check_interval = 200;  // steps between two looks at equi
 constexpr std::size_t history_rows = 4096;    // beyond this every second row is dropped
 
 /// Largest departure of a force-driven wall from its aim, relative to the aim.
-double load_error(const WallDrives& drives, const Domain& domain) {
+template <int D> double load_error(const WallDrivesIn<D>& drives, const DomainIn<D>& domain) {
   double worst = 0;
-  for (int side = 0; side < sides; ++side)
-    if (drives[side].kind == WallDrive::Kind::force && drives[side].value > 0)
+  for (int side = 0; side < sides_in<D>; ++side)
+    if (drives[side].kind == DriveKind::force && drives[side].value > 0)
       worst = std::max(worst, std::abs(domain.wall[side].force - drives[side].value) / drives[side].value);
   return worst;
 }
 
 /// Adds a row to the history, where one is due or wanted. It stays short however long the stage: when it is full, every
 /// second row goes and sampling halves.
-void note(const Engine& engine, const Stage& stage, bool wanted, StageRun& run) {
+template <int D> void note(const EngineIn<D>& engine, const Stage& stage, bool wanted, StageRunIn<D>& run) {
   auto& columns = run.result.history.columns;
   if (run.checks++ % run.sample_every == 0 || wanted)
-    add_row(run.result.history, {engine, stage, run.latest, run.increment});
+    add_row<D>(run.result.history, {engine, stage, run.latest, run.increment});
   if (columns.empty() || columns.front().values.size() < history_rows) return;
   for (auto& column : columns) {
     for (std::size_t k = 0; 2 * k < column.values.size(); ++k) column.values[k] = column.values[2 * k];
@@ -77,30 +77,34 @@ void note(const Engine& engine, const Stage& stage, bool wanted, StageRun& run) 
   run.sample_every *= 2;
 }
 
-void store_snapshot(const Engine& engine, const Equilibrium& now, std::string label, StageResult& result) {
+template <int D>
+void store_snapshot(const EngineIn<D>& engine, const Equilibrium& now, std::string label, StageResultIn<D>& result) {
   result.snapshots.push_back(
-      {time_of(engine), engine.step, std::move(label), packing_of(engine), energies_of(engine), now});
+      {time_of<D>(engine), engine.step, std::move(label), packing_of<D>(engine), energies_of<D>(engine), now});
 }
 
 /// The same with what the pressing sides still lack, relative to their aim; nothing on that where none presses.
-std::string describe_pressed(const Equilibrium& now, const WallDrives& drives, const Domain& domain) {
-  const bool presses =
-      std::any_of(drives.begin(), drives.end(), [](const WallDrive& d) { return d.kind == WallDrive::Kind::force; });
+template <int D>
+std::string describe_pressed(const Equilibrium& now, const WallDrivesIn<D>& drives, const DomainIn<D>& domain) {
+  const bool presses = std::ranges::any_of(drives, [](const WallDriveIn<D>& d) { return d.kind == DriveKind::force; });
   return describe(now) +
-         (presses ? fmt::format(", forces on the sides within {:.1e} of their targets", load_error(drives, domain))
+         (presses ? fmt::format(", forces on the sides within {:.1e} of their targets", load_error<D>(drives, domain))
                   : "");
 }
 
 /// How the stage came to its end by itself.
-std::string ending_of(const Engine& engine, const Stage& stage, const Equilibrium& now, const WallDrives& drives) {
+template <int D>
+std::string ending_of(const EngineIn<D>& engine, const Stage& stage, const Equilibrium& now,
+                      const WallDrivesIn<D>& drives) {
   const std::string missed = stage.until.empty() ? "" : fmt::format(" before {}", stage.until);
   if (stage.strain_cycles)
     return fmt::format("{} strain cycles completed{}; {}", stage.strain_cycles->count, missed, describe(now));
   if (stage.duration) return fmt::format("{:g} s passed{}; {}", *stage.duration, missed, describe(now));
-  return fmt::format("equilibrium{}: {}", missed, describe_pressed(now, drives, engine.domain));
+  return fmt::format("equilibrium{}: {}", missed, describe_pressed<D>(now, drives, engine.domain));
 }
 
 /// With how many of the bonds have broken, and how many pairs cohesion joins; nothing on these where there are none.
+std::string outcome_of(const EngineIn<3>& /*engine*/, std::string text) { return text; }
 std::string outcome_of(const Engine& engine, std::string text) {
   if (const BondCount bonds = count_bonds(engine); bonds.made() > 0)
     text += fmt::format("; {} of {} bonds broken", bonds.made() - bonds.intact, bonds.made());
@@ -118,11 +122,11 @@ std::string outcome_of(const Engine& engine, std::string text) {
 }
 
 /// The end of a leg: a row for the curves against cycles, and a state.
-void end_leg(const Engine& engine, const Stage& stage, const Leg& leg, StageRun& run) {
+template <int D> void end_leg(const EngineIn<D>& engine, const Stage& stage, const Leg& leg, StageRunIn<D>& run) {
   if (leg.ends_half) {
     append(run.result.cycles, "cycle", "1", static_cast<double>(leg.cycle));
     append(run.result.cycles, "at_maximum", "1", leg.at_maximum ? 1.0 : 0.0);
-    add_row(run.result.cycles, {engine, stage, run.latest, run.increment});
+    add_row<D>(run.result.cycles, {engine, stage, run.latest, run.increment});
   }
   if (leg.stored) store_snapshot(engine, run.latest, leg.label, run.result);
   if (!leg.is_whole) return;
@@ -130,44 +134,46 @@ void end_leg(const Engine& engine, const Stage& stage, const Leg& leg, StageRun&
   ++run.increment;
 }
 
-void give_up(const Engine& engine, const Stage& stage, const Leg& leg, const WallDrives& drives, StageRun& run) {
+template <int D>
+void give_up(const EngineIn<D>& engine, const Stage& stage, const Leg& leg, const WallDrivesIn<D>& drives,
+             StageRunIn<D>& run) {
   store_snapshot(engine, run.latest, leg.label, run.result);
   run.result.converged = false;
   run.result.outcome = fmt::format("no equilibrium within {} steps{} (equilibrium.max_steps): {}",
                                    run.steps_in_increment, increment_count(stage) > 1 ? " of " + leg.label : "",
-                                   describe_pressed(run.latest, drives, engine.domain));
+                                   describe_pressed<D>(run.latest, drives, engine.domain));
 }
 
 /// What comes next in the stage.
-Leg leg_of(const Engine& engine, const Stage& stage, const StageRun& run) {
+template <int D> Leg leg_of(const EngineIn<D>& engine, const Stage& stage, const StageRunIn<D>& run) {
   const auto states = static_cast<std::int64_t>(run.result.snapshots.size()) - run.extra_states;
   return leg_at(stage, run.start, run.increment, states, engine.dt);
 }
 
 }  // namespace
 
-StageRun begin_stage(Engine& engine, const Stage& stage) {
+template <int D> StageRunIn<D> begin_stage(EngineIn<D>& engine, const Stage& stage) {
   engine.begin(stage);
-  StageRun run;
+  StageRunIn<D> run;
   run.result.name = stage.name;
-  run.start.time = time_of(engine);
-  run.start.size = {engine.domain.width(), engine.domain.height()};
-  for (int side = 0; side < sides; ++side) run.start.force[side] = engine.domain.wall[side].force;
+  run.start.time = time_of<D>(engine);
+  for (int axis = 0; axis < D; ++axis) run.start.size[axis] = engine.domain.extent(axis);
+  for (int side = 0; side < sides_in<D>; ++side) run.start.force[side] = engine.domain.wall[side].force;
   return run;
 }
 
-void continue_stage(Engine& engine, const Stage& stage, StageRun& run) {
+template <int D> void continue_stage(EngineIn<D>& engine, const Stage& stage, StageRunIn<D>& run) {
   const Leg leg = leg_of(engine, stage, run);
-  if (leg.shear_rate) set_shear_rate(engine, *leg.shear_rate);
-  const WallDrives drives = drives_for(stage, leg, engine.domain);
-  set_drives(engine, drives);
+  if (leg.shear_rate) set_shear_rate<D>(engine, *leg.shear_rate);
+  const WallDrivesIn<D> drives = drives_for<D>(stage, leg, engine.domain);
+  set_drives<D>(engine, drives);
   const std::int64_t steps = leg.until ? std::min(check_interval, *leg.until - run.steps_in_increment) : check_interval;
   engine.advance(steps);
   run.steps_in_increment += steps;
-  engine.exchange(stage.exchange, time_of(engine) - run.start.time);
-  run.latest = equilibrium_of(engine);
+  engine.exchange(stage.exchange, time_of<D>(engine) - run.start.time);
+  run.latest = equilibrium_of<D>(engine);
   const bool at_rest = is_at_rest(run.latest, stage.equilibrium) &&
-                       load_error(drives, engine.domain) < 10 * stage.equilibrium.unbalanced;
+                       load_error<D>(drives, engine.domain) < 10 * stage.equilibrium.unbalanced;
   const bool is_over = leg.until ? run.steps_in_increment >= *leg.until : at_rest;
   const bool given_up = !leg.until && !at_rest && run.steps_in_increment >= stage.equilibrium.max_steps;
   note(engine, stage, is_over && leg.is_whole, run);
@@ -177,14 +183,16 @@ void continue_stage(Engine& engine, const Stage& stage, StageRun& run) {
   if (run.finished && !given_up) run.result.outcome = outcome_of(engine, ending_of(engine, stage, run.latest, drives));
 }
 
-void store_state(const Engine& engine, std::string label, StageRun& run) {
+template <int D> void store_state(const EngineIn<D>& engine, std::string label, StageRunIn<D>& run) {
   store_snapshot(engine, run.latest, std::move(label), run.result);
   ++run.extra_states;
 }
 
-void end_early(const Engine& engine, const Stage& stage, const std::string& why, StageRun& run) {
+template <int D>
+void end_early(const EngineIn<D>& engine, const Stage& stage, const std::string& why, StageRunIn<D>& run) {
   const std::vector<double>* time = run.result.history.find("time");
-  if (!time || time->back() != time_of(engine)) add_row(run.result.history, {engine, stage, run.latest, run.increment});
+  if (!time || time->back() != time_of<D>(engine))
+    add_row<D>(run.result.history, {engine, stage, run.latest, run.increment});
   const auto& states = run.result.snapshots;
   if (states.empty() || states.back().step != engine.step) store_state(engine, "end", run);
   run.finished = true;
@@ -192,11 +200,11 @@ void end_early(const Engine& engine, const Stage& stage, const std::string& why,
   run.result.outcome = outcome_of(engine, fmt::format("{}; {}", why, describe(run.latest)));
 }
 
-std::string unrest(const Engine& engine, const Stage& stage, const StageRun& run) {
+template <int D> std::string unrest(const EngineIn<D>& engine, const Stage& stage, const StageRunIn<D>& run) {
   std::vector<Demand> demands = demands_on(run.latest, stage.equilibrium);
-  const WallDrives drives = drives_for(stage, leg_of(engine, stage, run), engine.domain);
+  const WallDrivesIn<D> drives = drives_for<D>(stage, leg_of(engine, stage, run), engine.domain);
   demands.push_back({"forces on the sides, off their targets by", "equilibrium.unbalanced",
-                     load_error(drives, engine.domain), 10 * stage.equilibrium.unbalanced});
+                     load_error<D>(drives, engine.domain), 10 * stage.equilibrium.unbalanced});
   std::vector<std::string> lacks, keys;
   for (const Demand& demand : demands) {
     if (demand.is_met()) continue;
@@ -207,7 +215,7 @@ std::string unrest(const Engine& engine, const Stage& stage, const StageRun& run
                      list_of(keys));
 }
 
-double share_done(const Stage& stage, const StageRun& run) {
+template <int D> double share_done(const Stage& stage, const StageRunIn<D>& run) {
   if (run.finished) return 1;
   if (stage.duration) {
     const double snapshots = static_cast<double>(std::max<std::int64_t>(1, stage.snapshots));
@@ -220,5 +228,16 @@ double share_done(const Stage& stage, const StageRun& run) {
       std::clamp(std::log(run.latest.unbalanced_ratio) / std::log(stage.equilibrium.unbalanced), 0.0, 0.95);
   return (static_cast<double>(run.increment) + within) / total;
 }
+
+#define ARENITE_OF(D)                                                                            \
+  template StageRunIn<D> begin_stage(EngineIn<D>&, const Stage&);                                \
+  template void continue_stage(EngineIn<D>&, const Stage&, StageRunIn<D>&);                      \
+  template void store_state(const EngineIn<D>&, std::string, StageRunIn<D>&);                    \
+  template void end_early(const EngineIn<D>&, const Stage&, const std::string&, StageRunIn<D>&); \
+  template std::string unrest(const EngineIn<D>&, const Stage&, const StageRunIn<D>&);           \
+  template double share_done(const Stage&, const StageRunIn<D>&);
+ARENITE_OF(2)
+ARENITE_OF(3)
+#undef ARENITE_OF
 
 }  // namespace arenite::dem

@@ -10,7 +10,7 @@ namespace arenite::dem {
 
 /// A stage under way: everything besides the engine's own state that decides how it goes on, so that a checkpoint of
 /// both resumes with the same bits.
-struct StageRun {
+template <int D> struct StageRunIn {
   StageStart start;
   std::int64_t increment = 0;  ///< the one under way
   std::int64_t steps_in_increment = 0;
@@ -18,9 +18,10 @@ struct StageRun {
   std::int64_t checks = 0;
   std::int64_t extra_states = 0;  ///< stored beside those that the stage asks for
   bool finished = false;
-  Equilibrium latest;  ///< what the last look at the sample found
-  StageResult result;  ///< snapshots and history so far
+  Equilibrium latest;       ///< what the last look at the sample found
+  StageResultIn<D> result;  ///< snapshots and history so far
 };
+using StageRun = StageRunIn<2>;
 
 /// Whether grains rest by a stage's criterion; what the forces on the sides must reach besides is the stage's to judge.
 bool is_at_rest(const Equilibrium& now, const EquilibriumCriterion& rest);
@@ -29,26 +30,27 @@ bool is_at_rest(const Equilibrium& now, const EquilibriumCriterion& rest);
 std::string describe(const Equilibrium& now);
 
 /// Sets gravity, friction, drag and glue of the stage and notes the walls' forces.
-StageRun begin_stage(Engine& engine, const Stage& stage);
+template <int D> StageRunIn<D> begin_stage(EngineIn<D>& engine, const Stage& stage);
 
 /// Goes on for one check interval: moves the sample, looks whether the increment is at rest (or its time is over),
 /// stores a snapshot at its end and takes up the next. Sets `run.finished` after the last, or when an increment cannot
 /// come to rest within `equilibrium.max_steps` (result.converged is then false and result.outcome says what was
 /// reached).
-void continue_stage(Engine& engine, const Stage& stage, StageRun& run);
+template <int D> void continue_stage(EngineIn<D>& engine, const Stage& stage, StageRunIn<D>& run);
 
 /// Keeps the state of the last look beside those that the stage asks for.
-void store_state(const Engine& engine, std::string label, StageRun& run);
+template <int D> void store_state(const EngineIn<D>& engine, std::string label, StageRunIn<D>& run);
 
 /// Ends a stage at the last look, before it came to its own end: its state is the last one, and `why` begins the
 /// sentence of its outcome.
-void end_early(const Engine& engine, const Stage& stage, const std::string& why, StageRun& run);
+template <int D>
+void end_early(const EngineIn<D>& engine, const Stage& stage, const std::string& why, StageRunIn<D>& run);
 
 /// What keeps the increment under way from rest, with the bounds asked for and the keys that mend it, in words.
-std::string unrest(const Engine& engine, const Stage& stage, const StageRun& run);
+template <int D> std::string unrest(const EngineIn<D>& engine, const Stage& stage, const StageRunIn<D>& run);
 
 /// Share of the stage that is done, 0 to 1, for a progress bar: increments, and within one how far its unbalanced ratio
 /// has come down on a logarithmic scale.
-double share_done(const Stage& stage, const StageRun& run);
+template <int D> double share_done(const Stage& stage, const StageRunIn<D>& run);
 
 }  // namespace arenite::dem

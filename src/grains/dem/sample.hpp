@@ -220,6 +220,12 @@ template <int D> double own_mass(const SampleIn<D>& s, std::int32_t disk) {
   return mass_of(s.start.materials[g.material[grain]].density, g.radius[grain], s.domain);
 }
 
+/// The same of a grain of the caller's.
+template <int D> double own_mass_of(const SampleIn<D>& s, std::int32_t grain) {
+  const GrainsIn<D>& g = grains_of(s);
+  return mass_of(s.start.materials[g.material[grain]].density, g.radius[grain], s.domain);
+}
+
 /// From the centres of i's and j's bodies to where a slot's force acts on them, m; 0 of a wall and of a disk that is a
 /// grain.
 template <int D> inline Levers<D> levers_of(const SampleIn<D>& s, std::size_t slot) {

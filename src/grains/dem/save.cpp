@@ -17,11 +17,12 @@
 namespace arenite::dem {
 namespace {
 
-/// "a-dem-" and the version of a state; changes with what `Members` and the parts list.
-constexpr std::uint64_t family = 0x2d6d65642d61, version = 0x3530;
-constexpr std::uint64_t mark = family | version << 48;
+/// "a-dem-", in space "b-dem-", and the version of a state; changes with what `Members` and the parts list.
+constexpr std::uint64_t version = 0x3530;
+template <int D> constexpr std::uint64_t family = 0x2d6d65642d61 + (D - 2);
+template <int D> constexpr std::uint64_t mark = family<D> | version << 48;
 /// Of a state that has its grains and what came and went: "x" and the version's last digit.
-constexpr std::uint64_t mark_with_grains = family | ((version & 0xff00) | 0x78) << 48;
+template <int D> constexpr std::uint64_t mark_with_grains = family<D> | ((version & 0xff00) | 0x78) << 48;
 
 /// Takes members to an archive or from it, one after another, so that one list of them serves both ways.
 template <class Archive> class Members {
@@ -55,9 +56,10 @@ template <class Archive> class Members {
   }
   template <int n> void take(Components<n>& components) { take(components.along); }
   void take(Vec2& v) { (*this)(v.x, v.y); }
+  void take(Vec3& v) { (*this)(v.x, v.y, v.z); }
 
-  void take(Wall& wall) { (*this)(wall.position, wall.velocity, wall.force, wall.shear_force); }
-  void take(WallBody& w) {
+  template <int D> void take(WallIn<D>& wall) { (*this)(wall.position, wall.velocity, wall.force, wall.shear_force); }
+  template <int D> void take(WallBodyIn<D>& w) {
     auto state = static_cast<std::uint8_t>((w.rough ? 1 : 0) | (w.open ? 2 : 0) | (w.skin ? 4 : 0));
     (*this)(w.drive.kind, w.drive.value, w.mass, w.impedance, w.sample_mass, w.drift, w.rate, w.acceleration, w.higher,
             w.drive.slide, w.slid, state);
@@ -80,7 +82,7 @@ template <class Archive> class Members {
       (*this)(b.i, b.j, b.broken, b.length, b.normal, b.angle_i, b.angle_j, b.energy, b.load, b.time, b.place);
   }
 
-  void take(Sample& s) {
+  template <int D> void take(SampleIn<D>& s) {
     (*this)(s.dt, s.steps_before, s.time_before);
     (*this)(s.mass_scaling, s.inertial_number, s.step, s.lag, s.friction, s.wall_friction, s.drag, s.gravity, s.glue,
             s.settled);
@@ -104,10 +106,10 @@ template <class Archive> class Members {
   }
 
   /// The slots' contents; their number follows from the list.
-  void take(ContactList& list) {
+  template <int D> void take(ContactListIn<D>& list) {
     (*this)(list.strength, list.memory);
-    for (auto* memory : {&list.normal_memory, &list.rolling_memory})
-      if (!memory->empty()) take(*memory);
+    if (!list.normal_memory.empty()) take(list.normal_memory);
+    if (!list.rolling_memory.empty()) take(list.rolling_memory);
     (*this)(list.force, list.glue);
   }
 
@@ -115,8 +117,8 @@ template <class Archive> class Members {
 };
 
 /// Grains that are no longer those which the sample was made of, and the account of that.
-template <class Archive> void transfer_grains(Members<Archive>& members, Sample& s) {
-  Grains& g = s.start.grains;
+template <class Archive, int D> void transfer_grains(Members<Archive>& members, SampleIn<D>& s) {
+  GrainsIn<D>& g = s.start.grains;
   members(g.id, g.position, g.radius, g.material, g.zone, s.largest_radius, s.exchanged, s.tally.exchanged);
   if (!members.reads()) return;
   const std::size_t n = g.id.size();
@@ -129,13 +131,13 @@ template <class Archive> void transfer_grains(Members<Archive>& members, Sample&
 
 }  // namespace
 
-std::vector<std::uint8_t> save_sample(const Sample& sample) {
+template <int D> std::vector<std::uint8_t> save_sample(const SampleIn<D>& sample) {
   ByteWriter write;
   Members members(write);
-  auto& s = const_cast<Sample&>(sample);  // the writer does not change what it is given
-  std::array<std::uint64_t, 3> header{s.exchanged.kept ? mark_with_grains : mark, s.count, 0};
+  auto& s = const_cast<SampleIn<D>&>(sample);  // the writer does not change what it is given
+  std::array<std::uint64_t, 3> header{s.exchanged.kept ? mark_with_grains<D> : mark<D>, s.count, 0};
   std::memcpy(&header[2], &s.dt_at_start, sizeof s.dt_at_start);
-  std::vector<DiskRecord> disks(s.record.begin(), s.record.begin() + static_cast<std::ptrdiff_t>(s.count));
+  std::vector<GrainRecord<D>> disks(s.record.begin(), s.record.begin() + static_cast<std::ptrdiff_t>(s.count));
   members(header);
   if (s.exchanged.kept) transfer_grains(members, s);
   members(disks, s, s.list);
@@ -143,17 +145,17 @@ std::vector<std::uint8_t> save_sample(const Sample& sample) {
   return std::move(write.bytes);
 }
 
-void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
+template <int D> void restore_sample(SampleIn<D>& sample, const std::vector<std::uint8_t>& bytes) {
   ByteReader read(bytes);
   Members members(read);
-  Sample s = sample;
+  SampleIn<D> s = sample;
   std::array<std::uint64_t, 3> header{};
   std::uint64_t step = 0;
   members(header);
   std::memcpy(&step, &s.dt_at_start, sizeof step);
-  members.expect((header[0] & 0xffffffffffff) == family);
-  const bool has_grains = header[0] == mark_with_grains;
-  if (header[0] != mark && !has_grains)
+  members.expect((header[0] & 0xffffffffffff) == family<D>);
+  const bool has_grains = header[0] == mark_with_grains<D>;
+  if (header[0] != mark<D> && !has_grains)
     throw InputError(
         "the stored state was written by another version of the program; compute the stage that it "
         "belongs to again, in another folder");
@@ -168,8 +170,8 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   s.laws = laws_between_steps(s);
 
   // The list as it was built: disks and container put back to where they were then.
-  const std::vector<DiskRecord> disks = s.record;
-  const Domain domain = s.domain;
+  const std::vector<GrainRecord<D>> disks = s.record;
+  const DomainIn<D> domain = s.domain;
   s.domain = s.listed_domain;
   for (std::size_t k = 0; k < s.count; ++k) s.record[k].place = s.listed[k];
   list_contacts(s);
@@ -181,13 +183,21 @@ void restore_sample(Sample& sample, const std::vector<std::uint8_t>& bytes) {
   s.domain = domain;
   std::copy(disks.begin(), disks.end(), s.record.begin());
   refresh_ghosts(s);
-  the<EnergyBalance>(s).go_on(s);
+  each_part(s, [&](auto& part) { part.go_on(s); });
   sample = std::move(s);
 }
 
-std::uint64_t state_hash(const Sample& sample) {
+template <int D> std::uint64_t state_hash(const SampleIn<D>& sample) {
   const auto bytes = save_sample(sample);
   return XXH3_64bits(bytes.data(), bytes.size());
 }
+
+#define ARENITE_OF(D)                                                           \
+  template std::vector<std::uint8_t> save_sample(const SampleIn<D>&);           \
+  template void restore_sample(SampleIn<D>&, const std::vector<std::uint8_t>&); \
+  template std::uint64_t state_hash(const SampleIn<D>&);
+ARENITE_OF(2)
+ARENITE_OF(3)
+#undef ARENITE_OF
 
 }  // namespace arenite::dem

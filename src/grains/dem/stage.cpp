@@ -21,9 +21,9 @@ std::int64_t ramp_increments(const Stage& stage) {
 }
 
 /// The sides' aims with a share (0 to 1) of the way from the start's forces done.
-BySide<SideDrive> on_the_ramp(const Stage& stage, const StageStart& start, double share) {
-  BySide<SideDrive> aims = stage.side;
-  for (int side = 0; side < sides; ++side)
+ByAnySide<SideDrive> on_the_ramp(const Stage& stage, const StageStart& start, double share) {
+  ByAnySide<SideDrive> aims = stage.side;
+  for (std::size_t side = 0; side < aims.size(); ++side)
     if (is_ramped(aims[side])) aims[side].value = start.force[side] + share * (aims[side].value - start.force[side]);
   return aims;
 }
@@ -125,23 +125,24 @@ BySide<std::optional<double>> membrane_pressures(const Stage& stage) {
   return pressures;
 }
 
-WallDrives drives_for(const Stage& stage, const Leg& leg, const Domain& domain) {
-  WallDrives drives;
-  for (int side = 0; side < sides; ++side) {
+template <int D> WallDrivesIn<D> drives_for(const Stage& stage, const Leg& leg, const DomainIn<D>& domain) {
+  WallDrivesIn<D> drives;
+  for (int side = 0; side < sides_in<D>; ++side) {
     const auto& [kind, value] = leg.side[side];
     switch (kind) {
       case SideDrive::Kind::fixed:
       case SideDrive::Kind::membrane: break;
-      case SideDrive::Kind::velocity: drives[side] = {WallDrive::Kind::velocity, value * inward_sign(side)}; break;
-      case SideDrive::Kind::force: drives[side] = {WallDrive::Kind::force, value}; break;
-      case SideDrive::Kind::pressure:
-        drives[side] = {WallDrive::Kind::force, value * domain.length(side) * domain.thickness};
-        break;
+      case SideDrive::Kind::velocity: drives[side] = {DriveKind::velocity, value * inward_sign(side)}; break;
+      case SideDrive::Kind::force: drives[side] = {DriveKind::force, value}; break;
+      case SideDrive::Kind::pressure: drives[side] = {DriveKind::force, thrust_on(domain, side, value)}; break;
     }
-    if (domain.wall[side].present) drives[side].slide = stage.slide[side];
+    if (domain.wall[side].present) drives[side].slide = way_along<D>(side, stage.slide[side]);
   }
   return drives;
 }
+
+template WallDrives drives_for<2>(const Stage&, const Leg&, const Domain&);
+template WallDrivesIn<3> drives_for<3>(const Stage&, const Leg&, const Container<3>&);
 
 namespace {
 

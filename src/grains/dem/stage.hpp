@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -176,15 +177,15 @@ struct Stage {
   bool gravity = false;
   double gravity_size = standard_gravity;  ///< m/s^2
   double gravity_angle = 0;                ///< rad, by which it is turned from straight down, counter-clockwise
-  BySide<double> slide{};                  ///< m/s of each wall along itself, along +y or +x
+  ByAnySide<double> slide{};               ///< m/s of each wall along itself, along +y or +x
   BySide<bool> rough{};                    ///< walls that hold the grains nearest to them as the stage begins
   BySide<bool> open{};                     ///< walls that are taken away
   SkinParameters skin;                     ///< of the sides that are membranes
   std::vector<BoundaryMotion> boundaries;
   Exchange exchange;                  ///< grains that come in and leave; needs a duration
   std::optional<double> count_below;  ///< m; the history counts the grains whose centre is below
-  double shear_rate = 0;              ///< 1/s, of a cell that is periodic both ways
-  BySide<SideDrive> side;             ///< in the order of model/packing.hpp
+  double shear_rate = 0;              ///< 1/s, of a cell that is periodic along x and y
+  ByAnySide<SideDrive> side;          ///< in the order of model/packing.hpp
   std::int64_t increments = 1;
   std::optional<double> duration;  ///< s; for stages driven by velocity, which do not end at rest
   std::string until;  ///< a condition on numbers of its history that ends it (fields/regime/until.hpp); empty: none
@@ -203,6 +204,15 @@ struct Stage {
   std::int64_t snapshots = 1;  ///< states stored for stages with a duration; increments store one each
   bool operator==(const Stage&) const = default;
 };
+
+/// Gravity of a size, turned by an angle about z from straight down, m/s^2.
+template <int D> Vec<D> gravity_along(double size, double angle);
+template <> inline Vec2 gravity_along(double size, double angle) {
+  return size * Vec2{std::sin(angle), -std::cos(angle)};
+}
+template <> inline Vec3 gravity_along(double size, double angle) {
+  return size * Vec3{std::sin(angle), -std::cos(angle), 0};
+}
 
 /// How many increments a stage has, or half cycles of strain.
 std::int64_t increment_count(const Stage& stage);
@@ -223,15 +233,15 @@ StrainHalf strain_half(const StrainCycles& cycles, std::int64_t half, double tim
 /// How the sample was when the stage began.
 struct StageStart {
   double time = 0;               ///< s
-  BySide<double> force{};        ///< N
-  std::array<double, 2> size{};  ///< width and height, m
+  ByAnySide<double> force{};     ///< N
+  std::array<double, 3> size{};  ///< width, height and in space depth, m
 };
 
 /// One leg of a stage's loading: an increment, a half cycle of strain, or, in a stage that lasts a time, the way to the
 /// next state that is stored.
 struct Leg {
-  BySide<SideDrive> side;  ///< what the sides aim at; pressures act in full at once, forces in equal steps from what
-                           ///< acts at the start
+  ByAnySide<SideDrive> side;  ///< what the sides aim at; pressures act in full at once, forces in equal steps from what
+                              ///< acts at the start
   std::optional<double> shear_rate;   ///< 1/s, of a half cycle of shear
   std::optional<std::int64_t> until;  ///< steps of the increment at which it is over; unset: when the sample is at rest
   std::string label;
@@ -246,6 +256,6 @@ struct Leg {
 Leg leg_at(const Stage& stage, const StageStart& start, std::int64_t k, std::int64_t snapshot, double time_step);
 
 /// What drives the walls of this domain in a leg: velocities along +x or +y, pressures as forces.
-WallDrives drives_for(const Stage& stage, const Leg& leg, const Domain& domain);
+template <int D> WallDrivesIn<D> drives_for(const Stage& stage, const Leg& leg, const DomainIn<D>& domain);
 
 }  // namespace arenite::dem

@@ -16,22 +16,45 @@ namespace arenite::dem {
 namespace {
 
 /// Of the walls of a sample that comes to rest, as a share of the sample's.
-double resting_share(const Sample& s) {
+template <int D> double resting_share(const SampleIn<D>& s) {
   return std::max(0.05, std::min(1.0, 2.0 / std::sqrt(static_cast<double>(std::max<std::size_t>(grain_count(s), 1)))));
 }
 
+/// How wide a sample is for its height above a side; share of its grains that one layer has.
+double flatness_over(const Domain& domain, int side) { return domain.length(side) / domain.extent(axis_of(side)); }
+double flatness_over(const Container<3>& domain, int side) {
+  return std::sqrt(thrust_on(domain, side, 1)) / domain.extent(axis_of(side));
+}
+double layer_of(const Domain& domain, int side, double grains) {
+  return std::sqrt(flatness_over(domain, side) / grains);
+}
+double layer_of(const Container<3>& domain, int side, double grains) {
+  return std::cbrt(std::pow(flatness_over(domain, side), 2) / grains);
+}
+
 /// Of those of one that is driven: always less.
-double driven_share(const Sample& s, int side) {
+template <int D> double driven_share(const SampleIn<D>& s, int side) {
   const double grains = static_cast<double>(std::max<std::size_t>(grain_count(s), 1));
-  const double flatness = s.domain.length(side) / s.domain.extent(axis_of(side));
-  const double layer = std::sqrt(flatness / grains), two_grains = 2.0 / grains * std::max(1.0, flatness);
+  const double layer = layer_of(s.domain, side, grains),
+               two_grains = 2.0 / grains * std::max(1.0, flatness_over(s.domain, side));
   return std::min(s.domain.is_periodic(side) ? two_grains : layer, 0.5 * resting_share(s));
 }
 
-void give_servo_masses(Sample& s) {
+/// Stiffness of a crystal of grains between a side and the one across over that of one contact: contacts side by side
+/// over those in a row.
+template <int D> double crystal_stiffness(const SampleIn<D>& s, int side);
+template <> double crystal_stiffness(const Sample& s, int side) {
+  const double aspect = s.domain.width() / s.domain.height();
+  return axis_of(side) == 0 ? 1.0 / aspect : aspect;
+}
+template <> double crystal_stiffness(const SampleIn<3>& s, int side) {
+  return thrust_on(s.domain, side, 1) / (s.domain.extent(axis_of(side)) * grains_of(s).mean_diameter());
+}
+
+template <int D> void give_servo_masses(SampleIn<D>& s) {
   const bool driven = is_driven(s);
-  for (int side = 0; side < sides; ++side) {
-    WallBody& body = s.wall[side];
+  for (int side = 0; side < sides_in<D>; ++side) {
+    WallBodyIn<D>& body = s.wall[side];
     body.mass = body.sample_mass * (driven ? driven_share(s, side) : resting_share(s));
     if (!driven) body.drift = 0;
   }
@@ -50,12 +73,12 @@ void check_opening(const Sample& s, int side, bool open) {
 
 /// A wall that becomes fixed or velocity-driven takes its velocity at once, one that becomes force-controlled goes on
 /// from the velocity that it has.
-void apply_drives(Sample& s, const WallDrives& drives) {
-  for (int side = 0; side < sides; ++side) s.wall[side].drive = drives[side];
-  for (int side = 0; side < sides; ++side) {
-    WallBody& body = s.wall[side];
-    if (drives[side].kind == WallDrive::Kind::force) continue;
-    body.rate = drives[side].kind == WallDrive::Kind::velocity ? drives[side].value : 0.0;
+template <int D> void apply_drives(SampleIn<D>& s, const WallDrivesIn<D>& drives) {
+  for (int side = 0; side < sides_in<D>; ++side) s.wall[side].drive = drives[side];
+  for (int side = 0; side < sides_in<D>; ++side) {
+    WallBodyIn<D>& body = s.wall[side];
+    if (drives[side].kind == DriveKind::force) continue;
+    body.rate = drives[side].kind == DriveKind::velocity ? drives[side].value : 0.0;
     body.acceleration = 0;
     body.drift = 0;
     body.higher = {};
@@ -65,48 +88,47 @@ void apply_drives(Sample& s, const WallDrives& drives) {
 
 }  // namespace
 
-void tune_servo(Sample& s) {
+template <int D> void tune_servo(SampleIn<D>& s) {
   double mass = 0, stiffness = 0;
   each_mover(s, [&](std::size_t k) { mass += mover_at(s, k).mass; });
   for (std::size_t k = 0; k < s.count; ++k)
     stiffness += s.coefficients.pair_stiffness(s.record[k], s.record[k]) / static_cast<double>(s.count);
-  const double aspect = s.domain.width() / s.domain.height();
-  for (int side = 0; side < sides; ++side) {
+  for (int side = 0; side < sides_in<D>; ++side) {
     s.wall[side].sample_mass = mass;
-    s.wall[side].impedance = std::sqrt(mass * stiffness * (axis_of(side) == 0 ? 1.0 / aspect : aspect));
+    s.wall[side].impedance = std::sqrt(mass * stiffness * crystal_stiffness(s, side));
   }
   give_servo_masses(s);
 }
 
-double servo_energy(const Sample& s) {
+template <int D> double servo_energy(const SampleIn<D>& s) {
   double sum = 0;
-  for (const WallBody& body : s.wall)
-    if (body.drive.kind == WallDrive::Kind::force) sum += 0.5 * body.mass * body.rate * body.rate;
+  for (const WallBodyIn<D>& body : s.wall)
+    if (body.drive.kind == DriveKind::force) sum += 0.5 * body.mass * body.rate * body.rate;
   return sum;
 }
 
-void follow_driving(Sample& s) {
-  const auto pressed = [](const WallBody& body) { return body.drive.kind == WallDrive::Kind::force; };
+template <int D> void follow_driving(SampleIn<D>& s) {
+  const auto pressed = [](const WallBodyIn<D>& body) { return body.drive.kind == DriveKind::force; };
   const bool was_driven = s.wall[left].mass < s.wall[left].sample_mass * resting_share(s);
   if (was_driven == is_driven(s) || std::ranges::none_of(s.wall, pressed)) return;
   synchronise(s);
-  book_change(s, &Energies::dissipated_drag, servo_energy, [&] { give_servo_masses(s); });
+  book_change(s, &Energies::dissipated_drag, servo_energy<D>, [&] { give_servo_masses(s); });
 }
 
-double critical_drag(const Sample& s) {
-  const WallBody& slower = s.wall[left].impedance < s.wall[bottom].impedance ? s.wall[left] : s.wall[bottom];
+template <int D> double critical_drag(const SampleIn<D>& s) {
+  const WallBodyIn<D>& slower = *std::ranges::min_element(s.wall, {}, &WallBodyIn<D>::impedance);
   return std::numbers::pi * slower.impedance / slower.sample_mass;
 }
 
-void set_drives(Sample& s, const WallDrives& asked) {
-  const WallDrives drives = under_programmes(s, asked);
-  if (std::ranges::equal(drives, s.wall, {}, {}, &WallBody::drive)) return;
+template <int D> void set_drives(SampleIn<D>& s, const WallDrivesIn<D>& asked) {
+  const WallDrivesIn<D> drives = under_programmes(s, asked);
+  if (std::ranges::equal(drives, s.wall, {}, {}, &WallBodyIn<D>::drive)) return;
   check_still_cell(s, drives, false);
   synchronise(s);
-  book_change(s, &Energies::dissipated_drag, servo_energy, [&] { apply_drives(s, drives); });
+  book_change(s, &Energies::dissipated_drag, servo_energy<D>, [&] { apply_drives(s, drives); });
 }
 
-void set_inertial_number(Sample& s, double number) {
+template <int D> void set_inertial_number(SampleIn<D>& s, double number) {
   if (!(number > 0)) throw InputError(fmt::format("inertial number {} must be above 0", number));
   s.inertial_number = number;
 }
@@ -124,10 +146,17 @@ void set_open(Sample& s, const BySide<bool>& open, const ThreadPool& pool) {
   list_anew(s, pool);
 }
 
-void apply_open(Sample& s) {
-  for (int side = 0; side < sides; ++side)
-    s.domain.wall[side].present = s.listed_domain.wall[side].present =
-        s.start.domain.wall[side].present && !s.domain.is_periodic(side) && !s.wall[side].open;
-}
+template void tune_servo(Sample&);
+template void tune_servo(SampleIn<3>&);
+template double servo_energy(const Sample&);
+template double servo_energy(const SampleIn<3>&);
+template void follow_driving(Sample&);
+template void follow_driving(SampleIn<3>&);
+template double critical_drag(const Sample&);
+template double critical_drag(const SampleIn<3>&);
+template void set_drives(Sample&, const WallDrives&);
+template void set_drives(SampleIn<3>&, const WallDrivesIn<3>&);
+template void set_inertial_number(Sample&, double);
+template void set_inertial_number(SampleIn<3>&, double);
 
 }  // namespace arenite::dem

@@ -13,7 +13,8 @@ namespace arenite::dem {
 /// states of a sample, which want different walls.
 ///
 /// Nothing drives it, so it comes to rest: w = 0. A sample of mass M that is as stiff as a crystal of its grains
-/// carries waves with the impedance Z = sqrt(K M), K = k W/H: a wall damped by c = Z swallows the waves that reach
+/// carries waves with the impedance Z = sqrt(K M), K = k W/H (in space k A/(d H), with the face A and the mean diameter
+/// d): a wall damped by c = Z swallows the waves that reach
 /// it, so the sample comes to rest in about one passage instead of ringing. But a loose sample under a small force F
 /// yields rather than rings, and then Z would brake it: grains rearrange at speeds of about I sqrt(P/rho) = I sqrt(F
 /// H/M), so c is at most F over that speed. I is `inertial_number` of the sample, 0.01 unless a stage says otherwise
@@ -30,29 +31,33 @@ namespace arenite::dem {
 /// ten times the speed of what drives over sqrt(F H/M), so that c takes at most about a hundredth of F where the
 /// volume of a flow changes by a tenth of its strain. c is also at most Z sqrt(m/M), which damps the wall on its
 /// sample critically.
-void tune_servo(Sample& sample);
+template <int D> void tune_servo(SampleIn<D>& sample);
 
 /// Does so again where something begins to drive the sample, or ceases to.
-void follow_driving(Sample& sample);
+template <int D> void follow_driving(SampleIn<D>& sample);
 
 /// Kinetic energy of force-controlled walls, J.
-double servo_energy(const Sample& sample);
+template <int D> double servo_energy(const SampleIn<D>& sample);
 
 /// Rate of the drag that damps the sample's slowest wave critically, 2 omega with omega = (pi/2) Z/M for a quarter of a
 /// wave between a wall that holds and one that presses, Z as in tune_servo, 1/s. Packings are softer than crystals.
-double critical_drag(const Sample& sample);
+template <int D> double critical_drag(const SampleIn<D>& sample);
 
 /// What drives the walls from the next step on. A wall that becomes fixed or velocity-driven takes its velocity at
 /// once, one that becomes force-controlled goes on from the velocity that it has.
-void set_drives(Sample& sample, const WallDrives& drives);
+template <int D> void set_drives(SampleIn<D>& sample, const WallDrivesIn<D>& drives);
 
 /// How fast the sample yields to its force-controlled sides.
-void set_inertial_number(Sample& sample, double number);
+template <int D> void set_inertial_number(SampleIn<D>& sample, double number);
 
 /// Walls, by side, that are taken away; one comes back only where no grain lies beyond it (InputError).
 void set_open(Sample& sample, const BySide<bool>& open, const ThreadPool& pool = ThreadPool());
 /// Walls are absent where they are open, else as they were given.
-void apply_open(Sample& sample);
+template <int D> void apply_open(SampleIn<D>& sample) {
+  for (int side = 0; side < sides_in<D>; ++side)
+    sample.domain.wall[side].present = sample.listed_domain.wall[side].present =
+        sample.start.domain.wall[side].present && !sample.domain.is_periodic(side) && !sample.wall[side].open;
+}
 
 /// Something moves as it is told, or a programme runs: the force-controlled walls have to follow, not to come to rest.
 template <int D> bool is_driven(const SampleIn<D>& s) {

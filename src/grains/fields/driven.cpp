@@ -25,12 +25,12 @@ void put(History& rows, const std::string& name, const char* unit, std::vector<d
 void add_to(History& rows, const dem::Stage& stage, double begin) {
   const std::vector<double>* time = rows.find("time");
   if (!time || time->empty()) return;
-  for (int side = 0; side < sides; ++side) {
+  for (int side = 0; side < static_cast<int>(stage.slide.size()); ++side) {
     const Programme* own = programme_driving(stage, {Programme::What::slide, side});
     const double speed = stage.slide[static_cast<std::size_t>(side)];
     const auto way = [&](double t) { return own ? dem::integral(*own, t - begin) : speed * (t - begin); };
     if (own || speed != 0)
-      put(rows, std::string(side_names[static_cast<std::size_t>(side)]) + "_slid", "m", mapped(*time, way));
+      put(rows, std::string(any_side_names[static_cast<std::size_t>(side)]) + "_slid", "m", mapped(*time, way));
   }
   if (!stage.gravity || (!programme_driving(stage, {Programme::What::gravity_size}) &&
                          !programme_driving(stage, {Programme::What::gravity_angle})))
@@ -42,24 +42,32 @@ void add_to(History& rows, const dem::Stage& stage, double begin) {
 
 }  // namespace
 
-double begin_of(const StageResult& result, const dem::Stage& stage) {
+template <int D> double begin_of(const StageResultIn<D>& result, const dem::Stage& stage) {
   const std::vector<double>* time = result.history.find("time");
   if (result.began) return *result.began;
   if (!time || time->empty()) return 0;
   return stage.duration ? time->back() - *stage.duration : time->front();
 }
 
-double length_of(const StageResult& result, const dem::Stage& stage) {
+template <int D> double length_of(const StageResultIn<D>& result, const dem::Stage& stage) {
   const std::vector<double>* time = result.history.find("time");
   if (!stage.duration || !result.began || !time || time->empty()) return stage.duration.value_or(0);
   return time->back() - *result.began;
 }
 
-void add_driven(StageResult& result, const dem::Stage& stage) {
+template <int D> void add_driven(StageResultIn<D>& result, const dem::Stage& stage) {
   const double begin = begin_of(result, stage);
   add_to(result.history, stage, begin);
   add_to(result.cycles, stage, begin);
 }
+
+#define ARENITE_OF(D)                                                    \
+  template double begin_of(const StageResultIn<D>&, const dem::Stage&);  \
+  template double length_of(const StageResultIn<D>&, const dem::Stage&); \
+  template void add_driven(StageResultIn<D>&, const dem::Stage&);
+ARENITE_OF(2)
+ARENITE_OF(3)
+#undef ARENITE_OF
 
 std::vector<Vec2> gravity_in(const History& rows, const Asked& asked) {
   const auto *x = rows.find("gravity_x"), *y = rows.find("gravity_y");

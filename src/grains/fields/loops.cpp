@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/joined_sets.hpp"
+#include "grains/texture/loose_grains.hpp"
 #include "grains/texture/view.hpp"
 
 namespace arenite::fields {
@@ -25,7 +26,7 @@ Network network_of(const Packing& packing, bool bearing_only) {
   const Contacts& contacts = packing.contacts;
   Network net;
   const auto counts = [&](std::size_t c) { return !contacts.is_wall(c) && (!bearing_only || contacts.fn[c] != 0); };
-  net.left_out = texture::loose_grains(packing, 2, counts);
+  net.left_out = texture::loose_grains(packing.contacts, packing.grains.size(), 2, counts);
   std::vector<std::vector<std::int32_t>> leaving(packing.grains.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (!counts(c) || net.left_out[contacts.i[c]] || net.left_out[contacts.j[c]]) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/problems.hpp"
@@ -14,6 +15,7 @@ namespace arenite::packing {
 namespace {
 
 /// Closed boundaries that grains lie around. What encloses more than half of the container holds them, as a drum does.
+std::vector<geometry::Polygon> obstacles_of(const Container<3>& /*domain*/) { return {}; }
 std::vector<geometry::Polygon> obstacles_of(const Domain& domain) {
   std::vector<geometry::Polygon> obstacles;
   for (const Boundary& boundary : domain.boundaries)
@@ -22,36 +24,42 @@ std::vector<geometry::Polygon> obstacles_of(const Domain& domain) {
   return obstacles;
 }
 
+template <int D> struct Relaxation;
+
+/// Grains inside of an obstacle are pushed out over its nearest side.
+void add_obstacle_forces(Relaxation<2>& relaxation);
+void add_obstacle_forces(Relaxation<3>& /*relaxation*/) {}
+
 /// Lengths are in units of the mean radius; stiffness and mass are 1.
-struct Relaxation {
-  Grains& grains;
-  const Domain& domain;
+template <int D> struct Relaxation {
+  GrainsIn<D>& grains;
+  const DomainIn<D>& domain;
   double unit, skin;
   std::vector<geometry::Polygon> obstacles;
   std::vector<geometry::Pair> pairs;
-  std::vector<Vec2> force, velocity, listed_at;
+  std::vector<Vec<D>> force, velocity, listed_at;
   double largest_overlap = 0;
 
-  Relaxation(Grains& g, const Domain& d)
+  Relaxation(GrainsIn<D>& g, const DomainIn<D>& d)
       : grains(g),
         domain(d),
         unit(g.mean_diameter() / 2),
         skin(0.3 * unit),
         obstacles(obstacles_of(d)) {
     force.resize(g.size());
-    velocity.assign(g.size(), Vec2{});
+    velocity.assign(g.size(), Vec<D>{});
     list_pairs();
   }
 
   void list_pairs() {
-    const geometry::Box<2> box{domain.corner(), domain.size(), domain.periodic};
-    pairs = geometry::close_pairs(grains.position, grains.radius, box, skin);
+    const geometry::Box<D> box{domain.corner(), domain.size(), domain.periodic};
+    pairs = geometry::close_pairs<D>(std::span<const Vec<D>>(grains.position), grains.radius, box, skin);
     listed_at = grains.position;
   }
 
   bool list_is_stale() const {
     for (std::size_t i = 0; i < grains.size(); ++i) {
-      const Vec2 moved = grains.position[i] - listed_at[i];
+      const Vec<D> moved = grains.position[i] - listed_at[i];
       if (dot(moved, moved) > 0.25 * skin * skin) return true;
     }
     return false;
@@ -59,12 +67,12 @@ struct Relaxation {
 
   void add_pair_forces() {
     for (const auto [i, j] : pairs) {
-      const Vec2 d = domain.nearest_image(grains.position[i] - grains.position[j]);
+      const Vec<D> d = domain.nearest_image(grains.position[i] - grains.position[j]);
       const double reach = grains.radius[i] + grains.radius[j], distance2 = dot(d, d);
       if (distance2 >= reach * reach) continue;
       const double distance = std::sqrt(distance2), overlap = reach - distance;
       // Two centres on one point have no direction; any fixed one parts them.
-      const Vec2 n = distance > 0 ? (1 / distance) * d : Vec2{1, 0};
+      const Vec<D> n = distance > 0 ? (1 / distance) * d : inward_normal<D>(left);
       force[i] += (overlap / unit) * n;
       force[j] -= (overlap / unit) * n;
       largest_overlap = std::max(largest_overlap, 2 * overlap / reach);
@@ -72,12 +80,11 @@ struct Relaxation {
   }
 
   void add_wall_forces() {
-    for (int side = 0; side < sides; ++side) {
+    for (int side = 0; side < sides_in<D>; ++side) {
       if (domain.is_periodic(side)) continue;
-      const Vec2 n = inward_normal(side);
-      const double offset = domain.wall[side].position * (n.x + n.y);
+      const Vec<D> n = inward_normal<D>(side);
       for (std::size_t i = 0; i < grains.size(); ++i) {
-        const double overlap = grains.radius[i] - (dot(n, grains.position[i]) - offset);
+        const double overlap = grains.radius[i] - domain.depth(side, grains.position[i]);
         if (overlap <= 0) continue;
         force[i] += (overlap / unit) * n;
         largest_overlap = std::max(largest_overlap, overlap / grains.radius[i]);
@@ -85,26 +92,12 @@ struct Relaxation {
     }
   }
 
-  /// Grains inside of an obstacle are pushed out over its nearest side.
-  void add_obstacle_forces() {
-    for (const geometry::Polygon& obstacle : obstacles)
-      for (std::size_t i = 0; i < grains.size(); ++i) {
-        const Vec2 way = geometry::way_from(obstacle, grains.position[i]);
-        const double outside = norm(way) * (geometry::encloses(obstacle, grains.position[i]) ? -1 : 1);
-        const double overlap = grains.radius[i] - outside;
-        if (overlap <= 0 || outside == 0) continue;
-        // One that lies deep goes no faster than one that just overlaps.
-        force[i] += (std::min(overlap, grains.radius[i]) / (unit * outside)) * way;
-        largest_overlap = std::max(largest_overlap, overlap / grains.radius[i]);
-      }
-  }
-
   void compute_forces() {
-    std::fill(force.begin(), force.end(), Vec2{});
+    std::fill(force.begin(), force.end(), Vec<D>{});
     largest_overlap = 0;
     add_pair_forces();
     add_wall_forces();
-    add_obstacle_forces();
+    add_obstacle_forces(*this);
   }
 
   void move(double dt) {
@@ -119,16 +112,29 @@ struct Relaxation {
   }
 
   void wrap() {
-    for (Vec2& p : grains.position) p = domain.wrapped(p);
+    for (Vec<D>& p : grains.position) p = domain.wrapped(p);
   }
 };
+
+void add_obstacle_forces(Relaxation<2>& r) {
+  for (const geometry::Polygon& obstacle : r.obstacles)
+    for (std::size_t i = 0; i < r.grains.size(); ++i) {
+      const Vec2 way = geometry::way_from(obstacle, r.grains.position[i]);
+      const double outside = norm(way) * (geometry::encloses(obstacle, r.grains.position[i]) ? -1 : 1);
+      const double overlap = r.grains.radius[i] - outside;
+      if (overlap <= 0 || outside == 0) continue;
+      // One that lies deep goes no faster than one that just overlaps.
+      r.force[i] += (std::min(overlap, r.grains.radius[i]) / (r.unit * outside)) * way;
+      r.largest_overlap = std::max(r.largest_overlap, overlap / r.grains.radius[i]);
+    }
+}
 
 /// The inertia of FIRE: faster while downhill, stopped when uphill.
 struct Inertia {
   double dt = 0.1, mixing = 0.1;
   int downhill_steps = 0;
 
-  void steer(std::vector<Vec2>& velocity, const std::vector<Vec2>& force) {
+  template <int D> void steer(std::vector<Vec<D>>& velocity, const std::vector<Vec<D>>& force) {
     double power = 0, v2 = 0, f2 = 0;
     for (std::size_t i = 0; i < velocity.size(); ++i) {
       power += dot(velocity[i], force[i]);
@@ -136,7 +142,7 @@ struct Inertia {
       f2 += dot(force[i], force[i]);
     }
     if (power <= 0) {
-      std::fill(velocity.begin(), velocity.end(), Vec2{});
+      std::fill(velocity.begin(), velocity.end(), Vec<D>{});
       dt *= 0.5;
       mixing = 0.1;
       downhill_steps = 0;
@@ -153,12 +159,13 @@ struct Inertia {
 
 }  // namespace
 
-RelaxReport relax(Grains& grains, const Domain& domain, double tolerance, int max_iterations) {
+template <int D>
+RelaxReport relax(GrainsIn<D>& grains, const DomainIn<D>& domain, double tolerance, int max_iterations) {
   RelaxReport report;
   if (grains.size() == 0) return report;
-  const std::vector<Vec2> start = grains.position;
+  const std::vector<Vec<D>> start = grains.position;
 
-  Relaxation relaxation(grains, domain);
+  Relaxation<D> relaxation(grains, domain);
   Inertia inertia;
   relaxation.compute_forces();
   report.overlap_before = relaxation.largest_overlap;
@@ -179,28 +186,47 @@ double height_for(const Grains& grains, double width, double solid_fraction) {
   return grains.area() / (solid_fraction * width);
 }
 
-RelaxReport fill_at_random(Grains& grains, const Domain& domain, std::uint64_t seed) {
+namespace {
+
+/// How dense grains can be, and are if they fill a container.
+constexpr double densest(const Grains&) { return 0.9069; }       // equal disks in a triangular lattice
+constexpr double densest(const GrainsIn<3>&) { return 0.7405; }  // equal spheres in that of Kepler
+constexpr double loosest_jam(const Grains&) { return 0.80; }
+constexpr double loosest_jam(const GrainsIn<3>&) { return 0.60; }
+double filled(const Grains& grains, const Domain& domain) { return grains.area() / domain.area(); }
+double filled(const GrainsIn<3>& grains, const Container<3>& domain) { return grains.volume() / volume_of(domain); }
+
+}  // namespace
+
+template <int D> RelaxReport fill_at_random(GrainsIn<D>& grains, const DomainIn<D>& domain, std::uint64_t seed) {
   for (std::size_t i = 0; i < grains.size(); ++i) {
     RandomStream random(seed, Purpose::position, i);
-    const double mx = domain.periodic[0] ? 0 : grains.radius[i], my = domain.periodic[1] ? 0 : grains.radius[i];
-    grains.position[i] = {random.uniform(domain.wall[left].position + mx, domain.wall[right].position - mx),
-                          random.uniform(domain.wall[bottom].position + my, domain.wall[top].position - my)};
+    grains.position[i] = by_axis<D>([&](int axis) {
+      const double margin = domain.periodic[axis] ? 0 : grains.radius[i];
+      return random.uniform(domain.wall[2 * axis].position + margin, domain.wall[2 * axis + 1].position - margin);
+    });
   }
-  constexpr double densest = 0.9069;  // equal disks in a triangular lattice
-  const double asked = grains.area() / domain.area();
-  if (asked > densest)
+  const double asked = filled(grains, domain);
+  if (asked > densest(grains))
     throw refusal(
-        "the grains cover {:.3g} times the area of the container and cannot fit; use fewer, or leave container.height "
-        "out with a packing.solid_fraction of 0.80 or less",
-        asked);
-  const auto report = relax(grains, domain);
+        "the grains cover {:.3g} times the {} of the container and cannot fit; use fewer, or leave container.height "
+        "out with a packing.solid_fraction of {:.2f} or less",
+        asked, D == 2 ? "area" : "volume", loosest_jam(grains));
+  const auto report = relax<D>(grains, domain);
   if (report.overlap_after > 0.01)
     throw refusal(
         "a random filling at solid fraction {:.3f} jams with overlaps of {:.1f} % of the radii; start looser "
         "(packing.solid_fraction of {:.2f} or less, or a larger container.height) and let a loading stage compact it",
-        asked, 100 * report.overlap_after, std::min(0.80, std::floor(100 * asked) / 100 - 0.03));
+        asked, 100 * report.overlap_after, std::min(loosest_jam(grains), std::floor(100 * asked) / 100 - 0.03));
   return report;
 }
+
+#define ARENITE_OF(D)                                                           \
+  template RelaxReport relax<D>(GrainsIn<D>&, const DomainIn<D>&, double, int); \
+  template RelaxReport fill_at_random<D>(GrainsIn<D>&, const DomainIn<D>&, std::uint64_t);
+ARENITE_OF(2)
+ARENITE_OF(3)
+#undef ARENITE_OF
 
 double fill_lattice(Grains& grains, const Domain& domain) {
   const double site = 2 * *std::max_element(grains.radius.begin(), grains.radius.end());

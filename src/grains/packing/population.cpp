@@ -143,6 +143,16 @@ Grains draw_grains(const std::vector<Population>& populations, const Materials& 
   return grains;
 }
 
+GrainsIn<3> draw_spheres(const std::vector<Population>& populations, const Materials& materials, std::int64_t total,
+                         std::uint64_t seed) {
+  const Grains drawn = draw_grains(populations, materials, total, seed);
+  GrainsIn<3> spheres;
+  spheres.resize(drawn.size());
+  spheres.radius = drawn.radius;
+  spheres.material = drawn.material;
+  return spheres;
+}
+
 std::int64_t mark_region(Grains& grains, const Domain& domain, const Region& region) {
   const Vec2 centre = domain.corner() + region.centre;
   std::vector<Vec2> d(grains.size());

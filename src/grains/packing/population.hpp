@@ -26,6 +26,10 @@ struct Population {
 Grains draw_grains(const std::vector<Population>& populations, const Materials& materials, std::int64_t total,
                    std::uint64_t seed);
 
+/// The same of spheres.
+GrainsIn<3> draw_spheres(const std::vector<Population>& populations, const Materials& materials, std::int64_t total,
+                         std::uint64_t seed);
+
 /// Radius of the smallest circle about each grain's centre that holds it, m.
 std::vector<double> circle_radii(const Grains& grains);
 

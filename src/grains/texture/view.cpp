@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/union_area.hpp"
+#include "grains/texture/loose_grains.hpp"
 
 namespace arenite::texture {
 namespace {
@@ -67,35 +68,6 @@ std::vector<Sorting> sortings(const View& view) {
 
 }  // namespace
 
-std::vector<std::uint8_t> loose_grains(const Packing& packing, int least,
-                                       const std::function<bool(std::size_t)>& counts) {
-  const Contacts& contacts = packing.contacts;
-  const std::size_t n = packing.grains.size();
-  std::vector<std::vector<std::int32_t>> partners(n);
-  std::vector<int> bearing(n, 0);
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (!counts(c)) continue;
-    ++bearing[contacts.i[c]];
-    if (contacts.is_wall(c)) continue;
-    ++bearing[contacts.j[c]];
-    partners[contacts.i[c]].push_back(contacts.j[c]);
-    partners[contacts.j[c]].push_back(contacts.i[c]);
-  }
-  std::vector<std::uint8_t> loose(n, 0);
-  std::vector<std::size_t> open;
-  for (std::size_t g = 0; g < n; ++g)
-    if (bearing[g] < least) open.push_back(g);
-  while (!open.empty()) {
-    const std::size_t g = open.back();
-    open.pop_back();
-    if (loose[g]) continue;
-    loose[g] = 1;
-    for (const std::int32_t p : partners[g])
-      if (--bearing[p] < least && !loose[p]) open.push_back(p);
-  }
-  return loose;
-}
-
 Items known(const Items& items, const std::vector<double>& values) {
   return kept(items, [&](std::size_t item) { return std::isfinite(values[item]); });
 }
@@ -140,7 +112,8 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
   }
   considered.assign(all.size(), 0);
   for (const std::size_t g : grains) considered[g] = 1;
-  rattler = loose_grains(packing, options.rattler_contacts, [&](std::size_t c) { return pairs().fn[c] != 0; });
+  rattler =
+      loose_grains(pairs(), all.size(), options.rattler_contacts, [&](std::size_t c) { return pairs().fn[c] != 0; });
 
   blocks = {bounds_of(*this), blocks_per_side(grains.size())};
   for (std::size_t g = 0; g < all.size(); ++g)

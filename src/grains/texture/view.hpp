@@ -65,11 +65,6 @@ ByName<Items> contacts_by_type(const View& view);
 /// Named sets of considered grains: "all", by material, by zone ("dry", "glued") where there are zones.
 ByName<Items> grains_by_type(const View& view);
 
-/// Grains that carry nothing, 1 each: those with fewer than `least` of the contacts that count, found by taking them
-/// away again and again, since a grain that leans on one of them alone is one too.
-std::vector<std::uint8_t> loose_grains(const Packing& packing, int least,
-                                       const std::function<bool(std::size_t)>& counts);
-
 /// The items that something holds for.
 template <class Holds> Items kept(const Items& items, const Holds& holds) {
   Items some;

@@ -1,6 +1,7 @@
 #include "io/results/groups.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "core/mapped.hpp"
@@ -36,6 +37,7 @@ void transfer_boundaries(const Hdf5Group& at, std::vector<Boundary>& boundaries)
 }
 
 /// What grains are that are no disks; files of disks have no such group.
+void transfer_shapes(const Hdf5Group& /*at*/, GrainsIn<3>& /*grains*/, const GrainsIn<3>* /*sample*/) {}
 void transfer_shapes(const Hdf5Group& at, Grains& grains, const Grains* sample) {
   Shapes& shapes = grains.shapes;
   if (at.reads() && !at.has_group("shapes")) {
@@ -99,6 +101,48 @@ void transfer_cohesive(const Hdf5Group& at, std::vector<CohesivePair>& pairs, st
   check_order(at, pairs, grains, "names a grain that does not exist");
 }
 
+void transfer_shear_force(const Hdf5Group& at, double& force) { at("shear_force [N]", force); }
+void transfer_shear_force(const Hdf5Group& at, Vec3& force) {
+  at("shear_force_x [N]", force.x);
+  at("shear_force_y [N]", force.y);
+  at("shear_force_z [N]", force.z);
+}
+
+/// What the plane alone has.
+void transfer_thickness(const Hdf5Group& /*at*/, Container<3>& /*domain*/) {}
+void transfer_thickness(const Hdf5Group& at, Domain& domain) { at("thickness [m]", domain.thickness); }
+void transfer_inside(const Hdf5Group& /*at*/, Container<3>& /*domain*/) {}
+void transfer_inside(const Hdf5Group& at, Domain& domain) { transfer_boundaries(at, domain.boundaries); }
+
+int elements_of(const Domain& domain) { return domain.elements(); }
+int elements_of(const Container<3>& /*domain*/) { return 0; }
+
+void note_signs(const Hdf5Group& at, const Packing& packing) {
+  at.note(
+      "i and j",
+      "indices into the arrays of grains, from 0, not ids; j = -1, -2, -3, -4 is the left, right, bottom, top wall");
+  if (packing.domain.elements() > 0)
+    at.note(
+        "j below -4",
+        "-5 - j counts the elements of all boundaries, two per point: the point, and the segment from it to the next");
+  at.note("signs",
+          "n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t; fn > 0 is repulsive");
+}
+void note_signs(const Hdf5Group& at, const PackingIn<3>& /*packing*/) {
+  at.note("i and j",
+          "indices into the arrays of grains, from 0, not ids; j = -1, -2, -3, -4, -5, -6 is the left, right, bottom, "
+          "top, back, front wall");
+  at.note("signs", "n points from j to i, the force on i is fn n + ft x n; fn > 0 is repulsive");
+}
+
+/// Arms of grains that are no disks begin off their centres.
+void transfer_levers(const Hdf5Group& /*at*/, ContactsIn<3>& /*contacts*/) {}
+void transfer_levers(const Hdf5Group& at, Contacts& contacts) {
+  if (at.reads() ? !at.has(lever_columns[0].name) : contacts.off_i.empty()) return;
+  at.note("off_i_x", "the arms of i and j start at this distance from the centres, for grains other than disks");
+  transfer_columns(at, contacts, lever_columns, contacts.size());
+}
+
 }  // namespace
 
 void refuse_version_01(const Hdf5Group& file, const std::filesystem::path& path) {
@@ -135,89 +179,92 @@ void transfer_materials(const Hdf5Group& at, Materials& materials) {
   });
 }
 
-void transfer_domain(const Hdf5Group& at, Domain& domain) {
+template <int D> void transfer_domain(const Hdf5Group& at, DomainIn<D>& domain) {
+  constexpr std::array<const char*, 3> periodic{"periodic_x", "periodic_y", "periodic_z"};
   const auto group = at.group("domain");
-  group("periodic_x", domain.periodic[0]);
-  group("periodic_y", domain.periodic[1]);
+  for (int axis = 0; axis < D; ++axis) group(periodic[axis], domain.periodic[axis]);
   group("tilt [m]", domain.tilt);
-  group("thickness [m]", domain.thickness);
+  transfer_thickness(group, domain);
   for (std::size_t side = 0; side < domain.wall.size(); ++side) {
-    const auto at_side = group.group(side_names[side]);
-    Wall& wall = domain.wall[side];
+    const auto at_side = group.group(any_side_names[side]);
+    WallIn<D>& wall = domain.wall[side];
     at_side("present", wall.present);
     at_side("position [m]", wall.position);
     at_side("velocity [m/s]", wall.velocity);
     at_side("force [N]", wall.force);
-    at_side("shear_force [N]", wall.shear_force);
+    transfer_shear_force(at_side, wall.shear_force);
   }
-  transfer_boundaries(group, domain.boundaries);
+  transfer_inside(group, domain);
 }
 
-void transfer_names(const Hdf5Group& at, Grains& grains, const Grains* sample) {
-  const auto transfer = [&]<class T>(const char* name, std::vector<T> Grains::*member, const char* unit = "1") {
+template void transfer_domain<2>(const Hdf5Group&, Domain&);
+template void transfer_domain<3>(const Hdf5Group&, Container<3>&);
+
+template <int D> void transfer_names(const Hdf5Group& at, GrainsIn<D>& grains, const GrainsIn<D>* sample) {
+  const auto transfer = [&]<class T>(const char* name, std::vector<T> GrainsIn<D>::*member, const char* unit = "1") {
     auto& values = grains.*member;
     if (at.reads() && sample && !at.has(name)) values = sample->*member;
     else if (at.reads() || !sample || values != sample->*member) at.array(name, values, unit);
   };
-  transfer("id", &Grains::id);
-  transfer("radius", &Grains::radius, "m");
-  transfer("material", &Grains::material);
-  transfer("zone", &Grains::zone);
+  transfer("id", &GrainsIn<D>::id);
+  transfer("radius", &GrainsIn<D>::radius, "m");
+  transfer("material", &GrainsIn<D>::material);
+  transfer("zone", &GrainsIn<D>::zone);
   at.same_length({grains.id.size(), grains.radius.size(), grains.material.size(), grains.zone.size()});
   transfer_shapes(at, grains, sample);
 }
 
-void transfer_grains(const Hdf5Group& at, Packing& packing, const Grains* sample) {
+template <int D> void transfer_grains(const Hdf5Group& at, PackingIn<D>& packing, const GrainsIn<D>* sample) {
   const auto group = at.group("grains");
   transfer_names(group, packing.grains, sample);
-  transfer_columns(group, packing.grains, grain_state_columns, packing.grains.id.size());
+  transfer_columns(group, packing.grains, state_columns(packing.grains), packing.grains.id.size());
   const auto kinds = static_cast<std::int64_t>(packing.materials.size());
   for (const auto m : packing.grains.material)
     if (at.reads() && (m < 0 || m >= kinds)) at.refuse("names a material that does not exist");
 }
 
-void transfer_contacts(const Hdf5Group& at, Contacts& contacts, std::size_t grains, int elements) {
+template <int D> void transfer_contacts(const Hdf5Group& at, PackingIn<D>& packing) {
+  ContactsIn<D>& contacts = packing.contacts;
   const auto group = at.group("contacts");
-  group.note(
-      "i and j",
-      "indices into the arrays of grains, from 0, not ids; j = -1, -2, -3, -4 is the left, right, bottom, top wall");
-  if (elements > 0)
-    group.note(
-        "j below -4",
-        "-5 - j counts the elements of all boundaries, two per point: the point, and the segment from it to the next");
-  group.note("signs",
-             "n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t; fn > 0 is repulsive");
+  note_signs(group, packing);
   group.array("i", contacts.i);
   group.array("j", contacts.j);
-  transfer_columns(group, contacts, contact_columns, contacts.size());
+  transfer_columns(group, contacts, columns_of(contacts), contacts.size());
   group.array("glued", contacts.glued);
-  if (at.reads() ? group.has(lever_columns[0].name) : !contacts.off_i.empty()) {
-    group.note("off_i_x", "the arms of i and j start at this distance from the centres, for grains other than disks");
-    transfer_columns(group, contacts, lever_columns, contacts.size());
-  }
+  transfer_levers(group, contacts);
   if (!at.reads()) return;
   group.same_length({contacts.size(), contacts.j.size(), contacts.glued.size()});
-  const auto n = static_cast<std::int64_t>(grains);
+  const auto n = static_cast<std::int64_t>(packing.grains.size());
+  const std::int32_t last = wall_partner(sides_in<D> - 1) - elements_of(packing.domain);
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (contacts.i[c] < 0 || contacts.i[c] >= n || contacts.j[c] >= n || contacts.j[c] < wall_partner(top) - elements)
+    if (contacts.i[c] < 0 || contacts.i[c] >= n || contacts.j[c] >= n || contacts.j[c] < last)
       group.refuse("names a grain that does not exist");
 }
 
-void transfer_packing(const Hdf5Group& at, Packing& packing) {
-  const auto group = at.group("packing");
-  transfer_materials(group, packing.materials);
-  transfer_domain(group, packing.domain);
-  transfer_grains(group, packing, nullptr);
-  transfer_contacts(group, packing.contacts, packing.grains.size(), packing.domain.elements());
-  transfer_joints(group, packing);
-}
-
-void transfer_joints(const Hdf5Group& at, Packing& packing) {
+template <> void transfer_joints(const Hdf5Group& /*at*/, PackingIn<3>& /*packing*/) {}
+template <> void transfer_joints(const Hdf5Group& at, Packing& packing) {
   const std::size_t grains = packing.grains.size();
   if (!at.lacks("bonds", packing.bonds.empty())) transfer_bonds(at.group("bonds"), packing.bonds, grains);
   if (!at.lacks("cohesive", packing.cohesive.empty()))
     transfer_cohesive(at.group("cohesive"), packing.cohesive, grains);
 }
+
+void transfer_packing(const Hdf5Group& at, Packing& packing) {
+  const auto group = at.group("packing");
+  transfer_materials(group, packing.materials);
+  transfer_domain<2>(group, packing.domain);
+  transfer_grains<2>(group, packing, nullptr);
+  transfer_contacts(group, packing);
+  transfer_joints(group, packing);
+}
+
+#define ARENITE_OF(D)                                                                 \
+  template void transfer_names(const Hdf5Group&, GrainsIn<D>&, const GrainsIn<D>*);   \
+  template void transfer_grains(const Hdf5Group&, PackingIn<D>&, const GrainsIn<D>*); \
+  template void transfer_contacts(const Hdf5Group&, PackingIn<D>&);
+ARENITE_OF(2)
+ARENITE_OF(3)
+#undef ARENITE_OF
 
 void transfer_phases(const Hdf5Group& map_at, std::vector<Phase>& phases, Shape shape) {
   auto stored = mapped(phases, [](Phase phase) { return static_cast<std::uint8_t>(phase); });

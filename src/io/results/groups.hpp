@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,15 +38,15 @@ Result read_result_file(const std::filesystem::path& path, std::string_view kind
 
 /// A column of real numbers: name, SI unit ("1" if it has none) and where it lives, as numbers or as one coordinate of
 /// vectors. Every format takes its columns here.
-template <class Owner> struct Column {
+template <class Owner, class V = Vec2> struct Column {
   const char* name;
   const char* unit;
   std::vector<double> Owner::*numbers = nullptr;
-  std::vector<Vec2> Owner::*vectors = nullptr;
-  double Vec2::*axis = nullptr;
+  std::vector<V> Owner::*vectors = nullptr;
+  double V::*axis = nullptr;
 
   constexpr Column(const char* n, const char* u, std::vector<double> Owner::*of) : name(n), unit(u), numbers(of) {}
-  constexpr Column(const char* n, const char* u, std::vector<Vec2> Owner::*of, double Vec2::*along)
+  constexpr Column(const char* n, const char* u, std::vector<V> Owner::*of, double V::*along)
       : name(n),
         unit(u),
         vectors(of),
@@ -80,6 +81,37 @@ inline constexpr Column<Contacts> contact_columns[] = {{"nx", "1", &Contacts::no
                                                        {"arm_j", "m", &Contacts::arm_j},
                                                        {"overlap", "m", &Contacts::overlap},
                                                        {"sliding_velocity", "m/s", &Contacts::sliding_velocity}};
+
+/// The same of spheres and their contacts.
+inline constexpr Column<GrainsIn<3>, Vec3> sphere_state_columns[] = {
+    {"x", "m", &GrainsIn<3>::position, &Vec3::x},        {"y", "m", &GrainsIn<3>::position, &Vec3::y},
+    {"z", "m", &GrainsIn<3>::position, &Vec3::z},        {"angle_x", "rad", &GrainsIn<3>::angle, &Vec3::x},
+    {"angle_y", "rad", &GrainsIn<3>::angle, &Vec3::y},   {"angle_z", "rad", &GrainsIn<3>::angle, &Vec3::z},
+    {"vx", "m/s", &GrainsIn<3>::velocity, &Vec3::x},     {"vy", "m/s", &GrainsIn<3>::velocity, &Vec3::y},
+    {"vz", "m/s", &GrainsIn<3>::velocity, &Vec3::z},     {"omega_x", "rad/s", &GrainsIn<3>::omega, &Vec3::x},
+    {"omega_y", "rad/s", &GrainsIn<3>::omega, &Vec3::y}, {"omega_z", "rad/s", &GrainsIn<3>::omega, &Vec3::z}};
+inline constexpr Column<ContactsIn<3>, Vec3> sphere_contact_columns[] = {
+    {"nx", "1", &ContactsIn<3>::normal, &Vec3::x},
+    {"ny", "1", &ContactsIn<3>::normal, &Vec3::y},
+    {"nz", "1", &ContactsIn<3>::normal, &Vec3::z},
+    {"fn", "N", &ContactsIn<3>::fn},
+    {"ft_x", "N", &ContactsIn<3>::ft, &Vec3::x},
+    {"ft_y", "N", &ContactsIn<3>::ft, &Vec3::y},
+    {"ft_z", "N", &ContactsIn<3>::ft, &Vec3::z},
+    {"arm_i", "m", &ContactsIn<3>::arm_i},
+    {"arm_j", "m", &ContactsIn<3>::arm_j},
+    {"overlap", "m", &ContactsIn<3>::overlap},
+    {"sliding_velocity_x", "m/s", &ContactsIn<3>::sliding_velocity, &Vec3::x},
+    {"sliding_velocity_y", "m/s", &ContactsIn<3>::sliding_velocity, &Vec3::y},
+    {"sliding_velocity_z", "m/s", &ContactsIn<3>::sliding_velocity, &Vec3::z}};
+
+/// The columns of grains and contacts of either kind.
+constexpr std::span<const Column<Grains>> state_columns(const Grains&) { return grain_state_columns; }
+constexpr std::span<const Column<GrainsIn<3>, Vec3>> state_columns(const GrainsIn<3>&) { return sphere_state_columns; }
+constexpr std::span<const Column<Contacts>> columns_of(const Contacts&) { return contact_columns; }
+constexpr std::span<const Column<ContactsIn<3>, Vec3>> columns_of(const ContactsIn<3>&) {
+  return sphere_contact_columns;
+}
 
 /// Of contacts of grains that are no disks; files of disks have none.
 inline constexpr Column<Contacts> lever_columns[] = {{"off_i_x", "m", &Contacts::off_i, &Vec2::x},
@@ -136,19 +168,19 @@ template <class Result> void transfer_origin(const Hdf5Group& at, Result& result
 }
 
 void transfer_materials(const Hdf5Group& at, Materials& materials);
-void transfer_domain(const Hdf5Group& at, Domain& domain);
+template <int D> void transfer_domain(const Hdf5Group& at, DomainIn<D>& domain);
 
 /// Grains. What does not change while they move is not written where the sample (or null) has the same, and then read
 /// from there. Grains of materials that do not exist are refused.
-void transfer_grains(const Hdf5Group& at, Packing& packing, const Grains* sample);
-void transfer_names(const Hdf5Group& grains_at, Grains& grains, const Grains* sample);
+template <int D> void transfer_grains(const Hdf5Group& at, PackingIn<D>& packing, const GrainsIn<D>* sample);
+template <int D> void transfer_names(const Hdf5Group& grains_at, GrainsIn<D>& grains, const GrainsIn<D>* sample);
 
 /// Contacts; those of grains, or of elements of boundaries, that do not exist are refused.
-void transfer_contacts(const Hdf5Group& at, Contacts& contacts, std::size_t grains, int elements);
+template <int D> void transfer_contacts(const Hdf5Group& at, PackingIn<D>& packing);
 
 /// Bonds and pairs that a cohesion joins, of which most packings have none: files without them have no such group.
 /// Those of grains that do not exist are refused.
-void transfer_joints(const Hdf5Group& at, Packing& packing);
+template <int D> void transfer_joints(const Hdf5Group& at, PackingIn<D>& packing);
 
 /// Refuses items that join grains which do not exist.
 template <class Items>
@@ -159,7 +191,7 @@ void check_ends(const Hdf5Group& at, const Items& items, std::size_t grains, con
       if (g < 0 || static_cast<std::size_t>(g) >= grains) at.refuse(refusal);
 }
 
-/// A whole packing as the group "packing".
+/// A whole packing of the plane as the group "packing".
 void transfer_packing(const Hdf5Group& at, Packing& packing);
 
 /// The phases of a map in its group; those that do not exist are refused.

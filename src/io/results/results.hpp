@@ -15,10 +15,10 @@ namespace arenite::io {
 /// their SI unit as the attribute "unit"; numbers have it in their name, "time [s]". What does not change while a
 /// sample moves (ids, radii, materials, zones) is stored once. Groups: /provenance, /outcome, /materials, /grains,
 /// /frames/0000/{grains,contacts,domain,energies,equilibrium}, /history, /texture, /continuation.
-void write_stage(const std::filesystem::path& path, const StageResult& result);
+template <int D> void write_stage(const std::filesystem::path& path, const StageResultIn<D>& result);
 
 /// Reads it back bit for bit. Throws InputError for a file that is missing, foreign, newer, cut short or damaged.
-StageResult read_stage(const std::filesystem::path& path);
+template <int D = 2> StageResultIn<D> read_stage(const std::filesystem::path& path);
 
 /// Writes a result on a grid as one HDF5 file, all or nothing: the same result gives the same bytes. /map and /field
 /// hold arrays of height x width nodes, the bottom row first; those of the field in single precision, with their SI
@@ -44,7 +44,7 @@ void write_voxels(const std::filesystem::path& path, const VoxelResult& result);
 VoxelResult read_voxels(const std::filesystem::path& path);
 
 /// A result of whichever kind its file says it is.
-using AnyResult = std::variant<StageResult, FieldResult, FilmResult, VoxelResult>;
+using AnyResult = std::variant<StageResult, FieldResult, FilmResult, VoxelResult, SphereResult>;
 AnyResult read_result(const std::filesystem::path& path);
 
 /// Writes a tree of numbers as one HDF5 file, all or nothing.
@@ -55,18 +55,20 @@ Numbers read_numbers_file(const std::filesystem::path& path);
 
 /// What a run needs to go on after it was killed: the engine's bytes, where the loading stands, and what is already
 /// known of the stage. Blobs and numbers are named by who writes them.
-struct Checkpoint {
+template <int D> struct CheckpointIn {
   std::string key;                                         ///< hash of what the run depends on, as in Provenance
   std::map<std::string, std::vector<std::uint8_t>> blobs;  ///< e.g. "engine"
   std::map<std::string, double> numbers;
   std::map<std::string, std::int64_t> integers;
-  StageResult partial;  ///< frames and history so far
+  StageResultIn<D> partial;  ///< frames and history so far
 };
+using Checkpoint = CheckpointIn<2>;
 
-void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
+template <int D> void write_checkpoint(const std::filesystem::path& path, const CheckpointIn<D>& checkpoint);
 
 /// Nothing if there is no such file, or if it belongs to another key: then the run starts anew. A damaged one is an
 /// InputError.
-std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& path, const std::string& key);
+template <int D = 2>
+std::optional<CheckpointIn<D>> read_checkpoint(const std::filesystem::path& path, const std::string& key);
 
 }  // namespace arenite::io

@@ -9,7 +9,10 @@
 namespace arenite::io {
 namespace {
 
-void transfer_energies(const Hdf5Group& at, Snapshot& snapshot) {
+/// What files of each dimension say that they are.
+template <int D> constexpr const char* kind_of = D == 2 ? "result" : "spheres";
+
+template <int D> void transfer_energies(const Hdf5Group& at, SnapshotIn<D>& snapshot) {
   const auto energies = at.group("energies");
   for (const EnergyTerm& term : energy_terms) energies(std::string(term.name) + " [J]", snapshot.energies.*term.value);
   const std::string exchanged = std::string(exchange_term.name) + " [J]";
@@ -24,23 +27,23 @@ void transfer_energies(const Hdf5Group& at, Snapshot& snapshot) {
   equilibrium("loose_kinetic_ratio", snapshot.equilibrium.loose_kinetic);
 }
 
-void transfer_snapshot(const Hdf5Group& at, Snapshot& snapshot, const Packing& sample) {
+template <int D> void transfer_snapshot(const Hdf5Group& at, SnapshotIn<D>& snapshot, const PackingIn<D>& sample) {
   at("time [s]", snapshot.time);
   at("step", snapshot.step);
   at("label", snapshot.label);
-  Packing& packing = snapshot.packing;
+  PackingIn<D>& packing = snapshot.packing;
   if (at.reads() ? at.has("materials") : packing.materials != sample.materials)
     transfer_materials(at, packing.materials);
   else if (at.reads()) packing.materials = sample.materials;
-  transfer_domain(at, packing.domain);
+  transfer_domain<D>(at, packing.domain);
   transfer_grains(at, packing, &sample.grains);
-  transfer_contacts(at, packing.contacts, packing.grains.size(), packing.domain.elements());
+  transfer_contacts(at, packing);
   transfer_joints(at, packing);
   transfer_energies(at, snapshot);
 }
 
 /// Files of former versions have no such group.
-void transfer_asked(const Hdf5Group& file, Asked& asked) {
+void transfer_asked(const Hdf5Group& file, Asked& asked, int every_side) {
   if (file.lacks("asked", !asked.known)) return;
   const auto at = file.group("asked");
   asked.known = true;
@@ -48,8 +51,8 @@ void transfer_asked(const Hdf5Group& file, Asked& asked) {
   at("pull", asked.pull);
   at("gravity_x [m/s^2]", asked.gravity.x);
   at("gravity_y [m/s^2]", asked.gravity.y);
-  for (int side = 0; side < sides; ++side)
-    at(std::string(side_names[side]) + "_slide [m/s]", asked.slide[static_cast<std::size_t>(side)]);
+  for (int side = 0; side < every_side; ++side)
+    at(std::string(any_side_names[side]) + "_slide [m/s]", asked.slide[static_cast<std::size_t>(side)]);
   at("load_axis [rad]", asked.load_axis);
   at("cycled", asked.cycled);
   at("in_motion", asked.in_motion);
@@ -66,26 +69,26 @@ void transfer_asked(const Hdf5Group& file, Asked& asked) {
 }
 
 /// What stage files and checkpoints have in common.
-void transfer_result(const Hdf5Group& at, StageResult& result) {
+template <int D> void transfer_result(const Hdf5Group& at, StageResultIn<D>& result) {
   transfer_origin(at, result);
-  transfer_asked(at, result.asked);
+  transfer_asked(at, result.asked, sides_in<D>);
   if (at.reads() ? at.has_attribute("began [s]") : result.began.has_value()) {
     double began = result.began.value_or(0);
     at("began [s]", began);
     result.began = began;
   }
-  Packing sample = result.snapshots.empty() ? Packing{} : result.snapshots.front().packing;
+  PackingIn<D> sample = result.snapshots.empty() ? PackingIn<D>{} : result.snapshots.front().packing;
   transfer_materials(at, sample.materials);
-  transfer_names(at.group("grains"), sample.grains, nullptr);
+  transfer_names<D>(at.group("grains"), sample.grains, nullptr);
   at.each("frames", result.snapshots, 4,
-          [&](const Hdf5Group& one, Snapshot& snapshot) { transfer_snapshot(one, snapshot, sample); });
+          [&](const Hdf5Group& one, SnapshotIn<D>& snapshot) { transfer_snapshot(one, snapshot, sample); });
   transfer_history(at, "history", result.history);
   if (!at.lacks("cycles", result.cycles.columns.empty())) transfer_history(at, "cycles", result.cycles);
   transfer_numbers(at, "texture", result.texture);
   at.array("continuation", result.continuation);
 }
 
-void transfer_checkpoint(const Hdf5Group& at, Checkpoint& checkpoint) {
+template <int D> void transfer_checkpoint(const Hdf5Group& at, CheckpointIn<D>& checkpoint) {
   at("key", checkpoint.key);
   const auto blobs = at.group("blobs");
   if (at.reads())
@@ -98,32 +101,45 @@ void transfer_checkpoint(const Hdf5Group& at, Checkpoint& checkpoint) {
 
 }  // namespace
 
-void write_stage(const std::filesystem::path& path, const StageResult& result) {
-  write_result_file(path, "result", transfer_result, result);
+template <int D> void write_stage(const std::filesystem::path& path, const StageResultIn<D>& result) {
+  write_result_file(path, kind_of<D>, transfer_result<D>, result);
 }
 
-StageResult read_stage(const std::filesystem::path& path) { return read_result_file(path, "result", transfer_result); }
+template <int D> StageResultIn<D> read_stage(const std::filesystem::path& path) {
+  return read_result_file(path, kind_of<D>, transfer_result<D>);
+}
 
 AnyResult read_result(const std::filesystem::path& path) {
   const std::string kind = stored_kind(path);
   if (kind == "voxels") return read_voxels(path);
   if (kind == "field") return read_field(path);
   if (kind == "film") return read_film_result(path);
-  return read_stage(path);
+  if (kind == kind_of<3>) return read_stage<3>(path);
+  return read_stage<2>(path);
 }
 
-void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-  write_result_file(path, "checkpoint", transfer_checkpoint, checkpoint, false);
+template <int D> void write_checkpoint(const std::filesystem::path& path, const CheckpointIn<D>& checkpoint) {
+  write_result_file(path, "checkpoint", transfer_checkpoint<D>, checkpoint, false);
 }
 
-std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& path, const std::string& key) {
+template <int D>
+std::optional<CheckpointIn<D>> read_checkpoint(const std::filesystem::path& path, const std::string& key) {
   if (!std::filesystem::exists(path)) return std::nullopt;
   const Hdf5Group root(read_checksummed(path, "checkpoint"), path.string());
-  Checkpoint checkpoint;
+  CheckpointIn<D> checkpoint;
   root("key", checkpoint.key);
   if (checkpoint.key != key) return std::nullopt;
   transfer_checkpoint(root, checkpoint);
   return checkpoint;
 }
+
+#define ARENITE_OF(D)                                                                   \
+  template void write_stage(const std::filesystem::path&, const StageResultIn<D>&);     \
+  template StageResultIn<D> read_stage(const std::filesystem::path&);                   \
+  template void write_checkpoint(const std::filesystem::path&, const CheckpointIn<D>&); \
+  template std::optional<CheckpointIn<D>> read_checkpoint(const std::filesystem::path&, const std::string&);
+ARENITE_OF(2)
+ARENITE_OF(3)
+#undef ARENITE_OF
 
 }  // namespace arenite::io

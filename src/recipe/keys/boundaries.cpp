@@ -110,7 +110,7 @@ void require_place(Visitor& v, const Programme& p, const Stage& stage, const Rec
 /// cell would drift.
 void require_one_pressing_edge(Visitor& v, const Stage& stage, std::size_t first, bool periodic) {
   const SideDrive &one = stage.side[first], &other = stage.side[first + 1];
-  const char *name = side_names[first], *opposite = side_names[first + 1];
+  const char *name = any_side_names[first], *opposite = any_side_names[first + 1];
   const bool both_at_work = (one.presses() && other.kind != SideDrive::Kind::fixed) ||
                             (other.presses() && one.kind != SideDrive::Kind::fixed);
   v.require(
@@ -155,18 +155,20 @@ void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParamet
   using Kind = SideDrive::Kind;
   require_one_pressing_edge(v, stage, left, container.periodic[0]);
   require_one_pressing_edge(v, stage, bottom, container.periodic[1]);
+  require_one_pressing_edge(v, stage, back, container.periodic[2]);
   v.require(!stage.gravity || !container.periodic[1], {"gravity"},
             "grains would fall for ever through periodic sides; set container.periodic_y = false");
   const bool moves =
-      std::ranges::count(stage.side, Kind::velocity, &SideDrive::kind) > 0 || stage.slide != std::array<double, 4>{} ||
+      std::ranges::count(stage.side, Kind::velocity, &SideDrive::kind) > 0 || stage.slide != ByAnySide<double>{} ||
       stage.shear_rate != 0 ||
       std::ranges::any_of(stage.boundaries, [](const auto& b) { return b.velocity != Vec2{} || b.spin != 0; });
   v.require(stage.shear_rate == 0 || (container.periodic[0] && container.periodic[1]), {"shear_rate"},
             "only a cell periodic in both directions can be sheared in this way; set container.periodic_x and "
             "periodic_y, or let a wall slide");
-  for (std::size_t side = 0; side < 4; ++side)
-    v.require((stage.slide[side] == 0 && !stage.rough[side]) || !container.is_periodic(side), {"slide", "rough"},
-              fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
+  for (std::size_t side = 0; side < stage.slide.size(); ++side)
+    v.require((stage.slide[side] == 0 && (side >= sides || !stage.rough[side])) || !container.is_periodic(side),
+              {"slide", "rough"},
+              fmt::format("there is no wall at the {}: the container is periodic there", any_side_names[side]));
   v.require(!moves || stage.duration, {"duration", "left", "right", "bottom", "top", "boundaries"},
             "a stage with a moving side or boundary never reaches equilibrium; give it a duration, for example "
             "duration = \"1 s\"");

@@ -22,10 +22,12 @@ using Visitor = ParameterVisitor;
 
 namespace {
 
-/// A section with a value for each of the four sides.
-void declare_sides(Visitor& v, const Key& key, const std::function<void(Visitor&, std::size_t)>& one) {
-  v.section(key, [&](Visitor& inner) {
-    for (std::size_t side = 0; side < 4; ++side) one(inner, side);
+/// Something for each of the sides of the plane, and in space for those at the back and the front.
+using OfSide = std::function<void(Visitor&, std::size_t)>;
+void declare_every_side(Visitor& v, bool in_space, const OfSide& one) {
+  for (std::size_t side = 0; side < sides; ++side) one(v, side);
+  v.when(in_space, space, [&](Visitor& inner) {
+    for (const std::size_t side : {back, front}) one(inner, side);
   });
 }
 
@@ -67,39 +69,43 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
     inner.number({"gravity_angle", "Angle of gravity from straight down, counter-clockwise."}, stage.gravity_angle,
                  "deg", range::any);
   });
-  declare_sides(
-      v,
-      {"slide", "Walls that slide in their own plane; positive: left and right upwards, bottom and top to the right."},
-      [&](Visitor& inner, std::size_t side) {
-        inner.number({side_names[side], "Sliding velocity."}, stage.slide[side], "mm/s", range::any);
+  const bool in_space = recipe.dimension == 3;
+  v.section(
+      {"slide", "Walls that slide in their own plane; positive: left and right upwards, the others to the right."},
+      [&](Visitor& section) {
+        declare_every_side(section, in_space, [&](Visitor& inner, std::size_t side) {
+          inner.number({any_side_names[side], "Sliding velocity."}, stage.slide[side], "mm/s", range::any);
+        });
       });
-  declare_sides(
-      v, {"rough", "Rough walls: grains nearer than half their radius at the start of the stage move with the wall."},
-      [&](Visitor& inner, std::size_t side) {
-        inner.flag({side_names[side], "This wall is rough."}, stage.rough[side]);
+  v.section(
+      {"rough", "Rough walls: grains nearer than half their radius at the start of the stage move with the wall."},
+      [&](Visitor& inner) {
+        for (std::size_t side = 0; side < sides; ++side)
+          inner.flag({side_names[side], "This wall is rough."}, stage.rough[side]);
       });
   v.number({"shear_rate",
             "Shear rate du_x/dy of a cell that is periodic in x and y (Lees and Edwards); its top and bottom may also "
             "apply a pressure."},
            stage.shear_rate, "1/s", range::any);
-  for (std::size_t side = 0; side < 4; ++side) {
+  declare_every_side(v, in_space, [&](Visitor& inner, std::size_t side) {
     auto& drive = stage.side[side];
     int form = static_cast<int>(drive.kind);
-    v.tagged({side_names[side], "Motion of this side, or the force on it."}, form, drive.value,
-             {{"fixed", "", "stays where it is", range::any},
-              {"velocity", "mm/s", "moves inward at this speed", range::any},
-              {"force", "kN",
-               "presses on the sample, reached in the stage's increments; of two periodic edges one presses and one is "
-               "fixed",
-               range::not_negative},
-              {"pressure", "kPa",
-               "presses on the sample, acting in full at once; of two periodic edges one presses and one is fixed",
-               range::not_negative},
-              {"membrane", "kPa",
-               "becomes a flexible membrane with this pressure outside, held by the walls beside it ([membrane])",
-               range::not_negative}});
+    inner.tagged(
+        {any_side_names[side], "Motion of this side, or the force on it."}, form, drive.value,
+        {{"fixed", "", "stays where it is", range::any},
+         {"velocity", "mm/s", "moves inward at this speed", range::any},
+         {"force", "kN",
+          "presses on the sample, reached in the stage's increments; of two periodic edges one presses and one is "
+          "fixed",
+          range::not_negative},
+         {"pressure", "kPa",
+          "presses on the sample, acting in full at once; of two periodic edges one presses and one is fixed",
+          range::not_negative},
+         {"membrane", "kPa",
+          "becomes a flexible membrane with this pressure outside, held by the walls beside it ([membrane])",
+          range::not_negative}});
     drive.kind = static_cast<SideDrive::Kind>(form);
-  }
+  });
   declare_programmes(v, stage, recipe);
   declare_openings(v, stage, recipe);
   v.integer({"increments", "Equal steps in which forces are applied, each ending in equilibrium."}, stage.increments,

@@ -44,6 +44,8 @@ Run read_run(const std::filesystem::path& folder, const CollectedTable::Row& row
   for (const auto& file : io::stage_files(folder)) {
     auto any = workflow::read_result(file);
     auto* stage = std::get_if<StageResult>(&any);
+    if (std::holds_alternative<SphereResult>(any))
+      throw refusal("{} is of spheres, whose tests have no curves of a study yet", row.run);
     if (!stage) throw refusal("{} goes on to nodes, and its stages are no test of it", row.run);
     if (auto& states = stage->snapshots; states.size() > 1) states.erase(states.begin(), states.end() - 1);
     run.stages.push_back(std::move(*stage));

@@ -2,6 +2,7 @@
 #include <rapidcheck.h>
 
 #include <fstream>
+#include <span>
 #include <sstream>
 #include <string>
 
@@ -34,7 +35,7 @@ Stage any_stage(int index, bool has_adhesion) {
   Stage stage;
   stage.name = "stage-" + std::to_string(index);
   stage.gravity = *rc::gen::arbitrary<bool>();
-  for (auto& side : stage.side) {
+  for (auto& side : std::span(stage.side).first<sides>()) {
     side.kind = any_of<SideDrive::Kind>(4);
     if (side.kind != SideDrive::Kind::fixed) side.value = any_number(1e2);
   }

@@ -8,11 +8,11 @@ namespace {
 TEST(StageDoubts, AreOfADischargeWhoseFillingIsLowBesideTheOpening) {
   StageResult silo;
   silo.texture["surface"]["height_before_m"] = 0.108;
-  EXPECT_TRUE(doubts_about(silo).empty()) << "no opening is known";
+  EXPECT_TRUE(doubts_about(silo.texture).empty()) << "no opening is known";
   silo.texture["discharge"]["opening_m"] = 0.04;
-  EXPECT_TRUE(doubts_about(silo).empty());
+  EXPECT_TRUE(doubts_about(silo.texture).empty());
   silo.texture["discharge"]["opening_m"] = 0.075;
-  const auto doubts = doubts_about(silo);
+  const auto doubts = doubts_about(silo.texture);
   ASSERT_EQ(doubts.size(), 1u);
   EXPECT_TRUE(doubts[0].starts_with("the filling was 1.4 openings high")) << doubts[0];
 }

@@ -171,8 +171,25 @@ const Foot* Bodies::foot_of(const Sample& s, std::size_t slot) const {
   return slot >= first && slot < s.list.pairs ? &foot[slot - first] : nullptr;
 }
 
-void take_masses(Sample& s) {
-  for (Body& b : the<Bodies>(s).body) b.mass = s.record[the<Bodies>(s).disk[b.first]].mass;
+void Bodies::take_masses(const Sample& s) {
+  for (Body& b : body) b.mass = s.record[disk[b.first]].mass;
+}
+
+void Bodies::note_present(const Sample& s) {
+  present.clear();
+  for (std::size_t b = 0; b < body.size(); ++b) present.push_back(motion_of(s, s.count + b));
+}
+
+void Bodies::go_to_present(Sample& /*sample*/, const Domain& /*now*/) {
+  for (std::size_t b = 0; b < body.size(); ++b) body[b].own = present[b];
+}
+
+void Bodies::shear(Sample& s, const std::function<double(double)>& faster_at) {
+  for (Body& b : body) {
+    b.own.velocity.x += faster_at(b.place.y);
+    b.seen.velocity.x += faster_at(b.place.y);
+  }
+  place_parts(s);
 }
 
 void place_parts(Sample& s) {

@@ -69,6 +69,11 @@ struct Bodies : PartOf<2> {
   /// A step of all bodies: forces on their disks at the start of the step take them and their disks to its end.
   bool follow(Sample& sample, const SweepTask<2>& task, const ThreadPool& pool);
   bool moves_all_disks(const Sample& sample) const;
+  void note_present(const Sample& sample);
+  void go_to_present(Sample& sample, const Domain& now);
+  void shear(Sample& sample, const std::function<double(double)>& faster_at);
+  /// Gives the bodies the mass that their disks' records have: a record's is that of all that its contacts move.
+  void take_masses(const Sample& sample);
 
   const Grains* given() const { return part.empty() ? nullptr : &caller; }
   std::int32_t body_of(std::int32_t of) const { return part.empty() ? -1 : part[of].body; }
@@ -91,12 +96,11 @@ struct Bodies : PartOf<2> {
   const Foot* foot_of(const Sample& sample, std::size_t slot) const;
 
  private:
+  std::vector<Motion<2>> present;  ///< of the bodies, between note_present and go_to_present
+
   bool can_meet(const Sample& sample, std::int32_t i, std::int32_t j) const;
   Levers<2> levers_at(const Sample& sample, std::size_t slot) const;
 };
-
-/// Gives the bodies the mass that their disks' records have: a record's is that of all that its contacts move.
-void take_masses(Sample& sample);
 
 /// Puts the disks of all bodies where these are, with their velocity.
 void place_parts(Sample& sample);

@@ -223,9 +223,14 @@ Vec2 velocity_of(const Sample& s, std::size_t b) {
   return body.mass > 0 ? body.rate + (s.lag / body.mass) * force_on(s, b) : s.domain.boundaries[b].velocity;
 }
 
-double fastest_point(const Domain& domain) {
+void Boundaries::go_to_present(Sample& s, const Domain& now) {
+  for (std::size_t b = 0; b < body.size(); ++b)
+    body[b].rate = s.domain.boundaries[b].velocity = now.boundaries[b].velocity;
+}
+
+double Boundaries::fastest_point(const Sample& s) const {
   double fastest = 0;
-  for (const Boundary& boundary : domain.boundaries)
+  for (const Boundary& boundary : s.domain.boundaries)
     for (const Vec2& p : boundary.points)
       fastest = std::max(fastest, norm(boundary.velocity + boundary.spin * perpendicular(p - boundary.centre)));
   return fastest;

@@ -53,6 +53,8 @@ struct Boundaries : PartOf<2> {
   void kick(Sample& sample, double kick, double ahead);
   void move(Sample& sample, double time);
   void bring_to_now(const Sample& sample, Domain& domain) const;
+  void go_to_present(Sample& sample, const Domain& now);
+  double fastest_point(const Sample& sample) const;
   void add_energy(const Sample& sample, Energies& energies) const;
   template <class Members> void transfer(Sample& sample, Members& members) {
     std::vector<std::size_t> points;
@@ -78,12 +80,10 @@ struct Boundaries : PartOf<2> {
 Vec2 force_on(const Sample& sample, std::size_t boundary);
 Vec2 velocity_of(const Sample& sample, std::size_t boundary);
 
-/// Speed of the fastest point of the boundaries, m/s.
-double fastest_point(const Domain& domain);
-
 /// Throws InputError for sides of a periodic cell that are driven, or sheared, where there are boundaries, which stay
 /// as they are.
 void check_still_cell(const Sample& sample, const WallDrives& drives, bool sheared);
+inline void check_still_cell(const SampleIn<3>& /*sample*/, const WallDrivesIn<3>& /*drives*/, bool /*sheared*/) {}
 
 /// How the domain's boundaries move from now on; InputError for a name that none has.
 void set_boundaries(Sample& sample, const std::vector<BoundaryMotion>& motions, const ThreadPool& pool = ThreadPool());

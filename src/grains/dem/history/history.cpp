@@ -14,22 +14,29 @@ bool shears_cell(const Stage& stage) {
                      [](const Programme& p) { return p.of.is(Programme::What::shear_rate); });
 }
 
-/// What one row tells.
-struct HistoryRow {
-  const Domain& domain;
-  double time = 0, increment = 0, sheared = 0;
+/// What one row tells of parts that the plane alone has.
+template <int D> struct PartsRow {};
+template <> struct PartsRow<2> {
   Vec2 mean_forces = {};                         ///< where there are membranes
   BySide<std::optional<double>> stretched = {};  ///< their strains
+  std::optional<BondCount> bonds = {};           ///< where there are any
+  std::optional<CohesionCount> pairs = {};       ///< where grains cohere
+};
+
+/// What one row tells.
+template <int D> struct HistoryRow {
+  const DomainIn<D>& domain;
+  double time = 0, increment = 0, sheared = 0;
+  PartsRow<D> parts = {};
   Amount passed = {};
-  std::optional<BondCount> bonds = {};      ///< where there are any
-  std::optional<CohesionCount> pairs = {};  ///< where grains cohere
-  ExchangeAccount exchanged = {};           ///< where grains come in and leave
-  std::size_t grains = 0;                   ///< and how many there are
+  ExchangeAccount exchanged = {};  ///< where grains come in and leave
+  std::size_t grains = 0;          ///< and how many there are
   Energies energies = {};
   Equilibrium now = {};
 };
 
-void append_counts(History& history, const HistoryRow& row) {
+void append_counts(History& /*history*/, const PartsRow<3>& /*row*/) {}
+void append_counts(History& history, const PartsRow<2>& row) {
   if (row.bonds) {
     append(history, "bonds", "1", static_cast<double>(row.bonds->intact));
     append(history, "broken_in_tension", "1", static_cast<double>(row.bonds->in_tension));
@@ -43,7 +50,8 @@ void append_counts(History& history, const HistoryRow& row) {
   }
 }
 
-void append_membranes(History& history, const HistoryRow& row) {
+void append_membranes(History& /*history*/, const PartsRow<3>& /*row*/) {}
+void append_membranes(History& history, const PartsRow<2>& row) {
   bool is_any = false;
   for (int side = 0; side < sides; ++side) {
     if (!row.stretched[side]) continue;
@@ -55,7 +63,7 @@ void append_membranes(History& history, const HistoryRow& row) {
   append(history, "mean_force_y", "N", row.mean_forces.y);
 }
 
-void append_exchange(History& history, const HistoryRow& row) {
+template <int D> void append_exchange(History& history, const HistoryRow<D>& row) {
   const Batch &inserted = row.exchanged.inserted, &removed = row.exchanged.removed;
   append(history, "grains", "1", static_cast<double>(row.grains));
   append(history, "inserted", "1", static_cast<double>(inserted.grains));
@@ -65,27 +73,43 @@ void append_exchange(History& history, const HistoryRow& row) {
   append(history, "waiting", "1", static_cast<double>(row.exchanged.waiting));
 }
 
-void append_row(History& history, const Stage& stage, const HistoryRow& row) {
-  append(history, "time", "s", row.time);
-  append(history, "increment", "1", row.increment);
-  for (int side = 0; side < sides; ++side) {
-    const auto& wall = row.domain.wall[side];
-    append(history, fmt::format("{}_position", side_names[side]).c_str(), "m", wall.position);
-    append(history, fmt::format("{}_force", side_names[side]).c_str(), "N", wall.force);
-    append(history, fmt::format("{}_shear_force", side_names[side]).c_str(), "N", wall.shear_force);
-  }
-  if (shears_cell(stage)) append(history, "shear_strain", "1", row.sheared);
-  for (const Boundary& boundary : row.domain.boundaries) {
+void append_shear_force(History& history, int side, double force) {
+  append(history, fmt::format("{}_shear_force", side_names[side]).c_str(), "N", force);
+}
+/// Along the two other axes.
+void append_shear_force(History& history, int side, Vec3 force) {
+  constexpr const char* axes = "xyz";
+  for (int axis = 0; axis < 3; ++axis)
+    if (axis != axis_of(side))
+      append(history, fmt::format("{}_shear_force_{}", any_side_names[side], axes[axis]).c_str(), "N", force[axis]);
+}
+
+void append_boundaries(History& /*history*/, const Container<3>& /*domain*/) {}
+void append_boundaries(History& history, const Domain& domain) {
+  for (const Boundary& boundary : domain.boundaries) {
     append(history, (boundary.name + "_force_x").c_str(), "N", boundary.force.x);
     append(history, (boundary.name + "_force_y").c_str(), "N", boundary.force.y);
     append(history, (boundary.name + "_torque").c_str(), "N m", boundary.torque);
   }
-  append_membranes(history, row);
+}
+
+template <int D> void append_row(History& history, const Stage& stage, const HistoryRow<D>& row) {
+  append(history, "time", "s", row.time);
+  append(history, "increment", "1", row.increment);
+  for (int side = 0; side < sides_in<D>; ++side) {
+    const auto& wall = row.domain.wall[side];
+    append(history, fmt::format("{}_position", any_side_names[side]).c_str(), "m", wall.position);
+    append(history, fmt::format("{}_force", any_side_names[side]).c_str(), "N", wall.force);
+    append_shear_force(history, side, wall.shear_force);
+  }
+  if (shears_cell(stage)) append(history, "shear_strain", "1", row.sheared);
+  append_boundaries(history, row.domain);
+  append_membranes(history, row.parts);
   if (stage.count_below) {
     append(history, "passed", "1", static_cast<double>(row.passed.grains));
     append(history, "passed_mass", "kg", row.passed.mass);
   }
-  append_counts(history, row);
+  append_counts(history, row.parts);
   if (!stage.exchange.is_none()) append_exchange(history, row);
   for (const EnergyTerm& term : energy_terms) append(history, term.name, "J", row.energies.*term.value);
   if (!stage.exchange.is_none()) append(history, exchange_term.name, "J", row.energies.*exchange_term.value);
@@ -97,6 +121,17 @@ void append_row(History& history, const Stage& stage, const HistoryRow& row) {
   append(history, "loose_kinetic_ratio", "1", row.now.loose_kinetic);
 }
 
+PartsRow<3> parts_row(const SampleIn<3>& /*sample*/) { return {}; }
+PartsRow<2> parts_row(const Sample& s) {
+  PartsRow<2> row;
+  row.mean_forces = mean_forces(s);
+  for (const Membrane& m : the<Membranes>(s).list)
+    row.stretched[m.side] = mean_strain(m.skin, s.domain.boundaries[m.boundary].points);
+  if (const BondCount bonds = count_bonds(s); bonds.made() > 0) row.bonds = bonds;
+  if (s.contact.is_cohesive()) row.pairs = count_cohesion(s);
+  return row;
+}
+
 }  // namespace
 
 void append(History& history, const char* name, const char* unit, double value) {
@@ -105,28 +140,27 @@ void append(History& history, const char* name, const char* unit, double value) 
   it->values.push_back(value);
 }
 
-void add_row(History& history, const Look& look) {
+template <int D> void add_row(History& history, const LookIn<D>& look) {
   const auto& [engine, stage, now, increment] = look;
-  HistoryRow row{engine.domain, time_of(engine), static_cast<double>(increment + 1), engine.sheared};
-  row.mean_forces = mean_forces(engine);
-  for (const Membrane& m : the<Membranes>(engine).list)
-    row.stretched[m.side] = mean_strain(m.skin, engine.domain.boundaries[m.boundary].points);
-  if (stage.count_below) row.passed = amount_below(engine, *stage.count_below);
-  if (const BondCount bonds = count_bonds(engine); bonds.made() > 0) row.bonds = bonds;
-  if (engine.contact.is_cohesive()) row.pairs = count_cohesion(engine);
+  HistoryRow<D> row{engine.domain, time_of<D>(engine), static_cast<double>(increment + 1), engine.sheared};
+  row.parts = parts_row(engine);
+  if (stage.count_below) row.passed = amount_below<D>(engine, *stage.count_below);
   row.exchanged = engine.exchanged;
-  row.grains = grain_count(engine);
-  row.energies = energies_of(engine);
+  row.grains = grain_count<D>(engine);
+  row.energies = energies_of<D>(engine);
   row.now = now;
   append_row(history, stage, row);
 }
 
+template void add_row(History&, const LookIn<2>&);
+template void add_row(History&, const LookIn<3>&);
+
 History history_columns(const Stage& stage, const Domain& domain, bool bonded, bool cohesive) {
-  HistoryRow row{domain};
-  if (bonded) row.bonds.emplace();
-  if (cohesive) row.pairs.emplace();
+  HistoryRow<2> row{domain};
+  if (bonded) row.parts.bonds.emplace();
+  if (cohesive) row.parts.pairs.emplace();
   for (int side = 0; side < sides; ++side)
-    if (stage.side[side].is_skin()) row.stretched[side] = 0;
+    if (stage.side[side].is_skin()) row.parts.stretched[side] = 0;
   History history;
   append_row(history, stage, row);
   return history;

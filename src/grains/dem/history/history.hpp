@@ -11,16 +11,17 @@ namespace arenite::dem {
 void append(History& history, const char* name, const char* unit, double value);
 
 /// A look at a stage under way.
-struct Look {
-  const Engine& engine;
+template <int D> struct LookIn {
+  const EngineIn<D>& engine;
   const Stage& stage;
   const Equilibrium& now;
   std::int64_t increment = 0;  ///< from 0
 };
 /// Adds what it finds as a row.
-void add_row(History& history, const Look& look);
+template <int D> void add_row(History& history, const LookIn<D>& look);
 
-/// The columns that the history of such a stage will have, in a container with these boundaries, as a row of zeros.
+/// The columns that the history of such a stage of the plane will have, in a container with these boundaries, as a row
+/// of zeros.
 History history_columns(const Stage& stage, const Domain& domain, bool bonded, bool cohesive);
 
 }  // namespace arenite::dem

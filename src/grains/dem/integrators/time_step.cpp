@@ -21,14 +21,14 @@ ContactLaws choose_laws(const ContactParameters& contact, double lead, double la
           contact.normal_damping.has_value() || contact.sliding_viscosity.has_value()};
 }
 
-void change_step(Sample& s, double dt) {
+template <int D> void change_step(SampleIn<D>& s, double dt) {
   s.time_before = time_of(s);
   s.steps_before = s.step;
   s.dt = dt;
   s.laws = laws_between_steps(s);
 }
 
-void allow_step(Sample& s, const char* what) {
+template <int D> void allow_step(SampleIn<D>& s, const char* what) {
   const double largest = step_bounds(s).largest();
   if (!(s.dt > largest)) return;
   if (s.integration.time_step)
@@ -52,6 +52,10 @@ template <int D> void choose_step(SampleIn<D>& s) {
   s.dt_at_start = s.dt;
 }
 
+template void change_step(Sample&, double);
+template void change_step(SampleIn<3>&, double);
+template void allow_step(Sample&, const char*);
+template void allow_step(SampleIn<3>&, const char*);
 template void choose_step(SampleIn<2>&);
 template void choose_step(SampleIn<3>&);
 

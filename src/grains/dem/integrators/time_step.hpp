@@ -22,9 +22,9 @@ template <int D> ContactLaws laws_between_steps(const SampleIn<D>& s) {
 template <int D> void choose_step(SampleIn<D>& sample);
 
 /// Shortens a step that masses and bonds of now do not allow; InputError, with `what` they are, where it was given.
-void allow_step(Sample& sample, const char* what);
+template <int D> void allow_step(SampleIn<D>& sample, const char* what);
 
 /// Steps from now on are `dt`, s; the time made so far stays.
-void change_step(Sample& sample, double dt);
+template <int D> void change_step(SampleIn<D>& sample, double dt);
 
 }  // namespace arenite::dem

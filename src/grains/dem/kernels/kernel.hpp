@@ -199,9 +199,10 @@ template <int D> struct KernelIn {
 using Kernel = KernelIn<2>;
 
 extern const Kernel portable_kernel, avx2_kernel, avx512_kernel;
+extern const KernelIn<3> portable_sphere_kernel, avx2_sphere_kernel, avx512_sphere_kernel;
 
 /// The kernel that `asked` means on this machine: "auto" is the widest it has. InputError for one that is unknown or
 /// that the processor lacks.
-const Kernel& find_kernel(const std::string& asked);
+template <int D> const KernelIn<D>& find_kernel(const std::string& asked);
 
 }  // namespace arenite::dem

@@ -201,7 +201,7 @@ void Membranes::add_energy(const Sample& s, Energies& energies) const {
   }
 }
 
-void Membranes::synchronise(const Sample& s) {
+void Membranes::note_present(const Sample& s) {
   for (Membrane& m : list)
     for (std::size_t k = 0; k < m.nodes(); ++k)
       for (const int axis : {0, 1})

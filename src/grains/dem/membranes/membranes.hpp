@@ -59,7 +59,7 @@ struct Membranes : PartOf<2> {
   void move(Sample& sample, double time);
   void add_energy(const Sample& sample, Energies& energies) const;
   /// Integrated velocities are brought to the present.
-  void synchronise(const Sample& sample);
+  void note_present(const Sample& sample);
   template <class Members> void transfer(Sample& sample, Members& members) {
     auto count = static_cast<std::uint64_t>(list.size());
     if (is_any(sample)) members(count);

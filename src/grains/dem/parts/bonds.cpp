@@ -168,6 +168,12 @@ void Bonds::add_moments(const Sample& s, std::array<Vec2, 2>& sum) const {
   }
 }
 
+void Bonds::each_joint(const Sample& s, const std::function<void(std::int32_t, std::int32_t, double)>& see) const {
+  for (std::size_t n = 0; n < slots.size(); ++n)
+    if (const SlotForce<2>& f = s.list.force[place(s.list, n)]; acts(f))
+      see(slots[n].i, slots[n].j, std::hypot(f.on_i.x, f.on_i.y));
+}
+
 void Bonds::add_energy(const Sample& s, Energies& energies) const { energies.elastic += bond_energy(s); }
 
 /// With their forces now, by the caller's grains.

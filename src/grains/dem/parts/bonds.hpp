@@ -38,6 +38,8 @@ struct Bonds : PartOf<2> {
   /// held is booked as dissipated.
   void add_forces(Sample& sample, const ThreadPool& pool);
   void add_moments(const Sample& sample, std::array<Vec2, 2>& sum) const;
+  void renew_dashpots(Sample& sample) { renew_bond_dashpots(sample); }
+  void each_joint(const Sample& sample, const std::function<void(std::int32_t, std::int32_t, double)>& see) const;
   Rates added_rates(const Sample& sample) const { return bond_rates(sample); }
   double shortest_time(const Sample& sample, const std::function<double(double)>& /*tangent*/) const {
     return shortest_bond_time(sample);

@@ -53,6 +53,7 @@ struct EnergyBalance : PartOf<2> {
   std::array<WorkTerms, 3> powers{};  ///< Gear: now, one and two steps ago
   int known = 0;                      ///< how many of them are
 
+  void break_step(Sample& /*sample*/) { open = false; }
   /// Takes the present state as the start of the next step, where drives, gravity or drag have changed.
   void begin(Sample& sample);
   /// Books the step that has just been made.

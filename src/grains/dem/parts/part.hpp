@@ -96,6 +96,16 @@ template <int D> struct PartOf {
   void after_forces(S&) {}
   // Whether it drives the sample, so that its force-controlled walls have to follow.
   bool drives(const S&) const { return false; }
+  // Before a change of load: the step under way is not booked on; what moves for itself beside disks, as it is at the
+  // present, is noted before anything is brought there, and then put there with the domain of the present.
+  void break_step(S&) {}
+  void note_present(S&) {}
+  void go_to_present(S&, const DomainIn<D>& /*now*/) {}
+  // A cell whose shear becomes faster, by so many m/s at a height; disks with new masses; coefficients of listed
+  // contacts that follow from these.
+  void shear(S&, const std::function<double(double)>& /*faster_at*/) {}
+  void take_masses(S&) {}
+  void renew_dashpots(S&) {}
   // A kick of what moves for itself beside disks, s; the way that it makes in a time, s; then what goes with walls or
   // bodies (false if the list has become stale). Whether all disks go so.
   void kick(S&, double /*kick*/, double /*ahead*/) {}
@@ -115,11 +125,18 @@ template <int D> struct PartOf {
   void put_load(const S&, std::size_t /*body*/, Load<D>&) const {}
   void put_levers(const S&, std::size_t /*slot*/, Levers<D>&) const {}
 
+  // Calls of `see(i, j, size)` for the disks that forces beside contacts join which act, with their sizes, N. The
+  // fastest point of what moves as it is told, m/s.
+  void each_joint(const S&, const std::function<void(std::int32_t, std::int32_t, double)>&) const {}
+  double fastest_point(const S&) const { return 0; }
+
   // Energies of now; a contact of a report and the report itself; every bit that decides its future, in a state that is
   // stored, and what of that belongs to the slots of the list.
   void add_energy(const S&, Energies&) const {}
   void report_contact(const S&, std::size_t /*slot*/, bool /*swapped*/, PackingIn<D>&) const {}
   void report(const S&, PackingIn<D>&) const {}
+  // After the state has been restored.
+  void go_on(S&) {}
   template <class Members> void transfer(S&, Members&) {}
   template <class Members> void transfer_listed(S&, Members&) {}
 };
@@ -169,6 +186,10 @@ concept Part = requires(P p, const P q, SampleIn<D>& s, const SampleIn<D>& now, 
     q.shortest_time(now, [](double) { return 0.0; })
     } -> std::same_as<double>;
   // moves
+  p.break_step(s), p.note_present(s), p.go_to_present(s, domain), p.take_masses(s), p.renew_dashpots(s);
+  p.shear(s, [](double) { return 0.0; });
+  q.each_joint(now, [](std::int32_t, std::int32_t, double) {});
+  { q.fastest_point(now) } -> std::same_as<double>;
   p.prepare(s), p.begin(s), p.before_step(s), p.after_step(s), p.after_forces(s), p.kick(s, x, x), p.move(s, x);
   { q.drives(now) } -> std::same_as<bool>;
   { p.follow(s, task, pool) } -> std::same_as<bool>;
@@ -182,7 +203,7 @@ concept Part = requires(P p, const P q, SampleIn<D>& s, const SampleIn<D>& now, 
   q.put_mover(n, mover), q.put_load(now, n, load), q.put_levers(now, n, levers);
   // weighs in energy, reports, stores
   q.add_energy(now, energies), q.report_contact(now, n, true, out), q.report(now, out);
-  p.transfer(s, members), p.transfer_listed(s, members);
+  p.go_on(s), p.transfer(s, members), p.transfer_listed(s, members);
 };
 
 }  // namespace arenite::dem

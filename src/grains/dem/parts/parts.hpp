@@ -16,9 +16,9 @@ namespace arenite::dem {
 /// The parts that a sample of each dimension has, in the order in which they are called. The one place that knows.
 template <int D> struct PartsOf;
 template <> struct PartsOf<2> {
-  using type = std::tuple<RoughWalls, Bodies, CohesivePairs, Bonds, Membranes, Boundaries, Loading, EnergyBalance>;
+  using type = std::tuple<RoughWalls, Bodies, CohesivePairs, Bonds, Membranes, Boundaries, LoadingIn<2>, EnergyBalance>;
 };
-template <> struct PartsOf<3> { using type = std::tuple<SpheresAlone>; };
+template <> struct PartsOf<3> { using type = std::tuple<SpheresAlone, LoadingIn<3>>; };
 
 template <int D, class... P> consteval bool are_parts(const std::tuple<P...>* /*of*/) { return (Part<P, D> && ...); }
 static_assert(are_parts<2>(static_cast<PartsOf<2>::type*>(nullptr)));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <variant>
 
 #include "core/root.hpp"
@@ -209,7 +210,7 @@ StagePrediction of_stage(const dem::Engine& engine, const dem::ContactParameters
   const double drag = steady_drag + stage.drag + stage.critical_drag * critical;
   const auto increments = static_cast<double>(dem::increment_count(stage));
   const bool without_friction = stage.friction.value_or(contact.friction) < 0.05;
-  const bool all_round = std::ranges::all_of(stage.side, &dem::SideDrive::presses);
+  const bool all_round = std::ranges::all_of(std::span(stage.side).first<sides>(), &dem::SideDrive::presses);
   const double settling = settling_time(4 * std::numbers::pi / critical, drag, stage.equilibrium.unbalanced, all_round);
   const double closing = closing_time(stage, pressures, without_friction, bulk);
   p.duration = closing + increments * settling;

@@ -11,8 +11,9 @@
 
 // What a stage of loading will be like, before it is run. SI units.
 namespace arenite::dem {
-class Engine;
-}
+template <int D> class EngineIn;
+using Engine = EngineIn<2>;
+}  // namespace arenite::dem
 
 namespace arenite::fields {
 

@@ -48,7 +48,7 @@ TEST_P(Neighbours, AreThoseOfBruteForce) {
     Packing p = testing::crowd(9, 7, seed, 0.012);
     p.domain.periodic = cell.periodic;
     p.domain.tilt = cell.tilt * p.domain.width();
-    const Sample s = make_sample(p, {}, {}, find_kernel("auto"));
+    const Sample s = make_sample(p, {}, {}, find_kernel<2>("auto"));
     EXPECT_EQ(listed_pairs(s), near_pairs(p, s.skin));
   }
 }

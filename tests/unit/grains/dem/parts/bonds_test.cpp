@@ -35,7 +35,7 @@ Packing pair_of_disks(double angle = 0.3) {
 }
 
 Sample bonded(const Packing& start, const ContactParameters& contact) {
-  Sample s = make_sample(start, contact, {}, find_kernel("auto"));
+  Sample s = make_sample(start, contact, {}, find_kernel<2>("auto"));
   bond_near_pairs(s);
   list_anew(s, ThreadPool());
   return s;

@@ -1,5 +1,7 @@
 #pragma once
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,22 +30,30 @@ class Summary {
 
  private:
   std::string how_stages_ended() const;
+  /// What is told of a stage of disks or spheres.
   struct Stage {
     std::string file;
-    StageResult result;  ///< with its last state only
+    ResultHead head;
     std::size_t states = 0;
+    Numbers texture, last_state, test;
+    std::vector<std::string> loads, doubts;
+    std::string state_text;
   };
   struct Field {
     std::string file;
     ResultHead head;
     Numbers numbers;
   };
-  void add(const std::filesystem::path& file, const StageResult& stage);
+  template <int D> void add(const std::filesystem::path& file, const StageResultIn<D>& stage);
   void add(const std::filesystem::path& file, const ResultHead& head, const Numbers& numbers);
   const ResultHead& last() const;
+  /// A stage of the plane ends with what the next begins with.
+  void keep_before(const Packing& packing);
+  void keep_before(const PackingIn<3>& packing);
   std::vector<Stage> stages_;
   std::vector<Field> fields_;  ///< after the stages
   std::vector<FilmResult> films_;
+  std::optional<Packing> before_;
 };
 
 /// One result on a grid by itself, of the plane or of space, as text for people and as numbers; `numbers` are those

@@ -1,0 +1,131 @@
+#include <pybind11/stl.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "arrays.hpp"
+#include "columns.hpp"
+#include "grains/texture/spheres/spheres.hpp"
+#include "model/result.hpp"
+#include "module.hpp"
+
+namespace arenite::python {
+namespace {
+
+/// Vectors as rows of an array that shares their memory.
+py::array_t<double> rows_view(const std::vector<Vec3>& values, const py::object& owner) {
+  py::array_t<double> array({static_cast<py::ssize_t>(values.size()), py::ssize_t{3}},
+                            reinterpret_cast<const double*>(values.data()), owner);
+  array.attr("setflags")(py::arg("write") = false);
+  return array;
+}
+
+template <class Class> void def_rows(Class& c, const char* name, auto of, const char* sentence) {
+  c.def_property_readonly(
+      name, [of](const py::object& self) { return rows_view(of(self.cast<const PackingIn<3>&>()), self); }, sentence);
+}
+
+template <class Class> void def_array(Class& c, const char* name, auto of, const char* sentence) {
+  c.def_property_readonly(
+      name, [of](const py::object& self) { return view(of(self.cast<const PackingIn<3>&>()), self); }, sentence);
+}
+
+py::dict domain_in_space(const PackingIn<3>& packing) {
+  py::dict d;
+  const Container<3>& box = packing.domain;
+  for (std::size_t side = 0; side < box.wall.size(); ++side) {
+    const WallIn<3>& wall = box.wall[side];
+    py::dict w;
+    w["present"] = wall.present;
+    w["position"] = wall.position;
+    w["velocity"] = wall.velocity;
+    w["force"] = wall.force;
+    w["shear_force"] = py::make_tuple(wall.shear_force.x, wall.shear_force.y, wall.shear_force.z);
+    d[any_side_names[side]] = w;
+  }
+  d["size"] = py::make_tuple(box.extent(0), box.extent(1), box.extent(2));
+  d["periodic"] = py::make_tuple(box.periodic[0], box.periodic[1], box.periodic[2]);
+  d["tilt"] = box.tilt;
+  return d;
+}
+
+}  // namespace
+
+void bind_spheres(py::module_& m) {
+  py::class_<PackingIn<3>> packing(m, "SpherePacking", "Spheres in their container, with their contacts; SI units.");
+  def_rows(
+      packing, "position", [](const auto& p) -> auto& { return p.grains.position; }, "Centres, m; (N, 3).");
+  def_rows(
+      packing, "velocity", [](const auto& p) -> auto& { return p.grains.velocity; }, "m/s; (N, 3).");
+  def_rows(
+      packing, "omega", [](const auto& p) -> auto& { return p.grains.omega; }, "Angular velocity, rad/s; (N, 3).");
+  def_array(
+      packing, "radius", [](const auto& p) -> auto& { return p.grains.radius; }, "m; (N,).");
+  def_array(
+      packing, "id", [](const auto& p) -> auto& { return p.grains.id; }, "Names of the spheres; (N,).");
+  def_array(
+      packing, "material", [](const auto& p) -> auto& { return p.grains.material; },
+      "Number of the material, from 0; (N,).");
+  def_array(
+      packing, "contact_i", [](const auto& p) -> auto& { return p.contacts.i; },
+      "Of each contact the sphere on which its force acts, from 0; (M,).");
+  def_array(
+      packing, "contact_j", [](const auto& p) -> auto& { return p.contacts.j; },
+      "Its partner; -1 to -6: the left, right, bottom, top, back, front wall; (M,).");
+  def_rows(
+      packing, "normal", [](const auto& p) -> auto& { return p.contacts.normal; }, "Unit vector from j to i; (M, 3).");
+  def_array(
+      packing, "fn", [](const auto& p) -> auto& { return p.contacts.fn; },
+      "Normal force, N, positive: repulsive; (M,).");
+  def_array(
+      packing, "overlap", [](const auto& p) -> auto& { return p.contacts.overlap; }, "m; (M,).");
+  packing
+      .def_property_readonly(
+          "force",
+          [](const PackingIn<3>& p) {
+            py::array_t<double> force({static_cast<py::ssize_t>(p.contacts.size()), py::ssize_t{3}});
+            auto at = force.mutable_unchecked<2>();
+            for (std::size_t c = 0; c < p.contacts.size(); ++c)
+              for (int axis = 0; axis < 3; ++axis)
+                at(static_cast<py::ssize_t>(c), axis) = p.contacts.force_on_i(c)[axis];
+            return force;
+          },
+          "Force of each contact on sphere i, N; (M, 3).")
+      .def_property_readonly("domain", &domain_in_space, "The container: its six sides, size and periodic directions.")
+      .def(
+          "measure", [](const PackingIn<3>& p) { return to_python(texture::measure_spheres(p)); },
+          "Solid fraction, coordination, fabric, stress and forces, each with its error.")
+      .def("__len__", [](const PackingIn<3>& p) { return p.grains.size(); })
+      .def("__repr__", [](const PackingIn<3>& p) {
+        return "<arenite.SpherePacking of " + std::to_string(p.grains.size()) + " spheres>";
+      });
+  py::class_<SphereResult>(m, "SphereStage", "Result of one stage of spheres.")
+      .def_readonly("name", &SphereResult::name, "Its name in the recipe.")
+      .def_readonly("converged", &SphereResult::converged, "Whether equilibrium was reached.")
+      .def_readonly("outcome", &SphereResult::outcome, "How it ended, in words.")
+      .def_property_readonly(
+          "states",
+          [](const SphereResult& stage) {
+            std::vector<PackingIn<3>> states;
+            for (const auto& snapshot : stage.snapshots) states.push_back(snapshot.packing);
+            return states;
+          },
+          "Its stored states (copied), the last one handed on.")
+      .def_property_readonly(
+          "time",
+          [](const SphereResult& stage) {
+            std::vector<double> times;
+            for (const auto& snapshot : stage.snapshots) times.push_back(snapshot.time);
+            return taken_over(std::move(times));
+          },
+          "Times of these states since the start of the run, s.")
+      .def_property_readonly(
+          "history", [](const py::object& self) { return columns_of(self.cast<const SphereResult&>().history, self); },
+          "Columns of its history by name, in SI units.")
+      .def_property_readonly(
+          "numbers", [](const SphereResult& stage) { return to_python(stage.texture); },
+          "What was measured of the last state, as `arenite show --json` prints it.");
+}
+
+}  // namespace arenite::python

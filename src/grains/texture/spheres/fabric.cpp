@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "grains/texture/spheres/sphere_view.hpp"
+
+namespace arenite::texture::spheres {
+
+using statistics::Estimate;
+using statistics::Items;
+using statistics::put;
+
+namespace {
+
+/// Components of a symmetric tensor in the order of Voigt, and their places.
+constexpr int voigt[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+
+/// Terms n_a n_b that a direction brings; a quadratic form of them is x . n n.
+std::array<double, 6> products(Vec3 n) {
+  std::array<double, 6> p{};
+  for (int k = 0; k < 6; ++k) p[k] = (k < 3 ? 1 : 2) * n[voigt[k][0]] * n[voigt[k][1]];
+  return p;
+}
+
+/// sqrt(3/2 b:b) of the deviator b of a symmetric tensor by its six components.
+double size_of_deviator(const double* t) {
+  const double mean = (t[0] + t[1] + t[2]) / 3;
+  double square = 0;
+  for (int k = 0; k < 6; ++k) square += k < 3 ? (t[k] - mean) * (t[k] - mean) : 2 * t[k] * t[k];
+  return std::sqrt(1.5 * square);
+}
+
+enum Term { count = 0, fabric_sum = 1, force_sum = 7, normal_sum = 13, terms = 49 };
+enum Result { phi = 0, a_c = 6, p_4, a_n, results };
+
+void add_contact(const ContactsIn<3>& contacts, std::size_t c, double* sums) {
+  const auto p = products(contacts.normal[c]);
+  sums[count] += 1;
+  for (int a = 0; a < 6; ++a) {
+    sums[fabric_sum + a] += contacts.normal[c][voigt[a][0]] * contacts.normal[c][voigt[a][1]];
+    sums[force_sum + a] += contacts.fn[c] * p[a];
+    for (int b = 0; b < 6; ++b) sums[normal_sum + 6 * a + b] += p[a] * p[b];
+  }
+}
+
+/// <P_4(cos)> about an axis, of a fourth moment that the normal equations hold.
+double fourth_about(Vec3 axis, const double* normal, double n, double second) {
+  const auto p = products(axis);
+  double fourth = 0;  // sum of (n . axis)^4; each product stands with its weight, so one of the two is divided out
+  for (int a = 0; a < 6; ++a)
+    for (int b = 0; b < 6; ++b) fourth += p[a] * p[b] * normal[6 * a + b] / ((a < 3 ? 1 : 2) * (b < 3 ? 1 : 2));
+  return (35 * fourth / n - 30 * second + 3) / 8;
+}
+
+Tensor3 tensor_of(const double* t) {
+  Tensor3 tensor;
+  for (int k = 0; k < 6; ++k) tensor.at[voigt[k][0]][voigt[k][1]] = tensor.at[voigt[k][1]][voigt[k][0]] = t[k];
+  return tensor;
+}
+
+std::vector<double> evaluate(const std::vector<double>& s) {
+  std::vector<double> r(results, statistics::unknown);
+  const double n = s[count];
+  if (n < 1) return r;
+  for (int k = 0; k < 6; ++k) r[phi + k] = s[fabric_sum + k] / n;
+  r[a_c] = 7.5 * size_of_deviator(&r[phi]);
+  const Principal axes = principal(tensor_of(&r[phi]));
+  r[p_4] = fourth_about(axes.direction[0], &s[normal_sum], n, axes.value[0]);
+  // Fitted over directions, so that anisotropies of forces do not inherit that of the counts.
+  const std::vector<double> form = solved_for_six(&s[normal_sum], &s[force_sum]);
+  r[a_n] = size_of_deviator(form.data()) / ((form[0] + form[1] + form[2]) / 3);
+  return r;
+}
+
+Numbers direction(Vec3 n) { return Numbers::list({n.x, n.y, n.z}); }
+
+void put_fabric(Numbers& j, const SphereView& view, const Items& items) {
+  const auto r = statistics::jackknife_of_sums(
+      items, view.contact_block, terms, [&](std::size_t c, double* sums) { add_contact(view.pairs(), c, sums); },
+      evaluate);
+  std::array<double, 6> value{}, error{};
+  for (int k = 0; k < 6; ++k) value[k] = r[phi + k].value, error[k] = r[phi + k].error;
+  put(j, "contacts", items.size(), "", "Contacts of the set");
+  put(j, "a_c", r[a_c], "",
+      "Contact anisotropy a_c, sqrt(3/2 a:a) of a = 15/2 (<n (x) n> - 1/3); 0: isotropic (Guo and Zhao 2013)");
+  put(j, "a_c_noise", 7.5 / std::sqrt(static_cast<double>(items.size())), "",
+      "a_c of the same number of random orientations, root mean square");
+  put(j, "phi", Numbers{{"value", rows_of(tensor_of(value.data()))}, {"error", rows_of(tensor_of(error.data()))}}, "",
+      "Fabric tensor <n (x) n>", Trait::detail);
+  const Principal axes = principal(tensor_of(value.data()));
+  put(j, "principal", Numbers::list({axes.value.x, axes.value.y, axes.value.z}), "", "Its principal values",
+      Trait::detail);
+  put(j, "axis", direction(axes.direction[0]), "", "Direction of most contacts: x, y, z of a unit vector");
+  put(j, "p_4", r[p_4], "", "<P_4(cos)> of contact orientations about that direction, of the fourth-order fabric",
+      Trait::detail);
+  put(j, "a_n", r[a_n], "",
+      "Anisotropy of the mean normal force, as a_c, of the form f_0 (1 + b n n) that fits the forces best",
+      Trait::detail | Trait::by_forces);
+}
+
+}  // namespace
+
+SphereStatistic sphere_fabric;
+
+/// Of all contacts, and apart of those above and below the mean force.
+void sphere_fabric(const SphereView& view, Numbers& to) {
+  if (view.contacts.empty()) return;
+  Numbers& j = to["fabric"] = Numbers::tree();
+  put_fabric(j, view, view.contacts);
+  Items strong, weak;
+  for (const std::size_t c : view.contacts) (view.pairs().fn[c] > view.mean_force ? strong : weak).push_back(c);
+  for (const auto& [name, items] : {std::pair{"strong", strong}, std::pair{"weak", weak}}) {
+    if (items.empty()) continue;
+    put_fabric(j["sets"][name], view, items);
+    j["sets"][name].mark(Trait::detail | Trait::by_forces);
+  }
+}
+
+}  // namespace arenite::texture::spheres

@@ -1,0 +1,116 @@
+#include "grains/texture/spheres/sphere_view.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+#include "core/error.hpp"
+#include "grains/texture/loose_grains.hpp"
+
+namespace arenite::texture::spheres {
+namespace {
+
+geometry::Box<3> inner_window(const Container<3>& domain, double border) {
+  geometry::Box<3> window{domain.corner(), domain.size(), domain.periodic};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (domain.periodic[axis]) continue;
+    window.corner[axis] += border;
+    window.size[axis] -= 2 * border;
+  }
+  return window;
+}
+
+bool holds(const geometry::Box<3>& window, Vec3 place) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!window.periodic[axis] &&
+        (place[axis] < window.corner[axis] || place[axis] > window.corner[axis] + window.size[axis]))
+      return false;
+  return true;
+}
+
+}  // namespace
+
+int BlockCube::block_of(Vec3 place, std::size_t item) const {
+  if (per_side == 1) return static_cast<int>(item);
+  int block = 0;
+  for (int axis = 2; axis >= 0; --axis) {
+    const double share = (place[axis] - bounds.corner[axis]) / bounds.size[axis];
+    block = block * per_side + static_cast<int>(std::clamp(std::floor(share * per_side), 0.0, per_side - 1.0));
+  }
+  return block;
+}
+
+geometry::Box<3> BlockCube::block(int b) const {
+  const Vec3 size = bounds.size / per_side;
+  const int index[] = {b % per_side, b / per_side % per_side, b / per_side / per_side};
+  return {bounds.corner + by_axis<3>([&](int axis) { return index[axis] * size[axis]; }), size};
+}
+
+SphereView::SphereView(const PackingIn<3>& p, const SphereOptions& o) : packing(p), options(o) {
+  const Container<3>& domain = packing.domain;
+  if (!(volume_of(domain) > 0)) throw InputError("the container of the spheres has no volume");
+  const GrainsIn<3>& all = packing.grains;
+  mean_diameter = all.mean_diameter();
+  const auto take_grains = [&] {
+    for (std::size_t g = 0; g < all.size(); ++g)
+      if (holds(window, all.position[g])) grains.push_back(g);
+  };
+  border = options.border * mean_diameter;
+  window = inner_window(domain, border);
+  if (window.size.x > 0 && window.size.y > 0 && window.size.z > 0) take_grains();
+  if (grains.empty()) {  // a sample smaller than its border is taken whole
+    border = 0;
+    window = inner_window(domain, 0);
+    take_grains();
+  }
+  if (domain.periodic == std::array{true, true, true}) border = 0;
+  considered.assign(all.size(), 0);
+  for (const std::size_t g : grains) considered[g] = 1;
+  rattler =
+      loose_grains(pairs(), all.size(), options.rattler_contacts, [&](std::size_t c) { return pairs().fn[c] != 0; });
+  blocks = {window, std::clamp(static_cast<int>(std::cbrt(static_cast<double>(grains.size()) / 12)), 1, 4)};
+  for (std::size_t g = 0; g < all.size(); ++g)
+    grain_block.push_back(blocks.block_of(domain.wrapped(all.position[g]), g));
+  double pushing = 0;
+  for (std::size_t c = 0; c < pairs().size(); ++c) {
+    const Vec3 point = domain.wrapped(all.position[pairs().i[c]] + pairs().lever_i(c));
+    contact_block.push_back(blocks.block_of(point, c));
+    if (pairs().is_wall(c) || !holds(window, point)) continue;
+    contacts.push_back(c);
+    if (pairs().fn[c] > 0) mean_force += pairs().fn[c], ++pushing;
+  }
+  if (pushing > 0) mean_force /= pushing;
+}
+
+std::string SphereView::material_name(int m) const {
+  const auto index = static_cast<std::size_t>(m);
+  return index < packing.materials.size() ? packing.materials[index].name : "material " + std::to_string(m);
+}
+
+std::vector<int> SphereView::materials() const {
+  std::set<int> found;
+  for (const std::size_t g : grains) found.insert(packing.grains.material[g]);
+  return {found.begin(), found.end()};
+}
+
+statistics::Items SphereView::grains_of(int m) const {
+  statistics::Items some;
+  std::ranges::copy_if(grains, std::back_inserter(some),
+                       [&](std::size_t g) { return packing.grains.material[g] == m; });
+  return some;
+}
+
+std::vector<Tensor3> sphere_moments(const PackingIn<3>& packing) {
+  const ContactsIn<3>& contacts = packing.contacts;
+  std::vector<Tensor3> moments(packing.grains.size());
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const Vec3 force = contacts.force_on_i(c);
+    moments[contacts.i[c]] += outer(force, contacts.lever_i(c));
+    if (!contacts.is_wall(c)) moments[contacts.j[c]] += outer(-force, contacts.lever_j(c));
+  }
+  return moments;
+}
+
+}  // namespace arenite::texture::spheres

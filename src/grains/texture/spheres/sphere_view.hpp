@@ -1,0 +1,51 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/rectangle.hpp"
+#include "grains/texture/spheres/spheres.hpp"
+#include "grains/texture/spheres/tensor3.hpp"
+#include "statistics/jackknife.hpp"
+
+namespace arenite::texture::spheres {
+
+/// A box cut into k x k x k equal blocks, as BlockGrid does a rectangle.
+struct BlockCube {
+  geometry::Box<3> bounds;
+  int per_side = 1;
+  int count() const { return per_side * per_side * per_side; }
+  /// Points outside belong to the nearest block; where the box is too small to be cut every item is its own.
+  int block_of(Vec3 place, std::size_t item) const;
+  geometry::Box<3> block(int b) const;
+};
+
+/// What the statistics of spheres share, as View of those of disks: contacts with walls count for stress and balance
+/// alone.
+struct SphereView {
+  SphereView(const PackingIn<3>& packing, const SphereOptions& options);
+
+  const PackingIn<3>& packing;
+  const SphereOptions& options;
+  double mean_diameter = 0;
+  geometry::Box<3> window;             ///< the container without the border along its walls
+  double border = 0;                   ///< m
+  statistics::Items grains, contacts;  ///< considered: centre, or contact point, in the window
+  std::vector<std::uint8_t> considered, rattler;
+  BlockCube blocks;
+  std::vector<int> grain_block, contact_block;
+  double mean_force = 0;  ///< of considered contacts that push, N
+
+  const ContactsIn<3>& pairs() const { return packing.contacts; }
+  std::string material_name(int m) const;
+  std::vector<int> materials() const;  ///< those of considered spheres, in rising order
+  statistics::Items grains_of(int m) const;
+};
+
+/// A statistic of spheres, one file each; the list is in spheres.cpp.
+using SphereStatistic = void(const SphereView& view, Numbers& to);
+
+/// Internal moments of all spheres, N m: sum over their contacts of force (x) lever.
+std::vector<Tensor3> sphere_moments(const PackingIn<3>& packing);
+
+}  // namespace arenite::texture::spheres

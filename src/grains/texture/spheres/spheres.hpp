@@ -1,0 +1,23 @@
+#pragma once
+#include "model/measuring.hpp"
+#include "model/packing.hpp"
+#include "model/result.hpp"
+#include "statistics/numbers.hpp"
+
+namespace arenite::texture {
+
+/// Choices that the definitions leave open for samples in space.
+struct SphereOptions : Measuring {
+  int rattler_contacts = 4;  ///< a sphere with fewer force-bearing contacts than this is a rattler
+  Vec3 gravity = {};         ///< m/s^2; for the balance of spheres and walls only
+  double friction = 0;       ///< mu, which is told where it is known
+};
+
+/// Those that suit a stage: without friction it takes four contacts to hold a sphere, with friction two.
+SphereOptions sphere_options(const Asked& asked);
+
+/// Solid fraction, coordination, fabric, stress, forces and grain stresses of a sample of spheres, under the names that
+/// samples of the plane have, each with its error and meaning. Throws InputError for a container without volume.
+Numbers measure_spheres(const PackingIn<3>& packing, const SphereOptions& options = {});
+
+}  // namespace arenite::texture

@@ -1,0 +1,65 @@
+#include "grains/texture/spheres/tensor3.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+namespace arenite::texture::spheres {
+
+Tensor3& Tensor3::operator+=(const Tensor3& other) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) at[i][j] += other.at[i][j];
+  return *this;
+}
+
+Tensor3 operator*(double factor, const Tensor3& tensor) {
+  Tensor3 scaled;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) scaled.at[i][j] = factor * tensor.at[i][j];
+  return scaled;
+}
+
+Tensor3 outer(Vec3 a, Vec3 b) {
+  Tensor3 product;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) product.at[i][j] = a[i] * b[j];
+  return product;
+}
+
+double trace(const Tensor3& tensor) { return tensor.at[0][0] + tensor.at[1][1] + tensor.at[2][2]; }
+
+Numbers rows_of(const Tensor3& tensor) {
+  Numbers rows = Numbers::list();
+  for (const auto& row : tensor.at) rows.push_back(Numbers::list({row[0], row[1], row[2]}));
+  return rows;
+}
+
+Principal principal(const Tensor3& tensor) {
+  Eigen::Matrix3d symmetric;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) symmetric(i, j) = 0.5 * (tensor.at[i][j] + tensor.at[j][i]);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(symmetric);
+  Principal p;
+  for (int k = 0; k < 3; ++k) {
+    p.value[k] = solver.eigenvalues()[2 - k];
+    const Eigen::Vector3d n = solver.eigenvectors().col(2 - k);
+    const double sign = n[2] != 0 ? n[2] : n[1] != 0 ? n[1] : n[0];
+    p.direction[k] = (sign < 0 ? -1.0 : 1.0) * Vec3{n[0], n[1], n[2]};
+  }
+  return p;
+}
+
+std::vector<double> solved_for_six(const double* normal, const double* right) {
+  Eigen::Matrix<double, 6, 6> matrix;
+  Eigen::Matrix<double, 6, 1> vector;
+  for (int a = 0; a < 6; ++a) {
+    vector[a] = right[a];
+    for (int b = 0; b < 6; ++b) matrix(a, b) = normal[6 * a + b];
+  }
+  const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> factors(matrix);
+  const auto pivots = factors.vectorD();
+  if (!(pivots.minCoeff() > 1e-12 * pivots.maxCoeff())) return std::vector<double>(6, statistics::unknown);
+  const Eigen::Matrix<double, 6, 1> form = factors.solve(vector);
+  return {form.data(), form.data() + 6};
+}
+
+}  // namespace arenite::texture::spheres

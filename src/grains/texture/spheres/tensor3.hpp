@@ -1,0 +1,31 @@
+#pragma once
+#include <vector>
+
+#include "core/vec.hpp"
+#include "statistics/numbers.hpp"
+
+namespace arenite::texture::spheres {
+
+/// Symmetric or other 3 x 3 tensor.
+struct Tensor3 {
+  double at[3][3] = {};
+  Tensor3& operator+=(const Tensor3& other);
+};
+Tensor3 operator*(double factor, const Tensor3& tensor);
+Tensor3 outer(Vec3 a, Vec3 b);
+double trace(const Tensor3& tensor);
+/// {{xx, xy, xz}, {yx, ..}, ..}
+Numbers rows_of(const Tensor3& tensor);
+
+/// Eigenvalues of the symmetric part, the largest first, with their directions, whose z (else y, else x) is not below
+/// 0.
+struct Principal {
+  Vec3 value;
+  Vec3 direction[3];
+};
+Principal principal(const Tensor3& tensor);
+
+/// Solution of the six normal equations of a least-squares fit, row by row; unknown where they are singular.
+std::vector<double> solved_for_six(const double* normal, const double* right);
+
+}  // namespace arenite::texture::spheres

@@ -1,0 +1,93 @@
+#include "recipe/keys/room.hpp"
+
+#include <optional>
+
+#include "recipe/keys.hpp"
+#include "recipe/recipe.hpp"
+
+namespace arenite::recipe {
+
+using Visitor = ParameterVisitor;
+
+namespace {
+
+void declare_fill_area(Visitor& v, std::optional<FillArea>& area) {
+  v.optional_section<FillArea>(
+      {"area", "Part of the container to fill, for containers with boundaries; needs container.height."}, area,
+      [](Visitor& inner, FillArea& edges) {
+        inner.number({"left", "Edge, from the container's left side."}, edges.left, "mm", range::not_negative);
+        inner.number({"right", "Edge, from the container's left side."}, edges.right, "mm", range::positive);
+        inner.number({"bottom", "Edge, from the container's bottom."}, edges.bottom, "mm", range::not_negative);
+        inner.number({"top", "Edge, from the container's bottom."}, edges.top, "mm", range::positive);
+      });
+}
+
+}  // namespace
+
+void declare_container(Visitor& v, Recipe& recipe) {
+  ContainerParameters& container = recipe.container;
+  const PackingParameters::Method method = recipe.packing.method;
+  const bool in_space = recipe.dimension == 3;
+  v.when(method != PackingParameters::Method::poisson, "packing.method other than \"poisson\", which makes its own box",
+         [&](Visitor& inner) {
+           inner.number({"width", "Inner width of the container, or of the periodic cell.", true}, container.width,
+                        "mm", range::positive);
+           inner.number_above_0(
+               {"height", "Inner height at the start; if not given, it follows from packing.solid_fraction."},
+               container.height, "mm");
+         });
+  v.when(!in_space, "dimension = 2", [&](Visitor& inner) {
+    inner.number({"thickness", "Length of the cylinders, out of the plane.", true}, container.thickness, "mm",
+                 range::positive);
+  });
+  v.flag({"periodic_x", "Periodic in x: no walls on the left and right."}, container.periodic[0]);
+  v.flag({"periodic_y", "Periodic in y: no walls at the bottom and top."}, container.periodic[1]);
+  v.when(in_space, space, [&](Visitor& inner) {
+    inner.number({"depth", "Inner depth, from back to front.", true}, container.depth, "mm", range::positive);
+    inner.flag({"periodic_z", "Periodic in z: no walls at the back and front."}, container.periodic[2]);
+  });
+}
+
+void declare_packing(Visitor& v, Recipe& recipe) {
+  PackingParameters& packing = recipe.packing;
+  using Method = PackingParameters::Method;
+  v.choice({"method", "Method that gives the initial positions of the grains."}, packing.method,
+           {{"random", "at random, then relaxed until overlaps vanish"},
+            {"lattice", "stacked row by row as a triangular lattice"},
+            {"file", "read from a CSV of centres, radii and materials"},
+            {"poisson", "two size classes by fast Poisson disk sampling, defined in [bidisperse]"}});
+  v.when(packing.method == Method::random || packing.method == Method::lattice, "method = \"random\" or \"lattice\"",
+         [&](Visitor& inner) {
+           inner.integer({"grains", "Total number of grains, if populations give ratios."}, packing.grains,
+                         {0, 100'000'000});
+           declare_fill_area(inner, packing.area);
+         });
+  v.when(packing.method == Method::random, "method = \"random\"", [&](Visitor& inner) {
+    packing.solid_fraction = packing.fraction_in(recipe.dimension);
+    inner.number({"solid_fraction",
+                  "Target solid fraction (area of grains over area of the box, in space volume over volume) of the "
+                  "random filling; loading compacts it. In space 0.55 unless given."},
+                 packing.solid_fraction, "", range::above(0, 0.9));
+  });
+  v.when(packing.method == Method::file, "method = \"file\"", [&](Visitor& inner) {
+    inner.file({"file", "CSV of the grains: id, x, y, radius, material.", true}, packing.file);
+  });
+}
+
+void require_fill_area(Visitor& v, const Recipe& recipe) {
+  const ContainerParameters& container = recipe.container;
+  const auto& area = recipe.packing.area;
+  if (!area) return;
+  v.require(container.height > 0, {"container", "packing"},
+            "a part of it can be filled only if its height is given; write height = \"... mm\"");
+  v.require((!container.periodic[0] || (!area->left && !area->right)) &&
+                (!container.periodic[1] || (!area->bottom && !area->top)),
+            {"packing"}, "packing.area cannot end before a periodic side; leave out its edges there");
+  const auto fits = [](std::optional<double> low, std::optional<double> high, double size) {
+    return low.value_or(0) < high.value_or(size) && high.value_or(size) <= size;
+  };
+  v.require(fits(area->left, area->right, container.width) && fits(area->bottom, area->top, container.height),
+            {"packing"}, "packing.area must lie in the container, left before right and bottom below top");
+}
+
+}  // namespace arenite::recipe

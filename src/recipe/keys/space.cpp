@@ -1,0 +1,64 @@
+#include "recipe/keys/space.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "recipe/recipe.hpp"
+
+namespace arenite::recipe {
+namespace {
+
+using Visitor = ParameterVisitor;
+
+/// What a stage says that only a sample of the plane can do; empty where it says nothing of the kind.
+std::string of_the_plane(const Stage& stage) {
+  if (stage.rough != BySide<bool>{}) return "rough walls";
+  if (stage.open != BySide<bool>{}) return "open walls";
+  if (std::ranges::any_of(stage.side, &SideDrive::is_skin)) return "membranes";
+  if (!stage.exchange.is_none()) return "inflows and outlets";
+  if (stage.bond) return "bonds";
+  if (!stage.until.empty()) return "`until`";
+  return {};
+}
+
+}  // namespace
+
+void require_in_space(Visitor& v, const Recipe& recipe) {
+  if (recipe.dimension == 2) return;
+  using Method = PackingParameters::Method;
+  const auto refuse = [&](bool asked, std::initializer_list<std::string_view> keys, std::string_view what) {
+    v.require(!asked, keys, fmt::format("{} in space; leave that out, or take dimension = 2", what));
+  };
+  refuse(recipe.packing.method != Method::random, {"packing"},
+         "packings are random, and neither lattices, read from a file nor [bidisperse]");
+  v.require(recipe.packing.solid_fraction <= 0.62, {"packing"},
+            "spheres at random jam at a solid fraction of 0.64; start from 0.62 or less, and let a stage compact them");
+  refuse(recipe.packing.area.has_value(), {"packing"}, "no part of a container can be filled by itself");
+  refuse(std::ranges::any_of(recipe.populations,
+                             [](const auto& p) { return !std::holds_alternative<packing::DiskShape>(p.shape); }),
+         {"populations"}, "there are no clumps and no polygons");
+  refuse(std::ranges::any_of(recipe.populations,
+                             [](const auto& p) { return std::holds_alternative<packing::SieveCurve>(p.size); }),
+         {"populations"}, "there is no sieve_curve");
+  refuse(recipe.contact.has_bonds(), {"contact"}, "there are no bonds");
+  refuse(recipe.contact.is_cohesive(), {"contact"}, "there is no cohesion but glue");
+  refuse(recipe.integration.track_energy, {"integration"}, "there is no energy balance");
+  refuse(recipe.glued.has_value(), {"glued"}, "no region can be glued by itself");
+  refuse(!recipe.boundaries.empty(), {"boundaries"}, "there are no boundaries");
+  refuse(recipe.membrane.has_value(), {"membrane"}, "there are no membranes");
+  refuse(recipe.has_field(), {"cement", "grid", "loads"},
+         "samples of a recipe's own spheres are not cemented; load a table of spheres with `arenite load --voxels`");
+  for (const Stage& stage : recipe.stages)
+    if (const std::string what = of_the_plane(stage); !what.empty())
+      v.require(false, {"stages"},
+                fmt::format("stage \"{}\" asks for {}, which spheres do not have; leave that out, or take dimension = "
+                            "2",
+                            stage.name, what));
+}
+
+}  // namespace arenite::recipe

@@ -1,0 +1,213 @@
+#include "report/summary/summary.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <variant>
+
+#include "grains/dem/run_stage.hpp"
+#include "grains/fields/laboratory/test_numbers.hpp"
+#include "grains/fields/stage_numbers.hpp"
+#include "grains/texture/spheres/spheres.hpp"
+#include "io/disk/store_file.hpp"
+#include "report/film_text.hpp"
+#include "report/packing_layers.hpp"
+#include "report/page_document.hpp"
+#include "report/stage_doubts.hpp"
+#include "report/summary/state.hpp"
+#include "workflow/asked.hpp"
+#include "workflow/load_voxels.hpp"
+#include "workflow/run.hpp"
+
+namespace arenite::report {
+namespace {
+
+using statistics::described;
+
+std::string made_by(const Provenance& p) {
+  return fmt::format("{}{}Made by Arenite {}, {}{}seed {}; input {}\n", p.title, p.title.empty() ? "" : "\n", p.version,
+                     p.kernel.empty() ? "" : "kernel ", p.kernel.empty() ? "" : p.kernel + ", ", p.seed,
+                     p.input_hash.substr(0, 12));
+}
+
+Numbers provenance(const Provenance& p) {
+  Numbers j{{"title", p.title}};
+  j.update(provenance_of(p));
+  return j;
+}
+
+Numbers converged(const ResultHead& head) {
+  return described(head.converged, "", "Whether equilibrium, or a solution, was reached");
+}
+
+/// What the list of stages says of every kind of result.
+Numbers entry(const ResultHead& head, const std::string& file) {
+  return {{"name", head.name},
+          {"file", file},
+          {"input_hash", head.provenance.input_hash},
+          {"converged", converged(head)},
+          {"outcome", head.outcome}};
+}
+
+/// As stored, or measured now.
+Numbers measured_now(const StageResult& stage) {
+  return texture::numbers(texture::measure(stage.snapshots.back().packing, fields::texture_options(stage)));
+}
+Numbers measured_now(const SphereResult& stage) {
+  return texture::measure_spheres(stage.snapshots.back().packing, texture::sphere_options(stage.asked));
+}
+template <int D> Numbers last_texture(const StageResultIn<D>& stage) {
+  if (!stage.texture.empty()) return stage.texture;
+  return stage.snapshots.empty() ? Numbers::tree() : measured_now(stage);
+}
+
+/// What a stage tells of a test of the laboratory; `before` is the packing that it began with, or null.
+Numbers test_of(const SphereResult& /*stage*/, const Packing* /*before*/) { return Numbers::tree(); }
+Numbers test_of(const StageResult& stage, const Packing* before) { return fields::test_numbers({stage, before}); }
+
+/// Loads that were not reached, and energies that do not balance, each a line; empty where all is well.
+std::string lines_of(const std::vector<std::string>& doubts) {
+  std::string text;
+  for (const std::string& doubt : doubts) text += fmt::format("  {:<32} WARNING: {}\n", "", doubt);
+  return text;
+}
+
+/// The numbers that one asks for first, as rows of a table: of a test what it tells, as on the page, then those of
+/// grains and of nodes.
+std::string headlines(const Numbers& numbers) {
+  return rows_of(
+      numbers,
+      "critical_state peak uniaxial oedometer cycles discharge surface floor cohesion boundary_loads contacts "
+      "wall_contacts " +
+          std::string(numbers.contains("surface") ? "" : "solid_fraction ") +
+          "coordination.all coordination.without_rattlers "
+          "coordination.all,* coordination.rattlers coordination.Z fabric.a_c fabric.a_c_noise long_axes.order "
+          "long_axes.noise force.mean_N force.strong_share force.beta stress_details.pressure_Pa "
+          "stress_details.deviator_Pa map.lengths grains.all "
+          "phases.void phases.matrix S_m pores.count pores.mean voids.count modulus_Pa poisson apparent_moduli "
+          "strength_Pa failure.strain_at_strength stress.sigma_yy.sets.*.mean_over_sample_mean map.voxels "
+          "map.phases map.grains load.voxels.carrying load.voxels.floating effective_stiffness.young_Pa "
+          "effective_stiffness.shear_Pa effective_stiffness.poisson effective_stiffness.isotropic_mean_Pa "
+          "effective_stiffness.anisotropy effective_stiffness.bounds_Pa stress.sigma_zz.sets.*.mean_over_sample_mean "
+          "stress.sigma_xz.sets.*.mean_over_sample_mean");
+}
+
+}  // namespace
+
+Summary::Summary(const std::filesystem::path& result) {
+  for (const auto& file : io::stage_files(result)) {
+    auto any = workflow::read_result(file);
+    if (auto* film = std::get_if<FilmResult>(&any)) films_.push_back(std::move(*film));
+    else if (const auto* field = std::get_if<FieldResult>(&any)) add(file, *field, field->numbers);
+    else if (const auto* voxels = std::get_if<VoxelResult>(&any)) add(file, *voxels, voxels->numbers);
+    else if (const auto* spheres = std::get_if<SphereResult>(&any)) add(file, *spheres);
+    else add(file, std::get<StageResult>(any));
+  }
+}
+
+Summary::Summary(const workflow::RunOutcome& outcome) {
+  auto file = outcome.files.begin();
+  for (const StageResult& stage : outcome.stages) add(*file++, stage);
+  for (const SphereResult& stage : outcome.spheres) add(*file++, stage);
+  for (const FieldResult& field : outcome.fields) add(*file++, field, field.numbers);
+  for (const VoxelResult& sample : outcome.voxels) add(*file++, sample, sample.numbers);
+}
+
+template <int D> void Summary::add(const std::filesystem::path& file, const StageResultIn<D>& stage) {
+  Stage told{file.filename().string(),
+             stage,
+             stage.snapshots.size(),
+             last_texture(stage),
+             {},
+             {},
+             loads_in_words(stage.texture),
+             doubts_about(stage.texture),
+             {}};
+  told.test = test_of(stage, before_ ? &*before_ : nullptr);
+  if (!stage.snapshots.empty()) {
+    told.last_state = state_of(stage.snapshots.back());
+    told.state_text = state_text(stage);
+    keep_before(stage.snapshots.back().packing);
+  }
+  stages_.push_back(std::move(told));
+}
+
+void Summary::keep_before(const PackingIn<3>& /*packing*/) {}
+void Summary::keep_before(const Packing& packing) { before_ = packing; }
+
+void Summary::add(const std::filesystem::path& file, const ResultHead& head, const Numbers& numbers) {
+  fields_.push_back({file.filename().string(), head, numbers});
+}
+
+const ResultHead& Summary::last() const { return fields_.empty() ? stages_.back().head : fields_.back().head; }
+
+Numbers Summary::numbers() const {
+  if (!films_.empty()) return film_numbers(films_.back());
+  const Numbers texture = stages_.empty() ? Numbers::tree() : stages_.back().texture;
+  Numbers j = fields_.empty() ? texture : fields_.back().numbers;
+  if (!fields_.empty() && !stages_.empty()) j["texture"] = texture;
+  j["provenance"] = provenance(last().provenance);
+  for (const Stage& stage : stages_) {
+    Numbers one = entry(stage.head, stage.file);
+    one["states"] = described(stage.states, "", "Stored states");
+    if (stage.states > 0) one["last_state"] = stage.last_state;
+    one.update(stage.test);
+    j.update(stage.test);
+    j["stages"].push_back(one);
+  }
+  for (const Field& field : fields_) {
+    j["stages"].push_back(entry(field.head, field.file));
+    j["stages"].back()["numbers"] = field.numbers;
+  }
+  return j;
+}
+
+std::string Summary::how_stages_ended() const {
+  std::string text = made_by(last().provenance) + "\nStages\n";
+  for (const Stage& stage : stages_) {
+    text += fmt::format("  {:<32} {}{}\n", stage.head.name,
+                        stage.head.converged ? "" : "NOT IN EQUILIBRIUM: ", stage.head.outcome);
+    for (const std::string& load : stage.loads) text += fmt::format("  {:<32} {}\n", "", load);
+    text += lines_of(stage.doubts);
+    text += fmt::format("  {:<32} {} {} in {}\n", "", stage.states, stage.states == 1 ? "state" : "states", stage.file);
+  }
+  for (const Field& field : fields_)
+    text += fmt::format("  {:<32} {}{}\n  {:<32} {}\n", field.head.name,
+                        field.head.converged ? "" : "NOT SOLVED: ", field.head.outcome, "", field.file);
+  return text;
+}
+
+std::string Summary::text() const {
+  if (!films_.empty()) return all();
+  const bool has_state = fields_.empty() && stages_.back().states > 0;
+  if (fields_.empty() && !has_state) return how_stages_ended();
+  return how_stages_ended() + (has_state ? stages_.back().state_text : "") + "\nNumbers, each +- its standard error\n" +
+         headlines(numbers()) + "\n`arenite show RESULT --all` prints every number, `--json` the same for programs.\n";
+}
+
+std::string Summary::all() const {
+  if (!films_.empty()) return made_by(films_.back().provenance) + film_text(films_.back());
+  std::string text = how_stages_ended();
+  if (fields_.empty() && stages_.back().states > 0) text += "\nLast state\n" + to_text(stages_.back().last_state);
+  return text + "\nNumbers, each +- its standard error\n" + to_text(numbers(), {"provenance"});
+}
+
+std::string field_summary(const ResultHead& result, const Numbers& numbers) {
+  return fmt::format(
+      "{}{}: {}\n\nNumbers of the sample, each +- its standard error\n{}\n`--json` prints every number; of a result "
+      "that is kept (`--out`) `arenite show RESULT --all` does.\n",
+      result.name, result.converged ? "" : " NOT SOLVED", result.outcome, headlines(numbers));
+}
+
+Numbers field_numbers(const ResultHead& result, Numbers numbers) {
+  numbers["provenance"] = provenance(result.provenance);
+  numbers["converged"] = converged(result);
+  numbers["outcome"] = result.outcome;
+  return numbers;
+}
+
+}  // namespace arenite::report

@@ -1,0 +1,35 @@
+#include "workflow/grain_stage.hpp"
+
+#include <utility>
+
+#include "core/version.hpp"
+#include "grains/fields/stage_numbers.hpp"
+#include "grains/texture/spheres/spheres.hpp"
+#include "workflow/asked.hpp"
+#include "workflow/stage_keys.hpp"
+
+namespace arenite::workflow {
+
+StageResult measure_stage(const GrainStage& stage, StageResult made, const std::string& kernel) {
+  const auto& [recipe, place, hash, before, known] = stage;
+  made.provenance = {version, made.name, hash, to_toml(part_of(recipe, place)), recipe.seed, kernel, {}, recipe.title};
+  note_asked(made, recipe, place);
+  if (made.snapshots.empty()) return made;
+  const texture::Options measuring = fields::texture_options(made);
+  texture::Texture texture = texture::measure(made.snapshots.back().packing, measuring);
+  made.texture = fields::stage_numbers(
+      {made, place > 0 ? recipe.stages[place - 1] : dem::Stage{}, place > 1 ? before : nullptr, texture, &measuring});
+  if (known) *known = std::move(texture);
+  return made;
+}
+
+SphereResult measure_stage(const GrainStageIn<3>& stage, SphereResult made, const std::string& kernel) {
+  const auto& [recipe, place, hash, before, known] = stage;
+  made.provenance = {version, made.name, hash, to_toml(part_of(recipe, place)), recipe.seed, kernel, {}, recipe.title};
+  note_asked(made, recipe, place);
+  if (!made.snapshots.empty())
+    made.texture = texture::measure_spheres(made.snapshots.back().packing, texture::sphere_options(made.asked));
+  return made;
+}
+
+}  // namespace arenite::workflow

@@ -1,0 +1,131 @@
+#include "grains/texture/spheres/spheres.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/random.hpp"
+
+namespace arenite::texture::spheres_test {
+namespace {
+
+double value(const Numbers& numbers, const char* path) {
+  const Numbers* node = numbers.at_path(path);
+  return node ? (node->is_tree() ? (*node)["value"] : *node).get<double>() : NAN;
+}
+
+/// A face-centred crystal of 4 n^3 spheres of diameter 2 mm in a periodic cell, each contact pressed with 3 N.
+PackingIn<3> crystal(int n) {
+  PackingIn<3> packing;
+  packing.materials = {{"glass", 2500, 1e5}};
+  const double side = 2e-3 * std::numbers::sqrt2;  // of a cell of four spheres that touch
+  packing.domain.periodic = {true, true, true};
+  for (int s = 0; s < 6; ++s) packing.domain.wall[s] = {false, s % 2 == 0 ? 0 : n * side};
+  std::vector<Vec3> place;
+  for (int k = 0; k < n * n * n; ++k)
+    for (const Vec3 of : {Vec3{0, 0, 0}, Vec3{0.5, 0.5, 0}, Vec3{0.5, 0, 0.5}, Vec3{0, 0.5, 0.5}})
+      place.push_back(side * (of + Vec3{k % n + 0.1, k / n % n + 0.1, k / n / n + 0.1}));
+  packing.grains.resize(place.size());
+  packing.grains.position = place;
+  packing.grains.radius.assign(place.size(), 1e-3);
+  for (std::size_t i = 0; i < place.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vec3 way = packing.domain.nearest_image(place[i] - place[j]);
+      if (norm(way) < 2.01e-3)
+        packing.contacts.add(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), way / norm(way), 3, {}, 1e-3,
+                             1e-3);
+    }
+  return packing;
+}
+
+TEST(Spheres, ACrystalHasTwelveNeighboursAndTheDensestFraction) {
+  const Numbers numbers = measure_spheres(crystal(3));
+  EXPECT_EQ(value(numbers, "/coordination/all"), 12);
+  EXPECT_EQ(value(numbers, "/coordination/without_rattlers"), 12);
+  EXPECT_EQ(value(numbers, "/coordination/rattlers"), 0);
+  EXPECT_NEAR(value(numbers, "/solid_fraction"), std::numbers::pi / (3 * std::numbers::sqrt2), 1e-4);
+}
+
+/// Of equal forces f on contacts of length d: p = n_c f d/3, with n_c contacts a volume.
+TEST(Spheres, PressureIsThatOfTheForcesAndTheSameAlongAllAxes) {
+  const PackingIn<3> packing = crystal(3);
+  const Numbers numbers = measure_spheres(packing);
+  const double pressure = static_cast<double>(packing.contacts.size()) * 3 * 2e-3 / (3 * volume_of(packing.domain));
+  EXPECT_NEAR(value(numbers, "/stress_details/pressure_Pa") / pressure, 1, 1e-12);
+  EXPECT_NEAR(value(numbers, "/stress_details/deviator_Pa") / pressure, 0, 1e-12);
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(numbers["stress"]["value"][axis][axis].get<double>() / pressure, -1, 1e-12);
+}
+
+/// Twelve directions along the diagonals of faces: <n n> is isotropic.
+TEST(Spheres, TheFabricOfACrystalIsIsotropicToSecondOrderOnly) {
+  PackingIn<3> packing = crystal(3);
+  EXPECT_NEAR(value(measure_spheres(packing), "/fabric/a_c"), 0, 1e-12);
+  // Those along one plane's diagonals alone tell the axis.
+  ContactsIn<3> flat;
+  for (std::size_t c = 0; c < packing.contacts.size(); ++c)
+    if (std::abs(packing.contacts.normal[c].z) < 0.1)
+      flat.add(packing.contacts.i[c], packing.contacts.j[c], packing.contacts.normal[c], 3, {}, 1e-3, 1e-3);
+  packing.contacts = flat;
+  const Numbers numbers = measure_spheres(packing);
+  // a = 15/2 (1/6, 1/6, -1/3), sqrt(3/2 a:a) = 15/4
+  EXPECT_NEAR(value(numbers, "/fabric/a_c"), 3.75, 1e-9);
+  EXPECT_NEAR(numbers["fabric"]["principal"][2].get<double>(), 0, 1e-12);
+}
+
+/// Random directions have the anisotropy that is told of chance, and forces that press by direction the one that is
+/// put in: f = f_0 (1 + b n n) with b = diag(0.4, -0.2, -0.2), sqrt(3/2 b:b) = 0.6.
+TEST(Spheres, ForcesByDirectionAreToldWhateverTheCounts) {
+  PackingIn<3> packing = crystal(4);
+  packing.contacts = {};
+  RandomStream random(7, Purpose::test);
+  constexpr std::size_t contacts = 4000;
+  for (std::size_t c = 0; c < contacts; ++c) {
+    const double z = random.uniform(-1, 1), angle = random.uniform(0, 2 * std::numbers::pi), r = std::sqrt(1 - z * z);
+    const Vec3 n{r * std::cos(angle), r * std::sin(angle), z};
+    const double force = 2 * (1 + 0.4 * n.x * n.x - 0.2 * (n.y * n.y + n.z * n.z));
+    packing.contacts.add(static_cast<std::int32_t>(c % 255), 255, n, force, {}, 1e-3, 1e-3);
+  }
+  const Numbers numbers = measure_spheres(packing);
+  EXPECT_NEAR(value(numbers, "/fabric/a_n"), 0.6, 1e-6);
+  const double noise = value(numbers, "/fabric/a_c_noise");
+  EXPECT_NEAR(noise, 7.5 / std::sqrt(static_cast<double>(contacts)), 1e-12);
+  EXPECT_LT(value(numbers, "/fabric/a_c"), 2.5 * noise);
+  EXPECT_GT(value(numbers, "/fabric/a_c"), 0.2 * noise);
+}
+
+/// A chain between two walls carries, and what hangs at one contact does not, nor what hangs on that.
+TEST(Spheres, RattlersAreTakenAwayAgainAndAgain) {
+  PackingIn<3> packing;
+  packing.materials = {{"glass", 2500, 1e5}};
+  for (int s = 0; s < 6; ++s) packing.domain.wall[s] = {true, s % 2 == 0 ? 0.0 : 6e-3};
+  packing.grains.resize(5);
+  packing.grains.radius.assign(5, 1e-3);
+  packing.grains.position = {
+      {1e-3, 1e-3, 1e-3}, {3e-3, 1e-3, 1e-3}, {5e-3, 1e-3, 1e-3}, {3e-3, 3e-3, 1e-3}, {3e-3, 5e-3, 1e-3}};
+  packing.contacts.add(0, wall_partner(left), {1, 0, 0}, 1, {}, 1e-3, 0);
+  packing.contacts.add(0, 1, {-1, 0, 0}, 1, {}, 1e-3, 1e-3);
+  packing.contacts.add(1, 2, {-1, 0, 0}, 1, {}, 1e-3, 1e-3);
+  packing.contacts.add(2, wall_partner(right), {-1, 0, 0}, 1, {}, 1e-3, 0);
+  packing.contacts.add(1, 3, {0, -1, 0}, 1e-6, {}, 1e-3, 1e-3);
+  packing.contacts.add(3, 4, {0, -1, 0}, 1e-6, {}, 1e-3, 1e-3);
+  SphereOptions options;
+  options.rattler_contacts = 2;
+  options.border = 0;
+  EXPECT_NEAR(value(measure_spheres(packing, options), "/coordination/rattlers"), 0.4, 1e-12);
+  const Numbers numbers = measure_spheres(packing, options);
+  EXPECT_NEAR(value(numbers, "/coordination/without_rattlers"), 4.0 / 3, 1e-12);
+  EXPECT_EQ(numbers["wall_contacts"].get<int>(), 2);
+}
+
+TEST(Spheres, AContainerWithoutVolumeIsRefused) {
+  PackingIn<3> packing = crystal(1);
+  packing.domain.wall[front].position = 0;
+  EXPECT_THROW(measure_spheres(packing), InputError);
+}
+
+}  // namespace
+}  // namespace arenite::texture::spheres_test
