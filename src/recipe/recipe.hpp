@@ -49,7 +49,7 @@ struct PackingParameters {
   std::int64_t grains = 0;  ///< total, where populations give ratios
   std::string file;         ///< CSV of centres, radii, materials
   std::optional<FillArea> area;
-  static constexpr double usual_fraction = 0.78, usual_in_space = 0.55;
+  static constexpr double usual_fraction = 0.78, usual_in_space = 0.5;
   double solid_fraction = usual_fraction;  ///< of the random filling; loading stages compact it further
   /// The usual one of disks is beyond any packing of spheres, and stands for theirs.
   double fraction_in(int dimension) const {

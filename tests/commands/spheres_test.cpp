@@ -23,7 +23,7 @@ std::string written(const TemporaryFolder& folder, const std::string& recipe) {
   return path.string();
 }
 
-Json shown(const std::filesystem::path& out) {
+Json numbers_shown(const std::filesystem::path& out) {
   const auto outcome = arenite("show " + out.string() + " --json");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   return Json::parse(outcome.out);
@@ -36,7 +36,7 @@ TEST(Spheres, WithoutFrictionTheyJamWhereTheyAreKnownTo) {
   const auto out = folder / "out";
   const auto run = arenite("run " + written(folder, test::small_spheres) + " --quiet --out " + out.string());
   ASSERT_EQ(run.status, 0) << run.err;
-  const Json j = shown(out);
+  const Json j = numbers_shown(out);
   EXPECT_NEAR(j["solid_fraction"]["value"].get<double>(), 0.64, 0.02);
   EXPECT_NEAR(j["coordination"]["without_rattlers"]["value"].get<double>(), 6.2, 0.3);
   EXPECT_NEAR(j["stress_details"]["pressure_Pa"].get<double>() / 10e3, 1, 5e-3);
@@ -53,7 +53,7 @@ TEST(Spheres, ATriaxialTestKeepsItsSidePressure) {
   const auto out = folder / "out";
   const auto run = arenite("run " + written(folder, test::small_triaxial) + " --quiet --out " + out.string());
   ASSERT_EQ(run.status, 0) << run.err;
-  const Json j = shown(out);
+  const Json j = numbers_shown(out);
   const Json& walls = j["stages"].back()["last_state"]["walls"];
   const auto side = [&](const char* of, const char* what) { return walls[of][what].get<double>(); };
   const double width = side("right", "position_m") - side("left", "position_m"),
@@ -70,7 +70,7 @@ TEST(Spheres, ATriaxialTestKeepsItsSidePressure) {
 TEST(Spheres, WhatSpaceDoesNotHaveIsRefusedInASentence) {
   const TemporaryFolder folder;
   const std::string recipe = written(folder, test::small_spheres);
-  for (const auto& [set, part] : {std::pair{"contact.bonds=parallel", "no bonds"},
+  for (const auto& [set, part] : {std::pair{"stages.compress.rough.top=true", "rough walls"},
                                   {"integration.track_energy=true", "no energy balance"},
                                   {"populations.0.shape=pentagon", "no clumps"},
                                   {"packing.method=lattice", "random"},

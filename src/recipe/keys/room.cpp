@@ -66,7 +66,7 @@ void declare_packing(Visitor& v, Recipe& recipe) {
     packing.solid_fraction = packing.fraction_in(recipe.dimension);
     inner.number({"solid_fraction",
                   "Target solid fraction (area of grains over area of the box, in space volume over volume) of the "
-                  "random filling; loading compacts it. In space 0.55 unless given."},
+                  "random filling; loading compacts it. In space 0.5 unless given."},
                  packing.solid_fraction, "", range::above(0, 0.9));
   });
   v.when(packing.method == Method::file, "method = \"file\"", [&](Visitor& inner) {
