@@ -96,7 +96,8 @@ void bind_spheres(py::module_& m) {
       .def(
           "measure", [](const PackingIn<3>& p) { return to_python(texture::measure_spheres(p)); },
           "Solid fraction, coordination, fabric, stress and forces, each with its error.")
-      .def("__len__", [](const PackingIn<3>& p) { return p.grains.size(); })
+      .def(
+          "__len__", [](const PackingIn<3>& p) { return p.grains.size(); }, "Number of spheres.")
       .def("__repr__", [](const PackingIn<3>& p) {
         return "<arenite.SpherePacking of " + std::to_string(p.grains.size()) + " spheres>";
       });

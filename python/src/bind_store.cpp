@@ -14,8 +14,8 @@
 #include "result.hpp"
 #include "running_stage.hpp"
 #include "workflow/export_result.hpp"
-#include "workflow/run.hpp"
 #include "workflow/make_packing.hpp"
+#include "workflow/run.hpp"
 #include "workflow/stage_keys.hpp"
 
 /// Results as folders, files and pages, and single stages of a run.

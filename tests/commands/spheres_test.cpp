@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -64,13 +65,13 @@ TEST(Spheres, ATriaxialTestKeepsItsSidePressure) {
   EXPECT_NEAR(side("right", "force_N") / (height * depth) / 10e3, 1, 0.05);
   EXPECT_NEAR(side("front", "force_N") / (height * width) / 10e3, 1, 0.05);
   EXPECT_GT(stress[1][1].get<double>() / stress[0][0].get<double>(), 1.5) << "the axis bears more";
-  EXPECT_GT(j["fabric"]["axis"][1].get<double>(), 0.8) << "contacts turn to it";
+  EXPECT_GT(std::abs(j["fabric"]["axis"][1].get<double>()), 0.8) << "contacts turn to it";
 }
 
 TEST(Spheres, WhatSpaceDoesNotHaveIsRefusedInASentence) {
   const TemporaryFolder folder;
   const std::string recipe = written(folder, test::small_spheres);
-  for (const auto& [set, part] : {std::pair{"stages.compress.rough.top=true", "rough walls"},
+  for (const auto& [set, part] : {std::pair{"stages.compress.open.top=true", "no wall at the top"},
                                   {"integration.track_energy=true", "no energy balance"},
                                   {"populations.0.shape=pentagon", "no clumps"},
                                   {"packing.method=lattice", "random"},
