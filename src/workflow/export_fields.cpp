@@ -1,8 +1,10 @@
 #include "workflow/export_fields.hpp"
 
+#include <cstddef>
 #include <initializer_list>
 #include <utility>
 
+#include "grains/texture/spheres/sphere_view.hpp"
 #include "grains/texture/texture.hpp"
 #include "solid/stress/grains.hpp"
 #include "workflow/film/film_numbers.hpp"
@@ -38,6 +40,16 @@ std::vector<io::GrainField> derived_fields(const Packing& packing) {
       fields, rows.sigma,
       {{"sigma_xx", &Tensor2::xx}, {"sigma_xy", &Tensor2::xy}, {"sigma_yx", &Tensor2::yx}, {"sigma_yy", &Tensor2::yy}});
   return fields;
+}
+
+std::vector<io::GrainField> derived_fields(const PackingIn<3>& packing) {
+  std::vector<double> contacts(packing.grains.size(), 0.0);
+  for (std::size_t c = 0; c < packing.contacts.size(); ++c) {
+    if (packing.contacts.is_wall(c)) continue;
+    contacts[static_cast<std::size_t>(packing.contacts.i[c])] += 1;
+    contacts[static_cast<std::size_t>(packing.contacts.j[c])] += 1;
+  }
+  return {{"contacts", "1", std::move(contacts)}, {"sigma_hyd", "Pa", texture::spheres::hydrostatic_stresses(packing)}};
 }
 
 std::vector<io::GrainField> derived_fields(const FilmResult& film) {

@@ -148,6 +148,11 @@ class Loading {
     snapshots_.clear();
   }
 
+  void add(const std::string& stage, const SnapshotIn<3>& snapshot, std::vector<io::GrainField> fields) {
+    times_.push_back(snapshot.time);
+    out().add(format_.of_spheres({static_cast<int>(times_.size()) - 1, stage, &snapshot, std::move(fields)}));
+  }
+
   bool is_empty() const { return times_.empty(); }
 
   std::vector<fs::path> finish(const Provenance& last) {
@@ -181,6 +186,21 @@ class Loading {
   std::deque<Snapshot> snapshots_;  // snapshots stay where they are
   std::vector<io::ExportSnapshot> all_;
 };
+
+/// The states of a stage of spheres that are not there yet.
+void add_spheres(const fs::path& file, const io::ExportFormat& format, bool last_only, Loading& loading,
+                 Provenance& last) {
+  if (!format.of_spheres)
+    refuse(file.string(), "holds spheres, and {} holds disks only; choose {}", format.name,
+           list_of(io::words_of(io::exports::all, &io::ExportFormat::name,
+                                [](const auto& other) { return other.of_spheres != nullptr; }),
+                   " or "));
+  const SphereResult stage = io::read_stage<3>(file);
+  last = stage.provenance;
+  for (const auto& snapshot : stage.snapshots)
+    if (!loading.has(snapshot.time) && (!last_only || &snapshot == &stage.snapshots.back()))
+      loading.add(stage.name, snapshot, derived_fields(snapshot.packing));
+}
 
 /// Writes a result on nodes or voxels; false where the format has no way to, which is refused where nothing else is
 /// there.
@@ -223,6 +243,10 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
               ? write_on_grid(file, format, &io::ExportFormat::of_voxels, "a sample in space", alone, voxels, loading)
               : write_on_grid(file, format, &io::ExportFormat::of_field, "a field on nodes", alone, nodes, loading);
       has_field = has_field || written;
+      continue;
+    }
+    if (kind == "spheres") {
+      add_spheres(file, format, last_only, loading, last);
       continue;
     }
     if (kind == "film") {

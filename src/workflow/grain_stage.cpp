@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/version.hpp"
+#include "grains/fields/laboratory/triaxial.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/texture/spheres/spheres.hpp"
 #include "workflow/asked.hpp"
@@ -27,8 +28,11 @@ SphereResult measure_stage(const GrainStageIn<3>& stage, SphereResult made, cons
   const auto& [recipe, place, hash, before, known] = stage;
   made.provenance = {version, made.name, hash, to_toml(part_of(recipe, place)), recipe.seed, kernel, {}, recipe.title};
   note_asked(made, recipe, place);
-  if (!made.snapshots.empty())
-    made.texture = texture::measure_spheres(made.snapshots.back().packing, texture::sphere_options(made.asked));
+  if (made.snapshots.empty()) return made;
+  made.texture = texture::measure_spheres(made.snapshots.back().packing, texture::sphere_options(made.asked));
+  if (place == 0) return made;
+  made.texture.update(fields::loads_of(made, recipe.stages[place - 1]));
+  made.texture.update(fields::triaxial_numbers(made, recipe.stages[place - 1]));
   return made;
 }
 

@@ -64,8 +64,93 @@ TEST(Spheres, ATriaxialTestKeepsItsSidePressure) {
   EXPECT_NEAR(side("top", "force_N") / (width * depth) / -stress[1][1].get<double>(), 1, 0.05);
   EXPECT_NEAR(side("right", "force_N") / (height * depth) / 10e3, 1, 0.05);
   EXPECT_NEAR(side("front", "force_N") / (height * width) / 10e3, 1, 0.05);
+  for (const char* of : {"left", "right", "back", "front"}) {
+    const Json& load = j["loads"][of];
+    EXPECT_EQ(load["asked_Pa"].get<double>(), 10e3) << of;
+    EXPECT_NEAR(load["reached_Pa"]["value"].get<double>() / 10e3, 1, 0.02) << of;
+    EXPECT_TRUE(load["held"].get<bool>()) << of;
+  }
+  const double ratio = j["peak"]["q_over_p"].get<double>();
+  EXPECT_GT(ratio, 0.6);
+  EXPECT_LT(ratio, 1.4);
+  EXPECT_LT(j["peak"]["axial_strain"].get<double>(), 0.06);
   EXPECT_GT(stress[1][1].get<double>() / stress[0][0].get<double>(), 1.5) << "the axis bears more";
   EXPECT_GT(std::abs(j["fabric"]["axis"][1].get<double>()), 0.8) << "contacts turn to it";
+}
+
+TEST(Spheres, TheExampleOfATriaxialTestRuns) {
+  const TemporaryFolder folder;
+  const auto out = folder / "out";
+  const auto run =
+      arenite("run " ARENITE_SOURCE_DIR "/examples/36-triaxial-spheres/recipe.toml --quiet --out " + out.string() +
+              " --set packing.grains=150 --set 'variables.W=\"24 mm\"' --set 'variables.rate=\"4 1/s\"'");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_GT(numbers_shown(out)["peak"]["q_over_p"].get<double>(), 0.7);
+}
+
+/// By VTK and ASE themselves, beside the stage file as h5py reads it.
+const char* const compare = R"(
+import glob, sys
+import h5py, numpy as np
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+from vtkmodules.util.numpy_support import vtk_to_numpy
+stored = h5py.File(sorted(glob.glob(sys.argv[1] + '/02-*.h5'))[0])['frames/0000']
+def read(name):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(sys.argv[2] + '/' + name)
+    reader.Update()
+    return reader.GetOutput()
+grains, contacts = read('grains_0001.vtp'), read('contacts_0001.vtp')
+points = vtk_to_numpy(grains.GetPoints().GetData())
+assert np.allclose(points, np.stack([stored['grains'][c] for c in 'xyz'], 1))
+radius = vtk_to_numpy(grains.GetPointData().GetArray('radius'))
+force = vtk_to_numpy(contacts.GetCellData().GetArray('force'))
+normal = np.stack([stored['contacts']['n' + c] for c in 'xyz'], 1)
+assert np.allclose((force * normal).sum(1), stored['contacts']['fn'])
+ends = vtk_to_numpy(contacts.GetPoints().GetData()).reshape(-1, 2, 3)
+arms = stored['contacts']['arm_i'][()] + stored['contacts']['arm_j']
+assert np.allclose(np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1), arms)
+# The forces on every sphere are in balance: what a program makes of the file is an equilibrium.
+i, j = (vtk_to_numpy(contacts.GetCellData().GetArray(n)) for n in 'ij')
+total = np.zeros((len(radius), 3))
+np.add.at(total, i, force)
+np.add.at(total, j, -force)
+assert np.linalg.norm(total, axis=1).max() < 0.02 * np.linalg.norm(force, axis=1).mean()
+lines = open(sys.argv[3] + '/grains.extxyz').read().splitlines()
+last = lines[-len(radius):]
+assert np.allclose(np.array([line.split()[1:5] for line in last], float), np.column_stack([points, radius]))
+assert 'pbc="T T T"' in lines[1]
+)";
+
+TEST(Spheres, AreReadByTheProgramsThatTheirFilesAreFor) {
+  const TemporaryFolder folder;
+  const auto out = (folder / "out").string(), vtk = (folder / "vtk").string(), xyz = (folder / "xyz").string();
+  ASSERT_EQ(arenite("run " + written(folder, test::small_spheres) + " --quiet --out " + out).status, 0);
+  ASSERT_EQ(arenite("export " + out + " --to vtk --out " + vtk).status, 0);
+  ASSERT_EQ(arenite("export " + out + " --to extxyz --out " + xyz).status, 0);
+  std::ofstream(folder / "compare.py") << compare;
+  const auto read =
+      test::shell("/usr/bin/python3 " + (folder / "compare.py").string() + " " + out + " " + vtk + " " + xyz);
+  EXPECT_EQ(read.status, 0) << read.err;
+  const auto refused = arenite("export " + out + " --to netcdf --out " + (folder / "nc").string());
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_TRUE(test::contains(refused.err, "vtk")) << refused.err;
+}
+
+/// The table of our own spheres is cemented, cut into voxels and loaded as anybody's.
+TEST(Spheres, OurOwnAreCementedAndLoaded) {
+  const TemporaryFolder folder;
+  const auto out = (folder / "out").string();
+  const auto csv = folder / "csv";
+  ASSERT_EQ(arenite("run " + written(folder, test::small_triaxial) + " --quiet --out " + out).status, 0);
+  ASSERT_EQ(arenite("export " + out + " --to csv --last --out " + csv.string()).status, 0);
+  const auto loaded = arenite("load " + (csv / "grains_0000.csv").string() +
+                              " --voxels 40 --cement kind=bridges,width=0.5 --method elements --json");
+  ASSERT_EQ(loaded.status, 0) << loaded.err;
+  const Json j = Json::parse(loaded.out);
+  EXPECT_EQ(j["map"]["grains"].get<int>(), 150);
+  EXPECT_GT(j["modulus_Pa"].get<double>(), 1e8);
+  EXPECT_LT(j["modulus_Pa"].get<double>(), 4e9);
 }
 
 TEST(Spheres, WhatSpaceDoesNotHaveIsRefusedInASentence) {

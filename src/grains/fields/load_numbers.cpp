@@ -31,25 +31,34 @@ const dem::Programme* programme_of(const dem::Stage& stage, int side) {
   return at == stage.programmes.end() ? nullptr : &*at;
 }
 
+double thickness_of(const Domain& domain) { return domain.thickness; }
+double thickness_of(const Container<3>& /*domain*/) { return 1; }
+
 /// Area that a side presses on in each row, m^2; 1 of a side under a force.
-std::vector<double> areas(const History& history, int side, Kind kind, double thickness) {
-  const int beside = side < bottom ? bottom : left;
-  const auto *from = history.find(std::string(side_names[beside]) + "_position"),
-             *to = history.find(std::string(side_names[beside + 1]) + "_position");
-  std::vector<double> area;
-  for (std::size_t k = 0; from && to && k < from->size(); ++k)
-    area.push_back(kind == Kind::force ? 1 : ((*to)[k] - (*from)[k]) * thickness);
+template <int D> std::vector<double> areas(const StageResultIn<D>& result, int side, Kind kind) {
+  const auto* time = result.history.find("time");
+  std::vector<double> area(time->size(), 1.0);
+  if (kind == Kind::force) return area;
+  for (int beside = 0; beside < sides_in<D>; beside += 2) {
+    if (axis_of(beside) == axis_of(side)) continue;
+    const auto *from = result.history.find(std::string(any_side_names[beside]) + "_position"),
+               *to = result.history.find(std::string(any_side_names[beside + 1]) + "_position");
+    if (!from || !to) return {};
+    for (std::size_t k = 0; k < area.size(); ++k) area[k] *= (*to)[k] - (*from)[k];
+  }
+  const double thickness = thickness_of(result.snapshots.back().packing.domain);
+  for (double& each : area) each *= thickness;
   return area;
 }
 
 /// Empty where a side does not press, or presses with a force that changes from increment to increment.
-Load load_of(const StageResult& result, const dem::Stage& stage, int side) {
+template <int D> Load load_of(const StageResultIn<D>& result, const dem::Stage& stage, int side) {
   const dem::SideDrive& drive = stage.side[side];
   const auto *time = result.history.find("time"),
-             *force = result.history.find(std::string(side_names[side]) + "_force");
+             *force = result.history.find(std::string(any_side_names[side]) + "_force");
   if (!drive.presses() || !time || !force) return {};
   if (stage.cycles && stage.cycles->side == side) return {};
-  const auto area = areas(result.history, side, drive.kind, result.snapshots.back().packing.domain.thickness);
+  const auto area = areas(result, side, drive.kind);
   const dem::Programme* programme = programme_of(stage, side);
   const double begin = time->back() - length_of(result, stage);
   Load load;
@@ -97,16 +106,20 @@ Numbers numbers_of(const Load& load, bool lasts, const std::string& unit) {
 
 }  // namespace
 
-Numbers load_numbers(const StageEnd& end) {
+template <int D> Numbers loads_of(const StageResultIn<D>& result, const dem::Stage& stage) {
   Numbers loads = Numbers::tree();
-  for (int side = 0; side < sides; ++side) {
-    const Load load = load_of(end.result, end.stage, side);
+  for (int side = 0; side < sides_in<D>; ++side) {
+    const Load load = load_of(result, stage, side);
     if (load.asked.empty()) continue;
-    const bool lasts = end.stage.duration || end.stage.strain_cycles;
-    loads[side_names[side]] = numbers_of(load, lasts, end.stage.side[side].kind == Kind::force ? "N" : "Pa");
+    const bool lasts = stage.duration || stage.strain_cycles;
+    loads[any_side_names[side]] = numbers_of(load, lasts, stage.side[side].kind == Kind::force ? "N" : "Pa");
   }
   if (loads.empty()) return loads;
   return {{"loads", std::move(loads)}};
 }
+template Numbers loads_of(const StageResult&, const dem::Stage&);
+template Numbers loads_of(const SphereResult&, const dem::Stage&);
+
+Numbers load_numbers(const StageEnd& end) { return loads_of(end.result, end.stage); }
 
 }  // namespace arenite::fields

@@ -55,6 +55,8 @@ StageStatistic stage_numbers;
 /// what grains carry across a cell by their motion, about I^2 of the pressure in a flow, is not in it, and is not
 /// what a servo holds.
 StageStatistic load_numbers;
+/// The same of a stage of disks or spheres, which has a state.
+template <int D> Numbers loads_of(const StageResultIn<D>& result, const dem::Stage& stage);
 
 /// "energy_balance" of a stage whose energies were tracked: by how much it is open since the first row of the history.
 StageStatistic energy_numbers;

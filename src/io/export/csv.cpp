@@ -118,6 +118,36 @@ std::string contact_table(const ExportSnapshot& from) {
   return table_of(columns, c.size());
 }
 
+/// Spheres, and their contacts with the normal from i to j; a wall by its name.
+std::vector<NamedBytes> csv_spheres(const ExportSpheres& from) {
+  const PackingIn<3>& packing = from.snapshot->packing;
+  const GrainsIn<3>& g = packing.grains;
+  const std::span grain_columns = state_columns(g);
+  Columns grains{column("id", [&](std::size_t i) { return g.id[i]; })};
+  add(grains, grain_columns.first(3), g);  // the place
+  grains.push_back(column(title("radius", "m"), [&](std::size_t i) { return g.radius[i]; }));
+  grains.push_back(column("material", [&](std::size_t i) {
+    return quoted_cell(packing.materials[static_cast<std::size_t>(g.material[i])].name);
+  }));
+  add(grains, grain_columns.subspan(3), g);
+  add(grains, from.fields);
+  const ContactsIn<3>& c = packing.contacts;
+  ContactsIn<3> opposite;
+  opposite.normal = mapped(c.normal, [](Vec3 n) { return Vec3{0 - n.x, 0 - n.y, 0 - n.z}; });
+  const auto force = by_contact(packing, [&](std::size_t k) { return c.force_on_i(k); });
+  Columns contacts{column("i", [&](std::size_t k) { return id_of_i(packing, k); }), column("j", [&](std::size_t k) {
+                     return c.is_wall(k) ? std::string(any_side_names[static_cast<std::size_t>(c.wall_side(k))])
+                                         : std::to_string(id_of_j(packing, k));
+                   })};
+  add(contacts, columns_of(c).first(3), opposite);
+  contacts.push_back(column(title("fn", "N"), [&](std::size_t k) { return c.fn[k]; }));
+  for (const auto& [name, axis] : {std::pair("fx", &Vec3::x), std::pair("fy", &Vec3::y), std::pair("fz", &Vec3::z)})
+    contacts.push_back(column(title(name, "N"), [&, axis = axis](std::size_t k) { return force[k].*axis; }));
+  contacts.push_back(column(title("overlap", "m"), [&](std::size_t k) { return c.overlap[k]; }));
+  return {{fmt::format("grains_{:04}.csv", from.number), table_of(grains, g.size())},
+          {fmt::format("contacts_{:04}.csv", from.number), table_of(contacts, c.size())}};
+}
+
 std::string node_table(const FieldResult& r) {
   const PhaseMap& map = r.map;
   const auto width = static_cast<std::size_t>(map.width);
@@ -199,6 +229,7 @@ const ExportFormat exports::csv{
     .other_names = {"pandas", "tables"},
     .of_snapshot = csv_snapshot,
     .of_field = csv_field,
+    .of_spheres = csv_spheres,
     .of_curves = csv_curves};
 
 std::vector<int> links_of_grains(const Packing& packing) {

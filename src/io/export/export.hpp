@@ -41,6 +41,14 @@ struct ExportSnapshot {
   GridFields grid{};                 ///< for a format that wants it; without columns where the state has none
 };
 
+/// One state of spheres.
+struct ExportSpheres {
+  int number = 0;  ///< place in the loading, from 0
+  std::string stage;
+  const SnapshotIn<3>* snapshot = nullptr;
+  std::vector<GrainField> fields;
+};
+
 /// A result on nodes, as export formats get it.
 struct ExportField {
   const FieldResult* result = nullptr;
@@ -68,8 +76,9 @@ struct ExportFormat {
   std::vector<NamedBytes> (*of_snapshot)(const ExportSnapshot&) = nullptr;  ///< null: holds fields only
   std::vector<NamedBytes> (*index)(const std::vector<double>& times) = nullptr;
   std::vector<NamedBytes> (*of_field)(const ExportField&) = nullptr;  ///< of a result on nodes; null: holds grains only
-  std::vector<NamedBytes> (*of_voxels)(const VoxelResult&) = nullptr;  ///< of a sample in space; null: of none
-  NamedBytes (*of_curves)(const ExportCurves&) = nullptr;              ///< null: holds states only
+  std::vector<NamedBytes> (*of_spheres)(const ExportSpheres&) = nullptr;  ///< null: of none
+  std::vector<NamedBytes> (*of_voxels)(const VoxelResult&) = nullptr;     ///< of a sample in space; null: of none
+  NamedBytes (*of_curves)(const ExportCurves&) = nullptr;                 ///< null: holds states only
   std::vector<NamedBytes> (*of_loading)(const std::vector<ExportSnapshot>&, const Provenance&) = nullptr;
 };
 namespace exports {
@@ -92,14 +101,14 @@ inline std::vector<std::string> export_names() {
 }
 
 /// `value` of every contact of a packing, by its place.
-template <class Value> auto by_contact(const Packing& packing, Value value) {
+template <int D, class Value> auto by_contact(const PackingIn<D>& packing, Value value) {
   std::vector<std::decay_t<decltype(value(std::size_t{}))>> values;
   for (std::size_t c = 0; c < packing.contacts.size(); ++c) values.push_back(value(c));
   return values;
 }
 
 /// The contact's kind: -1 with a wall, else the place of the pair of materials in 00, 01, .., 0m, 11, 12, .. .
-inline std::int32_t contact_type(const Packing& packing, std::size_t contact) {
+template <int D> std::int32_t contact_type(const PackingIn<D>& packing, std::size_t contact) {
   if (packing.contacts.is_wall(contact)) return -1;
   const auto of = [&](std::int32_t grain) { return packing.grains.material[static_cast<std::size_t>(grain)]; };
   const auto [low, high] = std::minmax({of(packing.contacts.i[contact]), of(packing.contacts.j[contact])});
@@ -108,9 +117,9 @@ inline std::int32_t contact_type(const Packing& packing, std::size_t contact) {
 }
 
 /// The centre of j, or of its periodic image, as seen from i; for a wall the contact point.
-inline Vec2 far_end(const Packing& packing, std::size_t contact) {
+template <int D> Vec<D> far_end(const PackingIn<D>& packing, std::size_t contact) {
   const auto& contacts = packing.contacts;
-  const Vec2 from = packing.grains.position[static_cast<std::size_t>(contacts.i[contact])];
+  const Vec<D> from = packing.grains.position[static_cast<std::size_t>(contacts.i[contact])];
   if (contacts.is_wall(contact)) return from + contacts.lever_i(contact);
   return from +
          packing.domain.nearest_image(packing.grains.position[static_cast<std::size_t>(contacts.j[contact])] - from);
@@ -127,10 +136,10 @@ inline Vec2 contact_point(const Packing& packing, std::size_t contact) {
 std::vector<int> links_of_grains(const Packing& packing);
 
 /// Ids of the grains of a contact; the second is below 0 where it is none.
-inline std::int64_t id_of_i(const Packing& p, std::size_t c) {
+template <int D> std::int64_t id_of_i(const PackingIn<D>& p, std::size_t c) {
   return p.grains.id[static_cast<std::size_t>(p.contacts.i[c])];
 }
-inline std::int64_t id_of_j(const Packing& p, std::size_t c) {
+template <int D> std::int64_t id_of_j(const PackingIn<D>& p, std::size_t c) {
   return p.contacts.is_wall(c) ? p.contacts.j[c] : p.grains.id[static_cast<std::size_t>(p.contacts.j[c])];
 }
 

@@ -47,6 +47,28 @@ std::string comment_line(const ExportSnapshot& from) {
   return text;
 }
 
+std::vector<NamedBytes> extxyz_spheres(const ExportSpheres& from) {
+  const PackingIn<3>& packing = from.snapshot->packing;
+  const Container<3>& d = packing.domain;
+  const GrainsIn<3>& g = packing.grains;
+  const auto yes = [&](int axis) { return d.periodic[static_cast<std::size_t>(axis)] ? "T" : "F"; };
+  std::string text = fmt::format(
+      "{}\nLattice=\"{} 0 0 {} {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"{} {} {}\" Time={} Step={} Stage=\"{}\"",
+      g.size(), d.extent(0), d.tilt, d.extent(1), d.extent(2), d.corner().x, d.corner().y, d.corner().z, yes(0), yes(1),
+      yes(2), from.snapshot->time, from.snapshot->step, word(from.stage));
+  text += " Properties=species:S:1:pos:R:3:radius:R:1:id:I:1:material:I:1:velo:R:3:omega:R:3";
+  for (const auto& field : from.fields) text += ":" + word(field.name) + ":R:1";
+  text += '\n';
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    fmt::format_to(Text(text), "X {} {} {} {} {} {} {} {} {} {} {} {}", g.position[i].x, g.position[i].y,
+                   g.position[i].z, g.radius[i], g.id[i], g.material[i] + 1, g.velocity[i].x, g.velocity[i].y,
+                   g.velocity[i].z, g.omega[i].x, g.omega[i].y, g.omega[i].z);
+    for (const auto& field : from.fields) fmt::format_to(Text(text), " {}", field.values[i]);
+    text += '\n';
+  }
+  return {{"grains.extxyz", text}};
+}
+
 std::vector<NamedBytes> extxyz_snapshot(const ExportSnapshot& from) {
   const Grains& g = from.snapshot->packing.grains;
   std::string text = fmt::format("{}\n{}\n", g.size(), comment_line(from));
@@ -75,6 +97,7 @@ const ExportFormat exports::extxyz{
                {"shapes of grains", "left out: a grain is the disk of its area"},
                {"contacts, walls, boundaries, bonds", "left out; `vtk`, `lammps`, `netcdf` and `csv` have contacts"}},
     .other_names = {"ase", "xyz"},
-    .of_snapshot = extxyz_snapshot};
+    .of_snapshot = extxyz_snapshot,
+    .of_spheres = extxyz_spheres};
 
 }  // namespace arenite::io

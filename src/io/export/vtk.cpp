@@ -180,6 +180,59 @@ std::vector<NamedBytes> vtk_index(const std::vector<double>& times) {
   return files;
 }
 
+std::vector<double> components_of(const std::vector<Vec3>& vectors) {
+  std::vector<double> components;
+  for (const Vec3& v : vectors) components.insert(components.end(), {v.x, v.y, v.z});
+  return components;
+}
+
+VtkPolyData spheres_of(const ExportSpheres& from) {
+  const GrainsIn<3>& grains = from.snapshot->packing.grains;
+  VtkPolyData data;
+  data.time = from.snapshot->time;
+  data.points = components_of(grains.position);
+  data.point_arrays = {{"id", grains.id},
+                       {"radius", grains.radius},
+                       {"material", grains.material},
+                       {"velocity", components_of(grains.velocity), 3},
+                       {"angle", components_of(grains.angle), 3},
+                       {"omega", components_of(grains.omega), 3}};
+  for (const auto& field : from.fields) data.point_arrays.push_back({field.name, field.values});
+  return data;
+}
+
+VtkPolyData contacts_of_spheres(const ExportSpheres& from) {
+  const PackingIn<3>& packing = from.snapshot->packing;
+  const ContactsIn<3>& contacts = packing.contacts;
+  VtkPolyData data;
+  data.time = from.snapshot->time;
+  data.lines = true;
+  std::vector<Vec3> ends;
+  std::vector<double> force_at_ends;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    ends.push_back(packing.grains.position[static_cast<std::size_t>(contacts.i[c])]);
+    ends.push_back(far_end(packing, c));
+    force_at_ends.insert(force_at_ends.end(), 2, contacts.fn[c]);
+  }
+  data.points = components_of(ends);
+  data.point_arrays = {{"fn", force_at_ends}};
+  const auto of_each = [&](auto value) { return by_contact(packing, value); };
+  data.cell_arrays = {{"i", of_each([&](std::size_t c) { return id_of_i(packing, c); })},
+                      {"j", of_each([&](std::size_t c) { return id_of_j(packing, c); })},
+                      {"type", of_each([&](std::size_t c) { return contact_type(packing, c); })},
+                      {"force", components_of(of_each([&](std::size_t c) { return contacts.force_on_i(c); })), 3}};
+  for (const auto& column : columns_of(contacts)) data.cell_arrays.push_back({column.name, column.of(contacts)});
+  return data;
+}
+
+/// As of disks: a file of grains and one of contacts a state, and what joins them.
+std::vector<NamedBytes> vtk_spheres(const ExportSpheres& from) {
+  const std::string grains = numbered("grains", from.number), contacts = numbered("contacts", from.number);
+  return {{grains, vtp_bytes(spheres_of(from))},
+          {contacts, vtp_bytes(contacts_of_spheres(from))},
+          {state_file(from.number), vtm_bytes({{"grains", grains}, {"contacts", contacts}})}};
+}
+
 /// The nodes as a picture (NAME.vti); of a pull to failure the broken bonds too, NAME-cracks.vtp.
 std::vector<NamedBytes> vti_field(const ExportField& from) {
   const FieldResult& r = *from.result;
@@ -239,6 +292,7 @@ const ExportFormat exports::vtk{
     .of_snapshot = vtk_snapshot,
     .index = vtk_index,
     .of_field = vti_field,
+    .of_spheres = vtk_spheres,
     .of_voxels = vti_voxels};
 
 }  // namespace arenite::io

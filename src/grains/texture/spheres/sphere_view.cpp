@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <set>
 
 #include "core/error.hpp"
@@ -111,6 +112,15 @@ std::vector<Tensor3> sphere_moments(const PackingIn<3>& packing) {
     if (!contacts.is_wall(c)) moments[contacts.j[c]] += outer(-force, contacts.lever_j(c));
   }
   return moments;
+}
+
+std::vector<double> hydrostatic_stresses(const PackingIn<3>& packing) {
+  std::vector<double> stresses;
+  for (const Tensor3& moment : sphere_moments(packing)) {
+    const double r = packing.grains.radius[stresses.size()];
+    stresses.push_back(trace(moment) / (4 * std::numbers::pi * r * r * r));
+  }
+  return stresses;
 }
 
 }  // namespace arenite::texture::spheres

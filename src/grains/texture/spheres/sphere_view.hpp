@@ -47,5 +47,7 @@ using SphereStatistic = void(const SphereView& view, Numbers& to);
 
 /// Internal moments of all spheres, N m: sum over their contacts of force (x) lever.
 std::vector<Tensor3> sphere_moments(const PackingIn<3>& packing);
+/// Hydrostatic stress of each, its moment over its volume, tension positive, Pa.
+std::vector<double> hydrostatic_stresses(const PackingIn<3>& packing);
 
 }  // namespace arenite::texture::spheres

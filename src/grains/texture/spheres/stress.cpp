@@ -91,14 +91,9 @@ void sphere_stress(const SphereView& view, Numbers& to) {
 namespace {
 
 void put_grain_stresses(const SphereView& view, Numbers& to) {
-  const std::vector<Tensor3> moments = sphere_moments(view.packing);
-  std::vector<double> hydrostatic;  // Pa, tension positive
+  std::vector<double> hydrostatic = hydrostatic_stresses(view.packing);
   double mean = 0;
-  for (std::size_t g = 0; g < moments.size(); ++g) {
-    const double r = view.packing.grains.radius[g];
-    hydrostatic.push_back(trace(moments[g]) / (4 * std::numbers::pi * r * r * r));
-    if (view.considered[g]) mean += hydrostatic[g] / static_cast<double>(view.grains.size());
-  }
+  for (const std::size_t g : view.grains) mean += hydrostatic[g] / static_cast<double>(view.grains.size());
   if (mean == 0) return;
   for (double& value : hydrostatic) value /= mean;
   constexpr DistributionNames names{"mean_Pa", "Pa", "P0", "Mean stress of the set's grains",

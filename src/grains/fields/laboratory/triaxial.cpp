@@ -1,0 +1,115 @@
+#include "grains/fields/laboratory/triaxial.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "grains/fields/steady_state.hpp"
+#include "grains/fields/test_curves.hpp"
+
+namespace arenite::fields {
+namespace {
+
+using Values = std::vector<double>;
+using statistics::described;
+
+/// The axis along which sides close at a speed, if it is the only one; -1 else.
+int closing_axis(const dem::Stage& stage) {
+  int axis = -1;
+  for (int side = 0; side < sides_in<3>; ++side) {
+    if (stage.side[static_cast<std::size_t>(side)].kind != dem::SideDrive::Kind::velocity) continue;
+    if (axis >= 0 && axis != axis_of(side)) return -1;
+    axis = axis_of(side);
+  }
+  return axis;
+}
+
+const Values* column(const History& history, int side, const char* what) {
+  return history.find(std::string(any_side_names[static_cast<std::size_t>(side)]) + what);
+}
+
+/// Extents along the axes and mean stresses on the two sides across each, row by row.
+struct Box {
+  std::array<Values, 3> size, stress;
+};
+
+std::optional<Box> box_of(const History& history) {
+  Box box;
+  std::array<Values, 3> force;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto *low = column(history, 2 * axis, "_position"), *high = column(history, 2 * axis + 1, "_position"),
+               *push = column(history, 2 * axis, "_force"), *pull = column(history, 2 * axis + 1, "_force");
+    if (!low || !high || !push || !pull || low->empty()) return {};
+    for (std::size_t k = 0; k < low->size(); ++k) {
+      box.size[axis].push_back((*high)[k] - (*low)[k]);
+      force[axis].push_back(0.5 * ((*push)[k] + (*pull)[k]));
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t k = 0; k < force[axis].size(); ++k)
+      box.stress[axis].push_back(force[axis][k] / (box.size[(axis + 1) % 3][k] * box.size[(axis + 2) % 3][k]));
+  return box;
+}
+
+}  // namespace
+
+std::optional<statistics::Columns> triaxial_curves(const SphereResult& result, const dem::Stage& stage) {
+  const int axis = closing_axis(stage);
+  const auto box = box_of(result.history);
+  if (axis < 0 || !box || result.snapshots.empty()) return {};
+  const Values& height = box->size[static_cast<std::size_t>(axis)];
+  const double solid = result.snapshots.back().packing.grains.volume();
+  Values axial, volumetric, stress, p, q, ratio, fraction;
+  const auto volume = [&](std::size_t k) { return box->size[0][k] * box->size[1][k] * box->size[2][k]; };
+  for (std::size_t k = 0; k < height.size(); ++k) {
+    const double all = box->stress[0][k] + box->stress[1][k] + box->stress[2][k];
+    stress.push_back(box->stress[static_cast<std::size_t>(axis)][k]);
+    p.push_back(all / 3);
+    q.push_back(1.5 * stress[k] - 0.5 * all);
+    ratio.push_back(p[k] > 0 ? q[k] / p[k] : statistics::unknown);
+    axial.push_back(1 - height[k] / height[0]);
+    volumetric.push_back(1 - volume(k) / volume(0));
+    fraction.push_back(solid / volume(k));
+  }
+  statistics::Columns curves;
+  curves.put("axial_strain", "", "Strain along the axis that closes, compression positive", axial);
+  curves.put("volumetric_strain", "", "Volumetric strain, compaction positive", volumetric);
+  curves.put("axial_stress", "Pa", "Mean normal stress on the two sides that close", stress);
+  curves.put("p", "Pa", "Mean of the three normal stresses on the sides", p);
+  curves.put("q", "Pa", "Axial stress less the mean of the two others", q);
+  curves.put("q_over_p", "", "Stress ratio from the forces on the sides", ratio);
+  curves.put("solid_fraction", "", "Volume of grains over that of the box", fraction);
+  return curves;
+}
+
+Numbers triaxial_numbers(const SphereResult& result, const dem::Stage& stage) {
+  Numbers numbers = Numbers::tree();
+  const auto curves = triaxial_curves(result, stage);
+  if (!curves || (*curves)["p"].size() < 20) return numbers;
+  const Values &p = (*curves)["p"], &q = (*curves)["q"], &strain = (*curves)["axial_strain"];
+  const Values mean_q = running_mean(q), mean_p = running_mean(p);
+  Values ratio;
+  for (std::size_t k = 0; k < p.size(); ++k) ratio.push_back(mean_p[k] > 0 ? mean_q[k] / mean_p[k] : 0);
+  const auto at = static_cast<std::size_t>(std::ranges::max_element(ratio) - ratio.begin());
+  numbers["peak"] = {
+      {"q_over_p", described(ratio[at], "", "Largest q/p, of its running mean over a hundredth of the rows")},
+      {"axial_strain", described(strain[at], "", "Strain along the axis there")},
+      {"volumetric_strain",
+       described((*curves)["volumetric_strain"][at], "", "Volumetric strain there, compaction positive")}};
+  if (std::ranges::any_of(p, [](double value) { return !(value > 0); })) return numbers;
+  const SteadyState of_ratio = find_steady_state((*curves)["q_over_p"]),
+                    of_fraction = find_steady_state((*curves)["solid_fraction"]);
+  if (!of_ratio.reached || !of_fraction.settled) return numbers;
+  const std::size_t first = std::max(of_ratio.first, of_fraction.first);
+  const SteadyState steady = block_average(about_ratio_of_means(q, p, first));
+  numbers["critical_state"] = {
+      {"from", described(strain[first], "", "Strain beyond which the ratio and the volume only fluctuate")},
+      {"to", described(strain.back(), "", "Last strain of the test")},
+      {"q_over_p", described({{"value", steady.mean.value}, {"error", steady.mean.error}}, "",
+                             "Mean q over mean p in the critical state, from the forces on the sides")}};
+  return numbers;
+}
+
+}  // namespace arenite::fields

@@ -1,0 +1,57 @@
+"""Samples of spheres in Python: arrays, balance, what was measured."""
+
+import numpy as np
+
+import arenite
+
+RECIPE = """
+seed = 5
+dimension = 3
+[materials.glass]
+density = "2500 kg/m^3"
+stiffness = "100 kN/m"
+[packing]
+grains = 120
+[[populations]]
+material = "glass"
+ratio = 1
+diameter = "4 mm"
+[container]
+width = "20 mm"
+depth = "20 mm"
+periodic_x = true
+periodic_y = true
+periodic_z = true
+[[stages]]
+name = "compress"
+friction = 0
+right = { pressure = "10 kPa" }
+top = { pressure = "10 kPa" }
+front = { pressure = "10 kPa" }
+"""
+
+
+def test_a_sample_of_spheres_is_arrays_of_three_components(tmp_path):
+    (tmp_path / "recipe.toml").write_text(RECIPE)
+    result = arenite.run(arenite.Recipe(tmp_path / "recipe.toml"), tmp_path / "out")
+    assert result.converged and not result.stages
+    packing, compressed = result.spheres
+    assert packing.name == "packing" and compressed.name == "compress"
+    state = compressed.states[-1]
+    assert state.position.shape == (120, 3) and len(state) == 120
+    assert not state.position.flags.writeable
+    # Each sphere is in balance, and the stress of the forces is the one that is told.
+    total = np.zeros((120, 3))
+    np.add.at(total, state.contact_i, state.force)
+    np.add.at(total, state.contact_j, -state.force)
+    assert np.linalg.norm(total, axis=1).max() < 0.02 * state.fn.mean()
+    size = np.array(state.domain["size"])
+    branch = state.position[state.contact_i] - state.position[state.contact_j]
+    branch -= size * np.round(branch / size)
+    stress = -np.einsum("ca,cb->ab", state.force, branch) / size.prod()
+    assert np.allclose(stress, compressed.numbers["stress"]["value"], rtol=1e-6, atol=1)
+    assert np.allclose(np.diag(stress), -10e3, rtol=5e-3)
+    again = arenite.open(str(tmp_path / "out"))
+    assert np.array_equal(again.spheres[-1].states[-1].position, state.position)
+    assert state.measure()["coordination"]["all"]["value"] == compressed.numbers["coordination"]["all"]["value"]
+    assert compressed.history["kinetic"].shape == compressed.history["time"].shape
