@@ -27,6 +27,12 @@ struct CheckArguments {
   bool quiet = false, json = false;
 };
 
+/// Why nothing is predicted of what a recipe makes; empty where something is.
+std::string unpredicted(const recipe::Recipe& recipe) {
+  if (recipe.map) return "its phase map is loaded, at a cost that is not predicted";
+  return recipe.dimension == 3 ? "its spheres are moved, at a cost that is not predicted" : "";
+}
+
 /// Nothing, and a sentence, where the sample of a recipe cannot be made: the recipe itself is legal.
 std::optional<workflow::Prediction> predicted(const recipe::Recipe& recipe, std::string& why_not) {
   try {
@@ -42,7 +48,8 @@ void check_simulation(const recipe::Recipe& recipe, bool json) {
   const std::string text = to_toml(recipe);
   if (!json) put(stdout, text);
   std::fflush(stdout);
-  if (recipe.map) return json ? put(stdout, to_json(Numbers::tree({{"recipe", text}}), 2) + "\n") : void();
+  if (!unpredicted(recipe).empty())
+    return json ? put(stdout, to_json(Numbers::tree({{"recipe", text}}), 2) + "\n") : void();
   std::string why_not;
   const auto prediction = predicted(recipe, why_not);
   if (json) {
@@ -124,9 +131,8 @@ void check_study(const CheckArguments& a) {
       continue;
     }
     const recipe::Recipe recipe = campaign::recipe_of(study, run);
-    PredictedRun& one = runs.emplace_back(PredictedRun{campaign::describe(run), std::nullopt,
-                                                       "its phase map is loaded, at a cost that is not predicted"});
-    if (!recipe.map) one.prediction = predicted(recipe, one.why_not), one.is_refused = !one.prediction;
+    PredictedRun& one = runs.emplace_back(PredictedRun{campaign::describe(run), std::nullopt, unpredicted(recipe)});
+    if (one.why_not.empty()) one.prediction = predicted(recipe, one.why_not), one.is_refused = !one.prediction;
     if (one.prediction) seconds += one.prediction->seconds(), bytes += one.prediction->bytes(), ++known;
   }
   const auto all = static_cast<double>(study.runs.size()) / static_cast<double>(std::max<std::size_t>(1, known));

@@ -69,7 +69,12 @@ def parts_of(result):
     ]
     return found + [
         (kind, part.name, part.numbers, part, stages)
-        for kind, parts in (("field", result.fields), ("voxels", result.voxels), ("film", result.films))
+        for kind, parts in (
+            ("field", result.fields),
+            ("voxels", result.voxels),
+            ("spheres", result.spheres),
+            ("film", result.films),
+        )
         for part in parts
     ]
 
@@ -96,7 +101,7 @@ def pairs_of(a, b):
     Raises ValueError if the two have nothing in common."""
     parts, others = parts_of(a), parts_of(b)
     pairs = [(one[1], one, other) for one in parts for other in others if one[:2] == other[:2]]
-    for kind in ("stage", "field", "voxels", "film"):
+    for kind in ("stage", "field", "voxels", "spheres", "film"):
         left, right = (
             [part for part in every if part[0] == kind and not any(part in pair[1:] for pair in pairs)]
             for every in (parts, others)

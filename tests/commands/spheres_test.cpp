@@ -153,6 +153,23 @@ TEST(Spheres, OurOwnAreCementedAndLoaded) {
   EXPECT_LT(j["modulus_Pa"].get<double>(), 4e9);
 }
 
+TEST(Spheres, ARecipeIsCheckedWithoutDoubtsAndSwept) {
+  const TemporaryFolder folder;
+  const std::string recipe = written(folder, test::small_spheres);
+  const auto checked = arenite("check " + recipe);
+  EXPECT_EQ(checked.status, 0);
+  EXPECT_EQ(checked.err, "");
+  std::ofstream(folder / "study.toml") << "base = \"recipe.toml\"\n[sweep]\nreplicates = 2\n";
+  const std::string study = (folder / "study.toml").string(), out = " --out " + (folder / "study").string();
+  const auto planned = arenite("check " + study);
+  EXPECT_EQ(planned.status, 0);
+  EXPECT_FALSE(test::contains(planned.err + planned.out, "refuse")) << planned.err << planned.out;
+  ASSERT_EQ(arenite("study run " + study + out + " --quiet").status, 0);
+  ASSERT_EQ(arenite("study collect " + study + out).status, 0);
+  const std::string table = test::slurp(folder / "study" / "numbers.csv");
+  EXPECT_TRUE(test::contains(table.substr(0, table.find('\n')), "coordination.without_rattlers")) << table;
+}
+
 TEST(Spheres, WhatSpaceDoesNotHaveIsRefusedInASentence) {
   const TemporaryFolder folder;
   const std::string recipe = written(folder, test::small_spheres);
