@@ -23,6 +23,7 @@
 #include "report/film_document.hpp"
 #include "report/number_words.hpp"
 #include "report/packing_layers.hpp"
+#include "report/sphere_document.hpp"
 #include "report/stage_doubts.hpp"
 #include "report/voxel_document.hpp"
 #include "workflow/film/film_numbers.hpp"
@@ -268,6 +269,7 @@ PageDocument page_document(const PageData& data) {
   document["snapshots"] = std::move(snapshots);
   if (!data.fields.empty()) add_fields(document, data, block, write);
   if (!data.voxels.empty()) add_volumes(document, data, block, write);
+  if (!data.spheres.empty()) add_spheres(document, data, block, write);
   for (std::size_t f = 0; f < films.size(); ++f)
     add_film(document, data.films[f], films[f] ? films[f]->texture : nullptr, block, write);
   return {to_json(document), block.text()};

@@ -12,6 +12,7 @@
 #include "support/numbers_of.hpp"
 #include "support/page_sample.hpp"
 #include "support/program.hpp"
+#include "support/small_spheres.hpp"
 #include "support/small_study.hpp"
 
 using namespace arenite;
@@ -75,6 +76,15 @@ TEST(Page, OfASampleInSpaceIsPaintedAndAnswersInABrowser) {
                   " --phases 0=void,1=matrix,2=particle --dx '10 um' --loading shear --method elements --out " + out);
   ASSERT_EQ(loaded.status, 0) << loaded.err;
   expect_in_browser("volume_page.test.mjs", out + "/report.html");
+}
+
+TEST(Page, OfASampleOfSpheresIsPaintedAndAnswersInABrowser) {
+  const test::TemporaryFolder folder;
+  io::write_atomically(folder / "triaxial.toml", test::small_triaxial);
+  const std::string out = (folder / "out").string();
+  const auto run = test::shell(ARENITE_BINARY " run " + (folder / "triaxial.toml").string() + " --out " + out);
+  ASSERT_EQ(run.status, 0) << run.err;
+  expect_in_browser("sphere_page.test.mjs", out + "/report.html");
 }
 
 TEST(Page, OfAFilmIsPaintedAndAnswersInABrowser) {
@@ -167,6 +177,7 @@ TEST(Page, OfARunUnderWayIsPaintedInABrowser) {
 
 TEST(Page, PartsWriteNumbersAndPlacesAsTheirTestsSay) {
   const std::string folder = ARENITE_SOURCE_DIR "/web/test/";
-  const auto outcome = test::shell("node --test " + folder + "parts.test.mjs " + folder + "volume_parts.test.mjs");
+  const auto outcome = test::shell("node --test " + folder + "parts.test.mjs " + folder + "volume_parts.test.mjs " +
+                                   folder + "sphere_parts.test.mjs");
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }

@@ -2,7 +2,7 @@ import { h } from "./dom.js";
 import { text } from "./text.js";
 
 /** Title, what the page is about in a line, and the button for the colours. */
-export function header(title, sample, fields, films, volumes, state) {
+export function header(title, sample, results, state) {
   const button = h("button", {
     class: "theme",
     onclick: () => state.set({ theme: state.get("theme") === "dark" ? "light" : "dark" }),
@@ -18,12 +18,13 @@ export function header(title, sample, fields, films, volumes, state) {
   return h(
     "header",
     {},
-    h("div", {}, h("h1", {}, title), h("p", {}, subtitleOf(sample, fields, films, volumes).join("  \u00b7  "))),
+    h("div", {}, h("h1", {}, title), h("p", {}, subtitleOf(sample, results).join("  \u00b7  "))),
     button,
   );
 }
 
-function subtitleOf(sample, fields, films, volumes) {
+function subtitleOf(sample, { fields, films, volumes, spheres }) {
+  if (spheres.length) return spheresSubtitle(spheres.at(-1));
   if (volumes.length) return volumeSubtitle(volumes.at(-1));
   if (films.length) return filmSubtitle(films.at(-1));
   return fields.length ? gridSubtitle(fields.at(-1).map) : subtitle(sample);
@@ -77,4 +78,12 @@ function volumeSubtitle(result) {
     !result.inVoxels && `${full.map((n) => text.number(1e3 * n * dx, 3)).join(" \u00d7 ")}\u202fmm`,
     grains > 1 && `${text.count(grains)} grains`,
   ].filter(Boolean);
+}
+
+function spheresSubtitle({ count, size, materials }) {
+  return [
+    `${text.count(count)} spheres`,
+    materials.map(text.material).join(", "),
+    `${size.map((side) => text.number(1e3 * side, 3)).join(" \u00d7 ")}\u202fmm`,
+  ];
 }

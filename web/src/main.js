@@ -10,14 +10,17 @@ import { header } from "./header.js";
 import { packingSection } from "./packing/section.js";
 import { provenance } from "./provenance.js";
 import { Sample } from "./sample.js";
+import { SphereResult } from "./spheres/result.js";
+import { sphereSection } from "./spheres/section.js";
 import { State } from "./state.js";
 import { tabs } from "./tabs.js";
 import { followTheme, preferredTheme, themeOf } from "./theme.js";
 import { VolumeResult } from "./volume/result.js";
 import { volumeSection } from "./volume/section.js";
 
-/** The packing if there is one, then every result on a grid, every film, and every sample in space. */
-function partsOf(sample, fields, films, volumes, state) {
+/** The packing if there is one, then every result on a grid, every film, every sample in space, and every stage of
+    spheres. */
+function partsOf(sample, { fields, films, volumes, spheres }, state) {
   const packing =
     sample.snapshotCount > 0 ? [{ name: "packing", title: "Packing", make: () => packingSection(sample, state) }] : [];
   return [
@@ -37,6 +40,11 @@ function partsOf(sample, fields, films, volumes, state) {
       title: titleOf(volume),
       make: () => volumeSection(volume, state, sample.about.figures.voxels),
     })),
+    ...spheres.map((stage, k) => ({
+      name: `spheres-${k}`,
+      title: titleOf(stage),
+      make: () => sphereSection(stage, state, sample.about.figures.spheres),
+    })),
   ];
 }
 
@@ -53,17 +61,24 @@ async function main() {
     const fields = (about.fields ?? []).map((field) => new FieldResult(field, maps, block, about.title));
     const films = (about.films ?? []).map((film) => new FilmResult(film, block, about.title));
     const volumes = (about.volumes ?? []).map((volume) => new VolumeResult(volume, block, about.title));
+    const spheres = (about.spheres ?? []).map((stage) => new SphereResult(stage, block, about.title));
+    const results = { fields, films, volumes, spheres };
     const state = new State({ theme: preferredTheme() }),
-      parts = partsOf(sample, fields, films, volumes, state);
+      parts = partsOf(sample, results, state);
     state.set({ tab: parts.at(-1)?.name });
     keepInAddress(state, { tab: forms.word(parts.map(({ name }) => name)) });
     if (parts.length === 0) throw new Error("this result holds no state of a packing");
     followTheme(state);
     const { elements, made } = tabs(parts, state);
     page.replaceChildren(
-      header(about.title, sample, fields, films, volumes, state),
+      header(about.title, sample, results, state),
       ...elements,
-      provenance([...sample.stages, ...[...fields, ...films, ...volumes].map((result) => result.about)]),
+      provenance([
+        ...sample.stages,
+        ...Object.values(results)
+          .flat()
+          .map((result) => result.about),
+      ]),
     );
     window.arenite = {
       state,
@@ -76,6 +91,9 @@ async function main() {
         return made.get(state.get("tab"));
       },
       get volume() {
+        return made.get(state.get("tab"));
+      },
+      get spheres() {
         return made.get(state.get("tab"));
       },
       get theme() {

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { frameOf, seenCell } from "../src/volume/ray.js";
+import { frameOf } from "../src/space/frame.js";
+import { seenCell } from "../src/volume/ray.js";
 import { VolumeResult } from "../src/volume/result.js";
 import { filling } from "../src/volume/scene.js";
 

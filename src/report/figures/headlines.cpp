@@ -119,6 +119,21 @@ std::vector<Headline> headlines_of(const VoxelResult& sample) {
   return list;
 }
 
+std::vector<Headline> headlines_of(const SphereResult& sample) {
+  std::vector<Headline> list;
+  add_known(list,
+            {{"solid fraction", "\u03c6", "solid_fraction"},
+             {"contacts without rattlers", "z", "coordination.without_rattlers"},
+             {"pressure", "p", "stress_details.pressure_Pa"}},
+            sample.texture);
+  add_known(list,
+            {{"deviator", "q", "stress_details.deviator_Pa"},
+             {"anisotropy of contacts", "a_{c}", "fabric.a_c"},
+             {"mean force", "\u27e8F_{n}\u27e9", "force.mean_N"}},
+            sample.texture);
+  return list;
+}
+
 std::vector<Headline> headlines_of(const FilmResult& film) {
   const auto plain = [](const char* words, std::string said, std::string behind = {}) {
     return Headline{words, "", "", "", std::move(said), std::move(behind)};

@@ -23,6 +23,8 @@ std::vector<Headline> headlines_of(fields::TestKind kind);
 std::vector<Headline> headlines_of(const FieldResult& field);
 /// Of a sample in space.
 std::vector<Headline> headlines_of(const VoxelResult& sample);
+/// Of a sample of spheres.
+std::vector<Headline> headlines_of(const SphereResult& sample);
 /// Of a film: six, or three where fewer are known.
 std::vector<Headline> headlines_of(const FilmResult& film);
 

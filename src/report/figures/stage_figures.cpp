@@ -88,7 +88,9 @@ Drawings wall_forces(const StageData& data) {
                                     {{"bottom_force", "bottom wall"},
                                      {"top_force", "top wall"},
                                      {"left_force", "left wall"},
-                                     {"right_force", "right wall"}},
+                                     {"right_force", "right wall"},
+                                     {"back_force", "back wall"},
+                                     {"front_force", "front wall"}},
                                     [](double) { return true; });
   if (drawing.panels.empty()) return {};
   Panel& panel = drawing.panels.front();
@@ -96,8 +98,7 @@ Drawings wall_forces(const StageData& data) {
   panel.y = {.label = "force", .unit = scale.unit};
   for (std::size_t k = 0; k < panel.series.size(); ++k) {  // equal forces of opposite walls remain visible
     panel.series[k].y = scaled(std::move(panel.series[k].y), 1 / scale.factor);
-    if (panel.series[k].colour == "line 1" || panel.series[k].colour == "line 3")
-      panel.series[k].line = drawing.key[k].line = Line::dashed;
+    if ((panel.series[k].colour.back() - '0') % 2 == 1) panel.series[k].line = drawing.key[k].line = Line::dashed;
   }
   return {drawing};
 }

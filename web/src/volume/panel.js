@@ -2,9 +2,10 @@ import { choice, toggle } from "../choice.js";
 import { h } from "../dom.js";
 import { componentChoice, isField, only, scaleChoices } from "../field/scale_controls.js";
 import { saveButtons } from "../save_buttons.js";
+import { axes } from "../space/frame.js";
+import { slider } from "../space/slider.js";
 import { text } from "../text.js";
-import { axes, levels } from "./result.js";
-import { slider } from "./slider.js";
+import { levels } from "./result.js";
 import { VolumeView } from "./view.js";
 
 /** The card with the sample in space: what its colours are, what is cut away, and the picture. */

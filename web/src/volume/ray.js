@@ -1,15 +1,4 @@
-const degree = Math.PI / 180;
 const least = 1e-6; // of a direction's components, so that none divides by zero
-
-/** The picture's directions in space: to its right, upwards, and towards the viewer, who stands at an azimuth about z
-    from x and at an elevation above the layers (degrees). */
-export function frameOf(azimuth, elevation) {
-  const [ca, sa] = [Math.cos(azimuth * degree), Math.sin(azimuth * degree)],
-    [ce, se] = [Math.cos(elevation * degree), Math.sin(elevation * degree)];
-  return { right: [-sa, ca, 0], up: [-ca * se, -sa * se, ce], towards: [ca * ce, sa * ce, se] };
-}
-
-export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 /** The first voxel that is seen along the line of sight through the point (u, v) of the picture, in voxels from the
     middle of a sample of `size`, of which `kept` voxels are left along each axis: its three indices, or null. As the

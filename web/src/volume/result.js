@@ -8,7 +8,6 @@ const mostOrdered = 8192;
 /** Parts of the codes among which a level surface is chosen. */
 export const levels = 20;
 export const phases = { empty: 0, matrix: 1, particle: 2 };
-export const axes = ["x", "y", "z"];
 
 /** A sample in space: phases and quantities of its voxels (x fastest, then y, then z), unpacked when first asked
     for. */

@@ -1,3 +1,4 @@
+import { programOf } from "../space/program.js";
 import { bytes } from "../theme.js";
 import { fragment, vertex } from "./shaders.js";
 
@@ -19,7 +20,7 @@ export class VolumeScene {
   constructor(gl, size) {
     Object.assign(this, { size, canvas: gl.canvas });
     this.#gl = gl;
-    const program = programOf(gl);
+    const program = programOf(gl, vertex, fragment, "volume");
     gl.useProgram(program);
     this.#at = (name) => gl.getUniformLocation(program, name);
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
@@ -67,23 +68,6 @@ export class VolumeScene {
     gl.uniform1i(this.#at("isSurface"), Number(isSurface));
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
-}
-
-function programOf(gl) {
-  const program = gl.createProgram();
-  for (const [kind, source] of [
-    [gl.VERTEX_SHADER, vertex],
-    [gl.FRAGMENT_SHADER, fragment],
-  ]) {
-    const shader = gl.createShader(kind);
-    gl.shaderSource(shader, source);
-    gl.compileShader(shader);
-    gl.attachShader(program, shader);
-  }
-  gl.linkProgram(program);
-  if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost())
-    throw new Error(`the shaders of the volume do not compile: ${gl.getProgramInfoLog(program)}`);
-  return program;
 }
 
 /** How much of the neighbourhood of every voxel is seen, 0 to 255: means with weights 1, 2, 1 along each axis of those

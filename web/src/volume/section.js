@@ -1,9 +1,10 @@
 import { forms } from "../address.js";
 import { choicesOf, resultSection } from "../result_section.js";
+import { axes } from "../space/frame.js";
+import { firstLook, lookForms } from "../space/view.js";
 import { volumePanel } from "./panel.js";
-import { axes, levels } from "./result.js";
+import { levels } from "./result.js";
 import { slicesCard } from "./slices.js";
-import { firstLook } from "./view.js";
 
 /** What the reader may choose on the section of a sample in space: three slices through its middle, and all of it. */
 function choices(result) {
@@ -33,9 +34,7 @@ const kept = (result) => ({
   particle: forms.truth,
   surface: forms.truth,
   level: forms.between(0, levels, true),
-  azimuth: forms.between(0, 360),
-  elevation: forms.between(-90, 90),
-  zoom: forms.between(0.5, 40),
+  ...lookForms,
   ...Object.fromEntries(axes.map((axis, a) => [axis, forms.between(0, result.size[a] - 1, true)])),
   ...Object.fromEntries(axes.map((axis, a) => [`cut${axis}`, forms.between(1, result.size[a], true)])),
 });

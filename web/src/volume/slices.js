@@ -1,12 +1,12 @@
 import { h, rich, s } from "../dom.js";
 import { fileName, savePng, saveSvg, svgText } from "../save.js";
 import { saveButtons } from "../save_buttons.js";
+import { axes } from "../space/frame.js";
+import { slider } from "../space/slider.js";
 import { themeOf } from "../theme.js";
 import { Tooltip } from "../tooltip.js";
 import { legend, legendHeight } from "./legend.js";
 import { indexOf, painted, tableOf } from "./paint.js";
-import { axes } from "./result.js";
-import { slider } from "./slider.js";
 import { voxelNumbers } from "./tooltip.js";
 
 const highest = 480; // px, the largest slice

@@ -1,11 +1,10 @@
 import { label, s } from "../dom.js";
-import { dot } from "./ray.js";
-import { axes } from "./result.js";
+import { axes } from "./frame.js";
 
 const others = (axis) => axes.map((_, a) => a).filter((a) => a !== axis);
 
 /** The edges of what is left of the sample that are not behind it, each [axis, ends, number of faces towards the
-    viewer], in voxels from the middle. */
+    viewer], from the middle. */
 function edges({ towards }, size, kept) {
   const list = [];
   for (const axis of [0, 1, 2]) {
@@ -48,8 +47,8 @@ function cuts({ towards }, size, kept, slices) {
 }
 
 /** Edges, their axes' names, and the lines of the slices, in pixels of the picture; `toScreen` takes a point of space
-    in voxels from the middle. */
-export function outline(frame, size, kept, slices, toScreen, theme) {
+    from the middle. */
+export function outline(frame, size, kept, slices, toScreen, theme, upright = 2) {
   const line = ({ ends, axis }, stroke, more) => {
     const [[x1, y1], [x2, y2]] = ends.map(toScreen);
     return s("line", { x1, y1, x2, y2, stroke, "data-axis": axes[axis], ...more });
@@ -68,12 +67,12 @@ export function outline(frame, size, kept, slices, toScreen, theme) {
         }),
       ),
     seen.map((edge) => line(edge, theme.ink, { "stroke-width": 1, "stroke-opacity": 0.65 })),
-    [0, 1, 2].map((axis) => nameOf(axis, seen, toScreen)),
+    [0, 1, 2].map((axis) => nameOf(axis, seen, toScreen, axis === upright)),
   );
 }
 
 /** The name of an axis beside its lowest edge on the rim, that of an upright one beside the edge most to the left. */
-function nameOf(axis, seen, toScreen) {
+function nameOf(axis, seen, toScreen, isUpright) {
   const rims = seen
     .filter((edge) => edge.axis === axis && edge.rim)
     .map(({ ends }) => {
@@ -81,10 +80,8 @@ function nameOf(axis, seen, toScreen) {
       return { x: (x1 + x2) / 2, y: (y1 + y2) / 2, long: Math.hypot(x2 - x1, y2 - y1) };
     });
   if (!rims.length || rims[0].long < 25) return null;
-  const best = rims.reduce((a, b) => ((axis === 2 ? b.x < a.x : b.y > a.y) ? b : a)),
+  const best = rims.reduce((a, b) => ((isUpright ? b.x < a.x : b.y > a.y) ? b : a)),
     [mx, my] = toScreen([0, 0, 0]),
     away = Math.hypot(best.x - mx, best.y - my) || 1;
   return label(best.x + (13 * (best.x - mx)) / away, best.y + (13 * (best.y - my)) / away, axes[axis], "middle");
 }
-
-export const along = ({ right, up }, point) => [dot(right, point), dot(up, point)];

@@ -1,0 +1,140 @@
+#include "report/sphere_document.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <numeric>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/mapped.hpp"
+#include "grains/texture/spheres/sphere_view.hpp"
+#include "report/figures/headlines.hpp"
+#include "report/packing_layers.hpp"
+#include "report/page_document.hpp"
+
+namespace arenite::report {
+namespace {
+
+constexpr std::size_t most_forces = 100'000;
+
+/// Those of the plane's figures that say the same of spheres, in their order on the page.
+constexpr std::array<std::string_view, 3> of_state{"contact-numbers", "forces", "sigma-norm"};
+constexpr std::array<std::string_view, 2> of_stage{"wall-forces", "equilibrium"};
+
+template <class Data, class Ids>
+std::vector<figures::Row<Data>> picked(const std::vector<figures::Row<Data>>& list, const Ids& ids) {
+  std::vector<figures::Row<Data>> rows;
+  for (const std::string_view id : ids)
+    std::ranges::copy_if(list, std::back_inserter(rows), [&](const auto& row) { return row.head.id == id; });
+  return rows;
+}
+
+Numbers sphere_heads() {
+  Numbers heads = Numbers::list();
+  for (const auto& row : picked(figures::state_figures(), of_state)) heads.push_back(figures::numbers_of(row.head));
+  for (const auto& row : picked(figures::stage_figures(), of_stage)) heads.push_back(figures::numbers_of(row.head));
+  return heads;
+}
+
+Numbers figures_of(const SphereResult& r, const Materials& materials, const figures::WriteList& write) {
+  Numbers shown = Numbers::tree();
+  if (r.texture.is_tree())
+    shown = figures::numbers_of(picked(figures::state_figures(), of_state),
+                                {r.texture, mapped(materials, &Material::name)}, write);
+  StageResult over_time;  // figures of the history are the same whatever the dimension of its states
+  over_time.name = r.name;
+  over_time.history = r.history;
+  shown.update(figures::numbers_of(picked(figures::stage_figures(), of_stage), {over_time, {}, nullptr}, write, true));
+  return shortened(std::move(shown));
+}
+
+/// Container: lowest corner and size, m; which axes are periodic, by how much the cell above is shifted along x, m, and
+/// which sides are walls.
+Numbers container_of(const Container<3>& domain) {
+  const Vec3 corner = domain.corner(), size = domain.size();
+  Numbers periodic = Numbers::list(), walls = Numbers::list();
+  for (const bool is_periodic : domain.periodic) periodic.push_back(is_periodic);
+  for (int side = 0; side < sides_in<3>; ++side)
+    walls.push_back(domain.wall[side].present && !domain.is_periodic(side));
+  return {{"corner", Numbers::list({corner.x, corner.y, corner.z})},
+          {"size", Numbers::list({size.x, size.y, size.z})},
+          {"periodic", std::move(periodic)},
+          {"tilt", domain.tilt},
+          {"walls", std::move(walls)}};
+}
+
+/// How many contacts, those with walls included, each sphere has.
+std::vector<std::uint32_t> contacts_of(const PackingIn<3>& packing) {
+  std::vector<std::uint32_t> count(packing.grains.size(), 0);
+  const ContactsIn<3>& contacts = packing.contacts;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    ++count[contacts.i[c]];
+    if (!contacts.is_wall(c)) ++count[contacts.j[c]];
+  }
+  return count;
+}
+
+/// The largest forces with the places of their spheres; walls are numbered after the spheres by their side.
+Numbers forces_of(const PackingIn<3>& packing, NumberBlock& block) {
+  const ContactsIn<3>& contacts = packing.contacts;
+  std::vector<std::size_t> order(contacts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater{}, [&](std::size_t c) { return std::abs(contacts.fn[c]); });
+  order.resize(std::min(order.size(), most_forces));
+  const auto partner = [&](std::size_t c) {
+    return contacts.is_wall(c) ? packing.grains.size() + static_cast<std::size_t>(contacts.wall_side(c))
+                               : static_cast<std::size_t>(contacts.j[c]);
+  };
+  return {{"i", block.add_indices(mapped(order, [&](std::size_t c) { return contacts.i[c]; }))},
+          {"j", block.add_indices(mapped(order, partner))},
+          {"fn", block.add_coarse(mapped(order, [&](std::size_t c) { return contacts.fn[c]; }), "N")},
+          {"all", contacts.size()}};
+}
+
+Numbers state_of(const SnapshotIn<3>& state, NumberBlock& block) {
+  const PackingIn<3>& packing = state.packing;
+  const GrainsIn<3>& grains = packing.grains;
+  Numbers out{{"label", state.label}, {"time", state.time}, {"count", grains.size()}};
+  out["container"] = container_of(packing.domain);
+  out["materials"] = materials_of(packing.materials);
+  out["id"] = block.add_integers(std::vector<std::int32_t>(grains.id.begin(), grains.id.end()));
+  out["x"] = block.add_reals(mapped(grains.position, &Vec3::x), "m");
+  out["y"] = block.add_reals(mapped(grains.position, &Vec3::y), "m");
+  out["z"] = block.add_reals(mapped(grains.position, &Vec3::z), "m");
+  out["radius"] = block.add_reals(grains.radius, "m");
+  out["material"] = block.add_indices(grains.material);
+  out["speed"] = block.add_coarse(mapped(grains.velocity, [](Vec3 v) { return norm(v); }), "m/s");
+  if (packing.contacts.size() == 0) return out;
+  out["contacts"] = block.add_indices(contacts_of(packing));
+  out["stress"] = block.add_coarse(texture::spheres::hydrostatic_stresses(packing), "Pa");
+  out["forces"] = forces_of(packing, block);
+  return out;
+}
+
+Numbers stage_of(const SphereResult& r, NumberBlock& block, const figures::WriteList& write) {
+  const Materials materials = r.snapshots.empty() ? Materials() : r.snapshots.back().packing.materials;
+  Numbers out{{"name", r.name},
+              {"converged", r.converged},
+              {"outcome", r.outcome},
+              {"provenance", provenance_of(r.provenance)},
+              {"headlines", figures::numbers_of(figures::headlines_of(r))},
+              {"figures", figures_of(r, materials, write)}};
+  add_numbers(out, r.texture.is_tree() ? r.texture : Numbers::tree());
+  if (!r.snapshots.empty()) out["state"] = state_of(r.snapshots.back(), block);
+  return out;
+}
+
+}  // namespace
+
+void add_spheres(Numbers& document, const PageData& data, NumberBlock& block, const figures::WriteList& write) {
+  document["figures"]["spheres"] = sphere_heads();
+  for (const SphereResult& result : data.spheres) document["spheres"].push_back(stage_of(result, block, write));
+}
+
+}  // namespace arenite::report

@@ -1,0 +1,64 @@
+import { bytes } from "../theme.js";
+
+const perMean = 0.09, // radius of a line over the mean radius, at the mean force
+  thinnest = 0.015,
+  thickest = 0.4;
+
+/** Strong is a force above the mean. */
+export const kindOf = (force, mean) => (force < 0 ? "tension" : force > mean ? "strong" : "weak");
+
+/** How thick a force is drawn, m. */
+export const thicknessOf = (result, force) =>
+  result.meanRadius * Math.min(thickest, Math.max(thinnest, perMean * Math.abs(force / result.meanForce)));
+
+/** The lines along which forces act: { ends: [ax, ay, az, bx, by, bz, ..] from the middle, radius, kind }. What acts
+    across a side of a periodic cell is half a line at both spheres; a wall is met straight ahead. */
+export function linesOf(result) {
+  const { forces, balls, container } = result.state,
+    ends = [],
+    radius = [],
+    kind = [];
+  const at = (g) => [0, 1, 2].map((axis) => balls[4 * g + axis]),
+    mean = result.meanForce;
+  forces.fn.forEach((force, c) => {
+    const [i, j] = [forces.i[c], forces.j[c]],
+      from = at(i);
+    for (const line of j < result.count ? between(from, at(j), container) : toWall(from, j - result.count, container)) {
+      ends.push(...line);
+      radius.push(thicknessOf(result, force));
+      kind.push(kindOf(force, mean));
+    }
+  });
+  return { ends: new Float32Array(ends), radius: new Float32Array(radius), kind };
+}
+
+/** From one sphere to the nearest image of another. */
+export function between(a, b, { size, periodic, tilt }) {
+  const way = b.map((place, axis) => place - a[axis]);
+  let crossed = false;
+  for (const axis of [2, 1, 0]) {
+    const cells = periodic[axis] ? Math.round(way[axis] / size[axis]) : 0;
+    if (cells === 0) continue;
+    crossed = true;
+    way[axis] -= cells * size[axis];
+    if (axis === 1) way[0] -= cells * tilt;
+  }
+  if (!crossed) return [[...a, ...b]];
+  const half = (from, sign) => [...from, ...from.map((place, axis) => place + (sign * way[axis]) / 2)];
+  return [half(a, 1), half(b, -1)];
+}
+
+function toWall(from, side, { size }) {
+  const axis = Math.floor(side / 2),
+    end = [...from];
+  end[axis] = (side % 2 ? 0.5 : -0.5) * size[axis];
+  return [[...from, ...end]];
+}
+
+/** RGBA of every line. */
+export function coloursOfLines({ kind }, theme) {
+  const table = Object.fromEntries(["strong", "weak", "tension"].map((name) => [name, [...bytes(theme[name]), 255]])),
+    colours = new Uint8Array(4 * kind.length);
+  kind.forEach((name, k) => colours.set(table[name], 4 * k));
+  return colours;
+}

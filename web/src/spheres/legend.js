@@ -1,0 +1,65 @@
+import { colourBar } from "../colour_bar.js";
+import { label, richSvg, s } from "../dom.js";
+import { flow, square } from "../field/legend.js";
+import { mapOf } from "../field/paint.js";
+import { scaleBar } from "../scale_bar.js";
+import { text } from "../text.js";
+import { materialColour } from "../theme.js";
+import { kindOf, thicknessOf } from "./chains.js";
+import { scaleOf } from "./paint.js";
+
+export const legendHeight = 92;
+
+const narrow = 480; // px
+
+/** The strip below the picture: what the colours mean, how thick which force is, and a bar of known length. */
+export function legend(result, state, theme, width, camera = null) {
+  const group = s("g", { "font-family": theme.font, "font-size": 11.5, fill: theme.soft }),
+    scale = scaleOf(result, state);
+  group.append(scale ? scaleKey(result, scale, theme, width) : materialKey(result, theme, width - 130));
+  if (state.get("chains") && camera) group.append(forceKey(result, theme, width, camera, scale ? 82 : 46));
+  if (camera) group.append(scaleBar(camera, theme, width));
+  return richSvg(group);
+}
+
+function scaleKey(result, scale, theme, width) {
+  const { symbol, unit } = result.quantity(scale.name);
+  return colourBar({
+    title: symbol,
+    unit,
+    scale,
+    palette: mapOf(theme, scale),
+    theme,
+    length: Math.max(150, Math.min(420, width - 150)),
+    mean: scale.mean,
+  });
+}
+
+function materialKey(result, theme, room) {
+  const counts = result.materials.map(() => 0);
+  for (const m of result.state.material) ++counts[m];
+  const entries = result.materials.map((material, m) => ({
+    m,
+    name: `${text.material(material)} (${text.count(counts[m])})`,
+  }));
+  return flow(entries, room, ({ m }, x, y) => square(x, y, materialColour(theme, m), theme));
+}
+
+function forceKey(result, theme, width, camera, y) {
+  const mean = result.meanForce,
+    group = s("g", { transform: `translate(0 ${y})` }),
+    forces = [0.5 * mean, 3 * mean, ...(result.state.forces.fn.some((force) => force < 0) ? [-mean] : [])];
+  let x = 3;
+  for (const force of forces) {
+    const name = kindOf(force, mean),
+      thick = Math.min(9, Math.max(1, 2 * thicknessOf(result, force) * camera.scale));
+    group.append(
+      s("line", { x1: x, x2: x + 20, stroke: theme[name], "stroke-width": thick, "stroke-linecap": "round" }),
+      label(x + 29, 0, name),
+    );
+    x += 46 + 6.4 * name.length;
+  }
+  const strong = `F_{n} > \u27e8F_{n}\u27e9 = ${text.quantity(mean, "N")}`;
+  group.append(label(x + 2, 0, width < narrow ? strong : `thickness \u221d F_{n};  strong: ${strong}`));
+  return group;
+}

@@ -1,0 +1,101 @@
+import { forms } from "../address.js";
+import { choice, toggle } from "../choice.js";
+import { h } from "../dom.js";
+import { only, scaleChoices } from "../field/scale_controls.js";
+import { choicesOf, resultSection } from "../result_section.js";
+import { saveButtons } from "../save_buttons.js";
+import { axes } from "../space/frame.js";
+import { slider } from "../space/slider.js";
+import { firstLook, lookForms } from "../space/view.js";
+import { text } from "../text.js";
+import { cuts } from "./result.js";
+import { SphereView } from "./view.js";
+
+const words = { material: "Material", stress: "Stress", contacts: "Contacts", speed: "Speed" };
+
+const choices = (result) => ({
+  show: result.offered[0] ?? "material",
+  around: "mean",
+  law: "linear",
+  clip: "1",
+  chains: false,
+  spheres: true,
+  ...firstLook,
+  ...Object.fromEntries(axes.map((axis) => [`cut${axis}`, cuts[1]])),
+});
+
+/** What of it is kept in the address. */
+const kept = (result) => ({
+  show: forms.word(["material", ...result.offered]),
+  ...(result.hasForces && { chains: forms.truth }),
+  spheres: forms.truth,
+  ...lookForms,
+  ...Object.fromEntries(axes.map((axis) => [`cut${axis}`, forms.between(...cuts, true)])),
+});
+
+/** A stage of a sample of spheres with its picture, figures and tables: { element, state, view, result }. */
+export function sphereSection(result, page, heads) {
+  const state = choicesOf(result, page, choices(result), kept(result)),
+    view = new SphereView(result, state);
+  const element = resultSection(result, state, heads, { panel: panelOf(result, state, view) });
+  return { element, state, view, result };
+}
+
+const isScaled = (show) => show !== "material";
+
+/** The card with the spheres: what their colours are, which are hidden, and the picture. */
+const panelOf = (result, state, view) =>
+  h(
+    "section",
+    { class: "card packing sample", "aria-label": "Spheres" },
+    h(
+      "div",
+      { class: "controls" },
+      choice(
+        "Show",
+        "show",
+        state,
+        ["material", ...result.offered].map((id) => [id, words[id]]),
+      ),
+      view.scene && saveButtons("the picture", { svg: () => view.saveSvg(), png: () => view.savePng() }),
+    ),
+    only(state, isScaled, h("div", { class: "controls second" }, scaleChoices(state, [["all", "0"]]))),
+    view.scene && h("div", { class: "controls second" }, switches(result, state), cutsOf(result, state)),
+    view.element,
+    note(result),
+  );
+
+const switches = (result, state) =>
+  h(
+    "div",
+    { class: "choice overlays" },
+    result.hasForces && [
+      toggle("Forces", "chains", state, "Lines between spheres as thick as their normal force; spheres are pale"),
+      toggle("Spheres", "spheres", state, "Off: the spheres are not drawn"),
+    ],
+  );
+
+const cutsOf = (result, state) =>
+  h(
+    "div",
+    { class: "cuts" },
+    axes.map((axis, a) =>
+      slider(
+        `${axis}\u2009\u2264`,
+        `Spheres whose centres lie beyond along ${axis} are hidden; counted from the lowest corner`,
+        `cut${axis}`,
+        state,
+        cuts,
+        (cut) => result.length(a, cut),
+      ),
+    ),
+  );
+
+function note({ state: { forces } }) {
+  if (!forces || forces.all === forces.fn.length) return null;
+  return h(
+    "p",
+    { class: "caption note" },
+    `Of ${text.count(forces.all)} forces the ${text.count(forces.fn.length)} largest are drawn.`,
+  );
+}

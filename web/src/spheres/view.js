@@ -1,0 +1,139 @@
+import { s } from "../dom.js";
+import { fileName } from "../save.js";
+import { axes } from "../space/frame.js";
+import { outline } from "../space/outline.js";
+import { SpaceView } from "../space/view.js";
+import { coloursOfLines, linesOf } from "./chains.js";
+import { legend, legendHeight } from "./legend.js";
+import { coloursOf, painted } from "./paint.js";
+import { SphereScene } from "./scene.js";
+import { seenSphere } from "./seen.js";
+import { sphereNumbers } from "./tooltip.js";
+
+const without = "This browser has no WebGL2, which the picture in space needs; the figures show the same state.";
+const fog = 0.5; // opacity of all spheres behind one another while forces are shown
+
+/** The spheres as they are seen from a side, without those whose centres lie beyond the cuts. */
+export class SphereView extends SpaceView {
+  constructor(result, state) {
+    super(state, {
+      name: "spheres",
+      label: "The spheres in space",
+      without,
+      margin: 6,
+      key: "key sphere-key",
+      legendHeight,
+      parts: ["balls", "colours", "lines"],
+      makeScene: (canvas) => SphereScene.on(canvas),
+    });
+    this.result = result;
+    state.watch(painted, () => this.refresh("colours", "lines"));
+    state.watch(["chains", "spheres"], () => this.refresh("lines"));
+  }
+
+  get size() {
+    return this.result.size;
+  }
+  get upright() {
+    return 1;
+  }
+  get spacing() {
+    return 1;
+  }
+  /** Along each axis, from the middle. */
+  get kept() {
+    return axes.map((axis, a) => this.result.place(a, this.state.get(`cut${axis}`)));
+  }
+  /** Spheres may lie somewhat outside of their container. */
+  get reach() {
+    return (this.furthest ??= furthestOf(this.result) + Math.hypot(...this.size) / 2);
+  }
+  get pale() {
+    if (!this.state.get("spheres")) return 0;
+    return this.state.get("chains") ? fog / Math.cbrt(Math.max(1, this.result.count)) : 1;
+  }
+
+  update(stale) {
+    const { scene, result, state, theme } = this;
+    if (stale.size > 0) this.keptLegend = null;
+    if (!scene) return;
+    if (stale.has("balls")) {
+      scene.spheres.set("ball", result.state.balls);
+      scene.spheres.count = result.count;
+    }
+    if (stale.has("colours")) scene.spheres.set("colour", coloursOf(result, state, theme));
+    if (stale.has("lines") && state.get("chains")) this.#setLines();
+  }
+
+  #setLines() {
+    const { lines } = this.scene;
+    if (!this.forces) {
+      this.forces = linesOf(this.result);
+      lines.set("ends", this.forces.ends);
+      lines.set("radius", this.forces.radius);
+      lines.count = this.forces.kind.length;
+    }
+    lines.set("colour", coloursOfLines(this.forces, this.theme));
+  }
+
+  paint(pixelRatio = this.pixelRatio) {
+    const { camera, state, theme } = this;
+    this.scene?.draw({
+      frame: this.frame,
+      kept: this.kept,
+      scale: camera.scale * pixelRatio,
+      middle: [camera.x, camera.y],
+      reach: this.reach,
+      card: theme.card,
+      glow: theme.name === "dark" ? 0.12 : 0,
+      lineGlow: theme.name === "dark" ? 0 : 0.45,
+      pale: this.pale,
+      withLines: state.get("chains"),
+    });
+  }
+
+  outline() {
+    const kept = this.size.map((side, a) => Math.min(side, this.kept[a] + side / 2));
+    return outline(this.frame, this.size, kept, null, this.toScreen, this.theme, this.upright);
+  }
+
+  drawOverlay() {
+    super.drawOverlay();
+    if (this.picked === null) return;
+    const [x, y, z, r] = this.result.state.balls.subarray(4 * this.picked),
+      [cx, cy] = this.toScreen([x, y, z]);
+    this.over.append(
+      s("circle", { cx, cy, r: r * this.camera.scale, fill: "none", stroke: this.theme.ink, "stroke-width": 2 }),
+    );
+  }
+
+  newLegend(less = 0) {
+    return legend(this.result, this.state, this.theme, this.camera.width - less, this.scene && this.camera);
+  }
+
+  /** The sphere that is seen at a place of the picture, or null. */
+  sphereAt(place) {
+    if (!this.state.get("spheres")) return null;
+    return seenSphere(this.frame, this.camera.toWorld(...place), this.result.state.balls, this.kept);
+  }
+
+  pick(place) {
+    const sphere = this.sphereAt(place);
+    if (sphere === null) return this.unpick();
+    const isNew = this.picked !== sphere;
+    this.picked = sphere;
+    if (isNew) this.drawOverlay();
+    this.tooltip.write(sphereNumbers(this.result, sphere, this.theme), place);
+  }
+
+  get name() {
+    return fileName(this.result.title, this.result.name, this.state.get("show"));
+  }
+}
+
+function furthestOf({ count, state: { balls } }) {
+  let most = 0;
+  for (let g = 0; g < count; ++g)
+    most = Math.max(most, Math.hypot(balls[4 * g], balls[4 * g + 1], balls[4 * g + 2]) + balls[4 * g + 3]);
+  return most;
+}

@@ -1,0 +1,45 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { dot, frameOf } from "../src/space/frame.js";
+import { between, kindOf } from "../src/spheres/chains.js";
+import { seenSphere } from "../src/spheres/seen.js";
+
+const close = (a, b) => a.length === b.length && a.every((v, k) => Math.abs(v - b[k]) < 1e-12);
+
+test("with y upright a viewer in front sees x to the right and y upwards", () => {
+  const { right, up, towards } = frameOf(0, 0, 1);
+  assert.ok(close(right, [1, 0, 0]) && close(up, [0, 1, 0]) && close(towards, [0, 0, 1]));
+  const { right: r, up: u, towards: t } = frameOf(31, 17, 1);
+  const cross = [r[1] * u[2] - r[2] * u[1], r[2] * u[0] - r[0] * u[2], r[0] * u[1] - r[1] * u[0]];
+  assert.ok(close(cross, t), "right-handed");
+  assert.ok(Math.abs(dot(r, u)) < 1e-12);
+});
+
+test("a line across a side of a periodic cell is half a line at both spheres, shifted in a sheared cell", () => {
+  const cell = { size: [10, 8, 6], periodic: [true, true, false], tilt: 1.5 };
+  assert.deepEqual(between([1, 0, 0], [2, 0, 0], cell), [[1, 0, 0, 2, 0, 0]]);
+  const [a, b] = between([-4.5, 0, 0], [4.5, 0, 0], cell);
+  assert.ok(close(a, [-4.5, 0, 0, -5, 0, 0]) && close(b, [4.5, 0, 0, 5, 0, 0]));
+  // Above the cell lies its image 1.5 to the right: from y = 3.5 upwards to y = -3.5 of the image.
+  const [c, d] = between([0, 3.5, 0], [-1.5, -3.5, 0], cell);
+  assert.ok(close(c, [0, 3.5, 0, 0, 4, 0]) && close(d, [-1.5, -3.5, 0, -1.5, -4, 0]));
+  assert.equal(between([0, 0, -2.9], [0, 0, 2.9], cell).length, 1, "z is not periodic");
+});
+
+test("a line of sight meets the sphere in front, unless that is cut away", () => {
+  const balls = new Float32Array([0, 0, 0, 1, 0.5, 0, 1.5, 1, 0, 3, 0, 1]),
+    all = [Infinity, Infinity, Infinity],
+    front = frameOf(0, 0, 1);
+  assert.equal(seenSphere(front, [0, 0], balls, all), 1);
+  assert.equal(seenSphere(front, [-0.7, 0], balls, all), 0);
+  assert.equal(seenSphere(front, [0, 0], balls, [Infinity, Infinity, 1]), 0);
+  assert.equal(seenSphere(front, [1.6, 0], balls, all), null);
+  assert.equal(seenSphere(frameOf(180, 0, 1), [0, 0], balls, all), 0, "from behind");
+});
+
+test("a force above the mean is strong, one below 0 pulls", () => {
+  assert.deepEqual(
+    [2, 0.5, -3].map((force) => kindOf(force, 1)),
+    ["strong", "weak", "tension"],
+  );
+});
