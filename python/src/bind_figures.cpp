@@ -219,6 +219,12 @@ void bind_figures(py::module_& m) {
       },
       py::arg("volume"));
   m.def(
+      "_figures_of_part",
+      [](const SphereResult& stage) {
+        return drawn([&] { return figures::numbers_of(figures::sphere_figures(), stage, figures::whole_list); });
+      },
+      py::arg("spheres"));
+  m.def(
       "_figures_of_part", [](const FilmResult& film) { return drawn([&] { return of_film(film); }); }, py::arg("film"));
 }
 

@@ -15,6 +15,7 @@
 #include "core/mapped.hpp"
 #include "grains/texture/spheres/sphere_view.hpp"
 #include "report/figures/headlines.hpp"
+#include "report/figures/run_figures.hpp"
 #include "report/packing_layers.hpp"
 #include "report/page_document.hpp"
 
@@ -22,37 +23,6 @@ namespace arenite::report {
 namespace {
 
 constexpr std::size_t most_forces = 100'000;
-
-/// Those of the plane's figures that say the same of spheres, in their order on the page.
-constexpr std::array<std::string_view, 3> of_state{"contact-numbers", "forces", "sigma-norm"};
-constexpr std::array<std::string_view, 2> of_stage{"wall-forces", "equilibrium"};
-
-template <class Data, class Ids>
-std::vector<figures::Row<Data>> picked(const std::vector<figures::Row<Data>>& list, const Ids& ids) {
-  std::vector<figures::Row<Data>> rows;
-  for (const std::string_view id : ids)
-    std::ranges::copy_if(list, std::back_inserter(rows), [&](const auto& row) { return row.head.id == id; });
-  return rows;
-}
-
-Numbers sphere_heads() {
-  Numbers heads = Numbers::list();
-  for (const auto& row : picked(figures::state_figures(), of_state)) heads.push_back(figures::numbers_of(row.head));
-  for (const auto& row : picked(figures::stage_figures(), of_stage)) heads.push_back(figures::numbers_of(row.head));
-  return heads;
-}
-
-Numbers figures_of(const SphereResult& r, const Materials& materials, const figures::WriteList& write) {
-  Numbers shown = Numbers::tree();
-  if (r.texture.is_tree())
-    shown = figures::numbers_of(picked(figures::state_figures(), of_state),
-                                {r.texture, mapped(materials, &Material::name)}, write);
-  StageResult over_time;  // figures of the history are the same whatever the dimension of its states
-  over_time.name = r.name;
-  over_time.history = r.history;
-  shown.update(figures::numbers_of(picked(figures::stage_figures(), of_stage), {over_time, {}, nullptr}, write, true));
-  return shortened(std::move(shown));
-}
 
 /// Container: lowest corner and size, m; which axes are periodic, by how much the cell above is shifted along x, m, and
 /// which sides are walls.
@@ -118,13 +88,12 @@ Numbers state_of(const SnapshotIn<3>& state, NumberBlock& block) {
 }
 
 Numbers stage_of(const SphereResult& r, NumberBlock& block, const figures::WriteList& write) {
-  const Materials materials = r.snapshots.empty() ? Materials() : r.snapshots.back().packing.materials;
   Numbers out{{"name", r.name},
               {"converged", r.converged},
               {"outcome", r.outcome},
               {"provenance", provenance_of(r.provenance)},
               {"headlines", figures::numbers_of(figures::headlines_of(r))},
-              {"figures", figures_of(r, materials, write)}};
+              {"figures", shortened(figures::numbers_of(figures::sphere_figures(), r, write, true))}};
   add_numbers(out, r.texture.is_tree() ? r.texture : Numbers::tree());
   if (!r.snapshots.empty()) out["state"] = state_of(r.snapshots.back(), block);
   return out;
@@ -133,7 +102,6 @@ Numbers stage_of(const SphereResult& r, NumberBlock& block, const figures::Write
 }  // namespace
 
 void add_spheres(Numbers& document, const PageData& data, NumberBlock& block, const figures::WriteList& write) {
-  document["figures"]["spheres"] = sphere_heads();
   for (const SphereResult& result : data.spheres) document["spheres"].push_back(stage_of(result, block, write));
 }
 

@@ -23,7 +23,7 @@ def a_result(texture, name="load", title="a sample"):
         snapshots=[],
         provenance={"recipe": f'title = "{title}"\n[contact]\nfriction = 0.{len(title)}\n'},
     )
-    return types.SimpleNamespace(stages=[stage], fields=[], films=[], voxels=[], path="", title=title)
+    return types.SimpleNamespace(stages=[stage], fields=[], films=[], voxels=[], spheres=[], path="", title=title)
 
 
 def measured(value, error=None):
@@ -87,7 +87,7 @@ def test_parts_are_paired_by_name_and_others_by_their_place():
     assert [name for name, *_ in compare.pairs_of(one, other)] == ["load / press"]
     (row,) = compare.rows(one, other)
     assert (row.part, row.name, row.difference) == ("load / press", "z", 1) and row.error == pytest.approx(0.02**0.5)
-    nothing = types.SimpleNamespace(stages=[], fields=[], films=[], voxels=[])
+    nothing = types.SimpleNamespace(stages=[], fields=[], films=[], voxels=[], spheres=[])
     with pytest.raises(ValueError, match="nothing in common: one holds load, the other nothing measured"):
         compare.pairs_of(one, nothing)
 

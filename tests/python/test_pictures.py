@@ -72,7 +72,7 @@ def test_densities_have_a_file_for_each_component_and_rows_over_the_sample_and_t
 
 def test_a_map_that_was_loaded_shows_its_phases_and_cavities(result):
     field = arenite.load(result.fields[0].map, tolerance=1e-2)
-    alone = types.SimpleNamespace(stages=[], fields=[field, field], films=[], voxels=[])
+    alone = types.SimpleNamespace(stages=[], fields=[field, field], films=[], voxels=[], spheres=[])
     names = [figure.name for figure, _ in figures.figures_of(alone)]
     assert names.count("phases") == names.count("cavities") == 1 and names.count("stress") == 2
 

@@ -119,6 +119,7 @@ figures = [
     Figure("stress", "voxels", volumes.of_stress, volumes.is_loaded, volumes.height_of(volumes.stresses), True),
     Figure("displacement", "voxels", volumes.of_displacement, volumes.is_loaded, volumes.height_of(1), True),
     *all_described("voxels", {}),
+    *all_described("spheres", {}),
 ]
 
 

@@ -45,10 +45,12 @@ def states_of(result, stage=None, state=None):
 
 def parts_of(result, stage=None, state=None):
     """(kind, part) of the drawable parts of a result."""
-    names = [part.name for part in [*result.stages, *result.fields, *result.films, *result.voxels]]
+    names = [part.name for part in [*result.stages, *result.spheres, *result.fields, *result.films, *result.voxels]]
     if stage is not None and stage not in names:
         raise ValueError(f"there is no stage {stage}; there are {', '.join(names)}")
     yield from (("stage", shown) for shown in states_of(result, stage, state))
+    yield from (("spheres", spheres) for spheres in result.spheres[-1:] if stage is None)
+    yield from (("spheres", spheres) for spheres in result.spheres if spheres.name == stage)
     yield from (("field", field) for field in result.fields if stage in (None, field.name))
     yield from (("film", film) for film in result.films if stage in (None, film.name))
     yield from (("voxels", sample) for sample in result.voxels if stage in (None, sample.name))

@@ -250,23 +250,16 @@ std::vector<Head> packing_heads() {
                    "boundary-forces", "travel",          "energies",  "equilibrium"});
 }
 
-std::vector<Head> field_heads() {
+template <class Data> std::vector<Head> heads_of(const std::vector<Row<Data>>& list) {
   std::vector<Head> all;
-  add_heads(all, field_figures());
+  add_heads(all, list);
   return all;
 }
 
-std::vector<Head> voxel_heads() {
-  std::vector<Head> all;
-  add_heads(all, voxel_figures());
-  return all;
-}
-
-std::vector<Head> heads_over_runs() {
-  std::vector<Head> all;
-  add_heads(all, figures_over_runs());
-  return all;
-}
+std::vector<Head> field_heads() { return heads_of(field_figures()); }
+std::vector<Head> voxel_heads() { return heads_of(voxel_figures()); }
+std::vector<Head> sphere_heads() { return heads_of(sphere_figures()); }
+std::vector<Head> heads_over_runs() { return heads_of(figures_over_runs()); }
 
 std::vector<Head> film_heads() {
   std::vector<Head> all{film_maps, film_fit};
@@ -282,6 +275,7 @@ Numbers heads_of_parts() {
   return {{"stage", all(packing_heads())},
           {"field", all(field_heads())},
           {"voxels", all(voxel_heads())},
+          {"spheres", all(sphere_heads())},
           {"film", all(film_heads())}};
 }
 

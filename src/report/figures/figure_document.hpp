@@ -42,8 +42,9 @@ Numbers numbers_of(const std::vector<Row<Data>>& list, const Data& data, const W
 std::vector<Head> packing_heads();
 std::vector<Head> field_heads();
 std::vector<Head> voxel_heads();
+std::vector<Head> sphere_heads();
 std::vector<Head> film_heads();
-/// All of these as {"stage", "field", "voxels", "film"}: the one list of page and print.
+/// All of these as {"stage", "field", "voxels", "spheres", "film"}: the one list of page and print.
 Numbers heads_of_parts();
 /// Of several results, which have no cards.
 std::vector<Head> heads_over_runs();

@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include "core/mapped.hpp"
 #include "grains/packing/population.hpp"
+#include "report/figures/stage_figures.hpp"
+#include "report/figures/state_figures.hpp"
 
 namespace arenite::report::figures {
 namespace {
@@ -107,6 +112,41 @@ const std::vector<Row<RunData>>& run_figures() {
         true},
        stress_path}};
   return list;
+}
+
+namespace {
+
+/// Those of disks that say the same of spheres.
+constexpr const char *of_spheres[] = {"contact-numbers", "forces", "sigma-norm"},
+                     *over_time[] = {"wall-forces", "equilibrium"};
+
+template <class Data> const Row<Data>& row_of(const std::vector<Row<Data>>& list, std::string_view id) {
+  return *std::ranges::find_if(list, [&](const Row<Data>& row) { return row.head.id == id; });
+}
+
+template <std::size_t k> Drawings draw_state(const SphereResult& stage) {
+  if (!stage.texture.is_tree() || stage.snapshots.empty()) return {};
+  const auto names = mapped(stage.snapshots.back().packing.materials, &Material::name);
+  return row_of(state_figures(), of_spheres[k]).draw({stage.texture, names});
+}
+
+/// Figures of the history are the same whatever the dimension of its states.
+template <std::size_t k> Drawings draw_history(const SphereResult& stage) {
+  StageResult rows;
+  rows.name = stage.name;
+  rows.history = stage.history;
+  return row_of(stage_figures(), over_time[k]).draw({rows, {}, nullptr});
+}
+
+}  // namespace
+
+const std::vector<Row<SphereResult>>& sphere_figures() {
+  static const std::vector<Row<SphereResult>> all{{row_of(state_figures(), of_spheres[0]).head, draw_state<0>},
+                                                  {row_of(state_figures(), of_spheres[1]).head, draw_state<1>},
+                                                  {row_of(state_figures(), of_spheres[2]).head, draw_state<2>},
+                                                  {row_of(stage_figures(), over_time[0]).head, draw_history<0>},
+                                                  {row_of(stage_figures(), over_time[1]).head, draw_history<1>}};
+  return all;
 }
 
 }  // namespace arenite::report::figures

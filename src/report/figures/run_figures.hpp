@@ -17,4 +17,7 @@ struct RunData {
 /// Figures of a run as a whole.
 const std::vector<Row<RunData>>& run_figures();
 
+/// Figures of a stage of spheres: those of disks that say the same of them, by its numbers and its history.
+const std::vector<Row<SphereResult>>& sphere_figures();
+
 }  // namespace arenite::report::figures
