@@ -23,15 +23,20 @@ namespace {
 
 using Method = recipe::PackingParameters::Method;
 
+/// Its sides, and along which axes it is periodic.
+template <int D> void give_sides(Container<D>& domain, const recipe::ContainerParameters& container) {
+  const double size[] = {container.width, container.height, container.depth};
+  for (int axis = 0; axis < D; ++axis) {
+    domain.periodic[axis] = container.periodic[axis];
+    domain.wall[2 * axis].present = domain.wall[2 * axis + 1].present = !container.periodic[axis];
+    domain.wall[2 * axis + 1].position = size[axis];
+  }
+}
+
 Domain container_of(const recipe::Recipe& recipe) {
-  const recipe::ContainerParameters& container = recipe.container;
   Domain domain;
-  domain.thickness = container.thickness;
-  domain.periodic[0] = container.periodic[0];
-  domain.periodic[1] = container.periodic[1];
-  for (int side = 0; side < sides; ++side) domain.wall[side].present = !container.is_periodic(side);
-  domain.wall[right].position = container.width;
-  domain.wall[top].position = container.height;
+  give_sides(domain, recipe.container);
+  domain.thickness = recipe.container.thickness;
   domain.boundaries = recipe.boundaries;
   for (Boundary& boundary : domain.boundaries) boundary.centre = mean_point(boundary.points);
   return domain;
@@ -112,17 +117,6 @@ std::string sample(const recipe::Recipe& recipe, Packing& packing) {
       classes.law.volume_ratio, 100 * report.volume_ratio_error, 1e3 * report.gap, left_out, report.solid_fraction);
 }
 
-Container<3> container_in_space(const recipe::Recipe& recipe) {
-  const recipe::ContainerParameters& container = recipe.container;
-  Container<3> domain;
-  domain.periodic = container.periodic;
-  for (int side = 0; side < sides_in<3>; ++side) domain.wall[side].present = !container.is_periodic(side);
-  domain.wall[right].position = container.width;
-  domain.wall[top].position = container.height;
-  domain.wall[front].position = container.depth;
-  return domain;
-}
-
 }  // namespace
 
 SphereResult make_sphere_packing(const recipe::Recipe& recipe) {
@@ -132,7 +126,7 @@ SphereResult make_sphere_packing(const recipe::Recipe& recipe) {
   snapshot.label = "start";
   PackingIn<3>& packing = snapshot.packing;
   packing.materials = recipe.materials;
-  packing.domain = container_in_space(recipe);
+  give_sides(packing.domain, recipe.container);
   packing.grains = packing::draw_spheres(recipe.populations, recipe.materials, recipe.packing.grains, recipe.seed);
   if (!(recipe.container.height > 0))
     packing.domain.wall[top].position =

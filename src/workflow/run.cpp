@@ -264,11 +264,7 @@ std::optional<SphereResult> load_stage(const GrainStageIn<3>& stage, dem::Engine
   now.increments = loading.duration ? 0 : dem::increment_count(loading);
   while (!run.finished) {
     dem::continue_stage(engine, loading, run);
-    now.share = dem::share_done(loading, run);
-    now.increment = std::min(run.increment + 1, now.increments);
-    now.unbalanced_ratio = run.latest.unbalanced_ratio;
-    now.step = engine.step;
-    now.time = dem::time_of<3>(engine);
+    note_progress(engine, loading, run, now);
     options.progress(now);
     if (run.finished || !times.is_due()) continue;
     keep(engine, run, stage.hash, checkpoint);

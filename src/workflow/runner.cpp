@@ -119,10 +119,24 @@ void keep(const dem::EngineIn<D>& engine, const dem::StageRunIn<D>& run, const s
   if (!file.empty()) io::write_checkpoint(file, to_checkpoint(engine, run, key));
 }
 
+template <int D>
+void note_progress(const dem::EngineIn<D>& engine, const dem::Stage& stage, const dem::StageRunIn<D>& run,
+                   Progress& progress) {
+  progress.share = dem::share_done(stage, run);
+  if (stage.duration && !run.finished)
+    progress.share = std::max(
+        progress.share, std::min(0.999, static_cast<double>(run.steps_in_increment) * engine.dt / *stage.duration));
+  progress.increment = std::min(run.increment + 1, progress.increments);
+  progress.unbalanced_ratio = run.latest.unbalanced_ratio;
+  progress.step = engine.step;
+  progress.time = dem::time_of<D>(engine);
+}
+
 #define ARENITE_OF(D)                                                                                                  \
   template dem::StageRunIn<D> begun_or_kept(dem::EngineIn<D>&, const dem::Stage&, const std::string&, const fs::path&, \
                                             const RunOptions&);                                                        \
-  template void keep(const dem::EngineIn<D>&, const dem::StageRunIn<D>&, const std::string&, const fs::path&);
+  template void keep(const dem::EngineIn<D>&, const dem::StageRunIn<D>&, const std::string&, const fs::path&);         \
+  template void note_progress(const dem::EngineIn<D>&, const dem::Stage&, const dem::StageRunIn<D>&, Progress&);
 ARENITE_OF(2)
 ARENITE_OF(3)
 #undef ARENITE_OF

@@ -163,6 +163,11 @@ template <int D>
 void keep(const dem::EngineIn<D>& engine, const dem::StageRunIn<D>& run, const std::string& key,
           const std::filesystem::path& file);
 
+/// Where a stage of loading by discrete elements stands; finer than by the states that it stores.
+template <int D>
+void note_progress(const dem::EngineIn<D>& engine, const dem::Stage& stage, const dem::StageRunIn<D>& run,
+                   Progress& progress);
+
 /// Where a killed test stood by its file, and how this one is kept there.
 FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const std::string& key,
                                      const RunOptions& options);

@@ -8,6 +8,7 @@
 #include "core/hash.hpp"
 #include "core/problems.hpp"
 #include "grains/fields/regime/prediction.hpp"
+#include "workflow/runner.hpp"
 
 namespace arenite::workflow {
 namespace {
@@ -117,16 +118,9 @@ void StageWatch::call() {
 }
 
 void StageWatch::show() {
-  progress_.share = dem::share_done(now_.stage(), run_);
-  if (const auto duration = now_.stage().duration; duration && !run_.finished)  // finer than by the states stored
-    progress_.share = std::max(progress_.share,
-                               std::min(0.999, static_cast<double>(run_.steps_in_increment) * engine_.dt / *duration));
+  note_progress(engine_, now_.stage(), run_, progress_);
   if (!progress_.settles && !run_.finished)
     progress_.share = static_cast<double>(run_.increment) / static_cast<double>(progress_.increments);
-  progress_.increment = std::min(run_.increment + 1, progress_.increments);
-  progress_.unbalanced_ratio = run_.latest.unbalanced_ratio;
-  progress_.step = engine_.step;
-  progress_.time = time_of(engine_);
   progress_.wall = engine_.domain.wall;
   options_.progress(progress_);
 }

@@ -4,55 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "grains/texture/partners.hpp"
 #include "grains/texture/view.hpp"
 
 namespace arenite::texture {
 namespace {
 
-/// Contacts with other grains of every grain, by the partner's material.
-struct Partners {
-  explicit Partners(const View& view) : kinds(view.packing.materials.size()) {
-    for (const auto m : view.packing.grains.material) kinds = std::max(kinds, static_cast<std::size_t>(m) + 1);
-    count.assign(view.packing.grains.size() * kinds, 0);
-    bearing.assign(view.packing.grains.size(), 0);
-    const auto& contacts = view.pairs();
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-      if (contacts.is_wall(c)) continue;
-      const auto i = static_cast<std::size_t>(contacts.i[c]), j = static_cast<std::size_t>(contacts.j[c]);
-      ++count[i * kinds + static_cast<std::size_t>(view.material(j))];
-      ++count[j * kinds + static_cast<std::size_t>(view.material(i))];
-      if (view.rattler[i] || view.rattler[j]) continue;
-      ++bearing[i];
-      ++bearing[j];
-    }
-  }
-  double with(std::size_t grain, int m) const { return count[grain * kinds + static_cast<std::size_t>(m)]; }
-  double all(std::size_t grain) const {
-    double sum = 0;
-    for (std::size_t m = 0; m < kinds; ++m) sum += count[grain * kinds + m];
-    return sum;
-  }
-
-  std::size_t kinds;
-  std::vector<int> count;    ///< [grain * kinds + material]
-  std::vector<int> bearing;  ///< contacts that remain without rattlers
-};
-
 /// Mean over the considered grains of material m (any material for m < 0) of a value of each.
 template <class Value> Estimate grain_mean(const View& view, int m, Value value) {
   return mean(m < 0 ? view.grains : view.grains_of(m), view.grain_block, value);
-}
-
-/// Ratio of two sums over the considered grains.
-template <class Top, class Under> Estimate ratio(const View& view, Top top, Under under) {
-  const auto add = [&](std::size_t g, double* sums) {
-    sums[0] += top(g);
-    sums[1] += under(g);
-  };
-  const auto quotient = [](const std::vector<double>& s) {
-    return std::vector<double>{s[1] > 0 ? s[0] / s[1] : unknown};
-  };
-  return jackknife_of_sums(view.grains, view.grain_block, 2, add, quotient)[0];
 }
 
 /// Mean number of other grains that a grain touches, in however many contacts.
@@ -94,7 +54,7 @@ void put_by_material(Numbers& j, const View& view, const Partners& partners) {
       };
       const std::string name = view.material_name(x) + "-" + view.material_name(y);
       parts.emplace_back(name, grain_mean(view, -1, ends));
-      share.emplace_back(name, ratio(view, ends, all));
+      share.emplace_back(name, ratio_of_sums(view, ends, all));
     }
   put(j, "rattlers", grain_mean(view, -1, [&](std::size_t g) { return view.rattler[g] ? 1.0 : 0.0; }), "",
       "Fraction of grains with fewer than two force-bearing contacts", Trait::by_forces);
@@ -109,27 +69,18 @@ void put_by_material(Numbers& j, const View& view, const Partners& partners) {
 /// sample without border is 2 N_c/N_p; contacts with walls are not counted. Of grains that are no disks "all,
 /// neighbours" as well, which counts two grains that meet in several contacts once.
 void coordination(const View& view, Texture& texture) {
-  const Partners partners(view);
+  const Partners partners(view.packing, view.rattler);
   Numbers& j = texture.numbers["coordination"] = Numbers::tree();
-  std::vector<double> histogram;
   for (std::size_t g = 0; g < view.packing.grains.size(); ++g)
     texture.per_grain.contacts.push_back(static_cast<std::int32_t>(partners.all(g)));
-  for (const std::size_t g : view.grains) {
-    const auto k = static_cast<std::size_t>(texture.per_grain.contacts[g]);
-    if (histogram.size() <= k) histogram.resize(k + 1, 0.0);
-    histogram[k] += 1.0 / static_cast<double>(view.grains.size());
-  }
   if (!view.grains.empty()) {
-    const auto bears = [&](std::size_t g) { return view.rattler[g] ? 0.0 : 1.0; };
     put(j, "all", grain_mean(view, -1, [&](std::size_t g) { return partners.all(g); }), "", mean_number);
-    put(j, "without_rattlers",
-        ratio(
-            view, [&](std::size_t g) { return bears(g) * partners.bearing[g]; }, bears),
-        "", mean_number, Trait::by_forces);
+    put(j, "without_rattlers", mean_without_rattlers(view, partners), "", mean_number, Trait::by_forces);
     if (!view.packing.grains.shapes.empty()) put(j, "all, neighbours", neighbours(view), "", mean_number);
     put_by_material(j, view, partners);
   }
-  put(j, "histogram", histogram, "", "Fraction of grains with 0, 1, 2, .. contacts", Trait::detail);
+  put(j, "histogram", partners.histogram(view.grains), "", "Fraction of grains with 0, 1, 2, .. contacts",
+      Trait::detail);
 }
 
 }  // namespace arenite::texture

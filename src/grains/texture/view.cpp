@@ -133,9 +133,9 @@ Vec2 View::contact_point(std::size_t c) const {
   return packing.domain.wrapped(packing.grains.position[pairs().i[c]] + pairs().lever_i(c));
 }
 
-std::string View::material_name(int m) const {
+std::string name_of_material(const Materials& materials, int m) {
   const auto index = static_cast<std::size_t>(m);
-  return index < packing.materials.size() ? packing.materials[index].name : "material " + std::to_string(m);
+  return index < materials.size() ? materials[index].name : "material " + std::to_string(m);
 }
 
 std::vector<int> View::materials() const { return present(grains, packing.grains.material); }

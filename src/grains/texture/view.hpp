@@ -27,6 +27,9 @@ using statistics::put_angle;
 using statistics::standard_error;
 using statistics::whole_turn;
 
+/// Name of a material, or "material 3" where it has none.
+std::string name_of_material(const Materials& materials, int m);
+
 /// What the statistics share: which grains and contacts count, in which block each lies, and the mean force. Contacts
 /// with walls count for stress and balance, never for coordination, fabric or force statistics.
 struct View {
@@ -53,7 +56,7 @@ struct View {
   Vec2 contact_point(std::size_t c) const;  ///< in the periodic cell
   bool strong(std::size_t c) const { return pairs().fn[c] > mean_force; }
   int material(std::size_t grain) const { return packing.grains.material[grain]; }
-  std::string material_name(int m) const;
+  std::string material_name(int m) const { return name_of_material(packing.materials, m); }
   std::vector<int> materials() const;  ///< those of considered grains, in rising order
   Items grains_of(int m) const;        ///< considered ones of material m
 };

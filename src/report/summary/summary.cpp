@@ -2,25 +2,18 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <utility>
 #include <variant>
 
-#include "grains/dem/run_stage.hpp"
 #include "grains/fields/laboratory/test_numbers.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/texture/spheres/spheres.hpp"
 #include "io/disk/store_file.hpp"
 #include "report/film_text.hpp"
-#include "report/packing_layers.hpp"
 #include "report/page_document.hpp"
 #include "report/stage_doubts.hpp"
 #include "report/summary/state.hpp"
 #include "workflow/asked.hpp"
-#include "workflow/load_voxels.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::report {

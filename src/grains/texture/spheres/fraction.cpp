@@ -5,19 +5,6 @@
 #include "grains/texture/spheres/sphere_view.hpp"
 
 namespace arenite::texture::spheres {
-namespace {
-
-/// Calls `see` with the volume of sphere g, its periodic images included, in a box.
-double volume_in(const PackingIn<3>& packing, std::size_t g, const geometry::Box<3>& window) {
-  double volume = 0;
-  packing.domain.each_near_cell([&](Cells<3> cells) {
-    const Vec3 centre = packing.grains.position[g] + packing.domain.way(cells);
-    volume += geometry::ball_window_volume(centre, packing.grains.radius[g], window);
-  });
-  return volume;
-}
-
-}  // namespace
 
 SphereStatistic sphere_fraction;
 
@@ -26,9 +13,16 @@ void sphere_fraction(const SphereView& view, Numbers& to) {
   const BlockCube blocks{view.window, std::max(2, view.blocks.per_side)};
   const double volume = view.window.size.x * view.window.size.y * view.window.size.z;
   std::vector<double> fraction(static_cast<std::size_t>(blocks.count()), 0.0);
-  for (std::size_t g = 0; g < view.packing.grains.size(); ++g)
-    for (int b = 0; b < blocks.count(); ++b)
-      fraction[static_cast<std::size_t>(b)] += volume_in(view.packing, g, blocks.block(b)) * blocks.count() / volume;
+  const Container<3>& domain = view.packing.domain;
+  const GrainsIn<3>& grains = view.packing.grains;
+  for (std::size_t g = 0; g < grains.size(); ++g)
+    domain.each_near_cell([&](Cells<3> cells) {
+      const Vec3 centre = grains.position[g] + domain.way(cells);
+      if (!domain.is_near(centre, grains.radius[g])) return;
+      for (int b = 0; b < blocks.count(); ++b)
+        fraction[static_cast<std::size_t>(b)] +=
+            geometry::ball_window_volume(centre, grains.radius[g], blocks.block(b)) * blocks.count() / volume;
+    });
   double mean = 0;
   for (const double of_block : fraction) mean += of_block / static_cast<double>(blocks.count());
   statistics::put(to, "solid_fraction", statistics::Estimate{mean, statistics::standard_error(fraction)}, "",

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <set>
 
@@ -67,8 +66,6 @@ SphereView::SphereView(const PackingIn<3>& p, const SphereOptions& o) : packing(
     take_grains();
   }
   if (domain.periodic == std::array{true, true, true}) border = 0;
-  considered.assign(all.size(), 0);
-  for (const std::size_t g : grains) considered[g] = 1;
   rattler =
       loose_grains(pairs(), all.size(), options.rattler_contacts, [&](std::size_t c) { return pairs().fn[c] != 0; });
   blocks = {window, std::clamp(static_cast<int>(std::cbrt(static_cast<double>(grains.size()) / 12)), 1, 4)};
@@ -85,11 +82,6 @@ SphereView::SphereView(const PackingIn<3>& p, const SphereOptions& o) : packing(
   if (pushing > 0) mean_force /= pushing;
 }
 
-std::string SphereView::material_name(int m) const {
-  const auto index = static_cast<std::size_t>(m);
-  return index < packing.materials.size() ? packing.materials[index].name : "material " + std::to_string(m);
-}
-
 std::vector<int> SphereView::materials() const {
   std::set<int> found;
   for (const std::size_t g : grains) found.insert(packing.grains.material[g]);
@@ -97,10 +89,7 @@ std::vector<int> SphereView::materials() const {
 }
 
 statistics::Items SphereView::grains_of(int m) const {
-  statistics::Items some;
-  std::ranges::copy_if(grains, std::back_inserter(some),
-                       [&](std::size_t g) { return packing.grains.material[g] == m; });
-  return some;
+  return kept(grains, [&](std::size_t g) { return packing.grains.material[g] == m; });
 }
 
 std::vector<Tensor3> sphere_moments(const PackingIn<3>& packing) {

@@ -6,6 +6,7 @@
 #include "geometry/rectangle.hpp"
 #include "grains/texture/spheres/spheres.hpp"
 #include "grains/texture/spheres/tensor3.hpp"
+#include "grains/texture/view.hpp"
 #include "statistics/jackknife.hpp"
 
 namespace arenite::texture::spheres {
@@ -31,13 +32,13 @@ struct SphereView {
   geometry::Box<3> window;             ///< the container without the border along its walls
   double border = 0;                   ///< m
   statistics::Items grains, contacts;  ///< considered: centre, or contact point, in the window
-  std::vector<std::uint8_t> considered, rattler;
+  std::vector<std::uint8_t> rattler;   ///< by sphere
   BlockCube blocks;
   std::vector<int> grain_block, contact_block;
   double mean_force = 0;  ///< of considered contacts that push, N
 
   const ContactsIn<3>& pairs() const { return packing.contacts; }
-  std::string material_name(int m) const;
+  std::string material_name(int m) const { return name_of_material(packing.materials, m); }
   std::vector<int> materials() const;  ///< those of considered spheres, in rising order
   statistics::Items grains_of(int m) const;
 };

@@ -10,7 +10,6 @@ namespace arenite::texture {
 struct SphereOptions : Measuring {
   int rattler_contacts = 4;  ///< a sphere with fewer force-bearing contacts than this is a rattler
   Vec3 gravity = {};         ///< m/s^2; for the balance of spheres and walls only
-  double friction = 0;       ///< mu, which is told where it is known
 };
 
 /// Those that suit a stage: without friction it takes four contacts to hold a sphere, with friction two.

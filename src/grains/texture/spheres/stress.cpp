@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
-#include <numbers>
 #include <vector>
 
 #include "grains/texture/distribution.hpp"
+#include "grains/texture/mass.hpp"
 #include "grains/texture/spheres/sphere_view.hpp"
+#include "grains/texture/view.hpp"
 
 namespace arenite::texture::spheres {
 
@@ -14,12 +14,6 @@ using statistics::Items;
 using statistics::put;
 
 namespace {
-
-double mass_of(const PackingIn<3>& packing, std::size_t g) {
-  const double r = packing.grains.radius[g];
-  const auto material = static_cast<std::size_t>(packing.grains.material[g]);
-  return packing.materials[material].density * (4.0 / 3.0 * std::numbers::pi * r * r * r);
-}
 
 /// Sum over contacts, walls included, of f (x) l over the volume of the container, with f on sphere i and l from i to j
 /// or to the wall, Pa.
@@ -124,9 +118,7 @@ SphereStatistic sphere_forces;
 
 /// Distribution of normal forces and of grain stresses, and what tells how well forces are in balance.
 void sphere_forces(const SphereView& view, Numbers& to) {
-  Items pushing;
-  std::ranges::copy_if(view.contacts, std::back_inserter(pushing),
-                       [&](std::size_t c) { return view.pairs().fn[c] > 0; });
+  const Items pushing = kept(view.contacts, [&](std::size_t c) { return view.pairs().fn[c] > 0; });
   if (pushing.empty()) return;
   constexpr DistributionNames names{"mean_N", "N", "strong_share", "Mean force of the set",
                                     "Fraction of the set above its own mean"};
