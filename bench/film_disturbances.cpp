@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "support/film_accuracy.hpp"
 #include "support/laboratory_film.hpp"
+#include "support/laboratory_inputs.hpp"
 
 /// film_disturbances [GRAINS [SEED [NAME...]]]: films of one sample, each with one property of the laboratory off,
 /// measured by its recipe and held against the truth: a row of the table in docs/forces.md each.

@@ -171,6 +171,14 @@ void bind_voxels(py::module_& m) {
         return list;
       },
       "What a picture of a sample in space may show: symbol, unit and whether it is a magnitude, by name.");
+  m.def(
+      "_stresses_drawn",
+      [](const VoxelResult& sample) {
+        std::vector<std::string> names;
+        for (const VoxelQuantity* q : stresses_drawn(sample)) names.emplace_back(q->name);
+        return names;
+      },
+      py::arg("sample"), "Names of the stresses that pictures of a loaded sample show, that of its load first.");
   m.def("_voxel_values", &voxel_values, py::arg("sample"), py::arg("name"),
         "That quantity in all voxels; float64, (depth, height, width).");
   def_with_keywords(

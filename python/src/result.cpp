@@ -7,7 +7,6 @@
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
 #include "report/page.hpp"
-#include "workflow/asked.hpp"
 #include "workflow/result_folder.hpp"
 
 namespace arenite::python {
@@ -72,7 +71,7 @@ Result open_result(const Path& path) {
   auto files = io::stage_files(path);
   for (const auto& file : files)
     std::visit([&]<class Part>(Part&& part) { std::get<std::vector<Part>>(parts).push_back(std::move(part)); },
-               workflow::read_result(file));
+               io::read_result(file));
   auto& [stages, fields, films, voxels, spheres] = parts;
   Result r =
       result_of(std::move(stages), std::move(fields), std::move(films), std::move(voxels), std::move(spheres), {});
@@ -80,7 +79,7 @@ Result open_result(const Path& path) {
   r.run.files = std::move(files);
   if (const Path simulation = path / "simulation";
       !r.films.empty() && !r.films.front().simulation.empty() && std::filesystem::is_directory(simulation))
-    for (const auto& file : io::stage_files(simulation)) r.companion.push_back(workflow::read_stage(file));
+    for (const auto& file : io::stage_files(simulation)) r.companion.push_back(io::read_stage(file));
   return r;
 }
 

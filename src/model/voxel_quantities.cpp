@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "statistics/numbers.hpp"
+
 namespace arenite {
 namespace {
 
@@ -20,14 +22,24 @@ double von_mises(const VoxelStress& f, std::size_t k) {
 const std::vector<VoxelQuantity>& voxel_quantities() {
   static const std::vector<VoxelQuantity> list{
       {"zz", "sigma_zz", "stress along the clamps", "\u03c3_{zz}", "Pa", false,
-       [](const VoxelStress& f, std::size_t k) { return at(f.zz, k); }},
+       [](const VoxelStress& f, std::size_t k) { return at(f.zz, k); }, VoxelQuantity::Acts::along_clamps},
       {"xz", "sigma_xz", "shear stress along the load", "\u03c3_{xz}", "Pa", false,
-       [](const VoxelStress& f, std::size_t k) { return at(f.xz, k); }},
+       [](const VoxelStress& f, std::size_t k) { return at(f.xz, k); }, VoxelQuantity::Acts::shear},
       {"hydrostatic", "sigma_hyd", "mean stress", "\u03c3_{hyd}", "Pa", false, hydrostatic},
       {"mises", "sigma_mises", "von Mises stress", "\u03c3_{vM}", "Pa", true, von_mises},
       {"uz", "u_z", "displacement along the clamps", "u_{z}", "m", false,
        [](const VoxelStress& f, std::size_t k) { return at(f.uz, k); }}};
   return list;
+}
+
+std::vector<const VoxelQuantity*> stresses_drawn(const VoxelResult& sample) {
+  const Numbers* loading = sample.numbers.at_path("/load/loading");
+  const bool sheared = loading && *loading == Numbers("shear");
+  const auto acts = sheared ? VoxelQuantity::Acts::shear : VoxelQuantity::Acts::along_clamps;
+  std::vector<const VoxelQuantity*> drawn;
+  for (const VoxelQuantity& q : voxel_quantities())
+    if (q.unit == "Pa" && (q.by == acts || q.by == VoxelQuantity::Acts::no_load)) drawn.push_back(&q);
+  return drawn;
 }
 
 }  // namespace arenite

@@ -1,8 +1,10 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
+#include "model/result.hpp"
 #include "model/voxel_map.hpp"
 
 namespace arenite {
@@ -13,9 +15,13 @@ struct VoxelQuantity {
   std::string_view words, symbol, unit;
   bool is_magnitude = false;  ///< never below 0, so that no scale is centred
   double (*of)(const VoxelStress& field, std::size_t voxel);
+  enum class Acts : std::uint8_t { no_load, along_clamps, shear } by = Acts::no_load;  ///< what acts by this component
 };
 
 /// All, the stress along the axis of the clamps first; a new one is one more row.
 const std::vector<VoxelQuantity>& voxel_quantities();
+
+/// Stresses that are drawn of a loaded sample: the component that its load acts by, then those that are no component.
+std::vector<const VoxelQuantity*> stresses_drawn(const VoxelResult& sample);
 
 }  // namespace arenite

@@ -8,9 +8,9 @@
 #include <variant>
 
 #include "io/disk/file.hpp"
+#include "io/results/results.hpp"
 #include "report/page_document.hpp"
 #include "report/page_template.hpp"
-#include "workflow/asked.hpp"
 
 namespace arenite::report {
 
@@ -68,7 +68,7 @@ void write_page(const std::filesystem::path& path, const std::vector<std::filesy
   std::vector<VoxelResult> voxels;
   std::vector<SphereResult> spheres;
   for (const auto& file : files) {
-    auto any = workflow::read_result(file);
+    auto any = io::read_result(file);
     if (auto* stage = std::get_if<StageResult>(&any)) stages.push_back(std::move(*stage));
     else if (auto* field = std::get_if<FieldResult>(&any)) fields.push_back(std::move(*field));
     else if (auto* sample = std::get_if<VoxelResult>(&any)) voxels.push_back(std::move(*sample));

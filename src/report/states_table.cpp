@@ -11,8 +11,8 @@
 #include "grains/fields/loading.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "io/disk/store_file.hpp"
+#include "io/results/results.hpp"
 #include "statistics/run_means.hpp"
-#include "workflow/asked.hpp"
 
 namespace arenite::report {
 namespace {
@@ -69,7 +69,7 @@ std::vector<double> row_of(const StageResult& stage, std::size_t k, const statis
 std::vector<StageResult> stages_of(const std::filesystem::path& result) {
   std::vector<StageResult> stages;
   for (const auto& file : io::stage_files(result)) {
-    auto any = workflow::read_result(file);
+    auto any = io::read_result(file);
     if (auto* stage = std::get_if<StageResult>(&any)) stages.push_back(std::move(*stage));
   }
   if (stages.empty())

@@ -82,6 +82,7 @@ Numbers volume_of(const VoxelResult& r, NumberBlock& block, const figures::Write
               {"in_voxels", !r.map.has_length},
               {"phase", block.add_indices(phase)},
               {"quantities", std::move(quantities)},
+              {"acts_by", std::string(stresses_drawn(r).front()->id)},
               {"headlines", figures::numbers_of(figures::headlines_of(r))},
               {"figures", shortened(figures::numbers_of(figures::voxel_figures(), {r, densities}, write, true))}};
   add_numbers(out, r.numbers);

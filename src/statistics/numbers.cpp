@@ -23,6 +23,8 @@ Json json_of(const Numbers& numbers) {
     case Numbers::Kind::tree: {
       Json out = Json::object();
       for (const auto& [name, value] : numbers.items()) out[name] = json_of(value);
+      if (numbers.meaning() && numbers.meaning()->period > 0 && numbers.contains("value"))
+        out["period"] = numbers.meaning()->period;
       return out;
     }
   }

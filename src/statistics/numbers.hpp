@@ -187,7 +187,8 @@ void erase_if(Numbers& tree, const std::function<bool(std::string_view name, con
 /// Those that have this trait.
 void erase(Numbers& tree, Trait trait);
 
-/// As JSON, in one line or with `indent` spaces a level. Text that is not UTF-8 is written with marks in its place.
+/// As JSON, in one line or with `indent` spaces a level. Text that is not UTF-8 is written with marks in its place. An
+/// angle with an error says its period: {"value", "error", "period"}.
 std::string to_json(const Numbers& numbers, int indent = -1);
 
 }  // namespace arenite

@@ -18,7 +18,6 @@
 #include "solid/grid/crop.hpp"
 #include "solid/stress/grains.hpp"
 #include "solid/stress/stress.hpp"
-#include "workflow/asked.hpp"
 #include "workflow/field_numbers.hpp"
 #include "workflow/read_map.hpp"
 #include "workflow/runner.hpp"
@@ -195,7 +194,7 @@ MapOutcome load_map(const recipe::MapSection& map, const recipe::Load& load, con
                       load.failure && is_stored ? failure_checkpoint(checkpoint, hash, options) : FailureCheckpoint{},
                       measured);
   };
-  auto loaded = load_by_itself<FieldResult>(map, load, options, make, io::write_field, read_field);
+  auto loaded = load_by_itself<FieldResult>(map, load, options, make, io::write_field, io::read_field);
   outcome.field = std::move(loaded.result);
   outcome.file = std::move(loaded.file);
   std::error_code error;

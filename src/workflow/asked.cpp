@@ -1,12 +1,8 @@
 #include "workflow/asked.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
-#include <variant>
 
-#include "core/error.hpp"
 #include "grains/dem/programme.hpp"
 #include "grains/dem/run_stage.hpp"
 #include "grains/fields/driven.hpp"
@@ -14,7 +10,6 @@
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/packing/population.hpp"
 #include "grains/texture/texture.hpp"
-#include "io/results/results.hpp"
 
 namespace arenite::workflow {
 namespace {
@@ -46,25 +41,6 @@ void note_sizes(Asked& asked, const recipe::Recipe& recipe) {
   asked.passing = std::move(curve.passing);
 }
 
-/// Nothing else reads a recipe out of a provenance.
-void complete_title(Provenance& provenance) {
-  if (provenance.title.empty()) provenance.title = recipe::title_in(provenance.recipe);
-}
-
-template <int D> void complete(StageResultIn<D>& result) {
-  complete_title(result.provenance);
-  if (result.asked.known || result.provenance.recipe.empty()) return;
-  try {
-    const recipe::Recipe recipe = recipe::parse_recipe(result.provenance.recipe, "recipe");
-    const auto at = std::ranges::find(recipe.stages, result.provenance.stage, &dem::Stage::name);
-    note_asked(result, recipe,
-               at == recipe.stages.end() ? 0 : static_cast<std::size_t>(at - recipe.stages.begin()) + 1);
-  } catch (const InputError&) {}
-}
-void complete(FieldResult& result) { complete_title(result.provenance); }
-void complete(FilmResult& result) { complete_title(result.provenance); }
-void complete(VoxelResult& result) { complete_title(result.provenance); }
-
 }  // namespace
 
 template <int D> void note_asked(StageResultIn<D>& made, const recipe::Recipe& recipe, std::size_t place) {
@@ -86,38 +62,5 @@ template <int D> void note_asked(StageResultIn<D>& made, const recipe::Recipe& r
 
 template void note_asked(StageResult&, const recipe::Recipe&, std::size_t);
 template void note_asked(SphereResult&, const recipe::Recipe&, std::size_t);
-
-template <int D> StageResultIn<D> read_stage(const std::filesystem::path& path) {
-  StageResultIn<D> result = io::read_stage<D>(path);
-  complete(result);
-  return result;
-}
-template StageResult read_stage(const std::filesystem::path&);
-template SphereResult read_stage(const std::filesystem::path&);
-
-FieldResult read_field(const std::filesystem::path& path) {
-  FieldResult result = io::read_field(path);
-  complete(result);
-  return result;
-}
-
-FilmResult read_film_result(const std::filesystem::path& path) {
-  FilmResult result = io::read_film_result(path);
-  complete(result);
-  return result;
-}
-
-io::AnyResult read_result(const std::filesystem::path& path) {
-  auto result = io::read_result(path);
-  std::visit([](auto& any) { complete(any); }, result);
-  return result;
-}
-
-bool is_of_version_0_1(const std::filesystem::path& file) {
-  const auto recipe_of = [](const auto& result) { return result.provenance.recipe; };
-  try {
-    return std::visit(recipe_of, io::read_result(file)).find("\n[frame]\n") != std::string::npos;  // now [container]
-  } catch (const InputError&) { return false; }
-}
 
 }  // namespace arenite::workflow

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 #include <utility>
+#include <variant>
 
+#include "core/error.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/fields/stage_numbers.hpp"
@@ -15,7 +18,6 @@
 #include "io/results/results.hpp"
 #include "recipe/recipe.hpp"
 #include "workflow/apply_load.hpp"
-#include "workflow/asked.hpp"
 #include "workflow/cemented_sample.hpp"
 #include "workflow/run.hpp"
 
@@ -77,6 +79,19 @@ ResultFolder::~ResultFolder() {
   if (!was_there_) fs::remove(out_, ignored);  // only if nothing is in it
 }
 
+namespace {
+
+/// Version 0.1 called the container a frame, and named results otherwise: they can be shown and exported, but nothing
+/// goes on with them.
+bool is_of_version_0_1(const fs::path& file) {
+  const auto recipe_of = [](const auto& result) { return result.provenance.recipe; };
+  try {
+    return std::visit(recipe_of, io::read_result(file)).find("\n[frame]\n") != std::string::npos;
+  } catch (const InputError&) { return false; }
+}
+
+}  // namespace
+
 void ResultFolder::put_aside(const fs::path& path) {
   make_folder(out_ / "earlier");
   fs::rename(path, out_ / "earlier" / path.filename());
@@ -110,9 +125,9 @@ std::vector<fs::path> files_of(const fs::path& result, std::string_view kind) {
 /// The stage of loading of this name, or, where it is empty, the last; nothing if there is none.
 std::optional<StageResult> stage_named(const fs::path& result, const std::string& name) {
   const auto files = files_of(result, "result");
-  if (name.empty()) return files.empty() ? std::nullopt : std::optional(read_stage(files.back()));
+  if (name.empty()) return files.empty() ? std::nullopt : std::optional(io::read_stage(files.back()));
   for (const auto& file : files)
-    if (auto read = read_stage(file); read.name == name) return read;
+    if (auto read = io::read_stage(file); read.name == name) return read;
   return std::nullopt;
 }
 
@@ -133,7 +148,7 @@ std::optional<Packing> last_state(const fs::path& result, const std::string& sta
 
 std::optional<FieldResult> load_named(const fs::path& result, const std::string& name) {
   for (const auto& file : files_of(result, "field"))
-    if (auto field = read_field(file); field.name == name) return field;
+    if (auto field = io::read_field(file); field.name == name) return field;
   return std::nullopt;
 }
 

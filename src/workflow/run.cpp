@@ -10,7 +10,6 @@
 #include "grains/dem/kernels/kernel.hpp"
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
-#include "workflow/asked.hpp"
 #include "workflow/cemented_sample.hpp"
 #include "workflow/load_voxels.hpp"
 #include "workflow/make_packing.hpp"
@@ -74,8 +73,8 @@ class Run {
     const PackingIn<D>* const before = has_before ? &stages.back().snapshots.back().packing : nullptr;
     const GrainStageIn<D> stage{recipe_, s, plan_[s].hash, before, &outcome_.measured.stages.emplace_back()};
     const auto made = [&](const fs::path& checkpoint) { return make(stage, checkpoint); };
-    auto result =
-        carry_out_stage<StageResultIn<D>>({plan_[s], folder_ / plan_[s].file, made, io::write_stage<D>, read_stage<D>});
+    auto result = carry_out_stage<StageResultIn<D>>(
+        {plan_[s], folder_ / plan_[s].file, made, io::write_stage<D>, io::read_stage<D>});
     if (!result) {
       outcome_.measured.stages.pop_back();
       return false;
@@ -107,7 +106,7 @@ class Run {
 
   template <class Make> bool add_field(std::size_t s, Make make) {
     outcome_.measured.fields.emplace_back();
-    return add_on_grid<FieldResult>(s, outcome_.fields, make, io::write_field, read_field);
+    return add_on_grid<FieldResult>(s, outcome_.fields, make, io::write_field, io::read_field);
   }
 
   void begin(std::size_t s) {

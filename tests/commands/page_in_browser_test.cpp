@@ -177,7 +177,7 @@ TEST(Page, OfARunUnderWayIsPaintedInABrowser) {
 
 TEST(Page, PartsWriteNumbersAndPlacesAsTheirTestsSay) {
   const std::string folder = ARENITE_SOURCE_DIR "/web/test/";
-  const auto outcome = test::shell("node --test " + folder + "parts.test.mjs " + folder + "volume_parts.test.mjs " +
-                                   folder + "sphere_parts.test.mjs");
+  const auto outcome = test::shell("node --test " + folder + "parts.test.mjs " + folder + "packing_parts.test.mjs " +
+                                   folder + "volume_parts.test.mjs " + folder + "sphere_parts.test.mjs");
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }

@@ -35,7 +35,8 @@ def test_one_number_above_two_is_enough():
 
 def test_angles_are_compared_around_the_circle_and_unknown_errors_are_not_judged():
     stress = {"value": [[1, 2], [2, 3]], "error": None}
-    trees = [{"theta_c_deg": {"value": v, "error": 2.0}, "stress": stress} for v in (179, 1, 178, 2, 0, 177)]
+    angles = [{"value": v, "error": 2.0, "period": 180} for v in (179, 1, 178, 2, 0, 177)]
+    trees = [{"theta_c_deg": angle, "stress": stress} for angle in angles]
     study = judge.Study("isotropic", trees)
     assert [n.name for n in study.numbers] == ["theta_c_deg"]
     assert study.numbers[0].scatter == pytest.approx(2.07, abs=0.2)

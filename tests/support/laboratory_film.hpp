@@ -2,12 +2,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <numbers>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "core/random.hpp"
@@ -15,9 +12,7 @@
 #include "model/film.hpp"
 #include "support/disturbed_film.hpp"
 #include "support/laboratory_sample.hpp"
-#include "support/temporary_folder.hpp"
 #include "thermal/radiometry/band.hpp"
-#include "workflow/film/measure_film.hpp"
 
 namespace arenite::test {
 
@@ -291,192 +286,5 @@ class DrawnFilm {
   std::vector<std::vector<Pull>> pulls_;
   std::vector<double> pressure_;
 };
-
-/// The recipe of a laboratory that knows everything of such a film but where its grains are.
-inline recipe::FilmRecipe laboratory_recipe(const LaboratorySample& sample, const LaboratoryFilm& how,
-                                            const DrawnFilm& drawn) {
-  recipe::FilmRecipe recipe;
-  const Packing& p = sample.packing;
-  const double travel = how.travel * how.pixel;
-  for (std::size_t m = 0; m < 2; ++m)
-    recipe.materials.push_back({p.materials[m].name, p.materials[m].thermoelastic_factor, how.emissivity[m],
-                                how.emissivity[m], p.materials[m].stiffness});
-  // In the recipe the lower wall rests at height 0 at the smallest load.
-  recipe.container = {.width = p.domain.wall[right].position,
-                      .height = p.domain.wall[top].position + travel,
-                      .thickness = p.domain.thickness,
-                      .left = drawn.left,
-                      .top = drawn.top_row,
-                      .load_peak_to_peak = sample.load(),
-                      .travel = travel};
-  recipe.picture.pixel = how.pixel;
-  recipe.temperature.from = recipe::TemperatureSection::From::film;
-  recipe.temperature.assumed_emissivity = 1;
-  recipe.temperature.ambient = how.ambient;
-  recipe.lockin.frequency = how.frequency;
-  recipe.forces.blur = how.blur;
-  return recipe;
-}
-
-/// An ordinary camera's picture of the grains at the smallest load, three pixels to one of the film and with the same
-/// middle: black and white grains on grey.
-inline std::string optical_picture(const LaboratorySample& sample, const LaboratoryFilm& how, const DrawnFilm& drawn,
-                                   const TemporaryFolder& folder) {
-  constexpr int times = 3;
-  const Packing& p = sample.packing;
-  Film picture;
-  picture.about.width = times * drawn.film.about.width, picture.about.height = times * drawn.film.about.height;
-  picture.about.frames = 1, picture.about.bits = 16;
-  std::vector<double> grey(picture.about.pixels(), 0.5);
-  const auto low = how.start(p);
-  const auto fine = [&](double film_pixels) { return times * (film_pixels + 0.5) - 0.5; };
-  for (std::size_t i = 0; i < low.size(); ++i) {
-    const Vec2 centre{fine(drawn.left + low[i].x / how.pixel),
-                      fine(drawn.top_row + (p.domain.wall[top].position - low[i].y) / how.pixel)};
-    const double radius = times * p.grains.radius[i] / how.pixel;
-    each_pixel_near(centre, radius + 2, picture.about.width, picture.about.height, [&](int x, int y, std::size_t at) {
-      const double inside = 0.5 * std::erfc((std::hypot(x - centre.x, y - centre.y) - radius) / 0.8);
-      grey[at] += inside * ((p.grains.material[i] == 0 ? 0.1 : 0.9) - 0.5);
-    });
-  }
-  RandomStream random(how.seed, Purpose::test, 74);
-  for (const double g : grey)
-    picture.level.push_back(
-        static_cast<std::uint16_t>(std::lround(65535 * std::clamp(0.9 * g + 0.01 * random.normal(), 0.0, 1.0))));
-  const auto file = folder / "optical.tif";
-  io::write_film(file, picture);
-  return file.string();
-}
-
-/// What was found of a film, held against the truth.
-struct FilmAccuracy {
-  std::size_t grains = 0, contacts = 0, true_contacts = 0;
-  double centres = 0, centres_told = 0;          ///< pixels, along one axis, at the largest load
-  double centres_low = 0, centres_low_told = 0;  ///< likewise, at the smallest
-  double scale = 0;                              ///< by which centres lie too far from each other, relative
-  double stress = 0, stress_told = 0;            ///< rms over the mean stress
-  double force = 0, force_told = 0;              ///< of normal forces, relative
-  double within_one = 0, within_two = 0;         ///< shares of forces
-  double stress_within_one = 0, stress_within_two = 0;
-  std::vector<std::string> said;
-  FilmResult result;
-};
-
-/// By how much places lie farther from their middle than the true ones, relative.
-inline double scale_between(const std::vector<Vec2>& truth, const std::vector<Vec2>& found) {
-  Vec2 middle, there;
-  const auto n = static_cast<double>(truth.size());
-  for (std::size_t k = 0; k < truth.size(); ++k) middle += truth[k] / n, there += found[k] / n;
-  double along = 0, square = 0;
-  for (std::size_t k = 0; k < truth.size(); ++k)
-    along += dot(truth[k] - middle, found[k] - there), square += dot(truth[k] - middle, truth[k] - middle);
-  return square > 0 ? along / square - 1 : 0;
-}
-
-inline FilmAccuracy judged(const Packing& truth, const LaboratoryFilm& how, FilmResult result,
-                           std::vector<std::string> said) {
-  FilmAccuracy a;
-  a.said = std::move(said);
-  const Packing& found = result.packing;
-  const Vec2 shift{0, how.travel * how.pixel};  // of the lower wall at the smallest load
-  std::map<std::size_t, std::size_t> true_of;   // of the grains found
-  for (std::size_t i = 0; i < found.grains.size(); ++i)
-    for (std::size_t j = 0; j < truth.grains.size(); ++j)
-      if (norm(found.grains.position[i] - truth.grains.position[j] - shift) < 0.5 * truth.grains.radius[j])
-        true_of[i] = j;
-  a.grains = true_of.size();
-  std::vector<double> sigma(truth.grains.size(), 0.0);
-  std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> contact_of;
-  for (std::size_t c = 0; c < truth.contacts.size(); ++c) {
-    const auto i = truth.contacts.i[c], j = truth.contacts.j[c];
-    contact_of[{i, j}] = c;
-    for (const auto g : {i, j})
-      if (g >= 0) {
-        const auto k = static_cast<std::size_t>(g);
-        sigma[k] -= truth.contacts.fn[c] / (2 * std::numbers::pi * truth.grains.radius[k] * truth.domain.thickness);
-      }
-  }
-  double mean = 0, n = 0;
-  const std::vector<Vec2> low = how.start(truth);
-  std::vector<Vec2> true_places, found_places;
-  for (const auto& [i, j] : true_of) {
-    const double off = result.peak_to_peak.sigma_hyd[i] - sigma[j], told = result.peak_to_peak.error[i];
-    if (!std::isfinite(off) || !std::isfinite(told)) continue;
-    mean -= sigma[j], n += 1;
-    a.stress += off * off, a.stress_told += told * told;
-    a.stress_within_one += std::abs(off) < told, a.stress_within_two += std::abs(off) < 2 * told;
-    const Vec2 away = (1 / how.pixel) * (found.grains.position[i] - truth.grains.position[j] - shift);
-    a.centres += 0.5 * dot(away, away);
-    if (result.grains.position_error.empty()) continue;
-    const double motion = i < result.motion.size() ? 2 * result.motion.error[i] : 0,
-                 at_rest = result.grains.position_error[i];
-    a.centres_told += at_rest * at_rest + motion * motion;
-    const Vec2 there{how.left() + low[j].x / how.pixel,
-                     how.top_row() + (truth.domain.wall[top].position - low[j].y) / how.pixel},
-        astray = result.grains.centre[i] - there;
-    a.centres_low += 0.5 * dot(astray, astray), a.centres_low_told += at_rest * at_rest;
-    true_places.push_back(there), found_places.push_back(result.grains.centre[i]);
-  }
-  a.scale = scale_between(true_places, found_places);
-  for (double* v : {&a.stress, &a.stress_told}) *v = std::sqrt(*v / n) / (mean / n);
-  for (double* v : {&a.centres, &a.centres_told, &a.centres_low, &a.centres_low_told}) *v = std::sqrt(*v / n);
-  a.stress_within_one /= n, a.stress_within_two /= n;
-  std::vector<double> carried(truth.contacts.size(), 0.0);
-  a.contacts = found.contacts.size(), a.true_contacts = truth.contacts.size();
-  double squares = 0, one = 0, two = 0, matched = 0;
-  for (std::size_t c = 0; c < found.contacts.size(); ++c) {
-    const auto place = [&](std::int32_t g) -> std::int32_t {
-      if (g < 0) return g;
-      const auto at = true_of.find(static_cast<std::size_t>(g));
-      return at == true_of.end() ? 1000000 : static_cast<std::int32_t>(at->second);
-    };
-    auto i = place(found.contacts.i[c]), j = place(found.contacts.j[c]);
-    if (j >= 0 && j < i) std::swap(i, j);
-    const auto at = contact_of.find({i, j});
-    const double fn = found.contacts.fn[c], told = result.fn_error[c];
-    if (at == contact_of.end()) {
-      a.force += fn * fn;  // nothing is there
-      continue;
-    }
-    const double off = fn - truth.contacts.fn[at->second];
-    carried[at->second] = 1;
-    a.force += off * off, a.force_told += told * told, matched += 1;
-    one += std::abs(off) < told, two += std::abs(off) < 2 * told;
-  }
-  for (std::size_t c = 0; c < truth.contacts.size(); ++c) {
-    squares += truth.contacts.fn[c] * truth.contacts.fn[c];
-    if (carried[c] == 0) a.force += truth.contacts.fn[c] * truth.contacts.fn[c];
-  }
-  a.force = std::sqrt(a.force / squares), a.force_told = std::sqrt(a.force_told / squares);
-  a.within_one = one / matched, a.within_two = two / matched;
-  a.result = std::move(result);
-  return a;
-}
-
-/// Measures the film by the recipe and holds it against the sample.
-inline FilmAccuracy measured(const LaboratorySample& sample, const LaboratoryFilm& how, DrawnFilm& drawn,
-                             const recipe::FilmRecipe& recipe) {
-  workflow::FilmRunOptions options;
-  std::vector<std::string> said;
-  options.notice = [&](const std::string& sentence) { said.push_back(sentence); };
-  FilmResult result;
-  workflow::measure_film(recipe, options, drawn.film, result);
-  return judged(sample.packing, how, std::move(result), std::move(said));
-}
-
-/// Writes the true grains at the smallest load, as a list made by hand.
-inline std::string list_of_grains(const LaboratorySample& sample, const LaboratoryFilm& how,
-                                  const TemporaryFolder& folder) {
-  const auto file = (folder / "grains.csv").string();
-  std::ofstream out(file);
-  out.precision(12);
-  out << "id,x [m],y [m],radius [m],material\n";
-  const Packing& p = sample.packing;
-  const auto low = how.start(p);
-  for (std::size_t i = 0; i < low.size(); ++i)
-    out << p.grains.id[i] << ',' << low[i].x << ',' << low[i].y + how.travel * how.pixel << ',' << p.grains.radius[i]
-        << ',' << p.materials[static_cast<std::size_t>(p.grains.material[i])].name << '\n';
-  return file;
-}
 
 }  // namespace arenite::test

@@ -1,4 +1,6 @@
 #include "support/laboratory_film.hpp"
+#include "support/film_accuracy.hpp"
+#include "support/laboratory_inputs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -17,11 +17,11 @@ import itertools
 import json
 import math
 import pathlib
-import re
 import statistics
 import subprocess
 import sys
 import tempfile
+import typing
 
 here = pathlib.Path(__file__).resolve().parent
 fewest_grains = 50  # of which errors by blocks can be told: a texture of fewer, as of a small film, is not judged
@@ -69,26 +69,28 @@ def beyond_by_chance(freedom):
     return 1 - 2 * height * middle * 2 / steps
 
 
-def period(name):
-    """Of an angle in degrees; None of other numbers."""
-    folds = re.search(r"modes\.(\d+)\.phase_deg$", name)
-    if folds:
-        return 360 / int(folds[1])
-    return 180 if re.search(r"(theta_\w*|direction|axis\w*)_deg$", name) else None
+class Told(typing.NamedTuple):
+    """A number as a result tells it: an angle with the period after which it is the same again."""
+
+    value: float
+    error: float
+    low: float | None = None
+    high: float | None = None
+    period: float | None = None
 
 
 def of_tensor(name, value, error):
-    """{name.01: (value, error, None, None)} of its components, each pair of shear components once."""
+    """{name.01: Told} of its components, each pair of shear components once."""
     parts = {}
     for r, row in enumerate(value):
         for c in range(r, len(row) if isinstance(row, list) else 0):
             if error[r][c] is not None:
-                parts[f"{name}.{r}{c}"] = (row[c], error[r][c], None, None)
+                parts[f"{name}.{r}{c}"] = Told(row[c], error[r][c])
     return parts
 
 
 def flattened(node, name=""):
-    """{name: (value, error, low_95, high_95)} of all numbers of a result that have an error."""
+    """{name: Told} of all numbers of a result that have an error."""
     if not isinstance(node, dict):
         return {}
     if "value" in node:
@@ -96,7 +98,7 @@ def flattened(node, name=""):
         if isinstance(value, list):
             return of_tensor(name, value, error) if error else {}
         known = isinstance(error, (int, float)) and value is not None
-        return {name: (value, error, node.get("low_95"), node.get("high_95"))} if known else {}
+        return {name: Told(value, error, node.get("low_95"), node.get("high_95"), node.get("period"))} if known else {}
     considered = node.get("considered")
     if isinstance(considered, dict) and considered.get("grains", fewest_grains) < fewest_grains:
         return {}
@@ -121,26 +123,26 @@ def mean_of(values, turn):
 
 
 class Judged:
-    """One number over the seeds, each (value, error, low_95, high_95): `ratio` of the scatter to the told error, with
+    """One number over the seeds, each Told: `ratio` of the scatter to the told error, with
     the band of honest ones, `mean`, `told`; `freedom` of an error, as the errors scatter; `covered` seeds whose 95 %
     interval holds the mean (None without intervals); share `beyond` of all pairs of seeds that differ by more than two
     errors, and `chance` of it."""
 
     def __init__(self, name, seeds):
-        turn = period(name)
+        self.period = turn = seeds[0].period
         self.name, self.seeds = name, len(seeds)
-        self.mean = mean_of([s[0] for s in seeds], turn)
-        self.scatter = math.sqrt(sum(apart(s[0], self.mean, turn) ** 2 for s in seeds) / (len(seeds) - 1))
-        squares = [s[1] * s[1] for s in seeds]
+        self.mean = mean_of([s.value for s in seeds], turn)
+        self.scatter = math.sqrt(sum(apart(s.value, self.mean, turn) ** 2 for s in seeds) / (len(seeds) - 1))
+        squares = [s.error * s.error for s in seeds]
         mean_square, spread = statistics.fmean(squares), statistics.variance(squares)
         self.told = math.sqrt(mean_square)
         self.ratio = self.scatter / self.told if self.told > 0 else math.inf
         self.freedom = min(max(2 * mean_square**2 / spread, 1), 200) if spread > 0 else 200
         self.low, self.high = band_of_ratios(len(seeds) - 1, len(seeds) * self.freedom)
-        intervals = [(s[2], s[3]) for s in seeds if s[2] is not None]
+        intervals = [(s.low, s.high) for s in seeds if s.low is not None]
         self.covered = sum(low <= self.mean <= high for low, high in intervals) if intervals else None
         pairs = list(itertools.combinations(seeds, 2))
-        far = sum(abs(apart(a[0], b[0], turn)) > 2 * math.hypot(a[1], b[1]) for a, b in pairs)
+        far = sum(abs(apart(a.value, b.value, turn)) > 2 * math.hypot(a.error, b.error) for a, b in pairs)
         self.beyond, self.chance = far / len(pairs), beyond_by_chance(self.freedom)
 
     @property
@@ -158,7 +160,7 @@ class Study:
         known = [key for key in names if sum(key in one for one in found) >= max(3, 0.75 * len(found))]
         # What is exact is not judged, and what repeats another number (that of the only material, half of a_c) once.
         judged = [Judged(key, [one[key] for one in found if key in one]) for key in known]
-        once = {f"{n.ratio:.9g} {abs(n.mean):.2g}" if period(n.name) else f"{n.ratio:.9g}": n for n in reversed(judged)}
+        once = {f"{n.ratio:.9g} {abs(n.mean):.2g}" if n.period else f"{n.ratio:.9g}": n for n in reversed(judged)}
         self.numbers = [n for n in reversed(once.values()) if n.scatter > 1e-12 * abs(n.mean)]
         self.inside = [n for n in self.numbers if n.inside]
         self.worst = max(self.numbers, key=lambda n: n.ratio)

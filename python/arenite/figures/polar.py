@@ -11,12 +11,12 @@ def draw_rose(axes, rose):
     """A polar histogram over the isotropic fraction (T Fig. 3.8) with its line; `axes` are polar."""
     sectors, colour = numbers(rose["sectors"]), colour_of_role(rose["colour"])
     step = 180 / len(sectors)
-    isotropic, angle = rose["count"] / len(sectors), np.radians(np.arange(0.5 * step, 360, step))
+    angle = np.radians(np.arange(0.5 * step, 360, step))
     for name, alpha in (("sectors", 0.35 if "inner" in rose else 0.5), ("inner", 0.75)):
         if name in rose:
             axes.bar(
                 angle,
-                np.tile(numbers(rose[name]), 2) / isotropic,
+                np.tile(numbers(rose[name]), 2),
                 width=np.radians(0.9 * step),
                 color=colour,
                 alpha=alpha,

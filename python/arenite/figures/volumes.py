@@ -17,15 +17,8 @@ def sizes_of(map):
     return {"x": map.width, "y": map.height, "z": map.depth}
 
 
-def stresses_of(sample):
-    """Names of what is drawn: the stress of the load first."""
-    names = [name for name, (_, unit, _) in _core._voxel_quantities().items() if unit == "Pa"]
-    loaded = "sigma_xz" if sample.numbers["load"]["loading"] == "shear" else "sigma_zz"
-    return [loaded, *(name for name in names if name not in ("sigma_zz", "sigma_xz"))]
-
-
 def stresses(sample):
-    return len(stresses_of(sample))
+    return len(_core._stresses_drawn(sample))
 
 
 def is_loaded(sample):
@@ -103,7 +96,7 @@ def draw_component(figure, sample, name, row):
 
 
 def of_stress(figure, sample):
-    names = stresses_of(sample)
+    names = _core._stresses_drawn(sample)
     for name, row in zip(names, _rows(figure, sample.map, len(names))):
         draw_component(figure, sample, name, row)
 

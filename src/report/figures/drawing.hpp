@@ -72,7 +72,7 @@ struct Panel {
 struct Rose {
   std::string name = {}, colour = {};
   double count = 0;
-  std::vector<double> sectors = {}, inner = {};  ///< numbers of contacts; of a part of them, drawn darker
+  std::vector<double> sectors = {}, inner = {};  ///< contacts over the isotropic number; a part of them, drawn darker
   std::vector<double> line = {};        ///< radii of 1 + a cos 2(theta - direction) by equal angles of half a turn
   double axis = statistics::unknown;    ///< which is marked, degrees
   double reach = 1.6;                   ///< of the outer circle, over isotropic

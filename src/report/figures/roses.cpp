@@ -19,12 +19,18 @@ std::vector<double> line_of(double anisotropy, double direction_deg) {
   return radius;
 }
 
+/// Of `whole` contacts without a preferred direction each sector would have as many.
+std::vector<double> over_isotropic(std::vector<double> sectors, double whole) {
+  for (double& contacts : sectors) contacts *= static_cast<double>(sectors.size()) / whole;
+  return sectors;
+}
+
 }  // namespace
 
 Rose rose_of(std::string name, std::string colour, const Numbers& set, const Numbers* inner) {
   Rose rose{.name = std::move(name), .colour = std::move(colour), .count = estimate_at(set, "/contacts").value};
-  rose.sectors = reals_at(set, "/sectors");
-  if (inner) rose.inner = reals_at(*inner, "/sectors");
+  rose.sectors = over_isotropic(reals_at(set, "/sectors"), rose.count);
+  if (inner) rose.inner = over_isotropic(reals_at(*inner, "/sectors"), rose.count);
   const auto a = estimate_at(set, "/a_c"), theta = estimate_at(set, "/theta_c_deg");
   const double noise = estimate_at(set, "/a_c_noise").value;
   if (std::isfinite(a.value)) {
@@ -34,8 +40,7 @@ Rose rose_of(std::string name, std::string colour, const Numbers& set, const Num
     if (std::isfinite(theta.value)) rose.line = line_of(a.value, theta.value);
     rose.reach = std::max(rose.reach, 1 + a.value);
   }
-  const double isotropic = rose.count / static_cast<double>(std::max<std::size_t>(1, rose.sectors.size()));
-  rose.reach = std::max(rose.reach, largest_of(rose.sectors, 0) / isotropic);
+  rose.reach = std::max(rose.reach, largest_of(rose.sectors, 0));
   return rose;
 }
 

@@ -15,9 +15,9 @@
 #include "core/text.hpp"
 #include "grains/fields/loading.hpp"
 #include "io/disk/store_file.hpp"
+#include "io/results/results.hpp"
 #include "report/figures/over_runs.hpp"
 #include "report/study/default_figures.hpp"
-#include "workflow/asked.hpp"
 
 namespace arenite::report {
 namespace {
@@ -42,7 +42,7 @@ struct Run {
 Run read_run(const std::filesystem::path& folder, const CollectedTable::Row& row) {
   Run run;
   for (const auto& file : io::stage_files(folder)) {
-    auto any = workflow::read_result(file);
+    auto any = io::read_result(file);
     auto* stage = std::get_if<StageResult>(&any);
     if (std::holds_alternative<SphereResult>(any))
       throw refusal("{} is of spheres, whose tests have no curves of a study yet", row.run);

@@ -9,11 +9,11 @@
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/texture/spheres/spheres.hpp"
 #include "io/disk/store_file.hpp"
+#include "io/results/results.hpp"
 #include "report/film_text.hpp"
 #include "report/page_document.hpp"
 #include "report/stage_doubts.hpp"
 #include "report/summary/state.hpp"
-#include "workflow/asked.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::report {
@@ -93,7 +93,7 @@ std::string headlines(const Numbers& numbers) {
 
 Summary::Summary(const std::filesystem::path& result) {
   for (const auto& file : io::stage_files(result)) {
-    auto any = workflow::read_result(file);
+    auto any = io::read_result(file);
     if (auto* film = std::get_if<FilmResult>(&any)) films_.push_back(std::move(*film));
     else if (const auto* field = std::get_if<FieldResult>(&any)) add(file, *field, field->numbers);
     else if (const auto* voxels = std::get_if<VoxelResult>(&any)) add(file, *voxels, voxels->numbers);

@@ -13,7 +13,6 @@
 #include "io/results/results.hpp"
 #include "model/elasticity/disk_stress.hpp"
 #include "model/film_place.hpp"
-#include "workflow/asked.hpp"
 #include "workflow/film/film_correction.hpp"
 #include "workflow/film/film_numbers.hpp"
 #include "workflow/film/measure_film.hpp"
@@ -182,7 +181,7 @@ FilmOutcome run_film(const fs::path& film, const recipe::FilmRecipe& recipe, con
   };
   bool reused = false;
   auto result = carry_out<FilmResult>(
-      {stage, outcome.file, make, io::write_film_result, read_film_result, "the film is measured again"}, options,
+      {stage, outcome.file, make, io::write_film_result, io::read_film_result, "the film is measured again"}, options,
       reused);
   outcome.interrupted = !result;
   if (!result) return outcome;

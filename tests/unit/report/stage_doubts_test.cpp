@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "model/result.hpp"
+
 namespace arenite::report {
 namespace {
 

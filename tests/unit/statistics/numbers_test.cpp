@@ -56,6 +56,9 @@ TEST(Numbers, WhatIsNotFiniteIsNotKnown) {
   EXPECT_FALSE(Numbers(std::numeric_limits<double>::quiet_NaN()).is_known());
   EXPECT_FALSE(Numbers(std::numeric_limits<double>::infinity()).is_known());
   EXPECT_EQ(to_json(Numbers{{"x", std::numeric_limits<double>::quiet_NaN()}}), R"({"x":null})");
+  Numbers angles = Numbers::tree();
+  statistics::put_angle(angles, "axis", statistics::Estimate{30, 2}, statistics::half_turn, "An axis");
+  EXPECT_EQ(to_json(angles), R"({"axis":{"value":30.0,"error":2.0,"period":180.0}})");
 }
 
 TEST(Numbers, PathsLeadToWhatIsThere) {

@@ -60,7 +60,7 @@ StageResult made_of(const recipe::Recipe& recipe) {
   return made;
 }
 
-TEST(Asked, IsStoredAndReadBackAndOfFormerVersionsFoundByTheirRecipe) {
+TEST(Asked, IsStoredAndReadBackAndNeverTakenFromAProvenance) {
   const test::TemporaryFolder folder;
   const auto recipe =
       recipe_with("duration = \"1 s\"\nslide = { top = \"20 mm/s\" }\ntop = { pressure = \"1 kPa\" }\n");
@@ -68,43 +68,14 @@ TEST(Asked, IsStoredAndReadBackAndOfFormerVersionsFoundByTheirRecipe) {
   note_asked(noted, recipe, 1);
   noted.asked.friction = 0.123;  // as nothing but the file has it
   io::write_stage(folder / "noted.h5", noted);
-  const StageResult read = read_stage(folder / "noted.h5");
+  const StageResult read = io::read_stage(folder / "noted.h5");
   EXPECT_EQ(read.asked.friction, 0.123);
   EXPECT_EQ(read.asked.slide, noted.asked.slide);
   EXPECT_EQ(read.asked.load_axis, noted.asked.load_axis);
   EXPECT_EQ(*read.history.find("top_slid"), (std::vector<double>{0.01, 0.02}));
 
-  io::write_stage(folder / "former.h5", made_of(recipe));
-  EXPECT_FALSE(io::read_stage(folder / "former.h5").asked.known);
-  const StageResult former = std::get<StageResult>(read_result(folder / "former.h5"));
-  EXPECT_TRUE(former.asked.known);
-  EXPECT_EQ(former.asked.slide[top], 0.02);
-  EXPECT_EQ(*former.history.find("top_slid"), (std::vector<double>{0.01, 0.02}));
-
-  StageResult foreign = made_of(recipe);
-  foreign.provenance.recipe = "unheard = \"of\"\n";
-  io::write_stage(folder / "foreign.h5", foreign);
-  EXPECT_FALSE(read_stage(folder / "foreign.h5").asked.known);
-}
-
-TEST(Asked, TitlesAreStoredAndOfFormerVersionsFoundByTheirRecipe) {
-  const test::TemporaryFolder folder;
-  const auto title_of = [&](Provenance provenance) {
-    FieldResult field;
-    field.map = make_phase_map(1, 1, 1);
-    field.provenance = std::move(provenance);
-    io::write_field(folder / "field.h5", field);
-    return read_field(folder / "field.h5").provenance.title;
-  };
-  Provenance noted;
-  noted.recipe = "title = \"of the recipe\"\n";
-  EXPECT_EQ(title_of(noted), "of the recipe") << "a former version noted none";
-  noted.title = "as stored";
-  EXPECT_EQ(title_of(noted), "as stored");
-  noted = {};
-  noted.recipe = "this is no recipe";
-  EXPECT_EQ(title_of(noted), "");
-  EXPECT_EQ(std::get<FieldResult>(read_result(folder / "field.h5")).provenance.title, "");
+  io::write_stage(folder / "unnoted.h5", made_of(recipe));
+  EXPECT_FALSE(io::read_stage(folder / "unnoted.h5").asked.known);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include "io/results/results.hpp"
 #include "support/films.hpp"
 #include "support/temporary_folder.hpp"
-#include "workflow/asked.hpp"
 
 namespace arenite::workflow {
 namespace {
@@ -19,7 +18,6 @@ TEST(ResultFolder, SaysThatNoRunGoesOnWithResultsOfVersion01) {
     packing.provenance.recipe =
         std::string("seed = 1\n\n") + (is_old ? "[frame]" : "[container]") + "\nwidth = \"1 m\"\n";
     io::write_stage(folder / "01-packing-0123.h5", packing);
-    EXPECT_EQ(is_of_version_0_1(folder / "01-packing-0123.h5"), is_old);
     const ResultFolder out(folder.path(), {"01-packing-4567.h5"});
     const std::string sentence = out.what_was_put_aside();
     EXPECT_EQ(sentence.starts_with(is_old ? "a result of version 0.1, from which no run can continue, moved to "
@@ -49,8 +47,6 @@ TEST(ResultFolder, LeavesFilmsOfOtherProgramsAndResultsOfOtherKinds) {
   EXPECT_TRUE(std::filesystem::exists(folder / "earlier/01-packing-0123.h5"));
   EXPECT_TRUE(std::filesystem::exists(folder / "film.h5"));
 }
-
-TEST(ResultFolder, AFileThatIsNoResultIsNotOfVersion01) { EXPECT_FALSE(is_of_version_0_1("there is none.h5")); }
 
 }  // namespace
 }  // namespace arenite::workflow

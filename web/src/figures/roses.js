@@ -25,7 +25,7 @@ export function drawRoses(roses, { theme, width }) {
   svg.numbers = [
     {
       x: "direction, \u00b0",
-      y: "contacts",
+      y: "contacts over the isotropic number",
       points: roses.flatMap(({ name, sectors }) =>
         Array.from(sectors, (y, k) => ({ name, x: ((k + 0.5) * 180) / sectors.length, y })),
       ),
@@ -37,8 +37,7 @@ export function drawRoses(roses, { theme, width }) {
 /** One about the origin. */
 function rose(described, radius, theme) {
   const { name, colour: role, count, sectors, inner, line, axis, reach, words } = described;
-  const isotropic = count / sectors.length,
-    scale = radius / reach,
+  const scale = radius / reach,
     colour = colourOf(theme, role);
   const group = s("g");
   group.append(s("circle", { r: radius, fill: "none", stroke: theme.rule }));
@@ -46,8 +45,8 @@ function rose(described, radius, theme) {
     const [dx, dy] = direction(angle, radius);
     group.append(s("line", { x1: -dx, y1: -dy, x2: dx, y2: dy, stroke: theme.rule }));
   }
-  group.append(...petals(sectors, isotropic, scale, colour, inner ? 0.35 : 0.5));
-  if (inner) group.append(...petals(inner, isotropic, scale, colour, 0.75));
+  group.append(...petals(sectors, scale, colour, inner ? 0.35 : 0.5));
+  if (inner) group.append(...petals(inner, scale, colour, 0.75));
   group.append(s("circle", { r: scale, fill: "none", stroke: theme.soft, "stroke-dasharray": "3 3" }));
   if (line) group.append(s("path", { d: around(line, scale), fill: "none", stroke: theme.ink, "stroke-width": 1.5 }));
   group.append(
@@ -69,10 +68,10 @@ export function direction(degrees, r) {
   return [r * Math.cos(angle), -r * Math.sin(angle)];
 }
 
-function petals(counts, isotropic, scale, fill, opacity) {
-  return [...counts, ...counts].map((n, k) => {
-    const r = (n / isotropic) * scale,
-      step = 180 / counts.length;
+function petals(sectors, scale, fill, opacity) {
+  return [...sectors, ...sectors].map((fraction, k) => {
+    const r = fraction * scale,
+      step = 180 / sectors.length;
     const [x1, y1] = direction(k * step + 0.8, r),
       [x2, y2] = direction((k + 1) * step - 0.8, r);
     return s("path", {

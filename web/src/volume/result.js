@@ -47,7 +47,7 @@ export class VolumeResult extends DescribedResult {
 
   /** The component that the load acts by. */
   get loaded() {
-    return this.declared.at("load.loading") === "shear" ? "xz" : "zz";
+    return this.about.acts_by;
   }
 
   codes(id) {

@@ -60,6 +60,15 @@ TEST(Drawing, TheLineOfARoseIsTheDistributionOfSecondOrder) {
   EXPECT_NEAR(at(0), 1.15, 1e-12);
 }
 
+TEST(Drawing, SectorsOfARoseAreOverTheIsotropicNumberOfAll) {
+  const Numbers all{{"contacts", 80}, {"sectors", {35, 15, 10, 20}}},
+      strong{{"contacts", 20}, {"sectors", {10, 5, 0, 5}}};
+  const Rose rose = rose_of("all", "line 0", all, &strong);
+  EXPECT_EQ(rose.sectors, (std::vector<double>{1.75, 0.75, 0.5, 1}));
+  EXPECT_EQ(rose.inner, (std::vector<double>{0.5, 0.25, 0, 0.25}));
+  EXPECT_EQ(rose.reach, 1.75);
+}
+
 TEST(Drawing, EqualListsStandInAPageOnce) {
   report::NumberBlock block;
   PageLists lists(block);
