@@ -23,7 +23,7 @@ struct CementSection {
   recipe::GridSection grid;
 };
 void declare(ParameterVisitor& v, CementSection& section) {
-  recipe::declare(v, section.law);
+  recipe::declare(v, section.law, 2);
   recipe::declare(v, section.grid);
 }
 

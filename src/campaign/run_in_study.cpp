@@ -76,6 +76,8 @@ using Kind = RunState::Kind;
 std::string why_unfinished(const workflow::RunOutcome& outcome) {
   for (const auto& stage : outcome.stages)
     if (!stage.converged) return stage.name + ": " + stage.outcome;
+  for (const auto& stage : outcome.spheres)
+    if (!stage.converged) return stage.name + ": " + stage.outcome;
   for (const auto& field : outcome.fields)
     if (!field.converged) return field.name + ": " + field.outcome;
   for (const auto& sample : outcome.voxels)

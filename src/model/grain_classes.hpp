@@ -15,13 +15,14 @@ struct ClassMaterials {
 };
 
 /// Mean radius of the grains of a material (of all: -1), m; 0 without any.
-double mean_radius(const Packing& packing, std::int32_t material = -1);
+template <int D> double mean_radius(const PackingIn<D>& packing, std::int32_t material = -1);
 
 /// Of two materials that with the larger mean radius is the large grains'; nothing where a packing has no two classes.
-std::optional<ClassMaterials> classes_by_radius(const Packing& packing);
+template <int D> std::optional<ClassMaterials> classes_by_radius(const PackingIn<D>& packing);
 
 /// The class of every grain by its material; empty without classes.
-std::vector<GrainClass> classes_of(const Packing& packing, const std::optional<ClassMaterials>& materials);
+template <int D>
+std::vector<GrainClass> classes_of(const PackingIn<D>& packing, const std::optional<ClassMaterials>& materials);
 
 /// Lengths that a sample takes from the mean radius of its large grains, as P does, whose grid has 40 nodes to it
 /// (P II.B): necks bridge gaps of 3 nodes, and the window is 1024 nodes wide.

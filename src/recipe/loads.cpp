@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "core/error.hpp"
@@ -13,14 +14,6 @@
 namespace arenite::recipe {
 
 using Visitor = ParameterVisitor;
-
-std::vector<Word> words(cement::CementParameters::Kind) {
-  return {{"none", "nowhere"},
-          {"bridges", "trapezia between neighbouring grains"},
-          {"full", "in all space between the grains"},
-          {"coating", "a layer of uniform thickness around every grain"},
-          {"menisci", "between two arcs that touch both neighbours, like a liquid"}};
-}
 
 std::vector<Word> words(peridynamics::Loading) {
   return {{"tension", "away from it"}, {"compression", "towards it"}, {"shear", "along it, to the right"}};
@@ -53,53 +46,6 @@ std::vector<Word> words(elements::PlaneState) {
 }
 
 std::vector<Word> words(Load::Axis) { return {{"y", ""}, {"x", ""}}; }
-
-std::vector<Word> words(grid::Cavity) {
-  return {{"pore", "space between grains, matrix or empty"}, {"void", "empty space"}};
-}
-
-void declare(Visitor& v, cement::CementParameters& law) {
-  using Kind = cement::CementParameters::Kind;
-  v.choice({"kind", "Where the matrix is placed."}, law.kind, words(law.kind));
-  v.number({"gap",
-            "Widest surface gap that is bridged, and at which two grains count as neighbours; unless given, 0.075 of "
-            "the mean large radius."},
-           law.gap, "mm", range::not_negative);
-  const bool is_free = law.kind == Kind::bridges || law.kind == Kind::coating || law.kind == Kind::menisci;
-  v.when(is_free, "kind = \"bridges\", \"coating\" or \"menisci\"", [&](Visitor& inner) {
-    inner.number({"saturation",
-                  "S_m, the fraction of the space between grains filled by matrix: width, thickness or volume is then "
-                  "found so that it holds in the square that becomes the grid (`[grid] crop`)."},
-                 law.saturation, "", range::above(0, 1));
-  });
-  const bool given = !law.saturation;
-  v.when(law.kind == Kind::bridges, "kind = \"bridges\"", [&](Visitor& inner) {
-    inner.flag({"full_width", "width is the full base of a neck over the radius, not half of it."}, law.full_width);
-  });
-  v.when(law.kind == Kind::bridges && given, "kind = \"bridges\" without saturation", [&](Visitor& inner) {
-    inner.number({"width", "eta: half base of a neck over the radius of its grain."}, law.width, "",
-                 range::above(0, 2));
-  });
-  v.when(law.kind == Kind::coating && given, "kind = \"coating\" without saturation", [&](Visitor& inner) {
-    inner.number({"thickness", "Thickness of the layer.", true}, law.thickness, "mm", range::positive);
-  });
-  v.when(law.kind == Kind::menisci && given, "kind = \"menisci\" without saturation", [&](Visitor& inner) {
-    inner.number({"volume", "Volume of one meniscus per unit length.", true}, law.volume, "mm^2", range::positive);
-  });
-}
-
-void declare(Visitor& v, GridSection& grid) {
-  v.integer({"nodes", "Nodes along a side of the square."}, grid.nodes, {7, 32'768});
-  v.number({"crop",
-            "Side of the centred square to crop; unless given, 25.6 mean large radii of a sampled packing, otherwise "
-            "the largest square inside the sample."},
-           grid.crop, "mm", range::positive);
-  v.flag({"eight_connected", "Pores and voids are also connected across corners."}, grid.cavities.eight_connected);
-  v.integer({"fewest_nodes", "Pores and voids of fewer nodes are artefacts of the grid and left out."},
-            grid.cavities.fewest_nodes, {1, 1'000'000});
-  v.flag({"leave_out_border", "Pores and voids that touch the edge are cut, and left out."},
-         grid.cavities.leave_out_border);
-}
 
 namespace {
 
@@ -242,6 +188,17 @@ peridynamics::Method Load::bond_method() const {
                                           : peridynamics::Method::static_solve;
 }
 
+std::string Load::not_in_space() const {
+  if (failure) return "bonds that break are of the plane; leave failure out in space";
+  if (!by_elements()) return "a sample in space is made of elements, bonds are of the plane; give method = elements";
+  if (axis == Axis::x) return "in space the load acts along z, across the slices; leave axis out, or turn the image";
+  if (moduli)
+    return "moduli between clamps along both axes are of the plane; in space give effective_stiffness, which needs "
+           "none";
+  if (plane != elements::PlaneState::stress) return "plane strain is of the plane; leave plane out in space";
+  return {};
+}
+
 elements::Material Load::material() const {
   const peridynamics::Stiffness e = stiffness.resolved();
   return {{e.matrix, poisson.matrix},
@@ -269,10 +226,14 @@ namespace {
 void declare_cemented(Visitor& v, Recipe& recipe) {
   v.optional_section<cement::CementParameters>(
       {"cement", "Binding matrix between the grains, added after the last stage."}, recipe.cement,
-      [](Visitor& inner, cement::CementParameters& law) { recipe::declare(inner, law); });
+      [&](Visitor& inner, cement::CementParameters& law) { recipe::declare(inner, law, recipe.dimension); });
   v.optional_section<GridSection>(
-      {"grid", "Square grid of nodes that discretises the cemented packing.", false, "raster"}, recipe.grid,
-      [](Visitor& inner, GridSection& grid) { declare(inner, grid); });
+      {"grid", "Square grid of nodes, in space a cube of voxels, that discretises the cemented packing.", false,
+       "raster"},
+      recipe.grid, [&](Visitor& inner, GridSection& grid) {
+        declare(inner, grid);
+        grid.nodes = grid.nodes_in(recipe.dimension);
+      });
 }
 
 }  // namespace

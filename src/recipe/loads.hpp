@@ -8,24 +8,15 @@
 
 #include "core/error.hpp"
 #include "core/parameters.hpp"
-#include "solid/cement/cement.hpp"
+#include "recipe/cemented.hpp"
 #include "solid/elements/options.hpp"
-#include "solid/grid/cavities.hpp"
 #include "solid/peridynamics/options.hpp"
 #include "solid/stress/options.hpp"
 
-/// What comes after loading by discrete elements: cement and grid, and the loads on them or on a map.
+/// Loads on a cemented packing or on a map.
 namespace arenite::recipe {
 
 struct Recipe;
-
-/// The nodes that the cemented packing is brought to, and the rules of its pores.
-struct GridSection {
-  std::int64_t nodes = 1024;   ///< a side
-  std::optional<double> crop;  ///< side of the square, m; if not given, 25.6 mean large radii, or what fits
-  grid::CavityRules cavities;
-  bool operator==(const GridSection&) const = default;
-};
 
 /// Moduli of the bonds, Pa; what is not given follows P Table I.
 struct StiffnessSection {
@@ -81,25 +72,23 @@ struct Load : peridynamics::LoadCase, peridynamics::FieldChoices, peridynamics::
   bool by_elements() const { return !failure && method == LoadMethod::elements; }
   peridynamics::Method bond_method() const;
   elements::Material material() const;
+  /// What keeps it from a sample in space, in a sentence; empty where nothing does.
+  std::string not_in_space() const;
   bool operator==(const Load&) const = default;
 };
 
-void declare(ParameterVisitor& visitor, cement::CementParameters& law);
-void declare(ParameterVisitor& visitor, GridSection& grid);
 /// Of a load all but its name, which must differ from others.
 void declare(ParameterVisitor& visitor, Load& load);
 /// All sections of these, and the map.
 void declare_field(ParameterVisitor& visitor, Recipe& recipe);
 
 /// The words that a recipe, a command line and Python share for a choice, in the order of its enumeration.
-std::vector<Word> words(cement::CementParameters::Kind);
 std::vector<Word> words(peridynamics::Loading);
 std::vector<Word> words(peridynamics::LowerEdge);
 std::vector<Word> words(LoadMethod);
 std::vector<Word> words(elements::Element);
 std::vector<Word> words(elements::PlaneState);
 std::vector<Word> words(Load::Axis);
-std::vector<Word> words(grid::Cavity);
 
 /// The word for a value.
 template <class Enum> std::string word_of(Enum value) {

@@ -3,11 +3,10 @@
 #include <fmt/core.h>
 
 #include <limits>
-#include <numbers>
 #include <string>
 
 #include "io/image/phase_map.hpp"
-#include "recipe/loads.hpp"
+#include "recipe/cemented.hpp"
 #include "recipe/recipe.hpp"
 
 namespace arenite::recipe {
@@ -19,38 +18,6 @@ template <class Parse> std::string refusal(const std::string& text, Parse parse)
     if (!text.empty()) parse(text);
     return {};
   } catch (const InputError& error) { return error.problems().front().message; }
-}
-
-/// The matrix between spheres.
-void declare_between_spheres(ParameterVisitor& v, cement::CementParameters& law) {
-  using Kind = cement::CementParameters::Kind;
-  v.choice({"kind", "Where the matrix is placed."}, law.kind, words(law.kind));
-  v.number({"gap", "Widest surface gap that is bridged; unless given, 0.075 mean radii."}, law.gap, "mm",
-           range::not_negative);
-  const bool necks = law.kind == Kind::bridges || law.kind == Kind::menisci, given = !law.saturation;
-  v.when(necks || law.kind == Kind::coating, "kind = \"bridges\", \"coating\" or \"menisci\"",
-         [&](ParameterVisitor& inner) {
-           inner.number({"saturation",
-                         "S_m, the fraction of the space between the spheres filled by matrix: width or thickness is "
-                         "then found on the voxels so that it holds."},
-                        law.saturation, "", range::above(0, 1));
-         });
-  v.when(necks && given, "kind = \"bridges\" or \"menisci\" without saturation", [&](ParameterVisitor& inner) {
-    inner.number(
-        {"width",
-         "Half base of a neck over the radius of its sphere; menisci end on such a circle of the smaller one."},
-        law.width, "", range::above(0, 2));
-  });
-  v.when(law.kind == Kind::bridges, "kind = \"bridges\"", [&](ParameterVisitor& inner) {
-    inner.flag({"full_width", "width is the full base of a neck over the radius, not half of it."}, law.full_width);
-  });
-  v.when(law.kind == Kind::coating && given, "kind = \"coating\" without saturation", [&](ParameterVisitor& inner) {
-    inner.number({"thickness", "Thickness of the layer.", true}, law.thickness, "mm", range::positive);
-  });
-  v.when(law.kind == Kind::menisci, "kind = \"menisci\"", [&](ParameterVisitor& inner) {
-    inner.number({"contact_angle", "Angle at which the matrix meets a sphere, measured in the matrix."},
-                 law.contact_angle, "deg", range::between(0, 80 * std::numbers::pi / 180));
-  });
 }
 
 std::string box_problem(const std::vector<double>& box) {
@@ -106,7 +73,7 @@ void declare(ParameterVisitor& v, MapSection& map) {
   const std::string box = box_problem(map.box);
   v.require(box.empty(), {"box"}, box);
   v.section({"cement", "Of a table of spheres: the matrix between them."},
-            [&](ParameterVisitor& section) { declare_between_spheres(section, map.cement); });
+            [&](ParameterVisitor& section) { declare(section, map.cement, 3); });
 }
 
 }  // namespace arenite::recipe

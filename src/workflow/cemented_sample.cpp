@@ -2,16 +2,22 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "core/problems.hpp"
 #include "grains/texture/gap_coordination.hpp"
 #include "grains/texture/texture.hpp"
 #include "model/grain_classes.hpp"
+#include "model/sphere_pack.hpp"
 #include "solid/grid/crop.hpp"
+#include "solid/grid/label_grains.hpp"
 #include "solid/grid/map_numbers.hpp"
+#include "solid/grid/rasterise_spheres.hpp"
 #include "workflow/field_numbers.hpp"
 
 namespace arenite::workflow {
@@ -48,7 +54,49 @@ std::optional<ClassMaterials> class_materials(const recipe::Recipe& recipe, cons
   return ClassMaterials{index(recipe.bidisperse->large), index(recipe.bidisperse->small)};
 }
 
+/// Spheres, and those of their periodic images that reach into a cube in the middle of their container or, by their
+/// necks, might.
+SpherePack cube_of(const PackingIn<3>& packing, std::optional<double> crop, double gap) {
+  const Container<3>& cell = packing.domain;
+  const Vec3 size = cell.size();
+  const double widest = std::min({size.x, size.y, size.z}), side = crop.value_or(widest);
+  if (side > (1 + 1e-9) * widest)
+    throw refusal("grid.crop of {:.4g} mm is wider than the sample of {:.4g} x {:.4g} x {:.4g} mm; ask for less",
+                  1e3 * side, 1e3 * size.x, 1e3 * size.y, 1e3 * size.z);
+  SpherePack pack;
+  const Vec3 half{side / 2, side / 2, side / 2}, middle = cell.corner() + 0.5 * size;
+  pack.low = middle - half, pack.high = middle + half;
+  const double around = gap + 2 * *std::ranges::max_element(packing.grains.radius);
+  for (std::size_t g = 0; g < packing.grains.size(); ++g)
+    cell.each_near_cell([&](Cells<3> cells) {
+      const Vec3 centre = cell.wrapped(packing.grains.position[g]) + cell.way(cells), off = centre - middle;
+      const double reach = side / 2 + packing.grains.radius[g] + around;
+      if (std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) > reach) return;
+      pack.centre.push_back(centre);
+      pack.radius.push_back(packing.grains.radius[g]);
+      pack.label.push_back(static_cast<std::int32_t>(g));
+    });
+  return pack;
+}
+
 }  // namespace
+
+VoxelMap make_cemented_sample(const recipe::Recipe& recipe, const PackingIn<3>& packing,
+                              const std::function<void(const std::string&)>& notice) {
+  const recipe::GridSection section = recipe.grid_or_default();
+  const auto materials = classes_by_radius(packing);
+  cement::CementParameters law = recipe.cement_or_none();
+  if (!law.gap) law.gap = sample_lengths(mean_radius(packing, materials ? materials->large : -1)).gap;
+  double parameter = 0;
+  VoxelMap map = grid::cemented_voxels(cube_of(packing, section.crop, *law.gap), law,
+                                       static_cast<int>(section.nodes_in(3)), parameter);
+  map.grain_class = classes_of(packing, materials);
+  map.grain_class.resize(packing.grains.size(), GrainClass::none);
+  grid::drop_absent_grains(map);
+  notice(fmt::format("cement: {0} x {0} x {0} voxels of {1:.4g} mm, {2} grains; S_m {3:.4f}", map.width, 1e3 * map.dx,
+                     map.grain_class.size(), grid::saturation_of(map)));
+  return map;
+}
 
 FieldResult make_cemented_sample(const recipe::Recipe& recipe, const Packing& packing) {
   const recipe::GridSection section = recipe.grid_or_default();

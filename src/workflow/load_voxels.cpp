@@ -78,16 +78,7 @@ VoxelMap read_cemented_spheres(const recipe::MapSection& map, const std::functio
 }  // namespace
 
 void require_space(const recipe::Load& load) {
-  if (load.failure) throw InputError("bonds that break are of the plane; leave failure out in space");
-  if (!load.by_elements())
-    throw InputError("a sample in space is made of elements, bonds are of the plane; give --method elements");
-  if (load.axis == recipe::Load::Axis::x)
-    throw InputError("in space the load acts along z, across the slices; leave axis out, or turn the image");
-  if (load.moduli)
-    throw InputError(
-        "moduli between clamps along both axes are of the plane; in space give effective_stiffness, which needs none");
-  if (load.plane != elements::PlaneState::stress)
-    throw InputError("plane strain is of the plane; leave plane out in space");
+  if (const std::string sentence = load.not_in_space(); !sentence.empty()) throw InputError(sentence);
 }
 
 bool is_in_space(const recipe::MapSection& map) {

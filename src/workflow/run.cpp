@@ -49,7 +49,7 @@ class Run {
     if (const std::string sentence = folder_.what_was_put_aside(); !sentence.empty()) options_.notice(sentence);
     if (recipe_.map && is_in_space(recipe_.map_beside())) load_space();
     else if (recipe_.map) load_map();
-    else if (recipe_.dimension == 3) void(pack<3>() && load_grains<3>());
+    else if (recipe_.dimension == 3) void(pack<3>() && load_grains<3>() && load_cemented_spheres());
     else if (pack<2>() && load_grains<2>() && recipe_.has_field()) load_cemented();
     if (outcome_.interrupted) return std::move(outcome_);
     // At the very end, since a run may be killed between writing its last file and this.
@@ -173,20 +173,33 @@ class Run {
     load_nodes(0, nullptr);
   }
 
-  /// The loads of a sample in space, which is read once.
   void load_space() {
     const recipe::MapSection map = recipe_.map_beside();
     for (const recipe::Load& load : recipe_.loads) require_space(load);
+    const auto make = [&] { return read_voxels(map, options_.notice); };
+    load_voxels(0, make, [&] { io::write_atomically(folder_ / "recipe.toml", to_toml(recipe_)); });
+  }
+
+  /// False if it was stopped.
+  bool load_cemented_spheres() {
+    const PackingIn<3>& packing = outcome_.spheres.back().snapshots.back().packing;
+    const auto make = [&] { return make_cemented_sample(recipe_, packing, options_.notice); };
+    return load_voxels(recipe_.stages.size() + 1, make, [] {});
+  }
+
+  /// The loads of a sample in space, from `first` of the plan on; it is made once, when the first is not found.
+  template <class Make, class Done> bool load_voxels(std::size_t first, const Make& make_sample, const Done& done) {
     std::optional<VoxelMap> sample;
     const auto watch = watch_of(progress_, options_);
-    for (std::size_t s = 0; s < recipe_.loads.size(); ++s) {
+    for (std::size_t k = 0; k < recipe_.loads.size(); ++k) {
       const auto make = [&](const fs::path&) {
-        if (!sample) sample = read_voxels(map, options_.notice);
-        return apply_load(recipe_.loads[s], *sample, watch);
+        if (!sample) sample = make_sample();
+        return apply_load(recipe_.loads[k], *sample, watch);
       };
-      if (!add_on_grid<VoxelResult>(s, outcome_.voxels, make, io::write_voxels, io::read_voxels)) return;
-      io::write_atomically(folder_ / "recipe.toml", to_toml(recipe_));
+      if (!add_on_grid<VoxelResult>(first + k, outcome_.voxels, make, io::write_voxels, io::read_voxels)) return false;
+      done();
     }
+    return true;
   }
 
   /// The cemented sample and its loads.

@@ -143,6 +143,7 @@ std::string stage_key(const recipe::Recipe& recipe, std::size_t s, const std::st
 /// Of all that the cemented sample depends on: the last stage, the cement and the grid.
 std::string cement_key(const recipe::Recipe& recipe, const std::string& last_stage_hash) {
   recipe::Recipe part;
+  part.dimension = recipe.dimension;
   part.cement = recipe.cement_or_none();
   part.grid = recipe.grid_or_default();
   HashBuilder hash;
@@ -151,6 +152,10 @@ std::string cement_key(const recipe::Recipe& recipe, const std::string& last_sta
 }
 
 }  // namespace
+
+bool has_sample_apart(const recipe::Recipe& recipe) {
+  return recipe.map ? !is_in_space(recipe.map_beside()) : recipe.dimension == 2;
+}
 
 std::string seed_key(const recipe::Recipe& recipe) {
   recipe::Recipe part = packing_part(recipe);
@@ -210,7 +215,7 @@ std::vector<PlannedStage> plan_of(const recipe::Recipe& recipe) {
   };
   if (recipe.map) {
     const std::string sample = map_key(recipe.map_beside());
-    if (!is_in_space(recipe.map_beside())) add("map", sample, true);  // in space it is part of each load's result
+    if (has_sample_apart(recipe)) add("map", sample, true);
     for (const recipe::Load& load : recipe.loads) add(load.name, load_key(load, sample), true);
     return plan;
   }
@@ -218,8 +223,8 @@ std::vector<PlannedStage> plan_of(const recipe::Recipe& recipe) {
   for (std::size_t s = 0; s < recipe.stages.size(); ++s)
     add(recipe.stages[s].name, stage_key(recipe, s, plan.front().hash), false);
   if (!recipe.has_field()) return plan;
-  add("cement", cement_key(recipe, plan.back().hash), true);
-  const std::string sample = plan.back().hash;
+  const std::string sample = cement_key(recipe, plan.back().hash);
+  if (has_sample_apart(recipe)) add("cement", sample, true);
   for (const recipe::Load& load : recipe.loads) add(load.name, load_key(load, sample), true);
   return plan;
 }
@@ -227,8 +232,8 @@ std::vector<PlannedStage> plan_of(const recipe::Recipe& recipe) {
 recipe::Recipe part_of(const recipe::Recipe& recipe, std::size_t s) {
   if (recipe.map || s > recipe.stages.size()) {
     recipe::Recipe part = recipe;
-    // 0: the sample, before all loads; in space there is none.
-    const std::size_t load = !recipe.map ? s - recipe.stages.size() - 1 : is_in_space(recipe.map_beside()) ? s + 1 : s;
+    // 0: the sample, before all loads.
+    const std::size_t load = (recipe.map ? s : s - recipe.stages.size() - 1) + (has_sample_apart(recipe) ? 0 : 1);
     part.loads.clear();
     if (load > 0) part.loads.push_back(recipe.loads[load - 1]);
     return part;

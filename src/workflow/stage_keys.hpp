@@ -50,6 +50,9 @@ std::string film_key(const std::filesystem::path& film, FilmSource& source, cons
 /// names of their results.
 std::string virtual_film_key(const recipe::FilmRecipe& camera, const std::string& low, const std::string& high);
 
+/// Whether what is loaded on a grid has a result of its own; in space it is part of each load's.
+bool has_sample_apart(const recipe::Recipe& recipe);
+
 /// One stage of a run: the packing, a loading, the cemented sample, or a load of it; or a film.
 struct PlannedStage {
   std::string name, hash, file;  ///< file: its name in the run's folder

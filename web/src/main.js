@@ -18,8 +18,8 @@ import { followTheme, preferredTheme, themeOf } from "./theme.js";
 import { VolumeResult } from "./volume/result.js";
 import { volumeSection } from "./volume/section.js";
 
-/** The packing if there is one, then every result on a grid, every film, every sample in space, and every stage of
-    spheres. */
+/** The packing if there is one, then every result on a grid, every film, every stage of spheres, and every sample in
+    space. */
 function partsOf(sample, { fields, films, volumes, spheres }, state) {
   const packing =
     sample.snapshotCount > 0 ? [{ name: "packing", title: "Packing", make: () => packingSection(sample, state) }] : [];
@@ -35,15 +35,15 @@ function partsOf(sample, { fields, films, volumes, spheres }, state) {
       title: titleOf(film),
       make: () => filmSection(film, state, sample.about.figures.film),
     })),
-    ...volumes.map((volume, k) => ({
-      name: `volume-${k}`,
-      title: titleOf(volume),
-      make: () => volumeSection(volume, state, sample.about.figures.voxels),
-    })),
     ...spheres.map((stage, k) => ({
       name: `spheres-${k}`,
       title: titleOf(stage),
       make: () => sphereSection(stage, state, sample.about.figures.spheres),
+    })),
+    ...volumes.map((volume, k) => ({
+      name: `volume-${k}`,
+      title: titleOf(volume),
+      make: () => volumeSection(volume, state, sample.about.figures.voxels),
     })),
   ];
 }

@@ -26,6 +26,17 @@ std::string of_the_plane(const Stage& stage) {
   return {};
 }
 
+/// What is cemented in space is kept with its loads.
+void require_field(Visitor& v, const Recipe& recipe) {
+  v.require(recipe.loads.empty() == !recipe.has_field(), {"cement", "grid"},
+            "a cemented sample in space is kept with its loads; add [[loads]] with method = \"elements\"");
+  v.require(!recipe.grid || recipe.grid->cavities == grid::CavityRules{}, {"grid"},
+            "single pores and voids are found in the plane alone; leave their rules out in space");
+  for (const Load& load : recipe.loads)
+    if (const std::string sentence = load.not_in_space(); !sentence.empty())
+      v.require(false, {"loads"}, fmt::format("load \"{}\": {}", load.name, sentence));
+}
+
 }  // namespace
 
 void require_in_space(Visitor& v, const Recipe& recipe) {
@@ -51,8 +62,7 @@ void require_in_space(Visitor& v, const Recipe& recipe) {
   refuse(recipe.glued.has_value(), {"glued"}, "no region can be glued by itself");
   refuse(!recipe.boundaries.empty(), {"boundaries"}, "there are no boundaries");
   refuse(recipe.membrane.has_value(), {"membrane"}, "there are no membranes");
-  refuse(recipe.has_field(), {"cement", "grid", "loads"},
-         "samples of a recipe's own spheres are not cemented; load a table of spheres with `arenite load --voxels`");
+  require_field(v, recipe);
   for (const Stage& stage : recipe.stages)
     if (const std::string what = of_the_plane(stage); !what.empty())
       v.require(false, {"stages"},

@@ -6,6 +6,7 @@
 
 #include "solid/grid/cavities.hpp"
 #include "solid/grid/cavity_statistics.hpp"
+#include "solid/grid/rasterise_spheres.hpp"
 
 namespace arenite::grid {
 namespace {
@@ -96,6 +97,7 @@ Numbers map_numbers(const VoxelMap& map) {
   j["phases"] = {{"void", described(share(Phase::empty), "", "Fraction of the volume that is void")},
                  {"matrix", described(share(Phase::matrix), "", "Fraction of the volume in matrix")},
                  {"particle", described(share(Phase::particle), "", "Fraction of the volume in grains")}};
+  j["saturation"] = described(saturation_of(map), "", "S_m, matrix over what is not grain");
   j["grains"] = described(map.grain_class.size(), "", "Grains");
   return j;
 }
