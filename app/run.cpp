@@ -15,6 +15,7 @@
 #include "run_status.hpp"
 #include "watch_server.hpp"
 #include "workflow/checkpoints.hpp"
+#include "workflow/lammps/engine_options.hpp"
 #include "workflow/run.hpp"
 
 namespace arenite::app {
@@ -25,7 +26,8 @@ namespace fs = std::filesystem;
 
 struct RunArguments {
   std::vector<std::string> recipes, overrides;
-  KeyOptions keys{recipe::recipe_keys()};
+  KeyOptions keys{recipe::recipe_keys()}, engine_keys{recipe::every_key<workflow::EngineOptions>()};
+  workflow::EngineOptions engine;
   std::string out;
   int threads = Threads{}.threads;
   bool quiet = false, watch = false;
@@ -63,6 +65,7 @@ workflow::RunOutcome carry_out(const recipe::Recipe& recipe, const fs::path& fol
   options.checkpoint_seconds = arguments.checkpoint_seconds;
   options.asked_to_stop = stop_requested;
   options.page_follows = true;
+  options.engine = arguments.engine.is_lammps() ? &arguments.engine : nullptr;
   ProgressLine line(arguments.quiet);
   options.progress = [&](const workflow::Progress& progress) {
     line.show(progress);
@@ -117,7 +120,8 @@ recipe::Recipe read(const std::string& file, const std::vector<std::string>& ove
 }
 
 /// All recipes are read before the first is run, so that a slip in the last shows at once.
-int execute(const RunArguments& arguments) {
+int execute(RunArguments& arguments) {
+  read_options(arguments.engine, arguments.engine_keys.given());
   auto overrides = arguments.overrides;
   for (std::string& key : arguments.keys.overrides()) overrides.push_back(std::move(key));
   std::vector<recipe::Recipe> recipes;
@@ -147,6 +151,12 @@ void add_run(Options& command, int& status) {
   add_threads(command, arguments->threads);
   arguments->keys.add(command, "--kernel", "integration.kernel").type("NAME");
   add_checkpoints(command, arguments->checkpoint_seconds);
+  arguments->engine_keys.add(command, "--engine", "engine").type("NAME");
+  arguments->engine_keys.add(command, "--lammps-stages", "lammps_stages").type("NAME,..");
+  arguments->engine_keys.add(command, "--ranks", "ranks").type("N");
+  arguments->engine_keys.add(command, "--lammps-command", "lammps_command").type("COMMAND");
+  arguments->engine_keys.add(command, "--restart-every", "restart_every").type("STEPS");
+  arguments->engine_keys.add(command, "--prepare", "prepare");
   command.add("--watch", arguments->watch,
               "Serve a live page of the run to browsers on this machine, and print its address");
   command.add("--quiet", arguments->quiet, "Show no progress");

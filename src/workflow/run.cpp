@@ -11,6 +11,7 @@
 #include "io/disk/file.hpp"
 #include "io/results/results.hpp"
 #include "workflow/cemented_sample.hpp"
+#include "workflow/lammps/carry_stage.hpp"
 #include "workflow/load_voxels.hpp"
 #include "workflow/make_packing.hpp"
 #include "workflow/read_map.hpp"
@@ -40,7 +41,7 @@ class Run {
   Run(const recipe::Recipe& recipe, const RunOptions& options)
       : recipe_(recipe),
         options_(options),
-        plan_(plan_of(recipe)),
+        plan_(plan_of(recipe, options)),
         folder_(options.out, mapped(plan_, &PlannedStage::file)),
         progress_{.stages = plan_.size(), .name = "packing"} {}
 
@@ -146,6 +147,7 @@ class Run {
   template <int D> bool load_grains() {
     auto& stages = stages_of<D>(outcome_);
     const PackingIn<D> start = stages[0].snapshots.back().packing;
+    if (options_.engine) require_lammps<D>(recipe_, start, *options_.engine);
     std::optional<dem::EngineIn<D>> engine;
     for (std::size_t s = 1; s <= recipe_.stages.size(); ++s) {
       begin(s);
@@ -247,6 +249,7 @@ std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engi
                                       const RunOptions& options, const Progress& progress,
                                       const StepFunction* on_step) {
   dem::StageRun run = begun_or_kept(engine, stage.recipe.stages[stage.place - 1], stage.hash, checkpoint, options);
+  if (carry_by_lammps(stage, engine, run, options, progress) == Part::stopped) return std::nullopt;
   StageWatch watch(stage, engine, run, options, progress, on_step);
   CheckpointTimes times(options);
   StateOfNow now(stage, options.page_follows ? checkpoint.parent_path() : fs::path());
@@ -263,7 +266,7 @@ std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engi
   StageResult made = measure_stage({recipe, stage.place, hash, stage.before, stage.texture}, std::move(run.result),
                                    engine.kernel->name);
   made.provenance.options = changes;
-  return made;
+  return tell_of_lammps(std::move(made), options, stage.hash);
 }
 
 std::optional<SphereResult> load_stage(const GrainStageIn<3>& stage, dem::EngineIn<3>& engine,
@@ -271,6 +274,7 @@ std::optional<SphereResult> load_stage(const GrainStageIn<3>& stage, dem::Engine
                                        const StepFunction* /*on_step*/) {
   const dem::Stage& loading = stage.recipe.stages[stage.place - 1];
   dem::StageRunIn<3> run = begun_or_kept(engine, loading, stage.hash, checkpoint, options);
+  if (carry_by_lammps(stage, engine, run, options, progress) == Part::stopped) return std::nullopt;
   CheckpointTimes times(options);
   Progress now = progress;
   now.increments = loading.duration ? 0 : dem::increment_count(loading);
@@ -283,7 +287,7 @@ std::optional<SphereResult> load_stage(const GrainStageIn<3>& stage, dem::Engine
     if (times.asked_to_stop()) return std::nullopt;
   }
   run.result.continuation = dem::save_sample<3>(engine);
-  return measure_stage(stage, std::move(run.result), engine.kernel->name);
+  return tell_of_lammps(measure_stage(stage, std::move(run.result), engine.kernel->name), options, stage.hash);
 }
 
 RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options) {

@@ -40,6 +40,7 @@ struct Progress {
 };
 
 class Store;
+struct EngineOptions;
 struct StepFunction;
 
 struct RunOptions {
@@ -51,6 +52,7 @@ struct RunOptions {
   const Store* store = nullptr;  ///< stages that are there are taken from it, and what is computed is put there
   bool page_follows = false;     ///< of stresses, what a page alone shows is measured with the rest
   const StepFunction* on_step = nullptr;  ///< called while a stage of loading is computed (stage_watch.hpp)
+  const EngineOptions* engine = nullptr;  ///< another program that runs stages (lammps/engine_options.hpp)
 };
 
 /// What a run measured of its results, in their order, for the page to take over; nothing where a result was there

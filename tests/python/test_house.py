@@ -20,7 +20,7 @@ FLOORS = [
 ]
 # The chambers of a room, from left to right: one includes itself and those before it.
 CHAMBERS = {
-    "grains": ["packing", "dem", "texture", "fields"],
+    "grains": ["packing", "dem", "lammps", "texture", "fields"],
     "solid": ["cement", "grid", "statics", "peridynamics", "elements", "stress"],
     "thermal": ["radiometry", "optics", "camera", "imaging", "thermography", "inference", "identify"],
 }
