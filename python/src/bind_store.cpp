@@ -7,7 +7,6 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/dem/engine.hpp"
-#include "keywords.hpp"
 #include "module.hpp"
 #include "report/film_text.hpp"
 #include "report/page.hpp"
@@ -15,7 +14,6 @@
 #include "result.hpp"
 #include "running_stage.hpp"
 #include "workflow/export_result.hpp"
-#include "workflow/lammps/engine_options.hpp"
 #include "workflow/make_packing.hpp"
 #include "workflow/run.hpp"
 #include "workflow/stage_keys.hpp"
@@ -38,28 +36,15 @@ workflow::RunOptions run_options(Call& call, const Progress& progress) {
   return options;
 }
 
-Keywords engine_keywords() {
-  return {recipe::every_key<workflow::EngineOptions>(),
-          {{"engine", "engine"},
-           {"lammps_stages", "lammps_stages"},
-           {"ranks", "ranks"},
-           {"lammps_command", "lammps_command"},
-           {"restart_every", "restart_every"},
-           {"prepare", "prepare"}}};
-}
-
 Result run(recipe::Recipe recipe, const Path& out, int threads, const Progress& progress, const OnStep& on_step,
-           std::int64_t every, const py::kwargs& values) {
+           std::int64_t every) {
   recipe.integration.threads = threads_given(threads);
-  workflow::EngineOptions engine;
-  read_keywords(engine, engine_keywords().given("run", values));
   Call call;
   const auto steps = step_function(call, on_step, every);
   call.without_lock([&] {
     workflow::RunOptions options = run_options(call, progress);
     options.out = out;
     options.on_step = steps ? &*steps : nullptr;
-    options.engine = engine.is_lammps() ? &engine : nullptr;
     return workflow::run(recipe, options);
   });
   return call.without_lock([&] { return open_result(out); });
@@ -202,13 +187,11 @@ void bind_store(py::module_& m) {
         return call.without_lock([&] { return open_result(path); });
       },
       py::arg("path"), "Reads a run's folder, or one file of it.");
-  def_with_keywords(
-      m, "run", &run, engine_keywords(),
-      "Runs a recipe: packing, loading stage by stage, cement, grid, loads. Stages already in `out` are not computed "
-      "again. `progress(share, name)` is called meanwhile, and `on_step(stage)` as by `load_stage`, in each stage of "
-      "loading that is computed. A stage that it changes, and what comes after it, is computed anew by another run.",
-      py::arg("recipe"), py::arg("out"), py::kw_only(), threads_argument(), py::arg("progress") = py::none(),
-      py::arg("on_step") = py::none(), py::arg("every") = 1000);
+  m.def("run", &run, py::arg("recipe"), py::arg("out"), py::kw_only(), threads_argument(),
+        py::arg("progress") = py::none(), py::arg("on_step") = py::none(), py::arg("every") = 1000,
+        "Runs a recipe: packing, loading stage by stage, cement, grid, loads. Stages already in `out` are not computed "
+        "again. `progress(share, name)` is called meanwhile, and `on_step(stage)` as by `load_stage`, in each stage of "
+        "loading that is computed. A stage that it changes, and what comes after it, is computed anew by another run.");
   m.def(
       "save",
       [](const py::object& what, const Path& folder) {

@@ -164,10 +164,6 @@ without_recipe = {
 }
 
 
-without_recipe["run"] = (
-    ["run"],
-    same_keywords("engine", "lammps-stages", "ranks", "lammps-command", "restart-every", "prepare"),
-)
 without_recipe["camera"] = (["camera"], same_keywords("format"))
 without_recipe["figures"] = (["figures.save_all"], same_keywords("width") | {"--format": "formats", "--only": "names"})
 without_recipe["animate"] = (
