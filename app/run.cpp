@@ -152,7 +152,7 @@ void add_run(Options& command, int& status) {
   arguments->keys.add(command, "--kernel", "integration.kernel").type("NAME");
   add_checkpoints(command, arguments->checkpoint_seconds);
   arguments->engine_keys.add(command, "--engine", "engine").type("NAME");
-  arguments->engine_keys.add(command, "--lammps-stages", "lammps_stages").type("NAME,..");
+  arguments->engine_keys.add(command, "--lammps-stages", "lammps_stages").type("[NAME,..]");
   arguments->engine_keys.add(command, "--ranks", "ranks").type("N");
   arguments->engine_keys.add(command, "--lammps-command", "lammps_command").type("COMMAND");
   arguments->engine_keys.add(command, "--restart-every", "restart_every").type("STEPS");
