@@ -139,7 +139,7 @@ void add_load(Options& command, int& status) {
   command
       .add("map", a->file,
            recipe::help_of(a->map.at("file")) + "; pictures: " + io::picture_formats(true) +
-               "; volumes: " + io::volume_formats() + "; spheres: .csv, LBPM's pack.out")
+               "; volumes: " + io::volume_formats() + "; spheres: .csv and what `arenite measure` reads of them")
       .required()
       .type("PHASEMAP");
   add_reading(command, a->map);

@@ -3,20 +3,26 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
+#include <variant>
 
 #include "commands.hpp"
+#include "core/hash.hpp"
 #include "core/text.hpp"
 #include "grains/texture/texture.hpp"
+#include "io/disk/file.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
 #include "io/sample/formats.hpp"
 #include "io/table/table.hpp"
 #include "print.hpp"
 #include "recipe/recipe.hpp"
+#include "report/page.hpp"
 #include "solid/stress/grains.hpp"
 #include "solid/stress/stress.hpp"
-#include "statistics/correlation.hpp"
-#include "thermal/imaging/proposed_contacts.hpp"
+#include "statistics/numbers_text.hpp"
+#include "workflow/measure_spheres.hpp"
+#include "workflow/result_folder.hpp"
 
 namespace arenite::app {
 namespace {
@@ -27,15 +33,15 @@ struct ContactGap {
 };
 void declare(ParameterVisitor& v, ContactGap& gap) {
   v.number({"touching",
-            "Without a file of contacts: widest gap between the surfaces of grains that are taken to touch; forces are "
-            "then not known."},
+            "Without a file of contacts: widest gap between the surfaces of grains that are taken to touch (of spheres "
+            "unless given 0); forces are then not known."},
            gap.touching, "mm", range::positive);
 }
 
 struct MeasureArguments {
   KeyOptions measure{recipe::every_key<Measuring>()}, load{recipe::every_key<recipe::Load>()};
   KeyOptions sample{recipe::every_key<io::SampleOptions>()}, gap{recipe::every_key<ContactGap>()};
-  std::string grains, contacts, periodic, doubled = "error";
+  std::string grains, contacts, periodic, out, doubled = "error";
   bool json = false, curves = false;
 };
 
@@ -56,29 +62,29 @@ io::SampleOptions sample_options(const MeasureArguments& a) {
 }
 
 /// Where no contacts are given: those between surfaces no further apart than the gap that was asked for, without
-/// forces.
-void propose_contacts(const MeasureArguments& a, io::Sample& sample, texture::Options& options) {
+/// forces; what is said of them.
+template <int D> std::string propose_contacts(const MeasureArguments& a, io::SampleIn<D>& sample) {
   ContactGap gap;
   read_options(gap, a.gap.given(bare_length(a)));
-  imaging::ContactTolerance tolerance;
-  tolerance.floor = 1;
-  tolerance.pixel = gap.touching.value();
-  const double mean_radius = statistics::mean_of_known(sample.packing.grains.radius);
-  if (tolerance.pixel > mean_radius)
-    throw InputError(fmt::format(
-        "--touching: {} is wider than the mean radius of the grains, {:.4g} m; grains so far apart do not touch",
-        a.gap.text("touching"), mean_radius));
-  sample.packing.contacts = imaging::propose_contacts(sample.packing.grains, sample.packing.domain, {}, tolerance);
-  options.rattler_contacts = 0;
-  sample.notes.push_back("Grains are taken to touch where their surfaces are within " + a.gap.text("touching") +
-                         " of each other; forces are not known, so statistics of forces are left out.");
+  return workflow::propose_contacts(sample, gap.touching.value_or(0), a.gap.text("touching"));
 }
 
-void measure(const MeasureArguments& a) {
-  io::Sample sample = io::read_sample(a.grains, a.contacts, sample_options(a));
+void measure(const MeasureArguments& a, io::Sample sample) {
   texture::Options options;
   read_options(static_cast<Measuring&>(options), a.measure.given());
-  if (a.contacts.empty()) propose_contacts(a, sample, options);
+  if (!a.out.empty())
+    throw InputError(a.grains, 0,
+                     "holds disks, whose numbers are printed; --out makes files of spheres (in Python, "
+                     "arenite.page(read_packing(...), \"page.html\") makes a page of disks)");
+  if (a.contacts.empty()) {
+    if (a.gap.text("touching").empty())
+      throw InputError(
+          "give the file of contacts after that of the grains, or --touching with the widest gap between grains that "
+          "touch, for example --touching \"0.2 mm\"");
+    sample.notes.push_back(propose_contacts(a, sample) +
+                           "; forces are not known, so statistics of forces are left out.");
+    options.rattler_contacts = 0;
+  }
   options.doubled_rows = sample.doubled_rows;
   texture::Texture t = texture::measure(sample.packing, options);
   if (a.contacts.empty()) texture::forget_forces(t);
@@ -86,16 +92,43 @@ void measure(const MeasureArguments& a) {
   if (sample.doubled_rows > 0)
     t.notes.insert(t.notes.begin(), std::to_string(sample.doubled_rows) +
                                         " rows repeat a contact that is already listed, and were merged with it.");
-  const std::string text = a.json ? to_json(texture::numbers(t, a.curves), 2) + "\n" : texture::to_text(t);
-  std::fwrite(text.data(), 1, text.size(), stdout);
+  put(stdout, a.json ? to_json(texture::numbers(t, a.curves), 2) + "\n" : texture::to_text(t));
+}
+
+/// Of the files, and of what was made of them as they were read.
+std::string hash_of(const MeasureArguments& a, const Numbers& numbers) {
+  HashBuilder hash;
+  for (const auto& path : {a.grains, a.contacts})
+    if (!path.empty()) hash.add("file", io::read_file(path));
+  return hash.add("numbers", to_json(numbers)).hex();
+}
+
+void measure(const MeasureArguments& a, io::SampleIn<3> sample) {
+  Measuring how;
+  read_options(how, a.measure.given());
+  if (a.contacts.empty()) sample.notes.push_back(propose_contacts(a, sample) + ".");
+  SphereResult stage = workflow::measured_stage(std::move(sample), how, a.grains);
+  stage.provenance.input_hash = hash_of(a, stage.texture);
+  Numbers numbers = stage.texture;
+  if (!a.json) erase(numbers, Trait::detail);
+  if (!a.curves) erase(numbers, Trait::curve);
+  put(stdout, a.json ? to_json(numbers, 2) + "\n" : arenite::to_text(numbers));
+  if (a.out.empty()) return;
+  const std::string name = io::stage_file_name(1, stage.name, stage.provenance.input_hash);
+  const workflow::ResultFolder folder(a.out, {name});
+  const std::filesystem::path page = folder / "report.html";
+  io::write_stage(folder / name, stage);
+  report::write_page(page, {.title = stage.provenance.title, .spheres = {&stage, 1}});
+  if (!a.json) print("\nresult: {}\npage:   {}\n", (folder / name).string(), page.string());
 }
 
 void add_reading(Options& command, MeasureArguments& a) {
   const auto add = [&](const char* name, const char* key) -> Option& { return a.sample.add(command, name, key); };
-  add("--box", "box").type("LX,LY[,tilt]");
-  add("--origin", "origin").type("X,Y");
-  command.add("--periodic{xy}", a.periodic,
+  add("--box", "box").type("LX,LY[,LZ][,tilt]");
+  add("--origin", "origin").type("X,Y[,Z]");
+  command.add("--periodic{all}", a.periodic,
               recipe::help_of(a.sample.at("periodic")) + "; --periodic=x or --periodic=y for one direction");
+  add("--dimension", "dimension").type("WORD");
   add("--thickness", "thickness").type("LENGTH");
   add("--materials", "materials").type("FILE");
   add("--length-unit", "length_unit").type("UNIT");
@@ -104,6 +137,8 @@ void add_reading(Options& command, MeasureArguments& a) {
   add("--format", "format").type("NAME");
   add("--grain-columns", "grain_columns").type("NAMES");
   add("--columns", "contact_columns").type("NAMES");
+  command.add("--out", a.out, "Folder for the result and the page of a sample of spheres, as `arenite run` writes them")
+      .type("DIR");
   a.gap.add(command, "--touching", "touching").type("LENGTH");
   add("--y-down", "y_down");
   command.add("--doubled", a.doubled, "merge: " + recipe::help_of(a.sample.at("merge_doubled")))
@@ -153,20 +188,17 @@ void add_measure(Options& command, int&) {
   command
       .add("contacts", a->contacts,
            "Contacts: " + list_of(io::words_of(io::samples::all, &io::SampleFormat::contacts_are), "; ") +
-               "; none for a field, or with --touching")
+               "; none for a field, with --touching, or for spheres that touch where they overlap")
       .type("CONTACTS");
   add_statistics(command, *a);
   add_reading(command, *a);
   add_field_statistics(command, a->load);
   command.work = [a] {
     if (io::stored_kind(a->grains) == "field") return measure_field(*a);
-    const bool touches = !a->gap.text("touching").empty();
-    if (a->contacts.empty() != touches)
-      throw InputError(!touches
-                           ? "give the file of contacts after that of the grains, or --touching with the widest gap "
-                             "between grains that touch, for example --touching \"0.2 mm\""
-                           : "--touching: for grains without a file of contacts; leave out one of the two");
-    measure(*a);
+    if (!a->contacts.empty() && !a->gap.text("touching").empty())
+      throw InputError("--touching: for grains without a file of contacts; leave out one of the two");
+    std::visit([&](auto&& sample) { measure(*a, std::move(sample)); },
+               io::read_any_sample(a->grains, a->contacts, sample_options(*a)));
   };
 }
 

@@ -94,8 +94,15 @@ void bind_spheres(py::module_& m) {
           "Force of each contact on sphere i, N; (M, 3).")
       .def_property_readonly("domain", &domain_in_space, "The container: its six sides, size and periodic directions.")
       .def(
-          "measure", [](const PackingIn<3>& p) { return to_python(texture::measure_spheres(p)); },
-          "Solid fraction, coordination, fabric, stress and forces, each with its error.")
+          "measure",
+          [](const PackingIn<3>& p, double border) {
+            Measuring how;
+            how.border = border;
+            return to_python(texture::measure_spheres(p, texture::sphere_options(p, how)));
+          },
+          py::arg("border") = Measuring{}.border,
+          "Solid fraction, coordination, fabric, stress and forces, each with its error; `border`: width of the strip "
+          "left out along walls, in mean diameters. Rattlers are judged by whether contacts have friction.")
       .def(
           "__len__", [](const PackingIn<3>& p) { return p.grains.size(); }, "Number of spheres.")
       .def("__repr__", [](const PackingIn<3>& p) {

@@ -1,6 +1,9 @@
 #include <fmt/core.h>
 #include <pybind11/stl.h>
 
+#include <utility>
+#include <variant>
+
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "grains/texture/stress.hpp"
@@ -10,6 +13,7 @@
 #include "keywords.hpp"
 #include "module.hpp"
 #include "recipe/recipe.hpp"
+#include "workflow/measure_spheres.hpp"
 
 namespace arenite::python {
 namespace {
@@ -69,6 +73,7 @@ const Keywords& sample_keywords() {
   static const Keywords keywords(recipe::every_key<io::SampleOptions>(), {{"format", "format", "", true},
                                                                           {"box", "box"},
                                                                           {"origin", "origin"},
+                                                                          {"dimension", "dimension"},
                                                                           {"thickness", "thickness"},
                                                                           {"periodic", "periodic"},
                                                                           {"length_unit", "length_unit"},
@@ -82,14 +87,25 @@ const Keywords& sample_keywords() {
   return keywords;
 }
 
-Packing packing_of_files(const Path& grains, const std::optional<Path>& contacts, const std::string& format,
-                         const py::kwargs& more) {
+using AnyPacking = std::variant<Packing, PackingIn<3>>;
+
+AnyPacking packing_of(io::Sample& sample, bool /*has_contacts*/) { return std::move(sample.packing); }
+AnyPacking packing_of(io::SampleIn<3>& sample, bool has_contacts) {
+  if (!has_contacts) workflow::propose_contacts(sample, 0, "");
+  return std::move(sample.packing);
+}
+
+AnyPacking packing_of_files(const Path& grains, const std::optional<Path>& contacts, const std::string& format,
+                            const py::kwargs& more) {
   auto given = sample_keywords().given("read_packing", more);
   given.push_back(sample_keywords().given("format", py::str(format)));
   io::SampleOptions options;
   read_keywords(options, given);
   Call call;
-  return call.without_lock([&] { return io::read_sample(grains, contacts.value_or(Path()), options).packing; });
+  return call.without_lock([&] {
+    io::AnySample sample = io::read_any_sample(grains, contacts.value_or(Path()), options);
+    return std::visit([&](auto& read) { return packing_of(read, contacts.has_value()); }, sample);
+  });
 }
 
 }  // namespace
@@ -114,7 +130,8 @@ void bind_texture(py::module_& m) {
   def_with_keywords(
       m, "read_packing", &packing_of_files, sample_keywords(),
       "Grains and contacts from files of YADE, LAMMPS, MercuryDPM or CSV, as `arenite measure` reads them; "
-      "the keywords give what the files lack. Quantities in SI, or text with a unit.",
+      "the keywords give what the files lack. Quantities in SI, or text with a unit. Disks are a Packing, spheres a "
+      "SpherePacking; spheres without a file of contacts touch where they overlap.",
       py::arg("grains"), py::arg("contacts") = py::none(), py::arg("format") = io::SampleOptions{}.format);
 }
 

@@ -34,8 +34,8 @@ io::RawGrains rows_of(const ArrayLike& x, const ArrayLike& y, const ArrayLike& r
     throw InputError("x, y, radius and material must have equal lengths");
   io::RawGrains grains;
   const Vec2 low = container.corner, high = container.corner + Vec2{container.width, container.height};
-  grains.lay_box(low, high);
-  auto& periodic = grains.cell.periodic;
+  grains.plane.lay_box(low, high);
+  auto& periodic = grains.plane.cell.periodic;
   std::tie(periodic[0], periodic[1]) = periodic_directions(container.periodic);
   for (std::size_t k = 0; k < radii.size(); ++k) {
     const Vec2 centre{centre_x[k], centre_y[k]};
@@ -46,7 +46,7 @@ io::RawGrains rows_of(const ArrayLike& x, const ArrayLike& y, const ArrayLike& r
           fmt::format("the centre of grain {}, ({:g}, {:g}) m, lies outside the container, which extends from ({:g}, "
                       "{:g}) to ({:g}, {:g}) m; correct the centre, or origin, width and height",
                       k, centre.x, centre.y, low.x, low.y, high.x, high.y));
-    grains.rows.push_back({static_cast<std::int64_t>(k), Vec3{centre.x, centre.y, 0}, centre, radii[k], {}, 0, 0});
+    grains.rows.push_back({static_cast<std::int64_t>(k), Vec3{centre.x, centre.y, 0}, radii[k], {}, 0, 0});
   }
   return grains;
 }
@@ -123,8 +123,9 @@ Packing own_packing(const ArrayLike& x, const ArrayLike& y, const ArrayLike& rad
   options.thickness = container.thickness;
   io::Sample sample;
   Problems of_grains, of_contacts("contacts");
-  io::assemble(rows_of(x, y, radius, container), contacts.is_none() ? io::RawContacts{} : rows_of(contacts), options,
-               sample, of_grains, of_contacts);
+  const io::RawGrains grains = rows_of(x, y, radius, container);
+  io::assemble(grains, grains.plane, contacts.is_none() ? io::RawContacts{} : rows_of(contacts), options, sample,
+               of_grains, of_contacts);
   take_materials(sample.packing, material, std::move(materials));
   return std::move(sample.packing);
 }

@@ -17,8 +17,8 @@ template <class Parts> bool all_converged(const Parts& parts) {
 }
 
 /// A packing as a stage of one state.
-StageResult stage_of(const Packing& packing) {
-  StageResult stage;
+template <int D> StageResultIn<D> stage_of(const PackingIn<D>& packing) {
+  StageResultIn<D> stage;
   stage.name = stage.provenance.stage = "packing";
   stage.provenance.version = version;
   stage.outcome = "a single packing";
@@ -90,10 +90,13 @@ Result any_result(const py::object& what) {
   if (py::isinstance<FilmResult>(what)) return result_of({}, {}, {what.cast<FilmResult>()}, {}, {}, {});
   if (py::isinstance<VoxelResult>(what)) return result_of({}, {}, {}, {what.cast<VoxelResult>()}, {}, {});
   if (py::isinstance<SphereResult>(what)) return result_of({}, {}, {}, {}, {what.cast<SphereResult>()}, {});
-  if (py::isinstance<Packing>(what)) return result_of({stage_of(what.cast<Packing>())}, {}, {}, {}, {}, "packing");
+  if (py::isinstance<Packing>(what)) return result_of({stage_of<2>(what.cast<Packing>())}, {}, {}, {}, {}, "packing");
+  if (py::isinstance<PackingIn<3>>(what))
+    return result_of({}, {}, {}, {}, {stage_of<3>(what.cast<PackingIn<3>>())}, "packing");
   if (py::isinstance<py::str>(what) || py::hasattr(what, "__fspath__")) return open_result(what.cast<Path>());
   throw InputError(
-      "result is a folder or file of results, a Result, Stage, Field, FilmResult, VoxelResult, SphereStage or Packing");
+      "result is a folder or file of results, a Result, Stage, Field, FilmResult, VoxelResult, SphereStage, Packing or "
+      "SpherePacking");
 }
 
 std::vector<Path> save(const Result& result, const Path& folder) {

@@ -32,6 +32,13 @@ void for_cells(const CellGrid<D>& grid, const Box<D>& box, const Vec<D>& place, 
   }
 }
 
+/// So many of a width fill a box.
+template <int D> double cells_of(const Box<D>& box, double width) {
+  double cells = 1;
+  for (int axis = 0; axis < D; ++axis) cells *= std::max(1.0, box.size[axis] / width);
+  return cells;
+}
+
 }  // namespace
 
 template <int D>
@@ -41,7 +48,9 @@ std::vector<Pair> close_pairs(std::span<const Vec<D>> centre, std::span<const do
   if (centre.empty()) return pairs;
   // A trifle wider than pairs reach, so that rounding parts none of them by a whole cell.
   const double reach = (2 * *std::max_element(radius.begin(), radius.end()) + gap) * (1 + 1e-12);
-  const CellGrid<D> grid(box, reach, D == 2 ? 30000 : 1000);
+  double width = reach;  // wider where a few of them lie far apart, so that cells do not outnumber them
+  while (cells_of(box, width) > 64 * static_cast<double>(centre.size()) + 4096) width *= 1.5;
+  const CellGrid<D> grid(box, width, D == 2 ? 30000 : 1000);
   const SortedCells cells(grid.size(), 0, centre.size(), [&](std::size_t i) { return grid.cell(centre[i]); });
   std::vector<std::int32_t> partners;
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(centre.size()); ++i) {

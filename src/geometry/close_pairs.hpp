@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -6,6 +7,18 @@
 #include "geometry/rectangle.hpp"
 
 namespace arenite::geometry {
+
+/// The smallest box around points; of no size without any.
+template <int D> Box<D> around(std::span<const Vec<D>> points) {
+  if (points.empty()) return {};
+  Vec<D> low = points[0], high = points[0];
+  for (const Vec<D>& p : points)
+    for (int axis = 0; axis < D; ++axis) {
+      low[axis] = std::min(low[axis], p[axis]);
+      high[axis] = std::max(high[axis], p[axis]);
+    }
+  return {low, high - low};
+}
 
 struct Pair {
   std::int32_t i, j;  ///< i < j

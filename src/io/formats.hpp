@@ -19,7 +19,8 @@
 #define ARENITE_FILM_FORMATS(each) each(tiff) each(npy) each(hdf5) each(sfmov) each(ptw) each(hcc) each(raw) each(text)
 #define ARENITE_PICTURE_FORMATS(each) each(png) each(tiff) each(jpeg) each(hdf5)
 #define ARENITE_VOLUME_FORMATS(each) each(nrrd) each(meta_image) each(nifti) each(npy) each(npz) each(stack)
-#define ARENITE_SAMPLE_FORMATS(each) each(lammps) each(yade) each(mercury) each(csv)
+#define ARENITE_SAMPLE_FORMATS(each) \
+  each(lammps) each(lammps_data) each(yade) each(lbpm) each(vtk) each(extxyz) each(mercury) each(csv)
 #define ARENITE_EXPORT_FORMATS(each) each(vtk) each(fields) each(lammps) each(extxyz) each(netcdf) each(csv) each(npy)
 
 /// Declares the records of a family, and `all` of them in the order of its list.

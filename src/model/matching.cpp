@@ -5,16 +5,16 @@
 
 namespace arenite {
 
-std::vector<std::int32_t> places_in(const Grains& other, const Grains& grains) {
-  std::vector<std::int32_t> places(grains.size());
-  if (other.id == grains.id) {
+std::vector<std::int32_t> places_in(const std::vector<std::int64_t>& others, const std::vector<std::int64_t>& ids) {
+  std::vector<std::int32_t> places(ids.size());
+  if (others == ids) {
     std::iota(places.begin(), places.end(), 0);
     return places;
   }
   std::unordered_map<std::int64_t, std::int32_t> place_of;
-  for (std::size_t g = 0; g < other.size(); ++g) place_of.emplace(other.id[g], static_cast<std::int32_t>(g));
-  for (std::size_t g = 0; g < grains.size(); ++g) {
-    const auto at = place_of.find(grains.id[g]);
+  for (std::size_t g = 0; g < others.size(); ++g) place_of.emplace(others[g], static_cast<std::int32_t>(g));
+  for (std::size_t g = 0; g < ids.size(); ++g) {
+    const auto at = place_of.find(ids[g]);
     places[g] = at == place_of.end() ? -1 : at->second;
   }
   return places;

@@ -17,36 +17,44 @@ int turns(double reach, double length, bool periodic) {
   return 1 + static_cast<int>(reach / length);
 }
 
+/// Calls `see` for every so many cells on of at most `most` along each axis, along x first.
+template <int axis, int D, class See> void each_image(Cells<D> most, Cells<D>& cells, const See& see) {
+  for (cells[axis] = -most[axis]; cells[axis] <= most[axis]; ++cells[axis])
+    if constexpr (axis == 0) see(cells);
+    else each_image<axis - 1>(most, cells, see);
+}
+
 }  // namespace
 
-void PeriodicImages::add(Vec2 place, double r, std::int32_t disk) {
+template <int D> void PeriodicImagesIn<D>::add(Vec<D> place, double r, std::int32_t grain) {
   centre.push_back(place);
   radius.push_back(r);
-  of.push_back(disk);
+  of.push_back(grain);
 }
 
-std::vector<geometry::Pair> PeriodicImages::close_pairs(double gap) const {
+template <int D> std::vector<geometry::Pair> PeriodicImagesIn<D>::close_pairs(double gap) const {
   if (centre.empty()) return {};
-  const auto box = geometry::bounds(centre);
-  return geometry::close_pairs(
-      centre, radius, {{box.x_min, box.y_min}, {std::max(box.width(), radius[0]), std::max(box.height(), radius[0])}},
-      gap);
+  auto box = geometry::around(std::span<const Vec<D>>(centre));
+  for (int axis = 0; axis < D; ++axis) box.size[axis] = std::max(box.size[axis], radius[0]);
+  return geometry::close_pairs<D>(centre, radius, box, gap);
 }
 
-PeriodicImages images_of(std::span<const Vec2> centre, std::span<const double> radius, const Domain& d, double gap) {
+template <int D>
+PeriodicImagesIn<D> images_of(std::span<const Vec<D>> centre, std::span<const double> radius, const DomainIn<D>& d,
+                              double gap) {
   const double largest = radius.empty() ? 0 : *std::max_element(radius.begin(), radius.end());
-  PeriodicImages images;
+  PeriodicImagesIn<D> images;
   for (std::size_t g = 0; g < centre.size(); ++g)
     images.add(d.wrapped(centre[g]), radius[g], static_cast<std::int32_t>(g));
   for (std::size_t g = 0; g < centre.size(); ++g) {
     const double reach = radius[g] + largest + gap;
-    const int ny = turns(reach, d.height(), d.periodic[1]),
-              nx = d.periodic[0] ? turns(reach, d.width(), true) + (d.tilt != 0 ? ny : 0) : 0;
-    for (int iy = -ny; iy <= ny; ++iy)
-      for (int ix = -nx; ix <= nx; ++ix) {
-        const Vec2 p = images.centre[g] + d.way({ix, iy});
-        if (d.is_near(p, reach) && (ix != 0 || iy != 0)) images.add(p, radius[g], static_cast<std::int32_t>(g));
-      }
+    auto most = by_axis<D>([&](int axis) { return turns(reach, d.extent(axis), d.periodic[axis]); });
+    if (d.periodic[0] && d.tilt != 0) most.x += most.y;
+    Cells<D> cells;
+    each_image<D - 1>(most, cells, [&](const Cells<D>& on) {
+      const Vec<D> p = images.centre[g] + d.way(on);
+      if (on != Cells<D>{} && d.is_near(p, reach)) images.add(p, radius[g], static_cast<std::int32_t>(g));
+    });
     if (images.centre.size() > 1'000'000 + 256 * centre.size())
       throw InputError(
           "grains or the gap are so wide compared with the periodic cell that each grain has hundreds of images; "
@@ -55,8 +63,10 @@ PeriodicImages images_of(std::span<const Vec2> centre, std::span<const double> r
   return images;
 }
 
-std::vector<geometry::Pair> pairs_within(const Grains& grains, const Domain& domain, double gap) {
-  const PeriodicImages images = images_of(grains, domain, gap);
+template <int D>
+std::vector<geometry::Pair> pairs_within(const GrainsIn<D>& grains, const std::type_identity_t<DomainIn<D>>& domain,
+                                         double gap) {
+  const PeriodicImagesIn<D> images = images_of(grains, domain, gap);
   std::vector<geometry::Pair> pairs = images.close_pairs(gap);
   for (auto& [i, j] : pairs) {
     i = images.of[i];
@@ -70,5 +80,12 @@ std::vector<geometry::Pair> pairs_within(const Grains& grains, const Domain& dom
   pairs.erase(std::unique(pairs.begin(), pairs.end(), same), pairs.end());
   return pairs;
 }
+
+template struct PeriodicImagesIn<2>;
+template struct PeriodicImagesIn<3>;
+template PeriodicImagesIn<2> images_of<2>(std::span<const Vec2>, std::span<const double>, const Domain&, double);
+template PeriodicImagesIn<3> images_of<3>(std::span<const Vec3>, std::span<const double>, const Container<3>&, double);
+template std::vector<geometry::Pair> pairs_within<2>(const Grains&, const Domain&, double);
+template std::vector<geometry::Pair> pairs_within<3>(const GrainsIn<3>&, const Container<3>&, double);
 
 }  // namespace arenite

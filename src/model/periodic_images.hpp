@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -44,25 +45,34 @@ void for_each_image(const Domain& domain, const geometry::Rectangle& extent, con
   }
 }
 
-/// Disks in their cell, followed by those of their periodic images that can be within a gap of one in it.
-struct PeriodicImages {
-  std::vector<Vec2> centre;      ///< m
+/// Disks or spheres in their cell, followed by those of their periodic images that can be within a gap of one in it.
+template <int D> struct PeriodicImagesIn {
+  std::vector<Vec<D>> centre;    ///< m
   std::vector<double> radius;    ///< m
-  std::vector<std::int32_t> of;  ///< the disk
+  std::vector<std::int32_t> of;  ///< the disk or sphere
 
-  void add(Vec2 centre, double r, std::int32_t disk);
-  /// All pairs of disks and images with a surface gap of at most this, m.
+  void add(Vec<D> centre, double r, std::int32_t grain);
+  /// All pairs of them and their images with a surface gap of at most this, m.
   std::vector<geometry::Pair> close_pairs(double gap) const;
 };
+using PeriodicImages = PeriodicImagesIn<2>;
 
-/// `gap`: the widest that is asked about, m. Throws InputError for disks far larger than the cell.
-PeriodicImages images_of(std::span<const Vec2> centre, std::span<const double> radius, const Domain& domain,
-                         double gap);
-inline PeriodicImages images_of(const Grains& grains, const Domain& domain, double gap) {
-  return images_of(grains.position, grains.radius, domain, gap);
+/// `gap`: the widest that is asked about, m. Throws InputError for grains far larger than the cell.
+template <int D>
+PeriodicImagesIn<D> images_of(std::span<const Vec<D>> centre, std::span<const double> radius, const DomainIn<D>& domain,
+                              double gap);
+inline PeriodicImages images_of(const std::vector<Vec2>& centre, std::span<const double> radius, const Domain& domain,
+                                double gap) {
+  return images_of<2>(std::span(centre), radius, domain, gap);
+}
+template <int D>
+PeriodicImagesIn<D> images_of(const GrainsIn<D>& grains, const std::type_identity_t<DomainIn<D>>& domain, double gap) {
+  return images_of<D>(std::span<const Vec<D>>(grains.position), grains.radius, domain, gap);
 }
 
 /// Every pair of grains whose surface gap (nearest image, sheared cells too) is at most `gap`, m, by (i, j), i < j.
-std::vector<geometry::Pair> pairs_within(const Grains& grains, const Domain& domain, double gap);
+template <int D>
+std::vector<geometry::Pair> pairs_within(const GrainsIn<D>& grains, const std::type_identity_t<DomainIn<D>>& domain,
+                                         double gap);
 
 }  // namespace arenite

@@ -7,6 +7,7 @@
 #include <functional>
 #include <iterator>
 #include <numeric>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,17 +38,6 @@ Numbers container_of(const Container<3>& domain) {
           {"periodic", std::move(periodic)},
           {"tilt", domain.tilt},
           {"walls", std::move(walls)}};
-}
-
-/// How many contacts, those with walls included, each sphere has.
-std::vector<std::uint32_t> contacts_of(const PackingIn<3>& packing) {
-  std::vector<std::uint32_t> count(packing.grains.size(), 0);
-  const ContactsIn<3>& contacts = packing.contacts;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    ++count[contacts.i[c]];
-    if (!contacts.is_wall(c)) ++count[contacts.j[c]];
-  }
-  return count;
 }
 
 /// The largest forces with the places of their spheres; walls are numbered after the spheres by their side.
@@ -81,7 +71,9 @@ Numbers state_of(const SnapshotIn<3>& state, NumberBlock& block) {
   out["material"] = block.add_indices(grains.material);
   out["speed"] = block.add_coarse(mapped(grains.velocity, [](Vec3 v) { return norm(v); }), "m/s");
   if (packing.contacts.size() == 0) return out;
-  out["contacts"] = block.add_indices(contacts_of(packing));
+  out["contacts"] = block.add_indices(texture::spheres::contacts_with_spheres(packing));
+  const auto bears = [&](std::size_t c) { return packing.contacts.fn[c] != 0; };
+  if (std::ranges::none_of(std::views::iota(std::size_t{0}, packing.contacts.size()), bears)) return out;
   out["stress"] = block.add_coarse(texture::spheres::hydrostatic_stresses(packing), "Pa");
   out["forces"] = forces_of(packing, block);
   return out;

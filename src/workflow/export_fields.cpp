@@ -43,13 +43,8 @@ std::vector<io::GrainField> derived_fields(const Packing& packing) {
 }
 
 std::vector<io::GrainField> derived_fields(const PackingIn<3>& packing) {
-  std::vector<double> contacts(packing.grains.size(), 0.0);
-  for (std::size_t c = 0; c < packing.contacts.size(); ++c) {
-    if (packing.contacts.is_wall(c)) continue;
-    contacts[static_cast<std::size_t>(packing.contacts.i[c])] += 1;
-    contacts[static_cast<std::size_t>(packing.contacts.j[c])] += 1;
-  }
-  return {{"contacts", "1", std::move(contacts)}, {"sigma_hyd", "Pa", texture::spheres::hydrostatic_stresses(packing)}};
+  return {{"contacts", "1", as_doubles(texture::spheres::contacts_with_spheres(packing))},
+          {"sigma_hyd", "Pa", texture::spheres::hydrostatic_stresses(packing)}};
 }
 
 std::vector<io::GrainField> derived_fields(const FilmResult& film) {

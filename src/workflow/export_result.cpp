@@ -128,72 +128,89 @@ class Loading {
 
   void add(const std::string& stage, Snapshot snapshot, std::vector<io::GrainField> fields,
            std::vector<io::GrainField> of_contacts, double shear_rate = 0) {
-    if (!format_.of_snapshot && !format_.of_loading)
+    if (!format_.holds_disks())
       throw refusal("{} holds fields of nodes and voxels, and this result has grains; choose {}", format_.name,
                     list_of(io::words_of(io::exports::all, &io::ExportFormat::name,
-                                         [](const auto& other) { return other.of_snapshot || other.of_loading; }),
+                                         [](const auto& other) { return other.holds_disks(); }),
                             " or "));
-    times_.push_back(snapshot.time);
-    move_to(snapshot.packing);
-    snapshots_.push_back(std::move(snapshot));
-    io::ExportSnapshot one{static_cast<int>(times_.size()) - 1, stage, &snapshots_.back(), std::move(fields),
-                           std::move(of_contacts)};
-    if (times_.size() > 1) one.displacement = displacement_;
-    if (format_.wants_grid) one.grid = grid_fields(snapshots_.back().packing, shear_rate);
-    if (format_.of_loading) {
-      all_.push_back(std::move(one));
-      return;
-    }
-    out().add(format_.of_snapshot(one));
-    snapshots_.clear();
+    io::ExportSnapshot one = next(disks_, stage, std::move(snapshot), std::move(fields));
+    one.of_contacts = std::move(of_contacts);
+    if (format_.wants_grid) one.grid = grid_fields(one.snapshot->packing, shear_rate);
+    give(std::move(one), disks_, format_.of_snapshot, format_.of_loading);
   }
 
-  void add(const std::string& stage, const SnapshotIn<3>& snapshot, std::vector<io::GrainField> fields) {
-    times_.push_back(snapshot.time);
-    out().add(format_.of_spheres({static_cast<int>(times_.size()) - 1, stage, &snapshot, std::move(fields)}));
+  void add(const std::string& stage, SnapshotIn<3> snapshot, std::vector<io::GrainField> fields) {
+    give(next(spheres_, stage, std::move(snapshot), std::move(fields)), spheres_, format_.of_spheres,
+         format_.of_sphere_loading);
   }
 
   bool is_empty() const { return times_.empty(); }
 
   std::vector<fs::path> finish(const Provenance& last) {
-    if (format_.of_loading && !all_.empty()) out().add(format_.of_loading(all_, last));
+    if (format_.of_loading && !disks_.all.empty()) out().add(format_.of_loading(disks_.all, last));
+    if (format_.of_sphere_loading && !spheres_.all.empty()) out().add(format_.of_sphere_loading(spheres_.all, last));
     if (format_.index && !times_.empty()) out().add(format_.index(times_));
     return out().finish();
   }
 
  private:
-  /// Adds up displacements from state to state, so that grains which left a periodic cell on one side and came back on
-  /// the other moved by what they did.
-  void move_to(const Packing& now) {
-    const Grains& g = now.grains;
-    const std::vector<std::int32_t> places = places_in(last_, g);
-    std::vector<Vec2> displacement(g.size());
-    for (std::size_t i = 0; i < g.size(); ++i)
-      if (places[i] >= 0) {
-        const auto then = static_cast<std::size_t>(places[i]);
-        displacement[i] = displacement_[then] + now.domain.nearest_image(g.position[i] - last_.position[then]);
-      }
-    displacement_ = std::move(displacement);
-    last_ = g;
+  /// States of disks or of spheres: where their grains moved so far, and those that a format wants all at once.
+  template <int D> struct States {
+    std::vector<Vec<D>> displacement;
+    GrainsIn<D> last;
+    std::deque<SnapshotIn<D>> snapshots;  // which stay where they are
+    std::vector<io::ExportStateIn<D>> all;
+
+    /// Adds up displacements from state to state, so that a way across a periodic side is no leap.
+    void move_to(const PackingIn<D>& now) {
+      const GrainsIn<D>& g = now.grains;
+      const std::vector<std::int32_t> places = places_in(last, g);
+      std::vector<Vec<D>> moved(g.size());
+      for (std::size_t i = 0; i < g.size(); ++i)
+        if (places[i] >= 0) {
+          const auto then = static_cast<std::size_t>(places[i]);
+          moved[i] = displacement[then] + now.domain.nearest_image(g.position[i] - last.position[then]);
+        }
+      displacement = std::move(moved);
+      last = g;
+    }
+  };
+
+  template <int D>
+  io::ExportStateIn<D> next(States<D>& states, const std::string& stage, SnapshotIn<D> snapshot,
+                            std::vector<io::GrainField> fields) {
+    times_.push_back(snapshot.time);
+    states.move_to(snapshot.packing);
+    states.snapshots.push_back(std::move(snapshot));
+    io::ExportStateIn<D> one{static_cast<int>(times_.size()) - 1, stage, &states.snapshots.back(), std::move(fields)};
+    if (times_.size() > 1) one.displacement = states.displacement;
+    return one;
+  }
+
+  template <int D>
+  void give(io::ExportStateIn<D> one, States<D>& states,
+            std::vector<io::NamedBytes> (*of_state)(const io::ExportStateIn<D>&),
+            std::vector<io::NamedBytes> (*of_all)(const std::vector<io::ExportStateIn<D>>&, const Provenance&)) {
+    if (of_all) return states.all.push_back(std::move(one));
+    out().add(of_state(one));
+    states.snapshots.clear();
   }
 
   const io::ExportFormat& format_;
   fs::path folder_;
   std::optional<ExportFolder> out_;
   std::vector<double> times_;
-  std::vector<Vec2> displacement_;
-  Grains last_;
-  std::deque<Snapshot> snapshots_;  // snapshots stay where they are
-  std::vector<io::ExportSnapshot> all_;
+  States<2> disks_;
+  States<3> spheres_;
 };
 
 /// The states of a stage of spheres that are not there yet.
 void add_spheres(const fs::path& file, const io::ExportFormat& format, bool last_only, Loading& loading,
                  Provenance& last) {
-  if (!format.of_spheres)
+  if (!format.holds_spheres())
     refuse(file.string(), "holds spheres, and {} holds disks only; choose {}", format.name,
            list_of(io::words_of(io::exports::all, &io::ExportFormat::name,
-                                [](const auto& other) { return other.of_spheres != nullptr; }),
+                                [](const auto& other) { return other.holds_spheres(); }),
                    " or "));
   const SphereResult stage = io::read_stage<3>(file);
   last = stage.provenance;

@@ -12,6 +12,7 @@
 #include "io/results/results.hpp"
 #include "io/volume/spheres.hpp"
 #include "io/volume/voxel_map.hpp"
+#include "solid/cement/cement_spheres.hpp"
 #include "solid/elements/load.hpp"
 #include "solid/elements/stiffness_numbers.hpp"
 #include "solid/grid/label_grains.hpp"
@@ -58,10 +59,18 @@ Numbers load_numbers(const recipe::Load& load, const statics::LoadReportIn<3>& r
 VoxelMap read_cemented_spheres(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice) {
   std::vector<std::string> notes;
   SpherePack pack = io::read_spheres(map.file, notes);
+  const bool is_cut = pack.periodic && !grid::is_whole_in_voxels(pack, static_cast<int>(map.voxels));
+  if (is_cut) {
+    pack = cement::with_images(pack, 2 * *std::ranges::max_element(pack.radius));
+    pack.periodic = false;
+    notes.emplace_back(
+        "its cell is no whole number of voxels along each axis, so it is cut out of the repeated packing and does not "
+        "repeat itself exactly");
+  }
   if (!map.box.empty()) grid::cut_out(pack, map.box);
   double parameter = 0;
   VoxelMap voxels = grid::cemented_voxels(pack, map.cement, static_cast<int>(map.voxels), parameter);
-  if (!map.box.empty()) grid::drop_absent_grains(voxels);
+  if (is_cut || !map.box.empty()) grid::drop_absent_grains(voxels);
   for (const std::string& note : notes) notice(fmt::format("{}: {}", map.file, note));
   std::string used;
   if (map.cement.saturation)

@@ -90,14 +90,17 @@ TEST(MeasureStates, OpaqueColumnsAreUnderstoodByTheirContentOrRefused) {
   EXPECT_NEAR(t["stress"]["value"][0][0].get<double>(), -10.10, 0.01);
 }
 
-TEST(MeasureStates, ALayerIsMeasuredInItsPlaneAndABedInSpaceIsRefused) {
+TEST(MeasureStates, ALayerIsMeasuredInItsPlaneAndABedInSpaceIsOfSpheres) {
   for (const char* layer : {"layer-xz.dump", "layer-xz.txt"}) {
     const Json t = measured_borders(std::string(layer) + " --touching 100um");
     EXPECT_EQ(t["grains"], 16);
     EXPECT_EQ(t["contacts"], 33) << layer;
     expect_note(t, "plane x-z");
   }
-  expect_refusal("bed-in-space.dump --touching 100um", {"fill space", "one layer"});
+  const Json bed = measured_borders("bed-in-space.dump --touching 100um");
+  EXPECT_EQ(bed["dimension"], 3);
+  EXPECT_FALSE(bed.contains("stress"));
+  expect_refusal("bed-in-space.dump --touching 100um --dimension 2", {"fill space", "one layer"});
 }
 
 TEST(MeasureStates, PairsThatAreListedWithAGapAndNoForceDoNotTouch) {

@@ -1,4 +1,5 @@
 // Recipes of spheres, from the file to the numbers.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -120,21 +121,81 @@ lines = open(sys.argv[3] + '/grains.extxyz').read().splitlines()
 last = lines[-len(radius):]
 assert np.allclose(np.array([line.split()[1:5] for line in last], float), np.column_stack([points, radius]))
 assert 'pbc="T T T"' in lines[1]
+import xarray
+with xarray.open_dataset(sys.argv[4] + '/loading.nc') as loading:
+    assert loading.x.dims == ('time', 'grain') and len(loading.time) == 2
+    now = loading.isel(time=1)
+    for c in 'xyz':
+        np.testing.assert_array_equal(now[c], stored['grains'][c])
+        np.testing.assert_array_equal(now['v' + c], stored['grains']['v' + c])
+    here = loading.contact_state == 1
+    np.testing.assert_array_equal(loading.contact_fn[here], stored['contacts']['fn'])
+    np.testing.assert_array_equal(loading.contact_ft_z[here], stored['contacts']['ft_z'])
+    assert len(loading.side) == 6 and loading.attrs['periodic'] == 'xyz'
+)";
+
+/// LAMMPS reads its dump of grains and writes them again.
+const char* const lammps_reads = R"(units si
+atom_style sphere
+region whole block 0 1 0 1 0 1
+create_box 1 whole
+read_dump grains.dump STEP x y z box yes add yes
+write_dump all custom back.dump id x y z modify format float %.17g sort id
 )";
 
 TEST(Spheres, AreReadByTheProgramsThatTheirFilesAreFor) {
   const TemporaryFolder folder;
-  const auto out = (folder / "out").string(), vtk = (folder / "vtk").string(), xyz = (folder / "xyz").string();
+  const auto out = (folder / "out").string(), vtk = (folder / "vtk").string(), xyz = (folder / "xyz").string(),
+             nc = (folder / "nc").string();
   ASSERT_EQ(arenite("run " + written(folder, test::small_spheres) + " --quiet --out " + out).status, 0);
   ASSERT_EQ(arenite("export " + out + " --to vtk --out " + vtk).status, 0);
   ASSERT_EQ(arenite("export " + out + " --to extxyz --out " + xyz).status, 0);
+  ASSERT_EQ(arenite("export " + out + " --to netcdf --out " + nc).status, 0);
   std::ofstream(folder / "compare.py") << compare;
-  const auto read =
-      test::shell("/usr/bin/python3 " + (folder / "compare.py").string() + " " + out + " " + vtk + " " + xyz);
+  const auto read = test::shell("/usr/bin/python3 " + (folder / "compare.py").string() + " " + out + " " + vtk + " " +
+                                xyz + " " + nc);
   EXPECT_EQ(read.status, 0) << read.err;
-  const auto refused = arenite("export " + out + " --to netcdf --out " + (folder / "nc").string());
+  const auto refused = arenite("export " + out + " --to fields --out " + (folder / "nc").string());
   EXPECT_EQ(refused.status, 2);
   EXPECT_TRUE(test::contains(refused.err, "vtk")) << refused.err;
+}
+
+/// What the dump of a periodic cell gives by `arenite measure` is what the run tells, on a page as well.
+TEST(Spheres, DumpsOfLammpsAreMeasuredAsTheRunWas) {
+  const TemporaryFolder folder;
+  const auto out = (folder / "out").string();
+  const auto dump = folder / "dump";
+  ASSERT_EQ(arenite("run " + written(folder, test::small_spheres) + " --quiet --out " + out).status, 0);
+  ASSERT_EQ(arenite("export " + out + " --to lammps --last --out " + dump.string()).status, 0);
+  const auto measured = arenite("measure " + (dump / "grains.dump").string() + " " + (dump / "contacts.dump").string() +
+                                " --out " + (folder / "measured").string() + " --json");
+  ASSERT_EQ(measured.status, 0) << measured.err;
+  const Json run = numbers_shown(out), now = Json::parse(measured.out), shown = numbers_shown(folder / "measured");
+  for (const char* name : {"/grains", "/contacts", "/coordination/all", "/coordination/rattlers", "/solid_fraction"}) {
+    const Json::json_pointer at(name);
+    EXPECT_EQ(now[at], run[at]) << name;
+    EXPECT_EQ(shown[at], run[at]) << name;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(now["stress"]["value"][axis][axis].get<double>() / run["stress"]["value"][axis][axis].get<double>(), 1,
+                1e-9);
+  EXPECT_NEAR(now["fabric"]["a_n"]["value"].get<double>(), run["fabric"]["a_n"]["value"].get<double>(), 1e-9);
+  EXPECT_TRUE(std::filesystem::exists(folder / "measured" / "report.html"));
+  // Without forces, by overlap: the same contacts, and no number that forces would give.
+  const auto alone = arenite("measure " + (dump / "grains.dump").string() + " --json");
+  ASSERT_EQ(alone.status, 0) << alone.err;
+  const Json bare = Json::parse(alone.out);
+  EXPECT_EQ(bare["coordination"]["all"], run["coordination"]["all"]);
+  EXPECT_FALSE(bare.contains("stress"));
+  EXPECT_TRUE(test::contains(bare["notes"].dump(), "touch where they overlap"));
+  if (test::shell("which lmp").status != 0) return;
+  std::string script = lammps_reads;
+  script.replace(script.find("STEP"), 4, std::to_string(run["stages"].back()["last_state"]["step"].get<long>()));
+  std::ofstream(dump / "in.lmp") << script;
+  const auto lmp = test::shell("cd " + dump.string() + " && lmp -in in.lmp -log none");
+  ASSERT_EQ(lmp.status, 0) << lmp.out << lmp.err;
+  const std::string back = test::slurp(dump / "back.dump");
+  EXPECT_TRUE(test::contains(back, fmt::format("ITEM: NUMBER OF ATOMS\n{}\n", run["grains"].get<int>()))) << back;
 }
 
 /// The table of our own spheres is cemented, cut into voxels and loaded as anybody's.
@@ -151,6 +212,20 @@ TEST(Spheres, OurOwnAreCementedAndLoaded) {
   EXPECT_EQ(j["map"]["grains"].get<int>(), 150);
   EXPECT_GT(j["modulus_Pa"].get<double>(), 1e8);
   EXPECT_LT(j["modulus_Pa"].get<double>(), 4e9);
+  const Json run = numbers_shown(out);
+  const Json& walls = run["stages"].back()["last_state"]["walls"];
+  const auto place = [&](const char* side) { return walls[side]["position_m"].get<double>(); };
+  const auto measured = arenite(
+      fmt::format("measure {0}/grains_0000.csv {0}/contacts_0000.csv --box {1:.17g}m,{2:.17g}m,{3:.17g}m --origin "
+                  "{4:.17g}m,{5:.17g}m,{6:.17g}m --json",
+                  csv.string(), place("right") - place("left"), place("top") - place("bottom"),
+                  place("front") - place("back"), place("left"), place("bottom"), place("back")));
+  ASSERT_EQ(measured.status, 0) << measured.err;
+  const Json now = Json::parse(measured.out);
+  EXPECT_EQ(now["coordination"], run["coordination"]);
+  EXPECT_EQ(now["wall_contacts"], run["wall_contacts"]);
+  for (int axis = 0; axis < 3; ++axis)
+    EXPECT_NEAR(now["stress"]["value"][axis][1].get<double>(), run["stress"]["value"][axis][1].get<double>(), 1e-3);
 }
 
 TEST(Spheres, ARecipeIsCheckedWithoutDoubtsAndSwept) {

@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "io/sample/assemble.hpp"
 #include "io/sample/formats.hpp"
-#include "io/sample/plane.hpp"
+#include "io/sample/layout.hpp"
 
 namespace {
 
@@ -51,12 +51,12 @@ void read(char format, const Files& files) {
       io::first_format(io::samples::all, [&](const io::SampleFormat& one) { return one.name.front() == format; });
   const io::SampleFormat& of = bare || known == nullptr ? io::samples::csv : *known;
   io::RawGrains grains = of.grains({files.grains, 0, options, grain_problems});
-  if (!grain_problems.any()) io::lay_in_plane(grains, grain_problems);
+  if (!grain_problems.any()) io::lay_out(grains, 2, grain_problems);
   io::RawContacts contacts;
   if (!grain_problems.any()) contacts = of.contacts({files.contacts, 0, options, contact_problems}, grains);
   io::Sample sample;
   io::place_box(grains, grain_problems);
-  io::assemble(grains, contacts, options, sample, grain_problems, contact_problems);
+  io::assemble(grains, grains.plane, contacts, options, sample, grain_problems, contact_problems);
   examine(sample.packing);
 }
 

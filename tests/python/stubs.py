@@ -24,7 +24,7 @@ words = [
     (r"(?<!str, )\bos\.PathLike", "Union[str, os.PathLike]"),
     (r"\bbefore: Packing = None", "before: Optional[Packing] = None"),
     (r"\bbefore: List\[Packing\]", "before: List[Optional[Packing]]"),
-    (r"\bresult: object", "result: Union[str, os.PathLike, Result, Stage, Field, FilmResult, Packing]"),
+    (r"\bresult: object", "result: Union[str, os.PathLike, Result, Stage, Field, FilmResult, Packing, SpherePacking]"),
     (r"\bstage: object", "stage: Union[int, str]"),
     (r"\bdict\b", "Dict[str, Any]"),
     (r"\bobject\b", "Any"),

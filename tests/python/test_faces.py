@@ -15,7 +15,7 @@ LISTS = {
     "io/film/formats.hpp": "hcc hdf5 npy ptw raw series sfmov text tiff",
     "io/image/image.hpp": "hdf5 jpeg png",
     "io/results/results.hpp": "field film numbers stage voxels",
-    "io/sample/formats.hpp": "csv lammps mercury yade",
+    "io/sample/formats.hpp": "csv extxyz lammps lammps_data lbpm mercury vtk yade",
     "io/volume/volume.hpp": "meta_image nifti npy npz nrrd",
     "solid/elements/kernels/kernels.hpp": "avx2 avx512 portable",
     "solid/peridynamics/kernels/kernels.hpp": "avx2 avx512 portable",

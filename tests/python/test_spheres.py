@@ -55,3 +55,22 @@ def test_a_sample_of_spheres_is_arrays_of_three_components(tmp_path):
     assert np.array_equal(again.spheres[-1].states[-1].position, state.position)
     assert state.measure()["coordination"]["all"]["value"] == compressed.numbers["coordination"]["all"]["value"]
     assert compressed.history["kinetic"].shape == compressed.history["time"].shape
+
+
+def test_spheres_of_files_are_measured_as_our_own(tmp_path):
+    """Two crystals' worth of neighbours: eight spheres of a simple cubic cell, pressed along x alone."""
+    place = np.array([(x, y, z) for x in (0.5, 1.5) for y in (0.5, 1.5) for z in (0.5, 1.5)])
+    rows = "".join(f"{k},{x},{y},{z},0.505\n" for k, (x, y, z) in enumerate(place))
+    (tmp_path / "grains.csv").write_text("id,x [mm],y [mm],z [mm],radius [mm]\n" + rows)
+    box = dict(box=("4 mm", "4 mm", "4 mm"), periodic="xyz")
+    bare = arenite.read_packing(tmp_path / "grains.csv", **box)
+    assert isinstance(bare, arenite.SpherePacking) and len(bare.contact_i) == 12  # where they overlap
+    assert bare.measure()["coordination"]["all"]["value"] == 3 and "stress" not in bare.measure()
+    (tmp_path / "contacts.csv").write_text("i,j,fx,fy,fz\n" + "".join(f"{k},{k + 4},8,0,1\n" for k in range(4)))
+    packing = arenite.read_packing(tmp_path / "grains.csv", tmp_path / "contacts.csv", **box)
+    measured = packing.measure()
+    assert np.allclose(measured["stress"]["value"][0], [-4 * 8 * 1e-3 / 4e-3**3, 0, 0])
+    assert np.isclose(measured["quality"]["friction_ratio_max"], 1 / 8)
+    page = tmp_path / "page.html"
+    arenite.page(packing, page)
+    assert page.stat().st_size > 10_000

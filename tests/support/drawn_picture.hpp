@@ -9,7 +9,7 @@
 #include "geometry/union_area.hpp"
 #include "io/disk/file.hpp"
 #include "io/sample/formats.hpp"
-#include "io/sample/plane.hpp"
+#include "io/sample/layout.hpp"
 #include "model/image.hpp"
 #include "thermal/imaging/blur.hpp"
 
@@ -39,9 +39,9 @@ inline std::vector<DrawnDisk> packing_in_pixels(const std::string& name, double 
   std::vector<DrawnDisk> disks;
   const io::SampleOptions options;
   io::RawGrains grains = io::samples::csv.grains({text, 0, options, problems});
-  io::lay_in_plane(grains, problems);
+  io::lay_out(grains, 2, problems);
   for (const io::RawGrain& row : grains.rows)
-    disks.push_back({left + row.centre.x / pixel, floor_row - row.centre.y / pixel, row.radius / pixel, 1,
+    disks.push_back({left + row.place.x / pixel, floor_row - row.place.y / pixel, row.radius / pixel, 1,
                      row.material == "POM" ? 0 : 1});
   problems.raise();
   return disks;

@@ -20,7 +20,7 @@ const std::string folder = std::string(ARENITE_SOURCE_DIR) + "/examples/20-dem-s
 
 Packing sheared() {
   io::SampleOptions o;
-  o.box = Vec2{62.7755, 62.7755}, o.tilt = 31.38775, o.periodic[0] = o.periodic[1] = true, o.thickness = 1;
+  o.box = {62.7755, 62.7755, 31.38775}, o.periodic[0] = o.periodic[1] = true, o.thickness = 1;
   Packing p = io::read_sample(folder + "grains-5000.csv", folder + "contacts-5000.csv", o).packing;
   p.materials = {{"disk", 1, 1, 1}};
   p.grains.material.assign(p.grains.size(), 0);

@@ -65,19 +65,6 @@ Numbers rows(const PerGrain& g) {
   return j;
 }
 
-/// A grain wider than a periodic cell covers itself, and the cell as often as it pleases.
-void check_widths(const Packing& packing) {
-  const Domain& d = packing.domain;
-  const Grains& grains = packing.grains;
-  for (std::size_t g = 0; g < grains.size(); ++g)
-    for (const auto& [periodic, side] : {std::pair(d.periodic[0], d.width()), std::pair(d.periodic[1], d.height())})
-      if (periodic && side > 0 && !(2 * grains.radius[g] <= (1 + 1e-9) * side))
-        throw refusal(
-            "grain {} is {:.4g} m wide in a periodic cell of {:.4g} m, so it would overlap itself; correct the unit of "
-            "the radii, or the cell",
-            grains.id[g], 2 * grains.radius[g], side);
-}
-
 }  // namespace
 
 Texture measure(const Packing& packing, const Options& options) {

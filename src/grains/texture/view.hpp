@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/problems.hpp"
 #include "geometry/rectangle.hpp"
 #include "grains/texture/blocks.hpp"
 #include "grains/texture/texture.hpp"
@@ -67,6 +68,20 @@ ByName<Items> contacts_by_type(const View& view);
 
 /// Named sets of considered grains: "all", by material, by zone ("dry", "glued") where there are zones.
 ByName<Items> grains_by_type(const View& view);
+
+/// Refuses a grain wider than a periodic cell: it covers itself, and the cell as often as it pleases.
+template <int D> void check_widths(const PackingIn<D>& packing) {
+  const DomainIn<D>& domain = packing.domain;
+  const GrainsIn<D>& grains = packing.grains;
+  for (std::size_t g = 0; g < grains.size(); ++g)
+    for (int axis = 0; axis < D; ++axis)
+      if (const double side = domain.extent(axis);
+          domain.periodic[axis] && side > 0 && !(2 * grains.radius[g] <= (1 + 1e-9) * side))
+        throw refusal(
+            "grain {} is {:.4g} m wide in a periodic cell of {:.4g} m, so it would overlap itself; correct the unit of "
+            "the radii, or the cell",
+            grains.id[g], 2 * grains.radius[g], side);
+}
 
 /// The items that something holds for.
 template <class Holds> Items kept(const Items& items, const Holds& holds) {

@@ -118,7 +118,7 @@ std::string contact_table(const ExportSnapshot& from) {
   return table_of(columns, c.size());
 }
 
-/// Spheres, and their contacts with the normal from i to j; a wall by its name.
+/// Spheres, and their contacts with the normal from i to j and the force on j; a wall by its name.
 std::vector<NamedBytes> csv_spheres(const ExportSpheres& from) {
   const PackingIn<3>& packing = from.snapshot->packing;
   const GrainsIn<3>& g = packing.grains;
@@ -134,7 +134,7 @@ std::vector<NamedBytes> csv_spheres(const ExportSpheres& from) {
   const ContactsIn<3>& c = packing.contacts;
   ContactsIn<3> opposite;
   opposite.normal = mapped(c.normal, [](Vec3 n) { return Vec3{0 - n.x, 0 - n.y, 0 - n.z}; });
-  const auto force = by_contact(packing, [&](std::size_t k) { return c.force_on_i(k); });
+  const auto force = by_contact(packing, [&](std::size_t k) { return Vec3{} - c.force_on_i(k); });  // on j
   Columns contacts{column("i", [&](std::size_t k) { return id_of_i(packing, k); }), column("j", [&](std::size_t k) {
                      return c.is_wall(k) ? std::string(any_side_names[static_cast<std::size_t>(c.wall_side(k))])
                                          : std::to_string(id_of_j(packing, k));
@@ -216,7 +216,7 @@ const ExportFormat exports::csv{
           "the header"},
          {"contacts",
           "with grains, walls and boundaries: forces, normal from i to j, arms, overlap; of grains that are no "
-          "disks the contact point x, y"},
+          "disks the contact point x, y; of spheres fn and fx, fy, fz of the force on j"},
          {"curves of a test",
           "strains, stresses, ratios and densities row by row of a stage's history, and at both ends of each cycle; "
           "not with --last"},

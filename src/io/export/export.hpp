@@ -30,24 +30,18 @@ struct GridFields {
   std::vector<double> stress_xx{}, stress_yy{}, stress_xy{};  ///< Pa, tension positive, with the kinetic part
 };
 
-/// One state of the loading, as every export format gets it.
-struct ExportSnapshot {
+/// One state of the loading, as every export format gets it: of disks (D = 2) or spheres (3).
+template <int D> struct ExportStateIn {
   int number = 0;     ///< place in the loading, from 0
   std::string stage;  ///< name of the stage it belongs to
-  const Snapshot* snapshot = nullptr;
+  const SnapshotIn<D>* snapshot = nullptr;
   std::vector<GrainField> fields;
   std::vector<GrainField> of_contacts = {};
-  std::vector<Vec2> displacement{};  ///< m, of every grain since the first state; empty if there is none before this
-  GridFields grid{};                 ///< for a format that wants it; without columns where the state has none
+  std::vector<Vec<D>> displacement{};  ///< m, of every grain since the first state; empty if there is none before this
+  GridFields grid{};                   ///< for a format that wants it; without columns where the state has none
 };
-
-/// One state of spheres.
-struct ExportSpheres {
-  int number = 0;  ///< place in the loading, from 0
-  std::string stage;
-  const SnapshotIn<3>* snapshot = nullptr;
-  std::vector<GrainField> fields;
-};
+using ExportSnapshot = ExportStateIn<2>;
+using ExportSpheres = ExportStateIn<3>;
 
 /// A result on nodes, as export formats get it.
 struct ExportField {
@@ -80,6 +74,10 @@ struct ExportFormat {
   std::vector<NamedBytes> (*of_voxels)(const VoxelResult&) = nullptr;     ///< of a sample in space; null: of none
   NamedBytes (*of_curves)(const ExportCurves&) = nullptr;                 ///< null: holds states only
   std::vector<NamedBytes> (*of_loading)(const std::vector<ExportSnapshot>&, const Provenance&) = nullptr;
+  std::vector<NamedBytes> (*of_sphere_loading)(const std::vector<ExportSpheres>&, const Provenance&) = nullptr;
+
+  bool holds_disks() const { return of_snapshot || of_loading; }
+  bool holds_spheres() const { return of_spheres || of_sphere_loading; }
 };
 namespace exports {
 ARENITE_FAMILY(ExportFormat, ARENITE_EXPORT_FORMATS)

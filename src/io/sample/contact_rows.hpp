@@ -10,7 +10,8 @@ namespace arenite::io {
 using GrainIndex = std::unordered_map<std::int64_t, std::int32_t>;
 
 /// Makes contacts of the rows, for the packing of the sample, whose grains and domain are there.
-void add_contacts(const RawContacts& raw, const RawGrains& grains, const GrainIndex& index,
-                  const SampleOptions& options, Sample& sample, Problems& problems);
+template <int D>
+void add_contacts(const RawContacts& raw, const Laid<D>& laid, const GrainIndex& index, const SampleOptions& options,
+                  SampleIn<D>& sample, Problems& problems);
 
 }  // namespace arenite::io

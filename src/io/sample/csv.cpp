@@ -97,13 +97,13 @@ RawGrains read_grains_csv(const Reading& reading) {
   return grains;
 }
 
-/// A vector whose components are columns; without all of `needed` of them it is not there.
+/// A vector whose components are columns; without those along the axes of the sample it is not there.
 struct VectorField {
   std::array<Field, 3> component;
   bool is_there = false;
-  VectorField(const std::array<Field, 3>& fields, const Plane& plane)
+  VectorField(const std::array<Field, 3>& fields, const std::vector<int>& axes)
       : component(fields),
-        is_there(fields[plane.first] && fields[plane.second]) {}
+        is_there(std::ranges::all_of(axes, [&](int axis) { return bool(fields[axis]); })) {}
   std::optional<Vec3> operator()(const Table::Row& row) const {
     if (!is_there) return std::nullopt;
     return by_axis<3>([&](int axis) { return component[axis] ? component[axis](row) : 0.0; });
@@ -124,20 +124,25 @@ RawContacts read_contacts_csv(const Reading& reading, const RawGrains& grains) {
   const auto part = [&](const char* name) { return find_field(table, {name}, dimension::none, 1, problems); };
   const auto length = [&](const char* name) { return find_length(table, {name}, options, problems); };
   const Field fn = force("fn"), ft = force("ft"), overlap = length("overlap");
-  const VectorField whole({force("fx"), force("fy"), force("fz")}, grains.plane);
-  const VectorField normal({part("nx"), part("ny"), part("nz")}, grains.plane);
-  const VectorField point({length("x"), length("y"), length("z")}, grains.plane);
-  constexpr const char* kind =
-      "contacts need i, j, fn, ft (or fx, fy for the force on j) and may have nx, ny, overlap and x, y of the contact "
-      "point";
+  const std::vector<int> axes = grains.axes();
+  const VectorField whole({force("fx"), force("fy"), force("fz")}, axes);
+  const VectorField normal({part("nx"), part("ny"), part("nz")}, axes);
+  const VectorField point({length("x"), length("y"), length("z")}, axes);
+  const char* kind =
+      grains.in_space ? "contacts of spheres need i, j and fx, fy, fz of the force on j (or fn without friction) and "
+                        "may have nx, ny, nz, overlap and x, y, z of the contact point"
+                      : "contacts need i, j, fn, ft (or fx, fy for the force on j) and may have nx, ny, overlap and "
+                        "x, y of the contact point";
+  const std::span sides(any_side_names.begin(), 2 * axes.size());
   require(table, i.has_value(), "i", kind, problems);
   require(table, j.has_value(), "j", kind, problems);
-  const bool vector = whole.is_there && !fn;
+  const bool vector = whole.is_there && (!fn || grains.in_space);
   require(table, fn || vector, "fn", kind, problems);
   if (table.find({"nx"}) && !normal.is_there)
-    problems.add(table.header_line, "there is a column nx but no ny; give both or neither");
+    problems.add(table.header_line, "there is a column nx but no {}; give all or none",
+                 axes.size() > 2 ? "ny, nz" : "ny");
   if (!i || !j || (!fn && !vector)) return contacts;
-  note_assumed_unit(table, fn ? "fn" : "fx", options.force_unit.has_value(), "force", "N", "--force-unit",
+  note_assumed_unit(table, vector ? "fx" : "fn", options.force_unit.has_value(), "force", "N", "--force-unit",
                     contacts.notes);
   for (const auto& row : table.rows) {
     RawContact contact;
@@ -147,13 +152,18 @@ RawContacts read_contacts_csv(const Reading& reading, const RawGrains& grains) {
     contact.point = point(row);
     if (overlap && !row.cells[overlap.at].empty()) contact.overlap = overlap(row);
     const std::string_view other = row.cells[*j];
-    if (const auto* wall = std::ranges::find(side_names, other); wall != std::end(side_names))
-      contact.wall = static_cast<int>(wall - std::begin(side_names));
+    if (const auto wall = std::ranges::find(sides, other); wall != sides.end())
+      contact.wall = static_cast<int>(wall - sides.begin());
     else if (contact.normal && is_plain_name(other) && !to_number(other)) contact.boundary = other;
     else contact.j = integer_or_problem(other, "j", row.line, problems);
     if (vector) contact.force_on_j = whole(row);
     else contact.fn = fn(row);
     if (!vector && ft) contact.ft = ft(row);
+    if (grains.in_space && contact.ft != 0)
+      return problems.add(row.line,
+                          "ft says how large the tangential force is, but in space not where it points; give the force "
+                          "on j as fx, fy, fz"),
+             contacts;
     contacts.rows.push_back(std::move(contact));
   }
   return contacts;
@@ -164,11 +174,13 @@ RawContacts read_contacts_csv(const Reading& reading, const RawGrains& grains) {
 /// Grains from a table with columns id, x, y, radius (or diameter) and perhaps z, material and zone; units in the
 /// header win over those of the options. Contacts from one with columns i, j and fn, ft (or fx, fy: the force on j) and
 /// perhaps nx, ny, overlap and the contact point x, y; j may name a wall, left, right, bottom or top, or with nx, ny a
-/// boundary.
+/// boundary. Of spheres vectors have three components, and back and front are walls, too.
 const SampleFormat samples::csv{
     .name = "csv",
     .grains_are = "table id,x,y,radius[,z,material,zone]",
-    .contacts_are = "table i,j,fn,ft[,nx,ny,overlap,x,y] or i,j,fx,fy (force on j is fn n + ft t, n from i to j)",
+    .contacts_are =
+        "table i,j,fn,ft[,nx,ny,overlap,x,y] or i,j,fx,fy (force on j is fn n + ft t, n from i to j); of "
+        "spheres i,j,fx,fy,fz",
     .states =
         {{"units (header or a row below it)", "taken; columns without any: m and N, told, or those given by options"},
          {"step, timestep, frame, time (columns)",
@@ -176,7 +188,7 @@ const SampleFormat samples::csv{
          {"cell", "no column holds it; --box and --periodic give it"},
          {"z",
           "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); within a radius a "
-          "layer, told; beyond: refused"},
+          "layer, told; beyond: spheres"},
          {"names of columns", "those listed above; other columns are passed over"},
          {"rows without a force",
           "contacts where they overlap (column overlap, or the centres), else left out and told"},
@@ -207,6 +219,7 @@ RawGrains grains_in(const Table& table, const char* needed, const SampleOptions&
               diameter = find_length(table, {"diameter", "d"}, options, problems);
   require(table, bool(x), "x", needed, problems);
   require(table, bool(y), "y", needed, problems);
+  if (options.dimension == 3) require(table, bool(z), "z", needed, problems);
   require(table, radius || diameter, "radius", needed, problems);
   if (!x || !y || (!radius && !diameter)) return grains;
   if (const auto links = table.find({"links"}); links && std::ranges::any_of(table.rows, [&](const Table::Row& row) {

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,18 +16,27 @@
 // What the formats of grains and contacts share: rows as their files give them, in space and in SI.
 namespace arenite::io {
 
-/// The two axes of space that span the plane of a sample.
-struct Plane {
-  int first = 0, second = 1;
-  int across() const { return 3 - first - second; }
-  Vec2 of(Vec3 v) const { return {v[first], v[second]}; }
+/// The axes of space along which a sample lies: two of a plane, or all three.
+template <int D> struct Frame {
+  std::array<int, D> axis = [] {
+    std::array<int, D> all{};
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }();
+  Vec<D> of(Vec3 v) const {
+    return by_axis<D>([&](int k) { return v[axis[k]]; });
+  }
+  Vec3 in_space(Vec<D> v) const {
+    Vec3 all;
+    for (int k = 0; k < D; ++k) all[axis[k]] = v[k];
+    return all;
+  }
 };
 
 /// A grain as its file gives it, in SI; `line` says where.
 struct RawGrain {
   std::int64_t id = 0;
-  Vec3 place;   ///< of its centre; z is 0 where the file has none
-  Vec2 centre;  ///< the same in the plane of the sample
+  Vec3 place;  ///< of its centre; z is 0 where the file has none
   double radius = 0;
   std::string material;   ///< as written; empty if the file has none
   std::int64_t zone = 0;  ///< 0: none; 1: glued
@@ -34,7 +44,7 @@ struct RawGrain {
 };
 
 /// A contact as its file gives it, in SI. The force on grain j is fn n + ft t with n from i to j and t = n turned by
-/// +90 degrees, or the vector `force_on_j`.
+/// +90 degrees, or the vector `force_on_j`. In space ft has no direction and is 0.
 struct RawContact {
   std::int64_t i = 0, j = 0;
   int wall = -1;         ///< side (model/domain.hpp) instead of grain j; -1 for a grain
@@ -69,21 +79,36 @@ struct StatedUnits {
   double length = 1, force = 1;
 };
 
+/// How the centres of a file lie in a plane or in space, and what holds them.
+template <int D> struct Laid {
+  Frame<D> frame;
+  bool has_box = false;
+  DomainIn<D> cell;  ///< its walls' places, periodic sides and tilt
+
+  void lay_box(Vec<D> low, Vec<D> high) {
+    has_box = true;
+    for (int axis = 0; axis < D; ++axis) {
+      cell.wall[2 * axis].position = low[axis];
+      cell.wall[2 * axis + 1].position = high[axis];
+    }
+  }
+};
+
 struct RawGrains {
   std::vector<RawGrain> rows;
   std::optional<RawCell> stated;  ///< by the file
   std::optional<StatedUnits> units;
-  Plane plane;
-  bool has_box = false;
-  Domain cell;  ///< its walls' places, periodic sides and tilt, in the plane
+  bool in_space = false;  ///< which of the two holds (lay_out)
+  Laid<2> plane;
+  Laid<3> space;
   std::vector<std::string> notes;
 
-  void lay_box(Vec2 low, Vec2 high) {
-    has_box = true;
-    cell.wall[left].position = low.x;
-    cell.wall[right].position = high.x;
-    cell.wall[bottom].position = low.y;
-    cell.wall[top].position = high.y;
+  /// Calls `see` for the one that holds.
+  template <class See> decltype(auto) laid(const See& see) const { return in_space ? see(space) : see(plane); }
+  template <class See> decltype(auto) laid(const See& see) { return in_space ? see(space) : see(plane); }
+  /// The axes of space along which the sample lies.
+  std::vector<int> axes() const {
+    return laid([](const auto& in) { return std::vector<int>(in.frame.axis.begin(), in.frame.axis.end()); });
   }
 };
 
@@ -94,9 +119,11 @@ struct RawContacts {
 };
 
 /// The side that a direction points to: the wall of a contact whose file names none.
-inline int side_towards(Vec2 d) {
-  if (std::abs(d.x) > std::abs(d.y)) return d.x < 0 ? left : right;
-  return d.y < 0 ? bottom : top;
+template <int D> int side_towards(Vec<D> d) {
+  int axis = D - 1;
+  for (int k = D - 2; k >= 0; --k)
+    if (std::abs(d[k]) > std::abs(d[axis])) axis = k;
+  return 2 * axis + (d[axis] < 0 ? 0 : 1);
 }
 
 /// What to read of a file: the snapshot of this number, in the order of the file.
@@ -107,10 +134,10 @@ struct Reading {
   Problems& problems;
 };
 
-/// A program's files: what they are, how they are recognised by their first line that is not empty, and read; what is
-/// wrong goes to the problems. Contacts of every format are also accepted as a table, since many codes have no format
-/// of their own for them. `moments` gives those of all snapshots of a file that states any, `columns` being the names
-/// for one without header.
+/// A program's files, or with null for contacts those of one that has none: what they are, how they are recognised by
+/// their first line that is not empty, and read; what is wrong goes to the problems. Contacts of every format are also
+/// accepted as a table, since many codes have no format of their own for them. `moments` gives those of all snapshots
+/// of a file that states any, `columns` being the names for one without header.
 struct SampleFormat {
   using Moments = std::vector<Moment> (*)(std::string_view text, const std::string& columns);
   std::string_view name, grains_are, contacts_are;
@@ -129,8 +156,8 @@ ARENITE_FAMILY(SampleFormat, ARENITE_SAMPLE_FORMATS)
 std::string assumed_unit(const char* what, const char* si, const char* option, const char* column = "");
 
 /// The rows of a table with columns x, y, radius (or diameter) and perhaps z, id, material and zone; without ids grains
-/// are numbered from 0. `needed` goes on in the problem of a column that lacks. A column's own unit wins over that of
-/// the options.
+/// are numbered from 0. In space (`SampleOptions::dimension`) z is needed, too. `needed` goes on in the problem of a
+/// column that lacks. A column's own unit wins over that of the options.
 RawGrains grains_in(const Table& table, const char* needed, const SampleOptions& options, Problems& problems);
 
 }  // namespace arenite::io

@@ -22,24 +22,36 @@ bool is_dump(std::string_view first_line) { return first_line.starts_with("ITEM:
 
 bool is_opaque(std::string_view name) { return name.starts_with("c_") || name.starts_with("f_"); }
 
-constexpr const char* pair_columns[] = {"patom1", "patom2", "fx", "fy", "p1", "p2"};
 constexpr char axis_letters[] = {'x', 'y', 'z'};
 
+/// Names of the columns of a pair: its grains, and normal and tangential force along the axes of the sample.
+std::vector<std::string> pair_columns(const std::vector<int>& axes) {
+  std::vector<std::string> names{"patom1", "patom2"};
+  for (const int axis : axes) names.push_back(std::string("f") + axis_letters[axis]);
+  for (const int axis : axes) names.push_back("p" + std::to_string(axis + 1));
+  return names;
+}
+
 /// What to write for a dump whose columns nobody can tell apart: an example that has as many.
-std::string missing_columns(const std::vector<std::string_view>& names) {
+std::string missing_columns(const std::vector<std::string_view>& names, const std::vector<int>& axes) {
+  const auto pair = pair_columns(axes);
+  const auto half = pair.begin() + 2 + std::ssize(axes);
+  const std::string normal = list_of(std::vector(pair.begin() + 2, half), " "),
+                    tangential = list_of(std::vector(half, pair.end()), " ");
   std::string found, example;
   std::size_t next = 0;
   for (const auto& name : names) {
     found.append(found.empty() ? "" : " ").append(name);
-    const bool known = is_opaque(name) && next < std::size(pair_columns);
-    example.append(example.empty() ? "" : ",").append(known ? pair_columns[next++] : "-");
+    const bool known = is_opaque(name) && next < pair.size();
+    example.append(example.empty() ? "" : ",").append(known ? pair[next++] : "-");
   }
   return fmt::format(
       "it is not known which of the columns ({}) are the two grains and the force; name them in their order with "
-      "--columns, with \"-\" for those not needed, e.g. --columns \"{}\" (patom1 patom2 of property/local, fx fy and "
-      "the tangential p1 p2 of pair/local; fx fy alone are the whole force, as in LIGGGHTS's \"id force\": "
-      "patom1,patom2,-,fx,fy,-)",
-      found, next == std::size(pair_columns) ? example : "-,patom1,patom2,fx,fy,p1,p2");
+      "--columns, with \"-\" for those not needed, e.g. --columns \"{}\" (patom1 patom2 of property/local, {} and "
+      "the tangential {} of pair/local; {} alone are the whole force, as in LIGGGHTS's \"id force\": "
+      "patom1,patom2,-,{})",
+      found, next == pair.size() ? example : "-," + list_of(pair, ","), normal, tangential, normal,
+      axes.size() > 2 ? "fx,fy,fz" : "fx,fy,-");
 }
 
 /// Names columns that LAMMPS named after computes by what they hold.
@@ -49,13 +61,7 @@ void name_opaque_columns(Table& entries, const RawGrains& grains) {
     if (is_opaque(entries.columns[c].name)) at.push_back(c);
   const auto found = find_pair_columns(mapped(entries.rows, &Table::Row::cells), at, grains);
   if (found.empty()) return;
-  const auto [first, second] = std::pair(grains.plane.first, grains.plane.second);
-  const std::string names[] = {"patom1",
-                               "patom2",
-                               std::string("f") + axis_letters[first],
-                               std::string("f") + axis_letters[second],
-                               "p" + std::to_string(first + 1),
-                               "p" + std::to_string(second + 1)};
+  const auto names = pair_columns(grains.axes());
   for (std::size_t k = 0; k < found.size(); ++k) entries.columns[found[k]].name = names[k];
 }
 
@@ -117,7 +123,7 @@ RawGrains read_lammps_atoms(const Reading& reading) {
   name_columns(atoms, std::vector<std::string_view>(atoms.columns.size()));
   for (const auto& [name, at] : wanted)
     if (at) atoms.columns[*at] = {name, columns.scaled && name[1] == '\0' ? "m" : "", {}};
-  constexpr const char* needed = "dump id type x y radius";
+  constexpr const char* needed = "dump id type x y z radius";
   if (!atoms.find({"id"})) problems.add(atoms.header_line, "there is no column \"id\"; {}", needed);
   if (columns.scaled && columns.place[0] && !dump.cell)
     problems.add(atoms.header_line, "coordinates are fractions of a box that the dump does not state; dump x y");
@@ -163,7 +169,9 @@ struct VectorColumns {
   VectorColumns(const Table& table, std::array<const char*, 3> names) {
     for (std::size_t k = 0; k < 3; ++k) at[k] = table.find({names[k]});
   }
-  bool has(const Plane& plane) const { return at[plane.first] && at[plane.second]; }
+  bool has(const std::vector<int>& axes) const {
+    return std::ranges::all_of(axes, [&](int axis) { return at[axis].has_value(); });
+  }
   template <class Number> Vec3 of(const Table::Row& row, const Number& number) const {
     return by_axis<3>([&](int axis) { return at[axis] ? number(row, *at[axis]) : 0.0; });
   }
@@ -192,9 +200,10 @@ RawContacts read_lammps_pairs(const Reading& reading, const RawGrains& grains) {
   const VectorColumns point(entries, {"cx", "cy", "cz"});
   // Who names the columns may mean by fx, fy the whole force; LAMMPS's own are the normal force, and p1, p2 the
   // tangential.
-  const bool whole = !given.empty() && !tangential.has(grains.plane);
-  const bool known = i && j && normal.has(grains.plane) && (whole || tangential.has(grains.plane));
-  if (!known && !entries.rows.empty()) problems.add(entries.header_line, missing_columns(titles));
+  const auto axes = grains.axes();
+  const bool whole = !given.empty() && !tangential.has(axes);
+  const bool known = i && j && normal.has(axes) && (whole || tangential.has(axes));
+  if (!known && !entries.rows.empty()) problems.add(entries.header_line, missing_columns(titles, axes));
   check_rows(entries, problems);
   if (problems.any() || !known) return contacts;
   const auto value_in = [&](double factor) {
@@ -209,12 +218,15 @@ RawContacts read_lammps_pairs(const Reading& reading, const RawGrains& grains) {
     c.i = integer_or_problem(row.cells[*i], "patom1", row.line, problems);
     c.j = integer_or_problem(row.cells[*j], "patom2", row.line, problems);
     c.force_on_j = -(normal.of(row, force) + (whole ? Vec3{} : tangential.of(row, force)));
-    if (point.has(grains.plane)) c.point = point.of(row, length);
+    if (point.has(axes)) c.point = point.of(row, length);
     if (overlap && to_number(row.cells[*overlap])) c.overlap = length(row, *overlap);
     contacts.rows.push_back(c);
   }
   if (dump.cell) compare_boxes(grains, scaled_by(*dump.cell, options.length()), contacts.notes);
-  if (grains.has_box && !(grains.cell.periodic[0] && grains.cell.periodic[1]))
+  const auto has_walls = [](const auto& laid) {
+    return laid.has_box && std::ranges::count(laid.cell.periodic, false) > 0;
+  };
+  if (grains.laid(has_walls))
     contacts.notes.push_back(
         "A dump of pairs has no contacts with walls: the stress of the sample and the balance of grains at its sides "
         "lack them.");
@@ -231,8 +243,8 @@ RawContacts read_lammps_pairs(const Reading& reading, const RawGrains& grains) {
 /// c_ID[n], by what they hold.
 const SampleFormat samples::lammps{
     .name = "lammps",
-    .grains_are = "LAMMPS dump custom of id type x y radius",
-    .contacts_are = "LAMMPS dump local of property/local patom1 patom2 and pair/local fx fy p1 p2",
+    .grains_are = "LAMMPS dump custom of id type x y [z] radius",
+    .contacts_are = "LAMMPS dump local of property/local patom1 patom2 and pair/local fx fy [fz] p1 p2 [p3]",
     .states =
         {{"units (ITEM: UNITS)",
           "taken, for contacts from the grains where they state none; `lj` has none. Other units given by options, or "
@@ -240,10 +252,12 @@ const SampleFormat samples::lammps{
          {"step, time",
           "grains and contacts are of the last step that both have; refused where they have none in common"},
          {"box, periodic sides, tilt, vectors (abc)",
-          "taken; refused where its vectors leave the plane of the centres. Another box in the contacts' dump is told"},
+          "taken; refused where its vectors leave the plane of the centres, of spheres where it is tilted in another "
+          "way than "
+          "along x with y. Another box in the contacts' dump is told"},
          {"z",
           "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); within a radius a "
-          "layer, told; beyond: refused"},
+          "layer, told; beyond: spheres"},
          {"columns",
           "known by name; those named after computes (c_1[2]) by what they hold, or refused; --columns names them"},
          {"pairs without a force", "contacts where they overlap, else left out and told"},

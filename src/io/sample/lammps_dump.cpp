@@ -68,24 +68,7 @@ std::optional<StatedUnits> units_of(std::string_view text, const SampleOptions& 
   each_item(text, [&](std::string_view title, std::string_view value, std::size_t) {
     if (title.starts_with("UNITS") && name.empty()) name = value;
   });
-  if (name.empty() || name == "lj") return std::nullopt;
-  const auto* known = std::ranges::find(unit_systems, name, &StatedUnits::name);
-  if (known == std::end(unit_systems)) {
-    problems.add(
-        "the dump states units \"{}\", which are not known; write it without ITEM: UNITS and give --length-unit and "
-        "--force-unit",
-        name);
-    return std::nullopt;
-  }
-  const auto differs = [](std::optional<double> given, double stated) {
-    return given && std::abs(*given / stated - 1) > 1e-9;
-  };
-  if (differs(options.length_unit, known->length) || differs(options.force_unit, known->force))
-    problems.add(
-        "the dump states units {}, of {:g} m and {:g} N, and the units given are others; leave out --length-unit and "
-        "--force-unit, or the dump's ITEM: UNITS",
-        name, known->length, known->force);
-  return *known;
+  return unit_system(name, options, problems);
 }
 
 /// Rows of numbers of a box, three at least where there are as many.
@@ -136,6 +119,27 @@ std::optional<RawCell> cell_of(const DumpItem& item, Problems& problems) {
 }
 
 }  // namespace
+
+std::optional<StatedUnits> unit_system(std::string_view name, const SampleOptions& options, Problems& problems) {
+  if (name.empty() || name == "lj") return std::nullopt;
+  const auto* known = std::ranges::find(unit_systems, name, &StatedUnits::name);
+  if (known == std::end(unit_systems)) {
+    problems.add(
+        "the dump states units \"{}\", which are not known; write it without ITEM: UNITS and give --length-unit and "
+        "--force-unit",
+        name);
+    return std::nullopt;
+  }
+  const auto differs = [](std::optional<double> given, double stated) {
+    return given && std::abs(*given / stated - 1) > 1e-9;
+  };
+  if (differs(options.length_unit, known->length) || differs(options.force_unit, known->force))
+    problems.add(
+        "the dump states units {}, of {:g} m and {:g} N, and the units given are others; leave out --length-unit and "
+        "--force-unit, or the dump's ITEM: UNITS",
+        name, known->length, known->force);
+  return *known;
+}
 
 DumpItem* DumpSnapshot::find(std::string_view title) {
   const auto it = std::ranges::find_if(items, [&](const DumpItem& i) { return i.title.starts_with(title); });

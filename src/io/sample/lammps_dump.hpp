@@ -24,6 +24,10 @@ struct DumpSnapshot {
   DumpItem* find(std::string_view title);
 };
 
+/// The unit system of that name, of the command `units`; none of "lj", whose units have no size. A name that is not
+/// LAMMPS's, and units given by options that are others, are problems.
+std::optional<StatedUnits> unit_system(std::string_view name, const SampleOptions& options, Problems& problems);
+
 /// Steps and times of all snapshots. The time stands before the step, the units once at the beginning.
 std::vector<Moment> dump_moments(std::string_view text, const std::string&);
 

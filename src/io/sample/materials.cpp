@@ -93,16 +93,16 @@ std::set<std::int64_t> numbers_of(const RawGrains& raw, const std::unordered_map
 
 }  // namespace
 
-void assign_materials(const RawGrains& raw, const std::optional<std::filesystem::path>& file, Packing& packing,
-                      Problems& problems) {
+void assign_materials(const RawGrains& raw, const std::optional<std::filesystem::path>& file, Materials& materials,
+                      std::vector<std::int32_t>& of_grain, Problems& problems) {
   MaterialTable table;
   if (file) table = read_material_table(*file);
   const bool closed = !table.labels.empty();  // then a label that is not in the table is a slip
-  packing.materials = table.materials;
+  materials = table.materials;
   if (!closed) {  // numbered types in the order of their numbers, names in the order of their first grain
     for (std::int64_t type : numbers_of(raw, table.of_grain)) {
       table.labels.push_back(std::to_string(type));
-      packing.materials.push_back({readable(table.labels.back()), 0, 0, 0});
+      materials.push_back({readable(table.labels.back()), 0, 0, 0});
     }
   }
   for (std::size_t g = 0; g < raw.rows.size(); ++g) {
@@ -118,10 +118,10 @@ void assign_materials(const RawGrains& raw, const std::optional<std::filesystem:
         continue;
       }
       table.labels.push_back(label);
-      packing.materials.push_back({readable(label), 0, 0, 0});
+      materials.push_back({readable(label), 0, 0, 0});
       it = table.labels.end() - 1;
     }
-    packing.grains.material[g] = static_cast<std::int32_t>(it - table.labels.begin());
+    of_grain[g] = static_cast<std::int32_t>(it - table.labels.begin());
   }
 }
 

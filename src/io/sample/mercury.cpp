@@ -151,6 +151,9 @@ std::vector<Moment> fstat_moments(std::string_view text, const std::string&) {
   return moments;
 }
 
+/// To the six digits of a file.
+bool is_along_axis(Vec3 n) { return std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}) > (1 - 1e-9) * norm(n); }
+
 RawContacts read_mercury_fstat(const Reading& reading, const RawGrains& grains) {
   RawContacts contacts;
   contacts.lists_both_ways = true;
@@ -175,7 +178,8 @@ RawContacts read_mercury_fstat(const Reading& reading, const RawGrains& grains) 
     const Vec3 n = vector(10);
     const Vec3 force_on_i = value(8, reading.options.force()) * n + value(9, reading.options.force()) * vector(13);
     if (c.j < 0) {
-      c.wall = side_towards(grains.plane.of(n));
+      grains.laid([&](const auto& laid) { c.wall = side_towards(laid.frame.of(n)); });
+      if (grains.in_space && !is_along_axis(n)) c.wall = -1, c.boundary = "wall";
       c.force_on_j = force_on_i;
       c.normal = n;
     } else {
@@ -207,10 +211,12 @@ const SampleFormat samples::mercury{
                {"box", "taken; whether its sides are periodic is not in the file, --periodic says it"},
                {"third coordinate",
                 "read where the file has it: centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two "
-                "are told); within a radius a layer, told; beyond: refused"},
+                "are told); within a radius a layer, told; beyond: spheres"},
                {"columns", "by the number of values a line, as MercuryDPM writes them"},
                {"overlap", "contacts without a force that do not overlap are left out and told"},
                {"contact point", "in the middle of the overlap, where MercuryDPM has it"},
+               {"walls",
+                "by the side they lie towards; of spheres those that lie along no axis keep their normal, told"},
                {"info", "the species is the material"}},
     .is_grains = [](std::string_view line) { return all_numbers(line, 6) || all_numbers(line, 8); },
     .is_contacts = is_fstat,

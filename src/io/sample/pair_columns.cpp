@@ -36,39 +36,51 @@ std::vector<NumberRow> numbers_of(const std::vector<std::vector<std::string_view
 
 class PairGeometry {
  public:
-  explicit PairGeometry(const RawGrains& grains) : cell_(grains.has_box ? grains.cell : Domain{}) {
-    for (const RawGrain& g : grains.rows) centre_[g.id] = g.centre;
+  explicit PairGeometry(const RawGrains& grains) : grains_(grains) {
+    for (const RawGrain& g : grains.rows) centre_[g.id] = g.place;
   }
 
   bool is_grain(double id) const {
     return id == std::floor(id) && std::abs(id) < 1e15 && centre_.count(static_cast<std::int64_t>(id)) > 0;
   }
-  /// From the second grain to the first, in the nearest image.
-  Vec2 branch(double i, double j) const {
-    return cell_.nearest_image(centre_.at(static_cast<std::int64_t>(i)) - centre_.at(static_cast<std::int64_t>(j)));
+  /// From the second grain to the first, in the nearest image; nothing across a plane.
+  Vec3 branch(double i, double j) const {
+    const Vec3 way = centre_.at(static_cast<std::int64_t>(i)) - centre_.at(static_cast<std::int64_t>(j));
+    return grains_.laid([&](const auto& laid) {
+      const auto here = laid.frame.of(way);
+      return laid.frame.in_space(laid.has_box ? laid.cell.nearest_image(here) : here);
+    });
   }
 
  private:
-  std::unordered_map<std::int64_t, Vec2> centre_;
-  Domain cell_;
+  const RawGrains& grains_;
+  std::unordered_map<std::int64_t, Vec3> centre_;
 };
 
-/// Two columns that may be a vector in the plane.
-struct PairOfColumns {
-  std::size_t x, y;
-  Vec2 of(const NumberRow& row) const { return {row[x], row[y]}; }
+/// Columns that may be a vector: that of the first component, and along which axes they go, each as far behind the
+/// first as its axis is behind the first axis.
+struct VectorOfColumns {
+  std::size_t first;
+  const std::vector<int>& axes;
+  std::size_t column(int axis) const { return first + static_cast<std::size_t>(axis - axes.front()); }
+  Vec3 of(const NumberRow& row) const {
+    Vec3 v;
+    for (const int axis : axes) v[axis] = row[column(axis)];
+    return v;
+  }
 };
 
 /// How far vectors deviate from the branches, or from being across them, on average (sine); infinite where they do not
 /// lie so. Vectors without length do not tell; of none that tells it is infinite.
-double deviation(const std::vector<NumberRow>& rows, const std::vector<Vec2>& branches, PairOfColumns at, bool along) {
+double deviation(const std::vector<NumberRow>& rows, const std::vector<Vec3>& branches, const VectorOfColumns& at,
+                 bool along) {
   std::size_t telling = 0, fitting = 0;
   double sum = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Vec2 f = at.of(rows[k]), d = branches[k];
+    const Vec3 f = at.of(rows[k]), d = branches[k];
     const double size = norm(f) * norm(d);
     if (!(size > 0)) continue;
-    const double sine = std::abs(along ? cross(f, d) : dot(f, d)) / size;
+    const double sine = (along ? norm(cross(f, d)) : std::abs(dot(f, d))) / size;
     ++telling;
     fitting += sine <= most_deviation ? 1 : 0;
     sum += std::min(sine, most_deviation);
@@ -77,15 +89,15 @@ double deviation(const std::vector<NumberRow>& rows, const std::vector<Vec2>& br
   return fits ? sum / static_cast<double>(telling) : std::numeric_limits<double>::infinity();
 }
 
-/// Whether the vectors in two columns are the branches themselves (dx, dy of pair/local).
-bool are_branches(const std::vector<NumberRow>& rows, const std::vector<Vec2>& branches, PairOfColumns at) {
+/// Whether the vectors in columns are the branches themselves (dx, dy of pair/local).
+bool are_branches(const std::vector<NumberRow>& rows, const std::vector<Vec3>& branches, const VectorOfColumns& at) {
   for (std::size_t k = 0; k < rows.size(); ++k)
     if (std::abs(norm(at.of(rows[k])) - norm(branches[k])) > most_deviation * norm(branches[k])) return false;
   return true;
 }
 
-bool all_zero(const std::vector<NumberRow>& rows, std::size_t c) {
-  return std::ranges::all_of(rows, [&](const NumberRow& row) { return row[c] == 0; });
+bool all_zero(const std::vector<NumberRow>& rows, const VectorOfColumns& at) {
+  return std::ranges::all_of(rows, [&](const NumberRow& row) { return at.of(row) == Vec3{}; });
 }
 
 }  // namespace
@@ -93,8 +105,9 @@ bool all_zero(const std::vector<NumberRow>& rows, std::size_t c) {
 std::vector<std::size_t> find_pair_columns(const std::vector<std::vector<std::string_view>>& rows,
                                            const std::vector<std::size_t>& candidates, const RawGrains& grains) {
   const auto numbers = numbers_of(rows, candidates);
+  const auto axes = grains.axes();
   const std::size_t n = candidates.size();
-  if (numbers.empty() || n < 6) return {};
+  if (numbers.empty() || n < 2 + 2 * axes.size()) return {};
   const PairGeometry geometry(grains);
   const auto are_grains = [&](std::size_t c) {
     return std::ranges::all_of(numbers, [&](const NumberRow& row) { return geometry.is_grain(row[c]); });
@@ -105,27 +118,28 @@ std::vector<std::size_t> find_pair_columns(const std::vector<std::vector<std::st
     ++i;
   if (i + 1 >= n) return {};
   const auto branches = mapped(numbers, [&](const NumberRow& row) { return geometry.branch(row[i], row[i + 1]); });
-  const auto apart =
-      static_cast<std::size_t>(grains.plane.second - grains.plane.first);  // columns of the two components
+  const auto wide = static_cast<std::size_t>(axes.back() - axes.front());  // from the first component to the last
   std::size_t force = n;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t x = 0; x + apart < n; ++x) {
-    if (x + apart >= i && x <= i + 1) continue;
-    const PairOfColumns at{x, x + apart};
+  for (std::size_t x = 0; x + wide < n; ++x) {
+    if (x + wide >= i && x <= i + 1) continue;
+    const VectorOfColumns at{x, axes};
     const double found = deviation(numbers, branches, at, true);
     if (found < least && !are_branches(numbers, branches, at)) least = found, force = x;
   }
   if (force == n) return {};
-  const std::size_t next = force + apart + 1;
+  const std::size_t next = force + wide + 1;
   const auto with = [&](std::size_t p) {
-    return std::vector{candidates[i], candidates[i + 1],    candidates[force], candidates[force + apart],
-                       candidates[p], candidates[p + apart]};
+    std::vector found{candidates[i], candidates[i + 1]};
+    for (const std::size_t first : {force, p})
+      for (const int axis : axes) found.push_back(candidates[VectorOfColumns{first, axes}.column(axis)]);
+    return found;
   };
-  for (std::size_t p = next; p + apart < n; ++p)
-    if (std::isfinite(deviation(numbers, branches, {p, p + apart}, false))) return with(p);
+  for (std::size_t p = next; p + wide < n; ++p)
+    if (std::isfinite(deviation(numbers, branches, {p, axes}, false))) return with(p);
   // Without friction all is zero: behind fx and fy, or behind fz too where as many follow as fz, p1, p2 and p3 are.
-  const std::size_t p = apart == 1 && n - next >= 4 ? next + 1 : next;
-  if (p + apart < n && all_zero(numbers, p) && all_zero(numbers, p + apart)) return with(p);
+  const std::size_t p = wide == 1 && n - next >= 4 ? next + 1 : next;
+  if (p + wide < n && all_zero(numbers, {p, axes})) return with(p);
   return {};
 }
 

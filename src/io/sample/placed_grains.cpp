@@ -9,7 +9,7 @@
 
 #include "core/mapped.hpp"
 #include "io/sample/formats.hpp"
-#include "io/sample/plane.hpp"
+#include "io/sample/layout.hpp"
 #include "io/table/text_file.hpp"
 
 namespace arenite::io {
@@ -40,8 +40,8 @@ Grains read_placed_grains(const std::filesystem::path& path, const Materials& ma
   const std::string text = read_text(path);
   const SampleOptions options;
   RawGrains raw = samples::csv.grains({text, 0, options, problems});
-  if (!problems.any() && !raw.rows.empty()) lay_in_plane(raw, problems);
-  if (raw.plane.across() != 2)
+  if (!problems.any() && !raw.rows.empty()) lay_out(raw, 2, problems);
+  if (raw.plane.frame.axis != Frame<2>{}.axis)
     problems.add("the centres do not lie in the plane x-y; give x and y as those of the container");
   Grains grains;
   grains.resize(raw.rows.size());
@@ -50,12 +50,12 @@ Grains read_placed_grains(const std::filesystem::path& path, const Materials& ma
     const RawGrain& row = raw.rows[i];
     if (const auto [seen, is_new] = line_of.emplace(row.id, row.line); !is_new)
       problems.add(row.line, "grain {} is already in line {}; give every grain its own id", row.id, seen->second);
-    const Vec2 centre = row.centre + domain.corner();
+    const Vec2 centre = raw.plane.frame.of(row.place) + domain.corner();
     if (!lies_inside(centre, domain))
       problems.add(row.line,
                    "the centre of grain {} at ({:g}, {:g}) m lies outside the container of {:g} x {:g} m; correct it, "
                    "the unit of the column or [container]",
-                   row.id, row.centre.x, row.centre.y, domain.width(), domain.height());
+                   row.id, centre.x - domain.corner().x, centre.y - domain.corner().y, domain.width(), domain.height());
     grains.id[i] = row.id;
     grains.position[i] = centre;
     grains.radius[i] = row.radius;

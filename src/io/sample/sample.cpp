@@ -3,14 +3,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <fstream>
+#include <span>
 #include <string_view>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "io/disk/file.hpp"
 #include "io/sample/assemble.hpp"
 #include "io/sample/formats.hpp"
-#include "io/sample/plane.hpp"
+#include "io/sample/layout.hpp"
 #include "io/sample/snapshots.hpp"
 #include "io/table/table.hpp"
 #include "io/table/text_file.hpp"
@@ -38,9 +41,10 @@ const SampleFormat& format_of_contacts(std::string_view contacts, const SampleFo
                                        const SampleOptions& options) {
   const std::string_view line = first_line(contacts);
   const bool own = &of_grains != &samples::csv && of_grains.is_contacts(line);  // everything may be a table
-  if (own || options.format == of_grains.name) return of_grains;
+  if (of_grains.contacts && (own || options.format == of_grains.name)) return of_grains;
   if (!options.contact_columns.empty()) return samples::csv;
-  return *first_format(samples::all, [&](const SampleFormat& format) { return format.is_contacts(line); });
+  return *first_format(samples::all,
+                       [&](const SampleFormat& format) { return format.contacts && format.is_contacts(line); });
 }
 
 std::vector<Moment> moments_in(SampleFormat::Moments moments, std::string_view text, const std::string& columns) {
@@ -48,11 +52,11 @@ std::vector<Moment> moments_in(SampleFormat::Moments moments, std::string_view t
 }
 
 /// Image rows point down; from here on y points up.
-void turn_rows_up(RawGrains& grains) {
-  for (RawGrain& g : grains.rows) g.centre.y = -g.centre.y;
-  auto& wall = grains.cell.wall;
+template <int D> void turn_rows_up(std::vector<RawGrain>& rows, Laid<D>& laid) {
+  for (RawGrain& g : rows) g.place[laid.frame.axis[1]] = -g.place[laid.frame.axis[1]];
+  auto& wall = laid.cell.wall;
   wall[bottom].position = -std::exchange(wall[top].position, -wall[bottom].position);
-  grains.cell.tilt = -grains.cell.tilt;
+  laid.cell.tilt = -laid.cell.tilt;
 }
 void turn_rows_up(RawContacts& contacts, int down) {
   for (RawContact& c : contacts.rows)
@@ -60,46 +64,83 @@ void turn_rows_up(RawContacts& contacts, int down) {
       if (*vector) (**vector)[down] = -(**vector)[down];
 }
 
-void apply_box(const SampleOptions& options, RawGrains& grains, Problems& problems) {
-  auto& periodic = grains.cell.periodic;
-  for (int axis = 0; axis < 2; ++axis) periodic[axis] |= options.periodic[axis];
-  if (options.box) {
-    const Vec2 corner = options.origin.value_or(Vec2{});
-    grains.lay_box(corner, corner + *options.box);
-    grains.cell.tilt = options.tilt;
-    if (!options.origin) place_box(grains, problems);
+template <int D> constexpr const char* wanted_box = "the grains lie in a plane; give --box LX,LY[,tilt]";
+template <> constexpr const char* wanted_box<3> = "the spheres fill space; give --box LX,LY,LZ[,tilt]";
+
+template <int D> void apply_box(const SampleOptions& options, Laid<D>& laid, RawGrains& grains, Problems& problems) {
+  const auto axes = static_cast<std::size_t>(D);
+  auto& periodic = laid.cell.periodic;
+  for (int axis = 0; axis < D; ++axis) periodic[axis] |= options.periodic[axis];
+  if (!options.box.empty()) {
+    const bool has_corner = !options.origin.empty();
+    if (options.box.size() < axes || options.box.size() > axes + 1) return problems.add(wanted_box<D>);
+    if (has_corner && options.origin.size() != axes)
+      return problems.add("--origin has {} lengths; give one along each of the {} axes", options.origin.size(), axes);
+    const Vec<D> corner = by_axis<D>([&](int axis) { return has_corner ? options.origin[axis] : 0.0; });
+    laid.lay_box(corner, corner + by_axis<D>([&](int axis) { return options.box[axis]; }));
+    laid.cell.tilt = options.box.size() > axes ? options.box[axes] : 0;
+    if (!has_corner) place_box(grains, problems);
   }
-  if (!grains.has_box && (periodic[0] || periodic[1]))
-    problems.add("periodic sides need the size of the cell; give --box LX,LY[,tilt]");
+  if (!laid.has_box && std::ranges::count(periodic, true) > 0)
+    problems.add("periodic sides need the size of the cell; give --box LX,LY[,tilt], in space LX,LY,LZ");
 }
 
 }  // namespace
 
-Sample read_sample(const std::filesystem::path& grains_path, const std::filesystem::path& contacts_path,
-                   const SampleOptions& options) {
-  const std::string grains_text = read_text(grains_path);
-  const std::string contacts_text = contacts_path.empty() ? std::string() : read_text(contacts_path);
-  Problems grain_problems(grains_path.string()), contact_problems(contacts_path.string());
+AnySample sample_of(const SampleText& grains_file, const SampleText& contacts_file, const SampleOptions& options) {
+  const std::string_view grains_text = grains_file.text, contacts_text = contacts_file.text;
+  Problems grain_problems(grains_file.name), contact_problems(contacts_file.name);
   const SampleFormat& format = format_of(grains_text, options);
   const SampleFormat& of_contacts = format_of_contacts(contacts_text, format, options);
 
-  Sample sample;
+  std::vector<std::string> notes;
   const auto moments = moments_in(format.grain_moments, grains_text, options.grain_columns);
   const auto taken =
-      common_snapshot(moments, moments_in(of_contacts.contact_moments, contacts_text, options.contact_columns),
-                      sample.notes, contact_problems);
+      common_snapshot(moments, moments_in(of_contacts.contact_moments, contacts_text, options.contact_columns), notes,
+                      contact_problems);
   RawGrains grains = format.grains({grains_text, taken.grains, options, grain_problems});
-  if (!grain_problems.any()) lay_in_plane(grains, grain_problems);
-  if (options.y_down) turn_rows_up(grains);
-  if (!grain_problems.any()) apply_box(options, grains, grain_problems);
+  if (!grain_problems.any()) lay_out(grains, options.dimension, grain_problems);
+  grains.laid([&](auto& laid) {
+    if (options.y_down) turn_rows_up(grains.rows, laid);
+    if (!grain_problems.any()) apply_box(options, laid, grains, grain_problems);
+  });
 
   RawContacts contacts;
   const bool readable = !grain_problems.any() || &of_contacts == &samples::csv;  // the others look at the grains
-  if (!contacts_path.empty() && readable && !contact_problems.any())
+  if (!contacts_file.name.empty() && readable && !contact_problems.any())
     contacts = of_contacts.contacts({contacts_text, taken.contacts, options, contact_problems}, grains);
-  if (options.y_down) turn_rows_up(contacts, grains.plane.second);
-  assemble(grains, contacts, options, sample, grain_problems, contact_problems);
-  return sample;
+  if (options.y_down) turn_rows_up(contacts, grains.axes()[1]);
+  return grains.laid([&]<int D>(const Laid<D>& laid) -> AnySample {
+    SampleIn<D> sample;
+    sample.notes = notes;
+    assemble(grains, laid, contacts, options, sample, grain_problems, contact_problems);
+    return sample;
+  });
+}
+
+AnySample read_any_sample(const std::filesystem::path& grains, const std::filesystem::path& contacts,
+                          const SampleOptions& options) {
+  const bool is_binary = known_sample_format(grains) == &samples::vtk;
+  return sample_of({grains.string(), is_binary ? read_file(grains) : read_text(grains)},
+                   {contacts.string(), contacts.empty() ? std::string() : read_text(contacts)}, options);
+}
+
+Sample read_sample(const std::filesystem::path& grains, const std::filesystem::path& contacts,
+                   const SampleOptions& options) {
+  SampleOptions in_plane = options;
+  in_plane.dimension = 2;
+  return std::get<Sample>(read_any_sample(grains, contacts, in_plane));
+}
+
+const SampleFormat* known_sample_format(const std::filesystem::path& grains) {
+  std::ifstream file(grains, std::ios::binary);
+  std::string head(4096, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  if (head.empty()) return nullptr;
+  const std::string_view line = first_line(head);
+  return first_format(samples::all,
+                      [&](const SampleFormat& format) { return &format != &samples::csv && format.is_grains(line); });
 }
 
 namespace {
@@ -125,38 +166,49 @@ void declare_unit(Visitor& v, const Key& key, std::optional<double>& factor, Dim
 }
 
 /// A list of lengths, or none.
-std::vector<double> lengths(Visitor& v, const Key& key, std::vector<double> values, std::size_t most) {
+void declare_lengths(Visitor& v, const Key& key, std::vector<double>& values, std::size_t most) {
   v.numbers(key, values, "mm", range::any);
   const bool right = values.empty() || (values.size() >= 2 && values.size() <= most);
   v.require(right, {key.name},
-            most == 2 ? "must be two lengths, for example 350 mm and 350 mm"
-                      : "must be two or three lengths, for example 350 mm and 350 mm");
-  return right ? values : std::vector<double>{};
+            most == 3 ? "must be two lengths, in space three, for example 350 mm and 350 mm"
+                      : "must be two to four lengths, for example 350 mm and 350 mm");
+  if (!right) values.clear();
 }
 
 void declare_frame(Visitor& v, SampleOptions& options) {
-  std::vector<double> box, origin;
-  if (options.box) box = {options.box->x, options.box->y, options.tilt};
-  if (options.origin) origin = {options.origin->x, options.origin->y};
-  box = lengths(v, {"box", "Width and height of the sample, and tilt of a sheared periodic cell."}, box, 3);
-  v.require(box.empty() || (box[0] > 0 && box[1] > 0), {"box"}, "width and height must be positive");
-  if (!box.empty()) options.box = {box[0], box[1]};
-  if (box.size() == 3) options.tilt = box[2];
-  origin = lengths(
-      v, {"origin", "Lower left corner of the box; unless given 0, or around the centres if they lie elsewhere."},
-      origin, 2);
-  if (!origin.empty()) options.origin = {origin[0], origin[1]};
-  constexpr const char* words[] = {"", "x", "y", "xy"};
-  std::string periodic = words[(options.periodic[0] ? 1 : 0) + (options.periodic[1] ? 2 : 0)];
-  v.text({"periodic", "Periodic directions: x, y or xy."}, periodic);
-  v.require(std::ranges::count(words, periodic) > 0, {"periodic"}, "must be x, y or xy");
-  options.periodic = {periodic.find('x') != std::string::npos, periodic.find('y') != std::string::npos};
+  declare_lengths(
+      v,
+      {"box", "Width and height of the sample, of spheres depth, and behind them the tilt of a sheared periodic cell."},
+      options.box, 4);
+  const auto sizes = std::span(options.box).first(std::min<std::size_t>(options.box.size(), 2));
+  v.require(std::ranges::all_of(sizes, [](double size) { return size > 0; }), {"box"},
+            "width and height must be positive");
+  declare_lengths(v,
+                  {"origin", "Lowest corner of the box; unless given 0, or around the centres if they lie elsewhere."},
+                  options.origin, 3);
+  std::string periodic;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (options.periodic[axis]) periodic += "xyz"[axis];
+  v.text({"periodic", "Periodic directions: x, y, z, two of them or all."}, periodic);
+  if (periodic == "all") periodic = "xyz";
+  const bool right = periodic.find_first_not_of("xyz") == periodic.npos && std::ranges::is_sorted(periodic) &&
+                     std::ranges::adjacent_find(periodic) == periodic.end();
+  v.require(right, {"periodic"}, "must be x, y, z, two of them (xy, xz, yz) or all");
+  for (std::size_t axis = 0; axis < 3; ++axis) options.periodic[axis] = periodic.find("xyz"[axis]) != periodic.npos;
+}
+
+void declare_dimension(Visitor& v, SampleOptions& options) {
+  int index = std::max(options.dimension - 1, 0);
+  v.choice({"dimension", "Whether grains are disks in a plane or spheres in space."}, index,
+           {{"auto", "as the centres lie"}, {"2", "disks"}, {"3", "spheres"}});
+  options.dimension = index > 0 ? index + 1 : 0;
 }
 
 }  // namespace
 
 void declare(Visitor& v, SampleOptions& options) {
   declare_format(v, options);
+  declare_dimension(v, options);
   v.text({"grain_columns", "Columns of a grain table without header, e.g. \"id,x,y,-,radius\"."},
          options.grain_columns);
   v.text(

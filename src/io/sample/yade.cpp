@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,43 +12,48 @@
 #include "core/mapped.hpp"
 #include "core/text.hpp"
 #include "geometry/cell_grid.hpp"
+#include "geometry/close_pairs.hpp"
 #include "io/sample/formats.hpp"
 
 namespace arenite::io {
 namespace {
 
 /// Finds the grain whose centre, or a periodic image of it, is a point, to the six digits that YADE writes.
-class Centres {
+template <int D> class Centres {
  public:
-  explicit Centres(const RawGrains& grains)
-      : grains_(grains),
-        largest_(grains.rows.empty() ? 0 : std::ranges::max_element(grains.rows, {}, &RawGrain::radius)->radius),
-        places_(mapped(grains.rows, [&](const RawGrain& g) { return grains.cell.wrapped(g.centre); })),
-        grid_(places_, std::max(2 * largest_, 1e-9)) {}
+  Centres(const std::vector<RawGrain>& rows, const Laid<D>& laid)
+      : rows_(rows),
+        cell_(laid.cell),
+        largest_(rows.empty() ? 0 : std::ranges::max_element(rows, {}, &RawGrain::radius)->radius),
+        places_(mapped(rows, [&](const RawGrain& g) { return laid.cell.wrapped(laid.frame.of(g.place)); })),
+        grid_(geometry::around(std::span<const Vec<D>>(places_)), std::max(2 * largest_, 1e-9), most_cells),
+        cells_(grid_.size(), 0, places_.size(), [&](std::size_t k) { return grid_.cell(places_[k]); }) {}
 
   /// Index of the grain, or -1.
-  std::int64_t find(Vec2 p) const {
+  std::int64_t find(Vec<D> p) const {
     constexpr double slack = 1e-3;
-    const double digits = 1e-5 * (std::abs(p.x) + std::abs(p.y));
-    const Domain& cell = grains_.cell;
-    const Vec2 size = cell.size(), base = cell.wrapped(p);
+    double digits = 0;
+    for (int axis = 0; axis < D; ++axis) digits += 1e-5 * std::abs(p[axis]);
+    const Vec<D> base = cell_.wrapped(p);
     std::int64_t found = -1;
-    for (int ky = -cell.periodic[1]; ky <= int{cell.periodic[1]}; ++ky)
-      for (int kx = -cell.periodic[0]; kx <= int{cell.periodic[0]}; ++kx)
-        grid_.within(
-            base + Vec2{kx * size.x + ky * cell.tilt, ky * size.y}, digits + slack * largest_,
-            [&](std::int32_t g, double square) {
-              if (found < 0 && std::sqrt(square) <= digits + slack * grains_.rows[static_cast<std::size_t>(g)].radius)
-                found = g;
-            });
+    cell_.each_near_cell([&](Cells<D> cells) {
+      const Vec<D> image = base + cell_.way(cells);
+      cells_.for_near(grid_, image, [&](std::int32_t g) {
+        const double reach = digits + slack * rows_[static_cast<std::size_t>(g)].radius;
+        if (found < 0 && norm(places_[static_cast<std::size_t>(g)] - image) <= reach) found = g;
+      });
+    });
     return found;
   }
 
  private:
-  const RawGrains& grains_;
+  static constexpr double most_cells = D == 2 ? 4096 : 64;  // along a side
+  const std::vector<RawGrain>& rows_;
+  const DomainIn<D>& cell_;
   double largest_;
-  std::vector<Vec2> places_;
-  geometry::PointGrid grid_;
+  std::vector<Vec<D>> places_;
+  geometry::CellGrid<D> grid_;
+  geometry::SortedCells cells_;
 };
 
 /// Reads the words of a legacy VTK file one after the other, knowing their lines.
@@ -80,20 +86,67 @@ std::vector<Vec3> read_points(Words& words, std::size_t count, double factor, Pr
 }
 
 /// Whether what pushes with this normal force may be a wall of the box: walls lie along sides that are not periodic.
-bool may_be_wall(Vec2 n, const RawGrains& grains) {
+template <int D> bool may_be_wall(Vec<D> n, const Laid<D>& laid) {
   constexpr double slack = 1e-3;  // six digits, and walls that settled
-  const double x = std::abs(n.x), y = std::abs(n.y);
-  return (y <= slack * x && !grains.cell.periodic[0]) || (x <= slack * y && !grains.cell.periodic[1]);
+  for (int along = 0; along < D; ++along) {
+    bool may = !laid.cell.periodic[along];
+    for (int axis = 0; axis < D; ++axis)
+      may = may && (axis == along || std::abs(n[axis]) <= slack * std::abs(n[along]));
+    if (may) return true;
+  }
+  return false;
 }
 
-std::string not_joined(std::size_t count, std::size_t all, const RawGrains& grains) {
-  const bool cell = grains.cell.is_cell();
+std::string not_joined(std::size_t count, std::size_t all, bool cell) {
   return fmt::format(
       "{} of {} interactions end at no grain's centre, and their forces are not those of a wall of the box; {}", count,
       all,
       cell ? "the cell does not join the grains across its periodic sides: correct --box (O.cell.hSize) and --periodic"
            : "if they cross a periodic side give the cell by --box and --periodic; spheres and interactions must be "
              "written at the same step");
+}
+
+/// Of each interaction both ends, and the forces on its second body.
+struct Interactions {
+  std::vector<Vec3> ends, normal, shear;
+};
+
+template <int D>
+void add_interactions(const Interactions& from, const RawGrains& grains, const Laid<D>& laid, RawContacts& contacts,
+                      Problems& problems) {
+  const Centres<D> centres(grains.rows, laid);
+  const std::size_t count = from.normal.size();
+  std::size_t not_of_walls = 0, without_grain = 0;
+  for (std::size_t c = 0; c < count; ++c) {
+    const Vec3 branch = from.ends[2 * c + 1] - from.ends[2 * c];
+    Vec3 n = from.normal[c], force = n + from.shear[c];
+    std::int64_t i = centres.find(laid.frame.of(from.ends[2 * c])),
+                 j = centres.find(laid.frame.of(from.ends[2 * c + 1]));
+    if (i < 0 && j < 0) {
+      ++without_grain;
+      continue;
+    }
+    RawContact row;
+    if (i < 0) {  // the wall comes first: look from the grain
+      std::swap(i, j);
+      n = -n;
+      force = -force;
+    }
+    row.i = grains.rows[static_cast<std::size_t>(i)].id;
+    row.force_on_j = force;
+    if (j < 0) {
+      not_of_walls += !may_be_wall(laid.frame.of(n), laid);
+      row.wall = side_towards(laid.frame.of(n));
+    } else {
+      row.j = grains.rows[static_cast<std::size_t>(j)].id;
+      if (const double length = norm(laid.frame.of(branch)); length > 0) row.normal = branch / length;
+    }
+    contacts.rows.push_back(row);
+  }
+  if (not_of_walls > 0) problems.add(not_joined(not_of_walls, count, laid.cell.is_cell()));
+  if (without_grain > 0)
+    contacts.notes.push_back(
+        fmt::format("{} of {} interactions belong to no grain in the list and are left out.", without_grain, count));
 }
 
 RawGrains read_yade_spheres(const Reading& reading) {
@@ -138,7 +191,8 @@ RawContacts read_yade_interactions(const Reading& reading, const RawGrains& grai
   const SampleOptions& options = reading.options;
   Problems& problems = reading.problems;
   Words words{Lines(reading.text)};
-  std::vector<Vec3> ends, normal, shear;
+  Interactions found;
+  auto& [ends, normal, shear] = found;
   std::size_t count = 0;
   for (auto word = words.next(); !word.empty(); word = words.next()) {
     if (word == "POINTS") {
@@ -163,40 +217,8 @@ RawContacts read_yade_interactions(const Reading& reading, const RawGrains& grai
         "'i.phys.normalForce', 'shearForce': 'i.phys.shearForce'})");
     return contacts;
   }
-  const Plane& plane = grains.plane;
-  const Centres centres(grains);
-  std::size_t not_of_walls = 0, without_grain = 0;
-  for (std::size_t c = 0; c < count; ++c) {
-    const Vec2 first = plane.of(ends[2 * c]), second = plane.of(ends[2 * c + 1]);
-    Vec3 n = normal[c], force = n + shear[c];
-    std::int64_t i = centres.find(first), j = centres.find(second);
-    if (i < 0 && j < 0) {
-      ++without_grain;
-      continue;
-    }
-    RawContact row;
-    if (i < 0) {  // the wall comes first: look from the grain
-      std::swap(i, j);
-      n = -n;
-      force = -force;
-    }
-    row.i = grains.rows[static_cast<std::size_t>(i)].id;
-    row.force_on_j = force;
-    if (j < 0) {
-      not_of_walls += !may_be_wall(plane.of(n), grains);
-      row.wall = side_towards(plane.of(n));
-    } else {
-      row.j = grains.rows[static_cast<std::size_t>(j)].id;
-      const Vec3 branch = ends[2 * c + 1] - ends[2 * c];
-      if (norm(second - first) > 0) row.normal = branch / norm(second - first);
-    }
-    contacts.rows.push_back(row);
-  }
-  if (not_of_walls > 0) problems.add(not_joined(not_of_walls, count, grains));
   if (!options.force_unit) contacts.notes.push_back(assumed_unit("force", "N", "--force-unit"));
-  if (without_grain > 0)
-    contacts.notes.push_back(
-        fmt::format("{} of {} interactions belong to no grain in the list and are left out.", without_grain, count));
+  grains.laid([&](const auto& laid) { add_interactions(found, grains, laid, contacts, problems); });
   return contacts;
 }
 
@@ -218,7 +240,7 @@ const SampleFormat samples::yade{
                 "none is in the files; --box and --periodic give it, and periodic sides without it are refused"},
                {"third coordinate",
                 "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); within a radius "
-                "a layer, told; beyond: refused"},
+                "a layer, told; beyond: spheres"},
                {"columns", "by the #format line; vectors of interactions by their names"},
                {"interactions without a force", "contacts where they overlap, else left out and told"},
                {"matId", "the material"}},

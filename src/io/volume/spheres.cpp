@@ -1,122 +1,58 @@
 #include "io/volume/spheres.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <array>
-#include <fstream>
+#include <cmath>
 #include <numeric>
-#include <optional>
-#include <string_view>
 #include <utility>
+#include <variant>
 
-#include "core/problems.hpp"
-#include "io/disk/file.hpp"
-#include "io/table/laboratory_table.hpp"
-#include "io/table/table.hpp"
+#include "core/error.hpp"
+#include "io/sample/sample.hpp"
 
 namespace arenite::io {
 namespace {
 
-constexpr std::string_view lbpm_begins = "Number of Spheres:";
-
-bool is_lbpm(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::string line;
-  return std::getline(file, line) && line.starts_with(lbpm_begins);
-}
-
-/// Numbers of a line behind its colon, or of all of it, apart by blanks or commas.
-std::vector<double> numbers_in(std::string_view line, const std::string& file, int at) {
-  if (const auto colon = line.find(':'); colon != line.npos) line.remove_prefix(colon + 1);
-  std::vector<double> numbers;
-  Problems problems(file);
-  for (std::size_t k = 0; k < line.size();) {
-    const std::size_t begin = line.find_first_not_of(" ,\t\r", k);
-    if (begin == line.npos) break;
-    const std::size_t end = std::min(line.find_first_of(" ,\t\r", begin), line.size());
-    numbers.push_back(number_or_problem(line.substr(begin, end - begin), "a number", 1, at, problems));
-    k = end;
-  }
-  problems.raise();
-  return numbers;
-}
-
-SpherePack read_lbpm(const std::string& file, std::vector<std::string>& notes) {
-  const std::string text = read_file(file);
-  Lines lines(text);
-  SpherePack pack;
-  pack.periodic = true;
-  std::optional<std::size_t> stated;
-  for (std::string_view line; lines.next(line);) {
-    if (line.starts_with(lbpm_begins)) {
-      const auto count = numbers_in(line, file, lines.number());
-      if (count.size() == 1) stated = static_cast<std::size_t>(count[0]);
-      continue;
+/// The smallest box that holds them all.
+void enclose(SpherePack& pack) {
+  for (int axis = 0; axis < 3; ++axis) {
+    double low = INFINITY, high = -INFINITY;
+    for (std::size_t k = 0; k < pack.size(); ++k) {
+      low = std::min(low, pack.centre[k][axis] - pack.radius[k]);
+      high = std::max(high, pack.centre[k][axis] + pack.radius[k]);
     }
-    if (line.starts_with("Domain Length")) {
-      const auto side = numbers_in(line.substr(line.find(':')), file, lines.number());
-      if (side.size() != 3) throw InputError(file, lines.number(), "a domain has three lengths");
-      pack.high = {side[0], side[1], side[2]};
-      continue;
-    }
-    if (line.find_first_not_of(" \t\r") == line.npos || !to_number(line.substr(0, line.find_first_of(" \t")))) continue;
-    const auto row = numbers_in(line, file, lines.number());
-    if (row.size() != 4 || !(row[3] > 0))
-      throw InputError(file, lines.number(), "a sphere is its centre x, y, z and a radius above 0");
-    pack.centre.push_back({row[0], row[1], row[2]});
-    pack.radius.push_back(row[3]);
+    pack.low[axis] = low;
+    pack.high[axis] = high;
   }
-  if (stated && *stated != pack.size())
-    throw InputError(file, 1, fmt::format("says {} spheres and holds {}; it is not whole", *stated, pack.size()));
-  if (!(pack.high.x > 0 && pack.high.y > 0 && pack.high.z > 0))
-    throw InputError(file, 1, "does not state its domain (\"Domain Length (x,y,z): 1, 1, 1\")");
-  notes.push_back("lengths have no unit in this format and are taken as m; the domain repeats itself");
-  return pack;
-}
-
-SpherePack read_csv(const std::string& file, std::vector<std::string>& notes) {
-  LaboratoryTable table(file);
-  const auto column = [&](std::vector<std::string_view> names) -> std::optional<std::vector<double>> {
-    const Quantity quantity{std::move(names), dimension::length, ""};
-    const auto at = table.find(quantity);
-    if (!at) return std::nullopt;
-    return table.values(*at, quantity);
-  };
-  const auto x = column({"x"}), y = column({"y"}), z = column({"z"});
-  auto radius = column({"radius", "r"});
-  if (!radius) {
-    radius = column({"diameter", "d"});
-    if (radius)
-      for (double& r : *radius) r /= 2;
-  }
-  if (!x || !y || !z || !radius)
-    throw InputError(file, table.header_line(), "spheres need columns x, y, z and radius (or diameter)");
-  SpherePack pack;
-  for (std::size_t k = 0; k < x->size(); ++k) {
-    if (!((*radius)[k] > 0)) throw InputError(file, table.line(k), "a sphere needs a radius above 0");
-    const Vec3 centre{(*x)[k], (*y)[k], (*z)[k]};
-    const double r = (*radius)[k];
-    for (int axis = 0; axis < 3; ++axis) {
-      pack.low[axis] = k == 0 ? centre[axis] - r : std::min(pack.low[axis], centre[axis] - r);
-      pack.high[axis] = k == 0 ? centre[axis] + r : std::max(pack.high[axis], centre[axis] + r);
-    }
-    pack.centre.push_back(centre);
-    pack.radius.push_back(r);
-  }
-  notes = table.notes();
-  return pack;
 }
 
 }  // namespace
 
-bool is_sphere_table(const std::filesystem::path& path) { return path.extension() == ".csv" || is_lbpm(path); }
+bool is_sphere_table(const std::filesystem::path& path) {
+  return path.extension() == ".csv" || known_sample_format(path) != nullptr;
+}
 
 SpherePack read_spheres(const std::filesystem::path& path, std::vector<std::string>& notes) {
-  SpherePack pack = is_lbpm(path) ? read_lbpm(path.string(), notes) : read_csv(path.string(), notes);
-  if (pack.size() == 0) throw InputError(path.string(), 0, "holds no spheres");
+  SampleOptions options;
+  options.dimension = 3;
+  auto sample = std::get<SampleIn<3>>(read_any_sample(path, {}, options));
+  notes = std::move(sample.notes);
+  const Container<3>& cell = sample.packing.domain;
+  SpherePack pack;
+  pack.centre = std::move(sample.packing.grains.position);
+  pack.radius = std::move(sample.packing.grains.radius);
   pack.label.resize(pack.size());
   std::iota(pack.label.begin(), pack.label.end(), 0);
+  const auto periodic = std::ranges::count(cell.periodic, true);
+  pack.periodic = periodic == 3;
+  if (pack.periodic && cell.tilt != 0)
+    throw InputError(
+        path.string(), 0,
+        "is of a sheared cell, whose images are no whole numbers of voxels apart; give a cell without tilt");
+  if (periodic > 0 && !pack.periodic)
+    notes.emplace_back(
+        "Its cell repeats itself along some axes only; the spheres are taken as they lie, without their images.");
+  if (!pack.periodic) enclose(pack);
+  else pack.low = cell.corner(), pack.high = cell.corner(1);
   return pack;
 }
 

@@ -7,12 +7,11 @@
 
 namespace arenite::io {
 
-/// Whether a file is a table of spheres: of comma-separated values (.csv), or LBPM's pack.out.
+/// Whether a file is a table of spheres: of comma-separated values (.csv), or another program's (io/sample/).
 bool is_sphere_table(const std::filesystem::path& path);
 
-/// Spheres from a table with columns x, y, z and radius or diameter ("radius [mm]"; m where no unit is named), in the
-/// smallest box that holds them all; or LBPM's, in the periodic box that it states. Throws InputError with every bad
-/// row.
+/// The spheres of anybody's table, as `arenite measure` reads it: in the periodic box that it states, else in the
+/// smallest box that holds them all. Throws InputError with every bad row.
 SpherePack read_spheres(const std::filesystem::path& path, std::vector<std::string>& notes);
 
 }  // namespace arenite::io

@@ -124,7 +124,8 @@ std::vector<Headline> headlines_of(const SphereResult& sample) {
   add_known(list,
             {{"solid fraction", "\u03c6", "solid_fraction"},
              {"contacts without rattlers", "z", "coordination.without_rattlers"},
-             {"pressure", "p", "stress_details.pressure_Pa"}},
+             {"pressure", "p", "stress_details.pressure_Pa"},
+             {"contacts", "z", "coordination.all"}},
             sample.texture);
   add_known(list,
             {{"deviator", "q", "stress_details.deviator_Pa"},

@@ -130,11 +130,17 @@ template <std::size_t k> Drawings draw_state(const SphereResult& stage) {
   return row_of(state_figures(), of_spheres[k]).draw({stage.texture, names});
 }
 
+bool has_walls(const SphereResult& stage) {
+  return !stage.snapshots.empty() &&
+         std::ranges::any_of(stage.snapshots.back().packing.domain.wall, &WallIn<3>::present);
+}
+
 /// Figures of the history are the same whatever the dimension of its states.
 template <std::size_t k> Drawings draw_history(const SphereResult& stage) {
   StageResult rows;
   rows.name = stage.name;
   rows.history = stage.history;
+  if (std::string_view(over_time[k]) == "wall-forces" && !has_walls(stage)) return {};
   return row_of(stage_figures(), over_time[k]).draw({rows, {}, nullptr});
 }
 

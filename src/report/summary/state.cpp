@@ -115,7 +115,9 @@ template <int D> std::string state_text(const StageResultIn<D>& last) {
   };
   if (!last.provenance.kernel.empty()) add("state", rest_of(last));
   add("grains", grains_of(snapshot.packing));
-  add("forces on the walls", forces_on_sides<D>(snapshot.packing.domain));
+  const bool bears =
+      std::ranges::any_of(snapshot.packing.domain.wall, [](const auto& wall) { return wall.force != 0; });
+  if (bears || last.asked.known) add("forces on the walls", forces_on_sides<D>(snapshot.packing.domain));
   return text;
 }
 

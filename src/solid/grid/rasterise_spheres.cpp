@@ -21,13 +21,13 @@ class Voxels {
     for (int axis = 0; axis < 3; ++axis) longest = std::max(longest, pack.high[axis] - pack.low[axis]);
     if (pack.size() == 0 || !(longest > 0)) throw InputError("there are no spheres, or they have no extent");
     dx_ = longest / voxels;
+    if (pack.periodic && !is_whole_in_voxels(pack, voxels))
+      throw refusal(
+          "a periodic box of {:g} x {:g} x {:g} m is no whole number of voxels along each axis; choose another "
+          "number of voxels",
+          pack.high.x - pack.low.x, pack.high.y - pack.low.y, pack.high.z - pack.low.z);
     for (int axis = 0; axis < 3; ++axis) {
       const double side = (pack.high[axis] - pack.low[axis]) / dx_, whole = std::round(side);
-      if (pack.periodic && std::abs(side - whole) > 1e-6 * whole)
-        throw refusal(
-            "a periodic box of {:g} x {:g} x {:g} m is no whole number of voxels along each axis; choose another "
-            "number of voxels",
-            pack.high.x - pack.low.x, pack.high.y - pack.low.y, pack.high.z - pack.low.z);
       count_[static_cast<std::size_t>(axis)] = std::max(1, static_cast<int>(whole));
     }
   }
@@ -138,6 +138,16 @@ VoxelMap rasterise_spheres(const SpherePack& pack, const SphereCement& cement, i
   VoxelMap map = grains_in(grid, pack);
   add_cement(grid, pack, cement, map);
   return map;
+}
+
+bool is_whole_in_voxels(const SpherePack& pack, int voxels) {
+  const Vec3 size = pack.high - pack.low;
+  const double dx = std::max({size.x, size.y, size.z}) / voxels;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double whole = std::round(size[axis] / dx);
+    if (std::abs(size[axis] / dx - whole) > 1e-6 * whole) return false;
+  }
+  return true;
 }
 
 void cut_out(SpherePack& pack, const std::vector<double>& box) {

@@ -17,6 +17,9 @@ VoxelMap rasterise_spheres(const SpherePack& pack, const SphereCement& cement, i
 /// thickness of a coating, to less than a voxel. `parameter` is what was used. Throws InputError where none reaches it.
 VoxelMap cemented_voxels(const SpherePack& pack, cement::CementParameters parameters, int voxels, double& parameter);
 
+/// Whether so many voxels along the longest side of a pack's box are whole numbers along the others.
+bool is_whole_in_voxels(const SpherePack& pack, int voxels);
+
 /// Cuts a box out of spheres: its lowest and its highest corner, m. Spheres around it stay, for what they hold may
 /// reach into it. Throws InputError for a pack that repeats itself, whose box is its period, and where no sphere
 /// reaches in.

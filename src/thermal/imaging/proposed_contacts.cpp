@@ -17,7 +17,7 @@ void check_errors(const std::vector<double>& errors, std::size_t grains, const c
     throw refusal("errors of the {} must be numbers of at least 0", name);
 }
 
-void check(const Grains& grains, const GrainErrors& errors, const ContactTolerance& tolerance) {
+template <int D> void check(const GrainsIn<D>& grains, const GrainErrors& errors, const ContactTolerance& tolerance) {
   for (std::size_t g = 0; g < grains.size(); ++g)
     if (!is_finite(grains.position[g]) || !(grains.radius[g] > 0) || !std::isfinite(grains.radius[g]))
       throw refusal("grain {} has no position or no positive radius", grains.id[g]);
@@ -34,34 +34,39 @@ double surface_error(const GrainErrors& errors, std::size_t g) {
 
 }  // namespace
 
-Contacts propose_contacts(const Grains& grains, const Domain& domain, const GrainErrors& errors,
-                          const ContactTolerance& tolerance) {
+template <int D>
+ContactsIn<D> propose_contacts(const GrainsIn<D>& grains, const std::type_identity_t<DomainIn<D>>& domain,
+                               const GrainErrors& errors, const ContactTolerance& tolerance) {
   check(grains, errors, tolerance);
   const double floor = tolerance.floor * tolerance.pixel;
   double largest = 0;
   for (std::size_t g = 0; g < grains.size(); ++g) largest = std::max(largest, surface_error(errors, g));
-  Contacts contacts;
+  ContactsIn<D> contacts;
   for (const auto& [i, j] : pairs_within(grains, domain, floor + tolerance.errors * std::sqrt(2.0) * largest)) {
     const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-    const Vec2 branch = domain.nearest_image(grains.position[a] - grains.position[b]);
+    const Vec<D> branch = domain.nearest_image(grains.position[a] - grains.position[b]);
     const double distance = norm(branch), overlap = grains.radius[a] + grains.radius[b] - distance;
     const double error = std::hypot(surface_error(errors, a), surface_error(errors, b));
     if (-overlap > floor + tolerance.errors * error || !(distance > 0)) continue;
-    contacts.add(i, j, (1 / distance) * branch, 0, 0, grains.radius[a] - 0.5 * overlap,
+    contacts.add(i, j, (1 / distance) * branch, 0, {}, grains.radius[a] - 0.5 * overlap,
                  grains.radius[b] - 0.5 * overlap);
     contacts.overlap.back() = overlap;
   }
-  for (int side = left; side <= top; ++side) {
+  for (int side = 0; side < sides_in<D>; ++side) {
     if (!domain.wall[static_cast<std::size_t>(side)].present) continue;
     for (std::size_t g = 0; g < grains.size(); ++g) {
       const double distance = domain.depth(side, grains.position[g]);
       const double error = std::hypot(surface_error(errors, g), tolerance.wall_error);
       if (distance - grains.radius[g] > floor + tolerance.errors * error) continue;
-      contacts.add(static_cast<std::int32_t>(g), wall_partner(side), inward_normal(side), 0, 0, distance, 0);
+      contacts.add(static_cast<std::int32_t>(g), wall_partner(side), inward_normal<D>(side), 0, {}, distance, 0);
       contacts.overlap.back() = grains.radius[g] - distance;
     }
   }
   return contacts;
 }
+
+template Contacts propose_contacts<2>(const Grains&, const Domain&, const GrainErrors&, const ContactTolerance&);
+template ContactsIn<3> propose_contacts<3>(const GrainsIn<3>&, const Container<3>&, const GrainErrors&,
+                                           const ContactTolerance&);
 
 }  // namespace arenite::imaging

@@ -1,4 +1,5 @@
 #pragma once
+#include <type_traits>
 #include <vector>
 
 #include "model/packing.hpp"
@@ -26,7 +27,8 @@ struct GrainErrors {
 /// surfaces are apart), and a contact lies in the middle of the overlap, on a wall in its plane. Periodic sides are
 /// honoured, sheared cells too. Linear in the number of grains. Throws InputError where arrays disagree in length or
 /// hold values that are no numbers.
-Contacts propose_contacts(const Grains& grains, const Domain& domain, const GrainErrors& errors = {},
-                          const ContactTolerance& tolerance = {});
+template <int D>
+ContactsIn<D> propose_contacts(const GrainsIn<D>& grains, const std::type_identity_t<DomainIn<D>>& domain,
+                               const GrainErrors& errors = {}, const ContactTolerance& tolerance = {});
 
 }  // namespace arenite::imaging

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,7 +35,7 @@ double size_of_deviator(const double* t) {
 }
 
 enum Term { count = 0, fabric_sum = 1, force_sum = 7, normal_sum = 13, terms = 49 };
-enum Result { phi = 0, a_c = 6, p_4, a_n, results };
+enum Result { phi = 0, a_c = 6, a_c_signed, p_4, a_n, results };
 
 void add_contact(const ContactsIn<3>& contacts, std::size_t c, double* sums) {
   const auto p = products(contacts.normal[c]);
@@ -61,12 +62,15 @@ Tensor3 tensor_of(const double* t) {
   return tensor;
 }
 
-std::vector<double> evaluate(const std::vector<double>& s) {
+std::vector<double> evaluate(const std::vector<double>& s, Vec3 load_axis) {
   std::vector<double> r(results, statistics::unknown);
   const double n = s[count];
   if (n < 1) return r;
   for (int k = 0; k < 6; ++k) r[phi + k] = s[fabric_sum + k] / n;
   r[a_c] = 7.5 * size_of_deviator(&r[phi]);
+  const auto along = products(load_axis);
+  if (load_axis != Vec3{})
+    r[a_c_signed] = 11.25 * (std::inner_product(along.begin(), along.end(), &r[phi], 0.0) - 1.0 / 3);
   const Principal axes = principal(tensor_of(&r[phi]));
   r[p_4] = fourth_about(axes.direction[0], &s[normal_sum], n, axes.value[0]);
   // Fitted over directions, so that anisotropies of forces do not inherit that of the counts.
@@ -80,12 +84,16 @@ Numbers direction(Vec3 n) { return Numbers::list({n.x, n.y, n.z}); }
 void put_fabric(Numbers& j, const SphereView& view, const Items& items) {
   const auto r = statistics::jackknife_of_sums(
       items, view.contact_block, terms, [&](std::size_t c, double* sums) { add_contact(view.pairs(), c, sums); },
-      evaluate);
+      [&](const std::vector<double>& sums) { return evaluate(sums, view.load_axis); });
   std::array<double, 6> value{}, error{};
   for (int k = 0; k < 6; ++k) value[k] = r[phi + k].value, error[k] = r[phi + k].error;
   put(j, "contacts", items.size(), "", "Contacts of the set");
   put(j, "a_c", r[a_c], "",
       "Contact anisotropy a_c, sqrt(3/2 a:a) of a = 15/2 (<n (x) n> - 1/3); 0: isotropic (Guo and Zhao 2013)");
+  if (view.load_axis != Vec3{})
+    put(j, "a_c_signed", r[a_c_signed], "",
+        "3/2 of a's part along the load: a_c with its sign where the fabric is symmetric about the load",
+        view.options.load_axis ? Trait::none : Trait::by_forces);
   put(j, "a_c_noise", 7.5 / std::sqrt(static_cast<double>(items.size())), "",
       "a_c of the same number of random orientations, root mean square");
   put(j, "phi", Numbers{{"value", rows_of(tensor_of(value.data()))}, {"error", rows_of(tensor_of(error.data()))}}, "",

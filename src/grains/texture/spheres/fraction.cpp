@@ -10,6 +10,7 @@ SphereStatistic sphere_fraction;
 
 /// Volume of spheres cut by the window over the window's; an overlap counts in both. Error from equal blocks.
 void sphere_fraction(const SphereView& view, Numbers& to) {
+  if (!view.has_box) return;
   const BlockCube blocks{view.window, std::max(2, view.blocks.per_side)};
   const double volume = view.window.size.x * view.window.size.y * view.window.size.z;
   std::vector<double> fraction(static_cast<std::size_t>(blocks.count()), 0.0);

@@ -30,6 +30,14 @@ bool holds(const geometry::Box<3>& window, Vec3 place) {
   return true;
 }
 
+/// Direction of greatest compression of the moment of all contacts.
+Vec3 compression_axis(const PackingIn<3>& packing) {
+  Tensor3 moment;
+  for (std::size_t c = 0; c < packing.contacts.size(); ++c)
+    moment += outer(packing.contacts.force_on_i(c), packing.contacts.branch(c));
+  return principal(moment).direction[2];
+}
+
 }  // namespace
 
 int BlockCube::block_of(Vec3 place, std::size_t item) const {
@@ -51,13 +59,17 @@ geometry::Box<3> BlockCube::block(int b) const {
 SphereView::SphereView(const PackingIn<3>& p, const SphereOptions& o) : packing(p), options(o) {
   const Container<3>& domain = packing.domain;
   if (!(volume_of(domain) > 0)) throw InputError("the container of the spheres has no volume");
+  check_widths(packing);
   const GrainsIn<3>& all = packing.grains;
+  has_box = domain.is_cell() || std::ranges::any_of(domain.wall, &WallIn<3>::present);
+  for (std::size_t c = 0; c < pairs().size(); ++c)
+    has_forces = has_forces || pairs().fn[c] != 0 || pairs().ft[c] != Vec3{};
   mean_diameter = all.mean_diameter();
   const auto take_grains = [&] {
     for (std::size_t g = 0; g < all.size(); ++g)
       if (holds(window, all.position[g])) grains.push_back(g);
   };
-  border = options.border * mean_diameter;
+  border = has_box ? options.border * mean_diameter : 0;
   window = inner_window(domain, border);
   if (window.size.x > 0 && window.size.y > 0 && window.size.z > 0) take_grains();
   if (grains.empty()) {  // a sample smaller than its border is taken whole
@@ -80,6 +92,8 @@ SphereView::SphereView(const PackingIn<3>& p, const SphereOptions& o) : packing(
     if (pairs().fn[c] > 0) mean_force += pairs().fn[c], ++pushing;
   }
   if (pushing > 0) mean_force /= pushing;
+  if (options.load_axis) load_axis = {std::cos(*options.load_axis), std::sin(*options.load_axis), 0};
+  else if (has_forces) load_axis = compression_axis(packing);
 }
 
 std::vector<int> SphereView::materials() const {
@@ -90,6 +104,16 @@ std::vector<int> SphereView::materials() const {
 
 statistics::Items SphereView::grains_of(int m) const {
   return kept(grains, [&](std::size_t g) { return packing.grains.material[g] == m; });
+}
+
+std::vector<std::int32_t> contacts_with_spheres(const PackingIn<3>& packing) {
+  std::vector<std::int32_t> count(packing.grains.size(), 0);
+  for (std::size_t c = 0; c < packing.contacts.size(); ++c) {
+    if (packing.contacts.is_wall(c)) continue;
+    ++count[packing.contacts.i[c]];
+    ++count[packing.contacts.j[c]];
+  }
+  return count;
 }
 
 std::vector<Tensor3> sphere_moments(const PackingIn<3>& packing) {

@@ -28,6 +28,8 @@ struct SphereView {
 
   const PackingIn<3>& packing;
   const SphereOptions& options;
+  bool has_box = false;     ///< else the container is but the smallest box around the spheres
+  bool has_forces = false;  ///< some contact has one; else nobody knows them
   double mean_diameter = 0;
   geometry::Box<3> window;             ///< the container without the border along its walls
   double border = 0;                   ///< m
@@ -36,6 +38,7 @@ struct SphereView {
   BlockCube blocks;
   std::vector<int> grain_block, contact_block;
   double mean_force = 0;  ///< of considered contacts that push, N
+  Vec3 load_axis;         ///< as the options say it, or that of greatest compression; 0 where neither is known
 
   const ContactsIn<3>& pairs() const { return packing.contacts; }
   std::string material_name(int m) const { return name_of_material(packing.materials, m); }
@@ -45,6 +48,9 @@ struct SphereView {
 
 /// A statistic of spheres, one file each; the list is in spheres.cpp.
 using SphereStatistic = void(const SphereView& view, Numbers& to);
+
+/// How many other spheres each touches; walls do not count, as in the coordination.
+std::vector<std::int32_t> contacts_with_spheres(const PackingIn<3>& packing);
 
 /// Internal moments of all spheres, N m: sum over their contacts of force (x) lever.
 std::vector<Tensor3> sphere_moments(const PackingIn<3>& packing);

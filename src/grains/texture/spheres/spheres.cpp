@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -35,10 +36,22 @@ void sample(const SphereView& view, Numbers& to) {
 }
 
 std::vector<std::string> notes_of(const SphereView& view) {
-  const bool walled = view.packing.domain.periodic != std::array{true, true, true};
-  if (!walled || !(view.options.border > 0) || view.border > 0) return {};
-  return {fmt::format("The sample is too small to leave out {:g} mean diameters along its walls, so it is taken whole.",
-                      view.options.border)};
+  std::vector<std::string> notes;
+  if (!view.has_box)
+    notes.push_back(
+        "The box is not known, so solid fraction and the stress of the assembly are omitted and no border is left "
+        "out.");
+  if (!view.has_forces && view.pairs().size() > 0)
+    notes.push_back("The forces of the contacts are not known, so statistics of forces and stresses are omitted.");
+  if (!view.options.load_axis && view.has_forces)
+    notes.push_back(
+        "The direction of the load is not given: a_c_signed refers to the sample's own axis of greatest compression.");
+  const bool walled = view.has_box && view.packing.domain.periodic != std::array{true, true, true};
+  if (walled && view.options.border > 0 && view.border == 0)
+    notes.push_back(
+        fmt::format("The sample is too small to leave out {:g} mean diameters along its walls, so it is taken whole.",
+                    view.options.border));
+  return notes;
 }
 
 /// Every statistic that there is, in the order of their numbers.
@@ -48,6 +61,16 @@ constexpr SphereStatistic* every_statistic[] = {sample,        sphere_fraction, 
 }  // namespace
 
 }  // namespace spheres
+
+SphereOptions sphere_options(const PackingIn<3>& packing, const Measuring& how) {
+  SphereOptions options;
+  static_cast<Measuring&>(options) = how;
+  const ContactsIn<3>& contacts = packing.contacts;
+  constexpr double rounding = 1e-4;  // of the digits of a file
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    if (norm(contacts.ft[c]) > rounding * std::abs(contacts.fn[c])) options.rattler_contacts = 2;
+  return options;
+}
 
 SphereOptions sphere_options(const Asked& asked) {
   SphereOptions options;
@@ -62,6 +85,7 @@ Numbers measure_spheres(const PackingIn<3>& packing, const SphereOptions& option
   const spheres::SphereView view(packing, options);
   Numbers numbers;
   for (spheres::SphereStatistic* statistic : spheres::every_statistic) statistic(view, numbers);
+  if (!view.has_forces && packing.contacts.size() > 0) erase(numbers, Trait::by_forces);
   numbers["notes"] = spheres::notes_of(view);
   return numbers;
 }

@@ -12,11 +12,16 @@ struct SphereOptions : Measuring {
   Vec3 gravity = {};         ///< m/s^2; for the balance of spheres and walls only
 };
 
+/// Those that suit a sample whose recipe is not known: friction is what its forces show.
+SphereOptions sphere_options(const PackingIn<3>& packing, const Measuring& how);
+
 /// Those that suit a stage: without friction it takes four contacts to hold a sphere, with friction two.
 SphereOptions sphere_options(const Asked& asked);
 
 /// Solid fraction, coordination, fabric, stress, forces and grain stresses of a sample of spheres, under the names that
-/// samples of the plane have, each with its error and meaning. Throws InputError for a container without volume.
+/// samples of the plane have, each with its error and meaning. Contacts of which none has a force are those of a sample
+/// whose forces nobody knows; a container without walls and periodic sides is none, but the smallest box around the
+/// spheres: what needs them is left out, and "notes" say so. Throws InputError for a container without volume.
 Numbers measure_spheres(const PackingIn<3>& packing, const SphereOptions& options = {});
 
 }  // namespace arenite::texture

@@ -60,6 +60,7 @@ double median_imbalance(const SphereView& view) {
 SphereStatistic sphere_stress;
 
 void sphere_stress(const SphereView& view, Numbers& to) {
+  if (!view.has_box) return;
   const PackingIn<3>& packing = view.packing;
   const Tensor3 stress = whole_stress(packing);
   const Principal axes = principal(stress);

@@ -37,7 +37,7 @@ TEST(SampleLammps, SaysWhereAFileIsCutOffOrLacksAColumn) {
   expect_part(Files(start + "ITEM: ATOMS id type x y radius\n1 1 0 0 1\n", pairs).problems(),
               "grains.csv:9: the dump announces 2 rows, but 1 follow");
   expect_part(Files(start + "ITEM: ATOMS id type x y\n1 1 0 0\n2 1 1 1\n", pairs).problems(),
-              "there is no column \"radius\"; dump id type x y radius");
+              "there is no column \"radius\"; dump id type x y z radius");
 }
 
 TEST(SampleLammps, FindsColumnsByWhatTheyHold) {

@@ -72,10 +72,10 @@ void expect_the_same(const Packing& a, const Packing& b) {
 
 SampleOptions box_of(const Packing& p) {
   SampleOptions o;
-  o.box = p.domain.size();
-  o.origin = p.domain.corner();
-  o.periodic = p.domain.periodic;
-  o.tilt = p.domain.tilt;
+  const Vec2 size = p.domain.size(), corner = p.domain.corner();
+  o.box = {size.x, size.y, p.domain.tilt};
+  o.origin = {corner.x, corner.y};
+  o.periodic = {p.domain.periodic[0], p.domain.periodic[1]};
   o.thickness = p.domain.thickness;
   return o;
 }

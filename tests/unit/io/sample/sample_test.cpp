@@ -106,8 +106,7 @@ TEST(SampleCsv, MergesRowsThatRepeatAContactOnlyWhenAsked) {
 
 TEST(SampleCsv, JoinsGrainsAcrossPeriodicSidesWithTilt) {
   SampleOptions o;
-  o.box = Vec2{10, 10};
-  o.tilt = 2;
+  o.box = {10, 10, 2};
   o.periodic[0] = o.periodic[1] = true;
   // Grain 2 is above the cell's middle; its image below is shifted by -tilt: (3.4 - 2, 9.6 - 10) = (1.4, -0.4).
   const Sample s = Files("id,x,y,radius\n1,1,0.2,0.5\n2,3.4,9.6,0.5\n", "i,j,fn,ft\n1,2,1,0\n").read(o);
@@ -118,8 +117,8 @@ TEST(SampleCsv, JoinsGrainsAcrossPeriodicSidesWithTilt) {
 
 TEST(SampleCsv, RefusesAGrainOutsideTheBoxAndAContactOfFarGrains) {
   SampleOptions o;
-  o.box = Vec2{2, 2};
-  o.origin = Vec2{0, 0};
+  o.box = {2, 2};
+  o.origin = {0, 0};
   expect_part(Files("id,x,y,radius\n1,1,1,0.5\n2,5,1,0.5\n", "i,j,fn,ft\n").problems(o),
               "grains.csv:3: grain 2 lies outside the box");
   expect_part(Files("id,x,y,radius\n1,1,1,0.5\n2,5,1,0.5\n", "i,j,fn,ft\n1,2,1,0\n").problems(),
@@ -128,7 +127,7 @@ TEST(SampleCsv, RefusesAGrainOutsideTheBoxAndAContactOfFarGrains) {
 
 TEST(SampleCsv, NamesWallsByTheirSide) {
   SampleOptions o;
-  o.box = Vec2{4, 4};
+  o.box = {4, 4};
   const Sample s = Files("id,x,y,radius\n1,1,0.9,1\n", "i,j,fn,ft\n1,bottom,10,1\n").read(o);
   EXPECT_TRUE(s.packing.contacts.is_wall(0));
   EXPECT_EQ(s.packing.contacts.wall_side(0), bottom);

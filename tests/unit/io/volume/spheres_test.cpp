@@ -53,7 +53,7 @@ TEST(Spheres, OfLbpmTheDomainCounts) {
 }
 
 TEST(Spheres, WhatIsNoSphereIsRefused) {
-  EXPECT_NE(refusal("s.csv", "x,y,radius\n1,2,3\n").find("columns x, y, z"), std::string::npos);
+  EXPECT_NE(refusal("s.csv", "x,y,radius\n1,2,3\n").find("there is no column \"z\""), std::string::npos);
   EXPECT_NE(refusal("s.csv", "x,y,z,radius\n1,2,3,-1\n").find("s.csv:2"), std::string::npos);
   EXPECT_NE(refusal("s.csv", "x,y,z,radius\n1,2,three,1\n").find("three"), std::string::npos);
 }

@@ -148,8 +148,7 @@ TEST(ProposedContacts, OfLoadedPackingsMissNextToNoneOfTheTrueOnes) {
 TEST(ProposedContacts, HoldAllOfAnotherCodesInAShearedCell) {
   const std::string folder = std::string(ARENITE_SOURCE_DIR) + "/examples/20-dem-shear-periodic/";
   io::SampleOptions options;
-  options.box = Vec2{62.7755, 62.7755};
-  options.tilt = 31.38775;
+  options.box = {62.7755, 62.7755, 31.38775};
   options.periodic[0] = options.periodic[1] = true;
   options.thickness = 1;
   const io::Sample sample = io::read_sample(folder + "grains-5000.csv", folder + "contacts-5000.csv", options);
@@ -177,7 +176,7 @@ TEST(ProposedContacts, RefuseErrorsThatDoNotFit) {
               propose_contacts(grains_at({{1, std::nan("")}}, {1}), box(4, 4));
             }).find("grain 0 has no position"),
             std::string::npos);
-  EXPECT_EQ(propose_contacts({}, box(4, 4)).size(), 0u);
+  EXPECT_EQ(propose_contacts(Grains{}, box(4, 4)).size(), 0u);
 }
 
 }  // namespace

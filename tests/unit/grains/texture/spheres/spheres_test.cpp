@@ -73,6 +73,9 @@ TEST(Spheres, TheFabricOfACrystalIsIsotropicToSecondOrderOnly) {
   const Numbers numbers = measure_spheres(packing);
   // a = 15/2 (1/6, 1/6, -1/3), sqrt(3/2 a:a) = 15/4
   EXPECT_NEAR(value(numbers, "/fabric/a_c"), 3.75, 1e-9);
+  SphereOptions along_x;
+  along_x.load_axis = 0;
+  EXPECT_NEAR(value(measure_spheres(packing, along_x), "/fabric/a_c_signed"), 1.5 * 7.5 / 6, 1e-9);
   EXPECT_NEAR(numbers["fabric"]["principal"][2].get<double>(), 0, 1e-12);
 }
 
