@@ -293,6 +293,8 @@ std::optional<SphereResult> load_stage(const GrainStageIn<3>& stage, dem::Engine
 RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options) {
   try {
     dem::find_kernel<2>(recipe.integration.kernel);
+    if (recipe.dimension == 3 && options.on_step)
+      throw InputError("on_step sees disks in the plane alone; leave it out for spheres");
     return Run(recipe, options).outcome();
   } catch (const InputError& error) { throw in_file(error, recipe.source_file); }
 }

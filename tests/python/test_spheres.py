@@ -1,6 +1,7 @@
 """Samples of spheres in Python: arrays, balance, what was measured."""
 
 import numpy as np
+import pytest
 
 import arenite
 
@@ -74,3 +75,9 @@ def test_spheres_of_files_are_measured_as_our_own(tmp_path):
     page = tmp_path / "page.html"
     arenite.page(packing, page)
     assert page.stat().st_size > 10_000
+
+
+def test_what_a_step_shows_is_of_the_plane_and_asking_for_it_is_refused(tmp_path):
+    (tmp_path / "recipe.toml").write_text(RECIPE)
+    with pytest.raises(ValueError, match="on_step sees disks in the plane alone"):
+        arenite.run(arenite.Recipe(tmp_path / "recipe.toml"), tmp_path / "out", on_step=lambda stage: None)
