@@ -82,13 +82,13 @@ std::vector<validation::SeedsWanted> wanted_of(const validation::Ledger& ledger,
   return validation::seeds_wanted(ledger, studies.plan(), [&](const std::string& name) { return studies.find(name); });
 }
 
-/// "T20, signed a_c of A-A contacts: about 80 further runs, to 19 seeds of thesis-ch5".
+/// "T20, signed a_c of A-A contacts: about 80 further runs, 23 min of one core; next, 19 seeds of thesis-ch5".
 std::string in_words(const validation::SeedsWanted& wanted) {
   std::string seeds;
   for (const auto& [draw, count] : wanted.next)
     seeds += fmt::format("{}{} seeds of {}", seeds.empty() ? "" : ", ", count, validation::in_words(draw));
-  return fmt::format("{}, {}: about {:.0f} further runs; next, {}", wanted.claim, wanted.what, std::ceil(wanted.runs),
-                     seeds);
+  return fmt::format("{}, {}: about {:.0f} further runs, {:.0f} min of one core; next, {}", wanted.claim, wanted.what,
+                     std::ceil(wanted.runs), std::ceil(wanted.seconds / 60), seeds);
 }
 
 }  // namespace

@@ -113,7 +113,8 @@ void write_plan(const std::filesystem::path& file, const SeedPlan& plan) {
 SeededStudy::SeededStudy(const StudySource& source, const std::filesystem::path& folder, bool small,
                          const std::vector<std::string>& overrides, const SeedPlan& plan)
     : folder_(folder),
-      planned_(unpack_study(source, folder, small, overrides)) {
+      planned_(unpack_study(source, folder, small, overrides)),
+      seconds_a_run_(source.seconds_a_run) {
   own_runs_ = planned_.runs.size();
   own_seeds_ = seeds_of(planned_);
   std::size_t most = own_seeds_;
@@ -172,7 +173,7 @@ std::vector<SeedsWanted> seeds_wanted(const Ledger& ledger, const SeedPlan& plan
       if (check.kind == Kind::beside || check.outcome != Outcome::undecided || check.decider != Decider::none) continue;
       const double factor = seeds_factor(check);
       if (factor >= most_times_seeds) continue;
-      SeedsWanted wanted{claim->id, check.what, {}, 0};
+      SeedsWanted wanted{claim->id, check.what, {}};
       std::vector<Extension> have;
       for (const Draw& draw : check.draws.empty() ? std::vector<Draw>{{claim->studies.front(), {}}} : check.draws)
         if (const SeededStudy* seeded = study(draw.study); seeded && seeded->runs_a_seed(draw.where) > 0)
@@ -184,13 +185,16 @@ std::vector<SeedsWanted> seeds_wanted(const Ledger& ledger, const SeedPlan& plan
       const double next = std::clamp(std::ceil(beyond_the_estimate * needed), there + 1, 2 * there + 1);
       for (const auto& [draw, now] : have) {
         const double more = std::max(needed, there + 1) - static_cast<double>(now);
-        wanted.runs += std::max(more, 0.0) * static_cast<double>(study(draw.study)->runs_a_seed(draw.where));
+        const SeededStudy& drawn = *study(draw.study);
+        const double runs = std::max(more, 0.0) * static_cast<double>(drawn.runs_a_seed(draw.where));
+        wanted.runs += runs;
+        wanted.seconds += runs * drawn.seconds_a_run();
         if (static_cast<double>(now) < next) wanted.next.push_back({draw, static_cast<std::size_t>(next)});
       }
       all.push_back(std::move(wanted));
     }
   }
-  std::ranges::stable_sort(all, {}, &SeedsWanted::runs);
+  std::ranges::stable_sort(all, {}, &SeedsWanted::seconds);
   return all;
 }
 

@@ -37,6 +37,7 @@ class SeededStudy {
   campaign::Study whole() const;
   /// Its runs that have these values, one for each of their combinations.
   std::size_t runs_a_seed(const Where& where) const;
+  double seconds_a_run() const { return seconds_a_run_; }
 
  private:
   struct Further {
@@ -47,17 +48,18 @@ class SeededStudy {
   SeedPlan plan_;  ///< of this study
   std::vector<Further> further_;
   std::size_t own_runs_ = 0, own_seeds_ = 1;
+  double seconds_a_run_ = 0;
 };
 
-/// What would decide a check: how far to go next, and how many further runs it takes in all if its value stays where it
-/// is.
+/// What would decide a check: how far to go next, and how many further runs and seconds of one core it takes in all if
+/// its value stays where it is.
 struct SeedsWanted {
   std::string claim, what;  ///< "T20", "signed a_c of A-A contacts"
   SeedPlan next;
-  double runs = 0;
+  double runs = 0, seconds = 0;
 };
-/// Of every check that is undecided and that seeds can decide, the one that needs fewest runs first; equal ones in the
-/// order of the ledger. Checks that even most_times_seeds would not decide are left out. `study` gives a study by its
+/// Of every check that is undecided and that seeds can decide, the cheapest first; equal ones in the order of the
+/// ledger. Checks that even most_times_seeds would not decide are left out. `study` gives a study by its
 /// name, or nullptr.
 std::vector<SeedsWanted> seeds_wanted(const Ledger& ledger, const SeedPlan& plan,
                                       const std::function<const SeededStudy*(const std::string&)>& study);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "io/disk/file.hpp"
+#include "io/table/table.hpp"
 #include "recipe/document.hpp"
 #include "workflow/result_folder.hpp"
 
@@ -49,6 +50,8 @@ std::vector<StudySource> read_embedded() {
   for (const EmbeddedFile& file : embedded_files()) {
     if (all.empty() || all.back().name != file.study) all.push_back({file.study, {}, {}});
     if (std::string(file.file) == "small.txt") all.back().small = lines_of(file.text);
+    else if (std::string(file.file) == "cost.txt")
+      all.back().seconds_a_run = io::to_number(lines_of(file.text).front()).value_or(all.back().seconds_a_run);
     else all.back().files.emplace_back(file.file, file.text);
   }
   return all;

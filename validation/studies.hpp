@@ -13,7 +13,8 @@ struct StudySource {
   std::string name;
   std::vector<std::pair<std::string, std::string>> files;  ///< name and text: recipe.toml, tables, figures.toml
   bool has_runs() const;
-  std::vector<std::string> small;  ///< KEY=VALUE, as for --set, that make the small version
+  std::vector<std::string> small = {};  ///< KEY=VALUE, as for --set, that make the small version
+  double seconds_a_run = 10;            ///< of one core, about; which of several studies is cheaper follows from it
 };
 
 /// All of them, by name.

@@ -6,6 +6,7 @@
 #include "grains/dem/programme.hpp"
 #include "grains/dem/run_stage.hpp"
 #include "grains/fields/driven.hpp"
+#include "grains/fields/laboratory/triaxial.hpp"
 #include "grains/fields/loading_axis.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/packing/population.hpp"
@@ -30,6 +31,7 @@ template <int D> void note_stage(Asked& asked, const StageResultIn<D>& made, con
   asked.slide = stage.slide;
   if (!std::isfinite(asked.load_axis)) asked.load_axis = fields::loading_axis(stage).value_or(statistics::unknown);
   asked.cycled = cycled_side(stage);
+  asked.closes = fields::closing_axis(stage);
   asked.in_motion = fields::ends_in_motion(stage);
 }
 

@@ -73,6 +73,13 @@ test("figures show contacts, forces, stresses and the way to equilibrium", async
   assert.match(await page.locator('[data-figure="wall-forces"]:visible').innerText(), /front wall/);
 });
 
+test("the test is drawn: the stress ratio and the volume against the axial strain", async (page) => {
+  const curves = page.locator('[data-figure="test-curves"]:visible');
+  assert.match(await curves.innerText(), /axial strain/);
+  assert.match(await curves.innerText(), /volumetric strain/);
+  assert.match(await curves.innerText(), /peak/);
+});
+
 test("a line of sight is painted as the sphere that it meets, or as the card where it meets none", async (page) => {
   const picture = await pictureWith(page, asItBegins),
     seen = { sphere: 0, none: 0 };

@@ -55,6 +55,7 @@ void transfer_asked(const Hdf5Group& file, Asked& asked, int every_side) {
     at(std::string(any_side_names[side]) + "_slide [m/s]", asked.slide[static_cast<std::size_t>(side)]);
   at("load_axis [rad]", asked.load_axis);
   at("cycled", asked.cycled);
+  if (every_side == sides_in<3> && (!at.reads() || at.has_attribute("closes"))) at("closes", asked.closes);
   at("in_motion", asked.in_motion);
   at("in_equilibrium", asked.in_equilibrium);
   if (!at.lacks("measure", !asked.measure)) {

@@ -11,6 +11,7 @@
 
 #include "core/mapped.hpp"
 #include "grains/fields/laboratory/axial_tests.hpp"
+#include "grains/fields/laboratory/triaxial.hpp"
 #include "report/figures/test_figures.hpp"
 
 namespace arenite::report::figures {
@@ -53,7 +54,49 @@ std::optional<Panel> broken_panel(const fields::TestCurves& curves, const StageD
   return panel;
 }
 
+/// What was found of the test, where it was found.
+void add_found(Panel& ratio, Drawing& drawing, const Numbers& found) {
+  if (const auto peak = estimate_at(found, "/peak/q_over_p"); std::isfinite(peak.value)) {
+    ratio.references.push_back({.x = 100 * estimate_at(found, "/peak/axial_strain").value,
+                                .y = peak.value,
+                                .label = "peak",
+                                .colour = "accent"});
+    drawing.key.push_back({"peak", "strong", {said("q/p", peak)}});
+  }
+  const auto state = estimate_at(found, "/critical_state/q_over_p");
+  if (!std::isfinite(state.value)) return;
+  const double half = 2 * state.error, from = 100 * estimate_at(found, "/critical_state/from").value,
+               to = 100 * estimate_at(found, "/critical_state/to").value;
+  ratio.series.push_back({.colour = "accent",
+                          .x = {from, to},
+                          .y = {state.value, state.value},
+                          .low = {state.value - half, state.value - half},
+                          .high = {state.value + half, state.value + half},
+                          .line = Line::solid,
+                          .is_read = false});
+  drawing.key.push_back({"critical state", "accent", {said("q/p", state)}});
+}
+
 }  // namespace
+
+Drawings triaxial_drawing(const SphereResult& stage) {
+  const auto curves = fields::triaxial_curves(stage);
+  if (!curves || (*curves)["p"].size() < 3) return {};
+  const Values strain = scaled((*curves)["axial_strain"], 100);
+  const auto against = [&](Axis y) {
+    return Panel{.x = {.label = "axial strain in \u201c" + stage.name + "\u201d", .unit = "%", .brief = "axial strain"},
+                 .y = std::move(y)};
+  };
+  Drawing drawing;
+  Panel ratio = against({.label = "q/p from the forces on the sides", .brief = "q/p"});
+  add_curve(ratio, strain, known_up_to((*curves)["q_over_p"], largest_ratio), "strong");
+  add_found(ratio, drawing, stage.texture);
+  Panel volume = against({.label = "volumetric strain", .unit = "%"});
+  volume.references.push_back({.y = 0});
+  add_curve(volume, strain, scaled((*curves)["volumetric_strain"], 100), "strong");
+  drawing.panels = {std::move(ratio), std::move(volume)};
+  return {drawing};
+}
 
 Drawing uniaxial_drawing(const fields::TestCurves& curves, const StageData& data) {
   const Values strain = scaled(curves.strain, 100);

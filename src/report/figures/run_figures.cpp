@@ -10,6 +10,7 @@
 
 #include "core/mapped.hpp"
 #include "grains/packing/population.hpp"
+#include "report/figures/axial_figures.hpp"
 #include "report/figures/stage_figures.hpp"
 #include "report/figures/state_figures.hpp"
 
@@ -147,7 +148,8 @@ template <std::size_t k> Drawings draw_history(const SphereResult& stage) {
 }  // namespace
 
 const std::vector<Row<SphereResult>>& sphere_figures() {
-  static const std::vector<Row<SphereResult>> all{{row_of(state_figures(), of_spheres[0]).head, draw_state<0>},
+  static const std::vector<Row<SphereResult>> all{{row_of(stage_figures(), "test-curves").head, triaxial_drawing},
+                                                  {row_of(state_figures(), of_spheres[0]).head, draw_state<0>},
                                                   {row_of(state_figures(), of_spheres[1]).head, draw_state<1>},
                                                   {row_of(state_figures(), of_spheres[2]).head, draw_state<2>},
                                                   {row_of(stage_figures(), over_time[0]).head, draw_history<0>},

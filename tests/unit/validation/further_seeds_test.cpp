@@ -80,7 +80,7 @@ TEST(FurtherSeeds, ArePlannedInAFile) {
   EXPECT_THROW(read_plan(file), InputError);
 }
 
-/// A ledger of one claim with these checks of the agglomerate.
+/// A ledger of one claim with these checks, of the agglomerate unless they say otherwise.
 Ledger ledger_of(std::vector<Check> checks) {
   static const Claim claim{"T0", "", "", "-", {"thesis-ch6"}, "", nullptr};
   Judgement judgement;
@@ -116,6 +116,20 @@ TEST(FurtherSeeds, ComeNextWhereFewestDecide) {
   Check by_grid = far;
   by_grid.decider = Decider::grid;
   EXPECT_TRUE(seeds_wanted(ledger_of({by_grid}), {}, find).empty());
+}
+
+TEST(FurtherSeeds, ComeFirstWhereTheyAreCheapNotWhereTheyAreFew) {
+  const test::TemporaryFolder folder;
+  const SeededStudy cheap = seeded(folder, {}),
+                    dear(*find_study("thesis-ch4-r"), folder.path() / "thesis-ch4-r", false, {}, {});
+  ASSERT_GT(dear.seconds_a_run(), 10 * cheap.seconds_a_run());
+  const auto find = [&](const std::string& name) { return name == "thesis-ch6" ? &cheap : &dear; };
+  const Check few = drawn({{"thesis-ch4-r", {}}}, positive("few", "", {1, 0.55, 40})),
+              many = positive("many", "", {1, 0.9, 40});
+  const auto wanted = seeds_wanted(ledger_of({few, many}), {}, find);
+  ASSERT_EQ(wanted.size(), 2u);
+  EXPECT_EQ(wanted[0].what, "many");
+  EXPECT_LT(wanted[0].seconds, wanted[1].seconds);
 }
 
 }  // namespace

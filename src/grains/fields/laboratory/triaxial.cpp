@@ -15,17 +15,6 @@ namespace {
 using Values = std::vector<double>;
 using statistics::described;
 
-/// The axis along which sides close at a speed, if it is the only one; -1 else.
-int closing_axis(const dem::Stage& stage) {
-  int axis = -1;
-  for (int side = 0; side < sides_in<3>; ++side) {
-    if (stage.side[static_cast<std::size_t>(side)].kind != dem::SideDrive::Kind::velocity) continue;
-    if (axis >= 0 && axis != axis_of(side)) return -1;
-    axis = axis_of(side);
-  }
-  return axis;
-}
-
 const Values* column(const History& history, int side, const char* what) {
   return history.find(std::string(any_side_names[static_cast<std::size_t>(side)]) + what);
 }
@@ -53,10 +42,26 @@ std::optional<Box> box_of(const History& history) {
   return box;
 }
 
+bool is_moved(const dem::Stage& stage, int side) {
+  const dem::Driven velocity{dem::Driven::What::velocity, side};
+  return stage.side[static_cast<std::size_t>(side)].kind == dem::SideDrive::Kind::velocity ||
+         std::ranges::any_of(stage.programmes, [&](const dem::Programme& p) { return p.of == velocity; });
+}
+
 }  // namespace
 
-std::optional<statistics::Columns> triaxial_curves(const SphereResult& result, const dem::Stage& stage) {
-  const int axis = closing_axis(stage);
+int closing_axis(const dem::Stage& stage) {
+  int axis = -1;
+  for (int side = 0; side < sides_in<3>; ++side) {
+    if (!is_moved(stage, side)) continue;
+    if (axis >= 0 && axis != axis_of(side)) return -1;
+    axis = axis_of(side);
+  }
+  return axis;
+}
+
+std::optional<statistics::Columns> triaxial_curves(const SphereResult& result) {
+  const int axis = result.asked.closes;
   const auto box = box_of(result.history);
   if (axis < 0 || !box || result.snapshots.empty()) return {};
   const Values& height = box->size[static_cast<std::size_t>(axis)];
@@ -84,9 +89,9 @@ std::optional<statistics::Columns> triaxial_curves(const SphereResult& result, c
   return curves;
 }
 
-Numbers triaxial_numbers(const SphereResult& result, const dem::Stage& stage) {
+Numbers triaxial_numbers(const SphereResult& result) {
   Numbers numbers = Numbers::tree();
-  const auto curves = triaxial_curves(result, stage);
+  const auto curves = triaxial_curves(result);
   if (!curves || (*curves)["p"].size() < 20) return numbers;
   const Values &p = (*curves)["p"], &q = (*curves)["q"], &strain = (*curves)["axial_strain"];
   const Values mean_q = running_mean(q), mean_p = running_mean(p);

@@ -7,14 +7,18 @@
 
 namespace arenite::fields {
 
-/// Curves of a stage of spheres that closes along one axis at a speed, row by row of its history: `axial_strain` and
-/// `volumetric_strain` since it began, compression positive, `axial_stress`, Pa, `p` and `q`, the mean of the three
+/// The axis along which a stage closes or opens sides at a speed, of its own or of a programme, if it is the only one;
+/// -1 else.
+int closing_axis(const dem::Stage& stage);
+
+/// Curves of a stage of spheres that closes along one axis (Asked::closes), row by row of its history: `axial_strain`
+/// and `volumetric_strain` since it began, compression positive, `axial_stress`, Pa, `p` and `q`, the mean of the three
 /// stresses on the sides and the axial one less the mean of the others, Pa, `q_over_p` and `solid_fraction`. Nothing of
 /// another stage.
-std::optional<statistics::Columns> triaxial_curves(const SphereResult& result, const dem::Stage& stage);
+std::optional<statistics::Columns> triaxial_curves(const SphereResult& result);
 
 /// "peak" of such a test, where the running mean of q/p is largest (test_curves.hpp), and "critical_state", the part in
 /// which q/p only fluctuates, if it is reached: mean q over mean p with its error. Empty of another stage.
-Numbers triaxial_numbers(const SphereResult& result, const dem::Stage& stage);
+Numbers triaxial_numbers(const SphereResult& result);
 
 }  // namespace arenite::fields
