@@ -145,7 +145,7 @@ void declare_openings(Visitor& v, Stage& stage, const Recipe& recipe) {
         !stage.open[side] || still, {"open", any_side_names[side], "slide", "rough"},
         fmt::format("the {} wall cannot be open and move, press or carry grains in one stage", any_side_names[side]));
     v.require(!stage.open[side] || !recipe.container.is_periodic(side), {"open"},
-              fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
+              fmt::format("there is no wall at the {}: the container is periodic there", any_side_names[side]));
   }
   v.list<dem::BoundaryMotion>(
       {"boundaries", "Motion of boundaries in this stage; boundaries not listed stay in place."}, stage.boundaries,
