@@ -1,6 +1,7 @@
 #pragma once
 #include <concepts>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -87,11 +88,11 @@ concept TangentialContact = ContactLaw<L> &&
 template <class L>
 concept RollingContact = ContactLaw<L> &&
     requires(const L law, double v, double& memory, Slip<double> turning, Slip<double, Vec3> in_space, Vec3& path) {
-  { law.coefficient } -> std::convertible_to<double>;       // mu_r: the moment is at most mu_r R F_n
-  { law.twisting } -> std::convertible_to<double>;          // mu_t: the same of spheres that twist
-  { law.stiffness(v, v) } -> std::same_as<double>;          // (k_n, R), N m/rad
-  { law.damping(v, v, v, v) } -> std::same_as<double>;      // (alpha_n, R, stiffness, reduced inertia), N m s
-  { law.moment(turning, memory) } -> std::same_as<double>;  // N m
+  { law.coefficient } -> std::convertible_to<double>;              // mu_r: the moment is at most mu_r R F_n
+  { law.twisting } -> std::convertible_to<std::optional<double>>;  // mu_t: the same of spheres that twist
+  { law.stiffness(v, v) } -> std::same_as<double>;                 // (k_n, R), N m/rad
+  { law.damping(v, v, v, v) } -> std::same_as<double>;             // (alpha_n, R, stiffness, reduced inertia), N m s
+  { law.moment(turning, memory) } -> std::same_as<double>;         // N m
   { law.moment(in_space, path) } -> std::same_as<Vec3>;
   { law.energy(turning, memory) } -> std::same_as<double>;  // what the moment at this memory gives back, J
   { L::remembers } -> std::convertible_to<bool>;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <optional>
 
 #include "grains/dem/laws/cundall_strack.hpp"
 #include "grains/dem/laws/regularised_coulomb.hpp"
@@ -16,7 +17,8 @@ struct NoRolling : NoLaw {
   static constexpr Word word{"none", "grains roll freely"};
   static constexpr bool remembers = false;
 
-  double coefficient = 0, twisting = 0;
+  double coefficient = 0;
+  std::optional<double> twisting = {};
   double stiffness(double /*normal*/, double /*radius*/) const { return 0; }
   double damping(double /*normal*/, double /*radius*/, double /*stiffness*/, double /*inertia*/) const { return 0; }
   template <class T> T moment(const Slip<double, T>& /*turning*/, T& /*memory*/) const { return {}; }
@@ -24,16 +26,16 @@ struct NoRolling : NoLaw {
 };
 
 /// The parameter of resistance to twisting.
-inline void declare_twisting(ParameterVisitor& v, double& coefficient) {
+inline void declare_twisting(ParameterVisitor& v, std::optional<double>& coefficient) {
   v.number({"twisting_friction",
-            "Coefficient mu_t of the resistance of spheres to turning about the line between them, by the same law; 0: "
-            "none."},
+            "Coefficient mu_t of the resistance of spheres to turning about the line between them, by the same law; "
+            "none unless given."},
            coefficient, "", range::not_negative);
 }
 
 /// A law of rolling as one of twisting.
 template <class Law> Law against_twisting(Law law) {
-  law.coefficient = law.twisting;
+  law.coefficient = law.twisting.value_or(0);
   return law;
 }
 
@@ -48,7 +50,8 @@ struct ConstantTorque {
   }
   bool operator==(const ConstantTorque&) const = default;
 
-  double coefficient = 0.1, twisting = 0;
+  double coefficient = 0.1;
+  std::optional<double> twisting = {};
   double stiffness(double /*normal*/, double /*radius*/) const { return 0; }
   double damping(double normal, double radius, double /*stiffness*/, double /*inertia*/) const {
     return normal * radius * radius;
@@ -72,7 +75,8 @@ struct ElasticPlasticRolling {
   }
   bool operator==(const ElasticPlasticRolling&) const = default;
 
-  double coefficient = 0.1, damping_share = 0.3, twisting = 0;
+  double coefficient = 0.1, damping_share = 0.3;
+  std::optional<double> twisting = {};
   double stiffness(double normal, double radius) const {
     return 2.25 * normal * coefficient * coefficient * radius * radius;
   }
