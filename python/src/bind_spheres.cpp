@@ -50,6 +50,38 @@ py::dict domain_in_space(const PackingIn<3>& packing) {
   return d;
 }
 
+/// Bonds as arrays of equal length, by name.
+py::dict bonds_in_space(const PackingIn<3>& packing) {
+  using B = BondIn<3>;
+  const auto& bonds = packing.bonds;
+  const auto column = [&](auto member) {
+    std::vector<std::decay_t<decltype(B{}.*member)>> values;
+    for (const B& bond : bonds) values.push_back(bond.*member);
+    return taken_over(std::move(values));
+  };
+  const auto rows = [&](auto of) {
+    py::array_t<double> all({static_cast<py::ssize_t>(bonds.size()), py::ssize_t{3}});
+    auto at = all.mutable_unchecked<2>();
+    for (std::size_t n = 0; n < bonds.size(); ++n)
+      for (int axis = 0; axis < 3; ++axis) at(static_cast<py::ssize_t>(n), axis) = of(bonds[n])[axis];
+    return all;
+  };
+  std::vector<std::int32_t> broken;
+  for (const B& bond : bonds) broken.push_back(static_cast<std::int32_t>(bond.broken));
+  py::dict d;
+  d["i"] = column(&B::i);
+  d["j"] = column(&B::j);
+  d["broken"] = taken_over(std::move(broken));
+  d["time"] = column(&B::time);
+  d["place"] = rows([](const B& b) { return b.place; });
+  d["force"] = rows([&](const B& b) { return b.fn == 0 ? Vec3{} : force_on_i(packing, b); });
+  d["moment"] = rows([](const B& b) { return b.moment; });
+  d["energy"] = column(&B::energy);
+  d["load"] = column(&B::load);
+  d["length"] = column(&B::length);
+  return d;
+}
+
 }  // namespace
 
 void bind_spheres(py::module_& m) {
@@ -92,6 +124,9 @@ void bind_spheres(py::module_& m) {
             return force;
           },
           "Force of each contact on sphere i, N; (M, 3).")
+      .def_property_readonly("bonds", &bonds_in_space,
+                             "Bonds as arrays by name: i, j, broken (0: whole; 1 tension, 2 bending, 3 shear, 4 "
+                             "twisting), time and place of the break, force and moment on i, energy, load, length.")
       .def_property_readonly("domain", &domain_in_space, "The container: its six sides, size and periodic directions.")
       .def(
           "measure",

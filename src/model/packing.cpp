@@ -78,15 +78,20 @@ void ContactsIn<D>::add(std::int32_t a, std::int32_t b, Vec<D> n, double normal_
 template struct ContactsIn<2>;
 template struct ContactsIn<3>;
 
-Vec2 force_on_i(const Packing& packing, const Bond& bond) {
-  const Vec2 branch = branch_of(packing, bond), n = branch / norm(branch);
-  return bond.fn * n + bond.ft * perpendicular(n);
+template <int D> Vec<D> force_on_i(const PackingIn<D>& packing, const BondIn<D>& bond) {
+  const Vec<D> branch = branch_of(packing, bond), n = branch / norm(branch);
+  return bond.fn * n + cross(bond.ft, n);
 }
 
-Vec2 force_on_i(const Packing& packing, const CohesivePair& pair) {
-  const Vec2 branch = branch_of(packing, pair);
+template <int D> Vec<D> force_on_i(const PackingIn<D>& packing, const CohesivePair& pair) {
+  const Vec<D> branch = branch_of(packing, pair);
   return -pair.pull / norm(branch) * branch;
 }
+
+template Vec2 force_on_i(const Packing&, const Bond&);
+template Vec3 force_on_i(const PackingIn<3>&, const BondIn<3>&);
+template Vec2 force_on_i(const Packing&, const CohesivePair&);
+template Vec3 force_on_i(const PackingIn<3>&, const CohesivePair&);
 
 double mean_compressive_force(const Contacts& contacts) {
   double sum = 0;

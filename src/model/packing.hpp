@@ -129,7 +129,7 @@ template <int D> struct PackingIn {
   DomainIn<D> domain;
   GrainsIn<D> grains;
   ContactsIn<D> contacts;
-  std::vector<Bond> bonds;             ///< sorted by (i, j), broken ones as well
+  std::vector<BondIn<D>> bonds;        ///< sorted by (i, j), broken ones as well
   std::vector<CohesivePair> cohesive;  ///< sorted by (i, j)
 };
 using Packing = PackingIn<2>;
@@ -138,11 +138,11 @@ using Packing = PackingIn<2>;
 double mean_compressive_force(const Contacts& contacts);
 
 /// From j to i of a bond now, or of a pair that a pull joins, m, and its force on i, N.
-template <class Link> Vec2 branch_of(const Packing& packing, const Link& link) {
+template <int D, class Link> Vec<D> branch_of(const PackingIn<D>& packing, const Link& link) {
   return packing.domain.nearest_image(packing.grains.position[link.i] - packing.grains.position[link.j]);
 }
-Vec2 force_on_i(const Packing& packing, const Bond& bond);
-Vec2 force_on_i(const Packing& packing, const CohesivePair& pair);
+template <int D> Vec<D> force_on_i(const PackingIn<D>& packing, const BondIn<D>& bond);
+template <int D> Vec<D> force_on_i(const PackingIn<D>& packing, const CohesivePair& pair);
 
 /// A pull across a gap, which no contact has in it.
 inline bool acts_across_gap(const CohesivePair& pair) { return pair.gap > 0; }

@@ -280,6 +280,7 @@ std::optional<SphereResult> load_stage(const GrainStageIn<3>& stage, dem::Engine
   now.increments = loading.duration ? 0 : dem::increment_count(loading);
   while (!run.finished) {
     dem::continue_stage(engine, loading, run);
+    end_where_met(stage, engine, run);
     note_progress(engine, loading, run, now);
     options.progress(now);
     if (run.finished || !times.is_due()) continue;

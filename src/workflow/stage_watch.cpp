@@ -125,4 +125,13 @@ void StageWatch::show() {
   options_.progress(progress_);
 }
 
+void end_where_met(const GrainStageIn<3>& stage, const dem::EngineIn<3>& engine, dem::StageRunIn<3>& run) {
+  const dem::Stage& loading = stage.recipe.stages[stage.place - 1];
+  const std::vector<double>* time = run.result.history.find("time");
+  if (run.finished || loading.until.empty() || !time || time->back() != dem::time_of<3>(engine)) return;
+  const fields::Until until(loading.until);
+  if (const auto met = until.met(run.result.history, run.start.time, loading, stage.before, *stage.before))
+    dem::end_early(engine, loading, *met, run);
+}
+
 }  // namespace arenite::workflow

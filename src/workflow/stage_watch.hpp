@@ -89,4 +89,7 @@ class StageWatch {
   std::optional<fields::Until> until_;
 };
 
+/// Ends a stage of spheres whose condition its last row meets.
+void end_where_met(const GrainStageIn<3>& stage, const dem::EngineIn<3>& engine, dem::StageRunIn<3>& run);
+
 }  // namespace arenite::workflow

@@ -81,3 +81,38 @@ def test_what_a_step_shows_is_of_the_plane_and_asking_for_it_is_refused(tmp_path
     (tmp_path / "recipe.toml").write_text(RECIPE)
     with pytest.raises(ValueError, match="on_step sees disks in the plane alone"):
         arenite.run(arenite.Recipe(tmp_path / "recipe.toml"), tmp_path / "out", on_step=lambda stage: None)
+
+
+BONDED = (
+    RECIPE.replace(
+        "[[stages]]",
+        "[contact]\nbonds = 'parallel'\nbond_modulus = '0.1 GPa'\n"
+        "bond_tensile_strength = '1 MPa'\nbond_cohesion = '1 MPa'\n[[stages]]",
+        1,
+    )
+    + """
+[[stages]]
+name = "bond"
+bond = true
+right = { pressure = "15 kPa" }
+top = { pressure = "15 kPa" }
+front = { pressure = "15 kPa" }
+"""
+)
+
+
+def test_bonds_and_contacts_together_are_in_balance(tmp_path):
+    (tmp_path / "recipe.toml").write_text(BONDED)
+    stage = arenite.run(arenite.Recipe(tmp_path / "recipe.toml"), tmp_path / "out").spheres[-1]
+    state = stage.states[-1]
+    bonds = state.bonds
+    assert len(bonds["i"]) > 200 and (bonds["broken"] == 0).all()
+    assert stage.history["bonds"][-1] == len(bonds["i"])
+    total = np.zeros((len(state), 3))
+    for i, j, force in ((state.contact_i, state.contact_j, state.force), (bonds["i"], bonds["j"], bonds["force"])):
+        np.add.at(total, i, force)
+        np.add.at(total, j, -force)
+    size = np.linalg.norm(state.force, axis=1).mean()
+    assert np.linalg.norm(bonds["force"], axis=1).mean() > 0.01 * size
+    assert np.linalg.norm(total, axis=1).mean() < 0.02 * size
+    assert np.isclose(-np.trace(np.array(stage.numbers["stress"]["value"])) / 3, 15e3, rtol=5e-3)

@@ -129,5 +129,22 @@ TEST(ThirdDimension, RollingResistanceBrakesASphere) {
   }
 }
 
+/// Resistance to twisting of mu_t r F_n stops a spin about the normal in 2/5 r omega/(mu_t g); a spring of it then
+/// holds the sphere, and lets it swing back where the spin was within its limit.
+TEST(ThirdDimension, TwistingResistanceStopsASpinAboutTheNormal) {
+  for (const bool elastic : {false, true}) {
+    OnWall c;
+    c.contact.rolling = ConstantTorque{0.02, 0.05};
+    if (elastic) c.contact.rolling = ElasticPlasticRolling{0.02, 0.3, 0.05};
+    const double spin = 20, stops = 0.4 * OnWall::radius * spin / (0.05 * OnWall::g);
+    c.begin({}, {0, 0, spin});
+    c.go_on(0.5 * stops);
+    const double time = static_cast<double>(c.s.step) * c.s.dt;
+    EXPECT_NEAR(packing_of(c.s).grains.omega[0].z, spin * (1 - time / stops), 2e-3 * spin);
+    c.go_on(0.52 * stops);
+    EXPECT_NEAR(packing_of(c.s).grains.omega[0].z, 0, 2e-3 * spin);
+  }
+}
+
 }  // namespace
 }  // namespace arenite::verification

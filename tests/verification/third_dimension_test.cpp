@@ -148,12 +148,6 @@ TEST(ThirdDimension, AGasOfSpheresKeepsMomentumAndEnergy) {
 TEST(ThirdDimension, WhatIsOfThePlaneIsRefused) {
   Spheres box;
   box.add(0.01, {0.05, 0.05, 0.05});
-  box.contact.bonds = ParallelBond{};
-  EXPECT_THROW(box.sample(), InputError);
-  box.contact.bonds = NoBonds{};
-  box.integration.track_energy = true;
-  EXPECT_THROW(box.sample(), InputError);
-  box.integration.track_energy = false;
   EXPECT_NO_THROW(box.sample());
   box.start.contacts.add(0, wall_partner(left), {1, 0, 0}, 1, {}, 0.01, 0);
   EXPECT_THROW(box.sample(), InputError);

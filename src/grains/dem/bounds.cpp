@@ -55,7 +55,8 @@ template <int D> ContactSlopes slopes_between_equals(const SampleIn<D>& s, const
   if (!s.integration.rotations) return slopes;
   const double area = d.radius * d.radius;
   s.contact.rolling.visit([&](const auto& law) {
-    const double stiffness = law.stiffness(c.stiffness, 0.5 * d.radius);
+    const double stiffness = std::max(law.stiffness(c.stiffness, 0.5 * d.radius),
+                                      against_twisting(law).stiffness(c.stiffness, 0.5 * d.radius));
     slopes.springs.rolling = stiffness / area;
     slopes.dashpots.rolling = law.damping(c.damping, 0.5 * d.radius, stiffness, 0.5 * inertia(d)) / area;
   });

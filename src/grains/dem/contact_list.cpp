@@ -5,6 +5,7 @@
 #include "geometry/cell_grid.hpp"
 #include "grains/dem/glue.hpp"
 #include "grains/dem/neighbours.hpp"
+#include "grains/dem/rolling.hpp"
 
 namespace arenite::dem {
 namespace {
@@ -158,6 +159,7 @@ template <int D> void list_contacts(SampleIn<D>& s, const ThreadPool& pool) {
   list.memory.assign(list.size());
   if (s.contact.normal.visit([](const auto& law) { return law.remembers; })) list.normal_memory.assign(list.size());
   list.rolling_memory.assign(s.contact.rolls_freely() ? 0 : list.size());
+  list.twist_memory.assign(resists_twisting(s) ? list.size() : 0);
   list.glue.assign(list.size(), never_touched);
 }
 

@@ -53,6 +53,7 @@ template <int D> struct ContactListIn {
   Components<1> normal_memory;      ///< of the normal law; empty unless it remembers
   Turnings<D>
       rolling_memory;  ///< of the rolling law, turned as the first of the caller's two grains turns; empty without one
+  Components<1> twist_memory;      ///< the same of spheres that twist; empty unless that is resisted
   std::vector<std::uint8_t> glue;  ///< of glued pairs: see GlueState
   /// Slots (and bonds' places) by disk, in groups of four that are filled up with the slot whose force stays 0, so that
   /// most disks have as many groups as their neighbours and the processor guesses the loops' ends right. Those where

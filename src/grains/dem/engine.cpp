@@ -29,15 +29,18 @@ template <int D> double drag_of(const SampleIn<D>& sample, const Stage& stage) {
 
 /// Walls that are taken away, those of membranes among them. One that is a membrane stays so: set_membranes says what
 /// is wrong where it is not meant to.
-BySide<bool> open_in(const Sample& sample, const Stage& stage) {
-  BySide<bool> open = stage.open;
+ByAnySide<bool> open_in(const Sample& sample, const Stage& stage) {
+  ByAnySide<bool> open = stage.open;
   for (int side = 0; side < sides; ++side)
     open[side] = open[side] || stage.side[side].is_skin() || sample.wall[side].skin;
   return open;
 }
 
-/// What a stage says of parts that the plane alone has, as it begins and where it changes.
-void begin_parts(SampleIn<3>& /*sample*/, const Stage& /*stage*/, const ThreadPool& /*pool*/) {}
+/// What a stage says of parts, as it begins and where it changes.
+void begin_parts(SampleIn<3>& s, const Stage& stage, const ThreadPool& pool) {
+  if (stage.bond) make_bonds(s, pool);
+  set_open(s, stage.open, pool);
+}
 void begin_parts(Sample& s, const Stage& stage, const ThreadPool& pool) {
   if (stage.bond) make_bonds(s, pool);
   set_open(s, open_in(s, stage), pool);

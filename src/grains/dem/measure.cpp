@@ -53,8 +53,6 @@ template <int D> double kinetic_energy(const SampleIn<D>& s, std::size_t k, bool
 }
 
 /// Force on a mover, its weight included, N; 0 on one that goes with a wall.
-double hypotenuse(Vec2 f) { return std::hypot(f.x, f.y); }
-double hypotenuse(Vec3 f) { return std::hypot(f.x, f.y, f.z); }
 template <int D> double resultant_of(const SampleIn<D>& s, std::size_t k) {
   if (is_held(s, k)) return 0;
   const Vec<D> f = load_on(s, k).force + mover_at(s, k).mass * s.gravity;

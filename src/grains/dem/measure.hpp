@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <type_traits>
 
 #include "grains/dem/sample.hpp"
@@ -24,6 +25,10 @@ struct Amount {
 };
 /// Grains whose centre is below a height, m.
 template <int D> Amount amount_below(const SampleIn<D>& sample, double height);
+
+/// Length of a vector, with the last bit of std::hypot.
+inline double hypotenuse(Vec2 f) { return std::hypot(f.x, f.y); }
+inline double hypotenuse(Vec3 f) { return std::hypot(f.x, f.y, f.z); }
 
 /// Changes something by decree, and books what an energy, a term of energies_of or a function of the sample, gains by
 /// that as work of the sides or as exchanged, or what it loses as another `term` of the account.

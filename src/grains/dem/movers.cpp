@@ -89,13 +89,13 @@ template <int D> bool make_step(SampleIn<D>& s, const ThreadPool& pool) {
   return near;
 }
 
-double time_behind(const Sample& s) {
+template <int D> double time_behind(const SampleIn<D>& s) {
   if (integrator_of(s).corrects()) return s.settled ? 0.5 * s.dt : 0.0;
   return s.lag;
 }
 
-Vec2 velocity_beside(const Sample& s, std::size_t i, std::size_t j, Vec2 image) {
-  const CellMotion<2> cell = cell_motion(s.domain);
+template <int D> Vec<D> velocity_beside(const SampleIn<D>& s, std::size_t i, std::size_t j, Vec<D> image) {
+  const CellMotion<D> cell = cell_motion(s.domain);
   return s.velocity[i] + cell.at(s.record[i].place) - s.velocity[j] - cell.at(s.record[j].place) - image;
 }
 
@@ -103,5 +103,9 @@ template void kick_walls(SampleIn<2>&, double, double);
 template void kick_walls(SampleIn<3>&, double, double);
 template bool make_step(SampleIn<2>&, const ThreadPool&);
 template bool make_step(SampleIn<3>&, const ThreadPool&);
+template double time_behind(const SampleIn<2>&);
+template double time_behind(const SampleIn<3>&);
+template Vec2 velocity_beside(const SampleIn<2>&, std::size_t, std::size_t, Vec2);
+template Vec3 velocity_beside(const SampleIn<3>&, std::size_t, std::size_t, Vec3);
 
 }  // namespace arenite::dem

@@ -91,9 +91,9 @@ template <int D> Motion<D> motion_of(const SampleIn<D>& s, std::size_t k) {
 }
 
 /// How long the integrated velocities are behind the forces, s: half a step, or nothing where a scheme has just begun.
-double time_behind(const Sample& sample);
+template <int D> double time_behind(const SampleIn<D>& sample);
 /// Integrated velocity of disk i beside disk j, or beside an image of j that moves past it so, m/s.
-Vec2 velocity_beside(const Sample& sample, std::size_t i, std::size_t j, Vec2 image);
+template <int D> Vec<D> velocity_beside(const SampleIn<D>& sample, std::size_t i, std::size_t j, Vec<D> image);
 
 /// Place of a mover, m.
 template <int D> Vec<D> place_of(const SampleIn<D>& s, std::size_t k) {

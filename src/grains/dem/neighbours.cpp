@@ -127,6 +127,7 @@ void carry_over(SampleIn<D>& s, ContactListIn<D>& before, const std::vector<std:
       take_over(list.memory, before.memory);
       take_over(list.normal_memory, before.normal_memory);
       take_over(list.rolling_memory, before.rolling_memory);
+      take_over(list.twist_memory, before.twist_memory);
       list.glue[p] = before.glue[old];
       each_part(s, [&](auto& part) { part.take_over(p, old); });
     }
@@ -163,7 +164,7 @@ template <int D> void rebuild_list(SampleIn<D>& s, const ThreadPool& pool) {
   begin_list(s, pool, {});
 }
 
-void list_anew(Sample& s, const ThreadPool& pool) {
+template <int D> void list_anew(SampleIn<D>& s, const ThreadPool& pool) {
   book_change(s, &Energies::work_walls, &Energies::elastic, [&] {
     rebuild_list(s, pool);
     s.laws.lead = -s.laws.lag;
@@ -176,5 +177,7 @@ template void end_list(SampleIn<2>&);
 template void begin_list(SampleIn<2>&, const ThreadPool&, const std::vector<std::int32_t>&);
 template void rebuild_list(SampleIn<2>&, const ThreadPool&);
 template void rebuild_list(SampleIn<3>&, const ThreadPool&);
+template void list_anew(SampleIn<2>&, const ThreadPool&);
+template void list_anew(SampleIn<3>&, const ThreadPool&);
 
 }  // namespace arenite::dem

@@ -57,6 +57,6 @@ template <int D> geometry::CellGrid<D> cells_of(const SampleIn<D>& sample) {
 
 /// Lists the contacts anew after something came or went; springs stay as they are. What springs hold of a body that is
 /// gone, or that came into the grains, is work of the sides.
-void list_anew(Sample& sample, const ThreadPool& pool);
+template <int D> void list_anew(SampleIn<D>& sample, const ThreadPool& pool);
 
 }  // namespace arenite::dem

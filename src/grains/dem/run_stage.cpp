@@ -104,10 +104,20 @@ std::string ending_of(const EngineIn<D>& engine, const Stage& stage, const Equil
 }
 
 /// With how many of the bonds have broken, and how many pairs cohesion joins; nothing on these where there are none.
-std::string outcome_of(const EngineIn<3>& /*engine*/, std::string text) { return text; }
+std::string told_of_bonds(const BondCount& bonds) {
+  if (bonds.made() == 0) return "";
+  return fmt::format("; {} of {} bonds broken", bonds.made() - bonds.intact, bonds.made());
+}
+template <int D> std::string told_of_pairs(const EngineIn<D>& engine) {
+  if (!engine.contact.is_cohesive()) return "";
+  const CohesionCount pairs = count_cohesion<D>(engine);
+  return fmt::format("; {} cohesive pairs, {} of them not touching", pairs.joined, pairs.apart);
+}
+std::string outcome_of(const EngineIn<3>& engine, const std::string& text) {
+  return text + told_of_bonds(count_bonds<3>(engine)) + told_of_pairs(engine);
+}
 std::string outcome_of(const Engine& engine, std::string text) {
-  if (const BondCount bonds = count_bonds(engine); bonds.made() > 0)
-    text += fmt::format("; {} of {} bonds broken", bonds.made() - bonds.intact, bonds.made());
+  text += told_of_bonds(count_bonds<2>(engine));
   if (const ExchangeAccount& account = engine.exchanged; !account.through.empty() || account.removed.grains > 0) {
     text += fmt::format("; {} grains came in, {} left", account.inserted.grains, account.removed.grains);
     if (account.waiting > 0) text += fmt::format(", {} wait, for there is no room for them", account.waiting);
@@ -116,9 +126,7 @@ std::string outcome_of(const Engine& engine, std::string text) {
     if (m.stretched > m.may_stretch)
       text += fmt::format("; the membrane at the {} was stretched by {:.0f} %, beyond its largest strain of {:.0f} %",
                           side_names[m.side], 100 * m.stretched, 100 * m.may_stretch);
-  if (!engine.contact.is_cohesive()) return text;
-  const CohesionCount pairs = count_cohesion(engine);
-  return text + fmt::format("; {} cohesive pairs, {} of them not touching", pairs.joined, pairs.apart);
+  return text + told_of_pairs(engine);
 }
 
 /// The end of a leg: a row for the curves against cycles, and a state.

@@ -71,14 +71,14 @@ template <class Archive> class Members {
     for (const EnergyTerm& term : energy_terms) take(e.*term.value);
   }
   /// What bonds remember and how they ended; what they hold now follows. Column by column, for a record may have gaps.
-  void take(std::vector<Bond>& bonds) {
+  template <int D> void take(std::vector<BondIn<D>>& bonds) {
     auto count = static_cast<std::uint64_t>(bonds.size());
     take(count);
     if (reads()) {
       expect(count <= left() / sizeof(double));
       bonds.resize(count);
     }
-    for (Bond& b : bonds)
+    for (BondIn<D>& b : bonds)
       (*this)(b.i, b.j, b.broken, b.length, b.normal, b.angle_i, b.angle_j, b.energy, b.load, b.time, b.place);
   }
 
@@ -110,6 +110,7 @@ template <class Archive> class Members {
     (*this)(list.strength, list.memory);
     if (!list.normal_memory.empty()) take(list.normal_memory);
     if (!list.rolling_memory.empty()) take(list.rolling_memory);
+    if (!list.twist_memory.empty()) take(list.twist_memory);
     (*this)(list.force, list.glue);
   }
 

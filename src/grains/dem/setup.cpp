@@ -44,7 +44,7 @@ void check_parameters(Problems& problems, const PackingIn<D>& start, const Conta
   problems.unless(not_negative(integration.drag), "drag {} 1/s must be >= 0", integration.drag);
   problems.unless(integration.threads >= 1, "threads {} must be 1 or more", integration.threads);
   const auto n = static_cast<std::int32_t>(start.grains.size());
-  for (const Bond& bond : start.bonds)
+  for (const BondIn<D>& bond : start.bonds)
     problems.unless(bond.i >= 0 && bond.i < bond.j && bond.j < n && bond.length > 0,
                     "bond ({}, {}) must join two of the {} grains, the lower first", bond.i, bond.j, n);
   for (const auto& [a, b] : contact.glued_pairs)

@@ -60,15 +60,15 @@ template <int D> void give_servo_masses(SampleIn<D>& s) {
   }
 }
 
-void check_opening(const Sample& s, int side, bool open) {
+template <int D> void check_opening(const SampleIn<D>& s, int side, bool open) {
   if (open && s.domain.is_periodic(side))
-    throw InputError(fmt::format("the {} side is periodic and has no wall that could be open", side_names[side]));
+    throw InputError(fmt::format("the {} side is periodic and has no wall that could be open", any_side_names[side]));
   std::size_t beyond = 0;
   for (std::size_t k = 0; k < s.count; ++k) beyond += s.domain.depth(side, s.record[k].place) < 0;
   if (!open && beyond > 0)
     throw InputError(
         fmt::format("the {} wall cannot be restored, because {} grains are beyond it; leave that side open",
-                    side_names[side], beyond));
+                    any_side_names[side], beyond));
 }
 
 /// A wall that becomes fixed or velocity-driven takes its velocity at once, one that becomes force-controlled goes on
@@ -133,14 +133,18 @@ template <int D> void set_inertial_number(SampleIn<D>& s, double number) {
   s.inertial_number = number;
 }
 
-void set_open(Sample& s, const BySide<bool>& open, const ThreadPool& pool) {
-  if (std::ranges::equal(open, s.wall, {}, {}, &WallBody::open)) return;
-  for (int side = 0; side < sides; ++side)
-    if (open[side] != s.wall[side].open) check_opening(s, side, open[side]);
+template <int D> void set_open(SampleIn<D>& s, const ByAnySide<bool>& open, const ThreadPool& pool) {
+  bool changes = false;
+  for (int side = 0; side < sides_in<D>; ++side) {
+    if (open[side] == s.wall[side].open) continue;
+    check_opening(s, side, open[side]);
+    changes = true;
+  }
+  if (!changes) return;
   synchronise(s);
-  for (int side = 0; side < sides; ++side) {
+  for (int side = 0; side < sides_in<D>; ++side) {
     s.wall[side].open = open[side];
-    if (open[side]) s.domain.wall[side].force = s.domain.wall[side].shear_force = 0;
+    if (open[side]) s.domain.wall[side].force = 0, s.domain.wall[side].shear_force = {};
   }
   apply_open(s);
   list_anew(s, pool);
@@ -158,5 +162,7 @@ template void set_drives(Sample&, const WallDrives&);
 template void set_drives(SampleIn<3>&, const WallDrivesIn<3>&);
 template void set_inertial_number(Sample&, double);
 template void set_inertial_number(SampleIn<3>&, double);
+template void set_open(Sample&, const ByAnySide<bool>&, const ThreadPool&);
+template void set_open(SampleIn<3>&, const ByAnySide<bool>&, const ThreadPool&);
 
 }  // namespace arenite::dem

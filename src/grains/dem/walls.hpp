@@ -51,7 +51,7 @@ template <int D> void set_drives(SampleIn<D>& sample, const WallDrivesIn<D>& dri
 template <int D> void set_inertial_number(SampleIn<D>& sample, double number);
 
 /// Walls, by side, that are taken away; one comes back only where no grain lies beyond it (InputError).
-void set_open(Sample& sample, const BySide<bool>& open, const ThreadPool& pool = ThreadPool());
+template <int D> void set_open(SampleIn<D>& sample, const ByAnySide<bool>& open, const ThreadPool& pool = ThreadPool());
 /// Walls are absent where they are open, else as they were given.
 template <int D> void apply_open(SampleIn<D>& sample) {
   for (int side = 0; side < sides_in<D>; ++side)

@@ -11,6 +11,7 @@
 #include "core/mapped.hpp"
 #include "io/export/export.hpp"
 #include "io/export/vtk_file.hpp"
+#include "io/export/vtk_spheres.hpp"
 #include "io/results/groups.hpp"
 #include "model/shapes.hpp"
 
@@ -135,9 +136,6 @@ VtkPolyData rims_of(const ExportSnapshot& from) {
 
 std::vector<float> single(const std::vector<double>& values) { return {values.begin(), values.end()}; }
 
-std::string numbered(const char* what, int number) { return fmt::format("{}_{:04}.vtp", what, number); }
-std::string state_file(int number) { return fmt::format("state_{:04}.vtm", number); }
-
 struct Part {
   const char* name;
   VtkPolyData (*of)(const ExportSnapshot&);
@@ -160,12 +158,12 @@ std::vector<NamedBytes> vtk_snapshot(const ExportSnapshot& snapshot) {
   std::vector<NamedBytes> files;
   std::vector<std::pair<std::string, std::string>> blocks;
   const auto add = [&](const Part& part) {
-    files.push_back({numbered(part.name, snapshot.number), vtp_bytes(part.of(snapshot))});
+    files.push_back({vtk_name(part.name, snapshot.number), vtp_bytes(part.of(snapshot))});
     blocks.emplace_back(part.name, files.back().name);
   };
   for (const Part& part : parts) add(part);
   if (!snapshot.snapshot->packing.grains.shapes.empty()) add(outlines);
-  files.push_back({state_file(snapshot.number), vtm_bytes(blocks)});
+  files.push_back({vtk_state_name(snapshot.number), vtm_bytes(blocks)});
   return files;
 }
 
@@ -174,63 +172,10 @@ std::vector<NamedBytes> vtk_snapshot(const ExportSnapshot& snapshot) {
 std::vector<NamedBytes> vtk_index(const std::vector<double>& times) {
   auto files = mapped(parts, [&](const Part& part) {
     return NamedBytes{fmt::format("{}.pvd", part.name),
-                      pvd_bytes(times, [&](int f) { return numbered(part.name, f); })};
+                      pvd_bytes(times, [&](int f) { return vtk_name(part.name, f); })};
   });
-  files.push_back({"loading.pvd", pvd_bytes(times, state_file)});
+  files.push_back({"loading.pvd", pvd_bytes(times, vtk_state_name)});
   return files;
-}
-
-std::vector<double> components_of(const std::vector<Vec3>& vectors) {
-  std::vector<double> components;
-  for (const Vec3& v : vectors) components.insert(components.end(), {v.x, v.y, v.z});
-  return components;
-}
-
-VtkPolyData spheres_of(const ExportSpheres& from) {
-  const GrainsIn<3>& grains = from.snapshot->packing.grains;
-  VtkPolyData data;
-  data.time = from.snapshot->time;
-  data.points = components_of(grains.position);
-  data.point_arrays = {{"id", grains.id},
-                       {"radius", grains.radius},
-                       {"material", grains.material},
-                       {"velocity", components_of(grains.velocity), 3},
-                       {"angle", components_of(grains.angle), 3},
-                       {"omega", components_of(grains.omega), 3}};
-  for (const auto& field : from.fields) data.point_arrays.push_back({field.name, field.values});
-  return data;
-}
-
-VtkPolyData contacts_of_spheres(const ExportSpheres& from) {
-  const PackingIn<3>& packing = from.snapshot->packing;
-  const ContactsIn<3>& contacts = packing.contacts;
-  VtkPolyData data;
-  data.time = from.snapshot->time;
-  data.lines = true;
-  std::vector<Vec3> ends;
-  std::vector<double> force_at_ends;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    ends.push_back(packing.grains.position[static_cast<std::size_t>(contacts.i[c])]);
-    ends.push_back(far_end(packing, c));
-    force_at_ends.insert(force_at_ends.end(), 2, contacts.fn[c]);
-  }
-  data.points = components_of(ends);
-  data.point_arrays = {{"fn", force_at_ends}};
-  const auto of_each = [&](auto value) { return by_contact(packing, value); };
-  data.cell_arrays = {{"i", of_each([&](std::size_t c) { return id_of_i(packing, c); })},
-                      {"j", of_each([&](std::size_t c) { return id_of_j(packing, c); })},
-                      {"type", of_each([&](std::size_t c) { return contact_type(packing, c); })},
-                      {"force", components_of(of_each([&](std::size_t c) { return contacts.force_on_i(c); })), 3}};
-  for (const auto& column : columns_of(contacts)) data.cell_arrays.push_back({column.name, column.of(contacts)});
-  return data;
-}
-
-/// As of disks: a file of grains and one of contacts a state, and what joins them.
-std::vector<NamedBytes> vtk_spheres(const ExportSpheres& from) {
-  const std::string grains = numbered("grains", from.number), contacts = numbered("contacts", from.number);
-  return {{grains, vtp_bytes(spheres_of(from))},
-          {contacts, vtp_bytes(contacts_of_spheres(from))},
-          {state_file(from.number), vtm_bytes({{"grains", grains}, {"contacts", contacts}})}};
 }
 
 /// The nodes as a picture (NAME.vti); of a pull to failure the broken bonds too, NAME-cracks.vtp.
@@ -286,7 +231,8 @@ const ExportFormat exports::vtk{
                {"walls, boundaries", "lines with their forces"},
                {"shapes of grains", "their rims, as lines"},
                {"time", "in every file and in the .pvd"},
-               {"names of materials, periodic sides, thickness, bonds",
+               {"bonds of spheres", "lines from centre to centre, and as points, cracks, where some broke"},
+               {"names of materials, periodic sides, thickness, bonds of disks",
                 "left out; `netcdf` has the names, the sides and the thickness"}},
     .other_names = {"paraview", "vtp"},
     .of_snapshot = vtk_snapshot,

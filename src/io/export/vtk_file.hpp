@@ -1,4 +1,6 @@
 #pragma once
+#include <fmt/core.h>
+
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -56,5 +58,9 @@ std::string pvd_bytes(const std::vector<double>& times, const std::function<std:
 
 /// The bytes of a .vtm file: blocks by name, each a file beside it.
 std::string vtm_bytes(const std::vector<std::pair<std::string, std::string>>& blocks);
+
+/// Names of the file of something in a state, and of the one that opens all of a state.
+inline std::string vtk_name(const char* what, int number) { return fmt::format("{}_{:04}.vtp", what, number); }
+inline std::string vtk_state_name(int number) { return fmt::format("state_{:04}.vtm", number); }
 
 }  // namespace arenite::io

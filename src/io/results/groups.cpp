@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/mapped.hpp"
+#include "io/results/joints.hpp"
 
 namespace arenite::io {
 namespace {
@@ -64,41 +65,6 @@ void transfer_shapes(const Hdf5Group& at, Grains& grains, const Grains* sample) 
   const bool rising = std::is_sorted(shapes.first.begin(), shapes.first.end()) && shapes.first.front() == 0;
   if (!rising || shapes.first.back() != static_cast<std::int32_t>(disks))
     group.refuse("names disks of grains that do not exist");
-}
-
-/// Refuses items whose grains are not i < j.
-template <class Items>
-void check_order(const Hdf5Group& at, const Items& items, std::size_t grains, const char* refusal) {
-  check_ends(at, items, grains, refusal);
-  if (at.reads() && std::any_of(items.begin(), items.end(), [](const auto& item) { return item.j <= item.i; }))
-    at.refuse(refusal);
-}
-
-void transfer_bonds(const Hdf5Group& at, std::vector<Bond>& bonds, std::size_t grains) {
-  at.note("i and j",
-          "indices into the arrays of grains, from 0, i < j; signs as for contacts; length, n and angles are those at "
-          "the creation of the bond");
-  at.note("broken", "0: intact; broken in 1 tension, 2 bending, 3 shear, at that time and place, with that energy");
-  at.records(bonds, Named{"i", &Bond::i}, Named{"j", &Bond::j}, Named{"broken", &Bond::broken},
-             Named{"length", &Bond::length, "m"}, Named{"nx", [](Bond& b) -> double& { return b.normal.x; }},
-             Named{"ny", [](Bond& b) -> double& { return b.normal.y; }}, Named{"angle_i", &Bond::angle_i, "rad"},
-             Named{"angle_j", &Bond::angle_j, "rad"}, Named{"fn", &Bond::fn, "N"}, Named{"ft", &Bond::ft, "N"},
-             Named{"moment", &Bond::moment, "N m"}, Named{"energy", &Bond::energy, "J"}, Named{"load", &Bond::load},
-             Named{"time", &Bond::time, "s"}, Named{"x", [](Bond& b) -> double& { return b.place.x; }, "m"},
-             Named{"y", [](Bond& b) -> double& { return b.place.y; }, "m"});
-  constexpr const char* refusal = "names a grain or a break that does not exist";
-  check_order(at, bonds, grains, refusal);
-  for (const Bond& b : bonds)
-    if (at.reads() && (b.broken < BondBreak::none || b.broken > BondBreak::shear)) at.refuse(refusal);
-}
-
-void transfer_cohesive(const Hdf5Group& at, std::vector<CohesivePair>& pairs, std::size_t grains) {
-  at.note("i and j",
-          "indices into the arrays of grains, from 0, i < j; the pull of a pair whose gap is not above 0 is part of "
-          "the force of its contact");
-  at.records(pairs, Named{"i", &CohesivePair::i}, Named{"j", &CohesivePair::j}, Named{"gap", &CohesivePair::gap, "m"},
-             Named{"pull", &CohesivePair::pull, "N"}, Named{"energy", &CohesivePair::energy, "J"});
-  check_order(at, pairs, grains, "names a grain that does not exist");
 }
 
 void transfer_shear_force(const Hdf5Group& at, double& force) { at("shear_force [N]", force); }
@@ -239,14 +205,6 @@ template <int D> void transfer_contacts(const Hdf5Group& at, PackingIn<D>& packi
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (contacts.i[c] < 0 || contacts.i[c] >= n || contacts.j[c] >= n || contacts.j[c] < last)
       group.refuse("names a grain that does not exist");
-}
-
-template <> void transfer_joints(const Hdf5Group& /*at*/, PackingIn<3>& /*packing*/) {}
-template <> void transfer_joints(const Hdf5Group& at, Packing& packing) {
-  const std::size_t grains = packing.grains.size();
-  if (!at.lacks("bonds", packing.bonds.empty())) transfer_bonds(at.group("bonds"), packing.bonds, grains);
-  if (!at.lacks("cohesive", packing.cohesive.empty()))
-    transfer_cohesive(at.group("cohesive"), packing.cohesive, grains);
 }
 
 void transfer_packing(const Hdf5Group& at, Packing& packing) {

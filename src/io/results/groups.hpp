@@ -178,10 +178,6 @@ template <int D> void transfer_names(const Hdf5Group& grains_at, GrainsIn<D>& gr
 /// Contacts; those of grains, or of elements of boundaries, that do not exist are refused.
 template <int D> void transfer_contacts(const Hdf5Group& at, PackingIn<D>& packing);
 
-/// Bonds and pairs that a cohesion joins, of which most packings have none: files without them have no such group.
-/// Those of grains that do not exist are refused.
-template <int D> void transfer_joints(const Hdf5Group& at, PackingIn<D>& packing);
-
 /// Refuses items that join grains which do not exist.
 template <class Items>
 void check_ends(const Hdf5Group& at, const Items& items, std::size_t grains, const char* refusal) {

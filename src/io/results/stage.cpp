@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "io/results/groups.hpp"
+#include "io/results/joints.hpp"
 #include "io/results/results.hpp"
 
 namespace arenite::io {

@@ -97,7 +97,7 @@ void require_place(Visitor& v, const Programme& p, const Stage& stage, const Rec
   } else if (p.of.is(Programme::What::slide)) {
     const int side = p.of.side;
     v.require(!container.is_periodic(side), {"of"},
-              fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
+              fmt::format("there is no wall at the {}: the container is periodic there", any_side_names[side]));
   } else if (p.of.is(Programme::What::shear_rate)) {
     v.require(container.periodic[0] && container.periodic[1], {"of"},
               "only a cell periodic in both directions can be sheared in this way");
@@ -130,17 +130,22 @@ void declare_openings(Visitor& v, Stage& stage, const Recipe& recipe) {
             has_open, [&](Visitor& inner) {
               for (std::size_t side = 0; side < 4; ++side)
                 inner.flag({side_names[side], "This side is open."}, stage.open[side]);
+              inner.when(recipe.dimension == 3, space, [&](Visitor& deep) {
+                for (const std::size_t side : {back, front})
+                  deep.flag({any_side_names[side], "This side is open."}, stage.open[side]);
+              });
             });
-  for (std::size_t side = 0; side < 4; ++side) {
+  for (std::size_t side = 0; side < stage.open.size(); ++side) {
     const bool slides_later =
         std::ranges::count(stage.programmes, dem::Driven{Programme::What::slide, static_cast<int>(side)},
                            &Programme::of) > 0;
     const bool still = stage.side[side].kind == SideDrive::Kind::fixed && stage.slide[side] == 0 && !slides_later &&
-                       !stage.rough[side];
-    v.require(!stage.open[side] || still, {"open", side_names[side], "slide", "rough"},
-              fmt::format("the {} wall cannot be open and move, press or carry grains in one stage", side_names[side]));
+                       !(side < stage.rough.size() && stage.rough[side]);
+    v.require(
+        !stage.open[side] || still, {"open", any_side_names[side], "slide", "rough"},
+        fmt::format("the {} wall cannot be open and move, press or carry grains in one stage", any_side_names[side]));
     v.require(!stage.open[side] || !recipe.container.is_periodic(side), {"open"},
-              fmt::format("there is no wall at the {}: the container is periodic there", side_names[side]));
+              fmt::format("there is no wall at the {}: the container is periodic there", any_side_names[side]));
   }
   v.list<dem::BoundaryMotion>(
       {"boundaries", "Motion of boundaries in this stage; boundaries not listed stay in place."}, stage.boundaries,

@@ -18,11 +18,8 @@ using Visitor = ParameterVisitor;
 /// What a stage says that only a sample of the plane can do; empty where it says nothing of the kind.
 std::string of_the_plane(const Stage& stage) {
   if (stage.rough != BySide<bool>{}) return "rough walls";
-  if (stage.open != BySide<bool>{}) return "open walls";
   if (std::ranges::any_of(stage.side, &SideDrive::is_skin)) return "membranes";
   if (!stage.exchange.is_none()) return "inflows and outlets";
-  if (stage.bond) return "bonds";
-  if (!stage.until.empty()) return "`until`";
   return {};
 }
 
@@ -40,7 +37,11 @@ void require_field(Visitor& v, const Recipe& recipe) {
 }  // namespace
 
 void require_in_space(Visitor& v, const Recipe& recipe) {
-  if (recipe.dimension == 2) return;
+  if (recipe.dimension == 2) {
+    const bool twists = recipe.contact.rolling.visit([](const auto& law) { return law.twisting > 0; });
+    v.require(!twists, {"contact"}, "disks cannot twist; leave twisting_friction out, or take dimension = 3");
+    return;
+  }
   using Method = PackingParameters::Method;
   const auto refuse = [&](bool asked, std::initializer_list<std::string_view> keys, std::string_view what) {
     v.require(!asked, keys, fmt::format("{} in space; leave that out, or take dimension = 2", what));
@@ -56,9 +57,8 @@ void require_in_space(Visitor& v, const Recipe& recipe) {
   refuse(std::ranges::any_of(recipe.populations,
                              [](const auto& p) { return std::holds_alternative<packing::SieveCurve>(p.size); }),
          {"populations"}, "there is no sieve_curve");
-  refuse(recipe.contact.has_bonds(), {"contact"}, "there are no bonds");
-  refuse(recipe.contact.is_cohesive(), {"contact"}, "there is no cohesion but glue");
-  refuse(recipe.integration.track_energy, {"integration"}, "there is no energy balance");
+  v.require(!std::holds_alternative<dem::CapillaryDisks>(recipe.contact.cohesion), {"contact"},
+            "capillary_disks are bridges between disks; spheres take cohesion = \"capillary_spheres\"");
   refuse(recipe.glued.has_value(), {"glued"}, "no region can be glued by itself");
   refuse(!recipe.boundaries.empty(), {"boundaries"}, "there are no boundaries");
   refuse(recipe.membrane.has_value(), {"membrane"}, "there are no membranes");

@@ -38,9 +38,11 @@ std::string problem_of_until(const Stage& stage, const Recipe& recipe) {
   for (const Boundary& boundary : recipe.boundaries) domain.boundaries.emplace_back().name = boundary.name;
   for (int side = 0; side < sides; ++side)
     if (stage.side[side].is_skin()) domain.boundaries.emplace_back().name = dem::membrane_name(side);
+  const bool bonded = recipe.contact.has_bonds(), cohesive = recipe.contact.is_cohesive();
   try {
     fields::Until(stage.until)
-        .check(fields::history_numbers(stage, domain, recipe.contact.has_bonds(), recipe.contact.is_cohesive()));
+        .check(recipe.dimension == 3 ? fields::history_numbers_in_space(stage, bonded, cohesive)
+                                     : fields::history_numbers(stage, domain, bonded, cohesive));
   } catch (const InputError& error) { return error.what(); }
   return {};
 }

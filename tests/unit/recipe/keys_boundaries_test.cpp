@@ -68,7 +68,7 @@ TEST(BoundariesInRecipes, AreReadAndWritten) {
   EXPECT_TRUE(recipe.boundaries[1].closed);
   EXPECT_EQ(recipe.packing.area->bottom, 0.06);
   const Stage& stage = recipe.stages[0];
-  EXPECT_EQ(stage.open, (std::array{false, true, false, false}));
+  EXPECT_EQ(stage.open, (ByAnySide<bool>{false, true}));
   EXPECT_EQ(stage.count_below, 0.045);
   ASSERT_EQ(stage.boundaries.size(), 2u);
   EXPECT_TRUE(stage.boundaries[0].absent);

@@ -14,13 +14,15 @@ bool shears_cell(const Stage& stage) {
                      [](const Programme& p) { return p.of.is(Programme::What::shear_rate); });
 }
 
-/// What one row tells of parts that the plane alone has.
-template <int D> struct PartsRow {};
-template <> struct PartsRow<2> {
+/// What one row tells of parts.
+struct JointsRow {
+  std::optional<BondCount> bonds = {};      ///< where there are any
+  std::optional<CohesionCount> pairs = {};  ///< where grains cohere
+};
+template <int D> struct PartsRow : JointsRow {};
+template <> struct PartsRow<2> : JointsRow {
   Vec2 mean_forces = {};                         ///< where there are membranes
   BySide<std::optional<double>> stretched = {};  ///< their strains
-  std::optional<BondCount> bonds = {};           ///< where there are any
-  std::optional<CohesionCount> pairs = {};       ///< where grains cohere
 };
 
 /// What one row tells.
@@ -35,13 +37,19 @@ template <int D> struct HistoryRow {
   Equilibrium now = {};
 };
 
-void append_counts(History& /*history*/, const PartsRow<3>& /*row*/) {}
-void append_counts(History& history, const PartsRow<2>& row) {
+/// Beams of the plane do not twist.
+void append_twisted(History& /*history*/, const PartsRow<2>& /*row*/) {}
+void append_twisted(History& history, const PartsRow<3>& row) {
+  append(history, "broken_in_twisting", "1", static_cast<double>(row.bonds->in_twisting));
+}
+
+template <int D> void append_counts(History& history, const PartsRow<D>& row) {
   if (row.bonds) {
     append(history, "bonds", "1", static_cast<double>(row.bonds->intact));
     append(history, "broken_in_tension", "1", static_cast<double>(row.bonds->in_tension));
     append(history, "broken_in_bending", "1", static_cast<double>(row.bonds->in_bending));
     append(history, "broken_in_shear", "1", static_cast<double>(row.bonds->in_shear));
+    append_twisted(history, row);
     append(history, "bond_energy", "J", row.bonds->energy);
   }
   if (row.pairs) {
@@ -121,15 +129,26 @@ template <int D> void append_row(History& history, const Stage& stage, const His
   append(history, "loose_kinetic_ratio", "1", row.now.loose_kinetic);
 }
 
-PartsRow<3> parts_row(const SampleIn<3>& /*sample*/) { return {}; }
-PartsRow<2> parts_row(const Sample& s) {
-  PartsRow<2> row;
-  row.mean_forces = mean_forces(s);
-  for (const Membrane& m : the<Membranes>(s).list)
-    row.stretched[m.side] = mean_strain(m.skin, s.domain.boundaries[m.boundary].points);
+template <int D> JointsRow joints_row(const SampleIn<D>& s) {
+  JointsRow row;
   if (const BondCount bonds = count_bonds(s); bonds.made() > 0) row.bonds = bonds;
   if (s.contact.is_cohesive()) row.pairs = count_cohesion(s);
   return row;
+}
+PartsRow<3> parts_row(const SampleIn<3>& s) { return {joints_row(s)}; }
+PartsRow<2> parts_row(const Sample& s) {
+  PartsRow<2> row{joints_row(s)};
+  row.mean_forces = mean_forces(s);
+  for (const Membrane& m : the<Membranes>(s).list)
+    row.stretched[m.side] = mean_strain(m.skin, s.domain.boundaries[m.boundary].points);
+  return row;
+}
+
+/// Room for what membranes will tell.
+void expect_membranes(const Stage& /*stage*/, PartsRow<3>& /*row*/) {}
+void expect_membranes(const Stage& stage, PartsRow<2>& row) {
+  for (int side = 0; side < sides; ++side)
+    if (stage.side[side].is_skin()) row.stretched[side] = 0;
 }
 
 }  // namespace
@@ -155,15 +174,17 @@ template <int D> void add_row(History& history, const LookIn<D>& look) {
 template void add_row(History&, const LookIn<2>&);
 template void add_row(History&, const LookIn<3>&);
 
-History history_columns(const Stage& stage, const Domain& domain, bool bonded, bool cohesive) {
-  HistoryRow<2> row{domain};
+template <int D> History history_columns(const Stage& stage, const DomainIn<D>& domain, bool bonded, bool cohesive) {
+  HistoryRow<D> row{domain};
   if (bonded) row.parts.bonds.emplace();
   if (cohesive) row.parts.pairs.emplace();
-  for (int side = 0; side < sides; ++side)
-    if (stage.side[side].is_skin()) row.parts.stretched[side] = 0;
+  expect_membranes(stage, row.parts);
   History history;
   append_row(history, stage, row);
   return history;
 }
+
+template History history_columns<2>(const Stage&, const Domain&, bool, bool);
+template History history_columns<3>(const Stage&, const Container<3>&, bool, bool);
 
 }  // namespace arenite::dem

@@ -20,8 +20,7 @@ template <int D> struct LookIn {
 /// Adds what it finds as a row.
 template <int D> void add_row(History& history, const LookIn<D>& look);
 
-/// The columns that the history of such a stage of the plane will have, in a container with these boundaries, as a row
-/// of zeros.
-History history_columns(const Stage& stage, const Domain& domain, bool bonded, bool cohesive);
+/// The columns that the history of such a stage will have, in a container with these boundaries, as a row of zeros.
+template <int D> History history_columns(const Stage& stage, const DomainIn<D>& domain, bool bonded, bool cohesive);
 
 }  // namespace arenite::dem

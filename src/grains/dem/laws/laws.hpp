@@ -1,6 +1,7 @@
 #pragma once
 #include <concepts>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -87,10 +88,11 @@ concept TangentialContact = ContactLaw<L> &&
 template <class L>
 concept RollingContact = ContactLaw<L> &&
     requires(const L law, double v, double& memory, Slip<double> turning, Slip<double, Vec3> in_space, Vec3& path) {
-  { law.coefficient } -> std::convertible_to<double>;       // mu_r: the moment is at most mu_r R F_n
-  { law.stiffness(v, v) } -> std::same_as<double>;          // (k_n, R), N m/rad
-  { law.damping(v, v, v, v) } -> std::same_as<double>;      // (alpha_n, R, stiffness, reduced inertia), N m s
-  { law.moment(turning, memory) } -> std::same_as<double>;  // N m
+  { law.coefficient } -> std::convertible_to<double>;              // mu_r: the moment is at most mu_r R F_n
+  { law.twisting } -> std::convertible_to<std::optional<double>>;  // mu_t: the same of spheres that twist
+  { law.stiffness(v, v) } -> std::same_as<double>;                 // (k_n, R), N m/rad
+  { law.damping(v, v, v, v) } -> std::same_as<double>;             // (alpha_n, R, stiffness, reduced inertia), N m s
+  { law.moment(turning, memory) } -> std::same_as<double>;         // N m
   { law.moment(in_space, path) } -> std::same_as<Vec3>;
   { law.energy(turning, memory) } -> std::same_as<double>;  // what the moment at this memory gives back, J
   { L::remembers } -> std::convertible_to<bool>;
@@ -98,8 +100,9 @@ concept RollingContact = ContactLaw<L> &&
 
 /// A bond gives the beam between two grains, the forces and the energy of its strain, and what its stresses break.
 template <class L>
-concept BeamLaw = ContactLaw<L> && requires(const L law, double v, const Beam& beam, const BeamStrain<double>& strain,
-                                            const BeamForce<double>& force) {
+concept BeamLaw = ContactLaw<L> &&
+    requires(const L law, double v, const Beam& beam, const BeamStrain<double>& strain, const BeamForce<double>& force,
+             const RoundBeam& round, const RoundStrain& turned, const RoundForce& in_space) {
   { law.gap } -> std::convertible_to<double>;      // greatest one that it bridges, over the mean radius
   { law.damping } -> std::convertible_to<double>;  // of its dashpots, over the critical one
   { law.scatter } -> std::convertible_to<double>;  // standard deviation of strengths over their mean, drawn with `seed`
@@ -109,6 +112,10 @@ concept BeamLaw = ContactLaw<L> && requires(const L law, double v, const Beam& b
   { law.energy(beam, strain) } -> std::same_as<double>;        // J; `elastic` is its gradient
   { law.holds(beam, force, v) } -> std::convertible_to<bool>;  // a bond that is so many times as strong as the law says
   { law.load(beam, force) } -> std::same_as<BeamLoad>;
+  { law.round_beam(v, v) } -> std::same_as<RoundBeam>;  // the same between spheres: (length, smaller radius)
+  { law.elastic(round, turned) } -> std::same_as<RoundForce>;
+  { law.energy(round, turned) } -> std::same_as<double>;
+  { law.load(round, in_space) } -> std::same_as<BeamLoad>;
 };
 
 /// A cohesion acts between all disks, beside the contact and beyond it, along the line that joins them. It gives the

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "grains/dem/laws/beam.hpp"
+#include "grains/dem/laws/round_beam.hpp"
 
 namespace arenite::dem {
 
@@ -14,18 +15,23 @@ struct NoBonds : NoLaw {
   double gap = 0, damping = 0, scatter = 0;
   std::int64_t seed = 0;
   Beam beam(double /*length*/, double /*radius*/, double /*thickness*/) const { return {}; }
+  RoundBeam round_beam(double /*length*/, double /*radius*/) const { return {}; }
   template <class V> BeamForce<V> elastic(const BeamOf<V>&, const BeamStrain<V>&) const { return {}; }
+  RoundForce elastic(const RoundBeam&, const RoundStrain&) const { return {}; }
   double energy(const Beam&, const BeamStrain<double>&) const { return 0; }
+  double energy(const RoundBeam&, const RoundStrain&) const { return 0; }
   template <class V> auto holds(const BeamOf<V>&, const BeamForce<V>&, V strength) const {
     return strength <= strength;
   }
   BeamLoad load(const Beam&, const BeamForce<double>&) const { return {}; }
+  BeamLoad load(const RoundBeam&, const RoundForce&) const { return {}; }
 };
 
 /// Parallel bond (Potyondy and Cundall, Int. J. Rock Mech. 41, 1329, 2004) of half width R = share times the smaller
 /// radius: A = 2 R t, I = 2 R^3 t/3, k_n = E A/l, k_s = k_n over the stiffness ratio, k_b = E I/l. It breaks where T/A
 /// + |M| R/I reaches the tensile strength or |Q|/A the cohesion, raised by tan(phi) times the pressure on its section.
-/// Between two grains it acts beside their contact.
+/// Between two grains it acts beside their contact. Of spheres it is a cylinder of radius R: A = pi R^2, I = pi R^4/4,
+/// J = 2 I, and k_t = k_s J/A against twisting, whose shear M_t R/J on the rim is added to that of Q.
 struct ParallelBond {
   static constexpr Word word{"parallel", "beams that take tension, shear and bending and break for good"};
   void declare(ParameterVisitor& v) {
@@ -61,13 +67,27 @@ struct ParallelBond {
     return {normal,   normal / stiffness_ratio, normal * half * half / 3,
             1 / area, 3 / (area * half),        std::tan(friction_angle)};
   }
+  RoundBeam round_beam(double length, double radius) const {
+    const double r = width * radius, area = std::numbers::pi * r * r, normal = modulus * area / length,
+                 shear = normal / stiffness_ratio;
+    RoundBeam beam;
+    static_cast<Beam&>(beam) = {normal, shear, normal * r * r / 4, 1 / area, 4 / (area * r), std::tan(friction_angle)};
+    beam.twist = shear * r * r / 2;
+    beam.per_twist = 2 / (area * r);
+    return beam;
+  }
   template <class V> BeamForce<V> elastic(const BeamOf<V>& beam, const BeamStrain<V>& strain) const {
     return {beam.normal * strain.stretch, beam.shear * strain.shear, beam.bending * strain.bending};
+  }
+  RoundForce elastic(const RoundBeam& beam, const RoundStrain& strain) const {
+    return {beam.normal * strain.stretch, beam.shear * strain.shear, beam.bending * strain.bending,
+            beam.twist * strain.twist};
   }
   double energy(const Beam& beam, const BeamStrain<double>& s) const {
     return 0.5 * (beam.normal * s.stretch * s.stretch + beam.shear * s.shear * s.shear +
                   beam.bending * s.bending * s.bending);
   }
+  double energy(const RoundBeam& beam, const RoundStrain& s) const { return 0.5 * power_of(elastic(beam, s), s); }
   template <class V> auto holds(const BeamOf<V>& beam, const BeamForce<V>& force, V strength) const {
     const Stresses<V> is = stresses(beam, force);
     const auto in_tension = is.mean + is.bent <= strength * V(tensile_strength),
@@ -75,16 +95,23 @@ struct ParallelBond {
     return in_tension & in_shear;
   }
   BeamLoad load(const Beam& beam, const BeamForce<double>& force) const {
-    const Stresses<double> is = stresses(beam, force);
-    const BeamLoad pull{(is.mean + is.bent) / tensile_strength,
-                        is.mean > is.bent ? BondBreak::tension : BondBreak::bending};
-    const BeamLoad across{is.across / shear_strength(beam, is), BondBreak::shear};
-    return pull.share >= across.share ? pull : across;
+    return load(beam, stresses(beam, force), BondBreak::shear);
+  }
+  BeamLoad load(const RoundBeam& beam, const RoundForce& force) const {
+    const double sheared = norm(force.shear) * beam.per_area, twisted = std::abs(force.twist) * beam.per_twist;
+    const Stresses<double> is{force.tension * beam.per_area, norm(force.moment) * beam.per_section, sheared + twisted};
+    return load(beam, is, sheared > twisted ? BondBreak::shear : BondBreak::twisting);
   }
 
  private:
-  /// T/A, |M| R/I and |Q|/A, Pa.
+  /// T/A, |M| R/I and |Q|/A, of cylinders with what twisting adds, Pa.
   template <class V> struct Stresses { V mean, bent, across; };
+  BeamLoad load(const Beam& beam, const Stresses<double>& is, BondBreak by_shear) const {
+    const BeamLoad pull{(is.mean + is.bent) / tensile_strength,
+                        is.mean > is.bent ? BondBreak::tension : BondBreak::bending};
+    const BeamLoad across{is.across / shear_strength(beam, is), by_shear};
+    return pull.share >= across.share ? pull : across;
+  }
   template <class V> static Stresses<V> stresses(const BeamOf<V>& beam, const BeamForce<V>& force) {
     using lane::abs;
     return {force.tension * beam.per_area, abs(force.moment) * beam.per_section, abs(force.shear) * beam.per_area};

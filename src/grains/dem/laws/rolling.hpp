@@ -1,5 +1,6 @@
 #pragma once
 #include <cmath>
+#include <optional>
 
 #include "grains/dem/laws/cundall_strack.hpp"
 #include "grains/dem/laws/regularised_coulomb.hpp"
@@ -8,8 +9,8 @@ namespace arenite::dem {
 
 // Rolling resistance (Ai, Chen, Rotter and Ooi, Powder Technology 206, 269, 2011): a moment against theta' = omega_i -
 // omega_j that never exceeds mu_r R F_n, R = r_i r_j/(r_i + r_j), at a wall r_i. As a law it is one of friction that
-// sees turning for sliding: rad/s, N m s, N m, N m/rad; in space a vector without the twist about the normal, which it
-// does not resist.
+// sees turning for sliding: rad/s, N m s, N m, N m/rad; in space a vector without the twist about the normal. That is
+// resisted by the same law with a coefficient mu_t of its own.
 
 /// Discs roll freely.
 struct NoRolling : NoLaw {
@@ -17,11 +18,26 @@ struct NoRolling : NoLaw {
   static constexpr bool remembers = false;
 
   double coefficient = 0;
+  std::optional<double> twisting = {};
   double stiffness(double /*normal*/, double /*radius*/) const { return 0; }
   double damping(double /*normal*/, double /*radius*/, double /*stiffness*/, double /*inertia*/) const { return 0; }
   template <class T> T moment(const Slip<double, T>& /*turning*/, T& /*memory*/) const { return {}; }
   template <class T> double energy(const Slip<double, T>& /*turning*/, T /*memory*/) const { return 0; }
 };
+
+/// The parameter of resistance to twisting.
+inline void declare_twisting(ParameterVisitor& v, std::optional<double>& coefficient) {
+  v.number({"twisting_friction",
+            "Coefficient mu_t of the resistance of spheres to turning about the line between them, by the same law; "
+            "none unless given."},
+           coefficient, "", range::not_negative);
+}
+
+/// A law of rolling as one of twisting.
+template <class Law> Law against_twisting(Law law) {
+  law.coefficient = law.twisting.value_or(0);
+  return law;
+}
 
 /// Constant torque (type A): the full moment against the turning, below mu_r R F_n only where turning is so slow that
 /// the normal damping times R^2 would give less.
@@ -30,10 +46,12 @@ struct ConstantTorque {
   static constexpr bool remembers = false;
   void declare(ParameterVisitor& v) {
     v.number({"rolling_friction", "Coefficient mu_r of rolling resistance."}, coefficient, "", range::not_negative);
+    declare_twisting(v, twisting);
   }
   bool operator==(const ConstantTorque&) const = default;
 
   double coefficient = 0.1;
+  std::optional<double> twisting = {};
   double stiffness(double /*normal*/, double /*radius*/) const { return 0; }
   double damping(double normal, double radius, double /*stiffness*/, double /*inertia*/) const {
     return normal * radius * radius;
@@ -53,10 +71,12 @@ struct ElasticPlasticRolling {
     v.number({"rolling_friction", "Coefficient mu_r of rolling resistance."}, coefficient, "", range::not_negative);
     v.number({"rolling_damping", "Damping of the rolling spring, as a fraction of critical damping."}, damping_share,
              "", range::not_negative);
+    declare_twisting(v, twisting);
   }
   bool operator==(const ElasticPlasticRolling&) const = default;
 
   double coefficient = 0.1, damping_share = 0.3;
+  std::optional<double> twisting = {};
   double stiffness(double normal, double radius) const {
     return 2.25 * normal * coefficient * coefficient * radius * radius;
   }

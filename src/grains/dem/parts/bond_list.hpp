@@ -1,22 +1,39 @@
 #pragma once
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
+#include "geometry/rotation.hpp"
 #include "grains/dem/bounds.hpp"
 #include "grains/dem/contact_list.hpp"
 
 namespace arenite::dem {
 
+/// What is known of a bond in space that holds, beside the numbers of BondRow: where its grains stood. There are no
+/// columns of these.
+struct RoundRow {
+  double length = 0, arm_i = 0, arm_j = 0;  ///< m
+  Vec3 normal;                              ///< from j to i as it was made
+  geometry::Rotation back_i, back_j;        ///< the grains' attitudes then, inverted
+  RoundBeam beam;
+  double strength = 0;
+  RoundDashpots dashpots;
+};
+template <int D> using BondRowIn = std::conditional_t<D == 2, BondRow<double>, RoundRow>;
+
+enum class BondState : std::int32_t { holds, breaking, broken };
+
 /// A bond that holds, with what follows from its making and from where its disks are numbered now. Its force stands
 /// behind those of the contacts, in ContactList::force at Bonds::place.
-struct BondSlot : BondRow<double> {
-  enum class State : std::int32_t { holds, breaking, broken };
+template <int D> struct BondSlotIn : BondRowIn<D> {
+  using State = BondState;
   std::int32_t bond = 0;      ///< place in Bonds::all
   std::int32_t i = 0, j = 0;  ///< inner numbers of its disks
-  Cells<2> shift;             ///< by which the image of j that is meant is away from j
+  Cells<D> shift;             ///< by which the image of j that is meant is away from j
   State state = State::holds;
 };
+using BondSlot = BondSlotIn<2>;
 
 /// The slots' numbers side by side, for the loop over them.
 struct BondNumbers {
@@ -27,27 +44,35 @@ struct BondNumbers {
   bool damped = false;
   BondRow<double*> columns() { return std::bit_cast<BondRow<double*>>(column.data()); }
 };
+struct NoNumbers {};
+template <int D> using BondNumbersIn = std::conditional_t<D == 2, BondNumbers, NoNumbers>;
 
 /// A slot for the bond at that place, by the disks' present numbers (by grain) and places.
-BondSlot slot_of(const Sample& sample, std::size_t place, const std::vector<std::int32_t>& number);
+template <int D>
+BondSlotIn<D> slot_of(const SampleIn<D>& sample, std::size_t place, const std::vector<std::int32_t>& number);
 BondNumbers lined_up(const std::vector<BondSlot>& slots);
+inline NoNumbers lined_up(const std::vector<BondSlotIn<3>>& /*slots*/) { return {}; }
 
 /// Takes a bond out of the list, in which it keeps its place until the list is built anew.
-void end_bond(Sample& sample, std::size_t slot);
+template <int D> void end_bond(SampleIn<D>& sample, std::size_t slot);
 
 /// Dashpots of the listed bonds, from the present masses.
-void renew_bond_dashpots(Sample& sample);
+template <int D> void renew_bond_dashpots(SampleIn<D>& sample);
+
+/// A bond that a packing brings, as a sample holds it whose grains begin with no turn.
+inline void take_up(Bond& /*bond*/) {}
+inline void take_up(BondIn<3>& bond) { bond.angle_i = -bond.angle_i, bond.angle_j = -bond.angle_j; }
 
 /// Bonds every two grains whose gap is at most what the law bridges (grains that touch: to a millionth of their radii),
 /// where glued grains are marked only those, unless they have or had a bond already. The list must have just been
 /// built.
-void bond_near_pairs(Sample& sample);
+template <int D> void bond_near_pairs(SampleIn<D>& sample);
 
 /// Bounds of what bonds add to the rates of the contacts. Each bond is given its share of its grains' masses: a grain's
 /// over the number of its bonds.
-Rates bond_rates(const Sample& sample);
+template <int D> Rates bond_rates(const SampleIn<D>& sample);
 
 /// Shortest half period of two grains on their bond, with their contact beside it, s; infinite without bonds.
-double shortest_bond_time(const Sample& sample);
+template <int D> double shortest_bond_time(const SampleIn<D>& sample);
 
 }  // namespace arenite::dem

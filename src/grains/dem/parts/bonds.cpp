@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "grains/dem/conditions.hpp"
 #include "grains/dem/integrators/time_step.hpp"
+#include "grains/dem/measure.hpp"
 #include "grains/dem/movers.hpp"
 #include "grains/dem/neighbours.hpp"
 
@@ -16,26 +17,21 @@ namespace arenite::dem {
 
 namespace {
 
-using State = BondSlot::State;
-
-/// Rate of the strain at these velocities of its two disks.
-BeamStrain<double> strain_rate(const BondSlot& b, const BeamMotion& m, Vec2 velocity, double turning_i,
-                               double turning_j) {
-  return b.rate(dot(velocity, m.normal), cross(m.normal, velocity) / m.distance, turning_i, turning_j);
-}
+using State = BondState;
 
 /// Energy that the sample loses with a bond. Half of its last step's work was still done by it, that of its force then
 /// at the velocities before.
-double energy_of_break(const Sample& s, const BondSlot& b, const BeamMotion& m, const BeamForce<double>& force,
-                       double energy) {
-  const BeamStrain<double> rate =
+template <int D>
+double energy_of_break(const SampleIn<D>& s, const BondSlotIn<D>& b, const BeamMotionIn<D>& m,
+                       const BeamForceIn<D>& force, double energy) {
+  const BeamStrainIn<D> rate =
       strain_rate(b, m, velocity_beside(s, b.i, b.j, image_velocity(s, b.shift)), s.omega[b.i], s.omega[b.j]);
-  return energy -
-         time_behind(s) * (force.tension * rate.stretch + force.shear * rate.shear + force.moment * rate.bending);
+  return energy - time_behind(s) * power_of(force, rate);
 }
 
-void note_break(Sample& s, BondSlot& b, const BeamMotion& m, const BeamLoad& load, double energy) {
-  Bond& bond = the<Bonds>(s).all[b.bond];
+template <int D>
+void note_break(SampleIn<D>& s, BondSlotIn<D>& b, const BeamMotionIn<D>& m, const BeamLoad& load, double energy) {
+  BondIn<D>& bond = the<BondsIn<D>>(s).all[b.bond];
   b.state = State::breaking;
   bond.broken = load.kind;
   bond.load = load.share / b.strength;
@@ -45,11 +41,12 @@ void note_break(Sample& s, BondSlot& b, const BeamMotion& m, const BeamLoad& loa
 }
 
 /// What broke in this step is booked in the order of bonds, whoever found it.
-void book_breaks(Sample& s) {
-  for (std::size_t n = 0; n < the<Bonds>(s).slots.size(); ++n) {
-    if (the<Bonds>(s).slots[n].state != State::breaking) continue;
+template <int D> void book_breaks(SampleIn<D>& s) {
+  const auto& bonds = the<BondsIn<D>>(s);
+  for (std::size_t n = 0; n < bonds.slots.size(); ++n) {
+    if (bonds.slots[n].state != State::breaking) continue;
     end_bond(s, n);
-    s.tally.dissipated_breakage += the<Bonds>(s).all[the<Bonds>(s).slots[n].bond].energy;
+    s.tally.dissipated_breakage += bonds.all[bonds.slots[n].bond].energy;
   }
 }
 
@@ -67,13 +64,14 @@ void move_images(Sample& s) {
 }
 
 /// One bond, by the law itself. True if it breaks.
-template <class Law> bool look_at(Sample& s, const Law& law, std::size_t n) {
-  BondSlot& b = the<Bonds>(s).slots[n];
-  SlotForce<2>& force = s.list.force[the<Bonds>(s).place(s.list, n)];
+template <int D, class Law> bool look_at(SampleIn<D>& s, const Law& law, std::size_t n) {
+  auto& bonds = the<BondsIn<D>>(s);
+  BondSlotIn<D>& b = bonds.slots[n];
+  SlotForce<D>& force = s.list.force[bonds.place(s.list, n)];
   force = {};
   if (b.state != State::holds) return false;
-  const BeamMotion m = beam_motion(s, b);
-  const BeamForce<double> f = law.elastic(b.beam, m.strain);
+  const BeamMotionIn<D> m = beam_motion(s, b);
+  const BeamForceIn<D> f = law.elastic(b.beam, m.strain);
   if (const BeamLoad load = law.load(b.beam, f); load.share >= b.strength) {
     note_break(s, b, m, load, energy_of_break(s, b, m, f, law.energy(b.beam, m.strain)));
     return true;
@@ -95,35 +93,42 @@ BondTask bond_task(Sample& s) {
           numbers.damped};
 }
 
+/// The loop over the bonds, compiled for this processor: true of a range with bonds that need a closer look.
+struct CompiledLoop {
+  BondTask task;
+  Kernel::BondLoop loop;
+  const BondLaw& law;
+  bool operator()(std::size_t begin, std::size_t end) const { return loop(task, law, begin, end); }
+  bool asks_for(std::size_t slot) const { return task.look[slot] != 0; }
+};
+CompiledLoop loop_over(Sample& s) {
+  move_images(s);
+  return {bond_task(s), s.kernel->bond_loops[s.contact.bonds.index()], s.contact.bonds};
+}
+/// Those of spheres are all looked at.
+struct EachBond {
+  bool operator()(std::size_t /*begin*/, std::size_t /*end*/) const { return true; }
+  bool asks_for(std::size_t /*slot*/) const { return true; }
+};
+EachBond loop_over(SampleIn<3>& /*sample*/) { return {}; }
+
+/// How grains have turned since they were bonded, where a bond says that.
+void put_turns(const Sample& /*sample*/, const BondSlot& /*slot*/, Bond& /*bond*/) {}
+void put_turns(const SampleIn<3>& s, const BondSlotIn<3>& b, BondIn<3>& bond) {
+  const auto& now = the<BondsIn<3>>(s).attitudes.now;
+  bond.angle_i = vector_of(now[s.record[b.i].grain] * b.back_i);
+  bond.angle_j = vector_of(now[s.record[b.j].grain] * b.back_j);
+}
+
 }  // namespace
 
-BeamMotion beam_motion(const Sample& s, const BondSlot& b) {
-  BeamMotion m;
-  m.branch = s.record[b.i].place - s.record[b.j].place - s.domain.way(b.shift);
-  m.distance = norm(m.branch);
-  m.normal = m.branch / m.distance;
-  const double turned = std::atan2(cross(b.normal, m.normal), dot(b.normal, m.normal));
-  const double turn_i = s.angle[b.i] - b.angle_i - turned, turn_j = s.angle[b.j] - b.angle_j - turned;
-  m.strain = b.strain(m.distance, turn_i, turn_j);
-  return m;
-}
-
-SlotForce<2> beam_slot_force(const BondSlot& b, const BeamMotion& m, const BeamForce<double>& f) {
-  const auto [on_i, torque_i, torque_j] = b.pull(f, m.normal, f.shear * b.length / m.distance);
-  return {on_i, torque_i, torque_j};
-}
-
-BeamForce<double> beam_dashpots(const Sample& s, const BondSlot& b, const BeamMotion& m) {
-  const DiskRecord &a = s.record[b.i], &c = s.record[b.j];
-  return b.dashpots.force(strain_rate(b, m, a.velocity - c.velocity - image_velocity(s, b.shift), a.omega, c.omega));
-}
-
-void Bonds::make(Sample& s, const Packing& /*given*/) {
+template <int D> void BondsIn<D>::make(SampleIn<D>& s, const PackingIn<D>& /*given*/) {
   if (s.contact.has_bonds()) all = s.start.bonds;
+  for (BondIn<D>& bond : all) take_up(bond);
   s.start.bonds.clear();
 }
 
-void Bonds::list_others(Sample& s) {
+template <int D> void BondsIn<D>::list_others(SampleIn<D>& s) {
   slots.clear();
   if (all.empty()) return;
   std::vector<std::int32_t> number(s.count);
@@ -139,88 +144,91 @@ void Bonds::list_others(Sample& s) {
     if (all[slots[n].bond].broken != BondBreak::none) end_bond(s, n);
 }
 
-bool Bonds::joins(std::int32_t a, std::int32_t b) const {
-  return std::ranges::any_of(all, [&](const Bond& bond) { return pair_key(bond.i, bond.j) == pair_key(a, b); });
+template <int D> bool BondsIn<D>::joins(std::int32_t a, std::int32_t b) const {
+  return std::ranges::any_of(all, [&](const BondIn<D>& bond) { return pair_key(bond.i, bond.j) == pair_key(a, b); });
 }
 
-void Bonds::add_forces(Sample& s, const ThreadPool& pool) {
+template <int D> void BondsIn<D>::add_forces(SampleIn<D>& s, const ThreadPool& pool) {
   if (slots.empty()) return;
-  move_images(s);
-  const BondTask task = bond_task(s);
-  const Kernel::BondLoop loop = s.kernel->bond_loops[s.contact.bonds.index()];
+  attitudes.follow(s, pool);
+  const auto loop = loop_over(s);
   std::atomic<bool> broke = false;
   s.contact.bonds.visit([&](const auto& law) {
-    pool.for_ranges(the<Bonds>(s).slots.size(), [&](std::size_t begin, std::size_t end) {
-      if (!loop(task, s.contact.bonds, begin, end)) return;
+    pool.for_ranges(slots.size(), [&](std::size_t begin, std::size_t end) {
+      if (!loop(begin, end)) return;
       for (std::size_t n = begin; n < end; ++n)
-        if (task.look[n] != 0 && look_at(s, law, n)) broke = true;
+        if (loop.asks_for(n) && look_at(s, law, n)) broke = true;
     });
   });
   if (broke) book_breaks(s);
 }
 
-void Bonds::add_moments(const Sample& s, std::array<Vec2, 2>& sum) const {
+template <int D> void BondsIn<D>::add_moments(const SampleIn<D>& s, std::array<Vec<D>, D>& sum) const {
   for (std::size_t n = 0; n < slots.size(); ++n) {
-    const SlotForce<2>& f = s.list.force[place(s.list, n)];
+    const SlotForce<D>& f = s.list.force[place(s.list, n)];
     if (!acts(f)) continue;
-    const Vec2 branch = beam_motion(s, slots[n]).branch;
-    for (int axis = 0; axis < 2; ++axis) sum[axis] += branch[axis] * f.on_i;
+    const Vec<D> branch = beam_motion(s, slots[n]).branch;
+    for (int axis = 0; axis < D; ++axis) sum[axis] += branch[axis] * f.on_i;
   }
 }
 
-void Bonds::each_joint(const Sample& s, const std::function<void(std::int32_t, std::int32_t, double)>& see) const {
+template <int D>
+void BondsIn<D>::each_joint(const SampleIn<D>& s,
+                            const std::function<void(std::int32_t, std::int32_t, double)>& see) const {
   for (std::size_t n = 0; n < slots.size(); ++n)
-    if (const SlotForce<2>& f = s.list.force[place(s.list, n)]; acts(f))
-      see(slots[n].i, slots[n].j, std::hypot(f.on_i.x, f.on_i.y));
+    if (const SlotForce<D>& f = s.list.force[place(s.list, n)]; acts(f))
+      see(slots[n].i, slots[n].j, hypotenuse(f.on_i));
 }
 
-void Bonds::add_energy(const Sample& s, Energies& energies) const { energies.elastic += bond_energy(s); }
+template <int D> void BondsIn<D>::add_energy(const SampleIn<D>& s, Energies& energies) const {
+  energies.elastic += bond_energy(s);
+}
 
 /// With their forces now, by the caller's grains.
-void Bonds::report(const Sample& s, Packing& out) const {
-  std::vector<Bond>& bonds = out.bonds = all;
+template <int D> void BondsIn<D>::report(const SampleIn<D>& s, PackingIn<D>& out) const {
+  out.bonds = all;
   s.contact.bonds.visit([&](const auto& law) {
-    for (const BondSlot& b : the<Bonds>(s).slots) {
+    for (const BondSlotIn<D>& b : slots) {
       if (b.state != State::holds) continue;
-      const BeamMotion m = beam_motion(s, b);
-      const BeamForce<double> f = law.elastic(b.beam, m.strain);
-      Bond& bond = bonds[b.bond];
-      bond.fn = -f.tension;
-      bond.ft = f.shear * b.length / m.distance;
-      bond.moment = -f.moment;
+      const BeamMotionIn<D> m = beam_motion(s, b);
+      const BeamForceIn<D> f = law.elastic(b.beam, m.strain);
+      BondIn<D>& bond = out.bonds[b.bond];
+      put_forces(b, m, f, bond);
+      put_turns(s, b, bond);
       bond.energy = law.energy(b.beam, m.strain);
       bond.load = law.load(b.beam, f).share / b.strength;
     }
   });
 }
 
-std::vector<std::int32_t> Bonds::broken_in_list() const {
+template <int D> std::vector<std::int32_t> BondsIn<D>::broken_in_list() const {
   std::vector<std::int32_t> broken;
-  for (const BondSlot& b : slots)
+  for (const BondSlotIn<D>& b : slots)
     if (b.state == State::broken) broken.push_back(b.bond);
   return broken;
 }
 
-bool Bonds::are_within(const Sample& s, const std::vector<std::int32_t>& broken) const {
+template <int D> bool BondsIn<D>::are_within(const SampleIn<D>& s, const std::vector<std::int32_t>& broken) const {
   const auto is_grain = [&](std::int32_t k) { return k >= 0 && static_cast<std::size_t>(k) < s.count; };
-  return std::ranges::all_of(all, [&](const Bond& b) { return is_grain(b.i) && is_grain(b.j); }) &&
+  return std::ranges::all_of(all, [&](const BondIn<D>& b) { return is_grain(b.i) && is_grain(b.j); }) &&
          std::ranges::all_of(broken,
                              [&](std::int32_t n) { return n >= 0 && static_cast<std::size_t>(n) < all.size(); });
 }
 
-double bond_energy(const Sample& s) {
+template <int D> double bond_energy(const SampleIn<D>& s) {
   double sum = 0;
   s.contact.bonds.visit([&](const auto& law) {
-    for (const BondSlot& b : the<Bonds>(s).slots)
+    for (const BondSlotIn<D>& b : the<BondsIn<D>>(s).slots)
       if (b.state == State::holds) sum += law.energy(b.beam, beam_motion(s, b).strain);
   });
   return sum;
 }
 
-void make_bonds(Sample& s, const ThreadPool& pool) {
+template <int D> void make_bonds(SampleIn<D>& s, const ThreadPool& pool) {
   if (!s.contact.has_bonds()) throw InputError("bonds cannot be created if contact.bonds is \"none\"");
   synchronise(s);
   list_anew(s, pool);
+  the<BondsIn<D>>(s).attitudes.follow(s, pool);
   bond_near_pairs(s);
   list_anew(s, pool);
   const double wanted = s.integration.safety * shortest_bond_time(s);
@@ -228,12 +236,21 @@ void make_bonds(Sample& s, const ThreadPool& pool) {
   allow_step(s, "its bonds");
 }
 
-BondCount count_bonds(const Sample& s) {
+template <int D> BondCount count_bonds(const SampleIn<D>& s) {
   const auto count = [&](BondBreak how) {
-    return static_cast<std::size_t>(std::ranges::count(the<Bonds>(s).all, how, &Bond::broken));
+    return static_cast<std::size_t>(std::ranges::count(the<BondsIn<D>>(s).all, how, &BondIn<D>::broken));
   };
-  return {count(BondBreak::none), count(BondBreak::tension), count(BondBreak::bending), count(BondBreak::shear),
-          bond_energy(s)};
+  return {count(BondBreak::none),  count(BondBreak::tension),  count(BondBreak::bending),
+          count(BondBreak::shear), count(BondBreak::twisting), bond_energy(s)};
 }
+
+#define ARENITE_OF(D)                                        \
+  template struct BondsIn<D>;                                \
+  template double bond_energy(const SampleIn<D>&);           \
+  template void make_bonds(SampleIn<D>&, const ThreadPool&); \
+  template BondCount count_bonds(const SampleIn<D>&);
+ARENITE_OF(2)
+ARENITE_OF(3)
+#undef ARENITE_OF
 
 }  // namespace arenite::dem

@@ -10,14 +10,30 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/problems.hpp"
 #include "grains/dem/forces.hpp"
 #include "grains/dem/movers.hpp"
 
 namespace arenite::dem {
 namespace {
 
-PullCurve curve_between(const Sample& s, double smaller, double larger) {
-  return s.contact.cohesion.visit([&](const auto& law) { return law.curve(smaller, larger, s.domain.thickness); });
+/// Out of the plane, m; of no meaning to spheres.
+double thickness_of(const Domain& domain) { return domain.thickness; }
+double thickness_of(const Container<3>& /*domain*/) { return 1; }
+
+template <int D> PullCurve curve_between(const SampleIn<D>& s, double smaller, double larger) {
+  const double thickness = thickness_of(s.domain);
+  return s.contact.cohesion.visit([&](const auto& law) { return law.curve(smaller, larger, thickness); });
+}
+
+/// A law is one of disks alone where the liquid that it gives them is a prism.
+void check_law(Problems& /*problems*/, const Packing& /*start*/, const Cohesion& /*cohesion*/) {}
+void check_law(Problems& problems, const PackingIn<3>& /*start*/, const Cohesion& cohesion) {
+  cohesion.visit([&](const auto& law) {
+    if constexpr (requires { law.largest_volume(0.0, 0.0); })
+      problems.unless(false, "contact.cohesion = \"{}\" is of disks; spheres take \"{}\"", cohesion.word(),
+                      CapillarySpheres::word.word);
+  });
 }
 
 /// Law of a liquid: the surfaces of more of it would bulge and push the two smallest grains apart.
@@ -30,18 +46,18 @@ template <class Law> void check_volume(const Law& law, double smallest, double t
                     1e9 * law.volume, 1e3 * smallest, 1e9 * most));
 }
 
-struct Across {
+template <int D> struct Across {
   double gap = 0, distance = 0;
-  Vec2 branch;  ///< from j to i
+  Vec<D> branch;  ///< from j to i
 };
-Across across(const Sample& s, std::size_t p) {
-  const DiskRecord &a = s.record[s.list.i[p]], &b = s.record[s.list.j[p]];
-  const Vec2 branch = a.place - b.place;
+template <int D> Across<D> across(const SampleIn<D>& s, std::size_t p) {
+  const auto &a = s.record[s.list.i[p]], &b = s.record[s.list.j[p]];
+  const Vec<D> branch = a.place - b.place;
   const double distance = norm(branch);
   return {distance - a.radius - b.radius, distance, branch};
 }
 
-std::int32_t curve_of(CohesivePairs& all, const Sample& s, std::size_t p) {
+template <int D> std::int32_t curve_of(CohesivePairsIn<D>& all, const SampleIn<D>& s, std::size_t p) {
   const double a = s.record[s.list.i[p]].radius, b = s.record[s.list.j[p]].radius;
   const auto [found, is_new] =
       all.place.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<std::int32_t>(all.curves.size()));
@@ -49,13 +65,13 @@ std::int32_t curve_of(CohesivePairs& all, const Sample& s, std::size_t p) {
   return found->second;
 }
 
-void pull_together(Sample& s, std::size_t p, const Across& at, double pull) {
-  the<CohesivePairs>(s).pull[p] = pull;
+template <int D> void pull_together(SampleIn<D>& s, std::size_t p, const Across<D>& at, double pull) {
+  the<CohesivePairsIn<D>>(s).pull[p] = pull;
   s.list.force[p].on_i -= pull / at.distance * at.branch;
 }
 
 /// How fast the gap opens, by the integrated velocities.
-double opening(const Sample& s, std::size_t p, const Across& at) {
+template <int D> double opening(const SampleIn<D>& s, std::size_t p, const Across<D>& at) {
   const std::int32_t owner = s.list.owner[p];
   return dot(velocity_beside(s, s.list.i[p], owner, s.record[s.list.j[p]].velocity - s.record[owner].velocity),
              at.branch) /
@@ -64,15 +80,16 @@ double opening(const Sample& s, std::size_t p, const Across& at) {
 
 /// What of a pair's energy its force has not been given or has not taken when it begins or ends: half of the last
 /// step's work was still to be done with the force before, that of its force now at the velocities before.
-double unsettled_energy(const Sample& s, std::size_t p, const Across& at, const PullCurve& curve) {
+template <int D>
+double unsettled_energy(const SampleIn<D>& s, std::size_t p, const Across<D>& at, const PullCurve& curve) {
   return curve.energy(at.gap) - time_behind(s) * curve.pull(at.gap) * opening(s, p, at);
 }
 
 /// Pairs that meet and part in this step, in the order of the list.
-void join_and_part(CohesivePairs& all, Sample& s) {
+template <int D> void join_and_part(CohesivePairsIn<D>& all, SampleIn<D>& s) {
   const bool booked = all.breaks && s.step > 0;  // pairs that touch at the start are there already
   for (std::size_t p = 0; p < s.list.pairs; ++p) {
-    const Across at = across(s, p);
+    const Across<D> at = across(s, p);
     if (all.pull[p] > 0) {
       const PullCurve& curve = all.curves[all.curve[p]];
       if (at.gap < curve.reach()) continue;
@@ -88,14 +105,14 @@ void join_and_part(CohesivePairs& all, Sample& s) {
 }
 
 /// Calls `see(slot, where it is, its curve)` for each joined pair.
-template <class See> void each_joined(const CohesivePairs& all, const Sample& s, const See& see) {
+template <int D, class See> void each_joined(const CohesivePairsIn<D>& all, const SampleIn<D>& s, const See& see) {
   for (std::size_t p = 0; p < all.pull.size(); ++p)
     if (all.pull[p] > 0) see(p, across(s, p), all.curves[all.curve[p]]);
 }
 
-std::vector<CohesivePair> cohesive_pairs(const CohesivePairs& all, const Sample& s) {
+template <int D> std::vector<CohesivePair> cohesive_pairs(const CohesivePairsIn<D>& all, const SampleIn<D>& s) {
   std::vector<CohesivePair> pairs;
-  each_joined(all, s, [&](std::size_t p, const Across& at, const PullCurve& curve) {
+  each_joined(all, s, [&](std::size_t p, const Across<D>& at, const PullCurve& curve) {
     const std::int32_t a = s.record[s.list.i[p]].grain, b = s.record[s.list.owner[p]].grain;
     pairs.push_back({std::min(a, b), std::max(a, b), at.gap, curve.pull(at.gap), curve.energy(at.gap)});
   });
@@ -106,14 +123,21 @@ std::vector<CohesivePair> cohesive_pairs(const CohesivePairs& all, const Sample&
 
 }  // namespace
 
-void CohesivePairs::set_up(Sample& s) {
+template <int D>
+void CohesivePairsIn<D>::check(Problems& problems, const PackingIn<D>& start, const ContactParameters& contact,
+                               const IntegrationParameters& /*integration*/) {
+  check_law(problems, start, contact.cohesion);
+}
+
+template <int D> void CohesivePairsIn<D>::set_up(SampleIn<D>& s) {
   if (!s.contact.is_cohesive()) return;
   double smallest = s.largest_radius;
   for (std::size_t k = 0; k < s.count; ++k) smallest = std::min(smallest, s.record[k].radius);
   const std::string_view reach_key = s.contact.cohesion.visit([&](const auto& law) {
     joins_within = law.joins_within();
     breaks = law.breaks;
-    if constexpr (requires { law.largest_volume(smallest, smallest); }) check_volume(law, smallest, s.domain.thickness);
+    if constexpr (requires { law.largest_volume(smallest, smallest); })
+      check_volume(law, smallest, thickness_of(s.domain));
     return law.reach_key;
   });
   for (const auto& [a, b] :
@@ -129,7 +153,7 @@ void CohesivePairs::set_up(Sample& s) {
                     s.contact.cohesion.word(), 1e3 * farthest, 1e3 * s.largest_radius, reach_key));
 }
 
-void CohesivePairs::recall(Sample& s) {
+template <int D> void CohesivePairsIn<D>::recall(SampleIn<D>& s) {
   const std::vector<CohesivePair>& before = s.start.cohesive;
   for (std::size_t p = 0; p < pull.size(); ++p) {
     const std::uint64_t key = slot_key(s, p);
@@ -141,30 +165,30 @@ void CohesivePairs::recall(Sample& s) {
   find_curves(s);
 }
 
-void CohesivePairs::find_curves(const Sample& s) {
+template <int D> void CohesivePairsIn<D>::find_curves(const SampleIn<D>& s) {
   for (std::size_t p = 0; p < pull.size(); ++p)
     if (pull[p] > 0) curve[p] = curve_of(*this, s, p);
 }
 
-void CohesivePairs::list_others(Sample& s) {
+template <int D> void CohesivePairsIn<D>::list_others(SampleIn<D>& s) {
   std::swap(pull, former_pull);
   std::swap(curve, former_curve);
   pull.assign(s.contact.is_cohesive() ? s.list.pairs : 0);
   curve.assign(pull.size(), 0);
 }
 
-void CohesivePairs::take_over(std::size_t slot, std::size_t former) {
+template <int D> void CohesivePairsIn<D>::take_over(std::size_t slot, std::size_t former) {
   if (slot >= pull.size() || former >= former_pull.size()) return;
   pull[slot] = former_pull[former];
   curve[slot] = former_curve[former];
 }
 
-void CohesivePairs::add_forces(Sample& s, const ThreadPool& pool) {
+template <int D> void CohesivePairsIn<D>::add_forces(SampleIn<D>& s, const ThreadPool& pool) {
   if (pull.empty()) return;
   std::atomic<bool> changed = false;
   pool.for_ranges(s.list.pairs, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
-      const Across at = across(s, p);
+      const Across<D> at = across(s, p);
       const bool joined = pull[p] > 0;
       const PullCurve* of = joined ? &curves[curve[p]] : nullptr;
       if (joined ? at.gap >= of->reach() : at.gap < joins_within) changed = true;
@@ -174,24 +198,32 @@ void CohesivePairs::add_forces(Sample& s, const ThreadPool& pool) {
   if (changed) join_and_part(*this, s);
 }
 
-/// What pulls add to the squared frequency of the lightest grain with six neighbours, 1/s^2.
-Rates CohesivePairs::added_rates(const Sample& s) const {
+/// What pulls add to the squared frequency of the lightest grain with six neighbours, in space twelve, 1/s^2.
+template <int D> Rates CohesivePairsIn<D>::added_rates(const SampleIn<D>& s) const {
   double lightest = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < s.count; ++k) lightest = std::min(lightest, s.record[k].mass);
-  return {6.0 * steepest / lightest, 0};
+  constexpr double neighbours = 6.0 * (D - 1);
+  return {2 * neighbours / D * steepest / lightest, 0};
 }
 
-void CohesivePairs::add_energy(const Sample& s, Energies& energies) const {
+template <int D> void CohesivePairsIn<D>::add_energy(const SampleIn<D>& s, Energies& energies) const {
   double sum = 0;
-  each_joined(*this, s, [&](std::size_t, const Across& at, const PullCurve& of) { sum += of.energy(at.gap); });
+  each_joined(*this, s, [&](std::size_t, const Across<D>& at, const PullCurve& of) { sum += of.energy(at.gap); });
   energies.adhesive += sum;
 }
 
-void CohesivePairs::report(const Sample& s, Packing& out) const { out.cohesive = cohesive_pairs(*this, s); }
+template <int D> void CohesivePairsIn<D>::report(const SampleIn<D>& s, PackingIn<D>& out) const {
+  out.cohesive = cohesive_pairs(*this, s);
+}
 
-CohesionCount count_cohesion(const Sample& s) {
-  const std::vector<CohesivePair> pairs = cohesive_pairs(the<CohesivePairs>(s), s);
+template <int D> CohesionCount count_cohesion(const SampleIn<D>& s) {
+  const std::vector<CohesivePair> pairs = cohesive_pairs(the<CohesivePairsIn<D>>(s), s);
   return {pairs.size(), static_cast<std::size_t>(std::ranges::count_if(pairs, acts_across_gap))};
 }
+
+template struct CohesivePairsIn<2>;
+template struct CohesivePairsIn<3>;
+template CohesionCount count_cohesion(const SampleIn<2>&);
+template CohesionCount count_cohesion(const SampleIn<3>&);
 
 }  // namespace arenite::dem

@@ -14,7 +14,8 @@ struct CohesionCount {
 };
 
 /// Attraction of grains that touch or nearly do.
-struct CohesivePairs : PartOf<2> {
+template <int D> struct CohesivePairsIn : PartOf<D> {
+  using S = SampleIn<D>;
   std::vector<PullCurve> curves;                            ///< of the pairs of radii that have been joined so far
   std::map<std::pair<double, double>, std::int32_t> place;  ///< of a curve, by the smaller and the larger radius
   double farthest = 0, steepest = 0;                        ///< that pairs act, m; largest slope of equal grains, N/m
@@ -28,24 +29,27 @@ struct CohesivePairs : PartOf<2> {
   /// Pull of a slot now, N; 0 where none acts.
   double pull_of(std::size_t slot) const { return slot < pull.size() ? pull[slot] : 0.0; }
 
+  /// Refuses laws that are written for the other dimension.
+  static void check(Problems& problems, const PackingIn<D>& start, const ContactParameters& contact,
+                    const IntegrationParameters& integration);
   /// How far the cohesion of this sample reaches, and how steep it is. InputError where the law makes no sense for its
   /// grains.
-  void set_up(Sample& sample);
+  void set_up(S& sample);
   /// Pairs of the packing that were joined go on.
-  void recall(Sample& sample);
+  void recall(S& sample);
   double reach() const { return farthest; }
-  void list_others(Sample& sample);
+  void list_others(S& sample);
   bool remembers() const { return !pull.empty(); }
   void take_over(std::size_t slot, std::size_t former);
   /// Adds the pulls to the forces of the pairs' slots, which hold those of their contacts, and joins and parts pairs.
   /// What a pair holds as it breaks is booked as dissipated. A pair is found joined or parted up to a step late; what
   /// its force has not done by then goes into the same account.
-  void add_forces(Sample& sample, const ThreadPool& pool);
+  void add_forces(S& sample, const ThreadPool& pool);
   double steepest_slope() const { return steepest; }
-  Rates added_rates(const Sample& sample) const;
-  void add_energy(const Sample& sample, Energies& energies) const;
-  void report(const Sample& sample, Packing& out) const;
-  template <class Members> void transfer_listed(Sample& sample, Members& members) {
+  Rates added_rates(const S& sample) const;
+  void add_energy(const S& sample, Energies& energies) const;
+  void report(const S& sample, PackingIn<D>& out) const;
+  template <class Members> void transfer_listed(S& sample, Members& members) {
     const std::size_t pairs = pull.size();
     if (pairs > 0) members(pull);
     if (!members.reads()) return;
@@ -54,9 +58,10 @@ struct CohesivePairs : PartOf<2> {
   }
 
  private:
-  void find_curves(const Sample& sample);
+  void find_curves(const S& sample);
 };
+using CohesivePairs = CohesivePairsIn<2>;
 
-CohesionCount count_cohesion(const Sample& sample);
+template <int D> CohesionCount count_cohesion(const SampleIn<D>& sample);
 
 }  // namespace arenite::dem

@@ -18,7 +18,9 @@ template <int D> struct PartsOf;
 template <> struct PartsOf<2> {
   using type = std::tuple<RoughWalls, Bodies, CohesivePairs, Bonds, Membranes, Boundaries, LoadingIn<2>, EnergyBalance>;
 };
-template <> struct PartsOf<3> { using type = std::tuple<SpheresAlone, LoadingIn<3>>; };
+template <> struct PartsOf<3> {
+  using type = std::tuple<SpheresAlone, CohesivePairsIn<3>, BondsIn<3>, LoadingIn<3>, EnergyBalanceIn<3>>;
+};
 
 template <int D, class... P> consteval bool are_parts(const std::tuple<P...>* /*of*/) { return (Part<P, D> && ...); }
 static_assert(are_parts<2>(static_cast<PartsOf<2>::type*>(nullptr)));

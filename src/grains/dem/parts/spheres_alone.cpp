@@ -4,10 +4,8 @@
 
 namespace arenite::dem {
 
-void SpheresAlone::check(Problems& problems, const PackingIn<3>& start, const ContactParameters& contact,
-                         const IntegrationParameters& integration) {
-  problems.unless(!contact.has_bonds() && !contact.is_cohesive(), "bonds and cohesion are of the plane");
-  problems.unless(!integration.track_energy, "the account of energy is of the plane");
+void SpheresAlone::check(Problems& problems, const PackingIn<3>& start, const ContactParameters& /*contact*/,
+                         const IntegrationParameters& /*integration*/) {
   problems.unless(start.contacts.size() == 0 && start.grains.shapes.empty(),
                   "contacts that a packing holds, and shapes, are of the plane");
 }

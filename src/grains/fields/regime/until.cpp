@@ -13,6 +13,7 @@
 #include "core/unit_names.hpp"
 #include "grains/dem/history/history.hpp"
 #include "grains/fields/driven.hpp"
+#include "grains/fields/laboratory/triaxial.hpp"
 #include "grains/fields/loading.hpp"
 
 namespace arenite::fields {
@@ -60,10 +61,10 @@ struct NamedValues {
   std::string name, unit;
   const std::vector<double>* values;
 };
-std::vector<NamedValues> named_values(const std::optional<Loading>& of, const History& history) {
+std::vector<NamedValues> named_values(const std::optional<statistics::Columns>& curves, const History& history) {
   std::vector<NamedValues> all;
-  if (of)
-    for (const auto& curve : of->curves.list) all.push_back({curve.name, curve.meaning.unit, &curve.values});
+  if (curves)
+    for (const auto& curve : curves->list) all.push_back({curve.name, curve.meaning.unit, &curve.values});
   for (const auto& column : history.columns)
     if (std::ranges::count(all, column.name, &NamedValues::name) == 0)
       all.push_back({column.name, column.unit, &column.values});
@@ -101,9 +102,27 @@ History two_rows(History rows, bool uniaxial) {
   };
   set("left_position", {0, 0}), set("bottom_position", {0, 0});
   set("right_position", {2, 1.9}), set("top_position", {2, 1.8});
+  set("back_position", {0, 0}), set("front_position", {2, 1.7});
   if (uniaxial)
     for (const char* name : {"left_force", "right_force"}) set(name, {0, 0});
   return rows;
+}
+
+std::optional<statistics::Columns> curves_of(const StageResult& rows, const dem::Stage& /*stage*/,
+                                             const Packing* strains_since) {
+  if (auto of = loading_of({rows, strains_since})) return std::move(of->curves);
+  return {};
+}
+std::optional<statistics::Columns> curves_of(const SphereResult& rows, const dem::Stage& stage,
+                                             const PackingIn<3>* /*strains_since*/) {
+  return triaxial_curves(rows, stage);
+}
+
+void add_numbers(const std::optional<statistics::Columns>& curves, const History& history,
+                 std::vector<HistoryNumber>& numbers) {
+  for (const NamedValues& each : named_values(curves, history))
+    if (std::ranges::count(numbers, each.name, &HistoryNumber::name) == 0)
+      numbers.push_back({each.name, dimension_of_unit(each.unit)});
 }
 
 Packing one_grain() {
@@ -123,13 +142,23 @@ std::vector<HistoryNumber> history_numbers(const dem::Stage& stage, const Domain
     StageResult result;
     result.began = 0;
     result.snapshots.emplace_back().packing = one_grain();
-    result.history = two_rows(dem::history_columns(stage, domain, bonded, cohesive), uniaxial);
+    result.history = two_rows(dem::history_columns<2>(stage, domain, bonded, cohesive), uniaxial);
     add_driven(result, stage);
-    const auto of = loading_of({result});
-    for (const NamedValues& each : named_values(of, result.history))
-      if (std::ranges::count(numbers, each.name, &HistoryNumber::name) == 0)
-        numbers.push_back({each.name, dimension_of_unit(each.unit)});
+    add_numbers(curves_of(result, stage, nullptr), result.history, numbers);
   }
+  return numbers;
+}
+
+std::vector<HistoryNumber> history_numbers_in_space(const dem::Stage& stage, bool bonded, bool cohesive) {
+  std::vector<HistoryNumber> numbers;
+  SphereResult result;
+  result.began = 0;
+  PackingIn<3>& packing = result.snapshots.emplace_back().packing;
+  packing.grains.resize(1);
+  packing.grains.radius = {1};
+  result.history = two_rows(dem::history_columns<3>(stage, packing.domain, bonded, cohesive), false);
+  add_driven(result, stage);
+  add_numbers(curves_of(result, stage, nullptr), result.history, numbers);
   return numbers;
 }
 
@@ -169,15 +198,16 @@ void Until::check(const std::vector<HistoryNumber>& known) const {
     }
 }
 
+template <int D>
 std::optional<std::string> Until::met(const History& so_far, double began, const dem::Stage& stage,
-                                      const Packing* strains_since, const Packing& sample) const {
-  StageResult rows;
+                                      const PackingIn<D>* strains_since, const PackingIn<D>& sample) const {
+  StageResultIn<D> rows;
   rows.began = began;
   rows.history = so_far;
   rows.snapshots.emplace_back().packing = sample;
   add_driven(rows, stage);
-  const auto of = loading_of({rows, strains_since});
-  const auto all = named_values(of, rows.history);
+  const auto curves = curves_of(rows, stage, strains_since);
+  const auto all = named_values(curves, rows.history);
   const auto value_if_met = [&](const Comparison& each) -> std::optional<std::string> {
     const auto at = std::ranges::find(all, each.name, &NamedValues::name);
     if (at == all.end() || at->values->empty()) return {};
@@ -195,5 +225,10 @@ std::optional<std::string> Until::met(const History& so_far, double began, const
   }
   return {};
 }
+
+template std::optional<std::string> Until::met(const History&, double, const dem::Stage&, const Packing*,
+                                               const Packing&) const;
+template std::optional<std::string> Until::met(const History&, double, const dem::Stage&, const PackingIn<3>*,
+                                               const PackingIn<3>&) const;
 
 }  // namespace arenite::fields

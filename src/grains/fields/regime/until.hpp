@@ -19,6 +19,9 @@ struct HistoryNumber {
 /// Those that such a stage has, in a container with these boundaries: curves first.
 std::vector<HistoryNumber> history_numbers(const dem::Stage& stage, const Domain& domain, bool bonded, bool cohesive);
 
+/// Those of a stage of spheres.
+std::vector<HistoryNumber> history_numbers_in_space(const dem::Stage& stage, bool bonded, bool cohesive);
+
 /// A condition that ends a stage: "axial_strain > 20 %", "q < 0.5*max(q)". A number is compared with an expression of
 /// numbers, quantities and the largest values so far; "or" joins conditions of which one suffices, "and" those that all
 /// must hold. What is to be below its limit must have been as large before: it falls below.
@@ -29,9 +32,11 @@ class Until {
   /// Throws InputError without place for a number that is not known, or is compared with another kind of quantity.
   void check(const std::vector<HistoryNumber>& known) const;
   /// What holds in the last row of a history, with the values of its numbers; nothing where nothing does.
-  /// `began`, s, is when the stage did, `strains_since` is as in Test, and `sample` any state of it.
+  /// `began`, s, is when the stage did, `strains_since` is as in Test, and `sample` any state of it. Curves of spheres
+  /// begin with the stage.
+  template <int D>
   std::optional<std::string> met(const History& so_far, double began, const dem::Stage& stage,
-                                 const Packing* strains_since, const Packing& sample) const;
+                                 const PackingIn<D>* strains_since, const PackingIn<D>& sample) const;
 
  private:
   struct Comparison {

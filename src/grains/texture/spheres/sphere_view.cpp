@@ -116,6 +116,17 @@ std::vector<std::int32_t> contacts_with_spheres(const PackingIn<3>& packing) {
   return count;
 }
 
+void each_joint(const PackingIn<3>& packing, const SeeJoint& see) {
+  for (const BondIn<3>& bond : packing.bonds)
+    if (bond.broken == BondBreak::none)
+      see(static_cast<std::size_t>(bond.i), static_cast<std::size_t>(bond.j), force_on_i(packing, bond),
+          branch_of(packing, bond));
+  for (const CohesivePair& pair : packing.cohesive)
+    if (acts_across_gap(pair))
+      see(static_cast<std::size_t>(pair.i), static_cast<std::size_t>(pair.j), force_on_i(packing, pair),
+          branch_of(packing, pair));
+}
+
 std::vector<Tensor3> sphere_moments(const PackingIn<3>& packing) {
   const ContactsIn<3>& contacts = packing.contacts;
   std::vector<Tensor3> moments(packing.grains.size());
@@ -124,6 +135,11 @@ std::vector<Tensor3> sphere_moments(const PackingIn<3>& packing) {
     moments[contacts.i[c]] += outer(force, contacts.lever_i(c));
     if (!contacts.is_wall(c)) moments[contacts.j[c]] += outer(-force, contacts.lever_j(c));
   }
+  each_joint(packing, [&](std::size_t i, std::size_t j, Vec3 force, Vec3 branch) {
+    const double share = packing.grains.radius[i] / (packing.grains.radius[i] + packing.grains.radius[j]);
+    moments[i] += outer(force, -share * branch);
+    moments[j] += outer(-force, (1 - share) * branch);
+  });
   return moments;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,11 @@ using SphereStatistic = void(const SphereView& view, Numbers& to);
 
 /// How many other spheres each touches; walls do not count, as in the coordination.
 std::vector<std::int32_t> contacts_with_spheres(const PackingIn<3>& packing);
+
+/// Calls `see` for what joins two spheres beside their contact, bonds that hold and pulls across gaps: both, the force
+/// on the first, N, and the way to it from the second, m.
+using SeeJoint = std::function<void(std::size_t, std::size_t, Vec3 force, Vec3 branch)>;
+void each_joint(const PackingIn<3>& packing, const SeeJoint& see);
 
 /// Internal moments of all spheres, N m: sum over their contacts of force (x) lever.
 std::vector<Tensor3> sphere_moments(const PackingIn<3>& packing);

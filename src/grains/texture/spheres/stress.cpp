@@ -15,12 +15,13 @@ using statistics::put;
 
 namespace {
 
-/// Sum over contacts, walls included, of f (x) l over the volume of the container, with f on sphere i and l from i to j
-/// or to the wall, Pa.
+/// Sum over contacts, walls included, bonds and pulls across gaps of f (x) l over the volume of the container, with f
+/// on sphere i and l from i to j or to the wall, Pa.
 Tensor3 whole_stress(const PackingIn<3>& packing) {
   Tensor3 sum;
   const ContactsIn<3>& contacts = packing.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c) sum += outer(contacts.force_on_i(c), contacts.branch(c));
+  each_joint(packing, [&](std::size_t, std::size_t, Vec3 force, Vec3 branch) { sum += outer(force, -branch); });
   return (1 / volume_of(packing.domain)) * sum;
 }
 
@@ -47,6 +48,10 @@ double median_imbalance(const SphereView& view) {
     sum[contacts.i[c]] += force, ++count[contacts.i[c]];
     if (!contacts.is_wall(c)) sum[contacts.j[c]] += -force, ++count[contacts.j[c]];
   }
+  each_joint(view.packing, [&](std::size_t i, std::size_t j, Vec3 force, Vec3 /*branch*/) {
+    sum[i] += force, ++count[i];
+    sum[j] += -force, ++count[j];
+  });
   std::vector<double> resultants;
   for (const std::size_t g : view.grains)
     if (count[g] >= 4) resultants.push_back(norm(sum[g] + mass_of(view.packing, g) * view.options.gravity));
