@@ -277,8 +277,7 @@ std::optional<SphereResult> load_stage(const GrainStageIn<3>& stage, dem::Engine
   if (carry_by_lammps(stage, engine, run, options, progress) == Part::stopped) return std::nullopt;
   CheckpointTimes times(options);
   Progress now = progress;
-  now.increments = loading.duration ? 0 : dem::increment_count(loading);
-  while (!run.finished) {
+  for (now.increments = loading.duration ? 0 : dem::increment_count(loading); !run.finished;) {
     dem::continue_stage(engine, loading, run);
     end_where_met(stage, engine, run);
     note_progress(engine, loading, run, now);
