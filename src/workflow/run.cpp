@@ -182,14 +182,13 @@ class Run {
     load_voxels(0, make, [&] { io::write_atomically(folder_ / "recipe.toml", to_toml(recipe_)); });
   }
 
-  /// False if it was stopped.
   bool load_cemented_spheres() {
     const PackingIn<3>& packing = outcome_.spheres.back().snapshots.back().packing;
     const auto make = [&] { return make_cemented_sample(recipe_, packing, options_.notice); };
     return load_voxels(recipe_.stages.size() + 1, make, [] {});
   }
 
-  /// The loads of a sample in space, from `first` of the plan on; it is made once, when the first is not found.
+  /// The loads of a sample in space, which is made once, from `first` of the plan on. False if it was stopped.
   template <class Make, class Done> bool load_voxels(std::size_t first, const Make& make_sample, const Done& done) {
     std::optional<VoxelMap> sample;
     const auto watch = watch_of(progress_, options_);
@@ -293,8 +292,7 @@ std::optional<SphereResult> load_stage(const GrainStageIn<3>& stage, dem::Engine
 RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options) {
   try {
     dem::find_kernel<2>(recipe.integration.kernel);
-    if (recipe.dimension == 3 && options.on_step)
-      throw InputError("on_step sees disks in the plane alone; leave it out for spheres");
+    if (recipe.dimension == 3 && options.on_step) throw InputError("on_step is for disks; leave it out for spheres");
     return Run(recipe, options).outcome();
   } catch (const InputError& error) { throw in_file(error, recipe.source_file); }
 }

@@ -79,7 +79,7 @@ def test_spheres_of_files_are_measured_as_our_own(tmp_path):
 
 def test_what_a_step_shows_is_of_the_plane_and_asking_for_it_is_refused(tmp_path):
     (tmp_path / "recipe.toml").write_text(RECIPE)
-    with pytest.raises(ValueError, match="on_step sees disks in the plane alone"):
+    with pytest.raises(ValueError, match="on_step is for disks"):
         arenite.run(arenite.Recipe(tmp_path / "recipe.toml"), tmp_path / "out", on_step=lambda stage: None)
 
 
