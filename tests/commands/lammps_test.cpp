@@ -166,6 +166,10 @@ TEST(Lammps, WhatItCannotExpressIsRefusedInASentenceBeforeItRuns) {
     EXPECT_TRUE(contains(run.err, sentence)) << key << ": " << run.err;
     EXPECT_FALSE(fs::exists(folder / "out/lammps")) << key;
   }
+  const auto narrow =
+      arenite("run " + before + " --engine lammps --ranks 64 --quiet --out " + (folder / "out").string());
+  EXPECT_EQ(narrow.status, 2);
+  EXPECT_TRUE(contains(narrow.err, "fewer --ranks")) << narrow.err;
   const auto unknown =
       arenite("run " + before + " --lammps-stages '[\"pres\"]'" + two_ranks + (folder / "out").string());
   EXPECT_EQ(unknown.status, 2);

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <variant>
 
 #include "grains/lammps/laws.hpp"
@@ -92,6 +94,24 @@ std::vector<std::string> inexpressible(const PackingIn<D>& start, const dem::Con
   add_cell(found, start, stage);
   return found;
 }
+
+template <int D> double narrowest_part(const Container<D>& container, int processes) {
+  const Vec<D> size = container.size();
+  double least_surface = HUGE_VAL, narrowest = 0;
+  for (int across = 1; across <= processes; ++across)
+    for (int up = 1; processes % across == 0 && up <= processes / across; ++up) {
+      const int deep = processes / (across * up);
+      if (across * up * deep != processes || (D == 2 && deep > 1)) continue;
+      const std::array<double, 3> part{size[0] / across, size[1] / up, D == 3 ? size[D - 1] / deep : HUGE_VAL};
+      const double surface = 1 / part[0] + 1 / part[1] + 1 / part[2];  // of all cuts, over the volume
+      if (surface >= least_surface) continue;
+      least_surface = surface;
+      narrowest = std::ranges::min(part);
+    }
+  return narrowest;
+}
+template double narrowest_part(const Container<2>&, int);
+template double narrowest_part(const Container<3>&, int);
 
 template std::vector<std::string> inexpressible(const Packing&, const dem::ContactParameters&,
                                                 const dem::IntegrationParameters&, const dem::Stage&);

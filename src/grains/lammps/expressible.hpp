@@ -14,4 +14,8 @@ template <int D>
 std::vector<std::string> inexpressible(const PackingIn<D>& start, const dem::ContactParameters& contact,
                                        const dem::IntegrationParameters& integration, const dem::Stage& stage);
 
+/// The narrowest part of a container that LAMMPS shares out among so many processes, with the least surface between
+/// them, m.
+template <int D> double narrowest_part(const Container<D>& container, int processes);
+
 }  // namespace arenite::lammps
