@@ -80,7 +80,7 @@ void add_found(Panel& ratio, Drawing& drawing, const Numbers& found) {
 }  // namespace
 
 Drawings triaxial_drawing(const SphereResult& stage) {
-  const auto curves = fields::triaxial_curves(stage);
+  const auto curves = fields::triaxial_curves(stage, stage.asked.closes);
   if (!curves || (*curves)["p"].size() < 3) return {};
   const Values strain = scaled((*curves)["axial_strain"], 100);
   const auto against = [&](Axis y) {

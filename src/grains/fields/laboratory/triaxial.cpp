@@ -60,8 +60,7 @@ int closing_axis(const dem::Stage& stage) {
   return axis;
 }
 
-std::optional<statistics::Columns> triaxial_curves(const SphereResult& result) {
-  const int axis = result.asked.closes;
+std::optional<statistics::Columns> triaxial_curves(const SphereResult& result, int axis) {
   const auto box = box_of(result.history);
   if (axis < 0 || !box || result.snapshots.empty()) return {};
   const Values& height = box->size[static_cast<std::size_t>(axis)];
@@ -91,7 +90,7 @@ std::optional<statistics::Columns> triaxial_curves(const SphereResult& result) {
 
 Numbers triaxial_numbers(const SphereResult& result) {
   Numbers numbers = Numbers::tree();
-  const auto curves = triaxial_curves(result);
+  const auto curves = triaxial_curves(result, result.asked.closes);
   if (!curves || (*curves)["p"].size() < 20) return numbers;
   const Values &p = (*curves)["p"], &q = (*curves)["q"], &strain = (*curves)["axial_strain"];
   const Values mean_q = running_mean(q), mean_p = running_mean(p);

@@ -11,11 +11,11 @@ namespace arenite::fields {
 /// -1 else.
 int closing_axis(const dem::Stage& stage);
 
-/// Curves of a stage of spheres that closes along one axis (Asked::closes), row by row of its history: `axial_strain`
-/// and `volumetric_strain` since it began, compression positive, `axial_stress`, Pa, `p` and `q`, the mean of the three
-/// stresses on the sides and the axial one less the mean of the others, Pa, `q_over_p` and `solid_fraction`. Nothing of
-/// another stage.
-std::optional<statistics::Columns> triaxial_curves(const SphereResult& result);
+/// Curves of a stage of spheres that closes along that axis (closing_axis, Asked::closes), row by row of its history:
+/// `axial_strain` and `volumetric_strain` since it began, compression positive, `axial_stress`, Pa, `p` and `q`, the
+/// mean of the three stresses on the sides and the axial one less the mean of the others, Pa, `q_over_p` and
+/// `solid_fraction`. Nothing of another stage.
+std::optional<statistics::Columns> triaxial_curves(const SphereResult& result, int axis);
 
 /// "peak" of such a test, where the running mean of q/p is largest (test_curves.hpp), and "critical_state", the part in
 /// which q/p only fluctuates, if it is reached: mean q over mean p with its error. Empty of another stage.

@@ -115,7 +115,7 @@ std::optional<statistics::Columns> curves_of(const StageResult& rows, const dem:
 }
 std::optional<statistics::Columns> curves_of(const SphereResult& rows, const dem::Stage& stage,
                                              const PackingIn<3>* /*strains_since*/) {
-  return triaxial_curves(rows, stage);
+  return triaxial_curves(rows, closing_axis(stage));
 }
 
 void add_numbers(const std::optional<statistics::Columns>& curves, const History& history,
