@@ -80,13 +80,13 @@ PYBIND11_MODULE(_core, m) {
   });
   // What is given comes before what takes it, so that docstrings name types as Python does.
   arenite::python::bind_packing(m);
+  arenite::python::bind_spheres(m);
   arenite::python::bind_texture(m);
   arenite::python::bind_grain_fields(m);
   arenite::python::bind_chains(m);
   arenite::python::bind_recipe(m);
   arenite::python::bind_phase_map(m);
   arenite::python::bind_voxels(m);
-  arenite::python::bind_spheres(m);
   arenite::python::bind_maps(m);
   arenite::python::bind_film(m);
   arenite::python::bind_film_parts(m);

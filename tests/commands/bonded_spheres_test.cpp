@@ -18,7 +18,7 @@ using arenite::test::TemporaryFolder;
 namespace fs = std::filesystem;
 
 /// The example, small.
-const std::string small =
+const std::string small_cylinder =
     "run " ARENITE_SOURCE_DIR
     "/examples/37-bonded-cylinder/recipe.toml --quiet --set packing.grains=120 "
     "--set 'variables.W=\"5.6 mm\"' --set 'variables.speed=\"600 mm/s\"' --set integration.safety=0.2 --out ";
@@ -65,7 +65,7 @@ assert np.allclose(vtk_to_numpy(cracks.GetPoints().GetData()), np.stack([b[c][br
 TEST(BondedSpheres, TheExampleIsCrushedAndItsFilesSayHow) {
   const TemporaryFolder folder;
   const auto out = folder / "out", vtk = folder / "vtk";
-  const auto run = arenite(small + out.string());
+  const auto run = arenite(small_cylinder + out.string());
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "top_force < 0.5*max(top_force)")) << run.out;
   EXPECT_TRUE(contains(arenite("show " + out.string()).out, "bonds broken"));
@@ -82,7 +82,7 @@ TEST(BondedSpheres, TheExampleIsCrushedAndItsFilesSayHow) {
   const auto last = stage_file(out, "press");
   const std::string bytes = arenite::test::slurp(last);
   fs::remove(last);
-  ASSERT_EQ(arenite(small + out.string()).status, 0);
+  ASSERT_EQ(arenite(small_cylinder + out.string()).status, 0);
   EXPECT_TRUE(arenite::test::slurp(last) == bytes) << "other bytes after it was computed again";
 }
 
