@@ -190,7 +190,9 @@ peridynamics::Method Load::bond_method() const {
 
 std::string Load::not_in_space() const {
   if (failure) return "bonds that break are of the plane; leave failure out in space";
-  if (!by_elements()) return "a sample in space is made of elements, bonds are of the plane; give method = elements";
+  if (!by_elements())
+    return "a sample in space is made of elements, bonds are of the plane; give method = \"elements\" (--method "
+           "elements)";
   if (axis == Axis::x) return "in space the load acts along z, across the slices; leave axis out, or turn the image";
   if (moduli)
     return "moduli between clamps along both axes are of the plane; in space give effective_stiffness, which needs "

@@ -57,6 +57,19 @@ Numbers forces_of(const PackingIn<3>& packing, NumberBlock& block) {
           {"all", contacts.size()}};
 }
 
+/// Bonds with how they broke, 0 while they hold, how near each is to its strength, and where it broke.
+Numbers bonds_of(const std::vector<BondIn<3>>& bonds, NumberBlock& block) {
+  const auto place = [&](int axis) { return mapped(bonds, [&](const BondIn<3>& bond) { return bond.place[axis]; }); };
+  return {{"i", block.add_indices(mapped(bonds, &BondIn<3>::i))},
+          {"j", block.add_indices(mapped(bonds, &BondIn<3>::j))},
+          {"broken", block.add_indices(
+                         mapped(bonds, [](const BondIn<3>& bond) { return static_cast<std::int32_t>(bond.broken); }))},
+          {"load", block.add_coarse(mapped(bonds, &BondIn<3>::load))},
+          {"x", block.add_reals(place(0), "m")},
+          {"y", block.add_reals(place(1), "m")},
+          {"z", block.add_reals(place(2), "m")}};
+}
+
 Numbers state_of(const SnapshotIn<3>& state, NumberBlock& block) {
   const PackingIn<3>& packing = state.packing;
   const GrainsIn<3>& grains = packing.grains;
@@ -70,6 +83,7 @@ Numbers state_of(const SnapshotIn<3>& state, NumberBlock& block) {
   out["radius"] = block.add_reals(grains.radius, "m");
   out["material"] = block.add_indices(grains.material);
   out["speed"] = block.add_coarse(mapped(grains.velocity, [](Vec3 v) { return norm(v); }), "m/s");
+  if (!packing.bonds.empty()) out["bonds"] = bonds_of(packing.bonds, block);
   if (packing.contacts.size() == 0) return out;
   out["contacts"] = block.add_indices(texture::spheres::contacts_with_spheres(packing));
   const auto bears = [&](std::size_t c) { return packing.contacts.fn[c] != 0; };

@@ -103,7 +103,7 @@ TEST(GrainsCommand, WritesATableInPixelsThatMeasureReads) {
   write_picture(folder / "a.png", row);
   ASSERT_EQ(arenite("grains " + (folder / "a.png").string() + " --radii 5 --out " + folder.path().string()).status, 0);
   const std::string table = (folder / "grains.csv").string();
-  const auto refused = arenite("measure " + table);
+  const auto refused = arenite("measure " + table + " --pixel \"1.6 mm\"");
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("give the file of contacts after that of the grains, or --touching"), std::string::npos)
       << refused.err;

@@ -248,13 +248,16 @@ TEST(Spheres, ARecipeIsCheckedWithoutDoubtsAndSwept) {
 TEST(Spheres, WhatSpaceDoesNotHaveIsRefusedInASentence) {
   const TemporaryFolder folder;
   const std::string recipe = written(folder, test::small_spheres);
-  for (const auto& [set, part] : {std::pair{"stages.compress.open.front=true", "no wall at the front"},
-                                  {"contact.cohesion=capillary_disks", "capillary_spheres"},
-                                  {"populations.0.shape=pentagon", "no clumps"},
-                                  {"packing.method=lattice", "random"},
-                                  {"packing.solid_fraction=0.7", "0.62 or less"},
-                                  {"stages.compress.until=\"tme > 1 s\"", "did you mean time?"},
-                                  {"container.thickness=\"10 mm\"", "dimension = 2"}}) {
+  for (const auto& [set, part] :
+       {std::pair{"stages.compress.open.front=true", "no wall at the front"},
+        {"contact.cohesion=capillary_disks' --set 'contact.surface_tension=\"72 mN/m\"' --set "
+         "'contact.liquid_volume=\"0.1 mm^3\"",
+         "capillary_spheres"},
+        {"populations.0.shape=pentagon", "no clumps"},
+        {"packing.method=lattice", "random"},
+        {"packing.solid_fraction=0.7", "0.62 or less"},
+        {"stages.compress.until=\"tme > 1 s\"", "did you mean time?"},
+        {"container.thickness=\"10 mm\"", "dimension = 2"}}) {
     const auto outcome = arenite("check " + recipe + " --set '" + set + "'");
     EXPECT_EQ(outcome.status, 2) << set;
     EXPECT_TRUE(test::contains(outcome.err, part)) << set << ": " << outcome.err;

@@ -114,7 +114,7 @@ def test_slices_of_phases_and_stresses_are_printed(tmp_path):
 
 def test_pictures_show_the_middle_of_the_voxels_over_their_mean():
     result, canvas = sheared("shear"), saving.Canvas()
-    assert volumes.stresses_of(result) == ["sigma_xz", "sigma_hyd", "sigma_mises"]
+    assert _core._stresses_drawn(result) == ["sigma_xz", "sigma_hyd", "sigma_mises"]
     volumes.draw_component(canvas, result, "sigma_xz", volumes._rows(canvas, result.map, 1)[0])
     across_z, across_y, across_x = (axes.images[0] for axes in canvas.axes[:3])
     mean = result.numbers["stress"]["sigma_xz"]["sets"]["all"]["mean_Pa"]["value"]

@@ -52,7 +52,7 @@ const light = {
   kindLine: ["#cf5d49", "#c28a00", "#4179b5", "#1f4e8f", "#5aa3dc"],
   field: { empty: "#ffffff", aside: "#d4d5d2", outline: "#14191f" },
   crack: [null, "#7a1fa2", "#0b0d10", "#00796b"],
-  broken: ["#d81b60", "#c77f00", "#1f8a62"],
+  broken: ["#d81b60", "#c77f00", "#1f8a62", "#6a4fb0"],
   cross: { pull: "#14191f", push: "#d81b60" },
 };
 
@@ -93,7 +93,7 @@ const dark = {
   kindLine: ["#d9705c", "#e5b84a", "#6ea8e6", "#4f83d1", "#a5d3f5"],
   field: { empty: "#0a0c0e", aside: "#31373d", outline: "#0a0c0e" },
   crack: [null, "#e29bff", "#ffffff", "#63e0c8"],
-  broken: ["#ff5c98", "#efb24a", "#5cc096"],
+  broken: ["#ff5c98", "#efb24a", "#5cc096", "#b196dc"],
   cross: { pull: "#ffffff", push: "#ff5c98" },
 };
 

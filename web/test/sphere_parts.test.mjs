@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { dot, frameOf } from "../src/space/frame.js";
+import { bondsOf, together } from "../src/spheres/bonds.js";
 import { between, kindOf } from "../src/spheres/chains.js";
 import { seenSphere } from "../src/spheres/seen.js";
 
@@ -35,6 +36,23 @@ test("a line of sight meets the sphere in front, unless that is cut away", () =>
   assert.equal(seenSphere(front, [0, 0], balls, [Infinity, Infinity, 1]), 0);
   assert.equal(seenSphere(front, [1.6, 0], balls, all), null);
   assert.equal(seenSphere(frameOf(180, 0, 1), [0, 0], balls, all), 0, "from behind");
+});
+
+test("a bond that holds is a rod between its spheres, one that broke a ball where it did", () => {
+  const container = { corner: [1, 1, 1], size: [4, 4, 4], periodic: [true, false, false], tilt: 0 },
+    balls = new Float32Array([-1, 0, 0, 0.5, 0, 0, 0, 0.5, 1.75, 0, 0, 0.5]),
+    bonds = { i: [0, 0, 1], j: [1, 2, 2], broken: [0, 0, 4], x: [0, 0, 4], y: [0, 0, 3], z: [0, 0, 3.5] };
+  const { ends, radius, kind } = bondsOf({ state: { bonds, balls, container }, meanRadius: 0.5 });
+  assert.deepEqual(kind, ["bond", "bond", "bond", "twisting"], "across the periodic side it is two halves");
+  assert.deepEqual([...ends.slice(0, 6)], [-1, 0, 0, 0, 0, 0]);
+  assert.deepEqual([...ends.slice(-6)], [1, 0, 0.5, 1, 0, 0.5], "from the middle of the container");
+  assert.ok(radius[3] > radius[0]);
+  const twice = together([
+    { ends, radius, kind },
+    { ends, radius, kind },
+  ]);
+  assert.equal(twice.ends.length, 48);
+  assert.equal(twice.kind.length, 8);
 });
 
 test("a force above the mean is strong, one below 0 pulls", () => {

@@ -21,7 +21,7 @@ phase_colours = {"void": "#ffffff", "matrix": "#d9c79c", "small": "#7fa8c9", "la
 phases = ["void", "matrix", "particle", "small", "large"]  # in the order of their numbers in a map
 set_colours = {"all": "#1a1a1a", "large": colours[0], "small": colours[1], "particle": colours[0], "matrix": colours[2]}
 crack_colours = {1: ("matrix", "#d62728"), 2: ("interface", "#111111"), 3: ("particle", "#ff9d00")}
-broken_colours = ["#d81b60", "#e69f00", "#0072b2"]  # bonds of grains: tension, bending, shear
+broken_colours = ["#d81b60", "#e69f00", "#0072b2", "#6a4fb0"]  # bonds: tension, bending, shear, twisting
 strong, weak, soft, pale, tension = "#1a1a1a", "#8c8c8c", "#b5b5b5", "#c8c8c8", "#d81b60"
 
 stress_map, most_stress = "magma_r", 3  # of a grain over the mean

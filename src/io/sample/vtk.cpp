@@ -70,7 +70,7 @@ struct VtkStorage {
   bool appended_raw = false;
 };
 
-template <class T> double number_at(std::string_view bytes, std::size_t k) {
+template <class T> double nth_number(std::string_view bytes, std::size_t k) {
   T value;
   std::memcpy(&value, bytes.data() + k * sizeof(T), sizeof(T));
   return static_cast<double>(value);
@@ -80,19 +80,19 @@ struct VtkType {
   std::size_t size;
   double (*at)(std::string_view bytes, std::size_t k);
 };
-constexpr VtkType vtk_types[] = {{"Float64", 8, number_at<double>},     {"Float32", 4, number_at<float>},
-                                 {"Int8", 1, number_at<std::int8_t>},   {"UInt8", 1, number_at<std::uint8_t>},
-                                 {"Int16", 2, number_at<std::int16_t>}, {"UInt16", 2, number_at<std::uint16_t>},
-                                 {"Int32", 4, number_at<std::int32_t>}, {"UInt32", 4, number_at<std::uint32_t>},
-                                 {"Int64", 8, number_at<std::int64_t>}, {"UInt64", 8, number_at<std::uint64_t>}};
+constexpr VtkType vtk_types[] = {{"Float64", 8, nth_number<double>},     {"Float32", 4, nth_number<float>},
+                                 {"Int8", 1, nth_number<std::int8_t>},   {"UInt8", 1, nth_number<std::uint8_t>},
+                                 {"Int16", 2, nth_number<std::int16_t>}, {"UInt16", 2, nth_number<std::uint16_t>},
+                                 {"Int32", 4, nth_number<std::int32_t>}, {"UInt32", 4, nth_number<std::uint32_t>},
+                                 {"Int64", 8, nth_number<std::int64_t>}, {"UInt64", 8, nth_number<std::uint64_t>}};
 
 /// The bytes behind their lengths, unpacked; fewer than `size` where they are damaged.
 std::string unpacked_bytes(std::string_view stored, const VtkStorage& how, std::size_t size) {
   const std::size_t width = how.wide ? 8 : 4;
   const auto length = [&](std::size_t k) -> std::size_t {
     if ((k + 1) * width > stored.size()) return 0;
-    return static_cast<std::size_t>(how.wide ? number_at<std::uint64_t>(stored, k)
-                                             : number_at<std::uint32_t>(stored, k));
+    return static_cast<std::size_t>(how.wide ? nth_number<std::uint64_t>(stored, k)
+                                             : nth_number<std::uint32_t>(stored, k));
   };
   if (!how.compressed) return std::string(stored.substr(std::min(width, stored.size()), std::min(length(0), size)));
   const std::size_t blocks = length(0), whole = length(1), last = length(2);

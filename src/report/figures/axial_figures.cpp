@@ -22,7 +22,8 @@ using Values = std::vector<double>;
 struct Mode {
   const char *name, *colour;
 };
-constexpr std::array<Mode, 3> modes{{{"tension", "broken 0"}, {"bending", "broken 1"}, {"shear", "broken 2"}}};
+constexpr std::array<Mode, 4> modes{
+    {{"tension", "broken 0"}, {"bending", "broken 1"}, {"shear", "broken 2"}, {"twisting", "broken 3"}}};
 
 /// The straight line whose slope is the modulus, through the curve where it has half of the strength.
 Series modulus_line(const fields::UniaxialTest& test, const Panel& panel, double factor) {
@@ -88,6 +89,21 @@ Drawings triaxial_drawing(const SphereResult& stage) {
                  .y = std::move(y)};
   };
   Drawing drawing;
+  if (!fields::is_confined(*curves)) {
+    const Scale scale = scale_of((*curves)["axial_stress"], "Pa");
+    Panel stress = against({.label = "stress along the axis", .unit = scale.unit, .brief = "stress"});
+    add_curve(stress, strain, scaled((*curves)["axial_stress"], 1 / scale.factor), "strong");
+    const auto strength = estimate_at(stage.texture, "/uniaxial/strength_Pa");
+    if (std::isfinite(strength.value)) {
+      stress.references.push_back({.x = 100 * estimate_at(stage.texture, "/uniaxial/strain_at_strength").value,
+                                   .y = strength.value / scale.factor,
+                                   .label = "largest stress",
+                                   .colour = "accent"});
+      drawing.key.push_back({"largest stress", "strong", {said_in_unit("\u03c3", strength, "Pa")}});
+    }
+    drawing.panels = {std::move(stress)};
+    return {drawing};
+  }
   Panel ratio = against({.label = "q/p from the forces on the sides", .brief = "q/p"});
   add_curve(ratio, strain, known_up_to((*curves)["q_over_p"], largest_ratio), "strong");
   add_found(ratio, drawing, stage.texture);
@@ -95,6 +111,25 @@ Drawings triaxial_drawing(const SphereResult& stage) {
   volume.references.push_back({.y = 0});
   add_curve(volume, strain, scaled((*curves)["volumetric_strain"], 100), "strong");
   drawing.panels = {std::move(ratio), std::move(volume)};
+  return {drawing};
+}
+
+Drawings broken_bonds(const SphereResult& stage) {
+  const Values* time = stage.history.find("time");
+  if (!time || time->size() < 2) return {};
+  Drawing drawing;
+  Panel panel{.x = {.label = "time in \u201c" + stage.name + "\u201d", .unit = "s", .brief = "time"},
+              .y = {.label = "broken bonds", .low = 0}};
+  for (const Mode& mode : modes)
+    if (const Values* count = stage.history.find(std::string("broken_in_") + mode.name)) {
+      panel.series.push_back({.name = mode.name, .colour = mode.colour, .x = *time, .y = *count, .line = Line::solid});
+      drawing.key.push_back({std::string("broken in ") + mode.name, mode.colour});
+    }
+  const auto has_broken = [](const Series& series) { return series.y.back() > 0; };
+  if (std::ranges::none_of(panel.series, has_broken)) return {};
+  for (Series& series : panel.series)
+    for (double& t : series.x) t -= time->front();
+  drawing.panels.push_back(std::move(panel));
   return {drawing};
 }
 

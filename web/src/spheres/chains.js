@@ -55,9 +55,14 @@ function toWall(from, side, { size }) {
   return [[...from, ...end]];
 }
 
-/** RGBA of every line. */
+/** Ways in which bonds break, as `broken` of a state counts them from 1. */
+export const ways = ["tension", "bending", "shear", "twisting"];
+
+/** RGBA of every line: of forces, and of bonds and where they broke. */
 export function coloursOfLines({ kind }, theme) {
-  const table = Object.fromEntries(["strong", "weak", "tension"].map((name) => [name, [...bytes(theme[name]), 255]])),
+  const named = { strong: theme.strong, weak: theme.weak, tension: theme.tension, bond: theme.weak };
+  ways.forEach((way, k) => (named[way] = theme.broken[k]));
+  const table = Object.fromEntries(Object.entries(named).map(([name, colour]) => [name, [...bytes(colour), 255]])),
     colours = new Uint8Array(4 * kind.length);
   kind.forEach((name, k) => colours.set(table[name], 4 * k));
   return colours;

@@ -5,7 +5,7 @@ import { mapOf } from "../field/paint.js";
 import { scaleBar } from "../scale_bar.js";
 import { text } from "../text.js";
 import { materialColour } from "../theme.js";
-import { kindOf, thicknessOf } from "./chains.js";
+import { kindOf, thicknessOf, ways } from "./chains.js";
 import { scaleOf } from "./paint.js";
 
 export const legendHeight = 92;
@@ -18,6 +18,7 @@ export function legend(result, state, theme, width, camera = null) {
     scale = scaleOf(result, state);
   group.append(scale ? scaleKey(result, scale, theme, width) : materialKey(result, theme, width - 130));
   if (state.get("chains") && camera) group.append(forceKey(result, theme, width, camera, scale ? 82 : 46));
+  else if (state.get("bonds") && camera) group.append(bondKey(result, theme, scale ? 82 : 46));
   if (camera) group.append(scaleBar(camera, theme, width));
   return richSvg(group);
 }
@@ -43,6 +44,19 @@ function materialKey(result, theme, room) {
     name: `${text.material(material)} (${text.count(counts[m])})`,
   }));
   return flow(entries, room, ({ m }, x, y) => square(x, y, materialColour(theme, m), theme));
+}
+
+/** What holds, and the ways in which bonds broke. */
+function bondKey({ state: { bonds } }, theme, y) {
+  const group = s("g", { transform: `translate(0 ${y})` }),
+    seen = ways.map((name, k) => ({ name, colour: theme.broken[k] })).filter((_, k) => bonds.broken.includes(k + 1));
+  group.append(s("line", { x1: 3, x2: 23, stroke: theme.weak, "stroke-width": 3 }), label(32, 0, "bond"));
+  let x = 70;
+  for (const { name, colour } of seen) {
+    group.append(s("circle", { cx: x, cy: 0, r: 5, fill: colour }), label(x + 10, 0, `broken in ${name}`));
+    x += 84 + 6.2 * name.length;
+  }
+  return group;
 }
 
 function forceKey(result, theme, width, camera, y) {

@@ -41,6 +41,9 @@ export class SphereResult extends DescribedResult {
   get hasForces() {
     return Boolean(this.state.forces);
   }
+  get hasBonds() {
+    return Boolean(this.state.bonds);
+  }
 
   quantity(id) {
     return quantities[id];

@@ -19,6 +19,7 @@ const choices = (result) => ({
   law: "linear",
   clip: "1",
   chains: false,
+  bonds: result.hasBonds,
   spheres: true,
   ...firstLook,
   ...Object.fromEntries(axes.map((axis) => [`cut${axis}`, cuts[1]])),
@@ -28,6 +29,7 @@ const choices = (result) => ({
 const kept = (result) => ({
   show: forms.word(["material", ...result.offered]),
   ...(result.hasForces && { chains: forms.truth }),
+  ...(result.hasBonds && { bonds: forms.truth }),
   spheres: forms.truth,
   ...lookForms,
   ...Object.fromEntries(axes.map((axis) => [`cut${axis}`, forms.between(...cuts, true)])),
@@ -69,10 +71,10 @@ const switches = (result, state) =>
   h(
     "div",
     { class: "choice overlays" },
-    result.hasForces && [
+    result.hasForces &&
       toggle("Forces", "chains", state, "Lines between spheres as thick as their normal force; spheres are pale"),
-      toggle("Spheres", "spheres", state, "Off: the spheres are not drawn"),
-    ],
+    result.hasBonds && toggle("Bonds", "bonds", state, "Rods between bonded spheres, balls where bonds broke"),
+    (result.hasForces || result.hasBonds) && toggle("Spheres", "spheres", state, "Off: the spheres are not drawn"),
   );
 
 const cutsOf = (result, state) =>

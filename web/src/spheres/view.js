@@ -3,6 +3,7 @@ import { fileName } from "../save.js";
 import { axes } from "../space/frame.js";
 import { outline } from "../space/outline.js";
 import { SpaceView } from "../space/view.js";
+import { bondsOf, together } from "./bonds.js";
 import { coloursOfLines, linesOf } from "./chains.js";
 import { legend, legendHeight } from "./legend.js";
 import { coloursOf, painted } from "./paint.js";
@@ -28,7 +29,7 @@ export class SphereView extends SpaceView {
     });
     this.result = result;
     state.watch(painted, () => this.refresh("colours", "lines"));
-    state.watch(["chains", "spheres"], () => this.refresh("lines"));
+    state.watch(["chains", "bonds", "spheres"], () => this.refresh("lines"));
   }
 
   get size() {
@@ -48,9 +49,12 @@ export class SphereView extends SpaceView {
   get reach() {
     return (this.furthest ??= furthestOf(this.result) + Math.hypot(...this.size) / 2);
   }
+  get hasLines() {
+    return this.state.get("chains") || this.state.get("bonds");
+  }
   get pale() {
     if (!this.state.get("spheres")) return 0;
-    return this.state.get("chains") ? fog / Math.cbrt(Math.max(1, this.result.count)) : 1;
+    return this.hasLines ? fog / Math.cbrt(Math.max(1, this.result.count)) : 1;
   }
 
   update(stale) {
@@ -62,22 +66,24 @@ export class SphereView extends SpaceView {
       scene.spheres.count = result.count;
     }
     if (stale.has("colours")) scene.spheres.set("colour", coloursOf(result, state, theme));
-    if (stale.has("lines") && state.get("chains")) this.#setLines();
+    if (stale.has("lines") && this.hasLines) this.#setLines();
   }
 
   #setLines() {
-    const { lines } = this.scene;
-    if (!this.forces) {
-      this.forces = linesOf(this.result);
-      lines.set("ends", this.forces.ends);
-      lines.set("radius", this.forces.radius);
-      lines.count = this.forces.kind.length;
-    }
-    lines.set("colour", coloursOfLines(this.forces, this.theme));
+    const { result, state } = this,
+      { lines } = this.scene,
+      shown = [];
+    if (state.get("chains")) shown.push((this.forces ??= linesOf(result)));
+    if (state.get("bonds")) shown.push((this.bonds ??= bondsOf(result)));
+    const all = together(shown);
+    lines.set("ends", all.ends);
+    lines.set("radius", all.radius);
+    lines.set("colour", coloursOfLines(all, this.theme));
+    lines.count = all.kind.length;
   }
 
   paint(pixelRatio = this.pixelRatio) {
-    const { camera, state, theme } = this;
+    const { camera, theme } = this;
     this.scene?.draw({
       frame: this.frame,
       kept: this.kept,
@@ -88,7 +94,7 @@ export class SphereView extends SpaceView {
       glow: theme.name === "dark" ? 0.12 : 0,
       lineGlow: theme.name === "dark" ? 0 : 0.45,
       pale: this.pale,
-      withLines: state.get("chains"),
+      withLines: this.hasLines,
     });
   }
 

@@ -88,11 +88,28 @@ std::optional<statistics::Columns> triaxial_curves(const SphereResult& result, i
   return curves;
 }
 
+bool is_confined(const statistics::Columns& curves) {
+  const Values &p = curves["p"], &axial = curves["axial_stress"];
+  const double most = *std::ranges::max_element(axial);
+  for (std::size_t k = 0; k < p.size(); ++k)
+    if (3 * p[k] - axial[k] > 1e-3 * most) return true;
+  return false;
+}
+
 Numbers triaxial_numbers(const SphereResult& result) {
   Numbers numbers = Numbers::tree();
   const auto curves = triaxial_curves(result, result.asked.closes);
   if (!curves || (*curves)["p"].size() < 20) return numbers;
   const Values &p = (*curves)["p"], &q = (*curves)["q"], &strain = (*curves)["axial_strain"];
+  if (!is_confined(*curves)) {
+    const Values& stress = (*curves)["axial_stress"];
+    const auto most = std::ranges::max_element(stress);
+    numbers["uniaxial"] = {
+        {"strength_Pa", described(*most, "Pa", "Largest stress along the axis, from the forces on the sides")},
+        {"strain_at_strength",
+         described(strain[static_cast<std::size_t>(most - stress.begin())], "", "Strain along the axis there")}};
+    return numbers;
+  }
   const Values mean_q = running_mean(q), mean_p = running_mean(p);
   Values ratio;
   for (std::size_t k = 0; k < p.size(); ++k) ratio.push_back(mean_p[k] > 0 ? mean_q[k] / mean_p[k] : 0);
