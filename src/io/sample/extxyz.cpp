@@ -171,9 +171,7 @@ const SampleFormat samples::extxyz{
                 "pos, radius (radii) or diameter, id, material (type), zone; others are passed over"},
                {"forces", "none are in the file"}},
     .is_grains = is_count,
-    .is_contacts = [](std::string_view) { return false; },
     .grains = read_xyz,
-    .contacts = nullptr,
     .grain_moments = moments_xyz};
 
 }  // namespace arenite::io

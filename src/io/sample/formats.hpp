@@ -143,9 +143,9 @@ struct SampleFormat {
   std::string_view name, grains_are, contacts_are;
   Statements states = {};
   bool (*is_grains)(std::string_view first_line);
-  bool (*is_contacts)(std::string_view first_line);
+  bool (*is_contacts)(std::string_view first_line) = [](std::string_view) { return false; };
   RawGrains (*grains)(const Reading& reading);
-  RawContacts (*contacts)(const Reading& reading, const RawGrains& grains);
+  RawContacts (*contacts)(const Reading& reading, const RawGrains& grains) = nullptr;
   Moments grain_moments = nullptr, contact_moments = nullptr;
 };
 namespace samples {

@@ -136,9 +136,7 @@ const SampleFormat samples::lammps_data{
                {"type", "the material"},
                {"forces", "none are in the file"}},
     .is_grains = [](std::string_view line) { return line.starts_with("LAMMPS data file"); },
-    .is_contacts = [](std::string_view) { return false; },
     .grains = read_data,
-    .contacts = nullptr,
     .grain_moments = data_file_moments};
 
 }  // namespace arenite::io

@@ -110,8 +110,6 @@ const SampleFormat samples::lbpm{
                {"spheres outside the box", "left out and told where they are images of others, else moved into it"},
                {"forces", "none are in the file"}},
     .is_grains = [](std::string_view line) { return line.starts_with(lbpm_begins); },
-    .is_contacts = [](std::string_view) { return false; },
-    .grains = read_lbpm,
-    .contacts = nullptr};
+    .grains = read_lbpm};
 
 }  // namespace arenite::io

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "core/text.hpp"
+#include "io/disk/byte_source.hpp"
 #include "io/sample/formats.hpp"
 
 namespace arenite::io {
@@ -71,9 +71,7 @@ struct VtkStorage {
 };
 
 template <class T> double nth_number(std::string_view bytes, std::size_t k) {
-  T value;
-  std::memcpy(&value, bytes.data() + k * sizeof(T), sizeof(T));
-  return static_cast<double>(value);
+  return static_cast<double>(number_at<T>(bytes, k * sizeof(T)));
 }
 struct VtkType {
   std::string_view name;
@@ -240,8 +238,6 @@ const SampleFormat samples::vtk{
                {"several pieces, big-endian numbers", "refused"},
                {"forces", "none are in the file"}},
     .is_grains = [](std::string_view line) { return line.starts_with("<?xml") || line.starts_with("<VTKFile"); },
-    .is_contacts = [](std::string_view) { return false; },
-    .grains = read_vtk_points,
-    .contacts = nullptr};
+    .grains = read_vtk_points};
 
 }  // namespace arenite::io

@@ -22,8 +22,7 @@ using Values = std::vector<double>;
 struct Mode {
   const char *name, *colour;
 };
-constexpr std::array<Mode, 4> modes{
-    {{"tension", "broken 0"}, {"bending", "broken 1"}, {"shear", "broken 2"}, {"twisting", "broken 3"}}};
+constexpr std::array<Mode, 3> modes{{{"tension", "broken 0"}, {"bending", "broken 1"}, {"shear", "broken 2"}}};
 
 /// The straight line whose slope is the modulus, through the curve where it has half of the strength.
 Series modulus_line(const fields::UniaxialTest& test, const Panel& panel, double factor) {
@@ -111,25 +110,6 @@ Drawings triaxial_drawing(const SphereResult& stage) {
   volume.references.push_back({.y = 0});
   add_curve(volume, strain, scaled((*curves)["volumetric_strain"], 100), "strong");
   drawing.panels = {std::move(ratio), std::move(volume)};
-  return {drawing};
-}
-
-Drawings broken_bonds(const SphereResult& stage) {
-  const Values* time = stage.history.find("time");
-  if (!time || time->size() < 2) return {};
-  Drawing drawing;
-  Panel panel{.x = {.label = "time in \u201c" + stage.name + "\u201d", .unit = "s", .brief = "time"},
-              .y = {.label = "broken bonds", .low = 0}};
-  for (const Mode& mode : modes)
-    if (const Values* count = stage.history.find(std::string("broken_in_") + mode.name)) {
-      panel.series.push_back({.name = mode.name, .colour = mode.colour, .x = *time, .y = *count, .line = Line::solid});
-      drawing.key.push_back({std::string("broken in ") + mode.name, mode.colour});
-    }
-  const auto has_broken = [](const Series& series) { return series.y.back() > 0; };
-  if (std::ranges::none_of(panel.series, has_broken)) return {};
-  for (Series& series : panel.series)
-    for (double& t : series.x) t -= time->front();
-  drawing.panels.push_back(std::move(panel));
   return {drawing};
 }
 

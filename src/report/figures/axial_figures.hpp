@@ -12,7 +12,5 @@ Drawing oedometer_drawing(const fields::TestCurves& curves, const StageData& dat
 /// Of spheres: q/p with its peak and its critical state, and the volumetric strain. Nothing of another stage than a
 /// test that closes along one axis.
 Drawings triaxial_drawing(const SphereResult& stage);
-/// How many of their bonds have broken in each way, over time; nothing where none has.
-Drawings broken_bonds(const SphereResult& stage);
 
 }  // namespace arenite::report::figures

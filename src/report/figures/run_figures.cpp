@@ -119,7 +119,7 @@ namespace {
 
 /// Those of disks that say the same of spheres.
 constexpr const char *of_spheres[] = {"contact-numbers", "forces", "sigma-norm"},
-                     *over_time[] = {"wall-forces", "energies", "equilibrium"};
+                     *over_time[] = {"grain-bonds", "wall-forces", "energies", "equilibrium"};
 
 template <class Data> const Row<Data>& row_of(const std::vector<Row<Data>>& list, std::string_view id) {
   return *std::ranges::find_if(list, [&](const Row<Data>& row) { return row.head.id == id; });
@@ -152,10 +152,10 @@ const std::vector<Row<SphereResult>>& sphere_figures() {
                                                   {row_of(state_figures(), of_spheres[0]).head, draw_state<0>},
                                                   {row_of(state_figures(), of_spheres[1]).head, draw_state<1>},
                                                   {row_of(state_figures(), of_spheres[2]).head, draw_state<2>},
-                                                  {row_of(stage_figures(), "grain-bonds").head, broken_bonds},
                                                   {row_of(stage_figures(), over_time[0]).head, draw_history<0>},
                                                   {row_of(stage_figures(), over_time[1]).head, draw_history<1>},
-                                                  {row_of(stage_figures(), over_time[2]).head, draw_history<2>}};
+                                                  {row_of(stage_figures(), over_time[2]).head, draw_history<2>},
+                                                  {row_of(stage_figures(), over_time[3]).head, draw_history<3>}};
   return all;
 }
 

@@ -23,12 +23,6 @@ const Column* column_of(const History& history, std::string_view name) {
   return at == history.columns.end() || at->values.size() < 2 ? nullptr : &*at;
 }
 
-std::vector<double> since_first(const std::vector<double>& values) {
-  std::vector<double> out = values;
-  for (double& value : out) value -= values.front();
-  return out;
-}
-
 /// Time since the stage began, with the states on it; empty without a history.
 struct Clock {
   Axis axis;
@@ -39,7 +33,7 @@ Clock clock_of(const StageData& data) {
   const Column* time = column_of(data.stage.history, "time");
   if (!time) return {};
   Clock clock{{.label = "time in \u201c" + data.stage.name + "\u201d", .unit = time->unit, .brief = "time"},
-              since_first(time->values),
+              mapped(time->values, [time](double t) { return t - time->values.front(); }),
               {}};
   for (const Snapshot* state : data.states) clock.states.x.push_back(std::max(0.0, state->time - time->values.front()));
   return clock;
@@ -207,9 +201,12 @@ Drawings travel(const StageData& data) {
 /// Bonds between grains that broke, by failure mode; those of a test along one axis stand beside its stress.
 Drawings grain_bonds(const StageData& data) {
   if (fields::kind_of({data.stage, data.before}) == fields::TestKind::uniaxial) return {};
-  Drawing drawing = lines_over_time(
-      data, {{"broken_in_tension", "tension"}, {"broken_in_bending", "bending"}, {"broken_in_shear", "shear"}},
-      [](double) { return true; });
+  Drawing drawing = lines_over_time(data,
+                                    {{"broken_in_tension", "tension"},
+                                     {"broken_in_bending", "bending"},
+                                     {"broken_in_shear", "shear"},
+                                     {"broken_in_twisting", "twisting"}},
+                                    [](double) { return true; });
   if (drawing.panels.empty() || !(largest_in(drawing.panels.front()) > 0)) return {};
   Panel& panel = drawing.panels.front();
   panel.y = {.label = "broken bonds", .low = 0};

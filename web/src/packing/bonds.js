@@ -2,7 +2,9 @@ import { s } from "../dom.js";
 
 const crackShare = 0.9; // of the smaller radius, on either side
 const farthest = 1.5; // of the radii's sum: beyond it there are two pieces, and no crack to be seen
-const ways = ["tension", "bending", "shear"]; // of breaking, as `broken` counts them from 1
+
+/** Ways of breaking, as `broken` of a state counts them from 1; only bonds in space twist. */
+export const ways = ["tension", "bending", "shear", "twisting"];
 
 /** What cracks mean: [{ name, colour }] of the ways in which bonds of a state have broken. */
 export const crackKey = ({ bonds }, theme) =>
@@ -16,7 +18,7 @@ export function bondShapes(sample, snapshot, camera, theme) {
   const wide = (box.right - box.left) / 2,
     high = (box.top - box.bottom) / 2;
   const whole = [],
-    cracks = [[], [], []];
+    cracks = ways.map(() => []);
   for (let b = 0; b < i.length; ++b) {
     const ax = snapshot.x[i[b]],
       ay = snapshot.y[i[b]],

@@ -1,9 +1,11 @@
-import { between, ways } from "./chains.js";
+import { ways } from "../packing/bonds.js";
+import { between } from "./chains.js";
 
 const thin = 0.16, // radius of a bond that holds over the mean radius of the spheres
   crack = 0.4; // of the ball where one broke
 
-/** Bonds that hold as rods from centre to centre, and a ball where one broke: { ends, radius, kind } as lines of force. */
+/** Bonds that hold as rods from centre to centre, and a ball where one broke, as lines of force are: { ends, radius,
+    kind }. */
 export function bondsOf({ state: { bonds, balls, container }, meanRadius }) {
   const ends = [],
     radius = [],

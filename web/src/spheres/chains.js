@@ -1,3 +1,4 @@
+import { ways } from "../packing/bonds.js";
 import { bytes } from "../theme.js";
 
 const perMean = 0.09, // radius of a line over the mean radius, at the mean force
@@ -54,9 +55,6 @@ function toWall(from, side, { size }) {
   end[axis] = (side % 2 ? 0.5 : -0.5) * size[axis];
   return [[...from, ...end]];
 }
-
-/** Ways in which bonds break, as `broken` of a state counts them from 1. */
-export const ways = ["tension", "bending", "shear", "twisting"];
 
 /** RGBA of every line: of forces, and of bonds and where they broke. */
 export function coloursOfLines({ kind }, theme) {

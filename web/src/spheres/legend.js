@@ -2,10 +2,11 @@ import { colourBar } from "../colour_bar.js";
 import { label, richSvg, s } from "../dom.js";
 import { flow, square } from "../field/legend.js";
 import { mapOf } from "../field/paint.js";
+import { crackKey } from "../packing/bonds.js";
 import { scaleBar } from "../scale_bar.js";
 import { text } from "../text.js";
 import { materialColour } from "../theme.js";
-import { kindOf, thicknessOf, ways } from "./chains.js";
+import { kindOf, thicknessOf } from "./chains.js";
 import { scaleOf } from "./paint.js";
 
 export const legendHeight = 92;
@@ -47,12 +48,11 @@ function materialKey(result, theme, room) {
 }
 
 /** What holds, and the ways in which bonds broke. */
-function bondKey({ state: { bonds } }, theme, y) {
-  const group = s("g", { transform: `translate(0 ${y})` }),
-    seen = ways.map((name, k) => ({ name, colour: theme.broken[k] })).filter((_, k) => bonds.broken.includes(k + 1));
+function bondKey({ state }, theme, y) {
+  const group = s("g", { transform: `translate(0 ${y})` });
   group.append(s("line", { x1: 3, x2: 23, stroke: theme.weak, "stroke-width": 3 }), label(32, 0, "bond"));
   let x = 70;
-  for (const { name, colour } of seen) {
+  for (const { name, colour } of crackKey(state, theme)) {
     group.append(s("circle", { cx: x, cy: 0, r: 5, fill: colour }), label(x + 10, 0, `broken in ${name}`));
     x += 84 + 6.2 * name.length;
   }

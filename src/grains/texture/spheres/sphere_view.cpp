@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <set>
 
 #include "core/error.hpp"
 #include "grains/texture/loose_grains.hpp"
+#include "grains/texture/partners.hpp"
 
 namespace arenite::texture::spheres {
 namespace {
@@ -107,12 +109,9 @@ statistics::Items SphereView::grains_of(int m) const {
 }
 
 std::vector<std::int32_t> contacts_with_spheres(const PackingIn<3>& packing) {
-  std::vector<std::int32_t> count(packing.grains.size(), 0);
-  for (std::size_t c = 0; c < packing.contacts.size(); ++c) {
-    if (packing.contacts.is_wall(c)) continue;
-    ++count[packing.contacts.i[c]];
-    ++count[packing.contacts.j[c]];
-  }
+  const Partners partners(packing, std::vector<std::uint8_t>(packing.grains.size(), 0));
+  std::vector<std::int32_t> count;
+  for (std::size_t g = 0; g < packing.grains.size(); ++g) count.push_back(static_cast<std::int32_t>(partners.all(g)));
   return count;
 }
 
