@@ -77,6 +77,17 @@ TEST(SpaceExamples, APorousRockIsCutIntoGrainsAndLoaded) {
   EXPECT_LT(std::abs(j["load"]["reaction_balance_error"].get<double>()), 1e-4);
 }
 
+TEST(SpaceExamples, AStackOfPicturesOfALimestoneIsCutIntoGrainsAndPressed) {
+  const TemporaryFolder folder;
+  const Json j = loaded("39-ketton", folder / "out");
+  EXPECT_EQ(j["map"]["voxels"], (Json{64, 64, 64}));
+  EXPECT_EQ(j["map"]["grains"], 56);
+  EXPECT_NEAR(j["map"]["phases"]["void"].get<double>(), 28572 / 262144.0, 1e-12);  // zeros of the file
+  EXPECT_EQ(j["load"]["loading"], "compression");
+  EXPECT_NEAR(j["modulus_Pa"].get<double>() / 48.28e9, 1, 1e-3);  // as its page says
+  EXPECT_LT(std::abs(j["load"]["reaction_balance_error"].get<double>()), 1e-4);
+}
+
 TEST(SpaceExamples, SpheresAreCementedAndSwept) {
   const TemporaryFolder folder;
   std::ofstream(folder / "study.toml") << "base = \"" << examples << "33-cemented-spheres/recipe.toml\"\n"

@@ -35,6 +35,32 @@ TEST(EffectiveStiffness, OfCastIronIsThatOfAnotherCode) {
   EXPECT_GT(mean_shear, r.bounds.shtrikman_lower.shear);
 }
 
+TEST(EffectiveStiffness, OfAPorousRockIsThatOfSparseMatrices) {
+  // The first 32 voxels along each axis of Ketton limestone, all solid alike: trilinear elements by 2 x 2 x 2 Gauss
+  // points, assembled and solved by SciPy's conjugate gradients to 1e-8, in GPa to four digits behind the point.
+  io::VoxelMapOptions options;
+  options.phases = io::parse_phase_table("0=void,255=matrix");
+  const VoxelMap rock = io::read_voxel_map(ARENITE_SOURCE_DIR "/examples/39-ketton/ketton.tif", options).map;
+  constexpr int n = 32;
+  VoxelMap map = test::solid(n, n, n);
+  for (int z = 0; z < n; ++z)
+    for (int y = 0; y < n; ++y)
+      for (int x = 0; x < n; ++x) map.phase[map.index(x, y, z)] = rock.phase[rock.index(x, y, z)];
+  SolveOptions o;
+  o.tolerance = 1e-8;
+  o.material = test::alike({80, 1 / 3.0});
+  o.material.element = Element::full;
+  const std::array<std::array<double, 6>, 6> sparse{{{84.8115, 36.8052, 35.5372, 0.6340, 0.8538, -1.0323},
+                                                     {36.8052, 83.9094, 35.5415, 1.2810, 0.4151, -0.9326},
+                                                     {35.5372, 35.5415, 79.9166, 1.2702, 0.9319, -0.4120},
+                                                     {0.6340, 1.2810, 1.2702, 23.0605, -0.1960, 0.1936},
+                                                     {0.8538, 0.4151, 0.9319, -0.1960, 22.9573, 0.2764},
+                                                     {-1.0323, -0.9326, -0.4120, 0.1936, 0.2764, 23.6198}}};
+  const auto r = effective_stiffness(map, o);
+  for (std::size_t a = 0; a < 6; ++a)
+    for (std::size_t b = 0; b < 6; ++b) EXPECT_NEAR(r.stiffness[a][b], sparse[a][b], 1e-4) << a << b;
+}
+
 TEST(EffectiveStiffness, OfFewPoresIsTheDiluteOne) {
   // A sphere of radius 6 in a period of 48: 0.8 % of pores, which feel each other by as much. Its staircase surface
   // costs some half a percent (Goodier's energy is 2.010 by these elements for 2.005).

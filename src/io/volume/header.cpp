@@ -80,7 +80,10 @@ TextHeader header_until_key(const Bytes& bytes, char separator, const std::strin
 Bytes opened_beside(const Bytes& bytes, const std::string& name) {
   const std::filesystem::path* path = bytes->path();
   if (!path) refuse(bytes->name(), "names the file \"{}\" beside it, and there is none in memory", name);
-  return open_bytes(path->parent_path() / name);
+  const std::filesystem::path data = path->parent_path() / name;
+  if (std::error_code error; !std::filesystem::exists(data, error))
+    refuse(bytes->name(), "names the file \"{}\" for its voxels, which is not there; put it beside the header", name);
+  return open_bytes(data);
 }
 
 void take_side(VolumeFacts& facts, double side, const std::string& unit) {

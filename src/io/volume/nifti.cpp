@@ -54,7 +54,7 @@ class NiftiHeader {
 
 VolumePointer open_nifti(const Bytes& stored, const VolumeChoice&) {
   const std::string& file = stored->name();
-  const bool packed = stored->text(0, 2) == "\x1f\x8b";
+  const bool packed = is_gzip(stored->text(0, 2));
   const std::string all = packed ? stored->text(0, static_cast<std::size_t>(stored->size())) : std::string{};
   const NiftiHeader header(packed ? unpacked(all, nifti_header_size, file) : stored->text(0, nifti_header_size));
   if (!header.is_sound() || !header.magic().starts_with("n+1"))
@@ -91,7 +91,7 @@ constinit const VolumeFormat volumes::nifti{
                {"qform, sform", "left aside"}},
     .is =
         [](std::string_view head) {
-          return (head.size() >= nifti_header_size && head.substr(344, 3) == "n+1") || head.starts_with("\x1f\x8b");
+          return (head.size() >= nifti_header_size && head.substr(344, 3) == "n+1") || is_gzip(head);
         },
     .open = open_nifti};
 

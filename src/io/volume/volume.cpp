@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -104,10 +105,12 @@ std::string unpacked(const std::string& packed, std::size_t most, const std::str
     status = inflate(&stream, Z_NO_FLUSH);
     read += in - stream.avail_in;
     written += out - stream.avail_out;
-    if (in == stream.avail_in && out == stream.avail_out) break;
+    if (status == Z_STREAM_END && !bare && written < most && is_gzip(std::string_view(packed).substr(read)))
+      status = inflateReset(&stream);  // members one behind the other, as bgzip and `cat` write them
+    else if (in == stream.avail_in && out == stream.avail_out) break;
   }
   inflateEnd(&stream);
-  if (status != Z_STREAM_END && written < most)
+  if (status == Z_DATA_ERROR || (status != Z_STREAM_END && written < most))
     refuse(file, "is packed and damaged after {} bytes; copy it again", read);
   plain.resize(written);
   return plain;
@@ -153,7 +156,11 @@ VolumePointer open_volume(const std::filesystem::path& path, const VolumeChoice&
 
 VolumePointer open_volume(const Bytes& bytes, const VolumeChoice& choice) {
   const VolumeFormat* format = volume_format_of(bytes);
-  if (!format) refuse(bytes->name(), "is no volume of a known format ({})", volume_formats());
+  if (!format)
+    refuse(bytes->name(),
+           "is no volume of a known format ({}); numbers without a header need one, such as a MetaImage (.mhd) that "
+           "names their file",
+           volume_formats());
   return format->open(bytes, choice);
 }
 

@@ -76,8 +76,10 @@ struct VoxelLayout {
 /// Voxels that lie in some bytes. Throws InputError where these are too few.
 VolumePointer voxels_in(const Bytes& bytes, const VolumeFacts& facts, const VoxelLayout& layout);
 
-/// What zlib or gzip packed, or a member of a zip archive (`bare`: without a header), of `most` bytes at most. Throws
-/// InputError where it is damaged or longer.
+inline bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
+
+/// The first `most` bytes of what zlib or gzip packed (all members of it), or of a member of a zip archive (`bare`:
+/// without a header). Throws InputError where it is damaged.
 std::string unpacked(const std::string& packed, std::size_t most, const std::string& file, bool bare = false);
 
 /// The side of voxels with these spacings. Throws InputError where they differ by more than one part in a thousand.

@@ -32,6 +32,9 @@ PhaseTable guessed_phases(VolumeSource& volume, const std::string& file, std::ve
     for (const std::int32_t value : layer)
       if (found.size() <= most) ++found[value];
   });
+  if (found.size() == 1)
+    refuse(file, "has the value {0} everywhere; say which phase it is, for example --phases \"{0}=particle\"",
+           found.begin()->first);
   if (found.size() != 2) {
     std::vector<std::string> words;
     for (const auto& [value, count] : found) words.push_back(fmt::format("{}", value));

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/problems.hpp"
 #include "solid/elements/kernels/kernels.hpp"
 #include "solid/elements/stress.hpp"
 #include "solid/elements/support.hpp"
@@ -31,6 +32,9 @@ namespace {
 template <int D> statics::LoadResultIn<D> load_in(const MapIn<D>& map, const LoadOptions& options) {
   statics::check_load(options.strain, options.tolerance);
   ElementsIn<D> elements = make_elements<D>(map, options.material);
+  if (elements.cells[D - 1] < 2)
+    throw refusal("one {0} lies between the clamps, which hold all of it; give two {0}s or more{1}",
+                  D == 2 ? "row" : "layer", D == 2 ? "" : ", or load it as a picture");
   const Grid& grid = elements.grid;
   const auto prescribed = statics::prescribed_levels<D>(grid.levels(), options.loading, options.lower);
   Buffer<statics::Tie> tie;

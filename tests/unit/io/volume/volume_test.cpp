@@ -162,7 +162,10 @@ TEST_F(Volumes, MetaImageLocalAndBeside) {
 
 TEST_F(Volumes, NiftiPlainAndPacked) {
   EXPECT_DOUBLE_EQ(expect_places(file("a.nii", nifti(stored<std::int16_t>(), 4))).dx.value(), 2.5e-6);
-  expect_places(file("b.nii.gz", packed(nifti(stored<float>(), 16))));
+  const std::string plain = nifti(stored<float>(), 16);
+  expect_places(file("b.nii.gz", packed(plain)));
+  expect_places(
+      file("b.nii.gz", packed(plain.substr(0, 200)) + packed(plain.substr(200, 170)) + packed(plain.substr(370))));
   EXPECT_DOUBLE_EQ(expect_places(file("c.nii", nifti(stored<std::uint8_t>(), 2, 2))).dx.value(), 2.5e-3);
 }
 
@@ -178,11 +181,20 @@ TEST_F(Volumes, WhatIsDamagedIsRefusedWithItsMend) {
   EXPECT_NE(says("e.nii", nifti(numbers, 32)).find("type 32"), std::string::npos);
   const std::string broken = packed(nifti(numbers, 2));
   EXPECT_NE(says("f.nii.gz", broken.substr(0, broken.size() / 2)).find("copy it again"), std::string::npos);
+  std::string last = broken;
+  last[last.size() - 8] ^= 1;  // of the checksum
+  EXPECT_NE(says("g.nii.gz", last).find("copy it again"), std::string::npos);
   EXPECT_NE(says("g.nrrd", "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 3 2 2\nencoding: bzip2\n\n" + numbers)
                 .find("raw or gzip"),
             std::string::npos);
   EXPECT_NE(says("h.npy", numpy("<f4", bytes_of_number(0.5f) + stored<float>().substr(4))).find("0.5"),
             std::string::npos);
+  EXPECT_NE(says("j.mhd",
+                 "ObjectType = Image\nNDims = 3\nDimSize = 3 2 2\nElementType = MET_UCHAR\n"
+                 "ElementDataFile = gone.raw\n")
+                .find("j.mhd: names the file \"gone.raw\""),
+            std::string::npos);
+  EXPECT_NE(says("k.raw", numbers).find(".mhd"), std::string::npos);
   EXPECT_NE(says("i.npz", npz("im.npy", numpy("|u1", numbers, false, "(12,)"))).find("im"), std::string::npos);
 }
 
@@ -199,6 +211,8 @@ TEST_F(Volumes, APhaseTableMakesThemAMap) {
   EXPECT_EQ(told.map.phase[0], Phase::empty);
   EXPECT_EQ(told.map.phase[1], Phase::matrix);
   EXPECT_EQ(told.map.dx, 2e-6);
+  const auto one = file("c.npy", numpy("|u1", std::string(12, '\7')));
+  EXPECT_NE(complaint([&] { read_voxel_map(one, {}); }).find("7 everywhere"), std::string::npos);
   options.phases = parse_phase_table("0=matrix");
   EXPECT_NE(complaint([&] { read_voxel_map(volume, options); }).find("value 1"), std::string::npos);
   EXPECT_NE(

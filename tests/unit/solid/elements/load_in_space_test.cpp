@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "support/element_samples.hpp"
+#include "support/pictures.hpp"
 
 namespace arenite::elements::load_in_space_test {
 namespace {
@@ -77,6 +78,12 @@ TEST(VoxelLoad, SeveredAndEmptySamplesSaySo) {
     for (int x = 0; x < 3; ++x) map.phase[map.index(x, y, 2)] = Phase::empty;
   EXPECT_EQ(load(map, with(alike({1, 0.3}))).report.ending, Ending::severed);
   EXPECT_EQ(load(make_voxel_map(3, 3, 3, 1), with(alike({1, 0.3}))).report.ending, Ending::empty);
+}
+
+TEST(VoxelLoad, OneLayerIsRefusedAndTwoAreNot) {
+  EXPECT_NE(test::complaint([] { load(solid(4, 4, 1), with(alike({1, 0}))); }).find("two layers"), std::string::npos);
+  for (const VoxelMap& map : {solid(1, 1, 2), solid(1, 8, 4), solid(8, 1, 4)})
+    EXPECT_NEAR(load(map, with(alike({3, 0}))).report.modulus, 3, 1e-5);  // without lateral strain, by ten residuals
 }
 
 }  // namespace

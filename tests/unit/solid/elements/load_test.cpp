@@ -48,6 +48,7 @@ TEST(ElementLoad, ACementedSampleIsSolvedAndItsReactionsBalance) {
 
 TEST(ElementLoad, NonsenseIsRefused) {
   const PhaseMap map = solid(10, 10);
+  EXPECT_THROW(load(solid(10, 1), LoadOptions{}), InputError);
   EXPECT_THROW(load(map, LoadOptions{{}, statics::Loading::tension, statics::LowerEdge::fixed, 0}), InputError);
   EXPECT_THROW(load(map, LoadOptions{{.material = alike({1, 0.5})}}), InputError);
   EXPECT_THROW(load(map, LoadOptions{{.material = alike({0, 0.3})}}), InputError);
