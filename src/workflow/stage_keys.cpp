@@ -13,6 +13,8 @@
 #include "io/disk/file.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/film/film.hpp"
+#include "io/volume/spheres.hpp"
+#include "io/volume/volume.hpp"
 #include "recipe/film_recipe.hpp"
 #include "workflow/load_voxels.hpp"
 
@@ -65,6 +67,15 @@ void add_file(HashBuilder& hash, const fs::path& path, KnownFilms& known) {
   const auto [at, is_new] = known.try_emplace(path.string());
   if (is_new) at->second = hashes_of(path);
   for (const std::string& part : at->second) hash.add("part", part);
+}
+
+/// A map or its labels; of a volume also what lies beside the file.
+void add_map_file(HashBuilder& hash, const char* name, const std::string& file, const std::string& dataset,
+                  bool is_volume) {
+  if (!is_volume || !io::are_slices(file)) hash.add(name, content_hash(io::read_file(file)));
+  if (!is_volume) return;
+  const std::string elsewhere = io::hash_of_voxels_elsewhere(file, {.dataset = dataset});
+  if (!elsewhere.empty()) hash.add("voxels", elsewhere);
 }
 
 template <class T> std::string_view bytes_of(const std::vector<T>& values) {
@@ -198,9 +209,12 @@ std::string told_map_keys(const recipe::MapSection& map) {
 }
 
 std::string map_key(const recipe::MapSection& map) {
+  const bool is_volume = is_in_space(map) && !io::is_sphere_table(map.file);
   HashBuilder hash;
-  hash.add("map version", map_version).add("map", content_hash(io::read_file(map.file))).add("recipe", map_keys(map));
-  if (map.has_label_file()) hash.add("labels", content_hash(io::read_file(map.labels)));
+  hash.add("map version", map_version);
+  add_map_file(hash, "map", map.file, map.dataset, is_volume);
+  hash.add("recipe", map_keys(map));
+  if (map.has_label_file()) add_map_file(hash, "labels", map.labels, map.label_dataset, is_volume);
   return hash.hex();
 }
 

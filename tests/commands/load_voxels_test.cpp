@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include "support/document_of_page.hpp"
 #include "support/program.hpp"
@@ -108,6 +109,29 @@ TEST(LoadVoxels, AStackOfPicturesIsASampleInSpaceWhereItIsSaid) {
   const Json j = Json::parse(loaded.out);
   EXPECT_EQ(j["map"]["voxels"], (Json{7, 8, 9}));
   EXPECT_NEAR(j["modulus_Pa"].get<double>() / 1e9, 1, 1e-6);
+}
+
+TEST(LoadVoxels, WhatLiesBesideTheFileIsPartOfTheSample) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "slices");
+  const auto fill = [&](const std::string& value) {  // 6 x 6 x 6 voxels beside a header, and as slices
+    const auto made = test::shell("cd " + folder.path().string() + " && /usr/bin/python3 -c \"import numpy as np; " +
+                                  "v = np.ones((6, 6, 6), np.uint8); v[:, :, 0] = " + value + "; v.tofile('v.raw'); " +
+                                  "[np.save(f'slices/{k}.npy', v[k:k + 1]) for k in range(6)]\"");
+    EXPECT_EQ(made.status, 0) << made.err;
+  };
+  std::ofstream(folder / "v.mhd") << "ObjectType = Image\nNDims = 3\nDimSize = 6 6 6\nElementType = MET_UCHAR\n"
+                                     "ElementDataFile = v.raw\n";
+  for (const auto& [value, share] : {std::pair{"1", 1.0}, {"0", 5.0 / 6}}) {
+    fill(value);
+    for (const std::string name : {"v.mhd", "slices"}) {
+      const auto loaded =
+          arenite("load " + (folder / name).string() + by_elements + "--dimension 3 --phases 0=void,1=matrix --out " +
+                  (folder / ("out-" + name)).string());
+      ASSERT_EQ(loaded.status, 0) << loaded.err;
+      EXPECT_NEAR(Json::parse(loaded.out)["modulus_Pa"].get<double>() / 1e9, share, 1e-5) << name;
+    }
+  }
 }
 
 TEST(LoadVoxels, ATableOfSpheresIsCementedAndLoaded) {

@@ -44,6 +44,7 @@ VolumePointer open_meta_image(const Bytes& bytes, const VolumeChoice&) {
   if (beside == "LIST" || beside.find('%') != std::string::npos)
     refuse(file, "has a file of its own for each slice; give the folder of the slices, or save it as one file");
   const bool local = beside == "LOCAL" || beside == "local";
+  facts.elsewhere = !local;
   const std::int64_t skip = header.has("headersize") ? header.whole_numbers("headersize", 1)[0] : 0;
   return header_and_numbers(local ? bytes : opened_beside(bytes, beside), local ? header.size : 0,
                             says("compresseddata"), skip, facts, layout);

@@ -70,6 +70,8 @@ VolumePointer open_npz(const Bytes& bytes, const VolumeChoice& choice) {
     const Bytes array = array_of(bytes, member);
     if (!choice.dataset.empty() || numpy_header_in(array).shape.size() == 3) volumes.push_back(array);
   }
+  if (volumes.empty() && choice.dataset.empty())
+    refuse(bytes->name(), "has no array of three dimensions; its arrays: {}", list_of(names));
   if (volumes.size() != 1)
     refuse(bytes->name(), "has {} arrays of three dimensions{}; choose one by --dataset: {}", volumes.size(),
            choice.dataset.empty() ? "" : " of that name", list_of(names));

@@ -73,6 +73,7 @@ VolumePointer open_nrrd(const Bytes& bytes, const VolumeChoice&) {
   const std::string beside = header.has("data file")  ? header.word("data file")
                              : header.has("datafile") ? header.word("datafile")
                                                       : std::string{};
+  facts.elsewhere = !beside.empty();
   const Bytes data = beside.empty() ? bytes : opened_beside(bytes, beside);
   return header_and_numbers(data, beside.empty() ? header.size : 0, packed, number("byte skip", 0), facts, layout);
 }

@@ -19,9 +19,12 @@ namespace {
 /// Pictures of a stack, one upon the other: what else reads them as the frames of a film.
 class Slices : public VolumeSource {
  public:
-  Slices(std::unique_ptr<FilmSource> film, const std::string& file) : film_(std::move(film)), file_(file) {
+  Slices(std::unique_ptr<FilmSource> film, const std::string& file, bool elsewhere)
+      : film_(std::move(film)),
+        file_(file) {
     const FilmInfo& info = film_->info();
     facts_ = sized({info.width, info.height, info.frames}, file);
+    facts_.elsewhere = elsewhere;
   }
   const VolumeFacts& facts() const override { return facts_; }
   void read(int z, std::span<std::int32_t> layer) override {
@@ -43,13 +46,13 @@ class Slices : public VolumeSource {
 };
 
 VolumePointer open_stack(const Bytes& bytes, const VolumeChoice& choice) {
-  return std::make_unique<Slices>(open_film(bytes, FilmChoice{.dataset = choice.dataset}), bytes->name());
+  return std::make_unique<Slices>(open_film(bytes, FilmChoice{.dataset = choice.dataset}), bytes->name(), false);
 }
 
 }  // namespace
 
 VolumePointer open_slices(const std::filesystem::path& path) {
-  return std::make_unique<Slices>(open_film(path), path.string());
+  return std::make_unique<Slices>(open_film(path), path.string(), true);
 }
 
 constinit const VolumeFormat volumes::stack{

@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/hash.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "io/image/image.hpp"
@@ -145,13 +146,29 @@ bool is_volume(const std::filesystem::path& path) {
   return format && format->always;
 }
 
+bool are_slices(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::is_directory(path, error) || path.filename().string().find('*') != std::string::npos;
+}
+
+std::string hash_of_voxels_elsewhere(const std::filesystem::path& path, const VolumeChoice& choice) {
+  const VolumePointer volume = open_volume(path, choice);
+  const VolumeFacts& facts = volume->facts();
+  if (!facts.elsewhere) return {};
+  HashBuilder hash;
+  hash.add("width", std::int64_t{facts.width}).add("height", std::int64_t{facts.height});
+  std::vector<std::int32_t> layer(facts.slice());
+  for (int z = 0; z < facts.depth; ++z) {
+    volume->read(z, layer);
+    hash.add("layer", content_hash({reinterpret_cast<const char*>(layer.data()), layer.size() * sizeof(std::int32_t)}));
+  }
+  return hash.hex();
+}
+
 std::string volume_formats() { return list_of(words_of(volumes::all, &VolumeFormat::sentence)); }
 
 VolumePointer open_volume(const std::filesystem::path& path, const VolumeChoice& choice) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error) || path.filename().string().find('*') != std::string::npos)
-    return open_slices(path);
-  return open_volume(open_bytes(path), choice);
+  return are_slices(path) ? open_slices(path) : open_volume(open_bytes(path), choice);
 }
 
 VolumePointer open_volume(const Bytes& bytes, const VolumeChoice& choice) {

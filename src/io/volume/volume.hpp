@@ -20,6 +20,7 @@ struct VolumeFacts {
   int width = 0, height = 0, depth = 0;  ///< along x (fastest in the file), y and z (slowest)
   std::optional<double> dx;              ///< side of a voxel, m, where the file states it with its unit
   std::vector<std::string> remarks;      ///< what a user should know about this file, each a sentence
+  bool elsewhere = false;  ///< the voxels lie in other files than the one named: beside their header, or in slices
   std::size_t slice() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };
 
@@ -60,6 +61,12 @@ VolumePointer open_volume(const std::filesystem::path& path, const VolumeChoice&
 
 /// The same from bytes.
 VolumePointer open_volume(const Bytes& bytes, const VolumeChoice& choice = {});
+
+/// Whether a folder, or a name with *, is to be read as slices.
+bool are_slices(const std::filesystem::path& path);
+
+/// Hash of the voxels that lie in other files than the one that is named; empty where this one holds them.
+std::string hash_of_voxels_elsewhere(const std::filesystem::path& path, const VolumeChoice& choice);
 
 /// The formats that can be read, for a sentence.
 std::string volume_formats();
