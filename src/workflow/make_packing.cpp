@@ -72,6 +72,14 @@ void check_room(const Grains& grains, const packing::Circles& circles, const Dom
                                               std::floor(100 * room.solid_fraction()) / 100)));
 }
 
+/// Throws InputError where a lattice is higher than what it fills, m.
+void check_lattice(double filled, double room) {
+  if (filled > room * (1 + 1e-12))
+    throw InputError(fmt::format(
+        "the lattice is {:g} mm high and the container only {:g} mm; raise container.height or leave it out",
+        1e3 * filled, 1e3 * room));
+}
+
 std::string fill(const recipe::Recipe& recipe, Packing& packing) {
   auto& grains = packing.grains;
   packing.grains = packing::draw_grains(recipe.populations, recipe.materials, recipe.packing.grains, recipe.seed);
@@ -87,10 +95,7 @@ std::string fill(const recipe::Recipe& recipe, Packing& packing) {
   }
   const double filled = packing::fill_lattice(grains, part), room = part.height();
   if (!height_given) height = filled;
-  else if (filled > room * (1 + 1e-12))
-    throw InputError(fmt::format(
-        "the lattice is {:g} mm high and the container only {:g} mm; raise container.height or leave it out",
-        1e3 * filled, 1e3 * room));
+  else check_lattice(filled, room);
   return "triangular lattice";
 }
 
@@ -128,8 +133,17 @@ SphereResult make_sphere_packing(const recipe::Recipe& recipe) {
   packing.materials = recipe.materials;
   give_sides(packing.domain, recipe.container);
   packing.grains = packing::draw_spheres(recipe.populations, recipe.materials, recipe.packing.grains, recipe.seed);
-  if (!(recipe.container.height > 0))
-    packing.domain.wall[top].position =
+  double& height = packing.domain.wall[top].position;
+  const bool height_given = recipe.container.height > 0;
+  if (recipe.packing.method == Method::lattice) {
+    const double filled = packing::fill_lattice(packing.grains, packing.domain);
+    if (!height_given) height = filled;
+    check_lattice(filled, height);
+    result.outcome = "face-centred cubic lattice";
+    return result;
+  }
+  if (!height_given)
+    height =
         packing.grains.volume() / (recipe.packing.solid_fraction * recipe.container.width * recipe.container.depth);
   result.outcome =
       "random filling, " + describe(packing::fill_at_random<3>(packing.grains, packing.domain, recipe.seed));

@@ -254,7 +254,6 @@ TEST(Spheres, WhatSpaceDoesNotHaveIsRefusedInASentence) {
          "'contact.liquid_volume=\"0.1 mm^3\"",
          "capillary_spheres"},
         {"populations.0.shape=pentagon", "no clumps"},
-        {"packing.method=lattice", "random"},
         {"packing.solid_fraction=0.7", "0.62 or less"},
         {"stages.compress.until=\"tme > 1 s\"", "did you mean time?"},
         {"container.thickness=\"10 mm\"", "dimension = 2"}}) {

@@ -248,4 +248,32 @@ double fill_lattice(Grains& grains, const Domain& domain) {
   return y - rise + site / 2 - domain.wall[bottom].position;
 }
 
+double fill_lattice(GrainsIn<3>& spheres, const Container<3>& domain) {
+  const double site = 2 * *std::max_element(spheres.radius.begin(), spheres.radius.end());
+  const double rise = site * std::sqrt(0.5);
+  // Layers lie in the holes of those below them: every other one is shifted by half a site along x and z.
+  const auto sites = [&](int axis, bool shifted) {
+    const double room = domain.size()[axis] / site * (1 + 1e-12);
+    return static_cast<int>(shifted && !domain.periodic[axis] ? room - 0.5 : room);
+  };
+  const int least = std::min(sites(0, true), sites(2, true));
+  if (std::min(sites(0, false), sites(2, false)) < 1 || (least < 1 && spheres.size() > 1))
+    throw refusal("the container is {:g} m wide and {:g} m deep and holds no layer of a lattice of {:g} m; enlarge it",
+                  domain.size().x, domain.size().z, site);
+  std::size_t i = 0;
+  int layers = 0;
+  for (; i < spheres.size(); ++layers) {
+    const bool shifted = layers % 2 == 1;
+    const auto start = [&](int axis) {
+      return domain.corner()[axis] + (!shifted ? site / 2 : domain.periodic[axis] ? 0 : site);
+    };
+    const double y = domain.corner().y + site / 2 + layers * rise;
+    for (int k = 0; k < sites(2, shifted); ++k)
+      for (int j = 0; j < sites(0, shifted) && i < spheres.size(); ++j, ++i)
+        spheres.position[i] = {start(0) + j * site, y, start(2) + k * site};
+  }
+  // Under its own image the last layer lies as in a hole where it is a shifted one.
+  return domain.periodic[1] && layers % 2 == 0 ? layers * rise : (layers - 1) * rise + site;
+}
+
 }  // namespace arenite::packing

@@ -31,4 +31,8 @@ template <int D = 2> RelaxReport fill_at_random(GrainsIn<D>& grains, const Domai
 /// grain. Returns the height that is filled, m. Throws InputError where the domain is too narrow for a row.
 double fill_lattice(Grains& grains, const Domain& domain);
 
+/// Face-centred cubic, layer on layer of squares from the bottom, as cannonballs are stacked; else as in the plane. A
+/// periodic cell of whole sites is a crystal without faults, where the number of layers is even.
+double fill_lattice(GrainsIn<3>& spheres, const Container<3>& domain);
+
 }  // namespace arenite::packing

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -100,16 +101,17 @@ void give_shapes(Grains& grains, const std::vector<Population>& populations, con
 constexpr std::int64_t many = 200'000;  // grains: their curve is the law's to a few thousandths
 constexpr std::uint64_t seed = 1;       // no grain of a sample is drawn from it
 
-}  // namespace
-
-std::vector<double> circle_radii(const Grains& grains) {
-  std::vector<double> radii = grains.radius;
-  for (std::size_t g = 0; g < radii.size() && !grains.shapes.empty(); ++g) radii[g] = reach_of(shape_of(grains, g));
-  return radii;
+/// A diameter of grain k of its population, m. A grading by mass is drawn as the numbers of cylinders, which weigh as
+/// d^2. Spheres weigh as d^3, so that of each size 1/d as many are needed: a draw is kept as often.
+template <class Law> double diameter(const Law& law, int dimension, std::int64_t k, RandomStream& random) {
+  for (;;) {
+    const double drawn = law.draw(k, random);
+    if (dimension == 2 || !std::is_same_v<Law, SieveCurve> || drawn * random.uniform() < law.smallest()) return drawn;
+  }
 }
 
-Grains draw_grains(const std::vector<Population>& populations, const Materials& materials, std::int64_t total,
-                   std::uint64_t seed) {
+Grains draw_all(int dimension, const std::vector<Population>& populations, const Materials& materials,
+                std::int64_t total, std::uint64_t seed) {
   struct Drawn {
     double radius;
     std::int32_t material;
@@ -122,7 +124,8 @@ Grains draw_grains(const std::vector<Population>& populations, const Materials& 
     RandomStream random(seed, Purpose::radius, p);
     std::visit(
         [&](const auto& law) {
-          for (std::int64_t k = 0; k < counts[p]; ++k) drawn.push_back({law.draw(k, random) / 2, material, p});
+          for (std::int64_t k = 0; k < counts[p]; ++k)
+            drawn.push_back({diameter(law, dimension, k, random) / 2, material, p});
         },
         populations[p].size);
   }
@@ -143,9 +146,22 @@ Grains draw_grains(const std::vector<Population>& populations, const Materials& 
   return grains;
 }
 
+}  // namespace
+
+std::vector<double> circle_radii(const Grains& grains) {
+  std::vector<double> radii = grains.radius;
+  for (std::size_t g = 0; g < radii.size() && !grains.shapes.empty(); ++g) radii[g] = reach_of(shape_of(grains, g));
+  return radii;
+}
+
+Grains draw_grains(const std::vector<Population>& populations, const Materials& materials, std::int64_t total,
+                   std::uint64_t seed) {
+  return draw_all(2, populations, materials, total, seed);
+}
+
 GrainsIn<3> draw_spheres(const std::vector<Population>& populations, const Materials& materials, std::int64_t total,
                          std::uint64_t seed) {
-  const Grains drawn = draw_grains(populations, materials, total, seed);
+  const Grains drawn = draw_all(3, populations, materials, total, seed);
   GrainsIn<3> spheres;
   spheres.resize(drawn.size());
   spheres.radius = drawn.radius;

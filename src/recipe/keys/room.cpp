@@ -53,7 +53,7 @@ void declare_packing(Visitor& v, Recipe& recipe) {
   using Method = PackingParameters::Method;
   v.choice({"method", "Method that gives the initial positions of the grains."}, packing.method,
            {{"random", "at random, then relaxed until overlaps vanish"},
-            {"lattice", "stacked row by row as a triangular lattice"},
+            {"lattice", "stacked row by row as a triangular lattice, spheres in squares as a face-centred cubic one"},
             {"file", "read from a CSV of centres, radii and materials"},
             {"poisson", "two size classes by fast Poisson disk sampling, defined in [bidisperse]"}});
   v.when(packing.method == Method::random || packing.method == Method::lattice, "method = \"random\" or \"lattice\"",

@@ -46,17 +46,15 @@ void require_in_space(Visitor& v, const Recipe& recipe) {
   const auto refuse = [&](bool asked, std::initializer_list<std::string_view> keys, std::string_view what) {
     v.require(!asked, keys, fmt::format("{} in space; leave that out, or take dimension = 2", what));
   };
-  refuse(recipe.packing.method != Method::random, {"packing"},
-         "packings are random, and neither lattices, read from a file nor [bidisperse]");
-  v.require(recipe.packing.solid_fraction <= 0.62, {"packing"},
+  const Method method = recipe.packing.method;
+  refuse(method != Method::random && method != Method::lattice, {"packing"},
+         "packings are random or lattices, and neither read from a file nor [bidisperse]");
+  v.require(method != Method::random || recipe.packing.solid_fraction <= 0.62, {"packing"},
             "spheres at random jam at a solid fraction of 0.64; start from 0.62 or less, and let a stage compact them");
   refuse(recipe.packing.area.has_value(), {"packing"}, "no part of a container can be filled by itself");
   refuse(std::ranges::any_of(recipe.populations,
                              [](const auto& p) { return !std::holds_alternative<packing::DiskShape>(p.shape); }),
          {"populations"}, "there are no clumps and no polygons");
-  refuse(std::ranges::any_of(recipe.populations,
-                             [](const auto& p) { return std::holds_alternative<packing::SieveCurve>(p.size); }),
-         {"populations"}, "there is no sieve_curve");
   v.require(!std::holds_alternative<dem::CapillaryDisks>(recipe.contact.cohesion), {"contact"},
             "capillary_disks are bridges between disks; spheres take cohesion = \"capillary_spheres\"");
   refuse(recipe.glued.has_value(), {"glued"}, "no region can be glued by itself");

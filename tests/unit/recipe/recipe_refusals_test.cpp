@@ -77,6 +77,16 @@ TEST(BadRecipe, MissingKeyAndSectionAreNamed) {
   EXPECT_NE(found[3].find("stages"), std::string::npos);
 }
 
+TEST(BadRecipe, PackingThatSpaceDoesNotHaveIsRefusedInOneSentence) {
+  const std::string numbers = "density = \"2500 kg/m^3\"\nstiffness = \"1 kN/mm\"\n";
+  EXPECT_EQ(problems("dimension = 3\n[packing]\nmethod = \"poisson\"\n[bidisperse]\nlarge_radius = \"1 mm\"\n"
+                     "[container]\ndepth = \"9 mm\"\n[materials.large]\n" +
+                     numbers + "[materials.small]\n" + numbers +
+                     "[[stages]]\nname = \"compact\"\ntop = { pressure = \"50 kPa\" }\n"),
+            Lines{"r.toml:2:1: packing: packings are random or lattices, and neither read from a file nor [bidisperse] "
+                  "in space; leave that out, or take dimension = 2"});
+}
+
 TEST(BadRecipe, WrongKindsOfValueAreRefused) {
   EXPECT_EQ(problems(smallest + "gravity = \"yes\"\n"),
             Lines{"r.toml:14:11: stages.0.gravity: is a text, but must be true or false (without quotes)"});

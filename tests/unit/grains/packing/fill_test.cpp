@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/error.hpp"
 #include "grains/packing/population.hpp"
@@ -105,6 +106,53 @@ TEST(Fill, LatticeRowsTouchAndStayInside) {
   for (std::size_t i = 0; i < g.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) touching += norm(g.position[i] - g.position[j]) < 0.0105 * (1 + 1e-9);
   EXPECT_GT(touching, 100);
+}
+
+/// Equal spheres of diameter 2 in a box of that width and depth, as high as their lattice.
+struct Stack {
+  GrainsIn<3> spheres;
+  Container<3> box;
+
+  Stack(std::size_t count, double width, double depth, bool periodic) {
+    spheres.resize(count);
+    spheres.radius.assign(count, 1);
+    const double size[] = {width, 0, depth};
+    for (int axis = 0; axis < 3; ++axis) {
+      box.periodic[axis] = periodic;
+      box.wall[2 * axis + 1].position = size[axis];
+    }
+    box.wall[top].position = fill_lattice(spheres, box);
+  }
+  /// Of all pairs of spheres, how far apart the nearest are, and how many touch.
+  std::pair<double, int> nearest() const {
+    double least = HUGE_VAL;
+    int touching = 0;
+    for (std::size_t i = 0; i < spheres.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const double apart = norm(box.nearest_image(spheres.position[i] - spheres.position[j]));
+        least = std::min(least, apart);
+        touching += apart < 2 * (1 + 1e-9);
+      }
+    return {least, touching};
+  }
+};
+
+TEST(Fill, LatticeOfSpheresInACellHasTwelveNeighboursAndKeplersFraction) {
+  const Stack stack(4 * 4 * 6, 8, 8, true);
+  const auto [least, touching] = stack.nearest();
+  EXPECT_NEAR(least, 2, 1e-12);
+  EXPECT_EQ(touching, 6 * 4 * 4 * 6);  // half of twelve a sphere
+  EXPECT_NEAR(stack.spheres.volume() / volume_of(stack.box), std::numbers::pi / std::sqrt(18), 1e-12);
+}
+
+TEST(Fill, LatticeOfSpheresStaysBetweenWalls) {
+  for (const double width : {8.0, 9.0}) {  // layers that are shifted have a sphere less along it, or as many
+    const Stack stack(60, width, 6.5, false);
+    EXPECT_NEAR(stack.nearest().first, 2, 1e-12);
+    for (const Vec3& place : stack.spheres.position)
+      for (int side = 0; side < sides_in<3>; ++side) EXPECT_GE(stack.box.depth(side, place), 1 - 1e-12);
+  }
+  EXPECT_THROW(Stack(2, 1.9, 8, false), InputError);
 }
 
 }  // namespace

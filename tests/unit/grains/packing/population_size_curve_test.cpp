@@ -53,6 +53,35 @@ TEST(SizeCurve, OfASieveCurveIsTheCurve) {
   EXPECT_NEAR(at(curve, 3e-3), 0.65, 0.01);
 }
 
+/// Largest distance between the volume that passes and F, 0.3 below the sieve of 2, of grains graded 1 to 4.
+double distance_by_volume(std::vector<double> radius) {
+  std::ranges::sort(radius);
+  double all = 0, below = 0, distance = 0;
+  for (const double r : radius) all += r * r * r;
+  for (const double r : radius) {
+    const double d = 2e3 * r;
+    below += r * r * r;
+    distance = std::max(distance, std::abs(below / all - (d < 2 ? 0.3 * (d - 1) : 0.3 + 0.35 * (d - 2))));
+  }
+  return distance;
+}
+
+/// With w = d^3 the volume of n independent grains strays from F by (1 - F) S(d) - F (S(all) - S(d)), S a Brownian
+/// motion of variance E[w^2; below d]/(n E[w]^2) for many grains: beyond 5/sqrt(n E[w]^2/E[w^2]) in fewer than four
+/// times 6e-7 of samples (reflection at both ends). Of n grains 1/E[w] is the sum of each class's volume times the mean
+/// of 1/d^3, (a + b)/(2 a^2 b^2), and E[w^2]/E[w] that with the mean of d^3, (a + b)(a^2 + b^2)/4.
+TEST(SizeCurve, OfSpheresBetweenSievesIsPassedByVolume) {
+  SieveCurve sieves;
+  sieves.sieves = {1e-3, 2e-3, 4e-3};
+  sieves.passing = {0, 0.3, 1};
+  const std::vector<Population> graded{{"glass", 100'000, {}, sieves, {}}};
+  const auto spheres = draw_spheres(graded, glass, 0, 3);
+  const double mean = 1 / (0.3 * 3 / 8 + 0.7 * 6 / 128), square = mean * (0.3 * 3 * 5 / 4 + 0.7 * 6 * 20 / 4);
+  EXPECT_LT(distance_by_volume(spheres.radius), 5 / std::sqrt(1e5 * mean * mean / square));
+  EXPECT_GT(distance_by_volume(draw_grains(graded, glass, 0, 3).radius), 0.1);  // the plane's: 0.45/2.55 at 2 mm
+  EXPECT_EQ(spheres.radius, draw_spheres(graded, glass, 0, 3).radius);
+}
+
 TEST(SizeCurve, KeepsTheSharesOfPopulations) {
   const std::vector<Population> two{{"glass", 4, {}, FixedSize{1e-3}, {}}, {"glass", 1, {}, FixedSize{2e-3}, {}}};
   EXPECT_NEAR(at(asked_size_curve(two, glass, 0), 1.5e-3), 0.5, 1e-12);
