@@ -44,7 +44,7 @@ def check_lammps(file):
             side["right"].attrs["position [m]"],
         ]
         atoms = columns(g, "ATOMS")
-        np.testing.assert_array_equal(atoms["id"], file["grains/id"])
+        np.testing.assert_array_equal(atoms["id"], file["grains/id"][:] + 1)
         np.testing.assert_array_equal(atoms["type"], file["grains/material"][:] + 1)
         for name in ("x", "y", "vx", "vy"):
             np.testing.assert_array_equal(atoms[name], frame["grains"][name])
@@ -53,7 +53,7 @@ def check_lammps(file):
         local = columns(c, "ENTRIES")
         assert int(c["NUMBER OF ENTRIES"][0][0]) == pairs.sum()
         np.testing.assert_array_equal(local["fn"], frame["contacts/fn"][:][pairs])
-        np.testing.assert_array_equal(local["patom1"], file["grains/id"][:][frame["contacts/i"][:][pairs]])
+        np.testing.assert_array_equal(local["patom1"], file["grains/id"][:][frame["contacts/i"][:][pairs]] + 1)
         nx, ny = local["nx"], local["ny"]  # towards the first grain, on which both forces act
         np.testing.assert_array_equal(local["fx"], local["fn"] * nx)
         np.testing.assert_array_equal(local["fy"], local["fn"] * ny)

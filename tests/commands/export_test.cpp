@@ -87,8 +87,8 @@ TEST_F(Export, LammpsItselfReadsTheDumpAtItsStep) {
   ASSERT_EQ(arenite("export " + file.string() + " --to lammps").status, 0);
   std::ofstream(folder / "in")
       << "units si\ndimension 2\natom_style sphere\nboundary f f p\nregion b block 0 1 0 1 -0.1 0.1\ncreate_box 2 b\n"
-         "read_dump lammps/grains.dump 2000 x y vx vy box yes add yes\n"
-         "write_dump all custom out.dump type x y vy modify sort id format float %.17g\n";
+         "read_dump lammps/grains.dump 2000 x y vx vy box yes add keep\n"
+         "write_dump all custom out.dump id type x y vy modify sort id format float %.17g\n";
   const auto run = shell("cd " + folder.path().string() + " && lmp -in in -log none");
   ASSERT_EQ(run.status, 0) << run.out << run.err;
   const auto grains = test::two_snapshots(6).snapshots[1].packing.grains;
@@ -96,9 +96,10 @@ TEST_F(Export, LammpsItselfReadsTheDumpAtItsStep) {
   std::string line;
   while (std::getline(dump, line) && !line.starts_with("ITEM: ATOMS")) {}
   for (std::size_t i = 0; i < grains.size(); ++i) {
-    int type = 0;
+    int id = 0, type = 0;
     double x = 0, y = 0, vy = 0;
-    dump >> type >> x >> y >> vy;
+    dump >> id >> type >> x >> y >> vy;
+    EXPECT_EQ(id, grains.id[i] + 1);
     EXPECT_EQ(type, grains.material[i] + 1);
     EXPECT_EQ(x, grains.position[i].x);
     EXPECT_EQ(y, grains.position[i].y);

@@ -139,7 +139,7 @@ const char* const lammps_reads = R"(units si
 atom_style sphere
 region whole block 0 1 0 1 0 1
 create_box 1 whole
-read_dump grains.dump STEP x y z box yes add yes
+read_dump grains.dump STEP x y z box yes add keep
 write_dump all custom back.dump id x y z modify format float %.17g sort id
 )";
 

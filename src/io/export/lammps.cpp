@@ -55,6 +55,9 @@ void put_motion(std::string& text, const GrainsIn<3>& g, std::size_t i) {
                  w.z, int{g.zone[i]});
 }
 
+/// LAMMPS numbers atoms from one: its 0 is an atom without a number, which it can keep (`add keep`) of no file.
+constexpr auto atom_of(auto id) { return id + 1; }
+
 std::vector<int> links_of(const Packing& packing) { return links_of_grains(packing); }
 std::vector<int> links_of(const PackingIn<3>& /*packing*/) { return {}; }
 
@@ -66,7 +69,7 @@ template <int D> std::string grain_dump(const ExportStateIn<D>& from) {
   if (!links.empty()) text += " links";
   text += '\n';
   for (std::size_t i = 0; i < g.size(); ++i) {
-    fmt::format_to(Text(text), "{} {} ", g.id[i], g.material[i] + 1);
+    fmt::format_to(Text(text), "{} {} ", atom_of(g.id[i]), g.material[i] + 1);
     put_motion(text, g, i);
     for (const auto& field : from.fields) fmt::format_to(Text(text), " {}", field.values[i]);
     if (!links.empty()) fmt::format_to(Text(text), " {}", links[i]);
@@ -101,7 +104,7 @@ template <int D> std::string contact_dump(const ExportStateIn<D>& from) {
   for (std::size_t k = 0; k < c.size(); ++k) {
     if (c.is_wall(k)) continue;
     const Vec<D> n = c.normal[k];
-    fmt::format_to(Text(rows), "{} {}", id_of_i(packing, k), id_of_j(packing, k));
+    fmt::format_to(Text(rows), "{} {}", atom_of(id_of_i(packing, k)), atom_of(id_of_j(packing, k)));
     put_vector(rows, c.fn[k] * n);
     put_vector(rows, cross(c.ft[k], n));
     fmt::format_to(Text(rows), " {}", contact_type(packing, k));
@@ -136,6 +139,7 @@ const ExportFormat exports::lammps{
                 "disks the contact point cx cy cz"},
                {"cell, periodic sides, tilt, time, step, units (si)",
                 "as LAMMPS writes them, z of disks by the thickness"},
+               {"numbers of grains", "one more than ours: LAMMPS has no atom 0"},
                {"names of materials, shapes of grains", "left out: a type is a number, a grain the disk of its area"},
                {"contacts with walls and boundaries", "left out: LAMMPS's pairs have none; `arenite measure` says so"},
                {"bonds, pulls across gaps",
