@@ -104,7 +104,7 @@ TEST(Reproducibility, EveryKernelGivesTheBitsOfThePortableOne) {
       Engine fast = run.engine();
       run.how.kernel = "portable";
       Engine portable = run.engine();
-      EXPECT_EQ(portable.kernel->name, "portable");
+      EXPECT_STREQ(portable.kernel->name, "portable");
       fast.advance(700);
       portable.advance(700);
       const Packing a = packing_of(fast), b = packing_of(portable);

@@ -23,19 +23,20 @@ void put(History& rows, const std::string& name, const char* unit, std::vector<d
 }
 
 void add_to(History& rows, const dem::Stage& stage, double begin) {
-  const std::vector<double>* time = rows.find("time");
-  if (!time || time->empty()) return;
+  const std::vector<double>* column = rows.find("time");
+  if (!column || column->empty()) return;
+  const std::vector<double> time = *column;  // columns move when others are added
   for (int side = 0; side < static_cast<int>(stage.slide.size()); ++side) {
     const Programme* own = programme_driving(stage, {Programme::What::slide, side});
     const double speed = stage.slide[static_cast<std::size_t>(side)];
     const auto way = [&](double t) { return own ? dem::integral(*own, t - begin) : speed * (t - begin); };
     if (own || speed != 0)
-      put(rows, std::string(any_side_names[static_cast<std::size_t>(side)]) + "_slid", "m", mapped(*time, way));
+      put(rows, std::string(any_side_names[static_cast<std::size_t>(side)]) + "_slid", "m", mapped(time, way));
   }
   if (!stage.gravity || (!programme_driving(stage, {Programme::What::gravity_size}) &&
                          !programme_driving(stage, {Programme::What::gravity_angle})))
     return;
-  const auto gravity = mapped(*time, [&](double t) { return dem::gravity_at(stage, t - begin); });
+  const auto gravity = mapped(time, [&](double t) { return dem::gravity_at(stage, t - begin); });
   put(rows, "gravity_x", "m/s^2", mapped(gravity, &Vec2::x));
   put(rows, "gravity_y", "m/s^2", mapped(gravity, &Vec2::y));
 }

@@ -206,7 +206,9 @@ TEST(SampleOfSpheres, OurExportsReadBackAreThePackingThatTheyWere) {
     const PackingIn<3>& p = after.packing;
     EXPECT_EQ(p.grains.position, before.grains.position) << format->name;
     EXPECT_EQ(p.grains.radius, before.grains.radius) << format->name;
-    EXPECT_EQ(p.grains.id, before.grains.id) << format->name;
+    auto id = before.grains.id;
+    if (format == &exports::lammps) std::ranges::for_each(id, [](auto& each) { ++each; });  // LAMMPS has no atom 0
+    EXPECT_EQ(p.grains.id, id) << format->name;
     EXPECT_EQ(p.grains.material, before.grains.material) << format->name;
     EXPECT_EQ(p.domain.periodic, before.domain.periodic) << format->name;
     EXPECT_DOUBLE_EQ(p.domain.tilt, before.domain.tilt) << format->name;
