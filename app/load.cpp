@@ -121,8 +121,8 @@ void add_reading(Options& command, KeyOptions& map) {
 
 void add_loading(Options& command, KeyOptions& load) {
   for (const char* key :
-       {"loading", "axis", "lower", "method", "element", "plane", "strain", "tolerance", "stop_at_voids",
-        "exact_stretch", "moduli", "effective_stiffness", "failure", "cracks_stay_open", "max_strain"})
+       {"loading", "axis", "lower", "method", "element", "plane", "strain", "tolerance", "horizon_in_space",
+        "stop_at_voids", "exact_stretch", "moduli", "effective_stiffness", "failure", "cracks_stay_open", "max_strain"})
     load.add(command, option_name(key), key);
   load.add(command, "--stiffness", "stiffness").type("MODULI");
   load.add(command, "--poisson", "poisson").type("RATIOS");

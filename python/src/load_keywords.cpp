@@ -20,6 +20,7 @@ const Keywords& load_keywords() {
                                                                      {"matrix", "stiffness.matrix"},
                                                                      {"interface", "stiffness.interface"},
                                                                      {"particle", "stiffness.particle"},
+                                                                     {"horizon_in_space", "horizon_in_space"},
                                                                      {"stop_at_voids", "stop_at_voids"},
                                                                      {"exact_stretch", "exact_stretch"},
                                                                      {"toughness", "toughness.matrix"},

@@ -26,8 +26,8 @@ std::vector<Word> words(peridynamics::LowerEdge) {
 std::vector<Word> words(LoadMethod) {
   return {
       {"peridynamics",
-       "bonds between nodes, as in the paper, whose Poisson's ratio is 1/3; conjugate gradients with a coarse space "
-       "divided by grain: seconds",
+       "bonds between nodes, as in the paper, whose Poisson's ratio is 1/3 (in space 1/4); conjugate gradients with a "
+       "coarse space divided by grain: seconds",
        "static_solve"},
       {"elements",
        "finite elements, one a pixel, with any Poisson's ratio, by the same solver; necks of few nodes are as stiff as "
@@ -145,6 +145,12 @@ void declare(Visitor& v, Load& load) {
                      "clamps: three uniform strains in the plane, six in space."},
                     load.effective_stiffness);
     });
+    inner.when(load.method == LoadMethod::peridynamics, "method = \"peridynamics\"", [&](Visitor& bonds) {
+      bonds.integer({"horizon_in_space",
+                     "Horizon of the bonds in space, in voxels: 2 for 32 bonds a voxel, 3 for 122, which cost four "
+                     "times as much. In the plane it is 3 nodes."},
+                    load.horizon_in_space, {2, 3});
+    });
     inner.flag({"exact_stretch", "Exact stretch of the rotated bond, as printed in the paper; otherwise linearised."},
                load.exact_stretch);
     inner.flag(
@@ -190,9 +196,13 @@ peridynamics::Method Load::bond_method() const {
 
 std::string Load::not_in_space() const {
   if (failure) return "bonds that break are of the plane; leave failure out in space";
-  if (!by_elements())
-    return "a sample in space is made of elements, bonds are of the plane; give method = \"elements\" (--method "
-           "elements)";
+  if (!by_elements() && method != LoadMethod::peridynamics)
+    return "dynamic solvers are of the plane; in space give method = \"peridynamics\" or \"elements\"";
+  if (!by_elements() && (exact_stretch || stop_at_voids || !stiffness.calibrated))
+    return "bonds in space have the linearised stretch, pass thin voids and are calibrated; leave exact_stretch, "
+           "stop_at_voids and calibrated out in space";
+  if (!by_elements() && effective_stiffness)
+    return "the effective stiffness is that of elements; give method = \"elements\" with it";
   if (axis == Axis::x) return "in space the load acts along z, across the slices; leave axis out, or turn the image";
   if (moduli)
     return "moduli between clamps along both axes are of the plane; in space give effective_stiffness, which needs "

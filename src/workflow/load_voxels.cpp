@@ -18,6 +18,8 @@
 #include "solid/grid/label_grains.hpp"
 #include "solid/grid/map_numbers.hpp"
 #include "solid/grid/rasterise_spheres.hpp"
+#include "solid/peridynamics/space/lattice_in_space.hpp"
+#include "solid/peridynamics/space/load_in_space.hpp"
 #include "solid/stress/measure_voxels.hpp"
 #include "statistics/numbers.hpp"
 #include "workflow/runner.hpp"
@@ -38,21 +40,36 @@ Numbers load_numbers(const recipe::Load& load, const statics::LoadReportIn<3>& r
   const auto by_phase = [](double matrix, double interface, double particle) {
     return Numbers{{"matrix", matrix}, {"interface", interface}, {"particle", particle}};
   };
-  return {{"loading", recipe::word_of(load.loading)},
-          {"element", recipe::word_of(m.element)},
-          {"stiffness_Pa", described(by_phase(m.matrix.young, m.interface.young, m.particle.young), "Pa",
-                                     "Young's modulus of these elements")},
-          {"poisson_ratio", described(by_phase(m.matrix.poisson, m.interface.poisson, m.particle.poisson), "",
-                                      "Poisson's ratio of these elements")},
-          {"strain", described(load.strain, "", "Strain of the sample")},
-          {"iterations", described(r.iterations, "", "Iterations of the solver")},
-          {"residual", described(r.residual, "", "Out-of-balance force over that of uniform strain")},
-          {"reaction_balance_error",
-           described(r.identity_defect, "",
-                     "Volume integral of the stress over the product of clamp force and height, minus 1")},
-          {"top_force_N",
-           described({r.top_force.x, r.top_force.y, r.top_force.z}, "N", "Force of the upper clamp on the sample")},
-          {"voxels", elements::support_numbers(r.support)}};
+  Numbers j{{"loading", recipe::word_of(load.loading)}};
+  if (load.by_elements()) j["element"] = recipe::word_of(m.element);
+  else
+    j["horizon_in_space"] =
+        described(load.horizon_in_space, "", "Horizon of the bonds in voxels: 2 for 32 bonds a voxel, 3 for 122");
+  j["stiffness_Pa"] =
+      described(by_phase(m.matrix.young, m.interface.young, m.particle.young), "Pa",
+                load.by_elements() ? "Young's modulus of these elements" : "Young's modulus of these bonds");
+  if (load.by_elements())
+    j["poisson_ratio"] = described(by_phase(m.matrix.poisson, m.interface.poisson, m.particle.poisson), "",
+                                   "Poisson's ratio of these elements");
+  else
+    j["poisson_ratio"] = described(peridynamics::space_lattice_poisson, "",
+                                   "Poisson's ratio of the lattice of bonds, whatever its bonds");
+  const Numbers solved{{"strain", described(load.strain, "", "Strain of the sample")},
+                       {"iterations", described(r.iterations, "", "Iterations of the solver")},
+                       {"residual", described(r.residual, "", "Out-of-balance force over that of uniform strain")},
+                       {"reaction_balance_error",
+                        described(r.identity_defect, "",
+                                  "Volume integral of the stress over the product of clamp force and height, minus 1")},
+                       {"top_force_N", described({r.top_force.x, r.top_force.y, r.top_force.z}, "N",
+                                                 "Force of the upper clamp on the sample")},
+                       {"voxels", elements::support_numbers(r.support)}};
+  for (const auto& [key, value] : solved.items()) j[key] = value;
+  return j;
+}
+
+statics::LoadResultIn<3> loaded_by_bonds(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch) {
+  peridynamics::LoadOptions bonds{load, load, load.stiffness.resolved(), watch};
+  return peridynamics::load(map, bonds);
 }
 
 /// A table of spheres, cemented and cut into voxels.
@@ -123,7 +140,7 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
   solve.lower = load.lower;
   solve.strain = load.strain;
   solve.watch = shares.of_load();
-  auto loaded = elements::load(map, solve);
+  auto loaded = load.by_elements() ? elements::load(map, solve) : loaded_by_bonds(load, map, solve.watch);
   if (loaded.report.ending == statics::Ending::stopped) return std::nullopt;
   VoxelResult result;
   result.name = load.name;

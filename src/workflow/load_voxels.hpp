@@ -21,9 +21,9 @@ void require_space(const recipe::Load& load);
 /// A voxel map of a file, its grains labelled; what is found worth a word is told.
 VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice);
 
-/// Loads a sample in space between its lowest and its highest layer by elements; with `load.effective_stiffness` that
-/// follows, as of a sample that repeats itself. Nothing if the watch stopped it. Throws InputError for keys that are of
-/// the plane.
+/// Loads a sample in space between its lowest and its highest layer by bonds or elements; with
+/// `load.effective_stiffness` that follows, as of a sample that repeats itself. Nothing if the watch stopped it. Throws
+/// InputError for keys that are of the plane.
 std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch);
 
 /// The same of a file, kept as load_by_itself says. Throws InputError for what cannot be read as a voxel map.

@@ -55,8 +55,8 @@ def test_files_are_read_as_arrays_are_given(tmp_path):
 
 def test_what_is_of_the_plane_is_refused():
     sample = arenite.VoxelMap(np.ones((4, 4, 4), int), dx=1)
-    with pytest.raises(ValueError, match="elements"):
-        arenite.load_voxels(sample)
+    with pytest.raises(ValueError, match="dynamic solvers"):
+        arenite.load_voxels(sample, method="relaxation")
     with pytest.raises(ValueError, match="shape"):
         arenite.VoxelMap(np.ones((4, 4, 4), int), np.zeros((4, 4, 5), int), dx=1)
 

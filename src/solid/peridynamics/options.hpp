@@ -64,6 +64,7 @@ struct FieldChoices {
   int max_iterations = 0;  ///< 0: a million steps; for the static solve 50, more for tolerances below 1e-6
   /// P's stretch (|xi + eta| - |xi|)/|xi| along the turned bond; otherwise the linearised one.
   bool exact_stretch = false;
+  int horizon_in_space = 2;  ///< spacings: 2 for 32 bonds a node, 3 for 122; in the plane it is 3
   bool operator==(const FieldChoices&) const = default;
 };
 

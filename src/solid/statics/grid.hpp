@@ -28,17 +28,17 @@ struct Grid {
   Grid(int w, int h) : width(w), height(h), groups((w + lanes - 1) / lanes), stride(row_vectors() * vector + vector) {
     if (stride % 128 == 0) stride += vector;  // rows a power of two apart share cache sets
   }
-  /// In space, with an empty row and an empty layer on every side.
-  Grid(int w, int h, int d) : Grid(w, h) {
+  /// In space, with as many empty rows and layers on every side as nodes reach.
+  Grid(int w, int h, int d, int reach = 1) : Grid(w, h) {
     depth = d;
-    margin = 1;
-    layer = (h + 2) * stride;
+    margin = reach;
+    layer = (h + 2 * reach) * stride;
   }
   bool in_space() const { return layer > 0; }
   std::array<int, 3> size() const { return {width, height, depth}; }
   int levels() const { return in_space() ? depth : height; }
   int row_vectors() const { return (width + vector - 1) / vector; }
-  std::ptrdiff_t row(int y) const { return layer + (y + margin) * stride + vector; }
+  std::ptrdiff_t row(int y) const { return (in_space() ? margin : 0) * layer + (y + margin) * stride + vector; }
   std::ptrdiff_t row(int y, int z) const { return z * layer + row(y); }
   std::ptrdiff_t index(int x, int y) const { return row(y) + x; }
   std::ptrdiff_t index(int x, int y, int z) const { return row(y, z) + x; }
@@ -49,7 +49,8 @@ struct Grid {
         for (std::ptrdiff_t i = row(y, z), end = i + width; i < end; ++i) visit(i, in_space() ? z : y);
   }
   std::size_t padded_size() const {
-    return static_cast<std::size_t>((in_space() ? (depth + 2) * layer : (height + 2 * margin) * stride) + 3 * vector);
+    return static_cast<std::size_t>((in_space() ? (depth + 2 * margin) * layer : (height + 2 * margin) * stride) +
+                                    3 * vector);
   }
 };
 

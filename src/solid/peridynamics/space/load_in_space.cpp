@@ -1,0 +1,55 @@
+#include "solid/peridynamics/space/load_in_space.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "solid/peridynamics/kernels/space_kernels.hpp"
+#include "solid/peridynamics/space/bonds_in_space.hpp"
+#include "solid/peridynamics/space/couplings_in_space.hpp"
+#include "solid/statics/static_solver.hpp"
+
+namespace arenite::peridynamics {
+namespace {
+
+constexpr int space_cell = 8;  ///< nodes a side of the coarse cells
+
+}  // namespace
+
+statics::LoadResultIn<3> load(const VoxelMap& map, const LoadOptions& options) {
+  statics::check_load(options.strain, options.tolerance);
+  SpaceBonds bonds = make_space_bonds(map, options.stiffness, options.horizon_in_space);
+  const statics::Grid& grid = bonds.grid;
+  const auto prescribed = statics::prescribed_levels<3>(grid.levels(), options.loading, options.lower);
+  Buffer<statics::Tie> tie;
+  statics::LoadResultIn<3> result;
+  statics::LoadReportIn<3>& r = result.report;
+  r.support = prune_in_space(bonds, map, prescribed, tie);
+  const double gauge = (map.depth - 1) * map.dx;
+  auto u = statics::uniform_strain<3>(grid, tie, options.strain * gauge * statics::direction_of<3>(options.loading));
+  auto phase = map.phase.begin();
+  grid.each([&](std::ptrdiff_t i, int) {
+    if (*phase++ == Phase::empty) u.set(i, {});
+  });
+  if (r.support.carrying > 0) {
+    statics::StaticSolver<SpaceBonds> solver(bonds, cut_space_bonds(map, bonds, prescribed, space_cell), prescribed);
+    const int most = options.max_iterations > 0 ? options.max_iterations : 4 * statics::usual_cap(options.tolerance);
+    static_cast<statics::StaticReport&>(r) = solver.solve(bonds, u, options.tolerance, most, options.watch);
+    r.ending = statics::ending_of(r);
+  } else {
+    r.ending = r.support.solid > 0 ? statics::Ending::severed : statics::Ending::empty;
+  }
+  result.field = node_stress(bonds, map.dx, u);
+  if (r.support.carrying > 0) {
+    statics::FieldIn<3, double> force(grid.padded_size());
+    const std::vector<std::uint8_t> free(prescribed.size(), statics::nothing_prescribed);
+    kernels_of(bonds).force(bonds, free.data(), statics::pointers(std::as_const(u)), statics::pointers(force));
+    const double section = map.width * map.dx * map.height * map.dx;
+    statics::judge<3>({grid, tie, options.loading, options.strain, map.dx, gauge, section}, u, force, result);
+  }
+  r.sentence = statics::sentence_of(r.ending, r, r.support, options.tolerance, "voxels");
+  return result;
+}
+
+}  // namespace arenite::peridynamics
