@@ -48,7 +48,7 @@ struct Truth {
     add(high, 1);
     add(low, -1);
     texture::Options options;
-    options.rev_sizes = 0;
+    options.rev.sizes = 0;
     considered = texture::measure(high, options).per_grain.considered;
   }
 

@@ -15,3 +15,4 @@ set_source_files_properties(${film}/avx512.cpp PROPERTIES SKIP_PRECOMPILE_HEADER
   COMPILE_OPTIONS "-O3;-mavx512f;-mavx512dq;-mavx512vl;-mfma;-Wno-uninitialized;-Wno-maybe-uninitialized")
 set_source_files_properties(src/thermal/imaging/rim_search.cpp src/thermal/imaging/blur.cpp src/thermal/optics/lens.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
   COMPILE_OPTIONS "-O3;-fno-trapping-math;-falign-loops=32")  # loops of a few instructions: a line of the cache cut through one costs a third of its speed
+set_source_files_properties(src/thermal/thermography/level_jumps.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-O3")

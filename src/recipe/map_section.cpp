@@ -37,7 +37,7 @@ geometry::LabelOptions MapSection::label_options() const {
 void declare(ParameterVisitor& v, MapSection& map) {
   v.file({"file",
           "Phase map: a picture of grey values, or a field file of Arenite (.h5), which needs no more keys; in space a "
-          "volume, or a table of spheres.",
+          "volume, a folder of slices, or a table of spheres.",
           true},
          map.file);
   v.text({"phases",

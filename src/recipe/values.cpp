@@ -183,9 +183,8 @@ void KeyVisitor::visit_text(const Key& key, std::string& value, bool names_file)
   visit(std::move(record), [&](const Written& at) {
     if (!at.is_a(Node::Kind::text, "a text in quotes")) return;
     value = at.node.text;
-    if (std::error_code error;
-        names_file && at.reading.look_for_files &&
-        !std::filesystem::is_regular_file(std::filesystem::path(at.reading.folder) / value, error))
+    if (std::error_code error; names_file && at.reading.look_for_files &&
+                               !std::filesystem::exists(std::filesystem::path(at.reading.folder) / value, error))
       at.refuse(fmt::format("there is no file \"{}\"; paths are relative to the folder of the recipe", value));
   });
 }

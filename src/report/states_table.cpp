@@ -88,7 +88,7 @@ std::string states_table(const std::filesystem::path& result) {
   for (const StageResult& stage : stages) {
     if (stage.snapshots.empty()) continue;
     texture::Options options = fields::texture_options(stage);
-    options.rev_sizes = options.rev_places = 1;
+    options.rev = {1, 1};
     const Domain& start = before ? *before : stage.snapshots.front().packing.domain;
     of_box = fields::strains_of_box(stage.snapshots, start);
     for (std::size_t k = 0; k < stage.snapshots.size(); ++k) {

@@ -28,7 +28,7 @@ void add_components(std::vector<io::GrainField>& fields, const std::vector<Tenso
 
 std::vector<io::GrainField> derived_fields(const Packing& packing) {
   texture::Options options;
-  options.rev_sizes = 0;
+  options.rev.sizes = 0;
   const texture::PerGrain rows = texture::measure(packing, options).per_grain;
   std::vector<io::GrainField> fields{{"contacts", "1", as_doubles(rows.contacts)},
                                      {"rattler", "1", as_doubles(rows.rattler)},

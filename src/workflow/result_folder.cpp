@@ -170,7 +170,7 @@ FinalState final_state(const fs::path& run, const StateOptions& wanted) {
   if (result->snapshots.empty())
     refuse(run.string(), "stage {} holds no state; remove its file and run the study again", result->name);
   texture::Options options = fields::texture_options(*result);
-  if (!wanted.rev) options.rev_sizes = 0;
+  if (!wanted.rev) options.rev.sizes = 0;
   options.sectors = wanted.sectors;
   options.border = wanted.border.value_or(options.border);
   Packing& packing = result->snapshots.back().packing;

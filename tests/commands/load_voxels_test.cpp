@@ -134,6 +134,18 @@ TEST(LoadVoxels, WhatLiesBesideTheFileIsPartOfTheSample) {
   }
 }
 
+TEST(LoadVoxels, AFolderOfSlicesIsTheMapOfARecipe) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "slices");
+  const auto made = test::shell("cd " + folder.path().string() + " && /usr/bin/python3 -c \"import numpy as np; " +
+                                "[np.save(f'slices/{k}.npy', np.ones((1, 6, 6), np.uint8)) for k in range(6)]\"");
+  ASSERT_EQ(made.status, 0) << made.err;
+  std::ofstream(folder / "r.toml") << "[map]\nfile = \"slices\"\nphases = \"1=matrix,2=particle\"\ndimension = 3\n"
+                                      "[[loads]]\nname = \"pull\"\nmethod = \"elements\"\n";
+  const auto run = arenite("run " + (folder / "r.toml").string() + " --out " + (folder / "out").string());
+  EXPECT_EQ(run.status, 0) << run.err;
+}
+
 TEST(LoadVoxels, ATableOfSpheresIsCementedAndLoaded) {
   const TemporaryFolder folder;
   const fs::path table = folder / "spheres.csv";

@@ -44,11 +44,11 @@ Value lead(const std::vector<Run>& runs, const Number& a, const Number& b) {
 
 /// The least window of at least 20 % of the area and the greatest of at most 90 %; equal if there are none.
 std::pair<std::size_t, std::size_t> plateau_of(const texture::Rev& rev) {
-  const std::size_t n = rev.area_share.size();
+  const std::size_t n = rev.share.size();
   std::size_t first = n, last = n;
   for (std::size_t k = 0; k < n; ++k) {
-    if (first == n && rev.area_share[k] >= 0.2) first = k;
-    if (rev.area_share[k] <= 0.9) last = k;
+    if (first == n && rev.share[k] >= 0.2) first = k;
+    if (rev.share[k] <= 0.9) last = k;
   }
   return last == n ? std::pair{n, n} : std::pair{first, last};
 }
@@ -163,8 +163,8 @@ Judgement judge_t18(const Results& results) {
     const WallLayers wide = wall_layers(state, 2.5), thin = wall_layers(state, 0.5);
     within.push_back(wide.within);
     at_walls.push_back(wide.at_walls);
-    by_wide_layers.push_back(wide.of_windows(rev.area_share[last]) / wide.of_windows(rev.area_share[first]) - 1);
-    by_thin_layers.push_back(thin.of_windows(rev.area_share[last]) / thin.of_windows(rev.area_share[first]) - 1);
+    by_wide_layers.push_back(wide.of_windows(rev.share[last]) / wide.of_windows(rev.share[first]) - 1);
+    by_thin_layers.push_back(thin.of_windows(rev.share[last]) / thin.of_windows(rev.share[first]) - 1);
     const texture::Rev inner = rev_within(state);
     inner_changes.push_back(inner.mean[last] / inner.mean[first] - 1);
   }

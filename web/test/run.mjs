@@ -54,9 +54,10 @@ export async function runTests(file, tests) {
       await page.waitForTimeout(200);
       const failed = [];
       for (const { name, run } of [...tests, ...everyPage]) {
+        const begin = performance.now();
         try {
           await run(page);
-          console.log(`ok    ${name}`);
+          console.log(`ok    ${name} (${((performance.now() - begin) / 1000).toFixed(1)} s)`);
         } catch (error) {
           failed.push(name);
           console.log(`FAIL  ${name}\n      ${error.message}`);

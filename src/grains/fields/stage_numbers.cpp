@@ -124,7 +124,7 @@ Numbers texture_numbers(const StageEnd& end) {
   Numbers own = texture::numbers(end.texture);
   if (!end.options || !end.options->in_time || !std::isfinite(end.options->in_time->pressure)) return own;
   texture::Options options = *end.options;
-  options.rev_sizes = 0;
+  options.rev.sizes = 0;
   std::vector<Numbers> measured;
   for (const Packing* state : states_before_the_last(end.result))
     measured.push_back(texture::numbers(texture::measure(*state, options)));

@@ -61,7 +61,7 @@ void put_number(Columns& to, const char* name, const std::string& path, const st
 
 std::vector<Numbers> textures_of(const StageResult& stage) {
   texture::Options options = texture_options(stage);
-  options.rev_sizes = 0;
+  options.rev.sizes = 0;
   return mapped(stage.snapshots, [&](const Snapshot& state) {
     return state.packing.contacts.size() == 0 ? Numbers::tree()
                                               : texture::numbers(texture::measure(state.packing, options));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/rectangle.hpp"
+#include "grains/texture/rev.hpp"
 #include "model/measuring.hpp"
 #include "model/packing.hpp"
 #include "statistics/estimate.hpp"
@@ -28,10 +29,10 @@ struct TimeScatter {
 
 /// Choices that the definitions leave open (science: T 1.2, 3.2.4, 4.3.1).
 struct Options : Measuring {
-  int rattler_contacts = 2;             ///< a grain with fewer force-bearing contacts than this is a rattler
-  Vec2 gravity = {};                    ///< m/s^2; for the balance of grains and walls only
-  int rev_sizes = 20, rev_places = 50;  ///< windows of the REV study
-  int sectors = 18;                     ///< of directions, over half a turn
+  int rattler_contacts = 2;  ///< a grain with fewer force-bearing contacts than this is a rattler
+  Vec2 gravity = {};         ///< m/s^2; for the balance of grains and walls only
+  RevWindows rev = {};
+  int sectors = 18;  ///< of directions, over half a turn
   Pull pull =
       Pull::measured;  ///< where a simulation tells; of measured forces pulls are errors unless there is cohesion
   std::vector<double> grain_sigma_hyd =
@@ -44,12 +45,6 @@ struct Options : Measuring {
 struct Window : geometry::Rectangle {
   bool known = false;  ///< false: no box
   double border = 0;   ///< strip left out along walls, m
-};
-
-/// Solid fraction of windows of growing area and random place (T Fig. 3.6); all arrays have one length.
-struct Rev {
-  std::vector<double> area_share;              ///< of the box
-  std::vector<double> mean, deviation, error;  ///< over places; error = standard error of the mean
 };
 
 /// One row a grain, for drawings; arrays as long as Packing::grains.

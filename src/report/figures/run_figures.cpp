@@ -118,7 +118,7 @@ const std::vector<Row<RunData>>& run_figures() {
 namespace {
 
 /// Those of disks that say the same of spheres.
-constexpr const char *of_spheres[] = {"contact-numbers", "forces", "sigma-norm"},
+constexpr const char *of_spheres[] = {"contact-numbers", "forces", "sigma-norm", "rev"},
                      *over_time[] = {"grain-bonds", "wall-forces", "energies", "equilibrium"};
 
 template <class Data> const Row<Data>& row_of(const std::vector<Row<Data>>& list, std::string_view id) {
@@ -152,6 +152,7 @@ const std::vector<Row<SphereResult>>& sphere_figures() {
                                                   {row_of(state_figures(), of_spheres[0]).head, draw_state<0>},
                                                   {row_of(state_figures(), of_spheres[1]).head, draw_state<1>},
                                                   {row_of(state_figures(), of_spheres[2]).head, draw_state<2>},
+                                                  {row_of(state_figures(), of_spheres[3]).head, draw_state<3>},
                                                   {row_of(stage_figures(), over_time[0]).head, draw_history<0>},
                                                   {row_of(stage_figures(), over_time[1]).head, draw_history<1>},
                                                   {row_of(stage_figures(), over_time[2]).head, draw_history<2>},

@@ -53,18 +53,19 @@ Drawings contact_numbers(const StateData& state) {
                        {{.x = contacts, .y = scaled(share, 100), .bars = 0.8, .opacity = 0.75}}}}}};
 }
 
-/// Solid fraction of windows of growing area at random positions (T Fig. 3.6).
+/// Solid fraction of windows of growing size at random positions (T Fig. 3.6).
 Drawings rev(const StateData& state) {
-  const auto area = scaled(reals_at(state.texture, "/rev/area_share"), 100),
+  const bool in_space = state.texture.at_path("/rev/volume_share") != nullptr;
+  const auto share = scaled(reals_at(state.texture, in_space ? "/rev/volume_share" : "/rev/area_share"), 100),
              mean = reals_at(state.texture, "/rev/mean"), deviation = reals_at(state.texture, "/rev/deviation");
-  if (area.empty()) return {};
+  if (share.empty()) return {};
   std::vector<double> low, high;
   for (std::size_t k = 0; k < mean.size(); ++k)
     low.push_back(mean[k] - deviation[k]), high.push_back(mean[k] + deviation[k]);
-  Panel panel{{.label = "window", .unit = "% of the area", .low = 0, .high = 100},
+  Panel panel{{.label = "window", .unit = in_space ? "% of the volume" : "% of the area", .low = 0, .high = 100},
               {.label = "solid fraction"},
-              {{.x = area, .y = mean, .low = low, .high = high, .opacity = 0.12, .is_read = false},
-               {.x = area, .y = mean, .error = reals_at(state.texture, "/rev/error"), .points = true}}};
+              {{.x = share, .y = mean, .low = low, .high = high, .opacity = 0.12, .is_read = false},
+               {.x = share, .y = mean, .error = reals_at(state.texture, "/rev/error"), .points = true}}};
   Drawing drawing{.panels = {}, .key = {{"mean, with the standard deviation", "strong"}}};
   if (const double whole = estimate_at(state.texture, "/solid_fraction").value; std::isfinite(whole)) {
     panel.references = {{.y = whole, .colour = "accent", .line = Line::dashed}};

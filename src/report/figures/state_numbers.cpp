@@ -28,7 +28,7 @@ Numbers state_numbers(const StageResult& stage, const Snapshot& state, const tex
 
 Numbers state_numbers(const StageResult& stage, const Snapshot& state, bool curves) {
   texture::Options options = fields::texture_options(stage);
-  if (!curves) options.rev_sizes = 0;
+  if (!curves) options.rev.sizes = 0;
   return with_stored(texture::numbers(texture::measure(state.packing, options), curves), stage, state);
 }
 

@@ -16,7 +16,6 @@
 #include "model/lockin_maps.hpp"
 #include "thermal/thermography/refine_frequency.hpp"
 #include "thermal/thermography/shared_noise.hpp"
-#include "thermal/thermography/watched_pixels.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -143,12 +142,13 @@ double noise_together(const Seen& seen, double noise, std::size_t pixels) {
 /// noise ratio, chance and share in one phase (a load warms and cools all of a sample at once; an interference that
 /// goes over the rows as they are read out does not); returns the variance of all pixels' common amplitude over that of
 /// pixels whose noise is their own.
-double noise_around(const SegmentSums& s, const HarmonicFit& fit, double tried, LockinMaps& maps) {
+double noise_around(const SegmentSums& s, const HarmonicFit& fit, double tried, const ThreadPool& pool,
+                    LockinMaps& maps) {
   const double length = film_length(s.time);
   const HarmonicFit wide = harmonic_fit(s, fit.frequency, static_cast<int>(fit.drift) - 1, false, 0.5 / length,
                                         frequencies_beside(s, fit, length));
   const Seen seen = look(s, fit, wide);
-  measure_shared_noise(s, wide, maps);
+  measure_shared_noise(s, wide, pool, maps);
   const double pixels = static_cast<double>(seen.pixels), sides = static_cast<double>(wide.beside.size()),
                in_phase = std::abs(seen.load.square);
   if (seen.pixels == 0) return 1;  // of pixels without noise, or that are no numbers, nothing is known
@@ -190,12 +190,11 @@ void refuse_too_few_cycles(const HarmonicFit& fit, const SegmentSums& s) {
 }
 
 void judge_amplitude(const SegmentSums& s, const HarmonicFit& fit, const std::optional<FrequencyFit>& refined,
-                     LockinMaps& maps) {
+                     const WatchedPixels& watched, const ThreadPool& pool, LockinMaps& maps) {
   const double together =
-      noise_around(s, fit, refined ? frequencies_in(search_band(s.time, s.frequency), s.time) : 1, maps);
+      noise_around(s, fit, refined ? frequencies_in(search_band(s.time, s.frequency), s.time) : 1, pool, maps);
   if (refined)
     maps.frequency_error = std::hypot(refined->error * std::sqrt(maps.noise_ratio * together), refined->of_model);
-  const WatchedPixels watched(s);
   const bool clear = shows_load(maps) && watched.have_line(fit.frequency);
   const auto elsewhere = clear ? watched.stronger_part(fit.frequency) : watched.strongest_line();
   if (!elsewhere || std::abs(*elsewhere - fit.frequency) * film_length(s.time) < 0.7) return;  // the same line

@@ -1,10 +1,12 @@
 #pragma once
 #include <optional>
 
+#include "core/threads.hpp"
 #include "model/lockin_maps.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
 #include "thermal/thermography/refine_frequency.hpp"
 #include "thermal/thermography/segment_sums.hpp"
+#include "thermal/thermography/watched_pixels.hpp"
 
 namespace arenite::thermography {
 
@@ -16,7 +18,7 @@ void refuse_too_few_cycles(const HarmonicFit& fit, const SegmentSums& sums);
 /// `refined` on the film and nothing is found there but at another, or is a multiple of one with a far larger
 /// amplitude.
 void judge_amplitude(const SegmentSums& sums, const HarmonicFit& fit, const std::optional<FrequencyFit>& refined,
-                     LockinMaps& maps);
+                     const WatchedPixels& watched, const ThreadPool& pool, LockinMaps& maps);
 
 /// Whether pixels oscillate at the maps' frequency as a load makes them: in one phase, and more than noise does once in
 /// a hundred films.

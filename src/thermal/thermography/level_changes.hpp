@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/threads.hpp"
 #include "model/lockin_maps.hpp"
 #include "thermal/thermography/segment_sums.hpp"
 
@@ -12,7 +13,7 @@ namespace arenite::thermography {
 /// own, and a course that all pixels share (a camera that warms up). Jumps nearer than two cycles to each other, or one
 /// to the film's ends, are not told apart; a course is one only where it is far slower than 1/f noise would be. Nothing
 /// in films of few cycles. `frequency` of the load, Hz.
-LevelChanges find_level_changes(const SegmentSums& sums, double frequency, int drift_order);
+LevelChanges find_level_changes(const SegmentSums& sums, double frequency, int drift_order, const ThreadPool& pool);
 
 /// The functions of time that pixels with these changes follow, one value a frame, 0 on the mean: steps, then the
 /// course.

@@ -54,7 +54,13 @@ std::vector<Complex> common_phasors(const SegmentPhasors& all, std::size_t segme
     double length = 0;
     for (const Complex& each : next) length += std::norm(each);
     if (!(length > 0)) return {};
-    for (std::size_t k = 0; k < segments; ++k) common[k] = next[k] / std::sqrt(length);
+    double change = 0;
+    for (std::size_t k = 0; k < segments; ++k) {
+      next[k] /= std::sqrt(length);
+      change += std::norm(next[k] - common[k]);
+    }
+    std::swap(common, next);
+    if (change < 1e-26) break;  // rounding
   }
   return common;
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <utility>
 
 #include "core/median.hpp"
@@ -18,7 +17,6 @@
 #include "thermal/thermography/load_phases.hpp"
 #include "thermal/thermography/lost_frames.hpp"
 #include "thermal/thermography/refine_frequency.hpp"
-#include "thermal/thermography/segment_sums.hpp"
 #include "thermal/thermography/shared_noise.hpp"
 #include "thermal/thermography/watched_pixels.hpp"
 
@@ -141,8 +139,8 @@ void tell_wander(const LoadPhases& phases, const std::vector<LostFrames>& lost, 
 }
 
 /// Of a film that shows a load at this frequency, and none of which it is a multiple.
-LevelChanges level_changes(SegmentSums& sums, double frequency, int drift_order) {
-  LevelChanges found = find_level_changes(sums, frequency, drift_order);
+LevelChanges level_changes(SegmentSums& sums, double frequency, int drift_order, const ThreadPool& pool) {
+  LevelChanges found = find_level_changes(sums, frequency, drift_order, pool);
   if (found.empty()) return found;
   // A course may hold the oscillation of which this frequency is a multiple; jumps hide those that there are.
   sums.levels = functions_of({found.jumps, {}}, sums.time.size());
@@ -177,7 +175,8 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
   std::optional<FrequencyFit> refined;
   if (o.refine) refined = refine_frequency(sums, o.drift_order, pool);
   if (!std::exchange(known.looked, true))
-    if (auto found = level_changes(sums, refined ? refined->frequency : o.frequency, o.drift_order); !found.empty()) {
+    if (auto found = level_changes(sums, refined ? refined->frequency : o.frequency, o.drift_order, pool);
+        !found.empty()) {
       known.levels = std::move(found);
       std::vector<double> again = std::move(sums.time);
       sums = {};
@@ -185,8 +184,9 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
     }
   const std::vector<LostFrames>& lost = known.lost;
   LoadPhases phases;
+  const WatchedPixels watched(sums);
   // A load of another frequency, which is refused below, would be made one of this by losses that were none.
-  if (refined && film.info().time.empty() && lost.empty() && WatchedPixels(sums).have_line(refined->frequency)) {
+  if (refined && film.info().time.empty() && lost.empty() && watched.have_line(refined->frequency)) {
     phases = load_phases(sums);
     constexpr double in_step = 0.003, by_noise = 1.7;  // rad; of sixteen segments or more, once in some thousand films
     if (phases.wander > std::max(in_step, by_noise * phases.noise))
@@ -210,13 +210,12 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
   if (!lost.empty()) maps.time = sums.time;
   const HarmonicFit fit = harmonic_fit(sums, maps.frequency, o.drift_order, false);
   refuse_too_few_cycles(fit, sums);
-  judge_amplitude(sums, fit, refined, maps);
+  judge_amplitude(sums, fit, refined, watched, pool, maps);
   std::vector<double> phasor[2];
   fill(sums, fit, pool, maps, phasor);
   const auto phase = [&] { return o.reference_phase ? *o.reference_phase : reference_phase(phasor[0], phasor[1]); };
   maps.reference_phase = phase();
-  take_off_shared_noise(maps, phasor[0], phasor[1]);
-  maps.reference_phase = phase();
+  if (take_off_shared_noise(maps, phasor[0], phasor[1])) maps.reference_phase = phase();
   project(maps, phasor[0], phasor[1]);
   return maps;
 }

@@ -23,34 +23,38 @@ struct Beside {
   std::size_t frequencies = 0;
 };
 
-Beside phasors_beside(const SegmentSums& s, const HarmonicFit& wide) {
-  constexpr std::size_t chunks = 512;
+Beside phasors_beside(const SegmentSums& s, const HarmonicFit& wide, const ThreadPool& pool) {
+  constexpr std::size_t most = 512;
   constexpr double wild = 10;  // times the median power
-  const std::size_t sides = wide.beside.size();
-  Beside all{{}, {}, sides}, calm = all;
-  std::vector<double> power;
-  PixelFit phasors;
-  for_some_chunks(s, chunks, [&](std::size_t begin, std::size_t count) {
+  const std::size_t sides = wide.beside.size(), chunks = (s.pixels + chunk - 1) / chunk,
+                    every = std::max<std::size_t>(1, chunks / most), used = (chunks + every - 1) / every;
+  Beside all{std::vector<std::size_t>(used * chunk), std::vector<Complex>(used * chunk * sides), sides};
+  std::vector<double> power(used * chunk, 0.0);
+  pool.for_each(used, [&](std::size_t c) {
+    const std::size_t begin = c * every * chunk, count = std::min(chunk, s.pixels - begin);
+    PixelFit phasors;
     fit_pixels(s, wide, wide.side(0), 2 * sides, begin, count, phasors);
     for (std::size_t i = 0; i < count; ++i) {
-      all.pixel.push_back(begin + i);
-      double sum = 0;
+      const std::size_t at = c * chunk + i;
+      all.pixel[at] = begin + i;
       for (std::size_t k = 0; k < sides; ++k) {
-        all.value.emplace_back(phasors.value[2 * k * PixelFit::run + i],
-                               phasors.value[(2 * k + 1) * PixelFit::run + i]);
-        sum += std::norm(all.value.back());
+        const Complex z(phasors.value[2 * k * PixelFit::run + i], phasors.value[(2 * k + 1) * PixelFit::run + i]);
+        all.value[at * sides + k] = z;
+        power[at] += std::norm(z);
       }
-      power.push_back(sum);
     }
   });
+  const std::size_t last = std::min(chunk, s.pixels - (used - 1) * every * chunk);
+  power.resize((used - 1) * chunk + last);
   const double bound = wild * median_of_finite(power);
+  std::size_t calm = 0;
   for (std::size_t i = 0; i < power.size(); ++i) {
     if (!(power[i] > 0 && power[i] < bound)) continue;
-    calm.pixel.push_back(all.pixel[i]);
-    const auto first = all.value.begin() + static_cast<std::ptrdiff_t>(i * sides);
-    calm.value.insert(calm.value.end(), first, first + static_cast<std::ptrdiff_t>(sides));
+    all.pixel[calm] = all.pixel[i];
+    std::copy_n(all.value.data() + i * sides, sides, all.value.data() + calm++ * sides);
   }
-  return calm;
+  all.pixel.resize(calm), all.value.resize(calm * sides);
+  return all;
 }
 
 /// Variances of cosine or sine: of the whole picture's shift, of a column's beside, and of a pixel's.
@@ -65,22 +69,21 @@ Variances variances(const Beside& b, std::size_t width) {
   double columns = 0, square = 0;
   for (const double c : count) columns += c > 0, square += c * c;
   if (n < 4 * columns || columns < 4) return {};
+  std::vector<std::size_t> column;
+  for (const std::size_t p : b.pixel) column.push_back(p % width);
   double within = 0, between = 0, whole = 0;
   for (std::size_t k = 0; k < b.frequencies; ++k) {
     std::vector<Complex> mean(width);
     Complex all = 0;
-    for (std::size_t i = 0; i < b.pixel.size(); ++i) {
-      const Complex z = b.value[i * b.frequencies + k];
-      mean[b.pixel[i] % width] += z, all += z / n;
-    }
+    for (std::size_t i = 0; i < column.size(); ++i) mean[column[i]] += b.value[i * b.frequencies + k];
+    for (std::size_t c = 0; c < width; ++c) all += mean[c] / n;
     for (std::size_t c = 0; c < width; ++c) {
       mean[c] /= std::max(count[c], 1.0);
       between += count[c] * std::norm(mean[c] - all) / numbers / (columns - 1);
     }
-    for (std::size_t i = 0; i < b.pixel.size(); ++i) {
-      const Complex z = b.value[i * b.frequencies + k];
-      within += std::norm(z - mean[b.pixel[i] % width]) / numbers / (n - columns);
-    }
+    double rest = 0;
+    for (std::size_t i = 0; i < column.size(); ++i) rest += std::norm(b.value[i * b.frequencies + k] - mean[column[i]]);
+    within += rest / numbers / (n - columns);
     whole += std::norm(all) / numbers;
   }
   Variances v{0, 0, within};
@@ -172,18 +175,18 @@ OffSample off_sample(const LoadPhasors& all, const LockinMaps& maps) {
 
 }  // namespace
 
-void measure_shared_noise(const SegmentSums& s, const HarmonicFit& wide, LockinMaps& maps) {
+void measure_shared_noise(const SegmentSums& s, const HarmonicFit& wide, const ThreadPool& pool, LockinMaps& maps) {
   if (wide.beside.empty() || maps.width < 4) return;
-  const Variances v = variances(phasors_beside(s, wide), static_cast<std::size_t>(maps.width));
+  const Variances v = variances(phasors_beside(s, wide, pool), static_cast<std::size_t>(maps.width));
   const double factor = 2 / to_peak_to_peak(maps.convention);
   maps.common_error = factor * std::sqrt(v.common);
   maps.column_error = factor * std::sqrt(v.column);
   maps.own_share = v.pixel > 0 ? v.pixel / (v.pixel + v.column + v.common) : 1;
 }
 
-void take_off_shared_noise(LockinMaps& maps, std::vector<double>& cosine, std::vector<double>& sine) {
+bool take_off_shared_noise(LockinMaps& maps, std::vector<double>& cosine, std::vector<double>& sine) {
   const double common = maps.common_error, columns = maps.column_error, shared = std::hypot(common, columns);
-  if (!(shared > 0)) return;
+  if (!(shared > 0)) return false;
   LoadPhasors all;
   std::vector<double> own(maps.size());  // errors without what is shared
   for (std::size_t p = 0; p < maps.size(); ++p) {
@@ -198,7 +201,7 @@ void take_off_shared_noise(LockinMaps& maps, std::vector<double>& cosine, std::v
                     "load's frequency (standard deviations, in the unit of the film); there are no pixels off the "
                     "sample that show it, so that it stays, and is in the errors",
                     common, columns));
-    return;
+    return false;
   }
   const double noise = median(own), width = static_cast<double>(maps.width);
   double left = 0;
@@ -225,6 +228,7 @@ void take_off_shared_noise(LockinMaps& maps, std::vector<double>& cosine, std::v
       "pixels share noise, which shifts all of them by {:.2g} and those of a column by {:.2g} at the load's frequency "
       "(standard deviations, in the unit of the film); it is taken off as {:.0f} pixels off the sample show it",
       common, columns, off.pixels));
+  return true;
 }
 
 }  // namespace arenite::thermography

@@ -180,7 +180,7 @@ void add_stresses(Numbers& j, const FilmResult& r, const texture::Texture& textu
 texture::Texture texture_of(const FilmResult& film, bool rev) {
   texture::Options options;
   options.grain_sigma_hyd = film.peak_to_peak.sigma_hyd;
-  if (!rev) options.rev_sizes = 0;
+  if (!rev) options.rev.sizes = 0;
   return texture::measure(film.packing, options);
 }
 

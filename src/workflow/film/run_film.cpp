@@ -112,7 +112,7 @@ void measure_grains(const recipe::FilmRecipe& recipe, FilmOutcome& outcome, Film
   if (recipe.simulation)
     if (const auto ends = compared_stages(outcome.simulation, *recipe.simulation)) {
       texture::Options options;
-      options.rev_sizes = 0;
+      options.rev.sizes = 0;
       simulation = outcome.simulation.measured.stages[ends->second];
       if (!simulation)
         simulation = texture::measure(outcome.simulation.stages[ends->second].snapshots.back().packing, options);

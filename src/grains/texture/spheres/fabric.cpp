@@ -34,8 +34,27 @@ double size_of_deviator(const double* t) {
   return std::sqrt(1.5 * square);
 }
 
-enum Term { count = 0, fabric_sum = 1, force_sum = 7, normal_sum = 13, terms = 49 };
-enum Result { phi = 0, a_c = 6, a_c_signed, p_4, a_n, results };
+enum Term {
+  count = 0,
+  fabric_sum = 1,
+  force_sum = 7,
+  normal_sum = 13,
+  shear_sum = 49,         // of tangential forces with the tangential forms,
+  shear_normal_sum = 55,  // and of these with each other
+  terms = 91
+};
+enum Result { phi = 0, a_c = 6, a_c_signed, p_4, a_n, a_t, results };
+
+/// What each component of a symmetric tensor b brings to b n - (n . b n) n.
+std::array<Vec3, 6> tangential_forms(Vec3 n) {
+  std::array<Vec3, 6> forms{};
+  for (int k = 0; k < 6; ++k) {
+    forms[k][voigt[k][0]] += n[voigt[k][1]];
+    if (k >= 3) forms[k][voigt[k][1]] += n[voigt[k][0]];
+    forms[k] -= dot(forms[k], n) * n;
+  }
+  return forms;
+}
 
 void add_contact(const ContactsIn<3>& contacts, std::size_t c, double* sums) {
   const auto p = products(contacts.normal[c]);
@@ -44,6 +63,13 @@ void add_contact(const ContactsIn<3>& contacts, std::size_t c, double* sums) {
     sums[fabric_sum + a] += contacts.normal[c][voigt[a][0]] * contacts.normal[c][voigt[a][1]];
     sums[force_sum + a] += contacts.fn[c] * p[a];
     for (int b = 0; b < 6; ++b) sums[normal_sum + 6 * a + b] += p[a] * p[b];
+  }
+  const auto forms = tangential_forms(contacts.normal[c]);
+  const Vec3 tangential = cross(contacts.ft[c], contacts.normal[c]);
+  for (int a = 0; a < 6; ++a) {
+    sums[shear_sum + a] += dot(tangential, forms[a]);
+    // The sum of the diagonal, which moves nothing along a contact, is fitted to 0.
+    for (int b = 0; b < 6; ++b) sums[shear_normal_sum + 6 * a + b] += dot(forms[a], forms[b]) + (a < 3 && b < 3);
   }
 }
 
@@ -75,7 +101,9 @@ std::vector<double> evaluate(const std::vector<double>& s, Vec3 load_axis) {
   r[p_4] = fourth_about(axes.direction[0], &s[normal_sum], n, axes.value[0]);
   // Fitted over directions, so that anisotropies of forces do not inherit that of the counts.
   const std::vector<double> form = solved_for_six(&s[normal_sum], &s[force_sum]);
-  r[a_n] = size_of_deviator(form.data()) / ((form[0] + form[1] + form[2]) / 3);
+  const double mean_force = (form[0] + form[1] + form[2]) / 3;
+  r[a_n] = size_of_deviator(form.data()) / mean_force;
+  r[a_t] = size_of_deviator(solved_for_six(&s[shear_normal_sum], &s[shear_sum]).data()) / mean_force;
   return r;
 }
 
@@ -106,6 +134,9 @@ void put_fabric(Numbers& j, const SphereView& view, const Items& items) {
       Trait::detail);
   put(j, "a_n", r[a_n], "",
       "Anisotropy of the mean normal force, as a_c, of the form f_0 (1 + b n n) that fits the forces best",
+      Trait::detail | Trait::by_forces);
+  put(j, "a_t", r[a_t], "",
+      "Anisotropy of the mean tangential force, as a_c, of the form f_0 (b n - (n b n) n) that fits the forces best",
       Trait::detail | Trait::by_forces);
 }
 

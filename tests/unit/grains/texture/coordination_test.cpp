@@ -130,7 +130,7 @@ Packing scattered(std::uint64_t seed) {
 // the error.
 TEST(SolidFraction, TheErrorsOfWindowsCoverTheScatterOfSamples) {
   Options options;
-  options.rev_sizes = 4;
+  options.rev.sizes = 4;
   std::vector<std::vector<double>> mean(4), error(4);
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     const Rev rev = measure(scattered(seed), options).rev;

@@ -80,7 +80,7 @@ TEST(FilmSimulation, StressOfDisksCountsFullRadii) {
   EXPECT_NEAR(stress[1], 2 * once, 1e-9);
   // By branch vectors the arms are shorter by half the overlap: 5 %.
   texture::Options options;
-  options.rev_sizes = 0;
+  options.rev.sizes = 0;
   EXPECT_NEAR(texture::measure(film.packing, options).per_grain.sigma_hyd[1], 0.95 * 2 * once, 1e-9);
 }
 

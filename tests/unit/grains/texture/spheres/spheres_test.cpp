@@ -49,6 +49,23 @@ TEST(Spheres, ACrystalHasTwelveNeighboursAndTheDensestFraction) {
   EXPECT_NEAR(value(numbers, "/solid_fraction"), std::numbers::pi / (3 * std::numbers::sqrt2), 1e-4);
 }
 
+/// Windows of a twentieth of the side lie in a sphere or beside it; the largest cut off a layer of a fiftieth, which
+/// may hold as much less or more of the solid.
+TEST(Spheres, WindowsOfACrystalKnowItsFractionTheBetterTheLargerTheyAre) {
+  const Numbers numbers = measure_spheres(crystal(4));
+  const auto share = numbers.at_path("/rev/volume_share")->get<std::vector<double>>(),
+             mean = numbers.at_path("/rev/mean")->get<std::vector<double>>(),
+             deviation = numbers.at_path("/rev/deviation")->get<std::vector<double>>();
+  ASSERT_EQ(share.size(), 20u);
+  EXPECT_NEAR(share.front(), std::pow(0.05, 3), 1e-12);
+  EXPECT_NEAR(share.back(), std::pow(0.98, 3), 1e-12);
+  const double crystal_fraction = std::numbers::pi / (3 * std::numbers::sqrt2);
+  EXPECT_NEAR(mean.back(), crystal_fraction, 0.03 * crystal_fraction);
+  EXPECT_LT(deviation.back(), 0.1 * deviation.front());
+  // Of fifty windows, four standard errors.
+  EXPECT_NEAR(mean.front(), crystal_fraction, 4 * deviation.front() / std::sqrt(50));
+}
+
 /// Of equal forces f on contacts of length d: p = n_c f d/3, with n_c contacts a volume.
 TEST(Spheres, PressureIsThatOfTheForcesAndTheSameAlongAllAxes) {
   const PackingIn<3> packing = crystal(3);
@@ -80,7 +97,9 @@ TEST(Spheres, TheFabricOfACrystalIsIsotropicToSecondOrderOnly) {
 }
 
 /// Random directions have the anisotropy that is told of chance, and forces that press by direction the one that is
-/// put in: f = f_0 (1 + b n n) with b = diag(0.4, -0.2, -0.2), sqrt(3/2 b:b) = 0.6.
+/// put in: f = f_0 (1 + b n n) with b = diag(0.4, -0.2, -0.2), sqrt(3/2 b:b) = 0.6, and a quarter of b along the
+/// contacts. The stress of such contacts is q/p = 2/5 (a_n + 3/2 a_t), but for the chance of the directions (Guo and
+/// Zhao 2013).
 TEST(Spheres, ForcesByDirectionAreToldWhateverTheCounts) {
   PackingIn<3> packing = crystal(4);
   packing.contacts = {};
@@ -90,14 +109,38 @@ TEST(Spheres, ForcesByDirectionAreToldWhateverTheCounts) {
     const double z = random.uniform(-1, 1), angle = random.uniform(0, 2 * std::numbers::pi), r = std::sqrt(1 - z * z);
     const Vec3 n{r * std::cos(angle), r * std::sin(angle), z};
     const double force = 2 * (1 + 0.4 * n.x * n.x - 0.2 * (n.y * n.y + n.z * n.z));
-    packing.contacts.add(static_cast<std::int32_t>(c % 255), 255, n, force, {}, 1e-3, 1e-3);
+    const Vec3 drawn = 2 * 0.25 * Vec3{0.4 * n.x, -0.2 * n.y, -0.2 * n.z};
+    packing.contacts.add(static_cast<std::int32_t>(c % 255), 255, n, force, cross(n, drawn), 1e-3, 1e-3);
   }
   const Numbers numbers = measure_spheres(packing);
   EXPECT_NEAR(value(numbers, "/fabric/a_n"), 0.6, 1e-6);
+  EXPECT_NEAR(value(numbers, "/fabric/a_t"), 0.15, 1e-6);
   const double noise = value(numbers, "/fabric/a_c_noise");
   EXPECT_NEAR(noise, 7.5 / std::sqrt(static_cast<double>(contacts)), 1e-12);
   EXPECT_LT(value(numbers, "/fabric/a_c"), 2.5 * noise);
   EXPECT_GT(value(numbers, "/fabric/a_c"), 0.2 * noise);
+}
+
+/// The axes of an icosahedron weigh polynomials up to the fifth degree as all directions do: q/p = 2/5 (a_n + 3/2 a_t)
+/// (Guo and Zhao 2013).
+TEST(Spheres, TheStressRatioIsThatOfTheAnisotropies) {
+  PackingIn<3> packing = crystal(4);
+  packing.contacts = {};
+  const double golden = std::numbers::phi, length = std::hypot(1, golden);
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double sign : {1, -1}) {
+      Vec3 n;
+      n[axis] = 1 / length, n[(axis + 1) % 3] = sign * golden / length;
+      const Vec3 drawn = 0.25 * Vec3{0.4 * n.x, -0.2 * n.y, -0.2 * n.z};
+      packing.contacts.add(axis, 255, n, 1 + 0.4 * n.x * n.x - 0.2 * (n.y * n.y + n.z * n.z), cross(n, drawn), 1e-3,
+                           1e-3);
+    }
+  const Numbers numbers = measure_spheres(packing);
+  EXPECT_NEAR(value(numbers, "/fabric/a_c"), 0, 1e-9);
+  EXPECT_NEAR(value(numbers, "/fabric/a_n"), 0.6, 1e-9);
+  EXPECT_NEAR(value(numbers, "/fabric/a_t"), 0.15, 1e-9);
+  EXPECT_NEAR(value(numbers, "/stress_details/deviator_Pa") / value(numbers, "/stress_details/pressure_Pa"),
+              0.4 * (0.6 + 1.5 * 0.15), 1e-9);
 }
 
 /// A chain between two walls carries, and what hangs at one contact does not, nor what hangs on that.
