@@ -4,8 +4,8 @@ import { settle } from "./run.mjs";
 const phone = { width: 360, height: 780 };
 /** A window whose pictures in space are painted soon without a graphics card, and the stops of a slider there. */
 const small = { width: 400, height: 600 },
-  fewStops = 8,
-  stops = 20;
+  fewStops = 6,
+  stops = 10;
 
 /** Every part of a page in turn. */
 async function eachPart(page, then) {

@@ -26,7 +26,7 @@ std::string of_the_plane(const Stage& stage) {
 /// What is cemented in space is kept with its loads.
 void require_field(Visitor& v, const Recipe& recipe) {
   v.require(recipe.loads.empty() == !recipe.has_field(), {"cement", "grid"},
-            "a cemented sample in space is kept with its loads; add [[loads]] with method = \"elements\"");
+            "a cemented sample in space is kept with its loads; add [[loads]]");
   v.require(!recipe.grid || recipe.grid->cavities == grid::CavityRules{}, {"grid"},
             "single pores and voids are found in the plane alone; leave their rules out in space");
   for (const Load& load : recipe.loads)
