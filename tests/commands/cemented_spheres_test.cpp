@@ -79,7 +79,7 @@ TEST(CementedSpheres, TheExampleRuns) {
 TEST(CementedSpheres, WhatTheirSampleCannotBeIsRefusedInASentence) {
   const TemporaryFolder folder;
   const std::string recipe = written(folder, cemented);
-  for (const auto& [set, part] : {std::pair{"loads.0.method=peridynamics", "--method elements"},
+  for (const auto& [set, part] : {std::pair{"loads.0.method=relaxation", "dynamic solvers"},
                                   {"loads.0.axis=x", "along z"},
                                   {"grid.fewest_nodes=9", "pores and voids"}}) {
     const auto outcome = arenite("check " + recipe + " --set '" + set + "'");
