@@ -54,16 +54,15 @@ Numbers load_numbers(const recipe::Load& load, const statics::LoadReportIn<3>& r
   else
     j["poisson_ratio"] = described(peridynamics::space_lattice_poisson, "",
                                    "Poisson's ratio of the lattice of bonds, whatever its bonds");
-  const Numbers solved{{"strain", described(load.strain, "", "Strain of the sample")},
-                       {"iterations", described(r.iterations, "", "Iterations of the solver")},
-                       {"residual", described(r.residual, "", "Out-of-balance force over that of uniform strain")},
-                       {"reaction_balance_error",
-                        described(r.identity_defect, "",
-                                  "Volume integral of the stress over the product of clamp force and height, minus 1")},
-                       {"top_force_N", described({r.top_force.x, r.top_force.y, r.top_force.z}, "N",
-                                                 "Force of the upper clamp on the sample")},
-                       {"voxels", elements::support_numbers(r.support)}};
-  for (const auto& [key, value] : solved.items()) j[key] = value;
+  j.update({{"strain", described(load.strain, "", "Strain of the sample")},
+            {"iterations", described(r.iterations, "", "Iterations of the solver")},
+            {"residual", described(r.residual, "", "Out-of-balance force over that of uniform strain")},
+            {"reaction_balance_error",
+             described(r.identity_defect, "",
+                       "Volume integral of the stress over the product of clamp force and height, minus 1")},
+            {"top_force_N",
+             described({r.top_force.x, r.top_force.y, r.top_force.z}, "N", "Force of the upper clamp on the sample")},
+            {"voxels", elements::support_numbers(r.support)}});
   return j;
 }
 

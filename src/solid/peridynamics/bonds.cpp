@@ -6,6 +6,7 @@
 
 #include "core/problems.hpp"
 #include "solid/peridynamics/bonds.hpp"
+#include "solid/peridynamics/padded_labels.hpp"
 
 namespace arenite::peridynamics {
 namespace {
@@ -23,17 +24,6 @@ bool all_zero(Lane v) {
   std::uint64_t w[2];
   std::memcpy(w, &v, sizeof w);
   return (w[0] | w[1]) == 0;
-}
-
-/// 0: void, 1: matrix, 2 and more: a grain.
-Buffer<std::int32_t> padded_labels(const PhaseMap& map, const Grid& grid) {
-  Buffer<std::int32_t> labels(grid.padded_size());
-  std::size_t k = 0;
-  grid.each([&](std::ptrdiff_t i, int) {
-    labels[i] = map.phase[k] == Phase::particle ? map.grain[k] + 2 : static_cast<std::int32_t>(map.phase[k]);
-    ++k;
-  });
-  return labels;
 }
 
 /// What a bond passes on its way: the square of a node (twice the same), or the corner between two, of which one must

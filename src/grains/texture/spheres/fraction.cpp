@@ -26,9 +26,8 @@ std::vector<Ball> balls_of(const PackingIn<3>& packing) {
 }
 
 /// Windows at random places lie within the container, those at periodic sides, too.
-Rev sphere_windows(const SphereView& view, double error_of_sample) {
+Rev sphere_windows(const SphereView& view, const std::vector<Ball>& balls, double error_of_sample) {
   const Vec3 corner = view.packing.domain.corner(), size = view.packing.domain.size();
-  const std::vector<Ball> balls = balls_of(view.packing);
   const auto fractions = [&](double side, int places, RandomStream random) {
     std::vector<double> found;
     for (int p = 0; p < places; ++p) {
@@ -53,7 +52,8 @@ void sphere_fraction(const SphereView& view, Numbers& to) {
   const BlockCube blocks{view.window, std::max(2, view.blocks.per_side)};
   const double volume = view.window.size.x * view.window.size.y * view.window.size.z;
   std::vector<double> fraction(static_cast<std::size_t>(blocks.count()), 0.0);
-  for (const Ball& ball : balls_of(view.packing))
+  const std::vector<Ball> balls = balls_of(view.packing);
+  for (const Ball& ball : balls)
     for (int b = 0; b < blocks.count(); ++b)
       fraction[static_cast<std::size_t>(b)] +=
           geometry::ball_window_volume(ball.centre, ball.radius, blocks.block(b)) * blocks.count() / volume;
@@ -61,7 +61,7 @@ void sphere_fraction(const SphereView& view, Numbers& to) {
   for (const double of_block : fraction) mean += of_block / static_cast<double>(blocks.count());
   const statistics::Estimate whole{mean, statistics::standard_error(fraction)};
   statistics::put(to, "solid_fraction", whole, "", "Solid fraction, volume of grains over volume of the sample");
-  if (view.options.rev.sizes > 0) to["rev"] = numbers_of(sphere_windows(view, whole.error), "volume_share");
+  if (view.options.rev.sizes > 0) to["rev"] = numbers_of(sphere_windows(view, balls, whole.error), "volume_share");
 }
 
 }  // namespace arenite::texture::spheres

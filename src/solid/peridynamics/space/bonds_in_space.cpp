@@ -7,6 +7,7 @@
 #include "core/joined_sets.hpp"
 #include "core/problems.hpp"
 #include "solid/peridynamics/bonds.hpp"
+#include "solid/peridynamics/padded_labels.hpp"
 
 namespace arenite::peridynamics {
 namespace {
@@ -21,17 +22,6 @@ std::vector<SpaceOffset> space_half_bonds(int reach) {
 bool is_weighted(SpaceOffset e, int reach) {
   const int longest = std::max({std::abs(e.x), std::abs(e.y), std::abs(e.z)});
   return longest == 2 && e.square() == (reach == 2 ? 4 : 9);
-}
-
-/// 0: void, 1: matrix, 2 and more: a grain.
-Buffer<std::int32_t> labels_in_space(const VoxelMap& map, const Grid& grid) {
-  Buffer<std::int32_t> labels(grid.padded_size());
-  std::size_t k = 0;
-  grid.each([&](std::ptrdiff_t i, int) {
-    labels[i] = map.phase[k] == Phase::particle ? map.grain[k] + 2 : static_cast<std::int32_t>(map.phase[k]);
-    ++k;
-  });
-  return labels;
 }
 
 /// visit(i, j, d, type) for every bond that a node starts.
@@ -117,7 +107,7 @@ SpaceBonds make_space_bonds(const VoxelMap& map, const Stiffness& stiffness, int
   bonds.relative = {0.0f, 1.0f, static_cast<float>(stiffness.interface / stiffness.matrix),
                     static_cast<float>(stiffness.particle / stiffness.matrix)};
   const Grid& grid = bonds.grid = Grid(map.width, map.height, map.depth, reach);
-  const auto labels = labels_in_space(map, grid);
+  const auto labels = padded_labels(map, grid);
   for (std::size_t w = 0; w <= (bonds.count() - 1) / 16; ++w)
     bonds.words[w] = Buffer<std::uint32_t>(grid.padded_size());
   for (std::size_t d = 0; d < bonds.count(); ++d) {
