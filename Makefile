@@ -44,7 +44,7 @@ test:
 	@scripts/setup run python test bench fuzz docs
 	@$(COMMON) $(WITH_MODULE) -DARENITE_TESTS=ON -DARENITE_BENCH=ON >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
-	@$(MAKE) --no-print-directory fuzz FUZZ_FOR=-runs=0 FUZZ_FLAGS=-O0
+	@$(MAKE) --no-print-directory fuzz FUZZ_FOR=-runs=0 FUZZ_SEARCH=OFF
 	@ctest --test-dir $(BUILD) -j $$(($(JOBS) + 1)) --timeout 1200 --output-on-failure  # some wait for a browser or a killed run
 
 bench:
@@ -63,12 +63,12 @@ peers:
 # Every fuzz target for FUZZ_SECONDS; inputs that reach new code gather in build-fuzz/found. (The tests run their corpora.)
 FUZZ_SECONDS ?= 60
 FUZZ_FOR ?= -max_total_time=$(FUZZ_SECONDS)
-FUZZ_FLAGS ?= -g;-O1
+FUZZ_SEARCH ?= ON
 fuzz:
 	@scripts/setup run fuzz
 	@[ -e $(BUILD)/CMakeCache.txt ] || $(COMMON) $(WITHOUT_MODULE) >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS) arenite_core
-	@cmake --preset fuzz -DARENITE_LIBRARY=$(abspath $(BUILD))/libarenite.a "-DARENITE_FUZZ_FLAGS=$(FUZZ_FLAGS)" >/dev/null
+	@cmake --preset fuzz -DARENITE_LIBRARY=$(abspath $(BUILD))/libarenite.a -DARENITE_FUZZ_SEARCH=$(FUZZ_SEARCH) >/dev/null
 	@cmake --build --preset fuzz -j $(JOBS)
 	@cd build-fuzz && for f in tests/fuzz/fuzz_*; do \
 	  what=$${f##*fuzz_}; mkdir -p found/$$what; \

@@ -24,19 +24,21 @@ def flags(installed):
     ).split()
 
 
-def test_every_public_header_compiles_alone(installed, flags, tmp_path):
+def compiles(headers, flags, source):
+    source.write_text("".join(f"#include <arenite/{header}>\n" for header in headers))
+    includes = [f for f in flags if f.startswith("-I")]
+    run("g++", "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Wpedantic", "-Werror", *includes, source)
+
+
+def test_every_public_header_compiles_alone_and_those_behind_it_in_any_order(installed, flags, tmp_path):
     home = installed / "include/arenite"
     headers = sorted(str(h.relative_to(home)) for h in home.rglob("*.hpp"))
-    assert {"arenite.hpp", "core/error.hpp", "core/version.hpp"} <= set(headers)
-    includes = [f for f in flags if f.startswith("-I")]
-
-    def compile_alone(header):
-        source = tmp_path / (header.replace("/", "-") + ".cpp")
-        source.write_text(f"#include <arenite/{header}>\n")
-        run("g++", "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Wpedantic", "-Werror", *includes, source)
-
+    public = re.findall(r'^#include "(.*)"', (home / "arenite.hpp").read_text(), re.M)
+    assert {"core/error.hpp", "core/version.hpp"} <= set(headers) and set(public) < set(headers)
+    alone = [[header] for header in ["arenite.hpp", *public]]
+    groups = [headers, headers[::-1], *alone]
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        list(pool.map(compile_alone, headers))
+        list(pool.map(lambda at: compiles(groups[at], flags, tmp_path / f"{at}.cpp"), range(len(groups))))
 
 
 def test_headers_need_no_other_librarys(installed):

@@ -18,18 +18,18 @@ async function eachPart(page, then) {
   }
 }
 
-/** A slider from its first position (Home) to its last in so many stops, and back again. */
+/** A slider from its first position (Home) to its last (End) in so many stops, and a step by the keyboard. */
 async function walkSlider(page, slider, stops) {
   await slider.focus();
   await page.keyboard.press("Home");
+  await page.keyboard.press("ArrowRight");
   await settle(page);
-  const steps = await slider.evaluate(({ min, max, step }) => (max - min) / (Number(step) || 1));
-  const coarse = Math.max(1, Math.round(steps / stops));
-  for (let k = 0; k < steps; k += coarse) {
-    for (let press = 0; press < coarse; ++press) await page.keyboard.press("ArrowRight");
+  const { min, max, step } = await slider.evaluate((one) => ({ min: +one.min, max: +one.max, step: +one.step || 1 }));
+  const steps = Math.round((max - min) / step);
+  for (let k = 1; k < stops; ++k) {
+    await slider.fill(String(+(min + step * Math.round((k * steps) / stops)).toPrecision(12)));
     await settle(page);
   }
-  await page.keyboard.press("Home");
   await page.keyboard.press("End");
   await settle(page);
 }
