@@ -74,6 +74,7 @@ struct ForceOptions {
   double widest_gap = 0;  ///< between grains or to walls that are proposed as contacts, m; 0: as the proposals show
   int iterations =
       6;  ///< of forces and centres together, at most: each lowers the misfit, and they end where it falls no more
+  int threads = 1;  ///< the result does not depend on their number
 };
 
 /// Grains as found (domain with thickness and periodicity), and proposed contacts, whose forces are not read. Normals

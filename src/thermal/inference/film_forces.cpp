@@ -49,6 +49,7 @@ Contacts touching_at_either_load(const Domain& start, const FilmResult& r) {
 ForceOptions force_options(const FilmForcesGiven& given, const PictureGrains& grains) {
   ForceOptions options;
   options.blur = given.blur;
+  options.threads = given.threads;
   // Rims sweep over what is behind them; pixels further in are still good to some mK.
   options.rim_margin = given.grains_move ? 1.5 : 0.5;
   options.friction = given.friction;

@@ -14,6 +14,7 @@ struct FilmForcesGiven {
   bool state = false;          ///< the film shows a state and no difference: the friction cone holds
   double factor_error = 0.02;  ///< standard error of the materials' thermoelastic factors, relative
   bool fits_factors = false;   ///< these are those that fit the film
+  int threads = 1;
 };
 
 /// Proposes contacts between the grains of `result.packing` and infers their forces from its maps, or from the means of

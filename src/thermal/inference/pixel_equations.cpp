@@ -97,11 +97,15 @@ double PixelEquations::left(std::size_t q, const std::vector<double>& x) const {
 }
 
 std::vector<PixelEquations> pixel_equations(const Unknowns& unknowns, const Placed& placed, const Pixels& pixels,
-                                            const PointSpread& spread, double contact_margin) {
-  std::vector<PixelEquations> all;
+                                            const PointSpread& spread, double contact_margin, const ThreadPool& pool) {
+  std::vector<std::size_t> seen;
   for (std::size_t g = 0; g < pixels.size(); ++g)
-    if (!pixels[g].empty() && !placed.touches[g].empty())
-      all.push_back(equations_of(unknowns, placed, g, pixels[g], spread, contact_margin));
+    if (!pixels[g].empty() && !placed.touches[g].empty()) seen.push_back(g);
+  std::vector<PixelEquations> all(seen.size());
+  pool.for_ranges(seen.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      all[k] = equations_of(unknowns, placed, seen[k], pixels[seen[k]], spread, contact_margin);
+  });
   return all;
 }
 

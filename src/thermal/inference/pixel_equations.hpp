@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/threads.hpp"
 #include "thermal/inference/balance.hpp"
 #include "thermal/inference/grain_rows.hpp"
 
@@ -28,9 +29,10 @@ struct PixelEquations {
   double left(std::size_t q, const std::vector<double>& x) const;
 };
 
-/// The equations of all grains that have pixels and touches, without weights. `contact_margin` in m.
+/// The equations of all grains that have pixels and touches, without weights. `contact_margin` in m. Grains are shared
+/// out among the pool.
 std::vector<PixelEquations> pixel_equations(const Unknowns& unknowns, const Placed& placed, const Pixels& pixels,
-                                            const PointSpread& spread, double contact_margin);
+                                            const PointSpread& spread, double contact_margin, const ThreadPool& pool);
 
 /// Weighs pixels by their errors and by the model error of the field, a share of a grain's signal. Those that `x`
 /// leaves off by more than `most` of these errors count less (Huber); 0: all count alike.

@@ -27,6 +27,7 @@ PixelRounds::PixelRounds(const ForceProblem& problem, const ForceOptions& option
       pixels_(pixels),
       spread_(spread),
       side_(pixel),
+      pool_(options.threads),
       unknowns_(unknowns_of(force, shift)),
       model_error_(options.model_error) {
   known_.placed = std::move(placed);
@@ -48,20 +49,35 @@ Unknowns PixelRounds::unknowns_of(double force, double shift) const {
 }
 
 std::vector<PixelEquations> PixelRounds::linearised(const Known& known) const {
-  return pixel_equations(unknowns_, known.placed, pixels_, spread_, options_.contact_margin * side_);
+  return pixel_equations(unknowns_, known.placed, pixels_, spread_, options_.contact_margin * side_, pool_);
 }
 
 ForceEquations PixelRounds::assembled(const Known& known, const std::vector<PixelEquations>& rows) const {
   ForceEquations equations(problem_.packing, unknowns_);
   for (const PixelEquations& of_grain : rows)
     equations.add(of_grain.columns, of_grain.rows, of_grain.right, of_grain.weight);
+  add_beside_pixels(equations, known);
+  return equations;
+}
+
+/// The sum of squares of all equations where things are: what `assembled` would say, without assembling the pixels'.
+double PixelRounds::squares(const Known& known, const std::vector<PixelEquations>& rows) const {
+  const std::vector<double> x = as_unknowns(known);
+  ForceEquations others(problem_.packing, unknowns_);
+  add_beside_pixels(others, known);
+  double sum = others.squares(x);
+  for (const PixelEquations& of_grain : rows)
+    for (std::size_t q = 0; q < of_grain.right.size(); ++q) sum += of_grain.weight[q] * squared(of_grain.left(q, x));
+  return sum;
+}
+
+void PixelRounds::add_beside_pixels(ForceEquations& equations, const Known& known) const {
   equations.add_balance(known.placed.touches, known.placed.force, options_.balance_error * unknowns_.force);
   equations.add_walls(problem_.walls);
   equations.add_energy(options_.prior > 0 ? options_.prior : 10);
   add_positions(equations, known);
   add_factors(equations, known);
   if (unknowns_.shift > 0) equations.add_diagonal(unknowns_.common_shift(), 1, 0);
-  return equations;
 }
 
 /// Centres stay near where they were found.
@@ -151,14 +167,14 @@ void PixelRounds::learn_scatter(const ForceEquations& equations) {
 bool PixelRounds::improve() {
   const std::vector<double> now = as_unknowns(known_);
   const ForceEquations equations = assembled(known_, rows_);
-  const double before = equations.squares(now);
+  const double before = squares(known_, rows_);
   const std::vector<double> best = equations.solve();
   for (double step = 1; step > shortest_step; step *= 0.5) {
     Known tried = known_;
     take(tried, between(now, best, step));
     auto rows = linearised(tried);
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k].weight = rows_[k].weight;
-    const double after = assembled(tried, rows).squares(as_unknowns(tried));
+    const double after = squares(tried, rows);
     if (!(after < before)) continue;
     known_ = std::move(tried);
     rows_ = std::move(rows);

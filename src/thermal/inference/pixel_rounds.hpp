@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "core/threads.hpp"
 #include "thermal/inference/grain_rows.hpp"
 #include "thermal/inference/pixel_equations.hpp"
 
@@ -32,6 +33,8 @@ class PixelRounds {
   Unknowns unknowns_of(double force, double shift) const;
   std::vector<PixelEquations> linearised(const Known& known) const;
   ForceEquations assembled(const Known& known, const std::vector<PixelEquations>& rows) const;
+  double squares(const Known& known, const std::vector<PixelEquations>& rows) const;
+  void add_beside_pixels(ForceEquations& equations, const Known& known) const;
   void add_positions(ForceEquations& equations, const Known& known) const;
   void add_factors(ForceEquations& equations, const Known& known) const;
   std::vector<double> as_unknowns(const Known& known) const;
@@ -46,6 +49,7 @@ class PixelRounds {
   const Pixels& pixels_;
   const PointSpread& spread_;
   const double side_;  ///< of a pixel, m
+  const ThreadPool pool_;
   const Unknowns unknowns_;
   Known known_;
   std::vector<PixelEquations> rows_;  ///< linearised about what is known

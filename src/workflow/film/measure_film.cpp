@@ -205,7 +205,8 @@ class Measurement {
             .friction = f.friction,
             .state = f.state,
             .factor_error = f.factor_error,
-            .fits_factors = fits_factors()};
+            .fits_factors = fits_factors(),
+            .threads = options_.threads};
   }
 
   inference::FilmGiven given() const {
