@@ -71,6 +71,9 @@ test("figures show contacts, forces, stresses and the way to equilibrium", async
   for (const id of ["contact-numbers", "forces", "sigma-norm", "wall-forces", "equilibrium"])
     assert.ok((await page.locator(`[data-figure="${id}"]:visible .drawing svg`).count()) > 0, id);
   assert.match(await page.locator('[data-figure="wall-forces"]:visible').innerText(), /front wall/);
+  const halves = page.locator('[data-figure="orientations"]:visible .drawing g[data-set]');
+  assert.equal(await halves.count(), 3);
+  for (const half of await halves.all()) assert.equal(await half.locator("path[d^=M]:has(title)").count(), 75);
 });
 
 test("the test is drawn: the stress ratio and the volume against the axial strain", async (page) => {

@@ -41,8 +41,9 @@ def _figure(kind, head, chosen, ending):
 
 
 def _is_wide(head, drawings):
-    if "roses" in drawings[0]:
-        return len(drawings[0]["roses"]) > 2
+    for kind in ("roses", "hemispheres"):
+        if kind in drawings[0]:
+            return len(drawings[0][kind]) > 2
     return sum(len(drawing["panels"]) for drawing in drawings) > 1
 
 

@@ -15,7 +15,7 @@ from matplotlib.patches import Patch
 
 from .. import _core
 from .parts import State
-from .polar import draw_outlines, draw_roses
+from .polar import draw_hemispheres, draw_outlines, draw_roses
 from .style import colour_of_role, even_map, label, line_styles, note, numbers
 
 markers = {"diamond": "D", "times": "x", "plus": "+"}
@@ -238,6 +238,8 @@ def draw_described(figure, drawings):
     first = drawings[0]
     if "roses" in first:
         draw_roses(figure, first["roses"])
+    elif "hemispheres" in first:
+        draw_hemispheres(figure, first["hemispheres"])
     elif "panels" in first:
         _draw_panels(figure, drawings)
     else:

@@ -1,8 +1,10 @@
-"""Drawings by direction: roses of contact orientations, and outlines of numbers by direction with their errors."""
+"""Drawings by direction: roses and hemispheres of contact orientations, and outlines of numbers by direction with
+their errors."""
 
+import matplotlib
 import numpy as np
 
-from .style import colour_of_role, colours, label, line_styles, numbers, soft, strong, weak
+from .style import colour_of_role, colours, even_map, label, line_styles, numbers, soft, strong, weak
 
 grey, thin = "#e0e0e0", 0.4
 
@@ -61,6 +63,38 @@ def draw_roses(figure, roses):
         figure.get_layout_engine().set(w_pad=0.035 * width)
     for k, rose in enumerate(roses):
         draw_rose(figure.add_subplot(rows, columns, k + 1, projection="polar"), rose)
+
+
+def draw_hemisphere(axes, one):
+    """Sectors of equal area over half of the sphere, by colour; `axes` are polar. Gives what the colours stand for."""
+    inner, outer, first, last = (numbers(one[name]) for name in ("inner", "outer", "from", "to"))
+    sectors = axes.bar(
+        np.radians(first), outer - inner, width=np.radians(last - first), bottom=inner, align="edge", linewidth=0
+    )
+    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, one["reach"]), even_map)
+    for sector, value in zip(sectors, numbers(one["values"])):
+        sector.set_color(scale.to_rgba(value))
+    if "mark" in one:
+        x, y = one["mark"]
+        axes.plot(np.arctan2(y, x), np.hypot(x, y), "+", color=colours[1], markersize=6)
+    axes.set(ylim=(0, 1), yticks=[], xticks=[0, 1.5 * np.pi])
+    axes.set_xticklabels(["$x$", "$z$"])
+    axes.tick_params(pad=-2)
+    axes.grid(False)
+    axes.spines["polar"].set(color=grey, linewidth=thin)
+    axes.set_title(label(f"{one['name']} ({one['count']:.0f})"), pad=8)
+    axes.set_xlabel(label("\n".join(one["words"])), labelpad=3)
+    return scale
+
+
+def draw_hemispheres(figure, hemispheres):
+    columns = min(3, len(hemispheres))
+    width = figure.get_figwidth()
+    figure.set_size_inches(width, width / columns + 1.2)
+    axes = [figure.add_subplot(1, columns, k + 1, projection="polar") for k in range(columns)]
+    for place, one in zip(axes, hemispheres):
+        scale = draw_hemisphere(place, one)
+    figure.colorbar(scale, ax=axes, orientation="horizontal", shrink=0.4, aspect=30, label="over isotropic")
 
 
 def draw_outlines(axes, outlines):

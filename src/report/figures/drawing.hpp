@@ -79,6 +79,19 @@ struct Rose {
   std::vector<std::string> words = {};  ///< below
 };
 
+/// Numbers by direction in space over half of the sphere: sectors of rings in a projection that keeps areas, seen from
+/// above with x to the right and z below.
+struct Hemisphere {
+  std::string name = {};
+  double count = 0;
+  std::vector<double> inner = {}, outer = {};  ///< radii of each sector, 1 on the rim
+  std::vector<double> from = {}, to = {};      ///< degrees counter-clockwise from the right
+  std::vector<double> values = {};             ///< over isotropic
+  std::vector<double> mark = {};               ///< x and y of the direction of most; empty: none
+  double reach = 1;                            ///< the end of the scale of colours, which begins at 0
+  std::vector<std::string> words = {};         ///< below
+};
+
 /// Outlines of numbers by direction over half a turn, which is mirrored: each series over the middles of its sectors,
 /// degrees, with ticks for its errors.
 struct Outlines {
@@ -108,12 +121,13 @@ struct KeyEntry {
   std::string mark = {};  ///< instead of a line, as of series
 };
 
-/// One drawing of a figure: panels side by side, or roses, outlines or cells. A figure that follows choices has one for
-/// each.
+/// One drawing of a figure: panels side by side, or roses, hemispheres, outlines or cells. A figure that follows
+/// choices has one for each.
 struct Drawing {
   std::vector<std::pair<std::string, std::string>> chosen = {};  ///< {"component", "xx"}
   std::vector<Panel> panels = {};
   std::vector<Rose> roses = {};
+  std::vector<Hemisphere> hemispheres = {};
   std::vector<KeyEntry> key = {};
   std::optional<Outlines> outlines = {};
   std::optional<Cells> cells = {};

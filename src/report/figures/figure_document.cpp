@@ -91,10 +91,16 @@ Numbers numbers_of(const Rose& rose, const WriteList& write) {
       .list("inner", rose.inner, write)
       .list("line", rose.line, write)
       .real("axis", rose.axis, NAN);
-  tree.out["count"] = rose.count;
-  tree.out["reach"] = rose.reach;
-  tree.out["words"] = rose.words;
+  tree.out["count"] = rose.count, tree.out["reach"] = rose.reach, tree.out["words"] = rose.words;
   return tree.out;
+}
+
+Numbers numbers_of(const Hemisphere& one, const WriteList& write) {
+  Tree tree;
+  tree.list("inner", one.inner, write).list("outer", one.outer, write).list("from", one.from, write);
+  tree.list("to", one.to, write).list("values", one.values, write).list("mark", one.mark, whole_list);
+  tree.out["count"] = one.count, tree.out["reach"] = one.reach, tree.out["words"] = one.words;
+  return tree.text("name", one.name).out;
 }
 
 Numbers numbers_of(const Outlines& outlines, const WriteList& write) {
@@ -106,8 +112,7 @@ Numbers numbers_of(const Outlines& outlines, const WriteList& write) {
 
 Numbers numbers_of(const Cells& cells, const WriteList& write) {
   Tree tree;
-  tree.out["x"] = numbers_of(cells.x);
-  tree.out["y"] = numbers_of(cells.y);
+  tree.out["x"] = numbers_of(cells.x), tree.out["y"] = numbers_of(cells.y);
   return tree.list("values", cells.values, write).list("error", cells.error, write).out;
 }
 
@@ -225,6 +230,8 @@ Numbers numbers_of(const Drawing& drawing, const WriteList& write) {
     out["panels"] = mapped(drawing.panels, [&](const Panel& panel) { return numbers_of(panel, write); });
   if (!drawing.roses.empty())
     out["roses"] = mapped(drawing.roses, [&](const Rose& rose) { return numbers_of(rose, write); });
+  if (!drawing.hemispheres.empty())
+    out["hemispheres"] = mapped(drawing.hemispheres, [&](const Hemisphere& one) { return numbers_of(one, write); });
   if (drawing.outlines) out["outlines"] = numbers_of(*drawing.outlines, write);
   if (drawing.cells) out["cells"] = numbers_of(*drawing.cells, write);
   if (!drawing.key.empty()) out["key"] = mapped(drawing.key, [](const KeyEntry& entry) { return numbers_of(entry); });

@@ -11,6 +11,7 @@
 #include "core/mapped.hpp"
 #include "grains/packing/population.hpp"
 #include "report/figures/axial_figures.hpp"
+#include "report/figures/spheres/orientations.hpp"
 #include "report/figures/stage_figures.hpp"
 #include "report/figures/state_figures.hpp"
 
@@ -118,11 +119,24 @@ const std::vector<Row<RunData>>& run_figures() {
 namespace {
 
 /// Those of disks that say the same of spheres.
+const Head orientations_of_spheres{
+    "orientations",
+    "contact-orientations",
+    "Contact orientations",
+    {"Contacts by their direction over the number in each of 75 equal parts of half the sphere "
+     "that no preferred direction would give; strong: F_{n} > \u27e8F_{n}\u27e9.",
+     "Lambert's equal-area projection, seen from above; the cross is the direction of most."},
+    true};
+
 constexpr const char *of_spheres[] = {"contact-numbers", "forces", "sigma-norm", "rev"},
                      *over_time[] = {"grain-bonds", "wall-forces", "energies", "equilibrium"};
 
 template <class Data> const Row<Data>& row_of(const std::vector<Row<Data>>& list, std::string_view id) {
   return *std::ranges::find_if(list, [&](const Row<Data>& row) { return row.head.id == id; });
+}
+
+Drawings draw_orientations(const SphereResult& stage) {
+  return stage.texture.is_tree() ? orientations_in_space(stage.texture) : Drawings{};
 }
 
 template <std::size_t k> Drawings draw_state(const SphereResult& stage) {
@@ -149,6 +163,7 @@ template <std::size_t k> Drawings draw_history(const SphereResult& stage) {
 
 const std::vector<Row<SphereResult>>& sphere_figures() {
   static const std::vector<Row<SphereResult>> all{{row_of(stage_figures(), "test-curves").head, triaxial_drawing},
+                                                  {orientations_of_spheres, draw_orientations},
                                                   {row_of(state_figures(), of_spheres[0]).head, draw_state<0>},
                                                   {row_of(state_figures(), of_spheres[1]).head, draw_state<1>},
                                                   {row_of(state_figures(), of_spheres[2]).head, draw_state<2>},

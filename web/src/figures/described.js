@@ -2,6 +2,7 @@ import { text } from "../text.js";
 import { drawCells } from "./cells.js";
 import { sideBySide } from "./chart.js";
 import { colourOf, dashOf } from "./colours.js";
+import { drawHemispheres } from "./hemispheres.js";
 import { drawOutlines } from "./outlines.js";
 import { drawPanel } from "./panel.js";
 import { drawRoses } from "./roses.js";
@@ -33,8 +34,9 @@ export function keyOf({ key = [], panels }, here, theme) {
 }
 
 /** A drawing as an SVG. */
-export function draw({ panels, roses, outlines, cells }, about) {
+export function draw({ panels, roses, hemispheres, outlines, cells }, about) {
   if (roses) return drawRoses(roses, about);
+  if (hemispheres) return drawHemispheres(hemispheres, about);
   if (outlines) return drawOutlines(outlines, about);
   if (cells) return drawCells(cells, about);
   const drawn = panels.map((panel) => (width) => drawPanel(panel, { ...about, width }));

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "grains/texture/spheres/hemisphere.hpp"
 #include "grains/texture/spheres/sphere_view.hpp"
 
 namespace arenite::texture::spheres {
@@ -107,6 +108,12 @@ std::vector<double> evaluate(const std::vector<double>& s, Vec3 load_axis) {
   return r;
 }
 
+std::vector<double> by_directions(const SphereView& view, const Items& items) {
+  std::vector<double> contacts(hemisphere::cells);
+  for (const std::size_t c : items) contacts[hemisphere::cell_of(view.pairs().normal[c])] += 1;
+  return contacts;
+}
+
 Numbers direction(Vec3 n) { return Numbers::list({n.x, n.y, n.z}); }
 
 void put_fabric(Numbers& j, const SphereView& view, const Items& items) {
@@ -130,6 +137,8 @@ void put_fabric(Numbers& j, const SphereView& view, const Items& items) {
   put(j, "principal", Numbers::list({axes.value.x, axes.value.y, axes.value.z}), "", "Its principal values",
       Trait::detail);
   put(j, "axis", direction(axes.direction[0]), "", "Direction of most contacts: x, y, z of a unit vector");
+  put(j, "directions", by_directions(view, items), "",
+      "Contacts by 75 equal parts of the half sphere of directions, from y outwards", Trait::curve);
   put(j, "p_4", r[p_4], "", "<P_4(cos)> of contact orientations about that direction, of the fourth-order fabric",
       Trait::detail);
   put(j, "a_n", r[a_n], "",

@@ -35,7 +35,7 @@ TEST(Drawing, QuantitiesTakeThePrefixThatSuitsThem) {
 }
 
 TEST(Drawing, EveryFigureHasItsNamesTitleAndCaption) {
-  for (const auto& heads : {packing_heads(), field_heads(), voxel_heads(), film_heads()}) {
+  for (const auto& heads : {packing_heads(), field_heads(), voxel_heads(), sphere_heads(), film_heads()}) {
     std::set<std::string> ids, names;
     for (const Head& head : heads) {
       EXPECT_TRUE(ids.insert(head.id).second) << head.id;
