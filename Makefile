@@ -7,7 +7,7 @@ COMMON = cmake -S . -B $(BUILD) -G Ninja $(CMAKE_FLAGS)
 WITHOUT_MODULE = $(if $(wildcard $(BUILD)/CMakeCache.txt),,-DARENITE_PYTHON=OFF)
 WITH_MODULE = -DARENITE_PYTHON=ON
 
-.PHONY: demo test build install deb dist bench peers fuzz docs clean
+.PHONY: demo test build install deb dist bench peers petsc fuzz docs clean
 
 demo:
 	@scripts/setup run
@@ -59,6 +59,14 @@ peers:
 	@ninja -C $(BUILD) -j $(JOBS)
 	@bench/peers/run $(BUILD)
 	@bench/peers/peridynamics $(BUILD)
+
+# arenite-petsc for many machines (docs/cluster.md), and its fields on 1, 2 and 4 processes beside those of arenite.
+petsc:
+	@scripts/setup run petsc
+	@$(COMMON) $(WITHOUT_MODULE) -DARENITE_TESTS=OFF -DARENITE_PETSC=ON >/dev/null
+	@ninja -C $(BUILD) -j $(JOBS) arenite arenite_petsc
+	@ARENITE=$(abspath $(BUILD))/arenite ARENITE_PETSC=$(abspath $(BUILD))/arenite-petsc \
+	  /usr/bin/python3 -B -m pytest -q -p no:cacheprovider tests/cluster
 
 # Every fuzz target for FUZZ_SECONDS; inputs that reach new code gather in build-fuzz/found. (The tests run their corpora.)
 FUZZ_SECONDS ?= 60

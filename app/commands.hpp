@@ -4,6 +4,10 @@
 
 #include "options.hpp"
 
+namespace arenite::elements {
+struct OtherSolver;
+}
+
 namespace arenite::app {
 
 /// One argument of a command as it was declared, for texts that are generated from the declarations.
@@ -64,6 +68,9 @@ void add_compare(Options& command, int& status);
 void add_doctor(Options& command, int& status);
 void add_completion(Options& command, int& status);
 void add_man(Options& command, int& status);
+
+/// `load` for samples in space that another solver takes to equilibrium; it must outlive the work.
+void add_load_by(const elements::OtherSolver* solver, Options& command, int& status);
 
 /// Throws InputError with what stands at `path`, and the command for it, where that is plainly no result: a recipe, the
 /// folder of a study or of maps, a study that comes with the program, a folder without results. Films pass.

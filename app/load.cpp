@@ -9,6 +9,7 @@
 #include "progress.hpp"
 #include "report/page.hpp"
 #include "report/summary/summary.hpp"
+#include "solid/elements/load.hpp"
 #include "workflow/apply_load.hpp"
 #include "workflow/load_voxels.hpp"
 #include "workflow/read_map.hpp"
@@ -22,6 +23,7 @@ struct LoadArguments {
   std::string file, out;
   KeyOptions map{recipe::every_key<recipe::MapSection>()}, load{recipe::every_key<recipe::Load>()};
   bool json = false, quiet = false;
+  const elements::OtherSolver* solver = nullptr;
 };
 
 recipe::MapSection map_of(const LoadArguments& a) {
@@ -66,7 +68,7 @@ int execute_in_space(const LoadArguments& a, const recipe::MapSection& map, cons
   ProgressLine line(a.quiet || a.json);
   const workflow::RunOptions options = options_of(a, line);
   watch_for_signals();
-  const auto [result, file] = workflow::load_voxels(map, load, options);
+  const auto [result, file] = workflow::load_voxels(map, load, options, a.solver);
   if (!result) {
     print(stderr, "stopped; nothing was stored\n");
     return other_failure;
@@ -84,6 +86,7 @@ int execute(const LoadArguments& a) {
   const recipe::MapSection map = map_of(a);
   const recipe::Load load = load_of(a);
   if (workflow::is_in_space(map)) return execute_in_space(a, map, load);
+  if (a.solver) throw InputError(a.solver->name + " solves samples in space; load pictures by `arenite load`");
   workflow::require_length(map, load);
   watch_for_signals();
   const auto [field, file, measured] = carry_out(a, map, load);
@@ -134,8 +137,11 @@ void add_loading(Options& command, KeyOptions& load) {
 
 }  // namespace
 
-void add_load(Options& command, int& status) {
+void add_load(Options& command, int& status) { add_load_by(nullptr, command, status); }
+
+void add_load_by(const elements::OtherSolver* solver, Options& command, int& status) {
   const auto a = std::make_shared<LoadArguments>();
+  a->solver = solver;
   command
       .add("map", a->file,
            recipe::help_of(a->map.at("file")) + "; pictures: " + io::picture_formats(true) +

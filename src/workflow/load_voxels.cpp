@@ -100,6 +100,14 @@ VoxelMap read_cemented_spheres(const recipe::MapSection& map, const std::functio
   return voxels;
 }
 
+/// What is solved elsewhere is one load by elements.
+void require_elements_alone(const recipe::Load& load, const elements::OtherSolver& solver) {
+  if (!load.by_elements())
+    throw refusal("{} solves samples of elements; give method = \"elements\", or use `arenite load`", solver.name);
+  if (load.effective_stiffness)
+    throw refusal("{} solves no periodic samples; leave effective_stiffness out, or use `arenite load`", solver.name);
+}
+
 }  // namespace
 
 void require_space(const recipe::Load& load) {
@@ -128,8 +136,10 @@ VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(con
   return std::move(read.map);
 }
 
-std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch) {
+std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch,
+                                      const elements::OtherSolver* solver) {
   require_space(load);
+  if (solver) require_elements_alone(load, *solver);
   const SolveShares shares(load, voigt_count<3>, watch);
   elements::LoadOptions solve;
   solve.tolerance = load.tolerance;
@@ -139,6 +149,7 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
   solve.lower = load.lower;
   solve.strain = load.strain;
   solve.watch = shares.of_load();
+  solve.solver = solver;
   auto loaded = load.by_elements() ? elements::load(map, solve) : loaded_by_bonds(load, map, solve.watch);
   if (loaded.report.ending == statics::Ending::stopped) return std::nullopt;
   VoxelResult result;
@@ -149,6 +160,7 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
   Numbers& j = result.numbers;
   j["map"] = grid::map_numbers(map);
   j["load"] = load_numbers(load, loaded.report);
+  if (solver) j["load"]["solver"] = solver->name;
   if (result.converged) {
     j["modulus_Pa"] =
         described(loaded.report.modulus, "Pa", "Apparent modulus, mean stress over strain, between clamps");
@@ -166,10 +178,12 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
   return result;
 }
 
-LoadedMap<VoxelResult> load_voxels(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options) {
+LoadedMap<VoxelResult> load_voxels(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options,
+                                   const elements::OtherSolver* solver) {
   require_space(load);
+  if (solver) require_elements_alone(load, *solver);
   const auto make = [&](const statics::Watch& watch, const std::string&, const fs::path&) {
-    return apply_load(load, read_voxels(map, options.notice), watch);
+    return apply_load(load, read_voxels(map, options.notice), watch, solver);
   };
   return load_by_itself<VoxelResult>(map, load, options, make, io::write_voxels, io::read_voxels);
 }

@@ -7,6 +7,7 @@
 #include "model/result.hpp"
 #include "model/voxel_map.hpp"
 #include "recipe/recipe.hpp"
+#include "solid/elements/load.hpp"
 #include "solid/statics/watch.hpp"
 #include "workflow/runner.hpp"
 
@@ -23,10 +24,12 @@ VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(con
 
 /// Loads a sample in space between its lowest and its highest layer by bonds or elements; with
 /// `load.effective_stiffness` that follows, as of a sample that repeats itself. Nothing if the watch stopped it. Throws
-/// InputError for keys that are of the plane.
-std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch);
+/// InputError for keys that are of the plane, and for what another solver than the program's own cannot do.
+std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch,
+                                      const elements::OtherSolver* solver = nullptr);
 
 /// The same of a file, kept as load_by_itself says. Throws InputError for what cannot be read as a voxel map.
-LoadedMap<VoxelResult> load_voxels(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options);
+LoadedMap<VoxelResult> load_voxels(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options,
+                                   const elements::OtherSolver* solver = nullptr);
 
 }  // namespace arenite::workflow

@@ -29,6 +29,27 @@ template <int D> FieldIn<D, double> forces_of(const ElementsIn<D>& elements, con
 
 namespace {
 
+template <int D>
+statics::StaticReport solve_here(const MapIn<D>& map, const ElementsIn<D>& elements,
+                                 const std::vector<std::uint8_t>& prescribed, const LoadOptions& options,
+                                 FieldIn<D, double>& u) {
+  statics::StaticSolver<ElementsIn<D>> solver(
+      elements, cut_into_aggregates<D>(map, elements, prescribed, coarse_side<D>(options)), prescribed);
+  return solver.solve(elements, u, options.tolerance, most_iterations<D>(options), options.watch);
+}
+
+statics::StaticReport equilibrium(const PhaseMap& map, const Elements& elements,
+                                  const std::vector<std::uint8_t>& prescribed, const LoadOptions& options,
+                                  FieldIn<2, double>& u) {
+  return solve_here<2>(map, elements, prescribed, options, u);
+}
+statics::StaticReport equilibrium(const VoxelMap& map, const Voxels& elements,
+                                  const std::vector<std::uint8_t>& prescribed, const LoadOptions& options,
+                                  FieldIn<3, double>& u) {
+  if (!options.solver) return solve_here<3>(map, elements, prescribed, options, u);
+  return options.solver->solve(elements, prescribed, u, options.tolerance, most_iterations<3>(options), options.watch);
+}
+
 template <int D> statics::LoadResultIn<D> load_in(const MapIn<D>& map, const LoadOptions& options) {
   statics::check_load(options.strain, options.tolerance);
   ElementsIn<D> elements = make_elements<D>(map, options.material);
@@ -45,10 +66,7 @@ template <int D> statics::LoadResultIn<D> load_in(const MapIn<D>& map, const Loa
   FieldIn<D, double> u =
       statics::uniform_strain<D>(grid, tie, options.strain * gauge * statics::direction_of<D>(options.loading));
   if (r.support.carrying > 0) {
-    statics::StaticSolver<ElementsIn<D>> solver(
-        elements, cut_into_aggregates<D>(map, elements, prescribed, coarse_side<D>(options)), prescribed);
-    static_cast<statics::StaticReport&>(r) =
-        solver.solve(elements, u, options.tolerance, most_iterations<D>(options), options.watch);
+    static_cast<statics::StaticReport&>(r) = equilibrium(map, elements, prescribed, options, u);
     r.ending = statics::ending_of(r);
   } else {
     r.ending = r.support.solid > 0 ? statics::Ending::severed : statics::Ending::empty;

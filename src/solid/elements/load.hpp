@@ -1,4 +1,9 @@
 #pragma once
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
 #include "model/voxel_map.hpp"
 #include "solid/elements/elements.hpp"
 #include "solid/elements/options.hpp"
@@ -18,11 +23,22 @@ struct SolveOptions {
 template <int D> int coarse_side(const SolveOptions& options);
 template <int D> int most_iterations(const SolveOptions& options);
 
+/// Another way to the equilibrium of a sample in space than statics::StaticSolver, with the meaning of its arguments:
+/// one that more than this process works at (cluster/).
+struct OtherSolver {
+  std::string name;  ///< "PETSc 3.18.5 on 4 processes"
+  std::function<statics::StaticReport(const Voxels& elements, const std::vector<std::uint8_t>& prescribed,
+                                      FieldIn<3, double>& u, double tolerance, int max_iterations,
+                                      const statics::Watch& watch)>
+      solve;
+};
+
 /// How it is held between its lowest and its highest level and loaded: shear moves the top along x.
 struct LoadOptions : SolveOptions {
   statics::Loading loading = statics::Loading::tension;
   statics::LowerEdge lower = statics::LowerEdge::fixed;
-  double strain = 1e-4;  ///< displacement of the upper edge over the height
+  double strain = 1e-4;                 ///< displacement of the upper edge over the height
+  const OtherSolver* solver = nullptr;  ///< in space
 };
 
 /// Loads a sample by the displacement of its upper edge, or face, and finds its field at equilibrium, in the middle of
