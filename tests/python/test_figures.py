@@ -53,7 +53,7 @@ def test_every_figure_that_the_library_lists_is_drawn_by_the_page_and_in_print()
 def test_renderers_say_nothing_of_their_own():
     """No titles, captions and units of figures stand in the sources that draw what the library describes."""
     root = pathlib.Path(__file__).resolve().parents[2]
-    names = ("described", "panel", "roses", "outlines", "cells", "index")
+    names = ("described", "panel", "roses", "hemispheres", "outlines", "cells", "index")
     sources = [root / "web/src/figures" / f"{name}.js" for name in names] + [root / "web/src/study/figure.js"]
     modules = (drawing, described, polar, runs, moving)
     text = "".join(path.read_text() for path in (*sources, *(pathlib.Path(one.__file__) for one in modules)))

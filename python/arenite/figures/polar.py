@@ -94,7 +94,7 @@ def draw_hemispheres(figure, hemispheres):
     axes = [figure.add_subplot(1, columns, k + 1, projection="polar") for k in range(columns)]
     for place, one in zip(axes, hemispheres):
         scale = draw_hemisphere(place, one)
-    figure.colorbar(scale, ax=axes, orientation="horizontal", shrink=0.4, aspect=30, label="over isotropic")
+    figure.colorbar(scale, ax=axes, orientation="horizontal", shrink=0.4, aspect=30, label=hemispheres[0]["measure"])
 
 
 def draw_outlines(axes, outlines):

@@ -160,7 +160,7 @@ RawGrains read_yade_spheres(const Reading& reading) {
     if (cells.empty()) continue;
     if (cells.front() == "#format" && cells.size() > 1) {
       id_columns = cells[1].starts_with("id_") ? 1 : 0;
-      if (cells[1].ends_with("_matId")) material = id_columns + 4;
+      material = cells[1].ends_with("_matId") ? id_columns + 4 : 0;
       continue;
     }
     if (cells.front().starts_with('#')) continue;

@@ -89,6 +89,7 @@ struct Hemisphere {
   std::vector<double> values = {};             ///< over isotropic
   std::vector<double> mark = {};               ///< x and y of the direction of most; empty: none
   double reach = 1;                            ///< the end of the scale of colours, which begins at 0
+  std::string measure = "over isotropic";      ///< what the scale says
   std::vector<std::string> words = {};         ///< below
 };
 

@@ -100,7 +100,7 @@ Numbers numbers_of(const Hemisphere& one, const WriteList& write) {
   tree.list("inner", one.inner, write).list("outer", one.outer, write).list("from", one.from, write);
   tree.list("to", one.to, write).list("values", one.values, write).list("mark", one.mark, whole_list);
   tree.out["count"] = one.count, tree.out["reach"] = one.reach, tree.out["words"] = one.words;
-  return tree.text("name", one.name).out;
+  return tree.text("name", one.name).text("measure", one.measure).out;
 }
 
 Numbers numbers_of(const Outlines& outlines, const WriteList& write) {

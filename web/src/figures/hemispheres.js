@@ -25,23 +25,23 @@ export function drawHemispheres(all, { theme, width }) {
       y = Math.floor(k / perRow) * height + head + radius;
     svg.append(s("g", { transform: `translate(${x} ${y})`, "data-set": one.name }, ...hemisphere(one, radius, theme)));
   });
-  svg.append(...scale(all[0].reach, width, rows * height, theme));
+  svg.append(...scale(all[0], width, rows * height, theme));
   svg.numbers = [
     {
       x: "part of the half sphere",
-      y: "contacts over the isotropic number",
+      y: all[0].measure,
       points: all.flatMap(({ name, values }) => Array.from(values, (y, k) => ({ name, x: k, y }))),
     },
   ];
   return richSvg(svg);
 }
 
-function hemisphere({ name, count, inner, outer, from, to, values, mark, reach, words }, radius, theme) {
+function hemisphere({ name, count, inner, outer, from, to, values, mark, reach, measure, words }, radius, theme) {
   const sectors = Array.from(values, (value, k) =>
     s(
       "path",
       { d: sector(inner[k] * radius, outer[k] * radius, from[k], to[k]), fill: theme.size(value / reach) },
-      s("title", {}, `${text.number(value, 3)} of the isotropic number`),
+      s("title", {}, `${text.number(value, 3)} ${measure}`),
     ),
   );
   const label = (x, y, words, rest = {}) => s("text", { x, y, "text-anchor": "middle", ...rest }, words);
@@ -77,7 +77,7 @@ function cross(mark, radius, theme) {
 }
 
 /** Colours from 0 to the largest value, with 1, that of no preferred direction, marked. */
-function scale(reach, width, y, theme) {
+function scale({ reach, measure }, width, y, theme) {
   const parts = 40,
     whole = Math.min(180, width - 60),
     left = 0.5 * (width - whole);
@@ -100,5 +100,6 @@ function scale(reach, width, y, theme) {
         `${Number(value.toPrecision(3))}`,
       ),
     ),
+    s("text", { x: left + whole + 14, y: y + 8 }, measure),
   ];
 }

@@ -108,9 +108,10 @@ TEST(SampleOfSpheres, OfMercuryBothRowsAreOneContactAndSlopingWallsKeepTheirNorm
   EXPECT_TRUE(says(s.notes, "no side of the box"));
 }
 
+/// What a file of YADE says of its columns holds up to where it says otherwise.
 TEST(SampleOfSpheres, OfYadeInteractionsEndAtImagesToo) {
   const Files files(
-      "#format id_x_y_z_r_matId\n0 1 1 1 1 0\n1 9.2 1 1 1 0\n2 1 1 2.9 1 0\n",
+      "#format id_x_y_z_r_matId\n0 1 1 1 1 0\n1 9.2 1 1 1 0\n#format id_x_y_z_r\n2 1 1 2.9 1\n",
       "# vtk DataFile Version 3.0.\ncomment\nASCII\n\nDATASET POLYDATA\nPOINTS 4 double\n1 1 1\n-0.8 1 1\n"
       "1 1 1\n1 1 2.9\nLINES 2 6\n2 0 1\n2 2 3\nCELL_DATA 2\nVECTORS normalForce double\n-5 0 0\n0 0 3\n"
       "VECTORS shearForce double\n0 1 0\n0 0 0\n");
