@@ -1,7 +1,5 @@
 #include <sys/resource.h>
-#include <unistd.h>
 
-#include <cstdlib>
 #include <vector>
 
 #include "commands.hpp"
@@ -46,18 +44,16 @@ const std::vector<app::Command>& app::commands() {
 
 namespace {
 
-/// OpenBLAS starts its threads as it is loaded, and where address space is limited one of them may ask for memory for
-/// ever, which the end of the program then waits for. It takes its number of threads from the environment only.
-void start_anew_with_one_blas_thread(char** argv) {
+/// Where address space is limited a thread of OpenBLAS may ask for memory for ever, which the end of the program then
+/// waits for.
+bool has_limited_space() {
   rlimit space{};
-  if (std::getenv("OPENBLAS_NUM_THREADS") || ::getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur == RLIM_INFINITY)
-    return;
-  if (::setenv("OPENBLAS_NUM_THREADS", "1", 0) == 0) ::execv("/proc/self/exe", argv);
+  return ::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  start_anew_with_one_blas_thread(argv);
+  if (has_limited_space()) app::start_anew_with_one_blas_thread(argv);
   return app::run_program(argc, argv);
 }

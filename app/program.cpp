@@ -1,8 +1,11 @@
 #include "program.hpp"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <deque>
 #include <exception>
@@ -34,6 +37,11 @@ int carry_out(int argc, char** argv) {
 }
 
 }  // namespace
+
+void start_anew_with_one_blas_thread(char** argv) {
+  if (!std::getenv("OPENBLAS_NUM_THREADS") && ::setenv("OPENBLAS_NUM_THREADS", "1", 0) == 0)
+    ::execv("/proc/self/exe", argv);
+}
 
 int run_program(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the size limit is an error of its write, not the end of the program

@@ -74,8 +74,9 @@ def run_peers(build):
     run(sys.executable, HERE / "peers" / "lockin_numpy.py", 200)
     run(sys.executable, HERE / "peers" / "run", build, 0)
     run("lmp", "-in", HERE / "peers" / "peridynamics.in", "-log", "none", "-var", "nodes", 16, "-var", "steps", 4)
-    if (build / "bench" / "peers" / "petsc_gamg").exists():
-        run(build / "bench" / "peers" / "petsc_gamg", 64, 2.5, 0.4)
+    for name, *sample in (("petsc_gamg", 64, 2.5, 0.4), ("petsc_voxels", 16, 4, 0)):
+        if (build / "bench" / "peers" / name).exists():
+            run(build / "bench" / "peers" / name, *sample)
 
 
 if __name__ == "__main__":

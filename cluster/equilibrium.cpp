@@ -2,12 +2,16 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "galerkin.hpp"
+#include "slab.hpp"
 #include "solid/elements/kernels/kernels.hpp"
 #include "solid/statics/residual.hpp"
 

@@ -1,8 +1,4 @@
 #pragma once
-#include <functional>
-#include <vector>
-
-#include "slab.hpp"
 #include "solid/elements/load.hpp"
 
 namespace arenite::cluster {

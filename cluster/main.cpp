@@ -1,14 +1,14 @@
 // arenite-petsc: `arenite load` of samples in space by elements, solved on many machines under mpirun.
-#include <unistd.h>
+#include <petscsys.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <vector>
 
 #include "commands.hpp"
 #include "equilibrium.hpp"
 #include "program.hpp"
+#include "ranks.hpp"
 
 using namespace arenite;
 
@@ -20,12 +20,6 @@ namespace {
 const elements::OtherSolver& solver() {
   static const elements::OtherSolver one = cluster::petsc_solver();
   return one;
-}
-
-/// Those of a process would share its core; OpenBLAS takes their number from the environment, before main.
-void start_anew_with_one_blas_thread(char** argv) {
-  if (!std::getenv("OPENBLAS_NUM_THREADS") && ::setenv("OPENBLAS_NUM_THREADS", "1", 0) == 0)
-    ::execv("/proc/self/exe", argv);
 }
 
 int work(int argc, char** argv) {
@@ -53,8 +47,8 @@ const std::vector<app::Command>& app::commands() {
 }
 
 int main(int argc, char** argv) {
-  start_anew_with_one_blas_thread(argv);
-  int none = 0;  // the command line is ours; PETSc's options come from PETSC_OPTIONS
+  app::start_anew_with_one_blas_thread(argv);  // those of a process would share its core
+  int none = 0;                                // the command line is ours; PETSc's options come from PETSC_OPTIONS
   if (PetscInitialize(&none, nullptr, nullptr, nullptr)) return app::other_failure;
   const int status = work(argc, argv);
   PetscFinalize();

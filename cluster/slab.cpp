@@ -29,6 +29,14 @@ Box reach_of(const Box& own, const Box& coarse, const std::array<int, 3>& cells)
   return reach;
 }
 
+/// Whether a node of the fine mesh is one of the sample.
+bool is_inside(const statics::Grid& grid, std::int64_t x, std::int64_t y, std::int64_t z) {
+  return x < grid.width && y < grid.height && z < grid.depth;
+}
+std::ptrdiff_t index_in(const statics::Grid& grid, std::int64_t x, std::int64_t y, std::int64_t z) {
+  return grid.index(static_cast<int>(x), static_cast<int>(y), static_cast<int>(z));
+}
+
 void make_meshes(Slab& s) {
   std::array<PetscInt, 3> nodes;
   for (std::size_t a = 0; a < 3; ++a) nodes[a] = (s.cells[a] + 1) / 2 + 1;
@@ -44,8 +52,7 @@ elements::Voxels voxels_of(const Problem& problem, const Box& reach, const eleme
   const auto pack = [&](const Box& box, std::vector<std::uint8_t>& kinds) {
     box.each([&](auto x, auto y, auto z) {
       const bool inside = x < problem.cells[0] && y < problem.cells[1] && z < problem.cells[2];
-      kinds.push_back(inside ? static_cast<std::uint8_t>(whole->kind(
-                                   whole->grid.index(static_cast<int>(x), static_cast<int>(y), static_cast<int>(z))))
+      kinds.push_back(inside ? static_cast<std::uint8_t>(whole->kind(index_in(whole->grid, x, y, z)))
                              : std::uint8_t{elements::none});
     });
   };
@@ -120,18 +127,6 @@ void Slab::keep_free(::Vec v) const {
       if (inverse.blocks(a, a)[i] == 0) values(x, y, z)[a] = 0;
   });
 }
-
-namespace {
-
-/// Whether a node of the fine mesh is one of the sample.
-bool is_inside(const statics::Grid& grid, std::int64_t x, std::int64_t y, std::int64_t z) {
-  return x < grid.width && y < grid.height && z < grid.depth;
-}
-std::ptrdiff_t index_in(const statics::Grid& grid, std::int64_t x, std::int64_t y, std::int64_t z) {
-  return grid.index(static_cast<int>(x), static_cast<int>(y), static_cast<int>(z));
-}
-
-}  // namespace
 
 void Slab::hand_out(const statics::FieldIn<3, double>& whole, const statics::Grid& grid, ::Vec to) const {
   const auto pack = [&](const Box& box, std::vector<double>& values) {

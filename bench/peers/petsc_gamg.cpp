@@ -2,18 +2,16 @@
 // algebraic multigrid (GAMG) and the rigid modes as near null space, to the same residual. Prints one line of JSON.
 //
 //   petsc_gamg NODES GAMMA BRIDGE     bridge: half-width over the radius, 10 and more fills all pores
-#include <petscksp.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <stdexcept>
 #include <vector>
 
 #include "../../tests/support/cemented_sample.hpp"
-#include "../process_use.hpp"
+#include "gamg.hpp"
+#include "solid/peridynamics/bonded_aggregates.hpp"
 #include "solid/peridynamics/bonds.hpp"
 #include "solid/peridynamics/load.hpp"
 #include "solid/peridynamics/support.hpp"
@@ -23,22 +21,17 @@ namespace {
 using namespace arenite;
 using namespace arenite::peridynamics;
 using bench::cpu_seconds;
+using bench::must;
 using bench::peak_megabytes;
 
-void must(PetscErrorCode code) {
-  if (code) throw std::runtime_error("PETSc failed");
-}
-
 /// Rows of the free nodes in compressed form; what the moved top row pulls with stands on the right.
-struct System {
+struct System : bench::Rows {
   Bonds bonds;
   std::vector<std::ptrdiff_t> node;  ///< of each unknown pair
   std::vector<std::int32_t> number;  ///< unknown pair of each node, padded; -1: none
-  std::vector<PetscInt> begin, column;
-  std::vector<double> value, right, start;
-  double unit = 0;  ///< displacement of the top row
+  double unit = 0;                   ///< displacement of the top row
 
-  System(const PhaseMap& map, double strain) : bonds(make_bonds(map, {})) {
+  System(const PhaseMap& map, double strain) : bench::Rows{.components = 2}, bonds(make_bonds(map, {})) {
     const Grid& grid = bonds.grid;
     const auto rows = prescribed_levels<2>(map.height, Loading::tension, LowerEdge::fixed);
     auto aggregates = cut_into_aggregates(map, bonds, rows);
@@ -51,6 +44,7 @@ struct System {
         if (const auto i = grid.index(x, y); tie[i] == Tie::both) {
           number[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(node.size());
           node.push_back(i);
+          for (const int at : {x, y}) place.push_back(at);
         }
     fill(map);
   }
@@ -71,14 +65,13 @@ struct System {
               [](const Neighbour& a, const Neighbour& b) { return a.e.y != b.e.y ? a.e.y < b.e.y : a.e.x < b.e.x; });
     const Grid& grid = bonds.grid;
     right.assign(2 * node.size(), 0);
-    start.assign(2 * node.size(), 0);
+    u.assign(2 * node.size(), 0);
     column.reserve(2 * 58 * node.size());
     value.reserve(2 * 58 * node.size());
-    begin.push_back(0);
     for (std::size_t n = 0; n < node.size(); ++n) {
       const std::ptrdiff_t i = node[n];
       const int y = static_cast<int>((i - grid.row(0)) / grid.stride);
-      start[2 * n + 1] = unit * y / (map.height - 1);
+      u[2 * n + 1] = unit * y / (map.height - 1);
       std::array<std::array<double, 2>, 2> own{};
       struct Entry {
         PetscInt column;
@@ -120,7 +113,7 @@ struct System {
   }
 
   /// Force that the top row needs, by the bonds that end in it.
-  double modulus(const PhaseMap& map, const double* u) const {
+  double modulus(const PhaseMap& map) const {
     const Grid& grid = bonds.grid;
     double force = 0;
     const int top = map.height - 1;
@@ -139,62 +132,15 @@ struct System {
   }
 };
 
-struct Outcome {
-  double assembly = 0, setup = 0, solve = 0, residual = 0, modulus = 0;
-  PetscInt iterations = 0;
+struct Outcome : bench::GamgOutcome {
+  double modulus = 0;
 };
 
 Outcome solve_with_petsc(const PhaseMap& map) {
-  Outcome out;
-  const double begin = cpu_seconds();
+  const double began = cpu_seconds();
   System s(map, 1e-4);
-  const auto n = static_cast<PetscInt>(s.right.size());
-  Mat a;
-  must(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, s.begin.data(), s.column.data(), s.value.data(), &a));
-  must(MatSetBlockSize(a, 2));
-  must(MatSetOption(a, MAT_SPD, PETSC_TRUE));
-  ::Vec place, b, u, r;
-  must(VecCreateSeq(PETSC_COMM_SELF, n, &place));
-  must(VecSetBlockSize(place, 2));
-  double* xy;
-  must(VecGetArray(place, &xy));
-  for (std::size_t k = 0; k < s.node.size(); ++k) {
-    const std::ptrdiff_t i = s.node[k] - s.bonds.grid.row(0);
-    xy[2 * k] = static_cast<double>(i % s.bonds.grid.stride);
-    xy[2 * k + 1] = static_cast<double>(i / s.bonds.grid.stride);
-  }
-  must(VecRestoreArray(place, &xy));
-  MatNullSpace rigid;
-  must(MatNullSpaceCreateRigidBody(place, &rigid));
-  must(MatSetNearNullSpace(a, rigid));
-  must(VecCreateSeqWithArray(PETSC_COMM_SELF, 2, n, s.right.data(), &b));
-  must(VecCreateSeqWithArray(PETSC_COMM_SELF, 2, n, s.start.data(), &u));
-  must(VecDuplicate(b, &r));
-  must(MatMult(a, u, r));
-  must(VecAYPX(r, -1, b));
-  double reference;
-  must(VecNorm(r, NORM_2, &reference));
-  out.assembly = cpu_seconds() - begin;
-
-  KSP ksp;
-  PC pc;
-  must(KSPCreate(PETSC_COMM_SELF, &ksp));
-  must(KSPSetType(ksp, KSPCG));
-  must(KSPSetOperators(ksp, a, a));
-  must(KSPSetInitialGuessNonzero(ksp, PETSC_TRUE));
-  must(KSPSetNormType(ksp, KSP_NORM_UNPRECONDITIONED));
-  must(KSPSetTolerances(ksp, 1e-50, 1e-6 * reference, PETSC_DEFAULT, 500));
-  must(KSPGetPC(ksp, &pc));
-  must(PCSetType(pc, PCGAMG));
-  must(KSPSetFromOptions(ksp));
-  must(KSPSetUp(ksp));
-  out.setup = cpu_seconds() - begin - out.assembly;
-  must(KSPSolve(ksp, b, u));
-  out.solve = cpu_seconds() - begin - out.assembly - out.setup;
-  must(KSPGetIterationNumber(ksp, &out.iterations));
-  must(KSPGetResidualNorm(ksp, &out.residual));
-  out.residual /= reference;
-  out.modulus = s.modulus(map, s.start.data());
+  Outcome out{bench::solve_by_gamg(s, {.most_iterations = 500}, began)};
+  out.modulus = s.modulus(map);
   return out;
 }
 

@@ -2,19 +2,16 @@
 // algebraic multigrid (GAMG) and the rigid modes as near null space, to the same residual. Prints one line of JSON.
 //
 //   petsc_voxels VOXELS RATIO FILLED [ROUNDS]     turn about on one core; 1 fills all pores with matrix
-#include <petscksp.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "../../tests/support/element_samples.hpp"
-#include "../process_use.hpp"
+#include "gamg.hpp"
 #include "solid/elements/kernels/kernels.hpp"
 #include "solid/elements/load.hpp"
 #include "solid/elements/support.hpp"
@@ -24,38 +21,34 @@ namespace {
 
 using namespace arenite;
 using bench::cpu_seconds;
+using bench::must;
 using bench::peak_megabytes;
 using statics::FieldIn;
-
-void must(PetscErrorCode code) {
-  if (code) throw std::runtime_error("PETSc failed");
-}
 
 constexpr std::size_t corners = 8;
 using Square = std::array<std::array<double, 3>, 3>;
 
 /// Rows of the free nodes in compressed form; what the strained sample pulls with stands on the right.
-struct System {
+struct System : bench::Rows {
   elements::Voxels voxels;
-  FieldIn<3, double> u;
+  FieldIn<3, double> field;
   std::vector<std::uint8_t> prescribed;
   double reference = 0;
   std::vector<std::ptrdiff_t> node;
-  std::vector<std::array<int, 3>> place;
-  std::vector<PetscInt> number, begin{0}, column;
-  std::vector<double> value, right;
+  std::vector<PetscInt> number;
   std::array<std::array<std::array<Square, corners>, corners>, 4> block{};
 
   System(const VoxelMap& map, const elements::LoadOptions& options)
-      : voxels(elements::make_elements<3>(map, options.material)) {
+      : bench::Rows{.components = 3},
+        voxels(elements::make_elements<3>(map, options.material)) {
     const statics::Grid& grid = voxels.grid;
     Buffer<statics::Tie> tie;
     elements::prune(voxels, tie);
     prescribed = statics::prescribed_levels<3>(grid.levels(), options.loading, options.lower);
-    u = statics::uniform_strain<3>(grid, tie, {0, 0, options.strain * map.depth * map.dx});
+    field = statics::uniform_strain<3>(grid, tie, {0, 0, options.strain * map.depth * map.dx});
     FieldIn<3, double> work(grid.padded_size()), force(grid.padded_size());
-    reference = statics::residual_reference(voxels, prescribed, u, work, force);
-    elements::kernels_of(voxels).force(voxels, prescribed.data(), statics::pointers(std::as_const(u)),
+    reference = statics::residual_reference(voxels, prescribed, field, work, force);
+    elements::kernels_of(voxels).force(voxels, prescribed.data(), statics::pointers(std::as_const(field)),
                                        statics::pointers(force));
     for (const elements::Kind kind : elements::solid_kinds)
       for (std::size_t c = 0; c < corners; ++c)
@@ -65,6 +58,7 @@ struct System {
     for (std::size_t n = 0; n < node.size(); ++n) add_row(node[n]);
     for (const std::ptrdiff_t i : node)
       for (int c = 0; c < 3; ++c) right.push_back(force[c][i]);
+    u.assign(right.size(), 0.0);
   }
 
   void number_nodes() {
@@ -79,7 +73,7 @@ struct System {
             continue;
           number[static_cast<std::size_t>(i)] = static_cast<PetscInt>(node.size());
           node.push_back(i);
-          place.push_back({x, y, z});
+          for (const int at : {x, y, z}) place.push_back(at);
         }
   }
 
@@ -121,67 +115,21 @@ struct System {
   }
 };
 
-struct Outcome {
-  double assembly = 0, setup = 0, solve = 0, residual = 0, force = 0;
-  PetscInt iterations = 0;
+struct Outcome : bench::GamgOutcome {
+  double force = 0;
 };
 
 Outcome solve_with_petsc(const VoxelMap& map, const elements::LoadOptions& options) {
-  Outcome out;
-  const double begin = cpu_seconds();
+  const double began = cpu_seconds();
   System s(map, options);
-  const auto n = static_cast<PetscInt>(s.right.size());
-  Mat a;
-  must(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, s.begin.data(), s.column.data(), s.value.data(), &a));
-  must(MatSetBlockSize(a, 3));
-  must(MatSetOption(a, MAT_SPD, PETSC_TRUE));
-  ::Vec place, b, u;
-  must(VecCreateSeq(PETSC_COMM_SELF, n, &place));
-  must(VecSetBlockSize(place, 3));
-  double* xyz;
-  must(VecGetArray(place, &xyz));
-  for (const auto& at : s.place)
-    for (const int c : at) *xyz++ = c;
-  xyz -= n;
-  must(VecRestoreArray(place, &xyz));
-  MatNullSpace rigid;
-  must(MatNullSpaceCreateRigidBody(place, &rigid));
-  must(MatSetNearNullSpace(a, rigid));
-  must(VecCreateSeqWithArray(PETSC_COMM_SELF, 3, n, s.right.data(), &b));
-  must(VecDuplicate(b, &u));
-  out.assembly = cpu_seconds() - begin;
-
-  KSP ksp;
-  PC pc;
-  must(KSPCreate(PETSC_COMM_SELF, &ksp));
-  must(KSPSetType(ksp, KSPCG));
-  must(KSPSetOperators(ksp, a, a));
-  must(KSPSetNormType(ksp, KSP_NORM_UNPRECONDITIONED));
-  must(KSPSetTolerances(ksp, 1e-50, options.tolerance * s.reference, PETSC_DEFAULT, 2000));
-  must(KSPGetPC(ksp, &pc));
-  must(PCSetType(pc, PCGAMG));
-  must(KSPSetFromOptions(ksp));
-  must(KSPSetUp(ksp));
-  out.setup = cpu_seconds() - begin - out.assembly;
-  must(KSPSolve(ksp, b, u));
-  out.solve = cpu_seconds() - begin - out.assembly - out.setup;
-  must(KSPGetIterationNumber(ksp, &out.iterations));
-  must(KSPGetResidualNorm(ksp, &out.residual));
-  out.residual /= s.reference;
-  double* added;
-  must(VecGetArray(u, &added));
+  Outcome out{bench::solve_by_gamg(s, {options.tolerance, s.reference}, began)};
+  const double* added = s.u.data();
   for (const std::ptrdiff_t i : s.node)
-    for (int c = 0; c < 3; ++c) s.u[c][i] += *added++;
-  added -= n;
-  must(VecRestoreArray(u, &added));
-  const FieldIn<3, double> force = elements::forces_of(s.voxels, s.u);
+    for (int c = 0; c < 3; ++c) s.field[c][i] += *added++;
+  const FieldIn<3, double> force = elements::forces_of(s.voxels, s.field);
   s.voxels.grid.each([&](std::ptrdiff_t i, int level) {
     if (level == s.voxels.grid.levels() - 1) out.force -= force.z[i] * map.dx;
   });
-  must(KSPDestroy(&ksp));
-  must(MatDestroy(&a));
-  must(MatNullSpaceDestroy(&rigid));
-  for (::Vec* v : {&place, &b, &u}) must(VecDestroy(v));
   return out;
 }
 

@@ -100,18 +100,14 @@ VoxelMap read_cemented_spheres(const recipe::MapSection& map, const std::functio
   return voxels;
 }
 
-/// What is solved elsewhere is one load by elements.
-void require_elements_alone(const recipe::Load& load, const elements::OtherSolver& solver) {
-  if (!load.by_elements())
-    throw refusal("{} solves samples of elements; give method = \"elements\", or use `arenite load`", solver.name);
-  if (load.effective_stiffness)
-    throw refusal("{} solves no periodic samples; leave effective_stiffness out, or use `arenite load`", solver.name);
-}
-
 }  // namespace
 
-void require_space(const recipe::Load& load) {
+void require_space(const recipe::Load& load, const elements::OtherSolver* solver) {
   if (const std::string sentence = load.not_in_space(); !sentence.empty()) throw InputError(sentence);
+  if (solver && !load.by_elements())
+    throw refusal("{} solves samples of elements; give method = \"elements\", or use `arenite load`", solver->name);
+  if (solver && load.effective_stiffness)
+    throw refusal("{} solves no periodic samples; leave effective_stiffness out, or use `arenite load`", solver->name);
 }
 
 bool is_in_space(const recipe::MapSection& map) {
@@ -138,8 +134,7 @@ VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(con
 
 std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch,
                                       const elements::OtherSolver* solver) {
-  require_space(load);
-  if (solver) require_elements_alone(load, *solver);
+  require_space(load, solver);
   const SolveShares shares(load, voigt_count<3>, watch);
   elements::LoadOptions solve;
   solve.tolerance = load.tolerance;
@@ -180,8 +175,7 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
 
 LoadedMap<VoxelResult> load_voxels(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options,
                                    const elements::OtherSolver* solver) {
-  require_space(load);
-  if (solver) require_elements_alone(load, *solver);
+  require_space(load, solver);
   const auto make = [&](const statics::Watch& watch, const std::string&, const fs::path&) {
     return apply_load(load, read_voxels(map, options.notice), watch, solver);
   };

@@ -16,15 +16,16 @@ namespace arenite::workflow {
 /// Whether a map is a sample in space: its key says so, or its file holds nothing but volumes.
 bool is_in_space(const recipe::MapSection& map);
 
-/// Throws InputError for keys of a load that are of the plane.
-void require_space(const recipe::Load& load);
+/// Throws InputError for keys of a load that are of the plane, and for what another solver than the program's own
+/// cannot do.
+void require_space(const recipe::Load& load, const elements::OtherSolver* solver = nullptr);
 
 /// A voxel map of a file, its grains labelled; what is found worth a word is told.
 VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice);
 
 /// Loads a sample in space between its lowest and its highest layer by bonds or elements; with
 /// `load.effective_stiffness` that follows, as of a sample that repeats itself. Nothing if the watch stopped it. Throws
-/// InputError for keys that are of the plane, and for what another solver than the program's own cannot do.
+/// InputError as require_space does.
 std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch,
                                       const elements::OtherSolver* solver = nullptr);
 

@@ -41,9 +41,10 @@ def _figure(kind, head, chosen, ending):
 
 
 def _is_wide(head, drawings):
-    for kind in ("roses", "hemispheres"):
-        if kind in drawings[0]:
-            return len(drawings[0][kind]) > 2
+    if "roses" in drawings[0]:
+        return len(drawings[0]["roses"]) > 2
+    if "hemispheres" in drawings[0]:
+        return len(drawings[0]["hemispheres"]["sets"]) > 2
     return sum(len(drawing["panels"]) for drawing in drawings) > 1
 
 

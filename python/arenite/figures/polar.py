@@ -65,15 +65,14 @@ def draw_roses(figure, roses):
         draw_rose(figure.add_subplot(rows, columns, k + 1, projection="polar"), rose)
 
 
-def draw_hemisphere(axes, one):
-    """Sectors of equal area over half of the sphere, by colour; `axes` are polar. Gives what the colours stand for."""
-    inner, outer, first, last = (numbers(one[name]) for name in ("inner", "outer", "from", "to"))
-    sectors = axes.bar(
+def draw_hemisphere(axes, one, sectors, scale):
+    """Sectors of equal area over half of the sphere, coloured by a scale; `axes` are polar."""
+    inner, outer, first, last = sectors
+    bars = axes.bar(
         np.radians(first), outer - inner, width=np.radians(last - first), bottom=inner, align="edge", linewidth=0
     )
-    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, one["reach"]), even_map)
-    for sector, value in zip(sectors, numbers(one["values"])):
-        sector.set_color(scale.to_rgba(value))
+    for bar, value in zip(bars, numbers(one["values"])):
+        bar.set_color(scale.to_rgba(value))
     if "mark" in one:
         x, y = one["mark"]
         axes.plot(np.arctan2(y, x), np.hypot(x, y), "+", color=colours[1], markersize=6)
@@ -84,17 +83,18 @@ def draw_hemisphere(axes, one):
     axes.spines["polar"].set(color=grey, linewidth=thin)
     axes.set_title(label(f"{one['name']} ({one['count']:.0f})"), pad=8)
     axes.set_xlabel(label("\n".join(one["words"])), labelpad=3)
-    return scale
 
 
 def draw_hemispheres(figure, hemispheres):
-    columns = min(3, len(hemispheres))
+    sets, columns = hemispheres["sets"], len(hemispheres["sets"])
     width = figure.get_figwidth()
     figure.set_size_inches(width, width / columns + 1.2)
     axes = [figure.add_subplot(1, columns, k + 1, projection="polar") for k in range(columns)]
-    for place, one in zip(axes, hemispheres):
-        scale = draw_hemisphere(place, one)
-    figure.colorbar(scale, ax=axes, orientation="horizontal", shrink=0.4, aspect=30, label=hemispheres[0]["measure"])
+    sectors = [numbers(hemispheres[name]) for name in ("inner", "outer", "from", "to")]
+    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0, hemispheres["reach"]), even_map)
+    for place, one in zip(axes, sets):
+        draw_hemisphere(place, one, sectors, scale)
+    figure.colorbar(scale, ax=axes, orientation="horizontal", shrink=0.4, aspect=30, label=hemispheres["measure"])
 
 
 def draw_outlines(axes, outlines):

@@ -79,18 +79,23 @@ struct Rose {
   std::vector<std::string> words = {};  ///< below
 };
 
-/// Numbers by direction in space over half of the sphere: sectors of rings in a projection that keeps areas, seen from
-/// above with x to the right and z below.
+/// Numbers by direction in space over half of the sphere.
 struct Hemisphere {
   std::string name = {};
   double count = 0;
+  std::vector<double> values = {};      ///< of each sector
+  std::vector<double> mark = {};        ///< x and y of the direction of most; empty: none
+  std::vector<std::string> words = {};  ///< below
+};
+
+/// Halves of the sphere side by side, in the same sectors of rings of a projection that keeps areas, seen from above
+/// with x to the right and z below.
+struct Hemispheres {
+  std::vector<Hemisphere> sets = {};
   std::vector<double> inner = {}, outer = {};  ///< radii of each sector, 1 on the rim
   std::vector<double> from = {}, to = {};      ///< degrees counter-clockwise from the right
-  std::vector<double> values = {};             ///< over isotropic
-  std::vector<double> mark = {};               ///< x and y of the direction of most; empty: none
   double reach = 1;                            ///< the end of the scale of colours, which begins at 0
-  std::string measure = "over isotropic";      ///< what the scale says
-  std::vector<std::string> words = {};         ///< below
+  std::string measure = {};                    ///< what the scale says
 };
 
 /// Outlines of numbers by direction over half a turn, which is mirrored: each series over the middles of its sectors,
@@ -128,8 +133,8 @@ struct Drawing {
   std::vector<std::pair<std::string, std::string>> chosen = {};  ///< {"component", "xx"}
   std::vector<Panel> panels = {};
   std::vector<Rose> roses = {};
-  std::vector<Hemisphere> hemispheres = {};
   std::vector<KeyEntry> key = {};
+  std::optional<Hemispheres> hemispheres = {};
   std::optional<Outlines> outlines = {};
   std::optional<Cells> cells = {};
   std::string note = {};  ///< a sentence of what is not drawn, and why

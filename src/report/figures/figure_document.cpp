@@ -85,22 +85,22 @@ Series thinned(const Series& series) {
 
 Numbers numbers_of(const Rose& rose, const WriteList& write) {
   Tree tree;
-  tree.text("name", rose.name)
-      .text("colour", rose.colour)
-      .list("sectors", rose.sectors, write)
-      .list("inner", rose.inner, write)
-      .list("line", rose.line, write)
-      .real("axis", rose.axis, NAN);
+  tree.text("name", rose.name).text("colour", rose.colour).list("sectors", rose.sectors, write);
+  tree.list("inner", rose.inner, write).list("line", rose.line, write).real("axis", rose.axis, NAN);
   tree.out["count"] = rose.count, tree.out["reach"] = rose.reach, tree.out["words"] = rose.words;
   return tree.out;
 }
 
-Numbers numbers_of(const Hemisphere& one, const WriteList& write) {
+Numbers numbers_of(const Hemispheres& all, const WriteList& write) {
   Tree tree;
-  tree.list("inner", one.inner, write).list("outer", one.outer, write).list("from", one.from, write);
-  tree.list("to", one.to, write).list("values", one.values, write).list("mark", one.mark, whole_list);
-  tree.out["count"] = one.count, tree.out["reach"] = one.reach, tree.out["words"] = one.words;
-  return tree.text("name", one.name).text("measure", one.measure).out;
+  tree.list("inner", all.inner, write).list("outer", all.outer, write).list("from", all.from, write);
+  tree.list("to", all.to, write).text("measure", all.measure).out["reach"] = all.reach;
+  tree.out["sets"] = mapped(all.sets, [&](const Hemisphere& one) {
+    Numbers set{{"name", one.name}, {"count", one.count}, {"values", write(one.values)}, {"words", one.words}};
+    if (!one.mark.empty()) set["mark"] = one.mark;
+    return set;
+  });
+  return tree.out;
 }
 
 Numbers numbers_of(const Outlines& outlines, const WriteList& write) {
@@ -230,8 +230,7 @@ Numbers numbers_of(const Drawing& drawing, const WriteList& write) {
     out["panels"] = mapped(drawing.panels, [&](const Panel& panel) { return numbers_of(panel, write); });
   if (!drawing.roses.empty())
     out["roses"] = mapped(drawing.roses, [&](const Rose& rose) { return numbers_of(rose, write); });
-  if (!drawing.hemispheres.empty())
-    out["hemispheres"] = mapped(drawing.hemispheres, [&](const Hemisphere& one) { return numbers_of(one, write); });
+  if (drawing.hemispheres) out["hemispheres"] = numbers_of(*drawing.hemispheres, write);
   if (drawing.outlines) out["outlines"] = numbers_of(*drawing.outlines, write);
   if (drawing.cells) out["cells"] = numbers_of(*drawing.cells, write);
   if (!drawing.key.empty()) out["key"] = mapped(drawing.key, [](const KeyEntry& entry) { return numbers_of(entry); });

@@ -1,63 +1,46 @@
 import { richSvg, s } from "../dom.js";
 import { text } from "../text.js";
-import { direction } from "./roses.js";
+import { circlesInRows, direction, nameOfCircle, wordsOfCircle } from "./circles.js";
 
 const head = 36,
   foot = 80;
 
 /** Halves of the sphere of directions side by side, with one scale of colours. */
-export function drawHemispheres(all, { theme, width }) {
-  const perRow = Math.min(all.length, width >= 560 ? 3 : width >= 380 ? 2 : 1);
-  const cell = width / perRow,
-    radius = Math.min(0.5 * cell - 26, 120),
-    height = 2 * radius + head + foot,
-    rows = Math.ceil(all.length / perRow);
-  const svg = s("svg", {
-    viewBox: `0 0 ${width} ${rows * height + 34}`,
-    width,
-    height: rows * height + 34,
-    "font-family": theme.font,
-    "font-size": 11.5,
-    fill: theme.soft,
-  });
-  all.forEach((one, k) => {
-    const x = ((k % perRow) + 0.5) * cell,
-      y = Math.floor(k / perRow) * height + head + radius;
-    svg.append(s("g", { transform: `translate(${x} ${y})`, "data-set": one.name }, ...hemisphere(one, radius, theme)));
-  });
-  svg.append(...scale(all[0], width, rows * height, theme));
+export function drawHemispheres(described, { theme, width }) {
+  const { sets, measure } = described,
+    perRow = Math.min(sets.length, width >= 560 ? 3 : width >= 380 ? 2 : 1);
+  const radius = Math.min((0.5 * width) / perRow - 26, 120),
+    height = 2 * radius + head + foot;
+  const svg = circlesInRows(sets, { theme, width, perRow, height, middle: head + radius, below: 46 }, (one) =>
+    hemisphere(one, described, radius, theme),
+  );
+  svg.append(...scale(described, width, Math.ceil(sets.length / perRow) * height, theme));
   svg.numbers = [
     {
       x: "part of the half sphere",
-      y: all[0].measure,
-      points: all.flatMap(({ name, values }) => Array.from(values, (y, k) => ({ name, x: k, y }))),
+      y: measure,
+      points: sets.flatMap(({ name, values }) => Array.from(values, (y, k) => ({ name, x: k, y }))),
     },
   ];
   return richSvg(svg);
 }
 
-function hemisphere({ name, count, inner, outer, from, to, values, mark, reach, measure, words }, radius, theme) {
-  const sectors = Array.from(values, (value, k) =>
+function hemisphere(one, { inner, outer, from, to, reach, measure }, radius, theme) {
+  const sectors = Array.from(one.values, (value, k) =>
     s(
       "path",
       { d: sector(inner[k] * radius, outer[k] * radius, from[k], to[k]), fill: theme.size(value / reach) },
       s("title", {}, `${text.number(value, 3)} ${measure}`),
     ),
   );
-  const label = (x, y, words, rest = {}) => s("text", { x, y, "text-anchor": "middle", ...rest }, words);
   return [
     ...sectors,
     s("circle", { r: radius, fill: "none", stroke: theme.rule }),
-    ...cross(mark, radius, theme),
-    label(radius + 10, 4, "x"),
-    label(0, radius + 14, "z"),
-    s(
-      "text",
-      { y: -radius - 14, "text-anchor": "middle", fill: theme.ink, "font-weight": 600, "font-size": 12 },
-      name,
-      s("tspan", { fill: theme.soft, "font-weight": 400 }, `  ${text.count(count)}`),
-    ),
-    ...words.map((line, k) => label(0, radius + 34 + 15 * k, line)),
+    ...cross(one.mark, radius, theme),
+    s("text", { x: radius + 10, y: 4, "text-anchor": "middle" }, "x"),
+    s("text", { y: radius + 14, "text-anchor": "middle" }, "z"),
+    nameOfCircle(one, -radius - 14, theme),
+    ...wordsOfCircle(one, radius + 34),
   ];
 }
 
@@ -100,6 +83,6 @@ function scale({ reach, measure }, width, y, theme) {
         `${Number(value.toPrecision(3))}`,
       ),
     ),
-    s("text", { x: left + whole + 14, y: y + 8 }, measure),
+    s("text", { x: 0.5 * width, y: y + 38, "text-anchor": "middle" }, measure),
   ];
 }

@@ -1,6 +1,6 @@
 import { richSvg, s } from "../dom.js";
 import { colourOf, dashOf } from "./colours.js";
-import { direction } from "./roses.js";
+import { direction } from "./circles.js";
 
 /** Outlines of numbers by direction with their labelled rings, and a tick for the error of each sector. */
 export function drawOutlines({ series, rings, reach, isotropic, corner }, { theme, width }) {

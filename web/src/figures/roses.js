@@ -1,5 +1,5 @@
 import { richSvg, s } from "../dom.js";
-import { text } from "../text.js";
+import { circlesInRows, direction, nameOfCircle, wordsOfCircle } from "./circles.js";
 import { colourOf } from "./colours.js";
 
 /** Polar histograms side by side, or in rows. */
@@ -7,21 +7,10 @@ export function drawRoses(roses, { theme, width }) {
   const perRow = Math.min(roses.length, width >= 1000 ? 6 : width >= 380 ? 3 : 2);
   const cell = width / perRow,
     radius = Math.min(0.5 * cell - 18, roses.length < 3 ? 110 : 88),
-    height = 2 * radius + 96,
-    rows = Math.ceil(roses.length / perRow);
-  const svg = s("svg", {
-    viewBox: `0 0 ${width} ${rows * height}`,
-    width,
-    height: rows * height,
-    "font-family": theme.font,
-    "font-size": 11.5,
-    fill: theme.soft,
-  });
-  roses.forEach((one, k) => {
-    const x = ((k % perRow) + 0.5) * cell,
-      y = Math.floor(k / perRow) * height + 36 + radius;
-    svg.append(s("g", { transform: `translate(${x} ${y})`, "data-set": one.name }, rose(one, radius, theme)));
-  });
+    height = 2 * radius + 96;
+  const svg = circlesInRows(roses, { theme, width, perRow, height, middle: 36 + radius }, (one) => [
+    rose(one, radius, theme),
+  ]);
   svg.numbers = [
     {
       x: "direction, \u00b0",
@@ -36,7 +25,7 @@ export function drawRoses(roses, { theme, width }) {
 
 /** One about the origin. */
 function rose(described, radius, theme) {
-  const { name, colour: role, count, sectors, inner, line, axis, reach, words } = described;
+  const { colour: role, sectors, inner, line, axis, reach } = described;
   const scale = radius / reach,
     colour = colourOf(theme, role);
   const group = s("g");
@@ -51,21 +40,10 @@ function rose(described, radius, theme) {
   if (line) group.append(s("path", { d: around(line, scale), fill: "none", stroke: theme.ink, "stroke-width": 1.5 }));
   group.append(
     ...axisMarks(axis, radius, theme),
-    s(
-      "text",
-      { y: -radius - 18, "text-anchor": "middle", fill: theme.ink, "font-weight": 600, "font-size": 12 },
-      name,
-      s("tspan", { fill: theme.soft, "font-weight": 400 }, `  ${text.count(count)}`),
-    ),
-    ...words.map((line, k) => s("text", { y: radius + 24 + 15 * k, "text-anchor": "middle" }, line)),
+    nameOfCircle(described, -radius - 18, theme),
+    ...wordsOfCircle(described, radius + 24),
   );
   return group;
-}
-
-/** The point at an angle and a radius in an SVG, whose y points down. */
-export function direction(degrees, r) {
-  const angle = (degrees * Math.PI) / 180;
-  return [r * Math.cos(angle), -r * Math.sin(angle)];
 }
 
 function petals(sectors, scale, fill, opacity) {

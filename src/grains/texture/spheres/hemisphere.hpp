@@ -10,10 +10,11 @@
 namespace arenite::texture::spheres {
 
 /// Directions without a sense, as those of contacts, in cells of equal area over the upper half of the sphere: rings
-/// about the upward y, each of 3 (2 ring + 1) sectors, which begin at x and turn as seen from above, towards -z.
+/// about the upward y, each of sectors which begin at x and turn as seen from above, towards -z.
 namespace hemisphere {
 
 inline constexpr int rings = 5, cells = 3 * rings * rings;
+constexpr int sectors_of(int ring) { return 3 * (2 * ring + 1); }
 
 struct Place {
   double radius, angle;  ///< 1 on the rim; rad from x, counter-clockwise
@@ -32,9 +33,9 @@ struct Cell {
 inline std::vector<Cell> every_cell() {
   std::vector<Cell> all;
   for (int ring = 0; ring < rings; ++ring) {
-    const double turn = 2 * std::numbers::pi / (3 * (2 * ring + 1));
-    for (int s = 0; s < 3 * (2 * ring + 1); ++s)
-      all.push_back({double(ring) / rings, double(ring + 1) / rings, s * turn, (s + 1) * turn});
+    const double inner = ring, turn = 2 * std::numbers::pi / sectors_of(ring);
+    for (int s = 0; s < sectors_of(ring); ++s)
+      all.push_back({inner / rings, (inner + 1) / rings, s * turn, (s + 1) * turn});
   }
   return all;
 }
@@ -42,7 +43,7 @@ inline std::vector<Cell> every_cell() {
 /// Number of the cell, by rings from the pole, that a unit vector points into.
 inline std::size_t cell_of(Vec3 n) {
   const Place place = projected(n);
-  const int ring = std::min(rings - 1, static_cast<int>(place.radius * rings)), sectors = 3 * (2 * ring + 1);
+  const int ring = std::min(rings - 1, static_cast<int>(place.radius * rings)), sectors = sectors_of(ring);
   const int sector = std::min(sectors - 1, static_cast<int>(place.angle / (2 * std::numbers::pi) * sectors));
   return static_cast<std::size_t>(3 * ring * ring + sector);
 }
