@@ -1,5 +1,6 @@
 #include <sys/resource.h>
 
+#include <string>
 #include <vector>
 
 #include "commands.hpp"
@@ -51,9 +52,18 @@ bool has_limited_space() {
   return ::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;
 }
 
+/// Commands that work on large fields for long; the others are done before a new start would pay.
+bool works_for_long(int argc, char** argv) {
+  const std::string command = argc > 1 ? argv[1] : "";
+  return command == "run" || command == "study" || command == "verify" || command == "load";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (has_limited_space()) app::start_anew_with_one_blas_thread(argv);
+  std::vector<app::Setting> settings;
+  if (has_limited_space()) settings.push_back(app::one_blas_thread);
+  if (works_for_long(argc, argv)) settings.push_back(app::large_pages);
+  app::start_anew_with(settings, argv);
   return app::run_program(argc, argv);
 }

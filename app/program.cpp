@@ -38,9 +38,10 @@ int carry_out(int argc, char** argv) {
 
 }  // namespace
 
-void start_anew_with_one_blas_thread(char** argv) {
-  if (!std::getenv("OPENBLAS_NUM_THREADS") && ::setenv("OPENBLAS_NUM_THREADS", "1", 0) == 0)
-    ::execv("/proc/self/exe", argv);
+void start_anew_with(const std::vector<Setting>& settings, char** argv) {
+  bool anew = false;
+  for (const auto& [name, value] : settings) anew |= !std::getenv(name) && ::setenv(name, value, 0) == 0;
+  if (anew) ::execv("/proc/self/exe", argv);
 }
 
 int run_program(int argc, char** argv) {

@@ -47,8 +47,8 @@ const std::vector<app::Command>& app::commands() {
 }
 
 int main(int argc, char** argv) {
-  app::start_anew_with_one_blas_thread(argv);  // those of a process would share its core
-  int none = 0;                                // the command line is ours; PETSc's options come from PETSC_OPTIONS
+  app::start_anew_with({app::one_blas_thread}, argv);  // those of a process would share its core
+  int none = 0;  // the command line is ours; PETSc's options come from PETSC_OPTIONS
   if (PetscInitialize(&none, nullptr, nullptr, nullptr)) return app::other_failure;
   const int status = work(argc, argv);
   PetscFinalize();

@@ -84,6 +84,26 @@ TEST(Ending, HingeUnderThePapersStretchStaysWhereItIs) {
   expect_finite(result);
 }
 
+TEST(Ending, FlapOnBondsInLineTurnsUnderThePapersStretchWithoutStress) {
+  // Nodes (0, 36) to (0, 38) hang above one another from (0, 39), which no single node's removal parts from the block:
+  // no hinge, and yet the flap below them may turn.
+  PhaseMap map = test::homogeneous_sample(60, 60);
+  put(map, 0, 20, 20, 39, Phase::empty);
+  put(map, 0, 1, 36, 39, Phase::matrix);
+  put(map, 0, 3, 30, 36, Phase::matrix);
+  for (const double strain : {1e-4, 3e-4}) {
+    LoadOptions options;
+    options.exact_stretch = true;
+    options.strain = strain;
+    options.tolerance = 1e-9;
+    const auto result = load(map, options);
+    EXPECT_EQ(result.report.ending, Ending::solved) << result.report.sentence;
+    const double largest = *std::max_element(result.field.yy.begin(), result.field.yy.end());
+    for (int y = 30; y < 36; ++y) EXPECT_LT(std::abs(result.field.yy[map.index(1, y)]), 1e-6 * largest);
+    expect_finite(result);
+  }
+}
+
 TEST(Ending, HalvesJoinedByAHingeStillCarryAPull) {
   // Two blocks that meet in a single node: free to turn, yet in line with the pull.
   PhaseMap map = test::homogeneous_sample(41, 61);

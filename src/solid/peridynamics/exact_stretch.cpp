@@ -22,6 +22,52 @@ void hold_to_bonds(const Grid& grid, const BlockDiagonal<double>& diagonal, cons
   });
 }
 
+/// Motions of parts that no bond resists linearly, and that no search for hinges by nodes finds, such as a flap on
+/// bonds in line. Second-order forces may push such a part, which linearly has no answer; exactly it turns until they
+/// vanish.
+class Mechanisms {
+ public:
+  Mechanisms(const Bonds& bonds, const BlockDiagonal<double>& diagonal) : bonds_(bonds), diagonal_(diagonal) {}
+
+  /// Of a force, what these motions do no work with.
+  void leave_out(Field<double>& f) const {
+    for (const auto& motion : motions_) {
+      const double along = work(motion, f);
+      bonds_.grid.each([&](std::ptrdiff_t i, int) { f.set(i, f.at(i) - along * motion.at(i)); });
+    }
+  }
+
+  /// A solve that found no end has moved from `before` to `after` along what resists least: true, and kept, where that
+  /// is nothing. A soft part that is held stores more than 1e-9 of the energy of its nodes moved one by one, and
+  /// rounding less than 1e-16.
+  bool keep_motion(const Field<double>& before, const Field<double>& after) {
+    Field<double> motion = after, f(bonds_.grid.padded_size());
+    double held = 0;
+    bonds_.grid.each([&](std::ptrdiff_t i, int) {
+      const Vec2 v = after.at(i) - before.at(i);
+      motion.set(i, v);
+      held += diagonal_.xx[i] * v.x * v.x + 2 * diagonal_.xy[i] * v.x * v.y + diagonal_.yy[i] * v.y * v.y;
+    });
+    if (!(std::abs(linear_force(bonds_, motion, f)) <= 1e-13 * held)) return false;
+    leave_out(motion);
+    const double norm = std::sqrt(work(motion, motion));
+    bonds_.grid.each([&](std::ptrdiff_t i, int) { motion.set(i, motion.at(i) / norm); });
+    motions_.push_back(std::move(motion));
+    return true;
+  }
+
+ private:
+  double work(const Field<double>& u, const Field<double>& f) const {
+    double sum = 0;
+    bonds_.grid.each([&](std::ptrdiff_t i, int) { sum += dot(u.at(i), f.at(i)); });
+    return sum;
+  }
+
+  const Bonds& bonds_;
+  const BlockDiagonal<double>& diagonal_;
+  std::vector<Field<double>> motions_;
+};
+
 }  // namespace
 
 double linear_force(const Bonds& bonds, const Field<double>& u, Field<double>& f) {
@@ -36,6 +82,7 @@ StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vecto
   Field<double> body(grid.padded_size()), linear(grid.padded_size()), best;
   const double reference = statics::residual_reference(bonds, prescribed, u, body, linear);
   const auto diagonal = block_diagonal(bonds);
+  Mechanisms mechanisms(bonds, diagonal);
   StaticReport total = solver.solve(bonds, u, tolerance, max_iterations, watch);
   if (!(reference > 0) || !total.converged) return total;
   const Watch later = [&](const Progress& p) {
@@ -45,6 +92,7 @@ StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vecto
   for (int round = 0; round < 20; ++round) {
     exact_force(bonds, dx, u, body);
     hold_to_bonds(grid, diagonal, prescribed, body);
+    mechanisms.leave_out(body);
     total.residual = std::sqrt(statics::square_norm(grid, body)) / reference;
     total.converged = total.residual <= tolerance;
     if (total.converged) return total;
@@ -54,7 +102,13 @@ StaticReport solve_exact_stretch(const Bonds& bonds, double dx, const std::vecto
     kernels(bonds.law).force(bonds, prescribed.data(), pointers(u), pointers(linear));
     for (std::ptrdiff_t i = grid.row(0), end = grid.row(grid.height); i < end; ++i)
       body.set(i, body.at(i) - linear.at(i));
-    const StaticReport more = solver.solve(bonds, u, 0.1 * tolerance, max_iterations, later, &body);
+    StaticReport more = solver.solve(bonds, u, 0.1 * tolerance, max_iterations, later, &body);
+    while (!more.converged && !more.stopped && mechanisms.keep_motion(best, u)) {
+      total.iterations += more.iterations;
+      u = best;
+      mechanisms.leave_out(body);
+      more = solver.solve(bonds, u, 0.1 * tolerance, max_iterations, later, &body);
+    }
     total.iterations += more.iterations;
     total.history.insert(total.history.end(), more.history.begin(), more.history.end());
     if (more.stopped) {
