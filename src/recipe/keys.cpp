@@ -62,14 +62,13 @@ void require_known_material(Visitor& v, const Population& population, const Mate
 
 void declare(Visitor& v, BidisperseSection& classes, const Materials& materials) {
   classes.law.declare(v);
-  v.text({"large", "Material of the large disks, a section of [materials]."}, classes.large);
-  v.text({"small", "Material of the small disks, another section of [materials]."}, classes.small);
+  v.text({"large", "Material of the large grains, a section of [materials]."}, classes.large);
+  v.text({"small", "Material of the small grains, another section of [materials]."}, classes.small);
   for (const auto& [key, name] : {std::pair{"large", classes.large}, {"small", classes.small}})
-    v.require(
-        materials.empty() || std::ranges::count(materials, name, &Material::name) > 0, {key},
-        fmt::format(
-            "there is no section [materials.{0}]; add it, or name the material of the {1} disks with bidisperse.{1}",
-            name, key));
+    v.require(materials.empty() || std::ranges::count(materials, name, &Material::name) > 0, {key},
+              fmt::format(
+                  "there is no section [materials.{0}]; add it, or name the material of {1} grains with bidisperse.{1}",
+                  name, key));
   v.require(classes.large != classes.small, {"small", "large"},
             fmt::format(
                 "both classes are made of \"{}\"; give each its own material, with the same numbers if they are alike",
@@ -187,7 +186,8 @@ void declare_grains(Visitor& v, Recipe& recipe) {
   const bool sampled = recipe.packing.method == PackingParameters::Method::poisson;
   v.when(sampled, "packing.method = \"poisson\"", [&](Visitor& outer) {
     outer.optional_section<BidisperseSection>(
-        {"bidisperse", "Two size classes of disks in a square box of their own.", sampled}, recipe.bidisperse,
+        {"bidisperse", "Two size classes of disks in a square, of spheres in a cube, of their own.", sampled},
+        recipe.bidisperse,
         [&](Visitor& inner, BidisperseSection& classes) { declare(inner, classes, recipe.materials); });
   });
   v.list<Population>({"populations", "Grains of one material and one size law."}, recipe.populations,

@@ -46,12 +46,22 @@ std::string sentence(const SampleReports& reports, const PhaseMap& map, const re
 }
 
 /// Those of [bidisperse], or by the radii.
-std::optional<ClassMaterials> class_materials(const recipe::Recipe& recipe, const Packing& packing) {
+template <int D>
+std::optional<ClassMaterials> class_materials(const recipe::Recipe& recipe, const PackingIn<D>& packing) {
   if (!recipe.bidisperse) return classes_by_radius(packing);
   const auto index = [&](const std::string& name) {
     return static_cast<std::int32_t>(index_of(packing.materials, name));
   };
   return ClassMaterials{index(recipe.bidisperse->large), index(recipe.bidisperse->small)};
+}
+
+/// What gaps and crops are measured by, m: the mean radius of the large grains, as it was asked for or as it is, or of
+/// all.
+template <int D>
+double length_of(const recipe::Recipe& recipe, const PackingIn<D>& packing,
+                 const std::optional<ClassMaterials>& materials) {
+  return recipe.bidisperse ? recipe.bidisperse->law.large_radius
+                           : mean_radius(packing, materials ? materials->large : -1);
 }
 
 /// Spheres, and those of their periodic images that reach into a cube in the middle of their container or, by their
@@ -84,9 +94,9 @@ SpherePack cube_of(const PackingIn<3>& packing, std::optional<double> crop, doub
 VoxelMap make_cemented_sample(const recipe::Recipe& recipe, const PackingIn<3>& packing,
                               const std::function<void(const std::string&)>& notice) {
   const recipe::GridSection section = recipe.grid_or_default();
-  const auto materials = classes_by_radius(packing);
+  const auto materials = class_materials(recipe, packing);
   cement::CementParameters law = recipe.cement_or_none();
-  if (!law.gap) law.gap = sample_lengths(mean_radius(packing, materials ? materials->large : -1)).gap;
+  if (!law.gap) law.gap = sample_lengths(length_of(recipe, packing, materials)).gap;
   double parameter = 0;
   VoxelMap map = grid::cemented_voxels(cube_of(packing, section.crop, *law.gap), law,
                                        static_cast<int>(section.nodes_in(3)), parameter);
@@ -101,10 +111,7 @@ VoxelMap make_cemented_sample(const recipe::Recipe& recipe, const PackingIn<3>& 
 FieldResult make_cemented_sample(const recipe::Recipe& recipe, const Packing& packing) {
   const recipe::GridSection section = recipe.grid_or_default();
   const auto materials = class_materials(recipe, packing);
-  // What gaps and crops are measured by: the mean radius of the large grains, as it was asked for or as it is, or of
-  // all.
-  const double radius =
-      recipe.bidisperse ? recipe.bidisperse->law.large_radius : mean_radius(packing, materials ? materials->large : -1);
+  const double radius = length_of(recipe, packing, materials);
   SampleReports reports;
   reports.law = recipe.cement_or_none();
   if (!reports.law.gap) reports.law.gap = sample_lengths(radius).gap;

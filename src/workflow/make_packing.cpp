@@ -15,6 +15,7 @@
 #include "grains/packing/fill.hpp"
 #include "grains/packing/population.hpp"
 #include "grains/packing/room.hpp"
+#include "grains/packing/two_classes.hpp"
 #include "io/sample/placed_grains.hpp"
 
 namespace arenite::workflow {
@@ -107,19 +108,21 @@ std::string read(const recipe::Recipe& recipe, Packing& packing) {
 }
 
 /// The classes get the materials that [bidisperse] names for them.
-std::string sample(const recipe::Recipe& recipe, Packing& packing) {
+template <int D> std::string sample(const recipe::Recipe& recipe, PackingIn<D>& packing) {
   const recipe::BidisperseSection& classes = *recipe.bidisperse;
   const auto report = packing::sample_bidisperse(packing, classes.law, recipe.seed);
   const std::size_t material[] = {index_of(recipe.materials, classes.large), index_of(recipe.materials, classes.small)};
   for (auto& m : packing.grains.material) m = static_cast<std::int32_t>(material[m]);
   packing.materials = recipe.materials;
   const std::string left_out =
-      report.left_out > 0 ? fmt::format(", {} small disks removed for this", report.left_out) : "";
+      report.left_out > 0 ? fmt::format(", {} small {} removed for this", report.left_out, packing::round_grains<D>)
+                          : "";
   return fmt::format(
-      "{} large and {} small disks sampled in two steps, mean radii {:.4g} and {:.4g} mm; theta {:.4g} (prescribed "
+      "{} large and {} small {} sampled in two steps, mean radii {:.4g} and {:.4g} mm; theta {:.4g} (prescribed "
       "{:g}, error {:+.1g} %) with a gap of {:.3g} mm between large ones{}; solid fraction {:.3f}",
-      report.large, report.small, 1e3 * report.mean_large, 1e3 * report.mean_small, report.volume_ratio,
-      classes.law.volume_ratio, 100 * report.volume_ratio_error, 1e3 * report.gap, left_out, report.solid_fraction);
+      report.large, report.small, packing::round_grains<D>, 1e3 * report.mean_large, 1e3 * report.mean_small,
+      report.volume_ratio, classes.law.volume_ratio, 100 * report.volume_ratio_error, 1e3 * report.gap, left_out,
+      report.solid_fraction);
 }
 
 }  // namespace
@@ -132,6 +135,10 @@ SphereResult make_sphere_packing(const recipe::Recipe& recipe) {
   PackingIn<3>& packing = snapshot.packing;
   packing.materials = recipe.materials;
   give_sides(packing.domain, recipe.container);
+  if (recipe.packing.method == Method::poisson) {
+    result.outcome = sample(recipe, packing);
+    return result;
+  }
   packing.grains = packing::draw_spheres(recipe.populations, recipe.materials, recipe.packing.grains, recipe.seed);
   double& height = packing.domain.wall[top].position;
   const bool height_given = recipe.container.height > 0;

@@ -4,42 +4,33 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/domain.hpp"
-
 namespace arenite::packing {
-
-void DiskCells::add(const Disk& disk) {
-  std::int32_t& first = first_[grid_.cell(disk.centre)];
-  member_.push_back({disk, first});
-  first = static_cast<std::int32_t>(member_.size()) - 1;
-  largest_ = std::max(largest_, disk.radius);
-}
 
 namespace {
 
 using std::numbers::pi;
-/// A new disk stands off by this share of its distance, so that rounding never makes an overlap.
+/// A new one stands off by this share of its distance, so that rounding never makes an overlap.
 constexpr double stand_off = 1e-12;
 /// Places narrower than this, rad, are taken as none.
 constexpr double narrow = 1e-9;
 
-double wrap(double v, double v0, double length) {
+double wrap_into(double v, double v0, double length) {
   v -= std::floor((v - v0) / length) * length;
   return v < v0 + length ? v : v0;
 }
 
 }  // namespace
 
-bool FreeSpace::fits(const Disk& disk) const {
-  const double r = disk.radius;
-  for (int axis = 0; axis < 2; ++axis) {
-    const double at = disk.centre[axis];
+template <int D> bool FreeSpace<D>::fits(const Ball<D>& ball) const {
+  const double r = ball.radius;
+  for (int axis = 0; axis < D; ++axis) {
+    const double at = ball.centre[axis];
     if (box_.periodic[axis] ? 2 * r + gap_ > box_.size[axis] : at - r < box_.corner[axis] || at + r > box_.end()[axis])
       return false;
   }
-  for (const DiskCells& store : stores_)
-    if (store.any_near(disk.centre, r + store.largest() + gap_, [&](const Disk& other) {
-          const Vec2 d = disk.centre - other.centre;
+  for (const BallCells<D>& store : stores_)
+    if (store.any_near(ball.centre, r + store.largest() + gap_, [&](const Ball<D>& other) {
+          const Vec<D> d = ball.centre - other.centre;
           const double reach = r + other.radius + gap_;
           return dot(d, d) < reach * reach;
         }))
@@ -47,16 +38,17 @@ bool FreeSpace::fits(const Disk& disk) const {
   return true;
 }
 
-Vec2 FreeSpace::place_beside(const Disk& disk, double radius, double angle) const {
-  const double distance = (disk.radius + radius + gap_) * (1 + stand_off);
-  Vec2 p = disk.centre + distance * Vec2{std::cos(angle), std::sin(angle)};
-  for (int axis = 0; axis < 2; ++axis)
-    if (box_.periodic[axis]) p[axis] = wrap(p[axis], box_.corner[axis], box_.size[axis]);
+template <int D> Vec<D> FreeSpace<D>::place_beside(const Ball<D>& ball, double radius, Vec<D> direction) const {
+  const double distance = (ball.radius + radius + gap_) * (1 + stand_off);
+  Vec<D> p = ball.centre + distance * direction;
+  for (int axis = 0; axis < D; ++axis)
+    if (box_.periodic[axis]) p[axis] = wrap_into(p[axis], box_.corner[axis], box_.size[axis]);
   return p;
 }
 
 /// Arcs of the circle of centres round `disk` that other disks or walls forbid, sorted and merged, within [-pi, pi].
-std::vector<FreeSpace::Arc> FreeSpace::covered_arcs(const Disk& disk, double radius) const {
+template <int D> auto FreeSpace<D>::covered_arcs(const Ball<2>& disk, double radius) const -> std::vector<Arc>
+requires(D == 2) {
   const double distance = (disk.radius + radius + gap_) * (1 + stand_off);
   std::vector<Arc> arcs;
   const auto cover = [&](bool walled, double room,
@@ -69,8 +61,8 @@ std::vector<FreeSpace::Arc> FreeSpace::covered_arcs(const Disk& disk, double rad
   cover(!box_.periodic[0], box_.end().x - radius - disk.centre.x, 0);
   cover(!box_.periodic[1], disk.centre.y - radius - box_.corner.y, -pi / 2);
   cover(!box_.periodic[1], box_.end().y - radius - disk.centre.y, pi / 2);
-  for (const DiskCells& store : stores_)
-    store.any_near(disk.centre, distance + radius + store.largest() + gap_, [&](const Disk& other) {
+  for (const BallCells<2>& store : stores_)
+    store.any_near(disk.centre, distance + radius + store.largest() + gap_, [&](const Ball<2>& other) {
       const Vec2 d = other.centre - disk.centre;
       const double apart2 = dot(d, d), reach = other.radius + radius + gap_;
       if (apart2 == 0 || apart2 >= (distance + reach) * (distance + reach)) return false;
@@ -90,7 +82,9 @@ std::vector<FreeSpace::Arc> FreeSpace::covered_arcs(const Disk& disk, double rad
   return arcs;
 }
 
-std::optional<Vec2> FreeSpace::free_place_beside(const Disk& disk, double radius, RandomStream& random) const {
+template <int D>
+std::optional<Vec2> FreeSpace<D>::free_place_beside(const Ball<2>& disk, double radius, RandomStream& random) const
+    requires(D == 2) {
   std::vector<Arc> open;
   double at = -pi, sum = 0;
   const auto take_until = [&](double to) {
@@ -108,10 +102,14 @@ std::optional<Vec2> FreeSpace::free_place_beside(const Disk& disk, double radius
     double along = sum * random.uniform();
     std::size_t k = 0;
     while (k + 1 < open.size() && along > open[k].to - open[k].from) along -= open[k].to - open[k].from, ++k;
-    const Vec2 place = place_beside(disk, radius, open[k].from + along);
+    const double angle = open[k].from + along;
+    const Vec2 place = place_beside(disk, radius, {std::cos(angle), std::sin(angle)});
     if (fits({place, radius})) return place;
   }
   return std::nullopt;
 }
+
+template class FreeSpace<2>;
+template class FreeSpace<3>;
 
 }  // namespace arenite::packing

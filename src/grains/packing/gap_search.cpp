@@ -11,22 +11,26 @@
 namespace arenite::packing {
 namespace {
 
-/// The search ends unfinished after as many samplings as hold so many disks together: a second or two of work.
-constexpr std::size_t most_disks = 200'000;
+/// The search ends unfinished after as many samplings as hold so many together: a second or two of work.
+constexpr std::size_t most_placed = 200'000;
 constexpr std::size_t fewest_samplings = 8;
-/// What maximal samplings of disks with half their gap around them cover, and both classes together: only first
+/// What samplings of disks, or of spheres, with half their gap around them cover, and both classes together: only first
 /// guesses.
-constexpr double covered_with_gap = 0.62, covered = 0.78;
+template <int D> constexpr double covered_with_gap = 0.62;
+template <> constexpr double covered_with_gap<3> = 0.35;
+template <int D> constexpr double covered = 0.78;
+template <> constexpr double covered<3> = 0.5;
 constexpr double fewest_large = 10;
 
-/// The gap at which about `fewest_large` large disks are left.
-double widest_gap(const BidisperseParameters& p) {
-  return 2 * (std::sqrt(covered_with_gap * p.box_area / fewest_large) - 1) * p.large_radius;
+/// The gap at which about `fewest_large` large ones are left.
+template <int D> double widest_gap(const BidisperseParameters& p) {
+  return 2 * (geometry::side_of_cube<D>(covered_with_gap<D> * p.box_area / fewest_large) - 1) * p.large_radius;
 }
 
-double guess(const BidisperseParameters& p) {
-  const double large = covered * p.volume_ratio / (1 + p.volume_ratio);
-  return std::clamp(2 * (std::sqrt(covered_with_gap / large) - 1) * p.large_radius, 0.0, widest_gap(p));
+template <int D> double guess(const BidisperseParameters& p) {
+  const double large = covered<D> * p.volume_ratio / (1 + p.volume_ratio);
+  return std::clamp(2 * (geometry::side_of_cube<D>(covered_with_gap<D> / large) - 1) * p.large_radius, 0.0,
+                    widest_gap<D>(p));
 }
 
 /// A gap and how far the ratio reached there is above the one asked for.
@@ -57,15 +61,15 @@ double aim(const std::vector<Known>& known, double near, double far) {
   return std::clamp(root, std::max(0.0, near - slack), far + slack);
 }
 
-class Search {
+template <int D> class GapSearch {
  public:
-  Search(const BidisperseParameters& p, const geometry::Box<2>& box, std::uint64_t seed)
+  GapSearch(const BidisperseParameters& p, const geometry::Box<D>& box, std::uint64_t seed)
       : p_(p),
         box_(box),
         seed_(seed),
-        widest_(widest_gap(p)) {}
+        widest_(widest_gap<D>(p)) {}
 
-  TwoClasses run() {
+  TwoClasses<D> run() {
     search();
     best_.samplings = static_cast<int>(known_.size());
     return std::move(best_);
@@ -73,7 +77,7 @@ class Search {
 
  private:
   void search() {
-    double near = guess(p_), far = near;
+    double near = guess<D>(p_), far = near;
     // Steps from the guess, each twice as wide, until the ratio asked for lies between two gaps.
     if (excess_at(near) < 0) {
       for (double step = first_step(); !done() && near > 0; step *= 2) {
@@ -90,18 +94,17 @@ class Search {
         if (far >= widest_ && !done()) refuse();
       }
     }
-    while (!done() && (known_.size() < fewest_samplings || sampled_disks_ < most_disks))
-      excess_at(aim(known_, near, far));
+    while (!done() && (known_.size() < fewest_samplings || placed_ < most_placed)) excess_at(aim(known_, near, far));
   }
 
   double first_step() const { return 0.1 * p_.large_radius; }
 
   double excess_at(double gap) {
     // Every attempt is another sampling, lest the search circles round a gap whose one sampling is off.
-    TwoClasses sampled = sample_two_classes(p_, box_, gap, seed_, known_.size());
-    sampled_disks_ += sampled.disks.size();
-    constexpr double no_small_disks = 5;  // where ln would be infinite
-    const double excess = std::min(no_small_disks, std::log(sampled.volume_ratio() / p_.volume_ratio));
+    TwoClasses<D> sampled = sample_two_classes(p_, box_, gap, seed_, known_.size());
+    placed_ += sampled.balls.size();
+    constexpr double no_small_ones = 5;  // where ln would be infinite
+    const double excess = std::min(no_small_ones, std::log(sampled.volume_ratio() / p_.volume_ratio));
     if (known_.empty() || std::abs(excess) < std::abs(least_)) {
       least_ = excess;
       best_ = std::move(sampled);
@@ -113,24 +116,27 @@ class Search {
 
   [[noreturn]] void refuse() const {
     throw refusal(
-        "the volume ratio theta of {:g} is out of reach: in this box even the widest gap between large disks, {:.3g} "
+        "the volume ratio theta of {:g} is out of reach: in this box even the widest gap between large {}, {:.3g} "
         "of their mean radius, gives {:.3g}; prescribe more or use a larger box",
-        p_.volume_ratio, widest_ / p_.large_radius, p_.volume_ratio * std::exp(known_.back().excess));
+        p_.volume_ratio, round_grains<D>, widest_ / p_.large_radius, p_.volume_ratio * std::exp(known_.back().excess));
   }
 
   const BidisperseParameters& p_;
-  const geometry::Box<2>& box_;
+  const geometry::Box<D>& box_;
   std::uint64_t seed_;
   double widest_, least_ = 0;
-  std::size_t sampled_disks_ = 0;
+  std::size_t placed_ = 0;
   std::vector<Known> known_;
-  TwoClasses best_;
+  TwoClasses<D> best_;
 };
 
 }  // namespace
 
-TwoClasses find_gap(const BidisperseParameters& p, const geometry::Box<2>& box, std::uint64_t seed) {
-  return Search(p, box, seed).run();
+template <int D>
+TwoClasses<D> find_gap(const BidisperseParameters& p, const geometry::Box<D>& box, std::uint64_t seed) {
+  return GapSearch<D>(p, box, seed).run();
 }
+template TwoClasses<2> find_gap(const BidisperseParameters&, const geometry::Box<2>&, std::uint64_t);
+template TwoClasses<3> find_gap(const BidisperseParameters&, const geometry::Box<3>&, std::uint64_t);
 
 }  // namespace arenite::packing

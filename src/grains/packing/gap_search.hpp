@@ -8,7 +8,8 @@
 namespace arenite::packing {
 
 /// The gap at which the volume ratio asked for comes out, by a line through the ratios that samplings reach; gap 0
-/// where even that leaves too many small disks. Throws InputError where the ratio is below what the widest gap gives.
-TwoClasses find_gap(const BidisperseParameters& parameters, const geometry::Box<2>& box, std::uint64_t seed);
+/// where even that leaves too many small ones. Throws InputError where the ratio is below what the widest gap gives.
+template <int D>
+TwoClasses<D> find_gap(const BidisperseParameters& parameters, const geometry::Box<D>& box, std::uint64_t seed);
 
 }  // namespace arenite::packing

@@ -31,27 +31,41 @@ double CutNormal::draw(RandomStream& random, double below) const {
 
 namespace {
 
-/// The first disk of an empty box, anywhere; false if the radius does not fit into the box at all.
-bool place_first(FreeSpace& space, double radius, RandomStream& random) {
-  const geometry::Box<2>& box = space.box();
-  const double mx = box.periodic[0] ? 0 : radius, my = box.periodic[1] ? 0 : radius;
-  const double x = random.uniform(box.corner.x + mx, box.end().x - mx);
-  const double y = random.uniform(box.corner.y + my, box.end().y - my);
-  if (!space.fits({{x, y}, radius})) return false;
-  space.add({{x, y}, radius});
+/// A unit vector, each as likely.
+template <int D> Vec<D> random_direction(RandomStream& random);
+template <> Vec2 random_direction<2>(RandomStream& random) {
+  const double angle = random.uniform(0, 2 * std::numbers::pi);
+  return {std::cos(angle), std::sin(angle)};
+}
+template <> Vec3 random_direction<3>(RandomStream& random) {
+  const double along = random.uniform(-1, 1), across = std::sqrt(1 - along * along);  // Archimedes' hat box
+  const Vec2 around = random_direction<2>(random);
+  return {across * around.x, across * around.y, along};
+}
+
+/// The first one of an empty box, anywhere; false if the radius does not fit into the box at all.
+template <int D> bool place_first(FreeSpace<D>& space, double radius, RandomStream& random) {
+  const geometry::Box<D>& box = space.box();
+  const Vec<D> place = by_axis<D>([&](int axis) {
+    const double margin = box.periodic[axis] ? 0 : radius;
+    return random.uniform(box.corner[axis] + margin, box.end()[axis] - margin);
+  });
+  if (!space.fits({place, radius})) return false;
+  space.add({place, radius});
   return true;
 }
 
-std::vector<std::size_t> all_of(const std::vector<Disk>& disks) {
-  std::vector<std::size_t> indices(disks.size());
+std::vector<std::size_t> indices_of(std::size_t count) {
+  std::vector<std::size_t> indices(count);
   std::iota(indices.begin(), indices.end(), std::size_t{0});
   return indices;
 }
 
-bool try_beside(FreeSpace& space, std::size_t k, const CutNormal& law, int trials, RandomStream& random) {
+template <int D>
+bool try_beside(FreeSpace<D>& space, std::size_t k, const CutNormal& law, int trials, RandomStream& random) {
   for (int trial = 0; trial < trials; ++trial) {
     const double radius = law.draw(random);
-    const Vec2 place = space.place_beside(space.disks()[k], radius, random.uniform(0, 2 * std::numbers::pi));
+    const Vec<D> place = space.place_beside(space.balls()[k], radius, random_direction<D>(random));
     if (!space.fits({place, radius})) continue;
     space.add({place, radius});
     return true;
@@ -61,14 +75,14 @@ bool try_beside(FreeSpace& space, std::size_t k, const CutNormal& law, int trial
 
 /// One more disk beside disk k where `least` still fits; false if it does not. Drawing again below each radius that
 /// fails gives the law's part that fits, in few draws however small that part is.
-bool fill_beside(FreeSpace& space, std::size_t k, CutNormal law, double least, RandomStream& random) {
-  auto place = space.free_place_beside(space.disks()[k], least, random);
+bool fill_beside(FreeSpace<2>& space, std::size_t k, CutNormal law, double least, RandomStream& random) {
+  auto place = space.free_place_beside(space.balls()[k], least, random);
   if (!place) return false;
   double radius = least, below = law.high;
   law.low = least;
   for (int draws = 0; draws < 60; ++draws) {
     const double drawn = law.draw(random, below);
-    if (const auto other = space.free_place_beside(space.disks()[k], drawn, random)) {
+    if (const auto other = space.free_place_beside(space.balls()[k], drawn, random)) {
       place = other;
       radius = drawn;
       break;
@@ -81,39 +95,44 @@ bool fill_beside(FreeSpace& space, std::size_t k, CutNormal law, double least, R
 
 }  // namespace
 
-void fill_redrawing(FreeSpace& space, const CutNormal& law, int trials, double least, RandomStream& random) {
-  if (space.disks().empty() && !place_first(space, law.draw(random), random)) return;
-  std::vector<std::size_t> active = all_of(space.disks());
+template <int D> void fill_redrawing(FreeSpace<D>& space, const CutNormal& law, int trials, RandomStream& random) {
+  if (space.balls().empty() && !place_first(space, law.draw(random), random)) return;
+  std::vector<std::size_t> active = indices_of(space.balls().size());
   while (!active.empty()) {
     const std::size_t pick = random.below(active.size());
     if (try_beside(space, active[pick], law, trials, random)) {
-      active.push_back(space.disks().size() - 1);
+      active.push_back(space.balls().size() - 1);
     } else {
       active[pick] = active.back();
       active.pop_back();
     }
   }
-  for (std::size_t k = 0; least > 0 && k < space.disks().size(); ++k)
+}
+template void fill_redrawing(FreeSpace<2>&, const CutNormal&, int, RandomStream&);
+template void fill_redrawing(FreeSpace<3>&, const CutNormal&, int, RandomStream&);
+
+void fill_rest(FreeSpace<2>& space, const CutNormal& law, double least, RandomStream& random) {
+  for (std::size_t k = 0; k < space.balls().size(); ++k)
     while (fill_beside(space, k, law, least, random)) {}
 }
 
-double fill_holding(FreeSpace& space, const CutNormal& law, RandomStream& random) {
+double fill_holding(FreeSpace<2>& space, const CutNormal& law, RandomStream& random) {
   double radius = law.draw(random);
-  if (space.disks().empty()) {
+  if (space.balls().empty()) {
     if (!place_first(space, radius, random)) return radius;
     radius = law.draw(random);
   }
-  std::vector<std::size_t> active = all_of(space.disks());
+  std::vector<std::size_t> active = indices_of(space.balls().size());
   // A radius that once did not fit beside a disk never will, nor will a larger one: room only shrinks.
-  std::vector<double> too_large(space.disks().size(), 2 * law.high);
+  std::vector<double> too_large(space.balls().size(), 2 * law.high);
   for (std::size_t tried = 0; tried < active.size();) {
     std::swap(active[tried], active[tried + random.below(active.size() - tried)]);
     const std::size_t k = active[tried];
     ++tried;
     if (radius >= too_large[k]) continue;
-    if (const auto place = space.free_place_beside(space.disks()[k], radius, random)) {
+    if (const auto place = space.free_place_beside(space.balls()[k], radius, random)) {
       space.add({*place, radius});
-      active.push_back(space.disks().size() - 1);
+      active.push_back(space.balls().size() - 1);
       too_large.push_back(2 * law.high);
       radius = law.draw(random);
       tried = 0;

@@ -14,15 +14,18 @@ struct CutNormal {
   double draw(RandomStream& random, double below = HUGE_VAL) const;
 };
 
-/// Fast Poisson disk sampling (P Appendix): disks are tried at random angles round random disks, at the least distance
-/// that the space allows, until all have been given up after so many trials in a row; the radius is drawn anew at each
-/// trial, which favours small ones. With `least` > 0 every place where a disk of that radius, m, still fits is then
-/// found exactly and filled, with a radius of the law between that and what fits there: at the end it fits nowhere.
-void fill_redrawing(FreeSpace& space, const CutNormal& law, int trials, double least, RandomStream& random);
+/// Fast Poisson disk sampling (P Appendix): disks, or spheres, are tried in random directions from random ones, at the
+/// least distance that the space allows, until all have been given up after so many trials in a row; the radius is
+/// drawn anew at each trial, which favours small ones.
+template <int D> void fill_redrawing(FreeSpace<D>& space, const CutNormal& law, int trials, RandomStream& random);
 
-/// The same with radii that are held until they are placed, so that those placed follow the law without bias: every
-/// radius of the sequence goes beside a random disk where it fits, found exactly; the first that fits nowhere in the
-/// box ends the sampling, and is returned, m.
-double fill_holding(FreeSpace& space, const CutNormal& law, RandomStream& random);
+/// Afterwards: every place where a disk of the radius `least`, m, still fits is found exactly and filled, with a radius
+/// of the law between that and what fits there: at the end it fits nowhere.
+void fill_rest(FreeSpace<2>& space, const CutNormal& law, double least, RandomStream& random);
+
+/// As `fill_redrawing`, with radii that are held until they are placed, so that those placed follow the law without
+/// bias: every radius of the sequence goes beside a random disk where it fits, found exactly; the first that fits
+/// nowhere in the box ends the sampling, and is returned, m.
+double fill_holding(FreeSpace<2>& space, const CutNormal& law, RandomStream& random);
 
 }  // namespace arenite::packing

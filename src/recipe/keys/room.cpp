@@ -28,22 +28,23 @@ void declare_container(Visitor& v, Recipe& recipe) {
   ContainerParameters& container = recipe.container;
   const PackingParameters::Method method = recipe.packing.method;
   const bool in_space = recipe.dimension == 3;
-  v.when(method != PackingParameters::Method::poisson, "packing.method other than \"poisson\", which makes its own box",
-         [&](Visitor& inner) {
-           inner.number({"width", "Inner width of the container, or of the periodic cell.", true}, container.width,
-                        "mm", range::positive);
-           inner.number_above_0(
-               {"height", "Inner height at the start; if not given, it follows from packing.solid_fraction."},
-               container.height, "mm");
-         });
+  const bool has_size = method != PackingParameters::Method::poisson;
+  v.when(has_size, "packing.method other than \"poisson\", which makes its own box", [&](Visitor& inner) {
+    inner.number({"width", "Inner width of the container, or of the periodic cell.", true}, container.width, "mm",
+                 range::positive);
+    inner.number_above_0({"height", "Inner height at the start; if not given, it follows from packing.solid_fraction."},
+                         container.height, "mm");
+  });
   v.when(!in_space, "dimension = 2", [&](Visitor& inner) {
     inner.number({"thickness", "Length of the cylinders, out of the plane.", true}, container.thickness, "mm",
                  range::positive);
   });
   v.flag({"periodic_x", "Periodic in x: no walls on the left and right."}, container.periodic[0]);
   v.flag({"periodic_y", "Periodic in y: no walls at the bottom and top."}, container.periodic[1]);
-  v.when(in_space, space, [&](Visitor& inner) {
+  v.when(in_space && has_size, "dimension = 3 and a packing.method other than \"poisson\"", [&](Visitor& inner) {
     inner.number({"depth", "Inner depth, from back to front.", true}, container.depth, "mm", range::positive);
+  });
+  v.when(in_space, space, [&](Visitor& inner) {
     inner.flag({"periodic_z", "Periodic in z: no walls at the back and front."}, container.periodic[2]);
   });
 }
@@ -55,7 +56,7 @@ void declare_packing(Visitor& v, Recipe& recipe) {
            {{"random", "at random, then relaxed until overlaps vanish"},
             {"lattice", "stacked row by row as a triangular lattice, spheres in squares as a face-centred cubic one"},
             {"file", "read from a CSV of centres, radii and materials"},
-            {"poisson", "two size classes by fast Poisson disk sampling, defined in [bidisperse]"}});
+            {"poisson", "two size classes by fast Poisson disk sampling, also of spheres, defined in [bidisperse]"}});
   v.when(packing.method == Method::random || packing.method == Method::lattice, "method = \"random\" or \"lattice\"",
          [&](Visitor& inner) {
            inner.integer({"grains", "Total number of grains, if populations give ratios."}, packing.grains,

@@ -47,8 +47,9 @@ void require_in_space(Visitor& v, const Recipe& recipe) {
     v.require(!asked, keys, fmt::format("{} in space; leave that out, or take dimension = 2", what));
   };
   const Method method = recipe.packing.method;
-  refuse(method != Method::random && method != Method::lattice, {"packing"},
-         "packings are random or lattices, and neither read from a file nor [bidisperse]");
+  refuse(method == Method::file, {"packing"}, "no packing is read from a file");
+  v.require(!recipe.bidisperse || !(recipe.bidisperse->law.hold_radius || recipe.bidisperse->law.maximal),
+            {"bidisperse"}, packing::of_disks_alone);
   v.require(method != Method::random || recipe.packing.solid_fraction <= 0.62, {"packing"},
             "spheres at random jam at a solid fraction of 0.64; start from 0.62 or less, and let a stage compact them");
   refuse(recipe.packing.area.has_value(), {"packing"}, "no part of a container can be filled by itself");

@@ -79,12 +79,20 @@ TEST(BadRecipe, MissingKeyAndSectionAreNamed) {
 
 TEST(BadRecipe, PackingThatSpaceDoesNotHaveIsRefusedInOneSentence) {
   const std::string numbers = "density = \"2500 kg/m^3\"\nstiffness = \"1 kN/mm\"\n";
-  EXPECT_EQ(problems("dimension = 3\n[packing]\nmethod = \"poisson\"\n[bidisperse]\nlarge_radius = \"1 mm\"\n"
-                     "[container]\ndepth = \"9 mm\"\n[materials.large]\n" +
-                     numbers + "[materials.small]\n" + numbers +
-                     "[[stages]]\nname = \"compact\"\ntop = { pressure = \"50 kPa\" }\n"),
-            Lines{"r.toml:2:1: packing: packings are random or lattices, and neither read from a file nor [bidisperse] "
-                  "in space; leave that out, or take dimension = 2"});
+  const std::string rest = "[materials.large]\n" + numbers + "[materials.small]\n" + numbers +
+                           "[[stages]]\nname = \"compact\"\ntop = { pressure = \"50 kPa\" }\n";
+  const std::string sampled =
+      "dimension = 3\n[packing]\nmethod = \"poisson\"\n[container]\nperiodic_z = true\n[bidisperse]\n"
+      "large_radius = \"1 mm\"\n";
+  EXPECT_EQ(problems(sampled + rest), Lines{});
+  EXPECT_EQ(problems(sampled + "maximal = true\n" + rest),
+            Lines{"r.toml:6:1: bidisperse: hold_radius and maximal find places on the arcs of circles, in the plane "
+                  "alone; leave them out in space and raise trials"});
+  EXPECT_EQ(
+      problems("dimension = 3\n[packing]\nmethod = \"file\"\nfile = \"a.csv\"\n[container]\nwidth = \"9 mm\"\n"
+               "height = \"9 mm\"\ndepth = \"9 mm\"\n" +
+               rest),
+      Lines{"r.toml:2:1: packing: no packing is read from a file in space; leave that out, or take dimension = 2"});
 }
 
 TEST(BadRecipe, WrongKindsOfValueAreRefused) {

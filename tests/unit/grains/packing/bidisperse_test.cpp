@@ -137,11 +137,11 @@ TEST(Bidisperse, EndsWithTheTrialsAsThePaperDoes) {
 TEST(Bidisperse, HeldRadiiEndWithOneThatFitsNowhere) {
   const double side = 14;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    FreeSpace space({{}, {side, side}}, 0.3);
+    FreeSpace<2> space({{}, {side, side}}, 0.3);
     space.open_store(2);
     RandomStream random(seed, Purpose::test);
     const double refused = fill_holding(space, {1, 0.25, 0.625, 1.375}, random);
-    const std::vector<Disk>& disks = space.disks();
+    const std::vector<Ball<2>>& disks = space.balls();
     Packing packing;
     packing.domain.wall[right].position = packing.domain.wall[top].position = side;
     packing.grains.resize(disks.size());
@@ -166,17 +166,17 @@ TEST(Bidisperse, SameSeedSameBytesAndAnotherSeedAnotherSample) {
 }
 
 TEST(Bidisperse, SmallDisksAreLeftOutByLot) {
-  TwoClasses classes;
+  TwoClasses<2> classes;
   classes.large = 1;
-  classes.disks.assign(2001, Disk{{0, 0}, 1});
-  for (std::size_t i = 1; i <= 2000; ++i) classes.disks[i].centre.x = i <= 1000 ? -1 : 1;
-  classes.area_large = 1000 * pi;
-  classes.area_small = 2000 * pi;
+  classes.balls.assign(2001, Ball<2>{{0, 0}, 1});
+  for (std::size_t i = 1; i <= 2000; ++i) classes.balls[i].centre.x = i <= 1000 ? -1 : 1;
+  classes.volume_large = 1000 * pi;
+  classes.volume_small = 2000 * pi;
   EXPECT_EQ(leave_out_small(classes, 1, 9), 1000u);
-  EXPECT_EQ(classes.disks.size(), 1001u);
+  EXPECT_EQ(classes.balls.size(), 1001u);
   EXPECT_NEAR(classes.volume_ratio(), 1, 1e-9);
   const auto first_half =
-      std::count_if(classes.disks.begin() + 1, classes.disks.end(), [](const Disk& d) { return d.centre.x < 0; });
+      std::count_if(classes.balls.begin() + 1, classes.balls.end(), [](const Ball<2>& d) { return d.centre.x < 0; });
   EXPECT_NEAR(static_cast<double>(first_half), 500, 45);  // four deviations of a fair draw without return
 }
 

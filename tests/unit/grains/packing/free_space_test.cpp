@@ -13,9 +13,9 @@ using std::numbers::pi;
 
 TEST(FreeSpace, PlacesBesideADiskLeaveOutWhatItsNeighbourForbids) {
   // Equal disks that touch: a third keeps off the neighbour on 120 degrees, so it is at 60 degrees or more from it.
-  FreeSpace space({{}, {20, 20}}, 0);
+  FreeSpace<2> space({{}, {20, 20}}, 0);
   space.open_store(2);
-  const Disk disk{{10, 10}, 1};
+  const Ball<2> disk{{10, 10}, 1};
   space.add(disk);
   space.add({{12, 10}, 1});
   RandomStream random(1, Purpose::test);
@@ -33,9 +33,9 @@ TEST(FreeSpace, PlacesBesideADiskLeaveOutWhatItsNeighbourForbids) {
 TEST(FreeSpace, SevenDisksLeaveNoPlaceRoundTheOneInTheirMiddleAndOneFewerDoes) {
   RandomStream random(1, Purpose::test);
   for (const int around : {5, 6}) {
-    FreeSpace space({{}, {20, 20}}, 0);
+    FreeSpace<2> space({{}, {20, 20}}, 0);
     space.open_store(2);
-    const Disk disk{{10, 10}, 1};
+    const Ball<2> disk{{10, 10}, 1};
     space.add(disk);
     for (int k = 0; k < around; ++k)
       space.add({disk.centre + 2.0001 * Vec2{std::cos(k * pi / 3), std::sin(k * pi / 3)}, 1});
@@ -44,7 +44,7 @@ TEST(FreeSpace, SevenDisksLeaveNoPlaceRoundTheOneInTheirMiddleAndOneFewerDoes) {
 }
 
 TEST(FreeSpace, AGapAndWallsTakeRoomAndAPeriodicSideGivesIt) {
-  FreeSpace walls({{}, {10, 10}}, 0), periodic({{}, {10, 10}, {true, true}}, 0);
+  FreeSpace<2> walls({{}, {10, 10}}, 0), periodic({{}, {10, 10}, {true, true}}, 0);
   EXPECT_FALSE(walls.fits({{0.9, 5}, 1}));
   EXPECT_TRUE(walls.fits({{1.0, 5}, 1}));
   EXPECT_TRUE(periodic.fits({{0.1, 5}, 1}));
@@ -54,7 +54,7 @@ TEST(FreeSpace, AGapAndWallsTakeRoomAndAPeriodicSideGivesIt) {
   EXPECT_TRUE(periodic.fits({{1.6, 5}, 1}));
   periodic.set_gap(0.2);
   EXPECT_FALSE(periodic.fits({{1.6, 5}, 1}));
-  FreeSpace narrow({{}, {3, 3}, {true, true}}, 0);
+  FreeSpace<2> narrow({{}, {3, 3}, {true, true}}, 0);
   EXPECT_FALSE(narrow.fits({{1, 1}, 1.6}));  // it would overlap its own image
 }
 
@@ -63,23 +63,26 @@ RC_GTEST_PROP(FreeSpace, HasAPlaceBesideADiskExactlyWhereSomeAngleFits, ()) {
   const geometry::Box<2> box{{-1, 2},
                              {*rc::gen::element(3.0, 8.0), *rc::gen::element(3.0, 8.0)},
                              {*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()}};
-  FreeSpace space(box, *rc::gen::element(0.0, 0.3));
-  std::vector<Disk> disks;
+  FreeSpace<2> space(box, *rc::gen::element(0.0, 0.3));
+  std::vector<Ball<2>> disks;
   for (const double size : {1.0, 0.3}) {
     space.open_store(size);
     for (int k = 0; k < 60; ++k) {
       const double r = random.uniform(0.3, 0.6) * size;
-      const Disk disk{{random.uniform(box.corner.x, box.end().x), random.uniform(box.corner.y, box.end().y)}, r};
+      const Ball<2> disk{{random.uniform(box.corner.x, box.end().x), random.uniform(box.corner.y, box.end().y)}, r};
       if (!space.fits(disk)) continue;
       space.add(disk);
       disks.push_back(disk);
     }
   }
   RC_PRE(!disks.empty());
-  const Disk& disk = disks[random.below(disks.size())];
+  const Ball<2>& disk = disks[random.below(disks.size())];
   const double radius = random.uniform(0.02, 0.4);
   int fitting = 0;
-  for (int k = 0; k < 3600; ++k) fitting += space.fits({space.place_beside(disk, radius, k * pi / 1800), radius});
+  for (int k = 0; k < 3600; ++k) {
+    const double angle = k * pi / 1800;
+    fitting += space.fits({space.place_beside(disk, radius, {std::cos(angle), std::sin(angle)}), radius});
+  }
   const auto place = space.free_place_beside(disk, radius, random);
   RC_CLASSIFY(!place.has_value(), "full");
   if (fitting > 0) RC_ASSERT(place.has_value());
