@@ -39,13 +39,14 @@ dist:
 	@ninja -C $(BUILD) pages
 	@scripts/dist $(BUILD)
 
-# Benchmarks and fuzz targets, too: what nobody compiles and runs does not stay whole.
+# Benchmarks and fuzz targets, too: what nobody compiles and runs does not stay whole. One test more than jobs at a
+# time: some wait for a browser or a killed run.
 test:
 	@scripts/setup run python test bench fuzz docs
 	@$(COMMON) $(WITH_MODULE) -DARENITE_TESTS=ON -DARENITE_BENCH=ON >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
 	@$(MAKE) --no-print-directory fuzz FUZZ_FOR=-runs=0 FUZZ_SEARCH=OFF
-	@ctest --test-dir $(BUILD) -j $$(($(JOBS) + 1)) --timeout 1200 --output-on-failure  # some wait for a browser or a killed run
+	@ctest --test-dir $(BUILD) -j $$(($(JOBS) + 1)) --timeout 1200 --output-on-failure
 
 bench:
 	@scripts/setup run python bench
@@ -68,7 +69,8 @@ petsc:
 	@ARENITE=$(abspath $(BUILD))/arenite ARENITE_PETSC=$(abspath $(BUILD))/arenite-petsc \
 	  /usr/bin/python3 -B -m pytest -q -p no:cacheprovider tests/cluster
 
-# Every fuzz target for FUZZ_SECONDS; inputs that reach new code gather in build-fuzz/found. (The tests run their corpora.)
+# Every fuzz target for FUZZ_SECONDS; inputs that reach new code gather in build-fuzz/found.
+# (The tests run their corpora.)
 FUZZ_SECONDS ?= 60
 FUZZ_FOR ?= -max_total_time=$(FUZZ_SECONDS)
 FUZZ_SEARCH ?= ON
@@ -87,7 +89,8 @@ fuzz:
 	  echo "$$f: $$(tail -1 found/$$what.log)"; \
 	done
 
-# HTML of all pages with search and the reference of Python and C++, in $(BUILD)/html; it is made with the Python module.
+# HTML of all pages with search and the reference of Python and C++, in $(BUILD)/html; it is
+# made with the Python module.
 docs: build
 	@scripts/setup docs
 	@scripts/docs $(BUILD)/html $(BUILD)

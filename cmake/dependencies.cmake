@@ -17,4 +17,5 @@ add_library(arenite_dependencies INTERFACE)
 target_include_directories(arenite_dependencies SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
 target_link_libraries(arenite_dependencies INTERFACE
   Threads::Threads fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11 Eigen3::Eigen
-  ZLIB::ZLIB PNG::PNG TIFF::TIFF JPEG::JPEG ${HDF5_HL_LIBRARIES} ${HDF5_LIBRARIES} ${XXHASH_LIBRARY} ${CHOLMOD_LIBRARY} ${AMD_LIBRARY} ${CMAKE_DL_LIBS})
+  ZLIB::ZLIB PNG::PNG TIFF::TIFF JPEG::JPEG ${HDF5_HL_LIBRARIES} ${HDF5_LIBRARIES}
+  ${XXHASH_LIBRARY} ${CHOLMOD_LIBRARY} ${AMD_LIBRARY} ${CMAKE_DL_LIBS})

@@ -1,5 +1,5 @@
-# Turns the text files of the folder STUDIES (validation/studies/NAME/FILE), and the tables of TABLES as the study thesis-ch2, into the
-# C++ source OUTPUT that defines validation::embedded_files().
+# Turns the text files of the folder STUDIES (validation/studies/NAME/FILE), and the tables of TABLES as the study
+# thesis-ch2, into the C++ source OUTPUT that defines validation::embedded_files().
 include(${CMAKE_CURRENT_LIST_DIR}/raw_literals.cmake)
 set(rows "")
 macro(embed study name path)
@@ -20,5 +20,6 @@ foreach(path ${files})
 endforeach()
 file(WRITE ${OUTPUT}
   "#include \"validation/studies.hpp\"\n\nnamespace arenite::validation {\n\n"
-  "const std::vector<EmbeddedFile>& embedded_files() {\n  static const std::vector<EmbeddedFile> files{\n${rows}  };\n  return files;\n}\n\n"
+  "const std::vector<EmbeddedFile>& embedded_files() {\n  static const std::vector<EmbeddedFile> files{\n${rows}  };\n"
+  "  return files;\n}\n\n"
   "}  // namespace arenite::validation\n")

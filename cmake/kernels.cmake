@@ -1,11 +1,15 @@
 # Flags of the inner loops, one source for each kind of processor, chosen at run time.
 set(dem src/grains/dem/kernels)
-set_source_files_properties(${dem}/portable.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-fno-math-errno;-Wno-psabi")
-set_source_files_properties(${dem}/avx2.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-fno-math-errno;-mavx2")
-set_source_files_properties(${dem}/avx512.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-fno-math-errno;-mavx512f;-mavx512dq;-mavx512vl")
+set_source_files_properties(${dem}/portable.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
+  COMPILE_OPTIONS "-fno-math-errno;-Wno-psabi")
+set_source_files_properties(${dem}/avx2.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
+  COMPILE_OPTIONS "-fno-math-errno;-mavx2")
+set_source_files_properties(${dem}/avx512.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
+  COMPILE_OPTIONS "-fno-math-errno;-mavx512f;-mavx512dq;-mavx512vl")
 foreach(solid src/solid/peridynamics/kernels src/solid/elements/kernels)
   set_source_files_properties(${solid}/avx2.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-mavx2;-mfma")
-  set_source_files_properties(${solid}/avx512.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON  # GCC 12 warns about its own intrinsics
+  # GCC 12 warns about its own intrinsics.
+  set_source_files_properties(${solid}/avx512.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
     COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl;-mfma;-Wno-uninitialized;-Wno-maybe-uninitialized")
 endforeach()
 set(film src/thermal/thermography/kernels)
@@ -13,6 +17,10 @@ set_source_files_properties(${film}/portable.cpp PROPERTIES SKIP_PRECOMPILE_HEAD
 set_source_files_properties(${film}/avx2.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-O3;-mavx2;-mfma")
 set_source_files_properties(${film}/avx512.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
   COMPILE_OPTIONS "-O3;-mavx512f;-mavx512dq;-mavx512vl;-mfma;-Wno-uninitialized;-Wno-maybe-uninitialized")
-set_source_files_properties(src/thermal/imaging/rim_search.cpp src/thermal/imaging/blur.cpp src/thermal/optics/lens.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
-  COMPILE_OPTIONS "-O3;-fno-trapping-math;-falign-loops=32")  # loops of a few instructions: a line of the cache cut through one costs a third of its speed
-set_source_files_properties(src/thermal/thermography/level_jumps.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-O3")
+# Loops of a few instructions: a line of the cache cut through one costs a third of its speed.
+set_source_files_properties(
+  src/thermal/imaging/rim_search.cpp src/thermal/imaging/blur.cpp src/thermal/optics/lens.cpp
+  PROPERTIES SKIP_PRECOMPILE_HEADERS ON
+  COMPILE_OPTIONS "-O3;-fno-trapping-math;-falign-loops=32")
+set_source_files_properties(src/thermal/thermography/level_jumps.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
+  COMPILE_OPTIONS "-O3")

@@ -12,7 +12,8 @@ function(with_includes headers out)
       continue()
     endif()
     if(NOT EXISTS ${CMAKE_SOURCE_DIR}/src/${header})
-      message(FATAL_ERROR "cmake/public_headers.cmake: there is no src/${header}, which is public or included by a public header")
+      message(FATAL_ERROR
+        "cmake/public_headers.cmake: there is no src/${header}, which is public or included by a public header")
     endif()
     list(APPEND found ${header})
     file(STRINGS src/${header} lines REGEX "^#include \"")
@@ -36,18 +37,22 @@ list(TRANSFORM arenite_public_headers REPLACE "(.+)" "#include \"\\1\"" OUTPUT_V
 string(REPLACE ";" "\n" all_headers "${all_headers}")
 file(CONFIGURE OUTPUT library/arenite.hpp CONTENT "#pragma once\n#include \"core/version.hpp\"\n@all_headers@\n" @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/library/arenite.hpp DESTINATION ${include_home} COMPONENT development)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/generated/core/version.hpp DESTINATION ${include_home}/core COMPONENT development)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/generated/core/version.hpp
+  DESTINATION ${include_home}/core COMPONENT development)
 
-# What no package or pkg-config file describes; the others are found where the library is used (AreniteConfig.cmake.in, arenite.pc.in).
+# What no package or pkg-config file describes; the others are found where the library is used
+# (AreniteConfig.cmake.in, arenite.pc.in).
 set(named_links xxhash cholmod amd)
 list(TRANSFORM named_links PREPEND -l OUTPUT_VARIABLE named_link_line)
 list(JOIN named_link_line " " named_link_line)
 file(RELATIVE_PATH prefix_from_pkgconfig /${library_home}/pkgconfig /)
 configure_file(cmake/arenite.pc.in library/arenite.pc @ONLY)
-configure_package_config_file(cmake/AreniteConfig.cmake.in library/AreniteConfig.cmake INSTALL_DESTINATION ${library_home}/cmake/Arenite
-  PATH_VARS include_home library_home)
+configure_package_config_file(cmake/AreniteConfig.cmake.in library/AreniteConfig.cmake
+  INSTALL_DESTINATION ${library_home}/cmake/Arenite PATH_VARS include_home library_home)
 write_basic_package_version_file(library/AreniteConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(TARGETS arenite_core ARCHIVE COMPONENT development)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/library/arenite.pc DESTINATION ${library_home}/pkgconfig COMPONENT development)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/library/AreniteConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/library/AreniteConfigVersion.cmake
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/library/arenite.pc
+  DESTINATION ${library_home}/pkgconfig COMPONENT development)
+install(FILES
+  ${CMAKE_CURRENT_BINARY_DIR}/library/AreniteConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/library/AreniteConfigVersion.cmake
   DESTINATION ${library_home}/cmake/Arenite COMPONENT development)

@@ -1,8 +1,10 @@
 # make deb: one Debian package of program, module, completion, manual page and examples.
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/arenite)
 install(DIRECTORY validation/studies DESTINATION ${CMAKE_INSTALL_DATADIR}/arenite/validation)
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.svg" PATTERN "*.csv" PATTERN html EXCLUDE)
-install(FILES README.md ARCHITECTURE.md CHANGELOG.md CONTRIBUTING.md LICENSE CITATION.cff packages.txt DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.svg" PATTERN "*.csv" PATTERN html EXCLUDE)
+install(FILES README.md ARCHITECTURE.md CHANGELOG.md CONTRIBUTING.md LICENSE CITATION.cff packages.txt
+  DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # Links of the pages lead to examples and studies beside them.
 file(RELATIVE_PATH data_from_docs /${CMAKE_INSTALL_DOCDIR} /${CMAKE_INSTALL_DATADIR}/arenite)
 file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/links)
@@ -12,7 +14,8 @@ foreach(folder examples validation)
 endforeach()
 
 set(CPACK_GENERATOR DEB)
-set(CPACK_INSTALL_CMAKE_PROJECTS "${CMAKE_BINARY_DIR};${PROJECT_NAME};Unspecified;/")  # without the library for developers
+# Without the library for developers.
+set(CPACK_INSTALL_CMAKE_PROJECTS "${CMAKE_BINARY_DIR};${PROJECT_NAME};Unspecified;/")
 set(CPACK_PACKAGE_CONTACT "The Arenite developers <arenite@example.org>")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

@@ -1,5 +1,5 @@
-# What a program that uses the library needs: to make a packing, run a stage, load, measure, read results. Paths are below src/; what
-# these include is installed with them, and <arenite/arenite.hpp> includes them all.
+# What a program that uses the library needs: to make a packing, run a stage, load, measure, read results. Paths are
+# below src/; what these include is installed with them, and <arenite/arenite.hpp> includes them all.
 set(arenite_public_headers
   core/error.hpp
   core/units.hpp

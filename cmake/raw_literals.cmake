@@ -1,5 +1,5 @@
-# The text file PATH as raw literals of C++ in the variable OUT, 8000 characters each, which every compiler takes, and compiles
-# much faster than a list of bytes.
+# The text file PATH as raw literals of C++ in the variable OUT, 8000 characters each, which every compiler takes, and
+# compiles much faster than a list of bytes.
 function(raw_literals path out)
   file(READ ${path} text)
   string(LENGTH "${text}" length)

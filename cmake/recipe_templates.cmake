@@ -1,4 +1,5 @@
-# The recipes that `arenite init` writes, src/recipe/templates/NAME.toml, as recipe::templates::NAME in the header recipe/templates.hpp.
+# The recipes that `arenite init` writes, src/recipe/templates/NAME.toml, as recipe::templates::NAME in the
+# header recipe/templates.hpp.
 include(cmake/raw_literals.cmake)
 set(texts "")
 foreach(name biaxial cemented collapse composite cycles deposit drum film rock shear silo study)
@@ -8,4 +9,5 @@ foreach(name biaxial cemented collapse composite cycles deposit drum film rock s
   string(APPEND texts "inline constexpr std::string_view ${name} =\n${literals};\n")
 endforeach()
 file(CONFIGURE OUTPUT generated/recipe/templates.hpp @ONLY
-  CONTENT "#pragma once\n#include <string_view>\n\nnamespace arenite::recipe::templates {\n${texts}}  // namespace arenite::recipe::templates\n")
+  CONTENT "#pragma once\n#include <string_view>\n\nnamespace arenite::recipe::templates {\n${texts}\
+}  // namespace arenite::recipe::templates\n")

@@ -5,8 +5,8 @@ include(cmake/page_sources.cmake)
 set(ARENITE_PAGES "" CACHE PATH "Folder of built pages (as the target `pages` makes it): Node.js is not needed then")
 set(web ${CMAKE_SOURCE_DIR}/web)
 
-# Sets built_pages to the folder whose pages are taken as they are, if any. Those of a release's archive (web/built) count
-# as long as nobody has changed web/ since.
+# Sets built_pages to the folder whose pages are taken as they are, if any. Those of a release's archive (web/built)
+# count as long as nobody has changed web/ since.
 set(built_pages "")
 foreach(folder ${ARENITE_PAGES} ${web}/built)
   if(built_pages OR NOT EXISTS ${folder}/page.html OR NOT EXISTS ${folder}/study.html)
@@ -25,8 +25,8 @@ foreach(folder ${ARENITE_PAGES} ${web}/built)
   endif()
 endforeach()
 if(ARENITE_PAGES AND NOT built_pages STREQUAL ARENITE_PAGES)
-  message(FATAL_ERROR "-DARENITE_PAGES=${ARENITE_PAGES}: there is no page.html and study.html; `ninja pages` makes such a "
-                      "folder, in the build folder.")
+  message(FATAL_ERROR "-DARENITE_PAGES=${ARENITE_PAGES}: there is no page.html and study.html; `ninja pages` makes "
+                      "such a folder, in the build folder.")
 endif()
 
 add_custom_target(web)
