@@ -11,17 +11,18 @@ namespace {
 
 using namespace arenite;
 
-dem::Engine engine_of(const Packing& packing, dem::IntegratorKind integrator, int threads = 1) {
+template <int D>
+dem::EngineIn<D> engine_of(const PackingIn<D>& packing, dem::IntegratorKind integrator, int threads = 1) {
   dem::IntegrationParameters integration;
   integration.integrator = integrator;
   integration.threads = threads;
   integration.safety = 0.05;
-  return dem::Engine(packing, bench::contact_parameters(), integration);
+  return dem::EngineIn<D>(packing, bench::contact_parameters(), integration);
 }
 
 /// Advances by `steps` an iteration, calling `before_each` first.
-template <class Prepare>
-void measure(benchmark::State& state, dem::Engine& engine, std::int64_t steps, Prepare&& before_each) {
+template <int D, class Prepare>
+void measure(benchmark::State& state, dem::EngineIn<D>& engine, std::int64_t steps, Prepare&& before_each) {
   engine.advance(100);
   const auto builds = engine.builds;
   const auto first = engine.step;
@@ -41,8 +42,19 @@ void measure(benchmark::State& state, dem::Engine& engine, std::int64_t steps, P
   state.SetLabel(fmt::format("{} {:016x}", engine.kernel->name, hash));
 }
 
-void at_rest(benchmark::State& state, const Packing& (*packing)(), dem::IntegratorKind integrator, int threads) {
-  dem::Engine engine = engine_of(packing(), integrator, threads);
+template <int D>
+void at_rest(benchmark::State& state, const PackingIn<D>& (*packing)(), dem::IntegratorKind integrator, int threads) {
+  dem::EngineIn<D> engine = engine_of(packing(), integrator, threads);
+  measure(state, engine, 2'000'000 / static_cast<std::int64_t>(grain_count(engine)), [] {});
+}
+
+/// Springs of friction at every contact of spheres, as LAMMPS's gran/hooke/history has them.
+void history(benchmark::State& state, const PackingIn<3>& (*packing)()) {
+  dem::ContactParameters contact = bench::contact_parameters();
+  contact.friction_law = dem::CundallStrack{};
+  dem::IntegrationParameters integration;
+  integration.safety = 0.05;
+  dem::EngineIn<3> engine(packing(), contact, integration);
   measure(state, engine, 2'000'000 / static_cast<std::int64_t>(grain_count(engine)), [] {});
 }
 
@@ -95,6 +107,11 @@ ARENITE_CASE("polygons_4000/verlet", at_rest, n, bench::polygons_4000, verlet, 1
 ARENITE_CASE("rolling_4000/verlet", rolling, i, verlet, false);
 ARENITE_CASE("rolling_4000/gear", rolling, j, gear, false);
 ARENITE_CASE("bonded_4000/verlet", rolling, k, verlet, true);
+ARENITE_CASE("spheres_4000/verlet", at_rest, o, bench::spheres_4000, verlet, 1);
+ARENITE_CASE("spheres_4000/gear", at_rest, p, bench::spheres_4000, gear, 1);
+ARENITE_CASE("spheres_4000/history", history, q, bench::spheres_4000);
+ARENITE_CASE("spheres_100000/verlet", at_rest, r, bench::spheres_100000, verlet, 1);
+ARENITE_CASE("spheres_100000/history", history, s, bench::spheres_100000);
 
 /// Two meetings of two threads with nothing to do, as a step has them: what a step of two threads pays beside its own
 /// work.

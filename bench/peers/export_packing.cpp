@@ -43,6 +43,19 @@ void write_disks(const std::filesystem::path& folder, const std::string& name, c
   }
 }
 
+void write_spheres(const std::filesystem::path& folder, const std::string& name, const PackingIn<3>& p) {
+  const auto& w = p.domain.wall;
+  std::ofstream data(folder / (name + ".data"));
+  data << fmt::format("{}\n\n{} atoms\n1 atom types\n", name, p.grains.size());
+  for (int axis = 0; axis < 3; ++axis)
+    data << fmt::format("{:.17g} {:.17g} {}lo {}hi\n", w[2 * axis].position, w[2 * axis + 1].position, "xyz"[axis],
+                        "xyz"[axis]);
+  data << "\nAtoms\n\n";
+  for (std::size_t k = 0; k < p.grains.size(); ++k)
+    data << fmt::format("{} 1 {:.17g} {} {:.17g} {:.17g} {:.17g}\n", k + 1, 2 * p.grains.radius[k],
+                        p.materials[0].density, p.grains.position[k].x, p.grains.position[k].y, p.grains.position[k].z);
+}
+
 /// Disks of clumps, each with the number of its clump as that of its molecule.
 void write_clumps(const std::filesystem::path& folder, const std::string& name, const Packing& p) {
   const Shapes& shapes = p.grains.shapes;
@@ -95,6 +108,8 @@ int main(int count, char** words) {
   write_disks(words[1], "walls_4000", bench::walls_4000());
   if (count == 3) return 0;
   write_disks(words[1], "periodic_100000", bench::periodic_100000());
+  write_spheres(words[1], "spheres_4000", bench::spheres_4000());
+  write_spheres(words[1], "spheres_100000", bench::spheres_100000());
   write_clumps(words[1], "clumps_4000", bench::clumps_4000());
   write_polygons(words[1], "polygons_4000", bench::polygons_4000());
   return 0;
