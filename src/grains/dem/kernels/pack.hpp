@@ -18,13 +18,22 @@ ARENITE_INLINE Vec<D, Pack<W>> select(typename Pack<W>::Truths condition, Vec<D,
   return by_axis<D>([&](int axis) { return select(condition, yes[axis], no[axis]); });
 }
 
-/// Two neighbouring doubles, the piece in which records are read and written.
+/// Two and four neighbouring doubles, the pieces in which records are read and written.
 using Piece = Vector<double, 2>;
+using Row = Vector<double, 4>;
 
-ARENITE_INLINE Piece load_piece(const double* p) {
-  Piece a;
+template <class Numbers> ARENITE_INLINE Numbers load_piece(const double* p) {
+  Numbers a;
   std::memcpy(&a, p, sizeof a);
   return a;
+}
+
+template <int W = 8> ARENITE_INLINE typename Pack<W>::V side_by_side(Row low, Row high) {
+#ifdef __AVX512F__  // the shuffle below as one instruction; GCC 12 makes six of it
+  return _mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(low), high, 1);
+#else
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+#endif
 }
 
 /// piece(first), piece(first + 2), ..., of W records, side by side.
@@ -34,12 +43,7 @@ template <int W, class PieceOf> ARENITE_INLINE typename Pack<W>::V every_second(
   } else if constexpr (W == 4) {
     return __builtin_shufflevector(piece(first), piece(first + 2), 0, 1, 2, 3);
   } else {
-    const auto low = every_second<4>(first, piece), high = every_second<4>(first + 4, piece);
-#ifdef __AVX512F__  // the shuffle below as one instruction; GCC 12 makes six of it
-    return _mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(low), high, 1);
-#else
-    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
-#endif
+    return side_by_side(every_second<4>(first, piece), every_second<4>(first + 4, piece));
   }
 }
 
@@ -69,15 +73,42 @@ template <int W, class PieceOf> ARENITE_INLINE void sort_pieces(PieceOf&& piece,
 
 /// Reads two neighbouring doubles at address(0), ..., address(W - 1) into one pack each.
 template <int W, class Address> ARENITE_INLINE void gather(Address&& address, Pack<W>& first, Pack<W>& second) {
-  sort_pieces<W>([&](int k) { return load_piece(address(k)); }, first, second);
+  sort_pieces<W>([&](int k) { return load_piece<Piece>(address(k)); }, first, second);
 }
 
-/// The same of a vector. In space the double behind it is read as well.
-template <int W, int D, class Address> ARENITE_INLINE void gather(Address&& address, Vec<D, Pack<W>>& vector) {
+template <int W, class Address> ARENITE_INLINE void gather(Address&& address, Vec<2, Pack<W>>& vector) {
   gather<W>(address, vector.x, vector.y);
-  if constexpr (D == 3) {
-    Pack<W> behind;
-    gather<W>([&](int k) { return address(k) + 2; }, vector.z, behind);
+}
+
+/// Pieces of t and of u that stand first, and those that stand second, in pairs of pieces.
+template <int W> ARENITE_INLINE Pack<W> first_pieces(Pack<W> t, Pack<W> u) {
+  if constexpr (W == 4) return __builtin_shufflevector(t.v, u.v, 0, 1, 4, 5);
+  if constexpr (W == 8) return __builtin_shufflevector(t.v, u.v, 0, 1, 4, 5, 8, 9, 12, 13);
+}
+template <int W> ARENITE_INLINE Pack<W> second_pieces(Pack<W> t, Pack<W> u) {
+  if constexpr (W == 4) return __builtin_shufflevector(t.v, u.v, 2, 3, 6, 7);
+  if constexpr (W == 8) return __builtin_shufflevector(t.v, u.v, 2, 3, 6, 7, 10, 11, 14, 15);
+}
+
+/// Reads four neighbouring doubles at address(0), ..., address(W - 1) into one pack each: half of the shuffles that two
+/// times two would take.
+template <int W, class Address>
+ARENITE_INLINE void gather(Address&& address, Pack<W>& a, Pack<W>& b, Pack<W>& c, Pack<W>& d) {
+  if constexpr (W < 4) {
+    gather<W>(address, a, b);
+    gather<W>([&](int k) { return address(k) + 2; }, c, d);
+  } else {
+    const auto rows = [&](int k) {  // in the order in which first_pieces and second_pieces set them
+      if constexpr (W == 4) return load_piece<Row>(address(k));
+      else return side_by_side(load_piece<Row>(address(k + k / 2 * 2)), load_piece<Row>(address(k + k / 2 * 2 + 2)));
+    };
+    const auto r0 = rows(0), r1 = rows(1), r2 = rows(2), r3 = rows(3);
+    const Pack<W> even = first_numbers<W>(r0, r1), odd = second_numbers<W>(r0, r1),
+                  even_behind = first_numbers<W>(r2, r3), odd_behind = second_numbers<W>(r2, r3);
+    a = first_pieces<W>(even, even_behind);
+    b = first_pieces<W>(odd, odd_behind);
+    c = second_pieces<W>(even, even_behind);
+    d = second_pieces<W>(odd, odd_behind);
   }
 }
 
@@ -112,12 +143,30 @@ template <int W, class Address> ARENITE_INLINE void scatter(Address&& address, P
   }
 }
 
-/// The same of a vector. In space that is number by number, for nothing of a record lies behind it that may be
-/// overwritten.
-template <int W, int D, class Address> ARENITE_INLINE void scatter(Address&& address, Vec<D, Pack<W>> vector) {
-  scatter<W>(address, vector.x, vector.y);
-  if constexpr (D == 3)
-    for (int k = 0; k < W; ++k) address(k)[2] = vector.z.v[k];
+/// Writes rows of four: the inverse of gather.
+template <int W, class Address>
+ARENITE_INLINE void scatter(Address&& address, Pack<W> a, Pack<W> b, Pack<W> c, Pack<W> d) {
+  if constexpr (W < 4) {
+    scatter<W>(address, a, b);
+    scatter<W>([&](int k) { return address(k) + 2; }, c, d);
+  } else {
+    const auto write = [&](int k, Row row) { std::memcpy(address(k), &row, sizeof row); };
+    const auto write_every_second = [&](int k, Pack<W> ab, Pack<W> cd) {
+      if constexpr (W == 4) {
+        write(k, first_pieces<4>(ab, cd).v);
+        write(k + 2, second_pieces<4>(ab, cd).v);
+      } else {
+        const auto low = __builtin_shufflevector(ab.v, cd.v, 0, 1, 8, 9, 2, 3, 10, 11),
+                   high = __builtin_shufflevector(ab.v, cd.v, 4, 5, 12, 13, 6, 7, 14, 15);
+        write(k, __builtin_shufflevector(low, low, 0, 1, 2, 3));
+        write(k + 2, __builtin_shufflevector(low, low, 4, 5, 6, 7));
+        write(k + 4, __builtin_shufflevector(high, high, 0, 1, 2, 3));
+        write(k + 6, __builtin_shufflevector(high, high, 4, 5, 6, 7));
+      }
+    };
+    write_every_second(0, first_numbers<W>(a.v, b.v), first_numbers<W>(c.v, d.v));
+    write_every_second(1, second_numbers<W>(a.v, b.v), second_numbers<W>(c.v, d.v));
+  }
 }
 
 }  // namespace arenite::dem

@@ -16,14 +16,14 @@ template <int W, int D> struct GrainPack {
   Pack<W> radius;
 
   ARENITE_INLINE GrainPack(const GrainRecord<D>* record, const std::int32_t* index) {
-    gather<W>([=](int k) { return &record[index[k]].place.x; }, place);
-    gather<W>([=](int k) { return &record[index[k]].velocity.x; }, velocity);
+    const auto place_of = [=](int k) { return &record[index[k]].place.x; };
     if constexpr (D == 2) {
+      gather<W>(place_of, place.x, place.y, velocity.x, velocity.y);
       gather<W>([=](int k) { return &record[index[k]].omega; }, omega, radius);
     } else {
-      Pack<W> mass;
-      gather<W>([=](int k) { return &record[index[k]].omega.x; }, omega);
-      gather<W>([=](int k) { return &record[index[k]].radius; }, radius, mass);
+      gather<W>(place_of, place.x, place.y, place.z, velocity.x);
+      gather<W>([=](int k) { return &record[index[k]].velocity.y; }, velocity.y, velocity.z, omega.x, omega.y);
+      gather<W>([=](int k) { return &record[index[k]].omega.z; }, omega.z, radius);
     }
   }
 };
@@ -90,13 +90,15 @@ ARENITE_INLINE void pair_batch(const PairTask<D>& t, const ContactLaws& shared, 
   if constexpr (N::remembers) select(touching_now, memory.normal, zero).store(t.normal_memory + p);
   if constexpr (F::remembers)
     store_columns(select(touching_now, turned_along(memory.slip, pair.normal, spin, shared.lag), T{}), t.memory, p);
-  scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].on_i.x; }, pair.force(fn, ft));
+  const auto slot = [=](int k) { return t.force + p + k; };
+  const Vec<D, V> on_i = pair.force(fn, ft);
   const T torque_i = pair.torque(pair.arm_i, ft), torque_j = pair.torque(pair.arm_j, ft);
   if constexpr (D == 2) {
-    scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_i; }, torque_i, torque_j);
+    scatter<W>([=](int k) { return &slot(k)->on_i.x; }, on_i.x, on_i.y, torque_i, torque_j);
   } else {
-    scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_i.x; }, torque_i);
-    scatter<W>([=](int k) { return &t.force[p + static_cast<std::size_t>(k)].torque_j.x; }, torque_j);
+    scatter<W>([=](int k) { return &slot(k)->on_i.x; }, on_i.x, on_i.y, on_i.z, torque_i.x);
+    scatter<W>([=](int k) { return &slot(k)->torque_i.y; }, torque_i.y, torque_i.z, torque_j.x, torque_j.y);
+    for (int k = 0; k < W; ++k) slot(k)->torque_j.z = torque_j.z.v[k];
   }
 }
 

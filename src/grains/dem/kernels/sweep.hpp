@@ -7,17 +7,18 @@
 
 namespace arenite::dem {
 
-/// Sum of the slots of groups first[q] .. first[q + 1].
-ARENITE_INLINE Pack<4> sum_of_groups(const SlotForces<2>& slots, std::size_t q) {
+/// Four numbers from `number` on, of the slots of groups first[q] .. first[q + 1] together.
+template <int D>
+ARENITE_INLINE Pack<4> sum_of_groups(const SlotForces<D>& slots, std::size_t q, std::size_t number = 0) {
   Pack<4> total(0.0);
   for (auto g = static_cast<std::size_t>(slots.first[q]); g < static_cast<std::size_t>(slots.first[q + 1]); g += 4) {
-    const auto at = [&](std::size_t n) { return Pack<4>::load(&slots.force[slots.group[g + n]].on_i.x); };
+    const auto at = [&](std::size_t n) { return Pack<4>::load(&slots.force[slots.group[g + n]].on_i.x + number); };
     total = total + ((at(0) + at(1)) + (at(2) + at(3)));
   }
   return total;
 }
 
-/// Contact forces on W disks or spheres from k on: contact_load, of disks four numbers at a time.
+/// Contact forces on W disks or spheres from k on: contact_load, four numbers at a time.
 template <int W, int D> struct LoadPack {
   Vec<D, Pack<W>> force;
   Turning<D, Pack<W>> torque;
@@ -36,10 +37,23 @@ template <int W, int D> struct LoadPack {
                      force.y);
       sort_pieces<W>([&](int n) { return Piece(__builtin_shufflevector(load[n].v, load[n].v, 2, 3)); }, torque, spare);
     } else {
-      for (int n = 0; n < W; ++n) {
-        const Load<D> load = contact_load(slots, k + static_cast<std::size_t>(n));
-        for (int axis = 0; axis < D; ++axis) force[axis].v[n] = load.force[axis], torque[axis].v[n] = load.torque[axis];
+      Pack<4> head[W], tail[W];  // the force and the torque about x, the torques about y and z
+#pragma GCC unroll 8
+      for (std::size_t n = 0; n < W; ++n) {
+        const std::size_t mine = 2 * (k + n), other = mine + 1;
+        const Pack<4> own = sum_of_groups(slots, mine), own_behind = sum_of_groups(slots, mine, 4),
+                      reaction = sum_of_groups(slots, other), reaction_behind = sum_of_groups(slots, other, 5);
+        const Pack<4> turned = __builtin_shufflevector(reaction_behind.v, reaction_behind.v, 2, 3, 0, 1);
+        head[n] = __builtin_shufflevector((own - reaction).v, (own + turned).v, 0, 1, 2, 7);
+        tail[n] = own_behind + turned;
       }
+      const auto half = [](const Pack<4>& of, bool second) {
+        return second ? Piece(__builtin_shufflevector(of.v, of.v, 2, 3))
+                      : Piece(__builtin_shufflevector(of.v, of.v, 0, 1));
+      };
+      sort_pieces<W>([&](int n) { return half(head[n], false); }, force.x, force.y);
+      sort_pieces<W>([&](int n) { return half(head[n], true); }, force.z, torque.x);
+      sort_pieces<W>([&](int n) { return half(tail[n], false); }, torque.y, torque.z);
     }
   }
 };
@@ -56,8 +70,13 @@ template <int W, int D> struct MotionPack {
     const GrainRecord<D>* d = t.record + k;
     Vec<D, V> velocity;
     V mass;
-    gather<W>([=](int n) { return &d[n].place.x; }, place);
-    gather<W>([=](int n) { return &d[n].velocity.x; }, velocity);
+    const auto place_of = [=](int n) { return &d[n].place.x; };
+    if constexpr (D == 2) {
+      gather<W>(place_of, place.x, place.y, velocity.x, velocity.y);
+    } else {
+      gather<W>(place_of, place.x, place.y, place.z, velocity.x);
+      gather<W>([=](int n) { return &d[n].velocity.y; }, velocity.y, velocity.z);
+    }
     gather<W>([=](int n) { return &d[n].radius; }, radius, mass);
     const V inverse = V(1.0) / mass;
     acceleration = by_axis<D>([&](int axis) {
@@ -74,10 +93,16 @@ ARENITE_INLINE typename Pack<W>::Truths put(const SweepTask<D>& t, std::size_t k
                                             Vec<D, Pack<W>> place, Vec<D, Pack<W>> velocity,
                                             Turning<D, Pack<W>> omega) {
   GrainRecord<D>* d = t.record + k;
-  scatter<W>([=](int n) { return &d[n].place.x; }, place);
-  scatter<W>([=](int n) { return &d[n].velocity.x; }, velocity + t.after.at(place));
-  if constexpr (D == 2) scatter<W>([=](int n) { return &d[n].omega; }, omega, m.radius);
-  else scatter<W>([=](int n) { return &d[n].omega.x; }, omega);
+  const auto place_of = [=](int n) { return &d[n].place.x; };
+  const Vec<D, Pack<W>> seen = velocity + t.after.at(place);
+  if constexpr (D == 2) {
+    scatter<W>(place_of, place.x, place.y, seen.x, seen.y);
+    scatter<W>([=](int n) { return &d[n].omega; }, omega, m.radius);
+  } else {
+    scatter<W>(place_of, place.x, place.y, place.z, seen.x);
+    scatter<W>([=](int n) { return &d[n].velocity.y; }, seen.y, seen.z, omega.x, omega.y);
+    scatter<W>([=](int n) { return &d[n].omega.z; }, omega.z, m.radius);
+  }
   const auto way = way_since_listed(t, place, load_columns<W>(t.listed, k));
   return dot(way, way) <= Pack<W>(t.limit);
 }
