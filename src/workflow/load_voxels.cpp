@@ -160,6 +160,10 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
     j["modulus_Pa"] =
         described(loaded.report.modulus, "Pa", "Apparent modulus, mean stress over strain, between clamps");
     std::vector<std::string> notes;
+    if (!load.by_elements() && peridynamics::joined_through_voids_only(map))
+      notes.emplace_back(
+          "no solid joins the two clamps: all load passes through bonds that reach across voids thinner than the "
+          "horizon; method = \"elements\" (--method elements) lets none pass");
     stress::VoxelStressOptions statistics;
     statistics.clamp_layers = static_cast<int>(std::min<std::int64_t>(load.statistics.clamp_rows, (map.depth - 1) / 2));
     statistics.shear = load.loading == statics::Loading::shear;

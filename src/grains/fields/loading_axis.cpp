@@ -49,6 +49,20 @@ bool presses(const dem::Stage& stage, int axis) {
   return stage.side[2 * axis].presses() || stage.side[2 * axis + 1].presses();
 }
 
+/// The largest pressure on the two sides across an axis; nothing where a force or a programme says how they press.
+std::optional<double> pressure(const dem::Stage& stage, int axis) {
+  std::optional<double> most;
+  for (int side = 2 * axis; side < 2 * axis + 2; ++side) {
+    const dem::SideDrive& drive = stage.side[side];
+    const bool follows = std::ranges::any_of(stage.programmes, [&](const dem::Programme& programme) {
+      return programme.of == dem::Driven{What::pressure, side};
+    });
+    if (drive.presses() && (follows || drive.kind == Kind::force)) return std::nullopt;
+    if (drive.presses()) most = std::max(most.value_or(drive.value), drive.value);
+  }
+  return most;
+}
+
 double angle_of(int axis) { return axis == 0 ? 0 : std::numbers::pi / 2; }
 
 }  // namespace
@@ -60,8 +74,10 @@ std::optional<double> loading_axis(const dem::Stage& stage) {
     if ((x > 0 && y > 0) || (x < 0 && y < 0)) return std::nullopt;
     return angle_of(x > 0 || y < 0 ? 0 : 1);
   }
-  if (presses(stage, 0) == presses(stage, 1)) return std::nullopt;
-  return angle_of(presses(stage, 0) ? 0 : 1);
+  if (presses(stage, 0) != presses(stage, 1)) return angle_of(presses(stage, 0) ? 0 : 1);
+  const auto across_x = pressure(stage, 0), across_y = pressure(stage, 1);
+  if (!across_x || !across_y || *across_x == *across_y) return std::nullopt;
+  return angle_of(*across_x > *across_y ? 0 : 1);
 }
 
 }  // namespace arenite::fields

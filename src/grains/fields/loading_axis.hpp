@@ -7,9 +7,9 @@ namespace arenite::fields {
 
 /// Along which a stage compresses its sample, rad from x, to which signed anisotropies refer. Simple shear du_x/dy >
 /// 0, of a cell or between walls that slide, compresses along 135 degrees, the opposite along 45; sides that move in
-/// compress along their axis, sides that move out leave compression to the other one; else it is the only axis along
-/// which sides press. Of cycles and of what follows a table the way of their beginning counts. Nothing where the
-/// stage does none of these, or several at once, so that the sample has to say.
+/// compress along their axis, sides that move out leave compression to the other one; else it is the axis along
+/// which sides press alone, or under the higher pressure. Of cycles and of what follows a table the way of their
+/// beginning counts. Nothing where the stage does none of these, or several at once, so that the sample has to say.
 std::optional<double> loading_axis(const dem::Stage& stage);
 
 }  // namespace arenite::fields

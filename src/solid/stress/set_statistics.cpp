@@ -91,6 +91,26 @@ void put_moments(Numbers& to, const Scaled& s, const Normaliser& normaliser, boo
   put(to, "excess_kurtosis", e[5], "", "Excess kurtosis of the stress; 0 for a Gaussian");
 }
 
+/// In how many blocks alike the values beyond x would lie to be as unevenly shared out as they are: (sum m)^2/sum m^2
+/// of the m of them in each block.
+double blocks_beyond(const BlockCounts& counts, double x, bool above) {
+  double sum = 0, squares = 0;
+  for (const Counts& block : counts.block) {
+    const double all = statistics::total(block);
+    if (!(all > 0)) continue;
+    const double share = statistics::survival(counts.bins, block, x), m = all * (above ? share : 1 - share);
+    sum += m;
+    squares += m * m;
+  }
+  return squares > 0 ? sum * sum / squares : 0;
+}
+
+/// Whether one sample tells the error of the quantile x of this share: what lies beyond an outer one is a few spots of
+/// high stress, and leaving one out does not tell what another sample would have there.
+bool has_known_error(const BlockCounts& counts, double x, double share) {
+  return std::min(share, 1 - share) > 0.02 || blocks_beyond(counts, x, share > 0.5) >= 10;
+}
+
 /// Shares and quantiles by rank; their errors from the counts, straight within a bin.
 void put_ranks(Numbers& to, const Scaled& s, const BlockCounts& counts, const std::vector<double>& quantiles,
                const Normaliser& normaliser) {
@@ -108,12 +128,16 @@ void put_ranks(Numbers& to, const Scaled& s, const BlockCounts& counts, const st
     for (const auto& [name, p] : quantile_shares) row.push_back(statistics::quantile(counts.bins, rest, p) / sample);
     replicates.push_back(std::move(row));
   }
-  const auto e = statistics::with_errors(values, replicates);
+  auto e = statistics::with_errors(values, replicates);
+  for (std::size_t k = 0; k < quantiles.size() && counts.bins.count > 0; ++k)
+    if (!has_known_error(counts, quantiles[k], quantile_shares[k].second)) e[k + 2].error = unknown;
   put(to, "fraction_above_own_mean", e[0], "", "Fraction of nodes above the set's own mean");
   put(to, "fraction_above_sample_mean", e[1], "", "Fraction of nodes above the sample's mean");
   statistics::ByName<statistics::Estimate> named;
   for (std::size_t k = 0; k < std::size(quantile_shares); ++k) named.emplace_back(quantile_shares[k].first, e[k + 2]);
-  put(to, "quantiles", named, "", "Stress over the sample's mean below which this fraction of nodes lies",
+  put(to, "quantiles", named, "",
+      "Stress over the sample's mean below which this fraction of nodes lies; the error of an outer one is unknown "
+      "where such stress is in a few places of the sample",
       Trait::detail);
 }
 

@@ -101,10 +101,14 @@ void add_scales(const FilmGiven& given, const FilmResult& r, std::vector<std::st
   if (!alike && std::hypot(high->error, low->error) < 1)
     doubts.push_back(unequal(r.packing.materials, scales, *low, *high));
   if (given.load_peak_to_peak <= 0) return;
-  double sum = 0, weight = 0;
-  for (const Scale& s : scales) sum += s.log / (s.error * s.error), weight += 1 / (s.error * s.error);
+  double sum = 0, weight = 0, squares = 0;
+  for (const Scale& s : scales) {
+    const double w = 1 / (s.error * s.error);
+    sum += w * s.log, weight += w, squares += w * w;
+  }
+  const double mean_factor = factor * std::sqrt(squares) / weight;  // factors err each on its own, the load for all
   const double common = alike ? sum / weight : 0.5 * (low->log + high->log);
-  if (beyond(given, common, 1 / std::sqrt(weight), std::hypot(factor, load)) < 0) return;
+  if (beyond(given, common, 1 / std::sqrt(weight), std::hypot(mean_factor, load)) < 0) return;
   // Where materials stand for each other their mean is off by what their factors and numbers make it: nothing more to
   // say.
   if (!alike && std::abs(common) < 0.5 * (high->log - low->log)) return;

@@ -42,6 +42,9 @@ TEST(TextureOptions, SignsReferToTheAxisAlongWhichTheSidesLoad) {
   EXPECT_EQ(axis_with("top = { force = \"1 kN\" }\n"), std::numbers::pi / 2);
   EXPECT_EQ(axis_with("left = { pressure = \"1 kPa\" }\nright = { pressure = \"1 kPa\" }\n"), 0);
   EXPECT_FALSE(axis_with("left = { pressure = \"1 kPa\" }\ntop = { pressure = \"1 kPa\" }\n"));
+  EXPECT_EQ(axis_with("right = { pressure = \"10 kPa\" }\ntop = { pressure = \"12 kPa\" }\n"), std::numbers::pi / 2);
+  EXPECT_EQ(axis_with("right = { pressure = \"12 kPa\" }\ntop = { pressure = \"10 kPa\" }\n"), 0);
+  EXPECT_FALSE(axis_with("left = { pressure = \"1 kPa\" }\ntop = { force = \"1 kN\" }\n"));
   EXPECT_FALSE(axis_with("gravity = true\n"));
 }
 

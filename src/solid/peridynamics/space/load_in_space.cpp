@@ -1,6 +1,8 @@
 #include "solid/peridynamics/space/load_in_space.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -50,6 +52,27 @@ statics::LoadResultIn<3> load(const VoxelMap& map, const LoadOptions& options) {
   }
   r.sentence = statics::sentence_of(r.ending, r, r.support, options.tolerance, "voxels");
   return result;
+}
+
+bool joined_through_voids_only(const VoxelMap& map) {
+  std::vector<std::uint8_t> seen(map.size());
+  std::vector<std::array<int, 3>> found;
+  const auto visit = [&](int x, int y, int z) {
+    const std::size_t i = map.index(x, y, z);
+    if (map.phase[i] == Phase::empty || std::exchange(seen[i], 1)) return;
+    found.push_back({x, y, z});
+  };
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x) visit(x, y, 0);
+  while (!found.empty()) {
+    const auto [at_x, at_y, at_z] = found.back();
+    found.pop_back();
+    if (at_z == map.depth - 1) return false;
+    for (int z = std::max(at_z - 1, 0); z <= at_z + 1; ++z)
+      for (int y = std::max(at_y - 1, 0); y <= std::min(at_y + 1, map.height - 1); ++y)
+        for (int x = std::max(at_x - 1, 0); x <= std::min(at_x + 1, map.width - 1); ++x) visit(x, y, z);
+  }
+  return true;
 }
 
 }  // namespace arenite::peridynamics

@@ -10,4 +10,8 @@ namespace arenite::peridynamics {
 /// options that make no sense; anything that a sound map can turn out to be is an Ending.
 statics::LoadResultIn<3> load(const VoxelMap& map, const LoadOptions& options);
 
+/// Whether the lowest and the highest layer of a map are joined by bonds through voids alone: by no chain of voxels of
+/// solid that meet in a face, an edge or a corner.
+bool joined_through_voids_only(const VoxelMap& map);
+
 }  // namespace arenite::peridynamics

@@ -89,6 +89,21 @@ TEST(NodeStress, MomentsAndQuantilesAreThoseOfTheLaw) {
   EXPECT_LT(error_of(d, "tail/slope"), 0.1);
 }
 
+TEST(NodeStress, OneSpotTellsNoErrorOfTheQuantileThatItMakes) {
+  PhaseMap map = make_phase_map(240, 240, 1);
+  for (auto& p : map.phase) p = Phase::matrix;
+  RandomStream random(3, Purpose::test);
+  const Statistics s = measure(map, pulled(map, [&](int x, int y) {
+                                 const double usual = -7 * std::log(1 - random.uniform());
+                                 return x >= 100 && x < 108 && y >= 50 && y < 58 ? usual + 700 : usual;
+                               }));
+  const Numbers& d = set(s, "matrix");
+  EXPECT_GT(value_of(d, "quantiles/99.9 %"), 50);
+  EXPECT_FALSE(std::isfinite(error_of(d, "quantiles/99.9 %"))) << "another sample might have two spots, or none";
+  EXPECT_TRUE(std::isfinite(error_of(d, "quantiles/99 %")));
+  EXPECT_TRUE(std::isfinite(error_of(d, "quantiles/1 %")));
+}
+
 TEST(NodeStress, TwoHalvesOfOneStressEach) {
   PhaseMap map = make_phase_map(60, 60, 1);
   map.grain_class = {GrainClass::none};

@@ -63,6 +63,8 @@ TEST(FilmDoubts, ADisagreementOfManyErrorsIsSaidHoweverSmall) {
   EXPECT_NE(all(film_doubts(given, wanting(0.91, 0.915))).find("given as 1.10 times"), std::string::npos);
   EXPECT_EQ(all(film_doubts(given, wanting(0.95, 0.955))),
             "");  // within three of the two per cent that factors are known to
+  EXPECT_NE(all(film_doubts(given, wanting(0.94, 0.94))).find("given as 1.06 times"), std::string::npos)
+      << "two materials that agree are known better than each";
   given.factor_error = 0.002;
   EXPECT_NE(all(film_doubts(given, wanting(0.95, 0.955))).find("given as 1.05 times"), std::string::npos);
   EXPECT_NE(all(film_doubts(given, wanting(0.95, 1.0))).find("ratio of the factors of HDPE and POM"),
