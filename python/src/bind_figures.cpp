@@ -17,6 +17,7 @@
 #include "report/figures/test_figures.hpp"
 #include "report/page_document.hpp"
 #include "report/print/print.hpp"
+#include "solid/stress/sample_means.hpp"
 #include "thermal/inference/film_stresses.hpp"
 #include "workflow/film/film_numbers.hpp"
 
@@ -141,6 +142,12 @@ void bind_figures(py::module_& m) {
       "What a picture of a field may show: symbol, unit and whether it is a magnitude, by name.");
   m.def("_field_values", &field_values, py::arg("field"), py::arg("name"),
         "That quantity on all nodes, from the arrays of a field.");
+  m.def(
+      "_field_mean",
+      [](const FieldResult& field, const std::string& name) {
+        return stress::SampleMeans(field).of(field_quantity(name));
+      },
+      py::arg("field"), py::arg("name"), "Its mean over the sample, as the statistics of the field take it.");
   m.def(
       "_curve_of_stage",
       [](const StageResult& stage, const Packing* before, const std::string& x, const std::string& y) {

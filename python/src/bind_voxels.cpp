@@ -17,6 +17,7 @@
 #include "module.hpp"
 #include "phase_words.hpp"
 #include "solid/grid/label_grains.hpp"
+#include "solid/stress/sample_means.hpp"
 #include "workflow/load_voxels.hpp"
 
 namespace arenite::python {
@@ -87,13 +88,18 @@ py::array_t<T> volume_view(const std::vector<T>& values, int depth, int height, 
   return shaped_view<T, 3>(values, {depth, height, width}, owner);
 }
 
-py::array_t<double> voxel_values(const VoxelResult& sample, const std::string& name) {
+const VoxelQuantity& quantity_named(const std::string& name) {
   const auto& list = voxel_quantities();
   const auto found = std::ranges::find(list, name, &VoxelQuantity::name);
   if (found == list.end()) throw py::key_error(name);
+  return *found;
+}
+
+py::array_t<double> voxel_values(const VoxelResult& sample, const std::string& name) {
+  const VoxelQuantity& quantity = quantity_named(name);
   const VoxelStress& field = sample.field;
   std::vector<double> values(field.size());
-  for (std::size_t k = 0; k < values.size(); ++k) values[k] = found->of(field, k);
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = quantity.of(field, k);
   return taken_over(std::move(values), {field.depth, field.height, field.width});
 }
 
@@ -181,6 +187,12 @@ void bind_voxels(py::module_& m) {
       py::arg("sample"), "Names of the stresses that pictures of a loaded sample show, that of its load first.");
   m.def("_voxel_values", &voxel_values, py::arg("sample"), py::arg("name"),
         "That quantity in all voxels; float64, (depth, height, width).");
+  m.def(
+      "_voxel_mean",
+      [](const VoxelResult& sample, const std::string& name) {
+        return stress::sample_mean(sample, quantity_named(name));
+      },
+      py::arg("sample"), py::arg("name"), "Its mean over the sample, as the statistics of the stress take it.");
   def_with_keywords(
       m, "read_voxel_map", &voxel_map_in, voxel_map_keywords(),
       "A voxel map from NumPy, NRRD, MetaImage, NIfTI or a stack of pictures (docs/formats.md), or of a table of "

@@ -18,8 +18,8 @@ struct FieldQuantity {
   bool is_stored() const { return formula == id; }
 };
 
-/// A stress against that of the whole sample: of "yy" and of "mean", which is sigma_yy over all nodes that are not
-/// void.
+/// A stress against that of the whole sample: of "yy" and of "mean", the mean of sigma_yy that its
+/// statistics state.
 inline constexpr FieldQuantity relative_stress{"relative", "sigma_yy_relative", "\u03c3_{yy}/\u27e8\u03c3_{yy}\u27e9",
                                                "",         "yy mean /",         false};
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -16,8 +15,8 @@
 #include "report/page_document.hpp"
 #include "solid/grid/cavities.hpp"
 #include "solid/stress/grains.hpp"
+#include "solid/stress/sample_means.hpp"
 #include "solid/stress/stress.hpp"
-#include "statistics/correlation.hpp"
 
 namespace arenite::report {
 namespace {
@@ -64,22 +63,21 @@ Numbers map_of(const PhaseMap& map, const Numbers& numbers, const Thinning& kept
           {"cavities", cavities_of(map, numbers, kept, block)}};
 }
 
-/// One component on the page's nodes, with mean and extremes over all nodes of the map that are not void.
+/// One component on the page's nodes, with its mean, and extremes over all nodes of the map that are not void.
 Numbers component(const PhaseMap& map, const Thinning& kept, const std::vector<std::uint8_t>& solid,
                   const std::vector<double>& values, bool companded, NumberBlock& block) {
   std::vector<double> inside;
   for (std::size_t k = 0; k < values.size(); ++k)
     if (map.phase[k] != Phase::empty) inside.push_back(values[k]);
   const auto [least, most] = inside.empty() ? std::ranges::min_max_result<double>{0, 0} : std::ranges::minmax(inside);
-  const double sum = std::accumulate(inside.begin(), inside.end(), 0.0);
   Numbers out = numbers_of(code_field(kept.width, kept.height, kept.of(values), solid, companded), block);
-  out.update(Numbers{
-      {"mean", sum / static_cast<double>(std::max<std::size_t>(1, inside.size()))}, {"least", least}, {"most", most}});
+  out.update(Numbers{{"least", least}, {"most", most}});
   return out;
 }
 
 /// Those that are stored; the page forms the others by the formulas of `quantities_of`.
-Numbers components_of(const FieldResult& result, const Thinning& kept, NumberBlock& block) {
+Numbers components_of(const FieldResult& result, const stress::SampleMeans& means, const Thinning& kept,
+                      NumberBlock& block) {
   const auto solid =
       mapped<std::uint8_t>(kept.node, [&](std::size_t node) { return result.map.phase[node] != Phase::empty; });
   Numbers all = Numbers::tree();
@@ -90,22 +88,21 @@ Numbers components_of(const FieldResult& result, const Thinning& kept, NumberBlo
     const bool is_stress = quantity.unit == "Pa";  // which has tails; displacements have none
     Numbers& one = all[std::string(quantity.name)];
     one = component(result.map, kept, solid, values, is_stress, block);
+    one["mean"] = means.of(quantity);
     one["unit"] = std::string(quantity.unit);
   }
   return all;
 }
 
-/// What the page may paint or tell of nodes and grains, in its order, with the mean over the nodes that are not void.
-Numbers quantities_of(const FieldResult& result) {
+/// What the page may paint or tell of nodes and grains, in its order, with its mean.
+Numbers quantities_of(const FieldResult& result, const stress::SampleMeans& means) {
   Numbers all = Numbers::tree();
   if (result.field.size() == 0) return all;
-  const auto solid = mapped<std::uint8_t>(result.map.phase, [](Phase phase) { return phase != Phase::empty; });
   for (const FieldQuantity& q : field_quantities()) {
     Numbers& one = all[std::string(q.id)];
     one = {{"name", std::string(q.name)},       {"symbol", std::string(q.symbol)}, {"unit", std::string(q.unit)},
            {"formula", std::string(q.formula)}, {"offered", q.is_offered},         {"magnitude", q.is_magnitude}};
-    if (q.is_offered && has(result.field, q))
-      one["mean"] = statistics::mean_of_known(values_of(q, result.field), solid);
+    if (q.is_offered && has(result.field, q)) one["mean"] = means.of(q);
   }
   return all;
 }
@@ -117,7 +114,8 @@ void add_comparison(Numbers& out) {
                      {"formula", std::string(relative_stress.formula)}};
   double scale = 0;
   for (const auto& [name, component] : std::as_const(out["components"]).items())
-    if (component["unit"] == Numbers("Pa")) scale = std::fmax(scale, std::abs(component["mean"].get<double>()));
+    if (component["unit"] == Numbers("Pa") && component["mean"].is_known())
+      scale = std::fmax(scale, std::abs(component["mean"].get<double>()));
   out["scale"] = scale > 0 ? scale : 1;
 }
 
@@ -152,23 +150,9 @@ Numbers cracks_of(const std::vector<Crack>& cracks, NumberBlock& block) {
           {"strain", block.add_reals(mapped(cracks, &Crack::strain))}};
 }
 
-/// Those that the stored statistics of stress were measured with, for all components.
-stress::StressOptions options_of(const FieldResult& field) {
-  stress::StressOptions options;
-  options.components.assign(std::begin(stress::all_components), std::end(stress::all_components));
-  const Numbers* said = field.numbers.at_path("/stress/options");
-  if (!said) return options;
-  options.clamp_rows = said->value("clamp_rows", options.clamp_rows);
-  options.leave_out_surface = said->value("leave_out_surface", options.leave_out_surface);
-  options.leave_out_unloaded = said->value("leave_out_unloaded", options.leave_out_unloaded);
-  options.mean_over_area = said->value("sample_mean_over", std::string()) == "area";
-  options.blocks = said->value("blocks", options.blocks);
-  return options;
-}
-
 /// The densities that the page draws, and grains; of densities only notes where there is nothing to measure.
 std::pair<Numbers, stress::GrainStresses> measured(const FieldResult& result) {
-  const stress::StressOptions options = options_of(result);
+  const stress::StressOptions options = stress::options_of(result);
   Numbers notes = Numbers::tree();
   try {
     if (result.field.size() > 0) {
@@ -184,13 +168,14 @@ std::pair<Numbers, stress::GrainStresses> measured(const FieldResult& result) {
 Numbers field_of(const FieldResult& r, const stress::Statistics* known, std::size_t map, const Thinning& kept,
                  NumberBlock& block, const figures::WriteList& write) {
   const auto [densities, grains] = known ? std::pair(stress::numbers(*known, true), known->grains) : measured(r);
+  const stress::SampleMeans means(r);
   Numbers out{{"name", r.name},
               {"converged", r.converged},
               {"outcome", r.outcome},
               {"provenance", provenance_of(r.provenance)},
               {"map", map},
-              {"quantities", quantities_of(r)},
-              {"components", components_of(r, kept, block)},
+              {"quantities", quantities_of(r, means)},
+              {"components", components_of(r, means, kept, block)},
               {"grains", grains_of(grains, r, block)},
               {"curve", history_of(r.curve, block)},
               {"headlines", figures::numbers_of(figures::headlines_of(r))},

@@ -8,7 +8,9 @@
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
+#include "model/field_quantities.hpp"
 #include "solid/stress/grains.hpp"
+#include "solid/stress/sample_means.hpp"
 
 namespace arenite::report {
 namespace {
@@ -63,13 +65,6 @@ View about_middle_grain(const PhaseMap& map) {
   return view;
 }
 
-double solid_mean(const FieldResult& load) {
-  double sum = 0, count = 0;
-  for (std::size_t k = 0; k < load.map.size(); ++k)
-    if (load.map.phase[k] != Phase::empty) sum += load.field.yy[k], ++count;
-  return sum / count;
-}
-
 /// Where the grain changes: grain -1 is matrix and void, whose own border the picture shows.
 Numbers edges_of(const PhaseMap& map, const View& view) {
   Numbers edges = Numbers::list();
@@ -117,7 +112,7 @@ Numbers phases_drawing(const FieldResult& sample) { return phases_of(sample.map,
 Numbers zoom_drawing(const FieldResult& load) {
   if (load.field.size() == 0) throw InputError("this run has no stress field to draw");
   const View view = about_middle_grain(load.map);
-  const double mean = solid_mean(load);
+  const double mean = stress::SampleMeans(load).of(field_quantity("sigma_yy"));
   Numbers j = view.json(load.map), stress = Numbers::list();
   for (int row = 0; row < view.height; ++row)
     for (int column = 0; column < view.width; ++column) {

@@ -11,6 +11,7 @@
 #include "report/figures/field_figures.hpp"
 #include "report/figures/headlines.hpp"
 #include "report/page_document.hpp"
+#include "solid/stress/sample_means.hpp"
 #include "statistics/histogram.hpp"
 
 namespace arenite::report {
@@ -35,12 +36,12 @@ struct ThinnedVoxels {
   }
 };
 
-/// One quantity: its words, the codes of the voxels that are drawn, and mean and extremes of all that are not void.
+/// One quantity: its words, the codes of the voxels that are drawn, and its mean, and extremes of all that are not
+/// void.
 Numbers coded(const VoxelQuantity& quantity, const VoxelResult& result, const ThinnedVoxels& kept, NumberBlock& block) {
   std::vector<double> inside;
-  double sum = 0;
   for (std::size_t k = 0; k < result.map.size(); ++k)
-    if (result.map.phase[k] != Phase::empty) sum += inside.emplace_back(quantity.of(result.field, k));
+    if (result.map.phase[k] != Phase::empty) inside.push_back(quantity.of(result.field, k));
   Numbers out{{"words", std::string(quantity.words)},
               {"symbol", std::string(quantity.symbol)},
               {"unit", std::string(quantity.unit)},
@@ -59,7 +60,7 @@ Numbers coded(const VoxelQuantity& quantity, const VoxelResult& result, const Th
                      {"high", ends[2]},
                      {"least", ends[0]},
                      {"most", ends[3]},
-                     {"mean", sum / static_cast<double>(inside.size())}});
+                     {"mean", stress::sample_mean(result, quantity)}});
   return out;
 }
 

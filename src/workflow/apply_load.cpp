@@ -17,6 +17,7 @@
 #include "solid/elements/load.hpp"
 #include "solid/grid/crop.hpp"
 #include "solid/stress/grains.hpp"
+#include "solid/stress/selection.hpp"
 #include "solid/stress/stress.hpp"
 #include "workflow/field_numbers.hpp"
 #include "workflow/read_map.hpp"

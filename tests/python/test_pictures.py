@@ -9,31 +9,39 @@ import arenite
 import arenite.figures as figures
 import numpy as np
 import pytest
+from arenite import _core
 from arenite.figures import fields, films, motion, packings, panels, samples, saving
 from empty_axes import axes
+from test_pages import content_of
 
 
-def a_field(by, value=-2.0):
-    """Four nodes; what its statistics say of sigma_yy only."""
-    every = {"mean_Pa": {"value": -4.0}, "mean_over_sample_mean": {"value": -4.0 / value}}
-    return types.SimpleNamespace(
-        numbers={"stress": {"sigma_yy": {"normalised_by": by, "sets": {"all": every}}}},
-        map=types.SimpleNamespace(phase=np.array([[1, 2], [2, 0]])),
-        sigma_yy=np.array([[-2.0, -4.0], [-6.0, 99.0]]),
-        sigma_xx=np.array([[4.0, 0.0], [2.0, 99.0]]),
-        sigma_xy=np.zeros((2, 2)),
+def scaled(by, component, values, mean=None):
+    """Three nodes by what the statistics of a field say of sigma_yy only."""
+    number = {"mean": {"sample_mean_Pa": {"value": -2.0}}, "root mean square": {"root_mean_square_Pa": {"value": 8.0}}}
+    stored, quantities = {"sigma_yy": {"normalised_by": by, **number[by]}}, _core._field_quantities()
+    return fields.scale_in(
+        np.array(values), component, quantities, lambda: fields.unit_in(stored, quantities), lambda: mean
     )
 
 
 def test_stresses_are_centred_where_their_statistics_say():
-    values, centre, label = fields.scale_of(a_field("mean"), "sigma_yy")
-    assert values[0].tolist() == [1, 2] and np.isnan(values[1, 1]) and centre == 1 and label.endswith("over its mean")
-    values, centre, label = fields.scale_of(a_field("root mean square", 8.0), "sigma_yy")
-    assert values[0].tolist() == [-0.25, -0.5] and centre == 0 and label.endswith("over its r.m.s.")
-    values, centre, label = fields.scale_of(a_field("mean"), "sigma_xx")
-    assert values[0].tolist() == [2, 0] and centre == 1 and "yy" in label  # tension stays positive
-    values, _, _ = fields.scale_of(a_field("mean"), "sigma_1")
-    assert values[0].tolist() == [2, 0]
+    values, centre, label = scaled("mean", "sigma_yy", [-2.0, -4.0, np.nan])
+    assert values[:2].tolist() == [1, 2] and np.isnan(values[2]) and centre == 1 and label.endswith("over its mean")
+    values, centre, label = scaled("root mean square", "sigma_yy", [-2.0, -4.0, -6.0])
+    assert values[:2].tolist() == [-0.25, -0.5] and centre == 0 and label.endswith("over its r.m.s.")
+    values, centre, label = scaled("mean", "sigma_xx", [4.0, 0.0, 2.0], 3.0)
+    assert values[:2].tolist() == [2, 0] and centre == 1.5 and "yy" in label  # tension stays positive
+
+
+def test_the_tile_the_page_and_print_have_one_mean(result, tmp_path):
+    arenite.page(result, tmp_path / "page.html")
+    field = result.fields[-1]
+    tile = field.numbers["stress"]["sigma_yy"]["sample_mean_Pa"]["value"]
+    on_page = content_of(tmp_path / "page.html")["fields"][-1]
+    assert on_page["components"]["sigma_yy"]["mean"] == on_page["quantities"]["yy"]["mean"] == tile
+    assert on_page["scale"] == pytest.approx(abs(tile))
+    assert fields.unit_of(field)[0] == _core._field_mean(field, "sigma_yy") == tile
+    assert field.sigma_yy[field.map.phase > 0].mean() != pytest.approx(tile, rel=1e-6)  # which the clamp rows shift
 
 
 def test_the_colours_of_a_stress_lie_evenly_about_its_mean(result):
@@ -42,7 +50,7 @@ def test_the_colours_of_a_stress_lie_evenly_about_its_mean(result):
         low, high = figures.draw_field(axes(), field, component).get_clim()
         mean = field.numbers["stress"]["sigma_yy"]["sample_mean_Pa"]["value"]
         assert (low + high) / 2 == pytest.approx(
-            1 if component == "sigma_yy" else field.sigma_xy[field.map.phase > 0].mean() / mean, abs=1e-6
+            1 if component == "sigma_yy" else _core._field_mean(field, component) / mean, abs=1e-6
         )
 
 

@@ -117,9 +117,9 @@ def test_pictures_show_the_middle_of_the_voxels_over_their_mean():
     assert _core._stresses_drawn(result) == ["sigma_xz", "sigma_hyd", "sigma_mises"]
     volumes.draw_component(canvas, result, "sigma_xz", volumes._rows(canvas, result.map, 1)[0])
     across_z, across_y, across_x = (axes.images[0] for axes in canvas.axes[:3])
-    mean = result.numbers["stress"]["sigma_xz"]["sets"]["all"]["mean_Pa"]["value"]
-    over = result.numbers["stress"]["sigma_xz"]["sets"]["all"]["mean_over_sample_mean"]["value"]
-    shown = result.sigma_xz.astype(float) * over / mean
+    mean = result.numbers["stress"]["sigma_xz"]["sample_mean_Pa"]["value"]
+    assert _core._voxel_mean(result, "sigma_xz") == mean
+    shown = result.sigma_xz.astype(float) / mean
     assert np.allclose(across_z.get_array(), shown[7]) and np.allclose(across_y.get_array(), shown[:, 6])
     assert np.allclose(across_x.get_array(), shown[:, :, 8])
     assert len({picture.get_clim() for picture in (across_z, across_y, across_x)}) == 1

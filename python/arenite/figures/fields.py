@@ -96,10 +96,10 @@ def unit_of(field):
 def unit_in(stored, quantities):
     """The same of stored statistics."""
     for component in [name for name in quantities if name in stored]:
-        every = stored[component].get("sets", {}).get("all", {})
-        over = every.get("mean_over_sample_mean", {}).get("value")
-        if over:
-            return every["mean_Pa"]["value"] / over, component, stored[component]["normalised_by"]
+        by = stored[component]["normalised_by"]
+        value = stored[component].get("sample_mean_Pa" if by == "mean" else "root_mean_square_Pa", {}).get("value")
+        if value:
+            return value, component, by
     return None
 
 
@@ -109,23 +109,29 @@ def scale_of(field, component):
     metres, the magnitude from its smallest value.
     """
     values = np.where(field.map.phase > 0, values_of(field, component), np.nan)
-    return scale_in(values, component, _core._field_quantities(), lambda: unit_of(field))
+    return scale_in(
+        values,
+        component,
+        _core._field_quantities(),
+        lambda: unit_of(field),
+        lambda: _core._field_mean(field, component),
+    )
 
 
-def scale_in(values, component, quantities, unit_of_stress):
-    """The same of values that are NaN in voids: `quantities` as the library gives them, and what normalises stresses as
-    `unit_in` says it."""
+def scale_in(values, component, quantities, unit_of_stress, mean_of_sample):
+    """The same of values that are NaN in voids: `quantities` as the library gives them, what normalises stresses as
+    `unit_in` says it, and the sample's mean of this component."""
     symbol, in_unit, is_magnitude = quantities[component]
     symbol, unit = label(symbol), unit_of_stress() if in_unit == "Pa" else None
     if unit is None:
         factor, name = scaled(np.nanmax(np.abs(values)), in_unit)
-        return values / factor, None if is_magnitude else np.nanmean(values) / factor, f"{symbol}, {name}"
+        return values / factor, None if is_magnitude else mean_of_sample() / factor, f"{symbol}, {name}"
     value, of, by = unit
     if of == component:
         return values / value, float(by == "mean"), f"{symbol} over its {'mean' if by == 'mean' else 'r.m.s.'}"
     values = values / abs(value)
     over = f"|\u27e8{label(quantities[of][0])}\u27e9|" if by == "mean" else f"rms({label(quantities[of][0])})"
-    return values, None if is_magnitude else np.nanmean(values), f"{symbol}/{over}"
+    return values, None if is_magnitude else mean_of_sample() / abs(value), f"{symbol}/{over}"
 
 
 def draw_field(axes, field, component="sigma_yy", share=0.005, colour_map=diverging_map):

@@ -89,7 +89,11 @@ def draw_component(figure, sample, name, row):
     quantities = _core._voxel_quantities()
     values = np.where(sample.map.phase > 0, _core._voxel_values(sample, name), np.nan)
     values, centre, words = scale_in(
-        values, name, quantities, lambda: unit_in(sample.numbers.get("stress", {}), quantities)
+        values,
+        name,
+        quantities,
+        lambda: unit_in(sample.numbers.get("stress", {}), quantities),
+        lambda: _core._voxel_mean(sample, name),
     )
     shown, axes = draw_slices(figure, sample.map, values, row, **colours_of(values, centre))
     figure.colorbar(shown, ax=axes, label=words, shrink=0.8, extend="both", pad=0.01)

@@ -64,24 +64,17 @@ Normaliser normalise(const Selection& selection, const BlockedSample& all, bool 
   const auto whole = values(total, area);
   const auto e = statistics::with_errors(whole, replicates);
   normaliser.value = whole[2];
-  put(to, "sample_mean_Pa", mean_over_area ? e[1] : e[0], "Pa", "Mean by which stresses are divided");
+  put(to, "sample_mean_Pa", mean_over_area ? e[1] : e[0], "Pa",
+      normaliser.over_mean ? "Mean by which stresses are divided" : "Mean of the sample");
   put(to, "mean_over_nodes_Pa", e[0], "Pa", "Mean over nodes of particles and matrix", Trait::detail);
   put(to, "mean_over_area_Pa", e[1], "Pa", "Mean over the whole area, the void as zero", Trait::detail);
+  if (!normaliser.over_mean)
+    put(to, "root_mean_square_Pa", e[2], "Pa", "Root mean square, by which stresses are divided");
   to["normalised_by"] = normaliser.over_mean ? "mean" : "root mean square";
   return normaliser;
 }
 
 }  // namespace
-
-NodeSet set_of(Phase phase, GrainClass of_grain) {
-  if (phase == Phase::empty) return NodeSet::left_out;
-  if (phase == Phase::matrix) return NodeSet::matrix;
-  switch (of_grain) {
-    case GrainClass::small: return NodeSet::small;
-    case GrainClass::large: return NodeSet::large;
-    default: return NodeSet::unclassed;
-  }
-}
 
 Numbers component_statistics(const Selection& selection, const std::string& name, const StressAt& stress,
                              bool mean_over_area, std::vector<std::string>& notes) {

@@ -39,6 +39,8 @@ Numbers measure(const VoxelMap& map, const VoxelStress& field, const VoxelStress
   const std::vector<float>& values = options.shear ? field.xz : field.zz;
   const std::string name = options.shear ? "sigma_xz" : "sigma_zz";
   Numbers numbers{{"nodes", described(selection.nodes, "", "Voxels of particles and matrix that are considered")}};
+  numbers["options"] = {{"clamp_layers", first}};
+  numbers["options"].mark(Trait::detail);
   Numbers component = component_statistics(
       selection, name, [&](std::size_t n) { return static_cast<double>(values[n]); }, false, notes);
   if (component.is_known()) numbers[name] = std::move(component);

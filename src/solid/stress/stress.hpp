@@ -32,9 +32,6 @@ struct Statistics {
   std::vector<std::pair<Component, std::string>> notes;  ///< what could not be computed, and why
 };
 
-/// Throws InputError where so many rows at each clamp leave no row of the map.
-void check_clamp_rows(const PhaseMap& map, int rows);
-
 /// Measures everything. Throws InputError where map and field have other sizes, no node is left, a stress is not a
 /// number, all components are zero everywhere, or an option makes no sense.
 Statistics measure(const PhaseMap& map, const StressField& field, const StressOptions& options = {});

@@ -1,0 +1,29 @@
+#pragma once
+#include "model/field_quantities.hpp"
+#include "model/result.hpp"
+#include "model/voxel_quantities.hpp"
+#include "solid/stress/options.hpp"
+#include "solid/stress/selection.hpp"
+
+namespace arenite::stress {
+
+/// Those that the stored statistics of a field were measured with; the usual ones where there are none.
+StressOptions options_of(const FieldResult& sample);
+
+/// Means of a loaded sample, which pictures on the page and in print are centred about and stresses are divided by:
+/// those that are stored with its statistics, and of what has none over the same nodes.
+class SampleMeans {
+ public:
+  /// The sample has to outlive it.
+  explicit SampleMeans(const FieldResult& sample);
+  double of(const FieldQuantity& quantity) const;  ///< not a number where the field has it not
+
+ private:
+  const FieldResult& sample_;
+  Selection nodes_;
+};
+
+/// The same of a sample in space.
+double sample_mean(const VoxelResult& sample, const VoxelQuantity& quantity);
+
+}  // namespace arenite::stress
