@@ -215,7 +215,7 @@ def test_lines_end_before_column_121():
 
 
 def test_sources_are_formatted():
-    rooms = ["app", "bench", "python", "src", "tests", "validation"]
+    rooms = ["app", "bench", "cluster", "python", "src", "tests", "validation"]
     sources = [str(p) for room in rooms for p in sorted((ROOT / room).rglob("*.?pp"))]
     assert len(sources) > 500
     outcome = subprocess.run(

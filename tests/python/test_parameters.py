@@ -38,18 +38,24 @@ def same_keywords(*names):
     return {"--" + name: name.replace("-", "_") for name in names}
 
 
+def help_of(command):
+    """The sentence of every option, as the program's help has it."""
+    text = subprocess.run([program, command, "--help"], capture_output=True, text=True, check=True).stdout
+    text = re.sub(r"\n {10,}", "   ", text)
+    return {row[1]: row[0] for row in re.finditer(r"^  (--[\w-]+)\b.*$", text, re.MULTILINE)}
+
+
 of_film = same_names("film", "frame-rate", "scale", "offset", "dataset")
 statistics = ("clamp-rows", "leave-out-surface", "leave-out-unloaded", "mean-over-area")
 options = {
     "load": (
         recipe,
-        same_names(
-            "map", "phases", "labels", "smoothing", "crop", "slice", "dataset", "label-slice", "label-dataset", "dx"
-        )
-        | same_names("loads", "loading", "axis", "lower", "method", "strain", "tolerance", "stop-at-voids")
-        | same_names("loads", "exact-stretch", "moduli", "failure", "cracks-stay-open", "max-strain")
-        | same_names("loads", "stiffness", "toughness", "strength")
-        | same_names("loads.statistics", *statistics[:2]),
+        {
+            option: key
+            for option in help_of("load")
+            for section in ("map", "loads", "loads.statistics")
+            if (key := f"{section}.{option[2:].replace('-', '_')}") in recipe
+        },
     ),
     "run": (recipe, same_names("integration", "kernel")),
     "measure": (
@@ -111,18 +117,15 @@ keywords = {
 }
 
 
-def help_of(command):
-    """The sentence of every option, as the program's help has it."""
-    text = subprocess.run([program, command, "--help"], capture_output=True, text=True, check=True).stdout
-    text = re.sub(r"\n {10,}", "   ", text)
-    return {row[1]: row[0] for row in re.finditer(r"^  (--[\w-]+)\b.*$", text, re.MULTILINE)}
-
-
 def manual_of(command):
     """The same of the manual page, of which one section is this command's."""
     page = subprocess.run([program, "man"], capture_output=True, text=True, check=True).stdout
     section = page.split(f".SS arenite {command} ")[1].split(".SS ")[0]
     return section.replace("\\-", "-").replace("\\e", "\\")
+
+
+def test_options_of_a_load_are_keys_of_a_recipe_but_those_of_the_command():
+    assert set(help_of("load")) - set(options["load"][1]) == {"--json", "--out", "--quiet"}
 
 
 @pytest.mark.parametrize("command", options)

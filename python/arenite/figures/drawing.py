@@ -277,9 +277,8 @@ def _draw_panels(figure, drawings):
     rows = [drawings] if single else [[drawing] for drawing in drawings]
     columns = len(drawings) if single else len(drawings[0]["panels"])
     width = figure.get_figwidth()
-    key_width = width / len(rows[0])
     keys = [[key_entries(drawing) for drawing in row] for row in rows]
-    counts = [[_columns(key, key_width) if key else 1 for key in row] for row in keys]
+    counts = [[_columns(key, width / len(rows[0])) if key else 1 for key in row] for row in keys]
     lines = [max(math.ceil(len(key) / n) for key, n in zip(row, ns)) for row, ns in zip(keys, counts)]
     panel_height = _height(drawings[0]["panels"][0], width / columns)
     heights = [h for n in lines for h in (key_line * n + 0.04 * (n > 0) + 1e-3, panel_height)]
