@@ -193,4 +193,16 @@ TEST(Show, BadFilesGiveStatus2AndOneSentence) {
   }
 }
 
+TEST(Show, NotesOfAResultFollowItsNumbers) {
+  const TemporaryFolder folder;
+  const std::string out = (folder / "cut").string(), word = "  note: no solid joins the two clamps",
+                    map = ARENITE_SOURCE_DIR "/tests/data/phase_maps/cut1.png --phases 0=void,1=matrix ";
+  const auto loaded = arenite("load " + map + "--quiet --out " + out);
+  ASSERT_EQ(loaded.status, 0) << loaded.err;
+  EXPECT_NE(loaded.out.find(word), std::string::npos) << loaded.out;
+  const std::string shown = arenite("show " + out).out;
+  EXPECT_NE(shown.find(word), std::string::npos) << shown;
+  EXPECT_EQ(shown.find(word), shown.rfind(word));
+}
+
 }  // namespace

@@ -89,6 +89,25 @@ std::string headlines(const Numbers& numbers) {
           "stress.sigma_xz.sets.*.mean_over_sample_mean");
 }
 
+void add_notes(const Numbers& node, std::string& lines) {
+  if (!node.is_tree()) return;
+  for (const auto& [name, item] : node.items()) {
+    if (name != "notes" || !item.is_list()) add_notes(item, lines);
+    else
+      for (const Numbers& note : item)
+        if (const std::string line = fmt::format("  note: {}\n", note.get<std::string>());
+            lines.find(line) == std::string::npos)
+          lines += line;
+  }
+}
+
+/// All that a result notes, wherever it stands among its numbers, each once: what rows are chosen from says it, too.
+std::string note_lines(const Numbers& numbers) {
+  std::string lines;
+  add_notes(numbers, lines);
+  return lines;
+}
+
 }  // namespace
 
 Summary::Summary(const std::filesystem::path& result) {
@@ -178,8 +197,10 @@ std::string Summary::text() const {
   if (!films_.empty()) return all();
   const bool has_state = fields_.empty() && stages_.back().states > 0;
   if (fields_.empty() && !has_state) return how_stages_ended();
+  const Numbers told = numbers();
   return how_stages_ended() + (has_state ? stages_.back().state_text : "") + "\nNumbers, each +- its standard error\n" +
-         headlines(numbers()) + "\n`arenite show RESULT --all` prints every number, `--json` the same for programs.\n";
+         headlines(told) + note_lines(told) +
+         "\n`arenite show RESULT --all` prints every number, `--json` the same for programs.\n";
 }
 
 std::string Summary::all() const {
@@ -193,7 +214,7 @@ std::string field_summary(const ResultHead& result, const Numbers& numbers) {
   return fmt::format(
       "{}{}: {}\n\nNumbers of the sample, each +- its standard error\n{}\n`--json` prints every number; of a result "
       "that is kept (`--out`) `arenite show RESULT --all` does.\n",
-      result.name, result.converged ? "" : " NOT SOLVED", result.outcome, headlines(numbers));
+      result.name, result.converged ? "" : " NOT SOLVED", result.outcome, headlines(numbers) + note_lines(numbers));
 }
 
 Numbers field_numbers(const ResultHead& result, Numbers numbers) {
