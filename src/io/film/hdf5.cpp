@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <string>
@@ -32,15 +33,14 @@ class Hdf5Film : public KnownFilm {
   }
 
   void fill(std::int64_t first, std::size_t count, FrameBlock& block) override {
-    const std::size_t pixels = info_.pixels(),
-                      at_once = std::max<std::size_t>(1, most_at_once / (pixels * bytes_of(layout_.pixel)));
+    const std::size_t pixels = info_.pixels(), frame = pixels * bytes_of(layout_.pixel),
+                      at_once = std::max<std::size_t>(1, most_at_once / frame);
     for (std::size_t n = 0; n < count; n += at_once) {
-      const std::size_t part = std::min(at_once, count - n), size = part * pixels * bytes_of(layout_.pixel);
-      const std::string stored = in_sandbox(
-          bytes_->name(), [&] { return frames(static_cast<hsize_t>(first) + n, part); }, size, room());
-      if (stored.size() != size) refuse_damaged_hdf5(bytes_);
+      const std::size_t part = std::min(at_once, count - n), from = static_cast<std::size_t>(first) + n;
+      const std::string stored =
+          turned_.empty() ? slabs(from, part, part * frame) : turned_.substr(from * frame, part * frame);
       take_pixels(layout_, stored.data(), part * pixels, block, n * pixels);
-      if (!std::isnan(missing_)) forget_missing(stored, part * pixels, block.value.data() + n * pixels);
+      if (may_miss()) forget_missing(stored, part * pixels, block.value.data() + n * pixels);
       if (by_columns_ && info_.floating) turn(block.value.data() + n * pixels, part);
       if (by_columns_ && !info_.floating) turn(block.level.data() + n * pixels, part);
     }
@@ -48,22 +48,25 @@ class Hdf5Film : public KnownFilm {
 
  private:
   static constexpr std::size_t most_at_once = std::size_t{32} << 20, most_told = std::size_t{2} << 30;  // bytes
+  static constexpr double most_turned = 1 << 30;
 
   /// A file in memory is copied by HDF5.
   std::size_t room() const { return bytes_->path() != nullptr ? 0 : 3 * static_cast<std::size_t>(bytes_->size()); }
 
   void take(const Hdf5Facts& facts, const FilmChoice& choice) {
     if (facts.shape.size() != 3 || bytes_of(facts.pixel) == 0) refuse_damaged_hdf5(bytes_);
+    if (facts.axis.size() != 3 || !std::ranges::is_permutation(facts.axis, Hdf5Facts().axis))
+      refuse_damaged_hdf5(bytes_);
     name_ = facts.name;
     layout_.pixel = facts.pixel;
     layout_.big_endian = facts.big_endian;
     take_shape(info_, bytes_->name(), facts.shape, facts.pixel, choice);
-    if (facts.by_matlab) {
-      by_columns_ = true;
-      std::swap(info_.width, info_.height);
+    by_columns_ = facts.axis[0] == 0 && facts.axis[1] > facts.axis[2];
+    if (facts.axis[0] != 0) turn_all(facts.axis);
+    if (!facts.axes.empty()) info_.remarks.push_back(facts.axes);
+    if (facts.by_matlab)
       info_.remarks.push_back(fmt::format("An array of MATLAB, height x width x frames: {} x {} x {}.", info_.height,
                                           info_.width, info_.frames));
-    }
     take_notes(facts.notes, info_);
     take_scale(facts);
     if (info_.frame_rate == 0) info_.frame_rate = facts.frame_rate;
@@ -80,9 +83,11 @@ class Hdf5Film : public KnownFilm {
                              "C";
     const bool kelvin = facts.unit == "K" || facts.unit == "kelvin" || facts.unit == "Kelvin";
     missing_ = facts.missing;
+    std::erase_if(missing_, [](double number) { return std::isnan(number); });
+    least_ = facts.least, most_valid_ = facts.most;
     layout_.scale = std::isnan(facts.scale) ? 1 : facts.scale;
     layout_.shift = (std::isnan(facts.offset) ? 0 : facts.offset) + (celsius ? 273.15 : 0);
-    layout_.scaled = layout_.scale != 1 || layout_.shift != 0 || !std::isnan(missing_);
+    layout_.scaled = layout_.scale != 1 || layout_.shift != 0 || may_miss();
     if (layout_.scaled) info_.floating = true, info_.bits = 0;
     if (celsius || kelvin) info_.quantity = FilmQuantity::kelvin;
     else if (!facts.unit.empty()) info_.remarks.push_back(fmt::format("Its pixels are in \"{}\".", facts.unit));
@@ -100,10 +105,14 @@ class Hdf5Film : public KnownFilm {
     if (!facts.time.empty()) info_.start = first * seconds.value_or(1);
   }
 
+  bool may_miss() const { return !missing_.empty() || !std::isnan(least_) || !std::isnan(most_valid_); }
+
   /// Numbers that stand for none.
   void forget_missing(const std::string& stored, std::size_t count, float* value) const {
     each_number(layout_.pixel, layout_.big_endian, stored.data(), count, [&](std::size_t i, auto v) {
-      if (static_cast<double>(v) == missing_) value[i] = std::numeric_limits<float>::quiet_NaN();
+      const auto number = static_cast<double>(v);
+      if (number < least_ || number > most_valid_ || std::ranges::count(missing_, number) > 0)
+        value[i] = std::numeric_limits<float>::quiet_NaN();
     });
   }
 
@@ -116,6 +125,37 @@ class Hdf5Film : public KnownFilm {
       for (std::size_t y = 0; y < height; ++y)
         for (std::size_t x = 0; x < width; ++x) pixels[y * width + x] = columns[x * height + y];
     }
+  }
+
+  /// Slabs along the first stored axis, as they are stored.
+  std::string slabs(hsize_t first, hsize_t count, std::size_t size) const {
+    std::string stored = in_sandbox(
+        bytes_->name(), [&] { return frames(first, count); }, size, room());
+    if (stored.size() != size) refuse_damaged_hdf5(bytes_);
+    return stored;
+  }
+
+  /// A film whose frames are not its first axis lies nowhere in one piece, so it is read as a whole and turned.
+  void turn_all(const std::vector<std::int64_t>& axis) {
+    const std::size_t number = bytes_of(layout_.pixel);
+    const std::size_t length[] = {static_cast<std::size_t>(info_.frames), static_cast<std::size_t>(info_.height),
+                                  static_cast<std::size_t>(info_.width)};
+    const double bytes = static_cast<double>(length[0]) * static_cast<double>(info_.pixels() * number);
+    if (bytes > most_turned)
+      refuse(bytes_->name(),
+             "holds a film of {:.0f} MB whose frames are not its first axis; store it as time x rows x columns",
+             bytes / 1e6);
+    std::size_t stored[3], step[3];  // of the stored axes; then of frames, rows and columns
+    for (std::size_t role = 0; role < 3; ++role) stored[static_cast<std::size_t>(axis[role])] = length[role];
+    const std::size_t stride[] = {stored[1] * stored[2], stored[2], 1};
+    for (std::size_t role = 0; role < 3; ++role) step[role] = stride[static_cast<std::size_t>(axis[role])];
+    const std::string all = slabs(0, stored[0], static_cast<std::size_t>(bytes));
+    turned_.resize(all.size());
+    char* to = turned_.data();
+    for (std::size_t f = 0; f < length[0]; ++f)
+      for (std::size_t y = 0; y < length[1]; ++y)
+        for (std::size_t x = 0; x < length[2]; ++x, to += number)
+          std::memcpy(to, all.data() + (f * step[0] + y * step[1] + x * step[2]) * number, number);
   }
 
   /// In the process of its own.
@@ -131,7 +171,9 @@ class Hdf5Film : public KnownFilm {
   std::string name_;
   PlainLayout layout_;
   bool by_columns_ = false;
-  double missing_ = no_number;
+  std::string turned_;           ///< the whole film, where its frames are not its first axis
+  std::vector<double> missing_;  ///< stored numbers that stand for none
+  double least_ = no_number, most_valid_ = no_number;
 };
 
 }  // namespace
@@ -140,14 +182,19 @@ class Hdf5Film : public KnownFilm {
 const FilmFormat films::hdf5{
     .name = "hdf5",
     .sentence = "HDF5",
-    .states = {{"times of frames (time, times, timestamps) with units", "used; told where the unit is unknown"},
-               {"frame_rate, frame_rate_Hz, fps, integration", "used, as attributes or as arrays of one number"},
-               {"MATLAB_class (MATLAB, save -v7.3)", "axes are taken as height x width x frames"},
-               {"scale_factor, add_offset, units of netCDF",
-                "pixels become numbers in that unit, degrees Celsius become kelvin"},
-               {"_FillValue, missing_value; chunks never written", "no numbers"},
-               {"groups nested more than 64 deep", "not searched"},
-               {"frames of NaN, or of zeros", "left out as lost, and named"}},
+    .states =
+        {{"times of frames (time, times, timestamps) with units", "used; told where the unit is unknown"},
+         {"frame_rate, frame_rate_Hz, fps, integration", "used, as attributes or as arrays of one number"},
+         {"MATLAB_class (MATLAB, save -v7.3)", "axes are taken as height x width x frames"},
+         {"scale_factor, add_offset, units of netCDF",
+          "pixels become numbers in that unit, degrees Celsius become kelvin"},
+         {"_FillValue, missing_value, what lies beyond valid_min, valid_max or valid_range; chunks never written",
+          "no numbers"},
+         {"names of axes (DIMENSION_LABELS, dimension scales of netCDF and xarray)",
+          "time, y, x and the like say which axis is which, whatever their order; names that are not known are told, "
+          "two axes of one kind are refused"},
+         {"groups nested more than 64 deep", "not searched"},
+         {"frames of NaN, of one number, or the frame before once more", "left out as lost, and named"}},
 
     .endings = {".h5", ".hdf5"},
     .marked = true,

@@ -1,9 +1,12 @@
 #include "io/film/hdf5_facts.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "io/film/formats.hpp"
+#include "io/hdf5/axes.hpp"
 
 namespace arenite::io {
 namespace {
@@ -62,6 +65,33 @@ void look_beside(hid_t file, const Bytes& bytes, Hdf5Facts& facts) {
   }
 }
 
+/// By their names; an array of MATLAB, which lists its axes from the last to the first, lies column by column.
+void take_axes(hid_t set, const Bytes& bytes, Hdf5Facts& facts) {
+  const auto stored = shape_of(set);
+  const AxisOrder order = order_by_names(axis_names(set), bytes->name(), facts.name);
+  facts.by_matlab = is_of_matlab(set) && order.remark.empty();
+  facts.axes = order.remark;
+  facts.axis.assign(order.axis.begin(), order.axis.end());
+  if (facts.by_matlab) facts.axis = {0, 2, 1};
+  facts.shape = mapped(facts.axis, [&](std::int64_t axis) { return stored[static_cast<std::size_t>(axis)]; });
+}
+
+bool is_floating(NumberType type) { return type == NumberType::f32 || type == NumberType::f64; }
+
+/// valid_range, valid_min, valid_max: of what is stored, or, where they alone are floating, of what it stands for.
+void take_limits(hid_t set, Hdf5Facts& facts) {
+  const double scale = std::isnan(facts.scale) ? 1 : facts.scale, offset = std::isnan(facts.offset) ? 0 : facts.offset;
+  const auto take = [&](const char* name, bool upper, std::size_t which = 0) {
+    const StatedNumbers stated = stated_numbers(set, name);
+    if (which >= stated.value.size()) return;
+    const bool is_of_stored = stated.whole || is_floating(facts.pixel);
+    const double limit = is_of_stored ? stated.value[which] : (stated.value[which] - offset) / scale;
+    (upper != (!is_of_stored && scale < 0) ? facts.most : facts.least) = limit;
+  };
+  take("valid_range", false, 0), take("valid_range", true, 1);
+  take("valid_min", false), take("valid_max", true);
+}
+
 }  // namespace
 
 void refuse_damaged_hdf5(const Bytes& bytes) {
@@ -86,8 +116,7 @@ Hdf5Facts look_at_hdf5_film(const Bytes& bytes, const FilmChoice& choice) {
   const auto file = open_hdf5_film(bytes);
   const auto [name, set] = find_hdf5_film(file, bytes, choice.dataset);
   facts.name = name;
-  facts.shape = shape_of(*set);
-  facts.by_matlab = is_of_matlab(*set);
+  take_axes(*set, bytes, facts);
   check_film_size(bytes->name(), facts.shape[2], facts.shape[1], facts.shape[0], choice);
   const Hdf5Numbers numbers(set, facts.name, bytes, most_in_chunk(choice));
   facts.pixel = numbers.number().type;
@@ -101,7 +130,8 @@ Hdf5Facts look_at_hdf5_film(const Bytes& bytes, const FilmChoice& choice) {
   facts.scale = stated_number(*set, "scale_factor").value_or(no_number);
   facts.offset = stated_number(*set, "add_offset").value_or(no_number);
   for (const char* fill : {"missing_value", "_FillValue"})
-    facts.missing = stated_number(*set, fill).value_or(facts.missing);
+    for (const double value : stated_numbers(*set, fill).value) facts.missing.push_back(value);
+  take_limits(*set, facts);
   look_beside(*file, bytes, facts);
   return facts;
 }

@@ -36,7 +36,15 @@ struct Attribute {
     if (id) space = own(H5Aget_space(*id), H5Sclose), type = own(H5Aget_type(*id), H5Tclose);
   }
   bool is_one() const { return space && type && H5Sget_simple_extent_npoints(*space) == 1; }
+  /// Of its values; 0 for more than a list of names or limits has.
+  std::size_t few() const {
+    constexpr hssize_t most = 32;
+    const hssize_t count = space && type ? H5Sget_simple_extent_npoints(*space) : 0;
+    return count > 0 && count <= most ? static_cast<std::size_t>(count) : 0;
+  }
 };
+
+constexpr std::size_t longest_text = 65536;
 
 }  // namespace
 
@@ -197,22 +205,53 @@ double number_attribute(hid_t at, std::initializer_list<const char*> names) {
   return 0;
 }
 
+StatedNumbers stated_numbers(hid_t at, const char* name) {
+  const Attribute attribute(at, name);
+  const std::size_t count = attribute.few();
+  const auto number = count > 0 ? number_of(*attribute.type) : std::nullopt;
+  if (!number || H5Aget_storage_size(*attribute.id) != count * bytes_of(number->type)) return {};
+  StatedNumbers stated{std::vector<double>(count), number->type != NumberType::f32 && number->type != NumberType::f64};
+  if (H5Aread(*attribute.id, H5T_NATIVE_DOUBLE, stated.value.data()) < 0) return {};
+  return stated;
+}
+
 std::string text_attribute(hid_t at, const char* name) {
-  constexpr std::size_t longest = 65536;
   const Attribute attribute(at, name);
   if (!attribute.is_one() || H5Tget_class(*attribute.type) != H5T_STRING) return {};
   if (H5Tis_variable_str(*attribute.type) > 0) {
     char* held = nullptr;
     if (H5Aread(*attribute.id, *attribute.type, &held) < 0 || held == nullptr) return {};
-    std::string text(held, ::strnlen(held, longest));
+    std::string text(held, ::strnlen(held, longest_text));
     H5free_memory(held);
     return text;
   }
   const std::size_t size = H5Tget_size(*attribute.type);
-  if (size == 0 || size > longest || H5Aget_storage_size(*attribute.id) != size) return {};
+  if (size == 0 || size > longest_text || H5Aget_storage_size(*attribute.id) != size) return {};
   std::string text(size, '\0');
   if (H5Aread(*attribute.id, *attribute.type, text.data()) < 0) return {};
   return text.substr(0, text.find('\0'));
+}
+
+std::vector<std::string> texts_attribute(hid_t at, const char* name) {
+  const Attribute attribute(at, name);
+  const std::size_t count = attribute.few();
+  if (count == 0 || H5Tget_class(*attribute.type) != H5T_STRING) return {};
+  std::vector<std::string> texts;
+  if (H5Tis_variable_str(*attribute.type) > 0) {
+    std::vector<char*> held(count, nullptr);
+    if (H5Aread(*attribute.id, *attribute.type, held.data()) < 0) return {};
+    for (char* text : held) {
+      texts.emplace_back(text == nullptr ? "" : std::string(text, ::strnlen(text, longest_text)));
+      H5free_memory(text);
+    }
+    return texts;
+  }
+  const std::size_t size = H5Tget_size(*attribute.type);
+  if (size == 0 || size > longest_text || H5Aget_storage_size(*attribute.id) != count * size) return {};
+  std::string all(count * size, '\0');
+  if (H5Aread(*attribute.id, *attribute.type, all.data()) < 0) return {};
+  for (std::size_t i = 0; i < count; ++i) texts.emplace_back(all.substr(i * size, size).c_str());
+  return texts;
 }
 
 }  // namespace arenite::io

@@ -101,7 +101,15 @@ bool is_of_matlab(hid_t set);
 std::optional<double> stated_number(hid_t at, const char* name);
 double number_attribute(hid_t at, std::initializer_list<const char*> names);
 
-/// An attribute that is a text; empty without one.
+/// An attribute that is a few numbers; none without one.
+struct StatedNumbers {
+  std::vector<double> value;
+  bool whole = false;  ///< stored as integers
+};
+StatedNumbers stated_numbers(hid_t at, const char* name);
+
+/// An attribute that is a text; empty without one. And one that is a few texts.
 std::string text_attribute(hid_t at, const char* name);
+std::vector<std::string> texts_attribute(hid_t at, const char* name);
 
 }  // namespace arenite::io

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/hdf5/axes.hpp"
 #include "io/hdf5/dataset_search.hpp"
 #include "io/hdf5/foreign.hpp"
 #include "io/hdf5/sandbox.hpp"
@@ -42,6 +43,10 @@ Image decode(const std::string& bytes, const std::string& file, const ImageChoic
   const auto [name, set] = find_picture(*id, file, choice.dataset);
   const auto shape = shape_of(*set);
   const bool stack = shape.size() == 3;
+  const auto axis = order_by_names(axis_names(*set), file, name).axis;
+  if (stack && axis[0] != 0)
+    refuse(file, "holds a dataset \"{}\" whose slices are not its first axis; store it as slices x rows x columns",
+           name);
   const std::int64_t slice = chosen_slice(file, stack ? shape[0] : 1, choice);
   const std::int64_t rows = shape[stack ? 1 : 0], columns = shape[stack ? 2 : 1];
   check_size(file, columns, rows, choice);
@@ -62,7 +67,8 @@ Image decode(const std::string& bytes, const std::string& file, const ImageChoic
                 }
               });
   constexpr int rows_are_columns = 5;
-  return is_of_matlab(*set) ? upright(std::move(image), rows_are_columns) : image;
+  const bool by_columns = is_of_matlab(*set) || axis[axis.size() - 2] > axis.back();
+  return by_columns ? upright(std::move(image), rows_are_columns) : image;
 }
 
 /// HDF5 trusts what it reads: it is used in a process of its own, which a damaged file may bring down.
@@ -88,7 +94,9 @@ const PictureFormat pictures::hdf5{
     .name = "hdf5",
     .sentence = "HDF5",
     .states = {{"MATLAB_class (MATLAB, save -v7.3)", "axes are taken as height x width x slices"},
-               {"floating numbers", "taken where all are whole"}},
+               {"floating numbers", "taken where all are whole"},
+               {"names of axes (DIMENSION_LABELS, dimension scales of netCDF and xarray)",
+                "y, x and the like say which axis is which; slices that are not the first axis are refused"}},
     .has_datasets = true,
     .is = is_hdf5,
     .read = decode_hdf5};

@@ -24,6 +24,7 @@ class Slices : public VolumeSource {
         file_(file) {
     const FilmInfo& info = film_->info();
     facts_ = sized({info.width, info.height, info.frames}, file);
+    facts_.remarks = info.remarks;
     facts_.elsewhere = elsewhere;
   }
   const VolumeFacts& facts() const override { return facts_; }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
+#include <array>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -45,6 +46,32 @@ struct Hdf5File {
     H5Tset_size(type, H5T_VARIABLE);
     state(at, name, type, &text);
     H5Tclose(type);
+  }
+  /// Names of all axes, as h5py writes them.
+  static void label(hid_t set, const std::vector<const char*>& names) {
+    const hsize_t count = names.size();
+    const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate_simple(1, &count, nullptr);
+    H5Tset_size(type, H5T_VARIABLE);
+    const hid_t attribute = H5Acreate2(set, "DIMENSION_LABELS", type, space, H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(attribute, type, names.data());
+    H5Aclose(attribute), H5Sclose(space), H5Tclose(type);
+  }
+  /// A scale for each axis, of these names, as netCDF has them.
+  void scale(hid_t set, const std::vector<std::string>& names) {
+    const hsize_t count = names.size();
+    const hid_t type = H5Tvlen_create(H5T_STD_REF_OBJ), space = H5Screate_simple(1, &count, nullptr);
+    std::vector<hobj_ref_t> reference(count);
+    std::vector<hvl_t> list;
+    for (std::size_t axis = 0; axis < count; ++axis) {
+      const hid_t of_axis = write<double>(names[axis].c_str(), {1}, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, {0});
+      state(of_axis, "NAME", "This is a netCDF dimension but not a netCDF variable.         4");
+      H5Dclose(of_axis);
+      H5Rcreate(&reference[axis], file, names[axis].c_str(), H5R_OBJECT, -1);
+      list.push_back({1, &reference[axis]});
+    }
+    const hid_t attribute = H5Acreate2(set, "DIMENSION_LIST", type, space, H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(attribute, type, list.data());
+    H5Aclose(attribute), H5Sclose(space), H5Tclose(type);
   }
   std::unique_ptr<FilmSource> open() {
     H5Fclose(file);
@@ -141,6 +168,82 @@ TEST(StatedFilm, WhatWasNeverWrittenIsNoNumber) {
   const FrameBlock all = test::all_of(*h.open());
   for (std::size_t i = 0; i < 60; ++i) EXPECT_EQ(std::isnan(all.value[i]), i >= 20);
   EXPECT_EQ(all.value[3], 7);
+}
+
+/// The film of 3 frames of 4 rows and 5 columns whose number is 100 frame + 10 row + column, with its axes in another
+/// order: 0 is that of frames, 1 that of rows.
+std::vector<std::uint16_t> ordered(const std::array<std::size_t, 3>& roles) {
+  constexpr std::size_t length[] = {3, 4, 5};
+  constexpr unsigned weight[] = {100, 10, 1};
+  std::vector<std::uint16_t> stored;
+  for (unsigned i = 0; i < length[roles[0]]; ++i)
+    for (unsigned j = 0; j < length[roles[1]]; ++j)
+      for (unsigned k = 0; k < length[roles[2]]; ++k)
+        stored.push_back(
+            static_cast<std::uint16_t>(i * weight[roles[0]] + j * weight[roles[1]] + k * weight[roles[2]]));
+  return stored;
+}
+
+TEST(StatedFilm, NamesOfAxesSayWhichIsWhich) {
+  const std::vector<std::uint16_t> right = ordered({0, 1, 2});
+  constexpr hsize_t length[] = {3, 4, 5};
+  for (const bool by_scales : {false, true})
+    for (const auto& roles : std::vector<std::array<std::size_t, 3>>{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {2, 0, 1}}) {
+      Hdf5File h;
+      const std::vector<const char*> names = by_scales ? std::vector{"Time", "lat", "lon"} : std::vector{"t", "y", "x"};
+      const hid_t set = h.write<std::uint16_t>("film", {length[roles[0]], length[roles[1]], length[roles[2]]},
+                                               H5T_STD_U16LE, H5T_NATIVE_UINT16, ordered(roles));
+      if (by_scales) h.scale(set, {names[roles[0]], names[roles[1]], names[roles[2]]});
+      else h.label(set, {names[roles[0]], names[roles[1]], names[roles[2]]});
+      H5Dclose(set);
+      const auto film = h.open();
+      EXPECT_EQ(film->info().frames, 3);
+      EXPECT_EQ(film->info().height, 4);
+      EXPECT_EQ(film->info().width, 5);
+      EXPECT_EQ(test::all_of(*film).level, right) << roles[0] << roles[1] << roles[2];
+      EXPECT_EQ(tells(*film, "Its axes are turned"), roles != (std::array<std::size_t, 3>{0, 1, 2}));
+    }
+}
+
+TEST(StatedFilm, NamesOfAxesThatAreNotKnownAreToldAndDoubleOnesRefused) {
+  const auto named = [](const std::vector<const char*>& names) {
+    Hdf5File h;
+    const hid_t set = h.write<std::uint16_t>("film", {3, 4, 5}, H5T_STD_U16LE, H5T_NATIVE_UINT16, counted().level);
+    h.label(set, names);
+    H5Dclose(set);
+    return h.open();
+  };
+  EXPECT_TRUE(tells(*named({"scan", "y", "x"}), "The name of its axes \"scan\" is not known"));
+  EXPECT_EQ(named({"scan", "v", "u"})->info().width, 5);
+  EXPECT_TRUE(named({"", "", ""})->info().remarks.empty());
+  EXPECT_NE(test::complaint([&] {
+              named({"time", "y", "row"});
+            }).find("two axes of rows, \"y\" and \"row\""),
+            std::string::npos);
+}
+
+TEST(StatedFilm, NumbersBeyondTheValidOnesAreNone) {
+  for (const bool as_range : {false, true}) {
+    Hdf5File h;
+    std::vector<std::int16_t> stored(60, 100);
+    stored[3] = 401, stored[7] = -1, stored[9] = 400, stored[11] = 0;
+    const hid_t set = h.write<std::int16_t>("T", {3, 4, 5}, H5T_STD_I16LE, H5T_NATIVE_INT16, stored);
+    if (as_range) {
+      const std::int16_t range[] = {0, 400};
+      const hsize_t two = 2;
+      const hid_t space = H5Screate_simple(1, &two, nullptr),
+                  attribute = H5Acreate2(set, "valid_range", H5T_STD_I16LE, space, H5P_DEFAULT, H5P_DEFAULT);
+      H5Awrite(attribute, H5T_NATIVE_INT16, range);
+      H5Aclose(attribute), H5Sclose(space);
+    } else {  // floating beside whole numbers: of what these stand for
+      h.state(set, "valid_min", -0.1), h.state(set, "valid_max", 4.001);
+      h.state(set, "scale_factor", 0.01), h.state(set, "add_offset", 0.0);
+    }
+    H5Dclose(set);
+    const FrameBlock all = test::all_of(*h.open());
+    for (const std::size_t i : {3, 9, 11, 20}) EXPECT_EQ(std::isnan(all.value[i]), i == 3) << i;
+    EXPECT_EQ(std::isnan(all.value[7]), as_range);  // -0.01 is valid, -1 is not
+  }
 }
 
 TEST(StatedFilm, DeepGroupsAreNotSearchedWithoutEnd) {
