@@ -117,6 +117,15 @@ template <int D> ForceParts<D> parts_of(const RawContact& row, const Frame<D>& f
   return {dot(force, n), cross(n, force)};
 }
 
+template <int D> double force_of(const RawContact& row, const Frame<D>& frame) {
+  return row.force_on_j ? norm(frame.of(*row.force_on_j)) : std::hypot(row.fn, row.ft);
+}
+template <int D> double mean_force(const std::vector<RawContact>& rows, const Frame<D>& frame) {
+  double sum = 0;
+  for (const RawContact& row : rows) sum += force_of(row, frame) / static_cast<double>(rows.size());
+  return std::isfinite(sum) ? sum : 0;
+}
+
 /// What a grain touches that is no side: in the plane a boundary of that name, of whose shape only the first place
 /// where it is touched is known; in space the side that it lies towards.
 std::int32_t partner_of(const RawContact& row, const Frame<2>& frame, Domain& domain) {
@@ -155,6 +164,7 @@ template <int D> class ContactRows {
         problems_(problems) {}
 
   void add(const RawContacts& raw) {
+    least_force_ = no_force * mean_force(raw.rows, laid_.frame);
     for (const RawContact& row : raw.rows) add(row, raw.lists_both_ways);
     const auto is_off = [](Vec<D> off) { return off != Vec<D>{}; };
     ContactsIn<D>& c = packing_.contacts;
@@ -179,7 +189,8 @@ template <int D> class ContactRows {
     const ForceParts<D> f = parts_of(row, laid_.frame, geometry->n);
     if (!is_finite(f.fn) || !is_finite(f.ft))
       return problems_.add(row.line, "the force is beyond the range of numbers; correct it");
-    if (f.fn == 0 && f.ft == Turning<D>{} && geometry->gap.value_or(0) > touching * packing_.grains.radius[gi]) {
+    if (force_of(row, laid_.frame) <= least_force_ &&
+        geometry->gap.value_or(0) > touching * packing_.grains.radius[gi]) {
       ++apart_;
       return;
     }
@@ -260,7 +271,7 @@ template <int D> class ContactRows {
     return row.boundary.empty() ? std::to_string(row.j) : row.boundary;
   }
 
-  static constexpr double touching = 1e-9;  ///< of a radius: a gap of rounding
+  static constexpr double touching = 1e-9, no_force = 1e-9;  ///< rounding: of a radius, and of the mean force
 
   const Laid<D>& laid_;
   const GrainIndex& index_;
@@ -271,6 +282,7 @@ template <int D> class ContactRows {
   std::multimap<std::pair<std::int32_t, std::int32_t>, std::size_t> taken_;  ///< contacts by their pair of grains
   std::vector<int> lines_, rows_merged_;
   std::size_t apart_ = 0, others_ = 0;
+  double least_force_ = 0;  ///< N
 };
 
 }  // namespace

@@ -184,7 +184,8 @@ const SampleFormat samples::csv{
     .states =
         {{"units (header or a row below it)", "taken; columns without any: m and N, told, or those given by options"},
          {"step, timestep, frame, time (columns)",
-          "rows of the last moment that grains and contacts have in common; refused where they have none"},
+          "rows of the last moment that grains and contacts have in common; refused where they have none, told where "
+          "one file states a step and the other a time or nothing"},
          {"cell", "no column holds it; --box and --periodic give it"},
          {"z",
           "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); within a radius a "

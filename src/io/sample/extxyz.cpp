@@ -161,15 +161,16 @@ const SampleFormat samples::extxyz{
     .name = "extxyz",
     .grains_are = "extended XYZ with pos and radius",
     .contacts_are = "a table, or where spheres overlap",
-    .states = {{"units", "none are in the file: m, told, or that given by options"},
-               {"step, time", "grains are of the last frame, or of the one that the contacts are of"},
-               {"cell (Lattice, Origin), pbc",
-                "taken, without pbc as periodic; refused where it is tilted in another way "
-                "than along x with y"},
-               {"third coordinate", "read, as of tables"},
-               {"columns (Properties)",
-                "pos, radius (radii) or diameter, id, material (type), zone; others are passed over"},
-               {"forces", "none are in the file"}},
+    .states =
+        {{"units", "none are in the file: m, told, or that given by options"},
+         {"step, time",
+          "grains are of the last frame, or of the one that the contacts are of; told where this cannot be known"},
+         {"cell (Lattice, Origin), pbc",
+          "taken, without pbc as periodic; refused where it is tilted in another way "
+          "than along x with y"},
+         {"third coordinate", "read, as of tables"},
+         {"columns (Properties)", "pos, radius (radii) or diameter, id, material (type), zone; others are passed over"},
+         {"forces", "none are in the file"}},
     .is_grains = is_count,
     .grains = read_xyz,
     .grain_moments = moments_xyz};

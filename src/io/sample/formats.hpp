@@ -137,7 +137,8 @@ struct Reading {
 /// A program's files, or with null for contacts those of one that has none: what they are, how they are recognised by
 /// their first line that is not empty, and read; what is wrong goes to the problems. Contacts of every format are also
 /// accepted as a table, since many codes have no format of their own for them. `moments` gives those of all snapshots
-/// of a file that states any, `columns` being the names for one without header.
+/// of a file that states any, `columns` being the names for one without header; `units_named` the name of the units
+/// that a file states, or nothing.
 struct SampleFormat {
   using Moments = std::vector<Moment> (*)(std::string_view text, const std::string& columns);
   std::string_view name, grains_are, contacts_are;
@@ -147,6 +148,7 @@ struct SampleFormat {
   RawGrains (*grains)(const Reading& reading);
   RawContacts (*contacts)(const Reading& reading, const RawGrains& grains) = nullptr;
   Moments grain_moments = nullptr, contact_moments = nullptr;
+  std::string_view (*units_named)(std::string_view text) = nullptr;
 };
 namespace samples {
 ARENITE_FAMILY(SampleFormat, ARENITE_SAMPLE_FORMATS)

@@ -54,15 +54,22 @@ std::string missing_columns(const std::vector<std::string_view>& names, const st
       axes.size() > 2 ? "fx,fy,fz" : "fx,fy,-");
 }
 
-/// Names columns that LAMMPS named after computes by what they hold.
-void name_opaque_columns(Table& entries, const RawGrains& grains) {
+/// Names columns that LAMMPS named after computes by what they hold, and says so.
+void name_opaque_columns(Table& entries, const RawGrains& grains, std::vector<std::string>& notes) {
   std::vector<std::size_t> at;
   for (std::size_t c = 0; c < entries.columns.size(); ++c)
     if (is_opaque(entries.columns[c].name)) at.push_back(c);
   const auto found = find_pair_columns(mapped(entries.rows, &Table::Row::cells), at, grains);
   if (found.empty()) return;
   const auto names = pair_columns(grains.axes());
-  for (std::size_t k = 0; k < found.size(); ++k) entries.columns[found[k]].name = names[k];
+  std::vector<std::string> taken;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    std::string& name = entries.columns[found[k]].name;
+    taken.push_back(fmt::format("{} as {}", name, names[k]));
+    name = names[k];
+  }
+  notes.push_back(
+      fmt::format("Columns of pairs are taken by what they hold: {}; --columns names them otherwise.", list_of(taken)));
 }
 
 /// The options with the units that the dump states.
@@ -194,7 +201,7 @@ RawContacts read_lammps_pairs(const Reading& reading, const RawGrains& grains) {
   std::string given = options.contact_columns;
   std::replace(given.begin(), given.end(), ',', ' ');
   name_columns(entries, given.empty() ? titles : split_blanks(given));
-  if (given.empty()) name_opaque_columns(entries, grains);
+  if (given.empty()) name_opaque_columns(entries, grains, contacts.notes);
   const auto i = entries.find({"patom1", "i"}), j = entries.find({"patom2", "j"}), overlap = entries.find({"overlap"});
   const VectorColumns normal(entries, {"fx", "fy", "fz"}), tangential(entries, {"p1", "p2", "p3"});
   const VectorColumns point(entries, {"cx", "cy", "cz"});
@@ -247,10 +254,12 @@ const SampleFormat samples::lammps{
     .contacts_are = "LAMMPS dump local of property/local patom1 patom2 and pair/local fx fy [fz] p1 p2 [p3]",
     .states =
         {{"units (ITEM: UNITS)",
-          "taken, for contacts from the grains where they state none; `lj` has none. Other units given by options, or "
+          "taken; those that only one of the two files states are those of both; `lj` has none. Other units given by "
+          "options, or "
           "units that are not LAMMPS's, are refused. Without: m and N, told"},
          {"step, time",
-          "grains and contacts are of the last step that both have; refused where they have none in common"},
+          "grains and contacts are of the last step that both have; refused where they have none in common; told where "
+          "one states a step and the other a time or nothing"},
          {"box, periodic sides, tilt, vectors (abc)",
           "taken; refused where its vectors leave the plane of the centres, of spheres where it is tilted in another "
           "way than "
@@ -259,7 +268,8 @@ const SampleFormat samples::lammps{
           "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); within a radius a "
           "layer, told; beyond: spheres"},
          {"columns",
-          "known by name; those named after computes (c_1[2]) by what they hold, or refused; --columns names them"},
+          "known by name; those named after computes (c_1[2]) by what they hold, told, or refused; --columns names "
+          "them"},
          {"pairs without a force", "contacts where they overlap, else left out and told"},
          {"type", "the material"}},
     .is_grains = is_dump,
@@ -267,6 +277,7 @@ const SampleFormat samples::lammps{
     .grains = read_lammps_atoms,
     .contacts = read_lammps_pairs,
     .grain_moments = dump_moments,
-    .contact_moments = dump_moments};
+    .contact_moments = dump_moments,
+    .units_named = dump_units};
 
 }  // namespace arenite::io

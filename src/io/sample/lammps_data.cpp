@@ -125,7 +125,8 @@ const SampleFormat samples::lammps_data{
     .name = "lammps_data",
     .grains_are = "LAMMPS write_data of atom_style sphere",
     .contacts_are = "as of lammps, a table, or where spheres overlap",
-    .states = {{"units (first line)", "taken; without: m, told, or that given by options"},
+    .states = {{"units (first line)",
+                "taken; without: those of the contacts' dump, or m, told, or that given by options"},
                {"step (first line)", "compared with that of the contacts"},
                {"box, tilt",
                 "taken; refused where it is tilted in another way than along x with y. Whether its sides are "
@@ -137,6 +138,7 @@ const SampleFormat samples::lammps_data{
                {"forces", "none are in the file"}},
     .is_grains = [](std::string_view line) { return line.starts_with("LAMMPS data file"); },
     .grains = read_data,
-    .grain_moments = data_file_moments};
+    .grain_moments = data_file_moments,
+    .units_named = [](std::string_view text) { return said(top_line(text), "units"); }};
 
 }  // namespace arenite::io

@@ -63,14 +63,6 @@ std::vector<Place> places_of(std::string_view text) {
   return places;
 }
 
-std::optional<StatedUnits> units_of(std::string_view text, const SampleOptions& options, Problems& problems) {
-  std::string_view name;
-  each_item(text, [&](std::string_view title, std::string_view value, std::size_t) {
-    if (title.starts_with("UNITS") && name.empty()) name = value;
-  });
-  return unit_system(name, options, problems);
-}
-
 /// Rows of numbers of a box, three at least where there are as many.
 std::vector<std::vector<double>> numbers_of_box(const DumpItem& item, std::size_t columns, Problems& problems) {
   std::vector<std::vector<double>> rows;
@@ -141,6 +133,14 @@ std::optional<StatedUnits> unit_system(std::string_view name, const SampleOption
   return *known;
 }
 
+std::string_view dump_units(std::string_view text) {
+  std::string_view name;
+  each_item(text, [&](std::string_view title, std::string_view value, std::size_t) {
+    if (title.starts_with("UNITS") && name.empty()) name = value;
+  });
+  return name;
+}
+
 DumpItem* DumpSnapshot::find(std::string_view title) {
   const auto it = std::ranges::find_if(items, [&](const DumpItem& i) { return i.title.starts_with(title); });
   return it == items.end() ? nullptr : &*it;
@@ -158,7 +158,7 @@ DumpSnapshot read_dump(const Reading& reading) {
   else if (!text.starts_with(mark))
     problems.add(1, "this is not a LAMMPS dump: the first line must be \"ITEM: TIMESTEP\"");
   if (problems.any()) return dump;
-  dump.units = units_of(text, reading.options, problems);
+  dump.units = unit_system(dump_units(text), reading.options, problems);
   const auto places = places_of(text);
   const std::size_t next = reading.snapshot + 1;
   const std::size_t begin = reading.snapshot < places.size() ? places[reading.snapshot].begin : 0;

@@ -28,6 +28,9 @@ struct DumpSnapshot {
 /// LAMMPS's, and units given by options that are others, are problems.
 std::optional<StatedUnits> unit_system(std::string_view name, const SampleOptions& options, Problems& problems);
 
+/// The name of the units that a dump states; empty without.
+std::string_view dump_units(std::string_view text);
+
 /// Steps and times of all snapshots. The time stands before the step, the units once at the beginning.
 std::vector<Moment> dump_moments(std::string_view text, const std::string&);
 

@@ -72,8 +72,17 @@ struct VectorOfColumns {
 
 /// How far vectors deviate from the branches, or from being across them, on average (sine); infinite where they do not
 /// lie so. Vectors without length do not tell; of none that tells it is infinite.
-double deviation(const std::vector<NumberRow>& rows, const std::vector<Vec3>& branches, const VectorOfColumns& at,
-                 bool along) {
+struct Fit {
+  double deviation = std::numeric_limits<double>::infinity();
+  std::size_t telling = 0;
+  bool is_one() const { return std::isfinite(deviation); }
+  /// In a lattice, columns that belong to two vectors may look like one where most of them are 0.
+  bool is_better_than(const Fit& other) const {
+    return is_one() && (telling != other.telling ? telling > other.telling : deviation < other.deviation);
+  }
+};
+Fit fit_of(const std::vector<NumberRow>& rows, const std::vector<Vec3>& branches, const VectorOfColumns& at,
+           bool along) {
   std::size_t telling = 0, fitting = 0;
   double sum = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -86,7 +95,7 @@ double deviation(const std::vector<NumberRow>& rows, const std::vector<Vec3>& br
     sum += std::min(sine, most_deviation);
   }
   const bool fits = telling > 0 && static_cast<double>(fitting) >= enough * static_cast<double>(telling);
-  return fits ? sum / static_cast<double>(telling) : std::numeric_limits<double>::infinity();
+  return fits ? Fit{sum / static_cast<double>(telling), telling} : Fit{};
 }
 
 /// Whether the vectors in columns are the branches themselves (dx, dy of pair/local).
@@ -120,12 +129,12 @@ std::vector<std::size_t> find_pair_columns(const std::vector<std::vector<std::st
   const auto branches = mapped(numbers, [&](const NumberRow& row) { return geometry.branch(row[i], row[i + 1]); });
   const auto wide = static_cast<std::size_t>(axes.back() - axes.front());  // from the first component to the last
   std::size_t force = n;
-  double least = std::numeric_limits<double>::infinity();
+  Fit best;
   for (std::size_t x = 0; x + wide < n; ++x) {
     if (x + wide >= i && x <= i + 1) continue;
     const VectorOfColumns at{x, axes};
-    const double found = deviation(numbers, branches, at, true);
-    if (found < least && !are_branches(numbers, branches, at)) least = found, force = x;
+    const Fit found = fit_of(numbers, branches, at, true);
+    if (found.is_better_than(best) && !are_branches(numbers, branches, at)) best = found, force = x;
   }
   if (force == n) return {};
   const std::size_t next = force + wide + 1;
@@ -135,8 +144,11 @@ std::vector<std::size_t> find_pair_columns(const std::vector<std::vector<std::st
       for (const int axis : axes) found.push_back(candidates[VectorOfColumns{first, axes}.column(axis)]);
     return found;
   };
+  const auto is_tangential = [&](std::size_t p) { return fit_of(numbers, branches, {p, axes}, false).is_one(); };
   for (std::size_t p = next; p + wide < n; ++p)
-    if (std::isfinite(deviation(numbers, branches, {p, axes}, false))) return with(p);
+    if (is_tangential(p)) return with(p);
+  for (std::size_t p = 0; p + wide < force; ++p)  // asked for before the normal force
+    if ((p + wide < i || p > i + 1) && is_tangential(p)) return with(p);
   // Without friction all is zero: behind fx and fy, or behind fz too where as many follow as fz, p1, p2 and p3 are.
   const std::size_t p = wide == 1 && n - next >= 4 ? next + 1 : next;
   if (p + wide < n && all_zero(numbers, {p, axes})) return with(p);

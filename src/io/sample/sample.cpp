@@ -13,6 +13,7 @@
 #include "io/disk/file.hpp"
 #include "io/sample/assemble.hpp"
 #include "io/sample/formats.hpp"
+#include "io/sample/lammps_dump.hpp"
 #include "io/sample/layout.hpp"
 #include "io/sample/snapshots.hpp"
 #include "io/table/table.hpp"
@@ -49,6 +50,21 @@ const SampleFormat& format_of_contacts(std::string_view contacts, const SampleFo
 
 std::vector<Moment> moments_in(SampleFormat::Moments moments, std::string_view text, const std::string& columns) {
   return moments != nullptr && !text.empty() ? moments(text, columns) : std::vector<Moment>();
+}
+
+/// Units that only the contacts state are those of the grains, too, if theirs is a format that could state them.
+SampleOptions with_units_of_contacts(const SampleFormat& of_grains, std::string_view grains,
+                                     const SampleFormat& of_contacts, std::string_view contacts, SampleOptions options,
+                                     std::vector<std::string>& notes) {
+  if (!of_grains.units_named || !of_contacts.units_named || options.length_unit) return options;
+  if (!of_grains.units_named(grains).empty()) return options;
+  Problems told_by_the_contacts;
+  const auto there = unit_system(of_contacts.units_named(contacts), options, told_by_the_contacts);
+  if (!there) return options;
+  options.length_unit = there->length;
+  notes.push_back(
+      fmt::format("The file of grains states no units; those of the contacts, {}, are taken.", there->name));
+  return options;
 }
 
 /// Image rows point down; from here on y points up.
@@ -96,9 +112,11 @@ AnySample sample_of(const SampleText& grains_file, const SampleText& contacts_fi
   std::vector<std::string> notes;
   const auto moments = moments_in(format.grain_moments, grains_text, options.grain_columns);
   const auto taken =
-      common_snapshot(moments, moments_in(of_contacts.contact_moments, contacts_text, options.contact_columns), notes,
-                      contact_problems);
-  RawGrains grains = format.grains({grains_text, taken.grains, options, grain_problems});
+      common_snapshot(moments, moments_in(of_contacts.contact_moments, contacts_text, options.contact_columns),
+                      !contacts_file.name.empty(), notes, contact_problems);
+  const SampleOptions for_grains =
+      with_units_of_contacts(format, grains_text, of_contacts, contacts_text, options, notes);
+  RawGrains grains = format.grains({grains_text, taken.grains, for_grains, grain_problems});
   if (!grain_problems.any()) lay_out(grains, options.dimension, grain_problems);
   grains.laid([&](auto& laid) {
     if (options.y_down) turn_rows_up(grains.rows, laid);

@@ -19,7 +19,16 @@ bool agree(const Moment& a, const Moment& b) {
 std::string words_for(const Moment& moment) {
   if (moment.step && moment.time) return fmt::format("step {} (time {:g})", *moment.step, *moment.time);
   if (moment.step) return fmt::format("step {}", *moment.step);
-  return moment.time ? fmt::format("time {:g}", *moment.time) : "an unknown step";
+  return moment.time ? fmt::format("time {:g}", *moment.time) : "a moment that is not stated";
+}
+
+/// Says so where one file states a step and the other a time, or one of them nothing.
+void note_incomparable(const Moment& grains, const Moment& contacts, std::vector<std::string>& notes) {
+  const bool by_step = grains.step && contacts.step, by_time = grains.time && contacts.time;
+  if (by_step || by_time || (grains == Moment{} && contacts == Moment{})) return;
+  notes.push_back(fmt::format(
+      "The grains are of {}, the contacts of {}: that they are of one moment is taken, for the files do not say it.",
+      words_for(grains), words_for(contacts)));
 }
 
 /// Says which snapshot of several was taken.
@@ -32,7 +41,7 @@ void note_choice(const char* file, const std::vector<Moment>& moments, std::size
 
 }  // namespace
 
-SnapshotPair common_snapshot(const std::vector<Moment>& grains, const std::vector<Moment>& contacts,
+SnapshotPair common_snapshot(const std::vector<Moment>& grains, const std::vector<Moment>& contacts, bool are_contacts,
                              std::vector<std::string>& notes, Problems& problems) {
   SnapshotPair pair{std::max<std::size_t>(grains.size(), 1) - 1, std::max<std::size_t>(contacts.size(), 1) - 1};
   if (!grains.empty() && !contacts.empty()) {
@@ -52,6 +61,8 @@ SnapshotPair common_snapshot(const std::vector<Moment>& grains, const std::vecto
   }
   note_choice("grains", grains, pair.grains, notes);
   note_choice("contacts", contacts, pair.contacts, notes);
+  const auto taken = [](const std::vector<Moment>& of, std::size_t at) { return of.empty() ? Moment{} : of[at]; };
+  if (are_contacts) note_incomparable(taken(grains, pair.grains), taken(contacts, pair.contacts), notes);
   return pair;
 }
 

@@ -68,6 +68,19 @@ struct VtkStorage {
   bool compressed = false, wide = false;  ///< wide: lengths of 8 bytes
   std::size_t appended = std::string_view::npos;
   bool appended_raw = false;
+
+  /// What a tag says of it; true where it is the last one that says anything.
+  bool take(const XmlTag& tag, std::string_view text) {
+    if (tag.name == "VTKFile") {
+      compressed = !tag.value("compressor").empty();
+      wide = tag.value("header_type") == "UInt64";
+    }
+    if (tag.name != "AppendedData") return false;
+    appended = text.find('_', tag.end);
+    appended_raw = tag.value("encoding") == "raw";
+    if (appended != text.npos) ++appended;
+    return true;
+  }
 };
 
 template <class T> double nth_number(std::string_view bytes, std::size_t k) {
@@ -159,9 +172,8 @@ VtkArrays read_arrays(std::string_view text, Problems& problems) {
   std::string_view section;
   int pieces = 0;
   for (auto tag = next_tag(text, 0); tag; tag = next_tag(text, tag->end)) {
+    if (how.take(*tag, text)) break;
     if (tag->name == "VTKFile") {
-      how.compressed = !tag->value("compressor").empty();
-      how.wide = tag->value("header_type") == "UInt64";
       if (how.compressed && tag->value("compressor") != "vtkZLibDataCompressor")
         problems.add("its arrays are packed by {}; write them by vtkZLibDataCompressor or not packed",
                      tag->value("compressor"));
@@ -179,11 +191,6 @@ VtkArrays read_arrays(std::string_view text, Problems& problems) {
       else if (section == "PointData")
         for (const auto& [written, ours] : array_names)
           if (name == written) wanted.emplace_back(ours, *tag);
-    } else if (tag->name == "AppendedData") {
-      how.appended = text.find('_', tag->end);
-      how.appended_raw = tag->value("encoding") == "raw";
-      if (how.appended != text.npos) ++how.appended;
-      break;
     }
   }
   if (pieces != 1) problems.add("the file has {} pieces; write points as one", pieces);
@@ -192,6 +199,29 @@ VtkArrays read_arrays(std::string_view text, Problems& problems) {
   for (const auto& [name, tag] : wanted)
     arrays.of.emplace(name, numbers_of_array(text, tag, how, arrays.points * (name == "place" ? 3 : 1), problems));
   return arrays;
+}
+
+/// Of the whole file, as ParaView (TimeValue) and VisIt (TIME, CYCLE) write it.
+std::vector<Moment> vtk_moment(std::string_view text, const std::string&) {
+  VtkStorage how;
+  std::optional<XmlTag> time, step;
+  bool before_points = true;
+  for (auto tag = next_tag(text, 0); tag && !how.take(*tag, text); tag = next_tag(text, tag->end)) {
+    before_points = before_points && tag->name != "Piece";
+    const std::string name = lower_case(tag->value("Name"));
+    if (!before_points || tag->name != "DataArray") continue;
+    if (name == "timevalue" || name == "time") time = tag;
+    if (name == "cycle") step = tag;
+  }
+  const auto number = [&](const std::optional<XmlTag>& tag) -> std::optional<double> {
+    if (!tag) return std::nullopt;
+    Problems damaged;
+    const std::vector<double> values = numbers_of_array(text, *tag, how, 1, damaged);
+    return damaged.any() ? std::nullopt : std::optional(values.front());
+  };
+  Moment moment{{}, number(time)};
+  if (const auto cycle = number(step)) moment.step = static_cast<std::int64_t>(std::clamp(*cycle, -9e15, 9e15));
+  return moment == Moment{} ? std::vector<Moment>{} : std::vector{moment};
 }
 
 RawGrains read_vtk_points(const Reading& reading) {
@@ -229,7 +259,8 @@ const SampleFormat samples::vtk{
     .grains_are = "VTK XML of points with radius (.vtp, .vtu)",
     .contacts_are = "a table, or where spheres overlap",
     .states = {{"units", "none are in the file: m, told, or that given by options"},
-               {"time (TimeValue)", "left aside"},
+               {"time (TimeValue, TIME), step (CYCLE)",
+                "compared with that of the contacts: refused where it is another, told where it cannot be"},
                {"cell", "none is in the file; --box and --periodic give it"},
                {"third coordinate", "read, as of tables"},
                {"columns (arrays of points)",
@@ -238,6 +269,7 @@ const SampleFormat samples::vtk{
                {"several pieces, big-endian numbers", "refused"},
                {"forces", "none are in the file"}},
     .is_grains = [](std::string_view line) { return line.starts_with("<?xml") || line.starts_with("<VTKFile"); },
-    .grains = read_vtk_points};
+    .grains = read_vtk_points,
+    .grain_moments = vtk_moment};
 
 }  // namespace arenite::io

@@ -1,10 +1,12 @@
 #pragma once
 #include "io/sample/sample.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/error.hpp"
 #include "support/temporary_folder.hpp"
@@ -58,6 +60,11 @@ class Files {
 
 inline void expect_part(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << "\"" << part << "\" is not in:\n" << text;
+}
+
+/// Whether a note has this part.
+inline bool says(const std::vector<std::string>& notes, const std::string& part) {
+  return std::ranges::any_of(notes, [&](const std::string& note) { return note.find(part) != std::string::npos; });
 }
 
 inline const std::string mercury_data =

@@ -154,6 +154,36 @@ TEST(SampleLammps, AnotherBoxOfTheContactsIsTold) {
       std::ranges::any_of(notes, [](const auto& note) { return note.find("another box (5 x 4") != note.npos; }));
 }
 
+TEST(SampleLammps, UnitsThatOneOfTwoDumpsStatesAreThoseOfBoth) {
+  const std::string cgs = "ITEM: UNITS\ncgs\n", pairs = lammps_pairs("patom1 patom2 fx fy p1 p2", "1 2 -3 0 0 0");
+  for (const bool by_grains : {false, true}) {
+    const Sample s = Files((by_grains ? cgs : "") + lammps_atoms, (by_grains ? "" : cgs) + pairs).read();
+    EXPECT_DOUBLE_EQ(s.packing.grains.radius.at(0), 0.5e-2);
+    EXPECT_DOUBLE_EQ(s.packing.domain.width(), 4e-2);
+    EXPECT_DOUBLE_EQ(s.packing.contacts.fn.at(0), 3e-5);
+    EXPECT_EQ(says(s.notes, "states no units; those of the contacts, cgs, are taken"), !by_grains);
+    EXPECT_FALSE(says(s.notes, "--length-unit"));
+  }
+  expect_part(Files("ITEM: UNITS\nsi\n" + lammps_atoms, cgs + pairs).problems(),
+              "the contacts are in units cgs, the grains in units si");
+  SampleOptions metres;
+  metres.length_unit = 1;
+  expect_part(Files(lammps_atoms, cgs + pairs).problems(metres), "the units given are others");
+}
+
+TEST(SampleLammps, ColumnsTakenByWhatTheyHoldAreToldAndMayHaveTheTangentialForceFirst) {
+  const std::string atoms =
+      atoms_of("ff ff pp\n0 4\n0 4\n-1 1", "id x y radius", "1 1 1 0.5\n2 1.9 1 0.5\n3 1 1.9 0.5\n");
+  const Sample s = Files(atoms,
+                         "ITEM: TIMESTEP\n0\nITEM: ENTRIES c_1[1] c_1[2] c_2[1] c_2[2] c_2[3] c_2[4] c_2[5] c_2[6]\n"
+                         "1 2 0 -1 0 -3 0 0\n1 3 1 0 0 0 -3 0\n")
+                       .read();
+  EXPECT_DOUBLE_EQ(s.packing.contacts.fn.at(0), 3);
+  EXPECT_DOUBLE_EQ(s.packing.contacts.ft.at(0), 1);
+  EXPECT_TRUE(
+      says(s.notes, "c_1[1] as patom1, c_1[2] as patom2, c_2[4] as fx, c_2[5] as fy, c_2[1] as p1, c_2[2] as p2"));
+}
+
 TEST(SampleMercury, GrainsAndContactsAreOfTheLastCommonTime) {
   const Sample s =
       Files(mercury_data + "3 0.75 0 0 4 2\n1 1 0 0 1 0 0 0\n3.5 1 0 0 1 0 0 0\n1 1.8 0 0 0.1 0 0 1\n", mercury_fstat)

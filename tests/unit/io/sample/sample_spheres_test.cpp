@@ -15,10 +15,6 @@ namespace {
 
 const std::string three = "id,x [mm],y [mm],z [mm],radius [mm]\n1,0,0,0,1\n2,1.9,0,0,1\n3,0,0,1.95,1\n4,0,0,-2.2,1\n";
 
-bool says(const std::vector<std::string>& notes, const std::string& words) {
-  return std::ranges::any_of(notes, [&](const auto& note) { return note.find(words) != note.npos; });
-}
-
 TEST(SampleOfSpheres, ATableGivesForcesAsVectors) {
   const auto s =
       Files(three, "i,j,fx,fy,fz,overlap\n1,2,5,1,-2,0.0001\n3,left,-2,0,0.5,0\n3,1,0,0,0,5e-5\n1,4,0,0,0,-2e-4\n")

@@ -163,6 +163,48 @@ TEST(SampleCsv, RowsOfTheLastCommonStepAreTaken) {
       2u);
 }
 
+TEST(SampleCsv, MomentsThatCannotBeComparedAreToldAndOthersRefused) {
+  const std::string by_step = "id,x,y,radius,step\n7,0,0,1,4\n9,1.9,0,1,4\n",
+                    by_time = "id,x,y,radius,time\n7,0,0,1,4\n9,1.9,0,1,4\n";
+  const auto notes = [](const std::string& grains, const std::string& contacts) {
+    return Files(grains, contacts).read().notes;
+  };
+  const std::string at_time = "i,j,fn,ft,time\n7,9,10,2,", at_step = "i,j,fn,ft,step\n7,9,10,2,4\n";
+  EXPECT_TRUE(says(notes(by_step, at_time + "4\n"), "The grains are of step 4, the contacts of time 4: that they"));
+  EXPECT_TRUE(says(notes(by_time, at_step), "The grains are of time 4, the contacts of step 4"));
+  EXPECT_TRUE(says(notes(by_step, "i,j,fn,ft\n7,9,10,2\n"), "the contacts of a moment that is not stated"));
+  EXPECT_TRUE(says(notes(two_grains, at_step), "The grains are of a moment that is not stated"));
+  for (const auto& [grains, contacts] :
+       {std::pair(two_grains, std::string("i,j,fn,ft\n7,9,10,2\n")), {by_step, at_step}, {by_time, at_time + "4\n"}})
+    EXPECT_FALSE(says(notes(grains, contacts), "of one moment")) << grains;
+  expect_part(Files(by_time, at_time + "3\n").problems(), "the contacts are of time 3, the grains of time 4");
+}
+
+TEST(SampleVtk, ItsTimeIsThatOfItsGrains) {
+  const auto points = [](const char* fields) {
+    return std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\"><PolyData><FieldData>") + fields +
+           "</FieldData><Piece NumberOfPoints=\"2\"><PointData><DataArray Name=\"radius\" format=\"ascii\">1 1"
+           "</DataArray></PointData><Points><DataArray NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1.9 0 0"
+           "</DataArray></Points></Piece></PolyData></VTKFile>";
+  };
+  const std::string time = points("<DataArray Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">2</DataArray>"),
+                    cycle = points("<DataArray Name=\"CYCLE\" NumberOfTuples=\"1\" format=\"ascii\">7</DataArray>");
+  expect_part(Files(time, "i,j,fn,ft,time\n0,1,10,2,1\n").problems(),
+              "the contacts are of time 1, the grains of time 2");
+  EXPECT_FALSE(says(Files(time, "i,j,fn,ft,time\n0,1,10,2,2\n").read().notes, "of one moment"));
+  expect_part(Files(cycle, "i,j,fn,ft,step\n0,1,10,2,6\n").problems(), "the grains of step 7");
+  EXPECT_TRUE(says(Files(cycle, "i,j,fn,ft\n0,1,10,2\n").read().notes, "The grains are of step 7"));
+}
+
+TEST(SampleCsv, WhatRoundingLeavesOfAForceOverAGapIsNoContact) {
+  const std::string grains = "id,x,y,radius\n1,0,0,1\n2,1.9,0,1\n3,-2.1,0,1\n4,0,2.1,1\n";
+  const Sample s = Files(grains, "i,j,fn,ft\n1,2,10,0\n1,3,1e-18,0\n1,4,0,-1e-20\n").read();
+  EXPECT_EQ(s.packing.contacts.size(), 1u);
+  EXPECT_TRUE(says(s.notes, "2 of 3 listed pairs have a gap"));
+  EXPECT_EQ(Files(grains, "i,j,fn,ft\n1,2,10,0\n1,3,1e-7,0\n").read().packing.contacts.size(), 2u);  // cohesion, say
+  EXPECT_EQ(Files(grains, "i,j,fn,ft\n1,2,1e-18,0\n1,3,1e-18,0\n").read().packing.contacts.size(), 2u);  // all small
+}
+
 TEST(SampleCsv, ThePlaneIsThatInWhichTheCentresLie) {
   const auto read = [](const std::string& rows) {
     return Files("id,x,y,z,radius\n" + rows, "i,j,fx,fy,fz\n1,2,5,3,4\n");
