@@ -92,13 +92,14 @@ FilmPointer open_hcc(const Bytes& bytes, const FilmChoice& choice) {
 }  // namespace
 
 /// Telops: every frame with a header that begins with "TC" and says size, scale and time.
-const FilmFormat films::hcc{.name = "hcc",
-                            .sentence = "Telops .hcc",
-                            .states = {{"time stamps", "used"},
-                                       {"frame numbers", "used where stamps cannot be"},
-                                       {"scale of temperatures or radiances", "used"},
-                                       {"frames of zeros", "left out as lost, and named"}},
-                            .is = is_hcc,
-                            .open = open_hcc};
+const FilmFormat films::hcc{
+    .name = "hcc",
+    .sentence = "Telops .hcc",
+    .states = {{"time stamps", "used"},
+               {"frame numbers", "used where stamps cannot be"},
+               {"scale of temperatures or radiances", "used"},
+               {"frames of one number, or the frame before once more", "left out as lost, and named"}},
+    .is = is_hcc,
+    .open = open_hcc};
 
 }  // namespace arenite::io

@@ -51,7 +51,8 @@ FilmPointer open_npy(const Bytes& bytes, const FilmChoice& choice) {
 const FilmFormat films::npy{
     .name = "npy",
     .sentence = "NumPy .npy",
-    .states = {{"column order", "refused"}, {"frames of NaN, or of zeros", "left out as lost, and named"}},
+    .states = {{"column order", "refused"},
+               {"frames of NaN, of one number, or the frame before once more", "left out as lost, and named"}},
 
     .endings = {".npy"},
     .marked = true,

@@ -213,7 +213,7 @@ const FilmFormat films::ptw{
     .states = {{"time stamps", "used; told where they differ from the frame rate, or are set aside by --frame-rate"},
                {"frame rate, integration, band, emissivity, surroundings", "used"},
                {"lock-in line", "gives frequency and phase of the load"},
-               {"frames of zeros", "left out as lost, and named"}},
+               {"frames of one number, or the frame before once more", "left out as lost, and named"}},
 
     .endings = {".ptw"},
     .marked = true,

@@ -188,7 +188,7 @@ const FilmFormat films::raw{
     .name = "raw",
     .sentence = "raw frames with a sidecar",
     .states = {{"all keys of the sidecar", "used; unknown ones are refused"},
-               {"frames of NaN, or of zeros", "left out as lost, and named"}},
+               {"frames of NaN, of one number, or the frame before once more", "left out as lost, and named"}},
 
     .sidecar = "describe raw frames in a text beside it, NAME.txt with the lines width = .., height = .. and type = ..",
     .is = is_sidecar,

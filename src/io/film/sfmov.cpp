@@ -130,7 +130,7 @@ const FilmFormat films::sfmov{
     .name = "sfmov",
     .sentence = "FLIR ResearchIR .sfmov",
     .states = {{"frame rate and integration time, also in the file it includes", "used"},
-               {"frames of NaN, or of zeros", "left out as lost, and named"}},
+               {"frames of NaN, of one number, or the frame before once more", "left out as lost, and named"}},
 
     .endings = {".sfmov"},
     .marked = true,

@@ -214,7 +214,7 @@ const FilmFormat films::tiff{
                {"rate at which ImageJ plays it (fps)", "told, not used"},
                {"times of frames (OME's DeltaT, our \"time = ..\")", "used"},
                {"orientation other than upright", "refused"},
-               {"frames of NaN, or of zeros", "left out as lost, and named"}},
+               {"frames of NaN, of one number, or the frame before once more", "left out as lost, and named"}},
 
     .endings = {".tif", ".tiff"},
     .marked = true,

@@ -11,24 +11,86 @@
 
 namespace arenite::thermography {
 
-void BlankFrames::see(const float* frame, std::size_t pixels) {
-  std::size_t missing = 0;
-  for (std::size_t p = 0; p < pixels; ++p) missing += std::isfinite(frame[p]) ? 0 : 1;
-  missing_.push_back(missing);
+template <class Pixel> void BlankFrames::look_at(const Pixel* frame, std::size_t pixels) {
+  Seen now;
+  float least = INFINITY, most = -INFINITY;
+  for (std::size_t p = 0; p < pixels; ++p) {
+    const auto value = static_cast<float>(frame[p]);
+    if (!std::isfinite(value)) ++now.missing;
+    else least = std::min(least, value), most = std::max(most, value);
+  }
+  now.is_constant = least == most && pixels - now.missing > 1;
+  now.value = least;
+  if (least < most) {
+    least_ = has_pictures_ ? std::min(least_, least) : least;
+    most_ = has_pictures_ ? std::max(most_, most) : most;
+    has_pictures_ = true;
+  }
+  take_step(frame, pixels, now);
+  before_.assign(frame, frame + pixels);
   pixels_ = pixels;
+  seen_.push_back(now);
 }
 
+template <class Pixel> void BlankFrames::take_step(const Pixel* frame, std::size_t pixels, Seen& now) {
+  const auto alike = [](float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+  now.is_last = !before_.empty() && std::equal(frame, frame + pixels, before_.begin(), alike);
+  if (before_.empty() || now.is_last) return;
+  std::size_t changed = 0;
+  double product = 0, square = 0, earlier = 0;
+  step_.resize(pixels);
+  for (std::size_t p = 0; p < pixels; ++p) {
+    const float by = static_cast<float>(frame[p]) - before_[p];
+    if (!std::isfinite(by)) continue;
+    changed += by != 0 ? 1 : 0;
+    product += static_cast<double>(by) * static_cast<double>(step_[p]);
+    square += static_cast<double>(by) * static_cast<double>(by);
+    earlier += static_cast<double>(step_[p]) * static_cast<double>(step_[p]);
+    step_[p] = by;
+  }
+  now.changed = static_cast<double>(changed) / static_cast<double>(pixels);
+  now.like_step_before = earlier > 0 && square > 0 ? product / std::sqrt(square * earlier) : -1;  // as if it turned
+}
+
+void BlankFrames::see(const float* frame, std::size_t pixels) { look_at(frame, pixels); }
+
 void BlankFrames::see(const std::uint16_t* frame, std::size_t pixels) {
-  missing_.push_back(std::all_of(frame, frame + pixels, [](std::uint16_t level) { return level == 0; }) ? pixels : 0);
-  pixels_ = pixels;
+  look_at(frame, pixels);
+  Seen& now = seen_.back();
+  if (now.is_constant && now.value == 0) now.missing = pixels;
+}
+
+bool BlankFrames::repeats(std::size_t frame) const {
+  constexpr double many = 0.5;              // of the pixels: the noise of a camera changes as many
+  constexpr double turns_round = -0.9;      // a still picture where pictures without noise turn round; noise has -0.5
+  constexpr std::size_t least_pixels = 16;  // fewer agree by chance
+  if (pixels_ < least_pixels || !seen_[frame].is_last || seen_[frame].missing == pixels_) return false;
+  std::size_t before = frame, after = frame;
+  while (seen_[before].is_last) --before;
+  while (after < seen_.size() && seen_[after].is_last) ++after;
+  if (!(seen_[before].changed > many)) return false;
+  if (after == seen_.size()) return after - before > 2;
+  return seen_[after].changed > many && (after - before > 2 || seen_[after].like_step_before > turns_round);
+}
+
+bool BlankFrames::is_filled(std::size_t frame) const {
+  const Seen& seen = seen_[frame];
+  return (has_pictures_ && seen.is_constant && (seen.value < least_ || seen.value > most_)) || repeats(frame);
+}
+
+bool BlankFrames::are_filled() const {
+  for (std::size_t n = 0; n < seen_.size(); ++n)
+    if (is_filled(n)) return true;
+  return false;
 }
 
 std::vector<std::int64_t> BlankFrames::all() const {
   // Dead pixels, or what lies outside a mask, are missing in every frame.
-  const std::size_t always = missing_.empty() ? 0 : *std::ranges::min_element(missing_);
+  const std::size_t always = seen_.empty() ? 0 : std::ranges::min_element(seen_, {}, &Seen::missing)->missing;
   std::vector<std::int64_t> lost;
-  for (std::size_t n = 0; n < missing_.size(); ++n)
-    if (100 * (missing_[n] - always) > pixels_ - always) lost.push_back(static_cast<std::int64_t>(n));
+  for (std::size_t n = 0; n < seen_.size(); ++n)
+    if (100 * (seen_[n].missing - always) > pixels_ - always || is_filled(n))
+      lost.push_back(static_cast<std::int64_t>(n));
   return lost;
 }
 
@@ -48,13 +110,16 @@ bool may_lack_frames(const SegmentSums& s) {
   for (std::size_t p = 0; p < s.pixels; ++p)
     for (std::size_t k = 0; k < s.segments(); ++k)
       if (!std::isfinite(s.sums[view.at(p, k, 0)])) return true;
-  for (std::size_t n = 0; n < s.time.size(); ++n) {
-    const auto is_zero = [&](std::size_t i) {
-      return !(std::abs(s.seen[i * s.time.size() + n] + s.base[s.watched[i]]) > 0);
-    };
-    std::size_t i = 0;
-    while (i < s.watched.size() && is_zero(i)) ++i;
-    if (i == s.watched.size()) return true;
+  const std::size_t frames = s.time.size(), watched = s.watched.size();
+  const auto value = [&](std::size_t i, std::size_t n) { return s.seen[i * frames + n] + s.base[s.watched[i]]; };
+  for (std::size_t n = 0; n < frames; ++n) {
+    bool is_one = true, is_last = n > 0;
+    for (std::size_t i = 0; i < watched && (is_one || is_last); ++i) {
+      const float rounding = 1e-6F * (std::abs(s.base[s.watched[i]]) + std::abs(value(0, n)));
+      is_one = is_one && !(std::abs(value(i, n) - value(0, n)) > rounding);
+      is_last = is_last && s.seen[i * frames + n] == s.seen[i * frames + n - 1];
+    }
+    if (is_one || is_last) return true;
   }
   return false;
 }
@@ -65,10 +130,15 @@ std::string blank_frames_sentence(const std::vector<std::int64_t>& frames) {
   const std::vector<std::int64_t> first(frames.begin(),
                                         frames.begin() + static_cast<std::ptrdiff_t>(std::min(frames.size(), most)));
   const std::string names = list_of(mapped<std::string>(first, [](std::int64_t n) { return std::to_string(n); }));
-  if (frames.size() == 1) return fmt::format("frame {} holds no picture (no numbers, or zeros) and is left out", names);
+  if (frames.size() == 1)
+    return fmt::format(
+        "frame {} holds no picture (no numbers, one number everywhere, or the frame before once more) and is left out",
+        names);
   const std::string more = frames.size() > most ? fmt::format(" and {} more", frames.size() - most) : "";
-  return fmt::format("{} frames ({}{}) hold no picture (no numbers, or zeros) and are left out", frames.size(), names,
-                     more);
+  return fmt::format(
+      "{} frames ({}{}) hold no picture (no numbers, one number everywhere, or the frame before once more) and are "
+      "left out",
+      frames.size(), names, more);
 }
 
 FilmWithout::FilmWithout(FilmSource& film, const std::vector<std::int64_t>& lost, const std::vector<double>& time)

@@ -10,7 +10,9 @@ namespace arenite::thermography {
 struct SegmentSums;
 
 /// Frames that hold no picture, as programs fill in for those that a camera lost: more than a hundredth of the pixels
-/// are no finite numbers there and are in other frames, or all levels are 0. None in a film that has no picture at all.
+/// are no finite numbers there and are in other frames; all levels are 0, or all pixels one number that no other frame
+/// reaches; or the frame is the one before once more, bit for bit, while pixels change from frame to frame around it.
+/// None in a film that has no picture at all.
 class BlankFrames {
  public:
   /// The next frame.
@@ -18,17 +20,35 @@ class BlankFrames {
   void see(const std::uint16_t* frame, std::size_t pixels);
   /// Of all that were seen, counted from 0.
   std::vector<std::int64_t> all() const;
+  /// Whether any of these are so by numbers that they hold, of which sums over all frames are made.
+  bool are_filled() const;
 
  private:
-  std::vector<std::size_t> missing_;  ///< pixels, by frame
+  struct Seen {
+    std::size_t missing = 0;                    ///< pixels
+    bool is_constant = false, is_last = false;  ///< last: the frame before once more
+    float value = 0;                            ///< of one that is constant
+    double changed = 1;                         ///< share of the pixels that are not as in the frame before
+    double like_step_before = 0;                ///< correlation of this change with the last one before it
+  };
+  template <class Pixel> void look_at(const Pixel* frame, std::size_t pixels);
+  template <class Pixel> void take_step(const Pixel* frame, std::size_t pixels, Seen& now);
+  bool is_filled(std::size_t frame) const;
+  bool repeats(std::size_t frame) const;
+
+  std::vector<Seen> seen_;      ///< by frame
+  std::vector<float> before_;   ///< the last frame
+  std::vector<float> step_;     ///< the last change from one frame to the next
+  float least_ = 0, most_ = 0;  ///< of all frames that are not constant
+  bool has_pictures_ = false;
   std::size_t pixels_ = 0;
 };
 
 /// Those of a film, which is read once.
 std::vector<std::int64_t> blank_frames(FilmSource& film);
 
-/// What a frame without a picture does to the sums of a pass: they are no numbers, or all pixels that are watched are 0
-/// in a frame.
+/// What a frame without a picture does to the sums of a pass: they are no numbers, or all pixels that are watched are
+/// one number in a frame, or those of the frame before.
 bool may_lack_frames(const SegmentSums& sums);
 
 /// "frame 40 holds no picture and was left out"; empty without frames.

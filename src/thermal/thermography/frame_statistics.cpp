@@ -113,6 +113,12 @@ FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames) {
     return true;
   });
   s.blank = lost.all();
+  if (lost.are_filled()) {
+    FilmWithout kept(film, s.blank, frame_times(info));
+    FrameStatistics of_pictures = frame_statistics(kept, s.frames - s.blank.size());
+    of_pictures.blank = std::move(s.blank);
+    return of_pictures;
+  }
   for (std::size_t i = 0; i < n; ++i) {
     if (count[i] == 0) continue;
     s.mean[i] = static_cast<float>(sum[i] / count[i]);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -160,11 +161,53 @@ TEST(BlankFrames, StatisticsAreOfTheNumbersThatAreThere) {
   EXPECT_EQ(std::ranges::count(bad, 0), static_cast<std::ptrdiff_t>(bad.size()) - 1);
 }
 
+TEST(BlankFrames, OneNumberEverywhereThatNoOtherFrameReachesIsNoPicture) {
+  for (const float filled : {-1e30F, 65535.0F, 0.0F}) {
+    Film holed = noisy_film(), left = without(holed, {40});
+    std::fill_n(frame_of(holed, 40), holed.about.pixels(), filled);
+    const LockinMaps maps = lock_in(holed, at_3_hz());
+    EXPECT_EQ(maps.blank, std::vector<std::int64_t>{40});
+    expect_same(maps, lock_in(left, at_3_hz()));
+    const FrameStatistics seen = frame_statistics(holed), right = frame_statistics(left);
+    EXPECT_EQ(seen.blank, std::vector<std::int64_t>{40});
+    EXPECT_EQ(seen.mean, right.mean);
+    EXPECT_EQ(seen.noise, right.noise);
+  }
+}
+
+TEST(BlankFrames, AFrameOnceMoreIsNoPicture) {
+  Film holed = noisy_film(), left = without(holed, {40, 41, 70});
+  const std::size_t pixels = holed.about.pixels();
+  for (const std::size_t n : {40, 41, 70}) std::copy_n(frame_of(holed, n - 1), pixels, frame_of(holed, n));
+  const LockinMaps maps = lock_in(holed, at_3_hz());
+  EXPECT_EQ(maps.blank, (std::vector<std::int64_t>{40, 41, 70}));
+  EXPECT_TRUE(maps.levels.empty());
+  expect_same(maps, lock_in(left, at_3_hz()));
+}
+
+TEST(BlankFrames, PicturesWithoutNoiseThatTurnRoundOrAreEvenAreKept) {
+  test::OscillatingFilm clean;
+  clean.rate = 150, clean.phase = 0;  // 50 frames a cycle; its largest values lie half way between two frames
+  Film film;
+  film.about = clean.draw().about;
+  for (std::size_t n = 0; n < clean.frames; ++n)
+    for (std::size_t p = 0; p < film.about.pixels(); ++p)
+      film.value.push_back(std::round(100 * static_cast<float>(clean.at(p, (static_cast<double>(n) - 0.5) / 150))));
+  ASSERT_TRUE(std::equal(frame_of(film, 0), frame_of(film, 1), frame_of(film, 1)));
+  ASSERT_TRUE(std::equal(frame_of(film, 25), frame_of(film, 26), frame_of(film, 26)));
+  EXPECT_TRUE(blank_frames(film).empty());
+  std::fill_n(frame_of(film, 40), film.about.pixels(), film.value[0]);
+  EXPECT_TRUE(blank_frames(film).empty());
+}
+
 TEST(BlankFrames, AreNamedInASentence) {
   EXPECT_EQ(blank_frames_sentence({}), "");
-  EXPECT_EQ(blank_frames_sentence({40}), "frame 40 holds no picture (no numbers, or zeros) and is left out");
+  EXPECT_EQ(
+      blank_frames_sentence({40}),
+      "frame 40 holds no picture (no numbers, one number everywhere, or the frame before once more) and is left out");
   EXPECT_EQ(blank_frames_sentence({1, 2, 3, 4, 5, 6, 7}),
-            "7 frames (1, 2, 3, 4, 5 and 2 more) hold no picture (no numbers, or zeros) and are left out");
+            "7 frames (1, 2, 3, 4, 5 and 2 more) hold no picture (no numbers, one number everywhere, or the frame "
+            "before once more) and are left out");
 }
 
 TEST(BlankFrames, FramesAroundThemAreReadInRuns) {
