@@ -13,10 +13,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/mapped.hpp"
 #include "core/problems.hpp"
+#include "io/film/file_names.hpp"
 #include "io/film/formats.hpp"
-#include "io/table/table.hpp"
 
 namespace arenite::io {
 
@@ -31,56 +30,6 @@ bool fits(const std::string& name, std::string_view pattern) {
 }
 
 constexpr const char* digits = "0123456789";
-
-/// A name as it is sorted: numbers in it by value (frame 9 before frame 10), as if all had as many digits.
-std::string sorting_key(const std::string& name) {
-  constexpr std::size_t most_digits = 255;  // no name is longer
-  std::string key;
-  for (std::size_t at = 0; at < name.size();) {
-    const std::size_t number = std::min(name.find_first_of(digits, at), name.size()),
-                      end = std::min(name.find_first_not_of(digits, number), name.size());
-    const std::size_t first = std::min(name.find_first_not_of('0', number), end);
-    key += name.substr(at, number - at) + std::string(number < end ? most_digits - (end - first) : 0, '0') +
-           name.substr(first, end - first);
-    at = end;
-  }
-  return key;
-}
-
-/// A name parted into its numbers and what stands between them.
-struct NameParts {
-  std::vector<std::string> words, numbers;
-  explicit NameParts(const std::string& name) {
-    for (std::size_t at = 0; at <= name.size();) {
-      const std::size_t number = std::min(name.find_first_of(digits, at), name.size()),
-                        end = std::min(name.find_first_not_of(digits, number), name.size());
-      words.push_back(name.substr(at, number - at));
-      if (number == name.size()) return;
-      numbers.push_back(name.substr(number, end - number));
-      at = end;
-    }
-  }
-};
-
-/// The one number in which names that are otherwise alike differ; empty where there is none, or more than one.
-std::vector<std::int64_t> numbers_in(const std::vector<fs::path>& members) {
-  const auto parts = mapped(members, [](const fs::path& member) { return NameParts(member.filename().string()); });
-  const NameParts& first = parts.front();
-  const auto alike = [&](const NameParts& p) { return p.words == first.words; };
-  if (!std::ranges::all_of(parts, alike)) return {};
-  std::vector<std::size_t> differ;
-  for (std::size_t k = 0; k < first.numbers.size(); ++k)
-    if (std::ranges::any_of(parts, [&](const NameParts& p) { return p.numbers[k] != first.numbers[k]; }))
-      differ.push_back(k);
-  if (differ.size() != 1) return {};
-  std::vector<std::int64_t> numbers;
-  for (const NameParts& p : parts) {
-    const auto number = to_integer(p.numbers[differ.front()]);
-    if (!number) return {};
-    numbers.push_back(*number);
-  }
-  return numbers;
-}
 
 std::vector<fs::path> members(const fs::path& pattern) {
   const bool folder = fs::is_directory(pattern);
@@ -111,7 +60,7 @@ class Series : public KnownFilm {
     info_.frames *= static_cast<std::int64_t>(members_.size());
     info_.time.clear();
     info_.number.clear();
-    if (rate || !take_stamps_of_files()) take_file_numbers(numbers_in(members_));
+    if ((rate || !take_stamps_of_files()) && !take_times_of_names(rate)) take_file_numbers(numbers_in_names(members_));
     choice_.frame_rate = rate;
     take_choice(info_, choice_);
   }
@@ -143,6 +92,30 @@ class Series : public KnownFilm {
     }
     take_stamps(info_, std::move(stamp));
     return !info_.time.empty();
+  }
+
+  /// With a frame rate they only show which frames are missing. False where names state no times.
+  bool take_times_of_names(std::optional<double> rate) {
+    std::vector<double> time = each_ == 1 ? times_in_names(members_) : std::vector<double>();
+    if (time.empty()) return false;
+    if (!rate) {
+      info_.remarks.emplace_back("Times of frames are those in the names of its files.");
+      take_stamps(info_, std::move(time));
+      return true;
+    }
+    constexpr double aside = 0.35;  // of a frame: more than times rounded to milliseconds leave at usual rates
+    std::vector<std::int64_t> frame{0};
+    for (std::size_t i = 1; i < time.size(); ++i) {
+      const double step = (time[i] - time[i - 1]) * *rate, whole = std::round(step);
+      if (whole < 1 || std::abs(step - whole) > aside) {
+        info_.remarks.push_back(fmt::format(
+            "The times in the names of its files do not fit {:.6g} Hz; frames are taken as consecutive.", *rate));
+        return true;
+      }
+      frame.push_back(frame.back() + static_cast<std::int64_t>(whole));
+    }
+    take_numbers(info_, std::move(frame));
+    return true;
   }
 
   /// Numbers of all frames from those in the names of their files, in steps of the smallest one. Where most would be

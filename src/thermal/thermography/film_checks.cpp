@@ -9,6 +9,7 @@
 #include "core/median.hpp"
 #include "core/problems.hpp"
 #include "model/lockin_maps.hpp"
+#include "statistics/numbers_text.hpp"
 #include "thermal/thermography/judge_amplitude.hpp"
 #include "thermal/thermography/lockin.hpp"
 
@@ -45,6 +46,16 @@ std::string no_load_sentence(const LockinMaps& maps, double frequency, std::stri
   return fmt::format(
       "the film shows only noise at {:.6g} Hz; give the frequency of the load ({}), or a film of a loaded sample",
       frequency, given_by);
+}
+
+void tell_far_frequency(double given, LockinMaps& maps) {
+  constexpr double far = 0.01, errors = 5;
+  const double off = std::abs(maps.frequency - given);
+  if (!shows_load(maps) || !(off > far * given) || !(off > errors * maps.frequency_error)) return;
+  maps.disturbances.push_back(fmt::format(
+      "the load oscillates at {} Hz, {:.2g} % off the {:.6g} Hz given: the frequency given or the frame rate is wrong, "
+      "or frames are missing",
+      statistics::with_error({maps.frequency, maps.frequency_error}), 100 * off / given, given));
 }
 
 void refuse_without_load(const LockinMaps& maps, double given_frequency) {

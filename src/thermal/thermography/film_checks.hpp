@@ -12,6 +12,10 @@ namespace arenite::thermography {
 /// that gives it.
 std::string no_load_sentence(const LockinMaps& maps, double frequency, std::string_view given_by);
 
+/// Adds a sentence to the disturbances of maps that show a load more than a hundredth, and five errors, off the
+/// frequency that was given.
+void tell_far_frequency(double given, LockinMaps& maps);
+
 /// Throws InputError if the maps hold nothing but noise, or a line of the camera.
 void refuse_without_load(const LockinMaps& maps, double given_frequency);
 

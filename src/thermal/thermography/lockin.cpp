@@ -11,6 +11,7 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "thermal/thermography/blank_frames.hpp"
+#include "thermal/thermography/film_checks.hpp"
 #include "thermal/thermography/harmonic_fit.hpp"
 #include "thermal/thermography/judge_amplitude.hpp"
 #include "thermal/thermography/level_changes.hpp"
@@ -197,8 +198,7 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
       }
   }
   LockinMaps maps;
-  maps.width = film.info().width;
-  maps.height = film.info().height;
+  maps.width = film.info().width, maps.height = film.info().height;
   maps.frequency = refined ? refined->frequency : o.frequency;
   maps.frames = sums.time.size();
   maps.drift_order = o.drift_order;
@@ -211,6 +211,7 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
   const HarmonicFit fit = harmonic_fit(sums, maps.frequency, o.drift_order, false);
   refuse_too_few_cycles(fit, sums);
   judge_amplitude(sums, fit, refined, watched, pool, maps);
+  tell_far_frequency(o.frequency, maps);
   std::vector<double> phasor[2];
   fill(sums, fit, pool, maps, phasor);
   const auto phase = [&] { return o.reference_phase ? *o.reference_phase : reference_phase(phasor[0], phasor[1]); };
