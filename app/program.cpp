@@ -71,10 +71,12 @@ int run_program(int argc, char** argv) {
     std::fprintf(stderr, "%s: out of memory; request fewer grains, nodes or stored states\n",
                  speaker(argc, argv).c_str());
   } catch (const std::exception& error) { print(stderr, "{}: {}\n", speaker(argc, argv), error.what()); }
-  // A full disk behind a redirected output shows only when the last bytes leave.
+  // A full disk behind a redirected output shows only when bytes leave: the last ones, or earlier ones, whose cause is
+  // then known no more.
+  errno = 0;
   if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
-    print(stderr, "{}: the output could not be written ({}); make room or write elsewhere\n", speaker(argc, argv),
-          std::strerror(errno));
+    const std::string cause = errno != 0 ? fmt::format(" ({})", std::strerror(errno)) : "";
+    print(stderr, "{}: the output could not be written{}; make room or write elsewhere\n", speaker(argc, argv), cause);
     return bad_input;
   }
   return status;

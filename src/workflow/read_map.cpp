@@ -10,6 +10,7 @@
 #include "core/problems.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/image/phase_map.hpp"
+#include "io/image/pixel_size.hpp"
 #include "io/results/results.hpp"
 #include "solid/grid/map_numbers.hpp"
 #include "thermal/imaging/label_grains.hpp"
@@ -28,6 +29,16 @@ io::PhaseMapOptions options_of(const recipe::MapSection& map) {
   options.dx = map.dx.value_or(options.dx);
   if (map.has_label_file()) options.labels = map.labels;
   return options;
+}
+
+/// What the file states of the size of a pixel, where the recipe does not give it.
+std::string stated_size(const recipe::MapSection& map) {
+  const auto pixel = map.dx ? std::nullopt : io::stated_pixel(map.file);
+  return pixel ? fmt::format(
+                     "the file states pixels of {0:.6g} um; to have lengths by them, give --dx \"{0:.6g} um\" "
+                     "(dx in [map] of a recipe)",
+                     1e6 * *pixel)
+               : "";
 }
 
 /// Where cutting at necks finds many more grains, those that touch were counted as one.
@@ -51,6 +62,7 @@ PhaseMap read_map(const recipe::MapSection& map, const std::function<void(const 
   if (!map.box.empty()) refuse(map.file, "is a picture, and box is of a table of spheres; use crop");
   if (is_own_field(map)) return io::read_field(map.file).map;
   auto read = io::read_phase_map(map.file, options_of(map));
+  if (const std::string size = stated_size(map); !size.empty()) read.notes.push_back(size);
   for (const auto& note : read.notes) notice(fmt::format("{}: {}", map.file, note));
   if (read.labelled) return std::move(read.map);
   if (map.labels == "none") io::label_alike(read.map);
@@ -69,9 +81,11 @@ FieldResult read_sample(const recipe::MapSection& map, const std::function<void(
 }
 
 void require_length(const recipe::MapSection& map, const recipe::Load& load) {
-  if (load.failure && !map.dx && !is_own_field(map))
-    throw InputError(
-        "a crack needs a length; give the size of a pixel, for example --dx \"25 um\" (dx in [map] of a recipe)");
+  if (!load.failure || map.dx || is_own_field(map)) return;
+  const std::string size = stated_size(map);
+  throw InputError(
+      "a crack needs a length; " +
+      (size.empty() ? "give the size of a pixel, for example --dx \"25 um\" (dx in [map] of a recipe)" : size));
 }
 
 FieldResult sample_of_map(PhaseMap map, const grid::CavityRules& rules) {

@@ -59,4 +59,14 @@ TEST(RealPhaseMaps, PartOfASandstone) {
   EXPECT_EQ(exported.status, 0) << exported.err;
 }
 
+TEST(RealPhaseMaps, TheSizeOfAPixelThatAPictureStatesIsTold) {
+  const std::string load = "load " ARENITE_SOURCE_DIR "/tests/data/phase_maps/pixels-of-half-a-micrometre.png",
+                    told = "the file states pixels of 0.5 um";
+  EXPECT_NE(arenite(load).err.find(told), std::string::npos);
+  EXPECT_EQ(arenite(load + " --dx '10 um'").err.find(told), std::string::npos);
+  const auto crack = arenite(load + " --failure");
+  EXPECT_EQ(crack.status, 2);
+  EXPECT_NE(crack.err.find("a crack needs a length; " + told), std::string::npos) << crack.err;
+}
+
 }  // namespace

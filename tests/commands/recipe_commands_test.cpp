@@ -182,6 +182,12 @@ TEST(Output, FullDiskBehindStdoutIsReported) {
     EXPECT_EQ(full.status, 2) << command;
     EXPECT_EQ(lines_of(full.err), 1) << full.err;
   }
+  const TemporaryFolder folder;
+  const std::string recipe = (folder / "a.toml").string();
+  ASSERT_EQ(arenite("init composite " + recipe).status, 0);
+  const auto full = shell(ARENITE_BINARY " check " + recipe + " > /dev/full");
+  EXPECT_EQ(full.status, 2);
+  EXPECT_NE(full.err.find("the output could not be written; make room"), std::string::npos) << full.err;
 }
 
 TEST(Man, ThePageOfFileFormatsIsWhatTheFormatsSay) {

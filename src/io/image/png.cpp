@@ -113,12 +113,15 @@ Image decode_png(const std::string& bytes, const std::string& file, const ImageC
 
 }  // namespace
 
-const PictureFormat pictures::png{.name = "png",
-                                  .sentence = "PNG",
-                                  .states = {{"orientation (EXIF)", "the picture is turned upright"}},
+const PictureFormat pictures::png{
+    .name = "png",
+    .sentence = "PNG",
+    .states = {{"orientation (EXIF)", "the picture is turned upright"},
+               {"size of a pixel (pHYs)",
+                "told where dx is not given; passed over where it is a usual one of screens and printers"}},
 
-                                  .is = [](std::string_view b) { return b.starts_with("\x89PNG\r\n\x1a\n"); },
-                                  .read = decode_png};
+    .is = [](std::string_view b) { return b.starts_with("\x89PNG\r\n\x1a\n"); },
+    .read = decode_png};
 
 void write_png(const std::filesystem::path& path, const ColourPicture& picture) {
   png_image header{};

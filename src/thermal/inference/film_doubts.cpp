@@ -143,7 +143,7 @@ void add_walls(const FilmGiven& given, const FilmResult& r, std::vector<std::str
       smaller(w.smaller.y, "both its upper and its lower side", "height");
   if (w.travel != 0 && given.travel != 0)
     doubts.push_back(
-        fmt::format("grains show that the lower wall travels {:.2g} mm, not {:.2g} mm as container.travel says",
+        fmt::format("grains show that the lower wall travels {:.4g} mm, not {:.4g} mm as container.travel says",
                     1e3 * w.travel, 1e3 * given.travel));
 }
 

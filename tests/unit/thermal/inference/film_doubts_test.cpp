@@ -93,6 +93,8 @@ TEST(FilmDoubts, AContainerThatGrainsShowElsewhereIsNamedWithItsKey) {
   said = all(film_doubts(given, r));
   EXPECT_NE(said.find("only if the container is 1 mm smaller than container.width says"), std::string::npos) << said;
   EXPECT_NE(said.find("the lower wall travels 2 mm, not 1 mm as container.travel says"), std::string::npos) << said;
+  given.travel = 1.36e-3, r.walls.travel = 1.44e-3;
+  EXPECT_NE(all(film_doubts(given, r)).find("travels 1.44 mm, not 1.36 mm"), std::string::npos);
 }
 
 TEST(FilmDoubts, AHaloAndUnevenEmissivitiesAreSaid) {

@@ -1,0 +1,78 @@
+#include "io/image/pixel_size.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "io/disk/byte_source.hpp"
+#include "io/image/tiff.hpp"
+#include "io/table/table.hpp"
+
+namespace arenite::io {
+namespace {
+
+constexpr double inch = 0.0254;
+
+/// Of as many pixels a length along x and y; that length in m.
+std::optional<double> square_pixel(double x, double y, double length) {
+  constexpr double usual[] = {72, 96, 100, 120, 144, 150, 200, 240, 300, 400, 600, 1200};  // per inch
+  if (!(x > 0) || !(std::abs(x / y - 1) < 1e-3) || !(length > 0)) return std::nullopt;
+  const double pixel = length / x;
+  const bool is_of_screens =
+      std::ranges::any_of(usual, [&](double per_inch) { return std::abs(pixel * per_inch / inch - 1) < 2e-3; });
+  return is_of_screens || !std::isfinite(pixel) ? std::nullopt : std::optional(pixel);
+}
+
+/// The unit in a description of ImageJ's, m.
+std::optional<double> imagej_unit(std::string_view description) {
+  const std::size_t at = description.find("\nunit=");
+  if (!description.starts_with("ImageJ=") || at == description.npos) return std::nullopt;
+  std::string unit(description.substr(at + 6, description.find('\n', at + 1) - at - 6));
+  if (unit == "micron" || unit == "\\u00B5m") unit = "um";
+  try {
+    return unit_factor(unit, dimension::length);
+  } catch (const InputError&) { return std::nullopt; }
+}
+
+std::optional<double> tiff_pixel(const Bytes& bytes) {
+  TiffSource source(bytes);
+  const Tiff tiff = open_tiff(source);
+  if (!tiff) return std::nullopt;
+  const char* text = nullptr;
+  const bool is_described = TIFFGetField(tiff.get(), TIFFTAG_IMAGEDESCRIPTION, &text) == 1 && text != nullptr;
+  const auto unit = is_described ? imagej_unit(text) : std::nullopt;
+  const auto by = tiff_field<std::uint16_t>(tiff.get(), TIFFTAG_RESOLUTIONUNIT);
+  float x = 0, y = 0;
+  if (TIFFGetField(tiff.get(), TIFFTAG_XRESOLUTION, &x) != 1 || TIFFGetField(tiff.get(), TIFFTAG_YRESOLUTION, &y) != 1)
+    return std::nullopt;
+  const double length = unit ? *unit : by == RESUNIT_INCH ? inch : by == RESUNIT_CENTIMETER ? 0.01 : 0;
+  return square_pixel(static_cast<double>(x), static_cast<double>(y), length);
+}
+
+std::optional<double> png_pixel(std::string_view head) {
+  const std::size_t at = head.find("pHYs");
+  if (at == head.npos || at + 13 > head.size() || head[at + 12] != 1) return std::nullopt;
+  const auto number = [&](std::size_t from) {
+    double value = 0;
+    for (std::size_t k = 0; k < 4; ++k) value = 256 * value + static_cast<std::uint8_t>(head[from + k]);
+    return value;
+  };
+  return square_pixel(number(at + 4), number(at + 8), 1);
+}
+
+}  // namespace
+
+std::optional<double> stated_pixel(const std::filesystem::path& picture) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(picture, error)) return std::nullopt;
+  const Bytes bytes = open_bytes(picture);
+  const std::string head = bytes->text(0, 4096);  // pHYs stands before the pixels
+  if (is_tiff(head)) return tiff_pixel(bytes);
+  return head.starts_with("\x89PNG") ? png_pixel(head) : std::nullopt;
+}
+
+}  // namespace arenite::io
