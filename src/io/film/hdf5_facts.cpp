@@ -68,7 +68,7 @@ void look_beside(hid_t file, const Bytes& bytes, Hdf5Facts& facts) {
 /// By their names; an array of MATLAB, which lists its axes from the last to the first, lies column by column.
 void take_axes(hid_t set, const Bytes& bytes, Hdf5Facts& facts) {
   const auto stored = shape_of(set);
-  const AxisOrder order = order_by_names(axis_names(set), bytes->name(), facts.name);
+  const AxisOrder order = order_by_names(names_of_axes(set), bytes->name(), facts.name);
   facts.by_matlab = is_of_matlab(set) && order.remark.empty();
   facts.axes = order.remark;
   facts.axis.assign(order.axis.begin(), order.axis.end());

@@ -70,7 +70,7 @@ std::optional<AxisRole> role_of_axis(const std::string& name) {
 
 }  // namespace
 
-std::vector<std::string> axis_names(hid_t set) {
+std::vector<std::string> names_of_axes(hid_t set) {
   const std::size_t rank = shape_of(set).size();
   std::vector<std::string> names = texts_attribute(set, "DIMENSION_LABELS"), of_scales = names_of_scales(set, rank);
   names.resize(rank), of_scales.resize(rank);

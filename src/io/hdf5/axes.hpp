@@ -9,7 +9,7 @@ namespace arenite::io {
 
 /// Names of a dataset's axes, in the order in which they are stored: HDF5's labels, or else the names of their
 /// dimension scales, as netCDF and xarray write them. Empty for an axis without one.
-std::vector<std::string> axis_names(hid_t set);
+std::vector<std::string> names_of_axes(hid_t set);
 
 /// Which stored axis is that of pictures (frames of a film, slices of a stack), of rows and of columns.
 struct AxisOrder {

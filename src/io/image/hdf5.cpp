@@ -43,7 +43,7 @@ Image decode(const std::string& bytes, const std::string& file, const ImageChoic
   const auto [name, set] = find_picture(*id, file, choice.dataset);
   const auto shape = shape_of(*set);
   const bool stack = shape.size() == 3;
-  const auto axis = order_by_names(axis_names(*set), file, name).axis;
+  const auto axis = order_by_names(names_of_axes(*set), file, name).axis;
   if (stack && axis[0] != 0)
     refuse(file, "holds a dataset \"{}\" whose slices are not its first axis; store it as slices x rows x columns",
            name);
