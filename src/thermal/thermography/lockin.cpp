@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/mapped.hpp"
 #include "core/median.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
