@@ -60,7 +60,9 @@ TEST(RealPhaseMaps, PartOfASandstone) {
 }
 
 TEST(RealPhaseMaps, TheSizeOfAPixelThatAPictureStatesIsTold) {
-  const std::string load = "load " ARENITE_SOURCE_DIR "/tests/data/phase_maps/pixels-of-half-a-micrometre.png",
+  const std::string load = "load " ARENITE_SOURCE_DIR
+                           "/tests/data/phase_maps/pixels-of-half-a-micrometre.png --phases "
+                           "0=void,85=matrix,170=particle",
                     told = "the file states pixels of 0.5 um";
   EXPECT_NE(arenite(load).err.find(told), std::string::npos);
   EXPECT_EQ(arenite(load + " --dx '10 um'").err.find(told), std::string::npos);
