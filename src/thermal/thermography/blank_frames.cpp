@@ -69,7 +69,7 @@ bool BlankFrames::repeats(std::size_t frame) const {
   while (seen_[before].is_last) --before;
   while (after < seen_.size() && seen_[after].is_last) ++after;
   if (!(seen_[before].changed > many)) return false;
-  if (after == seen_.size()) return after - before > 2;
+  if (after == seen_.size()) return before > 0 && after - before > 2;  // a film that stands still has lost nothing
   return seen_[after].changed > many && (after - before > 2 || seen_[after].like_step_before > turns_round);
 }
 
