@@ -48,7 +48,7 @@ async function walkList(page, list) {
 async function pressButtons(page) {
   const buttons = page.locator("button:visible:enabled:not([role=tab])");
   for (let k = 0; k < (await buttons.count()); ++k) {
-    await buttons.nth(k).click({ timeout: 5000 });
+    await buttons.nth(k).click({ timeout: 30000 }); // a busy machine draws few frames, and a click waits for two alike
     await settle(page);
   }
 }
