@@ -232,14 +232,13 @@ void put(LockinMaps& maps, std::size_t p, const Harmonics& fitted, double noise,
   maps.phase[p] = static_cast<float>(std::atan2(sine, cosine));
   if (!maps.second_harmonic.empty())
     maps.second_harmonic[p] = static_cast<float>(factor * std::sqrt(cosine2 * cosine2 + sine2 * sine2));
-  maps.residual[p] = static_cast<float>(noise);
-  maps.standard_error[p] = static_cast<float>(error);
+  maps.residual[p] = static_cast<float>(noise), maps.standard_error[p] = static_cast<float>(error);
   maps.noise_floor[p] = static_cast<float>(std::sqrt(std::numbers::pi / 2) * error);
 }
 
 std::vector<float> phase_after_load(const LockinMaps& maps) {
-  const auto after = [&](float phase) { return std::remainder(phase - maps.reference_phase, 2 * std::numbers::pi); };
-  return mapped<float>(maps.phase, after);
+  const double turn = 2 * std::numbers::pi;
+  return mapped<float>(maps.phase, [&](float phase) { return std::remainder(phase - maps.reference_phase, turn); });
 }
 
 double reference_phase(const std::vector<double>& cosine, const std::vector<double>& sine) {
