@@ -38,6 +38,7 @@ struct Command {
   const char* name;
   const char* sentence;
   void (*add)(Options& command, int& status);
+  bool works_for_long = false;  ///< on large fields; the others are done before a new start would pay (main.cpp)
 };
 
 /// All commands, in the order of the help (main.cpp).

@@ -1,5 +1,6 @@
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -10,13 +11,13 @@ using namespace arenite;
 
 const std::vector<app::Command>& app::commands() {
   static const std::vector<Command> list{
-      {"run", "Run a recipe: packing, loading stage by stage, results and page", app::add_run},
+      {"run", "Run a recipe: packing, loading stage by stage, results and page", app::add_run, true},
       {"watch", "Follow a run on a live page for browsers on this machine, with a button to stop it", app::add_watch},
-      {"study", "Run a study: a recipe with [sweep], on all cores or on a cluster", app::add_study},
-      {"verify", "Check the claims of the thesis or the paper by running their studies", app::add_verify},
+      {"study", "Run a study: a recipe with [sweep], on all cores or on a cluster", app::add_study, true},
+      {"verify", "Check the claims of the thesis or the paper by running their studies", app::add_verify, true},
       {"init", "Write a commented recipe to start from", app::add_init},
       {"check", "Check a recipe, print it as interpreted, and predict the cost and regime of its run", app::add_check},
-      {"load", "Load any phase map by peridynamics: moduli, stresses by phase, failure", app::add_load},
+      {"load", "Load any phase map by peridynamics: moduli, stresses by phase, failure", app::add_load, true},
       {"lockin",
        "Lock-in analysis of a film of a cyclically loaded sample: signed amplitude and error of every pixel, with "
        "warnings",
@@ -52,10 +53,9 @@ bool has_limited_space() {
   return ::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;
 }
 
-/// Commands that work on large fields for long; the others are done before a new start would pay.
 bool works_for_long(int argc, char** argv) {
-  const std::string command = argc > 1 ? argv[1] : "";
-  return command == "run" || command == "study" || command == "verify" || command == "load";
+  const std::string named = argc > 1 ? argv[1] : "";
+  return std::ranges::any_of(app::commands(), [&](const auto& c) { return c.works_for_long && named == c.name; });
 }
 
 }  // namespace

@@ -12,12 +12,13 @@ namespace {
 using namespace arenite;
 
 template <int D>
-dem::EngineIn<D> engine_of(const PackingIn<D>& packing, dem::IntegratorKind integrator, int threads = 1) {
+dem::EngineIn<D> engine_of(const PackingIn<D>& packing, dem::IntegratorKind integrator, int threads = 1,
+                           const dem::ContactParameters& contact = bench::contact_parameters()) {
   dem::IntegrationParameters integration;
   integration.integrator = integrator;
   integration.threads = threads;
   integration.safety = 0.05;
-  return dem::EngineIn<D>(packing, bench::contact_parameters(), integration);
+  return dem::EngineIn<D>(packing, contact, integration);
 }
 
 /// Advances by `steps` an iteration, calling `before_each` first.
@@ -52,9 +53,7 @@ void at_rest(benchmark::State& state, const PackingIn<D>& (*packing)(), dem::Int
 void history(benchmark::State& state, const PackingIn<3>& (*packing)()) {
   dem::ContactParameters contact = bench::contact_parameters();
   contact.friction_law = dem::CundallStrack{};
-  dem::IntegrationParameters integration;
-  integration.safety = 0.05;
-  dem::EngineIn<3> engine(packing(), contact, integration);
+  dem::EngineIn<3> engine = engine_of(packing(), dem::IntegratorKind::velocity_verlet, 1, contact);
   measure(state, engine, 2'000'000 / static_cast<std::int64_t>(grain_count(engine)), [] {});
 }
 
@@ -64,15 +63,12 @@ void rolling(benchmark::State& state, dem::IntegratorKind integrator, bool bonde
   dem::ContactParameters contact = bench::contact_parameters();
   contact.friction_law = dem::CundallStrack{};
   contact.rolling = dem::ElasticPlasticRolling{0.1};
-  dem::IntegrationParameters integration;
-  integration.integrator = integrator;
-  integration.safety = 0.05;
   dem::ParallelBond bond;
   bond.modulus = 1e8;
   bond.tensile_strength = bond.cohesion = 1e30;
   bond.gap = 0.05;
   if (bonded) contact.bonds = bond;
-  dem::Engine engine(bench::walls_4000(), contact, integration);
+  dem::Engine engine = engine_of(bench::walls_4000(), integrator, 1, contact);
   if (bonded) make_bonds(engine);
   measure(state, engine, 500, [] {});
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/random.hpp"
+#include "geometry/ball.hpp"
 #include "grains/packing/grain_shapes.hpp"
 #include "model/shapes.hpp"
 
@@ -20,11 +21,6 @@ struct Sizes {
   double from = 4e-3, to = 8e-3, solid_fraction = 0.6;
 };
 
-/// Area of a disk, volume of a sphere.
-template <int D> double content_of(double radius) {
-  return D == 2 ? std::numbers::pi * radius * radius : 4.0 / 3 * std::numbers::pi * radius * radius * radius;
-}
-
 /// Grains on a jittered square or cubic lattice in mixed order.
 template <int D> PackingIn<D> loose(std::size_t n, bool periodic, const Sizes& sizes = {}) {
   PackingIn<D> p;
@@ -36,9 +32,10 @@ template <int D> PackingIn<D> loose(std::size_t n, bool periodic, const Sizes& s
   double content = 0;
   for (auto& r : p.grains.radius) {
     r = size.uniform(sizes.from, sizes.to);
-    content += content_of<D>(r);
+    content += geometry::volume_of_ball<D>(r);
   }
-  const double width = std::pow(content / sizes.solid_fraction, 1.0 / D), pitch = width / static_cast<double>(side);
+  const double width = geometry::side_of_cube<D>(content / sizes.solid_fraction),
+               pitch = width / static_cast<double>(side);
   std::vector<std::size_t> site(sites);
   for (std::size_t k = 0; k < sites; ++k) site[k] = k;
   for (std::size_t k = sites - 1; k > 0; --k) std::swap(site[k], site[order.below(k + 1)]);

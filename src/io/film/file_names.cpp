@@ -19,7 +19,7 @@ constexpr const char* digits_of_names = "0123456789";
 
 /// A name parted into its numbers and what stands between them.
 struct NameParts {
-  std::vector<std::string> words, numbers;  ///< a word before each number, and perhaps one behind the last
+  std::vector<std::string> words, numbers;  ///< a word before each number and one behind the last, maybe empty
   explicit NameParts(const std::string& name) {
     for (std::size_t at = 0; at <= name.size();) {
       const std::size_t number = std::min(name.find_first_of(digits_of_names, at), name.size()),
@@ -108,16 +108,14 @@ bool is_fraction(const std::vector<NameParts>& parts, std::size_t at) {
 
 std::string sorting_key(const std::string& name) {
   constexpr std::size_t most_digits = 255;  // no name is longer
+  const NameParts parts(name);
   std::string key;
-  for (std::size_t at = 0; at < name.size();) {
-    const std::size_t number = std::min(name.find_first_of(digits_of_names, at), name.size()),
-                      end = std::min(name.find_first_not_of(digits_of_names, number), name.size());
-    const std::size_t first = std::min(name.find_first_not_of('0', number), end);
-    key += name.substr(at, number - at) + std::string(number < end ? most_digits - (end - first) : 0, '0') +
-           name.substr(first, end - first);
-    at = end;
+  for (std::size_t k = 0; k < parts.numbers.size(); ++k) {
+    const std::string& number = parts.numbers[k];
+    const std::size_t zeros = std::min(number.find_first_not_of('0'), number.size());
+    key += parts.words[k] + std::string(most_digits - (number.size() - zeros), '0') + number.substr(zeros);
   }
-  return key;
+  return key + parts.words.back();
 }
 
 std::vector<std::int64_t> numbers_in_names(const std::vector<fs::path>& files) {

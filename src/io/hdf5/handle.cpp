@@ -12,6 +12,7 @@
 #include <mutex>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 namespace arenite::io {
 namespace {
@@ -35,7 +36,6 @@ struct Attribute {
     if (H5Aexists(at, name) > 0) id = own(H5Aopen(at, name, H5P_DEFAULT), H5Aclose);
     if (id) space = own(H5Aget_space(*id), H5Sclose), type = own(H5Aget_type(*id), H5Tclose);
   }
-  bool is_one() const { return space && type && H5Sget_simple_extent_npoints(*space) == 1; }
   /// Of its values; 0 for more than a list of names or limits has.
   std::size_t few() const {
     constexpr hssize_t most = 32;
@@ -191,12 +191,8 @@ std::optional<Hdf5Number> number_of(hid_t type) {
 bool is_of_matlab(hid_t set) { return H5Aexists(set, "MATLAB_class") > 0; }
 
 std::optional<double> stated_number(hid_t at, const char* name) {
-  const Attribute attribute(at, name);
-  const auto number = attribute.is_one() ? number_of(*attribute.type) : std::nullopt;
-  double value = 0;
-  if (!number || H5Aget_storage_size(*attribute.id) != bytes_of(number->type))
-    return std::nullopt;  // not there as a whole
-  return H5Aread(*attribute.id, H5T_NATIVE_DOUBLE, &value) >= 0 ? std::optional(value) : std::nullopt;
+  const StatedNumbers stated = stated_numbers(at, name);
+  return stated.value.size() == 1 ? std::optional(stated.value.front()) : std::nullopt;
 }
 
 double number_attribute(hid_t at, std::initializer_list<const char*> names) {
@@ -216,20 +212,8 @@ StatedNumbers stated_numbers(hid_t at, const char* name) {
 }
 
 std::string text_attribute(hid_t at, const char* name) {
-  const Attribute attribute(at, name);
-  if (!attribute.is_one() || H5Tget_class(*attribute.type) != H5T_STRING) return {};
-  if (H5Tis_variable_str(*attribute.type) > 0) {
-    char* held = nullptr;
-    if (H5Aread(*attribute.id, *attribute.type, &held) < 0 || held == nullptr) return {};
-    std::string text(held, ::strnlen(held, longest_text));
-    H5free_memory(held);
-    return text;
-  }
-  const std::size_t size = H5Tget_size(*attribute.type);
-  if (size == 0 || size > longest_text || H5Aget_storage_size(*attribute.id) != size) return {};
-  std::string text(size, '\0');
-  if (H5Aread(*attribute.id, *attribute.type, text.data()) < 0) return {};
-  return text.substr(0, text.find('\0'));
+  std::vector<std::string> texts = texts_attribute(at, name);
+  return texts.size() == 1 ? std::move(texts.front()) : std::string();
 }
 
 std::vector<std::string> texts_attribute(hid_t at, const char* name) {

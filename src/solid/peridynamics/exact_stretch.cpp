@@ -51,7 +51,7 @@ class Mechanisms {
     });
     if (!(std::abs(linear_force(bonds_, motion, f)) <= 1e-13 * held)) return false;
     leave_out(motion);
-    const double norm = std::sqrt(work(motion, motion));
+    const double norm = std::sqrt(statics::square_norm(bonds_.grid, motion));
     bonds_.grid.each([&](std::ptrdiff_t i, int) { motion.set(i, motion.at(i) / norm); });
     motions_.push_back(std::move(motion));
     return true;

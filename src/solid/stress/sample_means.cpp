@@ -48,18 +48,17 @@ StressOptions options_of(const FieldResult& sample) {
   return options;
 }
 
-SampleMeans::SampleMeans(const FieldResult& sample) : sample_(sample), nodes_(nodes_of(sample)) {}
-
 double SampleMeans::of(const FieldQuantity& quantity) const {
   if (const auto stored = stored_mean(sample_.numbers, quantity.name)) return *stored;
+  if (!nodes_) nodes_ = nodes_of(sample_);
   const std::vector<double> values = values_of(quantity, sample_.field);
   double sum = 0, nodes = 0;
   for (std::size_t k = 0; k < values.size(); ++k)
-    if (nodes_.set[k] != NodeSet::left_out) sum += values[k], ++nodes;
+    if (nodes_->set[k] != NodeSet::left_out) sum += values[k], ++nodes;
   const bool over_area = quantity.unit == "Pa" && options_of(sample_).mean_over_area;
   if (over_area) {
     nodes = 0;
-    for (const double area : nodes_.block_area) nodes += area;
+    for (const double area : nodes_->block_area) nodes += area;
   }
   return nodes > 0 ? sum / nodes : statistics::unknown;
 }

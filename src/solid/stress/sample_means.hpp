@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "model/field_quantities.hpp"
 #include "model/result.hpp"
 #include "model/voxel_quantities.hpp"
@@ -15,12 +17,12 @@ StressOptions options_of(const FieldResult& sample);
 class SampleMeans {
  public:
   /// The sample has to outlive it.
-  explicit SampleMeans(const FieldResult& sample);
+  explicit SampleMeans(const FieldResult& sample) : sample_(sample) {}
   double of(const FieldQuantity& quantity) const;  ///< not a number where the field has it not
 
  private:
   const FieldResult& sample_;
-  Selection nodes_;
+  mutable std::optional<Selection> nodes_;  ///< chosen where a mean is asked for that is not stored
 };
 
 /// The same of a sample in space.
