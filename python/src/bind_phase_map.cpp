@@ -12,6 +12,7 @@
 #include "model/cement.hpp"
 #include "module.hpp"
 #include "phase_words.hpp"
+#include "solid/grid/cavity_statistics.hpp"
 #include "thermal/imaging/label_grains.hpp"
 #include "workflow/read_map.hpp"
 
@@ -127,6 +128,8 @@ void bind_phase_map(py::module_& m) {
       .def("__repr__", [](const PhaseMap& map) {
         return "<arenite.PhaseMap " + std::to_string(map.width) + " x " + std::to_string(map.height) + ">";
       });
+  m.def("_fractions_by_kind", &grid::fractions_by_kind, py::arg("map"),
+        "Fractions of the nodes: void, matrix, grains without class, small and large ones.");
   def_with_keywords(
       m, "read_phase_map", &read_map, map_keywords(),
       "A phase map from a picture with exact values (docs/formats.md), as `arenite load` reads it. `phases` "

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "report/packing_layers.hpp"
 #include "report/page_document.hpp"
 #include "solid/grid/cavities.hpp"
+#include "solid/grid/cavity_statistics.hpp"
 #include "solid/stress/grains.hpp"
 #include "solid/stress/sample_means.hpp"
 #include "solid/stress/stress.hpp"
@@ -60,6 +62,7 @@ Numbers map_of(const PhaseMap& map, const Numbers& numbers, const Thinning& kept
           {"phase", block.add_indices(kept.of(map.phase))},
           {"label", block.add_indices(labels_of(map.grain, kept))},
           {"grain_class", block.add_indices(map.grain_class)},
+          {"fractions", mapped(grid::fractions_by_kind(map), std::identity{})},
           {"cavities", cavities_of(map, numbers, kept, block)}};
 }
 

@@ -65,12 +65,8 @@ def draw_phases(axes, field, key=True):
 
 def phase_key(map):
     """Legend entries of the phases present, with their area fractions."""
-    share = np.bincount(kinds_of(map).ravel(), minlength=len(phases)) / (map.width * map.height)
-    return [
-        patch(phase_colours[name], f"{name} {100 * share[k]:.3g} %")
-        for k, name in reversed(list(enumerate(phases)))
-        if share[k] > 0
-    ]
+    shares = zip(phases, _core._fractions_by_kind(map))
+    return [patch(phase_colours[name], f"{name} {100 * share:.3g} %") for name, share in reversed([*shares]) if share]
 
 
 def values_of(field, component):

@@ -79,7 +79,7 @@ def draw_phases(figure, sample):
     used = [phase_colours[name] for name in phases[:3]]
     row = _rows(figure, map, 1)[0]
     _, axes = draw_slices(figure, map, map.phase, row, cmap=ListedColormap(used), vmin=-0.5, vmax=2.5)
-    share = np.bincount(map.phase.ravel(), minlength=3) / map.phase.size
+    share = [sample.numbers["map"]["phases"][name] for name in phases[:3]]
     entries = [patch(used[k], f"{phases[k]} {100 * share[k]:.3g} %") for k in (2, 1, 0) if share[k] > 0]
     key_below(axes[1], entries, 3)
 

@@ -117,10 +117,15 @@ PhaseFractions phase_fractions(const PhaseMap& map) {
   const auto share = [&](std::int64_t n) { return static_cast<double>(n) / static_cast<double>(map.phase.size()); };
   PhaseFractions f;
   f.empty = share(phase[0]), f.matrix = share(phase[1]), f.particle = share(phase[2]);
-  f.small = share(of_class[1]), f.large = share(of_class[2]);
+  f.unclassed = share(of_class[0]), f.small = share(of_class[1]), f.large = share(of_class[2]);
   const std::int64_t pores = phase[0] + phase[1];
   f.saturation = pores > 0 ? static_cast<double>(phase[1]) / static_cast<double>(pores) : 0;
   return f;
+}
+
+std::array<double, 5> fractions_by_kind(const PhaseMap& map) {
+  const PhaseFractions f = phase_fractions(map);
+  return {f.empty, f.matrix, f.unclassed, f.small, f.large};
 }
 
 double density_peak(const std::vector<double>& volumes) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -36,11 +37,16 @@ CavityStatistics cavity_statistics(const Cavities& cavities, double dx, double l
 struct PhaseFractions {
   double particle = 0, matrix = 0, empty = 0;  ///< rho_p, rho_m, rho_v
   double large = 0, small = 0;                 ///< rho_L, rho_S: the particle nodes of classed grains
+  double unclassed = 0;                        ///< the particle nodes of other grains
   /// S_m = rho_m/(1 - rho_p) (P III); 0 where all is grain.
   double saturation = 0;
 };
 
 PhaseFractions phase_fractions(const PhaseMap& map);
+
+/// The same of the kinds that pictures tell apart, in their order: void, matrix, grains without class, small and large
+/// ones.
+std::array<double, 5> fractions_by_kind(const PhaseMap& map);
 
 /// Where the probability density of positive volumes is highest, in their unit: the density of their logarithms under a
 /// Gaussian kernel of Silverman's width, over the volume. NaN for fewer than two different volumes.

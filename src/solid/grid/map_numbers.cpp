@@ -41,7 +41,10 @@ bool has_classes(const PhaseMap& map) {
 Numbers phases(const PhaseMap& map) {
   const auto f = phase_fractions(map);
   Numbers j{{"particle", f.particle}, {"matrix", f.matrix}, {"void", f.empty}};
-  if (has_classes(map)) j.update({{"large", f.large}, {"small", f.small}});
+  if (has_classes(map)) {
+    j.update({{"large", f.large}, {"small", f.small}});
+    if (f.unclassed > 0) j["unclassed"] = f.unclassed;
+  }
   return described(std::move(j), "", "Fraction of the nodes");
 }
 

@@ -59,7 +59,7 @@ export function flow(entries, room, draw) {
 
 function phaseKey({ map }, theme, room) {
   const entries = [4, 3, 2, 1, 0]
-    .filter((kind) => map.counts[kind] > 0)
+    .filter((kind) => map.share(kind) > 0)
     .map((kind) => ({
       kind,
       name: `${kindNames[kind]}${kind > 1 ? "s" : ""} ${text.number(100 * map.share(kind), 3)}\u202f%`,

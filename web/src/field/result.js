@@ -17,8 +17,6 @@ export class PhaseMap {
     for (let k = 0; k < phase.length; ++k)
       this.kind[k] = phase[k] < 2 ? phase[k] : classes.particle + (this.grainClass[this.label[k] - 1] ?? 0);
     this.cavities = unpacked(block, about.cavities ?? {});
-    this.counts = [0, 0, 0, 0, 0];
-    for (const kind of this.kind) ++this.counts[kind];
   }
 
   get size() {
@@ -27,8 +25,9 @@ export class PhaseMap {
   get box() {
     return { left: 0, bottom: 0, right: this.width * this.spacing, top: this.height * this.spacing };
   }
+  /** Of all nodes of the map, of which the page has some. */
   share(kind) {
-    return this.counts[kind] / this.size;
+    return this.about.fractions[kind];
   }
   kindOfGrain(g) {
     return classes.particle + this.grainClass[g];

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -96,6 +97,7 @@ TEST(PhaseFractions, AreSharesOfNodes) {
   EXPECT_EQ(f.matrix, 0.1);
   EXPECT_EQ(f.empty, 0.4);
   EXPECT_EQ(f.saturation, 0.2);
+  EXPECT_EQ(fractions_by_kind(map), (std::array<double, 5>{0.4, 0.1, 0, 0.2, 0.3}));
   EXPECT_EQ(phase_fractions(make_phase_map(3, 3, 1)).saturation, 0);
 }
 
