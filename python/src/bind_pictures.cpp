@@ -13,6 +13,7 @@
 #include "report/figures/state_numbers.hpp"
 #include "report/print/animation.hpp"
 #include "thermal/inference/film_fit.hpp"
+#include "thermal/inference/film_maps.hpp"
 
 /// What pictures are drawn from.
 namespace arenite::python {
@@ -114,6 +115,25 @@ void bind_pictures(py::module_& m) {
       py::arg("film"),
       "{name: (map, its root mean square)} of the warming with the load, of what the forces make of it, and of the "
       "difference, peak to peak; NaN where one of the two is not known. Empty without forces.");
+  m.attr("_faint_below") = inference::faint_below;
+  m.def(
+      "_film_maps",
+      [](const FilmResult* film) {
+        Call call;
+        py::dict all;
+        for (const inference::FilmMap& map : inference::film_maps()) {
+          const FilmResult none{};
+          py::dict one = to_python(inference::words_of(map, film ? *film : none));
+          auto values = call.without_lock([&] { return inference::values_of(map, film ? *film : none); });
+          if (film && values.empty()) continue;
+          if (film) one["values"] = taken_over(std::move(values), {film->film.height, film->film.width});
+          all[py::str(std::string(map.id))] = one;
+        }
+        return all;
+      },
+      py::arg("film") = py::none(),
+      "{name: {label, title, unit, around, cyclic, marks, values}} of the maps that a film has, in the order of its "
+      "page; without a film what is said of all.");
   m.def(
       "_doubtful_contacts", [](const FilmResult& film) { return taken_over(inference::doubtful_contacts(film)); },
       py::arg("film"), "1 for each contact that counts as there, and by its force and its gap may not be.");

@@ -19,24 +19,18 @@
 #include "report/packing_layers.hpp"
 #include "report/page_document.hpp"
 #include "thermal/inference/film_fit.hpp"
+#include "thermal/inference/film_maps.hpp"
 #include "thermal/inference/film_stresses.hpp"
-#include "thermal/thermography/lockin.hpp"
 
 namespace arenite::report {
 namespace {
 
-/// Which maps the page has, with the steps of their codes over their middle half width: noise does not deflate, so maps
-/// of nothing else have coarse ones; a phase comes to a tenth of a degree.
-constexpr double picture_steps = 2000, phase_steps = 1000, fine = 500, coarse = 125;
-constexpr std::pair<std::string_view, double> steps_of_maps[] = {{"amplitude", fine},
-                                                                 {"in_phase", fine},
-                                                                 {"second_harmonic", coarse},
-                                                                 {"standard_error", coarse},
-                                                                 {"residual", coarse}};
-
-/// Kelvin are digital levels in a film of these.
-std::string unit_in(const FilmInfo& film, const std::string& unit) {
-  return unit == "K" && film.quantity == FilmQuantity::digital_level ? "DL" : unit;
+/// The steps of the maps' codes over their middle half width: noise does not deflate, so maps of nothing else have
+/// coarse ones; a phase comes to a tenth of a degree.
+double steps_of(std::string_view map) {
+  if (map == "picture") return 2000;
+  if (map == "phase") return 1000;
+  return map == "amplitude" || map == "in_phase" || map == "fitted" ? 500 : 125;
 }
 
 std::vector<std::uint32_t> places_of_ones(const std::vector<std::uint8_t>& marks) {
@@ -55,23 +49,17 @@ Numbers map_of(int width, int height, const std::vector<float>& values, double l
   return out;
 }
 
+/// What is said of each map that the film has, and its values; a map with marks is drawn on the picture's.
 Numbers maps_of(const FilmResult& r, NumberBlock& block) {
   Numbers all = Numbers::tree();
-  const std::size_t pixels = r.film.pixels();
-  const auto add = [&](std::string_view name, const char* unit, const std::vector<float>& values, double levels) {
-    if (pixels == 0 || values.size() != pixels) return;
-    all[name] = map_of(r.film.width, r.film.height, values, levels, block);
-    all[name]["unit"] = unit_in(r.film, unit);
-  };
-  add("picture", "K", r.picture, picture_steps);
-  add("fitted", "K", r.fit.picture, fine);
-  add("fit_residual", "K", inference::fit_maps(r).residual, coarse);
-  for (const auto& [name, steps] : steps_of_maps) {
-    const LockinMap& map = *std::ranges::find(lockin_maps, name, &LockinMap::name);
-    add(name, map.unit, r.maps.*map.values, steps);
+  for (const inference::FilmMap& map : inference::film_maps()) {
+    const std::vector<float> values = inference::values_of(map, r);
+    if (values.empty()) continue;
+    Numbers& one = all[map.id];
+    one = inference::words_of(map, r);
+    if (map.marks_bad) one["on"] = "picture";
+    else one.update(map_of(r.film.width, r.film.height, values, steps_of(map.id), block));
   }
-  const auto degrees = [](float phase) { return static_cast<float>(phase * 180 / std::numbers::pi); };
-  add("phase", "deg", mapped(thermography::phase_after_load(r.maps), degrees), phase_steps);
   return all;
 }
 
@@ -84,7 +72,7 @@ Numbers film_of(const FilmResult& r) {
           {"integration", f.integration},
           {"format", f.format},
           {"camera", f.camera},
-          {"unit", unit_in(f, "K")},
+          {"unit", inference::unit_in(f, "K")},
           {"pixel", r.pixel},
           {"used", r.maps.frames},
           {"frequency", r.maps.frequency},
@@ -127,7 +115,7 @@ Numbers grains_of(const FilmResult& r, const inference::FilmStresses& stresses, 
   reals("radius", circles.radius, "px");
   reals("position_error", circles.position_error, "px");
   reals("radius_error", circles.radius_error, "px");
-  reals("temperature", r.peak_to_peak.temperature, unit_in(r.film, "K"));
+  reals("temperature", r.peak_to_peak.temperature, inference::unit_in(r.film, "K"));
   reals("sigma_hyd", r.peak_to_peak.sigma_hyd, "Pa");
   reals("error", r.peak_to_peak.error, "Pa");
   reals("motion_x", way(r.motion, r.maps.reference_phase, &Vec2::x), "px");
@@ -188,6 +176,7 @@ Numbers one_film(const FilmResult& r, const texture::Texture* texture, NumberBlo
               {"provenance", provenance_of(r.provenance)},
               {"film", film_of(r)},
               {"maps", maps_of(r, block)},
+              {"faint_below", inference::faint_below},
               {"bad", block.add_indices(places_of_ones(r.bad))},
               {"materials", materials_of(r.packing.materials)},
               {"grains", grains_of(r, stresses, block)},
@@ -201,7 +190,8 @@ Numbers one_film(const FilmResult& r, const texture::Texture* texture, NumberBlo
   Numbers numbers = r.numbers;
   erase(numbers, Trait::curve);
   add_numbers(out, numbers);
-  for (auto&& [name, meaning] : out["meanings"].items()) meaning[0] = unit_in(r.film, meaning[0].get<std::string>());
+  for (auto&& [name, meaning] : out["meanings"].items())
+    meaning[0] = inference::unit_in(r.film, meaning[0].get<std::string>());
   return out;
 }
 

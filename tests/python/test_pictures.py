@@ -117,11 +117,14 @@ def test_roses_are_of_all_of_strong_and_weak_contacts_and_of_types(result):
 def test_the_fit_of_a_film_is_drawn_with_the_root_mean_squares_of_the_library(monkeypatch):
     maps = {name: (np.full((2, 2), value), value) for name, value in (("measured", 3e-3), ("fitted", 2e-3))}
     maps["residual"] = (np.full((2, 2), np.nan), np.nan)
-    monkeypatch.setattr(films, "_core", types.SimpleNamespace(_fit_maps=lambda film: maps))
+    said = _core._film_maps()
+    monkeypatch.setattr(
+        films, "_core", types.SimpleNamespace(_fit_maps=lambda film: maps, _film_maps=lambda film: said)
+    )
     figure = saving.Canvas()
     films.draw_fit(figure, types.SimpleNamespace(pixel=1e-3))
     titles = [a.get_title() for a in figure.axes]
-    assert titles[:3] == ["measured, r.m.s. 3 mK", "from the forces, r.m.s. 2 mK", "residual"]
+    assert titles[:3] == ["measured, r.m.s. 3 mK", "from forces, r.m.s. 2 mK", "misfit"]
 
 
 def a_film(amplitude=1.0):
@@ -145,20 +148,55 @@ def test_phases_of_a_film_lost_in_noise_are_pale():
     assert colours[1, 1].min() > 0.8 > colours[0, 0].min()  # pale where noise hides it
 
 
-def test_maps_of_a_film_are_those_that_it_holds():
+def drawn_maps(monkeypatch, film, unit):
+    """Its maps in print, of a film in this unit."""
+    values = {
+        "picture": film.picture,
+        "amplitude": film.maps.amplitude,
+        "phase": np.degrees(film.maps.phase_after_load),
+        "in_phase": film.maps.in_phase,
+        "fitted": film.maps.in_phase,
+        "standard_error": film.maps.standard_error,
+        "residual": film.maps.residual,
+        "bad": film.picture,
+    }
+    said = {
+        name: {**words, "unit": words["unit"] and unit, "values": values[name]}
+        for name, words in _core._film_maps().items()
+        if name in values
+    }
+    core = types.SimpleNamespace(
+        _film_maps=lambda film=None: said if film else _core._film_maps(), _faint_below=_core._faint_below
+    )
+    monkeypatch.setattr(films, "_core", core)
     canvas = saving.Canvas()
-    panels.film_maps(canvas, a_film())
-    titles = [a.get_title() for a in canvas.axes if a.get_title()]
+    panels.film_maps(canvas, film)
+    return canvas, [a.get_title().replace("\n", " ") for a in canvas.axes if a.get_title()]
+
+
+def test_maps_of_a_film_are_those_that_it_holds_in_the_words_of_the_library(monkeypatch):
+    levels = drawn_maps(monkeypatch, a_film(), "DL")[1]
+    assert [title for title in levels if title.endswith(", DL")] == [
+        "image at the smallest load, DL",
+        "amplitude, DL",
+        "warming with the load, DL",
+        "warming predicted from the contact forces, DL",
+        "standard error of the signed amplitude, DL",
+        "residual of the fit, DL",
+    ]
+    monkeypatch.undo()
+    canvas, titles = drawn_maps(monkeypatch, a_film(), "K")
     assert titles == [
-        "smallest load, K",
-        "amplitude, mK",
+        "image at the smallest load, K",
+        "amplitude, K",
         "phase relative to the load, °",
         "warming with the load, mK",
-        "standard error, mK",
-        "residual of the fit, mK",
+        "warming predicted from the contact forces, mK",
+        "standard error of the signed amplitude, mK",
+        "residual of the fit, K",
         "1 pixels replaced",
     ]
-    (signed,) = [a.images[0] for a in canvas.axes if a.get_title().startswith("warming")]
+    (signed,) = [a.images[0] for a in canvas.axes if a.get_title().startswith("warming with")]
     low, high = signed.get_clim()
     assert low == -high and high > 300
 

@@ -1,16 +1,40 @@
 """Pictures of an infrared film: maps of its pixels, grains by their stress (T figures 3.7 to 3.10)."""
 
+from textwrap import fill
+
 import numpy as np
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import ListedColormap, Normalize
 
 from .. import _core
 from .packings import circles
-from .style import bare, cyclic_map, diverging_map, even_map, length_bar, most_stress, picture_map, stress_map, strong
+from .style import (
+    bare,
+    cyclic_map,
+    diverging_map,
+    even_map,
+    length_bar,
+    most_stress,
+    picture_map,
+    scaled,
+    stress_map,
+    strong,
+)
 
 simulation_names = {"peak_to_peak": "simulation, peak to peak", "state": "simulation, largest load"}
-faint_below = 3  # standard errors
 bad_pixel = "#ff2d95"
+palettes = {
+    "picture": picture_map,
+    "amplitude": stress_map,
+    "phase": cyclic_map,
+    "in_phase": diverging_map,
+    "fitted": diverging_map,
+    "fit_residual": diverging_map,
+    "second_harmonic": stress_map,
+    "standard_error": even_map,
+    "residual": even_map,
+    "bad": picture_map,
+}
 
 
 def _show(axes, values, pixel, **options):
@@ -44,59 +68,69 @@ def draw_map(axes, values, label=None, share=0.005, colour_map="inferno", about=
 
 def draw_fit(figure, film):
     """The measured map, the map predicted from the contact forces, and their difference: peak to peak on one scale."""
-    maps = _core._fit_maps(film)
+    maps, said = _core._fit_maps(film), _core._film_maps(film)
     known = maps["measured"][0][np.isfinite(maps["measured"][0])]
-    reach = np.quantile(np.abs(known), 0.99) if known.size else 1
-    for k, (title, name) in enumerate(
-        [("measured", "measured"), ("from the forces", "fitted"), ("residual", "residual")]
-    ):
+    factor, unit = scaled(np.quantile(np.abs(known), 0.99) if known.size else 0, said["in_phase"]["unit"])
+    reach = np.quantile(np.abs(known), 0.99) / factor if known.size else 1
+    titles = ("measured", said["fitted"]["label"].lower(), said["fit_residual"]["label"].lower())
+    for k, (title, name) in enumerate(zip(titles, ("measured", "fitted", "residual"))):
         axes = figure.add_subplot(1, 3, k + 1)
         values, spread = maps[name]
-        shown = _show(axes, values, film.pixel, vmin=-reach, vmax=reach, cmap=diverging_map)
-        axes.set_title(f"{title}, r.m.s. {1e3 * spread:.3g} mK" if np.isfinite(spread) else title)
-    figure.colorbar(shown, ax=figure.axes, label="warming with the load (K)", shrink=0.8)
+        shown = _show(axes, values / factor, film.pixel, vmin=-reach, vmax=reach, cmap=diverging_map)
+        axes.set_title(f"{title}, r.m.s. {spread / factor:.3g} {unit}" if np.isfinite(spread) else title)
+    figure.colorbar(shown, ax=figure.axes, label=f"warming with the load ({unit})", shrink=0.8)
 
 
 def draw_phase(axes, maps, pixel=0):
-    """Phase relative to the load; pale where the amplitude is below three standard errors and the phase is
-    meaningless."""
+    """Phase relative to the load; pale where the amplitude is too few standard errors and the phase is meaningless."""
+    said = _core._film_maps()["phase"]
+    _phase(axes, {**said, "values": np.degrees(maps.phase_after_load)}, maps.amplitude, maps.standard_error, pixel)
+
+
+def _phase(axes, said, amplitude, error, pixel):
     norm = Normalize(-180, 180)
-    shown = cyclic_map(norm(np.degrees(maps.phase_after_load)))
-    faint = np.asarray(maps.amplitude) < faint_below * np.asarray(maps.standard_error)
-    shown[faint, :3] = 1 - 0.2 * (1 - shown[faint, :3])
+    shown = palettes["phase"](norm(said["values"]))
+    if np.size(amplitude) and np.size(error):
+        faint = np.asarray(amplitude) < _core._faint_below * np.asarray(error)
+        shown[faint, :3] = 1 - 0.2 * (1 - shown[faint, :3])
     _show(axes, shown, pixel)
-    axes.set_title("phase relative to the load, °")
+    axes.set_title(in_small(said["title"]))
     axes.figure.colorbar(ScalarMappable(norm, cyclic_map), ax=axes, shrink=0.8, ticks=[-180, -90, 0, 90, 180])
 
 
 def draw_bad_pixels(axes, film):
     """The replaced pixels, on the image at the smallest load."""
-    draw_map(axes, film.picture, "smallest load, K", colour_map=picture_map, pixel=film.pixel)
+    said = _core._film_maps()["bad"]
+    draw_map(axes, film.picture, said["title"], colour_map=palettes["bad"], pixel=film.pixel)
     bad = np.asarray(film.bad, bool)
     _show(axes, np.where(bad, 1.0, np.nan), film.pixel, cmap=ListedColormap([bad_pixel]))
     axes.set_title(f"{bad.sum()} pixels replaced")
 
 
+def in_small(title):
+    """A title as print has it: without a capital, and without what is set apart in brackets."""
+    return title[0].lower() + title[1:].split(" (")[0]
+
+
+def draw_film_map(axes, film, name, said):
+    """One of `_film_maps`."""
+    if said["marks"]:
+        return draw_bad_pixels(axes, film)
+    if said["cyclic"]:
+        return _phase(axes, said, film.maps.amplitude, film.maps.standard_error, film.pixel)
+    known = np.abs(said["values"][np.isfinite(said["values"])])
+    factor, unit = scaled(known.max() if known.size else 0, said["unit"])
+    about = 0 if said["around"] == "zero" else None
+    title = fill(f"{in_small(said['title'])}, {unit}", 34)
+    return draw_map(axes, said["values"] / factor, title, colour_map=palettes[name], about=about, pixel=film.pixel)
+
+
 def map_panels(film):
     """[function of axes] that draw the maps of a film, in the order of the page."""
-    maps = film.maps
-
-    def of(values, label, **options):
-        return (lambda axes: draw_map(axes, values, label, pixel=film.pixel, **options)) if np.size(values) else None
-
-    drawn = [
-        of(film.picture, "smallest load, K", colour_map=picture_map),
-        of(1e3 * maps.amplitude, "amplitude, mK", colour_map=stress_map),
-        (lambda axes: draw_phase(axes, maps, film.pixel))
-        if np.size(maps.phase_after_load) and np.size(maps.standard_error)
-        else None,
-        of(1e3 * maps.in_phase, "warming with the load, mK", colour_map=diverging_map, about=0),
-        of(1e3 * maps.second_harmonic, "amplitude at 2 f, mK", colour_map=stress_map),
-        of(1e3 * maps.standard_error, "standard error, mK", colour_map=even_map),
-        of(1e3 * maps.residual, "residual of the fit, mK", colour_map=even_map),
-        (lambda axes: draw_bad_pixels(axes, film)) if np.any(getattr(film, "bad", False)) else None,
+    return [
+        lambda axes, name=name, said=said: draw_film_map(axes, film, name, said)
+        for name, said in _core._film_maps(film).items()
     ]
-    return [draw for draw in drawn if draw]
 
 
 def uncertain(film):

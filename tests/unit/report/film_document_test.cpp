@@ -100,6 +100,7 @@ TEST(FilmDocument, SaysUnitsAndMeaningsAsTheyAreDeclaredAndLevelsWhereTheFilmHas
   FilmResult levels = film_sample().film;
   levels.film.quantity = FilmQuantity::digital_level;
   EXPECT_EQ(document_of(levels)["maps"]["amplitude"]["unit"], "DL");
+  EXPECT_EQ(document_of(levels)["maps"]["phase"]["unit"], "");
   EXPECT_EQ(document_of(levels)["meanings"]["lockin.standard_error_K"][0], "DL");
 }
 

@@ -12,15 +12,15 @@ const shades = 512,
 /** What the film shows, what the forces make of it, and the difference, in the pixels that have both, peak to peak;
     with their root mean squares. */
 function pictures(film) {
-  const { fit } = film.about,
+  const { fit, maps } = film.about,
     residual = film.values("fit_residual");
   const measured = film
     .values("in_phase")
     .map((v, k) => (Number.isFinite(residual[k]) ? fit.to_peak_to_peak * v : NaN));
   return [
     ["measured", measured, fit.measured_rms],
-    ["from the forces", film.values("fitted"), fit.fitted_rms],
-    ["residual", residual, fit.residual_rms],
+    [maps.fitted.label.toLowerCase(), film.values("fitted"), fit.fitted_rms],
+    [maps.fit_residual.label.toLowerCase(), residual, fit.residual_rms],
   ];
 }
 

@@ -3,7 +3,7 @@ import { label, richSvg, s } from "../dom.js";
 import { scaleBar } from "../scale_bar.js";
 import { text } from "../text.js";
 import { materialLine } from "../theme.js";
-import { faintBelow, maps } from "./maps.js";
+import { palettes } from "./maps.js";
 import { barWidth, magnification, stressTop } from "./overlay.js";
 import { scaleOf } from "./paint.js";
 
@@ -26,13 +26,12 @@ export function legend(film, camera, theme, state, width) {
 
 function mapKey(film, state, theme, length) {
   const name = state.get("map"),
-    { title, palette, cyclic, marks } = maps[name];
-  const words = title(film);
+    { title, cyclic, marks } = film.about.maps[name];
   const key = colourBar({
-    title: length < narrow ? words.replace(/ \(.*\)/, "") : words, // beside it there is the bar of known length
+    title: length < narrow ? title.replace(/ \(.*\)/, "") : title, // beside it there is the bar of known length
     unit: film.unitOf(name),
     scale: scaleOf(film, state),
-    palette: theme[palette],
+    palette: theme[palettes[name]],
     theme,
     length,
     at: cyclic ? [-180, -90, 0, 90, 180] : null,
@@ -66,7 +65,7 @@ export function stressKey(film, theme, length) {
 function lineKey(film, camera, theme, state) {
   const group = s("g", { transform: "translate(0 81)" });
   const bare = state.get("grains") === "stress",
-    { marks, cyclic } = maps[state.get("map")];
+    { marks, cyclic } = film.about.maps[state.get("map")];
   let x = marks && !bare ? 148 : 1;
   const add = (shape, words) => {
     const wide = 27 + 6.2 * words.replace(/[_{}]/g, "").length;
@@ -75,7 +74,7 @@ function lineKey(film, camera, theme, state) {
     x += wide + 15;
   };
   if (cyclic && !bare) {
-    group.append(label(x, 0, `pale: below ${faintBelow} standard errors`));
+    group.append(label(x, 0, `pale: below ${film.about.faint_below} standard errors`));
     x += 190;
   }
   if (state.get("grains") === "material")

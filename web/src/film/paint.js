@@ -1,6 +1,6 @@
 import { clips, makeScale } from "../field/scale.js";
 import { bytes, packed } from "../theme.js";
-import { faintness, maps } from "./maps.js";
+import { faintness, palettes } from "./maps.js";
 
 const shades = 512;
 const circle = {
@@ -22,7 +22,7 @@ export function scaleOf(film, state) {
   film.orders ??= new Map();
   if (!film.orders.has(name)) film.orders.set(name, film.values(name).filter(Number.isFinite).sort());
   const order = film.orders.get(name),
-    { cyclic, around } = maps[name];
+    { cyclic, around } = film.about.maps[name];
   film.scaleKey = key;
   return (film.keptScale = {
     ...(cyclic
@@ -40,17 +40,18 @@ export function painted(film, state, theme) {
   const name = state.get("map"),
     scale = scaleOf(film, state),
     values = film.values(name),
-    palette = theme[maps[name].palette];
+    palette = theme[palettes[name]],
+    { cyclic, marks } = film.about.maps[name];
   const table = Uint32Array.from({ length: shades }, (_, k) => packed(palette((k + 0.5) / shades))),
     none = packed(theme.field.aside);
-  const faint = maps[name].cyclic && faintness(film),
+  const faint = cyclic && faintness(film),
     pale = faint && table.map((_, k) => packed(mixed(palette((k + 0.5) / shades), theme.card)));
   const out = new Uint32Array(values.length);
   for (let k = 0; k < out.length; ++k) {
     const shade = Math.min(shades - 1, Math.max(0, Math.floor(scale.of(values[k]) * shades)));
     out[k] = Number.isNaN(values[k]) ? none : faint && faint(k) ? pale[shade] : table[shade];
   }
-  if (maps[name].marks) for (const k of film.bad) out[k] = packed(theme.badPixel);
+  if (marks) for (const k of film.bad) out[k] = packed(theme.badPixel);
   canvas.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(out.buffer), film.width, film.height), 0, 0);
   return canvas;
 }

@@ -1,6 +1,6 @@
 import { choice, toggle } from "../choice.js";
 import { h } from "../dom.js";
-import { available, maps } from "./maps.js";
+import { available } from "./maps.js";
 import { FilmView } from "./view.js";
 
 /** The card with the film: which map, what lies over it, the picture. */
@@ -21,7 +21,7 @@ export function filmPanel(film, state) {
     ]),
   );
   const refresh = () => {
-    scale.hidden = Boolean(maps[state.get("map")].cyclic);
+    scale.hidden = film.about.maps[state.get("map")].cyclic;
   };
   state.watch(["map"], refresh);
   refresh();
@@ -35,7 +35,7 @@ export function filmPanel(film, state) {
         "",
         "map",
         state,
-        available(film).map((name) => [name, maps[name].label]),
+        available(film).map((name) => [name, film.about.maps[name].label]),
       ),
       h(
         "span",

@@ -1,7 +1,6 @@
 import { unpack, unpacked } from "../block.js";
 import { DescribedResult } from "../described_result.js";
 import { decodeField } from "../field/decode.js";
-import { maps } from "./maps.js";
 
 /** A film of a loaded packing: maps are decoded when first asked for; grains in pixels, y down. */
 export class FilmResult extends DescribedResult {
@@ -34,7 +33,7 @@ export class FilmResult extends DescribedResult {
     return { left: -0.5, right: this.width - 0.5, bottom: 0.5 - this.height, top: 0.5 };
   }
   unitOf(map) {
-    return maps[map].unit ?? this.about.maps[maps[map].stored].unit;
+    return this.about.maps[map].unit;
   }
 
   /** A contact that counts as there, and by its force and its gap may not be. */
@@ -71,9 +70,8 @@ export class FilmResult extends DescribedResult {
   }
 
   #decoded(name) {
-    const { stored } = maps[name],
-      about = this.about.maps[stored];
-    if (name !== stored) return this.values(stored);
+    const about = this.about.maps[name];
+    if (about.on) return this.values(about.on);
     const values = decodeField(this.width, unpack(this.#block, about.residual), about);
     if (about.holes) for (const k of unpack(this.#block, about.holes)) values[k] = NaN;
     return values;

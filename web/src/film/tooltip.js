@@ -1,6 +1,5 @@
 import { materialColour } from "../theme.js";
 import { prefixOf, text } from "../text.js";
-import { maps } from "./maps.js";
 
 /** A value and its standard error in the unit that suits the larger one: "3.60 ± 0.17 kN". */
 export function quantityWithError(value, error, unit) {
@@ -14,8 +13,8 @@ export function quantityWithError(value, error, unit) {
 export function pixelNumbers(film, pixel, grain, theme) {
   const column = pixel % film.width,
     row = Math.floor(pixel / film.width);
-  const rows = Object.entries(maps)
-    .filter(([name, { stored }]) => name !== "bad" && film.about.maps[stored])
+  const rows = Object.entries(film.about.maps)
+    .filter(([, { on }]) => !on)
     .map(([name, { label, cyclic }]) => {
       const value = film.values(name)[pixel],
         unit = film.unitOf(name);
