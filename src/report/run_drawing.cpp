@@ -8,12 +8,14 @@
 #include "campaign/virtual_film.hpp"
 #include "core/mapped.hpp"
 #include "geometry/rectangle.hpp"
+#include "grains/texture/force_scale.hpp"
 #include "grains/texture/solid_fraction.hpp"
 #include "io/disk/store_file.hpp"
 #include "model/shapes.hpp"
 #include "report/field_drawing.hpp"
 #include "report/packing_layers.hpp"
 #include "report/study_figures.hpp"
+#include "statistics/estimate.hpp"
 #include "statistics/run_means.hpp"
 
 namespace arenite::report {
@@ -26,15 +28,15 @@ double hundredth(double value) { return std::isfinite(value) ? std::round(100 * 
 double in_mm(double metres) { return hundredth(1e3 * metres); }
 
 Numbers contacts_json(const Contacts& contacts) {
-  const double mean = mean_compressive_force(contacts);
+  const texture::ForceScale scale = texture::force_scale(contacts, statistics::unknown);
   Numbers i = Numbers::list(), j = Numbers::list(), f = Numbers::list();
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     if (contacts.is_wall(c)) continue;
     i.push_back(contacts.i[c]);
     j.push_back(contacts.j[c]);
-    f.push_back(hundredth(contacts.fn[c] / mean));
+    f.push_back(hundredth(contacts.fn[c] / scale.mean));
   }
-  return {{"i", i}, {"j", j}, {"f", f}};
+  return {{"i", i}, {"j", j}, {"f", f}, {"tension", scale.mean > 0 ? scale.tension / scale.mean : 0.0}};
 }
 
 /// What is drawn of grains, in metres.

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/mapped.hpp"
+#include "grains/texture/force_scale.hpp"
 #include "grains/texture/spheres/sphere_view.hpp"
 #include "report/figures/headlines.hpp"
 #include "report/figures/run_figures.hpp"
@@ -70,7 +71,7 @@ Numbers bonds_of(const std::vector<BondIn<3>>& bonds, NumberBlock& block) {
           {"z", block.add_reals(place(2), "m")}};
 }
 
-Numbers state_of(const SnapshotIn<3>& state, NumberBlock& block) {
+Numbers state_of(const SnapshotIn<3>& state, const Numbers& measured, NumberBlock& block) {
   const PackingIn<3>& packing = state.packing;
   const GrainsIn<3>& grains = packing.grains;
   Numbers out{{"label", state.label}, {"time", state.time}, {"count", grains.size()}};
@@ -90,6 +91,8 @@ Numbers state_of(const SnapshotIn<3>& state, NumberBlock& block) {
   if (std::ranges::none_of(std::views::iota(std::size_t{0}, packing.contacts.size()), bears)) return out;
   out["stress"] = block.add_coarse(texture::spheres::hydrostatic_stresses(packing), "Pa");
   out["forces"] = forces_of(packing, block);
+  const double mean = figures::estimate_at(measured, "/force/mean_N").value;
+  out["force_scale"] = report::numbers_of(texture::force_scale(packing.contacts, mean));
   return out;
 }
 
@@ -101,7 +104,7 @@ Numbers stage_of(const SphereResult& r, NumberBlock& block, const figures::Write
               {"headlines", figures::numbers_of(figures::headlines_of(r))},
               {"figures", shortened(figures::numbers_of(figures::sphere_figures(), r, write, true))}};
   add_numbers(out, r.texture.is_tree() ? r.texture : Numbers::tree());
-  if (!r.snapshots.empty()) out["state"] = state_of(r.snapshots.back(), block);
+  if (!r.snapshots.empty()) out["state"] = state_of(r.snapshots.back(), r.texture, block);
   return out;
 }
 

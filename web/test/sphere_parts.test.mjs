@@ -55,9 +55,9 @@ test("a bond that holds is a rod between its spheres, one that broke a ball wher
   assert.equal(twice.kind.length, 8);
 });
 
-test("a force above the mean is strong, one below 0 pulls", () => {
+test("a force above the mean is strong, one below the traces of tension pulls", () => {
   assert.deepEqual(
-    [2, 0.5, -3].map((force) => kindOf(force, 1)),
-    ["strong", "weak", "tension"],
+    [2, 0.5, -1e-4, -3].map((force) => kindOf(force, { mean: 1, tension: -1e-3 })),
+    ["strong", "weak", "weak", "tension"],
   );
 });

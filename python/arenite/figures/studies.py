@@ -101,7 +101,9 @@ def _chains(axes, sample, x, y, r):
     widths = np.maximum(0.05, 0.25 * r.mean() * points * np.abs(force))
     lines = np.stack([np.column_stack([x[i], y[i]]), np.column_stack([x[j], y[j]])], axis=1)
     axes.add_collection(
-        LineCollection(lines, linewidths=widths, colors=np.where(force < 0, "#cc79a7", strong), capstyle="round")
+        LineCollection(
+            lines, linewidths=widths, colors=np.where(force < sample["tension"], "#cc79a7", strong), capstyle="round"
+        )
     )
 
 

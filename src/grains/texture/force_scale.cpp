@@ -1,31 +1,41 @@
 #include "grains/texture/force_scale.hpp"
 
+#include <cstddef>
+
 namespace arenite::texture {
 namespace {
 
-double mean_push(const Contacts& contacts, const std::vector<std::uint8_t>& doubtful) {
+/// Contacts between grains that push.
+struct Pushes {
   double sum = 0;
   std::size_t count = 0;
-  for (std::size_t c = 0; c < contacts.fn.size(); ++c)
-    if (contacts.fn[c] > 0 && (doubtful.empty() || !doubtful[c])) sum += contacts.fn[c], ++count;
-  return count > 0 ? sum / static_cast<double>(count) : 0;
-}
+
+  template <int D> void add(const ContactsIn<D>& contacts, const std::vector<std::uint8_t>& doubtful = {}) {
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+      if (contacts.fn[c] > 0 && !contacts.is_wall(c) && (doubtful.empty() || !doubtful[c]))
+        sum += contacts.fn[c], ++count;
+  }
+  double mean() const { return count > 0 ? sum / static_cast<double>(count) : 0; }
+};
 
 }  // namespace
 
-ForceScale force_scale(const Contacts& contacts, double measured, const std::vector<std::uint8_t>& doubtful) {
+template <int D>
+ForceScale force_scale(const ContactsIn<D>& contacts, double measured, const std::vector<std::uint8_t>& doubtful) {
   constexpr double trace = 1e-3;  // of the mean
-  const double mean = measured > 0 ? measured : mean_push(contacts, doubtful);
+  Pushes pushes;
+  if (!(measured > 0)) pushes.add(contacts, doubtful);
+  const double mean = measured > 0 ? measured : pushes.mean();
   return {mean, -trace * mean};
 }
 
+template ForceScale force_scale(const ContactsIn<2>&, double, const std::vector<std::uint8_t>&);
+template ForceScale force_scale(const ContactsIn<3>&, double, const std::vector<std::uint8_t>&);
+
 double mean_push(const std::vector<const Contacts*>& states) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (const Contacts* state : states)
-    for (const double force : state->fn)
-      if (force > 0) sum += force, ++count;
-  return count > 0 ? sum / static_cast<double>(count) : 0;
+  Pushes pushes;
+  for (const Contacts* state : states) pushes.add(*state);
+  return pushes.mean();
 }
 
 }  // namespace arenite::texture

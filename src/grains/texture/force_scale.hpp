@@ -12,11 +12,13 @@ struct ForceScale {
   double tension = 0;  ///< those below it pull: in equilibrium the dashpots leave traces of tension that mean nothing
 };
 
-/// By the mean that was `measured` of the sample, where it is known and above 0, or else by that of the contacts that
-/// push. `doubtful`: 1 for contacts that may be absent and do not count; empty: there is none.
-ForceScale force_scale(const Contacts& contacts, double measured, const std::vector<std::uint8_t>& doubtful = {});
+/// By the mean that was `measured` of the sample, where it is known and above 0, or else by that of the contacts
+/// between grains that push. `doubtful`: 1 for contacts that may be absent and do not count; empty: there is none.
+template <int D>
+ForceScale force_scale(const ContactsIn<D>& contacts, double measured, const std::vector<std::uint8_t>& doubtful = {});
 
-/// Mean force of the contacts that push, of several states together: one scale for all of them, N; 0 where none pushes.
+/// Mean force of the contacts between grains that push, of several states together: one scale for all of them, N; 0
+/// where none pushes.
 double mean_push(const std::vector<const Contacts*>& states);
 
 }  // namespace arenite::texture

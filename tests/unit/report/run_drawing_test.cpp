@@ -70,7 +70,9 @@ TEST(SampleDrawing, BodiesHaveTheirRimsAndBoundariesWhatIsSeenOfThem) {
 }
 
 TEST(SampleDrawing, ForcesOrStressesAreThereWhereTheyAreShown) {
-  EXPECT_EQ(Json::parse(to_json(sample_drawing(state(), FigureKind::forces)))["f"], Json::parse("[1.0]"));
+  const Json forces = Json::parse(to_json(sample_drawing(state(), FigureKind::forces)));
+  EXPECT_EQ(forces["f"], Json::parse("[1.0]"));
+  EXPECT_DOUBLE_EQ(forces["tension"].get<double>(), -1e-3);  // of the mean, as everywhere
   EXPECT_EQ(Json::parse(to_json(sample_drawing(state(), FigureKind::stresses)))["stress"], Json::parse("[0.5,1.5]"));
 }
 

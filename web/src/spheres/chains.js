@@ -5,8 +5,8 @@ const perMean = 0.09, // radius of a line over the mean radius, at the mean forc
   thinnest = 0.015,
   thickest = 0.4;
 
-/** Strong is a force above the mean. */
-export const kindOf = (force, mean) => (force < 0 ? "tension" : force > mean ? "strong" : "weak");
+/** By the library's scale of forces: strong is above the mean, tension beyond its traces. */
+export const kindOf = (force, { mean, tension }) => (force < tension ? "tension" : force > mean ? "strong" : "weak");
 
 /** How thick a force is drawn, m. */
 export const thicknessOf = (result, force) =>
@@ -20,14 +20,14 @@ export function linesOf(result) {
     radius = [],
     kind = [];
   const at = (g) => [0, 1, 2].map((axis) => balls[4 * g + axis]),
-    mean = result.meanForce;
+    scale = result.state.force_scale;
   forces.fn.forEach((force, c) => {
     const [i, j] = [forces.i[c], forces.j[c]],
       from = at(i);
     for (const line of j < result.count ? between(from, at(j), container) : toWall(from, j - result.count, container)) {
       ends.push(...line);
       radius.push(thicknessOf(result, force));
-      kind.push(kindOf(force, mean));
+      kind.push(kindOf(force, scale));
     }
   });
   return { ends: new Float32Array(ends), radius: new Float32Array(radius), kind };

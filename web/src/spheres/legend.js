@@ -60,12 +60,13 @@ function bondKey({ state }, theme, y) {
 }
 
 function forceKey(result, theme, width, camera, y) {
-  const mean = result.meanForce,
+  const { force_scale: scale, forces: acting } = result.state,
+    { mean, tension } = scale,
     group = s("g", { transform: `translate(0 ${y})` }),
-    forces = [0.5 * mean, 3 * mean, ...(result.state.forces.fn.some((force) => force < 0) ? [-mean] : [])];
+    forces = [0.5 * mean, 3 * mean, ...(acting.fn.some((force) => force < tension) ? [-mean] : [])];
   let x = 3;
   for (const force of forces) {
-    const name = kindOf(force, mean),
+    const name = kindOf(force, scale),
       thick = Math.min(9, Math.max(1, 2 * thicknessOf(result, force) * camera.scale));
     group.append(
       s("line", { x1: x, x2: x + 20, stroke: theme[name], "stroke-width": thick, "stroke-linecap": "round" }),

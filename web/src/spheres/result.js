@@ -67,10 +67,7 @@ export class SphereResult extends DescribedResult {
 
   /** Mean force of the contacts that push. */
   get meanForce() {
-    const known = this.declared.at("force.mean_N");
-    if (known !== undefined) return known.value ?? known;
-    const pushing = this.state.forces.fn.filter((force) => force > 0);
-    return pushing.reduce((sum, force) => sum + force, 0) / Math.max(1, pushing.length);
+    return this.state.force_scale.mean;
   }
 
   /** Where a cut along an axis lies, from the middle; beyond all where nothing is cut. */

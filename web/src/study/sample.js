@@ -47,13 +47,13 @@ export function sampleFigure(figure) {
   };
 }
 
-function materialKey(theme, { materials = [], material, glued, f }) {
+function materialKey(theme, { materials = [], material, glued, f, tension }) {
   const names = materials
     .map((name, m) => ({ name, colour: materialColour(theme, m) }))
     .filter((_, m) => material.includes(m));
   const last = [
     glued.includes(1) && { name: "glued", colour: theme.accent },
-    f?.some((v) => v < 0) && { name: "tension", colour: theme.tension },
+    f?.some((v) => v < tension) && { name: "tension", colour: theme.tension },
   ];
   return [...(names.length > 1 ? names : []), ...last.filter(Boolean)];
 }
@@ -79,7 +79,7 @@ function disk([x, y], r) {
 }
 
 /** Lines of like width are one path. The mean force is a quarter as wide as a mean grain's radius. */
-function chains({ i, j, f, r }, place, scale, theme) {
+function chains({ i, j, f, r, tension }, place, scale, theme) {
   const unit = (0.25 * scale * r.reduce((a, b) => a + b, 0)) / r.length;
   const width = (c) => Math.max(0.5, Math.round(4 * Math.abs(f[c]))) / 4;
   const line = (c) =>
@@ -91,8 +91,8 @@ function chains({ i, j, f, r }, place, scale, theme) {
       )
       .join("L")}`;
   return [
-    [(c) => f[c] >= 0, theme.strong],
-    [(c) => f[c] < 0, theme.tension],
+    [(c) => f[c] >= tension, theme.strong],
+    [(c) => f[c] < tension, theme.tension],
   ].flatMap(([wanted, stroke]) =>
     [...grouped([...f.keys()].filter(wanted), width, line)].map(([w, d]) =>
       s("path", { d, stroke, "stroke-width": (w * unit).toFixed(3), "stroke-linecap": "round", fill: "none" }),

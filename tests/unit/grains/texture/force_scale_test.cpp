@@ -14,7 +14,18 @@ TEST(ForceScale, IsByTheMeasuredMeanOrElseByContactsThatPush) {
   EXPECT_DOUBLE_EQ(force_scale(contacts, 5).tension, -0.005);
   EXPECT_DOUBLE_EQ(force_scale(contacts, statistics::unknown).mean, 8);
   EXPECT_DOUBLE_EQ(force_scale(contacts, statistics::unknown, {0, 0, 0, 1}).mean, 2);
-  EXPECT_EQ(force_scale({}, statistics::unknown).mean, 0);
+  EXPECT_EQ(force_scale(Contacts{}, statistics::unknown).mean, 0);
+  contacts.add(0, wall_partner(top), {0, -1}, 50, 0, 1, 0);
+  EXPECT_DOUBLE_EQ(force_scale(contacts, statistics::unknown).mean, mean_compressive_force(contacts));
+}
+
+TEST(ForceScale, TellsTracesOfTensionBetweenSpheresFromPulls) {
+  ContactsIn<3> contacts;
+  for (const double force : {1.0, 3.0, -1e-3, -8.0}) contacts.add(0, 1, {1, 0, 0}, force, {}, 1, 1);
+  const ForceScale scale = force_scale(contacts, statistics::unknown);
+  EXPECT_DOUBLE_EQ(scale.mean, 2);
+  EXPECT_GT(contacts.fn[2], scale.tension);
+  EXPECT_LT(contacts.fn[3], scale.tension);
 }
 
 TEST(ForceScale, OfSeveralStatesIsTheMeanOfAllTheirContactsThatPush) {
