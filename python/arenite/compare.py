@@ -1,6 +1,6 @@
 """Two results side by side: `rows(a, b)`, `save_page(a, b, "compare.html")`, or `python3 -m arenite.compare A B`.
 
-What one asks of a test first (peak and critical state, strength, rate of discharge), then every number of both, with
+What one asks first (peak and critical state, strength, stresses in grains), then every number of both, with
 its standard error if the result has one. A difference is significant beyond two of its standard errors; differences of
 numbers without errors are listed but not judged. The numbers are the library's.
 """
@@ -24,7 +24,7 @@ sure = _core._least_told  # standard errors of the difference
 @dataclasses.dataclass
 class Row:
     """A number of both results: `part` is the stage, sample, load or film, `name` its path with dots; NaN where one has
-    none. `words` of what one asks of a test first, `period` of an angle, degrees."""
+    none. `words` of what one asks first, `period` of an angle, degrees."""
 
     part: str
     name: str
@@ -89,11 +89,12 @@ def test_of(stage, earlier):
 
 def headlines_of(part):
     """{dotted name: words} of what one asks of a part first."""
-    stages = part[4]
-    if part[0] != "stage":
+    kind, _, _, of, stages = part
+    if kind != "stage" and not isinstance(of, (_core.Field, _core.VoxelResult, _core.SphereStage, _core.FilmResult)):
         return {}
-    of_test = test_of(part[3], stages[: stages.index(part[3])])
-    return {name: " ".join(filter(None, [words, symbol])) for words, symbol, name in of_test["headlines"]}
+    first = test_of(of, stages[: stages.index(of)]) if kind == "stage" else _core._headlines(of)
+    named = [one for one in first["headlines"] if isinstance(one, list)]
+    return {name: " ".join(filter(None, [words, symbol])) for words, symbol, name, _ in named}
 
 
 def pairs_of(a, b):

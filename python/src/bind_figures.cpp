@@ -105,6 +105,15 @@ template <class Work> py::dict drawn(Work&& work) {
   return to_python(call.without_lock(work));
 }
 
+template <class Part> void def_headlines(py::module_& m) {
+  m.def(
+      "_headlines",
+      [](const Part& part) {
+        return to_python(Numbers{{"headlines", figures::numbers_of(figures::headlines_of(part))}});
+      },
+      py::arg("part"), "What one asks of it first: [words, symbol, dotted name, share].");
+}
+
 }  // namespace
 
 void bind_figures(py::module_& m) {
@@ -164,15 +173,19 @@ void bind_figures(py::module_& m) {
       [](const StageResult& stage, const Packing* before) {
         return drawn([&] {
           const fields::Test test{stage, before};
-          const auto first = figures::headlines_of(fields::kind_of(test));
-          return Numbers{{"numbers", fields::test_numbers(test)},
-                         {"headlines", mapped(first, [](const figures::Headline& one) {
-                            return Numbers::list({one.words, one.symbol, one.name});
-                          })}};
+          const fields::TestKind kind = fields::kind_of(test);
+          auto first = figures::headlines_of(kind);
+          for (auto& one : figures::headlines_of_grains(kind)) first.push_back(std::move(one));
+          return Numbers{{"numbers", fields::test_numbers(test)}, {"headlines", figures::numbers_of(first)}};
         });
       },
       py::arg("stage"), py::arg("before"),
-      "What a test says by its history, and what one asks of it first: [words, symbol, dotted name].");
+      "What a test says by its history, and what one asks of it and its grains first: [words, symbol, dotted name, "
+      "share].");
+  def_headlines<FieldResult>(m);
+  def_headlines<VoxelResult>(m);
+  def_headlines<SphereResult>(m);
+  def_headlines<FilmResult>(m);
   m.def(
       "_figure_of_runs",
       [](const std::string& id, const std::vector<const StageResult*>& stages,

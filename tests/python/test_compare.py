@@ -150,6 +150,8 @@ def test_figures_hold_both_in_the_units_of_the_first():
 def test_a_result_compared_with_itself_has_its_figures_and_no_difference(result, tmp_path):
     found = compare.rows(result, result)
     assert {row.verdict for row in found} <= {compare.equal, compare.alone} and len(found) > 50
+    words = {row.words for row in found}
+    assert {"coordination z", "grains ρ_{p}", "apparent modulus E"} <= words, words  # as tiles of the page have them
     document = document_of(compare.save_page(result, result, tmp_path / "page.html"))
     shown = {figure["id"]: figure["drawing"] for figure in document["figures"]}
     assert "contact-numbers" in shown, list(shown)

@@ -62,6 +62,19 @@ std::vector<Headline> headlines_of(fields::TestKind kind) {
   return {};
 }
 
+std::vector<Headline> headlines_of_grains(fields::TestKind kind) {
+  using enum fields::TestKind;
+  std::vector<Headline> list{{"solid fraction", "\u03c6", "solid_fraction"},
+                             {"coordination", "z", "coordination.all"},
+                             {"anisotropy", "a_{c}", "fabric.a_c"},
+                             {"mean force", "\u27e8F_{n}\u27e9", "force.mean_N"},
+                             {"strong contacts", "", "force.strong_share", "%"},
+                             {"grains above mean", "P_{0}", "sigma_norm.P0", "%"}};
+  constexpr fields::TestKind with_empty_box[] = {discharge, collapse, deposit, drum};
+  if (std::ranges::count(with_empty_box, kind) > 0) list.erase(list.begin());
+  return list;
+}
+
 namespace {
 
 /// The number at a dotted name.
@@ -178,6 +191,7 @@ void add_test(Numbers& shown, const StageData& data) {
   const fields::TestKind kind = fields::kind_of(test);
   shown["test"] = fields::name_of(kind);
   shown["headlines"] = numbers_of(headlines_of(kind));
+  shown["headlines_of_grains"] = numbers_of(headlines_of_grains(kind));
   add_numbers(shown, numbers);
   const auto curves = fields::test_curves(test);
   const auto uniaxial = curves ? fields::uniaxial_test(*curves) : std::nullopt;

@@ -19,6 +19,9 @@ struct Headline {
 /// Of a kind of test, the most telling first; empty where it is none.
 std::vector<Headline> headlines_of(fields::TestKind kind);
 
+/// Of the grains of a packing on which this test was made.
+std::vector<Headline> headlines_of_grains(fields::TestKind kind);
+
 /// Of a sample on a grid always, with its response where it was loaded; those that are known, three of each.
 std::vector<Headline> headlines_of(const FieldResult& field);
 /// Of a sample in space.
@@ -31,8 +34,9 @@ std::vector<Headline> headlines_of(const FilmResult& film);
 /// [words, symbol, name, share] of each, or {words, value, unit} of what is written as it is.
 Numbers numbers_of(const std::vector<Headline>& list);
 
-/// What the page has of a stage's test: its kind, what it gave beyond the texture of its states, and which of it one
-/// asks for first; of a sample that failed also the shown state nearest to its strength, with which the page opens.
+/// What the page has of a stage's test: its kind, what it gave beyond the texture of its states, and which of it and of
+/// the grains one asks for first; of a sample that failed also the shown state nearest to its strength, with which the
+/// page opens.
 void add_test(Numbers& shown, const StageData& data);
 
 }  // namespace arenite::report::figures

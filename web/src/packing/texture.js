@@ -100,30 +100,14 @@ function numbersOf(sample, state) {
   );
 }
 
-const withEmptyBox = ["discharge", "collapse", "deposit", "drum"];
-
 /** The six numbers that one asks for first: those of the stage's test that are known, then those of the grains. */
 export function packingHeadlines(sample, state) {
   const box = h("div");
   const refresh = () => {
     const numbers = numbersOf(sample, state),
-      isFree = withEmptyBox.includes(stageOf(sample, state).test),
-      ofTest = tilesOf(numbers, stageOf(sample, state).headlines).filter(({ known }) => known);
-    box.replaceChildren(
-      headlines(
-        [
-          ...ofTest,
-          ...tilesOf(numbers, [
-            ...(isFree ? [] : [["solid fraction", "\u03c6", "solid_fraction"]]),
-            ["coordination", "z", "coordination.all"],
-            ["anisotropy", "a_{c}", "fabric.a_c"],
-            ["mean force", "\u27e8F_{n}\u27e9", "force.mean_N"],
-            ["strong contacts", "", "force.strong_share", "%"],
-            ["grains above mean", "P_{0}", "sigma_norm.P0", "%"],
-          ]),
-        ].slice(0, 6),
-      ),
-    );
+      stage = stageOf(sample, state),
+      ofTest = tilesOf(numbers, stage.headlines).filter(({ known }) => known);
+    box.replaceChildren(headlines([...ofTest, ...tilesOf(numbers, stage.headlines_of_grains)].slice(0, 6)));
   };
   state.watch(["snapshot"], refresh);
   refresh();
