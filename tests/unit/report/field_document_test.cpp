@@ -41,6 +41,16 @@ TEST(FieldDocument, HasTheMeanThatTheStatisticsState) {
   EXPECT_EQ(load["quantities"]["yy"]["mean"], stored);
 }
 
+TEST(FieldDocument, HasFractionsOfAllNodesHoweverFewThePageHas) {
+  FieldResult fine;
+  fine.map = make_phase_map(1200, 1201, 1e-5);
+  for (int x = 0; x < 1200; ++x) fine.map.phase[fine.map.index(x, 0)] = Phase::matrix;  // which a page leaves out
+  const Json map = Json::parse(report::page_document({.title = "fine", .fields = {&fine, 1}}).json)["maps"][0];
+  EXPECT_GT(map["stride"], 1);
+  EXPECT_DOUBLE_EQ(map["fractions"][1].get<double>(), 1.0 / 1201);
+  EXPECT_EQ(map["fractions"].size(), 5u);
+}
+
 TEST(FieldDocument, SaysHowAStressIsToldAgainstTheMean) {
   const Json document = Json::parse(report::page_document(field_sample().data).json);
   const Json& load = document["fields"][1];
