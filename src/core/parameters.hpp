@@ -104,8 +104,9 @@ class ParameterVisitor {
   /// Keys of other tables, each with a value or a list of these.
   virtual void wanted(const Key& key, Wanted& values) = 0;
   virtual void pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) = 0;
-  /// Places, each two numbers with units.
+  /// Places, each two numbers with units, in space three.
   virtual void points(const Key& key, std::vector<Vec2>& values, std::string_view unit) = 0;
+  virtual void points(const Key& key, std::vector<Vec3>& values, std::string_view unit) = 0;
   /// A quantity over time: pairs of a time (x, s) and a value (y), or the name of a CSV file of two such columns.
   virtual void series(const Key& key, std::vector<Vec2>& values, std::string_view unit) = 0;
   virtual void choice(const Key& key, int& index, const std::vector<Word>& words) = 0;

@@ -51,8 +51,8 @@ inline Rectangle bounds(std::span<const Vec2> centres, std::span<const double> r
 }
 
 /// The point of the segment from a to b that is nearest to a place.
-inline Vec2 nearest_on_segment(Vec2 a, Vec2 b, Vec2 place) {
-  const Vec2 along = b - a;
+template <int D> Vec<D> nearest_on_segment(Vec<D> a, Vec<D> b, Vec<D> place) {
+  const Vec<D> along = b - a;
   return a + std::clamp(dot(place - a, along) / dot(along, along), 0.0, 1.0) * along;
 }
 

@@ -66,23 +66,44 @@ template <int D> struct WallIn {
 };
 using Wall = WallIn<2>;
 
-/// A rigid boundary of straight segments within the container: a hopper, a gate, a drum, an intruder. It is thin, with
-/// grains on either side, and moves as it is told, whatever the grains do. Like a wall it may be absent.
-struct Boundary {
-  std::string name;
-  std::vector<Vec2> points;  ///< m; a segment joins each with the next
-  bool closed = false;       ///< and the last with the first
-  bool present = true;
-  Vec2 velocity;      ///< m/s
-  double spin = 0;    ///< rad/s, counter-clockwise about the centre
-  Vec2 centre;        ///< m; goes with the velocity
-  Vec2 force;         ///< that the grains exert on it, N
-  double torque = 0;  ///< of the grains about the centre, N m
-  bool operator==(const Boundary&) const = default;
+/// How the points of a boundary are joined: in the plane a segment joins each with the next, in space a boundary has
+/// flat convex faces, the first of so many points as `corners` says first, then the next.
+template <int D> struct BoundaryShape;
+template <> struct BoundaryShape<2> {
+  bool closed = false;  ///< the last point is joined with the first
+  bool operator==(const BoundaryShape&) const = default;
+};
+template <> struct BoundaryShape<3> {
+  std::vector<std::int32_t> corners;
+  bool operator==(const BoundaryShape&) const = default;
 };
 
+/// A rigid boundary within the container: a hopper, a gate, a drum, an intruder. It is thin, with grains on either
+/// side, and moves as it is told, whatever the grains do. Like a wall it may be absent.
+template <int D> struct BoundaryIn : BoundaryShape<D> {
+  std::string name;
+  std::vector<Vec<D>> points;  ///< m
+  bool present = true;
+  Vec<D> velocity;      ///< m/s
+  Turning<D> spin{};    ///< rad/s, counter-clockwise about the centre
+  Vec<D> centre;        ///< m; goes with the velocity
+  Vec<D> force;         ///< that the grains exert on it, N
+  Turning<D> torque{};  ///< of the grains about the centre, N m
+  bool operator==(const BoundaryIn&) const = default;
+};
+using Boundary = BoundaryIn<2>;
+
+/// How many elements a boundary has: two a point of the plane, the point itself and the segment from it to the next; in
+/// space its faces. The last segment of an open boundary counts, though nothing touches it.
+inline int element_count(const Boundary& boundary) { return static_cast<int>(2 * boundary.points.size()); }
+inline int element_count(const BoundaryIn<3>& boundary) { return static_cast<int>(boundary.corners.size()); }
+
 /// The mean of points, m.
-Vec2 mean_point(const std::vector<Vec2>& points);
+template <int D> Vec<D> mean_point(const std::vector<Vec<D>>& points) {
+  Vec<D> sum;
+  for (const Vec<D>& p : points) sum += p;
+  return points.empty() ? sum : sum / static_cast<double>(points.size());
+}
 
 /// So many periodic cells along each axis.
 template <int D> using Cells = Vec<D, std::int32_t>;
@@ -164,20 +185,35 @@ template <int D> struct Container {
   }
 };
 
-/// What holds the sample: a container, and boundaries within.
-struct Domain : Container<2> {
-  double thickness = 1;              ///< out-of-plane length L of the cylinders, m
-  std::vector<Boundary> boundaries;  ///< beside the walls
+/// A container, and boundaries within.
+template <int D> struct Vessel : Container<D> {
+  std::vector<BoundaryIn<D>> boundaries;  ///< beside the walls
+
+  /// How many elements the boundaries have, counted through all of them.
+  int elements() const {
+    int all = 0;
+    for (const BoundaryIn<D>& boundary : boundaries) all += element_count(boundary);
+    return all;
+  }
+  /// The boundary that an element belongs to; -1 for a number beyond them.
+  int boundary_of(int element) const {
+    for (std::size_t b = 0; b < boundaries.size(); ++b) {
+      const int own = element_count(boundaries[b]);
+      if (element < own) return static_cast<int>(b);
+      element -= own;
+    }
+    return -1;
+  }
+};
+
+/// What holds disks.
+struct Domain : Vessel<2> {
+  double thickness = 1;  ///< out-of-plane length L of the cylinders, m
 
   double width() const { return extent(0); }
   double height() const { return extent(1); }
   double area() const { return width() * height(); }
   double length(int side) const { return extent(1 - axis_of(side)); }  ///< along it
-  /// How many elements the boundaries have: two a point, the point itself and the segment from it to the next, counted
-  /// through all boundaries. The last segment of an open boundary counts, though nothing touches it.
-  int elements() const;
-  /// The boundary that an element belongs to; -1 for a number beyond them.
-  int boundary_of(int element) const;
 };
 
 /// Force of a pressure on a side, N.
@@ -192,7 +228,6 @@ inline double thrust_on(const Container<3>& domain, int side, double pressure) {
 inline double volume_of(const Domain& domain) { return domain.area() * domain.thickness; }
 inline double volume_of(const Container<3>& domain) { return domain.extent(0) * domain.extent(1) * domain.extent(2); }
 
-/// Boundaries are of the plane.
-template <int D> using DomainIn = std::conditional_t<D == 2, Domain, Container<D>>;
+template <int D> using DomainIn = std::conditional_t<D == 2, Domain, Vessel<D>>;
 
 }  // namespace arenite

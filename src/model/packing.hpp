@@ -71,17 +71,24 @@ using Grains = GrainsIn<2>;
 /// Those of the grains, at rest, with centres counted from `origin`.
 Grains picked(const Grains& from, const std::vector<std::int32_t>& grains, Vec2 origin = {});
 
-/// What Contacts::j says of a partner that is no grain: below 0 stand the sides, and behind the four of the plane the
-/// elements of boundaries, which space does not have.
+/// What Contacts::j says of a partner that is no grain: below 0 stand the sides, and behind these, four in the plane
+/// and six in space, the elements of boundaries.
 constexpr std::int32_t wall_partner(int side) { return -1 - side; }
-constexpr std::int32_t boundary_partner(int element) { return wall_partner(top) - 1 - element; }
+template <int D = 2> constexpr std::int32_t boundary_partner(int element) {
+  return wall_partner(sides_in<D> - 1) - 1 - element;
+}
 constexpr bool is_wall(std::int32_t partner) { return partner < 0; }  ///< of a boundary as well
-constexpr bool is_boundary(std::int32_t partner) { return partner < wall_partner(top); }
-constexpr int wall_side(std::int32_t partner) { return -1 - partner; }  ///< 4 and more: of a boundary
-constexpr int element_of(std::int32_t partner) { return wall_partner(top) - 1 - partner; }
+template <int D = 2> constexpr bool is_boundary(std::int32_t partner) {
+  return partner < wall_partner(sides_in<D> - 1);
+}
+/// From the number of sides on: of a boundary.
+constexpr int wall_side(std::int32_t partner) { return -1 - partner; }
+template <int D = 2> constexpr int element_of(std::int32_t partner) {
+  return wall_partner(sides_in<D> - 1) - 1 - partner;
+}
 
 /// Contacts as a structure of arrays, each physical contact once. A contact joins grain i with grain j, or with a wall:
-/// then j = wall_partner(side) < 0, which goes on behind the four sides with the elements of boundaries,
+/// then j = wall_partner(side) < 0, which goes on behind the sides with the elements of boundaries,
 /// boundary_partner(element). n points from j to i, t is n turned by +90 degrees, and the force on i is fn n + ft t (fn
 /// > 0 pushes apart), in space fn n + ft x n; the force on j is the opposite. The contact point lies at x_i - arm_i n
 /// and, for two disks, at x_j + arm_j n, so the branch vector from j to i is (arm_i + arm_j) n. The arms of grains that
@@ -100,9 +107,9 @@ template <int D> struct ContactsIn {
 
   std::size_t size() const { return i.size(); }
   bool is_wall(std::size_t c) const { return arenite::is_wall(j[c]); }
-  int wall_side(std::size_t c) const { return arenite::wall_side(j[c]); }  ///< 4 and more: in the plane of a boundary
-  bool is_boundary(std::size_t c) const { return D == 2 && arenite::is_boundary(j[c]); }
-  int element(std::size_t c) const { return element_of(j[c]); }  ///< of the boundary that the contact joins
+  int wall_side(std::size_t c) const { return arenite::wall_side(j[c]); }  ///< from sides_in<D> on: of a boundary
+  bool is_boundary(std::size_t c) const { return arenite::is_boundary<D>(j[c]); }
+  int element(std::size_t c) const { return element_of<D>(j[c]); }  ///< of the boundary that the contact joins
   Vec<D> force_on_i(std::size_t c) const { return fn[c] * normal[c] + cross(ft[c], normal[c]); }
   /// From the centre of grain i to the contact point; the same of grain j (0 for a wall), m.
   Vec<D> lever_i(std::size_t c) const {

@@ -84,8 +84,8 @@ std::vector<geometry::Pair> pairs_within(const GrainsIn<D>& grains, const std::t
 template struct PeriodicImagesIn<2>;
 template struct PeriodicImagesIn<3>;
 template PeriodicImagesIn<2> images_of<2>(std::span<const Vec2>, std::span<const double>, const Domain&, double);
-template PeriodicImagesIn<3> images_of<3>(std::span<const Vec3>, std::span<const double>, const Container<3>&, double);
+template PeriodicImagesIn<3> images_of<3>(std::span<const Vec3>, std::span<const double>, const DomainIn<3>&, double);
 template std::vector<geometry::Pair> pairs_within<2>(const Grains&, const Domain&, double);
-template std::vector<geometry::Pair> pairs_within<3>(const GrainsIn<3>&, const Container<3>&, double);
+template std::vector<geometry::Pair> pairs_within<3>(const GrainsIn<3>&, const DomainIn<3>&, double);
 
 }  // namespace arenite

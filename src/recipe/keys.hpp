@@ -14,7 +14,8 @@ void declare(ParameterVisitor& visitor, Recipe& recipe);
 
 /// When keys of grains exist.
 inline constexpr std::string_view no_map = "no [map]";
-/// When keys of the third dimension do.
+/// When keys of the plane do, and of the third dimension.
+inline constexpr std::string_view plane = "dimension = 2";
 inline constexpr std::string_view space = "dimension = 3";
 
 }  // namespace arenite::recipe

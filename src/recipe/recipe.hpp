@@ -39,7 +39,7 @@ struct ContainerParameters {
 
 /// The part of the container that is filled, m; unset: up to its side.
 struct FillArea {
-  std::optional<double> left, right, bottom, top;
+  ByAnySide<std::optional<double>> edge;
   bool operator==(const FillArea&) const = default;
 };
 
@@ -86,8 +86,9 @@ struct Recipe {
   dem::ContactParameters contact;
   dem::IntegrationParameters integration;
   std::optional<Region> glued;
-  std::optional<dem::SkinParameters> membrane;  ///< of all sides that a stage makes membranes
-  std::vector<Boundary> boundaries;             ///< name, points and closed; the rest is the stages' to say
+  std::optional<dem::SkinParameters> membrane;     ///< of all sides that a stage makes membranes
+  std::vector<Boundary> boundaries;                ///< name, points and closed; the rest is the stages' to say
+  std::vector<BoundaryIn<3>> boundaries_in_space;  ///< name, points and corners
   std::vector<Stage> stages;
   std::optional<BidisperseSection> bidisperse;
   std::optional<cement::CementParameters> cement;  ///< the binding matrix of the packing at the end of its stages

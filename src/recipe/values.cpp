@@ -12,10 +12,10 @@
 #include "core/text.hpp"
 #include "core/unit_names.hpp"
 #include "core/units.hpp"
-#include "io/table/laboratory_table.hpp"
 #include "recipe/document.hpp"
 #include "recipe/quantities.hpp"
 #include "recipe/record.hpp"
+#include "recipe/series_file.hpp"
 
 namespace arenite::recipe {
 namespace {
@@ -26,13 +26,18 @@ template <class Items, class Literal> std::optional<std::string> list_literal(co
   return fmt::format("[{}]", list_of(mapped(items, literal)));
 }
 
-Record record_of_rows(const Key& key, const std::vector<Vec2>& rows, std::string_view unit_x, std::string_view unit_y,
+template <int D>
+Record record_of_rows(const Key& key, const std::vector<Vec<D>>& rows, const std::array<std::string_view, D>& unit,
                       const std::string& example) {
-  Record record{key, fmt::format("[[{}, {}], ...]", with_unit("...", unit_x), with_unit("...", unit_y)),
-                {},  Record::Type::other,
-                {},  example};
-  record.literal = list_literal(rows, [&](Vec2 row) {
-    return fmt::format("[{}, {}]", number_literal(row.x, unit_x), number_literal(row.y, unit_y));
+  const auto row_of = [&](const auto& number) {
+    std::string row;
+    for (std::size_t n = 0; n < D; ++n) row += (n == 0 ? "" : ", ") + number(n);
+    return "[" + row + "]";
+  };
+  const auto form = fmt::format("[{}, ...]", row_of([&](std::size_t n) { return with_unit("...", unit[n]); }));
+  Record record{key, form, {}, Record::Type::other, {}, example};
+  record.literal = list_literal(rows, [&](Vec<D> row) {
+    return row_of([&](std::size_t n) { return number_literal(row[static_cast<int>(n)], unit[n]); });
   });
   return record;
 }
@@ -69,27 +74,30 @@ template <class T, class Read> void read_items(const Written& list, std::vector<
     if (const std::optional<T> item = read(list.item(i))) values.push_back(*item);
 }
 
-void read_rows(const Written& list, std::vector<Vec2>& rows, std::array<std::string_view, 2> unit,
+template <int D>
+void read_rows(const Written& list, std::vector<Vec<D>>& rows, const std::array<std::string_view, D>& unit,
                const std::string& wanted) {
-  read_items(list, rows, [&](const Written& row) -> std::optional<Vec2> {
-    if (row.node.kind != Node::Kind::array || row.node.items.size() != 2) return list.refuse(row.node.place, wanted);
-    const auto x = read_number(row.item(0), unit[0], range::any), y = read_number(row.item(1), unit[1], range::any);
-    return x && y ? std::optional(Vec2{*x, *y}) : std::nullopt;
+  read_items(list, rows, [&](const Written& row) -> std::optional<Vec<D>> {
+    if (row.node.kind != Node::Kind::array || row.node.items.size() != unit.size())
+      return list.refuse(row.node.place, wanted);
+    std::array<std::optional<double>, D> read;
+    for (std::size_t n = 0; n < unit.size(); ++n) read[n] = read_number(row.item(n), unit[n], range::any);
+    if (!std::ranges::all_of(read, [](const auto& number) { return number.has_value(); })) return std::nullopt;
+    return by_axis<D>([&](int axis) { return *read[static_cast<std::size_t>(axis)]; });
   });
 }
 
-void read_series_file(const Written& at, std::vector<Vec2>& rows, std::string_view unit) {
-  const auto place = (std::filesystem::path(at.reading.folder) / at.node.text).string();
-  try {
-    io::LaboratoryTable table(place);
-    if (table.columns() != 2)
-      throw InputError(place, table.header_line(),
-                       fmt::format("has {} columns; a programme has two, time and value", table.columns()));
-    const auto x = table.values(0, {{"time"}, dimension::time, "s"}),
-               y = table.values(1, {{table.title(1)}, dimension_of(unit), unit});
-    for (std::size_t row = 0; row < x.size(); ++row) rows.push_back({x[row], y[row]});
-    for (const std::string& note : table.notes()) at.reading.notices.push_back(fmt::format("{}: {}", place, note));
-  } catch (const InputError& error) { at.refuse(error.what()); }
+template <int D, class Visit>
+void visit_points(const Key& key, std::vector<Vec<D>>& values, std::string_view unit, const Visit& visit) {
+  std::array<std::string_view, D> units;
+  units.fill(unit);
+  const std::string z = D == 2 ? "" : fmt::format(", \"0 {}\"", unit),
+                    example = fmt::format("[[\"0 {0}\", \"0 {0}\"{1}], [\"1 {0}\", \"2 {0}\"{1}]]", unit, z);
+  const char* numbers = D == 2 ? "two numbers, x and y," : "three numbers, x, y and z,";
+  visit(record_of_rows<D>(key, values, units, example), [&](const Written& at) {
+    if (at.is_a(Node::Kind::array, "a list of points"))
+      read_rows<D>(at, values, units, fmt::format("each point must be {} such as {}", numbers, example));
+  });
 }
 
 /// The entry of a table that must hold just one; of several, an override wins over the file.
@@ -254,20 +262,19 @@ void KeyVisitor::pairs(const Key& key, std::vector<std::pair<std::int32_t, std::
 }
 
 void KeyVisitor::points(const Key& key, std::vector<Vec2>& values, std::string_view unit) {
-  const std::string example = fmt::format("[[\"0 {0}\", \"0 {0}\"], [\"1 {0}\", \"2 {0}\"]]", unit);
-  visit(record_of_rows(key, values, unit, unit, example), [&](const Written& at) {
-    if (at.is_a(Node::Kind::array, "a list of points"))
-      read_rows(at, values, {unit, unit}, fmt::format("each point must be two numbers, x and y, such as {}", example));
-  });
+  visit_points(key, values, unit, std::bind_front(&KeyVisitor::visit, this));
+}
+void KeyVisitor::points(const Key& key, std::vector<Vec3>& values, std::string_view unit) {
+  visit_points(key, values, unit, std::bind_front(&KeyVisitor::visit, this));
 }
 
 void KeyVisitor::series(const Key& key, std::vector<Vec2>& values, std::string_view unit) {
   const std::string example = fmt::format("[[\"0 s\", {0}], [\"1 s\", {0}]]", with_unit("1", unit));
-  visit(record_of_rows(key, values, "s", unit, example), [&](const Written& at) {
+  visit(record_of_rows<2>(key, values, {"s", unit}, example), [&](const Written& at) {
     values.clear();
     if (at.node.kind == Node::Kind::text) read_series_file(at, values, unit);
     else if (at.is_a(Node::Kind::array, fmt::format("a list such as {} or the name of a CSV file", example)))
-      read_rows(at, values, {"s", unit}, fmt::format("each row must be a time and a value, such as {}", example));
+      read_rows<2>(at, values, {"s", unit}, fmt::format("each row must be a time and a value, such as {}", example));
   });
 }
 

@@ -48,6 +48,7 @@ class KeyVisitor : public ParameterVisitor {
   void wanted(const Key& key, Wanted& values) override;
   void pairs(const Key& key, std::vector<std::pair<std::int32_t, std::int32_t>>& values) override;
   void points(const Key& key, std::vector<Vec2>& values, std::string_view unit) override;
+  void points(const Key& key, std::vector<Vec3>& values, std::string_view unit) override;
   void series(const Key& key, std::vector<Vec2>& values, std::string_view unit) override;
   void choice(const Key& key, int& index, const std::vector<Word>& words) override;
   void tagged(const Key& key, int& form, double& value, const std::vector<Form>& forms) override;

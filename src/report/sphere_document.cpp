@@ -28,7 +28,7 @@ constexpr std::size_t most_forces = 100'000;
 
 /// Container: lowest corner and size, m; which axes are periodic, by how much the cell above is shifted along x, m, and
 /// which sides are walls.
-Numbers container_of(const Container<3>& domain) {
+Numbers container_of(const DomainIn<3>& domain) {
   const Vec3 corner = domain.corner(), size = domain.size();
   Numbers periodic = Numbers::list(), walls = Numbers::list();
   for (const bool is_periodic : domain.periodic) periodic.push_back(is_periodic);
@@ -41,11 +41,13 @@ Numbers container_of(const Container<3>& domain) {
           {"walls", std::move(walls)}};
 }
 
-/// The largest forces with the places of their spheres; walls are numbered after the spheres by their side.
+/// The largest forces with the places of their spheres; walls are numbered after the spheres by their side, and
+/// contacts with boundaries are left out.
 Numbers forces_of(const PackingIn<3>& packing, NumberBlock& block) {
   const ContactsIn<3>& contacts = packing.contacts;
   std::vector<std::size_t> order(contacts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
+  std::erase_if(order, [&](std::size_t c) { return contacts.is_boundary(c); });
   std::ranges::stable_sort(order, std::greater{}, [&](std::size_t c) { return std::abs(contacts.fn[c]); });
   order.resize(std::min(order.size(), most_forces));
   const auto partner = [&](std::size_t c) {

@@ -67,7 +67,7 @@ double length_of(const recipe::Recipe& recipe, const PackingIn<D>& packing,
 /// Spheres, and those of their periodic images that reach into a cube in the middle of their container or, by their
 /// necks, might.
 SpherePack cube_of(const PackingIn<3>& packing, std::optional<double> crop, double gap) {
-  const Container<3>& cell = packing.domain;
+  const DomainIn<3>& cell = packing.domain;
   const Vec3 size = cell.size();
   const double widest = std::min({size.x, size.y, size.z}), side = crop.value_or(widest);
   if (side > (1 + 1e-9) * widest)

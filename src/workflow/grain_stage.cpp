@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/version.hpp"
+#include "grains/fields/discharge.hpp"
 #include "grains/fields/laboratory/triaxial.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/texture/spheres/spheres.hpp"
@@ -33,6 +34,8 @@ SphereResult measure_stage(const GrainStageIn<3>& stage, SphereResult made, cons
   if (place == 0) return made;
   made.texture.update(fields::loads_of(made, recipe.stages[place - 1]));
   made.texture.update(fields::triaxial_numbers(made));
+  if (Numbers discharge = fields::discharge_numbers(made.history); !discharge.empty())
+    made.texture["discharge"] = std::move(discharge);
   return made;
 }
 

@@ -34,22 +34,24 @@ template <int D> void give_sides(Container<D>& domain, const recipe::ContainerPa
   }
 }
 
+template <int D> void give_boundaries(Vessel<D>& domain, const std::vector<BoundaryIn<D>>& boundaries) {
+  domain.boundaries = boundaries;
+  for (BoundaryIn<D>& boundary : domain.boundaries) boundary.centre = mean_point(boundary.points);
+}
+
 Domain container_of(const recipe::Recipe& recipe) {
   Domain domain;
   give_sides(domain, recipe.container);
   domain.thickness = recipe.container.thickness;
-  domain.boundaries = recipe.boundaries;
-  for (Boundary& boundary : domain.boundaries) boundary.centre = mean_point(boundary.points);
+  give_boundaries(domain, recipe.boundaries);
   return domain;
 }
 
 /// The part of a container that is filled; the container itself unless a recipe names one.
-Domain area_of(const Domain& container, const std::optional<recipe::FillArea>& area) {
-  Domain part = container;
-  if (!area) return part;
-  const std::optional<double> edges[] = {area->left, area->right, area->bottom, area->top};
-  for (int side = 0; side < sides; ++side)
-    part.wall[side].position = edges[side].value_or(container.wall[side].position);
+template <class Whole> Whole area_of(const Whole& container, const std::optional<recipe::FillArea>& area) {
+  Whole part = container;
+  for (std::size_t side = 0; area && side < part.wall.size(); ++side)
+    part.wall[side].position = area->edge[side].value_or(container.wall[side].position);
   return part;
 }
 
@@ -135,6 +137,7 @@ SphereResult make_sphere_packing(const recipe::Recipe& recipe) {
   PackingIn<3>& packing = snapshot.packing;
   packing.materials = recipe.materials;
   give_sides(packing.domain, recipe.container);
+  give_boundaries(packing.domain, recipe.boundaries_in_space);
   if (recipe.packing.method == Method::poisson) {
     result.outcome = sample(recipe, packing);
     return result;
@@ -143,17 +146,18 @@ SphereResult make_sphere_packing(const recipe::Recipe& recipe) {
   double& height = packing.domain.wall[top].position;
   const bool height_given = recipe.container.height > 0;
   if (recipe.packing.method == Method::lattice) {
-    const double filled = packing::fill_lattice(packing.grains, packing.domain);
+    const DomainIn<3> part = area_of(packing.domain, recipe.packing.area);
+    const double filled = packing::fill_lattice(packing.grains, part);
     if (!height_given) height = filled;
-    check_lattice(filled, height);
+    else check_lattice(filled, part.extent(1));
     result.outcome = "face-centred cubic lattice";
     return result;
   }
   if (!height_given)
     height =
         packing.grains.volume() / (recipe.packing.solid_fraction * recipe.container.width * recipe.container.depth);
-  result.outcome =
-      "random filling, " + describe(packing::fill_at_random<3>(packing.grains, packing.domain, recipe.seed));
+  const DomainIn<3> part = area_of(packing.domain, recipe.packing.area);
+  result.outcome = "random filling, " + describe(packing::fill_at_random<3>(packing.grains, part, recipe.seed));
   return result;
 }
 

@@ -131,10 +131,9 @@ std::string packing_key(const recipe::Recipe& recipe, const std::string& part) {
 /// Its walls are those of a driven sample (dem/walls.hpp), or its anisotropies have the signs of shear.
 bool presses_while_driven_or_shears(const dem::Stage& stage) {
   const auto closes = [](const dem::SideDrive& side) { return side.kind == dem::SideDrive::Kind::velocity; };
-  const auto moves = [](const dem::BoundaryMotion& b) { return b.velocity != Vec2{} || b.spin != 0; };
   const bool shears = stage.shear_rate != 0 || stage.slide != ByAnySide<double>{};
   const bool driven = std::ranges::any_of(stage.side, closes) || stage.strain_cycles || !stage.programmes.empty() ||
-                      std::ranges::any_of(stage.boundaries, moves);
+                      dem::moves_boundaries(stage);
   return shears || (driven && std::ranges::any_of(stage.side, &dem::SideDrive::presses));
 }
 

@@ -18,6 +18,7 @@ void take_drives(dem::Stage& to, const dem::Stage& from) {
   to.side = from.side, to.slide = from.slide, to.shear_rate = from.shear_rate;
   to.gravity = from.gravity, to.gravity_size = from.gravity_size, to.gravity_angle = from.gravity_angle;
   to.boundaries = from.boundaries;
+  to.boundaries_in_space = from.boundaries_in_space;
   to.friction = from.friction, to.drag = from.drag, to.critical_drag = from.critical_drag;
 }
 

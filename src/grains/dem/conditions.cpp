@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "core/error.hpp"
+#include "grains/dem/boundaries/set_boundaries.hpp"
 #include "grains/dem/measure.hpp"
 #include "grains/dem/movers.hpp"
 

@@ -40,6 +40,7 @@ ByAnySide<bool> open_in(const Sample& sample, const Stage& stage) {
 void begin_parts(SampleIn<3>& s, const Stage& stage, const ThreadPool& pool) {
   if (stage.bond) make_bonds(s, pool);
   set_open(s, stage.open, pool);
+  set_boundaries<3>(s, stage.boundaries_in_space, pool);
 }
 void begin_parts(Sample& s, const Stage& stage, const ThreadPool& pool) {
   if (stage.bond) make_bonds(s, pool);
@@ -49,8 +50,9 @@ void begin_parts(Sample& s, const Stage& stage, const ThreadPool& pool) {
   set_rough(s, stage.rough, pool);
 }
 
-void change_parts(SampleIn<3>& /*sample*/, const Stage& /*before*/, const Stage& /*after*/,
-                  const ThreadPool& /*pool*/) {}
+void change_parts(SampleIn<3>& s, const Stage& before, const Stage& after, const ThreadPool& pool) {
+  if (after.boundaries_in_space != before.boundaries_in_space) set_boundaries<3>(s, after.boundaries_in_space, pool);
+}
 void change_parts(Sample& s, const Stage& before, const Stage& after, const ThreadPool& pool) {
   if (after.boundaries != before.boundaries) set_boundaries(s, after.boundaries, pool);
   if (membrane_pressures(after) != membrane_pressures(before))

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "grains/dem/boundaries/set_boundaries.hpp"
 #include "grains/dem/bounds.hpp"
 #include "grains/dem/conditions.hpp"
 #include "grains/dem/glue.hpp"

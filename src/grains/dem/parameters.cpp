@@ -14,13 +14,29 @@ using Visitor = ParameterVisitor;
 
 namespace {
 
-/// Two numbers, along x and y; none stand for none.
-void declare_vector(Visitor& v, const Key& key, std::optional<Vec2>& value, std::string_view unit) {
+/// A number along each axis; none stand for none.
+template <int D> void declare_vector(Visitor& v, const Key& key, std::optional<Vec<D>>& value, std::string_view unit) {
   std::vector<double> parts;
-  if (value) parts = {value->x, value->y};
+  for (int axis = 0; value && axis < D; ++axis) parts.push_back((*value)[axis]);
   v.numbers(key, parts, unit, range::any);
-  v.require(parts.empty() || parts.size() == 2, {key.name}, "must be two numbers, along x and along y");
-  value = parts.size() == 2 ? std::optional(Vec2{parts[0], parts[1]}) : std::nullopt;
+  const bool whole = parts.size() == static_cast<std::size_t>(D);
+  v.require(parts.empty() || whole, {key.name},
+            D == 2 ? "must be two numbers, along x and along y" : "must be three numbers, along x, y and z");
+  value =
+      whole ? std::optional(by_axis<D>([&](int axis) { return parts[static_cast<std::size_t>(axis)]; })) : std::nullopt;
+}
+/// The same where none stand for 0.
+template <int D> void declare_vector(Visitor& v, const Key& key, Vec<D>& value, std::string_view unit) {
+  std::optional<Vec<D>> given = value == Vec<D>{} ? std::nullopt : std::optional(value);
+  declare_vector<D>(v, key, given, unit);
+  value = given.value_or(Vec<D>{});
+}
+
+void declare_spin(Visitor& v, double& spin) {
+  v.number({"spin", "Angular velocity, counter-clockwise."}, spin, "deg/s", range::any);
+}
+void declare_spin(Visitor& v, Vec3& spin) {
+  declare_vector<3>(v, {"spin", "Angular velocity about each axis."}, spin, "deg/s");
 }
 
 }  // namespace
@@ -93,26 +109,24 @@ void IntegrationParameters::declare(Visitor& v) {
   kernel = kernels[static_cast<std::size_t>(chosen)].word;
 }
 
-void BoundaryMotion::declare(Visitor& v) {
+template <int D> void BoundaryMotionIn<D>::declare(Visitor& v) {
   v.text({"name", "Name of the boundary.", true}, name);
-  std::optional<Vec2> given_velocity = velocity == Vec2{} ? std::nullopt : std::optional(velocity);
-  declare_vector(v, {"velocity", "Along x and y."}, given_velocity, "mm/s");
-  velocity = given_velocity.value_or(Vec2{});
-  v.number({"spin", "Angular velocity, counter-clockwise."}, spin, "deg/s", range::any);
-  declare_vector(v,
-                 {"centre",
-                  "Centre of rotation at the start of the stage; it moves with the velocity. Unless given, the mean of "
-                  "the points."},
-                 centre, "mm");
+  declare_vector<D>(v, {"velocity", "Along each axis."}, velocity, "mm/s");
+  declare_spin(v, spin);
+  declare_vector<D>(v,
+                    {"centre",
+                     "Centre of rotation at the start of the stage; it moves with the velocity. Unless given, the mean "
+                     "of the points."},
+                    centre, "mm");
   v.flag({"absent", "The boundary is absent in this stage: a gate that opens."}, absent);
   v.number({"mass",
             "With a mass it moves under its weight, the force and the grains, starting from the given velocity or from "
             "its previous one."},
            mass, "kg", range::positive);
-  std::optional<Vec2> given_force = force == Vec2{} ? std::nullopt : std::optional(force);
-  declare_vector(v, {"force", "Along x and y, on a boundary with a mass."}, given_force, "N");
-  force = given_force.value_or(Vec2{});
-  v.require(mass || force == Vec2{}, {"force", "mass"}, "moves only a boundary with a mass; write mass = \"... kg\"");
+  declare_vector<D>(v, {"force", "Along each axis, on a boundary with a mass."}, force, "N");
+  v.require(mass || force == Vec<D>{}, {"force", "mass"}, "moves only a boundary with a mass; write mass = \"... kg\"");
 }
+template struct BoundaryMotionIn<2>;
+template struct BoundaryMotionIn<3>;
 
 }  // namespace arenite::dem

@@ -104,18 +104,20 @@ using WallDrive = WallDriveIn<2>;
 using WallDrives = WallDrivesIn<2>;
 
 /// How a boundary moves in a stage; one that is not named is there, at rest.
-struct BoundaryMotion {
+template <int D> struct BoundaryMotionIn {
   std::string name;
-  Vec2 velocity = {};  ///< m/s
-  double spin = 0;     ///< rad/s, counter-clockwise
-  std::optional<Vec2> centre =
+  Vec<D> velocity = {};  ///< m/s
+  Turning<D> spin = {};  ///< rad/s, counter-clockwise
+  std::optional<Vec<D>> centre =
       {};  ///< of the spin as the motion begins, m, which goes with the velocity; unset: the mean of the points
   bool absent = false;
   std::optional<double> mass = {};  ///< kg; with it the boundary moves under its weight, the grains and the force, from
                                     ///< the velocity on that it has
-  Vec2 force = {};                  ///< N
-  bool operator==(const BoundaryMotion&) const = default;
+  Vec<D> force = {};                ///< N
+  bool operator==(const BoundaryMotionIn&) const = default;
   void declare(ParameterVisitor& visitor);
+  bool moves() const { return velocity != Vec<D>{} || spin != Turning<D>{}; }
 };
+using BoundaryMotion = BoundaryMotionIn<2>;
 
 }  // namespace arenite::dem

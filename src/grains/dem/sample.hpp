@@ -209,7 +209,7 @@ template <int D> inline bool has_disks_only(const SampleIn<D>& s) { return &grai
 inline double mass_of(double density, double r, const Domain& domain) {
   return density * std::numbers::pi * r * r * domain.thickness;
 }
-inline double mass_of(double density, double r, const Container<3>& /*domain*/) {
+inline double mass_of(double density, double r, const DomainIn<3>& /*domain*/) {
   return density * (4.0 / 3.0 * std::numbers::pi * r * r * r);
 }
 /// Mass of a disk of `start` that is a grain, or of the body that it belongs to, kg.

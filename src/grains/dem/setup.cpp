@@ -66,7 +66,7 @@ void check_moduli(Problems& problems, const Material& m, const NormalLaw& law) {
 void check_thickness(Problems& problems, const Domain& domain) {
   problems.unless(positive(domain.thickness), "thickness {} m must be above 0", domain.thickness);
 }
-void check_thickness(Problems& /*problems*/, const Container<3>& /*domain*/) {}
+void check_thickness(Problems& /*problems*/, const DomainIn<3>& /*domain*/) {}
 
 template <int D> void check_packing(Problems& problems, const PackingIn<D>& start, const ContactParameters& contact) {
   const DomainIn<D>& domain = start.domain;

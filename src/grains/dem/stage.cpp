@@ -142,7 +142,7 @@ template <int D> WallDrivesIn<D> drives_for(const Stage& stage, const Leg& leg, 
 }
 
 template WallDrives drives_for<2>(const Stage&, const Leg&, const Domain&);
-template WallDrivesIn<3> drives_for<3>(const Stage&, const Leg&, const Container<3>&);
+template WallDrivesIn<3> drives_for<3>(const Stage&, const Leg&, const DomainIn<3>&);
 
 namespace {
 

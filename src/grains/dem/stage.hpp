@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -182,6 +183,7 @@ struct Stage {
   ByAnySide<bool> open{};                  ///< walls that are taken away
   SkinParameters skin;                     ///< of the sides that are membranes
   std::vector<BoundaryMotion> boundaries;
+  std::vector<BoundaryMotionIn<3>> boundaries_in_space;
   Exchange exchange;                  ///< grains that come in and leave; needs a duration
   std::optional<double> count_below;  ///< m; the history counts the grains whose centre is below
   double shear_rate = 0;              ///< 1/s, of a cell that is periodic along x and y
@@ -212,6 +214,18 @@ template <> inline Vec2 gravity_along(double size, double angle) {
 }
 template <> inline Vec3 gravity_along(double size, double angle) {
   return size * Vec3{std::sin(angle), -std::cos(angle), 0};
+}
+
+/// How boundaries move in a dimension.
+template <int D> const std::vector<BoundaryMotionIn<D>>& boundaries_in(const Stage& stage);
+template <> inline const std::vector<BoundaryMotion>& boundaries_in<2>(const Stage& stage) { return stage.boundaries; }
+template <> inline const std::vector<BoundaryMotionIn<3>>& boundaries_in<3>(const Stage& stage) {
+  return stage.boundaries_in_space;
+}
+/// Whether one is told to move.
+inline bool moves_boundaries(const Stage& stage) {
+  return std::ranges::any_of(stage.boundaries, &BoundaryMotion::moves) ||
+         std::ranges::any_of(stage.boundaries_in_space, &BoundaryMotionIn<3>::moves);
 }
 
 /// How many increments a stage has, or half cycles of strain.

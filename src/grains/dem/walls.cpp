@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "grains/dem/boundaries/set_boundaries.hpp"
 #include "grains/dem/conditions.hpp"
 #include "grains/dem/measure.hpp"
 #include "grains/dem/movers.hpp"
@@ -22,13 +23,13 @@ template <int D> double resting_share(const SampleIn<D>& s) {
 
 /// How wide a sample is for its height above a side; share of its grains that one layer has.
 double flatness_over(const Domain& domain, int side) { return domain.length(side) / domain.extent(axis_of(side)); }
-double flatness_over(const Container<3>& domain, int side) {
+double flatness_over(const DomainIn<3>& domain, int side) {
   return std::sqrt(thrust_on(domain, side, 1)) / domain.extent(axis_of(side));
 }
 double layer_of(const Domain& domain, int side, double grains) {
   return std::sqrt(flatness_over(domain, side) / grains);
 }
-double layer_of(const Container<3>& domain, int side, double grains) {
+double layer_of(const DomainIn<3>& domain, int side, double grains) {
   return std::cbrt(std::pow(flatness_over(domain, side), 2) / grains);
 }
 

@@ -109,6 +109,25 @@ void put_discharge_rates(const History& rows, const std::vector<double>& time, s
          discharge_rate(time, *grains, *mass));
 }
 
+Numbers discharge_numbers(const History& history) {
+  using statistics::described;
+  const auto* time = history.find("time");
+  const auto [grains, mass] = passed_in(history);
+  if (!time || !mass || !grains || time->size() < 2) return Numbers::tree();
+  const Discharge by_mass = find_discharge(*time, *mass), by_grains = find_discharge(*time, *grains);
+  if (!std::isfinite(by_mass.rate.value)) return Numbers::tree();
+  const auto estimate = [](const statistics::Measured& rate, const char* unit, const char* sentence) {
+    return described({{"value", rate.value}, {"error", rate.error}}, unit, sentence);
+  };
+  return {{"steady", described(by_mass.steady, "", "Whether the discharge has a steady part")},
+          {"rate_kg_s", estimate(by_mass.rate, "kg/s", "Rate of discharge over its steady part")},
+          {"rate_grains_s", estimate(by_grains.rate, "1/s", "The same as a number of grains")},
+          {"begin_s", described(by_mass.begin, "s", "Start of the steady part")},
+          {"end_s", described(by_mass.end, "s", "End of the steady part")},
+          {"stopped", described(by_mass.stopped, "",
+                                "Whether nothing passes any more in the end: the container is empty or clogged")}};
+}
+
 double narrowest_opening(const Domain& domain) {
   std::optional<double> least;
   for (const Boundary& a : domain.boundaries)

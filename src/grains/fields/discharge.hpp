@@ -40,6 +40,10 @@ Passed passed_in(const History& rows);
 /// As curves of a history that counts what passes, `discharge_rate` and `discharge_mass_rate`; nothing of others.
 void put_discharge_rates(const History& rows, const std::vector<double>& time, statistics::Columns& to);
 
+/// The discharge of a stage whose history counts what passes: rates over the steady part, when it began and ended.
+/// Empty of others, and where nothing passes.
+Numbers discharge_numbers(const History& history);
+
 /// The narrowest way between two of the boundaries that are there, m; unknown where there are fewer than two.
 double narrowest_opening(const Domain& domain);
 

@@ -28,20 +28,10 @@ Numbers estimate(double value, double error, const char* unit, const char* sente
   return described({{"value", scale * value}, {"error", scale * error}}, unit, sentence);
 }
 
-Numbers discharge_numbers(const StageResult& result) {
-  const auto* time = result.history.find("time");
-  const auto [grains, mass] = passed_in(result.history);
-  if (!time || !mass || !grains || time->size() < 2) return Numbers::tree();
-  const Discharge by_mass = find_discharge(*time, *mass), by_grains = find_discharge(*time, *grains);
-  if (!std::isfinite(by_mass.rate.value)) return Numbers::tree();
-  Numbers j{
-      {"steady", described(by_mass.steady, "", "Whether the discharge has a steady part")},
-      {"rate_kg_s", estimate(by_mass.rate.value, by_mass.rate.error, "kg/s", "Rate of discharge over its steady part")},
-      {"rate_grains_s", estimate(by_grains.rate.value, by_grains.rate.error, "1/s", "The same as a number of grains")},
-      {"begin_s", described(by_mass.begin, "s", "Start of the steady part")},
-      {"end_s", described(by_mass.end, "s", "End of the steady part")},
-      {"stopped", described(by_mass.stopped, "",
-                            "Whether nothing passes any more in the end: the container is empty or clogged")}};
+/// The discharge, with how wide the opening is that it goes through.
+Numbers flow_through_opening(const StageResult& result) {
+  Numbers j = discharge_numbers(result.history);
+  if (j.empty()) return j;
   if (const double opening = narrowest_opening(result.snapshots.back().packing.domain); std::isfinite(opening))
     j["opening_m"] = described(opening, "m", "Narrowest opening between boundaries");
   return j;
@@ -215,7 +205,7 @@ Numbers flow_numbers(const StageEnd& end) {
   const auto& [result, stage, before, texture, options] = end;
   Numbers j = Numbers::tree();
   if (result.snapshots.back().packing.grains.size() == 0) return j;
-  if (Numbers discharge = discharge_numbers(result); !discharge.empty()) j["discharge"] = std::move(discharge);
+  if (Numbers discharge = flow_through_opening(result); !discharge.empty()) j["discharge"] = std::move(discharge);
   if (Numbers exchange = exchange_numbers(result); !exchange.empty()) j["exchange"] = std::move(exchange);
   if (stage.duration)
     if (Numbers boundaries = boundary_numbers(result, j); !boundaries.empty())

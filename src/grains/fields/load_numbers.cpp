@@ -32,7 +32,7 @@ const dem::Programme* programme_of(const dem::Stage& stage, int side) {
 }
 
 double thickness_of(const Domain& domain) { return domain.thickness; }
-double thickness_of(const Container<3>& /*domain*/) { return 1; }
+double thickness_of(const DomainIn<3>& /*domain*/) { return 1; }
 
 /// Area that a side presses on in each row, m^2; 1 of a side under a force.
 template <int D> std::vector<double> areas(const StageResultIn<D>& result, int side, Kind kind) {

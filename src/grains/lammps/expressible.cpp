@@ -57,13 +57,16 @@ void add_loading(Sentences& to, const dem::Stage& stage) {
       "they are walls of grains here, which no fix holds");
   add(to, std::ranges::any_of(stage.side, &dem::SideDrive::is_skin), "membranes",
       "it has none that yields under a pressure");
-  add(to, !stage.boundaries.empty(), "boundaries that move", "they are no walls of its granular fixes");
+  add(to, !stage.boundaries.empty() || !stage.boundaries_in_space.empty(), "boundaries that move",
+      "they are no walls of its granular fixes");
   add(to, !stage.exchange.is_none(), "grains that come and leave", "they are drawn from populations here");
   add(to, stage.bond || stage.glue, "glue and bonds", "they are made here");
 }
 
-/// What the plane alone has.
-void add_shapes(Sentences& /*to*/, const PackingIn<3>& /*start*/) {}
+void add_shapes(Sentences& to, const PackingIn<3>& start) {
+  add(to, !start.domain.boundaries.empty(), "boundaries",
+      "faces that spheres touch from both sides are no walls there");
+}
 void add_shapes(Sentences& to, const Packing& start) {
   add(to, !start.grains.shapes.empty(), "clumps and polygons", "its granular styles are of disks and spheres");
   add(to, !start.domain.boundaries.empty(), "boundaries", "lines that grains touch from both sides are no walls there");

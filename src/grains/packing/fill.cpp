@@ -15,7 +15,7 @@ namespace arenite::packing {
 namespace {
 
 /// Closed boundaries that grains lie around. What encloses more than half of the container holds them, as a drum does.
-std::vector<geometry::Polygon> obstacles_of(const Container<3>& /*domain*/) { return {}; }
+std::vector<geometry::Polygon> obstacles_of(const DomainIn<3>& /*domain*/) { return {}; }
 std::vector<geometry::Polygon> obstacles_of(const Domain& domain) {
   std::vector<geometry::Polygon> obstacles;
   for (const Boundary& boundary : domain.boundaries)
@@ -194,7 +194,7 @@ constexpr double densest(const GrainsIn<3>&) { return 0.7405; }  // equal sphere
 constexpr double loosest_jam(const Grains&) { return 0.80; }
 constexpr double loosest_jam(const GrainsIn<3>&) { return 0.60; }
 double filled(const Grains& grains, const Domain& domain) { return grains.area() / domain.area(); }
-double filled(const GrainsIn<3>& grains, const Container<3>& domain) { return grains.volume() / volume_of(domain); }
+double filled(const GrainsIn<3>& grains, const DomainIn<3>& domain) { return grains.volume() / volume_of(domain); }
 
 }  // namespace
 
@@ -248,7 +248,7 @@ double fill_lattice(Grains& grains, const Domain& domain) {
   return y - rise + site / 2 - domain.wall[bottom].position;
 }
 
-double fill_lattice(GrainsIn<3>& spheres, const Container<3>& domain) {
+double fill_lattice(GrainsIn<3>& spheres, const DomainIn<3>& domain) {
   const double site = 2 * *std::max_element(spheres.radius.begin(), spheres.radius.end());
   const double rise = site * std::sqrt(0.5);
   // Layers lie in the holes of those below them: every other one is shifted by half a site along x and z.

@@ -33,6 +33,6 @@ double fill_lattice(Grains& grains, const Domain& domain);
 
 /// Face-centred cubic, layer on layer of squares from the bottom, as cannonballs are stacked; else as in the plane. A
 /// periodic cell of whole sites is a crystal without faults, where the number of layers is even.
-double fill_lattice(GrainsIn<3>& spheres, const Container<3>& domain);
+double fill_lattice(GrainsIn<3>& spheres, const DomainIn<3>& domain);
 
 }  // namespace arenite::packing

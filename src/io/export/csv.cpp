@@ -85,11 +85,11 @@ std::string grain_table(const ExportSnapshot& from) {
 }
 
 /// Of the grain, the boundary or the wall that a grain touches.
-std::string name_of_other(const Packing& packing, std::size_t k) {
-  const Contacts& c = packing.contacts;
+template <int D> std::string name_of_other(const PackingIn<D>& packing, std::size_t k) {
+  const ContactsIn<D>& c = packing.contacts;
   if (c.is_boundary(k))
     return packing.domain.boundaries[static_cast<std::size_t>(packing.domain.boundary_of(c.element(k)))].name;
-  if (c.is_wall(k)) return side_names[static_cast<std::size_t>(c.wall_side(k))];
+  if (c.is_wall(k)) return any_side_names[static_cast<std::size_t>(c.wall_side(k))];
   return std::to_string(id_of_j(packing, k));
 }
 
@@ -135,10 +135,8 @@ std::vector<NamedBytes> csv_spheres(const ExportSpheres& from) {
   ContactsIn<3> opposite;
   opposite.normal = mapped(c.normal, [](Vec3 n) { return Vec3{0 - n.x, 0 - n.y, 0 - n.z}; });
   const auto force = by_contact(packing, [&](std::size_t k) { return Vec3{} - c.force_on_i(k); });  // on j
-  Columns contacts{column("i", [&](std::size_t k) { return id_of_i(packing, k); }), column("j", [&](std::size_t k) {
-                     return c.is_wall(k) ? std::string(any_side_names[static_cast<std::size_t>(c.wall_side(k))])
-                                         : std::to_string(id_of_j(packing, k));
-                   })};
+  Columns contacts{column("i", [&](std::size_t k) { return id_of_i(packing, k); }),
+                   column("j", [&](std::size_t k) { return quoted_cell(name_of_other(packing, k)); })};
   add(contacts, columns_of(c).first(3), opposite);
   contacts.push_back(column(title("fn", "N"), [&](std::size_t k) { return c.fn[k]; }));
   for (const auto& [name, axis] : {std::pair("fx", &Vec3::x), std::pair("fy", &Vec3::y), std::pair("fz", &Vec3::z)})

@@ -49,7 +49,7 @@ std::string comment_line(const ExportSnapshot& from) {
 
 std::vector<NamedBytes> extxyz_spheres(const ExportSpheres& from) {
   const PackingIn<3>& packing = from.snapshot->packing;
-  const Container<3>& d = packing.domain;
+  const DomainIn<3>& d = packing.domain;
   const GrainsIn<3>& g = packing.grains;
   const auto yes = [&](int axis) { return d.periodic[static_cast<std::size_t>(axis)] ? "T" : "F"; };
   std::string text = fmt::format(

@@ -15,9 +15,9 @@ using Text = std::back_insert_iterator<std::string>;
 
 /// The box along the third axis: of disks their length, of spheres their own.
 std::array<double, 2> third_bounds(const Domain& domain) { return {-0.5 * domain.thickness, 0.5 * domain.thickness}; }
-std::array<double, 2> third_bounds(const Container<3>& domain) { return {domain.corner().z, domain.corner(1).z}; }
+std::array<double, 2> third_bounds(const DomainIn<3>& domain) { return {domain.corner().z, domain.corner(1).z}; }
 bool third_is_periodic(const Domain& /*domain*/) { return true; }
-bool third_is_periodic(const Container<3>& domain) { return domain.periodic[2]; }
+bool third_is_periodic(const DomainIn<3>& domain) { return domain.periodic[2]; }
 
 /// Edges of the box as LAMMPS writes them; a tilted cell gives the bounds of its bounding box and xy.
 template <int D> std::string header(const ExportStateIn<D>& from, const char* what, std::size_t count) {

@@ -180,12 +180,12 @@ constexpr const char* signs_of(const Domain& /*domain*/) {
   return "contact_n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t (fn > 0 is "
          "repulsive); stress is positive in tension";
 }
-constexpr const char* signs_of(const Container<3>& /*domain*/) {
+constexpr const char* signs_of(const DomainIn<3>& /*domain*/) {
   return "contact_n points from j to i, the force on i is fn n + ft x n (fn > 0 is repulsive); stress is positive in "
          "tension";
 }
 void put_thickness(const NetcdfFile& file, const Domain& domain) { file.attribute("thickness_m", domain.thickness); }
-void put_thickness(const NetcdfFile& /*file*/, const Container<3>& /*domain*/) {}
+void put_thickness(const NetcdfFile& /*file*/, const DomainIn<3>& /*domain*/) {}
 
 template <int D> std::vector<NamedBytes> netcdf_loading(const States<D>& snapshots, const Provenance& provenance) {
   NetcdfFile file;

@@ -1,7 +1,11 @@
 #include "io/results/groups.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <numeric>
 #include <optional>
 
 #include "core/mapped.hpp"
@@ -18,22 +22,38 @@ void transfer_constant(const Hdf5Group& at, const char* name, std::optional<doub
   value = number;
 }
 
+/// How the points of a boundary are joined; whether those that were read can be.
+void transfer_joints(const Hdf5Group& at, Boundary& boundary) { at("closed", boundary.closed); }
+void transfer_joints(const Hdf5Group& at, BoundaryIn<3>& boundary) { at.array("corners", boundary.corners); }
+bool are_joined(const Boundary& /*boundary*/) { return true; }
+bool are_joined(const BoundaryIn<3>& boundary) {
+  const auto& corners = boundary.corners;
+  return std::ranges::all_of(corners, [](std::int32_t count) { return count > 0; }) &&
+         std::accumulate(corners.begin(), corners.end(), std::size_t{0}) == boundary.points.size();
+}
+
+void transfer_along(const Hdf5Group& at, const char* name, const char* unit, double& value) {
+  at(fmt::format("{} [{}]", name, unit).c_str(), value);
+}
+template <int D> void transfer_along(const Hdf5Group& at, const char* name, const char* unit, Vec<D>& value) {
+  constexpr const char* axes = "xyz";
+  for (int axis = 0; axis < D; ++axis) at(fmt::format("{}_{} [{}]", name, axes[axis], unit).c_str(), value[axis]);
+}
+
 /// The boundaries of a domain, of which most have none: files without them have no such group.
-void transfer_boundaries(const Hdf5Group& at, std::vector<Boundary>& boundaries) {
+template <int D> void transfer_boundaries(const Hdf5Group& at, std::vector<BoundaryIn<D>>& boundaries) {
   if (at.lacks("boundaries", boundaries.empty())) return;
-  at.each("boundaries", boundaries, 2, [](const Hdf5Group& one, Boundary& boundary) {
+  at.each("boundaries", boundaries, 2, [](const Hdf5Group& one, BoundaryIn<D>& boundary) {
     one("name", boundary.name);
-    one("closed", boundary.closed);
+    transfer_joints(one, boundary);
     one("present", boundary.present);
-    one("velocity_x [m/s]", boundary.velocity.x);
-    one("velocity_y [m/s]", boundary.velocity.y);
-    one("spin [rad/s]", boundary.spin);
-    one("centre_x [m]", boundary.centre.x);
-    one("centre_y [m]", boundary.centre.y);
-    one("force_x [N]", boundary.force.x);
-    one("force_y [N]", boundary.force.y);
-    one("torque [N m]", boundary.torque);
+    transfer_along(one, "velocity", "m/s", boundary.velocity);
+    transfer_along(one, "spin", "rad/s", boundary.spin);
+    transfer_along(one, "centre", "m", boundary.centre);
+    transfer_along(one, "force", "N", boundary.force);
+    transfer_along(one, "torque", "N m", boundary.torque);
     transfer_points(one, boundary.points);
+    if (!are_joined(boundary)) one.refuse("has faces with other points than there are");
   });
 }
 
@@ -75,14 +95,8 @@ void transfer_shear_force(const Hdf5Group& at, Vec3& force) {
 }
 
 /// What the plane alone has.
-void transfer_thickness(const Hdf5Group& /*at*/, Container<3>& /*domain*/) {}
+void transfer_thickness(const Hdf5Group& /*at*/, DomainIn<3>& /*domain*/) {}
 void transfer_thickness(const Hdf5Group& at, Domain& domain) { at("thickness [m]", domain.thickness); }
-void transfer_inside(const Hdf5Group& /*at*/, Container<3>& /*domain*/) {}
-void transfer_inside(const Hdf5Group& at, Domain& domain) { transfer_boundaries(at, domain.boundaries); }
-
-int elements_of(const Domain& domain) { return domain.elements(); }
-int elements_of(const Container<3>& /*domain*/) { return 0; }
-
 void note_signs(const Hdf5Group& at, const Packing& packing) {
   at.note(
       "i and j",
@@ -94,10 +108,11 @@ void note_signs(const Hdf5Group& at, const Packing& packing) {
   at.note("signs",
           "n points from j to i, t is n turned by +90 degrees, the force on i is fn n + ft t; fn > 0 is repulsive");
 }
-void note_signs(const Hdf5Group& at, const PackingIn<3>& /*packing*/) {
+void note_signs(const Hdf5Group& at, const PackingIn<3>& packing) {
   at.note("i and j",
           "indices into the arrays of grains, from 0, not ids; j = -1, -2, -3, -4, -5, -6 is the left, right, bottom, "
           "top, back, front wall");
+  if (packing.domain.elements() > 0) at.note("j below -6", "-7 - j counts the faces of all boundaries");
   at.note("signs", "n points from j to i, the force on i is fn n + ft x n; fn > 0 is repulsive");
 }
 
@@ -121,6 +136,9 @@ void refuse_version_01(const Hdf5Group& file, const std::filesystem::path& path)
 
 void transfer_points(const Hdf5Group& at, std::vector<Vec2>& points) {
   at.records(points, Named{"x", &Vec2::x, "m"}, Named{"y", &Vec2::y, "m"});
+}
+void transfer_points(const Hdf5Group& at, std::vector<Vec3>& points) {
+  at.records(points, Named{"x", &Vec3::x, "m"}, Named{"y", &Vec3::y, "m"}, Named{"z", &Vec3::z, "m"});
 }
 
 void transfer_provenance(const Hdf5Group& at, Provenance& provenance) {
@@ -160,11 +178,11 @@ template <int D> void transfer_domain(const Hdf5Group& at, DomainIn<D>& domain) 
     at_side("force [N]", wall.force);
     transfer_shear_force(at_side, wall.shear_force);
   }
-  transfer_inside(group, domain);
+  transfer_boundaries(group, domain.boundaries);
 }
 
 template void transfer_domain<2>(const Hdf5Group&, Domain&);
-template void transfer_domain<3>(const Hdf5Group&, Container<3>&);
+template void transfer_domain<3>(const Hdf5Group&, DomainIn<3>&);
 
 template <int D> void transfer_names(const Hdf5Group& at, GrainsIn<D>& grains, const GrainsIn<D>* sample) {
   const auto transfer = [&]<class T>(const char* name, std::vector<T> GrainsIn<D>::*member, const char* unit = "1") {
@@ -201,7 +219,7 @@ template <int D> void transfer_contacts(const Hdf5Group& at, PackingIn<D>& packi
   if (!at.reads()) return;
   group.same_length({contacts.size(), contacts.j.size(), contacts.glued.size()});
   const auto n = static_cast<std::int64_t>(packing.grains.size());
-  const std::int32_t last = wall_partner(sides_in<D> - 1) - elements_of(packing.domain);
+  const std::int32_t last = wall_partner(sides_in<D> - 1) - packing.domain.elements();
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (contacts.i[c] < 0 || contacts.i[c] >= n || contacts.j[c] >= n || contacts.j[c] < last)
       group.refuse("names a grain that does not exist");

@@ -150,6 +150,7 @@ void transfer_columns(const Hdf5Group& at, Owner& owner, const Columns& columns,
 
 /// Points as the arrays x and y, m.
 void transfer_points(const Hdf5Group& at, std::vector<Vec2>& points);
+void transfer_points(const Hdf5Group& at, std::vector<Vec3>& points);
 
 /// What made a result, its name and how it ended, as the groups "provenance" and "outcome"; the file itself says in its
 /// attributes what it is.

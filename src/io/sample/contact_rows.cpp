@@ -139,11 +139,11 @@ std::int32_t partner_of(const RawContact& row, const Frame<2>& frame, Domain& do
   }
   return boundary_partner(2 * static_cast<int>(at));
 }
-std::int32_t partner_of(const RawContact& row, const Frame<3>& frame, Container<3>& /*domain*/) {
+std::int32_t partner_of(const RawContact& row, const Frame<3>& frame, DomainIn<3>& /*domain*/) {
   return wall_partner(side_towards(frame.of(*row.normal)));
 }
 void tell_of_others(std::size_t /*count*/, const Domain& /*domain*/, std::vector<std::string>& /*notes*/) {}
-void tell_of_others(std::size_t count, const Container<3>& /*domain*/, std::vector<std::string>& notes) {
+void tell_of_others(std::size_t count, const DomainIn<3>& /*domain*/, std::vector<std::string>& notes) {
   if (count > 0)
     notes.push_back(fmt::format(
         "{} contacts are with something that is no side of the box; each counts as one with the wall that it "

@@ -36,7 +36,7 @@ SpherePack read_spheres(const std::filesystem::path& path, std::vector<std::stri
   options.dimension = 3;
   auto sample = std::get<SampleIn<3>>(read_any_sample(path, {}, options));
   notes = std::move(sample.notes);
-  const Container<3>& cell = sample.packing.domain;
+  const DomainIn<3>& cell = sample.packing.domain;
   SpherePack pack;
   pack.centre = std::move(sample.packing.grains.position);
   pack.radius = std::move(sample.packing.grains.radius);

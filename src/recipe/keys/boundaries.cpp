@@ -10,6 +10,7 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/dem/integrators/integrators.hpp"
+#include "recipe/keys.hpp"
 #include "recipe/keys/stages.hpp"
 #include "recipe/recipe.hpp"
 
@@ -21,35 +22,41 @@ namespace {
 
 using dem::Programme;
 
-void declare(Visitor& v, dem::BoundaryMotion& motion, const Stage& stage, const Recipe& recipe) {
+/// The motion of one of these boundaries among those of a stage.
+template <int D>
+void declare_motion(Visitor& v, dem::BoundaryMotionIn<D>& motion, const Stage& stage,
+                    const std::vector<BoundaryIn<D>>& boundaries, const Recipe& recipe) {
   motion.declare(v);
-  const auto names = mapped(recipe.boundaries, &Boundary::name);
+  const auto names = mapped(boundaries, &BoundaryIn<D>::name);
   v.require(std::ranges::count(names, motion.name) > 0, {"name"},
             names.empty() ? std::string("there are no [[boundaries]] that could move; add them")
                           : fmt::format("there is no boundary \"{}\"; there are: {}", motion.name, list_of(names)));
-  v.require(std::ranges::count(stage.boundaries, motion.name, &dem::BoundaryMotion::name) <= 1, {"name"},
-            fmt::format("boundary \"{}\" is named twice in this stage", motion.name));
+  v.require(std::ranges::count(dem::boundaries_in<D>(stage), motion.name, &dem::BoundaryMotionIn<D>::name) <= 1,
+            {"name"}, fmt::format("boundary \"{}\" is named twice in this stage", motion.name));
   v.require(!motion.mass || dem::integrator_of(recipe.integration.integrator).moves_bodies, {"mass"},
             "boundaries with a mass need integration.integrator = " + dem::integrators_of_bodies());
 }
 
 /// Boundaries do not change with a periodic cell.
 void require_still_cell(Visitor& v, const Stage& stage, const Recipe& recipe) {
-  if (recipe.boundaries.empty()) return;
+  if (recipe.boundaries.empty() && recipe.boundaries_in_space.empty()) return;
   const bool sheared =
       stage.shear_rate != 0 || (stage.strain_cycles && stage.strain_cycles->of == dem::StrainCycles::shear) ||
       std::ranges::count(stage.programmes, dem::Driven{Programme::What::shear_rate}, &Programme::of) > 0;
   v.require(!sheared, {"shear_rate", "strain_cycles", "programmes"},
             "a periodic cell with boundaries cannot be sheared; move a boundary or a wall");
-  for (std::size_t side = 0; side < 4; ++side) {
+  for (std::size_t side = 0; side < stage.side.size(); ++side) {
     const bool moves = stage.side[side].kind != SideDrive::Kind::fixed ||
                        (stage.strain_cycles && stage.strain_cycles->of == static_cast<int>(side));
-    v.require(!moves || !recipe.container.is_periodic(side), {side_names[side]},
+    v.require(!moves || !recipe.container.is_periodic(side), {any_side_names[side]},
               "is periodic and cannot move, because the boundaries would no longer fit the cell; leave it \"fixed\"");
   }
 }
 
 void require_boundary(Visitor& v, const Programme& p, const Stage& stage, const Recipe& recipe) {
+  v.require(recipe.dimension == 2, {"programmes"},
+            "no table drives a boundary in space; give it a velocity or a spin in the stage");
+  if (recipe.dimension == 3) return;
   v.require(std::ranges::count(recipe.boundaries, p.name, &Boundary::name) > 0, {"programmes"},
             fmt::format("there is no boundary \"{}\"; name one of [[boundaries]]", p.name));
   const auto at = std::ranges::find(stage.boundaries, p.name, &dem::BoundaryMotion::name);
@@ -120,6 +127,23 @@ void require_one_pressing_edge(Visitor& v, const Stage& stage, std::size_t first
           name, opposite));
 }
 
+/// In space their velocities, spins and forces have three components.
+void declare_motions(Visitor& v, Stage& stage, const Recipe& recipe) {
+  constexpr Key in_plane{"boundaries", "Motion of boundaries in this stage; boundaries not listed stay in place."},
+      in_space{"boundaries", "The same in space, with `dimension = 3`."};
+  v.when(recipe.dimension == 2, plane, [&](Visitor& outer) {
+    outer.list<dem::BoundaryMotion>(in_plane, stage.boundaries, [&](Visitor& inner, dem::BoundaryMotion& motion) {
+      declare_motion(inner, motion, stage, recipe.boundaries, recipe);
+    });
+  });
+  v.when(recipe.dimension == 3, space, [&](Visitor& outer) {
+    outer.list<dem::BoundaryMotionIn<3>>(key, stage.boundaries_in_space,
+                                         [&](Visitor& inner, dem::BoundaryMotionIn<3>& motion) {
+                                           declare_motion(inner, motion, stage, recipe.boundaries_in_space, recipe);
+                                         });
+  });
+}
+
 }  // namespace
 
 void declare_openings(Visitor& v, Stage& stage, const Recipe& recipe) {
@@ -147,9 +171,7 @@ void declare_openings(Visitor& v, Stage& stage, const Recipe& recipe) {
     v.require(!stage.open[side] || !recipe.container.is_periodic(side), {"open"},
               fmt::format("there is no wall at the {}: the container is periodic there", any_side_names[side]));
   }
-  v.list<dem::BoundaryMotion>(
-      {"boundaries", "Motion of boundaries in this stage; boundaries not listed stay in place."}, stage.boundaries,
-      [&](Visitor& inner, dem::BoundaryMotion& motion) { declare(inner, motion, stage, recipe); });
+  declare_motions(v, stage, recipe);
   v.number({"count_below",
             "The history gets the columns `passed` and `passed_mass`: number and mass of the grains whose centre is "
             "below this height."},
@@ -163,10 +185,8 @@ void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParamet
   require_one_pressing_edge(v, stage, back, container.periodic[2]);
   v.require(!stage.gravity || !container.periodic[1], {"gravity"},
             "grains would fall for ever through periodic sides; set container.periodic_y = false");
-  const bool moves =
-      std::ranges::count(stage.side, Kind::velocity, &SideDrive::kind) > 0 || stage.slide != ByAnySide<double>{} ||
-      stage.shear_rate != 0 ||
-      std::ranges::any_of(stage.boundaries, [](const auto& b) { return b.velocity != Vec2{} || b.spin != 0; });
+  const bool moves = std::ranges::count(stage.side, Kind::velocity, &SideDrive::kind) > 0 ||
+                     stage.slide != ByAnySide<double>{} || stage.shear_rate != 0 || dem::moves_boundaries(stage);
   v.require(stage.shear_rate == 0 || (container.periodic[0] && container.periodic[1]), {"shear_rate"},
             "only a cell periodic in both directions can be sheared in this way; set container.periodic_x and "
             "periodic_y, or let a wall slide");

@@ -7,10 +7,13 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/decimals.hpp"
 #include "core/text.hpp"
+#include "recipe/keys.hpp"
+#include "recipe/keys/face_shapes.hpp"
 #include "recipe/recipe.hpp"
 
 namespace arenite::recipe {
@@ -18,6 +21,15 @@ namespace arenite::recipe {
 using Visitor = ParameterVisitor;
 
 namespace {
+
+template <int D> void declare_name(Visitor& v, std::string& name, const std::vector<BoundaryIn<D>>& boundaries) {
+  v.text({"name", "Name in stages and results: letters, digits, _ and -.", true}, name);
+  const bool is_side = std::ranges::count(any_side_names.begin(), any_side_names.begin() + sides_in<D>, name) > 0;
+  v.require(is_plain_name(name) && !is_side, {"name"},
+            "must be made of letters, digits, _ and -, and not be that of a wall");
+  v.require(std::ranges::count(boundaries, name, &BoundaryIn<D>::name) <= 1, {"name"},
+            fmt::format("another boundary is called \"{}\"; names must differ", name));
+}
 
 // What stands for the points of a boundary; a recipe holds the points that follow.
 
@@ -110,12 +122,7 @@ template <class Figure> bool declare_figure(Visitor& v, const Key& key, Boundary
 }
 
 void declare(Visitor& v, Boundary& boundary, const Recipe& recipe) {
-  v.text({"name", "Name in stages and results: letters, digits, _ and -.", true}, boundary.name);
-  const bool is_side = std::ranges::count(side_names, boundary.name) > 0;
-  v.require(is_plain_name(boundary.name) && !is_side, {"name"},
-            "must be made of letters, digits, _ and -, and not be that of a wall");
-  v.require(std::ranges::count(recipe.boundaries, boundary.name, &Boundary::name) <= 1, {"name"},
-            fmt::format("another boundary is called \"{}\"; names must differ", boundary.name));
+  declare_name(v, boundary.name, recipe.boundaries);
   v.points({"points", "Points joined by straight segments, from the lower left corner of the container."},
            boundary.points, "mm");
   v.flag({"closed", "A segment joins the last point with the first."}, boundary.closed);
@@ -139,10 +146,20 @@ void declare(Visitor& v, Boundary& boundary, const Recipe& recipe) {
 }  // namespace
 
 void declare_boundaries(Visitor& v, Recipe& recipe) {
-  v.list<Boundary>({"boundaries",
-                    "Thin rigid boundaries in addition to the walls: hoppers, gates, drums, obstacles, intruders. "
-                    "Contacts with them are like those with walls."},
-                   recipe.boundaries, [&](Visitor& inner, Boundary& boundary) { declare(inner, boundary, recipe); });
+  constexpr Key lines{"boundaries",
+                      "Thin rigid boundaries in addition to the walls: hoppers, gates, drums, obstacles, intruders. "
+                      "Contacts with them are like those with walls."},
+      faces{"boundaries", "The same in space, with `dimension = 3`: boundaries of flat faces."};
+  v.when(recipe.dimension == 2, plane, [&](Visitor& outer) {
+    outer.list<Boundary>(lines, recipe.boundaries,
+                         [&](Visitor& inner, Boundary& boundary) { declare(inner, boundary, recipe); });
+  });
+  v.when(recipe.dimension == 3, space, [&](Visitor& outer) {
+    outer.list<BoundaryIn<3>>(faces, recipe.boundaries_in_space, [&](Visitor& inner, BoundaryIn<3>& boundary) {
+      declare_name(inner, boundary.name, recipe.boundaries_in_space);
+      declare_faces(inner, boundary, recipe.container);
+    });
+  });
 }
 
 }  // namespace arenite::recipe

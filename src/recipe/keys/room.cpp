@@ -11,14 +11,23 @@ using Visitor = ParameterVisitor;
 
 namespace {
 
-void declare_fill_area(Visitor& v, std::optional<FillArea>& area) {
+/// A container is counted from its lowest corner; the lower edge of a part may be there.
+void declare_fill_area(Visitor& v, std::optional<FillArea>& area, bool in_space) {
+  constexpr ByAnySide<const char*> from{
+      "Edge, from the container's left side.", "Edge, from the container's left side.",
+      "Edge, from the container's bottom.",    "Edge, from the container's bottom.",
+      "Edge, from the container's back.",      "Edge, from the container's back."};
   v.optional_section<FillArea>(
       {"area", "Part of the container to fill, for containers with boundaries; needs container.height."}, area,
-      [](Visitor& inner, FillArea& edges) {
-        inner.number({"left", "Edge, from the container's left side."}, edges.left, "mm", range::not_negative);
-        inner.number({"right", "Edge, from the container's left side."}, edges.right, "mm", range::positive);
-        inner.number({"bottom", "Edge, from the container's bottom."}, edges.bottom, "mm", range::not_negative);
-        inner.number({"top", "Edge, from the container's bottom."}, edges.top, "mm", range::positive);
+      [&](Visitor& inner, FillArea& part) {
+        const auto declare_edge = [&](Visitor& visitor, std::size_t side) {
+          visitor.number({any_side_names[side], from[side]}, part.edge[side], "mm",
+                         side % 2 == 0 ? range::not_negative : range::positive);
+        };
+        for (std::size_t side = left; side <= top; ++side) declare_edge(inner, side);
+        inner.when(in_space, space, [&](Visitor& deep) {
+          for (const std::size_t side : {back, front}) declare_edge(deep, side);
+        });
       });
 }
 
@@ -35,7 +44,7 @@ void declare_container(Visitor& v, Recipe& recipe) {
     inner.number_above_0({"height", "Inner height at the start; if not given, it follows from packing.solid_fraction."},
                          container.height, "mm");
   });
-  v.when(!in_space, "dimension = 2", [&](Visitor& inner) {
+  v.when(!in_space, plane, [&](Visitor& inner) {
     inner.number({"thickness", "Length of the cylinders, out of the plane.", true}, container.thickness, "mm",
                  range::positive);
   });
@@ -61,7 +70,7 @@ void declare_packing(Visitor& v, Recipe& recipe) {
          [&](Visitor& inner) {
            inner.integer({"grains", "Total number of grains, if populations give ratios."}, packing.grains,
                          {0, 100'000'000});
-           declare_fill_area(inner, packing.area);
+           declare_fill_area(inner, packing.area, recipe.dimension == 3);
          });
   v.when(packing.method == Method::random, "method = \"random\"", [&](Visitor& inner) {
     packing.solid_fraction = packing.fraction_in(recipe.dimension);
@@ -81,14 +90,16 @@ void require_fill_area(Visitor& v, const Recipe& recipe) {
   if (!area) return;
   v.require(container.height > 0, {"container", "packing"},
             "a part of it can be filled only if its height is given; write height = \"... mm\"");
-  v.require((!container.periodic[0] || (!area->left && !area->right)) &&
-                (!container.periodic[1] || (!area->bottom && !area->top)),
-            {"packing"}, "packing.area cannot end before a periodic side; leave out its edges there");
-  const auto fits = [](std::optional<double> low, std::optional<double> high, double size) {
-    return low.value_or(0) < high.value_or(size) && high.value_or(size) <= size;
-  };
-  v.require(fits(area->left, area->right, container.width) && fits(area->bottom, area->top, container.height),
-            {"packing"}, "packing.area must lie in the container, left before right and bottom below top");
+  const double size[] = {container.width, container.height, container.depth};
+  bool within = true, fits = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::optional<double>&low = area->edge[2 * axis], &high = area->edge[2 * axis + 1];
+    within = within && (!container.periodic[axis] || (!low && !high));
+    fits = fits && ((!low && !high) ||
+                    (low.value_or(0) < high.value_or(size[axis]) && high.value_or(size[axis]) <= size[axis]));
+  }
+  v.require(within, {"packing"}, "packing.area cannot end before a periodic side; leave out its edges there");
+  v.require(fits, {"packing"}, "packing.area must lie in the container, left before right and bottom below top");
 }
 
 }  // namespace arenite::recipe

@@ -35,13 +35,15 @@ void declare_every_side(Visitor& v, bool in_space, const OfSide& one) {
 std::string problem_of_until(const Stage& stage, const Recipe& recipe) {
   if (stage.until.empty()) return {};
   Domain domain;
+  DomainIn<3> vessel;
   for (const Boundary& boundary : recipe.boundaries) domain.boundaries.emplace_back().name = boundary.name;
+  for (const auto& boundary : recipe.boundaries_in_space) vessel.boundaries.emplace_back().name = boundary.name;
   for (int side = 0; side < sides; ++side)
     if (stage.side[side].is_skin()) domain.boundaries.emplace_back().name = dem::membrane_name(side);
   const bool bonded = recipe.contact.has_bonds(), cohesive = recipe.contact.is_cohesive();
   try {
     fields::Until(stage.until)
-        .check(recipe.dimension == 3 ? fields::history_numbers_in_space(stage, bonded, cohesive)
+        .check(recipe.dimension == 3 ? fields::history_numbers_in_space(stage, vessel, bonded, cohesive)
                                      : fields::history_numbers(stage, domain, bonded, cohesive));
   } catch (const InputError& error) { return error.what(); }
   return {};

@@ -25,6 +25,7 @@ Numbers equilibrium(const Equilibrium& now) {
 }
 
 Numbers components(double along) { return along; }
+Numbers components(Vec2 along) { return {along.x, along.y}; }
 Numbers components(Vec3 along) { return {along.x, along.y, along.z}; }
 
 template <int D> Numbers walls(const Container<D>& domain) {
@@ -41,17 +42,15 @@ template <int D> Numbers walls(const Container<D>& domain) {
   return j;
 }
 
-/// What the plane alone has within its walls.
-Numbers boundaries(const Container<3>& /*domain*/) { return Numbers::tree(); }
-Numbers boundaries(const Domain& domain) {
+template <int D> Numbers boundaries(const std::vector<BoundaryIn<D>>& of) {
   Numbers j = Numbers::tree();
-  for (const Boundary& b : domain.boundaries)
+  for (const BoundaryIn<D>& b : of)
     j[b.name] = {{"present", described(b.present, "", "Whether it is present")},
-                 {"centre_m", described({b.centre.x, b.centre.y}, "m", "Centre, which moves with the boundary")},
-                 {"velocity_m_s", described({b.velocity.x, b.velocity.y}, "m/s", "Velocity of the centre")},
-                 {"spin_rad_s", described(b.spin, "rad/s", "Counter-clockwise")},
-                 {"force_N", described({b.force.x, b.force.y}, "N", "Force of the grains on it, along x and y")},
-                 {"torque_N_m", described(b.torque, "N m", "Torque of the grains about the centre")}};
+                 {"centre_m", described(components(b.centre), "m", "Centre, which moves with the boundary")},
+                 {"velocity_m_s", described(components(b.velocity), "m/s", "Velocity of the centre")},
+                 {"spin_rad_s", described(components(b.spin), "rad/s", "Counter-clockwise")},
+                 {"force_N", described(components(b.force), "N", "Force of the grains on it, along each axis")},
+                 {"torque_N_m", described(components(b.torque), "N m", "Torque of the grains about the centre")}};
   return j;
 }
 
@@ -103,7 +102,7 @@ template <int D> Numbers state_of(const SnapshotIn<D>& snapshot) {
             {"walls", walls<D>(snapshot.packing.domain)},
             {"equilibrium", equilibrium(snapshot.equilibrium)},
             {"energies_J", energies_of(snapshot.energies)}};
-  if (const Numbers inside = boundaries(snapshot.packing.domain); !inside.empty()) j["boundaries"] = inside;
+  if (const Numbers inside = boundaries(snapshot.packing.domain.boundaries); !inside.empty()) j["boundaries"] = inside;
   return j;
 }
 

@@ -66,7 +66,7 @@ ContactsIn<D> propose_contacts(const GrainsIn<D>& grains, const std::type_identi
 }
 
 template Contacts propose_contacts<2>(const Grains&, const Domain&, const GrainErrors&, const ContactTolerance&);
-template ContactsIn<3> propose_contacts<3>(const GrainsIn<3>&, const Container<3>&, const GrainErrors&,
+template ContactsIn<3> propose_contacts<3>(const GrainsIn<3>&, const DomainIn<3>&, const GrainErrors&,
                                            const ContactTolerance&);
 
 }  // namespace arenite::imaging

@@ -47,7 +47,7 @@ TEST(PeriodicImages, AWrappedPointLiesInTheCellAndIsAnImageOfItself) {
 }
 
 TEST(PeriodicImages, AContainerOfSpaceWrapsAndFindsTheNearestImageLikeThatOfThePlane) {
-  Container<3> box;
+  DomainIn<3> box;
   const double sizes[] = {7, 5, 3};
   for (int axis = 0; axis < 3; ++axis) box.wall[2 * axis + 1].position = sizes[axis];
   box.periodic = {true, true, false};

@@ -66,7 +66,7 @@ TEST(BoundariesInRecipes, AreReadAndWritten) {
   EXPECT_EQ(recipe.boundaries[0].points, (std::vector<Vec2>{{0, 0.05}, {0.04, 0.05}}));
   EXPECT_FALSE(recipe.boundaries[0].closed);
   EXPECT_TRUE(recipe.boundaries[1].closed);
-  EXPECT_EQ(recipe.packing.area->bottom, 0.06);
+  EXPECT_EQ(recipe.packing.area->edge[bottom], 0.06);
   const Stage& stage = recipe.stages[0];
   EXPECT_EQ(stage.open, (ByAnySide<bool>{false, true}));
   EXPECT_EQ(stage.count_below, 0.045);

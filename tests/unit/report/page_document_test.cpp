@@ -39,7 +39,13 @@ TEST(PageDocument, NumbersWallsAfterTheGrains) {
 
 TEST(PageDocument, HasTheBoundariesOfEachStateThatHasThem) {
   test::PageSample sample(60);
-  Boundary drum{"drum", {{0, 0}, {1, 0}, {0, 1}}, true, true, {}, 2, {}, {1, -3}, 0.5};
+  Boundary drum;
+  drum.name = "drum";
+  drum.points = {{0, 0}, {1, 0}, {0, 1}};
+  drum.closed = true;
+  drum.spin = 2;
+  drum.force = {1, -3};
+  drum.torque = 0.5;
   Packing& last = sample.stage.snapshots.back().packing;
   last.domain.boundaries = {drum};
   last.contacts.add(0, boundary_partner(5), {0, 1}, 1, 0, 0.005, 0);

@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/problems.hpp"
+#include "geometry/rectangle.hpp"
 
 namespace arenite::dem {
 namespace {
@@ -92,6 +94,24 @@ bool has_crossed(const Sample& s, std::size_t slot) {
 
 }  // namespace
 
+void check_shape(Problems& problems, const Domain& domain, const Boundary& boundary) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double shortest =
+      std::min(domain.periodic[0] ? domain.width() : infinity, domain.periodic[1] ? domain.height() : infinity);
+  const std::size_t n = boundary.points.size(), least = boundary.closed ? 3 : 2;
+  bool sound = std::all_of(boundary.points.begin(), boundary.points.end(), is_finite<2>), fits = true;
+  for (std::size_t p = 0; p + (boundary.closed ? 0 : 1) < n; ++p) {
+    const Vec2 way = boundary.points[(p + 1) % n] - boundary.points[p];
+    sound = sound && way != Vec2{};
+    fits = fits && norm(way) <= (1 + 1e-9) * shortest;
+  }
+  problems.unless(n >= least, "boundary \"{}\" needs {} points or more", boundary.name, least);
+  problems.unless(sound, "each point of boundary \"{}\" must differ from the one before", boundary.name);
+  problems.unless(fits,
+                  "no segment of boundary \"{}\" may be longer than the periodic cell, {} m; give it points in between",
+                  boundary.name, shortest);
+}
+
 std::vector<Element> elements_of(const Domain& domain) {
   std::vector<Element> elements;
   for (std::size_t b = 0; b < domain.boundaries.size(); ++b)
@@ -110,6 +130,15 @@ bool goes_through_sides(const Domain& domain, const Boundary& boundary) {
   return (x || y) && (x || std::abs(way.x) <= 1e-9 * width) && (y || std::abs(way.y) <= 1e-9 * height);
 }
 
+bool are_neighbours(const Sample& s, std::int32_t j, std::int32_t k) {
+  const Boundary& boundary = boundary_of(s, j);
+  if (boundary_index(s, k) != boundary_index(s, j)) return false;
+  const bool through = goes_through_sides(s.domain, boundary);
+  const auto round = static_cast<std::int32_t>(2 * (boundary.points.size() - (through ? 1 : 0)));
+  const std::int32_t apart = std::abs(j - k);
+  return (boundary.closed || through ? std::min(apart, round - apart) : apart) <= 2;
+}
+
 bool juts_out(const Domain& domain, const Boundary& boundary, std::size_t point, Vec2 place) {
   const Ways ways = ways_at(domain, boundary, point);
   if (ways.in == Vec2{} || ways.out == Vec2{}) return true;
@@ -120,16 +149,16 @@ bool juts_out(const Domain& domain, const Boundary& boundary, std::size_t point,
 }
 
 void find_near_elements(const Sample& s, const DiskRecord& d, std::vector<std::int32_t>& near) {
-  const std::vector<geometry::Rectangle>& boxes = the<Boundaries>(s).box;
+  const std::vector<BoxAround<2>>& boxes = the<Boundaries>(s).box;
   const Domain& domain = s.domain;
   const double reach = d.radius + s.skin;
   std::size_t first = 0;
   for (std::size_t b = 0; b < boxes.size(); ++b) {
     const Boundary& boundary = domain.boundaries[b];
-    const geometry::Rectangle& box = boxes[b];
+    const BoxAround<2>& box = boxes[b];
     const std::size_t end = first + 2 * boundary.points.size();
-    const bool far_x = !domain.periodic[0] && (d.place.x < box.x_min - reach || d.place.x > box.x_max + reach);
-    const bool far_y = !domain.periodic[1] && (d.place.y < box.y_min - reach || d.place.y > box.y_max + reach);
+    const bool far_x = !domain.periodic[0] && (d.place.x < box.low.x - reach || d.place.x > box.high.x + reach);
+    const bool far_y = !domain.periodic[1] && (d.place.y < box.low.y - reach || d.place.y > box.high.y + reach);
     // An open boundary has no segment behind its last point, which is the first one's image where the boundary goes
     // through the sides.
     const std::size_t last = end - (boundary.closed ? 0 : goes_through_sides(domain, boundary) ? 2 : 1);

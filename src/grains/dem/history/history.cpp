@@ -92,7 +92,14 @@ void append_shear_force(History& history, int side, Vec3 force) {
       append(history, fmt::format("{}_shear_force_{}", any_side_names[side], axes[axis]).c_str(), "N", force[axis]);
 }
 
-void append_boundaries(History& /*history*/, const Container<3>& /*domain*/) {}
+void append_boundaries(History& history, const DomainIn<3>& domain) {
+  constexpr const char* axes = "xyz";
+  for (const BoundaryIn<3>& boundary : domain.boundaries)
+    for (int axis = 0; axis < 3; ++axis) {
+      append(history, fmt::format("{}_force_{}", boundary.name, axes[axis]).c_str(), "N", boundary.force[axis]);
+      append(history, fmt::format("{}_torque_{}", boundary.name, axes[axis]).c_str(), "N m", boundary.torque[axis]);
+    }
+}
 void append_boundaries(History& history, const Domain& domain) {
   for (const Boundary& boundary : domain.boundaries) {
     append(history, (boundary.name + "_force_x").c_str(), "N", boundary.force.x);
@@ -185,6 +192,6 @@ template <int D> History history_columns(const Stage& stage, const DomainIn<D>& 
 }
 
 template History history_columns<2>(const Stage&, const Domain&, bool, bool);
-template History history_columns<3>(const Stage&, const Container<3>&, bool, bool);
+template History history_columns<3>(const Stage&, const DomainIn<3>&, bool, bool);
 
 }  // namespace arenite::dem

@@ -94,7 +94,7 @@ void put_rest(const SampleIn<3>& /*sample*/, const BondIn<3>& bond, BondSlotIn<3
 template <class Law> Beam beam_of(const Law& law, double length, double radius, const Domain& domain) {
   return law.beam(length, radius, domain.thickness);
 }
-template <class Law> RoundBeam beam_of(const Law& law, double length, double radius, const Container<3>& /*domain*/) {
+template <class Law> RoundBeam beam_of(const Law& law, double length, double radius, const DomainIn<3>& /*domain*/) {
   return law.round_beam(length, radius);
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 /// Out of the plane, m; of no meaning to spheres.
 double thickness_of(const Domain& domain) { return domain.thickness; }
-double thickness_of(const Container<3>& /*domain*/) { return 1; }
+double thickness_of(const DomainIn<3>& /*domain*/) { return 1; }
 
 template <int D> PullCurve curve_between(const SampleIn<D>& s, double smaller, double larger) {
   const double thickness = thickness_of(s.domain);

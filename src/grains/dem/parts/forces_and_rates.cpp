@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "grains/dem/boundaries/elements.hpp"
+#include "grains/dem/boundaries/faces.hpp"
 #include "grains/dem/movers.hpp"
 #include "grains/dem/rolling.hpp"
 #include "grains/dem/walls.hpp"
@@ -29,21 +30,35 @@ int rows_of(const SampleIn<3>& s, std::size_t slot) {
   return j >= n ? s.ghost[j - n].shift.y : 0;
 }
 
+/// A force and its torque, number by number.
+std::array<double, 3> in_a_row(Vec2 force, double torque) { return {force.x, force.y, torque}; }
+std::array<double, 6> in_a_row(Vec3 force, Vec3 torque) {
+  return {force.x, force.y, force.z, torque.x, torque.y, torque.z};
+}
+
+/// Gives a contact's forces to the membrane that it is with; false where there is none.
+bool push_nodes(const SampleIn<3>&, std::size_t, const Kinematics<3>&, Vec3, Vec3, ForcesAndRates<3>&) { return false; }
+bool push_nodes(const Sample& s, std::size_t slot, const Kinematics<2>& c, Vec2 dash, Vec2 slip,
+                ForcesAndRates<2>& shot) {
+  const TouchedSkin at = touched_skin(s, slot, c);
+  if (!at.of) return false;
+  for (const auto& [node, share] : {std::pair{at.node, 1 - at.share}, std::pair{at.next, at.share}})
+    for (const int axis : {0, 1})
+      shot.node[2 * (at.of->first + node) + static_cast<std::size_t>(axis)].push(-share * dash[axis],
+                                                                                 -share * slip[axis]);
+  return true;
+}
+
 /// What a contact with a boundary does to it, by class, about its centre as well.
-void add_boundary_contact(const Sample& s, std::size_t slot, const Kinematics<2>& c, Vec2 dash, Vec2 slip,
-                          ForcesAndRates<2>& shot) {
-  if (const TouchedSkin at = touched_skin(s, slot, c); at.of) {
-    for (const auto& [node, share] : {std::pair{at.node, 1 - at.share}, std::pair{at.next, at.share}})
-      for (const int axis : {0, 1})
-        shot.node[2 * (at.of->first + node) + static_cast<std::size_t>(axis)].push(-share * dash[axis],
-                                                                                   -share * slip[axis]);
-    return;
-  }
+template <int D>
+void add_boundary_contact(const SampleIn<D>& s, std::size_t slot, const Kinematics<D>& c, Vec<D> dash, Vec<D> slip,
+                          ForcesAndRates<D>& shot) {
+  if (push_nodes(s, slot, c, dash, slip, shot)) return;
   const std::size_t b = boundary_index(s, s.list.j[slot]);
-  const Vec2 arm = touched_place(s, slot, c) - s.domain.boundaries[b].centre;
-  const double dashes[] = {dash.x, dash.y, cross(arm, dash)},
-               slips[] = {slip.x, slip.y, cross(arm, slip) - s.list.force[slot].torque_j};
-  for (std::size_t n = 0; n < 3; ++n) shot.boundary[3 * b + n].push(-dashes[n], -slips[n]);
+  const Vec<D> arm = touched_place(s, slot, c) - s.domain.boundaries[b].centre;
+  const auto dashes = in_a_row(dash, cross(arm, dash)),
+             slips = in_a_row(slip, cross(arm, slip) - s.list.force[slot].torque_j);
+  for (std::size_t n = 0; n < dashes.size(); ++n) shot.boundary[dashes.size() * b + n].push(-dashes[n], -slips[n]);
 }
 
 /// Adds forces that act on a grain, with their torque about its centre.
@@ -68,7 +83,6 @@ void push_bodies(const Sample& s, std::size_t p, Vec2 dash, Vec2 slip, const Sha
   if (of.partner) push(*of.partner, -dash, -slip, torques.j, levers.j);
 }
 void push_bodies(const SampleIn<3>&, std::size_t, Vec3, Vec3, const Sharers<3>&) {}  // there are none
-void add_boundary_contact(const SampleIn<3>&, std::size_t, const Kinematics<3>&, Vec3, Vec3, ForcesAndRates<3>&) {}
 
 /// What a contact or bond along `branch`, over so many rows of the periodic cell, does to its edges and its shear.
 template <int D>
@@ -148,6 +162,7 @@ template <int D> void add_bonds(const SampleIn<D>& s, ForcesAndRates<D>& shot) {
 }
 
 /// Nodes of membranes: those that a platen holds do its work, on all others the pressure works.
+void add_nodes(const SampleIn<3>& /*sample*/, ForcesAndRates<3>& /*shot*/) {}
 void add_nodes(const Sample& s, ForcesAndRates<2>& shot) {
   for (const Membrane& m : the<Membranes>(s).list)
     for (std::size_t k = 0; k < m.nodes(); ++k)
@@ -158,19 +173,17 @@ void add_nodes(const Sample& s, ForcesAndRates<2>& shot) {
       }
 }
 
-/// What lies within the container: boundaries and membranes, which the plane alone has.
-void add_inside(const SampleIn<3>& /*sample*/, ForcesAndRates<3>& /*shot*/) {}
-void add_inside(const Sample& s, ForcesAndRates<2>& shot) {
+template <int D> void add_boundaries(const SampleIn<D>& s, ForcesAndRates<D>& shot) {
   for (std::size_t b = 0; b < s.domain.boundaries.size(); ++b) {
-    const Boundary& boundary = s.domain.boundaries[b];
-    const bool free = the<Boundaries>(s).body[b].mass > 0;
-    const Vec2 velocity = free ? the<Boundaries>(s).body[b].rate : boundary.velocity,
-               push = force_on(s, b) - boundary.force;
-    shot.boundary.push_back({velocity.x, boundary.force.x, 0, 0, push.x, 0, free});
-    shot.boundary.push_back({velocity.y, boundary.force.y, 0, 0, push.y, 0, free});
-    shot.boundary.push_back({boundary.spin, boundary.torque});
+    const BoundaryIn<D>& boundary = s.domain.boundaries[b];
+    const BoundaryBodyIn<D>& body = the<BoundariesIn<D>>(s).body[b];
+    const bool free = body.mass > 0;
+    const auto rates = in_a_row(free ? body.rate : boundary.velocity, boundary.spin),
+               forces = in_a_row(boundary.force, boundary.torque),
+               drives = in_a_row(force_on(s, b) - boundary.force, Turning<D>{});
+    for (std::size_t n = 0; n < rates.size(); ++n)
+      shot.boundary.push_back({rates[n], forces[n], 0, 0, drives[n], 0, free && n < D});
   }
-  add_nodes(s, shot);
 }
 
 template <int D> void take_edges(const SampleIn<D>& s, bool corrects, ForcesAndRates<D>& shot) {
@@ -205,7 +218,8 @@ template <int D> ForcesAndRates<D> forces_and_rates(const SampleIn<D>& s) {
     if (s.drag != 0) mover.drag = -s.drag * m.mass * (m.seen.velocity - cell.at(m.place));
   });
   take_edges(s, corrects, shot);
-  add_inside(s, shot);
+  add_boundaries(s, shot);
+  add_nodes(s, shot);
   add_contacts(s, shot);
   add_bonds(s, shot);
   for (int axis = 0; axis < D; ++axis)

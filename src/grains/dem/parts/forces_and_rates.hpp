@@ -32,7 +32,7 @@ template <int D> struct ForcesAndRates {
   /// Where walls along themselves, each in D - 1 directions, and the shear of the cell stand among edges.
   static constexpr std::size_t slides = sides_in<D>, cell_shear = slides + sides_in<D> * (D - 1);
   std::vector<Disk> disk;
-  std::vector<Edge> boundary;             ///< three each: along +x and +y, and about the centre with torques for forces
+  std::vector<Edge> boundary;             ///< of each along the axes, and about the centre with torques for forces
   std::vector<Edge> node;                 ///< two each of the nodes of membranes: along +x and +y
   std::array<Edge, cell_shear + 1> edge;  ///< walls along their normals, walls along themselves, the shear of the cell
   Vec<D> gravity;                         ///< m/s^2

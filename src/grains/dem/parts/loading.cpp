@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "grains/dem/boundaries/set_boundaries.hpp"
 #include "grains/dem/conditions.hpp"
 #include "grains/dem/membranes/membranes.hpp"
 #include "grains/dem/walls.hpp"
@@ -58,7 +59,7 @@ void begin_boundary(Sample& s, const Programme& p) {
   (p.of.axis() == 0 ? body.force.x : body.force.y) = p.at(0);
 }
 void begin_boundary(SampleIn<3>& /*sample*/, const Programme& p) {
-  throw InputError(fmt::format("a programme drives boundary \"{}\"; there are none in space", p.name));
+  throw InputError(fmt::format("a programme drives boundary \"{}\", which no table can in space", p.name));
 }
 
 }  // namespace

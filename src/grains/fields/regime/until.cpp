@@ -149,14 +149,16 @@ std::vector<HistoryNumber> history_numbers(const dem::Stage& stage, const Domain
   return numbers;
 }
 
-std::vector<HistoryNumber> history_numbers_in_space(const dem::Stage& stage, bool bonded, bool cohesive) {
+std::vector<HistoryNumber> history_numbers_in_space(const dem::Stage& stage, const DomainIn<3>& domain, bool bonded,
+                                                    bool cohesive) {
   std::vector<HistoryNumber> numbers;
   SphereResult result;
   result.began = 0;
   PackingIn<3>& packing = result.snapshots.emplace_back().packing;
   packing.grains.resize(1);
   packing.grains.radius = {1};
-  result.history = two_rows(dem::history_columns<3>(stage, packing.domain, bonded, cohesive), false);
+  packing.domain = domain;
+  result.history = two_rows(dem::history_columns<3>(stage, domain, bonded, cohesive), false);
   add_driven(result, stage);
   add_numbers(curves_of(result, stage, nullptr), result.history, numbers);
   return numbers;

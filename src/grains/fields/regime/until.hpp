@@ -19,8 +19,9 @@ struct HistoryNumber {
 /// Those that such a stage has, in a container with these boundaries: curves first.
 std::vector<HistoryNumber> history_numbers(const dem::Stage& stage, const Domain& domain, bool bonded, bool cohesive);
 
-/// Those of a stage of spheres.
-std::vector<HistoryNumber> history_numbers_in_space(const dem::Stage& stage, bool bonded, bool cohesive);
+/// Those of a stage of spheres in such a container.
+std::vector<HistoryNumber> history_numbers_in_space(const dem::Stage& stage, const DomainIn<3>& domain, bool bonded,
+                                                    bool cohesive);
 
 /// A condition that ends a stage: "axial_strain > 20 %", "q < 0.5*max(q)". A number is compared with an expression of
 /// numbers, quantities and the largest values so far; "or" joins conditions of which one suffices, "and" those that all

@@ -14,7 +14,7 @@
 namespace arenite::texture::spheres {
 namespace {
 
-geometry::Box<3> inner_window(const Container<3>& domain, double border) {
+geometry::Box<3> inner_window(const DomainIn<3>& domain, double border) {
   geometry::Box<3> window{domain.corner(), domain.size(), domain.periodic};
   for (int axis = 0; axis < 3; ++axis) {
     if (domain.periodic[axis]) continue;
@@ -59,7 +59,7 @@ geometry::Box<3> BlockCube::block(int b) const {
 }
 
 SphereView::SphereView(const PackingIn<3>& p, const SphereOptions& o) : packing(p), options(o) {
-  const Container<3>& domain = packing.domain;
+  const DomainIn<3>& domain = packing.domain;
   if (!(volume_of(domain) > 0)) throw InputError("the container of the spheres has no volume");
   check_widths(packing);
   const GrainsIn<3>& all = packing.grains;

@@ -111,7 +111,7 @@ TEST(Fill, LatticeRowsTouchAndStayInside) {
 /// Equal spheres of diameter 2 in a box of that width and depth, as high as their lattice.
 struct Stack {
   GrainsIn<3> spheres;
-  Container<3> box;
+  DomainIn<3> box;
 
   Stack(std::size_t count, double width, double depth, bool periodic) {
     spheres.resize(count);

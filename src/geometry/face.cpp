@@ -1,0 +1,52 @@
+#include "geometry/face.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/rectangle.hpp"
+
+namespace arenite::geometry {
+namespace {
+
+/// The corner behind the k-th.
+Vec3 next_of(Face face, std::size_t k) { return face[k + 1 < face.size() ? k + 1 : 0]; }
+
+}  // namespace
+
+Vec3 area_vector(Face face) {
+  Vec3 area;
+  for (std::size_t k = 1; k + 1 < face.size(); ++k) area += cross(face[k] - face[0], face[k + 1] - face[0]);
+  return area;
+}
+
+Vec3 nearest_on_face(Face face, Vec3 place) {
+  const Vec3 area = area_vector(face);
+  Vec3 nearest = place - dot(place - face[0], area) / dot(area, area) * area;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < face.size(); ++k) {
+    const Vec3 a = face[k], b = next_of(face, k);
+    if (!(dot(cross(area, b - a), place - a) < 0)) continue;  // on the inner side of this edge
+    const Vec3 on_edge = nearest_on_segment(a, b, place), way = place - on_edge;
+    if (dot(way, way) < least) least = dot(way, way), nearest = on_edge;
+  }
+  return nearest;
+}
+
+bool is_flat_and_convex(Face face) {
+  if (face.size() < 3) return false;
+  const Vec3 area = area_vector(face);
+  const double size = norm(area);
+  if (!(size > 0)) return false;
+  const double small = 1e-6 * std::sqrt(size);
+  for (std::size_t k = 0; k < face.size(); ++k) {
+    const Vec3 a = face[k], b = next_of(face, k);
+    if (!(norm(b - a) > small) || std::abs(dot(a - face[0], area)) > small * size) return false;
+    const Vec3 inwards = cross(area, b - a);
+    for (const Vec3 corner : face)
+      if (dot(inwards, corner - a) < -small * norm(inwards)) return false;
+  }
+  return true;
+}
+
+}  // namespace arenite::geometry

@@ -1,0 +1,20 @@
+#pragma once
+#include <span>
+
+#include "core/vec.hpp"
+
+namespace arenite::geometry {
+
+/// A flat convex face in space: its corners, in either sense.
+using Face = std::span<const Vec3>;
+
+/// Twice its area along the normal that its corners turn about, m^2.
+Vec3 area_vector(Face face);
+
+/// The point of a face that is nearest to a place.
+Vec3 nearest_on_face(Face face, Vec3 place);
+
+/// Whether three corners or more lie in a plane and turn one way, but for a 1e-6 of its size.
+bool is_flat_and_convex(Face face);
+
+}  // namespace arenite::geometry

@@ -1,0 +1,130 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <string>
+
+#include "core/error.hpp"
+#include "geometry/face.hpp"
+#include "recipe/recipe.hpp"
+#include "unit/recipe/glass_grains.hpp"
+
+namespace arenite::recipe {
+namespace {
+
+/// A recipe of spheres with this in it, and a stage that is told this.
+std::string in_space(const std::string& boundaries, const std::string& stage = "") {
+  return R"(dimension = 3
+[container]
+width = "100 mm"
+height = "200 mm"
+depth = "80 mm"
+[packing]
+area = { bottom = "60 mm", front = "70 mm" }
+)" + testing::glass_grains +
+         boundaries + "[[stages]]\nname = \"flow\"\nduration = \"1 s\"\n" + stage;
+}
+
+std::string boundary(const std::string& keys) { return "[[boundaries]]\nname = \"floor\"\n" + keys + "\n"; }
+
+std::string problem_of(const std::string& text) {
+  try {
+    parse_recipe(text, "r.toml");
+  } catch (const InputError& error) { return error.what(); }
+  return {};
+}
+
+double area_of(const BoundaryIn<3>& boundary) {
+  double area = 0;
+  std::size_t first = 0;
+  for (const std::int32_t corners : boundary.corners) {
+    area += 0.5 * norm(geometry::area_vector(std::span(boundary.points).subspan(first, corners)));
+    first += static_cast<std::size_t>(corners);
+  }
+  return area;
+}
+
+BoundaryIn<3> read(const std::string& keys) {
+  const Recipe recipe = parse_recipe(in_space(boundary(keys)), "r.toml");
+  EXPECT_TRUE(parse_recipe(to_toml(recipe), "r.toml") == recipe) << to_toml(recipe);
+  return recipe.boundaries_in_space.at(0);
+}
+
+TEST(FaceShapes, AreReadByTheirCorners) {
+  const std::string corners =
+      R"(corners = [["0 mm", "5 cm", "0 mm"], ["40 mm", "5 cm", "0 mm"], ["0 mm", "5 cm", "40 mm"]])";
+  const BoundaryIn<3> one = read(corners);
+  EXPECT_EQ(one.points, (std::vector<Vec3>{{0, 0.05, 0}, {0.04, 0.05, 0}, {0, 0.05, 0.04}}));
+  EXPECT_EQ(one.corners, (std::vector<std::int32_t>{3}));
+  const BoundaryIn<3> two = read(R"(faces = [3, 3]
+corners = [["0 mm", "0 mm", "0 mm"], ["1 mm", "0 mm", "0 mm"], ["0 mm", "0 mm", "1 mm"],
+           ["0 mm", "0 mm", "0 mm"], ["1 mm", "0 mm", "0 mm"], ["0 mm", "1 mm", "0 mm"]])");
+  EXPECT_EQ(two.corners, (std::vector<std::int32_t>{3, 3}));
+  EXPECT_EQ(two.points[5], (Vec3{0, 0.001, 0}));
+}
+
+TEST(FaceShapes, APlateHasAnOpeningOfItsArea) {
+  const double whole = 0.1 * 0.08;
+  EXPECT_NEAR(area_of(read(R"(plate = { y = "50 mm" })")), whole, 1e-12);
+  EXPECT_NEAR(area_of(read(R"(plate = { y = "50 mm", left = "20 mm", back = "10 mm" })")), 0.08 * 0.07, 1e-12);
+  const BoundaryIn<3> round = read(R"(plate = { y = "50 mm", diameter = "30 mm", segments = 24, x = "40 mm" })");
+  const double gap = 12 * 0.015 * 0.015 * std::sin(2 * std::numbers::pi / 24);
+  EXPECT_NEAR(area_of(round), whole - gap, 1e-12);
+  EXPECT_EQ(round.corners.size(), 24U);
+  for (const Vec3& p : round.points) {
+    EXPECT_EQ(p.y, 0.05);
+    EXPECT_GE(std::hypot(p.x - 0.04, p.z - 0.04), 0.015 - 1e-12);
+  }
+  EXPECT_NEAR(area_of(read(R"(plate = { y = "50 mm", opening_width = "20 mm", opening_depth = "30 mm" })")),
+              whole - 6e-4, 1e-12);
+  const BoundaryIn<3> slot = read(R"(plate = { y = "50 mm", opening_width = "20 mm", opening_depth = "80 mm" })");
+  EXPECT_EQ(slot.corners.size(), 2U);  // left and right of it
+  EXPECT_NEAR(area_of(slot), 0.08 * 0.08, 1e-12);
+}
+
+TEST(FaceShapes, AConeHasTheAreaOfItsTrapezoids) {
+  const BoundaryIn<3> cone = read(
+      R"(cone = { x = "50 mm", z = "40 mm", bottom = "20 mm", top = "50 mm", bottom_diameter = "20 mm", top_diameter = "60 mm", segments = 16 })");
+  const double half = std::sin(std::numbers::pi / 16), rise = std::hypot(0.03, 0.02 * std::cos(std::numbers::pi / 16));
+  EXPECT_NEAR(area_of(cone), 16 * (0.01 + 0.03) * half * rise, 1e-12);
+}
+
+TEST(FaceShapes, MoveAlongThreeAxes) {
+  const Recipe recipe = parse_recipe(
+      in_space(
+          boundary(R"(plate = { y = "50 mm" })"),
+          R"(boundaries = [{ name = "floor", velocity = ["1 mm/s", "0 mm/s", "2 mm/s"], spin = ["0 deg/s", "180 deg/s", "0 deg/s"] }]
+)"),
+      "r.toml");
+  const auto& motion = recipe.stages[0].boundaries_in_space.at(0);
+  EXPECT_EQ(motion.velocity, (Vec3{0.001, 0, 0.002}));
+  EXPECT_DOUBLE_EQ(motion.spin.y, std::numbers::pi);
+  EXPECT_TRUE(parse_recipe(to_toml(recipe), "r.toml") == recipe);
+  EXPECT_EQ(recipe.packing.area->edge[front], 0.07);
+}
+
+TEST(FaceShapes, ThatMakeNoSenseAreRefused) {
+  const auto refused = [](const std::string& keys) { return problem_of(in_space(boundary(keys))); };
+  EXPECT_NE(refused("").find("give corners, or a plate or a cone"), std::string::npos);
+  EXPECT_NE(refused(R"(corners = [["0 mm", "0 mm", "0 mm"], ["1 mm", "0 mm", "0 mm"]])").find("flat and convex"),
+            std::string::npos);
+  EXPECT_NE(refused(R"(plate = { y = "5 mm", opening_width = "2 mm" })").find("a width and a depth"),
+            std::string::npos);
+  EXPECT_NE(refused(R"(points = [["0 mm", "0 mm"], ["1 mm", "0 mm"]])")
+                .find("the keys here are: cone, corners, faces, name, plate"),
+            std::string::npos);
+  EXPECT_NE(
+      problem_of(in_space(boundary(R"(plate = { y = "5 mm" })"), "boundaries = [{ name = \"gate\", absent = true }]\n"))
+          .find("there is no boundary \"gate\""),
+      std::string::npos);
+  EXPECT_NE(
+      problem_of(in_space(boundary(R"(plate = { y = "5 mm" })"),
+                          "programmes = [{ of = \"boundary.y\", boundary = \"floor\", table = [[\"0 s\", \"0 mm\"], "
+                          "[\"1 s\", \"1 mm\"]] }]\n"))
+          .find("no table drives a boundary in space"),
+      std::string::npos);
+}
+
+}  // namespace
+}  // namespace arenite::recipe
