@@ -30,9 +30,9 @@ template <int D>
 Record record_of_rows(const Key& key, const std::vector<Vec<D>>& rows, const std::array<std::string_view, D>& unit,
                       const std::string& example) {
   const auto row_of = [&](const auto& number) {
-    std::string row;
-    for (std::size_t n = 0; n < D; ++n) row += (n == 0 ? "" : ", ") + number(n);
-    return "[" + row + "]";
+    std::array<std::string, D> row;
+    for (std::size_t n = 0; n < D; ++n) row[n] = number(n);
+    return fmt::format("[{}]", list_of(row));
   };
   const auto form = fmt::format("[{}, ...]", row_of([&](std::size_t n) { return with_unit("...", unit[n]); }));
   Record record{key, form, {}, Record::Type::other, {}, example};
@@ -119,8 +119,7 @@ void read_form(const Written& at, int& form, double& value, const std::vector<Fo
   const bool is_bare = node.kind == Node::Kind::text;
   const Entry* const only = node.kind == Node::Kind::table ? only_entry(node) : nullptr;
   if (!is_bare && !only) return void(at.refuse("must be one of: " + ways));
-  const std::string& word = is_bare ? node.text : only->key;
-  const std::string path = at.path + "." + word;
+  const std::string &word = is_bare ? node.text : only->key, path = at.path + "." + word;
   std::vector<std::string> alike;
   for (std::size_t i = 0; i < forms.size(); ++i) {
     if (forms[i].unit.empty() != is_bare) continue;
@@ -198,13 +197,9 @@ void KeyVisitor::visit_text(const Key& key, std::string& value, bool names_file)
 }
 
 void KeyVisitor::numbers(const Key& key, std::vector<double>& values, std::string_view unit, const Range& range) {
-  const std::string each = to_string(range, unit);
-  Record record{key,
-                fmt::format("[{}]", with_unit("...", unit)),
-                each.empty() ? "" : "each " + each,
-                Record::Type::numbers,
-                unit,
-                fmt::format("[{}, {}]", with_unit("1", unit), with_unit("2", unit))};
+  const std::string each = to_string(range, unit), form = fmt::format("[{}]", with_unit("...", unit)),
+                    example = fmt::format("[{}, {}]", with_unit("1", unit), with_unit("2", unit));
+  Record record{key, form, each.empty() ? "" : "each " + each, Record::Type::numbers, unit, example};
   record.literal = list_literal(values, [&](double value) { return number_literal(value, unit); });
   visit(std::move(record), [&](const Written& at) {
     if (at.is_a(Node::Kind::array, "a list"))

@@ -3,7 +3,7 @@
 import pathlib
 import re
 
-from sources import SOURCES, code_of, files
+from sources import ROOT, SOURCES, code_of, files
 
 # Members of visible lists, by the header in which their list stands or which it fronts: they have none of their own.
 LISTS = {
@@ -71,6 +71,22 @@ def test_headers_are_the_faces_of_their_sources():
                 drawers.append(f"{header.relative_to(SOURCES)} declares {name}, which is in {', '.join(others)}")
     assert not drawers, "\n".join(sorted(drawers))
     assert found > 500  # or the search has gone blind
+
+
+def test_headers_define_functions_that_several_sources_may_include():
+    """A plain function that a header defines is defined twice as soon as two units include it."""
+    folders = [SOURCES, *(ROOT / name for name in ("tests", "bench"))]
+    headers = [header for folder in folders for header in folder.rglob("*.hpp")]
+    plain = re.compile(r"^(?!inline|constexpr|template|ARENITE_INLINE)\w.*\b(\w+)\([^;]*$")
+    found = []
+    for header in headers:
+        lines = header.read_text().splitlines()
+        found += [
+            f"{header.relative_to(ROOT)}: {line}"
+            for before, line in zip(["", *lines], lines)
+            if (head := plain.match(line)) and head[1] in functions(header, "@") and not before.startswith("template")
+        ]
+    assert len(headers) > 500 and not found, "\n".join(found)
 
 
 # Names of the standard library by the header that has them.

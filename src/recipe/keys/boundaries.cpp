@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
@@ -137,7 +138,7 @@ void declare_motions(Visitor& v, Stage& stage, const Recipe& recipe) {
     });
   });
   v.when(recipe.dimension == 3, space, [&](Visitor& outer) {
-    outer.list<dem::BoundaryMotionIn<3>>(key, stage.boundaries_in_space,
+    outer.list<dem::BoundaryMotionIn<3>>(in_space, stage.boundaries_in_space,
                                          [&](Visitor& inner, dem::BoundaryMotionIn<3>& motion) {
                                            declare_motion(inner, motion, stage, recipe.boundaries_in_space, recipe);
                                          });

@@ -12,11 +12,11 @@
 namespace arenite::inference {
 namespace {
 
-using Pixels = std::vector<float>;
+using MapPixels = std::vector<float>;
 
-template <Pixels LockinMaps::*member> Pixels of_lockin(const FilmResult& film) { return film.maps.*member; }
+template <MapPixels LockinMaps::*member> MapPixels of_lockin(const FilmResult& film) { return film.maps.*member; }
 
-Pixels degrees_after_load(const FilmResult& film) {
+MapPixels degrees_after_load(const FilmResult& film) {
   return mapped(thermography::phase_after_load(film.maps),
                 [](float phase) { return static_cast<float>(phase * 180 / std::numbers::pi); });
 }

@@ -63,13 +63,13 @@ inline std::vector<double> derivative(const Grid& grid, const std::vector<double
       }
   return out;
 }
-std::vector<double> divergence(const Grid& grid, const std::vector<double>& x, const std::vector<double>& y) {
+inline std::vector<double> divergence(const Grid& grid, const std::vector<double>& x, const std::vector<double>& y) {
   std::vector<double> sum = derivative(grid, x, true);
   const std::vector<double> other = derivative(grid, y, false);
   for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += other[k];
   return sum;
 }
-double largest(const std::vector<double>& values) {
+inline double largest(const std::vector<double>& values) {
   double most = 0;
   for (const double v : values) most = std::max(most, std::abs(v));
   return most;
@@ -80,7 +80,7 @@ struct Rates {
   double density = 0;
   Vec2 momentum;
 };
-Rates rates_at(const Packing& p, Vec2 point, double width) {
+inline Rates rates_at(const Packing& p, Vec2 point, double width) {
   std::vector<Vec2> force(p.grains.size());
   for (std::size_t c = 0; c < p.contacts.size(); ++c) {
     force[static_cast<std::size_t>(p.contacts.i[c])] += p.contacts.force_on_i(c);

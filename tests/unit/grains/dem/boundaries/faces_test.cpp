@@ -33,7 +33,7 @@ struct Slope {
 };
 
 /// Mean acceleration down a slope of a sphere that is let go on it.
-double acceleration_on(double angle, double mu) {
+double acceleration_down(double angle, double mu) {
   const Slope slope(angle);
   const Vec3 from{0.1, 0.35, 0.15}, start = from + (ball - weight * std::cos(angle) / stiff) * slope.normal;
   PackingIn<3> p = box_with(slope.strip(from));
@@ -52,9 +52,9 @@ double acceleration_on(double angle, double mu) {
 TEST(Faces, ASphereSlidesAndRollsDownThemAsOnAPlane) {
   const double angle = 0.5;
   const double tolerance = 3e-5 * gravity;  // the spring of friction is built up within a tenth of a millisecond
-  EXPECT_NEAR(acceleration_on(angle, 0), gravity * std::sin(angle), tolerance);
-  EXPECT_NEAR(acceleration_on(angle, 1), gravity * std::sin(angle) * 5 / 7, tolerance);
-  EXPECT_NEAR(acceleration_on(angle, 0.1), gravity * (std::sin(angle) - 0.1 * std::cos(angle)), tolerance);
+  EXPECT_NEAR(acceleration_down(angle, 0), gravity * std::sin(angle), tolerance);
+  EXPECT_NEAR(acceleration_down(angle, 1), gravity * std::sin(angle) * 5 / 7, tolerance);
+  EXPECT_NEAR(acceleration_down(angle, 0.1), gravity * (std::sin(angle) - 0.1 * std::cos(angle)), tolerance);
 }
 
 // A dashpot of a restitution takes its share of the normal velocity, whatever the direction in space.
