@@ -84,19 +84,20 @@ TEST(FaceShapes, APlateHasAnOpeningOfItsArea) {
 }
 
 TEST(FaceShapes, AConeHasTheAreaOfItsTrapezoids) {
-  const BoundaryIn<3> cone = read(
-      R"(cone = { x = "50 mm", z = "40 mm", bottom = "20 mm", top = "50 mm", bottom_diameter = "20 mm", top_diameter = "60 mm", segments = 16 })");
+  const BoundaryIn<3> cone =
+      read(R"(cone = { x = "50 mm", z = "40 mm", bottom = "20 mm", top = "50 mm", bottom_diameter = "20 mm", )"
+           R"(top_diameter = "60 mm", segments = 16 })");
   const double half = std::sin(std::numbers::pi / 16), rise = std::hypot(0.03, 0.02 * std::cos(std::numbers::pi / 16));
   EXPECT_NEAR(area_of(cone), 16 * (0.01 + 0.03) * half * rise, 1e-12);
 }
 
 TEST(FaceShapes, MoveAlongThreeAxes) {
-  const Recipe recipe = parse_recipe(
-      in_space(
-          boundary(R"(plate = { y = "50 mm" })"),
-          R"(boundaries = [{ name = "floor", velocity = ["1 mm/s", "0 mm/s", "2 mm/s"], spin = ["0 deg/s", "180 deg/s", "0 deg/s"] }]
+  const Recipe recipe =
+      parse_recipe(in_space(boundary(R"(plate = { y = "50 mm" })"),
+                            R"(boundaries = [{ name = "floor", velocity = ["1 mm/s", "0 mm/s", "2 mm/s"], )"
+                            R"(spin = ["0 deg/s", "180 deg/s", "0 deg/s"] }]
 )"),
-      "r.toml");
+                   "r.toml");
   const auto& motion = recipe.stages[0].boundaries_in_space.at(0);
   EXPECT_EQ(motion.velocity, (Vec3{0.001, 0, 0.002}));
   EXPECT_DOUBLE_EQ(motion.spin.y, std::numbers::pi);
