@@ -143,8 +143,9 @@ TEST(Page, OfAStudyIsPaintedInABrowser) {
       return test::numbers_of(R"({"size":[2,1],"nodes":[2,1],"stress":[0.5,null],"edges":[[1,0,1]]})");
     const std::string grains = R"({"size":[20,10],"x":[5,15],"y":[5,5],"r":[5,5],"material":[0,1],"glued":[0,1],)";
     if (figure.kind == report::FigureKind::grains) return test::numbers_of(grains + R"("materials":["POM","HDPE"]})");
-    return test::numbers_of(grains + (figure.kind == report::FigureKind::forces ? R"("i":[0],"j":[1],"f":[-0.5]})"
-                                                                                : R"("stress":[0.5,1.5]})"));
+    return test::numbers_of(grains + (figure.kind == report::FigureKind::forces
+                                          ? R"("i":[0],"j":[1],"f":[-0.5],"tension":-0.001})"
+                                          : R"("stress":[0.5,1.5]})"));
   };
   report::write_study_page(folder / "study.html", {"A study", figures, table, numbers, drawing});
   expect_in_browser("study_page.test.mjs", folder / "study.html");

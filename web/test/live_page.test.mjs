@@ -19,7 +19,7 @@ const run = {
   status: { stage: 2, stages: 3, name: "shear", share: 0.25, step: 7, settles: true, increments: 0, seconds_left: 120 },
   stages: [{ name: "densify", outcome: "equilibrium" }],
   figures: [
-    { id: "grains", title: "Grains", caption: "", sample: { ...sample, i: [0], j: [1], f: [1] } },
+    { id: "grains", title: "Grains", caption: "", sample: { ...sample, i: [0], j: [1], f: [1], tension: -0.001 } },
     { id: "test-curves", title: "Curves", caption: "", drawing: { panels: [panel([0, 1, 0.5])] } },
   ],
 };
