@@ -63,6 +63,12 @@ class OnStep : public py::object {
   PYBIND11_OBJECT_DEFAULT(OnStep, py::object, is_callable_or_none)
 };
 
+/// A Packing or a SpherePacking.
+class OnePacking : public py::object {
+ public:
+  PYBIND11_OBJECT_DEFAULT(OnePacking, py::object, is_anything)
+};
+
 /// "", "x", "y" or "xy": which directions are periodic. Throws InputError for another word.
 std::pair<bool, bool> periodic_directions(const std::string& word);
 
@@ -83,6 +89,9 @@ template <> struct handle_type_name<arenite::python::MeasuredLike> {
 };
 template <> struct handle_type_name<arenite::python::Progress> {
   static constexpr auto name = const_name("Optional[Callable[[float, str], Any]]");
+};
+template <> struct handle_type_name<arenite::python::OnePacking> {
+  static constexpr auto name = const_name("Union[arenite._core.Packing, arenite._core.SpherePacking]");
 };
 template <> struct handle_type_name<arenite::python::OnStep> {
   static constexpr auto name = const_name("Optional[Callable[[RunningStage], Any]]");

@@ -6,6 +6,7 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
+#include "file_notes.hpp"
 #include "model/shapes.hpp"
 #include "module.hpp"
 #include "own_packing.hpp"
@@ -215,7 +216,7 @@ void bind_packing(py::module_& m) {
       .def("__repr__", [](const Material& of) { return "<arenite.Material " + of.name + ">"; });
   bind_contacts(m);
   py::class_<Packing> packing(
-      m, "Packing",
+      m, "Packing", py::dynamic_attr(),
       "Grains in their container, with the contacts between them if known. Arrays refer to the packing's own memory.");
   packing
       .def(py::init(&make), py::arg("x"), py::arg("y"), py::arg("radius"), py::arg("material") = py::none(),
@@ -247,6 +248,8 @@ void bind_packing(py::module_& m) {
           "domain", &domain_of,
           "The container: position (m), velocity (m/s) and force (N) of every wall, width, height, thickness (m), and "
           "boundaries and membranes (points, m).")
+      .def_property_readonly("notes", &notes_kept,
+                             "What read_packing told of the files: a list of sentences; empty for other packings.")
       .def_property_readonly(
           "are_disks", [](const Packing& p) { return p.grains.shapes.empty(); }, "Whether all grains are disks.")
       .def("outlines", &outlines_of,

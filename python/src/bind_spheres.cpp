@@ -6,6 +6,7 @@
 
 #include "arrays.hpp"
 #include "columns.hpp"
+#include "file_notes.hpp"
 #include "grains/texture/spheres/spheres.hpp"
 #include "model/result.hpp"
 #include "module.hpp"
@@ -85,7 +86,8 @@ py::dict bonds_in_space(const PackingIn<3>& packing) {
 }  // namespace
 
 void bind_spheres(py::module_& m) {
-  py::class_<PackingIn<3>> packing(m, "SpherePacking", "Spheres in their container, with their contacts; SI units.");
+  py::class_<PackingIn<3>> packing(m, "SpherePacking", py::dynamic_attr(),
+                                   "Spheres in their container, with their contacts; SI units.");
   def_rows(
       packing, "position", [](const auto& p) -> auto& { return p.grains.position; }, "Centres, m; (N, 3).");
   def_rows(
@@ -113,6 +115,8 @@ void bind_spheres(py::module_& m) {
   def_array(
       packing, "overlap", [](const auto& p) -> auto& { return p.contacts.overlap; }, "m; (M,).");
   packing
+      .def_property_readonly("notes", &notes_kept,
+                             "What read_packing told of the files: a list of sentences; empty for other packings.")
       .def_property_readonly(
           "force",
           [](const PackingIn<3>& p) {

@@ -6,6 +6,7 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
+#include "file_notes.hpp"
 #include "grains/texture/stress.hpp"
 #include "grains/texture/texture.hpp"
 #include "io/sample/sample.hpp"
@@ -95,17 +96,23 @@ AnyPacking packing_of(io::SampleIn<3>& sample, bool has_contacts) {
   return std::move(sample.packing);
 }
 
-AnyPacking packing_of_files(const Path& grains, const std::optional<Path>& contacts, const std::string& format,
+OnePacking packing_of_files(const Path& grains, const std::optional<Path>& contacts, const std::string& format,
                             const py::kwargs& more) {
   auto given = sample_keywords().given("read_packing", more);
   given.push_back(sample_keywords().given("format", py::str(format)));
   io::SampleOptions options;
   read_keywords(options, given);
   Call call;
-  return call.without_lock([&] {
+  std::vector<std::string> notes;
+  OnePacking packing(py::cast(call.without_lock([&] {
     io::AnySample sample = io::read_any_sample(grains, contacts.value_or(Path()), options);
-    return std::visit([&](auto& read) { return packing_of(read, contacts.has_value()); }, sample);
-  });
+    AnyPacking read = std::visit([&](auto& any) { return packing_of(any, contacts.has_value()); }, sample);
+    notes = std::visit([](const auto& any) { return any.notes; }, sample);
+    return read;
+  })));
+  keep_notes(packing, notes);
+  warn_of_notes(notes);
+  return packing;
 }
 
 }  // namespace
@@ -131,7 +138,8 @@ void bind_texture(py::module_& m) {
       m, "read_packing", &packing_of_files, sample_keywords(),
       "Grains and contacts from files of YADE, LAMMPS, MercuryDPM or CSV, as `arenite measure` reads them; "
       "the keywords give what the files lack. Quantities in SI, or text with a unit. Disks are a Packing, spheres a "
-      "SpherePacking; spheres without a file of contacts touch where they overlap.",
+      "SpherePacking; spheres without a file of contacts touch where they overlap. What the files do not say, or say "
+      "otherwise than is taken, is warned of (FileWarning) and kept in `notes`.",
       py::arg("grains"), py::arg("contacts") = py::none(), py::arg("format") = io::SampleOptions{}.format);
 }
 

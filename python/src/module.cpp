@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/version.hpp"
+#include "file_notes.hpp"
 #include "module.hpp"
 #include "statistics/numbers.hpp"
 
@@ -79,6 +80,7 @@ PYBIND11_MODULE(_core, m) {
     }
   });
   // What is given comes before what takes it, so that docstrings name types as Python does.
+  arenite::python::bind_file_notes(m);
   arenite::python::bind_packing(m);
   arenite::python::bind_spheres(m);
   arenite::python::bind_texture(m);

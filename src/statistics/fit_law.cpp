@@ -22,6 +22,7 @@ void check(std::size_t parameters, const std::vector<double>& x, const std::vect
                   error.size());
   for (std::size_t k = 0; k < x.size(); ++k)
     if (!std::isfinite(x[k]) || !std::isfinite(y[k])) throw refusal("point {} of the fit is not finite", k);
+    else if (error[k] < 0) throw refusal("the error of point {} of the fit is {}; it must not be below 0", k, error[k]);
   if (x.size() < parameters)
     throw refusal("{} points do not determine {} parameters; give at least {}", x.size(), parameters, parameters);
 }
@@ -129,7 +130,8 @@ PowerLaw fit_power(const std::vector<double>& x, const std::vector<double>& y, c
     throw InputError("a power law is fitted to values above 0; leave out the others");
   const auto logarithms = [](const std::vector<double>& v) { return mapped(v, [](double a) { return std::log(a); }); };
   const SecondMoments m = second_moments(logarithms(x), logarithms(y));
-  const double exponent = m.xx > 0 ? m.xy / m.xx : 0, factor = std::exp(m.mean_y - exponent * m.mean_x);
+  if (!(m.xx > 0)) throw InputError("a power law is fitted to points at two places at least; these are at one");
+  const double exponent = m.xy / m.xx, factor = std::exp(m.mean_y - exponent * m.mean_x);
   const auto law = [](double at, const std::vector<double>& p) { return p[0] * std::pow(at, p[1]); };
   const auto found = fit_law(law, {factor, exponent}, x, y, error);
   return {found[0], found[1]};

@@ -84,7 +84,8 @@ def stub(module, pictured):
     functions, classes = described(module)
     text = head
     for name in sorted(classes):
-        text += f"\nclass {name}:\n"
+        is_warning = issubclass(getattr(module, name), Warning)
+        text += f"\nclass {name}(UserWarning): ...\n" if is_warning else f"\nclass {name}:\n"
         for lines in (member(name, n, t) for n, t in classes[name].items()):
             text += "".join(f"    {line}\n" for line in lines)
         if name in pictured:

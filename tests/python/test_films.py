@@ -199,3 +199,12 @@ def test_a_recipe_of_a_film_is_made_and_changed():
     assert other != recipe and other == arenite.FilmRecipe.from_text(other.toml())
     with pytest.raises(ValueError, match="FilmRecipe.template"):
         arenite.Recipe.template("film")
+
+
+def test_what_a_film_says_of_its_frames_is_warned_of(tmp_path):
+    film, _ = oscillating(frames=120)
+    for n in range(120):
+        if n % 10 != 5:
+            np.savetxt(tmp_path / f"frame{n:03}.asc", film[n], fmt="%.4f")
+    with pytest.warns(arenite.FileWarning, match="12 frames are missing"):
+        assert arenite.lock_in(tmp_path, 3.0, frame_rate=148.0).frames == 108

@@ -96,7 +96,7 @@ def test_a_law_that_is_not_drawn_says_how_many_runs_are_missing():
     assert drawing["note"] == "Beverloo\u2019s law is fitted to 3 runs or more, and there are 2."
     (drawing,) = runs.drawings_of_runs("runout", runs_of_collapses([0.5, 1, 2, 3]))
     assert len(drawing["panels"][0]["series"]) == 2
-    assert drawing["note"] == "A power law is fitted to 3 runs or more; of a \u2265 2.5 there is 1."
+    assert drawing["note"] == "A power law is fitted to 3 runs or more of unlike a; of a \u2265 2.5 there is 1."
     (drawing,) = runs.drawings_of_runs("runout", runs_of_collapses([0.5, 1, 2]))
     assert drawing["note"].endswith("; of a \u2265 2.5 there is none.")
     canvas = figures.saving.Canvas()

@@ -195,6 +195,17 @@ def test_files_are_read_with_what_they_do_not_say(tmp_path):
         arenite.read_packing(tmp_path / "grains.csv", box=(2e-3, 2e-3), origin=(0, 0), length_unit="mm")
 
 
+def test_what_files_do_not_say_is_warned_of_and_kept(tmp_path):
+    (tmp_path / "grains.csv").write_text("id,x,y,radius,step\n0,1,1,1,7\n1,3,1,1,7\n")
+    (tmp_path / "contacts.csv").write_text("i,j,fn\n0,1,5\n")
+    with pytest.warns(arenite.FileWarning) as told:
+        p = arenite.read_packing(tmp_path / "grains.csv", tmp_path / "contacts.csv")
+    assert [str(one.message) for one in told] == p.notes and len(p.notes) >= 3  # two units, and the moment
+    assert any("The grains are of step 7" in note for note in p.notes)
+    assert issubclass(arenite.FileWarning, UserWarning)
+    assert arenite.Packing([1e-3], [1e-3], [1e-3], width=2e-3, height=2e-3).notes == []
+
+
 def test_curves_of_textures_are_arrays(result):
     texture = arenite.measure(result.stages[-1].packing, load_axis=90)
     for curve in (texture["rev"]["mean"], texture["sigma_norm"]["cumulative"]["x"], texture["fabric"]["sectors"]):

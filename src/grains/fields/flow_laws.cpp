@@ -38,12 +38,14 @@ BeverlooLaw fit_beverloo(const Values& opening, const Values& rate, const Values
 RunoutLaws fit_runout(const Values& aspect_ratio, const Values& runout, double low, double high) {
   if (aspect_ratio.size() != runout.size())
     throw refusal("there are {} aspect ratios and {} run-outs; give as many", aspect_ratio.size(), runout.size());
+  if (std::ranges::any_of(aspect_ratio, [](double a) { return !std::isfinite(a); }))
+    throw InputError("an aspect ratio is not a number; leave out its run");
   const auto law_where = [&](const auto& holds) -> std::optional<statistics::PowerLaw> {
     Values x, y, error;
     for (std::size_t k = 0; k < runout.size(); ++k)
       if (holds(aspect_ratio[k]))
         x.push_back(aspect_ratio[k]), y.push_back(runout[k]), error.push_back(scatter_of_front * runout[k]);
-    if (x.size() < least_points_of_law) return {};
+    if (x.size() < least_points_of_law || std::ranges::min(x) == std::ranges::max(x)) return {};
     return statistics::fit_power(x, y, error);
   };
   return {law_where([&](double a) { return a <= low; }), law_where([&](double a) { return a >= high; })};

@@ -18,10 +18,10 @@ struct BeverlooLaw {
 BeverlooLaw fit_beverloo(const std::vector<double>& opening, const std::vector<double>& rate,
                          const std::vector<double>& error, std::optional<double> exponent = {});
 
-/// Power laws of run-outs below and above aspect ratios, each of three points at least. Grains on a plane spread by
-/// about a below 2 to 3 and by a^(2/3) to a^0.7 above (Lube et al., Phys. Rev. E 72, 041301, 2005; Lajeunesse, Monnier
-/// and Homsy, Phys. Fluids 17, 103302, 2005; Staron and Hinch, J. Fluid Mech. 545, 1, 2005). Points have equal weights:
-/// the front scatters, not the measurement of its position.
+/// Power laws of run-outs below and above aspect ratios, each of three points at two places at least. Grains on a plane
+/// spread by about a below 2 to 3 and by a^(2/3) to a^0.7 above (Lube et al., Phys. Rev. E 72, 041301, 2005;
+/// Lajeunesse, Monnier and Homsy, Phys. Fluids 17, 103302, 2005; Staron and Hinch, J. Fluid Mech. 545, 1, 2005). Points
+/// have equal weights: the front scatters, not the measurement of its position.
 struct RunoutLaws {
   std::optional<statistics::PowerLaw> low, high;
 };

@@ -130,7 +130,8 @@ std::string missing_runout(const fields::RunoutLaws& laws, const Values& aspect_
     missing.push_back(fmt::format("of a \u2265 {} {}", fields::runout_bend,
                                   runs(count([](double a) { return a >= fields::runout_bend; }))));
   if (missing.empty()) return {};
-  return fmt::format("A power law is fitted to {} runs or more; {}.", fields::least_points_of_law, list_of(missing));
+  return fmt::format("A power law is fitted to {} runs or more of unlike a; {}.", fields::least_points_of_law,
+                     list_of(missing));
 }
 
 Drawings runout(const Tests& tests) {

@@ -59,6 +59,8 @@ TEST(FitLaw, RefusesWhatDeterminesNothing) {
   EXPECT_THROW(fit_power({1}, {1}, {1}), InputError);
   EXPECT_THROW(fit_power({1, 2, 3}, {1, 2}, {1, 1, 1}), InputError);
   EXPECT_THROW(fit_power({1, 2, -3}, {1, 2, 3}, {1, 1, 1}), InputError);
+  EXPECT_THROW(fit_power({1, 2, 3}, {1, 2, 3}, {1, -1, 1}), InputError);
+  EXPECT_THROW(fit_power({2, 2, 2}, {1, 2, 3}, {1, 1, 1}), InputError);
   EXPECT_THROW(fit_power({1, 2, unknown}, {1, 2, 3}, {1, 1, 1}), InputError);
 }
 

@@ -31,6 +31,8 @@ TEST(FlowLaws, BothRegimesOfRunOutAreFoundAgain) {
   EXPECT_NEAR(laws.low->exponent.value, 1, 1e-4);
   EXPECT_NEAR(laws.high->exponent.value, 2.0 / 3, 1e-4);
   EXPECT_FALSE(fit_runout({1, 2, 9}, {1, 2, 3}).low);
+  EXPECT_FALSE(fit_runout({1, 1, 1}, {1, 2, 3}).low);
+  EXPECT_THROW(fit_runout({1, std::nan(""), 2}, {1, 2, 3}), InputError);
 }
 
 TEST(FlowLaws, JanssensLawIsFoundAgain) {
