@@ -187,9 +187,14 @@ def test_contacts_that_cannot_be_are_refused(contacts, sentence):
 def test_files_are_read_with_what_they_do_not_say(tmp_path):
     (tmp_path / "grains.csv").write_text("id,x,y,radius\n0,1,1,1\n1,3,1,1\n")
     (tmp_path / "contacts.csv").write_text("i,j,fn\n0,1,5\n")
-    p = arenite.read_packing(
-        tmp_path / "grains.csv", tmp_path / "contacts.csv", box=("4 mm", "2 mm"), length_unit="mm", thickness="10 mm"
-    )
+    with pytest.warns(arenite.FileWarning, match="so N was assumed; force_unit or a header"):
+        p = arenite.read_packing(
+            tmp_path / "grains.csv",
+            tmp_path / "contacts.csv",
+            box=("4 mm", "2 mm"),
+            length_unit="mm",
+            thickness="10 mm",
+        )
     assert p.domain["width"] == 4e-3 and p.domain["thickness"] == 10e-3 and list(p.x) == [1e-3, 3e-3]
     with pytest.raises(ValueError, match=r"correct its centre, box or origin"):
         arenite.read_packing(tmp_path / "grains.csv", box=(2e-3, 2e-3), origin=(0, 0), length_unit="mm")
