@@ -7,7 +7,6 @@
 #include <functional>
 #include <iterator>
 #include <numeric>
-#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -89,8 +88,7 @@ Numbers state_of(const SnapshotIn<3>& state, const Numbers& measured, NumberBloc
   if (!packing.bonds.empty()) out["bonds"] = bonds_of(packing.bonds, block);
   if (packing.contacts.size() == 0) return out;
   out["contacts"] = block.add_indices(texture::spheres::contacts_with_spheres(packing));
-  const auto bears = [&](std::size_t c) { return packing.contacts.fn[c] != 0; };
-  if (std::ranges::none_of(std::views::iota(std::size_t{0}, packing.contacts.size()), bears)) return out;
+  if (std::ranges::none_of(packing.contacts.fn, [](double force) { return force != 0; })) return out;
   out["stress"] = block.add_coarse(texture::spheres::hydrostatic_stresses(packing), "Pa");
   out["forces"] = forces_of(packing, block);
   const double mean = figures::estimate_at(measured, "/force/mean_N").value;

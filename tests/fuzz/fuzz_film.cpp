@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "core/error.hpp"
 #include "io/film/film.hpp"
@@ -32,15 +34,27 @@ void examine(FilmSource& film) {
   }
 }
 
+const io::FilmFormat* format = nullptr;
+
 }  // namespace
 
-/// Any bytes are a film of the format ARENITE_FILM_FORMAT or an InputError.
+/// The program has a name a format, as the list has it: fuzz_film_ptw reads films of the format ptw.
+extern "C" int LLVMFuzzerInitialize(int* /*argc*/, char*** argv) {
+#define ARENITE_NAMED_FORMAT(word) {"_film_" #word, &io::films::word},
+  constexpr std::pair<std::string_view, const io::FilmFormat*> formats[] = {ARENITE_FILM_FORMATS(ARENITE_NAMED_FORMAT)};
+  const std::string_view program = **argv;
+  for (const auto& [ending, known] : formats)
+    if (program.ends_with(ending)) format = known;
+  if (format == nullptr) std::abort();
+  return 0;
+}
+
+/// Any bytes are a film of the format or an InputError.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   io::FilmChoice choice;
   choice.most_pixels = most_pixels;
   try {
-    examine(*io::films::ARENITE_FILM_FORMAT.open(
-        io::bytes_in_memory(std::string(reinterpret_cast<const char*>(data), size), "film"), choice));
+    examine(*format->open(io::bytes_in_memory(std::string(reinterpret_cast<const char*>(data), size), "film"), choice));
   } catch (const InputError& error) {
     if (error.problems().empty()) std::abort();
   }

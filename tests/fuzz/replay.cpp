@@ -6,10 +6,14 @@
 #include <iterator>
 #include <vector>
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+extern "C" {
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+__attribute__((weak)) int LLVMFuzzerInitialize(int* argc, char*** argv);  // not every target has one
+}
 
 /// Runs a fuzz target over the files of a folder: what fuzzing once found stays mended, without clang.
 int main(int argc, char** argv) {
+  if (LLVMFuzzerInitialize) LLVMFuzzerInitialize(&argc, &argv);
   int count = 0;
   for (int a = 1; a < argc; ++a) {
     for (const auto& file : std::filesystem::directory_iterator(argv[a])) {
