@@ -97,7 +97,7 @@ inline PhaseMap cemented_sample(const CementedSample& sample) {
   }
   for (const auto [a, b] :
        geometry::close_pairs(grains.position, grains.radius, {{}, {side, side}, {true, true}}, sample.gap))
-    images([&](double sx, double sy) {
+    images([&, a = a, b = b](double sx, double sy) {
       const double ax = grains.position[a].x + sx, ay = grains.position[a].y + sy;
       const double dx = std::remainder(grains.position[b].x - grains.position[a].x, side),
                    dy = std::remainder(grains.position[b].y - grains.position[a].y, side);

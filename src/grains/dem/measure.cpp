@@ -35,7 +35,7 @@ template <int D> void add_contacts(const SampleIn<D>& s, PackingIn<D>& out) {
     const Turning<D> ft = cross(c.normal, f);
     if (swapped) out.contacts.add(i, j, -c.normal, fn, ft, c.arm_j, c.arm_i);
     else out.contacts.add(i, j, c.normal, fn, ft, c.arm_i, c.arm_j);
-    each_part(s, [&](const auto& part) { part.report_contact(s, slot, swapped, out); });
+    each_part(s, [&, slot = slot](const auto& part) { part.report_contact(s, slot, swapped, out); });
     out.contacts.overlap.back() = c.overlap;
     out.contacts.sliding_velocity.back() = c.sliding;
     out.contacts.glued.back() = s.list.strength[slot] > 0 ? 1 : 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "core/joined_sets.hpp"
 #include "core/problems.hpp"
@@ -76,12 +77,11 @@ void trace_rim(const Body& body, double width, FreeSurface& surface) {
 /// Angle by which the profile falls along `sign` x between two columns, first and last of a flank.
 Flank flank_between(const FreeSurface& s, std::size_t first, std::size_t last, double sign) {
   Flank flank;
-  const auto [foot, apex] = std::minmax_element(s.height.begin() + static_cast<std::ptrdiff_t>(first),
-                                                s.height.begin() + static_cast<std::ptrdiff_t>(last) + 1);
-  const double drop = *apex - *foot;
+  const auto part = std::span(s.height).subspan(first, last + 1 - first);
+  const double foot = std::ranges::min(part), drop = std::ranges::max(part) - foot;
   if (drop < least_drop * s.diameter) return flank;
   // From the last column above the part to the first below it, so that a bump of one grain does not tear it.
-  const auto share = [&](std::size_t c) { return (s.height[c] - *foot) / drop; };
+  const auto share = [&](std::size_t c) { return (s.height[c] - foot) / drop; };
   const std::size_t from = sign > 0 ? first : last, to = sign > 0 ? last : first;
   const auto next = [&](std::size_t c) { return sign > 0 ? c + 1 : c - 1; };
   std::size_t begin = from, end = to;

@@ -47,8 +47,7 @@ template <int D> Vec<D> FreeSpace<D>::place_beside(const Ball<D>& ball, double r
 }
 
 /// Arcs of the circle of centres round `disk` that other disks or walls forbid, sorted and merged, within [-pi, pi].
-template <int D> auto FreeSpace<D>::covered_arcs(const Ball<2>& disk, double radius) const -> std::vector<Arc>
-requires(D == 2) {
+template <int D> auto FreeSpace<D>::covered_arcs(const Ball<D>& disk, double radius) const -> std::vector<Arc> {
   const double distance = (disk.radius + radius + gap_) * (1 + stand_off);
   std::vector<Arc> arcs;
   const auto cover = [&](bool walled, double room,
@@ -61,9 +60,9 @@ requires(D == 2) {
   cover(!box_.periodic[0], box_.end().x - radius - disk.centre.x, 0);
   cover(!box_.periodic[1], disk.centre.y - radius - box_.corner.y, -pi / 2);
   cover(!box_.periodic[1], box_.end().y - radius - disk.centre.y, pi / 2);
-  for (const BallCells<2>& store : stores_)
-    store.any_near(disk.centre, distance + radius + store.largest() + gap_, [&](const Ball<2>& other) {
-      const Vec2 d = other.centre - disk.centre;
+  for (const BallCells<D>& store : stores_)
+    store.any_near(disk.centre, distance + radius + store.largest() + gap_, [&](const Ball<D>& other) {
+      const Vec<D> d = other.centre - disk.centre;
       const double apart2 = dot(d, d), reach = other.radius + radius + gap_;
       if (apart2 == 0 || apart2 >= (distance + reach) * (distance + reach)) return false;
       const double apart = std::sqrt(apart2);
@@ -83,7 +82,7 @@ requires(D == 2) {
 }
 
 template <int D>
-std::optional<Vec2> FreeSpace<D>::free_place_beside(const Ball<2>& disk, double radius, RandomStream& random) const
+std::optional<Vec<D>> FreeSpace<D>::free_place_beside(const Ball<D>& disk, double radius, RandomStream& random) const
     requires(D == 2) {
   std::vector<Arc> open;
   double at = -pi, sum = 0;
@@ -103,7 +102,9 @@ std::optional<Vec2> FreeSpace<D>::free_place_beside(const Ball<2>& disk, double 
     std::size_t k = 0;
     while (k + 1 < open.size() && along > open[k].to - open[k].from) along -= open[k].to - open[k].from, ++k;
     const double angle = open[k].from + along;
-    const Vec2 place = place_beside(disk, radius, {std::cos(angle), std::sin(angle)});
+    Vec<D> direction;
+    direction.x = std::cos(angle), direction.y = std::sin(angle);
+    const Vec<D> place = place_beside(disk, radius, direction);
     if (fits({place, radius})) return place;
   }
   return std::nullopt;

@@ -94,14 +94,14 @@ template <int D> class FreeSpace {
   /// A place beside `disk` where a disk of that radius fits, each equally likely; nothing if there is none. Exact but
   /// for places narrower than 1e-9 rad: all of the circle where the new centre may lie is held against all neighbours.
   /// Where it fits nowhere beside any disk, it fits nowhere at all, and neither does a larger one.
-  std::optional<Vec2> free_place_beside(const Ball<2>& disk, double radius, RandomStream& random) const
+  std::optional<Vec<D>> free_place_beside(const Ball<D>& disk, double radius, RandomStream& random) const
       requires(D == 2);
 
  private:
   struct Arc {
     double from, to;
   };
-  std::vector<Arc> covered_arcs(const Ball<2>& disk, double radius) const requires(D == 2);
+  std::vector<Arc> covered_arcs(const Ball<D>& disk, double radius) const;  ///< in the plane
 
   geometry::Box<D> box_;
   double gap_;

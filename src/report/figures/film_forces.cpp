@@ -42,7 +42,7 @@ Drawings ranked_forces(const FilmData& data) {
        {std::tuple{"fn", "F_{n}", &contacts.fn, &film.fn_error}, {"ft", "F_{t}", &contacts.ft, &film.ft_error}}) {
     if (force->empty()) continue;
     const Scale scale = scale_of(*force, "N");
-    const auto order = ordered_by(force->size(), [&](std::size_t c) { return -(*force)[c]; });
+    const auto order = ordered_by(force->size(), [&, force = force](std::size_t c) { return -(*force)[c]; });
     Panel panel{{.label = "rank", .low = 0, .high = static_cast<double>(force->size() + 1)},
                 {.label = symbol, .unit = scale.unit}};
     for (const Kind& kind : kinds) {

@@ -161,7 +161,8 @@ TEST(FieldDocument, TakesOverWhatTheRunMeasured) {
   EXPECT_EQ(shown, figure(nullptr));
   for (const auto& [component, name] :
        {std::pair{"xx", "sigma_xx"}, {"xy", "sigma_xy"}, {"hydrostatic", "sigma_hyd"}}) {
-    EXPECT_TRUE(std::ranges::any_of(shown, [&](const Json& one) { return one["for"]["component"] == component; }));
+    EXPECT_TRUE(std::ranges::any_of(
+        shown, [&, component = component](const Json& one) { return one["for"]["component"] == component; }));
     EXPECT_FALSE(result->numbers["stress"].contains(name));
   }
   known.fields[0]->numbers["sigma_yy"]["sets"]["all"]["variance"] = 123.0;  // which nobody would measure

@@ -32,7 +32,7 @@ TEST(OtherRecording, IsNamedByItsEndingOrItsFirstBytes) {
              "ftypmp42"s},
         Case{"h.h264", "is a video (H.264)", "\0\0\0\1\x67\1"s}, Case{"i.irb", "IRBIS", "\xffIRB"s}}) {
     test::spill(folder / name, bytes);
-    const std::string said = test::complaint([&] { open_film(folder / name); });
+    const std::string said = test::complaint([&, name = name] { open_film(folder / name); });
     EXPECT_NE(said.find(words), std::string::npos) << name << ": " << said;
     EXPECT_NE(said.find("export"), std::string::npos) << said;
   }
