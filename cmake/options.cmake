@@ -20,7 +20,8 @@ endif()
 if(ARENITE_SANITIZE)
   # Instrumented, std::regex looks to GCC 12 as if it read what it never wrote.
   target_compile_options(arenite_options INTERFACE
-    -fsanitize=${ARENITE_SANITIZE} -fno-omit-frame-pointer -g1 -Wno-uninitialized -Wno-maybe-uninitialized)
+    -fsanitize=${ARENITE_SANITIZE} -fno-omit-frame-pointer -g1
+    "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized>")
   target_link_options(arenite_options INTERFACE -fsanitize=${ARENITE_SANITIZE})
   # At -O2 the sanitized inner loops take a minute each to compile.
   target_compile_options(arenite_options INTERFACE -O1)

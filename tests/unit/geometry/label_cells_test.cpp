@@ -13,18 +13,19 @@
 namespace {
 using namespace arenite::geometry;
 
-std::vector<std::uint8_t> speckles(const Cells& cells, int share_of_ten) {
+std::vector<std::uint8_t> speckles(const arenite::geometry::Cells& cells, int share_of_ten) {
   std::vector<std::uint8_t> inside(cells.size());
   for (auto& in : inside) in = *rc::gen::inRange(0, 10) < share_of_ten;
   return inside;
 }
 
-std::array<int, 3> place_of(const Cells& cells, std::size_t cell) {
+std::array<int, 3> place_of(const arenite::geometry::Cells& cells, std::size_t cell) {
   const auto i = static_cast<int>(cell);
   return {i % cells.width, i / cells.width % cells.height, i / cells.width / cells.height};
 }
 
-std::int32_t nearest_by_search(const Cells& cells, const std::vector<std::uint8_t>& inside, std::size_t cell) {
+std::int32_t nearest_by_search(const arenite::geometry::Cells& cells, const std::vector<std::uint8_t>& inside,
+                               std::size_t cell) {
   std::int32_t least = std::numeric_limits<std::int32_t>::max();
   const auto from = place_of(cells, cell);
   for (std::size_t other = 0; other < inside.size(); ++other) {
@@ -44,7 +45,7 @@ std::int32_t nearest_by_search(const Cells& cells, const std::vector<std::uint8_
 TEST(SquaredDistanceOfCells, IsThatOfASearchInSpaceAndInAPeriod) {
   EXPECT_TRUE(rc::check([] {
     const auto side = [] { return *rc::gen::inRange(1, 9); };
-    const Cells cells{side(), side(), side(), *rc::gen::arbitrary<bool>()};
+    const arenite::geometry::Cells cells{side(), side(), side(), *rc::gen::arbitrary<bool>()};
     const auto inside = speckles(cells, *rc::gen::inRange(5, 11));
     const auto squared = squared_distance(cells, inside);
     for (std::size_t k = 0; k < inside.size(); ++k) RC_ASSERT(squared[k] == nearest_by_search(cells, inside, k));
@@ -52,7 +53,8 @@ TEST(SquaredDistanceOfCells, IsThatOfASearchInSpaceAndInAPeriod) {
 }
 
 /// Balls of one radius.
-std::vector<std::uint8_t> balls(const Cells& cells, const std::vector<std::array<double, 3>>& centres, double radius) {
+std::vector<std::uint8_t> balls(const arenite::geometry::Cells& cells,
+                                const std::vector<std::array<double, 3>>& centres, double radius) {
   std::vector<std::uint8_t> inside(cells.size(), 0);
   for (std::size_t k = 0; k < inside.size(); ++k) {
     const auto at = place_of(cells, k);
@@ -70,7 +72,7 @@ std::vector<std::uint8_t> balls(const Cells& cells, const std::vector<std::array
 }
 
 TEST(LabelCells, OverlappingBallsArePartedAtThePlaneBetweenThem) {
-  const Cells cells{48, 28, 28};
+  const arenite::geometry::Cells cells{48, 28, 28};
   const auto inside = balls(cells, {{15, 14, 14}, {33, 14, 14}}, 11);
   EXPECT_EQ(label_cells(cells, inside, {}).count, 1);
   const CellLabels cut = label_cells(cells, inside, {Labelling::watershed, 1});
@@ -82,7 +84,7 @@ TEST(LabelCells, OverlappingBallsArePartedAtThePlaneBetweenThem) {
 }
 
 TEST(LabelCells, APeriodJoinsWhatItsFacesCut) {
-  const Cells open{30, 16, 16}, period{30, 16, 16, true};
+  const arenite::geometry::Cells open{30, 16, 16}, period{30, 16, 16, true};
   const auto inside = balls(period, {{0, 8, 8}, {15, 8, 8}}, 6);  // the first is cut in two by the faces along x
   for (const Labelling way : {Labelling::components, Labelling::watershed}) {
     EXPECT_EQ(label_cells(open, inside, {way, 1}).count, 3);
@@ -92,7 +94,7 @@ TEST(LabelCells, APeriodJoinsWhatItsFacesCut) {
 
 TEST(LabelCells, APeriodMayBeginAnywhere) {
   EXPECT_TRUE(rc::check([] {
-    const Cells cells{7, 6, 5, true};
+    const arenite::geometry::Cells cells{7, 6, 5, true};
     const auto inside = speckles(cells, 5);
     std::vector<std::uint8_t> moved(inside.size());
     const auto place = [&](std::size_t k) {

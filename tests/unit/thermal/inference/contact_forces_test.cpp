@@ -111,12 +111,12 @@ RC_GTEST_PROP(ContactForces, AreLinearInThePicture, ()) {
 }
 
 /// The thesis's pixel, lens and noise; a picture drawn in another way; centres off by a tenth of a pixel.
-struct Film {
+struct SeenForces {
   Packing truth = pressed_crystal(9, 8, 6e-3, 3), found = without_forces(truth);
   ThermoelasticDrawing drawing;
   ThermoelasticPicture picture;
 
-  explicit Film(elasticity::Traction traction = elasticity::Traction::point, double off = 0.1) {
+  explicit SeenForces(elasticity::Traction traction = elasticity::Traction::point, double off = 0.1) {
     drawing.traction = traction, drawing.half_angle = 0.06;
     picture = test::draw_thermoelastic(truth, factors(truth), drawing);
     RandomStream random(9, Purpose::test);
@@ -133,7 +133,7 @@ struct Film {
 TEST(ContactForces, MeetTheirTargetsOnAPicture) {
   for (const auto traction :
        {elasticity::Traction::point, elasticity::Traction::uniform, elasticity::Traction::elliptic}) {
-    const Film film(traction);
+    const SeenForces film(traction);
     const InferredForces f = film.infer();
     EXPECT_LT(relative_error(f.contacts.fn, film.truth.contacts.fn), 0.03);
     EXPECT_LT(relative_error(f.contacts.ft, film.truth.contacts.ft), 0.15);
@@ -142,7 +142,7 @@ TEST(ContactForces, MeetTheirTargetsOnAPicture) {
 }
 
 TEST(ContactForces, RefinedCentresPay) {
-  const Film film;
+  const SeenForces film;
   ForceOptions fixed;
   fixed.position_error = 0;
   const double with = relative_error(film.infer().contacts.ft, film.truth.contacts.ft);
@@ -151,7 +151,7 @@ TEST(ContactForces, RefinedCentresPay) {
 }
 
 TEST(ContactForces, StandardErrorsAreHonest) {
-  const Film film;
+  const SeenForces film;
   ForceOptions options;
   options.balance_error = 1e-3;  // these forces are in balance
   const InferredForces f = film.infer(options);
@@ -175,13 +175,13 @@ TEST(ContactForces, AShiftOfAllPixelsIsOneUnknown) {
   constexpr int films = 12;
   double one = 0, two = 0, shifts = 0, off = 0, told = 0, told_wider = 0;
   for (int k = 1; k <= films; ++k) {
-    Film film;
+    SeenForces film;
     RandomStream random(static_cast<std::uint64_t>(k), Purpose::test, 21);
     film.drawing.seed = static_cast<std::uint64_t>(k);
     film.picture = test::draw_thermoelastic(film.truth, factors(film.truth), film.drawing);
     const double shift = common * random.normal();
     for (float& v : film.picture.value) v += static_cast<float>(shift);
-    Film wider = film;
+    SeenForces wider = film;
     for (float& e : wider.picture.error) e = static_cast<float>(std::hypot(static_cast<double>(e), common));
     film.picture.common_error = common;
     ForceOptions options;
@@ -206,7 +206,7 @@ TEST(ContactForces, AShiftOfAllPixelsIsOneUnknown) {
 
 /// Contacts that are offered but carry nothing come out near zero and are marked; those that carry are not.
 TEST(ContactForces, SpuriousContactsAreFound) {
-  Film film;
+  SeenForces film;
   const std::size_t real = film.found.contacts.size();
   // A real contact becomes one that was only offered: the sample is pressed anew without it.
   std::vector<std::size_t> offered{7, 40, 90, 130};
@@ -234,7 +234,7 @@ TEST(ContactForces, SpuriousContactsAreFound) {
 }
 
 TEST(ContactForces, ConeKeepsASingleStateInsideFriction) {
-  const Film film;
+  const SeenForces film;
   ForceOptions options;
   options.inequality = Inequality::cone, options.friction = 0.2;
   const InferredForces f = film.infer(options);
@@ -243,7 +243,7 @@ TEST(ContactForces, ConeKeepsASingleStateInsideFriction) {
 }
 
 TEST(ContactForces, WallLoadsAreKept) {
-  const Film film;
+  const SeenForces film;
   double load = 0;
   for (std::size_t c = 0; c < film.truth.contacts.size(); ++c)
     if (film.truth.contacts.is_wall(c) && film.truth.contacts.wall_side(c) == bottom) load += film.truth.contacts.fn[c];
@@ -264,7 +264,7 @@ void expect_problem(const std::string& words, const Packing& packing, const std:
 }
 
 TEST(ContactForces, BadInputIsToldInASentence) {
-  const Film film;
+  const SeenForces film;
   expect_problem("material HDPE has no thermoelastic factor", film.found, {0.015e-6}, film.picture);
   Packing overlapping = film.found;
   overlapping.grains.position[1].x = overlapping.grains.position[0].x + 1e-3;

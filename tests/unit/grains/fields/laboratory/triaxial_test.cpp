@@ -10,7 +10,7 @@ namespace {
 
 /// A cube of 10 mm that y closes by 1 % over 40 rows, to a force of `top` that is largest half way, between sides with
 /// `side`.
-SphereResult pressed(double top, double side) {
+SphereResult pressed_spheres(double top, double side) {
   constexpr std::size_t rows = 41;
   SphereResult result;
   result.asked.closes = 1;
@@ -31,14 +31,14 @@ SphereResult pressed(double top, double side) {
 }
 
 TEST(Triaxial, WithoutPressureOnTheSidesItIsUniaxialCompression) {
-  const Numbers numbers = triaxial_numbers(pressed(5, 0));
+  const Numbers numbers = triaxial_numbers(pressed_spheres(5, 0));
   EXPECT_FALSE(numbers.contains("peak"));
   EXPECT_NEAR(numbers["uniaxial"]["strength_Pa"].get<double>(), 5 / 1e-4, 1e-6 * 5e4);
   EXPECT_NEAR(numbers["uniaxial"]["strain_at_strength"].get<double>(), 0.005, 1e-12);
 }
 
 TEST(Triaxial, BetweenSidesThatPressThePeakIsOfTheRatio) {
-  const Numbers numbers = triaxial_numbers(pressed(5, 1));
+  const Numbers numbers = triaxial_numbers(pressed_spheres(5, 1));
   EXPECT_FALSE(numbers.contains("uniaxial"));
   // At the largest axial stress of 50 kPa the others are 10 kPa on sides that are half a per cent lower.
   EXPECT_NEAR(numbers["peak"]["q_over_p"].get<double>(), 3 * 40.0 / 70, 0.02);
@@ -46,7 +46,7 @@ TEST(Triaxial, BetweenSidesThatPressThePeakIsOfTheRatio) {
 }
 
 TEST(Triaxial, AStageThatClosesNothingHasNone) {
-  SphereResult result = pressed(5, 1);
+  SphereResult result = pressed_spheres(5, 1);
   result.asked.closes = -1;
   EXPECT_TRUE(triaxial_numbers(result).empty());
 }
