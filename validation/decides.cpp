@@ -172,7 +172,7 @@ double seeds_factor(const Check& check) {
   const auto& [value, error, freedom] = check.ours;
   const double inside = std::min(value - check.range.low, check.range.high - value), distance = std::abs(inside);
   if (!(error > 0) || !(freedom > 0) || !std::isfinite(distance)) return statistics::unknown;
-  const auto half_with = [&](double times) {
+  const auto half_with = [&, value = value, error = error, freedom = freedom](double times) {
     return half_interval({value, error / std::sqrt(times), (freedom + 1) * times - 1});
   };
   double times = 1;
