@@ -6,17 +6,18 @@ set_source_files_properties(${dem}/avx2.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS O
   COMPILE_OPTIONS "-fno-math-errno;-mavx2")
 set_source_files_properties(${dem}/avx512.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
   COMPILE_OPTIONS "-fno-math-errno;-mavx512f;-mavx512dq;-mavx512vl")
+# GCC 12 warns about its own intrinsics.
+set(own_intrinsics "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized>")
 foreach(solid src/solid/peridynamics/kernels src/solid/elements/kernels)
   set_source_files_properties(${solid}/avx2.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-mavx2;-mfma")
-  # GCC 12 warns about its own intrinsics.
   set_source_files_properties(${solid}/avx512.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
-    COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl;-mfma;-Wno-uninitialized;-Wno-maybe-uninitialized")
+    COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl;-mfma;${own_intrinsics}")
 endforeach()
 set(film src/thermal/thermography/kernels)
 set_source_files_properties(${film}/portable.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-O3")
 set_source_files_properties(${film}/avx2.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-O3;-mavx2;-mfma")
 set_source_files_properties(${film}/avx512.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
-  COMPILE_OPTIONS "-O3;-mavx512f;-mavx512dq;-mavx512vl;-mfma;-Wno-uninitialized;-Wno-maybe-uninitialized")
+  COMPILE_OPTIONS "-O3;-mavx512f;-mavx512dq;-mavx512vl;-mfma;${own_intrinsics}")
 # Loops of a few instructions: a line of the cache cut through one costs a third of its speed.
 set_source_files_properties(
   src/thermal/imaging/rim_search.cpp src/thermal/imaging/blur.cpp src/thermal/optics/lens.cpp
