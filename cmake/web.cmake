@@ -75,6 +75,9 @@ function(embed_page name function)
     DEPENDS ${html} ${CMAKE_SOURCE_DIR}/cmake/embed.cmake ${CMAKE_SOURCE_DIR}/cmake/raw_literals.cmake
     COMMENT "Embedding the page: ${name}")
   target_sources(arenite_core PRIVATE ${source})
+  # A page is one string, however long.
+  set_source_files_properties(${source} PROPERTIES
+    COMPILE_OPTIONS "$<$<CXX_COMPILER_ID:Clang>:-Wno-overlength-strings>")
 endfunction()
 embed_page(page page_template)
 embed_page(study study_template)
