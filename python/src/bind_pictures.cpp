@@ -121,12 +121,14 @@ void bind_pictures(py::module_& m) {
       [](const FilmResult* film) {
         Call call;
         py::dict all;
+        const FilmResult none{};
         for (const inference::FilmMap& map : inference::film_maps()) {
-          const FilmResult none{};
           py::dict one = to_python(inference::words_of(map, film ? *film : none));
-          auto values = call.without_lock([&] { return inference::values_of(map, film ? *film : none); });
-          if (film && values.empty()) continue;
-          if (film) one["values"] = taken_over(std::move(values), {film->film.height, film->film.width});
+          if (film) {
+            auto values = call.without_lock([&] { return inference::values_of(map, *film); });
+            if (values.empty()) continue;
+            one["values"] = taken_over(std::move(values), {film->film.height, film->film.width});
+          }
           all[py::str(std::string(map.id))] = one;
         }
         return all;

@@ -14,6 +14,17 @@ Vec3 next_of(Face face, std::size_t k) { return face[k + 1 < face.size() ? k + 1
 
 }  // namespace
 
+std::vector<Face> faces_of(std::span<const Vec3> points, std::span<const std::int32_t> corners) {
+  std::vector<Face> faces;
+  for (const std::int32_t count : corners) {
+    const auto own = static_cast<std::size_t>(count);
+    if (own > points.size()) break;
+    faces.push_back(points.first(own));
+    points = points.subspan(own);
+  }
+  return faces;
+}
+
 Vec3 area_vector(Face face) {
   Vec3 area;
   for (std::size_t k = 1; k + 1 < face.size(); ++k) area += cross(face[k] - face[0], face[k + 1] - face[0]);

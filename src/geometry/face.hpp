@@ -1,5 +1,7 @@
 #pragma once
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/vec.hpp"
 
@@ -7,6 +9,9 @@ namespace arenite::geometry {
 
 /// A flat convex face in space: its corners, in either sense.
 using Face = std::span<const Vec3>;
+
+/// Faces whose corners stand one face after the other, so many of each; those for which there are points.
+std::vector<Face> faces_of(std::span<const Vec3> points, std::span<const std::int32_t> corners);
 
 /// Twice its area along the normal that its corners turn about, m^2.
 Vec3 area_vector(Face face);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "core/decimals.hpp"
 #include "geometry/rim.hpp"
 
 namespace arenite {
@@ -93,6 +94,20 @@ Vec2 direction(double angle) {
     case 2: return {-cosine, -sine};
     default: return {sine, -cosine};
   }
+}
+
+std::vector<Vec2> points_on_arc(Vec2 centre, double diameter, const Turn& turn, std::int64_t steps,
+                                std::int64_t count) {
+  const auto on_rim = [&](double middle, double off) {
+    return in_decimals(middle + off, std::max(std::abs(middle), 0.5 * diameter));
+  };
+  std::vector<Vec2> points;
+  for (std::int64_t k = 0; k < count; ++k) {
+    const Vec2 radius =
+        0.5 * diameter * direction(turn.from + turn.by * static_cast<double>(k) / static_cast<double>(steps));
+    points.push_back({on_rim(centre.x, radius.x), on_rim(centre.y, radius.y)});
+  }
+  return points;
 }
 
 }  // namespace arenite

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "core/vec.hpp"
@@ -38,5 +39,12 @@ std::vector<Vec2> outline_of(const Grains& grains, std::size_t grain, double ste
 Vec2 direction(double angle);
 /// A vector turned by the angle of a direction.
 constexpr Vec2 turned(Vec2 v, Vec2 by) { return {by.x * v.x - by.y * v.y, by.y * v.x + by.x * v.y}; }
+
+/// Angles, rad, counter-clockwise from x.
+struct Turn {
+  double from = 0, by = 0;
+};
+/// So many points on a circle, `steps` of them in a turn, in decimals as one would write them (core/decimals.hpp).
+std::vector<Vec2> points_on_arc(Vec2 centre, double diameter, const Turn& turn, std::int64_t steps, std::int64_t count);
 
 }  // namespace arenite

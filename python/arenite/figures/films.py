@@ -70,8 +70,9 @@ def draw_fit(figure, film):
     """The measured map, the map predicted from the contact forces, and their difference: peak to peak on one scale."""
     maps, said = _core._fit_maps(film), _core._film_maps(film)
     known = maps["measured"][0][np.isfinite(maps["measured"][0])]
-    factor, unit = scaled(np.quantile(np.abs(known), 0.99) if known.size else 0, said["in_phase"]["unit"])
-    reach = np.quantile(np.abs(known), 0.99) / factor if known.size else 1
+    most = np.quantile(np.abs(known), 0.99) if known.size else 0
+    factor, unit = scaled(most, said["in_phase"]["unit"])
+    reach = most / factor if known.size else 1
     titles = ("measured", said["fitted"]["label"].lower(), said["fit_residual"]["label"].lower())
     for k, (title, name) in enumerate(zip(titles, ("measured", "fitted", "residual"))):
         axes = figure.add_subplot(1, 3, k + 1)

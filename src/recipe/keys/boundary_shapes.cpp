@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "core/decimals.hpp"
 #include "core/text.hpp"
+#include "model/shapes.hpp"
 #include "recipe/keys.hpp"
 #include "recipe/keys/face_shapes.hpp"
 #include "recipe/recipe.hpp"
@@ -43,16 +43,10 @@ struct Round {
     v.number({"y", "Of the centre, from the container's bottom.", true}, centre.y, "mm", range::any);
     v.number({"diameter", "Of the circle on which the points lie.", true}, diameter, "mm", range::positive);
   }
-  double on_rim(double middle, double off) const {
-    return in_decimals(middle + off, std::max(std::abs(middle), 0.5 * diameter));
-  }
-  /// From `from` on, `steps` of them in a turn by `angle`.
-  void add_points(double from, double angle, std::int64_t steps, std::int64_t count, std::vector<Vec2>& points) const {
-    for (std::int64_t k = 0; k < count; ++k) {
-      const Vec2 radius =
-          0.5 * diameter * direction(from + angle * static_cast<double>(k) / static_cast<double>(steps));
-      points.push_back({on_rim(centre.x, radius.x), on_rim(centre.y, radius.y)});
-    }
+  /// From `from` on, so many segments in a turn by `angle`.
+  void add_points(double from, double angle, std::int64_t count, std::vector<Vec2>& points) const {
+    const std::vector<Vec2> rim = points_on_arc(centre, diameter, {from, angle}, segments, count);
+    points.insert(points.end(), rim.begin(), rim.end());
   }
 };
 
@@ -63,7 +57,7 @@ struct Circle : Round {
   }
   void add_to(Boundary& boundary) const {
     boundary.closed = true;
-    add_points(0, 2 * std::numbers::pi, segments, segments, boundary.points);
+    add_points(0, 2 * std::numbers::pi, segments, boundary.points);
   }
 };
 
@@ -78,7 +72,7 @@ struct Arc : Round {
               "must differ from `from` by less than a turn; a whole circle is `circle`");
     v.integer({"segments", "Number of straight segments."}, segments, {1, 4096});
   }
-  void add_to(Boundary& boundary) const { add_points(from, to - from, segments, segments + 1, boundary.points); }
+  void add_to(Boundary& boundary) const { add_points(from, to - from, segments + 1, boundary.points); }
 };
 
 struct RegularPolygon : Round {
@@ -92,7 +86,7 @@ struct RegularPolygon : Round {
   }
   void add_to(Boundary& boundary) const {
     boundary.closed = true;
-    add_points(angle, 2 * std::numbers::pi, segments, segments, boundary.points);
+    add_points(angle, 2 * std::numbers::pi, segments, boundary.points);
   }
 };
 

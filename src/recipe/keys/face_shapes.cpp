@@ -12,6 +12,7 @@
 #include "core/decimals.hpp"
 #include "geometry/face.hpp"
 #include "geometry/polygon.hpp"
+#include "model/shapes.hpp"
 #include "recipe/recipe.hpp"
 
 namespace arenite::recipe {
@@ -30,16 +31,7 @@ void add_face(const std::vector<Vec3>& corners, BoundaryIn<3>& boundary) {
 
 /// Corners of a circle's regular polygon.
 geometry::Polygon ring(Vec2 centre, double diameter, std::int64_t segments) {
-  geometry::Polygon corners;
-  for (std::int64_t k = 0; k < segments; ++k) {
-    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(segments);
-    const auto rounded = [&](double middle, double off) {
-      return in_decimals(middle + off, std::max(std::abs(middle), 0.5 * diameter));
-    };
-    corners.push_back(
-        {rounded(centre.x, 0.5 * diameter * std::cos(angle)), rounded(centre.y, 0.5 * diameter * std::sin(angle))});
-  }
-  return corners;
+  return points_on_arc(centre, diameter, {0, 2 * std::numbers::pi}, segments, segments);
 }
 
 /// The part of a convex polygon to the left of the line from a to b.
@@ -166,15 +158,9 @@ void declare_corners(Visitor& v, BoundaryIn<3>& boundary) {
 
 /// The first of its faces, counted from 1, that is none; 0 where all are.
 std::size_t first_bent(const BoundaryIn<3>& boundary) {
-  std::size_t at = 0;
-  for (std::size_t f = 0; f < boundary.corners.size(); ++f) {
-    const auto corners = static_cast<std::size_t>(boundary.corners[f]);
-    if (at + corners > boundary.points.size() ||
-        !geometry::is_flat_and_convex(geometry::Face(boundary.points).subspan(at, corners)))
-      return f + 1;
-    at += corners;
-  }
-  return 0;
+  const std::vector<geometry::Face> faces = geometry::faces_of(boundary.points, boundary.corners);
+  const auto bent = std::ranges::find_if_not(faces, geometry::is_flat_and_convex) - faces.begin();
+  return static_cast<std::size_t>(bent) < boundary.corners.size() ? static_cast<std::size_t>(bent) + 1 : 0;
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <span>
 #include <string>
 
 #include "core/error.hpp"
@@ -37,11 +36,8 @@ std::string problem_of(const std::string& text) {
 
 double area_of(const BoundaryIn<3>& boundary) {
   double area = 0;
-  std::size_t first = 0;
-  for (const std::int32_t corners : boundary.corners) {
-    area += 0.5 * norm(geometry::area_vector(std::span(boundary.points).subspan(first, corners)));
-    first += static_cast<std::size_t>(corners);
-  }
+  for (const geometry::Face face : geometry::faces_of(boundary.points, boundary.corners))
+    area += 0.5 * norm(geometry::area_vector(face));
   return area;
 }
 

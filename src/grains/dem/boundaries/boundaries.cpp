@@ -1,10 +1,13 @@
 #include "grains/dem/boundaries/boundaries.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 
+#include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "grains/dem/boundaries/elements.hpp"
@@ -85,7 +88,16 @@ template <int D> double BoundariesIn<D>::way_since_listed(const SampleIn<D>& s) 
   return std::sqrt(farthest);
 }
 
-template <int D> void BoundariesIn<D>::check_list(const SampleIn<D>& s) const { check_crossings(s); }
+template <int D> void BoundariesIn<D>::check_list(const SampleIn<D>& s) const {
+  if (element.empty()) return;
+  for (std::size_t p = s.list.pairs; p < s.list.polygons; ++p) {
+    if (!is_boundary<D>(s.list.j[p]) || !has_crossed(s, p)) continue;
+    const auto id = s.start.grains.id[s.record[s.list.i[p]].grain];
+    throw CannotGoOn(fmt::format(
+        "grain {} has passed through the boundary \"{}\" at step {}; a smaller time step or a gentler load is needed",
+        id, boundary_of(s, s.list.j[p]).name, s.step));
+  }
+}
 
 template <int D> void BoundariesIn<D>::wrap(SampleIn<D>& s) {
   DomainIn<D>& domain = s.domain;

@@ -1,13 +1,10 @@
 #include "grains/dem/boundaries/elements.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
-#include "core/error.hpp"
 #include "core/problems.hpp"
 #include "geometry/rectangle.hpp"
 
@@ -78,18 +75,6 @@ bool leads_through(Vec2 from, Vec2 to) {
   const double share = from.x + from.y / (from.y - to.y) * (to.x - from.x);
   constexpr double rounding = 1e-9;  // without it the way through a corner would miss both segments
   return share >= -rounding && share <= 1 + rounding;
-}
-
-/// Whether the disk of a slot has gone through its segment since the list was built.
-bool has_crossed(const Sample& s, std::size_t slot) {
-  const Element& element = touched_element(s, s.list.j[slot]);
-  const std::int32_t k = s.list.i[slot];
-  const Boundary &now = s.domain.boundaries[element.boundary], &then = s.listed_domain.boundaries[element.boundary];
-  if (!element.segment || !now.present) return false;
-  const Vec2 listed = s.listed[k], before = seen_from(s.domain, then, element, listed);
-  const Vec2 place = before + (s.record[k].place - listed);
-  return leads_through(as_seen(segment_at(then, element.point), before),
-                       as_seen(segment_at(now, element.point), place));
 }
 
 }  // namespace
@@ -205,16 +190,15 @@ Vec2 touched_place(const Sample& s, std::size_t slot, const Kinematics<2>& c) {
          c.branch;
 }
 
-void check_crossings(const Sample& s) {
-  if (the<Boundaries>(s).element.empty()) return;
-  for (std::size_t p = s.list.pairs; p < s.list.polygons; ++p) {
-    if (!is_boundary(s.list.j[p]) || !has_crossed(s, p)) continue;
-    const Boundary& now = boundary_of(s, s.list.j[p]);
-    const auto id = s.start.grains.id[s.record[s.list.i[p]].grain];
-    throw CannotGoOn(fmt::format(
-        "grain {} has passed through the boundary \"{}\" at step {}; a smaller time step or a gentler load is needed",
-        id, now.name, s.step));
-  }
+bool has_crossed(const Sample& s, std::size_t slot) {
+  const Element& element = touched_element(s, s.list.j[slot]);
+  const std::int32_t k = s.list.i[slot];
+  const Boundary &now = s.domain.boundaries[element.boundary], &then = s.listed_domain.boundaries[element.boundary];
+  if (!element.segment || !now.present) return false;
+  const Vec2 listed = s.listed[k], before = seen_from(s.domain, then, element, listed);
+  const Vec2 place = before + (s.record[k].place - listed);
+  return leads_through(as_seen(segment_at(then, element.point), before),
+                       as_seen(segment_at(now, element.point), place));
 }
 
 }  // namespace arenite::dem

@@ -51,7 +51,7 @@ inline Kinematics<2> kinematics_at_element(const Sample& s, std::size_t slot) {
 /// The place of a boundary that is touched in a slot that is met so, where the boundary itself is and not an image, m.
 Vec2 touched_place(const Sample& sample, std::size_t slot, const Kinematics<2>& kinematics);
 
-/// Throws CannotGoOn for a disk that has gone through a boundary.
-void check_crossings(const Sample& sample);
+/// Whether the disk of a slot has gone through its segment since the list was built.
+bool has_crossed(const Sample& sample, std::size_t slot);
 
 }  // namespace arenite::dem

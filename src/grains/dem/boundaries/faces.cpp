@@ -1,13 +1,9 @@
 #include "grains/dem/boundaries/faces.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
-#include "core/error.hpp"
 #include "core/problems.hpp"
 #include "geometry/face.hpp"
 
@@ -85,22 +81,6 @@ struct FaceAxes {
   }
 };
 
-/// Whether the sphere of a slot has gone through its face since the list was built.
-bool has_gone_through(const SampleIn<3>& s, std::size_t slot) {
-  const ElementIn<3>& element = touched_element(s, s.list.j[slot]);
-  if (!boundary_of(s, s.list.j[slot]).present) return false;
-  const std::int32_t k = s.list.i[slot];
-  const geometry::Face face = face_at(s.domain, element), former = face_at(s.listed_domain, element);
-  const FaceAxes now(face), then(former);
-  const Vec3 listed = s.listed[k], before = view_from(s.domain, former, listed).place,
-             place = before + (s.record[k].place - listed);
-  const double from = then.height(before), to = now.height(place);
-  if (!(from * to < 0)) return false;
-  const double share = from / (from - to);
-  const Vec3 crossing = (1 - share) * now.foot_of(then, before) + share * now.foot_of(now, place);
-  return norm(crossing - geometry::nearest_on_face(face, crossing)) <= element.seam;
-}
-
 }  // namespace
 
 void check_shape(Problems& problems, const DomainIn<3>& domain, const BoundaryIn<3>& boundary) {
@@ -110,10 +90,9 @@ void check_shape(Problems& problems, const DomainIn<3>& domain, const BoundaryIn
   problems.unless(whole, "boundary \"{}\" needs faces of three corners or more, all of whose points are finite",
                   boundary.name);
   if (!whole) return;
-  std::size_t first = 0;
-  for (std::size_t f = 0; f < boundary.corners.size(); ++f) {
-    const auto face = geometry::Face(boundary.points).subspan(first, static_cast<std::size_t>(boundary.corners[f]));
-    first += face.size();
+  const std::vector<geometry::Face> faces = geometry::faces_of(boundary.points, boundary.corners);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const geometry::Face face = faces[f];
     problems.unless(geometry::is_flat_and_convex(face),
                     "face {} of boundary \"{}\" is not flat and convex, or has two corners at one place; give its "
                     "corners in order around it, or several faces",
@@ -191,15 +170,19 @@ Vec3 touched_place(const SampleIn<3>& s, std::size_t slot, const Kinematics<3>& 
   return view_from(s.domain, face, touching_disk(s, slot).place).place - c.branch;
 }
 
-void check_crossings(const SampleIn<3>& s) {
-  if (the<BoundariesIn<3>>(s).element.empty()) return;
-  for (std::size_t p = s.list.pairs; p < s.list.polygons; ++p) {
-    if (!is_boundary<3>(s.list.j[p]) || !has_gone_through(s, p)) continue;
-    const auto id = s.start.grains.id[s.record[s.list.i[p]].grain];
-    throw CannotGoOn(fmt::format(
-        "grain {} has passed through the boundary \"{}\" at step {}; a smaller time step or a gentler load is needed",
-        id, boundary_of(s, s.list.j[p]).name, s.step));
-  }
+bool has_crossed(const SampleIn<3>& s, std::size_t slot) {
+  const ElementIn<3>& element = touched_element(s, s.list.j[slot]);
+  if (!boundary_of(s, s.list.j[slot]).present) return false;
+  const std::int32_t k = s.list.i[slot];
+  const geometry::Face face = face_at(s.domain, element), former = face_at(s.listed_domain, element);
+  const FaceAxes now(face), then(former);
+  const Vec3 listed = s.listed[k], before = view_from(s.domain, former, listed).place,
+             place = before + (s.record[k].place - listed);
+  const double from = then.height(before), to = now.height(place);
+  if (!(from * to < 0)) return false;
+  const double share = from / (from - to);
+  const Vec3 crossing = (1 - share) * now.foot_of(then, before) + share * now.foot_of(now, place);
+  return norm(crossing - geometry::nearest_on_face(face, crossing)) <= element.seam;
 }
 
 }  // namespace arenite::dem

@@ -28,7 +28,7 @@ Kinematics<3> kinematics_at_element(const SampleIn<3>& sample, std::size_t slot)
 /// The place of a boundary that is touched in a slot that is met so, where the boundary itself is and not an image, m.
 Vec3 touched_place(const SampleIn<3>& sample, std::size_t slot, const Kinematics<3>& kinematics);
 
-/// Throws CannotGoOn for a sphere that has gone through a face.
-void check_crossings(const SampleIn<3>& sample);
+/// Whether the sphere of a slot has gone through its face since the list was built.
+bool has_crossed(const SampleIn<3>& sample, std::size_t slot);
 
 }  // namespace arenite::dem

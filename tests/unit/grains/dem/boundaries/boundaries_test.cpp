@@ -6,6 +6,7 @@
 #include "grains/dem/engine.hpp"
 #include "grains/dem/run_stage.hpp"
 #include "unit/grains/dem/boundaries/containers.hpp"
+#include "unit/grains/dem/boundaries/groove.hpp"
 #include "unit/grains/dem/samples.hpp"
 
 namespace arenite::dem {
@@ -41,16 +42,7 @@ TEST(Boundaries, DiskInAGrooveRestsOnBothSides) {
   Engine engine(p, with_friction(0), {});
   set_gravity(engine, {0, -g});
   while (time_of(engine) < 0.2) engine.advance(100);
-  const Packing now = packing_of(engine);
-  const double weight = mass_of(r) * g;
-  ASSERT_EQ(now.contacts.size(), 2u);
-  for (std::size_t c = 0; c < 2; ++c) {
-    EXPECT_TRUE(now.contacts.is_boundary(c));
-    EXPECT_EQ(now.domain.boundary_of(now.contacts.element(c)), 0);
-    EXPECT_NEAR(now.contacts.fn[c], weight / (2 * std::sin(half)), 1e-8 * weight);
-  }
-  EXPECT_NEAR(engine.domain.boundaries[0].force.y, -weight, 1e-8 * weight);
-  EXPECT_NEAR(engine.domain.boundaries[0].force.x, 0, 1e-8 * weight);
+  expect_rest_in_groove(packing_of(engine), half, mass_of(r) * g);
 }
 
 /// A disk that rolls at a speed along a plate and over its corner; the energy that it has too much or too little at the

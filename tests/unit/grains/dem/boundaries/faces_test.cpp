@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "unit/grains/dem/boundaries/boxes.hpp"
+#include "unit/grains/dem/boundaries/groove.hpp"
 
 namespace arenite::dem {
 namespace {
@@ -89,15 +90,7 @@ TEST(Faces, ASphereInAGrooveRestsOnBoth) {
   EngineIn<3> engine(p, rubbing(0), {});
   set_gravity(engine, Vec3{0, -gravity, 0});
   run_until(engine, 0.3);
-  const PackingIn<3> now = packing_of(engine);
-  ASSERT_EQ(now.contacts.size(), 2U);
-  for (std::size_t c = 0; c < 2; ++c) {
-    EXPECT_TRUE(now.contacts.is_boundary(c));
-    EXPECT_EQ(now.domain.boundary_of(now.contacts.element(c)), 0);
-    EXPECT_NEAR(now.contacts.fn[c], weight / (2 * std::sin(half)), 1e-8 * weight);
-  }
-  EXPECT_NEAR(now.domain.boundaries[0].force.y, -weight, 1e-8 * weight);
-  EXPECT_NEAR(now.domain.boundaries[0].force.x, 0, 1e-8 * weight);
+  expect_rest_in_groove(packing_of(engine), half, weight);
 }
 
 /// The only contact of a sphere that lies there with its centre so far from the nearest point of a boundary.

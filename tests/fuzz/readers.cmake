@@ -1,3 +1,5 @@
+# What of ours reads anybody's bytes, but for films: each a fuzz target and a corpus.
+set(ARENITE_READERS recipe csv picture phase_map spheres volume)
 # Film formats, as src/io/formats.hpp lists them: each a name of the one program that reads films, and a corpus.
 file(STRINGS ${CMAKE_SOURCE_DIR}/src/io/formats.hpp listed REGEX "^#define ARENITE_FILM_FORMATS")
 string(REGEX MATCHALL "each\\([a-z0-9_]+\\)" ARENITE_FILM_READERS "${listed}")
