@@ -57,6 +57,14 @@ inline py::array_t<bool> taken_over_as_bool(std::vector<std::uint8_t> values, st
   return taken_over(std::move(values), std::move(shape)).attr("view")("bool");
 }
 
+/// Points as rows of an array of their own.
+template <int D> py::array_t<double> rows_of_points(const std::vector<Vec<D>>& points) {
+  std::vector<double> places;
+  for (const Vec<D>& point : points)
+    for (int axis = 0; axis < D; ++axis) places.push_back(point[axis]);
+  return taken_over(std::move(places), {static_cast<py::ssize_t>(points.size()), D});
+}
+
 /// Adds a read-only property `name` that looks into the vector `member` of the object that `part` finds in Owner.
 template <class Class, class Part> void array_property(Class& c, const char* name, Part part, const char* doc) {
   using Owner = typename Class::type;

@@ -8,7 +8,6 @@
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "core/units.hpp"
-#include "file_notes.hpp"
 #include "film_source.hpp"
 #include "io/film/film.hpp"
 #include "keywords.hpp"
@@ -50,7 +49,6 @@ LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const std:
   LockinOfFilm parts;
   read_keywords(parts, given);
   const auto source = film_of(film, parts, time);
-  warn_of_notes(source->info().remarks);
   thermography::LockinOptions o;
   o.frequency = parts.section.frequency;
   o.refine = refine;
@@ -85,7 +83,6 @@ py::dict stepped(const FilmLike& film, const py::kwargs& more) {
   o.window = parts.section.window;
   o.drift_order = static_cast<int>(parts.section.drift);
   const auto source = film_of(film, parts);
-  warn_of_notes(source->info().remarks);
   Call call;
   o.progress = [&](double) { return !call.asked_to_stop(); };
   auto maps = call.without_lock([&] { return thermography::step_load(*source, o); });

@@ -31,22 +31,12 @@ Material material(std::string name, const Quantity& density, const Quantity& sti
           factor.si(dimension::thermoelastic_factor, "thermoelastic_factor")};
 }
 
-py::array_t<double> rows_of_points(const std::vector<Vec2>& points) {
-  py::array_t<double> rows({points.size(), std::size_t{2}});
-  auto at = rows.mutable_unchecked<2>();
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    at(static_cast<py::ssize_t>(k), 0) = points[k].x;
-    at(static_cast<py::ssize_t>(k), 1) = points[k].y;
-  }
-  return rows;
-}
-
 py::list boundaries_of(const Domain& domain) {
   py::list all;
   for (const Boundary& boundary : domain.boundaries) {
     py::dict d;
     d["name"] = boundary.name;
-    d["points"] = rows_of_points(boundary.points);
+    d["points"] = rows_of_points<2>(boundary.points);
     d["closed"] = boundary.closed;
     d["present"] = boundary.present;
     all.append(d);
@@ -120,14 +110,14 @@ py::dict cohesive_of(const Packing& packing) {
 py::array_t<double> levers_of(const Contacts& contacts) {
   std::vector<Vec2> points;
   for (std::size_t c = 0; c < contacts.size(); ++c) points.push_back(contacts.lever_i(c));
-  return rows_of_points(points);
+  return rows_of_points<2>(points);
 }
 
 /// One array a grain; of disks, too.
 py::list outlines_of(const Packing& packing) {
   py::list all;
   for (std::size_t g = 0; g < packing.grains.size(); ++g)
-    all.append(rows_of_points(outline_of(packing.grains, g, 0.1)));
+    all.append(rows_of_points<2>(outline_of(packing.grains, g, 0.1)));
   return all;
 }
 

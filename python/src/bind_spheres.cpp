@@ -32,6 +32,20 @@ template <class Class> void def_array(Class& c, const char* name, auto of, const
       name, [of](const py::object& self) { return view(of(self.cast<const PackingIn<3>&>()), self); }, sentence);
 }
 
+/// Faces are so many of the points, one after the other.
+py::list boundaries_in_space(const DomainIn<3>& domain) {
+  py::list all;
+  for (const BoundaryIn<3>& boundary : domain.boundaries) {
+    py::dict d;
+    d["name"] = boundary.name;
+    d["points"] = rows_of_points<3>(boundary.points);
+    d["corners"] = taken_over(boundary.corners);
+    d["present"] = boundary.present;
+    all.append(d);
+  }
+  return all;
+}
+
 py::dict domain_in_space(const PackingIn<3>& packing) {
   py::dict d;
   const Container<3>& box = packing.domain;
@@ -48,6 +62,7 @@ py::dict domain_in_space(const PackingIn<3>& packing) {
   d["size"] = py::make_tuple(box.extent(0), box.extent(1), box.extent(2));
   d["periodic"] = py::make_tuple(box.periodic[0], box.periodic[1], box.periodic[2]);
   d["tilt"] = box.tilt;
+  d["boundaries"] = boundaries_in_space(packing.domain);
   return d;
 }
 
@@ -131,7 +146,9 @@ void bind_spheres(py::module_& m) {
       .def_property_readonly("bonds", &bonds_in_space,
                              "Bonds as arrays by name: i, j, broken (0: whole; 1 tension, 2 bending, 3 shear, 4 "
                              "twisting), time and place of the break, force and moment on i, energy, load, length.")
-      .def_property_readonly("domain", &domain_in_space, "The container: its six sides, size and periodic directions.")
+      .def_property_readonly("domain", &domain_in_space,
+                             "The container: its six sides, size and periodic directions, and the boundaries in it: "
+                             "points (N, 3), and how many of them are the corners of each face.")
       .def(
           "measure",
           [](const PackingIn<3>& p, double border) {

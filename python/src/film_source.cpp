@@ -1,6 +1,7 @@
 #include "film_source.hpp"
 
 #include "arrays.hpp"
+#include "file_notes.hpp"
 #include "io/film/film.hpp"
 
 namespace arenite::python {
@@ -80,7 +81,9 @@ std::unique_ptr<FilmSource> film_of(const FilmLike& film, const recipe::FilmSect
                                        time ? to_vector(*time, "time") : std::vector<double>{});
   }
   if (time) throw InputError("the time of frames is for arrays; a file has its own times, or give its frame_rate");
-  return io::open_film(path_of(film), choice);
+  auto source = io::open_film(path_of(film), choice);
+  warn_of_notes(source->info().remarks);
+  return source;
 }
 
 }  // namespace arenite::python

@@ -18,7 +18,7 @@ const Keywords& film_keywords();
 recipe::FilmSection film_said(const char* function, const py::kwargs& more);
 
 /// A film of a file, or of an array, which is looked at and not copied; what `said` tells of it, and the `time` (s) of
-/// every frame of an array.
+/// every frame of an array. What a file does not say, or says otherwise than is taken, is warned of.
 std::unique_ptr<FilmSource> film_of(const FilmLike& film, const recipe::FilmSection& said = {},
                                     const std::optional<ArrayLike>& time = std::nullopt);
 

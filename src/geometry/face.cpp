@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
+#include "core/mapped.hpp"
 #include "geometry/rectangle.hpp"
 
 namespace arenite::geometry {
@@ -23,6 +25,29 @@ std::vector<Face> faces_of(std::span<const Vec3> points, std::span<const std::in
     points = points.subspan(own);
   }
   return faces;
+}
+
+std::vector<std::array<Vec3, 2>> edges_of(std::span<const Face> faces) {
+  constexpr double flat = 1 - 1e-9;  // cosine of the angle between faces in one plane
+  struct Edge {
+    std::array<Vec3, 2> ends;
+    Vec3 normal;
+    bool is_seen = true;
+  };
+  std::vector<Edge> edges;
+  std::map<std::array<double, 6>, std::size_t> known;
+  for (const Face face : faces) {
+    const Vec3 area = area_vector(face), normal = area / norm(area);
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const Vec3 a = face[k], b = next_of(face, k);
+      const auto [at, is_new] = known.try_emplace(
+          std::min(std::array{a.x, a.y, a.z, b.x, b.y, b.z}, std::array{b.x, b.y, b.z, a.x, a.y, a.z}), edges.size());
+      if (is_new) edges.push_back({{a, b}, normal});
+      else if (std::abs(dot(edges[at->second].normal, normal)) > flat) edges[at->second].is_seen = false;
+    }
+  }
+  std::erase_if(edges, [](const Edge& edge) { return !edge.is_seen; });
+  return mapped(edges, &Edge::ends);
 }
 
 Vec3 area_vector(Face face) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,6 +13,9 @@ using Face = std::span<const Vec3>;
 
 /// Faces whose corners stand one face after the other, so many of each; those for which there are points.
 std::vector<Face> faces_of(std::span<const Vec3> points, std::span<const std::int32_t> corners);
+
+/// Between which points faces end or bend, each once: their edges but those between two faces in one plane.
+std::vector<std::array<Vec3, 2>> edges_of(std::span<const Face> faces);
 
 /// Twice its area along the normal that its corners turn about, m^2.
 Vec3 area_vector(Face face);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/mapped.hpp"
+#include "geometry/face.hpp"
 #include "grains/texture/force_scale.hpp"
 #include "grains/texture/spheres/sphere_view.hpp"
 #include "report/figures/headlines.hpp"
@@ -72,6 +73,18 @@ Numbers bonds_of(const std::vector<BondIn<3>>& bonds, NumberBlock& block) {
           {"z", block.add_reals(place(2), "m")}};
 }
 
+/// Boundaries with the edges of their faces: three numbers for either end, from the container's origin.
+Numbers boundaries_of(const DomainIn<3>& domain, NumberBlock& block) {
+  Numbers list = Numbers::list();
+  for (const BoundaryIn<3>& boundary : domain.boundaries) {
+    std::vector<double> ends;
+    for (const auto& edge : geometry::edges_of(geometry::faces_of(boundary.points, boundary.corners)))
+      for (const Vec3& end : edge) ends.insert(ends.end(), {end.x, end.y, end.z});
+    list.push_back({{"name", boundary.name}, {"present", boundary.present}, {"ends", block.add_reals(ends, "m")}});
+  }
+  return list;
+}
+
 Numbers state_of(const SnapshotIn<3>& state, const Numbers& measured, NumberBlock& block) {
   const PackingIn<3>& packing = state.packing;
   const GrainsIn<3>& grains = packing.grains;
@@ -85,6 +98,7 @@ Numbers state_of(const SnapshotIn<3>& state, const Numbers& measured, NumberBloc
   out["radius"] = block.add_reals(grains.radius, "m");
   out["material"] = block.add_indices(grains.material);
   out["speed"] = block.add_coarse(mapped(grains.velocity, [](Vec3 v) { return norm(v); }), "m/s");
+  if (!packing.domain.boundaries.empty()) out["boundaries"] = boundaries_of(packing.domain, block);
   if (!packing.bonds.empty()) out["bonds"] = bonds_of(packing.bonds, block);
   if (packing.contacts.size() == 0) return out;
   out["contacts"] = block.add_indices(texture::spheres::contacts_with_spheres(packing));

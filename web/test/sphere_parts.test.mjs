@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { dot, frameOf } from "../src/space/frame.js";
 import { bondsOf, together } from "../src/spheres/bonds.js";
+import { edgesOf } from "../src/spheres/boundaries.js";
 import { between, kindOf } from "../src/spheres/chains.js";
 import { seenSphere } from "../src/spheres/seen.js";
 
@@ -53,6 +54,18 @@ test("a bond that holds is a rod between its spheres, one that broke a ball wher
   ]);
   assert.equal(twice.ends.length, 48);
   assert.equal(twice.kind.length, 8);
+});
+
+test("of boundaries that are there the edges are lines, from the middle of the container", () => {
+  const container = { corner: [1, 1, 1], size: [4, 2, 6] },
+    boundaries = [
+      { present: false, ends: [0, 0, 0, 9, 9, 9] },
+      { present: true, ends: [3, 2, 4, 4, 2, 4, 4, 2, 4, 4, 3, 4] },
+    ];
+  const { ends, radius, kind } = edgesOf({ state: { boundaries, container }, meanRadius: 0.5 });
+  assert.deepEqual([...ends], [0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0]);
+  assert.deepEqual(kind, ["boundary", "boundary"]);
+  assert.equal(radius.length, 2);
 });
 
 test("a force above the mean is strong, one below the traces of tension pulls", () => {

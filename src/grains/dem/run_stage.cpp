@@ -54,6 +54,10 @@ namespace {
 constexpr std::int64_t check_interval = 200;  // steps between two looks at equilibrium
 constexpr std::size_t history_rows = 4096;    // beyond this every second row is dropped
 
+/// Within which forces on sides are at their aims at rest, relative: hangs on how well grains are to be balanced, but a
+/// load is never left half a per cent off.
+double load_tolerance(const EquilibriumCriterion& wanted) { return std::min(10 * wanted.unbalanced, 0.005); }
+
 /// Largest departure of a force-driven wall from its aim, relative to the aim.
 template <int D> double load_error(const WallDrivesIn<D>& drives, const DomainIn<D>& domain) {
   double worst = 0;
@@ -181,7 +185,7 @@ template <int D> void continue_stage(EngineIn<D>& engine, const Stage& stage, St
   engine.exchange(stage.exchange, time_of<D>(engine) - run.start.time);
   run.latest = equilibrium_of<D>(engine);
   const bool at_rest = is_at_rest(run.latest, stage.equilibrium) &&
-                       load_error<D>(drives, engine.domain) < 10 * stage.equilibrium.unbalanced;
+                       load_error<D>(drives, engine.domain) < load_tolerance(stage.equilibrium);
   const bool is_over = leg.until ? run.steps_in_increment >= *leg.until : at_rest;
   const bool given_up = !leg.until && !at_rest && run.steps_in_increment >= stage.equilibrium.max_steps;
   note(engine, stage, is_over && leg.is_whole, run);
@@ -212,7 +216,7 @@ template <int D> std::string unrest(const EngineIn<D>& engine, const Stage& stag
   std::vector<Demand> demands = demands_on(run.latest, stage.equilibrium);
   const WallDrivesIn<D> drives = drives_for<D>(stage, leg_of(engine, stage, run), engine.domain);
   demands.push_back({"forces on the sides, off their targets by", "equilibrium.unbalanced",
-                     load_error<D>(drives, engine.domain), 10 * stage.equilibrium.unbalanced});
+                     load_error<D>(drives, engine.domain), load_tolerance(stage.equilibrium)});
   std::vector<std::string> lacks, keys;
   for (const Demand& demand : demands) {
     if (demand.is_met()) continue;

@@ -228,7 +228,7 @@ const ExportFormat exports::vtk{
                 "place, radius, id, number of the material, zone, velocity, angle, omega, displacement, stresses and "
                 "other numbers of grains"},
                {"contacts", "lines from centre to centre, or to the wall: forces, normal, arms, overlap"},
-               {"walls, boundaries", "lines with their forces"},
+               {"walls, boundaries", "lines with their forces; in space the faces of boundaries"},
                {"shapes of grains", "their rims, as lines"},
                {"time", "in every file and in the .pvd"},
                {"bonds of spheres", "lines from centre to centre, and as points, cracks, where some broke"},

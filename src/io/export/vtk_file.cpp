@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <stdexcept>
 
 #include "io/disk/byte_source.hpp"
@@ -82,11 +83,13 @@ class VtkWriter {
     line("</{}>", element);
   }
 
-  /// A list of cells; an empty one is written too, since VTK's reader asks for all four.
-  void cells(const char* element, std::size_t count, std::size_t points_per_cell) {
-    std::vector<std::int64_t> connectivity(count * points_per_cell), offsets(count);
-    for (std::size_t k = 0; k < connectivity.size(); ++k) connectivity[k] = static_cast<std::int64_t>(k);
-    for (std::size_t k = 0; k < count; ++k) offsets[k] = static_cast<std::int64_t>((k + 1) * points_per_cell);
+  /// A list of cells of so many successive points each; an empty one is written too, since VTK's reader asks for all
+  /// four.
+  void cells(const char* element, const std::vector<std::int64_t>& sizes) {
+    std::vector<std::int64_t> offsets(sizes.size());
+    std::partial_sum(sizes.begin(), sizes.end(), offsets.begin());
+    std::vector<std::int64_t> connectivity(offsets.empty() ? 0 : static_cast<std::size_t>(offsets.back()));
+    std::iota(connectivity.begin(), connectivity.end(), std::int64_t{0});
     line("<{}>", element);
     array("connectivity", 1, connectivity);
     array("offsets", 1, offsets);
@@ -122,7 +125,9 @@ std::vector<double> symmetric(const std::vector<double>& xx, const std::vector<d
 
 std::string vtp_bytes(const VtkPolyData& data) {
   const std::size_t points = data.points.size() / 3;
-  const bool lines = data.lines;
+  const bool in_polygons = !data.corners.empty(), in_lines = data.lines && !in_polygons;
+  const std::vector<std::int64_t> none, vertices(in_polygons || in_lines ? 0 : points, 1),
+      lines(in_lines ? points / 2 : 0, 2);
   VtkWriter file("PolyData");
   file.line("<PolyData>");
   file.line(
@@ -131,17 +136,17 @@ std::string vtp_bytes(const VtkPolyData& data) {
       data.time);
   file.line(
       "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
-      "NumberOfPolys=\"0\">",
-      points, lines ? 0 : points, lines ? points / 2 : 0);
+      "NumberOfPolys=\"{}\">",
+      points, vertices.size(), lines.size(), data.corners.size());
   file.arrays("PointData", data.point_arrays);
   file.arrays("CellData", data.cell_arrays);
   file.line("<Points>");
   file.array("Points", 3, data.points);
   file.line("</Points>");
-  file.cells("Verts", lines ? 0 : points, 1);
-  file.cells("Lines", lines ? points / 2 : 0, 2);
-  file.cells("Strips", 0, 1);
-  file.cells("Polys", 0, 1);
+  file.cells("Verts", vertices);
+  file.cells("Lines", lines);
+  file.cells("Strips", none);
+  file.cells("Polys", data.corners);
   file.line("</Piece>\n</PolyData>");
   return file.finish();
 }

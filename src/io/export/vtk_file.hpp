@@ -27,10 +27,12 @@ std::vector<double> in_space(const std::vector<Vec2>& plane);
 std::vector<double> symmetric(const std::vector<double>& xx, const std::vector<double>& yy,
                               const std::vector<double>& xy);
 
-/// Points with either one vertex each or straight lines between pairs of them: all that disks, contacts and walls need.
+/// Points with one vertex each, straight lines between pairs of them, or flat polygons: all that grains, contacts and
+/// walls need.
 struct VtkPolyData {
-  bool lines = false;          ///< a line per two successive points; else a vertex per point
-  std::vector<double> points;  ///< x, y, z of each, m
+  bool lines = false;                 ///< a line per two successive points; else a vertex per point
+  std::vector<std::int64_t> corners;  ///< of polygons, of which each has so many successive points
+  std::vector<double> points;         ///< x, y, z of each, m
   std::vector<VtkArray> point_arrays, cell_arrays;
   double time = 0;  ///< s; stored as TimeValue
 };

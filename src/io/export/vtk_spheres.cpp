@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "io/export/vtk_file.hpp"
 #include "io/results/groups.hpp"
@@ -99,6 +100,33 @@ VtkPolyData cracks_of_spheres(const ExportSpheres& from) {
   return data;
 }
 
+/// The faces of boundaries, of which each has what acts on the boundary that it is of.
+VtkPolyData boundaries_of_spheres(const ExportSpheres& from) {
+  VtkPolyData data;
+  data.time = from.snapshot->time;
+  std::vector<Vec3> points, force, torque, velocity;
+  std::vector<std::int32_t> number;
+  std::vector<std::uint8_t> present;
+  const auto& boundaries = from.snapshot->packing.domain.boundaries;
+  for (std::size_t b = 0; b < boundaries.size(); ++b) {
+    const BoundaryIn<3>& boundary = boundaries[b];
+    points.insert(points.end(), boundary.points.begin(), boundary.points.end());
+    data.corners.insert(data.corners.end(), boundary.corners.begin(), boundary.corners.end());
+    const std::size_t faces = boundary.corners.size();
+    number.insert(number.end(), faces, static_cast<std::int32_t>(b));
+    present.insert(present.end(), faces, boundary.present ? 1 : 0);
+    force.insert(force.end(), faces, boundary.force), torque.insert(torque.end(), faces, boundary.torque);
+    velocity.insert(velocity.end(), faces, boundary.velocity);
+  }
+  data.points = components_of(points);
+  data.cell_arrays = {{"boundary", number},
+                      {"present", present},
+                      {"force", components_of(force), 3},
+                      {"torque", components_of(torque), 3},
+                      {"velocity", components_of(velocity), 3}};
+  return data;
+}
+
 }  // namespace
 
 std::vector<NamedBytes> vtk_spheres(const ExportSpheres& from) {
@@ -114,6 +142,7 @@ std::vector<NamedBytes> vtk_spheres(const ExportSpheres& from) {
     add("bonds", bonds_of_spheres(from));
     add("cracks", cracks_of_spheres(from));
   }
+  if (!from.snapshot->packing.domain.boundaries.empty()) add("boundaries", boundaries_of_spheres(from));
   files.push_back({vtk_state_name(from.number), vtm_bytes(blocks)});
   return files;
 }

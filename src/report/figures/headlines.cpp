@@ -134,12 +134,19 @@ std::vector<Headline> headlines_of(const VoxelResult& sample) {
 
 std::vector<Headline> headlines_of(const SphereResult& sample) {
   std::vector<Headline> list;
-  add_known(list,
-            {{"solid fraction", "\u03c6", "solid_fraction"},
-             {"contacts without rattlers", "z", "coordination.without_rattlers"},
-             {"pressure", "p", "stress_details.pressure_Pa"},
-             {"contacts", "z", "coordination.all"}},
-            sample.texture);
+  using enum fields::TestKind;
+  for (const auto kind : {discharge, uniaxial, biaxial}) {
+    std::vector<Headline> of_test;
+    add_known(of_test, headlines_of(kind), sample.texture);
+    if (list.empty() && of_test.size() > 1) list = of_test;
+  }
+  if (list.empty())
+    add_known(list,
+              {{"solid fraction", "\u03c6", "solid_fraction"},
+               {"contacts without rattlers", "z", "coordination.without_rattlers"},
+               {"pressure", "p", "stress_details.pressure_Pa"},
+               {"contacts", "z", "coordination.all"}},
+              sample.texture);
   add_known(list,
             {{"deviator", "q", "stress_details.deviator_Pa"},
              {"anisotropy of contacts", "a_{c}", "fabric.a_c"},

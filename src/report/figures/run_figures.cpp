@@ -129,7 +129,8 @@ const Head orientations_of_spheres{
     true};
 
 constexpr const char *of_spheres[] = {"contact-numbers", "forces", "sigma-norm", "rev"},
-                     *over_time[] = {"grain-bonds", "wall-forces", "energies", "equilibrium"};
+                     *over_time[] = {"discharge",       "grain-bonds", "wall-forces",
+                                     "boundary-forces", "energies",    "equilibrium"};
 
 template <class Data> const Row<Data>& row_of(const std::vector<Row<Data>>& list, std::string_view id) {
   return *std::ranges::find_if(list, [&](const Row<Data>& row) { return row.head.id == id; });
@@ -155,7 +156,11 @@ template <std::size_t k> Drawings draw_history(const SphereResult& stage) {
   StageResult rows;
   rows.name = stage.name;
   rows.history = stage.history;
-  if (std::string_view(over_time[k]) == "wall-forces" && !has_walls(stage)) return {};
+  rows.texture = stage.texture;
+  const std::string_view id = over_time[k];
+  if (id == "wall-forces" && !has_walls(stage)) return {};
+  if (id == "boundary-forces" && !stage.snapshots.empty())
+    return boundary_forces({rows, {}, nullptr}, stage.snapshots.back().packing.domain.boundaries);
   return row_of(stage_figures(), over_time[k]).draw({rows, {}, nullptr});
 }
 
@@ -163,15 +168,17 @@ template <std::size_t k> Drawings draw_history(const SphereResult& stage) {
 
 const std::vector<Row<SphereResult>>& sphere_figures() {
   static const std::vector<Row<SphereResult>> all{{row_of(stage_figures(), "test-curves").head, triaxial_drawing},
+                                                  {row_of(stage_figures(), over_time[0]).head, draw_history<0>},
                                                   {orientations_of_spheres, draw_orientations},
                                                   {row_of(state_figures(), of_spheres[0]).head, draw_state<0>},
                                                   {row_of(state_figures(), of_spheres[1]).head, draw_state<1>},
                                                   {row_of(state_figures(), of_spheres[2]).head, draw_state<2>},
                                                   {row_of(state_figures(), of_spheres[3]).head, draw_state<3>},
-                                                  {row_of(stage_figures(), over_time[0]).head, draw_history<0>},
                                                   {row_of(stage_figures(), over_time[1]).head, draw_history<1>},
                                                   {row_of(stage_figures(), over_time[2]).head, draw_history<2>},
-                                                  {row_of(stage_figures(), over_time[3]).head, draw_history<3>}};
+                                                  {row_of(stage_figures(), over_time[3]).head, draw_history<3>},
+                                                  {row_of(stage_figures(), over_time[4]).head, draw_history<4>},
+                                                  {row_of(stage_figures(), over_time[5]).head, draw_history<5>}};
   return all;
 }
 

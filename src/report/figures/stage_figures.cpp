@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -94,27 +95,6 @@ Drawings wall_forces(const StageData& data) {
     panel.series[k].y = scaled(std::move(panel.series[k].y), 1 / scale.factor);
     if ((panel.series[k].colour.back() - '0') % 2 == 1) panel.series[k].line = drawing.key[k].line = Line::dashed;
   }
-  return {drawing};
-}
-
-/// Of each boundary along x and y.
-Drawings boundary_forces(const StageData& data) {
-  if (data.stage.snapshots.empty()) return {};
-  std::vector<std::string> words;
-  for (const Boundary& boundary : data.stage.snapshots.back().packing.domain.boundaries)
-    for (const char* axis : {"x", "y"})
-      if (boundary.present)
-        words.push_back(boundary.name + "_force_" + axis), words.push_back(boundary.name + ", " + axis);
-  std::vector<Named> names;
-  for (std::size_t k = 0; k < words.size(); k += 2) names.push_back({words[k].c_str(), words[k + 1].c_str()});
-  constexpr std::size_t most_lines = 8;
-  if (names.empty() || names.size() > most_lines) return {};
-  Drawing drawing = lines_over_time(data, names, [](double) { return true; });
-  if (drawing.panels.empty()) return {};
-  Panel& panel = drawing.panels.front();
-  const Scale scale = scale_of(largest_in(panel), "N");
-  panel.y = {.label = "force", .unit = scale.unit};
-  for (Series& series : panel.series) series.y = scaled(std::move(series.y), 1 / scale.factor);
   return {drawing};
 }
 
@@ -217,6 +197,26 @@ Drawings grain_bonds(const StageData& data) {
 
 }  // namespace
 
+template <int D> Drawings boundary_forces(const StageData& data, const std::vector<BoundaryIn<D>>& boundaries) {
+  constexpr const char* axes[] = {"x", "y", "z"};
+  std::vector<std::string> words;
+  for (const BoundaryIn<D>& boundary : boundaries)
+    for (const char* axis : std::span(axes).first(D))
+      if (boundary.present) words.insert(words.end(), {boundary.name + "_force_" + axis, boundary.name + ", " + axis});
+  std::vector<Named> names;
+  for (std::size_t k = 0; k < words.size(); k += 2) names.push_back({words[k].c_str(), words[k + 1].c_str()});
+  if (names.empty() || names.size() > 8) return {};  // more lines are not told apart
+  Drawing drawing = lines_over_time(data, names, [](double) { return true; });
+  if (drawing.panels.empty()) return {};
+  Panel& panel = drawing.panels.front();
+  const Scale scale = scale_of(largest_in(panel), "N");
+  panel.y = {.label = "force", .unit = scale.unit};
+  for (Series& series : panel.series) series.y = scaled(std::move(series.y), 1 / scale.factor);
+  return {drawing};
+}
+template Drawings boundary_forces(const StageData&, const std::vector<BoundaryIn<2>>&);
+template Drawings boundary_forces(const StageData&, const std::vector<BoundaryIn<3>>&);
+
 const std::vector<Row<StageData>>& stage_figures() {
   static const std::vector<Row<StageData>> list{
       {{"cycles",
@@ -278,8 +278,12 @@ const std::vector<Row<StageData>>& stage_figures() {
         "Normal force of the grains on each wall over the loading; vertical line: the state shown."},
        wall_forces},
       {{"boundary-forces", "boundary-forces", "Forces on the boundaries",
-        "Force of the grains on each boundary along x and y; vertical line: the state shown."},
-       boundary_forces},
+        "Force of the grains on each boundary along the axes; vertical line: the state shown."},
+       [](const StageData& data) {
+         return data.stage.snapshots.empty()
+                    ? Drawings{}
+                    : boundary_forces(data, data.stage.snapshots.back().packing.domain.boundaries);
+       }},
       {{"travel", "travel", "Force-displacement curve",
         "Force on the wall that moves farthest in this stage against its displacement into the sample; dots: stored "
         "states."},

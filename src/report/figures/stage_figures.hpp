@@ -13,6 +13,9 @@ struct StageData {
   const Packing* before = nullptr;
 };
 
+/// Force of the grains on each boundary that is there, along each axis.
+template <int D> Drawings boundary_forces(const StageData& data, const std::vector<BoundaryIn<D>>& boundaries);
+
 /// Figures of the history of a stage, in their order on the page.
 const std::vector<Row<StageData>>& stage_figures();
 

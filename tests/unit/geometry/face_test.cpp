@@ -54,5 +54,20 @@ TEST(Face, MustBeFlatAndConvex) {
       is_flat_and_convex(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}}));  // a corner on an edge
 }
 
+TEST(Face, EdgesAreThoseWhereFacesEndOrBend) {
+  // A tetrahedron has six, each of two faces.
+  const std::vector<Vec3> o{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, x{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+      y{{0, 0, 1}, {1, 0, 0}, {0, 0, 0}}, far{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  EXPECT_EQ(edges_of(std::vector<Face>{o, x, y, far}).size(), 6u);
+  // A square of two triangles has its rim and no diagonal, in whatever sense they turn.
+  const std::vector<Vec3> low{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, high{{0, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const std::vector<Vec3> turned(high.rbegin(), high.rend());
+  for (const auto& other : {high, turned}) {
+    const auto rim = edges_of(std::vector<Face>{low, other});
+    EXPECT_EQ(rim.size(), 4u);
+    for (const auto& [a, b] : rim) EXPECT_EQ(norm(b - a), 1);
+  }
+}
+
 }  // namespace
 }  // namespace arenite::geometry

@@ -57,7 +57,7 @@ TEST(Formats, EveryFilmFormatHasACorpusForFuzzing) {
 }
 
 /// Whether a format says what it does with a thing, by one of these words in what it states.
-template <class Format> bool says(const Format& format, const std::vector<std::string_view>& words) {
+template <class Format> bool has_words(const Format& format, const std::vector<std::string_view>& words) {
   return std::ranges::any_of(format.states, [&](const Stated& stated) {
     return !stated.done.empty() &&
            std::ranges::any_of(words, [&](auto word) { return stated.what.find(word) != stated.what.npos; });
@@ -69,10 +69,10 @@ TEST(Formats, EachOfGrainsAndContactsSaysWhatItStatesAndWhatIsDoneWithIt) {
                                                   {"third", "z"}, {"columns"},      {"force", "overlap"}};
   for (const auto* format : samples::all)
     for (const auto& topic : topics)
-      EXPECT_TRUE(says(*format, topic)) << format->name << " says nothing of " << topic.front();
+      EXPECT_TRUE(has_words(*format, topic)) << format->name << " says nothing of " << topic.front();
   for (const auto* format : exports::all)
     for (const std::string_view topic : {"grains", "contacts"})
-      EXPECT_TRUE(says(*format, {topic})) << format->name << " says nothing of " << topic;
+      EXPECT_TRUE(has_words(*format, {topic})) << format->name << " says nothing of " << topic;
 }
 
 TEST(Formats, NoTwoExportsAreAskedForByTheSameName) {

@@ -56,9 +56,10 @@ function toWall(from, side, { size }) {
   return [[...from, ...end]];
 }
 
-/** RGBA of every line: of forces, and of bonds and where they broke. */
+/** RGBA of every line: of forces, of bonds and where they broke, and of boundaries. */
 export function coloursOfLines({ kind }, theme) {
-  const named = { strong: theme.strong, weak: theme.weak, tension: theme.tension, bond: theme.weak };
+  const { strong, weak, tension, wall } = theme,
+    named = { strong, weak, tension, bond: weak, boundary: wall };
   ways.forEach((way, k) => (named[way] = theme.broken[k]));
   const table = Object.fromEntries(Object.entries(named).map(([name, colour]) => [name, [...bytes(colour), 255]])),
     colours = new Uint8Array(4 * kind.length);

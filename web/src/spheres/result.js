@@ -44,6 +44,9 @@ export class SphereResult extends DescribedResult {
   get hasBonds() {
     return Boolean(this.state.bonds);
   }
+  get hasBoundaries() {
+    return Boolean(this.state.boundaries);
+  }
 
   quantity(id) {
     return quantities[id];

@@ -20,6 +20,7 @@ const choices = (result) => ({
   clip: "1",
   chains: false,
   bonds: result.hasBonds,
+  boundaries: result.hasBoundaries,
   spheres: true,
   ...firstLook,
   ...Object.fromEntries(axes.map((axis) => [`cut${axis}`, cuts[1]])),
@@ -30,6 +31,7 @@ const kept = (result) => ({
   show: forms.word(["material", ...result.offered]),
   ...(result.hasForces && { chains: forms.truth }),
   ...(result.hasBonds && { bonds: forms.truth }),
+  ...(result.hasBoundaries && { boundaries: forms.truth }),
   spheres: forms.truth,
   ...lookForms,
   ...Object.fromEntries(axes.map((axis) => [`cut${axis}`, forms.between(...cuts, true)])),
@@ -74,7 +76,9 @@ const switches = (result, state) =>
     result.hasForces &&
       toggle("Forces", "chains", state, "Lines between spheres as thick as their normal force; spheres are pale"),
     result.hasBonds && toggle("Bonds", "bonds", state, "Rods between bonded spheres, balls where bonds broke"),
-    (result.hasForces || result.hasBonds) && toggle("Spheres", "spheres", state, "Off: the spheres are not drawn"),
+    result.hasBoundaries && toggle("Boundaries", "boundaries", state, "Edges of the faces of boundaries"),
+    (result.hasForces || result.hasBonds || result.hasBoundaries) &&
+      toggle("Spheres", "spheres", state, "Off: the spheres are not drawn"),
   );
 
 const cutsOf = (result, state) =>

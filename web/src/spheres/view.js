@@ -4,6 +4,7 @@ import { axes } from "../space/frame.js";
 import { outline } from "../space/outline.js";
 import { SpaceView } from "../space/view.js";
 import { bondsOf, together } from "./bonds.js";
+import { edgesOf } from "./boundaries.js";
 import { coloursOfLines, linesOf } from "./chains.js";
 import { legend, legendHeight } from "./legend.js";
 import { coloursOf, painted } from "./paint.js";
@@ -29,7 +30,7 @@ export class SphereView extends SpaceView {
     });
     this.result = result;
     state.watch(painted, () => this.refresh("colours", "lines"));
-    state.watch(["chains", "bonds", "spheres"], () => this.refresh("lines"));
+    state.watch(["chains", "bonds", "boundaries", "spheres"], () => this.refresh("lines"));
   }
 
   get size() {
@@ -49,12 +50,16 @@ export class SphereView extends SpaceView {
   get reach() {
     return (this.furthest ??= furthestOf(this.result) + Math.hypot(...this.size) / 2);
   }
-  get hasLines() {
+  /** Lines between spheres, which are seen through them. */
+  get hasLinesWithin() {
     return this.state.get("chains") || this.state.get("bonds");
+  }
+  get hasLines() {
+    return this.hasLinesWithin || this.state.get("boundaries");
   }
   get pale() {
     if (!this.state.get("spheres")) return 0;
-    return this.hasLines ? fog / Math.cbrt(Math.max(1, this.result.count)) : 1;
+    return this.hasLinesWithin ? fog / Math.cbrt(Math.max(1, this.result.count)) : 1;
   }
 
   update(stale) {
@@ -75,6 +80,7 @@ export class SphereView extends SpaceView {
       shown = [];
     if (state.get("chains")) shown.push((this.forces ??= linesOf(result)));
     if (state.get("bonds")) shown.push((this.bonds ??= bondsOf(result)));
+    if (state.get("boundaries")) shown.push((this.edges ??= edgesOf(result)));
     const all = together(shown);
     lines.set("ends", all.ends);
     lines.set("radius", all.radius);
