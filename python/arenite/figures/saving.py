@@ -1,6 +1,7 @@
 """A figure and how it is written to a file."""
 
 import dataclasses
+import io
 import pathlib
 import re
 import typing
@@ -42,10 +43,12 @@ def save(figure, part, paths, width=None, **style):
         for path in map(pathlib.Path, [paths] if isinstance(paths, (str, pathlib.Path)) else paths):
             # Without a date the same result gives the same bytes.
             metadata = metadata_of(path.suffix[1:], figure.head)
+            # Whole in memory first: Matplotlib hides why a file cannot be written behind errors of its own.
+            drawn = io.BytesIO()
+            canvas.savefig(drawn, format=path.suffix[1:], metadata=metadata)
+            content = drawn.getvalue()
             with written_whole(path) as beside:
-                canvas.savefig(beside, metadata=metadata)
-                if path.suffix == ".svg":
-                    number_clips(beside)
+                beside.write_bytes(number_clips(content) if path.suffix == ".svg" else content)
 
 
 def metadata_of(form, head):
@@ -57,14 +60,12 @@ def metadata_of(form, head):
     return {**undated, "Title": unmarked(head["title"]), name: unmarked(head["caption"])}
 
 
-def number_clips(path):
+def number_clips(content):
     """Names the clipping paths of an SVG by their order: Matplotlib names those that are not rectangles by their memory
     address."""
-    text = path.read_text(encoding="utf-8")
+    text = content.decode()
     names = {name: f"clip{k}" for k, name in enumerate(re.findall(r'<clipPath id="(\w+)"', text))}
-    path.write_text(
-        re.sub(r'(<clipPath id="|url\(#)(\w+)', lambda m: m[1] + names.get(m[2], m[2]), text), encoding="utf-8"
-    )
+    return re.sub(r'(<clipPath id="|url\(#)(\w+)', lambda m: m[1] + names.get(m[2], m[2]), text).encode()
 
 
 def listed(words):

@@ -50,9 +50,7 @@ Numbers energy_numbers(const StageEnd& end) {
   return {
       {"energy_balance",
        {{"turned_over_J", described(turned_over, "J", "Work, stored or dissipated energy of the stage, the largest")},
-        {"open", described(open, "",
-                           "What the balance leaves open, over that: below 1e-6 at a step of T_c/500, 4e-5 to 1.5e-3 "
-                           "at the default one, T_c/10")},
+        {"open", described(open, "", "What the balance leaves open, over that; less at a shorter step")},
         {"closed", described(open <= 0.01, "", "Whether that is at most 1 %")}}}};
 }
 

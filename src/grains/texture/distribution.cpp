@@ -59,6 +59,8 @@ statistics::Curve survival_function(const std::vector<double>& sorted) {
   return curve;
 }
 
+constexpr double equal_values = 1e-9;  // times the mean: values that differ by no more only differ by rounding
+
 /// The numbers of a set in the order of `put_numbers`.
 enum Number { mean_value, above_own, above_all, beta, beta_line, lead, alpha, k, relation, numbers_in_all };
 
@@ -74,6 +76,10 @@ std::vector<double> numbers_of(const Items& sorted, const std::vector<double>& v
   n[above_all] = share_beyond(sorted, value, std::isnan(mean_of_all) ? mean : mean_of_all);
   const auto x = rising(sorted, value, mean);
   if (!(x.front() <= x.back())) return n;  // the mean is nought, or of the other sign than that of all
+  if (x.back() - x.front() < equal_values) {
+    n[above_own] = unknown;
+    return n;
+  }
   const statistics::TailFit tail = statistics::exponential_tail(x);
   const double b = tail.slope.value, a = statistics::weak_exponent(x);
   n[beta] = b;

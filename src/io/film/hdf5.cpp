@@ -63,7 +63,8 @@ class Hdf5Film : public KnownFilm {
     take_shape(info_, bytes_->name(), facts.shape, facts.pixel, choice);
     by_columns_ = facts.axis[0] == 0 && facts.axis[1] > facts.axis[2];
     if (facts.axis[0] != 0) turn_all(facts.axis);
-    if (!facts.axes.empty()) info_.remarks.push_back(facts.axes);
+    for (const std::string& sentence : {facts.axes, facts.times})
+      if (!sentence.empty()) info_.remarks.push_back(sentence);
     if (facts.by_matlab)
       info_.remarks.push_back(fmt::format("An array of MATLAB, height x width x frames: {} x {} x {}.", info_.height,
                                           info_.width, info_.frames));
@@ -183,8 +184,11 @@ const FilmFormat films::hdf5{
     .name = "hdf5",
     .sentence = "HDF5",
     .states =
-        {{"times of frames (time, times, timestamps) with units", "used; told where the unit is unknown"},
+        {{"times of frames (time, times, timestamps) with units",
+          "used; told where the unit is unknown or not stated, or where there are not as many as frames"},
          {"frame_rate, frame_rate_Hz, fps, integration", "used, as attributes or as arrays of one number"},
+         {"frame_interval, frame_interval_s, frame_interval_ms, dt",
+          "used, as attributes; rates and intervals may be texts, \"30 Hz\""},
          {"MATLAB_class (MATLAB, save -v7.3)", "axes are taken as height x width x frames"},
          {"scale_factor, add_offset, units of netCDF",
           "pixels become numbers in that unit, degrees Celsius become kelvin"},

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
+#include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
+#include "core/units.hpp"
 #include "io/film/formats.hpp"
 #include "io/hdf5/axes.hpp"
 
@@ -48,6 +52,21 @@ Hdf5Handle without_lock() {
   return access;
 }
 
+/// Frames a second, 0 where none are stated: as a rate or an interval, in Hz and s or, in a text, in its own unit.
+double stated_rate(hid_t at) {
+  if (const double rate = number_attribute(at, {"frame_rate", "frame_rate_Hz", "fps"}); rate > 0) return rate;
+  if (const double interval = number_attribute(at, {"frame_interval", "frame_interval_s", "dt"}); interval > 0)
+    return 1 / interval;
+  if (const double interval = number_attribute(at, {"frame_interval_ms"}); interval > 0) return 1e3 / interval;
+  for (const char* name : {"frame_rate", "fps", "frame_interval", "dt"}) try {
+      const Quantity stated = parse_quantity(text_attribute(at, name));
+      if (stated.dimension == dimension::frequency && stated.value > 0) return stated.value;
+      if (stated.dimension == dimension::time && stated.value > 0) return 1 / stated.value;
+    } catch (const InputError&) {  // not stated, or in words
+    }
+  return 0;
+}
+
 /// Times of frames, and the numbers that MATLAB keeps as arrays of one.
 void look_beside(hid_t file, const Bytes& bytes, Hdf5Facts& facts) {
   const std::string group = group_of(facts.name);
@@ -56,11 +75,17 @@ void look_beside(hid_t file, const Bytes& bytes, Hdf5Facts& facts) {
         facts.frame_rate == 0 && !rate.empty() && rate[0] > 0)
       facts.frame_rate = rate[0];
   for (const char* name : {"time", "times", "timestamps"}) {
-    facts.time = numbers_beside(file, bytes, group + name, facts.shape[0]);
-    if (facts.time.empty()) continue;
     const auto set = own(H5Dopen2(file, (group + name).c_str(), H5P_DEFAULT), H5Dclose);
+    if (!set) continue;
+    facts.time = numbers_beside(file, bytes, group + name, facts.shape[0]);
+    if (facts.time.empty()) {
+      facts.times = fmt::format("Its \"{}\" are not a number for each of the {} frames; they are left aside.", name,
+                                facts.shape[0]);
+      continue;
+    }
     for (const char* unit : {"units", "unit"})
       if (facts.time_unit.empty()) facts.time_unit = text_attribute(*set, unit);
+    facts.times = facts.time_unit.empty() ? fmt::format("Its \"{}\" state no unit; seconds are taken.", name) : "";
     return;
   }
 }
@@ -124,7 +149,7 @@ Hdf5Facts look_at_hdf5_film(const Bytes& bytes, const FilmChoice& choice) {
   facts.notes = text_attribute(*set, "notes");
   facts.unit = text_attribute(*set, "units");
   for (const hid_t at : {static_cast<hid_t>(*set), static_cast<hid_t>(*file)}) {
-    if (facts.frame_rate == 0) facts.frame_rate = number_attribute(at, {"frame_rate", "frame_rate_Hz", "fps"});
+    if (facts.frame_rate == 0) facts.frame_rate = stated_rate(at);
     if (facts.integration == 0) facts.integration = number_attribute(at, {"integration", "integration_s"});
   }
   facts.scale = stated_number(*set, "scale_factor").value_or(no_number);

@@ -14,9 +14,10 @@ inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 /// What the file says of its film. A number that it does not state is none.
 struct Hdf5Facts {
-  std::string name, notes, unit, time_unit, axes;  ///< axes: a sentence on their order, if it needs one
-  std::vector<std::int64_t> shape;                 ///< frames, rows, columns
-  std::vector<std::int64_t> axis = {0, 1, 2};      ///< the stored one of each
+  std::string name, notes, unit, time_unit;
+  std::string axes, times;          ///< a sentence on their order and on the times of frames, if they need one
+  std::vector<std::int64_t> shape;  ///< frames, rows, columns
+  std::vector<std::int64_t> axis = {0, 1, 2};  ///< the stored one of each
   NumberType pixel = NumberType::u16;
   bool big_endian = false, by_matlab = false;
   double frame_rate = 0, integration = 0;
@@ -30,8 +31,8 @@ struct Hdf5Facts {
 template <class Archive> void transfer(Archive& a, Hdf5Facts& facts) {
   auto pixel = static_cast<std::uint8_t>(facts.pixel), big_endian = static_cast<std::uint8_t>(facts.big_endian);
   auto by_matlab = static_cast<std::uint8_t>(facts.by_matlab);
-  a(facts.name), a(facts.notes), a(facts.unit), a(facts.time_unit), a(facts.axes), a(facts.shape), a(facts.axis),
-      a(pixel), a(big_endian), a(by_matlab);
+  a(facts.name), a(facts.notes), a(facts.unit), a(facts.time_unit), a(facts.axes), a(facts.times), a(facts.shape),
+      a(facts.axis), a(pixel), a(big_endian), a(by_matlab);
   a(facts.frame_rate), a(facts.integration), a(facts.scale), a(facts.offset), a(facts.missing), a(facts.least),
       a(facts.most), a(facts.time);
   facts.pixel = static_cast<NumberType>(pixel);

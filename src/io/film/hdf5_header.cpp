@@ -16,7 +16,9 @@ void write_notes(hid_t file, hid_t set, const FilmInfo& info, hsize_t frames) {
   if (info.integration > 0) write_number(set, "integration", info.integration);
   if (const std::string notes = film_notes(info); !notes.empty()) write_text(set, "notes", notes);
   const hsize_t count = std::min<hsize_t>(frames, info.time.size());
-  if (count > 0) write_set(file, "time", {count}, H5T_IEEE_F64LE, *timeless(H5P_DATASET_CREATE), info.time.data());
+  if (count == 0) return;
+  write_set(file, "time", {count}, H5T_IEEE_F64LE, *timeless(H5P_DATASET_CREATE), info.time.data());
+  write_text(*made(H5Dopen2(file, "time", H5P_DEFAULT), H5Dclose), "units", "s");
 }
 
 /// Puts the place of the frames, which HDF5 leaves open as long as nothing is written to them, into a file that it

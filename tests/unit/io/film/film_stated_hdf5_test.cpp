@@ -132,6 +132,34 @@ TEST(StatedFilm, TimesHaveUnits) {
   EXPECT_TRUE(tells(*film, "\"fortnights\""));
 }
 
+TEST(StatedFilm, TimesWithoutAUnitOrForOtherFramesAreTold) {
+  Hdf5File h;
+  H5Dclose(h.write<std::uint16_t>("film", {3, 4, 5}, H5T_STD_U16LE, H5T_NATIVE_UINT16, counted().level));
+  H5Dclose(h.write<double>("time", {2}, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, {10, 20}));
+  EXPECT_TRUE(tells(*h.open(), "\"time\" are not a number for each of the 3 frames"));
+  H5Dclose(h.write<double>("timestamps", {3}, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, {10, 20, 30}));
+  const auto film = h.open();
+  EXPECT_TRUE(tells(*film, "\"timestamps\" state no unit; seconds are taken"));
+  EXPECT_NEAR(film->info().frame_rate, 0.1, 1e-12);
+}
+
+TEST(StatedFilm, RatesAndIntervalsAreNumbersOrTexts) {
+  for (const auto& [name, text] : {std::pair{"frame_rate", "30 Hz"}, {"dt", "33.333333333333333 ms"}, {"fps", "30"}}) {
+    Hdf5File h;
+    const hid_t set = h.write<std::uint16_t>("film", {3, 4, 5}, H5T_STD_U16LE, H5T_NATIVE_UINT16, counted().level);
+    h.state(set, name, text);
+    H5Dclose(set);
+    EXPECT_NEAR(h.open()->info().frame_rate, std::string(text) == "30" ? 0 : 30, 1e-12) << text;
+  }
+  for (const auto& [name, value] : {std::pair{"frame_interval_ms", 20.0}, {"dt", 0.02}, {"frame_interval_s", 0.02}}) {
+    Hdf5File h;
+    const hid_t set = h.write<std::uint16_t>("film", {3, 4, 5}, H5T_STD_U16LE, H5T_NATIVE_UINT16, counted().level);
+    h.state(set, name, value);
+    H5Dclose(set);
+    EXPECT_NEAR(h.open()->info().frame_rate, 50, 1e-12) << name;
+  }
+}
+
 TEST(StatedFilm, ScaleUnitAndMissingValuesOfNetcdf) {
   Hdf5File h;
   std::vector<std::int16_t> stored(60, 100);
