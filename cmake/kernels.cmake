@@ -25,3 +25,12 @@ set_source_files_properties(
   COMPILE_OPTIONS "-O3;-fno-trapping-math;-falign-loops=32")
 set_source_files_properties(src/thermal/thermography/level_jumps.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
   COMPILE_OPTIONS "-O3")
+if(ARENITE_SANITIZE)
+  foreach(room ${dem} src/solid/peridynamics/kernels src/solid/elements/kernels ${film})
+    set_source_files_properties(${room}/portable.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON
+      COMPILE_DEFINITIONS Lanes=LanesForAny)
+    set_property(SOURCE ${room}/portable.cpp APPEND PROPERTY COMPILE_OPTIONS -march=x86-64)
+    set_source_files_properties(${room}/avx2.cpp PROPERTIES COMPILE_DEFINITIONS Lanes=LanesForAvx2)
+    set_property(SOURCE ${room}/avx2.cpp APPEND PROPERTY COMPILE_OPTIONS -mno-avx512f)
+  endforeach()
+endif()

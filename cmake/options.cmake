@@ -23,6 +23,9 @@ if(ARENITE_SANITIZE)
     -fsanitize=${ARENITE_SANITIZE} -fno-omit-frame-pointer -g1
     "$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized>")
   target_link_options(arenite_options INTERFACE -fsanitize=${ARENITE_SANITIZE})
+  # Less is inlined: functions that kernels share with all else remain, and the linker keeps one of each. So all is made
+  # for this machine; what is not (cmake/kernels.cmake) names its lanes apart, which it passes otherwise.
+  target_compile_options(arenite_options INTERFACE -march=native)
   # At -O2 the sanitized inner loops take a minute each to compile.
   target_compile_options(arenite_options INTERFACE -O1)
 endif()

@@ -127,7 +127,7 @@ Recipe any_recipe() {
   recipe.title =
       *rc::gen::element<std::string>("", "plain", "with \"quotes\" and \\", "Körner, µ", "tab\there\nand line");
   recipe.seed = *rc::gen::inRange<std::uint64_t>(0, std::uint64_t{1} << 62);
-  recipe.container = {any_number(0.3), maybe(any_number(0.3)).value_or(0), any_number(0.06), false, false};
+  recipe.container = {any_number(0.3), maybe(any_number(0.3)).value_or(0), any_number(0.06), false, {}};
   recipe.materials = {{"A", any_number(1e3), any_number(1e6), any_number(1e-8)},
                       {"B c", any_number(1e3), any_number(1e6), 0}};
   for (Material& m : recipe.materials) m.youngs_modulus = any_number(1e9), m.poisson = 0.25;

@@ -36,7 +36,8 @@ inline Packing crowd(int columns, int rows, std::uint64_t seed, double pitch = 0
     const int cell = static_cast<int>((static_cast<std::int64_t>(q) * 7919) % n);
     const double x = (cell % columns + 0.5 + random.uniform(-0.1, 0.1)) * pitch;
     const double y = (cell / columns + 0.5 + random.uniform(-0.1, 0.1)) * pitch;
-    add_grain(p, x, y, random.uniform(0.004, 0.008), static_cast<int>(random.below(2)));
+    const int material = static_cast<int>(random.below(2));
+    add_grain(p, x, y, random.uniform(0.004, 0.008), material);
     p.grains.id[p.grains.size() - 1] = 1000 + q;
   }
   return p;

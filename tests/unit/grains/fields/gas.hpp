@@ -30,8 +30,10 @@ inline Packing gas(std::uint64_t seed, double tilt = 0, int grains = 60) {
   for (std::size_t i = 0; i < p.grains.size(); ++i)
     for (std::size_t j = i + 1; j < p.grains.size(); ++j)
       if (norm(p.domain.nearest_image(p.grains.position[i] - p.grains.position[j])) <
-          p.grains.radius[i] + p.grains.radius[j])
-        test::add_contact(p, i, j, -400 * std::log(1 - random.uniform()), random.uniform(-120, 120));
+          p.grains.radius[i] + p.grains.radius[j]) {
+        const double along = random.uniform(-120, 120);
+        test::add_contact(p, i, j, -400 * std::log(1 - random.uniform()), along);
+      }
   return p;
 }
 

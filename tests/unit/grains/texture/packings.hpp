@@ -77,16 +77,22 @@ inline Packing triangular_lattice(int n) {
 inline Packing random_network(std::uint64_t seed, int grains = 80) {
   RandomStream random(seed, Purpose::test);
   Packing p = empty_box(10, 8, 0.06);
-  for (int g = 0; g < grains; ++g)
-    add_grain(p, {random.uniform(0.5, 9.5), random.uniform(0.5, 7.5)}, random.uniform(0.3, 0.6),
-              static_cast<int>(random.below(2)));
+  for (int g = 0; g < grains; ++g) {
+    const int material = static_cast<int>(random.below(2));
+    const double radius = random.uniform(0.3, 0.6);
+    add_grain(p, {random.uniform(0.5, 9.5), random.uniform(0.5, 7.5)}, radius, material);
+  }
   for (std::size_t i = 0; i < p.grains.size(); ++i)
     for (std::size_t j = i + 1; j < p.grains.size(); ++j)
-      if (norm(p.grains.position[i] - p.grains.position[j]) < p.grains.radius[i] + p.grains.radius[j])
-        add_contact(p, j, i, -std::log(1 - random.uniform()), random.uniform(-0.3, 0.3));
+      if (norm(p.grains.position[i] - p.grains.position[j]) < p.grains.radius[i] + p.grains.radius[j]) {
+        const double along = random.uniform(-0.3, 0.3);
+        add_contact(p, j, i, -std::log(1 - random.uniform()), along);
+      }
   for (std::size_t i = 0; i < p.grains.size(); ++i)
-    if (p.grains.position[i].y < p.grains.radius[i] + 0.2)
-      add_wall_contact(p, i, bottom, random.uniform(), random.uniform(-0.1, 0.1));
+    if (p.grains.position[i].y < p.grains.radius[i] + 0.2) {
+      const double along = random.uniform(-0.1, 0.1);
+      add_wall_contact(p, i, bottom, random.uniform(), along);
+    }
   return p;
 }
 

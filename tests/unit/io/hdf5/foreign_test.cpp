@@ -100,6 +100,18 @@ TEST(Hdf5Unpack, NothingLargerThanAskedForIsMade) {
   EXPECT_FALSE(unpack_chunk("ab", {{Hdf5Filter::Kind::checksum, 1}}, 0, 2));
 }
 
+std::string is_killed() {
+  std::raise(SIGKILL);
+  return "";
+}
+std::string throws_a_number() { throw 1; }
+std::string asks_for_a_tebibyte() {
+  std::string all;
+  all.resize(1'099'511'627'776);
+  return all;
+}
+std::string says_more_than_announced() { return std::string(100, 'x'); }
+
 TEST(OwnProcess, GivesBytesPassesRefusalsAndSurvivesDeath) {
   std::string long_one(3'000'000, 'x');
   EXPECT_EQ(in_sandbox(
@@ -113,14 +125,7 @@ TEST(OwnProcess, GivesBytesPassesRefusalsAndSurvivesDeath) {
                   "a", []() -> std::string { throw InputError("b", 3, "is wrong; correct it"); }, 10);
             }),
             "a: is wrong; correct it");
-  const std::function<std::string()> ends[] = {[]() -> std::string {
-                                                 std::raise(SIGKILL);
-                                                 return "";
-                                               },
-                                               []() -> std::string { throw 1; },
-                                               []() -> std::string { return std::string(std::size_t{1} << 40, 'x'); },
-                                               [] { return std::string(100, 'x'); }};
-  for (const auto& end : ends)
+  for (const auto end : {is_killed, throws_a_number, asks_for_a_tebibyte, says_more_than_announced})
     EXPECT_EQ(test::complaint([&] { in_sandbox("a", end, 10); }), "a: is damaged; copy it again");
 }
 

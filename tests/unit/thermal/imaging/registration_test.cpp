@@ -43,7 +43,10 @@ PictureGrains spoiled(const PictureGrains& grains, const Flaws& how, std::vector
     truth.push_back(of);
   };
   for (std::size_t k = grains.size(); k-- > 0;) {
-    if (random.uniform() < how.invented) add(320 * random.uniform(), 240 * random.uniform(), grains.radius[k], -1);
+    if (random.uniform() < how.invented) {
+      const double y = 240 * random.uniform();
+      add(320 * random.uniform(), y, grains.radius[k], -1);
+    }
     if (random.uniform() >= how.missing)
       add(grains.centre[k].x, grains.centre[k].y, grains.radius[k], static_cast<int>(k));
   }
