@@ -139,10 +139,9 @@ std::size_t states_per_fields(const std::vector<ShownStage>& stages) {
 /// Figures of a state that has a texture, whose curves nothing else shows.
 void add_figures_of_state(Numbers& shown, const Packing& packing, const figures::WriteList& write) {
   if (!shown.contains("texture")) return;
-  Numbers& texture = shown["texture"];
-  shown["figures"] = shortened(
-      figures::numbers_of(figures::state_figures(), {texture, mapped(packing.materials, &Material::name)}, write));
-  erase(texture, Trait::curve);
+  shown["figures"] = shortened(figures::numbers_of(
+      figures::state_figures(), {shown.at("texture"), mapped(packing.materials, &Material::name)}, write));
+  erase(shown["texture"], Trait::curve);
 }
 
 /// Figures of the run as a whole.
