@@ -54,13 +54,18 @@ Normaliser normalise(const Selection& selection, const BlockedSample& all, bool 
     const double scale = !normaliser.over_mean ? std::sqrt(s.d2 / s.n) : s.d1 / (mean_over_area ? of_area : s.n);
     return std::vector<double>{s.d1 / s.n, s.d1 / of_area, scale};
   };
-  std::vector<std::vector<double>> replicates;
+  normaliser.columns = selection.columns;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Powers rest = total - blocks[b];
-    const bool any = rest.n > 0 && rest.d2 > 0;
-    normaliser.without.push_back(any ? values(rest, area - areas[b])[2] : unknown);
-    if (any) replicates.push_back(values(rest, area - areas[b]));
+    normaliser.without.push_back(rest.n > 0 && rest.d2 > 0 ? values(rest, area - areas[b])[2] : unknown);
   }
+  std::vector<double> column_areas(static_cast<std::size_t>(selection.columns), 0.0);
+  for (std::size_t b = 0; b < areas.size(); ++b) column_areas[b % column_areas.size()] += areas[b];
+  const std::vector<Powers> columns = powers_by_column(blocks, selection.columns);
+  std::vector<std::vector<double>> replicates;
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (const Powers rest = total - columns[c]; rest.n > 0 && rest.d2 > 0)
+      replicates.push_back(values(rest, area - column_areas[c]));
   const auto whole = values(total, area);
   const auto e = statistics::with_errors(whole, replicates);
   normaliser.value = whole[2];

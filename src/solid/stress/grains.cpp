@@ -28,13 +28,11 @@ template <class Wanted> ByName<Items> grains_by_class(const PhaseMap& map, Wante
   return sets;
 }
 
-std::vector<int> blocks_of(const PhaseMap& map, const GrainStresses& grains, int blocks) {
-  const auto along = [&](double at, int nodes) {
-    return std::clamp(static_cast<int>(at / (nodes * map.dx) * blocks), 0, blocks - 1);
-  };
-  std::vector<int> result;
-  for (const Vec2 c : grains.centre) result.push_back(along(c.y, map.height) * blocks + along(c.x, map.width));
-  return result;
+/// In which of so many columns from clamp to clamp each grain lies.
+std::vector<int> columns_of(const PhaseMap& map, const GrainStresses& grains, int columns) {
+  return mapped(grains.centre, [&](Vec2 c) {
+    return std::clamp(static_cast<int>(c.x / (map.width * map.dx) * columns), 0, columns - 1);
+  });
 }
 
 Tensor2 tensor(const std::vector<Estimate>& e, double Estimate::*part) {
@@ -70,7 +68,7 @@ Numbers agreement(const std::vector<double>& field, const std::vector<double>& c
 
 }  // namespace
 
-GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int clamp_rows, int blocks) {
+GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int clamp_rows, int columns) {
   const std::size_t n = map.grain_class.size();
   const int margin = std::clamp(clamp_rows, 1, map.height);
   GrainStresses grains{std::vector<std::int64_t>(n, 0),
@@ -97,7 +95,7 @@ GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int 
     grains.centre[g] = share * map.dx * grains.centre[g];
     grains.stress[g] = share * grains.stress[g];
   }
-  const auto block_of = blocks_of(map, grains, blocks);
+  const auto block_of = columns_of(map, grains, columns);
   for (const auto& [name, items] : grains_by_class(map, [&](std::size_t g) { return grains.whole[g] != 0; }))
     grains.mean.emplace_back(name, mean_tensor(items, block_of, grains.stress));
   return grains;

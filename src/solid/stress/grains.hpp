@@ -17,9 +17,9 @@ struct GrainStresses {
   statistics::ByName<statistics::TensorEstimate> mean;  ///< of whole grains, each grain alike: "all", "large", "small"
 };
 
-/// Mean stress tensors of the grains of a map, and means by class with errors over blocks x blocks of the map. Without
-/// a field (of size 0) nodes and centres alone are known.
-GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int clamp_rows, int blocks);
+/// Mean stress tensors of the grains of a map, and means by class with errors over so many columns from clamp to clamp.
+/// Without a field (of size 0) nodes and centres alone are known.
+GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int clamp_rows, int columns);
 
 /// How many are whole, the means, and the rows by grain.
 Numbers numbers(const GrainStresses& grains);

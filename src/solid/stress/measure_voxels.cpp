@@ -20,7 +20,7 @@ Numbers measure(const VoxelMap& map, const VoxelStress& field, const VoxelStress
   Selection selection;
   selection.set.assign(map.size(), NodeSet::left_out);
   selection.block.assign(map.size(), 0);
-  selection.blocks = k * k * k;
+  selection.blocks = k * k * k, selection.columns = k * k;
   selection.block_area.assign(static_cast<std::size_t>(selection.blocks), 0);
   const auto part = [k](int at, int of) { return static_cast<int>(static_cast<std::int64_t>(at) * k / of); };
   std::size_t i = map.index(0, 0, first);

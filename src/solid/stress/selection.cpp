@@ -66,7 +66,7 @@ Selection select(const PhaseMap& map, const StressField& field, const StressOpti
   const int first = options.clamp_rows, rows = map.height - 2 * first, k = options.blocks;
   selection.set.assign(map.size(), NodeSet::left_out);
   selection.block.assign(map.size(), 0);
-  selection.blocks = k * k;
+  selection.blocks = k * k, selection.columns = k;
   selection.block_area.assign(static_cast<std::size_t>(k * k), 0);
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x) {

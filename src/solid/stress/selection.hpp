@@ -21,7 +21,8 @@ struct Selection {
   std::size_t unloaded_nodes = 0;                  ///< particle or matrix without any stress beyond the clamp rows
   std::vector<NodeSet> set;                        ///< one a node
   std::vector<std::uint16_t> block;                ///< one a node
-  int blocks = 1;                                  ///< in all
+  int blocks = 1;                                  ///< in all, one layer of them between the clamps after the other
+  int columns = 1;                                 ///< blocks of a layer: so many columns from clamp to clamp
   std::vector<double> block_area;                  ///< nodes of a block beyond the clamp rows, void included
 };
 

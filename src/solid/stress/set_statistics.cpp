@@ -83,7 +83,10 @@ void put_moments(Numbers& to, const Scaled& s, const Normaliser& normaliser, boo
     if (const Powers rest = s.all - s.powers[b]; rest.n > 0)
       replicates.push_back(values_of(s, rest, s.unit_without[b], normaliser.without[b]));
   const auto e = statistics::with_errors(values, replicates);
-  put(to, "mean_Pa", e[0], "Pa", "Mean stress of the set, tension positive");
+  std::vector<std::vector<double>> means;
+  for (const Powers& column : powers_by_column(s.powers, normaliser.columns))
+    if (const Powers rest = s.all - column; rest.n > 0) means.push_back({moments_of(rest, s.centre).mean * s.unit});
+  put(to, "mean_Pa", statistics::with_errors({values[0]}, means)[0], "Pa", "Mean stress of the set, tension positive");
   put(to, "mean_over_sample_mean", e[1], "", "Mean stress of the set over that of the sample");
   put(to, "variance", e[2], "", "Variance of the stress over the sample's mean");
   if (over_own_mean) put(to, "own_variance", e[3], "", "Variance of the stress over the set's own mean", Trait::detail);
@@ -176,6 +179,12 @@ std::vector<Powers> powers_by_block(const BlockedSample& sample, double shift) {
     const double d = sample.x[i] - shift, d2 = d * d;
     powers[sample.block[i]] += {1, d, d2, d2 * d, d2 * d2};
   }
+  return powers;
+}
+
+std::vector<Powers> powers_by_column(const std::vector<Powers>& by_block, int columns) {
+  std::vector<Powers> powers(static_cast<std::size_t>(columns));
+  for (std::size_t b = 0; b < by_block.size(); ++b) powers[b % powers.size()] += by_block[b];
   return powers;
 }
 

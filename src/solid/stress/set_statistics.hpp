@@ -17,11 +17,16 @@ struct Powers {
 
 std::vector<Powers> powers_by_block(const statistics::BlockedSample& sample, double shift);
 
+/// The same of columns from clamp to clamp, block by block of which they are made. Errors of means come from them: the
+/// force that is carried is the same in every row, so blocks of a column are no samples of their own.
+std::vector<Powers> powers_by_column(const std::vector<Powers>& by_block, int columns);
+
 /// What stresses are divided by: the sample's mean (or root mean square), Pa, and the same without each block.
 struct Normaliser {
   bool over_mean = true;
   double value = 0;
   std::vector<double> without;  ///< one a block
+  int columns = 1;              ///< that the blocks stand in
 };
 
 /// Numbers of the stresses `sigma` of one set (Pa; they are scaled in place). Those over the set's own mean are left
