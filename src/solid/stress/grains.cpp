@@ -28,18 +28,29 @@ template <class Wanted> ByName<Items> grains_by_class(const PhaseMap& map, Wante
   return sets;
 }
 
-/// In which of so many columns from clamp to clamp each grain lies.
-std::vector<int> columns_of(const PhaseMap& map, const GrainStresses& grains, int columns) {
-  return mapped(grains.centre, [&](Vec2 c) {
-    return std::clamp(static_cast<int>(c.x / (map.width * map.dx) * columns), 0, columns - 1);
-  });
+/// In which of so many columns from clamp to clamp each grain lies, and in which tile of a column, as many in each.
+struct Blocks {
+  std::vector<int> column, tile;
+};
+Blocks blocks_of(const PhaseMap& map, const GrainStresses& grains, int count) {
+  const auto along = [&](double at, int nodes) {
+    return std::clamp(static_cast<int>(at / (nodes * map.dx) * count), 0, count - 1);
+  };
+  Blocks blocks;
+  for (const Vec2 c : grains.centre) {
+    blocks.column.push_back(along(c.x, map.width));
+    blocks.tile.push_back(along(c.y, map.height) * count + blocks.column.back());
+  }
+  return blocks;
 }
 
 Tensor2 tensor(const std::vector<Estimate>& e, double Estimate::*part) {
   return {e[0].*part, e[1].*part, e[2].*part, e[3].*part};
 }
 
-TensorEstimate mean_tensor(const Items& items, const std::vector<int>& block_of, const std::vector<Tensor2>& stress) {
+/// Every row carries the same force, so that tiles of a column are no samples of their own of what acts on rows; along
+/// x nothing is carried.
+TensorEstimate mean_tensor(const Items& items, const Blocks& blocks, const std::vector<Tensor2>& stress) {
   const auto add = [&](std::size_t g, double* sums) {
     const Tensor2& t = stress[g];
     const double terms[5] = {1, t.xx, t.xy, t.yx, t.yy};
@@ -48,7 +59,8 @@ TensorEstimate mean_tensor(const Items& items, const std::vector<int>& block_of,
   const auto mean = [](const std::vector<double>& s) {
     return std::vector<double>{s[1] / s[0], s[2] / s[0], s[3] / s[0], s[4] / s[0]};
   };
-  const auto e = statistics::jackknife_of_sums(items, block_of, 5, add, mean);
+  auto e = statistics::jackknife_of_sums(items, blocks.column, 5, add, mean);
+  e[0] = statistics::jackknife_of_sums(items, blocks.tile, 5, add, mean)[0];
   return {tensor(e, &Estimate::value), tensor(e, &Estimate::error)};
 }
 
@@ -95,9 +107,9 @@ GrainStresses measure_grains(const PhaseMap& map, const StressField& field, int 
     grains.centre[g] = share * map.dx * grains.centre[g];
     grains.stress[g] = share * grains.stress[g];
   }
-  const auto block_of = columns_of(map, grains, columns);
+  const Blocks blocks = blocks_of(map, grains, columns);
   for (const auto& [name, items] : grains_by_class(map, [&](std::size_t g) { return grains.whole[g] != 0; }))
-    grains.mean.emplace_back(name, mean_tensor(items, block_of, grains.stress));
+    grains.mean.emplace_back(name, mean_tensor(items, blocks, grains.stress));
   return grains;
 }
 
