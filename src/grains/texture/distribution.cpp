@@ -77,7 +77,7 @@ std::vector<double> numbers_of(const Items& sorted, const std::vector<double>& v
   const auto x = rising(sorted, value, mean);
   if (!(x.front() <= x.back())) return n;  // the mean is nought, or of the other sign than that of all
   if (x.back() - x.front() < equal_values) {
-    n[above_own] = unknown;
+    n[above_own] = 0;
     return n;
   }
   const statistics::TailFit tail = statistics::exponential_tail(x);

@@ -162,7 +162,6 @@ class Measurement {
     const thermography::GrainMeanOptions means{recipe_.forces.central_share,
                                                mapped(recipe_.materials, &recipe::FilmMaterial::thermoelastic_factor)};
     // Places at the largest load are those found plus all of the way that was fitted.
-    thermography::move_lost_with_others(r.motion, r.grains, loaded_);
     const PictureGrains uncertain = thermography::with_errors_of_way(loaded_, r.motion);
     r.peak_to_peak = thermography::grain_means(r.maps, uncertain, means);
     if (wider_.size() > 0)

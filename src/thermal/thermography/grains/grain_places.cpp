@@ -1,6 +1,5 @@
 #include "thermal/thermography/grains/grain_places.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -42,24 +41,6 @@ PictureGrains with_errors_of_way(PictureGrains grains, const GrainMotion& motion
     if (!grains.position_error.empty() && std::isfinite(motion.error[i]))
       grains.position_error[i] = std::hypot(grains.position_error[i], 2 * motion.error[i]);
   return grains;
-}
-
-void move_lost_with_others(const GrainMotion& motion, const PictureGrains& smallest, PictureGrains& largest) {
-  constexpr std::size_t others = 6;
-  const auto lost = lost_grains(motion);
-  std::vector<std::size_t> seen;
-  for (std::size_t i = 0; i < lost.size(); ++i)
-    if (!lost[i]) seen.push_back(i);
-  if (seen.empty()) return;
-  const std::size_t count = std::min(others, seen.size());
-  for (std::size_t i = 0; i < lost.size(); ++i) {
-    if (!lost[i]) continue;
-    std::ranges::partial_sort(seen, seen.begin() + static_cast<std::ptrdiff_t>(count), {},
-                              [&](std::size_t j) { return norm(smallest.centre[j] - smallest.centre[i]); });
-    Vec2 way;
-    for (std::size_t k = 0; k < count; ++k) way += largest.centre[seen[k]] - smallest.centre[seen[k]];
-    largest.centre[i] = smallest.centre[i] + way / static_cast<double>(count);
-  }
 }
 
 std::size_t forget_lost(const GrainMotion& motion, PeakToPeak& change) {

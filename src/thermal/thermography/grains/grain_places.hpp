@@ -26,10 +26,6 @@ GrainMotion motion_with_wall(const std::vector<double>& height, double travel, d
 /// The same grains with position errors that hold those of the whole way of their motion.
 PictureGrains with_errors_of_way(PictureGrains grains, const GrainMotion& motion);
 
-/// Puts grains whose motion was lost (`lost_grains`) where the nearest that were not went to, on average. What was
-/// fitted to them is no place: they would lie in others.
-void move_lost_with_others(const GrainMotion& motion, const PictureGrains& smallest, PictureGrains& largest);
-
 /// Makes unknown what stands in the maps where a grain was thought to be, and was not (`lost_grains`); how many.
 std::size_t forget_lost(const GrainMotion& motion, PeakToPeak& change);
 

@@ -51,23 +51,6 @@ TEST(GrainPlaces, BetweenAWallThatTravelsAndOneThatRestsTheSampleIsStrainedEvenl
   EXPECT_NEAR(motion.error[2], 0.1, 1e-12);
 }
 
-TEST(GrainPlaces, ALostGrainGoesWithTheNearestThatAreNot) {
-  // A row of which all go to the right by their number but one, whose fit went astray; six are near it.
-  PictureGrains found, largest;
-  GrainMotion motion;
-  for (int k = 0; k < 12; ++k) {
-    found.centre.push_back({10.0 * k, 0});
-    found.radius.push_back(5);
-    motion.cosine.push_back({0.5 * k, 0}), motion.sine.push_back({}), motion.error.push_back(0.1);
-  }
-  motion.cosine[5] = {-400, 90}, motion.error[5] = 50;
-  largest = moved(found, motion, 0, 1);
-  move_lost_with_others(motion, found, largest);
-  EXPECT_NEAR(largest.centre[5].x, 50 + 5, 1e-9);  // of 2, 3, 4, 6, 7 and 8
-  EXPECT_NEAR(largest.centre[5].y, 0, 1e-9);
-  EXPECT_NEAR(largest.centre[11].x, 110 + 11, 1e-9);
-}
-
 TEST(GrainPlaces, ErrorsOfAPlaceAndOfTheWayAddUpInSquares) {
   PictureGrains found;
   found.centre = {{0, 0}, {9, 0}};
