@@ -59,9 +59,8 @@ Normaliser normalise(const Selection& selection, const BlockedSample& all, bool 
     const Powers rest = total - blocks[b];
     normaliser.without.push_back(rest.n > 0 && rest.d2 > 0 ? values(rest, area - areas[b])[2] : unknown);
   }
-  std::vector<double> column_areas(static_cast<std::size_t>(selection.columns), 0.0);
-  for (std::size_t b = 0; b < areas.size(); ++b) column_areas[b % column_areas.size()] += areas[b];
-  const std::vector<Powers> columns = powers_by_column(blocks, selection.columns);
+  const std::vector<double> column_areas = by_column(areas, selection.columns);
+  const std::vector<Powers> columns = by_column(blocks, selection.columns);
   std::vector<std::vector<double>> replicates;
   for (std::size_t c = 0; c < columns.size(); ++c)
     if (const Powers rest = total - columns[c]; rest.n > 0 && rest.d2 > 0)

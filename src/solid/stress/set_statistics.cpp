@@ -84,7 +84,7 @@ void put_moments(Numbers& to, const Scaled& s, const Normaliser& normaliser, boo
       replicates.push_back(values_of(s, rest, s.unit_without[b], normaliser.without[b]));
   const auto e = statistics::with_errors(values, replicates);
   std::vector<std::vector<double>> means;
-  for (const Powers& column : powers_by_column(s.powers, normaliser.columns))
+  for (const Powers& column : by_column(s.powers, normaliser.columns))
     if (const Powers rest = s.all - column; rest.n > 0) means.push_back({moments_of(rest, s.centre).mean * s.unit});
   put(to, "mean_Pa", statistics::with_errors({values[0]}, means)[0], "Pa", "Mean stress of the set, tension positive");
   put(to, "mean_over_sample_mean", e[1], "", "Mean stress of the set over that of the sample");
@@ -179,12 +179,6 @@ std::vector<Powers> powers_by_block(const BlockedSample& sample, double shift) {
     const double d = sample.x[i] - shift, d2 = d * d;
     powers[sample.block[i]] += {1, d, d2, d2 * d, d2 * d2};
   }
-  return powers;
-}
-
-std::vector<Powers> powers_by_column(const std::vector<Powers>& by_block, int columns) {
-  std::vector<Powers> powers(static_cast<std::size_t>(columns));
-  for (std::size_t b = 0; b < by_block.size(); ++b) powers[b % powers.size()] += by_block[b];
   return powers;
 }
 

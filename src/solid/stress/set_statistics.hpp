@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,13 @@ struct Powers {
 
 std::vector<Powers> powers_by_block(const statistics::BlockedSample& sample, double shift);
 
-/// The same of columns from clamp to clamp, block by block of which they are made. Errors of means come from them: the
-/// force that is carried is the same in every row, so blocks of a column are no samples of their own.
-std::vector<Powers> powers_by_column(const std::vector<Powers>& by_block, int columns);
+/// Sums of columns from clamp to clamp, of those of the blocks of which they are made. Errors of means come from them:
+/// the force that is carried is the same in every row, so blocks of a column are no samples of their own.
+template <class Sum> std::vector<Sum> by_column(const std::vector<Sum>& by_block, int columns) {
+  std::vector<Sum> sums(static_cast<std::size_t>(columns));
+  for (std::size_t b = 0; b < by_block.size(); ++b) sums[b % sums.size()] += by_block[b];
+  return sums;
+}
 
 /// What stresses are divided by: the sample's mean (or root mean square), Pa, and the same without each block.
 struct Normaliser {

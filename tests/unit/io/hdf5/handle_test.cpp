@@ -25,10 +25,10 @@ TEST(Hdf5Turn, ThreadsReadFilmsAndWriteResultsSideBySide) {
   write_film(folder / "film.h5", film);
   std::atomic<int> films = 0, results = 0;
   const auto reads_films = [&] {
-    for (int n = 0; n < 20; ++n) films += test::all_of(*open_film(folder / "film.h5")).level == film.level;
+    for (int n = 0; n < 40; ++n) films += test::all_of(*open_film(folder / "film.h5")).level == film.level;
   };
   const auto stores_results = [&](const std::filesystem::path& file) {
-    for (int n = 0; n < 50; ++n) {
+    for (int n = 0; n < 150; ++n) {
       write_stage(file, test::two_snapshots(50));
       results += read_stage(file).snapshots.size() == 2;
     }
@@ -39,8 +39,8 @@ TEST(Hdf5Turn, ThreadsReadFilmsAndWriteResultsSideBySide) {
   threads.emplace_back(reads_films);
   threads.emplace_back(stores_results, folder / "b.h5");
   for (auto& thread : threads) thread.join();
-  EXPECT_EQ(films, 40);
-  EXPECT_EQ(results, 100);
+  EXPECT_EQ(films, 80);
+  EXPECT_EQ(results, 300);
 }
 
 /// A process that is forked while another thread has the turn must be able to take it: nobody there would give it back.

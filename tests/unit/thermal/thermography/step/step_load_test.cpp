@@ -115,7 +115,7 @@ std::pair<double, double> errors_of(RelaxingFilm of, test::CorrelatedNoise noise
 
 TEST(StepLoad, JumpsThatRelaxAreNotCalledSmaller) {
   for (const double correlation : {0.0, 0.5})
-    for (const double decay : {0.0, 2.0, 10.0})
+    for (const double decay : {0.0, 1.0, 2.0, 5.0, 10.0})
       for (const double noise : {0.005, 0.05}) {
         RelaxingFilm film;
         film.decay = decay;
