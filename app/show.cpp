@@ -4,7 +4,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
+#include "campaign/study_folder.hpp"
 #include "commands.hpp"
 #include "film_reading.hpp"
 #include "print.hpp"
@@ -56,6 +58,15 @@ bool may_hold_something(const fs::path& folder) {
   return static_cast<bool>(error);
 }
 
+/// Why a study's run, of this folder, failed.
+std::optional<std::string> failure_of(const fs::path& folder) {
+  std::error_code error;
+  const fs::path run = fs::canonical(folder, error);
+  const campaign::StudyFolder study(run.parent_path().parent_path());
+  const auto state = campaign::read_status(study, run.filename().string());
+  return state && state->kind == campaign::RunState::Kind::failed ? std::optional(state->reason) : std::nullopt;
+}
+
 void refuse(const fs::path& path, bool study_passes) {
   std::error_code error;
   const std::string name = path.string();
@@ -70,8 +81,12 @@ void refuse(const fs::path& path, bool study_passes) {
     if (holds_maps(path))
       throw InputError(
           name, 0, fmt::format("contains the maps of a film, one image each, and is not a result; {}", give_a_result));
-    if (!may_hold_something(path)) throw InputError(name, 0, fmt::format("is not a result; {}", give_a_result));
-    return;
+    if (may_hold_something(path)) return;
+    if (const auto reason = failure_of(path))
+      throw InputError(
+          name, 0,
+          fmt::format("is a run that failed, without a result: {} (`arenite study run --retry` repeats it)", *reason));
+    throw InputError(name, 0, fmt::format("is not a result; {}", give_a_result));
   }
   if (fs::is_regular_file(path, error)) {
     // A recipe as text may look like a film as text.

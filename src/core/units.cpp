@@ -94,6 +94,7 @@ double parse_si(std::string_view text, Dimension wanted, std::string_view unit) 
 }
 
 std::string format_quantity(double value, std::string_view unit) {
+  if (!std::isfinite(value)) return fmt::format("{}", value);
   if (const double factor = unit.empty() ? 1 : parse_unit(unit).factor; factor != 1)
     return fmt::format("{:.15g} {}", value / factor, unit);
   // The shortest digits of the SI value with their exponent moved read back as the very same double.

@@ -95,14 +95,13 @@ TailFit exponential_tail(const std::vector<double>& sorted) {
 }
 
 double weak_exponent(const std::vector<double>& sorted) {
-  double count = 0, sum = 0;
-  for (const double x : sorted) {
-    if (x <= 0) continue;
-    if (x >= 1) break;
-    sum -= std::log(x);
-    ++count;
-  }
-  return count < 2 ? unknown : 1 - count / sum;
+  const auto first = std::ranges::lower_bound(sorted, least_weak), end = std::ranges::lower_bound(sorted, 1.0);
+  const double count = static_cast<double>(end - first);
+  if (count < 2) return unknown;
+  // y = -ln x has the density exp(-(1 - alpha) y) between 0 and -ln(least_weak).
+  double sum = 0;
+  for (auto it = first; it != end; ++it) sum -= std::log(*it);
+  return 1 - cut_exponential_rate(sum / count, -std::log(least_weak));
 }
 
 double share_beyond(const std::vector<double>& values, double threshold) {

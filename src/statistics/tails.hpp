@@ -23,8 +23,11 @@ struct TailFit {
 /// (jackknife.hpp).
 TailFit exponential_tail(const std::vector<double>& sorted);
 
-/// Exponent alpha of the power law k x^-alpha of the weak values, 0 < x < 1, by maximum likelihood; unknown for fewer
-/// than two.
+/// Weak values are those from this to 1: below, forces are those of the imbalance that is left, and a few values of
+/// 1e-6 would weigh as much as a hundred others.
+inline constexpr double least_weak = 0.01;
+
+/// Exponent alpha of the power law k x^-alpha of the weak values, by maximum likelihood; unknown for fewer than two.
 double weak_exponent(const std::vector<double>& sorted);
 
 /// Share of the values above a threshold; rounding must not put those that are equal to it above it.

@@ -166,6 +166,12 @@ TEST(Study, AFailingRunIsListedWithItsReasonAndStopsNoOther) {
       << run.out;
   EXPECT_TRUE(contains(run.out, "unfinished (grid.crop = \"80 mm\", stages.0.equilibrium.max_steps = 20): prepare: "))
       << run.out;
+  for (const auto& entry : fs::directory_iterator(out / "runs"))
+    if (slurp(entry.path() / "status").starts_with("failed")) {
+      const auto shown = arenite("show " + entry.path().string());
+      EXPECT_EQ(shown.status, 2);
+      EXPECT_TRUE(contains(shown.err, "is a run that failed, without a result: ")) << shown.err;
+    }
   const auto computed = count(account(out), "computed");
   EXPECT_EQ(arenite(study_line("run", file, out, "--quiet")).status, 3) << "failed runs are done again on demand only";
   EXPECT_EQ(count(account(out), "reused") + computed, count(account(out), "\n"));

@@ -24,10 +24,20 @@ def flags(installed):
     ).split()
 
 
-def compiles(headers, flags, source):
-    source.write_text("".join(f"#include <arenite/{header}>\n" for header in headers))
+def others(home):
+    """Headers that those of the library name in angle brackets."""
+    return {name for h in home.rglob("*.hpp") for name in re.findall(r"^#include <(.*)>", h.read_text(), re.M)}
+
+
+def compiler(flags, *more):
     includes = [f for f in flags if f.startswith("-I")]
-    run("g++", "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Wpedantic", "-Werror", *includes, source)
+    run("g++", "-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Werror", *includes, *more)
+
+
+def compiles(headers, flags, source, standard=None):
+    source.write_text("".join(f"#include <arenite/{header}>\n" for header in headers))
+    beforehand = ["-include", standard, "-Winvalid-pch"] if standard else []
+    compiler(flags, "-fsyntax-only", *beforehand, source)
 
 
 def test_every_public_header_compiles_alone_and_those_behind_it_in_any_order(installed, flags, tmp_path):
@@ -35,16 +45,18 @@ def test_every_public_header_compiles_alone_and_those_behind_it_in_any_order(ins
     headers = sorted(str(h.relative_to(home)) for h in home.rglob("*.hpp"))
     public = re.findall(r'^#include "(.*)"', (home / "arenite.hpp").read_text(), re.M)
     assert {"core/error.hpp", "core/version.hpp"} <= set(headers) and set(public) < set(headers)
-    alone = [[header] for header in ["arenite.hpp", *public]]
-    groups = [headers, headers[::-1], *alone]
+    # Those of C++, whose parts each header names (tests/python/test_faces.py), are compiled once.
+    standard = tmp_path / "standard.hpp"
+    standard.write_text("".join(f"#include <{name}>\n" for name in sorted(others(home))))
+    compiler(flags, "-x", "c++-header", standard, "-o", f"{standard}.gch")
+    jobs = [([header], standard) for header in public] + [(g, None) for g in (headers, headers[::-1], ["arenite.hpp"])]
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        list(pool.map(lambda at: compiles(groups[at], flags, tmp_path / f"{at}.cpp"), range(len(groups))))
+        list(pool.map(lambda at: compiles(jobs[at][0], flags, tmp_path / f"{at}.cpp", jobs[at][1]), range(len(jobs))))
 
 
 def test_headers_need_no_other_librarys(installed):
-    for header in installed.rglob("*.hpp"):
-        for name in re.findall(r"^#include <(.*)>", header.read_text(), re.M):
-            assert re.fullmatch(r"[a-z_]+|sys/mman\.h", name), f"{header} includes <{name}>"
+    for name in others(installed):
+        assert re.fullmatch(r"[a-z_]+|sys/mman\.h", name), f"a header includes <{name}>"
 
 
 def test_no_path_of_the_machine_that_built_it_is_in_its_package_files(installed):

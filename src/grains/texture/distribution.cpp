@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <utility>
 
@@ -64,8 +65,8 @@ constexpr double equal_values = 1e-9;  // times the mean: values that differ by 
 /// The numbers of a set in the order of `put_numbers`.
 enum Number { mean_value, above_own, above_all, beta, beta_line, lead, alpha, k, relation, numbers_in_all };
 
-/// Of items in the order of their values. The mean is their own, so that its scatter is in the errors of all that is
-/// counted from it; so is that of all where that is not known.
+/// Of items in the order of their values. The means are those of the blocks that are left, so that their scatter is in
+/// the errors of all that is counted from them.
 std::vector<double> numbers_of(const Items& sorted, const std::vector<double>& value, double mean_of_all,
                                double scale) {
   std::vector<double> n(numbers_in_all, unknown);
@@ -73,7 +74,7 @@ std::vector<double> numbers_of(const Items& sorted, const std::vector<double>& v
   const double mean = mean_of(sorted, value);
   n[mean_value] = mean * scale;
   n[above_own] = share_beyond(sorted, value, mean);
-  n[above_all] = share_beyond(sorted, value, std::isnan(mean_of_all) ? mean : mean_of_all);
+  n[above_all] = share_beyond(sorted, value, mean_of_all);
   const auto x = rising(sorted, value, mean);
   if (!(x.front() <= x.back())) return n;  // the mean is nought, or of the other sign than that of all
   if (x.back() - x.front() < equal_values) {
@@ -107,7 +108,8 @@ void put_laws(Numbers& to, const std::vector<Estimate>& n, const statistics::Tai
   put(to, "log_likelihood_ratio", n[lead], "", "ln L(exponential) - ln L(half-Gaussian)", Trait::detail);
   put(to, "p_value", statistics::chance_of_lead(n[lead]), "",
       "Probability that the exponential fits better by chance (Vuong's test, one-sided)", Trait::detail);
-  put(to, "alpha", n[alpha], "", "Exponent of values below the mean, P ~ x^-alpha, by maximum likelihood");
+  put(to, "alpha", n[alpha], "",
+      "Exponent of values from 0.01 to 1 times the mean, P ~ x^-alpha, by maximum likelihood");
   put(to, "k", n[k], "", "Height of the pdf at the mean, 1/k = 1/(1 - alpha) + 1/beta", Trait::detail);
   put(to, "beta2_over_product", n[relation], "", "beta^2/((1 - alpha)(2 - alpha)); 1 where T eq. 1.5 holds",
       Trait::detail);
@@ -115,14 +117,22 @@ void put_laws(Numbers& to, const std::vector<Estimate>& n, const statistics::Tai
 
 }  // namespace
 
-Numbers distribution(const Items& items, const std::vector<int>& block_of, const std::vector<double>& value,
-                     double mean_of_all, const DistributionNames& names, double scale, double level) {
+Numbers distribution(const Items& items, const Items& all, const std::vector<int>& block_of,
+                     const std::vector<double>& value, double mean_of_all, const DistributionNames& names, double scale,
+                     double level) {
   const double own_mean = mean_of(items, value), sign = own_mean < 0 ? -1 : 1,
-               count = static_cast<double>(items.size());
-  Items sorted = items;
-  std::ranges::stable_sort(sorted, [&](std::size_t i, std::size_t j) { return sign * value[i] < sign * value[j]; });
-  const double against = std::abs(mean_of_all - own_mean) <= 1e-12 * std::abs(own_mean) ? unknown : mean_of_all;
-  auto n = jackknife(sorted, block_of, [&](const Items& set) { return numbers_of(set, value, against, scale); });
+               count = static_cast<double>(items.size()), of_all = mean_of_all / mean_of(all, value);
+  const auto by_value = [&](Items set) {
+    std::ranges::stable_sort(set, [&](std::size_t i, std::size_t j) { return sign * value[i] < sign * value[j]; });
+    return set;
+  };
+  const Items sorted = by_value(items);
+  std::vector<std::uint8_t> own(value.size(), 0);
+  for (const std::size_t i : items) own[i] = 1;
+  auto n = jackknife(by_value(all), block_of, [&](const Items& rest) {
+    return numbers_of(kept(rest, [&](std::size_t i) { return own[i] != 0; }), value, of_all * mean_of(rest, value),
+                      scale);
+  });
   n[lead] = {n[lead].value * count, n[lead].error * count};
   n[mean_value].error = std::hypot(n[mean_value].error, level * n[mean_value].value);
   Numbers j{{"count", described(items.size(), "", "Values of the set")}};
@@ -141,9 +151,15 @@ Numbers distribution(const Items& items, const std::vector<int>& block_of, const
 
 /// Of all contacts, the share that is strong and in the set.
 Estimate strong_share_of_all(const View& view, const Items& set) {
-  std::vector<double> counts(view.pairs().size(), 0.0);
-  for (const std::size_t c : set) counts[c] = view.strong(c);
-  return mean(view.contacts, view.contact_block, [&](std::size_t c) { return counts[c]; });
+  std::vector<std::uint8_t> own(view.pairs().size(), 0);
+  for (const std::size_t c : set) own[c] = 1;
+  const auto share = [&](const Items& contacts) {
+    const double threshold = mean_push(view.pairs(), contacts);
+    const auto counts = [&](std::size_t c) { return own[c] != 0 && view.pairs().fn[c] > threshold; };
+    return std::vector{static_cast<double>(std::ranges::count_if(contacts, counts)) /
+                       static_cast<double>(contacts.size())};
+  };
+  return jackknife(view.contacts, view.contact_block, share)[0];
 }
 
 /// Normal forces between grains, pushing and pulling ones apart (T Fig. 1.6, 1.9).
@@ -159,22 +175,22 @@ void forces(const View& view, Texture& texture) {
   for (auto& type : contacts_by_type(view)) sets.push_back(std::move(type));
   const std::vector<double>& push = view.pairs().fn;
   const std::vector<double> pull = mapped(push, std::negate<>());
-  double mean_pull = 0;
+  const Items all_pushing = kept(view.contacts, [&](std::size_t c) { return push[c] > 0; }),
+              all_pulling = kept(view.contacts, [&](std::size_t c) { return pull[c] > 0; });
+  const double mean_pull = all_pulling.empty() ? 0 : mean_of(all_pulling, pull);
   Numbers compressive = Numbers::tree(), tensile = Numbers::tree();
   for (const auto& [name, items] : sets) {
     if (const Items pushing = kept(items, [&](std::size_t c) { return push[c] > 0; }); !pushing.empty()) {
       Numbers& set = place_of(name, compressive, "by_type");
-      set.update(distribution(pushing, view.contact_block, push, view.mean_force, names, 1, view.level()));
+      set.update(distribution(pushing, all_pushing, view.contact_block, push, view.mean_force, names, 1, view.level()));
       if (name != "all")
         put(set, "strong_share_of_all", strong_share_of_all(view, items), "",
             "Fraction of all contacts that are of the set and above the mean of all", Trait::detail);
     }
     const Items pulling = kept(items, [&](std::size_t c) { return pull[c] > 0; });
     if (pulling.empty()) continue;
-    if (name == "all")
-      for (const std::size_t c : pulling) mean_pull += pull[c] / static_cast<double>(pulling.size());
     place_of(name, tensile, "by_type")
-        .update(distribution(pulling, view.contact_block, pull, mean_pull, names, 1, view.level()));
+        .update(distribution(pulling, all_pulling, view.contact_block, pull, mean_pull, names, 1, view.level()));
   }
   if (compressive.empty()) return;
   put(compressive, "tensile_share",

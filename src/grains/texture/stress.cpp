@@ -77,20 +77,22 @@ Tensor2 wall_moment(const Packing& packing, Vec2 gravity) {
 /// Share of the mean stress and of the deviatoric stress (along its own direction) that strong contacts carry.
 void put_strong_shares(Numbers& to, const View& view) {
   if (view.contacts.empty()) return;
-  const auto add = [&](std::size_t c, double* sums) {
-    const Tensor2 m = moment_of(view.pairs(), c);
-    const double parts[3] = {trace(m), m.xx - m.yy, m.xy + m.yx};
-    for (int k = 0; k < 3; ++k) {
-      sums[k] += parts[k];
-      if (view.strong(c)) sums[3 + k] += parts[k];
+  const auto shares = [&](const Items& contacts) {
+    const double threshold = mean_push(view.pairs(), contacts);
+    double all[3] = {}, strong[3] = {};
+    for (const std::size_t c : contacts) {
+      const Tensor2 m = moment_of(view.pairs(), c);
+      const double parts[3] = {trace(m), m.xx - m.yy, m.xy + m.yx};
+      for (int k = 0; k < 3; ++k) {
+        all[k] += parts[k];
+        if (view.pairs().fn[c] > threshold) strong[k] += parts[k];
+      }
     }
+    const double deviator2 = all[1] * all[1] + all[2] * all[2];
+    return std::vector<double>{all[0] != 0 ? strong[0] / all[0] : unknown,
+                               deviator2 > 0 ? (all[1] * strong[1] + all[2] * strong[2]) / deviator2 : unknown};
   };
-  const auto shares = [](const std::vector<double>& s) {
-    const double deviator2 = s[1] * s[1] + s[2] * s[2];
-    return std::vector<double>{s[0] != 0 ? s[3] / s[0] : unknown,
-                               deviator2 > 0 ? (s[1] * s[4] + s[2] * s[5]) / deviator2 : unknown};
-  };
-  const auto r = jackknife_of_sums(view.contacts, view.contact_block, 6, add, shares);
+  const auto r = jackknife(view.contacts, view.contact_block, shares);
   put(to, "strong_share_of_pressure", r[0], "", "Fraction of the pressure carried by contacts above the mean force");
   put(to, "strong_share_of_deviator", r[1], "", "Fraction of the deviator carried by contacts above the mean force");
 }
@@ -198,10 +200,12 @@ void sigma_norm(const View& view, Texture& texture) {
   if (view.has_thickness || measured) mean = mean_of_known(view.grains, texture.per_grain.sigma_hyd);
   constexpr DistributionNames names{"mean_Pa", "Pa", "P0", "Mean stress of the set's grains",
                                     "Fraction of grains above the set's own mean, P_0"};
-  for (const auto& [name, all] : grains_by_type(view))
-    if (const Items items = known(all, texture.per_grain.sigma_norm); !items.empty())
+  const std::vector<double>& value = texture.per_grain.sigma_norm;
+  const Items all = known(view.grains, value);
+  for (const auto& [name, set] : grains_by_type(view))
+    if (const Items items = known(set, value); !items.empty())
       place_of(name, texture.numbers["sigma_norm"], "by_material")
-          .update(distribution(items, view.grain_block, texture.per_grain.sigma_norm, 1.0, names, mean, view.level()));
+          .update(distribution(items, all, view.grain_block, value, 1.0, names, mean, view.level()));
   if (!measured && texture.numbers.contains("sigma_norm")) texture.numbers["sigma_norm"].mark(Trait::by_forces);
 }
 

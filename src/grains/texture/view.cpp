@@ -123,9 +123,7 @@ View::View(const Packing& p, const Options& o) : packing(p), options(o) {
     contact_block.push_back(blocks.block_of(point, c));
     if (!pairs().is_wall(c) && inside(point)) contacts.push_back(c);
   }
-  const Items pushing = kept(contacts, [&](std::size_t c) { return pairs().fn[c] > 0; });
-  for (const std::size_t c : pushing) mean_force += pairs().fn[c];
-  if (!pushing.empty()) mean_force /= static_cast<double>(pushing.size());
+  mean_force = mean_push(pairs(), contacts);
   load_axis = options.load_axis.value_or(compression_axis(packing));
 }
 

@@ -90,6 +90,15 @@ template <class Holds> Items kept(const Items& items, const Holds& holds) {
   return some;
 }
 
+/// Mean force of those contacts that push; 0 if none does.
+template <class AnyContacts> double mean_push(const AnyContacts& pairs, const Items& contacts) {
+  double sum = 0;
+  std::size_t pushing = 0;
+  for (const std::size_t c : contacts)
+    if (pairs.fn[c] > 0) sum += pairs.fn[c], ++pushing;
+  return pushing > 0 ? sum / static_cast<double>(pushing) : 0;
+}
+
 /// The items whose value is known, and the mean over these; NaN if there are none.
 Items known(const Items& items, const std::vector<double>& values);
 double mean_of_known(const Items& items, const std::vector<double>& values);

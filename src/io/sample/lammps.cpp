@@ -140,7 +140,7 @@ RawGrains read_lammps_atoms(const Reading& reading) {
   grains.units = dump.units;
   if (dump.cell) grains.stated = scaled_by(*dump.cell, options.length());
   if (columns.scaled && grains.stated) place_in_cell(grains.rows, *grains.stated);
-  if (!options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "--length-unit"));
+  if (!options.length_unit) grains.notes.push_back(assumed_unit_of(dump.system, "length", "m", "--length-unit"));
   return grains;
 }
 
@@ -157,7 +157,7 @@ void compare_boxes(const RawGrains& grains, const RawCell& other, std::vector<st
   if (difference > 1e-5 * size)
     notes.push_back(
         fmt::format("The contacts' dump states another box ({:g} x {:g} x {:g} m) than the grains' ({:g} x {:g} x {:g} "
-                    "m), which was taken.",
+                    "m); the grains' was taken.",
                     other.edge[0].x, other.edge[1].y, other.edge[2].z, cell.edge[0].x, cell.edge[1].y, cell.edge[2].z));
 }
 
@@ -237,7 +237,7 @@ RawContacts read_lammps_pairs(const Reading& reading, const RawGrains& grains) {
     contacts.notes.push_back(
         "A dump of pairs has no contacts with walls: the stress of the sample and the balance of grains at its sides "
         "lack them.");
-  if (!options.force_unit) contacts.notes.push_back(assumed_unit("force", "N", "--force-unit"));
+  if (!options.force_unit) contacts.notes.push_back(assumed_unit_of(dump.system, "force", "N", "--force-unit"));
   return contacts;
 }
 

@@ -66,7 +66,8 @@ struct DataBox {
 RawGrains read_data(const Reading& reading) {
   RawGrains grains;
   Problems& problems = reading.problems;
-  const auto units = unit_system(said(top_line(reading.text), "units"), reading.options, problems);
+  const std::string_view system = said(top_line(reading.text), "units");
+  const auto units = unit_system(system, reading.options, problems);
   SampleOptions options = reading.options;
   if (units) options.length_unit = units->length;
   DataBox box;
@@ -113,7 +114,7 @@ RawGrains read_data(const Reading& reading) {
   grains = grains_in(table, "Atoms # sphere", options, problems);
   grains.units = units;
   if (box.has == std::array{true, true, true}) grains.stated = box.cell;
-  if (!options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "--length-unit"));
+  if (!options.length_unit) grains.notes.push_back(assumed_unit_of(system, "length", "m", "--length-unit"));
   return grains;
 }
 

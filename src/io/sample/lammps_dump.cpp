@@ -133,6 +133,13 @@ std::optional<StatedUnits> unit_system(std::string_view name, const SampleOption
   return *known;
 }
 
+std::string assumed_unit_of(std::string_view system, const char* what, const char* si, const char* option) {
+  if (system != "lj") return assumed_unit(what, si, option);
+  return fmt::format(
+      "The file states reduced units (lj), which have no size: {} was taken for that of {}; {} changes this.", si, what,
+      option);
+}
+
 std::string_view dump_units(std::string_view text) {
   std::string_view name;
   each_item(text, [&](std::string_view title, std::string_view value, std::size_t) {
@@ -158,7 +165,8 @@ DumpSnapshot read_dump(const Reading& reading) {
   else if (!text.starts_with(mark))
     problems.add(1, "this is not a LAMMPS dump: the first line must be \"ITEM: TIMESTEP\"");
   if (problems.any()) return dump;
-  dump.units = unit_system(dump_units(text), reading.options, problems);
+  dump.system = dump_units(text);
+  dump.units = unit_system(dump.system, reading.options, problems);
   const auto places = places_of(text);
   const std::size_t next = reading.snapshot + 1;
   const std::size_t begin = reading.snapshot < places.size() ? places[reading.snapshot].begin : 0;

@@ -18,7 +18,8 @@ struct DumpItem {
 /// One snapshot of a dump.
 struct DumpSnapshot {
   std::vector<DumpItem> items;
-  std::optional<StatedUnits> units;  ///< that the whole file names
+  std::string_view system;           ///< of units, that the whole file names
+  std::optional<StatedUnits> units;  ///< those of the system
   std::optional<RawCell> cell;       ///< in the file's unit of length
 
   DumpItem* find(std::string_view title);
@@ -27,6 +28,9 @@ struct DumpSnapshot {
 /// The unit system of that name, of the command `units`; none of "lj", whose units have no size. A name that is not
 /// LAMMPS's, and units given by options that are others, are problems.
 std::optional<StatedUnits> unit_system(std::string_view name, const SampleOptions& options, Problems& problems);
+
+/// What is taken where a file names no system of units, or one whose units have no size.
+std::string assumed_unit_of(std::string_view system, const char* what, const char* si, const char* option);
 
 /// The name of the units that a dump states; empty without.
 std::string_view dump_units(std::string_view text);

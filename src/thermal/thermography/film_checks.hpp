@@ -8,6 +8,11 @@
 /// Whether maps can be those of a load, and what to say where they cannot.
 namespace arenite::thermography {
 
+/// Why a film without any change is refused.
+inline constexpr const char* without_change =
+    "every pixel of the film is constant in time (or not a number) in the single precision in which levels are kept; "
+    "give a film of a loaded sample, and subtract a constant first from levels of eight digits and more";
+
 /// What to say of maps that show no load, a film without one or at a wrong frequency; `given_by` is the key or option
 /// that gives it.
 std::string no_load_sentence(const LockinMaps& maps, double frequency, std::string_view given_by);

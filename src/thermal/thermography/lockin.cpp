@@ -56,8 +56,7 @@ int possible_harmonics(const std::vector<double>& time, const LockinOptions& o) 
 /// Of a pixel that never changes all sums are 0, and of one that is no number none is larger or smaller.
 void refuse_constant(const SegmentSums& s) {
   if (std::ranges::any_of(s.sums, [](float sum) { return std::abs(sum) > 0; })) return;
-  throw InputError(
-      "every pixel of the film is constant in time (or not a number); a lock-in needs a film of a loaded sample");
+  throw InputError(without_change);
 }
 
 /// Fills all maps but those that need the reference; cos and sin of the first harmonic go to `phasor`.

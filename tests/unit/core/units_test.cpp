@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 
 #include "core/error.hpp"
@@ -104,6 +105,7 @@ TEST(Units, WrittenQuantitiesAreShortAndReadable) {
   EXPECT_EQ(format_quantity(0, "mm"), "0 mm");
   EXPECT_EQ(format_quantity(-1e-9, "m"), "-1e-9 m");
   EXPECT_EQ(format_quantity(0.1, ""), "0.1");
+  EXPECT_EQ(format_quantity(std::numeric_limits<double>::quiet_NaN(), ""), "nan");
 }
 
 TEST(Units, NumbersThatNothingMeasuredHasAreRefused) {

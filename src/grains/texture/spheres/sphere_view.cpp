@@ -85,15 +85,13 @@ SphereView::SphereView(const PackingIn<3>& p, const SphereOptions& o) : packing(
   blocks = {window, std::clamp(static_cast<int>(std::cbrt(static_cast<double>(grains.size()) / 12)), 1, 4)};
   for (std::size_t g = 0; g < all.size(); ++g)
     grain_block.push_back(blocks.block_of(domain.wrapped(all.position[g]), g));
-  double pushing = 0;
   for (std::size_t c = 0; c < pairs().size(); ++c) {
     const Vec3 point = domain.wrapped(all.position[pairs().i[c]] + pairs().lever_i(c));
     contact_block.push_back(blocks.block_of(point, c));
     if (pairs().is_wall(c) || !holds(window, point)) continue;
     contacts.push_back(c);
-    if (pairs().fn[c] > 0) mean_force += pairs().fn[c], ++pushing;
   }
-  if (pushing > 0) mean_force /= pushing;
+  mean_force = mean_push(pairs(), contacts);
   if (options.load_axis) load_axis = {std::cos(*options.load_axis), std::sin(*options.load_axis), 0};
   else if (has_forces) load_axis = compression_axis(packing);
 }

@@ -98,11 +98,12 @@ void put_grain_stresses(const SphereView& view, Numbers& to) {
   for (double& value : hydrostatic) value /= mean;
   constexpr DistributionNames names{"mean_Pa", "Pa", "P0", "Mean stress of the set's grains",
                                     "Fraction of grains above the set's own mean, P_0"};
-  Numbers& j = to["sigma_norm"] = distribution(view.grains, view.grain_block, hydrostatic, 1.0, names, mean, 0);
+  Numbers& j = to["sigma_norm"] =
+      distribution(view.grains, view.grains, view.grain_block, hydrostatic, 1.0, names, mean, 0);
   if (view.materials().size() > 1)
     for (const int m : view.materials())
       j["by_material"][view.material_name(m)] =
-          distribution(view.grains_of(m), view.grain_block, hydrostatic, 1.0, names, mean, 0);
+          distribution(view.grains_of(m), view.grains, view.grain_block, hydrostatic, 1.0, names, mean, 0);
   j.mark(Trait::by_forces);
 }
 
@@ -128,7 +129,7 @@ void sphere_forces(const SphereView& view, Numbers& to) {
   if (pushing.empty()) return;
   constexpr DistributionNames names{"mean_N", "N", "strong_share", "Mean force of the set",
                                     "Fraction of the set above its own mean"};
-  to["force"] = distribution(pushing, view.contact_block, view.pairs().fn, view.mean_force, names, 1, 0);
+  to["force"] = distribution(pushing, pushing, view.contact_block, view.pairs().fn, view.mean_force, names, 1, 0);
   to["force"].mark(Trait::by_forces);
   put_grain_stresses(view, to);
   Numbers& quality = to["quality"] = Numbers::tree();

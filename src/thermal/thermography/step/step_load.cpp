@@ -8,6 +8,7 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "thermal/thermography/blank_frames.hpp"
+#include "thermal/thermography/film_checks.hpp"
 #include "thermal/thermography/segment_sums.hpp"
 #include "thermal/thermography/step/step_doubts.hpp"
 #include "thermal/thermography/step/step_sides.hpp"
@@ -141,9 +142,7 @@ void fill(StepMaps& maps, const StepSides& sides, const StepSums (&sums)[2]) {
     changes =
         changes || sums[0].squares(p) > 0 || sums[1].squares(p) > 0 || std::abs(sums[0].base(p) - sums[1].base(p)) > 0;
   }
-  if (!changes)
-    throw InputError(
-        "every pixel of the film is constant in time (or not a number); a step needs a film of a loaded sample");
+  if (!changes) throw InputError(without_change);
 }
 
 /// The step of the load, and where else the level of the pixels jumps, s.
@@ -197,9 +196,7 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
       return maps;
     }
   const Matrix series = changing_pixels(some);
-  if (series.rows() == 0)
-    throw InputError(
-        "every pixel of the film is constant in time (or not a number); a step needs a film of a loaded sample");
+  if (series.rows() == 0) throw InputError(without_change);
   const std::size_t split = o.time ? frame_at(time, *o.time) : find_step(series, time, o.drift_order);
   const StepsFound found = steps_found(series, time, find_rise(series, time, split), o);
   const StepGap& rise = found.rise;

@@ -154,6 +154,14 @@ TEST(SampleLammps, AnotherBoxOfTheContactsIsTold) {
       std::ranges::any_of(notes, [](const auto& note) { return note.find("another box (5 x 4") != note.npos; }));
 }
 
+TEST(SampleLammps, ReducedUnitsAreStatedAndHaveNoSize) {
+  const std::string lj = "ITEM: UNITS\nlj\n", pairs = lammps_pairs("patom1 patom2 fx fy p1 p2", "1 2 -3 0 0 0");
+  const Sample s = Files(lj + lammps_atoms, lj + pairs).read();
+  EXPECT_TRUE(says(s.notes, "reduced units (lj), which have no size: m was taken for that of length; --length-unit"));
+  EXPECT_TRUE(says(s.notes, "N was taken for that of force; --force-unit"));
+  EXPECT_FALSE(says(s.notes, "states no unit"));
+}
+
 TEST(SampleLammps, UnitsThatOneOfTwoDumpsStatesAreThoseOfBoth) {
   const std::string cgs = "ITEM: UNITS\ncgs\n", pairs = lammps_pairs("patom1 patom2 fx fy p1 p2", "1 2 -3 0 0 0");
   for (const bool by_grains : {false, true}) {
