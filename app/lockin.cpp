@@ -94,8 +94,9 @@ Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& f
   j["shows_load"] =
       described(thermography::shows_load(m), "", "Whether pixels oscillate in one phase, and more than noise does");
   j["chance_of_noise"] = described(m.chance, "", "Probability that noise alone has as much amplitude in one phase");
-  j["share_in_one_phase"] =
-      described(m.one_phase, "", "Share of the amplitude above the noise that has one phase, or its opposite");
+  j["share_in_one_phase"] = described(
+      m.one_phase, "",
+      "Share of the amplitude above the noise that has one phase, or its opposite; any value where there is no load");
   j["lost_frames"] =
       described(m.lost_frames, "", "Frames missing without a time stamp that shows it, found by the phase of the load");
   j["level_jumps"] = described(m.levels.jumps.size(), "",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -106,13 +107,19 @@ RecordTable values_in(RecordTable table) {
   return table;
 }
 
-const Record& record_named(const RecordTable& table, std::string_view name) {
-  return *std::ranges::find(table, name, [](const Record& record) { return record.key.name; });
+/// The record of the same key: what has another form in space has its name twice, with two sentences.
+const Record& same_of(const Record& record, const RecordTable& table) {
+  const auto same = [&](const Record& other) {
+    return other.key.name == record.key.name && other.key.sentence == record.key.sentence;
+  };
+  const auto found = std::ranges::find_if(table, same);
+  if (found == table.end()) throw std::logic_error(fmt::format("key {} is declared in one of two ways", record.name()));
+  return *found;
 }
 
 /// Whether a key is to be seen because it is set, and not to its default.
 bool is_changed(const Record& record, const RecordTable& defaults) {
-  return record.literal && (record.key.required || record.literal != record_named(defaults, record.key.name).literal);
+  return record.literal && (record.key.required || record.literal != same_of(record, defaults).literal);
 }
 
 RecordTable changed(RecordTable table, const RecordTable& defaults) {
@@ -129,7 +136,7 @@ std::string explanation(const Record& record) {
 void write_commented_table(std::string& text, const RecordTable& table, const RecordTable& defaults, bool explain,
                            bool active) {
   for (const auto& record : table) {
-    const Record& standard = record_named(defaults, record.key.name);
+    const Record& standard = same_of(record, defaults);
     const auto differences =
         mapped(record.tables, [&](const RecordTable& inner) { return changed(inner, standard.tables.front()); });
     bool set = active;
@@ -154,7 +161,7 @@ void write_commented_table(std::string& text, const RecordTable& table, const Re
 /// The keys that are set against their default, below `path`.
 void add_changes(std::string& text, const std::string& path, const RecordTable& table, const RecordTable& defaults) {
   for (const auto& record : table) {
-    const Record& standard = record_named(defaults, record.key.name);
+    const Record& standard = same_of(record, defaults);
     const std::string key = path + toml_key(record.name());
     if (record.kind == Record::Kind::value) {
       if (record.key.required || record.literal != standard.literal)
@@ -209,15 +216,21 @@ void write_rows(std::string& text, const RecordTable& table) {
   }
 }
 
-void write_section(std::string& text, const Record& record, const std::string& parent) {
-  const std::string path = parent.empty() ? record.name() : parent + "." + record.name();
-  text += fmt::format("\n## `{}`\n\n{}{}\n\n", heading(record, path, 0), record.key.sentence,
-                      record.key.required ? " Required."
-                      : record.present    ? ""
-                                          : " Optional.");
-  write_rows(text, record.tables.front());
-  for (const auto& inner : record.tables.front()) {
-    if (inner.kind != Record::Kind::value) write_section(text, inner, path);
+/// The sections and lists of a table, each under a heading; that of a second one of a name tells with what it goes.
+void write_sections(std::string& text, const RecordTable& table, const std::string& parent) {
+  for (const auto& record : table) {
+    if (record.kind == Record::Kind::value) continue;
+    const std::string path = parent.empty() ? record.name() : parent + "." + record.name();
+    const bool second = std::ranges::find(table, record.key.name, [](const Record& r) {
+                          return r.key.name;
+                        })->key.sentence != record.key.sentence;
+    text += fmt::format("\n## `{}`{}\n\n{}{}\n\n", heading(record, path, 0),
+                        second ? fmt::format(" with `{}`", record.condition) : "", record.key.sentence,
+                        record.key.required ? " Required."
+                        : record.present    ? ""
+                                            : " Optional.");
+    write_rows(text, record.tables.front());
+    write_sections(text, record.tables.front(), path);
   }
 }
 
@@ -256,8 +269,7 @@ std::string write_commented_toml(const RecordTable& root, const RecordTable& all
     for (std::size_t i = 0; i < record.tables.size(); ++i) {
       if (i > 0) text += "\n";
       text += (record.present ? "" : "# ") + heading(record, record.name(), i) + "\n";
-      write_commented_table(text, record.tables[i], record_named(all, record.key.name).tables.front(), i == 0,
-                            record.present);
+      write_commented_table(text, record.tables[i], same_of(record, all).tables.front(), i == 0, record.present);
     }
   }
   return text;
@@ -269,9 +281,7 @@ std::string write_key_tables(const RecordTable& all) {
     text = "## Top of the file\n\n";
     write_rows(text, top);
   }
-  for (const auto& record : all) {
-    if (record.kind != Record::Kind::value) write_section(text, record, "");
-  }
+  write_sections(text, all, "");
   return text;
 }
 

@@ -135,6 +135,21 @@ TEST(BoundariesInRecipes, MayBeInAPeriodicContainerThatStays) {
   EXPECT_TRUE(is_refused(closed("right = { velocity = \"1 mm/s\" }"), "is periodic and cannot move"));
 }
 
+TEST(BoundariesInRecipes, OfSpaceChangeARecipeByTheirOwnKeys) {
+  Recipe still;
+  still.dimension = 3;
+  auto& plate = still.boundaries_in_space.emplace_back();
+  plate.name = "plate";
+  plate.points = {{0.01, 0.02, 0.03}, {0.04, 0.02, 0.03}, {0.04, 0.02, 0.06}};
+  plate.corners = {0, 1, 2};
+  still.stages.emplace_back().boundaries_in_space.emplace_back().name = "plate";
+  Recipe turning = still;
+  turning.stages[0].boundaries_in_space[0].spin = {0, 1, 0};
+  EXPECT_NE(changed_keys(still).find("boundaries.0.corners = [[\"10 mm\", "), std::string::npos) << changed_keys(still);
+  EXPECT_EQ(changed_keys(still).find("spin"), std::string::npos) << changed_keys(still);
+  EXPECT_NE(changed_keys(turning).find("stages.0.boundaries.0.spin = "), std::string::npos) << changed_keys(turning);
+}
+
 TEST(BoundariesInRecipes, LeaveNoTraceWhereThereAreNone) {
   std::string text = hopper;
   text = text.substr(0, text.find("[[boundaries]]")) + "[[stages]]\nname = \"rest\"\n";
