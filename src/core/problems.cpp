@@ -8,7 +8,8 @@
 namespace arenite {
 
 std::string to_string(const Problem& problem) {
-  std::string text = problem.file;
+  std::string text;  // a line end in a name must not look like another problem's line
+  for (const char c : problem.file) text += c == '\n' ? std::string("\u240a") : std::string(1, c);
   if (problem.line > 0) text += ":" + std::to_string(problem.line);
   if (problem.line > 0 && problem.column > 0) text += ":" + std::to_string(problem.column);
   return text.empty() ? problem.message : text + ": " + problem.message;

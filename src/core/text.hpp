@@ -88,9 +88,13 @@ inline bool is_utf8(std::string_view text) {
 }
 
 /// For a terminal: what would move its cursor, change its colours or its title, or speak for the user is shown as a
-/// sign that does nothing: control characters as their pictures (U+2400 and on), what is no character of UTF-8 as
-/// U+FFFD. Line ends and tabs stay.
+/// sign that does nothing: control characters as their pictures (U+2400 and on), what is no character of UTF-8 and what
+/// turns the direction of writing as U+FFFD. Line ends and tabs stay.
 inline std::string printable(std::string_view text) {
+  // U+061C, U+200E and f, U+202A to E, U+2066 to 9
+  constexpr std::string_view turning[] = {"\xd8\x9c",     "\xe2\x80\x8e", "\xe2\x80\x8f", "\xe2\x80\xaa",
+                                          "\xe2\x80\xab", "\xe2\x80\xac", "\xe2\x80\xad", "\xe2\x80\xae",
+                                          "\xe2\x81\xa6", "\xe2\x81\xa7", "\xe2\x81\xa8", "\xe2\x81\xa9"};
   std::string shown;
   for (std::size_t at = 0; at < text.size();) {
     const auto lead = static_cast<unsigned char>(text[at]);
@@ -98,7 +102,8 @@ inline std::string printable(std::string_view text) {
     const std::string_view one = text.substr(at, length);
     const bool whole = is_utf8(one);
     const bool second_controls = whole && length == 2 && lead == 0xc2 && static_cast<unsigned char>(one[1]) < 0xa0;
-    if (!whole || second_controls) shown += "\xef\xbf\xbd";
+    const bool turns = length > 1 && std::ranges::count(turning, one) > 0;
+    if (!whole || second_controls || turns) shown += "\xef\xbf\xbd";
     else if (lead == 0x7f) shown += "\xe2\x90\xa1";
     else if (lead < 0x20 && lead != '\n' && lead != '\t') shown += {'\xe2', '\x90', static_cast<char>(0x80 + lead)};
     else shown += one;

@@ -101,7 +101,7 @@ void require_movable_shapes(Visitor& v, const Recipe& recipe) {
   const bool disks = std::ranges::all_of(
       recipe.populations, [](const auto& p) { return std::holds_alternative<packing::DiskShape>(p.shape); });
   const bool rough = std::any_of(recipe.stages.begin(), recipe.stages.end(),
-                                 [](const Stage& stage) { return stage.rough != std::array<bool, 4>{}; });
+                                 [](const Stage& stage) { return stage.rough != ByAnySide<bool>{}; });
   v.require(
       disks || !recipe.has_field(), {"populations", "cement"},
       "grains other than disks cannot be cemented and loaded as a field; leave out [cement], [grid] and [[loads]]");

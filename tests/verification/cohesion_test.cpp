@@ -159,8 +159,8 @@ struct DrivenBalance {
 };
 
 /// A sample driven for some contact times, with friction and dashpots.
-DrivenBalance driven(const Packing& start, const dem::Cohesion& law, IntegratorKind kind,
-                     const std::array<bool, 4>& rough, const dem::WallDrives& drives, int contact_times) {
+DrivenBalance driven(const Packing& start, const dem::Cohesion& law, IntegratorKind kind, const ByAnySide<bool>& rough,
+                     const dem::WallDrives& drives, int contact_times) {
   constexpr std::int64_t share = 500;
   dem::ContactParameters contact;
   contact.friction = 0.5;

@@ -41,6 +41,7 @@ void begin_parts(SampleIn<3>& s, const Stage& stage, const ThreadPool& pool) {
   if (stage.bond) make_bonds(s, pool);
   set_open(s, stage.open, pool);
   set_boundaries<3>(s, stage.boundaries_in_space, pool);
+  set_rough(s, stage.rough, pool);
 }
 void begin_parts(Sample& s, const Stage& stage, const ThreadPool& pool) {
   if (stage.bond) make_bonds(s, pool);

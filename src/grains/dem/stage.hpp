@@ -179,7 +179,7 @@ struct Stage {
   double gravity_size = standard_gravity;  ///< m/s^2
   double gravity_angle = 0;                ///< rad, by which it is turned from straight down, counter-clockwise
   ByAnySide<double> slide{};               ///< m/s of each wall along itself, along +y or +x
-  BySide<bool> rough{};                    ///< walls that hold the grains nearest to them as the stage begins
+  ByAnySide<bool> rough{};                 ///< walls that hold the grains nearest to them as the stage begins
   ByAnySide<bool> open{};                  ///< walls that are taken away
   SkinParameters skin;                     ///< of the sides that are membranes
   std::vector<BoundaryMotion> boundaries;

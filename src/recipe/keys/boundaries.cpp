@@ -165,7 +165,7 @@ void declare_openings(Visitor& v, Stage& stage, const Recipe& recipe) {
         std::ranges::count(stage.programmes, dem::Driven{Programme::What::slide, static_cast<int>(side)},
                            &Programme::of) > 0;
     const bool still = stage.side[side].kind == SideDrive::Kind::fixed && stage.slide[side] == 0 && !slides_later &&
-                       !(side < stage.rough.size() && stage.rough[side]);
+                       !stage.rough[side];
     v.require(
         !stage.open[side] || still, {"open", any_side_names[side], "slide", "rough"},
         fmt::format("the {} wall cannot be open and move, press or carry grains in one stage", any_side_names[side]));
@@ -192,8 +192,7 @@ void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParamet
             "only a cell periodic in both directions can be sheared in this way; set container.periodic_x and "
             "periodic_y, or let a wall slide");
   for (std::size_t side = 0; side < stage.slide.size(); ++side)
-    v.require((stage.slide[side] == 0 && (side >= sides || !stage.rough[side])) || !container.is_periodic(side),
-              {"slide", "rough"},
+    v.require((stage.slide[side] == 0 && !stage.rough[side]) || !container.is_periodic(side), {"slide", "rough"},
               fmt::format("there is no wall at the {}: the container is periodic there", any_side_names[side]));
   v.require(!moves || stage.duration, {"duration", "left", "right", "bottom", "top", "boundaries"},
             "a stage with a moving side or boundary never reaches equilibrium; give it a duration, for example "

@@ -45,7 +45,7 @@ void require_disks(Visitor& v, const Stage& stage, const Recipe& recipe) {
       "grains other than disks cannot come in or leave; leave shape out of the populations, or inflow and outlets out");
   v.require(!recipe.contact.has_bonds(), keys, "bonded grains cannot come in or leave; set contact.bonds = \"none\"");
   v.require(!stage.glue, keys, "glued grains cannot come in or leave; leave glue out");
-  v.require(stage.rough == BySide<bool>{}, keys, "grains cannot come in or leave where a rough wall holds some");
+  v.require(stage.rough == ByAnySide<bool>{}, keys, "grains cannot come in or leave where a rough wall holds some");
   v.require(stage.mass_scaling == dem::MassScaling::none, keys,
             "grains come in with their own masses; leave mass_scaling at \"none\"");
   v.require(!recipe.contact.is_cohesive() || stage.exchange.inflow.empty(), keys,

@@ -17,7 +17,6 @@ using Visitor = ParameterVisitor;
 
 /// What a stage says that only a sample of the plane can do; empty where it says nothing of the kind.
 std::string of_the_plane(const Stage& stage) {
-  if (stage.rough != BySide<bool>{}) return "rough walls";
   if (std::ranges::any_of(stage.side, &SideDrive::is_skin)) return "membranes";
   if (!stage.exchange.is_none()) return "inflows and outlets";
   return {};

@@ -83,9 +83,10 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
       });
   v.section(
       {"rough", "Rough walls: grains nearer than half their radius at the start of the stage move with the wall."},
-      [&](Visitor& inner) {
-        for (std::size_t side = 0; side < sides; ++side)
-          inner.flag({side_names[side], "This wall is rough."}, stage.rough[side]);
+      [&](Visitor& section) {
+        declare_every_side(section, in_space, [&](Visitor& inner, std::size_t side) {
+          inner.flag({any_side_names[side], "This wall is rough."}, stage.rough[side]);
+        });
       });
   v.number({"shear_rate",
             "Shear rate du_x/dy of a cell that is periodic in x and y (Lees and Edwards); its top and bottom may also "

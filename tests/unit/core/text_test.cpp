@@ -44,6 +44,7 @@ TEST(Printable, ShowsWhatATerminalWouldObey) {
   EXPECT_EQ(printable("µm: 3 ± 1\tand\n"), "µm: 3 ± 1\tand\n");
   EXPECT_EQ(printable("\x1b]0;title\x07 \x1b[2J"), "␛]0;title␇ ␛[2J");
   EXPECT_EQ(printable("a\rb\x7f"), "a␍b␡");
+  EXPECT_EQ(printable("g\u202excod.csv \u2067"), "g\ufffdxcod.csv \ufffd");
   EXPECT_EQ(printable("\xc2\x9b"
                       "31m"),
             "\xef\xbf\xbd"

@@ -19,8 +19,8 @@ template <> struct PartsOf<2> {
   using type = std::tuple<RoughWalls, Bodies, CohesivePairs, Bonds, Membranes, Boundaries, LoadingIn<2>, EnergyBalance>;
 };
 template <> struct PartsOf<3> {
-  using type =
-      std::tuple<SpheresAlone, CohesivePairsIn<3>, BondsIn<3>, BoundariesIn<3>, LoadingIn<3>, EnergyBalanceIn<3>>;
+  using type = std::tuple<RoughWallsIn<3>, SpheresAlone, CohesivePairsIn<3>, BondsIn<3>, BoundariesIn<3>, LoadingIn<3>,
+                          EnergyBalanceIn<3>>;
 };
 
 template <int D, class... P> consteval bool are_parts(const std::tuple<P...>* /*of*/) { return (Part<P, D> && ...); }

@@ -11,72 +11,77 @@
 
 namespace arenite::dem {
 
-const HeldGrain* RoughWalls::find(std::int32_t grain) const {
-  const auto at =
-      std::lower_bound(held.begin(), held.end(), grain, [](const HeldGrain& h, std::int32_t g) { return h.grain < g; });
+template <int D> const HeldGrainIn<D>* RoughWallsIn<D>::find(std::int32_t grain) const {
+  const auto at = std::ranges::lower_bound(held, grain, {}, &HeldGrainIn<D>::grain);
   return at != held.end() && at->grain == grain ? &*at : nullptr;
 }
 
-void RoughWalls::number(Sample& s) {
+template <int D> void RoughWallsIn<D>::number(SampleIn<D>& s) {
   disk.assign(held.size(), 0);
-  angle.assign(held.size(), 0.0);
+  angle.assign(held.size());
   if (held.empty()) return;
   for (std::size_t k = 0; k < s.count; ++k) {
-    const HeldGrain* of = find(s.record[k].grain);
+    const HeldGrainIn<D>* of = find(s.record[k].grain);
     if (!of) continue;
     const auto h = of - held.data();
     disk[h] = static_cast<std::int32_t>(k);
-    angle[h] = s.angle[k];
+    angle.put(static_cast<std::size_t>(h), s.angle[k]);
   }
 }
 
 /// The grains have slid with their walls since the list was built.
-void RoughWalls::renew(Sample& s) {
-  for (std::size_t h = 0; h < held.size(); ++h)
-    held[h].place[1 - axis_of(held[h].side)] = along(held[h].side, s.record[disk[h]].place) - s.wall[held[h].side].slid;
+template <int D> void RoughWallsIn<D>::renew(SampleIn<D>& s) {
+  for (std::size_t h = 0; h < held.size(); ++h) {
+    HeldGrainIn<D>& of = held[h];
+    of.place =
+        of_side(of.side, across<D>(of.side, of.place), along(of.side, s.record[disk[h]].place) - s.wall[of.side].slid);
+  }
 }
 
-void RoughWalls::hold(Sample& s) const {
+template <int D> void RoughWallsIn<D>::hold(SampleIn<D>& s) const {
   for (std::size_t h = 0; h < held.size(); ++h) {
-    const HeldGrain& of = held[h];
+    const HeldGrainIn<D>& of = held[h];
     const std::int32_t k = disk[h];
-    const WallBody& body = s.wall[of.side];
-    const Wall& wall = s.domain.wall[of.side];
-    DiskRecord& d = s.record[k];
+    const WallBodyIn<D>& body = s.wall[of.side];
+    const WallIn<D>& wall = s.domain.wall[of.side];
+    GrainRecord<D>& d = s.record[k];
     d.place = of.place + of_side(of.side, wall.position, body.slid);
     d.velocity = of_side(of.side, wall.velocity, body.drive.slide);
     s.velocity.put(k, of_side(of.side, body.rate, body.drive.slide));
-    s.acceleration.put(k, Vec2{});
-    s.angle[k] = angle[h];
-    d.omega = s.omega[k] = s.alpha[k] = 0;
+    s.acceleration.put(k, Vec<D>{});
+    s.angle.put(k, angle[h]);
+    d.omega = {};
+    s.omega.put(k, Turning<D>{});
+    s.alpha.put(k, Turning<D>{});
     for (auto& higher : s.higher)
       if (higher.size() > 0) higher.put(k, Vec3{});
   }
 }
 
-void RoughWalls::add_to_walls(Sample& s) const {
+template <int D> void RoughWallsIn<D>::add_to_walls(SampleIn<D>& s) const {
   for (std::size_t h = 0; h < held.size(); ++h)
-    push_wall(s, held[h].side, -contact_load(slot_forces(s.list), disk[h]).force);
+    push_wall<D>(s, held[h].side, -contact_load(slot_forces(s.list), disk[h]).force);
 }
 
 namespace {
 
 /// Grains nearer to a rough wall than half their radius go with it from now on; one that was held before stays.
-void hold_nearest(Sample& s) {
-  RoughWalls& walls = the<RoughWalls>(s);
-  std::vector<HeldGrain> held;
+template <int D> void hold_nearest(SampleIn<D>& s) {
+  RoughWallsIn<D>& walls = the<RoughWallsIn<D>>(s);
+  std::vector<HeldGrainIn<D>> held;
   for (std::size_t k = 0; k < s.count; ++k) {
-    const DiskRecord& d = s.record[k];
-    const HeldGrain* before = walls.find(d.grain);
-    for (int side = 0; side < sides; ++side) {
-      const double plane = s.domain.wall[side].position, slid = s.wall[side].slid;
+    const GrainRecord<D>& d = s.record[k];
+    const HeldGrainIn<D>* before = walls.find(d.grain);
+    for (int side = 0; side < sides_in<D>; ++side) {
+      const double plane = s.domain.wall[side].position;
+      const Along<D> slid = s.wall[side].slid;
       if (!s.wall[side].rough || (before ? before->side != side : s.domain.depth(side, d.place) > 1.5 * d.radius))
         continue;
       held.push_back({d.grain, side, d.place - of_side(side, plane, slid)});
       break;
     }
   }
-  std::sort(held.begin(), held.end(), [](const HeldGrain& a, const HeldGrain& b) { return a.grain < b.grain; });
+  std::ranges::sort(held, {}, &HeldGrainIn<D>::grain);
   walls.held = std::move(held);
   walls.number(s);
   walls.hold(s);
@@ -84,14 +89,21 @@ void hold_nearest(Sample& s) {
 
 }  // namespace
 
-void set_rough(Sample& s, const BySide<bool>& rough, const ThreadPool& pool) {
-  if (std::ranges::equal(rough, s.wall, {}, {}, &WallBody::rough)) return;
+template <int D> void set_rough(SampleIn<D>& s, const ByAnySide<bool>& rough, const ThreadPool& pool) {
+  ByAnySide<bool> before{};
+  std::ranges::transform(s.wall, before.begin(), &WallBodyIn<D>::rough);
+  if (rough == before) return;
   if (!has_disks_only(s))
     throw InputError("rough walls work with disks only; use smooth walls with friction for clumps and polygons");
   synchronise(s);
-  for (int side = 0; side < sides; ++side) s.wall[side].rough = rough[side] && s.domain.wall[side].present;
+  for (int side = 0; side < sides_in<D>; ++side) s.wall[side].rough = rough[side] && s.domain.wall[side].present;
   hold_nearest(s);
   list_anew(s, pool);
 }
+
+template struct RoughWallsIn<2>;
+template struct RoughWallsIn<3>;
+template void set_rough(SampleIn<2>&, const ByAnySide<bool>&, const ThreadPool&);
+template void set_rough(SampleIn<3>&, const ByAnySide<bool>&, const ThreadPool&);
 
 }  // namespace arenite::dem
