@@ -4,6 +4,7 @@
 
 #include "core/version.hpp"
 #include "grains/fields/discharge.hpp"
+#include "grains/fields/laboratory/shear_in_space.hpp"
 #include "grains/fields/laboratory/triaxial.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/texture/spheres/spheres.hpp"
@@ -34,6 +35,7 @@ SphereResult measure_stage(const GrainStageIn<3>& stage, SphereResult made, cons
   if (place == 0) return made;
   made.texture.update(fields::loads_of(made, recipe.stages[place - 1]));
   made.texture.update(fields::triaxial_numbers(made));
+  made.texture.update(fields::shear_numbers(made));
   if (Numbers discharge = fields::discharge_numbers(made.history); !discharge.empty())
     made.texture["discharge"] = std::move(discharge);
   return made;

@@ -37,29 +37,6 @@ Values shortening(const Values& size, double start) {
   return mapped(size, [&](double now) { return 1 - now / start; });
 }
 
-/// Strain by two sides that slide, the other's way ahead of the one's over their distance, row by row since the first
-/// row of the history; empty where neither slides.
-Values strain_between(const History& rows, const History& since, int one, int other, const Values& distance) {
-  const auto way_in = [&](const History& of, std::size_t k) {
-    double way = 0;
-    for (const int side : {one, other})
-      if (const Values* slid = of.find(std::string(side_names[static_cast<std::size_t>(side)]) + "_slid"))
-        way += (side == other ? 1 : -1) * (*slid)[k];
-    return way;
-  };
-  Values strain(distance.size(), 0.0);
-  bool slides = false;
-  double before = way_in(since, 0), inverse = 1 / distance.front(), sum = 0;
-  for (std::size_t k = 0; k < strain.size(); ++k) {
-    const double way = way_in(rows, k);
-    slides |= way != before;
-    strain[k] = sum += 0.5 * (way - before) * (inverse + 1 / distance[k]);
-    before = way, inverse = 1 / distance[k];
-  }
-  if (!slides) strain.clear();
-  return strain;
-}
-
 /// Of a cell that is sheared or between walls that slide; empty where neither is.
 struct Shear {
   Values strain;
@@ -99,28 +76,6 @@ const Values* uniaxial_stress(const SideStresses& s, const Values& xx, const Val
   if (largest(xx) <= unloaded * largest(yy) || is_drawn(s.height, yy)) return &yy;
   if (largest(yy) <= unloaded * largest(xx) || is_drawn(s.width, xx)) return &xx;
   return nullptr;
-}
-
-/// a/b, NaN where b is all but nothing.
-Values ratio(const Values& a, const Values& b) {
-  const double least = unloaded * *std::ranges::max_element(b);
-  Values result;
-  for (std::size_t k = 0; k < a.size(); ++k)
-    result.push_back(b[k] > least && b[k] > 0 ? a[k] / b[k] : statistics::unknown);
-  return result;
-}
-
-/// Change of a value with time, to the second order inside and the first at the ends.
-Values rate_of(const Values& value, const Values& time) {
-  const std::size_t n = value.size();
-  const auto slope = [&](std::size_t k) { return (value[k + 1] - value[k]) / (time[k + 1] - time[k]); };
-  Values rate(n, 0.0);
-  rate.front() = slope(0), rate.back() = slope(n - 2);
-  for (std::size_t k = 1; k + 1 < n; ++k) {
-    const double to = time[k + 1] - time[k], from = time[k] - time[k - 1];
-    rate[k] = (from * slope(k) + to * slope(k - 1)) / (from + to);
-  }
-  return rate;
 }
 
 void put_sides(const Values& x, const Values& y, Columns& to) {
@@ -175,13 +130,13 @@ void put_stresses(Loading& of, const SideStresses& s, double thickness) {
     }
     to.put("p", "Pa", "Mean of the two normal stresses on the sides", p);
     to.put("q", "Pa", "Half the difference of the principal stresses on the sides", q);
-    to.put("q_over_p", "", "q over p: the sine of the mobilised angle of friction", ratio(q, p));
+    to.put("q_over_p", "", "q over p: the sine of the mobilised angle of friction", loaded_ratio(q, p));
     of.shear = std::move(q), of.normal = std::move(p);
   }
   if (of.sheared) {
     of.shear = tau, of.normal = of.along_y ? xx : yy;
     to.put("mu", "", "Shear over normal stress on the sheared sides, negative for shear to the left",
-           ratio(of.shear, of.normal));
+           loaded_ratio(of.shear, of.normal));
   }
 }
 
@@ -216,6 +171,47 @@ void put_inertial_number(Loading& of, const Packing& packing) {
 bool is_upright(double x, double y, bool confined) { return confined ? y >= x : std::abs(y) >= std::abs(x); }
 
 }  // namespace
+
+Values strain_between(const History& rows, const History& since, int one, int other, const Values& distance) {
+  const auto way_in = [&](const History& of, std::size_t k) {
+    double way = 0;
+    for (const int side : {one, other})
+      if (const Values* slid = of.find(std::string(any_side_names[static_cast<std::size_t>(side)]) + "_slid"))
+        way += (side == other ? 1 : -1) * (*slid)[k];
+    return way;
+  };
+  Values strain(distance.size(), 0.0);
+  bool slides = false;
+  double before = way_in(since, 0), inverse = 1 / distance.front(), sum = 0;
+  for (std::size_t k = 0; k < strain.size(); ++k) {
+    const double way = way_in(rows, k);
+    slides |= way != before;
+    strain[k] = sum += 0.5 * (way - before) * (inverse + 1 / distance[k]);
+    before = way, inverse = 1 / distance[k];
+  }
+  if (!slides) strain.clear();
+  return strain;
+}
+
+Values rate_of(const Values& value, const Values& time) {
+  const std::size_t n = value.size();
+  const auto slope = [&](std::size_t k) { return (value[k + 1] - value[k]) / (time[k + 1] - time[k]); };
+  Values rate(n, 0.0);
+  rate.front() = slope(0), rate.back() = slope(n - 2);
+  for (std::size_t k = 1; k + 1 < n; ++k) {
+    const double to = time[k + 1] - time[k], from = time[k] - time[k - 1];
+    rate[k] = (from * slope(k) + to * slope(k - 1)) / (from + to);
+  }
+  return rate;
+}
+
+Values loaded_ratio(const Values& a, const Values& b) {
+  const double least = unloaded * *std::ranges::max_element(b);
+  Values result;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    result.push_back(b[k] > least && b[k] > 0 ? a[k] / b[k] : statistics::unknown);
+  return result;
+}
 
 bool has_history(const StageResult& stage) {
   const Values* time = stage.history.find("time");

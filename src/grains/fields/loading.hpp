@@ -49,6 +49,15 @@ statistics::Columns strains_of_box(const std::vector<Snapshot>& states, const Do
 /// `dissipated_energy` and `work`, J, since the first row; nothing where energies were not tracked.
 statistics::Columns energies_of(const History& rows);
 
+/// Shear strain by two sides that slide, the other's way ahead of the one's over their distance (m), row by row since
+/// the first row of `since`; empty where neither slides.
+std::vector<double> strain_between(const History& rows, const History& since, int one, int other,
+                                   const std::vector<double>& distance);
+/// Change of a value with time, to the second order inside and the first at the ends.
+std::vector<double> rate_of(const std::vector<double>& value, const std::vector<double>& time);
+/// a/b, NaN where b is all but nothing.
+std::vector<double> loaded_ratio(const std::vector<double>& a, const std::vector<double>& b);
+
 /// Values at a time between two rows, straight from one to the next; those of the first and last row beyond them.
 double at_time(const std::vector<double>& time, const std::vector<double>& values, double t);
 

@@ -11,8 +11,6 @@
 namespace arenite::fields {
 namespace {
 
-constexpr double strain_of_a_test = 2e-3;
-
 std::vector<double> sizes_of(const std::vector<double>& values) {
   return mapped(values, [](double v) { return std::abs(v); });
 }

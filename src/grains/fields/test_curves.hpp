@@ -28,6 +28,8 @@ struct TestCurves {
   const char* ratio_unit() const { return sheared || confined ? "" : "Pa"; }
 };
 
+inline constexpr double strain_of_a_test = 2e-3;  ///< less is none
+
 /// From the forces on the sides and their places. Nothing for a stage that strains by less than 0.2 %, on which nothing
 /// presses, or that kept no history of its sides.
 std::optional<TestCurves> test_curves(const Test& test);

@@ -135,7 +135,7 @@ std::vector<Headline> headlines_of(const VoxelResult& sample) {
 std::vector<Headline> headlines_of(const SphereResult& sample) {
   std::vector<Headline> list;
   using enum fields::TestKind;
-  for (const auto kind : {discharge, uniaxial, biaxial}) {
+  for (const auto kind : {discharge, uniaxial, biaxial, shear}) {
     std::vector<Headline> of_test;
     add_known(of_test, headlines_of(kind), sample.texture);
     if (list.empty() && of_test.size() > 1) list = of_test;

@@ -167,7 +167,7 @@ template <std::size_t k> Drawings draw_history(const SphereResult& stage) {
 }  // namespace
 
 const std::vector<Row<SphereResult>>& sphere_figures() {
-  static const std::vector<Row<SphereResult>> all{{row_of(stage_figures(), "test-curves").head, triaxial_drawing},
+  static const std::vector<Row<SphereResult>> all{{row_of(stage_figures(), "test-curves").head, drawing_of_test},
                                                   {row_of(stage_figures(), over_time[0]).head, draw_history<0>},
                                                   {orientations_of_spheres, draw_orientations},
                                                   {row_of(state_figures(), of_spheres[0]).head, draw_state<0>},

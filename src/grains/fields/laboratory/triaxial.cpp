@@ -1,11 +1,10 @@
 #include "grains/fields/laboratory/triaxial.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string>
 #include <vector>
 
+#include "grains/fields/laboratory/box_in_space.hpp"
 #include "grains/fields/steady_state.hpp"
 #include "grains/fields/test_curves.hpp"
 
@@ -14,33 +13,6 @@ namespace {
 
 using Values = std::vector<double>;
 using statistics::described;
-
-const Values* column(const History& history, int side, const char* what) {
-  return history.find(std::string(any_side_names[static_cast<std::size_t>(side)]) + what);
-}
-
-/// Extents along the axes and mean stresses on the two sides across each, row by row.
-struct Box {
-  std::array<Values, 3> size, stress;
-};
-
-std::optional<Box> box_of(const History& history) {
-  Box box;
-  std::array<Values, 3> force;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto *low = column(history, 2 * axis, "_position"), *high = column(history, 2 * axis + 1, "_position"),
-               *push = column(history, 2 * axis, "_force"), *pull = column(history, 2 * axis + 1, "_force");
-    if (!low || !high || !push || !pull || low->empty()) return {};
-    for (std::size_t k = 0; k < low->size(); ++k) {
-      box.size[axis].push_back((*high)[k] - (*low)[k]);
-      force[axis].push_back(0.5 * ((*push)[k] + (*pull)[k]));
-    }
-  }
-  for (int axis = 0; axis < 3; ++axis)
-    for (std::size_t k = 0; k < force[axis].size(); ++k)
-      box.stress[axis].push_back(force[axis][k] / (box.size[(axis + 1) % 3][k] * box.size[(axis + 2) % 3][k]));
-  return box;
-}
 
 bool is_moved(const dem::Stage& stage, int side) {
   const dem::Driven velocity{dem::Driven::What::velocity, side};
@@ -61,12 +33,10 @@ int closing_axis(const dem::Stage& stage) {
 }
 
 std::optional<statistics::Columns> triaxial_curves(const SphereResult& result, int axis) {
-  const auto box = box_of(result.history);
+  const auto box = box_in_space(result.history);
   if (axis < 0 || !box || result.snapshots.empty()) return {};
   const Values& height = box->size[static_cast<std::size_t>(axis)];
-  const double solid = result.snapshots.back().packing.grains.volume();
-  Values axial, volumetric, stress, p, q, ratio, fraction;
-  const auto volume = [&](std::size_t k) { return box->size[0][k] * box->size[1][k] * box->size[2][k]; };
+  Values axial, stress, p, q, ratio;
   for (std::size_t k = 0; k < height.size(); ++k) {
     const double all = box->stress[0][k] + box->stress[1][k] + box->stress[2][k];
     stress.push_back(box->stress[static_cast<std::size_t>(axis)][k]);
@@ -74,17 +44,16 @@ std::optional<statistics::Columns> triaxial_curves(const SphereResult& result, i
     q.push_back(1.5 * stress[k] - 0.5 * all);
     ratio.push_back(p[k] > 0 ? q[k] / p[k] : statistics::unknown);
     axial.push_back(1 - height[k] / height[0]);
-    volumetric.push_back(1 - volume(k) / volume(0));
-    fraction.push_back(solid / volume(k));
   }
   statistics::Columns curves;
   curves.put("axial_strain", "", "Strain along the axis that closes, compression positive", axial);
-  curves.put("volumetric_strain", "", "Volumetric strain, compaction positive", volumetric);
+  curves.put("volumetric_strain", "", "Volumetric strain, compaction positive", box->volumetric_strain());
   curves.put("axial_stress", "Pa", "Mean normal stress on the two sides that close", stress);
   curves.put("p", "Pa", "Mean of the three normal stresses on the sides", p);
   curves.put("q", "Pa", "Axial stress less the mean of the two others", q);
   curves.put("q_over_p", "", "Stress ratio from the forces on the sides", ratio);
-  curves.put("solid_fraction", "", "Volume of grains over that of the box", fraction);
+  curves.put("solid_fraction", "", "Volume of grains over that of the box",
+             box->solid_fraction(result.snapshots.back().packing.grains.volume()));
   return curves;
 }
 

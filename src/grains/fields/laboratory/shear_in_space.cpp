@@ -1,0 +1,109 @@
+#include "grains/fields/laboratory/shear_in_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/mapped.hpp"
+#include "grains/fields/laboratory/box_in_space.hpp"
+#include "grains/fields/regime/prediction.hpp"
+#include "grains/texture/mass.hpp"
+
+namespace arenite::fields {
+namespace {
+
+using Values = std::vector<double>;
+
+/// Two sides that go past each other.
+struct Sheared {
+  int axis = 1;   ///< across them
+  Values strain;  ///< row by row
+  Values tau;     ///< Pa, positive where the second is held back
+};
+
+/// Half of what the first bears along itself less the second, over their area.
+Values shear_stress(const History& history, const BoxInSpace& box, int axis) {
+  const std::string along = axis == 0 ? "_shear_force_y" : "_shear_force_x";
+  const Values *low = column_of_side(history, 2 * axis, along), *high = column_of_side(history, 2 * axis + 1, along);
+  Values tau;
+  for (std::size_t k = 0; low && high && k < box.rows(); ++k)
+    tau.push_back(0.5 * ((*low)[k] - (*high)[k]) / box.area(axis, k));
+  return tau;
+}
+
+std::optional<Sheared> sheared(const History& history, const BoxInSpace& box) {
+  if (const Values* cell = history.find("shear_strain"))
+    return Sheared{1, mapped(*cell, [&](double v) { return v - cell->front(); }), shear_stress(history, box, 1)};
+  for (const int axis : {1, 2, 0}) {
+    Values strain = strain_between(history, history, 2 * axis, 2 * axis + 1, box.size[axis]);
+    if (!strain.empty()) return Sheared{axis, std::move(strain), shear_stress(history, box, axis)};
+  }
+  return {};
+}
+
+double density_of(const PackingIn<3>& packing) {
+  double mass = 0;
+  for (std::size_t g = 0; g < packing.grains.size(); ++g) mass += texture::mass_of(packing, g);
+  return mass / packing.grains.volume();
+}
+
+Values inertial_numbers(const Values& strain, const Values& time, const Values& pressure, const PackingIn<3>& packing) {
+  const double diameter = packing.grains.mean_diameter(), density = density_of(packing);
+  const Values rate = rate_of(strain, time);
+  Values number;
+  for (std::size_t k = 0; k < rate.size(); ++k)
+    number.push_back(inertial_number(rate[k], diameter, density, pressure[k]));
+  return number;
+}
+
+}  // namespace
+
+std::optional<statistics::Columns> shear_columns(const SphereResult& result) {
+  const Values* time = result.history.find("time");
+  const auto box = box_in_space(result.history);
+  if (!time || time->size() < 2 || !box || result.snapshots.empty()) return {};
+  auto of = sheared(result.history, *box);
+  if (!of || of->tau.empty()) return {};
+  const Values& normal = box->stress[static_cast<std::size_t>(of->axis)];
+  const PackingIn<3>& packing = result.snapshots.back().packing;
+  statistics::Columns curves;
+  curves.put("shear_strain", "", "Shear strain of the cell, or by the sides that slide, since the first row",
+             of->strain);
+  curves.put("tau", "Pa", "Shear stress along the sheared sides, positive where the second is held back", of->tau);
+  curves.put("normal_stress", "Pa", "Mean normal stress on the sheared sides, compression positive", normal);
+  curves.put("mu", "", "Shear over normal stress on the sheared sides", loaded_ratio(of->tau, normal));
+  curves.put("volumetric_strain", "", "Volumetric strain, compaction positive", box->volumetric_strain());
+  curves.put("solid_fraction", "", "Volume of grains over that of the box",
+             box->solid_fraction(packing.grains.volume()));
+  curves.put("inertial_number", "", "Rate of shear times mean diameter over sqrt(normal stress/density)",
+             inertial_numbers(of->strain, *time, normal, packing));
+  return curves;
+}
+
+std::optional<TestCurves> shear_in_space(const SphereResult& result) {
+  auto columns = shear_columns(result);
+  const auto size = [](const Values& values) { return mapped(values, [](double v) { return std::abs(v); }); };
+  if (!columns || (*columns)["tau"].size() < 3 || !(std::ranges::max((*columns)["normal_stress"]) > 0)) return {};
+  TestCurves curves;
+  curves.sheared = true;
+  curves.strain_name = "shear strain";
+  curves.strain = size((*columns)["shear_strain"]);
+  if (std::ranges::max(curves.strain) < strain_of_a_test) return {};
+  curves.ratio = size((*columns)["mu"]);
+  curves.shear = (*columns)["tau"], curves.normal = (*columns)["normal_stress"];
+  curves.volume = (*columns)["volumetric_strain"];
+  curves.solid_fraction = (*columns)["solid_fraction"];
+  curves.inertial_number = (*columns)["inertial_number"];
+  return curves;
+}
+
+Numbers shear_numbers(const SphereResult& result) {
+  Numbers numbers = Numbers::tree();
+  const auto curves = result.asked.closes < 0 ? shear_in_space(result) : std::nullopt;
+  if (const auto state = curves ? critical_state(*curves) : std::nullopt)
+    numbers["critical_state"] = numbers_of(*curves, *state);
+  return numbers;
+}
+
+}  // namespace arenite::fields
