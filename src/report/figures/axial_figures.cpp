@@ -12,6 +12,7 @@
 #include "core/mapped.hpp"
 #include "grains/fields/laboratory/axial_tests.hpp"
 #include "grains/fields/laboratory/triaxial.hpp"
+#include "grains/fields/loading.hpp"
 #include "report/figures/test_figures.hpp"
 
 namespace arenite::report::figures {
@@ -83,9 +84,13 @@ Drawings triaxial_drawing(const SphereResult& stage) {
   const auto curves = fields::triaxial_curves(stage, stage.asked.closes);
   if (!curves || (*curves)["p"].size() < 3) return {};
   const Values strain = scaled((*curves)["axial_strain"], 100);
+  Chosen states;
+  for (const SnapshotIn<3>& state : stage.snapshots)
+    states.x.push_back(fields::at_time(*stage.history.find("time"), strain, state.time));
   const auto against = [&](Axis y) {
     return Panel{.x = {.label = "axial strain in \u201c" + stage.name + "\u201d", .unit = "%", .brief = "axial strain"},
-                 .y = std::move(y)};
+                 .y = std::move(y),
+                 .now = states};
   };
   Drawing drawing;
   if (!fields::is_confined(*curves)) {
