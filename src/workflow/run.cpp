@@ -20,9 +20,7 @@
 #include "workflow/state_of_now.hpp"
 
 namespace arenite::workflow {
-
 namespace fs = std::filesystem;
-
 namespace {
 
 /// The stages of grains of an outcome.

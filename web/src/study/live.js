@@ -88,6 +88,10 @@ export function livePage(state) {
   look();
   return {
     head: [title, where],
-    body: [h("section", { class: "card live" }, now, bar, h("p", {}, link, " ", stop, " ", answer), stages), spheres.element, cards],
+    body: [
+      h("section", { class: "card live" }, now, bar, h("p", {}, link, " ", stop, " ", answer), stages),
+      spheres.element,
+      cards,
+    ],
   };
 }
