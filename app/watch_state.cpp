@@ -90,12 +90,9 @@ void WatchState::read_stages() {
     if (stages_.contains(name)) continue;
     try {
       const auto any = io::read_result(file);
-      stages_[name] = {name, ""};
-      if (const auto* field = std::get_if<FieldResult>(&any)) stages_[name] = {field->name, field->outcome};
+      stages_[name] = std::visit([](const auto& result) { return Stage{result.name, result.outcome}; }, any);
       const auto* stage = std::get_if<StageResult>(&any);
-      if (!stage) continue;
-      stages_[name] = {stage->name, stage->outcome};
-      if (!stage->snapshots.empty()) before_ = stage->snapshots.back().packing;
+      if (stage && !stage->snapshots.empty()) before_ = stage->snapshots.back().packing;
     } catch (const InputError&) {  // damaged, or moved aside meanwhile
     }
   }
@@ -108,7 +105,9 @@ void WatchState::read_now() {
   const auto written = fs::last_write_time(file, error);
   if (error || written == now_written_ || fs::file_size(file, error) > cheap) return;
   try {
-    figures_ = report::figures::live_figures(io::read_stage(file), before_ ? &*before_ : nullptr);
+    const auto now = io::read_result(file);
+    if (const auto* spheres = std::get_if<SphereResult>(&now)) figures_ = report::figures::live_figures(*spheres);
+    else figures_ = report::figures::live_figures(std::get<StageResult>(now), before_ ? &*before_ : nullptr);
     now_written_ = written;
     ++at_;
   } catch (const InputError&) {  // the run has just replaced it, or its stage has ended

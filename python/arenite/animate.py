@@ -90,7 +90,9 @@ def write_gif(path, pictures, fps, progress):
         return Image.fromarray(pictures.image(k)[..., :3].copy())
 
     palette = palette_of(
-        [image(k) for k in (0, len(pictures) // 2, len(pictures) - 1)], pictures.style.get("colour_map")
+        [image(k) for k in (0, len(pictures) // 2, len(pictures) - 1)],
+        pictures.style.get("colour_map"),
+        scale=40 if pictures.shots[0].in_space else 176,  # surfaces that are lit have many shades
     )
     frames = []
     for k in range(len(pictures)):

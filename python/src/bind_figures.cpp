@@ -169,6 +169,15 @@ void bind_figures(py::module_& m) {
       py::arg("stage"), py::arg("before"), py::arg("x"), py::arg("y"),
       "A panel of one curve of a test, or column of its history, against another.");
   m.def(
+      "_curve_of_stage",
+      [](const SphereResult& stage, const std::string& x, const std::string& y) {
+        return drawn([&] {
+          return Numbers{
+              {"panel", figures::numbers_of(figures::one_against_another(stage, x, y), figures::whole_list)}};
+        });
+      },
+      py::arg("stage"), py::arg("x"), py::arg("y"));
+  m.def(
       "_test_of_stage",
       [](const StageResult& stage, const Packing* before) {
         return drawn([&] {

@@ -21,10 +21,37 @@ namespace {
 
 namespace figures = report::figures;
 
-py::array_t<double> pairs(const std::vector<Vec2>& values) {
+/// Vectors as rows.
+template <int D> py::array_t<double> rows_of_vectors(const std::vector<Vec<D>>& values) {
   std::vector<double> flat;
-  for (const Vec2& v : values) flat.insert(flat.end(), {v.x, v.y});
-  return taken_over(std::move(flat), {static_cast<py::ssize_t>(values.size()), 2});
+  for (const Vec<D>& v : values)
+    for (int axis = 0; axis < D; ++axis) flat.push_back(v[axis]);
+  return taken_over(std::move(flat), {static_cast<py::ssize_t>(values.size()), D});
+}
+
+template <int D>
+py::list displacements_of(const std::vector<const PackingIn<D>*>& packings, const std::vector<double>& shear_strain) {
+  if (!shear_strain.empty() && shear_strain.size() != packings.size())
+    throw refusal("there are {} packings and {} shear strains; give as many", packings.size(), shear_strain.size());
+  std::vector<texture::ShearedIn<D>> states;
+  for (std::size_t k = 0; k < packings.size(); ++k)
+    states.push_back({packings[k], shear_strain.empty() ? 0 : shear_strain[k]});
+  Call call;
+  const auto ways = call.without_lock([&] { return texture::displacements(states); });
+  py::list list;
+  for (const auto& way : ways) list.append(rows_of_vectors<D>(way));
+  return list;
+}
+
+template <class Packing_> py::array_t<double> values_of_grains(const Packing_& packing, const std::string& name) {
+  Call call;
+  return taken_over(call.without_lock([&] { return texture::values_of(packing, name); }));
+}
+
+template <class Packing_>
+py::array_t<double> mobilisations_of(const Packing_& packing, std::optional<double> friction) {
+  Call call;
+  return taken_over(call.without_lock([&] { return texture::mobilisations(packing, friction); }));
 }
 
 template <class Kinds> py::dict named_kinds(const Kinds& kinds) {
@@ -139,43 +166,24 @@ void bind_pictures(py::module_& m) {
   m.def(
       "_doubtful_contacts", [](const FilmResult& film) { return taken_over(inference::doubtful_contacts(film)); },
       py::arg("film"), "1 for each contact that counts as there, and by its force and its gap may not be.");
-  m.def(
-      "grain_values",
-      [](const Packing& packing, const std::string& name) {
-        Call call;
-        return taken_over(call.without_lock([&] { return texture::values_of(packing, name); }));
-      },
-      py::arg("packing"), py::arg("name"),
-      "A number of every grain: x, y, size (diameter, m), coordination (contacts), pressure, deviator (half the "
-      "difference of the principal stresses, Pa), friction (mean |F_t|/F_n of the contacts that push), speed, vx, vy "
-      "(m/s), spin (rad/s).");
-  m.def(
-      "mobilisation",
-      [](const Packing& packing, std::optional<double> friction) {
-        Call call;
-        return taken_over(call.without_lock([&] { return texture::mobilisations(packing, friction); }));
-      },
-      py::arg("packing"), py::arg("friction") = py::none(),
-      "Mean |F_t|/(mu F_n) of the contacts of every grain that push; of |F_t|/F_n where mu is not given; 0 without "
-      "friction.");
-  m.def(
-      "displacements",
-      [](const std::vector<const Packing*>& packings, const std::vector<double>& shear_strain) {
-        if (!shear_strain.empty() && shear_strain.size() != packings.size())
-          throw refusal("there are {} packings and {} shear strains; give as many", packings.size(),
-                        shear_strain.size());
-        std::vector<texture::Sheared> states;
-        for (std::size_t k = 0; k < packings.size(); ++k)
-          states.push_back({packings[k], shear_strain.empty() ? 0 : shear_strain[k]});
-        Call call;
-        const auto ways = call.without_lock([&] { return texture::displacements(states); });
-        py::list list;
-        for (const auto& way : ways) list.append(pairs(way));
-        return list;
-      },
-      py::arg("packings"), py::arg("shear_strain") = std::vector<double>{},
-      "Displacements of grains since the first of these states, m, (n, 2) for each; without the shear of a cell whose "
-      "strains are given. In a periodic cell grains must not move farther than half a cell between two states.");
+  const char *values =
+                 "A number of every grain: x, y, size (diameter, m), coordination (contacts), pressure, deviator "
+                 "(half the difference of the principal stresses, of spheres sqrt(3 J_2), Pa), friction (mean "
+                 "|F_t|/F_n of the contacts that push), speed, vx, vy (m/s), spin (rad/s).",
+             *mobilised =
+                 "Mean |F_t|/(mu F_n) of the contacts of every grain that push; of |F_t|/F_n where mu is not "
+                 "given; 0 without friction.",
+             *ways =
+                 "Displacements of grains since the first of these states, m, (n, 2) for each, of spheres (n, 3); "
+                 "without the shear of a cell whose strains are given. In a periodic cell grains must not move "
+                 "farther than half a cell between two states.";
+  m.def("grain_values", &values_of_grains<Packing>, py::arg("packing"), py::arg("name"), values);
+  m.def("grain_values", &values_of_grains<PackingIn<3>>, py::arg("packing"), py::arg("name"));
+  m.def("mobilisation", &mobilisations_of<Packing>, py::arg("packing"), py::arg("friction") = py::none(), mobilised);
+  m.def("mobilisation", &mobilisations_of<PackingIn<3>>, py::arg("packing"), py::arg("friction") = py::none());
+  m.def("displacements", &displacements_of<2>, py::arg("packings"), py::arg("shear_strain") = std::vector<double>{},
+        ways);
+  m.def("displacements", &displacements_of<3>, py::arg("packings"), py::arg("shear_strain") = std::vector<double>{});
   m.def("_at_time", &fields::at_time, py::arg("time"), py::arg("values"), py::arg("t"),
         "Values at a time between two rows, straight from one to the next; those of the first and last row beyond.");
   m.def(
@@ -187,13 +195,26 @@ void bind_pictures(py::module_& m) {
       },
       py::arg("packings"), "Rotations of grains since the first of these states, rad, an array for each.");
   const char* scale = "(mean, tension), N: forces above the one are strong, those below the other pull.";
-  m.def("_mean_push", &texture::mean_push, py::arg("states"),
-        "Mean force of the contacts that push, of several states together, N.");
+  m.def("_mean_push", static_cast<double (*)(const std::vector<const Contacts*>&)>(&texture::mean_push),
+        py::arg("states"), "Mean force of the contacts that push, of several states together, N.");
+  m.def(
+      "_mean_push",
+      [](const std::vector<const PackingIn<3>*>& states) {
+        return texture::mean_push(
+            mapped(states, [](const PackingIn<3>* p) -> const ContactsIn<3>* { return &p->contacts; }));
+      },
+      py::arg("states"));
   m.def(
       "_force_scale",
       [](const StageResult& stage, const Snapshot& state) {
         return scale_of(
             [&] { return figures::force_scale(state.packing, figures::state_numbers(stage, state, false)); });
+      },
+      py::arg("stage"), py::arg("state"), scale);
+  m.def(
+      "_force_scale",
+      [](const SphereResult& stage, const SnapshotIn<3>& state) {
+        return scale_of([&] { return figures::force_scale(stage, state); });
       },
       py::arg("stage"), py::arg("state"), scale);
   m.def(

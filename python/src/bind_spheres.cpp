@@ -122,6 +122,9 @@ void bind_spheres(py::module_& m) {
   def_array(
       packing, "contact_j", [](const auto& p) -> auto& { return p.contacts.j; },
       "Its partner; -1 to -6: the left, right, bottom, top, back, front wall; (M,).");
+  packing.def_property_readonly(
+      "materials", [](const PackingIn<3>& p) { return p.materials; },
+      "Materials, to which `material` refers by index.");
   def_rows(
       packing, "normal", [](const auto& p) -> auto& { return p.contacts.normal; }, "Unit vector from j to i; (M, 3).");
   def_array(
@@ -164,10 +167,35 @@ void bind_spheres(py::module_& m) {
       .def("__repr__", [](const PackingIn<3>& p) {
         return "<arenite.SpherePacking of " + std::to_string(p.grains.size()) + " spheres>";
       });
+  py::class_<SnapshotIn<3>>(m, "SphereSnapshot", "One stored state of a stage of spheres.")
+      .def_readonly("time", &SnapshotIn<3>::time, "s since the start of the run.")
+      .def_readonly("step", &SnapshotIn<3>::step, "Time steps since the start of the run.")
+      .def_readonly("label", &SnapshotIn<3>::label, "\"increment 3 of 10\", \"cycle 2 maximum\".")
+      .def_property_readonly(
+          "packing", [](const SnapshotIn<3>& f) -> const PackingIn<3>& { return f.packing; },
+          py::return_value_policy::reference_internal, "Spheres and contacts in this state.")
+      .def("__repr__", [](const SnapshotIn<3>& f) { return "<arenite.SphereSnapshot \"" + f.label + "\">"; });
   py::class_<SphereResult>(m, "SphereStage", "Result of one stage of spheres.")
       .def_readonly("name", &SphereResult::name, "Its name in the recipe.")
       .def_readonly("converged", &SphereResult::converged, "Whether equilibrium was reached.")
       .def_readonly("outcome", &SphereResult::outcome, "How it ended, in words.")
+      .def_property_readonly(
+          "snapshots",
+          [](const py::object& self) {
+            py::list snapshots;
+            for (const auto& snapshot : self.cast<const SphereResult&>().snapshots)
+              snapshots.append(py::cast(&snapshot, py::return_value_policy::reference_internal, self));
+            return snapshots;
+          },
+          "Stored states in time order.")
+      .def_property_readonly(
+          "asked",
+          [](const SphereResult& stage) {
+            py::dict d;
+            if (stage.asked.known) d["friction"] = stage.asked.friction;
+            return d;
+          },
+          "What it was asked for: the friction between spheres, where it is known.")
       .def_property_readonly(
           "states",
           [](const SphereResult& stage) {

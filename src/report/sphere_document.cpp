@@ -1,5 +1,7 @@
 #include "report/sphere_document.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +9,7 @@
 #include <functional>
 #include <iterator>
 #include <numeric>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,10 +17,10 @@
 
 #include "core/mapped.hpp"
 #include "geometry/face.hpp"
-#include "grains/texture/force_scale.hpp"
 #include "grains/texture/spheres/sphere_view.hpp"
 #include "report/figures/headlines.hpp"
 #include "report/figures/run_figures.hpp"
+#include "report/figures/state_numbers.hpp"
 #include "report/packing_layers.hpp"
 #include "report/page_document.hpp"
 
@@ -25,6 +28,7 @@ namespace arenite::report {
 namespace {
 
 constexpr std::size_t most_forces = 100'000;
+constexpr std::size_t most_spheres = 400'000;  // of all stored states together, each of about 30 bytes of the page
 
 /// Container: lowest corner and size, m; which axes are periodic, by how much the cell above is shifted along x, m, and
 /// which sides are walls.
@@ -85,18 +89,26 @@ Numbers boundaries_of(const DomainIn<3>& domain, NumberBlock& block) {
   return list;
 }
 
-Numbers state_of(const SnapshotIn<3>& state, const Numbers& measured, NumberBlock& block) {
+bool are_those(const GrainsIn<3>& of, const GrainsIn<3>& last) {
+  return of.id == last.id && of.radius == last.radius && of.material == last.material;
+}
+
+/// One state, with what its spheres are unless they are those of the last one.
+Numbers state_of(const SphereResult& stage, std::size_t place, NumberBlock& block) {
+  const SnapshotIn<3>& state = stage.snapshots[place];
   const PackingIn<3>& packing = state.packing;
   const GrainsIn<3>& grains = packing.grains;
-  Numbers out{{"label", state.label}, {"time", state.time}, {"count", grains.size()}};
+  Numbers out{{"label", state.label}, {"time", state.time}, {"place", place}, {"count", grains.size()}};
   out["container"] = container_of(packing.domain);
-  out["materials"] = materials_of(packing.materials);
-  out["id"] = block.add_integers(std::vector<std::int32_t>(grains.id.begin(), grains.id.end()));
+  if (place + 1 == stage.snapshots.size() || !are_those(grains, stage.snapshots.back().packing.grains)) {
+    out["materials"] = materials_of(packing.materials);
+    out["id"] = block.add_integers(std::vector<std::int32_t>(grains.id.begin(), grains.id.end()));
+    out["radius"] = block.add_reals(grains.radius, "m");
+    out["material"] = block.add_indices(grains.material);
+  }
   out["x"] = block.add_reals(mapped(grains.position, &Vec3::x), "m");
   out["y"] = block.add_reals(mapped(grains.position, &Vec3::y), "m");
   out["z"] = block.add_reals(mapped(grains.position, &Vec3::z), "m");
-  out["radius"] = block.add_reals(grains.radius, "m");
-  out["material"] = block.add_indices(grains.material);
   out["speed"] = block.add_coarse(mapped(grains.velocity, [](Vec3 v) { return norm(v); }), "m/s");
   if (!packing.domain.boundaries.empty()) out["boundaries"] = boundaries_of(packing.domain, block);
   if (!packing.bonds.empty()) out["bonds"] = bonds_of(packing.bonds, block);
@@ -105,12 +117,11 @@ Numbers state_of(const SnapshotIn<3>& state, const Numbers& measured, NumberBloc
   if (std::ranges::none_of(packing.contacts.fn, [](double force) { return force != 0; })) return out;
   out["stress"] = block.add_coarse(texture::spheres::hydrostatic_stresses(packing), "Pa");
   out["forces"] = forces_of(packing, block);
-  const double mean = figures::estimate_at(measured, "/force/mean_N").value;
-  out["force_scale"] = report::numbers_of(texture::force_scale(packing.contacts, mean));
+  out["force_scale"] = report::numbers_of(figures::force_scale(stage, state));
   return out;
 }
 
-Numbers stage_of(const SphereResult& r, NumberBlock& block, const figures::WriteList& write) {
+Numbers stage_of(const SphereResult& r, std::size_t every, NumberBlock& block, const figures::WriteList& write) {
   Numbers out{{"name", r.name},
               {"converged", r.converged},
               {"outcome", r.outcome},
@@ -118,14 +129,37 @@ Numbers stage_of(const SphereResult& r, NumberBlock& block, const figures::Write
               {"headlines", figures::numbers_of(figures::headlines_of(r))},
               {"figures", shortened(figures::numbers_of(figures::sphere_figures(), r, write, true))}};
   add_numbers(out, r.texture.is_tree() ? r.texture : Numbers::tree());
-  if (!r.snapshots.empty()) out["state"] = state_of(r.snapshots.back(), r.texture, block);
+  out["states"] = Numbers::list();
+  const std::size_t stored = r.snapshots.size();
+  for (std::size_t place = 0; place < stored; ++place)
+    if ((stored - 1 - place) % every == 0) out["states"].push_back(state_of(r, place, block));
+  if (stored < 2) return out;
+  std::string note = "Numbers and distributions beside are of the last state.";
+  if (every > 1)
+    note +=
+        fmt::format(" Of {} stored states one in {} is on the page, counted from the last; the stage's file has all.",
+                    stored, every);
+  out["note"] = note;
   return out;
+}
+
+/// Every so many states of each stage, counted from its last one, lest the page be too large.
+std::size_t states_per_shown(std::span<const SphereResult> stages) {
+  std::size_t spheres = 0;
+  for (const SphereResult& stage : stages)
+    for (const SnapshotIn<3>& state : stage.snapshots) spheres += state.packing.grains.size();
+  return 1 + spheres / most_spheres;
 }
 
 }  // namespace
 
 void add_spheres(Numbers& document, const PageData& data, NumberBlock& block, const figures::WriteList& write) {
-  for (const SphereResult& result : data.spheres) document["spheres"].push_back(stage_of(result, block, write));
+  const std::size_t every = states_per_shown(data.spheres);
+  for (const SphereResult& result : data.spheres) document["spheres"].push_back(stage_of(result, every, block, write));
+}
+
+Numbers state_of_now(const SphereResult& stage, NumberBlock& block) {
+  return state_of(stage, stage.snapshots.size() - 1, block);
 }
 
 }  // namespace arenite::report

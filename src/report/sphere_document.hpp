@@ -5,9 +5,12 @@
 
 namespace arenite::report {
 
-/// Adds "spheres" (one a stage of a sample of spheres) to the page's document: container and materials, and of its last
-/// state place, radius, material, contacts, mean stress (Pa, tension positive) and speed of every sphere, with the
-/// 100 000 largest forces between them.
+/// Adds "spheres" (one a stage of a sample of spheres) to the page's document: of its states container, and place,
+/// radius, material, contacts, mean stress (Pa, tension positive) and speed of every sphere, with the 100 000 largest
+/// forces between them; of many states of many spheres so many as the page can carry.
 void add_spheres(Numbers& document, const PageData& data, NumberBlock& block, const figures::WriteList& write);
+
+/// The last state of a stage under way, for the page that watches it.
+Numbers state_of_now(const SphereResult& stage, NumberBlock& block);
 
 }  // namespace arenite::report

@@ -20,9 +20,7 @@
 #include "workflow/state_of_now.hpp"
 
 namespace arenite::workflow {
-
 namespace fs = std::filesystem;
-
 namespace {
 
 /// The stages of grains of an outcome.
@@ -275,12 +273,14 @@ std::optional<SphereResult> load_stage(const GrainStageIn<3>& stage, dem::Engine
   dem::StageRunIn<3> run = begun_or_kept(engine, loading, stage.hash, checkpoint, options);
   if (carry_by_lammps(stage, engine, run, options, progress) == Part::stopped) return std::nullopt;
   CheckpointTimes times(options);
-  Progress now = progress;
-  for (now.increments = loading.duration ? 0 : dem::increment_count(loading); !run.finished;) {
+  StateOfNow now(stage, options.page_follows ? checkpoint.parent_path() : fs::path());
+  Progress far = progress;
+  for (far.increments = loading.duration ? 0 : dem::increment_count(loading); !run.finished;) {
     dem::continue_stage(engine, loading, run);
     end_where_met(stage, engine, run);
-    note_progress(engine, loading, run, now);
-    options.progress(now);
+    note_progress(engine, loading, run, far);
+    options.progress(far);
+    now.show(engine, run);
     if (run.finished || !times.is_due()) continue;
     keep(engine, run, stage.hash, checkpoint);
     if (times.asked_to_stop()) return std::nullopt;

@@ -10,8 +10,9 @@
 namespace arenite::workflow {
 namespace {
 
-StageResult as_it_is(const GrainStage& stage, const dem::Engine& engine, const dem::StageRun& run) {
-  dem::StageRun now;
+template <int D>
+StageResultIn<D> as_it_is(const GrainStageIn<D>& stage, const dem::EngineIn<D>& engine, const dem::StageRunIn<D>& run) {
+  dem::StageRunIn<D> now;
   now.latest = run.latest;
   dem::store_state(engine, "now", now);
   now.result.name = run.result.name;
@@ -23,16 +24,17 @@ StageResult as_it_is(const GrainStage& stage, const dem::Engine& engine, const d
 
 }  // namespace
 
-StateOfNow::StateOfNow(const GrainStage& stage, std::filesystem::path folder)
+template <int D>
+StateOfNow<D>::StateOfNow(const GrainStageIn<D>& stage, std::filesystem::path folder)
     : stage_(stage),
       file_(folder.empty() ? std::filesystem::path() : std::move(folder) / state_of_now) {}
 
-StateOfNow::~StateOfNow() {
+template <int D> StateOfNow<D>::~StateOfNow() {
   std::error_code ignored;
   if (!file_.empty()) std::filesystem::remove(file_, ignored);
 }
 
-void StateOfNow::show(const dem::Engine& engine, const dem::StageRun& run) {
+template <int D> void StateOfNow<D>::show(const dem::EngineIn<D>& engine, const dem::StageRunIn<D>& run) {
   const auto began = Clock::now();
   if (file_.empty() || began < next_) return;
   try {
@@ -41,5 +43,8 @@ void StateOfNow::show(const dem::Engine& engine, const dem::StageRun& run) {
   const auto took = Clock::now() - began;
   next_ = Clock::now() + std::max<Clock::duration>(std::chrono::seconds(2), 100 * took);
 }
+
+template class StateOfNow<2>;
+template class StateOfNow<3>;
 
 }  // namespace arenite::workflow

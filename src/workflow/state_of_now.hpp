@@ -12,18 +12,18 @@ inline constexpr const char* state_of_now = "run.now";
 
 /// Keeps a stage under way as a file for whoever watches: its history so far and its state of now, every few seconds
 /// and at most for a hundredth of the time. The file goes with this. A disk that is full stops no run.
-class StateOfNow {
+template <int D> class StateOfNow {
  public:
   /// Nowhere if `folder` is empty.
-  StateOfNow(const GrainStage& stage, std::filesystem::path folder);
+  StateOfNow(const GrainStageIn<D>& stage, std::filesystem::path folder);
   ~StateOfNow();
   StateOfNow(const StateOfNow&) = delete;
   StateOfNow& operator=(const StateOfNow&) = delete;
-  void show(const dem::Engine& engine, const dem::StageRun& run);
+  void show(const dem::EngineIn<D>& engine, const dem::StageRunIn<D>& run);
 
  private:
   using Clock = std::chrono::steady_clock;
-  const GrainStage& stage_;
+  const GrainStageIn<D>& stage_;
   std::filesystem::path file_;
   Clock::time_point next_ = Clock::now() + std::chrono::seconds(1);
 };

@@ -54,6 +54,6 @@ TEST(HopperInSpace, FlowsAndIsSeenByOtherProgramsAndOnThePage) {
   const auto read = test::shell("/usr/bin/python3 " + (folder / "faces.py").string() + " " + vtk);
   EXPECT_EQ(read.status, 0) << read.err;
   const auto flow = test::document_of_page(out + "/report.html")["spheres"].back();
-  EXPECT_EQ(flow["state"]["boundaries"][0]["name"], "hopper");
+  EXPECT_EQ(flow["states"].back()["boundaries"][0]["name"], "hopper");
   EXPECT_TRUE(flow["figures"].contains("discharge") && flow["figures"].contains("boundary-forces")) << flow["figures"];
 }

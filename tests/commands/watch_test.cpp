@@ -5,9 +5,11 @@
 #include <csignal>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/program.hpp"
+#include "support/small_spheres.hpp"
 #include "support/watched_run.hpp"
 
 namespace arenite {
@@ -63,6 +65,33 @@ TEST(Watch, ShowsARunAsItGrowsAndStopsIt) {
   EXPECT_FALSE(fs::exists(out / "run.now"));
   EXPECT_EQ(page.post("stop").status, 409);
   EXPECT_EQ(test::arenite("show " + out.string()).out.find("Stopped: stage 3 of 3, shear"), 0u);
+  EXPECT_EQ(watch.end(SIGTERM), 0);
+}
+
+TEST(Watch, ShowsSpheresAsTheyAreNow) {
+  std::string recipe = test::small_triaxial;
+  for (const auto& [what, slowly] : {std::pair{"20 mm/s", "0.1 mm/s"}, {"0.06 s", "20 s"}})
+    recipe.replace(recipe.find(what), std::string(what).size(), slowly);
+  const WatchedRun watched(recipe);
+  Background run = watched.begin(" --checkpoint-every 0.5");
+  ASSERT_TRUE(watched.begins()) << watched.printed();
+  Background watch = watched.watch();
+  const Page page = watched.page();
+  ASSERT_GT(page.port, 0) << watched.printed();
+  nlohmann::json state;
+  ASSERT_TRUE(becomes([&] {
+    state = page.state();
+    return state["figures"].size() > 1 && state["figures"][1]["id"] == "test-curves";
+  })) << "of the stage that closes along one axis";
+  const auto drawn = state["figures"];
+  EXPECT_EQ(drawn[0]["spheres"]["states"][0]["count"], 150);
+  EXPECT_EQ(drawn[0]["spheres"]["states"][0]["forces"]["fn"]["as"], "f4");
+  EXPECT_FALSE(drawn[0]["block"].get<std::string>().empty());
+  EXPECT_EQ(state["stages"][1]["name"], "confine");
+  EXPECT_TRUE(becomes([&] { return page.state()["at"] > state["at"]; })) << "the state of now is kept anew";
+  EXPECT_EQ(page.post("stop").status, 200);
+  EXPECT_EQ(run.status(), 1);
+  EXPECT_FALSE(fs::exists(watched.out / "run.now"));
   EXPECT_EQ(watch.end(SIGTERM), 0);
 }
 

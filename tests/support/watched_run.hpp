@@ -144,7 +144,8 @@ class Page {
 /// A folder with a recipe, the run of it in the background or to its end, and the page by which it is watched.
 class WatchedRun {
  public:
-  explicit WatchedRun(const char* duration) { std::ofstream(folder / "recipe.toml") << recipe_of(duration); }
+  explicit WatchedRun(const char* duration) : WatchedRun(recipe_of(duration)) {}
+  explicit WatchedRun(const std::string& recipe) { std::ofstream(folder / "recipe.toml") << recipe; }
   /// The command that runs it, quietly, into that folder.
   std::string line(const std::filesystem::path& into) const {
     return "run " + (folder / "recipe.toml").string() + " --quiet --out " + into.string();

@@ -1,6 +1,7 @@
 const arrays = { f4: Float32Array, u1: Uint8Array, u2: Uint16Array, u4: Uint32Array, i4: Int32Array };
 
-async function inflate(base64) {
+/** The bytes of a deflated text in base64. */
+export async function inflate(base64) {
   const text = atob(base64.trim());
   const packed = new Uint8Array(text.length);
   for (let k = 0; k < text.length; ++k) packed[k] = text.charCodeAt(k);

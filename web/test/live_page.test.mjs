@@ -75,6 +75,54 @@ test("figures are drawn anew when they have changed, and only then", async (page
   assert.equal(await seen(), undefined);
 });
 
+/** Two spheres of which the upper one lies at a height, as the program tells of a state. */
+function spheresAt(y) {
+  const container = { corner: [0, 0, 0], size: [2, 4, 2], periodic: [false, false, false], tilt: 0, walls: [] };
+  const state = {
+    label: "now",
+    time: 0.1,
+    place: 0,
+    count: 2,
+    container,
+    materials: [{ name: "glass" }],
+    id: [1, 2],
+    x: [1, 1],
+    y: [0.5, y],
+    z: [1, 1],
+    radius: [0.5, 0.5],
+    material: [0, 0],
+    speed: [0, 1],
+  };
+  const empty = "eJwDAAAAAAE=";
+  return { id: "spheres", title: "Spheres now", spheres: { name: "fill", figures: {}, states: [state] }, block: empty };
+}
+
+test("spheres are one picture that stays as it was turned while they move", async (page) => {
+  const curves = run.figures[1];
+  await answered(page, { ...run, at: 5, figures: [spheresAt(3), curves] });
+  const canvas = page.locator("canvas.spheres");
+  await canvas.scrollIntoViewIfNeeded();
+  await canvas.evaluate((one) => (one.dataset.seen = "yes"));
+  await page.locator('[data-value="speed"]').click();
+  await canvas.focus();
+  for (let k = 0; k < 3; ++k) await page.keyboard.press("ArrowLeft");
+  const shot = () => canvas.evaluate((one) => one.toDataURL());
+  await page.waitForTimeout(400);
+  const before = await shot();
+  await answered(page, { ...run, at: 6, figures: [spheresAt(2), curves] });
+  await page.waitForTimeout(400);
+  assert.equal(await canvas.count(), 1);
+  assert.equal(await canvas.getAttribute("data-seen"), "yes");
+  assert.equal(await page.locator('[data-value="speed"]').getAttribute("aria-pressed"), "true");
+  assert.notEqual(await shot(), before, "they have moved");
+  await answered(page, { ...run, at: 7, figures: [spheresAt(3), curves] });
+  await page.waitForTimeout(400);
+  assert.equal(await shot(), before, "seen from the same side");
+  assert.equal(await page.locator('[data-figure="test-curves"] .drawing > svg').count(), 1);
+  await answered(page, { ...run, at: 8 });
+  assert.equal(await canvas.count(), 0);
+});
+
 test("the button asks the run to stop", async (page) => {
   await page.click("text=Stop the run");
   assert.ok((await page.evaluate(() => window.asked)).includes("POST stop"));

@@ -17,6 +17,8 @@ const asItBegins = {
   cutx: 100,
   cuty: 100,
   cutz: 100,
+  snapshot: 1,
+  half: "above",
   azimuth: 35,
   elevation: 25,
 };
@@ -234,6 +236,72 @@ test("it turns by dragging; 0 shows it as in the beginning; picture and address 
     "PNG",
   );
   assert.match((await saved(page, '[aria-label="Spheres"]:visible [data-save="svg"]')).toString(), /data:image\/png/);
+});
+
+test("the slider shows the stored states, each with its own places and container", async (page) => {
+  const heights = [];
+  for (const [snapshot, label] of [
+    [0, "1 of 2"],
+    [1, "2 of 2"],
+  ]) {
+    await pictureWith(page, { ...asItBegins, snapshot });
+    assert.match(await page.locator(".timeline:visible output").innerText(), new RegExp(`axial · ${label} · t = `));
+    const { top, highest, lowest } = await page.evaluate(() => {
+      const { state, size } = window.arenite.spheres.result,
+        ends = [...state.y].map((y, g) => [y - state.radius[g], y + state.radius[g]]);
+      return {
+        top: state.container.corner[1] + size[1],
+        lowest: Math.min(...ends.map(([low]) => low)) - state.container.corner[1],
+        highest: Math.max(...ends.map(([, high]) => high)),
+      };
+    });
+    assert.ok(Math.abs(highest - top) < 1e-4 && Math.abs(lowest) < 1e-4, "between its own platens");
+    heights.push(top);
+  }
+  assert.ok(heights[1] < heights[0] - 2e-4, `${heights}: the top comes down`);
+  await pictureWith(page, { ...asItBegins, snapshot: 0 });
+  const first = await pictureWith(page, { ...asItBegins, snapshot: 0, show: "stress" }),
+    places = (await placesIn(page)).filter(({ sphere }) => sphere !== null);
+  const last = await pictureWith(page, { ...asItBegins, show: "stress" });
+  let changed = 0;
+  for (const { x, y } of places) changed += differs(await first(x, y), await last(x, y));
+  assert.ok(changed > places.length / 4, `${changed} of ${places.length}`);
+  await set(page, { snapshot: 0 });
+  assert.match(page.url(), /axial-snapshot=0/);
+  assert.match(await page.locator('[aria-label="Spheres"]:visible .note:visible').innerText(), /of the last state\.$/);
+});
+
+test("the state shown is marked on the curves of its stage, and a click shows the one next to it", async (page) => {
+  await pictureWith(page, { ...asItBegins, snapshot: 0 });
+  const curves = page.locator('[data-figure="test-curves"]:visible .drawing svg').first();
+  const marks = () =>
+    curves.locator("line").evaluateAll((all) => all.map((line) => line.getAttribute("x1")).join(" "));
+  const before = await marks();
+  await curves.scrollIntoViewIfNeeded();
+  const box = await curves.boundingBox();
+  await page.mouse.click(box.x + 0.47 * box.width, box.y + 0.5 * box.height);
+  await settle(page);
+  assert.equal(await get(page, "snapshot"), 1);
+  assert.notDeepEqual(await marks(), before);
+});
+
+test("contact orientations as the picture turn with it", async (page) => {
+  await pictureWith(page, asItBegins);
+  const figure = page.locator('[data-figure="orientations"]:visible');
+  await figure.locator('[data-value="turned"]').click();
+  await settle(page);
+  const sectors = figure.locator("g[data-set=all] path:has(title)"),
+    shapes = () => sectors.evaluateAll((all) => all.map((one) => one.getAttribute("d")));
+  const before = await shapes();
+  assert.ok(before.length >= 75 && before.length < 150, `${before.length} sectors are seen`);
+  await set(page, { azimuth: 125 });
+  await page.waitForTimeout(pause);
+  const turned = await shapes();
+  assert.notDeepEqual(turned, before);
+  await set(page, { azimuth: 35, elevation: 90 });
+  await page.waitForTimeout(pause);
+  assert.equal((await shapes()).length, 75, "from above the upper half");
+  await figure.locator('[data-value="above"]').click();
 });
 
 /** The same page in a browser of its own, with what it says of errors. */

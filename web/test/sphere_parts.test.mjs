@@ -1,9 +1,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { directionAt } from "../src/figures/turned_sphere.js";
 import { dot, frameOf } from "../src/space/frame.js";
 import { bondsOf, together } from "../src/spheres/bonds.js";
 import { edgesOf } from "../src/spheres/boundaries.js";
 import { between, kindOf } from "../src/spheres/chains.js";
+import { SphereResult } from "../src/spheres/result.js";
 import { seenSphere } from "../src/spheres/seen.js";
 
 const close = (a, b) => a.length === b.length && a.every((v, k) => Math.abs(v - b[k]) < 1e-12);
@@ -43,7 +45,7 @@ test("a bond that holds is a rod between its spheres, one that broke a ball wher
   const container = { corner: [1, 1, 1], size: [4, 4, 4], periodic: [true, false, false], tilt: 0 },
     balls = new Float32Array([-1, 0, 0, 0.5, 0, 0, 0, 0.5, 1.75, 0, 0, 0.5]),
     bonds = { i: [0, 0, 1], j: [1, 2, 2], broken: [0, 0, 4], x: [0, 0, 4], y: [0, 0, 3], z: [0, 0, 3.5] };
-  const { ends, radius, kind } = bondsOf({ state: { bonds, balls, container }, meanRadius: 0.5 });
+  const { ends, radius, kind } = bondsOf({ state: { bonds, balls, container, middle: [3, 3, 3] }, meanRadius: 0.5 });
   assert.deepEqual(kind, ["bond", "bond", "bond", "twisting"], "across the periodic side it is two halves");
   assert.deepEqual([...ends.slice(0, 6)], [-1, 0, 0, 0, 0, 0]);
   assert.deepEqual([...ends.slice(-6)], [1, 0, 0.5, 1, 0, 0.5], "from the middle of the container");
@@ -57,12 +59,11 @@ test("a bond that holds is a rod between its spheres, one that broke a ball wher
 });
 
 test("of boundaries that are there the edges are lines, from the middle of the container", () => {
-  const container = { corner: [1, 1, 1], size: [4, 2, 6] },
-    boundaries = [
+  const boundaries = [
       { present: false, ends: [0, 0, 0, 9, 9, 9] },
       { present: true, ends: [3, 2, 4, 4, 2, 4, 4, 2, 4, 4, 3, 4] },
     ];
-  const { ends, radius, kind } = edgesOf({ state: { boundaries, container }, meanRadius: 0.5 });
+  const { ends, radius, kind } = edgesOf({ state: { boundaries, middle: [3, 2, 4] }, meanRadius: 0.5 });
   assert.deepEqual([...ends], [0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0]);
   assert.deepEqual(kind, ["boundary", "boundary"]);
   assert.equal(radius.length, 2);
@@ -73,4 +74,50 @@ test("a force above the mean is strong, one below the traces of tension pulls", 
     [2, 0.5, -1e-4, -3].map((force) => kindOf(force, { mean: 1, tension: -1e-3 })),
     ["strong", "weak", "weak", "tension"],
   );
+});
+
+/** A sphere in a box whose top comes down; the page has the first and the third of three states. */
+const pressed = () => {
+  const box = (height) => ({ corner: [0, 0, 0], size: [2, height, 2], periodic: [false, false, false], tilt: 0 });
+  const rest = { z: [1], speed: [2], materials: [{ name: "glass" }] };
+  return new SphereResult({
+    name: "axial",
+    figures: {},
+    states: [
+      { place: 0, container: box(4), x: [1], y: [3], z: [1] },
+      { place: 2, container: box(2), x: [1], y: [1.5], radius: [0.5], material: [0], id: [7], ...rest },
+    ],
+  });
+};
+
+test("a state has of the last one what all have alike, and its places count from the same point", () => {
+  const result = pressed();
+  assert.deepEqual([...result.state.balls], [0, 0.5, 0, 0.5], "as it opens");
+  result.show(0);
+  assert.deepEqual([...result.state.balls], [0, 2, 0, 0.5]);
+  assert.deepEqual(result.state.id, [7]);
+  assert.deepEqual([...result.state.speed], [0], "of which that state knows nothing");
+  assert.deepEqual(result.state.shift, [0, 1, 0]);
+  assert.equal(result.place(1, 100), Infinity);
+  assert.equal(result.place(1, 50), 1, "the middle of that state's container");
+  assert.equal(result.reach, 1 + Math.hypot(2, 4, 2) / 2);
+  assert.deepEqual([...result.order("speed")], [2], "colours of all states are those of the last");
+});
+
+test("of states that are left out the next one is shown", () => {
+  const result = pressed(),
+    at = (snapshot) => result.stepAt(new Map([["snapshot", snapshot]]));
+  assert.deepEqual([at(0), at(1)], [0, 2]);
+  assert.deepEqual([0, 2, 9].map((place) => result.stateAt(place)), [0, 1, 1]);
+});
+
+test("directions of the projection are unit vectors, and equal areas of it are equal areas of the sphere", () => {
+  assert.ok(close(directionAt(0, 77), [0, 1, 0]));
+  assert.ok(close(directionAt(1, 0), [1, 0, 0]) && close(directionAt(1, 270), [0, 0, 1]), "z is below");
+  assert.ok(close(directionAt(1, 90), [0, 0, -1]));
+  for (const r of [0.2, 0.6, 0.9]) {
+    const n = directionAt(r, 30);
+    assert.ok(Math.abs(dot(n, n) - 1) < 1e-12);
+    assert.ok(Math.abs(1 - n[1] - r * r) < 1e-12, "shares of a cap, 1 - y, and of a disk");
+  }
 });

@@ -4,11 +4,14 @@ images."""
 import dataclasses
 import typing
 
+import matplotlib
 import numpy as np
 from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
 from matplotlib.patches import Rectangle
 
 from .. import _core
+from .._core import SpherePacking
+from . import spheres
 from .packings import bars, boundaries_of, kind_colours, kinds_of, segments, sides_of
 from .style import (
     chain_width,
@@ -37,10 +40,19 @@ class Shot:
     def packing(self):
         return self.snapshot.packing
 
+    @property
+    def in_space(self):
+        return isinstance(self.packing, SpherePacking)
+
+    @property
+    def contacts(self):
+        """What has the forces: of spheres the packing itself."""
+        return self.packing if self.in_space else self.packing.contacts
+
 
 def shots_of(result, stage=None):
     """The stored states of a stage, or of all. Raises ValueError if there are fewer than two."""
-    stages = list(result.stages)
+    stages = [*result.stages, *getattr(result, "spheres", [])]
     if stage is not None and stage not in [part.name for part in stages]:
         raise ValueError(f"there is no stage {stage}; there are {', '.join(part.name for part in stages)}")
     shots = [
@@ -79,13 +91,17 @@ def by_stage(of):
 
 @by_stage
 def displacements(shots):
-    """Displacements of grains since the first state of the stage, m, (n, 2) for each; without the shear of a cell."""
+    """Displacements of grains since the first state of the stage, m, (n, 2) or (n, 3) for each; without the shear of a
+    cell."""
     return _core.displacements([shot.packing for shot in shots], [shot.sheared for shot in shots])
 
 
 @by_stage
 def rotations(shots):
-    """Rotations of grains since the first state of the stage, rad."""
+    """Rotations of grains since the first state of the stage, rad. Raises ValueError for spheres, of which states have
+    none."""
+    if shots[0].in_space:
+        raise ValueError("spheres in space have no rotation that a colour could tell; choose another colouring")
     return _core._rotations([shot.packing for shot in shots])
 
 
@@ -127,7 +143,7 @@ colourings = {
     "z": by_quantity("coordination", even_map),
     "velocity": by_quantity("speed", even_map, 0.0),
     "displacement": Colouring(
-        "displacement", lambda shots: [np.hypot(*way.T) for way in displacements(shots)], even_map, low=0.0
+        "displacement", lambda shots: [np.linalg.norm(way, axis=1) for way in displacements(shots)], even_map, low=0.0
     ),
     "rotation": Colouring("rotation", rotations, diverging_map, symmetric=True),
     "mobilisation": Colouring("mobilisation", each(mobilisation), stress_map, low=0.0, high=1.0),
@@ -259,6 +275,20 @@ def clip(axes, packing, drawn):
 
 
 def draw_shot(axes, shot, values=None, norm=None, colour_map=None, mean=None, spoked=False):
+    """One state on axes that keep their limits, of disks or of spheres; the options are those of `draw_disks`."""
+    if not shot.in_space:
+        return draw_disks(axes, shot, values, norm, colour_map, mean, spoked)
+    if values is None:
+        shades = None
+    elif isinstance(values, str):
+        names = matplotlib.colors.to_rgba_array(colours)[:, :3]
+        shades = names[shot.packing.material % len(colours)]
+    else:
+        shades = matplotlib.colormaps.get_cmap(colour_map)(norm(values))[:, :3]
+    return spheres.draw_state(axes, shot, shades, mean)
+
+
+def draw_disks(axes, shot, values=None, norm=None, colour_map=None, mean=None, spoked=False):
     """One state on axes that keep their limits; returns what is drawn, to be removed before the next. `values`: one
     number per grain with `norm` and `colour_map`, "material", or None for outlines; `mean`: force chains over this
     force; `spoked`: rotation is shown.

@@ -8,9 +8,9 @@ from matplotlib.colors import BoundaryNorm, Normalize
 from matplotlib.figure import Figure as Canvas
 
 from .. import _core, curves
-from . import motion
+from . import motion, packings, spheres
 from .drawing import draw_panel
-from .packings import extent_of, material_key
+from .packings import material_key
 from .style import bare, colours, length_bar, plain, scaled, strong
 
 dots = 100  # pixels an inch
@@ -52,7 +52,7 @@ class Pictures:
 def panels(figure, shots, beside):
     """Axes of the picture, which hold the cell of every state, and those of the curve, or None."""
     axes, side = figure.subplots(1, 2, width_ratios=(1.5, 1)) if beside else (figure.subplots(), None)
-    ends = np.array([extent_of(shot.packing) for shot in shots])
+    ends = np.array([(spheres if shot.in_space else packings).extent_of(shot.packing) for shot in shots])
     left, right, bottom, top = ends[:, 0].min(), ends[:, 1].max(), ends[:, 2].min(), ends[:, 3].max()
     margin = 0.02 * max(right - left, top - bottom)
     axes.set(xlim=(left - margin, right + margin), ylim=(bottom - 3 * margin, top + margin))
@@ -65,7 +65,7 @@ def look(axes, shots, by, chains, colour_map, low, high):
     """(`values` of each state for draw_shot, its other options); draws the legend or the colour bar."""
     style = {"spoked": by == "rotation"}
     if chains or by == "forces":
-        style["mean"] = _core._mean_push([shot.packing.contacts for shot in shots]) or None
+        style["mean"] = _core._mean_push([shot.contacts for shot in shots]) or None
     colouring = motion.colourings[by]
     if colouring is None:
         if by == "material":
@@ -127,6 +127,9 @@ class Beside:
         self.panels = {name: self.panel_of(name) for name in stages}
 
     def panel_of(self, stage):
+        in_space = [part for part in getattr(self.result, "spheres", []) if part.name == stage]
+        if in_space:
+            return _core._curve_of_stage(in_space[0], *self.names)["panel"]
         test = curves.find_test(self.result, stage)
         return _core._curve_of_stage(test.stage, test.before, *self.names)["panel"]
 

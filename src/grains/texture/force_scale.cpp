@@ -15,6 +15,9 @@ struct Pushes {
       if (contacts.fn[c] > 0 && !contacts.is_wall(c) && (doubtful.empty() || !doubtful[c]))
         sum += contacts.fn[c], ++count;
   }
+  template <int D> void add(const std::vector<const ContactsIn<D>*>& states) {
+    for (const ContactsIn<D>* state : states) add(*state);
+  }
   double mean() const { return count > 0 ? sum / static_cast<double>(count) : 0; }
 };
 
@@ -34,7 +37,13 @@ template ForceScale force_scale(const ContactsIn<3>&, double, const std::vector<
 
 double mean_push(const std::vector<const Contacts*>& states) {
   Pushes pushes;
-  for (const Contacts* state : states) pushes.add(*state);
+  pushes.add(states);
+  return pushes.mean();
+}
+
+double mean_push(const std::vector<const ContactsIn<3>*>& states) {
+  Pushes pushes;
+  pushes.add(states);
   return pushes.mean();
 }
 

@@ -8,6 +8,8 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
+#include "geometry/ball.hpp"
+#include "grains/texture/spheres/sphere_view.hpp"
 #include "grains/texture/stress.hpp"
 #include "grains/texture/texture.hpp"
 #include "model/matching.hpp"
@@ -18,15 +20,15 @@ namespace {
 using Values = std::vector<double>;
 
 /// Of each contact, for each grain that it touches.
-template <class Add> void for_each_end(const Packing& packing, Add add) {
-  const Contacts& contacts = packing.contacts;
+template <int D, class Add> void for_each_end(const PackingIn<D>& packing, Add add) {
+  const ContactsIn<D>& contacts = packing.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     add(static_cast<std::size_t>(contacts.i[c]), c);
     if (!contacts.is_wall(c)) add(static_cast<std::size_t>(contacts.j[c]), c);
   }
 }
 
-Values contact_numbers(const Packing& packing) {
+template <int D> Values contact_numbers(const PackingIn<D>& packing) {
   Values numbers(packing.grains.size(), 0.0);
   for_each_end(packing, [&](std::size_t grain, std::size_t) { ++numbers[grain]; });
   return numbers;
@@ -36,85 +38,135 @@ Values pressures(const Packing& packing) {
   return mapped(grain_stresses(packing), [](const Tensor2& s) { return -0.5 * trace(s); });
 }
 
+Values pressures(const PackingIn<3>& packing) {
+  return mapped(spheres::hydrostatic_stresses(packing), [](double stress) { return -stress; });
+}
+
 Values deviators(const Packing& packing) { return mapped(grain_stresses(packing), deviator); }
 
-double length_of(Vec2 v) { return norm(v); }
+Values deviators(const PackingIn<3>& packing) {
+  Values all;
+  for (const spheres::Tensor3& moment : spheres::sphere_moments(packing))
+    all.push_back(spheres::deviator(moment) / geometry::volume_of_ball<3>(packing.grains.radius[all.size()]));
+  return all;
+}
+
+double length_of(double v) { return std::abs(v); }
+double length_of(Vec3 v) { return norm(v); }
+/// With its sense, where a number has one.
+double spin_of(double omega) { return omega; }
+double spin_of(Vec3 omega) { return norm(omega); }
+
+template <int D> Values diameters(const PackingIn<D>& p) {
+  return mapped(p.grains.radius, [](double r) { return 2 * r; });
+}
+template <int D> Values speeds(const PackingIn<D>& p) {
+  return mapped(p.grains.velocity, [](Vec<D> v) { return norm(v); });
+}
+template <int D> Values spins(const PackingIn<D>& p) {
+  return mapped(p.grains.omega, [](Turning<D> omega) { return spin_of(omega); });
+}
+template <int D, int axis> Values places(const PackingIn<D>& p) {
+  return mapped(p.grains.position, [](Vec<D> place) { return place[axis]; });
+}
+template <int D, int axis> Values velocities(const PackingIn<D>& p) {
+  return mapped(p.grains.velocity, [](Vec<D> velocity) { return velocity[axis]; });
+}
 
 constexpr const char *speed = "vx vy hypot", *way = "ux uy hypot";
 
-Values ratios_of_forces(const Packing& packing) { return mobilisations(packing); }
-
-}  // namespace
-
-const std::vector<GrainQuantity>& grain_quantities() {
-  static const std::vector<GrainQuantity> list{
-      {"x", "Position along x", "x", "m", [](const Packing& p) { return mapped(p.grains.position, &Vec2::x); }},
-      {"y", "Position along y", "y", "m", [](const Packing& p) { return mapped(p.grains.position, &Vec2::y); }},
-      {"size", "Diameter", "d", "m",
-       [](const Packing& p) { return mapped(p.grains.radius, [](double r) { return 2 * r; }); }},
-      {"coordination", "Contacts", "z", "", contact_numbers},
-      {"pressure", "Pressure of grains", "p", "Pa", pressures},
-      {"deviator", "Deviator of grains", "q", "Pa", deviators},
-      {"stress", "Stress over its mean", "\u03c3_{norm}", ""},
-      {"friction", "Mean |F_{t}|/F_{n}", "|F_{t}|/F_{n}", "", ratios_of_forces},
-      {"mobilisation", "Mobilised friction, mean |F_{t}|/(\u03bc\u2009F_{n})", "|F_{t}|/(\u03bc\u2009F_{n})", ""},
-      {"displacement", "Displacement", "|u|", "m", nullptr, way},
-      {"rotation", "Rotation", "\u03b8", "rad"},
-      {"speed", "Velocity", "|v|", "m/s", [](const Packing& p) { return mapped(p.grains.velocity, length_of); }, speed},
-      {"vx", "Velocity along x", "v_{x}", "m/s", [](const Packing& p) { return mapped(p.grains.velocity, &Vec2::x); }},
-      {"vy", "Velocity along y", "v_{y}", "m/s", [](const Packing& p) { return mapped(p.grains.velocity, &Vec2::y); }},
-      {"spin", "Angular velocity", "\u03c9", "rad/s", [](const Packing& p) { return p.grains.omega; }}};
-  return list;
-}
-
-Values values_of(const Packing& packing, std::string_view name) {
-  const auto& list = grain_quantities();
-  const auto at = std::ranges::find(list, name, &GrainQuantity::name);
-  if (at == list.end())
-    throw refusal("grains have no {}; there are {}", name, list_of(mapped(list, &GrainQuantity::name), ", "));
-  if (!at->of) throw refusal("the {} of grains takes more than one state", name);
-  return at->of(packing);
-}
-
-Values mobilisations(const Packing& packing, std::optional<double> friction) {
+template <int D> Values mean_ratios(const PackingIn<D>& packing, std::optional<double> friction) {
   Values sum(packing.grains.size(), 0.0), count(packing.grains.size(), 0.0);
   if (friction == 0.0) return sum;
-  const Contacts& contacts = packing.contacts;
+  const ContactsIn<D>& contacts = packing.contacts;
   for_each_end(packing, [&](std::size_t grain, std::size_t c) {
     if (!(contacts.fn[c] > 0)) return;
-    sum[grain] += std::abs(contacts.ft[c]) / contacts.fn[c];
+    sum[grain] += length_of(contacts.ft[c]) / contacts.fn[c];
     ++count[grain];
   });
   for (std::size_t g = 0; g < sum.size(); ++g) sum[g] /= std::max(1.0, count[g]) * friction.value_or(1);
   return sum;
 }
 
-std::vector<std::vector<Vec2>> displacements(const std::vector<Sheared>& states) {
-  std::vector<std::vector<Vec2>> ways;
+template <int D> Values ratios_of_forces(const PackingIn<D>& packing) { return mean_ratios(packing, {}); }
+
+template <int D> std::vector<std::vector<Vec<D>>> ways_of(const std::vector<ShearedIn<D>>& states) {
+  std::vector<std::vector<Vec<D>>> ways;
   for (std::size_t k = 0; k < states.size(); ++k) {
-    const Grains& now = states[k].packing->grains;
+    const GrainsIn<D>& now = states[k].packing->grains;
     if (k == 0) {
-      ways.emplace_back(now.size(), Vec2{});
+      ways.emplace_back(now.size(), Vec<D>{});
       continue;
     }
-    const Grains& before = states[k - 1].packing->grains;
+    const GrainsIn<D>& before = states[k - 1].packing->grains;
     const std::vector<std::int32_t> places = places_in(before, now);
-    const Domain& domain = states[k].packing->domain;
+    const DomainIn<D>& domain = states[k].packing->domain;
     const double middle = 0.5 * (domain.wall[bottom].position + domain.wall[top].position),
                  sheared = states[k].strain - states[k - 1].strain;
-    std::vector<Vec2> way(now.size());
+    std::vector<Vec<D>> way(now.size());
     for (std::size_t g = 0; g < now.size(); ++g) {
       if (places[g] < 0) continue;
       const auto then = static_cast<std::size_t>(places[g]);
-      const Vec2 step = now.position[g] - before.position[then];
-      const double up = domain.nearest_image({0, step.y}).y;
-      const double affine = sheared * (before.position[then].y + 0.5 * up - middle);
-      way[g] = ways.back()[then] + domain.nearest_image({step.x - affine, step.y});
+      Vec<D> step = now.position[g] - before.position[then], upwards;
+      upwards.y = step.y;
+      const double up = domain.nearest_image(upwards).y;
+      step.x -= sheared * (before.position[then].y + 0.5 * up - middle);
+      way[g] = ways.back()[then] + domain.nearest_image(step);
     }
     ways.push_back(std::move(way));
   }
   return ways;
 }
+
+const GrainQuantity& quantity_of(std::string_view name) {
+  const auto& list = grain_quantities();
+  const auto at = std::ranges::find(list, name, &GrainQuantity::name);
+  if (at == list.end())
+    throw refusal("grains have no {}; there are {}", name, list_of(mapped(list, &GrainQuantity::name), ", "));
+  return *at;
+}
+
+}  // namespace
+
+const std::vector<GrainQuantity>& grain_quantities() {
+  static const std::vector<GrainQuantity> list{
+      {"x", "Position along x", "x", "m", places<2, 0>, {}, places<3, 0>},
+      {"y", "Position along y", "y", "m", places<2, 1>, {}, places<3, 1>},
+      {"size", "Diameter", "d", "m", diameters<2>, {}, diameters<3>},
+      {"coordination", "Contacts", "z", "", contact_numbers<2>, {}, contact_numbers<3>},
+      {"pressure", "Pressure of grains", "p", "Pa", pressures, {}, pressures},
+      {"deviator", "Deviator of grains", "q", "Pa", deviators, {}, deviators},
+      {"stress", "Stress over its mean", "\u03c3_{norm}", ""},
+      {"friction", "Mean |F_{t}|/F_{n}", "|F_{t}|/F_{n}", "", ratios_of_forces<2>, {}, ratios_of_forces<3>},
+      {"mobilisation", "Mobilised friction, mean |F_{t}|/(\u03bc\u2009F_{n})", "|F_{t}|/(\u03bc\u2009F_{n})", ""},
+      {"displacement", "Displacement", "|u|", "m", nullptr, way},
+      {"rotation", "Rotation", "\u03b8", "rad"},
+      {"speed", "Velocity", "|v|", "m/s", speeds<2>, speed, speeds<3>},
+      {"vx", "Velocity along x", "v_{x}", "m/s", velocities<2, 0>, {}, velocities<3, 0>},
+      {"vy", "Velocity along y", "v_{y}", "m/s", velocities<2, 1>, {}, velocities<3, 1>},
+      {"spin", "Angular velocity", "\u03c9", "rad/s", spins<2>, {}, spins<3>}};
+  return list;
+}
+
+Values values_of(const Packing& packing, std::string_view name) {
+  const GrainQuantity& quantity = quantity_of(name);
+  if (!quantity.of) throw refusal("the {} of grains takes more than one state", name);
+  return quantity.of(packing);
+}
+
+Values values_of(const PackingIn<3>& packing, std::string_view name) {
+  const GrainQuantity& quantity = quantity_of(name);
+  if (!quantity.of_spheres) throw refusal("a state of spheres has no {}", name);
+  return quantity.of_spheres(packing);
+}
+
+Values mobilisations(const Packing& packing, std::optional<double> friction) { return mean_ratios(packing, friction); }
+Values mobilisations(const PackingIn<3>& packing, std::optional<double> friction) {
+  return mean_ratios(packing, friction);
+}
+
+std::vector<std::vector<Vec2>> displacements(const std::vector<Sheared>& states) { return ways_of(states); }
+std::vector<std::vector<Vec3>> displacements(const std::vector<ShearedIn<3>>& states) { return ways_of(states); }
 
 std::vector<std::vector<double>> rotations(const std::vector<const Packing*>& states) {
   std::vector<Values> turned;

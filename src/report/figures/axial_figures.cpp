@@ -13,6 +13,7 @@
 #include "grains/fields/laboratory/axial_tests.hpp"
 #include "grains/fields/laboratory/shear_in_space.hpp"
 #include "grains/fields/laboratory/triaxial.hpp"
+#include "grains/fields/loading.hpp"
 #include "report/figures/test_figures.hpp"
 
 namespace arenite::report::figures {
@@ -95,13 +96,18 @@ Drawing ratio_and_volume(Panel ratio, const Panel& against, const Values& strain
   return drawing;
 }
 
-Panel against(const char* strain, const SphereResult& stage) {
-  return {.x = {.label = std::string(strain) + " in \u201c" + stage.name + "\u201d", .unit = "%", .brief = strain}};
+/// What is drawn against a strain, in per cent, with the stored states where it was when they were stored.
+Panel against(const char* name, const SphereResult& stage, const Values& strain) {
+  Chosen states;
+  for (const SnapshotIn<3>& state : stage.snapshots)
+    states.x.push_back(fields::at_time(*stage.history.find("time"), strain, state.time));
+  return {.x = {.label = std::string(name) + " in \u201c" + stage.name + "\u201d", .unit = "%", .brief = name},
+          .now = std::move(states)};
 }
 
 Drawings shear_drawing(const SphereResult& stage, const fields::TestCurves& curves) {
-  const Panel plain = against("shear strain", stage);
   const Values strain = scaled(curves.strain, 100);
+  const Panel plain = against("shear strain", stage, strain);
   Panel ratio = plain;
   ratio.y = {.label = "shear over normal stress on the sides", .brief = "\u03bc"};
   add_curve(ratio, strain, known_up_to(fields::running_ratio(curves), largest_ratio), "strong");
@@ -120,7 +126,7 @@ Drawings drawing_of_test(const SphereResult& stage) {
   const auto curves = fields::triaxial_curves(stage, stage.asked.closes);
   if (!curves || (*curves)["p"].size() < 3) return {};
   const Values strain = scaled((*curves)["axial_strain"], 100);
-  const Panel plain = against("axial strain", stage);
+  const Panel plain = against("axial strain", stage, strain);
   Drawing drawing;
   if (!fields::is_confined(*curves)) {
     const Scale scale = scale_of((*curves)["axial_stress"], "Pa");

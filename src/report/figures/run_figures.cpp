@@ -125,8 +125,11 @@ const Head orientations_of_spheres{
     "Contact orientations",
     {"Contacts by their direction over the number in each of 75 equal parts of half the sphere "
      "that no preferred direction would give; strong: F_{n} > \u27e8F_{n}\u27e9.",
-     "Lambert's equal-area projection, seen from above; the cross is the direction of most."},
-    true};
+     "Lambert's equal-area projection, seen from above, or the sphere as the picture shows the sample; the cross is "
+     "the "
+     "direction of most."},
+    true,
+    {{"half", "", {{"above", "From above"}, {"turned", "As the picture"}}, Choice::Print::first}}};
 
 constexpr const char *of_spheres[] = {"contact-numbers", "forces", "sigma-norm", "rev"},
                      *over_time[] = {"discharge",       "grain-bonds", "wall-forces",
@@ -137,7 +140,12 @@ template <class Data> const Row<Data>& row_of(const std::vector<Row<Data>>& list
 }
 
 Drawings draw_orientations(const SphereResult& stage) {
-  return stage.texture.is_tree() ? orientations_in_space(stage.texture) : Drawings{};
+  Drawings drawings = stage.texture.is_tree() ? orientations_in_space(stage.texture) : Drawings{};
+  if (drawings.empty()) return drawings;
+  drawings.push_back(drawings.front());
+  for (std::size_t k = 0; k < drawings.size(); ++k)
+    drawings[k].chosen = {{"half", orientations_of_spheres.choices.front().options[k].value}};
+  return drawings;
 }
 
 template <std::size_t k> Drawings draw_state(const SphereResult& stage) {
@@ -157,11 +165,13 @@ template <std::size_t k> Drawings draw_history(const SphereResult& stage) {
   rows.name = stage.name;
   rows.history = stage.history;
   rows.texture = stage.texture;
+  for (const SnapshotIn<3>& state : stage.snapshots) rows.snapshots.emplace_back().time = state.time;
+  const StageData data{rows, mapped(rows.snapshots, [](const Snapshot& state) { return &state; }), nullptr};
   const std::string_view id = over_time[k];
   if (id == "wall-forces" && !has_walls(stage)) return {};
   if (id == "boundary-forces" && !stage.snapshots.empty())
-    return boundary_forces({rows, {}, nullptr}, stage.snapshots.back().packing.domain.boundaries);
-  return row_of(stage_figures(), over_time[k]).draw({rows, {}, nullptr});
+    return boundary_forces(data, stage.snapshots.back().packing.domain.boundaries);
+  return row_of(stage_figures(), over_time[k]).draw(data);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "report/figures/state_numbers.hpp"
 
 #include "grains/fields/stage_numbers.hpp"
+#include "grains/texture/spheres/sphere_view.hpp"
 #include "report/figures/drawing.hpp"
 #include "thermal/inference/film_fit.hpp"
 
@@ -39,6 +40,13 @@ texture::ForceScale force_scale(const Packing& packing, const Numbers& numbers) 
 texture::ForceScale force_scale(const FilmResult& film) {
   return texture::force_scale(film.packing.contacts, estimate_at(film.numbers, "/forces/mean_N").value,
                               inference::doubtful_contacts(film));
+}
+
+texture::ForceScale force_scale(const SphereResult& stage, const SnapshotIn<3>& state) {
+  const double known = &state == &stage.snapshots.back() ? estimate_at(stage.texture, "/force/mean_N").value : 0;
+  if (known > 0) return texture::force_scale(state.packing.contacts, known);
+  const texture::SphereOptions options = texture::sphere_options(stage.asked);
+  return texture::force_scale(state.packing.contacts, texture::spheres::SphereView(state.packing, options).mean_force);
 }
 
 }  // namespace arenite::report::figures

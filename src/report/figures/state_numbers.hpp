@@ -19,5 +19,7 @@ Numbers state_numbers(const StageResult& stage, const Snapshot& state, bool curv
 /// What forces of a state are told apart by, on the page and in print, from its numbers, where these are known.
 texture::ForceScale force_scale(const Packing& packing, const Numbers& numbers);
 texture::ForceScale force_scale(const FilmResult& film);
+/// Of a stored state of spheres, by the mean of the forces that statistics consider.
+texture::ForceScale force_scale(const SphereResult& stage, const SnapshotIn<3>& state);
 
 }  // namespace arenite::report::figures

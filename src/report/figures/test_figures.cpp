@@ -1,6 +1,7 @@
 #include "report/figures/test_figures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/fields/laboratory/axial_tests.hpp"
+#include "grains/fields/laboratory/triaxial.hpp"
 #include "report/figures/axial_figures.hpp"
 
 namespace arenite::report::figures {
@@ -61,12 +63,36 @@ Panel volume_panel(const fields::TestCurves& curves, const StageData& data, cons
 bool is_strain(const std::string& name) { return name.find("strain") != std::string::npos; }
 
 /// Those of the test, and what else its history has.
-Columns all_curves(const fields::Test& test) {
-  auto loading = fields::loading_of(test);
-  Columns known = loading ? std::move(loading->curves) : Columns{};
-  for (const History::Column& column : test.stage.history.columns)
+Columns with_history(Columns known, const History& history) {
+  for (const History::Column& column : history.columns)
     if (!known.has(column.name)) known.put(column.name, column.unit.c_str(), "", column.values);
   return known;
+}
+
+Columns all_curves(const fields::Test& test) {
+  auto loading = fields::loading_of(test);
+  return with_history(loading ? std::move(loading->curves) : Columns{}, test.stage.history);
+}
+
+/// Two of the curves of a stage with the places of its states.
+template <class Stage, class States>
+Panel of_two(const Stage& stage, const Columns& known, const std::array<std::string, 2>& names, const States& states) {
+  std::vector<std::string> missing;
+  for (const std::string& name : names)
+    if (!known.has(name)) missing.push_back(name);
+  if (!missing.empty())
+    throw refusal("the stage {} has no {} to draw; there are {}", stage.name, list_of(missing, " and no "),
+                  list_of(mapped(known.list, &statistics::Column::name), ", "));
+  const CurveAxis across = axis_of(*known.find(names[0])), up = axis_of(*known.find(names[1]));
+  Panel panel{.x = across.axis, .y = up.axis};
+  const Values x = scaled(known[names[0]], 1 / across.factor), y = scaled(known[names[1]], 1 / up.factor);
+  add_curve(panel, x, y, "strong");
+  const Values& time = *stage.history.find("time");
+  for (const auto* state : states) {
+    panel.now.x.push_back(fields::at_time(time, x, state->time));
+    panel.now.y.push_back(fields::at_time(time, y, state->time));
+  }
+  return panel;
 }
 
 }  // namespace
@@ -128,27 +154,21 @@ void add_curve(Panel& panel, const Values& x, Values y, Values mean, const std::
   panel.series.push_back(std::move(curve));
 }
 
-Panel one_against_another(const StageData& data, const std::string& x_name, const std::string& y_name) {
+Panel one_against_another(const StageData& data, const std::string& x, const std::string& y) {
   const Columns known = all_curves({data.stage, data.before});
-  const bool of_test = x_name == "test" && y_name == "test", sheared = known.has("mu");
-  const std::string names[] = {of_test ? (sheared ? "shear_strain" : "axial_strain") : x_name,
-                               of_test ? (sheared ? "mu" : "q_over_p") : y_name};
-  std::vector<std::string> missing;
-  for (const std::string& name : names)
-    if (!known.has(name)) missing.push_back(name);
-  if (!missing.empty())
-    throw refusal("the stage {} has no {} to draw; there are {}", data.stage.name, list_of(missing, " and no "),
-                  list_of(mapped(known.list, &statistics::Column::name), ", "));
-  const CurveAxis across = axis_of(*known.find(names[0])), up = axis_of(*known.find(names[1]));
-  Panel panel{.x = across.axis, .y = up.axis};
-  const Values x = scaled(known[names[0]], 1 / across.factor), y = scaled(known[names[1]], 1 / up.factor);
-  add_curve(panel, x, y, "strong");
-  const Values& time = *data.stage.history.find("time");
-  for (const Snapshot* state : data.states) {
-    panel.now.x.push_back(fields::at_time(time, x, state->time));
-    panel.now.y.push_back(fields::at_time(time, y, state->time));
-  }
-  return panel;
+  const bool of_test = x == "test" && y == "test", sheared = known.has("mu");
+  return of_two(
+      data.stage, known,
+      {of_test ? (sheared ? "shear_strain" : "axial_strain") : x, of_test ? (sheared ? "mu" : "q_over_p") : y},
+      data.states);
+}
+
+Panel one_against_another(const SphereResult& stage, const std::string& x, const std::string& y) {
+  auto curves = fields::triaxial_curves(stage, stage.asked.closes);
+  const bool of_test = x == "test" && y == "test", confined = curves && fields::is_confined(*curves);
+  const Columns known = with_history(curves ? std::move(*curves) : Columns{}, stage.history);
+  return of_two(stage, known, {of_test ? "axial_strain" : x, of_test ? (confined ? "q_over_p" : "axial_stress") : y},
+                mapped(stage.snapshots, [](const SnapshotIn<3>& state) { return &state; }));
 }
 
 Drawings test_curves(const StageData& data) {

@@ -33,15 +33,21 @@ export function keyOf({ key = [], panels }, here, theme) {
   });
 }
 
-/** A drawing as an SVG. */
-export function draw({ panels, roses, hemispheres, outlines, cells }, about) {
+/** A drawing as an SVG; half of a sphere that is `turned` as the picture beside it is. */
+export function draw({ panels, roses, hemispheres, outlines, cells, for: chosen = {} }, about) {
   if (roses) return drawRoses(roses, about);
-  if (hemispheres) return drawHemispheres(hemispheres, about);
+  if (hemispheres) {
+    const look = chosen.half === "turned" ? about.state.get("turned").split(" ").map(Number) : null;
+    return drawHemispheres(hemispheres, { ...about, look });
+  }
   if (outlines) return drawOutlines(outlines, about);
   if (cells) return drawCells(cells, about);
   const drawn = panels.map((panel) => (width) => drawPanel(panel, { ...about, width }));
   return drawn.length === 1 ? drawn[0](about.width) : sideBySide(about.width, drawn);
 }
+
+/** What else a drawing follows that a choice may give. */
+const besides = { half: ["turned"] };
 
 /** A figure that the program describes, as a card shows it. */
 export function describedFigure(head) {
@@ -53,7 +59,7 @@ export function describedFigure(head) {
     caption,
     wide,
     choices: Object.fromEntries(buttons),
-    follows: ["snapshot", "step", "selected", ...choices.map(({ key }) => key)],
+    follows: ["snapshot", "step", "selected", ...choices.flatMap(({ key }) => [key, ...(besides[key] ?? [])])],
     when: (_, sample) => sample.hasDrawn(id),
     key: (about) => {
       const found = shown(head, about);

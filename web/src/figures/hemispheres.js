@@ -1,19 +1,23 @@
 import { richSvg, s } from "../dom.js";
 import { text } from "../text.js";
 import { circlesInRows, direction, nameOfCircle, wordsOfCircle } from "./circles.js";
+import { turnedSphere } from "./turned_sphere.js";
 
 const head = 36,
   foot = 80;
 
-/** Halves of the sphere of directions side by side, with one scale of colours. */
-export function drawHemispheres(described, { theme, width }) {
+/** Halves of the sphere of directions side by side, with one scale of colours; with `look` (azimuth and elevation) the
+    sphere as it is seen from there. */
+export function drawHemispheres(described, { theme, width, look = null }) {
   const { sets, measure } = described,
     perRow = Math.min(sets.length, width >= 560 ? 3 : width >= 380 ? 2 : 1);
   const radius = Math.min((0.5 * width) / perRow - 26, 120),
     height = 2 * radius + head + foot;
-  const svg = circlesInRows(sets, { theme, width, perRow, height, middle: head + radius, below: 46 }, (one) =>
-    hemisphere(one, described, radius, theme),
-  );
+  const svg = circlesInRows(sets, { theme, width, perRow, height, middle: head + radius, below: 46 }, (one) => [
+    ...(look ? turnedSphere(one, described, look, radius, theme) : hemisphere(one, described, radius, theme)),
+    nameOfCircle(one, -radius - 14, theme),
+    ...wordsOfCircle(one, radius + 34),
+  ]);
   svg.append(...scale(described, width, Math.ceil(sets.length / perRow) * height, theme));
   svg.numbers = [
     {
@@ -39,8 +43,6 @@ function hemisphere(one, { inner, outer, from, to, reach, measure }, radius, the
     ...cross(one.mark, radius, theme),
     s("text", { x: radius + 10, y: 4, "text-anchor": "middle" }, "x"),
     s("text", { y: radius + 14, "text-anchor": "middle" }, "z"),
-    nameOfCircle(one, -radius - 14, theme),
-    ...wordsOfCircle(one, radius + 34),
   ];
 }
 

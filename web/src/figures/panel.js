@@ -184,6 +184,9 @@ function nearestOf({ now }, svg, { clientX, clientY }) {
   return away.reduce((best, distance, k) => (distance < away[best] || !(away[best] >= 0) ? k : best), 0);
 }
 
+/** The state of the page that is at a place among those stored, or next to it. */
+const shownAt = (sample, place) => sample.stateAt?.(place) ?? Math.min(place, sample.snapshotCount - 1);
+
 /** A click goes to the state, or the step, whose place is nearest. */
 function answerClicks(svg, panel, { state, sample, first = 0 }) {
   const toStep = panel.click === "step";
@@ -192,7 +195,7 @@ function answerClicks(svg, panel, { state, sample, first = 0 }) {
   svg.addEventListener("click", (event) => {
     const place = nearestOf(panel, svg, event);
     if (toStep) state.set({ step: place, cracks: true, playing: false });
-    else state.set({ snapshot: Math.min(first + place, sample.snapshotCount - 1), playing: false });
+    else state.set({ snapshot: shownAt(sample, first + place), playing: false });
   });
 }
 

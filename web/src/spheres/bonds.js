@@ -6,12 +6,11 @@ const thin = 0.16, // radius of a bond that holds over the mean radius of the sp
 
 /** Bonds that hold as rods from centre to centre, and a ball where one broke, as lines of force are: { ends, radius,
     kind }. */
-export function bondsOf({ state: { bonds, balls, container }, meanRadius }) {
+export function bondsOf({ state: { bonds, balls, container, middle }, meanRadius }) {
   const ends = [],
     radius = [],
     kind = [];
-  const at = (g) => [0, 1, 2].map((axis) => balls[4 * g + axis]),
-    middle = container.corner.map((place, axis) => place + container.size[axis] / 2);
+  const at = (g) => [0, 1, 2].map((axis) => balls[4 * g + axis]);
   const add = (line, share, name) => {
     ends.push(...line);
     radius.push(share * meanRadius);

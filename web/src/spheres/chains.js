@@ -15,7 +15,7 @@ export const thicknessOf = (result, force) =>
 /** The lines along which forces act: { ends: [ax, ay, az, bx, by, bz, ..] from the middle, radius, kind }. What acts
     across a side of a periodic cell is half a line at both spheres; a wall is met straight ahead. */
 export function linesOf(result) {
-  const { forces, balls, container } = result.state,
+  const { forces, balls, container, shift } = result.state,
     ends = [],
     radius = [],
     kind = [];
@@ -24,7 +24,8 @@ export function linesOf(result) {
   forces.fn.forEach((force, c) => {
     const [i, j] = [forces.i[c], forces.j[c]],
       from = at(i);
-    for (const line of j < result.count ? between(from, at(j), container) : toWall(from, j - result.count, container)) {
+    const lines = j < result.count ? between(from, at(j), container) : toWall(from, j - result.count, container, shift);
+    for (const line of lines) {
       ends.push(...line);
       radius.push(thicknessOf(result, force));
       kind.push(kindOf(force, scale));
@@ -49,10 +50,10 @@ export function between(a, b, { size, periodic, tilt }) {
   return [half(a, 1), half(b, -1)];
 }
 
-function toWall(from, side, { size }) {
+function toWall(from, side, { size }, shift) {
   const axis = Math.floor(side / 2),
     end = [...from];
-  end[axis] = (side % 2 ? 0.5 : -0.5) * size[axis];
+  end[axis] = shift[axis] + (side % 2 ? 0.5 : -0.5) * size[axis];
   return [[...from, ...end]];
 }
 

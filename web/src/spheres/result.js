@@ -11,21 +11,55 @@ const quantities = {
 
 const whole = 100; // steps of a cut along an axis
 
-/** A stage of a sample of spheres with its last state; places count from the middle of the container, m. */
+const mostOpen = 24; // states whose arrays are kept
+
+/** A stage of a sample of spheres with its stored states, of which one is shown; places count from the middle of the
+    last state's container, m. */
 export class SphereResult extends DescribedResult {
   #block;
-  #state;
+  #states = new Map();
+  #shown;
   #orders = new Map();
 
   constructor(about, block, title) {
     super(about, block, title);
     this.#block = block;
+    this.states = about.states ?? [];
+    this.snapshotCount = this.states.length;
+    this.#shown = this.snapshotCount - 1;
   }
 
-  /** Without a stored state: no spheres in a container of no size. */
-  get state() {
-    return (this.#state ??= opened(unpacked(this.#block, this.about.state ?? nothing)));
+  show(snapshot) {
+    this.#shown = snapshot;
   }
+  get state() {
+    return this.#opened(this.#shown);
+  }
+  get last() {
+    return this.#opened(this.snapshotCount - 1);
+  }
+  /** Without a stored state: no spheres in a container of no size. */
+  #opened(k) {
+    if (!this.#states.has(k)) {
+      if (this.#states.size > mostOpen) this.#states.clear();
+      const about = unpacked(this.#block, this.states[k] ?? nothing);
+      this.#states.set(k, opened(about, k < this.snapshotCount - 1 ? this.last : null));
+    }
+    return this.#states.get(k);
+  }
+  /** Whether any state has it. */
+  #has(part) {
+    return this.states.some((state) => state[part]);
+  }
+  /** Figures over a stage have a place for every stored state, of which the page may have but some. */
+  stepAt(state) {
+    return this.states[state.get("snapshot")]?.place ?? 0;
+  }
+  stateAt(place) {
+    const away = this.states.map((state) => Math.abs(state.place - place));
+    return away.indexOf(Math.min(...away));
+  }
+
   get count() {
     return this.state.radius.length;
   }
@@ -39,28 +73,29 @@ export class SphereResult extends DescribedResult {
     return this.state.materials;
   }
   get hasForces() {
-    return Boolean(this.state.forces);
+    return this.#has("forces");
   }
   get hasBonds() {
-    return Boolean(this.state.bonds);
+    return this.#has("bonds");
   }
   get hasBoundaries() {
-    return Boolean(this.state.boundaries);
+    return this.#has("boundaries");
   }
 
   quantity(id) {
     return quantities[id];
   }
-  /** Those that its state has, and that are not the same of all spheres. */
+  /** Those that its last state has, and that are not the same of all spheres there. */
   get offered() {
-    return Object.keys(quantities).filter((id) => this.state[id] && this.order(id)[0] < this.order(id).at(-1));
+    return Object.keys(quantities).filter((id) => this.last[id] && this.order(id)[0] < this.order(id).at(-1));
   }
+  /** Of the last state, so that one scale of colours serves all. */
   order(id) {
-    if (!this.#orders.has(id)) this.#orders.set(id, Float32Array.from(this.state[id]).sort());
+    if (!this.#orders.has(id)) this.#orders.set(id, Float32Array.from(this.last[id]).sort());
     return this.#orders.get(id);
   }
   mean(id) {
-    return this.order(id).reduce((sum, value) => sum + value, 0) / this.count;
+    return this.order(id).reduce((sum, value) => sum + value, 0) / this.order(id).length;
   }
   written(id, sphere) {
     const { unit } = this.quantity(id),
@@ -73,9 +108,20 @@ export class SphereResult extends DescribedResult {
     return this.state.force_scale.mean;
   }
 
-  /** Where a cut along an axis lies, from the middle; beyond all where nothing is cut. */
+  /** How far from the middle of the last container anything may lie, whichever state is shown. */
+  get reach() {
+    const middle = middleOf(this.last.container);
+    return Math.max(
+      ...(this.states.length ? this.states : [nothing]).map(({ container }) => {
+        const off = middleOf(container).map((place, axis) => place - middle[axis]);
+        return Math.hypot(...off) + Math.hypot(...container.size) / 2;
+      }),
+    );
+  }
+
+  /** Where a cut along an axis lies; beyond all where nothing is cut. */
   place(axis, cut) {
-    return cut >= whole ? Infinity : (cut / whole - 0.5) * this.size[axis];
+    return cut >= whole ? Infinity : this.state.shift[axis] + (cut / whole - 0.5) * this.size[axis];
   }
   /** The same from the container's corner, in words. */
   length(axis, cut) {
@@ -100,14 +146,31 @@ const nothing = {
   material: [],
 };
 
-/** Spheres as [x, y, z, radius] one after the other, from the middle of the container. */
-function opened(state) {
-  const { corner, size } = state.container,
-    balls = new Float32Array(4 * state.radius.length);
-  [state.x, state.y, state.z].forEach((places, axis) => {
-    const middle = corner[axis] + size[axis] / 2;
-    for (let g = 0; g < places.length; ++g) balls[4 * g + axis] = places[g] - middle;
+const middleOf = ({ corner, size }) => corner.map((place, axis) => place + size[axis] / 2);
+
+const none = { i: [], j: [], fn: [], all: 0, broken: [], x: [], y: [], z: [] };
+
+/** With spheres as [x, y, z, radius] one after the other, and how far the middle of the container lies from that of the
+    `last` state's, which has what is the same in all and names what a state may lack. */
+function opened(state, last) {
+  const all = last ? { ...inherited(last), ...state } : state,
+    middle = middleOf(last?.container ?? state.container),
+    balls = new Float32Array(4 * all.radius.length);
+  [all.x, all.y, all.z].forEach((places, axis) => {
+    for (let g = 0; g < places.length; ++g) balls[4 * g + axis] = places[g] - middle[axis];
   });
-  for (let g = 0; g < state.radius.length; ++g) balls[4 * g + 3] = state.radius[g];
-  return { ...state, balls };
+  for (let g = 0; g < all.radius.length; ++g) balls[4 * g + 3] = all.radius[g];
+  for (const id of Object.keys(quantities)) if (last?.[id]) all[id] ??= new Float32Array(all.radius.length);
+  return {
+    ...all,
+    balls,
+    middle,
+    shift: middleOf(all.container).map((place, axis) => place - middle[axis]),
+    forces: all.forces ?? none,
+    force_scale: all.force_scale ?? { mean: 0, tension: 0 },
+    bonds: all.bonds ?? none,
+    boundaries: all.boundaries ?? [],
+  };
 }
+
+const inherited = ({ materials, id, radius, material }) => ({ materials, id, radius, material });

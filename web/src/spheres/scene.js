@@ -4,11 +4,26 @@ import { lineShaders, sphereShaders } from "./shaders.js";
 
 const beyond = 1e9; // m: where nothing is cut
 
+const corners = 4;
+
+/** What shapes have as what each of their corners has. */
+function byCorner(data, numbers) {
+  const all = new data.constructor(corners * data.length);
+  for (let shape = 0, to = 0; shape < data.length; shape += numbers)
+    for (let corner = 0; corner < corners; ++corner)
+      for (let k = 0; k < numbers; ++k) all[to++] = data[shape + k];
+  return all;
+}
+
 /** Shapes of one kind on the graphics card, of which each is four corners: `attributes` = [[name, numbers of a shape,
-    bytes of colours or floats]]. */
+    bytes of colours or floats]]. Each corner has all of its shape's numbers: instances of four corners take four times
+    as long where there is no graphics card. */
 class Shapes {
   #gl;
   #buffers = {};
+  #numbers = {}; // of a shape in each buffer
+  #indices;
+  #room = 0; // shapes that there are indices for
   count = 0;
 
   constructor(gl, { vertex, fragment }, attributes) {
@@ -19,17 +34,30 @@ class Shapes {
     gl.bindVertexArray(this.array);
     attributes.forEach(([name, numbers, type, stride = 0, offset = 0], location) => {
       this.#buffers[name] ??= gl.createBuffer();
+      this.#numbers[name] = (this.#numbers[name] ?? 0) + numbers;
       gl.bindBuffer(gl.ARRAY_BUFFER, this.#buffers[name]);
       gl.enableVertexAttribArray(location);
       gl.vertexAttribPointer(location, numbers, gl[type], type === "UNSIGNED_BYTE", stride, offset);
-      gl.vertexAttribDivisor(location, 1);
     });
+    this.#indices = gl.createBuffer();
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.#indices);
+    gl.bindVertexArray(null);
   }
 
   set(name, data) {
     const gl = this.#gl;
     gl.bindBuffer(gl.ARRAY_BUFFER, this.#buffers[name]);
-    gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
+    gl.bufferData(gl.ARRAY_BUFFER, byCorner(data, this.#numbers[name]), gl.STATIC_DRAW);
+  }
+
+  /** Two triangles for each shape; its array is bound. */
+  #makeRoom() {
+    if (this.count <= this.#room) return;
+    const indices = new Uint32Array(6 * this.count);
+    for (let shape = 0; shape < this.count; ++shape)
+      [0, 1, 2, 2, 1, 3].forEach((corner, k) => (indices[6 * shape + k] = corners * shape + corner));
+    this.#gl.bufferData(this.#gl.ELEMENT_ARRAY_BUFFER, indices, this.#gl.STATIC_DRAW);
+    this.#room = this.count;
   }
 
   draw(uniforms) {
@@ -37,7 +65,8 @@ class Shapes {
     gl.useProgram(this.program);
     for (const [name, values] of Object.entries(uniforms)) gl[`uniform${values.length}f`](this.at(name), ...values);
     gl.bindVertexArray(this.array);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, this.count);
+    this.#makeRoom();
+    gl.drawElements(gl.TRIANGLES, 6 * this.count, gl.UNSIGNED_INT, 0);
   }
 }
 

@@ -3,6 +3,7 @@ import { choice, toggle } from "../choice.js";
 import { h } from "../dom.js";
 import { only, scaleChoices } from "../field/scale_controls.js";
 import { choicesOf, resultSection } from "../result_section.js";
+import { timeline } from "../packing/timeline.js";
 import { saveButtons } from "../save_buttons.js";
 import { axes } from "../space/frame.js";
 import { slider } from "../space/slider.js";
@@ -13,7 +14,12 @@ import { SphereView } from "./view.js";
 
 const words = { material: "Material", stress: "Stress", contacts: "Contacts", speed: "Speed" };
 
-const choices = (result) => ({
+/** What the reader may choose, as it is in the beginning. */
+export const choices = (result) => ({
+  snapshot: Math.max(0, result.snapshotCount - 1),
+  playing: false,
+  half: "above",
+  turned: `${firstLook.azimuth} ${firstLook.elevation}`,
   show: result.offered[0] ?? "material",
   around: "mean",
   law: "linear",
@@ -28,6 +34,8 @@ const choices = (result) => ({
 
 /** What of it is kept in the address. */
 const kept = (result) => ({
+  snapshot: forms.whole(Math.max(1, result.snapshotCount)),
+  half: forms.word(["above", "turned"]),
   show: forms.word(["material", ...result.offered]),
   ...(result.hasForces && { chains: forms.truth }),
   ...(result.hasBonds && { bonds: forms.truth }),
@@ -48,7 +56,7 @@ export function sphereSection(result, page, heads) {
 const isScaled = (show) => show !== "material";
 
 /** The card with the spheres: what their colours are, which are hidden, and the picture. */
-const panelOf = (result, state, view) =>
+export const panelOf = (result, state, view) =>
   h(
     "section",
     { class: "card packing sample", "aria-label": "Spheres" },
@@ -66,8 +74,16 @@ const panelOf = (result, state, view) =>
     only(state, isScaled, h("div", { class: "controls second" }, scaleChoices(state, [["all", "0"]]))),
     view.scene && h("div", { class: "controls second" }, switches(result, state), cutsOf(result, state)),
     view.element,
-    note(result),
+    result.snapshotCount > 1 && timeline(statesOf(result), state),
+    notes(result, state),
   );
+
+/** The states as the slider asks for them. */
+const statesOf = ({ name, states, snapshotCount }) => ({
+  snapshotCount,
+  stages: [{ name }],
+  about: { snapshots: states.map(({ label, time }) => ({ stage: 0, label, time })) },
+});
 
 const switches = (result, state) =>
   h(
@@ -97,11 +113,15 @@ const cutsOf = (result, state) =>
     ),
   );
 
-function note({ state: { forces } }) {
-  if (!forces || forces.all === forces.fn.length) return null;
-  return h(
-    "p",
-    { class: "caption note" },
-    `Of ${text.count(forces.all)} forces the ${text.count(forces.fn.length)} largest are drawn.`,
-  );
+/** What is left out, and of which state the figures are. */
+function notes(result, state) {
+  const forces = h("p", { class: "caption note" });
+  const refresh = () => {
+    const { all, fn } = result.state.forces;
+    forces.hidden = all === fn.length;
+    forces.textContent = `Of ${text.count(all)} forces the ${text.count(fn.length)} largest are drawn.`;
+  };
+  state.watch(["snapshot"], refresh);
+  refresh();
+  return [forces, result.about.note && h("p", { class: "caption note" }, result.about.note)];
 }

@@ -13,7 +13,7 @@ vec4 onPicture(vec2 place) {
 }
 const vec4 nowhere = vec4(2.0, 2.0, 2.0, 1.0);
 vec2 corner() {
-  return vec2(gl_VertexID % 2, gl_VertexID / 2) * 2.0 - 1.0;
+  return vec2(gl_VertexID % 2, gl_VertexID / 2 % 2) * 2.0 - 1.0;
 }
 `;
 

@@ -29,12 +29,27 @@ export class SphereView extends SpaceView {
       makeScene: (canvas) => SphereScene.on(canvas),
     });
     this.result = result;
+    result.show(state.get("snapshot"));
+    state.watch(["snapshot"], () => this.showState());
+    state.watch(["half"], () => this.#tellLook());
     state.watch(painted, () => this.refresh("colours", "lines"));
     state.watch(["chains", "bonds", "boundaries", "spheres"], () => this.refresh("lines"));
   }
 
+  /** Another state, or another result in the place of the first. */
+  showState(result = this.result) {
+    this.result = result;
+    result.show(this.state.get("snapshot"));
+    Object.assign(this, { forces: null, bonds: null, edges: null, furthest: null });
+    this.refresh("balls", "colours", "lines");
+  }
+
   get size() {
     return this.result.size;
+  }
+  get extent() {
+    const r = this.result.reach;
+    return { left: -r, right: r, bottom: -r, top: r };
   }
   get upright() {
     return 1;
@@ -48,7 +63,7 @@ export class SphereView extends SpaceView {
   }
   /** Spheres may lie somewhat outside of their container. */
   get reach() {
-    return (this.furthest ??= furthestOf(this.result) + Math.hypot(...this.size) / 2);
+    return (this.furthest ??= furthestOf(this.result) + this.result.reach);
   }
   /** Lines between spheres, which are seen through them. */
   get hasLinesWithin() {
@@ -74,6 +89,12 @@ export class SphereView extends SpaceView {
     if (stale.has("lines") && this.hasLines) this.#setLines();
   }
 
+  /** For a figure that turns as the picture does. */
+  #tellLook() {
+    const { azimuth, elevation } = this.look;
+    if (this.state.get("half") === "turned") this.state.set({ turned: `${azimuth} ${elevation}` });
+  }
+
   #setLines() {
     const { result, state } = this,
       { lines } = this.scene,
@@ -90,6 +111,7 @@ export class SphereView extends SpaceView {
 
   paint(pixelRatio = this.pixelRatio) {
     const { camera, theme } = this;
+    this.#tellLook();
     this.scene?.draw({
       frame: this.frame,
       kept: this.kept,
@@ -105,8 +127,10 @@ export class SphereView extends SpaceView {
   }
 
   outline() {
-    const kept = this.size.map((side, a) => Math.min(side, this.kept[a] + side / 2));
-    return outline(this.frame, this.size, kept, null, this.toScreen, this.theme, this.upright);
+    const { shift } = this.result.state,
+      kept = this.size.map((side, a) => Math.min(side, this.kept[a] - shift[a] + side / 2)),
+      toScreen = (point) => this.toScreen(point.map((place, a) => place + shift[a]));
+    return outline(this.frame, this.size, kept, null, toScreen, this.theme, this.upright);
   }
 
   drawOverlay() {

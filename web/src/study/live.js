@@ -2,6 +2,7 @@ import { h, rich } from "../dom.js";
 import { figureCard } from "../figures/card.js";
 import { State } from "../state.js";
 import { studyFigure } from "./figure.js";
+import { LiveSpheres } from "./live_spheres.js";
 
 const lives = {
   running: "running",
@@ -41,7 +42,8 @@ export function livePage(state) {
     answer = h("span", {}),
     stop = h("button", { class: "toggle", hidden: true, onclick: ask }, "Stop the run"),
     stages = h("ol", {}),
-    cards = h("div", { class: "figures study" });
+    cards = h("div", { class: "figures study" }),
+    spheres = new LiveSpheres(state);
   let figures = [],
     drawn = "",
     missed = 0;
@@ -54,7 +56,8 @@ export function livePage(state) {
   function draw() {
     const own = new State({ theme: state.get("theme") }),
       sample = { title: title.textContent, texture: () => null };
-    cards.replaceChildren(...figures.map((figure) => figureCard(studyFigure(figure), sample, own)));
+    const flat = figures.filter((figure) => !figure.spheres);
+    cards.replaceChildren(...flat.map((figure) => figureCard(studyFigure(figure), sample, own)));
   }
   function show(run) {
     const share = run.life === "ended" ? 1 : (run.status?.share ?? 0);
@@ -69,6 +72,7 @@ export function livePage(state) {
     if (run.at === drawn) return;
     drawn = run.at;
     figures = run.figures;
+    spheres.show(figures.find((figure) => figure.spheres) ?? null);
     draw();
   }
   async function look() {
@@ -84,6 +88,10 @@ export function livePage(state) {
   look();
   return {
     head: [title, where],
-    body: [h("section", { class: "card live" }, now, bar, h("p", {}, link, " ", stop, " ", answer), stages), cards],
+    body: [
+      h("section", { class: "card live" }, now, bar, h("p", {}, link, " ", stop, " ", answer), stages),
+      spheres.element,
+      cards,
+    ],
   };
 }

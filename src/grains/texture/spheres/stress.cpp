@@ -75,8 +75,7 @@ void sphere_stress(const SphereView& view, Numbers& to) {
       "Mean stress of the sample, tension positive; its error is unknown from one sample", Trait::by_forces);
   put(details, "pressure_Pa", -trace(stress) / 3, "Pa",
       "Pressure p, mean of the principal stresses, compression positive");
-  put(details, "deviator_Pa",
-      std::sqrt(0.5 * ((s.x - s.y) * (s.x - s.y) + (s.y - s.z) * (s.y - s.z) + (s.z - s.x) * (s.z - s.x))), "Pa",
+  put(details, "deviator_Pa", deviator(stress), "Pa",
       "Deviator q, sqrt(3 J_2): in a triaxial test the difference of the principal stresses");
   put(details, "principal_Pa", Numbers::list({s.x, s.y, s.z}), "Pa", "Principal stresses, tension positive");
   const Vec3 n = axes.direction[2];

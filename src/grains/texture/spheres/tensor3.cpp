@@ -3,6 +3,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include <cmath>
+
 namespace arenite::texture::spheres {
 
 Tensor3& Tensor3::operator+=(const Tensor3& other) {
@@ -46,6 +48,11 @@ Principal principal(const Tensor3& tensor) {
     p.direction[k] = (sign < 0 ? -1.0 : 1.0) * Vec3{n[0], n[1], n[2]};
   }
   return p;
+}
+
+double deviator(const Tensor3& tensor) {
+  const Vec3 s = principal(tensor).value;
+  return std::sqrt(0.5 * ((s.x - s.y) * (s.x - s.y) + (s.y - s.z) * (s.y - s.z) + (s.z - s.x) * (s.z - s.x)));
 }
 
 std::vector<double> solved_for_six(const double* normal, const double* right) {

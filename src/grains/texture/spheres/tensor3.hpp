@@ -24,6 +24,8 @@ struct Principal {
   Vec3 direction[3];
 };
 Principal principal(const Tensor3& tensor);
+/// sqrt(3 J_2) of it: in a triaxial test the difference of the principal stresses.
+double deviator(const Tensor3& tensor);
 
 /// Solution of the six normal equations of a least-squares fit, row by row; unknown where they are singular.
 std::vector<double> solved_for_six(const double* normal, const double* right);

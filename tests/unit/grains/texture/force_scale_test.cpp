@@ -32,8 +32,9 @@ TEST(ForceScale, OfSeveralStatesIsTheMeanOfAllTheirContactsThatPush) {
   Contacts one, other;
   for (const double force : {1.0, 3.0, -8.0}) one.add(0, 1, {1, 0}, force, 0, 1, 1);
   other.add(0, 1, {1, 0}, 5, 0, 1, 1);
-  EXPECT_DOUBLE_EQ(mean_push({&one, &other}), 3);  // (1 + 3 + 5)/3, and not the mean of both means, 3.5
-  EXPECT_EQ(mean_push({}), 0);
+  EXPECT_DOUBLE_EQ(mean_push(std::vector<const Contacts*>{&one, &other}),
+                   3);  // (1 + 3 + 5)/3, and not the mean of both means, 3.5
+  EXPECT_EQ(mean_push(std::vector<const Contacts*>{}), 0);
 }
 
 }  // namespace

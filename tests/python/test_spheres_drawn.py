@@ -1,0 +1,96 @@
+"""Pictures of spheres, and films of their stored states."""
+
+import types
+
+import numpy as np
+import pytest
+
+import arenite
+from arenite import animate
+from arenite.figures import motion, moving, spheres
+from test_spheres import RECIPE
+
+PIL = pytest.importorskip("PIL.Image")
+
+
+@pytest.fixture(scope="module")
+def pressed(tmp_path_factory):
+    """A hundred spheres, then pressed along y, with the states on the way."""
+    folder = tmp_path_factory.mktemp("pressed")
+    stage = "[[stages]]\nname = 'axial'\ntop = { velocity = '20 mm/s' }\nduration = '0.02 s'\nsnapshots = 2\n"
+    sides = "".join(f"{side} = {{ pressure = '10 kPa' }}\n" for side in ("right", "front"))
+    (folder / "recipe.toml").write_text(RECIPE + stage + sides)
+    return arenite.run(arenite.Recipe(folder / "recipe.toml"), folder / "out")
+
+
+def some_spheres(*places):
+    """Spheres as (right, up, towards the viewer, radius) of the picture."""
+    places = np.array(places, float)
+    position = places[:, :3] @ spheres.frame()
+    return types.SimpleNamespace(position=position, radius=places[:, 3])
+
+
+def test_the_viewers_directions_are_those_of_a_rotation_with_y_upwards():
+    right, up, towards = spheres.frame()
+    assert np.allclose(spheres.frame() @ spheres.frame().T, np.eye(3))
+    assert np.allclose(np.cross(right, up), towards)
+    assert right[1] == 0 and up[1] > 0 and towards[2] > 0 and towards[0] > 0
+
+
+@pytest.mark.parametrize("across", [30, 300])  # pixels: spheres drawn together, and each on its own
+def test_the_nearest_sphere_is_seen_and_each_covers_its_disk(across):
+    raster = spheres.Raster((-3, 3, -2, 2), across, some_spheres((0, 0, 0, 1), (0.5, 0, 2, 0.5), (0, 0, -4, 0.9)))
+    row, column = raster.rows // 2, lambda x: int((x + 3) / 6 * across)
+    assert raster.nearest[row, column(0.5)] == 1 and raster.nearest[row, column(-0.5)] == 0
+    assert raster.nearest[row, column(-1.2)] == -1 and not (raster.nearest == 2).any()
+    area = np.count_nonzero(raster.nearest >= 0) * raster.pixel**2
+    rim = 2 * np.pi * raster.pixel**1.5  # what a raster misses of a disk of radius 1 goes with the pixels of its rim
+    assert area == pytest.approx(np.pi, abs=rim)
+    blue = raster.image(np.array([[1.0, 0, 0], [0, 0, 1.0], [0, 1.0, 0]]))[row, column(0.5)]
+    assert blue[2] > 0.5 and blue[0] == blue[1] == 0
+
+
+def test_numbers_of_spheres_are_those_of_their_contacts(pressed):
+    shot = motion.shots_of(pressed, "axial")[-1]
+    packing = shot.packing
+    touching = np.bincount(packing.contact_i, minlength=120) + np.bincount(packing.contact_j, minlength=120)
+    assert np.array_equal(arenite.grain_values(packing, "coordination"), touching)
+    assert np.allclose(arenite.grain_values(packing, "speed"), np.linalg.norm(packing.velocity, axis=1))
+    # The pressures of all, by their volumes, are that of the cell.
+    volume = 4 / 3 * np.pi * packing.radius**3
+    mean = (arenite.grain_values(packing, "pressure") * volume).sum() / np.prod(packing.domain["size"])
+    stress = np.array(pressed.spheres[-1].numbers["stress"]["value"])
+    assert mean == pytest.approx(-np.trace(stress) / 3, rel=1e-9)
+    assert (arenite.grain_values(packing, "deviator") >= 0).all()
+    with pytest.raises(ValueError, match="no rotation"):
+        arenite.grain_values(packing, "rotation")
+
+
+def test_displacements_of_spheres_go_on_across_periodic_sides(pressed):
+    shots = motion.shots_of(pressed, "axial")
+    ways = motion.displacements(shots)
+    assert not ways[0].any() and ways[-1].shape == (120, 3)
+    step = shots[-1].packing.position - shots[0].packing.position
+    cells = (ways[-1] - step) / np.array(shots[-1].packing.domain["size"])
+    assert np.allclose(cells, np.round(cells), atol=1e-9)
+    assert np.linalg.norm(ways[-1], axis=1).max() < 5e-3
+
+
+@pytest.mark.parametrize("by", [by for by in animate.colourings if by != "rotation"])
+def test_every_colouring_of_spheres_is_drawn(pressed, by):
+    shots = motion.shots_of(pressed, "axial")
+    pictures = moving.Pictures(shots, by, chains=by == "material", size=(160, 160))
+    first, last = (pictures.image(k).copy() for k in (0, len(shots) - 1))
+    assert np.any(first != last)
+    assert np.any(last[..., :3].min(axis=-1) < 128)
+
+
+def test_a_film_of_spheres_has_a_picture_a_state_and_a_curve_beside(pressed, tmp_path):
+    path = animate.save(pressed, tmp_path / "a.gif", by="pressure", size=(240, 160), curve="test", stage="axial")
+    assert PIL.open(path).n_frames == 2
+    both = animate.save(pressed, tmp_path / "b.gif", curve=("time", "top_force"), size=(240, 160))
+    assert PIL.open(both).n_frames == len(motion.shots_of(pressed)) > 3
+    with pytest.raises(ValueError, match="no beauty to draw; there are axial_strain"):
+        animate.save(pressed, tmp_path / "c.gif", curve=("time", "beauty"), stage="axial")
+    with pytest.raises(ValueError, match="no rotation"):
+        animate.save(pressed, tmp_path / "c.gif", by="rotation")
