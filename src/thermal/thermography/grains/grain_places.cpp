@@ -1,8 +1,13 @@
 #include "thermal/thermography/grains/grain_places.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 
+#include "core/mapped.hpp"
+#include "core/median.hpp"
 #include "model/grain_motion.hpp"
 #include "thermal/thermography/grains/follow_grains.hpp"
 #include "thermal/thermography/grains/grain_motion.hpp"
@@ -41,6 +46,54 @@ PictureGrains with_errors_of_way(PictureGrains grains, const GrainMotion& motion
     if (!grains.position_error.empty() && std::isfinite(motion.error[i]))
       grains.position_error[i] = std::hypot(grains.position_error[i], 2 * motion.error[i]);
   return grains;
+}
+
+namespace {
+
+/// Mean motion of the nearest of the `seen` grains beside grain i.
+struct Going {
+  Vec2 cosine, sine;
+};
+Going mean_beside(std::size_t i, const PictureGrains& grains, const GrainMotion& motion,
+                  std::vector<std::size_t> seen) {
+  constexpr std::size_t others = 6;
+  std::erase(seen, i);
+  const std::size_t count = std::min(others, seen.size());
+  std::ranges::partial_sort(seen, seen.begin() + static_cast<std::ptrdiff_t>(count), {},
+                            [&](std::size_t j) { return norm(grains.centre[j] - grains.centre[i]); });
+  Going mean;
+  for (std::size_t k = 0; k < count; ++k)
+    mean.cosine += motion.cosine[seen[k]] / static_cast<double>(count),
+        mean.sine += motion.sine[seen[k]] / static_cast<double>(count);
+  return mean;
+}
+
+}  // namespace
+
+std::vector<double> settle_lost(const PictureGrains& smallest, GrainMotion& motion) {
+  constexpr double errors = 3;  // of a way that is still one
+  const auto lost = lost_grains(motion);
+  std::vector<std::size_t> seen;
+  for (std::size_t i = 0; i < lost.size(); ++i)
+    if (!lost[i]) seen.push_back(i);
+  if (seen.size() == lost.size() || seen.size() < 2) return {};
+  const auto apart = [&](std::size_t i, const Going& mean) {
+    return std::hypot(norm(motion.cosine[i] - mean.cosine), norm(motion.sine[i] - mean.sine));
+  };
+  // Lengths of vectors in the plane, of which the median is 1.18 standard deviations of a coordinate.
+  const double usual =
+      median(mapped(seen, [&](std::size_t i) { return apart(i, mean_beside(i, smallest, motion, seen)); })) /
+      std::sqrt(2 * std::numbers::ln2);
+  std::vector<double> error(lost.size(), 0.0);
+  for (std::size_t i = 0; i < lost.size(); ++i) {
+    if (!lost[i]) continue;
+    const Going mean = mean_beside(i, smallest, motion, seen);
+    const bool goes = apart(i, mean) < errors * std::sqrt(2.0) * usual;
+    if (!goes) motion.cosine[i] = mean.cosine, motion.sine[i] = mean.sine;
+    error[i] = 2 * (goes ? std::min(motion.error[i], usual) : usual);
+    if (!smallest.position_error.empty()) error[i] = std::hypot(error[i], smallest.position_error[i]);
+  }
+  return error;
 }
 
 std::size_t forget_lost(const GrainMotion& motion, PeakToPeak& change) {
