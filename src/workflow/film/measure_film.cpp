@@ -141,7 +141,7 @@ class Measurement {
 
   void fit_motion(const thermography::PhasePictures& pictures, FilmResult& r, PictureGrains& middle) {
     r.motion = thermography::motion_from_smallest(pictures, r.grains, r.maps.reference_phase, middle, options_.threads);
-    unseen_ = thermography::settle_lost(r.grains, r.motion);
+    unseen_ = thermography::settle_lost(r.grains, r.maps.reference_phase, r.motion);
     if (!unseen_.empty()) middle = thermography::moved(r.grains, r.motion, r.maps.reference_phase, 0.5);
     loaded_ = thermography::moved(r.grains, r.motion, r.maps.reference_phase, 1);
   }
