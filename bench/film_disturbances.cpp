@@ -132,6 +132,7 @@ class Pooled {
     for (const auto& [kind, sentence] : once) ++said_.try_emplace(kind, Said{0, sentence}).first->second.films;
   }
   void refuse(const std::string& why) {
+    refused_ += 1;
     ++said_.try_emplace(kind_of(why), Said{0, "refused: " + why}).first->second.films;
   }
 
@@ -142,7 +143,7 @@ class Pooled {
                 one_ / forces_, two_ / forces_, rms(common_));
     for (const auto& [kind, said] : said_)
       if (kind.find("gives the band of the camera") == std::string::npos)
-        std::printf("    in %d of %.0f: %s\n", said.films, films_, said.sentence.c_str());
+        std::printf("    in %d of %.0f: %s\n", said.films, films_ + refused_, said.sentence.c_str());
   }
 
  private:
@@ -150,7 +151,7 @@ class Pooled {
     int films;
     std::string sentence;
   };
-  double films_ = 0, forces_ = 0, one_ = 0, two_ = 0, stress_one_ = 0, stress_two_ = 0;
+  double films_ = 0, refused_ = 0, forces_ = 0, one_ = 0, two_ = 0, stress_one_ = 0, stress_two_ = 0;
   double stress_ = 0, stress_told_ = 0, force_ = 0, force_told_ = 0, common_ = 0;  // squares
   std::map<std::string, Said> said_;
 };

@@ -16,12 +16,12 @@ namespace {
 using test::factors, test::relative_error;
 
 /// A crystal's picture, and its grains as found: a tenth of a pixel off.
-struct Film {
+struct CrystalFilm {
   Packing truth = test::pressed_crystal(9, 8, 6e-3, 3), found = test::without_forces(truth);
   test::ThermoelasticDrawing drawing;
   ThermoelasticPicture picture = test::draw_thermoelastic(truth, factors(truth), drawing);
 
-  Film() {
+  CrystalFilm() {
     RandomStream random(9, Purpose::test);
     for (Vec2& centre : found.grains.position) centre += 0.1 * drawing.pixel * Vec2{random.normal(), random.normal()};
   }
@@ -60,7 +60,7 @@ struct Film {
 /// larger, and a load that is known badly would allow it: by some 3 % at an error of 3 %. A load that is told right
 /// shifts nothing, however badly it is known; the weak prior of elastic energy does by 0.2 %.
 TEST(PixelForces, ALoadThatIsKnownBadlyLeavesForcesAsLarge) {
-  const Film film;
+  const CrystalFilm film;
   ForceOptions options;
   options.fit_factors = true;
   options.own_factors = true;
@@ -76,7 +76,7 @@ TEST(PixelForces, ALoadThatIsKnownBadlyLeavesForcesAsLarge) {
 /// A grain that shows nothing (here two fifths of what it warms, half a pixel from where it is) spoils the forces on it
 /// where it is believed; left out, these follow from its neighbours.
 TEST(PixelForces, AGrainThatIsNotSeenHasTheForcesOfItsNeighbours) {
-  Film film;
+  CrystalFilm film;
   const std::size_t grain = film.inner_grain();
   film.paint(grain, 0.4f);
   film.found.grains.position[grain].x += 0.5 * film.picture.pixel;
@@ -101,7 +101,7 @@ TEST(PixelForces, AGrainThatIsNotSeenHasTheForcesOfItsNeighbours) {
 
 /// Where a grain that is not seen was thought to be is no error of a list.
 TEST(PixelForces, AGrainThatIsNotSeenMayOverlapOthers) {
-  Film film;
+  CrystalFilm film;
   const std::size_t grain = film.inner_grain();
   film.found.grains.position[grain].x += 0.5 * film.found.grains.radius[grain];
   ForceProblem problem{film.found, factors(film.found), {}};
