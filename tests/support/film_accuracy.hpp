@@ -25,6 +25,8 @@ struct FilmAccuracy {
   double stress = 0, stress_told = 0;            ///< rms over the mean stress
   double force = 0, force_told = 0;              ///< of normal forces, relative
   double within_one = 0, within_two = 0;         ///< shares of forces
+  std::size_t forces = 0;                        ///< of how many
+  double common = 0;                             ///< by which all forces are too large together, relative
   double stress_within_one = 0, stress_within_two = 0;
   std::vector<std::string> said;
   FilmResult result;
@@ -106,7 +108,7 @@ inline void judge_forces(FilmAccuracy& a, const Packing& truth, const FilmResult
   for (std::size_t c = 0; c < truth.contacts.size(); ++c) contact_of[{truth.contacts.i[c], truth.contacts.j[c]}] = c;
   std::vector<double> carried(truth.contacts.size(), 0.0);
   a.contacts = found.contacts.size(), a.true_contacts = truth.contacts.size();
-  double squares = 0, one = 0, two = 0, matched = 0;
+  double squares = 0, one = 0, two = 0, along = 0, held = 0;
   for (std::size_t c = 0; c < found.contacts.size(); ++c) {
     const auto place = [&](std::int32_t g) -> std::int32_t {
       if (g < 0) return g;
@@ -123,15 +125,18 @@ inline void judge_forces(FilmAccuracy& a, const Packing& truth, const FilmResult
     }
     const double off = fn - truth.contacts.fn[at->second];
     carried[at->second] = 1;
-    a.force += off * off, a.force_told += told * told, matched += 1;
+    a.force += off * off, a.force_told += told * told, ++a.forces;
     one += std::abs(off) < told, two += std::abs(off) < 2 * told;
+    along += off * truth.contacts.fn[at->second], held += truth.contacts.fn[at->second] * truth.contacts.fn[at->second];
   }
   for (std::size_t c = 0; c < truth.contacts.size(); ++c) {
     squares += truth.contacts.fn[c] * truth.contacts.fn[c];
     if (carried[c] == 0) a.force += truth.contacts.fn[c] * truth.contacts.fn[c];
   }
   a.force = std::sqrt(a.force / squares), a.force_told = std::sqrt(a.force_told / squares);
+  const auto matched = static_cast<double>(a.forces);
   a.within_one = one / matched, a.within_two = two / matched;
+  a.common = held > 0 ? along / held : 0;
 }
 
 inline FilmAccuracy judged(const Packing& truth, const LaboratoryFilm& how, FilmResult result,

@@ -116,6 +116,26 @@ TEST(LaboratoryFilm, AWrongFactorIsSaidAndFittedFactorsDoWithoutIt) {
   expect_covered(fitted);
 }
 
+/// One that is told right and known to 3 % shifts no force (shrinking all of them to mend the balance did, of some
+/// samples by 11 %) and takes nothing from what is known of the factors.
+TEST(LaboratoryFilm, ALoadThatIsKnownBadlyMakesForcesNoSmaller) {
+  const FilmAccuracy a = Laboratory::measures({}, [](auto& r) { r.container.load_error = 0.03; });
+  EXPECT_LT(a.force, 0.014);  // factors as given hold them to 2 %/sqrt(2), of which the load takes some
+  EXPECT_NEAR(a.common, 0, 0.01);
+  for (const double scale : a.result.fit.factor_scale) EXPECT_NEAR(scale, 1, 0.02);
+  EXPECT_LT(a.stress_told, 0.035);
+}
+
+/// Grains as bright as what is behind them: where they go nobody sees, and what they warm by is not what the recipe's
+/// emissivity makes it.
+TEST(LaboratoryFilm, GrainsWhoseMotionIsLostTakeNoForcesFromOthers) {
+  const FilmAccuracy a = Laboratory::measures([](auto& f) { f.bare = {11, 20}; }, {}, Laboratory::Grains::listed);
+  expect_said(a, "the motion of 2 of 36 grains is not visible well enough");
+  EXPECT_EQ(all(a).find("grains of one material differ"), std::string::npos) << all(a);  // not these
+  EXPECT_LT(a.force, 0.014);
+  EXPECT_GT(a.within_two, 0.9);
+}
+
 TEST(LaboratoryFilm, EmissivitiesThatScatterByGrainAreInTheErrors) {
   const FilmAccuracy a = Laboratory::measures([](auto& f) { f.emissivity_scatter = 0.03; });
   expect_said(a, "grains of one material differ by");

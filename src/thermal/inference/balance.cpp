@@ -110,11 +110,15 @@ void add_turn(const Unknowns& unknowns, const std::vector<Touch>& touches, std::
   row[partner] -= change.x, row[partner + 1] -= change.y;
 }
 
-void ForceEquations::add_balance(const Touches& touches, const std::vector<double>& force, double error) {
-  const std::vector<double> weight(3, 1 / (error * error));
+void ForceEquations::add_balance(const Touches& touches, const std::vector<double>& force, double error,
+                                 const std::vector<double>& scale) {
   for (std::size_t g = 0; g < touches.size(); ++g) {
     if (touches[g].empty()) continue;
-    const std::vector<int> columns = columns_of(unknowns, g, touches[g]);
+    const std::size_t material = scale.empty() ? 0 : static_cast<std::size_t>(packing.grains.material[g]);
+    const double times = scale.empty() ? 1 : scale[material];
+    const std::vector<double> weight(3, times * times / (error * error));
+    std::vector<int> columns = columns_of(unknowns, g, touches[g]);
+    if (!scale.empty()) columns.push_back(unknowns.scale(material));
     const std::size_t n = columns.size();
     std::vector<double> rows(3 * n);
     for (std::size_t k = 0; k < touches[g].size(); ++k) {
@@ -125,6 +129,10 @@ void ForceEquations::add_balance(const Touches& touches, const std::vector<doubl
       const Vec2 turned = perpendicular(touches[g][k].force_of(force));
       add_turn(unknowns, touches[g], k, turned.x, &rows[0]);
       add_turn(unknowns, touches[g], k, turned.y, &rows[n]);
+      if (scale.empty()) continue;
+      const Vec2 present = touches[g][k].force_of(force);
+      rows[n - 1] += present.x, rows[2 * n - 1] += present.y;
+      rows[3 * n - 1] += touches[g][k].of_contact(force, 1);
     }
     add(columns, rows, {0, 0, 0}, weight);
   }

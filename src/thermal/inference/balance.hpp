@@ -68,8 +68,11 @@ class ForceEquations : public NormalEquations {
         unknowns(with) {}
 
   /// Forces and couple of every grain vanish to `error` (N). `force` is the present estimate, of which turning normals
-  /// change the direction, N.
-  void add_balance(const Touches& touches, const std::vector<double>& force, double error);
+  /// change the direction, N. Where factors are fitted, `scale` (one a material) are the present ones, and what is out
+  /// of balance counts as the data show it, scale times force: counted in newtons it would be less with all forces
+  /// smaller and all factors larger, which no data tell from what they are but a load that is known badly.
+  void add_balance(const Touches& touches, const std::vector<double>& force, double error,
+                   const std::vector<double>& scale = {});
   void add_walls(const std::vector<WallLoad>& walls);
   /// Elastic energy of the contacts: sum of compliance (f/(prior unit))^2.
   void add_energy(double prior);

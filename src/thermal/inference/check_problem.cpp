@@ -13,7 +13,8 @@
 namespace arenite::inference {
 namespace {
 
-void check_grains(const Packing& packing, Problems& problems) {
+void check_grains(const ForceProblem& problem, Problems& problems) {
+  const Packing& packing = problem.packing;
   const Grains& grains = packing.grains;
   if (!(packing.domain.thickness > 0))
     problems.add("the thickness of the sample is not known; give the cylinders' length");
@@ -25,6 +26,7 @@ void check_grains(const Packing& packing, Problems& problems) {
   const Domain& d = packing.domain;
   for (const geometry::Pair& pair : pairs_within(grains, d, 0)) {
     const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
+    if (!problem.is_seen(i) || !problem.is_seen(j)) continue;  // where it is, is known only so far
     const double overlap =
         grains.radius[i] + grains.radius[j] - norm(d.nearest_image(grains.position[i] - grains.position[j]));
     if (overlap > 0.4 * std::min(grains.radius[i], grains.radius[j]))
@@ -98,7 +100,7 @@ void check_options(const ForceOptions& o, Problems& problems) {
 void check_problem(const ForceProblem& problem, const ForceOptions& options, bool factors) {
   Problems problems;
   check_options(options, problems);
-  check_grains(problem.packing, problems);
+  check_grains(problem, problems);
   check_contacts(problem.packing, problems);
   check_walls(problem, problems);
   if (factors) check_factors(problem, problems);

@@ -84,6 +84,12 @@ struct ForceProblem {
   const Packing& packing;
   std::vector<double> factor;
   std::vector<WallLoad> walls;
+  /// Standard error of the place (m) of grains of which the data show nothing; 0 for all others, empty: all are seen.
+  /// Forces on such a grain follow from its neighbours and from its balance, which holds as far as its place is known.
+  std::vector<double> unseen = {};
+
+  double unseen_error(std::size_t grain) const { return unseen.empty() ? 0 : unseen[grain]; }
+  bool is_seen(std::size_t grain) const { return unseen_error(grain) <= 0; }
 };
 
 }  // namespace arenite::inference

@@ -86,7 +86,7 @@ std::string off_scale(double peak_to_peak, double scale) {
   return fmt::format(
       "the film's temperatures give {} the forces that the peak-to-peak load of {:.4g} kN allows; the likely causes "
       "are load_peak_to_peak or all thermoelastic factors (given as {} their true values), the calibration of "
-      "temperatures, or thickness",
+      "temperatures, emissivities, or thickness",
       percent(scale), load, percent(1 / scale));
 }
 

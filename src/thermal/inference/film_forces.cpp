@@ -32,9 +32,11 @@ double widest_gap(double pixel) {
   return (tolerance.floor + tolerance.errors * std::sqrt(2.0) * surface_error) * pixel;
 }
 
-Contacts touching_at_either_load(const Domain& start, const FilmResult& r) {
+/// `unseen`: ForceProblem's.
+Contacts touching_at_either_load(const Domain& start, const FilmResult& r, const std::vector<double>& unseen) {
   const imaging::ContactTolerance tolerance = tolerance_of(r.pixel);
-  const imaging::GrainErrors errors{std::vector<double>(r.packing.grains.size(), surface_error * r.pixel), {}};
+  imaging::GrainErrors errors{std::vector<double>(r.packing.grains.size(), surface_error * r.pixel), {}};
+  for (std::size_t g = 0; g < unseen.size(); ++g) errors.position[g] = std::max(errors.position[g], unseen[g]);
   Contacts contacts = imaging::propose_contacts(r.packing.grains, r.packing.domain, errors, tolerance);
   const Grains before = in_metres(r.grains, {r.origin, r.pixel});
   const Contacts opened = imaging::propose_contacts(before, start, errors, tolerance);
@@ -132,8 +134,9 @@ ForceFit fit_of_factors(const ForceProblem& problem, const ThermoelasticPicture&
 }  // namespace
 
 void infer_film_forces(const FilmForcesGiven& given, const Domain& start, FilmResult& r) {
-  r.packing.contacts = touching_at_either_load(start, r);
-  ForceProblem problem{r.packing, mapped(r.packing.materials, &Material::thermoelastic_factor), {}};
+  const auto unseen = mapped(given.unseen, [&](double pixels) { return pixels * r.pixel; });
+  r.packing.contacts = touching_at_either_load(start, r, unseen);
+  ForceProblem problem{r.packing, mapped(r.packing.materials, &Material::thermoelastic_factor), {}, unseen};
   if (given.load_peak_to_peak > 0)
     problem.walls.push_back({bottom, given.load_peak_to_peak, given.load_error * given.load_peak_to_peak});
   auto options = force_options(given, r.grains);

@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "model/domain.hpp"
 #include "model/film_result.hpp"
 
@@ -15,6 +17,7 @@ struct FilmForcesGiven {
   double factor_error = 0.02;  ///< standard error of the materials' thermoelastic factors, relative
   bool fits_factors = false;   ///< these are those that fit the film
   int threads = 1;
+  std::vector<double> unseen = {};  ///< standard error of the place of grains whose motion was lost, pixels; 0: others
 };
 
 /// Proposes contacts between the grains of `result.packing` and infers their forces from its maps, or from the means of

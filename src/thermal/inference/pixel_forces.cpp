@@ -28,14 +28,21 @@ void check_picture(const ThermoelasticPicture& p) {
   if (!(p.pixel > 0)) throw InputError("the side of a pixel is not known; give it, e.g. \"1.60 mm\"");
 }
 
+Pixels seen_pixels(const ForceProblem& problem, Pixels pixels) {
+  for (std::size_t g = 0; g < pixels.size(); ++g)
+    if (!problem.is_seen(g)) pixels[g].clear();
+  return pixels;
+}
+
 /// Throws InputError for contacts that no pixel of either grain sees.
-void check_pixels(const Packing& packing, const Pixels& pixels) {
+void check_pixels(const ForceProblem& problem, const Pixels& pixels) {
+  const Packing& packing = problem.packing;
   Problems problems;
   const Contacts& contacts = packing.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const auto i = static_cast<std::size_t>(contacts.i[c]);
-    if (!pixels[i].empty() || (!contacts.is_wall(c) && !pixels[static_cast<std::size_t>(contacts.j[c])].empty()))
-      continue;
+    const auto shows = [&](std::size_t g) { return !pixels[g].empty() || !problem.is_seen(g); };
+    if (shows(i) || (!contacts.is_wall(c) && shows(static_cast<std::size_t>(contacts.j[c])))) continue;
     problems.add(
         "no pixel of the picture sees the contact of grain {} with {}; leave the contact out or lower the margins",
         packing.grains.id[i],
@@ -78,6 +85,7 @@ std::vector<std::vector<Near>> near_grains(const Packing& packing, double gap) {
 double typical_force(const Placed& placed, const Pixels& pixels) {
   double sum = 0, touches = 0;
   for (std::size_t g = 0; g < pixels.size(); ++g) {
+    if (pixels[g].empty()) continue;
     sum +=
         std::numbers::pi * placed.radius[g] * placed.length * root_mean_square(pixels[g]) / std::abs(placed.factor[g]);
     touches += static_cast<double>(placed.touches[g].size());
@@ -85,11 +93,11 @@ double typical_force(const Placed& placed, const Pixels& pixels) {
   return sum > 0 ? sum / touches : 1;
 }
 
-/// What the picture would show of these forces in all pixels whose centres are in grains.
-std::vector<float> drawn(const Placed& placed, const Packing& packing, const ThermoelasticPicture& picture,
+/// What the picture would show of these forces in all pixels whose centres are in grains that are seen.
+std::vector<float> drawn(const ForceProblem& problem, const Placed& placed, const ThermoelasticPicture& picture,
                          const PointSpread& spread) {
   std::vector<float> fitted(picture.value.size(), std::numeric_limits<float>::quiet_NaN());
-  const Pixels all = pixels_of_grains(picture, packing, placed.touches, 0, 0);
+  const Pixels all = seen_pixels(problem, pixels_of_grains(picture, problem.packing, placed.touches, 0, 0));
   for (std::size_t g = 0; g < all.size(); ++g) {
     const std::vector<double> warming = warming_of_grain(placed, g, all[g], spread);
     for (std::size_t q = 0; q < all[g].size(); ++q) fitted[all[g][q].number] = static_cast<float>(warming[q]);
@@ -105,14 +113,15 @@ InferredForces infer_from_pixels(const ForceProblem& problem, const Thermoelasti
   check_picture(picture);
   const Packing& packing = problem.packing;
   Placed placed = placed_grains(problem);
-  const Pixels pixels = pixels_of_grains(picture, packing, placed.touches, options.rim_margin, options.contact_margin);
-  check_pixels(packing, pixels);
+  const Pixels pixels = seen_pixels(
+      problem, pixels_of_grains(picture, packing, placed.touches, options.rim_margin, options.contact_margin));
+  check_pixels(problem, pixels);
   const PointSpread spread(picture.pixel, options.blur);
   placed.near = near_grains(packing, spread.reach);
   const double force = typical_force(placed, pixels);
   PixelRounds rounds(problem, options, pixels, spread, picture.pixel, std::move(placed), force, picture.common_error);
   InferredForces out = rounds.solved();
-  out.fit.picture = drawn(rounds.placed_by_material(), packing, picture, spread);
+  out.fit.picture = drawn(problem, rounds.placed_by_material(), picture, spread);
   return out;
 }
 

@@ -72,7 +72,8 @@ double PixelRounds::squares(const Known& known, const std::vector<PixelEquations
 }
 
 void PixelRounds::add_beside_pixels(ForceEquations& equations, const Known& known) const {
-  equations.add_balance(known.placed.touches, known.placed.force, options_.balance_error * unknowns_.force);
+  equations.add_balance(known.placed.touches, known.placed.force, options_.balance_error * unknowns_.force,
+                        known.scale);
   equations.add_walls(problem_.walls);
   equations.add_energy(options_.prior > 0 ? options_.prior : 10);
   add_positions(equations, known);
@@ -83,8 +84,9 @@ void PixelRounds::add_beside_pixels(ForceEquations& equations, const Known& know
 /// Centres stay near where they were found.
 void PixelRounds::add_positions(ForceEquations& equations, const Known& known) const {
   if (unknowns_.move <= 0) return;
-  const double weight = squared(unknowns_.move / (options_.position_error * side_));
   for (std::size_t g = 0; g < unknowns_.grains; ++g) {
+    const double error = std::max(options_.position_error * side_, problem_.unseen_error(g));
+    const double weight = squared(unknowns_.move / error);
     const Vec2 back = (1 / unknowns_.move) * (known.placed.found[g] - known.placed.centre[g]);
     equations.add_diagonal(unknowns_.centre(g), weight, back.x);
     equations.add_diagonal(unknowns_.centre(g) + 1, weight, back.y);

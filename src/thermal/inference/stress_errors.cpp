@@ -73,7 +73,13 @@ void add_factor_error(const GivenFactors& given, FilmResult& r) {
     double relative = given.error;
     if (known) {
       const double scale = r.fit.factor_scale[m];
-      relative = std::hypot(r.fit.factor_scale_error[m] / scale, given.fitted ? 0 : std::log(scale));
+      const double shown = r.fit.factor_scale_error[m] / scale, off = std::log(scale);
+      // Factors that the film shows worse than they were given are the given ones, unless it shows that these are
+      // wrong.
+      constexpr double errors = 3;
+      const double known_to = std::abs(off) > errors * shown ? std::max(given.error, std::abs(off)) : given.error;
+      const double believed = known_to > 0 && shown > known_to ? known_to / shown : 1;
+      relative = given.fitted ? shown : std::hypot(believed * shown, believed * believed * off);
       if (given.fitted) stress /= scale, error /= scale;
     }
     error = std::hypot(error, relative * stress);

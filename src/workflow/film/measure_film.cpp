@@ -141,6 +141,8 @@ class Measurement {
 
   void fit_motion(const thermography::PhasePictures& pictures, FilmResult& r, PictureGrains& middle) {
     r.motion = thermography::motion_from_smallest(pictures, r.grains, r.maps.reference_phase, middle, options_.threads);
+    unseen_ = thermography::settle_lost(r.grains, r.maps.reference_phase, r.motion);
+    if (!unseen_.empty()) middle = thermography::moved(r.grains, r.motion, r.maps.reference_phase, 0.5);
     loaded_ = thermography::moved(r.grains, r.motion, r.maps.reference_phase, 1);
   }
 
@@ -169,9 +171,10 @@ class Measurement {
                                 inference::blur_error(r.rim_blur, recipe_.forces.blur));
     if (scattered_.size() > 0) inference::add_halo_error(r, thermography::grain_means(scattered_, uncertain, means));
     if (const std::size_t lost = thermography::forget_lost(r.motion, r.peak_to_peak); lost > 0)
-      options_.notice(
-          fmt::format("the motion of {} of {} grains is not visible well enough in the film; their stress is unknown",
-                      lost, r.motion.size()));
+      options_.notice(fmt::format(
+          "the motion of {} of {} grains is not visible well enough in the film; their stress is unknown, and "
+          "forces on them are what their neighbours and balance make them",
+          lost, r.motion.size()));
     r.packing.materials = materials_of(recipe_);
     start_ = imaging::settle_walls(containers(), loaded_, place_, r);
     r.packing.grains = in_metres(loaded_, place_);
@@ -206,7 +209,8 @@ class Measurement {
             .state = f.state,
             .factor_error = f.factor_error,
             .fits_factors = fits_factors(),
-            .threads = options_.threads};
+            .threads = options_.threads,
+            .unseen = unseen_};
   }
 
   inference::FilmGiven given() const {
@@ -234,6 +238,7 @@ class Measurement {
   LockinMaps scattered_;                    ///< with the halo left in; empty where there is none
   Domain start_;                            ///< the container at the smallest load
   PictureGrains loaded_;                    ///< at the largest load
+  std::vector<double> unseen_;              ///< errors of their places, where the motion of some is lost
 };
 
 }  // namespace

@@ -1,8 +1,14 @@
 #include "thermal/thermography/grains/grain_places.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <tuple>
+#include <utility>
 
+#include "core/mapped.hpp"
+#include "core/median.hpp"
 #include "model/grain_motion.hpp"
 #include "thermal/thermography/grains/follow_grains.hpp"
 #include "thermal/thermography/grains/grain_motion.hpp"
@@ -41,6 +47,60 @@ PictureGrains with_errors_of_way(PictureGrains grains, const GrainMotion& motion
     if (!grains.position_error.empty() && std::isfinite(motion.error[i]))
       grains.position_error[i] = std::hypot(grains.position_error[i], 2 * motion.error[i]);
   return grains;
+}
+
+namespace {
+
+/// Mean cosine and sine of the motions of the nearest of the `seen` grains beside grain i.
+std::pair<Vec2, Vec2> mean_beside(std::size_t i, const PictureGrains& grains, const GrainMotion& motion,
+                                  std::vector<std::size_t> seen) {
+  constexpr std::size_t others = 6;
+  std::erase(seen, i);
+  const std::size_t count = std::min(others, seen.size());
+  std::ranges::partial_sort(seen, seen.begin() + static_cast<std::ptrdiff_t>(count), {},
+                            [&](std::size_t j) { return norm(grains.centre[j] - grains.centre[i]); });
+  std::pair<Vec2, Vec2> mean;
+  for (std::size_t k = 0; k < count; ++k)
+    mean.first += motion.cosine[seen[k]] / static_cast<double>(count),
+        mean.second += motion.sine[seen[k]] / static_cast<double>(count);
+  return mean;
+}
+
+/// How deep grain i lies in one of those that are seen.
+double depth(std::size_t i, const PictureGrains& grains, const std::vector<std::size_t>& seen) {
+  double deepest = 0;
+  for (const std::size_t j : seen)
+    if (j != i)
+      deepest = std::max(deepest, grains.radius[i] + grains.radius[j] - norm(grains.centre[j] - grains.centre[i]));
+  return deepest;
+}
+
+}  // namespace
+
+std::vector<double> settle_lost(const PictureGrains& smallest, double phase, GrainMotion& motion) {
+  const auto lost = lost_grains(motion);
+  std::vector<std::size_t> seen;
+  for (std::size_t i = 0; i < lost.size(); ++i)
+    if (!lost[i]) seen.push_back(i);
+  if (seen.size() == lost.size() || seen.size() < 2) return {};
+  GrainMotion with_others = motion;
+  for (std::size_t i = 0; i < lost.size(); ++i)
+    std::tie(with_others.cosine[i], with_others.sine[i]) = mean_beside(i, smallest, motion, seen);
+  const PictureGrains own = moved(smallest, motion, phase, 1), beside = moved(smallest, with_others, phase, 1);
+  double usual = 0;  // of those that are seen
+  for (const std::size_t i : seen) usual = std::max(usual, depth(i, own, seen));
+  // Of lengths of vectors in the plane, the median is 1.18 standard deviations of a coordinate.
+  const double spread = median(mapped(seen, [&](std::size_t i) { return norm(own.centre[i] - beside.centre[i]); })) /
+                        std::sqrt(2 * std::numbers::ln2);
+  std::vector<double> error(lost.size(), 0.0);
+  for (std::size_t i = 0; i < lost.size(); ++i) {
+    if (!lost[i]) continue;
+    const bool goes = depth(i, own, seen) <= std::max(usual, depth(i, beside, seen));
+    if (!goes) motion.cosine[i] = with_others.cosine[i], motion.sine[i] = with_others.sine[i];
+    error[i] = goes ? 2 * motion.error[i] : spread;
+    if (!smallest.position_error.empty()) error[i] = std::hypot(error[i], smallest.position_error[i]);
+  }
+  return error;
 }
 
 std::size_t forget_lost(const GrainMotion& motion, PeakToPeak& change) {

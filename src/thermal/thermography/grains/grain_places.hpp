@@ -26,6 +26,12 @@ GrainMotion motion_with_wall(const std::vector<double>& height, double travel, d
 /// The same grains with position errors that hold those of the whole way of their motion.
 PictureGrains with_errors_of_way(PictureGrains grains, const GrainMotion& motion);
 
+/// What is known of the places of lost grains (`lost_grains`). A loose grain may go quite another way than its
+/// neighbours, but none goes into others: a way that ends deeper in one of them than they lie in each other, and than
+/// the mean way of the nearest would, is none, and the grain goes with these. Returns the standard error of each lost
+/// grain's place at the largest load, pixels; 0 for all others, empty where none is lost.
+std::vector<double> settle_lost(const PictureGrains& smallest, double phase, GrainMotion& motion);
+
 /// Makes unknown what stands in the maps where a grain was thought to be, and was not (`lost_grains`); how many.
 std::size_t forget_lost(const GrainMotion& motion, PeakToPeak& change);
 

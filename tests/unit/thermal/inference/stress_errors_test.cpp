@@ -65,6 +65,16 @@ TEST(StressErrors, GivenFactorsCountByTheirErrorUnlessTheLoadTellsThem) {
   EXPECT_NEAR(r.peak_to_peak.error[0], std::hypot(0.04, std::log(1.25)) * 4e6, 1e-6);
 }
 
+/// A load of which next to nothing is known takes nothing from what the recipe knows of the factors.
+TEST(StressErrors, FactorsThatTheLoadTellsWorseAreAsWellKnownAsGiven) {
+  FilmResult r = of_two_materials();
+  r.fit.factor_scale = {1.02, 1};
+  r.fit.factor_scale_error = {0.4, 0.02};
+  add_factor_error({.error = 0.02, .with_load = true}, r);
+  EXPECT_NEAR(r.peak_to_peak.error[0], 0.02 * 4e6, 0.02 * 0.02 * 4e6);
+  EXPECT_NEAR(r.peak_to_peak.error[1], 0.02 * 1e6, 1e-6);
+}
+
 TEST(StressErrors, FittedFactorsMakeTheStressesTheirs) {
   FilmResult r = of_two_materials();
   add_factor_error({.fitted = true, .with_load = true}, r);

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "thermal/thermography/grains/follow_grains.hpp"
+
 namespace arenite::thermography {
 namespace {
 
@@ -71,6 +73,38 @@ TEST(GrainPlaces, LostGrainsHaveNoStress) {
   EXPECT_TRUE(std::isnan(change.sigma_hyd[2]) && std::isnan(change.temperature[2]) && std::isinf(change.error[2]));
   EXPECT_EQ(change.sigma_hyd[1], -1e6);
   EXPECT_EQ(change.error[3], 1e4);
+}
+
+/// A row of grains, 0.2 pixels apart, that go to and fro across it, each a little otherwise. Three are lost: one is
+/// said to go into its neighbour, one far across the row where nobody is, one as the others do.
+TEST(GrainPlaces, LostGrainsGoWhereNoOtherIs) {
+  PictureGrains found;
+  GrainMotion motion;
+  for (int i = 0; i < 30; ++i) {
+    found.centre.push_back({10.2 * i, 0});
+    found.radius.push_back(5);
+    motion.cosine.push_back({0.03 * (i % 3 - 1), 1 + 0.05 * (i % 2)});
+    motion.sine.push_back({0, 0});
+    motion.error.push_back(0.004);
+  }
+  const GrainMotion seen = motion;
+  motion.error[8] = motion.error[12] = motion.error[20] = 0.05;
+  motion.cosine[8] = {0, -4}, motion.cosine[12] = {1.5, 1};
+  const std::vector<double> error = settle_lost(found, 0, motion);
+  EXPECT_EQ(motion.cosine[8].y, -4);
+  EXPECT_NEAR(motion.cosine[12].x, 0, 0.02);  // the mean of those beside it
+  EXPECT_NEAR(motion.cosine[12].y, 1.025, 0.02);
+  EXPECT_EQ(motion.cosine[20].y, seen.cosine[20].y);
+  EXPECT_EQ(motion.cosine[5].y, seen.cosine[5].y);
+  ASSERT_EQ(error.size(), 30u);
+  EXPECT_EQ(error[5], 0);
+  EXPECT_DOUBLE_EQ(error[8], 0.1);  // of a way that is twice the amplitude
+  // Amplitudes of neighbours differ by 0.025 and up to 0.03 along the axes.
+  EXPECT_GT(error[12], 0.03);
+  EXPECT_LT(error[12], 0.12);
+  EXPECT_EQ(lost_grains(motion)[12], 1);
+  motion = seen;
+  EXPECT_TRUE(settle_lost(found, 0, motion).empty());
 }
 
 }  // namespace
