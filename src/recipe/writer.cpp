@@ -107,10 +107,12 @@ RecordTable values_in(RecordTable table) {
   return table;
 }
 
-/// The record of the same key: what has another form in space has its name twice, with two sentences.
+/// The record of the same key. Tables that have another form in space have their name twice, with two sentences; values
+/// that have theirs twice are held against the first, by which stored results are named.
 const Record& same_of(const Record& record, const RecordTable& table) {
   const auto same = [&](const Record& other) {
-    return other.key.name == record.key.name && other.key.sentence == record.key.sentence;
+    return other.key.name == record.key.name &&
+           (record.kind == Record::Kind::value || other.key.sentence == record.key.sentence);
   };
   const auto found = std::ranges::find_if(table, same);
   if (found == table.end()) throw std::logic_error(fmt::format("key {} is declared in one of two ways", record.name()));
