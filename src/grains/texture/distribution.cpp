@@ -122,23 +122,20 @@ Numbers distribution(const Items& items, const Items& all, const std::vector<int
                      double level) {
   const double own_mean = mean_of(items, value), sign = own_mean < 0 ? -1 : 1,
                count = static_cast<double>(items.size()), of_all = mean_of_all / mean_of(all, value);
-  const auto by_value = [&](Items set) {
-    std::ranges::stable_sort(set, [&](std::size_t i, std::size_t j) { return sign * value[i] < sign * value[j]; });
-    return set;
-  };
-  const Items sorted = by_value(items);
+  Items by_value = all;
+  std::ranges::stable_sort(by_value, [&](std::size_t i, std::size_t j) { return sign * value[i] < sign * value[j]; });
   std::vector<std::uint8_t> own(value.size(), 0);
   for (const std::size_t i : items) own[i] = 1;
-  auto n = jackknife(by_value(all), block_of, [&](const Items& rest) {
-    return numbers_of(kept(rest, [&](std::size_t i) { return own[i] != 0; }), value, of_all * mean_of(rest, value),
-                      scale);
+  const auto is_own = [&](std::size_t i) { return own[i] != 0; };
+  auto n = jackknife(by_value, block_of, [&](const Items& rest) {
+    return numbers_of(kept(rest, is_own), value, of_all * mean_of(rest, value), scale);
   });
   n[lead] = {n[lead].value * count, n[lead].error * count};
   n[mean_value].error = std::hypot(n[mean_value].error, level * n[mean_value].value);
   Numbers j{{"count", described(items.size(), "", "Values of the set")}};
   put_numbers(j, n, names);
   std::vector<double> x;
-  if (own_mean != 0) x = rising(sorted, value, own_mean);
+  if (own_mean != 0) x = rising(kept(by_value, is_own), value, own_mean);
   if (!x.empty()) put(j, "maximum", x.back(), "", "Largest value over the mean");
   put_laws(j, n, statistics::exponential_tail(x));
   j["pdf"] = Numbers(density(x)).mark(Trait::curve);

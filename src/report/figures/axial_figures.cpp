@@ -11,7 +11,6 @@
 
 #include "core/mapped.hpp"
 #include "grains/fields/laboratory/axial_tests.hpp"
-#include "grains/fields/laboratory/shear_in_space.hpp"
 #include "grains/fields/laboratory/triaxial.hpp"
 #include "grains/fields/loading.hpp"
 #include "report/figures/test_figures.hpp"
@@ -56,82 +55,47 @@ std::optional<Panel> broken_panel(const fields::TestCurves& curves, const StageD
   return panel;
 }
 
-/// What was found of a ratio against a strain, where it was found: its peak, and its critical state.
-struct Ratio {
-  const char *number, *strain, *sign;
-};
-constexpr Ratio q_over_p{"q_over_p", "axial_strain", "q/p"}, mu{"mu", "shear_strain", "\u03bc"};
-
-void add_found(Panel& panel, Drawing& drawing, const Numbers& found, Ratio ratio) {
-  const auto at = [&](const char* place, const char* name) {
-    return estimate_at(found, std::string("/") + place + "/" + name);
-  };
-  if (const auto peak = at("peak", ratio.number); std::isfinite(peak.value)) {
-    panel.references.push_back(
-        {.x = 100 * at("peak", ratio.strain).value, .y = peak.value, .label = "peak", .colour = "accent"});
-    drawing.key.push_back({"peak", "strong", {said(ratio.sign, peak)}});
+/// What was found of the test, where it was found.
+void add_found(Panel& ratio, Drawing& drawing, const Numbers& found) {
+  if (const auto peak = estimate_at(found, "/peak/q_over_p"); std::isfinite(peak.value)) {
+    ratio.references.push_back({.x = 100 * estimate_at(found, "/peak/axial_strain").value,
+                                .y = peak.value,
+                                .label = "peak",
+                                .colour = "accent"});
+    drawing.key.push_back({"peak", "strong", {said("q/p", peak)}});
   }
-  const auto state = at("critical_state", ratio.number);
+  const auto state = estimate_at(found, "/critical_state/q_over_p");
   if (!std::isfinite(state.value)) return;
-  const double half = 2 * state.error, from = 100 * at("critical_state", "from").value,
-               to = 100 * at("critical_state", "to").value;
-  panel.series.push_back({.colour = "accent",
+  const double half = 2 * state.error, from = 100 * estimate_at(found, "/critical_state/from").value,
+               to = 100 * estimate_at(found, "/critical_state/to").value;
+  ratio.series.push_back({.colour = "accent",
                           .x = {from, to},
                           .y = {state.value, state.value},
                           .low = {state.value - half, state.value - half},
                           .high = {state.value + half, state.value + half},
                           .line = Line::solid,
                           .is_read = false});
-  drawing.key.push_back({"critical state", "accent", {said(ratio.sign, state)}});
-}
-
-/// The ratio that a test of spheres is about and the volume, against its strain.
-Drawing ratio_and_volume(Panel ratio, const Panel& against, const Values& strain, const Values& volume) {
-  Panel below = against;
-  below.y = {.label = "volumetric strain", .unit = "%"};
-  below.references.push_back({.y = 0});
-  add_curve(below, strain, scaled(volume, 100), "strong");
-  Drawing drawing;
-  drawing.panels = {std::move(ratio), std::move(below)};
-  return drawing;
-}
-
-/// What is drawn against a strain, in per cent, with the stored states where it was when they were stored.
-Panel against(const char* name, const SphereResult& stage, const Values& strain) {
-  Chosen states;
-  for (const SnapshotIn<3>& state : stage.snapshots)
-    states.x.push_back(fields::at_time(*stage.history.find("time"), strain, state.time));
-  return {.x = {.label = std::string(name) + " in \u201c" + stage.name + "\u201d", .unit = "%", .brief = name},
-          .now = std::move(states)};
-}
-
-Drawings shear_drawing(const SphereResult& stage, const fields::TestCurves& curves) {
-  const Values strain = scaled(curves.strain, 100);
-  const Panel plain = against("shear strain", stage, strain);
-  Panel ratio = plain;
-  ratio.y = {.label = "shear over normal stress on the sides", .brief = "\u03bc"};
-  add_curve(ratio, strain, known_up_to(fields::running_ratio(curves), largest_ratio), "strong");
-  Drawing drawing;
-  add_found(ratio, drawing, stage.texture, mu);
-  Drawing whole = ratio_and_volume(std::move(ratio), plain, strain, curves.volume);
-  whole.key = std::move(drawing.key);
-  return {whole};
+  drawing.key.push_back({"critical state", "accent", {said("q/p", state)}});
 }
 
 }  // namespace
 
-Drawings drawing_of_test(const SphereResult& stage) {
-  if (const auto shear = stage.asked.closes < 0 ? fields::shear_in_space(stage) : std::nullopt)
-    return shear_drawing(stage, *shear);
+Drawings triaxial_drawing(const SphereResult& stage) {
   const auto curves = fields::triaxial_curves(stage, stage.asked.closes);
   if (!curves || (*curves)["p"].size() < 3) return {};
   const Values strain = scaled((*curves)["axial_strain"], 100);
-  const Panel plain = against("axial strain", stage, strain);
+  Chosen states;
+  for (const SnapshotIn<3>& state : stage.snapshots)
+    states.x.push_back(fields::at_time(*stage.history.find("time"), strain, state.time));
+  const auto against = [&](Axis y) {
+    return Panel{.x = {.label = "axial strain in \u201c" + stage.name + "\u201d", .unit = "%", .brief = "axial strain"},
+                 .y = std::move(y),
+                 .now = states};
+  };
   Drawing drawing;
   if (!fields::is_confined(*curves)) {
     const Scale scale = scale_of((*curves)["axial_stress"], "Pa");
-    Panel stress = plain;
-    stress.y = {.label = "stress along the axis", .unit = scale.unit, .brief = "stress"};
+    Panel stress = against({.label = "stress along the axis", .unit = scale.unit, .brief = "stress"});
     add_curve(stress, strain, scaled((*curves)["axial_stress"], 1 / scale.factor), "strong");
     const auto strength = estimate_at(stage.texture, "/uniaxial/strength_Pa");
     if (std::isfinite(strength.value)) {
@@ -144,13 +108,14 @@ Drawings drawing_of_test(const SphereResult& stage) {
     drawing.panels = {std::move(stress)};
     return {drawing};
   }
-  Panel ratio = plain;
-  ratio.y = {.label = "q/p from the forces on the sides", .brief = "q/p"};
+  Panel ratio = against({.label = "q/p from the forces on the sides", .brief = "q/p"});
   add_curve(ratio, strain, known_up_to((*curves)["q_over_p"], largest_ratio), "strong");
-  add_found(ratio, drawing, stage.texture, q_over_p);
-  Drawing whole = ratio_and_volume(std::move(ratio), plain, strain, (*curves)["volumetric_strain"]);
-  whole.key = std::move(drawing.key);
-  return {whole};
+  add_found(ratio, drawing, stage.texture);
+  Panel volume = against({.label = "volumetric strain", .unit = "%"});
+  volume.references.push_back({.y = 0});
+  add_curve(volume, strain, scaled((*curves)["volumetric_strain"], 100), "strong");
+  drawing.panels = {std::move(ratio), std::move(volume)};
+  return {drawing};
 }
 
 Drawing uniaxial_drawing(const fields::TestCurves& curves, const StageData& data) {

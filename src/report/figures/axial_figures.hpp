@@ -9,8 +9,8 @@ namespace arenite::report::figures {
 Drawing uniaxial_drawing(const fields::TestCurves& curves, const StageData& data);
 /// Stresses along the axis and across it, and their ratio.
 Drawing oedometer_drawing(const fields::TestCurves& curves, const StageData& data);
-/// Of spheres that are sheared mu, of those that are closed upon along one axis q/p with its peak, each with its
-/// critical state, and the volumetric strain; of uniaxial compression the stress. Nothing of another stage.
-Drawings drawing_of_test(const SphereResult& stage);
+/// Of spheres: q/p with its peak and its critical state, and the volumetric strain. Nothing of another stage than a
+/// test that closes along one axis.
+Drawings triaxial_drawing(const SphereResult& stage);
 
 }  // namespace arenite::report::figures

@@ -10,10 +10,10 @@
 
 #include "core/mapped.hpp"
 #include "grains/packing/population.hpp"
-#include "report/figures/axial_figures.hpp"
 #include "report/figures/spheres/orientations.hpp"
 #include "report/figures/stage_figures.hpp"
 #include "report/figures/state_figures.hpp"
+#include "report/figures/test_figures.hpp"
 
 namespace arenite::report::figures {
 namespace {
@@ -177,7 +177,7 @@ template <std::size_t k> Drawings draw_history(const SphereResult& stage) {
 }  // namespace
 
 const std::vector<Row<SphereResult>>& sphere_figures() {
-  static const std::vector<Row<SphereResult>> all{{row_of(stage_figures(), "test-curves").head, drawing_of_test},
+  static const std::vector<Row<SphereResult>> all{{row_of(stage_figures(), "test-curves").head, test_curves},
                                                   {row_of(stage_figures(), over_time[0]).head, draw_history<0>},
                                                   {orientations_of_spheres, draw_orientations},
                                                   {row_of(state_figures(), of_spheres[0]).head, draw_state<0>},

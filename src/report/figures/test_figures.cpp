@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,10 +11,14 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/fields/laboratory/axial_tests.hpp"
+#include "grains/fields/laboratory/shear_in_space.hpp"
 #include "grains/fields/laboratory/triaxial.hpp"
 #include "report/figures/axial_figures.hpp"
 
 namespace arenite::report::figures {
+
+double factor_of(const fields::TestCurves& curves) { return curves.sheared ? 1 : 100; }
+
 namespace {
 
 using statistics::Columns;
@@ -45,19 +50,36 @@ Said with_half_interval(const char* symbol, const statistics::Measured& m) {
   return said(symbol, {m.value, 0.5 * (interval.high - interval.low)});
 }
 
-Panel ratio_panel(const fields::TestCurves& curves, const StageData& data, const Values& strain) {
+Panel ratio_panel(const fields::TestCurves& curves, Panel panel, const Values& strain) {
   const auto& [name, label, symbol] = *std::ranges::find(ratios, curves.ratio_name(), &Ratio::name);
-  Panel panel = against_strain(curves, data, {.label = label, .brief = symbol});
+  panel.y = {.label = label, .brief = symbol};
   add_curve(panel, strain, known_up_to(curves.ratio, largest_ratio),
             known_up_to(fields::running_ratio(curves), largest_ratio), "strong");
   return panel;
 }
 
-Panel volume_panel(const fields::TestCurves& curves, const StageData& data, const Values& strain) {
-  Panel panel = against_strain(curves, data, {.label = "volumetric strain", .unit = "%"});
+Panel volume_panel(const fields::TestCurves& curves, Panel panel, const Values& strain) {
+  panel.y = {.label = "volumetric strain", .unit = "%"};
   panel.references.push_back({.y = 0});
   add_curve(panel, strain, scaled(curves.volume, 100), "strong");
   return panel;
+}
+
+/// The axis of a test's strain, with the places of states.
+template <class Stage, class States>
+Panel panel_of(const fields::TestCurves& curves, const Stage& stage, const States& states, Axis y) {
+  Panel panel{.x = {.label = curves.strain_name + " in \u201c" + stage.name + "\u201d",
+                    .unit = curves.sheared ? "" : "%",
+                    .brief = curves.strain_name},
+              .y = std::move(y)};
+  const Values* time = stage.history.find("time");
+  for (const auto* state : states)
+    panel.now.x.push_back(factor_of(curves) * fields::at_time(*time, curves.strain, state->time));
+  return panel;
+}
+
+std::vector<const SnapshotIn<3>*> states_of(const SphereResult& stage) {
+  return mapped(stage.snapshots, [](const SnapshotIn<3>& state) { return &state; });
 }
 
 bool is_strain(const std::string& name) { return name.find("strain") != std::string::npos; }
@@ -97,17 +119,8 @@ Panel of_two(const Stage& stage, const Columns& known, const std::array<std::str
 
 }  // namespace
 
-double factor_of(const fields::TestCurves& curves) { return curves.sheared ? 1 : 100; }
-
 Panel against_strain(const fields::TestCurves& curves, const StageData& data, Axis y) {
-  Panel panel{.x = {.label = curves.strain_name + " in \u201c" + data.stage.name + "\u201d",
-                    .unit = curves.sheared ? "" : "%",
-                    .brief = curves.strain_name},
-              .y = std::move(y)};
-  const Values* time = data.stage.history.find("time");
-  for (const Snapshot* state : data.states)
-    panel.now.x.push_back(factor_of(curves) * fields::at_time(*time, curves.strain, state->time));
-  return panel;
+  return panel_of(curves, data.stage, data.states, std::move(y));
 }
 
 Values known_up_to(Values values, double most) {
@@ -168,27 +181,42 @@ Panel one_against_another(const SphereResult& stage, const std::string& x, const
   const bool of_test = x == "test" && y == "test", confined = curves && fields::is_confined(*curves);
   const Columns known = with_history(curves ? std::move(*curves) : Columns{}, stage.history);
   return of_two(stage, known, {of_test ? "axial_strain" : x, of_test ? (confined ? "q_over_p" : "axial_stress") : y},
-                mapped(stage.snapshots, [](const SnapshotIn<3>& state) { return &state; }));
+                states_of(stage));
 }
+
+namespace {
+
+/// The ratio and the volume, with the critical state; panels are like `plain`, which has the strain's axis.
+Drawing drawing_of_ratio(const fields::TestCurves& curves, const Panel& plain) {
+  const double factor = factor_of(curves);
+  const Values strain = scaled(curves.strain, factor);
+  Drawing drawing;
+  drawing.panels.push_back(ratio_panel(curves, plain, strain));
+  drawing.panels.push_back(volume_panel(curves, plain, strain));
+  if (const auto state = fields::critical_state(curves)) {
+    add_critical_state(drawing.panels.front(), *state, factor);
+    drawing.key.push_back({.name = "critical state, 95\u202f%",
+                           .colour = "accent",
+                           .numbers = {with_half_interval(curves.sheared ? "\u03bc" : "q/p", state->ratio),
+                                       with_half_interval("\u03c6", state->solid_fraction)}});
+  }
+  return drawing;
+}
+
+}  // namespace
 
 Drawings test_curves(const StageData& data) {
   const auto curves = fields::test_curves({data.stage, data.before});
   if (!curves) return {};
   if (!curves->confined) return {uniaxial_drawing(*curves, data)};
   if (fields::is_oedometric({data.stage, data.before}, *curves)) return {oedometer_drawing(*curves, data)};
-  const double factor = factor_of(*curves);
-  const Values strain = scaled(curves->strain, factor);
-  Drawing drawing;
-  drawing.panels.push_back(ratio_panel(*curves, data, strain));
-  drawing.panels.push_back(volume_panel(*curves, data, strain));
-  if (const auto state = fields::critical_state(*curves)) {
-    add_critical_state(drawing.panels.front(), *state, factor);
-    drawing.key.push_back({.name = "critical state, 95\u202f%",
-                           .colour = "accent",
-                           .numbers = {with_half_interval(curves->sheared ? "\u03bc" : "q/p", state->ratio),
-                                       with_half_interval("\u03c6", state->solid_fraction)}});
-  }
-  return {drawing};
+  return {drawing_of_ratio(*curves, against_strain(*curves, data, {}))};
+}
+
+Drawings test_curves(const SphereResult& stage) {
+  const auto shear = stage.asked.closes < 0 ? fields::shear_in_space(stage) : std::nullopt;
+  if (!shear) return triaxial_drawing(stage);
+  return {drawing_of_ratio(*shear, panel_of(*shear, stage, states_of(stage), {}))};
 }
 
 }  // namespace arenite::report::figures

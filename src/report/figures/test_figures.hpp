@@ -10,6 +10,7 @@ namespace arenite::report::figures {
 
 /// Stress ratio, or stress, and volumetric strain, or pressure, against the strain of a test.
 Drawings test_curves(const StageData& data);
+Drawings test_curves(const SphereResult& stage);
 
 inline constexpr double largest_ratio = 2;  ///< of stresses; beyond it the sides are all but unloaded
 std::vector<double> known_up_to(std::vector<double> values, double most);
