@@ -8,7 +8,7 @@ import sys
 
 head = '''"""What the compiled part of Arenite offers; meaning, units and sources are in the docstrings."""
 import os
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union, overload
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -42,6 +42,13 @@ def typed(text):
     return text
 
 
+def signatures(docstring):
+    """Those of a function, one for each kind of arguments that it takes."""
+    lines = docstring.splitlines()
+    several = [found[1] for line in lines if (found := re.fullmatch(r"\d+\. (\w+\(.*)", line))]
+    return several if lines[1:2] == ["Overloaded function."] else lines[:1]
+
+
 def parts(docstring):
     """Parameters and result of "name(self: ..., x: float = 1.0) -> int", or of "(arg0: ...) -> int"."""
     signature = docstring.splitlines()[0]
@@ -51,10 +58,14 @@ def parts(docstring):
 
 
 def function(name, docstring, static=False):
-    parameters, result = parts(docstring)
-    if name == "__eq__":
-        parameters = "self, other: object"
-    return [*(["@staticmethod"] if static else []), f"def {name}({parameters}) -> {result}: ..."]
+    found = signatures(docstring)
+    lines = []
+    for parameters, result in map(parts, found):
+        if name == "__eq__":
+            parameters = "self, other: object"
+        lines += ["@overload"] if len(found) > 1 else []
+        lines += [*(["@staticmethod"] if static else []), f"def {name}({parameters}) -> {result}: ..."]
+    return lines
 
 
 def member(owner, name, thing):
