@@ -1,5 +1,6 @@
 """Pages of the reference: of Python from the type stub and the docstrings, of C++ from the list of public headers."""
 import ast
+import itertools
 import os
 import re
 import sys
@@ -17,9 +18,11 @@ def plain(text):
 
 
 def described(thing, indent):
-    """The docstring without the signature that pybind11 writes before it."""
+    """The docstring without the signatures that pybind11 writes before it."""
     text = thing.__doc__ or ""
-    text = re.sub(r"\A\w*\(.*\)( -> .*)?\n+", "", text).strip()
+    several = "\nOverloaded function.\n" in text
+    text = re.sub(r"\A\w*\(.*\)( -> .*)?\n+(Overloaded function\.\n+)?", "", text)
+    text = (re.sub(r"^\d+\. \w+\(.*\n+", "", text, flags=re.M) if several else text).strip()
     return "\n" + "".join(f"{indent}{line}\n" for line in plain(text).splitlines()) + "\n" if text else "\n"
 
 
@@ -62,9 +65,10 @@ def python_pages(root):
     functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
     classes = [node for node in tree.body if isinstance(node, ast.ClassDef)]
     text = heading("Python") + plain(arenite.__doc__) + "\n\n.. py:module:: arenite\n\n" + heading("Functions", "-")
-    text += "".join(
-        f".. py:function:: {signature(node)}\n" + described(getattr(arenite, node.name), "   ") for node in functions
-    )
+    for name, forms in itertools.groupby(functions, lambda node: node.name):
+        begin = ".. py:function:: "
+        text += begin + ("\n" + " " * len(begin)).join(map(signature, forms)) + "\n"
+        text += described(getattr(arenite, name), "   ")
     text += (
         ".. autofunction:: arenite.run_study\n\n"
         + heading("Classes", "-")
