@@ -166,12 +166,6 @@ TEST(Study, AFailingRunIsListedWithItsReasonAndStopsNoOther) {
       << run.out;
   EXPECT_TRUE(contains(run.out, "unfinished (grid.crop = \"80 mm\", stages.0.equilibrium.max_steps = 20): prepare: "))
       << run.out;
-  for (const auto& entry : fs::directory_iterator(out / "runs"))
-    if (slurp(entry.path() / "status").starts_with("failed")) {
-      const auto shown = arenite("show " + entry.path().string());
-      EXPECT_EQ(shown.status, 2);
-      EXPECT_TRUE(contains(shown.err, "is a run that failed, without a result: ")) << shown.err;
-    }
   const auto computed = count(account(out), "computed");
   EXPECT_EQ(arenite(study_line("run", file, out, "--quiet")).status, 3) << "failed runs are done again on demand only";
   EXPECT_EQ(count(account(out), "reused") + computed, count(account(out), "\n"));
@@ -183,6 +177,23 @@ TEST(Study, AFailingRunIsListedWithItsReasonAndStopsNoOther) {
   EXPECT_EQ(journal_lines(), 4u);
   EXPECT_EQ(arenite(study_line("run", file, out, "--quiet --retry")).status, 3);
   EXPECT_EQ(journal_lines(), 7u);
+}
+
+TEST(Study, ARunThatFailedBeforeItsFirstStateIsShownWithItsReason) {
+  const TemporaryFolder folder;
+  const std::string jams = ARENITE_SOURCE_DIR "/validation/errors/isotropic.toml";
+  const auto out = folder / "out";
+  const std::string dense = "--quiet --set packing.grains=30 --set sweep.replicates=1";
+  EXPECT_EQ(arenite(study_line("run", jams, out, dense)).status, 3);
+  int runs = 0;
+  for (const auto& entry : fs::directory_iterator(out / "runs")) {
+    const auto shown = arenite("show " + entry.path().string());
+    EXPECT_EQ(shown.status, 2);
+    EXPECT_TRUE(contains(shown.err, "is a run that failed, without a result: ") && contains(shown.err, " jams "))
+        << shown.err;
+    ++runs;
+  }
+  EXPECT_EQ(runs, 1);
 }
 
 TEST(Study, NumbersCanBeKeptWithoutTheFieldsTheyCameFrom) {
