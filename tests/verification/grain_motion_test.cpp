@@ -7,6 +7,7 @@
 #include "../support/moving_disks_film.hpp"
 #include "thermal/thermography/grains/follow_grains.hpp"
 #include "thermal/thermography/grains/grain_means.hpp"
+#include "thermal/thermography/grains/grain_places.hpp"
 
 namespace arenite::thermography {
 namespace {
@@ -67,6 +68,31 @@ TEST(GrainMotion, AlongAContainersEdgesIsThatOfTheGrains) {
   const Seen seen = look(disks);
   EXPECT_LT(seen.rms_motion, 0.04);
   EXPECT_LT(seen.worst_motion, 0.15);
+}
+
+/// Root mean square of the errors made over those told, of all coordinates.
+double made_over_told(const test::MovingDisks& disks) {
+  const Seen seen = look(disks);
+  double sum = 0;
+  for (std::size_t i = 0; i < seen.grains.size(); ++i) {
+    const Vec2 off = seen.motion.cosine[i] + disks.amplitude(seen.grains, i);
+    sum += dot(off, off) / (0.5 * std::pow(error_of_way(seen.motion, i), 2));
+  }
+  return std::sqrt(sum / static_cast<double>(seen.grains.size()));
+}
+
+TEST(GrainMotion, ErrorsToldAreThoseMade) {
+  test::MovingDisks still;
+  still.noise = 0.1, still.travel = still.apart = 0, still.thermal = 0;
+  EXPECT_NEAR(made_over_told(still), 1, 0.2);
+  test::MovingDisks alone;  // what rims lose between pixels is as large as the noise makes it
+  alone.gap = 3;
+  EXPECT_NEAR(made_over_told(alone), 1, 0.2);
+  test::MovingDisks apart;  // neighbours go their own ways, by more than the blur of their rims
+  apart.travel = 6, apart.apart = 2, apart.gap = 2.5;
+  EXPECT_NEAR(made_over_told(apart), 1, 0.2);
+  test::MovingDisks crowd;  // residuals of pixels alone tell a quarter of it
+  EXPECT_LT(made_over_told(crowd), 1.7);
 }
 
 TEST(GrainMotion, DriftIsTakenOutOfTheGrainsThatMove) {

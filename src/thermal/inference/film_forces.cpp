@@ -23,6 +23,7 @@ namespace {
 
 constexpr double least_place_error =
     0.05;                               // pixels: places of found circles are known better than motion and lens allow
+constexpr double sure_errors = 5;       // beyond which a force is no noise
 constexpr double surface_error = 0.05;  // pixels: of where a grain's rim is, along a line through its centre
 
 imaging::ContactTolerance tolerance_of(double pixel) { return {.pixel = pixel, .wall_error = 0.1 * pixel}; }
@@ -153,7 +154,9 @@ void infer_film_forces(const FilmForcesGiven& given, const Domain& start, FilmRe
   std::vector<std::uint8_t> needed, present;
   r.presence.clear();
   for (std::size_t c = 0; c < all.contacts.size(); ++c) {
-    needed.push_back(all.present[c] || all.idle[c] < 0.5);
+    // Two grains that turned about each other carry the same force along another line: that is a force across.
+    const bool across = std::abs(all.contacts.ft[c]) > sure_errors * all.ft_error[c];
+    needed.push_back(all.present[c] || all.idle[c] < 0.5 || across);
     if (!needed.back()) continue;
     present.push_back(all.present[c]);
     r.presence.push_back(all.presence[c]);

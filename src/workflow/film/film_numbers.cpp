@@ -12,6 +12,7 @@
 #include "grains/texture/texture.hpp"
 #include "model/lockin_maps.hpp"
 #include "thermal/inference/film_stresses.hpp"
+#include "thermal/thermography/grains/grain_places.hpp"
 
 namespace arenite::workflow {
 namespace {
@@ -79,16 +80,19 @@ Numbers grains_of(const FilmResult& r) {
 }
 
 Numbers motion_of(const FilmResult& r) {
-  std::vector<double> travel;
-  for (std::size_t i = 0; i < r.motion.size(); ++i) travel.push_back(r.motion.travel(i));
+  std::vector<double> travel, error;
+  for (std::size_t i = 0; i < r.motion.size(); ++i) {
+    travel.push_back(r.motion.travel(i));
+    error.push_back(thermography::error_of_way(r.motion, i));
+  }
   Numbers j = Numbers::tree();
   if (travel.empty()) return j;
   put(j, "median_travel_pixels", median(travel, statistics::unknown), "pixels",
       "Median displacement of a grain, peak to peak");
   put(j, "largest_travel_pixels", *std::max_element(travel.begin(), travel.end()), "pixels",
       "Largest displacement of a grain, peak to peak");
-  put(j, "standard_error_pixels", median(r.motion.error, statistics::unknown), "pixels",
-      "Median standard error of the displacement");
+  put(j, "standard_error_pixels", median(error, statistics::unknown), "pixels",
+      "Median standard error of the displacement, peak to peak");
   return j;
 }
 

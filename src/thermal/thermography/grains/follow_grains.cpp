@@ -167,8 +167,9 @@ void project(LockinMaps& maps, const std::vector<std::int32_t>& owner) {
 }  // namespace
 
 std::vector<std::uint8_t> lost_grains(const GrainMotion& motion) {
-  const double usual = median_of_finite(motion.error);
-  return mapped<std::uint8_t>(motion.error, [&](double error) { return std::isfinite(error) && error > 6 * usual; });
+  const auto& errors = motion.by_pixel.empty() ? motion.error : motion.by_pixel;
+  const double usual = median_of_finite(errors);
+  return mapped<std::uint8_t>(errors, [&](double error) { return std::isfinite(error) && error > 6 * usual; });
 }
 
 bool is_seen(const GrainMotion& motion) {

@@ -1,8 +1,11 @@
 #include "thermal/thermography/grains/grain_motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <set>
 
 #include "core/mapped.hpp"
 #include "core/median.hpp"
@@ -26,10 +29,12 @@ SwingingShare share_of(const OtherRim& o, std::size_t grain, const GrainMotion& 
 /// right-hand sides (cosine, sine) with the smooth part eliminated; two unknowns a grain.
 struct Left {
   std::vector<std::size_t> grains;
+  Matrix slopes, signal;            ///< of every pixel
+  std::vector<std::size_t> sector;  ///< of the rim, in which every pixel lies
   Matrix normal, side;
-  double squares = 0, freedom = 0;  ///< of what there is to explain
-  double contrast = 0;              ///< of the grain to what is behind it
-  double warming = 0;               ///< root mean square amplitude in pixels that show nothing but the grain
+  double freedom = 0;   ///< of what there is to explain
+  double contrast = 0;  ///< of the grain to what is behind it
+  double warming = 0;   ///< root mean square amplitude in pixels that show nothing but the grain
 
   /// Of all grains together.
   std::size_t unknown(std::size_t own) const { return 2 * grains[own / 2] + own % 2; }
@@ -38,6 +43,15 @@ struct Left {
     return 2 * static_cast<std::size_t>(std::find(grains.begin(), grains.end(), grain) - grains.begin());
   }
 };
+
+/// What a model of rims leaves out (paint, neighbours, travel that is not small beside the blur) is alike along a part
+/// of a rim: parts of 45 degrees are taken for independent of each other, pixels are not.
+constexpr std::size_t sectors = 8;
+
+std::size_t sector_of(Vec2 from_centre) {
+  const double turn = std::atan2(from_centre.y, from_centre.x) / (2 * std::numbers::pi) + 0.5;
+  return static_cast<std::size_t>(turn * sectors) % sectors;
+}
 
 /// Contrast of a grain from its mean picture, where the neighbours' are known.
 double contrast_of(const Rim& rim, std::size_t grain, const GrainMotion& motion, const std::vector<double>& mean,
@@ -89,11 +103,11 @@ Left motion_left(const PhasePictures& pictures, const Rim& rim, std::size_t grai
   left.contrast = contrast_of(rim, grain, motion, mean, contrast);
   const Matrix q = statistics::orthonormal(part).q;
   rest -= q * transposed_times(q, rest);
-  const Matrix slopes = rest.part(0, unknowns), signal = rest.part(unknowns, 2);
-  left.normal = transposed_times(slopes, slopes);
-  left.side = transposed_times(slopes, signal);
-  left.squares = squares(signal);
+  left.slopes = rest.part(0, unknowns), left.signal = rest.part(unknowns, 2);
+  left.sector = mapped(rim.pixels, [](const RimPixel& pixel) { return sector_of(pixel.from_centre); });
   left.freedom = static_cast<double>(2 * (n - smooth - 2));
+  left.normal = transposed_times(left.slopes, left.slopes);
+  left.side = transposed_times(left.slopes, left.signal);
   return left;
 }
 
@@ -155,17 +169,34 @@ double move(const Matrix& step, GrainMotion& motion) {
   return longest;
 }
 
-/// From what the fit leaves on the rim, and the grain's own part of the normal matrix.
-double error_of(const Left& left, const Matrix& step) {
+struct WayErrors {
+  double by_sector = std::numeric_limits<double>::infinity(), by_pixel = by_sector;
+};
+
+/// Of a coordinate, from what the fit leaves on the rim and the grain's own part of the normal matrix; by sector that
+/// of cosine and sine that is less sure.
+WayErrors errors_of(const Left& left, const Matrix& step) {
   const Matrix& own = left.normal;
   const double trace = own(0, 0) + own(1, 1), determinant = own(0, 0) * own(1, 1) - own(0, 1) * own(1, 0);
-  if (!(left.freedom > 0) || !(determinant > 1e-12 * trace * trace)) return std::numeric_limits<double>::infinity();
-  Matrix local(own.rows(), 2), unexplained = left.side;
+  if (!(left.freedom > 0) || !(determinant > 1e-12 * trace * trace)) return {};
+  Matrix local(own.rows(), 2), rest = left.signal;
   for (std::size_t a = 0; a < local.rows(); ++a)
     for (std::size_t k = 0; k < 2; ++k) local(a, k) = step(left.unknown(a), k);
-  (unexplained += left.side) -= own * local;
-  const double rest = left.squares - statistics::dot(local.column(0), unexplained.column(0), local.size());
-  return std::sqrt(std::max(rest, 0.0) / left.freedom * 0.5 * trace / determinant);
+  rest -= left.slopes * local;
+  const auto seen = static_cast<double>(std::set(left.sector.begin(), left.sector.end()).size());
+  double error = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    std::array<Vec2, sectors> pull{};
+    for (std::size_t p = 0; p < left.sector.size(); ++p)
+      pull[left.sector[p]] += rest(p, k) * Vec2{left.slopes(p, 0), left.slopes(p, 1)};
+    double sum = 0;
+    for (const Vec2 g : pull) {
+      const Vec2 moved{own(1, 1) * g.x - own(0, 1) * g.y, own(0, 0) * g.y - own(0, 1) * g.x};
+      sum += dot(moved, moved) / (determinant * determinant);
+    }
+    error = std::max(error, 0.5 * sum * seen / std::max(seen - 2, 1.0));  // the fit makes two sums 0
+  }
+  return {std::sqrt(error), std::sqrt(squares(rest) / left.freedom * 0.5 * trace / determinant)};
 }
 
 /// Whether rims as a whole stand out of what warms and cools beside them: otherwise that passes for motion.
@@ -176,8 +207,8 @@ bool have_contrast(const std::vector<Left>& left) {
 }
 
 GrainMotion unseen(std::size_t grains) {
-  return {std::vector<Vec2>(grains), std::vector<Vec2>(grains),
-          std::vector<double>(grains, std::numeric_limits<double>::infinity())};
+  const std::vector<double> unknown(grains, std::numeric_limits<double>::infinity());
+  return {std::vector<Vec2>(grains), std::vector<Vec2>(grains), unknown, unknown};
 }
 
 }  // namespace
@@ -199,7 +230,10 @@ GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& gra
     const Together all = assemble(left);
     const Matrix step = turn < affine_turns ? affine_step(grains, all) : solve_sparse(all.normal, all.side);
     if (turn >= affine_turns)
-      for (std::size_t i = 0; i < n; ++i) motion.error[i] = error_of(left[i], step);
+      for (std::size_t i = 0; i < n; ++i) {
+        const WayErrors errors = errors_of(left[i], step);
+        motion.error[i] = errors.by_sector, motion.by_pixel[i] = errors.by_pixel;
+      }
     if (turn == affine_turns && !have_contrast(left)) return unseen(n);
     const double longest = move(step, motion);
     if (turn < affine_turns) continue;

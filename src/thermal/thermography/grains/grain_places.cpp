@@ -42,10 +42,15 @@ GrainMotion motion_with_wall(const std::vector<double>& height, double travel, d
   return motion;
 }
 
+double error_of_way(const GrainMotion& motion, std::size_t grain) {
+  constexpr double sampled = 0.006;  // in films that are drawn 0.4 % of grains that stand alone, 0.8 % of a crowd
+  return std::hypot(2 * motion.error[grain], sampled * motion.travel(grain));
+}
+
 PictureGrains with_errors_of_way(PictureGrains grains, const GrainMotion& motion) {
   for (std::size_t i = 0; i < motion.size(); ++i)
     if (!grains.position_error.empty() && std::isfinite(motion.error[i]))
-      grains.position_error[i] = std::hypot(grains.position_error[i], 2 * motion.error[i]);
+      grains.position_error[i] = std::hypot(grains.position_error[i], error_of_way(motion, i));
   return grains;
 }
 
@@ -97,7 +102,7 @@ std::vector<double> settle_lost(const PictureGrains& smallest, double phase, Gra
     if (!lost[i]) continue;
     const bool goes = depth(i, own, seen) <= std::max(usual, depth(i, beside, seen));
     if (!goes) motion.cosine[i] = with_others.cosine[i], motion.sine[i] = with_others.sine[i];
-    error[i] = goes ? 2 * motion.error[i] : spread;
+    error[i] = goes ? error_of_way(motion, i) : spread;
     if (!smallest.position_error.empty()) error[i] = std::hypot(error[i], smallest.position_error[i]);
   }
   return error;

@@ -23,6 +23,11 @@ GrainMotion motion_from_smallest(const PhasePictures& pictures, const PictureGra
 /// wall. The error, of each of the four coordinates, is a tenth of a pixel and of the amplitude.
 GrainMotion motion_with_wall(const std::vector<double>& height, double travel, double phase);
 
+/// Standard error of each coordinate of a grain's way from the smallest to the largest load, pixels: what residuals of
+/// its rim tell, and a share of its travel. Pixels sample rims whose blur is hardly wider than they are, and what is
+/// lost between them looks like motion in every frame, so that no residual shows it.
+double error_of_way(const GrainMotion& motion, std::size_t grain);
+
 /// The same grains with position errors that hold those of the whole way of their motion.
 PictureGrains with_errors_of_way(PictureGrains grains, const GrainMotion& motion);
 
