@@ -93,7 +93,10 @@ void require_grains(Visitor& v, const Recipe& recipe) {
   for (const auto& population : populations) counted += population.count.value_or(0);
   v.require(
       !shares || recipe.packing.grains > counted, {"packing", "populations"},
-      fmt::format("populations with a ratio share packing.grains minus the {} counted grains; set it higher", counted));
+      recipe.packing.grains == 0
+          ? "how many grains there are is missing; write packing.grains, or a count in each population"
+          : fmt::format("populations with a ratio share packing.grains minus the {} counted grains; set it higher",
+                        counted));
 }
 
 /// What only disks can be part of.
@@ -149,8 +152,12 @@ void declare(Visitor& v, Population& population, const Recipe& recipe) {
   require_known_material(v, population, recipe.materials);
   v.integer({"count", "Number of grains; 0 of a population that only an inflow brings."}, population.count,
             {0, 100'000'000});
-  v.number({"ratio", "Fraction by number of packing.grains, relative to the ratios of the other populations."},
-           population.ratio, "", range::positive);
+  v.number(
+      {"ratio",
+       "Fraction by number of packing.grains, relative to the ratios of the other populations; the only population "
+       "has them all."},
+      population.ratio, "", range::positive);
+  if (recipe.populations.size() == 1 && !population.count && !population.ratio) population.ratio = 1;
   v.require(population.count.has_value() != population.ratio.has_value(), {"ratio", "count"},
             "give either count or ratio");
 

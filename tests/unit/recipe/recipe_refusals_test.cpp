@@ -174,7 +174,9 @@ TEST(BadRecipe, CountAndRatioExcludeEachOther) {
   EXPECT_EQ(problems(replaced(smallest, "count = 10", "count = 10\nratio = 1")),
             Lines{"r.toml:10:9: populations.0.ratio: give either count or ratio"});
   EXPECT_EQ(problems(replaced(smallest, "count = 10\n", "")),
-            Lines{"r.toml:7:1: populations.0.ratio: give either count or ratio"});
+            Lines{"r.toml:7:1: packing: how many grains there are is missing; write packing.grains, or a count in "
+                  "each population"});
+  EXPECT_TRUE(problems(replaced(smallest, "count = 10\n", "") + "[packing]\ngrains = 100\n").empty());
   EXPECT_EQ(problems(replaced(smallest, "count = 10", "ratio = 1")).size(), 1u);
   EXPECT_TRUE(problems(replaced(smallest, "count = 10", "ratio = 1") + "[packing]\ngrains = 100\n").empty());
 }
