@@ -49,7 +49,7 @@ def named_curves(columns):
 
 def find_test(result, stage=None):
     """The stage of this name, or the last one that has a history. Raises ValueError if there is none."""
-    stages = list(result.stages)
+    stages = list(result.stages) or list(result.spheres)
     place = _core.stage_with_history(stages, stage)
     earlier = [snapshot.packing for part in stages[:place] for snapshot in part.snapshots[-1:]]
     return Test(stages[place], earlier[-1] if earlier else None)
@@ -67,8 +67,8 @@ def along(result, stage=None):
     `sigma_xx`, `sigma_yy`, `tau`, `p`, `q`, `q_over_p` and, if a cell is sheared or a wall slides, `mu`, shear over
     normal stress there, negative for shear to the left; `axial_stress` of a test without confinement or in tension;
     ratios are NaN if the sides are almost unloaded; `solid_fraction` of the whole box, `inertial_number`; for runs with
-    track_energy `dissipated_energy` and `work` since the first row. Raises ValueError for a result without such a
-    stage.
+    track_energy `dissipated_energy` and `work` since the first row. Of spheres p is the mean of three stresses and q
+    the axial one less the mean of the two others. Raises ValueError for a result without such a stage.
     """
     return curves_of(find_test(result, stage))
 

@@ -1,9 +1,16 @@
 #include <pybind11/stl.h>
 
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "columns.hpp"
 #include "core/problems.hpp"
+#include "grains/fields/laboratory/curves_in_space.hpp"
+#include "grains/fields/laboratory/tested_stage.hpp"
 #include "grains/fields/state_curves.hpp"
 #include "grains/fields/test_curves.hpp"
 #include "grains/packing/population.hpp"
@@ -34,6 +41,14 @@ statistics::Columns curves_along(const StageResult& stage, const Packing* before
   auto of = fields::loading_of({stage, before});
   if (!of) throw refusal("the stage {} has no history of its sides, so that it has no curves", stage.name);
   return std::move(of->curves);
+}
+
+statistics::Columns curves_in_space(const SphereResult& stage) {
+  auto curves = fields::curves_in_space(stage, stage.asked.closes);
+  if (!curves)
+    throw refusal("the stage {} of spheres is neither compressed along one axis nor sheared; it has no curves",
+                  stage.name);
+  return std::move(*curves);
 }
 
 /// One function for each kind of curves of a test.
@@ -71,10 +86,16 @@ void bind_curves(py::module_& m) {
       },
       py::arg("recipe"),
       "The same for the size laws of a recipe's populations. Raises ValueError for a recipe without populations.");
-  m.def(
-      "stage_with_history", &fields::stage_with_history, py::arg("stages"), py::arg("name") = py::none(),
+  constexpr const char* place =
       "Place of the stage of this name, or of the last one, that has a history and states. Raises ValueError if there "
-      "is none.");
+      "is none.";
+  using Name = const std::optional<std::string>&;
+  m.def("stage_with_history",
+        py::overload_cast<const std::vector<const StageResult*>&, Name>(&fields::stage_with_history), py::arg("stages"),
+        py::arg("name") = py::none(), place);
+  m.def("stage_with_history",
+        py::overload_cast<const std::vector<const SphereResult*>&, Name>(&fields::stage_with_history),
+        py::arg("stages"), py::arg("name") = py::none(), place);
   m.def("whole_cycles", &fields::whole_cycles, py::arg("stage"),
         "{number: (place of the maximum, place of the minimum)} of the stored states of whole load cycles.");
   bind_curves_of_test<curves_along>(
@@ -82,6 +103,14 @@ void bind_curves(py::module_& m) {
       "Curves of a test row by row of its history, {name: (values, errors or None, unit, meaning)}; `before`: the "
       "packing "
       "that strains refer to, the first row without one. `arenite.curves.along` lists them.");
+  m.def(
+      "curves_along",
+      [](const SphereResult& stage, const py::object&) {
+        Call call;
+        return to_python(call.without_lock([&] { return curves_in_space(stage); }));
+      },
+      py::arg("stage"), py::arg("before") = py::none(),
+      "The same of a stage of spheres; strains refer to the first row.");
   bind_curves_of_test<of_test<fields::curves_of_states>>(
       m, "curves_of_states", "The same over the stored states, with their fabric (`arenite.curves.of_states`).");
   bind_curves_of_test<of_test<fields::curves_of_cycles>>(

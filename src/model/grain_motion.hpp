@@ -11,7 +11,7 @@ namespace arenite {
 /// sin(2 pi f t), t in s after the first frame.
 struct GrainMotion {
   std::vector<Vec2> cosine, sine;
-  std::vector<double> error;  ///< standard error of each of the four coordinates
+  std::vector<double> error;          ///< standard error of each of the four coordinates
   std::vector<double> by_pixel = {};  ///< what it would be if what is left in pixels were independent; empty: `error`
   std::size_t size() const { return cosine.size(); }
   /// From its mean place, where the phase 2 pi f t has this cosine and sine.

@@ -13,9 +13,10 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/fields/coarse_grained.hpp"
+#include "grains/fields/laboratory/curves_in_space.hpp"
 #include "grains/fields/state_curves.hpp"
-#include "io/disk/file.hpp"
 #include "io/disk/store_file.hpp"
+#include "io/export/export_folder.hpp"
 #include "io/results/results.hpp"
 #include "model/matching.hpp"
 #include "workflow/export_fields.hpp"
@@ -26,60 +27,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Collects files and writes each when it cannot grow any more. Unless it gets to its end, what it wrote goes again:
-/// half of a loading looks like a whole one.
-class ExportFolder {
- public:
-  explicit ExportFolder(fs::path folder) : folder_(std::move(folder)) {
-    std::error_code error;
-    made_ = fs::create_directories(folder_, error);
-    if (error) throw InputError(folder_.string(), 0, "cannot be created: " + error.message() + "; give another --out");
-  }
-
-  ExportFolder(const ExportFolder&) = delete;
-  ExportFolder& operator=(const ExportFolder&) = delete;
-  ~ExportFolder() {
-    if (finished_) return;
-    std::error_code ignored;
-    for (const auto& path : written_) fs::remove(path, ignored);
-    if (made_) fs::remove(folder_, ignored);
-  }
-
-  /// Files of one snapshot: those of the snapshot before that are not among them are complete.
-  void add(std::vector<io::NamedBytes> files) {
-    const auto named = [](auto& list, const std::string& name) {
-      return std::find_if(list.begin(), list.end(), [&](const auto& f) { return f.name == name; });
-    };
-    for (auto& old : growing_) {
-      const auto next = named(files, old.name);
-      if (next == files.end()) {
-        write(old);
-      } else {
-        old.bytes += next->bytes;
-        next->bytes = std::move(old.bytes);
-      }
-    }
-    growing_ = std::move(files);
-  }
-
-  std::vector<fs::path> finish() {
-    for (const auto& file : growing_) write(file);
-    finished_ = true;
-    return std::move(written_);
-  }
-
-  /// A file that does not grow.
-  void write(const io::NamedBytes& file) {
-    io::write_atomically(folder_ / file.name, file.bytes);
-    written_.push_back(folder_ / file.name);
-  }
-
- private:
-  fs::path folder_;
-  bool made_ = false, finished_ = false;
-  std::vector<io::NamedBytes> growing_;
-  std::vector<fs::path> written_;
-};
+std::vector<io::ExportCurves> curves_of(const SphereResult& stage) {
+  auto along = fields::curves_in_space(stage, stage.asked.closes);
+  if (!along) return {};
+  return {{stage.name + "_curves", std::move(*along)}};
+}
 
 /// Of a stage that is a test: row by row of its history, and by its cycles.
 std::vector<io::ExportCurves> curves_of(const fields::Test& test) {
@@ -118,7 +70,7 @@ class Loading {
  public:
   Loading(const io::ExportFormat& format, const fs::path& folder) : format_(format), folder_(folder) {}
 
-  ExportFolder& out() {
+  io::ExportFolder& out() {
     if (!out_) out_.emplace(folder_);  // after the first readable file, so that a bad one leaves no empty folder
     return *out_;
   }
@@ -198,7 +150,7 @@ class Loading {
 
   const io::ExportFormat& format_;
   fs::path folder_;
-  std::optional<ExportFolder> out_;
+  std::optional<io::ExportFolder> out_;
   std::vector<double> times_;
   States<2> disks_;
   States<3> spheres_;
@@ -214,6 +166,8 @@ void add_spheres(const fs::path& file, const io::ExportFormat& format, bool last
                    " or "));
   const SphereResult stage = io::read_stage<3>(file);
   last = stage.provenance;
+  if (format.of_curves && !last_only)
+    for (const io::ExportCurves& curves : curves_of(stage)) loading.out().write(format.of_curves(curves));
   for (const auto& snapshot : stage.snapshots)
     if (!loading.has(snapshot.time) && (!last_only || &snapshot == &stage.snapshots.back()))
       loading.add(stage.name, snapshot, derived_fields(snapshot.packing));
@@ -276,7 +230,7 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
     StageResult stage = io::read_stage(file);
     last = stage.provenance;
     if (format.of_curves && !last_only)
-      for (const io::ExportCurves& curves : curves_of({stage, before ? &*before : nullptr}))
+      for (const io::ExportCurves& curves : curves_of(fields::Test{stage, before ? &*before : nullptr}))
         loading.out().write(format.of_curves(curves));
     if (!stage.snapshots.empty()) before = stage.snapshots.back().packing;
     if (last_only && stage.snapshots.size() > 1)

@@ -109,7 +109,7 @@ def test_what_is_not_there_is_one_sentence():
     with pytest.raises(ValueError, match="there is no stage other with a history; there are test"):
         curves.along(alone(a_stage([4.0] * 2, [4.0, 3.9])), "other")
     with pytest.raises(ValueError, match="holds no loading stage"):
-        curves.along(types.SimpleNamespace(stages=[]))
+        curves.along(types.SimpleNamespace(stages=[], spheres=[]))
 
 
 def test_rheology_is_in_the_order_of_the_rate():

@@ -90,7 +90,21 @@ def test_a_film_of_spheres_has_a_picture_a_state_and_a_curve_beside(pressed, tmp
     assert PIL.open(path).n_frames == 2
     both = animate.save(pressed, tmp_path / "b.gif", curve=("time", "top_force"), size=(240, 160))
     assert PIL.open(both).n_frames == len(motion.shots_of(pressed)) > 3
-    with pytest.raises(ValueError, match="no beauty to draw; there are axial_strain"):
+    with pytest.raises(ValueError, match="no beauty to draw; there are time, axial_strain"):
         animate.save(pressed, tmp_path / "c.gif", curve=("time", "beauty"), stage="axial")
     with pytest.raises(ValueError, match="no rotation"):
         animate.save(pressed, tmp_path / "c.gif", by="rotation")
+
+
+def test_a_tests_curves_are_those_of_its_sides_in_python_and_in_a_table(pressed, tmp_path):
+    found = arenite.curves.along(pressed, "axial")
+    history = pressed.spheres[-1].history
+    height = history["top_position"] - history["bottom_position"]
+    assert np.allclose(found["axial_strain"].values, 1 - height / height[0])
+    assert np.allclose(found["time"].values, history["time"] - history["time"][0])
+    assert found["q"].unit == "Pa" and "mean of the two others" in found["q"].meaning
+    arenite.export(pressed, tmp_path, "csv")
+    table = np.genfromtxt(tmp_path / "axial_curves.csv", delimiter=",", names=True, deletechars="")
+    assert np.array_equal(table["q_over_p"], found["q_over_p"].values, equal_nan=True)
+    with pytest.raises(ValueError, match="neither compressed along one axis nor sheared"):
+        arenite.curves.along(pressed, "compress")

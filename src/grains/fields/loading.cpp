@@ -10,6 +10,7 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/fields/discharge.hpp"
+#include "grains/fields/laboratory/tested_stage.hpp"
 #include "grains/fields/regime/prediction.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/texture/mass.hpp"
@@ -211,19 +212,6 @@ Values loaded_ratio(const Values& a, const Values& b) {
   for (std::size_t k = 0; k < a.size(); ++k)
     result.push_back(b[k] > least && b[k] > 0 ? a[k] / b[k] : statistics::unknown);
   return result;
-}
-
-bool has_history(const StageResult& stage) {
-  const Values* time = stage.history.find("time");
-  return time && time->size() > 1 && !stage.snapshots.empty();
-}
-
-std::size_t stage_with_history(const std::vector<const StageResult*>& stages, const std::optional<std::string>& name) {
-  for (std::size_t k = stages.size(); k-- > 0;)
-    if (has_history(*stages[k]) && name.value_or(stages[k]->name) == stages[k]->name) return k;
-  if (!name) throw InputError("this result holds no loading stage with a history");
-  throw refusal("there is no stage {} with a history; there are {}", *name,
-                list_of(mapped(stages, [](const StageResult* stage) { return stage->name; }), ", "));
 }
 
 std::optional<Loading> loading_in(const History& rows, const Test& test) {

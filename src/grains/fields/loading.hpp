@@ -14,11 +14,6 @@ struct Test {
   const Packing* before = nullptr;
 };
 
-/// Whether a stage has curves: a history of at least two rows, and states.
-bool has_history(const StageResult& stage);
-/// The place of the stage of this name, or of the last one, that has a history. Throws InputError where there is none.
-std::size_t stage_with_history(const std::vector<const StageResult*>& stages, const std::optional<std::string>& name);
-
 /// What the rows of a history say of a test.
 struct Loading {
   statistics::Columns curves;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "grains/fields/laboratory/tested_stage.hpp"
 #include "grains/fields/state_curves.hpp"
 #include "report/figures/test_figures.hpp"
 

@@ -11,6 +11,7 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/fields/laboratory/axial_tests.hpp"
+#include "grains/fields/laboratory/curves_in_space.hpp"
 #include "grains/fields/laboratory/shear_in_space.hpp"
 #include "grains/fields/laboratory/triaxial.hpp"
 #include "report/figures/axial_figures.hpp"
@@ -177,10 +178,12 @@ Panel one_against_another(const StageData& data, const std::string& x, const std
 }
 
 Panel one_against_another(const SphereResult& stage, const std::string& x, const std::string& y) {
-  auto curves = fields::triaxial_curves(stage, stage.asked.closes);
-  const bool of_test = x == "test" && y == "test", confined = curves && fields::is_confined(*curves);
+  auto curves = fields::curves_in_space(stage, stage.asked.closes);
+  const bool of_test = x == "test" && y == "test", sheared = curves && curves->has("mu"),
+             confined = curves && !sheared && fields::is_confined(*curves);
   const Columns known = with_history(curves ? std::move(*curves) : Columns{}, stage.history);
-  return of_two(stage, known, {of_test ? "axial_strain" : x, of_test ? (confined ? "q_over_p" : "axial_stress") : y},
+  const char* const ratio = sheared ? "mu" : confined ? "q_over_p" : "axial_stress";
+  return of_two(stage, known, {of_test ? (sheared ? "shear_strain" : "axial_strain") : x, of_test ? ratio : y},
                 states_of(stage));
 }
 

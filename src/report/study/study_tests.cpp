@@ -13,6 +13,7 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
+#include "grains/fields/laboratory/tested_stage.hpp"
 #include "grains/fields/loading.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"

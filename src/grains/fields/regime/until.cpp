@@ -13,7 +13,7 @@
 #include "core/unit_names.hpp"
 #include "grains/dem/history/history.hpp"
 #include "grains/fields/driven.hpp"
-#include "grains/fields/laboratory/shear_in_space.hpp"
+#include "grains/fields/laboratory/curves_in_space.hpp"
 #include "grains/fields/laboratory/triaxial.hpp"
 #include "grains/fields/loading.hpp"
 
@@ -116,8 +116,7 @@ std::optional<statistics::Columns> curves_of(const StageResult& rows, const dem:
 }
 std::optional<statistics::Columns> curves_of(const SphereResult& rows, const dem::Stage& stage,
                                              const PackingIn<3>* /*strains_since*/) {
-  auto curves = triaxial_curves(rows, closing_axis(stage));
-  return curves ? std::move(curves) : shear_columns(rows);
+  return curves_in_space(rows, closing_axis(stage));
 }
 
 void add_numbers(const std::optional<statistics::Columns>& curves, const History& history,

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "core/error.hpp"
 #include "grains/fields/state_curves.hpp"
@@ -76,13 +77,7 @@ TEST(Loading, TheRateOfShearIsOfTheSecondOrderWhereRowsAreUneven) {
   EXPECT_EQ(of->curves["shear_strain"][2], 15);
 }
 
-TEST(Loading, StagesAreFoundByTheirHistory) {
-  const StageResult test = biaxial(), packing;
-  EXPECT_EQ(stage_with_history({&packing, &test, &packing}, {}), 1u);
-  EXPECT_THROW(stage_with_history({&packing, &test}, "other"), InputError);
-  EXPECT_THROW(stage_with_history({&packing}, {}), InputError);
-  EXPECT_FALSE(loading_of({packing}));
-}
+TEST(Loading, AStageWithoutAHistoryHasNone) { EXPECT_FALSE(loading_of({StageResult{}})); }
 
 TEST(Loading, StatesHaveTheStrainsOfTheHistory) {
   const StageResult stage = biaxial();

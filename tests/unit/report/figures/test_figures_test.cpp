@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "report/figures/cycle_figures.hpp"
+#include "support/sheared_spheres.hpp"
 
 using namespace arenite;
 using namespace arenite::report::figures;
@@ -117,6 +118,17 @@ TEST(TestFigures, OneCurveAgainstAnotherHasTheUnitsOfBothAndThePlaceOfEachState)
   EXPECT_NEAR(panel.now.x[0], 5, 1e-12);
   EXPECT_THROW(one_against_another(data_of(stage), "axial_strain", "beauty"), InputError);
   EXPECT_EQ(one_against_another(data_of(stage), "test", "test").y.label, "q/p");
+}
+
+TEST(TestFigures, TheTestOfShearedSpheresIsTheirFrictionAgainstTheShearStrain) {
+  SphereResult sheared = test::cube_of_spheres(2);
+  test::shear_the_cell(sheared, 0.01);
+  sheared.snapshots.back().time = 200;
+  const Panel panel = one_against_another(sheared, "test", "test");
+  EXPECT_EQ(panel.x.label, "shear strain");
+  EXPECT_EQ(panel.y.label, "\u03bc");
+  EXPECT_NEAR(panel.now.x.front(), 200, 1e-9);  // per cent
+  EXPECT_NEAR(panel.now.y.front(), 0.4, 0.01);
 }
 
 TEST(TestFigures, CyclesShowBothEndsOfTheLoad) {

@@ -63,7 +63,7 @@ TEST(GrainPlaces, ErrorsOfAPlaceAndOfTheWayAddUpInSquares) {
   // 0.3 beside the 0.4 of twice an amplitude and what sampling loses of the way.
   const double sampled = 0.006 * motion.travel(0);
   EXPECT_DOUBLE_EQ(loaded.position_error[0], std::sqrt(0.3 * 0.3 + 0.4 * 0.4 + sampled * sampled));
-  EXPECT_EQ(loaded.position_error[1], 0.3);         // of a grain whose rim nobody saw nothing is known
+  EXPECT_EQ(loaded.position_error[1], 0.3);  // of a grain whose rim nobody saw nothing is known
 }
 
 TEST(GrainPlaces, LostGrainsHaveNoStress) {
@@ -100,7 +100,8 @@ TEST(GrainPlaces, LostGrainsGoWhereNoOtherIs) {
   EXPECT_EQ(motion.cosine[5].y, seen.cosine[5].y);
   ASSERT_EQ(error.size(), 30u);
   EXPECT_EQ(error[5], 0);
-  EXPECT_DOUBLE_EQ(error[8], std::hypot(0.1, 0.006 * 8));  // of a way that is twice the amplitude; 0.6 % of its 8 pixels
+  EXPECT_DOUBLE_EQ(error[8],
+                   std::hypot(0.1, 0.006 * 8));  // of a way that is twice the amplitude; 0.6 % of its 8 pixels
   // Amplitudes of neighbours differ by 0.025 and up to 0.03 along the axes.
   EXPECT_GT(error[12], 0.03);
   EXPECT_LT(error[12], 0.12);
