@@ -4,6 +4,7 @@
 #include "calls.hpp"
 #include "core/formula.hpp"
 #include "core/mapped.hpp"
+#include "grains/fields/laboratory/curves_in_space.hpp"
 #include "grains/fields/laboratory/test_numbers.hpp"
 #include "model/field_quantities.hpp"
 #include "module.hpp"
@@ -172,11 +173,14 @@ void bind_figures(py::module_& m) {
       "_curve_of_stage",
       [](const SphereResult& stage, const std::string& x, const std::string& y) {
         return drawn([&] {
-          return Numbers{
-              {"panel", figures::numbers_of(figures::one_against_another(stage, x, y), figures::whole_list)}};
+          Numbers panel = Numbers::tree();
+          if (x != "test" || fields::curves_in_space(stage, stage.asked.closes))
+            panel["panel"] = figures::numbers_of(figures::one_against_another(stage, x, y), figures::whole_list);
+          return panel;
         });
       },
-      py::arg("stage"), py::arg("x"), py::arg("y"));
+      py::arg("stage"), py::arg("x"), py::arg("y"),
+      "The same of a stage of spheres; empty for the \"test\" of one that is none.");
   m.def(
       "_test_of_stage",
       [](const StageResult& stage, const Packing* before) {

@@ -90,6 +90,11 @@ def test_a_film_of_spheres_has_a_picture_a_state_and_a_curve_beside(pressed, tmp
     assert PIL.open(path).n_frames == 2
     both = animate.save(pressed, tmp_path / "b.gif", curve=("time", "top_force"), size=(240, 160))
     assert PIL.open(both).n_frames == len(motion.shots_of(pressed)) > 3
+    # Of a whole run the curve of the test stands beside the stage that is one.
+    whole = animate.save(pressed, tmp_path / "d.gif", curve="test", size=(240, 160))
+    assert PIL.open(whole).n_frames > 3
+    with pytest.raises(ValueError, match=r"no stage \(compress\) is compressed along one axis or sheared"):
+        animate.save(arenite.Result(spheres=pressed.spheres[:2]), tmp_path / "e.gif", curve="test")
     with pytest.raises(ValueError, match="no beauty to draw; there are time, axial_strain"):
         animate.save(pressed, tmp_path / "c.gif", curve=("time", "beauty"), stage="axial")
     with pytest.raises(ValueError, match="no rotation"):

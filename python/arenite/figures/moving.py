@@ -124,12 +124,18 @@ class Beside:
     def begin(self, axes, shots):
         self.axes, self.stage, self.mark = axes, None, None
         stages = {shot.stage.name: shot.stage for shot in shots if curves.has_history(shot.stage)}
-        self.panels = {name: self.panel_of(name) for name in stages}
+        panels = {name: self.panel_of(name) for name in stages}
+        self.panels = {name: panel for name, panel in panels.items() if panel}
+        if panels and not self.panels:
+            raise ValueError(
+                f"no stage ({', '.join(panels)}) is compressed along one axis or sheared, so there is no curve of a "
+                "test beside the spheres; give two columns of the history, X,Y"
+            )
 
     def panel_of(self, stage):
         in_space = [part for part in getattr(self.result, "spheres", []) if part.name == stage]
         if in_space:
-            return _core._curve_of_stage(in_space[0], *self.names)["panel"]
+            return _core._curve_of_stage(in_space[0], *self.names).get("panel")
         test = curves.find_test(self.result, stage)
         return _core._curve_of_stage(test.stage, test.before, *self.names)["panel"]
 
