@@ -1,10 +1,20 @@
+import assert from "node:assert/strict";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
+import { isDeepStrictEqual } from "node:util";
 import { watch, withBrowser } from "./browser.mjs";
 import { everyPage } from "./walk.mjs";
 
 export const settle = (page) =>
   page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+/** Asserts that `ask` comes to give these values, however long a busy machine takes to hear of a key. */
+export async function becomes(ask, expected) {
+  const end = performance.now() + 20000;
+  while (performance.now() < end && !isDeepStrictEqual(await ask(), expected))
+    await new Promise((done) => setTimeout(done, 50));
+  assert.deepEqual(await ask(), expected);
+}
 
 /** Turns the wheel with Ctrl: zooms in by so many notches, each by half a power of two; out where they are negative. */
 export async function zoom(page, notches) {

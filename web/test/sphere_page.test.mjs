@@ -2,7 +2,7 @@
 // Usage: node sphere_page.test.mjs PAGE.html
 import assert from "node:assert/strict";
 import { difference, painted, saved, withBrowser } from "./browser.mjs";
-import { rgb, runTests, settle } from "./run.mjs";
+import { becomes, rgb, runTests, settle } from "./run.mjs";
 
 const tests = [];
 const test = (name, run) => tests.push({ name, run });
@@ -224,13 +224,12 @@ test("it turns by dragging; 0 shows it as in the beginning; picture and address 
   await page.mouse.down();
   await page.mouse.move(x + 50, y + 25, { steps: 4 });
   await page.mouse.up();
-  await page.waitForTimeout(pause);
-  assert.deepEqual([await get(page, "azimuth"), await get(page, "elevation")], [15, 35]);
-  assert.match(page.url(), /azimuth=15/);
+  const seen = () => Promise.all(["azimuth", "elevation"].map((key) => get(page, key)));
+  await becomes(seen, [15, 35]);
+  await becomes(() => /azimuth=15/.test(page.url()), true);
   await canvasOf(page).focus();
   await page.keyboard.press("0");
-  await page.waitForTimeout(pause);
-  assert.deepEqual([await get(page, "azimuth"), await get(page, "elevation")], [35, 25]);
+  await becomes(seen, [35, 25]);
   assert.equal(
     (await saved(page, '[aria-label="Spheres"]:visible [data-save="png"]')).subarray(1, 4).toString(),
     "PNG",

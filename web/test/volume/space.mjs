@@ -1,7 +1,7 @@
 // The picture of a sample in space: turned, cut, saved, on a phone.
 import assert from "node:assert/strict";
 import { difference, painted, saved, withBrowser } from "../browser.mjs";
-import { rgb } from "../run.mjs";
+import { becomes, rgb } from "../run.mjs";
 import { kind, set, get, boxOf } from "./looking.mjs";
 
 export const tests = [];
@@ -132,6 +132,7 @@ test("what is below a level is looked through, and a surface is smooth where tha
 });
 
 test("it turns by dragging and keys, zooms with Ctrl and the wheel; 0 shows it as in the beginning", async (page) => {
+  const seen = () => Promise.all(["azimuth", "elevation", "zoom"].map((key) => get(page, key)));
   await page.keyboard.press("0");
   await page.locator("canvas.volume").scrollIntoViewIfNeeded();
   const box = await boxOf(page, "canvas.volume"),
@@ -141,20 +142,16 @@ test("it turns by dragging and keys, zooms with Ctrl and the wheel; 0 shows it a
   await page.mouse.down();
   await page.mouse.move(middle[0] + 50, middle[1] + 25, { steps: 4 });
   await page.mouse.up();
-  await page.waitForTimeout(pause);
-  assert.deepEqual([await get(page, "azimuth"), await get(page, "elevation")], [15, 35]);
+  await becomes(seen, [15, 35, 1]);
   await page.locator("canvas.volume").focus();
   await page.keyboard.press("ArrowLeft");
-  await page.waitForTimeout(pause);
-  assert.equal(await get(page, "azimuth"), 20);
+  await becomes(seen, [20, 35, 1]);
   await page.keyboard.down("Control");
   await page.mouse.wheel(0, -100);
   await page.keyboard.up("Control");
-  await page.waitForTimeout(pause);
-  assert.equal(await get(page, "zoom"), 1.41);
+  await becomes(seen, [20, 35, 1.41]);
   await page.keyboard.press("0");
-  await page.waitForTimeout(pause);
-  assert.deepEqual([await get(page, "azimuth"), await get(page, "elevation"), await get(page, "zoom")], [35, 25, 1]);
+  await becomes(seen, [35, 25, 1]);
 });
 
 test("picture and slices can be saved", async (page) => {
