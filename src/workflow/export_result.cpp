@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -96,6 +95,10 @@ class Loading {
          format_.of_sphere_loading);
   }
 
+  void add(const std::vector<io::ExportCurves>& of_stage) {
+    for (const io::ExportCurves& curves : of_stage) out().write(format_.of_curves(curves));
+  }
+
   bool is_empty() const { return times_.empty(); }
 
   std::vector<fs::path> finish(const Provenance& last) {
@@ -166,8 +169,7 @@ void add_spheres(const fs::path& file, const io::ExportFormat& format, bool last
                    " or "));
   const SphereResult stage = io::read_stage<3>(file);
   last = stage.provenance;
-  if (format.of_curves && !last_only)
-    for (const io::ExportCurves& curves : curves_of(stage)) loading.out().write(format.of_curves(curves));
+  if (format.of_curves && !last_only) loading.add(curves_of(stage));
   for (const auto& snapshot : stage.snapshots)
     if (!loading.has(snapshot.time) && (!last_only || &snapshot == &stage.snapshots.back()))
       loading.add(stage.name, snapshot, derived_fields(snapshot.packing));
@@ -229,9 +231,7 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
     }
     StageResult stage = io::read_stage(file);
     last = stage.provenance;
-    if (format.of_curves && !last_only)
-      for (const io::ExportCurves& curves : curves_of(fields::Test{stage, before ? &*before : nullptr}))
-        loading.out().write(format.of_curves(curves));
+    if (format.of_curves && !last_only) loading.add(curves_of(fields::Test{stage, before ? &*before : nullptr}));
     if (!stage.snapshots.empty()) before = stage.snapshots.back().packing;
     if (last_only && stage.snapshots.size() > 1)
       stage.snapshots.erase(stage.snapshots.begin(), stage.snapshots.end() - 1);

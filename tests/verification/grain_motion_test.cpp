@@ -91,7 +91,7 @@ TEST(GrainMotion, ErrorsToldAreThoseMade) {
   test::MovingDisks apart;  // neighbours go their own ways, by more than the blur of their rims
   apart.travel = 6, apart.apart = 2, apart.gap = 2.5;
   EXPECT_NEAR(made_over_told(apart), 1, 0.2);
-  test::MovingDisks crowd;  // residuals of pixels alone tell a quarter of it
+  test::MovingDisks crowd;  // residuals of its sectors alone tell less than half of it
   EXPECT_LT(made_over_told(crowd), 1.7);
 }
 

@@ -44,8 +44,8 @@ def compare(folder):
     grain, c = filmed_as(film, state), film.packing.contacts
     rows = []
     for i, j, fn, told in zip(c.i, c.j, c.fn, film.fn_error):
-        true = change.get(frozenset((int(grain[i]), int(grain[j]))), 0) if j >= 0 else None
-        if true is not None:
+        if j >= 0:
+            true = change.get(frozenset((int(grain[i]), int(grain[j]))), 0)
             rows.append((fn - true, told, true))
     return np.array(rows)
 

@@ -220,24 +220,24 @@ GrainMotion grain_motion(const PhasePictures& pictures, const PictureGrains& gra
   if (n == 0) return motion;
   std::vector<Rim> rims;
   std::vector<double> contrast(n, 0);
+  std::vector<Left> left(n);
+  Matrix step(0, 0);
   const ThreadPool pool(threads);
   for (int turn = 0; turn < most_turns; ++turn) {
     if (turn == 0 || turn == affine_turns || turn == affine_turns + 2)
       rims = rims_of(grains, motion, pictures.width, pictures.height);
-    std::vector<Left> left(n);
     pool.for_each(n, [&](std::size_t i) { left[i] = motion_left(pictures, rims[i], i, motion, contrast); });
     for (std::size_t i = 0; i < n; ++i) contrast[i] = left[i].contrast;
     const Together all = assemble(left);
-    const Matrix step = turn < affine_turns ? affine_step(grains, all) : solve_sparse(all.normal, all.side);
-    if (turn >= affine_turns)
-      for (std::size_t i = 0; i < n; ++i) {
-        const WayErrors errors = errors_of(left[i], step);
-        motion.error[i] = errors.by_sector, motion.by_pixel[i] = errors.by_pixel;
-      }
+    step = turn < affine_turns ? affine_step(grains, all) : solve_sparse(all.normal, all.side);
     if (turn == affine_turns && !have_contrast(left)) return unseen(n);
     const double longest = move(step, motion);
     if (turn < affine_turns) continue;
     if (longest < 2e-3) break;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const WayErrors errors = errors_of(left[i], step);
+    motion.error[i] = errors.by_sector, motion.by_pixel[i] = errors.by_pixel;
   }
   return motion;
 }

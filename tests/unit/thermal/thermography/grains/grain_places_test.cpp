@@ -100,8 +100,8 @@ TEST(GrainPlaces, LostGrainsGoWhereNoOtherIs) {
   EXPECT_EQ(motion.cosine[5].y, seen.cosine[5].y);
   ASSERT_EQ(error.size(), 30u);
   EXPECT_EQ(error[5], 0);
-  EXPECT_DOUBLE_EQ(error[8],
-                   std::hypot(0.1, 0.006 * 8));  // of a way that is twice the amplitude; 0.6 % of its 8 pixels
+  // Of a way that is twice the amplitude, and 0.6 % of its 8 pixels.
+  EXPECT_DOUBLE_EQ(error[8], std::hypot(0.1, 0.006 * 8));
   // Amplitudes of neighbours differ by 0.025 and up to 0.03 along the axes.
   EXPECT_GT(error[12], 0.03);
   EXPECT_LT(error[12], 0.12);
