@@ -102,7 +102,7 @@ const std::vector<Row> rows{
     {"grains listed", {}, {}, Row::Grains::listed},
     {"3 grains without paint, listed",
      [](auto& f) {
-       f.bare = {12, 27, 41};
+       f.bare = {0.2, 0.45, 0.69};
      },
      {},
      Row::Grains::listed},

@@ -29,7 +29,7 @@ struct LaboratoryFilm {
   std::array<double, 2> emissivity{0.95, 0.75};  ///< of the materials
   double emissivity_scatter = 0;                 ///< by grain, relative
   double background = 0.45, frame = 0.45;        ///< emissivities
-  std::vector<std::size_t> bare = {};            ///< grains that are as bright as what is behind them
+  std::vector<double> bare = {};                 ///< shares of the list: grains as bright as what is behind them
   double travel = 1.0;                           ///< of the lower wall, pixels, upwards
   double wander = 0.1;                           ///< of every grain beside the affine motion, pixels
   double common = 0, columns = 0;                ///< 1/f noise of all pixels, and of those of a column, K
@@ -94,7 +94,8 @@ class DrawnFilm {
     for (const auto m : p_.grains.material)
       grain_.push_back(
           level(how_.emissivity[static_cast<std::size_t>(m)] * (1 + how_.emissivity_scatter * random.normal())));
-    for (const std::size_t i : how_.bare) grain_[i] = level(how_.background);
+    for (const double share : how_.bare)
+      grain_.at(static_cast<std::size_t>(share * static_cast<double>(grain_.size()))) = level(how_.background);
   }
 
   void disks() {
