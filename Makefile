@@ -40,13 +40,13 @@ dist:
 	@scripts/dist $(BUILD)
 
 # Benchmarks, peers' drivers, the program for many machines and fuzz targets, too: what nobody compiles and runs does
-# not stay whole. One test more than jobs at a time: some wait for a browser or a killed run.
+# not stay whole. Two tests more than jobs at a time: many wait for a browser or a killed run.
 test:
 	@scripts/setup run python test bench petsc fuzz docs
 	@$(COMMON) $(WITH_MODULE) -DARENITE_TESTS=ON -DARENITE_BENCH=ON -DARENITE_PETSC=ON >/dev/null
 	@ninja -C $(BUILD) -j $(JOBS)
 	@$(MAKE) --no-print-directory fuzz FUZZ_FOR=-runs=0 FUZZ_SEARCH=OFF
-	@ctest --test-dir $(BUILD) -j $$(($(JOBS) + 1)) --timeout 1200 --output-on-failure
+	@ctest --test-dir $(BUILD) -j $$(($(JOBS) + 2)) --timeout 1200 --output-on-failure
 
 bench:
 	@scripts/setup run python bench

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "commands.hpp"
 #include "print.hpp"
@@ -24,9 +25,12 @@ std::filesystem::path default_folder(const ExportArguments& a) {
 void write_export(const ExportArguments& a) {
   refuse_no_result(a.result);
   const auto folder = a.out.empty() ? default_folder(a) : std::filesystem::path(a.out);
-  const auto files = workflow::export_result(a.result, *io::export_named(a.format), folder, a.last);
+  std::vector<std::filesystem::path> left_out;
+  const auto files = workflow::export_result(a.result, *io::export_named(a.format), folder, a.last, &left_out);
   print("{} {} in {}; the last is {}\n", files.size(), files.size() == 1 ? "file" : "files", folder.string(),
         files.back().filename().string());
+  for (const auto& file : left_out)
+    print(stderr, "left out, for {} does not hold it: {}\n", a.format, file.filename().string());
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "commands.hpp"
 #include "core/hash.hpp"
@@ -61,6 +63,22 @@ io::SampleOptions sample_options(const MeasureArguments& a) {
   return options;
 }
 
+/// Says in which unit lengths of the command line were taken that have none of their own and none by --length-unit:
+/// the files may be in mm.
+void tell_of_bare_lengths(const MeasureArguments& a, std::vector<std::string>& notes) {
+  if (!a.sample.text("length_unit").empty()) return;
+  std::vector<std::string> bare;
+  for (const char* key : {"box", "origin", "thickness", "pixel"})
+    if (std::ranges::any_of(split_commas(a.sample.text(key)),
+                            [](const std::string& part) { return io::to_number(part).value_or(0) != 0; }))
+      bare.push_back(option_name(key));
+  if (!bare.empty())
+    notes.push_back(
+        fmt::format("{}: lengths without a unit were taken in m; write them with one, for example --box \"60 "
+                    "mm,40 mm\", or give --length-unit.",
+                    list_of(bare)));
+}
+
 /// Where no contacts are given: those between surfaces no further apart than the gap that was asked for, without
 /// forces; what is said of them.
 template <int D> std::string propose_contacts(const MeasureArguments& a, io::SampleIn<D>& sample) {
@@ -81,13 +99,10 @@ void measure(const MeasureArguments& a, io::Sample sample) {
       throw InputError(
           "give the file of contacts after that of the grains, or --touching with the widest gap between grains that "
           "touch, for example --touching \"0.2 mm\"");
-    sample.notes.push_back(propose_contacts(a, sample) +
-                           "; forces are not known, so statistics of forces are left out.");
-    options.rattler_contacts = 0;
+    sample.notes.push_back(propose_contacts(a, sample) + ".");
   }
   options.doubled_rows = sample.doubled_rows;
   texture::Texture t = texture::measure(sample.packing, options);
-  if (a.contacts.empty()) texture::forget_forces(t);
   t.notes.insert(t.notes.begin(), sample.notes.begin(), sample.notes.end());
   if (sample.doubled_rows > 0)
     t.notes.insert(t.notes.begin(), std::to_string(sample.doubled_rows) +
@@ -197,8 +212,12 @@ void add_measure(Options& command, int&) {
     if (io::stored_kind(a->grains) == "field") return measure_field(*a);
     if (!a->contacts.empty() && !a->gap.text("touching").empty())
       throw InputError("--touching: for grains without a file of contacts; leave out one of the two");
-    std::visit([&](auto&& sample) { measure(*a, std::move(sample)); },
-               io::read_any_sample(a->grains, a->contacts, sample_options(*a)));
+    std::visit(
+        [&](auto&& sample) {
+          tell_of_bare_lengths(*a, sample.notes);
+          measure(*a, std::move(sample));
+        },
+        io::read_any_sample(a->grains, a->contacts, sample_options(*a)));
   };
 }
 

@@ -4,7 +4,6 @@
 #include <charconv>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 #include "campaign/collect.hpp"
 #include "commands.hpp"
@@ -18,8 +17,6 @@ namespace arenite::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::size_t cores() { return std::max(1u, std::thread::hardware_concurrency()); }
 
 campaign::StudyFolder folder_of(const StudyArguments& arguments) {
   const auto recipe = fs::absolute(arguments.recipe);
@@ -122,7 +119,7 @@ int execute(const StudyArguments& arguments) {
 
 void add_study(Options& command, int& status) {
   auto a = std::make_shared<StudyArguments>();
-  a->jobs = cores();
+  a->jobs = campaign::every_core();
   command
       .add("what", a->what,
            "Action: list the runs, run them, report progress, collect their numbers, draw the figures, write a script "

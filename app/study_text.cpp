@@ -71,7 +71,6 @@ std::string plan_text(const campaign::Study& study, const campaign::StudyFolder&
   for (const auto& run : study.runs) text += fmt::format("{}  {}\n", run.name, campaign::describe(run));
   const auto runs = campaign::shard_of(study, 0, 1);
   text += fmt::format("\n{}", counted(study.runs.size(), "run", "runs"));
-  if (runs.size() < study.runs.size()) text += fmt::format(", {} of them different", runs.size());
   text += "\n\n" + stage_lines(study, folder) + "\n";
   const double seconds = campaign::seconds_of_missing(study, runs, folder);
   if (std::isnan(seconds))

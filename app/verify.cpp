@@ -110,7 +110,7 @@ int execute(const VerifyArguments& a) {
 
 void add_verify(Options& command, int& status) {
   auto a = std::make_shared<VerifyArguments>();
-  a->jobs = std::max(1u, std::thread::hardware_concurrency());
+  a->jobs = campaign::every_core();
   command.add("source", a->sources, "Source of the claims: the thesis, the paper, or both")
       .required()
       .type("SOURCE")

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <numbers>
 
-#include "grains/texture/mass.hpp"
 #include "grains/texture/texture.hpp"
 #include "model/shapes.hpp"
 #include "samples.hpp"
@@ -37,8 +36,8 @@ void write_disks(const std::filesystem::path& folder, const std::string& name, c
                        w[top].position);
   for (std::size_t k = 0; k < p.grains.size(); ++k) {
     const double r = p.grains.radius[k];
-    data << fmt::format("{} 1 {:.17g} {:.17g} {:.17g} {:.17g} 0\n", k + 1, 2 * r,
-                        density_for(texture::mass_of(p, k), r), p.grains.position[k].x, p.grains.position[k].y);
+    data << fmt::format("{} 1 {:.17g} {:.17g} {:.17g} {:.17g} 0\n", k + 1, 2 * r, density_for(mass_of(p, k), r),
+                        p.grains.position[k].x, p.grains.position[k].y);
     table << fmt::format("{:.17g},{:.17g},{:.17g}\n", p.grains.position[k].x, p.grains.position[k].y, r);
   }
 }
@@ -67,8 +66,7 @@ void write_clumps(const std::filesystem::path& folder, const std::string& name, 
     for (std::size_t d = first; d < last; ++d) {
       const Vec2 at = p.grains.position[g] + turned(shapes.place[d], by);
       data << fmt::format("{} 1 {:.17g} {:.17g} 0 {:.17g} {:.17g} {}\n", d + 1, at.x, at.y, 2 * shapes.radius[d],
-                          density_for(texture::mass_of(p, g) / static_cast<double>(last - first), shapes.radius[d]),
-                          g + 1);
+                          density_for(mass_of(p, g) / static_cast<double>(last - first), shapes.radius[d]), g + 1);
     }
   }
 }
@@ -80,12 +78,12 @@ void write_polygons(const std::filesystem::path& folder, const std::string& name
   data << head(name, p, p.grains.size(), fmt::format("{} bodies\n", p.grains.size()));
   std::string bodies = "\nBodies\n\n";
   for (std::size_t g = 0; g < p.grains.size(); ++g) {
-    data << fmt::format("{} 1 1 {:.17g} {:.17g} {:.17g} 0\n", g + 1, texture::mass_of(p, g), p.grains.position[g].x,
+    data << fmt::format("{} 1 1 {:.17g} {:.17g} {:.17g} 0\n", g + 1, mass_of(p, g), p.grains.position[g].x,
                         p.grains.position[g].y);
     const Vec2 by = direction(p.grains.angle[g]);
     const auto first = static_cast<std::size_t>(shapes.first[g]),
                corners = static_cast<std::size_t>(shapes.first[g + 1]) - first;
-    const double inertia = texture::mass_of(p, g) * shapes.gyration[g] * shapes.gyration[g];
+    const double inertia = mass_of(p, g) * shapes.gyration[g] * shapes.gyration[g];
     auto to = std::back_inserter(bodies);
     fmt::format_to(to, "{} 1 {}\n{}\n{:.17g} {:.17g} {:.17g} 0 0 0\n", g + 1, 7 + 3 * corners, corners, inertia / 2,
                    inertia / 2, inertia);

@@ -23,7 +23,8 @@ def save(result, path, by=None, *, low=None, high=None, size=None, curve=None, p
     instead of .mp4 if ffmpeg is not installed. `low` and `high` are in SI units, `size` is (width, height), `curve`
     ("axial_strain", "top_force"), columns of `curves.along` or of the history, or "test"; `progress(share, "states")`
     is called meanwhile. Raises ValueError. What is asked for:"""
-    from .figures import motion, moving
+    from .figures import moving
+    from .figures.shots import shots_of
     from .figures.style import journal_style
 
     told = {"size": size and "x".join(str(n) for n in size), "curve": curve and str(curve)}
@@ -31,7 +32,7 @@ def save(result, path, by=None, *, low=None, high=None, size=None, curve=None, p
     path = pathlib.Path(path)
     refuse(path, wanted.colour_map)
     result = open_result(os.fspath(result)) if isinstance(result, (str, os.PathLike)) else result
-    shots = motion.shots_of(result, wanted.stage)
+    shots = shots_of(result, wanted.stage)
     if path.suffix == ".mp4" and not has_ffmpeg():
         path = path.with_suffix(".gif")
     with journal_style(**moving.text_size):

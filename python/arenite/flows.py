@@ -75,7 +75,7 @@ def fit_power(x, y, error):
     return _core.fit_power(x, y, error)
 
 
-def fit_runout(found, low=2.5, high=2.5):
+def fit_runout(found, low=_core._runout_bend, high=_core._runout_bend):
     """Power laws of `runouts` below and above aspect ratios: {"low": ..., "high": ...} as fit_power gives them. Grains
     on a plane spread by about a below 2 to 3 and by a^(2/3) to a^0.7 above (Lube et al., Phys. Rev. E 72, 041301, 2005;
     Lajeunesse, Monnier and Homsy, Phys. Fluids 17, 103302, 2005; Staron and Hinch, J. Fluid Mech. 545, 1, 2005). The

@@ -14,11 +14,12 @@ def run_study(
     recipe: Union[str, os.PathLike],
     out: Union[str, os.PathLike],
     *,
-    jobs: int = 1,
+    jobs: Optional[int] = None,
     progress: Optional[Callable[[float, str], Any]] = None,
 ) -> Dict[str, int]:
     """Runs a recipe with [sweep], each run in its own process; finished runs are not repeated.
 
+    `jobs` go at once; unless given, as many as the machine has cores.
     `progress(share, "runs")` is called meanwhile. Returns the numbers of runs that are done, not done (failed or
     without equilibrium) and left. Raises ValueError with the program's message.
     """
@@ -28,7 +29,7 @@ def run_study(
         "from arenite import studies; studies._main()",
         os.fspath(recipe),
         os.fspath(out),
-        str(jobs),
+        "" if jobs is None else str(jobs),
     ]
     last = {}
     with subprocess.Popen(command, stdout=subprocess.PIPE, env=_environment()) as process:
@@ -69,6 +70,10 @@ def _main():
         sys.stdout.buffer.flush()
 
     try:
-        say(**_core._run_study(recipe, out, jobs=int(jobs), progress=lambda share, _: say(share=share)))
+        say(
+            **_core._run_study(
+                recipe, out, jobs=int(jobs) if jobs else None, progress=lambda share, _: say(share=share)
+            )
+        )
     except ValueError as error:
         say(error=str(error))

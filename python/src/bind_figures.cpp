@@ -4,7 +4,6 @@
 #include "calls.hpp"
 #include "core/formula.hpp"
 #include "core/mapped.hpp"
-#include "grains/fields/laboratory/curves_in_space.hpp"
 #include "grains/fields/laboratory/test_numbers.hpp"
 #include "model/field_quantities.hpp"
 #include "module.hpp"
@@ -174,8 +173,8 @@ void bind_figures(py::module_& m) {
       [](const SphereResult& stage, const std::string& x, const std::string& y) {
         return drawn([&] {
           Numbers panel = Numbers::tree();
-          if (x != "test" || fields::curves_in_space(stage, stage.asked.closes))
-            panel["panel"] = figures::numbers_of(figures::one_against_another(stage, x, y), figures::whole_list);
+          if (const auto found = figures::one_against_another(stage, x, y))
+            panel["panel"] = figures::numbers_of(*found, figures::whole_list);
           return panel;
         });
       },

@@ -114,6 +114,7 @@ void bind_laws(py::module_& m) {
         return power_law(statistics::fit_power(to_vector(x, "x"), to_vector(y, "y"), to_vector(error, "error")));
       },
       py::arg("x"), py::arg("y"), py::arg("error"), "y = factor x^exponent by least squares, each (value, error).");
+  m.attr("_runout_bend") = fields::runout_bend;
   m.def("fit_runout", &runout, py::arg("aspect_ratio"), py::arg("runout"), py::kw_only(),
         py::arg("low") = fields::runout_bend, py::arg("high") = fields::runout_bend,
         "Power laws of run-outs below and above aspect ratios, low and high, where three points are there.");

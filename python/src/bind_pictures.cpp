@@ -195,8 +195,8 @@ void bind_pictures(py::module_& m) {
       },
       py::arg("packings"), "Rotations of grains since the first of these states, rad, an array for each.");
   const char* scale = "(mean, tension), N: forces above the one are strong, those below the other pull.";
-  m.def("_mean_push", static_cast<double (*)(const std::vector<const Contacts*>&)>(&texture::mean_push),
-        py::arg("states"), "Mean force of the contacts that push, of several states together, N.");
+  m.def("_mean_push", &texture::mean_push<2>, py::arg("states"),
+        "Mean force of the contacts that push, of several states together, N.");
   m.def(
       "_mean_push",
       [](const std::vector<const PackingIn<3>*>& states) {

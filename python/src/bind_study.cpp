@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 
 #include "arrays.hpp"
 #include "calls.hpp"
@@ -156,13 +157,13 @@ void bind_study(py::module_& m) {
       py::arg("document"), "HTML of a page with these figures and tables, as report::html_of has it.");
   m.def(
       "_run_study",
-      [](const Path& recipe, const Path& out, std::size_t jobs, const Progress& progress) {
-        if (jobs < 1) throw InputError("jobs is 0; give at least 1");
+      [](const Path& recipe, const Path& out, std::optional<std::size_t> jobs, const Progress& progress) {
+        if (jobs == 0) throw InputError("jobs is 0; give at least 1");
         Call call;
         const auto outcome = call.without_lock([&] {
           const campaign::Study study = study_in(recipe, out);
           campaign::StudyOptions options;
-          options.jobs = jobs;
+          options.jobs = jobs.value_or(options.jobs);
           options.numbers = [](const workflow::RunOutcome& run) { return report::Summary(run).numbers(); };
           options.film_numbers = report::film_numbers;
           options.progress = [&](const campaign::StudyProgress& p) {
@@ -179,7 +180,7 @@ void bind_study(py::module_& m) {
         d["left"] = outcome.left;
         return d;
       },
-      py::arg("recipe"), py::arg("out"), py::kw_only(), py::arg("jobs") = 1, py::arg("progress") = py::none(),
+      py::arg("recipe"), py::arg("out"), py::kw_only(), py::arg("jobs") = py::none(), py::arg("progress") = py::none(),
       "Runs a recipe with [sweep], each run in its own process; finished runs are not repeated. Returns how many are "
       "done, not done, left.");
 }

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "arrays.hpp"
+#include "core/text.hpp"
 #include "io/sample/assemble.hpp"
 #include "io/sample/formats.hpp"
 
@@ -51,6 +52,8 @@ io::RawGrains rows_of(const ArrayLike& x, const ArrayLike& y, const ArrayLike& r
   return grains;
 }
 
+constexpr const char* contact_names[] = {"i", "j", "fn", "ft", "nx", "ny"};
+
 class Columns {
  public:
   explicit Columns(const py::object& table) : table_(table), ours_(py::isinstance<Contacts>(table)) {
@@ -83,7 +86,19 @@ class Columns {
   bool ours_;
 };
 
+/// A table of pandas may hold more; in a dict a name that is none is a slip.
+void check_names(const py::object& table) {
+  if (!py::isinstance<py::dict>(table)) return;
+  for (const auto& [key, values] : table.cast<py::dict>()) {
+    const auto name = py::str(key).cast<std::string>();
+    if (std::ranges::find(contact_names, name) == std::end(contact_names))
+      throw InputError(
+          fmt::format("contacts has no arrays of the name \"{}\"; there are {}", name, list_of(contact_names, ", ")));
+  }
+}
+
 io::RawContacts rows_of(const py::object& table) {
+  check_names(table);
   const Columns columns(table);
   const auto i = whole_numbers(columns.need("i"), 0, most_index, "contacts[\"i\"]"),
              j = whole_numbers(columns.need("j"), -4, most_index, "contacts[\"j\"]");

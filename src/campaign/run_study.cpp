@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <thread>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -229,6 +230,8 @@ class Scheduler {
 };
 
 }  // namespace
+
+std::size_t every_core() { return std::max(1u, std::thread::hardware_concurrency()); }
 
 StudyOutcome run_study(const Study& study, const StudyFolder& folder, const StudyOptions& options) {
   return Scheduler(study, folder, options).work();

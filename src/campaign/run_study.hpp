@@ -23,8 +23,11 @@ struct StudyProgress {
       std::numeric_limits<double>::quiet_NaN();  ///< by what stages of the same name cost; nan: not known yet
 };
 
+/// Runs at once that a machine has cores for.
+std::size_t every_core();
+
 struct StudyOptions {
-  std::size_t jobs = 1;               ///< runs at once, one process each
+  std::size_t jobs = every_core();    ///< runs at once, one process each
   int threads = Threads{}.threads;    ///< in each of them
   std::size_t shard = 0, shards = 1;  ///< this process does one of `shards` equal parts of the runs
   bool retry = false;                 ///< runs that failed or found no equilibrium are done again

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <unordered_map>
 
 #include "campaign/study_folder.hpp"
 #include "campaign/sweep.hpp"
@@ -99,17 +100,62 @@ std::int64_t seed_of(const recipe::Recipe& recipe, Sweep::Seeds seeds, std::int6
   return std::stoll(hash.hex().substr(0, 12), nullptr, 16);  // 48 bits, which a double holds exactly
 }
 
-recipe::Node with(const Study& study, const Point& point, const recipe::Reading& reading) {
+InputError problem_at(const recipe::Place& place, const recipe::Reading& reading, std::string message) {
+  return InputError({Problem{file_of(place, reading), place.line, place.column, std::move(message)}});
+}
+
+/// A swept key with the place that it reaches in the recipe: two keys may call one item by its name and by its number.
+struct Reached {
+  const Assignment* by;
+  std::vector<std::string> parts;
+};
+
+/// What a value holds under such a part of a key; nothing where it says nothing of it.
+const recipe::Node* inside(const recipe::Node& value, const std::string& part) {
+  if (value.kind == recipe::Node::Kind::array) return &value.items.at(std::stoul(part));
+  const recipe::Entry* const entry = value.find(part);
+  return entry ? &entry->value : nullptr;
+}
+
+/// Whether nothing, or not all, is left of what `earlier` set.
+bool overwrites(const Reached& later, const Reached& earlier) {
+  const auto [own, others] = std::ranges::mismatch(later.parts, earlier.parts);
+  if (own == later.parts.end() || others != earlier.parts.end()) return own == later.parts.end();
+  const recipe::Node* said = &earlier.by->value;
+  for (auto part = own; part != later.parts.end() && said; ++part) said = inside(*said, *part);
+  return said != nullptr;
+}
+
+recipe::Node with(const Study& study, const Point& point, const recipe::Reading& reading, const recipe::Place& sweep) {
   recipe::Node tree = study.tree;
-  for (const auto& [key, value] : point) {
+  std::vector<Reached> reached;
+  for (const Assignment& each : point) {
     try {
-      set_value(tree, key, value, keys_of(study));
+      reached.push_back({&each, set_value(tree, each.key, each.value, keys_of(study))});
     } catch (const InputError& error) {
-      throw InputError({Problem{file_of(value.place, reading), value.place.line, value.place.column,
-                                fmt::format("{}: {}", key, error.what())}});
+      throw problem_at(each.value.place, reading, fmt::format("{}: {}", each.key, error.what()));
     }
+    const auto lost = std::ranges::find_if(
+        reached, [&](const Reached& other) { return &other != &reached.back() && overwrites(reached.back(), other); });
+    if (lost != reached.end())
+      throw problem_at(
+          sweep, reading,
+          fmt::format("sweep: {} and {} set the same place of the recipe; keep one of them", lost->by->key, each.key));
   }
   return tree;
+}
+
+bool is_same(const recipe::Place& a, const recipe::Place& b) {
+  return std::tie(a.line, a.column, a.file, a.override_text) == std::tie(b.line, b.column, b.file, b.override_text);
+}
+
+/// The first value of the later of two points that the earlier does not have from the same place.
+recipe::Place where_they_part(const Point& earlier, const Point& later) {
+  for (const Assignment& each : later) {
+    const auto at = std::ranges::find(earlier, each.key, &Assignment::key);
+    if (at == earlier.end() || !is_same(at->value.place, each.value.place)) return each.value.place;
+  }
+  return later.empty() ? recipe::Place{} : later.back().value.place;
 }
 
 class Expansion {
@@ -119,11 +165,14 @@ class Expansion {
         reading_(reading),
         sweep_(sweep) {}
 
-  void add(const Point& point) {
+  /// The runs of the sweep's combination of that number.
+  void add(std::size_t combination) {
+    combination_ = combination;
+    const Point point = sweep_.combination(combination);
     StudyRun run;
     for (const auto& [key, value] : point) run.values.emplace_back(key, toml_literal(value));
     try {
-      const recipe::Node tree = with(study_, point, reading_);
+      const recipe::Node tree = with(study_, point, reading_, sweep_.place);
       if (study_.of_films) return add_film(run, recipe::film_recipe_from(tree, study_.file));
       recipe::Recipe recipe = recipe_from(tree, study_.file);
       if (recipe.packing.method == recipe::PackingParameters::Method::file)
@@ -158,13 +207,32 @@ class Expansion {
     HashBuilder hash;
     for (const workflow::PlannedStage& stage : run.stages) hash.add(stage.name, stage.hash);
     run.name = hash.hex().substr(0, 16);
+    const auto [first, is_new] = first_of_.try_emplace(run.name, study_.runs.size(), combination_);
+    if (!is_new && !has_twins_) refuse_twins(first->second, run);
     study_.runs.push_back(std::move(run));
+  }
+
+  /// Two runs that are one would count as independent in means over runs: the first such pair is told.
+  void refuse_twins(const std::pair<std::size_t, std::size_t>& first, const StudyRun& run) {
+    has_twins_ = true;
+    const Point earlier = sweep_.combination(first.second), own = sweep_.combination(combination_);
+    const std::string one = describe(study_.runs[first.first]), other = describe(run);
+    const std::string which = one != other  ? fmt::format("that with {} and that with {}", one, other)
+                              : one.empty() ? "both of them the recipe as it stands"
+                                            : fmt::format("both with {}", one);
+    problems_.add(problem_at(where_they_part(earlier, own), reading_,
+                             fmt::format("sweep: two runs are the same, {}; leave out one{}", which,
+                                         study_.of_films ? "" : ", or give runs other seeds by sweep.replicates")),
+                  {});
   }
 
   Study& study_;
   const recipe::Reading& reading_;
   const Sweep& sweep_;
   RunProblems problems_;
+  std::size_t combination_ = 0;                                                    ///< that runs are made of
+  std::unordered_map<std::string, std::pair<std::size_t, std::size_t>> first_of_;  ///< a name: run and combination
+  bool has_twins_ = false;
   std::set<std::string> files_;
   workflow::KnownFilms known_;
 };
@@ -197,8 +265,7 @@ Study read_study(const std::string& file, const std::vector<std::string>& overri
 
   Expansion expansion(study, reading, sweep);
   const std::size_t combinations = sweep.combinations();
-  for (std::size_t index = 0; index < combinations && !expansion.enough(); ++index)
-    expansion.add(sweep.combination(index));
+  for (std::size_t index = 0; index < combinations && !expansion.enough(); ++index) expansion.add(index);
   expansion.end(combinations);
   if (folder.empty()) return study;
   note_runs_of_version_0_1(folder, study);

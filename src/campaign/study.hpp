@@ -22,8 +22,7 @@ struct StudyRun {
   std::vector<workflow::PlannedStage> stages;  ///< packing first; of a measurement the film alone
 };
 
-/// A recipe with [sweep] and the runs that it becomes. Runs that differ in nothing that their results depend on have
-/// one name.
+/// A recipe with [sweep] and the runs that it becomes, no two of which have one name.
 struct Study {
   std::string file, title;
   bool of_films = false;               ///< its recipe is that of a film, and its runs measure films

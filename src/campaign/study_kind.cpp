@@ -28,8 +28,6 @@ std::vector<fs::path> runs_of(const fs::path& study) {
   return runs;
 }
 
-bool sinks(const dem::Stage& stage) { return stage.side[bottom].kind == dem::SideDrive::Kind::velocity; }
-
 std::string flow_of(const std::vector<Recipe>& recipes) {
   const auto all = [&](const auto& holds) {
     return std::ranges::all_of(recipes, [&](const Recipe& recipe) { return holds(recipe.stages.back()); });
@@ -37,7 +35,7 @@ std::string flow_of(const std::vector<Recipe>& recipes) {
   const bool weighs = all([](const dem::Stage& stage) { return stage.gravity; });
   if (weighs && all([](const dem::Stage& stage) { return stage.count_below.has_value(); })) return "beverloo";
   if (weighs && all([](const dem::Stage& stage) { return stage.open[left] || stage.open[right]; })) return "runout";
-  if (weighs && all(sinks)) return "janssen";
+  if (weighs && all([](const dem::Stage& stage) { return moves_side(stage, bottom); })) return "janssen";
   std::set<double> frictions;
   for (const Recipe& recipe : recipes) frictions.insert(recipe.contact.friction);
   const bool sheared = all([](const dem::Stage& stage) { return stage.shear_rate != 0; });
@@ -45,12 +43,6 @@ std::string flow_of(const std::vector<Recipe>& recipes) {
 }
 
 }  // namespace
-
-bool is_driven(const dem::Stage& stage) {
-  const auto moves = [](const dem::SideDrive& side) { return side.kind == dem::SideDrive::Kind::velocity; };
-  return stage.shear_rate != 0 || std::ranges::any_of(stage.side, moves) ||
-         std::ranges::any_of(stage.slide, [](double speed) { return speed != 0; });
-}
 
 std::vector<std::string> StudyKind::figures() const {
   std::vector<std::string> ids;
@@ -70,7 +62,7 @@ StudyKind kind_of_study(const fs::path& study) {
   if (!std::ranges::all_of(recipes, loads)) return {};
   StudyKind kind;
   if (runs.size() > 1 &&
-      std::ranges::all_of(recipes, [](const Recipe& recipe) { return is_driven(recipe.stages.back()); }))
+      std::ranges::all_of(recipes, [](const Recipe& recipe) { return strains_at_a_rate(recipe.stages.back()); }))
     kind.driven = runs;
   if (runs.size() >= fewest_runs) kind.flow = flow_of(recipes);
   return kind;

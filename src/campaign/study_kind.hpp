@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "grains/dem/stage.hpp"
-
 namespace arenite::campaign {
 
 /// What the runs of a study are alike in, by the last stage of their recipes.
@@ -20,8 +18,5 @@ struct StudyKind {
 
 /// Of a study's folder, or a file in it; of none where runs have no recipe that can be read.
 StudyKind kind_of_study(const std::filesystem::path& study);
-
-/// Whether a stage strains its sample at a rate: a cell is sheared, a wall slides, a side has a velocity.
-bool is_driven(const dem::Stage& stage);
 
 }  // namespace arenite::campaign

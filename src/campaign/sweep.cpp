@@ -158,6 +158,7 @@ std::vector<std::string> Sweep::keys() const {
 
 Sweep read_sweep(const recipe::Node& section, recipe::Reading& reading, std::uint64_t seed) {
   Sweep sweep;
+  sweep.place = section.place;
   if (section.kind != recipe::Node::Kind::table) {
     add_problem(reading, section.place, "sweep",
                 fmt::format("is {}, but must be a section [sweep]", kind_name(section)));

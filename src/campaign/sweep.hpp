@@ -26,6 +26,7 @@ struct Sweep {
   std::int64_t replicates = 0;  ///< runs of each combination with seeds of their own; 0: the recipe's seed
   Seeds seeds = Seeds::consecutive;
   std::vector<std::string> files;  ///< that it was read from, beside the recipe
+  recipe::Place place = {};        ///< of its section
 
   std::size_t combinations() const;
   Point combination(std::size_t index) const;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <initializer_list>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,13 +44,14 @@ class Statements {
  public:
   constexpr Statements() = default;
   constexpr Statements(std::initializer_list<Stated> list) : count_(list.size()) {
+    if (list.size() > most) throw std::length_error("a format states more than there is room for");
     std::copy(list.begin(), list.end(), all_.begin());
   }
   constexpr const Stated* begin() const { return all_.data(); }
   constexpr const Stated* end() const { return all_.data() + count_; }
 
  private:
-  static constexpr std::size_t most = 16;
+  static constexpr std::size_t most = 24;
   std::array<Stated, most> all_{};
   std::size_t count_ = 0;
 };

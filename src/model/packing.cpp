@@ -1,5 +1,6 @@
 #include "model/packing.hpp"
 
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -93,7 +94,20 @@ template Vec3 force_on_i(const PackingIn<3>&, const BondIn<3>&);
 template Vec2 force_on_i(const Packing&, const CohesivePair&);
 template Vec3 force_on_i(const PackingIn<3>&, const CohesivePair&);
 
-double mean_compressive_force(const Contacts& contacts) {
+template <int D> double mass_of(const PackingIn<D>& packing) {
+  double mass = 0;
+  for (std::size_t g = 0; g < packing.grains.size(); ++g) mass += mass_of(packing, g);
+  return mass;
+}
+template double mass_of(const Packing&);
+template double mass_of(const PackingIn<3>&);
+
+template <> double mean_density(const Packing& packing) {
+  return mass_of(packing) / (packing.grains.area() * packing.domain.thickness);
+}
+template <> double mean_density(const PackingIn<3>& packing) { return mass_of(packing) / packing.grains.volume(); }
+
+template <int D> double mean_compressive_force(const ContactsIn<D>& contacts) {
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
@@ -103,5 +117,7 @@ double mean_compressive_force(const Contacts& contacts) {
   }
   return count == 0 ? 0 : sum / static_cast<double>(count);
 }
+template double mean_compressive_force(const Contacts&);
+template double mean_compressive_force(const ContactsIn<3>&);
 
 }  // namespace arenite

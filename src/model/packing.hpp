@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -141,8 +142,23 @@ template <int D> struct PackingIn {
 };
 using Packing = PackingIn<2>;
 
+/// Mass of a disk as long as its container is thick, or of a sphere, kg; of a grain by its material's density; of all.
+inline double mass_of(double density, double radius, const Domain& domain) {
+  return density * std::numbers::pi * radius * radius * domain.thickness;
+}
+inline double mass_of(double density, double radius, const DomainIn<3>& /*domain*/) {
+  return density * (4.0 / 3.0 * std::numbers::pi * radius * radius * radius);
+}
+template <int D> double mass_of(const PackingIn<D>& packing, std::size_t grain) {
+  const GrainsIn<D>& all = packing.grains;
+  return mass_of(packing.materials.at(all.material[grain]).density, all.radius[grain], packing.domain);
+}
+template <int D> double mass_of(const PackingIn<D>& packing);
+/// Mass of all over what they fill, kg/m^3.
+template <int D> double mean_density(const PackingIn<D>& packing);
+
 /// Mean normal force of the contacts between grains that push; a contact above it is strong. 0 without such contacts.
-double mean_compressive_force(const Contacts& contacts);
+template <int D> double mean_compressive_force(const ContactsIn<D>& contacts);
 
 /// From j to i of a bond now, or of a pair that a pull joins, m, and its force on i, N.
 template <int D, class Link> Vec<D> branch_of(const PackingIn<D>& packing, const Link& link) {

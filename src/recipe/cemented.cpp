@@ -61,9 +61,9 @@ void declare(Visitor& v, cement::CementParameters& law, int dimension) {
   });
 }
 
-void declare(Visitor& v, GridSection& grid) {
+void declare(Visitor& v, GridSection& grid, int dimension) {
   v.integer({"nodes", "Nodes along a side of the square; in space voxels along a side of the cube, 128 unless given."},
-            grid.nodes, {7, 32'768});
+            dimension == 3 ? grid.voxels : grid.nodes, {7, 32'768});
   v.number({"crop",
             "Side of the centred square to crop; unless given, 25.6 mean large radii of a sampled packing, otherwise "
             "the largest square, in space the largest cube, inside the sample."},

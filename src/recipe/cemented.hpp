@@ -12,10 +12,8 @@ namespace arenite::recipe {
 
 /// The nodes that the cemented packing is brought to, and the rules of its pores.
 struct GridSection {
-  static constexpr std::int64_t usual_nodes = 1024, usual_in_space = 128;
-  std::int64_t nodes = usual_nodes;  ///< a side
-  /// The usual number of the plane is beyond what most machines hold in space, and stands for that of space.
-  std::int64_t nodes_in(int dimension) const { return dimension == 3 && nodes == usual_nodes ? usual_in_space : nodes; }
+  std::int64_t nodes = 1024;   ///< a side, and
+  std::int64_t voxels = 128;   ///< in space, where 1024 are beyond what most machines hold: both "nodes"
   std::optional<double> crop;  ///< side of the square, m; if not given, 25.6 mean large radii, or what fits
   grid::CavityRules cavities;
   bool operator==(const GridSection&) const = default;
@@ -23,7 +21,7 @@ struct GridSection {
 
 /// Of the matrix between the grains of the plane (2) or between spheres (3).
 void declare(ParameterVisitor& visitor, cement::CementParameters& law, int dimension);
-void declare(ParameterVisitor& visitor, GridSection& grid);
+void declare(ParameterVisitor& visitor, GridSection& grid, int dimension = 2);
 
 std::vector<Word> words(cement::CementParameters::Kind);
 std::vector<Word> words(grid::Cavity);

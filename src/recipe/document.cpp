@@ -189,13 +189,18 @@ std::vector<std::string> parts_of(std::string_view key) {
   return parts;
 }
 
-void put(Node& root, const std::vector<std::string>& parts, Node value) {
+std::vector<std::string> put(Node& root, const std::vector<std::string>& parts, Node value) {
   Place place = value.place;
   place.wins = true;
   each_place(value, [&](Place& each) { each = place; });
   Node* node = &root;
-  for (const auto& part : parts) node = &step_into(*node, part, place);
+  std::vector<std::string> reached;
+  for (const auto& part : parts) {
+    reached.push_back(node->kind == Node::Kind::array ? std::to_string(item_index(part, *node)) : part);
+    node = &step_into(*node, reached.back(), place);
+  }
   *node = std::move(value);
+  return reached;
 }
 
 Node read_document(std::string_view text, const std::string& file_name) {

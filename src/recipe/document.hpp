@@ -52,8 +52,9 @@ void each_place(Node& node, const std::function<void(Place&)>& visit);
 /// The parts of a dotted key. Throws InputError for an empty part, and for more than any recipe has.
 std::vector<std::string> parts_of(std::string_view key);
 /// Puts a value at the place that these parts lead to, items of arrays counted from 0, and its place with it; tables
-/// are made where there are none. Throws InputError without place for a key that leads nowhere.
-void put(Node& root, const std::vector<std::string>& parts, Node value);
+/// are made where there are none. Returns the parts with items called by name as their numbers. Throws InputError
+/// without place for a key that leads nowhere.
+std::vector<std::string> put(Node& root, const std::vector<std::string>& parts, Node value);
 
 /// Reads TOML. Throws InputError with line and column for what is not TOML.
 Node read_document(std::string_view text, const std::string& file_name);

@@ -185,6 +185,7 @@ namespace {
 
 /// Grains, what holds them, their laws and their stages.
 void declare_grains(Visitor& v, Recipe& recipe) {
+  recipe.packing.solid_fraction = recipe.packing.fraction_in(recipe.dimension);  // without the section, too
   v.section({"packing", "Initial packing of the grains in the container."},
             [&](Visitor& inner) { declare_packing(inner, recipe); });
   v.section({"container", "The box, or periodic cell, that holds the grains.", true, "frame"},

@@ -225,12 +225,12 @@ peridynamics::Stiffness StiffnessSection::resolved() const {
 }
 
 peridynamics::Toughness ToughnessSection::resolved() const {
-  return {matrix, interface.value_or(matrix), particle.value_or(3.5 * matrix)};
+  return {matrix, interface.value_or(matrix), particle.value_or(peridynamics::particle_over_matrix * matrix)};
 }
 
 peridynamics::Strength StrengthSection::resolved() const {
   const double of_matrix = matrix.value_or(HUGE_VAL);
-  return {of_matrix, interface.value_or(of_matrix), particle.value_or(3.5 * of_matrix)};
+  return {of_matrix, interface.value_or(of_matrix), particle.value_or(peridynamics::particle_over_matrix * of_matrix)};
 }
 
 namespace {
@@ -242,10 +242,7 @@ void declare_cemented(Visitor& v, Recipe& recipe) {
   v.optional_section<GridSection>(
       {"grid", "Square grid of nodes, in space a cube of voxels, that discretises the cemented packing.", false,
        "raster"},
-      recipe.grid, [&](Visitor& inner, GridSection& grid) {
-        declare(inner, grid);
-        grid.nodes = grid.nodes_in(recipe.dimension);
-      });
+      recipe.grid, [&](Visitor& inner, GridSection& grid) { declare(inner, grid, recipe.dimension); });
 }
 
 }  // namespace

@@ -258,7 +258,7 @@ RecordTable under_former_names(RecordTable table) {
   return table;
 }
 
-void set_value(Node& root, const std::string& key, Node value, const RecordTable& keys) {
+std::vector<std::string> set_value(Node& root, const std::string& key, Node value, const RecordTable& keys) {
   std::vector<std::string> parts = parts_of(key), unheard;
   const RecordTable* table = &keys;  // that the next part is a key of; none where it is an item or nothing is declared
   const Record* record = nullptr;    // what is declared of the last part
@@ -271,7 +271,7 @@ void set_value(Node& root, const std::string& key, Node value, const RecordTable
   }
   if (record) rename_in_value(value, *record, "", unheard);
   else if (table) rename_in_table(value, *table, "", unheard);
-  put(root, parts, std::move(value));
+  return put(root, parts, std::move(value));
 }
 
 void read_declared(const Node& root, Reading& reading, const Visit& declare) {

@@ -30,8 +30,9 @@ const std::string& file_of(const Place& place, const Reading& reading);
 /// Adds a problem, once.
 void add_problem(Reading& reading, const Place& place, const std::string& path, const std::string& message);
 
-/// Puts a value at a dotted key into the tree (`put`); names of before become those of now, as `keys` knows them.
-void set_value(Node& root, const std::string& key, Node value, const RecordTable& keys);
+/// Puts a value at a dotted key into the tree (`put`), whose parts it returns; names of before become those of now, as
+/// `keys` knows them.
+std::vector<std::string> set_value(Node& root, const std::string& key, Node value, const RecordTable& keys);
 
 /// Reads [variables] and all keys that a declaration visits. Throws InputError with every problem found, in the order
 /// of the text.

@@ -103,9 +103,9 @@ void visit_points(const Key& key, std::vector<Vec<D>>& values, std::string_view 
 /// The entry of a table that must hold just one; of several, an override wins over the file.
 const Entry* only_entry(const Node& table) {
   if (table.entries.size() == 1) return &table.entries.front();
-  const auto last =
-      std::find_if(table.entries.rbegin(), table.entries.rend(), [](const Entry& entry) { return entry.place.wins; });
-  return last == table.entries.rend() ? nullptr : &*last;
+  const auto wins = [](const Entry& entry) { return entry.value.place.wins; };
+  const auto at = std::ranges::find_if(table.entries, wins);
+  return std::ranges::count_if(table.entries, wins) == 1 ? &*at : nullptr;
 }
 
 std::string form_literal(const Form& form, const std::string& quantity) {
@@ -118,6 +118,9 @@ void read_form(const Written& at, int& form, double& value, const std::vector<Fo
       list_of(mapped(forms, [](const Form& each) { return form_literal(each, with_unit("1", each.unit)); }));
   const bool is_bare = node.kind == Node::Kind::text;
   const Entry* const only = node.kind == Node::Kind::table ? only_entry(node) : nullptr;
+  if (!only && node.entries.size() > 1)
+    return void(at.refuse(fmt::format("is given as {}; keep one of them",
+                                      list_of(mapped(node.entries, [](const Entry& e) { return e.key; }), " and "))));
   if (!is_bare && !only) return void(at.refuse("must be one of: " + ways));
   const std::string &word = is_bare ? node.text : only->key, path = at.path + "." + word;
   std::vector<std::string> alike;

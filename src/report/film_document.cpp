@@ -139,13 +139,25 @@ Numbers contacts_of(const FilmResult& r, NumberBlock& block) {
   return out;
 }
 
-/// Root mean squares of what the film shows and of what the forces make of it, and what makes the maps peak to peak.
+/// What the film shows, what the forces make of it and the difference, in the pixels that have both: the map that each
+/// is of, by which factor, so that all are peak to peak, and its root mean square. Nothing without forces.
 Numbers fit_of(const FilmResult& r) {
   const inference::FitMaps maps = inference::fit_maps(r);
-  return {{"to_peak_to_peak", to_peak_to_peak(r.maps.convention)},
-          {"measured_rms", inference::root_mean_square(maps.measured)},
-          {"fitted_rms", inference::root_mean_square(maps.fitted)},
-          {"residual_rms", inference::root_mean_square(maps.residual)}};
+  if (maps.residual.empty()) return Numbers::tree();
+  const auto said = [](std::string_view id) {
+    return *std::ranges::find(inference::film_maps(), id, &inference::FilmMap::id);
+  };
+  const auto picture = [&](std::string_view label, std::string_view map, double factor, const auto& values) {
+    return Numbers{{"label", std::string(label)},
+                   {"map", std::string(map)},
+                   {"factor", factor},
+                   {"rms", inference::root_mean_square(values)}};
+  };
+  return {
+      {"title", std::string(said("in_phase").title)},
+      {"pictures", Numbers::list({picture("Measured", "in_phase", to_peak_to_peak(r.maps.convention), maps.measured),
+                                  picture(said("fitted").label, "fitted", 1, maps.fitted),
+                                  picture(said("fit_residual").label, "fit_residual", 1, maps.residual)})}};
 }
 
 /// The container's inner sides in pixels: left, right, bottom, top; y down.
@@ -160,10 +172,20 @@ Numbers container_of(const FilmResult& r) {
 Numbers stresses_of(const inference::FilmStresses& stresses, NumberBlock& block) {
   Numbers all = Numbers::tree();
   for (const inference::GrainStresses& s : stresses.sources)
-    all[s.source] = {{"mean", s.mean},
+    all[s.source] = {{"name", figures::name_of_source(s.source)},
+                     {"mean", s.mean},
                      {"sigma_hyd", block.add_reals(s.sigma_hyd, "Pa")},
                      {"sigma_norm", block.add_reals(s.sigma_norm)}};
   return all;
+}
+
+/// What stands over and under the tables of these stresses.
+Numbers comparison_of(const inference::FilmStresses& stresses) {
+  return {
+      {"title", stresses.sources.size() > 1 ? "Experiment and simulation" : "Stress of grains"},
+      {"caption",
+       "Grains away from the border; \u03c3_{norm} of each set is over its own mean. Agreement: correlation, slope of "
+       "the film on the simulation, r.m.s. difference."}};
 }
 
 Numbers one_film(const FilmResult& r, const texture::Texture* texture, NumberBlock& block,
@@ -185,6 +207,7 @@ Numbers one_film(const FilmResult& r, const texture::Texture* texture, NumberBlo
               {"fit", fit_of(r)},
               {"container", container_of(r)},
               {"stresses", stresses_of(stresses, block)},
+              {"comparison", comparison_of(stresses)},
               {"headlines", figures::numbers_of(figures::headlines_of(r))},
               {"figures", shortened(figures::numbers_of(figures::film_figures(), {r, stresses}, write))}};
   Numbers numbers = r.numbers;

@@ -153,22 +153,26 @@ Numbers figures_of_run(const Numbers& snapshots, const Snapshot* last, const Ask
   return shortened(figures::numbers_of(figures::run_figures(), run, write));
 }
 
-/// Ways of grains since the first state of a stage, which places alone do not tell where sides are periodic, or grains
-/// come and go.
-void add_displacements(Numbers& snapshots, const ShownGrains& grains, const StageResult& stage, NumberBlock& block) {
+/// How far grains have gone and turned since the first state of a stage, which places and angles alone do not tell
+/// where sides are periodic, or grains come and go. Of a state in which none has, it is left out.
+void add_motion_since_start(Numbers& snapshots, const ShownGrains& grains, const StageResult& stage,
+                            NumberBlock& block) {
   const auto states = grains.states_of(stage);
-  if (states.size() < 2 ||
-      !(grains.exchanged() || states.back()->packing.domain.periodic[0] || states.back()->packing.domain.periodic[1]))
-    return;
+  if (states.size() < 2) return;
   const auto* time = stage.history.find("time");
   const auto* strain = stage.history.find("shear_strain");
   const auto ways = texture::displacements(mapped(states, [&](const Snapshot* state) {
     return texture::Sheared{&state->packing, time && strain ? fields::at_time(*time, *strain, state->time) : 0.0};
   }));
-  for (std::size_t k = 0; k < ways.size(); ++k) {
-    Numbers& shown = snapshots[snapshots.size() - ways.size() + k];
-    shown["ux"] = block.add_coarse(mapped(ways[k], &Vec2::x), "m");
-    shown["uy"] = block.add_coarse(mapped(ways[k], &Vec2::y), "m");
+  const auto turns = texture::rotations(mapped(states, [](const Snapshot* state) { return &state->packing; }));
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    Numbers& shown = snapshots[snapshots.size() - states.size() + k];
+    const auto add = [&](const char* name, const std::vector<double>& values) {
+      if (std::ranges::any_of(values, [](double v) { return v != 0; }))
+        shown[name] = block.add_coarse(values, std::string(texture::grain_quantity(name).unit));
+    };
+    add("displacement", mapped(ways[k], [](Vec2 way) { return norm(way); }));
+    add("rotation", turns[k]);
   }
 }
 
@@ -196,7 +200,7 @@ void add_states(Numbers& snapshots, Numbers& meanings, const ShownStage& stage, 
     if (Numbers fields = coarse_fields_of(packing, rate, block); fields.is_known())
       snapshots.back()["fields"] = std::move(fields);
   }
-  add_displacements(snapshots, grains, *stage.result, block);
+  add_motion_since_start(snapshots, grains, *stage.result, block);
 }
 
 /// Words and symbols of what grains and coarse-grained fields are drawn by: {name: [label, symbol, unit]}.

@@ -17,7 +17,7 @@
 
 #include "core/mapped.hpp"
 #include "geometry/face.hpp"
-#include "grains/texture/spheres/sphere_view.hpp"
+#include "grains/texture/grain_quantities.hpp"
 #include "report/figures/headlines.hpp"
 #include "report/figures/run_figures.hpp"
 #include "report/figures/state_numbers.hpp"
@@ -93,14 +93,42 @@ bool are_those(const GrainsIn<3>& of, const GrainsIn<3>& last) {
   return of.id == last.id && of.radius == last.radius && of.material == last.material;
 }
 
-/// One state, with what its spheres are unless they are those of the last one.
+/// Adds what the page may colour spheres by, in its order: quantities of grains by their names. Returns what each is
+/// called and its mean.
+Numbers add_quantities(Numbers& out, const PackingIn<3>& packing, NumberBlock& block) {
+  const bool has_forces = std::ranges::any_of(packing.contacts.fn, [](double force) { return force != 0; });
+  Numbers words = Numbers::tree();
+  const auto add = [&](const char* name, auto written) {
+    const texture::GrainQuantity& quantity = texture::grain_quantity(name);
+    const std::vector<double> values = quantity.of_spheres(packing);
+    out[name] = written(values, std::string(quantity.unit));
+    Numbers& said = words[name] = {{"label", std::string(quantity.label)},
+                                   {"symbol", std::string(quantity.symbol)},
+                                   {"unit", std::string(quantity.unit)}};
+    if (quantity.is_magnitude) said["magnitude"] = true;
+    if (!values.empty())
+      said["mean"] = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  };
+  const auto coarse = [&](const std::vector<double>& values, std::string unit) {
+    return block.add_coarse(values, std::move(unit));
+  };
+  if (has_forces) add("pressure", coarse);
+  if (packing.contacts.size() > 0)
+    add("coordination", [&](const std::vector<double>& counts, auto&&) { return block.add_indices(counts); });
+  add("speed", coarse);
+  return words;
+}
+
+/// One state, with what its spheres are unless they are those of the last one. The last one also has what its
+/// quantities are called, with their means, for all states have the colours of the last.
 Numbers state_of(const SphereResult& stage, std::size_t place, NumberBlock& block) {
   const SnapshotIn<3>& state = stage.snapshots[place];
   const PackingIn<3>& packing = state.packing;
   const GrainsIn<3>& grains = packing.grains;
   Numbers out{{"label", state.label}, {"time", state.time}, {"place", place}, {"count", grains.size()}};
   out["container"] = container_of(packing.domain);
-  if (place + 1 == stage.snapshots.size() || !are_those(grains, stage.snapshots.back().packing.grains)) {
+  const bool is_last = place + 1 == stage.snapshots.size();
+  if (is_last || !are_those(grains, stage.snapshots.back().packing.grains)) {
     out["materials"] = materials_of(packing.materials);
     out["id"] = block.add_integers(std::vector<std::int32_t>(grains.id.begin(), grains.id.end()));
     out["radius"] = block.add_reals(grains.radius, "m");
@@ -109,13 +137,11 @@ Numbers state_of(const SphereResult& stage, std::size_t place, NumberBlock& bloc
   out["x"] = block.add_reals(mapped(grains.position, &Vec3::x), "m");
   out["y"] = block.add_reals(mapped(grains.position, &Vec3::y), "m");
   out["z"] = block.add_reals(mapped(grains.position, &Vec3::z), "m");
-  out["speed"] = block.add_coarse(mapped(grains.velocity, [](Vec3 v) { return norm(v); }), "m/s");
+  Numbers words = add_quantities(out, packing, block);
+  if (is_last) out["quantities"] = std::move(words);
   if (!packing.domain.boundaries.empty()) out["boundaries"] = boundaries_of(packing.domain, block);
   if (!packing.bonds.empty()) out["bonds"] = bonds_of(packing.bonds, block);
-  if (packing.contacts.size() == 0) return out;
-  out["contacts"] = block.add_indices(texture::spheres::contacts_with_spheres(packing));
-  if (std::ranges::none_of(packing.contacts.fn, [](double force) { return force != 0; })) return out;
-  out["stress"] = block.add_coarse(texture::spheres::hydrostatic_stresses(packing), "Pa");
+  if (!out.contains("pressure")) return out;
   out["forces"] = forces_of(packing, block);
   out["force_scale"] = report::numbers_of(figures::force_scale(stage, state));
   return out;

@@ -31,12 +31,12 @@ double crop_side(const recipe::Recipe& recipe, const recipe::GridSection& sectio
   return recipe.bidisperse && grid::crop_window(packing, 0).width() >= side ? side : 0;
 }
 
-std::string sentence(const SampleReports& reports, const PhaseMap& map, const recipe::GridSection& section) {
+std::string sentence(const SampleReports& reports, const PhaseMap& map) {
   const auto& r = reports.grid;
   std::string text = fmt::format(
       "{0} x {0} nodes of {1:.4g} mm, {2} grains; S_m {3:.4f} by geometry; areas on the nodes off by {4:+.2g} % "
       "(particles)",
-      section.nodes, 1e3 * map.dx, map.grain_class.size(), reports.cement.saturation, 100 * r.particle_area_error);
+      map.width, 1e3 * map.dx, map.grain_class.size(), reports.cement.saturation, 100 * r.particle_area_error);
   if (r.exact_matrix_area > 0) text += fmt::format(" and {:+.2g} % (matrix)", 100 * r.matrix_area_error);
   if (r.necks > 0) text += fmt::format("; the thinnest of {} necks spans {} nodes", r.necks, r.thinnest_neck);
   if (r.lost_necks > 0)
@@ -98,13 +98,14 @@ VoxelMap make_cemented_sample(const recipe::Recipe& recipe, const PackingIn<3>& 
   cement::CementParameters law = recipe.cement_or_none();
   if (!law.gap) law.gap = sample_lengths(length_of(recipe, packing, materials)).gap;
   double parameter = 0;
-  VoxelMap map = grid::cemented_voxels(cube_of(packing, section.crop, *law.gap), law,
-                                       static_cast<int>(section.nodes_in(3)), parameter);
+  VoxelMap map =
+      grid::cemented_voxels(cube_of(packing, section.crop, *law.gap), law, static_cast<int>(section.voxels), parameter);
   map.grain_class = classes_of(packing, materials);
   map.grain_class.resize(packing.grains.size(), GrainClass::none);
   grid::drop_absent_grains(map);
   notice(fmt::format("cement: {0} x {0} x {0} voxels of {1:.4g} mm, {2} grains; S_m {3:.4f}", map.width, 1e3 * map.dx,
                      map.grain_class.size(), grid::saturation_of(map)));
+  if (const std::string doubt = grid::doubt_about_cement(law, map); !doubt.empty()) notice("cement: " + doubt);
   return map;
 }
 
@@ -127,7 +128,7 @@ FieldResult make_cemented_sample(const recipe::Recipe& recipe, const Packing& pa
   if (materials)
     reports.coordination =
         texture::gap_coordination(packing, *reports.law.gap, materials->large, materials->small, window);
-  result.outcome = sentence(reports, result.map, section);
+  result.outcome = sentence(reports, result.map);
   result.numbers = grid::map_numbers(result.map, section.cavities, radius);
   add_reports(result.numbers, reports);
   return result;

@@ -159,14 +159,16 @@ class Loading {
   States<3> spheres_;
 };
 
+[[noreturn]] void refuse_spheres(const fs::path& file, const io::ExportFormat& format) {
+  refuse(file.string(), "holds spheres, and {} does not; choose {}", format.name,
+         list_of(io::words_of(io::exports::all, &io::ExportFormat::name,
+                              [](const auto& other) { return other.holds_spheres(); }),
+                 " or "));
+}
+
 /// The states of a stage of spheres that are not there yet.
 void add_spheres(const fs::path& file, const io::ExportFormat& format, bool last_only, Loading& loading,
                  Provenance& last) {
-  if (!format.holds_spheres())
-    refuse(file.string(), "holds spheres, and {} holds disks only; choose {}", format.name,
-           list_of(io::words_of(io::exports::all, &io::ExportFormat::name,
-                                [](const auto& other) { return other.holds_spheres(); }),
-                   " or "));
   const SphereResult stage = io::read_stage<3>(file);
   last = stage.provenance;
   if (format.of_curves && !last_only) loading.add(curves_of(stage));
@@ -195,12 +197,13 @@ bool write_on_grid(const fs::path& file, const io::ExportFormat& format, Write i
 }  // namespace
 
 std::vector<fs::path> export_result(const fs::path& result, const io::ExportFormat& format, const fs::path& folder,
-                                    bool last_only) {
+                                    bool last_only, std::vector<fs::path>* left_out) {
   auto files = io::stage_files(result);
   if (last_only) files.erase(files.begin(), files.end() - 1);
   Loading loading(format, folder);
   Provenance last;
   bool has_field = false;
+  std::vector<fs::path> not_held, spheres_not_held;
   std::optional<Packing> before;
   for (const auto& file : files) {
     const std::string kind = io::stored_kind(file);
@@ -216,6 +219,11 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
               ? write_on_grid(file, format, &io::ExportFormat::of_voxels, "a sample in space", alone, voxels, loading)
               : write_on_grid(file, format, &io::ExportFormat::of_field, "a field on nodes", alone, nodes, loading);
       has_field = has_field || written;
+      if (!written) not_held.push_back(file);
+      continue;
+    }
+    if (kind == "spheres" && !format.holds_spheres()) {
+      spheres_not_held.push_back(file);
       continue;
     }
     if (kind == "spheres") {
@@ -242,8 +250,11 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
       loading.add(stage.name, std::move(snapshot), std::move(fields), {}, rate);
     }
   }
-  if (loading.is_empty() && !has_field)
-    throw InputError(result.string(), 0, "holds no state to export; run the recipe to its end first");
+  const bool is_empty = loading.is_empty() && !has_field;
+  if (is_empty && !spheres_not_held.empty()) refuse_spheres(spheres_not_held.front(), format);
+  if (is_empty) throw InputError(result.string(), 0, "holds no state to export; run the recipe to its end first");
+  not_held.insert(not_held.begin(), spheres_not_held.begin(), spheres_not_held.end());
+  if (left_out) *left_out = std::move(not_held);
   try {
     return loading.finish(last);
   } catch (const InputError& error) { throw in_file(error, result.string()); }

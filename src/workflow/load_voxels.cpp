@@ -88,6 +88,8 @@ VoxelMap read_cemented_spheres(const recipe::MapSection& map, const std::functio
   VoxelMap voxels = grid::cemented_voxels(pack, map.cement, static_cast<int>(map.voxels), parameter);
   if (is_cut || !map.box.empty()) grid::drop_absent_grains(voxels);
   for (const std::string& note : notes) notice(fmt::format("{}: {}", map.file, note));
+  if (const std::string doubt = grid::doubt_about_cement(map.cement, voxels); !doubt.empty())
+    notice(fmt::format("{}: {}", map.file, doubt));
   std::string used;
   if (map.cement.saturation)
     used = fmt::format(", {} {:.4g}",

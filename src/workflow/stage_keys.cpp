@@ -27,8 +27,9 @@ namespace {
 // Raised when the same recipe gives other bits: a corrected law, another order of a sum, another default of a key.
 constexpr std::int64_t packing_version = 1;
 constexpr std::int64_t loading_version = 4;
-constexpr std::int64_t clipped_dashpot_version = 1;  // of loadings whose dashpots cannot pull, alone
-constexpr std::int64_t driven_loading_version = 1;   // of loadings that shear, or press while something drives, alone
+constexpr std::int64_t clipped_dashpot_version = 1;   // of loadings whose dashpots cannot pull, alone
+constexpr std::int64_t driven_loading_version = 1;    // of loadings that shear, or press while something drives, alone
+constexpr std::int64_t drifting_loading_version = 1;  // of loadings between two membranes that slide, alone
 constexpr std::int64_t cement_version = 1;
 constexpr std::int64_t map_version = 1;
 constexpr std::int64_t load_version = 2;
@@ -137,6 +138,12 @@ bool presses_while_driven_or_shears(const dem::Stage& stage) {
   return shears || (driven && std::ranges::any_of(stage.side, &dem::SideDrive::presses));
 }
 
+/// The sample may go on between them as a whole (dem::Membranes::lets_drift).
+bool presses_by_two_membranes(const dem::Stage& stage) {
+  const auto both = [&](int a, int b) { return stage.side[a].is_skin() && stage.side[b].is_skin(); };
+  return stage.skin.ends == dem::SkinEnds::sliding && (both(left, right) || both(bottom, top));
+}
+
 /// Of all that stage `s` (0-based) depends on: the packing, laws, integration, the stages up to it. What changes no bit
 /// (title, number of threads, kernel, later stages) is not in it.
 std::string stage_key(const recipe::Recipe& recipe, std::size_t s, const std::string& packing_hash) {
@@ -147,6 +154,8 @@ std::string stage_key(const recipe::Recipe& recipe, std::size_t s, const std::st
   if (!recipe.contact.attractive_dashpot) hash.add("clipped dashpot version", clipped_dashpot_version);
   if (std::ranges::any_of(part.stages, presses_while_driven_or_shears))
     hash.add("driven loading version", driven_loading_version);
+  if (std::ranges::any_of(part.stages, presses_by_two_membranes))
+    hash.add("drifting loading version", drifting_loading_version);
   return hash.hex();
 }
 

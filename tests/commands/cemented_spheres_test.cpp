@@ -74,6 +74,11 @@ TEST(CementedSpheres, TheExampleRuns) {
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_TRUE(std::filesystem::exists(out / "report.html"));
   EXPECT_FALSE(result_of(out, "04-shear").empty());
+  const auto arrays = arenite("export " + out.string() + " --to npy");
+  EXPECT_EQ(arrays.status, 0) << arrays.err;
+  EXPECT_TRUE(test::contains(arrays.err, "left out, for npy does not hold it: 00-packing")) << arrays.err;
+  const auto shown = arenite("show " + out.string());
+  EXPECT_TRUE(test::contains(shown.out, "\nNumbers of shear, each +-")) << shown.out;
 }
 
 TEST(CementedSpheres, WhatTheirSampleCannotBeIsRefusedInASentence) {

@@ -188,6 +188,18 @@ TEST(MeasureCommand, PrintsTheSameBytesTwiceAndATableWithoutJson) {
   EXPECT_NE(text.out.find("coordination.type1-ANY"), std::string::npos);
 }
 
+TEST(MeasureCommand, SaysInWhichUnitBareLengthsWereTaken) {
+  const std::string folder = source + "/examples/20-dem-shear-periodic/";
+  const std::string line = folder + "grains-5000.csv " + folder + "contacts-5000.csv --periodic --thickness ";
+  const auto notes = [&](const std::string& options) { return measured(line + options)["notes"].dump(); };
+  EXPECT_NE(
+      notes("1 --box 62.7755,62.7755,31.38775").find("--box, --thickness: lengths without a unit were taken in m"),
+      std::string::npos);
+  EXPECT_EQ(notes("1m --box 62.7755m,62.7755m,31.38775m").find("lengths without a unit"), std::string::npos);
+  EXPECT_EQ(notes("1 --box 62.7755,62.7755,31.38775 --length-unit m").find("lengths without a unit"),
+            std::string::npos);
+}
+
 TEST(MeasureCommand, RefusesBadOptionsWithStatusTwo) {
   const std::string folder = source + "/tests/data/lammps/", files = folder + "atoms.dump " + folder + "pairs.dump ";
   for (const auto& [options, part] : {std::pair{"--box 3", "--box"},

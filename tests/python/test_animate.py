@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from arenite import animate
 from arenite.figures import motion, moving, saving
+from arenite.figures.shots import shots_of
 
 PIL = pytest.importorskip("PIL.Image")
 
@@ -81,7 +82,7 @@ def a_result(*packings, asked=None, **history):
 
 
 def test_stresses_and_contacts_of_grains_are_those_of_the_module(result):
-    shot = motion.shots_of(result)[-1]
+    shot = shots_of(result)[-1]
     measured = arenite.measure_grains(shot.packing)
     values = {by: motion.colourings[by].values([shot])[0] for by in ("pressure", "z", "deviator")}
     assert values["pressure"] == pytest.approx(-measured["sigma_hyd"], rel=1e-9, abs=1e-9)
@@ -90,15 +91,15 @@ def test_stresses_and_contacts_of_grains_are_those_of_the_module(result):
 
 
 def test_mobilised_friction_is_over_that_of_the_stage():
-    shot = motion.shots_of(a_result(a_packing(), a_packing(), asked={"friction": 0.6}))[0]
+    shot = shots_of(a_result(a_packing(), a_packing(), asked={"friction": 0.6}))[0]
     assert motion.mobilisation(shot) == pytest.approx([0.5, 0.5, 0])
-    shot = motion.shots_of(a_result(a_packing(), a_packing(), asked={"friction": 0.0}))[0]
+    shot = shots_of(a_result(a_packing(), a_packing(), asked={"friction": 0.0}))[0]
     assert motion.mobilisation(shot) == pytest.approx([0, 0, 0])
 
 
 def test_displacements_go_on_across_periodic_sides():
     ways = motion.displacements(
-        motion.shots_of(a_result(a_packing(0, periodic="x"), a_packing(1.5, periodic="x"), a_packing(-1, periodic="x")))
+        shots_of(a_result(a_packing(0, periodic="x"), a_packing(1.5, periodic="x"), a_packing(-1, periodic="x")))
     )
     assert (
         ways[1][:, 0] == pytest.approx([1.5] * 3)
@@ -111,7 +112,7 @@ def test_displacements_and_rotations_count_from_the_first_state_of_their_stage()
     packings = [a_packing(k, periodic="x", omega=0.1 * k) for k in range(4)]
     one, two = a_result(*packings[:2]), a_result(*packings[2:])
     two.stages[0].name = "second"
-    shots = motion.shots_of(types.SimpleNamespace(stages=[*one.stages, *two.stages]))
+    shots = shots_of(types.SimpleNamespace(stages=[*one.stages, *two.stages]))
     assert [way[0, 0] for way in motion.displacements(shots)] == pytest.approx([0, 1, 0, 1])
     assert [turned[0] for turned in motion.colourings["rotation"].values(shots)] == pytest.approx([0, 0.1, 0, 0.1])
 
@@ -126,7 +127,7 @@ def test_images_of_a_sheared_cell_lie_aside():
 def test_what_was_drawn_can_be_taken_away():
     axes = saving.Canvas().add_subplot()
     for artist in motion.draw_shot(
-        axes, motion.shots_of(a_result(a_packing(), a_packing()))[0], "material", mean=5.0, spoked=True
+        axes, shots_of(a_result(a_packing(), a_packing()))[0], "material", mean=5.0, spoked=True
     ):
         artist.remove()
     assert not axes.collections and not axes.patches
@@ -144,7 +145,7 @@ def test_limits_hold_all_states_but_the_rarest():
 @pytest.mark.parametrize("by", animate.colourings)
 def test_every_colouring_is_drawn(by):
     assert set(animate.colourings) == set(motion.colourings)
-    shots = motion.shots_of(a_result(a_packing(), a_packing(0.2, omega=1.0), asked={"friction": 0.5}))
+    shots = shots_of(a_result(a_packing(), a_packing(0.2, omega=1.0), asked={"friction": 0.5}))
     pictures = moving.Pictures(shots, by, chains=True, size=(200, 200))
     first, second = (pictures.image(k).copy() for k in (0, 1))
     assert first.shape == (200, 200, 4) and np.any(first != second)

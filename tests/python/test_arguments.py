@@ -150,6 +150,16 @@ def test_a_stage_is_a_name_or_a_number(recipe):
         arenite.load_stage(packing, recipe, "nowhere")
 
 
+def test_contacts_have_no_names_that_are_slips_and_no_forces_that_nobody_gave():
+    with pytest.raises(ValueError, match='no arrays of the name "Fn"; there are i, j, fn'):
+        grains(contacts={"i": [0], "j": [1], "Fn": [5.0]})
+    told = arenite.measure(grains(contacts={"i": [0, 6], "j": [1, 7]}))
+    assert any("forces of the contacts are not known" in note for note in told["notes"])
+    assert "rattlers" not in told["coordination"] and "stress" not in told
+    known = arenite.measure(grains(contacts={"i": [0, 6], "j": [1, 7], "fn": [5.0, 0.0]}))
+    assert "rattlers" in known["coordination"] and "stress" in known
+
+
 def test_sentences_name_arguments_not_options(recipe, tmp_path):
     with pytest.raises(ValueError) as refused:
         recipe.changed({"nowhere": 1})

@@ -10,7 +10,8 @@ import arenite.figures as figures
 import numpy as np
 import pytest
 from arenite import _core
-from arenite.figures import fields, films, motion, packings, panels, samples, saving
+from arenite.figures import fields, films, packings, panels, samples, saving
+from arenite.figures.shots import Shot
 from empty_axes import axes
 from test_pages import content_of
 
@@ -276,5 +277,5 @@ def test_fields_are_those_of_the_state(result):
         pressure = -0.5 * np.trace(whole, axis1=-2, axis2=-1)
         assert np.nanmean(fields["pressure"]) == pytest.approx(np.nanmean(pressure), rel=0.05)
     shown = axes()
-    figures.draw_grains_against(shown, motion.Shot(state.stage, state.snapshot))
+    figures.draw_grains_against(shown, Shot(state.stage, state.snapshot))
     assert sum(len(line.get_xdata()) for line in shown.lines) == len(state.packing)

@@ -8,6 +8,7 @@ import pytest
 import arenite
 from arenite import animate
 from arenite.figures import motion, moving, spheres
+from arenite.figures.shots import shots_of
 from test_spheres import RECIPE
 
 PIL = pytest.importorskip("PIL.Image")
@@ -51,7 +52,7 @@ def test_the_nearest_sphere_is_seen_and_each_covers_its_disk(across):
 
 
 def test_numbers_of_spheres_are_those_of_their_contacts(pressed):
-    shot = motion.shots_of(pressed, "axial")[-1]
+    shot = shots_of(pressed, "axial")[-1]
     packing = shot.packing
     touching = np.bincount(packing.contact_i, minlength=120) + np.bincount(packing.contact_j, minlength=120)
     assert np.array_equal(arenite.grain_values(packing, "coordination"), touching)
@@ -67,7 +68,7 @@ def test_numbers_of_spheres_are_those_of_their_contacts(pressed):
 
 
 def test_displacements_of_spheres_go_on_across_periodic_sides(pressed):
-    shots = motion.shots_of(pressed, "axial")
+    shots = shots_of(pressed, "axial")
     ways = motion.displacements(shots)
     assert not ways[0].any() and ways[-1].shape == (120, 3)
     step = shots[-1].packing.position - shots[0].packing.position
@@ -78,7 +79,7 @@ def test_displacements_of_spheres_go_on_across_periodic_sides(pressed):
 
 @pytest.mark.parametrize("by", [by for by in animate.colourings if by != "rotation"])
 def test_every_colouring_of_spheres_is_drawn(pressed, by):
-    shots = motion.shots_of(pressed, "axial")
+    shots = shots_of(pressed, "axial")
     pictures = moving.Pictures(shots, by, chains=by == "material", size=(160, 160))
     first, last = (pictures.image(k).copy() for k in (0, len(shots) - 1))
     assert np.any(first != last)
@@ -89,7 +90,7 @@ def test_a_film_of_spheres_has_a_picture_a_state_and_a_curve_beside(pressed, tmp
     path = animate.save(pressed, tmp_path / "a.gif", by="pressure", size=(240, 160), curve="test", stage="axial")
     assert PIL.open(path).n_frames == 2
     both = animate.save(pressed, tmp_path / "b.gif", curve=("time", "top_force"), size=(240, 160))
-    assert PIL.open(both).n_frames == len(motion.shots_of(pressed)) > 3
+    assert PIL.open(both).n_frames == len(shots_of(pressed)) > 3
     # Of a whole run the curve of the test stands beside the stage that is one.
     whole = animate.save(pressed, tmp_path / "d.gif", curve="test", size=(240, 160))
     assert PIL.open(whole).n_frames > 3

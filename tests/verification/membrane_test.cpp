@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "grains/dem/measure.hpp"
 #include "grains/dem/membranes/membranes.hpp"
 #include "grains/dem/run_stage.hpp"
 #include "shapes.hpp"
@@ -172,6 +173,16 @@ void expect_pressure(const Engine& engine, double pressure) {
 
 TEST(Membrane, PressesGrainsWithItsPressure) {
   expect_pressure(between_membranes(crowd(9, 9, 3), dem::SkinEnds::sliding, 2e5), 2e5);
+}
+
+TEST(Membrane, LetsASampleDriftAsAWholeWhichIsNoUnrest) {
+  Engine engine = between_membranes(crowd(9, 9, 3), dem::SkinEnds::sliding, 2e5);
+  engine.wall_friction = 0;
+  const double still = dem::equilibrium_of<2>(engine).kinetic_ratio;
+  for (double& v : engine.velocity.along[0]) v += 0.1;
+  EXPECT_NEAR(dem::equilibrium_of<2>(engine).kinetic_ratio, still, 1e-6 * still);
+  engine.wall_friction = 0.5;
+  EXPECT_GT(dem::equilibrium_of<2>(engine).kinetic_ratio, 100 * still) << "friction of the platens will stop it";
 }
 
 TEST(Membrane, CarriesClumpsAsWell) {

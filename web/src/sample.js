@@ -3,6 +3,8 @@ import { text } from "./text.js";
 
 const aroundFailure = 0.08; // of a sample's longer side
 
+const leftOutWhereZero = ["pressure", "deviator", "vx", "vy", "omega", "displacement", "rotation"];
+
 /** The data of the page: grains, materials, stages and snapshots; arrays of a snapshot are unpacked when first asked
     for. */
 export class Sample {
@@ -75,7 +77,7 @@ export class Sample {
   #unpackSnapshot(k) {
     const { texture = null, fields: _, figures: __, ...about } = this.about.snapshots[k];
     const snapshot = { ...spread(unpacked(this.#block, about), this.count), index: k, texture };
-    for (const name of ["pressure", "deviator", "vx", "vy", "omega"]) snapshot[name] ??= new Float32Array(this.count);
+    for (const name of leftOutWhereZero) snapshot[name] ??= new Float32Array(this.count);
     for (const name of ["fn", "ft"]) snapshot.contacts[name] ??= new Float32Array(snapshot.contacts.i.length);
     snapshot.boundaries = snapshot.domain.boundaries ?? [];
     snapshot.contacts.type = this.#typesOf(snapshot.contacts);

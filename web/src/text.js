@@ -44,6 +44,9 @@ export const text = {
   },
 };
 
+/** As a heading begins. */
+export const capital = (words) => words[0].toUpperCase() + words.slice(1);
+
 /** A whole number in raised figures. */
 export function superscript(exponent) {
   return String(exponent).replace(
@@ -76,4 +79,10 @@ export function prefixOf(size, unit) {
   if (!(size > 0) || !scaled.includes(unit)) return { factor: 1, prefix: "", unit: typeset(unit) };
   const [factor, prefix] = prefixes.find(([f]) => size >= f * 0.9995) ?? prefixes.at(-1);
   return { factor, prefix, unit: prefix + typeset(unit) };
+}
+
+/** What a unit with its prefix is in the one without: 1e-3 of "mm". */
+export function factorOf(unit) {
+  const [factor] = prefixes.find(([, prefix]) => scaled.some((bare) => prefix + typeset(bare) === unit)) ?? [1];
+  return factor;
 }

@@ -92,6 +92,7 @@ function spheresAt(y) {
     radius: [0.5, 0.5],
     material: [0, 0],
     speed: [0, 1],
+    quantities: { speed: { label: "Velocity", symbol: "|v|", unit: "m/s", magnitude: true, mean: 0.5 } },
   };
   const empty = "eJwDAAAAAAE=";
   return { id: "spheres", title: "Spheres now", spheres: { name: "fill", figures: {}, states: [state] }, block: empty };

@@ -1,8 +1,14 @@
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { zoomIdentity } from "d3-zoom";
+import { chain, crack, widthOfForce } from "../src/drawn_sizes.js";
 import { boundaryElement, chainWidth, segmentsOf } from "../src/packing/chains.js";
+import { scaleOf } from "../src/packing/colouring.js";
+import { knownQuantities, valuesOf } from "../src/packing/quantities.js";
+import { pairsSeen } from "../src/packing/strokes.js";
 import { Camera } from "../src/camera.js";
+import { Sample } from "../src/sample.js";
 import { State } from "../src/state.js";
 
 function camera() {
@@ -142,4 +148,59 @@ test("a chain to a boundary goes to the nearest image through a periodic side, a
 test("the width of a chain is proportional to its force", () => {
   const { sample, snapshot } = cell(false);
   assert.ok(Math.abs(chainWidth(sample, snapshot, 4) - 2 * chainWidth(sample, snapshot, 2)) < 1e-15);
+});
+
+test("forces and cracks are as wide and as long on the page as in print", () => {
+  const style = readFileSync(new URL("../../python/arenite/figures/style.py", import.meta.url), "utf8"),
+    inPrint = (names) => style.match(new RegExp(`^${names} = ([\\d.]+), ([\\d.]+) `, "m")).slice(1).map(Number);
+  assert.deepEqual(inPrint("chain_width, widest_chain"), [chain.width, chain.widest]);
+  assert.deepEqual(inPrint("crack_half, farthest_crack"), [crack.half, crack.farthest]);
+  assert.equal(widthOfForce(1e3, 1, 0.5), chain.widest / 2);
+  assert.equal(widthOfForce(0, 0, 0.5), 0, "where nothing pushes");
+});
+
+test("of pairs those that a periodic side parts, or of which a grain is missing, are not seen", () => {
+  const sample = { box: () => ({ left: 0, right: 1, bottom: 0, top: 1 }), radius: [0.1, 0.2, 0.1, 0.1] };
+  const seen = pairsSeen(sample, { x: [0.1, 0.4, 0.9, NaN], y: [0.5, 0.9, 0.5, NaN] }, { i: [0, 0, 1], j: [2, 1, 3] });
+  assert.deepEqual(
+    seen.map(({ pair, ri, rj }) => [pair, ri, rj]),
+    [[1, 0.1, 0.2]],
+  );
+  assert.ok(Math.abs(seen[0].length - 0.5) < 1e-12);
+});
+
+test("how far grains went and turned is read, and called, as the program tells it; 0 where it does not", () => {
+  const state = {
+    stage: 0,
+    x: [0, 9],
+    y: [0, 0],
+    angle: [0, 7],
+    domain: { walls: [] },
+    contacts: { i: [], j: [] },
+    force_scale: { mean: 0, tension: 0 },
+  };
+  const quantities = {
+    displacement: ["Displacement since the first state", "|u|", "m", ""],
+    rotation: ["Rotation since the first state", "\u03b8", "rad", ""],
+  };
+  const sample = new Sample({
+    quantities,
+    stages: [{ figures: {} }],
+    grains: { count: 2, id: [1, 2], radius: [1, 1], material: [0, 0], zone: [0, 0] },
+    snapshots: [state, { ...state, displacement: [3, 0], rotation: [0.5, -0.25] }],
+  });
+  const at = (name, k) => [...valuesOf(name, sample, sample.snapshot(k))];
+  assert.deepEqual([at("displacement", 0), at("rotation", 0)], [
+    [0, 0],
+    [0, 0],
+  ]);
+  assert.deepEqual([at("displacement", 1), at("rotation", 1)], [
+    [3, 0],
+    [0.5, -0.25],
+  ]);
+  assert.deepEqual(
+    knownQuantities(sample).map(([, { label }]) => label),
+    Object.values(quantities).map(([label]) => label),
+  );
+  assert.equal(scaleOf(sample, new State({ colour: "rotation" })).title, "Rotation since the first state");
 });

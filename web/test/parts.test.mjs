@@ -6,7 +6,7 @@ import { tables } from "../src/numbers.js";
 import { histogram, makeScale } from "../src/field/scale.js";
 import { quantityWithError } from "../src/film/tooltip.js";
 import { Sample } from "../src/sample.js";
-import { prefixOf, text, typeset } from "../src/text.js";
+import { factorOf, prefixOf, text, typeset } from "../src/text.js";
 
 test("a value and its error end at the error's second digit", () => {
   assert.deepEqual(text.withError(0.123456, 0.02891), { value: "0.123", error: "0.029" });
@@ -72,6 +72,17 @@ test("quantities take the prefix that suits them", () => {
   assert.equal(text.quantity(0, "N"), "0\u202fN");
   assert.equal(text.quantity(12, "%"), "12.0\u202f%");
   assert.deepEqual(prefixOf(999.9, "N"), { factor: 1000, prefix: "k", unit: "kN" });
+});
+
+test("a unit with a prefix is told in the one without, whatever prefix it has", () => {
+  assert.deepEqual(["mm", "m", "\u00b5m", "kPa", "MN", "%", "deg", undefined].map(factorOf), [
+    1e-3, 1, 1e-6, 1e3, 1e6, 1, 1, 1,
+  ]);
+  for (const size of [3e-7, 0.02, 4, 5e7])
+    for (const unit of ["m", "Pa", "Pa m^0.5"]) {
+      const { factor, unit: prefixed } = prefixOf(size, unit);
+      assert.equal(factorOf(prefixed), factor, prefixed);
+    }
 });
 
 test("very large and very small numbers are written with a power of ten", () => {

@@ -5,8 +5,10 @@ import { dot, frameOf } from "../src/space/frame.js";
 import { bondsOf, together } from "../src/spheres/bonds.js";
 import { edgesOf } from "../src/spheres/boundaries.js";
 import { between, kindOf } from "../src/spheres/chains.js";
+import { scaleOf } from "../src/spheres/paint.js";
 import { SphereResult } from "../src/spheres/result.js";
 import { seenSphere } from "../src/spheres/seen.js";
+import { State } from "../src/state.js";
 
 const close = (a, b) => a.length === b.length && a.every((v, k) => Math.abs(v - b[k]) < 1e-12);
 
@@ -79,7 +81,8 @@ test("a force above the mean is strong, one below the traces of tension pulls", 
 /** A sphere in a box whose top comes down; the page has the first and the third of three states. */
 const pressed = () => {
   const box = (height) => ({ corner: [0, 0, 0], size: [2, height, 2], periodic: [false, false, false], tilt: 0 });
-  const rest = { z: [1], speed: [2], materials: [{ name: "glass" }] };
+  const quantities = { speed: { label: "Velocity", symbol: "|v|", unit: "m/s", magnitude: true, mean: 2 } };
+  const rest = { z: [1], speed: [2], materials: [{ name: "glass" }], quantities };
   return new SphereResult({
     name: "axial",
     figures: {},
@@ -102,6 +105,18 @@ test("a state has of the last one what all have alike, and its places count from
   assert.equal(result.place(1, 50), 1, "the middle of that state's container");
   assert.equal(result.reach, 1 + Math.hypot(2, 4, 2) / 2);
   assert.deepEqual([...result.order("speed")], [2], "colours of all states are those of the last");
+});
+
+test("what colours mean is what the program says of the last state, in every state", () => {
+  const result = pressed();
+  result.show(0);
+  assert.deepEqual(result.offered, [], "which all spheres have alike");
+  assert.equal(result.quantity("speed").label, "Velocity");
+  assert.deepEqual(Object.keys(result.state.quantities), ["speed"]);
+  assert.equal(result.written("speed", 0), "0\u202fm/s");
+  const show = new State({ show: "speed", around: "mean", law: "linear", clip: "all" }),
+    { mean, centre } = scaleOf(result, show);
+  assert.deepEqual([mean, centre], [2, null], "a size is never centred about its mean");
 });
 
 test("of states that are left out the next one is shown", () => {

@@ -29,7 +29,8 @@ def main(result, formats=("pdf",), out=None, only=None, width=None):
         TypeError,
     ) as error:  # numbers of another shape than this version's
         return said(
-            f"{given}: cannot be drawn ({type(error).__name__}: {error}); compute the result again with `arenite run`"
+            f"{given}: cannot be drawn ({type(error).__name__}: {error}); compute the result again with `arenite run`, "
+            "and report this if it comes again"
         )
     except OSError as error:
         return said(

@@ -5,7 +5,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.lines import Line2D
 
 from .packings import circles, container
-from .style import broken_colours, key_below, pale, weak
+from .style import broken_colours, crack_half, farthest_crack, key_below, pale, weak
 
 names = ["tension", "bending", "shear"]
 kinds = {k + 1: kind for k, kind in enumerate(zip(names, broken_colours))}  # as `broken` counts them
@@ -26,8 +26,8 @@ def segments(packing, chosen, across):
         return np.stack([a, b], axis=1)
     way, middle = b - a, a + ri / (ri + rj) * (b - a)
     length = np.linalg.norm(way, axis=1)[:, None]
-    half = np.minimum(ri, rj) / length * np.column_stack([-way[:, 1], way[:, 0]])
-    return np.stack([middle - half, middle + half], axis=1)[(length < 1.5 * (ri + rj))[:, 0]]
+    half = crack_half * np.minimum(ri, rj) / length * np.column_stack([-way[:, 1], way[:, 0]])
+    return np.stack([middle - half, middle + half], axis=1)[(length <= farthest_crack * (ri + rj))[:, 0]]
 
 
 def draw_cracks(axes, packing):

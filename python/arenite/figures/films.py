@@ -7,6 +7,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import ListedColormap, Normalize
 
 from .. import _core
+from .drawing import heads
 from .packings import circles
 from .style import (
     bare,
@@ -21,7 +22,6 @@ from .style import (
     strong,
 )
 
-simulation_names = {"peak_to_peak": "simulation, peak to peak", "state": "simulation, largest load"}
 bad_pixel = "#ff2d95"
 palettes = {
     "picture": picture_map,
@@ -35,6 +35,16 @@ palettes = {
     "residual": even_map,
     "bad": picture_map,
 }
+
+
+def _of_companions():
+    """{"peak_to_peak": "simulation, peak to peak"}: what the library calls the stresses of a companion simulation."""
+    against = next(head for head in heads()["film"] if head["id"] == "film-simulation")
+    options = next(choice["options"] for choice in against["choices"] if choice["key"] == "companion")
+    return {value: f"simulation, {words.lower()}" for value, words, *_ in options}
+
+
+simulation_names = _of_companions()
 
 
 def _show(axes, values, pixel, **options):
@@ -73,13 +83,14 @@ def draw_fit(figure, film):
     most = np.quantile(np.abs(known), 0.99) if known.size else 0
     factor, unit = scaled(most, said["in_phase"]["unit"])
     reach = most / factor if known.size else 1
-    titles = ("measured", said["fitted"]["label"].lower(), said["fit_residual"]["label"].lower())
-    for k, (title, name) in enumerate(zip(titles, ("measured", "fitted", "residual"))):
+    labels = {"fitted": said["fitted"]["label"].lower(), "residual": said["fit_residual"]["label"].lower()}
+    for k, name in enumerate(maps):
         axes = figure.add_subplot(1, 3, k + 1)
         values, spread = maps[name]
         shown = _show(axes, values / factor, film.pixel, vmin=-reach, vmax=reach, cmap=diverging_map)
+        title = labels.get(name, name)
         axes.set_title(f"{title}, r.m.s. {spread / factor:.3g} {unit}" if np.isfinite(spread) else title)
-    figure.colorbar(shown, ax=figure.axes, label=f"warming with the load ({unit})", shrink=0.8)
+    figure.colorbar(shown, ax=figure.axes, label=f"{in_small(said['in_phase']['title'])} ({unit})", shrink=0.8)
 
 
 def draw_phase(axes, maps, pixel=0):

@@ -3,7 +3,7 @@
 import numpy as np
 
 from .. import _core
-from .motion import Shot
+from .shots import Shot
 from .style import bare, colours, diverging_map, even_map, label, plain, scaled, soft, stress_map, strong
 
 maps = {"pressure": stress_map, "deviator": stress_map, "kinetic": stress_map}  # of fields; of others even_map

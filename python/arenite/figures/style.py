@@ -31,7 +31,9 @@ cyclic_map = LinearSegmentedColormap.from_list(
     "cyclic", ["#2f6fb7", "#7a5fc0", "#b5549a", "#cf5148", "#d98a1f", "#a3a52e", "#4a9f63", "#1f919e", "#2f6fb7"]
 )
 
+# As the page draws them; web/src/drawn_sizes.js says why.
 chain_width, widest_chain = 0.16, 1.1  # of a mean grain's radius: at the mean force, and at most
+crack_half, farthest_crack = 0.9, 1.5  # of the smaller radius; of the sum of the radii
 
 sigma_norm = r"$\sigma_{\mathrm{norm}}$"
 force_symbols = {"fn": r"F_{\mathrm{n}}", "ft": r"F_{\mathrm{t}}"}

@@ -42,14 +42,32 @@ template <int D> void add_contacts(const SampleIn<D>& s, PackingIn<D>& out) {
   }
 }
 
-/// Of a mover, J, with its spin or without; 0 of one that goes with a wall.
-template <int D> double kinetic_energy(const SampleIn<D>& s, std::size_t k, bool with_spin = true) {
+/// Of a mover, J, with its spin or without, as seen by who goes at `drift`; 0 of one that goes with a wall.
+template <int D> double kinetic_energy(const SampleIn<D>& s, std::size_t k, bool with_spin = true, Vec<D> drift = {}) {
   if (is_held(s, k)) return 0;
   using lane::dot;
   const Motion<D> v = motion_of(s, k);
   const Mover<D> m = mover_at(s, k);
-  const double of_centre = 0.5 * m.mass * dot(v.velocity, v.velocity);
+  const Vec<D> velocity = v.velocity - drift;
+  const double of_centre = 0.5 * m.mass * dot(velocity, velocity);
   return with_spin ? of_centre + dot(0.5 * m.inertia * v.omega, v.omega) : of_centre;
+}
+
+/// Velocity of the sample as a whole along the axes along which nothing holds it, m/s: a motion of which its grains
+/// feel nothing.
+template <int D> Vec<D> drift_of(const SampleIn<D>& s) {
+  const auto is_free = [&](int axis) {
+    return any_part(s, [&](const auto& part) { return part.lets_drift(s, axis); });
+  };
+  const Vec<D> free = by_axis<D>([&](int axis) { return is_free(axis) ? 1.0 : 0.0; });
+  if (free == Vec<D>{}) return {};
+  double mass = 0;
+  Vec<D> momentum;
+  each_mover(s, [&](std::size_t k) {
+    const double m = mover_at(s, k).mass;
+    mass += m, momentum += m * motion_of(s, k).velocity;
+  });
+  return by_axis<D>([&](int axis) { return free[axis] * momentum[axis] / mass; });
 }
 
 /// Force on a mover, its weight included, N; 0 on one that goes with a wall.
@@ -69,11 +87,12 @@ struct Motions {
 
 template <int D> Motions motions_of(const SampleIn<D>& s, const std::vector<int>& pressed_contacts) {
   const double g = norm(s.gravity);
+  const Vec<D> drift = drift_of(s);
   Motions motions;
   each_mover(s, [&](std::size_t k) {
     const bool loose = pressed_contacts[k] < 2;
     const bool alone = k < s.count && pressed_contacts[k] == 0;
-    (loose ? motions.loose : motions.bearing) += kinetic_energy(s, k, !alone);
+    (loose ? motions.loose : motions.bearing) += kinetic_energy(s, k, !alone, drift);
     if (loose && g > 0 && resultant_of(s, k) > 0.5 * mover_at(s, k).mass * g) ++motions.falling;
   });
   return motions;

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <numbers>
 #include <tuple>
 #include <vector>
 
@@ -205,13 +204,6 @@ template <int D> inline std::size_t grain_count(const SampleIn<D>& s) { return g
 /// The same as `start` has them: all are disks or spheres.
 template <int D> inline bool has_disks_only(const SampleIn<D>& s) { return &grains_of(s) == &s.start.grains; }
 
-/// By density, radius and thickness, kg.
-inline double mass_of(double density, double r, const Domain& domain) {
-  return density * std::numbers::pi * r * r * domain.thickness;
-}
-inline double mass_of(double density, double r, const DomainIn<3>& /*domain*/) {
-  return density * (4.0 / 3.0 * std::numbers::pi * r * r * r);
-}
 /// Mass of a disk of `start` that is a grain, or of the body that it belongs to, kg.
 template <int D> double own_mass(const SampleIn<D>& s, std::int32_t disk) {
   const bool single = body_of(s, disk) < 0;

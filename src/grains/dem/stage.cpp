@@ -92,6 +92,25 @@ std::int64_t steps_of(double duration, double time_step) {
   return static_cast<std::int64_t>(std::ceil(duration / time_step));
 }
 
+bool moves_boundaries(const Stage& stage) {
+  return std::ranges::any_of(stage.boundaries, &BoundaryMotion::moves) ||
+         std::ranges::any_of(stage.boundaries_in_space, &BoundaryMotionIn<3>::moves);
+}
+
+bool moves_side(const Stage& stage, int side) {
+  const Driven velocity{Driven::What::velocity, side};
+  return stage.side[static_cast<std::size_t>(side)].kind == SideDrive::Kind::velocity ||
+         std::ranges::any_of(stage.programmes, [&](const Programme& p) { return p.of == velocity; });
+}
+
+bool strains_at_a_rate(const Stage& stage) {
+  bool strains = stage.shear_rate != 0 || stage.slide != ByAnySide<double>{};
+  for (int side = 0; side < sides_in<3>; ++side) strains |= moves_side(stage, side);
+  return strains || std::ranges::any_of(stage.programmes, [](const Programme& p) {
+           return p.of.is(Driven::What::slide) || p.of.is(Driven::What::shear_rate);
+         });
+}
+
 std::int64_t increment_count(const Stage& stage) {
   if (stage.strain_cycles) return 2 * stage.strain_cycles->count;
   return ramp_increments(stage) + (stage.cycles ? 2 * stage.cycles->count * stage.cycles->increments : 0);

@@ -223,10 +223,11 @@ template <> inline const std::vector<BoundaryMotionIn<3>>& boundaries_in<3>(cons
   return stage.boundaries_in_space;
 }
 /// Whether one is told to move.
-inline bool moves_boundaries(const Stage& stage) {
-  return std::ranges::any_of(stage.boundaries, &BoundaryMotion::moves) ||
-         std::ranges::any_of(stage.boundaries_in_space, &BoundaryMotionIn<3>::moves);
-}
+bool moves_boundaries(const Stage& stage);
+/// Whether a side goes at a speed, its own or that of a programme.
+bool moves_side(const Stage& stage, int side);
+/// Whether the sample is strained at a rate: a cell is sheared, a wall slides, a side goes at a speed.
+bool strains_at_a_rate(const Stage& stage);
 
 /// How many increments a stage has, or half cycles of strain.
 std::int64_t increment_count(const Stage& stage);

@@ -8,7 +8,6 @@
 
 #include "core/problems.hpp"
 #include "geometry/cell_grid.hpp"
-#include "grains/texture/mass.hpp"
 #include "grains/texture/view.hpp"
 #include "model/periodic_images.hpp"
 
@@ -92,7 +91,7 @@ void add_grains(const Packing& packing, const CoarseGraining& choice, const Kern
   std::vector<Vec2> density_gradient(fields.grid.size());
   std::vector<Tensor2> momentum_gradient(fields.grid.size());
   for (std::size_t g = 0; g < grains.size(); ++g) {
-    const double mass = texture::mass_of(packing, g) / length, area = pi * grains.radius[g] * grains.radius[g];
+    const double mass = mass_of(packing, g) / length, area = pi * grains.radius[g] * grains.radius[g];
     for_points_near(packing, g, fields.grid, choice, kernel.reach(), [&](std::size_t k, Vec2 d, Vec2 velocity) {
       const double phi = kernel.value(d);
       const Vec2 slope = mass * kernel.gradient(d);
@@ -126,7 +125,7 @@ std::vector<Vec2> velocity_at_grains(const Packing& packing, const CoarseGrainin
       const Vec2 centre = grains.position[g] + image.shift;
       const Vec2 velocity = grains.velocity[g] + image_velocity(packing.domain, choice, image);
       near.within(centre, kernel.reach(), [&](std::int32_t other, double) {
-        const double weight = texture::mass_of(packing, g) * kernel.value(grains.position[other] - centre);
+        const double weight = mass_of(packing, g) * kernel.value(grains.position[other] - centre);
         density[other] += weight;
         momentum[other] += weight * velocity;
       });
@@ -143,7 +142,7 @@ void add_kinetic_stress(const Packing& packing, const CoarseGraining& choice, co
                         CoarseFields& fields) {
   const std::vector<Vec2> around = velocity_at_grains(packing, choice, kernel);
   for (std::size_t g = 0; g < packing.grains.size(); ++g) {
-    const double mass = texture::mass_of(packing, g) / packing.domain.thickness;
+    const double mass = mass_of(packing, g) / packing.domain.thickness;
     const Vec2 fluctuation = packing.grains.velocity[g] - around[g];
     const Tensor2 own = outer(fluctuation, fluctuation);
     for_points_near(packing, g, fields.grid, choice, kernel.reach(), [&](std::size_t k, Vec2 d, Vec2 velocity) {

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "grains/texture/mass.hpp"
 #include "statistics/measured.hpp"
 
 namespace arenite::fields {
@@ -56,8 +55,8 @@ Numbers cohesion_numbers(const StageEnd& of) {
   const double pull = pull_at_contact(start), thickness = end.domain.thickness;
   if (!(pull > 0)) return {{"cohesion", j}};
   const double diameter = start.grains.mean_diameter(), grains = static_cast<double>(start.grains.size());
-  const double load = stage.gravity ? texture::mass_of(start) / grains * stage.gravity_size
-                                    : pressure_on(start.domain) * diameter * thickness;
+  const double load =
+      stage.gravity ? mass_of(start) / grains * stage.gravity_size : pressure_on(start.domain) * diameter * thickness;
   j["pull_N"] = described(pull, "N", "Mean attraction of a pair in contact");
   if (load > 0)
     j["bond_number"] = described(pull / load, "", "Granular Bond number: this attraction over the load on a grain");

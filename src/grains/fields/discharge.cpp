@@ -120,10 +120,12 @@ Numbers discharge_numbers(const History& history) {
     return described({{"value", rate.value}, {"error", rate.error}}, unit, sentence);
   };
   return {{"steady", described(by_mass.steady, "", "Whether the discharge has a steady part")},
-          {"rate_kg_s", estimate(by_mass.rate, "kg/s", "Rate of discharge over its steady part")},
+          {"rate_kg_s", estimate(by_mass.rate, "kg/s",
+                                 by_mass.steady ? "Rate of discharge over its steady part"
+                                                : "Mean rate of a discharge that has no steady part")},
           {"rate_grains_s", estimate(by_grains.rate, "1/s", "The same as a number of grains")},
-          {"begin_s", described(by_mass.begin, "s", "Start of the steady part")},
-          {"end_s", described(by_mass.end, "s", "End of the steady part")},
+          {"begin_s", described(by_mass.begin, "s", "Start of the time that the rate is of")},
+          {"end_s", described(by_mass.end, "s", "End of it")},
           {"stopped", described(by_mass.stopped, "",
                                 "Whether nothing passes any more in the end: the container is empty or clogged")}};
 }

@@ -147,13 +147,25 @@ void put_filling(Numbers& j, const Packing& packing, Vec2 gravity, const FreeSur
                                  "Solid fraction between the walls, two mean diameters off floor and surface");
 }
 
-/// Way of the farther front, and beside the column that was there before. A front of grains is known to half a grain.
-void put_runout(Numbers& j, const FreeSurface& now, const FreeSurface& then) {
-  const double width = then.right - then.left, way = std::max(now.right - then.right, then.left - now.left);
-  const double height = statistics::mean_of(then.height).value - then.bottom;
+/// Whether a front stands at a wall.
+bool is_stopped(double front, const Wall& wall, double diameter) {
+  return wall.present && std::abs(wall.position - front) < 0.5 * diameter;
+}
+
+/// Way of the farther front, and beside the column that was there before. A front of grains is known to half a grain;
+/// what one that a wall stopped would have gone is not known.
+void put_runout(Numbers& j, const FreeSurface& now, const FreeSurface& then, const Domain& domain) {
+  const double to_right = now.right - then.right, to_left = then.left - now.left, way = std::max(to_right, to_left),
+               width = then.right - then.left, height = statistics::mean_of(then.height).value - then.bottom;
+  const bool stopped = to_right > to_left ? is_stopped(now.right, domain.wall[right], now.diameter)
+                                          : is_stopped(now.left, domain.wall[left], now.diameter);
+  const double error = stopped ? statistics::unknown : 0.5 * now.diameter;
   if (way > 0.5 * now.diameter) {
-    j["runout_m"] = estimate(way, 0.5 * now.diameter, "m", "Displacement of the front that has moved farther");
-    j["runout_over_width"] = estimate(way / width, 0.5 * now.diameter / width, "", "Run-out over the width before");
+    j["runout_m"] = estimate(way, error, "m", "Displacement of the front that has moved farther");
+    j["runout_over_width"] = estimate(way / width, error / width, "", "Run-out over the width before");
+    if (stopped)
+      j["notes"].push_back(
+          "A side of the container stopped the front, which would have gone farther; make the container wider.");
   }
   j["width_before_m"] = described(width, "m", "Width before the stage");
   j["height_before_m"] = described(height, "m", "Mean height before the stage");
@@ -194,7 +206,7 @@ Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, cons
   if (stage.duration && result.snapshots.size() >= 12) put_mean_angle(j, result, gravity);
   if (before && !in_drum(result.snapshots.back().packing.domain)) {
     const FreeSurface then = find_free_surface(*before, gravity);
-    if (!then.height.empty()) put_runout(j, now, then);
+    if (!then.height.empty()) put_runout(j, now, then, result.snapshots.back().packing.domain);
   }
   return j;
 }

@@ -13,7 +13,6 @@
 #include "grains/fields/laboratory/tested_stage.hpp"
 #include "grains/fields/regime/prediction.hpp"
 #include "grains/fields/stage_numbers.hpp"
-#include "grains/texture/mass.hpp"
 
 namespace arenite::fields {
 namespace {
@@ -156,7 +155,7 @@ void put_inertial_number(Loading& of, const Packing& packing) {
   const auto has_density = [&](std::int32_t m) { return static_cast<std::size_t>(m) < packing.materials.size(); };
   if (pressure.empty() || packing.grains.size() == 0 || !std::ranges::all_of(packing.grains.material, has_density))
     return;
-  const double density = texture::mass_of(packing) / (packing.grains.area() * packing.domain.thickness);
+  const double density = mean_density(packing);
   Values number(pressure.size());
   const Values rate = rate_of(of.curves["shear_strain"], of.curves["time"]);
   const double diameter = packing.grains.mean_diameter();

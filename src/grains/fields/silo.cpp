@@ -10,7 +10,6 @@
 #include "grains/fields/driven.hpp"
 #include "grains/fields/free_surface.hpp"
 #include "grains/fields/steady_state.hpp"
-#include "grains/texture/mass.hpp"
 #include "grains/texture/stress.hpp"
 
 namespace arenite::fields {
@@ -51,7 +50,7 @@ std::optional<SiloState> silo_state(const StageResult& stage) {
   if (!(gravity > 0)) return {};
   const FreeSurface surface = find_free_surface(packing, {0, -gravity});
   SiloState silo{statistics::mean_of(surface.height).value - surface.bottom, d.width(), d.thickness,
-                 late_mean_of(stage.history, "bottom_force"), gravity * texture::mass_of(packing)};
+                 late_mean_of(stage.history, "bottom_force"), gravity * mass_of(packing)};
   const double sides =
       late_mean_of(stage.history, "left_force").value + late_mean_of(stage.history, "right_force").value;
   if (!(silo.force.value > 0) || !(sides > 0)) return {};

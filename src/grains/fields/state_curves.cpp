@@ -1,12 +1,10 @@
 #include "grains/fields/state_curves.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -68,25 +66,9 @@ std::vector<Numbers> textures_of(const StageResult& stage) {
   });
 }
 
-/// n and whether it is the maximum, of "cycle n maximum".
-std::optional<std::pair<std::int64_t, bool>> cycle_of(std::string_view label) {
-  constexpr std::string_view before = "cycle ", high = " maximum", low = " minimum";
-  if (!label.starts_with(before) || !(label.ends_with(high) || label.ends_with(low))) return {};
-  const bool is_high = label.ends_with(high);
-  label.remove_prefix(before.size());
-  label.remove_suffix(high.size());
-  std::int64_t number = 0;
-  const auto [end, error] = std::from_chars(label.data(), label.data() + label.size(), number);
-  if (error != std::errc() || end != label.data() + label.size()) return {};
-  return std::pair{number, is_high};
-}
-
-/// Time of the state before the first cycle, or of the first row, and of the ends of all cycles.
+/// Time of the first row, and of the ends of all cycles.
 Values ends_of(const StageResult& stage, const Values& time) {
-  double before = time.front();
-  for (const Snapshot& state : stage.snapshots)
-    if (!state.label.starts_with("cycle")) before = state.time;
-  Values ends{before};
+  Values ends{time.front()};
   for (const auto& [number, places] : whole_cycles(stage)) ends.push_back(stage.snapshots[places.second].time);
   return ends;
 }
@@ -131,12 +113,18 @@ Columns curves_of_states(const Test& test) {
 
 std::map<std::int64_t, std::pair<std::size_t, std::size_t>> whole_cycles(const StageResult& stage) {
   std::map<std::int64_t, std::pair<std::size_t, std::size_t>> whole;
+  const History& table = stage.cycles;  // a row at each end, with the time of the state there, if that is stored
+  const Values *cycle = table.find("cycle"), *at_maximum = table.find("at_maximum"), *time = table.find("time");
+  if (!cycle || !at_maximum || !time) return whole;
+  std::map<double, std::size_t> state_at;
+  for (std::size_t k = 0; k < stage.snapshots.size(); ++k) state_at[stage.snapshots[k].time] = k;
   std::map<std::int64_t, std::size_t> high;
-  for (std::size_t k = 0; k < stage.snapshots.size(); ++k) {
-    const auto cycle = cycle_of(stage.snapshots[k].label);
-    if (!cycle) continue;
-    if (cycle->second) high[cycle->first] = k;
-    else if (high.contains(cycle->first)) whole[cycle->first] = {high[cycle->first], k};
+  for (std::size_t row = 0; row < cycle->size(); ++row) {
+    const auto state = state_at.find((*time)[row]);
+    if (state == state_at.end()) continue;
+    const auto number = static_cast<std::int64_t>((*cycle)[row]);
+    if ((*at_maximum)[row] != 0) high[number] = state->second;
+    else if (high.contains(number)) whole[number] = {high[number], state->second};
   }
   return whole;
 }

@@ -15,9 +15,6 @@ struct Pushes {
       if (contacts.fn[c] > 0 && !contacts.is_wall(c) && (doubtful.empty() || !doubtful[c]))
         sum += contacts.fn[c], ++count;
   }
-  template <int D> void add(const std::vector<const ContactsIn<D>*>& states) {
-    for (const ContactsIn<D>* state : states) add(*state);
-  }
   double mean() const { return count > 0 ? sum / static_cast<double>(count) : 0; }
 };
 
@@ -35,16 +32,13 @@ ForceScale force_scale(const ContactsIn<D>& contacts, double measured, const std
 template ForceScale force_scale(const ContactsIn<2>&, double, const std::vector<std::uint8_t>&);
 template ForceScale force_scale(const ContactsIn<3>&, double, const std::vector<std::uint8_t>&);
 
-double mean_push(const std::vector<const Contacts*>& states) {
+template <int D> double mean_push(const std::vector<const ContactsIn<D>*>& states) {
   Pushes pushes;
-  pushes.add(states);
+  for (const ContactsIn<D>* state : states) pushes.add(*state);
   return pushes.mean();
 }
 
-double mean_push(const std::vector<const ContactsIn<3>*>& states) {
-  Pushes pushes;
-  pushes.add(states);
-  return pushes.mean();
-}
+template double mean_push(const std::vector<const Contacts*>&);
+template double mean_push(const std::vector<const ContactsIn<3>*>&);
 
 }  // namespace arenite::texture

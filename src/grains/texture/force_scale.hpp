@@ -19,7 +19,6 @@ ForceScale force_scale(const ContactsIn<D>& contacts, double measured, const std
 
 /// Mean force of the contacts between grains that push, of several states together: one scale for all of them, N; 0
 /// where none pushes.
-double mean_push(const std::vector<const Contacts*>& states);
-double mean_push(const std::vector<const ContactsIn<3>*>& states);
+template <int D> double mean_push(const std::vector<const ContactsIn<D>*>& states);
 
 }  // namespace arenite::texture

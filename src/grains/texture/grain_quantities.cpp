@@ -73,7 +73,7 @@ template <int D, int axis> Values velocities(const PackingIn<D>& p) {
   return mapped(p.grains.velocity, [](Vec<D> velocity) { return velocity[axis]; });
 }
 
-constexpr const char *speed = "vx vy hypot", *way = "ux uy hypot";
+constexpr const char* speed = "vx vy hypot";
 
 template <int D> Values mean_ratios(const PackingIn<D>& packing, std::optional<double> friction) {
   Values sum(packing.grains.size(), 0.0), count(packing.grains.size(), 0.0);
@@ -118,7 +118,37 @@ template <int D> std::vector<std::vector<Vec<D>>> ways_of(const std::vector<Shea
   return ways;
 }
 
-const GrainQuantity& quantity_of(std::string_view name) {
+}  // namespace
+
+const std::vector<GrainQuantity>& grain_quantities() {
+  static const std::vector<GrainQuantity> list{
+      {"x", "Position along x", "x", "m", places<2, 0>, {}, places<3, 0>},
+      {"y", "Position along y", "y", "m", places<2, 1>, {}, places<3, 1>},
+      {"size", "Diameter", "d", "m", diameters<2>, {}, diameters<3>, true},
+      {"coordination", "Contacts per grain", "z", "", contact_numbers<2>, {}, contact_numbers<3>, true},
+      {"pressure", "Pressure of grains", "p", "Pa", pressures, {}, pressures},
+      {"deviator", "Deviator of grains", "q", "Pa", deviators, {}, deviators, true},
+      {"stress", "Stress over its mean", "\u03c3_{norm}", ""},
+      {"friction", "Mean |F_{t}|/F_{n}", "|F_{t}|/F_{n}", "", ratios_of_forces<2>, {}, ratios_of_forces<3>, true},
+      {.name = "mobilisation",
+       .label = "Mobilised friction, mean |F_{t}|/(\u03bc\u2009F_{n})",
+       .symbol = "|F_{t}|/(\u03bc\u2009F_{n})",
+       .unit = "",
+       .is_magnitude = true},
+      {.name = "displacement",
+       .label = "Displacement since the first state",
+       .symbol = "|u|",
+       .unit = "m",
+       .is_magnitude = true},
+      {"rotation", "Rotation since the first state", "\u03b8", "rad"},
+      {"speed", "Velocity", "|v|", "m/s", speeds<2>, speed, speeds<3>, true},
+      {"vx", "Velocity along x", "v_{x}", "m/s", velocities<2, 0>, {}, velocities<3, 0>},
+      {"vy", "Velocity along y", "v_{y}", "m/s", velocities<2, 1>, {}, velocities<3, 1>},
+      {"spin", "Angular velocity", "\u03c9", "rad/s", spins<2>, {}, spins<3>}};
+  return list;
+}
+
+const GrainQuantity& grain_quantity(std::string_view name) {
   const auto& list = grain_quantities();
   const auto at = std::ranges::find(list, name, &GrainQuantity::name);
   if (at == list.end())
@@ -126,36 +156,14 @@ const GrainQuantity& quantity_of(std::string_view name) {
   return *at;
 }
 
-}  // namespace
-
-const std::vector<GrainQuantity>& grain_quantities() {
-  static const std::vector<GrainQuantity> list{
-      {"x", "Position along x", "x", "m", places<2, 0>, {}, places<3, 0>},
-      {"y", "Position along y", "y", "m", places<2, 1>, {}, places<3, 1>},
-      {"size", "Diameter", "d", "m", diameters<2>, {}, diameters<3>},
-      {"coordination", "Contacts", "z", "", contact_numbers<2>, {}, contact_numbers<3>},
-      {"pressure", "Pressure of grains", "p", "Pa", pressures, {}, pressures},
-      {"deviator", "Deviator of grains", "q", "Pa", deviators, {}, deviators},
-      {"stress", "Stress over its mean", "\u03c3_{norm}", ""},
-      {"friction", "Mean |F_{t}|/F_{n}", "|F_{t}|/F_{n}", "", ratios_of_forces<2>, {}, ratios_of_forces<3>},
-      {"mobilisation", "Mobilised friction, mean |F_{t}|/(\u03bc\u2009F_{n})", "|F_{t}|/(\u03bc\u2009F_{n})", ""},
-      {"displacement", "Displacement", "|u|", "m", nullptr, way},
-      {"rotation", "Rotation", "\u03b8", "rad"},
-      {"speed", "Velocity", "|v|", "m/s", speeds<2>, speed, speeds<3>},
-      {"vx", "Velocity along x", "v_{x}", "m/s", velocities<2, 0>, {}, velocities<3, 0>},
-      {"vy", "Velocity along y", "v_{y}", "m/s", velocities<2, 1>, {}, velocities<3, 1>},
-      {"spin", "Angular velocity", "\u03c9", "rad/s", spins<2>, {}, spins<3>}};
-  return list;
-}
-
 Values values_of(const Packing& packing, std::string_view name) {
-  const GrainQuantity& quantity = quantity_of(name);
+  const GrainQuantity& quantity = grain_quantity(name);
   if (!quantity.of) throw refusal("the {} of grains takes more than one state", name);
   return quantity.of(packing);
 }
 
 Values values_of(const PackingIn<3>& packing, std::string_view name) {
-  const GrainQuantity& quantity = quantity_of(name);
+  const GrainQuantity& quantity = grain_quantity(name);
   if (!quantity.of_spheres) throw refusal("a state of spheres has no {}", name);
   return quantity.of_spheres(packing);
 }

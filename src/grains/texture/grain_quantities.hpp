@@ -9,19 +9,23 @@ namespace arenite::texture {
 
 /// A number that every grain of a state has: pictures are coloured by it, and grains are compared by it. `of` is null
 /// where it takes more than the state: a state before, or the grains that the texture considers; `of_spheres` where
-/// spheres have it no more.
+/// spheres have it no more. What it is called is said here alone, for page and print.
 struct GrainQuantity {
   std::string_view name, label, symbol, unit;
   std::vector<double> (*of)(const Packing& packing) = nullptr;
   /// Of numbers that the page has of every grain (core/formula.hpp); empty: it has the number itself.
   std::string_view formula = {};
   std::vector<double> (*of_spheres)(const PackingIn<3>& packing) = nullptr;
+  bool is_magnitude = false;  ///< never below 0, so that no scale is centred
 };
 
 /// All, in the order of the page. A new one is one more row.
 const std::vector<GrainQuantity>& grain_quantities();
 
-/// The one of this name. Throws InputError for another, and for one that takes more than the state.
+/// The one of this name. Throws InputError for another.
+const GrainQuantity& grain_quantity(std::string_view name);
+
+/// The values of the one of this name. Throws InputError for another, and for one that takes more than the state.
 std::vector<double> values_of(const Packing& packing, std::string_view name);
 /// The same of spheres. Throws InputError also for what they do not have.
 std::vector<double> values_of(const PackingIn<3>& packing, std::string_view name);

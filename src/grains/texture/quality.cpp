@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "grains/texture/mass.hpp"
 #include "grains/texture/view.hpp"
 
 namespace arenite::texture {

@@ -1,7 +1,6 @@
 #include "grains/texture/stress.hpp"
 
 #include "grains/texture/distribution.hpp"
-#include "grains/texture/mass.hpp"
 #include "grains/texture/view.hpp"
 
 #include <algorithm>

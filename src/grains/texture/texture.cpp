@@ -65,6 +65,22 @@ Numbers rows(const PerGrain& g) {
   return j;
 }
 
+/// Whether no contact has a force, so that nobody knows them.
+bool lacks_forces(const Contacts& contacts) {
+  const auto acts = [](double force) { return force != 0; };
+  return contacts.size() > 0 && std::ranges::none_of(contacts.fn, acts) && std::ranges::none_of(contacts.ft, acts);
+}
+
+/// Leaves what places alone tell: strength, rattlers, anisotropies of forces, stresses and their signs go.
+void forget_forces(Texture& t) {
+  erase(t.numbers, Trait::by_forces);
+  std::fill(t.per_grain.rattler.begin(), t.per_grain.rattler.end(), std::uint8_t{0});
+  t.per_grain.sigma.clear();
+  t.per_grain.sigma_hyd.clear();
+  t.per_grain.sigma_norm.assign(t.per_grain.sigma_norm.size(), unknown);
+  t.notes.push_back("The forces of the contacts are not known, so statistics of forces and stresses are omitted.");
+}
+
 }  // namespace
 
 Texture measure(const Packing& packing, const Options& options) {
@@ -73,9 +89,13 @@ Texture measure(const Packing& packing, const Options& options) {
   if (measured > 0 && measured != packing.grains.size())
     throw refusal("sigma_hyd has {} values for {} grains; give one per grain, NaN where it is not known", measured,
                   packing.grains.size());
+  const bool forceless = measured == 0 && lacks_forces(packing.contacts);
+  Options used = options;
+  if (forceless) used.rattler_contacts = 0;
   Texture texture;
-  const View view(packing, options);
+  const View view(packing, used);
   for (Statistic* statistic : statistics) statistic(view, texture);
+  if (forceless) forget_forces(texture);
   return texture;
 }
 
@@ -111,14 +131,6 @@ std::string to_text(const Texture& t) {
   Numbers shown = numbers(t);
   erase(shown, Trait::detail);
   return arenite::to_text(shown);
-}
-
-void forget_forces(Texture& t) {
-  erase(t.numbers, Trait::by_forces);
-  std::fill(t.per_grain.rattler.begin(), t.per_grain.rattler.end(), std::uint8_t{0});
-  t.per_grain.sigma.clear();
-  t.per_grain.sigma_hyd.clear();
-  t.per_grain.sigma_norm.assign(t.per_grain.sigma_norm.size(), unknown);
 }
 
 }  // namespace arenite::texture

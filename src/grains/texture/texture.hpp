@@ -70,8 +70,8 @@ struct Texture {
 };
 
 /// Measures everything that the packing allows. A domain of no area means that the box is not known, a thickness that
-/// is not positive that the length is not; what needs them is left out and a note says so. Throws InputError where
-/// measured stresses are not one a grain.
+/// is not positive that the length is not, contacts of which none has a force that forces are not; what needs them is
+/// left out and a note says so. Throws InputError where measured stresses are not one a grain.
 Texture measure(const Packing& packing, const Options& options = {});
 /// Window and rows by grain alone, as `measure` has them, without the statistics: of rows those of stresses and of the
 /// window.
@@ -80,10 +80,6 @@ Texture grain_rows(const Packing& packing, const Options& options = {});
 /// The statistics of sigma_norm alone, with their curves, of stresses that a laboratory gave, Pa, one a grain, NaN
 /// where not known.
 Numbers stress_distribution(const Packing& packing, const std::vector<double>& sigma_hyd);
-
-/// Leaves what places alone tell: for contacts whose forces are not known and stand as 0. Strength, rattlers,
-/// anisotropies of forces, stresses and their signs go. `Options::rattler_contacts` should be 0 in the measurement.
-void forget_forces(Texture& texture);
 
 /// The statistics as JSON, each as {"value", "error"}; unknown ones are left out. `curves` adds histograms,
 /// distributions, REV and the rows by grain.

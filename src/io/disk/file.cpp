@@ -176,6 +176,21 @@ std::string read_file(const std::filesystem::path& path) {
   return std::move(bytes).str();
 }
 
+void refuse_compressed(std::string_view bytes, const std::string& file) {
+  struct Packing {
+    std::string_view mark, by, mend;
+  };
+  constexpr Packing known[] = {{"\x1f\x8b", "gzip", "gunzip"},
+                               {"\x28\xb5\x2f\xfd", "zstd", "unzstd"},
+                               {"\xfd"
+                                "7zXZ",
+                                "xz", "unxz"},
+                               {"BZh", "bzip2", "bunzip2"}};
+  for (const Packing& packing : known)
+    if (bytes.starts_with(packing.mark))
+      arenite::refuse(file, "is compressed ({}); unpack it ({})", packing.by, packing.mend);
+}
+
 int write_all(int descriptor, std::string_view bytes, std::size_t* written) {
   std::size_t out = 0;
   int error = 0;

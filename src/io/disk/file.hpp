@@ -46,6 +46,10 @@ class AtomicFile {
 /// All bytes of a file. Throws InputError for a missing file, a folder, no permission.
 std::string read_file(const std::filesystem::path& path);
 
+/// InputError that says how to unpack what a program has packed (gzip and its like), by its first bytes; nothing for
+/// other bytes.
+void refuse_compressed(std::string_view bytes, const std::string& file);
+
 /// Writes all bytes, however often the system takes a part of them or is interrupted. 0, or the `errno` that it failed
 /// with; `written`, if given, is then how many bytes went out.
 int write_all(int descriptor, std::string_view bytes, std::size_t* written = nullptr);

@@ -89,8 +89,6 @@ void put_own(std::string& text, const Contacts& c, std::size_t k, double mean) {
   fmt::format_to(Text(text), " {} {}", c.fn[k] > mean ? 1 : 0, int{c.glued[k]});
 }
 void put_own(std::string& /*text*/, const ContactsIn<3>& /*c*/, std::size_t /*k*/, double /*mean*/) {}
-double mean_push(const Contacts& c) { return mean_compressive_force(c); }
-double mean_push(const ContactsIn<3>& /*c*/) { return 0; }
 
 /// Contacts between grains only: a row names two grains, which OVITO joins by a bond, and LAMMPS knows no walls here.
 /// As in LAMMPS's pair/local of a granular style, the normal force (fx, fy, fz) and the tangential one (p1, p2, p3) act
@@ -98,7 +96,7 @@ double mean_push(const ContactsIn<3>& /*c*/) { return 0; }
 template <int D> std::string contact_dump(const ExportStateIn<D>& from) {
   const PackingIn<D>& packing = from.snapshot->packing;
   const ContactsIn<D>& c = packing.contacts;
-  const double mean = mean_push(c);
+  const double mean = mean_compressive_force(c);
   std::string rows;
   std::size_t count = 0;
   for (std::size_t k = 0; k < c.size(); ++k) {

@@ -8,6 +8,7 @@
 
 #include "core/problems.hpp"
 #include "core/text.hpp"
+#include "io/disk/file.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/film/formats.hpp"
 #include "io/film/other_recording.hpp"
@@ -70,6 +71,7 @@ std::unique_ptr<FilmSource> open_film(const Bytes& bytes, const FilmChoice& choi
   if (bytes->size() == 0) refuse(bytes->name(), "is empty; copy it again");
   const FilmFormat* format = format_of(*bytes);
   if (format == nullptr) {
+    refuse_compressed(bytes->text(0, head_size), bytes->name());
     const auto sidecars =
         words_of(films::all, &FilmFormat::sidecar, [](const FilmFormat& known) { return !known.sidecar.empty(); });
     refuse(bytes->name(), "is not a film in a known format ({}); {}", film_formats(), list_of(sidecars));

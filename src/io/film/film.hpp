@@ -20,6 +20,7 @@ struct FilmChoice {
                         offset =
                             {};  ///< K: pixels become scale * number + offset, whatever the film says that they are
   std::int64_t most_pixels = 100'000'000;  ///< in a frame; larger ones are refused before memory is asked for
+  bool in_time = true;                     ///< false: slices of a volume, of which names and stamps tell no times
   bool operator==(const FilmChoice&) const = default;
 };
 
@@ -27,6 +28,9 @@ struct FilmChoice {
 /// given, or that of the file beside it). A folder, or a name with *, is a series of such files in the order of the
 /// numbers in their names. InputError for anything else.
 std::unique_ptr<FilmSource> open_film(const std::filesystem::path& path, const FilmChoice& choice = {});
+
+/// The files of such a series in the order of the numbers in their names. InputError where there are none.
+std::vector<std::filesystem::path> files_of_series(const std::filesystem::path& pattern);
 
 /// The same from bytes.
 std::unique_ptr<FilmSource> open_film(const Bytes& bytes, const FilmChoice& choice = {});

@@ -73,6 +73,12 @@ class Hdf5Film : public KnownFilm {
     if (info_.frame_rate == 0) info_.frame_rate = facts.frame_rate;
     if (info_.integration == 0) info_.integration = facts.integration;
     take_times(facts);
+    if (facts.no_rate < 0 && info_.frame_rate == 0 && info_.time.empty() && !choice.frame_rate)
+      refuse(
+          bytes_->name(),
+          "states a frame rate of {:g} Hz, which is none; give the right one (--frame-rate, frame_rate in [film] of a "
+          "recipe)",
+          facts.no_rate);
     take_choice(info_, choice);
   }
 
@@ -187,6 +193,7 @@ const FilmFormat films::hdf5{
         {{"times of frames (time, times, timestamps) with units",
           "used; told where the unit is unknown or not stated, or where there are not as many as frames"},
          {"frame_rate, frame_rate_Hz, fps, integration", "used, as attributes or as arrays of one number"},
+         {"a frame rate below 0", "refused where nothing else states times and no rate is given"},
          {"frame_interval, frame_interval_s, frame_interval_ms, dt",
           "used, as attributes; rates and intervals may be texts, \"30 Hz\""},
          {"MATLAB_class (MATLAB, save -v7.3)", "axes are taken as height x width x frames"},

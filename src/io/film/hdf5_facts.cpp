@@ -150,6 +150,8 @@ Hdf5Facts look_at_hdf5_film(const Bytes& bytes, const FilmChoice& choice) {
   facts.unit = text_attribute(*set, "units");
   for (const hid_t at : {static_cast<hid_t>(*set), static_cast<hid_t>(*file)}) {
     if (facts.frame_rate == 0) facts.frame_rate = stated_rate(at);
+    for (const char* key : {"frame_rate", "frame_rate_Hz", "fps"})
+      facts.no_rate = std::min(facts.no_rate, stated_number(at, key).value_or(0));
     if (facts.integration == 0) facts.integration = number_attribute(at, {"integration", "integration_s"});
   }
   facts.scale = stated_number(*set, "scale_factor").value_or(no_number);

@@ -21,6 +21,7 @@ struct Hdf5Facts {
   NumberType pixel = NumberType::u16;
   bool big_endian = false, by_matlab = false;
   double frame_rate = 0, integration = 0;
+  double no_rate = 0;                            ///< Hz, what is stated instead of a rate and can be none: below 0
   double scale = no_number, offset = no_number;  ///< by the conventions of netCDF, as what follows
   std::vector<double> missing;                   ///< numbers that stand for none, as they are stored
   double least = no_number, most = no_number;    ///< what lies beyond stands for none, as it is stored
@@ -33,8 +34,8 @@ template <class Archive> void transfer(Archive& a, Hdf5Facts& facts) {
   auto by_matlab = static_cast<std::uint8_t>(facts.by_matlab);
   a(facts.name), a(facts.notes), a(facts.unit), a(facts.time_unit), a(facts.axes), a(facts.times), a(facts.shape),
       a(facts.axis), a(pixel), a(big_endian), a(by_matlab);
-  a(facts.frame_rate), a(facts.integration), a(facts.scale), a(facts.offset), a(facts.missing), a(facts.least),
-      a(facts.most), a(facts.time);
+  a(facts.frame_rate), a(facts.no_rate), a(facts.integration), a(facts.scale), a(facts.offset), a(facts.missing),
+      a(facts.least), a(facts.most), a(facts.time);
   facts.pixel = static_cast<NumberType>(pixel);
   facts.big_endian = big_endian != 0;
   facts.by_matlab = by_matlab != 0;

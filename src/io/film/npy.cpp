@@ -42,6 +42,10 @@ FilmPointer open_npy(const Bytes& bytes, const FilmChoice& choice) {
   layout.big_endian = array.big_endian;
   layout.offset = array.start;
   layout.stride = info.pixels() * bytes_of(*pixel);
+  if (bytes->size() > layout.offset + layout.stride * static_cast<std::uint64_t>(info.frames))
+    info.remarks.push_back(fmt::format(
+        "More numbers follow than {} frames of {} x {} pixels have, and are left aside; check the shape of the array.",
+        info.frames, info.width, info.height));
   return plain_film(bytes, std::move(info), layout, choice);
 }
 
@@ -52,6 +56,7 @@ const FilmFormat films::npy{
     .name = "npy",
     .sentence = "NumPy .npy",
     .states = {{"column order", "refused"},
+               {"more numbers than the shape says", "left aside, and told"},
                {"frames of NaN, of one number, or the frame before once more", "left out as lost, and named"}},
 
     .endings = {".npy"},

@@ -60,7 +60,8 @@ class Series : public KnownFilm {
     info_.frames *= static_cast<std::int64_t>(members_.size());
     info_.time.clear();
     info_.number.clear();
-    if ((rate || !take_stamps_of_files()) && !take_times_of_names(rate)) take_file_numbers(numbers_in_names(members_));
+    if (choice_.in_time && (rate || !take_stamps_of_files()) && !take_times_of_names(rate))
+      take_file_numbers(numbers_in_names(members_));
     choice_.frame_rate = rate;
     take_choice(info_, choice_);
   }
@@ -183,12 +184,17 @@ class ScaledFilm : public KnownFilm {
 
 }  // namespace
 
-FilmPointer open_series(const fs::path& pattern, const FilmChoice& choice) {
+std::vector<fs::path> files_of_series(const fs::path& pattern) {
   auto found = members(pattern);
   if (found.empty())
     refuse(pattern.string(),
-           "holds no files with numbers in their names, which would be the frames of a film; check the name");
-  return std::make_unique<Series>(std::move(found), choice);
+           "holds no files with numbers in their names, which would be the frames of a film or the slices of a volume; "
+           "check the name");
+  return found;
+}
+
+FilmPointer open_series(const fs::path& pattern, const FilmChoice& choice) {
+  return std::make_unique<Series>(files_of_series(pattern), choice);
 }
 
 FilmPointer scaled_film(FilmPointer film, const FilmChoice& choice) {

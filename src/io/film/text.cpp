@@ -96,13 +96,32 @@ template <class Take> bool each_cell(std::string_view line, char separator, Take
   return true;
 }
 
-bool is_row(std::string_view line, char separator) {
+bool begins_with_number(std::string_view line, char separator) {
   bool number = false;
   each_cell(line, separator, [&](std::string_view cell) {
     number = number_of(cell, separator != ',').has_value();
     return false;
   });
   return number;
+}
+
+/// What a cell says that stands for a number which is not there: a dead pixel.
+bool is_no_value(std::string_view cell) {
+  const std::string word = lower_case(trimmed(cell));
+  const std::string_view bare = std::string_view(word).substr(word.starts_with('-') || word.starts_with('+') ? 1 : 0);
+  return bare == "nan" || bare == "inf" || bare == "infinity";
+}
+
+/// A line of as many cells as a row has, most of which hold a number's place, is a row whose first cell is wrong. Were
+/// it taken for what parts frames, all rows below would be one too high.
+bool is_spoilt_row(std::string_view line, char separator, int width) {
+  int cells = 0, numbers = 0;
+  each_cell(line, separator, [&](std::string_view cell) {
+    numbers += number_of(cell, separator != ',') || is_no_value(cell) ? 1 : 0;
+    return ++cells <= width;
+  });
+  return cells == width && 2 * numbers > cells && lower_case(line).find("frame") == std::string::npos &&
+         line.find('=') == std::string_view::npos;
 }
 
 struct Place {
@@ -115,16 +134,15 @@ class TextFilm : public KnownFilm {
  public:
   TextFilm(Bytes bytes, const FilmChoice& choice) : bytes_(std::move(bytes)) {
     info_.floating = true;
+    take_form();
     FileLines lines(*bytes_, 0, 0);
     int rows = 0;
-    for (std::string_view line; lines.next(line);) {
-      if (separator_ == 0 && is_row(line, separator_of(line))) separator_ = separator_of(line);
-      if (separator_ == 0 || !is_row(line, separator_)) {
+    for (std::string_view line; separator_ != 0 && lines.next(line);) {
+      if (!begins_with_number(line, separator_) && !is_spoilt_row(line, separator_, info_.width)) {
         end_frame(rows, lines.number());
         note(line);
         continue;
       }
-      if (info_.width == 0) info_.width = cells_of(line);
       if (rows++ == 0) begin_frame({lines.begin(), lines.number() - 1});
       if (info_.frames == 0 && std::int64_t{rows} * info_.width > choice.most_pixels)
         check_film_size(bytes_->name(), info_.width, rows, 1, choice);
@@ -144,6 +162,16 @@ class TextFilm : public KnownFilm {
   }
 
  private:
+  /// How numbers are parted, and how many a row has, of the first line that begins with a number.
+  void take_form() {
+    FileLines lines(*bytes_, 0, 0);
+    for (std::string_view line; separator_ == 0 && lines.next(line);) {
+      if (!begins_with_number(line, separator_of(line))) continue;
+      separator_ = separator_of(line);
+      info_.width = cells_of(line);
+    }
+  }
+
   /// What a line between frames says of the next: "Frame 12", "time = 0.4".
   void note(std::string_view line) {
     if (const double t = noted_time(line); std::isfinite(t)) next_stamp_ = t;

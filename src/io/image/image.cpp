@@ -37,6 +37,12 @@ std::int64_t seen(const PixelLayout& layout, std::int64_t red, std::int64_t gree
          row);
 }
 
+bool is_clear(const PixelLayout& layout, const std::int64_t* sample) {
+  return std::ranges::any_of(layout.clear, [&](const auto& of) {
+    return sample[0] == of[0] && (!layout.colour || (sample[1] == of[1] && sample[2] == of[2]));
+  });
+}
+
 std::int64_t shown(const PixelLayout& layout, std::int64_t index, std::size_t x, std::size_t row) {
   if (index >= static_cast<std::int64_t>(layout.palette.size()))
     refuse(layout.file, "is damaged: pixel {}, {} is not in its palette; copy it again", x, row);
@@ -67,6 +73,7 @@ Image decode_image(const std::string& bytes, const std::string& file, const Imag
   if (bytes.empty()) refuse(file, "is empty; copy it again");
   const PictureFormat* format =
       first_format(pictures::all, [&](const PictureFormat& known) { return known.is(bytes); });
+  if (format == nullptr) refuse_compressed(bytes, file);
   if (format == nullptr) refuse(file, "is no picture in a known format; save it as one of {}", picture_formats());
   if (!choice.dataset.empty() && !format->has_datasets)
     refuse(file, "is {}, which holds no datasets; leave out the dataset \"{}\"", format->sentence, choice.dataset);
@@ -148,7 +155,7 @@ void take_row(const PixelLayout& layout, const std::uint8_t* samples, std::size_
     const std::int64_t* const here = sample.data() + k * per_pixel;
     std::int64_t value = here[0];
     if (layout.colour) value = seen(layout, value, here[1], here[2], x, row);
-    if (layout.opacity && here[per_pixel - 1] != most)
+    if ((layout.opacity && here[per_pixel - 1] != most) || is_clear(layout, here))
       refuse(layout.file, "is transparent at pixel {}, {}; save it without transparency", x, row);
     if (!layout.palette.empty()) value = shown(layout, value, x, row);
     if (layout.inverted) value = most - value;

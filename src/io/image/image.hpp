@@ -70,6 +70,7 @@ struct PixelLayout {
   bool is_floating = false;                                                   ///< 32 or 64 bits
   Channel channel = Channel::none;                    ///< what is taken of a colour; none: colour is refused
   std::vector<std::array<std::uint16_t, 3>> palette;  ///< empty: none
+  std::vector<std::array<std::int64_t, 3>> clear;     ///< samples that stand for a transparent pixel, colour or first
 
   std::size_t bytes_a_row() const {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(samples) * static_cast<std::size_t>(bits / 8);

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/error.hpp"
+#include "core/problems.hpp"
 #include "core/units.hpp"
 #include "io/disk/byte_source.hpp"
 #include "io/image/tiff.hpp"
@@ -17,10 +17,16 @@ namespace {
 
 constexpr double inch = 0.0254;
 
-/// Of as many pixels a length along x and y; that length in m.
-std::optional<double> square_pixel(double x, double y, double length) {
+/// Of as many pixels a length along x and y; that length in m, 0 where it is not known.
+std::optional<double> square_pixel(const std::string& file, double x, double y, double length) {
   constexpr double usual[] = {72, 96, 100, 120, 144, 150, 200, 240, 300, 400, 600, 1200};  // per inch
-  if (!(x > 0) || !(std::abs(x / y - 1) < 1e-3) || !(length > 0)) return std::nullopt;
+  const bool is_stated = x > 0 && y > 0 && std::isfinite(x) && std::isfinite(y);
+  if (is_stated && !(std::abs(x / y - 1) < 1e-3))
+    refuse(file,
+           "has pixels {:.6g} times as wide as high, which are no squares; resample it to squares, or give the "
+           "side of a pixel (--dx) if they are squares all the same",
+           y / x);
+  if (!is_stated || !(length > 0)) return std::nullopt;
   const double pixel = length / x;
   const bool is_of_screens =
       std::ranges::any_of(usual, [&](double per_inch) { return std::abs(pixel * per_inch / inch - 1) < 2e-3; });
@@ -50,18 +56,18 @@ std::optional<double> tiff_pixel(const Bytes& bytes) {
   if (TIFFGetField(tiff.get(), TIFFTAG_XRESOLUTION, &x) != 1 || TIFFGetField(tiff.get(), TIFFTAG_YRESOLUTION, &y) != 1)
     return std::nullopt;
   const double length = unit ? *unit : by == RESUNIT_INCH ? inch : by == RESUNIT_CENTIMETER ? 0.01 : 0;
-  return square_pixel(static_cast<double>(x), static_cast<double>(y), length);
+  return square_pixel(bytes->name(), static_cast<double>(x), static_cast<double>(y), length);
 }
 
-std::optional<double> png_pixel(std::string_view head) {
+std::optional<double> png_pixel(const std::string& file, std::string_view head) {
   const std::size_t at = head.find("pHYs");
-  if (at == head.npos || at + 13 > head.size() || head[at + 12] != 1) return std::nullopt;
+  if (at == head.npos || at + 13 > head.size()) return std::nullopt;
   const auto number = [&](std::size_t from) {
     double value = 0;
     for (std::size_t k = 0; k < 4; ++k) value = 256 * value + static_cast<std::uint8_t>(head[from + k]);
     return value;
   };
-  return square_pixel(number(at + 4), number(at + 8), 1);
+  return square_pixel(file, number(at + 4), number(at + 8), head[at + 12] == 1 ? 1 : 0);
 }
 
 }  // namespace
@@ -72,7 +78,7 @@ std::optional<double> stated_pixel(const std::filesystem::path& picture) {
   const Bytes bytes = open_bytes(picture);
   const std::string head = bytes->text(0, 4096);  // pHYs stands before the pixels
   if (is_tiff(head)) return tiff_pixel(bytes);
-  return head.starts_with("\x89PNG") ? png_pixel(head) : std::nullopt;
+  return head.starts_with("\x89PNG") ? png_pixel(bytes->name(), head) : std::nullopt;
 }
 
 }  // namespace arenite::io

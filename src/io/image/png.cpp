@@ -72,6 +72,21 @@ bool read_rows(PngDecoder& d, png_bytepp rows) {
   refuse(file, "is a PNG picture that is cut short or damaged ({}); copy it again", std::string_view(d.message));
 }
 
+/// What a chunk tRNS says: entries of a palette, or the one grey or colour that is transparent.
+void take_clear(const PngDecoder& d, PixelLayout& layout) {
+  png_bytep opacity = nullptr;
+  png_color_16p colour = nullptr;
+  int count = 0;
+  if (png_get_tRNS(d.png, d.info, &opacity, &count, &colour) == 0) return;
+  if (!layout.palette.empty()) {
+    for (int i = 0; opacity != nullptr && i < count; ++i)
+      if (opacity[i] != 255) layout.clear.push_back({i, 0, 0});
+  } else if (colour != nullptr) {
+    if (layout.colour) layout.clear.push_back({colour->red, colour->green, colour->blue});
+    else layout.clear.push_back({colour->gray, 0, 0});
+  }
+}
+
 PixelLayout layout_of(const PngDecoder& d, const std::string& file, Channel channel) {
   PixelLayout layout;
   layout.channel = channel;
@@ -87,6 +102,7 @@ PixelLayout layout_of(const PngDecoder& d, const std::string& file, Channel chan
   int count = 0;
   if ((type & PNG_COLOR_MASK_PALETTE) != 0 && png_get_PLTE(d.png, d.info, &colours, &count) != 0)
     for (int i = 0; i < count; ++i) layout.palette.push_back({colours[i].red, colours[i].green, colours[i].blue});
+  take_clear(d, layout);
   return layout;
 }
 
@@ -117,8 +133,10 @@ const PictureFormat pictures::png{
     .name = "png",
     .sentence = "PNG",
     .states = {{"orientation (EXIF)", "the picture is turned upright"},
+               {"transparency (alpha, tRNS)", "accepted where every pixel is opaque, else refused"},
                {"size of a pixel (pHYs)",
-                "told where dx is not given; passed over where it is a usual one of screens and printers"}},
+                "told where dx is not given; passed over where it is a usual one of screens and printers; pixels that "
+                "are no squares are then refused"}},
 
     .is = [](std::string_view b) { return b.starts_with("\x89PNG\r\n\x1a\n"); },
     .read = decode_png};

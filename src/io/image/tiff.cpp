@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdarg>
 #include <cstdio>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -112,7 +114,11 @@ int complain(TIFF*, void* user, const char*, const char* format, va_list argumen
   auto& source = *static_cast<TiffSource*>(user);
   char text[200] = {};
   std::vsnprintf(text, sizeof(text), format, arguments);
-  if (source.complaint.empty()) source.complaint = text;
+  if (!source.complaint.empty()) return 1;
+  source.complaint = text;
+  const std::string_view no_line = " at scanline 4294967295";  // what libtiff says of a strip of which no line was read
+  if (const std::size_t at = source.complaint.find(no_line); at != std::string::npos)
+    source.complaint.erase(at, no_line.size());
   return 1;
 }
 
@@ -146,7 +152,8 @@ const PictureFormat pictures::tiff{
                {"floating numbers", "taken where all are whole"},
                {"more images than directories (ImageJ)", "refused"},
                {"size of a pixel (resolution, unit of ImageJ)",
-                "told where dx is not given; passed over where it is a usual one of screens and printers"}},
+                "told where dx is not given; passed over where it is a usual one of screens and printers; pixels that "
+                "are no squares are then refused"}},
 
     .is = is_tiff,
     .read = decode_tiff};

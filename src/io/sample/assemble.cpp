@@ -76,7 +76,7 @@ void assemble(const RawGrains& grains, const Laid<D>& laid, const RawContacts& c
     packing.domain.wall[side].present = laid.has_box && !packing.domain.is_periodic(side);
   const GrainIndex index = add_grains(grains, laid, !options.box.empty(), packing.grains, grain_problems);
   finish(options, laid.has_box, packing, grain_problems);
-  assign_materials(grains, options.materials, packing.materials, packing.grains.material, grain_problems);
+  assign_materials(grains, options.materials, packing.materials, packing.grains.material, sample.notes, grain_problems);
   if (!unreadable) add_contacts(contacts, laid, index, options, sample, contact_problems);
   Problems::raise({&grain_problems, &contact_problems});
   for (const auto* notes : {&grains.notes, &contacts.notes})

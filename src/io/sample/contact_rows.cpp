@@ -10,97 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "io/sample/contact_geometry.hpp"
+
 namespace arenite::io {
 namespace {
-
-/// Where a contact's grains are, and how they lie to each other; n from i to j.
-template <int D> struct ContactGeometry {
-  Vec<D> n;
-  double arm_i = 0, arm_j = 0;
-  std::optional<double> gap;  ///< between the surfaces, where it is known; below 0 they overlap
-  Vec<D> off_i, off_j;        ///< from the centres to where the arms begin
-};
-
-template <int D> constexpr const char* normal_names = "nx, ny";
-template <> constexpr const char* normal_names<3> = "nx, ny, nz";
-std::string place_words(Vec2 v) { return fmt::format("({:g}, {:g})", v.x, v.y); }
-std::string place_words(Vec3 v) { return fmt::format("({:g}, {:g}, {:g})", v.x, v.y, v.z); }
-
-constexpr double far_apart = 2;  ///< centre distance over the sum of radii beyond which a contact cannot be meant
-
-/// The unit normal that a row gives, if any; one of another length is a problem.
-template <int D> bool is_unit_normal(const RawContact& row, const Frame<D>& frame, Problems& problems) {
-  const double length = norm(frame.of(*row.normal));
-  if (std::abs(length - 1) <= 0.05) return true;
-  problems.add(row.line, "the normal has length {:g}; give a unit vector", length);
-  return false;
-}
-
-/// Arms that end at a point `lever` from a centre: along `n`, and from the centre to where that begins.
-template <int D> void end_arm(Vec<D> lever, Vec<D> n, double& arm, Vec<D>& off) {
-  arm = dot(lever, n);
-  off = lever - arm * n;
-}
-
-template <int D>
-std::optional<ContactGeometry<D>> grain_geometry(const PackingIn<D>& p, const Frame<D>& frame, const RawContact& row,
-                                                 std::size_t i, std::size_t j, Problems& problems) {
-  const Vec<D> branch = p.domain.nearest_image(p.grains.position[j] - p.grains.position[i]);
-  const double ri = p.grains.radius[i], rj = p.grains.radius[j];
-  double distance = norm(branch);
-  const bool is_far = ri > 0 && rj > 0 && distance > far_apart * (ri + rj);
-  ContactGeometry<D> g;
-  if (row.normal) {
-    if (!is_unit_normal(row, frame, problems)) return std::nullopt;
-    g.n = frame.of(*row.normal) / norm(frame.of(*row.normal));
-    if (is_far) distance = ri + rj;  // across a periodic side that the centres do not show
-  } else if (distance == 0) {
-    problems.add(row.line, "grains {} and {} have the same centre; correct it or give its normal, {}", row.i, row.j,
-                 normal_names<D>);
-    return std::nullopt;
-  } else {
-    g.n = 1 / distance * branch;
-  }
-  g.gap = row.overlap ? -*row.overlap : distance - (ri + rj);
-  if (row.point) {
-    const Vec<D> point = frame.of(*row.point);
-    const Vec<D> lever_i = p.domain.nearest_image(point - p.grains.position[i]), lever_j = lever_i - branch;
-    if (norm(lever_i) > far_apart * ri || norm(lever_j) > far_apart * rj) {
-      problems.add(row.line,
-                   "the contact point {} m does not lie at the rims of grains {} and {}; correct x, y or "
-                   "their unit, or give these columns other names",
-                   place_words(point), row.i, row.j);
-      return std::nullopt;
-    }
-    end_arm(lever_i, g.n, g.arm_i, g.off_i);
-    end_arm(lever_j, -g.n, g.arm_j, g.off_j);
-    return g;
-  }
-  const double overlap = ri + rj - distance;
-  g.arm_i = ri - overlap / 2;
-  g.arm_j = rj - overlap / 2;
-  return g;
-}
-
-/// Of a contact with a side of the box, or with a boundary whose normal the row gives.
-template <int D>
-std::optional<ContactGeometry<D>> wall_geometry(const PackingIn<D>& p, const Frame<D>& frame, const RawContact& row,
-                                                std::size_t i, bool has_box, Problems& problems) {
-  ContactGeometry<D> g;
-  const double radius = p.grains.radius[i];
-  if (row.wall < 0) {
-    if (!is_unit_normal(row, frame, problems)) return std::nullopt;
-    g.n = frame.of(*row.normal) / norm(frame.of(*row.normal));
-    g.arm_i = radius - row.overlap.value_or(0);
-  } else {
-    g.n = -inward_normal<D>(row.wall);
-    g.arm_i = has_box ? std::abs(p.domain.depth(row.wall, p.grains.position[i])) : radius;
-    if (has_box) g.gap = g.arm_i - radius;
-  }
-  if (row.overlap) g.gap = -*row.overlap;
-  if (row.point) end_arm(p.domain.nearest_image(frame.of(*row.point) - p.grains.position[i]), g.n, g.arm_i, g.off_i);
-  return g;
-}
 
 /// A force by its parts along n and across it: the contact's fn and ft.
 template <int D> struct ForceParts {
@@ -166,6 +79,8 @@ template <int D> class ContactRows {
   void add(const RawContacts& raw) {
     least_force_ = no_force * mean_force(raw.rows, laid_.frame);
     for (const RawContact& row : raw.rows) add(row, raw.lists_both_ways);
+    walls_.tell(sample_.notes);
+    normals_.tell(sample_.notes, problems_);
     const auto is_off = [](Vec<D> off) { return off != Vec<D>{}; };
     ContactsIn<D>& c = packing_.contacts;
     if (std::ranges::none_of(c.off_i, is_off) && std::ranges::none_of(c.off_j, is_off)) c.off_i = c.off_j = {};
@@ -195,6 +110,8 @@ template <int D> class ContactRows {
       return;
     }
     if (row.is_of_grains() && !row.normal && is_too_far(row, gi, static_cast<std::size_t>(j), *geometry->gap)) return;
+    if (row.wall >= 0 && !walls_.take(packing_, laid_, row, gi, problems_)) return;
+    normals_.take(*geometry);
     if (const auto earlier = repeated(i, j, *geometry, row)) return merge(*earlier, f, row, both_ways);
     taken_.emplace(std::minmax(i, j), packing_.contacts.size());
     lines_.push_back(row.line);
@@ -282,6 +199,8 @@ template <int D> class ContactRows {
   std::multimap<std::pair<std::int32_t, std::int32_t>, std::size_t> taken_;  ///< contacts by their pair of grains
   std::vector<int> lines_, rows_merged_;
   std::size_t apart_ = 0, others_ = 0;
+  PlacesOfWalls<D> walls_;
+  TurnedNormals<D> normals_;
   double least_force_ = 0;  ///< N
 };
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/text.hpp"
+#include "io/sample/column_units.hpp"
 #include "io/sample/formats.hpp"
 #include "io/sample/table_snapshots.hpp"
 
@@ -78,22 +79,40 @@ std::vector<Moment> contact_moments_csv(std::string_view text, const std::string
 
 /// The rows of the snapshot that is read; nothing where they cannot be used.
 std::optional<Table> rows_of(const Reading& reading, const std::string& columns,
-                             std::span<const std::string_view> names) {
+                             std::span<const std::string_view> names, SnapshotsOfRows& snapshots) {
   Table table = read_table(reading.text, columns, reading.problems);
   if (table.columns.empty()) return std::nullopt;
-  SnapshotsOfRows(table, names).keep(reading.snapshot, table);
+  snapshots = SnapshotsOfRows(table, names);
+  snapshots.keep(reading.snapshot, table);
   if (!knows_pixels(table, reading.options, reading.problems)) return std::nullopt;
   return table;
+}
+
+/// Says so where the snapshot that is taken has fewer grains than another: the file may be cut off within it.
+void note_fewer(const std::vector<std::size_t>& sizes, std::size_t taken, std::vector<std::string>& notes) {
+  if (taken >= sizes.size() || sizes[taken] == std::ranges::max(sizes)) return;
+  notes.push_back(
+      fmt::format("The snapshot that was taken has {} grains, and another of the file {}: if none left the sample, the "
+                  "file is cut off.",
+                  sizes[taken], std::ranges::max(sizes)));
 }
 
 RawGrains read_grains_csv(const Reading& reading) {
   const SampleOptions& options = reading.options;
   Problems& problems = reading.problems;
-  const auto rows = rows_of(reading, options.grain_columns, grain_names);
+  SnapshotsOfRows snapshots;
+  const auto rows = rows_of(reading, options.grain_columns, grain_names, snapshots);
   if (!rows) return {};
   const Table& table = *rows;
+  StatedColumns units(table);
+  units.see_vector({"x", "y", "z"}, options.length_unit.has_value(), problems);
+  if (const auto size = table.find({"radius", "r", "diameter", "d"}))
+    units.see({table.columns[*size].name}, options.length_unit.has_value());
   RawGrains grains = grains_in(table, "grains need id, x, y, radius and may have z, material, zone", options, problems);
-  note_assumed_unit(table, "x", options.length_unit.has_value(), "length", "m", "--length-unit", grains.notes);
+  units.tell(grains.notes);
+  if (!units.are_mixed())
+    note_assumed_unit(table, "x", options.length_unit.has_value(), "length", "m", "--length-unit", grains.notes);
+  note_fewer(snapshots.sizes(), reading.snapshot, grains.notes);
   return grains;
 }
 
@@ -113,7 +132,8 @@ struct VectorField {
 RawContacts read_contacts_csv(const Reading& reading, const RawGrains& grains) {
   const SampleOptions& options = reading.options;
   Problems& problems = reading.problems;
-  const auto rows = rows_of(reading, options.contact_columns, pair_names);
+  SnapshotsOfRows snapshots;
+  const auto rows = rows_of(reading, options.contact_columns, pair_names, snapshots);
   if (!rows) return {};
   const Table& table = *rows;
   RawContacts contacts;
@@ -142,22 +162,35 @@ RawContacts read_contacts_csv(const Reading& reading, const RawGrains& grains) {
     problems.add(table.header_line, "there is a column nx but no {}; give all or none",
                  axes.size() > 2 ? "ny, nz" : "ny");
   if (!i || !j || (!fn && !vector)) return contacts;
-  note_assumed_unit(table, vector ? "fx" : "fn", options.force_unit.has_value(), "force", "N", "--force-unit",
-                    contacts.notes);
+  const bool force_given = options.force_unit.has_value(), length_given = options.length_unit.has_value();
+  StatedColumns units(table);
+  if (vector) units.see_vector({"fx", "fy", "fz"}, force_given, problems);
+  else units.see({"fn", "ft"}, force_given);
+  units.see_vector({"x", "y", "z"}, length_given, problems);
+  units.see({"overlap"}, length_given);
+  units.tell(contacts.notes);
+  if (!units.are_mixed())
+    note_assumed_unit(table, vector ? "fx" : "fn", force_given, "force", "N", "--force-unit", contacts.notes);
   for (const auto& row : table.rows) {
     RawContact contact;
     contact.line = row.line;
-    contact.i = integer_or_problem(row.cells[*i], "i", row.line, problems);
     contact.normal = normal(row);
     contact.point = point(row);
     if (overlap && !row.cells[overlap.at].empty()) contact.overlap = overlap(row);
-    const std::string_view other = row.cells[*j];
+    std::string_view grain = row.cells[*i], other = row.cells[*j];
+    if (vector) contact.force_on_j = whole(row);
+    if (std::ranges::count(sides, grain) > 0 &&
+        to_number(other)) {  // seen from the wall: the same contact, as fn and ft are
+      std::swap(grain, other);
+      for (auto* of_j : {&contact.normal, &contact.force_on_j})
+        if (*of_j) *of_j = -**of_j;
+    }
+    contact.i = integer_or_problem(grain, "i", row.line, problems);
     if (const auto wall = std::ranges::find(sides, other); wall != sides.end())
       contact.wall = static_cast<int>(wall - sides.begin());
     else if (contact.normal && is_plain_name(other) && !to_number(other)) contact.boundary = other;
     else contact.j = integer_or_problem(other, "j", row.line, problems);
-    if (vector) contact.force_on_j = whole(row);
-    else contact.fn = fn(row);
+    if (!vector) contact.fn = fn(row);
     if (!vector && ft) contact.ft = ft(row);
     if (grains.in_space && contact.ft != 0)
       return problems.add(row.line,
@@ -183,6 +216,8 @@ const SampleFormat samples::csv{
         "spheres i,j,fx,fy,fz",
     .states =
         {{"units (header or a row below it)", "taken; columns without any: m and N, told, or those given by options"},
+         {"units of some columns only", "told; refused of components of one vector"},
+         {"names of columns behind # or %", "the header, where the first row has as many numbers"},
          {"step, timestep, frame, time (columns)",
           "rows of the last moment that grains and contacts have in common; refused where they have none, told where "
           "one file states a step and the other a time or nothing"},
@@ -191,6 +226,14 @@ const SampleFormat samples::csv{
           "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); within a radius a "
           "layer, told; beyond: spheres"},
          {"names of columns", "those listed above; other columns are passed over"},
+         {"contacts with walls",
+          "refused where the box is periodic there, or the grain more than two radii from the wall; told where it is "
+          "not near it"},
+         {"nx, ny",
+          "refused where most are turned from the line through the centres by more than 20 degrees, a few told"},
+         {"walls in column i", "taken as in column j, with the normal and the force turned round"},
+         {"snapshots with fewer grains than others", "told"},
+         {"materials of some grains only", "told"},
          {"rows without a force",
           "contacts where they overlap (column overlap, or the centres), else left out and told"},
          {"contact point (x, y of a contact)", "the lever arms end there; without it in the middle of the overlap"},

@@ -133,6 +133,10 @@ RawGrains read_xyz(const Reading& reading) {
     if (std::ssize(table.rows) < count)
       problems.add(table.header_line, "{} grains are announced, but {} follow; the file is cut off", count,
                    table.rows.size());
+    bool more = false;
+    while (!more && lines.next(line)) more = !trimmed(line).empty();
+    if (more && !to_integer(trimmed(line)))
+      problems.add(lines.number(), "{} grains are announced, but more rows follow; correct the number", count);
     return true;
   });
   if (table.header_line == 0) problems.add("the file is empty; give extended XYZ with at least one frame");
@@ -167,7 +171,9 @@ const SampleFormat samples::extxyz{
           "grains are of the last frame, or of the one that the contacts are of; told where this cannot be known"},
          {"cell (Lattice, Origin), pbc",
           "taken, without pbc as periodic; refused where it is tilted in another way "
-          "than along x with y"},
+          "than along x with y, or smaller between its walls than the centres span; one of no size is left aside, "
+          "told"},
+         {"number of grains", "compared with the rows that follow"},
          {"third coordinate", "read, as of tables"},
          {"columns (Properties)", "pos, radius (radii) or diameter, id, material (type), zone; others are passed over"},
          {"forces", "none are in the file"}},

@@ -47,8 +47,9 @@ struct RawGrain {
 /// +90 degrees, or the vector `force_on_j`. In space ft has no direction and is 0.
 struct RawContact {
   std::int64_t i = 0, j = 0;
-  int wall = -1;         ///< side (model/domain.hpp) instead of grain j; -1 for a grain
-  std::string boundary;  ///< name of what is neither a grain nor a side; empty otherwise
+  int wall = -1;            ///< side (model/domain.hpp) instead of grain j; -1 for a grain
+  bool is_towards = false;  ///< the file names no side: it is the one that the contact lies towards
+  std::string boundary;     ///< name of what is neither a grain nor a side; empty otherwise
   double fn = 0, ft = 0;
   std::optional<Vec3> force_on_j;  ///< instead of fn, ft
   std::optional<Vec3> normal;      ///< from i to j

@@ -154,11 +154,14 @@ void compare_boxes(const RawGrains& grains, const RawCell& other, std::vector<st
     difference += norm(cell.edge[axis] - other.edge[axis]);
     size += norm(cell.edge[axis]);
   }
+  const auto words = [](const RawCell& of) {
+    return fmt::format("{:g} x {:g} x {:g} m from ({:g}, {:g}, {:g})", of.edge[0].x, of.edge[1].y, of.edge[2].z,
+                       of.corner.x, of.corner.y, of.corner.z);
+  };
   if (difference > 1e-5 * size)
     notes.push_back(
-        fmt::format("The contacts' dump states another box ({:g} x {:g} x {:g} m) than the grains' ({:g} x {:g} x {:g} "
-                    "m); the grains' was taken.",
-                    other.edge[0].x, other.edge[1].y, other.edge[2].z, cell.edge[0].x, cell.edge[1].y, cell.edge[2].z));
+        fmt::format("The contacts' dump states another box ({}) than the grains' ({}); the grains' was taken.",
+                    words(other), words(cell)));
 }
 
 /// The units of the grains hold for contacts that state none; other ones are a problem.
@@ -263,7 +266,8 @@ const SampleFormat samples::lammps{
          {"box, periodic sides, tilt, vectors (abc)",
           "taken; refused where its vectors leave the plane of the centres, of spheres where it is tilted in another "
           "way than "
-          "along x with y. Another box in the contacts' dump is told"},
+          "along x with y, and where it is smaller between its walls than the centres span. Another box, or another "
+          "place of it, in the contacts' dump is told"},
          {"z",
           "centres within 2 % of a radius are a plane, x-y, x-z or y-z (the last two are told); within a radius a "
           "layer, told; beyond: spheres"},

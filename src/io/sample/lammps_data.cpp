@@ -108,8 +108,8 @@ RawGrains read_data(const Reading& reading) {
   }
   if (table.header_line == 0) problems.add("the file has no section \"Atoms # sphere\"; write it with write_data");
   if (announced >= 0 && announced != std::ssize(table.rows))
-    problems.add(table.header_line, "the file announces {} atoms, but {} follow; it is cut off, so write it again",
-                 announced, table.rows.size());
+    problems.add(table.header_line, "the file announces {} atoms, but {} follow; {}, so write it again", announced,
+                 table.rows.size(), is_cut_off(announced, table.rows.size()));
   if (problems.any()) return grains;
   grains = grains_in(table, "Atoms # sphere", options, problems);
   grains.units = units;

@@ -198,8 +198,8 @@ void check_count(DumpSnapshot& dump, const Table& table, std::string_view title,
   if (!count || count->table.rows.empty()) return;
   const auto expected = to_integer(count->table.rows.front().cells.front());
   if (expected && *expected != static_cast<std::int64_t>(table.rows.size()))
-    problems.add(table.header_line, "the dump announces {} rows, but {} follow; it is cut off, so write it again",
-                 *expected, table.rows.size());
+    problems.add(table.header_line, "the dump announces {} rows, but {} follow; {}, so write it again", *expected,
+                 table.rows.size(), is_cut_off(*expected, table.rows.size()));
 }
 
 }  // namespace arenite::io

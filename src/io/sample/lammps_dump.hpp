@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,6 +46,10 @@ DumpSnapshot read_dump(const Reading& reading);
 void name_columns(Table& table, const std::vector<std::string_view>& names);
 /// Rows that have not as many cells as there are columns, and a number of rows other than was announced, are problems.
 void check_rows(const Table& table, Problems& problems);
+/// What a file is whose rows are not as many as it announces.
+inline std::string_view is_cut_off(std::int64_t announced, std::size_t rows) {
+  return static_cast<std::int64_t>(rows) < announced ? "it is cut off" : "its number is not that of its rows";
+}
 void check_count(DumpSnapshot& dump, const Table& table, std::string_view title, Problems& problems);
 
 }  // namespace arenite::io

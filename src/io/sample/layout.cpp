@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/mapped.hpp"
@@ -69,7 +70,8 @@ std::string right_edges(const Frame<2>& frame) {
 std::string right_edges(const Frame<3>& /*frame*/) { return "along x, in the plane x-y and along z"; }
 
 /// The stated cell, if it has an area or a volume there.
-template <int D> void take_cell(const RawCell& stated, Laid<D>& laid, Problems& problems) {
+template <int D>
+void take_cell(const RawCell& stated, Laid<D>& laid, std::vector<std::string>& notes, Problems& problems) {
   const auto& axis = laid.frame.axis;
   double slack = 0;
   std::vector<std::string> edges;
@@ -87,28 +89,61 @@ template <int D> void take_cell(const RawCell& stated, Laid<D>& laid, Problems& 
   const Vec<D> corner = laid.frame.of(stated.corner),
                size = by_axis<D>([&](int k) { return stated.edge[axis[k]][axis[k]]; });
   for (int k = 0; k < D; ++k)
-    if (!(size[k] > 0)) return;
+    if (!(size[k] > 0))
+      return notes.push_back(
+          fmt::format("The file states a box of {:g} m along {}, which is no size, so its box is left aside; --box "
+                      "gives another.",
+                      size[k], axis_names[axis[k]]));
   laid.lay_box(corner, corner + size);
   laid.cell.tilt = stated.edge[axis[1]][axis[0]];
   for (int k = 0; k < D; ++k) laid.cell.periodic[k] = stated.periodic[axis[k]];
 }
 
+/// From the lowest to the highest centre along an axis of the sample.
+template <int D> std::pair<double, double> span_of(const RawGrains& grains, const Laid<D>& laid, int axis) {
+  const auto along = mapped(grains.rows, [&](const RawGrain& g) { return laid.frame.of(g.place)[axis]; });
+  const auto [low, high] = std::ranges::minmax(along);
+  return {low, high};
+}
+
+/// Whether the centres fit between the walls of an axis; if not, a problem.
+bool fit_between_walls(double span, double size, int axis, const char* mend, Problems& problems) {
+  if (span > size)
+    problems.add("the centres span {:g} m along {}, more than the box's {:g} m; correct {}", span, axis_names[axis],
+                 size, mend);
+  return span <= size;
+}
+
+template <int D> void check_stated_box(RawGrains& grains, const Laid<D>& laid, Problems& problems) {
+  for (int axis = 0; axis < D; ++axis) {
+    if (laid.cell.periodic[axis]) continue;
+    const auto [low, high] = span_of(grains, laid, axis);
+    const int named = laid.frame.axis[axis];
+    if (!fit_between_walls(high - low, laid.cell.extent(axis), named,
+                           "the box that the file states, or give another by --box", problems))
+      continue;
+    const double from = laid.cell.wall[2 * axis].position, to = laid.cell.wall[2 * axis + 1].position;
+    if (low < from || high > to)
+      grains.notes.push_back(
+          fmt::format("Centres lie from {:g} to {:g} m along {}, in part outside the box that the file states, from "
+                      "{:g} to {:g} m; it was taken as it is, and --box and --origin give another.",
+                      low, high, axis_names[named], from, to));
+  }
+}
+
 template <int D> void place_box(RawGrains& grains, Laid<D>& laid, Problems& problems) {
   for (int axis = 0; axis < D; ++axis) {
-    const auto along = mapped(grains.rows, [&](const RawGrain& g) { return laid.frame.of(g.place)[axis]; });
-    const auto [low, high] = std::ranges::minmax(along);
+    const auto [low, high] = span_of(grains, laid, axis);
     const double size = laid.cell.extent(axis);
     if (laid.cell.periodic[axis] || (low >= 0 && high <= size)) continue;
-    if (high - low > size)
-      problems.add("the centres span {:g} m along {}, more than the box's {:g} m; correct --box or --length-unit",
-                   high - low, axis_names[axis], size);
+    fit_between_walls(high - low, size, laid.frame.axis[axis], "--box or --length-unit", problems);
     const double corner = 0.5 * (low + high) - 0.5 * size;
     laid.cell.wall[2 * axis].position = corner;
     laid.cell.wall[2 * axis + 1].position = corner + size;
     grains.notes.push_back(
         fmt::format("The centres do not lie between 0 and the box's {:g} m along {}, so the box was placed around "
                     "them, from {:g} m; --origin sets its position.",
-                    size, axis_names[axis], corner));
+                    size, axis_names[laid.frame.axis[axis]], corner));
   }
 }
 
@@ -130,7 +165,11 @@ void lay_out(RawGrains& grains, int dimension, Problems& problems) {
   } else {
     grains.in_space = true;
   }
-  if (grains.stated) grains.laid([&](auto& laid) { take_cell(*grains.stated, laid, problems); });
+  if (grains.stated) grains.laid([&](auto& laid) { take_cell(*grains.stated, laid, grains.notes, problems); });
+}
+
+void check_stated_box(RawGrains& grains, Problems& problems) {
+  if (!grains.rows.empty()) grains.laid([&](const auto& laid) { check_stated_box(grains, laid, problems); });
 }
 
 void place_box(RawGrains& grains, Problems& problems) {

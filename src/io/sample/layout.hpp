@@ -14,4 +14,8 @@ void lay_out(RawGrains& grains, int dimension, Problems& problems);
 /// A box smaller than the grains' extent is a problem unless it is periodic.
 void place_box(RawGrains& grains, Problems& problems);
 
+/// The same of a box that the file states: one that does not hold the centres between its walls is a problem, and told
+/// where they only lie beside it.
+void check_stated_box(RawGrains& grains, Problems& problems);
+
 }  // namespace arenite::io

@@ -94,7 +94,7 @@ std::set<std::int64_t> numbers_of(const RawGrains& raw, const std::unordered_map
 }  // namespace
 
 void assign_materials(const RawGrains& raw, const std::optional<std::filesystem::path>& file, Materials& materials,
-                      std::vector<std::int32_t>& of_grain, Problems& problems) {
+                      std::vector<std::int32_t>& of_grain, std::vector<std::string>& notes, Problems& problems) {
   MaterialTable table;
   if (file) table = read_material_table(*file);
   const bool closed = !table.labels.empty();  // then a label that is not in the table is a slip
@@ -105,10 +105,12 @@ void assign_materials(const RawGrains& raw, const std::optional<std::filesystem:
       materials.push_back({readable(table.labels.back()), 0, 0, 0});
     }
   }
+  std::vector<std::size_t> unnamed;
   for (std::size_t g = 0; g < raw.rows.size(); ++g) {
     std::string label = raw.rows[g].material;
     if (const auto it = table.of_grain.find(raw.rows[g].id); it != table.of_grain.end()) label = it->second;
-    if (label.empty() && table.labels.size() == 1) label = table.labels.front();
+    if (label.empty()) unnamed.push_back(g);
+    if (label.empty() && closed && table.labels.size() == 1) label = table.labels.front();
     auto it = std::find(table.labels.begin(), table.labels.end(), label);
     if (it == table.labels.end()) {
       if (closed) {
@@ -123,6 +125,11 @@ void assign_materials(const RawGrains& raw, const std::optional<std::filesystem:
     }
     of_grain[g] = static_cast<std::int32_t>(it - table.labels.begin());
   }
+  if (unnamed.empty() || unnamed.size() == raw.rows.size()) return;
+  const RawGrain& first = raw.rows[unnamed.front()];
+  notes.push_back(fmt::format(
+      "{} of {} grains state no material, the first, {}, in line {}; they are of the material \"{}\".", unnamed.size(),
+      raw.rows.size(), first.id, first.line, materials[static_cast<std::size_t>(of_grain[unnamed.front()])].name));
 }
 
 }  // namespace arenite::io

@@ -179,6 +179,7 @@ RawContacts read_mercury_fstat(const Reading& reading, const RawGrains& grains) 
     const Vec3 force_on_i = value(8, reading.options.force()) * n + value(9, reading.options.force()) * vector(13);
     if (c.j < 0) {
       grains.laid([&](const auto& laid) { c.wall = side_towards(laid.frame.of(n)); });
+      c.is_towards = true;
       if (grains.in_space && !is_along_axis(n)) c.wall = -1, c.boundary = "wall";
       c.force_on_j = force_on_i;
       c.normal = n;

@@ -96,6 +96,8 @@ template <int D> void apply_box(const SampleOptions& options, Laid<D>& laid, Raw
     laid.lay_box(corner, corner + by_axis<D>([&](int axis) { return options.box[axis]; }));
     laid.cell.tilt = options.box.size() > axes ? options.box[axes] : 0;
     if (!has_corner) place_box(grains, problems);
+  } else if (laid.has_box) {
+    check_stated_box(grains, problems);
   }
   if (!laid.has_box && std::ranges::count(periodic, true) > 0)
     problems.add("periodic sides need the size of the cell; give --box LX,LY[,tilt], in space LX,LY,LZ");

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <ranges>
 
 #include "io/sample/formats.hpp"
 
@@ -31,6 +33,20 @@ void note_incomparable(const Moment& grains, const Moment& contacts, std::vector
       words_for(grains), words_for(contacts)));
 }
 
+/// Places of snapshots in the order of their moments, whatever that in the file; of equal moments the later one is
+/// last.
+std::vector<std::size_t> in_time(const std::vector<Moment>& moments) {
+  std::vector<std::size_t> order(moments.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto has_step = [](const Moment& m) { return m.step.has_value(); };
+  const auto has_time = [](const Moment& m) { return m.time.has_value(); };
+  if (std::ranges::all_of(moments, has_step))
+    std::ranges::stable_sort(order, {}, [&](std::size_t k) { return *moments[k].step; });
+  else if (std::ranges::all_of(moments, has_time))
+    std::ranges::stable_sort(order, {}, [&](std::size_t k) { return *moments[k].time; });
+  return order;
+}
+
 /// Says which snapshot of several was taken.
 void note_choice(const char* file, const std::vector<Moment>& moments, std::size_t taken,
                  std::vector<std::string>& notes) {
@@ -43,11 +59,12 @@ void note_choice(const char* file, const std::vector<Moment>& moments, std::size
 
 SnapshotPair common_snapshot(const std::vector<Moment>& grains, const std::vector<Moment>& contacts, bool are_contacts,
                              std::vector<std::string>& notes, Problems& problems) {
-  SnapshotPair pair{std::max<std::size_t>(grains.size(), 1) - 1, std::max<std::size_t>(contacts.size(), 1) - 1};
+  const auto of_grains = in_time(grains), of_contacts = in_time(contacts);
+  SnapshotPair pair{of_grains.empty() ? 0 : of_grains.back(), of_contacts.empty() ? 0 : of_contacts.back()};
   if (!grains.empty() && !contacts.empty()) {
     const auto found = [&] {
-      for (std::size_t g = grains.size(); g-- > 0;)
-        for (std::size_t c = contacts.size(); c-- > 0;)
+      for (const std::size_t g : of_grains | std::views::reverse)
+        for (const std::size_t c : of_contacts | std::views::reverse)
           if (agree(grains[g], contacts[c])) return pair = {g, c}, true;
       return false;
     };
@@ -55,7 +72,7 @@ SnapshotPair common_snapshot(const std::vector<Moment>& grains, const std::vecto
       problems.add(
           "the contacts are of {}, the grains of {}, and no snapshot of one file is of the same moment as one of the "
           "other; write both at the same steps",
-          words_for(contacts.back()), words_for(grains.back()));
+          words_for(contacts[pair.contacts]), words_for(grains[pair.grains]));
       return pair;
     }
   }

@@ -44,6 +44,12 @@ SnapshotsOfRows::SnapshotsOfRows(const Table& table, OwnColumns own) {
   if (!step && moments.size() > 1 && !repeats(table, own)) *this = {};  // another time, of birth, say
 }
 
+std::vector<std::size_t> SnapshotsOfRows::sizes() const {
+  std::vector<std::size_t> sizes(moments.size());
+  for (const std::size_t snapshot : of_row) ++sizes[snapshot];
+  return sizes;
+}
+
 void SnapshotsOfRows::keep(std::size_t snapshot, Table& table) const {
   if (moments.size() < 2) return;
   std::vector<Table::Row> kept;

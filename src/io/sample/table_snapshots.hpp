@@ -19,6 +19,8 @@ struct SnapshotsOfRows {
 
   SnapshotsOfRows() = default;
   SnapshotsOfRows(const Table& table, OwnColumns own);
+  /// How many rows those of the snapshots are.
+  std::vector<std::size_t> sizes() const;
   /// Leaves the rows of one snapshot.
   void keep(std::size_t snapshot, Table& table) const;
 };

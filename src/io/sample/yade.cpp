@@ -137,6 +137,7 @@ void add_interactions(const Interactions& from, const RawGrains& grains, const L
     if (j < 0) {
       not_of_walls += !may_be_wall(laid.frame.of(n), laid);
       row.wall = side_towards(laid.frame.of(n));
+      row.is_towards = true;
     } else {
       row.j = grains.rows[static_cast<std::size_t>(j)].id;
       if (const double length = norm(laid.frame.of(branch)); length > 0) row.normal = branch / length;

@@ -113,6 +113,20 @@ void take_decimal_commas(Table& table, char separator, Problems& problems) {
     }
 }
 
+/// The names behind the sign of a comment, where a row of numbers below it has as many cells: the header as
+/// numpy.savetxt writes it. Empty where it holds none.
+std::vector<std::string_view> names_in_comment(std::string_view comment, char separator, std::size_t cells) {
+  comment = trimmed(comment);
+  while (comment.starts_with('#') || comment.starts_with('%')) comment = trimmed(comment.substr(1));
+  if (comment.empty()) return {};
+  for (const char by : {separator, separator_of(comment)}) {
+    auto names = split_cells(comment, by);
+    const auto is_name = [](std::string_view name) { return !name.empty() && !to_number(name); };
+    if (names.size() == cells && std::ranges::all_of(names, is_name)) return names;
+  }
+  return {};
+}
+
 /// The problem of a row that has not a cell for each column.
 std::string ragged(const Table::Row& row, std::size_t columns, char separator) {
   const bool more = separator == ',' && row.cells.size() > columns;
@@ -173,11 +187,25 @@ Table read_table(std::string_view text, const std::string& columns, Problems& pr
   check_header(table, 0, problems);
   Lines lines(text);
   bool first_row = true;
+  std::string_view comment;  // the last one
+  int comment_line = 0;
   for (std::string_view line; lines.next(line);) {
-    if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
+    if (trimmed(line).empty()) continue;
+    if (trimmed(line).front() == '#' || trimmed(line).front() == '%') {
+      comment = line;
+      comment_line = lines.number();
+      continue;
+    }
     if (separator == 0 && (separator = stated_separator(line)) != 0) continue;
     if (separator == 0) separator = separator_of(line);
     Table::Row row{lines.number(), split_cells(line, separator)};
+    if (table.columns.empty() && to_number(row.cells.front())) {
+      for (const std::string_view name : names_in_comment(comment, separator, row.cells.size())) {
+        table.header_line = comment_line;
+        table.columns.push_back(column_of(name));
+      }
+      check_header(table, comment_line, problems);
+    }
     if (table.columns.empty()) {
       table.header_line = row.line;
       for (const std::string_view cell : row.cells) table.columns.push_back(column_of(cell));

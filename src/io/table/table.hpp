@@ -14,9 +14,9 @@
 namespace arenite::io {
 
 /// Text cut into rows of cells. Separator: that of a first line "sep=;" as spreadsheets write it, else comma, semicolon
-/// or tab if the first row has one, else blanks. A cell may stand in double quotes. Lines that start with # and empty
-/// lines are skipped. Decimal commas are read in quotes or where another sign separates the cells. Cells point into the
-/// text, which must outlive the table.
+/// or tab if the first row has one, else blanks. A cell may stand in double quotes. Lines that start with # or % and
+/// empty lines are skipped. Decimal commas are read in quotes or where another sign separates the cells. Cells point
+/// into the text, which must outlive the table.
 struct Table {
   struct Row {
     int line = 0;
@@ -36,8 +36,9 @@ struct Table {
   std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const;
 };
 
-/// Reads a table whose first row is a header; `columns` replaces a missing header ("id,x,y,-,radius"). Ragged rows, an
-/// empty file and a header that is missing or says a column twice go to `problems`.
+/// Reads a table whose first row is a header, or where it is of numbers the comment above it, if that has as many
+/// names; `columns` replaces a missing header ("id,x,y,-,radius"). Ragged rows, an empty file and a header that is
+/// missing or says a column twice go to `problems`.
 Table read_table(std::string_view text, const std::string& columns, Problems& problems);
 
 /// The cells of a row, without blanks and quotes around them.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string_view>
+#include <utility>
 
 #include "core/problems.hpp"
 #include "core/text.hpp"
@@ -58,7 +59,9 @@ std::string as_utf8(std::string bytes) {
 }
 
 std::string read_text(const std::filesystem::path& path) {
-  std::string text = as_utf8(read_file(path));
+  std::string bytes = read_file(path);
+  refuse_compressed(bytes, path.string());
+  std::string text = as_utf8(std::move(bytes));
   if (text.find('\0') == std::string::npos) return text;
   refuse(path.string(),
          "is not a text file; results (.h5) are for `arenite show`, or for `arenite export --to csv`, whose tables can "

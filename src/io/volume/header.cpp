@@ -25,7 +25,8 @@ std::string trimmed(std::string_view text) {
 }
 
 TextHeader read_header(const Bytes& bytes, char separator,
-                       const std::function<bool(std::string_view line, const std::string& key)>& is_last) {
+                       const std::function<bool(std::string_view line, const std::string& key)>& is_last,
+                       std::initializer_list<std::string> elsewhere = {}) {
   const std::string head = bytes->text(0, longest_header);
   TextHeader header{bytes->name(), {}, 0};
   while (header.size < head.size()) {
@@ -41,6 +42,9 @@ TextHeader read_header(const Bytes& bytes, char separator,
     }
     if (is_last(line, key)) return header;
   }
+  const bool is_whole = header.size == bytes->size();
+  for (const std::string& key : elsewhere)
+    if (is_whole && header.has(key)) return header;
   refuse(bytes->name(), "has a header that does not end; copy it again");
 }
 
@@ -68,9 +72,10 @@ std::vector<std::int64_t> TextHeader::whole_numbers(const std::string& key, std:
   return list;
 }
 
-TextHeader header_until_blank(const Bytes& bytes, char separator) {
-  return read_header(bytes, separator,
-                     [](std::string_view line, const std::string&) { return line.empty() || line == "\r"; });
+TextHeader header_until_blank(const Bytes& bytes, char separator, std::initializer_list<std::string> elsewhere) {
+  return read_header(
+      bytes, separator, [](std::string_view line, const std::string&) { return line.empty() || line == "\r"; },
+      elsewhere);
 }
 
 TextHeader header_until_key(const Bytes& bytes, char separator, const std::string& key) {
@@ -98,13 +103,26 @@ void take_side(VolumeFacts& facts, double side, const std::string& unit) {
                                       unit.empty() ? "without a unit" : unit));
 }
 
+void tell_turned(VolumeFacts& facts, const std::array<Vec3, 3>& along, const char* stated) {
+  bool turned = false;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3& step = along[static_cast<std::size_t>(k)];
+    turned = turned || !(step[k] > (1 - 1e-6) * norm(step));
+  }
+  if (turned)
+    facts.remarks.push_back(
+        fmt::format("{} turn or mirror the axes, which is left aside: x, y and z are those of the numbers in the "
+                    "file, x fastest",
+                    stated));
+}
+
 VolumePointer header_and_numbers(const Bytes& data, std::size_t start, bool packed, std::int64_t skip,
                                  const VolumeFacts& facts, VoxelLayout layout) {
   const std::size_t wanted = bytes_of(layout.type) * facts.slice() * static_cast<std::size_t>(facts.depth);
   if (packed) {
     const auto behind = static_cast<std::size_t>(std::max<std::int64_t>(skip, 0));
-    const std::string plain =
-        unpacked(data->text(start, static_cast<std::size_t>(data->size()) - start), wanted + behind, data->name());
+    const std::string plain =  // and one more, which shows that there are others
+        unpacked(data->text(start, static_cast<std::size_t>(data->size()) - start), wanted + behind + 1, data->name());
     layout.start = behind;
     return voxels_in(bytes_in_memory(plain, data->name()), facts, layout);
   }

@@ -1,10 +1,13 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "core/vec.hpp"
 #include "io/disk/byte_source.hpp"
 #include "io/volume/volume.hpp"
 
@@ -23,8 +26,9 @@ struct TextHeader {
   std::vector<std::int64_t> whole_numbers(const std::string& key, std::size_t count) const;
 };
 
-/// Up to an empty line.
-TextHeader header_until_blank(const Bytes& bytes, char separator);
+/// Up to an empty line; or to the end of a file that names another for its numbers (`elsewhere`, keys of which one
+/// does).
+TextHeader header_until_blank(const Bytes& bytes, char separator, std::initializer_list<std::string> elsewhere);
 /// Up to and with the line of this key.
 TextHeader header_until_key(const Bytes& bytes, char separator, const std::string& key);
 
@@ -33,6 +37,10 @@ Bytes opened_beside(const Bytes& bytes, const std::string& name);
 
 /// The side of a voxel in a unit, if it is one of length; otherwise it is left aside, with a remark.
 void take_side(VolumeFacts& facts, double side, const std::string& unit);
+
+/// Says that x, y and z are the file's own axes, where the vectors along them, one after the other, turn or mirror
+/// them.
+void tell_turned(VolumeFacts& facts, const std::array<Vec3, 3>& along, const char* stated);
 
 /// Numbers from `start` on, packed or not, of which `skip` bytes are left out; -1: all but those of the voxels.
 VolumePointer header_and_numbers(const Bytes& data, std::size_t start, bool packed, std::int64_t skip,

@@ -34,11 +34,20 @@ VolumePointer open_meta_image(const Bytes& bytes, const VolumeChoice&) {
   if (!type) refuse(file, "has voxels of type {}; save whole numbers of up to 64 bits", header.word("elementtype"));
   const auto size = header.whole_numbers("dimsize", 3);
   VolumeFacts facts = sized({size[0], size[1], size[2]}, file);
-  if (header.has("elementspacing")) {
-    const auto spacing = header.numbers("elementspacing", 3);
+  // ElementSize, which may be thicker than the way to the next slice, counts where nothing else is stated.
+  const std::string sides = header.has("elementspacing") ? "elementspacing" : "elementsize";
+  if (header.has(sides)) {
+    const auto spacing = header.numbers(sides, 3);
     take_side(facts, side_of({spacing[0], spacing[1], spacing[2]}, file), "mm");
     facts.remarks.push_back("its spacing is taken in mm, as ITK does; give --dx where it is not");
   }
+  for (const char* key : {"transformmatrix", "rotation", "orientation"})
+    if (header.has(key)) {
+      const auto m = header.numbers(key, 9);
+      tell_turned(facts, {Vec3{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}},
+                  "the rows of its TransformMatrix");
+      break;
+    }
   const VoxelLayout layout{.type = *type, .big_endian = says("binarydatabyteordermsb") || says("elementbyteordermsb")};
   const std::string& beside = header.word("elementdatafile");
   if (beside == "LIST" || beside.find('%') != std::string::npos)
@@ -56,10 +65,12 @@ constinit const VolumeFormat volumes::meta_image{
     .name = "meta_image",
     .sentence = "MetaImage (.mhd, .mha)",
     .states = {{"DimSize", "used: x fastest, z slowest"},
-               {"ElementSpacing", "used in mm, and told; refused where voxels are no cubes"},
+               {"ElementSpacing, without it ElementSize", "used in mm, and told; refused where voxels are no cubes"},
                {"ElementDataFile", "read beside the header; a file for each slice is refused"},
                {"CompressedData, byte order, HeaderSize", "used"},
-               {"Offset, TransformMatrix", "left aside"}},
+               {"Offset", "left aside"},
+               {"TransformMatrix (Rotation, Orientation)", "left aside, and told where it turns or mirrors the axes"},
+               {"more numbers than DimSize says", "left aside, and told"}},
     .is =
         [](std::string_view head) {
           return head.starts_with("ObjectType") || head.starts_with("NDims") || head.starts_with("Comment = ");

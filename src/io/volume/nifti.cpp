@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/problems.hpp"
+#include "io/disk/file.hpp"
 #include "io/volume/header.hpp"
 #include "io/volume/volume.hpp"
 
@@ -57,6 +58,7 @@ VolumePointer open_nifti(const Bytes& stored, const VolumeChoice&) {
   const bool packed = is_gzip(stored->text(0, 2));
   const std::string all = packed ? stored->text(0, static_cast<std::size_t>(stored->size())) : std::string{};
   const NiftiHeader header(packed ? unpacked(all, nifti_header_size, file) : stored->text(0, nifti_header_size));
+  if (packed && !header.is_sound()) refuse_compressed(all, file);
   if (!header.is_sound() || !header.magic().starts_with("n+1"))
     refuse(file, "is no NIfTI-1 file with its numbers in it; save it as .nii or .nii.gz");
   const int dimensions = header.get<std::int16_t>(40);
@@ -88,6 +90,7 @@ constinit const VolumeFormat volumes::nifti{
     .states = {{"dim", "used: x fastest, z slowest; further axes of one are left aside, longer ones refused"},
                {"pixdim, xyzt_units", "used; refused where voxels are no cubes, without a unit left aside, and told"},
                {"scl_slope, scl_inter", "used; what is no whole number then is refused"},
+               {"more numbers than dim says", "left aside, and told"},
                {"qform, sform", "left aside"}},
     .is =
         [](std::string_view head) {

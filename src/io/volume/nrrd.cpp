@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -28,24 +27,24 @@ std::optional<NumberType> nrrd_type(const std::string& word) {
   return found == known.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// The length of every axis' step: of "(0.5,0,0) (0,0.5,0) (0,0,0.5)".
-std::vector<double> direction_lengths(std::string directions) {
+/// The step along every axis: "(0.5,0,0) (0,0.5,0) (0,0,0.5)"; empty unless there are three.
+std::vector<Vec3> directions_of(std::string directions) {
   std::replace_if(
       directions.begin(), directions.end(), [](char c) { return c == ',' || c == ')'; }, ' ');
-  std::vector<double> lengths;
+  std::vector<Vec3> steps;
   std::size_t at = 0;
   while ((at = directions.find('(', at)) != std::string::npos) {
     std::istringstream text(directions.substr(++at));
-    double square = 0, value = 0;
-    for (int k = 0; k < 3 && text >> value; ++k) square += value * value;
-    lengths.push_back(std::sqrt(square));
+    Vec3& step = steps.emplace_back();
+    double value = 0;
+    for (int k = 0; k < 3 && text >> value; ++k) step[k] = value;
   }
-  return lengths;
+  return steps.size() == 3 ? steps : std::vector<Vec3>{};
 }
 
 VolumePointer open_nrrd(const Bytes& bytes, const VolumeChoice&) {
   const std::string& file = bytes->name();
-  const TextHeader header = header_until_blank(bytes, ':');
+  const TextHeader header = header_until_blank(bytes, ':', {"data file", "datafile"});
   const auto number = [&](const std::string& key, long long otherwise) {
     return header.has(key) ? header.whole_numbers(key, 1)[0] : otherwise;
   };
@@ -55,8 +54,11 @@ VolumePointer open_nrrd(const Bytes& bytes, const VolumeChoice&) {
   const auto size = header.whole_numbers("sizes", 3);
   VolumeFacts facts = sized({size[0], size[1], size[2]}, file);
   std::vector<double> spacing;
+  const auto along =
+      header.has("space directions") ? directions_of(header.word("space directions")) : std::vector<Vec3>{};
   if (header.has("spacings")) spacing = header.numbers("spacings", 3);
-  else if (header.has("space directions")) spacing = direction_lengths(header.word("space directions"));
+  else
+    for (const Vec3& step : along) spacing.push_back(norm(step));
   if (spacing.size() == 3) {
     const double side = side_of({spacing[0], spacing[1], spacing[2]}, file);
     std::string unit = header.has("space units") ? header.word("space units") : std::string{};
@@ -64,6 +66,7 @@ VolumePointer open_nrrd(const Bytes& bytes, const VolumeChoice&) {
     unit = unit.substr(0, unit.find_first_of("\" "));
     take_side(facts, side, unit);
   }
+  if (along.size() == 3) tell_turned(facts, {along[0], along[1], along[2]}, "its space directions");
   VoxelLayout layout{.type = *type, .big_endian = header.has("endian") && header.word("endian") == "big"};
   const std::string encoding = header.word("encoding");
   const bool packed = encoding == "gzip" || encoding == "gz";
@@ -87,7 +90,9 @@ constinit const VolumeFormat volumes::nrrd{
                {"spacings, space directions",
                 "used with their unit (space units), refused where voxels are no cubes; "
                 "without a unit left aside, and told"},
-               {"data file", "read beside the header"},
+               {"space directions that turn or mirror the axes", "left aside, and told"},
+               {"data file", "read beside the header, which then needs no empty line at its end"},
+               {"more numbers than sizes say", "left aside, and told"},
                {"encoding", "raw and gzip are read, others refused"}},
     .is = [](std::string_view head) { return head.starts_with("NRRD000"); },
     .open = open_nrrd};

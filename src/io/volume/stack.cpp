@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/problems.hpp"
+#include "io/film/file_names.hpp"
 #include "io/film/film.hpp"
 #include "io/image/image.hpp"
 #include "io/volume/volume.hpp"
@@ -46,14 +49,45 @@ class Slices : public VolumeSource {
   FrameBlock block_;
 };
 
+/// Slices of which one is missing are no volume: what lies above it would be too low.
+void refuse_missing(const std::vector<std::filesystem::path>& files, const std::string& name) {
+  const std::vector<std::int64_t> number = numbers_in_names(files);
+  std::int64_t step = 0;
+  for (std::size_t i = 1; i < number.size(); ++i) step = std::gcd(step, number[i] - number[i - 1]);
+  if (step <= 0) return;
+  std::int64_t missing = 0;
+  std::size_t first = 0;
+  for (std::size_t i = number.size(); i-- > 1;)
+    if (const std::int64_t there = (number[i] - number[i - 1]) / step; there > 1) missing += there - 1, first = i;
+  if (missing == 0) return;
+  refuse(name,
+         "lacks {} of its slices by the numbers of its files: the first, number {}, would follow {}; add what is "
+         "missing, or number the files one by one if nothing is",
+         missing, number[first - 1] + step, files[first - 1].filename().string());
+}
+
+/// A picture that can be no slice is refused here: what else would speak of films.
+void refuse_other_picture(const std::filesystem::path& file) {
+  const std::string head = open_bytes(file)->text(0, 8);
+  const PictureFormat* is = first_format(pictures::all, [&](const PictureFormat& known) { return known.is(head); });
+  if (is != nullptr && (is == &pictures::png || is == &pictures::jpeg))
+    refuse(file.string(),
+           "is a {} picture, and slices are read from TIFF; save each as TIFF, with its values unchanged",
+           is->sentence);
+}
+
 VolumePointer open_stack(const Bytes& bytes, const VolumeChoice& choice) {
-  return std::make_unique<Slices>(open_film(bytes, FilmChoice{.dataset = choice.dataset}), bytes->name(), false);
+  return std::make_unique<Slices>(open_film(bytes, FilmChoice{.dataset = choice.dataset, .in_time = false}),
+                                  bytes->name(), false);
 }
 
 }  // namespace
 
 VolumePointer open_slices(const std::filesystem::path& path) {
-  return std::make_unique<Slices>(open_film(path), path.string(), true);
+  const auto files = files_of_series(path);
+  refuse_other_picture(files.front());
+  refuse_missing(files, path.string());
+  return std::make_unique<Slices>(open_film(path, FilmChoice{.in_time = false}), path.string(), true);
 }
 
 constinit const VolumeFormat volumes::stack{
@@ -61,6 +95,7 @@ constinit const VolumeFormat volumes::stack{
     .sentence = "a stack of pictures (TIFF, HDF5, a folder of TIFF slices)",
     .states = {{"pictures",
                 "one upon the other: the first is z = 0, rows of a picture go along x, its columns along y"},
+               {"numbers in the names of slices", "their order; refused where one is missing, which is named"},
                {"spacing", "left aside: give --dx"}},
     .always = false,
     .is = [](std::string_view head) { return is_tiff(head) || is_hdf5(head); },

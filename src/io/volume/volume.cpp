@@ -13,6 +13,7 @@
 #include "core/hash.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
+#include "io/disk/file.hpp"
 #include "io/image/image.hpp"
 #include "io/volume/stack.hpp"
 
@@ -39,6 +40,10 @@ class StoredVoxels : public VolumeSource {
     if (bytes_->size() < wanted)
       refuse(bytes_->name(), "ends after {} bytes; {} x {} x {} voxels take {}: copy it again", bytes_->size(),
              facts_.width, facts_.height, facts_.depth, wanted);
+    if (bytes_->size() > wanted)
+      facts_.remarks.push_back(
+          fmt::format("more numbers follow than {} x {} x {} voxels have, and are left aside; check these sizes",
+                      facts_.width, facts_.height, facts_.depth));
   }
   const VolumeFacts& facts() const override { return facts_; }
 
@@ -173,6 +178,7 @@ VolumePointer open_volume(const std::filesystem::path& path, const VolumeChoice&
 
 VolumePointer open_volume(const Bytes& bytes, const VolumeChoice& choice) {
   const VolumeFormat* format = volume_format_of(bytes);
+  if (!format) refuse_compressed(bytes->text(0, volume_head), bytes->name());
   if (!format)
     refuse(bytes->name(),
            "is no volume of a known format ({}); numbers without a header need one, such as a MetaImage (.mhd) that "

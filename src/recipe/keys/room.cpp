@@ -73,7 +73,6 @@ void declare_packing(Visitor& v, Recipe& recipe) {
            declare_fill_area(inner, packing.area, recipe.dimension == 3);
          });
   v.when(packing.method == Method::random, "method = \"random\"", [&](Visitor& inner) {
-    packing.solid_fraction = packing.fraction_in(recipe.dimension);
     inner.number({"solid_fraction",
                   "Target solid fraction (area of grains over area of the box, in space volume over volume) of the "
                   "random filling; loading compacts it. In space 0.5 unless given."},

@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "grains/dem/membranes/membranes.hpp"
+#include "grains/fields/regime/prediction.hpp"
 #include "grains/fields/regime/until.hpp"
 #include "model/packing.hpp"
 #include "recipe/keys/boundaries.hpp"
@@ -58,6 +59,13 @@ void declare_until(Visitor& v, Stage& stage, const Recipe& recipe) {
          stage.until);
   const std::string problem = problem_of_until(stage, recipe);
   v.require(problem.empty(), {"until"}, problem);
+}
+
+/// A time step that is given tells how many steps there are before anything is made.
+void require_countable_steps(Visitor& v, const Stage& stage, const Recipe& recipe) {
+  if (!recipe.integration.time_step) return;
+  const std::string wrong = fields::too_many_steps(stage, *recipe.integration.time_step);
+  v.require(wrong.empty(), {"duration", "strain_cycles"}, wrong + ", or raise integration.time_step");
 }
 
 }  // namespace
@@ -116,7 +124,7 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   v.integer({"increments", "Equal steps in which forces are applied, each ending in equilibrium."}, stage.increments,
             {1, 1'000'000});
   v.number({"duration", "Time after which the stage ends, whether in equilibrium or not; needed where a side moves."},
-           stage.duration, "s", range::positive);
+           stage.duration, "s", range::above(0, 1e9));
   v.integer({"snapshots", "States stored during a stage with a duration; other stages store one per increment.", false,
              "frames"},
             stage.snapshots, {1, 1'000'000});
@@ -163,6 +171,7 @@ void declare(Visitor& v, Stage& stage, const Recipe& recipe) {
   declare_exchange(v, stage, recipe);
   v.section({"equilibrium", "Criteria that end an increment.", false, "rest"},
             [&](Visitor& inner) { stage.equilibrium.declare(inner); });
+  require_countable_steps(v, stage, recipe);
   require_usable_sides(v, stage, recipe.container);
   require_membranes(v, stage, recipe);
 }

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
 #include "report/figures/failure.hpp"
+#include "statistics/q_gaussian.hpp"
 
 namespace arenite::report::figures {
 namespace {
@@ -47,25 +47,12 @@ Pairs tail_of(const Numbers& set) {
       low, high, [&](double x) { return at_0 * std::exp(-s * x); }, 1);
 }
 
-/// The fitted (1 + (q - 1) beta (x - centre)^2)^(-1/(q - 1)), whose integral over the line is 1.
 Pairs q_gaussian_of(const Numbers& set, double low, double high) {
   const double q = estimate_at(set, "/q_gaussian/q").value, beta = estimate_at(set, "/q_gaussian/beta").value,
                centre = estimate_at(set, "/q_gaussian/centre").value;
   if (!std::isfinite(q) || !std::isfinite(beta) || !std::isfinite(centre)) return {};
-  const auto shape = [&](double x) {
-    const double square = beta * (x - centre) * (x - centre);
-    return std::abs(q - 1) < 1e-6 ? std::exp(-square) : std::pow(std::max(0.0, 1 + (q - 1) * square), -1 / (q - 1));
-  };
-  // x = centre + tan(t)/sqrt(beta) brings the whole line into (-pi/2, pi/2).
-  constexpr int n = 4000;
-  double area = 0;
-  for (int k = 0; k < n; ++k) {
-    const double t = ((k + 0.5) / n - 0.5) * std::numbers::pi, c = std::cos(t);
-    area += shape(centre + std::tan(t) / std::sqrt(beta)) / (c * c);
-  }
-  area *= std::numbers::pi / n / std::sqrt(beta);
   return sampled(
-      low, high, [&](double x) { return shape(x) / area; }, 120);
+      low, high, [&](double x) { return statistics::q_gaussian_density(x, centre, beta, q); }, 120);
 }
 
 Panel density_panel(const std::vector<NodeSet>& sets, const std::string& label, bool logarithmic, bool own) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -168,6 +169,11 @@ Drawings against_simulation(const FilmData& data) {
 }
 
 }  // namespace
+
+std::string name_of_source(std::string_view source) {
+  const auto* const at = std::ranges::find(sources, source, &Source::key);
+  return at == std::end(sources) ? std::string(source) : at->name;
+}
 
 const std::vector<Row<FilmData>>& film_figures() {
   static const std::vector<Row<FilmData>> list{

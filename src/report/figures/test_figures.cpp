@@ -177,10 +177,11 @@ Panel one_against_another(const StageData& data, const std::string& x, const std
       data.states);
 }
 
-Panel one_against_another(const SphereResult& stage, const std::string& x, const std::string& y) {
+std::optional<Panel> one_against_another(const SphereResult& stage, const std::string& x, const std::string& y) {
   auto curves = fields::curves_in_space(stage, stage.asked.closes);
-  const bool of_test = x == "test" && y == "test", sheared = curves && curves->has("mu"),
-             confined = curves && !sheared && fields::is_confined(*curves);
+  const bool of_test = x == "test" && y == "test";
+  if (of_test && !curves) return {};
+  const bool sheared = curves && curves->has("mu"), confined = curves && !sheared && fields::is_confined(*curves);
   const Columns known = with_history(curves ? std::move(*curves) : Columns{}, stage.history);
   const char* const ratio = sheared ? "mu" : confined ? "q_over_p" : "axial_stress";
   return of_two(stage, known, {of_test ? (sheared ? "shear_strain" : "axial_strain") : x, of_test ? ratio : y},

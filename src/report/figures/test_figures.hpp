@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,9 @@ void add_curve(Panel& panel, const std::vector<double>& x, std::vector<double> y
                const std::string& colour);
 
 /// One curve of a test, or column of its history, against another, with the place of each state; "test" twice: the
-/// ratio of stresses against the strain. Throws InputError for a name that the stage has not.
+/// ratio of stresses against the strain, which spheres that are no test have not. Throws InputError for a name that the
+/// stage has not.
 Panel one_against_another(const StageData& data, const std::string& x, const std::string& y);
-Panel one_against_another(const SphereResult& stage, const std::string& x, const std::string& y);
+std::optional<Panel> one_against_another(const SphereResult& stage, const std::string& x, const std::string& y);
 
 }  // namespace arenite::report::figures

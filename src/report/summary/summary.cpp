@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -74,7 +75,8 @@ std::string lines_of(const std::vector<std::string>& doubts) {
 std::string headlines(const Numbers& numbers) {
   return rows_of(
       numbers,
-      "critical_state peak uniaxial oedometer cycles discharge surface floor cohesion boundary_loads contacts "
+      "test_of_stage critical_state peak uniaxial oedometer cycles discharge surface floor cohesion boundary_loads "
+      "contacts "
       "wall_contacts " +
           std::string(numbers.contains("surface") ? "" : "solid_fraction ") +
           "coordination.all coordination.without_rattlers "
@@ -99,6 +101,11 @@ void add_notes(const Numbers& node, std::string& lines) {
             lines.find(line) == std::string::npos)
           lines += line;
   }
+}
+
+/// Whose numbers follow, where a result has several stages.
+std::string heading(const ResultHead& last, std::size_t stages) {
+  return fmt::format("\nNumbers{}, each +- its standard error\n", stages > 1 ? " of " + last.name : "");
 }
 
 /// All that a result notes, wherever it stands among its numbers, each once: what rows are chosen from says it, too.
@@ -163,12 +170,18 @@ Numbers Summary::numbers() const {
   Numbers j = fields_.empty() ? texture : fields_.back().numbers;
   if (!fields_.empty() && !stages_.empty()) j["texture"] = texture;
   j["provenance"] = provenance(last().provenance);
+  // Numbers of a test stand together: those of the last stage that is one.
+  const auto test =
+      std::ranges::find_if(stages_.rbegin(), stages_.rend(), [](const Stage& s) { return !s.test.empty(); });
+  if (test != stages_.rend()) {
+    j.update(test->test);
+    if (test != stages_.rbegin()) j["test_of_stage"] = test->head.name;
+  }
   for (const Stage& stage : stages_) {
     Numbers one = entry(stage.head, stage.file);
     one["states"] = described(stage.states, "", "Stored states");
     if (stage.states > 0) one["last_state"] = stage.last_state;
     one.update(stage.test);
-    j.update(stage.test);
     j["stages"].push_back(one);
   }
   for (const Field& field : fields_) {
@@ -198,8 +211,8 @@ std::string Summary::text() const {
   const bool has_state = fields_.empty() && stages_.back().states > 0;
   if (fields_.empty() && !has_state) return how_stages_ended();
   const Numbers told = numbers();
-  return how_stages_ended() + (has_state ? stages_.back().state_text : "") + "\nNumbers, each +- its standard error\n" +
-         headlines(told) + note_lines(told) +
+  return how_stages_ended() + (has_state ? stages_.back().state_text : "") +
+         heading(last(), stages_.size() + fields_.size()) + headlines(told) + note_lines(told) +
          "\n`arenite show RESULT --all` prints every number, `--json` the same for programs.\n";
 }
 
@@ -207,7 +220,7 @@ std::string Summary::all() const {
   if (!films_.empty()) return made_by(films_.back().provenance) + film_text(films_.back());
   std::string text = how_stages_ended();
   if (fields_.empty() && stages_.back().states > 0) text += "\nLast state\n" + to_text(stages_.back().last_state);
-  return text + "\nNumbers, each +- its standard error\n" + to_text(numbers(), {"provenance"});
+  return text + heading(last(), stages_.size() + fields_.size()) + to_text(numbers(), {"provenance"});
 }
 
 std::string field_summary(const ResultHead& result, const Numbers& numbers) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/error.hpp"
@@ -169,6 +170,11 @@ double saturation_of(const VoxelMap& map) {
   for (const Phase phase : map.phase) matrix += phase == Phase::matrix, grains += phase == Phase::particle;
   const double rest = static_cast<double>(map.size()) - grains;
   return rest > 0 ? matrix / rest : 0;
+}
+
+std::string doubt_about_cement(const cement::CementParameters& parameters, const VoxelMap& map) {
+  if (parameters.kind == cement::CementParameters::Kind::none || saturation_of(map) > 0) return {};
+  return "the cement is thinner than a voxel everywhere, so that no voxel has any; take more voxels, or wider cement";
 }
 
 VoxelMap cemented_voxels(const SpherePack& pack, cement::CementParameters parameters, int voxels, double& parameter) {

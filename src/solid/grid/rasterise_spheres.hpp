@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "model/sphere_pack.hpp"
@@ -24,6 +25,9 @@ bool is_whole_in_voxels(const SpherePack& pack, int voxels);
 /// reach into it. Throws InputError for a pack that repeats itself, whose box is its period, and where no sphere
 /// reaches in.
 void cut_out(SpherePack& pack, const std::vector<double>& box);
+
+/// What is wrong where no voxel has the cement that was asked for; empty where some have.
+std::string doubt_about_cement(const cement::CementParameters& parameters, const VoxelMap& map);
 
 /// S_m: matrix over what is not grain; 0 where all is grain.
 double saturation_of(const VoxelMap& map);

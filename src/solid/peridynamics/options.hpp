@@ -24,9 +24,12 @@ struct Stiffness {
   bool calibrated = true;
 };
 
-/// Fracture toughness of the bond types, Pa m^0.5 (P Table I: K_p = 3.5 K_m, K_i = K_m; K_m sets the load scale).
+/// K_p over K_m (P Table I), which is taken for strengths, too.
+inline constexpr double particle_over_matrix = 3.5;
+
+/// Fracture toughness of the bond types, Pa m^0.5 (P Table I: K_i = K_m; K_m sets the load scale).
 struct Toughness {
-  double matrix = 1, interface = 1, particle = 3.5;
+  double matrix = 1, interface = 1, particle = particle_over_matrix;
 };
 
 /// Tensile strength of the bond types, Pa: a bond breaks at the lower of the stretches that its toughness and its

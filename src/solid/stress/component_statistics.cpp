@@ -85,7 +85,7 @@ Numbers component_statistics(const Selection& selection, const std::string& name
   BlockedSample all = gather(selection, stress, named_sets[0]);
   if (std::ranges::all_of(all.x, [](double sigma) { return sigma == 0; })) {
     notes.push_back(
-        fmt::format("{} is zero in every node, so there is nothing to normalise by; load the sample", name));
+        fmt::format("{} is zero in every node, so there is nothing to normalise by: no node carries load", name));
     return {};
   }
   Numbers j = Numbers::tree();

@@ -223,9 +223,44 @@ TEST(Sweep, AnInvalidRunIsNamedWithItsValuesAndEachProblemIsToldOnce) {
                    "r.toml:30:22: container.widht: unknown key; did you mean width?"}));
 }
 
+TEST(Sweep, RunsThatAreOneAreRefusedWithBothNamed) {
+  EXPECT_EQ(problems("[sweep.grid]\n\"contact.friction\" = [0.3, 0.3]\n\"cement.width\" = [0.1, 0.2]\n"),
+            (Lines{"r.toml:29:28: sweep: two runs are the same, both with contact.friction = 0.3, cement.width = 0.1; "
+                   "leave out one, or give runs other seeds by sweep.replicates"}));
+  EXPECT_EQ(problems("[sweep.grid]\n\"container.width\" = [\"100 mm\", \"0.1 m\"]\n").size(), 1u);
+  const auto by_name = problems("[sweep.grid]\n\"container.width\" = [\"100 mm\", \"0.1 m\"]\n").at(0);
+  EXPECT_NE(by_name.find("that with container.width = \"100 mm\" and that with container.width = \"0.1 m\""),
+            by_name.npos)
+      << by_name;
+  EXPECT_EQ(problems("[[sweep.list]]\n\"cement.width\" = 0.2\n[[sweep.list]]\n\"cement.width\" = 0.2\n").size(), 1u);
+  EXPECT_TRUE(problems("[sweep]\nreplicates = 2\n[sweep.grid]\n\"cement.width\" = [0.1, 0.2]\n").empty());
+}
+
+TEST(Sweep, KeysThatReachOnePlaceAreRefused) {
+  const std::string name_and_number =
+      "[sweep.grid]\n\"stages.prepare.friction\" = [0.1]\n\"stages.0.friction\" = [0.2, 0.3]\n";
+  EXPECT_EQ(
+      problems(name_and_number),
+      (Lines{"r.toml:28:1: sweep: stages.prepare.friction and stages.0.friction set the same place of the recipe; "
+             "keep one of them"}));
+  for (const char* keys : {"\"contact.friction\" = [0.1, 0.2]\ncontact = [{ friction = 0.3 }]\n",
+                           "contact = [{ friction = 0.3 }]\n\"contact.friction\" = [0.1, 0.2]\n"}) {
+    const auto found = problems(std::string("[sweep.grid]\n") + keys);
+    ASSERT_EQ(found.size(), 1u) << keys;
+    EXPECT_NE(found[0].find("set the same place"), std::string::npos) << found[0];
+  }
+  const auto drives =
+      problems("[sweep.grid]\n\"stages.0.top.force\" = [\"1 kN\"]\n\"stages.0.top.pressure\" = [\"1 kPa\"]\n");
+  ASSERT_EQ(drives.size(), 1u);
+  EXPECT_NE(drives[0].find("stages.0.top: is given as force and pressure"), std::string::npos) << drives[0];
+  EXPECT_TRUE(problems("[sweep.grid]\ncement = [{ kind = \"bridges\" }]\n\"cement.width\" = [0.1, 0.2]\n").empty())
+      << "a key of a table that leaves it open";
+}
+
 TEST(Sweep, RunsAreReadBackFromTheirTableUntilAnInputChanges) {
   const test::TemporaryFolder folder;
-  const std::string sweep = "[sweep.grid]\ntitle = [\"a\\tb\", \"c = \\\"d\\\"\"]\n\"cement.width\" = [0.1, 0.2]\n";
+  const std::string sweep =
+      "[sweep.grid]\ntitle = [\"a\\tb, c = \\\"d\\\"\"]\n\"cement.width\" = [0.1, 0.2, 0.3, 0.4]\n";
   const Study study = study_of(folder, sweep);
   const Study made = read_study(study.file, {}, folder.path());
   Study read;

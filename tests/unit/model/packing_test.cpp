@@ -12,7 +12,7 @@ TEST(Packing, MeanForceIsOfPushingContactsBetweenGrains) {
   contacts.add(0, 1, {1, 0}, -100, 0, 1, 1);
   contacts.add(0, wall_partner(top), {0, -1}, 50, 0, 1, 0);
   EXPECT_EQ(mean_compressive_force(contacts), 3);
-  EXPECT_EQ(mean_compressive_force({}), 0);
+  EXPECT_EQ(mean_compressive_force(Contacts{}), 0);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "model/packing.hpp"
+#include "unit/recipe/glass_grains.hpp"
 #include "unit/recipe/parsed.hpp"
 #include "unit/recipe/smallest_recipe.hpp"
 
@@ -144,6 +145,17 @@ TEST(Recipe, OrderOfMaterialsInTheTextDoesNotMatter) {
 }
 
 // Bad input: each with its exact place.
+
+TEST(Recipe, VoxelsOfSpheresAreAsManyAsGivenEvenWhereDisksWouldHaveAsManyAnyway) {
+  const std::string spheres = "dimension = 3\n[container]\nwidth = \"20 mm\"\ndepth = \"20 mm\"\n" +
+                              std::string(testing::glass_grains) +
+                              "[[stages]]\nname = \"rest\"\n[[loads]]\nname = \"pull\"\n[grid]\n";
+  EXPECT_EQ(parsed(spheres).packing.solid_fraction, 0.5) << "without a section [packing]";
+  EXPECT_EQ(parsed(spheres).grid->voxels, 128);
+  const Recipe fine = parsed(spheres + "nodes = 1024\n");
+  EXPECT_EQ(fine.grid->voxels, 1024);
+  EXPECT_EQ(parsed(to_toml(fine)).grid->voxels, 1024);
+}
 
 TEST(RecipeOverride, ChangesKeysOfTheTopOfSectionsAndOfLists) {
   const Recipe recipe =

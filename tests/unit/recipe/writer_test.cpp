@@ -72,6 +72,7 @@ cement::CementParameters any_cement() {
 
 GridSection any_grid() {
   return {*rc::gen::inRange(7, 4000),
+          GridSection{}.voxels,
           maybe(any_number(0.02)),
           {*rc::gen::arbitrary<bool>(), *rc::gen::inRange(1, 9), *rc::gen::arbitrary<bool>()}};
 }

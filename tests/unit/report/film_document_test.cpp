@@ -42,14 +42,30 @@ TEST(FilmDocument, HoldsEveryMapThatTheResultHas) {
 TEST(FilmDocument, SaysHowFilmAndForcesCompare) {
   const FilmResult& result = film_sample().film;
   const Json film = document_of(result);
-  const double measured = film["fit"]["measured_rms"], fitted = film["fit"]["fitted_rms"],
-               residual = film["fit"]["residual_rms"];
+  const Json& pictures = film["fit"]["pictures"];
+  ASSERT_EQ(pictures.size(), 3u);
+  EXPECT_EQ(film["fit"]["title"], "Warming with the load");
+  EXPECT_EQ(pictures[0]["label"], "Measured");
+  EXPECT_EQ(pictures[0]["factor"], to_peak_to_peak(result.maps.convention));
+  for (const int k : {1, 2}) EXPECT_EQ(pictures[k]["label"], film["maps"][pictures[k]["map"]]["label"]);
+  const double measured = pictures[0]["rms"], fitted = pictures[1]["rms"], residual = pictures[2]["rms"];
   EXPECT_GT(measured, 0);
   EXPECT_GT(fitted, 0);
   EXPECT_LT(residual, measured);
   EXPECT_EQ(film["maps"]["fit_residual"]["residual"]["n"], result.film.pixels());
   EXPECT_EQ(film["contacts"]["may_be_absent"]["n"], result.packing.contacts.size());
   EXPECT_DOUBLE_EQ(film["force_scale"]["mean"], result.numbers["forces"]["mean_N"]["value"].get<double>());
+}
+
+TEST(FilmDocument, SaysWhatItsSourcesOfStressesAreCalledAndWhatStandsBesideTheirTables) {
+  FilmResult film = film_sample().film;
+  const Json beside = document_of(film);
+  EXPECT_EQ(beside["stresses"]["film"]["name"], "film");
+  EXPECT_EQ(beside["stresses"]["simulation_peak_to_peak"]["name"], "simulation, peak to peak");
+  EXPECT_EQ(beside["stresses"]["simulation_state"]["name"], "simulation, largest load");
+  EXPECT_EQ(beside["comparison"]["title"], "Experiment and simulation");
+  film.simulation = {};
+  EXPECT_EQ(document_of(film)["comparison"]["title"], "Stress of grains");
 }
 
 TEST(FilmDocument, ListsPixelsWithoutAValue) {
@@ -85,6 +101,7 @@ TEST(FilmDocument, OfMapsAloneHasNeitherGrainsNorStresses) {
   EXPECT_EQ(film["grains"]["count"], 0);
   EXPECT_EQ(film["contacts"]["count"], 0);
   EXPECT_TRUE(film["stresses"].empty());
+  EXPECT_TRUE(film["fit"].empty());
   EXPECT_FALSE(film["numbers"].contains("agreement"));
   EXPECT_TRUE(film["container"].is_null());
 }

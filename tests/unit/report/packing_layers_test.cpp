@@ -27,6 +27,21 @@ TEST(PackingLayers, APageHasFieldsOfItsStatesAndMotionWhereGrainsMove) {
   EXPECT_TRUE(document["snapshots"][1]["fields"].contains("kinetic"));
 }
 
+TEST(PackingLayers, StatesTellHowFarGrainsWentAndTurnedSinceTheFirstOfTheirStage) {
+  test::PageSample sample(60);
+  sample.stage.snapshots.back().packing.grains.angle.assign(60, 0.5);
+  const auto snapshots_of = [&] { return Json::parse(report::page_document(sample.data).json)["snapshots"]; };
+  const Json all = snapshots_of();
+  EXPECT_FALSE(all[0].contains("displacement"));
+  EXPECT_EQ(all[1]["displacement"]["n"], 60);
+  EXPECT_EQ(all[1]["displacement"]["unit"], "m");
+  EXPECT_FALSE(all[1].contains("rotation"));
+  EXPECT_EQ(all[4]["rotation"]["n"], 60);
+  EXPECT_EQ(all[4]["rotation"]["unit"], "rad");
+  sample.stage.snapshots.erase(sample.stage.snapshots.begin(), sample.stage.snapshots.end() - 1);
+  EXPECT_FALSE(snapshots_of()[0].contains("rotation")) << "nothing is before the only state";
+}
+
 /// Too many to measure all states; those added are beside the container, each alone, and take no time in its fields.
 Grains with_many_more(Grains grains) {
   const std::size_t few = grains.size();

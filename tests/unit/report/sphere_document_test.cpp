@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <string>
 #include <vector>
 
+#include "grains/texture/grain_quantities.hpp"
 #include "report/figures/drawing.hpp"
 
 namespace arenite::report {
@@ -48,6 +50,38 @@ TEST(SphereDocument, HasAllStatesOfASmallSampleAndWhatTheyShareOnce) {
   SphereResult growing = stage_of(2, 2);
   growing.snapshots[0].packing.grains.radius[1] = 0.4;
   EXPECT_TRUE(document_of({growing})[0].at("states")[0].contains("radius"));
+}
+
+TEST(SphereDocument, TheLastStateSaysWhatItsQuantitiesAreCalledAndTheirMeans) {
+  constexpr double force = 6, radius = 0.5;
+  SphereResult stage = stage_of(2, 3);
+  stage.texture = Numbers{{"force", Numbers{{"mean_N", force}}}};
+  PackingIn<3>& last = stage.snapshots.back().packing;
+  last.contacts.add(0, 1, {-1, 0, 0}, force, {}, radius, radius);
+  last.contacts.add(2, wall_partner(right), {-1, 0, 0}, force, {}, radius, 0);
+  last.grains.velocity[1] = {0, 3, 4};
+  const Numbers states = document_of({stage})[0].at("states");
+  EXPECT_FALSE(states[0].contains("quantities"));
+  const Numbers& quantities = states[1].at("quantities");
+  ASSERT_EQ(quantities.size(), 3u);
+  for (const char* name : {"pressure", "coordination", "speed"}) {
+    EXPECT_EQ(states[1].at(name).at("n").get<int>(), 3) << name;
+    const texture::GrainQuantity& quantity = texture::grain_quantity(name);
+    EXPECT_EQ(quantities.at(name).at("label").get<std::string>(), quantity.label);
+    EXPECT_EQ(quantities.at(name).at("symbol").get<std::string>(), quantity.symbol);
+    EXPECT_EQ(quantities.at(name).at("unit").get<std::string>(), quantity.unit);
+    EXPECT_EQ(quantities.at(name).contains("magnitude"), quantity.is_magnitude) << name;
+  }
+  const double volume = 4.0 / 3 * std::numbers::pi * radius * radius * radius;
+  EXPECT_NEAR(quantities.at("pressure").at("mean").get<double>(), force * radius / (3 * volume), 1e-12);
+  EXPECT_NEAR(quantities.at("coordination").at("mean").get<double>(), 1, 1e-12);
+  EXPECT_NEAR(quantities.at("speed").at("mean").get<double>(), 5.0 / 3, 1e-12);
+}
+
+TEST(SphereDocument, OfSpheresThatNothingPressesOnlyTheSpeedIsThere) {
+  const Numbers states = document_of({stage_of(1, 2)})[0].at("states");
+  EXPECT_EQ(states[0].at("quantities").size(), 1u);
+  EXPECT_TRUE(states[0].at("quantities").contains("speed"));
 }
 
 /// 400 000 spheres are what a page carries, whatever the states and stages that they are of.

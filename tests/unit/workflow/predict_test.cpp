@@ -54,6 +54,21 @@ TEST(Prediction, WarnsOfSoftGrainsFastSidesAndTinySteps) {
   EXPECT_GT(p.stages[0].steps, 0);
 }
 
+TEST(Prediction, RefusesStagesOfMoreStepsThanCanBeCounted) {
+  auto recipe = elastic("[[stages]]\nname = \"wait\"\ntop = { pressure = \"1 Pa\" }\nduration = \"1e8 s\"\n");
+  recipe.integration.time_step = 1e-9;
+  try {
+    workflow::predict(recipe);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("stage \"wait\": 1e+08 s are 1e+17 steps of 1e-09 s"), std::string::npos)
+        << error.what();
+  }
+  recipe.stages[0].duration.reset();  // an estimate is no more than can be counted
+  recipe.integration.time_step = 1e-30;
+  EXPECT_GT(workflow::predict(recipe).stages[0].steps, 0);
+}
+
 TEST(Prediction, KnowsStrainHeightStatesAndFilesFromWhatIsAsked) {
   const auto p = workflow::predict(
       elastic("[[stages]]\nname = \"press\"\nright = { pressure = \"20 kPa\" }\ntop = { velocity = \"10 mm/s\" }\n"

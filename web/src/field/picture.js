@@ -4,6 +4,7 @@ import { bytes } from "../theme.js";
 import { crackTypes } from "./cracks.js";
 import { legend, legendHeight } from "./legend.js";
 import { paint } from "./paint.js";
+import { isField } from "./scale_controls.js";
 
 /** Saves what a FieldView shows: as SVG with the nodes as an embedded picture, or painted at twice the screen's size.
  */
@@ -12,13 +13,11 @@ export class Picture {
     Object.assign(this, { view, title });
   }
 
+  /** With the name of what is painted as other files have it, "sigma_yy". */
   get name() {
-    const { result, state } = this.view;
-    return fileName(
-      this.title,
-      result.name,
-      state.get("show") === "field" ? `sigma-${state.get("component")}` : state.get("show"),
-    );
+    const { result, state } = this.view,
+      show = state.get("show");
+    return fileName(this.title, result.name, isField(show) ? result.quantity(state.get("component")).name : show);
   }
 
   saveSvg() {

@@ -9,19 +9,14 @@ const shades = 512,
   line = 15,
   key = 76;
 
-/** What the film shows, what the forces make of it, and the difference, in the pixels that have both, peak to peak;
-    with their root mean squares. */
+/** What the film shows, what the forces make of it, and the difference, as the program says, in the pixels that have
+    both: [[label, values, root mean square]]. */
 function pictures(film) {
-  const { fit, maps } = film.about,
-    residual = film.values("fit_residual");
-  const measured = film
-    .values("in_phase")
-    .map((v, k) => (Number.isFinite(residual[k]) ? fit.to_peak_to_peak * v : NaN));
-  return [
-    ["measured", measured, fit.measured_rms],
-    [maps.fitted.label.toLowerCase(), film.values("fitted"), fit.fitted_rms],
-    [maps.fit_residual.label.toLowerCase(), residual, fit.residual_rms],
-  ];
+  const known = film.values("fit_residual");
+  return film.about.fit.pictures.map(({ label: words, map, factor, rms }) => {
+    const values = film.values(map).map((v, k) => (Number.isFinite(known[k]) ? factor * v : NaN));
+    return [words.toLowerCase(), values, rms];
+  });
 }
 
 function painted(film, values, scale, palette, none) {
@@ -94,7 +89,7 @@ export const fitMaps = {
         "g",
         { transform: `translate(0 ${head + high + 10})` },
         colourBar({
-          title: "Warming with the load",
+          title: film.about.fit.title,
           unit: film.about.film.unit,
           scale,
           palette: theme.diverging,

@@ -1,19 +1,10 @@
 import { stressColour } from "../film/overlay.js";
 import { stressKey } from "../film/legend.js";
 import { richSvg, s } from "../dom.js";
+import { capital } from "../text.js";
 
-const sources = [
-  ["film", "Film"],
-  ["simulation_peak_to_peak", "Simulation, peak to peak"],
-  ["simulation_state", "Simulation, largest load"],
-];
-/** "peak to peak", "largest load". */
-export const sourceName = (source) =>
-  sources
-    .find(([name]) => name === source)[1]
-    .replace("Simulation, ", "")
-    .toLowerCase();
-export const known = (film) => sources.filter(([name]) => film.stresses[name]);
+/** The sources of stresses that a film has, and what the program calls them: [[source, "Film"]]. */
+export const known = (film) => Object.entries(film.stresses).map(([source, { name }]) => [source, capital(name)]);
 
 /** Rectangle around all grains, in pixels of the film. */
 function extent({ grains: { x, y, radius } }) {

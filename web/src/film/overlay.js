@@ -1,8 +1,7 @@
 import { s } from "../dom.js";
+import { widthOfForce } from "../drawn_sizes.js";
 import { materialLine } from "../theme.js";
 
-const widthPerForce = 0.16,
-  widest = 1.1; // of the mean radius, at the mean force
 const bright = 0.4; // pixels of the film, around bars
 
 /** Top of the scale of sigma_norm: all but a few grains lie below, in the film and in the simulation alike. */
@@ -20,8 +19,7 @@ export function stressColour(film, theme, value) {
 }
 
 /** Width of a contact's bar in pixels of the film. */
-export const barWidth = (film, fn) =>
-  film.meanRadius * Math.min(widest, (widthPerForce * Math.abs(fn)) / (film.meanForce || 1));
+export const barWidth = (film, fn) => widthOfForce(fn, film.meanForce, film.meanRadius);
 
 /** What lies over the map, in the film's own pixels (column, row): container, grains, forces, motion. Lines that are no
     measure keep their width on the screen. */

@@ -1,6 +1,7 @@
 import { h } from "../dom.js";
 import { textureCard } from "../packing/texture.js";
 import { choicesOf, resultSection } from "../result_section.js";
+import { capital } from "../text.js";
 import { comparisonNumbers } from "./numbers.js";
 import { available } from "./maps.js";
 import { filmPanel } from "./panel.js";
@@ -45,6 +46,6 @@ function missing(film) {
     film.stresses.film && !film.hasSimulation && "No simulation of the same grains accompanies this film.",
   ].filter(Boolean);
   for (const doubt of film.declared.at("checks.doubts") ?? [])
-    sentences.push(`${doubt[0].toUpperCase()}${doubt.slice(1)}.`);
+    sentences.push(`${capital(doubt)}.`);
   return sentences.length ? h("p", { class: "caption missing" }, sentences.join(" ")) : null;
 }

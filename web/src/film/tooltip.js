@@ -1,5 +1,5 @@
 import { materialColour } from "../theme.js";
-import { prefixOf, text } from "../text.js";
+import { capital, prefixOf, text } from "../text.js";
 
 /** A value and its standard error in the unit that suits the larger one: "3.60 ± 0.17 kN". */
 export function quantityWithError(value, error, unit) {
@@ -27,7 +27,7 @@ export function pixelNumbers(film, pixel, grain, theme) {
     });
   if (film.bad.includes(pixel)) rows.push(["replaced", "bad pixel"]);
   const place = `column ${column}, row ${row}`;
-  if (grain === null) return { title: place[0].toUpperCase() + place.slice(1), colour: theme.weak, rows };
+  if (grain === null) return { title: capital(place), colour: theme.weak, rows };
   return {
     title: `Grain ${film.grains.id[grain]}${nameOf(film, grain)}`,
     colour: materialColour(theme, film.grains.material[grain]),

@@ -1,12 +1,8 @@
+import { widthOfForce } from "../drawn_sizes.js";
 import { bytes } from "../theme.js";
 
-const widthPerForce = 0.16; // of the mean radius, at F = <F>
-const widest = 1.1; // of the mean radius
-
-/** Width of the chain of a contact force, m: proportional to |F_n| up to a cap. */
-export function chainWidth(sample, snapshot, fn) {
-  return sample.meanRadius * Math.min(widest, (widthPerForce * Math.abs(fn)) / (snapshot.meanForce || 1));
-}
+/** Width of the chain of a contact force, m. */
+export const chainWidth = (sample, snapshot, fn) => widthOfForce(fn, snapshot.meanForce, sample.meanRadius);
 
 export function isShown(state, sample, snapshot, c) {
   const { fn, type } = snapshot.contacts;

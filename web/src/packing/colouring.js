@@ -13,9 +13,9 @@ const bothWays =
   (name, least = 0) =>
   (sample) => [-Math.max(topOf(name, sample), least), Math.max(topOf(name, sample), least)];
 
-/** How grains may be coloured. By a quantity: `range(sample)` = [low, high] and `map`, which the reader may change;
-    `title` where it is not the quantity's label. By names: `colour(sample, theme)` = function from a grain to a colour,
-    and `key(sample, theme)` = [[name, colour]]. A new one is one more row. */
+/** How grains may be coloured. By a quantity: `range(sample)` = [low, high] and `map`, which the reader may change; it is
+    called as the program calls the quantity. By names: `colour(sample, theme)` = function from a grain to a colour, and
+    `key(sample, theme)` = [[name, colour]]. A new one is one more row. */
 export const colourings = {
   material: {
     label: "Material",
@@ -23,27 +23,18 @@ export const colourings = {
   },
   size: { range: (sample) => extent(sample.radius).map((r) => 2 * r), map: "viridis", closed: true },
   stress: {
-    title: "\u03c3_{norm} = \u03c3_{hyd} / \u27e8\u03c3_{hyd}\u27e9",
     range: (sample) => [0, Math.max(1, Math.ceil(2 * topOf("stress", sample)) / 2)],
     map: "magma",
   },
   pressure: { range: fromZero("pressure"), map: "magma" },
   deviator: { range: fromZero("deviator"), map: "magma" },
-  coordination: { title: "Contacts per grain", range: () => [0, 6], map: "viridis" },
-  displacement: {
-    title: "Displacement since the first state of the stage",
-    range: fromZero("displacement", 1e-9),
-    map: "viridis",
-  },
-  rotation: {
-    title: "Rotation since the first state of the stage, counter-clockwise",
-    range: bothWays("rotation", 1e-6),
-    map: "diverging",
-  },
+  coordination: { range: () => [0, 6], map: "viridis" },
+  displacement: { range: fromZero("displacement", 1e-9), map: "viridis" },
+  rotation: { range: bothWays("rotation", 1e-6), map: "diverging" },
   speed: { range: fromZero("speed", 1e-12), map: "viridis" },
   vx: { range: bothWays("vx", 1e-12), map: "diverging" },
   vy: { range: bothWays("vy", 1e-12), map: "diverging" },
-  spin: { title: "Angular velocity, counter-clockwise", range: bothWays("spin", 1e-9), map: "diverging" },
+  spin: { range: bothWays("spin", 1e-9), map: "diverging" },
   friction: { range: () => [0, 0.5], map: "viridis" },
   zone: {
     label: "Zone",
@@ -68,11 +59,12 @@ const decadesOfLog = 3; // below the upper end, where the lower one is no positi
 /** What the colours of a quantity mean: { low, high (SI), log, map, title, unit, factor }; null where they are names.
     What the reader chose (`scales` of the state, by mode) goes before the usual. */
 export function scaleOf(sample, state, mode = state.get("colour")) {
-  const { range, map, closed, title } = colourings[mode];
+  const { range, map, closed } = colourings[mode];
   if (!range) return null;
   const [least, most] = range(sample),
-    chosen = state.get("scales")?.[mode] ?? {};
-  const { factor, unit } = prefixOf(Math.max(Math.abs(least), Math.abs(most)), aboutQuantity(mode, sample).unit);
+    chosen = state.get("scales")?.[mode] ?? {},
+    { label, unit: si } = aboutQuantity(mode, sample);
+  const { factor, unit } = prefixOf(Math.max(Math.abs(least), Math.abs(most)), si);
   const high = chosen.high ?? most,
     log = Boolean(chosen.log) && high > 0;
   let low = chosen.low ?? least;
@@ -83,7 +75,7 @@ export function scaleOf(sample, state, mode = state.get("colour")) {
     log,
     map: chosen.map ?? map,
     open: !closed || chosen.high !== undefined,
-    title: title ?? aboutQuantity(mode, sample).label,
+    title: label,
     factor,
     unit,
   };

@@ -1,3 +1,5 @@
+import { instances } from "./instances.js";
+
 /** Draws disks as squares with a round, smooth edge computed in the fragment shader; `corner` is shared by all. */
 export function diskDrawing(regl, corner) {
   return regl({
@@ -42,14 +44,7 @@ export function diskDrawing(regl, corner) {
         colour = mix(colour, mark, marks * 0.8 * spoke);
         gl_FragColor = vec4(colour, cover * fill.a);
       }`,
-    attributes: {
-      corner,
-      centre: { buffer: regl.prop("centre"), divisor: 1 },
-      radius: { buffer: regl.prop("radius"), divisor: 1 },
-      angle: { buffer: regl.prop("angle"), divisor: 1 },
-      ring: { buffer: regl.prop("ring"), divisor: 1, type: "uint8", normalized: true },
-      colour: { buffer: regl.prop("colour"), divisor: 1, type: "uint8", normalized: true },
-    },
+    ...instances(regl, corner, { centre: "floats", radius: "floats", angle: "floats", ring: "bytes", colour: "bytes" }),
     uniforms: {
       middle: regl.prop("middle"),
       perMetre: regl.prop("perMetre"),
@@ -58,14 +53,6 @@ export function diskDrawing(regl, corner) {
       ink: regl.prop("ink"),
       fade: regl.prop("fade"),
       marks: regl.prop("marks"),
-    },
-    primitive: "triangle strip",
-    count: 4,
-    instances: regl.prop("count"),
-    depth: { enable: false },
-    blend: {
-      enable: true,
-      func: { srcRGB: "src alpha", srcAlpha: "one", dstRGB: "one minus src alpha", dstAlpha: "one" },
     },
   });
 }

@@ -166,7 +166,8 @@ export function grainTable(sample, state) {
         `${text.count(sample.count)} grains in ${states}; click a column header to sort, ` +
           "click a row to mark the grain in the picture and the charts. " +
           "p, q: half the sum and half the difference of the principal stresses of a grain, compression positive; " +
-          "u, \u03b8: since the first state of the stage. The CSV file is in SI units.",
+          "u, \u03b8: since the first state of the stage; \u03b8, \u03c9: counter-clockwise. " +
+          "The CSV file is in SI units.",
       ),
     ),
   );

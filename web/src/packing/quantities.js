@@ -12,14 +12,8 @@ const finders = {
   deviator: { when: has("deviator"), find: (sample, snapshot) => snapshot.deviator },
   stress: { find: (sample, snapshot) => snapshot.sigmaNorm },
   friction: { when: has("friction"), find: (sample, snapshot) => snapshot.friction ?? new Float32Array(sample.count) },
-  displacement: {
-    when: (sample) => sample.snapshotCount > 1,
-    find: (sample, snapshot) => formed("displacement", sample, displacements(sample, snapshot)),
-  },
-  rotation: {
-    when: (sample) => sample.snapshotCount > 1,
-    find: (sample, snapshot) => snapshot.angle.map((angle, g) => angle - startOf(sample, snapshot).angle[g]),
-  },
+  displacement: { when: hasSeveral, find: (sample, snapshot) => snapshot.displacement },
+  rotation: { when: hasSeveral, find: (sample, snapshot) => snapshot.rotation },
   speed: {
     when: has("vx"),
     find: (sample, snapshot) => formed("speed", sample, snapshot),
@@ -65,18 +59,14 @@ export function topOf(name, sample, share = 0.99) {
   return tops.get(name);
 }
 
+/** Whether there is a state before another. */
+function hasSeveral(sample) {
+  return sample.snapshotCount > 1;
+}
+
 /** In any of the states. */
 function has(name) {
   return (sample) => sample.about.snapshots.some((snapshot) => snapshot[name]);
 }
 
 const byGrain = (sample, of) => Float64Array.from({ length: sample.count }, (_, g) => of(g));
-
-const startOf = (sample, snapshot) =>
-  sample.snapshot(sample.about.snapshots.findIndex(({ stage }) => stage === snapshot.stage));
-
-/** Ways since the first state of the snapshot's stage, m; the program tells them where sides are periodic. */
-function displacements(sample, { stage, x, y, ux, uy }) {
-  const start = startOf(sample, { stage });
-  return ux ? { ux, uy } : { ux: x.map((now, g) => now - start.x[g]), uy: y.map((now, g) => now - start.y[g]) };
-}

@@ -1,3 +1,5 @@
+import { instances } from "./instances.js";
+
 /** Draws segments with round ends and a width in metres; what would be thinner than a hairline is drawn fainter.
     A hairline of 1 pixel or more (half its width) keeps dots in sight from afar. */
 export function segmentDrawing(regl, corner) {
@@ -36,25 +38,12 @@ export function segmentDrawing(regl, corner) {
         if (cover <= 0.0) discard;
         gl_FragColor = vec4(paint.rgb, paint.a * cover);
       }`,
-    attributes: {
-      corner,
-      ends: { buffer: regl.prop("ends"), divisor: 1 },
-      width: { buffer: regl.prop("width"), divisor: 1 },
-      colour: { buffer: regl.prop("colour"), divisor: 1, type: "uint8", normalized: true },
-    },
+    ...instances(regl, corner, { ends: "floats", width: "floats", colour: "bytes" }),
     uniforms: {
       middle: regl.prop("middle"),
       perMetre: regl.prop("perMetre"),
       pixelsPerMetre: regl.prop("pixelsPerMetre"),
       hairline: (_, { hairline = 0.55 }) => hairline,
-    },
-    primitive: "triangle strip",
-    count: 4,
-    instances: regl.prop("count"),
-    depth: { enable: false },
-    blend: {
-      enable: true,
-      func: { srcRGB: "src alpha", srcAlpha: "one", dstRGB: "one minus src alpha", dstAlpha: "one" },
     },
   });
 }

@@ -25,9 +25,9 @@ export function legend(result, state, theme, width, camera = null) {
 }
 
 function scaleKey(result, scale, theme, width) {
-  const { symbol, unit } = result.quantity(scale.name);
+  const { label: title, unit } = result.quantity(scale.name);
   return colourBar({
-    title: symbol,
+    title,
     unit,
     scale,
     palette: mapOf(theme, scale),

@@ -12,8 +12,8 @@ export function scaleOf(result, state) {
   const name = state.get("show");
   if (name === "material") return null;
   const order = result.order(name),
-    mean = result.mean(name),
-    around = result.quantity(name).magnitude ? "ends" : state.get("around");
+    { mean, magnitude } = result.quantity(name),
+    around = magnitude ? "ends" : state.get("around");
   const scale = makeScale(order, {
     around,
     symlog: state.get("law") === "symlog",

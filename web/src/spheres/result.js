@@ -2,13 +2,6 @@ import { unpacked } from "../block.js";
 import { DescribedResult } from "../described_result.js";
 import { prefixOf, text } from "../text.js";
 
-/** What spheres are coloured by beside their material: symbol and unit, and whether it is never below 0. */
-const quantities = {
-  stress: { symbol: "\u03c3_{hyd}", unit: "Pa" },
-  contacts: { symbol: "contacts", unit: "", magnitude: true },
-  speed: { symbol: "|v|", unit: "m/s", magnitude: true },
-};
-
 const whole = 100; // steps of a cut along an axis
 
 const mostOpen = 24; // states whose arrays are kept
@@ -82,20 +75,19 @@ export class SphereResult extends DescribedResult {
     return this.#has("boundaries");
   }
 
+  /** What the program says of a quantity of the last state, whose colours all have: { label, symbol, unit, magnitude,
+      mean }. */
   quantity(id) {
-    return quantities[id];
+    return this.last.quantities[id];
   }
-  /** Those that its last state has, and that are not the same of all spheres there. */
+  /** Those that are not the same of all spheres of the last state. */
   get offered() {
-    return Object.keys(quantities).filter((id) => this.last[id] && this.order(id)[0] < this.order(id).at(-1));
+    return Object.keys(this.last.quantities).filter((id) => this.order(id)[0] < this.order(id).at(-1));
   }
   /** Of the last state, so that one scale of colours serves all. */
   order(id) {
     if (!this.#orders.has(id)) this.#orders.set(id, Float32Array.from(this.last[id]).sort());
     return this.#orders.get(id);
-  }
-  mean(id) {
-    return this.order(id).reduce((sum, value) => sum + value, 0) / this.order(id).length;
   }
   written(id, sphere) {
     const { unit } = this.quantity(id),
@@ -144,6 +136,7 @@ const nothing = {
   z: [],
   radius: [],
   material: [],
+  quantities: {},
 };
 
 const middleOf = ({ corner, size }) => corner.map((place, axis) => place + size[axis] / 2);
@@ -160,7 +153,7 @@ function opened(state, last) {
     for (let g = 0; g < places.length; ++g) balls[4 * g + axis] = places[g] - middle[axis];
   });
   for (let g = 0; g < all.radius.length; ++g) balls[4 * g + 3] = all.radius[g];
-  for (const id of Object.keys(quantities)) if (last?.[id]) all[id] ??= new Float32Array(all.radius.length);
+  for (const id of Object.keys(all.quantities)) all[id] ??= new Float32Array(all.radius.length);
   return {
     ...all,
     balls,
@@ -173,4 +166,10 @@ function opened(state, last) {
   };
 }
 
-const inherited = ({ materials, id, radius, material }) => ({ materials, id, radius, material });
+const inherited = ({ materials, id, radius, material, quantities }) => ({
+  materials,
+  id,
+  radius,
+  material,
+  quantities,
+});

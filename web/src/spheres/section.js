@@ -12,8 +12,6 @@ import { text } from "../text.js";
 import { cuts } from "./result.js";
 import { SphereView } from "./view.js";
 
-const words = { material: "Material", stress: "Stress", contacts: "Contacts", speed: "Speed" };
-
 /** What the reader may choose, as it is in the beginning. */
 export const choices = (result) => ({
   snapshot: Math.max(0, result.snapshotCount - 1),
@@ -67,7 +65,7 @@ export const panelOf = (result, state, view) =>
         "Show",
         "show",
         state,
-        ["material", ...result.offered].map((id) => [id, words[id]]),
+        [["material", "Material"], ...result.offered.map((id) => [id, result.quantity(id).label])],
       ),
       view.scene && saveButtons("the picture", { svg: () => view.saveSvg(), png: () => view.savePng() }),
     ),

@@ -8,9 +8,7 @@ export function sphereNumbers(result, sphere, theme) {
   const rows = [
     ["x, y, z", result.lengths(["x", "y", "z"].map((axis) => state[axis][sphere]))],
     ["radius", text.quantity(state.radius[sphere], "m")],
-    ...["contacts", "stress", "speed"]
-      .filter((id) => state[id])
-      .map((id) => [result.quantity(id).symbol, result.written(id, sphere)]),
+    ...Object.entries(state.quantities).map(([id, { label }]) => [label, result.written(id, sphere)]),
   ];
   const title = `Sphere ${state.id[sphere]}, ${text.material(result.materials[material])}`;
   return { title, colour: materialColour(theme, material), rows };

@@ -201,6 +201,16 @@ void Membranes::add_energy(const Sample& s, Energies& energies) const {
   }
 }
 
+bool Membranes::lets_drift(const Sample& s, int axis) const {
+  const Membrane *low = on_side(2 * axis), *high = on_side(2 * axis + 1);
+  const int below = 2 * (1 - axis), above = below + 1;  // platens, which friction or a rough face makes hold the grains
+  const auto holds = [&](int side) {
+    return s.domain.wall[side].present && (s.wall_friction > 0 || s.wall[side].rough);
+  };
+  return low && high && low->slides && high->slides && s.domain.boundaries.size() == list.size() &&
+         (axis == 0 ? s.gravity.x : s.gravity.y) == 0 && !holds(below) && !holds(above);
+}
+
 void Membranes::note_present(const Sample& s) {
   for (Membrane& m : list)
     for (std::size_t k = 0; k < m.nodes(); ++k)

@@ -58,6 +58,7 @@ struct Membranes : PartOf<2> {
   void kick(Sample& sample, double kick, double ahead);
   void move(Sample& sample, double time);
   void add_energy(const Sample& sample, Energies& energies) const;
+  bool lets_drift(const Sample& sample, int axis) const;
   /// Integrated velocities are brought to the present.
   void note_present(const Sample& sample);
   template <class Members> void transfer(Sample& sample, Members& members) {

@@ -126,9 +126,11 @@ template <int D> struct PartOf {
   void put_levers(const S&, std::size_t /*slot*/, Levers<D>&) const {}
 
   // Calls of `see(i, j, size)` for the disks that forces beside contacts join which act, with their sizes, N. The
-  // fastest point of what moves as it is told, m/s.
+  // fastest point of what moves as it is told, m/s. Whether it gives way to the sample along an axis, and nothing else
+  // holds this there, so that it may go on as a whole for ever.
   void each_joint(const S&, const std::function<void(std::int32_t, std::int32_t, double)>&) const {}
   double fastest_point(const S&) const { return 0; }
+  bool lets_drift(const S&, int /*axis*/) const { return false; }
 
   // Energies of now; a contact of a report and the report itself; every bit that decides its future, in a state that is
   // stored, and what of that belongs to the slots of the list.
@@ -190,6 +192,7 @@ concept Part = requires(P p, const P q, SampleIn<D>& s, const SampleIn<D>& now, 
   p.shear(s, [](double) { return 0.0; });
   q.each_joint(now, [](std::int32_t, std::int32_t, double) {});
   { q.fastest_point(now) } -> std::same_as<double>;
+  { q.lets_drift(now, 0) } -> std::same_as<bool>;
   p.prepare(s), p.begin(s), p.before_step(s), p.after_step(s), p.after_forces(s), p.kick(s, x, x), p.move(s, x);
   { q.drives(now) } -> std::same_as<bool>;
   { p.follow(s, task, pool) } -> std::same_as<bool>;

@@ -9,7 +9,6 @@
 #include "core/mapped.hpp"
 #include "grains/fields/laboratory/box_in_space.hpp"
 #include "grains/fields/regime/prediction.hpp"
-#include "grains/texture/mass.hpp"
 
 namespace arenite::fields {
 namespace {
@@ -43,14 +42,8 @@ std::optional<Sheared> sheared(const History& history, const BoxInSpace& box) {
   return {};
 }
 
-double density_of(const PackingIn<3>& packing) {
-  double mass = 0;
-  for (std::size_t g = 0; g < packing.grains.size(); ++g) mass += texture::mass_of(packing, g);
-  return mass / packing.grains.volume();
-}
-
 Values inertial_numbers(const Values& strain, const Values& time, const Values& pressure, const PackingIn<3>& packing) {
-  const double diameter = packing.grains.mean_diameter(), density = density_of(packing);
+  const double diameter = packing.grains.mean_diameter(), density = mean_density(packing);
   const Values rate = rate_of(strain, time);
   Values number;
   for (std::size_t k = 0; k < rate.size(); ++k)

@@ -14,18 +14,12 @@ namespace {
 using Values = std::vector<double>;
 using statistics::described;
 
-bool is_moved(const dem::Stage& stage, int side) {
-  const dem::Driven velocity{dem::Driven::What::velocity, side};
-  return stage.side[static_cast<std::size_t>(side)].kind == dem::SideDrive::Kind::velocity ||
-         std::ranges::any_of(stage.programmes, [&](const dem::Programme& p) { return p.of == velocity; });
-}
-
 }  // namespace
 
 int closing_axis(const dem::Stage& stage) {
   int axis = -1;
   for (int side = 0; side < sides_in<3>; ++side) {
-    if (!is_moved(stage, side)) continue;
+    if (!dem::moves_side(stage, side)) continue;
     if (axis >= 0 && axis != axis_of(side)) return -1;
     axis = axis_of(side);
   }

@@ -1,17 +1,19 @@
 #include "grains/fields/regime/prediction.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
 #include <variant>
 
+#include "core/problems.hpp"
 #include "core/root.hpp"
 #include "grains/dem/coefficients.hpp"
 #include "grains/dem/engine.hpp"
 #include "grains/dem/exchange/traffic.hpp"
 #include "grains/dem/run_stage.hpp"
-#include "grains/texture/mass.hpp"
 
 namespace arenite::fields {
 
@@ -47,9 +49,27 @@ double settling_time(double period, double drag, double unbalanced, bool pressed
   return std::log(1 / unbalanced) / (1 / (periods * period) + 0.5 * drag);
 }
 
+double time_asked(const dem::Stage& stage) {
+  if (!stage.strain_cycles) return stage.duration.value_or(0);
+  const dem::StrainCycles& cycles = *stage.strain_cycles;
+  return 2 * static_cast<double>(cycles.count) * (cycles.max - cycles.min) / cycles.rate;
+}
+
+std::string too_many_steps(const dem::Stage& stage, double time_step) {
+  const double time = time_asked(stage), steps = time / time_step;
+  if (steps <= most_steps) return {};
+  return fmt::format("{:.3g} s are {:.2g} steps of {:.3g} s, more than can be counted; shorten the stage{}", time,
+                     steps, time_step, stage.strain_cycles ? ": fewer cycles or a higher rate" : "");
+}
+
 namespace {
 
 using Kind = dem::SideDrive::Kind;
+
+/// Of a time that is an estimate, however long.
+std::int64_t about_steps(double time, double time_step) {
+  return dem::steps_of(std::min(time, most_steps * time_step), time_step);
+}
 
 /// The largest of a value and of what the programmes that `drive` it make of it.
 template <class Drive> double largest(const dem::Stage& stage, double value, Drive drive) {
@@ -154,14 +174,9 @@ double tangent(const dem::ContactParameters& contact, double stiffness) {
 Bulk bulk_of(const Packing& packing, const dem::ContactParameters& contact) {
   const Grains& g = packing.grains;
   Bulk bulk{0, 0, 0, 0, packing.domain.width(), packing.domain.height(), packing.domain.thickness, 1};
-  const double area = g.area();
-  double mass = 0;
-  for (std::size_t k = 0; k < g.size(); ++k) {
-    mass += texture::mass_of(packing, k);
-    bulk.diameter += 2 * g.radius[k] / static_cast<double>(g.size());
-  }
-  bulk.density = mass / (area * bulk.thickness);
-  bulk.solid_fraction = area / packing.domain.area();
+  bulk.diameter = g.mean_diameter();
+  bulk.density = mean_density(packing);
+  bulk.solid_fraction = g.area() / packing.domain.area();
   const dem::CoefficientTable table(packing.materials, g.material, contact);
   const auto there = [&](std::size_t m) {
     return std::find(g.material.begin(), g.material.end(), static_cast<int>(m)) != g.material.end();
@@ -196,6 +211,8 @@ StagePrediction of_stage(const dem::Engine& engine, const dem::ContactParameters
     p.inertial_number = inertial_number(rate, bulk.diameter, bulk.density, pressures.confining);
   p.exact = stage.duration || stage.strain_cycles;
   if (p.exact) {
+    if (const std::string wrong = too_many_steps(stage, p.time_step); !wrong.empty())
+      throw refusal("stage \"{}\": {}", stage.name, wrong);
     p.duration = stage.duration.value_or(0);
     for (std::int64_t half = 0; half < dem::increment_count(stage) && stage.strain_cycles; ++half)
       p.duration += static_cast<double>(dem::strain_half(*stage.strain_cycles, half, p.time_step).steps) * p.time_step;
@@ -214,8 +231,8 @@ StagePrediction of_stage(const dem::Engine& engine, const dem::ContactParameters
   const double settling = settling_time(4 * std::numbers::pi / critical, drag, stage.equilibrium.unbalanced, all_round);
   const double closing = closing_time(stage, pressures, without_friction, bulk);
   p.duration = closing + increments * settling;
-  p.steps = dem::steps_of(p.duration, p.time_step);
-  p.increment_steps = dem::steps_of(closing + settling, p.time_step);
+  p.steps = about_steps(p.duration, p.time_step);
+  p.increment_steps = about_steps(closing + settling, p.time_step);
   return p;
 }
 
@@ -233,8 +250,7 @@ ShortestCollision shortest_collision(const Packing& packing, const dem::ContactP
   ShortestCollision shortest;
   for (std::size_t k = 0; k < packing.grains.size(); ++k) {
     const std::int32_t material = packing.grains.material[k];
-    const dem::DiskRecord disk{
-        .radius = packing.grains.radius[k], .mass = texture::mass_of(packing, k), .material = material};
+    const dem::DiskRecord disk{.radius = packing.grains.radius[k], .mass = mass_of(packing, k), .material = material};
     const double pair = collision_time(0.5 * disk.mass, tangent(contact, table.pair_stiffness(disk, disk)));
     const double wall = collision_time(disk.mass, tangent(contact, table.wall_stiffness(disk)));
     if (const double time = std::min(pair, wall); shortest.time == 0 || time < shortest.time)

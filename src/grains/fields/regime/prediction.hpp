@@ -50,6 +50,14 @@ struct ShortestCollision {
 };
 ShortestCollision shortest_collision(const Packing& packing, const dem::ContactParameters& contact);
 
+/// Steps of a stage that can be counted one by one: whole numbers up to here are exact in a double.
+inline constexpr double most_steps = 9007199254740992.0;
+
+/// Time that a stage lasts as its recipe asks, s; 0 where it ends at equilibrium.
+double time_asked(const dem::Stage& stage);
+/// What is wrong with as many steps as that takes; empty where they can be counted.
+std::string too_many_steps(const dem::Stage& stage, double time_step);
+
 struct StagePrediction {
   std::string name;
   double time_step = 0;  ///< s
@@ -83,8 +91,8 @@ struct Pressures {
   double largest = 0, confining = 0;
 };
 
-/// What a stage will be like that the engine has begun. `bulk` and `pressures` are those that the stage before left,
-/// and then its own; `steady_drag`, 1/s, acts in every stage.
+/// What a stage will be like that the engine has begun. Throws InputError for one of too many steps. `bulk` and
+/// `pressures` are those that the stage before left, and then its own; `steady_drag`, 1/s, acts in every stage.
 StagePrediction predict_stage(const dem::Engine& engine, const dem::ContactParameters& contact, double steady_drag,
                               const dem::Stage& stage, Bulk& bulk, Pressures& pressures);
 

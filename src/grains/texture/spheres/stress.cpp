@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "grains/texture/distribution.hpp"
-#include "grains/texture/mass.hpp"
 #include "grains/texture/spheres/sphere_view.hpp"
 #include "grains/texture/view.hpp"
 

@@ -4,7 +4,6 @@
 
 #include <numbers>
 
-#include "grains/texture/mass.hpp"
 #include "grains/texture/texture.hpp"
 #include "unit/grains/fields/gas.hpp"
 #include "unit/grains/texture/packings.hpp"

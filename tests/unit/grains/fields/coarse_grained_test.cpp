@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "grains/texture/mass.hpp"
 #include "grains/texture/texture.hpp"
 #include "unit/grains/fields/gas.hpp"
 #include "unit/grains/texture/packings.hpp"
@@ -21,7 +20,7 @@ struct Sums {
 Sums sums_of(const Packing& p) {
   Sums s;
   for (std::size_t g = 0; g < p.grains.size(); ++g) {
-    const double m = texture::mass_of(p, g);
+    const double m = mass_of(p, g);
     const Vec2 v = p.grains.velocity[g];
     s.mass += m;
     s.area += pi * p.grains.radius[g] * p.grains.radius[g];

@@ -1,6 +1,5 @@
 #include "grains/fields/driven.hpp"
 #include "grains/fields/stage_numbers.hpp"
-#include "grains/texture/mass.hpp"
 
 #include <gtest/gtest.h>
 
@@ -53,6 +52,18 @@ TEST(FlowNumbers, TellDischargeAngleAndRunOut) {
   EXPECT_NEAR(surface["runout_m"]["error"].get<double>(), 0.005, 1e-12);
   EXPECT_NEAR(surface["runout_over_width"]["value"].get<double>(), 2, 1e-9);
   EXPECT_NEAR(surface["aspect_ratio_before"].get<double>(), 2, 0.01);
+}
+
+TEST(FlowNumbers, ARunOutThatAWallStoppedHasNoErrorAndSaysSo) {
+  dem::Stage stage;
+  stage.gravity = true;
+  const Packing before = column(false);
+  StageResult stopped = result();
+  stopped.snapshots.back().packing.domain.wall[right].position = 0.602;
+  const Numbers n = flow_numbers({stopped, stage, &before, {}});
+  EXPECT_NEAR(n["surface"]["runout_m"]["value"].get<double>(), 0.4, 1e-9);
+  EXPECT_FALSE(n["surface"]["runout_m"]["error"].is_number());
+  EXPECT_EQ(n["surface"]["notes"].size(), 1u);
 }
 
 TEST(FlowNumbers, OfADrumAreNoRunOut) {
@@ -167,7 +178,7 @@ TEST(FlowNumbers, WeighTheFillingOfASiloByTheGravityThatActed) {
   moon.gravity_size = 1.62;
   moon.duration = 4;
   silo.asked.gravity = {0, -1.62};
-  const double mass = texture::mass_of(packing);
+  const double mass = mass_of(packing);
   EXPECT_NEAR(flow_numbers({silo, moon, nullptr, {}})["floor"]["hydrostatic_Pa"].get<double>(), 1.62 * mass / 0.06,
               1e-9 * mass);
   // From 2 to 6 m/s^2: over the second half of 4 s the mean is 5.

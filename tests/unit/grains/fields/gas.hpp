@@ -7,7 +7,6 @@
 #include <numbers>
 #include <vector>
 
-#include "grains/texture/mass.hpp"
 #include "grains/texture/texture.hpp"
 #include "unit/grains/texture/packings.hpp"
 
@@ -95,8 +94,8 @@ inline Rates rates_at(const Packing& p, Vec2 point, double width) {
         const Vec2 d = point - p.grains.position[g] - Vec2{10.0 * column, 8.0 * row}, v = p.grains.velocity[g];
         const double phi = std::exp(-dot(d, d) / (2 * width * width)) / (2 * pi * width * width) / p.domain.thickness;
         const double dphi = dot(v, d) / (width * width) * phi;  // of a kernel that moves at v
-        rates.density += texture::mass_of(p, g) * dphi;
-        rates.momentum += phi * force[g] + texture::mass_of(p, g) * dphi * v;
+        rates.density += mass_of(p, g) * dphi;
+        rates.momentum += phi * force[g] + mass_of(p, g) * dphi * v;
       }
   return rates;
 }

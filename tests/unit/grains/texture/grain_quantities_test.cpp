@@ -34,6 +34,17 @@ TEST(GrainQuantities, HaveNamesOfTheirOwnAndSayWhatTheyAre) {
   EXPECT_THROW(values_of(three(), "displacement"), InputError);
 }
 
+TEST(GrainQuantities, MagnitudesAreNeverBelowZero) {
+  Packing packing = three();
+  packing.contacts.add(0, 1, {-1, 0}, -10, 3, 0.5, 0.5);
+  packing.grains.velocity[0] = {-1, -2};
+  EXPECT_LT(std::ranges::min(values_of(packing, "pressure")), 0);
+  for (const GrainQuantity& quantity : grain_quantities()) {
+    if (!quantity.is_magnitude || !quantity.of) continue;
+    EXPECT_GE(std::ranges::min(quantity.of(packing)), 0) << quantity.name;
+  }
+}
+
 TEST(GrainQuantities, MobilisationIsTheMeanOverContactsThatPush) {
   Packing packing = three();
   packing.contacts.add(0, 1, {-1, 0}, 10, 3, 0.5, 0.5);

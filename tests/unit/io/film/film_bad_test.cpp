@@ -1,9 +1,11 @@
 // Films that are cut short, damaged or contradict themselves: one sentence that names the file and says what to do.
 #include <gtest/gtest.h>
-
+#include <hdf5.h>
 #include <unistd.h>
 
 #include <fstream>
+#include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 #include "io/film/film.hpp"
@@ -97,6 +99,16 @@ TEST(BadFilm, NpyThatIsNoFilm) {
   expect_refusal(test::npy("<u2", "(99999999999, 100000, 100000)", data), "at most");
 }
 
+TEST(BadFilm, MoreNumbersThanTheShapeOfAnArraySaysAreTold) {
+  const auto remarks = [](std::size_t bytes) {
+    const std::string array = test::npy("<u2", "(3, 4, 5)", std::string(bytes, '\1'));
+    return open_film(bytes_in_memory(array, "x.npy"))->info().remarks;
+  };
+  EXPECT_TRUE(remarks(120).empty());
+  ASSERT_EQ(remarks(160).size(), 1u);
+  EXPECT_NE(remarks(160)[0].find("than 3 frames of 5 x 4 pixels have"), std::string::npos);
+}
+
 TEST(BadFilm, HccWhoseFramesDiffer) {
   const Film film = counted(8, 4, 3);
   std::string bytes = test::hcc(film);
@@ -116,6 +128,52 @@ TEST(BadFilm, TextWithRaggedRowsAndWords) {
   expect_refusal("1 2 3\n4 x 6\n", "\"x\" in column 2");
   expect_refusal("1 2\n3 4\n\n5 6\n", "1 rows, but the first has 2");
   expect_refusal("1;2\n3;nan\n", "\"nan\" in column 2, which is not a number");
+}
+
+/// Taken for what parts frames, such a row would be lost, and all others would be one too high.
+TEST(BadFilm, ARowOfTextWhoseFirstCellIsNoNumberIsARow) {
+  for (const char* dead : {"nan", "NaN", "-", "x1"}) {
+    const std::string row = std::string(dead) + " 2 3\n", told = std::string("\"") + dead + "\" in column 1";
+    const std::string first = "Frame 1\n" + row + "4 5 6\nFrame 2\n" + row + "4 5 6\n",
+                      last = "Frame 1\n4 5 6\n" + row + "Frame 2\n4 5 6\n" + row;
+    for (const auto& [text, line] : {std::pair(first, ":2:"), std::pair(last, ":3:")}) {
+      expect_refusal(text, told);
+      EXPECT_NE(refusal(text).find(line), std::string::npos) << refusal(text);
+    }
+    expect_refusal("4 5 6\n" + row + "7 8 9\n", told);
+  }
+  expect_refusal("nan nan nan\n4 5 6\n\nnan nan nan\n4 5 6\n", "\"nan\" in column 1");
+}
+
+TEST(BadFilm, WordsBetweenFramesOfTextArePartsOfNoFrame) {
+  const std::string text = "Frame 1 0.02\n1 2 3\n4 5 6\nFrame 2 0.04\n1 2 3\n4 5 6\ntime = 0.06\n1 2 3\n4 5 6\n";
+  const auto film = open_film(bytes_in_memory(text, "x.film"));
+  EXPECT_EQ(film->info().frames, 3);
+  EXPECT_EQ(film->info().height, 2);
+}
+
+TEST(BadFilm, PackedByAnotherProgramIsSaidSo) {
+  for (const char* packed : {"\x1f\x8b\x08", "\x28\xb5\x2f\xfd", "BZh9\1"}) expect_refusal(packed, "is compressed (");
+  expect_refusal("\x1f\x8b\x08", "gzip); unpack it (gunzip)");
+}
+
+/// -30 Hz is stated: that the film states no rate would be wrong.
+TEST(BadFilm, AFrameRateThatIsNoneIsNamed) {
+  const test::TemporaryFolder folder;
+  const std::vector<hsize_t> shape{3, 4, 5};
+  const std::vector<float> values(60, 300);
+  const double rate = -30;
+  const hid_t file = H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
+              space = H5Screate_simple(3, shape.data(), nullptr), one = H5Screate(H5S_SCALAR),
+              set = H5Dcreate2(file, "film", H5T_IEEE_F32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+              attribute = H5Acreate2(set, "frame_rate", H5T_NATIVE_DOUBLE, one, H5P_DEFAULT, H5P_DEFAULT);
+  H5Dwrite(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  H5Awrite(attribute, H5T_NATIVE_DOUBLE, &rate);
+  H5Aclose(attribute), H5Dclose(set), H5Sclose(one), H5Sclose(space), H5Fclose(file);
+  const std::string said = test::complaint([&] { open_film(folder / "a.h5"); });
+  EXPECT_NE(said.find("a.h5: states a frame rate of -30 Hz, which is none; give the right one"), std::string::npos)
+      << said;
+  EXPECT_DOUBLE_EQ(open_film(folder / "a.h5", {.frame_rate = 30})->info().frame_rate, 30);
 }
 
 TEST(BadFilm, SidecarWithEveryMistake) {

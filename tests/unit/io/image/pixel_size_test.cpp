@@ -4,6 +4,7 @@
 #include <tiffio.h>
 
 #include "support/films.hpp"
+#include "support/pictures.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace arenite::io {
@@ -24,20 +25,23 @@ TEST(PixelSize, OfPngIsThatOfItsPixelsAMetre) {
   };
   EXPECT_DOUBLE_EQ(read(80000, 80000, 1).value(), 12.5e-6);
   EXPECT_FALSE(read(80000, 80000, 0));  // a ratio alone
-  EXPECT_FALSE(read(80000, 70000, 1));  // no squares
+  for (const char unit : {0, 1})
+    EXPECT_NE(test::complaint([&] { read(80000, 70000, unit); }).find("a.png: has pixels 0.875 times as wide as high"),
+              std::string::npos);
+  EXPECT_DOUBLE_EQ(read(80000, 80040, 1).value(), 12.5e-6);  // rounding to whole pixels a metre
   EXPECT_FALSE(read(0, 0, 1));
   for (const unsigned per_metre : {2835, 3780, 11811}) EXPECT_FALSE(read(per_metre, per_metre, 1));  // 72, 96, 300 dpi
 }
 
 TEST(PixelSize, OfTiffIsInItsUnitOrThatOfImagej) {
   const test::TemporaryFolder folder;
-  const auto read = [&](double resolution, int unit, const char* description) {
+  const auto read = [&](double resolution, int unit, const char* description, double higher = 1) {
     TIFF* const file = TIFFOpen((folder / "a.tif").c_str(), "w");
     const std::uint8_t pixel = 0;
     for (const auto tag : {TIFFTAG_IMAGEWIDTH, TIFFTAG_IMAGELENGTH, TIFFTAG_ROWSPERSTRIP}) TIFFSetField(file, tag, 1);
     TIFFSetField(file, TIFFTAG_BITSPERSAMPLE, 8), TIFFSetField(file, TIFFTAG_SAMPLESPERPIXEL, 1);
     TIFFSetField(file, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
-    TIFFSetField(file, TIFFTAG_XRESOLUTION, resolution), TIFFSetField(file, TIFFTAG_YRESOLUTION, resolution);
+    TIFFSetField(file, TIFFTAG_XRESOLUTION, resolution), TIFFSetField(file, TIFFTAG_YRESOLUTION, resolution * higher);
     TIFFSetField(file, TIFFTAG_RESOLUTIONUNIT, unit);
     if (*description != 0) TIFFSetField(file, TIFFTAG_IMAGEDESCRIPTION, description);
     TIFFWriteRawStrip(file, 0, const_cast<std::uint8_t*>(&pixel), 1);
@@ -51,6 +55,8 @@ TEST(PixelSize, OfTiffIsInItsUnitOrThatOfImagej) {
   EXPECT_FALSE(read(2, RESUNIT_NONE, "ImageJ=1.53t\nunit=pixel\n"));
   EXPECT_FALSE(read(2, RESUNIT_NONE, ""));
   EXPECT_FALSE(read(300, RESUNIT_INCH, ""));
+  EXPECT_NE(test::complaint([&] { read(2540, RESUNIT_INCH, "", 0.5); }).find("no squares; resample it"),
+            std::string::npos);
 }
 
 TEST(PixelSize, OfWhatIsNoPictureIsNone) {

@@ -55,6 +55,24 @@ TEST(PngImage, TakesColourThatIsGreyAndOpacityThatIsFull) {
             std::string::npos);
 }
 
+/// A value that stands for a transparent pixel is an alpha channel by another name.
+TEST(PngImage, RefusesAPixelThatAChunkCallsTransparentAsItDoesAnAlphaChannel) {
+  const auto with = [](std::string bytes, const std::string& before, const std::string& clear) {
+    return bytes.insert(bytes.find(before) - 4, png_chunk("tRNS", clear));
+  };
+  const std::string greys = grey_png(3, 1, std::string("\0\1\2", 3));
+  EXPECT_NE(png_refusal(with(greys, "IDAT", std::string("\0\1", 2))).find("transparent at pixel 1, 0"),
+            std::string::npos);
+  EXPECT_EQ(decode_png(with(greys, "IDAT", std::string("\0\7", 2))).value, (Values{0, 1, 2})) << "no pixel is";
+  const std::string two = png(2, 1, 8, palette, {std::string("\1\0", 2)}, std::string("\0\0\0\7\7\7", 6));
+  EXPECT_NE(png_refusal(with(two, "IDAT", "\x80")).find("transparent at pixel 1, 0"), std::string::npos);
+  EXPECT_EQ(decode_png(with(two, "IDAT", "\xff")).value, (Values{7, 0}));
+  const std::string seen = png(2, 1, 8, colour, {"\7\7\7\x9\x9\x9"});
+  EXPECT_NE(png_refusal(with(seen, "IDAT", std::string("\0\x9\0\x9\0\x9", 6))).find("transparent at pixel 1, 0"),
+            std::string::npos);
+  EXPECT_EQ(decode_png(with(seen, "IDAT", std::string("\0\x9\0\x9\0\x8", 6))).value, (Values{7, 9}));
+}
+
 TEST(PngImage, TakesTheChannelThatIsChosenOfAColour) {
   const auto value = [](io::Channel channel, const std::string& bytes) {
     return decode_png(bytes, {.channel = channel}).value;
@@ -103,6 +121,7 @@ TEST(Image, SaysWhatIsNoPicture) {
   EXPECT_NE(png_refusal("").find("is empty"), std::string::npos);
   EXPECT_NE(png_refusal("id,x,y\n").find("is no picture in a known format; save it as one of " + io::picture_formats()),
             std::string::npos);
+  EXPECT_NE(png_refusal("\x1f\x8b\x08").find("is compressed (gzip); unpack it (gunzip)"), std::string::npos);
   EXPECT_NE(png_refusal("\xff\xd8\xff\xe0").find("JPEG"), std::string::npos);
   EXPECT_NE(complaint([] { io::read_image("/nowhere.png"); }).find("no such file"), std::string::npos);
 }

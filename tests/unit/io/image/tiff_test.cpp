@@ -99,6 +99,31 @@ TEST(TiffImage, FloatingNumbersThatAreWholeAreLabels) {
   EXPECT_EQ(decode_tiff(tiff({p})).value, (Values{1, -5}));
 }
 
+/// A picture whose directory stands before its one strip, as Pillow writes it.
+std::string strip_behind_directory(std::uint32_t width, std::uint32_t height) {
+  std::string bytes("II*\0\x08\0\0\0", 8);
+  const auto add = [&](std::uint32_t value, int count) {
+    for (int k = 0; k < count; ++k) bytes += static_cast<char>(value >> 8 * k & 0xff);
+  };
+  const std::pair<int, std::uint32_t> entries[] = {
+      {TIFFTAG_IMAGEWIDTH, width},    {TIFFTAG_IMAGELENGTH, height},
+      {TIFFTAG_BITSPERSAMPLE, 8},     {TIFFTAG_COMPRESSION, 1},
+      {TIFFTAG_PHOTOMETRIC, 1},       {TIFFTAG_STRIPOFFSETS, 8 + 2 + 8 * 12 + 4},
+      {TIFFTAG_ROWSPERSTRIP, height}, {TIFFTAG_STRIPBYTECOUNTS, width * height}};
+  add(8, 2);
+  for (const auto& [tag, value] : entries) add(static_cast<std::uint32_t>(tag), 2), add(4, 2), add(1, 4), add(value, 4);
+  add(0, 4);
+  return bytes + std::string(std::size_t{width} * height, 'a');
+}
+
+TEST(TiffImage, CutWithinItsPixelsIsSaidWithoutALineThatItHasNot) {
+  const std::string whole = strip_behind_directory(20, 30);
+  ASSERT_EQ(decode_tiff(whole).value.size(), 600u);
+  const std::string said = tiff_refusal(whole.substr(0, whole.size() - 100));
+  EXPECT_NE(said.find("cut short or damaged"), std::string::npos) << said;
+  EXPECT_EQ(said.find("4294967295"), std::string::npos) << said;
+}
+
 /// The picture 1 2 3 / 4 5 6 as each orientation stores it, by the definition in TIFF 6.0: the first word says where
 /// the first row is seen, the second where the first column is.
 TEST(TiffImage, IsSeenUprightHoweverItIsStored) {

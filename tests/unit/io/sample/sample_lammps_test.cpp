@@ -40,6 +40,14 @@ TEST(SampleLammps, SaysWhereAFileIsCutOffOrLacksAColumn) {
               "there is no column \"radius\"; dump id type x y z radius");
 }
 
+TEST(SampleLammps, MoreRowsThanAreAnnouncedAreNotCutOff) {
+  std::string atoms = lammps_atoms;
+  atoms.replace(atoms.find("ATOMS\n2"), 7, "ATOMS\n1");
+  const std::string told = Files(atoms, "i,j,fn,ft\n").problems();
+  expect_part(told, "the dump announces 1 rows, but 2 follow; its number is not that of its rows, so write it again");
+  EXPECT_EQ(told.find("cut off"), std::string::npos);
+}
+
 TEST(SampleLammps, FindsColumnsByWhatTheyHold) {
   const auto forces = [](const std::string& columns, const std::string& row) {
     const Contacts contacts = Files(lammps_atoms, lammps_pairs(columns, row)).read().packing.contacts;
@@ -152,6 +160,10 @@ TEST(SampleLammps, AnotherBoxOfTheContactsIsTold) {
   const auto notes = Files(lammps_atoms, pairs).read().notes;
   EXPECT_TRUE(
       std::ranges::any_of(notes, [](const auto& note) { return note.find("another box (5 x 4") != note.npos; }));
+  std::string moved = pairs;
+  moved.replace(moved.find("0 5\n"), 4, "1 5\n");  // as large as that of the grains, and elsewhere
+  EXPECT_TRUE(says(Files(lammps_atoms, moved).read().notes,
+                   "another box (4 x 4 x 2 m from (1, 0, -1)) than the grains' (4 x 4 x 2 m from (0, 0, -1))"));
 }
 
 TEST(SampleLammps, ReducedUnitsAreStatedAndHaveNoSize) {
@@ -200,6 +212,16 @@ TEST(SampleMercury, GrainsAndContactsAreOfTheLastCommonTime) {
   expect_part(s.notes.at(0), "3 snapshots, of which that of time 0.5 was taken");
   expect_part(Files("1 7 0 0 4 2\n1 1 0 0 1 0 0 0\n", mercury_fstat).problems(),
               "the contacts are of time 0.5, the grains of time 7");
+}
+
+TEST(SampleLammps, TheLastStepIsTheLargestWhereverItStands) {
+  const auto at = [](int step, const std::string& x) {
+    return atoms_of("ff ff pp\n0 4\n0 4\n-1 1", "id x y radius", "1 " + x + " 1 0.5\n")
+        .replace(15, 1, std::to_string(step));
+  };
+  const Sample s = Files(at(300, "3") + at(100, "1") + at(200, "2"), "i,j,fn,ft\n").read();
+  EXPECT_DOUBLE_EQ(s.packing.grains.position.at(0).x, 3);
+  EXPECT_TRUE(says(s.notes, "3 snapshots, of which that of step 300 was taken"));
 }
 
 TEST(SampleMercury, ForcesWithoutAHeaderAreCutWhereTheirTimeChanges) {

@@ -151,6 +151,13 @@ TEST(SampleOfSpheres, EveryProgramsFileGivesTheSameSpheres) {
   }
 }
 
+TEST(SampleOfSpheres, RowsBeyondTheAnnouncedOnesAreNotPassedOver) {
+  const std::string head = "1\nProperties=pos:R:3:radius:R:1\n", row = "1 1 1 0.5\n";
+  EXPECT_EQ(Files(head + row + "\n" + head + row, "").problems_of_spheres(), "");
+  expect_part(Files(head + row + row, "").problems_of_spheres(),
+              "grains.csv:4: 1 grains are announced, but more rows follow; correct the number");
+}
+
 TEST(SampleOfSpheres, ImagesThatLbpmListsAreNoSpheresOfTheirOwn) {
   const auto s =
       Files(

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "io/table/text_file.hpp"
+#include "support/pictures.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace arenite::io {
@@ -46,6 +47,33 @@ TEST(Table, CommasThatMaySetThousandsApartAreRefused) {
             std::string::npos);
   EXPECT_NE(numbers_of("id;x;y\n1;12,5;0.25\n").second.find("others have points"), std::string::npos);
   EXPECT_NE(numbers_of("id,x,y\n1,12,5,0,25\n").second.find("separate cells by semicolons"), std::string::npos);
+}
+
+TEST(Table, ACommentAboveNumbersIsTheirHeaderWhereItHasAsManyNames) {
+  EXPECT_EQ(numbers_of("# id,x [mm],y\n1,12.5,-0.25\n"), std::pair(values, std::string()));
+  EXPECT_EQ(numbers_of("% id x y\n1 12.5 -0.25\n"), std::pair(values, std::string()));
+  EXPECT_EQ(numbers_of("# made today\n# id x y\n1,12.5,-0.25\n"), std::pair(values, std::string()));
+  for (const char* comment : {"", "# made today\n", "# 1,2,3\n", "# id,x\n"})
+    EXPECT_NE(numbers_of(comment + std::string("1,12.5,-0.25\n")).second.find("the first row must name the columns"),
+              std::string::npos)
+        << comment;
+  EXPECT_NE(numbers_of("# x,x,y\n1,2,3\n").second.find("t.csv:1: column \"x\" appears twice"), std::string::npos);
+  Problems problems("t.csv");
+  const Table table = read_table("% first\n# id,x [mm]\n1,2\n", "", problems);
+  EXPECT_EQ(table.header_line, 2);
+  EXPECT_EQ(table.columns.at(1).name, "x");
+  EXPECT_EQ(table.columns.at(1).unit, "mm");
+}
+
+TEST(Table, LinesThatBeginWithAPercentSignAreComments) {
+  EXPECT_EQ(numbers_of("% made by MATLAB\nid,x,y\n% between\n1,12.5,-0.25\n"), std::pair(values, std::string()));
+}
+
+TEST(Table, OneThatIsPackedIsSaidToBeSo) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "t.csv.gz", std::ios::binary) << "\x1f\x8b\x08";
+  EXPECT_NE(test::complaint([&] { read_text(folder / "t.csv.gz"); }).find("t.csv.gz: is compressed (gzip); unpack it"),
+            std::string::npos);
 }
 
 TEST(Table, FortransExponentsAreNumbers) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -148,6 +149,60 @@ TEST_F(Volumes, NrrdStatesTheSideOfItsVoxels) {
   EXPECT_NE(complaint([&] { side("spacings: 2 2 3\n"); }).find("no cubes"), std::string::npos);
 }
 
+bool remarks_say(const VolumeFacts& facts, const std::string& part) {
+  return std::ranges::any_of(facts.remarks, [&](const auto& remark) { return remark.find(part) != remark.npos; });
+}
+
+TEST_F(Volumes, AHeaderThatNamesItsNumbersMayEndWithoutAnEmptyLine) {
+  const std::string head = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 3 2 2\nencoding: raw\n";
+  file("a.raw", stored<std::uint8_t>());
+  expect_places(file("a.nhdr", head + "data file: a.raw\n"));
+  expect_places(file("b.nhdr", head + "data file: a.raw"));
+  EXPECT_NE(complaint([&] { open_volume(file("c.nrrd", head)); }).find("header that does not end"), std::string::npos);
+}
+
+TEST_F(Volumes, AxesThatAFileTurnsAreLeftAsideAndTold) {
+  const auto nrrd = [&](const std::string& directions) {
+    const std::string head = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 3 2 2\nencoding: raw\nspace directions: ";
+    return expect_places(file("a.nrrd", head + directions + "\n\n" + stored<std::uint8_t>()));
+  };
+  const auto meta = [&](const std::string& matrix) {
+    return expect_places(file("a.mha",
+                              "ObjectType = Image\nNDims = 3\nDimSize = 3 2 2\nElementType = MET_UCHAR\n"
+                              "TransformMatrix = " +
+                                  matrix + "\nElementDataFile = LOCAL\n" + stored<std::uint8_t>()));
+  };
+  EXPECT_FALSE(remarks_say(nrrd("(5,0,0) (0,5,0) (0,0,5)"), "turn or mirror"));
+  for (const char* turned : {"(0,0,5) (0,5,0) (5,0,0)", "(5,0,0) (0,-5,0) (0,0,5)", "(4,3,0) (-3,4,0) (0,0,5)"})
+    EXPECT_TRUE(remarks_say(nrrd(turned), "its space directions turn or mirror the axes")) << turned;
+  EXPECT_FALSE(remarks_say(meta("1 0 0 0 1 0 0 0 1"), "turn or mirror"));
+  EXPECT_TRUE(remarks_say(meta("0 1 0 1 0 0 0 0 1"), "TransformMatrix turn or mirror"));
+}
+
+TEST_F(Volumes, MoreNumbersThanTheHeaderSaysAreTold) {
+  const std::string bytes = stored<std::uint8_t>(), more = bytes + "\1";
+  const std::string nrrd = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 3 2 2\nencoding: ";
+  for (const bool whole : {true, false}) {
+    const std::string& numbers = whole ? bytes : more;
+    EXPECT_EQ(remarks_say(expect_places(file("a.npy", numpy("|u1", numbers))), "more numbers follow"), !whole);
+    EXPECT_EQ(remarks_say(expect_places(file("a.nrrd", nrrd + "raw\n\n" + numbers)), "more numbers follow"), !whole);
+    EXPECT_EQ(remarks_say(expect_places(file("b.nrrd", nrrd + "gzip\n\n" + packed(numbers))), "more numbers"), !whole);
+    EXPECT_EQ(remarks_say(expect_places(file("a.nii", nifti(numbers, 2))), "check these sizes"), !whole);
+    EXPECT_EQ(remarks_say(expect_places(file("a.nii.gz", packed(nifti(numbers, 2)))), "check these sizes"), !whole);
+  }
+}
+
+TEST_F(Volumes, MetaImageOfSizesAloneHasThemForItsSpacing) {
+  const auto of = [&](const std::string& lines) {
+    const std::string head = "ObjectType = Image\nNDims = 3\nDimSize = 3 2 2\nElementType = MET_UCHAR\n";
+    return expect_places(file("a.mha", head + lines + "ElementDataFile = LOCAL\n" + stored<std::uint8_t>()));
+  };
+  EXPECT_DOUBLE_EQ(of("ElementSize = 2 2 2\n").dx.value(), 2e-3);
+  EXPECT_DOUBLE_EQ(of("ElementSize = 1 1 2\nElementSpacing = 1 1 1\n").dx.value(), 1e-3);
+  EXPECT_NE(complaint([&] { of("ElementSize = 1 1 2\n"); }).find("voxels of 1 x 1 x 2, which are no cubes"),
+            std::string::npos);
+}
+
 TEST_F(Volumes, MetaImageLocalAndBeside) {
   const std::string head = "ObjectType = Image\nNDims = 3\nDimSize = 3 2 2\nElementType = MET_INT\n";
   EXPECT_DOUBLE_EQ(expect_places(file("a.mha", head + "ElementSpacing = 0.5 0.5 0.5\nElementDataFile = LOCAL\n" +
@@ -194,6 +249,7 @@ TEST_F(Volumes, WhatIsDamagedIsRefusedWithItsMend) {
                  "ElementDataFile = gone.raw\n")
                 .find("j.mhd: names the file \"gone.raw\""),
             std::string::npos);
+  EXPECT_NE(says("l.npy.gz", packed(numpy("|u1", numbers))).find("is compressed (gzip); unpack it"), std::string::npos);
   EXPECT_NE(says("k.raw", numbers).find(".mhd"), std::string::npos);
   EXPECT_NE(says("i.npz", npz("im.npy", numpy("|u1", numbers, false, "(12,)"))).find("im"), std::string::npos);
 }

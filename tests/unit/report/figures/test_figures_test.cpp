@@ -124,7 +124,7 @@ TEST(TestFigures, TheTestOfShearedSpheresIsTheirFrictionAgainstTheShearStrain) {
   SphereResult sheared = test::cube_of_spheres(2);
   test::shear_the_cell(sheared, 0.01);
   sheared.snapshots.back().time = 200;
-  const Panel panel = one_against_another(sheared, "test", "test");
+  const Panel panel = one_against_another(sheared, "test", "test").value();
   EXPECT_EQ(panel.x.label, "shear strain");
   EXPECT_EQ(panel.y.label, "\u03bc");
   EXPECT_NEAR(panel.now.x.front(), 200, 1e-9);  // per cent

@@ -56,6 +56,19 @@ TEST(RasteriseSpheres, ABridgeHasTheVolumeOfItsCylinder) {
   EXPECT_EQ(volume_of(cemented_voxels(two_spheres(d, r, r), parameters, 60, used), Phase::matrix), 0);
 }
 
+TEST(RasteriseSpheres, CementBelowAVoxelIsDoubted) {
+  double used = 0;
+  cement::CementParameters thin;
+  thin.width = 0.02, thin.gap = 0.1;
+  const SpherePack pack = two_spheres(2, 1, 1);
+  EXPECT_FALSE(doubt_about_cement(thin, cemented_voxels(pack, thin, 12, used)).empty());
+  cement::CementParameters none = thin, wide = thin;
+  none.kind = cement::CementParameters::Kind::none;
+  wide.width = 0.8;
+  EXPECT_TRUE(doubt_about_cement(none, cemented_voxels(pack, none, 12, used)).empty());
+  EXPECT_TRUE(doubt_about_cement(wide, cemented_voxels(pack, wide, 40, used)).empty());
+}
+
 TEST(RasteriseSpheres, ACoatingIsAShell) {
   cement::CementParameters parameters;
   parameters.kind = cement::CementParameters::Kind::coating;
