@@ -63,9 +63,8 @@ std::optional<double> read_number(const Written& at, std::string_view unit, cons
     const bool lacks_unit = wanted != dimension::none || unit == "deg";
     if (lacks_unit && !at.reading.bare_numbers_are_si) return at.refuse(unit_is_missing(node, unit));
   }
-  return range.contains(value)
-             ? std::optional(value)
-             : at.refuse(fmt::format("{} is out of range; it must be {}", as_written(node), to_string(range, unit)));
+  if (range.contains(value)) return value;
+  return at.refuse(fmt::format("{} is out of range; it must be {}", as_written(node), to_string(range, unit)));
 }
 
 template <class T, class Read> void read_items(const Written& list, std::vector<T>& values, Read read) {
@@ -104,8 +103,7 @@ void visit_points(const Key& key, std::vector<Vec<D>>& values, std::string_view 
 const Entry* only_entry(const Node& table) {
   if (table.entries.size() == 1) return &table.entries.front();
   const auto wins = [](const Entry& entry) { return entry.value.place.wins; };
-  const auto at = std::ranges::find_if(table.entries, wins);
-  return std::ranges::count_if(table.entries, wins) == 1 ? &*at : nullptr;
+  return std::ranges::count_if(table.entries, wins) == 1 ? &*std::ranges::find_if(table.entries, wins) : nullptr;
 }
 
 std::string form_literal(const Form& form, const std::string& quantity) {
@@ -119,8 +117,8 @@ void read_form(const Written& at, int& form, double& value, const std::vector<Fo
   const bool is_bare = node.kind == Node::Kind::text;
   const Entry* const only = node.kind == Node::Kind::table ? only_entry(node) : nullptr;
   if (!only && node.entries.size() > 1)
-    return void(at.refuse(fmt::format("is given as {}; keep one of them",
-                                      list_of(mapped(node.entries, [](const Entry& e) { return e.key; }), " and "))));
+    return void(at.refuse(
+        fmt::format("is given as {}; keep one of them", list_of(mapped(node.entries, &Entry::key), " and "))));
   if (!is_bare && !only) return void(at.refuse("must be one of: " + ways));
   const std::string &word = is_bare ? node.text : only->key, path = at.path + "." + word;
   std::vector<std::string> alike;
@@ -133,12 +131,11 @@ void read_form(const Written& at, int& form, double& value, const std::vector<Fo
     if (read) form = static_cast<int>(i), value = *read;
     return;
   }
-  const std::string near = nearest(word, alike);
+  const std::string near = nearest(word, alike), tag = tag_of_quantity(word, forms);
   if (!is_bare)
     return at.reading.add(
         only->place, path,
         near.empty() ? "unknown key; write one of: " + ways : fmt::format("unknown key; did you mean {}?", near));
-  const std::string tag = tag_of_quantity(word, forms);
   at.refuse(!tag.empty()   ? fmt::format("write {{ {} = \"{}\" }}", tag, word)
             : near.empty() ? fmt::format("unknown word \"{}\"; write one of: {}", word, ways)
                            : fmt::format("unknown word \"{}\"; did you mean \"{}\"?", word, near));

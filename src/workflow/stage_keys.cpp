@@ -132,16 +132,10 @@ std::string packing_key(const recipe::Recipe& recipe, const std::string& part) {
 /// Its walls are those of a driven sample (dem/walls.hpp), or its anisotropies have the signs of shear.
 bool presses_while_driven_or_shears(const dem::Stage& stage) {
   const auto closes = [](const dem::SideDrive& side) { return side.kind == dem::SideDrive::Kind::velocity; };
-  const bool shears = stage.shear_rate != 0 || stage.slide != ByAnySide<double>{};
   const bool driven = std::ranges::any_of(stage.side, closes) || stage.strain_cycles || !stage.programmes.empty() ||
                       dem::moves_boundaries(stage);
-  return shears || (driven && std::ranges::any_of(stage.side, &dem::SideDrive::presses));
-}
-
-/// The sample may go on between them as a whole (dem::Membranes::lets_drift).
-bool presses_by_two_membranes(const dem::Stage& stage) {
-  const auto both = [&](int a, int b) { return stage.side[a].is_skin() && stage.side[b].is_skin(); };
-  return stage.skin.ends == dem::SkinEnds::sliding && (both(left, right) || both(bottom, top));
+  return stage.shear_rate != 0 || stage.slide != ByAnySide<double>{} ||
+         (driven && std::ranges::any_of(stage.side, &dem::SideDrive::presses));
 }
 
 /// Of all that stage `s` (0-based) depends on: the packing, laws, integration, the stages up to it. What changes no bit
@@ -154,7 +148,7 @@ std::string stage_key(const recipe::Recipe& recipe, std::size_t s, const std::st
   if (!recipe.contact.attractive_dashpot) hash.add("clipped dashpot version", clipped_dashpot_version);
   if (std::ranges::any_of(part.stages, presses_while_driven_or_shears))
     hash.add("driven loading version", driven_loading_version);
-  if (std::ranges::any_of(part.stages, presses_by_two_membranes))
+  if (std::ranges::any_of(part.stages, dem::presses_by_two_membranes))
     hash.add("drifting loading version", drifting_loading_version);
   return hash.hex();
 }
@@ -298,10 +292,8 @@ std::string film_key(const fs::path& film, FilmSource& source, const recipe::Fil
 
 std::string virtual_film_key(const recipe::FilmRecipe& camera, const std::string& low, const std::string& high) {
   HashBuilder hash;
-  hash.add("virtual film version", virtual_film_version)
-      .add("film version", film_version)
-      .add("recipe", changed_keys(camera));
-  return hash.add("low", low).add("high", high).hex();
+  hash.add("virtual film version", virtual_film_version).add("film version", film_version);
+  return hash.add("recipe", changed_keys(camera)).add("low", low).add("high", high).hex();
 }
 
 }  // namespace arenite::workflow

@@ -76,7 +76,7 @@ TEST(CementedSpheres, TheExampleRuns) {
   EXPECT_FALSE(result_of(out, "04-shear").empty());
   const auto arrays = arenite("export " + out.string() + " --to npy");
   EXPECT_EQ(arrays.status, 0) << arrays.err;
-  EXPECT_TRUE(test::contains(arrays.err, "left out, for npy does not hold it: 00-packing")) << arrays.err;
+  EXPECT_TRUE(test::contains(arrays.err, "left out, for npy does not hold it: 01-packing")) << arrays.err;
   const auto shown = arenite("show " + out.string());
   EXPECT_TRUE(test::contains(shown.out, "\nNumbers of shear, each +-")) << shown.out;
 }

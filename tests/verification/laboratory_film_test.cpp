@@ -129,7 +129,7 @@ TEST(LaboratoryFilm, ALoadThatIsKnownBadlyMakesForcesNoSmaller) {
 /// Grains as bright as what is behind them: where they go nobody sees, and what they warm by is not what the recipe's
 /// emissivity makes it.
 TEST(LaboratoryFilm, GrainsWhoseMotionIsLostTakeNoForcesFromOthers) {
-  const FilmAccuracy a = Laboratory::measures([](auto& f) { f.bare = {11, 20}; }, {}, Laboratory::Grains::listed);
+  const FilmAccuracy a = Laboratory::measures([](auto& f) { f.bare = {0.32, 0.56}; }, {}, Laboratory::Grains::listed);
   expect_said(a, "the motion of 2 of 36 grains is not visible well enough");
   EXPECT_EQ(all(a).find("grains of one material differ"), std::string::npos) << all(a);  // not these
   EXPECT_LT(a.force, 0.014);

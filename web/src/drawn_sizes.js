@@ -1,6 +1,6 @@
 /** Sizes that are no measure of anything, chosen so that pictures are read easily. Print draws the same
-    (`python/arenite/figures/style.py`, which web/test/packing_parts.test.mjs compares), so that a picture on the page and
-    the figure of the same state look alike. */
+    (`python/arenite/figures/style.py`, which web/test/packing_parts.test.mjs compares), so that a picture on the page
+    and the figure of the same state look alike. */
 
 /** Width of a contact force over the radius of a mean grain: at the mean force, and at most. */
 export const chain = { width: 0.16, widest: 1.1 };

@@ -103,6 +103,11 @@ bool moves_side(const Stage& stage, int side) {
          std::ranges::any_of(stage.programmes, [&](const Programme& p) { return p.of == velocity; });
 }
 
+bool presses_by_two_membranes(const Stage& stage) {
+  const auto both = [&](int a, int b) { return stage.side[a].is_skin() && stage.side[b].is_skin(); };
+  return stage.skin.ends == SkinEnds::sliding && (both(left, right) || both(bottom, top));
+}
+
 bool strains_at_a_rate(const Stage& stage) {
   bool strains = stage.shear_rate != 0 || stage.slide != ByAnySide<double>{};
   for (int side = 0; side < sides_in<3>; ++side) strains |= moves_side(stage, side);

@@ -226,6 +226,8 @@ template <> inline const std::vector<BoundaryMotionIn<3>>& boundaries_in<3>(cons
 bool moves_boundaries(const Stage& stage);
 /// Whether a side goes at a speed, its own or that of a programme.
 bool moves_side(const Stage& stage, int side);
+/// Whether membranes that slide press on both sides of it, between which the sample may go on as a whole.
+bool presses_by_two_membranes(const Stage& stage);
 /// Whether the sample is strained at a rate: a cell is sheared, a wall slides, a side goes at a speed.
 bool strains_at_a_rate(const Stage& stage);
 

@@ -34,7 +34,9 @@ TEST(StudyKind, IsThatOfTheLastStages) {
 TEST(StudyKind, RunsAreDrivenWhereAllStrainAtARate) {
   EXPECT_EQ(kind_with(lasts + "top = { velocity = \"75 mm/s\" }\n").driven.size(), 3u);
   EXPECT_EQ(kind_with(lasts + "slide = { top = \"1 mm/s\" }\n").driven.size(), 3u);
-  EXPECT_EQ(kind_with(lasts + "[[stages.programmes]]\nof = \"slide.top\"\ntable = [[\"0 s\", \"1 mm/s\"]]\n").driven.size(), 3u);
+  EXPECT_EQ(
+      kind_with(lasts + "[[stages.programmes]]\nof = \"slide.top\"\ntable = [[\"0 s\", \"1 mm/s\"]]\n").driven.size(),
+      3u);
   EXPECT_TRUE(kind_with(lasts + "top = { velocity = \"75 mm/s\" }\n", 1).driven.empty());
   EXPECT_TRUE(kind_with("top = { force = \"1 kN\" }\n").driven.empty());
 }

@@ -13,9 +13,9 @@ const bothWays =
   (name, least = 0) =>
   (sample) => [-Math.max(topOf(name, sample), least), Math.max(topOf(name, sample), least)];
 
-/** How grains may be coloured. By a quantity: `range(sample)` = [low, high] and `map`, which the reader may change; it is
-    called as the program calls the quantity. By names: `colour(sample, theme)` = function from a grain to a colour, and
-    `key(sample, theme)` = [[name, colour]]. A new one is one more row. */
+/** How grains may be coloured. By a quantity: `range(sample)` = [low, high] and `map`, which the reader may change; it
+    is called as the program calls the quantity. By names: `colour(sample, theme)` = function from a grain to a
+    colour, and `key(sample, theme)` = [[name, colour]]. A new one is one more row. */
 export const colourings = {
   material: {
     label: "Material",
