@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <ranges>
 
 #include "io/sample/formats.hpp"
 
@@ -63,9 +62,9 @@ SnapshotPair common_snapshot(const std::vector<Moment>& grains, const std::vecto
   SnapshotPair pair{of_grains.empty() ? 0 : of_grains.back(), of_contacts.empty() ? 0 : of_contacts.back()};
   if (!grains.empty() && !contacts.empty()) {
     const auto found = [&] {
-      for (const std::size_t g : of_grains | std::views::reverse)
-        for (const std::size_t c : of_contacts | std::views::reverse)
-          if (agree(grains[g], contacts[c])) return pair = {g, c}, true;
+      for (auto g = of_grains.rbegin(); g != of_grains.rend(); ++g)
+        for (auto c = of_contacts.rbegin(); c != of_contacts.rend(); ++c)
+          if (agree(grains[*g], contacts[*c])) return pair = {*g, *c}, true;
       return false;
     };
     if (!found()) {
