@@ -203,7 +203,8 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
   Loading loading(format, folder);
   Provenance last;
   bool has_field = false;
-  std::vector<fs::path> not_held, spheres_not_held;
+  std::vector<fs::path> not_held;
+  std::optional<fs::path> spheres_not_held;  // the first file of them
   std::optional<Packing> before;
   for (const auto& file : files) {
     const std::string kind = io::stored_kind(file);
@@ -223,7 +224,8 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
       continue;
     }
     if (kind == "spheres" && !format.holds_spheres()) {
-      spheres_not_held.push_back(file);
+      if (!spheres_not_held) spheres_not_held = file;
+      not_held.push_back(file);
       continue;
     }
     if (kind == "spheres") {
@@ -251,9 +253,8 @@ std::vector<fs::path> export_result(const fs::path& result, const io::ExportForm
     }
   }
   const bool is_empty = loading.is_empty() && !has_field;
-  if (is_empty && !spheres_not_held.empty()) refuse_spheres(spheres_not_held.front(), format);
+  if (is_empty && spheres_not_held) refuse_spheres(*spheres_not_held, format);
   if (is_empty) throw InputError(result.string(), 0, "holds no state to export; run the recipe to its end first");
-  not_held.insert(not_held.begin(), spheres_not_held.begin(), spheres_not_held.end());
   if (left_out) *left_out = std::move(not_held);
   try {
     return loading.finish(last);

@@ -1,6 +1,8 @@
 #include "grains/texture/force_scale.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <type_traits>
 
 namespace arenite::texture {
 namespace {
@@ -40,5 +42,13 @@ template <int D> double mean_push(const std::vector<const ContactsIn<D>*>& state
 
 template double mean_push(const std::vector<const Contacts*>&);
 template double mean_push(const std::vector<const ContactsIn<3>*>&);
+
+template <int D> bool has_forces(const ContactsIn<D>& contacts) {
+  const auto acts = [](const auto& force) { return force != std::remove_cvref_t<decltype(force)>{}; };
+  return std::ranges::any_of(contacts.fn, acts) || std::ranges::any_of(contacts.ft, acts);
+}
+
+template bool has_forces(const Contacts&);
+template bool has_forces(const ContactsIn<3>&);
 
 }  // namespace arenite::texture

@@ -21,4 +21,9 @@ ForceScale force_scale(const ContactsIn<D>& contacts, double measured, const std
 /// where none pushes.
 template <int D> double mean_push(const std::vector<const ContactsIn<D>*>& states);
 
+/// Whether some contact has a force; else nobody knows them.
+template <int D> bool has_forces(const ContactsIn<D>& contacts);
+inline constexpr const char* forces_not_known =
+    "The forces of the contacts are not known, so statistics of forces and stresses are omitted.";
+
 }  // namespace arenite::texture

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/problems.hpp"
+#include "grains/texture/force_scale.hpp"
 #include "grains/texture/view.hpp"
 
 namespace arenite::texture {
@@ -65,12 +66,6 @@ Numbers rows(const PerGrain& g) {
   return j;
 }
 
-/// Whether no contact has a force, so that nobody knows them.
-bool lacks_forces(const Contacts& contacts) {
-  const auto acts = [](double force) { return force != 0; };
-  return contacts.size() > 0 && std::ranges::none_of(contacts.fn, acts) && std::ranges::none_of(contacts.ft, acts);
-}
-
 /// Leaves what places alone tell: strength, rattlers, anisotropies of forces, stresses and their signs go.
 void forget_forces(Texture& t) {
   erase(t.numbers, Trait::by_forces);
@@ -78,7 +73,7 @@ void forget_forces(Texture& t) {
   t.per_grain.sigma.clear();
   t.per_grain.sigma_hyd.clear();
   t.per_grain.sigma_norm.assign(t.per_grain.sigma_norm.size(), unknown);
-  t.notes.push_back("The forces of the contacts are not known, so statistics of forces and stresses are omitted.");
+  t.notes.emplace_back(forces_not_known);
 }
 
 }  // namespace
@@ -89,7 +84,7 @@ Texture measure(const Packing& packing, const Options& options) {
   if (measured > 0 && measured != packing.grains.size())
     throw refusal("sigma_hyd has {} values for {} grains; give one per grain, NaN where it is not known", measured,
                   packing.grains.size());
-  const bool forceless = measured == 0 && lacks_forces(packing.contacts);
+  const bool forceless = measured == 0 && packing.contacts.size() > 0 && !has_forces(packing.contacts);
   Options used = options;
   if (forceless) used.rattler_contacts = 0;
   Texture texture;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -53,8 +54,10 @@ Hdf5Handle without_lock() {
 }
 
 /// Frames a second, 0 where none are stated: as a rate or an interval, in Hz and s or, in a text, in its own unit.
+constexpr std::initializer_list<const char*> names_of_rate{"frame_rate", "frame_rate_Hz", "fps"};
+
 double stated_rate(hid_t at) {
-  if (const double rate = number_attribute(at, {"frame_rate", "frame_rate_Hz", "fps"}); rate > 0) return rate;
+  if (const double rate = number_attribute(at, names_of_rate); rate > 0) return rate;
   if (const double interval = number_attribute(at, {"frame_interval", "frame_interval_s", "dt"}); interval > 0)
     return 1 / interval;
   if (const double interval = number_attribute(at, {"frame_interval_ms"}); interval > 0) return 1e3 / interval;
@@ -150,8 +153,7 @@ Hdf5Facts look_at_hdf5_film(const Bytes& bytes, const FilmChoice& choice) {
   facts.unit = text_attribute(*set, "units");
   for (const hid_t at : {static_cast<hid_t>(*set), static_cast<hid_t>(*file)}) {
     if (facts.frame_rate == 0) facts.frame_rate = stated_rate(at);
-    for (const char* key : {"frame_rate", "frame_rate_Hz", "fps"})
-      facts.no_rate = std::min(facts.no_rate, stated_number(at, key).value_or(0));
+    for (const char* key : names_of_rate) facts.no_rate = std::min(facts.no_rate, stated_number(at, key).value_or(0));
     if (facts.integration == 0) facts.integration = number_attribute(at, {"integration", "integration_s"});
   }
   facts.scale = stated_number(*set, "scale_factor").value_or(no_number);

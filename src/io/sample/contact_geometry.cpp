@@ -158,17 +158,15 @@ template <int D> void TurnedNormals<D>::tell(std::vector<std::string>& notes, Pr
                  normal_names<D>);
 }
 
-template std::optional<ContactGeometry<2>> grain_geometry(const PackingIn<2>&, const Frame<2>&, const RawContact&,
-                                                          std::size_t, std::size_t, Problems&);
-template std::optional<ContactGeometry<2>> wall_geometry(const PackingIn<2>&, const Frame<2>&, const RawContact&,
-                                                         std::size_t, bool, Problems&);
-template class PlacesOfWalls<2>;
-template class TurnedNormals<2>;
-template std::optional<ContactGeometry<3>> grain_geometry(const PackingIn<3>&, const Frame<3>&, const RawContact&,
-                                                          std::size_t, std::size_t, Problems&);
-template std::optional<ContactGeometry<3>> wall_geometry(const PackingIn<3>&, const Frame<3>&, const RawContact&,
-                                                         std::size_t, bool, Problems&);
-template class PlacesOfWalls<3>;
-template class TurnedNormals<3>;
+#define ARENITE_OF(D)                                                                                                \
+  template std::optional<ContactGeometry<D>> grain_geometry(const PackingIn<D>&, const Frame<D>&, const RawContact&, \
+                                                            std::size_t, std::size_t, Problems&);                    \
+  template std::optional<ContactGeometry<D>> wall_geometry(const PackingIn<D>&, const Frame<D>&, const RawContact&,  \
+                                                           std::size_t, bool, Problems&);                            \
+  template class PlacesOfWalls<D>;                                                                                   \
+  template class TurnedNormals<D>;
+ARENITE_OF(2)
+ARENITE_OF(3)
+#undef ARENITE_OF
 
 }  // namespace arenite::io

@@ -26,6 +26,13 @@ inline std::vector<std::string> problems(const std::string& text, const std::vec
   return {};
 }
 
+/// The one problem of a text that has just one.
+inline std::string only_problem(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  const auto lines = problems(text, overrides);
+  EXPECT_EQ(lines.size(), 1u) << text;
+  return lines.empty() ? std::string() : lines.front();
+}
+
 inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
   const auto at = text.find(what);
   EXPECT_NE(at, std::string::npos) << what;

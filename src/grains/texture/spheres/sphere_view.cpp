@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "grains/texture/force_scale.hpp"
 #include "grains/texture/loose_grains.hpp"
 #include "grains/texture/partners.hpp"
 
@@ -64,8 +65,7 @@ SphereView::SphereView(const PackingIn<3>& p, const SphereOptions& o) : packing(
   check_widths(packing);
   const GrainsIn<3>& all = packing.grains;
   has_box = domain.is_cell() || std::ranges::any_of(domain.wall, &WallIn<3>::present);
-  for (std::size_t c = 0; c < pairs().size(); ++c)
-    has_forces = has_forces || pairs().fn[c] != 0 || pairs().ft[c] != Vec3{};
+  has_forces = texture::has_forces(pairs());
   mean_diameter = all.mean_diameter();
   const auto take_grains = [&] {
     for (std::size_t g = 0; g < all.size(); ++g)

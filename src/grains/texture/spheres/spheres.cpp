@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "grains/texture/force_scale.hpp"
 #include "grains/texture/spheres/sphere_view.hpp"
 
 namespace arenite::texture {
@@ -41,8 +42,7 @@ std::vector<std::string> notes_of(const SphereView& view) {
     notes.push_back(
         "The box is not known, so solid fraction and the stress of the assembly are omitted and no border is left "
         "out.");
-  if (!view.has_forces && view.pairs().size() > 0)
-    notes.push_back("The forces of the contacts are not known, so statistics of forces and stresses are omitted.");
+  if (!view.has_forces && view.pairs().size() > 0) notes.emplace_back(forces_not_known);
   if (!view.options.load_axis && view.has_forces)
     notes.push_back(
         "The direction of the load is not given: a_c_signed refers to the sample's own axis of greatest compression.");
