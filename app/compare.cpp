@@ -27,7 +27,9 @@ void add_compare(Options& command, int&) {
   const auto a = std::make_shared<CompareArguments>();
   command.add("a", a->a, "Folder of a run or a film's result, or a file of it").required().type("A");
   command.add("b", a->b, "The other result").required().type("B");
-  command.add("--out", a->out, "Page to write: differing settings, curves of both, all numbers (default: compare.html)")
+  command
+      .add("--out", a->out,
+           "Page to write, .html: differing settings, curves of both, all numbers (default: compare.html)")
       .type("FILE");
   command.add("--csv", a->csv, "Also write all numbers as a table").type("FILE");
   command.add("--all", a->all, "Print all numbers, not only those that differ beyond two standard errors");

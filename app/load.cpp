@@ -1,9 +1,16 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "commands.hpp"
+#include "io/disk/store_file.hpp"
 #include "io/image/image.hpp"
+#include "io/volume/spheres.hpp"
 #include "io/volume/volume.hpp"
 #include "print.hpp"
 #include "progress.hpp"
@@ -39,6 +46,52 @@ recipe::Load load_of(const LoadArguments& a) {
   read_options(load, a.load.given());
   load.name = load.failure ? "failure" : recipe::word_of(load.loading);
   return load;
+}
+
+/// What a map is read from, by which some of its keys have an effect.
+enum Source : unsigned { from_picture = 1, from_field = 2, from_volume = 4, from_spheres = 8 };
+
+Source source_of(const recipe::MapSection& map) {
+  if (io::is_sphere_table(map.file)) return from_spheres;
+  if (workflow::is_in_space(map)) return from_volume;
+  return io::stored_kind(map.file) == "field" ? from_field : from_picture;
+}
+
+struct KeyOfSources {
+  std::string_view key;
+  unsigned sources;
+  const char* words;
+};
+constexpr KeyOfSources keys_of_sources[] = {{"phases", from_picture | from_volume, "a picture or a volume"},
+                                            {"labels", from_picture | from_volume, "a picture or a volume"},
+                                            {"dx", from_picture | from_volume, "a picture or a volume"},
+                                            {"periodic", from_picture | from_volume, "a picture or a volume"},
+                                            {"dataset", from_picture | from_volume, "a picture or a volume"},
+                                            {"label_dataset", from_picture | from_volume, "a picture or a volume"},
+                                            {"crop", from_picture | from_volume | from_spheres, "a picture"},
+                                            {"slice", from_picture | from_volume | from_spheres, "a picture"},
+                                            {"label_slice", from_picture | from_volume | from_spheres, "a picture"},
+                                            {"voxels", from_spheres, "a table of spheres"},
+                                            {"cement", from_spheres, "a table of spheres"},
+                                            {"horizon_in_space", from_volume | from_spheres, "a sample in space"}};
+
+/// Why an option that is given has no effect on such a map; empty where it has one, or is refused with its reason.
+std::string idle_without(std::string_view key, const recipe::MapSection& map) {
+  if (key == "smoothing") return map.labels == "watershed" ? "" : "--labels watershed";
+  const auto at = std::ranges::find(keys_of_sources, key, &KeyOfSources::key);
+  return at == std::end(keys_of_sources) || (at->sources & source_of(map)) != 0 ? "" : at->words;
+}
+
+void tell_idle_options(const LoadArguments& a, const recipe::MapSection& map) {
+  std::vector<std::string> told;
+  for (const KeyOptions* options : {&a.map, &a.load})
+    for (const recipe::Given& each : options->given()) {
+      const std::string without = idle_without(each.key.substr(0, each.key.find('.')), map),
+                        option = each.label.substr(0, each.label.find(':'));
+      if (without.empty() || std::ranges::count(told, option) > 0) continue;
+      print(stderr, "{}: only has an effect with {}; it is left aside\n", option, without);
+      told.push_back(option);
+    }
 }
 
 workflow::RunOptions options_of(const LoadArguments& a, ProgressLine& line) {
@@ -85,6 +138,7 @@ int execute_in_space(const LoadArguments& a, const recipe::MapSection& map, cons
 int execute(const LoadArguments& a) {
   const recipe::MapSection map = map_of(a);
   const recipe::Load load = load_of(a);
+  tell_idle_options(a, map);
   if (workflow::is_in_space(map)) return execute_in_space(a, map, load);
   if (a.solver) throw InputError(a.solver->name + " solves samples in space; load pictures by `arenite load`");
   workflow::require_length(map, load);

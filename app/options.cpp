@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "core/mapped.hpp"
+#include "core/problems.hpp"
 #include "core/text.hpp"
 #include "core/thread_count.hpp"
 #include "core/unit_names.hpp"
@@ -177,6 +178,8 @@ void KeyOptions::add_section(const Slot& slot, std::vector<recipe::Given>& given
       throw InputError(
           fmt::format("{}: \"{}\" is not of the form {}=VALUE", slot.name, part, list_of(names, "=VALUE,")));
     const std::string key = slot.key + "." + name;
+    if (std::ranges::find(given, key, &recipe::Given::key) != given.end())
+      throw refusal("{}: {} is given twice; keep one", slot.name, name);
     given.push_back({slot.name + ": " + name, key, recipe::value_of(at(key), part.substr(equals + 1))});
   }
 }

@@ -31,6 +31,7 @@ def save(result, path, by=None, *, low=None, high=None, size=None, curve=None, p
     wanted = types.SimpleNamespace(**_core._animation(by=by, **told, **asked))
     path = pathlib.Path(path)
     refuse(path, wanted.colour_map)
+    refuse_scale(wanted, low, high)
     result = open_result(os.fspath(result)) if isinstance(result, (str, os.PathLike)) else result
     shots = shots_of(result, wanted.stage)
     if path.suffix == ".mp4" and not has_ffmpeg():
@@ -60,6 +61,16 @@ def refuse(path, colour_map):
         raise ValueError(
             f"Matplotlib has no colour map {colour_map}; examples are viridis, magma_r, RdBu_r, cividis and turbo"
         )
+
+
+def refuse_scale(wanted, low, high):
+    """Raises ValueError for a colour scale that shows no state, its ends in SI units."""
+    if high is None:
+        return
+    if wanted.never_negative and high <= 0:
+        raise ValueError(f"the colour scale of {wanted.by}, which is never below 0, cannot end at {high:g}; raise it")
+    if low is not None and high <= low:
+        raise ValueError(f"the colour scale of {wanted.by} cannot go from {low:g} to {high:g}; give a high above low")
 
 
 def has_ffmpeg():

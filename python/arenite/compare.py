@@ -235,11 +235,13 @@ def save_table(found, path):
 def save_page(a, b, path, names=None):
     """A self-contained page in the manner of the results' own: what one asks first, the figures with the curves of
     both, the settings that differ and all numbers. `names` of the two results; their paths if not given. Returns the
-    path."""
+    path, which must end in .html; raises ValueError."""
     from ._compare_page import page
 
-    one, other = opened(a), opened(b)
     path = pathlib.Path(path)
+    if path.suffix not in (".html", ".htm"):
+        raise ValueError(f"{path}: give the page a name that ends in .html")
+    one, other = opened(a), opened(b)
     path.parent.mkdir(parents=True, exist_ok=True)
     text = page(one, other, names or [name_of(one, a), name_of(other, b)])
     with written_whole(path) as beside:

@@ -101,7 +101,9 @@ py::dict animation_of(const py::kwargs& given) {
   const report::PictureSize size = report::size_of(animation);
   const auto or_none = [](const std::string& text) { return text.empty() ? py::object(py::none()) : py::str(text); };
   py::dict d;
-  d["by"] = report::colourings()[animation.by].name;
+  const report::Colouring& by = report::colourings()[animation.by];
+  d["by"] = by.name;
+  d["never_negative"] = by.never_negative;
   d["chains"] = animation.chains;
   d["stage"] = or_none(animation.stage);
   d["colour_map"] = or_none(animation.map);

@@ -88,7 +88,7 @@ void read_replicates(const recipe::Node& value, recipe::Reading& reading, Sweep&
     sweep.replicates = value.integer;
   } else {
     add_problem(reading, value.place, "sweep.replicates",
-                "must be a whole number of at least 1, the number of seeds of each combination");
+                fmt::format("must be a whole number from 1 to {}, the number of seeds of each combination", most_runs));
   }
 }
 

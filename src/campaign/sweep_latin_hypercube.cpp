@@ -129,7 +129,7 @@ std::vector<Point> latin_hypercube_points(const recipe::Node& section, recipe::R
   if (!runs || runs->value.kind != recipe::Node::Kind::integer || runs->value.integer < 1 ||
       runs->value.integer > static_cast<std::int64_t>(most_runs)) {
     add_problem(reading, runs ? runs->value.place : section.place, path,
-                "must state runs = N, a whole number of at least 1");
+                fmt::format("must state runs = N, a whole number from 1 to {}", most_runs));
     return points;
   }
   points.resize(static_cast<std::size_t>(runs->value.integer));

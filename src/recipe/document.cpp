@@ -109,6 +109,8 @@ std::string reason_in(std::string_view description) {
   return text;
 }
 
+constexpr const char* no_utf_8 = "this is not UTF-8, in which recipes are written; save it as UTF-8";
+
 std::string real_literal(double value) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
@@ -204,13 +206,17 @@ std::vector<std::string> put(Node& root, const std::vector<std::string>& parts, 
 }
 
 Node read_document(std::string_view text, const std::string& file_name) {
+  const bool in_utf_16 = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+  if (in_utf_16 || text.find('\0') != text.npos) throw InputError(file_name, 0, no_utf_8);
   refuse_deep_keys(text, file_name);
   try {
     return converted(toml::parse(text));
   } catch (const toml::parse_error& error) {
     const Place place = place_of(error.source());
-    throw InputError({Problem{file_name, place.line, place.column,
-                              fmt::format("this is not TOML; {}", reason_in(error.description()))}});
+    const std::string reason = reason_in(error.description());
+    throw InputError({Problem{
+        file_name, place.line, place.column,
+        lower_case(reason).find("utf-8") != reason.npos ? no_utf_8 : fmt::format("this is not TOML; {}", reason)}});
   }
 }
 

@@ -99,6 +99,8 @@ void doubt_idle_keys(const Recipe& recipe, std::vector<std::string>& doubts) {
   doubt(recipe.membrane && !has_skin, "membrane",
         "no stage makes a side one; write for example left = { membrane = \"100 kPa\" } there, or leave the section "
         "out");
+  doubt(recipe.map && recipe.map->labels != "watershed" && recipe.map->smoothing != MapSection{}.smoothing,
+        "map.smoothing", "only labels = \"watershed\" cuts grains at necks; take that, or leave this key out");
   if (contact.adheres()) return;
   constexpr std::string_view no_adhesion = "contact.adhesion is \"none\"; choose one, or leave this key out";
   doubt(contact.surface_energy > 0, "contact.surface_energy", no_adhesion);

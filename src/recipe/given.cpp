@@ -22,12 +22,18 @@ std::string as_typed(const Record& record) {
   return text.size() > 1 && text.front() == '"' && text.back() == '"' ? text.substr(1, text.size() - 2) : text;
 }
 
-/// The place of a problem says it; the key's own name in front of it would be a second one.
+/// The place of a problem says it; the key's own name in front of it would be a second one. A key that is missing
+/// beside the one that is given keeps its name: "--cement: thickness: is missing".
 void leave_key_out(Problem& problem, const std::vector<Given>& given) {
   const auto at = std::ranges::find(given, problem.file, &Given::label);
   const auto colon = problem.message.find(": ");
-  if (at != given.end() && colon != std::string::npos && problem.message.find(' ') > colon)
-    problem.message.erase(0, colon + 2);
+  if (at == given.end() || colon == std::string::npos || problem.message.find(' ') < colon) return;
+  const std::string_view path = std::string_view(problem.message).substr(0, colon);
+  if (path == at->key || problem.message.compare(colon, 12, ": is missing") != 0)
+    return void(problem.message.erase(0, colon + 2));
+  const std::string own = ": " + at->key.substr(at->key.rfind('.') + 1);
+  if (problem.file.ends_with(own)) problem.file.resize(problem.file.size() - own.size());
+  problem.message.erase(0, path.rfind('.') + 1);
 }
 
 }  // namespace

@@ -79,6 +79,19 @@ double nearest_whole(double value) {
   return std::abs(value - whole) <= 1e-9 * std::max(1.0, std::abs(value)) ? whole : value;
 }
 
+std::optional<std::int64_t> whole_number(const Node& node) {
+  if (node.kind == Node::Kind::integer) return node.integer;
+  const bool is_whole =
+      node.kind == Node::Kind::real && std::floor(node.real) == node.real && std::abs(node.real) < 1e15;
+  return is_whole ? std::optional(static_cast<std::int64_t>(node.real)) : std::nullopt;
+}
+
+bool is_beyond_integers(const Node& node) {
+  const std::string_view text = node.text, digits = text.substr(text.starts_with('-') ? 1 : 0);
+  return node.kind == Node::Kind::text && !digits.empty() && std::ranges::all_of(digits, is_digit) &&
+         !parse_number<std::int64_t>(text);
+}
+
 std::string as_written(const Node& node) {
   if (node.kind == Node::Kind::text) return "\"" + node.text + "\"";
   return node.kind == Node::Kind::integer ? std::to_string(node.integer) : format_quantity(node.real, "");

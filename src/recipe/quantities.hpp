@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +21,11 @@ double si_value(std::string_view text, Dimension wanted, std::string_view unit, 
 
 /// A whole number without the rounding of the expression that it came from; other numbers as they are.
 double nearest_whole(double value);
+
+/// The whole number that a node holds; nothing of anything else.
+std::optional<std::int64_t> whole_number(const Node& node);
+/// Whether it has the digits of one, but of more of them than TOML has numbers for, so that it was read as a text.
+bool is_beyond_integers(const Node& node);
 
 /// A number or a text as it stands in the recipe.
 std::string as_written(const Node& node);

@@ -162,14 +162,13 @@ void KeyVisitor::integer(const Key& key, std::optional<std::int64_t>& value, con
       if (!found) return;
       node.kind = Node::Kind::real, node.real = nearest_whole(*found);
     }
-    const bool is_whole =
-        node.kind == Node::Kind::real && std::floor(node.real) == node.real && std::abs(node.real) < 1e15;
-    const std::int64_t read = is_whole ? static_cast<std::int64_t>(node.real) : node.integer;
-    if (!at.is(is_number(node), "a whole number")) return;
-    if (node.kind == Node::Kind::real && !is_whole)
-      at.refuse(fmt::format("{} is not a whole number", as_written(node)));
-    else if (read < range.min || read > range.max)
-      at.refuse(fmt::format("{} is out of range; it must be {}", read, to_string(range)));
+    const auto read = whole_number(node);
+    if (is_beyond_integers(node))
+      at.refuse(fmt::format("{} is out of range; it must be from {} to {}", node.text, range.min, range.max));
+    else if (!at.is(is_number(node), "a whole number")) return;
+    else if (!read) at.refuse(fmt::format("{} is not a whole number", as_written(node)));
+    else if (*read < range.min || *read > range.max)
+      at.refuse(fmt::format("{} is out of range; it must be {}", *read, to_string(range)));
     else value = read;
   });
 }

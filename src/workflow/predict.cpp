@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ctime>
 #include <utility>
+#include <variant>
 
 #include "core/error.hpp"
 #include "grains/dem/engine.hpp"
@@ -60,8 +61,25 @@ std::size_t count_of(const recipe::Recipe& recipe) {
   return static_cast<std::size_t>(std::max(sum, shares ? recipe.packing.grains : 0));
 }
 
-/// The same with fewer grains in a frame that is smaller alike.
-recipe::Recipe with_fewer(recipe::Recipe recipe, double share) {
+/// How much smaller a sample of fewer grains is along x and along y.
+struct Smaller {
+  double across = 1, along = 1;
+};
+
+/// Alike along both, but never narrower than some grains: a narrow sample is only less high.
+Smaller smaller_by(const recipe::Recipe& recipe, double share) {
+  constexpr double fewest_across = 10;
+  double widest = 0;
+  for (const auto& population : recipe.populations)
+    widest = std::max(widest, std::visit([](const auto& law) { return law.largest(); }, population.size));
+  const double width = recipe.container.width, across = std::sqrt(share);
+  if (!(width > 0) || across * width >= fewest_across * widest) return {across, across};
+  const double least = std::min(1.0, fewest_across * widest / width);
+  return {least, share / least};
+}
+
+/// The same with fewer grains in a frame that is smaller.
+recipe::Recipe with_fewer(recipe::Recipe recipe, double share, const Smaller& by) {
   if (recipe.bidisperse) recipe.bidisperse->law.box_area *= share;
   const auto fewer = [share](std::int64_t count) {
     return std::max<std::int64_t>(1, std::llround(share * static_cast<double>(count)));
@@ -69,8 +87,8 @@ recipe::Recipe with_fewer(recipe::Recipe recipe, double share) {
   for (auto& population : recipe.populations)
     if (population.count) population.count = fewer(*population.count);
   recipe.packing.grains = fewer(recipe.packing.grains);
-  recipe.container.width *= std::sqrt(share);
-  recipe.container.height *= std::sqrt(share);
+  recipe.container.width *= by.across;
+  recipe.container.height *= by.along;
   return recipe;
 }
 
@@ -176,7 +194,8 @@ Prediction predict(const recipe::Recipe& recipe) {
   Prediction p;
   const std::size_t expected = count_of(recipe);
   const double share = expected > most_grains ? static_cast<double>(few_grains) / static_cast<double>(expected) : 1.0;
-  const Packing start = make_packing(share < 1 ? with_fewer(recipe, share) : recipe).snapshots.back().packing;
+  const Smaller by = share < 1 ? smaller_by(recipe, share) : Smaller{};
+  const Packing start = make_packing(share < 1 ? with_fewer(recipe, share, by) : recipe).snapshots.back().packing;
   p.sample = start.grains.size();
   p.grains = share < 1 ? expected : p.sample;
   dem::Engine engine(start, recipe.contact, recipe.integration);
@@ -186,9 +205,9 @@ Prediction predict(const recipe::Recipe& recipe) {
   p.material = start.materials[static_cast<std::size_t>(p.collision.material)].name;
   p.limit = limit_of(engine, recipe, p.collision.time);
   fields::Bulk bulk = fields::bulk_of(start, recipe.contact);
-  bulk.larger = 1 / std::sqrt(share);
-  bulk.width *= bulk.larger;
-  bulk.height *= bulk.larger;
+  bulk.larger = 1 / std::min(by.across, by.along);
+  bulk.width /= by.across;
+  bulk.height /= by.along;
   fields::Pressures pressures;
   for (const dem::Stage& stage : recipe.stages) {
     dem::begin_stage(engine, stage);

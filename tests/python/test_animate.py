@@ -201,6 +201,8 @@ def test_bad_requests_are_refused_in_one_sentence(tmp_path, capsys):
         ({"fps": 0}, "fps: .*from 0.01 to 100"),
         ({"size": (5, 5)}, "size: .*100 to 4000 pixels"),
         ({"stage": "other"}, "no stage other; there are shear"),
+        ({"by": "velocity", "high": -1}, "velocity, which is never below 0, cannot end at -1"),
+        ({"by": "pressure", "low": 2, "high": 1}, "cannot go from 2 to 1"),
     ):
         with pytest.raises(ValueError, match=sentence):
             animate.save(film, tmp_path / "a.gif", **options)

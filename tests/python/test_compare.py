@@ -187,3 +187,5 @@ def test_the_command_prints_and_writes(result, tmp_path, capsys):
     assert "0 of 0 numbers" in capsys.readouterr().out and (tmp_path / "t.csv").exists()
     assert compare.main(result.path, str(tmp_path)) == 2
     assert capsys.readouterr().err.count("\n") == 1
+    assert compare.main(result.path, result.path, str(tmp_path / "page")) == 2
+    assert "ends in .html" in capsys.readouterr().err

@@ -219,13 +219,14 @@ void declare_programmes(Visitor& v, Stage& stage, const Recipe& recipe) {
         p.declare(inner);
         require_place(inner, p, stage, recipe);
       });
-  for (const Programme& p : stage.programmes) {
-    const auto same = std::count_if(stage.programmes.begin(), stage.programmes.end(), [&](const Programme& other) {
+  for (auto at = stage.programmes.begin(); at != stage.programmes.end(); ++at) {
+    const Programme& p = *at;
+    const bool again = std::any_of(stage.programmes.begin(), at, [&](const Programme& other) {
       if (p.of.is_of_boundary())
         return other.of.is_of_boundary() && other.name == p.name && other.of.axis() == p.of.axis();
       return other.of == p.of || (p.of.is_of_side() && other.of.is_of_side() && other.of.side == p.of.side);
     });
-    v.require(same == 1, {"programmes"},
+    v.require(!again, {"programmes"},
               fmt::format("{} is driven by two of them", dem::programme_targets[dem::target_of(p.of)].word));
     if (!p.table.empty() && !p.of.is_of_boundary()) begin_with(p, stage);
   }

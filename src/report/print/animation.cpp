@@ -34,12 +34,12 @@ const std::vector<Colouring>& colourings() {
   static const std::vector<Colouring> list{{"material", ""},
                                            {"forces", "", "bars only"},
                                            {"pressure", "kPa"},
-                                           {"deviator", "kPa"},
-                                           {"z", ""},
-                                           {"velocity", "mm/s"},
-                                           {"displacement", "mm", "since the first state"},
+                                           {"deviator", "kPa", "", true},
+                                           {"z", "", "", true},
+                                           {"velocity", "mm/s", "", true},
+                                           {"displacement", "mm", "since the first state", true},
                                            {"rotation", "deg", "since the first state"},
-                                           {"mobilisation", ""}};
+                                           {"mobilisation", "", "", true}};
   return list;
 }
 

@@ -10,6 +10,7 @@ namespace arenite::report {
 /// What grains of an animation can be coloured by, and the unit that its scale is given in.
 struct Colouring {
   const char *name, *unit, *sentence = "";
+  bool never_negative = false;
 };
 /// All, the usual one first; `colourings` of python/arenite/figures/motion.py draws them.
 const std::vector<Colouring>& colourings();

@@ -213,6 +213,8 @@ TEST(Sweep, EveryProblemIsFoundInOnePassWithItsPlace) {
             (Lines{"r.toml:31:9: sweep: seed: replicates give each run its seed; leave out one of the two",
                    "r.toml:34:16: sweep: cement.width: is swept twice; keep one"}));
   EXPECT_EQ(problems("[sweep]\n").size(), 1u);
+  const auto many = problems("[sweep]\nreplicates = 1000000000\n");
+  EXPECT_NE(many.at(0).find("must be a whole number from 1 to 1000000"), std::string::npos) << many[0];
 }
 
 TEST(Sweep, AnInvalidRunIsNamedWithItsValuesAndEachProblemIsToldOnce) {

@@ -95,5 +95,17 @@ TEST_F(RecipeBase, HasItsOwnMistakes) {
 
 TEST_F(RecipeBase, IsForFilesOnly) { EXPECT_THROW(parse_recipe("base = \"a.toml\"\n", "memory"), InputError); }
 
+TEST_F(RecipeBase, ATextInAnotherEncodingIsToldSo) {
+  const std::string told = "this is not UTF-8, in which recipes are written; save it as UTF-8";
+  std::string utf_16 = "\xFF\xFE";
+  for (const char c : whole) utf_16.append(1, c).append(1, '\0');
+  const std::string latin = put("latin.toml", "title = \"a\"\ntitel = \"K\xF6rner\"\n" + whole),
+                    wide = put("wide.toml", utf_16), without_mark = put("bare.toml", utf_16.substr(2));
+  EXPECT_EQ(refusal(wide), wide + ": " + told);
+  EXPECT_EQ(refusal(without_mark), without_mark + ": " + told);
+  EXPECT_EQ(refusal(latin).find(latin + ":2:"), 0u) << refusal(latin);
+  EXPECT_NE(refusal(latin).find(told), std::string::npos) << refusal(latin);
+}
+
 }  // namespace
 }  // namespace arenite::recipe

@@ -72,6 +72,10 @@ TEST(Doubts, KeysThatAnotherMakesIdleAreSaid) {
     const std::string doubt = only_doubt(with_stage(stage, more));
     EXPECT_TRUE(doubt.starts_with(std::string(key) + "has no effect, because ")) << more << doubt;
   }
+  const std::string map = "[map]\nfile = \"m.png\"\nsmoothing = 2\n";
+  const std::string load = "[[loads]]\nname = \"tension\"\n";
+  EXPECT_TRUE(only_doubt(parse_recipe(map + load, "r.toml")).starts_with("map.smoothing: has no effect"));
+  EXPECT_TRUE(doubts_of(parse_recipe(map + "labels = \"watershed\"\n" + load, "r.toml")).empty());
   const Recipe high =
       parse_recipe(smallest + "[packing]\nsolid_fraction = 0.5\n", "r.toml", {"container.height=300 mm"});
   EXPECT_TRUE(only_doubt(high).starts_with("packing.solid_fraction: has no effect")) << only_doubt(high);

@@ -119,5 +119,13 @@ TEST(StrainCycles, AreReadAndRefused) {
             std::string::npos);
 }
 
+TEST(Programmes, TwoOfOneQuantityAreRefusedOnce) {
+  const std::string slide = "[[stages.programmes]]\nof = \"slide.bottom\"\ntable = [[\"0 s\", \"1 m/s\"]]\n";
+  const std::string told = refused_programme(start + "duration = \"1 s\"\n" + slide + slide);
+  const auto first = told.find("slide.bottom is driven by two of them");
+  ASSERT_NE(first, std::string::npos) << told;
+  EXPECT_EQ(told.find("driven by two", first + 20), std::string::npos) << told;
+}
+
 }  // namespace
 }  // namespace arenite::recipe

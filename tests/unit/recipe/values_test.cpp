@@ -20,5 +20,17 @@ TEST(Values, ASideIsDrivenInOneWay) {
       << "what is set counts over the form of the file";
 }
 
+TEST(Values, AWholeNumberOfTooManyDigitsIsOutOfRange) {
+  const auto told = problems(smallest, {"seed=99999999999999999999"});
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told[0].find("seed: 99999999999999999999 is out of range; it must be from 0 to 9223372036854775807"),
+            std::string::npos)
+      << told[0];
+  const auto text = problems("seed = \"5\"\n" + smallest);
+  ASSERT_EQ(text.size(), 1u);
+  EXPECT_NE(text[0].find("seed: is a text, but must be a whole number"), std::string::npos) << text[0];
+  EXPECT_EQ(parsed("seed = 7.0\n" + smallest).seed, 7u);
+}
+
 }  // namespace
 }  // namespace arenite::recipe

@@ -110,5 +110,14 @@ TEST(Prediction, OfALargeSampleLooksAtASmallOneOfTheSameKind) {
   EXPECT_NEAR(large.time_step / small.time_step, 1, 0.05);
 }
 
+TEST(Prediction, OfATallSampleLooksAtOneThatIsWideEnoughForItsGrains) {
+  auto recipe = elastic("[[stages]]\nname = \"press\"\ntop = { pressure = \"20 kPa\" }\nduration = \"10 ms\"\n");
+  recipe.populations[0].count = 1'000'000;  // 100 mm wide, and more than a kilometre high
+  const auto tall = workflow::predict(recipe);
+  EXPECT_EQ(tall.grains, 1'000'000u);
+  const double area = 1e6 * std::numbers::pi / 4 * (0.013 * 0.013 + 0.006 * 0.006 / 12);  // of uniform diameters
+  EXPECT_NEAR(*tall.stages[0].height * 0.1 * 0.78 / area, 1, 0.02) << "of some thousand drawn grains";
+}
+
 }  // namespace
 }  // namespace arenite
