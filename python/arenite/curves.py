@@ -89,7 +89,8 @@ def of_states(result, stage=None):
     """Fabric against strain, for the stored states of a stage: the strains of `along` and `solid_fraction` (away from
     the walls), `z`, `z_without_rattlers`, `rattlers`, `a_c` (and signed along the compression: all, strong, weak
     contacts), `a_n`, `a_t`, `theta_c`, `mean_force`, `p`, `q`, `q_over_p` of the contacts; with standard errors such as
-    `z_error`. NaN if a state has no value. Raises ValueError for a result without such a stage."""
+    `z_error`. NaN if a state has no value. Spheres have those of these strains and numbers that their test has. Raises
+    ValueError for a result without such a stage."""
     return states_of(find_test(result, stage))
 
 
@@ -133,14 +134,19 @@ def steady(values):
     return found["mean"], found["error"]
 
 
+def in_plane(stage, before):
+    """The packing before a stage of disks; what a stage of spheres begins with tells nothing of its test."""
+    return before if isinstance(stage, _core.Stage) else None
+
+
 def tests_of(results, stage=None):
     """(stages, packings before them) of several results."""
     tests = [find_test(result, stage) for result in results]
-    return [test.stage for test in tests], [test.before for test in tests]
+    return [test.stage for test in tests], [in_plane(*test) for test in tests]
 
 
 def rheology(results, stage=None):
-    """mu(I) and phi(I) of sheared runs: `inertial_number`, `mu` and `solid_fraction`, each the mean over the steady
-    part of a run with its error (`mu_error`, `solid_fraction_error`), in the order of I. mu is q/p unless a wall slides
-    or a cell is sheared, and the ratio of the means of the two stresses."""
+    """mu(I) and phi(I) of sheared runs of disks or spheres: `inertial_number`, `mu` and `solid_fraction`, each the mean
+    over the steady part of a run with its error (`mu_error`, `solid_fraction_error`), in the order of I. mu is q/p
+    unless a wall slides or a cell is sheared, and the ratio of the means of the two stresses."""
     return named_curves(_core.rheology(*tests_of(results, stage)))

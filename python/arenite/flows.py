@@ -14,13 +14,13 @@ from .curves import named_curves, tests_of
 
 
 def last_stages(results):
-    """The last stage of every result that has one."""
-    return [stages[-1] for stages in (list(result.stages) for result in results) if stages]
+    """The last stage of every result that has one, of disks or of spheres."""
+    return [stages[-1] for stages in ([*result.stages, *getattr(result, "spheres", [])] for result in results) if stages]
 
 
 def discharges(results):
-    """`opening` (m, the narrowest gap between boundaries) and `rate` (kg/s) with its error, of results whose last stage
-    discharges."""
+    """`opening` (m, the narrowest gap between boundaries; in space the diameter, four areas over the rim, of the
+    narrowest opening in one) and `rate` (kg/s) with its error, of results whose last stage discharges."""
     return named_curves(_core.discharges(last_stages(results)))
 
 
@@ -47,7 +47,7 @@ def silos(results):
 
 def friction_of(result):
     """Friction coefficient between grains in the last stage; NaN where it is not known."""
-    return list(result.stages)[-1].asked.get("friction", math.nan)
+    return last_stages([result])[-1].asked.get("friction", math.nan)
 
 
 def critical_states(results, stage=None):
@@ -63,9 +63,9 @@ def values_of(found, *names):
 
 
 def fit_beverloo(found, exponent=None):
-    """W = a (D - w)^n of `discharges`: `factor` a, `lost_width` w (m; k d) and, unless given, `exponent` n. In two
-    dimensions n = 3/2 (Beverloo, Leniger and van de Velde, Chem. Eng. Sci. 15, 260, 1961) and a = C rho_b sqrt(g) times
-    the out-of-plane length.
+    """W = a (D - w)^n of `discharges`: `factor` a, `lost_width` w (m; k d) and, unless given, `exponent` n, which is
+    5/2 in space (Beverloo, Leniger and van de Velde, Chem. Eng. Sci. 15, 260, 1961), with a = C rho_b sqrt(g), and 3/2
+    in two dimensions, with a = C rho_b sqrt(g) times the out-of-plane length.
     """
     return _core.fit_beverloo(*values_of(found, "opening", "rate", "rate_error"), exponent=exponent)
 

@@ -43,14 +43,6 @@ statistics::Columns curves_along(const StageResult& stage, const Packing* before
   return std::move(of->curves);
 }
 
-statistics::Columns curves_in_space(const SphereResult& stage) {
-  auto curves = fields::curves_in_space(stage, stage.asked.closes);
-  if (!curves)
-    throw refusal("the stage {} of spheres is neither compressed along one axis nor sheared; it has no curves",
-                  stage.name);
-  return std::move(*curves);
-}
-
 /// One function for each kind of curves of a test.
 template <statistics::Columns (*curves)(const StageResult&, const Packing*)>
 void bind_curves_of_test(py::module_& m, const char* name, const char* doc) {
@@ -107,12 +99,19 @@ void bind_curves(py::module_& m) {
       "curves_along",
       [](const SphereResult& stage, const py::object&) {
         Call call;
-        return to_python(call.without_lock([&] { return curves_in_space(stage); }));
+        return to_python(call.without_lock([&] { return fields::curves_in_space(stage); }));
       },
       py::arg("stage"), py::arg("before") = py::none(),
       "The same of a stage of spheres; strains refer to the first row.");
   bind_curves_of_test<of_test<fields::curves_of_states>>(
       m, "curves_of_states", "The same over the stored states, with their fabric (`arenite.curves.of_states`).");
+  m.def(
+      "curves_of_states",
+      [](const SphereResult& stage, const py::object&) {
+        Call call;
+        return to_python(call.without_lock([&] { return fields::states_in_space(stage); }));
+      },
+      py::arg("stage"), py::arg("before") = py::none(), "The same of a stage of spheres.");
   bind_curves_of_test<of_test<fields::curves_of_cycles>>(
       m, "curves_of_cycles", "The same over cycles of load, of stored states (`arenite.curves.of_cycles`).");
   bind_curves_of_test<of_test<fields::every_cycle>>(

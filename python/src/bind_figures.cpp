@@ -1,5 +1,6 @@
 #include <pybind11/stl.h>
 
+#include "any_tests.hpp"
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "core/formula.hpp"
@@ -79,7 +80,7 @@ StageOfRun in_run(const StageResult& stage, const py::list& stages) {
 }
 
 /// Drawings of a figure of several results.
-Numbers of_runs(const std::string& id, const std::vector<fields::Test>& tests) {
+Numbers of_runs(const std::string& id, const std::vector<fields::AnyTest>& tests) {
   return {{"drawings", mapped(figures::figure_over_runs(id).draw(tests), [](const figures::Drawing& drawing) {
              return figures::numbers_of(drawing, figures::whole_list);
            })}};
@@ -188,7 +189,7 @@ void bind_figures(py::module_& m) {
           const fields::TestKind kind = fields::kind_of(test);
           auto first = figures::headlines_of(kind);
           for (auto& one : figures::headlines_of_grains(kind)) first.push_back(std::move(one));
-          return Numbers{{"numbers", fields::test_numbers(test)}, {"headlines", figures::numbers_of(first)}};
+          return Numbers{{"numbers", fields::test_of(test)}, {"headlines", figures::numbers_of(first)}};
         });
       },
       py::arg("stage"), py::arg("before"),
@@ -200,11 +201,8 @@ void bind_figures(py::module_& m) {
   def_headlines<FilmResult>(m);
   m.def(
       "_figure_of_runs",
-      [](const std::string& id, const std::vector<const StageResult*>& stages,
-         const std::vector<const Packing*>& before) {
-        std::vector<fields::Test> tests;
-        for (std::size_t k = 0; k < stages.size(); ++k) tests.push_back({*stages[k], before.at(k)});
-        return drawn([&] { return of_runs(id, tests); });
+      [](const std::string& id, const std::vector<AnyStage>& stages, const std::vector<const Packing*>& before) {
+        return drawn([&] { return of_runs(id, any_tests(stages, before)); });
       },
       py::arg("id"), py::arg("stages"), py::arg("before"),
       "What a figure of several results shows, each a stage and the packing before it or None.");

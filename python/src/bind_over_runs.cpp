@@ -1,10 +1,10 @@
 #include <pybind11/stl.h>
 
+#include "any_tests.hpp"
 #include "arrays.hpp"
 #include "calls.hpp"
 #include "campaign/study_kind.hpp"
 #include "columns.hpp"
-#include "core/problems.hpp"
 #include "grains/fields/driven.hpp"
 #include "grains/fields/flow_laws.hpp"
 #include "grains/fields/over_runs.hpp"
@@ -15,42 +15,27 @@
 namespace arenite::python {
 namespace {
 
-using Stages = std::vector<const StageResult*>;
+using Stages = std::vector<AnyStage>;
 using Befores = std::vector<const Packing*>;
 
-std::vector<fields::Test> tests_of(const Stages& stages, const Befores& before) {
-  if (stages.size() != before.size())
-    throw refusal("there are {} stages and {} packings before them; give as many, None where there is none",
-                  stages.size(), before.size());
-  std::vector<fields::Test> tests;
-  for (std::size_t k = 0; k < stages.size(); ++k) {
-    if (!stages[k]) throw InputError("a stage is None; give stages of results");
-    tests.push_back({*stages[k], before[k]});
-  }
-  return tests;
-}
-
-template <statistics::Columns (*curves)(const std::vector<fields::Test>&)>
+template <statistics::Columns (*curves)(const std::vector<fields::AnyTest>&)>
 void bind_over_tests(py::module_& m, const char* name, const char* doc) {
   m.def(
       name,
       [](const Stages& stages, const Befores& before) {
         Call call;
-        return to_python(call.without_lock([&] { return curves(tests_of(stages, before)); }));
+        return to_python(call.without_lock([&] { return curves(any_tests(stages, before)); }));
       },
       py::arg("stages"), py::arg("before"), doc);
 }
 
-template <statistics::Columns (*curves)(const Stages&)>
+template <statistics::Columns (*curves)(const std::vector<fields::AnyTest>&)>
 void bind_over_stages(py::module_& m, const char* name, const char* doc) {
   m.def(
       name,
       [](const Stages& stages) {
         Call call;
-        return to_python(call.without_lock([&] {
-          tests_of(stages, Befores(stages.size()));
-          return curves(stages);
-        }));
+        return to_python(call.without_lock([&] { return curves(any_tests(stages, Befores(stages.size()))); }));
       },
       py::arg("stages"), doc);
 }

@@ -14,6 +14,10 @@ namespace {
 /// The corner behind the k-th.
 Vec3 next_of(Face face, std::size_t k) { return face[k + 1 < face.size() ? k + 1 : 0]; }
 
+using Place = std::array<double, 3>;
+Place place_of(Vec3 p) { return {p.x, p.y, p.z}; }
+Vec3 point_at(const Place& at) { return {at[0], at[1], at[2]}; }
+
 }  // namespace
 
 std::vector<Face> faces_of(std::span<const Vec3> points, std::span<const std::int32_t> corners) {
@@ -48,6 +52,33 @@ std::vector<std::array<Vec3, 2>> edges_of(std::span<const Face> faces) {
   }
   std::erase_if(edges, [](const Edge& edge) { return !edge.is_seen; });
   return mapped(edges, &Edge::ends);
+}
+
+std::vector<std::vector<Vec3>> ends_of(std::span<const Face> faces) {
+  std::map<std::array<Place, 2>, int> sides;
+  for (const Face face : faces)
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const Place a = place_of(face[k]), b = place_of(next_of(face, k));
+      ++sides[{std::min(a, b), std::max(a, b)}];
+    }
+  std::map<Place, std::vector<Place>> beside;
+  for (const auto& [ends, count] : sides)
+    if (count == 1) beside[ends[0]].push_back(ends[1]), beside[ends[1]].push_back(ends[0]);
+  std::vector<std::vector<Vec3>> lines;
+  while (!beside.empty()) {
+    std::vector<Vec3> line;
+    Place at = beside.begin()->first;
+    for (auto found = beside.find(at); found != beside.end(); found = beside.find(at)) {
+      line.push_back(point_at(at));
+      const auto next =
+          std::ranges::find_if(found->second, [&](const Place& p) { return beside.contains(p) && p != at; });
+      const Place to = next == found->second.end() ? at : *next;
+      beside.erase(found);
+      at = to;
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
 }
 
 Vec3 area_vector(Face face) {

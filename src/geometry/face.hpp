@@ -17,6 +17,9 @@ std::vector<Face> faces_of(std::span<const Vec3> points, std::span<const std::in
 /// Between which points faces end or bend, each once: their edges but those between two faces in one plane.
 std::vector<std::array<Vec3, 2>> edges_of(std::span<const Face> faces);
 
+/// Closed lines along which faces that belong together end: around them all, and around each opening in them.
+std::vector<std::vector<Vec3>> ends_of(std::span<const Face> faces);
+
 /// Twice its area along the normal that its corners turn about, m^2.
 Vec3 area_vector(Face face);
 

@@ -203,13 +203,6 @@ void add_states(Numbers& snapshots, Numbers& meanings, const ShownStage& stage, 
   add_motion_since_start(snapshots, grains, *stage.result, block);
 }
 
-/// Words and symbols of what grains and coarse-grained fields are drawn by: {name: [label, symbol, unit]}.
-template <class Kinds> Numbers named_kinds(const Kinds& kinds) {
-  Numbers out = Numbers::tree();
-  for (const auto& kind : kinds) out[kind.name] = Numbers::list({kind.label, kind.symbol, kind.unit, kind.formula});
-  return out;
-}
-
 }  // namespace
 
 Numbers history_of(const History& history, NumberBlock& block) {

@@ -18,6 +18,7 @@
 #include "core/mapped.hpp"
 #include "geometry/face.hpp"
 #include "grains/texture/grain_quantities.hpp"
+#include "grains/texture/spheres/spheres.hpp"
 #include "report/figures/headlines.hpp"
 #include "report/figures/run_figures.hpp"
 #include "report/figures/state_numbers.hpp"
@@ -95,12 +96,11 @@ bool are_those(const GrainsIn<3>& of, const GrainsIn<3>& last) {
 
 /// Adds what the page may colour spheres by, in its order: quantities of grains by their names. Returns what each is
 /// called and its mean.
-Numbers add_quantities(Numbers& out, const PackingIn<3>& packing, NumberBlock& block) {
+Numbers add_quantities(Numbers& out, const PackingIn<3>& packing, const Asked& asked, NumberBlock& block) {
   const bool has_forces = std::ranges::any_of(packing.contacts.fn, [](double force) { return force != 0; });
   Numbers words = Numbers::tree();
-  const auto add = [&](const char* name, auto written) {
+  const auto add_values = [&](const char* name, const std::vector<double>& values, auto written) {
     const texture::GrainQuantity& quantity = texture::grain_quantity(name);
-    const std::vector<double> values = quantity.of_spheres(packing);
     out[name] = written(values, std::string(quantity.unit));
     Numbers& said = words[name] = {{"label", std::string(quantity.label)},
                                    {"symbol", std::string(quantity.symbol)},
@@ -109,10 +109,16 @@ Numbers add_quantities(Numbers& out, const PackingIn<3>& packing, NumberBlock& b
     if (!values.empty())
       said["mean"] = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
   };
+  const auto add = [&](const char* name, auto written) {
+    add_values(name, texture::values_of(packing, name), written);
+  };
   const auto coarse = [&](const std::vector<double>& values, std::string unit) {
     return block.add_coarse(values, std::move(unit));
   };
-  if (has_forces) add("pressure", coarse);
+  if (has_forces) {
+    add("pressure", coarse);
+    add_values("stress", texture::stresses_over_mean(packing, texture::sphere_options(asked)), coarse);
+  }
   if (packing.contacts.size() > 0)
     add("coordination", [&](const std::vector<double>& counts, auto&&) { return block.add_indices(counts); });
   add("speed", coarse);
@@ -137,7 +143,7 @@ Numbers state_of(const SphereResult& stage, std::size_t place, NumberBlock& bloc
   out["x"] = block.add_reals(mapped(grains.position, &Vec3::x), "m");
   out["y"] = block.add_reals(mapped(grains.position, &Vec3::y), "m");
   out["z"] = block.add_reals(mapped(grains.position, &Vec3::z), "m");
-  Numbers words = add_quantities(out, packing, block);
+  Numbers words = add_quantities(out, packing, stage.asked, block);
   if (is_last) out["quantities"] = std::move(words);
   if (!packing.domain.boundaries.empty()) out["boundaries"] = boundaries_of(packing.domain, block);
   if (!packing.bonds.empty()) out["bonds"] = bonds_of(packing.bonds, block);
@@ -145,6 +151,16 @@ Numbers state_of(const SphereResult& stage, std::size_t place, NumberBlock& bloc
   out["forces"] = forces_of(packing, block);
   out["force_scale"] = report::numbers_of(figures::force_scale(stage, state));
   return out;
+}
+
+/// What is said of the places and sizes of spheres, and of the quantities of the last state.
+Numbers kinds_of(const Numbers& quantities) {
+  auto kinds = texture::grain_quantities();
+  std::erase_if(kinds, [&](const texture::GrainQuantity& kind) {
+    constexpr std::string_view always[] = {"x", "y", "z", "size"};
+    return std::ranges::find(always, kind.name) == std::end(always) && !quantities.contains(kind.name);
+  });
+  return named_kinds(kinds);
 }
 
 Numbers stage_of(const SphereResult& r, std::size_t every, NumberBlock& block, const figures::WriteList& write) {
@@ -159,6 +175,7 @@ Numbers stage_of(const SphereResult& r, std::size_t every, NumberBlock& block, c
   const std::size_t stored = r.snapshots.size();
   for (std::size_t place = 0; place < stored; ++place)
     if ((stored - 1 - place) % every == 0) out["states"].push_back(state_of(r, place, block));
+  out["quantities"] = stored > 0 ? kinds_of(out["states"].back()["quantities"]) : Numbers::tree();
   if (stored < 2) return out;
   std::string note = "Numbers and distributions beside are of the last state.";
   if (every > 1)

@@ -5,6 +5,7 @@
 #include "core/version.hpp"
 #include "grains/fields/discharge.hpp"
 #include "grains/fields/laboratory/shear_in_space.hpp"
+#include "grains/fields/laboratory/test_numbers.hpp"
 #include "grains/fields/laboratory/triaxial.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/texture/spheres/spheres.hpp"
@@ -22,6 +23,7 @@ StageResult measure_stage(const GrainStage& stage, StageResult made, const std::
   texture::Texture texture = texture::measure(made.snapshots.back().packing, measuring);
   made.texture = fields::stage_numbers(
       {made, place > 0 ? recipe.stages[place - 1] : dem::Stage{}, place > 1 ? before : nullptr, texture, &measuring});
+  made.texture.update(fields::test_numbers({made, before}));
   if (known) *known = std::move(texture);
   return made;
 }
@@ -36,7 +38,7 @@ SphereResult measure_stage(const GrainStageIn<3>& stage, SphereResult made, cons
   made.texture.update(fields::loads_of(made, recipe.stages[place - 1]));
   made.texture.update(fields::triaxial_numbers(made));
   made.texture.update(fields::shear_numbers(made));
-  if (Numbers discharge = fields::discharge_numbers(made.history); !discharge.empty())
+  if (Numbers discharge = fields::discharge_of(made); !discharge.empty())
     made.texture["discharge"] = std::move(discharge);
   return made;
 }

@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <map>
 #include <sstream>
+#include <string>
+#include <variant>
 #include <vector>
 
+#include "io/disk/store_file.hpp"
+#include "io/results/results.hpp"
 #include "support/program.hpp"
 
 namespace {
-using arenite::test::arenite;
-using arenite::test::TemporaryFolder;
+using namespace arenite;
+using test::arenite;
+using test::TemporaryFolder;
 
 using Row = std::map<std::string, std::string>;
 
@@ -77,6 +82,10 @@ TEST(BiaxialExample, ADenseSampleShearsAtTheSidePressureMobilisesFrictionAndDila
   EXPECT_LT(number(shear.back(), "volume_strain"), -0.003);  // dense: dilates
   EXPECT_GT(strong, weak + 0.2);                             // strong contacts lean to the compression
   EXPECT_NEAR(share, 0.42, 0.06);
+
+  const auto stored = std::get<StageResult>(io::read_result(io::stage_files(out).back()));
+  EXPECT_NEAR(stored.texture["end"]["strain"].get<double>(),
+              std::max(number(shear.back(), "strain_x"), number(shear.back(), "strain_y")), 1e-3);
 }
 
 TEST(Course, ExcludesJson) { EXPECT_EQ(arenite("show x.h5 --states --json").status, 2); }

@@ -48,7 +48,9 @@ TEST(HopperInSpace, FlowsAndIsSeenByOtherProgramsAndOnThePage) {
                     " --set populations.0.count=250 --set 'stages.1.duration=\"0.3 s\"' --set stages.1.snapshots=2");
   ASSERT_EQ(run.status, 0) << run.err;
   const auto shown = test::arenite("show --json " + out);
-  EXPECT_GT(nlohmann::json::parse(shown.out)["discharge"]["rate_kg_s"]["value"].get<double>(), 0.1);
+  const auto discharge = nlohmann::json::parse(shown.out)["discharge"];
+  EXPECT_GT(discharge["rate_kg_s"]["value"].get<double>(), 0.1);
+  EXPECT_NEAR(discharge["opening_m"].get<double>(), 0.038, 5e-4);  // of 32 edges within a circle of 38 mm
   ASSERT_EQ(test::arenite("export " + out + " --to vtk --out " + vtk).status, 0);
   std::ofstream(folder / "faces.py") << faces;
   const auto read = test::shell("/usr/bin/python3 " + (folder / "faces.py").string() + " " + vtk);

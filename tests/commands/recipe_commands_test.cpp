@@ -10,11 +10,12 @@
 #include "support/small_study.hpp"
 
 namespace {
-using arenite::test::arenite;
-using arenite::test::contains;
-using arenite::test::shell;
-using arenite::test::slurp;
-using arenite::test::TemporaryFolder;
+using namespace arenite;
+using test::arenite;
+using test::contains;
+using test::shell;
+using test::slurp;
+using test::TemporaryFolder;
 
 std::ptrdiff_t lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 

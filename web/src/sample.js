@@ -1,4 +1,5 @@
 import { opened, unpacked } from "./block.js";
+import { finders } from "./packing/finders.js";
 import { text } from "./text.js";
 
 const aroundFailure = 0.08; // of a sample's longer side
@@ -168,8 +169,18 @@ export class Sample {
     return { left, right, bottom, top };
   }
 
-  name(grain) {
+  materialName(grain) {
     return text.material(this.materials[this.material[grain]]);
+  }
+
+  /** How the numbers of grains are found (quantities.js). */
+  get finders() {
+    return finders;
+  }
+
+  /** What a figure has on its abscissa of a grain, SI: "diameter", or the "sigma_norm" of a texture. */
+  abscissaOf(grain, what, texture) {
+    return what === "diameter" ? 2 * this.radius[grain] : this.snapshot(texture.snapshot).sigmaNorm[grain];
   }
 }
 

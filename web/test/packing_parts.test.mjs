@@ -5,7 +5,7 @@ import { zoomIdentity } from "d3-zoom";
 import { chain, crack, widthOfForce } from "../src/drawn_sizes.js";
 import { boundaryElement, chainWidth, segmentsOf } from "../src/packing/chains.js";
 import { scaleOf } from "../src/packing/colouring.js";
-import { knownQuantities, valuesOf } from "../src/packing/quantities.js";
+import { knownQuantities, valuesOf } from "../src/quantities.js";
 import { pairsSeen } from "../src/packing/strokes.js";
 import { Camera } from "../src/camera.js";
 import { Sample } from "../src/sample.js";

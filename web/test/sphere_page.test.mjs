@@ -3,5 +3,6 @@
 import { runTests } from "./run.mjs";
 import { tests as figures } from "./sphere/figures.mjs";
 import { tests as picture } from "./sphere/picture.mjs";
+import { tests as selection } from "./sphere/selection.mjs";
 
-await runTests(process.argv[2], [...figures, ...picture]);
+await runTests(process.argv[2], [...figures, ...picture, ...selection]);

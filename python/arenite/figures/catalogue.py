@@ -74,6 +74,9 @@ stage_pictures = {
         "coarse-fields", "stage", samples.coarse_fields, samples.has_box, samples.fields_height, True
     ),
 }
+sphere_pictures = {
+    "grain-scatter": Figure("grain-scatter", "spheres", samples.sphere_scatter, samples.has_touching_spheres)
+}
 film_pictures = {
     "film-maps": Figure("beside-simulation", "film", panels.beside, has_simulation, 0.38, True),
     "film-fit": Figure("film-fit", "film", films.draw_fit, lambda f: has_forces(f) and f.fitted.size > 0, 0.4, True),
@@ -119,7 +122,7 @@ figures = [
     Figure("stress", "voxels", volumes.of_stress, volumes.is_loaded, volumes.height_of(volumes.stresses), True),
     Figure("displacement", "voxels", volumes.of_displacement, volumes.is_loaded, volumes.height_of(1), True),
     *all_described("voxels", {}),
-    *all_described("spheres", {}),
+    *all_described("spheres", sphere_pictures),
 ]
 
 

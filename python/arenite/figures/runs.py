@@ -4,7 +4,8 @@ import pathlib
 
 from .. import _core
 from .._core import open as open_result
-from ..curves import Test, find_test
+from ..curves import Test, find_test, in_plane
+from ..flows import last_stages
 from .drawing import draw_described, heads
 from .saving import Figure
 
@@ -14,7 +15,7 @@ of_histories = ("rheology", "critical-state")
 
 def last_stage(result):
     """Whose numbers tell of a flow."""
-    return Test(list(result.stages)[-1], None)
+    return Test(*last_stages([result]), None)
 
 
 def done_runs(study):
@@ -32,7 +33,8 @@ def figures_of_study(study):
 def drawings_of_runs(name, results):
     """What the figure `name` shows of results that have a stage with a history, their last."""
     tests = [find_test(result) if name in of_histories else last_stage(result) for result in results]
-    return _core._figure_of_runs(name, [test.stage for test in tests], [test.before for test in tests])["drawings"]
+    stages, before = [test.stage for test in tests], [in_plane(*test) for test in tests]
+    return _core._figure_of_runs(name, stages, before)["drawings"]
 
 
 def draw_runs(figure, name, results):

@@ -44,6 +44,14 @@ def grain_scatter(figure, state):
     draw_grains_against(figure.add_subplot(), Shot(state.stage, state.snapshot))
 
 
+def has_touching_spheres(stage):
+    return len(stage.snapshots) > 0 and len(stage.snapshots[-1].packing.contact_i) > 0
+
+
+def sphere_scatter(figure, stage):
+    draw_grains_against(figure.add_subplot(), Shot(stage, stage.snapshots[-1]))
+
+
 def draw_coarse_field(axes, fields, name):
     """One of the fields of a state (`fields_of`), with the velocity as arrows over its magnitude; returns what a colour
     bar needs, and its label."""

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/problems.hpp"
+#include "geometry/face.hpp"
 #include "geometry/rectangle.hpp"
 #include "grains/fields/loading.hpp"
 #include "grains/fields/steady_state.hpp"
@@ -30,6 +31,15 @@ void check(const std::vector<double>& time, const std::vector<double>& passed) {
       throw refusal("row {} of the passed amounts is not finite", k);
     if (k > 0 && !(time[k] > time[k - 1])) throw refusal("time does not increase in row {} of the passed amounts", k);
   }
+}
+
+constexpr const char* opening_in_words[] = {"Narrowest opening between boundaries",
+                                            "Narrowest opening in a boundary: four areas over its rim"};
+
+double length_around(const std::vector<Vec3>& rim) {
+  double length = norm(rim.front() - rim.back());
+  for (std::size_t k = 1; k < rim.size(); ++k) length += norm(rim[k] - rim[k - 1]);
+  return length;
 }
 
 /// From the points of one boundary to the segments of another.
@@ -137,5 +147,28 @@ double narrowest_opening(const Domain& domain) {
       if (&a != &b && a.present && b.present) least = std::min(least.value_or(HUGE_VAL), shortest_way(a, b));
   return least.value_or(statistics::unknown);
 }
+
+double narrowest_opening(const DomainIn<3>& domain) {
+  std::optional<double> least;
+  for (const BoundaryIn<3>& boundary : domain.boundaries) {
+    if (!boundary.present) continue;
+    auto rims = geometry::ends_of(geometry::faces_of(boundary.points, boundary.corners));
+    const auto area = [](const auto& rim) { return norm(geometry::area_vector(rim)); };
+    if (rims.size() < 2) continue;
+    rims.erase(std::ranges::max_element(rims, {}, area));  // where it ends itself
+    for (const auto& rim : rims) least = std::min(least.value_or(HUGE_VAL), 2 * area(rim) / length_around(rim));
+  }
+  return least.value_or(statistics::unknown);
+}
+
+template <int D> Numbers discharge_of(const StageResultIn<D>& result) {
+  Numbers j = discharge_numbers(result.history);
+  if (j.empty()) return j;
+  const double opening = narrowest_opening(result.snapshots.back().packing.domain);
+  if (std::isfinite(opening)) j["opening_m"] = statistics::described(opening, "m", opening_in_words[D - 2]);
+  return j;
+}
+template Numbers discharge_of(const StageResultIn<2>&);
+template Numbers discharge_of(const StageResultIn<3>&);
 
 }  // namespace arenite::fields

@@ -46,5 +46,11 @@ Numbers discharge_numbers(const History& history);
 
 /// The narrowest way between two of the boundaries that are there, m; unknown where there are fewer than two.
 double narrowest_opening(const Domain& domain);
+/// In space the narrowest opening in one of them: four times its area over the length of its rim, m, which is the
+/// diameter of a round one. Unknown where none has an opening.
+double narrowest_opening(const DomainIn<3>& domain);
+
+/// The discharge of a stage of disks or spheres, with how wide the opening is that it goes through.
+template <int D> Numbers discharge_of(const StageResultIn<D>& result);
 
 }  // namespace arenite::fields

@@ -28,15 +28,6 @@ Numbers estimate(double value, double error, const char* unit, const char* sente
   return described({{"value", scale * value}, {"error", scale * error}}, unit, sentence);
 }
 
-/// The discharge, with how wide the opening is that it goes through.
-Numbers flow_through_opening(const StageResult& result) {
-  Numbers j = discharge_numbers(result.history);
-  if (j.empty()) return j;
-  if (const double opening = narrowest_opening(result.snapshots.back().packing.domain); std::isfinite(opening))
-    j["opening_m"] = described(opening, "m", "Narrowest opening between boundaries");
-  return j;
-}
-
 /// The part of a series over which a flow is averaged: the steady part of a discharge, else that in which the series
 /// only fluctuates; empty where it does not settle.
 struct Steady {
@@ -217,7 +208,7 @@ Numbers flow_numbers(const StageEnd& end) {
   const auto& [result, stage, before, texture, options] = end;
   Numbers j = Numbers::tree();
   if (result.snapshots.back().packing.grains.size() == 0) return j;
-  if (Numbers discharge = flow_through_opening(result); !discharge.empty()) j["discharge"] = std::move(discharge);
+  if (Numbers discharge = discharge_of(result); !discharge.empty()) j["discharge"] = std::move(discharge);
   if (Numbers exchange = exchange_numbers(result); !exchange.empty()) j["exchange"] = std::move(exchange);
   if (stage.duration)
     if (Numbers boundaries = boundary_numbers(result, j); !boundaries.empty())

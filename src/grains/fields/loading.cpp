@@ -155,15 +155,10 @@ void put_inertial_number(Loading& of, const Packing& packing) {
   const auto has_density = [&](std::int32_t m) { return static_cast<std::size_t>(m) < packing.materials.size(); };
   if (pressure.empty() || packing.grains.size() == 0 || !std::ranges::all_of(packing.grains.material, has_density))
     return;
-  const double density = mean_density(packing);
-  Values number(pressure.size());
-  const Values rate = rate_of(of.curves["shear_strain"], of.curves["time"]);
-  const double diameter = packing.grains.mean_diameter();
-  for (std::size_t k = 0; k < number.size(); ++k) number[k] = inertial_number(rate[k], diameter, density, pressure[k]);
   of.curves.put(
       "inertial_number", "",
       "Rate of shear times mean diameter over sqrt(pressure/density) (GDR MiDi, Eur. Phys. J. E 14, 341, 2004)",
-      std::move(number));
+      inertial_numbers(of.curves["shear_strain"], of.curves["time"], pressure, packing));
 }
 
 /// Axis along which the sample is compressed: that of a confined one, which may grow by more across it as it dilates,
@@ -204,6 +199,18 @@ Values rate_of(const Values& value, const Values& time) {
   }
   return rate;
 }
+
+template <int D>
+Values inertial_numbers(const Values& strain, const Values& time, const Values& pressure, const PackingIn<D>& packing) {
+  const double diameter = packing.grains.mean_diameter(), density = mean_density(packing);
+  const Values rate = rate_of(strain, time);
+  Values number;
+  for (std::size_t k = 0; k < rate.size(); ++k)
+    number.push_back(inertial_number(rate[k], diameter, density, pressure[k]));
+  return number;
+}
+template Values inertial_numbers(const Values&, const Values&, const Values&, const PackingIn<2>&);
+template Values inertial_numbers(const Values&, const Values&, const Values&, const PackingIn<3>&);
 
 Values loaded_ratio(const Values& a, const Values& b) {
   const double least = unloaded * *std::ranges::max_element(b);

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
+#include "grains/fields/laboratory/curves_in_space.hpp"
 #include "grains/fields/silo.hpp"
 #include "grains/fields/steady_state.hpp"
 #include "statistics/numbers_text.hpp"
@@ -57,11 +58,43 @@ SteadyState steady(const Values& values) {
 
 Estimate as_estimate(const statistics::Measured& m) { return {m.value, m.error}; }
 
-/// The loading of a test that has a ratio of stresses.
-Loading stressed(const Test& test) {
+/// Rows of a test whose sides bear a ratio of stresses: shear and normal stress, or q and p, Pa.
+struct StressedRows {
+  Values shear, normal, solid_fraction, inertial_number;
+};
+
+std::optional<StressedRows> stressed(const Test& test) {
   auto of = loading_of(test);
-  if (!of || of->normal.empty())
-    throw refusal("the stage {} has no stresses on its sides; give one that is sheared or compressed", test.stage.name);
+  if (!of || of->normal.empty()) return {};
+  return StressedRows{std::move(of->shear), std::move(of->normal), of->curves["solid_fraction"],
+                      of->curves["inertial_number"]};
+}
+
+std::optional<StressedRows> stressed(const SphereResult* stage) {
+  const auto of = curves_in_space(*stage, stage->asked.closes);
+  const bool is_sheared = of && of->find("tau");
+  if (!of || !of->find("inertial_number")) return {};
+  return StressedRows{(*of)[is_sheared ? "tau" : "q"], (*of)[is_sheared ? "normal_stress" : "p"],
+                      (*of)["solid_fraction"], (*of)["inertial_number"]};
+}
+
+const StageResult& stage_of(const Test& test) { return test.stage; }
+const SphereResult& stage_of(const SphereResult* stage) { return *stage; }
+
+const Asked& asked_of(const AnyTest& any) {
+  return std::visit([](const auto& test) -> const Asked& { return stage_of(test).asked; }, any);
+}
+const Numbers& numbers_of(const AnyTest& any) {
+  return std::visit([](const auto& test) -> const Numbers& { return stage_of(test).texture; }, any);
+}
+const std::string& name_of(const AnyTest& any) {
+  return std::visit([](const auto& test) -> const std::string& { return stage_of(test).name; }, any);
+}
+
+StressedRows stressed_rows(const AnyTest& any) {
+  auto of = std::visit([](const auto& test) { return stressed(test); }, any);
+  if (!of)
+    throw refusal("the stage {} has no stresses on its sides; give one that is sheared or compressed", name_of(any));
   return std::move(*of);
 }
 
@@ -81,18 +114,18 @@ Values sizes_of_ratio(const Values& shear, const Values& normal) {
 }
 
 /// A plateau where there is one that tells its error, else the second half.
-std::vector<Estimate> critical_row(const Test& test) {
-  const Loading of = stressed(test);
+std::vector<Estimate> critical_row(const AnyTest& test) {
+  const StressedRows of = stressed_rows(test);
   const auto [shear, normal] = loaded_rows(of.shear, of.normal);
   if (shear.size() < blocks_of_late)
-    throw refusal("the stage {} has too few rows under load for a plateau; run it for longer", test.stage.name);
-  const Values& solid = of.curves["solid_fraction"];
+    throw refusal("the stage {} has too few rows under load for a plateau; run it for longer", name_of(test));
+  const Values& solid = of.solid_fraction;
   const SteadyState ratio = find_steady_state(sizes_of_ratio(shear, normal)), density = find_steady_state(solid);
   Estimate friction = steady_ratio(shear, normal);
   if (!ratio.reached || !std::isfinite(friction.error))
     friction = as_estimate(mean_of_blocks(about_ratio_of_means(shear, normal, shear.size() / 2), blocks_of_late));
   const double both = ratio.reached && density.reached ? 1 : 0;
-  return {{test.stage.asked.friction},
+  return {{asked_of(test).friction},
           friction,
           density.reached ? as_estimate(density.mean) : as_estimate(late_mean(solid)),
           {both}};
@@ -111,12 +144,12 @@ Estimate stored(const Numbers& numbers, const std::string& path) {
 }
 
 /// The rows of stages that have stored the first of these numbers.
-std::vector<std::vector<Estimate>> rows_of(const std::vector<const StageResult*>& stages, const std::string& first,
+std::vector<std::vector<Estimate>> rows_of(const std::vector<AnyTest>& tests, const std::string& first,
                                            std::initializer_list<const char*> numbers) {
   std::vector<std::vector<Estimate>> rows;
-  for (const StageResult* stage : stages)
-    if (stage->texture.at_path(first))
-      rows.push_back(mapped(numbers, [&](const char* path) { return stored(stage->texture, path); }));
+  for (const AnyTest& test : tests)
+    if (numbers_of(test).at_path(first))
+      rows.push_back(mapped(numbers, [&](const char* path) { return stored(numbers_of(test), path); }));
   return rows;
 }
 
@@ -132,19 +165,19 @@ Estimate steady_ratio(const Values& all_shear, const Values& all_normal) {
   return {statistics::mean_of(about).value, steady(about).mean.error};
 }
 
-Columns rheology(const std::vector<Test>& tests) {
+Columns rheology(const std::vector<AnyTest>& tests) {
   std::vector<std::vector<Estimate>> rows;
-  for (const Test& test : tests) {
-    const Loading of = stressed(test);
-    rows.push_back({as_estimate(steady(of.curves["inertial_number"]).mean), steady_ratio(of.shear, of.normal),
-                    as_estimate(steady(of.curves["solid_fraction"]).mean)});
+  for (const AnyTest& test : tests) {
+    const StressedRows of = stressed_rows(test);
+    rows.push_back({as_estimate(steady(of.inertial_number).mean), steady_ratio(of.shear, of.normal),
+                    as_estimate(steady(of.solid_fraction).mean)});
   }
   return table_of(std::move(rows), {{"inertial_number", "", "Mean inertial number"},
                                     {"mu", "", "Ratio of the mean shear and normal stress, or of q and p", true},
                                     {"solid_fraction", "", "Mean solid fraction of the whole box", true}});
 }
 
-Columns critical_states(const std::vector<Test>& tests) {
+Columns critical_states(const std::vector<AnyTest>& tests) {
   return table_of(mapped(tests, critical_row),
                   {{"friction", "", "Friction coefficient between grains"},
                    {"mu", "", "Ratio of the mean shear and normal stress, or of q and p, on the plateau", true},
@@ -152,14 +185,14 @@ Columns critical_states(const std::vector<Test>& tests) {
                    {"reached", "", "1 where both have a plateau, 0 where the means are those of the second half"}});
 }
 
-Columns discharges(const std::vector<const StageResult*>& stages) {
-  return table_of(rows_of(stages, "/discharge/opening_m", {"/discharge/opening_m", "/discharge/rate_kg_s"}),
+Columns discharges(const std::vector<AnyTest>& tests) {
+  return table_of(rows_of(tests, "/discharge/opening_m", {"/discharge/opening_m", "/discharge/rate_kg_s"}),
                   {{"opening", "m", "Narrowest opening between boundaries"},
                    {"rate", "kg/s", "Rate of discharge over its steady part", true}});
 }
 
-Columns runouts(const std::vector<const StageResult*>& stages) {
-  return table_of(rows_of(stages, "/surface/runout_over_width",
+Columns runouts(const std::vector<AnyTest>& tests) {
+  return table_of(rows_of(tests, "/surface/runout_over_width",
                           {"/surface/aspect_ratio_before", "/surface/runout_over_width", "/surface/height_over_width",
                            "/surface/angle_deg"}),
                   {{"aspect_ratio", "", "Height over width before the collapse"},
@@ -168,13 +201,14 @@ Columns runouts(const std::vector<const StageResult*>& stages) {
                    {"angle", "deg", "Angle of the deposit's free surface", true}});
 }
 
-Columns silos(const std::vector<const StageResult*>& stages) {
+Columns silos(const std::vector<AnyTest>& tests) {
   std::vector<std::vector<Estimate>> rows;
-  for (const StageResult* stage : stages) {
-    const auto silo = silo_state(*stage);
+  for (const AnyTest& test : tests) {
+    const auto* of_disks = std::get_if<Test>(&test);
+    const auto silo = of_disks ? silo_state(of_disks->stage) : std::nullopt;
     if (!silo)
-      throw refusal("the stage {} is no silo: gravity pulls down, and its floor and both walls bear grains",
-                    stage->name);
+      throw refusal("the stage {} is no silo of disks: gravity pulls down, and its floor and both walls bear grains",
+                    name_of(test));
     const double area = silo->area();
     rows.push_back({{silo->height},
                     {silo->force.value / area, silo->force.error / area},

@@ -10,7 +10,9 @@
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
+#include "grains/fields/laboratory/curves_in_space.hpp"
 #include "grains/fields/stage_numbers.hpp"
+#include "grains/texture/spheres/spheres.hpp"
 #include "statistics/measured.hpp"
 
 namespace arenite::fields {
@@ -97,11 +99,8 @@ Values every_second(const Values& values, std::size_t first, std::size_t count) 
   return some;
 }
 
-}  // namespace
-
-Columns curves_of_states(const Test& test) {
-  Columns found = strains_of_states(test);
-  const std::vector<Numbers> states = textures_of(test.stage);
+/// The strains of states with the numbers of their textures.
+Columns with_numbers(Columns found, const std::vector<Numbers>& states) {
   for (const auto& [name, path] : numbers_of_states) put_number(found, name, path, states);
   if (!found.has("p") || !found.has("q")) return found;
   Values ratio = found["q"];
@@ -109,6 +108,29 @@ Columns curves_of_states(const Test& test) {
     ratio[k] = found["p"][k] != 0 ? ratio[k] / found["p"][k] : statistics::unknown;
   found.put("q_over_p", "", "q over p of the contacts: the sine of the mobilised angle of friction", std::move(ratio));
   return found;
+}
+
+}  // namespace
+
+Columns curves_of_states(const Test& test) { return with_numbers(strains_of_states(test), textures_of(test.stage)); }
+
+Columns states_in_space(const SphereResult& stage) {
+  const Columns rows = curves_in_space(stage);
+  const double begin = stage.history.find("time")->front();
+  Columns found;
+  for (const char* name : {"time", "axial_strain", "shear_strain", "volumetric_strain"})
+    if (const statistics::Column* of = rows.find(name))
+      found.list.push_back(
+          {name,
+           of->meaning,
+           mapped(stage.snapshots,
+                  [&](const auto& state) { return at_time(rows["time"], of->values, state.time - begin); }),
+           {}});
+  texture::SphereOptions options = texture::sphere_options(stage.asked);
+  options.rev.sizes = 0;
+  return with_numbers(std::move(found), mapped(stage.snapshots, [&](const auto& state) {
+                        return texture::measure_spheres(state.packing, options);
+                      }));
 }
 
 std::map<std::int64_t, std::pair<std::size_t, std::size_t>> whole_cycles(const StageResult& stage) {

@@ -264,7 +264,12 @@ template <class Data> std::vector<Head> heads_of(const std::vector<Row<Data>>& l
 
 std::vector<Head> field_heads() { return heads_of(field_figures()); }
 std::vector<Head> voxel_heads() { return heads_of(voxel_figures()); }
-std::vector<Head> sphere_heads() { return heads_of(sphere_figures()); }
+std::vector<Head> sphere_heads() {
+  std::vector<Head> all = heads_of(sphere_figures());
+  const auto before = std::ranges::find(all, std::string_view("rev"), &Head::id);
+  all.insert(before, grain_scatter);
+  return all;
+}
 std::vector<Head> heads_over_runs() { return heads_of(figures_over_runs()); }
 
 std::vector<Head> film_heads() {

@@ -134,19 +134,16 @@ std::vector<Headline> headlines_of(const VoxelResult& sample) {
 
 std::vector<Headline> headlines_of(const SphereResult& sample) {
   std::vector<Headline> list;
-  using enum fields::TestKind;
-  for (const auto kind : {discharge, uniaxial, biaxial, shear}) {
-    std::vector<Headline> of_test;
-    add_known(of_test, headlines_of(kind), sample.texture);
-    if (list.empty() && of_test.size() > 1) list = of_test;
-  }
-  if (list.empty())
+  add_known(list, headlines_of(fields::kind_in_space(sample)), sample.texture);
+  if (list.size() < 2) {
+    list.clear();
     add_known(list,
               {{"solid fraction", "\u03c6", "solid_fraction"},
                {"contacts without rattlers", "z", "coordination.without_rattlers"},
                {"pressure", "p", "stress_details.pressure_Pa"},
                {"contacts", "z", "coordination.all"}},
               sample.texture);
+  }
   add_known(list,
             {{"deviator", "q", "stress_details.deviator_Pa"},
              {"anisotropy of contacts", "a_{c}", "fabric.a_c"},
@@ -190,7 +187,7 @@ Numbers numbers_of(const std::vector<Headline>& list) {
 void add_test(Numbers& shown, const StageData& data) {
   const auto& [stage, states, before] = data;
   const fields::Test test{stage, before};
-  Numbers numbers = fields::test_numbers(test);
+  Numbers numbers = fields::test_of(test);
   for (const char* name : {"loads", "discharge", "exchange", "surface", "floor"})
     if (const auto at = stage.texture.is_tree() ? stage.texture.find(name) : stage.texture.end();
         at != stage.texture.end())

@@ -7,23 +7,19 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/fields/flow_laws.hpp"
-#include "grains/fields/over_runs.hpp"
 
 namespace arenite::report::figures {
 namespace {
 
 using statistics::Columns;
-using Tests = std::vector<fields::Test>;
+using Tests = std::vector<fields::AnyTest>;
 using Values = std::vector<double>;
-
-std::vector<const StageResult*> stages_of(const Tests& tests) {
-  return mapped(tests, [](const fields::Test& test) { return &test.stage; });
-}
 
 Axis logarithmic(std::string label, std::string brief, const Values& values) {
   const double most = largest_of(values, 0), least = least_above_zero(values, most);
@@ -91,27 +87,33 @@ Drawings critical_states(const Tests& tests) {
                       {.label = "critical solid fraction \u03c6_{c}", .brief = "\u03c6_{c}"});
 }
 
-/// W^(2/3), which the law of exponent 3/2 makes a line.
+/// Numerator of Beverloo's exponent, over 2: 3 in the plane, 5 in space.
+int exponent_halves(const Tests& tests) { return std::holds_alternative<fields::Test>(tests.front()) ? 3 : 5; }
+
+/// W^(2/3), or in space W^(2/5), which the law makes a line.
 Drawings beverloo(const Tests& tests) {
-  const Columns found = fields::discharges(stages_of(tests));
+  const Columns found = fields::discharges(tests);
   if (is_empty(found)) return {};
+  const int halves = exponent_halves(tests);
+  const double exponent = 0.5 * halves, root = 1 / exponent;
   const statistics::Column& rate = *found.find("rate");
   Series series{.x = scaled(found["opening"], 1e3), .points = true};
   for (std::size_t k = 0; k < rate.values.size(); ++k) {
-    series.y.push_back(std::pow(rate.values[k], 2. / 3));
-    series.error.push_back(2. / 3 * rate.error[k] * std::pow(rate.values[k], -1. / 3));
+    series.y.push_back(std::pow(rate.values[k], root));
+    series.error.push_back(root * rate.error[k] * std::pow(rate.values[k], root - 1));
   }
-  Panel panel{.x = {.label = "opening D", .unit = "mm", .brief = "D", .low = 0},
-              .y = {.label = "W^{2/3}", .unit = "(kg/s)^{2/3}", .low = 0},
-              .series = {series}};
+  Panel panel{
+      .x = {.label = "opening D", .unit = "mm", .brief = "D", .low = 0},
+      .y = {.label = fmt::format("W^{{2/{}}}", halves), .unit = fmt::format("(kg/s)^{{2/{}}}", halves), .low = 0},
+      .series = {series}};
   Drawing drawing;
   if (rate.values.size() >= fields::least_points_of_law) {
-    const auto law = fields::fit_beverloo(found["opening"], rate.values, rate.error, 1.5);
-    const double slope = std::pow(law.factor.value, 2. / 3), lost = law.lost_width.value;
-    panel.series.push_back(
-        law_of("W = a (D \u2212 w)^{3/2}", sampled(1e3 * lost, 1.05 * largest_in(panel.series[0].x),
-                                                   [&](double d) { return slope * (1e-3 * d - lost); })));
-    drawing.key = {{"W = a (D \u2212 w)^{3/2}", "weak", {in_unit("w/mm", law.lost_width, 1e-3)}}};
+    const auto law = fields::fit_beverloo(found["opening"], rate.values, rate.error, exponent);
+    const double slope = std::pow(law.factor.value, root), lost = law.lost_width.value;
+    const std::string name = fmt::format("W = a (D \u2212 w)^{{{}/2}}", halves);
+    panel.series.push_back(law_of(name, sampled(1e3 * lost, 1.05 * largest_in(panel.series[0].x),
+                                                [&](double d) { return slope * (1e-3 * d - lost); })));
+    drawing.key = {{name, "weak", {in_unit("w/mm", law.lost_width, 1e-3)}}};
   } else {
     drawing.note = too_few("Beverloo\u2019s law", rate.values.size());
   }
@@ -136,7 +138,7 @@ std::string missing_runout(const fields::RunoutLaws& laws, const Values& aspect_
 
 Drawings runout(const Tests& tests) {
   constexpr double low_ends = 3, high_begins = 1.5;  // each law is drawn a little beyond where the two meet
-  const Columns found = fields::runouts(stages_of(tests));
+  const Columns found = fields::runouts(tests);
   if (is_empty(found)) return {};
   const Values &a = found["aspect_ratio"], &way = found["runout"];
   Panel panel{.x = logarithmic("aspect ratio a", "a", a),
@@ -161,7 +163,7 @@ Drawings runout(const Tests& tests) {
 
 /// Beside the pressure of a liquid.
 Drawings janssen(const Tests& tests) {
-  const Columns found = fields::silos(stages_of(tests));
+  const Columns found = fields::silos(tests);
   if (is_empty(found)) return {};
   const statistics::Column& pressure = *found.find("pressure");
   const Scale scale = scale_of(pressure.values, "Pa");
@@ -210,8 +212,8 @@ const std::vector<Row<Tests>>& figures_over_runs() {
         true},
        critical_states},
       {{"beverloo", "beverloo", "Discharge against opening",
-        "Rate of discharge W, a point a run with its standard error, and the law of Beverloo with exponent 3/2 in two "
-        "dimensions; w: width lost at the edges."},
+        "Rate of discharge W, a point a run with its standard error, and the law of Beverloo, with exponent 3/2 in the "
+        "plane and 5/2 in space; w: width lost at the edges."},
        beverloo},
       {{"runout", "runout", "Run-out against aspect ratio",
         "Displacement of the front of a collapse over the width before, a point a run with its standard error, and "

@@ -14,7 +14,7 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/fields/laboratory/tested_stage.hpp"
-#include "grains/fields/loading.hpp"
+#include "grains/fields/over_runs.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
 #include "report/figures/over_runs.hpp"
@@ -24,34 +24,42 @@ namespace arenite::report {
 namespace {
 
 using campaign::CollectedTable;
-using fields::Test;
-using Tests = std::vector<Test>;
+using fields::AnyTest;
+using Tests = std::vector<AnyTest>;
 
-/// The stages of a run with their last states, and which of them is its test.
+/// The stages of a run, of disks or of spheres, with their last states, and which of them is its test.
 struct Run {
   std::vector<StageResult> stages = {};
+  std::vector<SphereResult> spheres = {};
   std::size_t place = 0;
   const CollectedTable::Row* row = nullptr;
 
-  Test test() const {
+  AnyTest test() const {
+    if (!spheres.empty()) return &spheres[place];
     const bool is_after = place > 0 && !stages[place - 1].snapshots.empty();
-    return {stages[place], is_after ? &stages[place - 1].snapshots.back().packing : nullptr};
+    return fields::Test{stages[place], is_after ? &stages[place - 1].snapshots.back().packing : nullptr};
   }
 };
+
+template <int D> void add_stage(std::vector<StageResultIn<D>>& list, StageResultIn<D> stage) {
+  if (auto& states = stage.snapshots; states.size() > 1) states.erase(states.begin(), states.end() - 1);
+  list.push_back(std::move(stage));
+}
+
+template <int D> std::size_t place_of_test(const std::vector<StageResultIn<D>>& stages) {
+  return fields::stage_with_history(mapped(stages, [](const auto& stage) { return &stage; }), {});
+}
 
 /// Throws InputError for a run whose files are not there, or that has no stage.
 Run read_run(const std::filesystem::path& folder, const CollectedTable::Row& row) {
   Run run;
   for (const auto& file : io::stage_files(folder)) {
     auto any = io::read_result(file);
-    auto* stage = std::get_if<StageResult>(&any);
-    if (std::holds_alternative<SphereResult>(any))
-      throw refusal("{} is of spheres, whose tests have no curves of a study yet", row.run);
-    if (!stage) throw refusal("{} goes on to nodes, and its stages are no test of it", row.run);
-    if (auto& states = stage->snapshots; states.size() > 1) states.erase(states.begin(), states.end() - 1);
-    run.stages.push_back(std::move(*stage));
+    if (auto* disks = std::get_if<StageResult>(&any)) add_stage(run.stages, std::move(*disks));
+    else if (auto* spheres = std::get_if<SphereResult>(&any)) add_stage(run.spheres, std::move(*spheres));
+    else throw refusal("{} goes on to nodes, and its stages are no test of it", row.run);
   }
-  run.place = fields::stage_with_history(mapped(run.stages, [](const auto& s) { return &s; }), {});
+  run.place = run.spheres.empty() ? place_of_test(run.stages) : place_of_test(run.spheres);
   run.row = &row;
   return run;
 }
@@ -174,7 +182,9 @@ StudyTests tests_of_study(const std::filesystem::path& study, const CollectedTab
   const auto runs = done_runs(study, table, !ids.empty());
   StudyTests found;
   if (runs.empty()) return found;
-  found.kind = fields::kind_of(runs.front().test());
+  const Run& first = runs.front();
+  found.kind = first.spheres.empty() ? fields::kind_of(std::get<fields::Test>(first.test()))
+                                     : fields::kind_in_space(first.spheres[first.place]);
   for (const std::string& id : ids) {
     const auto& row = figures::figure_over_runs(id);
     try {

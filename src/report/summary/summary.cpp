@@ -60,8 +60,8 @@ template <int D> Numbers last_texture(const StageResultIn<D>& stage) {
 }
 
 /// What a stage tells of a test of the laboratory; `before` is the packing that it began with, or null.
-Numbers test_of(const SphereResult& /*stage*/, const Packing* /*before*/) { return Numbers::tree(); }
-Numbers test_of(const StageResult& stage, const Packing* before) { return fields::test_numbers({stage, before}); }
+Numbers test_of(const SphereResult& stage, const Packing* /*before*/) { return fields::test_among(stage.texture); }
+Numbers test_of(const StageResult& stage, const Packing* before) { return fields::test_of({stage, before}); }
 
 /// Loads that were not reached, and energies that do not balance, each a line; empty where all is well.
 std::string lines_of(const std::vector<std::string>& doubts) {
@@ -147,6 +147,7 @@ template <int D> void Summary::add(const std::filesystem::path& file, const Stag
              doubts_about(stage.texture),
              {}};
   told.test = test_of(stage, before_ ? &*before_ : nullptr);
+  for (const auto& [name, numbers] : told.test.items()) told.texture.erase(name);
   if (!stage.snapshots.empty()) {
     told.last_state = state_of(stage.snapshots.back());
     told.state_text = state_text(stage);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -31,6 +32,24 @@ TEST(Face, NearestPointIsNeverFartherThanAnyOther) {
     EXPECT_GT(distance, least - 0.07);  // the grid's cells are 0.05 and 0.06 wide
     EXPECT_NEAR(norm(nearest - nearest_on_face(kite, nearest)), 0, 1e-14);
   }
+}
+
+TEST(Faces, EndAroundThemAllAndAroundTheirOpening) {
+  std::vector<std::vector<Vec3>> parts;  // a square frame of four faces
+  const auto corner = [](double half, int k) {
+    return Vec3{(k == 0 || k == 3) ? -half : half, 1, k < 2 ? -half : half};
+  };
+  for (int k = 0; k < 4; ++k)
+    parts.push_back({corner(1, k), corner(1, (k + 1) % 4), corner(0.25, (k + 1) % 4), corner(0.25, k)});
+  const std::vector<Face> faces(parts.begin(), parts.end());
+  const auto lines = ends_of(faces);
+  ASSERT_EQ(lines.size(), 2u);
+  std::vector<double> areas;
+  for (const auto& line : lines) areas.push_back(0.5 * norm(area_vector(line)));
+  std::ranges::sort(areas);
+  EXPECT_DOUBLE_EQ(areas[0], 0.25);
+  EXPECT_DOUBLE_EQ(areas[1], 4);
+  EXPECT_EQ(ends_of(std::vector<Face>{kite}).at(0).size(), 4u);
 }
 
 TEST(Face, IsTouchedWithinOnAnEdgeAndAtACorner) {

@@ -1,5 +1,5 @@
 import * as Plot from "@observablehq/plot";
-import { aboutQuantity, knownQuantities, topOf, valuesOf } from "../packing/quantities.js";
+import { aboutQuantity, knownQuantities, topOf, valuesOf } from "../quantities.js";
 import { isPresent } from "../sample.js";
 import { prefixOf } from "../text.js";
 import { materialColour, materialLine } from "../theme.js";
@@ -36,7 +36,7 @@ export const grainScatter = {
         g,
         x: across[g] / x.factor,
         y: up[g] / y.factor,
-        name: `grain ${sample.id[g]}, ${sample.name(g)}`,
+        name: `grain ${sample.id[g]}, ${sample.materialName(g)}`,
       }))
       .filter((p) => Number.isFinite(p.x) && Number.isFinite(p.y));
     const chosen = points.filter(({ g }) => g === selected);

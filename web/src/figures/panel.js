@@ -119,10 +119,7 @@ function answerClicks(svg, panel, { state, sample, first = 0 }) {
 function selectedMarks({ selected, x }, { sample, state, texture, theme }) {
   const g = selected ? state.get("selected") : null;
   if (g === null || g === undefined) return [];
-  const at =
-    selected === "diameter"
-      ? (2 * sample.radius[g]) / factorOf(x.unit)
-      : sample.snapshot(texture.snapshot).sigmaNorm[g];
+  const at = sample.abscissaOf(g, selected, texture) / factorOf(x.unit);
   return inside(x, at) ? [Plot.ruleX([at], { stroke: theme.accent, strokeWidth: 2, className: "selected" })] : [];
 }
 

@@ -1,6 +1,6 @@
 import { prefixOf } from "../text.js";
 import { bytes, materialColour } from "../theme.js";
-import { aboutQuantity, isKnown, topOf, valuesOf } from "./quantities.js";
+import { aboutQuantity, isKnown, topOf, valuesOf } from "../quantities.js";
 import { shareOf } from "./scale.js";
 
 /** How far grains fade towards the background while force chains lie over them. */

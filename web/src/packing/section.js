@@ -3,11 +3,11 @@ import { h } from "../dom.js";
 import { figureCard } from "../figures/card.js";
 import { layers } from "../figures/coarse_fields.js";
 import { figuresOf } from "../figures/index.js";
+import { grainTable } from "../grain_table.js";
+import { knownQuantities } from "../quantities.js";
 import { State } from "../state.js";
 import { colouringsOf } from "./colouring.js";
-import { grainTable } from "./grain_table.js";
 import { packingPanel } from "./panel.js";
-import { knownQuantities } from "./quantities.js";
 import { loadsCard, numbersTable, packingHeadlines } from "./texture.js";
 
 function begin(sample, page) {
@@ -46,6 +46,15 @@ function keep(sample, state) {
   });
 }
 
+const tableWords = (sample) => ({
+  noun: "grain",
+  states: sample.exchanges ? "all states, those of the state shown in the table" : "the state shown",
+  symbols:
+    "p, q: half the sum and half the difference of the principal stresses of a grain, compression positive; " +
+    "u, \u03b8: since the first state of the stage; \u03b8, \u03c9: counter-clockwise. ",
+  file: [sample.title],
+});
+
 /** The packing with its figures and tables: { element, sample, state, view }. */
 export function packingSection(sample, page) {
   const state = begin(sample, page);
@@ -69,7 +78,7 @@ export function packingSection(sample, page) {
       h("div", { class: "results" }, packingHeadlines(sample, state), loadsCard(sample, state), cards),
     ),
     numbersTable(sample, state),
-    grainTable(sample, state),
+    grainTable(sample, state, tableWords(sample)),
   );
   return { element, sample, state, view };
 }

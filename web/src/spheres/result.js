@@ -1,6 +1,7 @@
 import { unpacked } from "../block.js";
 import { DescribedResult } from "../described_result.js";
 import { prefixOf, text } from "../text.js";
+import { findersOf } from "./finders.js";
 
 const whole = 100; // steps of a cut along an axis
 
@@ -20,6 +21,7 @@ export class SphereResult extends DescribedResult {
     this.states = about.states ?? [];
     this.snapshotCount = this.states.length;
     this.#shown = this.snapshotCount - 1;
+    this.finders = findersOf(about.quantities ?? {});
   }
 
   show(snapshot) {
@@ -27,6 +29,9 @@ export class SphereResult extends DescribedResult {
   }
   get state() {
     return this.#opened(this.#shown);
+  }
+  snapshot(k) {
+    return this.#opened(k);
   }
   get last() {
     return this.#opened(this.snapshotCount - 1);
@@ -64,6 +69,22 @@ export class SphereResult extends DescribedResult {
   }
   get materials() {
     return this.state.materials;
+  }
+  get id() {
+    return this.state.id;
+  }
+  get material() {
+    return this.state.material;
+  }
+  materialName(sphere) {
+    return text.material(this.materials[this.material[sphere]]);
+  }
+  /** What a figure has on its abscissa of a sphere, SI: figures are of the last state. */
+  abscissaOf(sphere, what) {
+    return what === "diameter" ? 2 * this.last.radius[sphere] : this.last.stress?.[sphere];
+  }
+  get isOfOneSize() {
+    return this.last.radius.every((r) => r === this.last.radius[0]);
   }
   get hasForces() {
     return this.#has("forces");

@@ -2,6 +2,7 @@ import { forms } from "../address.js";
 import { choice, toggle } from "../choice.js";
 import { h } from "../dom.js";
 import { only, scaleChoices } from "../field/scale_controls.js";
+import { grainTable } from "../grain_table.js";
 import { choicesOf, resultSection } from "../result_section.js";
 import { timeline } from "../packing/timeline.js";
 import { saveButtons } from "../save_buttons.js";
@@ -11,6 +12,8 @@ import { firstLook, lookForms } from "../space/view.js";
 import { text } from "../text.js";
 import { cuts } from "./result.js";
 import { SphereView } from "./view.js";
+
+const firstKnown = (result, quantities) => quantities.find((id) => id in result.finders) ?? "size";
 
 /** What the reader may choose, as it is in the beginning. */
 export const choices = (result) => ({
@@ -26,6 +29,10 @@ export const choices = (result) => ({
   bonds: result.hasBonds,
   boundaries: result.hasBoundaries,
   spheres: true,
+  selected: null, // the sphere that was clicked, in the picture, the table or a chart
+  pointed: null, // the sphere whose row or point the pointer is on
+  across: firstKnown(result, result.isOfOneSize ? ["coordination", "x"] : ["size"]),
+  up: firstKnown(result, ["pressure", "y"]),
   ...firstLook,
   ...Object.fromEntries(axes.map((axis) => [`cut${axis}`, cuts[1]])),
 });
@@ -39,6 +46,9 @@ const kept = (result) => ({
   ...(result.hasBonds && { bonds: forms.truth }),
   ...(result.hasBoundaries && { boundaries: forms.truth }),
   spheres: forms.truth,
+  selected: forms.whole(result.count),
+  across: forms.word(Object.keys(result.finders)),
+  up: forms.word(Object.keys(result.finders)),
   ...lookForms,
   ...Object.fromEntries(axes.map((axis) => [`cut${axis}`, forms.between(...cuts, true)])),
 });
@@ -47,9 +57,19 @@ const kept = (result) => ({
 export function sphereSection(result, page, heads) {
   const state = choicesOf(result, page, choices(result), kept(result)),
     view = new SphereView(result, state);
-  const element = resultSection(result, state, heads, { panel: panelOf(result, state, view) });
+  const element = resultSection(result, state, heads, {
+    panel: panelOf(result, state, view),
+    tables: [grainTable(result, state, tableWords(result))],
+  });
   return { element, state, view, result };
 }
+
+const tableWords = ({ title, name }) => ({
+  noun: "sphere",
+  states: "the state shown",
+  symbols: "p: mean of the principal stresses of a sphere, compression positive. ",
+  file: [title, name],
+});
 
 const isScaled = (show) => show !== "material";
 

@@ -10,6 +10,6 @@ export function sphereNumbers(result, sphere, theme) {
     ["radius", text.quantity(state.radius[sphere], "m")],
     ...Object.entries(state.quantities).map(([id, { label }]) => [label, result.written(id, sphere)]),
   ];
-  const title = `Sphere ${state.id[sphere]}, ${text.material(result.materials[material])}`;
+  const title = `Sphere ${state.id[sphere]}, ${result.materialName(sphere)}`;
   return { title, colour: materialColour(theme, material), rows };
 }

@@ -33,6 +33,7 @@ export class SphereView extends SpaceView {
     state.watch(["snapshot"], () => this.showState());
     state.watch(["half"], () => this.#tellLook());
     state.watch(painted, () => this.refresh("colours", "lines"));
+    state.watch(["selected", "pointed"], () => this.sized && this.drawOverlay());
     state.watch(["chains", "bonds", "boundaries", "spheres"], () => this.refresh("lines"));
   }
 
@@ -135,12 +136,20 @@ export class SphereView extends SpaceView {
 
   drawOverlay() {
     super.drawOverlay();
-    if (this.picked === null) return;
-    const [x, y, z, r] = this.result.state.balls.subarray(4 * this.picked),
+    if (!this.scene) return;
+    const { theme, state } = this,
+      selected = state.get("selected"),
+      pointed = this.picked ?? state.get("pointed");
+    if (selected !== null)
+      this.over.append(this.#ring(selected, theme.card, 5), this.#ring(selected, theme.accent, 3, "selected"));
+    if (pointed !== null) this.over.append(this.#ring(pointed, theme.ink, 2));
+  }
+
+  /** Around a sphere, also where others hide it. */
+  #ring(sphere, stroke, width, name = null) {
+    const [x, y, z, r] = this.result.state.balls.subarray(4 * sphere),
       [cx, cy] = this.toScreen([x, y, z]);
-    this.over.append(
-      s("circle", { cx, cy, r: r * this.camera.scale, fill: "none", stroke: this.theme.ink, "stroke-width": 2 }),
-    );
+    return s("circle", { cx, cy, r: r * this.camera.scale, fill: "none", stroke, "stroke-width": width, class: name });
   }
 
   newLegend(less = 0) {
@@ -160,6 +169,12 @@ export class SphereView extends SpaceView {
     this.picked = sphere;
     if (isNew) this.drawOverlay();
     this.tooltip.write(sphereNumbers(this.result, sphere, this.theme), place);
+  }
+
+  /** A click marks a sphere in table and charts, too; one on it, or beside all, takes that away. */
+  click(place) {
+    const sphere = this.sphereAt(place);
+    this.state.set({ selected: sphere === this.state.get("selected") ? null : sphere });
   }
 
   get name() {

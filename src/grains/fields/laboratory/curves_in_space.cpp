@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/mapped.hpp"
+#include "core/problems.hpp"
 #include "grains/fields/laboratory/shear_in_space.hpp"
 #include "grains/fields/laboratory/tested_stage.hpp"
 #include "grains/fields/laboratory/triaxial.hpp"
@@ -20,6 +21,14 @@ std::optional<statistics::Columns> curves_in_space(const SphereResult& result, i
   curves.put("time", "s", "Time since the first row", mapped(time, [&](double t) { return t - time.front(); }));
   for (auto& curve : of_test->list) curves.list.push_back(std::move(curve));
   return curves;
+}
+
+statistics::Columns curves_in_space(const SphereResult& result) {
+  auto curves = curves_in_space(result, result.asked.closes);
+  if (!curves)
+    throw refusal("the stage {} of spheres is neither compressed along one axis nor sheared; it has no curves",
+                  result.name);
+  return std::move(*curves);
 }
 
 }  // namespace arenite::fields

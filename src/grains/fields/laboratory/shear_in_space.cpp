@@ -8,7 +8,6 @@
 
 #include "core/mapped.hpp"
 #include "grains/fields/laboratory/box_in_space.hpp"
-#include "grains/fields/regime/prediction.hpp"
 
 namespace arenite::fields {
 namespace {
@@ -40,15 +39,6 @@ std::optional<Sheared> sheared(const History& history, const BoxInSpace& box) {
     if (!strain.empty()) return Sheared{axis, std::move(strain), shear_stress(history, box, axis)};
   }
   return {};
-}
-
-Values inertial_numbers(const Values& strain, const Values& time, const Values& pressure, const PackingIn<3>& packing) {
-  const double diameter = packing.grains.mean_diameter(), density = mean_density(packing);
-  const Values rate = rate_of(strain, time);
-  Values number;
-  for (std::size_t k = 0; k < rate.size(); ++k)
-    number.push_back(inertial_number(rate[k], diameter, density, pressure[k]));
-  return number;
 }
 
 }  // namespace

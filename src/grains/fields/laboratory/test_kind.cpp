@@ -5,6 +5,8 @@
 
 #include "grains/fields/free_surface.hpp"
 #include "grains/fields/laboratory/axial_tests.hpp"
+#include "grains/fields/laboratory/shear_in_space.hpp"
+#include "grains/fields/laboratory/triaxial.hpp"
 #include "grains/fields/state_curves.hpp"
 
 namespace arenite::fields {
@@ -41,6 +43,14 @@ TestKind kind_of(const Test& test) {
   if (numbers.at_path("/surface/runout_m")) return TestKind::collapse;
   const TestKind kind = kind_by_sides(test);
   return kind == TestKind::none && numbers.at_path("/surface/solid_fraction") ? TestKind::deposit : kind;
+}
+
+TestKind kind_in_space(const SphereResult& stage) {
+  if (stage.snapshots.empty()) return TestKind::none;
+  if (stage.texture.at_path("/discharge")) return TestKind::discharge;
+  if (stage.texture.at_path("/uniaxial")) return TestKind::uniaxial;
+  if (triaxial_curves(stage, stage.asked.closes)) return TestKind::biaxial;
+  return shear_in_space(stage) ? TestKind::shear : TestKind::none;
 }
 
 const char* name_of(TestKind kind) {

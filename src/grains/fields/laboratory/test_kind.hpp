@@ -17,6 +17,8 @@ enum class TestKind {
   drum        ///< turned with its boundary, so that its surface keeps a slope
 };
 TestKind kind_of(const Test& test);
+/// Of spheres: a biaxial test is triaxial in space.
+TestKind kind_in_space(const SphereResult& stage);
 
 /// "biaxial", ..; empty where it is none.
 const char* name_of(TestKind kind);

@@ -123,4 +123,17 @@ Numbers test_numbers(const Test& test) {
   return j;
 }
 
+Numbers test_among(const Numbers& stored) {
+  Numbers found = Numbers::tree();
+  if (!stored.is_tree()) return found;
+  for (const char* name : {"cycles", "critical_state", "peak", "end", "uniaxial", "oedometer"})
+    if (const auto at = stored.find(name); at != stored.end()) found[name] = *at;
+  return found;
+}
+
+Numbers test_of(const Test& test) {
+  Numbers stored = test_among(test.stage.texture);
+  return stored.empty() ? test_numbers(test) : stored;
+}
+
 }  // namespace arenite::fields

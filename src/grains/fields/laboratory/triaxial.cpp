@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "grains/fields/laboratory/box_in_space.hpp"
+#include "grains/fields/loading.hpp"
 #include "grains/fields/steady_state.hpp"
 #include "grains/fields/test_curves.hpp"
 
@@ -27,10 +28,13 @@ int closing_axis(const dem::Stage& stage) {
 }
 
 std::optional<statistics::Columns> triaxial_curves(const SphereResult& result, int axis) {
+  const Values* time = result.history.find("time");
   const auto box = box_in_space(result.history);
   if (axis < 0 || !box || result.snapshots.empty()) return {};
+  const PackingIn<3>& packing = result.snapshots.back().packing;
+  const std::size_t across[] = {static_cast<std::size_t>(axis + 1) % 3, static_cast<std::size_t>(axis + 2) % 3};
   const Values& height = box->size[static_cast<std::size_t>(axis)];
-  Values axial, stress, p, q, ratio;
+  Values axial, shear, stress, p, q, ratio;
   for (std::size_t k = 0; k < height.size(); ++k) {
     const double all = box->stress[0][k] + box->stress[1][k] + box->stress[2][k];
     stress.push_back(box->stress[static_cast<std::size_t>(axis)][k]);
@@ -38,6 +42,8 @@ std::optional<statistics::Columns> triaxial_curves(const SphereResult& result, i
     q.push_back(1.5 * stress[k] - 0.5 * all);
     ratio.push_back(p[k] > 0 ? q[k] / p[k] : statistics::unknown);
     axial.push_back(1 - height[k] / height[0]);
+    const auto wider = [&](std::size_t a) { return box->size[a][k] / box->size[a][0] - 1; };
+    shear.push_back(axial[k] + 0.5 * (wider(across[0]) + wider(across[1])));
   }
   statistics::Columns curves;
   curves.put("axial_strain", "", "Strain along the axis that closes, compression positive", axial);
@@ -47,7 +53,11 @@ std::optional<statistics::Columns> triaxial_curves(const SphereResult& result, i
   curves.put("q", "Pa", "Axial stress less the mean of the two others", q);
   curves.put("q_over_p", "", "Stress ratio from the forces on the sides", ratio);
   curves.put("solid_fraction", "", "Volume of grains over that of the box",
-             box->solid_fraction(result.snapshots.back().packing.grains.volume()));
+             box->solid_fraction(packing.grains.volume()));
+  if (time && time->size() > 1 && is_confined(curves))
+    curves.put("inertial_number", "",
+               "Rate of the axial strain less the mean of the others, times mean diameter over sqrt(p/density)",
+               inertial_numbers(shear, *time, p, packing));
   return curves;
 }
 

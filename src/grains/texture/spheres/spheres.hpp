@@ -27,4 +27,7 @@ SphereOptions sphere_options(const Asked& asked);
 /// container without volume.
 Numbers measure_spheres(const PackingIn<3>& packing, const SphereOptions& options = {});
 
+/// Mean stress of each sphere over its mean over those that are measured; 0 where no force acts.
+std::vector<double> stresses_over_mean(const PackingIn<3>& packing, const SphereOptions& options);
+
 }  // namespace arenite::texture

@@ -88,12 +88,22 @@ void sphere_stress(const SphereView& view, Numbers& to) {
 
 namespace {
 
-void put_grain_stresses(const SphereView& view, Numbers& to) {
-  std::vector<double> hydrostatic = hydrostatic_stresses(view.packing);
+/// Of each sphere, over their mean over those that are measured, Pa, unless that is 0.
+struct OverMean {
+  std::vector<double> stress;
   double mean = 0;
-  for (const std::size_t g : view.grains) mean += hydrostatic[g] / static_cast<double>(view.grains.size());
+};
+
+OverMean over_mean(const SphereView& view) {
+  OverMean of{hydrostatic_stresses(view.packing)};
+  for (const std::size_t g : view.grains) of.mean += of.stress[g] / static_cast<double>(view.grains.size());
+  for (double& value : of.stress) value = of.mean == 0 ? 0 : value / of.mean;
+  return of;
+}
+
+void put_grain_stresses(const SphereView& view, Numbers& to) {
+  const auto [hydrostatic, mean] = over_mean(view);
   if (mean == 0) return;
-  for (double& value : hydrostatic) value /= mean;
   constexpr DistributionNames names{"mean_Pa", "Pa", "P0", "Mean stress of the set's grains",
                                     "Fraction of grains above the set's own mean, P_0"};
   Numbers& j = to["sigma_norm"] =
@@ -137,3 +147,11 @@ void sphere_forces(const SphereView& view, Numbers& to) {
 }
 
 }  // namespace arenite::texture::spheres
+
+namespace arenite::texture {
+
+std::vector<double> stresses_over_mean(const PackingIn<3>& packing, const SphereOptions& options) {
+  return spheres::over_mean(spheres::SphereView(packing, options)).stress;
+}
+
+}  // namespace arenite::texture

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "core/error.hpp"
@@ -124,6 +125,25 @@ TEST(NarrowestOpening, IsTheWayBetweenBoundariesThatAreThere) {
   EXPECT_NEAR(narrowest_opening(domain), 0.04, 1e-15);
   domain.boundaries[2].present = true;
   EXPECT_NEAR(narrowest_opening(domain), 0.001, 1e-15);
+}
+
+TEST(NarrowestOpening, OfAConeIsItsLowerRim) {
+  DomainIn<3> domain;
+  BoundaryIn<3> cone;
+  constexpr int faces = 64;
+  const auto at = [&](double radius, double height, int k) {
+    const double angle = 2 * std::numbers::pi * (k % faces) / faces;
+    return Vec3{radius * std::cos(angle), height, radius * std::sin(angle)};
+  };
+  for (int k = 0; k < faces; ++k) {
+    for (const Vec3& p : {at(0.02, 0, k), at(0.02, 0, k + 1), at(0.1, 0.1, k + 1), at(0.1, 0.1, k)})
+      cone.points.push_back(p);
+    cone.corners.push_back(4);
+  }
+  domain.boundaries.push_back(cone);
+  EXPECT_NEAR(narrowest_opening(domain), 0.04 * std::cos(std::numbers::pi / faces), 1e-12);
+  domain.boundaries[0].present = false;
+  EXPECT_TRUE(std::isnan(narrowest_opening(domain)));
 }
 
 TEST(DischargeRate, IsThatOfTheLastTwentyGrainsAndFallsWhenNoneFollow) {

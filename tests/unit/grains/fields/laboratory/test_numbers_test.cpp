@@ -71,6 +71,13 @@ TEST(TestNumbers, OfARockThatStillHoldsSayThatItHasNotFailed) {
   EXPECT_FALSE(test_numbers({stage})["uniaxial"]["failed"].get<bool>());
 }
 
+TEST(TestNumbers, AreReadAsTheyAreStored) {
+  StageResult stage = rock();
+  EXPECT_EQ(test_of({stage})["uniaxial"]["failed"].get<bool>(), true);
+  stage.texture = {{"uniaxial", {{"strength_Pa", 3.0}}}, {"solid_fraction", 0.8}};
+  EXPECT_EQ(test_of({stage}), Numbers({{"uniaxial", {{"strength_Pa", 3.0}}}}));
+}
+
 double growth_at(double strain) { return 0.05 * (1 - std::exp(-4 * strain)); }
 
 /// Sheared along its top: friction rises to 0.5, falls to 0.3 within a third of the test, and scatters about that by

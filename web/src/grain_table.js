@@ -1,17 +1,17 @@
-import { h, rich } from "../dom.js";
-import { isPresent } from "../sample.js";
-import { fileName, saveText } from "../save.js";
-import { prefixOf, text } from "../text.js";
+import { h, rich } from "./dom.js";
 import { knownQuantities, topOf, valuesOf } from "./quantities.js";
+import { isPresent } from "./sample.js";
+import { fileName, saveText } from "./save.js";
+import { prefixOf, text } from "./text.js";
 
 const rowHeight = 25,
   spare = 8; // px; rows beyond either end of what is seen
 
 /** A column: head, unit as shown and its SI one, and the value of a grain. */
-function columnsOf(sample) {
+function columnsOf(sample, noun) {
   const names = [
-    { key: "id", head: "grain", unit: "", si: "", factor: 1, of: () => (g) => sample.id[g], write: String },
-    { key: "material", head: "material", unit: "", si: "", factor: 1, of: () => (g) => sample.name(g), write: String },
+    { key: "id", head: noun, unit: "", si: "", factor: 1, of: () => (g) => sample.id[g], write: String },
+    { key: "material", head: "material", unit: "", si: "", factor: 1, of: () => (g) => sample.materialName(g), write: String },
   ];
   return [
     ...names,
@@ -35,16 +35,18 @@ function columnsOf(sample) {
 }
 
 /** All grains of the state that is shown with their numbers, in a table that is sorted by a click on a column header;
-    only the rows in sight are made. A click on a row selects its grain everywhere, arrows go from row to row. */
-export function grainTable(sample, state) {
-  const states = sample.exchanges ? "all states, those of the state shown in the table" : "the state shown";
-  const columns = columnsOf(sample),
+    only the rows in sight are made. A click on a row selects its grain everywhere, arrows go from row to row. `noun`:
+    what a grain is called; `states`: of which states they are counted; `symbols`: what they mean, a sentence; `file`:
+    how the name of a saved one begins. */
+export function grainTable(sample, state, { noun, states, symbols, file }) {
+  const columns = columnsOf(sample, noun),
+    title = `${noun[0].toUpperCase()}${noun.slice(1)}s`,
     sorting = { column: columns[0], down: false };
   const scroller = h("div", {
     class: "scroller grains-rows",
     tabindex: 0,
     role: "region",
-    "aria-label": "Grains; arrow keys move from row to row",
+    "aria-label": `${title}; arrow keys move from row to row`,
   });
   const body = h("tbody"),
     before = h("tr", { class: "gap", "aria-hidden": "true" }, h("td")),
@@ -136,24 +138,24 @@ export function grainTable(sample, state) {
       ...order.map((g) => values.map((of) => of(g)).join(",")),
     ];
     saveText(
-      `${fileName(sample.title, "grains", String(state.get("snapshot") + 1))}.csv`,
+      `${fileName(...file, `${noun}s`, String(state.get("snapshot") + 1))}.csv`,
       "text/csv",
       `${lines.join("\n")}\n`,
     );
   };
   return h(
     "section",
-    { class: "card numbers grain-table", "aria-label": "Grains" },
+    { class: "card numbers grain-table", "aria-label": title },
     h(
       "div",
       { class: "title" },
-      h("h3", {}, "Grains"),
+      h("h3", {}, title),
       h(
         "span",
         { class: "saves" },
         h(
           "button",
-          { class: "save", "data-save": "csv", "aria-label": "Save the table of grains as CSV", onclick: csv },
+          { class: "save", "data-save": "csv", "aria-label": `Save the table of ${noun}s as CSV`, onclick: csv },
           "CSV",
         ),
       ),
@@ -163,11 +165,8 @@ export function grainTable(sample, state) {
       "p",
       { class: "caption" },
       rich(
-        `${text.count(sample.count)} grains in ${states}; click a column header to sort, ` +
-          "click a row to mark the grain in the picture and the charts. " +
-          "p, q: half the sum and half the difference of the principal stresses of a grain, compression positive; " +
-          "u, \u03b8: since the first state of the stage; \u03b8, \u03c9: counter-clockwise. " +
-          "The CSV file is in SI units.",
+        `${text.count(sample.count)} ${noun}s in ${states}; click a column header to sort, ` +
+          `click a row to mark the ${noun} in the picture and the charts. ${symbols}The CSV file is in SI units.`,
       ),
     ),
   );
