@@ -17,6 +17,7 @@
 #include "thermal/thermography/film_checks.hpp"
 #include "thermal/thermography/judge_amplitude.hpp"
 #include "workflow/film/film_correction.hpp"
+#include "workflow/film/map_numbers.hpp"
 
 namespace arenite::app {
 namespace {
@@ -67,61 +68,23 @@ thermography::Adiabatic adiabatic(const LockinArguments& a, double frequency) {
 
 Numbers numbers(const LockinMaps& m, const LockinArguments& a, const FilmInfo& film,
                 const thermography::Adiabatic& heat) {
-  const std::string unit = unit_of(film);
-  Numbers j{
-      {"frequency_Hz", described(m.frequency, "Hz", "Frequency of the load")},
-      {"frequency_error_Hz",
-       described(m.frequency_error, "Hz", "Its standard error; unknown where the film does not show the load")},
-      {"method", a.is_nearest_bin() ? "nearest_bin" : "least_squares"},
-      {"frames", described(m.frames, "", "Frames used")},
-      {"blank_frames", described(m.blank, "", "Frames that hold no picture and are left out")},
-      {"width", described(m.width, "", "Pixels along x")},
-      {"height", described(m.height, "", "Pixels along y")},
-      {"drift_order", described(m.drift_order, "", "Order of the polynomial that describes the drift of a pixel")},
-      {"harmonics", described(m.harmonics, "", "Harmonics of the load frequency that were fitted")},
-      {"convention", name_of(m.convention)},
-      {"unit", unit},
-      {"reference_phase_deg", described(m.reference_phase * degrees, "deg",
-                                        "Phase of the load: the angle still to go to its maximum at the first frame")},
-      {"reference", a.by_lock_in_line ? "the film's lock-in line"
-                    : a.options.reference_phase
-                        ? "given"
-                        : "found on the film; its sign is such that pixels warm with the load on average"}};
+  Numbers j = workflow::lockin_numbers(m, unit_of(film));
+  j["width"] = described(m.width, "", "Pixels along x");
+  j["height"] = described(m.height, "", "Pixels along y");
+  j["method"] = a.is_nearest_bin() ? "nearest_bin" : "least_squares";
+  j["reference"] = a.by_lock_in_line ? "the film's lock-in line"
+                   : a.options.reference_phase
+                       ? "given"
+                       : "found on the film; its sign is such that pixels warm with the load on "
+                         "average";
   const std::vector<float> phase = phase_in_degrees(m);
   j["median"] = medians(maps_of(m, phase), film);
-  j["noise_ratio"] = described(m.noise_ratio, "",
-                               "Variance of the noise at this frequency over that of white noise of the same residual");
-  j["shows_load"] =
-      described(thermography::shows_load(m), "", "Whether pixels oscillate in one phase, and more than noise does");
-  j["chance_of_noise"] = described(m.chance, "", "Probability that noise alone has as much amplitude in one phase");
-  j["share_in_one_phase"] = described(
-      m.one_phase, "",
-      "Share of the amplitude above the noise that has one phase, or its opposite; any value where there is no load");
-  j["lost_frames"] =
-      described(m.lost_frames, "", "Frames missing without a time stamp that shows it, found by the phase of the load");
-  j["level_jumps"] = described(m.levels.jumps.size(), "",
-                               "Jumps of the pixels' level (a camera's shutter), each fitted in every pixel");
-  j["common_error"] =
-      described(m.common_error, unit == "K" ? "K" : "", "Standard error of in_phase that all pixels share");
-  j["column_error"] =
-      described(m.column_error, unit == "K" ? "K" : "", "Standard error of in_phase that the pixels of a column share");
-  if (m.other_frequency > 0)
-    j["other_frequency_Hz"] = described(m.other_frequency, "Hz",
-                                        "Frequency at which the film oscillates where that of the load shows nothing");
   j["diffusion_length_m"] = described(heat.length, "m", "Length over which heat diffuses within a cycle");
   if (heat.pixel <= 0) return j;
   j["adiabatic"] = described(heat.holds(), "", "Whether that is below a fifth of a pixel");
   j["amplitude_lost_in_finest_detail"] =
       described(heat.lost(), "", "Share of its amplitude that the finest detail of the picture loses to it");
   return j;
-}
-
-/// For people the frequency stands in as many digits as its error tells.
-std::string text_of(Numbers found) {
-  Numbers frequency = Numbers::tree({{"value", found["frequency_Hz"]}, {"error", found["frequency_error_Hz"]}});
-  frequency.means_as(found["frequency_Hz"]);
-  found["frequency_Hz"] = std::move(frequency);
-  return to_text(found);
 }
 
 int execute(LockinArguments& a) {
@@ -163,7 +126,7 @@ int execute(LockinArguments& a) {
   const thermography::Adiabatic heat = adiabatic(a, maps.frequency);
   if (heat.pixel > 0 && !heat.holds()) print(stderr, "{}\n", heat.sentence());
   const Numbers found = numbers(maps, a, film->info(), heat);
-  print("{}", a.json ? to_json(found, 2) + "\n" : text_of(found));
+  print("{}", a.json ? to_json(found, 2) + "\n" : to_text(found));
   return done;
 }
 

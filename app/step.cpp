@@ -9,6 +9,7 @@
 #include "progress.hpp"
 #include "thermal/thermography/blank_frames.hpp"
 #include "thermal/thermography/step/step_load.hpp"
+#include "workflow/film/map_numbers.hpp"
 
 namespace arenite::app {
 namespace {
@@ -36,26 +37,13 @@ FilmMaps maps_of(const thermography::StepMaps& m) {
 }
 
 Numbers numbers(const thermography::StepMaps& m, const StepArguments& a, const FilmInfo& film) {
-  const auto relaxation = [](double time, const char* sentence) {
-    return described(time > 0 ? Numbers(time) : Numbers(), "s", sentence);
-  };
-  return {{"time_s", described(m.time, "s", "Middle of the step after the first frame")},
-          {"time", a.options.time ? "given" : "found on the film"},
-          {"rise_s",
-           described(m.rise, "s", "Time for which the film shows the load on its way; frames in between are left out")},
-          {"frames_before", described(m.before, "", "Frames used before the step")},
-          {"frames_after", described(m.after, "", "Frames used after it")},
-          {"blank_frames", described(m.blank, "", "Frames that hold no picture and are left out")},
-          {"width", described(m.width, "", "Pixels along x")},
-          {"height", described(m.height, "", "Pixels along y")},
-          {"drift_order",
-           described(m.drift_order, "", "Order of the polynomial that describes the drift of a pixel on each side")},
-          {"unit", unit_of(film)},
-          {"relaxation_before_s",
-           relaxation(m.relaxation_before, "Time of the exponential by which pixels relax before the step")},
-          {"relaxation_after_s",
-           relaxation(m.relaxation_after, "Time of the exponential by which pixels relax after the step")},
-          {"median", medians(maps_of(m), film)}};
+  Numbers j = workflow::step_numbers(m);
+  j["time"] = a.options.time ? "given" : "found on the film";
+  j["width"] = described(m.width, "", "Pixels along x");
+  j["height"] = described(m.height, "", "Pixels along y");
+  j["unit"] = unit_of(film);
+  j["median"] = medians(maps_of(m), film);
+  return j;
 }
 
 int execute(StepArguments& a) {

@@ -39,12 +39,19 @@ struct Driven {
     gravity_angle,
     boundary_x,
     boundary_y,
+    boundary_z,
     boundary_angle,
+    boundary_angle_x,
+    boundary_angle_y,
     boundary_velocity_x,
     boundary_velocity_y,
+    boundary_velocity_z,
     boundary_spin,
+    boundary_spin_x,
+    boundary_spin_y,
     boundary_force_x,
-    boundary_force_y
+    boundary_force_y,
+    boundary_force_z
   };
   What what = What::velocity;
   int side = left;  ///< of velocity, force, pressure and slide
@@ -54,7 +61,7 @@ struct Driven {
   bool is_of_side() const { return what <= What::pressure; }
   bool is_of_boundary() const { return what >= What::boundary_x; }
   /// Tables of places must neither jump nor, where they begin anew, end elsewhere than they began.
-  bool is_of_place() const { return is_of_boundary() && what <= What::boundary_angle; }
+  bool is_of_place() const { return is_of_boundary() && what <= What::boundary_angle_y; }
   bool is_of_force() const { return what >= What::boundary_force_x; }
   /// How a side is driven so.
   SideDrive::Kind kind() const {
@@ -62,11 +69,11 @@ struct Driven {
            : is(What::force)  ? SideDrive::Kind::force
                               : SideDrive::Kind::pressure;
   }
-  /// Of what drives a boundary: along x (0), along y (1), or around (2).
-  int axis() const {
-    if (is(What::boundary_angle) || is(What::boundary_spin)) return 2;
-    return is(What::boundary_y) || is(What::boundary_velocity_y) || is(What::boundary_force_y) ? 1 : 0;
-  }
+  /// Of what drives a boundary: along x, y or z (0 to 2), or about z, x or y (3 to 5).
+  int way() const { return (static_cast<int>(what) - static_cast<int>(What::boundary_x)) % 6; }
+  bool turns() const { return way() > 2; }
+  /// Whether a sample of the plane has no such thing.
+  bool is_of_space() const { return is_of_boundary() ? way() == 2 || way() > 3 : what <= What::slide && side > top; }
 };
 
 /// A quantity of a stage's loading that a table gives over time: linear between two rows, as the first and last say
@@ -103,21 +110,36 @@ inline constexpr auto programme_targets = [] {
                                          {"top.velocity", "mm/s", {What::velocity, top}},
                                          {"top.force", "kN", {What::force, top}},
                                          {"top.pressure", "kPa", {What::pressure, top}},
+                                         {"back.velocity", "mm/s", {What::velocity, back}},
+                                         {"back.force", "kN", {What::force, back}},
+                                         {"back.pressure", "kPa", {What::pressure, back}},
+                                         {"front.velocity", "mm/s", {What::velocity, front}},
+                                         {"front.force", "kN", {What::force, front}},
+                                         {"front.pressure", "kPa", {What::pressure, front}},
                                          {"slide.left", "mm/s", {What::slide, left}},
                                          {"slide.right", "mm/s", {What::slide, right}},
                                          {"slide.bottom", "mm/s", {What::slide, bottom}},
                                          {"slide.top", "mm/s", {What::slide, top}},
+                                         {"slide.back", "mm/s", {What::slide, back}},
+                                         {"slide.front", "mm/s", {What::slide, front}},
                                          {"shear_rate", "1/s", {What::shear_rate}},
                                          {"gravity_size", "m/s^2", {What::gravity_size}},
                                          {"gravity_angle", "deg", {What::gravity_angle}},
                                          {"boundary.x", "mm", {What::boundary_x}},
                                          {"boundary.y", "mm", {What::boundary_y}},
+                                         {"boundary.z", "mm", {What::boundary_z}},
                                          {"boundary.angle", "deg", {What::boundary_angle}},
+                                         {"boundary.angle_x", "deg", {What::boundary_angle_x}},
+                                         {"boundary.angle_y", "deg", {What::boundary_angle_y}},
                                          {"boundary.velocity_x", "mm/s", {What::boundary_velocity_x}},
                                          {"boundary.velocity_y", "mm/s", {What::boundary_velocity_y}},
+                                         {"boundary.velocity_z", "mm/s", {What::boundary_velocity_z}},
                                          {"boundary.spin", "deg/s", {What::boundary_spin}},
+                                         {"boundary.spin_x", "deg/s", {What::boundary_spin_x}},
+                                         {"boundary.spin_y", "deg/s", {What::boundary_spin_y}},
                                          {"boundary.force_x", "N", {What::boundary_force_x}},
-                                         {"boundary.force_y", "N", {What::boundary_force_y}}});
+                                         {"boundary.force_y", "N", {What::boundary_force_y}},
+                                         {"boundary.force_z", "N", {What::boundary_force_z}}});
 }();
 /// Its place among these.
 std::size_t target_of(const Driven& driven);

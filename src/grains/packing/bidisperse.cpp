@@ -14,6 +14,8 @@
 namespace arenite::packing {
 namespace {
 
+constexpr double smallest_box = 25;  // a few disks along a side: below it classes have no meaning
+
 constexpr std::size_t fewest_small = 10;
 
 template <int D> geometry::Box<D> set_box(DomainIn<D>& domain, double side) {
@@ -71,7 +73,7 @@ void BidisperseParameters::declare(ParameterVisitor& v) {
   v.number({"box_area",
             "Area of the square box over pi large_radius^2; in space volume of the cube over that of a sphere of "
             "large_radius."},
-           box_area, "", range::between(20, 1e6));
+           box_area, "", range::between(smallest_box, 1e6));
   v.integer({"trials", "Number of positions tried around a grain before it is abandoned."}, trials, {1, 10'000});
   v.flag({"maximal",
           "After the trials every remaining place where a disk of the class fits is filled; the paper stops after the "
@@ -85,7 +87,6 @@ void BidisperseParameters::declare(ParameterVisitor& v) {
 }
 
 template <int D> void check(const BidisperseParameters& p) {
-  constexpr double smallest_box = 25;  // a few disks along a side: below it classes have no meaning
   constexpr double most_placed = 2e6;
   Problems problems;
   const auto finite_above = [](double v, double least) { return std::isfinite(v) && v > least; };

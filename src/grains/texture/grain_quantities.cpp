@@ -124,6 +124,7 @@ const std::vector<GrainQuantity>& grain_quantities() {
   static const std::vector<GrainQuantity> list{
       {"x", "Position along x", "x", "m", places<2, 0>, {}, places<3, 0>},
       {"y", "Position along y", "y", "m", places<2, 1>, {}, places<3, 1>},
+      {"z", "Position along z", "z", "m", nullptr, {}, places<3, 2>},
       {"size", "Diameter", "d", "m", diameters<2>, {}, diameters<3>, true},
       {"coordination", "Contacts per grain", "z", "", contact_numbers<2>, {}, contact_numbers<3>, true},
       {"pressure", "Pressure of grains", "p", "Pa", pressures, {}, pressures},
@@ -144,6 +145,7 @@ const std::vector<GrainQuantity>& grain_quantities() {
       {"speed", "Velocity", "|v|", "m/s", speeds<2>, speed, speeds<3>, true},
       {"vx", "Velocity along x", "v_{x}", "m/s", velocities<2, 0>, {}, velocities<3, 0>},
       {"vy", "Velocity along y", "v_{y}", "m/s", velocities<2, 1>, {}, velocities<3, 1>},
+      {"vz", "Velocity along z", "v_{z}", "m/s", nullptr, {}, velocities<3, 2>},
       {"spin", "Angular velocity", "\u03c9", "rad/s", spins<2>, {}, spins<3>}};
   return list;
 }
@@ -158,6 +160,7 @@ const GrainQuantity& grain_quantity(std::string_view name) {
 
 Values values_of(const Packing& packing, std::string_view name) {
   const GrainQuantity& quantity = grain_quantity(name);
+  if (!quantity.of && quantity.of_spheres) throw refusal("a state of disks has no {}", name);
   if (!quantity.of) throw refusal("the {} of grains takes more than one state", name);
   return quantity.of(packing);
 }

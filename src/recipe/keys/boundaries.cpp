@@ -54,26 +54,25 @@ void require_still_cell(Visitor& v, const Stage& stage, const Recipe& recipe) {
   }
 }
 
-void require_boundary(Visitor& v, const Programme& p, const Stage& stage, const Recipe& recipe) {
-  v.require(recipe.dimension == 2, {"programmes"},
-            "no table drives a boundary in space; give it a velocity or a spin in the stage");
-  if (recipe.dimension == 3) return;
-  v.require(std::ranges::count(recipe.boundaries, p.name, &Boundary::name) > 0, {"programmes"},
+template <int D>
+void require_boundary(Visitor& v, const Programme& p, const std::vector<BoundaryIn<D>>& there,
+                      const std::vector<dem::BoundaryMotionIn<D>>& motions) {
+  v.require(std::ranges::count(there, p.name, &BoundaryIn<D>::name) > 0, {"programmes"},
             fmt::format("there is no boundary \"{}\"; name one of [[boundaries]]", p.name));
-  const auto at = std::ranges::find(stage.boundaries, p.name, &dem::BoundaryMotion::name);
-  const dem::BoundaryMotion* motion = at == stage.boundaries.end() ? nullptr : &*at;
+  const auto at = std::ranges::find(motions, p.name, &dem::BoundaryMotionIn<D>::name);
+  const dem::BoundaryMotionIn<D>* motion = at == motions.end() ? nullptr : &*at;
   const bool free = motion && motion->mass, jumps = std::ranges::adjacent_find(p.table, {}, &Vec2::x) != p.table.end();
   v.require(
-      p.of.is_of_force() == free || p.of.axis() == 2, {"programmes", "boundaries"},
+      p.of.is_of_force() == free || p.of.turns(), {"programmes", "boundaries"},
       free ? fmt::format("boundary \"{}\" has a mass in this stage, so that forces move it; leave its mass out", p.name)
            : fmt::format("a force moves only a boundary with a mass; write boundaries = [{{ name = \"{}\", mass = "
                          "\"... kg\" }}] in this stage",
                          p.name));
-  v.require(p.of.is_of_force() || !motion || (motion->velocity == Vec2{} && p.of.axis() < 2) ||
-                (motion->spin == 0 && p.of.axis() == 2),
-            {"programmes", "boundaries"},
-            fmt::format("the motion of boundary \"{}\" is already prescribed in this stage; leave out its {}", p.name,
-                        p.of.axis() < 2 ? "velocity" : "spin"));
+  v.require(
+      p.of.is_of_force() || !motion || (p.of.turns() ? motion->spin == Turning<D>{} : motion->velocity == Vec<D>{}),
+      {"programmes", "boundaries"},
+      fmt::format("the motion of boundary \"{}\" is already prescribed in this stage; leave out its {}", p.name,
+                  p.of.turns() ? "spin" : "velocity"));
   v.require(!p.of.is_of_place() || (!jumps && (!p.repeat || p.table.empty() || p.table.front().y == p.table.back().y)),
             {"programmes"},
             "a boundary cannot jump: no two rows may have the same time, and a repeated table must end where it began");
@@ -93,15 +92,18 @@ void begin_with(const Programme& p, Stage& stage) {
 
 void require_place(Visitor& v, const Programme& p, const Stage& stage, const Recipe& recipe) {
   const auto& container = recipe.container;
+  v.require(recipe.dimension == 3 || !p.of.is_of_space(), {"of"},
+            fmt::format("\"{}\" is of samples in space; take dimension = 3, or drive something of the plane",
+                        dem::programme_targets[dem::target_of(p.of)].word));
   if (p.of.is_of_side()) {
     const SideDrive& side = stage.side[static_cast<std::size_t>(p.of.side)];
     v.require(!side.is_skin() || p.of.is(Programme::What::pressure), {"of"},
               fmt::format("the {0} side is a membrane, and what changes with time is its pressure; write of = "
                           "\"{0}.pressure\"",
-                          side_names[p.of.side]));
+                          any_side_names[p.of.side]));
     v.require(side.kind == SideDrive::Kind::fixed || side.is_skin() || side.kind == p.of.kind(), {"of"},
-              fmt::format("the {} side is already driven in this stage; leave out \"{}\" there", side_names[p.of.side],
-                          side_names[p.of.side]));
+              fmt::format("the {} side is already driven in this stage; leave out \"{}\" there",
+                          any_side_names[p.of.side], any_side_names[p.of.side]));
   } else if (p.of.is(Programme::What::slide)) {
     const int side = p.of.side;
     v.require(!container.is_periodic(side), {"of"},
@@ -208,7 +210,9 @@ void require_usable_sides(Visitor& v, const Stage& stage, const ContainerParamet
 void require_boundary_loads(Visitor& v, const Stage& stage, const Recipe& recipe) {
   require_still_cell(v, stage, recipe);
   for (const auto& p : stage.programmes)
-    if (p.of.is_of_boundary()) require_boundary(v, p, stage, recipe);
+    if (!p.of.is_of_boundary()) continue;
+    else if (recipe.dimension == 3) require_boundary(v, p, recipe.boundaries_in_space, stage.boundaries_in_space);
+    else require_boundary(v, p, recipe.boundaries, stage.boundaries);
 }
 
 void declare_programmes(Visitor& v, Stage& stage, const Recipe& recipe) {
@@ -223,7 +227,7 @@ void declare_programmes(Visitor& v, Stage& stage, const Recipe& recipe) {
     const Programme& p = *at;
     const bool again = std::any_of(stage.programmes.begin(), at, [&](const Programme& other) {
       if (p.of.is_of_boundary())
-        return other.of.is_of_boundary() && other.name == p.name && other.of.axis() == p.of.axis();
+        return other.of.is_of_boundary() && other.name == p.name && other.of.way() == p.of.way();
       return other.of == p.of || (p.of.is_of_side() && other.of.is_of_side() && other.of.side == p.of.side);
     });
     v.require(!again, {"programmes"},

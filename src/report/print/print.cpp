@@ -21,7 +21,7 @@ void declare(ParameterVisitor& v, Print& print) {
       {"formats"}, unknown);
   v.texts({"names", "Names of the figures to draw; all if not given."}, print.names);
   v.number({"width", "Width of a figure; if not given 85 mm for one column, 175 mm for two."}, print.width, "mm",
-           range::positive);
+           range::between(0.01, 3));
 }
 
 }  // namespace arenite::report

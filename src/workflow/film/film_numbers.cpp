@@ -13,6 +13,7 @@
 #include "model/lockin_maps.hpp"
 #include "thermal/inference/film_stresses.hpp"
 #include "thermal/thermography/grains/grain_places.hpp"
+#include "workflow/film/map_numbers.hpp"
 
 namespace arenite::workflow {
 namespace {
@@ -50,17 +51,7 @@ Numbers film_of(const FilmResult& r) {
 
 Numbers lockin_of(const FilmResult& r) {
   const LockinMaps& m = r.maps;
-  Numbers j{{"convention", name_of(m.convention)}, {"frames", described(m.frames, "", "Frames of whole cycles")}};
-  j["blank_frames"] = described(m.blank, "", "Frames that hold no picture and are left out");
-  if (!m.levels.jumps.empty())
-    j["level_jumps"] = described(m.levels.jumps.size(), "", "Jumps of the pixels' level, each fitted in every pixel");
-  if (!m.levels.course.empty()) {
-    const auto [low, high] = std::ranges::minmax(m.levels.course);
-    put(j, "common_drift_K", high - low, "K", "Drift of all pixels beside the polynomial, fitted in every pixel");
-  }
-  put(j, "frequency_Hz", Estimate{m.frequency, m.frequency_error}, "Hz", "Frequency of the load");
-  put_angle(j, "reference_phase_deg", m.reference_phase * 180 / std::numbers::pi, statistics::whole_turn,
-            "Phase of the load at the first frame");
+  Numbers j = lockin_numbers(m, "K");
   put(j, "standard_error_K", median_of_finite(m.standard_error), "K", "Median standard error of a pixel's amplitude");
   put(j, "residual_K", median_of_finite(m.residual), "K", "Median residual of the fit in a pixel");
   if (!m.second_harmonic.empty())

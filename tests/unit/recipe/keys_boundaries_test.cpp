@@ -108,7 +108,7 @@ TEST(BoundariesInRecipes, AreDrivenByTablesAndForces) {
   const Recipe placed = parse_recipe(table("boundary.y", "3 mm"), "r.toml");
   ASSERT_EQ(placed.stages[0].programmes.size(), 1U);
   EXPECT_EQ(placed.stages[0].programmes[0].name, "drum");
-  EXPECT_EQ(placed.stages[0].programmes[0].of.axis(), 1);
+  EXPECT_EQ(placed.stages[0].programmes[0].of.way(), 1);
   EXPECT_EQ(placed.stages[0].programmes[0].table[0].y, 0.003);
   EXPECT_TRUE(parse_recipe(to_toml(placed), "r.toml") == placed);
   const Recipe pushed =

@@ -115,12 +115,25 @@ TEST(FaceShapes, ThatMakeNoSenseAreRefused) {
       problem_of(in_space(boundary(R"(plate = { y = "5 mm" })"), "boundaries = [{ name = \"gate\", absent = true }]\n"))
           .find("there is no boundary \"gate\""),
       std::string::npos);
-  EXPECT_NE(
-      problem_of(in_space(boundary(R"(plate = { y = "5 mm" })"),
-                          "programmes = [{ of = \"boundary.y\", boundary = \"floor\", table = [[\"0 s\", \"0 mm\"], "
-                          "[\"1 s\", \"1 mm\"]] }]\n"))
-          .find("no table drives a boundary in space"),
-      std::string::npos);
+}
+
+TEST(FaceShapes, AreDrivenByTables) {
+  const auto driven = [](const std::string& of, const std::string& unit, const std::string& more = "") {
+    return in_space(boundary(R"(plate = { y = "5 mm" })"), "programmes = [{ of = \"" + of + "\", " + more +
+                                                               "table = [[\"0 s\", \"0 " + unit +
+                                                               "\"], [\"1 s\", \"1 " + unit + "\"]] }]\n");
+  };
+  const std::string of_floor = "boundary = \"floor\", ";
+  const Recipe lifted = parse_recipe(driven("boundary.z", "mm", of_floor), "r.toml");
+  EXPECT_EQ(lifted.stages[0].programmes.at(0).of.way(), 2);
+  EXPECT_TRUE(parse_recipe(to_toml(lifted), "r.toml") == lifted);
+  EXPECT_TRUE(parse_recipe(driven("boundary.spin_x", "deg/s", of_floor), "r.toml").stages[0].programmes[0].of.turns());
+  EXPECT_EQ(parse_recipe(driven("front.pressure", "kPa"), "r.toml").stages[0].side[front].kind,
+            dem::SideDrive::Kind::pressure);
+  EXPECT_NE(problem_of(driven("boundary.z", "mm", "boundary = \"gate\", ")).find("there is no boundary \"gate\""),
+            std::string::npos);
+  EXPECT_NE(problem_of(driven("boundary.force_z", "N", of_floor)).find("a force moves only a boundary with a mass"),
+            std::string::npos);
 }
 
 }  // namespace

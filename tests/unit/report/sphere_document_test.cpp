@@ -21,6 +21,7 @@ SphereResult stage_of(int states, std::size_t spheres) {
     state.time = k;
     state.label = std::to_string(k + 1);
     state.packing.materials = {Material{.name = "glass"}};
+    for (int side = 0; side < sides_in<3>; ++side) state.packing.domain.wall[side].position = side % 2 == 0 ? -1 : 10;
     GrainsIn<3>& grains = state.packing.grains;
     grains.resize(spheres);
     for (std::size_t g = 0; g < spheres; ++g) {
@@ -63,8 +64,8 @@ TEST(SphereDocument, TheLastStateSaysWhatItsQuantitiesAreCalledAndTheirMeans) {
   const Numbers states = document_of({stage})[0].at("states");
   EXPECT_FALSE(states[0].contains("quantities"));
   const Numbers& quantities = states[1].at("quantities");
-  ASSERT_EQ(quantities.size(), 3u);
-  for (const char* name : {"pressure", "coordination", "speed"}) {
+  ASSERT_EQ(quantities.size(), 4u);
+  for (const char* name : {"pressure", "stress", "coordination", "speed"}) {
     EXPECT_EQ(states[1].at(name).at("n").get<int>(), 3) << name;
     const texture::GrainQuantity& quantity = texture::grain_quantity(name);
     EXPECT_EQ(quantities.at(name).at("label").get<std::string>(), quantity.label);
@@ -74,6 +75,7 @@ TEST(SphereDocument, TheLastStateSaysWhatItsQuantitiesAreCalledAndTheirMeans) {
   }
   const double volume = 4.0 / 3 * std::numbers::pi * radius * radius * radius;
   EXPECT_NEAR(quantities.at("pressure").at("mean").get<double>(), force * radius / (3 * volume), 1e-12);
+  EXPECT_NEAR(quantities.at("stress").at("mean").get<double>(), 1, 1e-12);
   EXPECT_NEAR(quantities.at("coordination").at("mean").get<double>(), 1, 1e-12);
   EXPECT_NEAR(quantities.at("speed").at("mean").get<double>(), 5.0 / 3, 1e-12);
 }
@@ -82,6 +84,13 @@ TEST(SphereDocument, OfSpheresThatNothingPressesOnlyTheSpeedIsThere) {
   const Numbers states = document_of({stage_of(1, 2)})[0].at("states");
   EXPECT_EQ(states[0].at("quantities").size(), 1u);
   EXPECT_TRUE(states[0].at("quantities").contains("speed"));
+}
+
+TEST(SphereDocument, TablesHaveThePlacesAndSizesBesideTheQuantities) {
+  const Numbers stage = document_of({stage_of(1, 2)})[0];
+  std::vector<std::string> names;
+  for (const auto& [name, words] : stage.at("quantities").items()) names.push_back(name);
+  EXPECT_EQ(names, (std::vector<std::string>{"x", "y", "z", "size", "speed"}));
 }
 
 /// 400 000 spheres are what a page carries, whatever the states and stages that they are of.

@@ -15,15 +15,18 @@ namespace {
 
 using What = Programme::What;
 
+/// The speed of a boundary along or about an axis (Driven::way).
+double& speed_of(Boundary& boundary, int way) { return way == 3 ? boundary.spin : boundary.velocity[way]; }
+double& speed_of(BoundaryIn<3>& boundary, int way) {
+  return way < 3 ? boundary.velocity[way] : boundary.spin[(way - 1) % 3];
+}
+
 /// The velocity of the step that begins after this time.
-void drive_boundary(SampleIn<3>& /*sample*/, const Programme& /*programme*/, double /*middle*/) {}
-void drive_boundary(Sample& s, const Programme& p, double middle) {
+template <int D> void drive_boundary(SampleIn<D>& s, const Programme& p, double middle) {
   if (p.of.is_of_force()) return;
-  Boundary& boundary = s.domain.boundaries[index_of(s.domain.boundaries, p.name)];
-  const double rate =
+  BoundaryIn<D>& boundary = s.domain.boundaries[index_of(s.domain.boundaries, p.name)];
+  speed_of(boundary, p.of.way()) =
       p.of.is_of_place() ? (p.at(middle + 0.5 * s.dt) - p.at(middle - 0.5 * s.dt)) / s.dt : p.at(middle);
-  double* const velocity[] = {&boundary.velocity.x, &boundary.velocity.y, &boundary.spin};
-  *velocity[p.of.axis()] = rate;
 }
 
 /// N, of a side under force or pressure.
@@ -39,27 +42,23 @@ template <int D> bool drives_skin(const SampleIn<D>& s, const Programme& p) {
 void press_skin(Sample& s, int side, double pressure) { press_membrane(s, side, pressure); }
 void press_skin(SampleIn<3>& /*sample*/, int /*side*/, double /*pressure*/) {}
 
-void force_boundary(Sample& s, const Programme& p, double time) {
-  the<Boundaries>(s).body[index_of(s.domain.boundaries, p.name)].force[p.of.axis()] = p.at(time);
+template <int D> void force_boundary(SampleIn<D>& s, const Programme& p, double time) {
+  the<BoundariesIn<D>>(s).body[index_of(s.domain.boundaries, p.name)].force[p.of.way()] = p.at(time);
 }
-void force_boundary(SampleIn<3>& /*sample*/, const Programme& /*programme*/, double /*time*/) {}
 
 /// Refuses a boundary that cannot be driven so, and sets the force that drives one at the beginning.
-void begin_boundary(Sample& s, const Programme& p) {
+template <int D> void begin_boundary(SampleIn<D>& s, const Programme& p) {
   const std::size_t at = index_of(s.domain.boundaries, p.name);
   if (at == s.domain.boundaries.size())
     throw InputError(fmt::format("a programme drives boundary \"{}\", which does not exist", p.name));
-  BoundaryBody& body = the<Boundaries>(s).body[at];
-  if (p.of.is_of_force() != (body.mass > 0) && p.of.axis() < 2)
+  BoundaryBodyIn<D>& body = the<BoundariesIn<D>>(s).body[at];
+  if (p.of.is_of_force() != (body.mass > 0) && !p.of.turns())
     throw InputError(fmt::format("boundary \"{}\" {} a mass; a table can give {}", p.name,
                                  body.mass > 0 ? "has" : "does not have",
                                  body.mass > 0 ? "the force on it" : "its position or velocity"));
   if (!p.of.is_of_force()) return;
   synchronise(s);
-  (p.of.axis() == 0 ? body.force.x : body.force.y) = p.at(0);
-}
-void begin_boundary(SampleIn<3>& /*sample*/, const Programme& p) {
-  throw InputError(fmt::format("a programme drives boundary \"{}\", which no table can in space", p.name));
+  body.force[p.of.way()] = p.at(0);
 }
 
 }  // namespace

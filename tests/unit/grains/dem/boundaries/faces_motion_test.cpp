@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "grains/dem/run_stage.hpp"
 #include "unit/grains/dem/boundaries/boxes.hpp"
 #include "verification/balance.hpp"
 
@@ -44,6 +48,32 @@ TEST(MovingFaces, OneThatTurnsDragsASphereAlong) {
   const double angle = 5 * time_of(engine);
   EXPECT_NEAR(norm(turned.points[0] - turned.centre), 0.2 * std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(dot(turned.points[0] - turned.centre, Vec3{-0.2, 0, -0.2}) / 0.08, std::cos(angle), 1e-6);
+}
+
+/// A level triangle by tables of its place along z, of its angle about x, and of the force on it.
+TEST(MovingFaces, FollowTables) {
+  using What = Programme::What;
+  PackingIn<3> start = box_with(faces({{{0.08, 0.1, 0.08}, {0.12, 0.1, 0.08}, {0.1, 0.1, 0.14}}}));
+  add_ball(start, {0.4, 0.4, 0.4});
+  const auto moved = [&](std::vector<std::pair<What, double>> ends, std::optional<double> kg = {}) {
+    Stage stage;
+    stage.duration = 0.005;
+    for (const auto& [what, end] : ends)
+      stage.programmes.push_back({{what}, {{0, end < 0 ? -end : 0}, {0.005, std::max(0.0, end)}}, false, "plate"});
+    if (kg) stage.boundaries_in_space = {{.name = "plate", .mass = kg}};
+    EngineIn<3> engine(start, {}, {});
+    StageRunIn<3> run = begin_stage(engine, stage);
+    while (!run.finished) continue_stage(engine, stage, run);
+    return packing_of(engine).domain.boundaries[0];
+  };
+  const BoundaryIn<3> there = moved({{What::boundary_z, 0.01}, {What::boundary_angle_x, 0.3}});
+  EXPECT_NEAR(there.centre.z - 0.1, 0.01, 1e-9);
+  const Vec3 across = there.points[2] - 0.5 * (there.points[0] + there.points[1]);
+  EXPECT_NEAR(std::atan2(-across.y, across.z), 0.3, 1e-6);  // from z towards -y
+  EXPECT_NEAR(norm(across), 0.06, 1e-9);
+  EXPECT_NEAR(moved({{What::boundary_spin_y, 2}}).spin.y, 2, 0.01);
+  // A force that falls from 2 N to nothing.
+  EXPECT_NEAR(moved({{What::boundary_force_z, -2}}, 0.5).velocity.z, 0.5 * 2 * 0.005 / 0.5, 1e-6);
 }
 
 /// Spheres in a funnel that turns and sinks.
