@@ -10,7 +10,7 @@
 #include "campaign/virtual_film.hpp"
 #include "print.hpp"
 #include "progress.hpp"
-#include "report/study_figures.hpp"
+#include "report/study/study_figures.hpp"
 #include "study_parts.hpp"
 
 namespace arenite::app {

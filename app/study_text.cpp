@@ -17,7 +17,7 @@
 #include "report/page.hpp"
 #include "report/run_drawing.hpp"
 #include "report/study/default_figures.hpp"
-#include "report/study_page.hpp"
+#include "report/study/study_page.hpp"
 #include "report/summary/summary.hpp"
 #include "study_parts.hpp"
 #include "workflow/store.hpp"

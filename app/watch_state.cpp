@@ -14,7 +14,7 @@
 #include "report/figures/drawing.hpp"
 #include "report/figures/live_figures.hpp"
 #include "report/page.hpp"
-#include "report/study_page.hpp"
+#include "report/study/study_page.hpp"
 #include "workflow/state_of_now.hpp"
 
 namespace arenite::app {

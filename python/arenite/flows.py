@@ -15,7 +15,8 @@ from .curves import named_curves, tests_of
 
 def last_stages(results):
     """The last stage of every result that has one, of disks or of spheres."""
-    return [stages[-1] for stages in ([*result.stages, *getattr(result, "spheres", [])] for result in results) if stages]
+    stages = ([*result.stages, *getattr(result, "spheres", [])] for result in results)
+    return [list_[-1] for list_ in stages if list_]
 
 
 def discharges(results):

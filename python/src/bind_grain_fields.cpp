@@ -162,7 +162,7 @@ const Keywords& surface_keywords() {
   return keywords;
 }
 
-py::dict free_surface(const Packing& packing, const py::kwargs& more) {
+template <int D> py::dict free_surface(const PackingIn<D>& packing, const py::kwargs& more) {
   SurfaceAsked asked;
   read_keywords(asked, surface_keywords().given("free_surface", more));
   const Vec2 down{std::sin(asked.gravity_angle), -std::cos(asked.gravity_angle)};
@@ -191,11 +191,15 @@ void bind_grain_fields(py::module_& m) {
         "the steady part between begin and end (s), without its onset and end; steady: whether there is such a part; "
         "otherwise the rate has no error; stopped: whether nothing passes any more in the end.");
   def_with_keywords(
-      m, "free_surface", &free_surface, surface_keywords(),
+      m, "free_surface", &free_surface<2>, surface_keywords(),
       "Surface of the largest connected set of grains: position and height (m) of its upper rim, grains, left, right, "
       "bottom, top (m), and the angle of its flanks in rad by a line through the middle of their height, each (value, "
       "error).",
       py::arg("packing"));
+  def_with_keywords(m, "free_surface", &free_surface<3>, surface_keywords(),
+                    "The same of spheres, heights as means over the depth; no angle of a heap that does not reach from "
+                    "the back to the front.",
+                    py::arg("packing"));
   def_with_keywords(
       m, "coarse_grained", &coarse_grained, coarse_keywords(),
       "Coarse-grained fields of a state (Goldhirsch 2010) on a grid of points x, y (m), arrays of rows from below: "

@@ -15,7 +15,7 @@
 #include "model/result.hpp"
 #include "module.hpp"
 #include "report/film_text.hpp"
-#include "report/study_page.hpp"
+#include "report/study/study_page.hpp"
 #include "report/summary/summary.hpp"
 #include "statistics/difference.hpp"
 #include "workflow/result_folder.hpp"

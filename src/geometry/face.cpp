@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "core/mapped.hpp"
 #include "geometry/rectangle.hpp"

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "model/field_quantities.hpp"
+#include "report/figures/field_figures.hpp"
 #include "report/figures/headlines.hpp"
 #include "report/packing_layers.hpp"
 #include "report/page_document.hpp"

@@ -14,6 +14,7 @@
 #include "model/film_place.hpp"
 #include "model/grain_motion.hpp"
 #include "model/lockin_maps.hpp"
+#include "report/figures/film_figures.hpp"
 #include "report/figures/headlines.hpp"
 #include "report/figures/state_numbers.hpp"
 #include "report/packing_layers.hpp"

@@ -1,4 +1,5 @@
 #include "report/page_document.hpp"
+#include "report/figure_heads.hpp"
 
 #include <fmt/core.h>
 
@@ -19,6 +20,8 @@
 #include "report/figures/figure_document.hpp"
 #include "report/figures/headlines.hpp"
 #include "report/figures/run_figures.hpp"
+#include "report/figures/stage_figures.hpp"
+#include "report/figures/state_figures.hpp"
 #include "report/figures/state_numbers.hpp"
 #include "report/film_document.hpp"
 #include "report/number_words.hpp"

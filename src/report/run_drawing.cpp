@@ -14,7 +14,7 @@
 #include "model/shapes.hpp"
 #include "report/field_drawing.hpp"
 #include "report/packing_layers.hpp"
-#include "report/study_figures.hpp"
+#include "report/study/study_figures.hpp"
 #include "statistics/estimate.hpp"
 #include "statistics/run_means.hpp"
 

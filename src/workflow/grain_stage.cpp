@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "core/version.hpp"
-#include "grains/fields/discharge.hpp"
 #include "grains/fields/laboratory/shear_in_space.hpp"
 #include "grains/fields/laboratory/test_numbers.hpp"
 #include "grains/fields/laboratory/triaxial.hpp"
@@ -38,8 +37,7 @@ SphereResult measure_stage(const GrainStageIn<3>& stage, SphereResult made, cons
   made.texture.update(fields::loads_of(made, recipe.stages[place - 1]));
   made.texture.update(fields::triaxial_numbers(made));
   made.texture.update(fields::shear_numbers(made));
-  if (Numbers discharge = fields::discharge_of(made); !discharge.empty())
-    made.texture["discharge"] = std::move(discharge);
+  made.texture.update(fields::flows_of(made, recipe.stages[place - 1], place > 1 ? before : nullptr));
   return made;
 }
 

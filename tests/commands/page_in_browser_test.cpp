@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "io/disk/file.hpp"
 #include "report/page.hpp"
-#include "report/study_page.hpp"
+#include "report/study/study_page.hpp"
 #include "support/field_page_sample.hpp"
 #include "support/film_page_sample.hpp"
 #include "support/numbers_of.hpp"

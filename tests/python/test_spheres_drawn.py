@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import arenite
-from arenite import animate
+from arenite import animate, curves, flows
 from arenite.figures import motion, moving, spheres
 from arenite.figures.shots import shots_of
 from test_spheres import RECIPE
@@ -103,7 +103,7 @@ def test_a_film_of_spheres_has_a_picture_a_state_and_a_curve_beside(pressed, tmp
 
 
 def test_a_tests_curves_are_those_of_its_sides_in_python_and_in_a_table(pressed, tmp_path):
-    found = arenite.curves.along(pressed, "axial")
+    found = curves.along(pressed, "axial")
     history = pressed.spheres[-1].history
     height = history["top_position"] - history["bottom_position"]
     assert np.allclose(found["axial_strain"].values, 1 - height / height[0])
@@ -113,25 +113,25 @@ def test_a_tests_curves_are_those_of_its_sides_in_python_and_in_a_table(pressed,
     table = np.genfromtxt(tmp_path / "axial_curves.csv", delimiter=",", names=True, deletechars="")
     assert np.array_equal(table["q_over_p"], found["q_over_p"].values, equal_nan=True)
     with pytest.raises(ValueError, match="neither compressed along one axis nor sheared"):
-        arenite.curves.along(pressed, "compress")
+        curves.along(pressed, "compress")
 
 
 def test_fabric_of_spheres_along_a_test_is_that_of_their_states(pressed):
-    found = arenite.curves.of_states(pressed, "axial")
+    found = curves.of_states(pressed, "axial")
     stage = pressed.spheres[-1]
     numbers = [state.packing.measure() for state in stage.snapshots]
     assert np.allclose(found["z"].values, [one["coordination"]["all"]["value"] for one in numbers])
     assert found["z"].values[-1] == stage.numbers["coordination"]["all"]["value"]
     assert found["z_error"].values[-1] == stage.numbers["coordination"]["all"]["error"]
     assert np.allclose(found["q_over_p"].values, found["q"].values / found["p"].values)
-    along = arenite.curves.along(pressed, "axial")
+    along = curves.along(pressed, "axial")
     assert found["axial_strain"].values[-1] == along["axial_strain"].values[-1] > 0.01
     with pytest.raises(ValueError, match="neither compressed along one axis nor sheared"):
-        arenite.curves.of_states(pressed, "compress")
+        curves.of_states(pressed, "compress")
 
 
 def test_tests_of_spheres_are_points_of_one_curve(pressed):
-    along, found = arenite.curves.along(pressed, "axial"), arenite.curves.rheology([pressed, pressed], "axial")
+    along, found = curves.along(pressed, "axial"), curves.rheology([pressed, pressed], "axial")
     d, density, history = 4e-3, 2500, pressed.spheres[-1].history
     sides = [history[f"{b}_position"] - history[f"{a}_position"] for a, b in (("left", "right"), ("back", "front"))]
     across = np.mean([1 - side / side[0] for side in sides], axis=0)
@@ -140,7 +140,7 @@ def test_tests_of_spheres_are_points_of_one_curve(pressed):
     assert np.allclose(along["inertial_number"].values[1:-1], inertial[1:-1], rtol=1e-6)
     assert found["inertial_number"].values[0] == found["inertial_number"].values[1] > 0
     assert 0 < found["mu"].values[0] < 2 and found["mu"].values[0] <= np.nanmax(along["q_over_p"].values)
-    states = arenite.flows.critical_states([pressed], "axial")
+    states = flows.critical_states([pressed], "axial")
     assert states["friction"].values == [pressed.spheres[-1].asked["friction"]]
     with pytest.raises(ValueError, match="no silo of disks"):
-        arenite.flows.silos([pressed])
+        flows.silos([pressed])

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "report/study_figures.hpp"
+#include "report/study/study_figures.hpp"
 
 namespace arenite::test {
 

@@ -11,7 +11,15 @@ const rowHeight = 25,
 function columnsOf(sample, noun) {
   const names = [
     { key: "id", head: noun, unit: "", si: "", factor: 1, of: () => (g) => sample.id[g], write: String },
-    { key: "material", head: "material", unit: "", si: "", factor: 1, of: () => (g) => sample.materialName(g), write: String },
+    {
+      key: "material",
+      head: "material",
+      unit: "",
+      si: "",
+      factor: 1,
+      of: () => (g) => sample.materialName(g),
+      write: String,
+    },
   ];
   return [
     ...names,

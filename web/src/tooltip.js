@@ -50,7 +50,8 @@ function grainNumbers(g, sample, snapshot, theme) {
     ["contacts z", String(sample.coordination(snapshot, g))],
   ];
   if (sample.zone[g]) rows.push(["zone", String(sample.zone[g])]);
-  return { title: `Grain ${sample.id[g]}, ${sample.materialName(g)}`, colour: materialColour(theme, sample.material[g]), rows };
+  const title = `Grain ${sample.id[g]}, ${sample.materialName(g)}`;
+  return { title, colour: materialColour(theme, sample.material[g]), rows };
 }
 
 /** A wall, or behind the four of them a boundary by the number of its element. */

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -11,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/ball_window.hpp"
 #include "geometry/union_area.hpp"
 #include "grains/fields/discharge.hpp"
 #include "grains/fields/free_surface.hpp"
@@ -49,30 +51,49 @@ std::optional<Steady> steady_rows(const std::vector<double>& time, const Numbers
   return Steady{state.first, state.count};
 }
 
+/// A column of what grains do to a boundary, and the number that is its mean.
+struct BoundaryColumn {
+  const char *column, *name, *unit, *what;
+  bool of_turning = false;
+};
+constexpr BoundaryColumn columns_of(const Boundary& /*boundary*/, std::size_t k) {
+  constexpr BoundaryColumn list[] = {{"_force_x", "force_x_N", "N", "Force along x"},
+                                     {"_force_y", "force_y_N", "N", "Force along y"},
+                                     {"_torque", "torque_N_m", "N m", "Torque", true}};
+  return k < std::size(list) ? list[k] : BoundaryColumn{};
+}
+constexpr BoundaryColumn columns_of(const BoundaryIn<3>& /*boundary*/, std::size_t k) {
+  constexpr BoundaryColumn list[] = {{"_force_x", "force_x_N", "N", "Force along x"},
+                                     {"_force_y", "force_y_N", "N", "Force along y"},
+                                     {"_force_z", "force_z_N", "N", "Force along z"},
+                                     {"_torque_x", "torque_x_N_m", "N m", "Torque about x", true},
+                                     {"_torque_y", "torque_y_N_m", "N m", "Torque about y", true},
+                                     {"_torque_z", "torque_z_N_m", "N m", "Torque about z", true}};
+  return k < std::size(list) ? list[k] : BoundaryColumn{};
+}
+
 /// What the grains do to the boundaries of a stage that lasts a time: an obstacle in a flow, a blade, a drum.
-Numbers boundary_numbers(const StageResult& result, const Numbers& flow) {
+template <int D> Numbers boundary_numbers(const StageResultIn<D>& result, const Numbers& flow) {
   constexpr std::size_t fewest_rows = 12;
   Numbers all = Numbers::tree();
   const auto* time = result.history.find("time");
   if (!time || time->size() < fewest_rows) return all;
   const bool discharges = flow.contains("discharge");
-  for (const Boundary& boundary : result.snapshots.back().packing.domain.boundaries) {
-    const auto put = [&](const char* column, const char* name, const char* unit, const char* what) {
-      const auto* values = result.history.find(boundary.name + column);
-      if (!values || !boundary.present) return;
+  for (const BoundaryIn<D>& boundary : result.snapshots.back().packing.domain.boundaries) {
+    const auto put = [&](const BoundaryColumn& of) {
+      const auto* values = result.history.find(boundary.name + of.column);
+      if (!values || !boundary.present || (of.of_turning && boundary.spin == Turning<D>{})) return;
       const auto steady = steady_rows(*time, flow, *values);
       if (!steady || steady->count < fewest_rows) return;
       const auto rows = std::span(*values).subspan(steady->first, steady->count);
       statistics::Measured mean = block_average(rows).mean;
       if (!std::isfinite(mean.error)) mean = mean_of_blocks(rows, 6);
       const std::string sentence =
-          fmt::format("{} of the grains on the boundary, mean over {}", what,
+          fmt::format("{} of the grains on the boundary, mean over {}", of.what,
                       discharges ? "the steady part of the discharge" : "the part in which it only fluctuates");
-      all[boundary.name][name] = estimate(mean.value, mean.error, unit, sentence.c_str());
+      all[boundary.name][of.name] = estimate(mean.value, mean.error, of.unit, sentence.c_str());
     };
-    put("_force_x", "force_x_N", "N", "Force along x");
-    put("_force_y", "force_y_N", "N", "Force along y");
-    if (boundary.spin != 0) put("_torque", "torque_N_m", "N m", "Torque");
+    for (std::size_t k = 0; columns_of(boundary, k).column; ++k) put(columns_of(boundary, k));
   }
   return all;
 }
@@ -100,7 +121,7 @@ bool has_free_surface(const Asked& asked, const dem::Stage& stage) {
 
 /// Mean angle over the second half of the states, of a drum that turns, say; nothing where it still changes, or stands
 /// still. Errors by the scatter of states, which lie far apart in time.
-void put_mean_angle(Numbers& j, const StageResult& result, Vec2 gravity) {
+template <int D> void put_mean_angle(Numbers& j, const StageResultIn<D>& result, Vec2 gravity) {
   std::vector<double> angles;
   for (std::size_t k = result.snapshots.size() / 2; k < result.snapshots.size(); ++k)
     if (const double angle = find_free_surface(result.snapshots[k].packing, gravity).angle.value; std::isfinite(angle))
@@ -115,12 +136,26 @@ void put_mean_angle(Numbers& j, const StageResult& result, Vec2 gravity) {
   j["states_in_mean"] = described(angles.size(), "", "Number of states averaged");
 }
 
+/// What a grain covers of a part of the container from one height to another, over its whole depth.
+double covered(Vec2 place, double radius, const geometry::Rectangle& window) {
+  return geometry::disk_window_area(place, radius, window);
+}
+double covered(Vec3 place, double radius, const geometry::Rectangle& window) {
+  return geometry::ball_window_volume(
+      place, radius,
+      {{window.x_min, window.y_min, place.z - 2 * radius}, {window.width(), window.height(), 4 * radius}, {}});
+}
+double depth_of(const Domain& /*domain*/) { return 1; }
+double depth_of(const DomainIn<3>& domain) { return domain.wall[front].position - domain.wall[back].position; }
+
 /// Solid fraction of a layer between the walls, two mean diameters off its floor and its surface, with its error by
 /// strips; nothing where so much is not there, or boundaries stand in it.
-void put_filling(Numbers& j, const Packing& packing, Vec2 gravity, const FreeSurface& surface) {
+template <int D> void put_filling(Numbers& j, const PackingIn<D>& packing, Vec2 gravity, const FreeSurface& surface) {
   constexpr std::size_t strips = 8;
   const double away = 2 * surface.diameter;
-  if (!packing.domain.boundaries.empty() || gravity.x != 0 || gravity.y > 0 || surface.height.size() < strips) return;
+  if (!packing.domain.boundaries.empty() || gravity.x != 0 || gravity.y > 0 || surface.height.size() < strips ||
+      !surface.fills_depth)
+    return;
   const double low = surface.bottom + away, high = std::ranges::min(surface.height) - away,
                width = (surface.right - surface.left) / strips;
   if (!(high - low >= 5 * surface.diameter)) return;
@@ -128,10 +163,10 @@ void put_filling(Numbers& j, const Packing& packing, Vec2 gravity, const FreeSur
   for (std::size_t k = 0; k < strips; ++k) {
     const double left = surface.left + static_cast<double>(k) * width;
     const geometry::Rectangle window{left, left + width, low, high};
-    double covered = 0;
+    double sum = 0;
     for (std::size_t g = 0; g < packing.grains.size(); ++g)
-      covered += geometry::disk_window_area(packing.grains.position[g], packing.grains.radius[g], window);
-    fraction.push_back(covered / window.area());
+      sum += covered(packing.grains.position[g], packing.grains.radius[g], window);
+    fraction.push_back(sum / (window.area() * depth_of(packing.domain)));
   }
   const statistics::Measured mean = statistics::mean_of(fraction);
   j["solid_fraction"] = estimate(mean.value, mean.error, "",
@@ -139,17 +174,18 @@ void put_filling(Numbers& j, const Packing& packing, Vec2 gravity, const FreeSur
 }
 
 /// Whether a front stands at a wall.
-bool is_stopped(double front, const Wall& wall, double diameter) {
+template <int D> bool is_stopped(double front, const WallIn<D>& wall, double diameter) {
   return wall.present && std::abs(wall.position - front) < 0.5 * diameter;
 }
 
 /// Way of the farther front, and beside the column that was there before. A front of grains is known to half a grain;
 /// what one that a wall stopped would have gone is not known.
-void put_runout(Numbers& j, const FreeSurface& now, const FreeSurface& then, const Domain& domain) {
+template <int D>
+void put_runout(Numbers& j, const FreeSurface& now, const FreeSurface& then, const PackingIn<D>& packing) {
   const double to_right = now.right - then.right, to_left = then.left - now.left, way = std::max(to_right, to_left),
                width = then.right - then.left, height = statistics::mean_of(then.height).value - then.bottom;
-  const bool stopped = to_right > to_left ? is_stopped(now.right, domain.wall[right], now.diameter)
-                                          : is_stopped(now.left, domain.wall[left], now.diameter);
+  const bool stopped = to_right > to_left ? is_stopped(now.right, packing.domain.wall[right], now.diameter)
+                                          : is_stopped(now.left, packing.domain.wall[left], now.diameter);
   const double error = stopped ? statistics::unknown : 0.5 * now.diameter;
   if (way > 0.5 * now.diameter) {
     j["runout_m"] = estimate(way, error, "m", "Displacement of the front that has moved farther");
@@ -179,7 +215,8 @@ void put_floor(Numbers& j, const StageResult& result) {
                                   "second half");
 }
 
-Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, const Packing* before) {
+template <int D>
+Numbers surface_numbers(const StageResultIn<D>& result, const dem::Stage& stage, const PackingIn<D>* before) {
   const Vec2 gravity = result.asked.gravity;
   const FreeSurface now = find_free_surface(result.snapshots.back().packing, gravity);
   Numbers j{{"grains", described(now.grains, "", "Grains of the heap")},
@@ -193,29 +230,39 @@ Numbers surface_numbers(const StageResult& result, const dem::Stage& stage, cons
   put_angle("angle_deg", now.angle, "Angle of the whole free surface, counter-clockwise");
   put_angle("left_angle_deg", now.left_flank.angle, "Angle of the left flank");
   put_angle("right_angle_deg", now.right_flank.angle, "Angle of the right flank");
+  if (!now.fills_depth)
+    j["notes"].push_back(
+        "The heap does not reach from the back to the front, so that its profile over the depth has no angle.");
   put_filling(j, result.snapshots.back().packing, gravity, now);
   if (stage.duration && result.snapshots.size() >= 12) put_mean_angle(j, result, gravity);
   if (before && !in_drum(result.snapshots.back().packing.domain)) {
     const FreeSurface then = find_free_surface(*before, gravity);
-    if (!then.height.empty()) put_runout(j, now, then, result.snapshots.back().packing.domain);
+    if (!then.height.empty()) put_runout(j, now, then, result.snapshots.back().packing);
   }
   return j;
 }
 
 }  // namespace
 
-Numbers flow_numbers(const StageEnd& end) {
-  const auto& [result, stage, before, texture, options] = end;
+template <int D> Numbers flows_of(const StageResultIn<D>& result, const dem::Stage& stage, const PackingIn<D>* before) {
   Numbers j = Numbers::tree();
   if (result.snapshots.back().packing.grains.size() == 0) return j;
   if (Numbers discharge = discharge_of(result); !discharge.empty()) j["discharge"] = std::move(discharge);
-  if (Numbers exchange = exchange_numbers(result); !exchange.empty()) j["exchange"] = std::move(exchange);
   if (stage.duration)
     if (Numbers boundaries = boundary_numbers(result, j); !boundaries.empty())
       j["boundary_loads"] = std::move(boundaries);
-  if (!has_free_surface(result.asked, stage)) return j;
-  j["surface"] = surface_numbers(result, stage, before);
-  if (!stage.duration) return j;
+  if (has_free_surface(result.asked, stage)) j["surface"] = surface_numbers(result, stage, before);
+  return j;
+}
+template Numbers flows_of(const StageResult&, const dem::Stage&, const Packing*);
+template Numbers flows_of(const SphereResult&, const dem::Stage&, const PackingIn<3>*);
+
+Numbers flow_numbers(const StageEnd& end) {
+  const auto& [result, stage, before, texture, options] = end;
+  Numbers j = flows_of(result, stage, before);
+  if (result.snapshots.back().packing.grains.size() == 0) return j;
+  if (Numbers exchange = exchange_numbers(result); !exchange.empty()) j["exchange"] = std::move(exchange);
+  if (!stage.duration || !has_free_surface(result.asked, stage)) return j;
   Numbers floor = Numbers::tree();
   put_floor(floor, result);
   if (!floor.empty()) j["floor"] = std::move(floor);

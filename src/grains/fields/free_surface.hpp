@@ -15,13 +15,14 @@ struct Flank {
 };
 
 /// The surface of what hangs together, seen with gravity pointing down. Lengths along the horizontal and the vertical
-/// are counted from the container's origin.
+/// are counted from the container's origin. In space heights are means over the depth.
 struct FreeSurface {
   std::vector<double> place, height;  ///< m; the highest rim above each of the columns, which are a mean diameter apart
   std::size_t grains = 0;             ///< that hang together
   double left = 0, right = 0;         ///< ends of the grains that hang together, m
   double bottom = 0, top = 0;         ///< m
   double diameter = 0;                ///< mean diameter, m
+  bool fills_depth = true;            ///< in space: from back to front, so that the profile is that of the surface
   Flank left_flank, right_flank;      ///< that fall to the left and to the right
   statistics::Estimate angle;         ///< of both flanks by their columns, rad; unknown where there is none
 };
@@ -29,11 +30,13 @@ struct FreeSurface {
 /// The largest set of grains that hang together, its upper rim column by column, and the slope of its flanks by a
 /// straight line through the middle of their height, with the error by leaving out one of eight blocks of neighbouring
 /// columns at a time. Periodic sides do not count as neighbours. `gap`: mean diameters between surfaces up to which two
-/// grains hang together; single grains that roll ahead do not. Throws InputError where gravity has no direction, there
-/// are no grains, and for a gap below 0.
-FreeSurface find_free_surface(const Packing& packing, Vec2 gravity, double gap = 0.1);
+/// grains hang together; single grains that roll ahead do not. In space gravity lies in the plane x-y, and a heap that
+/// does not reach from back to front has no angle, which its profile would understate. Throws InputError where gravity
+/// has no direction, there are no grains, and for a gap below 0.
+template <int D> FreeSurface find_free_surface(const PackingIn<D>& packing, Vec2 gravity, double gap = 0.1);
 
-/// Whether a closed boundary turns: grains in a drum, which run out nowhere.
+/// Whether a closed boundary turns, in space one about z: grains in a drum, which run out nowhere.
 bool in_drum(const Domain& domain);
+bool in_drum(const DomainIn<3>& domain);
 
 }  // namespace arenite::fields

@@ -50,8 +50,8 @@ std::vector<double> strain_between(const History& rows, const History& since, in
                                    const std::vector<double>& distance);
 /// Change of a value with time, to the second order inside and the first at the ends.
 std::vector<double> rate_of(const std::vector<double>& value, const std::vector<double>& time);
-/// Row by row the rate of a shear strain times the mean diameter over sqrt(pressure/density), pressures in Pa (GDR MiDi,
-/// Eur. Phys. J. E 14, 341, 2004).
+/// Row by row the rate of a shear strain times the mean diameter over sqrt(pressure/density), pressures in Pa (GDR
+/// MiDi, Eur. Phys. J. E 14, 341, 2004).
 template <int D>
 std::vector<double> inertial_numbers(const std::vector<double>& strain, const std::vector<double>& time,
                                      const std::vector<double>& pressure, const PackingIn<D>& packing);

@@ -66,6 +66,8 @@ StageStatistic energy_numbers;
 /// before; "floor" of one that lasts a time between walls: pressure at the bottom; "boundary_loads" of one with
 /// boundaries: the mean force of the grains on each. Empty where it is none of these.
 StageStatistic flow_numbers;
+/// Those of disks or spheres alike: "discharge", "surface" and "boundary_loads".
+template <int D> Numbers flows_of(const StageResultIn<D>& result, const dem::Stage& stage, const PackingIn<D>* before);
 
 /// Numbers of a sample whose grains cohere: pairs joined at the end of the stage and those of them that are apart, the
 /// mean pull of touching grains F_c, N, and the granular Bond number, F_c over a grain's weight, or, without gravity,

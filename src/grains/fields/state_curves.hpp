@@ -12,8 +12,8 @@ namespace arenite::fields {
 /// `a_t`, `theta_c`, `mean_force`, `p`, `q`, `q_over_p`, with their errors; NaN where a state has no such number.
 statistics::Columns curves_of_states(const Test& test);
 
-/// The same of a stage of spheres that is compressed along one axis or sheared: `time`, its strains (curves_in_space.hpp)
-/// and those numbers. Throws InputError for another.
+/// The same of a stage of spheres that is compressed along one axis or sheared: `time`, its strains
+/// (curves_in_space.hpp) and those numbers. Throws InputError for another.
 statistics::Columns states_in_space(const SphereResult& stage);
 
 /// Places of the states at the largest and at the smallest load of every cycle that is whole, by its number.

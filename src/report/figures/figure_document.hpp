@@ -6,11 +6,6 @@
 #include <vector>
 
 #include "report/figures/drawing.hpp"
-#include "report/figures/field_figures.hpp"
-#include "report/figures/film_figures.hpp"
-#include "report/figures/over_runs.hpp"
-#include "report/figures/stage_figures.hpp"
-#include "report/figures/state_figures.hpp"
 #include "report/number_block.hpp"
 
 namespace arenite::report::figures {
@@ -36,18 +31,6 @@ Numbers numbers_of(const std::vector<Row<Data>>& list, const Data& data, const W
     }
   return out;
 }
-
-/// The heads of all figures of a packing, a field or a film in the order of the page, pictures among them, which have
-/// renderers of their own.
-std::vector<Head> packing_heads();
-std::vector<Head> field_heads();
-std::vector<Head> voxel_heads();
-std::vector<Head> sphere_heads();
-std::vector<Head> film_heads();
-/// All of these as {"stage", "field", "voxels", "spheres", "film"}: the one list of page and print.
-Numbers heads_of_parts();
-/// Of several results, which have no cards.
-std::vector<Head> heads_over_runs();
 
 /// Numbers of figures as the page carries them: lines of about a thousand points at most, short lists in the document,
 /// others in the block, equal ones once.

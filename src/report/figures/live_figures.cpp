@@ -1,4 +1,5 @@
 #include "report/figures/live_figures.hpp"
+#include "report/figures/stage_figures.hpp"
 
 #include <cmath>
 #include <vector>

@@ -49,8 +49,11 @@ TestKind kind_in_space(const SphereResult& stage) {
   if (stage.snapshots.empty()) return TestKind::none;
   if (stage.texture.at_path("/discharge")) return TestKind::discharge;
   if (stage.texture.at_path("/uniaxial")) return TestKind::uniaxial;
+  if (stage.texture.at_path("/surface") && in_drum(stage.snapshots.back().packing.domain)) return TestKind::drum;
+  if (stage.texture.at_path("/surface/runout_m")) return TestKind::collapse;
   if (triaxial_curves(stage, stage.asked.closes)) return TestKind::biaxial;
-  return shear_in_space(stage) ? TestKind::shear : TestKind::none;
+  if (shear_in_space(stage)) return TestKind::shear;
+  return stage.texture.at_path("/surface/solid_fraction") ? TestKind::deposit : TestKind::none;
 }
 
 const char* name_of(TestKind kind) {

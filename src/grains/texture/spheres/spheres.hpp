@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "grains/texture/rev.hpp"
 #include "model/measuring.hpp"
 #include "model/packing.hpp"

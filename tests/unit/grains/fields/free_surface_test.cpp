@@ -78,5 +78,38 @@ TEST(FreeSurface, HasNoAngleWhereItIsFlatAndRefusesWhatMakesNoSense) {
   EXPECT_THROW(find_free_surface(flat, down(), -0.1), InputError);
 }
 
+/// The same heap of spheres, from the back to the front of a container of six diameters.
+PackingIn<3> ridge_of_spheres(double left_angle, double right_angle) {
+  constexpr int deep = 6;
+  const Packing flat = heap(0.4, 0.12, left_angle, right_angle);
+  PackingIn<3> p;
+  p.materials = flat.materials;
+  p.domain.wall[front].position = 2 * radius * deep;
+  for (std::size_t k = 0; k < deep * flat.grains.size(); ++k) {
+    const Vec2 at = flat.grains.position[k / deep];
+    p.grains.resize(k + 1);
+    p.grains.position.back() = {at.x, at.y, (2 * static_cast<double>(k % deep) + 1) * radius};
+    p.grains.radius.back() = radius;
+  }
+  return p;
+}
+
+TEST(FreeSurface, OfSpheresIsTheMeanOverTheDepth) {
+  const double left_angle = 20 * slope_degree, right_angle = 31 * slope_degree;
+  const FreeSurface flat = find_free_surface(heap(0.4, 0.12, left_angle, right_angle), down());
+  PackingIn<3> ridge = ridge_of_spheres(left_angle, right_angle);
+  const FreeSurface s = find_free_surface(ridge, down());
+  EXPECT_TRUE(s.fills_depth);
+  EXPECT_EQ(s.grains, ridge.grains.size());
+  ASSERT_EQ(s.height.size(), flat.height.size());
+  for (std::size_t k = 0; k < s.height.size(); ++k) EXPECT_NEAR(s.height[k], flat.height[k], 1e-8);
+  EXPECT_NEAR(s.angle.value, flat.angle.value, 1e-6);
+  ridge.domain.wall[front].position *= 2;  // as if it were a heap that may spread along z
+  const FreeSurface free = find_free_surface(ridge, down());
+  EXPECT_FALSE(free.fills_depth);
+  EXPECT_TRUE(std::isnan(free.angle.value));
+  EXPECT_EQ(free.right, s.right);
+}
+
 }  // namespace
 }  // namespace arenite::fields

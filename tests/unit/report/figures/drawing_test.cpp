@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "report/figure_heads.hpp"
 #include "report/figures/figure_document.hpp"
 #include "report/figures/roses.hpp"
 

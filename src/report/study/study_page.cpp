@@ -1,4 +1,4 @@
-#include "report/study_page.hpp"
+#include "report/study/study_page.hpp"
 
 #include <fmt/core.h>
 
@@ -13,8 +13,8 @@
 #include "report/figures/figure_document.hpp"
 #include "report/page_template.hpp"
 #include "report/study/default_figures.hpp"
-#include "report/study_drawing.hpp"
-#include "report/study_figures.hpp"
+#include "report/study/study_drawing.hpp"
+#include "report/study/study_figures.hpp"
 
 namespace arenite::report {
 

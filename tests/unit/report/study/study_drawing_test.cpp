@@ -1,4 +1,4 @@
-#include "report/study_drawing.hpp"
+#include "report/study/study_drawing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "report/study_figures.hpp"
+#include "report/study/study_figures.hpp"
 
 #include <algorithm>
 #include <cmath>

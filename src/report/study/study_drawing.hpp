@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "report/figures/drawing.hpp"
-#include "report/study_page.hpp"
+#include "report/study/study_page.hpp"
 
 namespace arenite::report {
 

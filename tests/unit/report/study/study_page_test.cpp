@@ -1,4 +1,4 @@
-#include "report/study_page.hpp"
+#include "report/study/study_page.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 
 #include "campaign/collect.hpp"
 #include "report/figure_list.hpp"
+#include "report/study/study_figures.hpp"
 #include "report/study/study_tests.hpp"
-#include "report/study_figures.hpp"
 #include "statistics/numbers.hpp"
 
 namespace arenite::report {

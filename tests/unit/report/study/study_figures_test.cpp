@@ -1,4 +1,4 @@
-#include "report/study_figures.hpp"
+#include "report/study/study_figures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
-#include "report/study_page.hpp"
+#include "report/study/study_page.hpp"
 #include "support/numbers_of.hpp"
 #include "support/study_table.hpp"
 
