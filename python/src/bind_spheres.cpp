@@ -6,6 +6,7 @@
 
 #include "arrays.hpp"
 #include "columns.hpp"
+#include "core/problems.hpp"
 #include "file_notes.hpp"
 #include "grains/texture/spheres/spheres.hpp"
 #include "model/result.hpp"
@@ -156,6 +157,8 @@ void bind_spheres(py::module_& m) {
           "measure",
           [](const PackingIn<3>& p, double border) {
             Measuring how;
+            if (!(border >= 0 && border <= 1000))
+              throw refusal("a border of {:g} mean diameters is not possible; give 0 to 1000", border);
             how.border = border;
             return to_python(texture::measure_spheres(p, texture::sphere_options(p, how)));
           },

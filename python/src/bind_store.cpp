@@ -118,6 +118,8 @@ std::size_t stage_number(const Recipe& recipe, const py::object& stage) {
 
 StageResult load_stage(const Packing& packing, Recipe recipe, const py::object& stage, int threads,
                        const Progress& progress, const OnStep& on_step, std::int64_t every) {
+  if (recipe.dimension == 3)
+    throw InputError("load_stage takes disks through a stage; spheres are taken through all of a recipe by run()");
   const std::size_t place = stage_number(recipe, stage) + 1;
   recipe.integration.threads = threads_given(threads);
   Call call;
@@ -178,7 +180,8 @@ void bind_store(py::module_& m) {
           "area of grains over area of the sample\"), ...}.")
       .def("__repr__", [](const Result& r) {
         return fmt::format("<arenite.Result {}: {} stages, {} fields, {} films>", r.path.empty() ? r.title : r.path,
-                           r.run.stages.size(), r.run.fields.size(), r.films.size());
+                           r.run.stages.size() + r.run.spheres.size(), r.run.fields.size() + r.run.voxels.size(),
+                           r.films.size());
       });
   m.def(
       "open",
@@ -237,11 +240,14 @@ void bind_stages(py::module_& m) {
       "pack",
       [](const Recipe& recipe) {
         Call call;
-        return call.without_lock([&] { return workflow::make_packing(recipe).snapshots.back().packing; });
+        if (recipe.dimension == 3)
+          return py::cast(
+              call.without_lock([&] { return workflow::make_sphere_packing(recipe).snapshots.back().packing; }));
+        return py::cast(call.without_lock([&] { return workflow::make_packing(recipe).snapshots.back().packing; }));
       },
       py::arg("recipe"),
       "The grains in their container before any loading: drawn, placed and relaxed, or read from a file ([packing] of "
-      "the recipe).");
+      "the recipe): a Packing, or with dimension = 3 a SpherePacking.");
   m.def("load_stage", &load_stage, py::arg("packing"), py::arg("recipe"), py::arg("stage") = 0, py::kw_only(),
         threads_argument(), py::arg("progress") = py::none(), py::arg("on_step") = py::none(), py::arg("every") = 1000,
         "Takes a packing through one stage of the recipe, by number or name: compaction or loading by discrete "

@@ -15,9 +15,32 @@ namespace {
 /// The corner behind the k-th.
 Vec3 next_of(Face face, std::size_t k) { return face[k + 1 < face.size() ? k + 1 : 0]; }
 
-using Place = std::array<double, 3>;
-Place place_of(Vec3 p) { return {p.x, p.y, p.z}; }
-Vec3 point_at(const Place& at) { return {at[0], at[1], at[2]}; }
+constexpr double one_place = 1e-9;  // of the size of all: faces that are cut by different lines meet to rounding only
+
+/// Points of faces, each once, and the corners of each face among them.
+struct Welded {
+  std::vector<Vec3> point;
+  std::vector<std::vector<std::size_t>> corner;
+
+  explicit Welded(std::span<const Face> faces) {
+    double size = 0;
+    for (const Face face : faces)
+      for (const Vec3 p : face) size = std::max(size, norm(p - faces[0][0]));
+    for (const Face face : faces) {
+      corner.emplace_back();
+      for (const Vec3 p : face) {
+        const auto at = std::ranges::find_if(point, [&](Vec3 known) { return norm(known - p) <= one_place * size; });
+        corner.back().push_back(static_cast<std::size_t>(at - point.begin()));
+        if (at == point.end()) point.push_back(p);
+      }
+    }
+  }
+};
+
+/// The two ends of the side behind a corner, the lower first.
+std::pair<std::size_t, std::size_t> side_of(const std::vector<std::size_t>& corner, std::size_t k) {
+  return std::minmax({corner[k], corner[(k + 1) % corner.size()]});
+}
 
 }  // namespace
 
@@ -40,14 +63,13 @@ std::vector<std::array<Vec3, 2>> edges_of(std::span<const Face> faces) {
     bool is_seen = true;
   };
   std::vector<Edge> edges;
-  std::map<std::array<double, 6>, std::size_t> known;
-  for (const Face face : faces) {
-    const Vec3 area = area_vector(face), normal = area / norm(area);
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      const Vec3 a = face[k], b = next_of(face, k);
-      const auto [at, is_new] = known.try_emplace(
-          std::min(std::array{a.x, a.y, a.z, b.x, b.y, b.z}, std::array{b.x, b.y, b.z, a.x, a.y, a.z}), edges.size());
-      if (is_new) edges.push_back({{a, b}, normal});
+  const Welded all(faces);
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> known;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const Vec3 area = area_vector(faces[f]), normal = area / norm(area);
+    for (std::size_t k = 0; k < faces[f].size(); ++k) {
+      const auto [at, is_new] = known.try_emplace(side_of(all.corner[f], k), edges.size());
+      if (is_new) edges.push_back({{faces[f][k], next_of(faces[f], k)}, normal});
       else if (std::abs(dot(edges[at->second].normal, normal)) > flat) edges[at->second].is_seen = false;
     }
   }
@@ -56,24 +78,22 @@ std::vector<std::array<Vec3, 2>> edges_of(std::span<const Face> faces) {
 }
 
 std::vector<std::vector<Vec3>> ends_of(std::span<const Face> faces) {
-  std::map<std::array<Place, 2>, int> sides;
-  for (const Face face : faces)
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      const Place a = place_of(face[k]), b = place_of(next_of(face, k));
-      ++sides[{std::min(a, b), std::max(a, b)}];
-    }
-  std::map<Place, std::vector<Place>> beside;
+  const Welded all(faces);
+  std::map<std::pair<std::size_t, std::size_t>, int> sides;
+  for (const auto& corner : all.corner)
+    for (std::size_t k = 0; k < corner.size(); ++k) ++sides[side_of(corner, k)];
+  std::map<std::size_t, std::vector<std::size_t>> beside;
   for (const auto& [ends, count] : sides)
-    if (count == 1) beside[ends[0]].push_back(ends[1]), beside[ends[1]].push_back(ends[0]);
+    if (count == 1) beside[ends.first].push_back(ends.second), beside[ends.second].push_back(ends.first);
   std::vector<std::vector<Vec3>> lines;
   while (!beside.empty()) {
     std::vector<Vec3> line;
-    Place at = beside.begin()->first;
+    std::size_t at = beside.begin()->first;
     for (auto found = beside.find(at); found != beside.end(); found = beside.find(at)) {
-      line.push_back(point_at(at));
+      line.push_back(all.point[at]);
       const auto next =
-          std::ranges::find_if(found->second, [&](const Place& p) { return beside.contains(p) && p != at; });
-      const Place to = next == found->second.end() ? at : *next;
+          std::ranges::find_if(found->second, [&](std::size_t p) { return p != at && beside.contains(p); });
+      const std::size_t to = next == found->second.end() ? at : *next;
       beside.erase(found);
       at = to;
     }

@@ -70,6 +70,10 @@ std::vector<StageResult> stages_of(const std::filesystem::path& result) {
   std::vector<StageResult> stages;
   for (const auto& file : io::stage_files(result)) {
     auto any = io::read_result(file);
+    if (std::holds_alternative<SphereResult>(any))
+      throw InputError(result.string(), 0,
+                       "is of spheres, whose states are not in a table; leave out --states, or take the curves of "
+                       "`arenite export --to csv`");
     if (auto* stage = std::get_if<StageResult>(&any)) stages.push_back(std::move(*stage));
   }
   if (stages.empty())

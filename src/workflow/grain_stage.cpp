@@ -35,6 +35,7 @@ SphereResult measure_stage(const GrainStageIn<3>& stage, SphereResult made, cons
   made.texture = texture::measure_spheres(made.snapshots.back().packing, texture::sphere_options(made.asked));
   if (place == 0) return made;
   made.texture.update(fields::loads_of(made, recipe.stages[place - 1]));
+  made.texture.update(fields::energy_balance(made.history));
   made.texture.update(fields::triaxial_numbers(made));
   made.texture.update(fields::shear_numbers(made));
   made.texture.update(fields::flows_of(made, recipe.stages[place - 1], place > 1 ? before : nullptr));

@@ -116,3 +116,15 @@ def test_bonds_and_contacts_together_are_in_balance(tmp_path):
     assert np.linalg.norm(bonds["force"], axis=1).mean() > 0.01 * size
     assert np.linalg.norm(total, axis=1).mean() < 0.02 * size
     assert np.isclose(-np.trace(np.array(stage.numbers["stress"]["value"])) / 3, 15e3, rtol=5e-3)
+
+
+def test_packings_of_spheres_are_spheres_and_what_is_of_disks_says_so(tmp_path):
+    (tmp_path / "recipe.toml").write_text(RECIPE)
+    recipe = arenite.Recipe(tmp_path / "recipe.toml")
+    packing = arenite.pack(recipe)
+    assert isinstance(packing, arenite.SpherePacking) and len(packing) == 120
+    with pytest.raises(ValueError, match="spheres are taken through all of a recipe by run"):
+        arenite.load_stage(arenite.Packing([0.5], [0.5], [0.1], width=1, height=1, thickness=1), recipe)
+    for border in (-1, float("nan")):
+        with pytest.raises(ValueError, match="border of .* is not possible"):
+            packing.measure(border=border)

@@ -154,6 +154,7 @@ double narrowest_opening(const DomainIn<3>& domain) {
     if (!boundary.present) continue;
     auto rims = geometry::ends_of(geometry::faces_of(boundary.points, boundary.corners));
     const auto area = [](const auto& rim) { return norm(geometry::area_vector(rim)); };
+    std::erase_if(rims, [](const auto& rim) { return rim.size() < 3; });
     if (rims.size() < 2) continue;
     rims.erase(std::ranges::max_element(rims, {}, area));  // where it ends itself
     for (const auto& rim : rims) least = std::min(least.value_or(HUGE_VAL), 2 * area(rim) / length_around(rim));

@@ -35,8 +35,9 @@ std::vector<const char*> names_of(EnergyRole role) {
 
 }  // namespace
 
-Numbers energy_numbers(const StageEnd& end) {
-  const History& history = end.result.history;
+Numbers energy_numbers(const StageEnd& end) { return energy_balance(end.result.history); }
+
+Numbers energy_balance(const History& history) {
   if (!are_tracked(history)) return Numbers::tree();
   double stored = 0, spent = 0, work = 0, turned_over = 0;
   for (const char* name : names_of(EnergyRole::stored)) stored += change_of(history, name);

@@ -22,6 +22,10 @@ BeverlooLaw fit_beverloo(const Values& opening, const Values& rate, const Values
   if (opening.size() != rate.size() || rate.size() < 2)
     throw refusal("a law of discharge needs two openings with their rates at least; there are {} and {}",
                   opening.size(), rate.size());
+  const auto [narrowest, widest] = std::ranges::minmax(opening);
+  if (!(narrowest > 0 && widest > narrowest))
+    throw refusal("the openings lie from {:g} to {:g} m; a law of discharge needs two that differ, above 0", narrowest,
+                  widest);
   if (exponent && !(*exponent > 0)) throw refusal("an exponent of {:g} is not possible; give one above 0", *exponent);
   const double n = exponent.value_or(1.5);
   const auto line = statistics::second_moments(opening, mapped(rate, [&](double w) { return std::pow(w, 1 / n); }));

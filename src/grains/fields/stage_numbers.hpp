@@ -60,6 +60,7 @@ template <int D> Numbers loads_of(const StageResultIn<D>& result, const dem::Sta
 
 /// "energy_balance" of a stage whose energies were tracked: by how much it is open since the first row of the history.
 StageStatistic energy_numbers;
+Numbers energy_balance(const History& history);
 
 /// Numbers of what flows under its weight, each with its error: "discharge" of a stage that counts what passes;
 /// "surface" of one that weighs and on which no side presses: angle of repose, ends, and the run-out since the state

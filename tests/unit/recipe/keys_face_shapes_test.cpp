@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "geometry/face.hpp"
+#include "grains/fields/discharge.hpp"
 #include "recipe/recipe.hpp"
 #include "unit/recipe/glass_grains.hpp"
 
@@ -115,6 +116,24 @@ TEST(FaceShapes, ThatMakeNoSenseAreRefused) {
       problem_of(in_space(boundary(R"(plate = { y = "5 mm" })"), "boundaries = [{ name = \"gate\", absent = true }]\n"))
           .find("there is no boundary \"gate\""),
       std::string::npos);
+}
+
+// Its parts meet to rounding only, wherever the opening is.
+TEST(FaceShapes, AnOpeningInAPlateIsAsWideAsItIsAskedFor) {
+  for (const double asked : {0.024, 0.03, 0.036, 0.0073})
+    for (const char* place : {"", "x = \"33.3 mm\", z = \"41.7 mm\", "}) {
+      const std::string plate =
+          std::string("plate = { y = \"40 mm\", ") + place + "diameter = \"" + std::to_string(1e3 * asked) + " mm\" }";
+      DomainIn<3> domain;
+      domain.boundaries = parse_recipe(in_space(boundary(plate)), "r.toml").boundaries_in_space;
+      EXPECT_NEAR(fields::narrowest_opening(domain), asked, 0.006 * asked) << plate;  // edges within a circle
+    }
+  DomainIn<3> domain;
+  domain.boundaries =
+      parse_recipe(in_space(boundary(R"(plate = { y = "5 mm", opening_width = "10 mm", opening_depth = "12 mm" })")),
+                   "r.toml")
+          .boundaries_in_space;
+  EXPECT_NEAR(fields::narrowest_opening(domain), 4 * 0.120 / 44, 1e-9);
 }
 
 TEST(FaceShapes, AreDrivenByTables) {

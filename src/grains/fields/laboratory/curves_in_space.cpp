@@ -20,6 +20,7 @@ std::optional<statistics::Columns> curves_in_space(const SphereResult& result, i
   statistics::Columns curves;
   curves.put("time", "s", "Time since the first row", mapped(time, [&](double t) { return t - time.front(); }));
   for (auto& curve : of_test->list) curves.list.push_back(std::move(curve));
+  for (auto& energy : energies_of(result.history).list) curves.list.push_back(std::move(energy));
   return curves;
 }
 

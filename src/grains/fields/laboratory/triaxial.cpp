@@ -86,9 +86,11 @@ Numbers triaxial_numbers(const SphereResult& result) {
   const Values mean_q = running_mean(q), mean_p = running_mean(p);
   Values ratio;
   for (std::size_t k = 0; k < p.size(); ++k) ratio.push_back(mean_p[k] > 0 ? mean_q[k] / mean_p[k] : 0);
-  const auto at = static_cast<std::size_t>(std::ranges::max_element(ratio) - ratio.begin());
+  const auto at = static_cast<std::size_t>(std::ranges::max_element(ratio, {}, [](double v) { return std::abs(v); }) -
+                                           ratio.begin());
   numbers["peak"] = {
-      {"q_over_p", described(ratio[at], "", "Largest q/p, of its running mean over a hundredth of the rows")},
+      {"q_over_p",
+       described(ratio[at], "", "q/p where it is largest in size, of its running mean over a hundredth of the rows")},
       {"axial_strain", described(strain[at], "", "Strain along the axis there")},
       {"volumetric_strain",
        described((*curves)["volumetric_strain"][at], "", "Volumetric strain there, compaction positive")}};

@@ -116,7 +116,10 @@ std::optional<statistics::Columns> curves_of(const StageResult& rows, const dem:
 }
 std::optional<statistics::Columns> curves_of(const SphereResult& rows, const dem::Stage& stage,
                                              const PackingIn<3>* /*strains_since*/) {
-  return curves_in_space(rows, closing_axis(stage));
+  auto curves = curves_in_space(rows, closing_axis(stage));
+  if (!curves) curves.emplace();
+  if (const auto* time = rows.history.find("time")) put_discharge_rates(rows.history, *time, *curves);
+  return curves;
 }
 
 void add_numbers(const std::optional<statistics::Columns>& curves, const History& history,
@@ -156,6 +159,7 @@ std::vector<HistoryNumber> history_numbers_in_space(const dem::Stage& stage, con
   SphereResult result;
   result.began = 0;
   PackingIn<3>& packing = result.snapshots.emplace_back().packing;
+  packing.materials = one_grain().materials;
   packing.grains.resize(1);
   packing.grains.radius = {1};
   packing.domain = domain;

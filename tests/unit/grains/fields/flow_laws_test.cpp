@@ -21,6 +21,8 @@ TEST(FlowLaws, BeverloosLawIsFoundAgain) {
   EXPECT_NEAR(given.factor.value, 33, 33e-6);
   EXPECT_TRUE(std::isnan(given.exponent.error));
   EXPECT_THROW(fit_beverloo({0.1}, {1}, {0.1}), InputError);
+  EXPECT_THROW(fit_beverloo({0.1, 0.1}, {1, 2}, {0.1, 0.1}), InputError);
+  EXPECT_THROW(fit_beverloo({0, 0.1}, {1, 2}, {0.1, 0.1}), InputError);
 }
 
 TEST(FlowLaws, BothRegimesOfRunOutAreFoundAgain) {

@@ -121,5 +121,22 @@ TEST(Until, KnowsTheNumbersOfWhatAStageCountsAndShears) {
     EXPECT_EQ(std::ranges::count(known, name, &HistoryNumber::name), 1) << name;
 }
 
+TEST(Until, KnowsTheNumbersOfSpheresThatAreCompressedShearedOrCounted) {
+  const auto known = [](const dem::Stage& stage, const char* name) {
+    DomainIn<3> domain;
+    for (const int side : {right, top, front}) domain.wall[side].position = 2;
+    return std::ranges::count(history_numbers_in_space(stage, domain, false, false), name, &HistoryNumber::name);
+  };
+  dem::Stage closing, sliding, flowing;
+  closing.side[top] = {dem::SideDrive::Kind::velocity, 0.1};
+  for (const char* name : {"axial_strain", "q_over_p", "inertial_number", "top_force"})
+    EXPECT_EQ(known(closing, name), 1) << name;
+  sliding.slide[top] = 0.1;
+  for (const char* name : {"shear_strain", "mu"}) EXPECT_EQ(known(sliding, name), 1) << name;
+  flowing.gravity = true;
+  flowing.count_below = 0.1;
+  for (const char* name : {"passed", "discharge_rate"}) EXPECT_EQ(known(flowing, name), 1) << name;
+}
+
 }  // namespace
 }  // namespace arenite::fields
