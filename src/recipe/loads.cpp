@@ -116,7 +116,7 @@ void declare(Visitor& v, Load& load) {
   using peridynamics::Loading;
   v.choice({"loading", "Direction in which the top row is moved relative to the bottom row."}, load.loading,
            words(load.loading));
-  v.choice({"axis", "Axis from the bottom row to the top row; x loads the rotated sample."}, load.axis,
+  v.choice({"axis", "Axis from the bottom row to the top row; x loads the sample with x and y exchanged."}, load.axis,
            words(load.axis));
   v.choice({"lower", "Support of the bottom row."}, load.lower, words(load.lower));
   v.require(load.loading != Loading::shear || load.lower == peridynamics::LowerEdge::fixed, {"lower", "loading"},

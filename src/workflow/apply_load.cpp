@@ -169,7 +169,8 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
   result.convergence = convergence_of(loaded.report.history);
   std::optional<statics::EffectiveModuli> moduli;
   if (load.moduli && result.converged) {
-    moduli = Loader(load, shares.of_moduli()).effective_moduli(result.map);
+    moduli =
+        Loader(load, shares.of_moduli()).effective_moduli(sample.map);  // of the sample, whichever way it is loaded
     for (const auto& report : moduli->reports) {
       if (report.ending == statics::Ending::stopped) return std::nullopt;
       result.converged = result.converged && report.ending == statics::Ending::solved;
@@ -177,8 +178,12 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
   }
   add_load(result.numbers, load, loaded.report, moduli);
   if (load.effective_stiffness && load.by_elements() && result.converged &&
-      !add_effective_stiffness(result.map, Loader(load, shares.of_stiffness()).of_elements(), result))
+      !add_effective_stiffness(sample.map, Loader(load, shares.of_stiffness()).of_elements(), result))
     return std::nullopt;
+  if (load.axis == recipe::Load::Axis::x)
+    result.numbers["notes"].push_back(
+        "Loaded along x: map, stresses and displacements are those of the sample with x and y exchanged, whose upright "
+        "axis is that of the load; moduli and effective stiffness are of the sample as it was given.");
   if (!load.by_elements()) note_bonds_across_voids(result.numbers, load, result.map);
   result.field = as_stored(std::move(loaded.field));
   measure_stress(load, result, measured, contact_stresses);

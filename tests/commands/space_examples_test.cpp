@@ -48,7 +48,7 @@ TEST(SpaceExamples, CastIronIsLoadedByItsRecipe) {
 }
 
 /// Runs an example's recipe without its effective stiffness, and gives its numbers.
-Json loaded(const std::string& example, const fs::path& out) {
+Json loaded_example(const std::string& example, const fs::path& out) {
   const auto run = arenite("run " + examples + example +
                            "/recipe.toml --quiet --set loads.0.effective_stiffness=false" + " --out " + out.string());
   EXPECT_EQ(run.status, 0) << run.err;
@@ -57,7 +57,7 @@ Json loaded(const std::string& example, const fs::path& out) {
 
 TEST(SpaceExamples, AnElectrodeOfThreePhasesIsLoaded) {
   const TemporaryFolder folder;
-  const Json j = loaded("34-electrode-in-space", folder / "out");
+  const Json j = loaded_example("34-electrode-in-space", folder / "out");
   EXPECT_EQ(j["map"]["voxels"], (Json{64, 64, 64}));
   EXPECT_EQ(j["map"]["grains"], 37);
   EXPECT_EQ(j["map"]["lengths"], "in voxels, since dx was not given");
@@ -68,7 +68,7 @@ TEST(SpaceExamples, AnElectrodeOfThreePhasesIsLoaded) {
 
 TEST(SpaceExamples, APorousRockIsCutIntoGrainsAndLoaded) {
   const TemporaryFolder folder;
-  const Json j = loaded("35-berea", folder / "out");
+  const Json j = loaded_example("35-berea", folder / "out");
   EXPECT_EQ(j["map"]["voxels"], (Json{64, 64, 64}));
   EXPECT_GT(j["map"]["grains"], 8);
   EXPECT_EQ(j["map"]["phases"]["matrix"], 0);
@@ -79,7 +79,7 @@ TEST(SpaceExamples, APorousRockIsCutIntoGrainsAndLoaded) {
 
 TEST(SpaceExamples, AStackOfPicturesOfALimestoneIsCutIntoGrainsAndPressed) {
   const TemporaryFolder folder;
-  const Json j = loaded("39-ketton", folder / "out");
+  const Json j = loaded_example("39-ketton", folder / "out");
   EXPECT_EQ(j["map"]["voxels"], (Json{64, 64, 64}));
   EXPECT_EQ(j["map"]["grains"], 56);
   EXPECT_NEAR(j["map"]["phases"]["void"].get<double>(), 28572 / 262144.0, 1e-12);  // zeros of the file

@@ -67,6 +67,9 @@ VolumePointer open_nrrd(const Bytes& bytes, const VolumeChoice&) {
     take_side(facts, side, unit);
   }
   if (along.size() == 3) tell_turned(facts, {along[0], along[1], along[2]}, "its space directions");
+  if (const std::string order = header.has("endian") ? header.word("endian") : "little";
+      order != "little" && order != "big")
+    refuse(file, "has bytes in the order \"{}\"; save it with endian little or big", order);
   VoxelLayout layout{.type = *type, .big_endian = header.has("endian") && header.word("endian") == "big"};
   const std::string encoding = header.word("encoding");
   const bool packed = encoding == "gzip" || encoding == "gz";

@@ -68,6 +68,8 @@ Numbers support_numbers(const statics::Support& s) {
           {"islands", described(s.islands, "", "Separate parts of these")}};
 }
 
+constexpr double least_share = 1e-9;  // of the largest stiffness: what is less is rounding
+
 template <int D> Numbers stiffness_numbers(const EffectiveStiffness<D>& effective) {
   constexpr std::size_t n = voigt_count<D>;
   std::array<double, n * n> symmetric{};
@@ -92,9 +94,15 @@ template <int D> Numbers stiffness_numbers(const EffectiveStiffness<D>& effectiv
       {"asymmetry", described(asymmetry / axial, "",
                               "Largest difference between a row and its column over the mean axial stiffness")}};
   const auto compliance = inverse_of_definite<n>(symmetric);
-  const bool carries = std::ranges::all_of(compliance, [](double v) { return std::isfinite(v); }) && c(0, 0) > 0 &&
-                       1 / compliance[0] > 1e-9 * c(0, 0);
+  double largest = 0;
+  for (std::size_t a = 0; a < n; ++a) largest = std::max(largest, c(a, a));
+  bool carries = largest > 0;
+  for (std::size_t a = 0; a < n; ++a) carries &= 1 / compliance[n * a + a] > least_share * largest;  // false of a NaN
   if (carries) j.update(moduli_along_axes<D>(compliance));
+  else
+    j["notes"].push_back(
+        "The sample, as a period, gives way to some strain without stress, so that it has no moduli; its stiffness "
+        "tells along which axes it carries.");
   const Isotropic<D> isotropic = isotropic_part<D>(c);
   j["isotropic_mean_Pa"] =
       described(all_of(isotropic.moduli), "Pa", "Modulus of the isotropic stiffness nearest to it");
