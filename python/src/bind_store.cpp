@@ -3,6 +3,8 @@
 
 #include <unistd.h>
 
+#include <variant>
+
 #include "calls.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
@@ -240,10 +242,10 @@ void bind_stages(py::module_& m) {
       "pack",
       [](const Recipe& recipe) {
         Call call;
-        if (recipe.dimension == 3)
-          return py::cast(
-              call.without_lock([&] { return workflow::make_sphere_packing(recipe).snapshots.back().packing; }));
-        return py::cast(call.without_lock([&] { return workflow::make_packing(recipe).snapshots.back().packing; }));
+        return call.without_lock([&]() -> std::variant<Packing, PackingIn<3>> {
+          if (recipe.dimension == 3) return workflow::make_sphere_packing(recipe).snapshots.back().packing;
+          return workflow::make_packing(recipe).snapshots.back().packing;
+        });
       },
       py::arg("recipe"),
       "The grains in their container before any loading: drawn, placed and relaxed, or read from a file ([packing] of "

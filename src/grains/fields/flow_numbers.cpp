@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -56,21 +55,17 @@ struct BoundaryColumn {
   const char *column, *name, *unit, *what;
   bool of_turning = false;
 };
-constexpr BoundaryColumn columns_of(const Boundary& /*boundary*/, std::size_t k) {
-  constexpr BoundaryColumn list[] = {{"_force_x", "force_x_N", "N", "Force along x"},
-                                     {"_force_y", "force_y_N", "N", "Force along y"},
-                                     {"_torque", "torque_N_m", "N m", "Torque", true}};
-  return k < std::size(list) ? list[k] : BoundaryColumn{};
-}
-constexpr BoundaryColumn columns_of(const BoundaryIn<3>& /*boundary*/, std::size_t k) {
-  constexpr BoundaryColumn list[] = {{"_force_x", "force_x_N", "N", "Force along x"},
-                                     {"_force_y", "force_y_N", "N", "Force along y"},
-                                     {"_force_z", "force_z_N", "N", "Force along z"},
-                                     {"_torque_x", "torque_x_N_m", "N m", "Torque about x", true},
-                                     {"_torque_y", "torque_y_N_m", "N m", "Torque about y", true},
-                                     {"_torque_z", "torque_z_N_m", "N m", "Torque about z", true}};
-  return k < std::size(list) ? list[k] : BoundaryColumn{};
-}
+constexpr BoundaryColumn columns_in_plane[] = {{"_force_x", "force_x_N", "N", "Force along x"},
+                                               {"_force_y", "force_y_N", "N", "Force along y"},
+                                               {"_torque", "torque_N_m", "N m", "Torque", true}};
+constexpr BoundaryColumn columns_in_space[] = {{"_force_x", "force_x_N", "N", "Force along x"},
+                                               {"_force_y", "force_y_N", "N", "Force along y"},
+                                               {"_force_z", "force_z_N", "N", "Force along z"},
+                                               {"_torque_x", "torque_x_N_m", "N m", "Torque about x", true},
+                                               {"_torque_y", "torque_y_N_m", "N m", "Torque about y", true},
+                                               {"_torque_z", "torque_z_N_m", "N m", "Torque about z", true}};
+std::span<const BoundaryColumn> columns_of(const Boundary& /*boundary*/) { return columns_in_plane; }
+std::span<const BoundaryColumn> columns_of(const BoundaryIn<3>& /*boundary*/) { return columns_in_space; }
 
 /// What the grains do to the boundaries of a stage that lasts a time: an obstacle in a flow, a blade, a drum.
 template <int D> Numbers boundary_numbers(const StageResultIn<D>& result, const Numbers& flow) {
@@ -93,7 +88,7 @@ template <int D> Numbers boundary_numbers(const StageResultIn<D>& result, const 
                       discharges ? "the steady part of the discharge" : "the part in which it only fluctuates");
       all[boundary.name][of.name] = estimate(mean.value, mean.error, of.unit, sentence.c_str());
     };
-    for (std::size_t k = 0; columns_of(boundary, k).column; ++k) put(columns_of(boundary, k));
+    for (const BoundaryColumn& of : columns_of(boundary)) put(of);
   }
   return all;
 }
@@ -262,7 +257,7 @@ Numbers flow_numbers(const StageEnd& end) {
   Numbers j = flows_of(result, stage, before);
   if (result.snapshots.back().packing.grains.size() == 0) return j;
   if (Numbers exchange = exchange_numbers(result); !exchange.empty()) j["exchange"] = std::move(exchange);
-  if (!stage.duration || !has_free_surface(result.asked, stage)) return j;
+  if (!stage.duration || !j.contains("surface")) return j;
   Numbers floor = Numbers::tree();
   put_floor(floor, result);
   if (!floor.empty()) j["floor"] = std::move(floor);

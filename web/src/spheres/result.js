@@ -1,7 +1,6 @@
 import { unpacked } from "../block.js";
 import { DescribedResult } from "../described_result.js";
 import { prefixOf, text } from "../text.js";
-import { findersOf } from "./finders.js";
 
 const whole = 100; // steps of a cut along an axis
 
@@ -147,6 +146,15 @@ export class SphereResult extends DescribedResult {
 }
 
 export const cuts = [0, whole];
+
+/** How the page finds the numbers of every sphere (quantities.js): but for its size a state has them by their names. */
+const findersOf = (quantities) =>
+  Object.fromEntries(
+    Object.keys(quantities).map((id) => [
+      id,
+      { find: (_, state) => (id === "size" ? state.radius.map((r) => 2 * r) : state[id]) },
+    ]),
+  );
 
 const nothing = {
   container: { corner: [0, 0, 0], size: [1, 1, 1], periodic: [false, false, false], tilt: 0, walls: [] },
