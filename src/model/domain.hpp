@@ -119,6 +119,12 @@ template <int D> struct Container {
   Vec<D> size() const {
     return by_axis<D>([&](int axis) { return extent(axis); });
   }
+  /// Width, height and in space depth.
+  std::array<double, 3> extents() const {
+    std::array<double, 3> all{};
+    for (int axis = 0; axis < D; ++axis) all[static_cast<std::size_t>(axis)] = extent(axis);
+    return all;
+  }
   /// The lowest one, or (1) the one across from it.
   Vec<D> corner(int end = 0) const {
     return by_axis<D>([&](int axis) { return wall[2 * axis + end].position; });

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -125,6 +126,7 @@ struct Asked {
   double load_axis = statistics::unknown;  ///< along which it compresses, rad from x
   int cycled = -1;                         ///< the side that goes to and fro; -1: none
   int closes = -1;                         ///< of spheres: the axis that their test closes at a speed; -1: none
+  std::array<double, 3> box{};             ///< of spheres: m, what their strains refer to; 0: to the first row
   bool in_motion = false;                  ///< it ends while its sample is strained or flows
   bool in_equilibrium = false;             ///< its last state is, by the criterion that it set
   std::optional<Measuring> measure = {};   ///< how its states are measured, along the axis above; unset: by default

@@ -194,6 +194,15 @@ peridynamics::Method Load::bond_method() const {
                                           : peridynamics::Method::static_solve;
 }
 
+std::vector<std::string> Load::idle_keys() const {
+  std::vector<std::string> idle;
+  if (!by_elements()) return idle;
+  if (exact_stretch) idle.emplace_back("exact_stretch");
+  if (stop_at_voids) idle.emplace_back("stop_at_voids");
+  if (!stiffness.calibrated) idle.emplace_back("stiffness.calibrated");
+  return idle;
+}
+
 std::string Load::not_in_space() const {
   if (failure) return "bonds that break are of the plane; leave failure out in space";
   if (!by_elements() && method != LoadMethod::peridynamics)
@@ -207,6 +216,9 @@ std::string Load::not_in_space() const {
   if (moduli)
     return "moduli between clamps along both axes are of the plane; in space give effective_stiffness, which needs "
            "none";
+  if (statistics.leave_out_surface || statistics.leave_out_unloaded || statistics.mean_over_area)
+    return "statistics in space are of all solid voxels between the clamps' layers; leave leave_out_surface, "
+           "leave_out_unloaded and mean_over_area out";
   if (plane != elements::PlaneState::stress) return "plane strain is of the plane; leave plane out in space";
   return {};
 }

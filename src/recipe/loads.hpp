@@ -72,6 +72,8 @@ struct Load : peridynamics::LoadCase, peridynamics::FieldChoices, peridynamics::
   bool by_elements() const { return !failure && method == LoadMethod::elements; }
   peridynamics::Method bond_method() const;
   elements::Material material() const;
+  /// Its keys of bonds that have no effect on elements.
+  std::vector<std::string> idle_keys() const;
   /// What keeps it from a sample in space, in a sentence; empty where nothing does.
   std::string not_in_space() const;
   bool operator==(const Load&) const = default;

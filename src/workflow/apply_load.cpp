@@ -7,9 +7,11 @@
 #include <string>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/problems.hpp"
+#include "core/text.hpp"
 #include "core/version.hpp"
 #include "grains/texture/stress.hpp"
 #include "grains/texture/texture.hpp"
@@ -130,7 +132,28 @@ class Loader {
   elements::LoadOptions elements_;
 };
 
+/// The apparent moduli of the sample, whichever way it is loaded; nothing if they were stopped.
+std::optional<statics::EffectiveModuli> find_moduli(const Loader& loader, const PhaseMap& map, FieldResult& result) {
+  statics::EffectiveModuli moduli = loader.effective_moduli(map);
+  static constexpr const char* strains[] = {"tension along x", "tension along y", "shear"};
+  std::vector<std::string> unsolved;
+  for (std::size_t k = 0; k < moduli.reports.size(); ++k) {
+    const statics::LoadReport& report = moduli.reports[k];
+    if (report.ending == statics::Ending::stopped) return {};
+    if (report.ending != statics::Ending::solved)
+      unsolved.push_back(fmt::format("{} ({})", strains[k], report.sentence));
+  }
+  note_unsolved(result, "apparent moduli", unsolved);
+  return moduli;
+}
+
 }  // namespace
+
+void note_unsolved(ResultHead& result, std::string_view number, const std::vector<std::string>& strains) {
+  if (strains.empty()) return;
+  result.converged = false;
+  result.outcome += fmt::format("; {}: not found under {}", number, list_of(strains, " and "));
+}
 
 std::vector<Tensor2> contact_stresses(const FieldResult& sample, const Packing& cemented,
                                       const std::vector<Tensor2>& known) {
@@ -168,16 +191,12 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
   result.outcome = loaded.report.sentence;
   result.convergence = convergence_of(loaded.report.history);
   std::optional<statics::EffectiveModuli> moduli;
-  if (load.moduli && result.converged) {
-    moduli =
-        Loader(load, shares.of_moduli()).effective_moduli(sample.map);  // of the sample, whichever way it is loaded
-    for (const auto& report : moduli->reports) {
-      if (report.ending == statics::Ending::stopped) return std::nullopt;
-      result.converged = result.converged && report.ending == statics::Ending::solved;
-    }
+  if (load.moduli) {
+    moduli = find_moduli(Loader(load, shares.of_moduli()), sample.map, result);
+    if (!moduli) return std::nullopt;
   }
   add_load(result.numbers, load, loaded.report, moduli);
-  if (load.effective_stiffness && load.by_elements() && result.converged &&
+  if (load.effective_stiffness && load.by_elements() &&
       !add_effective_stiffness(sample.map, Loader(load, shares.of_stiffness()).of_elements(), result))
     return std::nullopt;
   if (load.axis == recipe::Load::Axis::x)

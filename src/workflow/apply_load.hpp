@@ -1,7 +1,10 @@
 #pragma once
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/packing.hpp"
@@ -52,12 +55,21 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
                                       std::optional<stress::Statistics>* measured = nullptr,
                                       const std::vector<Tensor2>* contact_stresses = nullptr);
 
-/// Adds to a loaded sample's numbers its effective stiffness as a period (docs/elements.md); false if it was stopped.
+/// Notes in a load's result by which strains a further number of it could not be found.
+void note_unsolved(ResultHead& result, std::string_view number, const std::vector<std::string>& strains);
+
+/// Adds to a loaded sample's numbers its effective stiffness as a period (docs/elements.md), which needs no clamps and
+/// is found whatever the load came to; false if it was stopped.
 template <class Map, class Result>
 bool add_effective_stiffness(const Map& map, const elements::SolveOptions& how, Result& result) {
   const auto effective = elements::effective_stiffness(map, how);
   if (std::ranges::any_of(effective.solves, &statics::StaticReport::stopped)) return false;
-  result.converged = std::ranges::all_of(effective.solves, &statics::StaticReport::converged);
+  static constexpr const char *in_plane[] = {"xx", "yy", "xy"}, *in_space[] = {"xx", "yy", "zz", "yz", "xz", "xy"};
+  std::vector<std::string> unsolved;
+  for (std::size_t k = 0; k < effective.solves.size(); ++k)
+    if (!effective.solves[k].converged)
+      unsolved.emplace_back(effective.solves.size() == std::size(in_plane) ? in_plane[k] : in_space[k]);
+  note_unsolved(result, "effective stiffness", unsolved);
   result.numbers["effective_stiffness"] = elements::stiffness_numbers(effective);
   return true;
 }

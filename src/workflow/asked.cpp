@@ -45,7 +45,8 @@ void note_sizes(Asked& asked, const recipe::Recipe& recipe) {
 
 }  // namespace
 
-template <int D> void note_asked(StageResultIn<D>& made, const recipe::Recipe& recipe, std::size_t place) {
+template <int D>
+void note_asked(StageResultIn<D>& made, const recipe::Recipe& recipe, std::size_t place, const PackingIn<D>* before) {
   Asked& asked = made.asked;
   asked = {};
   asked.known = true;
@@ -59,10 +60,11 @@ template <int D> void note_asked(StageResultIn<D>& made, const recipe::Recipe& r
       made.converged && !made.snapshots.empty() && dem::is_at_rest(made.snapshots.back().equilibrium, criterion);
   if (place == 0) return note_sizes(asked, recipe);
   note_stage(asked, made, recipe.stages[place - 1]);
+  if (place > 1 && before) asked.box = before->domain.extents();
   fields::add_driven(made, recipe.stages[place - 1]);
 }
 
-template void note_asked(StageResult&, const recipe::Recipe&, std::size_t);
-template void note_asked(SphereResult&, const recipe::Recipe&, std::size_t);
+template void note_asked(StageResult&, const recipe::Recipe&, std::size_t, const Packing*);
+template void note_asked(SphereResult&, const recipe::Recipe&, std::size_t, const PackingIn<3>*);
 
 }  // namespace arenite::workflow

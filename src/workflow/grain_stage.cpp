@@ -16,7 +16,7 @@ namespace arenite::workflow {
 StageResult measure_stage(const GrainStage& stage, StageResult made, const std::string& kernel) {
   const auto& [recipe, place, hash, before, known] = stage;
   made.provenance = {version, made.name, hash, to_toml(part_of(recipe, place)), recipe.seed, kernel, {}, recipe.title};
-  note_asked(made, recipe, place);
+  note_asked(made, recipe, place, before);
   if (made.snapshots.empty()) return made;
   const texture::Options measuring = fields::texture_options(made);
   texture::Texture texture = texture::measure(made.snapshots.back().packing, measuring);
@@ -30,7 +30,7 @@ StageResult measure_stage(const GrainStage& stage, StageResult made, const std::
 SphereResult measure_stage(const GrainStageIn<3>& stage, SphereResult made, const std::string& kernel) {
   const auto& [recipe, place, hash, before, known] = stage;
   made.provenance = {version, made.name, hash, to_toml(part_of(recipe, place)), recipe.seed, kernel, {}, recipe.title};
-  note_asked(made, recipe, place);
+  note_asked(made, recipe, place, before);
   if (made.snapshots.empty()) return made;
   made.texture = texture::measure_spheres(made.snapshots.back().packing, texture::sphere_options(made.asked));
   if (place == 0) return made;

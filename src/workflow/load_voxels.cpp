@@ -168,12 +168,16 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
           "horizon; method = \"elements\" (--method elements) lets none pass");
     stress::VoxelStressOptions statistics;
     statistics.clamp_layers = static_cast<int>(std::min<std::int64_t>(load.statistics.clamp_rows, (map.depth - 1) / 2));
+    if (statistics.clamp_layers < load.statistics.clamp_rows)
+      notes.push_back(
+          fmt::format("statistics leave out {} layers at each clamp, not clamp_rows = {}: there are {} in all",
+                      statistics.clamp_layers, load.statistics.clamp_rows, map.depth));
     statistics.shear = load.loading == statics::Loading::shear;
     j["stress"] = stress::measure(map, loaded.field, statistics, notes);
     for (std::string& note : notes) j["notes"].push_back(std::move(note));
   }
   solve.watch = shares.of_stiffness();
-  if (load.effective_stiffness && result.converged && !add_effective_stiffness(map, solve, result)) return std::nullopt;
+  if (load.effective_stiffness && !add_effective_stiffness(map, solve, result)) return std::nullopt;
   result.map = map;
   result.field = std::move(loaded.field);
   return result;

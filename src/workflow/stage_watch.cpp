@@ -131,7 +131,8 @@ void end_where_met(const GrainStageIn<3>& stage, const dem::EngineIn<3>& engine,
   const std::vector<double>* time = run.result.history.find("time");
   if (run.finished || loading.until.empty() || !time || time->back() != dem::time_of<3>(engine)) return;
   const fields::Until until(loading.until);
-  if (const auto met = until.met(run.result.history, run.start.time, loading, stage.before, *stage.before))
+  const PackingIn<3>* const strains_since = stage.place > 1 ? stage.before : nullptr;
+  if (const auto met = until.met(run.result.history, run.start.time, loading, strains_since, *stage.before))
     dem::end_early(engine, loading, *met, run);
 }
 

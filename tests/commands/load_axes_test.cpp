@@ -32,4 +32,23 @@ TEST(LoadAxes, ModuliAreOfTheSampleWhicheverWayItIsLoaded) {
   EXPECT_NE(across["notes"].dump().find("x and y exchanged"), std::string::npos);
 }
 
+TEST(LoadAxes, WhatNeedsNoClampsIsFoundWhereTheLoadIsNotAndTheRestSaysWhichPullFailed) {
+  const TemporaryFolder folder;
+  const std::string map = (folder / "cut.h5").string();
+  const auto made = test::shell(
+      "/usr/bin/python3 -c \"import h5py, numpy as np; m = np.ones((40, 60), np.uint8); m[18:22] = 0; "
+      "h5py.File('" +
+      map + "', 'w')['map'] = m\"");
+  ASSERT_EQ(made.status, 0) << made.err;
+  const auto loaded = arenite("load " + map + " --phases 0=void,1=particle --method elements --moduli " +
+                              "--effective-stiffness --json");
+  EXPECT_EQ(loaded.status, 3) << loaded.err;
+  const auto told = nlohmann::json::parse(loaded.out);
+  EXPECT_GT(told["apparent_moduli"]["E_x_Pa"].get<double>(), 0);
+  EXPECT_EQ(told["apparent_moduli"]["E_y_Pa"].get<double>(), 0);
+  EXPECT_GT(told["effective_stiffness"]["stiffness_Pa"][0][0].get<double>(), 0);
+  EXPECT_NE(loaded.out.find("apparent moduli: not found under tension along y (1080 nodes"), std::string::npos)
+      << loaded.out;
+}
+
 }  // namespace

@@ -40,6 +40,10 @@ TEST(LoadIdleOptions, OfAPictureAreTold) {
                                                         {"--smoothing", "--labels watershed"}})
     EXPECT_TRUE(contains(idle.err, left_aside(option, without))) << idle.err;
   EXPECT_FALSE(contains(idle.err, "--phases: ")) << idle.err;
+  const auto stiff = arenite("load " + (folder / "map.h5").string() +
+                             " --phases 1=particle,2=matrix --method elements --exact-stretch --stop-at-voids");
+  for (const char* key : {"exact_stretch", "stop_at_voids"})
+    EXPECT_TRUE(contains(stiff.err, std::string(key) + ": has no effect, because elements have no bonds")) << stiff.err;
   EXPECT_FALSE(contains(arenite(load + "--smoothing 3 --labels watershed").err, "left aside"));
 }
 

@@ -73,6 +73,25 @@ TEST(SphereEnergy, IsClosedInACellThatIsShearedAndPressed) {
   EXPECT_LT(std::abs(imbalance(before, after)), 1e-4 * before.kinetic);
 }
 
+/// Spheres that a rough wall carries upwards: what lifts them is no work on the sample, nor does their drag brake it.
+TEST(SphereEnergy, IsClosedWhereARoughWallCarriesGrainsUpwards) {
+  Shaken c(IntegratorKind::velocity_verlet);
+  c.integration.drag = 10;
+  c.s = c.sample();
+  set_gravity(c.s, {0, -2000, 0});
+  ByAnySide<bool> rough{};
+  rough[bottom] = true;
+  set_rough(c.s, rough, ThreadPool());
+  WallDrivesIn<3> drives{};
+  drives[bottom] = {DriveKind::velocity, 1, {}};
+  set_drives(c.s, drives);
+  const Energies before = energies_of(c.s);
+  advance(c.s, ThreadPool(), 10000);
+  const Energies after = energies_of(c.s);
+  EXPECT_GT(after.dissipated_drag, 0.01);
+  EXPECT_LT(std::abs(imbalance(before, after)), 1e-5 * std::abs(after.work_walls));
+}
+
 Cohesion water(double angle) {
   CapillarySpheres law;
   law.contact_angle = angle;

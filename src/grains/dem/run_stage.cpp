@@ -169,7 +169,7 @@ template <int D> StageRunIn<D> begin_stage(EngineIn<D>& engine, const Stage& sta
   StageRunIn<D> run;
   run.result.name = stage.name;
   run.start.time = time_of<D>(engine);
-  for (int axis = 0; axis < D; ++axis) run.start.size[axis] = engine.domain.extent(axis);
+  run.start.size = engine.domain.extents();
   for (int side = 0; side < sides_in<D>; ++side) run.start.force[side] = engine.domain.wall[side].force;
   return run;
 }
@@ -223,8 +223,9 @@ template <int D> std::string unrest(const EngineIn<D>& engine, const Stage& stag
     lacks.push_back(fmt::format("{} {:.1e} (wanted: {:.1e})", demand.what, demand.now, demand.most));
     if (std::ranges::count(keys, demand.key) == 0) keys.emplace_back(demand.key);
   }
-  return fmt::format("{}; brake it with critical_drag = 0.2 or drag, or ask for less with {}", list_of(lacks),
-                     list_of(keys));
+  const char* const brake = engine.drag > 0 ? "drag brakes no spins, rolling friction does (rolling in [contact])"
+                                            : "brake it with critical_drag = 0.2 or drag";
+  return fmt::format("{}; {}, or ask for less with {}", list_of(lacks), brake, list_of(keys));
 }
 
 template <int D> double share_done(const Stage& stage, const StageRunIn<D>& run) {

@@ -7,9 +7,8 @@
 #include <string_view>
 
 #include "core/problems.hpp"
-#include "core/units.hpp"
-#include "io/disk/byte_source.hpp"
 #include "io/image/tiff.hpp"
+#include "io/image/tiff_stack.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::io {
@@ -33,30 +32,29 @@ std::optional<double> square_pixel(const std::string& file, double x, double y, 
   return is_of_screens || !std::isfinite(pixel) ? std::nullopt : std::optional(pixel);
 }
 
-/// The unit in a description of ImageJ's, m.
-std::optional<double> imagej_unit(std::string_view description) {
-  const std::size_t at = description.find("\nunit=");
-  if (!description.starts_with("ImageJ=") || at == description.npos) return std::nullopt;
-  std::string unit(description.substr(at + 6, description.find('\n', at + 1) - at - 6));
-  if (unit == "micron" || unit == "\\u00B5m") unit = "um";
-  try {
-    return unit_factor(unit, dimension::length);
-  } catch (const InputError&) { return std::nullopt; }
-}
-
-std::optional<double> tiff_pixel(const Bytes& bytes) {
+StatedVoxel tiff_voxel(const Bytes& bytes) {
   TiffSource source(bytes);
   const Tiff tiff = open_tiff(source);
-  if (!tiff) return std::nullopt;
+  if (!tiff) return {};
   const char* text = nullptr;
-  const bool is_described = TIFFGetField(tiff.get(), TIFFTAG_IMAGEDESCRIPTION, &text) == 1 && text != nullptr;
-  const auto unit = is_described ? imagej_unit(text) : std::nullopt;
-  const auto by = tiff_field<std::uint16_t>(tiff.get(), TIFFTAG_RESOLUTIONUNIT);
+  TiffStack stack;
+  if (TIFFGetField(tiff.get(), TIFFTAG_IMAGEDESCRIPTION, &text) == 1 && text != nullptr)
+    stack = stack_in(text, tiff_field<std::uint32_t>(tiff.get(), TIFFTAG_IMAGEWIDTH),
+                     tiff_field<std::uint32_t>(tiff.get(), TIFFTAG_IMAGELENGTH));
+  StatedVoxel voxel;
+  if (stack.side[2] > 0) voxel.spacing = stack.side[2];
+  if (stack.side[0] > 0 && stack.side[1] > 0) {
+    voxel.pixel = square_pixel(bytes->name(), 1 / stack.side[0], 1 / stack.side[1], 1);
+    return voxel;
+  }
   float x = 0, y = 0;
   if (TIFFGetField(tiff.get(), TIFFTAG_XRESOLUTION, &x) != 1 || TIFFGetField(tiff.get(), TIFFTAG_YRESOLUTION, &y) != 1)
-    return std::nullopt;
-  const double length = unit ? *unit : by == RESUNIT_INCH ? inch : by == RESUNIT_CENTIMETER ? 0.01 : 0;
-  return square_pixel(bytes->name(), static_cast<double>(x), static_cast<double>(y), length);
+    return voxel;
+  const auto by = tiff_field<std::uint16_t>(tiff.get(), TIFFTAG_RESOLUTIONUNIT);
+  const double by_tag = by == RESUNIT_INCH ? inch : by == RESUNIT_CENTIMETER ? 0.01 : 0;
+  voxel.pixel = square_pixel(bytes->name(), static_cast<double>(x), static_cast<double>(y),
+                             stack.length_unit > 0 ? stack.length_unit : by_tag);
+  return voxel;
 }
 
 std::optional<double> png_pixel(const std::string& file, std::string_view head) {
@@ -72,13 +70,16 @@ std::optional<double> png_pixel(const std::string& file, std::string_view head) 
 
 }  // namespace
 
+StatedVoxel stated_voxel(const Bytes& picture) {
+  const std::string head = picture->text(0, 4096);  // pHYs stands before the pixels
+  if (is_tiff(head)) return tiff_voxel(picture);
+  return head.starts_with("\x89PNG") ? StatedVoxel{png_pixel(picture->name(), head), {}} : StatedVoxel{};
+}
+
 std::optional<double> stated_pixel(const std::filesystem::path& picture) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(picture, error)) return std::nullopt;
-  const Bytes bytes = open_bytes(picture);
-  const std::string head = bytes->text(0, 4096);  // pHYs stands before the pixels
-  if (is_tiff(head)) return tiff_pixel(bytes);
-  return head.starts_with("\x89PNG") ? png_pixel(bytes->name(), head) : std::nullopt;
+  return stated_voxel(open_bytes(picture)).pixel;
 }
 
 }  // namespace arenite::io

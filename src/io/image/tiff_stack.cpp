@@ -5,7 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "core/problems.hpp"
 #include "core/text.hpp"
+#include "core/units.hpp"
 #include "io/time_units.hpp"
 
 namespace arenite::io {
@@ -24,10 +26,19 @@ double positive(std::string_view text) {
   return value && *value > 0 && std::isfinite(*value) ? *value : 0;
 }
 
+/// Of a length, m; 0 of what is no unit of one.
+double metres_of(std::string unit) {
+  if (unit == "micron" || unit == "\\u00B5m") unit = "um";
+  try {
+    return unit.empty() ? 0 : unit_factor(unit, dimension::length);
+  } catch (const InputError&) { return 0; }
+}
+
 TiffStack of_imagej(std::string_view text) {
   TiffStack stack{.by = "ImageJ"};
   std::int64_t images = 1;
   std::string_view unit;
+  double spacing = 0;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     const std::string_view line = text.substr(at, end - at), key = line.substr(0, line.find('=')),
@@ -39,9 +50,12 @@ TiffStack of_imagej(std::string_view text) {
     if (key == "finterval") stack.interval = positive(value);
     if (key == "fps") stack.shown_per_second = positive(value);
     if (key == "tunit") unit = value;
+    if (key == "unit") stack.length_unit = metres_of(std::string(trimmed(value)));
+    if (key == "spacing") spacing = positive(value);
     at = end + 1;
   }
   if (stack.images() == 1) stack.slices = images;  // a plain stack states no more
+  stack.side[2] = spacing * stack.length_unit;
   if (const auto seconds = seconds_of(unit)) stack.interval *= *seconds;
   else stack.interval = 0, stack.unknown_unit = unit;
   return stack;
@@ -65,6 +79,11 @@ TiffStack of_ome(std::string_view text) {
   stack.frames = count_of(attribute(pixels, "SizeT"));
   if (std::string order(attribute(pixels, "DimensionOrder")); order.starts_with("XY") && order.size() == 5)
     stack.order = order.substr(2);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string name = std::string("PhysicalSize") + "XYZ"[axis];
+    const std::string unit(attribute(pixels, name + "Unit"));
+    stack.side[axis] = positive(attribute(pixels, name)) * metres_of(unit.empty() ? "um" : unit);
+  }
   const auto in_seconds = [&](double value, std::string_view unit) {
     const auto seconds = seconds_of(unit);
     if (!seconds) stack.unknown_unit = unit;

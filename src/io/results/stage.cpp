@@ -1,3 +1,4 @@
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -57,6 +58,9 @@ void transfer_asked(const Hdf5Group& file, Asked& asked, int every_side) {
   at("load_axis [rad]", asked.load_axis);
   at("cycled", asked.cycled);
   if (every_side == sides_in<3> && (!at.reads() || at.has_attribute("closes"))) at("closes", asked.closes);
+  if (every_side == sides_in<3> && (at.reads() ? at.has_attribute("width [m]") : asked.box[0] > 0))
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      at(std::array{"width [m]", "height [m]", "depth [m]"}[axis], asked.box[axis]);
   at("in_motion", asked.in_motion);
   at("in_equilibrium", asked.in_equilibrium);
   if (!at.lacks("measure", !asked.measure)) {

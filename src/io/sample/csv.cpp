@@ -279,6 +279,8 @@ RawGrains grains_in(const Table& table, const char* needed, const SampleOptions&
                   : static_cast<std::int64_t>(grains.rows.size());
     grain.place = {x(row), y(row), z ? z(row) : 0};
     grain.radius = radius ? radius(row) : 0.5 * diameter(row);
+    if (radius && diameter && !is_radius_of(grain.radius, diameter(row)))
+      problems.add(row.line, "radius and diameter contradict each other; leave one of the columns out");
     if (material) grain.material = row.cells[*material];
     if (zone) grain.zone = integer_or_problem(row.cells[*zone], "zone", row.line, problems);
     grains.rows.push_back(std::move(grain));

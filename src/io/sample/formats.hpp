@@ -155,6 +155,11 @@ namespace samples {
 ARENITE_FAMILY(SampleFormat, ARENITE_SAMPLE_FORMATS)
 }
 
+/// Whether a file that states both means one size.
+inline bool is_radius_of(double radius, double diameter) {
+  return std::abs(diameter - 2 * radius) <= 1e-3 * std::abs(diameter);
+}
+
 /// The note that a unit was assumed: of "length" m, unless --length-unit or the header of a column says otherwise.
 std::string assumed_unit(const char* what, const char* si, const char* option, const char* column = "");
 

@@ -244,6 +244,8 @@ RawGrains read_vtk_points(const Reading& reading) {
     grain.id = id ? static_cast<std::int64_t>(std::clamp((*id)[k], -9e15, 9e15)) : static_cast<std::int64_t>(k);
     grain.place = length * Vec3{(*place)[3 * k], (*place)[3 * k + 1], (*place)[3 * k + 2]};
     grain.radius = length * (radius ? (*radius)[k] : 0.5 * (*diameter)[k]);
+    if (radius && diameter && !is_radius_of((*radius)[k], (*diameter)[k]))
+      problems.add("point {}: radius and diameter contradict each other; leave one of the arrays out", k);
     if (material) grain.material = std::to_string(static_cast<std::int64_t>(std::clamp((*material)[k], -9e15, 9e15)));
   }
   if (!reading.options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "--length-unit"));

@@ -103,7 +103,12 @@ void take_side(VolumeFacts& facts, double side, const std::string& unit) {
                                       unit.empty() ? "without a unit" : unit));
 }
 
-void tell_turned(VolumeFacts& facts, const std::array<Vec3, 3>& along, const char* stated) {
+void tell_turned(VolumeFacts& facts, const std::array<Vec3, 3>& along, const char* stated, const std::string& file) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 &one = along[k], &next = along[(k + 1) % 3];
+    if (!(std::abs(dot(one, next)) <= 1e-3 * norm(one) * norm(next)))
+      refuse(file, "has axes that lean, by {}: its voxels are no cubes; resample it to cubes", stated);
+  }
   bool turned = false;
   for (int k = 0; k < 3; ++k) {
     const Vec3& step = along[static_cast<std::size_t>(k)];

@@ -39,8 +39,8 @@ Bytes opened_beside(const Bytes& bytes, const std::string& name);
 void take_side(VolumeFacts& facts, double side, const std::string& unit);
 
 /// Says that x, y and z are the file's own axes, where the vectors along them, one after the other, turn or mirror
-/// them.
-void tell_turned(VolumeFacts& facts, const std::array<Vec3, 3>& along, const char* stated);
+/// them. Throws InputError where they lean: voxels are no cubes then.
+void tell_turned(VolumeFacts& facts, const std::array<Vec3, 3>& along, const char* stated, const std::string& file);
 
 /// Numbers from `start` on, packed or not, of which `skip` bytes are left out; -1: all but those of the voxels.
 VolumePointer header_and_numbers(const Bytes& data, std::size_t start, bool packed, std::int64_t skip,

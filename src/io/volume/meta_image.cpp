@@ -45,7 +45,7 @@ VolumePointer open_meta_image(const Bytes& bytes, const VolumeChoice&) {
     if (header.has(key)) {
       const auto m = header.numbers(key, 9);
       tell_turned(facts, {Vec3{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}},
-                  "the rows of its TransformMatrix");
+                  "the rows of its TransformMatrix", file);
       break;
     }
   const VoxelLayout layout{.type = *type, .big_endian = says("binarydatabyteordermsb") || says("elementbyteordermsb")};

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -7,6 +9,7 @@
 #include <vector>
 
 #include "core/problems.hpp"
+#include "core/text.hpp"
 #include "io/volume/header.hpp"
 #include "io/volume/volume.hpp"
 
@@ -42,6 +45,35 @@ std::vector<Vec3> directions_of(std::string directions) {
   return steps.size() == 3 ? steps : std::vector<Vec3>{};
 }
 
+/// What stands in quotation marks: "mm" "mm" "um"; a word without them by itself.
+std::vector<std::string> quoted_words(const std::string& text) {
+  if (text.find('"') == std::string::npos) return {std::string(trimmed(text))};
+  std::vector<std::string> words;
+  for (std::size_t from = 0; (from = text.find('"', from)) != std::string::npos;) {
+    const std::size_t to = std::min(text.find('"', from + 1), text.size());
+    words.push_back(text.substr(from + 1, to - from - 1));
+    from = to + 1;
+  }
+  return words;
+}
+
+/// The sides of a voxel by the unit of each axis, or by the one unit of all.
+void take_sides(VolumeFacts& facts, std::array<double, 3> side, const TextHeader& header) {
+  const std::vector<std::string> units =
+      header.has("space units") ? quoted_words(header.word("space units")) : std::vector<std::string>{""};
+  if (units.size() != 3 || (units[1] == units[0] && units[2] == units[0]))
+    return take_side(facts, side_of(side, header.file), units.empty() ? "" : units[0]);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    VolumeFacts one;
+    take_side(one, side[axis], units[axis]);
+    if (!one.dx)
+      refuse(header.file, "states space units {} of which \"{}\" is no length; state all in mm",
+             header.word("space units"), units[axis]);
+    side[axis] = *one.dx;
+  }
+  facts.dx = side_of(side, header.file);
+}
+
 VolumePointer open_nrrd(const Bytes& bytes, const VolumeChoice&) {
   const std::string& file = bytes->name();
   const TextHeader header = header_until_blank(bytes, ':', {"data file", "datafile"});
@@ -59,14 +91,8 @@ VolumePointer open_nrrd(const Bytes& bytes, const VolumeChoice&) {
   if (header.has("spacings")) spacing = header.numbers("spacings", 3);
   else
     for (const Vec3& step : along) spacing.push_back(norm(step));
-  if (spacing.size() == 3) {
-    const double side = side_of({spacing[0], spacing[1], spacing[2]}, file);
-    std::string unit = header.has("space units") ? header.word("space units") : std::string{};
-    unit = unit.substr(unit.find('"') == std::string::npos ? 0 : unit.find('"') + 1);
-    unit = unit.substr(0, unit.find_first_of("\" "));
-    take_side(facts, side, unit);
-  }
-  if (along.size() == 3) tell_turned(facts, {along[0], along[1], along[2]}, "its space directions");
+  if (along.size() == 3) tell_turned(facts, {along[0], along[1], along[2]}, "its space directions", file);
+  if (spacing.size() == 3) take_sides(facts, {spacing[0], spacing[1], spacing[2]}, header);
   if (const std::string order = header.has("endian") ? header.word("endian") : "little";
       order != "little" && order != "big")
     refuse(file, "has bytes in the order \"{}\"; save it with endian little or big", order);
@@ -91,7 +117,7 @@ constinit const VolumeFormat volumes::nrrd{
     .sentence = "NRRD",
     .states = {{"sizes", "used: x fastest, z slowest"},
                {"spacings, space directions",
-                "used with their unit (space units), refused where voxels are no cubes; "
+                "used with the unit of each axis (space units), refused where voxels are no cubes or their axes lean; "
                 "without a unit left aside, and told"},
                {"space directions that turn or mirror the axes", "left aside, and told"},
                {"data file", "read beside the header, which then needs no empty line at its end"},

@@ -1,6 +1,9 @@
 #include "io/volume/stack.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <numeric>
@@ -14,6 +17,7 @@
 #include "io/film/file_names.hpp"
 #include "io/film/film.hpp"
 #include "io/image/image.hpp"
+#include "io/image/pixel_size.hpp"
 #include "io/volume/volume.hpp"
 
 namespace arenite::io {
@@ -22,13 +26,18 @@ namespace {
 /// Pictures of a stack, one upon the other: what else reads them as the frames of a film.
 class Slices : public VolumeSource {
  public:
-  Slices(std::unique_ptr<FilmSource> film, const std::string& file, bool elsewhere)
+  Slices(std::unique_ptr<FilmSource> film, const std::string& file, bool elsewhere, const StatedVoxel& stated)
       : film_(std::move(film)),
         file_(file) {
     const FilmInfo& info = film_->info();
     facts_ = sized({info.width, info.height, info.frames}, file);
     facts_.remarks = info.remarks;
     facts_.elsewhere = elsewhere;
+    if (stated.pixel)
+      facts_.remarks.push_back(fmt::format(
+          "the file states pixels of {0:.6g} um; to have lengths by them, give --dx \"{0:.6g} um\" (dx in [map] of a "
+          "recipe)",
+          1e6 * *stated.pixel));
   }
   const VolumeFacts& facts() const override { return facts_; }
   void read(int z, std::span<std::int32_t> layer) override {
@@ -76,18 +85,31 @@ void refuse_other_picture(const std::filesystem::path& file) {
            is->sentence);
 }
 
+/// Layers that are further apart, or nearer, than the pixels make no cubes.
+StatedVoxel cubes(const Bytes& picture, bool are_given) {
+  if (are_given) return {};
+  const StatedVoxel stated = stated_voxel(picture);
+  if (stated.pixel && stated.spacing && std::abs(*stated.spacing / *stated.pixel - 1) > 1e-3)
+    refuse(picture->name(),
+           "states pixels of {:.6g} um and pictures {:.6g} um apart, so that its voxels are no cubes; resample it to "
+           "cubes, or give the side of a voxel (--dx) if they are cubes all the same",
+           1e6 * *stated.pixel, 1e6 * *stated.spacing);
+  return stated;
+}
+
 VolumePointer open_stack(const Bytes& bytes, const VolumeChoice& choice) {
   return std::make_unique<Slices>(open_film(bytes, FilmChoice{.dataset = choice.dataset, .in_time = false}),
-                                  bytes->name(), false);
+                                  bytes->name(), false, cubes(bytes, choice.dx_given));
 }
 
 }  // namespace
 
-VolumePointer open_slices(const std::filesystem::path& path) {
+VolumePointer open_slices(const std::filesystem::path& path, const VolumeChoice& choice) {
   const auto files = files_of_series(path);
   refuse_other_picture(files.front());
   refuse_missing(files, path.string());
-  return std::make_unique<Slices>(open_film(path, FilmChoice{.in_time = false}), path.string(), true);
+  return std::make_unique<Slices>(open_film(path, FilmChoice{.in_time = false}), path.string(), true,
+                                  cubes(open_bytes(files.front()), choice.dx_given));
 }
 
 constinit const VolumeFormat volumes::stack{
@@ -96,7 +118,9 @@ constinit const VolumeFormat volumes::stack{
     .states = {{"pictures",
                 "one upon the other: the first is z = 0, rows of a picture go along x, its columns along y"},
                {"numbers in the names of slices", "their order; refused where one is missing, which is named"},
-               {"spacing", "left aside: give --dx"}},
+               {"size of a pixel (TIFF's resolution, unit of ImageJ, OME's PhysicalSize)", "told, not used: give --dx"},
+               {"way from picture to picture (ImageJ's spacing, OME's PhysicalSizeZ)",
+                "refused where it is not that of a pixel, unless --dx is given"}},
     .always = false,
     .is = [](std::string_view head) { return is_tiff(head) || is_hdf5(head); },
     .open = open_stack};

@@ -173,7 +173,7 @@ std::string hash_of_voxels_elsewhere(const std::filesystem::path& path, const Vo
 std::string volume_formats() { return list_of(words_of(volumes::all, &VolumeFormat::sentence)); }
 
 VolumePointer open_volume(const std::filesystem::path& path, const VolumeChoice& choice) {
-  return are_slices(path) ? open_slices(path) : open_volume(open_bytes(path), choice);
+  return are_slices(path) ? open_slices(path, choice) : open_volume(open_bytes(path), choice);
 }
 
 VolumePointer open_volume(const Bytes& bytes, const VolumeChoice& choice) {

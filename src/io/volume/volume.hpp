@@ -38,6 +38,7 @@ using VolumePointer = std::unique_ptr<VolumeSource>;
 /// Which array of a file is meant.
 struct VolumeChoice {
   std::string dataset = {};  ///< of a .npz or HDF5 file; empty: the only one that can be meant
+  bool dx_given = false;     ///< the side of a voxel is known: what the file states of it does not count
 };
 
 /// How a format of volumes is known and read.

@@ -48,7 +48,9 @@ PhaseTable guessed_phases(VolumeSource& volume, const std::string& file, std::ve
 }
 
 void take_labels(const VoxelMapOptions& options, ForeignVoxels& read) {
-  const auto labels = open_volume(*options.labels, options.label_volume);
+  VolumeChoice choice = options.label_volume;
+  choice.dx_given = true;  // it is that of the phases
+  const auto labels = open_volume(*options.labels, choice);
   const std::string file = options.labels->string();
   VoxelMap& map = read.map;
   const VolumeFacts& facts = labels->facts();
@@ -77,7 +79,9 @@ void take_labels(const VoxelMapOptions& options, ForeignVoxels& read) {
 }  // namespace
 
 ForeignVoxels read_voxel_map(const std::filesystem::path& path, const VoxelMapOptions& options) {
-  const auto volume = open_volume(path, options.volume);
+  VolumeChoice choice = options.volume;
+  choice.dx_given = options.dx.has_value();
+  const auto volume = open_volume(path, choice);
   const VolumeFacts& facts = volume->facts();
   const std::string file = path.string();
   ForeignVoxels read;

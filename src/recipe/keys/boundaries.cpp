@@ -73,9 +73,21 @@ void require_boundary(Visitor& v, const Programme& p, const std::vector<Boundary
       {"programmes", "boundaries"},
       fmt::format("the motion of boundary \"{}\" is already prescribed in this stage; leave out its {}", p.name,
                   p.of.turns() ? "spin" : "velocity"));
+  v.require(
+      !p.of.is_of_force() || !motion || motion->force[p.of.way()] == 0, {"programmes", "boundaries"},
+      fmt::format("the force on boundary \"{}\" along this axis is already prescribed in this stage; write 0 for it "
+                  "there",
+                  p.name));
   v.require(!p.of.is_of_place() || (!jumps && (!p.repeat || p.table.empty() || p.table.front().y == p.table.back().y)),
             {"programmes"},
             "a boundary cannot jump: no two rows may have the same time, and a repeated table must end where it began");
+}
+
+/// What the stage's own keys say of a quantity; 0 where they are silent. That of gravity is never silent.
+double constant_of(const dem::Driven& of, const Stage& stage) {
+  if (of.is_of_side()) return stage.side[static_cast<std::size_t>(of.side)].value;
+  if (of.is(Programme::What::slide)) return stage.slide[static_cast<std::size_t>(of.side)];
+  return of.is(Programme::What::shear_rate) ? stage.shear_rate : 0;
 }
 
 /// The first value of a programme is that of the stage itself, so that what looks at a stage knows what it begins with.
@@ -232,7 +244,13 @@ void declare_programmes(Visitor& v, Stage& stage, const Recipe& recipe) {
     });
     v.require(!again, {"programmes"},
               fmt::format("{} is driven by two of them", dem::programme_targets[dem::target_of(p.of)].word));
-    if (!p.table.empty() && !p.of.is_of_boundary()) begin_with(p, stage);
+    if (p.table.empty() || p.of.is_of_boundary()) continue;
+    const double constant = constant_of(p.of, stage);
+    v.require(again || constant == 0 || constant == p.table.front().y, {"programmes"},
+              fmt::format("{} has a constant of its own in this stage, and the table begins with another value; leave "
+                          "the constant out",
+                          dem::programme_targets[dem::target_of(p.of)].word));
+    begin_with(p, stage);
   }
 }
 

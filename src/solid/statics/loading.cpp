@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/error.hpp"
@@ -148,7 +149,10 @@ EffectiveModuli effective_moduli(const PhaseMap& map, const Watch& watch,
   const auto run = [&](std::size_t k, const PhaseMap& sample, Loading loading) {
     if (!going) return;
     m.reports[k] = load(sample, loading, of_part(watch, k, m.reports.size()));
-    going = m.reports[k].ending != Ending::stopped;
+    LoadReport& report = m.reports[k];
+    going = report.ending != Ending::stopped;
+    if (report.ending == Ending::not_converged)
+      report.modulus = report.poisson = std::numeric_limits<double>::quiet_NaN();
   };
   run(0, transposed(map), Loading::tension);
   run(1, map, Loading::tension);

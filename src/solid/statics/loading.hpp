@@ -115,7 +115,7 @@ struct EffectiveModuli {
   double young_x = 0, young_y = 0;        ///< pulled along x, along y
   double poisson_xy = 0, poisson_yx = 0;  ///< contraction along y when pulled along x, and the other way round
   double shear = 0;                       ///< rows moved along x; above a fixed edge
-  std::array<LoadReport, 3> reports;      ///< of the pulls along x and y and of the shearing
+  std::array<LoadReport, 3> reports;      ///< of the pulls along x and y and of the shearing; NaN where not converged
 };
 
 /// Three loads: tension of the map and of the map turned, and shear; `load` is asked for each. The watch sees one run

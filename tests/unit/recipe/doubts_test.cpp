@@ -76,6 +76,9 @@ TEST(Doubts, KeysThatAnotherMakesIdleAreSaid) {
   const std::string load = "[[loads]]\nname = \"tension\"\n";
   EXPECT_TRUE(only_doubt(parse_recipe(map + load, "r.toml")).starts_with("map.smoothing: has no effect"));
   EXPECT_TRUE(doubts_of(parse_recipe(map + "labels = \"watershed\"\n" + load, "r.toml")).empty());
+  const std::string elements = "[map]\nfile = \"m.png\"\n" + load + "method = \"elements\"\n";
+  EXPECT_TRUE(only_doubt(parse_recipe(elements + "stop_at_voids = true\n", "r.toml"))
+                  .starts_with("loads.tension.stop_at_voids: has no effect, because elements have no bonds"));
   const Recipe high =
       parse_recipe(smallest + "[packing]\nsolid_fraction = 0.5\n", "r.toml", {"container.height=300 mm"});
   EXPECT_TRUE(only_doubt(high).starts_with("packing.solid_fraction: has no effect")) << only_doubt(high);

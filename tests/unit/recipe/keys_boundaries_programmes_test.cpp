@@ -93,6 +93,10 @@ TEST(Programmes, AreRefusedWhereTheyMakeNoSense) {
            {time + one + "of = \"top.force\"\ntable = [[\"0 s\", \"1 kN\"]]\n" + one +
                 "of = \"top.velocity\"\ntable = [[\"0 s\", \"1 mm/s\"]]\n",
             "two of them"},
+           {time + "top = { force = \"2 kN\" }\n" + one + "of = \"top.force\"\ntable = [[\"0 s\", \"1 kN\"]]\n",
+            "leave the constant out"},
+           {time + "slide = { top = \"2 mm/s\" }\n" + one + "of = \"slide.top\"\ntable = [[\"0 s\", \"1 mm/s\"]]\n",
+            "slide.top has a constant of its own"},
            {time + "open = { top = true }\n" + one +
                 "of = \"slide.top\"\ntable = [[\"0 s\", \"0 mm/s\"], [\"1 s\", \"1 mm/s\"]]\n",
             "cannot be open and move"}})

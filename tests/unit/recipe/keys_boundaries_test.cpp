@@ -112,10 +112,12 @@ TEST(BoundariesInRecipes, AreDrivenByTablesAndForces) {
   EXPECT_EQ(placed.stages[0].programmes[0].table[0].y, 0.003);
   EXPECT_TRUE(parse_recipe(to_toml(placed), "r.toml") == placed);
   const Recipe pushed =
-      parse_recipe(table("boundary.force_x", "3 N", "mass = \"2 kg\"\nforce = [\"1 N\", \"0 N\"]\n"), "r.toml");
+      parse_recipe(table("boundary.force_x", "3 N", "mass = \"2 kg\"\nforce = [\"0 N\", \"1 N\"]\n"), "r.toml");
   EXPECT_EQ(pushed.stages[0].boundaries[1].mass, 2);
-  EXPECT_EQ(pushed.stages[0].boundaries[1].force, (Vec2{1, 0}));
+  EXPECT_EQ(pushed.stages[0].boundaries[1].force, (Vec2{0, 1}));
   EXPECT_TRUE(parse_recipe(to_toml(pushed), "r.toml") == pushed);
+  EXPECT_TRUE(is_refused(table("boundary.force_x", "3 N", "mass = \"2 kg\"\nforce = [\"1 N\", \"0 N\"]\n"),
+                         "along this axis is already prescribed"));
   EXPECT_TRUE(is_refused(table("boundary.force_x", "3 N"), "only a boundary with a mass"));
   EXPECT_TRUE(is_refused(table("boundary.y", "3 mm", "mass = \"2 kg\"\n"), "has a mass in this stage"));
   EXPECT_TRUE(is_refused(table("boundary.y", "3 mm", "velocity = [\"0 mm/s\", \"1 mm/s\"]\n"),

@@ -214,6 +214,7 @@ template <int D> ForcesAndRates<D> forces_and_rates(const SampleIn<D>& s) {
     const Mover<D> m = mover_at(s, k);
     auto& mover = shot.disk[k < s.count ? s.record[k].grain : k];
     mover.own = corrects ? motion_of(s, k) : m.own;
+    if (is_held(s, k)) return;  // its wall carries its weight, and no drag brakes it
     mover.mass = m.mass;
     if (s.drag != 0) mover.drag = -s.drag * m.mass * (m.seen.velocity - cell.at(m.place));
   });

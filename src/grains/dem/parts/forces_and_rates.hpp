@@ -14,9 +14,9 @@ template <int D> struct SampleIn;
 template <int D> struct ForcesAndRates {
   struct Disk {
     Motion<D> own;
-    double mass = 0;
-    Load<D> dash;  ///< normal dashpots, dashpots of bonds
-    Load<D> slip;  ///< tangential forces
+    double mass = 0;  ///< kg, that gravity works on
+    Load<D> dash;     ///< normal dashpots, dashpots of bonds
+    Load<D> slip;     ///< tangential forces
     Vec<D> drag;
   };
   /// Along its way, an axis: force of the sample on the wall, all of it and by class; force of the drive; servo

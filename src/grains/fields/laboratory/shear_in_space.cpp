@@ -45,7 +45,7 @@ std::optional<Sheared> sheared(const History& history, const BoxInSpace& box) {
 
 std::optional<statistics::Columns> shear_columns(const SphereResult& result) {
   const Values* time = result.history.find("time");
-  const auto box = box_in_space(result.history);
+  const auto box = box_in_space(result);
   if (!time || time->size() < 2 || !box || result.snapshots.empty()) return {};
   auto of = sheared(result.history, *box);
   if (!of || of->tau.empty()) return {};

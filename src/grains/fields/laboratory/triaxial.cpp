@@ -29,20 +29,19 @@ int closing_axis(const dem::Stage& stage) {
 
 std::optional<statistics::Columns> triaxial_curves(const SphereResult& result, int axis) {
   const Values* time = result.history.find("time");
-  const auto box = box_in_space(result.history);
+  const auto box = box_in_space(result);
   if (axis < 0 || !box || result.snapshots.empty()) return {};
   const PackingIn<3>& packing = result.snapshots.back().packing;
   const std::size_t across[] = {static_cast<std::size_t>(axis + 1) % 3, static_cast<std::size_t>(axis + 2) % 3};
-  const Values& height = box->size[static_cast<std::size_t>(axis)];
   Values axial, shear, stress, p, q, ratio;
-  for (std::size_t k = 0; k < height.size(); ++k) {
+  for (std::size_t k = 0; k < box->rows(); ++k) {
     const double all = box->stress[0][k] + box->stress[1][k] + box->stress[2][k];
     stress.push_back(box->stress[static_cast<std::size_t>(axis)][k]);
     p.push_back(all / 3);
     q.push_back(1.5 * stress[k] - 0.5 * all);
     ratio.push_back(p[k] > 0 ? q[k] / p[k] : statistics::unknown);
-    axial.push_back(1 - height[k] / height[0]);
-    const auto wider = [&](std::size_t a) { return box->size[a][k] / box->size[a][0] - 1; };
+    const auto wider = [&](std::size_t a) { return box->size[a][k] / box->before[a] - 1; };
+    axial.push_back(-wider(static_cast<std::size_t>(axis)));
     shear.push_back(axial[k] + 0.5 * (wider(across[0]) + wider(across[1])));
   }
   statistics::Columns curves;

@@ -12,7 +12,7 @@ namespace arenite::fields {
 int closing_axis(const dem::Stage& stage);
 
 /// Curves of a stage of spheres that closes along that axis (closing_axis, Asked::closes), row by row of its history:
-/// `axial_strain` and `volumetric_strain` since it began, compression positive, `axial_stress`, Pa, `p` and `q`, the
+/// `axial_strain` and `volumetric_strain` since Asked::box, compression positive, `axial_stress`, Pa, `p` and `q`, the
 /// mean of the three stresses on the sides and the axial one less the mean of the others, Pa, `q_over_p`,
 /// `solid_fraction` and, of a confined one, `inertial_number`. Nothing of another stage.
 std::optional<statistics::Columns> triaxial_curves(const SphereResult& result, int axis);

@@ -212,6 +212,7 @@ std::optional<std::string> Until::met(const History& so_far, double began, const
   rows.began = began;
   rows.history = so_far;
   rows.snapshots.emplace_back().packing = sample;
+  if (strains_since) rows.asked.box = strains_since->domain.extents();
   add_driven(rows, stage);
   const auto curves = curves_of(rows, stage, strains_since);
   const auto all = named_values(curves, rows.history);

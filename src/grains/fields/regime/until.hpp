@@ -33,8 +33,7 @@ class Until {
   /// Throws InputError without place for a number that is not known, or is compared with another kind of quantity.
   void check(const std::vector<HistoryNumber>& known) const;
   /// What holds in the last row of a history, with the values of its numbers; nothing where nothing does.
-  /// `began`, s, is when the stage did, `strains_since` is as in Test, and `sample` any state of it. Curves of spheres
-  /// begin with the stage.
+  /// `began`, s, is when the stage did, `strains_since` is as in Test, and `sample` any state of it.
   template <int D>
   std::optional<std::string> met(const History& so_far, double began, const dem::Stage& stage,
                                  const PackingIn<D>* strains_since, const PackingIn<D>& sample) const;

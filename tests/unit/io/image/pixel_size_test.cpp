@@ -48,11 +48,21 @@ TEST(PixelSize, OfTiffIsInItsUnitOrThatOfImagej) {
     TIFFClose(file);
     return stated_pixel(folder / "a.tif");
   };
+  const auto apart = [&] { return stated_voxel(open_bytes(folder / "a.tif")).spacing; };
   EXPECT_NEAR(read(800, RESUNIT_CENTIMETER, "").value(), 12.5e-6, 1e-11);
   EXPECT_NEAR(read(2000, RESUNIT_INCH, "").value(), 12.7e-6, 1e-11);
   EXPECT_NEAR(read(2, RESUNIT_NONE, "ImageJ=1.53t\nunit=um\n").value(), 0.5e-6, 1e-12);
   EXPECT_NEAR(read(4, RESUNIT_NONE, "ImageJ=1.53t\nunit=\\u00B5m\n").value(), 0.25e-6, 1e-12);
-  EXPECT_FALSE(read(2, RESUNIT_NONE, "ImageJ=1.53t\nunit=pixel\n"));
+  EXPECT_FALSE(apart());
+  EXPECT_NEAR(read(2, RESUNIT_NONE, "ImageJ=1.53t\nunit=micron\nspacing=1.5\n").value(), 0.5e-6, 1e-12);
+  EXPECT_NEAR(apart().value(), 1.5e-6, 1e-12);
+  EXPECT_NEAR(read(300, RESUNIT_INCH,
+                   "<OME><Pixels PhysicalSizeX=\"0.5\" PhysicalSizeY=\"0.5\" PhysicalSizeZ=\"2e-3\" "
+                   "PhysicalSizeZUnit=\"mm\" SizeC=\"1\" SizeZ=\"1\" SizeT=\"1\"/></OME>")
+                  .value(),
+              0.5e-6, 1e-12);
+  EXPECT_NEAR(apart().value(), 2e-6, 1e-12);
+  EXPECT_FALSE(read(2, RESUNIT_NONE, "ImageJ=1.53t\nunit=pixel\nspacing=3\n") || apart());
   EXPECT_FALSE(read(2, RESUNIT_NONE, ""));
   EXPECT_FALSE(read(300, RESUNIT_INCH, ""));
   EXPECT_NE(test::complaint([&] { read(2540, RESUNIT_INCH, "", 0.5); }).find("no squares; resample it"),

@@ -27,6 +27,12 @@ TEST(SampleCsv, UnitsOfSomeColumnsOnlyAreToldAndOfAVectorRefused) {
               "contacts.csv:1: a unit is stated for fx and none");
 }
 
+TEST(SampleCsv, ARadiusThatItsDiameterContradictsIsRefused) {
+  EXPECT_EQ(Files("id,x,y,radius,diameter [mm]\n1,0,0,1,2000\n", no_contacts).read().packing.grains.radius.at(0), 1);
+  expect_part(Files("id,x,y,radius,diameter\n1,0,0,1,2\n2,3,0,1,1\n", no_contacts).problems(),
+              "grains.csv:3: radius and diameter contradict each other");
+}
+
 TEST(SampleCsv, AWallThatIsNamedFirstIsTheSameContact) {
   SampleOptions o;
   o.box = {4, 4};

@@ -1,6 +1,7 @@
 #include "io/volume/stack.hpp"
 
 #include <gtest/gtest.h>
+#include <tiffio.h>
 
 #include <string>
 #include <vector>
@@ -23,9 +24,9 @@ class SlicesOfFiles {
     }
   }
   std::string refused() const {
-    return test::complaint([&] { open_slices(folder_.path()); });
+    return test::complaint([&] { open_slices(folder_.path(), {}); });
   }
-  VolumeFacts facts() const { return open_slices(folder_.path())->facts(); }
+  VolumeFacts facts() const { return open_slices(folder_.path(), {})->facts(); }
   std::filesystem::path operator/(const std::string& name) const { return folder_ / name; }
 
  private:
@@ -46,6 +47,30 @@ TEST(Slices, OneThatIsMissingIsNamedAndTheRestNoVolume) {
 TEST(Slices, AreToldOfAsSlicesAndNotAsFrames) {
   for (const std::string& remark : SlicesOfFiles({0, 10, 20}).facts().remarks)
     EXPECT_EQ(remark.find("frame"), std::string::npos) << remark;
+}
+
+TEST(Slices, PicturesThatAreNotAsFarApartAsPixelsAreWideAreNoCubes) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder / "a.tif";
+  const auto opened = [&](const char* spacing, bool dx_given = false) {
+    Film pictures = test::counted(5, 4, 6);
+    write_film(path, pictures);
+    TIFF* const file = TIFFOpen(path.c_str(), "r+");
+    TIFFSetField(file, TIFFTAG_XRESOLUTION, 2.0), TIFFSetField(file, TIFFTAG_YRESOLUTION, 2.0);
+    TIFFSetField(file, TIFFTAG_RESOLUTIONUNIT, RESUNIT_NONE);
+    TIFFSetField(file, TIFFTAG_IMAGEDESCRIPTION,
+                 (std::string("ImageJ=1.53t\nimages=6\nslices=6\nunit=um\n") + spacing).c_str());
+    TIFFRewriteDirectory(file);
+    TIFFClose(file);
+    return open_volume(path, {.dx_given = dx_given})->facts();
+  };
+  const VolumeFacts cubes = opened("spacing=0.5\n");
+  EXPECT_EQ(cubes.depth, 6);
+  ASSERT_FALSE(cubes.remarks.empty());
+  EXPECT_NE(cubes.remarks.back().find("states pixels of 0.5 um"), std::string::npos);
+  EXPECT_NE(test::complaint([&] { opened("spacing=2\n"); }).find("pixels of 0.5 um and pictures 2 um apart"),
+            std::string::npos);
+  EXPECT_EQ(opened("spacing=2\n", true).depth, 6);
 }
 
 TEST(Slices, PicturesOfAnotherKindAreRefusedAsSlices) {

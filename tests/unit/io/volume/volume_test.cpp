@@ -140,13 +140,20 @@ TEST_F(Volumes, NrrdStatesTheSideOfItsVoxels) {
   const auto side = [&](const std::string& lines) {
     return expect_places(file("a.nrrd", head + lines + "\n" + stored<std::uint8_t>()));
   };
-  EXPECT_DOUBLE_EQ(side("space units: \"um\" \"um\" \"um\"\nspace directions: (0,4,3) (5,0,0) (0,0,5)\n").dx.value(),
+  EXPECT_DOUBLE_EQ(side("space units: \"um\" \"um\" \"um\"\nspace directions: (0,4,3) (5,0,0) (0,-3,4)\n").dx.value(),
                    5e-6);
   const VolumeFacts bare = side("spacings: 2 2 2\n");
   EXPECT_FALSE(bare.dx);
   ASSERT_EQ(bare.remarks.size(), 1u);
   EXPECT_NE(bare.remarks[0].find("--dx"), std::string::npos);
   EXPECT_NE(complaint([&] { side("spacings: 2 2 3\n"); }).find("no cubes"), std::string::npos);
+  EXPECT_DOUBLE_EQ(side("space units: \"mm\" \"um\" \"m\"\nspacings: 0.002 2 2e-6\n").dx.value(), 2e-6);
+  EXPECT_NE(complaint([&] { side("space units: \"mm\" \"mm\" \"um\"\nspacings: 2 2 2\n"); }).find("no cubes"),
+            std::string::npos);
+  EXPECT_NE(complaint([&] { side("space units: \"mm\" \"mm\" \"s\"\nspacings: 2 2 2\n"); }).find("\"s\" is no length"),
+            std::string::npos);
+  EXPECT_NE(complaint([&] { side("space directions: (5,0,0) (3,4,0) (0,0,5)\n"); }).find("axes that lean"),
+            std::string::npos);
 }
 
 bool remarks_say(const VolumeFacts& facts, const std::string& part) {

@@ -45,6 +45,16 @@ TEST(Triaxial, BetweenSidesThatPressThePeakIsOfTheRatio) {
   EXPECT_NEAR(numbers["peak"]["axial_strain"].get<double>(), 0.005, 2e-4);
 }
 
+TEST(Triaxial, StrainsReferToTheBoxBeforeNotToTheFirstRow) {
+  SphereResult result = pressed_spheres(5, 1);
+  result.asked.box = {0.01, 0.0102, 0.01};  // 2 % went by before the first row
+  const auto curves = triaxial_curves(result, 1);
+  ASSERT_TRUE(curves);
+  EXPECT_NEAR((*curves)["axial_strain"].front(), 1 - 1 / 1.02, 1e-12);
+  EXPECT_NEAR((*curves)["axial_strain"].back(), 1 - 0.99 / 1.02, 1e-12);
+  EXPECT_NEAR((*curves)["volumetric_strain"].back(), 1 - 0.99 / 1.02, 1e-12);
+}
+
 TEST(Triaxial, AStageThatClosesNothingHasNone) {
   SphereResult result = pressed_spheres(5, 1);
   result.asked.closes = -1;
