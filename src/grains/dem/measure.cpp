@@ -79,11 +79,14 @@ template <int D> double resultant_of(const SampleIn<D>& s, std::size_t k) {
 
 /// Grains that carry force between two contacts or more, and the loose others, apart: a loose grain moves on for long
 /// without moving the others, and its weight is nothing beside their forces, so that it is at rest or not by a measure
-/// of its own. Without contacts a disk spins for ever and touches nobody by it: its spin is no motion then.
+/// of its own. Without contacts a disk spins for ever and touches nobody by it: its spin is no motion then. Contacts
+/// that press less than `nothing` of the mean force hold nobody, nor does their friction stop a spin in any time.
 struct Motions {
   double bearing = 0, loose = 0;  ///< kinetic energies, J
   std::size_t falling = 0;        ///< loose grains more than half of whose weight nothing holds
 };
+
+constexpr double nothing = 1e-6;
 
 template <int D> Motions motions_of(const SampleIn<D>& s, const std::vector<int>& pressed_contacts) {
   const double g = norm(s.gravity);
@@ -159,6 +162,7 @@ template <int D> Energies energies_of(const SampleIn<D>& s) {
 template <int D> Equilibrium equilibrium_of(const SampleIn<D>& s) {
   Equilibrium q;
   std::vector<int> pressed_contacts(s.count + body_count(s), 0);
+  std::vector<double> held_by(s.list.size(), 0);  // N, by slot
   const auto grains = static_cast<double>(grain_count(s));
   double resultant = 0, normal_sum = 0, mobilised = 0;
   std::size_t contacts = 0, pressed = 0;
@@ -176,9 +180,7 @@ template <int D> Equilibrium equilibrium_of(const SampleIn<D>& s) {
       mobilised += size_of(cross(c.normal, force)) / fn;
       ++pressed;
     }
-    if (!(fn > 0) && !(pull > 0)) continue;  // a pull holds its grains, whatever presses them
-    ++pressed_contacts[moving(s, s.list.i[p])];
-    if (s.list.j[p] >= 0) ++pressed_contacts[moving(s, s.list.owner[p])];
+    held_by[p] = std::max(fn, pull);  // a pull holds its grains, whatever presses them
   }
   each_part(s, [&](const auto& part) {
     part.each_joint(s, [&](std::int32_t i, std::int32_t j, double size) {
@@ -187,6 +189,12 @@ template <int D> Equilibrium equilibrium_of(const SampleIn<D>& s) {
       for (const std::int32_t k : {i, j}) ++pressed_contacts[moving(s, k)];
     });
   });
+  const double least = contacts > 0 ? nothing * normal_sum / static_cast<double>(contacts) : 0;
+  for (std::size_t p = 0; p < s.list.size(); ++p) {
+    if (!(held_by[p] > least)) continue;
+    ++pressed_contacts[moving(s, s.list.i[p])];
+    if (s.list.j[p] >= 0) ++pressed_contacts[moving(s, s.list.owner[p])];
+  }
   if (s.count > 0 && resultant > 0)
     q.unbalanced_ratio = normal_sum > 0 ? (resultant / grains) * static_cast<double>(contacts) / normal_sum
                                         : std::numeric_limits<double>::infinity();

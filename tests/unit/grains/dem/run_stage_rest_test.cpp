@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "grains/dem/measure.hpp"
 #include "grains/dem/run_stage.hpp"
 #include "unit/grains/dem/samples.hpp"
 
@@ -78,6 +79,18 @@ TEST(Rest, IsReachedWhileADiskThatTouchesNothingSpins) {
   const StageRun run = to_its_end(engine, pressed(false));
   ASSERT_TRUE(run.result.converged) << run.result.outcome;
   EXPECT_EQ(run.result.snapshots.back().packing.grains.omega.back(), 1e4);
+}
+
+TEST(Rest, ADiskThatNothingPressesToSpeakOfIsLooseAndMaySpin) {
+  const auto bearing = [](double overlap) {
+    Packing start = empty_container(3 * wide, 2 * wide);
+    add_grain(start, 1.5 * wide, wide, wide + 1e-6);
+    add_grain(start, 3 * wide - radius + overlap, radius - overlap, radius);  // in a corner
+    start.grains.omega.back() = 1e4;
+    return equilibrium_of(Engine(start, contact(), {})).kinetic_ratio;
+  };
+  EXPECT_GT(bearing(1e-8), 0);
+  EXPECT_EQ(bearing(1e-13), 0);
 }
 
 TEST(Rest, ManyDisksThatAllFallAreNotAtRest) {
