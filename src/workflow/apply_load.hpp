@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -58,18 +58,23 @@ std::optional<FieldResult> apply_load(const recipe::Load& load, const FieldResul
 /// Notes in a load's result by which strains a further number of it could not be found.
 void note_unsolved(ResultHead& result, std::string_view number, const std::vector<std::string>& strains);
 
+/// Of the uniform strains those without an answer: "xx", "yz".
+template <int D> std::vector<std::string> unsolved_strains(const elements::EffectiveStiffness<D>& found) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < found.solves.size(); ++k) {
+    const auto [a, b] = voigt_axes<D>[k];
+    if (!found.solves[k].converged) names.push_back({"xyz"[a], "xyz"[b]});
+  }
+  return names;
+}
+
 /// Adds to a loaded sample's numbers its effective stiffness as a period (docs/elements.md), which needs no clamps and
 /// is found whatever the load came to; false if it was stopped.
 template <class Map, class Result>
 bool add_effective_stiffness(const Map& map, const elements::SolveOptions& how, Result& result) {
   const auto effective = elements::effective_stiffness(map, how);
   if (std::ranges::any_of(effective.solves, &statics::StaticReport::stopped)) return false;
-  static constexpr const char *in_plane[] = {"xx", "yy", "xy"}, *in_space[] = {"xx", "yy", "zz", "yz", "xz", "xy"};
-  std::vector<std::string> unsolved;
-  for (std::size_t k = 0; k < effective.solves.size(); ++k)
-    if (!effective.solves[k].converged)
-      unsolved.emplace_back(effective.solves.size() == std::size(in_plane) ? in_plane[k] : in_space[k]);
-  note_unsolved(result, "effective stiffness", unsolved);
+  note_unsolved(result, "effective stiffness", unsolved_strains(effective));
   result.numbers["effective_stiffness"] = elements::stiffness_numbers(effective);
   return true;
 }

@@ -46,7 +46,8 @@ void note_sizes(Asked& asked, const recipe::Recipe& recipe) {
 }  // namespace
 
 template <int D>
-void note_asked(StageResultIn<D>& made, const recipe::Recipe& recipe, std::size_t place, const PackingIn<D>* before) {
+void note_asked(StageResultIn<D>& made, const recipe::Recipe& recipe, std::size_t place,
+                const PackingIn<D>* loaded_before) {
   Asked& asked = made.asked;
   asked = {};
   asked.known = true;
@@ -60,7 +61,7 @@ void note_asked(StageResultIn<D>& made, const recipe::Recipe& recipe, std::size_
       made.converged && !made.snapshots.empty() && dem::is_at_rest(made.snapshots.back().equilibrium, criterion);
   if (place == 0) return note_sizes(asked, recipe);
   note_stage(asked, made, recipe.stages[place - 1]);
-  if (place > 1 && before) asked.box = before->domain.extents();
+  if (loaded_before) asked.box = loaded_before->domain.extents();
   fields::add_driven(made, recipe.stages[place - 1]);
 }
 

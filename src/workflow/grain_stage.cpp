@@ -16,12 +16,12 @@ namespace arenite::workflow {
 StageResult measure_stage(const GrainStage& stage, StageResult made, const std::string& kernel) {
   const auto& [recipe, place, hash, before, known] = stage;
   made.provenance = {version, made.name, hash, to_toml(part_of(recipe, place)), recipe.seed, kernel, {}, recipe.title};
-  note_asked(made, recipe, place, before);
+  note_asked(made, recipe, place, stage.loaded_before());
   if (made.snapshots.empty()) return made;
   const texture::Options measuring = fields::texture_options(made);
   texture::Texture texture = texture::measure(made.snapshots.back().packing, measuring);
   made.texture = fields::stage_numbers(
-      {made, place > 0 ? recipe.stages[place - 1] : dem::Stage{}, place > 1 ? before : nullptr, texture, &measuring});
+      {made, place > 0 ? recipe.stages[place - 1] : dem::Stage{}, stage.loaded_before(), texture, &measuring});
   made.texture.update(fields::test_numbers({made, before}));
   if (known) *known = std::move(texture);
   return made;
@@ -30,7 +30,7 @@ StageResult measure_stage(const GrainStage& stage, StageResult made, const std::
 SphereResult measure_stage(const GrainStageIn<3>& stage, SphereResult made, const std::string& kernel) {
   const auto& [recipe, place, hash, before, known] = stage;
   made.provenance = {version, made.name, hash, to_toml(part_of(recipe, place)), recipe.seed, kernel, {}, recipe.title};
-  note_asked(made, recipe, place, before);
+  note_asked(made, recipe, place, stage.loaded_before());
   if (made.snapshots.empty()) return made;
   made.texture = texture::measure_spheres(made.snapshots.back().packing, texture::sphere_options(made.asked));
   if (place == 0) return made;
@@ -38,7 +38,7 @@ SphereResult measure_stage(const GrainStageIn<3>& stage, SphereResult made, cons
   made.texture.update(fields::energy_balance(made.history));
   made.texture.update(fields::triaxial_numbers(made));
   made.texture.update(fields::shear_numbers(made));
-  made.texture.update(fields::flows_of(made, recipe.stages[place - 1], place > 1 ? before : nullptr));
+  made.texture.update(fields::flows_of(made, recipe.stages[place - 1], stage.loaded_before()));
   return made;
 }
 

@@ -17,6 +17,9 @@ template <int D> struct GrainStageIn {
   const PackingIn<D>* before = nullptr;  ///< the state that it begins with; null for the packing
   std::optional<texture::Texture>* texture =
       nullptr;  ///< gets that of the last state, whose numbers the result has; nothing without states, or in space
+
+  /// What strains refer to: the state before, where it is that of a loaded sample; null after the packing.
+  const PackingIn<D>* loaded_before() const { return place > 1 ? before : nullptr; }
 };
 using GrainStage = GrainStageIn<2>;
 

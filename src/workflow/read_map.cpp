@@ -33,16 +33,6 @@ io::PhaseMapOptions options_of(const recipe::MapSection& map) {
   return options;
 }
 
-/// What the file states of the size of a pixel, where the recipe does not give it.
-std::string stated_size(const recipe::MapSection& map) {
-  const auto pixel = map.dx ? std::nullopt : io::stated_pixel(map.file);
-  return pixel ? fmt::format(
-                     "the file states pixels of {0:.6g} um; to have lengths by them, give --dx \"{0:.6g} um\" "
-                     "(dx in [map] of a recipe)",
-                     1e6 * *pixel)
-               : "";
-}
-
 /// Where cutting at necks finds many more grains, those that touch were counted as one.
 void tell_of_touching(const PhaseMap& map, const recipe::MapSection& section,
                       const std::function<void(const std::string&)>& notice) {
@@ -64,7 +54,8 @@ PhaseMap read_map(const recipe::MapSection& map, const std::function<void(const 
   if (!map.box.empty()) refuse(map.file, "is a picture, and box is of a table of spheres; use crop");
   if (is_own_field(map)) return io::read_field(map.file).map;
   auto read = io::read_phase_map(map.file, options_of(map));
-  if (const std::string size = stated_size(map); !size.empty()) read.notes.push_back(size);
+  if (const auto pixel = map.dx ? std::nullopt : io::stated_pixel(map.file))
+    read.notes.push_back(io::told_pixel(*pixel));
   for (const auto& note : read.notes) notice(fmt::format("{}: {}", map.file, note));
   if (read.labelled) return std::move(read.map);
   if (map.labels == "none") io::label_alike(read.map);
@@ -84,10 +75,10 @@ FieldResult read_sample(const recipe::MapSection& map, const std::function<void(
 
 void require_length(const recipe::MapSection& map, const recipe::Load& load) {
   if (!load.failure || map.dx || is_own_field(map)) return;
-  const std::string size = stated_size(map);
-  throw InputError(
-      "a crack needs a length; " +
-      (size.empty() ? "give the size of a pixel, for example --dx \"25 um\" (dx in [map] of a recipe)" : size));
+  const auto pixel = io::stated_pixel(map.file);
+  throw InputError("a crack needs a length; " +
+                   (pixel ? io::told_pixel(*pixel)
+                          : "give the size of a pixel, for example --dx \"25 um\" (dx in [map] of a recipe)"));
 }
 
 FieldResult sample_of_map(PhaseMap map, const grid::CavityRules& rules) {

@@ -96,8 +96,8 @@ StageWatch::MadeBy StageWatch::made_by() const {
 void StageWatch::end_where_met() {
   const std::vector<double>* time = run_.result.history.find("time");
   if (!until_ || !time || time->back() != time_of(engine_)) return;
-  const Packing* const strains_since = given_.place > 1 ? given_.before : nullptr;
-  if (const auto met = until_->met(run_.result.history, run_.start.time, now_.stage(), strains_since, *given_.before))
+  if (const auto met =
+          until_->met(run_.result.history, run_.start.time, now_.stage(), given_.loaded_before(), *given_.before))
     dem::end_early(engine_, now_.stage(), *met, run_);
 }
 
@@ -131,8 +131,7 @@ void end_where_met(const GrainStageIn<3>& stage, const dem::EngineIn<3>& engine,
   const std::vector<double>* time = run.result.history.find("time");
   if (run.finished || loading.until.empty() || !time || time->back() != dem::time_of<3>(engine)) return;
   const fields::Until until(loading.until);
-  const PackingIn<3>* const strains_since = stage.place > 1 ? stage.before : nullptr;
-  if (const auto met = until.met(run.result.history, run.start.time, loading, strains_since, *stage.before))
+  if (const auto met = until.met(run.result.history, run.start.time, loading, stage.loaded_before(), *stage.before))
     dem::end_early(engine, loading, *met, run);
 }
 

@@ -18,7 +18,7 @@ StageResultIn<D> as_it_is(const GrainStageIn<D>& stage, const dem::EngineIn<D>& 
   now.result.name = run.result.name;
   now.result.outcome = "under way";
   now.result.history = run.result.history;
-  note_asked(now.result, stage.recipe, stage.place, stage.before);
+  note_asked(now.result, stage.recipe, stage.place, stage.loaded_before());
   return std::move(now.result);
 }
 

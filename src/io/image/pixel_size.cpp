@@ -1,5 +1,7 @@
 #include "io/image/pixel_size.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -80,6 +82,13 @@ std::optional<double> stated_pixel(const std::filesystem::path& picture) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(picture, error)) return std::nullopt;
   return stated_voxel(open_bytes(picture)).pixel;
+}
+
+std::string told_pixel(double pixel) {
+  return fmt::format(
+      "the file states pixels of {0:.6g} um; to have lengths by them, give --dx \"{0:.6g} um\" (dx in [map] of a "
+      "recipe)",
+      1e6 * pixel);
 }
 
 }  // namespace arenite::io

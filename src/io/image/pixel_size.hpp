@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "io/disk/byte_source.hpp"
 
@@ -20,5 +21,8 @@ StatedVoxel stated_voxel(const Bytes& picture);
 /// (72, 96, 150, 300 per inch and the like), which programs write that know of no sample. InputError where it states
 /// that pixels are no squares.
 std::optional<double> stated_pixel(const std::filesystem::path& picture);
+
+/// What is told of a pixel that a file states where nothing gives the side of one.
+std::string told_pixel(double pixel);
 
 }  // namespace arenite::io

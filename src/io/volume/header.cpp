@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <sstream>
 #include <string_view>
 
@@ -91,16 +92,19 @@ Bytes opened_beside(const Bytes& bytes, const std::string& name) {
   return open_bytes(data);
 }
 
-void take_side(VolumeFacts& facts, double side, const std::string& unit) {
+std::optional<double> in_metres(double length, const std::string& unit) {
   try {
-    if (!unit.empty()) {
-      facts.dx = parse_si(fmt::format("{} {}", side, unit), dimension::length);
-      return;
-    }
-  } catch (const InputError&) {  // a unit of its own: told below
+    if (!unit.empty()) return parse_si(fmt::format("{} {}", length, unit), dimension::length);
+  } catch (const InputError&) {  // a unit of its own
   }
-  facts.remarks.push_back(fmt::format("a spacing of {:g} {}, which is no known length, is left aside; give --dx", side,
-                                      unit.empty() ? "without a unit" : unit));
+  return std::nullopt;
+}
+
+void take_side(VolumeFacts& facts, double side, const std::string& unit) {
+  facts.dx = in_metres(side, unit);
+  if (!facts.dx)
+    facts.remarks.push_back(fmt::format("a spacing of {:g} {}, which is no known length, is left aside; give --dx",
+                                        side, unit.empty() ? "without a unit" : unit));
 }
 
 void tell_turned(VolumeFacts& facts, const std::array<Vec3, 3>& along, const char* stated, const std::string& file) {

@@ -64,12 +64,11 @@ void take_sides(VolumeFacts& facts, std::array<double, 3> side, const TextHeader
   if (units.size() != 3 || (units[1] == units[0] && units[2] == units[0]))
     return take_side(facts, side_of(side, header.file), units.empty() ? "" : units[0]);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    VolumeFacts one;
-    take_side(one, side[axis], units[axis]);
-    if (!one.dx)
+    const auto metres = in_metres(side[axis], units[axis]);
+    if (!metres)
       refuse(header.file, "states space units {} of which \"{}\" is no length; state all in mm",
              header.word("space units"), units[axis]);
-    side[axis] = *one.dx;
+    side[axis] = *metres;
   }
   facts.dx = side_of(side, header.file);
 }

@@ -1,12 +1,11 @@
 #include "io/volume/stack.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,18 +25,14 @@ namespace {
 /// Pictures of a stack, one upon the other: what else reads them as the frames of a film.
 class Slices : public VolumeSource {
  public:
-  Slices(std::unique_ptr<FilmSource> film, const std::string& file, bool elsewhere, const StatedVoxel& stated)
+  Slices(std::unique_ptr<FilmSource> film, const std::string& file, bool elsewhere, std::optional<double> pixel)
       : film_(std::move(film)),
         file_(file) {
     const FilmInfo& info = film_->info();
     facts_ = sized({info.width, info.height, info.frames}, file);
     facts_.remarks = info.remarks;
     facts_.elsewhere = elsewhere;
-    if (stated.pixel)
-      facts_.remarks.push_back(fmt::format(
-          "the file states pixels of {0:.6g} um; to have lengths by them, give --dx \"{0:.6g} um\" (dx in [map] of a "
-          "recipe)",
-          1e6 * *stated.pixel));
+    if (pixel) facts_.remarks.push_back(told_pixel(*pixel));
   }
   const VolumeFacts& facts() const override { return facts_; }
   void read(int z, std::span<std::int32_t> layer) override {
@@ -85,21 +80,22 @@ void refuse_other_picture(const std::filesystem::path& file) {
            is->sentence);
 }
 
-/// Layers that are further apart, or nearer, than the pixels make no cubes.
-StatedVoxel cubes(const Bytes& picture, bool are_given) {
-  if (are_given) return {};
-  const StatedVoxel stated = stated_voxel(picture);
-  if (stated.pixel && stated.spacing && std::abs(*stated.spacing / *stated.pixel - 1) > 1e-3)
+/// The side of a pixel that the first picture states, unless that of a voxel is given. Layers that are further apart,
+/// or nearer, make no cubes.
+std::optional<double> pixel_of_cubes(const Bytes& picture, const VolumeChoice& choice) {
+  if (choice.dx_given) return std::nullopt;
+  const auto [pixel, spacing] = stated_voxel(picture);
+  if (pixel && spacing && std::abs(*spacing / *pixel - 1) > 1e-3)
     refuse(picture->name(),
            "states pixels of {:.6g} um and pictures {:.6g} um apart, so that its voxels are no cubes; resample it to "
            "cubes, or give the side of a voxel (--dx) if they are cubes all the same",
-           1e6 * *stated.pixel, 1e6 * *stated.spacing);
-  return stated;
+           1e6 * *pixel, 1e6 * *spacing);
+  return pixel;
 }
 
 VolumePointer open_stack(const Bytes& bytes, const VolumeChoice& choice) {
   return std::make_unique<Slices>(open_film(bytes, FilmChoice{.dataset = choice.dataset, .in_time = false}),
-                                  bytes->name(), false, cubes(bytes, choice.dx_given));
+                                  bytes->name(), false, pixel_of_cubes(bytes, choice));
 }
 
 }  // namespace
@@ -109,7 +105,7 @@ VolumePointer open_slices(const std::filesystem::path& path, const VolumeChoice&
   refuse_other_picture(files.front());
   refuse_missing(files, path.string());
   return std::make_unique<Slices>(open_film(path, FilmChoice{.in_time = false}), path.string(), true,
-                                  cubes(open_bytes(files.front()), choice.dx_given));
+                                  pixel_of_cubes(open_bytes(files.front()), choice));
 }
 
 constinit const VolumeFormat volumes::stack{

@@ -74,7 +74,7 @@ void require_boundary(Visitor& v, const Programme& p, const std::vector<Boundary
       fmt::format("the motion of boundary \"{}\" is already prescribed in this stage; leave out its {}", p.name,
                   p.of.turns() ? "spin" : "velocity"));
   v.require(
-      !p.of.is_of_force() || !motion || motion->force[p.of.way()] == 0, {"programmes", "boundaries"},
+      !p.of.is_of_force() || !motion || p.of.way() >= D || motion->force[p.of.way()] == 0, {"programmes", "boundaries"},
       fmt::format("the force on boundary \"{}\" along this axis is already prescribed in this stage; write 0 for it "
                   "there",
                   p.name));
@@ -83,23 +83,20 @@ void require_boundary(Visitor& v, const Programme& p, const std::vector<Boundary
             "a boundary cannot jump: no two rows may have the same time, and a repeated table must end where it began");
 }
 
-/// What the stage's own keys say of a quantity; 0 where they are silent. That of gravity is never silent.
-double constant_of(const dem::Driven& of, const Stage& stage) {
+/// Where a stage keeps what a programme of sides, slides, shear or gravity drives.
+double& constant_of(const dem::Driven& of, Stage& stage) {
   if (of.is_of_side()) return stage.side[static_cast<std::size_t>(of.side)].value;
   if (of.is(Programme::What::slide)) return stage.slide[static_cast<std::size_t>(of.side)];
-  return of.is(Programme::What::shear_rate) ? stage.shear_rate : 0;
+  if (of.is(Programme::What::shear_rate)) return stage.shear_rate;
+  return of.is(Programme::What::gravity_size) ? stage.gravity_size : stage.gravity_angle;
 }
 
 /// The first value of a programme is that of the stage itself, so that what looks at a stage knows what it begins with.
 void begin_with(const Programme& p, Stage& stage) {
-  const double value = p.table.front().y;
-  if (p.of.is_of_side()) {
-    SideDrive& side = stage.side[static_cast<std::size_t>(p.of.side)];
-    side = {side.is_skin() ? side.kind : p.of.kind(), value};
-  } else if (p.of.is(Programme::What::slide)) stage.slide[static_cast<std::size_t>(p.of.side)] = value;
-  else if (p.of.is(Programme::What::shear_rate)) stage.shear_rate = value;
-  else if (p.of.is(Programme::What::gravity_size)) stage.gravity_size = value;
-  else if (p.of.is(Programme::What::gravity_angle)) stage.gravity_angle = value;
+  constant_of(p.of, stage) = p.table.front().y;
+  if (!p.of.is_of_side()) return;
+  SideDrive& side = stage.side[static_cast<std::size_t>(p.of.side)];
+  if (!side.is_skin()) side.kind = p.of.kind();
 }
 
 void require_place(Visitor& v, const Programme& p, const Stage& stage, const Recipe& recipe) {
@@ -245,8 +242,9 @@ void declare_programmes(Visitor& v, Stage& stage, const Recipe& recipe) {
     v.require(!again, {"programmes"},
               fmt::format("{} is driven by two of them", dem::programme_targets[dem::target_of(p.of)].word));
     if (p.table.empty() || p.of.is_of_boundary()) continue;
+    const bool is_of_gravity = p.of.is(Programme::What::gravity_size) || p.of.is(Programme::What::gravity_angle);
     const double constant = constant_of(p.of, stage);
-    v.require(again || constant == 0 || constant == p.table.front().y, {"programmes"},
+    v.require(again || is_of_gravity || constant == 0 || constant == p.table.front().y, {"programmes"},
               fmt::format("{} has a constant of its own in this stage, and the table begins with another value; leave "
                           "the constant out",
                           dem::programme_targets[dem::target_of(p.of)].word));

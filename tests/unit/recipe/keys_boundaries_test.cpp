@@ -118,6 +118,7 @@ TEST(BoundariesInRecipes, AreDrivenByTablesAndForces) {
   EXPECT_TRUE(parse_recipe(to_toml(pushed), "r.toml") == pushed);
   EXPECT_TRUE(is_refused(table("boundary.force_x", "3 N", "mass = \"2 kg\"\nforce = [\"1 N\", \"0 N\"]\n"),
                          "along this axis is already prescribed"));
+  EXPECT_TRUE(is_refused(table("boundary.force_z", "3 N", "mass = \"2 kg\"\n"), "is of samples in space"));
   EXPECT_TRUE(is_refused(table("boundary.force_x", "3 N"), "only a boundary with a mass"));
   EXPECT_TRUE(is_refused(table("boundary.y", "3 mm", "mass = \"2 kg\"\n"), "has a mass in this stage"));
   EXPECT_TRUE(is_refused(table("boundary.y", "3 mm", "velocity = [\"0 mm/s\", \"1 mm/s\"]\n"),
