@@ -25,6 +25,7 @@ LedgerEnd complete(const campaign::Study& study, const campaign::StudyFolder& fo
   campaign::StudyOptions options;
   options.jobs = a.jobs;
   options.keep_fields = a.keep == "all";
+  options.retry = a.retry && !deadline;  // once, not in every round of further seeds
   options.asked_to_stop = [deadline] { return deadline && LedgerClock::now() >= *deadline; };
   if (!run_missing(study, folder, options, a.quiet).interrupted) return LedgerEnd::complete;
   return stop_requested() ? LedgerEnd::stopped : LedgerEnd::budget_spent;

@@ -16,7 +16,7 @@ struct VerifyArguments {
   std::vector<std::string> sources, overrides, only;
   std::string out, markdown, csv, verdicts, expected, keep = "numbers", budget;
   std::size_t jobs = 1;
-  bool small = false, json = false, read_only = false, quiet = false;
+  bool small = false, json = false, read_only = false, retry = false, quiet = false;
 };
 
 /// How a part of the work of a ledger ended.

@@ -131,6 +131,7 @@ void add_verify(Options& command, int& status) {
   add_jobs(command, a->jobs);
   command.add("--only", a->only, "Run and read only this study; may be repeated").each().type("STUDY");
   command.add("--read", a->read_only, "Run nothing: judge the existing runs");
+  command.add("--retry", a->retry, "Repeat runs that failed, or found no equilibrium").not_with("--read");
   command
       .add("--budget", a->budget,
            "Then draw further seeds for checks that they can decide, until these are decided or this time on the clock "

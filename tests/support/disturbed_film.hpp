@@ -20,7 +20,8 @@ inline std::vector<double> flicker(std::size_t samples, RandomStream& random) {
   for (double& w : white) w = random.normal();
   double mean = 0, square = 0;
   for (std::size_t n = 0; n < samples; ++n) {
-    for (std::size_t k = 0; k <= n; ++k) noise[n] += tap[k] * white[n - k];
+    const double* late = &white[n];
+    for (const double *t = tap.data(), *end = t + n; t <= end; ++t) noise[n] += *t * *late--;
     mean += noise[n] / static_cast<double>(samples);
   }
   for (double& v : noise) v -= mean, square += v * v / static_cast<double>(samples);
@@ -69,12 +70,13 @@ struct DisturbedFilm {
     for (double& s : step) s = jump + jump_pattern * pattern.normal();
     for (std::size_t n = 0; n < frames; ++n) {
       const double t = static_cast<double>(n) / rate, angle = 2 * std::numbers::pi * frequency * t - late(t);
+      const double first = std::cos(angle - phase), second = std::cos(2 * angle - 1);
       const bool kept = std::find(lost.begin(), lost.end(), n) == lost.end();
       film.about.frames += kept;
       for (std::size_t p = 0; p < pixels; ++p) {
         const double a = amplitude(p), white = own.normal();
         if (!kept) continue;
-        const double load = a * std::cos(angle - phase) + 0.02 * a * std::cos(2 * angle - 1);
+        const double load = a * first + 0.02 * a * second;
         const double shift = common * all[n] + columns * column[p % static_cast<std::size_t>(width)][n] +
                              (n >= jump_frame ? step[p] : 0);
         film.value.push_back(static_cast<float>(296 + 0.1 * static_cast<double>(p % 7) + slope * t + drift(t) + load +

@@ -220,6 +220,7 @@ template <int D> Amount amount_below(const SampleIn<D>& s, double height) {
 }
 
 template double adhesive_energy(const SampleIn<2>&);
+template double adhesive_energy(const SampleIn<3>&);
 template Packing packing_of(const SampleIn<2>&);
 template PackingIn<3> packing_of(const SampleIn<3>&);
 template Energies energies_of(const SampleIn<2>&);
