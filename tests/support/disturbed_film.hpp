@@ -19,9 +19,9 @@ inline std::vector<double> flicker(std::size_t samples, RandomStream& random) {
     tap[k] = tap[k - 1] * (static_cast<double>(k) - 0.5) / static_cast<double>(k);
   for (double& w : white) w = random.normal();
   double mean = 0, square = 0;
+  const double *const h = tap.data(), *const w = white.data();  // tests are compiled without optimisation
   for (std::size_t n = 0; n < samples; ++n) {
-    const double* late = &white[n];
-    for (const double *t = tap.data(), *end = t + n; t <= end; ++t) noise[n] += *t * *late--;
+    for (std::size_t k = 0; k <= n; ++k) noise[n] += h[k] * w[n - k];
     mean += noise[n] / static_cast<double>(samples);
   }
   for (double& v : noise) v -= mean, square += v * v / static_cast<double>(samples);
