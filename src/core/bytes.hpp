@@ -1,18 +1,26 @@
 #pragma once
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/vec.hpp"
 
 /// States as bytes of this machine, for checkpoints and between processes. Both archives are called with each member in
 /// turn, so that one list of members serves both ways.
 namespace arenite {
 
+/// Values whose bytes are all theirs: what stands in the gaps of a record is nobody's and differs from run to run.
+template <class T> inline constexpr bool without_gaps = std::is_arithmetic_v<T>;
+template <int D, class V> inline constexpr bool without_gaps<Vec<D, V>> = without_gaps<V>;
+template <class T, std::size_t n> inline constexpr bool without_gaps<std::array<T, n>> = without_gaps<T>;
+
 /// A vector of such values, or a text.
 template <class T>
-concept PlainValues = std::is_trivially_copyable_v<typename T::value_type>;
+concept PlainValues = without_gaps<typename T::value_type>;
 
 class ByteWriter {
  public:

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <type_traits>
@@ -14,7 +16,18 @@
 #include "grains/dem/integrators/time_step.hpp"
 #include "grains/dem/walls.hpp"
 
-namespace arenite::dem {
+namespace arenite {
+
+template <int D>
+inline constexpr bool without_gaps<dem::HeldGrainIn<D>> = sizeof(dem::HeldGrainIn<D>) ==
+                                                          2 * sizeof(std::int32_t) + sizeof(Vec<D>);
+template <> inline constexpr bool without_gaps<dem::Body> = sizeof(dem::Body) == 13 * sizeof(double);
+template <>
+inline constexpr bool without_gaps<dem::BodyDisk> = sizeof(dem::BodyDisk) ==
+                                                    2 * sizeof(std::int32_t) + sizeof(Vec2) + sizeof(Cells<2>);
+template <> inline constexpr bool without_gaps<geometry::Rotation> = sizeof(geometry::Rotation) == 4 * sizeof(double);
+
+namespace dem {
 namespace {
 
 /// "a-dem-", in space "b-dem-", and the version of a state; changes with what `Members` and the parts list.
@@ -58,6 +71,33 @@ template <class Archive> class Members {
   void take(Vec2& v) { (*this)(v.x, v.y); }
   void take(Vec3& v) { (*this)(v.x, v.y, v.z); }
 
+  template <int D> void take(GrainRecord<D>& r) {
+    (*this)(r.place, r.velocity, r.omega, r.radius, r.mass, r.material, r.grain);
+    skip<sizeof r - offsetof(GrainRecord<D>, grain) - sizeof r.grain>();
+  }
+  template <int D> void take(SlotForce<D>& f) {
+    (*this)(f.on_i, f.torque_i, f.torque_j);
+    skip<sizeof f - offsetof(SlotForce<D>, torque_j) - sizeof f.torque_j>();
+  }
+  /// Records of space end in a gap, which is stored as zeros: what stands in it is nobody's.
+  template <std::size_t gap> void skip() {
+    std::array<std::uint8_t, gap> zeros{};
+    take(zeros);
+  }
+  template <class Record> void take_count(std::vector<Record>& records) {
+    auto count = static_cast<std::uint64_t>(records.size());
+    take(count);
+    if (!reads()) return;
+    expect(count <= left() / sizeof(double));
+    records.resize(count);
+  }
+  template <class Record> void take_all(std::vector<Record>& records) {
+    take_count(records);
+    for (Record& each : records) take(each);
+  }
+  template <int D> void take(std::vector<GrainRecord<D>>& records) { take_all(records); }
+  template <int D> void take(std::vector<SlotForce<D>>& forces) { take_all(forces); }
+
   template <int D> void take(WallIn<D>& wall) { (*this)(wall.position, wall.velocity, wall.force, wall.shear_force); }
   template <int D> void take(WallBodyIn<D>& w) {
     auto state = static_cast<std::uint8_t>((w.rough ? 1 : 0) | (w.open ? 2 : 0) | (w.skin ? 4 : 0));
@@ -72,12 +112,7 @@ template <class Archive> class Members {
   }
   /// What bonds remember and how they ended; what they hold now follows. Column by column, for a record may have gaps.
   template <int D> void take(std::vector<BondIn<D>>& bonds) {
-    auto count = static_cast<std::uint64_t>(bonds.size());
-    take(count);
-    if (reads()) {
-      expect(count <= left() / sizeof(double));
-      bonds.resize(count);
-    }
+    take_count(bonds);
     for (BondIn<D>& b : bonds)
       (*this)(b.i, b.j, b.broken, b.length, b.normal, b.angle_i, b.angle_j, b.energy, b.load, b.time, b.place);
   }
@@ -96,13 +131,7 @@ template <class Archive> class Members {
   void take(Batch& batch) { (*this)(batch.grains, batch.mass); }
   void take(ExchangeAccount& account) {
     (*this)(account.next_id, account.first_id, account.tries, account.inserted, account.removed, account.waiting);
-    auto count = static_cast<std::uint64_t>(account.through.size());
-    take(count);
-    if (reads()) {
-      expect(count <= left() / sizeof(double));
-      account.through.resize(count);
-    }
-    for (Batch& batch : account.through) take(batch);
+    take_all(account.through);
   }
 
   /// The slots' contents; their number follows from the list.
@@ -201,4 +230,5 @@ ARENITE_OF(2)
 ARENITE_OF(3)
 #undef ARENITE_OF
 
-}  // namespace arenite::dem
+}  // namespace dem
+}  // namespace arenite

@@ -207,7 +207,7 @@ RawContacts read_lammps_pairs(const Reading& reading, const RawGrains& grains) {
   if (given.empty()) name_opaque_columns(entries, grains, contacts.notes);
   const auto i = entries.find({"patom1", "i"}), j = entries.find({"patom2", "j"}), overlap = entries.find({"overlap"});
   const VectorColumns normal(entries, {"fx", "fy", "fz"}), tangential(entries, {"p1", "p2", "p3"});
-  const VectorColumns point(entries, {"cx", "cy", "cz"});
+  const VectorColumns direction(entries, {"nx", "ny", "nz"}), point(entries, {"cx", "cy", "cz"});
   // Who names the columns may mean by fx, fy the whole force; LAMMPS's own are the normal force, and p1, p2 the
   // tangential.
   const auto axes = grains.axes();
@@ -221,13 +221,14 @@ RawContacts read_lammps_pairs(const Reading& reading, const RawGrains& grains) {
       return number_or_problem(row.cells[c], entries.columns[c].name, factor, row.line, problems);
     };
   };
-  const auto force = value_in(options.force()), length = value_in(options.length());
+  const auto force = value_in(options.force()), length = value_in(options.length()), as_it_is = value_in(1);
   for (const Table::Row& row : entries.rows) {
     RawContact c;
     c.line = row.line;
     c.i = integer_or_problem(row.cells[*i], "patom1", row.line, problems);
     c.j = integer_or_problem(row.cells[*j], "patom2", row.line, problems);
     c.force_on_j = -(normal.of(row, force) + (whole ? Vec3{} : tangential.of(row, force)));
+    if (direction.has(axes)) c.normal = -direction.of(row, as_it_is);
     if (point.has(axes)) c.point = point.of(row, length);
     if (overlap && to_number(row.cells[*overlap])) c.overlap = length(row, *overlap);
     contacts.rows.push_back(c);
@@ -274,6 +275,9 @@ const SampleFormat samples::lammps{
          {"columns",
           "known by name; those named after computes (c_1[2]) by what they hold, told, or refused; --columns names "
           "them"},
+         {"nx, ny, nz and cx, cy, cz",
+          "the contact's unit normal, towards patom1 as its forces act, and where it is; without: along the centres, "
+          "where the grains overlap"},
          {"pairs without a force", "contacts where they overlap, else left out and told"},
          {"type", "the material"}},
     .is_grains = is_dump,

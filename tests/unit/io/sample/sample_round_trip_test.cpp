@@ -28,7 +28,7 @@ Packing dumbbells() {
   funnel.points = {{0.04, 0}, {0.05, 0.01}};
   p.domain.boundaries = {funnel};
   p.grains.resize(3);
-  p.grains.position = {{0.01, 0.005}, {0.01, 0.0148}, {0.03, 0.01}};
+  p.grains.position = {{0.01, 0.005}, {0.012, 0.0148}, {0.03, 0.01}};
   p.grains.radius = {0.006, 0.006, 0.007};
   const arenite::Shape dumbbell{{{-0.004, 0}, {0.004, 0}}, {0.005, 0.005}, false};
   for (int g = 0; g < 3; ++g) add_shape(p.grains.shapes, dumbbell, gyration_of(dumbbell));
@@ -40,8 +40,8 @@ Packing dumbbells() {
     c.off_j.push_back(off_j);
     c.overlap.back() = 2e-4;
   };
-  add(0, 1, {0, -1}, 10, 2, 0.0049, {-0.004, 0}, {-0.004, 0});
-  add(0, 1, {0, -1}, 30, -5, 0.0049, {0.004, 0}, {0.004, 0});
+  add(0, 1, {0, -1}, 10, 2, 0.0049, {-0.004, 0}, {-0.006, 0});
+  add(0, 1, {0, -1}, 30, -5, 0.0049, {0.004, 0}, {0.002, 0});
   add(0, wall_partner(bottom), {0, 1}, 25, 1, 0, {-0.004, 0}, {});
   add(2, boundary_partner(0), {-0.6, 0.8}, 7, 3, 0, {0.004, 0}, {});
   return p;
@@ -61,6 +61,8 @@ void expect_the_same(const Packing& a, const Packing& b) {
   for (std::size_t c = 0; c < a.contacts.size(); ++c) {
     EXPECT_EQ(a.contacts.is_wall(c), b.contacts.is_wall(c));
     EXPECT_NEAR(norm(a.contacts.force_on_i(c) - b.contacts.force_on_i(c)), 0, 1e-12);
+    EXPECT_NEAR(norm(a.contacts.normal[c] - b.contacts.normal[c]), 0, 1e-12);
+    EXPECT_NEAR(a.contacts.fn[c], b.contacts.fn[c], 1e-12);
     EXPECT_NEAR(norm(a.contacts.lever_i(c) - b.contacts.lever_i(c)), 0, 1e-15);
     if (!a.contacts.is_wall(c)) { EXPECT_NEAR(norm(a.contacts.lever_j(c) - b.contacts.lever_j(c)), 0, 1e-15); }
   }
