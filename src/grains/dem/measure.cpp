@@ -42,15 +42,12 @@ template <int D> void add_contacts(const SampleIn<D>& s, PackingIn<D>& out) {
   }
 }
 
-/// Of a mover, J, with its spin or without, as seen by who goes at `drift`; 0 of one that goes with a wall.
-template <int D> double kinetic_energy(const SampleIn<D>& s, std::size_t k, bool with_spin = true, Vec<D> drift = {}) {
+/// Of a mover that moves so, J; 0 of one that goes with a wall.
+template <int D> double kinetic_energy(const SampleIn<D>& s, std::size_t k, const Motion<D>& v) {
   if (is_held(s, k)) return 0;
   using lane::dot;
-  const Motion<D> v = motion_of(s, k);
   const Mover<D> m = mover_at(s, k);
-  const Vec<D> velocity = v.velocity - drift;
-  const double of_centre = 0.5 * m.mass * dot(velocity, velocity);
-  return with_spin ? of_centre + dot(0.5 * m.inertia * v.omega, v.omega) : of_centre;
+  return 0.5 * m.mass * dot(v.velocity, v.velocity) + dot(0.5 * m.inertia * v.omega, v.omega);
 }
 
 /// Velocity of the sample as a whole along the axes along which nothing holds it, m/s: a motion of which its grains
@@ -77,10 +74,28 @@ template <int D> double resultant_of(const SampleIn<D>& s, std::size_t k) {
   return k < s.count ? hypotenuse(f) : norm(f);
 }
 
+/// What holds a mover: contacts that press or pull, and whether friction holds it from spinning.
+template <int D> struct Hold {
+  int contacts = 0;
+  int normals = 0;  ///< of contacts that rub, in different directions; two stand for all
+  Vec<D> normal;    ///< the first of them
+
+  void rub(Vec<D> n, bool resists_twisting) {
+    constexpr double turned = 1e-3;  // normals that differ by less leave the same twist
+    if (normals == 0) normal = n;
+    normals = resists_twisting || (normals > 0 && size_of(cross(normal, n)) > turned) ? 2 : std::max(normals, 1);
+  }
+  /// A spin, less what no contact resists: all of it without friction, in space the twist about an only normal.
+  Turning<D> resisted(Turning<D> spin) const {
+    return normals == 0 ? Turning<D>{} : normals == 1 ? without_twist(spin, normal) : spin;
+  }
+};
+
 /// Grains that carry force between two contacts or more, and the loose others, apart: a loose grain moves on for long
 /// without moving the others, and its weight is nothing beside their forces, so that it is at rest or not by a measure
-/// of its own. Without contacts a disk spins for ever and touches nobody by it: its spin is no motion then. Contacts
-/// that press less than `nothing` of the mean force hold nobody, nor does their friction stop a spin in any time.
+/// of its own. A grain that no friction holds spins for ever and moves nobody by it: its spin is no motion then.
+/// Contacts that press less than `nothing` of the mean force hold nobody, nor does their friction stop a spin in any
+/// time.
 struct Motions {
   double bearing = 0, loose = 0;  ///< kinetic energies, J
   std::size_t falling = 0;        ///< loose grains more than half of whose weight nothing holds
@@ -88,14 +103,16 @@ struct Motions {
 
 constexpr double nothing = 1e-6;
 
-template <int D> Motions motions_of(const SampleIn<D>& s, const std::vector<int>& pressed_contacts) {
+template <int D> Motions motions_of(const SampleIn<D>& s, const std::vector<Hold<D>>& holds) {
   const double g = norm(s.gravity);
   const Vec<D> drift = drift_of(s);
   Motions motions;
   each_mover(s, [&](std::size_t k) {
-    const bool loose = pressed_contacts[k] < 2;
-    const bool alone = k < s.count && pressed_contacts[k] == 0;
-    (loose ? motions.loose : motions.bearing) += kinetic_energy(s, k, !alone, drift);
+    const bool loose = holds[k].contacts < 2;
+    Motion<D> motion = motion_of(s, k);
+    motion.velocity = motion.velocity - drift;
+    if (k < s.count) motion.omega = holds[k].resisted(motion.omega);
+    (loose ? motions.loose : motions.bearing) += kinetic_energy(s, k, motion);
     if (loose && g > 0 && resultant_of(s, k) > 0.5 * mover_at(s, k).mass * g) ++motions.falling;
   });
   return motions;
@@ -137,7 +154,7 @@ template <int D> PackingIn<D> packing_of(const SampleIn<D>& s) {
 
 template <int D> Energies energies_of(const SampleIn<D>& s) {
   Energies e = s.tally;
-  each_mover(s, [&](std::size_t k) { e.kinetic += kinetic_energy(s, k); });
+  each_mover(s, [&](std::size_t k) { e.kinetic += kinetic_energy(s, k, motion_of(s, k)); });
   for (int side = 0; side < sides_in<D>; ++side)
     if (s.wall[side].drive.kind == DriveKind::force) {
       const double v = wall_rate(s, side);
@@ -161,7 +178,7 @@ template <int D> Energies energies_of(const SampleIn<D>& s) {
 
 template <int D> Equilibrium equilibrium_of(const SampleIn<D>& s) {
   Equilibrium q;
-  std::vector<int> pressed_contacts(s.count + body_count(s), 0);
+  std::vector<Hold<D>> holds(s.count + body_count(s));
   std::vector<double> held_by(s.list.size(), 0);  // N, by slot
   const auto grains = static_cast<double>(grain_count(s));
   double resultant = 0, normal_sum = 0, mobilised = 0;
@@ -186,19 +203,29 @@ template <int D> Equilibrium equilibrium_of(const SampleIn<D>& s) {
     part.each_joint(s, [&](std::int32_t i, std::int32_t j, double size) {
       normal_sum += size;
       ++contacts;
-      for (const std::int32_t k : {i, j}) ++pressed_contacts[moving(s, k)];
+      for (const std::int32_t k : {i, j}) {
+        Hold<D>& hold = holds[moving(s, k)];
+        ++hold.contacts;
+        hold.normals = 2;
+      }
     });
   });
   const double least = contacts > 0 ? nothing * normal_sum / static_cast<double>(contacts) : 0;
   for (std::size_t p = 0; p < s.list.size(); ++p) {
     if (!(held_by[p] > least)) continue;
-    ++pressed_contacts[moving(s, s.list.i[p])];
-    if (s.list.j[p] >= 0) ++pressed_contacts[moving(s, s.list.owner[p])];
+    const Vec<D> normal = slot_kinematics(s, p).normal;
+    const bool rubs = (p < s.list.pairs ? s.friction : s.wall_friction) > 0 || !s.contact.rolls_freely();
+    const auto hold = [&](std::int32_t k) {
+      ++holds[moving(s, k)].contacts;
+      if (rubs) holds[moving(s, k)].rub(normal, resists_twisting(s));
+    };
+    hold(s.list.i[p]);
+    if (s.list.j[p] >= 0) hold(s.list.owner[p]);
   }
   if (s.count > 0 && resultant > 0)
     q.unbalanced_ratio = normal_sum > 0 ? (resultant / grains) * static_cast<double>(contacts) / normal_sum
                                         : std::numeric_limits<double>::infinity();
-  const Motions motions = motions_of(s, pressed_contacts);
+  const Motions motions = motions_of(s, holds);
   const double elastic = energies_of(s).elastic;
   q.kinetic_ratio = over_elastic(motions.bearing, elastic);
   q.loose_kinetic = over_elastic(motions.loose, elastic);

@@ -4,6 +4,7 @@
 
 #include "grains/dem/measure.hpp"
 #include "grains/dem/run_stage.hpp"
+#include "unit/grains/dem/boundaries/boxes.hpp"
 #include "unit/grains/dem/samples.hpp"
 
 namespace arenite::dem {
@@ -91,6 +92,33 @@ TEST(Rest, ADiskThatNothingPressesToSpeakOfIsLooseAndMaySpin) {
   };
   EXPECT_GT(bearing(1e-8), 0);
   EXPECT_EQ(bearing(1e-13), 0);
+}
+
+/// A sphere in a corner, pressed by another one towards it, that spins about an axis: what its motion is to the elastic
+/// energy.
+double motion_in_a_corner(Vec3 axis, const ContactParameters& contact) {
+  const double pressed = 1e-6;
+  PackingIn<3> start = testing::box_with({}, 0.1);
+  start.domain.boundaries.clear();
+  const Vec3 corner{testing::ball - pressed, testing::ball - pressed, testing::ball - pressed};
+  testing::add_ball(start, corner);
+  testing::add_ball(start, corner + (2 * testing::ball - pressed) / std::sqrt(3) * Vec3{1, 1, 1});
+  start.grains.omega.front() = 100 * axis;
+  return equilibrium_of(EngineIn<3>(start, contact, {})).kinetic_ratio;
+}
+
+TEST(Rest, IsOfWhatContactsResist) {
+  ContactParameters contact = testing::rubbing(0.3);
+  const Vec3 about{1, 1, 1}, across{1, -1, 0};
+  EXPECT_GT(motion_in_a_corner(about, contact), 0.1) << "the walls rub";
+  contact.wall_friction = 0;
+  EXPECT_LT(motion_in_a_corner(about, contact), 1e-9) << "a twist about the only normal that rubs";
+  EXPECT_GT(motion_in_a_corner(across, contact), 0.1);
+  contact.rolling = ElasticPlasticRolling{0.1, 0.3};
+  EXPECT_GT(motion_in_a_corner(about, contact), 0.1) << "walls resist rolling";
+  contact.friction = 0;
+  contact.rolling = {};
+  EXPECT_EQ(motion_in_a_corner(across, contact), 0) << "nothing rubs";
 }
 
 TEST(Rest, ManyDisksThatAllFallAreNotAtRest) {
