@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <map>
 #include <sstream>
@@ -75,8 +77,13 @@ TEST(BiaxialExample, ADenseSampleShearsAtTheSidePressureMobilisesFrictionAndDila
     share += number(shear[i], "strong_share") / 10;
     peak = std::max(peak, number(shear[i], "q_over_p"));
   }
-  EXPECT_NEAR(side, 50e3,
-              0.15 * 50e3);  // the smaller principal stress is the pressure on the side, but for fluctuations
+  const auto load = nlohmann::json::parse(test::arenite("show " + out + " --json").out)["loads"]["right"];
+  const double asked = load["asked_Pa"], reached = load["reached_Pa"]["value"], error = load["reached_Pa"]["error"];
+  EXPECT_EQ(asked, 50e3);
+  EXPECT_NEAR(reached, asked, 0.005 * asked);
+  EXPECT_NEAR(reached, asked, 3 * error);
+  // The smaller principal stress of ten states is the pressure on the side, but for the fluctuations of each.
+  EXPECT_NEAR(side, asked, 0.05 * asked);
   EXPECT_GT(peak, 0.25);     // below the sine of what mu = 0.5 and dilation allow, above that of smooth grains
   EXPECT_LT(peak, 0.75);
   EXPECT_LT(number(shear.back(), "volume_strain"), -0.003);  // dense: dilates

@@ -87,7 +87,7 @@ std::vector<NamedBytes> extxyz_snapshot(const ExportSnapshot& from) {
 
 const ExportFormat exports::extxyz{
     .name = "extxyz",
-    .sentence = "OVITO and ASE: extended XYZ of grains",
+    .sentence = "ASE: extended XYZ of grains (OVITO reads the format; no test of ours runs it)",
     .states = {{"grains",
                 "place, radius, id, material, zone, velocity, angle, omega, stresses and other numbers of grains"},
                {"species",

@@ -128,7 +128,7 @@ template <int D> std::vector<NamedBytes> lammps_state(const ExportStateIn<D>& st
 
 const ExportFormat exports::lammps{
     .name = "lammps",
-    .sentence = "OVITO and LAMMPS tools: dump custom of grains, dump local of contacts",
+    .sentence = "LAMMPS: dump custom of grains, dump local of contacts (OVITO reads both; no test of ours runs it)",
     .states = {{"grains",
                 "place, radius, velocity, angle, omega, zone, stresses and other numbers of grains; type is the "
                 "material's number"},
