@@ -50,14 +50,6 @@ bool is_open(const Sensitivity& found) {
   return !found.wanted.empty() && (usual == Outcome::fails || usual == Outcome::undecided);
 }
 
-/// Whether a number that is not as wanted is known with another choice.
-bool is_scanned(const std::vector<Sensitivity>& all) {
-  return std::ranges::any_of(all, [](const Sensitivity& found) {
-    return is_open(found) && std::any_of(found.entries.begin() + 1, found.entries.end(),
-                                         [](const Entry& entry) { return entry.outcome != Outcome::unknown; });
-  });
-}
-
 /// The kind of choice that gives what is wanted and is not there, or spoils what is; none if none does.
 Decider kind_that_turns(const std::vector<Sensitivity>& all, Outcome from) {
   for (const Sensitivity& found : all) {
@@ -107,19 +99,42 @@ std::string what_mends(const std::vector<Sensitivity>& all) {
   return text.empty() ? text : text + ".";
 }
 
+/// Choices whose runs are there, and how many of them may turn a number into another end for all that is known: their
+/// own errors, or those of the change, leave it open.
+struct Tried {
+  std::size_t choices = 0, undecided = 0;
+  void see(const Sensitivity& found, Outcome other_end) {
+    for (std::size_t k = 1; k < found.entries.size(); ++k) {
+      const Outcome outcome = found.entries[k].outcome;
+      choices += outcome != Outcome::unknown;
+      undecided += outcome == Outcome::undecided || outcome == other_end;
+    }
+    undecided -= turned_to(found, other_end).size();
+  }
+  /// "None of the choices tried meets the criterion; 2 of 11 are undecided and want seeds."
+  std::string in_words(const char* does) const {
+    if (choices == 0) return "No other choices were tried for it.";
+    std::string text = fmt::format("None of the choices tried {}", does);
+    if (undecided > 0)
+      text += fmt::format("; {} of {} {} undecided and want{} seeds", undecided, choices, undecided > 1 ? "are" : "is",
+                          undecided > 1 ? "" : "s");
+    return text + ".";
+  }
+};
+
 /// What spoils a number that is as wanted; empty if there is none with choices.
 std::string what_spoils(const std::vector<Sensitivity>& all) {
   std::string text;
-  std::size_t choices = 0;
+  Tried tried;
   for (const Sensitivity& found : all) {
     if (found.wanted.empty() || found.entries.front().outcome != Outcome::holds) continue;
-    for (std::size_t k = 1; k < found.entries.size(); ++k) choices += found.entries[k].outcome != Outcome::unknown;
+    tried.see(found, Outcome::fails);
     if (const Words words = words_of(turned_to(found, Outcome::fails)); !words.empty())
       text += fmt::format("{}{} no longer meets its criterion ({}) {}", text.empty() ? "" : "; ", found.what,
                           found.wanted, listed(words));
   }
   if (!text.empty()) return text + ".";
-  return choices > 0 ? "None of the choices tried reverses it." : "No other choices were tried.";
+  return tried.in_words("reverses it");
 }
 
 std::string in_words(const Check& check) {
@@ -142,9 +157,10 @@ std::string without_choice(const Judgement& judgement, const Check& check) {
     case Decider::reading: return "The reading of the source decides it. " + in_words(check);
     default: break;
   }
-  const char* tried = is_scanned(judgement.sensitivities) ? "None of the choices tried meets the criterion. "
-                                                          : "No other choices were tried for it. ";
-  return tried + in_words(check);
+  Tried tried;
+  for (const Sensitivity& found : judgement.sensitivities)
+    if (is_open(found)) tried.see(found, Outcome::holds);
+  return tried.in_words("meets the criterion") + " " + in_words(check);
 }
 
 }  // namespace

@@ -84,6 +84,13 @@ TEST(WhatDecides, IsTheFactBeforeTheChoiceBeforeTheNumber) {
   EXPECT_EQ(what_decides(judgement),
             "None of the choices tried meets the criterion. A number: 1.000 +- 0.010, required 0.9 to 1.1.");
   EXPECT_EQ(decider_of(judgement), Decider::none);
+  judgement.sensitivities[0].entries.push_back({"with glue", {2.1, 0.5, 4}, undecided});
+  EXPECT_EQ(what_decides(judgement),
+            "None of the choices tried meets the criterion; 1 of 2 is undecided and wants seeds. A number: 1.000 +- "
+            "0.010, required 0.9 to 1.1.");
+  judgement.sensitivities[0].entries.push_back({"on a coarse grid", {2.5, 0.9, 4}, holds});
+  EXPECT_EQ(what_decides(judgement).find("None of the choices tried meets the criterion; 2 of 3 are undecided"), 0u)
+      << "what the change's error leaves open turns nothing";
   judgement.sensitivities[0].entries.push_back({"without friction", {3, 0.1, 4}, holds});
   EXPECT_EQ(what_decides(judgement), "z meets its criterion (> 2) without friction.");
   EXPECT_EQ(decider_of(judgement), Decider::protocol);
