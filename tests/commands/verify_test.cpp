@@ -1,4 +1,4 @@
-// arenite verify without runs: what it says, writes and refuses.
+// arenite verify without runs, or with few: what it says, writes, repeats and refuses.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -12,6 +12,16 @@ namespace {
 
 std::string read_only(const test::TemporaryFolder& folder, const std::string& more) {
   return "verify thesis paper --read --quiet --out " + (folder.path() / "runs").string() + " " + more;
+}
+
+/// Of the runs of a study, so many were begun.
+std::size_t begun(const std::filesystem::path& study) {
+  std::size_t n = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(study / "journal")) {
+    const std::string text = test::slurp(entry.path());
+    for (auto at = text.find("running"); at != std::string::npos; at = text.find("running", at + 1)) ++n;
+  }
+  return n;
 }
 
 }  // namespace
@@ -45,6 +55,24 @@ TEST(Verify, TakesABudgetWithItsUnitBeforeAnyRun) {
   EXPECT_NE(bare.err.find("min"), std::string::npos) << bare.err;
   EXPECT_FALSE(std::filesystem::exists(out));
   EXPECT_EQ(test::arenite("verify thesis --read --budget 5min --out " + out.string()).status, 2);
+}
+
+TEST(Verify, RepeatsRunsThatFoundNoEquilibriumOnDemandOnly) {
+  const test::TemporaryFolder folder;
+  const auto out = folder.path() / "runs";
+  const auto verify = [&](const std::string& more) {
+    return test::arenite("verify paper --small --quiet --only paper-linearity --set stages.0.equilibrium.max_steps=5 " +
+                         more + "--out " + out.string());
+  };
+  const auto runs = [&] { return begun(out / "paper-linearity"); };
+  verify("");
+  const std::size_t first = runs();
+  ASSERT_GT(first, 0u);
+  verify("");
+  EXPECT_EQ(runs(), first);
+  verify("--retry ");
+  EXPECT_EQ(runs(), 2 * first);
+  EXPECT_EQ(test::arenite("verify paper --read --retry --out " + out.string()).status, 2);
 }
 
 TEST(Verify, HoldsVerdictsAgainstEarlierOnesOfTheSameSize) {
