@@ -139,10 +139,11 @@ TEST(Status, OfARunThatWasKilledSaysThatItsProcessIsGone) {
   const fs::path& out = watched.out;
   Background run = watched.begin();
   ASSERT_TRUE(watched.begins()) << watched.printed();
-  run.end(SIGKILL);
+  run.end_as_zombie();
   const auto shown = test::arenite("show " + out.string());
   EXPECT_EQ(shown.status, 0) << shown.err;
   EXPECT_EQ(shown.out.find("Died: "), 0u) << shown.out;
+  run.end(SIGKILL);
   EXPECT_FALSE(nlohmann::json::parse(test::arenite("show --json " + out.string()).out)["running"]["alive"].get<bool>());
 }
 

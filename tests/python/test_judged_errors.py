@@ -24,6 +24,11 @@ def test_honest_errors_hold_and_small_or_large_ones_do_not():
         assert not judge.hold([judge.Study("isotropic", results(told))])
 
 
+def test_a_comparison_that_finds_more_than_chance_does_not_hold():
+    assert judge.hold([judge.Study("isotropic", results(1.0), 0.05)])
+    assert not judge.hold([judge.Study("isotropic", results(1.0), 0.2)])
+
+
 def test_one_number_above_two_is_enough():
     trees = results(1.0)
     for tree, value in zip(trees, np.random.default_rng(5).normal(size=12)):

@@ -74,6 +74,12 @@ class Background {
     process_ = -1;
     return WIFEXITED(raw) ? WEXITSTATUS(raw) : 128 + WTERMSIG(raw);
   }
+  /// Ended, but nobody has asked for its end yet.
+  void end_as_zombie() {
+    ::kill(process_, SIGKILL);
+    siginfo_t ended{};
+    ::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOWAIT);
+  }
 
  private:
   pid_t process_ = -1;

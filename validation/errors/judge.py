@@ -13,6 +13,7 @@ chance has it. Needs Python's standard library and `arenite` alone.
 """
 
 import argparse
+import csv
 import itertools
 import json
 import math
@@ -151,10 +152,11 @@ class Judged:
 
 
 class Study:
-    """What was judged of a study, from the numbers of its runs."""
+    """What was judged of a study, from the numbers of its runs. `compared`: of all numbers of all pairs of neighbouring
+    seeds, the share that `arenite compare` finds beyond their errors."""
 
-    def __init__(self, name, results):
-        self.name, self.seeds = name, len(results)
+    def __init__(self, name, results, compared=None):
+        self.name, self.seeds, self.compared = name, len(results), compared
         found = [flattened(result) for result in results]
         names = dict.fromkeys(key for one in found for key in one)
         known = [key for key in names if sum(key in one for one in found) >= max(3, 0.75 * len(found))]
@@ -174,7 +176,8 @@ class Study:
 def hold(judged):
     """Whether the errors of these studies do, taken together."""
     inside, numbers = sum(len(s.inside) for s in judged), sum(len(s.numbers) for s in judged)
-    worst, beyond = max(s.worst.ratio for s in judged), max(s.beyond / s.chance for s in judged)
+    worst = max(s.worst.ratio for s in judged)
+    beyond = max(share / s.chance for s in judged for share in (s.beyond, s.compared or 0))
     return inside >= required_share * numbers and worst <= largest_ratio and beyond <= most_beyond
 
 
@@ -187,14 +190,29 @@ def run(arguments):
 
 
 def results_of(program, name, out, changes, jobs):
-    """The numbers of all runs of a study, whose missing runs are made."""
+    """The numbers of all runs of a study, whose missing runs are made, and the folders of their results."""
     sets = [part for change in changes for part in ("--set", change)]
     run([program, "study", "run", here / f"{name}.toml", "--out", out, "--quiet", "--jobs", jobs, *sets])
     folders = sorted((out / "runs").iterdir())
     camera = here / f"{name}-camera.toml"
     if camera.exists():
-        return [filmed(program, folder, camera, seed) for seed, folder in enumerate(folders, 1)]
-    return [json.loads((folder / "numbers.json").read_text(encoding="utf-8")) for folder in folders]
+        numbers = [filmed(program, folder, camera, seed) for seed, folder in enumerate(folders, 1)]
+        return numbers, [folder / "film" / "result" for folder in folders]
+    return [json.loads((folder / "numbers.json").read_text(encoding="utf-8")) for folder in folders], folders
+
+
+def share_compared(program, folders):
+    """Of the numbers with errors of neighbouring seeds, those that `arenite compare` finds beyond them."""
+    found = {"beyond errors": 0, "within errors": 0}
+    with tempfile.TemporaryDirectory() as temporary:
+        table = pathlib.Path(temporary) / "numbers.csv"
+        for a, b in itertools.pairwise([*folders, folders[0]]):
+            run([program, "compare", a, b, "--csv", table, "--out", table.with_suffix(".html")])
+            with table.open(encoding="utf-8", newline="") as rows:
+                for row in csv.DictReader(rows):
+                    if row["verdict"] in found:
+                        found[row["verdict"]] += 1
+    return found["beyond errors"] / sum(found.values())
 
 
 def filmed(program, folder, camera, seed):
@@ -211,7 +229,8 @@ def text_of(study):
     lines = [
         f"{study.name}: {study.seeds} seeds, {len(study.numbers)} numbers with an error, {100 * study.share:.1f} % "
         f"within the band, largest {study.worst.ratio:.2f} ({study.worst.name}); {100 * study.beyond:.1f} % of "
-        f"comparisons of two seeds differ by more than two errors, {100 * study.chance:.1f} % by chance"
+        f"comparisons of two seeds differ by more than two errors, {100 * study.compared:.1f} % of those of `arenite "
+        f"compare`, {100 * study.chance:.1f} % by chance"
     ]
     for n in sorted((n for n in study.numbers if not n.inside), key=lambda n: -n.ratio):
         lines.append(
@@ -239,6 +258,7 @@ def page_of(judged):
             str(sum(n.ratio > n.high for n in s.numbers)),
             f"{s.worst.ratio:.2f} `{s.worst.name}`",
             f"{100 * s.beyond:.1f} %",
+            f"{100 * s.compared:.1f} %",
             f"{100 * s.chance:.1f} %",
         ]
         for s in judged
@@ -264,6 +284,7 @@ def page_of(judged):
         "told too small",
         "largest ratio",
         "beyond two errors",
+        "by `compare`",
         "by chance",
     ]
     text = (here / "page.md").read_text(encoding="utf-8")
@@ -288,7 +309,8 @@ def main():
         out = (asked.out or pathlib.Path(temporary)).resolve()
         for name in asked.studies or (small if asked.small else studies):
             changes = small[name] if asked.small else []
-            judged.append(Study(name, results_of(asked.program, name, out / name, changes, asked.jobs)))
+            numbers, folders = results_of(asked.program, name, out / name, changes, asked.jobs)
+            judged.append(Study(name, numbers, share_compared(asked.program, folders)))
             print(text_of(judged[-1]), flush=True)
     if asked.markdown:
         asked.markdown.write_text(page_of(judged), encoding="utf-8")
