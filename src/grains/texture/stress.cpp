@@ -4,9 +4,11 @@
 #include "grains/texture/view.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 namespace arenite::texture {
 namespace {
@@ -73,27 +75,43 @@ Tensor2 wall_moment(const Packing& packing, Vec2 gravity) {
   return sum;
 }
 
-/// Share of the mean stress and of the deviatoric stress (along its own direction) that strong contacts carry.
+/// Trace and deviatoric parts of the moments of contacts, of all and of the strong ones.
+struct StrongPart {
+  std::array<double, 3> all{}, strong{};
+  double of_pressure() const { return all[0] != 0 ? strong[0] / all[0] : unknown; }
+};
+StrongPart strong_part(const View& view, const Items& contacts) {
+  const double threshold = mean_push(view.pairs(), contacts);
+  StrongPart part;
+  for (const std::size_t c : contacts) {
+    const Tensor2 m = moment_of(view.pairs(), c);
+    const double parts[3] = {trace(m), m.xx - m.yy, m.xy + m.yx};
+    for (int k = 0; k < 3; ++k) {
+      part.all[k] += parts[k];
+      if (view.pairs().fn[c] > threshold) part.strong[k] += parts[k];
+    }
+  }
+  return part;
+}
+
+/// Share of the mean stress and of the deviatoric stress (along its own direction) that strong contacts carry. The
+/// deviator of some blocks may be nothing beside its scatter: the error of its share is that of what is strong less the
+/// share of all, over the deviator of the whole sample.
 void put_strong_shares(Numbers& to, const View& view) {
   if (view.contacts.empty()) return;
-  const auto shares = [&](const Items& contacts) {
-    const double threshold = mean_push(view.pairs(), contacts);
-    double all[3] = {}, strong[3] = {};
-    for (const std::size_t c : contacts) {
-      const Tensor2 m = moment_of(view.pairs(), c);
-      const double parts[3] = {trace(m), m.xx - m.yy, m.xy + m.yx};
-      for (int k = 0; k < 3; ++k) {
-        all[k] += parts[k];
-        if (view.pairs().fn[c] > threshold) strong[k] += parts[k];
-      }
-    }
-    const double deviator2 = all[1] * all[1] + all[2] * all[2];
-    return std::vector<double>{all[0] != 0 ? strong[0] / all[0] : unknown,
-                               deviator2 > 0 ? (all[1] * strong[1] + all[2] * strong[2]) / deviator2 : unknown};
+  const StrongPart whole = strong_part(view, view.contacts);
+  const double deviator = std::hypot(whole.all[1], whole.all[2]);
+  const auto along = [&](const std::array<double, 3>& part) {
+    return (whole.all[1] * part[1] + whole.all[2] * part[2]) / deviator;
   };
-  const auto r = jackknife(view.contacts, view.contact_block, shares);
+  const double share = deviator > 0 ? along(whole.strong) / deviator : unknown;
+  const auto r = jackknife(view.contacts, view.contact_block, [&](const Items& contacts) {
+    const StrongPart part = strong_part(view, contacts);
+    return std::vector<double>{part.of_pressure(), (along(part.strong) - share * along(part.all)) / part.all[0]};
+  });
   put(to, "strong_share_of_pressure", r[0], "", "Fraction of the pressure carried by contacts above the mean force");
-  put(to, "strong_share_of_deviator", r[1], "", "Fraction of the deviator carried by contacts above the mean force");
+  put(to, "strong_share_of_deviator", Estimate{share, r[1].error * std::abs(whole.all[0]) / deviator}, "",
+      "Fraction of the deviator carried by contacts above the mean force");
 }
 
 /// The stress of the whole sample by itself, and in `details` what else is known of it.

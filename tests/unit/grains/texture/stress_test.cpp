@@ -126,5 +126,19 @@ TEST(Stress, SharesOfStrongAndWeakContactsAddUp) {
   EXPECT_NEAR(number(t, "fabric/load_axis_deg"), 90, 1e-10);
 }
 
+/// Without one of its corners the sample has no deviator at all, of which a share could be told.
+TEST(Stress, TheStrongShareOfADeviatorThatIsInOneBlockHasAnErrorOfItsOwnSize) {
+  Packing p = test::square_lattice(8);
+  for (std::size_t c = 0; c < p.contacts.size(); ++c) {
+    const Vec2 at = p.grains.position[static_cast<std::size_t>(p.contacts.i[c])];
+    const bool corner = at.x < 0.3 * p.domain.extent(0) && at.y < 0.3 * p.domain.extent(1);
+    p.contacts.fn[c] = corner && std::abs(p.contacts.normal[c].y) > 0.5 ? 3 : 1;
+  }
+  const Numbers told = measure(p).numbers["stress_details"]["strong_share_of_deviator"];
+  EXPECT_NEAR(told["value"].get<double>(), 1.5, 1e-12);
+  ASSERT_TRUE(told["error"].is_number());
+  EXPECT_LT(told["error"].get<double>(), 0.5);
+}
+
 }  // namespace
 }  // namespace arenite::texture
