@@ -77,6 +77,7 @@ constexpr KeyOfSources keys_of_sources[] = {{"phases", from_picture | from_volum
 
 /// Why an option that is given has no effect on such a map; empty where it has one, or is refused with its reason.
 std::string idle_without(std::string_view key, const recipe::MapSection& map) {
+  if (key == "dimension") return map.dimension == 2 && workflow::is_in_space(map) ? "a picture" : "";
   if (key == "smoothing") return map.labels == "watershed" ? "" : "--labels watershed";
   const auto at = std::ranges::find(keys_of_sources, key, &KeyOfSources::key);
   return at == std::end(keys_of_sources) || (at->sources & source_of(map)) != 0 ? "" : at->words;

@@ -32,7 +32,10 @@ using statistics::described;
 
 void refuse_keys_of_the_plane(const recipe::MapSection& map) {
   if (!map.crop.empty() || map.slice || map.label_slice)
-    throw InputError("crop and slice are of pictures; leave them out in space, or load a slice with --dimension 2");
+    throw InputError(fmt::format("crop and slice are of pictures; leave them out in space, or {}",
+                                 io::is_sphere_table(map.file) || io::is_volume(map.file)
+                                     ? "store the slice that is meant as a picture"
+                                     : "load a slice with --dimension 2"));
 }
 
 Numbers load_numbers(const recipe::Load& load, const statics::LoadReportIn<3>& r) {

@@ -50,9 +50,12 @@ TEST(LoadIdleOptions, OfAPictureAreTold) {
 TEST(LoadIdleOptions, OfSpheresAreTold) {
   const TemporaryFolder folder;
   std::ofstream(folder / "s.csv") << "x [mm],y [mm],z [mm],radius [mm]\n0,0,0,1\n1.9,0,0,1\n0,1.9,0,1\n0,0,1.9,1\n";
-  const auto idle = arenite("load " + (folder / "s.csv").string() +
-                            " --voxels 16 --cement kind=full --dx '10 um' --phases 1=matrix --labels none --quiet");
+  const auto idle =
+      arenite("load " + (folder / "s.csv").string() +
+              " --voxels 16 --cement kind=full --dx '10 um' --phases 1=matrix --labels none --dimension 2 "
+              "--quiet");
   ASSERT_EQ(idle.status, 0) << idle.err;
+  EXPECT_TRUE(contains(idle.err, left_aside("--dimension", "a picture"))) << idle.err;
   for (const char* option : {"--dx", "--phases", "--labels"})
     EXPECT_TRUE(contains(idle.err, left_aside(option, "a picture or a volume"))) << idle.err;
   EXPECT_FALSE(contains(idle.err, "--voxels: ")) << idle.err;

@@ -218,6 +218,7 @@ TEST(LoadVoxels, GrainsArePartedByWatershedAndALackingLengthIsAFact) {
 }
 
 TEST(LoadVoxels, WhatIsOfThePlaneIsRefused) {
+  constexpr auto npos = std::string::npos;
   const TemporaryFolder folder;
   const std::string map = volume(folder / "map.npy", "x < 6, 1, 2") + " --phases 1=particle,2=matrix ";
   const auto refused = [&](const std::string& options) {
@@ -229,7 +230,7 @@ TEST(LoadVoxels, WhatIsOfThePlaneIsRefused) {
   EXPECT_NE(refused("--stop-at-voids").find("leave exact_stretch"), std::string::npos);
   EXPECT_NE(refused("--failure --dx '1 um'").find("leave failure out"), std::string::npos);
   EXPECT_NE(refused("--method elements --axis x").find("leave axis out"), std::string::npos);
-  EXPECT_NE(refused("--method elements --slice 3").find("--dimension 2"), std::string::npos);
+  EXPECT_NE(refused("--method elements --slice 3").find("store the slice that is meant as a picture"), npos);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "core/random.hpp"
 #include "grains/texture/view.hpp"
@@ -65,5 +67,17 @@ std::vector<double> window_fractions(const Packing& packing, double area_share, 
   if (packing.grains.size() == 0 || !(box.area() > 0)) return {};
   return fractions(packing, std::sqrt(area_share), places, RandomStream(seed, Purpose::window, 0));
 }
+
+template <int D> std::string note_of_sides_away(const DomainIn<D>& domain) {
+  std::string away;
+  for (int side = 0; side < sides_in<D>; ++side)
+    if (!domain.is_periodic(side) && !domain.wall[side].present)
+      away += std::string(away.empty() ? "" : ", ") + any_side_names[side];
+  if (away.empty()) return away;
+  return "No wall stands on the side " + away +
+         ": solid fraction, stress of the assembly and strains are of the box up to its last place.";
+}
+template std::string note_of_sides_away<2>(const DomainIn<2>&);
+template std::string note_of_sides_away<3>(const DomainIn<3>&);
 
 }  // namespace arenite::texture

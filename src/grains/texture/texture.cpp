@@ -3,10 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "core/problems.hpp"
 #include "grains/texture/force_scale.hpp"
+#include "grains/texture/solid_fraction.hpp"
 #include "grains/texture/view.hpp"
 
 namespace arenite::texture {
@@ -37,6 +39,7 @@ void sample(const View& view, Texture& texture) {
     texture.notes.push_back(
         "The box is not known, so solid fraction, REV and the stress of the assembly are omitted and no border is left "
         "out.");
+  else if (auto note = note_of_sides_away<2>(view.packing.domain); !note.empty()) texture.notes.push_back(std::move(note));
   if (!view.has_thickness)
     texture.notes.push_back("The out-of-plane length is not known, so stresses in Pa are left out.");
   if (!view.options.load_axis && !view.contacts.empty())

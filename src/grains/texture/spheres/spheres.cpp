@@ -7,9 +7,11 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "grains/texture/force_scale.hpp"
+#include "grains/texture/solid_fraction.hpp"
 #include "grains/texture/spheres/sphere_view.hpp"
 
 namespace arenite::texture {
@@ -42,6 +44,7 @@ std::vector<std::string> notes_of(const SphereView& view) {
     notes.push_back(
         "The box is not known, so solid fraction and the stress of the assembly are omitted and no border is left "
         "out.");
+  else if (auto note = note_of_sides_away<3>(view.packing.domain); !note.empty()) notes.push_back(std::move(note));
   if (!view.has_forces && view.pairs().size() > 0) notes.emplace_back(forces_not_known);
   if (!view.options.load_axis && view.has_forces)
     notes.push_back(

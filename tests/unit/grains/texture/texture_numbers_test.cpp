@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "grains/texture/texture.hpp"
@@ -36,6 +37,19 @@ TEST(TextureJson, LeavesOutWhatIsNotKnownAndSaysWhy) {
   EXPECT_FALSE(j.contains("solid_fraction"));
   EXPECT_FALSE(j.contains("rev"));
   EXPECT_EQ(j["notes"].size(), 3u + (j["quality"]["median_imbalance"] > 0.1 ? 1 : 0));
+}
+
+TEST(TextureJson, TellsOfABoxWithoutAllOfItsWalls) {
+  Packing p = test::random_network(3);
+  const auto told = [&] {
+    const auto notes = measure(p).notes;
+    return std::ranges::count(notes,
+                              "No wall stands on the side top: solid fraction, stress of the assembly and strains are "
+                              "of a box up to its last place.");
+  };
+  EXPECT_EQ(told(), 0);
+  p.domain.wall[top].present = false;
+  EXPECT_EQ(told(), 1);
 }
 
 TEST(TextureJson, HasRowsForDrawingsWhenAsked) {

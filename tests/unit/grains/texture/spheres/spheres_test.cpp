@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "core/error.hpp"
@@ -47,6 +48,15 @@ TEST(Spheres, ACrystalHasTwelveNeighboursAndTheDensestFraction) {
   EXPECT_EQ(value(numbers, "/coordination/without_rattlers"), 12);
   EXPECT_EQ(value(numbers, "/coordination/rattlers"), 0);
   EXPECT_NEAR(value(numbers, "/solid_fraction"), std::numbers::pi / (3 * std::numbers::sqrt2), 1e-4);
+}
+
+TEST(Spheres, ABoxWithoutAllOfItsWallsIsTold) {
+  PackingIn<3> packing = crystal(2);
+  packing.domain.periodic[2] = false;
+  for (const int side : {back, front}) packing.domain.wall[side].present = side == back;
+  const std::string notes = to_json(measure_spheres(packing)["notes"]);
+  EXPECT_NE(notes.find("No wall stands on the side front: "), std::string::npos) << notes;
+  EXPECT_EQ(notes.find("back"), std::string::npos) << notes;
 }
 
 /// Windows of a twentieth of the side lie in a sphere or beside it; the largest cut off a layer of a fiftieth, which
