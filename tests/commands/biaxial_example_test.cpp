@@ -84,7 +84,7 @@ TEST(BiaxialExample, ADenseSampleShearsAtTheSidePressureMobilisesFrictionAndDila
   EXPECT_NEAR(reached, asked, 3 * error);
   // The smaller principal stress of ten states is the pressure on the side, but for the fluctuations of each.
   EXPECT_NEAR(side, asked, 0.05 * asked);
-  EXPECT_GT(peak, 0.25);     // below the sine of what mu = 0.5 and dilation allow, above that of smooth grains
+  EXPECT_GT(peak, 0.25);  // below the sine of what mu = 0.5 and dilation allow, above that of smooth grains
   EXPECT_LT(peak, 0.75);
   EXPECT_LT(number(shear.back(), "volume_strain"), -0.003);  // dense: dilates
   EXPECT_GT(strong, weak + 0.2);                             // strong contacts lean to the compression

@@ -1,4 +1,4 @@
-"""The judge of told errors (validation/errors/judge.py) passes honest ones and none that are too small."""
+"""The judge of told errors (validation/errors/told_errors.py) passes honest ones and none that are too small."""
 
 import importlib.util
 import pathlib
@@ -6,10 +6,10 @@ import pathlib
 import numpy as np
 import pytest
 
-file = pathlib.Path(__file__).resolve().parents[2] / "validation" / "errors" / "judge.py"
-spec = importlib.util.spec_from_file_location("judge", file)
-judge = importlib.util.module_from_spec(spec)
-spec.loader.exec_module(judge)
+file = pathlib.Path(__file__).resolve().parents[2] / "validation" / "errors" / "told_errors.py"
+spec = importlib.util.spec_from_file_location("told_errors", file)
+told_errors = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(told_errors)
 
 
 def results(told, numbers=40, seeds=12):
@@ -19,30 +19,30 @@ def results(told, numbers=40, seeds=12):
 
 
 def test_honest_errors_hold_and_small_or_large_ones_do_not():
-    assert judge.hold([judge.Study("isotropic", results(1.0))])
+    assert told_errors.hold([told_errors.Study("isotropic", results(1.0))])
     for told in (0.4, 3.0):
-        assert not judge.hold([judge.Study("isotropic", results(told))])
+        assert not told_errors.hold([told_errors.Study("isotropic", results(told))])
 
 
 def test_a_comparison_that_finds_more_than_chance_does_not_hold():
-    assert judge.hold([judge.Study("isotropic", results(1.0), 0.05)])
-    assert not judge.hold([judge.Study("isotropic", results(1.0), 0.2)])
+    assert told_errors.hold([told_errors.Study("isotropic", results(1.0), 0.05)])
+    assert not told_errors.hold([told_errors.Study("isotropic", results(1.0), 0.2)])
 
 
 def test_one_number_above_two_is_enough():
     trees = results(1.0)
     for tree, value in zip(trees, np.random.default_rng(5).normal(size=12)):
         tree["z"]["n0"] = {"value": value, "error": 0.3}
-    study = judge.Study("isotropic", trees)
+    study = told_errors.Study("isotropic", trees)
     assert len(study.inside) >= 0.95 * len(study.numbers) and study.worst.name == "z.n0"
-    assert not judge.hold([study])
+    assert not told_errors.hold([study])
 
 
 def test_angles_are_compared_around_the_circle_and_unknown_errors_are_not_judged():
     stress = {"value": [[1, 2], [2, 3]], "error": None}
     angles = [{"value": v, "error": 2.0, "period": 180} for v in (179, 1, 178, 2, 0, 177)]
     trees = [{"theta_c_deg": angle, "stress": stress} for angle in angles]
-    study = judge.Study("isotropic", trees)
+    study = told_errors.Study("isotropic", trees)
     assert [n.name for n in study.numbers] == ["theta_c_deg"]
     assert study.numbers[0].scatter == pytest.approx(2.07, abs=0.2)
 
@@ -50,12 +50,12 @@ def test_angles_are_compared_around_the_circle_and_unknown_errors_are_not_judged
 def test_the_band_is_that_of_fishers_f():
     # Tables of F at 0.5 and 99.5 %; with errors that are known exactly it is chi square over its freedom.
     for told, expected in ((1e9, (0.4865, 1.5596)), (36, (0.4670, 1.7613)), (12, (0.4370, 2.2335))):
-        assert judge.band_of_ratios(11, told) == pytest.approx(expected, abs=0.02)
+        assert told_errors.band_of_ratios(11, told) == pytest.approx(expected, abs=0.02)
 
 
 def test_seeds_differ_by_chance_as_students_t_has_it():
-    assert judge.beyond_by_chance(3) == pytest.approx(0.0924, abs=2e-4)
-    assert judge.beyond_by_chance(200) == pytest.approx(0.0462, abs=2e-4)
+    assert told_errors.beyond_by_chance(3) == pytest.approx(0.0924, abs=2e-4)
+    assert told_errors.beyond_by_chance(200) == pytest.approx(0.0462, abs=2e-4)
 
 
 def test_errors_from_few_blocks_are_honest_though_they_scatter():
@@ -64,6 +64,6 @@ def test_errors_from_few_blocks_are_honest_though_they_scatter():
     for tree in trees:
         for number in tree["z"].values():
             number["error"] = np.sqrt(draw.chisquare(freedom) / freedom)
-    study = judge.Study("isotropic", trees)
-    assert judge.hold([study])
-    assert study.chance == pytest.approx(judge.beyond_by_chance(freedom), abs=0.02)
+    study = told_errors.Study("isotropic", trees)
+    assert told_errors.hold([study])
+    assert study.chance == pytest.approx(told_errors.beyond_by_chance(freedom), abs=0.02)
