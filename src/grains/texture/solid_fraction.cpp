@@ -75,7 +75,7 @@ template <int D> std::string note_of_sides_away(const DomainIn<D>& domain) {
       away += std::string(away.empty() ? "" : ", ") + any_side_names[side];
   if (away.empty()) return away;
   return "No wall stands on the side " + away +
-         ": solid fraction, stress of the assembly and strains are of the box up to its last place.";
+         ": solid fraction, stress of the assembly and strains are of a box up to its last place.";
 }
 template std::string note_of_sides_away<2>(const DomainIn<2>&);
 template std::string note_of_sides_away<3>(const DomainIn<3>&);

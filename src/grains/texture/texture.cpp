@@ -39,7 +39,8 @@ void sample(const View& view, Texture& texture) {
     texture.notes.push_back(
         "The box is not known, so solid fraction, REV and the stress of the assembly are omitted and no border is left "
         "out.");
-  else if (auto note = note_of_sides_away<2>(view.packing.domain); !note.empty()) texture.notes.push_back(std::move(note));
+  else if (auto note = note_of_sides_away<2>(view.packing.domain); !note.empty())
+    texture.notes.push_back(std::move(note));
   if (!view.has_thickness)
     texture.notes.push_back("The out-of-plane length is not known, so stresses in Pa are left out.");
   if (!view.options.load_axis && !view.contacts.empty())
