@@ -8,6 +8,7 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
+#include "io/table/table.hpp"
 #include "io/time_units.hpp"
 
 namespace arenite::io {
