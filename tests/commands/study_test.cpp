@@ -14,6 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using arenite::test::arenite;
 using arenite::test::contains;
+using arenite::test::runs_begun;
 using arenite::test::shell;
 using arenite::test::slurp;
 using arenite::test::small_cemented_recipe;
@@ -169,14 +170,9 @@ TEST(Study, AFailingRunIsListedWithItsReasonAndStopsNoOther) {
   const auto computed = count(account(out), "computed");
   EXPECT_EQ(arenite(study_line("run", file, out, "--quiet")).status, 3) << "failed runs are done again on demand only";
   EXPECT_EQ(count(account(out), "reused") + computed, count(account(out), "\n"));
-  const auto journal_lines = [&] {
-    std::size_t n = 0;
-    for (const auto& entry : fs::directory_iterator(out / "journal")) n += count(slurp(entry.path()), "running");
-    return n;
-  };
-  EXPECT_EQ(journal_lines(), 4u);
+  EXPECT_EQ(runs_begun(out), 4u);
   EXPECT_EQ(arenite(study_line("run", file, out, "--quiet --retry")).status, 3);
-  EXPECT_EQ(journal_lines(), 7u);
+  EXPECT_EQ(runs_begun(out), 7u);
 }
 
 TEST(Study, ARunThatFailedBeforeItsFirstStateIsShownWithItsReason) {

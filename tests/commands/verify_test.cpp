@@ -14,16 +14,6 @@ std::string read_only(const test::TemporaryFolder& folder, const std::string& mo
   return "verify thesis paper --read --quiet --out " + (folder.path() / "runs").string() + " " + more;
 }
 
-/// Of the runs of a study, so many were begun.
-std::size_t begun(const std::filesystem::path& study) {
-  std::size_t n = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(study / "journal")) {
-    const std::string text = test::slurp(entry.path());
-    for (auto at = text.find("running"); at != std::string::npos; at = text.find("running", at + 1)) ++n;
-  }
-  return n;
-}
-
 }  // namespace
 
 TEST(Verify, WithoutRunsJudgesTheSourcesTablesAndSaysWhatIsMissing) {
@@ -64,7 +54,7 @@ TEST(Verify, RepeatsRunsThatFoundNoEquilibriumOnDemandOnly) {
     return test::arenite("verify paper --small --quiet --only paper-linearity --set stages.0.equilibrium.max_steps=5 " +
                          more + "--out " + out.string());
   };
-  const auto runs = [&] { return begun(out / "paper-linearity"); };
+  const auto runs = [&] { return test::runs_begun(out / "paper-linearity"); };
   verify("");
   const std::size_t first = runs();
   ASSERT_GT(first, 0u);

@@ -1,6 +1,7 @@
 #pragma once
 #include <sys/wait.h>
 
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -55,6 +56,16 @@ inline std::map<std::string, std::string> files_of_runs(const std::filesystem::p
   for (const auto& entry : std::filesystem::recursive_directory_iterator(study / "runs"))
     if (entry.is_regular_file()) files[std::filesystem::relative(entry.path(), study).string()] = slurp(entry.path());
   return files;
+}
+
+/// How often runs of a study were begun, by its journal.
+inline std::size_t runs_begun(const std::filesystem::path& study) {
+  std::size_t n = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(study / "journal")) {
+    std::ifstream journal(entry.path());
+    for (std::string line; std::getline(journal, line);) n += contains(line, "running");
+  }
+  return n;
 }
 
 }  // namespace arenite::test
