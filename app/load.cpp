@@ -1,16 +1,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <iterator>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "commands.hpp"
-#include "io/disk/store_file.hpp"
 #include "io/image/image.hpp"
-#include "io/volume/spheres.hpp"
 #include "io/volume/volume.hpp"
 #include "print.hpp"
 #include "progress.hpp"
@@ -48,46 +44,11 @@ recipe::Load load_of(const LoadArguments& a) {
   return load;
 }
 
-/// What a map is read from, by which some of its keys have an effect.
-enum Source : unsigned { from_picture = 1, from_field = 2, from_volume = 4, from_spheres = 8 };
-
-Source source_of(const recipe::MapSection& map) {
-  if (io::is_sphere_table(map.file)) return from_spheres;
-  if (workflow::is_in_space(map)) return from_volume;
-  return io::stored_kind(map.file) == "field" ? from_field : from_picture;
-}
-
-struct KeyOfSources {
-  std::string_view key;
-  unsigned sources;
-  const char* words;
-};
-constexpr KeyOfSources keys_of_sources[] = {{"phases", from_picture | from_volume, "a picture or a volume"},
-                                            {"labels", from_picture | from_volume, "a picture or a volume"},
-                                            {"dx", from_picture | from_volume, "a picture or a volume"},
-                                            {"periodic", from_picture | from_volume, "a picture or a volume"},
-                                            {"dataset", from_picture | from_volume, "a picture or a volume"},
-                                            {"label_dataset", from_picture | from_volume, "a picture or a volume"},
-                                            {"crop", from_picture | from_volume | from_spheres, "a picture"},
-                                            {"slice", from_picture | from_volume | from_spheres, "a picture"},
-                                            {"label_slice", from_picture | from_volume | from_spheres, "a picture"},
-                                            {"voxels", from_spheres, "a table of spheres"},
-                                            {"cement", from_spheres, "a table of spheres"},
-                                            {"horizon_in_space", from_volume | from_spheres, "a sample in space"}};
-
-/// Why an option that is given has no effect on such a map; empty where it has one, or is refused with its reason.
-std::string idle_without(std::string_view key, const recipe::MapSection& map) {
-  if (key == "dimension") return map.dimension == 2 && workflow::is_in_space(map) ? "a picture" : "";
-  if (key == "smoothing") return map.labels == "watershed" ? "" : "--labels watershed";
-  const auto at = std::ranges::find(keys_of_sources, key, &KeyOfSources::key);
-  return at == std::end(keys_of_sources) || (at->sources & source_of(map)) != 0 ? "" : at->words;
-}
-
 void tell_idle_options(const LoadArguments& a, const recipe::MapSection& map) {
   std::vector<std::string> told;
   for (const KeyOptions* options : {&a.map, &a.load})
     for (const recipe::Given& each : options->given()) {
-      const std::string without = idle_without(each.key.substr(0, each.key.find('.')), map),
+      const std::string without = workflow::idle_without(each.key.substr(0, each.key.find('.')), map),
                         option = each.label.substr(0, each.label.find(':'));
       if (without.empty() || std::ranges::count(told, option) > 0) continue;
       print(stderr, "{}: only has an effect with {}; it is left aside\n", option, without);

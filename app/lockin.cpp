@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "commands.hpp"
+#include "core/thread_count.hpp"
 #include "film_reading.hpp"
 #include "io/film/written_format.hpp"
 #include "io/table/table.hpp"
@@ -31,6 +32,7 @@ struct LockinArguments {
   KeyOptions keys{recipe::every_key<recipe::LockinAlone>()};
   recipe::LockinAlone section;  ///< what they say
   thermography::LockinOptions options;
+  int threads = Threads{}.threads;
   bool by_lock_in_line = false, json = false, quiet = false;
   bool is_nearest_bin() const { return section.method == recipe::LockinSection::Method::nearest_bin; }
 };
@@ -91,12 +93,10 @@ int execute(LockinArguments& a) {
   read_options(a.section, a.keys.given());
   tell_bare_phase(a.keys.text("phase"));
   thermography::LockinOptions& o = a.options;
-  o.frequency = a.section.frequency;
-  o.drift_order = static_cast<int>(a.section.drift);
-  o.harmonics = static_cast<int>(a.section.harmonics);
+  o = a.section.options();
+  o.threads = a.threads;
   o.refine = a.section.refine;
   o.convention = a.section.convention;
-  o.reference_phase = a.section.phase;
   const auto film = io::open_film(a.film, a.reading.choice());
   tell_remarks(a.film, film->info());
   watch_for_signals();
@@ -147,7 +147,7 @@ void add_lockin(Options& command, int& status) {
   a->keys.add(command, "--diffusivity", "diffusivity");
   a->keys.add(command, "--pixel", "pixel").type("LENGTH");
   a->reading.add_to(command);
-  add_threads(command, a->options.threads);
+  add_threads(command, a->threads);
   command.add("--json", a->json, "Print all numbers as JSON");
   command.add("--quiet", a->quiet, "Show no progress");
   command.work = [a, &status] { status = execute(*a); };

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <sstream>
+#include <string>
 
 #include "core/error.hpp"
 
@@ -64,10 +66,23 @@ Module find_module(const char* what) {
 
 }  // namespace
 
+namespace {
+
+/// Without the empty entries of a PYTHONPATH, by which Python means the current folder, whose files are not ours to
+/// run.
+std::string folders_of(const char* path) {
+  std::string folders;
+  std::istringstream entries(path ? path : "");
+  for (std::string folder; std::getline(entries, folder, ':');)
+    if (!folder.empty()) folders += ":" + folder;
+  return folders;
+}
+
+}  // namespace
+
 void continue_in_python(const char* what, const char* module, const Numbers& options) {
-  const char* path = std::getenv("PYTHONPATH");
   const Module found = find_module(what);
-  const std::string folders = found.folder.string() + (path && *path ? ":" + std::string(path) : "");
+  const std::string folders = found.folder.string() + folders_of(std::getenv("PYTHONPATH"));
   setenv("PYTHONPATH", folders.c_str(), 1);
   // `python3 -m` would look for modules in the current folder first, whose files are not ours to run.
   constexpr const char* start =

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "core/thread_count.hpp"
 #include "film_reading.hpp"
 #include "io/film/written_format.hpp"
 #include "print.hpp"
@@ -22,6 +23,7 @@ struct StepArguments {
   FilmReading reading;
   KeyOptions keys{recipe::every_key<recipe::StepSection>()};
   thermography::StepOptions options;
+  int threads = Threads{}.threads;
   bool json = false, quiet = false;
 };
 
@@ -50,10 +52,8 @@ int execute(StepArguments& a) {
   thermography::StepOptions& o = a.options;
   recipe::StepSection section;
   read_options(section, a.keys.given());
-  o.time = section.time;
-  o.rise = section.rise;
-  o.window = section.window;
-  o.drift_order = static_cast<int>(section.drift);
+  o = section.options();
+  o.threads = a.threads;
   const auto film = io::open_film(a.film, a.reading.choice());
   tell_remarks(a.film, film->info());
   watch_for_signals();
@@ -85,7 +85,7 @@ void add_step(Options& command, int& status) {
   command.add("--out", a->out, "Folder for the maps; if not given, nothing is stored").type("DIR");
   a->written.add(command, "--format", "format");
   a->reading.add_to(command);
-  add_threads(command, a->options.threads);
+  add_threads(command, a->threads);
   command.add("--json", a->json, "Print all numbers as JSON");
   command.add("--quiet", a->quiet, "Show no progress");
   command.work = [a, &status] { status = execute(*a); };

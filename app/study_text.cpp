@@ -113,7 +113,6 @@ campaign::StudyOutcome run_missing(const campaign::Study& study, const campaign:
   options.film_numbers = report::film_numbers;
   options.asked_to_stop = [also = options.asked_to_stop] { return stop_requested() || also(); };
   options.notice = [](const std::string& sentence) { print(stderr, "{}\n", sentence); };
-  for (const std::string& sentence : study.notices) options.notice(sentence);
   StudyLine line(quiet);
   options.progress = [&](const campaign::StudyProgress& progress) { line.show(progress); };
   return campaign::run_study(study, folder, options);

@@ -86,10 +86,7 @@ def figures(pairs):
 
 
 def drawable(part):
-    """Whether the library describes figures of it."""
-    return isinstance(part[3], (_core.Stage, _core.Field, _core.VoxelResult, _core.FilmResult)) and (
-        part[0] != "stage" or len(part[3].snapshots) > 0
-    )
+    return compare.is_of_the_library(part) and (part[0] != "stage" or len(part[3].snapshots) > 0)
 
 
 def shown_of(part):

@@ -59,6 +59,20 @@ class Row:
         return _core._difference(self.a, self.a_error, self.b, self.b_error, self.period)
 
 
+classes = {
+    "stage": _core.Stage,
+    "field": _core.Field,
+    "voxels": _core.VoxelResult,
+    "spheres": _core.SphereStage,
+    "film": _core.FilmResult,
+}
+
+
+def is_of_the_library(part):
+    """Whether the library describes what a part shows; else it is an object of somebody's own with numbers."""
+    return isinstance(part[3], classes[part[0]])
+
+
 def parts_of(result):
     """[(kind, name, numbers, part, stages of the result)]: every stage, sample, load and film with its numbers."""
     stages = list(result.stages)
@@ -81,7 +95,7 @@ def parts_of(result):
 
 def test_of(stage, earlier):
     """What a stage says as a test, and which of it one asks first; nothing of other objects than stages of results."""
-    if not isinstance(stage, _core.Stage):
+    if not isinstance(stage, classes["stage"]):
         return {"numbers": {}, "headlines": []}
     before = [part.snapshots[-1].packing for part in earlier if len(part.snapshots) > 0]
     return _core._test_of_stage(stage, before[-1] if before else None)
@@ -90,7 +104,7 @@ def test_of(stage, earlier):
 def headlines_of(part):
     """{dotted name: words} of what one asks of a part first."""
     kind, _, _, of, stages = part
-    if kind != "stage" and not isinstance(of, (_core.Field, _core.VoxelResult, _core.SphereStage, _core.FilmResult)):
+    if not is_of_the_library(part):
         return {}
     first = test_of(of, stages[: stages.index(of)]) if kind == "stage" else _core._headlines(of)
     named = [one for one in first["headlines"] if isinstance(one, list)]
@@ -102,7 +116,7 @@ def pairs_of(a, b):
     Raises ValueError if the two have nothing in common."""
     parts, others = parts_of(a), parts_of(b)
     pairs = [(one[1], one, other) for one in parts for other in others if one[:2] == other[:2]]
-    for kind in ("stage", "field", "voxels", "spheres", "film"):
+    for kind in classes:
         left, right = (
             [part for part in every if part[0] == kind and not any(part in pair[1:] for pair in pairs)]
             for every in (parts, others)

@@ -30,7 +30,7 @@ py::dict curve_of(packing::SizeCurve&& curve) {
 py::object critical_state(const StageResult& stage, const Packing* before) {
   Call call;
   const Numbers found = call.without_lock([&]() -> Numbers {
-    const auto curves = fields::test_curves({stage, before});
+    const auto curves = fields::test_curves(fields::Test{stage, before});
     const auto state = curves ? fields::critical_state(*curves) : std::nullopt;
     return state ? fields::numbers_of(*curves, *state) : Numbers();
   });

@@ -49,14 +49,10 @@ LockinMaps locked_in(const FilmLike& film, const Quantity& frequency, const std:
   LockinOfFilm parts;
   read_keywords(parts, given);
   const auto source = film_of(film, parts, time);
-  thermography::LockinOptions o;
-  o.frequency = parts.section.frequency;
+  thermography::LockinOptions o = parts.section.options();
   o.refine = refine;
-  o.drift_order = static_cast<int>(parts.section.drift);
-  o.harmonics = static_cast<int>(parts.section.harmonics);
   o.convention = peak_to_peak ? AmplitudeConvention::peak_to_peak : AmplitudeConvention::amplitude;
   o.threads = threads_given(threads);
-  o.reference_phase = parts.section.phase;
   Call call;
   o.progress = [&](double share) {
     call.tell(progress, share, "lock-in");
@@ -77,11 +73,7 @@ const Keywords& step_keywords() {
 py::dict stepped(const FilmLike& film, const py::kwargs& more) {
   StepOfFilm parts;
   read_keywords(parts, step_keywords().given("step_load", more));
-  thermography::StepOptions o;
-  o.time = parts.section.time;
-  o.rise = parts.section.rise;
-  o.window = parts.section.window;
-  o.drift_order = static_cast<int>(parts.section.drift);
+  thermography::StepOptions o = parts.section.options();
   const auto source = film_of(film, parts);
   Call call;
   o.progress = [&](double) { return !call.asked_to_stop(); };

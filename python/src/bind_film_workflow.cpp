@@ -56,6 +56,7 @@ FilmResult film(const Path& path, const RecipeLike& recipe, const Path& out, con
     options.threads = threads_given(threads);
     options.progress = [&](const workflow::Progress& p) { call.tell(progress, p.share, p.name); };
     options.asked_to_stop = [&] { return call.asked_to_stop(); };
+    options.notice = [&](const std::string& sentence) { call.warn(sentence); };
     return workflow::run_film(path, asked, options).result;
   });
 }

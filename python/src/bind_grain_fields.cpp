@@ -66,6 +66,10 @@ py::dict coarse_grained(const Packing& packing, const Quantity& width, const std
   fields::CoarseGraining choice;
   read_keywords(choice, given);
   Call call;
+  if (packing.domain.tilt != 0 && !choice.tilt_rate)
+    call.warn(
+        "the cell is tilted, and a packing does not know how fast: velocities across its sides are taken as of a cell "
+        "at rest; give tilt_rate, shear rate times height (0 if it is at rest)");
   auto f = call.without_lock([&] { return fields::coarse_grain(packing, choice); });
   const Shape shape{f.grid.rows, f.grid.columns};
   py::dict d;

@@ -8,6 +8,7 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
+#include "file_notes.hpp"
 #include "keywords.hpp"
 #include "model/cement.hpp"
 #include "module.hpp"
@@ -74,8 +75,12 @@ PhaseMap read_map(const Path& file, const Quantity& dx, const Path& labels, cons
         fmt::format("labels is \"{}\", which is not a file; give \"components\", \"watershed\", \"none\", or a label "
                     "image",
                     map.labels));
+  std::vector<std::string> notes = workflow::idle_keys(map);
   Call call;
-  return call.without_lock([&] { return workflow::read_map(map, [](const std::string&) {}); });
+  auto read = call.without_lock(
+      [&] { return workflow::read_map(map, [&](const std::string& note) { notes.push_back(note); }); });
+  warn_of_notes(notes);
+  return read;
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ workflow::RunOptions run_options(Call& call, const Progress& progress) {
     call.tell(progress, (static_cast<double>(p.stage) + p.share) / static_cast<double>(p.stages), p.name);
   };
   options.asked_to_stop = [&] { return call.asked_to_stop(); };
+  options.notice = [&](const std::string& sentence) { call.warn(sentence); };
   return options;
 }
 
@@ -127,10 +128,6 @@ StageResult load_stage(const Packing& packing, Recipe recipe, const py::object& 
   Call call;
   const auto steps = step_function(call, on_step, every);
   workflow::RunOptions options = run_options(call, progress);
-  options.notice = [](const std::string& sentence) {
-    const py::gil_scoped_acquire lock;
-    if (PyErr_WarnEx(PyExc_UserWarning, sentence.c_str(), 1) != 0) throw py::error_already_set();
-  };
   return call.without_lock([&]() -> StageResult {
     dem::Engine engine(packing, recipe.contact, recipe.integration);
     auto loaded = workflow::load_stage(

@@ -172,6 +172,7 @@ void bind_study(py::module_& m) {
                       "runs");
           };
           options.asked_to_stop = [&] { return call.asked_to_stop(); };
+          options.notice = [&](const std::string& sentence) { call.warn(sentence); };
           return campaign::run_study(study, campaign::StudyFolder(out), options);
         });
         py::dict d;

@@ -10,6 +10,7 @@
 
 #include "arrays.hpp"
 #include "calls.hpp"
+#include "file_notes.hpp"
 #include "keywords.hpp"
 #include "load_keywords.hpp"
 #include "model/voxel_map.hpp"
@@ -19,6 +20,7 @@
 #include "solid/grid/label_grains.hpp"
 #include "solid/stress/sample_means.hpp"
 #include "workflow/load_voxels.hpp"
+#include "workflow/read_map.hpp"
 
 namespace arenite::python {
 namespace {
@@ -66,8 +68,12 @@ VoxelMap voxel_map_in(const Path& file, const std::optional<Quantity>& dx, const
   recipe::MapSection map;
   map.dimension = 3;
   read_keywords(map, given);
+  std::vector<std::string> notes = workflow::idle_keys(map);
   Call call;
-  return call.without_lock([&] { return workflow::read_voxels(map, [](const std::string&) {}); });
+  auto read = call.without_lock(
+      [&] { return workflow::read_voxels(map, [&](const std::string& note) { notes.push_back(note); }); });
+  warn_of_notes(notes);
+  return read;
 }
 
 VoxelResult loaded_voxels(const VoxelMap& map, const std::string& loading, const Progress& progress,

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "option_names.hpp"
 
 namespace arenite::python {
 namespace {
@@ -118,6 +119,12 @@ void Call::tell(const Progress& progress, double share, const std::string& text)
   if (in_fork()) return;
   const py::gil_scoped_acquire lock;
   if (!progress.is_none() && !interrupted_) progress(share, text);
+}
+
+void Call::warn(const std::string& sentence) {
+  if (in_fork()) return;
+  const py::gil_scoped_acquire lock;
+  if (PyErr_WarnEx(PyExc_UserWarning, with_arguments(sentence).c_str(), 1) != 0) throw py::error_already_set();
 }
 
 bool Call::asked_to_stop() {

@@ -43,6 +43,8 @@ class Call {
   /// Calls `progress(share, text)` unless it is None, with Python's lock.
   void tell(const Progress& progress, double share, const std::string& text);
   bool asked_to_stop();
+  /// A sentence that the program would print, as a warning; where warnings are errors, it is one.
+  void warn(const std::string& sentence);
 
  private:
   void raise_interrupt() const;

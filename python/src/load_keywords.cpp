@@ -35,6 +35,7 @@ recipe::Load load_of(const char* function, const std::string& loading, const py:
   given.push_back(load_keywords().given("loading", py::str(loading)));
   recipe::Load load;
   read_keywords(load, given);
+  warn_of_idle(load.idle_keys());
   load.name = load.failure ? "failure" : recipe::word_of(load.loading);
   return load;
 }

@@ -234,6 +234,7 @@ class Scheduler {
 std::size_t every_core() { return std::max(1u, std::thread::hardware_concurrency()); }
 
 StudyOutcome run_study(const Study& study, const StudyFolder& folder, const StudyOptions& options) {
+  for (const std::string& sentence : study.notices) options.notice(sentence);
   return Scheduler(study, folder, options).work();
 }
 

@@ -124,6 +124,7 @@ struct Asked {
   Vec2 gravity{};                          ///< at the end of the stage, m/s^2
   ByAnySide<double> slide{};               ///< of walls along themselves as the stage begins, m/s
   double load_axis = statistics::unknown;  ///< along which it compresses, rad from x
+  std::array<double, 3> load_direction{};  ///< of spheres: the same as a unit vector; 0: unknown
   int cycled = -1;                         ///< the side that goes to and fro; -1: none
   int closes = -1;                         ///< of spheres: the axis that their test closes at a speed; -1: none
   std::array<double, 3> box{};             ///< of spheres: m, what their strains refer to; 0: to the first row

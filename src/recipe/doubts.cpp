@@ -102,9 +102,8 @@ void doubt_idle_keys(const Recipe& recipe, std::vector<std::string>& doubts) {
   doubt(recipe.map && recipe.map->labels != "watershed" && recipe.map->smoothing != MapSection{}.smoothing,
         "map.smoothing", "only labels = \"watershed\" cuts grains at necks; take that, or leave this key out");
   for (const Load& load : recipe.loads)
-    for (const std::string& key : load.idle_keys())
-      doubt(true, fmt::format("loads.{}.{}", load.name, key),
-            "elements have no bonds; leave it out, or choose another method");
+    for (const std::string& sentence : load.idle_keys())
+      doubts.push_back(fmt::format("loads.{}.{}", load.name, sentence));
   if (contact.adheres()) return;
   constexpr std::string_view no_adhesion = "contact.adhesion is \"none\"; choose one, or leave this key out";
   doubt(contact.surface_energy > 0, "contact.surface_energy", no_adhesion);

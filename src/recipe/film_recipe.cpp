@@ -76,6 +76,24 @@ std::string film_key_reference() {
 
 FilmRecipe film_template() { return parse_film_recipe(templates::film, {}); }
 
+thermography::LockinOptions LockinSection::options() const {
+  thermography::LockinOptions o;
+  o.frequency = frequency;
+  o.drift_order = static_cast<int>(drift);
+  o.harmonics = static_cast<int>(harmonics);
+  o.reference_phase = phase;
+  return o;
+}
+
+thermography::StepOptions StepSection::options() const {
+  thermography::StepOptions o;
+  o.time = time;
+  o.rise = rise;
+  o.window = window;
+  o.drift_order = static_cast<int>(drift);
+  return o;
+}
+
 std::vector<double> emissivities(const FilmRecipe& recipe) {
   return mapped(recipe.materials, [&](const FilmMaterial& m) {
     return m.emissivity.value_or(recipe.temperature.emissivity.value_or(0.9));

@@ -70,6 +70,7 @@ struct LockinSection {
   std::optional<double> phase;  ///< when the load is largest, rad after the first frame; found on the film if not given
   bool motion = true;           ///< grains' motion is fitted and taken out
   double diffusivity = 1e-7;    ///< of heat in the grains, m^2/s, about that of plastics
+  thermography::LockinOptions options() const;
 };
 
 /// A step of the load, as its film is measured alone.
@@ -77,6 +78,7 @@ struct StepSection {
   std::optional<double> time;  ///< of its middle, s after the first frame
   double rise = thermography::StepOptions{}.rise, window = thermography::StepOptions{}.window;  ///< s
   std::int64_t drift = thermography::StepOptions{}.drift_order;
+  thermography::StepOptions options() const;
 };
 
 /// What the film that a command or a call opens does not say about itself, under [film] as in its recipe.

@@ -195,12 +195,16 @@ peridynamics::Method Load::bond_method() const {
 }
 
 std::vector<std::string> Load::idle_keys() const {
-  std::vector<std::string> idle;
-  if (!by_elements()) return idle;
-  if (exact_stretch) idle.emplace_back("exact_stretch");
-  if (stop_at_voids) idle.emplace_back("stop_at_voids");
-  if (!stiffness.calibrated) idle.emplace_back("stiffness.calibrated");
-  return idle;
+  std::vector<std::string> sentences;
+  const auto tell = [&](bool given, std::string_view key) {
+    if (given && by_elements())
+      sentences.push_back(fmt::format(
+          "{}: has no effect, because elements have no bonds; leave it out, or choose another method", key));
+  };
+  tell(exact_stretch, "exact_stretch");
+  tell(stop_at_voids, "stop_at_voids");
+  tell(!stiffness.calibrated, "stiffness.calibrated");
+  return sentences;
 }
 
 std::string Load::not_in_space() const {

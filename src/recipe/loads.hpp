@@ -72,7 +72,7 @@ struct Load : peridynamics::LoadCase, peridynamics::FieldChoices, peridynamics::
   bool by_elements() const { return !failure && method == LoadMethod::elements; }
   peridynamics::Method bond_method() const;
   elements::Material material() const;
-  /// Its keys of bonds that have no effect on elements.
+  /// Sentences on its keys of bonds, which have no effect on elements.
   std::vector<std::string> idle_keys() const;
   /// What keeps it from a sample in space, in a sentence; empty where nothing does.
   std::string not_in_space() const;

@@ -4,107 +4,129 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "grains/fields/loading.hpp"
-#include "grains/fields/stage_numbers.hpp"
+#include "core/error.hpp"
+#include "core/mapped.hpp"
+#include "grains/fields/state_curves.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
-#include "statistics/run_means.hpp"
 
 namespace arenite::report {
 namespace {
 
-/// Names of columns, and the numbers of the texture that stand below them, whose units are those of the heads; q/p, the
-/// sine of the mobilised angle of friction, is of the two before it. Anisotropies have a sign against the axis of
-/// loading, or of greatest compression where there are several; `show` without --states prints how large they are.
-constexpr std::pair<const char*, const char*> columns[] = {{"p", "stress_details.pressure_Pa"},
-                                                           {"q", "stress_details.deviator_Pa"},
-                                                           {"q_over_p", ""},
-                                                           {"solid_fraction", "solid_fraction"},
-                                                           {"z", "coordination.all"},
-                                                           {"z_without_rattlers", "coordination.without_rattlers"},
-                                                           {"rattlers", "coordination.rattlers"},
-                                                           {"a_c_signed", "fabric.a_c_signed"},
-                                                           {"a_c_signed_strong", "fabric.sets.strong.a_c_signed"},
-                                                           {"a_c_signed_weak", "fabric.sets.weak.a_c_signed"},
-                                                           {"strong_share", "force.strong_share"},
-                                                           {"q_on_strong", "stress_details.strong_share_of_deviator"}};
+using statistics::Columns;
 
-/// The same of the strains, compression positive since the state before the stage.
-constexpr std::pair<const char*, const char*> strains[] = {
-    {"strain_x", "strain_x"}, {"strain_y", "strain_y"}, {"volume_strain", "volumetric_strain"}};
-
-std::string head_of(const char* name, const Meaning* meaning) {
-  return fmt::format(",{}{}", name, !meaning || meaning->unit.empty() ? "" : " [" + meaning->unit + "]");
-}
-
-std::string heads_of(const statistics::Columns& of_box, const Numbers& texture) {
-  const auto numbers = named_numbers(texture);
-  std::string heads = "stage,label,time [s]";
-  for (const auto& [head, name] : strains) {
-    const statistics::Column* column = of_box.find(name);
-    heads += head_of(head, column ? &column->meaning : nullptr);
+/// Of the box of every state, compression positive.
+template <int D> Columns strains_of(const StageResultIn<D>& stage, const DomainIn<D>& start) {
+  std::vector<double> strains[D], volumes;
+  for (const SnapshotIn<D>& state : stage.snapshots) {
+    double left = 1;
+    for (int axis = 0; axis < D; ++axis) {
+      const double ratio = state.packing.domain.extent(axis) / start.extent(axis);
+      strains[axis].push_back(1 - ratio);
+      left *= ratio;
+    }
+    volumes.push_back(1 - left);
   }
-  for (const auto& [head, name] : columns) {
-    const auto at = std::ranges::find(numbers, name, &NamedNumber::name);
-    heads += head_of(head, at == numbers.end() ? nullptr : at->meaning);
+  Columns found;
+  for (int axis = 0; axis < D; ++axis)
+    found.put(std::string("strain_") + "xyz"[axis], "", "Shortening of the box since the state before the stage",
+              std::move(strains[axis]));
+  found.put("volumetric_strain", "", "Decrease of the box since then over what it was", std::move(volumes));
+  return found;
+}
+
+/// A stage with what is told of its states.
+struct Told {
+  std::string stage;
+  std::vector<std::string> labels;
+  Columns columns;
+};
+
+template <int D> Told told_of(const StageResultIn<D>& stage, const DomainIn<D>& start) {
+  Told told{stage.name, mapped(stage.snapshots, &SnapshotIn<D>::label), {}};
+  Columns& to = told.columns;
+  to.put("time", "s", "Time of the state", mapped(stage.snapshots, &SnapshotIn<D>::time));
+  const Columns strains = strains_of(stage, start), numbers = fields::numbers_of_states<D>(stage);
+  for (const Columns* part : {&strains, &numbers}) to.list.insert(to.list.end(), part->list.begin(), part->list.end());
+  to.put("mobilisation", "", "Mean |F_t|/F_n of the contacts that push",
+         mapped(stage.snapshots, [](const auto& state) { return state.equilibrium.mobilisation; }));
+  return told;
+}
+
+/// Takes stages in their order; the first has its own first state for the one before.
+template <int D> struct Before {
+  std::optional<DomainIn<D>> domain;
+
+  void tell(const StageResultIn<D>& stage, std::vector<Told>& to) {
+    if (stage.snapshots.empty()) return;
+    to.push_back(told_of(stage, domain.value_or(stage.snapshots.front().packing.domain)));
+    domain = stage.snapshots.back().packing.domain;
   }
-  return heads + ",mobilisation\n";
-}
+};
 
-std::vector<double> row_of(const StageResult& stage, std::size_t k, const statistics::Columns& of_box,
-                           const Numbers& texture) {
-  const Snapshot& snapshot = stage.snapshots[k];
-  std::vector<double> row{snapshot.time};
-  for (const auto& [head, name] : strains) row.push_back(of_box[name][k]);
-  for (const auto& [head, name] : columns)
-    row.push_back(*name ? statistics::number_at(texture, name) : row.back() / row[row.size() - 2]);
-  row.push_back(snapshot.equilibrium.mobilisation);
-  return row;
-}
-
-std::vector<StageResult> stages_of(const std::filesystem::path& result) {
-  std::vector<StageResult> stages;
+std::vector<Told> every_stage(const std::filesystem::path& result) {
+  std::vector<Told> stages;
+  Before<2> disks;
+  Before<3> spheres;
   for (const auto& file : io::stage_files(result)) {
-    auto any = io::read_result(file);
-    if (std::holds_alternative<SphereResult>(any))
-      throw InputError(result.string(), 0,
-                       "is of spheres, whose states are not in a table; leave out --states, or take the curves of "
-                       "`arenite export --to csv`");
-    if (auto* stage = std::get_if<StageResult>(&any)) stages.push_back(std::move(*stage));
+    const auto any = io::read_result(file);
+    if (const auto* stage = std::get_if<StageResult>(&any)) disks.tell(*stage, stages);
+    if (const auto* stage = std::get_if<SphereResult>(&any)) spheres.tell(*stage, stages);
   }
   if (stages.empty())
     throw InputError(result.string(), 0, "holds no stages of loading, so there is no stress path; leave out --states");
   return stages;
 }
 
+/// Those that any stage has, each once, in the order of the stage that has most.
+std::vector<const statistics::Column*> heads_of(const std::vector<Told>& stages) {
+  auto order = mapped(stages, [](const Told& stage) { return &stage; });
+  std::ranges::stable_sort(order, std::greater{}, [](const Told* stage) { return stage->columns.list.size(); });
+  std::vector<const statistics::Column*> heads;
+  for (const Told* stage : order)
+    for (const statistics::Column& column : stage->columns.list) {
+      const auto at = std::ranges::find(heads, column.name, [](const auto* head) { return head->name; });
+      if (at == heads.end()) heads.push_back(&column);
+      else if (column.tells_errors) *at = &column;
+    }
+  return heads;
+}
+
+std::string cell(const std::vector<double>& values, std::size_t row) {
+  return row < values.size() && std::isfinite(values[row]) ? fmt::format(",{:.6g}", values[row] + 0.0) : ",";
+}
+
 }  // namespace
 
 std::string states_table(const std::filesystem::path& result) {
-  Numbers last;
-  statistics::Columns of_box;
-  std::string rows;
-  const auto stages = stages_of(result);
-  const Domain* before = nullptr;  // of the first stage the reference is its own first state
-  for (const StageResult& stage : stages) {
-    if (stage.snapshots.empty()) continue;
-    texture::Options options = fields::texture_options(stage);
-    options.rev = {1, 1};
-    const Domain& start = before ? *before : stage.snapshots.front().packing.domain;
-    of_box = fields::strains_of_box(stage.snapshots, start);
-    for (std::size_t k = 0; k < stage.snapshots.size(); ++k) {
-      last = texture::numbers(texture::measure(stage.snapshots[k].packing, options));
-      rows += fmt::format("{},{}", stage.name, stage.snapshots[k].label);
-      for (const double value : row_of(stage, k, of_box, last))
-        rows += std::isfinite(value) ? fmt::format(",{:.6g}", value + 0.0) : ",";
-      rows += "\n";
-    }
-    before = &stage.snapshots.back().packing.domain;
+  const std::vector<Told> stages = every_stage(result);
+  const auto heads = heads_of(stages);
+  std::string text = "stage,label";
+  for (const statistics::Column* head : heads) {
+    const std::string unit = head->meaning.unit.empty() ? "" : " [" + head->meaning.unit + "]";
+    text += "," + head->name + unit;
+    if (head->tells_errors) text += "," + head->name + "_error" + unit;
   }
-  return heads_of(of_box, last) + rows;
+  text += "\n";
+  for (const Told& stage : stages)
+    for (std::size_t row = 0; row < stage.labels.size(); ++row) {
+      text += stage.stage + "," + stage.labels[row];
+      for (const statistics::Column* head : heads) {
+        const statistics::Column* column = stage.columns.find(head->name);
+        text += column ? cell(column->values, row) : ",";
+        if (head->tells_errors) text += column ? cell(column->error, row) : ",";
+      }
+      text += "\n";
+    }
+  return text;
 }
 
 }  // namespace arenite::report

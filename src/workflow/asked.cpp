@@ -25,11 +25,19 @@ int cycled_side(const dem::Stage& stage) {
   return stage.cycles ? stage.cycles->side : -1;
 }
 
+void note_axis(Asked& asked, const StageResult&, const dem::Stage& stage) {
+  if (!std::isfinite(asked.load_axis)) asked.load_axis = fields::loading_axis(stage).value_or(statistics::unknown);
+}
+void note_axis(Asked& asked, const SphereResult&, const dem::Stage& stage) {
+  const Vec3 direction = fields::loading_direction(stage).value_or(Vec3{});
+  if (!std::isfinite(asked.load_axis)) asked.load_direction = {direction.x, direction.y, direction.z};
+}
+
 template <int D> void note_stage(Asked& asked, const StageResultIn<D>& made, const dem::Stage& stage) {
   asked.friction = stage.friction.value_or(asked.friction);
   asked.gravity = dem::gravity_at(stage, fields::length_of(made, stage));
   asked.slide = stage.slide;
-  if (!std::isfinite(asked.load_axis)) asked.load_axis = fields::loading_axis(stage).value_or(statistics::unknown);
+  note_axis(asked, made, stage);
   asked.cycled = cycled_side(stage);
   asked.closes = fields::closing_axis(stage);
   asked.in_motion = fields::ends_in_motion(stage);

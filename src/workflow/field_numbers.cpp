@@ -2,12 +2,15 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "model/elasticity/bounds.hpp"
 #include "recipe/recipe.hpp"
+#include "solid/grid/thin_voids.hpp"
 #include "solid/peridynamics/bonds.hpp"
 #include "solid/peridynamics/measures.hpp"
 #include "statistics/numbers.hpp"
@@ -151,6 +154,15 @@ void add_load(Numbers& j, const recipe::Load& load, const peridynamics::LoadRepo
         {"G_Pa", described(moduli->shear, "Pa", "Apparent shear modulus between rigid clamps, with free sides")}};
 }
 
+std::string note_of_bridged_crack(int length, int side, int horizon, const std::string& remedy) {
+  constexpr int few = 10;  // nodes: a wedge between grains that touch is as long
+  if (length <= std::max(few, side / 10)) return {};
+  return fmt::format(
+      "bonds reach across a void that is {} nodes long and thinner than {}, as if it were no crack; {} "
+      "lets none pass",
+      length, horizon, remedy);
+}
+
 void note_bonds_across_voids(Numbers& j, const recipe::Load& load, const PhaseMap& upright) {
   if (load.stop_at_voids) return;
   j["load"]["bonds_across_voids"] =
@@ -158,10 +170,16 @@ void note_bonds_across_voids(Numbers& j, const recipe::Load& load, const PhaseMa
                 "Bonds that pass through a void node: they carry load across cracks thinner than 3 nodes");
   const Numbers* carrying = j.at_path("/load/nodes/carrying");
   const bool carries = carrying ? carrying->get<double>() > 0 : j["strength_Pa"].get<double>() > 0;
-  if (!carries || !peridynamics::joined_through_voids_only(upright)) return;
-  j["notes"].push_back(
-      "no solid joins the two clamps: all load passes through bonds that reach across voids thinner than 3 nodes; "
-      "stop_at_voids (--stop-at-voids) lets no bond pass");
+  if (!carries) return;
+  if (peridynamics::joined_through_voids_only(upright))
+    j["notes"].push_back(
+        "no solid joins the two clamps: all load passes through bonds that reach across voids thinner than 3 nodes; "
+        "stop_at_voids (--stop-at-voids) lets no bond pass");
+  else if (auto note = note_of_bridged_crack(grid::longest_thin_void(upright, peridynamics::horizon - 1),
+                                             std::min(upright.width, upright.height), peridynamics::horizon,
+                                             "stop_at_voids (--stop-at-voids)");
+           !note.empty())
+    j["notes"].push_back(std::move(note));
 }
 
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 
 #include "model/phase_map.hpp"
 #include "recipe/recipe.hpp"
@@ -26,6 +27,10 @@ void add_reports(Numbers& numbers, const SampleReports& reports);
 void add_load(Numbers& numbers, const recipe::Load& load, const peridynamics::LoadReport& report,
               const std::optional<peridynamics::EffectiveModuli>& moduli);
 void add_failure(Numbers& numbers, const recipe::Load& load, const peridynamics::DamageResult& result, double dx);
+
+/// Of a sample of bonds, a sentence on the longest void that is thinner than their horizon, if it is longer than a
+/// tenth of the sample's side, all in nodes: a crack that bonds reach across. Empty else.
+std::string note_of_bridged_crack(int length, int side, int horizon, const std::string& remedy);
 
 /// Tells how many bonds reach across voids, and notes where nothing else ties the clamps of a map, upright as it was
 /// loaded.

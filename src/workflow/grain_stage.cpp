@@ -3,9 +3,7 @@
 #include <utility>
 
 #include "core/version.hpp"
-#include "grains/fields/laboratory/shear_in_space.hpp"
 #include "grains/fields/laboratory/test_numbers.hpp"
-#include "grains/fields/laboratory/triaxial.hpp"
 #include "grains/fields/stage_numbers.hpp"
 #include "grains/texture/spheres/spheres.hpp"
 #include "workflow/asked.hpp"
@@ -22,7 +20,7 @@ StageResult measure_stage(const GrainStage& stage, StageResult made, const std::
   texture::Texture texture = texture::measure(made.snapshots.back().packing, measuring);
   made.texture = fields::stage_numbers(
       {made, place > 0 ? recipe.stages[place - 1] : dem::Stage{}, stage.loaded_before(), texture, &measuring});
-  made.texture.update(fields::test_numbers({made, before}));
+  made.texture.update(fields::test_numbers(fields::Test{made, before}));
   if (known) *known = std::move(texture);
   return made;
 }
@@ -36,9 +34,8 @@ SphereResult measure_stage(const GrainStageIn<3>& stage, SphereResult made, cons
   if (place == 0) return made;
   made.texture.update(fields::loads_of(made, recipe.stages[place - 1]));
   made.texture.update(fields::energy_balance(made.history));
-  made.texture.update(fields::triaxial_numbers(made));
-  made.texture.update(fields::shear_numbers(made));
   made.texture.update(fields::flows_of(made, recipe.stages[place - 1], stage.loaded_before()));
+  made.texture.update(fields::test_numbers(made));
   return made;
 }
 

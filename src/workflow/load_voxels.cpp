@@ -18,10 +18,12 @@
 #include "solid/grid/label_grains.hpp"
 #include "solid/grid/map_numbers.hpp"
 #include "solid/grid/rasterise_spheres.hpp"
+#include "solid/grid/thin_voids.hpp"
 #include "solid/peridynamics/space/lattice_in_space.hpp"
 #include "solid/peridynamics/space/load_in_space.hpp"
 #include "solid/stress/measure_voxels.hpp"
 #include "statistics/numbers.hpp"
+#include "workflow/field_numbers.hpp"
 #include "workflow/runner.hpp"
 
 namespace arenite::workflow {
@@ -169,6 +171,13 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
       notes.emplace_back(
           "no solid joins the two clamps: all load passes through bonds that reach across voids thinner than the "
           "horizon; method = \"elements\" (--method elements) lets none pass");
+    else if (!load.by_elements()) {
+      const int horizon = static_cast<int>(load.horizon_in_space);
+      auto crack =
+          note_of_bridged_crack(grid::longest_thin_void(map, horizon - 1), std::min({map.width, map.height, map.depth}),
+                                horizon, "method = \"elements\" (--method elements)");
+      if (!crack.empty()) notes.push_back(std::move(crack));
+    }
     stress::VoxelStressOptions statistics;
     statistics.clamp_layers = static_cast<int>(std::min<std::int64_t>(load.statistics.clamp_rows, (map.depth - 1) / 2));
     if (statistics.clamp_layers < load.statistics.clamp_rows)

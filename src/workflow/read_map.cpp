@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -14,8 +16,10 @@
 #include "io/image/phase_map.hpp"
 #include "io/image/pixel_size.hpp"
 #include "io/results/results.hpp"
+#include "io/volume/spheres.hpp"
 #include "solid/grid/map_numbers.hpp"
 #include "thermal/imaging/label_grains.hpp"
+#include "workflow/load_voxels.hpp"
 
 namespace arenite::workflow {
 namespace {
@@ -47,7 +51,55 @@ void tell_of_touching(const PhaseMap& map, const recipe::MapSection& section,
                   section.file, found, apart));
 }
 
+/// What a map is read from, by which some of its keys have an effect.
+enum Source : unsigned { from_picture = 1, from_field = 2, from_volume = 4, from_spheres = 8 };
+constexpr unsigned from_pixels = from_picture | from_volume, from_files = from_pixels | from_spheres;
+
+Source source_of(const recipe::MapSection& map) {
+  if (io::is_sphere_table(map.file)) return from_spheres;
+  if (is_in_space(map)) return from_volume;
+  return is_own_field(map) ? from_field : from_picture;
+}
+
+struct KeyOfSources {
+  std::string_view key;
+  unsigned sources;
+  const char* words;
+  bool (*is_given)(const recipe::MapSection&);
+};
+constexpr KeyOfSources keys_of_sources[] = {
+    {"phases", from_pixels, "a picture or a volume", [](const auto& map) { return !map.phases.empty(); }},
+    {"labels", from_pixels, "a picture or a volume",
+     [](const auto& map) { return map.labels != recipe::MapSection{}.labels; }},
+    {"dx", from_pixels, "a picture or a volume", [](const auto& map) { return map.dx.has_value(); }},
+    {"periodic", from_pixels, "a picture or a volume", [](const auto& map) { return map.periodic; }},
+    {"dataset", from_pixels, "a picture or a volume", [](const auto& map) { return !map.dataset.empty(); }},
+    {"label_dataset", from_pixels, "a picture or a volume", [](const auto& map) { return !map.label_dataset.empty(); }},
+    {"crop", from_files, "a picture", [](const auto& map) { return !map.crop.empty(); }},
+    {"slice", from_files, "a picture", [](const auto& map) { return map.slice.has_value(); }},
+    {"label_slice", from_files, "a picture", [](const auto& map) { return map.label_slice.has_value(); }},
+    {"voxels", from_spheres, "a table of spheres",
+     [](const auto& map) { return map.voxels != recipe::MapSection{}.voxels; }},
+    {"cement", from_spheres, "a table of spheres",
+     [](const auto& map) { return map.cement != recipe::MapSection{}.cement; }}};
+
 }  // namespace
+
+std::string idle_without(std::string_view key, const recipe::MapSection& map) {
+  if (key == "dimension") return map.dimension == 2 && is_in_space(map) ? "a picture" : "";
+  if (key == "horizon_in_space") return is_in_space(map) ? "" : "a sample in space";
+  if (key == "smoothing") return map.labels == "watershed" ? "" : "--labels watershed";
+  const auto at = std::ranges::find(keys_of_sources, key, &KeyOfSources::key);
+  return at == std::end(keys_of_sources) || (at->sources & source_of(map)) != 0 ? "" : at->words;
+}
+
+std::vector<std::string> idle_keys(const recipe::MapSection& map) {
+  std::vector<std::string> sentences;
+  for (const KeyOfSources& each : keys_of_sources)
+    if (each.is_given(map) && (each.sources & source_of(map)) == 0)
+      sentences.push_back(fmt::format("{}: only has an effect with {}; it is left aside", each.key, each.words));
+  return sentences;
+}
 
 PhaseMap read_map(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice) {
   if (map.dimension == 3) refuse(map.file, "is a sample in space where a map of the plane is wanted");

@@ -1,6 +1,8 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "model/phase_map.hpp"
 #include "model/result.hpp"
@@ -18,6 +20,12 @@ PhaseMap read_map(const recipe::MapSection& map, const std::function<void(const 
 
 /// The same from a file; its notes are told. Throws InputError for what cannot be read as a phase map.
 FieldResult read_sample(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice);
+
+/// What a map would have to be read from, or be given with, for that key of it or of its load to have an effect, "a
+/// table of spheres"; empty where it has one, or is refused with its reason.
+std::string idle_without(std::string_view key, const recipe::MapSection& map);
+/// Sentences on the keys of a map that are given, are not as they are otherwise, and have no effect on it.
+std::vector<std::string> idle_keys(const recipe::MapSection& map);
 
 /// Throws InputError for a load to failure of a map without a length: a crack needs one.
 void require_length(const recipe::MapSection& map, const recipe::Load& load);

@@ -164,9 +164,14 @@ class Run {
     return true;
   }
 
+  void tell_idle_keys(const recipe::MapSection& map) {
+    for (const std::string& sentence : idle_keys(map)) options_.notice("map." + sentence);
+  }
+
   /// The phase map and its loads.
   void load_map() {
     const recipe::MapSection map = recipe_.map_beside();
+    tell_idle_keys(map);
     for (const recipe::Load& load : recipe_.loads) require_length(map, load);
     if (!add_field(0, [&](const fs::path&) { return std::optional(read_sample(map, options_.notice)); })) return;
     io::write_atomically(folder_ / "recipe.toml", to_toml(recipe_));
@@ -175,6 +180,7 @@ class Run {
 
   void load_space() {
     const recipe::MapSection map = recipe_.map_beside();
+    tell_idle_keys(map);
     for (const recipe::Load& load : recipe_.loads) require_space(load);
     const auto make = [&] { return read_voxels(map, options_.notice); };
     load_voxels(0, make, [&] { io::write_atomically(folder_ / "recipe.toml", to_toml(recipe_)); });

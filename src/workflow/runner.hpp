@@ -116,8 +116,7 @@ template <class Result, class Make>
 LoadedMap<Result> load_by_itself(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options,
                                  Make make, void (*write)(const std::filesystem::path&, const Result&),
                                  Result (*read)(const std::filesystem::path&)) {
-  for (const std::string& key : load.idle_keys())
-    options.notice(fmt::format("{}: has no effect, because elements have no bonds", key));
+  for (const std::string& sentence : load.idle_keys()) options.notice(sentence);
   const PlannedStage stage = planned_stage(1, load.name, load_key(load, map_key(map)), true);
   Progress progress{.stage = 1, .stages = 1, .name = load.name, .field = true};
   const auto made = [&](const std::filesystem::path& checkpoint) {

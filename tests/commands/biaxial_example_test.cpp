@@ -70,10 +70,10 @@ TEST(BiaxialExample, ADenseSampleShearsAtTheSidePressureMobilisesFrictionAndDila
   double side = 0, strong = 0, weak = 0, share = 0, peak = 0;
   for (std::size_t i = 2; i < shear.size(); ++i) {
     const double x = number(shear[i], "strain_x"), y = number(shear[i], "strain_y");
-    EXPECT_NEAR(number(shear[i], "volume_strain"), 1 - (1 - x) * (1 - y), 1e-5);
+    EXPECT_NEAR(number(shear[i], "volumetric_strain"), 1 - (1 - x) * (1 - y), 1e-5);
     side += (number(shear[i], "p [Pa]") - number(shear[i], "q [Pa]")) / 10;
-    strong += number(shear[i], "a_c_signed_strong") / 10;
-    weak += number(shear[i], "a_c_signed_weak") / 10;
+    strong += number(shear[i], "a_c_strong") / 10;
+    weak += number(shear[i], "a_c_weak") / 10;
     share += number(shear[i], "strong_share") / 10;
     peak = std::max(peak, number(shear[i], "q_over_p"));
   }
@@ -86,8 +86,8 @@ TEST(BiaxialExample, ADenseSampleShearsAtTheSidePressureMobilisesFrictionAndDila
   EXPECT_NEAR(side, asked, 0.05 * asked);
   EXPECT_GT(peak, 0.25);  // below the sine of what mu = 0.5 and dilation allow, above that of smooth grains
   EXPECT_LT(peak, 0.75);
-  EXPECT_LT(number(shear.back(), "volume_strain"), -0.003);  // dense: dilates
-  EXPECT_GT(strong, weak + 0.2);                             // strong contacts lean to the compression
+  EXPECT_LT(number(shear.back(), "volumetric_strain"), -0.003);  // dense: dilates
+  EXPECT_GT(strong, weak + 0.2);                                 // strong contacts lean to the compression
   EXPECT_NEAR(share, 0.42, 0.06);
 
   const auto stored = std::get<StageResult>(io::read_result(io::stage_files(out).back()));

@@ -7,6 +7,7 @@ import os
 import re
 import subprocess
 import types
+import warnings
 
 import arenite
 import pytest
@@ -180,6 +181,12 @@ def test_tests_begin_with_what_one_asks_of_them(tmp_path):
     assert document["first"][0]["rows"][0]["cells"][0] in words
     curve = document["figures"][0]["drawing"]["panels"][0]
     assert {series["name"] for series in curve["series"]} == {"A", "B"} and "strain" in curve["x"]["label"]
+    packing = arenite.open(one).stages[-1].snapshots[-1].packing
+    with pytest.warns(UserWarning, match="give tilt_rate"):
+        arenite.coarse_grained(packing, "30 mm")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        arenite.coarse_grained(packing, "30 mm", tilt_rate=0.1)
 
 
 def test_the_command_prints_and_writes(result, tmp_path, capsys):

@@ -152,12 +152,16 @@ def test_the_command_draws(result, tmp_path):
 
 
 def test_files_of_the_current_folder_are_not_run(result, tmp_path):
-    (tmp_path / "json.py").write_text("import pathlib\npathlib.Path('ran').touch()\n")
+    for name in ("json", "sitecustomize", "usercustomize", "re"):
+        (tmp_path / f"{name}.py").write_text("import pathlib\npathlib.Path('ran').touch()\n")
+    environment = {**os.environ, "PYTHONPATH": ":"}  # as PYTHONPATH=$PYTHONPATH: leaves it
     for line in (
         ["figures", result.path, "--out", "f", "--format", "png", "--only", "packing"],
         ["compare", result.path, result.path, "--out", "c.html"],
     ):
-        run = subprocess.run([os.environ["ARENITE"], *line], cwd=tmp_path, capture_output=True, text=True)
+        run = subprocess.run(
+            [os.environ["ARENITE"], *line], cwd=tmp_path, capture_output=True, text=True, env=environment
+        )
         assert run.returncode == 0, run.stderr
     assert not (tmp_path / "ran").exists()
 

@@ -9,6 +9,7 @@ import subprocess
 import arenite
 import arenite.animate
 import arenite.figures
+import numpy as np
 import pytest
 
 root = pathlib.Path(__file__).parents[2]
@@ -212,3 +213,33 @@ def test_a_keyword_without_effect_is_a_warning():
         arenite.load(map, max_strain=0.01)
     with pytest.raises(TypeError, match="unexpected keyword argument 'speed'"):
         arenite.load(map, speed=1)
+
+
+def test_what_files_do_not_say_is_a_warning(tmp_path):
+    picture, volume = tmp_path / "disks.pgm", tmp_path / "balls.npy"
+    picture.write_text("P2\n9 4\n255\n" + 4 * "0 255 255 0 0 0 255 255 0\n")
+    with pytest.warns(arenite.FileWarning, match="the lower was taken as void"):
+        arenite.read_phase_map(picture, dx="1 mm")
+    np.save(volume, np.ones((4, 5, 6), np.uint8))
+    with pytest.warns(arenite.FileWarning) as told:
+        arenite.read_voxel_map(volume, phases={1: "matrix"}, voxels=64)
+    said = [str(each.message) for each in told]
+    assert any("voxels: only has an effect with a table of spheres" in one for one in said), said
+    assert any("lengths are in voxels, since dx was not given" in one for one in said), said
+
+
+def test_doubts_about_a_load_and_a_recipe_are_warnings(tmp_path):
+    map = arenite.PhaseMap([[1] * 16] * 16, dx="1 mm")
+    with pytest.warns(UserWarning, match="exact_stretch: has no effect, because elements have no bonds"):
+        arenite.load(map, method="elements", exact_stretch=True)
+    volume = tmp_path / "matrix.npy"
+    np.save(volume, np.ones((6, 6, 6), np.uint8))
+    (tmp_path / "recipe.toml").write_text(
+        '[map]\nfile = "matrix.npy"\nphases = "1=matrix"\nvoxels = 32\n[[loads]]\nname = "pulled"\nmethod = "elements"\n'
+        "exact_stretch = true\n"
+    )
+    with pytest.warns(UserWarning) as told:
+        arenite.run(tmp_path / "recipe.toml", tmp_path / "out")
+    said = [str(each.message) for each in told]
+    for sentence in ("map.voxels: only has an effect with a table of spheres", "exact_stretch: has no effect"):
+        assert any(sentence in one for one in said), said

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import arenite
-from arenite import animate, curves, flows
+from arenite import _compare_page, animate, compare, curves, flows
 from arenite.figures import motion, moving, spheres
 from arenite.figures.shots import shots_of
 from test_spheres import RECIPE
@@ -146,6 +146,17 @@ def test_tests_of_spheres_are_points_of_one_curve(pressed):
     assert found["inertial_number"].values[0] == found["inertial_number"].values[1] > 0
     assert 0 < found["mu"].values[0] < 2 and found["mu"].values[0] <= np.nanmax(along["q_over_p"].values)
     states = flows.critical_states([pressed], "axial")
+    told = pressed.spheres[-1].numbers
+    if "critical_state" in told:  # as `show` has it
+        assert states["mu"].values[0] == told["critical_state"]["q_over_p"]["value"]
+    assert states["reached"].values[0] == ("critical_state" in told)
     assert states["friction"].values == [pressed.spheres[-1].asked["friction"]]
     with pytest.raises(ValueError, match="no silo of disks"):
         flows.silos([pressed])
+
+
+def test_a_comparison_of_spheres_has_their_figures(pressed):
+    shown = {one["id"]: one["drawing"] for one in _compare_page.figures(compare.pairs_of(pressed, pressed))}
+    assert {"test-curves", "forces"} <= set(shown), list(shown)
+    ratio = shown["test-curves"]["panels"][0]
+    assert {series["name"] for series in ratio["series"]} == {"A", "B"} and ratio["y"]["brief"] == "q/p"

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <string>
+
+#include "core/error.hpp"
 #include "geometry/rim.hpp"
 #include "shapes.hpp"
 
@@ -162,6 +165,29 @@ TEST(Clumps, ALyingDumbbellSlidesAboveTheAngleOfFriction) {
     EXPECT_NEAR(end.contacts.fn[0] + end.contacts.fn[1], mass(p, 0) * gravity * std::cos(slope),
                 1e-3 * mass(p, 0) * gravity);
     EXPECT_NEAR(end.grains.angle[0], 0, 1e-5);
+  }
+}
+
+TEST(Clumps, ThatPassThroughEachOtherEndInAnErrorThatNamesThem) {
+  // A contact of soft grains takes up the energy of their relative motion below some 10 m/s.
+  const auto meet = [](double speed) {
+    Packing p = box(0.1, 1);
+    p.materials[pom].stiffness = 1e4;
+    add(p, Clump{dumbbell, {0.05, 0.48}, 6.2e-3, 0, {0, speed}});
+    add(p, Clump{dumbbell, {0.05, 0.52}, 6.2e-3});
+    p.grains.id = {7, 9};
+    Engine engine(p, {}, {});
+    while (time_of(engine) < 0.08 / speed) engine.advance(10);
+    return packing_of(engine).grains;
+  };
+  const Grains bounced = meet(1);
+  EXPECT_LT(bounced.position[0].y, bounced.position[1].y);
+  try {
+    meet(100);
+    FAIL() << "passed through";
+  } catch (const CannotGoOn& error) {
+    const std::string what = error.what();
+    EXPECT_TRUE(what.starts_with("grains 7 and 9 ") || what.starts_with("grains 9 and 7 ")) << what;
   }
 }
 

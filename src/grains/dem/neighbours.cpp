@@ -38,6 +38,10 @@ template <int D> bool is_joined(const SampleIn<D>& s, std::size_t slot, std::int
   return any_part(s, [&](const auto& part) { return part.joins(a, b); });
 }
 
+template <int D> bool is_foot(const SampleIn<D>& s, std::size_t slot) {
+  return any_part(s, [&](const auto& part) { return part.is_foot(s, slot); });
+}
+
 /// A contact turns about where the centre of one grain enters the other: what has gone so deep goes through. The list
 /// is the one that is about to be replaced, and is renewed several times while grains pass each other.
 template <int D> void check_pairs(const SampleIn<D>& s) {
@@ -45,12 +49,13 @@ template <int D> void check_pairs(const SampleIn<D>& s) {
     const auto &a = s.record[s.list.i[p]], &b = s.record[s.list.j[p]];
     const Vec<D> way = a.place - b.place;
     const double larger = std::max(a.radius, b.radius);
-    if (!(dot(way, way) < larger * larger) || is_part(s, s.list.i[p]) || is_part(s, s.list.owner[p])) continue;
+    if (!(dot(way, way) < larger * larger) || is_foot(s, p)) continue;  // polygons are checked with their feet
     const std::int32_t i = a.grain, j = s.record[s.list.owner[p]].grain;
     const Vec<D> at_start = s.start.grains.position[i] - s.start.grains.position[j];
     if (dot(at_start, at_start) < larger * larger || is_joined(s, p, i, j))
       continue;  // a sample given so crosses nothing
-    throw CannotGoOn("grains " + std::to_string(s.start.grains.id[i]) + " and " + std::to_string(s.start.grains.id[j]) +
+    const auto& id = grains_of(s).id;
+    throw CannotGoOn("grains " + std::to_string(id[grain_of(s, i)]) + " and " + std::to_string(id[grain_of(s, j)]) +
                      " overlap by more than the radius of the smaller one, and pass through each other, at step " +
                      std::to_string(s.step) + "; stiffer contacts, a smaller time step or a gentler load are needed");
   }
@@ -97,10 +102,6 @@ std::size_t find_slot(const ContactListIn<D>& list, std::int32_t a, std::int32_t
   if (b < 0) return slots(2 * a, [&](std::size_t p) { return list.j[p] == b && (p >= list.polygons) == as_polygon; });
   const std::size_t own = slots(2 * a, [&](std::size_t p) { return list.owner[p] == b; });
   return own < list.size() || !either ? own : slots(2 * a + 1, [&](std::size_t p) { return list.i[p] == b; });
-}
-
-template <int D> bool is_foot(const SampleIn<D>& s, std::size_t slot) {
-  return any_part(s, [&](const auto& part) { return part.is_foot(s, slot); });
 }
 
 /// Takes over what touching pairs remember from the list before a rebuild; disk k was number `was[k]` in it. A periodic

@@ -271,14 +271,6 @@ Columns strains_of_states(const Test& test) {
   return found;
 }
 
-Columns strains_of_box(const std::vector<Snapshot>& states, const Domain& start) {
-  const auto [x, y] = shortening(states, start.width(), start.height());
-  Columns found;
-  put_sides(x, y, found);
-  put_volume(x, y, found);
-  return found;
-}
-
 double at_time(const Values& time, const Values& values, double t) {
   const auto after = static_cast<std::size_t>(std::ranges::lower_bound(time, t) - time.begin());
   if (after == 0) return values.front();

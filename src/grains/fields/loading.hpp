@@ -38,9 +38,6 @@ std::optional<Loading> loading_in(const History& rows, const Test& test);
 /// Strains of a test at its stored states, named as above, behind their `time`.
 statistics::Columns strains_of_states(const Test& test);
 
-/// `strain_x`, `strain_y` and `volumetric_strain` of states since another of their box, for stages of any kind.
-statistics::Columns strains_of_box(const std::vector<Snapshot>& states, const Domain& start);
-
 /// `dissipated_energy` and `work`, J, since the first row; nothing where energies were not tracked.
 statistics::Columns energies_of(const History& rows);
 

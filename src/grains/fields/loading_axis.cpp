@@ -1,8 +1,15 @@
 #include "grains/fields/loading_axis.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <numbers>
+#include <utility>
+#include <vector>
+
+#include "statistics/estimate.hpp"
 
 namespace arenite::fields {
 namespace {
@@ -24,14 +31,24 @@ double cycled(const dem::Stage& stage, int of) {
   return stage.strain_cycles && stage.strain_cycles->of == of ? stage.strain_cycles->max : 0;
 }
 
+/// How the second side across an axis slides before the first, or its programme or cycles do.
+double sliding(const dem::Stage& stage, int axis) {
+  const auto slide = [&](int side) {
+    return at_first(stage, {What::slide, side}, stage.slide[static_cast<std::size_t>(side)]);
+  };
+  return slide(2 * axis + 1) - slide(2 * axis);
+}
+
+/// Of the cell, above 0 where du_x/dy is.
+double cell_shear(const dem::Stage& stage) {
+  const double rate = at_first(stage, {What::shear_rate}, stage.shear_rate);
+  return rate != 0 ? rate : cycled(stage, dem::StrainCycles::shear);
+}
+
 /// Above 0 where du_x/dy + du_y/dx is.
 double sheared(const dem::Stage& stage) {
-  const auto slide = [&](int side) { return at_first(stage, {What::slide, side}, stage.slide[side]); };
-  const double cell = at_first(stage, {What::shear_rate}, stage.shear_rate);
-  const double slid = slide(top) - slide(bottom) + slide(right) - slide(left);
-  for (const double way : {cell, cycled(stage, dem::StrainCycles::shear), slid})
-    if (way != 0) return way;
-  return 0;
+  const double cell = cell_shear(stage);
+  return cell != 0 ? cell : sliding(stage, 0) + sliding(stage, 1);
 }
 
 /// Above 0 where the two sides across an axis, as a whole, move in.
@@ -63,6 +80,12 @@ std::optional<double> pressure(const dem::Stage& stage, int axis) {
   return most;
 }
 
+Vec3 along_axis(int axis) {
+  Vec3 direction{};
+  direction[axis] = 1;
+  return direction;
+}
+
 double angle_of(int axis) { return axis == 0 ? 0 : std::numbers::pi / 2; }
 
 }  // namespace
@@ -78,6 +101,30 @@ std::optional<double> loading_axis(const dem::Stage& stage) {
   const auto across_x = pressure(stage, 0), across_y = pressure(stage, 1);
   if (!across_x || !across_y || *across_x == *across_y) return std::nullopt;
   return angle_of(*across_x > *across_y ? 0 : 1);
+}
+
+std::optional<Vec3> loading_direction(const dem::Stage& stage) {
+  const std::array<double, 3> speed{closing(stage, 0), closing(stage, 1), closing(stage, 2)};
+  const std::array<double, 3> slides{sliding(stage, 0), sliding(stage, 1) + cell_shear(stage), sliding(stage, 2)};
+  const auto some = [](double v) { return v != 0; };
+  if (const auto sheared = std::ranges::count_if(slides, some); sheared > 0) {
+    if (sheared > 1 || std::ranges::any_of(speed, some)) return std::nullopt;
+    const int across = static_cast<int>(std::ranges::find_if(slides, some) - slides.begin());
+    const double way = slides[static_cast<std::size_t>(across)] > 0 ? -1 : 1;
+    return (way * along_axis(across == 0 ? 1 : 0) + along_axis(across)) / std::numbers::sqrt2;
+  }
+  const auto closing = std::ranges::count_if(speed, [](double v) { return v > 0; }),
+             opening = std::ranges::count_if(speed, [](double v) { return v < 0; });
+  if (closing > 1 || (closing == 0 && opening != 0 && opening != 2)) return std::nullopt;
+  if (closing + opening > 0) return along_axis(static_cast<int>(std::ranges::max_element(speed) - speed.begin()));
+  std::vector<std::pair<double, int>> press;  // and axis, the largest first
+  for (int axis = 0; axis < 3; ++axis)
+    if (presses(stage, axis)) press.emplace_back(pressure(stage, axis).value_or(statistics::unknown), axis);
+  std::ranges::sort(press, std::greater{});
+  if (press.size() > 1 && !(press[0].first > press[1].first)) return std::nullopt;
+  const bool all_known = std::ranges::none_of(press, [](const auto& each) { return std::isnan(each.first); });
+  return press.size() == 1 || (press.size() > 1 && all_known) ? std::optional(along_axis(press.front().second))
+                                                              : std::nullopt;
 }
 
 }  // namespace arenite::fields

@@ -9,6 +9,7 @@
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "grains/fields/laboratory/curves_in_space.hpp"
+#include "grains/fields/laboratory/test_numbers.hpp"
 #include "grains/fields/silo.hpp"
 #include "grains/fields/steady_state.hpp"
 #include "statistics/numbers_text.hpp"
@@ -78,6 +79,9 @@ std::optional<StressedRows> stressed(const SphereResult* stage) {
                       (*of)["solid_fraction"], (*of)["inertial_number"]};
 }
 
+Numbers found_of(const Test& test) { return test_of(test); }
+Numbers found_of(const SphereResult* stage) { return test_of(*stage); }
+
 const StageResult& stage_of(const Test& test) { return test.stage; }
 const SphereResult& stage_of(const SphereResult* stage) { return *stage; }
 
@@ -113,24 +117,6 @@ Values sizes_of_ratio(const Values& shear, const Values& normal) {
   return ratio;
 }
 
-/// A plateau where there is one that tells its error, else the second half.
-std::vector<Estimate> critical_row(const AnyTest& test) {
-  const StressedRows of = stressed_rows(test);
-  const auto [shear, normal] = loaded_rows(of.shear, of.normal);
-  if (shear.size() < blocks_of_late)
-    throw refusal("the stage {} has too few rows under load for a plateau; run it for longer", name_of(test));
-  const Values& solid = of.solid_fraction;
-  const SteadyState ratio = find_steady_state(sizes_of_ratio(shear, normal)), density = find_steady_state(solid);
-  Estimate friction = steady_ratio(shear, normal);
-  if (!ratio.reached || !std::isfinite(friction.error))
-    friction = as_estimate(mean_of_blocks(about_ratio_of_means(shear, normal, shear.size() / 2), blocks_of_late));
-  const double both = ratio.reached && density.reached ? 1 : 0;
-  return {{asked_of(test).friction},
-          friction,
-          density.reached ? as_estimate(density.mean) : as_estimate(late_mean(solid)),
-          {both}};
-}
-
 double number_at(const Numbers& numbers, const std::string& path) {
   const Numbers* node = numbers.at_path(path);
   return node && node->is_number() ? node->get<double>() : statistics::unknown;
@@ -141,6 +127,40 @@ Estimate stored(const Numbers& numbers, const std::string& path) {
   const Numbers* node = numbers.at_path(path);
   if (node && node->is_tree()) return {number_at(*node, "/value"), number_at(*node, "/error")};
   return {number_at(numbers, path)};
+}
+
+/// What was found of a test in its critical state; nothing where it reached none.
+struct Plateau {
+  Estimate ratio, solid_fraction, inertial_number;
+};
+std::optional<Plateau> plateau_of(const AnyTest& any) {
+  const Numbers numbers = std::visit([](const auto& test) { return found_of(test); }, any);
+  for (const char* ratio : {"/critical_state/mu", "/critical_state/q_over_p"})
+    if (numbers.at_path(ratio))
+      return Plateau{stored(numbers, ratio), stored(numbers, "/critical_state/solid_fraction"),
+                     stored(numbers, "/critical_state/inertial_number")};
+  return {};
+}
+
+/// The critical state or, where none is reached, the second half.
+std::vector<Estimate> critical_row(const AnyTest& test) {
+  const StressedRows of = stressed_rows(test);
+  const double friction = asked_of(test).friction;
+  if (const auto plateau = plateau_of(test)) return {{friction}, plateau->ratio, plateau->solid_fraction, {1}};
+  const auto [shear, normal] = loaded_rows(of.shear, of.normal);
+  if (shear.size() < blocks_of_late)
+    throw refusal("the stage {} has too few rows under load for a plateau; run it for longer", name_of(test));
+  return {{friction},
+          as_estimate(mean_of_blocks(about_ratio_of_means(shear, normal, shear.size() / 2), blocks_of_late)),
+          as_estimate(late_mean(of.solid_fraction)),
+          {0}};
+}
+
+std::vector<Estimate> rheology_row(const AnyTest& test) {
+  const StressedRows of = stressed_rows(test);
+  if (const auto plateau = plateau_of(test)) return {plateau->inertial_number, plateau->ratio, plateau->solid_fraction};
+  return {as_estimate(steady(of.inertial_number).mean), steady_ratio(of.shear, of.normal),
+          as_estimate(steady(of.solid_fraction).mean)};
 }
 
 /// The rows of stages that have stored the first of these numbers.
@@ -166,23 +186,19 @@ Estimate steady_ratio(const Values& all_shear, const Values& all_normal) {
 }
 
 Columns rheology(const std::vector<AnyTest>& tests) {
-  std::vector<std::vector<Estimate>> rows;
-  for (const AnyTest& test : tests) {
-    const StressedRows of = stressed_rows(test);
-    rows.push_back({as_estimate(steady(of.inertial_number).mean), steady_ratio(of.shear, of.normal),
-                    as_estimate(steady(of.solid_fraction).mean)});
-  }
-  return table_of(std::move(rows), {{"inertial_number", "", "Mean inertial number"},
-                                    {"mu", "", "Ratio of the mean shear and normal stress, or of q and p", true},
-                                    {"solid_fraction", "", "Mean solid fraction of the whole box", true}});
+  return table_of(mapped(tests, rheology_row),
+                  {{"inertial_number", "", "Mean inertial number"},
+                   {"mu", "", "Ratio of the mean shear and normal stress, or of q and p", true},
+                   {"solid_fraction", "", "Mean solid fraction of the whole box", true}});
 }
 
 Columns critical_states(const std::vector<AnyTest>& tests) {
-  return table_of(mapped(tests, critical_row),
-                  {{"friction", "", "Friction coefficient between grains"},
-                   {"mu", "", "Ratio of the mean shear and normal stress, or of q and p, on the plateau", true},
-                   {"solid_fraction", "", "Mean solid fraction of the whole box on its plateau", true},
-                   {"reached", "", "1 where both have a plateau, 0 where the means are those of the second half"}});
+  return table_of(
+      mapped(tests, critical_row),
+      {{"friction", "", "Friction coefficient between grains"},
+       {"mu", "", "Ratio of the mean shear and normal stress, or of q and p, on the plateau", true},
+       {"solid_fraction", "", "Mean solid fraction of the whole box on its plateau", true},
+       {"reached", "", "1 in a critical state, 0 where none is reached and the means are those of the second half"}});
 }
 
 Columns discharges(const std::vector<AnyTest>& tests) {

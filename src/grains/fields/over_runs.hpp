@@ -11,13 +11,14 @@ using AnyTest = std::variant<Test, const SphereResult*>;
 
 /// Curves over several results, one value each, in the order of the first column.
 
-/// mu(I) and phi(I) of tests: `inertial_number`, `mu`, `solid_fraction`, means over the steady part of each with their
-/// errors. mu is that of the sheared sides, or q/p where nothing is sheared along them, and a ratio of means. Throws
-/// InputError for a stage without stresses on its sides.
+/// mu(I) and phi(I) of tests: `inertial_number`, `mu`, `solid_fraction` of their critical state (test_numbers.hpp) or,
+/// where none is reached, means over the steady part of each with their errors. mu is that of the sheared sides, or q/p
+/// where nothing is sheared along them, and a ratio of means. Throws InputError for a stage without stresses on its
+/// sides.
 statistics::Columns rheology(const std::vector<AnyTest>& tests);
 
-/// Plateaus against `friction`, mu between grains as the stages asked for it: `mu`, `solid_fraction` with errors that
-/// allow for correlation; `reached` is 0 where a plateau is uncertain: the means are then those of the second half.
+/// Critical states against `friction`, mu between grains as the stages asked for it: `mu`, `solid_fraction` with their
+/// errors; `reached` is 0 where there is none: the means are then those of the second half.
 statistics::Columns critical_states(const std::vector<AnyTest>& tests);
 
 /// Of stages that discharge: `opening`, m, the narrowest between boundaries, and `rate`, kg/s. Others are left out.

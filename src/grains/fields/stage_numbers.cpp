@@ -44,10 +44,13 @@ double deviation(const std::vector<double>& values) {
 }
 
 /// Standard deviation of values that may drift, by the differences of neighbours (J. von Neumann, Ann. Math. Stat. 12,
-/// 367, 1941).
-double deviation_of_neighbours(const std::vector<double>& values) {
+/// 367, 1941), those of angles the shorter way around their `period`.
+double deviation_of_neighbours(const std::vector<double>& values, double period) {
   double squares = 0;
-  for (std::size_t k = 1; k < values.size(); ++k) squares += (values[k] - values[k - 1]) * (values[k] - values[k - 1]);
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    const double apart = values[k] - values[k - 1], way = period > 0 ? std::remainder(apart, period) : apart;
+    squares += way * way;
+  }
   return std::sqrt(squares / (2 * static_cast<double>(values.size() - 1)));
 }
 
@@ -70,14 +73,14 @@ Nodes below(const Nodes& nodes, std::string_view name) {
 }
 
 /// An error, or the scatter of the value over states where that is clearly larger; lists item by item.
-Numbers widened(const Numbers& value, const Numbers& error, const Nodes& of_states) {
+Numbers widened(const Numbers& value, const Numbers& error, const Nodes& of_states, double period) {
   if (value.is_list()) {
     Numbers out = Numbers::list();
     for (std::size_t i = 0; i < value.size(); ++i) {
       Nodes items;
       for (const Numbers* node : of_states)
         if (node->is_list() && i < node->size()) items.push_back(&(*node)[i]);
-      out.push_back(widened(value[i], error.is_list() && i < error.size() ? error[i] : Numbers(), items));
+      out.push_back(widened(value[i], error.is_list() && i < error.size() ? error[i] : Numbers(), items, period));
     }
     return out;
   }
@@ -85,7 +88,7 @@ Numbers widened(const Numbers& value, const Numbers& error, const Nodes& of_stat
   for (const Numbers* node : of_states)
     if (node->is_number()) values.push_back(node->get<double>());
   if (!value.is_number() || values.size() < fewest_states) return error;
-  const double scatter = deviation_of_neighbours(values);
+  const double scatter = deviation_of_neighbours(values, period);
   return error.is_number() && scatter <= beyond_blocks * error.get<double>() ? error : Numbers(scatter);
 }
 
@@ -100,14 +103,14 @@ void set_error(Numbers& group, const std::string& name, Numbers& item, Numbers e
   item["error"] = std::move(error);
 }
 
-bool is_angle_with_period(const Numbers& number) { return number.meaning() && number.meaning()->period > 0; }
+double period_of(const Numbers& number) { return number.meaning() ? number.meaning()->period : 0; }
 
-/// Of all numbers that may have an error but directions, which have no mean in time.
+/// Of all numbers that may have an error.
 void widen(Numbers& node, const Nodes& states) {
   for (auto&& [name, item] : node.items())
     if (item.is_tree() && item.contains("error")) {
-      if (!is_angle_with_period(item))
-        set_error(node, name, item, widened(item["value"], item["error"], below(below(states, name), "value")));
+      set_error(node, name, item,
+                widened(item["value"], item["error"], below(below(states, name), "value"), period_of(item)));
     } else if (item.is_tree()) {
       widen(item, below(states, name));
     }

@@ -22,7 +22,7 @@ using statistics::Columns;
 using Values = std::vector<double>;
 
 /// Names of curves, and the numbers of the texture that stand below them.
-constexpr std::pair<const char*, const char*> numbers_of_states[] = {
+constexpr std::pair<const char*, const char*> names_of_numbers[] = {
     {"solid_fraction", "/solid_fraction"},
     {"z", "/coordination/all"},
     {"z_without_rattlers", "/coordination/without_rattlers"},
@@ -35,6 +35,8 @@ constexpr std::pair<const char*, const char*> numbers_of_states[] = {
     {"a_t", "/fabric/a_t"},
     {"theta_c", "/fabric/theta_c_deg"},
     {"mean_force", "/force/mean_N"},
+    {"strong_share", "/force/strong_share"},
+    {"q_on_strong", "/stress_details/strong_share_of_deviator"},
     {"p", "/stress_details/pressure_Pa"},
     {"q", "/stress_details/deviator_Pa"}};
 
@@ -66,6 +68,12 @@ std::vector<Numbers> textures_of(const StageResult& stage) {
     return state.packing.contacts.size() == 0 ? Numbers::tree()
                                               : texture::numbers(texture::measure(state.packing, options));
   });
+}
+
+std::vector<Numbers> textures_of(const SphereResult& stage) {
+  texture::SphereOptions options = texture::sphere_options(stage.asked);
+  options.rev.sizes = 0;
+  return mapped(stage.snapshots, [&](const auto& state) { return texture::measure_spheres(state.packing, options); });
 }
 
 /// Time of the first row, and of the ends of all cycles.
@@ -101,7 +109,7 @@ Values every_second(const Values& values, std::size_t first, std::size_t count) 
 
 /// The strains of states with the numbers of their textures.
 Columns with_numbers(Columns found, const std::vector<Numbers>& states) {
-  for (const auto& [name, path] : numbers_of_states) put_number(found, name, path, states);
+  for (const auto& [name, path] : names_of_numbers) put_number(found, name, path, states);
   if (!found.has("p") || !found.has("q")) return found;
   Values ratio = found["q"];
   for (std::size_t k = 0; k < ratio.size(); ++k)
@@ -111,6 +119,12 @@ Columns with_numbers(Columns found, const std::vector<Numbers>& states) {
 }
 
 }  // namespace
+
+template <int D> Columns numbers_of_states(const StageResultIn<D>& stage) {
+  return with_numbers({}, textures_of(stage));
+}
+template Columns numbers_of_states<2>(const StageResult&);
+template Columns numbers_of_states<3>(const SphereResult&);
 
 Columns curves_of_states(const Test& test) { return with_numbers(strains_of_states(test), textures_of(test.stage)); }
 
@@ -126,11 +140,7 @@ Columns states_in_space(const SphereResult& stage) {
            mapped(stage.snapshots,
                   [&](const auto& state) { return at_time(rows["time"], of->values, state.time - begin); }),
            {}});
-  texture::SphereOptions options = texture::sphere_options(stage.asked);
-  options.rev.sizes = 0;
-  return with_numbers(std::move(found), mapped(stage.snapshots, [&](const auto& state) {
-                        return texture::measure_spheres(state.packing, options);
-                      }));
+  return with_numbers(std::move(found), textures_of(stage));
 }
 
 std::map<std::int64_t, std::pair<std::size_t, std::size_t>> whole_cycles(const StageResult& stage) {

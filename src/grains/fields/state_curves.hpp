@@ -7,9 +7,13 @@
 
 namespace arenite::fields {
 
-/// Curves over the stored states of a test: its strains, and of the contacts `solid_fraction` (away from the walls),
-/// `z`, `z_without_rattlers`, `rattlers`, `a_c` (and signed by the axis of loading: all, strong, weak contacts), `a_n`,
-/// `a_t`, `theta_c`, `mean_force`, `p`, `q`, `q_over_p`, with their errors; NaN where a state has no such number.
+/// Of the stored states of a stage, disks or spheres: `solid_fraction` (away from the walls), `z`,
+/// `z_without_rattlers`, `rattlers`, `a_c` (and signed by the axis of loading: all, strong, weak contacts), `a_n`,
+/// `a_t`, `theta_c`, `mean_force`, `strong_share`, `p`, `q`, `q_on_strong`, `q_over_p`, with their errors; NaN where a
+/// state has no such number.
+template <int D> statistics::Columns numbers_of_states(const StageResultIn<D>& stage);
+
+/// Curves over the stored states of a test: its strains and those numbers.
 statistics::Columns curves_of_states(const Test& test);
 
 /// The same of a stage of spheres that is compressed along one axis or sheared: `time`, its strains

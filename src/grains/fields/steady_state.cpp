@@ -72,7 +72,10 @@ SteadyState block_average(std::span<const double> samples) {
   const Sums sums(samples);
   for (std::size_t length = 1; n / (2 * length) >= least_blocks; ++length) {
     const double g = variance_ratio(sums, length, plain.error), b = static_cast<double>(length);
-    if (plain.error > 0 && !(b * b * b > 2 * static_cast<double>(n) * g * g)) continue;
+    const double left = std::max(g, 1 / g);
+    const bool passes = b * b * b > 2 * static_cast<double>(n) * left * left || !(plain.error > 0);
+    const bool longest = n / (2 * length + 2) < least_blocks;
+    if (!passes && !(longest && g < 1)) continue;
     state.block = 2 * length;
     state.samples_per_independent = variance_ratio(sums, state.block, plain.error);
     const statistics::Measured blocked = statistics::mean_of(sums.block_means(state.block));

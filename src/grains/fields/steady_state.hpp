@@ -23,10 +23,12 @@ struct SteadyState {
 };
 
 /// Mean of correlated samples and its error by block averaging (H. Flyvbjerg and H. G. Petersen, J. Chem. Phys. 91,
-/// 461, 1989). Blocks are twice as long as the shortest B with B^3 > 2 n (e_B/e_1)^4, e_B the error that blocks of B
-/// give (R. M. Lee et al., Phys. Rev. E 83, 066706, 2011): that B balances the correlation left between blocks with the
-/// scatter of an error from few of them, but since the first to pass is taken, it passes too early more often than too
-/// late. The error has the freedom of the blocks less one; it is NaN where fewer than six blocks would be left.
+/// 461, 1989). Blocks are twice as long as the shortest B with B^3 > 2 n max(e_B/e_1, e_1/e_B)^4, e_B the error that
+/// blocks of B give (R. M. Lee et al., Phys. Rev. E 83, 066706, 2011): that B balances the correlation left between
+/// blocks, of either sign, with the scatter of an error from few of them, but since the first to pass is taken, it
+/// passes too early more often than too late. The error has the freedom of the blocks less one; where fewer than six
+/// blocks would be left it is NaN, or that of six where departures undo each other (e_B < e_1: the load of a servo):
+/// theirs is too large at worst.
 SteadyState block_average(std::span<const double> samples);
 
 /// Samples, from the first on, whose mean is the ratio of the means of a and b, |<a>/<b>|, and whose fluctuations are

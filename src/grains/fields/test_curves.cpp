@@ -116,6 +116,20 @@ std::optional<CriticalState> critical_state(const TestCurves& curves) {
   return state;
 }
 
+std::optional<Peak> peak_of(const TestCurves& curves, const std::optional<CriticalState>& state) {
+  const std::vector<double> ratio = running_ratio(curves);
+  const auto edge = static_cast<std::ptrdiff_t>(ratio.size() / 200);
+  const auto critical =
+      state ? std::ranges::find_if(curves.strain, [&](double v) { return v >= state->from; }) - curves.strain.begin()
+            : std::ssize(ratio);
+  const auto first = ratio.begin() + edge, last = ratio.begin() + std::min(critical, std::ssize(ratio) - edge);
+  if (first >= last) return {};
+  const auto known = [](double v) { return std::isfinite(v) ? v : -HUGE_VAL; };
+  const auto peak = std::ranges::max_element(first, last, {}, known);
+  if (!std::isfinite(*peak) || (state && !(*peak > statistics::confidence_95(state->ratio).high))) return {};
+  return Peak{static_cast<std::size_t>(peak - ratio.begin()), *peak};
+}
+
 Numbers numbers_of(const TestCurves& curves, const CriticalState& state) {
   Numbers j{
       {"strain", curves.strain_name},

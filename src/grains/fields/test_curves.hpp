@@ -54,6 +54,14 @@ struct CriticalState {
 /// end.
 std::optional<CriticalState> critical_state(const TestCurves& curves);
 
+/// The largest running ratio on the way to the critical state, where it is above all that this may be. Rows at the
+/// ends, whose means are of few, do not count.
+struct Peak {
+  std::size_t row = 0;
+  double ratio = 0;
+};
+std::optional<Peak> peak_of(const TestCurves& curves, const std::optional<CriticalState>& state);
+
 /// As `arenite show` and the page have it: from, to, the inertial number, whether it is sure, and value, error, low_95,
 /// high_95 of the ratio, by its name, and of the solid fraction.
 Numbers numbers_of(const TestCurves& curves, const CriticalState& state);

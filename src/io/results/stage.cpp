@@ -61,6 +61,10 @@ void transfer_asked(const Hdf5Group& file, Asked& asked, int every_side) {
   if (every_side == sides_in<3> && (at.reads() ? at.has_attribute("width [m]") : asked.box[0] > 0))
     for (std::size_t axis = 0; axis < 3; ++axis)
       at(std::array{"width [m]", "height [m]", "depth [m]"}[axis], asked.box[axis]);
+  const bool has_direction = asked.load_direction != std::array<double, 3>{};
+  if (every_side == sides_in<3> && (at.reads() ? at.has_attribute("load_direction_x") : has_direction))
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      at(std::string("load_direction_") + "xyz"[axis], asked.load_direction[axis]);
   at("in_motion", asked.in_motion);
   at("in_equilibrium", asked.in_equilibrium);
   if (!at.lacks("measure", !asked.measure)) {

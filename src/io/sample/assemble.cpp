@@ -1,8 +1,15 @@
 #include "io/sample/assemble.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <string>
+#include <vector>
 
 #include "io/sample/contact_rows.hpp"
 #include "io/sample/materials.hpp"
@@ -63,6 +70,29 @@ void finish(const SampleOptions& options, bool has_box, PackingIn<3>& packing, P
   }
 }
 
+template <int D> std::array<double, D> coordinates_of(Vec<D> place) {
+  std::array<double, D> each{};
+  for (int axis = 0; axis < D; ++axis) each[static_cast<std::size_t>(axis)] = place[axis];
+  return each;
+}
+
+/// A record that stands in a file twice counts twice.
+template <int D> void note_equal_places(const GrainsIn<D>& grains, std::vector<std::string>& notes) {
+  const auto coordinates = [&](std::size_t g) { return coordinates_of<D>(grains.position[g]); };
+  std::vector<std::size_t> order(grains.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, coordinates);
+  std::size_t count = 0, first = 0;
+  for (std::size_t k = 1; k < order.size(); ++k)
+    if (coordinates(order[k]) == coordinates(order[k - 1])) {
+      if (count++ == 0) first = k;
+    }
+  if (count == 0) return;
+  notes.push_back(fmt::format("{} at the centre of another, the first with ids {} and {}; each counts",
+                              count == 1 ? "One grain lies" : fmt::format("{} grains lie", count),
+                              grains.id[order[first - 1]], grains.id[order[first]]));
+}
+
 }  // namespace
 
 template <int D>
@@ -79,6 +109,7 @@ void assemble(const RawGrains& grains, const Laid<D>& laid, const RawContacts& c
   assign_materials(grains, options.materials, packing.materials, packing.grains.material, sample.notes, grain_problems);
   if (!unreadable) add_contacts(contacts, laid, index, options, sample, contact_problems);
   Problems::raise({&grain_problems, &contact_problems});
+  note_equal_places<D>(packing.grains, sample.notes);
   for (const auto* notes : {&grains.notes, &contacts.notes})
     sample.notes.insert(sample.notes.end(), notes->begin(), notes->end());
 }

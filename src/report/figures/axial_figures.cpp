@@ -11,7 +11,6 @@
 
 #include "core/mapped.hpp"
 #include "grains/fields/laboratory/axial_tests.hpp"
-#include "grains/fields/laboratory/triaxial.hpp"
 #include "grains/fields/loading.hpp"
 #include "report/figures/test_figures.hpp"
 
@@ -43,11 +42,11 @@ void add_modulus(Drawing& drawing, double modulus) {
 }
 
 /// Nothing where grains have no bonds.
-std::optional<Panel> broken_panel(const fields::TestCurves& curves, const StageData& data, const Values& strain,
-                                  Drawing& drawing) {
-  Panel panel = against_strain(curves, data, {.label = "broken bonds", .low = 0});
+std::optional<Panel> broken_panel(const Panel& plain, const History& history, const Values& strain, Drawing& drawing) {
+  Panel panel = plain;
+  panel.y = {.label = "broken bonds", .low = 0};
   for (const Mode& mode : modes)
-    if (const Values* count = data.stage.history.find(std::string("broken_in_") + mode.name)) {
+    if (const Values* count = history.find(std::string("broken_in_") + mode.name)) {
       panel.series.push_back({.name = mode.name, .colour = mode.colour, .x = strain, .y = *count, .line = Line::solid});
       drawing.key.push_back({std::string("broken in ") + mode.name, mode.colour});
     }
@@ -55,74 +54,14 @@ std::optional<Panel> broken_panel(const fields::TestCurves& curves, const StageD
   return panel;
 }
 
-/// What was found of the test, where it was found.
-void add_found(Panel& ratio, Drawing& drawing, const Numbers& found) {
-  if (const auto peak = estimate_at(found, "/peak/q_over_p"); std::isfinite(peak.value)) {
-    ratio.references.push_back({.x = 100 * estimate_at(found, "/peak/axial_strain").value,
-                                .y = peak.value,
-                                .label = "peak",
-                                .colour = "accent"});
-    drawing.key.push_back({"peak", "strong", {said("q/p", peak)}});
-  }
-  const auto state = estimate_at(found, "/critical_state/q_over_p");
-  if (!std::isfinite(state.value)) return;
-  const double half = 2 * state.error, from = 100 * estimate_at(found, "/critical_state/from").value,
-               to = 100 * estimate_at(found, "/critical_state/to").value;
-  ratio.series.push_back({.colour = "accent",
-                          .x = {from, to},
-                          .y = {state.value, state.value},
-                          .low = {state.value - half, state.value - half},
-                          .high = {state.value + half, state.value + half},
-                          .line = Line::solid,
-                          .is_read = false});
-  drawing.key.push_back({"critical state", "accent", {said("q/p", state)}});
-}
-
 }  // namespace
 
-Drawings triaxial_drawing(const SphereResult& stage) {
-  const auto curves = fields::triaxial_curves(stage, stage.asked.closes);
-  if (!curves || (*curves)["p"].size() < 3) return {};
-  const Values strain = scaled((*curves)["axial_strain"], 100);
-  Chosen states;
-  for (const SnapshotIn<3>& state : stage.snapshots)
-    states.x.push_back(fields::at_time(*stage.history.find("time"), strain, state.time));
-  const auto against = [&](Axis y) {
-    return Panel{.x = {.label = "axial strain in \u201c" + stage.name + "\u201d", .unit = "%", .brief = "axial strain"},
-                 .y = std::move(y),
-                 .now = states};
-  };
-  Drawing drawing;
-  if (!fields::is_confined(*curves)) {
-    const Scale scale = scale_of((*curves)["axial_stress"], "Pa");
-    Panel stress = against({.label = "stress along the axis", .unit = scale.unit, .brief = "stress"});
-    add_curve(stress, strain, scaled((*curves)["axial_stress"], 1 / scale.factor), "strong");
-    const auto strength = estimate_at(stage.texture, "/uniaxial/strength_Pa");
-    if (std::isfinite(strength.value)) {
-      stress.references.push_back({.x = 100 * estimate_at(stage.texture, "/uniaxial/strain_at_strength").value,
-                                   .y = strength.value / scale.factor,
-                                   .label = "largest stress",
-                                   .colour = "accent"});
-      drawing.key.push_back({"largest stress", "strong", {said_in_unit("\u03c3", strength, "Pa")}});
-    }
-    drawing.panels = {std::move(stress)};
-    return {drawing};
-  }
-  Panel ratio = against({.label = "q/p from the forces on the sides", .brief = "q/p"});
-  add_curve(ratio, strain, known_up_to((*curves)["q_over_p"], largest_ratio), "strong");
-  add_found(ratio, drawing, stage.texture);
-  Panel volume = against({.label = "volumetric strain", .unit = "%"});
-  volume.references.push_back({.y = 0});
-  add_curve(volume, strain, scaled((*curves)["volumetric_strain"], 100), "strong");
-  drawing.panels = {std::move(ratio), std::move(volume)};
-  return {drawing};
-}
-
-Drawing uniaxial_drawing(const fields::TestCurves& curves, const StageData& data) {
+Drawing uniaxial_drawing(const fields::TestCurves& curves, const Panel& plain, const History& history) {
   const Values strain = scaled(curves.strain, 100);
   const Scale scale = scale_of(curves.ratio, "Pa");
   Drawing drawing;
-  Panel panel = against_strain(curves, data, {.label = "stress along the axis", .unit = scale.unit, .brief = "stress"});
+  Panel panel = plain;
+  panel.y = {.label = "stress along the axis", .unit = scale.unit, .brief = "stress"};
   add_curve(panel, strain, scaled(curves.ratio, 1 / scale.factor), "strong");
   if (const auto test = fields::uniaxial_test(curves)) {
     const double sign = test->in_tension ? -1 : 1;
@@ -136,7 +75,7 @@ Drawing uniaxial_drawing(const fields::TestCurves& curves, const StageData& data
     add_modulus(drawing, test->modulus);
   }
   drawing.panels.push_back(std::move(panel));
-  if (auto broken = broken_panel(curves, data, strain, drawing)) drawing.panels.push_back(std::move(*broken));
+  if (auto broken = broken_panel(plain, history, strain, drawing)) drawing.panels.push_back(std::move(*broken));
   return drawing;
 }
 

@@ -35,7 +35,7 @@ Values times_of(const StageData& data) {
 
 bool is_of(const StageData& data, fields::TestKind kind) {
   return data.states.size() > 2 && norm(data.stage.asked.gravity) > 0 &&
-         fields::kind_of({data.stage, data.before}) == kind;
+         fields::kind_of(fields::Test{data.stage, data.before}) == kind;
 }
 
 std::vector<fields::FreeSurface> surfaces_of(const StageData& data) {

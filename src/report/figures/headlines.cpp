@@ -134,7 +134,7 @@ std::vector<Headline> headlines_of(const VoxelResult& sample) {
 
 std::vector<Headline> headlines_of(const SphereResult& sample) {
   std::vector<Headline> list;
-  add_known(list, headlines_of(fields::kind_in_space(sample)), sample.texture);
+  add_known(list, headlines_of(fields::kind_of(sample)), sample.texture);
   if (list.size() < 2) {
     list.clear();
     add_known(list,
@@ -175,6 +175,43 @@ std::vector<Headline> headlines_of(const FilmResult& film) {
   list.push_back(plain("pixels", fmt::format("{}\u202f\u00d7\u202f{}", film.film.width, film.film.height)));
   list.resize(list.size() >= 6 ? 6 : 3, list.back());
   return list;
+}
+
+std::string first_rows(const Numbers& numbers) {
+  using enum fields::TestKind;
+  std::string rows = "test_of_stage ";
+  for (const auto kind : {biaxial, shear, uniaxial, oedometer, cycles, discharge, collapse, deposit, drum})
+    for (const Headline& one : headlines_of(kind)) {
+      const std::string_view name = one.name;
+      const std::string group(name.substr(0, name.find('.') + 1));  // with the dot, so that no other begins like it
+      if (rows.find(" " + group) == std::string::npos) rows += group + " ";
+    }
+  std::ranges::replace(rows, '.', ' ');
+  return rows + "floor cohesion boundary_loads contacts " + (numbers.contains("surface") ? "" : "solid_fraction ") +
+         "coordination.all coordination.without_rattlers coordination.all,* coordination.rattlers coordination.Z "
+         "fabric.a_c fabric.a_c_noise long_axes.order long_axes.noise force.mean_N force.strong_share force.beta "
+         "sigma_norm.P0 stress_details.pressure_Pa stress_details.deviator_Pa map.lengths grains.all phases.particle "
+         "phases.void phases.matrix S_m pores.count pores.mean voids.count modulus_Pa poisson apparent_moduli "
+         "strength_Pa "
+         "failure.strain_at_strength stress.sigma_yy.sample_mean_Pa stress.sigma_yy.sets.*.mean_over_sample_mean "
+         "map.voxels map.phases map.grains load.voxels.carrying load.voxels.floating effective_stiffness.young_Pa "
+         "effective_stiffness.shear_Pa effective_stiffness.poisson effective_stiffness.isotropic_mean_Pa "
+         "effective_stiffness.anisotropy effective_stiffness.bounds_Pa stress.sigma_zz.sets.*.mean_over_sample_mean "
+         "stress.sigma_xz.sets.*.mean_over_sample_mean";
+}
+
+std::string_view first_of_studies(bool of_a_test) {
+  return of_a_test ? "coordination.all fabric.a_c force.mean_N"
+                   : "modulus_Pa strength_Pa poisson discharge.rate_kg_s surface.mean_angle_deg surface.angle_deg "
+                     "surface.runout_over_width floor.pressure_Pa critical_state.mu critical_state.q_over_p "
+                     "critical_state.solid_fraction solid_fraction coordination.all coordination.Z fabric.a_c "
+                     "stress_details.pressure_Pa stress_details.deviator_Pa force.mean_N sigma_norm.P0 S_m "
+                     "agreement.simulation_peak_to_peak.all.correlation stresses.film.mean_Pa forces.mean_N "
+                     "forces.fn_error_N";
+}
+
+bool is_asked_for(std::string_view name) {
+  return name == "discharge.opening_m" || name == "surface.aspect_ratio_before" || name == "cycles.count";
 }
 
 Numbers numbers_of(const std::vector<Headline>& list) {

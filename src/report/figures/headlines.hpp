@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "grains/fields/laboratory/test_kind.hpp"
@@ -30,6 +31,17 @@ std::vector<Headline> headlines_of(const VoxelResult& sample);
 std::vector<Headline> headlines_of(const SphereResult& sample);
 /// Of a film: six, or three where fewer are known.
 std::vector<Headline> headlines_of(const FilmResult& film);
+
+/// What `arenite show` prints first, as rows_of takes it: all that tests tell, then of grains, nodes and voxels, with
+/// every headline among it.
+std::string first_rows(const Numbers& numbers);
+
+/// Numbers that the figures of a study show first, parted by blanks: beside the headlines of its kind of test, or of a
+/// study of no test.
+std::string_view first_of_studies(bool of_a_test);
+
+/// Whether a headline says what was asked for, not what came of it.
+bool is_asked_for(std::string_view name);
 
 /// [words, symbol, name, share] of each, or {words, value, unit} of what is written as it is.
 Numbers numbers_of(const std::vector<Headline>& list);

@@ -180,7 +180,7 @@ Drawings travel(const StageData& data) {
 
 /// Bonds between grains that broke, by failure mode; those of a test along one axis stand beside its stress.
 Drawings grain_bonds(const StageData& data) {
-  if (fields::kind_of({data.stage, data.before}) == fields::TestKind::uniaxial) return {};
+  if (fields::kind_of(fields::Test{data.stage, data.before}) == fields::TestKind::uniaxial) return {};
   Drawing drawing = lines_over_time(data,
                                     {{"broken_in_tension", "tension"},
                                      {"broken_in_bending", "bending"},

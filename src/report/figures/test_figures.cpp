@@ -12,7 +12,7 @@
 #include "core/text.hpp"
 #include "grains/fields/laboratory/axial_tests.hpp"
 #include "grains/fields/laboratory/curves_in_space.hpp"
-#include "grains/fields/laboratory/shear_in_space.hpp"
+#include "grains/fields/laboratory/test_in_space.hpp"
 #include "grains/fields/laboratory/triaxial.hpp"
 #include "report/figures/axial_figures.hpp"
 
@@ -197,30 +197,40 @@ Drawing drawing_of_ratio(const fields::TestCurves& curves, const Panel& plain) {
   Drawing drawing;
   drawing.panels.push_back(ratio_panel(curves, plain, strain));
   drawing.panels.push_back(volume_panel(curves, plain, strain));
-  if (const auto state = fields::critical_state(curves)) {
+  const auto state = fields::critical_state(curves);
+  const char* symbol = curves.sheared ? "\u03bc" : "q/p";
+  if (const auto peak = fields::peak_of(curves, state)) {
+    drawing.panels.front().references.push_back(
+        {.x = strain[peak->row], .y = peak->ratio, .label = "peak", .colour = "accent"});
+    drawing.key.push_back({"peak", "strong", {said(symbol, {peak->ratio})}});
+  }
+  if (state) {
     add_critical_state(drawing.panels.front(), *state, factor);
-    drawing.key.push_back({.name = "critical state, 95\u202f%",
-                           .colour = "accent",
-                           .numbers = {with_half_interval(curves.sheared ? "\u03bc" : "q/p", state->ratio),
-                                       with_half_interval("\u03c6", state->solid_fraction)}});
+    drawing.key.push_back(
+        {.name = "critical state, 95\u202f%",
+         .colour = "accent",
+         .numbers = {with_half_interval(symbol, state->ratio), with_half_interval("\u03c6", state->solid_fraction)}});
   }
   return drawing;
+}
+
+Drawing drawing_of_test(const fields::TestCurves& curves, const Panel& plain, const History& history) {
+  return curves.confined ? drawing_of_ratio(curves, plain) : uniaxial_drawing(curves, plain, history);
 }
 
 }  // namespace
 
 Drawings test_curves(const StageData& data) {
-  const auto curves = fields::test_curves({data.stage, data.before});
+  const auto curves = fields::test_curves(fields::Test{data.stage, data.before});
   if (!curves) return {};
-  if (!curves->confined) return {uniaxial_drawing(*curves, data)};
   if (fields::is_oedometric({data.stage, data.before}, *curves)) return {oedometer_drawing(*curves, data)};
-  return {drawing_of_ratio(*curves, against_strain(*curves, data, {}))};
+  return {drawing_of_test(*curves, against_strain(*curves, data, {}), data.stage.history)};
 }
 
 Drawings test_curves(const SphereResult& stage) {
-  const auto shear = stage.asked.closes < 0 ? fields::shear_in_space(stage) : std::nullopt;
-  if (!shear) return triaxial_drawing(stage);
-  return {drawing_of_ratio(*shear, panel_of(*shear, stage, states_of(stage), {}))};
+  const auto curves = fields::test_curves(stage);
+  if (!curves) return {};
+  return {drawing_of_test(*curves, panel_of(*curves, stage, states_of(stage), {}), stage.history)};
 }
 
 }  // namespace arenite::report::figures

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <regex>
@@ -22,27 +21,12 @@ using campaign::CollectedTable;
 
 constexpr std::size_t most_figures = 8, most_curves = 8, most_panels = 8;
 
-/// What one asks of a run first, in the order of the page.
-constexpr std::string_view known_numbers =
-    "modulus_Pa strength_Pa poisson discharge.rate_kg_s surface.mean_angle_deg surface.angle_deg "
-    "surface.runout_over_width floor.pressure_Pa critical_state.mu critical_state.q_over_p "
-    "critical_state.solid_fraction solid_fraction coordination.all coordination.Z fabric.a_c "
-    "stress_details.pressure_Pa stress_details.deviator_Pa force.mean_N sigma_norm.P0 S_m "
-    "agreement.simulation_peak_to_peak.all.correlation stresses.film.mean_Pa forces.mean_N forces.fn_error_N";
-
-/// Beside what a test is asked first: of the sample that it ends with.
-constexpr std::string_view of_tests = "coordination.all fabric.a_c force.mean_N";
-
-/// Headlines that say what was asked for, not what came of it.
-constexpr std::string_view asked_for[] = {"discharge.opening_m", "surface.aspect_ratio_before", "cycles.count"};
-
 bool is_known(const CollectedTable& table, std::string_view name) { return std::ranges::count(table.names, name) > 0; }
 
 Headlines found_of(const CollectedTable& table, const Headlines& first) {
   Headlines found;
   for (const figures::Headline& one : first)
-    if (is_known(table, one.name) && std::ranges::find(asked_for, one.name) == std::end(asked_for))
-      found.push_back(one);
+    if (is_known(table, one.name) && !figures::is_asked_for(one.name)) found.push_back(one);
   return found;
 }
 
@@ -58,7 +42,7 @@ bool is_flow(const Headlines& first) {
 std::vector<std::string> main_numbers(const CollectedTable& table, const Headlines& first) {
   std::vector<std::string> found;
   if (is_flow(first)) return found;
-  for (const std::string_view name : split_blanks(first.empty() ? known_numbers : of_tests))
+  for (const std::string_view name : split_blanks(figures::first_of_studies(!first.empty())))
     if (found.size() < most_figures && is_known(table, name)) found.emplace_back(name);
   for (const std::string& name : table.names)
     if (first.empty() && found.size() < 3 && std::ranges::count(found, name) == 0) found.push_back(name);

@@ -184,7 +184,7 @@ StudyTests tests_of_study(const std::filesystem::path& study, const CollectedTab
   if (runs.empty()) return found;
   const Run& first = runs.front();
   found.kind = first.spheres.empty() ? fields::kind_of(std::get<fields::Test>(first.test()))
-                                     : fields::kind_in_space(first.spheres[first.place]);
+                                     : fields::kind_of(first.spheres[first.place]);
   for (const std::string& id : ids) {
     const auto& row = figures::figure_over_runs(id);
     try {

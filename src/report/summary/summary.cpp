@@ -11,6 +11,7 @@
 #include "grains/texture/spheres/spheres.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/results/results.hpp"
+#include "report/figures/headlines.hpp"
 #include "report/film_text.hpp"
 #include "report/page_document.hpp"
 #include "report/stage_doubts.hpp"
@@ -60,8 +61,10 @@ template <int D> Numbers last_texture(const StageResultIn<D>& stage) {
 }
 
 /// What a stage tells of a test of the laboratory; `before` is the packing that it began with, or null.
-Numbers test_of(const SphereResult& stage, const Packing* /*before*/) { return fields::test_among(stage.texture); }
-Numbers test_of(const StageResult& stage, const Packing* before) { return fields::test_of({stage, before}); }
+Numbers test_of(const SphereResult& stage, const Packing* /*before*/) { return fields::test_of(stage); }
+Numbers test_of(const StageResult& stage, const Packing* before) {
+  return fields::test_of(fields::Test{stage, before});
+}
 
 /// Loads that were not reached, and energies that do not balance, each a line; empty where all is well.
 std::string lines_of(const std::vector<std::string>& doubts) {
@@ -70,26 +73,7 @@ std::string lines_of(const std::vector<std::string>& doubts) {
   return text;
 }
 
-/// The numbers that one asks for first, as rows of a table: of a test what it tells, as on the page, then those of
-/// grains and of nodes.
-std::string headlines(const Numbers& numbers) {
-  return rows_of(
-      numbers,
-      "test_of_stage critical_state peak uniaxial oedometer cycles discharge surface floor cohesion boundary_loads "
-      "contacts "
-      "wall_contacts " +
-          std::string(numbers.contains("surface") ? "" : "solid_fraction ") +
-          "coordination.all coordination.without_rattlers "
-          "coordination.all,* coordination.rattlers coordination.Z fabric.a_c fabric.a_c_noise long_axes.order "
-          "long_axes.noise force.mean_N force.strong_share force.beta stress_details.pressure_Pa "
-          "stress_details.deviator_Pa map.lengths grains.all "
-          "phases.void phases.matrix S_m pores.count pores.mean voids.count modulus_Pa poisson apparent_moduli "
-          "strength_Pa failure.strain_at_strength stress.sigma_yy.sets.*.mean_over_sample_mean map.voxels "
-          "map.phases map.grains load.voxels.carrying load.voxels.floating effective_stiffness.young_Pa "
-          "effective_stiffness.shear_Pa effective_stiffness.poisson effective_stiffness.isotropic_mean_Pa "
-          "effective_stiffness.anisotropy effective_stiffness.bounds_Pa stress.sigma_zz.sets.*.mean_over_sample_mean "
-          "stress.sigma_xz.sets.*.mean_over_sample_mean");
-}
+std::string headlines(const Numbers& numbers) { return rows_of(numbers, figures::first_rows(numbers)); }
 
 void add_notes(const Numbers& node, std::string& lines) {
   if (!node.is_tree()) return;

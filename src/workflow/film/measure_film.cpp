@@ -55,14 +55,11 @@ class Measurement {
       options_.progress({stage, 5, name, share, 0, 0, false, false});
       return !options_.asked_to_stop();
     };
-    const auto& given = recipe_.lockin;
-    return {.frequency = given.frequency,
-            .drift_order = static_cast<int>(given.drift),
-            .harmonics = static_cast<int>(given.harmonics),
-            .convention = AmplitudeConvention::peak_to_peak,
-            .reference_phase = given.phase,
-            .threads = options_.threads,
-            .progress = progress};
+    thermography::LockinOptions o = recipe_.lockin.options();
+    o.convention = AmplitudeConvention::peak_to_peak;
+    o.threads = options_.threads;
+    o.progress = progress;
+    return o;
   }
 
   bool lock_in(FilmSource& film, FilmResult& r) {

@@ -8,6 +8,7 @@
 #include "grains/fields/laboratory/shear_in_space.hpp"
 #include "grains/fields/laboratory/tested_stage.hpp"
 #include "grains/fields/laboratory/triaxial.hpp"
+#include "grains/fields/loading.hpp"
 
 namespace arenite::fields {
 

@@ -8,6 +8,7 @@
 
 #include "core/mapped.hpp"
 #include "grains/fields/laboratory/box_in_space.hpp"
+#include "grains/fields/loading.hpp"
 
 namespace arenite::fields {
 namespace {
@@ -63,31 +64,6 @@ std::optional<statistics::Columns> shear_columns(const SphereResult& result) {
   curves.put("inertial_number", "", "Rate of shear times mean diameter over sqrt(normal stress/density)",
              inertial_numbers(of->strain, *time, normal, packing));
   return curves;
-}
-
-std::optional<TestCurves> shear_in_space(const SphereResult& result) {
-  auto columns = shear_columns(result);
-  const auto size = [](const Values& values) { return mapped(values, [](double v) { return std::abs(v); }); };
-  if (!columns || (*columns)["tau"].size() < 3 || !(std::ranges::max((*columns)["normal_stress"]) > 0)) return {};
-  TestCurves curves;
-  curves.sheared = true;
-  curves.strain_name = "shear strain";
-  curves.strain = size((*columns)["shear_strain"]);
-  if (std::ranges::max(curves.strain) < strain_of_a_test) return {};
-  curves.ratio = size((*columns)["mu"]);
-  curves.shear = (*columns)["tau"], curves.normal = (*columns)["normal_stress"];
-  curves.volume = (*columns)["volumetric_strain"];
-  curves.solid_fraction = (*columns)["solid_fraction"];
-  curves.inertial_number = (*columns)["inertial_number"];
-  return curves;
-}
-
-Numbers shear_numbers(const SphereResult& result) {
-  Numbers numbers = Numbers::tree();
-  const auto curves = result.asked.closes < 0 ? shear_in_space(result) : std::nullopt;
-  if (const auto state = curves ? critical_state(*curves) : std::nullopt)
-    numbers["critical_state"] = numbers_of(*curves, *state);
-  return numbers;
 }
 
 }  // namespace arenite::fields

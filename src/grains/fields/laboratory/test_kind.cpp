@@ -5,8 +5,7 @@
 
 #include "grains/fields/free_surface.hpp"
 #include "grains/fields/laboratory/axial_tests.hpp"
-#include "grains/fields/laboratory/shear_in_space.hpp"
-#include "grains/fields/laboratory/triaxial.hpp"
+#include "grains/fields/laboratory/test_in_space.hpp"
 #include "grains/fields/state_curves.hpp"
 
 namespace arenite::fields {
@@ -45,15 +44,15 @@ TestKind kind_of(const Test& test) {
   return kind == TestKind::none && numbers.at_path("/surface/solid_fraction") ? TestKind::deposit : kind;
 }
 
-TestKind kind_in_space(const SphereResult& stage) {
+TestKind kind_of(const SphereResult& stage) {
   if (stage.snapshots.empty()) return TestKind::none;
-  if (stage.texture.at_path("/discharge")) return TestKind::discharge;
-  if (stage.texture.at_path("/uniaxial")) return TestKind::uniaxial;
-  if (stage.texture.at_path("/surface") && in_drum(stage.snapshots.back().packing.domain)) return TestKind::drum;
-  if (stage.texture.at_path("/surface/runout_m")) return TestKind::collapse;
-  if (triaxial_curves(stage, stage.asked.closes)) return TestKind::biaxial;
-  if (shear_in_space(stage)) return TestKind::shear;
-  return stage.texture.at_path("/surface/solid_fraction") ? TestKind::deposit : TestKind::none;
+  const Numbers& numbers = stage.texture;
+  if (numbers.at_path("/discharge")) return TestKind::discharge;
+  if (numbers.at_path("/surface") && in_drum(stage.snapshots.back().packing.domain)) return TestKind::drum;
+  if (numbers.at_path("/surface/runout_m")) return TestKind::collapse;
+  if (const auto curves = test_curves(stage))
+    return curves->sheared ? TestKind::shear : curves->confined ? TestKind::biaxial : TestKind::uniaxial;
+  return numbers.at_path("/surface/solid_fraction") ? TestKind::deposit : TestKind::none;
 }
 
 const char* name_of(TestKind kind) {

@@ -18,7 +18,7 @@ enum class TestKind {
 };
 TestKind kind_of(const Test& test);
 /// Of spheres: a biaxial test is triaxial in space.
-TestKind kind_in_space(const SphereResult& stage);
+TestKind kind_of(const SphereResult& stage);
 
 /// "biaxial", ..; empty where it is none.
 const char* name_of(TestKind kind);

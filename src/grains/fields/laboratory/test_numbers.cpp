@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "grains/fields/laboratory/axial_tests.hpp"
+#include "grains/fields/laboratory/test_in_space.hpp"
 #include "grains/fields/laboratory/test_kind.hpp"
 #include "grains/fields/state_curves.hpp"
 
@@ -17,24 +18,14 @@ namespace {
 using statistics::described;
 using Values = std::vector<double>;
 
-/// The largest ratio of stresses on the way to the critical state, where it is above all that this may be. Rows at the
-/// ends, whose means are of few, do not count.
 Numbers peak_numbers(const TestCurves& curves, const std::optional<CriticalState>& state) {
-  const Values ratio = running_ratio(curves);
-  const auto edge = static_cast<std::ptrdiff_t>(ratio.size() / 200);
-  const auto critical =
-      state ? std::ranges::find_if(curves.strain, [&](double v) { return v >= state->from; }) - curves.strain.begin()
-            : std::ssize(ratio);
-  const auto first = ratio.begin() + edge, last = ratio.begin() + std::min(critical, std::ssize(ratio) - edge);
-  if (first >= last) return {};
-  const auto known = [](double v) { return std::isfinite(v) ? v : -HUGE_VAL; };
-  const auto peak = std::ranges::max_element(first, last, {}, known);
-  if (!std::isfinite(*peak) || (state && !(*peak > statistics::confidence_95(state->ratio).high))) return {};
-  const auto row = static_cast<std::size_t>(peak - ratio.begin());
-  return {{curves.ratio_name(),
-           described(*peak, "", "Largest ratio of stresses, each the mean over a hundredth of the test")},
-          {"strain", described(curves.strain[row], "", "Strain there")},
-          {"volumetric_strain", described(curves.volume[row], "", "Volumetric strain there, compaction positive")}};
+  const auto peak = peak_of(curves, state);
+  if (!peak) return {};
+  return {
+      {curves.ratio_name(),
+       described(peak->ratio, "", "Largest ratio of stresses, each the mean over a hundredth of the test")},
+      {"strain", described(curves.strain[peak->row], "", "Strain there")},
+      {"volumetric_strain", described(curves.volume[peak->row], "", "Volumetric strain there, compaction positive")}};
 }
 
 Numbers end_numbers(const TestCurves& curves) {
@@ -55,7 +46,7 @@ Numbers broken_up_to(const History& history, std::size_t row, const char* senten
   return broken;
 }
 
-Numbers uniaxial_numbers(const StageResult& stage, const UniaxialTest& test) {
+Numbers uniaxial_numbers(const History& history, const UniaxialTest& test) {
   Numbers j{{"strength_Pa", described(test.strength, "Pa",
                                       "Largest stress along the axis that the sample bore; of one sample, so that its "
                                       "error is not known")},
@@ -65,11 +56,11 @@ Numbers uniaxial_numbers(const StageResult& stage, const UniaxialTest& test) {
   statistics::put(j, "modulus_Pa", test.modulus, "Pa",
                   "Slope of stress over strain from a tenth to half of the strength; of one sample, so that its error "
                   "is not known");
-  const std::size_t last = stage.history.columns.front().values.size() - 1;
-  Numbers broken = broken_up_to(stage.history, last, "Bonds between grains that broke in the stage");
+  const std::size_t last = history.columns.front().values.size() - 1;
+  Numbers broken = broken_up_to(history, last, "Bonds between grains that broke in the stage");
   if (broken.empty()) return j;
   j["broken"] = std::move(broken);
-  j["broken_at_strength"] = broken_up_to(stage.history, test.peak, "Those that had broken at the largest stress");
+  j["broken_at_strength"] = broken_up_to(history, test.peak, "Those that had broken at the largest stress");
   return j;
 }
 
@@ -100,26 +91,38 @@ Numbers cycle_numbers(const Test& test) {
            described(volume.back() - volume.front(), "", "The same of the volumetric strain, compaction positive")}};
 }
 
+void put_known(Numbers& j, const char* name, Numbers numbers) {
+  if (!numbers.empty()) j[name] = std::move(numbers);
+}
+
+/// What curves tell, of disks and of spheres.
+void put_found(Numbers& j, const TestCurves& curves, TestKind kind, const History& history) {
+  const auto state = critical_state(curves);
+  if (state) put_known(j, "critical_state", numbers_of(curves, *state));
+  if (kind == TestKind::biaxial || kind == TestKind::shear) {
+    put_known(j, "peak", peak_numbers(curves, state));
+    put_known(j, "end", end_numbers(curves));
+  }
+  if (const auto uniaxial = uniaxial_test(curves)) put_known(j, "uniaxial", uniaxial_numbers(history, *uniaxial));
+}
+
 }  // namespace
 
 Numbers test_numbers(const Test& test) {
   Numbers j = Numbers::tree();
-  const auto put = [&j](const char* name, Numbers numbers) {
-    if (!numbers.empty()) j[name] = std::move(numbers);
-  };
   const TestKind kind = kind_of(test);
-  if (kind == TestKind::cycles) put("cycles", cycle_numbers(test));
+  if (kind == TestKind::cycles) put_known(j, "cycles", cycle_numbers(test));
   const auto curves = test_curves(test);
   if (!curves) return j;
-  const auto state = critical_state(*curves);
-  if (state) put("critical_state", numbers_of(*curves, *state));
-  if (kind == TestKind::biaxial || kind == TestKind::shear) {
-    put("peak", peak_numbers(*curves, state));
-    put("end", end_numbers(*curves));
-  }
-  if (const auto uniaxial = uniaxial_test(*curves)) put("uniaxial", uniaxial_numbers(test.stage, *uniaxial));
+  put_found(j, *curves, kind, test.stage.history);
   if (kind == TestKind::oedometer)
-    if (const auto oedometer = oedometer_test(test, *curves)) put("oedometer", oedometer_numbers(*oedometer));
+    if (const auto oedometer = oedometer_test(test, *curves)) put_known(j, "oedometer", oedometer_numbers(*oedometer));
+  return j;
+}
+
+Numbers test_numbers(const SphereResult& stage) {
+  Numbers j = Numbers::tree();
+  if (const auto curves = test_curves(stage)) put_found(j, *curves, kind_of(stage), stage.history);
   return j;
 }
 
@@ -134,6 +137,11 @@ Numbers test_among(const Numbers& stored) {
 Numbers test_of(const Test& test) {
   Numbers stored = test_among(test.stage.texture);
   return stored.empty() ? test_numbers(test) : stored;
+}
+
+Numbers test_of(const SphereResult& stage) {
+  Numbers stored = test_among(stage.texture);
+  return stored.empty() ? test_numbers(stage) : stored;
 }
 
 }  // namespace arenite::fields

@@ -6,14 +6,11 @@
 
 #include "grains/fields/laboratory/box_in_space.hpp"
 #include "grains/fields/loading.hpp"
-#include "grains/fields/steady_state.hpp"
-#include "grains/fields/test_curves.hpp"
 
 namespace arenite::fields {
 namespace {
 
 using Values = std::vector<double>;
-using statistics::described;
 
 }  // namespace
 
@@ -66,45 +63,6 @@ bool is_confined(const statistics::Columns& curves) {
   for (std::size_t k = 0; k < p.size(); ++k)
     if (3 * p[k] - axial[k] > 1e-3 * most) return true;
   return false;
-}
-
-Numbers triaxial_numbers(const SphereResult& result) {
-  Numbers numbers = Numbers::tree();
-  const auto curves = triaxial_curves(result, result.asked.closes);
-  if (!curves || (*curves)["p"].size() < 20) return numbers;
-  const Values &p = (*curves)["p"], &q = (*curves)["q"], &strain = (*curves)["axial_strain"];
-  if (!is_confined(*curves)) {
-    const Values& stress = (*curves)["axial_stress"];
-    const auto most = std::ranges::max_element(stress);
-    numbers["uniaxial"] = {
-        {"strength_Pa", described(*most, "Pa", "Largest stress along the axis, from the forces on the sides")},
-        {"strain_at_strength",
-         described(strain[static_cast<std::size_t>(most - stress.begin())], "", "Strain along the axis there")}};
-    return numbers;
-  }
-  const Values mean_q = running_mean(q), mean_p = running_mean(p);
-  Values ratio;
-  for (std::size_t k = 0; k < p.size(); ++k) ratio.push_back(mean_p[k] > 0 ? mean_q[k] / mean_p[k] : 0);
-  const auto at = static_cast<std::size_t>(std::ranges::max_element(ratio, {}, [](double v) { return std::abs(v); }) -
-                                           ratio.begin());
-  numbers["peak"] = {
-      {"q_over_p",
-       described(ratio[at], "", "q/p where it is largest in size, of its running mean over a hundredth of the rows")},
-      {"axial_strain", described(strain[at], "", "Strain along the axis there")},
-      {"volumetric_strain",
-       described((*curves)["volumetric_strain"][at], "", "Volumetric strain there, compaction positive")}};
-  if (std::ranges::any_of(p, [](double value) { return !(value > 0); })) return numbers;
-  const SteadyState of_ratio = find_steady_state((*curves)["q_over_p"]),
-                    of_fraction = find_steady_state((*curves)["solid_fraction"]);
-  if (!of_ratio.reached || !of_fraction.settled) return numbers;
-  const std::size_t first = std::max(of_ratio.first, of_fraction.first);
-  const SteadyState steady = block_average(about_ratio_of_means(q, p, first));
-  numbers["critical_state"] = {
-      {"from", described(strain[first], "", "Strain beyond which the ratio and the volume only fluctuate")},
-      {"to", described(strain.back(), "", "Last strain of the test")},
-      {"q_over_p", described({{"value", steady.mean.value}, {"error", steady.mean.error}}, "",
-                             "Mean q over mean p in the critical state, from the forces on the sides")}};
-  return numbers;
 }
 
 }  // namespace arenite::fields

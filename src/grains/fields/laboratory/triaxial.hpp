@@ -20,9 +20,4 @@ std::optional<statistics::Columns> triaxial_curves(const SphereResult& result, i
 /// Whether the sides across the axis press, too; else it is a test of uniaxial compression.
 bool is_confined(const statistics::Columns& curves);
 
-/// Of uniaxial compression "uniaxial", the largest stress and its strain. Of others "peak", where the running mean of
-/// q/p is largest (test_curves.hpp), and "critical_state", the part in which q/p only fluctuates, if it is reached:
-/// mean q over mean p with its error. Empty of another stage.
-Numbers triaxial_numbers(const SphereResult& result);
-
 }  // namespace arenite::fields

@@ -12,6 +12,7 @@
 #include "core/text.hpp"
 #include "core/unit_names.hpp"
 #include "grains/dem/history/history.hpp"
+#include "grains/fields/discharge.hpp"
 #include "grains/fields/driven.hpp"
 #include "grains/fields/laboratory/curves_in_space.hpp"
 #include "grains/fields/laboratory/triaxial.hpp"

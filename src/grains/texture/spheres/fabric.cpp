@@ -128,7 +128,7 @@ void put_fabric(Numbers& j, const SphereView& view, const Items& items) {
   if (view.load_axis != Vec3{})
     put(j, "a_c_signed", r[a_c_signed], "",
         "3/2 of a's part along the load: a_c with its sign where the fabric is symmetric about the load",
-        view.options.load_axis ? Trait::none : Trait::by_forces);
+        view.axis_is_given ? Trait::none : Trait::by_forces);
   put(j, "a_c_noise", 7.5 / std::sqrt(static_cast<double>(items.size())), "",
       "a_c of the same number of random orientations, root mean square");
   put(j, "phi", Numbers{{"value", rows_of(tensor_of(value.data()))}, {"error", rows_of(tensor_of(error.data()))}}, "",
@@ -157,6 +157,9 @@ SphereStatistic sphere_fabric;
 void sphere_fabric(const SphereView& view, Numbers& to) {
   if (view.contacts.empty()) return;
   Numbers& j = to["fabric"] = Numbers::tree();
+  if (view.axis_is_given)
+    put(j, "load_direction", direction(view.load_axis), "", "Direction of the load: x, y, z of a unit vector",
+        Trait::detail);
   put_fabric(j, view, view.contacts);
   Items strong, weak;
   for (const std::size_t c : view.contacts) (view.pairs().fn[c] > view.mean_force ? strong : weak).push_back(c);

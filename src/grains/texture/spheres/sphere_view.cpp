@@ -92,7 +92,9 @@ SphereView::SphereView(const PackingIn<3>& p, const SphereOptions& o) : packing(
     contacts.push_back(c);
   }
   mean_force = mean_push(pairs(), contacts);
+  axis_is_given = options.load_axis || options.load_direction != Vec3{};
   if (options.load_axis) load_axis = {std::cos(*options.load_axis), std::sin(*options.load_axis), 0};
+  else if (axis_is_given) load_axis = options.load_direction;
   else if (has_forces) load_axis = compression_axis(packing);
 }
 

@@ -38,8 +38,9 @@ struct SphereView {
   std::vector<std::uint8_t> rattler;   ///< by sphere
   BlockCube blocks;
   std::vector<int> grain_block, contact_block;
-  double mean_force = 0;  ///< of considered contacts that push, N
-  Vec3 load_axis;         ///< as the options say it, or that of greatest compression; 0 where neither is known
+  double mean_force = 0;       ///< of considered contacts that push, N
+  bool axis_is_given = false;  ///< by the options; else it is the sample's own
+  Vec3 load_axis;              ///< as the options say it, or that of greatest compression; 0 where neither is known
 
   const ContactsIn<3>& pairs() const { return packing.contacts; }
   std::string material_name(int m) const { return name_of_material(packing.materials, m); }

@@ -46,7 +46,7 @@ std::vector<std::string> notes_of(const SphereView& view) {
         "out.");
   else if (auto note = note_of_sides_away<3>(view.packing.domain); !note.empty()) notes.push_back(std::move(note));
   if (!view.has_forces && view.pairs().size() > 0) notes.emplace_back(forces_not_known);
-  if (!view.options.load_axis && view.has_forces)
+  if (!view.axis_is_given && view.has_forces)
     notes.push_back(
         "The direction of the load is not given: a_c_signed refers to the sample's own axis of greatest compression.");
   const bool walled = view.has_box && view.packing.domain.periodic != std::array{true, true, true};
@@ -79,6 +79,8 @@ SphereOptions sphere_options(const Asked& asked) {
   SphereOptions options;
   if (asked.measure) static_cast<Measuring&>(options) = *asked.measure;
   if (!asked.known) return options;
+  if (std::isfinite(asked.load_axis)) options.load_axis = asked.load_axis;
+  options.load_direction = {asked.load_direction[0], asked.load_direction[1], asked.load_direction[2]};
   options.gravity = {asked.gravity.x, asked.gravity.y, 0};
   options.rattler_contacts = asked.friction > 0 ? 2 : 4;
   return options;

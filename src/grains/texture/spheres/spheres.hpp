@@ -12,6 +12,7 @@ namespace arenite::texture {
 /// Choices that the definitions leave open for samples in space.
 struct SphereOptions : Measuring {
   int rattler_contacts = 4;  ///< a sphere with fewer force-bearing contacts than this is a rattler
+  Vec3 load_direction = {};  ///< where load_axis does not give it: a unit vector; 0: that of greatest compression
   Vec3 gravity = {};         ///< m/s^2; for the balance of spheres and walls only
   RevWindows rev = {};
 };

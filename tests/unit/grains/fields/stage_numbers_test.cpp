@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "unit/grains/texture/packings.hpp"
 
@@ -58,6 +59,25 @@ TEST(StageNumbers, OfASampleInMotionHaveTheScatterOfItsStates) {
   EXPECT_NEAR(share_of(moving, "error"), swing / std::sqrt(2), 1e-9);
   EXPECT_EQ(moving["coordination"]["all"]["error"].get<double>(),
             rest["coordination"]["all"]["error"].get<double>());  // all touch as before
+}
+
+TEST(StageNumbers, DirectionsOfASampleInMotionScatterAsItsStatesDo) {
+  constexpr double turn = 0.3;  // rad, of every second state
+  StageResult result;
+  for (std::size_t k = 0; k < 12; ++k) {
+    Packing& packing = result.snapshots.emplace_back().packing = test::random_network(3, 400);
+    for (std::size_t c = 0; c < packing.contacts.size(); ++c) {
+      const double angle = 1.5 + 0.05 * (static_cast<double>(c % 7) - 3) + (k % 2 == 1 ? turn : 0);
+      packing.contacts.normal[c] = {std::cos(angle), std::sin(angle)};
+    }
+  }
+  texture::Options options;
+  options.in_time = texture::TimeScatter{{1, 1, 1, 1}, 0.3};
+  const auto texture = texture::measure(result.snapshots.back().packing, options);
+  const Numbers moving = stage_numbers({result, {}, nullptr, texture, &options});
+  EXPECT_LT(texture::numbers(texture)["fabric"]["theta_c_deg"]["error"].get<double>(), 2);
+  EXPECT_NEAR(moving["fabric"]["theta_c_deg"]["error"].get<double>(), turn * 180 / std::numbers::pi / std::sqrt(2), 0.1)
+      << "over 90 degrees, where the direction passes from one end of its range to the other";
 }
 
 TEST(StageNumbers, OfASampleInMotionHaveUnknownErrorsWhereStatesAreFewAndThePressureSwings) {

@@ -67,6 +67,37 @@ TEST(SteadyState, IntervalOfCorrelatedSamplesCoversTheTruthAtItsRate) {
   }
 }
 
+TEST(SteadyState, ErrorOfDeparturesThatUndoEachOtherIsThatOfWhatRemains) {
+  // Integral control: a departure is made good by the next steps. The mean of n samples scatters by sqrt((1 + phi)/(1 -
+  // phi)/n), which for -0.9 is 0.23 of what as many independent ones would.
+  for (const double phi : {-0.5, -0.9}) {
+    const double g = (1 + phi) / (1 - phi);
+    const Rate r = over_series(500, 2500, phi, 0, 1);
+    EXPECT_NEAR(r.error / std::sqrt(g / 2500), 1.0, 0.15) << phi;
+    EXPECT_GT(r.covered, 0.90) << phi;
+    EXPECT_LT(r.covered, 0.98) << phi;
+  }
+  // Where nothing remains, sums of all departures being bounded, the error falls with every longer block; that of six
+  // is sqrt(6) times too large.
+  double squares = 0, told = 0;
+  constexpr int series = 200, n = 480;
+  for (int k = 0; k < series; ++k) {
+    RandomStream random(static_cast<std::uint64_t>(k), Purpose::test, 7);
+    std::vector<double> x;
+    double before = random.normal();
+    for (int i = 0; i < n; ++i) {
+      const double now = random.normal();
+      x.push_back(now - before);
+      before = now;
+    }
+    const SteadyState s = block_average(x);
+    EXPECT_LE(s.mean.freedom, 5);
+    squares += s.mean.value * s.mean.value;
+    told += s.mean.error * s.mean.error;
+  }
+  EXPECT_NEAR(std::sqrt(told / squares), std::sqrt(6.0), 0.3);
+}
+
 TEST(SteadyState, BeginsWhereTheTransientHasDecayed) {
   // A jump of 20 deviations, exp(-k/50): at 20 exp(-3.0) = 1 deviation it is lost in the noise, which takes 150
   // samples; twice the point found lies between that and half the series.

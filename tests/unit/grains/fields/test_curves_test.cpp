@@ -64,7 +64,7 @@ TEST(TestCurves, OfABiaxialTestAreStrainRatioAndVolumeOfTheSides) {
     test.of("bottom_force")[k] = test.of("top_force")[k] = 3e3 * 0.01 * test.of("right_position")[k];  // 3 kPa
     test.of("left_force")[k] = test.of("right_force")[k] = 1e3 * 0.01 * test.of("top_position")[k];    // 1 kPa
   }
-  const auto curves = test_curves({test.stage});
+  const auto curves = test_curves(fields::Test{test.stage});
   ASSERT_TRUE(curves);
   EXPECT_EQ(curves->strain_name, "strain of the height");
   EXPECT_EQ(curves->ratio_name(), "q_over_p");
@@ -83,7 +83,7 @@ TEST(TestCurves, OfABiaxialTestAreAlongTheAxisOfCompressionThoughTheWidthGrowsBy
     test.of("bottom_force")[k] = test.of("top_force")[k] = 3e3 * 0.01 * test.of("right_position")[k];
     test.of("left_force")[k] = test.of("right_force")[k] = 1e3 * 0.01 * test.of("top_position")[k];
   }
-  const auto curves = test_curves({test.stage});
+  const auto curves = test_curves(fields::Test{test.stage});
   EXPECT_EQ(curves->strain_name, "strain of the height");
   EXPECT_NEAR(curves->strain.back(), 0.4, 1e-12);
   ASSERT_TRUE(critical_state(*curves));
@@ -100,17 +100,17 @@ TEST(TestCurves, UnderLoadsOnBothAxesHaveNoCriticalState) {
     test.of("left_force")[k] = test.of("right_force")[k] = 1e3 * 0.01 * test.of("top_position")[k];
   }
   test.stage.texture["loads"]["right"]["asked_Pa"] = 1e3;
-  ASSERT_TRUE(critical_state(*test_curves({test.stage}))) << "the top moves at a given speed";
+  ASSERT_TRUE(critical_state(*test_curves(fields::Test{test.stage}))) << "the top moves at a given speed";
   test.stage.texture["loads"]["top"]["asked_Pa"] = 3e3;
-  EXPECT_TRUE(test_curves({test.stage})->by_stress);
-  EXPECT_FALSE(critical_state(*test_curves({test.stage}))) << "its ratio is what was asked for";
+  EXPECT_TRUE(test_curves(fields::Test{test.stage})->by_stress);
+  EXPECT_FALSE(critical_state(*test_curves(fields::Test{test.stage}))) << "its ratio is what was asked for";
 }
 
 TEST(TestCurves, ACriticalStateTellsItsInertialNumber) {
   Loading test = steady_shear(0.3);
   Packing& packing = test.stage.snapshots.back().packing;
   packing.materials = {{"glass", 2500, 1e6, 0}};
-  const auto curves = test_curves({test.stage});
+  const auto curves = test_curves(fields::Test{test.stage});
   const auto state = critical_state(*curves);
   ASSERT_TRUE(state);
   const double pressure = 100 / (0.1 * 0.01), expected = 4.0 / 1999 * 0.1 * std::sqrt(2500 / pressure);
@@ -123,12 +123,12 @@ TEST(TestCurves, OfASampleThatIsDrawnApartAreOfTheStressAlongTheAxis) {
   test.of("top_position") = {0.1, 0.101, 0.102, 0.103, 0.104};
   test.of("bottom_force") = test.of("top_force") = {0.2, -0.1, -0.3, -0.2, -0.1};
   test.of("left_force") = test.of("right_force") = {0.2, 0.05, -0.1, -0.1, 0};
-  const auto curves = test_curves({test.stage});
+  const auto curves = test_curves(fields::Test{test.stage});
   ASSERT_TRUE(curves);
   EXPECT_EQ(curves->ratio_name(), "axial_stress");
   EXPECT_NEAR(curves->ratio[2], -0.3 / (0.1 * 0.01), 1e-9);
   test.of("top_position") = {0.1, 0.099, 0.098, 0.097, 0.096};
-  EXPECT_EQ(test_curves({test.stage})->ratio_name(), "q_over_p");
+  EXPECT_EQ(test_curves(fields::Test{test.stage})->ratio_name(), "q_over_p");
 }
 
 TEST(TestCurves, WithoutConfinementAreOfTheStressAlongTheAxis) {
@@ -137,7 +137,7 @@ TEST(TestCurves, WithoutConfinementAreOfTheStressAlongTheAxis) {
   test.stage.snapshots.back().packing.domain.thickness = 0.06;
   for (std::size_t k = 0; k < 5; ++k)
     test.of("bottom_force")[k] = test.of("top_force")[k] = 600.0 * static_cast<double>(k);
-  const auto curves = test_curves({test.stage});
+  const auto curves = test_curves(fields::Test{test.stage});
   ASSERT_TRUE(curves);
   EXPECT_EQ(curves->ratio_name(), "axial_stress");
   EXPECT_NEAR(curves->ratio[4], 2400 / (0.1 * 0.06), 1e-6);
@@ -147,15 +147,15 @@ TEST(TestCurves, WithoutConfinementAreOfTheStressAlongTheAxis) {
 TEST(TestCurves, AreNotThoseOfAStageThatHardlyStrains) {
   Loading test(5, false);
   test.of("top_position") = {0.1, 0.09999, 0.09998, 0.09997, 0.09996};
-  EXPECT_FALSE(test_curves({test.stage}));
+  EXPECT_FALSE(test_curves(fields::Test{test.stage}));
   test.stage.history.columns.clear();
-  EXPECT_FALSE(test_curves({test.stage}));
+  EXPECT_FALSE(test_curves(fields::Test{test.stage}));
 }
 
 TEST(TestCurves, ACriticalStateCoversWhatMadeIt) {
   int covered = 0;
   for (const double plateau : {0.2, 0.25, 0.3, 0.35, 0.4}) {
-    const auto curves = test_curves({steady_shear(plateau).stage});
+    const auto curves = test_curves(fields::Test{steady_shear(plateau).stage});
     ASSERT_TRUE(curves);
     EXPECT_EQ(curves->ratio_name(), "mu");
     const auto state = critical_state(*curves);
@@ -191,7 +191,7 @@ Loading slow_fluctuations(double plateau, std::uint64_t seed) {
 TEST(TestCurves, ACriticalStateOfFewFluctuationsHasAWideIntervalAndSaysSo) {
   int found = 0, covered = 0, sure = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    const auto curves = test_curves({slow_fluctuations(0.3, seed).stage});
+    const auto curves = test_curves(fields::Test{slow_fluctuations(0.3, seed).stage});
     const auto state = critical_state(*curves);
     if (!state) continue;
     ++found;
@@ -219,7 +219,7 @@ TEST(TestCurves, ARatioIsThatOfTheMeansAndNotTheMeanOfRatios) {
     test.of("top_shear_force")[k] = -along;
     if (k >= 1000) shear += along, normal += force, ratios += along / force / 1000;
   }
-  const auto state = critical_state(*test_curves({test.stage}));
+  const auto state = critical_state(*test_curves(fields::Test{test.stage}));
   ASSERT_TRUE(state);
   EXPECT_GT(ratios - shear / normal, 0.01);
   EXPECT_NEAR(state->ratio.value, shear / normal, 3 * state->ratio.error);
@@ -244,7 +244,7 @@ StageResult slid_to_and_fro() {
 }
 
 TEST(TestCurves, OfAProgrammedSlideAreOfTheWayThatItWent) {
-  const auto curves = test_curves({slid_to_and_fro()});
+  const auto curves = test_curves(fields::Test{slid_to_and_fro()});
   ASSERT_TRUE(curves);
   EXPECT_EQ(curves->strain_name, "shear strain");
   // 15 mm in the first second, then 5 mm forth and 5 mm back in half a second each; over 100 mm of height, since the
@@ -258,7 +258,7 @@ TEST(TestCurves, OfAProgrammedSlideAreOfTheWayThatItWent) {
 TEST(TestCurves, NoCriticalStateWhileTheVolumeChanges) {
   Loading test = steady_shear(0.3);
   for (std::size_t k = 0; k < 2000; ++k) test.of("top_position")[k] = 0.1 - 1e-6 * static_cast<double>(k);
-  EXPECT_FALSE(critical_state(*test_curves({test.stage})));
+  EXPECT_FALSE(critical_state(*test_curves(fields::Test{test.stage})));
 }
 
 TEST(TestCurves, NoCriticalStateWhereTheRatioDriftsOrTheStrainTurns) {
@@ -266,10 +266,10 @@ TEST(TestCurves, NoCriticalStateWhereTheRatioDriftsOrTheStrainTurns) {
   for (std::size_t k = 0; k < 2000; ++k)
     rising.of("bottom_shear_force")[k] = 0.02 * static_cast<double>(k),
     rising.of("top_shear_force")[k] = -rising.of("bottom_shear_force")[k];
-  EXPECT_FALSE(critical_state(*test_curves({rising.stage})));
+  EXPECT_FALSE(critical_state(*test_curves(fields::Test{rising.stage})));
   Loading back = steady_shear(0.3);
   for (std::size_t k = 0; k < 2000; ++k) back.of("shear_strain")[k] = std::sin(static_cast<double>(k) * 0.01);
-  EXPECT_FALSE(critical_state(*test_curves({back.stage})));
+  EXPECT_FALSE(critical_state(*test_curves(fields::Test{back.stage})));
 }
 
 TEST(TestCurves, RunningRatioIsThatOfTheMeans) {

@@ -33,6 +33,14 @@ TEST(SampleCsv, ARadiusThatItsDiameterContradictsIsRefused) {
               "grains.csv:3: radius and diameter contradict each other");
 }
 
+TEST(SampleCsv, GrainsAtOnePlaceAreTold) {
+  const auto notes = [](const std::string& rows) { return Files("id,x,y,radius\n" + rows, no_contacts).read().notes; };
+  EXPECT_TRUE(says(notes("1,0,0,1\n2,3,0,1\n7,0,0,1\n"),
+                   "One grain lies at the centre of another, the first with ids 1 and 7; each counts"));
+  EXPECT_TRUE(says(notes("1,3,0,1\n2,3,0,1\n7,0,0,1\n8,0,0,1\n"), "2 grains lie at the centre of another"));
+  EXPECT_FALSE(says(notes("1,0,0,1\n2,3,0,1\n"), "centre of another"));
+}
+
 TEST(SampleCsv, AWallThatIsNamedFirstIsTheSameContact) {
   SampleOptions o;
   o.box = {4, 4};

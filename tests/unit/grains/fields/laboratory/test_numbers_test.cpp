@@ -50,8 +50,8 @@ StageResult rock(double sign = 1) {
 TEST(TestNumbers, OfARockAreStrengthModulusAndBrokenBonds) {
   for (const double sign : {1.0, -1.0}) {
     const StageResult stage = rock(sign);
-    EXPECT_EQ(kind_of({stage}), TestKind::uniaxial);
-    const Numbers found = test_numbers({stage});
+    EXPECT_EQ(kind_of(fields::Test{stage}), TestKind::uniaxial);
+    const Numbers found = test_numbers(fields::Test{stage});
     const Numbers& n = found["uniaxial"];
     EXPECT_NEAR(n["strength_Pa"].get<double>(), 100e6, 1);
     EXPECT_NEAR(n["strain_at_strength"].get<double>(), 2e-3, 1e-12);
@@ -68,14 +68,14 @@ TEST(TestNumbers, OfARockAreStrengthModulusAndBrokenBonds) {
 TEST(TestNumbers, OfARockThatStillHoldsSayThatItHasNotFailed) {
   StageResult stage = rock();
   for (auto& c : stage.history.columns) c.values.resize(210);
-  EXPECT_FALSE(test_numbers({stage})["uniaxial"]["failed"].get<bool>());
+  EXPECT_FALSE(test_numbers(fields::Test{stage})["uniaxial"]["failed"].get<bool>());
 }
 
 TEST(TestNumbers, AreReadAsTheyAreStored) {
   StageResult stage = rock();
-  EXPECT_EQ(test_of({stage})["uniaxial"]["failed"].get<bool>(), true);
+  EXPECT_EQ(test_of(fields::Test{stage})["uniaxial"]["failed"].get<bool>(), true);
   stage.texture = {{"uniaxial", {{"strength_Pa", 3.0}}}, {"solid_fraction", 0.8}};
-  EXPECT_EQ(test_of({stage}), Numbers({{"uniaxial", {{"strength_Pa", 3.0}}}}));
+  EXPECT_EQ(test_of(fields::Test{stage}), Numbers({{"uniaxial", {{"strength_Pa", 3.0}}}}));
 }
 
 double growth_at(double strain) { return 0.05 * (1 - std::exp(-4 * strain)); }
@@ -103,7 +103,7 @@ StageResult dense(std::size_t rows = 3000) {
 }
 
 TEST(TestNumbers, OfADenseSampleHaveAPeakBeforeTheCriticalState) {
-  const Numbers found = test_numbers({dense()});
+  const Numbers found = test_numbers(fields::Test{dense()});
   ASSERT_TRUE(found.contains("critical_state") && found.contains("peak"));
   EXPECT_LT(found["peak"]["strain"].get<double>(), found["critical_state"]["from"].get<double>());
   EXPECT_NEAR(found["peak"]["mu"].get<double>(), 0.3 + 0.3 * std::exp(-0.4), 0.03);
@@ -131,8 +131,8 @@ StageResult oedometer() {
 
 TEST(TestNumbers, OfAnOedometerAreItsModulusAndTheLateralStress) {
   const StageResult stage = oedometer();
-  EXPECT_EQ(kind_of({stage}), TestKind::oedometer);
-  const Numbers n = test_numbers({stage})["oedometer"];
+  EXPECT_EQ(kind_of(fields::Test{stage}), TestKind::oedometer);
+  const Numbers n = test_numbers(fields::Test{stage})["oedometer"];
   EXPECT_NEAR(n["modulus_Pa"].get<double>(), 2e7, 1);
   EXPECT_NEAR(n["lateral_ratio"].get<double>(), 0.4, 1e-12);
   EXPECT_NEAR(n["stress_Pa"].get<double>(), 2e5, 1e-6);
@@ -142,7 +142,7 @@ TEST(TestNumbers, OfAnOedometerAreItsModulusAndTheLateralStress) {
 TEST(TestNumbers, OfASampleThatAPressureClosesFromNothingAreNone) {
   StageResult stage = oedometer();
   stage.asked.in_motion = false;
-  EXPECT_EQ(kind_of({stage}), TestKind::none);
+  EXPECT_EQ(kind_of(fields::Test{stage}), TestKind::none);
 }
 
 TEST(TestNumbers, OfACompressionFromAllSidesAreNone) {
@@ -153,28 +153,28 @@ TEST(TestNumbers, OfACompressionFromAllSidesAreNone) {
     column(stage, "right_position")[k] = column(stage, "top_position")[k] = size;
     for (const char* side : {"left", "right", "bottom", "top"}) column(stage, std::string(side) + "_force")[k] = 10;
   }
-  EXPECT_EQ(kind_of({stage}), TestKind::none);
-  EXPECT_TRUE(test_numbers({stage}).empty());
+  EXPECT_EQ(kind_of(fields::Test{stage}), TestKind::none);
+  EXPECT_TRUE(test_numbers(fields::Test{stage}).empty());
 }
 
 TEST(TestKind, TellsASiloACollapseAndADrum) {
   StageResult stage = box(2);
   stage.texture = Numbers{{"surface", Numbers{{"runout_m", 0.1}}}};
-  EXPECT_EQ(kind_of({stage}), TestKind::collapse);
+  EXPECT_EQ(kind_of(fields::Test{stage}), TestKind::collapse);
   Boundary drum;
   drum.points = {{0, 0}, {1, 0}, {0, 1}};
   drum.closed = true;
   drum.spin = 1;
   stage.snapshots.back().packing.domain.boundaries.push_back(drum);
-  EXPECT_EQ(kind_of({stage}), TestKind::drum);
+  EXPECT_EQ(kind_of(fields::Test{stage}), TestKind::drum);
   stage.texture["discharge"] = Numbers{{"steady", true}};
-  EXPECT_EQ(kind_of({stage}), TestKind::discharge);
+  EXPECT_EQ(kind_of(fields::Test{stage}), TestKind::discharge);
 }
 
 TEST(TestKind, TellsCyclesByTheirTable) {
   StageResult stage = rock();
   stage.cycles.columns = {{"cycle", "1", {1, 1, 2, 2}}};
-  EXPECT_EQ(kind_of({stage}), TestKind::cycles);
+  EXPECT_EQ(kind_of(fields::Test{stage}), TestKind::cycles);
 }
 
 }  // namespace
