@@ -46,8 +46,7 @@ class Run {
   RunOutcome outcome() {
     for (const std::string& sentence : recipe_.notices) options_.notice(sentence);
     if (const std::string sentence = folder_.what_was_put_aside(); !sentence.empty()) options_.notice(sentence);
-    if (recipe_.map && is_in_space(recipe_.map_beside())) load_space();
-    else if (recipe_.map) load_map();
+    if (recipe_.map) load_map(recipe_.map_beside());
     else if (recipe_.dimension == 3) void(pack<3>() && load_grains<3>() && load_cemented_spheres());
     else if (pack<2>() && load_grains<2>() && recipe_.has_field()) load_cemented();
     if (outcome_.interrupted) return std::move(outcome_);
@@ -164,23 +163,17 @@ class Run {
     return true;
   }
 
-  void tell_idle_keys(const recipe::MapSection& map) {
+  /// The phase map, or the sample in space, and its loads.
+  void load_map(const recipe::MapSection& map) {
     for (const std::string& sentence : idle_keys(map)) options_.notice("map." + sentence);
-  }
-
-  /// The phase map and its loads.
-  void load_map() {
-    const recipe::MapSection map = recipe_.map_beside();
-    tell_idle_keys(map);
+    if (is_in_space(map)) return load_space(map);
     for (const recipe::Load& load : recipe_.loads) require_length(map, load);
     if (!add_field(0, [&](const fs::path&) { return std::optional(read_sample(map, options_.notice)); })) return;
     io::write_atomically(folder_ / "recipe.toml", to_toml(recipe_));
     load_nodes(0, nullptr);
   }
 
-  void load_space() {
-    const recipe::MapSection map = recipe_.map_beside();
-    tell_idle_keys(map);
+  void load_space(const recipe::MapSection& map) {
     for (const recipe::Load& load : recipe_.loads) require_space(load);
     const auto make = [&] { return read_voxels(map, options_.notice); };
     load_voxels(0, make, [&] { io::write_atomically(folder_ / "recipe.toml", to_toml(recipe_)); });

@@ -9,6 +9,7 @@ import subprocess
 import arenite
 import arenite.animate
 import arenite.figures
+import h5py
 import numpy as np
 import pytest
 
@@ -216,8 +217,9 @@ def test_a_keyword_without_effect_is_a_warning():
 
 
 def test_what_files_do_not_say_is_a_warning(tmp_path):
-    picture, volume = tmp_path / "disks.pgm", tmp_path / "balls.npy"
-    picture.write_text("P2\n9 4\n255\n" + 4 * "0 255 255 0 0 0 255 255 0\n")
+    picture, volume = tmp_path / "disks.h5", tmp_path / "balls.npy"
+    with h5py.File(picture, "w") as file:
+        file["map"] = np.array(4 * [[0, 255, 255, 0, 0, 0, 255, 255, 0]], np.uint8)
     with pytest.warns(arenite.FileWarning, match="the lower was taken as void"):
         arenite.read_phase_map(picture, dx="1 mm")
     np.save(volume, np.ones((4, 5, 6), np.uint8))
@@ -235,11 +237,11 @@ def test_doubts_about_a_load_and_a_recipe_are_warnings(tmp_path):
     volume = tmp_path / "matrix.npy"
     np.save(volume, np.ones((6, 6, 6), np.uint8))
     (tmp_path / "recipe.toml").write_text(
-        '[map]\nfile = "matrix.npy"\nphases = "1=matrix"\nvoxels = 32\n[[loads]]\nname = "pulled"\nmethod = "elements"\n'
-        "exact_stretch = true\n"
+        '[map]\nfile = "matrix.npy"\nphases = "1=matrix"\nvoxels = 32\n'
+        '[[loads]]\nname = "pulled"\nmethod = "elements"\nexact_stretch = true\n'
     )
     with pytest.warns(UserWarning) as told:
-        arenite.run(tmp_path / "recipe.toml", tmp_path / "out")
+        arenite.run(arenite.Recipe(tmp_path / "recipe.toml"), tmp_path / "out")
     said = [str(each.message) for each in told]
     for sentence in ("map.voxels: only has an effect with a table of spheres", "exact_stretch: has no effect"):
         assert any(sentence in one for one in said), said
