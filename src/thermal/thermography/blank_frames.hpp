@@ -12,10 +12,10 @@ namespace arenite::thermography {
 struct SegmentSums;
 
 /// Frames that hold no whole picture, as programs fill in for those that a camera lost: more than a tenth of the pixels
-/// are no finite numbers there and are in other frames (more than half where that is so in more than a tenth of the
-/// frames, of which a film cannot do without); all levels are 0, or all pixels one number that no other frame reaches;
-/// or the frame is the one before once more, bit for bit, while pixels change from frame to frame around it. None in a
-/// film that has no picture at all. Single pixels that fail in a frame leave it what it is.
+/// are no finite numbers there and are in other frames (more than half, where more than a tenth of the frames are so,
+/// which a film cannot do without); all levels are 0, or all pixels one number that no other frame reaches; or the
+/// frame is the one before once more, bit for bit, while pixels change from frame to frame around it. None in a film
+/// that has no picture at all. Single pixels that fail in a frame leave it what it is.
 class BlankFrames {
  public:
   /// The next frame.
