@@ -249,7 +249,7 @@ void bind_film(py::module_& m) {
                     threads_argument(), py::arg("progress") = py::none());
   def_with_keywords(m, "step_load", &stepped, step_keywords(),
                     "The jump of every pixel at a step of the load: time (s), jump, standard_error, residual (height, "
-                    "width), in the film's unit; blank_frames, which hold no picture and were left out.",
+                    "width), in the film's unit; blank_frames, which hold no whole picture and were left out.",
                     py::arg("film"));
   def_with_keywords(m, "film_info", &film_info, film_keywords(),
                     "Metadata of a film: width, height, frames, frame_rate (Hz), integration (s), bits, format, "

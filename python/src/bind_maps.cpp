@@ -22,8 +22,8 @@ void bind_lockin_maps(py::module_& m) {
           "What the film shows beside the load and its drift, each a sentence.")
       .def_property_readonly(
           "blank_frames", [](const LockinMaps& l) { return l.blank; },
-          "Frames that hold no picture (no numbers, one number everywhere, or the frame before once more) and were "
-          "left out.")
+          "Frames that hold no whole picture (no numbers in more than a tenth of their pixels, one number everywhere, "
+          "or the frame before once more) and were left out.")
       .def_property_readonly(
           "peak_to_peak", [](const LockinMaps& l) { return l.convention == AmplitudeConvention::peak_to_peak; },
           "Amplitudes are peak to peak.");

@@ -44,7 +44,7 @@ struct LockinMaps {
   double frequency_error = 0;       ///< standard error, Hz
   double reference_phase = 0;       ///< rad
   std::size_t frames = 0;           ///< used
-  std::vector<std::int64_t> blank;  ///< frames of the film that hold no picture and were left out
+  std::vector<std::int64_t> blank;  ///< frames of the film that hold no whole picture and were left out
   double noise_ratio =
       1;  ///< variance of the noise at the load's frequency over what the residual would be there if it were white
   /// How often noise alone has as much amplitude in one phase as the pixels have at this frequency; NaN: unknown.

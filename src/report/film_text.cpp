@@ -63,7 +63,7 @@ Numbers film_summary(FilmSource& source, std::size_t most_frames) {
       {"median_noise", described(median_of_finite(pixels.noise), "", "Median noise of a pixel, from frame to frame")},
       {"blank_frames",
        described(pixels.blank, "",
-                 "Frames of these that hold no picture: no numbers, one, or those of the frame before")},
+                 "Frames beside these that hold no whole picture: no numbers, one, or those of the frame before")},
       {"constant", described(doubtful.constant, "", "Pixels constant in time (dead)")},
       {"saturated", described(doubtful.saturated, "", "Pixels that reach the top of the range")}};
   j["remarks"] = film.remarks;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -34,7 +36,7 @@ std::string film_of_others(const char* name) {
 TEST(LockInCommand, AFrameOfNaNIsLeftOutAndNamed) {
   const auto done = arenite("lockin " + film_of_others("nan-frame.tif") + " --frequency 3Hz --json");
   ASSERT_EQ(done.status, 0) << done.err;
-  EXPECT_NE(done.err.find("frame 40 holds no picture"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("frame 40 holds no whole picture"), std::string::npos) << done.err;
   const Json j = Json::parse(done.out);
   EXPECT_EQ(j["blank_frames"], Json::array({40}));
   EXPECT_EQ(j["frames"], 119);
@@ -42,7 +44,24 @@ TEST(LockInCommand, AFrameOfNaNIsLeftOutAndNamed) {
   EXPECT_TRUE(j["median"]["amplitude"].is_number());
   EXPECT_NEAR(j["frequency_Hz"]["value"].get<double>(), 3, 0.01);
   const auto step = arenite("step " + film_of_others("nan-frame.tif") + " --time 2s");
-  EXPECT_NE(step.err.find("frame 40 holds no picture"), std::string::npos) << step.err;
+  EXPECT_NE(step.err.find("frame 40 holds no whole picture"), std::string::npos) << step.err;
+}
+
+/// A pixel that is NaN in some frames is left out, as one that is dead, and told; its frames stay.
+TEST(LockInCommand, APixelThatFailsLeavesItsFrames) {
+  const TemporaryFolder folder;
+  test::OscillatingFilm oscillating;
+  oscillating.noise = 0.1;
+  Film film = oscillating.draw();
+  for (const std::size_t frame : {40, 41, 300})
+    film.value[frame * film.about.pixels() + 3] = std::numeric_limits<float>::quiet_NaN();
+  io::write_film(folder / "film.h5", film);
+  const auto done = arenite("lockin " + (folder / "film.h5").string() + " --frame-rate 148Hz --frequency 3Hz --json");
+  ASSERT_EQ(done.status, 0) << done.err;
+  EXPECT_NE(done.err.find("1 of 45 pixels are no numbers in some of the frames"), std::string::npos) << done.err;
+  const Json j = Json::parse(done.out);
+  EXPECT_EQ(j["blank_frames"], Json::array());
+  EXPECT_EQ(j["frames"], 800);
 }
 
 TEST(LockInCommand, FilesWithoutEveryTenthNumberKeepTheFrequency) {

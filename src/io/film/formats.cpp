@@ -3,9 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -217,14 +215,6 @@ void take_notes(std::string_view text, FilmInfo& info) {
     if (noted == "quantity" && value == "K") info.quantity = FilmQuantity::kelvin;
     if (noted == "quantity" && value == "DL") info.quantity = FilmQuantity::digital_level;
   });
-}
-
-double noted_time(std::string_view text) {
-  double time = std::numeric_limits<double>::quiet_NaN();
-  each_note(text, [&](std::string_view key, std::string_view value) {
-    if (const auto number = to_number(value); key == "time" && number) time = *number;
-  });
-  return time;
 }
 
 }  // namespace arenite::io

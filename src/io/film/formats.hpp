@@ -106,7 +106,4 @@ std::string film_notes(const FilmInfo& info);
 /// Takes what such lines say; other lines are left aside.
 void take_notes(std::string_view text, FilmInfo& info);
 
-/// The value of a line "time = ..." in s; NaN without one.
-double noted_time(std::string_view text);
-
 }  // namespace arenite::io

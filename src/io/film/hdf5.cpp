@@ -7,13 +7,16 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "core/text.hpp"
 #include "io/film/formats.hpp"
 #include "io/film/hdf5_facts.hpp"
 #include "io/film/hdf5_header.hpp"
 #include "io/hdf5/sandbox.hpp"
+#include "io/table/table.hpp"
 #include "io/time_units.hpp"
 
 namespace arenite::io {
@@ -40,7 +43,7 @@ class Hdf5Film : public KnownFilm {
       const std::string stored =
           turned_.empty() ? slabs(from, part, part * frame) : turned_.substr(from * frame, part * frame);
       take_pixels(layout_, stored.data(), part * pixels, block, n * pixels);
-      if (may_miss()) forget_missing(stored, part * pixels, block.value.data() + n * pixels);
+      if (numbers_.may_miss()) forget_missing(stored, part * pixels, block.value.data() + n * pixels);
       if (by_columns_ && info_.floating) turn(block.value.data() + n * pixels, part);
       if (by_columns_ && !info_.floating) turn(block.level.data() + n * pixels, part);
     }
@@ -49,6 +52,8 @@ class Hdf5Film : public KnownFilm {
  private:
   static constexpr std::size_t most_at_once = std::size_t{32} << 20, most_told = std::size_t{2} << 30;  // bytes
   static constexpr double most_turned = 1 << 30;
+  static constexpr std::string_view celsius_words =
+      "degc celsius degree_celsius degrees_celsius deg_c \xc2\xb0\x63";  // the last in lower case
 
   /// A file in memory is copied by HDF5.
   std::size_t room() const { return bytes_->path() != nullptr ? 0 : 3 * static_cast<std::size_t>(bytes_->size()); }
@@ -63,8 +68,9 @@ class Hdf5Film : public KnownFilm {
     take_shape(info_, bytes_->name(), facts.shape, facts.pixel, choice);
     by_columns_ = facts.axis[0] == 0 && facts.axis[1] > facts.axis[2];
     if (facts.axis[0] != 0) turn_all(facts.axis);
-    for (const std::string& sentence : {facts.axes, facts.times})
-      if (!sentence.empty()) info_.remarks.push_back(sentence);
+    if (!facts.axes.empty()) info_.remarks.push_back(facts.axes);
+    Lines sentences(facts.times);
+    for (std::string_view sentence; sentences.next(sentence);) info_.remarks.emplace_back(sentence);
     if (facts.by_matlab)
       info_.remarks.push_back(fmt::format("An array of MATLAB, height x width x frames: {} x {} x {}.", info_.height,
                                           info_.width, info_.frames));
@@ -72,7 +78,7 @@ class Hdf5Film : public KnownFilm {
     take_scale(facts);
     if (info_.frame_rate == 0) info_.frame_rate = facts.frame_rate;
     if (info_.integration == 0) info_.integration = facts.integration;
-    take_times(facts);
+    take_times(facts, choice);
     if (facts.no_rate < 0 && info_.frame_rate == 0 && info_.time.empty() && !choice.frame_rate)
       refuse(
           bytes_->name(),
@@ -84,42 +90,36 @@ class Hdf5Film : public KnownFilm {
 
   /// What pixels are, as netCDF writes it.
   void take_scale(const Hdf5Facts& facts) {
-    const bool celsius = facts.unit == "degC" || facts.unit == "celsius" || facts.unit == "degree_Celsius" ||
-                         facts.unit ==
-                             "\xc2\xb0"
-                             "C";
-    const bool kelvin = facts.unit == "K" || facts.unit == "kelvin" || facts.unit == "Kelvin";
-    missing_ = facts.missing;
-    std::erase_if(missing_, [](double number) { return std::isnan(number); });
-    least_ = facts.least, most_valid_ = facts.most;
-    layout_.scale = std::isnan(facts.scale) ? 1 : facts.scale;
-    layout_.shift = (std::isnan(facts.offset) ? 0 : facts.offset) + (celsius ? 273.15 : 0);
-    layout_.scaled = layout_.scale != 1 || layout_.shift != 0 || may_miss();
+    const std::string unit = lower_case(trimmed(facts.unit));
+    const bool celsius = std::ranges::count(split_blanks(celsius_words), unit) > 0,
+               kelvin = unit == "k" || unit == "kelvin";
+    numbers_ = facts.numbers;
+    layout_.scale = numbers_.scale;
+    layout_.shift = numbers_.offset + (celsius ? 273.15 : 0);
+    layout_.scaled = layout_.scale != 1 || layout_.shift != 0 || numbers_.may_miss();
     if (layout_.scaled) info_.floating = true, info_.bits = 0;
     if (celsius || kelvin) info_.quantity = FilmQuantity::kelvin;
     else if (!facts.unit.empty()) info_.remarks.push_back(fmt::format("Its pixels are in \"{}\".", facts.unit));
   }
 
-  void take_times(const Hdf5Facts& facts) {
+  void take_times(const Hdf5Facts& facts, const FilmChoice& choice) {
     const auto seconds = seconds_of(facts.time_unit.substr(0, facts.time_unit.find(' ')));  // "seconds since .."
-    if (!facts.time.empty() && !seconds)
-      return info_.remarks.push_back(
+    std::vector<double> time;
+    if (seconds) time = facts.time;
+    else if (!facts.time.empty())
+      info_.remarks.push_back(
           fmt::format("Its times are in \"{}\", a unit that is not known; they are left aside.", facts.time_unit));
-    std::vector<double> time = facts.time;
     const double first = time.empty() ? 0 : time.front();
-    for (double& t : time) t = (t - first) * seconds.value_or(1);
-    take_stamps(info_, std::move(time));
-    if (!facts.time.empty()) info_.start = first * seconds.value_or(1);
+    for (double& t : time) t = (t - first) * *seconds;
+    const bool stamped = !time.empty();
+    take_stamps_and_numbers(info_, std::move(time), facts.number, choice.frame_rate.has_value());
+    if (stamped) info_.start = first * *seconds;
   }
-
-  bool may_miss() const { return !missing_.empty() || !std::isnan(least_) || !std::isnan(most_valid_); }
 
   /// Numbers that stand for none.
   void forget_missing(const std::string& stored, std::size_t count, float* value) const {
     each_number(layout_.pixel, layout_.big_endian, stored.data(), count, [&](std::size_t i, auto v) {
-      const auto number = static_cast<double>(v);
-      if (number < least_ || number > most_valid_ || std::ranges::count(missing_, number) > 0)
-        value[i] = std::numeric_limits<float>::quiet_NaN();
+      if (numbers_.is_missing(static_cast<double>(v))) value[i] = std::numeric_limits<float>::quiet_NaN();
     });
   }
 
@@ -178,9 +178,8 @@ class Hdf5Film : public KnownFilm {
   std::string name_;
   PlainLayout layout_;
   bool by_columns_ = false;
-  std::string turned_;           ///< the whole film, where its frames are not its first axis
-  std::vector<double> missing_;  ///< stored numbers that stand for none
-  double least_ = no_number, most_valid_ = no_number;
+  std::string turned_;  ///< the whole film, where its frames are not its first axis
+  NumbersStated numbers_;
 };
 
 }  // namespace
@@ -190,14 +189,18 @@ const FilmFormat films::hdf5{
     .name = "hdf5",
     .sentence = "HDF5",
     .states =
-        {{"times of frames (time, times, timestamps) with units",
-          "used; told where the unit is unknown or not stated, or where there are not as many as frames"},
+        {{"times of frames beside the film or as an attribute (time, timestamps, t, frame_times, acquisition_time ..)",
+          "used, in the unit of units, unit or the name (time_ms); told where the unit is unknown or not stated, or "
+          "where there are not as many as frames"},
+         {"numbers of frames likewise (frame_number, frame_index, frame_id ..)",
+          "numbers that are missing give gaps in time where there are no times"},
+         {"mask, valid, bad_pixels beside the film", "told, not used"},
          {"frame_rate, frame_rate_Hz, fps, integration", "used, as attributes or as arrays of one number"},
          {"a frame rate below 0", "refused where nothing else states times and no rate is given"},
          {"frame_interval, frame_interval_s, frame_interval_ms, dt",
           "used, as attributes; rates and intervals may be texts, \"30 Hz\""},
          {"MATLAB_class (MATLAB, save -v7.3)", "axes are taken as height x width x frames"},
-         {"scale_factor, add_offset, units of netCDF",
+         {"scale_factor, add_offset, units (unit) of netCDF",
           "pixels become numbers in that unit, degrees Celsius become kelvin"},
          {"_FillValue, missing_value, what lies beyond valid_min, valid_max or valid_range; chunks never written",
           "no numbers"},

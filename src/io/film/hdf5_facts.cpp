@@ -1,5 +1,7 @@
 #include "io/film/hdf5_facts.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -11,39 +13,13 @@
 #include "core/problems.hpp"
 #include "core/units.hpp"
 #include "io/film/formats.hpp"
+#include "io/film/hdf5_times.hpp"
 #include "io/hdf5/axes.hpp"
 
 namespace arenite::io {
 namespace {
 
-bool holds_numbers(hid_t set) {
-  const auto type = own(H5Dget_type(set), H5Tclose);
-  return type && (H5Tget_class(*type) == H5T_INTEGER || H5Tget_class(*type) == H5T_FLOAT);
-}
-
 bool can_be_film(hid_t set) { return shape_of(set).size() == 3 && holds_numbers(set); }
-
-/// The group of a film, as the beginning of its members' names.
-std::string group_of(const std::string& film) {
-  return film.substr(0, film.rfind('/') == std::string::npos ? 0 : film.rfind('/') + 1);
-}
-
-/// All numbers of a dataset beside the film that has `count` of them in a line; empty without one.
-std::vector<double> numbers_beside(hid_t file, const Bytes& bytes, const std::string& name, std::int64_t count) {
-  const auto set = own(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
-  const auto shape = set ? shape_of(*set) : std::vector<std::int64_t>();
-  using Shape = std::vector<std::int64_t>;
-  // MATLAB's lines have a second length, 1.
-  if (shape != Shape{count} && shape != Shape{1, count} && shape != Shape{count, 1}) return {};
-  if (count > 100'000'000 || !holds_numbers(*set)) return {};
-  Hdf5Numbers numbers(set, name, bytes, 1e8);
-  std::string stored;
-  numbers.read(0, static_cast<hsize_t>(shape.front()), stored);
-  std::vector<double> values(static_cast<std::size_t>(count));
-  each_number(numbers.number().type, numbers.number().big_endian, stored.data(), values.size(),
-              [&](std::size_t i, auto v) { values[i] = static_cast<double>(v); });
-  return values;
-}
 
 /// A film may lie on a disk that only lets itself be read; the one that is written is locked already.
 Hdf5Handle without_lock() {
@@ -70,27 +46,24 @@ double stated_rate(hid_t at) {
   return 0;
 }
 
-/// Times of frames, and the numbers that MATLAB keeps as arrays of one.
-void look_beside(hid_t file, const Bytes& bytes, Hdf5Facts& facts) {
-  const std::string group = group_of(facts.name);
-  for (const char* name : {"frame_rate", "frame_rate_Hz", "fps"})
+/// The rate that MATLAB keeps as an array of one beside the film.
+void look_for_rate(hid_t file, const Bytes& bytes, Hdf5Facts& facts) {
+  const std::string group = facts.name.substr(0, facts.name.rfind('/') + 1);
+  for (const char* name : names_of_rate)
     if (const auto rate = numbers_beside(file, bytes, group + name, 1);
         facts.frame_rate == 0 && !rate.empty() && rate[0] > 0)
       facts.frame_rate = rate[0];
-  for (const char* name : {"time", "times", "timestamps"}) {
-    const auto set = own(H5Dopen2(file, (group + name).c_str(), H5P_DEFAULT), H5Dclose);
-    if (!set) continue;
-    facts.time = numbers_beside(file, bytes, group + name, facts.shape[0]);
-    if (facts.time.empty()) {
-      facts.times = fmt::format("Its \"{}\" are not a number for each of the {} frames; they are left aside.", name,
-                                facts.shape[0]);
-      continue;
+}
+
+/// The unit of pixels: of the dataset, or of the whole file, which is told.
+void take_unit(hid_t set, hid_t file, Hdf5Facts& facts) {
+  for (const hid_t at : {set, file})
+    for (const char* name : {"units", "unit"}) {
+      if (!facts.unit.empty()) return;
+      facts.unit = text_attribute(at, name);
+      if (at == file && !facts.unit.empty())
+        facts.times += fmt::format("The file states the unit \"{}\", which is taken for its pixels.\n", facts.unit);
     }
-    for (const char* unit : {"units", "unit"})
-      if (facts.time_unit.empty()) facts.time_unit = text_attribute(*set, unit);
-    facts.times = facts.time_unit.empty() ? fmt::format("Its \"{}\" state no unit; seconds are taken.", name) : "";
-    return;
-  }
 }
 
 /// By their names; an array of MATLAB, which lists its axes from the last to the first, lies column by column.
@@ -104,23 +77,12 @@ void take_axes(hid_t set, const Bytes& bytes, Hdf5Facts& facts) {
   facts.shape = mapped(facts.axis, [&](std::int64_t axis) { return stored[static_cast<std::size_t>(axis)]; });
 }
 
-bool is_floating(NumberType type) { return type == NumberType::f32 || type == NumberType::f64; }
-
-/// valid_range, valid_min, valid_max: of what is stored, or, where they alone are floating, of what it stands for.
-void take_limits(hid_t set, Hdf5Facts& facts) {
-  const double scale = std::isnan(facts.scale) ? 1 : facts.scale, offset = std::isnan(facts.offset) ? 0 : facts.offset;
-  const auto take = [&](const char* name, bool upper, std::size_t which = 0) {
-    const StatedNumbers stated = stated_numbers(set, name);
-    if (which >= stated.value.size()) return;
-    const bool is_of_stored = stated.whole || is_floating(facts.pixel);
-    const double limit = is_of_stored ? stated.value[which] : (stated.value[which] - offset) / scale;
-    (upper != (!is_of_stored && scale < 0) ? facts.most : facts.least) = limit;
-  };
-  take("valid_range", false, 0), take("valid_range", true, 1);
-  take("valid_min", false), take("valid_max", true);
-}
-
 }  // namespace
+
+bool holds_numbers(hid_t set) {
+  const auto type = own(H5Dget_type(set), H5Tclose);
+  return type && (H5Tget_class(*type) == H5T_INTEGER || H5Tget_class(*type) == H5T_FLOAT);
+}
 
 void refuse_damaged_hdf5(const Bytes& bytes) {
   refuse(bytes->name(), "is an HDF5 file that is cut short or damaged; copy it again");
@@ -150,18 +112,15 @@ Hdf5Facts look_at_hdf5_film(const Bytes& bytes, const FilmChoice& choice) {
   facts.pixel = numbers.number().type;
   facts.big_endian = numbers.number().big_endian;
   facts.notes = text_attribute(*set, "notes");
-  facts.unit = text_attribute(*set, "units");
+  take_unit(*set, *file, facts);
   for (const hid_t at : {static_cast<hid_t>(*set), static_cast<hid_t>(*file)}) {
     if (facts.frame_rate == 0) facts.frame_rate = stated_rate(at);
     for (const char* key : names_of_rate) facts.no_rate = std::min(facts.no_rate, stated_number(at, key).value_or(0));
     if (facts.integration == 0) facts.integration = number_attribute(at, {"integration", "integration_s"});
   }
-  facts.scale = stated_number(*set, "scale_factor").value_or(no_number);
-  facts.offset = stated_number(*set, "add_offset").value_or(no_number);
-  for (const char* fill : {"missing_value", "_FillValue"})
-    for (const double value : stated_numbers(*set, fill).value) facts.missing.push_back(value);
-  take_limits(*set, facts);
-  look_beside(*file, bytes, facts);
+  facts.numbers = numbers_stated(*set, facts.pixel);
+  look_for_rate(*file, bytes, facts);
+  look_for_times(*file, *set, bytes, facts);
   return facts;
 }
 

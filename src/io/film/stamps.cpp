@@ -57,4 +57,20 @@ void take_numbers(FilmInfo& info, std::vector<std::int64_t> number) {
       found.dropped, found.gap.front()));
 }
 
+void take_stamps_and_numbers(FilmInfo& info, std::vector<double> stamp, std::vector<std::int64_t> number,
+                             bool rate_given) {
+  const bool counted = number.size() > 1;
+  if (!stamp.empty()) take_stamps(info, std::move(stamp));
+  if (counted && rate_given) info.time.clear();
+  if (info.time.empty()) return take_numbers(info, std::move(number));
+  if (!counted) return;
+  FilmInfo by_number;
+  by_number.frames = info.frames;
+  take_numbers(by_number, std::move(number));
+  const auto missing = frame_intervals(by_number).dropped, by_time = frame_intervals(info).dropped;
+  if (missing != by_time)
+    info.remarks.push_back(fmt::format("By their numbers {} frames are missing, by their times {}; the times are used.",
+                                       missing, by_time));
+}
+
 }  // namespace arenite::io

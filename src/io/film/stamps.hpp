@@ -14,4 +14,9 @@ void take_stamps(FilmInfo& info, std::vector<double> stamp);
 /// Makes numbers of frames, counted from anywhere, those of the film where some are missing, with a remark.
 void take_numbers(FilmInfo& info, std::vector<std::int64_t> number);
 
+/// Both of one film, each empty where it is not stated. Stamps are the times where they can be used, with a remark
+/// where the numbers say otherwise; the numbers count without them, and where the frame rate is given.
+void take_stamps_and_numbers(FilmInfo& info, std::vector<double> stamp, std::vector<std::int64_t> number,
+                             bool rate_given);
+
 }  // namespace arenite::io

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +11,7 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "io/film/formats.hpp"
+#include "io/film/stated_times.hpp"
 #include "io/table/table.hpp"
 
 namespace arenite::io {
@@ -151,8 +151,7 @@ class TextFilm : public KnownFilm {
     if (info_.frames == 0)
       refuse(bytes_->name(), "holds no rows of numbers, as frames in text would; give a film or a result");
     check_film_size(bytes_->name(), std::max(info_.width, 1), std::max(info_.height, 1), info_.frames, choice);
-    if (std::ranges::none_of(stamps_, [](double t) { return std::isnan(t); })) take_stamps(info_, std::move(stamps_));
-    else if (std::ranges::count(numbers_, -1) == 0) take_numbers(info_, std::move(numbers_));
+    take_words(info_, words_, choice.frame_rate.has_value());
     take_choice(info_, choice);
   }
 
@@ -172,19 +171,17 @@ class TextFilm : public KnownFilm {
     }
   }
 
-  /// What a line between frames says of the next: "Frame 12", "time = 0.4".
+  /// What a line between frames says of the next.
   void note(std::string_view line) {
-    if (const double t = noted_time(line); std::isfinite(t)) next_stamp_ = t;
-    const std::size_t word = lower_case(line).find("frame"), number = line.find_first_of("0123456789", word);
-    if (word == std::string::npos || number == std::string::npos) return;
-    const std::string_view rest = line.substr(number);
-    if (const auto n = to_integer(rest.substr(0, rest.find_first_not_of("0123456789")))) next_number_ = *n;
+    const FrameWords said = words_of_frame(line);
+    if (!std::isnan(said.time) || !said.not_understood.empty())
+      next_.time = said.time, next_.not_understood = said.not_understood;
+    if (said.number >= 0) next_.number = said.number;
   }
 
   void begin_frame(const Place& place) {
     places_.push_back(place);
-    stamps_.push_back(std::exchange(next_stamp_, std::numeric_limits<double>::quiet_NaN()));
-    numbers_.push_back(std::exchange(next_number_, -1));
+    words_.push_back(std::exchange(next_, {}));
   }
 
   void end_frame(int& rows, int line) {
@@ -229,10 +226,8 @@ class TextFilm : public KnownFilm {
   Bytes bytes_;
   char separator_ = 0;
   std::vector<Place> places_;
-  std::vector<double> stamps_;         ///< s, as stated before each frame; NaN: not stated
-  std::vector<std::int64_t> numbers_;  ///< likewise; -1: not stated
-  double next_stamp_ = std::numeric_limits<double>::quiet_NaN();
-  std::int64_t next_number_ = -1;
+  std::vector<FrameWords> words_;  ///< as stated before each frame
+  FrameWords next_;
 };
 
 bool is_text_film(std::string_view head) {
@@ -250,7 +245,9 @@ bool is_text_film(std::string_view head) {
 const FilmFormat films::text{.name = "text",
                              .sentence = "frames of numbers as text",
                              .states = {{"\"Frame N\" between frames", "numbers that are missing give gaps in time"},
-                                        {"\"time = ..\" between frames, s", "used"},
+                                        {"\"time = 33.3 ms\", \"# Time: 0.033 s\", \"t=12:00:03.25\" between frames",
+                                         "used, without a unit in s; told where a time is not understood, or where "
+                                         "not all frames state one"},
                                         {"cells that are no numbers", "refused with line and column"}},
                              .is = is_text_film,
                              .open = [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "io/film/formats.hpp"
+#include "io/film/stated_times.hpp"
 #include "io/film/tiff_images.hpp"
 #include "io/image/tiff.hpp"
 
@@ -47,9 +48,9 @@ Page page_of(TIFF* tiff, const TiffSource& source) {
   return page;
 }
 
-std::string description_of(TIFF* tiff) {
+std::string text_of(TIFF* tiff, ttag_t tag) {
   const char* text = nullptr;
-  return TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &text) == 1 && text != nullptr ? text : "";
+  return TIFFGetField(tiff, tag, &text) == 1 && text != nullptr ? text : "";
 }
 
 class TiffFilm : public KnownFilm {
@@ -61,13 +62,13 @@ class TiffFilm : public KnownFilm {
     page_ = page_of(tiff_.get(), source_);
     layout_.pixel = page_.pixel;
     check_film_size(source_.file(), page_.width, page_.height, 1, choice);
-    const std::string notes = description_of(tiff_.get());
+    const std::string notes = text_of(tiff_.get(), TIFFTAG_IMAGEDESCRIPTION);
     const TiffStack stack = stack_in(notes, page_.width, page_.height);
     images_.emplace(tiff_.get(), source_, stack, bytes_an_image(), choice.dataset);
     take_shape(info_, source_.file(), {images_->frames(), page_.height, page_.width}, page_.pixel, choice);
     take_notes(notes, info_);
     info_.remarks = images_->remarks();
-    take_times(stack, notes);
+    take_times(stack, notes, choice.frame_rate.has_value());
     take_choice(info_, choice);
     FrameBlock last;  // what is cut short lacks it
     read(info_.frames - 1, 1, last);
@@ -91,7 +92,7 @@ class TiffFilm : public KnownFilm {
           fmt::format("has pages of different size or type (pages 0 and {}); save a film of equal frames", page));
   }
 
-  void take_times(const TiffStack& stack, const std::string& notes) {
+  void take_times(const TiffStack& stack, const std::string& notes, bool rate_given) {
     if (stack.interval > 0 && info_.frame_rate == 0) info_.frame_rate = 1 / stack.interval;
     if (stack.shown_per_second > 0 && info_.frame_rate == 0)
       info_.remarks.push_back(
@@ -100,17 +101,32 @@ class TiffFilm : public KnownFilm {
     if (!stack.unknown_unit.empty())
       info_.remarks.push_back(
           fmt::format("Its times are in \"{}\", a unit that is not known; they are left aside.", stack.unknown_unit));
-    if (images_->behind() == 0 && std::isfinite(noted_time(notes))) read_stamps();
+    const FrameWords first = words_of_frame(notes);
+    const bool by_pages = images_->behind() == 0, has_words = first.number >= 0 || !first.not_understood.empty();
+    if (by_pages && (std::isfinite(first.time) || (has_words && stack.by.empty()))) read_words(rate_given);
     else take_stamps(info_, images_->times());
+    if (by_pages && info_.time.empty() && info_.number.empty()) tell_date_times();
   }
 
-  void read_stamps() {
-    std::vector<double> stamp;
+  void read_words(bool rate_given) {
+    std::vector<FrameWords> words;
     for (std::int64_t i = 0; i < info_.frames; ++i) {
       turn_to(images_->image(i));
-      stamp.push_back(noted_time(description_of(tiff_.get())));
+      words.push_back(words_of_frame(text_of(tiff_.get(), TIFFTAG_IMAGEDESCRIPTION)));
     }
-    take_stamps(info_, std::move(stamp));
+    take_words(info_, words, rate_given);
+  }
+
+  /// The tag counts whole seconds, which are no times of the frames of a camera.
+  void tell_date_times() {
+    turn_to(images_->image(0));
+    const std::string first = text_of(tiff_.get(), TIFFTAG_DATETIME);
+    turn_to(images_->image(info_.frames - 1));
+    const std::string last = text_of(tiff_.get(), TIFFTAG_DATETIME);
+    if (!first.empty() && !last.empty() && first != last)
+      info_.remarks.push_back(
+          fmt::format("Its pages state when they were taken in whole seconds (DateTime, {} to {}), which is not used.",
+                      first, last));
   }
 
   void read_page(std::size_t at, FrameBlock& frames) {
@@ -212,7 +228,10 @@ const FilmFormat films::tiff{
                {"slices beside frames", "refused"},
                {"frame interval (ImageJ's finterval, OME's TimeIncrement)", "is the frame rate"},
                {"rate at which ImageJ plays it (fps)", "told, not used"},
-               {"times of frames (OME's DeltaT, our \"time = ..\")", "used"},
+               {"times of frames (OME's DeltaT)", "used"},
+               {"\"time = 33.3 ms\", \"frame 12\", {\"timestamp_s\": 0.4} in the descriptions of pages",
+                "used, as in frames of text"},
+               {"dates and times of pages (DateTime), in whole seconds", "told, not used"},
                {"orientation other than upright", "refused"},
                {"frames of NaN, of one number, or the frame before once more", "left out as lost, and named"}},
 

@@ -70,6 +70,8 @@ std::optional<AxisRole> role_of_axis(const std::string& name) {
 
 }  // namespace
 
+bool is_only_a_length(hid_t set) { return text_attribute(set, "NAME").starts_with(only_counts); }
+
 std::vector<std::string> names_of_axes(hid_t set) {
   const std::size_t rank = shape_of(set).size();
   std::vector<std::string> names = texts_attribute(set, "DIMENSION_LABELS"), of_scales = names_of_scales(set, rank);

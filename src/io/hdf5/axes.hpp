@@ -11,6 +11,9 @@ namespace arenite::io {
 /// dimension scales, as netCDF and xarray write them. Empty for an axis without one.
 std::vector<std::string> names_of_axes(hid_t set);
 
+/// Whether a dataset is a dimension of netCDF without values: only its length counts.
+bool is_only_a_length(hid_t set);
+
 /// Which stored axis is that of pictures (frames of a film, slices of a stack), of rows and of columns.
 struct AxisOrder {
   std::vector<std::size_t> axis;  ///< pictures, rows, columns; without the first where there are two

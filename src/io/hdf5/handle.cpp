@@ -36,11 +36,10 @@ struct Attribute {
     if (H5Aexists(at, name) > 0) id = own(H5Aopen(at, name, H5P_DEFAULT), H5Aclose);
     if (id) space = own(H5Aget_space(*id), H5Sclose), type = own(H5Aget_type(*id), H5Tclose);
   }
-  /// Of its values; 0 for more than a list of names or limits has.
-  std::size_t few() const {
-    constexpr hssize_t most = 32;
-    const hssize_t count = space && type ? H5Sget_simple_extent_npoints(*space) : 0;
-    return count > 0 && count <= most ? static_cast<std::size_t>(count) : 0;
+  /// Of its values; 0 for more than `most`.
+  std::size_t count(std::size_t most) const {
+    const hssize_t values = space && type ? H5Sget_simple_extent_npoints(*space) : 0;
+    return values > 0 && static_cast<std::size_t>(values) <= most ? static_cast<std::size_t>(values) : 0;
   }
 };
 
@@ -201,9 +200,9 @@ double number_attribute(hid_t at, std::initializer_list<const char*> names) {
   return 0;
 }
 
-StatedNumbers stated_numbers(hid_t at, const char* name) {
+StatedNumbers stated_numbers(hid_t at, const char* name, std::size_t most) {
   const Attribute attribute(at, name);
-  const std::size_t count = attribute.few();
+  const std::size_t count = attribute.count(most);
   const auto number = count > 0 ? number_of(*attribute.type) : std::nullopt;
   if (!number || H5Aget_storage_size(*attribute.id) != count * bytes_of(number->type)) return {};
   StatedNumbers stated{std::vector<double>(count), number->type != NumberType::f32 && number->type != NumberType::f64};
@@ -218,7 +217,7 @@ std::string text_attribute(hid_t at, const char* name) {
 
 std::vector<std::string> texts_attribute(hid_t at, const char* name) {
   const Attribute attribute(at, name);
-  const std::size_t count = attribute.few();
+  const std::size_t count = attribute.count(most_listed);
   if (count == 0 || H5Tget_class(*attribute.type) != H5T_STRING) return {};
   std::vector<std::string> texts;
   if (H5Tis_variable_str(*attribute.type) > 0) {

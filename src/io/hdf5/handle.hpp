@@ -1,6 +1,7 @@
 #pragma once
 #include <hdf5.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
@@ -101,12 +102,15 @@ bool is_of_matlab(hid_t set);
 std::optional<double> stated_number(hid_t at, const char* name);
 double number_attribute(hid_t at, std::initializer_list<const char*> names);
 
-/// An attribute that is a few numbers; none without one.
+/// As many values as a list of names or limits has at most.
+inline constexpr std::size_t most_listed = 32;
+
+/// An attribute that is at most so many numbers; none without one.
 struct StatedNumbers {
   std::vector<double> value;
   bool whole = false;  ///< stored as integers
 };
-StatedNumbers stated_numbers(hid_t at, const char* name);
+StatedNumbers stated_numbers(hid_t at, const char* name, std::size_t most = most_listed);
 
 /// An attribute that is a text; empty without one. And one that is a few texts.
 std::string text_attribute(hid_t at, const char* name);

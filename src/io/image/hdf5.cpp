@@ -1,6 +1,8 @@
 #include "core/problems.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -11,6 +13,7 @@
 #include "io/hdf5/axes.hpp"
 #include "io/hdf5/dataset_search.hpp"
 #include "io/hdf5/foreign.hpp"
+#include "io/hdf5/netcdf.hpp"
 #include "io/hdf5/sandbox.hpp"
 #include "io/image/image.hpp"
 #include "io/image/orientation.hpp"
@@ -38,6 +41,25 @@ FoundDataset find_picture(hid_t file, const std::string& file_name, const std::s
                       "whole numbers with two or three dimensions");
 }
 
+/// The whole number that a stored one stands for. InputError for one that stands for none, as its file states.
+template <class T>
+std::int32_t value_of(T stored, const NumbersStated& stated, const std::string& file, std::size_t x, std::size_t row) {
+  const auto number = static_cast<double>(stored);
+  if (!std::isnan(number) && stated.is_missing(number))
+    refuse(file,
+           "holds {:g} at pixel {}, {}, which stands for no number by its _FillValue, missing_value or valid range; "
+           "save whole numbers, one value per phase",
+           number, x, row);
+  if constexpr (std::is_integral_v<T>) {
+    if (stated.scale == 1 && stated.offset == 0) {
+      if (!std::in_range<std::int32_t>(stored))
+        refuse(file, "holds the value {}; values go from -2147483648 to 2147483647", stored);
+      return static_cast<std::int32_t>(stored);
+    }
+  }
+  return whole_value(stated.scale * number + stated.offset, file, x, row);
+}
+
 Image decode(const std::string& bytes, const std::string& file, const ImageChoice& choice) {
   const auto id = open_in_memory(bytes, file);
   const auto [name, set] = find_picture(*id, file, choice.dataset);
@@ -55,17 +77,10 @@ Image decode(const std::string& bytes, const std::string& file, const ImageChoic
   numbers.read(stack ? static_cast<hsize_t>(slice) : 0, stack ? 1 : static_cast<hsize_t>(rows), stored);
   Image image{static_cast<int>(columns), static_cast<int>(rows), {}};
   image.value.resize(image.size());
+  const NumbersStated stated = numbers_stated(*set, numbers.number().type);
+  const auto width = static_cast<std::size_t>(columns);
   each_number(numbers.number().type, numbers.number().big_endian, stored.data(), image.size(),
-              [&](std::size_t i, auto v) {
-                const auto width = static_cast<std::size_t>(columns);
-                if constexpr (std::is_integral_v<decltype(v)>) {
-                  if (!std::in_range<std::int32_t>(v))
-                    refuse(file, "holds the value {}; values go from -2147483648 to 2147483647", v);
-                  image.value[i] = static_cast<std::int32_t>(v);
-                } else {
-                  image.value[i] = whole_value(static_cast<double>(v), file, i % width, i / width);
-                }
-              });
+              [&](std::size_t i, auto v) { image.value[i] = value_of(v, stated, file, i % width, i / width); });
   constexpr int rows_are_columns = 5;
   const bool by_columns = is_of_matlab(*set) || axis[axis.size() - 2] > axis.back();
   return by_columns ? upright(std::move(image), rows_are_columns) : image;
@@ -95,6 +110,9 @@ const PictureFormat pictures::hdf5{
     .sentence = "HDF5",
     .states = {{"MATLAB_class (MATLAB, save -v7.3)", "axes are taken as height x width x slices"},
                {"floating numbers", "taken where all are whole"},
+               {"scale_factor, add_offset of netCDF", "used"},
+               {"_FillValue, missing_value, what lies beyond valid_min, valid_max or valid_range",
+                "refused where a pixel holds it"},
                {"names of axes (DIMENSION_LABELS, dimension scales of netCDF and xarray)",
                 "y, x and the like say which axis is which; slices that are not the first axis are refused"}},
     .has_datasets = true,

@@ -125,6 +125,13 @@ void tell_turned(VolumeFacts& facts, const std::array<Vec3, 3>& along, const cha
                     stated));
 }
 
+void tell_origin(VolumeFacts& facts, const Vec3& origin, const char* stated) {
+  if (norm(origin) > 0)
+    facts.remarks.push_back(
+        fmt::format("{} ({:g}, {:g}, {:g}) is left aside: places are counted from the corner of the first voxel",
+                    stated, origin.x, origin.y, origin.z));
+}
+
 VolumePointer header_and_numbers(const Bytes& data, std::size_t start, bool packed, std::int64_t skip,
                                  const VolumeFacts& facts, VoxelLayout layout) {
   const std::size_t wanted = bytes_of(layout.type) * facts.slice() * static_cast<std::size_t>(facts.depth);

@@ -45,6 +45,9 @@ void take_side(VolumeFacts& facts, double side, const std::string& unit);
 /// them. Throws InputError where they lean: voxels are no cubes then.
 void tell_turned(VolumeFacts& facts, const std::array<Vec3, 3>& along, const char* stated, const std::string& file);
 
+/// Says that the place of the first voxel, which a file states, is left aside; nothing where it is 0.
+void tell_origin(VolumeFacts& facts, const Vec3& origin, const char* stated);
+
 /// Numbers from `start` on, packed or not, of which `skip` bytes are left out; -1: all but those of the voxels.
 VolumePointer header_and_numbers(const Bytes& data, std::size_t start, bool packed, std::int64_t skip,
                                  const VolumeFacts& facts, VoxelLayout layout);

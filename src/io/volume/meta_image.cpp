@@ -48,6 +48,12 @@ VolumePointer open_meta_image(const Bytes& bytes, const VolumeChoice&) {
                   "the rows of its TransformMatrix", file);
       break;
     }
+  for (const char* key : {"offset", "origin", "position"})
+    if (header.has(key)) {
+      const auto place = header.numbers(key, 3);
+      tell_origin(facts, {place[0], place[1], place[2]}, "its Offset");
+      break;
+    }
   const VoxelLayout layout{.type = *type, .big_endian = says("binarydatabyteordermsb") || says("elementbyteordermsb")};
   const std::string& beside = header.word("elementdatafile");
   if (beside == "LIST" || beside.find('%') != std::string::npos)
@@ -68,7 +74,8 @@ constinit const VolumeFormat volumes::meta_image{
                {"ElementSpacing, without it ElementSize", "used in mm, and told; refused where voxels are no cubes"},
                {"ElementDataFile", "read beside the header; a file for each slice is refused"},
                {"CompressedData, byte order, HeaderSize", "used"},
-               {"Offset", "left aside"},
+               {"Offset (Origin, Position)",
+                "left aside, and told where it is not 0: places are counted from the corner of the first voxel"},
                {"TransformMatrix (Rotation, Orientation)", "left aside, and told where it turns or mirrors the axes"},
                {"more numbers than DimSize says", "left aside, and told"}},
     .is =

@@ -57,6 +57,15 @@ std::vector<std::string> quoted_words(const std::string& text) {
   return words;
 }
 
+/// "(5,0,0)"; nothing for other than three numbers.
+std::optional<Vec3> place_of(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == ',' || c == '(' || c == ')'; }, ' ');
+  std::istringstream numbers(text);
+  Vec3 place;
+  return numbers >> place.x >> place.y >> place.z ? std::optional(place) : std::nullopt;
+}
+
 /// The sides of a voxel by the unit of each axis, or by the one unit of all.
 void take_sides(VolumeFacts& facts, std::array<double, 3> side, const TextHeader& header) {
   const std::vector<std::string> units =
@@ -91,6 +100,8 @@ VolumePointer open_nrrd(const Bytes& bytes, const VolumeChoice&) {
   else
     for (const Vec3& step : along) spacing.push_back(norm(step));
   if (along.size() == 3) tell_turned(facts, {along[0], along[1], along[2]}, "its space directions", file);
+  if (header.has("space origin"))
+    tell_origin(facts, place_of(header.word("space origin")).value_or(Vec3{}), "its space origin");
   if (spacing.size() == 3) take_sides(facts, {spacing[0], spacing[1], spacing[2]}, header);
   if (const std::string order = header.has("endian") ? header.word("endian") : "little";
       order != "little" && order != "big")
@@ -119,6 +130,8 @@ constinit const VolumeFormat volumes::nrrd{
                 "used with the unit of each axis (space units), refused where voxels are no cubes or their axes lean; "
                 "without a unit left aside, and told"},
                {"space directions that turn or mirror the axes", "left aside, and told"},
+               {"space origin",
+                "left aside, and told where it is not 0: places are counted from the corner of the first voxel"},
                {"data file", "read beside the header, which then needs no empty line at its end"},
                {"more numbers than sizes say", "left aside, and told"},
                {"encoding", "raw and gzip are read, others refused"}},

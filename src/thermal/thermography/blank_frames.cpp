@@ -78,19 +78,18 @@ bool BlankFrames::is_filled(std::size_t frame) const {
   return (has_pictures_ && seen.is_constant && (seen.value < least_ || seen.value > most_)) || repeats(frame);
 }
 
-bool BlankFrames::are_filled() const {
-  for (std::size_t n = 0; n < seen_.size(); ++n)
-    if (is_filled(n)) return true;
-  return false;
-}
-
 std::vector<std::int64_t> BlankFrames::all() const {
+  constexpr double most = 0.5, many = 0.1, few_frames = 0.1;
   // Dead pixels, or what lies outside a mask, are missing in every frame.
   const std::size_t always = seen_.empty() ? 0 : std::ranges::min_element(seen_, {}, &Seen::missing)->missing;
+  const auto lacks = [&](const Seen& seen, double share) {
+    return static_cast<double>(seen.missing - always) > share * static_cast<double>(pixels_ - always);
+  };
+  const auto lacking = std::ranges::count_if(seen_, [&](const Seen& seen) { return lacks(seen, many); });
+  const double share = static_cast<double>(lacking) > few_frames * static_cast<double>(seen_.size()) ? most : many;
   std::vector<std::int64_t> lost;
   for (std::size_t n = 0; n < seen_.size(); ++n)
-    if (100 * (seen_[n].missing - always) > pixels_ - always || is_filled(n))
-      lost.push_back(static_cast<std::int64_t>(n));
+    if (lacks(seen_[n], share) || is_filled(n)) lost.push_back(static_cast<std::int64_t>(n));
   return lost;
 }
 
@@ -124,6 +123,19 @@ bool may_lack_frames(const SegmentSums& s) {
   return false;
 }
 
+void tell_failing_pixels(const SegmentSums& s, LockinMaps& maps) {
+  const SegmentView view = s.view();
+  std::size_t failing = 0;
+  for (std::size_t p = 0; p < s.pixels; ++p) {
+    std::size_t there = 0;
+    for (std::size_t k = 0; k < s.segments(); ++k) there += std::isfinite(s.sums[view.at(p, k, 0)]) ? 1 : 0;
+    failing += there > 0 && there < s.segments() ? 1 : 0;
+  }
+  if (failing > 0)
+    maps.disturbances.push_back(fmt::format(
+        "{} of {} pixels are no numbers in some of the frames and are left out, as dead ones", failing, s.pixels));
+}
+
 std::string blank_frames_sentence(const std::vector<std::int64_t>& frames) {
   constexpr std::size_t most = 5;
   if (frames.empty()) return {};
@@ -132,12 +144,13 @@ std::string blank_frames_sentence(const std::vector<std::int64_t>& frames) {
   const std::string names = list_of(mapped<std::string>(first, [](std::int64_t n) { return std::to_string(n); }));
   if (frames.size() == 1)
     return fmt::format(
-        "frame {} holds no picture (no numbers, one number everywhere, or the frame before once more) and is left out",
+        "frame {} holds no whole picture (no numbers in more than a tenth of its pixels, one number everywhere, or the "
+        "frame before once more) and is left out",
         names);
   const std::string more = frames.size() > most ? fmt::format(" and {} more", frames.size() - most) : "";
   return fmt::format(
-      "{} frames ({}{}) hold no picture (no numbers, one number everywhere, or the frame before once more) and are "
-      "left out",
+      "{} frames ({}{}) hold no whole picture (no numbers in more than a tenth of their pixels, one number everywhere, "
+      "or the frame before once more) and are left out",
       frames.size(), names, more);
 }
 

@@ -3,16 +3,19 @@
 #include <string>
 #include <vector>
 
+#include "core/problems.hpp"
 #include "model/film.hpp"
+#include "model/lockin_maps.hpp"
 
 namespace arenite::thermography {
 
 struct SegmentSums;
 
-/// Frames that hold no picture, as programs fill in for those that a camera lost: more than a hundredth of the pixels
-/// are no finite numbers there and are in other frames; all levels are 0, or all pixels one number that no other frame
-/// reaches; or the frame is the one before once more, bit for bit, while pixels change from frame to frame around it.
-/// None in a film that has no picture at all.
+/// Frames that hold no whole picture, as programs fill in for those that a camera lost: more than a tenth of the pixels
+/// are no finite numbers there and are in other frames (more than half, where more than a tenth of the frames are so,
+/// which a film cannot do without); all levels are 0, or all pixels one number that no other frame reaches; or the
+/// frame is the one before once more, bit for bit, while pixels change from frame to frame around it. None in a film
+/// that has no picture at all. Single pixels that fail in a frame leave it what it is.
 class BlankFrames {
  public:
   /// The next frame.
@@ -20,8 +23,6 @@ class BlankFrames {
   void see(const std::uint16_t* frame, std::size_t pixels);
   /// Of all that were seen, counted from 0.
   std::vector<std::int64_t> all() const;
-  /// Whether any of these are so by numbers that they hold, of which sums over all frames are made.
-  bool are_filled() const;
 
  private:
   struct Seen {
@@ -51,8 +52,21 @@ std::vector<std::int64_t> blank_frames(FilmSource& film);
 /// one number in a frame, or those of the frame before.
 bool may_lack_frames(const SegmentSums& sums);
 
-/// "frame 40 holds no picture and was left out"; empty without frames.
+/// Adds a sentence to the disturbances where pixels are no numbers in some frames, but not in all: sums of them are
+/// none.
+void tell_failing_pixels(const SegmentSums& sums, LockinMaps& maps);
+
+/// "frame 40 holds no whole picture and is left out"; empty without frames.
 std::string blank_frames_sentence(const std::vector<std::int64_t>& frames);
+
+/// What `work` makes of the other frames of a film. What it refuses, InputError, names those that are left out first.
+template <class Work> auto of_other_frames(const std::vector<std::int64_t>& blank, Work&& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw refusal("{}; of the others: {}", blank_frames_sentence(blank), error.what());
+  }
+}
 
 /// A film without some of its frames. The others keep the times that they have.
 class FilmWithout : public FilmSource {

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "core/mapped.hpp"
 #include "core/median.hpp"
@@ -52,6 +54,9 @@ Standing standing(const FrameStatistics& film, int column, int row) {
   return {beyond, to_deviation * median_in_place(begin, end), x - middle};
 }
 
+/// Whether a pixel is no number in some of the frames.
+bool fails(const FrameStatistics& film, std::size_t pixel) { return !film.without.empty() && film.without[pixel] > 0; }
+
 void mark_levels(const FrameStatistics& film, std::vector<std::uint8_t>& bad) {
   std::vector<Standing> all;
   std::vector<double> deviations;
@@ -62,7 +67,8 @@ void mark_levels(const FrameStatistics& film, std::vector<std::uint8_t>& bad) {
     }
   const double usual = robust(std::move(deviations)).deviation;
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (!std::isfinite(film.mean[i]) || all[i].beyond > limit * std::max(usual, all[i].scatter)) bad[i] |= bad_level;
+    if (!std::isfinite(film.mean[i]) || fails(film, i) || all[i].beyond > limit * std::max(usual, all[i].scatter))
+      bad[i] |= bad_level;
 }
 
 /// Marks what lies further than the limit from the middle of all, or is no number.
@@ -89,6 +95,7 @@ FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames) {
   const std::size_t n = info.pixels(), all = static_cast<std::size_t>(info.frames);
   FrameStatistics s{info.width, info.height, most_frames == 0 ? all : std::min(all, most_frames), {}, {}, {}, {}};
   for (auto* array : {&s.mean, &s.noise, &s.least, &s.most}) array->assign(n, std::numeric_limits<float>::quiet_NaN());
+  s.without.resize(n);
   std::vector<double> sum(n), differences(n);
   std::vector<float> before(n, std::numeric_limits<float>::quiet_NaN()), earlier = before;
   std::vector<std::uint32_t> count(n), steps(n);
@@ -102,7 +109,10 @@ FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames) {
         const double bend = step - (static_cast<double>(before[i]) - static_cast<double>(earlier[i]));
         const double square = s.frames > 2 ? bend * bend / 3 : step * step;
         earlier[i] = before[i], before[i] = x;
-        if (!std::isfinite(x)) continue;
+        if (!std::isfinite(x)) {
+          ++s.without[i];
+          continue;
+        }
         sum[i] += static_cast<double>(x);
         ++count[i];
         if (std::isfinite(square)) differences[i] += square, ++steps[i];
@@ -113,8 +123,10 @@ FrameStatistics frame_statistics(FilmSource& film, std::size_t most_frames) {
     return true;
   });
   s.blank = lost.all();
-  if (lost.are_filled()) {
-    FilmWithout kept(film, s.blank, frame_times(info));
+  if (!s.blank.empty()) {
+    std::vector<double> any_time(all);
+    std::iota(any_time.begin(), any_time.end(), 0.0);
+    FilmWithout kept(film, s.blank, any_time);
     FrameStatistics of_pictures = frame_statistics(kept, s.frames - s.blank.size());
     of_pictures.blank = std::move(s.blank);
     return of_pictures;

@@ -168,7 +168,8 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
     if (const auto blank = blank_frames(film); !blank.empty()) {
       FilmWithout kept(film, blank, sums.time);
       sums = {};
-      LockinMaps maps = locked_in(kept, o, kept.info().time, possible_harmonics(kept.info().time, o), std::move(known));
+      LockinMaps maps = of_other_frames(
+          blank, [&] { return locked_in(kept, o, kept.info().time, possible_harmonics(kept.info().time, o), known); });
       maps.blank = blank;
       return maps;
     }
@@ -201,10 +202,10 @@ LockinMaps locked_in(FilmSource& film, const LockinOptions& o, std::vector<doubl
   maps.width = film.info().width, maps.height = film.info().height;
   maps.frequency = refined ? refined->frequency : o.frequency;
   maps.frames = sums.time.size();
-  maps.drift_order = o.drift_order;
-  maps.harmonics = harmonics;
+  maps.drift_order = o.drift_order, maps.harmonics = harmonics;
   maps.convention = o.convention;
   maps.levels = known.levels;
+  tell_failing_pixels(sums, maps);
   tell_levels(sums.time, maps);
   tell_wander(phases, lost, maps);
   if (!lost.empty()) maps.time = sums.time;

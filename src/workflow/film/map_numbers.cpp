@@ -40,7 +40,7 @@ Numbers lockin_numbers(const LockinMaps& m, const std::string& unit) {
   put_angle(j, "reference_phase_deg", m.reference_phase * degrees, statistics::whole_turn,
             "Phase of the load: the angle still to go to its maximum at the first frame");
   j["frames"] = described(m.frames, "", "Frames used");
-  j["blank_frames"] = described(m.blank, "", "Frames that hold no picture and are left out");
+  j["blank_frames"] = described(m.blank, "", "Frames that hold no whole picture and are left out");
   j["lost_frames"] =
       described(m.lost_frames, "", "Frames missing without a time stamp that shows it, found by the phase of the load");
   j["drift_order"] = described(m.drift_order, "", "Order of the polynomial that describes the drift of a pixel");
@@ -67,7 +67,7 @@ Numbers step_numbers(const thermography::StepMaps& m) {
            described(m.rise, "s", "Time for which the film shows the load on its way; frames in between are left out")},
           {"frames_before", described(m.before, "", "Frames used before the step")},
           {"frames_after", described(m.after, "", "Frames used after it")},
-          {"blank_frames", described(m.blank, "", "Frames that hold no picture and are left out")},
+          {"blank_frames", described(m.blank, "", "Frames that hold no whole picture and are left out")},
           {"drift_order",
            described(m.drift_order, "", "Order of the polynomial that describes the drift of a pixel on each side")},
           {"relaxation_before_s",

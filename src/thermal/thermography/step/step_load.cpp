@@ -39,7 +39,7 @@ Matrix some_pixels(FilmSource& film, const Progress& progress) {
   return series;
 }
 
-/// Whether a frame may hold no picture: a pixel is no number there, or all are 0.
+/// Whether a frame may hold no whole picture: a pixel is no number there, or all are 0.
 bool may_lack_frames(const Matrix& series) {
   for (std::size_t n = 0; n < series.columns(); ++n) {
     const double* frame = series.column(n);
@@ -191,7 +191,7 @@ StepMaps step_load(FilmSource& film, const StepOptions& o) {
   if (may_lack_frames(some))
     if (const auto lost = blank_frames(film); !lost.empty()) {
       FilmWithout kept(film, lost, time);
-      StepMaps maps = step_load(kept, o);
+      StepMaps maps = of_other_frames(lost, [&] { return step_load(kept, o); });
       maps.blank = lost;
       return maps;
     }

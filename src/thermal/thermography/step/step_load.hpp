@@ -25,7 +25,7 @@ struct StepMaps {
   int width = 0, height = 0;
   double time = 0;                    ///< of the middle of the step, s after the first frame
   std::size_t before = 0, after = 0;  ///< frames used
-  std::vector<std::int64_t> blank;    ///< frames of the film that hold no picture and were left out
+  std::vector<std::int64_t> blank;    ///< frames of the film that hold no whole picture and were left out
   int drift_order = 0;
   double relaxation_before = 0,
          relaxation_after = 0;  ///< s, of the exponential that was fitted on a side beside the polynomial; 0: none was

@@ -88,6 +88,25 @@ TEST_F(Hdf5Image, OfMatlabIsTurned) {
   EXPECT_EQ(decode({.slice = 1, .dataset = "stack"}).value, (Values{11, 12, 13, 14, 15, 16}));
 }
 
+TEST_F(Hdf5Image, WhatStandsForNoNumberIsRefusedAndScalesCount) {
+  const auto state = [&](const char* set, const char* name, int value) {
+    const hid_t at = H5Dopen2(file_, set, H5P_DEFAULT), space = H5Screate(H5S_SCALAR);
+    const hid_t attribute = H5Acreate2(at, name, H5T_STD_I32LE, space, H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(attribute, H5T_NATIVE_INT, &value);
+    H5Aclose(attribute), H5Sclose(space), H5Dclose(at);
+  };
+  for (const char* name : {"filled", "unused", "beyond", "scaled"}) write(name, {1, 3}, H5T_STD_U8LE, {1, 2, 1});
+  state("filled", "_FillValue", 2);
+  state("unused", "_FillValue", 255);
+  state("beyond", "valid_max", 1);
+  state("scaled", "add_offset", 4);
+  EXPECT_NE(refusal({.slice = {}, .dataset = "filled"}).find("holds 2 at pixel 1, 0, which stands for no number"),
+            std::string::npos);
+  EXPECT_NE(refusal({.slice = {}, .dataset = "beyond"}).find("valid range"), std::string::npos);
+  EXPECT_EQ(decode({.slice = {}, .dataset = "unused"}).value, (Values{1, 2, 1}));
+  EXPECT_EQ(decode({.slice = {}, .dataset = "scaled"}).value, (Values{5, 6, 5}));
+}
+
 TEST_F(Hdf5Image, AsksWhichOfTwoAndWhichSlice) {
   write("labels", {1, 2}, H5T_STD_I32LE, {-1, 70000});
   write("stack", {2, 1, 2}, H5T_STD_U16LE, {1, 2, 3, 4});

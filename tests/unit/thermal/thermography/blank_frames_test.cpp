@@ -6,9 +6,12 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "support/oscillating_film.hpp"
 #include "support/pictures.hpp"
+#include "thermal/thermography/film_checks.hpp"
 #include "thermal/thermography/frame_statistics.hpp"
 #include "thermal/thermography/judge_amplitude.hpp"
 #include "thermal/thermography/lockin.hpp"
@@ -125,6 +128,45 @@ TEST(BlankFrames, PixelsThatFailInTurnGiveNoCertainty) {
   EXPECT_FALSE(shows_load(maps));
 }
 
+TEST(BlankFrames, OnePixelThatFailsInAFrameLeavesTheFrame) {
+  Film film = noisy_film();
+  const std::size_t pixels = film.about.pixels();
+  ASSERT_GT(100U, pixels);  // of which one is more than a hundredth
+  frame_of(film, 40)[3] = nothing;
+  EXPECT_TRUE(blank_frames(film).empty());
+  const LockinMaps maps = lock_in(film, at_3_hz());
+  EXPECT_EQ(maps.frames, 800U);
+  for (std::size_t p = 0; p < pixels; ++p) EXPECT_EQ(std::isfinite(maps.amplitude[p]), p != 3) << p;
+  EXPECT_EQ(
+      maps.disturbances.back(),
+      "1 of " + std::to_string(pixels) + " pixels are no numbers in some of the frames and are left out, as dead ones");
+  const FrameStatistics seen = frame_statistics(film);
+  EXPECT_EQ(seen.without[3], 1U);
+  EXPECT_NE(find_bad_pixels(seen)[3], 0);  // so that its neighbours stand in for it
+}
+
+TEST(BlankFrames, WherePixelsFailInManyFramesThatIsTheCause) {
+  test::OscillatingFilm wide;
+  wide.width = 20, wide.height = 10, wide.noise = 0.05;
+  Film film = wide.draw();
+  for (std::size_t n = 1; n < 800; ++n)
+    for (std::size_t p = (7 * n) % 5; p < 200; p += 5) frame_of(film, n)[p] = nothing;  // a fifth, scattered
+  EXPECT_TRUE(blank_frames(film).empty());
+  const LockinMaps maps = lock_in(film, at_3_hz());
+  EXPECT_TRUE(std::isnan(maps.chance));
+  EXPECT_NE(no_load_sentence(maps, 3, "--frequency").find("no pixel of the film has numbers in all frames"),
+            std::string::npos);
+}
+
+TEST(BlankFrames, ARefusalNamesTheFramesThatAreLeftOut) {
+  Film film = noisy_film();
+  for (std::size_t n = 0; n < 800; ++n)
+    if (n % 40 != 0) std::fill_n(frame_of(film, n), film.about.pixels(), nothing);
+  const std::string said = test::complaint([&] { lock_in(film, at_3_hz()); });
+  EXPECT_EQ(said.find("780 frames (1, 2, 3, 4, 5 and 775 more) hold no whole picture"), 0U) << said;
+  EXPECT_NE(said.find("are left out; of the others: the load frequency of 3 Hz is at or above"), std::string::npos);
+}
+
 TEST(BlankFrames, AStepIsThatOfTheOtherFrames) {
   test::OscillatingFilm still;
   still.amplitude = 0, still.noise = 0.05, still.frames = 300, still.rate = 100;
@@ -204,10 +246,12 @@ TEST(BlankFrames, AreNamedInASentence) {
   EXPECT_EQ(blank_frames_sentence({}), "");
   EXPECT_EQ(
       blank_frames_sentence({40}),
-      "frame 40 holds no picture (no numbers, one number everywhere, or the frame before once more) and is left out");
-  EXPECT_EQ(blank_frames_sentence({1, 2, 3, 4, 5, 6, 7}),
-            "7 frames (1, 2, 3, 4, 5 and 2 more) hold no picture (no numbers, one number everywhere, or the frame "
-            "before once more) and are left out");
+      "frame 40 holds no whole picture (no numbers in more than a tenth of its pixels, one number everywhere, or the "
+      "frame before once more) and is left out");
+  EXPECT_EQ(
+      blank_frames_sentence({1, 2, 3, 4, 5, 6, 7}),
+      "7 frames (1, 2, 3, 4, 5 and 2 more) hold no whole picture (no numbers in more than a tenth of their pixels, "
+      "one number everywhere, or the frame before once more) and are left out");
 }
 
 TEST(BlankFrames, FramesAroundThemAreReadInRuns) {
