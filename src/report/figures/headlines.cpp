@@ -135,15 +135,11 @@ std::vector<Headline> headlines_of(const VoxelResult& sample) {
 std::vector<Headline> headlines_of(const SphereResult& sample) {
   std::vector<Headline> list;
   add_known(list, headlines_of(fields::kind_of(sample)), sample.texture);
-  if (list.size() < 2) {
-    list.clear();
-    add_known(list,
-              {{"solid fraction", "\u03c6", "solid_fraction"},
-               {"contacts without rattlers", "z", "coordination.without_rattlers"},
-               {"pressure", "p", "stress_details.pressure_Pa"},
-               {"contacts", "z", "coordination.all"}},
-              sample.texture);
-  }
+  for (const Headline& one : {Headline{"solid fraction", "\u03c6", "solid_fraction"},
+                              {"contacts without rattlers", "z", "coordination.without_rattlers"},
+                              {"pressure", "p", "stress_details.pressure_Pa"},
+                              {"contacts", "z", "coordination.all"}})
+    if (list.size() < 3 && is_known(sample.texture, one.name)) list.push_back(one);
   add_known(list,
             {{"deviator", "q", "stress_details.deviator_Pa"},
              {"anisotropy of contacts", "a_{c}", "fabric.a_c"},
@@ -187,9 +183,10 @@ std::string first_rows(const Numbers& numbers) {
       if (rows.find(" " + group) == std::string::npos) rows += group + " ";
     }
   std::ranges::replace(rows, '.', ' ');
-  return rows + "floor cohesion boundary_loads contacts " + (numbers.contains("surface") ? "" : "solid_fraction ") +
+  return rows + "floor cohesion boundary_loads contacts wall_contacts " +
+         (numbers.contains("surface") ? "" : "solid_fraction ") +
          "coordination.all coordination.without_rattlers coordination.all,* coordination.rattlers coordination.Z "
-         "fabric.a_c fabric.a_c_noise long_axes.order long_axes.noise force.mean_N force.strong_share force.beta "
+         "fabric.a_c long_axes.order long_axes.noise force.mean_N force.strong_share force.beta "
          "sigma_norm.P0 stress_details.pressure_Pa stress_details.deviator_Pa map.lengths grains.all phases.particle "
          "phases.void phases.matrix S_m pores.count pores.mean voids.count modulus_Pa poisson apparent_moduli "
          "strength_Pa "
