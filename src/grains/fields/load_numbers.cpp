@@ -74,8 +74,9 @@ SteadyState departure(const Load& load) {
   std::vector<double> off;
   for (std::size_t k = 0; k < load.asked.size(); ++k) off.push_back(load.reached[k] - load.asked[k]);
   SteadyState state = find_steady_state(off);
-  if (!std::isfinite(state.mean.error) && state.count >= 12)
-    state.mean = mean_of_blocks(std::span(off).last(state.count), 6);
+  const auto steady = std::span(off).last(state.count);
+  if (const double error = error_of_departures(steady); std::isfinite(error)) state.mean.error = error;
+  else if (!std::isfinite(state.mean.error) && state.count >= 12) state.mean = mean_of_blocks(steady, 6);
   return state;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -43,15 +44,34 @@ double deviation(const std::vector<double>& values) {
   return mean.error * std::sqrt(mean.freedom + 1);
 }
 
-/// Standard deviation of values that may drift, by the differences of neighbours (J. von Neumann, Ann. Math. Stat. 12,
-/// 367, 1941), those of angles the shorter way around their `period`.
-double deviation_of_neighbours(const std::vector<double>& values, double period) {
+/// Differences of values from the next, the second and the third after them, the shorter way around where they are
+/// angles of a `period`: those from the next alone miss what lasts from state to state.
+std::vector<double> differences(const std::vector<double>& values, double period) {
+  std::vector<double> found;
+  for (std::size_t lag = 1; lag <= 3; ++lag)
+    for (std::size_t k = lag; k < values.size(); ++k) {
+      const double apart = values[k] - values[k - lag];
+      found.push_back(period > 0 ? std::remainder(apart, period) : apart);
+    }
+  return found;
+}
+
+/// Standard deviation of values that may drift (J. von Neumann, Ann. Math. Stat. 12, 367, 1941).
+double deviation_in_time(const std::vector<double>& values) {
   double squares = 0;
-  for (std::size_t k = 1; k < values.size(); ++k) {
-    const double apart = values[k] - values[k - 1], way = period > 0 ? std::remainder(apart, period) : apart;
-    squares += way * way;
-  }
-  return std::sqrt(squares / (2 * static_cast<double>(values.size() - 1)));
+  const auto apart = differences(values, 0);
+  for (const double d : apart) squares += d * d;
+  return std::sqrt(squares / (2 * static_cast<double>(apart.size())));
+}
+
+/// The same of angles: the circular one (K. V. Mardia, Statistics of Directional Data, 1972), which a few states
+/// without a direction do not rule, and at most that of no direction at all.
+double deviation_in_time(const std::vector<double>& values, double period) {
+  const double turn = 2 * std::numbers::pi / period, none = period / std::sqrt(12.0);
+  double resultant = 0;
+  const auto apart = differences(values, period);
+  for (const double d : apart) resultant += std::cos(turn * d) / static_cast<double>(apart.size());
+  return resultant > 0 ? std::min(none, std::sqrt(-std::log(resultant)) / turn) : none;
 }
 
 /// At most so many states, evenly from the later two thirds of a stage, the last left out, which is measured already.
@@ -88,7 +108,7 @@ Numbers widened(const Numbers& value, const Numbers& error, const Nodes& of_stat
   for (const Numbers* node : of_states)
     if (node->is_number()) values.push_back(node->get<double>());
   if (!value.is_number() || values.size() < fewest_states) return error;
-  const double scatter = deviation_of_neighbours(values, period);
+  const double scatter = period > 0 ? deviation_in_time(values, period) : deviation_in_time(values);
   return error.is_number() && scatter <= beyond_blocks * error.get<double>() ? error : Numbers(scatter);
 }
 

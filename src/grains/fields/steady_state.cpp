@@ -31,6 +31,16 @@ struct Sums {
       means.push_back(origin + (before[k + length] - before[k]) / static_cast<double>(length));
     return means;
   }
+
+  /// Root mean square of the sums of so many neighbours about their mean, of windows that overlap; that mean follows
+  /// them, which the last factor makes good.
+  double scatter_of_sums(std::size_t length) const {
+    double squares = 0;
+    for (std::size_t k = length; k < before.size(); ++k)
+      squares += (before[k] - before[k - length]) * (before[k] - before[k - length]);
+    const double share = static_cast<double>(length) / static_cast<double>(size());
+    return std::sqrt(squares / static_cast<double>(before.size() - length) / (1 - share));
+  }
 };
 
 /// Where the transient ends, in batches: the least of (sum of squares about the mean of what remains) over the square
@@ -84,6 +94,18 @@ SteadyState block_average(std::span<const double> samples) {
     break;
   }
   return state;
+}
+
+double error_of_departures(std::span<const double> samples) {
+  const std::size_t n = samples.size();
+  if (n < 48) return statistics::unknown;
+  const Sums sums(samples);
+  const double few = sums.scatter_of_sums(n / 16), many = sums.scatter_of_sums(n / 6);
+  if (!(few > 0)) return 0;
+  const double times = static_cast<double>(n / 6) / static_cast<double>(n / 16);
+  const double power = std::clamp(std::log(many / few) / std::log(times), 0.0, 0.5);
+  const double whole = static_cast<double>(n) / static_cast<double>(n / 16);
+  return few * std::pow(whole, power) / static_cast<double>(n);
 }
 
 std::vector<double> about_ratio_of_means(std::span<const double> a, std::span<const double> b, std::size_t first) {

@@ -31,6 +31,12 @@ struct SteadyState {
 /// theirs is too large at worst.
 SteadyState block_average(std::span<const double> samples);
 
+/// Standard error of the mean of departures from a load that a servo makes good later, each after longer than blocks
+/// can show: sums of b departures scatter by D(b), as sqrt(b) where these are independent and by the same for any b
+/// where nothing of them remains. Its power p, between 0 and 1/2, is that from windows of n/16 to those of n/6, which
+/// overlap, and the error D(n/16) 16^p / n. NaN for fewer than 48 samples.
+double error_of_departures(std::span<const double> samples);
+
 /// Samples, from the first on, whose mean is the ratio of the means of a and b, |<a>/<b>|, and whose fluctuations are
 /// those that its error comes from: R + (a - R b)/<b>. A mean of ratios would be another number where b fluctuates, by
 /// the part of a that goes with it.

@@ -98,6 +98,48 @@ TEST(SteadyState, ErrorOfDeparturesThatUndoEachOtherIsThatOfWhatRemains) {
   EXPECT_NEAR(std::sqrt(told / squares), std::sqrt(6.0), 0.3);
 }
 
+/// Of the mean of many series: its scatter, the error that departures tell (both root mean squares), and that of
+/// blocks.
+struct OfDepartures {
+  double scatter = 0, told = 0, blocks = 0;
+};
+
+template <class Series> OfDepartures of_departures(Series&& series) {
+  constexpr int count = 200;
+  OfDepartures of;
+  for (std::uint64_t seed = 0; seed < count; ++seed) {
+    const std::vector<double> x = series(seed);
+    const auto square = [](double v) { return v * v / count; };
+    of.scatter += square(statistics::mean_of(x).value);
+    of.told += square(error_of_departures(x));
+    of.blocks += square(block_average(x).mean.error);
+  }
+  return {std::sqrt(of.scatter), std::sqrt(of.told), std::sqrt(of.blocks)};
+}
+
+TEST(SteadyState, ErrorOfAServosLoadKnowsWhatIsMadeGoodLate) {
+  // A side whose place fluctuates about one, for 30 samples, and whose servo moves it by what the load departs: the
+  // load is the rate of its place and some noise of its own.
+  const auto held = [](std::uint64_t seed) {
+    std::vector<double> place = ar1(seed, 1701, 1 - 1 / 30.0, 0), smooth(place.size(), place.front());
+    for (std::size_t k = 1; k < place.size(); ++k) smooth[k] = smooth[k - 1] + (place[k] - smooth[k - 1]) / 10;
+    std::vector<double> x;
+    for (std::size_t k = 1; k < smooth.size(); ++k) x.push_back(smooth[k] - smooth[k - 1]);
+    return x;
+  };
+  const OfDepartures servo = of_departures(held);
+  EXPECT_GT(servo.told, 0.9 * servo.scatter);
+  EXPECT_LT(servo.told, 1.5 * servo.scatter) << "more than it is, since no power below 0 is believed";
+  EXPECT_GT(servo.blocks, 2 * servo.scatter);
+  // Where nothing is made good, errors are those of independent departures.
+  for (const double phi : {0.0, 0.9}) {
+    const OfDepartures free = of_departures([&](std::uint64_t seed) { return ar1(seed, 1700, phi, 0); });
+    EXPECT_NEAR(free.told / free.scatter, 1.0, 0.25) << phi;
+  }
+  EXPECT_TRUE(std::isnan(error_of_departures(std::vector<double>(47, 1.0))));
+  EXPECT_LT(error_of_departures(std::vector<double>(48, 1.0)), 1e-12);
+}
+
 TEST(SteadyState, BeginsWhereTheTransientHasDecayed) {
   // A jump of 20 deviations, exp(-k/50): at 20 exp(-3.0) = 1 deviation it is lost in the noise, which takes 150
   // samples; twice the point found lies between that and half the series.
