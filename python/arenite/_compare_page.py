@@ -37,9 +37,11 @@ def cells(row, name):
 
 
 def first_tables(found):
-    """What one asks of the tests first."""
+    """What one asks first, of the parts one after the other."""
     first = [row for row in found if row.words]
-    return [{"title": "Tests", "heads": ["", *columns], "rows": [cells(row, row.words) for row in first]}] * bool(first)
+    several = len({row.part for row in first}) > 1
+    rows = [cells(row, f"{row.part}: {row.words}" if several else row.words) for row in first]
+    return [{"title": "First numbers", "heads": ["", *columns], "rows": rows}] * bool(first)
 
 
 def numbers_of(part, found):

@@ -213,7 +213,7 @@ def text_table(found):
 
 
 def number(value):
-    return "-" if math.isnan(value) else f"{value:.4g}"
+    return "-" if math.isnan(value) else f"{value + 0.0:.4g}"  # -0 is 0
 
 
 def with_error(value, error):

@@ -178,7 +178,9 @@ def test_tests_begin_with_what_one_asks_of_them(tmp_path):
     words = [row.words for row in compare.rows(one, other) if row.words]
     assert "peak μ" in words and words.count("peak μ") == 1
     document = document_of(compare.save_page(one, other, tmp_path / "cmp.html"))
-    assert document["first"][0]["rows"][0]["cells"][0] in words
+    named = [row["cells"][0] for row in document["first"][0]["rows"]]
+    assert named[0] == f"packing: {words[0]}" and any(name == "shear: peak μ" for name in named)
+    assert len(set(named)) == len(named)
     curve = document["figures"][0]["drawing"]["panels"][0]
     assert {series["name"] for series in curve["series"]} == {"A", "B"} and "strain" in curve["x"]["label"]
     packing = arenite.open(one).stages[-1].snapshots[-1].packing

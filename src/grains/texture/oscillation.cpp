@@ -31,7 +31,7 @@ Oscillation oscillation(const Estimate& x, const Estimate& y, int m) {
   found.amplitude.error = truth > 0 ? along * rice_deviation(truth / noise) : noise * rice_deviation(0);
   // Order of four and six folds reaches beyond a block of a dozen grains, so that blocks show too little noise.
   const double shared = m > 2 ? 1.25 * noise : noise,
-               sure = std::sqrt(std::max(0.0, amplitude * amplitude - 2 * shared * shared));
+               sure = std::sqrt(std::max(0.0, amplitude * amplitude - shared * shared));
   found.direction_deg.error = (sure > 0 ? std::min(shared / sure, random) : random) / m * degrees;
   return found;
 }

@@ -188,7 +188,7 @@ RC_GTEST_PROP(Fabric, TurnsWithTheSampleAndMirrorsWithIt, ()) {
 }
 
 TEST(Oscillation, HasTheErrorsThatOtherSamplesScatterBy) {
-  for (const double truth : {0.0, 1.0, 4.0}) {
+  for (const double truth : {0.0, 1.0, 2.7, 4.0}) {
     RandomStream random(3, Purpose::test);
     constexpr int samples = 4000;
     double sum = 0, squares = 0, told = 0, off = 0, off_told = 0;
