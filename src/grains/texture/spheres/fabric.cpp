@@ -74,9 +74,17 @@ void add_contact(const ContactsIn<3>& contacts, std::size_t c, double* sums) {
   }
 }
 
+/// The axis along which most contacts are.
+Vec3 axis_of_most(const ContactsIn<3>& contacts, const Items& items) {
+  Tensor3 sum;
+  for (const std::size_t c : items) sum += outer(contacts.normal[c], contacts.normal[c]);
+  return principal(sum).direction[0];
+}
+
 /// <P_4(cos)> about an axis, of a fourth moment that the normal equations hold.
-double fourth_about(Vec3 axis, const double* normal, double n, double second) {
+double fourth_about(Vec3 axis, const double* normal, double n, const double* tensor) {
   const auto p = products(axis);
+  const double second = std::inner_product(p.begin(), p.end(), tensor, 0.0);
   double fourth = 0;  // sum of (n . axis)^4; each product stands with its weight, so one of the two is divided out
   for (int a = 0; a < 6; ++a)
     for (int b = 0; b < 6; ++b) fourth += p[a] * p[b] * normal[6 * a + b] / ((a < 3 ? 1 : 2) * (b < 3 ? 1 : 2));
@@ -89,7 +97,9 @@ Tensor3 tensor_of(const double* t) {
   return tensor;
 }
 
-std::vector<double> evaluate(const std::vector<double>& s, Vec3 load_axis) {
+/// About the main axis of all contacts: one of those that are left would add its own turns to the error of what lies
+/// about it.
+std::vector<double> evaluate(const std::vector<double>& s, Vec3 load_axis, Vec3 main_axis) {
   std::vector<double> r(results, statistics::unknown);
   const double n = s[count];
   if (n < 1) return r;
@@ -98,8 +108,7 @@ std::vector<double> evaluate(const std::vector<double>& s, Vec3 load_axis) {
   const auto along = products(load_axis);
   if (load_axis != Vec3{})
     r[a_c_signed] = 11.25 * (std::inner_product(along.begin(), along.end(), &r[phi], 0.0) - 1.0 / 3);
-  const Principal axes = principal(tensor_of(&r[phi]));
-  r[p_4] = fourth_about(axes.direction[0], &s[normal_sum], n, axes.value[0]);
+  r[p_4] = fourth_about(main_axis, &s[normal_sum], n, &r[phi]);
   // Fitted over directions, so that anisotropies of forces do not inherit that of the counts.
   const std::vector<double> form = solved_for_six(&s[normal_sum], &s[force_sum]);
   const double mean_force = (form[0] + form[1] + form[2]) / 3;
@@ -117,9 +126,10 @@ std::vector<double> by_directions(const SphereView& view, const Items& items) {
 Numbers direction(Vec3 n) { return Numbers::list({n.x, n.y, n.z}); }
 
 void put_fabric(Numbers& j, const SphereView& view, const Items& items) {
+  const Vec3 axis = axis_of_most(view.pairs(), items);
   const auto r = statistics::jackknife_of_sums(
       items, view.contact_block, terms, [&](std::size_t c, double* sums) { add_contact(view.pairs(), c, sums); },
-      [&](const std::vector<double>& sums) { return evaluate(sums, view.load_axis); });
+      [&](const std::vector<double>& sums) { return evaluate(sums, view.load_axis, axis); });
   std::array<double, 6> value{}, error{};
   for (int k = 0; k < 6; ++k) value[k] = r[phi + k].value, error[k] = r[phi + k].error;
   put(j, "contacts", items.size(), "", "Contacts of the set");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -104,6 +105,28 @@ TEST(Spheres, TheFabricOfACrystalIsIsotropicToSecondOrderOnly) {
   along_x.load_axis = 0;
   EXPECT_NEAR(value(measure_spheres(packing, along_x), "/fabric/a_c_signed"), 1.5 * 7.5 / 6, 1e-9);
   EXPECT_NEAR(numbers["fabric"]["principal"][2].get<double>(), 0, 1e-12);
+}
+
+/// Where no direction is preferred, the axis of most contacts is any; an error that let it turn with the contacts that
+/// are left would be twice as large as P_4 scatters from sample to sample, 1/(3 sqrt(n)).
+TEST(Spheres, TheFourthOrderAboutAnAxisHasTheErrorThatSamplesScatterBy) {
+  double told = 0, off = 0, expected = 0;
+  constexpr int samples = 24;
+  for (std::uint64_t seed = 1; seed <= samples; ++seed) {
+    PackingIn<3> packing = crystal(5);
+    RandomStream random(seed, Purpose::test);
+    for (Vec3& normal : packing.contacts.normal) {
+      const double z = random.uniform(-1, 1), angle = random.uniform(0, 2 * std::numbers::pi), r = std::sqrt(1 - z * z);
+      normal = {r * std::cos(angle), r * std::sin(angle), z};
+    }
+    const Numbers numbers = measure_spheres(packing);
+    const double error = (*numbers.at_path("/fabric/p_4"))["error"].get<double>();
+    told += error * error / samples;
+    off += std::pow(value(numbers, "/fabric/p_4"), 2) / samples;
+    expected += 1 / (9 * value(numbers, "/fabric/contacts")) / samples;
+  }
+  EXPECT_NEAR(std::sqrt(off / expected), 1, 0.45);
+  EXPECT_NEAR(std::sqrt(told / expected), 1, 0.25);
 }
 
 /// Random directions have the anisotropy that is told of chance, and forces that press by direction the one that is
