@@ -10,9 +10,12 @@ const small = { width: 400, height: 600 },
 async function coarsely(page, size, then) {
   const session = await page.context().newCDPSession(page);
   await session.send("Emulation.setDeviceMetricsOverride", { ...size, deviceScaleFactor: 0.5, mobile: false });
-  await then();
-  await session.send("Emulation.clearDeviceMetricsOverride");
-  await session.detach();
+  try {
+    await then();
+  } finally {
+    await session.send("Emulation.clearDeviceMetricsOverride");
+    await session.detach();
+  }
 }
 
 /** Every part of a page in turn. */
