@@ -61,7 +61,7 @@ void add_camera(Options& command, int& status) {
   command.add("--blind", a->blind,
               "Omit from film.toml what no laboratory knows exactly: lens blur, surroundings, phase of the load, "
               "displacement of the wall");
-  command.add("--quiet", a->quiet, "No progress");
+  add_quiet(command, a->quiet);
   command.work = [a, &status] { status = execute(*a); };
 }
 

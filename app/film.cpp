@@ -70,8 +70,8 @@ void add_film(Options& command, int& status) {
   a->reading.add_to(command);
   command.add("--out", a->out, "Folder of the result, the simulation and the page (default: out/NAME)").type("DIR");
   add_threads(command, a->threads);
-  command.add("--json", a->json, "Print all numbers as JSON");
-  command.add("--quiet", a->quiet, "Show no progress");
+  add_json(command, a->json);
+  add_quiet(command, a->quiet);
   command.work = [a, &status] { status = execute(*a); };
 }
 

@@ -79,15 +79,19 @@ void tell(const LoadArguments& a, const ResultHead& result, const Numbers& numbe
   else print("{}", report::field_summary(result, numbers));
 }
 
+int tell_stopped(const LoadArguments& a, const recipe::Load& load) {
+  if (load.failure && !a.out.empty())
+    print(stderr, "stopped; the same command continues from the checkpoint in {}\n", a.out);
+  else print(stderr, "stopped; nothing was stored\n");
+  return other_failure;
+}
+
 int execute_in_space(const LoadArguments& a, const recipe::MapSection& map, const recipe::Load& load) {
   ProgressLine line(a.quiet || a.json);
   const workflow::RunOptions options = options_of(a, line);
   watch_for_signals();
   const auto [result, file] = workflow::load_voxels(map, load, options, a.solver);
-  if (!result) {
-    print(stderr, "stopped; nothing was stored\n");
-    return other_failure;
-  }
+  if (!result) return tell_stopped(a, load);
   tell(a, *result, result->numbers);
   if (!a.out.empty()) {
     const fs::path page = fs::path(a.out) / "report.html";
@@ -106,12 +110,7 @@ int execute(const LoadArguments& a) {
   workflow::require_length(map, load);
   watch_for_signals();
   const auto [field, file, measured] = carry_out(a, map, load);
-  if (!field) {
-    if (load.failure && !a.out.empty())
-      print(stderr, "stopped; the same command continues from the checkpoint in {}\n", a.out);
-    else print(stderr, "stopped; nothing was stored\n");
-    return other_failure;
-  }
+  if (!field) return tell_stopped(a, load);
   tell(a, *field, field->numbers);
   if (!a.out.empty()) {
     const fs::path page = fs::path(a.out) / "report.html";
@@ -166,9 +165,9 @@ void add_load_by(const elements::OtherSolver* solver, Options& command, int& sta
       .type("PHASEMAP");
   add_reading(command, a->map);
   add_loading(command, a->load);
-  command.add("--json", a->json, "Print all numbers as JSON");
+  add_json(command, a->json);
   command.add("--out", a->out, "Folder for the field (.h5) and its page; if not given, nothing is stored").type("DIR");
-  command.add("--quiet", a->quiet, "Show no progress");
+  add_quiet(command, a->quiet);
   command.work = [a, &status] { status = execute(*a); };
 }
 

@@ -148,8 +148,8 @@ void add_lockin(Options& command, int& status) {
   a->keys.add(command, "--pixel", "pixel").type("LENGTH");
   a->reading.add_to(command);
   add_threads(command, a->threads);
-  command.add("--json", a->json, "Print all numbers as JSON");
-  command.add("--quiet", a->quiet, "Show no progress");
+  add_json(command, a->json);
+  add_quiet(command, a->quiet);
   command.work = [a, &status] { status = execute(*a); };
 }
 

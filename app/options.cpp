@@ -234,6 +234,9 @@ Option& add_jobs(Options& to, std::uint64_t& jobs) {
       .type("J");
 }
 
+Option& add_quiet(Options& to, bool& quiet) { return to.add("--quiet", quiet, "Show no progress"); }
+Option& add_json(Options& to, bool& json) { return to.add("--json", json, "Print all numbers as JSON"); }
+
 std::string option_name(std::string_view key) {
   std::string name = "--" + std::string(key);
   std::ranges::replace(name, '_', '-');

@@ -103,6 +103,9 @@ Option& add_threads(Options& to, int& threads);
 /// --checkpoint-every and --jobs, likewise.
 Option& add_checkpoints(Options& to, double& seconds);
 Option& add_jobs(Options& to, std::uint64_t& jobs);
+/// --quiet of a command with progress, --json of one that prints a result's numbers.
+Option& add_quiet(Options& to, bool& quiet);
+Option& add_json(Options& to, bool& json);
 
 /// "--max-strain" of "max_strain".
 std::string option_name(std::string_view key);

@@ -159,7 +159,7 @@ void add_run(Options& command, int& status) {
   arguments->engine_keys.add(command, "--prepare", "prepare");
   command.add("--watch", arguments->watch,
               "Serve a live page of the run to browsers on this machine, and print its address");
-  command.add("--quiet", arguments->quiet, "Show no progress");
+  add_quiet(command, arguments->quiet);
   command.work = [arguments, &status] { status = execute(*arguments); };
 }
 

@@ -141,7 +141,7 @@ void add_verify(Options& command, int& status) {
   command.add("--keep", a->keep, "Keep all files, or only the numbers of cemented samples and loads (default)")
       .type("WHAT")
       .among({"all", "numbers"});
-  command.add("--quiet", a->quiet, "Show no progress");
+  add_quiet(command, a->quiet);
   add_overrides(command, a->overrides);
   command.work = [a, &status] { status = execute(*a); };
 }

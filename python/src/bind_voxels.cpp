@@ -109,6 +109,23 @@ py::array_t<double> voxel_values(const VoxelResult& sample, const std::string& n
   return taken_over(std::move(values), {field.depth, field.height, field.width});
 }
 
+py::dict space_cracks_of(const py::object& self) {
+  const auto& cracks = self.cast<const VoxelResult&>().cracks;
+  py::dict d;
+  const auto add = [&]<class T>(const char* name, T SpaceCrack::*member) {
+    d[name] = member_view(cracks, member, self);
+  };
+  add.operator()<float>("x", &SpaceCrack::x);
+  add.operator()<float>("y", &SpaceCrack::y);
+  add.operator()<float>("z", &SpaceCrack::z);
+  add.operator()<std::uint8_t>("type", &SpaceCrack::type);
+  add.operator()<double>("strain", &SpaceCrack::strain);
+  add.operator()<std::int32_t>("along_x", &SpaceCrack::along_x);
+  add.operator()<std::int32_t>("along_y", &SpaceCrack::along_y);
+  add.operator()<std::int32_t>("along_z", &SpaceCrack::along_z);
+  return d;
+}
+
 void def_component(py::class_<VoxelResult>& c, const char* name, std::vector<float> VoxelStress::*member,
                    const char* sentence) {
   c.def_property_readonly(
@@ -163,6 +180,26 @@ void bind_voxels(py::module_& m) {
           "numbers", [](const VoxelResult& r) { return to_python(r.numbers); },
           "Modulus, forces, statistics by phase, effective stiffness; as `arenite load --json` prints them.")
       .def_property_readonly(
+          "curve", [](const py::object& self) { return columns_of(self.cast<const VoxelResult&>().curve, self); },
+          "Of a test to failure: strain, stress, work, elastic and released energy, broken bonds; `curve_units` has "
+          "their units.")
+      .def_property_readonly(
+          "curve_units", [](const VoxelResult& r) { return history_units(r.curve); },
+          "Unit of every column of `curve`; \"1\": none.")
+      .def_property_readonly(
+          "cracks", &space_cracks_of,
+          "Broken bonds in the order of breaking: x, y, z (m, float32) of the middle, type (1 matrix, "
+          "2 interface, 3 particle), strain of the sample, along_x, along_y, along_z (voxels).")
+      .def_property_readonly(
+          "damage",
+          [](const py::object& self) {
+            const VoxelStress& field = self.cast<const VoxelResult&>().field;
+            return field.damage.empty() ? py::object(py::none())
+                                        : volume_view(field.damage, field.depth, field.height, field.width, self);
+          },
+          "Share of the bonds of every voxel that broke; float32, (depth, height, width); None but for tests to "
+          "failure.")
+      .def_property_readonly(
           "provenance", [](const VoxelResult& r) { return to_python(r.provenance); },
           "Provenance: version, stage, input_hash, recipe, seed, kernel, options.");
   const std::pair<const char*, std::vector<float> VoxelStress::*> stresses[] = {
@@ -184,13 +221,13 @@ void bind_voxels(py::module_& m) {
       },
       "What a picture of a sample in space may show: symbol, unit and whether it is a magnitude, by name.");
   m.def(
-      "_stresses_drawn",
+      "_quantities_drawn",
       [](const VoxelResult& sample) {
         std::vector<std::string> names;
-        for (const VoxelQuantity* q : stresses_drawn(sample)) names.emplace_back(q->name);
+        for (const VoxelQuantity* q : quantities_drawn(sample)) names.emplace_back(q->name);
         return names;
       },
-      py::arg("sample"), "Names of the stresses that pictures of a loaded sample show, that of its load first.");
+      py::arg("sample"), "Names of what pictures of a loaded sample show, the stress of its load first.");
   m.def("_voxel_values", &voxel_values, py::arg("sample"), py::arg("name"),
         "That quantity in all voxels; float64, (depth, height, width).");
   m.def(
@@ -206,11 +243,13 @@ void bind_voxels(py::module_& m) {
       "\"particle\"}.",
       py::arg("file"), py::kw_only(), py::arg("dx") = py::none(), py::arg("labels") = recipe::MapSection{}.labels,
       py::arg("phases") = "");
-  def_with_keywords(m, "load_voxels", &loaded_voxels, load_keywords(),
-                    "Loads a sample in space along z by elements (docs/voxels.md): give method=\"elements\". With "
-                    "`effective_stiffness` that stiffness of the periodic sample follows.",
-                    py::arg("map"), py::arg("loading") = recipe::word_of(recipe::Load{}.loading), py::kw_only(),
-                    py::arg("progress") = py::none());
+  def_with_keywords(
+      m, "load_voxels", &loaded_voxels, load_keywords(),
+      "Loads a sample in space along z by bonds or, with method=\"elements\", by elements (docs/voxels.md). With "
+      "`effective_stiffness` that stiffness of the periodic sample follows; with `failure` bonds break until "
+      "the sample does.",
+      py::arg("map"), py::arg("loading") = recipe::word_of(recipe::Load{}.loading), py::kw_only(),
+      py::arg("progress") = py::none());
 }
 
 }  // namespace arenite::python

@@ -156,6 +156,12 @@ struct Crack {
   double strain = 0;      ///< of the sample when it broke
 };
 
+/// The same of a sample in space: a bond between two voxels.
+struct SpaceCrack : Crack {
+  float z = 0;                                         ///< m
+  std::int32_t along_x = 0, along_y = 0, along_z = 0;  ///< from its first voxel to its second, voxels
+};
+
 /// The result of a stage on a grid: a cemented sample, or its stresses under load. One file in the store.
 struct FieldResult : ResultHead {
   Packing packing;  ///< what was rasterised, in the map's coordinates; no grains if the map came from an image
@@ -171,9 +177,11 @@ struct FieldResult : ResultHead {
 /// A sample in space under load. One file in the store.
 struct VoxelResult : ResultHead {
   VoxelMap map;
-  VoxelStress field;
-  History convergence;  ///< columns "iteration", "residual"
-  Numbers numbers;      ///< of the sample, the load and its stresses, as `show --json` gives them
+  VoxelStress field;               ///< for a test to failure that at the largest stress
+  History convergence;             ///< columns "iteration", "residual"
+  History curve;                   ///< of a test to failure, as a FieldResult's
+  std::vector<SpaceCrack> cracks;  ///< in the order of breaking
+  Numbers numbers;                 ///< of the sample, the load and its stresses, as `show --json` gives them
 };
 
 }  // namespace arenite

@@ -41,6 +41,7 @@ struct VoxelStress {
   double dx = 1;                              ///< m
   std::vector<float> ux, uy, uz;              ///< m
   std::vector<float> xx, yy, zz, yz, xz, xy;  ///< Pa
+  std::vector<float> damage;                  ///< share of a voxel's bonds that broke in a test; empty: none was made
   std::size_t size() const { return xx.size(); }
 };
 

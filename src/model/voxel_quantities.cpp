@@ -28,17 +28,27 @@ const std::vector<VoxelQuantity>& voxel_quantities() {
       {"hydrostatic", "sigma_hyd", "mean stress", "\u03c3_{hyd}", "Pa", false, hydrostatic},
       {"mises", "sigma_mises", "von Mises stress", "\u03c3_{vM}", "Pa", true, von_mises},
       {"uz", "u_z", "displacement along the clamps", "u_{z}", "m", false,
-       [](const VoxelStress& f, std::size_t k) { return at(f.uz, k); }}};
+       [](const VoxelStress& f, std::size_t k) { return at(f.uz, k); }},
+      {"damage", "damage", "share of bonds broken", "D", "", true,
+       [](const VoxelStress& f, std::size_t k) { return at(f.damage, k); }, VoxelQuantity::Acts::no_load,
+       [](const VoxelStress& f) { return !f.damage.empty(); }}};
   return list;
 }
 
-std::vector<const VoxelQuantity*> stresses_drawn(const VoxelResult& sample) {
+std::vector<const VoxelQuantity*> quantities_of(const VoxelResult& sample) {
+  std::vector<const VoxelQuantity*> found;
+  for (const VoxelQuantity& q : voxel_quantities())
+    if (!q.is_known || q.is_known(sample.field)) found.push_back(&q);
+  return found;
+}
+
+std::vector<const VoxelQuantity*> quantities_drawn(const VoxelResult& sample) {
   const Numbers* loading = sample.numbers.at_path("/load/loading");
   const bool sheared = loading && *loading == Numbers("shear");
   const auto acts = sheared ? VoxelQuantity::Acts::shear : VoxelQuantity::Acts::along_clamps;
   std::vector<const VoxelQuantity*> drawn;
-  for (const VoxelQuantity& q : voxel_quantities())
-    if (q.unit == "Pa" && (q.by == acts || q.by == VoxelQuantity::Acts::no_load)) drawn.push_back(&q);
+  for (const VoxelQuantity* q : quantities_of(sample))
+    if (q->unit != "m" && (q->by == acts || q->by == VoxelQuantity::Acts::no_load)) drawn.push_back(q);
   return drawn;
 }
 

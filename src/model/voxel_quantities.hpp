@@ -16,12 +16,17 @@ struct VoxelQuantity {
   bool is_magnitude = false;  ///< never below 0, so that no scale is centred
   double (*of)(const VoxelStress& field, std::size_t voxel);
   enum class Acts : std::uint8_t { no_load, along_clamps, shear } by = Acts::no_load;  ///< what acts by this component
+  bool (*is_known)(const VoxelStress& field) = nullptr;  ///< in which fields; in all, if null
 };
 
 /// All, the stress along the axis of the clamps first; a new one is one more row.
 const std::vector<VoxelQuantity>& voxel_quantities();
 
-/// Stresses that are drawn of a loaded sample: the component that its load acts by, then those that are no component.
-std::vector<const VoxelQuantity*> stresses_drawn(const VoxelResult& sample);
+/// Those that a sample has.
+std::vector<const VoxelQuantity*> quantities_of(const VoxelResult& sample);
+
+/// What is drawn of a loaded sample: the component of stress that its load acts by, then those that are no component,
+/// then where it broke.
+std::vector<const VoxelQuantity*> quantities_drawn(const VoxelResult& sample);
 
 }  // namespace arenite

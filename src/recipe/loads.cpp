@@ -145,12 +145,6 @@ void declare(Visitor& v, Load& load) {
                      "clamps: three uniform strains in the plane, six in space."},
                     load.effective_stiffness);
     });
-    inner.when(load.method == LoadMethod::peridynamics, "method = \"peridynamics\"", [&](Visitor& bonds) {
-      bonds.integer({"horizon_in_space",
-                     "Horizon of the bonds in space, in voxels: 2 for 32 bonds a voxel, 3 for 122, which cost four "
-                     "times as much. In the plane it is 3 nodes."},
-                    load.horizon_in_space, {2, 3});
-    });
     inner.flag({"exact_stretch", "Exact stretch of the rotated bond, as printed in the paper; otherwise linearised."},
                load.exact_stretch);
     inner.flag(
@@ -159,6 +153,12 @@ void declare(Visitor& v, Load& load) {
         load.moduli);
     inner.integer({"max_iterations", "Iterations after which a solve gives up; 0: 50, or a million steps of dynamics."},
                   load.max_iterations, {0, 1'000'000'000});
+  });
+  v.when(load.method == LoadMethod::peridynamics, "method = \"peridynamics\"", [&](Visitor& bonds) {
+    bonds.integer({"horizon_in_space",
+                   "Horizon of the bonds in space, in voxels: 2 for 32 bonds a voxel, 3 for 122, which cost four "
+                   "times as much. In the plane it is 3 nodes."},
+                  load.horizon_in_space, {2, 3});
   });
   v.number({"tolerance", "Residual, relative to that of uniform strain, at which equilibrium is reached."},
            load.tolerance, "", range::between(1e-12, 0.1));
@@ -208,7 +208,6 @@ std::vector<std::string> Load::idle_keys() const {
 }
 
 std::string Load::not_in_space() const {
-  if (failure) return "bonds that break are of the plane; leave failure out in space";
   if (!by_elements() && method != LoadMethod::peridynamics)
     return "dynamic solvers are of the plane; in space give method = \"peridynamics\" or \"elements\"";
   if (!by_elements() && (exact_stretch || stop_at_voids || !stiffness.calibrated))

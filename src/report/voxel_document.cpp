@@ -69,8 +69,8 @@ Numbers volume_of(const VoxelResult& r, NumberBlock& block, const figures::Write
   std::vector<std::uint32_t> phase;
   for (const std::size_t k : kept.voxel) phase.push_back(static_cast<std::uint32_t>(r.map.phase[k]));
   Numbers quantities = Numbers::tree();
-  for (const VoxelQuantity& quantity : voxel_quantities())
-    quantities[std::string(quantity.id)] = coded(quantity, r, kept, block);
+  for (const VoxelQuantity* quantity : quantities_of(r))
+    quantities[std::string(quantity->id)] = coded(*quantity, r, kept, block);
   const Numbers densities = r.numbers.value("stress", Numbers::tree());
   Numbers out{{"name", r.name},
               {"converged", r.converged},
@@ -83,7 +83,7 @@ Numbers volume_of(const VoxelResult& r, NumberBlock& block, const figures::Write
               {"in_voxels", !r.map.has_length},
               {"phase", block.add_indices(phase)},
               {"quantities", std::move(quantities)},
-              {"acts_by", std::string(stresses_drawn(r).front()->id)},
+              {"acts_by", std::string(quantities_drawn(r).front()->id)},
               {"headlines", figures::numbers_of(figures::headlines_of(r))},
               {"figures", shortened(figures::numbers_of(figures::voxel_figures(), {r, densities}, write, true))}};
   add_numbers(out, r.numbers);

@@ -18,6 +18,7 @@
 #include "io/results/results.hpp"
 #include "solid/elements/load.hpp"
 #include "solid/grid/crop.hpp"
+#include "solid/peridynamics/cracks.hpp"
 #include "solid/stress/grains.hpp"
 #include "solid/stress/selection.hpp"
 #include "solid/stress/stress.hpp"
@@ -38,20 +39,6 @@ FieldResult upright(const FieldResult& sample, recipe::Load::Axis axis) {
   result.map = transposed(sample.map);
   result.packing = grid::transposed(sample.packing);
   return result;
-}
-
-History curve_of(const std::vector<peridynamics::DamageState>& states) {
-  History curve{{{"strain", "1", {}},
-                 {"stress", "Pa", {}},
-                 {"work", "J/m", {}},
-                 {"elastic", "J/m", {}},
-                 {"released", "J/m", {}},
-                 {"broken", "1", {}}}};
-  for (const auto& s : states) {
-    const double row[] = {s.strain, s.stress, s.work, s.elastic, s.released, static_cast<double>(s.broken)};
-    for (std::size_t c = 0; c < curve.columns.size(); ++c) curve.columns[c].values.push_back(row[c]);
-  }
-  return curve;
 }
 
 /// As a file holds it, in single precision, so that statistics are the same before and after.
@@ -85,19 +72,11 @@ void measure_stress(const recipe::Load& load, FieldResult& result, std::optional
 
 std::optional<FieldResult> load_until_failure(const recipe::Load& load, FieldResult result,
                                               const peridynamics::Watch& watch, const FailureCheckpoint& checkpoint) {
-  using Ending = peridynamics::DamageResult::Ending;
-  peridynamics::DamageOptions options{
-      load, load, load.stiffness.resolved(), watch, load.toughness.resolved(), load.strength.resolved()};
-  options.keep = checkpoint.keep;
-  if (checkpoint.resume) options.resume = &*checkpoint.resume;
-  auto tested = peridynamics::load_to_failure(result.map, options);
-  if (tested.ending == Ending::stopped) return std::nullopt;
-  result.converged =
-      tested.ending == Ending::severed || tested.ending == Ending::dropped || tested.ending == Ending::strain_reached;
-  result.outcome = tested.sentence;
-  result.curve = curve_of(tested.curve);
+  auto tested = peridynamics::load_to_failure(result.map, damage_options<2>(load, watch, checkpoint));
+  if (tested.ending == peridynamics::DamageOutcome::Ending::stopped) return std::nullopt;
+  put_outcome(result, result.curve, tested, "J/m");
   result.cracks = peridynamics::cracks_of(tested.broken, result.map.dx);
-  add_failure(result.numbers, load, tested, result.map.dx);
+  add_failure<2>(result.numbers, as_asked(load), load, tested, result.map.dx);
   note_bonds_across_voids(result.numbers, load, result.map);
   result.field = as_stored(std::move(tested.at_strength));
   return result;
@@ -148,6 +127,24 @@ std::optional<statics::EffectiveModuli> find_moduli(const Loader& loader, const 
 }
 
 }  // namespace
+
+void put_outcome(ResultHead& result, History& curve, const peridynamics::DamageOutcome& tested,
+                 const char* energy_unit) {
+  using Ending = peridynamics::DamageOutcome::Ending;
+  result.converged =
+      tested.ending == Ending::severed || tested.ending == Ending::dropped || tested.ending == Ending::strain_reached;
+  result.outcome = tested.sentence;
+  curve = {{{"strain", "1", {}},
+            {"stress", "Pa", {}},
+            {"work", energy_unit, {}},
+            {"elastic", energy_unit, {}},
+            {"released", energy_unit, {}},
+            {"broken", "1", {}}}};
+  for (const peridynamics::DamageState& s : tested.curve) {
+    const double row[] = {s.strain, s.stress, s.work, s.elastic, s.released, static_cast<double>(s.broken)};
+    for (std::size_t c = 0; c < curve.columns.size(); ++c) curve.columns[c].values.push_back(row[c]);
+  }
+}
 
 void note_unsolved(ResultHead& result, std::string_view number, const std::vector<std::string>& strains) {
   if (strains.empty()) return;
@@ -216,8 +213,7 @@ MapOutcome load_map(const recipe::MapSection& map, const recipe::Load& load, con
   auto* measured = options.page_follows ? &outcome.measured.fields.emplace_back() : nullptr;
   const auto make = [&](const statics::Watch& watch, const std::string& hash, const fs::path& checkpoint) {
     return apply_load(load, read_sample(map, options.notice), watch,
-                      load.failure && is_stored ? failure_checkpoint(checkpoint, hash, options) : FailureCheckpoint{},
-                      measured);
+                      kept_failure<2>(load, is_stored ? checkpoint : fs::path(), hash, options), measured);
   };
   auto loaded = load_by_itself<FieldResult>(map, load, options, make, io::write_field, io::read_field);
   outcome.field = std::move(loaded.result);

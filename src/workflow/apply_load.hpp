@@ -11,6 +11,7 @@
 #include "model/result.hpp"
 #include "recipe/recipe.hpp"
 #include "solid/elements/stiffness_numbers.hpp"
+#include "solid/peridynamics/damage.hpp"
 #include "solid/peridynamics/failure_state.hpp"
 #include "solid/stress/stress.hpp"
 #include "workflow/run.hpp"
@@ -18,10 +19,26 @@
 namespace arenite::workflow {
 
 /// How a test to failure is kept on its way and where it goes on from; other loads take no notice.
-struct FailureCheckpoint {
-  peridynamics::KeepFailure keep{};
-  std::optional<peridynamics::FailureState> resume{};
+template <int D> struct FailureCheckpointIn {
+  peridynamics::KeepFailureIn<D> keep{};
+  std::optional<peridynamics::FailureStateIn<D>> resume{};
 };
+using FailureCheckpoint = FailureCheckpointIn<2>;
+
+/// The test to failure that a load asks for.
+template <int D>
+peridynamics::DamageOptionsIn<D> damage_options(const recipe::Load& load, const statics::Watch& watch,
+                                                const FailureCheckpointIn<D>& checkpoint) {
+  peridynamics::DamageOptionsIn<D> options{
+      load, load, load.stiffness.resolved(), watch, load.toughness.resolved(), load.strength.resolved()};
+  options.keep = checkpoint.keep;
+  if (checkpoint.resume) options.resume = &*checkpoint.resume;
+  return options;
+}
+
+/// What every result of a test to failure begins with: how it ended, and its curve.
+void put_outcome(ResultHead& result, History& curve, const peridynamics::DamageOutcome& tested,
+                 const char* energy_unit);
 
 /// What of a load's progress is whose: one solve of the load itself, three of its moduli between clamps, and one for
 /// each strain of its effective stiffness.

@@ -47,22 +47,6 @@ Numbers limits(const peridynamics::Strength& f) {
   return described(std::move(j), "Pa", "Tensile strength of these bonds");
 }
 
-Numbers as_asked(const recipe::Load& load) {
-  const peridynamics::Stiffness e = load.stiffness.resolved();
-  Numbers j{{"loading", recipe::word_of(load.loading)},
-            {"axis", recipe::word_of(load.axis)},
-            {"stiffness_Pa", described({{"matrix", e.matrix}, {"interface", e.interface}, {"particle", e.particle}},
-                                       "Pa", "Young's modulus of these bonds or elements")}};
-  if (!load.by_elements()) return j;
-  const elements::Material m = load.material();
-  j["element"] = recipe::word_of(m.element);
-  j["plane"] = recipe::word_of(m.plane);
-  j["poisson_ratio"] =
-      described({{"matrix", m.matrix.poisson}, {"interface", m.interface.poisson}, {"particle", m.particle.poisson}},
-                "", "Poisson's ratio of these elements");
-  return j;
-}
-
 /// Of Young's modulus, by the phases' shares; none are told of plane strain and of phases that differ in Poisson's
 /// ratio.
 std::optional<elasticity::ModulusBounds> bounds(const Numbers& phases, const recipe::Load& load) {
@@ -81,6 +65,22 @@ std::optional<elasticity::ModulusBounds> bounds(const Numbers& phases, const rec
 constexpr const char* endings[] = {"solved", "not_converged", "stopped", "severed", "empty"};
 
 }  // namespace
+
+Numbers as_asked(const recipe::Load& load) {
+  const peridynamics::Stiffness e = load.stiffness.resolved();
+  Numbers j{{"loading", recipe::word_of(load.loading)},
+            {"axis", recipe::word_of(load.axis)},
+            {"stiffness_Pa", described({{"matrix", e.matrix}, {"interface", e.interface}, {"particle", e.particle}},
+                                       "Pa", "Young's modulus of these bonds or elements")}};
+  if (!load.by_elements()) return j;
+  const elements::Material m = load.material();
+  j["element"] = recipe::word_of(m.element);
+  j["plane"] = recipe::word_of(m.plane);
+  j["poisson_ratio"] =
+      described({{"matrix", m.matrix.poisson}, {"interface", m.interface.poisson}, {"particle", m.particle.poisson}},
+                "", "Poisson's ratio of these elements");
+  return j;
+}
 
 void add_reports(Numbers& j, const SampleReports& reports) {
   const auto& c = reports.cement;
@@ -184,9 +184,16 @@ void note_bonds_across_voids(Numbers& j, const recipe::Load& load, const PhaseMa
 
 namespace {
 
+/// How numbers of a test are called: energies in the plane are per unit thickness.
+struct FailureWords {
+  const char *suffix, *unit, *per, *spacing;
+};
+template <int D> constexpr FailureWords failure_words{"_J_per_m", "J/m", ", per metre of depth", "of node spacing"};
+template <> constexpr FailureWords failure_words<3>{"_J", "J", "", "of voxels of"};
+
 /// What breaks the bonds of this grid, and what a strength found on it hangs on.
-void add_criterion(Numbers& j, const recipe::Load& load, double dx) {
-  const auto limits = peridynamics::breaking_limits(
+template <int D> void add_criterion(Numbers& j, const recipe::Load& load, double dx) {
+  const auto limits = peridynamics::breaking_limits<D>(
       {load, load, load.stiffness.resolved(), {}, load.toughness.resolved(), load.strength.resolved()}, dx);
   const auto& s = limits.stretch;
   const auto governs = [&](std::size_t type) {
@@ -196,9 +203,9 @@ void add_criterion(Numbers& j, const recipe::Load& load, double dx) {
                                                "Stretch at which these bonds break on this grid");
   j["failure"]["governed_by"] = {{"matrix", governs(1)}, {"interface", governs(2)}, {"particle", governs(3)}};
   j["notes"].push_back(fmt::format(
-      "the strength is that of this grid, of node spacing {:.4g} m: {}; compare samples at one spacing "
+      "the strength is that of this grid, {} {:.4g} m: {}; compare samples at one spacing "
       "(docs/peridynamics.md)",
-      dx,
+      failure_words<D>.spacing, dx,
       limits.follow_spacing()
           ? "bonds break at a stretch that follows from their toughness and grows as the spacing to the power -1/2"
           : "bonds break at the strength given, which is reached the sooner where stress concentrates the finer the "
@@ -207,19 +214,20 @@ void add_criterion(Numbers& j, const recipe::Load& load, double dx) {
 
 }  // namespace
 
-void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::DamageResult& result, double dx) {
-  Numbers l = as_asked(load);
+template <int D>
+void add_failure(Numbers& j, Numbers asked, const recipe::Load& load, const peridynamics::DamageOutcome& result,
+                 double dx) {
   const peridynamics::Toughness k = load.toughness.resolved();
-  l["toughness_Pa_m0.5"] = described({{"matrix", k.matrix}, {"interface", k.interface}, {"particle", k.particle}},
-                                     "Pa m^0.5", "Fracture toughness of these bonds");
+  asked["toughness_Pa_m0.5"] = described({{"matrix", k.matrix}, {"interface", k.interface}, {"particle", k.particle}},
+                                         "Pa m^0.5", "Fracture toughness of these bonds");
   if (load.strength.matrix || load.strength.interface || load.strength.particle)
-    l["strength_Pa"] = limits(load.strength.resolved());
-  l["cracks_stay_open"] =
+    asked["strength_Pa"] = limits(load.strength.resolved());
+  asked["cracks_stay_open"] =
       described(load.cracks_stay_open, "", "Whether faces that have parted do not push where they meet again");
-  l.update({{"ending", peridynamics::damage_endings[static_cast<std::size_t>(result.ending)].word},
-            {"solves", described(result.solves, "", "Static solutions")},
-            {"iterations", described(result.iterations, "", "Iterations of the solver")}});
-  j["load"] = l;
+  asked.update({{"ending", peridynamics::damage_endings[static_cast<std::size_t>(result.ending)].word},
+                {"solves", described(result.solves, "", "Static solutions")},
+                {"iterations", described(result.iterations, "", "Iterations of the solver")}});
+  j["load"] = std::move(asked);
   j["modulus_Pa"] = described(result.modulus, "Pa", "Apparent modulus before the first bond breaks");
   j["strength_Pa"] = described(result.strength, "Pa", "Strength, largest mean stress");
   const auto by_type = peridynamics::broken_by_type(result.broken);
@@ -229,16 +237,22 @@ void add_failure(Numbers& j, const recipe::Load& load, const peridynamics::Damag
                    described(result.energy_defect, "", "Largest |work - elastic - released energy| over the work")}};
   if (const auto strain = peridynamics::strain_at_strength(result))
     failure["strain_at_strength"] = described(*strain, "", "Strain at the largest mean stress");
+  const auto add_energy = [&](const char* name, double value, const char* meaning) {
+    const FailureWords& words = failure_words<D>;
+    failure[std::string(name) + words.suffix] =
+        described(value, words.unit, (std::string(meaning) + words.per).c_str());
+  };
   if (!result.curve.empty()) {
     const auto& last = result.curve.back();
-    failure.update({{"work_J_per_m", described(last.work, "J/m", "Work of the load, per metre of depth")},
-                    {"released_J_per_m",
-                     described(last.released, "J/m", "Elastic energy released by breaking bonds, per metre of depth")},
-                    {"bond_energy_J_per_m",
-                     described(last.bond_energy, "J/m", "Part of it that was stored in the broken bonds")}});
+    add_energy("work", last.work, "Work of the load");
+    add_energy("released", last.released, "Elastic energy released by breaking bonds");
+    failure[std::string("bond_energy") + failure_words<D>.suffix] =
+        described(last.bond_energy, failure_words<D>.unit, "Part of it that was stored in the broken bonds");
   }
   j["failure"] = failure;
-  add_criterion(j, load, dx);
+  add_criterion<D>(j, load, dx);
 }
+template void add_failure<2>(Numbers&, Numbers, const recipe::Load&, const peridynamics::DamageOutcome&, double);
+template void add_failure<3>(Numbers&, Numbers, const recipe::Load&, const peridynamics::DamageOutcome&, double);
 
 }  // namespace arenite::workflow

@@ -26,7 +26,12 @@ void add_reports(Numbers& numbers, const SampleReports& reports);
 /// Add numbers of a load to those of its sample.
 void add_load(Numbers& numbers, const recipe::Load& load, const peridynamics::LoadReport& report,
               const std::optional<peridynamics::EffectiveModuli>& moduli);
-void add_failure(Numbers& numbers, const recipe::Load& load, const peridynamics::DamageResult& result, double dx);
+/// Of a test to failure on a grid of this spacing, in the plane or in space; `asked` is what it was asked for.
+template <int D>
+void add_failure(Numbers& numbers, Numbers asked, const recipe::Load& load, const peridynamics::DamageOutcome& result,
+                 double dx);
+/// What a load of a sample of the plane was asked for.
+Numbers as_asked(const recipe::Load& load);
 
 /// Of a sample of bonds, a sentence on the longest void that is thinner than their horizon, if it is longer than a
 /// tenth of the sample's side, all in nodes: a crack that bonds reach across. Empty else.

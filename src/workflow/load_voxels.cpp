@@ -19,6 +19,7 @@
 #include "solid/grid/map_numbers.hpp"
 #include "solid/grid/rasterise_spheres.hpp"
 #include "solid/grid/thin_voids.hpp"
+#include "solid/peridynamics/cracks.hpp"
 #include "solid/peridynamics/space/lattice_in_space.hpp"
 #include "solid/peridynamics/space/load_in_space.hpp"
 #include "solid/stress/measure_voxels.hpp"
@@ -40,7 +41,7 @@ void refuse_keys_of_the_plane(const recipe::MapSection& map) {
                                      : "load a slice with --dimension 2"));
 }
 
-Numbers load_numbers(const recipe::Load& load, const statics::LoadReportIn<3>& r) {
+Numbers asked_in_space(const recipe::Load& load) {
   const elements::Material m = load.material();
   const auto by_phase = [](double matrix, double interface, double particle) {
     return Numbers{{"matrix", matrix}, {"interface", interface}, {"particle", particle}};
@@ -59,6 +60,11 @@ Numbers load_numbers(const recipe::Load& load, const statics::LoadReportIn<3>& r
   else
     j["poisson_ratio"] = described(peridynamics::space_lattice_poisson, "",
                                    "Poisson's ratio of the lattice of bonds, whatever its bonds");
+  return j;
+}
+
+Numbers load_numbers(const recipe::Load& load, const statics::LoadReportIn<3>& r) {
+  Numbers j = asked_in_space(load);
   j.update({{"strain", described(load.strain, "", "Strain of the sample")},
             {"iterations", described(r.iterations, "", "Iterations of the solver")},
             {"residual", described(r.residual, "", "Out-of-balance force over that of uniform strain")},
@@ -139,9 +145,80 @@ VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(con
   return std::move(read.map);
 }
 
+namespace {
+
+/// What is worth a word of bonds that reach across voids.
+void note_thin_voids(const recipe::Load& load, const VoxelMap& map, std::vector<std::string>& notes) {
+  if (load.by_elements()) return;
+  if (peridynamics::joined_through_voids_only(map)) {
+    notes.emplace_back(
+        "no solid joins the two clamps: all load passes through bonds that reach across voids thinner than the "
+        "horizon; method = \"elements\" (--method elements) lets none pass");
+    return;
+  }
+  const int horizon = load.horizon_in_space;
+  auto crack =
+      note_of_bridged_crack(grid::longest_thin_void(map, horizon - 1), std::min({map.width, map.height, map.depth}),
+                            horizon, "method = \"elements\" (--method elements)");
+  if (!crack.empty()) notes.push_back(std::move(crack));
+}
+
+/// Statistics of a result's stresses, with its notes.
+void measure_stresses(const recipe::Load& load, VoxelResult& result) {
+  std::vector<std::string> notes;
+  note_thin_voids(load, result.map, notes);
+  stress::VoxelStressOptions statistics;
+  const int depth = result.map.depth;
+  statistics.clamp_layers = static_cast<int>(std::min<std::int64_t>(load.statistics.clamp_rows, (depth - 1) / 2));
+  if (statistics.clamp_layers < load.statistics.clamp_rows)
+    notes.push_back(
+        fmt::format("statistics leave out {} layers at each clamp, not clamp_rows = {}: there are {} in all",
+                    statistics.clamp_layers, load.statistics.clamp_rows, depth));
+  statistics.shear = load.loading == statics::Loading::shear;
+  result.numbers["stress"] = stress::measure(result.map, result.field, statistics, notes);
+  for (std::string& note : notes) result.numbers["notes"].push_back(std::move(note));
+}
+
+/// Of a sample in which nothing ties the clamps.
+VoxelStress without_stress(const VoxelMap& map) {
+  VoxelStress field;
+  field.width = map.width, field.height = map.height, field.depth = map.depth, field.dx = map.dx;
+  for (auto* values :
+       {&field.ux, &field.uy, &field.uz, &field.xx, &field.yy, &field.zz, &field.yz, &field.xz, &field.xy})
+    values->assign(map.size(), 0.0f);
+  return field;
+}
+
+std::optional<VoxelResult> load_until_failure(const recipe::Load& load, VoxelResult result, const statics::Watch& watch,
+                                              const FailureCheckpointIn<3>& checkpoint) {
+  if (!result.map.has_length)
+    throw InputError(
+        "a crack needs a length; give the side of a voxel, for example --dx \"25 um\" (dx in [map] of a recipe)");
+  auto tested = peridynamics::load_to_failure<3>(result.map, damage_options<3>(load, watch, checkpoint));
+  if (tested.ending == peridynamics::DamageOutcome::Ending::stopped) return std::nullopt;
+  put_outcome(result, result.curve, tested, "J");
+  result.cracks = peridynamics::space_cracks_of(tested.broken, load.horizon_in_space, result.map.dx);
+  add_failure<3>(result.numbers, asked_in_space(load), load, tested, result.map.dx);
+  if (tested.at_strength.size() > 0) {
+    result.field = std::move(tested.at_strength);
+    measure_stresses(load, result);
+  } else {
+    result.field = without_stress(result.map);
+  }
+  result.field.damage = peridynamics::damage_of(result.map, tested.broken, load.horizon_in_space);
+  return result;
+}
+
+}  // namespace
+
 std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch,
-                                      const elements::OtherSolver* solver) {
+                                      const elements::OtherSolver* solver, const FailureCheckpointIn<3>& checkpoint) {
   require_space(load, solver);
+  VoxelResult result;
+  result.name = load.name;
+  result.map = map;
+  result.numbers["map"] = grid::map_numbers(map);
+  if (load.failure) return load_until_failure(load, std::move(result), watch, checkpoint);
   const SolveShares shares(load, voigt_count<3>, watch);
   elements::LoadOptions solve;
   solve.tolerance = load.tolerance;
@@ -154,54 +231,34 @@ std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& 
   solve.solver = solver;
   auto loaded = load.by_elements() ? elements::load(map, solve) : loaded_by_bonds(load, map, solve.watch);
   if (loaded.report.ending == statics::Ending::stopped) return std::nullopt;
-  VoxelResult result;
-  result.name = load.name;
   result.convergence = convergence_of(loaded.report.history);
   result.converged = loaded.report.ending == statics::Ending::solved;
   result.outcome = loaded.report.sentence;
-  Numbers& j = result.numbers;
-  j["map"] = grid::map_numbers(map);
-  j["load"] = load_numbers(load, loaded.report);
-  if (solver) j["load"]["solver"] = solver->name;
+  result.numbers["load"] = load_numbers(load, loaded.report);
+  if (solver) result.numbers["load"]["solver"] = solver->name;
+  result.field = std::move(loaded.field);
   if (result.converged) {
-    j["modulus_Pa"] =
+    result.numbers["modulus_Pa"] =
         described(loaded.report.modulus, "Pa", "Apparent modulus, mean stress over strain, between clamps");
-    std::vector<std::string> notes;
-    if (!load.by_elements() && peridynamics::joined_through_voids_only(map))
-      notes.emplace_back(
-          "no solid joins the two clamps: all load passes through bonds that reach across voids thinner than the "
-          "horizon; method = \"elements\" (--method elements) lets none pass");
-    else if (!load.by_elements()) {
-      const int horizon = static_cast<int>(load.horizon_in_space);
-      auto crack =
-          note_of_bridged_crack(grid::longest_thin_void(map, horizon - 1), std::min({map.width, map.height, map.depth}),
-                                horizon, "method = \"elements\" (--method elements)");
-      if (!crack.empty()) notes.push_back(std::move(crack));
-    }
-    stress::VoxelStressOptions statistics;
-    statistics.clamp_layers = static_cast<int>(std::min<std::int64_t>(load.statistics.clamp_rows, (map.depth - 1) / 2));
-    if (statistics.clamp_layers < load.statistics.clamp_rows)
-      notes.push_back(
-          fmt::format("statistics leave out {} layers at each clamp, not clamp_rows = {}: there are {} in all",
-                      statistics.clamp_layers, load.statistics.clamp_rows, map.depth));
-    statistics.shear = load.loading == statics::Loading::shear;
-    j["stress"] = stress::measure(map, loaded.field, statistics, notes);
-    for (std::string& note : notes) j["notes"].push_back(std::move(note));
+    measure_stresses(load, result);
   }
   solve.watch = shares.of_stiffness();
   if (load.effective_stiffness && !add_effective_stiffness(map, solve, result)) return std::nullopt;
-  result.map = map;
-  result.field = std::move(loaded.field);
   return result;
 }
 
 LoadedMap<VoxelResult> load_voxels(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options,
                                    const elements::OtherSolver* solver) {
   require_space(load, solver);
-  const auto make = [&](const statics::Watch& watch, const std::string&, const fs::path&) {
-    return apply_load(load, read_voxels(map, options.notice), watch, solver);
+  const bool is_stored = !options.out.empty();
+  const auto make = [&](const statics::Watch& watch, const std::string& hash, const fs::path& checkpoint) {
+    return apply_load(load, read_voxels(map, options.notice), watch, solver,
+                      kept_failure<3>(load, is_stored ? checkpoint : fs::path(), hash, options));
   };
-  return load_by_itself<VoxelResult>(map, load, options, make, io::write_voxels, io::read_voxels);
+  auto loaded = load_by_itself<VoxelResult>(map, load, options, make, io::write_voxels, io::read_voxels);
+  std::error_code error;
+  if (loaded.result && is_stored) fs::remove(options.out / "run.checkpoint", error);
+  return loaded;
 }
 
 }  // namespace arenite::workflow

@@ -24,10 +24,11 @@ void require_space(const recipe::Load& load, const elements::OtherSolver* solver
 VoxelMap read_voxels(const recipe::MapSection& map, const std::function<void(const std::string&)>& notice);
 
 /// Loads a sample in space between its lowest and its highest layer by bonds or elements; with
-/// `load.effective_stiffness` that follows, as of a sample that repeats itself. Nothing if the watch stopped it. Throws
-/// InputError as require_space does.
+/// `load.effective_stiffness` that follows, as of a sample that repeats itself; with `load.failure` until it breaks.
+/// Nothing if the watch stopped it. Throws InputError as require_space does.
 std::optional<VoxelResult> apply_load(const recipe::Load& load, const VoxelMap& map, const statics::Watch& watch,
-                                      const elements::OtherSolver* solver = nullptr);
+                                      const elements::OtherSolver* solver = nullptr,
+                                      const FailureCheckpointIn<3>& checkpoint = {});
 
 /// The same of a file, kept as load_by_itself says. Throws InputError for what cannot be read as a voxel map.
 LoadedMap<VoxelResult> load_voxels(const recipe::MapSection& map, const recipe::Load& load, const RunOptions& options,

@@ -6,7 +6,6 @@
 #include <set>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "core/error.hpp"
 #include "core/problems.hpp"
@@ -79,19 +78,6 @@ ResultFolder::~ResultFolder() {
   if (!was_there_) fs::remove(out_, ignored);  // only if nothing is in it
 }
 
-namespace {
-
-/// Version 0.1 called the container a frame, and named results otherwise: they can be shown and exported, but nothing
-/// goes on with them.
-bool is_of_version_0_1(const fs::path& file) {
-  const auto recipe_of = [](const auto& result) { return result.provenance.recipe; };
-  try {
-    return std::visit(recipe_of, io::read_result(file)).find("\n[frame]\n") != std::string::npos;
-  } catch (const InputError&) { return false; }
-}
-
-}  // namespace
-
 void ResultFolder::put_aside(const fs::path& path) {
   make_folder(out_ / "earlier");
   fs::rename(path, out_ / "earlier" / path.filename());
@@ -106,10 +92,8 @@ std::string ResultFolder::what_was_put_aside() const {
   for (const auto& name : exports)
     if (std::error_code error; fs::is_directory(out_ / name, error))
       stale += (stale.empty() ? "" : ", ") + (out_ / name).string();
-  const bool is_old = is_of_version_0_1(out_ / "earlier" / put_aside_.front());
-  return fmt::format("{} of {} moved to {} and kept there: {}{}", put_aside_.size() == 1 ? "a result" : "results",
-                     is_old ? "version 0.1, from which no run can continue," : "other settings",
-                     (out_ / "earlier").string(), list_of(put_aside_),
+  return fmt::format("{} of other settings moved to {} and kept there: {}{}",
+                     put_aside_.size() == 1 ? "a result" : "results", (out_ / "earlier").string(), list_of(put_aside_),
                      stale.empty() ? "" : fmt::format("; still from those settings, so write again: {}", stale));
 }
 

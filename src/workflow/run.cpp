@@ -190,9 +190,10 @@ class Run {
     std::optional<VoxelMap> sample;
     const auto watch = watch_of(progress_, options_);
     for (std::size_t k = 0; k < recipe_.loads.size(); ++k) {
-      const auto make = [&](const fs::path&) {
+      const recipe::Load& load = recipe_.loads[k];
+      const auto make = [&](const fs::path& kept) {
         if (!sample) sample = make_sample();
-        return apply_load(recipe_.loads[k], *sample, watch);
+        return apply_load(load, *sample, watch, nullptr, kept_failure<3>(load, kept, plan_[first + k].hash, options_));
       };
       if (!add_on_grid<VoxelResult>(first + k, outcome_.voxels, make, io::write_voxels, io::read_voxels)) return false;
       done();
@@ -223,7 +224,7 @@ class Run {
       ++s;
       const auto make = [&](const fs::path& kept) {
         if (!contacts) contacts = stresses();
-        const auto checkpoint = load.failure ? failure_checkpoint(kept, plan_[s].hash, options_) : FailureCheckpoint{};
+        const auto checkpoint = kept_failure<2>(load, kept, plan_[s].hash, options_);
         return apply_load(load, outcome_.fields.front(), watch, checkpoint,
                           options_.page_follows ? &outcome_.measured.fields.back() : nullptr, &*contacts);
       };

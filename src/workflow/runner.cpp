@@ -132,21 +132,13 @@ void note_progress(const dem::EngineIn<D>& engine, const dem::Stage& stage, cons
   progress.time = dem::time_of<D>(engine);
 }
 
-#define ARENITE_OF(D)                                                                                                  \
-  template dem::StageRunIn<D> begun_or_kept(dem::EngineIn<D>&, const dem::Stage&, const std::string&, const fs::path&, \
-                                            const RunOptions&);                                                        \
-  template void keep(const dem::EngineIn<D>&, const dem::StageRunIn<D>&, const std::string&, const fs::path&);         \
-  template void note_progress(const dem::EngineIn<D>&, const dem::Stage&, const dem::StageRunIn<D>&, Progress&);
-ARENITE_OF(2)
-ARENITE_OF(3)
-#undef ARENITE_OF
-
-FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const std::string& key,
-                                     const RunOptions& options) {
-  FailureCheckpoint checkpoint;
+template <int D>
+FailureCheckpointIn<D> failure_checkpoint(const std::filesystem::path& file, const std::string& key,
+                                          const RunOptions& options) {
+  FailureCheckpointIn<D> checkpoint;
   const auto stored =
       unless_damaged(file, options, "the test starts again", [&] { return io::read_checkpoint(file, key); });
-  if (stored && *stored) checkpoint.resume = peridynamics::failure_state_of((*stored)->blobs.at("pull"));
+  if (stored && *stored) checkpoint.resume = peridynamics::failure_state_of<D>((*stored)->blobs.at("pull"));
   checkpoint.keep = [file, key, times = CheckpointTimes(options)](const auto& state) mutable {
     if (!times.is_due()) return;
     io::Checkpoint c;
@@ -157,5 +149,15 @@ FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const st
   };
   return checkpoint;
 }
+
+#define ARENITE_OF(D)                                                                                                  \
+  template dem::StageRunIn<D> begun_or_kept(dem::EngineIn<D>&, const dem::Stage&, const std::string&, const fs::path&, \
+                                            const RunOptions&);                                                        \
+  template void keep(const dem::EngineIn<D>&, const dem::StageRunIn<D>&, const std::string&, const fs::path&);         \
+  template void note_progress(const dem::EngineIn<D>&, const dem::Stage&, const dem::StageRunIn<D>&, Progress&);       \
+  template FailureCheckpointIn<D> failure_checkpoint(const fs::path&, const std::string&, const RunOptions&);
+ARENITE_OF(2)
+ARENITE_OF(3)
+#undef ARENITE_OF
 
 }  // namespace arenite::workflow

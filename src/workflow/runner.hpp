@@ -170,7 +170,14 @@ void note_progress(const dem::EngineIn<D>& engine, const dem::Stage& stage, cons
                    Progress& progress);
 
 /// Where a killed test stood by its file, and how this one is kept there.
-FailureCheckpoint failure_checkpoint(const std::filesystem::path& file, const std::string& key,
-                                     const RunOptions& options);
+template <int D>
+FailureCheckpointIn<D> failure_checkpoint(const std::filesystem::path& file, const std::string& key,
+                                          const RunOptions& options);
+/// The same of a load that may be one, with nothing kept where `file` is empty.
+template <int D>
+FailureCheckpointIn<D> kept_failure(const recipe::Load& load, const std::filesystem::path& file, const std::string& key,
+                                    const RunOptions& options) {
+  return load.failure && !file.empty() ? failure_checkpoint<D>(file, key, options) : FailureCheckpointIn<D>{};
+}
 
 }  // namespace arenite::workflow

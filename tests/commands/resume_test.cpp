@@ -136,6 +136,14 @@ TEST(Resume, KilledAtRandomMomentsARunOfSpheresEndsWithTheSameBytes) {
   kill_at_random_moments(folder / "recipe.toml", 3, 1, 2);
 }
 
+TEST(Resume, KilledAtRandomMomentsSpheresPulledUntilTheyBreakEndWithTheSameBytes) {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "recipe.toml") << test::small_spheres
+                                        << "[cement]\nwidth = 0.5\n[grid]\nnodes = 20\n[[loads]]\nname = \"break\"\n"
+                                           "failure = true\nband = 0.2\nend_stress = 0.5\n";
+  kill_at_random_moments(folder / "recipe.toml", 3, 1, 2);
+}
+
 /// Grains come in and leave, in a stage and in the one after.
 const char* const exchanged = R"(
 title = "grains that come and go"

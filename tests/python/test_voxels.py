@@ -114,7 +114,7 @@ def test_slices_of_phases_and_stresses_are_printed(tmp_path):
 
 def test_pictures_show_the_middle_of_the_voxels_over_their_mean():
     result, canvas = sheared("shear"), saving.Canvas()
-    assert _core._stresses_drawn(result) == ["sigma_xz", "sigma_hyd", "sigma_mises"]
+    assert _core._quantities_drawn(result) == ["sigma_xz", "sigma_hyd", "sigma_mises"]
     volumes.draw_component(canvas, result, "sigma_xz", volumes._rows(canvas, result.map, 1)[0])
     across_z, across_y, across_x = (axes.images[0] for axes in canvas.axes[:3])
     mean = result.numbers["stress"]["sigma_xz"]["sample_mean_Pa"]["value"]
@@ -146,3 +146,19 @@ def test_print_draws_what_the_page_shows_and_compares_it(tmp_path):
     assert modulus.part == volume.name and 0 < modulus.a < modulus.b
     compare.save_page(*paths, tmp_path / "cmp.html")
     assert "stress" in (tmp_path / "cmp.html").read_text()
+
+
+def test_a_sample_in_space_breaks_and_python_has_its_cracks():
+    phase = np.ones((20, 6, 10), np.uint8)
+    phase[9:11, :, :6] = 0
+    result = arenite.load_voxels(arenite.VoxelMap(phase, dx="1 mm"), failure=True)
+    curve, cracks, damage = result.curve, result.cracks, result.damage
+    assert result.converged and result.curve_units["work"] == "J"
+    assert result.numbers["strength_Pa"] == pytest.approx(curve["stress"].max())
+    assert len(cracks["x"]) == curve["broken"][-1] == sum(result.numbers["failure"]["broken"].values())
+    assert damage.shape == phase.shape and 0 < damage.max() <= 1 and not damage[phase == 0].any()
+    assert abs(np.average(cracks["z"]) - 0.010) < 0.002
+    steps = np.stack([cracks[name] for name in ("along_x", "along_y", "along_z")])
+    assert set((steps**2).sum(axis=0)) <= {1, 2, 3, 4}
+    balance = curve["work"] - curve["elastic"] - curve["released"]
+    assert np.abs(balance).max() < 1e-4 * curve["work"].max()

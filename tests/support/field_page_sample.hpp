@@ -61,7 +61,7 @@ struct FieldPageSample {
     options.toughness = {2e4, 2e4, 7e4};
     options.max_events = events;
     const auto result = peridynamics::load_to_failure(pull.map, options);
-    workflow::add_failure(pull.numbers, {}, result, pull.map.dx);
+    workflow::add_failure<2>(pull.numbers, workflow::as_asked({}), {}, result, pull.map.dx);
     pull.name = "failure";
     pull.outcome = result.sentence;
     pull.provenance.stage = "failure";

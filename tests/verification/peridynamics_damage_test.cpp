@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "solid/peridynamics/bonds.hpp"
+#include "solid/peridynamics/critical_stretch.hpp"
 #include "solid/peridynamics/damage.hpp"
 #include "solid/peridynamics/lattice.hpp"
 #include "solid/peridynamics/load.hpp"

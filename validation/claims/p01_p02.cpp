@@ -65,7 +65,9 @@ void add_choices_p2(Judgement& j, const Results& results) {
   add_choices(j, results, "Z_l, gamma 1, theta 6", at("coordination.Z_l", 1, 6), wanted_between(3.7, 14.3));
   add_choices(j, results, "Z_s, gamma 5, theta 1.4", at("coordination.Z_s", 5, 1.4), wanted_between(2.8, 4.5));
   add_choices(j, results, "Z_s, gamma 3.33, theta 6", at("coordination.Z_s", 3.33, 6), wanted_between(2.8, 4.5));
-  add_choices(j, results, "Z_ll, gamma 5, theta 2.2", at("coordination.Z_ll", 5, 2.2), wanted_below(1));
+  for (const double gamma : {2.5, 5.0})
+    add_choices(j, results, fmt::format("Z_ll, gamma {:g}, theta 2.2", gamma), at("coordination.Z_ll", gamma, 2.2),
+                wanted_below(1));
   add_choices(j, results, "Z_s, fall from gamma 1 to 2, theta 1.6", change("coordination.Z_s", 2, 1, 1.6),
               wanted_positive());
   add_choices(j, results, "Z_s, fall from gamma 1 to 3.33, theta 6", change("coordination.Z_s", 3.33, 1, 6),
@@ -100,6 +102,7 @@ Judgement judge_p1(const Results& results) {
     j.findings.push_back(
         fmt::format("For a prescribed gamma of 5 and theta of 6 the crop has a volume ratio of {}.", text_of(asked)));
   add_choices(j, results, "rho_p, gamma 1, theta 1.4", at("solid_fraction", 1, 1.4), wanted_between(0.815, 0.895));
+  add_choices(j, results, "rho_p, gamma 1, theta 1.6", at("solid_fraction", 1, 1.6), wanted_between(0.815, 0.895));
   add_choices(j, results, "rho_p, gamma 5, theta 1.4", at("solid_fraction", 5, 1.4), wanted_between(0.815, 0.895));
   add_choices(j, results, "rho_p, change from gamma 1 to 5, theta 1.4", change("solid_fraction", 1, 5, 1.4),
               wanted_positive());

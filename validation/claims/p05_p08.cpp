@@ -124,6 +124,8 @@ Judgement judge_p5(const Results& results) {
   for (const double gamma : {1.0, 5.0})
     add_choices(j, results, fmt::format("99.99 % quantile over the mean, gamma {:g}, theta 1.4", gamma),
                 at("all", "quantiles.99.99 %", gamma, 1.4), wanted_between(1.8, 2.2));
+  add_choices(j, results, "Largest node over the mean, gamma 1, theta 2.2", at("all", "maximum", 1, 2.2),
+              wanted_between(1.8, 2.2));
   add_choices(
       j, results, "Variance in small minus that in large grains, gamma 5, theta 1.4",
       [](const Samples& s) { return of_pair(small_less_large(s), 5, 1.4); }, wanted_positive());

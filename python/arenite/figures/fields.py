@@ -121,7 +121,11 @@ def scale_in(values, component, quantities, unit_of_stress, mean_of_sample):
     symbol, unit = label(symbol), unit_of_stress() if in_unit == "Pa" else None
     if unit is None:
         factor, name = scaled(np.nanmax(np.abs(values)), in_unit)
-        return values / factor, None if is_magnitude else mean_of_sample() / factor, f"{symbol}, {name}"
+        return (
+            values / factor,
+            None if is_magnitude else mean_of_sample() / factor,
+            f"{symbol}, {name}" if name else symbol,
+        )
     value, of, by = unit
     if of == component:
         return values / value, float(by == "mean"), f"{symbol} over its {'mean' if by == 'mean' else 'r.m.s.'}"

@@ -91,7 +91,7 @@ def scale_of(unit, largest):
     """What numbers are divided by, and their unit; angles are in degrees."""
     if unit == "rad":
         return np.pi / 180, "°"
-    return scaled(largest, unit) if unit else (1, "")
+    return scaled(largest, unit)
 
 
 def bar(axes, colouring, norm, colour_map, by):

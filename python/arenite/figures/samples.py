@@ -21,7 +21,7 @@ def draw_grains_against(axes, shot, x="size", y="pressure"):
     for name in (x, y):
         _, symbol, unit = _core._grain_quantities()[name]
         values = _core.grain_values(packing, name)
-        factor, prefixed = scaled(np.max(np.abs(values), initial=0), unit) if unit else (1, "")
+        factor, prefixed = scaled(np.max(np.abs(values), initial=0), unit)
         drawn.append((values / factor, worded(symbol, prefixed)))
     for m, material in enumerate(packing.materials):
         of = packing.material == m

@@ -171,7 +171,7 @@ def note(axes, words, at, coordinates, offset, **options):
 
 def scaled(largest, unit):
     """A factor and the unit with the prefix that makes `largest` a convenient number: (1e3, "kN")."""
-    if unit == "DL":  # digital levels have no prefix
+    if unit in ("DL", ""):  # neither digital levels nor plain numbers have a prefix
         return 1, unit
     for factor, prefix in [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n")]:
         if abs(largest) >= factor:

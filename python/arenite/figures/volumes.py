@@ -18,7 +18,7 @@ def sizes_of(map):
 
 
 def stresses(sample):
-    return len(_core._stresses_drawn(sample))
+    return len(_core._quantities_drawn(sample))
 
 
 def is_loaded(sample):
@@ -100,7 +100,7 @@ def draw_component(figure, sample, name, row):
 
 
 def of_stress(figure, sample):
-    names = _core._stresses_drawn(sample)
+    names = _core._quantities_drawn(sample)
     for name, row in zip(names, _rows(figure, sample.map, len(names))):
         draw_component(figure, sample, name, row)
 

@@ -44,6 +44,7 @@ std::vector<NamedBytes> npy_voxels(const VoxelResult& r) {
   files.add_sample(r.map);
   if (r.field.size() > 0)
     for (const VoxelColumn& c : voxel_columns) files.add(c.name, r.field.*c.values);
+  if (!r.field.damage.empty()) files.add("damage", r.field.damage);
   return files.take();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <numeric>
 #include <string>
 #include <string_view>
@@ -154,6 +155,29 @@ VtkPolyData cracks_of(const std::vector<Crack>& cracks) {
   return data;
 }
 
+/// The faces between voxels whose shortest bond broke, in the order of breaking: the surfaces of cracks.
+VtkPolyData crack_faces(const VoxelResult& r) {
+  VtkPolyData data;
+  std::vector<std::int32_t> order, type;
+  std::vector<double> strain;
+  for (std::size_t k = 0; k < r.cracks.size(); ++k) {
+    const SpaceCrack& c = r.cracks[k];
+    const int along[] = {std::abs(c.along_x), std::abs(c.along_y), std::abs(c.along_z)};
+    if (along[0] + along[1] + along[2] != 1) continue;
+    const Vec3 middle{static_cast<double>(c.x), static_cast<double>(c.y), static_cast<double>(c.z)};
+    const int normal = along[0] == 1 ? 0 : along[1] == 1 ? 1 : 2;
+    for (const auto& [u, v] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
+      Vec3 corner = middle;
+      corner[(normal + 1) % 3] += u * r.map.dx, corner[(normal + 2) % 3] += v * r.map.dx;
+      data.points.insert(data.points.end(), {corner.x, corner.y, corner.z});
+    }
+    data.corners.push_back(4);
+    order.push_back(static_cast<std::int32_t>(k)), type.push_back(c.type), strain.push_back(c.strain);
+  }
+  data.cell_arrays = {{"order", order}, {"type", type}, {"strain", strain}};
+  return data;
+}
+
 std::vector<NamedBytes> vtk_snapshot(const ExportSnapshot& snapshot) {
   std::vector<NamedBytes> files;
   std::vector<std::pair<std::string, std::string>> blocks;
@@ -198,7 +222,7 @@ std::vector<NamedBytes> vti_field(const ExportField& from) {
   return files;
 }
 
-/// The voxels as an image (NAME.vti).
+/// The voxels as an image (NAME.vti); of a test to failure the faces of its cracks too, NAME-cracks.vtp.
 std::vector<NamedBytes> vti_voxels(const VoxelResult& r) {
   VtkImage image;
   image.width = r.map.width, image.height = r.map.height, image.depth = r.map.depth;
@@ -213,8 +237,11 @@ std::vector<NamedBytes> vti_voxels(const VoxelResult& r) {
                         {"grain", r.map.grain},
                         {"displacement", std::move(displacement), 3},
                         {"stress", std::move(stress), 6}};
+  if (!f.damage.empty()) image.point_arrays.push_back({"damage", f.damage});
   image.provenance = fmt::format("Arenite {}, {}", r.provenance.version, r.provenance.input_hash);
-  return {{r.name + ".vti", vti_bytes(image)}};
+  std::vector<NamedBytes> files{{r.name + ".vti", vti_bytes(image)}};
+  if (!r.cracks.empty()) files.push_back({r.name + "-cracks.vtp", vtp_bytes(crack_faces(r))});
+  return files;
 }
 
 }  // namespace

@@ -42,7 +42,15 @@ void transfer_voxels(const Hdf5Group& at, VoxelResult& result) {
   field.dx = result.map.dx;
   const Shape shape{field.height, field.width, field.depth};
   for (const VoxelColumn& c : voxel_columns) group.image(c.name, field.*c.values, shape, c.unit);
+  if (at.reads() ? group.has("damage") : !field.damage.empty()) group.image("damage", field.damage, shape, "1");
   transfer_history(at, "convergence", result.convergence);
+  if (!at.reads() || at.has_group("cracks")) {
+    transfer_history(at, "curve", result.curve);
+    at.group("cracks").records(result.cracks, Named{"x", &SpaceCrack::x, "m"}, Named{"y", &SpaceCrack::y, "m"},
+                               Named{"z", &SpaceCrack::z, "m"}, Named{"type", &SpaceCrack::type},
+                               Named{"strain", &SpaceCrack::strain}, Named{"along_x", &SpaceCrack::along_x},
+                               Named{"along_y", &SpaceCrack::along_y}, Named{"along_z", &SpaceCrack::along_z});
+  }
   transfer_numbers(at, "numbers", result.numbers);
 }
 

@@ -37,18 +37,16 @@ Drawings stress_strain(const FieldData& data) {
   Panel panel{{.label = "strain", .unit = "10\u207b\u00b3"}, {.label = "stress", .unit = scale.unit}};
   // Straight until the first bond breaks.
   panel.series = {{.x = {0, steps.x.front()}, .y = {0, steps.y.front()}, .line = Line::solid, .is_read = false}, steps};
-  panel.now = {steps.x, steps.y};
-  panel.click = "step";
-  panel.near = true;
+  if (data.has_steps) panel.now = {steps.x, steps.y}, panel.click = "step", panel.near = true;
   return {{.panels = {panel}}};
 }
 
 Drawings broken_bonds(const FieldData& data) {
   const auto* broken = column(data, "broken");
-  if (!broken || data.cracks.empty()) return {};
+  if (!broken || data.broken.empty()) return {};
   Drawing drawing;
   Panel panel{{.label = "step"}, {.label = "broken bonds", .low = 0}};
-  panel.now = {steps_of(data)};
+  if (data.has_steps) panel.now = {steps_of(data)};
   static constexpr const char* types[] = {"matrix", "interface", "particle"};
   for (int type = 1; type <= 3; ++type) {
     const std::string colour = "crack " + std::to_string(type);
@@ -56,11 +54,11 @@ Drawings broken_bonds(const FieldData& data) {
     std::size_t k = 0;
     double count = 0;
     for (const double until : *broken) {
-      for (; k < data.cracks.size() && static_cast<double>(k) < until; ++k)
-        count += data.cracks[k].type == type ? 1 : 0;
+      for (; k < data.broken.size() && static_cast<double>(k) < until; ++k) count += data.broken[k] == type ? 1 : 0;
       series.y.push_back(count);
     }
-    drawing.key.push_back({series.name, colour, {}, Line::solid, type - 1});
+    if (data.has_steps) drawing.key.push_back({series.name, colour, {}, Line::solid, type - 1});
+    else drawing.key.push_back({series.name + " " + counted(count), colour, {}, Line::solid});
     panel.series.push_back(std::move(series));
   }
   drawing.panels = {panel};
@@ -81,7 +79,7 @@ Drawings energy_balance(const FieldData& data) {
       {.name = "released", .colour = "line 1", .x = x, .y = lost, .low = none, .high = lost, .opacity = 0.5},
       {.name = "elastic", .colour = "line 0", .x = x, .y = stored, .low = lost, .high = both, .opacity = 0.4},
       {.name = "work", .colour = "strong", .x = x, .y = in_unit(*work), .line = Line::solid}};
-  panel.now = {x};
+  if (data.has_steps) panel.now = {x};
   return {{.panels = {panel}, .key = {{"work", "strong"}, {"elastic", "line 0"}, {"released", "line 1"}}}};
 }
 

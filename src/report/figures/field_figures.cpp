@@ -192,9 +192,6 @@ Drawings convergence(const FieldData& data) {
   return {{.panels = {{{.label = "iteration"}, decades_about("residual", least, most), {series}}}}};
 }
 
-const History no_curve{};
-const std::vector<Crack> no_cracks{};
-
 /// What densities of these components are called and say.
 Head densities_of(std::vector<Option> components) {
   return {"stress-pdf",
@@ -215,13 +212,6 @@ Head solver_head() {
 }
 
 }  // namespace
-
-FieldData::FieldData(const VoxelResult& result, const Numbers& of_stresses)
-    : convergence(result.convergence),
-      curve(no_curve),
-      cracks(no_cracks),
-      numbers(result.numbers),
-      densities(of_stresses) {}
 
 const std::vector<Row<FieldData>>& field_figures() {
   static const std::vector<Row<FieldData>> list{
@@ -259,6 +249,15 @@ const std::vector<Row<FieldData>>& field_figures() {
 
 const std::vector<Row<FieldData>>& voxel_figures() {
   static const std::vector<Row<FieldData>> list{
+      {{"stress-strain", "stress-strain", "Stress and strain",
+        "Mean stress of the loaded layer against strain, one point before each round of breaking."},
+       stress_strain},
+      {{"broken-bonds", "broken-bonds", "Broken bonds", "Number of broken bonds by type over the steps of the test."},
+       broken_bonds},
+      {{"energy-balance", "energy-balance", "Energy balance of the test",
+        "The work of the clamp is stored in bonds (elastic) or released when they break. Line: work; areas: its "
+        "parts."},
+       energy_balance},
       {densities_of({{"zz", "\u03c3_{zz}"}, {"xz", "\u03c3_{xz}", "xz"}}), stress_densities},
       {solver_head(), convergence}};
   return list;

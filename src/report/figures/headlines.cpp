@@ -125,6 +125,8 @@ std::vector<Headline> headlines_of(const VoxelResult& sample) {
             sample.numbers);
   add_known(list,
             {{"apparent modulus", "E", "modulus_Pa"},
+             {"strength", "", "strength_Pa"},
+             {"strain at peak stress", "", "failure.strain_at_strength", "\u2030"},
              {"Young's modulus without clamps", "E_{iso}", "effective_stiffness.isotropic_mean_Pa.young"},
              {"in grains", over_all, "stress.sigma_zz.sets.particle.mean_over_sample_mean"},
              {"in the matrix", over_all, "stress.sigma_zz.sets.matrix.mean_over_sample_mean"}},

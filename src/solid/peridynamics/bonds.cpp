@@ -58,11 +58,6 @@ Lane solid_all_the_way(const std::int32_t* labels, const Grid& grid, int d) {
   return solid;
 }
 
-bool crosses(const Cut& cut, Vec2 a, Vec2 b) {
-  const auto side = [](Vec2 p, Vec2 q, Vec2 r) { return cross(q - p, r - p); };
-  return side(cut.from, cut.to, a) * side(cut.from, cut.to, b) < 0 && side(a, b, cut.from) * side(a, b, cut.to) <= 0;
-}
-
 /// Force on the first node of every bond, N/m, handed to `visit(i, j, e, force)`.
 template <class Visit> void each_exact_bond(const Bonds& bonds, double dx, const Field<double>& u, const Visit& visit) {
   std::visit(
@@ -197,6 +192,11 @@ void classify_groups(Bonds& bonds, int first, int last) {
       if (all_zero(any)) group = Bonds::empty;
       else if (all_zero(differs)) group = static_cast<std::uint8_t>(t);
     }
+}
+
+bool crosses(const Cut& cut, Vec2 a, Vec2 b) {
+  const auto side = [](Vec2 p, Vec2 q, Vec2 r) { return cross(q - p, r - p); };
+  return side(cut.from, cut.to, a) * side(cut.from, cut.to, b) < 0 && side(a, b, cut.from) * side(a, b, cut.to) <= 0;
 }
 
 void make_cuts(Bonds& bonds, const std::vector<Cut>& cuts) {

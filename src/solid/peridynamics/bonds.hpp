@@ -79,6 +79,9 @@ std::size_t bonds_across_voids(const PhaseMap& map);
 /// Marks groups anew after bonds were broken in rows [first, last].
 void classify_groups(Bonds& bonds, int first, int last);
 
+/// Whether a cut crosses a bond from one place to another, in nodes.
+bool crosses(const Cut& cut, Vec2 from, Vec2 to);
+
 /// Breaks every bond that a cut crosses.
 void make_cuts(Bonds& bonds, const std::vector<Cut>& cuts);
 

@@ -11,13 +11,15 @@
 #include <vector>
 
 #include "core/problems.hpp"
+#include "solid/peridynamics/critical_stretch.hpp"
+#include "solid/peridynamics/failure_bonds.hpp"
 #include "solid/peridynamics/failure_equilibrium.hpp"
 #include "solid/peridynamics/failure_state.hpp"
 
 namespace arenite::peridynamics {
 namespace {
 
-void check(const DamageOptions& o) {
+template <int D> void check(const DamageOptionsIn<D>& o) {
   const auto positive = [](double value, const char* what) {
     if (!(value > 0) || !std::isfinite(value))
       throw refusal("the {} of a test to failure is {:g}; give a positive one", what, value);
@@ -32,118 +34,127 @@ void check(const DamageOptions& o) {
 }
 
 /// How a test ended and what came of it, in words.
-std::string sentence_of(const DamageResult& r) {
+std::string sentence_of(const DamageOutcome& r) {
   const char* end = damage_endings[static_cast<std::size_t>(r.ending)].phrase;
-  if (r.ending == DamageResult::Ending::no_path) return end;
+  if (r.ending == DamageOutcome::Ending::no_path) return end;
   return fmt::format("{}; strength {:.6g} Pa, {} bonds broken in {} solves", end, r.strength, r.broken.size(),
                      r.solves);
 }
 
 /// How near the bonds of a sample are to breaking.
-class FailureCriterion {
+template <int D> class FailureCriterion {
  public:
-  FailureCriterion(const Bonds& bonds, double dx, const std::array<double, 4>& critical, const Field<double>& u)
+  FailureCriterion(const BondsIn<D>& bonds, double dx, const BondLawChoice& law, const std::array<double, 4>& critical,
+                   const statics::FieldIn<D, double>& u)
       : bonds_(bonds),
         dx_(dx),
+        law_(law),
         critical_(critical),
         u_(u),
-        by_row_(static_cast<std::size_t>(bonds.grid.height)) {}
+        by_level_(static_cast<std::size_t>(bonds.grid.levels())) {}
 
   /// The law's damage at the linearised stretch: both stretches times |e|^2 dx, e in nodes.
-  template <BondLaw Law> double ratio(const Law& law, const Bond& b) const {
-    const Offset e = b.step();
-    return law.damage(e.x * (u_.x[b.j] - u_.x[b.i]) + e.y * (u_.y[b.j] - u_.y[b.i]),
-                      (e.x * e.x + e.y * e.y) * dx_ * critical_[b.type]);
+  template <BondLaw Law> double ratio(const Law& law, const auto& bond) const {
+    return law.damage(extension(bond, u_), square(bond.step()) * dx_ * critical_[bond.type]);
   }
 
-  /// Largest ratio of all bonds, 0 where none is stretched. Notes it row by row for `each_above`.
+  /// Largest ratio of all bonds, 0 where none is stretched. Notes it level by level for `each_above`.
   double largest() {
     std::visit(
         [&](const auto& law) {
-          for (int y = 0; y < bonds_.grid.height; ++y) {
-            double& worst = by_row_[y] = 0;
-            each_bond_of_row(bonds_, y, [&](const Bond& b) { worst = std::max(worst, ratio(law, b)); });
+          for (int level = 0; level < bonds_.grid.levels(); ++level) {
+            double& worst = by_level_[level] = 0;
+            each_bond_of_level(bonds_, bonds_.words, level,
+                               [&](const auto& b) { worst = std::max(worst, ratio(law, b)); });
           }
         },
-        bonds_.law);
-    return *std::max_element(by_row_.begin(), by_row_.end());
+        law_);
+    return *std::max_element(by_level_.begin(), by_level_.end());
   }
 
-  /// Bonds whose ratio is `limit` or more, as `largest` last saw them, in order: `visit(Bond, ratio)`.
+  /// Bonds whose ratio is `limit` or more, as `largest` last saw them, in order: `visit(bond, ratio)`.
   template <class Visit> void each_above(double limit, const Visit& visit) const {
     std::visit(
         [&](const auto& law) {
-          for (int y = 0; y < bonds_.grid.height; ++y)
-            if (by_row_[y] >= limit)
-              each_bond_of_row(bonds_, y, [&](const Bond& b) {
+          for (int level = 0; level < bonds_.grid.levels(); ++level)
+            if (by_level_[level] >= limit)
+              each_bond_of_level(bonds_, bonds_.words, level, [&](const auto& b) {
                 if (const double r = ratio(law, b); r >= limit) visit(b, r);
               });
         },
-        bonds_.law);
+        law_);
   }
 
  private:
-  const Bonds& bonds_;
+  const BondsIn<D>& bonds_;
   double dx_;
+  const BondLawChoice& law_;
   std::array<double, 4> critical_;
-  const Field<double>& u_;
-  std::vector<double> by_row_;
+  const statics::FieldIn<D, double>& u_;
+  std::vector<double> by_level_;
 };
+
+/// What the clamp's force is spread over, m^2; in the plane m.
+double section_of(const PhaseMap& map) { return map.width * map.dx; }
+double section_of(const VoxelMap& map) { return map.width * map.dx * map.height * map.dx; }
+
+StressField stress_of(const Bonds& bonds, double dx, const Field<double>& u) {
+  return node_stress(bonds, dx, u, false);
+}
+VoxelStress stress_of(const SpaceBonds& bonds, double dx, const statics::FieldIn<3, double>& u) {
+  return node_stress(bonds, dx, u);
+}
+
+/// The place of a bond's first node.
+BrokenBond broken_at(const Bond& b, double strain) {
+  return {b.x, b.y, 0, static_cast<std::uint8_t>(b.d), static_cast<std::uint8_t>(b.type), strain};
+}
+BrokenBond broken_at(const SpaceBond& b, double strain) {
+  return {b.x, b.y, b.z, static_cast<std::uint8_t>(b.d), static_cast<std::uint8_t>(b.type), strain};
+}
 
 auto changed_by_solve(auto& s) {
   return std::tie(s.words, s.parted, s.words_at_setup, s.u, s.solves, s.iterations, s.share);
 }
 
 /// A test to failure on its way; displacements and forces are those of unit strain.
-class FailureTest : public FailureEquilibrium {
+template <int D> class FailureTest : public FailureEquilibrium<D> {
+  using Base = FailureEquilibrium<D>;
+
  public:
-  FailureTest(const PhaseMap& map, const DamageOptions& options)
-      : FailureEquilibrium(map, options),
+  FailureTest(const MapIn<D>& map, const DamageOptionsIn<D>& options)
+      : Base(map, options),
         critical_(critical_stretches(options, map.dx)),
-        criterion_(bonds_, map.dx, critical_, state_.u) {}
+        criterion_(bonds_, map.dx, options.law, critical_, state_.u) {}
 
   /// Rounds of breaking until the test ends.
   void run();
   /// The result, once; `run` comes first.
-  DamageResult finish();
+  DamageResultIn<D> finish();
 
  private:
+  using Base::bonds_, Base::state_, Base::resisting_, Base::map_, Base::options_, Base::ending_;
+  using Base::unit_energy_, Base::unit_force_;
+  using typename Base::Ending;
+
   double elastic(double strain) const { return strain * strain * unit_energy_; }
-  double stress(double strain) const { return strain * unit_force_ / (map_.width * map_.dx); }
+  double stress(double strain) const { return strain * unit_force_ / section_of(map_); }
   void settle();
   void strain_to(double next);
   void remember();
   void break_worst(double largest);
   void hold();
-  FailureState state() const;
+  FailureStateIn<D> state() const;
 
   std::array<double, 4> critical_;
-  FailureCriterion criterion_;
-  FailureState before_;  ///< of this round's solve, what it changes; for those who keep states
+  FailureCriterion<D> criterion_;
+  FailureStateIn<D> before_;  ///< of this round's solve, what it changes; for those who keep states
 };
 
 }  // namespace
 
-std::array<double, 4> critical_stretches(const DamageOptions& o, double dx) {
-  const Stiffness& e = o.stiffness;
-  const Toughness& k = o.toughness;
-  const Strength& f = o.strength;
-  check_by_type("toughness", "Pa m^0.5", k.matrix, k.interface, k.particle);
-  for (const double strength : {f.matrix, f.interface, f.particle})
-    if (!(strength > 0)) throw refusal("a strength of bonds is {:g} Pa; give a positive one", strength);
-  return std::visit(
-      [&](const auto& law) -> std::array<double, 4> {
-        const auto lower = [&](double toughness, double strength, double modulus) {
-          return std::min(law.critical_stretch(toughness, modulus, dx), strength / modulus);
-        };
-        return {0, lower(k.matrix, f.matrix, e.matrix), lower(k.interface, f.interface, e.interface),
-                lower(k.particle, f.particle, e.particle)};
-      },
-      o.law);
-}
-
 /// After a round of breaking, at the strain that it happened at.
-void FailureTest::settle() {
+template <int D> void FailureTest<D>::settle() {
   state_.now.released += state_.now.elastic - elastic(state_.now.strain);
   state_.now.elastic = elastic(state_.now.strain);
   state_.now.stress = stress(state_.now.strain);
@@ -151,10 +162,10 @@ void FailureTest::settle() {
 }
 
 /// On to the strain at which the next bond breaks.
-void FailureTest::strain_to(double next) {
+template <int D> void FailureTest<D>::strain_to(double next) {
   if (next > state_.now.strain) {
     const double to = std::min(next, options_.max_strain);
-    state_.now.work += unit_force_ * gauge() * (to * to - state_.now.strain * state_.now.strain) / 2;
+    state_.now.work += unit_force_ * this->gauge() * (to * to - state_.now.strain * state_.now.strain) / 2;
     state_.now.strain = to;
     state_.now.elastic = elastic(to);
     state_.now.stress = stress(to);
@@ -166,7 +177,7 @@ void FailureTest::strain_to(double next) {
   if (state_.now.stress > state_.strength) remember();
 }
 
-void FailureTest::remember() {
+template <int D> void FailureTest<D>::remember() {
   state_.strength = state_.now.stress;
   state_.strongest_words = resisting_.words;
   state_.strongest_u = state_.u;
@@ -174,24 +185,23 @@ void FailureTest::remember() {
 }
 
 /// Breaks what is stretched beyond the critical stretch, the worst of it.
-void FailureTest::break_worst(double largest) {
+template <int D> void FailureTest<D>::break_worst(double largest) {
   const double limit = std::max(1 - 1e-9, (1 - options_.band) * state_.now.strain * largest) / state_.now.strain;
-  criterion_.each_above(limit, [&](const Bond& b, double ratio) {
+  criterion_.each_above(limit, [&](const auto& b, double ratio) {
     const double stretch = state_.now.strain * ratio * critical_[b.type];
-    const double modulus = bonds_.modulus(b.type) * map_.dx * map_.dx * length(b.step());
-    state_.now.bond_energy += std::visit([&](const auto& law) { return law.energy(stretch, modulus); }, bonds_.law);
-    bonds_.break_bond(b.i, b.d);
-    if (closes_) state_.parted[b.i] |= b.type << (2 * b.d);
-    state_.broken.push_back(
-        {b.x, b.y, static_cast<std::uint8_t>(b.d), static_cast<std::uint8_t>(b.type), state_.now.strain});
+    const double modulus = energy_modulus(bonds_, b, map_.dx);
+    state_.now.bond_energy += std::visit([&](const auto& law) { return law.energy(stretch, modulus); }, options_.law);
+    clear(bonds_.words, b.i, b.d);
+    if (this->closes_) word_at(state_.parted, b.i, b.d) |= b.type << bit_of(b.d);
+    state_.broken.push_back(broken_at(b, state_.now.strain));
   });
 }
 
-void FailureTest::run() {
+template <int D> void FailureTest<D>::run() {
   ending_ = Ending::no_path;
-  if (!is_set_up()) {
-    uniform_strain();
-    if (!prepare()) return;
+  if (!this->is_set_up()) {
+    this->uniform_strain();
+    if (!this->prepare()) return;
   }
   const auto hand_out = [&] {
     if (options_.keep) options_.keep([&] { return state(); });
@@ -199,15 +209,15 @@ void FailureTest::run() {
   for (;; ++state_.rounds) {
     hold();
     hand_out();
-    if (!equilibrate()) {
+    if (!this->equilibrate()) {
       if (ending_ == Ending::stopped) hand_out();
       return;
     }
-    if (state_.rounds == 0) state_.modulus = unit_force_ / (map_.width * map_.dx);
+    if (state_.rounds == 0) state_.modulus = unit_force_ / section_of(map_);
     settle();
     if (state_.rounds > 0 && state_.now.stress <= options_.end_stress * state_.strength) {
       state_.curve.push_back(state_.now);
-      ending_ = prepare() ? Ending::dropped : Ending::severed;
+      ending_ = this->prepare() ? Ending::dropped : Ending::severed;
       return;
     }
     const double largest = criterion_.largest();
@@ -220,49 +230,43 @@ void FailureTest::run() {
   }
 }
 
-DamageResult FailureTest::finish() {
-  DamageResult result;
+template <int D> DamageResultIn<D> FailureTest<D>::finish() {
+  DamageResultIn<D> result;
   static_cast<FailureRecord&>(result) = std::move(state_);
   result.ending = ending_;
   if (result.strength > 0) {
     resisting_.words = state_.strongest_words;
-    for (auto* component : {&state_.strongest_u.x, &state_.strongest_u.y})
-      for (double& u : *component) u *= state_.strongest_strain;
-    result.at_strength = node_stress(resisting_, map_.dx, state_.strongest_u, false);
+    mark_changed(resisting_, 0, resisting_.grid.levels() - 1);
+    for (int axis = 0; axis < D; ++axis)
+      for (double& u : state_.strongest_u[axis]) u *= state_.strongest_strain;
+    result.at_strength = stress_of(resisting_, map_.dx, state_.strongest_u);
   }
   result.sentence = sentence_of(result);
   return result;
 }
 
 /// Notes what the solve of a round changes, where somebody may ask for the state before it.
-void FailureTest::hold() {
+template <int D> void FailureTest<D>::hold() {
   if (!options_.keep) return;
   changed_by_solve(before_) = changed_by_solve(state_);
   before_.words = bonds_.words;
 }
 
-FailureState FailureTest::state() const {
-  FailureState s = state_;  // this round's solve will be done again
+template <int D> FailureStateIn<D> FailureTest<D>::state() const {
+  FailureStateIn<D> s = state_;  // this round's solve will be done again
   changed_by_solve(s) = changed_by_solve(before_);
   return s;
 }
 
-DamageResult load_to_failure(const PhaseMap& map, const DamageOptions& options) {
+template <int D> DamageResultIn<D> load_to_failure(const MapIn<D>& map, const DamageOptionsIn<D>& options) {
   check(options);
-  FailureTest test(map, options);
+  FailureTest<D> test(map, options);
   if (options.resume) test.resume(*options.resume);
   test.run();
   return test.finish();
 }
 
-std::vector<Crack> cracks_of(const std::vector<BrokenBond>& broken, double dx) {
-  std::vector<Crack> cracks;
-  for (const auto& bond : broken) {
-    const auto step = half_bonds[bond.direction];
-    cracks.push_back({static_cast<float>((bond.x + 0.5 + 0.5 * step.x) * dx),
-                      static_cast<float>((bond.y + 0.5 + 0.5 * step.y) * dx), bond.type, bond.strain});
-  }
-  return cracks;
-}
+template DamageResultIn<2> load_to_failure<2>(const PhaseMap&, const DamageOptionsIn<2>&);
+template DamageResultIn<3> load_to_failure<3>(const VoxelMap&, const DamageOptionsIn<3>&);
 
 }  // namespace arenite::peridynamics

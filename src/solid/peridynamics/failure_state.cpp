@@ -7,7 +7,8 @@
 namespace arenite::peridynamics {
 namespace {
 
-constexpr std::uint64_t mark = 0x32302d6c6c75702d;  // "-pull-02"; changes with what `transfer` lists
+/// "-pull-03", and "-rend-01" in space; they change with what `transfer` lists.
+template <int D> constexpr std::uint64_t mark = D == 2 ? 0x33302d6c6c75702d : 0x31302d646e65722d;
 
 template <class Archive> void transfer(Archive& a, DamageState& s) {
   std::uint64_t broken = s.broken;
@@ -17,7 +18,7 @@ template <class Archive> void transfer(Archive& a, DamageState& s) {
 }
 
 template <class Archive> void transfer(Archive& a, BrokenBond& b) {
-  a(b.x), a(b.y), a(b.direction), a(b.type), a(b.strain);
+  a(b.x), a(b.y), a(b.z), a(b.direction), a(b.type), a(b.strain);
 }
 
 void resize(ByteWriter&, std::uint64_t, const auto&) {}
@@ -34,15 +35,18 @@ template <class Archive, class T> void transfer(Archive& a, std::vector<T>& list
 }
 
 /// One list of members for both ways.
-template <class Archive> void transfer(Archive& a, FailureState& s) {
-  a(s.width), a(s.height), a(s.rounds);
+template <class Archive, int D> void transfer(Archive& a, FailureStateIn<D>& s) {
+  for (std::int32_t& n : s.size) a(n);
+  a(s.rounds);
   for (int* count : {&s.solves, &s.iterations}) {
     std::int64_t wide = *count;
     a(wide);
     *count = static_cast<int>(wide);
   }
-  for (auto* words : {&s.words, &s.parted, &s.words_at_setup, &s.strongest_words}) a(*words);
-  for (auto* u : {&s.u.x, &s.u.y, &s.strongest_u.x, &s.strongest_u.y}) a(*u);
+  for (auto* words : {&s.words, &s.parted, &s.words_at_setup, &s.strongest_words})
+    for (auto& buffer : buffers(*words)) a(buffer);
+  for (auto* u : {&s.u, &s.strongest_u})
+    for (int axis = 0; axis < D; ++axis) a((*u)[axis]);
   for (double* v : {&s.strength, &s.modulus, &s.energy_defect, &s.share, &s.strongest_strain}) a(*v);
   transfer(a, s.now);
   transfer(a, s.curve);
@@ -51,22 +55,29 @@ template <class Archive> void transfer(Archive& a, FailureState& s) {
 
 }  // namespace
 
-std::vector<std::uint8_t> to_bytes(const FailureState& state) {
+template <int D> std::vector<std::uint8_t> to_bytes(const FailureStateIn<D>& state) {
   ByteWriter write;
-  write(mark);
-  transfer(write, const_cast<FailureState&>(state));  // the writer does not change what it is given
+  write(mark<D>);
+  transfer(write, const_cast<FailureStateIn<D>&>(state));  // the writer does not change what it is given
   return std::move(write.bytes);
 }
 
-FailureState failure_state_of(const std::vector<std::uint8_t>& bytes) {
+template <int D> FailureStateIn<D> failure_state_of(const std::vector<std::uint8_t>& bytes) {
   ByteReader read(bytes);
   std::uint64_t first = 0;
   read(first);
-  if (first != mark) ByteReader::fail();
-  FailureState state;
+  if (first != mark<D>) ByteReader::fail();
+  FailureStateIn<D> state;
   transfer(read, state);
   if (!read.at_end()) ByteReader::fail();
   return state;
 }
+
+#define ARENITE_OF(D)                                                    \
+  template std::vector<std::uint8_t> to_bytes(const FailureStateIn<D>&); \
+  template FailureStateIn<D> failure_state_of<D>(const std::vector<std::uint8_t>&);
+ARENITE_OF(2)
+ARENITE_OF(3)
+#undef ARENITE_OF
 
 }  // namespace arenite::peridynamics

@@ -1,7 +1,7 @@
 #include "solid/peridynamics/measures.hpp"
 
 #include "solid/grid/cavities.hpp"
-#include "solid/peridynamics/damage.hpp"
+#include "solid/peridynamics/critical_stretch.hpp"
 
 namespace arenite::peridynamics {
 
@@ -18,8 +18,8 @@ std::optional<double> strain_at_strength(const FailureRecord& test) {
   return strain;
 }
 
-BreakingLimits breaking_limits(const DamageOptions& options, double dx) {
-  DamageOptions tough_alone = options;
+template <int D> BreakingLimits breaking_limits(const DamageOptionsIn<D>& options, double dx) {
+  DamageOptionsIn<D> tough_alone = options;
   tough_alone.strength = {};
   const auto of_toughness = critical_stretches(tough_alone, dx);
   BreakingLimits limits{critical_stretches(options, dx), {}};
@@ -27,6 +27,8 @@ BreakingLimits breaking_limits(const DamageOptions& options, double dx) {
     if (limits.stretch[type] < of_toughness[type]) limits.set_by[type] = Limit::strength;
   return limits;
 }
+template BreakingLimits breaking_limits(const DamageOptionsIn<2>&, double);
+template BreakingLimits breaking_limits(const DamageOptionsIn<3>&, double);
 
 bool joined_through_voids_only(const PhaseMap& map) {
   // What bonds join that stop at voids is joined side by side: solid where voids go through corners.

@@ -36,7 +36,7 @@ struct BreakingLimits {
 };
 
 /// Throws InputError as `critical_stretches`.
-BreakingLimits breaking_limits(const DamageOptions& options, double dx);
+template <int D> BreakingLimits breaking_limits(const DamageOptionsIn<D>& options, double dx);
 
 /// Whether the lower and the upper edge of a map are joined by bonds through voids alone, by no solid.
 bool joined_through_voids_only(const PhaseMap& map);

@@ -38,7 +38,8 @@ struct Strength {
   double matrix = HUGE_VAL, interface = HUGE_VAL, particle = HUGE_VAL;
 };
 
-/// A straight cut through all bonds that cross it, in nodes: a notch without width.
+/// A straight cut through all bonds that cross it, in nodes: a notch without width. In space it lies in x and z and
+/// goes through all y.
 struct Cut {
   Vec2 from, to;
 };
@@ -58,6 +59,7 @@ struct LoadCase {
   BondLawChoice law{};
   /// No bond passes through a void node (`bonds.hpp`); otherwise bonds reach across voids thinner than the horizon.
   bool stop_at_voids = false;
+  int horizon_in_space = 2;  ///< spacings: 2 for 32 bonds a node, 3 for 122; in the plane it is 3
   bool operator==(const LoadCase&) const = default;
 };
 
@@ -67,7 +69,6 @@ struct FieldChoices {
   int max_iterations = 0;  ///< 0: a million steps; for the static solve 50, more for tolerances below 1e-6
   /// P's stretch (|xi + eta| - |xi|)/|xi| along the turned bond; otherwise the linearised one.
   bool exact_stretch = false;
-  int horizon_in_space = 2;  ///< spacings: 2 for 32 bonds a node, 3 for 122; in the plane it is 3
   bool operator==(const FieldChoices&) const = default;
 };
 
@@ -90,12 +91,13 @@ struct LoadOptions : LoadCase, FieldChoices {
   bool look_for_hinges = false;
 };
 
-struct FailureState;
+template <int D> struct FailureStateIn;
 
 /// Is handed a way to the state; a caller that wants it asks for it (copying it takes time).
-using KeepFailure = std::function<void(const std::function<FailureState()>& state)>;
+template <int D> using KeepFailureIn = std::function<void(const std::function<FailureStateIn<D>()>& state)>;
 
-struct DamageOptions : LoadCase, FailureChoices {
+/// How a sample of the plane or of space is brought to failure.
+template <int D> struct DamageOptionsIn : LoadCase, FailureChoices {
   Stiffness stiffness{};
   Watch watch{};
   Toughness toughness{};
@@ -103,10 +105,11 @@ struct DamageOptions : LoadCase, FailureChoices {
   std::vector<Cut> cuts{};
   int max_events = 10'000;  ///< rounds of breaking after which the test ends
   /// Called before each round of breaking and, with that round's state, where the watch stopped the work.
-  KeepFailure keep{};
+  KeepFailureIn<D> keep{};
   /// Goes on from here, a state of a test of the same map with the same options: the result has the same bits as that
   /// of a test in one piece.
-  const FailureState* resume = nullptr;
+  const FailureStateIn<D>* resume = nullptr;
 };
+using DamageOptions = DamageOptionsIn<2>;
 
 }  // namespace arenite::peridynamics

@@ -12,7 +12,7 @@ std::vector<std::string_view> drawn_under(const char* loading) {
   VoxelResult sample;
   sample.numbers = Numbers{{"load", {{"loading", loading}}}};
   std::vector<std::string_view> names;
-  for (const VoxelQuantity* q : stresses_drawn(sample)) names.push_back(q->name);
+  for (const VoxelQuantity* q : quantities_drawn(sample)) names.push_back(q->name);
   return names;
 }
 

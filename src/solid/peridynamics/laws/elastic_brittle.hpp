@@ -4,6 +4,7 @@
 
 #include "core/parameters.hpp"
 #include "solid/peridynamics/lattice.hpp"
+#include "solid/peridynamics/space/lattice_in_space.hpp"
 
 namespace arenite::peridynamics {
 
@@ -29,6 +30,12 @@ struct ElasticBrittle {
   /// plane stress.
   double critical_stretch(double k, double e, double dx) const {
     return k / e * std::sqrt(4 * std::numbers::pi / (9 * horizon * dx));
+  }
+  /// The same of a flat crack through a lattice in space, in plane strain: G = K^2 (1 - nu^2)/E is what its bonds hold
+  /// when they break, s^2 E dx times `across`, the energy at unit stretch of all that cross a plane along the lattice,
+  /// of unit modulus, spacing and area.
+  double critical_stretch_in_space(double k, double e, double dx, double across) const {
+    return k / e * std::sqrt((1 - space_lattice_poisson * space_lattice_poisson) / (across * dx));
   }
 };
 

@@ -20,6 +20,7 @@ concept BondLaw = requires(L choice, const L law, ParameterVisitor& visitor, dou
   { law.resists_broken(v) } -> std::same_as<bool>;            // (extension): whether faces that have parted push
   { law.damage(v, v) } -> std::same_as<double>;               // (stretch, critical stretch), 1 at the break
   { law.critical_stretch(v, v, v) } -> std::same_as<double>;  // (toughness, Young modulus, dx)
+  { law.critical_stretch_in_space(v, v, v, v) } -> std::same_as<double>;  // and the energy of bonds across a plane
 };
 
 /// The laws there are. A new one is a file beside these and a name here; the recipe's word, keys, documentation and

@@ -12,12 +12,6 @@
 namespace arenite::peridynamics {
 namespace {
 
-std::vector<SpaceOffset> space_half_bonds(int reach) {
-  std::vector<SpaceOffset> list;
-  each_half_bond_in_space(reach, [&](SpaceOffset e) { list.push_back(e); });
-  return list;
-}
-
 /// Whether a bond is of the shell whose weight makes the lattice isotropic.
 bool is_weighted(SpaceOffset e, int reach) {
   const int longest = std::max({std::abs(e.x), std::abs(e.y), std::abs(e.z)});
@@ -32,22 +26,6 @@ template <class Visit> void each_bond_from(const SpaceBonds& bonds, std::ptrdiff
 template <class Visit> void each_space_bond(const SpaceBonds& bonds, const Visit& visit) {
   bonds.grid.each([&](std::ptrdiff_t i, int) {
     each_bond_from(bonds, i, [&](std::ptrdiff_t j, std::size_t d, unsigned type) { visit(i, j, d, type); });
-  });
-}
-
-void mark_groups(SpaceBonds& bonds) {
-  const Grid& grid = bonds.grid;
-  bonds.holds_any.assign(static_cast<std::size_t>(bonds.group(0, 0, grid.depth)), 0);
-  const auto mark = [&](std::ptrdiff_t i) {
-    const std::ptrdiff_t inside = i - grid.row(0, 0), z = inside / grid.layer, y = inside % grid.layer / grid.stride;
-    const std::ptrdiff_t g = inside % grid.layer % grid.stride / Grid::vector;
-    bonds.holds_any[static_cast<std::size_t>(
-        bonds.group(static_cast<int>(g), static_cast<int>(y), static_cast<int>(z)))] = 1;
-  };
-  grid.each([&](std::ptrdiff_t i, int) {
-    bool any = false;
-    each_bond_from(bonds, i, [&](std::ptrdiff_t j, std::size_t, unsigned) { mark(j), any = true; });
-    if (any) mark(i);
   });
 }
 
@@ -73,6 +51,28 @@ bool free_loose_nodes(SpaceBonds& bonds, const std::vector<std::uint8_t>& prescr
 }
 
 }  // namespace
+
+std::vector<SpaceOffset> space_half_bonds(int reach) {
+  std::vector<SpaceOffset> list;
+  each_half_bond_in_space(reach, [&](SpaceOffset e) { list.push_back(e); });
+  return list;
+}
+
+void mark_groups(SpaceBonds& bonds) {
+  const Grid& grid = bonds.grid;
+  bonds.holds_any.assign(static_cast<std::size_t>(bonds.group(0, 0, grid.depth)), 0);
+  const auto mark = [&](std::ptrdiff_t i) {
+    const std::ptrdiff_t inside = i - grid.row(0, 0), z = inside / grid.layer, y = inside % grid.layer / grid.stride;
+    const std::ptrdiff_t g = inside % grid.layer % grid.stride / Grid::vector;
+    bonds.holds_any[static_cast<std::size_t>(
+        bonds.group(static_cast<int>(g), static_cast<int>(y), static_cast<int>(z)))] = 1;
+  };
+  grid.each([&](std::ptrdiff_t i, int) {
+    bool any = false;
+    each_bond_from(bonds, i, [&](std::ptrdiff_t j, std::size_t, unsigned) { mark(j), any = true; });
+    if (any) mark(i);
+  });
+}
 
 std::vector<double> bond_stiffness_in_space(int reach) {
   const auto half = space_half_bonds(reach);

@@ -42,6 +42,9 @@ struct SpaceBonds {
   }
 };
 
+/// The half bonds of a horizon, in the order of `words`.
+std::vector<SpaceOffset> space_half_bonds(int reach);
+
 /// The force over e (e . du) of every half bond, for E = 1: c w/|e|^3, where one shell, (200) of 32 bonds and (221) of
 /// 122, has a weight w with which the lattice is isotropic, and c makes Young's modulus 1 and Poisson's ratio 1/4.
 std::vector<double> bond_stiffness_in_space(int reach);
@@ -50,10 +53,16 @@ std::vector<double> bond_stiffness_in_space(int reach);
 /// is neither 2 nor 3.
 SpaceBonds make_space_bonds(const VoxelMap& map, const Stiffness& stiffness, int reach);
 
+/// Marks anew what the kernels skip, after bonds were broken or mended.
+void mark_groups(SpaceBonds& bonds);
+
 /// Takes out what bonds do not join to both clamps, and nodes that could move freely because their bonds lie in one
 /// plane or line; `tie` says what every node is tied to, padded.
 statics::Support prune_in_space(SpaceBonds& bonds, const VoxelMap& map, const std::vector<std::uint8_t>& prescribed,
                                 Buffer<statics::Tie>& tie);
+
+/// Nodes a side of the coarse cells.
+inline constexpr int space_cell = 8;
 
 /// Nodes by the grains that own them, matrix flooded to grains, that bonds hold together.
 statics::Aggregates cut_space_bonds(const VoxelMap& map, const SpaceBonds& bonds,

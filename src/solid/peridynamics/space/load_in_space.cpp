@@ -13,12 +13,6 @@
 #include "solid/statics/static_solver.hpp"
 
 namespace arenite::peridynamics {
-namespace {
-
-constexpr int space_cell = 8;  ///< nodes a side of the coarse cells
-
-}  // namespace
-
 statics::LoadResultIn<3> load(const VoxelMap& map, const LoadOptions& options) {
   statics::check_load(options.strain, options.tolerance);
   SpaceBonds bonds = make_space_bonds(map, options.stiffness, options.horizon_in_space);

@@ -48,7 +48,7 @@ TEST(BreakingLimits, PassFromToughnessToStrengthAtIrwinsSpacing) {
 }
 
 TEST(BrokenByType, CountsEachBondOnce) {
-  const auto bond = [](BondType type) { return BrokenBond{0, 0, 0, static_cast<std::uint8_t>(type), 0}; };
+  const auto bond = [](BondType type) { return BrokenBond{0, 0, 0, 0, static_cast<std::uint8_t>(type), 0}; };
   const auto count = broken_by_type({bond(particle_bond), bond(matrix_bond), bond(particle_bond)});
   EXPECT_EQ(count, (std::array<std::size_t, 4>{0, 1, 0, 2}));
 }
