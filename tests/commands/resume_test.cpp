@@ -139,8 +139,8 @@ TEST(Resume, KilledAtRandomMomentsARunOfSpheresEndsWithTheSameBytes) {
 TEST(Resume, KilledAtRandomMomentsSpheresPulledUntilTheyBreakEndWithTheSameBytes) {
   const test::TemporaryFolder folder;
   std::ofstream(folder / "recipe.toml") << test::small_spheres
-                                        << "[cement]\nwidth = 0.5\n[grid]\nnodes = 20\n[[loads]]\nname = \"break\"\n"
-                                           "failure = true\nband = 0.2\nend_stress = 0.5\n";
+                                        << "[cement]\nwidth = 0.5\n[grid]\nnodes = 14\n[[loads]]\nname = \"break\"\n"
+                                           "failure = true\nband = 0.3\nend_stress = 0.5\n";
   kill_at_random_moments(folder / "recipe.toml", 3, 1, 2);
 }
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import arenite
-from arenite import flows
+from arenite import _core, flows
 
 RECIPE = """
 seed = 3
@@ -85,3 +85,16 @@ def test_fronts_heights_and_runout_are_those_of_the_spheres(tmp_path):
     assert told["runout_over_width"]["value"] == pytest.approx((now - right) / (right - left))
     curve = flows.runouts([result])
     assert curve["runout"].values == [told["runout_over_width"]["value"]] and curve["runout_error"].values[0] > 0
+    way, profile = _core._figures_of_part(result.spheres[-1])["collapse"][0]["panels"]
+    assert way["series"][0]["name"] == "right front" and len(way["series"][0]["y"]) == 4
+    assert way["series"][0]["y"][-1] == pytest.approx(1e3 * (now - fronts_at_begin(result)), abs=1e-3)
+    assert [series["name"] for series in profile["series"]] == ["before", "", "", "", "in the end"]
+    assert profile["series"][-1]["y"] == pytest.approx(1e3 * (np.asarray(found["height"]) - lowest(result)), abs=1e-2)
+
+
+def fronts_at_begin(result):
+    return arenite.free_surface(result.spheres[-1].states[0])["right"]
+
+
+def lowest(result):
+    return arenite.free_surface(result.spheres[-1].states[0])["bottom"]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,28 +21,56 @@ using Values = std::vector<double>;
 
 constexpr std::size_t parts_of_way = 4;  // of a front, after each of which a profile is drawn
 
-Axis time_axis(const StageData& data) {
-  return {.label = "time in \u201c" + data.stage.name + "\u201d", .unit = "s", .brief = "time"};
+Axis time_axis(const std::string& stage) {
+  return {.label = "time in \u201c" + stage + "\u201d", .unit = "s", .brief = "time"};
 }
 
-double begin_of(const StageData& data) {
-  const Values* time = data.stage.history.find("time");
-  return time && !time->empty() ? time->front() : data.states.front()->time;
+/// When a stage began, s.
+double begin_of(const History& history, const auto& states) {
+  const Values* time = history.find("time");
+  return time && !time->empty() ? time->front() : states.front()->time;
 }
 
-Values times_of(const StageData& data) {
-  return mapped(data.states, [&](const Snapshot* state) { return std::max(0.0, state->time - begin_of(data)); });
+/// Of states, s from the beginning of their stage.
+Values times_of(const History& history, const auto& states) {
+  const double begin = begin_of(history, states);
+  return mapped(states, [&](const auto* state) { return std::max(0.0, state->time - begin); });
 }
 
-bool is_of(const StageData& data, fields::TestKind kind) {
-  return data.states.size() > 2 && norm(data.stage.asked.gravity) > 0 &&
-         fields::kind_of(fields::Test{data.stage, data.before}) == kind;
+/// The free surface of a sample in the states of a stage, and before.
+struct Surfaces {
+  std::string stage;
+  const Numbers& texture;
+  Values times;  ///< s, from the beginning of the stage
+  std::vector<fields::FreeSurface> at;
+  fields::FreeSurface before;
+};
+
+/// Without a state before the first one stands for it.
+template <int D>
+Surfaces surfaces_of(const StageResultIn<D>& stage, const std::vector<const SnapshotIn<D>*>& states,
+                     const PackingIn<D>* before) {
+  Surfaces found{stage.name, stage.texture, times_of(stage.history, states), {}, {}};
+  for (const SnapshotIn<D>* state : states)
+    found.at.push_back(fields::find_free_surface(state->packing, stage.asked.gravity));
+  found.before = before ? fields::find_free_surface(*before, stage.asked.gravity) : found.at.front();
+  return found;
 }
 
-std::vector<fields::FreeSurface> surfaces_of(const StageData& data) {
-  return mapped(data.states, [&](const Snapshot* state) {
-    return fields::find_free_surface(state->packing, data.stage.asked.gravity);
-  });
+bool can_be(fields::TestKind kind, fields::TestKind found, std::size_t states, Vec2 gravity) {
+  return states > 2 && norm(gravity) > 0 && found == kind;
+}
+
+std::optional<Surfaces> surfaces_of(const StageData& data, fields::TestKind kind) {
+  const fields::TestKind found = fields::kind_of(fields::Test{data.stage, data.before});
+  if (!can_be(kind, found, data.states.size(), data.stage.asked.gravity)) return std::nullopt;
+  return surfaces_of<2>(data.stage, data.states, data.before);
+}
+
+std::optional<Surfaces> surfaces_of(const SphereResult& stage, fields::TestKind kind) {
+  if (!can_be(kind, fields::kind_of(stage), stage.snapshots.size(), stage.asked.gravity)) return std::nullopt;
+  const auto states = mapped(stage.snapshots, [](const SnapshotIn<3>& state) { return &state; });
+  return surfaces_of<3>(stage, states, nullptr);
 }
 
 /// The way of the front that has gone farther in the end, at every state.
@@ -87,10 +116,10 @@ Drawings discharge(const StageData& data) {
   const Scale scale = scale_of(1e3 * largest_of(*mass, 0), "g");
   const double factor = scale.factor / 1e3;
   Drawing drawing;
-  Panel panel{.x = time_axis(data), .y = {.label = "mass passed", .unit = scale.unit, .low = 0}};
+  Panel panel{.x = time_axis(data.stage.name), .y = {.label = "mass passed", .unit = scale.unit, .low = 0}};
   panel.series.push_back(
       {.x = mapped(*time, [&](double t) { return t - begin; }), .y = scaled(*mass, 1 / factor), .line = Line::solid});
-  panel.now.x = times_of(data);
+  panel.now.x = times_of(data.stage.history, data.states);
   const auto number = [&](const char* name) {
     return estimate_at(data.stage.texture, std::string("/discharge/") + name);
   };
@@ -110,36 +139,35 @@ Drawings discharge(const StageData& data) {
   return {drawing};
 }
 
-Drawings collapse(const StageData& data) {
-  if (!is_of(data, fields::TestKind::collapse)) return {};
-  const auto surfaces = surfaces_of(data);
-  const fields::FreeSurface then =
-      data.before ? fields::find_free_surface(*data.before, data.stage.asked.gravity) : surfaces.front();
+namespace {
+
+Drawings draw_collapse(const Surfaces& surfaces) {
   Drawing drawing{.key = {{"before", "weak"}, {"in the end", "strong"}}};
-  Panel front{.x = time_axis(data), .y = {.label = "way of the front", .unit = "mm", .brief = "way", .low = 0}};
-  front.series.push_back(front_of(surfaces, times_of(data), then));
-  front.now.x = times_of(data);
-  if (const auto way = estimate_at(data.stage.texture, "/surface/runout_m"); std::isfinite(way.value)) {
+  Panel front{.x = time_axis(surfaces.stage),
+              .y = {.label = "way of the front", .unit = "mm", .brief = "way", .low = 0}};
+  front.series.push_back(front_of(surfaces.at, surfaces.times, surfaces.before));
+  front.now.x = surfaces.times;
+  if (const auto way = estimate_at(surfaces.texture, "/surface/runout_m"); std::isfinite(way.value)) {
     front.references.push_back({.y = 1e3 * way.value, .colour = "accent", .line = Line::dashed});
     drawing.key.push_back({"run-out", "accent", {said_in_unit("L", way, "m")}, Line::dashed});
   }
   const Values way = front.series.front().y;
-  drawing.panels = {std::move(front), profile_panel(surfaces, then, way)};
+  drawing.panels = {std::move(front), profile_panel(surfaces.at, surfaces.before, way)};
   return {drawing};
 }
 
-Drawings surface_angle(const StageData& data) {
-  if (!is_of(data, fields::TestKind::drum)) return {};
+Drawings draw_surface_angle(const Surfaces& surfaces) {
   constexpr double degrees = 180 / std::numbers::pi;
-  Series angle{.name = "surface", .x = times_of(data), .line = Line::solid, .points = true};
-  for (const auto& surface : surfaces_of(data)) {
+  Series angle{.name = "surface", .x = surfaces.times, .line = Line::solid, .points = true};
+  for (const auto& surface : surfaces.at) {
     angle.y.push_back(degrees * surface.angle.value);
     angle.error.push_back(degrees * surface.angle.error);
   }
   Drawing drawing;
-  Panel panel{.x = time_axis(data), .y = {.label = "angle of the surface", .unit = "\u00b0", .brief = "angle"}};
+  Panel panel{.x = time_axis(surfaces.stage),
+              .y = {.label = "angle of the surface", .unit = "\u00b0", .brief = "angle"}};
   panel.now.x = angle.x;
-  if (const auto mean = estimate_at(data.stage.texture, "/surface/mean_angle_deg"); std::isfinite(mean.value)) {
+  if (const auto mean = estimate_at(surfaces.texture, "/surface/mean_angle_deg"); std::isfinite(mean.value)) {
     const double half = angle.x[angle.x.size() / 2];
     panel.series.push_back({.colour = "accent",
                             .x = {half, angle.x.back()},
@@ -153,6 +181,26 @@ Drawings surface_angle(const StageData& data) {
   panel.series.push_back(std::move(angle));
   drawing.panels.push_back(std::move(panel));
   return {drawing};
+}
+
+}  // namespace
+
+Drawings collapse(const StageData& data) {
+  const auto surfaces = surfaces_of(data, fields::TestKind::collapse);
+  return surfaces ? draw_collapse(*surfaces) : Drawings{};
+}
+Drawings collapse(const SphereResult& stage) {
+  const auto surfaces = surfaces_of(stage, fields::TestKind::collapse);
+  return surfaces ? draw_collapse(*surfaces) : Drawings{};
+}
+
+Drawings surface_angle(const StageData& data) {
+  const auto surfaces = surfaces_of(data, fields::TestKind::drum);
+  return surfaces ? draw_surface_angle(*surfaces) : Drawings{};
+}
+Drawings surface_angle(const SphereResult& stage) {
+  const auto surfaces = surfaces_of(stage, fields::TestKind::drum);
+  return surfaces ? draw_surface_angle(*surfaces) : Drawings{};
 }
 
 }  // namespace arenite::report::figures

@@ -7,7 +7,9 @@ namespace arenite::report::figures {
 Drawings discharge(const StageData& data);
 /// Of a sample that spreads: its farther front against time, and its profile at some of the states.
 Drawings collapse(const StageData& data);
+Drawings collapse(const SphereResult& stage);
 /// Of a drum that turns: the angle of the surface against time, with its mean.
 Drawings surface_angle(const StageData& data);
+Drawings surface_angle(const SphereResult& stage);
 
 }  // namespace arenite::report::figures

@@ -10,6 +10,7 @@
 
 #include "core/mapped.hpp"
 #include "grains/packing/population.hpp"
+#include "report/figures/flow_figures.hpp"
 #include "report/figures/spheres/orientations.hpp"
 #include "report/figures/stage_figures.hpp"
 #include "report/figures/state_figures.hpp"
@@ -179,6 +180,8 @@ template <std::size_t k> Drawings draw_history(const SphereResult& stage) {
 const std::vector<Row<SphereResult>>& sphere_figures() {
   static const std::vector<Row<SphereResult>> all{{row_of(stage_figures(), "test-curves").head, test_curves},
                                                   {row_of(stage_figures(), over_time[0]).head, draw_history<0>},
+                                                  {row_of(stage_figures(), "collapse").head, collapse},
+                                                  {row_of(stage_figures(), "surface-angle").head, surface_angle},
                                                   {orientations_of_spheres, draw_orientations},
                                                   {row_of(state_figures(), of_spheres[0]).head, draw_state<0>},
                                                   {row_of(state_figures(), of_spheres[1]).head, draw_state<1>},
