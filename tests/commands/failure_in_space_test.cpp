@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 
 const std::string small_example =
     "run " ARENITE_SOURCE_DIR
-    "/examples/41-failure-in-space/recipe.toml --quiet --set packing.grains=90 --set grid.nodes=18 "
+    "/examples/41-failure-in-space/recipe.toml --quiet --set packing.grains=70 --set grid.nodes=16 "
     "--set grid.crop='\"12 mm\"' --set container.width='\"18 mm\"' --set container.depth='\"18 mm\"' --out ";
 
 std::string text_of(const std::filesystem::path& file) {

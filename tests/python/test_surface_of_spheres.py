@@ -88,7 +88,7 @@ def test_fronts_heights_and_runout_are_those_of_the_spheres(tmp_path):
     way, profile = _core._figures_of_part(result.spheres[-1])["collapse"][0]["panels"]
     assert way["series"][0]["name"] == "right front" and len(way["series"][0]["y"]) == 4
     assert way["series"][0]["y"][-1] == pytest.approx(1e3 * (now - fronts_at_begin(result)), abs=1e-3)
-    assert [series["name"] for series in profile["series"]] == ["before", "", "", "", "in the end"]
+    assert [series.get("name", "") for series in profile["series"]] == ["before", "", "", "", "in the end"]
     assert profile["series"][-1]["y"] == pytest.approx(1e3 * (np.asarray(found["height"]) - lowest(result)), abs=1e-2)
 
 
