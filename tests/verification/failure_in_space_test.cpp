@@ -52,6 +52,8 @@ TEST(FailureInSpace, BondsAcrossAPlaneTakeTheEnergyThatToughnessAsksFor) {
       });
     const double toughness = 2e6 * 2e6 * (1 - 1 / 16.0) / young;
     EXPECT_NEAR(energy / (dx * dx) / toughness, 1, 1e-6) << horizon;
+    const double across = std::pow(2e6 / young / stretch, 2) * (1 - 1 / 16.0) / dx;  // by the table of docs/voxels.md
+    EXPECT_NEAR(across, horizon == 2 ? 2.17732 : 3.39972, 1e-5);
     const auto limits = breaking_limits(options, dx);
     EXPECT_TRUE(limits.follow_spacing());
     EXPECT_NEAR(breaking_limits(options, dx / 4).stretch[matrix_bond] / limits.stretch[matrix_bond], 2, 1e-12);
