@@ -1,6 +1,7 @@
 """Samples in space from arrays and files."""
 
 import pathlib
+import struct
 
 import numpy as np
 import pytest
@@ -162,3 +163,30 @@ def test_a_sample_in_space_breaks_and_python_has_its_cracks():
     assert set((steps**2).sum(axis=0)) <= {1, 2, 3, 4}
     balance = curve["work"] - curve["elastic"] - curve["released"]
     assert np.abs(balance).max() < 1e-4 * curve["work"].max()
+
+
+def pages_of_bits(planes):
+    """A TIFF of one bit per pixel, a page a plane, as programs store pictures of two values."""
+    file, link = bytearray(b"II*\0\0\0\0\0"), 4
+    for plane in planes:
+        rows = np.packbits(plane.astype(bool), axis=1).tobytes()
+        place = len(file)
+        file += rows
+        struct.pack_into("<I", file, link, len(file))
+        height, width = plane.shape
+        fields = [(256, width), (257, height), (258, 1), (259, 1), (262, 1), (277, 1), (278, height)]
+        entries = [(tag, 3, value) for tag, value in fields[:5]] + [(273, 4, place)]
+        entries += [(tag, 3, value) for tag, value in fields[5:]] + [(279, 4, len(rows))]
+        file += struct.pack("<H", len(entries))
+        for tag, kind, value in entries:
+            file += struct.pack("<HHII", tag, kind, 1, value)
+        link = len(file)
+        file += bytes(4)
+    return bytes(file)
+
+
+def test_a_stack_of_one_bit_per_pixel_is_read(tmp_path):
+    solid = np.random.default_rng(1).random((5, 7, 11)) < 0.6
+    (tmp_path / "scan.tif").write_bytes(pages_of_bits(solid))
+    found = arenite.read_voxel_map(tmp_path / "scan.tif", phases={0: "void", 1: "matrix"}, dx="1 um")
+    assert np.array_equal(found.phase, solid)

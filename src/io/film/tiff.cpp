@@ -22,24 +22,27 @@ namespace {
 struct Page {
   std::uint32_t width = 0, height = 0;
   NumberType pixel = NumberType::u16;
+  bool in_bits = false;  ///< eight pixels a byte: a picture of two values
   bool operator==(const Page&) const = default;
 };
 
+int bits_of(TIFF* tiff) { return tiff_field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE); }
+
 NumberType pixel_of(TIFF* tiff, const TiffSource& source) {
-  const int bits = tiff_field<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE),
-            format = tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT);
+  const int bits = bits_of(tiff), format = tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT);
   const bool whole = format == SAMPLEFORMAT_UINT || format == SAMPLEFORMAT_VOID;
   using enum NumberType;
+  if (whole && bits == 1) return u8;
   if (whole && (bits == 8 || bits == 16 || bits == 32)) return bits == 8 ? u8 : bits == 16 ? u16 : u32;
   if (format == SAMPLEFORMAT_INT && (bits == 16 || bits == 32)) return bits == 16 ? i16 : i32;
   if (format == SAMPLEFORMAT_IEEEFP && (bits == 32 || bits == 64)) return bits == 32 ? f32 : f64;
   source.refuse(
-      fmt::format("has {} bits per pixel in an unsupported form; save it with 8 or 16 bits or floating", bits));
+      fmt::format("has {} bits per pixel in an unsupported form; save it with 1, 8 or 16 bits or floating", bits));
 }
 
 Page page_of(TIFF* tiff, const TiffSource& source) {
   Page page{tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH), tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH),
-            pixel_of(tiff, source)};
+            pixel_of(tiff, source), bits_of(tiff) == 1};
   if (tiff_field<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL) != 1 ||
       tiff_field<std::uint16_t>(tiff, TIFFTAG_PHOTOMETRIC) != PHOTOMETRIC_MINISBLACK)
     source.refuse("is not a grey film; save it with one number per pixel, black for the smallest");
@@ -64,6 +67,8 @@ class TiffFilm : public KnownFilm {
     check_film_size(source_.file(), page_.width, page_.height, 1, choice);
     const std::string notes = text_of(tiff_.get(), TIFFTAG_IMAGEDESCRIPTION);
     const TiffStack stack = stack_in(notes, page_.width, page_.height);
+    if (page_.in_bits && stack.images() > 1 && TIFFNumberOfDirectories(tiff_.get()) == 1)
+      source_.refuse("describes images behind its first page with one bit per pixel; save it with 8 bits");
     images_.emplace(tiff_.get(), source_, stack, bytes_an_image(), choice.dataset);
     take_shape(info_, source_.file(), {images_->frames(), page_.height, page_.width}, page_.pixel, choice);
     take_notes(notes, info_);
@@ -130,10 +135,14 @@ class TiffFilm : public KnownFilm {
   }
 
   void read_page(std::size_t at, FrameBlock& frames) {
+    std::vector<std::uint8_t> bytes;
     each_block(tiff_.get(), source_, [&](const TiffBlock& block) {
-      for (std::size_t r = 0; r < block.rows; ++r)
-        take_pixels(layout_, reinterpret_cast<const char*>(block.row(r)), block.columns, frames,
-                    at + (block.y + r) * page_.width + block.x);
+      bytes.resize(page_.in_bits ? block.columns : 0);
+      for (std::size_t r = 0; r < block.rows; ++r) {
+        if (page_.in_bits) unpack_samples(block.row(r), 1, bytes);
+        take_pixels(layout_, reinterpret_cast<const char*>(page_.in_bits ? bytes.data() : block.row(r)), block.columns,
+                    frames, at + (block.y + r) * page_.width + block.x);
+      }
     });
   }
 
@@ -217,7 +226,7 @@ class TiffFilmWriter : public FilmWriter {
 
 }  // namespace
 
-/// TIFF and BigTIFF: a page a frame, grey, 8 or 16 bits or floating.
+/// TIFF and BigTIFF: a page a frame, grey, 1, 8 or 16 bits or floating.
 const FilmFormat films::tiff{
     .name = "tiff",
     .sentence = "TIFF or BigTIFF",

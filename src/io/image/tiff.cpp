@@ -58,16 +58,6 @@ PixelLayout layout_of(TIFF* tiff, const TiffSource& source, Channel channel) {
   return layout;
 }
 
-/// Gives every sample of less than a byte a byte of its own.
-void unpack(const std::uint8_t* packed, int bits, std::vector<std::uint8_t>& row) {
-  const unsigned most = (1u << bits) - 1;
-  for (std::size_t x = 0; x < row.size(); ++x) {
-    const std::size_t bit = x * static_cast<std::size_t>(bits);
-    row[x] = static_cast<std::uint8_t>(
-        static_cast<unsigned>(packed[bit / 8]) >> (8 - static_cast<std::size_t>(bits) - bit % 8) & most);
-  }
-}
-
 Image read_page(TIFF* tiff, const TiffSource& source, const ImageChoice& choice) {
   check_size(source.file(), tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH),
              tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH), choice);
@@ -77,7 +67,7 @@ Image read_page(TIFF* tiff, const TiffSource& source, const ImageChoice& choice)
   each_block(tiff, source, [&](const TiffBlock& block) {
     bytes.resize(layout.bits < 8 ? block.columns : 0);
     for (std::size_t r = 0; r < block.rows; ++r) {
-      if (layout.bits < 8) unpack(block.row(r), layout.bits, bytes);
+      if (layout.bits < 8) unpack_samples(block.row(r), layout.bits, bytes);
       if (layout.is_floating) take_floating_row(layout, block.row(r), block.x, block.y + r, block.columns, image);
       else take_row(layout, layout.bits < 8 ? bytes.data() : block.row(r), block.x, block.y + r, block.columns, image);
     }
@@ -175,6 +165,15 @@ Tiff open_tiff(TiffSource& source, std::int64_t most_at_once) {
           [](thandle_t) { return 0; }, [](thandle_t h) -> toff_t { return static_cast<TiffSource*>(h)->bytes->size(); },
           nullptr, nullptr, options.get()),
       TIFFClose};
+}
+
+void unpack_samples(const std::uint8_t* packed, int bits, std::vector<std::uint8_t>& row) {
+  const unsigned most = (1u << bits) - 1;
+  for (std::size_t x = 0; x < row.size(); ++x) {
+    const std::size_t bit = x * static_cast<std::size_t>(bits);
+    row[x] = static_cast<std::uint8_t>(
+        static_cast<unsigned>(packed[bit / 8]) >> (8 - static_cast<std::size_t>(bits) - bit % 8) & most);
+  }
 }
 
 void each_block(TIFF* tiff, const TiffSource& source, const std::function<void(const TiffBlock& block)>& see) {
