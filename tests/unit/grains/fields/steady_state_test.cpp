@@ -14,7 +14,7 @@ namespace {
 /// x_k = mean + phi (x_(k-1) - mean) + noise, of unit variance, in its steady state from the start; plus a transient
 /// `jump` exp(-k/`decay`).
 std::vector<double> ar1(std::uint64_t seed, std::size_t n, double phi, double mean, double jump = 0, double decay = 1) {
-  RandomStream random(seed, Purpose::test, static_cast<std::uint64_t>(1000 * phi));
+  RandomStream random(seed, Purpose::test, static_cast<std::uint64_t>(static_cast<std::int64_t>(1000 * phi)));
   std::vector<double> x(n);
   double state = random.normal();
   for (std::size_t k = 0; k < n; ++k) {
