@@ -135,14 +135,10 @@ class TiffFilm : public KnownFilm {
   }
 
   void read_page(std::size_t at, FrameBlock& frames) {
-    std::vector<std::uint8_t> bytes;
     each_block(tiff_.get(), source_, [&](const TiffBlock& block) {
-      bytes.resize(page_.in_bits ? block.columns : 0);
-      for (std::size_t r = 0; r < block.rows; ++r) {
-        if (page_.in_bits) unpack_samples(block.row(r), 1, bytes);
-        take_pixels(layout_, reinterpret_cast<const char*>(page_.in_bits ? bytes.data() : block.row(r)), block.columns,
-                    frames, at + (block.y + r) * page_.width + block.x);
-      }
+      for (std::size_t r = 0; r < block.rows; ++r)
+        take_pixels(layout_, reinterpret_cast<const char*>(block.row(r)), block.columns, frames,
+                    at + (block.y + r) * page_.width + block.x);
     });
   }
 

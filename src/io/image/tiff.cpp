@@ -63,14 +63,10 @@ Image read_page(TIFF* tiff, const TiffSource& source, const ImageChoice& choice)
              tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH), choice);
   const PixelLayout layout = layout_of(tiff, source, choice.channel);
   Image image = empty_image(layout);
-  std::vector<std::uint8_t> bytes;
   each_block(tiff, source, [&](const TiffBlock& block) {
-    bytes.resize(layout.bits < 8 ? block.columns : 0);
-    for (std::size_t r = 0; r < block.rows; ++r) {
-      if (layout.bits < 8) unpack_samples(block.row(r), layout.bits, bytes);
-      if (layout.is_floating) take_floating_row(layout, block.row(r), block.x, block.y + r, block.columns, image);
-      else take_row(layout, layout.bits < 8 ? bytes.data() : block.row(r), block.x, block.y + r, block.columns, image);
-    }
+    for (std::size_t r = 0; r < block.rows; ++r)
+      (layout.is_floating ? take_floating_row : take_row)(layout, block.row(r), block.x, block.y + r, block.columns,
+                                                          image);
   });
   return upright(std::move(image), tiff_field<std::uint16_t>(tiff, TIFFTAG_ORIENTATION));
 }
@@ -133,6 +129,20 @@ Image decode_tiff(const std::string& bytes, const std::string& file, const Image
   return read_page(tiff.get(), source, choice);
 }
 
+/// Every sample of less than a byte as a byte of its own, row after row.
+std::vector<std::uint8_t> unpacked(const TiffBlock& block, unsigned bits) {
+  const unsigned most = (1u << bits) - 1;
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(block.rows * block.columns);
+  for (std::size_t r = 0; r < block.rows; ++r)
+    for (std::size_t x = 0; x < block.columns; ++x) {
+      const unsigned first = static_cast<unsigned>(x * bits % 8);
+      bytes.push_back(
+          static_cast<std::uint8_t>(static_cast<unsigned>(block.row(r)[x * bits / 8]) >> (8 - bits - first) & most));
+    }
+  return bytes;
+}
+
 }  // namespace
 
 const PictureFormat pictures::tiff{
@@ -167,15 +177,6 @@ Tiff open_tiff(TiffSource& source, std::int64_t most_at_once) {
       TIFFClose};
 }
 
-void unpack_samples(const std::uint8_t* packed, int bits, std::vector<std::uint8_t>& row) {
-  const unsigned most = (1u << bits) - 1;
-  for (std::size_t x = 0; x < row.size(); ++x) {
-    const std::size_t bit = x * static_cast<std::size_t>(bits);
-    row[x] = static_cast<std::uint8_t>(
-        static_cast<unsigned>(packed[bit / 8]) >> (8 - static_cast<std::size_t>(bits) - bit % 8) & most);
-  }
-}
-
 void each_block(TIFF* tiff, const TiffSource& source, const std::function<void(const TiffBlock& block)>& see) {
   const bool tiled = TIFFIsTiled(tiff) != 0;
   const std::size_t width = tiff_field<std::uint32_t>(tiff, TIFFTAG_IMAGEWIDTH),
@@ -200,7 +201,13 @@ void each_block(TIFF* tiff, const TiffSource& source, const std::function<void(c
           tiled ? TIFFReadTile(tiff, samples.data(), static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), 0, 0)
                 : TIFFReadEncodedStrip(tiff, static_cast<std::uint32_t>(y / high), samples.data(), wanted);
       if (got != wanted) source.refuse_damaged();
-      see({x, y, std::min(wide, width - x), rows, static_cast<std::size_t>(stride), samples.data()});
+      const TiffBlock block{x, y, std::min(wide, width - x), rows, static_cast<std::size_t>(stride), samples.data()};
+      if (bits >= 8) {
+        see(block);
+        continue;
+      }
+      const auto bytes = unpacked(block, static_cast<unsigned>(bits));
+      see({x, y, block.columns, rows, block.columns, bytes.data()});
     }
 }
 

@@ -7,7 +7,6 @@
 #include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "core/problems.hpp"
 #include "io/disk/byte_source.hpp"
@@ -50,10 +49,8 @@ struct TiffBlock {
   const std::uint8_t* row(std::size_t r) const { return samples + r * stride; }
 };
 
-/// Gives every sample of less than a byte a byte of its own, as many as `row` has.
-void unpack_samples(const std::uint8_t* packed, int bits, std::vector<std::uint8_t>& row);
-
-/// Calls `see` for all of a page whose samples lie pixel by pixel, one block after the other. InputError for damage.
+/// Calls `see` for all of a page whose samples lie pixel by pixel, one block after the other; those of less than a byte
+/// have one each. InputError for damage.
 void each_block(TIFF* tiff, const TiffSource& source, const std::function<void(const TiffBlock& block)>& see);
 
 }  // namespace arenite::io

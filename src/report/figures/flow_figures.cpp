@@ -183,24 +183,22 @@ Drawings draw_surface_angle(const Surfaces& surfaces) {
   return {drawing};
 }
 
+Drawings drawn(const std::optional<Surfaces>& surfaces, Drawings (*draw)(const Surfaces&)) {
+  return surfaces ? draw(*surfaces) : Drawings{};
+}
+
 }  // namespace
 
-Drawings collapse(const StageData& data) {
-  const auto surfaces = surfaces_of(data, fields::TestKind::collapse);
-  return surfaces ? draw_collapse(*surfaces) : Drawings{};
-}
+Drawings collapse(const StageData& data) { return drawn(surfaces_of(data, fields::TestKind::collapse), draw_collapse); }
 Drawings collapse(const SphereResult& stage) {
-  const auto surfaces = surfaces_of(stage, fields::TestKind::collapse);
-  return surfaces ? draw_collapse(*surfaces) : Drawings{};
+  return drawn(surfaces_of(stage, fields::TestKind::collapse), draw_collapse);
 }
 
 Drawings surface_angle(const StageData& data) {
-  const auto surfaces = surfaces_of(data, fields::TestKind::drum);
-  return surfaces ? draw_surface_angle(*surfaces) : Drawings{};
+  return drawn(surfaces_of(data, fields::TestKind::drum), draw_surface_angle);
 }
 Drawings surface_angle(const SphereResult& stage) {
-  const auto surfaces = surfaces_of(stage, fields::TestKind::drum);
-  return surfaces ? draw_surface_angle(*surfaces) : Drawings{};
+  return drawn(surfaces_of(stage, fields::TestKind::drum), draw_surface_angle);
 }
 
 }  // namespace arenite::report::figures

@@ -6,6 +6,12 @@
 #include "solid/peridynamics/lattice.hpp"
 
 namespace arenite::peridynamics {
+namespace {
+
+/// Of a bond along one axis, m, from the first node's number and the step to the second.
+float middle(int node, int along, double dx) { return static_cast<float>((node + 0.5 + 0.5 * along) * dx); }
+
+}  // namespace
 
 std::vector<float> damage_of(const VoxelMap& map, const std::vector<BrokenBond>& broken, int horizon) {
   const SpaceBonds bonds = make_space_bonds(map, {}, horizon);
@@ -26,8 +32,7 @@ std::vector<Crack> cracks_of(const std::vector<BrokenBond>& broken, double dx) {
   std::vector<Crack> cracks;
   for (const auto& bond : broken) {
     const auto step = half_bonds[bond.direction];
-    cracks.push_back({static_cast<float>((bond.x + 0.5 + 0.5 * step.x) * dx),
-                      static_cast<float>((bond.y + 0.5 + 0.5 * step.y) * dx), bond.type, bond.strain});
+    cracks.push_back({middle(bond.x, step.x, dx), middle(bond.y, step.y, dx), bond.type, bond.strain});
   }
   return cracks;
 }
@@ -37,9 +42,8 @@ std::vector<SpaceCrack> space_cracks_of(const std::vector<BrokenBond>& broken, i
   std::vector<SpaceCrack> cracks;
   for (const BrokenBond& bond : broken) {
     const SpaceOffset step = half[bond.direction];
-    const auto middle = [&](int node, int along) { return static_cast<float>((node + 0.5 + 0.5 * along) * dx); };
     SpaceCrack crack;
-    crack.x = middle(bond.x, step.x), crack.y = middle(bond.y, step.y), crack.z = middle(bond.z, step.z);
+    crack.x = middle(bond.x, step.x, dx), crack.y = middle(bond.y, step.y, dx), crack.z = middle(bond.z, step.z, dx);
     crack.type = bond.type, crack.strain = bond.strain;
     crack.along_x = step.x, crack.along_y = step.y, crack.along_z = step.z;
     cracks.push_back(crack);

@@ -236,7 +236,6 @@ template <int D> DamageResultIn<D> FailureTest<D>::finish() {
   result.ending = ending_;
   if (result.strength > 0) {
     resisting_.words = state_.strongest_words;
-    mark_changed(resisting_, 0, resisting_.grid.levels() - 1);
     for (int axis = 0; axis < D; ++axis)
       for (double& u : state_.strongest_u[axis]) u *= state_.strongest_strain;
     result.at_strength = stress_of(resisting_, map_.dx, state_.strongest_u);

@@ -69,7 +69,6 @@ template <int D> void FailureEquilibrium<D>::resume(const FailureStateIn<D>& s) 
     throw InputError("the stored state of a test belongs to a map of another size; run the load again from its start");
   state_ = s;
   bonds_.words = s.words;
-  mark_changed(bonds_, 0, bonds_.grid.levels() - 1);
   // The set-up lags behind the bonds: it is that of the bonds that it was once made for.
   resisting_.words = s.words_at_setup;
   mark_changed(resisting_, 0, bonds_.grid.levels() - 1);
