@@ -86,6 +86,12 @@ def check_extxyz(file):
 
 
 def check_csv(file):
+    states = list(csv.DictReader(open(os.path.join(folder, "states.csv"))))
+    frames = list(file["frames"].values())
+    assert [int(row["state"]) for row in states] == list(range(len(frames)))
+    for row, frame in zip(states, frames):
+        assert float(row["time [s]"]) == frame.attrs["time [s]"] and int(row["step"]) == frame.attrs["step"]
+        assert float(row["x_high [m]"]) > float(row["x_low [m]"]) and float(row["thickness [m]"]) > 0
     for k, frame in enumerate(file["frames"].values()):
         grains = list(csv.DictReader(open(os.path.join(folder, f"grains_{k:04d}.csv"))))
         np.testing.assert_array_equal([float(row["x [m]"]) for row in grains], frame["grains/x"])

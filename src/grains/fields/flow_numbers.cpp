@@ -213,7 +213,14 @@ void put_floor(Numbers& j, const StageResult& result) {
 template <int D>
 Numbers surface_numbers(const StageResultIn<D>& result, const dem::Stage& stage, const PackingIn<D>* before) {
   const Vec2 gravity = result.asked.gravity;
-  const FreeSurface now = find_free_surface(result.snapshots.back().packing, gravity);
+  const PackingIn<D>& packing = result.snapshots.back().packing;
+  const FreeSurface now = find_free_surface(packing, gravity);
+  if (constexpr std::size_t fewest = 10; now.grains < fewest && now.grains < packing.grains.size()) {
+    Numbers none = Numbers::tree();
+    none["notes"].push_back(fmt::format("At most {} of {} grains lie together at the end, which are no heap.",
+                                        now.grains, packing.grains.size()));
+    return none;
+  }
   Numbers j{{"grains", described(now.grains, "", "Grains of the heap")},
             {"left_m", described(now.left, "m", "Its left front")},
             {"right_m", described(now.right, "m", "Its right front")},
@@ -228,11 +235,11 @@ Numbers surface_numbers(const StageResultIn<D>& result, const dem::Stage& stage,
   if (!now.fills_depth)
     j["notes"].push_back(
         "The heap does not reach from the back to the front, so that its profile over the depth has no angle.");
-  put_filling(j, result.snapshots.back().packing, gravity, now);
+  put_filling(j, packing, gravity, now);
   if (stage.duration && result.snapshots.size() >= 12) put_mean_angle(j, result, gravity);
-  if (before && !in_drum(result.snapshots.back().packing.domain)) {
+  if (before && !in_drum(packing.domain)) {
     const FreeSurface then = find_free_surface(*before, gravity);
-    if (!then.height.empty()) put_runout(j, now, then, result.snapshots.back().packing);
+    if (!then.height.empty()) put_runout(j, now, then, packing);
   }
   return j;
 }

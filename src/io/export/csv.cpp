@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -64,6 +65,31 @@ void add(Columns& to, const Declared& declared, const Owner& owner) {
 template <class Field> void add(Columns& to, const std::vector<Field>& fields) {
   for (const auto& field : fields)
     to.push_back(column(title(field.name, field.unit), [&](std::size_t row) { return field.values[row]; }));
+}
+
+/// A number or word of a table of one row.
+template <class Value> CsvColumn of_state(std::string head, Value value) {
+  return column(std::move(head), [value = std::move(value)](std::size_t) { return value; });
+}
+
+/// When a state was, and the cell it was in: a row of a table that grows by one a state, its head before the first.
+template <int D> NamedBytes state_row(const ExportStateIn<D>& from, Columns more = {}) {
+  const SnapshotIn<D>& state = *from.snapshot;
+  const DomainIn<D>& cell = state.packing.domain;
+  Columns columns{of_state("state", from.number), of_state("stage", quoted_cell(from.stage)),
+                  of_state("label", quoted_cell(state.label)), of_state("step", state.step),
+                  of_state(title("time", "s"), state.time)};
+  for (int axis = 0; axis < D; ++axis) {
+    const std::string name(1, "xyz"[axis]);
+    columns.push_back(of_state(title(name + "_low", "m"), cell.corner()[axis]));
+    columns.push_back(of_state(title(name + "_high", "m"), cell.corner()[axis] + cell.extent(axis)));
+    columns.push_back(of_state("periodic_" + name, cell.periodic[static_cast<std::size_t>(axis)] ? 1 : 0));
+  }
+  columns.push_back(of_state(title("tilt", "m"), cell.tilt));
+  std::ranges::move(more, std::back_inserter(columns));
+  std::string table = table_of(columns, 1);
+  if (from.number > 0) table.erase(0, table.find('\n') + 1);
+  return {"states.csv", std::move(table)};
 }
 
 std::string grain_table(const ExportSnapshot& from) {
@@ -143,7 +169,8 @@ std::vector<NamedBytes> csv_spheres(const ExportSpheres& from) {
     contacts.push_back(column(title(name, "N"), [&, axis = axis](std::size_t k) { return force[k].*axis; }));
   contacts.push_back(column(title("overlap", "m"), [&](std::size_t k) { return c.overlap[k]; }));
   return {{fmt::format("grains_{:04}.csv", from.number), table_of(grains, g.size())},
-          {fmt::format("contacts_{:04}.csv", from.number), table_of(contacts, c.size())}};
+          {fmt::format("contacts_{:04}.csv", from.number), table_of(contacts, c.size())},
+          state_row(from)};
 }
 
 std::string node_table(const FieldResult& r) {
@@ -188,7 +215,8 @@ NamedBytes csv_curves(const ExportCurves& from) {
 
 std::vector<NamedBytes> csv_snapshot(const ExportSnapshot& snapshot) {
   return {{fmt::format("grains_{:04}.csv", snapshot.number), grain_table(snapshot)},
-          {fmt::format("contacts_{:04}.csv", snapshot.number), contact_table(snapshot)}};
+          {fmt::format("contacts_{:04}.csv", snapshot.number), contact_table(snapshot)},
+          state_row(snapshot, {of_state(title("thickness", "m"), snapshot.snapshot->packing.domain.thickness)})};
 }
 
 /// Phases are 0 void, 1 matrix, 2 particle; classes 0 none, 1 small, 2 large.
@@ -218,7 +246,8 @@ const ExportFormat exports::csv{
          {"curves of a test",
           "strains, stresses, ratios and densities row by row of a stage's history, and at both ends of each cycle; "
           "not with --last"},
-         {"cell, thickness, time", "left out: `arenite measure` takes --box, --origin, --periodic and --thickness"},
+         {"cell, thickness, step, time",
+          "in states.csv, a row a state; `arenite measure` takes --box, --origin, --periodic and --thickness"},
          {"shapes of grains", "left out: a grain is the disk of its area; stress and contacts are those of the shapes"},
          {"bonds, pulls across gaps",
           "left out: `links` counts those of each grain, and `arenite measure` says that their stress lacks"},

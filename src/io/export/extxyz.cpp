@@ -24,6 +24,14 @@ bool is_known(const GrainField& field) {
   return std::ranges::all_of(field.values, [](double v) { return std::isfinite(v); });
 }
 
+/// "1:POM 2:HDPE": the numbers of materials with their names.
+std::string materials_of(const Materials& materials) {
+  std::string names;
+  for (std::size_t m = 0; m < materials.size(); ++m)
+    names += fmt::format("{}{}:{}", m == 0 ? "" : " ", m + 1, word(materials[m].name));
+  return names;
+}
+
 /// The second line: cell, moment and columns. ASE takes `species` for a chemical symbol, so it is X, none, for all
 /// grains, and the material is a number whose name stands in `Materials`.
 std::string comment_line(const ExportSnapshot& from) {
@@ -33,13 +41,11 @@ std::string comment_line(const ExportSnapshot& from) {
   std::string text = fmt::format("Lattice=\"{} 0 0 {} {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"{} {} F\"", d.width(),
                                  d.tilt, d.height(), d.thickness, d.wall[left].position, d.wall[bottom].position,
                                  -0.5 * d.thickness, yes(d.periodic[0]), yes(d.periodic[1]));
-  std::string materials, left_out;
-  for (std::size_t m = 0; m < packing.materials.size(); ++m)
-    materials += fmt::format("{}{}:{}", m == 0 ? "" : " ", m + 1, word(packing.materials[m].name));
+  std::string left_out;
   for (const auto& field : from.fields)
     if (!is_known(field)) left_out += (left_out.empty() ? "" : " ") + word(field.name);
   fmt::format_to(Text(text), " Time={} Step={} Stage=\"{}\" Label=\"{}\" Materials=\"{}\"", from.snapshot->time,
-                 from.snapshot->step, word(from.stage), word(from.snapshot->label), materials);
+                 from.snapshot->step, word(from.stage), word(from.snapshot->label), materials_of(packing.materials));
   if (!left_out.empty()) text += " LeftOut=\"" + left_out + '"';
   text += " Properties=species:S:1:pos:R:3:radius:R:1:id:I:1:material:I:1:zone:I:1:velo:R:3:angle:R:1:omega:R:1";
   for (const auto& field : from.fields)
@@ -53,9 +59,10 @@ std::vector<NamedBytes> extxyz_spheres(const ExportSpheres& from) {
   const GrainsIn<3>& g = packing.grains;
   const auto yes = [&](int axis) { return d.periodic[static_cast<std::size_t>(axis)] ? "T" : "F"; };
   std::string text = fmt::format(
-      "{}\nLattice=\"{} 0 0 {} {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"{} {} {}\" Time={} Step={} Stage=\"{}\"",
+      "{}\nLattice=\"{} 0 0 {} {} 0 0 0 {}\" Origin=\"{} {} {}\" pbc=\"{} {} {}\" Time={} Step={} Stage=\"{}\" "
+      "Materials=\"{}\"",
       g.size(), d.extent(0), d.tilt, d.extent(1), d.extent(2), d.corner().x, d.corner().y, d.corner().z, yes(0), yes(1),
-      yes(2), from.snapshot->time, from.snapshot->step, word(from.stage));
+      yes(2), from.snapshot->time, from.snapshot->step, word(from.stage), materials_of(packing.materials));
   text += " Properties=species:S:1:pos:R:3:radius:R:1:id:I:1:material:I:1:velo:R:3:omega:R:3";
   for (const auto& field : from.fields) text += ":" + word(field.name) + ":R:1";
   text += '\n';

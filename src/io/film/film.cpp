@@ -84,7 +84,7 @@ std::unique_ptr<FilmSource> open_film(const Bytes& bytes, const FilmChoice& choi
 std::unique_ptr<FilmSource> open_film(const std::filesystem::path& path, const FilmChoice& choice) {
   std::error_code error;
   const bool pattern = path.filename().string().find('*') != std::string::npos && !std::filesystem::exists(path, error);
-  if (pattern || std::filesystem::is_directory(path, error)) return scaled_film(open_series(path, choice), choice);
+  if (pattern || std::filesystem::is_directory(path, error)) return open_series(path, choice);
   const Bytes bytes = open_bytes(path);
   refuse_other_recording(path);
   if (!stored_kind(path).empty()) refuse(path.string(), "is a result of Arenite, not a film; use \"arenite show\"");

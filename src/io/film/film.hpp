@@ -21,6 +21,7 @@ struct FilmChoice {
                             {};  ///< K: pixels become scale * number + offset, whatever the film says that they are
   std::int64_t most_pixels = 100'000'000;  ///< in a frame; larger ones are refused before memory is asked for
   bool in_time = true;                     ///< false: slices of a volume, of which names and stamps tell no times
+  bool gives_temperatures() const { return scale || offset; }
   bool operator==(const FilmChoice&) const = default;
 };
 

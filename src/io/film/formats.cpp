@@ -3,8 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -141,6 +145,27 @@ void check_layout(const ByteSource& bytes, const FilmInfo& info, const PlainLayo
   if (there < info.frames)
     refuse(bytes.name(), "is cut short: it declares {} frames of {} x {} pixels and holds {}; copy it again",
            info.frames, info.width, info.height, there);
+}
+
+std::optional<double> zero_of_temperatures(std::string_view unit) {
+  const std::string word = lower_case(trimmed(unit));
+  if (word == "k" || word == "kelvin") return 0;
+  constexpr std::array<std::string_view, 7> celsius{"degc",  "celsius",      "degree_celsius", "degrees_celsius",
+                                                    "deg_c", "\xc2\xb0\x63", "\xb0\x63"};  // UTF-8, Latin-1
+  if (std::ranges::count(celsius, word) > 0) return 273.15;
+  return std::nullopt;
+}
+
+std::optional<double> zero_stated_in(std::string_view line) {
+  for (const auto& [open, close] : {std::pair('[', ']'), std::pair('(', ')')}) {
+    const std::size_t begin = line.find(open), end = line.find(close, begin);
+    if (end == line.npos) continue;
+    if (const auto zero = zero_of_temperatures(line.substr(begin + 1, end - begin - 1))) return zero;
+  }
+  const std::size_t unit = lower_case(line).find("unit");
+  if (unit == line.npos) return std::nullopt;
+  const std::size_t sign = line.find_first_of("=:", unit);
+  return sign == line.npos ? std::nullopt : zero_of_temperatures(line.substr(sign + 1));
 }
 
 void take_choice(FilmInfo& info, const FilmChoice& choice) {

@@ -64,6 +64,13 @@ struct PlainLayout {
   double scale = 1, shift = 0;
 };
 
+/// Where temperatures in this unit count from, K: 273.15 of degrees Celsius as programs write them, 0 of kelvin;
+/// nothing of what is no unit of temperature.
+std::optional<double> zero_of_temperatures(std::string_view unit);
+
+/// The same of a line beside frames that states what they are: "Temperature [°C]", "# unit = K".
+std::optional<double> zero_stated_in(std::string_view line);
+
 /// InputError unless a film of this size can be meant: pixels and frames there, not too many pixels in a frame.
 void check_film_size(const std::string& file, std::int64_t width, std::int64_t height, std::int64_t frames,
                      const FilmChoice& choice);

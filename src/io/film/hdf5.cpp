@@ -52,8 +52,6 @@ class Hdf5Film : public KnownFilm {
  private:
   static constexpr std::size_t most_at_once = std::size_t{32} << 20, most_told = std::size_t{2} << 30;  // bytes
   static constexpr double most_turned = 1 << 30;
-  static constexpr std::string_view celsius_words =
-      "degc celsius degree_celsius degrees_celsius deg_c \xc2\xb0\x63";  // the last in lower case
 
   /// A file in memory is copied by HDF5.
   std::size_t room() const { return bytes_->path() != nullptr ? 0 : 3 * static_cast<std::size_t>(bytes_->size()); }
@@ -75,7 +73,7 @@ class Hdf5Film : public KnownFilm {
       info_.remarks.push_back(fmt::format("An array of MATLAB, height x width x frames: {} x {} x {}.", info_.height,
                                           info_.width, info_.frames));
     take_notes(facts.notes, info_);
-    take_scale(facts);
+    take_scale(facts, choice);
     if (info_.frame_rate == 0) info_.frame_rate = facts.frame_rate;
     if (info_.integration == 0) info_.integration = facts.integration;
     take_times(facts, choice);
@@ -89,16 +87,14 @@ class Hdf5Film : public KnownFilm {
   }
 
   /// What pixels are, as netCDF writes it.
-  void take_scale(const Hdf5Facts& facts) {
-    const std::string unit = lower_case(trimmed(facts.unit));
-    const bool celsius = std::ranges::count(split_blanks(celsius_words), unit) > 0,
-               kelvin = unit == "k" || unit == "kelvin";
+  void take_scale(const Hdf5Facts& facts, const FilmChoice& choice) {
+    const auto zero = zero_of_temperatures(facts.unit);
     numbers_ = facts.numbers;
     layout_.scale = numbers_.scale;
-    layout_.shift = numbers_.offset + (celsius ? 273.15 : 0);
+    layout_.shift = numbers_.offset + (choice.gives_temperatures() ? 0 : zero.value_or(0));
     layout_.scaled = layout_.scale != 1 || layout_.shift != 0 || numbers_.may_miss();
     if (layout_.scaled) info_.floating = true, info_.bits = 0;
-    if (celsius || kelvin) info_.quantity = FilmQuantity::kelvin;
+    if (zero) info_.quantity = FilmQuantity::kelvin;
     else if (!facts.unit.empty()) info_.remarks.push_back(fmt::format("Its pixels are in \"{}\".", facts.unit));
   }
 

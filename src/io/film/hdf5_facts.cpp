@@ -6,11 +6,13 @@
 #include <cmath>
 #include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "io/film/formats.hpp"
 #include "io/film/hdf5_times.hpp"
@@ -32,17 +34,25 @@ Hdf5Handle without_lock() {
 /// Frames a second, 0 where none are stated: as a rate or an interval, in Hz and s or, in a text, in its own unit.
 constexpr std::initializer_list<const char*> names_of_rate{"frame_rate", "frame_rate_Hz", "fps"};
 
-double stated_rate(hid_t at) {
+double stated_rate(hid_t at, Hdf5Facts& facts) {
   if (const double rate = number_attribute(at, names_of_rate); rate > 0) return rate;
   if (const double interval = number_attribute(at, {"frame_interval", "frame_interval_s", "dt"}); interval > 0)
     return 1 / interval;
   if (const double interval = number_attribute(at, {"frame_interval_ms"}); interval > 0) return 1e3 / interval;
-  for (const char* name : {"frame_rate", "fps", "frame_interval", "dt"}) try {
-      const Quantity stated = parse_quantity(text_attribute(at, name));
-      if (stated.dimension == dimension::frequency && stated.value > 0) return stated.value;
-      if (stated.dimension == dimension::time && stated.value > 0) return 1 / stated.value;
-    } catch (const InputError&) {  // not stated, or in words
+  for (const auto& [name, alone] :
+       {std::pair("frame_rate", dimension::frequency), std::pair("fps", dimension::frequency),
+        std::pair("frame_interval", dimension::time), std::pair("dt", dimension::time)}) {
+    const std::string text = text_attribute(at, name);
+    if (trimmed(text).empty()) continue;
+    try {
+      const Quantity stated = parse_quantity(text);
+      const Dimension of = stated.dimension == dimension::none ? alone : stated.dimension;
+      if (of == dimension::frequency && stated.value > 0) return stated.value;
+      if (of == dimension::time && stated.value > 0) return 1 / stated.value;
+    } catch (const InputError&) {  // said in words, told below
     }
+    facts.times += fmt::format("It states {} = \"{}\", which is not understood and left aside.\n", name, text);
+  }
   return 0;
 }
 
@@ -114,7 +124,7 @@ Hdf5Facts look_at_hdf5_film(const Bytes& bytes, const FilmChoice& choice) {
   facts.notes = text_attribute(*set, "notes");
   take_unit(*set, *file, facts);
   for (const hid_t at : {static_cast<hid_t>(*set), static_cast<hid_t>(*file)}) {
-    if (facts.frame_rate == 0) facts.frame_rate = stated_rate(at);
+    if (facts.frame_rate == 0) facts.frame_rate = stated_rate(at, facts);
     for (const char* key : names_of_rate) facts.no_rate = std::min(facts.no_rate, stated_number(at, key).value_or(0));
     if (facts.integration == 0) facts.integration = number_attribute(at, {"integration", "integration_s"});
   }

@@ -52,14 +52,14 @@ std::vector<fs::path> members(const fs::path& pattern) {
 class Series : public KnownFilm {
  public:
   Series(std::vector<fs::path> members, const FilmChoice& choice) : members_(std::move(members)), choice_(choice) {
-    choice_.scale = choice_.offset = std::nullopt;  // what all files together are made of
     const auto rate = std::exchange(choice_.frame_rate, std::nullopt);
     open(0);
     info_ = current_->info();
     each_ = info_.frames;
     info_.frames *= static_cast<std::int64_t>(members_.size());
     info_.time.clear();
-    info_.number.clear();
+    if (!std::exchange(info_.number, {}).empty())
+      info_.remarks.emplace_back("Its files number their frames within; in a series these numbers are left aside.");
     if (choice_.in_time && (rate || !take_stamps_of_files()) && !take_times_of_names(rate))
       take_file_numbers(numbers_in_names(members_));
     choice_.frame_rate = rate;
@@ -144,6 +144,10 @@ class Series : public KnownFilm {
     current_ = open_film(open_bytes(members_[member]), choice_);
     number_ = member;
     const FilmInfo& it = current_->info();
+    if (each_ > 0 && it.quantity != info_.quantity)
+      refuse(members_[member].string(),
+             "states another unit of its pixels than {}; all frames of a series must be alike, so give them one",
+             members_[0].filename().string());
     if (each_ == 0 ||
         (it.width == info_.width && it.height == info_.height && it.frames == each_ && it.floating == info_.floating))
       return;
@@ -198,7 +202,7 @@ FilmPointer open_series(const fs::path& pattern, const FilmChoice& choice) {
 }
 
 FilmPointer scaled_film(FilmPointer film, const FilmChoice& choice) {
-  if (!choice.scale && !choice.offset) return film;
+  if (!choice.gives_temperatures()) return film;
   return std::make_unique<ScaledFilm>(std::move(film), choice.scale.value_or(1), choice.offset.value_or(0));
 }
 

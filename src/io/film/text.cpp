@@ -140,7 +140,7 @@ class TextFilm : public KnownFilm {
     for (std::string_view line; separator_ != 0 && lines.next(line);) {
       if (!begins_with_number(line, separator_) && !is_spoilt_row(line, separator_, info_.width)) {
         end_frame(rows, lines.number());
-        note(line);
+        note(line, lines.number());
         continue;
       }
       if (rows++ == 0) begin_frame({lines.begin(), lines.number() - 1});
@@ -152,6 +152,8 @@ class TextFilm : public KnownFilm {
       refuse(bytes_->name(), "holds no rows of numbers, as frames in text would; give a film or a result");
     check_film_size(bytes_->name(), std::max(info_.width, 1), std::max(info_.height, 1), info_.frames, choice);
     take_words(info_, words_, choice.frame_rate.has_value());
+    if (zero_) info_.quantity = FilmQuantity::kelvin;
+    if (choice.gives_temperatures()) zero_ = std::nullopt;
     take_choice(info_, choice);
   }
 
@@ -171,8 +173,12 @@ class TextFilm : public KnownFilm {
     }
   }
 
-  /// What a line between frames says of the next.
-  void note(std::string_view line) {
+  /// What a line between frames says of the next, and of all numbers.
+  void note(std::string_view line, int number) {
+    if (const auto zero = zero_stated_in(line); zero && zero_.value_or(*zero) != *zero)
+      throw refusal_at(bytes_->name(), number,
+                       "states another unit of temperature than a line before; give one to all");
+    else if (zero) zero_ = zero;
     const FrameWords said = words_of_frame(line);
     if (!std::isnan(said.time) || !said.not_understood.empty())
       next_.time = said.time, next_.not_understood = said.not_understood;
@@ -214,7 +220,7 @@ class TextFilm : public KnownFilm {
                            "holds \"{}\" in column {}, which is not a number; correct it", cell.substr(0, 40),
                            column + 1);
         if (column == info_.width) return false;
-        to[column++] = *number;
+        to[column++] = zero_ ? static_cast<float>(*number + *zero_) : *number;
         return true;
       });
       if (!whole || column != info_.width)
@@ -227,6 +233,7 @@ class TextFilm : public KnownFilm {
   char separator_ = 0;
   std::vector<Place> places_;
   std::vector<FrameWords> words_;  ///< as stated before each frame
+  std::optional<double> zero_;     ///< where its temperatures count from, K; nothing where it states no unit
   FrameWords next_;
 };
 
@@ -248,6 +255,8 @@ const FilmFormat films::text{.name = "text",
                                         {"\"time = 33.3 ms\", \"# Time: 0.033 s\", \"t=12:00:03.25\" between frames",
                                          "used, without a unit in s; told where a time is not understood, or where "
                                          "not all frames state one"},
+                                        {"a unit in a line above frames, \"Temperature [°C]\", \"unit = K\"",
+                                         "used: temperatures, of degrees Celsius counted from absolute zero"},
                                         {"cells that are no numbers", "refused with line and column"}},
                              .is = is_text_film,
                              .open = [](const Bytes& bytes, const FilmChoice& choice) -> FilmPointer {

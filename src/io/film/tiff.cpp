@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/text.hpp"
 #include "io/film/formats.hpp"
 #include "io/film/stated_times.hpp"
 #include "io/film/tiff_images.hpp"
@@ -73,6 +74,7 @@ class TiffFilm : public KnownFilm {
     take_shape(info_, source_.file(), {images_->frames(), page_.height, page_.width}, page_.pixel, choice);
     take_notes(notes, info_);
     info_.remarks = images_->remarks();
+    take_calibration(stack, choice);
     take_times(stack, notes, choice.frame_rate.has_value());
     take_choice(info_, choice);
     FrameBlock last;  // what is cut short lacks it
@@ -95,6 +97,19 @@ class TiffFilm : public KnownFilm {
     if (page > 0 && page_of(tiff_.get(), source_) != page_)
       source_.refuse(
           fmt::format("has pages of different size or type (pages 0 and {}); save a film of equal frames", page));
+  }
+
+  void take_calibration(const TiffStack& stack, const FilmChoice& choice) {
+    const auto zero = zero_of_temperatures(stack.number_unit);
+    if (zero) info_.quantity = FilmQuantity::kelvin;
+    else if (!stack.number_unit.empty() && lower_case(stack.number_unit) != "gray value")
+      info_.remarks.push_back(fmt::format("{} states that its numbers stand for values in \"{}\", which is not used.",
+                                          stack.by, stack.number_unit));
+    if (!zero || choice.gives_temperatures()) return;
+    layout_.scale = stack.number_step;
+    layout_.shift = stack.number_zero + *zero;
+    layout_.scaled = layout_.scale != 1 || layout_.shift != 0;
+    if (layout_.scaled) info_.floating = true, info_.bits = 0;
   }
 
   void take_times(const TiffStack& stack, const std::string& notes, bool rate_given) {
@@ -233,6 +248,7 @@ const FilmFormat films::tiff{
                {"slices beside frames", "refused"},
                {"frame interval (ImageJ's finterval, OME's TimeIncrement)", "is the frame rate"},
                {"rate at which ImageJ plays it (fps)", "told, not used"},
+               {"ImageJ's calibration by a straight line, to a unit of temperature", "used; told of another unit"},
                {"times of frames (OME's DeltaT)", "used"},
                {"\"time = 33.3 ms\", \"frame 12\", {\"timestamp_s\": 0.4} in the descriptions of pages",
                 "used, as in frames of text"},

@@ -22,10 +22,12 @@ std::int64_t count_of(std::string_view text) {
   return n && *n >= 1 && *n <= most ? *n : 1;
 }
 
-double positive(std::string_view text) {
+std::optional<double> number_in(std::string_view text) {
   const auto value = parse_number<double>(trimmed(text));
-  return value && *value > 0 && std::isfinite(*value) ? *value : 0;
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
+
+double positive(std::string_view text) { return std::max(0.0, number_in(text).value_or(0)); }
 
 /// Of a length, m; 0 of what is no unit of one.
 double metres_of(std::string unit) {
@@ -40,6 +42,8 @@ TiffStack of_imagej(std::string_view text) {
   std::int64_t images = 1;
   std::string_view unit;
   double spacing = 0;
+  std::optional<double> zero, step;  // of a calibration by a straight line, ImageJ's function 0
+  bool straight = false;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     const std::string_view line = text.substr(at, end - at), key = line.substr(0, line.find('=')),
@@ -53,10 +57,15 @@ TiffStack of_imagej(std::string_view text) {
     if (key == "tunit") unit = value;
     if (key == "unit") stack.length_unit = metres_of(std::string(trimmed(value)));
     if (key == "spacing") spacing = positive(value);
+    if (key == "cf") straight = trimmed(value) == "0";
+    if (key == "c0") zero = number_in(value);
+    if (key == "c1") step = number_in(value);
+    if (key == "vunit") stack.number_unit = trimmed(value);
     at = end + 1;
   }
   if (stack.images() == 1) stack.slices = images;  // a plain stack states no more
   stack.side[2] = spacing * stack.length_unit;
+  if (straight && zero && step) stack.number_zero = *zero, stack.number_step = *step;
   if (const auto seconds = seconds_of(unit)) stack.interval *= *seconds;
   else stack.interval = 0, stack.unknown_unit = unit;
   return stack;

@@ -18,9 +18,11 @@ struct TiffStack {
   double shown_per_second = 0;  ///< at which ImageJ plays it, which need not be the camera's rate; 0: not stated
   std::vector<double> time =
       {};  ///< s, of the frames of the first slice of every channel (channels x frames); empty: not stated
-  std::string unknown_unit = {};  ///< of times, which are then left aside
-  double length_unit = 0;         ///< of the file's resolution, m; 0: not stated by the description
-  std::array<double, 3> side{};   ///< of a voxel along x, y, z, m; 0: not stated by the description
+  std::string unknown_unit = {};            ///< of times, which are then left aside
+  double number_zero = 0, number_step = 1;  ///< ImageJ's calibration: a number n stands for zero + n step
+  std::string number_unit = {};             ///< of what numbers stand for; empty: not stated
+  double length_unit = 0;                   ///< of the file's resolution, m; 0: not stated by the description
+  std::array<double, 3> side{};             ///< of a voxel along x, y, z, m; 0: not stated by the description
   std::int64_t images() const { return channels * slices * frames; }
   /// Number of the image of a channel and a frame in the first slice, all counted from 0.
   std::int64_t image(std::int64_t channel, std::int64_t frame) const;

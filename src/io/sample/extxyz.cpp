@@ -2,6 +2,7 @@
 #include <array>
 #include <cctype>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -109,10 +110,23 @@ std::optional<RawCell> cell_in(const std::map<std::string, std::string_view>& pa
   return cell;
 }
 
+/// The names of numbered materials, "1:POM 2:HDPE", as this program's own export states them; none of what is written
+/// in another way.
+std::map<std::string, std::string, std::less<>> material_names(std::string_view stated) {
+  std::map<std::string, std::string, std::less<>> names;
+  for (const std::string_view word : split_blanks(stated)) {
+    const auto parts = split_cells(word, ':');
+    if (parts.size() != 2 || !to_integer(parts[0]) || parts[1].empty()) return {};
+    names.emplace(parts[0], parts[1]);
+  }
+  return names;
+}
+
 RawGrains read_xyz(const Reading& reading) {
   RawGrains grains;
   Problems& problems = reading.problems;
   Table table;
+  std::map<std::string, std::string, std::less<>> names;
   std::size_t frame = 0;
   each_frame(reading.text, [&](std::int64_t count, std::string_view comment, Lines& lines) {
     if (frame++ < reading.snapshot) return false;
@@ -127,6 +141,7 @@ RawGrains read_xyz(const Reading& reading) {
                    "the second line says no Properties that can be read; write extended XYZ with "
                    "Properties=pos:R:3:radius:R:1");
     grains.stated = cell_in(pairs, reading.options.length(), lines.number(), problems);
+    if (const auto stated = pairs.find("materials"); stated != pairs.end()) names = material_names(stated->second);
     std::string_view line;
     while (std::ssize(table.rows) < count && lines.next(line))
       table.rows.push_back({lines.number(), split_blanks(line)});
@@ -148,6 +163,7 @@ RawGrains read_xyz(const Reading& reading) {
   const auto cell = grains.stated;
   grains = grains_in(table, "Properties need pos:R:3 and radius:R:1", reading.options, problems);
   grains.stated = cell;
+  grains.material_name = std::move(names);
   if (!reading.options.length_unit) grains.notes.push_back(assumed_unit("length", "m", "--length-unit"));
   return grains;
 }
@@ -175,6 +191,7 @@ const SampleFormat samples::extxyz{
           "told"},
          {"number of grains", "compared with the rows that follow"},
          {"third coordinate", "read, as of tables"},
+         {"Materials (\"1:POM 2:HDPE\")", "the names of numbered materials"},
          {"columns (Properties)", "pos, radius (radii) or diameter, id, material (type), zone; others are passed over"},
          {"forces", "none are in the file"}},
     .is_grains = is_count,

@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -97,7 +99,8 @@ template <int D> struct Laid {
 
 struct RawGrains {
   std::vector<RawGrain> rows;
-  std::optional<RawCell> stated;  ///< by the file
+  std::map<std::string, std::string, std::less<>> material_name;  ///< that the file gives a number, by the number
+  std::optional<RawCell> stated;                                  ///< by the file
   std::optional<StatedUnits> units;
   bool in_space = false;  ///< which of the two holds (lay_out)
   Laid<2> plane;

@@ -66,6 +66,19 @@ TEST(FlowNumbers, ARunOutThatAWallStoppedHasNoErrorAndSaysSo) {
   EXPECT_EQ(n["surface"]["notes"].size(), 1u);
 }
 
+TEST(FlowNumbers, GrainsThatFallSinglyAreNoHeap) {
+  dem::Stage stage;
+  stage.gravity = true;
+  const Packing before = column(false);
+  StageResult empty = result();
+  for (std::size_t i = 0; Vec2& place : empty.snapshots.back().packing.grains.position) place.y -= 0.02 * ++i;
+  const Numbers n = flow_numbers({empty, stage, &before, {}});
+  EXPECT_FALSE(n["surface"].contains("left_m"));
+  EXPECT_FALSE(n["surface"].contains("runout_m"));
+  ASSERT_EQ(n["surface"]["notes"].size(), 1u);
+  EXPECT_NE(n["surface"]["notes"][0].get<std::string>().find("which are no heap"), std::string::npos);
+}
+
 TEST(FlowNumbers, OfADrumAreNoRunOut) {
   StageResult drum = result();
   Boundary round;
