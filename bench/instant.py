@@ -73,6 +73,10 @@ def run_peers(build):
             ast.parse(script.read_text(), str(script))
     run(sys.executable, HERE / "peers" / "lockin_numpy.py", 200)
     run(sys.executable, HERE / "peers" / "run", build, 0)
+    if (build / "python" / "arenite").exists():
+        module = f"PYTHONPATH={build / 'python'}"
+        berea = HERE.parent / "examples" / "35-berea" / "berea.npz"
+        run("env", module, sys.executable, "-B", HERE / "peers" / "fft_voxels.py", berea, 16, 20)
     run("lmp", "-in", HERE / "peers" / "peridynamics.in", "-log", "none", "-var", "nodes", 16, "-var", "steps", 4)
     for name, *sample in (("petsc_gamg", 64, 2.5, 0.4), ("petsc_voxels", 16, 4, 0)):
         if (build / "bench" / "peers" / name).exists():

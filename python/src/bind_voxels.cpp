@@ -180,6 +180,10 @@ void bind_voxels(py::module_& m) {
           "numbers", [](const VoxelResult& r) { return to_python(r.numbers); },
           "Modulus, forces, statistics by phase, effective stiffness; as `arenite load --json` prints them.")
       .def_property_readonly(
+          "convergence",
+          [](const py::object& self) { return columns_of(self.cast<const VoxelResult&>().convergence, self); },
+          "iteration, residual (relative).")
+      .def_property_readonly(
           "curve", [](const py::object& self) { return columns_of(self.cast<const VoxelResult&>().curve, self); },
           "Of a test to failure: strain, stress, work, elastic and released energy, broken bonds; `curve_units` has "
           "their units.")

@@ -29,6 +29,8 @@ def test_layers_in_series_have_the_harmonic_modulus():
     assert result.sigma_zz.shape == (10, 12, 14)
     assert np.allclose(result.sigma_zz, 1.6e5, rtol=1e-5)
     assert np.all(np.diff(result.u_z, axis=0) > 0)
+    assert result.convergence["residual"][0] > 1e-8 >= result.convergence["residual"][-1]
+    assert len(result.convergence["iteration"]) == result.numbers["load"]["iterations"] + 1
 
 
 def test_the_effective_stiffness_is_symmetric_and_between_its_bounds():

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <vector>
 
@@ -63,40 +64,97 @@ bool is_thin(const Nodes& nodes, const std::vector<Place>& steps, const Place& p
   });
 }
 
-int longest(const Nodes& nodes, int most) {
-  const std::vector<Place> steps = half_of_neighbours(nodes.size[2]);
-  std::vector<std::uint8_t> is_open(nodes.phase.size());  // thin, and not counted yet
-  for (std::size_t i = 0; i < is_open.size(); ++i)
-    if (const Place p = nodes.place(i); nodes.is_void(p)) is_open[i] = is_thin(nodes, steps, p, most);
-  int found = 0;
-  std::vector<std::size_t> stack;
-  for (std::size_t first = 0; first < is_open.size(); ++first) {
-    if (is_open[first] == 0) continue;
-    Place low = nodes.place(first), high = low;
-    is_open[first] = 0;
-    stack.assign(1, first);
-    while (!stack.empty()) {
-      const Place p = nodes.place(stack.back());
-      stack.pop_back();
+enum class Kind : std::uint8_t { other, wide, thin, counted };
+
+/// Nodes that hang together and are thin, and how far they reach along an axis.
+struct Part {
+  std::vector<std::size_t> nodes;
+  int extent = 0;
+};
+
+class ThinVoids {
+ public:
+  ThinVoids(const Nodes& nodes, int most) : nodes_(nodes), steps_(half_of_neighbours(nodes.size[2])) {
+    kind_.resize(nodes.phase.size());
+    for (std::size_t i = 0; i < kind_.size(); ++i)
+      if (const Place p = nodes.place(i); nodes.is_void(p))
+        kind_[i] = is_thin(nodes, steps_, p, most) ? Kind::thin : Kind::wide;
+  }
+
+  int longest() {
+    int found = 0;
+    for (std::size_t first = 0; first < kind_.size(); ++first)
+      if (kind_[first] == Kind::thin) {
+        const Part part = part_from(first);
+        found = std::max(found, opens_wide(part) ? depth_of(part) : part.extent);
+      }
+    return found;
+  }
+
+ private:
+  template <class See> void each_neighbour(std::size_t i, const See& see) const {
+    const Place p = nodes_.place(i);
+    for (const Place& step : steps_)
+      for (const int way : {1, -1})
+        if (const Place next = moved(p, step, way); nodes_.holds(next)) see(nodes_.index(next));
+  }
+
+  Part part_from(std::size_t first) {
+    Part part;
+    Place low = nodes_.place(first), high = low;
+    kind_[first] = Kind::counted;
+    part.nodes.assign(1, first);
+    for (std::size_t at = 0; at < part.nodes.size(); ++at) {
+      const Place p = nodes_.place(part.nodes[at]);
       for (std::size_t axis = 0; axis < 3; ++axis)
         low[axis] = std::min(low[axis], p[axis]), high[axis] = std::max(high[axis], p[axis]);
-      for (const Place& step : steps)
-        for (const int way : {1, -1})
-          if (const Place next = moved(p, step, way); nodes.holds(next) && is_open[nodes.index(next)] != 0) {
-            is_open[nodes.index(next)] = 0;
-            stack.push_back(nodes.index(next));
-          }
+      each_neighbour(part.nodes[at], [&](std::size_t next) {
+        if (kind_[next] == Kind::thin) kind_[next] = Kind::counted, part.nodes.push_back(next);
+      });
     }
-    for (std::size_t axis = 0; axis < 3; ++axis) found = std::max(found, high[axis] - low[axis] + 1);
+    for (std::size_t axis = 0; axis < 3; ++axis) part.extent = std::max(part.extent, high[axis] - low[axis] + 1);
+    return part;
   }
-  return found;
-}
+
+  bool is_mouth(std::size_t i) const {
+    bool is = false;
+    each_neighbour(i, [&](std::size_t next) { is = is || kind_[next] == Kind::wide; });
+    return is;
+  }
+  bool opens_wide(const Part& part) const {
+    return std::ranges::any_of(part.nodes, [&](std::size_t i) { return is_mouth(i); });
+  }
+
+  /// From its mouths to the node farthest from all of them. Leaves the part's nodes as others, which are done with.
+  int depth_of(const Part& part) {
+    std::vector<std::size_t> front, next;
+    std::ranges::copy_if(part.nodes, std::back_inserter(front), [&](std::size_t i) { return is_mouth(i); });
+    for (const std::size_t i : front) kind_[i] = Kind::other;
+    int depth = 0;
+    for (; !front.empty(); ++depth, front.swap(next)) {
+      next.clear();
+      for (const std::size_t i : front)
+        each_neighbour(i, [&](std::size_t beside) {
+          if (kind_[beside] == Kind::counted) kind_[beside] = Kind::other, next.push_back(beside);
+        });
+    }
+    return depth;
+  }
+
+  const Nodes& nodes_;
+  std::vector<Place> steps_;
+  std::vector<Kind> kind_;
+};
 
 }  // namespace
 
-int longest_thin_void(const PhaseMap& map, int most) { return longest({{map.width, map.height, 1}, map.phase}, most); }
+int longest_thin_void(const PhaseMap& map, int most) {
+  const Nodes nodes{{map.width, map.height, 1}, map.phase};
+  return ThinVoids(nodes, most).longest();
+}
 int longest_thin_void(const VoxelMap& map, int most) {
-  return longest({{map.width, map.height, map.depth}, map.phase}, most);
+  const Nodes nodes{{map.width, map.height, map.depth}, map.phase};
+  return ThinVoids(nodes, most).longest();
 }
 
 }  // namespace arenite::grid

@@ -43,6 +43,28 @@ TEST(ThinVoids, WedgesBetweenDisksThatTouchAreShort) {
   EXPECT_LE(longest_thin_void(plate(100, outside), 2), 10);
 }
 
+TEST(ThinVoids, GapsAroundContactsOfSpheresAreShortThoughTheyHangTogether) {
+  VoxelMap map = make_voxel_map(60, 60, 60, 1);
+  for (int z = 0; z < 60; ++z)
+    for (int y = 0; y < 60; ++y)
+      for (int x = 0; x < 60; ++x) {
+        const auto from_centre = [](int k) { return k % 20 - 9.5; };  // a cubic packing
+        const double square =
+            from_centre(x) * from_centre(x) + from_centre(y) * from_centre(y) + from_centre(z) * from_centre(z);
+        map.phase[map.index(x, y, z)] = square < 10.2 * 10.2 ? Phase::matrix : Phase::empty;
+      }
+  const int length = longest_thin_void(map, 2);
+  EXPECT_GE(length, 1);
+  EXPECT_LE(length, 10);
+}
+
+TEST(ThinVoids, ACrackFromAHoleIsAsLongAsItIsDeep) {
+  const auto hole_and_crack = [](int x, int y) {
+    return (x - 20) * (x - 20) + (y - 50) * (y - 50) < 100 || (y == 50 && x >= 20 && x < 80);
+  };
+  EXPECT_NEAR(longest_thin_void(plate(100, hole_and_crack), 2), 50, 2);
+}
+
 TEST(ThinVoids, InSpaceASheetIsAsLongAsItsLongerSide) {
   VoxelMap map = make_voxel_map(20, 20, 20, 1);
   for (auto& phase : map.phase) phase = Phase::matrix;
