@@ -31,6 +31,9 @@ struct PhaseMap {
 /// All nodes empty, no grains.
 PhaseMap make_phase_map(int width, int height, double dx);
 
+/// What the force of a clamp is spread over: the width, m.
+inline double section_of(const PhaseMap& map) { return map.width * map.dx; }
+
 /// Throws InputError, with every problem found, unless sizes, labels and spacing fit each other.
 void check(const PhaseMap& map);
 

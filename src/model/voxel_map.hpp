@@ -32,6 +32,9 @@ struct VoxelMap {
 /// All voxels empty, no grains. Throws InputError for sizes that are not positive or too many.
 VoxelMap make_voxel_map(int width, int height, int depth, double dx);
 
+/// What the force of a clamp is spread over: width times height, m^2.
+inline double section_of(const VoxelMap& map) { return map.width * map.dx * map.height * map.dx; }
+
 /// Throws InputError, with every problem found, unless sizes, labels and spacing fit each other.
 void check(const VoxelMap& map);
 

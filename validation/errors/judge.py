@@ -31,6 +31,8 @@ studies = {
     "shear-fast": "fast shear",
     "cemented": "cemented sample, pulled",
     "film": "film of a sample",
+    "spheres": "spheres at rest",
+    "spheres-triaxial": "triaxial test of spheres",
 }
 small = {
     "isotropic": ["packing.grains=250", 'container.width="130 mm"'],

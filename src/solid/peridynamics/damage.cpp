@@ -94,10 +94,6 @@ template <int D> class FailureCriterion {
   std::vector<double> by_level_;
 };
 
-/// What the clamp's force is spread over, m^2; in the plane m.
-double section_of(const PhaseMap& map) { return map.width * map.dx; }
-double section_of(const VoxelMap& map) { return map.width * map.dx * map.height * map.dx; }
-
 StressField stress_of(const Bonds& bonds, double dx, const Field<double>& u) {
   return node_stress(bonds, dx, u, false);
 }

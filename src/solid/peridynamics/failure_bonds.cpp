@@ -1,17 +1,9 @@
 #include "solid/peridynamics/failure_bonds.hpp"
 
-#include <utility>
-
 #include "solid/peridynamics/bonded_aggregates.hpp"
-#include "solid/peridynamics/kernels/space_kernels.hpp"
 #include "solid/peridynamics/support.hpp"
 
 namespace arenite::peridynamics {
-
-double linear_force(const SpaceBonds& bonds, const statics::FieldIn<3, double>& u, statics::FieldIn<3, double>& f) {
-  const std::vector<std::uint8_t> free(static_cast<std::size_t>(bonds.grid.levels()), nothing_prescribed);
-  return kernels_of(bonds).force(bonds, free.data(), statics::pointers(u), statics::pointers(f));
-}
 
 Bonds bonds_of(const PhaseMap& map, const DamageOptionsIn<2>& options) {
   return make_bonds(map, options.stiffness, options.law, options.stop_at_voids);

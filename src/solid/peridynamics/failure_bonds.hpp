@@ -98,9 +98,6 @@ inline double energy_modulus(const SpaceBonds& bonds, const SpaceBond& bond, dou
   return stiffness_of(bonds, bond) * std::pow(bond.along.square(), 2) * std::pow(dx, 3);
 }
 
-/// f := force of the bonds on every node, clamped ones too, in the units of `stiffness_of`; returns sum u . f.
-double linear_force(const SpaceBonds& bonds, const statics::FieldIn<3, double>& u, statics::FieldIn<3, double>& f);
-
 /// Those of a sample, whole.
 Bonds bonds_of(const PhaseMap& map, const DamageOptionsIn<2>& options);
 SpaceBonds bonds_of(const VoxelMap& map, const DamageOptionsIn<3>& options);

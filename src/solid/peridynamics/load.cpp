@@ -89,7 +89,7 @@ LoadResult load(const PhaseMap& map, const LoadOptions& options) {
   }
   result.field = node_stress(s.bonds, map.dx, u, options.exact_stretch);
   if (s.support.carrying > 0)
-    statics::judge({s.bonds.grid, s.tie, options.loading, options.strain, map.dx, s.gauge(), map.width * map.dx}, u,
+    statics::judge({s.bonds.grid, s.tie, options.loading, options.strain, map.dx, s.gauge(), section_of(map)}, u,
                    s.force(u), result);
   r.sentence = statics::sentence_of(r, options.tolerance);
   return result;

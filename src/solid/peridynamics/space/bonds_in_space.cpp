@@ -7,6 +7,7 @@
 #include "core/joined_sets.hpp"
 #include "core/problems.hpp"
 #include "solid/peridynamics/bonds.hpp"
+#include "solid/peridynamics/kernels/space_kernels.hpp"
 #include "solid/peridynamics/padded_labels.hpp"
 
 namespace arenite::peridynamics {
@@ -204,6 +205,11 @@ statics::BlockDiagonalIn<3, double> block_diagonal(const SpaceBonds& bonds) {
     }
   });
   return sum;
+}
+
+double linear_force(const SpaceBonds& bonds, const statics::FieldIn<3, double>& u, statics::FieldIn<3, double>& f) {
+  const std::vector<std::uint8_t> free(static_cast<std::size_t>(bonds.grid.levels()), statics::nothing_prescribed);
+  return kernels_of(bonds).force(bonds, free.data(), statics::pointers(u), statics::pointers(f));
 }
 
 VoxelStress node_stress(const SpaceBonds& bonds, double dx, const statics::FieldIn<3, double>& u) {

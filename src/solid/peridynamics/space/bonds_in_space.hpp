@@ -68,6 +68,9 @@ inline constexpr int space_cell = 8;
 statics::Aggregates cut_space_bonds(const VoxelMap& map, const SpaceBonds& bonds,
                                     const std::vector<std::uint8_t>& prescribed, int side);
 
+/// f := force of the bonds on every node, clamped ones too, in the units of `stiffness_of`; returns sum u . f.
+double linear_force(const SpaceBonds& bonds, const statics::FieldIn<3, double>& u, statics::FieldIn<3, double>& f);
+
 /// Displacements and the stresses of nodes, sigma_i = 1/(2 V_i) sum f_ij (x) xi_ij (P II.C), V_i = dx^3.
 VoxelStress node_stress(const SpaceBonds& bonds, double dx, const statics::FieldIn<3, double>& u);
 

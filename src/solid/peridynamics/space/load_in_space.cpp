@@ -39,10 +39,8 @@ statics::LoadResultIn<3> load(const VoxelMap& map, const LoadOptions& options) {
   result.field = node_stress(bonds, map.dx, u);
   if (r.support.carrying > 0) {
     statics::FieldIn<3, double> force(grid.padded_size());
-    const std::vector<std::uint8_t> free(prescribed.size(), statics::nothing_prescribed);
-    kernels_of(bonds).force(bonds, free.data(), statics::pointers(std::as_const(u)), statics::pointers(force));
-    const double section = map.width * map.dx * map.height * map.dx;
-    statics::judge<3>({grid, tie, options.loading, options.strain, map.dx, gauge, section}, u, force, result);
+    linear_force(bonds, u, force);
+    statics::judge<3>({grid, tie, options.loading, options.strain, map.dx, gauge, section_of(map)}, u, force, result);
   }
   r.sentence = statics::sentence_of(r.ending, r, r.support, options.tolerance, "voxels");
   return result;
