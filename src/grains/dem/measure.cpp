@@ -74,21 +74,29 @@ template <int D> double resultant_of(const SampleIn<D>& s, std::size_t k) {
   return k < s.count ? hypotenuse(f) : norm(f);
 }
 
-/// What holds a mover: contacts that press or pull, and whether friction holds it from spinning.
+/// What holds a mover: contacts that press or pull, and what friction holds from spinning.
 template <int D> struct Hold {
   int contacts = 0;
-  int normals = 0;  ///< of contacts that rub, in different directions; two stand for all
-  Vec<D> normal;    ///< the first of them
+  int points = 0;        ///< where it is rubbed, in directions that differ; three hold it from any spin
+  Vec<D> first, second;  ///< towards them from the centre, of unit length
+  Vec<D> axis;           ///< of one or two points: what rubs a sphere on it does not resist a spin about it
 
-  void rub(Vec<D> n, bool resists_twisting) {
-    constexpr double turned = 1e-3;  // normals that differ by less leave the same twist
-    if (normals == 0) normal = n;
-    normals = resists_twisting || (normals > 0 && size_of(cross(normal, n)) > turned) ? 2 : std::max(normals, 1);
+  void rub(Vec<D> point, bool resists_twisting) {
+    constexpr double apart = 1e-3;  // points that are nearer leave the same twist
+    const auto is_apart = [&](Vec<D> other) { return norm(point - other) > apart; };
+    if (resists_twisting) points = 3;
+    else if (points == 0) first = axis = point, points = 1;
+    else if (points == 1 && is_apart(first)) second = point, axis = along(point - first), points = 2;
+    else if (points == 2 && is_apart(first) && is_apart(second)) points = 3;
   }
-  /// A spin, less what no contact resists: all of it without friction, in space the twist about an only normal.
+  /// A spin, less what no contact resists: all of it without friction, in space the twist about the line through the
+  /// points.
   Turning<D> resisted(Turning<D> spin) const {
-    return normals == 0 ? Turning<D>{} : normals == 1 ? without_twist(spin, normal) : spin;
+    return points == 0 ? Turning<D>{} : points < 3 ? without_twist(spin, axis) : spin;
   }
+
+ private:
+  static Vec<D> along(Vec<D> v) { return 1 / norm(v) * v; }
 };
 
 /// Grains that carry force between two contacts or more, and the loose others, apart: a loose grain moves on for long
@@ -206,7 +214,7 @@ template <int D> Equilibrium equilibrium_of(const SampleIn<D>& s) {
       for (const std::int32_t k : {i, j}) {
         Hold<D>& hold = holds[moving(s, k)];
         ++hold.contacts;
-        hold.normals = 2;
+        hold.points = 3;
       }
     });
   });
@@ -215,12 +223,12 @@ template <int D> Equilibrium equilibrium_of(const SampleIn<D>& s) {
     if (!(held_by[p] > least)) continue;
     const Vec<D> normal = slot_kinematics(s, p).normal;
     const bool rubs = (p < s.list.pairs ? s.friction : s.wall_friction) > 0 || !s.contact.rolls_freely();
-    const auto hold = [&](std::int32_t k) {
+    const auto hold = [&](std::int32_t k, Vec<D> point) {
       ++holds[moving(s, k)].contacts;
-      if (rubs) holds[moving(s, k)].rub(normal, resists_twisting(s));
+      if (rubs) holds[moving(s, k)].rub(point, resists_twisting(s));
     };
-    hold(s.list.i[p]);
-    if (s.list.j[p] >= 0) hold(s.list.owner[p]);
+    hold(s.list.i[p], -normal);
+    if (s.list.j[p] >= 0) hold(s.list.owner[p], normal);
   }
   if (s.count > 0 && resultant > 0)
     q.unbalanced_ratio = normal_sum > 0 ? (resultant / grains) * static_cast<double>(contacts) / normal_sum

@@ -121,6 +121,27 @@ TEST(Rest, IsOfWhatContactsResist) {
   EXPECT_EQ(motion_in_a_corner(across, contact), 0) << "nothing rubs";
 }
 
+/// A sphere between two others, almost on one line, that spins about an axis: what its motion is to the elastic energy.
+double motion_between_two(Vec3 axis, Vec3 first, Vec3 second) {
+  PackingIn<3> start = testing::box_with({}, 0.1);
+  start.domain.boundaries.clear();
+  const Vec3 middle{0.05, 0.05, 0.05};
+  const double reach = 2 * testing::ball - 1e-6;
+  testing::add_ball(start, middle);
+  testing::add_ball(start, middle + reach * first);
+  testing::add_ball(start, middle + reach * second);
+  start.grains.omega.front() = 100 * axis;
+  return equilibrium_of(EngineIn<3>(start, testing::rubbing(0.3), {})).kinetic_ratio;
+}
+
+TEST(Rest, ASphereBetweenTwoPointsSpinsAboutTheirLineWithoutResistance) {
+  const Vec3 first{0, 0.6, 0.8}, second{0.06, -0.64, -0.766};
+  const Vec3 to_second = 1 / norm(second) * second, line = 1 / norm(first - to_second) * (first - to_second);
+  EXPECT_LT(motion_between_two(line, first, to_second), 1e-9);
+  EXPECT_GT(motion_between_two({1, 0, 0}, first, to_second), 0.1);
+  EXPECT_GT(motion_between_two(first, first, to_second), 1e-5) << "about one contact the other resists";
+}
+
 TEST(Rest, ManyDisksThatAllFallAreNotAtRest) {
   Packing start = empty_container(0.2, 1);
   for (int k = 0; k < 10; ++k) add_grain(start, 0.02 * k + 0.01, 0.9, radius);

@@ -93,7 +93,7 @@ TEST(ExportSnapshot, UnknownNumbersAreEmptyCellsAndNamesWithCommasAreQuotedInTab
   snapshot.packing = test::row_of_grains(2);
   snapshot.packing.materials[0].name = "POM, \"black\"";
   const auto files = io::exports::csv.of_snapshot({3, "load", &snapshot, {{"sigma_norm", "1", {0.5, std::nan("")}}}});
-  ASSERT_EQ(files.size(), 2u);
+  ASSERT_EQ(files.size(), 3u);
   EXPECT_EQ(files[0].name, "grains_0003.csv");
   EXPECT_TRUE(files[0].bytes.starts_with(
       "id,x [m],y [m],radius [m],material,zone,angle [rad],vx [m/s],vy [m/s],omega [rad/s],sigma_norm\n"))

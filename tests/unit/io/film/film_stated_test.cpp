@@ -337,11 +337,14 @@ TEST(StatedFilm, FilesOfASeriesAreOfOneUnit) {
   std::ofstream(folder / "f1.txt") << "T [degC]\n20 21\n";
   std::ofstream(folder / "f2.txt") << "T [degC]\n20 22\n";
   std::ofstream(folder / "f3.txt") << "T [K]\n293 294\n";
+  std::ofstream(folder / "f4.txt") << "293 294\n";
   FrameBlock block;
   const auto film = open_film(folder.path());
   film->read(0, 2, block);
   EXPECT_EQ(block.value, (std::vector<float>{293.15f, 294.15f, 293.15f, 295.15f}));
-  EXPECT_THROW(film->read(2, 1, block), InputError);
+  film->read(2, 1, block);
+  EXPECT_EQ(block.value, (std::vector<float>{293, 294}));
+  EXPECT_THROW(film->read(3, 1, block), InputError);
   const auto shifted = open_film(folder.path(), {.scale = 2, .offset = 1});
   shifted->read(0, 2, block);
   EXPECT_EQ(block.value, (std::vector<float>{41, 43, 41, 45}));
