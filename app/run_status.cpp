@@ -37,9 +37,9 @@ fs::path request_in(const fs::path& folder) { return folder / ".stop"; }
 
 Numbers walls_of(const workflow::Progress& p) {
   Numbers walls = Numbers::tree();
-  for (std::size_t side = 0; side < 4; ++side)
-    if (p.wall[side].present)
-      walls[side_names[side]] = Numbers::tree({{"position_m", p.wall[side].position}, {"force_N", p.wall[side].force}});
+  for (std::size_t side = 0; side < p.side.size(); ++side)
+    if (const workflow::SideNow& now = p.side[side]; now.present)
+      walls[any_side_names[side]] = Numbers::tree({{"position_m", now.position}, {"force_N", now.force}});
   return walls;
 }
 
@@ -79,12 +79,10 @@ RunStatus status_from(const std::string& text) {
   p.increment = whole("increment");
   p.increments = whole("increments");
   p.time = number("time_s");
-  for (std::size_t side = 0; side < 4; ++side) {
-    const std::string wall = std::string("walls.") + side_names[side];
-    p.wall[side].present = cells.contains(wall + ".position_m");
-    if (!p.wall[side].present) continue;
-    p.wall[side].position = number(wall + ".position_m");
-    p.wall[side].force = number(wall + ".force_N");
+  for (std::size_t side = 0; side < p.side.size(); ++side) {
+    const std::string wall = std::string("walls.") + any_side_names[side];
+    if (cells.contains(wall + ".position_m"))
+      p.side[side] = {true, number(wall + ".position_m"), number(wall + ".force_N")};
   }
   s.stopped = cells.at("stopped") == "true";
   s.process = whole("process");

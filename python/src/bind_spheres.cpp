@@ -183,6 +183,9 @@ void bind_spheres(py::module_& m) {
       .def_readonly("converged", &SphereResult::converged, "Whether equilibrium was reached.")
       .def_readonly("outcome", &SphereResult::outcome, "How it ended, in words.")
       .def_property_readonly(
+          "provenance", [](const SphereResult& s) { return to_python(s.provenance); },
+          "Provenance: version, stage, input_hash, recipe, seed, kernel, options.")
+      .def_property_readonly(
           "snapshots",
           [](const py::object& self) {
             py::list snapshots;

@@ -9,6 +9,7 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "grains/dem/engine.hpp"
+#include "keywords.hpp"
 #include "module.hpp"
 #include "report/film_text.hpp"
 #include "report/page.hpp"
@@ -119,21 +120,23 @@ std::size_t stage_number(const Recipe& recipe, const py::object& stage) {
   throw InputError(fmt::format("the recipe has no stage \"{}\"; there are {}", name, known));
 }
 
-StageResult load_stage(const Packing& packing, Recipe recipe, const py::object& stage, int threads,
-                       const Progress& progress, const OnStep& on_step, std::int64_t every) {
-  if (recipe.dimension == 3)
-    throw InputError("load_stage takes disks through a stage; spheres are taken through all of a recipe by run()");
+template <int D>
+StageResultIn<D> load_stage(const PackingIn<D>& packing, Recipe recipe, const py::object& stage, int threads,
+                            const Progress& progress, const OnStep& on_step, std::int64_t every) {
+  if (recipe.dimension != D)
+    throw refusal("the packing is of {}, and the recipe has dimension = {}; give those that go together",
+                  D == 2 ? "disks" : "spheres", recipe.dimension);
   const std::size_t place = stage_number(recipe, stage) + 1;
   recipe.integration.threads = threads_given(threads);
   Call call;
   const auto steps = step_function(call, on_step, every);
   workflow::RunOptions options = run_options(call, progress);
-  return call.without_lock([&]() -> StageResult {
-    dem::Engine engine(packing, recipe.contact, recipe.integration);
-    auto loaded = workflow::load_stage(
-        {recipe, place, workflow::stage_key(recipe, place, save_sample(engine)), &packing}, engine, {}, options,
+  return call.without_lock([&]() -> StageResultIn<D> {
+    dem::EngineIn<D> engine(packing, recipe.contact, recipe.integration);
+    auto loaded = workflow::load_stage<D>(
+        {recipe, place, workflow::stage_key(recipe, place, dem::save_sample<D>(engine)), &packing}, engine, {}, options,
         {.stages = 1, .name = recipe.stages[place - 1].name}, steps ? &*steps : nullptr);
-    return loaded ? std::move(*loaded) : StageResult{};
+    return loaded ? std::move(*loaded) : StageResultIn<D>{};
   });
 }
 
@@ -247,12 +250,18 @@ void bind_stages(py::module_& m) {
       py::arg("recipe"),
       "The grains in their container before any loading: drawn, placed and relaxed, or read from a file ([packing] of "
       "the recipe): a Packing, or with dimension = 3 a SpherePacking.");
-  m.def("load_stage", &load_stage, py::arg("packing"), py::arg("recipe"), py::arg("stage") = 0, py::kw_only(),
-        threads_argument(), py::arg("progress") = py::none(), py::arg("on_step") = py::none(), py::arg("every") = 1000,
-        "Takes a packing through one stage of the recipe, by number or name: compaction or loading by discrete "
-        "elements. `progress(share, name)` is called meanwhile. Velocities are kept, the contact history is not. "
-        "`on_step(stage)` is called every so many steps, counted up to the next multiple of 200, with a RunningStage, "
-        "which it may read, change and stop; what it raises ends the stage.");
+  const auto bind_load_stage = [&](auto load, const char* sentence) {
+    m.def("load_stage", load, py::arg("packing"), py::arg("recipe"), py::arg("stage") = 0, py::kw_only(),
+          threads_argument(), py::arg("progress") = py::none(), py::arg("on_step") = py::none(),
+          py::arg("every") = 1000, sentence);
+  };
+  bind_load_stage(
+      &load_stage<2>,
+      "Takes a packing through one stage of the recipe, by number or name: compaction or loading by discrete "
+      "elements. `progress(share, name)` is called meanwhile. Velocities are kept, the contact history is not. "
+      "`on_step(stage)` is called every so many steps, counted up to the next multiple of 200, with a RunningStage, "
+      "which it may read, change and stop; what it raises ends the stage.");
+  bind_load_stage(&load_stage<3>, "The same of spheres.");
 }
 
 }  // namespace arenite::python

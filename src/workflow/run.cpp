@@ -242,14 +242,15 @@ class Run {
 
 }  // namespace
 
-std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engine, const fs::path& checkpoint,
-                                      const RunOptions& options, const Progress& progress,
-                                      const StepFunction* on_step) {
-  dem::StageRun run = begun_or_kept(engine, stage.recipe.stages[stage.place - 1], stage.hash, checkpoint, options);
+template <int D>
+std::optional<StageResultIn<D>> load_stage(const GrainStageIn<D>& stage, dem::EngineIn<D>& engine,
+                                           const fs::path& checkpoint, const RunOptions& options,
+                                           const Progress& progress, const StepFunction* on_step) {
+  dem::StageRunIn<D> run = begun_or_kept(engine, stage.recipe.stages[stage.place - 1], stage.hash, checkpoint, options);
   if (carry_by_lammps(stage, engine, run, options, progress) == Part::stopped) return std::nullopt;
-  StageWatch watch(stage, engine, run, options, progress, on_step);
+  StageWatch<D> watch(stage, engine, run, options, progress, on_step);
   CheckpointTimes times(options);
-  StateOfNow now(stage, options.page_follows ? checkpoint.parent_path() : fs::path());
+  StateOfNow<D> now(stage, options.page_follows ? checkpoint.parent_path() : fs::path());
   while (!run.finished) {
     dem::continue_stage(engine, watch.stage(), run);
     watch.look();
@@ -258,41 +259,21 @@ std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engi
     keep(engine, run, stage.hash, checkpoint);
     if (times.asked_to_stop()) return std::nullopt;
   }
-  run.result.continuation = save_sample(engine);
+  run.result.continuation = dem::save_sample<D>(engine);
   const auto& [recipe, hash, changes] = watch.made_by();
-  StageResult made = measure_stage({recipe, stage.place, hash, stage.before, stage.texture}, std::move(run.result),
-                                   engine.kernel->name);
+  StageResultIn<D> made = measure_stage(GrainStageIn<D>{recipe, stage.place, hash, stage.before, stage.texture},
+                                        std::move(run.result), engine.kernel->name);
   made.provenance.options = changes;
   return tell_of_lammps(std::move(made), options, stage.hash);
 }
-
-std::optional<SphereResult> load_stage(const GrainStageIn<3>& stage, dem::EngineIn<3>& engine,
-                                       const fs::path& checkpoint, const RunOptions& options, const Progress& progress,
-                                       const StepFunction* /*on_step*/) {
-  const dem::Stage& loading = stage.recipe.stages[stage.place - 1];
-  dem::StageRunIn<3> run = begun_or_kept(engine, loading, stage.hash, checkpoint, options);
-  if (carry_by_lammps(stage, engine, run, options, progress) == Part::stopped) return std::nullopt;
-  CheckpointTimes times(options);
-  StateOfNow now(stage, options.page_follows ? checkpoint.parent_path() : fs::path());
-  Progress far = progress;
-  for (far.increments = loading.duration ? 0 : dem::increment_count(loading); !run.finished;) {
-    dem::continue_stage(engine, loading, run);
-    end_where_met(stage, engine, run);
-    note_progress(engine, loading, run, far);
-    options.progress(far);
-    now.show(engine, run);
-    if (run.finished || !times.is_due()) continue;
-    keep(engine, run, stage.hash, checkpoint);
-    if (times.asked_to_stop()) return std::nullopt;
-  }
-  run.result.continuation = dem::save_sample<3>(engine);
-  return tell_of_lammps(measure_stage(stage, std::move(run.result), engine.kernel->name), options, stage.hash);
-}
+template std::optional<StageResult> load_stage(const GrainStage&, dem::Engine&, const fs::path&, const RunOptions&,
+                                               const Progress&, const StepFunction*);
+template std::optional<SphereResult> load_stage(const GrainStageIn<3>&, dem::EngineIn<3>&, const fs::path&,
+                                                const RunOptions&, const Progress&, const StepFunction*);
 
 RunOutcome run(const recipe::Recipe& recipe, const RunOptions& options) {
   try {
     dem::find_kernel<2>(recipe.integration.kernel);
-    if (recipe.dimension == 3 && options.on_step) throw InputError("on_step is for disks; leave it out for spheres");
     return Run(recipe, options).outcome();
   } catch (const InputError& error) { throw in_file(error, recipe.source_file); }
 }

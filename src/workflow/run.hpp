@@ -22,6 +22,12 @@ using Engine = EngineIn<2>;
 
 namespace arenite::workflow {
 
+/// Where a side is while a stage is under way, and what presses on it.
+struct SideNow {
+  bool present = false;
+  double position = 0, force = 0;  ///< m, N
+};
+
 /// Where a run stands, for a bar or a log.
 struct Progress {
   std::size_t stage = 0, stages = 0;  ///< 0 is the packing
@@ -35,7 +41,7 @@ struct Progress {
   std::string key{};                           ///< hash of the stage, which its checkpoint carries
   std::int64_t increment = 0, increments = 0;  ///< the one under way, from 1; 0 where the stage has none
   double time = 0;                             ///< of the sample, s
-  BySide<Wall> wall{};                         ///< now; none is present where `time` is none
+  ByAnySide<SideNow> side{};                   ///< now; none is present where `time` is none
   bool settles = true;                         ///< as fast as predicted, within ten times
 };
 
@@ -88,12 +94,9 @@ struct RunOutcome {
 /// Takes the grains of an engine through a stage of loading and measures it. It is kept in the file `checkpoint` on its
 /// way, unless that is empty, and goes on from there; nothing if it was asked to stop. A result that `on_step`
 /// (stage_watch.hpp) has changed names the changes, and has a hash of its own.
-std::optional<StageResult> load_stage(const GrainStage& stage, dem::Engine& engine,
-                                      const std::filesystem::path& checkpoint, const RunOptions& options,
-                                      const Progress& progress, const StepFunction* on_step = nullptr);
-/// The same of spheres, which no function looks at on their way.
-std::optional<SphereResult> load_stage(const GrainStageIn<3>& stage, dem::EngineIn<3>& engine,
-                                       const std::filesystem::path& checkpoint, const RunOptions& options,
-                                       const Progress& progress, const StepFunction* on_step = nullptr);
+template <int D>
+std::optional<StageResultIn<D>> load_stage(const GrainStageIn<D>& stage, dem::EngineIn<D>& engine,
+                                           const std::filesystem::path& checkpoint, const RunOptions& options,
+                                           const Progress& progress, const StepFunction* on_step = nullptr);
 
 }  // namespace arenite::workflow

@@ -31,20 +31,25 @@ std::optional<std::int64_t> patience_of(const GrainStage& stage, const dem::Engi
       fields::predict_stage(engine, stage.recipe.contact, stage.recipe.integration.drag, asked, bulk, pressures);
   return predicted.exact ? std::nullopt : std::optional(10 * predicted.increment_steps);
 }
+std::optional<std::int64_t> patience_of(const GrainStageIn<3>& stage, const dem::EngineIn<3>& engine,
+                                        const dem::Stage& asked) {
+  if (!stage.before || stage.before->grains.size() == 0 || asked.duration) return std::nullopt;
+  return 10 * fields::steps_to_rest(engine, stage.recipe.integration.drag, asked);
+}
 
 }  // namespace
 
-void StageUnderWay::store(std::string label) {
-  changes_.emplace_back(fmt::format("stored at {:.9g} s", time_of(engine_)), label);
+template <int D> void StageUnderWayIn<D>::store(std::string label) {
+  changes_.emplace_back(fmt::format("stored at {:.9g} s", dem::time_of<D>(engine_)), label);
   dem::store_state(engine_, std::move(label), run_);
 }
 
-void StageUnderWay::stop(const std::string& why) {
-  changes_.emplace_back(fmt::format("stopped at {:.9g} s", time_of(engine_)), why);
+template <int D> void StageUnderWayIn<D>::stop(const std::string& why) {
+  changes_.emplace_back(fmt::format("stopped at {:.9g} s", dem::time_of<D>(engine_)), why);
   dem::end_early(engine_, stage(), why, run_);
 }
 
-void StageUnderWay::change(const std::vector<std::string>& assignments) {
+template <int D> void StageUnderWayIn<D>::change(const std::vector<std::string>& assignments) {
   std::vector<std::string> overrides;
   for (const std::string& each : assignments) overrides.push_back(fmt::format("stages.{}.{}", place_ - 1, each));
   const dem::Stage before = stage();
@@ -59,11 +64,12 @@ void StageUnderWay::change(const std::vector<std::string>& assignments) {
   recipe_.stages[place_ - 1] = after;
   engine_.change(before, after);
   for (const std::string& each : assignments)
-    changes_.emplace_back(fmt::format("changed at {:.9g} s", time_of(engine_)), each);
+    changes_.emplace_back(fmt::format("changed at {:.9g} s", dem::time_of<D>(engine_)), each);
 }
 
-StageWatch::StageWatch(const GrainStage& stage, dem::Engine& engine, dem::StageRun& run, const RunOptions& options,
-                       const Progress& progress, const StepFunction* on_step)
+template <int D>
+StageWatch<D>::StageWatch(const GrainStageIn<D>& stage, dem::EngineIn<D>& engine, dem::StageRunIn<D>& run,
+                          const RunOptions& options, const Progress& progress, const StepFunction* on_step)
     : given_(stage),
       engine_(engine),
       run_(run),
@@ -77,14 +83,14 @@ StageWatch::StageWatch(const GrainStage& stage, dem::Engine& engine, dem::StageR
   progress_.increments = now_.stage().duration ? 0 : dem::increment_count(now_.stage());
 }
 
-void StageWatch::look() {
+template <int D> void StageWatch<D>::look() {
   if (!run_.finished) end_where_met();
   if (!run_.finished) tell_of_unrest();
   if (!run_.finished) call();
   show();
 }
 
-StageWatch::MadeBy StageWatch::made_by() const {
+template <int D> typename StageWatch<D>::MadeBy StageWatch<D>::made_by() const {
   if (now_.changes().empty()) return {given_.recipe, given_.hash, {}};
   HashBuilder hash;
   hash.add("stage", given_.hash);
@@ -93,15 +99,15 @@ StageWatch::MadeBy StageWatch::made_by() const {
 }
 
 /// Looked at with each row, so that neither threads nor checkpoints decide.
-void StageWatch::end_where_met() {
+template <int D> void StageWatch<D>::end_where_met() {
   const std::vector<double>* time = run_.result.history.find("time");
-  if (!until_ || !time || time->back() != time_of(engine_)) return;
+  if (!until_ || !time || time->back() != dem::time_of<D>(engine_)) return;
   if (const auto met =
           until_->met(run_.result.history, run_.start.time, now_.stage(), given_.loaded_before(), *given_.before))
     dem::end_early(engine_, now_.stage(), *met, run_);
 }
 
-void StageWatch::tell_of_unrest() {
+template <int D> void StageWatch<D>::tell_of_unrest() {
   progress_.settles = !patience_ || run_.steps_in_increment < *patience_;
   if (progress_.settles || told_) return;
   told_ = true;
@@ -112,27 +118,26 @@ void StageWatch::tell_of_unrest() {
                   dem::unrest(engine_, now_.stage(), run_), now_.stage().equilibrium.max_steps));
 }
 
-void StageWatch::call() {
+template <int D> void StageWatch<D>::call() {
   if (!on_step_ || engine_.step - called_ < on_step_->every) return;
   called_ += (engine_.step - called_) / on_step_->every * on_step_->every;
-  on_step_->call(now_);
+  (*on_step_)(now_);
 }
 
-void StageWatch::show() {
+template <int D> void StageWatch<D>::show() {
   note_progress(engine_, now_.stage(), run_, progress_);
   if (!progress_.settles && !run_.finished)
     progress_.share = static_cast<double>(run_.increment) / static_cast<double>(progress_.increments);
-  progress_.wall = engine_.domain.wall;
+  for (std::size_t side = 0; side < sides_in<D>; ++side) {
+    const WallIn<D>& wall = engine_.domain.wall[side];
+    progress_.side[side] = {wall.present, wall.position, wall.force};
+  }
   options_.progress(progress_);
 }
 
-void end_where_met(const GrainStageIn<3>& stage, const dem::EngineIn<3>& engine, dem::StageRunIn<3>& run) {
-  const dem::Stage& loading = stage.recipe.stages[stage.place - 1];
-  const std::vector<double>* time = run.result.history.find("time");
-  if (run.finished || loading.until.empty() || !time || time->back() != dem::time_of<3>(engine)) return;
-  const fields::Until until(loading.until);
-  if (const auto met = until.met(run.result.history, run.start.time, loading, stage.loaded_before(), *stage.before))
-    dem::end_early(engine, loading, *met, run);
-}
+template class StageUnderWayIn<2>;
+template class StageUnderWayIn<3>;
+template class StageWatch<2>;
+template class StageWatch<3>;
 
 }  // namespace arenite::workflow

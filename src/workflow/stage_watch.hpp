@@ -15,16 +15,16 @@ namespace arenite::workflow {
 
 /// A stage on its way, for a function that is called every so many steps: it reads what it likes, and may keep the
 /// state of now, end the stage, or change what drives it from the next step on.
-class StageUnderWay {
+template <int D> class StageUnderWayIn {
  public:
-  StageUnderWay(const recipe::Recipe& recipe, std::size_t place, dem::Engine& engine, dem::StageRun& run)
+  StageUnderWayIn(const recipe::Recipe& recipe, std::size_t place, dem::EngineIn<D>& engine, dem::StageRunIn<D>& run)
       : recipe_(recipe),
         place_(place),
         engine_(engine),
         run_(run) {}
 
-  const dem::Engine& engine() const { return engine_; }
-  const dem::StageRun& run() const { return run_; }
+  const dem::EngineIn<D>& engine() const { return engine_; }
+  const dem::StageRunIn<D>& run() const { return run_; }
   const dem::Stage& stage() const { return recipe_.stages[place_ - 1]; }
 
   void store(std::string label);
@@ -40,23 +40,28 @@ class StageUnderWay {
  private:
   recipe::Recipe recipe_;
   std::size_t place_;
-  dem::Engine& engine_;
-  dem::StageRun& run_;
+  dem::EngineIn<D>& engine_;
+  dem::StageRunIn<D>& run_;
   std::vector<std::pair<std::string, std::string>> changes_;
 };
+using StageUnderWay = StageUnderWayIn<2>;
 
 /// A function that is called after every so many steps, counted up to the next look at the sample.
 struct StepFunction {
-  std::function<void(StageUnderWay&)> call;  ///< none where it is empty
+  std::function<void(StageUnderWayIn<2>&)> of_disks;
   std::int64_t every = 1000;
+  std::function<void(StageUnderWayIn<3>&)> of_spheres = {};
+
+  void operator()(StageUnderWayIn<2>& now) const { of_disks(now); }
+  void operator()(StageUnderWayIn<3>& now) const { of_spheres(now); }
 };
 
 /// Looks at a stage each time that it has gone on for a while: ends it where its condition holds, says once that it
 /// does not settle, calls the function, and shows how far it is.
-class StageWatch {
+template <int D> class StageWatch {
  public:
   /// As the stage has begun, or was kept on its way.
-  StageWatch(const GrainStage& stage, dem::Engine& engine, dem::StageRun& run, const RunOptions& options,
+  StageWatch(const GrainStageIn<D>& stage, dem::EngineIn<D>& engine, dem::StageRunIn<D>& run, const RunOptions& options,
              const Progress& progress, const StepFunction* on_step);
 
   const dem::Stage& stage() const { return now_.stage(); }
@@ -76,20 +81,17 @@ class StageWatch {
   void call();
   void show();
 
-  const GrainStage& given_;
-  dem::Engine& engine_;
-  dem::StageRun& run_;
+  const GrainStageIn<D>& given_;
+  dem::EngineIn<D>& engine_;
+  dem::StageRunIn<D>& run_;
   const RunOptions& options_;
   Progress progress_;
   const StepFunction* on_step_;
-  StageUnderWay now_;
+  StageUnderWayIn<D> now_;
   std::int64_t called_;                   ///< step of the last call, or of the multiple before it
   std::optional<std::int64_t> patience_;  ///< steps after which an increment takes too long
   bool told_ = false;
   std::optional<fields::Until> until_;
 };
-
-/// Ends a stage of spheres whose condition its last row meets.
-void end_where_met(const GrainStageIn<3>& stage, const dem::EngineIn<3>& engine, dem::StageRunIn<3>& run);
 
 }  // namespace arenite::workflow

@@ -77,10 +77,39 @@ def test_spheres_of_files_are_measured_as_our_own(tmp_path):
     assert page.stat().st_size > 10_000
 
 
-def test_what_a_step_shows_is_of_the_plane_and_asking_for_it_is_refused(tmp_path):
+def test_a_function_looks_at_a_stage_of_spheres_and_stops_it(tmp_path):
     (tmp_path / "recipe.toml").write_text(RECIPE)
-    with pytest.raises(ValueError, match="on_step is for disks"):
-        arenite.run(arenite.Recipe(tmp_path / "recipe.toml"), tmp_path / "out", on_step=lambda stage: None)
+    recipe = arenite.Recipe(tmp_path / "recipe.toml")
+    packing, seen = arenite.pack(recipe), []
+
+    def look(stage):
+        assert isinstance(stage.packing, arenite.SpherePacking)
+        seen.append((stage.step, stage.unbalanced_ratio, stage.packing.position[:, 1].max()))
+
+    plain = arenite.load_stage(packing, recipe)
+    watched = arenite.load_stage(packing, recipe, on_step=look, every=1000)
+    assert (
+        np.array_equal(plain.states[-1].position, watched.states[-1].position)
+        and plain.provenance == watched.provenance
+    )
+    assert [step for step, *_ in seen] == [1000 * (k + 1) for k in range(len(seen))] and len(seen) > 1
+    assert seen[-1][2] < seen[0][2]
+    stopped = arenite.load_stage(packing, recipe, on_step=lambda stage: stage.stop("enough"), every=200)
+    assert "enough" in stopped.outcome and stopped.history["time"][-1] < plain.history["time"][-1]
+    run = arenite.run(recipe, tmp_path / "out", on_step=lambda stage: stage.stop("enough"), every=200)
+    assert "enough" in run.spheres[1].outcome
+
+
+def test_a_stage_of_spheres_that_does_not_settle_warns():
+    restless = arenite.Recipe.from_text(
+        RECIPE.replace("grains = 120", "grains = 40").replace('"20 mm"', '"14 mm"')
+        + "equilibrium = { kinetic = 1e-300, max_steps = 1000000 }"
+    )
+    with pytest.warns(UserWarning, match="without coming to rest: .*kinetic over elastic energy"):
+        stage = arenite.load_stage(
+            arenite.pack(restless), restless, on_step=lambda stage: stage.step > 900_000 and stage.stop(), every=10_000
+        )
+    assert not stage.converged
 
 
 BONDED = (
@@ -123,7 +152,7 @@ def test_packings_of_spheres_are_spheres_and_what_is_of_disks_says_so(tmp_path):
     recipe = arenite.Recipe(tmp_path / "recipe.toml")
     packing = arenite.pack(recipe)
     assert isinstance(packing, arenite.SpherePacking) and len(packing) == 120
-    with pytest.raises(ValueError, match="spheres are taken through all of a recipe by run"):
+    with pytest.raises(ValueError, match="the packing is of disks, and the recipe has dimension = 3"):
         arenite.load_stage(arenite.Packing([0.5], [0.5], [0.1], width=1, height=1, thickness=1), recipe)
     for border in (-1, float("nan")):
         with pytest.raises(ValueError, match="border of .* is not possible"):

@@ -10,6 +10,7 @@
 
 #include "core/problems.hpp"
 #include "core/root.hpp"
+#include "geometry/ball.hpp"
 #include "grains/dem/coefficients.hpp"
 #include "grains/dem/engine.hpp"
 #include "grains/dem/exchange/traffic.hpp"
@@ -243,6 +244,29 @@ StagePrediction predict_stage(const dem::Engine& engine, const dem::ContactParam
   StagePrediction p = of_stage(engine, contact, steady_drag, stage, bulk, pressures);
   if (engine.domain.boundaries.empty()) p.height = bulk.height;
   return p;
+}
+
+std::int64_t steps_to_rest(const dem::EngineIn<3>& engine, double steady_drag, const dem::Stage& stage) {
+  constexpr double dense = 0.6;  // random packings of spheres, with little and with some friction
+  const DomainIn<3>& cell = engine.domain;
+  const double volume = volume_of(cell), mass = engine.wall[left].sample_mass;
+  double solid = 0, pressure = 0, way = 0;
+  for (std::size_t k = 0; k < engine.count; ++k) solid += geometry::volume_of_ball<3>(engine.record[k].radius) / volume;
+  for (int side = 0; side < sides_in<3>; ++side) {
+    const dem::SideDrive& drive = stage.side[side];
+    const double length = cell.extent(side / 2);
+    if (!drive.presses()) continue;
+    pressure = std::max(pressure, drive.value * (drive.kind == Kind::force ? length / volume : 1));
+    way = std::max(way, (1 - std::min(1.0, solid / dense)) * length);
+  }
+  const double speed = 2 * stage.inertial_number * std::sqrt(pressure * volume / mass);
+  double closing = speed > 0 ? way / speed : 0;
+  if (stage.gravity) closing += std::sqrt(2 * cell.extent(1) / stage.gravity_size);
+  const double critical = dem::critical_drag(engine), drag = steady_drag + stage.drag + stage.critical_drag * critical;
+  const bool all_round = std::ranges::all_of(stage.side, &dem::SideDrive::presses);
+  const double settling = settling_time(4 * std::numbers::pi / critical, drag, stage.equilibrium.unbalanced, all_round);
+  constexpr double late = 4;  // slips and grains that come to bear late; measured on packings of 120 to 900 spheres
+  return about_steps(late * (closing + settling), engine.dt);
 }
 
 ShortestCollision shortest_collision(const Packing& packing, const dem::ContactParameters& contact) {

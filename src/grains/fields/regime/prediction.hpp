@@ -96,4 +96,8 @@ struct Pressures {
 StagePrediction predict_stage(const dem::Engine& engine, const dem::ContactParameters& contact, double steady_drag,
                               const dem::Stage& stage, Bulk& bulk, Pressures& pressures);
 
+/// Steps, roughly, in which spheres come to rest under the drives of a stage, from where they are: as dense as they
+/// then get, and settled.
+std::int64_t steps_to_rest(const dem::EngineIn<3>& engine, double steady_drag, const dem::Stage& stage);
+
 }  // namespace arenite::fields
