@@ -2,9 +2,10 @@
 """The spectral scheme that most codes for images in space begin with, beside elements under several levels.
 
 usage: bench/peers/fft_voxels.py [IMAGE.npz] [VOXELS] [ITERATIONS] [--picture FILE]     (examples/35-berea, 64, 1000)
-A cube of a porous image, whose pores are above 0, is strained by the basic scheme of Moulinec and Suquet (1998) and by conjugate gradients on the
-same equation (Zeman et al. 2010), in NumPy, and by this program's elements between clamps. Every residual is the force
-that is out of balance over that of the cube strained uniformly; CPU seconds are of one core. The picture has all three.
+A cube of a porous image, whose pores are above 0, is strained by the basic scheme of Moulinec and Suquet (1998) and by
+conjugate gradients on the same equation (Zeman et al. 2010), in NumPy, and by this program's elements between clamps.
+Every residual is the force that is out of balance over that of the cube strained uniformly; CPU seconds are of one
+core. The picture has all three.
 """
 import argparse
 import json

@@ -71,7 +71,7 @@ TEST(FlowNumbers, GrainsThatFallSinglyAreNoHeap) {
   stage.gravity = true;
   const Packing before = column(false);
   StageResult empty = result();
-  for (int i = 0; Vec2& place : empty.snapshots.back().packing.grains.position) place.y -= 0.05 * ++i;
+  for (int i = 0; Vec2 & place : empty.snapshots.back().packing.grains.position) place.y -= 0.05 * ++i;
   const Numbers n = flow_numbers({empty, stage, &before, {}});
   EXPECT_FALSE(n["surface"].contains("left_m"));
   EXPECT_FALSE(n["surface"].contains("runout_m"));

@@ -4,7 +4,6 @@
 #include <tiffio.h>
 
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <utility>
@@ -16,6 +15,7 @@
 #include "support/pictures.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/io/film/stated.hpp"
+#include "unit/io/film/tiff_pages.hpp"
 
 namespace arenite::io {
 namespace {
@@ -51,24 +51,6 @@ std::string one_directory(bool high_first, const std::string& description, const
   bytes += number(0, 4) + description + '\0';
   for (const std::uint16_t level : film.level) bytes += number(level, 2);
   return bytes;
-}
-
-/// A page for each image, the first with a description.
-void write_pages(const std::filesystem::path& path, const Film& film, const std::string& description) {
-  TIFF* tiff = TIFFOpen(path.c_str(), "w");
-  for (std::int64_t f = 0; f < film.about.frames; ++f) {
-    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, film.about.width);
-    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, film.about.height);
-    TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 16);
-    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
-    TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
-    TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, film.about.height);
-    if (f == 0) TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, description.c_str());
-    std::vector<std::uint16_t> image(film.level.begin() + f * 20, film.level.begin() + (f + 1) * 20);
-    TIFFWriteEncodedStrip(tiff, 0, image.data(), 40);
-    TIFFWriteDirectory(tiff);
-  }
-  TIFFClose(tiff);
 }
 
 TEST(StatedFilm, AllImagesBehindTheOneDirectoryOfImageJ) {
@@ -169,27 +151,6 @@ TEST(StatedFilm, DescriptionsThatThePagesContradict) {
   const auto shown = opened("ImageJ=1.5\nimages=6\nframes=6\nfps=7.0\n");
   EXPECT_EQ(shown->info().frame_rate, 0);
   EXPECT_TRUE(tells(*shown, "7 frames/s"));
-}
-
-TEST(StatedFilm, ACalibrationOfImagejToTemperaturesIsUsed) {
-  const test::TemporaryFolder folder;
-  const Film film = counted(5, 4, 6);
-  const std::string calibration = "ImageJ=1.5\nimages=6\nframes=6\nfinterval=0.04\ncf=0\nc0=-20\nc1=0.5\n";
-  write_pages(folder / "a.tif", film, calibration + "vunit=Celsius\n");
-  const auto first = [&](const FilmChoice& choice) {
-    const auto opened = open_film(folder / "a.tif", choice);
-    FrameBlock block;
-    opened->read(2, 1, block);
-    EXPECT_EQ(opened->info().quantity, FilmQuantity::kelvin);
-    return block.value.at(3);
-  };
-  const auto level = film.level.at(2 * 20 + 3);
-  EXPECT_FLOAT_EQ(first({}), static_cast<float>(253.15 + 0.5 * level));
-  EXPECT_FLOAT_EQ(first({.scale = 2}), static_cast<float>(2 * level));
-  write_pages(folder / "b.tif", film, calibration + "vunit=lux\n");
-  const auto other = open_film(folder / "b.tif");
-  EXPECT_TRUE(tells(*other, "\"lux\""));
-  EXPECT_EQ(other->info().quantity, FilmQuantity::unknown);
 }
 
 // Series
@@ -315,39 +276,6 @@ TEST(StatedFilm, TextStatesNumbersOrTimesBetweenItsFrames) {
   EXPECT_TRUE(opened("Frame 7\n1 2\nFrame 8\n1 3\n")->info().number.empty());
   EXPECT_TRUE(opened("Frame 7 of 9\n1 2\n\n1 3\n")->info().number.empty());  // the second has none
   EXPECT_EQ(opened("time = 3\n1 2\ntime = 3.5\n1 3\n")->info().time, (std::vector<double>{0, 0.5}));
-}
-
-TEST(StatedFilm, TextStatesTheUnitOfItsTemperatures) {
-  const auto first = [](const std::string& text, const FilmChoice& choice = {}) {
-    const auto film = open_film(bytes_in_memory(text, "a.txt"), choice);
-    FrameBlock block;
-    film->read(0, 1, block);
-    return std::pair(film->info().quantity, block.value.front());
-  };
-  for (const std::string unit : {"[\xc2\xb0\x43]", "[\xb0\x43]", "(degC)"})
-    EXPECT_EQ(first("Temperature " + unit + "\n20.5 21\n"), std::pair(FilmQuantity::kelvin, 293.65f)) << unit;
-  EXPECT_EQ(first("# unit = K\n293.5 294\n"), std::pair(FilmQuantity::kelvin, 293.5f));
-  EXPECT_EQ(first("Frame 1 (of 2)\n293.5 294\n"), std::pair(FilmQuantity::unknown, 293.5f));
-  EXPECT_EQ(first("T [\xc2\xb0\x43]\n20 21\n", {.offset = 273.15}), std::pair(FilmQuantity::kelvin, 293.15f));
-  EXPECT_THROW(first("T [K]\n20 21\n\nT [degC]\n20 21\n"), InputError);
-}
-
-TEST(StatedFilm, FilesOfASeriesAreOfOneUnit) {
-  const test::TemporaryFolder folder;
-  std::ofstream(folder / "f1.txt") << "T [degC]\n20 21\n";
-  std::ofstream(folder / "f2.txt") << "T [degC]\n20 22\n";
-  std::ofstream(folder / "f3.txt") << "T [K]\n293 294\n";
-  std::ofstream(folder / "f4.txt") << "293 294\n";
-  FrameBlock block;
-  const auto film = open_film(folder.path());
-  film->read(0, 2, block);
-  EXPECT_EQ(block.value, (std::vector<float>{293.15f, 294.15f, 293.15f, 295.15f}));
-  film->read(2, 1, block);
-  EXPECT_EQ(block.value, (std::vector<float>{293, 294}));
-  EXPECT_THROW(film->read(3, 1, block), InputError);
-  const auto shifted = open_film(folder.path(), {.scale = 2, .offset = 1});
-  shifted->read(0, 2, block);
-  EXPECT_EQ(block.value, (std::vector<float>{41, 43, 41, 45}));
 }
 
 // HDF5
