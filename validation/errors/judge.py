@@ -32,7 +32,7 @@ studies = {
     "cemented": "cemented sample, pulled",
     "film": "film of a sample",
     "spheres": "spheres at rest",
-    "spheres-triaxial": "triaxial test of spheres",
+    "spheres-shear": "sheared spheres",
 }
 small = {
     "isotropic": ["packing.grains=250", 'container.width="130 mm"'],
