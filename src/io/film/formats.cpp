@@ -159,7 +159,7 @@ std::optional<double> zero_of_temperatures(std::string_view unit) {
 std::optional<double> zero_stated_in(std::string_view line) {
   for (const auto& [open, close] : {std::pair('[', ']'), std::pair('(', ')')}) {
     const std::size_t begin = line.find(open), end = line.find(close, begin);
-    if (end == line.npos) continue;
+    if (end == line.npos || line.find_first_of("0123456789", end) != line.npos) continue;
     if (const auto zero = zero_of_temperatures(line.substr(begin + 1, end - begin - 1))) return zero;
   }
   const std::size_t unit = lower_case(line).find("unit");

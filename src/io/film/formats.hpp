@@ -68,7 +68,8 @@ struct PlainLayout {
 /// nothing of what is no unit of temperature.
 std::optional<double> zero_of_temperatures(std::string_view unit);
 
-/// The same of a line beside frames that states what they are: "Temperature [°C]", "# unit = K".
+/// The same of a line beside frames that states what they are: "Temperature [°C]", "# unit = K"; "Ambient [°C]: 20" is
+/// of something else.
 std::optional<double> zero_stated_in(std::string_view line);
 
 /// InputError unless a film of this size can be meant: pixels and frames there, not too many pixels in a frame.

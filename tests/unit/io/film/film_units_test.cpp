@@ -50,6 +50,7 @@ TEST(FilmUnits, TextStatesTheUnitOfItsTemperatures) {
   for (const std::string unit : {"[\xc2\xb0\x43]", "[\xb0\x43]", "(degC)"})
     EXPECT_EQ(first("Temperature " + unit + "\n20.5 21\n"), std::pair(FilmQuantity::kelvin, 293.65f)) << unit;
   EXPECT_EQ(first("# unit = K\n293.5 294\n"), std::pair(FilmQuantity::kelvin, 293.5f));
+  EXPECT_EQ(first("Ambient [degC]: 20\n8000 8001\n"), std::pair(FilmQuantity::unknown, 8000.0f));
   EXPECT_EQ(first("Frame 1 (of 2)\n293.5 294\n"), std::pair(FilmQuantity::unknown, 293.5f));
   EXPECT_EQ(first("T [\xc2\xb0\x43]\n20 21\n", {.offset = 273.15}), std::pair(FilmQuantity::kelvin, 293.15f));
   EXPECT_THROW(first("T [K]\n20 21\n\nT [degC]\n20 21\n"), InputError);
