@@ -44,7 +44,7 @@ bool is_clear(const PixelLayout& layout, const std::int64_t* sample) {
 }
 
 std::int64_t shown(const PixelLayout& layout, std::int64_t index, std::size_t x, std::size_t row) {
-  if (index >= static_cast<std::int64_t>(layout.palette.size()))
+  if (index < 0 || index >= static_cast<std::int64_t>(layout.palette.size()))
     refuse(layout.file, "is damaged: pixel {}, {} is not in its palette; copy it again", x, row);
   const auto& entry = layout.palette[static_cast<std::size_t>(index)];
   return seen(layout, entry[0], entry[1], entry[2], x, row);
