@@ -2,7 +2,6 @@
 #include <array>
 #include <cctype>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -112,8 +111,8 @@ std::optional<RawCell> cell_in(const std::map<std::string, std::string_view>& pa
 
 /// The names of numbered materials, "1:POM 2:HDPE", as this program's own export states them; none of what is written
 /// in another way.
-std::map<std::string, std::string, std::less<>> material_names(std::string_view stated) {
-  std::map<std::string, std::string, std::less<>> names;
+MaterialNames material_names(std::string_view stated) {
+  MaterialNames names;
   for (const std::string_view word : split_blanks(stated)) {
     const auto parts = split_cells(word, ':');
     if (parts.size() != 2 || !to_integer(parts[0]) || parts[1].empty()) return {};
@@ -126,7 +125,7 @@ RawGrains read_xyz(const Reading& reading) {
   RawGrains grains;
   Problems& problems = reading.problems;
   Table table;
-  std::map<std::string, std::string, std::less<>> names;
+  MaterialNames names;
   std::size_t frame = 0;
   each_frame(reading.text, [&](std::int64_t count, std::string_view comment, Lines& lines) {
     if (frame++ < reading.snapshot) return false;

@@ -97,10 +97,13 @@ template <int D> struct Laid {
   }
 };
 
+/// Names of materials by what stands for them in the rows of a file.
+using MaterialNames = std::map<std::string, std::string, std::less<>>;
+
 struct RawGrains {
   std::vector<RawGrain> rows;
-  std::map<std::string, std::string, std::less<>> material_name;  ///< that the file gives a number, by the number
-  std::optional<RawCell> stated;                                  ///< by the file
+  MaterialNames material_name;    ///< that the file gives a number, by the number
+  std::optional<RawCell> stated;  ///< by the file
   std::optional<StatedUnits> units;
   bool in_space = false;  ///< which of the two holds (lay_out)
   Laid<2> plane;

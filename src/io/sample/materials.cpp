@@ -15,13 +15,16 @@
 namespace arenite::io {
 namespace {
 
-/// What a material is called: as the file names it, else by its label. One that is only a number becomes a word, so
-/// that "1-2" does not have to be read as a pair.
-std::string readable(const std::string& label, const RawGrains* raw = nullptr) {
-  if (raw != nullptr)
-    if (const auto named = raw->material_name.find(label); named != raw->material_name.end()) return named->second;
+/// What a label that is only a number is called, so that "1-2" does not have to be read as a pair.
+std::string readable(const std::string& label) {
   if (label.empty()) return "grain";
   return to_integer(label) ? "type" + label : label;
+}
+
+/// What the file of grains calls a material, or else its label.
+std::string name_of(const std::string& label, const RawGrains& raw) {
+  const auto named = raw.material_name.find(label);
+  return named == raw.material_name.end() ? readable(label) : named->second;
 }
 
 struct Property {
@@ -105,7 +108,7 @@ void assign_materials(const RawGrains& raw, const std::optional<std::filesystem:
   if (!closed) {  // numbered types in the order of their numbers, names in the order of their first grain
     for (std::int64_t type : numbers_of(raw, table.of_grain)) {
       table.labels.push_back(std::to_string(type));
-      materials.push_back({readable(table.labels.back(), &raw), 0, 0, 0});
+      materials.push_back({name_of(table.labels.back(), raw), 0, 0, 0});
     }
   }
   std::vector<std::size_t> unnamed;
@@ -123,7 +126,7 @@ void assign_materials(const RawGrains& raw, const std::optional<std::filesystem:
         continue;
       }
       table.labels.push_back(label);
-      materials.push_back({readable(label, &raw), 0, 0, 0});
+      materials.push_back({name_of(label, raw), 0, 0, 0});
       it = table.labels.end() - 1;
     }
     of_grain[g] = static_cast<std::int32_t>(it - table.labels.begin());

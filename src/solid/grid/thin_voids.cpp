@@ -86,7 +86,8 @@ class ThinVoids {
     for (std::size_t first = 0; first < kind_.size(); ++first)
       if (kind_[first] == Kind::thin) {
         const Part part = part_from(first);
-        found = std::max(found, opens_wide(part) ? depth_of(part) : part.extent);
+        const auto mouths = mouths_of(part);
+        found = std::max(found, mouths.empty() ? part.extent : depth_from(mouths));
       }
     return found;
   }
@@ -121,14 +122,16 @@ class ThinVoids {
     each_neighbour(i, [&](std::size_t next) { is = is || kind_[next] == Kind::wide; });
     return is;
   }
-  bool opens_wide(const Part& part) const {
-    return std::ranges::any_of(part.nodes, [&](std::size_t i) { return is_mouth(i); });
+  /// Where it opens into wider voids.
+  std::vector<std::size_t> mouths_of(const Part& part) const {
+    std::vector<std::size_t> mouths;
+    std::ranges::copy_if(part.nodes, std::back_inserter(mouths), [&](std::size_t i) { return is_mouth(i); });
+    return mouths;
   }
 
-  /// From its mouths to the node farthest from all of them. Leaves the part's nodes as others, which are done with.
-  int depth_of(const Part& part) {
-    std::vector<std::size_t> front, next;
-    std::ranges::copy_if(part.nodes, std::back_inserter(front), [&](std::size_t i) { return is_mouth(i); });
+  /// From the mouths of a part to the node farthest from all of them. Its nodes become others, which are done with.
+  int depth_from(std::vector<std::size_t> front) {
+    std::vector<std::size_t> next;
     for (const std::size_t i : front) kind_[i] = Kind::other;
     int depth = 0;
     for (; !front.empty(); ++depth, front.swap(next)) {

@@ -165,6 +165,14 @@ double closing_time(const dem::Stage& stage, const Pressures& pressures, bool wi
   return way / (x || y ? speed : std::sqrt(stage.gravity_size * way));
 }
 
+/// The settling time of a sample with these sides whose critical drag is known, s.
+double settling_of(const dem::Stage& stage, std::span<const dem::SideDrive> sides, double critical,
+                   double steady_drag) {
+  const double drag = steady_drag + stage.drag + stage.critical_drag * critical;
+  return settling_time(4 * std::numbers::pi / critical, drag, stage.equilibrium.unbalanced,
+                       std::ranges::all_of(sides, &dem::SideDrive::presses));
+}
+
 /// As the engine bounds it: Hertz contacts count as stiff as at an overlap of 2 %.
 double tangent(const dem::ContactParameters& contact, double stiffness) {
   return std::visit([&](const auto& law) { return law.tangent(0.02, stiffness, 1.0); }, contact.normal);
@@ -225,11 +233,9 @@ StagePrediction of_stage(const dem::Engine& engine, const dem::ContactParameters
   }
   p.states = dem::increment_count(stage);
   const double critical = critical_drag(engine) / bulk.larger;
-  const double drag = steady_drag + stage.drag + stage.critical_drag * critical;
   const auto increments = static_cast<double>(dem::increment_count(stage));
   const bool without_friction = stage.friction.value_or(contact.friction) < 0.05;
-  const bool all_round = std::ranges::all_of(std::span(stage.side).first<sides>(), &dem::SideDrive::presses);
-  const double settling = settling_time(4 * std::numbers::pi / critical, drag, stage.equilibrium.unbalanced, all_round);
+  const double settling = settling_of(stage, std::span(stage.side).first<sides>(), critical, steady_drag);
   const double closing = closing_time(stage, pressures, without_friction, bulk);
   p.duration = closing + increments * settling;
   p.steps = about_steps(p.duration, p.time_step);
@@ -262,9 +268,7 @@ std::int64_t steps_to_rest(const dem::EngineIn<3>& engine, double steady_drag, c
   const double speed = 2 * stage.inertial_number * std::sqrt(pressure * volume / mass);
   double closing = speed > 0 ? way / speed : 0;
   if (stage.gravity) closing += std::sqrt(2 * cell.extent(1) / stage.gravity_size);
-  const double critical = dem::critical_drag(engine), drag = steady_drag + stage.drag + stage.critical_drag * critical;
-  const bool all_round = std::ranges::all_of(stage.side, &dem::SideDrive::presses);
-  const double settling = settling_time(4 * std::numbers::pi / critical, drag, stage.equilibrium.unbalanced, all_round);
+  const double settling = settling_of(stage, stage.side, dem::critical_drag(engine), steady_drag);
   constexpr double late = 4;  // slips and grains that come to bear late; measured on packings of 120 to 900 spheres
   return about_steps(late * (closing + settling), engine.dt);
 }
