@@ -10,6 +10,7 @@
 #include "io/volume/volume.hpp"
 #include "print.hpp"
 #include "progress.hpp"
+#include "recipe/given.hpp"
 #include "report/page.hpp"
 #include "report/summary/summary.hpp"
 #include "solid/elements/load.hpp"
@@ -51,7 +52,7 @@ void tell_idle_options(const LoadArguments& a, const recipe::MapSection& map) {
       const std::string without = workflow::idle_without(each.key.substr(0, each.key.find('.')), map),
                         option = each.label.substr(0, each.label.find(':'));
       if (without.empty() || std::ranges::count(told, option) > 0) continue;
-      print(stderr, "{}: only has an effect with {}; it is left aside\n", option, without);
+      print(stderr, "{}\n", recipe::left_aside(option, without));
       told.push_back(option);
     }
 }

@@ -108,6 +108,7 @@ ARENITE_CASE("spheres_4000/gear", at_rest, p, bench::spheres_4000, gear, 1);
 ARENITE_CASE("spheres_4000/history", history, q, bench::spheres_4000);
 ARENITE_CASE("spheres_100000/verlet", at_rest, r, bench::spheres_100000, verlet, 1);
 ARENITE_CASE("spheres_100000/history", history, s, bench::spheres_100000);
+ARENITE_CASE("spheres_1000000/verlet", at_rest, t, bench::spheres_1000000, verlet, 1);
 
 /// Two meetings of two threads with nothing to do, as a step has them: what a step of two threads pays beside its own
 /// work.

@@ -190,4 +190,9 @@ const PackingIn<3>& spheres_100000() {
   return packing;
 }
 
+const PackingIn<3>& spheres_1000000() {
+  static const PackingIn<3> packing = tiled<3>(spheres_1000(), {10, 10, 10});
+  return packing;
+}
+
 }  // namespace arenite::bench

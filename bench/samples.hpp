@@ -20,9 +20,10 @@ const Packing& periodic_100000();
 const Packing& clumps_4000();
 const Packing& polygons_4000();
 
-/// 4000 and 100 000 spheres, radii 4 to 8 mm, in a periodic cell: 1000 compacted at mu = 0.02 to P d/k = 1e-3 and
-/// brought to rest with friction, two by two, and five by five by four times.
+/// 4000, 100 000 and 1 000 000 spheres, radii 4 to 8 mm, in a periodic cell: 1000 compacted at mu = 0.02 to P d/k =
+/// 1e-3 and brought to rest with friction, two by two, and five by five by four times.
 const PackingIn<3>& spheres_4000();
 const PackingIn<3>& spheres_100000();
+const PackingIn<3>& spheres_1000000();
 
 }  // namespace arenite::bench

@@ -70,7 +70,7 @@ py::dict layers_of(const StageResult& stage, const Snapshot& state) {
   d["y"] = taken_over(f.grid.lines_y());
   for (const fields::CoarseLayer& layer : fields::coarse_layers())
     if (!layer.is_of_motion || fields::are_in_motion(f))
-      d[py::str(layer.name)] = taken_over(layer.of(f), {f.grid.rows, f.grid.columns});
+      d[py::str(layer.name)] = taken_over(fields::values_of(layer, f), {f.grid.rows, f.grid.columns});
   return d;
 }
 

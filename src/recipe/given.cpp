@@ -38,6 +38,10 @@ void leave_key_out(Problem& problem, const std::vector<Given>& given) {
 
 }  // namespace
 
+std::string left_aside(std::string_view key, std::string_view condition) {
+  return fmt::format("{}: only has an effect with {}; it is left aside", key, condition);
+}
+
 const Record& record_at(const RecordTable& keys, std::string_view key) {
   const RecordTable* table = &keys;
   const Record* record = nullptr;

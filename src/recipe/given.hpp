@@ -27,6 +27,9 @@ template <class T> RecordTable every_key() {
 /// The declared key of that name; throws std::logic_error where there is none.
 const Record& record_at(const RecordTable& keys, std::string_view key);
 
+/// Says that a key has no effect without `condition`.
+std::string left_aside(std::string_view key, std::string_view condition);
+
 /// What help says of a key: its sentence, default and allowed values.
 std::string help_of(const Record& record);
 

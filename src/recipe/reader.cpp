@@ -11,6 +11,7 @@
 #include "core/problems.hpp"
 #include "core/text.hpp"
 #include "recipe/document.hpp"
+#include "recipe/given.hpp"
 #include "recipe/quantities.hpp"
 #include "recipe/record.hpp"
 #include "recipe/values.hpp"
@@ -130,8 +131,7 @@ class Reader : public KeyVisitor {
       const auto conditional = conditional_.find(entry.key);
       const std::string near = nearest(entry.key, names);
       if (conditional != conditional_.end() && reading_.leaves_idle_keys) {
-        reading_.notices.push_back(fmt::format("{}: only has an effect with {}; it is left aside",
-                                               file_of(entry.place, reading_), conditional->second));
+        reading_.notices.push_back(left_aside(file_of(entry.place, reading_), conditional->second));
         continue;
       }
       reading_.add(entry.place, path_of(entry.key),

@@ -33,21 +33,15 @@ Numbers shapes_of(Grains grains, NumberBlock& block) {
           {"y", block.add_reals(mapped(rim, &Vec2::y), "m")}};
 }
 
-/// What the page knows of every grain in a state: place and angle, pressure p = -sigma_hyd and deviator q of its stress
-/// (half the sum and half the difference of the principal ones), the mean ratio of its forces, velocity and spin. Of a
-/// state at rest the last two are left out.
+/// What the page knows of every grain in a state: place and angle, pressure and deviator of its stress, the mean ratio
+/// of its forces, velocity and spin. Of a state at rest the last two are left out.
 void add_grain_values(Numbers& out, const Packing& packing, const std::vector<Tensor2>& stresses, NumberBlock& block) {
-  std::vector<double> pressure, deviator;
-  for (const Tensor2& stress : stresses) {
-    pressure.push_back(-0.5 * trace(stress));
-    deviator.push_back(texture::deviator(stress));
-  }
   if (std::ranges::any_of(packing.contacts.ft, [](double force) { return force != 0; }))
     out["friction"] = block.add_coarse(texture::mobilisations(packing));
   const Grains& grains = packing.grains;
   add_columns(out, grains, io::grain_state_columns, {"x", "y", "angle"}, block);
-  out["pressure"] = block.add_reals(pressure, "Pa");
-  out["deviator"] = block.add_coarse(deviator, "Pa");
+  out["pressure"] = block.add_reals(mapped(stresses, texture::pressure), "Pa");
+  out["deviator"] = block.add_coarse(mapped(stresses, texture::deviator), "Pa");
   const auto add_motion = [&](std::initializer_list<std::string_view> names) {
     add_columns(out, grains, io::grain_state_columns, names, block, &NumberBlock::add_coarse);
   };
@@ -209,7 +203,7 @@ Numbers coarse_fields_of(const Packing& packing, double shear_rate, NumberBlock&
               {"width", b.width() / f.grid.columns}};
   for (const fields::CoarseLayer& layer : fields::coarse_layers())
     if (layer.formula.empty() && (!layer.is_of_motion || fields::are_in_motion(f)))
-      out[layer.name] = block.add_coarse(layer.of(f), std::string(layer.unit));
+      out[layer.name] = block.add_coarse(fields::values_of(layer, f), std::string(layer.unit));
   return out;
 }
 

@@ -14,6 +14,7 @@
 #include "grains/fields/coarse_grained.hpp"
 #include "grains/fields/laboratory/curves_in_space.hpp"
 #include "grains/fields/state_curves.hpp"
+#include "grains/texture/stress.hpp"
 #include "io/disk/store_file.hpp"
 #include "io/export/export_folder.hpp"
 #include "io/results/results.hpp"
@@ -55,11 +56,11 @@ io::GridFields grid_fields(const Packing& packing, double shear_rate) {
   g.scalars = {
       {"solid_fraction", "1", f.solid_fraction}, {"density", "kg/m^3", f.density}, {"kinetic_pressure", "Pa", {}}};
   for (std::size_t k = 0; k < f.grid.size(); ++k) {
-    const Tensor2 c = f.contact_stress[k], t = f.kinetic_stress[k];
+    const Tensor2 stress = f.stress(k);
     g.velocity.push_back(f.velocity[k]);
-    g.stress_xx.push_back(c.xx + t.xx), g.stress_yy.push_back(c.yy + t.yy),
-        g.stress_xy.push_back(0.5 * (c.xy + c.yx + t.xy + t.yx));
-    g.scalars.back().values.push_back(-0.5 * trace(t));
+    g.stress_xx.push_back(stress.xx), g.stress_yy.push_back(stress.yy),
+        g.stress_xy.push_back(0.5 * (stress.xy + stress.yx));
+    g.scalars.back().values.push_back(texture::pressure(f.kinetic_stress[k]));
   }
   return g;
 }

@@ -17,6 +17,7 @@
 #include "io/image/pixel_size.hpp"
 #include "io/results/results.hpp"
 #include "io/volume/spheres.hpp"
+#include "recipe/given.hpp"
 #include "solid/grid/map_numbers.hpp"
 #include "thermal/imaging/label_grains.hpp"
 #include "workflow/load_voxels.hpp"
@@ -97,7 +98,7 @@ std::vector<std::string> idle_keys(const recipe::MapSection& map) {
   std::vector<std::string> sentences;
   for (const KeyOfSources& each : keys_of_sources)
     if (each.is_given(map) && (each.sources & source_of(map)) == 0)
-      sentences.push_back(fmt::format("{}: only has an effect with {}; it is left aside", each.key, each.words));
+      sentences.push_back(recipe::left_aside(each.key, each.words));
   return sentences;
 }
 

@@ -20,11 +20,6 @@ from .style import (
 )
 
 
-def symbol_of(component):
-    """Its symbol, for matplotlib."""
-    return label(_core._field_quantities()[component][0])
-
-
 def _picture(axes, map, values, **options):
     width, height = map.width * map.dx, map.height * map.dx
     shown = axes.imshow(

@@ -17,13 +17,14 @@ template <int D> double lowest_force(const SampleIn<D>& s) {
 
 template <int D> PairTask<D> pair_task(SampleIn<D>& s) {
   ContactListIn<D>& list = s.list;
-  return {s.record.data(),      list.i.data(),
-          list.j.data(),        list.stiffness.data(),
-          list.damping.data(),  list.viscosity.data(),
-          list.strength.data(), list.shear.data(),
-          list.memory.data(),   list.normal_memory.data()[0],
-          list.force.data(),    s.friction,
-          lowest_force(s),      s.contact.arms == Arms::contact_point ? 0.5 : 0.0};
+  return {s.record.data(),       list.i.data(),
+          list.j.data(),         list.stiffness.data(),
+          list.damping.data(),   list.viscosity.data(),
+          list.strength.data(),  list.shear.data(),
+          list.memory.data(),    list.normal_memory.data()[0],
+          list.force.data(),     s.friction,
+          lowest_force(s),       s.contact.arms == Arms::contact_point ? 0.5 : 0.0,
+          list.outgrows_caches()};
 }
 
 /// Wall slots begin .. end-1, counted from the first.

@@ -31,11 +31,11 @@ namespace dem {
 namespace {
 
 /// "a-dem-", in space "b-dem-", and the version of a state; changes with what `Members` and the parts list.
-constexpr std::uint64_t version = 0x3530;
+template <int D> constexpr std::uint64_t version = D == 2 ? 0x3530 : 0x3630;
 template <int D> constexpr std::uint64_t family = 0x2d6d65642d61 + (D - 2);
-template <int D> constexpr std::uint64_t mark = family<D> | version << 48;
+template <int D> constexpr std::uint64_t mark = family<D> | version<D> << 48;
 /// Of a state that has its grains and what came and went: "x" and the version's last digit.
-template <int D> constexpr std::uint64_t mark_with_grains = family<D> | ((version & 0xff00) | 0x78) << 48;
+template <int D> constexpr std::uint64_t mark_with_grains = family<D> | ((version<D> & 0xff00) | 0x78) << 48;
 
 /// Takes members to an archive or from it, one after another, so that one list of them serves both ways.
 template <class Archive> class Members {
@@ -73,17 +73,8 @@ template <class Archive> class Members {
 
   template <int D> void take(GrainRecord<D>& r) {
     (*this)(r.place, r.velocity, r.omega, r.radius, r.mass, r.material, r.grain);
-    skip<sizeof r - offsetof(GrainRecord<D>, grain) - sizeof r.grain>();
   }
-  template <int D> void take(SlotForce<D>& f) {
-    (*this)(f.on_i, f.torque_i, f.torque_j);
-    skip<sizeof f - offsetof(SlotForce<D>, torque_j) - sizeof f.torque_j>();
-  }
-  /// Records of space end in a gap, which is stored as zeros: what stands in it is nobody's.
-  template <std::size_t gap> void skip() {
-    std::array<std::uint8_t, gap> zeros{};
-    take(zeros);
-  }
+  template <int D> void take(SlotForce<D>& f) { (*this)(f.on_i, f.torque_i, f.torque_j); }
   template <class Record> void take_count(std::vector<Record>& records) {
     auto count = static_cast<std::uint64_t>(records.size());
     take(count);

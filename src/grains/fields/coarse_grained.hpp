@@ -84,6 +84,11 @@ struct CoarseFields {
       kinetic_stress;  ///< of fluctuations about the mean flow, Pa, tension positive, so not positive on its diagonal
   std::vector<Tensor2> gradient_stress;  ///< of the mean flow's own differences within the width, Pa
   std::vector<Vec2> wall_force;          ///< of walls and boundaries on the grains, over volume, N/m^3
+  /// Contact and kinetic stress at a point, Pa.
+  Tensor2 stress(std::size_t point) const {
+    Tensor2 whole = contact_stress[point];
+    return whole += kinetic_stress[point];
+  }
 };
 
 /// Coarse-grained fields of a state (I. Goldhirsch, Granular Matter 12, 239, 2010), with phi the kernel and L the

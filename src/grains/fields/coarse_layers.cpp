@@ -3,37 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/formula.hpp"
 #include "core/mapped.hpp"
+#include "grains/texture/stress.hpp"
 
 namespace arenite::fields {
 namespace {
 
 using Values = std::vector<double>;
 
-/// `of(whole stress)` at every point.
+/// `of(stress)` at every point.
 template <class Of> Values of_stress(const CoarseFields& f, Of of) {
   Values values;
-  for (std::size_t k = 0; k < f.grid.size(); ++k) {
-    const Tensor2 c = f.contact_stress[k], t = f.kinetic_stress[k];
-    values.push_back(of(Tensor2{c.xx + t.xx, c.xy + t.xy, c.yx + t.yx, c.yy + t.yy}));
-  }
+  for (std::size_t k = 0; k < f.grid.size(); ++k) values.push_back(of(f.stress(k)));
   return values;
 }
 
-double magnitude(Vec2 v) { return norm(v); }
-
-Values pressures(const CoarseFields& f) {
-  return of_stress(f, [](const Tensor2& s) { return -0.5 * trace(s); });
-}
-Values deviators(const CoarseFields& f) {
-  return of_stress(f, [](const Tensor2& s) { return 0.5 * std::hypot(s.xx - s.yy, s.xy + s.yx); });
-}
+Values pressures(const CoarseFields& f) { return of_stress(f, texture::pressure); }
+Values deviators(const CoarseFields& f) { return of_stress(f, texture::deviator); }
 Values shears(const CoarseFields& f) {
   return of_stress(f, [](const Tensor2& s) { return 0.5 * (s.xy + s.yx); });
 }
-Values kinetic_pressures(const CoarseFields& f) {
-  return mapped(f.kinetic_stress, [](const Tensor2& t) { return -0.5 * trace(t); });
-}
+Values kinetic_pressures(const CoarseFields& f) { return mapped(f.kinetic_stress, texture::pressure); }
 
 }  // namespace
 
@@ -41,8 +32,7 @@ const std::vector<CoarseLayer>& coarse_layers() {
   static const std::vector<CoarseLayer> list{
       {"solid_fraction", "Solid fraction", "\u03c6", "", false, [](const CoarseFields& f) { return f.solid_fraction; }},
       {"density", "Density", "\u03c1", "kg/m^3", false, [](const CoarseFields& f) { return f.density; }},
-      {"speed", "Velocity", "|v|", "m/s", true, [](const CoarseFields& f) { return mapped(f.velocity, magnitude); },
-       "vx vy hypot"},
+      {"speed", "Velocity", "|v|", "m/s", true, nullptr, "vx vy hypot"},
       {"vx", "Velocity along x", "v_{x}", "m/s", true,
        [](const CoarseFields& f) { return mapped(f.velocity, &Vec2::x); }},
       {"vy", "Velocity along y", "v_{y}", "m/s", true,
@@ -52,6 +42,13 @@ const std::vector<CoarseLayer>& coarse_layers() {
       {"shear", "Shear stress", "\u03c3_{xy}", "Pa", false, shears},
       {"kinetic", "Kinetic pressure", "p_{kin}", "Pa", true, kinetic_pressures}};
   return list;
+}
+
+std::vector<double> values_of(const CoarseLayer& layer, const CoarseFields& fields) {
+  if (layer.formula.empty()) return layer.of(fields);
+  return evaluated(layer.formula, fields.grid.size(), [&](std::string_view name) {
+    return std::ranges::find(coarse_layers(), name, &CoarseLayer::name)->of(fields);
+  });
 }
 
 CoarseFields fields_to_show(const Packing& packing, double shear_rate) {

@@ -13,11 +13,14 @@ struct CoarseLayer {
   std::string_view name, label, symbol, unit;
   bool is_of_motion = false;  ///< nothing where grains are at rest
   std::vector<double> (*of)(const CoarseFields& fields) = nullptr;
-  std::string_view formula = {};  ///< of other layers (core/formula.hpp), by which the page forms it
+  std::string_view formula = {};  ///< instead, of other layers (core/formula.hpp)
 };
 
 /// All, in the order of the page. A new one is one more row.
 const std::vector<CoarseLayer>& coarse_layers();
+
+/// A layer at every point of the grid.
+std::vector<double> values_of(const CoarseLayer& layer, const CoarseFields& fields);
 
 /// Fields of a state as pictures show them: of a kernel as wide as the mean grain, or as a cell where there are many
 /// grains. `shear_rate`, 1/s: of a cell that is sheared.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/formula.hpp"
 #include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
@@ -34,9 +35,7 @@ template <int D> Values contact_numbers(const PackingIn<D>& packing) {
   return numbers;
 }
 
-Values pressures(const Packing& packing) {
-  return mapped(grain_stresses(packing), [](const Tensor2& s) { return -0.5 * trace(s); });
-}
+Values pressures(const Packing& packing) { return mapped(grain_stresses(packing), pressure); }
 
 Values pressures(const PackingIn<3>& packing) {
   return mapped(spheres::hydrostatic_stresses(packing), [](double stress) { return -stress; });
@@ -60,8 +59,8 @@ double spin_of(Vec3 omega) { return norm(omega); }
 template <int D> Values diameters(const PackingIn<D>& p) {
   return mapped(p.grains.radius, [](double r) { return 2 * r; });
 }
-template <int D> Values speeds(const PackingIn<D>& p) {
-  return mapped(p.grains.velocity, [](Vec<D> v) { return norm(v); });
+Values speeds(const PackingIn<3>& p) {
+  return mapped(p.grains.velocity, [](Vec3 v) { return norm(v); });
 }
 template <int D> Values spins(const PackingIn<D>& p) {
   return mapped(p.grains.omega, [](Turning<D> omega) { return spin_of(omega); });
@@ -72,8 +71,6 @@ template <int D, int axis> Values places(const PackingIn<D>& p) {
 template <int D, int axis> Values velocities(const PackingIn<D>& p) {
   return mapped(p.grains.velocity, [](Vec<D> velocity) { return velocity[axis]; });
 }
-
-constexpr const char* speed = "vx vy hypot";
 
 template <int D> Values mean_ratios(const PackingIn<D>& packing, std::optional<double> friction) {
   Values sum(packing.grains.size(), 0.0), count(packing.grains.size(), 0.0);
@@ -142,7 +139,7 @@ const std::vector<GrainQuantity>& grain_quantities() {
        .unit = "m",
        .is_magnitude = true},
       {"rotation", "Rotation since the first state", "\u03b8", "rad"},
-      {"speed", "Velocity", "|v|", "m/s", speeds<2>, speed, speeds<3>, true},
+      {"speed", "Velocity", "|v|", "m/s", nullptr, "vx vy hypot", speeds, true},
       {"vx", "Velocity along x", "v_{x}", "m/s", velocities<2, 0>, {}, velocities<3, 0>},
       {"vy", "Velocity along y", "v_{y}", "m/s", velocities<2, 1>, {}, velocities<3, 1>},
       {"vz", "Velocity along z", "v_{z}", "m/s", nullptr, {}, velocities<3, 2>},
@@ -160,6 +157,9 @@ const GrainQuantity& grain_quantity(std::string_view name) {
 
 Values values_of(const Packing& packing, std::string_view name) {
   const GrainQuantity& quantity = grain_quantity(name);
+  if (!quantity.formula.empty())
+    return evaluated(quantity.formula, packing.grains.size(),
+                     [&](std::string_view part) { return values_of(packing, part); });
   if (!quantity.of && quantity.of_spheres) throw refusal("a state of disks has no {}", name);
   if (!quantity.of) throw refusal("the {} of grains takes more than one state", name);
   return quantity.of(packing);

@@ -14,7 +14,7 @@ namespace arenite::texture {
 struct GrainQuantity {
   std::string_view name, label, symbol, unit;
   std::vector<double> (*of)(const Packing& packing) = nullptr;
-  /// Of numbers that the page has of every grain (core/formula.hpp); empty: it has the number itself.
+  /// Instead of `of`, of other numbers here (core/formula.hpp).
   std::string_view formula = {};
   std::vector<double> (*of_spheres)(const PackingIn<3>& packing) = nullptr;
   bool is_magnitude = false;  ///< never below 0, so that no scale is centred

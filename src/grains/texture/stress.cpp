@@ -133,8 +133,7 @@ void put_whole_stress(Numbers& to, Numbers& details, const View& view) {
   if (walled)
     put(details, "from_walls_and_weight", 1 / volume * wall_moment(view.packing, view.options.gravity), "Pa",
         "Stress from the forces on walls and from weight; the same in equilibrium", Trait::detail);
-  put(details, "pressure_Pa", -0.5 * trace(s), "Pa",
-      "Pressure p, mean of the principal stresses, compression positive");
+  put(details, "pressure_Pa", pressure(s), "Pa", "Pressure p, mean of the principal stresses, compression positive");
   put(details, "deviator_Pa", deviator(s), "Pa", "Deviator q, half the difference of the principal stresses");
   put_angle(details, "axis_of_compression_deg", axis < 0 ? axis + 180 : axis, half_turn,
             "Direction of greatest compression, from x");
@@ -165,6 +164,8 @@ std::vector<Tensor2> grain_moments(const Packing& packing) {
   });
   return moments;
 }
+
+double pressure(const Tensor2& s) { return -0.5 * trace(s); }
 
 double deviator(const Tensor2& s) { return 0.5 * std::hypot(s.xx - s.yy, s.xy + s.yx); }
 

@@ -12,6 +12,8 @@ namespace arenite::texture {
 std::vector<Tensor2> grain_moments(const Packing& packing);
 /// Mean stress of every grain over its own volume, Pa, tension positive (T eq. 1.11).
 std::vector<Tensor2> grain_stresses(const Packing& packing);
+/// p of a stress, half its trace, positive in compression.
+double pressure(const Tensor2& stress);
 /// Half the difference of the principal values, of the symmetric part.
 double deviator(const Tensor2& stress);
 

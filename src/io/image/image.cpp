@@ -7,18 +7,11 @@
 #include <string_view>
 #include <utility>
 
-#include "core/mapped.hpp"
 #include "core/problems.hpp"
 #include "core/text.hpp"
 
 namespace arenite::io {
 namespace {
-
-constexpr std::pair<const char*, Channel> channels[] = {{"red", Channel::red},
-                                                        {"green", Channel::green},
-                                                        {"blue", Channel::blue},
-                                                        {"mean", Channel::mean},
-                                                        {"grey", Channel::grey}};
 
 /// The value of a pixel of these colours.
 std::int64_t seen(const PixelLayout& layout, std::int64_t red, std::int64_t green, std::int64_t blue, std::size_t x,
@@ -51,18 +44,6 @@ std::int64_t shown(const PixelLayout& layout, std::int64_t index, std::size_t x,
 }
 
 }  // namespace
-
-std::vector<std::string> channel_names() {
-  return mapped<std::string>(channels, [](const auto& channel) { return channel.first; });
-}
-
-Channel parse_channel(const std::string& name) {
-  for (const auto& [known, channel] : channels)
-    if (name == known) return channel;
-  const std::string near = nearest(name, channel_names());
-  throw InputError("there is no channel \"" + name + "\"" +
-                   (near.empty() ? "; choose red, green, blue, mean or grey" : "; did you mean \"" + near + "\"?"));
-}
 
 std::string picture_formats(bool exact) {
   return list_of(words_of(pictures::all, &PictureFormat::sentence,

@@ -23,10 +23,6 @@ enum class Channel : std::uint8_t {
   grey
 };  ///< grey: 0.299 red + 0.587 green + 0.114 blue
 
-/// Names of the channels that can be chosen, "red" to "grey"; and the channel of a name (InputError for any other).
-std::vector<std::string> channel_names();
-Channel parse_channel(const std::string& name);
-
 /// Which picture of a file is meant, and how large it may be.
 struct ImageChoice {
   std::optional<std::int64_t> slice = {};  ///< of a stack, from 0; a file with one slice needs none

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "solid/statics/pieces.hpp"
+
 namespace arenite::statics {
 namespace {
 
@@ -30,14 +32,16 @@ void add_aggregates(const Grid& grid, const Buffer<std::int32_t>& owner, const C
 
 namespace {
 
-/// `sides` leads to the neighbours of a node.
+/// `sides` leads to the neighbours of a node; `piece` has the owner of every particle's node, one
+/// of so many.
 template <class Map>
-std::vector<std::int32_t> flooded(const Map& map, const Grid& grid, const std::vector<std::ptrdiff_t>& sides) {
+std::vector<std::int32_t> flooded(const Map& map, const Grid& grid, const std::vector<std::ptrdiff_t>& sides,
+                                  const std::vector<std::int32_t>& piece, std::int32_t pieces) {
   constexpr std::int32_t unowned = -2;
   Buffer<std::int32_t> owner(grid.padded_size(), -1);
   std::size_t k = 0;
   grid.each([&](std::ptrdiff_t i, int) {
-    owner[i] = map.phase[k] == Phase::particle ? map.grain[k] : map.phase[k] == Phase::matrix ? unowned : -1;
+    owner[i] = map.phase[k] == Phase::particle ? piece[k] : map.phase[k] == Phase::matrix ? unowned : -1;
     ++k;
   });
   std::vector<std::ptrdiff_t> front;
@@ -53,7 +57,7 @@ std::vector<std::int32_t> flooded(const Map& map, const Grid& grid, const std::v
     if (*phase++ == Phase::particle) flood_from(i);
   });
   for (std::size_t n = 0; n < front.size(); ++n) flood_from(front[n]);
-  std::replace(owner.begin(), owner.end(), unowned, static_cast<std::int32_t>(map.grain_class.size()));
+  std::replace(owner.begin(), owner.end(), unowned, pieces);
   std::vector<std::int32_t> compact;
   compact.reserve(map.size());
   grid.each([&](std::ptrdiff_t i, int) { compact.push_back(owner[i]); });
@@ -64,12 +68,21 @@ std::vector<std::int32_t> flooded(const Map& map, const Grid& grid, const std::v
 
 std::vector<std::int32_t> owners_in(const PhaseMap& map) {
   const Grid grid(map.width, map.height);
-  return flooded(map, grid, {1, -1, grid.stride, -grid.stride});
+  return flooded(map, grid, {1, -1, grid.stride, -grid.stride}, map.grain,
+                 static_cast<std::int32_t>(map.grain_class.size()));
 }
 
 std::vector<std::int32_t> owners_in(const VoxelMap& map) {
   const Grid grid(map.width, map.height, map.depth);
-  return flooded(map, grid, {1, -1, grid.stride, -grid.stride, grid.layer, -grid.layer});
+  const std::array<int, 3> count{map.width, map.height, map.depth};
+  std::vector<std::int32_t> piece = map.grain;
+  for (std::size_t k = 0; k < piece.size(); ++k)
+    if (map.phase[k] != Phase::particle) piece[k] = -1;
+  const std::int32_t pieces = cut_at_necks(piece, count, 0, static_cast<std::int32_t>(map.grain_class.size()));
+  std::vector<std::int32_t> owner =
+      flooded(map, grid, {1, -1, grid.stride, -grid.stride, grid.layer, -grid.layer}, piece, pieces);
+  cut_at_necks(owner, count, pieces, pieces + 1);
+  return owner;
 }
 
 Aggregates cut_by_owner(const Grid& grid, const Buffer<std::int32_t>& owner,

@@ -37,7 +37,8 @@ struct Cell {
 };
 
 /// Owner of every node or pixel of a map, in its order, -1 for void: its grain; for matrix the grain that a flood
-/// through the matrix reaches it from first; for matrix that touches no grain, one number beyond the grains.
+/// through the matrix reaches it from first; for matrix that touches no grain, one number beyond the grains. In space
+/// pieces of grains and of such matrix stand for them (pieces.hpp).
 std::vector<std::int32_t> owners_in(const PhaseMap& map);
 std::vector<std::int32_t> owners_in(const VoxelMap& map);
 

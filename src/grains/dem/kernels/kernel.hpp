@@ -8,8 +8,9 @@
 
 namespace arenite::dem {
 
-/// What the loops read of a disk or sphere; a disk's is one cache line. Velocities are those that the forces see.
-template <int D> struct alignas(64) GrainRecord {
+/// What the loops read of a disk or sphere; a disk's is one cache line, a sphere's one and a half. Velocities are those
+/// that the forces see.
+template <int D> struct alignas(D == 2 ? 64 : 32) GrainRecord {
   Vec<D> place{}, velocity{};
   Turning<D> omega{};
   double radius = 0, mass = 0;
@@ -17,7 +18,7 @@ template <int D> struct alignas(64) GrainRecord {
   std::int32_t grain = 0;  ///< the caller's index
 };
 using DiskRecord = GrainRecord<2>;
-static_assert(sizeof(DiskRecord) == 64);
+static_assert(sizeof(DiskRecord) == 64 && sizeof(GrainRecord<3>) == 96);
 /// What of a turning about a contact of this normal slides: grains that turn about the normal itself twist, which
 /// spheres of space alone can do.
 template <class V> inline V without_twist(V turning, const Vec<2, V>& /*normal*/) { return turning; }
@@ -47,8 +48,9 @@ template <int D> inline double inertia(const GrainRecord<D>& d) {
   return inertia_share<D> * d.mass * d.radius * d.radius;
 }
 
-/// Force of a contact on i, N, and its torques on i and j, N m; all 0 where apart.
-template <int D> struct alignas(32) SlotForce {
+/// Force of a contact on i, N, and its torques on i and j, N m; all 0 where apart. Of spheres without a gap: what many
+/// of them take is the time to write and read it.
+template <int D> struct alignas(D == 2 ? 32 : 8) SlotForce {
   Vec<D> on_i;
   Turning<D> torque_i{}, torque_j{};
 };
@@ -70,6 +72,7 @@ template <int D> struct Load {
 template <int D> struct SlotForces {
   const SlotForce<D>* force;
   const std::int32_t *group, *first;
+  bool fetches = false;  ///< forces ahead of their turn
 };
 
 /// On disk or sphere k by its contacts, its slots in a fixed order.
@@ -100,6 +103,7 @@ template <int D> struct PairTask {
   double friction;   ///< mu
   double floor;      ///< lowest F_n of contacts that are not glued, N
   double arm_share;  ///< of the overlap that each arm lacks: 1/2 (contact point) or 0 (full radius)
+  bool fetches;      ///< records ahead of their turn
 };
 
 /// What is known of a bond that holds, or where the arrays of these numbers are, which the loop over the bonds reads.

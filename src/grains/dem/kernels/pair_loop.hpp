@@ -102,6 +102,15 @@ ARENITE_INLINE void pair_batch(const PairTask<D>& t, const ContactLaws& shared, 
   }
 }
 
+/// The records of the second grains of W slots from p on.
+template <int W, int D> ARENITE_INLINE void fetch(const PairTask<D>& t, std::size_t p) {
+  for (int k = 0; k < W; ++k) {
+    const auto* const record = reinterpret_cast<const char*>(&t.record[t.j[p + k]]);
+    __builtin_prefetch(record);
+    if (sizeof(GrainRecord<D>) > 64) __builtin_prefetch(record + 64);
+  }
+}
+
 /// `flatten` compiles the laws into the loop: as calls they would double its time.
 template <int W, int D, class N, class A, class F>
 __attribute__((flatten)) void pair_loop(const PairTask<D>& given, const ContactLaws& laws, std::size_t begin,
@@ -112,7 +121,10 @@ __attribute__((flatten)) void pair_loop(const PairTask<D>& given, const ContactL
   const A adhesion = *std::get_if<A>(&shared.adhesion);
   const F friction = *std::get_if<F>(&shared.friction);
   std::size_t p = begin;
-  for (; p + W <= end; p += W) pair_batch<W>(task, shared, normal, adhesion, friction, p);
+  for (; p + W <= end; p += W) {
+    if (task.fetches && p + 5 * W <= end) fetch<W>(task, p + 4 * W);
+    pair_batch<W>(task, shared, normal, adhesion, friction, p);
+  }
   for (; p < end; ++p) pair_batch<1>(task, shared, normal, adhesion, friction, p);
 }
 

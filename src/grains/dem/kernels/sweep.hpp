@@ -128,6 +128,11 @@ template <IntegratorKind scheme, int W, int D> struct Step {
   }
 };
 
+/// The forces of W disks or spheres from k on.
+template <int W, int D> ARENITE_INLINE void fetch(const SlotForces<D>& slots, std::size_t k) {
+  for (auto g = slots.first[2 * k]; g < slots.first[2 * (k + W)]; ++g) __builtin_prefetch(&slots.force[slots.group[g]]);
+}
+
 /// W disks or spheres at a time, the last ones singly.
 template <int W, int D, IntegratorKind scheme>
 __attribute__((flatten)) bool sweep(const SweepTask<D>& task, std::size_t begin, std::size_t end) {
@@ -135,7 +140,10 @@ __attribute__((flatten)) bool sweep(const SweepTask<D>& task, std::size_t begin,
   auto near = Pack<W>(0.0) <= Pack<W>(0.0);
   bool last_near = true;
   std::size_t k = begin;
-  for (; k + W <= end; k += W) near &= Step<scheme, W, D>::run(t, k);
+  for (; k + W <= end; k += W) {
+    if (t.slots.fetches && k + 2 * W <= end) fetch<W>(t.slots, k + W);
+    near &= Step<scheme, W, D>::run(t, k);
+  }
   for (; k < end; ++k) last_near &= Step<scheme, 1, D>::run(t, k)[0] != 0;
   for (int n = 0; n < W; ++n) last_near &= near[n] != 0;
   return last_near;

@@ -89,14 +89,6 @@ TEST(PngImage, TakesTheChannelThatIsChosenOfAColour) {
   EXPECT_EQ(value(io::Channel::blue, grey_png(1, 1, "a")), (Values{'a'}));
 }
 
-TEST(Channel, HasANameOrIsRefused) {
-  for (const std::string& name : io::channel_names()) EXPECT_NE(io::parse_channel(name), io::Channel::none);
-  EXPECT_EQ(io::parse_channel("blue"), io::Channel::blue);
-  EXPECT_EQ(complaint([] { io::parse_channel("gren"); }), "there is no channel \"gren\"; did you mean \"green\"?");
-  EXPECT_EQ(complaint([] { io::parse_channel("infrared"); }),
-            "there is no channel \"infrared\"; choose red, green, blue, mean or grey");
-}
-
 TEST(PngImage, RefusesAFileCutShortAtAnyByte) {
   const std::string whole = grey_png(5, 4, std::string(20, '\x55'));
   for (std::size_t n = 8; n < whole.size(); ++n) {
