@@ -21,7 +21,7 @@ const Packing& clumps_4000();
 const Packing& polygons_4000();
 
 /// 4000, 100 000 and 1 000 000 spheres, radii 4 to 8 mm, in a periodic cell: 1000 compacted at mu = 0.02 to P d/k =
-/// 1e-3 and brought to rest with friction, two by two, and five by five by four times.
+/// 1e-3 and brought to rest with friction, two by two, five by five by four, and ten times along each axis.
 const PackingIn<3>& spheres_4000();
 const PackingIn<3>& spheres_100000();
 const PackingIn<3>& spheres_1000000();

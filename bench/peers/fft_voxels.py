@@ -123,7 +123,7 @@ def draw(file, image, solid, curves):
         sides[1].loglog(seconds * (steps + 1) / len(residuals), residuals, color=colour)
     sides[0].set(xlabel="iterations", ylabel="force out of balance\nover that of uniform strain")
     sides[1].set(xlabel="CPU seconds, set-up included")
-    sides[0].legend(frameon=False, fontsize=7, handlelength=1.2, loc="lower left")
+    sides[0].legend(frameon=False, fontsize=7, handlelength=1.2, loc="center right")
     figure.suptitle(f"{image}, {solid.shape[0]}$^3$ voxels, {100 * (1 - solid.mean()):.0f} % pores", fontsize=9)
     figure.savefig(file, dpi=150)
 

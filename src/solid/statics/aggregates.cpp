@@ -32,8 +32,8 @@ void add_aggregates(const Grid& grid, const Buffer<std::int32_t>& owner, const C
 
 namespace {
 
-/// `sides` leads to the neighbours of a node; `piece` has the owner of every particle's node, one
-/// of so many.
+/// `sides` leads to the neighbours of a node; `piece` has the owner of every particle's node, one of so
+/// many.
 template <class Map>
 std::vector<std::int32_t> flooded(const Map& map, const Grid& grid, const std::vector<std::ptrdiff_t>& sides,
                                   const std::vector<std::int32_t>& piece, std::int32_t pieces) {

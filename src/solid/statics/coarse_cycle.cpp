@@ -7,6 +7,7 @@
 
 #include "core/definite.hpp"
 #include "core/joined_sets.hpp"
+#include "solid/statics/grid.hpp"
 
 namespace arenite::statics {
 namespace {
@@ -15,17 +16,9 @@ constexpr int box_side = 3;  ///< cells a side of the boxes of owners that reach
 constexpr int degree = 6;    ///< of the smoother
 
 /// The boxes that an owner is cut into, alike along each axis.
-struct Boxes {
-  std::array<std::int32_t, 3> first{}, last{}, count{1, 1, 1};
-  bool met = false;
+struct Boxes : Extent {
+  std::array<std::int32_t, 3> count{1, 1, 1};
 
-  void meet(const std::array<std::int32_t, 3>& at) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      first[k] = met ? std::min(first[k], at[k]) : at[k];
-      last[k] = met ? std::max(last[k], at[k]) : at[k];
-    }
-    met = true;
-  }
   void cut() {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t extent = last[k] - first[k];

@@ -118,4 +118,18 @@ template <int D> inline constexpr std::uint8_t every_component = (1 << D) - 1;
 /// Across the clamps: what stays prescribed where an edge may slide.
 template <int D> inline constexpr std::uint8_t normal_component = 1 << (D - 1);
 
+/// From where to where something lies, along each axis.
+struct Extent {
+  std::array<int, 3> first{}, last{};
+  bool met = false;
+
+  void meet(const std::array<int, 3>& at) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      first[k] = met ? std::min(first[k], at[k]) : at[k];
+      last[k] = met ? std::max(last[k], at[k]) : at[k];
+    }
+    met = true;
+  }
+};
+
 }  // namespace arenite::statics

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "geometry/label_cells.hpp"
+#include "solid/statics/grid.hpp"
 
 namespace arenite::statics {
 namespace {
@@ -14,17 +15,7 @@ constexpr int far = 32;  ///< voxels
 constexpr geometry::LabelOptions at_necks{geometry::Labelling::watershed, 0.4};
 
 /// The box that a label lies in.
-struct Room {
-  std::array<int, 3> first{}, last{};
-  bool met = false;
-
-  void meet(const std::array<int, 3>& at) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      first[k] = met ? std::min(first[k], at[k]) : at[k];
-      last[k] = met ? std::max(last[k], at[k]) : at[k];
-    }
-    met = true;
-  }
+struct Room : Extent {
   int extent(std::size_t k) const { return last[k] - first[k] + 1; }
   bool reaches_far() const { return met && std::max({extent(0), extent(1), extent(2)}) > far; }
   /// Calls see(voxel of the sample, cell of the room).
